@@ -1,0 +1,3 @@
+#ifndef VITRINE_SHARED_LAYOUT
+#define VITRINE_SHARED_LAYOUT
+#endif

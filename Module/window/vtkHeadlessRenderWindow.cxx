@@ -1,0 +1,8 @@
+#include "vtkHeadlessRenderWindow.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkHeadlessRenderWindow);
+
+vtkHeadlessRenderWindow::vtkHeadlessRenderWindow() = default;
+vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow() = default;

@@ -1,0 +1,56 @@
+# Build, install and wrap the module Vitrine::Rendering against an installed VTK.
+
+set(vitrine_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMath RenderingCore RenderingOpenGL2 glew opengl)
+set(vitrine_find_components ${vitrine_vtk_components})
+if (VITRINE_WRAP_PYTHON)
+  list(APPEND vitrine_find_components WrappingPythonCore)
+endif ()
+if (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES)
+  list(APPEND vitrine_find_components
+    CommonColor CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+    IOGeometry IOImage IOImport IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation
+    RenderingFreeType RenderingVolume RenderingVolumeOpenGL2 InteractionWidgets)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components})
+find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+
+set(CMAKE_INSTALL_RPATH "\$ORIGIN:\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}:\$ORIGIN/../../..")
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(vitrine_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Vitrine")
+
+# vtk_module_build() adds the module's folder, which is the project's root, into the same relative
+# binary folder; a binary root of its own keeps the two apart.
+set(vitrine_binary_dir "${CMAKE_BINARY_DIR}")
+set(CMAKE_BINARY_DIR "${PROJECT_BINARY_DIR}/vtkmodule")
+
+vtk_module_scan(
+  MODULE_FILES     "${PROJECT_SOURCE_DIR}/vtk.module"
+  REQUEST_MODULES  Vitrine::Rendering
+  PROVIDES_MODULES vitrine_modules
+  ENABLE_TESTS     OFF)
+vtk_module_build(
+  MODULES                ${vitrine_modules}
+  PACKAGE                Vitrine
+  INSTALL_EXPORT         Vitrine
+  VERSION                ${PROJECT_VERSION}
+  SOVERSION              1
+  CMAKE_DESTINATION      "${vitrine_cmake_destination}"
+  HEADERS_DESTINATION    "${CMAKE_INSTALL_INCLUDEDIR}/vitrine"
+  LICENSE_DESTINATION    "${CMAKE_INSTALL_DATADIR}/licenses/vitrine"
+  HIERARCHY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}/vtk/hierarchy/Vitrine")
+
+if (VITRINE_WRAP_PYTHON)
+  vtk_module_wrap_python(
+    MODULES           ${vitrine_modules}
+    PYTHON_PACKAGE    vitrine
+    CMAKE_DESTINATION "${vitrine_cmake_destination}"
+    BUILD_STATIC      OFF)
+endif ()
+
+vtk_module_export_find_packages(
+  CMAKE_DESTINATION "${vitrine_cmake_destination}"
+  FILE_NAME         "Vitrine-vtk-module-find-packages.cmake"
+  MODULES           ${vitrine_modules})
+set(CMAKE_BINARY_DIR "${vitrine_binary_dir}")
