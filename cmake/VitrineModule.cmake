@@ -1,7 +1,7 @@
 # Build, install and wrap the module Vitrine::Rendering against an installed VTK.
 
 set(vitrine_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath RenderingCore RenderingOpenGL2 glew opengl)
+  CommonCore CommonDataModel CommonExecutionModel CommonMath RenderingCore RenderingOpenGL2)
 set(vitrine_find_components ${vitrine_vtk_components})
 if (VITRINE_WRAP_PYTHON)
   list(APPEND vitrine_find_components WrappingPythonCore)
@@ -13,7 +13,10 @@ if (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES)
     RenderingFreeType RenderingVolume RenderingVolumeOpenGL2 InteractionWidgets)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components})
-find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+find_package(OpenGL QUIET COMPONENTS EGL)
+if (NOT TARGET OpenGL::EGL AND (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES))
+  message(FATAL_ERROR "The examples and tests need EGL; without it, turn BUILD_TESTING and VITRINE_BUILD_EXAMPLES off.")
+endif ()
 
 set(CMAKE_INSTALL_RPATH "\$ORIGIN:\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}:\$ORIGIN/../../..")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")

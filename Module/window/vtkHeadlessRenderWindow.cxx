@@ -1,8 +1,325 @@
+#include "gl/VitrineOpenGL.h" // before everything else, as VTK asks for
+
 #include "vtkHeadlessRenderWindow.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkObjectFactoryCollection.h"
+#include "vtkOpenGLState.h"
+#include "vtkSmartPointer.h"
+#include "vtkVersion.h"
+#include "vtkWeakPointer.h"
+#include "window/EGLOffscreenContext.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifndef VTK_FUTURE_CONST // a macro of VTK 9.3 and later
+#define VTK_FUTURE_CONST
+#endif
+
+namespace
+{
+const char* const Overridden = "vtkRenderWindow";
+
+/**
+ * Has vtkRenderWindow::New() give a vtkHeadlessRenderWindow. VTK asks the factories in the order of their
+ * registration and takes the first answer, hence the ones before this one are kept quiet about
+ * vtkRenderWindow, and speak again with Restore().
+ */
+class HeadlessWindowFactory : public vtkObjectFactory
+{
+public:
+  static HeadlessWindowFactory* New();
+  vtkTypeMacro(HeadlessWindowFactory, vtkObjectFactory);
+  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() VTK_FUTURE_CONST override
+  {
+    return "Vitrine: render windows without a display";
+  }
+
+  /**
+   * The registered one, or null.
+   */
+  static HeadlessWindowFactory* Find()
+  {
+    vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+    vtkCollectionSimpleIterator cursor;
+    factories->InitTraversal(cursor);
+    while (vtkObjectFactory* factory = factories->GetNextObjectFactory(cursor))
+    {
+      if (auto* found = HeadlessWindowFactory::SafeDownCast(factory))
+      {
+        return found;
+      }
+    }
+    return nullptr;
+  }
+
+  void SilenceEarlierFactories()
+  {
+    vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+    vtkCollectionSimpleIterator cursor;
+    factories->InitTraversal(cursor);
+    while (vtkObjectFactory* factory = factories->GetNextObjectFactory(cursor))
+    {
+      for (int i = 0; i < factory->GetNumberOfOverrides(); ++i)
+      {
+        if (factory->GetClassOverrideName(i) == std::string(Overridden) &&
+          factory->GetEnableFlag(i))
+        {
+          const std::string subclass = factory->GetClassOverrideWithName(i);
+          factory->SetEnableFlag(0, Overridden, subclass.c_str());
+          this->Silenced.emplace_back(factory, subclass);
+        }
+      }
+    }
+  }
+
+  void Restore()
+  {
+    for (const auto& silenced : this->Silenced)
+    {
+      if (silenced.first)
+      {
+        silenced.first->SetEnableFlag(1, Overridden, silenced.second.c_str());
+      }
+    }
+    this->Silenced.clear();
+  }
+
+protected:
+  HeadlessWindowFactory()
+  {
+    this->RegisterOverride(Overridden, "vtkHeadlessRenderWindow", "a render window by EGL", 1,
+      []() -> vtkObject* { return vtkHeadlessRenderWindow::New(); });
+  }
+
+private:
+  // Weak, since a factory from a shared library has to be gone when its library is closed.
+  std::vector<std::pair<vtkWeakPointer<vtkObjectFactory>, std::string>> Silenced;
+};
+vtkStandardNewMacro(HeadlessWindowFactory);
+
+#if VITRINE_GL_LOADER_IS_GLEW
+/**
+ * Load the entry points of the current context. Where GLEW is built for GLX, glewInit() loads all of
+ * OpenGL, whose entry points are the same under EGL, and then fails for want of an X display.
+ *
+ * Returns "" or what went wrong.
+ */
+std::string LoadWithGLEW()
+{
+  const GLenum status = glewInit();
+#ifdef GLEW_ERROR_NO_GLX_DISPLAY
+  const bool loaded = status == GLEW_OK || status == GLEW_ERROR_NO_GLX_DISPLAY;
+#else
+  const bool loaded = status == GLEW_OK;
+#endif
+  if (!loaded)
+  {
+    return reinterpret_cast<const char*>(glewGetErrorString(status));
+  }
+  return GLEW_VERSION_3_2 ? "" : "the driver has no OpenGL 3.2";
+}
+
+float QueryMaximumLineWidth(bool smooth)
+{
+  GLfloat range[2] = { 1.0f, 1.0f };
+  glGetFloatv(smooth ? GL_SMOOTH_LINE_WIDTH_RANGE : GL_ALIASED_LINE_WIDTH_RANGE, range);
+  return range[1];
+}
+#endif
+}
 
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 
-vtkHeadlessRenderWindow::vtkHeadlessRenderWindow() = default;
-vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow() = default;
+vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
+{
+  // There is no framebuffer on a screen to copy the picture to.
+  this->FrameBlitMode = NoBlit;
+  this->OwnContext = 1;
+  this->SetOffScreenRendering(1);
+#if !VITRINE_GL_LOADER_IS_GLEW
+  this->SetOpenGLSymbolLoader([](void*, const char* name)
+    { return vitrine::EGLOffscreenContext::GetProcAddress(name); },
+    nullptr);
+#endif
+}
+
+vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow()
+{
+  // The superclass' destructor finalizes too, too late for this class' context.
+  this->Finalize();
+}
+
+void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Platform: " << (this->Context ? this->Context->GetPlatform() : "(none)") << "\n";
+}
+
+void vtkHeadlessRenderWindow::InstallOverride()
+{
+  if (!HeadlessWindowFactory::Find())
+  {
+    auto factory = vtkSmartPointer<HeadlessWindowFactory>::New();
+    factory->SilenceEarlierFactories();
+    vtkObjectFactory::RegisterFactory(factory);
+  }
+}
+
+void vtkHeadlessRenderWindow::RemoveOverride()
+{
+  if (HeadlessWindowFactory* factory = HeadlessWindowFactory::Find())
+  {
+    factory->Restore();
+    vtkObjectFactory::UnRegisterFactory(factory);
+  }
+}
+
+const char* vtkHeadlessRenderWindow::GetPlatform()
+{
+  return this->Context ? this->Context->GetPlatform().c_str() : "";
+}
+
+int vtkHeadlessRenderWindow::GetNumberOfDevices()
+{
+  return vitrine::EGLOffscreenContext::CountDevices();
+}
+
+bool vtkHeadlessRenderWindow::CreateContext()
+{
+  std::string failures;
+  this->Context = vitrine::EGLOffscreenContext::Create(this->DeviceIndex, failures);
+  if (!this->Context)
+  {
+    this->ContextFailed = true;
+    vtkErrorMacro("No EGL platform gives an OpenGL context (" << failures << ").");
+    return false;
+  }
+  if (this->Size[0] <= 0 || this->Size[1] <= 0)
+  {
+    this->SetSize(300, 300); // VTK's own default
+  }
+  this->SetMapped(1);
+  return true;
+}
+
+void vtkHeadlessRenderWindow::Initialize()
+{
+  if (this->ContextFailed || (!this->Context && !this->CreateContext()))
+  {
+    return;
+  }
+  // ReleaseGraphicsResources() leaves the context, without VTK's state for it.
+  if (!this->Initialized)
+  {
+    this->MakeCurrent();
+    this->OpenGLInit();
+  }
+}
+
+void vtkHeadlessRenderWindow::Finalize()
+{
+  if (this->Context)
+  {
+    this->MakeCurrent();
+    this->ReleaseGraphicsResources(this);
+    this->Context.reset();
+    this->SetMapped(0);
+  }
+  this->ContextFailed = false;
+}
+
+void vtkHeadlessRenderWindow::Start()
+{
+  this->Initialize();
+  if (this->Initialized)
+  {
+    this->Superclass::Start();
+  }
+}
+
+void vtkHeadlessRenderWindow::Render()
+{
+  this->Initialize();
+  if (this->Initialized)
+  {
+    this->Superclass::Render();
+  }
+}
+
+void vtkHeadlessRenderWindow::Frame()
+{
+  if (this->Initialized)
+  {
+    this->Superclass::Frame();
+  }
+}
+
+const char* vtkHeadlessRenderWindow::ReportCapabilities()
+{
+  this->Initialize();
+  return this->Initialized ? this->Superclass::ReportCapabilities() : "No OpenGL context.\n";
+}
+
+void vtkHeadlessRenderWindow::MakeCurrent()
+{
+  if (this->Context && !this->Context->MakeCurrent())
+  {
+    vtkErrorMacro(
+      "The context cannot be made current: " << vitrine::EGLOffscreenContext::GetLastError());
+  }
+}
+
+bool vtkHeadlessRenderWindow::IsCurrent()
+{
+  return this->Context && this->Context->IsCurrent();
+}
+
+void* vtkHeadlessRenderWindow::GetGenericContext()
+{
+  return this->Context ? this->Context->GetContext() : nullptr;
+}
+
+void* vtkHeadlessRenderWindow::GetGenericDisplayId()
+{
+  return this->Context ? this->Context->GetDisplay() : nullptr;
+}
+
+void vtkHeadlessRenderWindow::OpenGLInitContext()
+{
+#if VITRINE_GL_LOADER_IS_GLEW
+  this->ContextCreationTime.Modified();
+  if (this->Initialized)
+  {
+    return;
+  }
+  const std::string failure = LoadWithGLEW();
+  this->GlewInitValid = failure.empty();
+  if (!this->GlewInitValid)
+  {
+    this->ContextFailed = true;
+    vtkErrorMacro("OpenGL's entry points cannot be loaded: " << failure);
+    return;
+  }
+  this->Initialized = true;
+  this->MaximumHardwareLineWidth = QueryMaximumLineWidth(this->LineSmoothing);
+#else
+  this->Superclass::OpenGLInitContext();
+#endif
+}
+
+int vtkHeadlessRenderWindow::GetZbufferData(int x1, int y1, int x2, int y2, float* z)
+{
+  return this->Initialized ? this->Superclass::GetZbufferData(x1, y1, x2, y2, z) : VTK_ERROR;
+}
+
+int vtkHeadlessRenderWindow::ReadPixels(
+  const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
+{
+  return this->Initialized
+    ? this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right)
+    : VTK_ERROR;
+}
