@@ -140,6 +140,8 @@ vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
   this->FrameBlitMode = NoBlit;
   this->OwnContext = 1;
   this->SetOffScreenRendering(1);
+  // Has the superclass refuse to read or write pixels while there is no context.
+  this->ReadyForRendering = false;
 #if !VITRINE_GL_LOADER_IS_GLEW
   this->SetOpenGLSymbolLoader([](void*, const char* name)
     { return vitrine::EGLOffscreenContext::GetProcAddress(name); },
@@ -217,6 +219,7 @@ void vtkHeadlessRenderWindow::Initialize()
   {
     this->MakeCurrent();
     this->OpenGLInit();
+    this->ReadyForRendering = this->Initialized;
   }
 }
 
@@ -228,6 +231,7 @@ void vtkHeadlessRenderWindow::Finalize()
     this->ReleaseGraphicsResources(this);
     this->Context.reset();
     this->SetMapped(0);
+    this->ReadyForRendering = false;
   }
   this->ContextFailed = false;
 }
@@ -314,12 +318,4 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
 int vtkHeadlessRenderWindow::GetZbufferData(int x1, int y1, int x2, int y2, float* z)
 {
   return this->Initialized ? this->Superclass::GetZbufferData(x1, y1, x2, y2, z) : VTK_ERROR;
-}
-
-int vtkHeadlessRenderWindow::ReadPixels(
-  const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
-{
-  return this->Initialized
-    ? this->Superclass::ReadPixels(rect, front, glFormat, glType, data, right)
-    : VTK_ERROR;
 }

@@ -124,9 +124,6 @@ protected:
   vtkHeadlessRenderWindow();
   ~vtkHeadlessRenderWindow() override;
 
-  int ReadPixels(
-    const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right) override;
-
 private:
   vtkHeadlessRenderWindow(const vtkHeadlessRenderWindow&) = delete;
   void operator=(const vtkHeadlessRenderWindow&) = delete;
