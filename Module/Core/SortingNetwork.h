@@ -56,7 +56,7 @@ SortingNetwork BestKnownNetwork(int size);
  * milliseconds where the network sorts and merges by halves or quarters.
  *
  * @param network  of at most LargestProvableNetwork inputs
- * @throws std::length_error when more than 2^26 vectors would have to be held; nothing is decided then
+ * @throws std::length_error when more than 2^22 vectors would have to be held; nothing is decided then
  */
 bool SortsAllZeroOneInputs(const SortingNetwork& network);
 

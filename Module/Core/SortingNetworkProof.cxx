@@ -21,7 +21,7 @@ namespace
 using ZeroOneVector = std::uint64_t;
 using VectorSet = std::vector<ZeroOneVector>; // sorted, without duplicates
 
-constexpr std::size_t largestSet = std::size_t{ 1 } << 26;
+constexpr std::size_t largestSet = std::size_t{ 1 } << 22;
 
 ZeroOneVector WireBit(int wire)
 {
