@@ -1,8 +1,7 @@
-# Build, install and wrap the module Vitrine::Rendering against an installed VTK.
+# Build, wrap and install the module Vitrine::Rendering against an installed VTK.
 
-set(vitrine_vtk_components
+set(vitrine_find_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath RenderingCore RenderingOpenGL2)
-set(vitrine_find_components ${vitrine_vtk_components})
 if (VITRINE_WRAP_PYTHON)
   list(APPEND vitrine_find_components WrappingPythonCore)
 endif ()
@@ -15,12 +14,15 @@ endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components})
 find_package(OpenGL QUIET COMPONENTS EGL)
 if (NOT TARGET OpenGL::EGL AND (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES))
-  message(FATAL_ERROR "The examples and tests need EGL; without it, turn BUILD_TESTING and VITRINE_BUILD_EXAMPLES off.")
+  message(FATAL_ERROR "The examples and tests need EGL. Without it, turn BUILD_TESTING and "
+    "VITRINE_BUILD_EXAMPLES off.")
 endif ()
 
-set(CMAKE_INSTALL_RPATH "\$ORIGIN:\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}:\$ORIGIN/../../..")
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "\$ORIGIN" "\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON) # to a VTK outside the system's folders
+
 set(vitrine_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Vitrine")
 
 # vtk_module_build() adds the module's folder, which is the project's root, into the same relative
@@ -44,16 +46,14 @@ vtk_module_build(
   LICENSE_DESTINATION    "${CMAKE_INSTALL_DATADIR}/licenses/vitrine"
   HIERARCHY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}/vtk/hierarchy/Vitrine")
 
-if (VITRINE_WRAP_PYTHON)
-  vtk_module_wrap_python(
-    MODULES           ${vitrine_modules}
-    PYTHON_PACKAGE    vitrine
-    CMAKE_DESTINATION "${vitrine_cmake_destination}"
-    BUILD_STATIC      OFF)
-endif ()
-
 vtk_module_export_find_packages(
   CMAKE_DESTINATION "${vitrine_cmake_destination}"
   FILE_NAME         "Vitrine-vtk-module-find-packages.cmake"
   MODULES           ${vitrine_modules})
+
 set(CMAKE_BINARY_DIR "${vitrine_binary_dir}")
+
+if (VITRINE_WRAP_PYTHON)
+  include(VitrinePython)
+endif ()
+include(VitrinePackage)

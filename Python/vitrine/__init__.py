@@ -1,0 +1,34 @@
+"""Vitrine: see into large assemblies, with VTK.
+
+    import vitrine
+    vitrine.vtkHeadlessRenderWindow.InstallOverride()  # where there is no display
+    renderer.SetPass(vitrine.vtkSeeThroughPass())
+
+All classes of the VTK module Vitrine::Rendering, beside VTK's own of the package vtkmodules.
+"""
+
+from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
+
+
+def _load_vtk():
+    """Load the VTK that this package extends, or say which one is missing."""
+    needed = (
+        f"vitrine needs the Python package of VTK {_VTK_VERSION}, which it was built with "
+        "(python3-vtk9 in Debian)"
+    )
+    try:
+        import vtkmodules.vtkRenderingOpenGL2  # the base classes and their implementation
+        from vtkmodules.vtkCommonCore import vtkVersion
+    except ImportError as error:
+        raise ImportError(f"{needed}: {error}") from error
+    found = f"{vtkVersion.GetVTKMajorVersion()}.{vtkVersion.GetVTKMinorVersion()}"
+    if found != _VTK_VERSION:
+        raise ImportError(f"{needed}, and found VTK {found} at {vtkmodules.__path__[0]}")
+
+
+_load_vtk()
+
+from . import vtkVitrineRendering as _rendering  # noqa: E402, only once VTK is known to fit
+from .vtkVitrineRendering import *  # noqa: E402,F401,F403
+
+__all__ = [name for name in dir(_rendering) if name.startswith("vtk")]

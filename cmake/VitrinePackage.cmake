@@ -1,0 +1,22 @@
+# The CMake package by which other projects find_package(Vitrine).
+include(CMakePackageConfigHelpers)
+
+set(vitrine_package_dir "${PROJECT_BINARY_DIR}/package")
+configure_package_config_file(
+  cmake/VitrineConfig.cmake.in "${vitrine_package_dir}/VitrineConfig.cmake"
+  INSTALL_DESTINATION "${vitrine_cmake_destination}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(
+  "${vitrine_package_dir}/VitrineConfigVersion.cmake"
+  VERSION       ${PROJECT_VERSION}
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${vitrine_package_dir}/VitrineConfig.cmake"
+    "${vitrine_package_dir}/VitrineConfigVersion.cmake"
+  DESTINATION "${vitrine_cmake_destination}"
+  COMPONENT   development)
+install(
+  FILES       LICENSE
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vitrine"
+  COMPONENT   runtime)

@@ -1,0 +1,19 @@
+# Wrap the module for Python as the package vitrine, in the build tree under the same relative folder as
+# in the installed one.
+set(vitrine_python_destination "lib/python3/dist-packages")
+
+vtk_module_wrap_python(
+  MODULES             ${vitrine_modules}
+  PYTHON_PACKAGE      vitrine
+  MODULE_DESTINATION  "${vitrine_python_destination}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  CMAKE_DESTINATION   "${vitrine_cmake_destination}"
+  BUILD_STATIC        OFF)
+
+set(vitrine_python_build_dir "${PROJECT_BINARY_DIR}/${vitrine_python_destination}/vitrine")
+configure_file(Python/vitrine/__init__.py "${vitrine_python_build_dir}/__init__.py" COPYONLY)
+configure_file(Python/vitrine/_build.py.in "${vitrine_python_build_dir}/_build.py" @ONLY)
+install(
+  FILES       "${vitrine_python_build_dir}/__init__.py" "${vitrine_python_build_dir}/_build.py"
+  DESTINATION "${vitrine_python_destination}/vitrine"
+  COMPONENT   python)
