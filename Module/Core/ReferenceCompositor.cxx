@@ -1,0 +1,229 @@
+#include "Core/ReferenceCompositor.h"
+
+#include <algorithm>
+#include <future>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// A fragment whose numbers all have a meaning.
+struct Layer
+{
+  float Depth;
+  float A;
+  float B;
+  float G;
+  float R;
+  std::uint32_t Coverage;
+
+  bool IsInFrontOf(const Layer& other) const
+  {
+    return std::tie(this->Depth, this->A, this->B, this->G, this->R) <
+      std::tie(other.Depth, other.A, other.B, other.G, other.R);
+  }
+};
+
+// NaN, for which no comparison holds, becomes 0.
+float Clamped(float value, float largest)
+{
+  return value > 0.0f ? std::min(value, largest) : 0.0f;
+}
+
+Layer MakeLayer(const CapturedFragment& fragment, float largestColor)
+{
+  const bool hasDepth = fragment.Depth == fragment.Depth;
+  return { hasDepth ? fragment.Depth : 0.0f, Clamped(fragment.Rgba[3], 1.0f),
+    Clamped(fragment.Rgba[2], largestColor), Clamped(fragment.Rgba[1], largestColor),
+    Clamped(fragment.Rgba[0], largestColor), fragment.Coverage };
+}
+
+// Composites the layers that cover a sample, front to back, over what `rgba` holds.
+void CompositeSample(const std::vector<Layer>& layers, std::uint32_t sampleBit, double* rgba)
+{
+  double sum[3] = { 0.0, 0.0, 0.0 };
+  double transmittance = 1.0;
+  for (const Layer& layer : layers)
+  {
+    const double weight = transmittance * layer.A;
+    // What has no weight adds nothing, even if its colour is infinite.
+    if ((layer.Coverage & sampleBit) == 0 || weight == 0.0)
+    {
+      continue;
+    }
+    sum[0] += weight * layer.R;
+    sum[1] += weight * layer.G;
+    sum[2] += weight * layer.B;
+    transmittance *= 1.0 - layer.A;
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const double behind = transmittance == 0.0 ? 0.0 : transmittance * rgba[channel];
+    rgba[channel] = sum[channel] + behind;
+  }
+  rgba[3] = (1.0 - transmittance) + transmittance * rgba[3];
+}
+
+}
+
+// The fragments of pixel p are those at Order[Begin[p]] to Order[Begin[p + 1] - 1].
+struct ReferenceCompositor::PixelLists
+{
+  std::vector<std::size_t> Begin;
+  std::vector<std::uint32_t> Order;
+
+  std::size_t Length(std::size_t pixel) const
+  {
+    return this->Begin[pixel + 1] - this->Begin[pixel];
+  }
+};
+
+ReferenceCompositor::ReferenceCompositor(
+  int width, int height, int samples, TargetRange range, std::vector<double> backdrop)
+  : PixelCount(static_cast<std::size_t>(std::max(width, 0)) * std::max(height, 0))
+  , SamplesPerPixel(std::max(samples, 0))
+  , Range(range)
+  , Picture(std::move(backdrop))
+  , IsComposited(this->PixelCount)
+{
+  if (width < 0 || height < 0 || samples < 1 || samples > 32 ||
+    this->Picture.size() != this->PixelCount * this->SamplesPerPixel * 4)
+  {
+    throw std::invalid_argument("backdrop of " + std::to_string(this->Picture.size()) +
+      " values does not match a picture of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels of " + std::to_string(samples) + " samples");
+  }
+}
+
+void ReferenceCompositor::AddBatch(const CapturedFragment* fragments, std::size_t count)
+{
+  const PixelLists lists = this->SortByPixel(fragments, count);
+
+  // Contiguous ranges of pixels, each with about the same number of fragments.
+  const std::size_t threads = std::max(2u, std::thread::hardware_concurrency());
+  std::vector<std::future<void>> ranges;
+  std::size_t firstPixel = 0;
+  for (std::size_t thread = 1; thread <= threads; ++thread)
+  {
+    const std::size_t share = count / threads * thread + count % threads * thread / threads;
+    const auto end = std::lower_bound(lists.Begin.begin(), lists.Begin.end() - 1, share);
+    const std::size_t lastPixel =
+      thread == threads ? this->PixelCount : static_cast<std::size_t>(end - lists.Begin.begin());
+    if (lastPixel > firstPixel)
+    {
+      ranges.push_back(std::async(std::launch::async,
+        [=, &lists] { this->CompositePixels(fragments, lists, firstPixel, lastPixel); }));
+      firstPixel = lastPixel;
+    }
+  }
+  for (std::future<void>& range : ranges)
+  {
+    range.get();
+  }
+
+  this->Fragments += count;
+  for (std::size_t pixel = 0; pixel < this->PixelCount; ++pixel)
+  {
+    if (lists.Length(pixel) > 0)
+    {
+      this->IsComposited[pixel] = true;
+      ++this->CoveredPixels;
+      this->DeepestPixel = std::max<std::uint64_t>(this->DeepestPixel, lists.Length(pixel));
+    }
+  }
+}
+
+ReferenceCompositor::PixelLists ReferenceCompositor::SortByPixel(
+  const CapturedFragment* fragments, std::size_t count) const
+{
+  if (count > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::invalid_argument("a batch holds at most 2^32 - 1 fragments");
+  }
+  PixelLists lists{ std::vector<std::size_t>(this->PixelCount + 1),
+    std::vector<std::uint32_t>(count) };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t pixel = fragments[i].Pixel;
+    if (pixel >= this->PixelCount || this->IsComposited[pixel])
+    {
+      throw std::invalid_argument("pixel " + std::to_string(pixel) +
+        (pixel < this->PixelCount ? " was in an earlier batch" : " lies outside the picture"));
+    }
+    ++lists.Begin[pixel + 1];
+  }
+  std::partial_sum(lists.Begin.begin(), lists.Begin.end(), lists.Begin.begin());
+
+  std::vector<std::size_t> next(lists.Begin.begin(), lists.Begin.end() - 1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    lists.Order[next[fragments[i].Pixel]++] = static_cast<std::uint32_t>(i);
+  }
+  return lists;
+}
+
+void ReferenceCompositor::CompositePixels(const CapturedFragment* fragments,
+  const PixelLists& lists, std::size_t firstPixel, std::size_t lastPixel)
+{
+  const float largestColor =
+    this->Range == TargetRange::Unit ? 1.0f : std::numeric_limits<float>::infinity();
+  std::vector<Layer> layers;
+  for (std::size_t pixel = firstPixel; pixel < lastPixel; ++pixel)
+  {
+    if (lists.Length(pixel) == 0)
+    {
+      continue;
+    }
+    layers.clear();
+    for (std::size_t i = lists.Begin[pixel]; i < lists.Begin[pixel + 1]; ++i)
+    {
+      layers.push_back(MakeLayer(fragments[lists.Order[i]], largestColor));
+    }
+    std::sort(layers.begin(), layers.end(),
+      [](const Layer& a, const Layer& b) { return a.IsInFrontOf(b); });
+    for (std::size_t sample = 0; sample < this->SamplesPerPixel; ++sample)
+    {
+      CompositeSample(layers, std::uint32_t{ 1 } << sample,
+        &this->Picture[(pixel * this->SamplesPerPixel + sample) * 4]);
+    }
+  }
+}
+
+std::vector<double> ReferenceCompositor::Resolve() const
+{
+  std::vector<double> resolved(this->PixelCount * 4);
+  for (std::size_t pixel = 0; pixel < this->PixelCount; ++pixel)
+  {
+    for (std::size_t sample = 0; sample < this->SamplesPerPixel; ++sample)
+    {
+      for (std::size_t channel = 0; channel < 4; ++channel)
+      {
+        resolved[pixel * 4 + channel] +=
+          this->Picture[(pixel * this->SamplesPerPixel + sample) * 4 + channel];
+      }
+    }
+    for (std::size_t channel = 0; channel < 4; ++channel)
+    {
+      resolved[pixel * 4 + channel] /= static_cast<double>(this->SamplesPerPixel);
+    }
+  }
+  return resolved;
+}
+
+double ReferenceCompositor::LayersMean() const
+{
+  return this->CoveredPixels == 0
+    ? 0.0
+    : static_cast<double>(this->Fragments) / static_cast<double>(this->CoveredPixels);
+}
+
+}

@@ -1,0 +1,116 @@
+#include "Core/ResolveProgram.h"
+
+#include "Core/SortingNetwork.h"
+
+#include <cassert>
+
+namespace vitrine
+{
+namespace
+{
+
+std::string Register(int i)
+{
+  return "f" + std::to_string(i);
+}
+
+// `macro(f) ` for the registers from `first` up to, not including, `end`.
+std::string ForEach(const std::string& macro, int first, int end)
+{
+  std::string text;
+  for (int i = first; i < end; ++i)
+  {
+    text += macro + "(" + Register(i) + ")" + ((i - first) % 8 == 7 ? "\n" : " ");
+  }
+  return text + "\n";
+}
+
+std::string Pair(const std::string& macro, int a, int b)
+{
+  return macro + "(" + Register(a) + ", " + Register(b) + ")\n";
+}
+
+// One round of odd-even transposition: every pair of neighbours once.
+std::string NeighbourPairs(const std::string& macro, int size)
+{
+  std::string text;
+  for (int parity = 0; parity < 2; ++parity)
+  {
+    for (int i = parity; i + 1 < size; i += 2)
+    {
+      text += Pair(macro, i, i + 1);
+    }
+  }
+  return text;
+}
+
+SortingNetwork Shifted(SortingNetwork network, int by)
+{
+  for (Comparator& c : network.Comparators)
+  {
+    c.Low += by;
+    c.High += by;
+  }
+  return network;
+}
+
+// Merge the sorted block in registers [block, 2 block) into the sorted one in [0, block), which keeps the
+// smaller half: against the reversed block its minima are a bitonic sequence, which half-cleaners sort.
+std::string KeepNearest(const std::string& macro, int block)
+{
+  std::string text;
+  for (int i = 0; i < block; ++i)
+  {
+    text += Pair(macro, i, 2 * block - 1 - i);
+  }
+  for (int stride = block / 2; stride > 0; stride /= 2)
+  {
+    for (int i = 0; i < block; ++i)
+    {
+      if ((i & stride) == 0)
+      {
+        text += Pair(macro, i, i + stride);
+      }
+    }
+  }
+  return text;
+}
+
+}
+
+ResolveText UnrollResolve(int size, int pageSize)
+{
+  assert(size > 0 && pageSize > 0 && size % pageSize == 0);
+  ResolveText text;
+  text.Declare = ForEach("DECLARE", 0, size);
+  for (int first = 0; first < size; first += pageSize)
+  {
+    text.Load += first > 0 ? "NEXT_PAGE\n" : "";
+    for (int slot = 0; slot < pageSize; ++slot)
+    {
+      text.Load += "LOAD(" + Register(first + slot) + ", " + std::to_string(slot) + ")\n";
+    }
+  }
+  text.Sort = EmitGlsl(BestKnownNetwork(size), "COMPARE_EXCHANGE", "f");
+  text.OrderTies = NeighbourPairs("ORDER_TIE", size);
+  text.Blend = ForEach("BLEND", 0, size);
+  return text;
+}
+
+LongResolveText UnrollLongResolve(int block)
+{
+  assert(block > 1 && (block & (block - 1)) == 0);
+  const std::string compare = "COMPARE_EXCHANGE_FULL";
+  LongResolveText text;
+  text.Declare = ForEach("DECLARE", 0, 2 * block);
+  text.ClearNearest = ForEach("CLEAR", 0, block);
+  text.LoadBlock = ForEach("LOAD", block, 2 * block);
+  text.SortBlock = EmitGlsl(Shifted(BestKnownNetwork(block), block), compare, "f");
+  text.MergeBlock = KeepNearest(compare, block);
+  text.Blend = ForEach("BLEND", 0, block);
+  text.CountSame = ForEach("COUNT_SAME", 0, block);
+  text.LastRegister = Register(block - 1);
+  return text;
+}
+
+}

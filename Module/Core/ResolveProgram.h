@@ -1,0 +1,41 @@
+/**
+ * The generated parts of the shaders that resolve lists of fragments: unrolled over named registers.
+ */
+#ifndef VITRINE_RESOLVE_PROGRAM_H
+#define VITRINE_RESOLVE_PROGRAM_H
+
+#include <string>
+
+namespace vitrine
+{
+
+/** Text for the tags of LinkedListResolve.glsl, for lists of up to `size` nodes in pages of `pageSize`. */
+struct ResolveText
+{
+  std::string Declare;
+  std::string Load;
+  std::string Sort;
+  std::string OrderTies;
+  std::string Blend;
+};
+
+/** `size` is a multiple of `pageSize`. */
+ResolveText UnrollResolve(int size, int pageSize);
+
+/** Text for the tags of LinkedListResolveLong.glsl, for blocks of `block` nodes, a power of two. */
+struct LongResolveText
+{
+  std::string Declare;
+  std::string ClearNearest;
+  std::string LoadBlock;
+  std::string SortBlock;
+  std::string MergeBlock;
+  std::string Blend;
+  std::string CountSame;
+  std::string LastRegister; ///< the register that holds the farthest fragment of the nearest block
+};
+
+LongResolveText UnrollLongResolve(int block);
+
+}
+#endif
