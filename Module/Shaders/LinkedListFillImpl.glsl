@@ -1,1 +1,43 @@
-// fill
+  // Linked-list A-buffer: append the fragment to its pixel's list. The allocator counts on past the end
+  // of the pool, and so do the heads: what the frame needs is known even when it does not fit.
+  {
+    float vitrineZ = vitrineDepth(VITRINE_FRAGMENT_DEPTH);
+    uint vitrineSamples = vitrineCoverage(vitrineZ);
+#if defined(VITRINE_TESTS_DEPTH) || VITRINE_SAMPLES > 0
+    if (vitrineSamples == 0u)
+    {
+      discard;
+    }
+#endif
+    uint vitrineLimit = uint(vitrineLinks.length());
+#ifdef VITRINE_FRAMEBUFFER_FETCH
+    uint vitrinePage = vitrineHead.x;
+    uint vitrineSlot = vitrineHead.y & uint(vitrinePageSize - 1);
+    if (vitrineSlot == 0u)
+    {
+      uint vitrineNew = atomicAdd(vitrineCounters.PagesUsed, 1u);
+      if (vitrineNew < vitrineLimit)
+      {
+        vitrineLinks[vitrineNew] = vitrinePage;
+      }
+      vitrinePage = vitrineNew;
+    }
+    if (vitrinePage < vitrineLimit)
+    {
+      vitrineStoreNode(vitrineNodeIndex(vitrinePage, vitrineSlot, uint(vitrinePageSize)), vitrineZ,
+        vitrineColor(gl_FragData[0]), vitrineSamples);
+    }
+    vitrineHead = uvec2(vitrinePage, vitrineHead.y + 1u);
+#else
+    ivec2 vitrinePixel = ivec2(gl_FragCoord.xy);
+    ivec2 vitrineHeadTexel = ivec2(2 * vitrinePixel.x, vitrinePixel.y);
+    imageAtomicAdd(vitrineHeads, vitrineHeadTexel + ivec2(1, 0), 1u);
+    uint vitrineNew = atomicAdd(vitrineCounters.PagesUsed, 1u);
+    if (vitrineNew < vitrineLimit)
+    {
+      // The image holds node numbers plus one, so that clearing it to 0 ends all lists.
+      vitrineLinks[vitrineNew] = imageAtomicExchange(vitrineHeads, vitrineHeadTexel, vitrineNew + 1u) - 1u;
+      vitrineStoreNode(vitrineNew, vitrineZ, vitrineColor(gl_FragData[0]), vitrineSamples);
+    }
+#endif
+  }

@@ -1,23 +1,109 @@
+/**
+ * @class   vtkLinkedListTransparencyPass
+ * @brief   exact transparency by an A-buffer of linked lists
+ *
+ * One pass over the translucent geometry stores every fragment in a list of its pixel; a resolve sorts each
+ * list by depth and composites it. Exact for any number of layers:
+ *
+ *  1. Fill: fragments go to a pool of pages of 1 to 8 nodes; an image holds each pixel's newest page and its
+ *     number of fragments. Depth is kept as 32-bit float, colour in half float or 8 bits.
+ *  2. Classify: the longest list of each tile of 16x16 pixels, and what the frame needed.
+ *  3. If the pool was too small it grows and the geometry is drawn again, in the same frame. If the memory
+ *     limit forbids that, the frame is drawn in bands of the screen, each of which fits.
+ *  4. Resolve: tiles in bins by their longest list; up to 64 fragments sort in registers by an unrolled
+ *     network, longer lists block by block.
+ *
+ * The picture does not depend on the order in which fragments arrive: among fragments of equal depth the
+ * packed colour decides, compared by alpha, blue, green, red.
+ *
+ * J. C. Yang, J. Hensley, H. Gruen, N. Thibieroz: Real-Time Concurrent Linked List Construction on the GPU,
+ * EGSR 2010; C. Crassin: Linked lists of fragment pages, 2010; P. Knowles, G. Leach, F. Zambetta: Fast
+ * Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014).
+ */
 #ifndef vtkLinkedListTransparencyPass_h
 #define vtkLinkedListTransparencyPass_h
 
 #include "vtkTransparencyPass.h"
+
+namespace vitrine
+{
+struct FragmentStatistics;
+struct PixelRegion;
+}
 
 class VTKVITRINERENDERING_EXPORT vtkLinkedListTransparencyPass : public vtkTransparencyPass
 {
 public:
   static vtkLinkedListTransparencyPass* New();
   vtkTypeMacro(vtkLinkedListTransparencyPass, vtkTransparencyPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void Render(const vtkRenderState* s) override;
+  enum ColorStorageType
+  {
+    HALF_FLOAT = 0, ///< RGBA16F, 8 bytes a fragment: exact to 8-bit pictures with any number of layers
+    EIGHT_BIT = 1   ///< RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up
+  };
+
+  ///@{
+  /**
+   * How fragments' colours are kept. Half float by default.
+   */
+  void SetColorStorage(int storage);
+  vtkGetMacro(ColorStorage, int);
+  void SetColorStorageToHalfFloat() { this->SetColorStorage(HALF_FLOAT); }
+  void SetColorStorageToEightBit() { this->SetColorStorage(EIGHT_BIT); }
+  ///@}
+
+  ///@{
+  /**
+   * The most GPU memory in bytes that the node pool may take; 0, the default, for no limit but the driver's.
+   * A frame that needs more is drawn in bands of the screen and is exact all the same, unless one pixel alone
+   * needs more, which is an error.
+   */
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  /**
+   * Bytes of the node pool after the last frame; GetBytes() counts heads, tiles and the backdrop too.
+   */
+  vtkTypeInt64 GetPoolBytes();
+
+  /**
+   * In how many bands of the screen the last frame was drawn: 1 unless the memory limit demanded more.
+   */
+  vtkGetMacro(NumberOfBands, int);
+
+  const char* GetMethodName() override { return "linked-list"; }
 
 protected:
   vtkLinkedListTransparencyPass();
   ~vtkLinkedListTransparencyPass() override;
 
+  vitrine::FillShader GetFillShader() override;
+  void SetFillParameters(vtkShaderProgram* program) override;
+  std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
+  std::string RenderFragments(const vtkRenderState* s, const vitrine::RenderTarget& target) override;
+  void ReleaseMethodResources() override;
+
+  int ColorStorage = HALF_FLOAT;
+  vtkTypeInt64 MemoryLimit = 0;
+  int NumberOfBands = 1;
+
 private:
   vtkLinkedListTransparencyPass(const vtkLinkedListTransparencyPass&) = delete;
   void operator=(const vtkLinkedListTransparencyPass&) = delete;
+
+  void PrepareFrame(const vitrine::RenderTarget& target);
+  vitrine::FragmentStatistics Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const vitrine::PixelRegion& region);
+  void Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+    const vitrine::FragmentStatistics& statistics);
+  std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
+  void FinishFrame(const vitrine::FragmentStatistics& frame);
+
+  struct Internals;
+  std::unique_ptr<Internals> Private;
 };
 
 #endif

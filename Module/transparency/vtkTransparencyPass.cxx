@@ -1,9 +1,340 @@
 #include "vtkTransparencyPass.h"
 
-vtkTransparencyPass::vtkTransparencyPass() = default;
+#include "Core/ShaderTuning.h"
+#include "gl/Capabilities.h"
+#include "gl/GLObjects.h"
+#include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
+#include "transparency/FillShader.h"
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkProp.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTranslucentPass.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <set>
+
+namespace
+{
+
+bool HasTranslucentGeometry(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    if (s->GetPropArray()[i]->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether the specular term of the prop is zero for sure, so that its pow() need not be computed. VTK
+// rebuilds the shader when the property changes.
+bool HasNoSpecularTerm(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetProperty()->GetSpecular() == 0.0 && !actor->GetBackfaceProperty() &&
+    actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
+    !actor->GetShaderProperty()->HasFragmentShaderCode();
+}
+
+}
+
+struct vtkTransparencyPass::Internals
+{
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkNew<vtkOrderIndependentTranslucentPass> Fallback;
+  vtkNew<vtkTranslucentPass> FallbackGeometry;
+  std::string FallbackReason;
+  std::string MissingFeature; // of Window's context
+  std::set<std::string> Reported;
+
+  vitrine::RenderTarget Target; // of the current frame
+  bool PostDepthCoverage = false;
+  bool SoftwareRasteriser = false;
+
+  // A copy of the opaque depth, made in the frames in which a mapper's shader asks for it.
+  vitrine::Image2D OpaqueDepth;
+  vitrine::Framebuffer OpaqueDepthFramebuffer;
+  std::unique_ptr<vitrine::ScopedTextureUnit> OpaqueDepthUnit;
+
+  // What of the target the mappers' shaders depend on.
+  bool ChangesShaders(const vitrine::RenderTarget& target) const
+  {
+    return this->Target.Samples != target.Samples || this->Target.FixedPoint != target.FixedPoint ||
+      this->Target.DepthSteps != target.DepthSteps;
+  }
+
+  void CopyOpaqueDepth();
+};
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::Internals::CopyOpaqueDepth()
+{
+  const vitrine::RenderTarget& target = this->Target;
+  vtkOpenGLState* state = this->Window->GetState();
+  const bool fresh = this->OpaqueDepth.Allocate(
+    target.Depth.InternalFormat, target.Width, target.Height, target.Samples);
+
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->OpaqueDepthFramebuffer.Handle());
+  if (fresh)
+  {
+    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
+      target.DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+      this->OpaqueDepth.Target(), this->OpaqueDepth.Handle(), 0);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+  }
+  const vitrine::PixelRegion& r = target.Region;
+  state->vtkglBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, r.X, r.Y, r.X + r.Width,
+    r.Y + r.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopFramebufferBindings();
+
+  this->OpaqueDepthUnit = std::make_unique<vitrine::ScopedTextureUnit>(
+    state, this->OpaqueDepth.Target(), this->OpaqueDepth.Handle());
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyPass::vtkTransparencyPass()
+  : Private(new Internals)
+{
+  this->Private->Fallback->SetTranslucentPass(this->Private->FallbackGeometry);
+}
+
+//------------------------------------------------------------------------------
 vtkTransparencyPass::~vtkTransparencyPass() = default;
 
+//------------------------------------------------------------------------------
 void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MethodName: " << this->GetMethodName() << "\n";
+  os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
+  os << indent << "FragmentCount: " << this->FragmentCount << "\n";
+  os << indent << "LayersMax: " << this->LayersMax << "\n";
+  os << indent << "LayersMean: " << this->LayersMean << "\n";
+  os << indent << "GeometryPasses: " << this->GeometryPasses << "\n";
+  os << indent << "Bytes: " << this->Bytes << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTransparencyPass::GetFallbackReason()
+{
+  return this->Private->FallbackReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLRenderWindow* vtkTransparencyPass::GetWindow()
+{
+  return this->Private->Window;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  this->FragmentCount = 0;
+  this->LayersMax = 0;
+  this->LayersMean = 0.0;
+  this->GeometryPasses = 0;
+  this->Private->FallbackReason.clear();
+  if (!HasTranslucentGeometry(s))
+  {
+    return;
+  }
+
+  vtkOpenGLClearErrorMacro();
+  this->UseWindow(s->GetRenderer()->GetRenderWindow());
+  const std::string problem = this->RenderExactly(s);
+  if (!problem.empty())
+  {
+    this->RenderFallback(s, problem);
+  }
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderWindow);
+  if (window == this->Private->Window)
+  {
+    return;
+  }
+  if (this->Private->Window)
+  {
+    vtkOpenGLRenderWindow* previous = this->Private->Window;
+    previous->MakeCurrent();
+    this->ReleaseGraphicsResources(previous);
+    window->MakeCurrent();
+  }
+  this->Private->Window = window;
+  this->Private->MissingFeature = this->FindMissingFeature(window);
+  this->Private->PostDepthCoverage = vitrine::HasExtension("GL_ARB_post_depth_coverage");
+  this->Private->SoftwareRasteriser = vitrine::IsSoftwareRasteriser();
+  this->ShaderStage.Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  if (!in.MissingFeature.empty())
+  {
+    return in.MissingFeature;
+  }
+  vtkOpenGLState* state = in.Window->GetState();
+  vitrine::RenderTarget target;
+  const std::string problem = target.Probe(state);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (target.Region.IsEmpty())
+  {
+    return {};
+  }
+  if (in.ChangesShaders(target))
+  {
+    this->ShaderStage.Modified();
+  }
+  in.Target = target;
+
+  vitrine::ScopedTrackedState trackedState(state);
+  vitrine::ScopedShaderProgram shaderProgram(in.Window);
+  const std::string failure = this->RenderFragments(s, target);
+  in.OpaqueDepthUnit.reset();
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::string& reason)
+{
+  Internals& in = *this->Private;
+  in.FallbackReason = reason;
+  if (in.Reported.insert(reason).second)
+  {
+    vtkErrorMacro(<< this->GetMethodName() << " cannot draw here: " << reason
+                  << ". Translucent geometry is drawn as VTK does by itself, which is not exact.");
+  }
+  in.Fallback->Render(s);
+  this->NumberOfRenderedProps = in.Fallback->GetNumberOfRenderedProps();
+  this->GeometryPasses += 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::DrawTranslucentGeometry(const vtkRenderState* s)
+{
+  this->PreRender(s);
+  int rendered = 0;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    rendered += s->GetPropArray()[i]->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+  }
+  this->PostRender(s);
+  this->NumberOfRenderedProps = rendered;
+  this->GeometryPasses += 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  Internals& in = *this->Private;
+  const bool writesDepth = vitrine::WritesDepth(fragmentShader);
+  vitrine::FillShader fill = this->GetFillShader();
+  const std::vector<std::string> capture =
+    vitrine::CaptureDefines(in.Target, in.PostDepthCoverage, writesDepth);
+  fill.Defines.insert(fill.Defines.begin(), capture.begin(), capture.end());
+  if (in.PostDepthCoverage && in.Target.Samples > 0)
+  {
+    fill.Extensions.emplace_back("GL_ARB_post_depth_coverage");
+  }
+
+  const std::string problem = vitrine::JoinFillShader(fill, fragmentShader);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< this->GetMethodName() << ": fragments of "
+                  << (prop ? prop->GetClassName() : "a prop") << " cannot be stored: " << problem);
+    return false;
+  }
+
+  if (prop && HasNoSpecularTerm(prop))
+  {
+    vitrine::DropSpecularPower(fragmentShader);
+  }
+  if (in.SoftwareRasteriser && geometryShader.empty())
+  {
+    vitrine::PassUniformsAsFlatVaryings(vertexShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Private;
+  if (program->IsUniformUsed("vitrineOpaqueDepth"))
+  {
+    if (!in.OpaqueDepthUnit)
+    {
+      in.CopyOpaqueDepth();
+    }
+    program->SetUniformi("vitrineOpaqueDepth", in.OpaqueDepthUnit->Unit());
+  }
+  this->SetFillParameters(program);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTransparencyPass::GetShaderStageMTime()
+{
+  return this->ShaderStage.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Private;
+  in.Fallback->ReleaseGraphicsResources(window);
+  if (window == in.Window)
+  {
+    in.OpaqueDepthUnit.reset();
+    in.OpaqueDepth.Release();
+    in.OpaqueDepthFramebuffer.Release();
+    this->ReleaseMethodResources();
+    this->Bytes = 0;
+    in.Window = nullptr;
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTransparencyPass::GetSharedBytes()
+{
+  return this->Private->OpaqueDepth.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ReleaseBeforeDestruction()
+{
+  if (vtkOpenGLRenderWindow* window = this->Private->Window)
+  {
+    window->MakeCurrent();
+    this->ReleaseGraphicsResources(window);
+  }
 }

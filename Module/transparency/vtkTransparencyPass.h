@@ -6,6 +6,15 @@
  * vtkOrderIndependentTranslucentPass or vtkDualDepthPeelingPass: as the translucent pass of a
  * vtkRenderStepsPass. vtkSeeThroughPass is such a vtkRenderStepsPass, ready made.
  *
+ * The pass draws into the framebuffer that is bound when it begins, within its scissor box, so it works in
+ * any viewport, layer or framebuffer that VTK sets up. Fragments behind the opaque depth are hidden. What
+ * comes out is premultiplied by alpha and composited over what is there.
+ *
+ * Where the driver lacks what the method needs, the pass says so once and draws as VTK does by itself
+ * (vtkOrderIndependentTranslucentPass); GetFallbackReason() tells why.
+ *
+ * A pass holds GPU memory for one render window at a time; give each window passes of its own.
+ *
  * After a frame the pass tells what it drew: fragments, layers, geometry passes and the GPU memory it
  * holds.
  */
@@ -15,11 +24,43 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkVitrineRenderingModule.h" // export macro
 
+#include <memory> // for the pass's internals
+#include <string> // for shader text
+
+class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
+
+namespace vitrine
+{
+struct FillShader;
+struct RenderTarget;
+}
+
 class VTKVITRINERENDERING_EXPORT vtkTransparencyPass : public vtkOpenGLRenderPass
 {
 public:
-  vtkTypeMacro(vtkTransparencyPass, vtkOpenGLRenderPass);
+  vtkAbstractTypeMacro(vtkTransparencyPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Draw the translucent polygonal geometry of the state's props.
+   */
+  void Render(const vtkRenderState* s) override;
+
+  /**
+   * Free what the pass holds in the context of `window`.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * The method's name in commands, JSON and charts, as "linked-list".
+   */
+  virtual const char* GetMethodName() = 0;
+
+  /**
+   * Why the last frame was drawn as VTK does by itself; empty if it was not.
+   */
+  const char* GetFallbackReason();
 
   ///@{
   /**
@@ -41,19 +82,84 @@ public:
    */
   vtkGetMacro(Bytes, vtkTypeInt64);
 
+  ///@{
+  /**
+   * vtkOpenGLRenderPass: join the method's storing of fragments to the mappers' shaders.
+   */
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
 protected:
   vtkTransparencyPass();
   ~vtkTransparencyPass() override;
+
+  /**
+   * The GLSL that stores a fragment. It may depend on the target and on the method's settings; a setting
+   * that changes it calls this->ShaderStage.Modified().
+   */
+  virtual vitrine::FillShader GetFillShader() = 0;
+
+  /**
+   * Set the uniforms of the method's own declarations.
+   */
+  virtual void SetFillParameters(vtkShaderProgram* program) = 0;
+
+  /**
+   * What the context lacks for this method; empty if nothing.
+   */
+  virtual std::string FindMissingFeature(vtkOpenGLRenderWindow* window) = 0;
+
+  /**
+   * Draw the frame into `target`. Returns an empty string, or why it could not: the fallback draws then.
+   */
+  virtual std::string RenderFragments(const vtkRenderState* s, const vitrine::RenderTarget& target) = 0;
+
+  /**
+   * Free the method's own GL objects; their context is current.
+   */
+  virtual void ReleaseMethodResources() = 0;
+
+  /**
+   * For destructors of methods: free what is held if the window still lives.
+   */
+  void ReleaseBeforeDestruction();
+
+  /**
+   * Draw the translucent geometry once, with the method's storing of fragments joined to the shaders.
+   */
+  void DrawTranslucentGeometry(const vtkRenderState* s);
+
+  /**
+   * The window of the current frame.
+   */
+  vtkOpenGLRenderWindow* GetWindow();
+
+  /**
+   * GPU memory in bytes that all methods hold alike: the copy of the opaque depth, if one was asked for.
+   */
+  vtkTypeInt64 GetSharedBytes();
 
   vtkTypeInt64 FragmentCount = 0;
   vtkTypeInt64 LayersMax = 0;
   double LayersMean = 0.0;
   int GeometryPasses = 0;
   vtkTypeInt64 Bytes = 0;
+  vtkTimeStamp ShaderStage;
 
 private:
   vtkTransparencyPass(const vtkTransparencyPass&) = delete;
   void operator=(const vtkTransparencyPass&) = delete;
+
+  void UseWindow(vtkRenderWindow* renderWindow);
+  std::string RenderExactly(const vtkRenderState* s);
+  void RenderFallback(const vtkRenderState* s, const std::string& reason);
+
+  struct Internals;
+  std::unique_ptr<Internals> Private;
 };
 
 #endif

@@ -1,19 +1,338 @@
 #include "vtkTruthTransparencyPass.h"
 
+#include "Core/ReferenceCompositor.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/BackdropCopy.h"
+#include "gl/Capabilities.h"
+#include "gl/GLObjects.h"
+#include "gl/ProgramCache.h"
+#include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
+#include "transparency/FillShader.h"
+#include "transparency/ShaderText.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkProp.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
-#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
+#include <iterator>
+#include <vector>
 
 vtkStandardNewMacro(vtkTruthTransparencyPass);
 
-vtkTruthTransparencyPass::vtkTruthTransparencyPass() = default;
-vtkTruthTransparencyPass::~vtkTruthTransparencyPass() = default;
-
-void vtkTruthTransparencyPass::Render(const vtkRenderState* s)
+namespace
 {
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+
+const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location",
+  "GL_ARB_gpu_shader5", "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
+  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
+
+// The GPU writes what Core reads.
+static_assert(sizeof(vitrine::CapturedFragment) == sizeof(vitrine::VitrineCapturedFragment), "layout");
+static_assert(offsetof(vitrine::CapturedFragment, Rgba) == offsetof(vitrine::VitrineCapturedFragment, Red), "layout");
+static_assert(offsetof(vitrine::CapturedFragment, Coverage) == offsetof(vitrine::VitrineCapturedFragment, Coverage), "layout");
+
+constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
+
+std::vector<vitrine::PixelRegion> Split(const vitrine::PixelRegion& region, int parts)
+{
+  // Rows while there are several, then columns.
+  const bool byRows = region.Height > 1;
+  const int length = byRows ? region.Height : region.Width;
+  parts = std::min(parts, length);
+  std::vector<vitrine::PixelRegion> strips;
+  for (int i = 0; i < parts; ++i)
   {
-    s->GetPropArray()[i]->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+    const int first = static_cast<int>(std::int64_t(length) * i / parts);
+    const int end = static_cast<int>(std::int64_t(length) * (i + 1) / parts);
+    vitrine::PixelRegion strip = region;
+    (byRows ? strip.Y : strip.X) += first;
+    (byRows ? strip.Height : strip.Width) = end - first;
+    strips.push_back(strip);
   }
+  return strips;
+}
+
+}
+
+struct vtkTruthTransparencyPass::Internals
+{
+  vitrine::Buffer Counter;
+  vitrine::Buffer Fragments;
+  vitrine::Framebuffer FillFramebuffer;
+  vitrine::BackdropCopy Backdrop;
+  vitrine::Image2D Picture; // RGBA32F, samples of a pixel side by side
+  vitrine::Framebuffer PictureFramebuffer;
+  vitrine::EmptyVertexArray VertexArray;
+  vitrine::ProgramCache Programs;
+  vtkSmartPointer<vtkImageData> Result;
+  int TargetWidth = 0;
+
+  std::size_t Capacity() const
+  {
+    return static_cast<std::size_t>(this->Fragments.Bytes()) / sizeof(vitrine::CapturedFragment);
+  }
+  void PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  void DrawSamples(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
+    const char* name, const char* fragmentShader, const vitrine::Image2D& source);
+  std::vector<double> ReadBackdrop(
+    vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
+  void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
+    const std::vector<double>& samples);
+  std::uint32_t ReadCounter();
+  std::vector<vitrine::CapturedFragment> ReadFragments(std::size_t count);
+};
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::Internals::PrepareTargets(
+  vtkOpenGLState* state, const vitrine::RenderTarget& target)
+{
+  this->TargetWidth = target.Width;
+  if (this->Counter.Handle() == 0)
+  {
+    const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
+    const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
+    this->Counter.Allocate(sizeof(GLuint));
+    this->Fragments.Allocate(bytes / record * record);
+  }
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
+  target.AttachDepth();
+  unsigned int none = GL_NONE;
+  state->vtkglDrawBuffers(1, &none);
+}
+
+//------------------------------------------------------------------------------
+// Draw one fragment of `fragmentShader` for each pixel, or sample, of the bound framebuffer's scissor box.
+void vtkTruthTransparencyPass::Internals::DrawSamples(vtkOpenGLRenderWindow* window,
+  const vitrine::RenderTarget& target, const char* name, const char* fragmentShader,
+  const vitrine::Image2D& source)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const vitrine::ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
+  vtkShaderProgram* program =
+    this->Programs.Ready(window, name, { "VITRINE_SAMPLES " + std::to_string(target.Samples) },
+      vitrine::shaders::FullScreenVertex, [&] { return fragmentShader; });
+  program->SetUniformi("source", unit.Unit());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
+  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
+{
+  vtkOpenGLState* state = window->GetState();
+  this->Backdrop.Copy(state, target);
+
+  const int width = target.Width * std::max(target.Samples, 1);
+  const bool fresh = this->Picture.Allocate(GL_RGBA32F, width, target.Height, 0);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  if (fresh)
+  {
+    glFramebufferTexture2D(
+      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
+  }
+  state->vtkglViewport(0, 0, width, target.Height);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  this->DrawSamples(
+    window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image());
+
+  std::vector<float> samples(std::size_t(4) * width * target.Height);
+  glReadPixels(0, 0, width, target.Height, GL_RGBA, GL_FLOAT, samples.data());
+  return std::vector<double>(samples.begin(), samples.end());
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* window,
+  const vitrine::RenderTarget& target, const std::vector<double>& samples)
+{
+  vtkOpenGLState* state = window->GetState();
+  const std::vector<float> values(samples.begin(), samples.end());
+  {
+    const vitrine::ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->Picture.Handle());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, target.Width * std::max(target.Samples, 1),
+      target.Height, GL_RGBA, GL_FLOAT, values.data());
+  }
+  const vitrine::PixelRegion& r = target.Region;
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+  state->vtkglViewport(0, 0, target.Width, target.Height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
+  this->DrawSamples(window, target, "write", vitrine::shaders::TruthWrite, this->Picture);
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t vtkTruthTransparencyPass::Internals::ReadCounter()
+{
+  GLuint count = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  this->Counter.Read(0, sizeof(count), &count);
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vitrine::CapturedFragment> vtkTruthTransparencyPass::Internals::ReadFragments(
+  std::size_t count)
+{
+  std::vector<vitrine::CapturedFragment> fragments(count);
+  this->Fragments.Read(
+    0, static_cast<std::int64_t>(count * sizeof(vitrine::CapturedFragment)), fragments.data());
+  return fragments;
+}
+
+//------------------------------------------------------------------------------
+vtkTruthTransparencyPass::vtkTruthTransparencyPass()
+  : Private(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTruthTransparencyPass::~vtkTruthTransparencyPass()
+{
+  this->ReleaseBeforeDestruction();
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTruthTransparencyPass::GetResult()
+{
+  return this->Private->Result;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTruthTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
+{
+  return vitrine::MissingFeatures(4, 3,
+    std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+}
+
+//------------------------------------------------------------------------------
+vitrine::FillShader vtkTruthTransparencyPass::GetFillShader()
+{
+  vitrine::FillShader fill;
+  fill.Extensions.assign(std::begin(RequiredExtensions), std::end(RequiredExtensions));
+  fill.Declarations = vitrine::shaders::TruthFillDec;
+  fill.Implementation = vitrine::shaders::TruthFillImpl;
+  return fill;
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::SetFillParameters(vtkShaderProgram* program)
+{
+  program->SetUniformi("vitrineTargetWidth", this->Private->TargetWidth);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTruthTransparencyPass::RenderFragments(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Internals& in = *this->Private;
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  in.PrepareTargets(window->GetState(), target);
+  vitrine::ReferenceCompositor compositor(target.Width, target.Height,
+    std::max(target.Samples, 1),
+    target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
+    in.ReadBackdrop(window, target));
+
+  this->SampleCount = 0;
+  const std::string problem = this->Capture(s, target, target.Region, compositor);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  in.WritePicture(window, target, compositor.Samples());
+  this->KeepResult(target, compositor);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+  vitrine::ReferenceCompositor& compositor)
+{
+  Internals& in = *this->Private;
+  const GLuint zero = 0;
+  in.Counter.Write(0, sizeof(zero), &zero);
+  target.BindForFill(this->GetWindow()->GetState(), in.FillFramebuffer.Handle(), region);
+  {
+    const vitrine::ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, in.Counter.Handle());
+    const vitrine::ScopedStorageBuffer fragments(VITRINE_BINDING_CAPTURE, in.Fragments.Handle());
+    this->DrawTranslucentGeometry(s);
+  }
+
+  const std::size_t count = in.ReadCounter();
+  if (count <= in.Capacity())
+  {
+    const std::vector<vitrine::CapturedFragment> fragments = in.ReadFragments(count);
+    for (const vitrine::CapturedFragment& f : fragments)
+    {
+      this->SampleCount += static_cast<vtkTypeInt64>(std::bitset<32>(f.Coverage).count());
+    }
+    compositor.AddBatch(fragments.data(), fragments.size());
+    return {};
+  }
+  if (region.Width == 1 && region.Height == 1)
+  {
+    return "one pixel alone has " + std::to_string(count) + " fragments, more than " +
+      std::to_string(in.Capacity());
+  }
+  // A margin over the mean, since strips differ.
+  const auto parts = static_cast<int>(count * 5 / 4 / in.Capacity() + 1);
+  for (const vitrine::PixelRegion& strip : Split(region, parts))
+  {
+    const std::string problem = this->Capture(s, target, strip, compositor);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::KeepResult(
+  const vitrine::RenderTarget& target, const vitrine::ReferenceCompositor& compositor)
+{
+  Internals& in = *this->Private;
+  const vitrine::PixelRegion& r = target.Region;
+  const std::vector<double> picture = compositor.Resolve();
+  in.Result = vtkSmartPointer<vtkImageData>::New();
+  in.Result->SetDimensions(r.Width, r.Height, 1);
+  in.Result->AllocateScalars(VTK_FLOAT, 4);
+  auto* out = static_cast<float*>(in.Result->GetScalarPointer());
+  for (int y = r.Y; y < r.Y + r.Height; ++y)
+  {
+    const auto* row = picture.data() + std::size_t(4) * (std::size_t(y) * target.Width + r.X);
+    out = std::copy(row, row + std::size_t(4) * r.Width, out);
+  }
+
+  this->FragmentCount = static_cast<vtkTypeInt64>(compositor.FragmentCount());
+  this->LayersMax = static_cast<vtkTypeInt64>(compositor.LayersMax());
+  this->LayersMean = compositor.LayersMean();
+  this->Bytes = in.Fragments.Bytes() + in.Counter.Bytes() + in.Picture.Bytes() +
+    in.Backdrop.Image().Bytes() + this->GetSharedBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::ReleaseMethodResources()
+{
+  Internals& in = *this->Private;
+  in.Counter.Release();
+  in.Fragments.Release();
+  in.FillFramebuffer.Release();
+  in.Backdrop.Release();
+  in.Picture.Release();
+  in.PictureFramebuffer.Release();
+  in.VertexArray.Release();
+  in.Programs.Release();
 }

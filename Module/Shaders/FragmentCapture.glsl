@@ -1,0 +1,85 @@
+// What every method that stores fragments does with one before it is stored. Joined to the fragment
+// shaders of VTK's mappers at //VTK::DepthPeeling::Dec.
+//
+// VITRINE_WRITES_DEPTH         the mapper's shader writes gl_FragDepth: early tests would ignore that
+// VITRINE_SAMPLES n            samples of the target, 0 if it is single-sampled
+// VITRINE_POST_DEPTH_COVERAGE  gl_SampleMaskIn tells the samples that pass the depth test
+// VITRINE_FIXED_POINT_TARGET   the target clamps colours to [0, 1] before it blends
+// VITRINE_OPAQUE_DEPTH_STEPS s steps of a depth buffer of at most 24 bits, else 0.0
+
+#if defined(VITRINE_WRITES_DEPTH) || (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE))
+#define VITRINE_TESTS_DEPTH
+#endif
+
+#ifndef VITRINE_WRITES_DEPTH
+layout(early_fragment_tests) in;
+#if VITRINE_SAMPLES > 0 && defined(VITRINE_POST_DEPTH_COVERAGE)
+layout(post_depth_coverage) in;
+#endif
+#endif
+
+#ifdef VITRINE_TESTS_DEPTH
+#if VITRINE_SAMPLES > 0
+uniform sampler2DMS vitrineOpaqueDepth;
+#else
+uniform sampler2D vitrineOpaqueDepth;
+#endif
+
+// True if opaque geometry hides the depth `z` in sample `s`, as GL_LEQUAL decides in the depth buffer's own steps.
+bool vitrineHidden(float z, int s)
+{
+  float opaque = texelFetch(vitrineOpaqueDepth, ivec2(gl_FragCoord.xy), s).r;
+  if (VITRINE_OPAQUE_DEPTH_STEPS > 0.0)
+  {
+    return floor(z * VITRINE_OPAQUE_DEPTH_STEPS + 0.5) > floor(opaque * VITRINE_OPAQUE_DEPTH_STEPS + 0.5);
+  }
+  return z > opaque;
+}
+#endif
+
+// The samples of the pixel in which a fragment of depth `z` is seen, one bit each.
+uint vitrineCoverage(float z)
+{
+#if VITRINE_SAMPLES > 0
+  uint covered = uint(gl_SampleMaskIn[0]);
+#ifdef VITRINE_TESTS_DEPTH
+  for (int s = 0; s < VITRINE_SAMPLES; ++s)
+  {
+    covered &= vitrineHidden(z, s) ? ~(1u << uint(s)) : ~0u;
+  }
+#endif
+  return covered;
+#elif defined(VITRINE_TESTS_DEPTH)
+  return vitrineHidden(z, 0) ? 0u : 1u;
+#else
+  return 1u;
+#endif
+}
+
+// Colours as the target blends them: NaN counts as 0, and a fixed-point target clamps (OpenGL 4.5, 17.3.8).
+float vitrineColorComponent(float c)
+{
+#ifdef VITRINE_FIXED_POINT_TARGET
+  return c > 0.0 ? min(c, 1.0) : 0.0;
+#else
+  return c > 0.0 ? min(c, 65504.0) : 0.0;
+#endif
+}
+
+vec4 vitrineColor(vec4 c)
+{
+  return vec4(vitrineColorComponent(c.r), vitrineColorComponent(c.g), vitrineColorComponent(c.b),
+    c.a > 0.0 ? min(c.a, 1.0) : 0.0);
+}
+
+// Window depth in [0, 1]; floats that are not negative order as their bits do.
+float vitrineDepth(float z)
+{
+  return z > 0.0 ? min(z, 1.0) : 0.0;
+}
+
+#ifdef VITRINE_WRITES_DEPTH
+#define VITRINE_FRAGMENT_DEPTH gl_FragDepth
+#else
+#define VITRINE_FRAGMENT_DEPTH gl_FragCoord.z
+#endif

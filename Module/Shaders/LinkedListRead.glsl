@@ -1,0 +1,23 @@
+// Reading the lists that LinkedListFill*.glsl wrote.
+#include "SharedLayout.h"
+#include "NodePool.glsl"
+
+uniform usampler2D heads;
+uniform usamplerBuffer nodes; // one texel a node
+uniform usamplerBuffer links; // one texel a page: the page before it
+
+// Newest page and number of fragments of a pixel.
+uvec2 loadHead(ivec2 pixel)
+{
+#ifdef VITRINE_FRAMEBUFFER_FETCH
+  return texelFetch(heads, pixel, 0).xy;
+#else
+  ivec2 texel = ivec2(2 * pixel.x, pixel.y);
+  return uvec2(texelFetch(heads, texel, 0).x - 1u, texelFetch(heads, texel + ivec2(1, 0), 0).x);
+#endif
+}
+
+uint loadLink(uint page)
+{
+  return texelFetch(links, int(page)).x;
+}

@@ -1,0 +1,20 @@
+// The end of a resolve: what was composited goes over what is there, in float, and is rounded once.
+//
+// Blending in the target itself would round three times in 8 bits.
+#if VITRINE_SAMPLES > 0
+uniform sampler2DMS backdrop;
+#define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, gl_SampleID)
+#define IN_SAMPLE(node) ((COVERAGE(node) >> uint(gl_SampleID) & 1u) != 0u)
+#else
+uniform sampler2D backdrop;
+#define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, 0)
+#define IN_SAMPLE(node) true
+#endif
+
+layout(location = 0) out vec4 outColor; // premultiplied
+
+void writeOver(ivec2 pixel, vec3 color, float transmittance)
+{
+  vec4 behind = LOAD_BACKDROP(pixel);
+  outColor = vec4(color, 1.0 - transmittance) + transmittance * behind;
+}

@@ -1,0 +1,23 @@
+  // The yardstick: capture the fragment as it is.
+  {
+    float vitrineZ = VITRINE_FRAGMENT_DEPTH;
+    uint vitrineSamples = vitrineCoverage(vitrineZ);
+#if defined(VITRINE_TESTS_DEPTH) || VITRINE_SAMPLES > 0
+    if (vitrineSamples == 0u)
+    {
+      discard;
+    }
+#endif
+    uint vitrineAt = atomicAdd(vitrineCaptured, 1u);
+    if (vitrineAt < uint(vitrineCapture.length()))
+    {
+      vitrineCapture[vitrineAt].Pixel =
+        uint(int(gl_FragCoord.y) * vitrineTargetWidth + int(gl_FragCoord.x));
+      vitrineCapture[vitrineAt].Depth = vitrineZ;
+      vitrineCapture[vitrineAt].Red = gl_FragData[0].r;
+      vitrineCapture[vitrineAt].Green = gl_FragData[0].g;
+      vitrineCapture[vitrineAt].Blue = gl_FragData[0].b;
+      vitrineCapture[vitrineAt].Alpha = gl_FragData[0].a;
+      vitrineCapture[vitrineAt].Coverage = vitrineSamples;
+    }
+  }

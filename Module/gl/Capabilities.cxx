@@ -1,0 +1,60 @@
+#include "gl/Capabilities.h"
+
+#include "gl/VitrineOpenGL.h"
+
+#include <cstring>
+
+namespace vitrine
+{
+
+bool HasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    if (extension && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string MissingFeatures(int major, int minor, const std::vector<const char*>& extensions)
+{
+  GLint has[2] = { 0, 0 };
+  glGetIntegerv(GL_MAJOR_VERSION, &has[0]);
+  glGetIntegerv(GL_MINOR_VERSION, &has[1]);
+  if (has[0] < major || (has[0] == major && has[1] < minor))
+  {
+    return "OpenGL " + std::to_string(major) + "." + std::to_string(minor) +
+      " is needed, the context has " + std::to_string(has[0]) + "." + std::to_string(has[1]);
+  }
+  std::string missing;
+  for (const char* name : extensions)
+  {
+    if (!HasExtension(name))
+    {
+      missing += (missing.empty() ? "the driver lacks " : ", ") + std::string(name);
+    }
+  }
+  return missing;
+}
+
+bool IsSoftwareRasteriser()
+{
+  const GLubyte* renderer = glGetString(GL_RENDERER);
+  const std::string name = renderer ? reinterpret_cast<const char*>(renderer) : "";
+  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+}
+
+std::int64_t LargestStorageBlock()
+{
+  GLint64 size = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &size);
+  return size;
+}
+
+}

@@ -1,0 +1,29 @@
+/**
+ * What the current context offers.
+ */
+#ifndef VITRINE_CAPABILITIES_H
+#define VITRINE_CAPABILITIES_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vitrine
+{
+
+/** True if the current context names the extension ("GL_ARB_..."). */
+bool HasExtension(const char* name);
+
+/**
+ * What the current context lacks of OpenGL `major`.`minor` and the named extensions, in words; empty if nothing.
+ */
+std::string MissingFeatures(int major, int minor, const std::vector<const char*>& extensions);
+
+/** True on Mesa's llvmpipe and softpipe, which run shaders on the CPU. */
+bool IsSoftwareRasteriser();
+
+/** The largest shader storage block in bytes that a shader may see. */
+std::int64_t LargestStorageBlock();
+
+}
+#endif

@@ -1,0 +1,83 @@
+/**
+ * The few GL objects that the passes hold: an image to render into, a buffer, each with its size in bytes.
+ *
+ * They belong to the context that is current at their first use; Release() needs that context current, and
+ * their destructors free nothing, since no context need be current by then.
+ */
+#ifndef VITRINE_GL_OBJECTS_H
+#define VITRINE_GL_OBJECTS_H
+
+#include "gl/VitrineOpenGL.h"
+
+#include <cstdint>
+
+namespace vitrine
+{
+
+/** A 2D texture, single- or multisampled, sampled by texelFetch only. */
+class Image2D
+{
+public:
+  /** (Re)allocate where anything differs; contents are undefined then. Returns true if it did. */
+  bool Allocate(GLenum internalFormat, int width, int height, int samples);
+  void Release();
+
+  GLuint Handle() const { return this->Texture; }
+  GLenum Target() const { return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
+  std::int64_t Bytes() const;
+
+private:
+  GLuint Texture = 0;
+  GLenum InternalFormat = GL_NONE;
+  int Width = 0;
+  int Height = 0;
+  int Samples = 0;
+};
+
+/** A buffer, and a buffer texture over it if a texel format is given. */
+class Buffer
+{
+public:
+  /** Reallocate to `size` bytes; contents are undefined. Returns false if the driver has no memory for it. */
+  bool Allocate(std::int64_t size, GLenum texelFormat = GL_NONE);
+  void Release();
+
+  void Write(std::int64_t offset, std::int64_t size, const void* data);
+
+  /** Waits for the device. */
+  void Read(std::int64_t offset, std::int64_t size, void* data) const;
+
+  GLuint Handle() const { return this->Name; }
+  GLuint Texture() const { return this->BufferTexture; }
+  std::int64_t Bytes() const { return this->Size; }
+
+private:
+  GLuint Name = 0;
+  GLuint BufferTexture = 0;
+  std::int64_t Size = 0;
+};
+
+/** A framebuffer object made on demand. */
+class Framebuffer
+{
+public:
+  GLuint Handle();
+  void Release();
+
+private:
+  GLuint Name = 0;
+};
+
+/** A vertex array without attributes, for draws that make their vertices from gl_VertexID. */
+class EmptyVertexArray
+{
+public:
+  GLuint Handle();
+  void Release();
+
+private:
+  GLuint Name = 0;
+};
+
+}
+#endif

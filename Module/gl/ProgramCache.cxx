@@ -1,0 +1,37 @@
+#include "gl/ProgramCache.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+namespace vitrine
+{
+
+std::string DefineLines(const std::vector<std::string>& defines)
+{
+  std::string lines;
+  for (const std::string& define : defines)
+  {
+    lines += "#define " + define + "\n";
+  }
+  return lines;
+}
+
+vtkShaderProgram* ProgramCache::Ready(vtkOpenGLRenderWindow* window, const std::string& name,
+  const std::vector<std::string>& defines, const char* vertex,
+  const std::function<std::string()>& fragment)
+{
+  const std::string defineLines = DefineLines(defines);
+  vtkSmartPointer<vtkShaderProgram>& program = this->Programs[name + "\n" + defineLines];
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  if (program)
+  {
+    return cache->ReadyShaderProgram(program);
+  }
+  const std::string version = "#version 430 core\n";
+  program = cache->ReadyShaderProgram(
+    (version + vertex).c_str(), (version + defineLines + fragment()).c_str(), "");
+  return program;
+}
+
+}

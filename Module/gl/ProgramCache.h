@@ -1,0 +1,41 @@
+/**
+ * A pass's own shader programs, compiled at first use and kept by name.
+ */
+#ifndef VITRINE_PROGRAM_CACHE_H
+#define VITRINE_PROGRAM_CACHE_H
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace vitrine
+{
+
+class ProgramCache
+{
+public:
+  /**
+   * Bind the program of this name and these defines; `fragment` makes its fragment shader, without #version
+   * and defines, when it is wanted for the first time. GLSL 4.30 core.
+   */
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& name,
+    const std::vector<std::string>& defines, const char* vertex,
+    const std::function<std::string()>& fragment);
+
+  void Release() { this->Programs.clear(); }
+
+private:
+  std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs;
+};
+
+/** `#define` lines for all of `defines` ("NAME value"). */
+std::string DefineLines(const std::vector<std::string>& defines);
+
+}
+#endif

@@ -1,0 +1,72 @@
+/**
+ * What a render pass draws into: the framebuffer bound when the pass begins, whatever VTK made it of.
+ */
+#ifndef VITRINE_RENDER_TARGET_H
+#define VITRINE_RENDER_TARGET_H
+
+#include "gl/VitrineOpenGL.h"
+
+#include <string>
+
+class vtkOpenGLState;
+
+namespace vitrine
+{
+
+/** A rectangle of pixels in window coordinates (DC), origin at the bottom left. */
+struct PixelRegion
+{
+  int X = 0;
+  int Y = 0;
+  int Width = 0;
+  int Height = 0;
+
+  bool IsEmpty() const { return this->Width <= 0 || this->Height <= 0; }
+};
+
+/** An image attached to a framebuffer: texture (GL_TEXTURE) or renderbuffer (GL_RENDERBUFFER). */
+struct AttachedImage
+{
+  GLenum Type = GL_NONE;
+  GLuint Name = 0;
+  GLenum InternalFormat = GL_NONE;
+};
+
+/**
+ * The draw framebuffer as it is: its images, size, samples and the region to draw.
+ */
+struct RenderTarget
+{
+  GLuint Framebuffer = 0;
+  GLenum DrawBuffer = GL_NONE;
+  AttachedImage Color;
+  AttachedImage Depth;
+  bool DepthHasStencil = false;
+  int Width = 0;
+  int Height = 0;
+  int Samples = 0;          // 0: single-sampled
+  bool FixedPoint = true;   // colours are normalised fixed point, not float
+  double DepthSteps = 0.0;  // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0
+  PixelRegion Viewport;
+  PixelRegion Region;       // scissor box within the target, or the viewport where the test is off
+
+  /**
+   * Read the bound draw framebuffer. Returns an empty string, or why a pass cannot draw into it. Changes
+   * no state.
+   */
+  std::string Probe(vtkOpenGLState* state);
+
+  GLenum TextureTarget() const { return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
+
+  /**
+   * Bind `framebuffer`, which has this target's depth, and set the state to rasterise translucent geometry into
+   * `region`: tested against the opaque depth, which stays, and without blending.
+   */
+  void BindForFill(vtkOpenGLState* state, GLuint framebuffer, const PixelRegion& region) const;
+
+  /** Attach this target's depth to the framebuffer bound for drawing, so that its tests see opaque depth. */
+  void AttachDepth() const;
+};
+
+}
+#endif

@@ -1,0 +1,155 @@
+#include "gl/ScopedState.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+
+#include <cassert>
+
+namespace vitrine
+{
+namespace
+{
+
+// The query that tells what is bound to a texture target of the active unit.
+GLenum TextureBindingQuery(GLenum target)
+{
+  switch (target)
+  {
+    case GL_TEXTURE_2D:
+      return GL_TEXTURE_BINDING_2D;
+    case GL_TEXTURE_2D_MULTISAMPLE:
+      return GL_TEXTURE_BINDING_2D_MULTISAMPLE;
+    case GL_TEXTURE_BUFFER:
+      return GL_TEXTURE_BINDING_BUFFER;
+    default:
+      assert(false && "texture target without a query");
+      return 0;
+  }
+}
+
+}
+
+ScopedTrackedState::ScopedTrackedState(vtkOpenGLState* state)
+  : State(state)
+  , DepthMask(state)
+  , DepthFunc(state)
+  , ColorMask(state)
+  , BlendFunc(state)
+  , Viewport(state)
+  , Scissor(state)
+  , Blend(state, GL_BLEND)
+  , DepthTest(state, GL_DEPTH_TEST)
+  , ScissorTest(state, GL_SCISSOR_TEST)
+  , CullFace(state, GL_CULL_FACE)
+  , StencilTest(state, GL_STENCIL_TEST)
+  , Multisample(state, GL_MULTISAMPLE)
+  , ActiveTexture(state)
+{
+  this->State->PushFramebufferBindings();
+}
+
+ScopedTrackedState::~ScopedTrackedState()
+{
+  this->State->PopFramebufferBindings();
+}
+
+ScopedVertexArray::ScopedVertexArray(GLuint vertexArray)
+{
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->Previous);
+  glBindVertexArray(vertexArray);
+}
+
+ScopedVertexArray::~ScopedVertexArray()
+{
+  glBindVertexArray(static_cast<GLuint>(this->Previous));
+}
+
+ScopedShaderProgram::ScopedShaderProgram(vtkOpenGLRenderWindow* window)
+  : Window(window)
+  , Previous(window->GetShaderCache()->GetLastShaderBound())
+{
+}
+
+ScopedShaderProgram::~ScopedShaderProgram()
+{
+  vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
+  if (this->Previous && this->Previous->GetHandle() != 0)
+  {
+    cache->ReadyShaderProgram(this->Previous);
+  }
+  else
+  {
+    cache->ReleaseCurrentShader();
+  }
+}
+
+ScopedStorageBuffer::ScopedStorageBuffer(GLuint index, GLuint buffer)
+  : Index(index)
+{
+  glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &this->PreviousGeneric);
+  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &this->Previous);
+  glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &this->PreviousStart);
+  glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &this->PreviousSize);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, buffer);
+}
+
+ScopedStorageBuffer::~ScopedStorageBuffer()
+{
+  if (this->PreviousSize > 0)
+  {
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(this->Previous),
+      static_cast<GLintptr>(this->PreviousStart), static_cast<GLsizeiptr>(this->PreviousSize));
+  }
+  else
+  {
+    glBindBufferBase(
+      GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(this->Previous));
+  }
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(this->PreviousGeneric));
+}
+
+ScopedImage::ScopedImage(GLuint unit, GLuint texture)
+  : Unit(unit)
+{
+  glGetIntegeri_v(GL_IMAGE_BINDING_NAME, unit, &this->Name);
+  glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, unit, &this->Level);
+  glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, unit, &this->Layered);
+  glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, unit, &this->Layer);
+  glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, unit, &this->Access);
+  glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, unit, &this->Format);
+  glBindImageTexture(unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+}
+
+ScopedImage::~ScopedImage()
+{
+  glBindImageTexture(this->Unit, static_cast<GLuint>(this->Name), this->Level,
+    static_cast<GLboolean>(this->Layered), this->Layer, static_cast<GLenum>(this->Access),
+    static_cast<GLenum>(this->Format));
+}
+
+ScopedTextureUnit::ScopedTextureUnit(vtkOpenGLState* state, GLenum target, GLuint texture)
+  : State(state)
+  , Target(target)
+  , AllocatedUnit(state->GetTextureUnitManager()->Allocate())
+{
+  if (this->AllocatedUnit >= 0)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
+    glGetIntegerv(TextureBindingQuery(target), &this->PreviousTexture);
+    glBindTexture(target, texture);
+  }
+}
+
+ScopedTextureUnit::~ScopedTextureUnit()
+{
+  if (this->AllocatedUnit >= 0)
+  {
+    this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
+    glBindTexture(this->Target, static_cast<GLuint>(this->PreviousTexture));
+    this->State->GetTextureUnitManager()->Free(this->AllocatedUnit);
+  }
+}
+
+}

@@ -1,0 +1,132 @@
+/**
+ * Scoped keepers of GL state: each reads what is there when it is made and puts that back when it goes.
+ */
+#ifndef VITRINE_SCOPED_STATE_H
+#define VITRINE_SCOPED_STATE_H
+
+#include "gl/VitrineOpenGL.h"
+#include "vtkOpenGLState.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace vitrine
+{
+
+/**
+ * What vtkOpenGLState tracks and a pass changes: masks, tests, blending, viewport, scissor, framebuffer
+ * bindings. Changes go through vtkOpenGLState, so its cache stays true.
+ */
+class ScopedTrackedState
+{
+public:
+  explicit ScopedTrackedState(vtkOpenGLState* state);
+  ~ScopedTrackedState();
+  ScopedTrackedState(const ScopedTrackedState&) = delete;
+  void operator=(const ScopedTrackedState&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglEnableDisable StencilTest;
+  vtkOpenGLState::ScopedglEnableDisable Multisample;
+  vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
+};
+
+/** The bound vertex array, which VTK does not track. */
+class ScopedVertexArray
+{
+public:
+  explicit ScopedVertexArray(GLuint vertexArray);
+  ~ScopedVertexArray();
+  ScopedVertexArray(const ScopedVertexArray&) = delete;
+  void operator=(const ScopedVertexArray&) = delete;
+
+private:
+  GLint Previous = 0;
+};
+
+/** The shader program that VTK's shader cache has bound. */
+class ScopedShaderProgram
+{
+public:
+  explicit ScopedShaderProgram(vtkOpenGLRenderWindow* window);
+  ~ScopedShaderProgram();
+  ScopedShaderProgram(const ScopedShaderProgram&) = delete;
+  void operator=(const ScopedShaderProgram&) = delete;
+
+private:
+  vtkOpenGLRenderWindow* Window;
+  vtkSmartPointer<vtkShaderProgram> Previous;
+};
+
+/** An indexed shader storage binding, and the generic one that setting it changes too. */
+class ScopedStorageBuffer
+{
+public:
+  ScopedStorageBuffer(GLuint index, GLuint buffer);
+  ~ScopedStorageBuffer();
+  ScopedStorageBuffer(const ScopedStorageBuffer&) = delete;
+  void operator=(const ScopedStorageBuffer&) = delete;
+
+private:
+  GLuint Index;
+  GLint Previous = 0;
+  GLint64 PreviousStart = 0;
+  GLint64 PreviousSize = 0;
+  GLint PreviousGeneric = 0;
+};
+
+/** The binding of an image unit to a level 0 of an R32UI texture, read and written. */
+class ScopedImage
+{
+public:
+  ScopedImage(GLuint unit, GLuint texture);
+  ~ScopedImage();
+  ScopedImage(const ScopedImage&) = delete;
+  void operator=(const ScopedImage&) = delete;
+
+private:
+  GLuint Unit;
+  GLint Name = 0;
+  GLint Level = 0;
+  GLint Layered = 0;
+  GLint Layer = 0;
+  GLint Access = 0;
+  GLint Format = 0;
+};
+
+/**
+ * A texture unit of VTK's unit manager with a texture bound to it; unbound and given back at the end.
+ * Unit() is -1 when the driver's units are used up.
+ */
+class ScopedTextureUnit
+{
+public:
+  ScopedTextureUnit(vtkOpenGLState* state, GLenum target, GLuint texture);
+  ~ScopedTextureUnit();
+  ScopedTextureUnit(const ScopedTextureUnit&) = delete;
+  void operator=(const ScopedTextureUnit&) = delete;
+  int Unit() const { return this->AllocatedUnit; }
+
+private:
+  vtkOpenGLState* State;
+  GLenum Target;
+  GLint PreviousTexture = 0;
+  int AllocatedUnit;
+};
+
+}
+#endif

@@ -1,0 +1,83 @@
+#include "transparency/FillShader.h"
+
+#include "gl/ProgramCache.h"
+#include "gl/RenderTarget.h"
+
+namespace vitrine
+{
+
+bool WritesDepth(const std::string& fragmentShader)
+{
+  // VTK's templates name gl_FragDepth in a comment too; only an assignment counts.
+  for (std::size_t at = fragmentShader.find("gl_FragDepth"); at != std::string::npos;
+       at = fragmentShader.find("gl_FragDepth", at + 1))
+  {
+    const std::size_t lineStart = fragmentShader.rfind('\n', at) + 1;
+    const bool commented = fragmentShader.substr(lineStart, at - lineStart).find("//") != std::string::npos;
+    const std::size_t next = fragmentShader.find_first_not_of(" \t", at + 12);
+    const bool assigned = next != std::string::npos && fragmentShader[next] == '=' &&
+      fragmentShader.compare(next, 2, "==") != 0;
+    if (assigned && !commented)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> CaptureDefines(
+  const RenderTarget& target, bool postDepthCoverage, bool writesDepth)
+{
+  std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(target.Samples),
+    "VITRINE_OPAQUE_DEPTH_STEPS " + std::to_string(target.DepthSteps) };
+  if (writesDepth)
+  {
+    defines.emplace_back("VITRINE_WRITES_DEPTH");
+  }
+  if (postDepthCoverage && !writesDepth)
+  {
+    defines.emplace_back("VITRINE_POST_DEPTH_COVERAGE");
+  }
+  if (target.FixedPoint)
+  {
+    defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
+  }
+  return defines;
+}
+
+std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text)
+{
+  const std::size_t at = source.find(tag);
+  if (at == std::string::npos)
+  {
+    return "the shader has no tag " + tag;
+  }
+  source.replace(at, tag.size(), text);
+  return source.find(tag, at + text.size()) == std::string::npos
+    ? std::string()
+    : "the shader has the tag " + tag + " more than once";
+}
+
+std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
+{
+  // #extension lines may stand only before every declaration, that is at VTK's first tag, which VTK
+  // itself replaces afterwards by #version.
+  std::string extensions = "//VTK::System::Dec\n";
+  for (const std::string& extension : fill.Extensions)
+  {
+    extensions += "#extension " + extension + " : require\n";
+  }
+  std::string problem = ReplaceTag(fragmentShader, "//VTK::System::Dec", extensions);
+  if (problem.empty())
+  {
+    problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Dec",
+      DefineLines(fill.Defines) + fill.Declarations);
+  }
+  if (problem.empty())
+  {
+    problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Impl", "\n" + fill.Implementation);
+  }
+  return problem;
+}
+
+}

@@ -1,0 +1,42 @@
+/**
+ * How a method's storing of fragments is joined to the shaders of VTK's mappers.
+ */
+#ifndef VITRINE_FILL_SHADER_H
+#define VITRINE_FILL_SHADER_H
+
+#include <string>
+#include <vector>
+
+namespace vitrine
+{
+
+struct RenderTarget;
+
+/** What a method adds to a mapper's fragment shader. */
+struct FillShader
+{
+  std::vector<std::string> Extensions; ///< required beside those of FragmentCapture.glsl
+  std::vector<std::string> Defines;    ///< "NAME value"
+  std::string Declarations;            ///< at global scope
+  std::string Implementation;          ///< at the end of main(); the colour is gl_FragData[0]
+};
+
+/** True if the mapper's fragment shader computes a depth of its own. */
+bool WritesDepth(const std::string& fragmentShader);
+
+/**
+ * The defines that FragmentCapture.glsl asks for, as `target` and the fragment shader decide.
+ */
+std::vector<std::string> CaptureDefines(
+  const RenderTarget& target, bool postDepthCoverage, bool writesDepth);
+
+/**
+ * Join `fill` to a mapper's fragment shader at VTK's tags. Returns an empty string, or which tag is missing.
+ */
+std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader);
+
+/** Replace `tag`, which must be there exactly once. Returns an empty string, or what is wrong. */
+std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text);
+
+}
+#endif

@@ -1,0 +1,239 @@
+#include "transparency/ListResolver.h"
+
+#include "Core/ResolveProgram.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/ScopedState.h"
+#include "transparency/FillShader.h"
+#include "transparency/NodePool.h"
+#include "transparency/ShaderText.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <array>
+#include <cassert>
+#include <limits>
+
+namespace vitrine
+{
+namespace
+{
+
+// Bin b holds the tiles whose longest list is at most this, and longer than that of bin b - 1. The last bin
+// is without bound.
+constexpr std::array<int, 7> BinLimits = { 8, 16, 24, 32, 48, VITRINE_LONGEST_NETWORK,
+  std::numeric_limits<int>::max() };
+constexpr int BinCount = static_cast<int>(BinLimits.size());
+
+std::string BinLimitList()
+{
+  std::string list;
+  for (const int limit : BinLimits)
+  {
+    list += (list.empty() ? "" : ", ") + std::to_string(limit) + "u";
+  }
+  return list;
+}
+
+// The tags are in our own shaders, so a missing one is an error in the program.
+void Fill(std::string& source, const char* tag, const std::string& text)
+{
+  const std::string problem = ReplaceTag(source, std::string("//Vitrine::") + tag, text);
+  assert(problem.empty());
+  (void)problem;
+}
+
+std::string ShortResolve(int pageSize, int size)
+{
+  const ResolveText text = UnrollResolve(size, pageSize);
+  std::string source = shaders::LinkedListResolve;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "Load", text.Load);
+  Fill(source, "Sort", text.Sort);
+  Fill(source, "OrderTies", text.OrderTies);
+  Fill(source, "Blend", text.Blend);
+  return source;
+}
+
+std::string LongResolve()
+{
+  const LongResolveText text = UnrollLongResolve(VITRINE_MERGE_BLOCK);
+  std::string source = shaders::LinkedListResolveLong;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "ClearNearest", text.ClearNearest);
+  Fill(source, "LoadBlock", text.LoadBlock);
+  Fill(source, "SortBlock", text.SortBlock);
+  Fill(source, "MergeBlock", text.MergeBlock);
+  Fill(source, "Blend", text.Blend);
+  Fill(source, "CountSame", text.CountSame);
+  Fill(source, "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";");
+  return source;
+}
+
+// The tiles that a region touches.
+struct TileRange
+{
+  int First[2];
+  int Count[2];
+  explicit TileRange(const PixelRegion& r)
+    : First{ r.X / VITRINE_TILE_SIZE, r.Y / VITRINE_TILE_SIZE }
+    , Count{ (r.X + r.Width - 1) / VITRINE_TILE_SIZE - First[0] + 1,
+      (r.Y + r.Height - 1) / VITRINE_TILE_SIZE - First[1] + 1 }
+  {
+  }
+};
+
+// What both passes read: heads, nodes, links.
+class ScopedListTextures
+{
+public:
+  ScopedListTextures(vtkOpenGLState* state, const NodePool& pool, const Image2D& heads)
+    : Heads(state, GL_TEXTURE_2D, heads.Handle())
+    , Nodes(state, GL_TEXTURE_BUFFER, pool.NodeTexture())
+    , Links(state, GL_TEXTURE_BUFFER, pool.LinkTexture())
+  {
+  }
+  void SetUniforms(vtkShaderProgram* program) const
+  {
+    program->SetUniformi("heads", this->Heads.Unit());
+    program->SetUniformi("nodes", this->Nodes.Unit());
+    program->SetUniformi("links", this->Links.Unit());
+  }
+
+private:
+  ScopedTextureUnit Heads;
+  ScopedTextureUnit Nodes;
+  ScopedTextureUnit Links;
+};
+
+}
+
+std::vector<std::string> ListLayout::Defines() const
+{
+  std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(this->Samples),
+    "VITRINE_PAGE_SIZE " + std::to_string(this->PageSize) };
+  if (this->HalfFloat)
+  {
+    defines.emplace_back("VITRINE_HALF_FLOAT");
+  }
+  if (this->FramebufferFetch)
+  {
+    defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
+  }
+  return defines;
+}
+
+int ListLayout::NodeBytes() const
+{
+  const int words = 1 + (this->HalfFloat ? 2 : 1) + (this->Samples > 0 ? 1 : 0);
+  return words * static_cast<int>(sizeof(uint));
+}
+
+//------------------------------------------------------------------------------
+void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+  const NodePool& pool, const Image2D& heads, const RenderTarget& target, const PixelRegion& region)
+{
+  vtkOpenGLState* state = window->GetState();
+  const int tilesX = (target.Width + VITRINE_TILE_SIZE - 1) / VITRINE_TILE_SIZE;
+  const int tilesY = (target.Height + VITRINE_TILE_SIZE - 1) / VITRINE_TILE_SIZE;
+  const bool fresh = this->TileMax.Allocate(GL_R32UI, tilesX, tilesY, 0);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->TileFramebuffer.Handle());
+  if (fresh)
+  {
+    glFramebufferTexture2D(
+      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->TileMax.Handle(), 0);
+  }
+
+  const TileRange tiles(region);
+  state->vtkglViewport(0, 0, tilesX, tilesY);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1]);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, pool.CounterBuffer());
+  const ScopedListTextures textures(state, pool, heads);
+  vtkShaderProgram* program = this->ReadyClassify(window, layout);
+  textures.SetUniforms(program);
+  const int regionFirst[2] = { region.X, region.Y };
+  const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
+  program->SetUniform2i("regionFirst", regionFirst);
+  program->SetUniform2i("regionEnd", regionEnd);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+//------------------------------------------------------------------------------
+void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+  const NodePool& pool, const Image2D& heads, const Image2D& backdropImage, const RenderTarget& target,
+  const PixelRegion& region, std::uint32_t tileBins)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+  state->vtkglViewport(0, 0, target.Width, target.Height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(region.X, region.Y, region.Width, region.Height);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  const TileRange tiles(region);
+  const int targetSize[2] = { target.Width, target.Height };
+  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const ScopedListTextures textures(state, pool, heads);
+  const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
+  const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
+  for (int bin = 0; bin < BinCount; ++bin)
+  {
+    if ((tileBins >> bin & 1u) == 0)
+    {
+      continue;
+    }
+    vtkShaderProgram* program = this->ReadyResolve(window, layout, bin);
+    textures.SetUniforms(program);
+    program->SetUniformi("tileMax", tileMax.Unit());
+    program->SetUniformi("backdrop", backdrop.Unit());
+    const int binRange[2] = { bin > 0 ? BinLimits[bin - 1] : 0, BinLimits[bin] };
+    program->SetUniform2i("binRange", binRange);
+    program->SetUniform2i("tileFirst", tiles.First);
+    program->SetUniform2i("tileCount", tiles.Count);
+    program->SetUniform2i("targetSize", targetSize);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tiles.Count[0] * tiles.Count[1]);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* ListResolver::ReadyClassify(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  std::vector<std::string> defines = layout.Defines();
+  defines.push_back("VITRINE_BIN_COUNT " + std::to_string(BinCount));
+  defines.push_back("VITRINE_BIN_LIMITS " + BinLimitList());
+  return this->Programs.Ready(
+    window, "classify", defines, shaders::FullScreenVertex, [] { return shaders::TileClassify; });
+}
+
+vtkShaderProgram* ListResolver::ReadyResolve(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
+{
+  const bool isLong = bin == BinCount - 1;
+  return this->Programs.Ready(window, "resolve " + std::to_string(bin), layout.Defines(),
+    shaders::TileQuadVertex, [&] {
+      return isLong ? LongResolve() : ShortResolve(layout.PageSize, BinLimits[bin]);
+    });
+}
+
+void ListResolver::Release()
+{
+  this->TileMax.Release();
+  this->TileFramebuffer.Release();
+  this->VertexArray.Release();
+  this->Programs.Release();
+}
+
+}

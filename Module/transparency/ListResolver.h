@@ -1,0 +1,70 @@
+/**
+ * The second half of the linked-list method: what the lists hold becomes a picture.
+ */
+#ifndef VITRINE_LIST_RESOLVER_H
+#define VITRINE_LIST_RESOLVER_H
+
+#include "gl/GLObjects.h"
+#include "gl/ProgramCache.h"
+#include "gl/RenderTarget.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace vitrine
+{
+
+class NodePool;
+
+/** How the lists are laid out: what the shaders are compiled for. */
+struct ListLayout
+{
+  bool HalfFloat = true;
+  bool FramebufferFetch = false;
+  int Samples = 0;
+  int PageSize = 1;
+
+  /** The shaders' defines for this layout. */
+  std::vector<std::string> Defines() const;
+
+  /** Bytes of a node. */
+  int NodeBytes() const;
+};
+
+class ListResolver
+{
+public:
+  /**
+   * Count what the lists in `region` need into the pool's counters, and each tile's longest list.
+   */
+  void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,
+    const Image2D& heads, const RenderTarget& target, const PixelRegion& region);
+
+  /**
+   * Sort and composite the lists of `region` over the backdrop, into the target. `tileBins` are the bins that
+   * Classify() found.
+   */
+  void Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,
+    const Image2D& heads, const Image2D& backdrop, const RenderTarget& target,
+    const PixelRegion& region, std::uint32_t tileBins);
+
+  std::int64_t Bytes() const { return this->TileMax.Bytes(); }
+
+  void Release();
+
+private:
+  vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
+  vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
+
+  Image2D TileMax;
+  Framebuffer TileFramebuffer;
+  EmptyVertexArray VertexArray;
+  ProgramCache Programs;
+};
+
+}
+#endif
