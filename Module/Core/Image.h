@@ -1,0 +1,20 @@
+#ifndef VITRINE_CORE_IMAGE_H
+#define VITRINE_CORE_IMAGE_H
+
+#include <vector>
+
+namespace vitrine
+{
+
+/** A picture as shown: sRGB, values in [0, 1]. */
+struct Image
+{
+  int Width = 0;
+  int Height = 0;
+  /** Height * Width triples of red, green and blue; rows from the bottom. */
+  std::vector<float> Rgb;
+};
+
+}
+
+#endif
