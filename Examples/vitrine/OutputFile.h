@@ -1,0 +1,24 @@
+/**
+ * Files that are there whole or not at all.
+ */
+#ifndef VITRINE_OUTPUT_FILE_H
+#define VITRINE_OUTPUT_FILE_H
+
+#include <functional>
+#include <string>
+
+namespace program
+{
+
+/**
+ * Have `write` make a file under a temporary name beside `path`, and give it its name when it is whole.
+ * `write` returns false if it could not. Throws InputError, and leaves what was there before.
+ */
+void WriteWholeFile(
+  const std::string& path, const std::function<bool(const std::string& temporary)>& write);
+
+/** Write text to a file. */
+void WriteTextFile(const std::string& path, const std::string& text);
+
+}
+#endif

@@ -1,0 +1,35 @@
+#include "Progress.h"
+
+#include <iostream>
+#include <unistd.h>
+
+namespace program
+{
+
+namespace
+{
+const char* const WipeLine = "\r\x1b[K";
+}
+
+Progress::Progress()
+  : IsShown(isatty(STDERR_FILENO) == 1)
+{
+}
+
+Progress::~Progress()
+{
+  if (this->IsShown)
+  {
+    std::cerr << WipeLine << std::flush;
+  }
+}
+
+void Progress::Show(const std::string& text)
+{
+  if (this->IsShown)
+  {
+    std::cerr << WipeLine << text << std::flush;
+  }
+}
+
+}

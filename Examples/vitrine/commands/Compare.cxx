@@ -1,0 +1,84 @@
+#include "commands/Commands.h"
+
+#include "Errors.h"
+#include "OutputFile.h"
+#include "commands/Comparison.h"
+#include "commands/Options.h"
+#include "report/ComparisonReport.h"
+#include "scene/Viewpoint.h"
+
+#include "vtkHeadlessRenderWindow.h"
+
+#include <iostream>
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+struct CompareOptions
+{
+  SceneOptions Scene;
+  std::string Methods = "vtk-oit,vtk-peeling,linked-list";
+  int Frames = 9;
+  double Orbit = 30.0;
+  std::string Json;
+};
+
+void Compare(const CompareOptions& options)
+{
+  vtkHeadlessRenderWindow::InstallOverride();
+  ComparisonSettings settings;
+  settings.Methods = ParseMethodList(options.Methods);
+  settings.Size = ParseSize(options.Scene.Size);
+  settings.Multisamples = options.Scene.Multisamples;
+  settings.Frames = options.Frames;
+  settings.Orbit = options.Orbit;
+  const Scene scene = LoadScene(options.Scene);
+  const vtkSmartPointer<vtkCamera> start =
+    PlaceCamera(scene, ChooseView(options.Scene, scene), settings.Size.Aspect());
+
+  const ComparisonResult comparison = CompareMethods(scene, start, settings);
+
+  if (options.Json == "-")
+  {
+    std::cout << ToJson(comparison);
+    return;
+  }
+  std::cout << ToTable(comparison);
+  if (!options.Json.empty())
+  {
+    WriteTextFile(options.Json, ToJson(comparison));
+  }
+}
+}
+
+void AddCompareCommand(CLI::App& app)
+{
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command =
+    app.add_subcommand("compare", "Draw a scene by several methods; print speed and error");
+  AddSceneOptions(*command, options->Scene, "512x512");
+  command
+    ->add_option("--methods", options->Methods, "methods by name, and the groups exact and all")
+    ->type_name("M,M,...")
+    ->capture_default_str();
+  command->add_option("--frames", options->Frames, "timed frames of each method")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100000))
+    ->capture_default_str();
+  command
+    ->add_option("--orbit", options->Orbit, "degrees that the camera goes from first to last frame")
+    ->type_name("DEG")
+    ->check(CLI::Range(-3600.0, 3600.0))
+    ->capture_default_str();
+  command
+    ->add_option(
+      "--json", options->Json, "write the results to FILE; to stdout, and no table, if it is -")
+    ->type_name("FILE");
+  command->footer("Methods:\n" + DescribeMethods());
+  command->callback([options] { Compare(*options); });
+}
+
+}

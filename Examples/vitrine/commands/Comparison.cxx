@@ -1,0 +1,169 @@
+#include "commands/Comparison.h"
+
+#include "Progress.h"
+#include "scene/Viewpoint.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+const int WarmUpFrames = 2; // shaders are built, pools take their size
+
+struct Contestant
+{
+  MethodResult Result;
+  std::unique_ptr<Stage> Window;
+  std::vector<std::uint8_t> FirstPicture;
+  std::vector<std::uint8_t> LastPicture;
+};
+
+std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& settings)
+{
+  std::vector<Contestant> contestants;
+  for (const std::string& method : settings.Methods)
+  {
+    Contestant contestant;
+    contestant.Result.Method = method;
+    contestant.Window =
+      std::make_unique<Stage>(scene, MakeMethod(method), settings.Size, settings.Multisamples);
+    contestants.push_back(std::move(contestant));
+  }
+  return contestants;
+}
+
+/** Draw untimed frames, and learn who cannot. */
+void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& progress)
+{
+  for (Contestant& contestant : contestants)
+  {
+    progress.Show("warming up " + contestant.Result.Method);
+    for (int i = 0; i < WarmUpFrames; ++i)
+    {
+      contestant.Window->Draw(camera);
+    }
+    contestant.Result.Skipped = contestant.Window->GetMethod().WhyNotRun();
+  }
+}
+
+/** Draw one frame twice: once for the time, once for whether it comes out the same. */
+void DrawFrame(Contestant& contestant, vtkCamera* camera)
+{
+  MethodResult& result = contestant.Result;
+  result.FrameMilliseconds.push_back(contestant.Window->Draw(camera));
+  contestant.LastPicture = contestant.Window->ReadPixels();
+  if (contestant.FirstPicture.empty())
+  {
+    contestant.FirstPicture = contestant.LastPicture;
+  }
+  contestant.Window->Draw(camera);
+  if (contestant.Window->ReadPixels() != contestant.LastPicture)
+  {
+    result.IsDeterministic = false;
+  }
+}
+
+double OrbitStep(const ComparisonSettings& settings)
+{
+  return settings.Frames > 1 ? settings.Orbit / (settings.Frames - 1) : 0.0;
+}
+
+void DrawFrames(std::vector<Contestant>& contestants, vtkCamera* start,
+  const ComparisonSettings& settings, Progress& progress)
+{
+  for (int frame = 0; frame < settings.Frames; ++frame)
+  {
+    const vtkSmartPointer<vtkCamera> camera = Orbit(start, frame * OrbitStep(settings));
+    for (Contestant& contestant : contestants)
+    {
+      if (contestant.Result.Skipped.empty())
+      {
+        progress.Show("frame " + std::to_string(frame + 1) + " of " +
+          std::to_string(settings.Frames) + ", " + contestant.Result.Method);
+        DrawFrame(contestant, camera);
+      }
+    }
+  }
+}
+
+vitrine::ImageError Worse(const vitrine::ImageError& a, const vitrine::ImageError& b)
+{
+  vitrine::ImageError worse;
+  worse.Max = std::max(a.Max, b.Max);
+  worse.Rmse = std::max(a.Rmse, b.Rmse);
+  worse.Psnr = std::min(a.Psnr, b.Psnr);
+  worse.Ssim = std::min(a.Ssim, b.Ssim);
+  worse.Flip = std::max(a.Flip, b.Flip);
+  worse.WrongPixels = std::max(a.WrongPixels, b.WrongPixels);
+  return worse;
+}
+
+/** Layers and fragments are the scene's: truth counts them for methods that do not. */
+void FillIn(MethodStatistics& statistics, const MethodStatistics& truth)
+{
+  statistics.Fragments = statistics.Fragments ? statistics.Fragments : truth.Fragments;
+  statistics.LayersMax = statistics.LayersMax ? statistics.LayersMax : truth.LayersMax;
+  statistics.LayersMean = statistics.LayersMean ? statistics.LayersMean : truth.LayersMean;
+}
+
+void Judge(std::vector<Contestant>& contestants, const Scene& scene, vtkCamera* start,
+  const ComparisonSettings& settings, Progress& progress)
+{
+  progress.Show("drawing truth");
+  TruthStage truth(scene, settings.Size, settings.Multisamples);
+  const std::unique_ptr<vitrine::Image> first = truth.Draw(start);
+  const std::unique_ptr<vitrine::Image> last =
+    truth.Draw(Orbit(start, (settings.Frames - 1) * OrbitStep(settings)));
+  for (Contestant& contestant : contestants)
+  {
+    MethodResult& result = contestant.Result;
+    if (!first || !last || !result.Skipped.empty())
+    {
+      continue;
+    }
+    progress.Show("judging " + result.Method);
+    result.Error =
+      Worse(vitrine::CompareImages(ToImage(contestant.FirstPicture, settings.Size), *first),
+        vitrine::CompareImages(ToImage(contestant.LastPicture, settings.Size), *last));
+    FillIn(result.Statistics, truth.Statistics());
+  }
+}
+}
+
+double MethodResult::Median() const
+{
+  std::vector<double> sorted = this->FrameMilliseconds;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.size() % 2 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+}
+
+ComparisonResult CompareMethods(
+  const Scene& scene, vtkCamera* start, const ComparisonSettings& settings)
+{
+  Progress progress;
+  std::vector<Contestant> contestants = SetUp(scene, settings);
+  WarmUp(contestants, start, progress);
+  DrawFrames(contestants, start, settings, progress);
+
+  ComparisonResult comparison;
+  comparison.Scene = scene.Name;
+  comparison.Size = settings.Size;
+  comparison.GL = contestants.front().Window->GetDevice();
+  for (Contestant& contestant : contestants)
+  {
+    contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();
+    contestant.Window.reset();
+  }
+  Judge(contestants, scene, start, settings, progress);
+  for (Contestant& contestant : contestants)
+  {
+    comparison.Results.push_back(std::move(contestant.Result));
+  }
+  return comparison;
+}
+
+}

@@ -1,0 +1,56 @@
+/**
+ * Methods side by side: what `compare` measures.
+ */
+#ifndef VITRINE_COMPARISON_H
+#define VITRINE_COMPARISON_H
+
+#include "Core/ImageError.h"
+#include "methods/Stage.h"
+#include "scene/Scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+struct ComparisonSettings
+{
+  std::vector<std::string> Methods;
+  PictureSize Size;
+  int Multisamples = 0;
+  int Frames = 9;      ///< timed, of each method
+  double Orbit = 30.0; ///< degrees from the first frame to the last
+};
+
+/** What was measured of one method. */
+struct MethodResult
+{
+  std::string Method;
+  std::string Skipped; ///< why it could not run; the rest is void then
+  std::vector<double> FrameMilliseconds;
+  MethodStatistics Statistics;              ///< of the last frame
+  std::optional<vitrine::ImageError> Error; ///< the worse of the first and the last frame
+  bool IsDeterministic = true;
+
+  double Median() const;
+};
+
+struct ComparisonResult
+{
+  std::string Scene;
+  PictureSize Size;
+  Device GL;
+  std::vector<MethodResult> Results;
+};
+
+/**
+ * Draw the scene by every method, taken in turn frame by frame while the camera goes round, and compare the
+ * first and the last picture with truth.
+ */
+ComparisonResult CompareMethods(
+  const Scene& scene, vtkCamera* start, const ComparisonSettings& settings);
+
+}
+#endif

@@ -1,0 +1,133 @@
+#include "commands/Options.h"
+
+#include "Errors.h"
+#include "scene/DemoScene.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace program
+{
+
+namespace
+{
+const int LargestSide = 16384;
+
+template <typename T>
+bool ParseNumber(const std::string& text, T& value)
+{
+  const char* end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && last == end;
+}
+
+std::vector<double> ParseNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    double number = 0.0;
+    if (!ParseNumber(text.substr(begin, comma - begin), number) || !std::isfinite(number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+    begin = comma + 1;
+  }
+  return numbers;
+}
+
+void Append(Scene& scene, Scene&& other)
+{
+  if (scene.Parts.empty() && scene.Skipped.empty())
+  {
+    scene = std::move(other);
+    return;
+  }
+  scene.Name += "+" + other.Name;
+  std::move(other.Parts.begin(), other.Parts.end(), std::back_inserter(scene.Parts));
+  std::move(other.Skipped.begin(), other.Skipped.end(), std::back_inserter(scene.Skipped));
+  std::move(other.Notes.begin(), other.Notes.end(), std::back_inserter(scene.Notes));
+  scene.Placement.ParallelScale.reset(); // what fitted one of them does not fit all
+  scene.Placement.VisibleRadius.reset();
+}
+}
+
+void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize)
+{
+  options.Size = defaultSize;
+  command.add_option("INPUT", options.Inputs, "files, or demo:NAME[,key=value...]")->required();
+  command.add_option("--size", options.Size, "width and height of the picture in pixels")
+    ->type_name("WxH")
+    ->capture_default_str();
+  command
+    .add_option("--view", options.View,
+      "degrees around the scene and above its horizon, and how near; 0,0,1 is the whole from its "
+      "front")
+    ->type_name("AZ,EL[,ZOOM]");
+  command.add_option("--opacity", options.Opacity, "multiplied into every part's own opacity")
+    ->type_name("A")
+    ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
+    ->type_name("N")
+    ->check(CLI::Range(0, 32))
+    ->capture_default_str();
+}
+
+PictureSize ParseSize(const std::string& text)
+{
+  PictureSize size{};
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos || !ParseNumber(text.substr(0, cross), size.Width) ||
+    !ParseNumber(text.substr(cross + 1), size.Height) || size.Width < 1 || size.Height < 1 ||
+    size.Width > LargestSide || size.Height > LargestSide)
+  {
+    throw InputError(
+      "--size", "'" + text + "' is not WxH, two integers from 1 to " + std::to_string(LargestSide));
+  }
+  return size;
+}
+
+View ParseView(const std::string& text)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  const bool isComplete = numbers.size() == 2 || numbers.size() == 3;
+  if (!isComplete || std::abs(numbers[1]) > 90.0 || (numbers.size() == 3 && numbers[2] <= 0.0))
+  {
+    throw InputError("--view",
+      "'" + text +
+        "' is not AZ,EL[,ZOOM], degrees around the scene, degrees from -90 to 90 above "
+        "its horizon, and a zoom above 0");
+  }
+  View view;
+  view.Azimuth = numbers[0];
+  view.Elevation = numbers[1];
+  view.Zoom = numbers.size() == 3 ? numbers[2] : 1.0;
+  return view;
+}
+
+Scene LoadScene(const SceneOptions& options)
+{
+  Scene scene;
+  for (const std::string& input : options.Inputs)
+  {
+    if (!IsDemoScene(input))
+    {
+      throw InputError(input, "only generated scenes can be read");
+    }
+    Append(scene, MakeDemoScene(input));
+  }
+  if (options.Opacity)
+  {
+    MultiplyOpacity(scene, *options.Opacity);
+  }
+  return scene;
+}
+
+View ChooseView(const SceneOptions& options, const Scene& scene)
+{
+  return options.View.empty() ? scene.Placement.DefaultView : ParseView(options.View);
+}
+
+}

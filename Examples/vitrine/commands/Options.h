@@ -1,0 +1,45 @@
+/**
+ * Command-line options that several commands share.
+ */
+#ifndef VITRINE_OPTIONS_H
+#define VITRINE_OPTIONS_H
+
+#include "methods/Stage.h"
+#include "scene/Scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+/** What is drawn, and from where. */
+struct SceneOptions
+{
+  std::vector<std::string> Inputs;
+  std::string Size;
+  std::string View;
+  std::optional<double> Opacity;
+  int Multisamples = 0;
+};
+
+/** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
+void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
+
+/** "WxH" in pixels. Throws InputError for anything else. */
+PictureSize ParseSize(const std::string& text);
+
+/** "AZ,EL[,ZOOM]". Throws InputError for anything else. */
+View ParseView(const std::string& text);
+
+/** Read or generate all inputs into one scene, with the opacity multiplied in. */
+Scene LoadScene(const SceneOptions& options);
+
+/** The view that was asked for, or the scene's own. */
+View ChooseView(const SceneOptions& options, const Scene& scene);
+
+}
+#endif

@@ -1,0 +1,64 @@
+#include "Errors.h"
+#include "Version.h"
+#include "commands/Commands.h"
+#include "scene/DemoScene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace
+{
+
+int Report(const std::exception& error, int status)
+{
+  std::cerr << "vitrine: " << error.what() << "\n";
+  return status;
+}
+
+int Run(int argc, char* argv[])
+{
+  CLI::App app("See into large assemblies: exact transparency, and what it costs", "vitrine");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", program::Version);
+  app.footer("Generated scenes:\n" + program::DescribeDemoScenes());
+  program::AddCompareCommand(app);
+  try
+  {
+    app.parse(argc, argv);
+    return program::SUCCESS;
+  }
+  catch (const CLI::Success& request) // --help, --version
+  {
+    return app.exit(request);
+  }
+  catch (const CLI::Error& error)
+  {
+    return Report(error, program::BAD_INPUT);
+  }
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    return Run(argc, argv);
+  }
+  catch (const program::InputError& error)
+  {
+    return Report(error, program::BAD_INPUT);
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "vitrine: out of memory\n";
+    return program::FAILURE;
+  }
+  catch (const std::exception& error)
+  {
+    return Report(error, program::FAILURE);
+  }
+}

@@ -1,0 +1,148 @@
+#include "methods/Method.h"
+
+#include "Errors.h"
+#include "methods/VTKMethods.h"
+#include "methods/VitrineMethods.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <sstream>
+
+namespace program
+{
+
+namespace
+{
+struct Entry
+{
+  std::string Name;
+  std::string Description;
+  bool IsExact;
+  std::unique_ptr<Method> (*Make)();
+};
+
+const std::string PeelingPrefix = "vtk-peeling-";
+const int AnyNumberOfPeels = std::numeric_limits<int>::max();
+const int ExamplePeels = 4; // VTK's own default; the member of the family that `all` stands for
+
+const std::vector<Entry>& Entries()
+{
+  static const std::vector<Entry> entries = {
+    { "blend", "VTK's mapper with plain alpha blending, unsorted", false, MakeBlend },
+    { "vtk-oit", "vtkOrderIndependentTranslucentPass, what VTK does by default; approximate", false,
+      MakeVTKOIT },
+    { PeelingPrefix + std::to_string(ExamplePeels),
+      "vtkDualDepthPeelingPass with at most that many peels; any number will do", false,
+      [] { return MakeVTKPeeling(ExamplePeels); } },
+    { "vtk-peeling", "vtkDualDepthPeelingPass with as many peels as it takes", false,
+      [] { return MakeVTKPeeling(AnyNumberOfPeels); } },
+    { "linked-list", "A-buffer of linked lists; exact", true, MakeLinkedList },
+    { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
+  };
+  return entries;
+}
+
+const Entry* FindEntry(const std::string& name)
+{
+  for (const Entry& entry : Entries())
+  {
+    if (entry.Name == name)
+    {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+/** K of vtk-peeling-K; 0 if `name` is something else. */
+int ParsePeels(const std::string& name)
+{
+  if (name.compare(0, PeelingPrefix.size(), PeelingPrefix) != 0)
+  {
+    return 0;
+  }
+  int peels = 0;
+  const char* end = name.data() + name.size();
+  const auto [last, error] = std::from_chars(name.data() + PeelingPrefix.size(), end, peels);
+  return error == std::errc() && last == end && peels > 0 ? peels : 0;
+}
+
+std::string ListNames()
+{
+  std::string names;
+  for (const Entry& entry : Entries())
+  {
+    names += entry.Name + ", ";
+  }
+  return names + "and the groups exact and all";
+}
+
+void RequireMethod(const std::string& name)
+{
+  if (!FindEntry(name) && ParsePeels(name) == 0)
+  {
+    throw InputError(name, "no method has this name; there are " + ListNames());
+  }
+}
+
+std::vector<std::string> ExpandGroup(const std::string& name)
+{
+  if (name != "exact" && name != "all")
+  {
+    RequireMethod(name);
+    return { name };
+  }
+  std::vector<std::string> members;
+  for (const Entry& entry : Entries())
+  {
+    if (entry.IsExact || name == "all")
+    {
+      members.push_back(entry.Name);
+    }
+  }
+  return members;
+}
+}
+
+std::unique_ptr<Method> MakeMethod(const std::string& name)
+{
+  RequireMethod(name);
+  const Entry* entry = FindEntry(name);
+  return entry ? entry->Make() : MakeVTKPeeling(ParsePeels(name));
+}
+
+std::vector<std::string> ParseMethodList(const std::string& list)
+{
+  std::vector<std::string> names;
+  std::string item;
+  std::istringstream stream(list);
+  while (std::getline(stream, item, ','))
+  {
+    for (const std::string& name : ExpandGroup(item))
+    {
+      if (std::find(names.begin(), names.end(), name) == names.end())
+      {
+        names.push_back(name);
+      }
+    }
+  }
+  if (names.empty())
+  {
+    throw InputError("--methods", "no method is named; there are " + ListNames());
+  }
+  return names;
+}
+
+std::string DescribeMethods()
+{
+  std::string lines;
+  for (const Entry& entry : Entries())
+  {
+    lines +=
+      "  " + entry.Name + std::string(16 - entry.Name.size(), ' ') + entry.Description + "\n";
+  }
+  return lines;
+}
+
+}

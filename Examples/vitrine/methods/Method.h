@@ -1,0 +1,55 @@
+/**
+ * The transparency methods by the names that commands, JSON and charts use.
+ */
+#ifndef VITRINE_METHOD_H
+#define VITRINE_METHOD_H
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkRenderer;
+
+namespace program
+{
+
+/** What a method tells about the last frame; what it cannot tell is left out. */
+struct MethodStatistics
+{
+  std::optional<std::int64_t> Fragments;
+  std::optional<std::int64_t> LayersMax;
+  std::optional<double> LayersMean;
+  std::optional<std::int64_t> GeometryPasses;
+  std::optional<std::int64_t> Bytes;
+};
+
+/** One method, attached to one renderer. */
+class Method
+{
+public:
+  virtual ~Method() = default;
+
+  /** Have the renderer draw translucent geometry by this method. */
+  virtual void Attach(vtkRenderer* renderer) = 0;
+
+  /** Of the last frame. */
+  virtual MethodStatistics Statistics() const = 0;
+
+  /** Why the last frame was not drawn by this method; empty if it was. */
+  virtual std::string WhyNotRun() const { return ""; }
+};
+
+/** Make the method of that name. Throws InputError that lists the known ones. */
+std::unique_ptr<Method> MakeMethod(const std::string& name);
+
+/** Names in a comma-separated list in which groups (exact, all) stand for their members. */
+std::vector<std::string> ParseMethodList(const std::string& list);
+
+/** One line for each method, for --help. */
+std::string DescribeMethods();
+
+}
+#endif

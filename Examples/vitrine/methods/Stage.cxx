@@ -1,0 +1,132 @@
+#include "methods/Stage.h"
+
+#include "Errors.h"
+#include "methods/VitrineMethods.h"
+
+#include "vtkImageData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <chrono>
+#include <sstream>
+
+namespace program
+{
+
+namespace
+{
+const double Background = 0.95;
+
+/** What follows `label` in the lines of a window's capabilities. */
+std::string FindCapability(const std::string& capabilities, const std::string& label)
+{
+  std::istringstream lines(capabilities);
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    if (line.compare(0, label.size(), label) == 0)
+    {
+      const std::size_t begin = line.find_first_not_of(" :", label.size());
+      return begin == std::string::npos ? "" : line.substr(begin);
+    }
+  }
+  return "";
+}
+
+vitrine::Image ToImage(vtkImageData* rgba, PictureSize size)
+{
+  vitrine::Image image{ size.Width, size.Height, {} };
+  const std::size_t pixels = static_cast<std::size_t>(size.Width) * size.Height;
+  image.Rgb.reserve(3 * pixels);
+  const float* values = static_cast<const float*>(rgba->GetScalarPointer());
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    image.Rgb.insert(image.Rgb.end(), values + 4 * i, values + 4 * i + 3);
+  }
+  return image;
+}
+}
+
+Stage::Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize size, int multisamples)
+  : DrawingMethod(std::move(method))
+  , Size(size)
+  , Window(vtkSmartPointer<vtkRenderWindow>::New())
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetSize(size.Width, size.Height);
+  this->Window->SetMultiSamples(multisamples);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(Background, Background, Background);
+  AddActors(scene, this->Renderer);
+  this->DrawingMethod->Attach(this->Renderer);
+}
+
+Stage::~Stage()
+{
+  this->Window->Finalize();
+}
+
+double Stage::Draw(vtkCamera* camera)
+{
+  this->Renderer->GetActiveCamera()->DeepCopy(camera);
+  this->Renderer->ResetCameraClippingRange();
+  const auto begin = std::chrono::steady_clock::now();
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+  if (!this->Window->SupportsOpenGL() || this->Window->GetNeverRendered())
+  {
+    throw RuntimeError("there is no OpenGL to draw with here");
+  }
+  return passed.count();
+}
+
+std::vector<std::uint8_t> Stage::ReadPixels()
+{
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetPixelData(
+    0, 0, this->Size.Width - 1, this->Size.Height - 1, /* front= */ 0, pixels);
+  const std::uint8_t* begin = pixels->GetPointer(0);
+  return { begin, begin + pixels->GetNumberOfValues() };
+}
+
+Device Stage::GetDevice()
+{
+  const std::string capabilities = this->Window->ReportCapabilities();
+  return { FindCapability(capabilities, "OpenGL vendor string"),
+    FindCapability(capabilities, "OpenGL renderer string"),
+    FindCapability(capabilities, "OpenGL version string") };
+}
+
+vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size)
+{
+  vitrine::Image image{ size.Width, size.Height, {} };
+  image.Rgb.reserve(pixels.size());
+  for (std::uint8_t value : pixels)
+  {
+    image.Rgb.push_back(value / 255.0f);
+  }
+  return image;
+}
+
+TruthStage::TruthStage(const Scene& scene, PictureSize size, int multisamples)
+  : Window(scene,
+      std::make_unique<VitrineMethod>(vtkSmartPointer<vtkTransparencyPass>(this->Pass.Get())), size,
+      multisamples)
+{
+}
+
+std::unique_ptr<vitrine::Image> TruthStage::Draw(vtkCamera* camera)
+{
+  this->Window.Draw(camera);
+  if (!this->WhyNotRun().empty())
+  {
+    return nullptr;
+  }
+  vtkImageData* result = this->Pass->GetResult();
+  const PictureSize size = this->Window.GetSize();
+  // without translucent geometry the window's own picture is exact
+  return std::make_unique<vitrine::Image>(
+    result ? ToImage(result, size) : program::ToImage(this->Window.ReadPixels(), size));
+}
+
+}

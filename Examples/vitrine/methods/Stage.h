@@ -1,0 +1,90 @@
+/**
+ * A window in which one method draws one scene.
+ */
+#ifndef VITRINE_STAGE_H
+#define VITRINE_STAGE_H
+
+#include "Core/Image.h"
+#include "methods/Method.h"
+#include "scene/Scene.h"
+
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTruthTransparencyPass.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace program
+{
+
+struct PictureSize
+{
+  int Width;
+  int Height;
+
+  double Aspect() const { return static_cast<double>(this->Width) / this->Height; }
+};
+
+/** What the device says of itself. */
+struct Device
+{
+  std::string Vendor;
+  std::string Renderer;
+  std::string Version;
+};
+
+class Stage
+{
+public:
+  /**
+   * Build the window; nothing is drawn yet. The scene's geometry is shared between stages, nothing else is.
+   */
+  Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize size, int multisamples);
+  ~Stage();
+
+  /**
+   * Draw a frame, finished on the device. Returns the wall time in milliseconds. Throws RuntimeError if there
+   * is no OpenGL to draw with.
+   */
+  double Draw(vtkCamera* camera);
+
+  /** The last frame as the window holds it: 8-bit RGB, rows from the bottom. */
+  std::vector<std::uint8_t> ReadPixels();
+
+  const Method& GetMethod() const { return *this->DrawingMethod; }
+  PictureSize GetSize() const { return this->Size; }
+  Device GetDevice();
+
+private:
+  std::unique_ptr<Method> DrawingMethod;
+  PictureSize Size;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+};
+
+/** An 8-bit picture as numbers in [0, 1]. */
+vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size);
+
+/** A stage whose method is truth, with its pictures before they are rounded. */
+class TruthStage
+{
+public:
+  TruthStage(const Scene& scene, PictureSize size, int multisamples);
+
+  /** Draw and return the picture. Null if truth cannot run here. */
+  std::unique_ptr<vitrine::Image> Draw(vtkCamera* camera);
+
+  MethodStatistics Statistics() const { return this->Window.GetMethod().Statistics(); }
+  std::string WhyNotRun() const { return this->Window.GetMethod().WhyNotRun(); }
+
+private:
+  vtkNew<vtkTruthTransparencyPass> Pass;
+  Stage Window;
+};
+
+}
+#endif

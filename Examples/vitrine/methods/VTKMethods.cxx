@@ -1,0 +1,123 @@
+#include "methods/VTKMethods.h"
+
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTranslucentPass.h"
+
+namespace
+{
+/** Counts how often the translucent geometry is drawn. */
+class CountingTranslucentPass : public vtkTranslucentPass
+{
+public:
+  static CountingTranslucentPass* New();
+  vtkTypeMacro(CountingTranslucentPass, vtkTranslucentPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    ++this->Count;
+    this->Superclass::Render(s);
+  }
+
+  int Count = 0;
+};
+vtkStandardNewMacro(CountingTranslucentPass);
+
+/** The steps of a frame, which begins with no geometry pass counted. */
+class CountingRenderStepsPass : public vtkRenderStepsPass
+{
+public:
+  static CountingRenderStepsPass* New();
+  vtkTypeMacro(CountingRenderStepsPass, vtkRenderStepsPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->Geometry->Count = 0;
+    const int* size = s->GetRenderer()->GetSize();
+    this->Pixels = static_cast<std::int64_t>(size[0]) * size[1];
+    this->Superclass::Render(s);
+  }
+
+  vtkNew<CountingTranslucentPass> Geometry;
+  std::int64_t Pixels = 0;
+};
+vtkStandardNewMacro(CountingRenderStepsPass);
+}
+
+namespace program
+{
+
+namespace
+{
+// bytes of a pixel, from the formats of the textures that VTK 9.1's passes allocate
+const int BlendBytes = 0;
+const int OITBytes = 8 + 2 + 4;             // RGBA16F, R16F, depth
+const int PeelingBytes = 4 * 4 + 2 * 8 + 4; // four RGBA8, two RG32F, depth
+
+/** One of VTK's passes around the drawing of the geometry. */
+class VTKMethod : public Method
+{
+public:
+  VTKMethod(vtkOpenGLRenderPass* pass, int bytesPerPixel)
+    : Pass(pass)
+    , BytesPerPixel(bytesPerPixel)
+  {
+  }
+
+  void Attach(vtkRenderer* renderer) override
+  {
+    this->Steps->SetTranslucentPass(this->Steps->Geometry);
+    if (this->Pass)
+    {
+      this->Steps->SetTranslucentPass(this->Pass);
+    }
+    renderer->SetPass(this->Steps);
+  }
+
+  vtkTranslucentPass* Geometry() { return this->Steps->Geometry; }
+
+  MethodStatistics Statistics() const override
+  {
+    MethodStatistics statistics;
+    statistics.GeometryPasses = this->Steps->Geometry->Count;
+    statistics.Bytes = this->BytesPerPixel * this->Steps->Pixels;
+    return statistics;
+  }
+
+private:
+  vtkNew<CountingRenderStepsPass> Steps;
+  vtkSmartPointer<vtkOpenGLRenderPass> Pass;
+  int BytesPerPixel;
+};
+}
+
+std::unique_ptr<Method> MakeBlend()
+{
+  return std::make_unique<VTKMethod>(nullptr, BlendBytes);
+}
+
+std::unique_ptr<Method> MakeVTKOIT()
+{
+  vtkNew<vtkOrderIndependentTranslucentPass> pass;
+  auto method = std::make_unique<VTKMethod>(pass, OITBytes);
+  pass->SetTranslucentPass(method->Geometry());
+  return method;
+}
+
+std::unique_ptr<Method> MakeVTKPeeling(int peels)
+{
+  vtkNew<vtkDualDepthPeelingPass> pass;
+  pass->SetMaximumNumberOfPeels(peels);
+  pass->SetOcclusionRatio(0.0);
+  auto method = std::make_unique<VTKMethod>(pass, PeelingBytes);
+  pass->SetTranslucentPass(method->Geometry());
+  return method;
+}
+
+}

@@ -1,0 +1,50 @@
+#include "methods/VitrineMethods.h"
+
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkSeeThroughPass.h"
+#include "vtkTruthTransparencyPass.h"
+
+namespace program
+{
+
+VitrineMethod::VitrineMethod(vtkSmartPointer<vtkTransparencyPass> pass)
+  : Pass(pass)
+{
+}
+
+void VitrineMethod::Attach(vtkRenderer* renderer)
+{
+  vtkNew<vtkSeeThroughPass> steps;
+  steps->SetTranslucentPass(this->Pass);
+  renderer->SetPass(steps);
+}
+
+MethodStatistics VitrineMethod::Statistics() const
+{
+  MethodStatistics statistics;
+  statistics.Fragments = this->Pass->GetFragmentCount();
+  statistics.LayersMax = this->Pass->GetLayersMax();
+  statistics.LayersMean = this->Pass->GetLayersMean();
+  statistics.GeometryPasses = this->Pass->GetGeometryPasses();
+  statistics.Bytes = this->Pass->GetBytes();
+  return statistics;
+}
+
+std::string VitrineMethod::WhyNotRun() const
+{
+  return this->Pass->GetFallbackReason();
+}
+
+std::unique_ptr<Method> MakeLinkedList()
+{
+  return std::make_unique<VitrineMethod>(vtkSmartPointer<vtkLinkedListTransparencyPass>::New());
+}
+
+std::unique_ptr<Method> MakeTruth()
+{
+  return std::make_unique<VitrineMethod>(vtkSmartPointer<vtkTruthTransparencyPass>::New());
+}
+
+}

@@ -1,0 +1,36 @@
+/**
+ * The methods of this module.
+ */
+#ifndef VITRINE_VITRINE_METHODS_H
+#define VITRINE_VITRINE_METHODS_H
+
+#include "methods/Method.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkTransparencyPass.h"
+
+namespace program
+{
+
+/** A method that is one of the module's passes. */
+class VitrineMethod : public Method
+{
+public:
+  explicit VitrineMethod(vtkSmartPointer<vtkTransparencyPass> pass);
+
+  void Attach(vtkRenderer* renderer) override;
+  MethodStatistics Statistics() const override;
+  std::string WhyNotRun() const override;
+
+private:
+  vtkSmartPointer<vtkTransparencyPass> Pass;
+};
+
+/** vtkLinkedListTransparencyPass. */
+std::unique_ptr<Method> MakeLinkedList();
+
+/** vtkTruthTransparencyPass. */
+std::unique_ptr<Method> MakeTruth();
+
+}
+#endif

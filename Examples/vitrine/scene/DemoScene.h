@@ -1,0 +1,33 @@
+/**
+ * Generated scenes: demo:NAME[,key=value...]. The same text gives the same scene on every machine.
+ */
+#ifndef VITRINE_DEMO_SCENE_H
+#define VITRINE_DEMO_SCENE_H
+
+#include "scene/Scene.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+/** True if `input` names a generated scene and no file. */
+bool IsDemoScene(const std::string& input);
+
+/** Generate the scene. Throws InputError that lists what there is if the text names something else. */
+Scene MakeDemoScene(const std::string& input);
+
+/** One line for each generated scene, for --help. */
+std::string DescribeDemoScenes();
+
+/** The values of a scene's keys, defaults filled in. */
+using DemoValues = std::map<std::string, double>;
+
+Scene MakeStackScene(const DemoValues& values);
+Scene MakeSpheresScene(const DemoValues& values);
+Scene MakeAssemblyScene(const DemoValues& values);
+
+}
+#endif

@@ -1,0 +1,179 @@
+#include "scene/Scene.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+
+#include <map>
+#include <set>
+
+namespace program
+{
+
+namespace
+{
+std::int64_t CountFanTriangles(vtkCellArray* cells)
+{
+  const std::int64_t corners = cells->GetNumberOfConnectivityIds();
+  return corners - 2 * static_cast<std::int64_t>(cells->GetNumberOfCells());
+}
+
+/** Copies of the objects that hold resources of a window; one copy for each original. */
+class WindowCopies
+{
+public:
+  vtkSmartPointer<vtkTexture> Copy(vtkTexture* original)
+  {
+    vtkSmartPointer<vtkTexture>& copy = this->Textures[original];
+    if (!copy)
+    {
+      copy = vtkSmartPointer<vtkTexture>::New();
+      copy->SetInputDataObject(original->GetInputDataObject(0, 0));
+      copy->SetColorMode(original->GetColorMode());
+      copy->SetBlendingMode(original->GetBlendingMode());
+      copy->SetMipmap(original->GetMipmap());
+      copy->SetRepeat(original->GetRepeat());
+      copy->SetEdgeClamp(original->GetEdgeClamp());
+      copy->SetInterpolate(original->GetInterpolate());
+      copy->SetUseSRGBColorSpace(original->GetUseSRGBColorSpace());
+    }
+    return copy;
+  }
+
+  vtkSmartPointer<vtkProperty> Copy(vtkProperty* original)
+  {
+    vtkSmartPointer<vtkProperty>& copy = this->Properties[original];
+    if (!copy)
+    {
+      copy = vtkSmartPointer<vtkProperty>::New();
+      copy->DeepCopy(original);
+      copy->SetEmissiveFactor(original->GetEmissiveFactor()); // DeepCopy() of VTK 9.1 forgets it
+      copy->RemoveAllTextures();
+      for (const auto& [name, texture] : original->GetAllTextures())
+      {
+        copy->SetTexture(name.c_str(), this->Copy(texture));
+      }
+    }
+    return copy;
+  }
+
+private:
+  std::map<vtkTexture*, vtkSmartPointer<vtkTexture>> Textures;
+  std::map<vtkProperty*, vtkSmartPointer<vtkProperty>> Properties;
+};
+
+/** Colours at points or cells are shown as they are; other scalars are not colours. */
+bool HasColors(vtkPolyData* geometry)
+{
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(geometry->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(geometry->GetCellData()) })
+  {
+    vtkDataArray* scalars = data->GetScalars();
+    if (scalars && scalars->GetNumberOfComponents() >= 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+std::array<double, 6> PartBounds(const Part& part)
+{
+  std::array<double, 6> local;
+  part.Geometry->GetBounds(local.data());
+  if (!part.Transform)
+  {
+    return local;
+  }
+  vtkBoundingBox box;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[4] = { local[corner & 1], local[2 + ((corner >> 1) & 1)],
+      local[4 + ((corner >> 2) & 1)], 1.0 };
+    double world[4];
+    part.Transform->MultiplyPoint(point, world);
+    box.AddPoint(world);
+  }
+  std::array<double, 6> bounds;
+  box.GetBounds(bounds.data());
+  return bounds;
+}
+
+std::array<double, 6> SceneBounds(const Scene& scene)
+{
+  vtkBoundingBox box;
+  for (const Part& part : scene.Parts)
+  {
+    box.AddBounds(PartBounds(part).data());
+  }
+  std::array<double, 6> bounds;
+  box.GetBounds(bounds.data());
+  return bounds;
+}
+
+std::int64_t CountTriangles(vtkPolyData* geometry)
+{
+  return CountFanTriangles(geometry->GetPolys()) + CountFanTriangles(geometry->GetStrips());
+}
+
+std::size_t CountMaterials(const Scene& scene)
+{
+  std::set<vtkProperty*> materials;
+  for (const Part& part : scene.Parts)
+  {
+    materials.insert(part.Material);
+  }
+  return materials.size();
+}
+
+void MultiplyOpacity(Scene& scene, double factor)
+{
+  std::set<vtkProperty*> done;
+  for (const Part& part : scene.Parts)
+  {
+    if (done.insert(part.Material).second)
+    {
+      part.Material->SetOpacity(part.Material->GetOpacity() * factor);
+    }
+  }
+}
+
+void AddActors(const Scene& scene, vtkRenderer* renderer)
+{
+  WindowCopies copies;
+  for (const Part& part : scene.Parts)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(part.Geometry);
+    mapper->SetColorModeToDirectScalars();
+    mapper->SetScalarVisibility(HasColors(part.Geometry));
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetProperty(copies.Copy(part.Material));
+    actor->SetForceTranslucent(part.ForceTranslucent);
+    if (part.Transform)
+    {
+      actor->SetUserMatrix(part.Transform);
+    }
+    if (part.Texture)
+    {
+      actor->SetTexture(copies.Copy(part.Texture));
+    }
+    if (part.Keys)
+    {
+      vtkNew<vtkInformation> keys; // passes write into it
+      keys->Copy(part.Keys);
+      actor->SetPropertyKeys(keys);
+    }
+    renderer->AddActor(actor);
+  }
+}
+
+}

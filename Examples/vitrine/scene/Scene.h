@@ -1,0 +1,97 @@
+/**
+ * What is drawn: parts, each of which becomes an actor of its own, and where it is seen from.
+ */
+#ifndef VITRINE_SCENE_H
+#define VITRINE_SCENE_H
+
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace program
+{
+
+/** One part. Geometry and material may be shared with other parts; nobody changes them. */
+struct Part
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Geometry;
+  vtkSmartPointer<vtkProperty> Material;
+  vtkSmartPointer<vtkMatrix4x4> Transform; ///< to world coordinates; null for the identity
+  vtkSmartPointer<vtkTexture> Texture;     ///< may be null
+  vtkSmartPointer<vtkInformation> Keys;    ///< property keys for the actor; may be null
+  bool ForceTranslucent = false;           ///< its texture has an alpha that VTK does not look for
+};
+
+/** A part that is not drawn. */
+struct SkippedPart
+{
+  std::string Name;
+  std::string Reason;
+};
+
+/** A direction to look from, and how near. */
+struct View
+{
+  double Azimuth = 0.0;   ///< degrees, counterclockwise around the scene's up axis; 0 is the front
+  double Elevation = 0.0; ///< degrees above the horizon
+  double Zoom = 1.0;      ///< 1 shows all of the scene
+};
+
+/** Where a scene stands in the world and how it likes to be seen. */
+struct Stance
+{
+  std::array<double, 3> Up = { 0.0, 1.0, 0.0 };
+  std::array<double, 3> Front = { 0.0, 0.0, 1.0 }; ///< from the scene to a viewer at azimuth 0
+  View DefaultView;
+
+  /** Half the height of what a parallel projection shows; a perspective that fits the scene without. */
+  std::optional<double> ParallelScale;
+
+  /** The radius of a sphere around the scene's centre that fills the view's height; fits without. */
+  std::optional<double> VisibleRadius;
+};
+
+struct Scene
+{
+  std::string Name;
+  std::vector<Part> Parts;
+  std::vector<SkippedPart> Skipped;
+  std::vector<std::string> Notes; ///< what was read otherwise than the file says
+  Stance Placement;
+};
+
+/** Bounds of a part in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. */
+std::array<double, 6> PartBounds(const Part& part);
+
+/** Bounds of all parts. The scene has at least one. */
+std::array<double, 6> SceneBounds(const Scene& scene);
+
+/** Triangles that the part's polygons and strips amount to. */
+std::int64_t CountTriangles(vtkPolyData* geometry);
+
+/** Number of different materials. */
+std::size_t CountMaterials(const Scene& scene);
+
+/** Multiply `factor` into the opacity of every part. */
+void MultiplyOpacity(Scene& scene, double factor);
+
+/**
+ * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and properties are
+ * copied, since they hold objects of a window.
+ */
+void AddActors(const Scene& scene, vtkRenderer* renderer);
+
+}
+#endif

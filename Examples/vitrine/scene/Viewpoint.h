@@ -1,0 +1,25 @@
+/**
+ * From where a scene is seen.
+ */
+#ifndef VITRINE_VIEWPOINT_H
+#define VITRINE_VIEWPOINT_H
+
+#include "scene/Scene.h"
+
+#include "vtkCamera.h"
+#include "vtkSmartPointer.h"
+
+namespace program
+{
+
+/**
+ * A camera that looks at the middle of the scene from the direction of `view` and, at zoom 1, shows all of it
+ * in a picture of width / height = `aspect`.
+ */
+vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect);
+
+/** The same camera after going `degrees` around the scene's up axis. */
+vtkSmartPointer<vtkCamera> Orbit(vtkCamera* camera, double degrees);
+
+}
+#endif
