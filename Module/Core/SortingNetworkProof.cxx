@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -121,27 +122,24 @@ private:
 std::size_t CheapestReady(const SortingNetwork& network, const std::vector<bool>& isApplied,
   const ReachableVectors& vectors)
 {
-  std::vector<bool> isBlocked(network.Size);
+  ZeroOneVector blocked = 0;
   std::size_t best = network.Comparators.size();
-  std::size_t bestCost = 0;
-  for (std::size_t i = 0; i < network.Comparators.size(); ++i)
+  std::size_t bestCost = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < network.Comparators.size() && bestCost > 0; ++i)
   {
-    const Comparator comparator = network.Comparators[i];
     if (isApplied[i])
     {
       continue;
     }
-    if (!isBlocked[comparator.Low] && !isBlocked[comparator.High])
+    const Comparator comparator = network.Comparators[i];
+    const ZeroOneVector wires = WireBit(comparator.Low) | WireBit(comparator.High);
+    const std::size_t cost = vectors.Cost(comparator);
+    if ((blocked & wires) == 0 && cost < bestCost)
     {
-      const std::size_t cost = vectors.Cost(comparator);
-      if (best == network.Comparators.size() || cost < bestCost)
-      {
-        best = i;
-        bestCost = cost;
-      }
+      best = i;
+      bestCost = cost;
     }
-    isBlocked[comparator.Low] = true;
-    isBlocked[comparator.High] = true;
+    blocked |= wires;
   }
   if (bestCost > largestSet)
   {
