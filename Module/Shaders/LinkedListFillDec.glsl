@@ -9,6 +9,7 @@
 #include "SharedLayout.h"
 #include "FragmentCapture.glsl"
 #include "NodePool.glsl"
+#include "PackedColor.glsl"
 
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounterBuffer
 {
@@ -35,11 +36,11 @@ void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
   uint word = node * uint(VITRINE_NODE_WORDS);
   vitrineNodes[word] = floatBitsToUint(z);
 #ifdef VITRINE_HALF_FLOAT
-  vitrineNodes[word + 1u] = packHalf2x16(color.rg);
-  vitrineNodes[word + 2u] = packHalf2x16(color.ba);
+  uvec2 packedColor = vitrinePackColor(color);
+  vitrineNodes[word + 1u] = packedColor.x;
+  vitrineNodes[word + 2u] = packedColor.y;
 #else
-  ivec4 c = ivec4(color * 255.0 + 0.5);
-  vitrineNodes[word + 1u] = uint(c.r | (c.g << 8) | (c.b << 16) | (c.a << 24));
+  vitrineNodes[word + 1u] = vitrinePackColor(color);
 #endif
 #if VITRINE_SAMPLES > 0
   vitrineNodes[word + uint(VITRINE_NODE_WORDS) - 1u] = coverage;

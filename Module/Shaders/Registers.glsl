@@ -1,5 +1,7 @@
 // Fragments in named registers, and what a sort does with them. A register without a fragment sorts last and
-// blends as nothing. Packed colours order by alpha, blue, green, red.
+// blends as nothing.
+#include "PackedColor.glsl"
+
 #define NO_KEY 0xffffffffu
 
 #ifdef VITRINE_HALF_FLOAT
@@ -7,7 +9,7 @@
 struct Fragment
 {
   uint key;        // bits of the window depth
-  uint redGreen;   // two half floats
+  uint redGreen;   // as PackedColor.glsl packs
   uint blueAlpha;
 };
 
@@ -21,7 +23,7 @@ uint nodeCoverage(uvec4 node)
 }
 vec4 fragmentColor(Fragment f)
 {
-  return vec4(unpackHalf2x16(f.redGreen), unpackHalf2x16(f.blueAlpha));
+  return vitrineUnpackColor(uvec2(f.redGreen, f.blueAlpha));
 }
 bool colorAbove(Fragment a, Fragment b)
 {
@@ -43,7 +45,7 @@ bool sameFragment(Fragment a, Fragment b)
 struct Fragment
 {
   uint key;   // bits of the window depth
-  uint color; // RGBA8
+  uint color; // as PackedColor.glsl packs
 };
 
 Fragment unpackNode(bool valid, uvec4 node)
@@ -56,7 +58,7 @@ uint nodeCoverage(uvec4 node)
 }
 vec4 fragmentColor(Fragment f)
 {
-  return unpackUnorm4x8(f.color);
+  return vitrineUnpackColor(f.color);
 }
 bool colorAbove(Fragment a, Fragment b)
 {

@@ -110,8 +110,7 @@ bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)
   }
   {
     const ScopedBuffer bound(this->Name);
-    glBufferData(
-      GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_COPY);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_COPY);
   }
   if (glGetError() != GL_NO_ERROR)
   {
@@ -138,15 +137,15 @@ bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)
 void Buffer::Write(std::int64_t offset, std::int64_t size, const void* data)
 {
   const ScopedBuffer bound(this->Name);
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset),
-    static_cast<GLsizeiptr>(size), data);
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
 }
 
 void Buffer::Read(std::int64_t offset, std::int64_t size, void* data) const
 {
   const ScopedBuffer bound(this->Name);
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset),
-    static_cast<GLsizeiptr>(size), data);
+  glGetBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
 }
 
 void Buffer::Release()

@@ -90,7 +90,8 @@ std::string RenderTarget::Probe(vtkOpenGLState* state)
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
   if (framebuffer == 0)
   {
-    return "the window's default framebuffer is bound, which cannot be shared with other framebuffers";
+    return "the window's default framebuffer is bound, which cannot be shared with other "
+           "framebuffers";
   }
   this->Framebuffer = static_cast<GLuint>(framebuffer);
 

@@ -44,11 +44,11 @@ struct RenderTarget
   bool DepthHasStencil = false;
   int Width = 0;
   int Height = 0;
-  int Samples = 0;          // 0: single-sampled
-  bool FixedPoint = true;   // colours are normalised fixed point, not float
-  double DepthSteps = 0.0;  // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0
+  int Samples = 0;         // 0: single-sampled
+  bool FixedPoint = true;  // colours are normalised fixed point, not float
+  double DepthSteps = 0.0; // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0
   PixelRegion Viewport;
-  PixelRegion Region;       // scissor box within the target, or the viewport where the test is off
+  PixelRegion Region; // scissor box within the target, or the viewport where the test is off
 
   /**
    * Read the bound draw framebuffer. Returns an empty string, or why a pass cannot draw into it. Changes
@@ -56,7 +56,10 @@ struct RenderTarget
    */
   std::string Probe(vtkOpenGLState* state);
 
-  GLenum TextureTarget() const { return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
+  GLenum TextureTarget() const
+  {
+    return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  }
 
   /**
    * Bind `framebuffer`, which has this target's depth, and set the state to rasterise translucent geometry into

@@ -104,8 +104,7 @@ ScopedStorageBuffer::~ScopedStorageBuffer()
   }
   else
   {
-    glBindBufferBase(
-      GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(this->Previous));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(this->Previous));
   }
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(this->PreviousGeneric));
 }

@@ -13,7 +13,8 @@ bool WritesDepth(const std::string& fragmentShader)
        at = fragmentShader.find("gl_FragDepth", at + 1))
   {
     const std::size_t lineStart = fragmentShader.rfind('\n', at) + 1;
-    const bool commented = fragmentShader.substr(lineStart, at - lineStart).find("//") != std::string::npos;
+    const bool commented =
+      fragmentShader.substr(lineStart, at - lineStart).find("//") != std::string::npos;
     const std::size_t next = fragmentShader.find_first_not_of(" \t", at + 12);
     const bool assigned = next != std::string::npos && fragmentShader[next] == '=' &&
       fragmentShader.compare(next, 2, "==") != 0;
@@ -70,8 +71,8 @@ std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
   std::string problem = ReplaceTag(fragmentShader, "//VTK::System::Dec", extensions);
   if (problem.empty())
   {
-    problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Dec",
-      DefineLines(fill.Defines) + fill.Declarations);
+    problem = ReplaceTag(
+      fragmentShader, "//VTK::DepthPeeling::Dec", DefineLines(fill.Defines) + fill.Declarations);
   }
   if (problem.empty())
   {

@@ -116,6 +116,10 @@ std::vector<std::string> ListLayout::Defines() const
   {
     defines.emplace_back("VITRINE_HALF_FLOAT");
   }
+  if (this->FixedPoint)
+  {
+    defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
+  }
   if (this->FramebufferFetch)
   {
     defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
@@ -168,8 +172,8 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
 
 //------------------------------------------------------------------------------
 void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  const NodePool& pool, const Image2D& heads, const Image2D& backdropImage, const RenderTarget& target,
-  const PixelRegion& region, std::uint32_t tileBins)
+  const NodePool& pool, const Image2D& heads, const Image2D& backdropImage,
+  const RenderTarget& target, const PixelRegion& region, std::uint32_t tileBins)
 {
   vtkOpenGLState* state = window->GetState();
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
@@ -223,9 +227,8 @@ vtkShaderProgram* ListResolver::ReadyResolve(
 {
   const bool isLong = bin == BinCount - 1;
   return this->Programs.Ready(window, "resolve " + std::to_string(bin), layout.Defines(),
-    shaders::TileQuadVertex, [&] {
-      return isLong ? LongResolve() : ShortResolve(layout.PageSize, BinLimits[bin]);
-    });
+    shaders::TileQuadVertex,
+    [&] { return isLong ? LongResolve() : ShortResolve(layout.PageSize, BinLimits[bin]); });
 }
 
 void ListResolver::Release()

@@ -24,6 +24,7 @@ class NodePool;
 struct ListLayout
 {
   bool HalfFloat = true;
+  bool FixedPoint = true;
   bool FramebufferFetch = false;
   int Samples = 0;
   int PageSize = 1;

@@ -85,7 +85,8 @@ NodePool::FitType NodePool::Fit(const FragmentStatistics& needed)
     return FITS;
   }
   this->Sizing.Grow(static_cast<std::uint64_t>(pages * this->PageBytes()));
-  this->Allocate(pages <= this->LimitPages() ? std::max(this->SizedPages(), pages) : this->LimitPages());
+  this->Allocate(
+    pages <= this->LimitPages() ? std::max(this->SizedPages(), pages) : this->LimitPages());
   return pages <= this->Pages ? GREW : TOO_LARGE;
 }
 

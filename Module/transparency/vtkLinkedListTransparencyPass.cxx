@@ -26,10 +26,9 @@ namespace
 {
 
 // What the declarations that are joined to the mappers' shaders (GLSL 1.50) use.
-const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location",
-  "GL_ARB_gpu_shader5", "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
-  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack",
-  "GL_ARB_shading_language_packing" };
+const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "GL_ARB_gpu_shader5",
+  "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
+  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 const char* const FetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
 vitrine::PixelRegion RegionOf(const vitrine::PixelRect& rect)
@@ -75,8 +74,8 @@ void vtkLinkedListTransparencyPass::Internals::PrepareTargets(
   }
   // The target's images may be new ones under old names, so they are attached anew each frame.
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-    fetch ? this->Heads.Handle() : 0, 0);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, fetch ? this->Heads.Handle() : 0, 0);
   target.AttachDepth();
   // Location 0 is the colour that the mappers' shaders write themselves.
   unsigned int buffers[2] = { GL_NONE,
@@ -133,8 +132,8 @@ vtkLinkedListTransparencyPass::~vtkLinkedListTransparencyPass()
 void vtkLinkedListTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ColorStorage: " << (this->ColorStorage == HALF_FLOAT ? "HALF_FLOAT" : "EIGHT_BIT")
-     << "\n";
+  os << indent
+     << "ColorStorage: " << (this->ColorStorage == HALF_FLOAT ? "HALF_FLOAT" : "EIGHT_BIT") << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "PoolBytes: " << this->GetPoolBytes() << "\n";
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
@@ -166,8 +165,8 @@ vtkTypeInt64 vtkLinkedListTransparencyPass::GetPoolBytes()
 std::string vtkLinkedListTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
   this->Private->HasFramebufferFetch = vitrine::HasExtension(FetchExtension);
-  return vitrine::MissingFeatures(4, 3,
-    std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+  return vitrine::MissingFeatures(
+    4, 3, std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
 }
 
 //------------------------------------------------------------------------------
@@ -234,6 +233,7 @@ void vtkLinkedListTransparencyPass::PrepareFrame(const vitrine::RenderTarget& ta
   Internals& in = *this->Private;
   vtkOpenGLState* state = this->GetWindow()->GetState();
   in.Layout.HalfFloat = this->ColorStorage == HALF_FLOAT;
+  in.Layout.FixedPoint = target.FixedPoint;
   in.Layout.Samples = target.Samples;
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = in.HasFramebufferFetch && target.Samples == 0;
@@ -252,8 +252,8 @@ void vtkLinkedListTransparencyPass::PrepareFrame(const vitrine::RenderTarget& ta
 }
 
 //------------------------------------------------------------------------------
-vitrine::FragmentStatistics vtkLinkedListTransparencyPass::Fill(const vtkRenderState* s,
-  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
+vitrine::FragmentStatistics vtkLinkedListTransparencyPass::Fill(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
 {
   Internals& in = *this->Private;
   vtkOpenGLState* state = this->GetWindow()->GetState();
@@ -261,8 +261,7 @@ vitrine::FragmentStatistics vtkLinkedListTransparencyPass::Fill(const vtkRenderS
   in.Pool.ResetCounters();
   target.BindForFill(state, in.FillFramebuffer.Handle(), region);
   {
-    const vitrine::ScopedStorageBuffer counters(
-      VITRINE_BINDING_COUNTERS, in.Pool.CounterBuffer());
+    const vitrine::ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, in.Pool.CounterBuffer());
     const vitrine::ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, in.Pool.NodeBuffer());
     const vitrine::ScopedStorageBuffer links(VITRINE_BINDING_LINKS, in.Pool.LinkBuffer());
     const vitrine::ScopedImage heads(
@@ -288,8 +287,7 @@ std::string vtkLinkedListTransparencyPass::RenderInBands(
 {
   Internals& in = *this->Private;
   const auto pageSize = static_cast<std::uint32_t>(in.Pool.PageSize());
-  std::vector<std::uint32_t> pages =
-    in.ReadCounts(this->GetWindow()->GetState(), target);
+  std::vector<std::uint32_t> pages = in.ReadCounts(this->GetWindow()->GetState(), target);
   for (std::uint32_t& n : pages)
   {
     n = (n + pageSize - 1) / pageSize;

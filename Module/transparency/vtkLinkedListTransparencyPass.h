@@ -40,8 +40,10 @@ public:
 
   enum ColorStorageType
   {
-    HALF_FLOAT = 0, ///< RGBA16F, 8 bytes a fragment: exact to 8-bit pictures with any number of layers
-    EIGHT_BIT = 1   ///< RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up
+    HALF_FLOAT =
+      0, ///< RGBA16F, 8 bytes a fragment: exact to 8-bit pictures with any number of layers
+    EIGHT_BIT =
+      1 ///< RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up
   };
 
   ///@{
@@ -83,7 +85,8 @@ protected:
   vitrine::FillShader GetFillShader() override;
   void SetFillParameters(vtkShaderProgram* program) override;
   std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
-  std::string RenderFragments(const vtkRenderState* s, const vitrine::RenderTarget& target) override;
+  std::string RenderFragments(
+    const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   void ReleaseMethodResources() override;
 
   int ColorStorage = HALF_FLOAT;

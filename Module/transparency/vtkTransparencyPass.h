@@ -116,7 +116,8 @@ protected:
   /**
    * Draw the frame into `target`. Returns an empty string, or why it could not: the fallback draws then.
    */
-  virtual std::string RenderFragments(const vtkRenderState* s, const vitrine::RenderTarget& target) = 0;
+  virtual std::string RenderFragments(
+    const vtkRenderState* s, const vitrine::RenderTarget& target) = 0;
 
   /**
    * Free the method's own GL objects; their context is current.

@@ -29,14 +29,19 @@ vtkStandardNewMacro(vtkTruthTransparencyPass);
 namespace
 {
 
-const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location",
-  "GL_ARB_gpu_shader5", "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
+const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "GL_ARB_gpu_shader5",
+  "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
   "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 
 // The GPU writes what Core reads.
-static_assert(sizeof(vitrine::CapturedFragment) == sizeof(vitrine::VitrineCapturedFragment), "layout");
-static_assert(offsetof(vitrine::CapturedFragment, Rgba) == offsetof(vitrine::VitrineCapturedFragment, Red), "layout");
-static_assert(offsetof(vitrine::CapturedFragment, Coverage) == offsetof(vitrine::VitrineCapturedFragment, Coverage), "layout");
+static_assert(
+  sizeof(vitrine::CapturedFragment) == sizeof(vitrine::VitrineCapturedFragment), "layout");
+static_assert(
+  offsetof(vitrine::CapturedFragment, Rgba) == offsetof(vitrine::VitrineCapturedFragment, Red),
+  "layout");
+static_assert(offsetof(vitrine::CapturedFragment, Coverage) ==
+    offsetof(vitrine::VitrineCapturedFragment, Coverage),
+  "layout");
 
 constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
 
@@ -145,8 +150,7 @@ std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
   }
   state->vtkglViewport(0, 0, width, target.Height);
   state->vtkglDisable(GL_SCISSOR_TEST);
-  this->DrawSamples(
-    window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image());
+  this->DrawSamples(window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image());
 
   std::vector<float> samples(std::size_t(4) * width * target.Height);
   glReadPixels(0, 0, width, target.Height, GL_RGBA, GL_FLOAT, samples.data());
@@ -212,8 +216,8 @@ vtkImageData* vtkTruthTransparencyPass::GetResult()
 //------------------------------------------------------------------------------
 std::string vtkTruthTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
-  return vitrine::MissingFeatures(4, 3,
-    std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+  return vitrine::MissingFeatures(
+    4, 3, std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
 }
 
 //------------------------------------------------------------------------------
@@ -239,8 +243,7 @@ std::string vtkTruthTransparencyPass::RenderFragments(
   Internals& in = *this->Private;
   vtkOpenGLRenderWindow* window = this->GetWindow();
   in.PrepareTargets(window->GetState(), target);
-  vitrine::ReferenceCompositor compositor(target.Width, target.Height,
-    std::max(target.Samples, 1),
+  vitrine::ReferenceCompositor compositor(target.Width, target.Height, std::max(target.Samples, 1),
     target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
     in.ReadBackdrop(window, target));
 

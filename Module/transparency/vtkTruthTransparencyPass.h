@@ -49,7 +49,8 @@ protected:
   vitrine::FillShader GetFillShader() override;
   void SetFillParameters(vtkShaderProgram* program) override;
   std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
-  std::string RenderFragments(const vtkRenderState* s, const vitrine::RenderTarget& target) override;
+  std::string RenderFragments(
+    const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   void ReleaseMethodResources() override;
 
   vtkTypeInt64 SampleCount = 0;

@@ -1,0 +1,57 @@
+// Colours as nodes keep them. Packed colours order by alpha, blue, green, red, as unsigned words do.
+//
+// VITRINE_HALF_FLOAT: four 16-bit floats in two words. A colour has no sign, so its bit goes to the mantissa: 5
+// bits of exponent, 11 of mantissa, half the rounding error of IEEE's half float. What lies below
+// the smallest exponent counts as 0. Else: RGBA8 in one word.
+//
+// Shifts and integer additions take the place of packHalf2x16 and its kin, which software rasterisers run
+// several times slower and which round as each driver likes.
+#ifdef VITRINE_HALF_FLOAT
+
+// Exponents (IEEE single, biased by 127) that the 16-bit exponent 0 stands for. Alpha and clamped colours are
+// at most 1, so all codes can lie below; colours of a floating-point target reach to 65504.
+#define VITRINE_UNIT_EXPONENT 96u
+#ifdef VITRINE_FIXED_POINT_TARGET
+#define VITRINE_COLOR_EXPONENT VITRINE_UNIT_EXPONENT
+#else
+#define VITRINE_COLOR_EXPONENT 111u
+#endif
+
+uint vitrinePack16(float x, uint exponent)
+{
+  return uint(max(int((floatBitsToUint(x) + 0x800u) >> 12) - int(exponent << 11), 0));
+}
+
+float vitrineUnpack16(uint packed16, uint exponent)
+{
+  return uintBitsToFloat((packed16 + (exponent << 11)) << 12);
+}
+
+uvec2 vitrinePackColor(vec4 c)
+{
+  return uvec2(vitrinePack16(c.r, VITRINE_COLOR_EXPONENT) | (vitrinePack16(c.g, VITRINE_COLOR_EXPONENT) << 16),
+    vitrinePack16(c.b, VITRINE_COLOR_EXPONENT) | (vitrinePack16(c.a, VITRINE_UNIT_EXPONENT) << 16));
+}
+
+vec4 vitrineUnpackColor(uvec2 p)
+{
+  return vec4(vitrineUnpack16(p.x & 0xffffu, VITRINE_COLOR_EXPONENT),
+    vitrineUnpack16(p.x >> 16, VITRINE_COLOR_EXPONENT), vitrineUnpack16(p.y & 0xffffu, VITRINE_COLOR_EXPONENT),
+    vitrineUnpack16(p.y >> 16, VITRINE_UNIT_EXPONENT));
+}
+
+#else
+
+uint vitrinePackColor(vec4 c)
+{
+  ivec4 q = ivec4(c * 255.0 + 0.5);
+  return uint(q.r | (q.g << 8) | (q.b << 16) | (q.a << 24));
+}
+
+vec4 vitrineUnpackColor(uint p)
+{
+  int q = int(p);
+  return vec4(ivec4(q & 255, (q >> 8) & 255, (q >> 16) & 255, int(p >> 24))) * (1.0 / 255.0);
+}
+
+#endif
