@@ -142,6 +142,35 @@ TEST(PoolSizing, OneLargeFrameStartsTheCountAgain)
   EXPECT_EQ(sizing.Capacity(), size);
 }
 
+TEST(PoolSizing, ChangeOfSizeStartsTheCountAgain)
+{
+  PoolSizing low;
+  low.Grow(1000000);
+  for (int frame = 1; frame < PoolSizing::Window; ++frame)
+  {
+    EXPECT_FALSE(low.EndFrame(400000));
+  }
+  low.SetLimit(600000);
+  for (int frame = 1; frame < PoolSizing::Window; ++frame)
+  {
+    EXPECT_FALSE(low.EndFrame(400000)) << frame;
+  }
+  EXPECT_TRUE(low.EndFrame(400000));
+
+  PoolSizing gross;
+  gross.Grow(1000000);
+  for (int frame = 1; frame < PoolSizing::GrossWindow; ++frame)
+  {
+    EXPECT_FALSE(gross.EndFrame(10000));
+  }
+  gross.SetLimit(600000);
+  for (int frame = 1; frame < PoolSizing::GrossWindow; ++frame)
+  {
+    EXPECT_FALSE(gross.EndFrame(10000)) << frame;
+  }
+  EXPECT_TRUE(gross.EndFrame(10000));
+}
+
 TEST(PoolSizing, ShrinksToTheLargestUseOfTheWindow)
 {
   PoolSizing sizing;

@@ -202,8 +202,8 @@ TEST(ReferenceCompositor, NumbersWithoutMeaningCountAsZeroOrAreClamped)
   const Rgba black{ 0, 0, 0, 1 };
   // A depth that is not a number is in front.
   ExpectNear(
-    CompositePixel({ Fragment(0.25f, 0, 1, 0, 0.5f), Fragment(nan, 1, 0, 0, 0.5f) }, black),
-    { 0.5, 0.25, 0, 1 }, 0);
+    CompositePixel({ Fragment(0.25f, 0, 1, 0, 0.25f), Fragment(nan, 1, 0, 0, 0.5f) }, black),
+    { 0.5, 0.125, 0, 1 }, 0);
   ExpectNear(CompositePixel({ Fragment(0.25f, 1, 1, 1, nan) }, black), black, 0);
   ExpectNear(CompositePixel({ Fragment(0.25f, nan, -inf, -2, 0.5f) }, black), black, 0);
   ExpectNear(CompositePixel({ Fragment(0.25f, 2, inf, 0.5f, 7) }, black), { 1, 1, 0.5, 1 }, 0);
