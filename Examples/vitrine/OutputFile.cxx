@@ -21,21 +21,32 @@ std::filesystem::path TemporaryPath(const std::filesystem::path& path)
 }
 }
 
-void WriteWholeFile(
-  const std::string& path, const std::function<bool(const std::string& temporary)>& write)
+void CheckWritable(const std::string& path)
 {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
   {
     throw InputError(path, "is a directory");
   }
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  folder = folder.empty() ? "." : folder;
+  if (!std::filesystem::is_directory(folder, error))
   {
     throw InputError(path, "there is no folder " + folder.string());
   }
+  if (access(folder.c_str(), W_OK) != 0)
+  {
+    throw InputError(path, "its folder may not be written to");
+  }
+}
+
+void WriteWholeFile(
+  const std::string& path, const std::function<bool(const std::string& temporary)>& write)
+{
+  CheckWritable(path);
   const std::filesystem::path temporary = TemporaryPath(path);
   const bool isWritten = write(temporary.string());
+  std::error_code error;
   if (isWritten)
   {
     std::filesystem::rename(temporary, path, error);

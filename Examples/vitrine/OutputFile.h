@@ -10,6 +10,9 @@
 namespace program
 {
 
+/** Throw InputError if `path` is a folder, lies in none, or may not be written. */
+void CheckWritable(const std::string& path);
+
 /**
  * Have `write` make a file under a temporary name beside `path`, and give it its name when it is whole.
  * `write` returns false if it could not. Throws InputError, and leaves what was there before.

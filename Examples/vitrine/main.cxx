@@ -1,4 +1,5 @@
 #include "Errors.h"
+#include "VTKMessages.h"
 #include "Version.h"
 #include "commands/Commands.h"
 #include "scene/DemoScene.h"
@@ -24,7 +25,9 @@ int Run(int argc, char* argv[])
   app.require_subcommand(1);
   app.set_version_flag("--version", program::Version);
   app.footer("Generated scenes:\n" + program::DescribeDemoScenes());
+  program::AddRenderCommand(app);
   program::AddCompareCommand(app);
+  program::AddInfoCommand(app);
   try
   {
     app.parse(argc, argv);
@@ -46,6 +49,7 @@ int main(int argc, char* argv[])
 {
   try
   {
+    program::InstallMessageLines();
     return Run(argc, argv);
   }
   catch (const program::InputError& error)

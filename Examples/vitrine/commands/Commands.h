@@ -9,8 +9,17 @@
 namespace program
 {
 
+/** `vitrine render`: a picture. */
+void AddRenderCommand(CLI::App& app);
+
 /** `vitrine compare`: methods side by side, speed and error. */
 void AddCompareCommand(CLI::App& app);
+
+/** `vitrine info`: what is in a scene, and what is not shown of it. */
+void AddInfoCommand(CLI::App& app);
+
+/** `vitrine view`: a window. */
+void AddViewCommand(CLI::App& app);
 
 }
 #endif

@@ -1,7 +1,5 @@
 #include "commands/Commands.h"
 
-#include "Errors.h"
-#include "OutputFile.h"
 #include "commands/Comparison.h"
 #include "commands/Options.h"
 #include "report/ComparisonReport.h"
@@ -9,7 +7,6 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
-#include <iostream>
 #include <memory>
 
 namespace program
@@ -29,6 +26,7 @@ struct CompareOptions
 void Compare(const CompareOptions& options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
+  CheckJsonPath(options.Json);
   ComparisonSettings settings;
   settings.Methods = ParseMethodList(options.Methods);
   settings.Size = ParseSize(options.Scene.Size);
@@ -41,16 +39,7 @@ void Compare(const CompareOptions& options)
 
   const ComparisonResult comparison = CompareMethods(scene, start, settings);
 
-  if (options.Json == "-")
-  {
-    std::cout << ToJson(comparison);
-    return;
-  }
-  std::cout << ToTable(comparison);
-  if (!options.Json.empty())
-  {
-    WriteTextFile(options.Json, ToJson(comparison));
-  }
+  WriteReport(options.Json, ToTable(comparison), ToJson(comparison));
 }
 }
 
@@ -73,10 +62,7 @@ void AddCompareCommand(CLI::App& app)
     ->type_name("DEG")
     ->check(CLI::Range(-3600.0, 3600.0))
     ->capture_default_str();
-  command
-    ->add_option(
-      "--json", options->Json, "write the results to FILE; to stdout, and no table, if it is -")
-    ->type_name("FILE");
+  AddJsonOption(*command, options->Json);
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Compare(*options); });
 }

@@ -1,10 +1,12 @@
 #include "commands/Options.h"
 
 #include "Errors.h"
+#include "OutputFile.h"
 #include "scene/DemoScene.h"
 
 #include <charconv>
 #include <cmath>
+#include <iostream>
 
 namespace program
 {
@@ -12,6 +14,7 @@ namespace program
 namespace
 {
 const int LargestSide = 16384;
+const std::string StandardOutput = "-";
 
 template <typename T>
 bool ParseNumber(const std::string& text, T& value)
@@ -73,6 +76,31 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
     ->type_name("N")
     ->check(CLI::Range(0, 32))
     ->capture_default_str();
+}
+
+void AddJsonOption(CLI::App& command, std::string& file)
+{
+  command
+    .add_option("--json", file,
+      "also write the results as JSON to FILE; to stdout, and nothing else there, if it is -")
+    ->type_name("FILE");
+}
+
+void CheckJsonPath(const std::string& file)
+{
+  if (!file.empty() && file != StandardOutput)
+  {
+    CheckWritable(file);
+  }
+}
+
+void WriteReport(const std::string& file, const std::string& text, const std::string& json)
+{
+  std::cout << (file == StandardOutput ? json : text);
+  if (!file.empty() && file != StandardOutput)
+  {
+    WriteTextFile(file, json);
+  }
 }
 
 PictureSize ParseSize(const std::string& text)

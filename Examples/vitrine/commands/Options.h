@@ -29,6 +29,15 @@ struct SceneOptions
 /** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
 
+/** Add --json FILE. */
+void AddJsonOption(CLI::App& command, std::string& file);
+
+/** Throw InputError if --json names a file that could not be written. */
+void CheckJsonPath(const std::string& file);
+
+/** Print `text`, and write `json` where --json says. */
+void WriteReport(const std::string& file, const std::string& text, const std::string& json);
+
 /** "WxH" in pixels. Throws InputError for anything else. */
 PictureSize ParseSize(const std::string& text);
 

@@ -82,7 +82,7 @@ void RequireMethod(const std::string& name)
 {
   if (!FindEntry(name) && ParsePeels(name) == 0)
   {
-    throw InputError(name, "no method has this name; there are " + ListNames());
+    throw InputError("method '" + name + "'", "there is no such method; there are " + ListNames());
   }
 }
 

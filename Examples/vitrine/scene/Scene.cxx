@@ -82,6 +82,33 @@ bool HasColors(vtkPolyData* geometry)
   }
   return false;
 }
+
+vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(part.Geometry);
+  mapper->SetColorModeToDirectScalars();
+  mapper->SetScalarVisibility(HasColors(part.Geometry));
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetProperty(copies.Copy(part.Material));
+  actor->SetForceTranslucent(part.ForceTranslucent);
+  if (part.Transform)
+  {
+    actor->SetUserMatrix(part.Transform);
+  }
+  if (part.Texture)
+  {
+    actor->SetTexture(copies.Copy(part.Texture));
+  }
+  if (part.Keys)
+  {
+    vtkNew<vtkInformation> keys; // passes write into it
+    keys->Copy(part.Keys);
+    actor->SetPropertyKeys(keys);
+  }
+  return actor;
+}
 }
 
 std::array<double, 6> PartBounds(const Part& part)
@@ -145,34 +172,18 @@ void MultiplyOpacity(Scene& scene, double factor)
   }
 }
 
+bool IsTranslucent(const Part& part)
+{
+  WindowCopies copies;
+  return MakeActor(part, copies)->HasTranslucentPolygonalGeometry() != 0;
+}
+
 void AddActors(const Scene& scene, vtkRenderer* renderer)
 {
   WindowCopies copies;
   for (const Part& part : scene.Parts)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(part.Geometry);
-    mapper->SetColorModeToDirectScalars();
-    mapper->SetScalarVisibility(HasColors(part.Geometry));
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->SetProperty(copies.Copy(part.Material));
-    actor->SetForceTranslucent(part.ForceTranslucent);
-    if (part.Transform)
-    {
-      actor->SetUserMatrix(part.Transform);
-    }
-    if (part.Texture)
-    {
-      actor->SetTexture(copies.Copy(part.Texture));
-    }
-    if (part.Keys)
-    {
-      vtkNew<vtkInformation> keys; // passes write into it
-      keys->Copy(part.Keys);
-      actor->SetPropertyKeys(keys);
-    }
-    renderer->AddActor(actor);
+    renderer->AddActor(MakeActor(part, copies));
   }
 }
 

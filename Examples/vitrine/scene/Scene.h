@@ -81,6 +81,9 @@ std::array<double, 6> SceneBounds(const Scene& scene);
 /** Triangles that the part's polygons and strips amount to. */
 std::int64_t CountTriangles(vtkPolyData* geometry);
 
+/** Whether the part is drawn as translucent geometry. */
+bool IsTranslucent(const Part& part);
+
 /** Number of different materials. */
 std::size_t CountMaterials(const Scene& scene);
 

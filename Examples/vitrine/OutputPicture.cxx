@@ -1,0 +1,46 @@
+#include "OutputPicture.h"
+
+#include "Errors.h"
+#include "OutputFile.h"
+#include "VTKMessages.h"
+
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace program
+{
+
+void CheckPicturePath(const std::string& path)
+{
+  if (std::filesystem::path(path).extension() != ".png")
+  {
+    throw InputError(path, "pictures are written as PNG: give it a name that ends in .png");
+  }
+  CheckWritable(path);
+}
+
+void WritePicture(
+  const std::string& path, const std::vector<std::uint8_t>& pixels, PictureSize size)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size.Width, size.Height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::copy(pixels.begin(), pixels.end(), static_cast<std::uint8_t*>(image->GetScalarPointer()));
+  WriteWholeFile(path,
+    [&image](const std::string& temporary)
+    {
+      MessageCapture messages;
+      vtkNew<vtkPNGWriter> writer;
+      writer->SetInputData(image);
+      writer->SetFileName(temporary.c_str());
+      writer->Write();
+      return writer->GetErrorCode() == vtkErrorCode::NoError && messages.Errors().empty();
+    });
+}
+
+}

@@ -1,0 +1,24 @@
+/**
+ * Pictures on disk.
+ */
+#ifndef VITRINE_OUTPUT_PICTURE_H
+#define VITRINE_OUTPUT_PICTURE_H
+
+#include "methods/Stage.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+/** Throw InputError unless `path` names a PNG that could be written. */
+void CheckPicturePath(const std::string& path);
+
+/** Write 8-bit RGB, rows from the bottom, as PNG; whole or not at all. */
+void WritePicture(
+  const std::string& path, const std::vector<std::uint8_t>& pixels, PictureSize size);
+
+}
+#endif

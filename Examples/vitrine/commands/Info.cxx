@@ -1,0 +1,77 @@
+#include "commands/Commands.h"
+
+#include "Progress.h"
+#include "commands/Options.h"
+#include "report/InfoReport.h"
+#include "scene/Viewpoint.h"
+
+#include "vtkCellArray.h"
+#include "vtkHeadlessRenderWindow.h"
+
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+struct InfoOptions
+{
+  SceneOptions Scene;
+  std::string Json;
+};
+
+SceneInfo CountScene(const Scene& scene)
+{
+  SceneInfo info;
+  info.Name = scene.Name;
+  info.Parts = scene.Parts.size();
+  info.Materials = CountMaterials(scene);
+  info.Bounds = SceneBounds(scene);
+  info.Skipped = scene.Skipped;
+  info.Notes = scene.Notes;
+  for (const Part& part : scene.Parts)
+  {
+    info.TranslucentParts += IsTranslucent(part);
+    info.Triangles += CountTriangles(part.Geometry);
+    info.Lines += part.Geometry->GetNumberOfLines();
+    info.Points += part.Geometry->GetNumberOfVerts();
+  }
+  return info;
+}
+
+void CountLayers(SceneInfo& info, const Scene& scene, const SceneOptions& options)
+{
+  info.Size = ParseSize(options.Size);
+  TruthStage truth(scene, info.Size, options.Multisamples);
+  truth.Draw(PlaceCamera(scene, ChooseView(options, scene), info.Size.Aspect()));
+  info.Layers = truth.Statistics();
+  info.WhyNoLayers = truth.WhyNotRun();
+}
+
+void Info(const InfoOptions& options)
+{
+  vtkHeadlessRenderWindow::InstallOverride();
+  CheckJsonPath(options.Json);
+  Progress progress;
+  progress.Show("reading the scene");
+  const Scene scene = LoadScene(options.Scene);
+  SceneInfo info = CountScene(scene);
+  progress.Show("counting layers");
+  CountLayers(info, scene, options.Scene);
+
+  WriteReport(options.Json, ToText(info), ToJson(info));
+}
+}
+
+void AddInfoCommand(CLI::App& app)
+{
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command =
+    app.add_subcommand("info", "Tell what is in a scene and what is not shown of it");
+  AddSceneOptions(*command, options->Scene, "512x512");
+  AddJsonOption(*command, options->Json);
+  command->callback([options] { Info(*options); });
+}
+
+}

@@ -1,0 +1,56 @@
+#include "commands/Commands.h"
+
+#include "OutputPicture.h"
+#include "Progress.h"
+#include "commands/Options.h"
+#include "scene/Viewpoint.h"
+
+#include "vtkHeadlessRenderWindow.h"
+
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+struct RenderOptions
+{
+  SceneOptions Scene;
+  std::string Output;
+  std::string Method = "linked-list";
+};
+
+void Render(const RenderOptions& options)
+{
+  vtkHeadlessRenderWindow::InstallOverride();
+  Progress progress;
+  CheckPicturePath(options.Output);
+  const PictureSize size = ParseSize(options.Scene.Size);
+  std::unique_ptr<Method> method = MakeMethod(options.Method);
+  progress.Show("reading the scene");
+  const Scene scene = LoadScene(options.Scene);
+
+  progress.Show("drawing");
+  Stage stage(scene, std::move(method), size, options.Scene.Multisamples);
+  stage.Draw(PlaceCamera(scene, ChooseView(options.Scene, scene), size.Aspect()));
+  WritePicture(options.Output, stage.ReadPixels(), size);
+}
+}
+
+void AddRenderCommand(CLI::App& app)
+{
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Draw a scene into a picture");
+  AddSceneOptions(*command, options->Scene, "1024x768");
+  command->add_option("-o,--output", options->Output, "the picture")
+    ->type_name("FILE.png")
+    ->required();
+  command->add_option("--method", options->Method, "how translucent geometry is drawn")
+    ->type_name("M")
+    ->capture_default_str();
+  command->footer("Methods:\n" + DescribeMethods());
+  command->callback([options] { Render(*options); });
+}
+
+}

@@ -1,0 +1,95 @@
+#include "report/InfoReport.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace program
+{
+
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+void AppendBounds(std::ostream& text, const std::array<double, 6>& bounds)
+{
+  const char* const axes = "xyz";
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    text << (axis == 0 ? "" : ", ") << axes[axis] << " " << bounds[2 * axis] << " to "
+         << bounds[2 * axis + 1];
+  }
+}
+
+void AppendLayers(std::ostream& text, const SceneInfo& info)
+{
+  if (!info.WhyNoLayers.empty())
+  {
+    text << "unknown: " << info.WhyNoLayers;
+    return;
+  }
+  text << *info.Layers.Fragments << " fragments, at most " << *info.Layers.LayersMax
+       << " in a pixel, " << *info.Layers.LayersMean << " on average where there are any, at "
+       << info.Size.Width << "x" << info.Size.Height;
+}
+
+Json LayersJson(const SceneInfo& info)
+{
+  if (!info.WhyNoLayers.empty())
+  {
+    return { { "skipped", info.WhyNoLayers } };
+  }
+  return { { "width", info.Size.Width }, { "height", info.Size.Height },
+    { "fragments", *info.Layers.Fragments }, { "layers_max", *info.Layers.LayersMax },
+    { "layers_mean", *info.Layers.LayersMean } };
+}
+}
+
+std::string ToText(const SceneInfo& info)
+{
+  std::ostringstream text;
+  text << info.Name << "\n";
+  text << "  parts       " << info.Parts << ", of which " << info.TranslucentParts
+       << " are translucent\n";
+  text << "  triangles   " << info.Triangles << "\n";
+  if (info.Lines > 0)
+  {
+    text << "  lines       " << info.Lines << "\n";
+  }
+  if (info.Points > 0)
+  {
+    text << "  points      " << info.Points << "\n";
+  }
+  text << "  materials   " << info.Materials << "\n";
+  text << "  bounds      ";
+  AppendBounds(text, info.Bounds);
+  text << "\n  layers      ";
+  AppendLayers(text, info);
+  text << "\n";
+  for (const SkippedPart& part : info.Skipped)
+  {
+    text << "  skipped     " << part.Name << ": " << part.Reason << "\n";
+  }
+  for (const std::string& note : info.Notes)
+  {
+    text << "  note        " << note << "\n";
+  }
+  return text.str();
+}
+
+std::string ToJson(const SceneInfo& info)
+{
+  Json skipped = Json::array();
+  for (const SkippedPart& part : info.Skipped)
+  {
+    skipped.push_back({ { "part", part.Name }, { "reason", part.Reason } });
+  }
+  const Json document = { { "scene", info.Name }, { "parts", info.Parts },
+    { "translucent_parts", info.TranslucentParts }, { "triangles", info.Triangles },
+    { "lines", info.Lines }, { "points", info.Points }, { "materials", info.Materials },
+    { "bounds", info.Bounds }, { "layers", LayersJson(info) }, { "skipped", skipped },
+    { "notes", info.Notes } };
+  return document.dump(2, ' ', /* ensure_ascii= */ false, Json::error_handler_t::replace) + "\n";
+}
+
+}

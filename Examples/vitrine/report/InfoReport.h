@@ -1,0 +1,39 @@
+/**
+ * The results of `info` for people and for programs.
+ */
+#ifndef VITRINE_INFO_REPORT_H
+#define VITRINE_INFO_REPORT_H
+
+#include "methods/Stage.h"
+#include "scene/Scene.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+struct SceneInfo
+{
+  std::string Name;
+  std::size_t Parts = 0;
+  std::size_t TranslucentParts = 0;
+  std::int64_t Triangles = 0;
+  std::int64_t Lines = 0;
+  std::int64_t Points = 0; ///< drawn as points, not corners
+  std::size_t Materials = 0;
+  std::array<double, 6> Bounds{};
+  PictureSize Size{};
+  std::string WhyNoLayers; ///< empty if Layers holds
+  MethodStatistics Layers; ///< of translucent geometry, from the view that was asked for
+  std::vector<SkippedPart> Skipped;
+  std::vector<std::string> Notes;
+};
+
+std::string ToText(const SceneInfo& info);
+std::string ToJson(const SceneInfo& info);
+
+}
+#endif
