@@ -1,6 +1,6 @@
 // P. Andersson, J. Nilsson, T. Akenine-Moeller, M. Oskarsson, K. Astroem and M. D. Fairchild: FLIP: a
 // difference evaluator for alternating images. Proceedings of the ACM on Computer Graphics and
-// Interactive Techniques 3(2) (HPG 2020). Section numbers below are that paper's.
+// Interactive Techniques 3(2) (HPG 2020).
 
 #include "Core/Flip.h"
 
@@ -68,7 +68,7 @@ public:
     return { y + yCxCz.y / 500.0, y, y - yCxCz.z / 200.0 };
   }
 
-  // CIELAB, with the chroma scaled by lightness: the Hunt effect, section 4.1.2.
+  // CIELAB, with the chroma scaled by lightness: the Hunt effect.
   glm::dvec3 HuntLabFromLinear(const glm::dvec3& rgb) const
   {
     const glm::dvec3 xyz = this->RelativeXyzFromLinear(rgb);
@@ -112,7 +112,7 @@ Planes OpponentPlanes(const Image& image, const ColorSpaces& spaces)
   return planes;
 }
 
-// A term a sqrt(pi / b) exp(-pi^2 x^2 / b) of a contrast sensitivity function in degrees, table 1.
+// A term a sqrt(pi / b) exp(-pi^2 x^2 / b) of a contrast sensitivity function, x in degrees.
 struct SensitivityTerm
 {
   double A;
@@ -142,7 +142,7 @@ double TermWeight(const SensitivityTerm& term, int radius)
   return term.A * std::sqrt(pi / term.B) * sum * sum;
 }
 
-// Section 4.1.1: removes what the observer cannot see at this distance.
+// Spatial filtering: removes what the observer cannot see at this distance.
 Plane FilterBySensitivity(const Plane& plane, const std::vector<SensitivityTerm>& terms)
 {
   const int radius = static_cast<int>(std::ceil(3.0 * StandardDeviation({ 1.0, widestTerm })));
@@ -182,13 +182,13 @@ std::vector<glm::dvec3> PerceivedColors(const Planes& opponent, const ColorSpace
   return colors;
 }
 
-// The HyAB distance, which suits large differences better than the Euclidean one; section 4.1.3.
+// The HyAB distance, which suits large differences better than the Euclidean one.
 double Distance(const glm::dvec3& a, const glm::dvec3& b)
 {
   return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
 }
 
-// Section 4.1.4: maps distances to [0, 1] and compresses the large ones.
+// Error redistribution: maps distances to [0, 1] and compresses the large ones.
 class ErrorRemap
 {
 public:
@@ -229,7 +229,7 @@ void NormalizeSigns(Kernel& kernel)
   }
 }
 
-// Section 4.2.1: how strongly edges and points stand out, from derivatives of a Gaussian.
+// Feature detection: how strongly edges and points stand out, from derivatives of a Gaussian.
 struct Features
 {
   std::vector<double> Edges;
