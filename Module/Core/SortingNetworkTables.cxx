@@ -26,7 +26,7 @@ constexpr int smallestTable = 2;
 
 // clang-format off
 const char* const bestKnownNetworks[] = {
-  // 2: 1 comparators, 1 layers
+  // 2: 1 comparator, 1 layer
   "01",
   // 3: 3 comparators, 3 layers
   "02 01 12",
