@@ -22,9 +22,10 @@ uint vitrinePack16(float x, uint exponent)
   return uint(max(int((floatBitsToUint(x) + 0x800u) >> 12) - int(exponent << 11), 0));
 }
 
+// A code's bits are a float 2^exponent times too small; code 0 gives 0.
 float vitrineUnpack16(uint packed16, uint exponent)
 {
-  return uintBitsToFloat((packed16 + (exponent << 11)) << 12);
+  return uintBitsToFloat(packed16 << 12) * uintBitsToFloat((exponent + 127u) << 23);
 }
 
 uvec2 vitrinePackColor(vec4 c)

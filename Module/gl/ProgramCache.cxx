@@ -17,6 +17,11 @@ std::string DefineLines(const std::vector<std::string>& defines)
   return lines;
 }
 
+bool ProgramCache::Has(const std::string& name, const std::vector<std::string>& defines) const
+{
+  return this->Programs.count(name + "\n" + DefineLines(defines)) > 0;
+}
+
 vtkShaderProgram* ProgramCache::Ready(vtkOpenGLRenderWindow* window, const std::string& name,
   const std::vector<std::string>& defines, const char* vertex,
   const std::function<std::string()>& fragment)

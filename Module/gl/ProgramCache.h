@@ -28,6 +28,9 @@ public:
     const std::vector<std::string>& defines, const char* vertex,
     const std::function<std::string()>& fragment);
 
+  /** Whether the program of this name and these defines was compiled already. */
+  bool Has(const std::string& name, const std::vector<std::string>& defines) const;
+
   void Release() { this->Programs.clear(); }
 
 private:

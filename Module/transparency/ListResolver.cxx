@@ -21,9 +21,14 @@ namespace
 
 // Bin b holds the tiles whose longest list is at most this, and longer than that of bin b - 1. The last bin
 // is without bound.
-constexpr std::array<int, 7> BinLimits = { 8, 16, 24, 32, 48, VITRINE_LONGEST_NETWORK,
+constexpr std::array<int, 5> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
   std::numeric_limits<int>::max() };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
+
+std::string ResolveName(int bin)
+{
+  return "resolve " + std::to_string(BinLimits[bin]);
+}
 
 std::string BinLimitList()
 {
@@ -192,23 +197,49 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const ScopedListTextures textures(state, pool, heads);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
-  for (int bin = 0; bin < BinCount; ++bin)
+  for (const BinDraw& draw : this->PlanDraws(layout, tileBins))
   {
-    if ((tileBins >> bin & 1u) == 0)
-    {
-      continue;
-    }
-    vtkShaderProgram* program = this->ReadyResolve(window, layout, bin);
+    vtkShaderProgram* program = this->ReadyResolve(window, layout, draw.Bin);
     textures.SetUniforms(program);
     program->SetUniformi("tileMax", tileMax.Unit());
     program->SetUniformi("backdrop", backdrop.Unit());
-    const int binRange[2] = { bin > 0 ? BinLimits[bin - 1] : 0, BinLimits[bin] };
-    program->SetUniform2i("binRange", binRange);
+    const int lengths[2] = { draw.Longer, BinLimits[draw.Bin] };
+    program->SetUniform2i("binRange", lengths);
     program->SetUniform2i("tileFirst", tiles.First);
     program->SetUniform2i("tileCount", tiles.Count);
     program->SetUniform2i("targetSize", targetSize);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tiles.Count[0] * tiles.Count[1]);
   }
+}
+
+//------------------------------------------------------------------------------
+// Large networks take a driver seconds to compile. So a frame compiles one program at most: that of its longest
+// lists, or else of the longest that has none yet. Shorter lists without a program of their own go with the
+// next longer ones, whose network sorts them to the same bit.
+std::vector<ListResolver::BinDraw> ListResolver::PlanDraws(
+  const ListLayout& layout, std::uint32_t tileBins) const
+{
+  std::vector<BinDraw> draws;
+  bool mayCompile = true;
+  for (int bin = BinCount - 1; bin >= 0; --bin)
+  {
+    if ((tileBins >> bin & 1u) == 0)
+    {
+      continue;
+    }
+    const int longer = bin > 0 ? BinLimits[bin - 1] : 0;
+    const bool compiled = this->Programs.Has(ResolveName(bin), layout.Defines());
+    if (compiled || mayCompile)
+    {
+      mayCompile = mayCompile && compiled;
+      draws.push_back({ bin, longer });
+    }
+    else
+    {
+      draws.back().Longer = longer;
+    }
+  }
+  return draws;
 }
 
 //------------------------------------------------------------------------------
@@ -226,8 +257,7 @@ vtkShaderProgram* ListResolver::ReadyResolve(
   vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
 {
   const bool isLong = bin == BinCount - 1;
-  return this->Programs.Ready(window, "resolve " + std::to_string(bin), layout.Defines(),
-    shaders::TileQuadVertex,
+  return this->Programs.Ready(window, ResolveName(bin), layout.Defines(), shaders::TileQuadVertex,
     [&] { return isLong ? LongResolve() : ShortResolve(layout.PageSize, BinLimits[bin]); });
 }
 

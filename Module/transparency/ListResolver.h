@@ -58,6 +58,13 @@ public:
   void Release();
 
 private:
+  // One draw: the program of a bin, for lists longer than `Longer` and no longer than the bin allows.
+  struct BinDraw
+  {
+    int Bin;
+    int Longer;
+  };
+  std::vector<BinDraw> PlanDraws(const ListLayout& layout, std::uint32_t tileBins) const;
   vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
   vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
 
