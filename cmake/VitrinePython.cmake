@@ -2,12 +2,16 @@
 # in the installed one.
 set(vitrine_python_destination "lib/python3/dist-packages")
 
+add_library(VitrinePythonWrapping INTERFACE)
+target_compile_options(VitrinePythonWrapping INTERFACE -w) # VTK writes these sources
+
 vtk_module_wrap_python(
   MODULES             ${vitrine_modules}
   PYTHON_PACKAGE      vitrine
   MODULE_DESTINATION  "${vitrine_python_destination}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   CMAKE_DESTINATION   "${vitrine_cmake_destination}"
+  UTILITY_TARGET      VitrinePythonWrapping
   BUILD_STATIC        OFF)
 
 set(vitrine_python_build_dir "${PROJECT_BINARY_DIR}/${vitrine_python_destination}/vitrine")

@@ -216,6 +216,20 @@ bool EGLOffscreenContext::IsCurrent() const
   return this->Context != EGL_NO_CONTEXT && eglGetCurrentContext() == this->Context;
 }
 
+EGLOffscreenContext::Binding EGLOffscreenContext::GetBinding()
+{
+  return { eglGetCurrentDisplay(), eglGetCurrentSurface(EGL_DRAW), eglGetCurrentSurface(EGL_READ),
+    eglGetCurrentContext() };
+}
+
+void EGLOffscreenContext::Bind(const Binding& binding)
+{
+  if (binding.Context != EGL_NO_CONTEXT && binding.Context != eglGetCurrentContext())
+  {
+    eglMakeCurrent(binding.Display, binding.Draw, binding.Read, binding.Context);
+  }
+}
+
 void (*EGLOffscreenContext::GetProcAddress(const char* name))()
 {
   return eglGetProcAddress(name);

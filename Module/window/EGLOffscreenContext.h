@@ -55,6 +55,26 @@ public:
   bool IsCurrent() const;
 
   /**
+   * What is current in a thread: the context, of whichever owner, with its display and its surfaces.
+   */
+  struct Binding
+  {
+    void* Display;
+    void* Draw;
+    void* Read;
+    void* Context;
+  };
+
+  ///@{
+  /**
+   * Take down and put back what is current in the calling thread. Nothing being current is put back by
+   * leaving things as they are.
+   */
+  static Binding GetBinding();
+  static void Bind(const Binding& binding);
+  ///@}
+
+  /**
    * The name of EGL's last error in this thread, such as EGL_BAD_ACCESS.
    */
   static std::string GetLastError();

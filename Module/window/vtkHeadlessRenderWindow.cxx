@@ -132,9 +132,15 @@ float QueryMaximumLineWidth(bool smooth)
 #endif
 }
 
+struct vtkHeadlessRenderWindow::ContextStack
+{
+  std::vector<vitrine::EGLOffscreenContext::Binding> Bindings;
+};
+
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 
 vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
+  : Pushed(new ContextStack)
 {
   // There is no framebuffer on a screen to copy the picture to.
   this->FrameBlitMode = NoBlit;
@@ -227,7 +233,7 @@ void vtkHeadlessRenderWindow::Finalize()
 {
   if (this->Context)
   {
-    this->MakeCurrent();
+    // The superclass pushes and pops the context. If it was current before, it ceases to be so here.
     this->ReleaseGraphicsResources(this);
     this->Context.reset();
     this->SetMapped(0);
@@ -280,6 +286,21 @@ void vtkHeadlessRenderWindow::MakeCurrent()
 bool vtkHeadlessRenderWindow::IsCurrent()
 {
   return this->Context && this->Context->IsCurrent();
+}
+
+void vtkHeadlessRenderWindow::PushContext()
+{
+  this->Pushed->Bindings.push_back(vitrine::EGLOffscreenContext::GetBinding());
+  this->MakeCurrent();
+}
+
+void vtkHeadlessRenderWindow::PopContext()
+{
+  if (!this->Pushed->Bindings.empty())
+  {
+    vitrine::EGLOffscreenContext::Bind(this->Pushed->Bindings.back());
+    this->Pushed->Bindings.pop_back();
+  }
 }
 
 void* vtkHeadlessRenderWindow::GetGenericContext()

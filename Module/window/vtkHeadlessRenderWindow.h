@@ -33,7 +33,7 @@
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkVitrineRenderingModule.h" // export macro
 
-#include <memory> // for the context
+#include <memory> // for members
 
 namespace vitrine
 {
@@ -101,6 +101,15 @@ public:
 
   ///@{
   /**
+   * MakeCurrent(), and make current again what was so before, be it this window, another or someone
+   * else's context. To be called in pairs, which may be nested.
+   */
+  void PushContext() override;
+  void PopContext() override;
+  ///@}
+
+  ///@{
+  /**
    * The EGLContext and the EGLDisplay, null without a context.
    */
   void* GetGenericContext() override;
@@ -128,9 +137,12 @@ private:
   vtkHeadlessRenderWindow(const vtkHeadlessRenderWindow&) = delete;
   void operator=(const vtkHeadlessRenderWindow&) = delete;
 
+  struct ContextStack;
+
   bool CreateContext();
 
   std::unique_ptr<vitrine::EGLOffscreenContext> Context;
+  std::unique_ptr<ContextStack> Pushed;
   bool ContextFailed = false; // reported once; not tried again before Finalize()
 };
 

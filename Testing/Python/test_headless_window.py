@@ -153,6 +153,27 @@ class Window(unittest.TestCase):
         windows[0].Render()
         numpy.testing.assert_array_equal(pixels(windows[0]), first[0])
 
+    def test_leaves_the_context_of_another_window_current(self):
+        window, other = window_with(cone_renderer()), window_with(cone_renderer())
+        other.Render()
+        window.Render()
+        other.ReleaseGraphicsResources(other)
+        self.assertTrue(window.IsCurrent())
+        other.PushContext()
+        self.assertTrue(other.IsCurrent())
+        window.PushContext()
+        self.assertTrue(window.IsCurrent())
+        window.PopContext()
+        self.assertTrue(other.IsCurrent())
+        other.PopContext()
+        self.assertTrue(window.IsCurrent())
+        other.Render()
+        window.MakeCurrent()
+        other.Finalize()
+        self.assertTrue(window.IsCurrent())
+        window.Finalize()
+        self.assertFalse(window.IsCurrent())
+
     def test_one_renderer_moves_from_window_to_window(self):
         renderer = cone_renderer()
         before = window_with(renderer)
