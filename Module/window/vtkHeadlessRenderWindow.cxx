@@ -313,6 +313,11 @@ void* vtkHeadlessRenderWindow::GetGenericDisplayId()
   return this->Context ? this->Context->GetDisplay() : nullptr;
 }
 
+void vtkHeadlessRenderWindow::OpenGLInit()
+{
+  this->vtkOpenGLRenderWindow::OpenGLInit();
+}
+
 void vtkHeadlessRenderWindow::OpenGLInitContext()
 {
 #if VITRINE_GL_LOADER_IS_GLEW
