@@ -1,24 +1,29 @@
 #include "TestScene.h"
 
+#include "TestMessages.h"
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkCamera.h"
-#include "vtkHeadlessRenderWindow.h"
+#include "vtkCellArray.h"
 #include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkSphereSource.h"
-#include "vtkTransparencyPass.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace
 {
-
-// Before the first window is made.
-const bool headless = (vtkHeadlessRenderWindow::InstallOverride(), true);
 
 void Paint(vtkActor* actor, const Rgba& color)
 {
@@ -45,6 +50,19 @@ Picture ReadPicture(vtkRenderWindow* window)
   return picture;
 }
 
+Rgba UniformColor(const Picture& picture)
+{
+  for (std::size_t i = 4; i < picture.Bytes.size(); ++i)
+  {
+    if (picture.Bytes[i] != picture.Bytes[i - 4])
+    {
+      ADD_FAILURE() << "pixel " << i / 4 << " differs from the one before it";
+      break;
+    }
+  }
+  return picture.At(0, 0);
+}
+
 int LargestDifference(const Picture& a, const Picture& b)
 {
   if (a.Bytes.size() != b.Bytes.size())
@@ -61,12 +79,11 @@ int LargestDifference(const Picture& a, const Picture& b)
 
 TestScene::TestScene(int width, int height, int multisamples)
 {
-  (void)headless;
   this->Window->SetSize(width, height);
   this->Window->SetMultiSamples(multisamples);
   this->Window->SetAlphaBitPlanes(1);
   this->Window->AddRenderer(this->Renderer);
-  this->Renderer->SetBackground(0.2, 0.3, 0.4);
+  this->Renderer->SetBackground(TestBackground.data());
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetParallelScale(1.0);
@@ -80,6 +97,73 @@ vtkSmartPointer<vtkActor> TestScene::AddPlate(double z, const Rgba& color)
   return this->AddRectangle(-10.0, -10.0, 10.0, 10.0, z, color);
 }
 
+vtkSmartPointer<vtkActor> TestScene::AddPlates(const std::vector<Rgba>& plates, std::uint64_t seed)
+{
+  std::vector<int> order(plates.size());
+  std::iota(order.begin(), order.end(), 0);
+  TestRandom random(seed);
+  for (std::size_t i = order.size(); i > 1; --i)
+  {
+    std::swap(order[i - 1], order[random.Next() % i]);
+  }
+
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
+  for (const int i : order)
+  {
+    const double z = 0.9 - 1.8 * (i + 0.5) / static_cast<double>(plates.size());
+    const vtkIdType first = points->InsertNextPoint(-10.0, -10.0, z);
+    points->InsertNextPoint(10.0, -10.0, z);
+    points->InsertNextPoint(10.0, 10.0, z);
+    points->InsertNextPoint(-10.0, 10.0, z);
+    quads->InsertNextCell({ first, first + 1, first + 2, first + 3 });
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      for (const double component : plates[i])
+      {
+        colors->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * component)));
+      }
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(quads);
+  data->GetPointData()->SetScalars(colors);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->ForceTranslucentOn();
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> TestScene::AddTriangle(
+  const std::array<std::array<double, 3>, 3>& corners, const Rgba& color)
+{
+  vtkNew<vtkPoints> points;
+  for (const std::array<double, 3>& corner : corners)
+  {
+    points->InsertNextPoint(corner.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell({ 0, 1, 2 });
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  Paint(actor, color);
+  actor->GetProperty()->LightingOff();
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
 vtkSmartPointer<vtkActor> TestScene::AddRectangle(
   double x0, double y0, double x1, double y1, double z, const Rgba& color)
 {
@@ -87,13 +171,8 @@ vtkSmartPointer<vtkActor> TestScene::AddRectangle(
   plane->SetOrigin(x0, y0, z);
   plane->SetPoint1(x1, y0, z);
   plane->SetPoint2(x0, y1, z);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  Paint(actor, color);
+  vtkSmartPointer<vtkActor> actor = this->AddSource(plane, color);
   actor->GetProperty()->LightingOff();
-  this->Renderer->AddActor(actor);
   return actor;
 }
 
@@ -105,8 +184,13 @@ vtkSmartPointer<vtkActor> TestScene::AddSphere(
   sphere->SetRadius(radius);
   sphere->SetThetaResolution(resolution);
   sphere->SetPhiResolution(resolution);
+  return this->AddSource(sphere, color);
+}
+
+vtkSmartPointer<vtkActor> TestScene::AddSource(vtkAlgorithm* source, const Rgba& color)
+{
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
+  mapper->SetInputConnection(source->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   Paint(actor, color);
@@ -114,7 +198,7 @@ vtkSmartPointer<vtkActor> TestScene::AddSphere(
   return actor;
 }
 
-void TestScene::Use(vtkTransparencyPass* pass)
+void TestScene::Use(vtkRenderPass* pass)
 {
   vtkNew<vtkSeeThroughPass> seeThrough;
   seeThrough->SetTranslucentPass(pass);
@@ -123,6 +207,7 @@ void TestScene::Use(vtkTransparencyPass* pass)
 
 Picture TestScene::Render()
 {
+  WatchOpenGL(this->Window);
   this->Window->Render();
   return ReadPicture(this->Window);
 }
@@ -145,6 +230,27 @@ Rgba CompositePlates(const std::vector<Rgba>& plates, const Rgba& background)
   }
   result[3] = 1.0 - transmittance + transmittance * background[3];
   return result;
+}
+
+Rgba RoundedTo8Bits(const Rgba& color)
+{
+  Rgba rounded;
+  std::transform(color.begin(), color.end(), rounded.begin(),
+    [](double component) { return static_cast<double>(std::lround(255.0 * component)) / 255.0; });
+  return rounded;
+}
+
+std::vector<Rgba> RandomPlates(int count, double alpha, std::uint64_t seed)
+{
+  TestRandom random(seed);
+  std::vector<Rgba> plates;
+  for (int i = 0; i < count; ++i)
+  {
+    const double red = random.Unit();
+    const double green = random.Unit();
+    plates.push_back(RoundedTo8Bits({ red, green, random.Unit(), alpha }));
+  }
+  return plates;
 }
 
 std::uint64_t TestRandom::Next()

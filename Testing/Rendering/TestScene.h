@@ -14,9 +14,13 @@
 #include <vector>
 
 class vtkActor;
-class vtkTransparencyPass;
+class vtkAlgorithm;
+class vtkRenderPass;
 
 using Rgba = std::array<double, 4>;
+
+/** What stands behind everything: colours that 8 bits hold exactly, and none of it opaque. */
+constexpr Rgba TestBackground = { 0.2, 0.6, 0.4, 0.0 };
 
 /** The bytes of a window, RGBA, row 0 at the bottom. */
 struct Picture
@@ -31,6 +35,9 @@ struct Picture
 
 Picture ReadPicture(vtkRenderWindow* window);
 
+/** The colour of the pixels, if they all have the same; else expects so and fails. */
+Rgba UniformColor(const Picture& picture);
+
 /** The largest difference of any colour channel, in steps of 1/255. */
 int LargestDifference(const Picture& a, const Picture& b);
 
@@ -42,6 +49,16 @@ struct TestScene
   /** A plate that fills the view at height z in (-1, 1), unlit. */
   vtkSmartPointer<vtkActor> AddPlate(double z, const Rgba& color);
 
+  /**
+   * Plates that fill the view, front to back, evenly between z = 0.9 and -0.9, as one unlit actor. Their quads come
+   * in an order shuffled by `seed`. Colours are rounded to 8 bits, see RoundedTo8Bits().
+   */
+  vtkSmartPointer<vtkActor> AddPlates(const std::vector<Rgba>& plates, std::uint64_t seed);
+
+  /** A triangle with a height of its own at each corner, unlit; corners are x, y, z. */
+  vtkSmartPointer<vtkActor> AddTriangle(
+    const std::array<std::array<double, 3>, 3>& corners, const Rgba& color);
+
   /** Any rectangle, unlit. */
   vtkSmartPointer<vtkActor> AddRectangle(
     double x0, double y0, double x1, double y1, double z, const Rgba& color);
@@ -50,9 +67,13 @@ struct TestScene
   vtkSmartPointer<vtkActor> AddSphere(
     double x, double y, double z, double radius, const Rgba& color, int resolution = 16);
 
-  /** Draw the translucent geometry by `pass`, the rest as VTK does. */
-  void Use(vtkTransparencyPass* pass);
+  /** A polygonal source with a mapper of its own, lit. */
+  vtkSmartPointer<vtkActor> AddSource(vtkAlgorithm* source, const Rgba& color);
 
+  /** Draw the translucent geometry by `pass`, the rest as VTK does. */
+  void Use(vtkRenderPass* pass);
+
+  /** Draw a frame, and catch what OpenGL complains about. */
   Picture Render();
 
   vtkNew<vtkRenderWindow> Window;
@@ -61,6 +82,12 @@ struct TestScene
 
 /** Plates composited front to back in double precision over a background; plates are given front to back. */
 Rgba CompositePlates(const std::vector<Rgba>& plates, const Rgba& background);
+
+/** A colour rounded to multiples of 1/255. */
+Rgba RoundedTo8Bits(const Rgba& color);
+
+/** Plates of random colours, rounded to 8 bits, all with the same alpha. */
+std::vector<Rgba> RandomPlates(int count, double alpha, std::uint64_t seed);
 
 /** Numbers from a seeded generator that is the same everywhere (splitmix64, public domain algorithm by S. Vigna). */
 class TestRandom

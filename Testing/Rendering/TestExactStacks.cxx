@@ -1,0 +1,92 @@
+// Stacks of plates around the limits of every bin, against the answer known in closed form.
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "vtkActor.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+constexpr int Width = 20;
+constexpr int Height = 18;
+
+class ExactStack : public testing::TestWithParam<Method>
+{
+};
+
+void ExpectClosedForm(const Picture& picture, const std::vector<Rgba>& plates, double tolerance)
+{
+  const Rgba expected = CompositePlates(plates, TestBackground);
+  const Rgba color = UniformColor(picture);
+  for (int c = 0; c < 4; ++c)
+  {
+    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], tolerance) << "channel " << c;
+  }
+}
+
+TEST_P(ExactStack, IsTheClosedForm)
+{
+  TestScene scene(Width, Height);
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  for (const int layers : { 1, 2, 7, 8, 9, 15, 16, 17, 23, 24, 25, 31, 32, 33, 47, 48, 49, 63, 64,
+         65, 95, 96, 97, 127, 128, 129, 200, 1000 })
+  {
+    SCOPED_TRACE(std::to_string(layers) + " layers");
+    // Faint enough for the farthest to show.
+    const double alpha = std::max(std::min(0.5, 3.0 / layers), 0.004);
+    const std::vector<Rgba> plates = RandomPlates(layers, alpha, 7);
+    const vtkSmartPointer<vtkActor> actor = scene.AddPlates(plates, 8);
+    ExpectClosedForm(scene.Render(), plates, 0.6);
+    EXPECT_STREQ(pass->GetFallbackReason(), "");
+    EXPECT_EQ(pass->GetLayersMax(), layers);
+    EXPECT_EQ(pass->GetFragmentCount(), layers * Width * Height);
+    EXPECT_EQ(pass->GetLayersMean(), layers);
+    scene.Renderer->RemoveActor(actor);
+  }
+}
+
+TEST_P(ExactStack, Of4000Layers)
+{
+  TestScene scene(3, 2);
+  const std::vector<Rgba> plates = RandomPlates(4000, 1.0 / 255, 9);
+  scene.AddPlates(plates, 10);
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  ExpectClosedForm(scene.Render(), plates, 0.6);
+  EXPECT_EQ(pass->GetLayersMax(), 4000);
+  EXPECT_EQ(pass->GetFragmentCount(), 4000 * 3 * 2);
+}
+
+// Neighbours of every length, so that tiles hold lists of many lengths and bins lie side by side.
+TEST_P(ExactStack, WithADifferentLengthInEveryColumn)
+{
+  TestScene scene(140, 2);
+  const int steps = 140;
+  std::vector<Rgba> plates = RandomPlates(steps, 0.02, 15);
+  for (int i = 0; i < steps; ++i)
+  {
+    // Plate i covers the columns from i on, and lies behind the plates before it.
+    const double left = -70.0 + i;
+    scene.AddRectangle(left, -1.0, 70.0, 1.0, 0.9 - 0.01 * i, plates[i]);
+  }
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  const Picture picture = scene.Render();
+  EXPECT_EQ(pass->GetLayersMax(), steps);
+  EXPECT_EQ(pass->GetFragmentCount(), steps * (steps + 1) / 2 * 2);
+  for (int x = 0; x < steps; ++x)
+  {
+    const Rgba expected =
+      CompositePlates({ plates.begin(), plates.begin() + x + 1 }, TestBackground);
+    for (int c = 0; c < 4; ++c)
+    {
+      ASSERT_NEAR(255.0 * picture.At(x, 1)[c], 255.0 * expected[c], 0.75) << x << ", channel " << c;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ExactStack, testing::ValuesIn(AllMethods()), MethodName());
+
+}

@@ -1,0 +1,93 @@
+#include "TestMethods.h"
+
+#include "vtkImageData.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkTruthTransparencyPass.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+std::ostream& operator<<(std::ostream& os, const Method& method)
+{
+  return os << method.Name;
+}
+
+const std::vector<Method>& ExactMethods()
+{
+  // An 8-bit target rounds once, which is half a step. Storage of half floats adds less than a quarter, storage of
+  // 8 bits up to half a step for each layer that shows, mostly in alpha.
+  static const std::vector<Method> methods = {
+    { "LinkedListHalfFloat", [] { return vtkSmartPointer<vtkLinkedListTransparencyPass>::New(); },
+      0.75 },
+    { "LinkedListEightBit",
+      []
+      {
+        auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
+        pass->SetColorStorageToEightBit();
+        return pass;
+      },
+      2.0 },
+  };
+  return methods;
+}
+
+const std::vector<Method>& AllMethods()
+{
+  static const std::vector<Method> methods = []
+  {
+    std::vector<Method> all = ExactMethods();
+    all.push_back(
+      { "Truth", [] { return vtkSmartPointer<vtkTruthTransparencyPass>::New(); }, 0.51 });
+    return all;
+  }();
+  return methods;
+}
+
+double DistanceFromTruth(const Picture& picture, vtkImageData* truth)
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const int* size = truth->GetDimensions();
+  if (size[0] != picture.Width || size[1] != picture.Height)
+  {
+    return infinite;
+  }
+  const auto* value = static_cast<const float*>(truth->GetScalarPointer());
+  double largest = 0.0;
+  for (const unsigned char byte : picture.Bytes)
+  {
+    const double distance = std::abs(byte - 255.0 * std::min(*value++, 1.0f));
+    largest = distance >= 0.0 ? std::max(largest, distance) : infinite; // NaN is neither
+  }
+  return largest;
+}
+
+Picture ExpectTruth(TestScene& scene, vtkTransparencyPass* pass, double tolerance)
+{
+  vtkNew<vtkTruthTransparencyPass> truth;
+  scene.Use(truth);
+  scene.Render();
+  EXPECT_STREQ(truth->GetFallbackReason(), "");
+  EXPECT_GT(truth->GetFragmentCount(), 0);
+
+  scene.Use(pass);
+  const Picture picture = scene.Render();
+  EXPECT_STREQ(pass->GetFallbackReason(), "");
+  EXPECT_EQ(pass->GetFragmentCount(), truth->GetFragmentCount());
+  EXPECT_EQ(pass->GetLayersMax(), truth->GetLayersMax());
+  EXPECT_DOUBLE_EQ(pass->GetLayersMean(), truth->GetLayersMean());
+  EXPECT_LE(DistanceFromTruth(picture, truth->GetResult()), tolerance);
+  return picture;
+}
+
+void ExpectAllAreTruth(TestScene& scene, double slack)
+{
+  for (const Method& method : ExactMethods())
+  {
+    SCOPED_TRACE(method.Name);
+    const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
+    ExpectTruth(scene, pass, slack * method.Tolerance);
+  }
+}

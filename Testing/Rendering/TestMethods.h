@@ -1,0 +1,57 @@
+/**
+ * The methods that tests run through, and how they are judged.
+ */
+#ifndef VITRINE_TEST_METHODS_H
+#define VITRINE_TEST_METHODS_H
+
+#include "TestScene.h"
+#include "vtkTransparencyPass.h"
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+/** A transparency method in one of its settings. */
+struct Method
+{
+  std::string Name; // letters only
+  std::function<vtkSmartPointer<vtkTransparencyPass>()> Make;
+
+  /** The largest distance from the truth, in steps of 1/255, that storage and rounding explain in small scenes. */
+  double Tolerance;
+};
+
+std::ostream& operator<<(std::ostream& os, const Method& method);
+
+/** Methods whose only error is rounding: in each setting of theirs. */
+const std::vector<Method>& ExactMethods();
+
+/** ExactMethods() and truth. */
+const std::vector<Method>& AllMethods();
+
+/** For INSTANTIATE_TEST_SUITE_P over methods. */
+struct MethodName
+{
+  template <class Info>
+  std::string operator()(const Info& info) const
+  {
+    return info.param.Name;
+  }
+};
+
+/** The largest distance of any channel from truth's float picture in steps of 1/255; infinite if a size differs. */
+double DistanceFromTruth(const Picture& picture, vtkImageData* truth);
+
+/**
+ * Draw the scene by truth and by `pass`, and expect the same statistics and, within `tolerance` steps of
+ * 1/255, the same picture. The scene must have translucent fragments. Returns the picture by `pass`.
+ */
+Picture ExpectTruth(TestScene& scene, vtkTransparencyPass* pass, double tolerance);
+
+/** The same for a new pass of every method of ExactMethods(), each within its tolerance times `slack`. */
+void ExpectAllAreTruth(TestScene& scene, double slack = 1.0);
+
+#endif
