@@ -57,4 +57,11 @@ std::int64_t LargestStorageBlock()
   return size;
 }
 
+std::int64_t LargestBufferTexture()
+{
+  GLint64 texels = 0;
+  glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  return texels;
+}
+
 }

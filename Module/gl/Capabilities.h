@@ -25,5 +25,8 @@ bool IsSoftwareRasteriser();
 /** The largest shader storage block in bytes that a shader may see. */
 std::int64_t LargestStorageBlock();
 
+/** The most texels that a buffer texture may have. */
+std::int64_t LargestBufferTexture();
+
 }
 #endif

@@ -54,6 +54,11 @@ void NodePool::SetLayout(int nodeBytes, bool pages)
 void NodePool::SetLimit(std::int64_t bytes)
 {
   this->Limit = bytes;
+  if (this->Shift > this->LargestShift())
+  {
+    this->Release();
+    this->Shift = this->LargestShift();
+  }
   this->Sizing.SetLimit(static_cast<std::uint64_t>(this->LimitPages() * this->PageBytes()));
   if (this->Pages > this->LimitPages())
   {
@@ -63,13 +68,29 @@ void NodePool::SetLimit(std::int64_t bytes)
 
 std::int64_t NodePool::LimitPages() const
 {
-  const std::int64_t pageBytes = std::int64_t(this->PageSize()) * this->BytesPerNode;
-  std::int64_t pages = LargestStorageBlock() / std::max(pageBytes, LinkBytes);
+  return this->LimitPages(this->Shift);
+}
+
+std::int64_t NodePool::LimitPages(int shift) const
+{
+  const std::int64_t pageBytes = (std::int64_t(1) << shift) * this->BytesPerNode;
+  std::int64_t pages = std::min(LargestStorageBlock() / pageBytes, LargestBufferTexture() >> shift);
   if (this->Limit > 0)
   {
     pages = std::min(pages, this->Limit / (pageBytes + LinkBytes));
   }
   return RoundDown(pages, Interleave);
+}
+
+// The largest pages of which the limit allows any.
+int NodePool::LargestShift() const
+{
+  int shift = MaximumPageShift;
+  while (shift > 0 && this->LimitPages(shift) == 0)
+  {
+    --shift;
+  }
+  return shift;
 }
 
 std::int64_t NodePool::PagesOf(const FragmentStatistics& statistics) const
@@ -124,7 +145,7 @@ int NodePool::PreferredShift(const FragmentStatistics& used) const
     return this->Shift;
   }
   const double plainBytes = static_cast<double>(PoolBytes(used.Fragments, 1, this->BytesPerNode));
-  for (int shift = MaximumPageShift; shift > 0; --shift)
+  for (int shift = this->LargestShift(); shift > 0; --shift)
   {
     const double bytes =
       static_cast<double>(PoolBytes(used.Pages[shift], 1 << shift, this->BytesPerNode));

@@ -34,7 +34,10 @@ public:
   /** Node size in bytes (8, 12 or 16) and whether pages may hold several nodes. */
   void SetLayout(int nodeBytes, bool pages);
 
-  /** Bound the pool to `bytes`, and to what one shader storage block may hold. */
+  /**
+   * Bound the pool to `bytes`, and to what one shader storage block and one buffer texture may hold. It holds 16
+   * pages of one node at least.
+   */
   void SetLimit(std::int64_t bytes);
 
   int PageShift() const { return this->Shift; }
@@ -79,6 +82,8 @@ public:
 
 private:
   void Allocate(std::int64_t pages);
+  std::int64_t LimitPages(int shift) const;
+  int LargestShift() const;
   std::int64_t PagesOf(const FragmentStatistics& statistics) const;
   std::int64_t SizedPages() const;
   int PreferredShift(const FragmentStatistics& used) const;

@@ -60,7 +60,7 @@ public:
   /**
    * The most GPU memory in bytes that the node pool may take; 0, the default, for no limit but the driver's.
    * A frame that needs more is drawn in bands of the screen and is exact all the same, unless one pixel alone
-   * needs more, which is an error.
+   * needs more, which is an error. The pool holds 16 fragments at least.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
