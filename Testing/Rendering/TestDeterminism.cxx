@@ -1,0 +1,149 @@
+// The same scene is the same picture to the byte: drawn again, and with its actors in any order.
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "vtkActor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+
+class Determinism : public testing::TestWithParam<Method>
+{
+};
+
+void AddClutter(TestScene& scene)
+{
+  TestRandom random(21);
+  for (int i = 0; i < 12; ++i)
+  {
+    const double x = random.Unit() - 0.5;
+    const double y = random.Unit() - 0.5;
+    scene.AddSphere(
+      x, y, 0.2 * random.Unit(), 0.5, { random.Unit(), random.Unit(), random.Unit(), 0.3 });
+  }
+}
+
+TEST_P(Determinism, AHundredFramesAreEqual)
+{
+  TestScene scene(64, 48);
+  AddClutter(scene);
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  const Picture first = scene.Render();
+  for (int frame = 1; frame < 100; ++frame)
+  {
+    ASSERT_TRUE(scene.Render() == first) << "frame " << frame;
+  }
+}
+
+// Four actors, two of which coincide and one of which cuts through the others.
+TEST_P(Determinism, AllOrdersOfFourActorsAreEqual)
+{
+  TestScene scene(40, 30);
+  std::array<vtkSmartPointer<vtkActor>, 4> actors = {
+    scene.AddRectangle(-0.8, -0.8, 0.4, 0.4, 0.1, { 0.9, 0.1, 0.2, 0.5 }),
+    scene.AddRectangle(-0.4, -0.4, 0.8, 0.8, 0.1, { 0.1, 0.9, 0.2, 0.5 }),
+    scene.AddSphere(0.0, 0.0, 0.0, 0.6, { 0.2, 0.3, 0.9, 0.4 }),
+    scene.AddTriangle(
+      { { { -0.9, -0.9, -0.5 }, { 0.9, -0.6, 0.1 }, { 0.0, 0.9, 0.7 } } }, { 0.9, 0.9, 0.3, 0.6 }),
+  };
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  const Picture first = scene.Render();
+  std::array<int, 4> order;
+  std::iota(order.begin(), order.end(), 0);
+  while (std::next_permutation(order.begin(), order.end()))
+  {
+    scene.Renderer->RemoveAllViewProps();
+    for (const int i : order)
+    {
+      scene.Renderer->AddActor(actors[i]);
+    }
+    EXPECT_TRUE(scene.Render() == first) << order[0] << order[1] << order[2] << order[3];
+  }
+}
+
+// Among equal depths the smaller packed colour is the nearer: compared by alpha, blue, green, red.
+TEST_P(Determinism, CoincidentPlatesOrderByPackedColor)
+{
+  const std::vector<std::vector<Rgba>> stacks = {
+    { { 1.0, 1.0, 1.0, 0.2 }, { 0.0, 0.0, 0.0, 0.6 } }, // alpha first
+    { { 1.0, 1.0, 0.2, 0.6 }, { 0.0, 0.0, 0.8, 0.6 } }, // then blue
+    { { 1.0, 0.2, 0.4, 0.6 }, { 0.0, 0.8, 0.4, 0.6 } }, // then green
+    { { 0.2, 0.6, 0.4, 0.6 }, { 0.8, 0.6, 0.4, 0.6 } }, // then red
+    { { 0.2, 0.6, 0.4, 0.6 }, { 0.2, 0.6, 0.4, 0.6 }, { 0.8, 0.6, 0.4, 0.6 } },
+    { { 0.2, 0.6, 0.4, 0.2 }, { 0.2, 0.6, 0.4, 0.4 }, { 0.2, 0.4, 0.6, 0.4 },
+      { 0.2, 0.6, 0.6, 0.4 }, { 0.4, 0.6, 0.6, 0.4 }, { 0.0, 0.0, 0.0, 0.6 } },
+  };
+  for (const std::vector<Rgba>& stack : stacks)
+  {
+    TestScene scene(8, 6);
+    for (const bool reversed : { false, true })
+    {
+      scene.Renderer->RemoveAllViewProps();
+      std::vector<Rgba> order = stack;
+      if (reversed)
+      {
+        std::reverse(order.begin(), order.end());
+      }
+      for (const Rgba& color : order)
+      {
+        scene.AddPlate(0.25, color);
+      }
+      const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+      scene.Use(pass);
+      const Rgba color = UniformColor(scene.Render());
+      const Rgba expected = CompositePlates(stack, TestBackground);
+      for (int c = 0; c < 4; ++c)
+      {
+        EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.6)
+          << stack.size() << " plates, channel " << c << (reversed ? ", reversed" : "");
+      }
+    }
+  }
+}
+
+// Ties in lists of every bin: each plate stands at one of three heights.
+TEST_P(Determinism, ManyCoincidentPlatesOrderByPackedColor)
+{
+  for (const int layers : { 8, 13, 24, 40, 64, 65, 100 })
+  {
+    SCOPED_TRACE(std::to_string(layers) + " layers");
+    TestScene scene(6, 5);
+    std::vector<Rgba> plates = RandomPlates(layers, 0.2, 31);
+    for (std::size_t i = 0; i + 4 < plates.size(); i += 5)
+    {
+      plates[i + 4] = plates[i]; // twins
+    }
+    std::vector<std::vector<Rgba>> heights(3);
+    for (int i = 0; i < layers; ++i)
+    {
+      scene.AddPlate(0.5 - 0.5 * (i % 3), plates[i]);
+      heights[i % 3].push_back(plates[i]);
+    }
+    std::vector<Rgba> sorted;
+    for (std::vector<Rgba>& height : heights)
+    {
+      std::sort(height.begin(), height.end(),
+        [](const Rgba& a, const Rgba& b)
+        { return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend()); });
+      sorted.insert(sorted.end(), height.begin(), height.end());
+    }
+    const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+    scene.Use(pass);
+    const Rgba color = UniformColor(scene.Render());
+    const Rgba expected = CompositePlates(sorted, TestBackground);
+    for (int c = 0; c < 4; ++c)
+    {
+      EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Determinism, testing::ValuesIn(AllMethods()), MethodName());
+
+}

@@ -1,0 +1,253 @@
+// The linked-list pass's node pool: growth within a frame, limits kept in bands, shrinking, and what it costs.
+#include "TestMessages.h"
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "gl/VitrineOpenGL.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkTranslucentPass.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace
+{
+
+constexpr int Width = 16;
+constexpr int Height = 16;
+constexpr int Granule = 16; // the pool grows by whole groups of so many pages
+
+bool HasFramebufferFetch()
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+    if (std::strcmp(name, "GL_EXT_shader_framebuffer_fetch") == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+class MemoryPool : public testing::TestWithParam<int>
+{
+protected:
+  vtkSmartPointer<vtkLinkedListTransparencyPass> MakePass() const
+  {
+    auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
+    pass->SetColorStorage(GetParam());
+    return pass;
+  }
+  int NodeBytes() const { return GetParam() == vtkLinkedListTransparencyPass::HALF_FLOAT ? 12 : 8; }
+  // Nodes of the pages with which a new pass begins, and the bytes of such a page.
+  int PageSize() const { return HasFramebufferFetch() ? 4 : 1; }
+  vtkTypeInt64 PageBytes() const { return this->PageSize() * this->NodeBytes() + 4; }
+};
+
+TEST_P(MemoryPool, GrowsWithinAFrame)
+{
+  TestScene scene(Width, Height);
+  scene.AddPlates(RandomPlates(8, 0.3, 1), 2);
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  ExpectTruth(scene, pass, 2.0);
+  EXPECT_EQ(pass->GetGeometryPasses(), 2); // the pool was empty
+  EXPECT_EQ(pass->GetNumberOfBands(), 1);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Render();
+    EXPECT_EQ(pass->GetGeometryPasses(), 1);
+  }
+
+  const vtkTypeInt64 before = pass->GetPoolBytes();
+  scene.AddPlates(RandomPlates(80, 0.05, 3), 4);
+  ExpectTruth(scene, pass, 2.0);
+  EXPECT_EQ(pass->GetGeometryPasses(), 2);
+  EXPECT_GT(pass->GetPoolBytes(), 8 * before);
+  scene.Render();
+  EXPECT_EQ(pass->GetGeometryPasses(), 1);
+}
+
+TEST_P(MemoryPool, FollowsAZoomInTheSameFrame)
+{
+  TestScene scene(64, 64);
+  for (int i = 0; i < 10; ++i)
+  {
+    scene.AddSphere(0.1 * i - 0.5, 0.0, 0.0, 0.4, { 0.1 * i, 0.5, 0.9, 0.3 });
+  }
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  for (const double scale : { 20.0, 5.0, 1.0, 0.3, 20.0, 0.3 })
+  {
+    SCOPED_TRACE(scale);
+    scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
+    ExpectTruth(scene, pass, 2.5);
+    EXPECT_LE(pass->GetGeometryPasses(), 2);
+  }
+}
+
+TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
+{
+  TestScene scene(Width, Height);
+  scene.AddPlates(RandomPlates(8, 0.3, 5), 6);
+  scene.AddTriangle(
+    { { { -0.9, -0.9, -0.5 }, { 0.9, -0.6, 0.1 }, { 0.0, 0.9, 0.7 } } }, { 0.9, 0.9, 0.3, 0.6 });
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> unlimited = this->MakePass();
+  scene.Use(unlimited);
+  const Picture expected = scene.Render();
+  const vtkTypeInt64 fragments = unlimited->GetFragmentCount();
+  ASSERT_GT(fragments, 8 * Width * Height);
+  ASSERT_EQ(unlimited->GetLayersMax(), 9);
+
+  // Pixels of 8 fragments take 2 pages of 4, pixels of 9 take 3.
+  const vtkTypeInt64 pages =
+    this->PageSize() == 1 ? fragments : 2 * Width * Height + (fragments - 8 * Width * Height);
+  const vtkTypeInt64 needed = (pages + Granule - 1) / Granule * Granule * this->PageBytes();
+  const vtkTypeInt64 step = Granule * this->PageBytes();
+  const struct
+  {
+    vtkTypeInt64 Limit;
+    int BandsMin;
+    int BandsMax;
+  } cases[] = {
+    { needed, 1, 1 },
+    { needed + step, 1, 1 },
+    { needed - 1, 2, 2 },
+    { needed - step, 2, 2 },
+    { needed / 7, 8, 16 },
+    { 2 * step, 2, Width * Height },
+    { step, 2, Width * Height },
+  };
+  for (const auto& c : cases)
+  {
+    SCOPED_TRACE("limit " + std::to_string(c.Limit) + " of " + std::to_string(needed));
+    const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+    pass->SetMemoryLimit(c.Limit);
+    scene.Use(pass);
+    EXPECT_TRUE(scene.Render() == expected);
+    EXPECT_GE(pass->GetNumberOfBands(), c.BandsMin);
+    EXPECT_LE(pass->GetNumberOfBands(), c.BandsMax);
+    EXPECT_EQ(
+      pass->GetGeometryPasses(), pass->GetNumberOfBands() == 1 ? 2 : 1 + pass->GetNumberOfBands());
+    for (int frame = 1; frame < 3; ++frame)
+    {
+      EXPECT_STREQ(pass->GetFallbackReason(), "");
+      EXPECT_LE(pass->GetPoolBytes(), c.Limit);
+      EXPECT_EQ(pass->GetFragmentCount(), fragments);
+      EXPECT_EQ(pass->GetLayersMax(), 9);
+      EXPECT_DOUBLE_EQ(pass->GetLayersMean(), double(fragments) / (Width * Height));
+      // Its pages may have another size from now on.
+      EXPECT_TRUE(scene.Render() == expected) << "frame " << frame;
+    }
+  }
+}
+
+TEST_P(MemoryPool, SaysSoWhereOnePixelAloneExceedsTheLimit)
+{
+  TestScene scene(Width, Height);
+  scene.AddPlates(RandomPlates(100, 0.05, 7), 8);
+  vtkNew<vtkOrderIndependentTranslucentPass> weighted;
+  vtkNew<vtkTranslucentPass> translucent;
+  weighted->SetTranslucentPass(translucent);
+  scene.Use(weighted);
+  const Picture byVTK = scene.Render();
+
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  pass->SetMemoryLimit(Granule * this->PageBytes());
+  scene.Use(pass);
+  EXPECT_TRUE(scene.Render() == byVTK);
+  const vtkTypeInt64 need = 100 / this->PageSize() * this->PageBytes();
+  const std::string reason = pass->GetFallbackReason();
+  EXPECT_NE(
+    reason.find("one pixel alone needs " + std::to_string(need) + " bytes"), std::string::npos)
+    << reason;
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find(reason), std::string::npos) << messages[0];
+
+  // The next frame says nothing new, and a higher limit is as good as ever.
+  scene.Render();
+  EXPECT_EQ(pass->GetFallbackReason(), reason);
+  pass->SetMemoryLimit(0);
+  ExpectTruth(scene, pass, 3.0);
+}
+
+TEST_P(MemoryPool, SettlesCloseToTheNeed)
+{
+  TestScene scene(48, 36);
+  scene.AddPlates(RandomPlates(90, 0.05, 9), 10);
+  scene.AddSphere(0.0, 0.0, 0.0, 0.8, { 0.9, 0.2, 0.2, 0.5 });
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  scene.Use(pass);
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    scene.Render();
+  }
+  const double plain = static_cast<double>(pass->GetFragmentCount()) * (this->NodeBytes() + 4);
+  EXPECT_LE(pass->GetPoolBytes(), 1.3 * plain);
+  EXPECT_GE(pass->GetPoolBytes(), pass->GetFragmentCount() * this->NodeBytes());
+  EXPECT_GT(pass->GetBytes(), pass->GetPoolBytes());
+}
+
+TEST_P(MemoryPool, ShrinksAfterAWhileAndNotBefore)
+{
+  TestScene scene(48, 36);
+  const vtkSmartPointer<vtkActor> deep = scene.AddPlates(RandomPlates(60, 0.05, 11), 12);
+  scene.AddPlates(RandomPlates(30, 0.05, 13), 14);
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  scene.Use(pass);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Render();
+  }
+  const vtkTypeInt64 large = pass->GetPoolBytes();
+
+  scene.Renderer->RemoveActor(deep);
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    scene.Render();
+    EXPECT_EQ(pass->GetPoolBytes(), large) << "frame " << frame;
+  }
+  for (int frame = 10; frame < 40; ++frame)
+  {
+    scene.Render();
+    EXPECT_EQ(pass->GetGeometryPasses(), 1);
+  }
+  const double plain = static_cast<double>(pass->GetFragmentCount()) * (this->NodeBytes() + 4);
+  EXPECT_LT(pass->GetPoolBytes(), large / 2);
+  EXPECT_LE(pass->GetPoolBytes(), 1.3 * plain);
+}
+
+TEST_P(MemoryPool, HoldsStillWhereTheUseSwings)
+{
+  TestScene scene(32, 24);
+  scene.AddPlates(RandomPlates(16, 0.05, 15), 16);
+  const vtkSmartPointer<vtkActor> more = scene.AddPlates(RandomPlates(16, 0.05, 17), 18);
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  scene.Use(pass);
+  int changes = 0;
+  vtkTypeInt64 previous = 0;
+  for (int frame = 0; frame < 80; ++frame)
+  {
+    more->SetVisibility(frame / 3 % 2 == 0);
+    scene.Render();
+    changes += pass->GetPoolBytes() != previous ? 1 : 0;
+    previous = pass->GetPoolBytes();
+    if (frame > 0)
+    {
+      EXPECT_EQ(pass->GetGeometryPasses(), 1) << "frame " << frame;
+    }
+  }
+  EXPECT_LE(changes, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Storage, MemoryPool,
+  testing::Values(
+    vtkLinkedListTransparencyPass::HALF_FLOAT, vtkLinkedListTransparencyPass::EIGHT_BIT),
+  [](const auto& info) { return info.param == 0 ? "HalfFloat" : "EightBit"; });
+
+}
