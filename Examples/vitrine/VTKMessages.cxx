@@ -1,5 +1,6 @@
 #include "VTKMessages.h"
 
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -76,6 +77,7 @@ vtkStandardNewMacro(MessageWindow);
 
 void InstallMessageLines()
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it repeats what comes to the window
   vtkNew<MessageWindow> window;
   vtkOutputWindow::SetInstance(window);
 }

@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "OutputFile.h"
 #include "scene/DemoScene.h"
+#include "scene/files/SceneFile.h"
 
 #include <charconv>
 #include <cmath>
@@ -140,11 +141,7 @@ Scene LoadScene(const SceneOptions& options)
   Scene scene;
   for (const std::string& input : options.Inputs)
   {
-    if (!IsDemoScene(input))
-    {
-      throw InputError(input, "only generated scenes can be read");
-    }
-    Append(scene, MakeDemoScene(input));
+    Append(scene, IsDemoScene(input) ? MakeDemoScene(input) : ReadSceneFile(input));
   }
   if (options.Opacity)
   {

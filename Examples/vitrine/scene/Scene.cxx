@@ -9,7 +9,9 @@
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -20,8 +22,12 @@ namespace
 {
 std::int64_t CountFanTriangles(vtkCellArray* cells)
 {
-  const std::int64_t corners = cells->GetNumberOfConnectivityIds();
-  return corners - 2 * static_cast<std::int64_t>(cells->GetNumberOfCells());
+  std::int64_t triangles = 0;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    triangles += std::max<vtkIdType>(0, cells->GetCellSize(i) - 2);
+  }
+  return triangles;
 }
 
 /** Copies of the objects that hold resources of a window; one copy for each original. */
@@ -35,6 +41,7 @@ public:
     {
       copy = vtkSmartPointer<vtkTexture>::New();
       copy->SetInputDataObject(original->GetInputDataObject(0, 0));
+      copy->SetTransform(original->GetTransform());
       copy->SetColorMode(original->GetColorMode());
       copy->SetBlendingMode(original->GetBlendingMode());
       copy->SetMipmap(original->GetMipmap());
@@ -54,6 +61,10 @@ public:
       copy = vtkSmartPointer<vtkProperty>::New();
       copy->DeepCopy(original);
       copy->SetEmissiveFactor(original->GetEmissiveFactor()); // DeepCopy() of VTK 9.1 forgets it
+      for (const auto& [name, texture] : copy->GetAllTextures())
+      {
+        texture->Register(copy); // DeepCopy() of VTK 9.1 forgets this too
+      }
       copy->RemoveAllTextures();
       for (const auto& [name, texture] : original->GetAllTextures())
       {

@@ -1,0 +1,62 @@
+#include "scene/files/CrashGuard.h"
+
+#include "Errors.h"
+
+#include <array>
+#include <csignal>
+#include <unistd.h>
+#include <vector>
+
+namespace program
+{
+
+namespace
+{
+const std::array<int, 5> Signals = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
+std::string Message;
+std::vector<char> HandlerStack; // of its own, since the crash may be a stack that ran over
+std::array<struct sigaction, Signals.size()> Former;
+
+/** Only what a signal handler may call. */
+void EndProgram(int)
+{
+  if (write(STDERR_FILENO, Message.data(), Message.size()) < 0)
+  {
+    _exit(FAILURE);
+  }
+  _exit(BAD_INPUT);
+}
+}
+
+CrashGuard::CrashGuard(const std::string& path)
+{
+  Message = "vitrine: " + path + ": is damaged: its reader crashed\n";
+  HandlerStack.resize(1 << 16);
+  stack_t stack{};
+  stack.ss_sp = HandlerStack.data();
+  stack.ss_size = HandlerStack.size();
+  sigaltstack(&stack, nullptr);
+  struct sigaction action
+  {
+  };
+  action.sa_handler = EndProgram;
+  action.sa_flags = SA_ONSTACK;
+  for (std::size_t i = 0; i < Signals.size(); ++i)
+  {
+    sigaction(Signals[i], &action, &Former[i]);
+  }
+}
+
+CrashGuard::~CrashGuard()
+{
+  for (std::size_t i = 0; i < Signals.size(); ++i)
+  {
+    sigaction(Signals[i], &Former[i], nullptr);
+  }
+  stack_t stack{};
+  stack.ss_flags = SS_DISABLE;
+  sigaltstack(&stack, nullptr);
+}
+
+}

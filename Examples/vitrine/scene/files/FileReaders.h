@@ -1,0 +1,27 @@
+/**
+ * One reader for each kind of file. A reader checks what VTK's reader takes on trust, since VTK 9.1 reads
+ * beyond its arrays where a file is damaged, and throws InputError. What comes out is checked once more, by
+ * ReadSceneFile().
+ */
+#ifndef VITRINE_FILE_READERS_H
+#define VITRINE_FILE_READERS_H
+
+#include "scene/Scene.h"
+
+#include <string>
+
+namespace program
+{
+
+Scene ReadGltfFile(const std::string& path);
+Scene ReadMultiBlockFile(const std::string& path);
+Scene ReadObjFile(const std::string& path);
+Scene ReadPlyFile(const std::string& path);
+Scene ReadPolyDataFile(const std::string& path);
+Scene ReadStlFile(const std::string& path);
+
+/** A scene of one part, of VTK's default material, called by the file's name. */
+Scene MakeSinglePartScene(const std::string& path, vtkPolyData* geometry);
+
+}
+#endif

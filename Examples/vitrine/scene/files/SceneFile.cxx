@@ -1,0 +1,187 @@
+#include "scene/files/SceneFile.h"
+
+#include "Errors.h"
+#include "VTKMessages.h"
+#include "scene/files/CrashGuard.h"
+#include "scene/files/FileBytes.h"
+#include "scene/files/FileReaders.h"
+#include "scene/files/GeometryCheck.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <new>
+
+namespace program
+{
+
+namespace
+{
+struct FileType
+{
+  std::string Extension;
+  Scene (*Read)(const std::string& path);
+};
+
+const std::vector<FileType>& FileTypes()
+{
+  static const std::vector<FileType> types = {
+    { ".glb", ReadGltfFile },
+    { ".gltf", ReadGltfFile },
+    { ".obj", ReadObjFile },
+    { ".stl", ReadStlFile },
+    { ".ply", ReadPlyFile },
+    { ".vtp", ReadPolyDataFile },
+    { ".vtm", ReadMultiBlockFile },
+  };
+  return types;
+}
+
+const FileType& TypeOf(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const FileType& type : FileTypes())
+  {
+    if (type.Extension == extension)
+    {
+      return type;
+    }
+  }
+  throw InputError(path, "is not of a kind that can be read: " + ListFileTypes());
+}
+
+/** Read, with whatever goes wrong in VTK's reader made into an InputError. */
+Scene ReadGuarded(const std::string& path, const FileType& type)
+{
+  const CrashGuard guard(path);
+  const MessageCapture messages;
+  try
+  {
+    Scene scene = type.Read(path);
+    if (!messages.Errors().empty())
+    {
+      throw InputError(path, "cannot be read: " + messages.Errors().front());
+    }
+    for (const std::string& warning : messages.Warnings())
+    {
+      if (std::find(scene.Notes.begin(), scene.Notes.end(), warning) == scene.Notes.end())
+      {
+        scene.Notes.push_back(warning);
+      }
+    }
+    return scene;
+  }
+  catch (const InputError&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw InputError(path, "is damaged, or needs more memory than there is");
+  }
+  catch (const std::exception& error)
+  {
+    throw InputError(path, std::string("is damaged: ") + error.what());
+  }
+}
+
+bool IsFinite(vtkMatrix4x4* matrix)
+{
+  return !matrix ||
+    std::all_of(
+      matrix->GetData(), matrix->GetData() + 16, [](double x) { return std::isfinite(x); });
+}
+
+void CheckPart(const std::string& path, const Part& part)
+{
+  const std::string problem = FindGeometryProblem(part.Geometry);
+  if (!problem.empty())
+  {
+    throw InputError(path, "is damaged: part '" + part.Name + "' " + problem);
+  }
+  if (!IsFinite(part.Transform))
+  {
+    throw InputError(
+      path, "is damaged: the place of part '" + part.Name + "' is not made of finite numbers");
+  }
+}
+
+/** Take parts in which there is nothing to draw out of the scene, and say so. */
+void SkipEmptyParts(Scene& scene)
+{
+  std::vector<Part> drawn;
+  for (Part& part : scene.Parts)
+  {
+    if (HasDrawableCells(part.Geometry))
+    {
+      drawn.push_back(std::move(part));
+    }
+    else
+    {
+      scene.Skipped.push_back({ part.Name, "has no triangles, lines or points" });
+    }
+  }
+  scene.Parts = std::move(drawn);
+}
+
+/** Names tell parts apart: the second of a name becomes "name (2)". */
+void MakeNamesUnique(Scene& scene)
+{
+  std::map<std::string, int> seen;
+  for (Part& part : scene.Parts)
+  {
+    const int count = ++seen[part.Name];
+    if (count > 1)
+    {
+      part.Name += " (" + std::to_string(count) + ")";
+    }
+  }
+}
+}
+
+Scene ReadSceneFile(const std::string& path)
+{
+  CheckReadable(path);
+  Scene scene = ReadGuarded(path, TypeOf(path));
+  for (const Part& part : scene.Parts)
+  {
+    CheckPart(path, part);
+  }
+  SkipEmptyParts(scene);
+  if (scene.Parts.empty())
+  {
+    throw InputError(path, "has nothing to draw: no triangles, lines or points");
+  }
+  MakeNamesUnique(scene);
+  scene.Name = path;
+  scene.Placement.DefaultView = { 30.0, 20.0, 1.0 };
+  return scene;
+}
+
+std::string ListFileTypes()
+{
+  std::string list;
+  for (const FileType& type : FileTypes())
+  {
+    list += (list.empty() ? "" : " ") + type.Extension;
+  }
+  return list;
+}
+
+Scene MakeSinglePartScene(const std::string& path, vtkPolyData* geometry)
+{
+  Part part;
+  part.Name = std::filesystem::path(path).stem().string();
+  part.Geometry = geometry;
+  part.Material = vtkSmartPointer<vtkProperty>::New();
+  Scene scene;
+  scene.Parts.push_back(part);
+  return scene;
+}
+
+}
