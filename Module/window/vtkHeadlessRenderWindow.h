@@ -117,8 +117,9 @@ public:
   ///@}
 
   /**
-   * Load OpenGL's entry points and bring the context into the state in which VTK begins, as VTK's own windows do;
-   * the superclass would take over the context's. Initialize() calls it with the context current.
+   * Load OpenGL's entry points and bring the context into the state in which VTK begins, as VTK's own
+   * windows do; the superclass would take over the context's. Initialize() calls it with the context
+   * current.
    */
   void OpenGLInit() override;
 

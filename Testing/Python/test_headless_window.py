@@ -9,7 +9,15 @@ from vtkmodules.vtkCommonCore import VTK_ERROR, vtkFloatArray, vtkUnsignedCharAr
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from scenes import cone_renderer, pixels, rendered, run_python, window_with
+from scenes import (
+    cone_renderer,
+    pixels,
+    plate,
+    plates_renderer,
+    rendered,
+    run_python,
+    window_with,
+)
 from vitrine import vtkHeadlessRenderWindow
 
 BACKGROUND = [0, 0, 255]
@@ -52,6 +60,12 @@ class Window(unittest.TestCase):
 
     def test_draws(self):
         self.assert_cone(rendered(cone_renderer()))
+
+    def test_begins_in_the_state_that_vtk_expects(self):
+        # Of coplanar faces the one drawn last is seen, by VTK's GL_LEQUAL; OpenGL itself begins with GL_LESS.
+        renderer = plates_renderer(plate(0, (1, 0, 0), 1), plate(0, (0, 1, 0), 1))
+        picture = rendered(renderer)
+        self.assertTrue((picture[..., :3] == (0, 255, 0)).all())
 
     def test_has_a_default_size(self):
         window = vtkHeadlessRenderWindow()
