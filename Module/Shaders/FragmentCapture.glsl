@@ -37,11 +37,19 @@ bool vitrineHidden(float z, int s)
 }
 #endif
 
+#if VITRINE_SAMPLES > 0
+// The pixels to draw. The scissor test does not cut them out, since llvmpipe loses samples along its edges.
+uniform ivec2 vitrineRegionFirst;
+uniform ivec2 vitrineRegionEnd;
+#endif
+
 // The samples of the pixel in which a fragment of depth `z` is seen, one bit each.
 uint vitrineCoverage(float z)
 {
 #if VITRINE_SAMPLES > 0
-  uint covered = uint(gl_SampleMaskIn[0]);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  bool inRegion = all(greaterThanEqual(pixel, vitrineRegionFirst)) && all(lessThan(pixel, vitrineRegionEnd));
+  uint covered = inRegion ? uint(gl_SampleMaskIn[0]) : 0u;
 #ifdef VITRINE_TESTS_DEPTH
   for (int s = 0; s < VITRINE_SAMPLES; ++s)
   {

@@ -135,10 +135,11 @@ void RenderTarget::BindForFill(
   vtkOpenGLState* state, GLuint framebuffer, const PixelRegion& region) const
 {
   const PixelRegion& v = this->Viewport;
+  const PixelRegion& scissor = this->Samples > 0 ? this->Region : region;
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   state->vtkglViewport(v.X, v.Y, v.Width, v.Height);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(region.X, region.Y, region.Width, region.Height);
+  state->vtkglScissor(scissor.X, scissor.Y, scissor.Width, scissor.Height);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDepthMask(GL_FALSE);

@@ -63,7 +63,8 @@ struct RenderTarget
 
   /**
    * Bind `framebuffer`, which has this target's depth, and set the state to rasterise translucent geometry into
-   * `region`: tested against the opaque depth, which stays, and without blending.
+   * `region`: tested against the opaque depth, which stays, and without blending. Where the target is multisampled
+   * the shaders cut out the region (FragmentCapture.glsl).
    */
   void BindForFill(vtkOpenGLState* state, GLuint framebuffer, const PixelRegion& region) const;
 

@@ -183,8 +183,7 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   vtkOpenGLState* state = window->GetState();
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
   state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(region.X, region.Y, region.Width, region.Height);
+  state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
@@ -193,6 +192,8 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
 
   const TileRange tiles(region);
   const int targetSize[2] = { target.Width, target.Height };
+  const int regionFirst[2] = { region.X, region.Y };
+  const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
   const ScopedListTextures textures(state, pool, heads);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
@@ -208,6 +209,8 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
     program->SetUniform2i("tileFirst", tiles.First);
     program->SetUniform2i("tileCount", tiles.Count);
     program->SetUniform2i("targetSize", targetSize);
+    program->SetUniform2i("regionFirst", regionFirst);
+    program->SetUniform2i("regionEnd", regionEnd);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tiles.Count[0] * tiles.Count[1]);
   }
 }

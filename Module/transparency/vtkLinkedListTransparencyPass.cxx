@@ -266,7 +266,7 @@ vitrine::FragmentStatistics vtkLinkedListTransparencyPass::Fill(
     const vitrine::ScopedStorageBuffer links(VITRINE_BINDING_LINKS, in.Pool.LinkBuffer());
     const vitrine::ScopedImage heads(
       VITRINE_IMAGE_HEADS, in.Layout.FramebufferFetch ? 0 : in.Heads.Handle());
-    this->DrawTranslucentGeometry(s);
+    this->DrawTranslucentGeometry(s, region);
   }
   in.Resolver.Classify(this->GetWindow(), in.Layout, in.Pool, in.Heads, target, region);
   return in.Pool.ReadCounters();

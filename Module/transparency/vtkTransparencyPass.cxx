@@ -61,6 +61,7 @@ struct vtkTransparencyPass::Internals
   std::set<std::string> Reported;
 
   vitrine::RenderTarget Target; // of the current frame
+  vitrine::PixelRegion Region;  // that is being drawn
   bool PostDepthCoverage = false;
   bool SoftwareRasteriser = false;
 
@@ -236,8 +237,10 @@ void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::str
 }
 
 //------------------------------------------------------------------------------
-void vtkTransparencyPass::DrawTranslucentGeometry(const vtkRenderState* s)
+void vtkTransparencyPass::DrawTranslucentGeometry(
+  const vtkRenderState* s, const vitrine::PixelRegion& region)
 {
+  this->Private->Region = region;
   this->PreRender(s);
   int rendered = 0;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -295,6 +298,13 @@ bool vtkTransparencyPass::SetShaderParameters(
       in.CopyOpaqueDepth();
     }
     program->SetUniformi("vitrineOpaqueDepth", in.OpaqueDepthUnit->Unit());
+  }
+  if (program->IsUniformUsed("vitrineRegionFirst"))
+  {
+    const int first[2] = { in.Region.X, in.Region.Y };
+    const int end[2] = { in.Region.X + in.Region.Width, in.Region.Y + in.Region.Height };
+    program->SetUniform2i("vitrineRegionFirst", first);
+    program->SetUniform2i("vitrineRegionEnd", end);
   }
   this->SetFillParameters(program);
   return true;

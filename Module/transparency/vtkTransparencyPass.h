@@ -33,6 +33,7 @@ class vtkRenderWindow;
 namespace vitrine
 {
 struct FillShader;
+struct PixelRegion;
 struct RenderTarget;
 }
 
@@ -130,9 +131,9 @@ protected:
   void ReleaseBeforeDestruction();
 
   /**
-   * Draw the translucent geometry once, with the method's storing of fragments joined to the shaders.
+   * Draw the translucent geometry in `region` once, with the method's storing of fragments joined to the shaders.
    */
-  void DrawTranslucentGeometry(const vtkRenderState* s);
+  void DrawTranslucentGeometry(const vtkRenderState* s, const vitrine::PixelRegion& region);
 
   /**
    * The window of the current frame.

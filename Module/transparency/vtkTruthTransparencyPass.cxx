@@ -270,7 +270,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
   {
     const vitrine::ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, in.Counter.Handle());
     const vitrine::ScopedStorageBuffer fragments(VITRINE_BINDING_CAPTURE, in.Fragments.Handle());
-    this->DrawTranslucentGeometry(s);
+    this->DrawTranslucentGeometry(s, region);
   }
 
   const std::size_t count = in.ReadCounter();
