@@ -55,6 +55,18 @@ ScopedTrackedState::~ScopedTrackedState()
   this->State->PopFramebufferBindings();
 }
 
+ScopedArrayBuffer::ScopedArrayBuffer()
+{
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &this->Previous);
+}
+
+ScopedArrayBuffer::~ScopedArrayBuffer()
+{
+  // A mapper that builds its buffers anew may have deleted it.
+  const auto previous = static_cast<GLuint>(this->Previous);
+  glBindBuffer(GL_ARRAY_BUFFER, glIsBuffer(previous) ? previous : 0);
+}
+
 ScopedVertexArray::ScopedVertexArray(GLuint vertexArray)
 {
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->Previous);
@@ -63,7 +75,8 @@ ScopedVertexArray::ScopedVertexArray(GLuint vertexArray)
 
 ScopedVertexArray::~ScopedVertexArray()
 {
-  glBindVertexArray(static_cast<GLuint>(this->Previous));
+  const auto previous = static_cast<GLuint>(this->Previous);
+  glBindVertexArray(glIsVertexArray(previous) ? previous : 0);
 }
 
 ScopedShaderProgram::ScopedShaderProgram(vtkOpenGLRenderWindow* window)

@@ -45,6 +45,19 @@ private:
   vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
 };
 
+/** The buffer bound for vertex attributes, which VTK's mappers leave changed. */
+class ScopedArrayBuffer
+{
+public:
+  ScopedArrayBuffer();
+  ~ScopedArrayBuffer();
+  ScopedArrayBuffer(const ScopedArrayBuffer&) = delete;
+  void operator=(const ScopedArrayBuffer&) = delete;
+
+private:
+  GLint Previous = 0;
+};
+
 /** The bound vertex array, which VTK does not track. */
 class ScopedVertexArray
 {

@@ -214,6 +214,8 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   }
   in.Target = target;
 
+  const vitrine::ScopedArrayBuffer arrayBuffer;
+  const vitrine::ScopedVertexArray vertexArray(0);
   vitrine::ScopedTrackedState trackedState(state);
   vitrine::ScopedShaderProgram shaderProgram(in.Window);
   const std::string failure = this->RenderFragments(s, target);
