@@ -1,0 +1,192 @@
+// Multisampled windows: opaque and translucent edges antialiased, exact in every sample.
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkShaderProperty.h"
+#include "vtkTranslucentPass.h"
+#include "vtkTruthTransparencyPass.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace
+{
+
+constexpr int Samples = 4;
+
+// Each of a pixel's samples is rounded to 8 bits, and so is their mean.
+constexpr double Slack = 1.5;
+
+void AddParts(TestScene& scene)
+{
+  scene.AddSphere(0.3, 0.1, 0.2, 0.5, { 0.9, 0.5, 0.1, 0.4 });
+  scene.AddSphere(-0.2, -0.1, -0.3, 0.7, { 0.1, 0.5, 0.9, 0.6 });
+  scene.AddSphere(0.0, 0.3, 0.1, 0.4, { 0.6, 0.1, 0.9, 0.5 });
+  scene.AddTriangle(
+    { { { -0.9, -0.9, -0.5 }, { 0.9, -0.6, 0.1 }, { 0.0, 0.9, 0.7 } } }, { 0.9, 0.9, 0.3, 0.6 });
+}
+
+void AddOpaqueParts(TestScene& scene)
+{
+  scene.AddTriangle(
+    { { { -0.9, 0.4, 0.8 }, { 0.1, -0.3, 0.8 }, { 0.2, 0.1, 0.8 } } }, { 1.0, 1.0, 1.0, 1.0 });
+  scene.AddSphere(0.3, -0.4, 0.0, 0.4, { 0.8, 0.3, 0.3, 1.0 });
+}
+
+bool IsBetween(const Rgba& a, const Rgba& b, const Rgba& color)
+{
+  bool between = true;
+  bool differs[2] = { false, false };
+  for (int c = 0; c < 3; ++c)
+  {
+    between = between && color[c] >= std::min(a[c], b[c]) && color[c] <= std::max(a[c], b[c]);
+    differs[0] = differs[0] || color[c] != a[c];
+    differs[1] = differs[1] || color[c] != b[c];
+  }
+  return between && differs[0] && differs[1];
+}
+
+class Multisampling : public testing::TestWithParam<Method>
+{
+};
+
+TEST_P(Multisampling, PartsAreTruth)
+{
+  TestScene scene(61, 47, Samples);
+  AddParts(scene);
+  ExpectTruth(scene, GetParam().Make(), Slack * GetParam().Tolerance);
+}
+
+TEST_P(Multisampling, PartsBehindAndThroughOpaqueOnesAreTruth)
+{
+  for (const bool stencil : { false, true })
+  {
+    TestScene scene(61, 47, Samples);
+    scene.Window->SetStencilCapable(stencil);
+    AddParts(scene);
+    AddOpaqueParts(scene);
+    ExpectTruth(scene, GetParam().Make(), Slack * GetParam().Tolerance);
+  }
+}
+
+TEST_P(Multisampling, WritersOfDepthAreTruth)
+{
+  TestScene scene(61, 47, Samples);
+  AddParts(scene);
+  AddOpaqueParts(scene);
+  scene.AddRectangle(-0.8, -0.5, 0.7, 0.6, -0.3, { 0.3, 0.9, 0.3, 0.5 })
+    ->GetShaderProperty()
+    ->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+      "gl_FragDepth = gl_FragCoord.z - 0.002 * gl_FragCoord.x;\n", false);
+  ExpectTruth(scene, GetParam().Make(), Slack * GetParam().Tolerance);
+}
+
+// One layer needs no sorting: VTK's own blending of it is right, but for its rounding.
+TEST_P(Multisampling, OneLayerIsAsVTKBlendsIt)
+{
+  TestScene scene(61, 47, Samples);
+  AddOpaqueParts(scene);
+  scene.AddTriangle(
+    { { { -0.9, -0.9, -0.1 }, { 0.9, -0.6, -0.1 }, { 0.0, 0.9, -0.1 } } }, { 0.9, 0.9, 0.3, 0.6 });
+  vtkNew<vtkTranslucentPass> blending;
+  scene.Use(blending);
+  const Picture expected = scene.Render();
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  EXPECT_LE(LargestDifference(scene.Render(), expected), 1);
+  EXPECT_EQ(pass->GetLayersMax(), 1);
+}
+
+TEST_P(Multisampling, OpaqueEdgesStayAntialiased)
+{
+  TestScene scene(61, 47, Samples);
+  AddOpaqueParts(scene);
+  vtkNew<vtkRenderStepsPass> steps;
+  scene.Renderer->SetPass(steps);
+  const Picture opaque = scene.Render();
+  // What lies behind everything changes nothing in front of it.
+  scene.AddPlate(-0.9, { 1.0, 0.0, 0.0, 0.5 });
+  scene.Use(GetParam().Make());
+  const Picture picture = scene.Render();
+  const Rgba front = { 1.0, 1.0, 1.0, 1.0 };
+  const Rgba behind = picture.At(60, 46);
+  int edges = 0;
+  for (int y = 0; y < 47; ++y)
+  {
+    for (int x = 0; x < 61; ++x)
+    {
+      if (opaque.At(x, y) == front)
+      {
+        ASSERT_EQ(picture.At(x, y), front) << x << ", " << y;
+      }
+      edges += IsBetween(front, behind, picture.At(x, y)) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(edges, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Multisampling, testing::ValuesIn(ExactMethods()), MethodName());
+
+// A vertical edge from the left through every fraction of a pixel: as much of the plate as samples are covered.
+TEST(MultisamplingClosedForm, CoverageIsWhatOneSampleInFourIsWorth)
+{
+  const Rgba plate = { 1.0, 0.0, 0.0, 1.0 / 255 * 204 };
+  for (const Method& method : AllMethods())
+  {
+    SCOPED_TRACE(method.Name);
+    std::set<int> coverages;
+    TestScene scene(8, 8, Samples);
+    scene.Use(method.Make());
+    for (int step = 0; step < 16; ++step)
+    {
+      const double edge = (step + 0.5) / 16.0 * 0.25; // through the pixel at x = 4
+      const vtkSmartPointer<vtkActor> actor = scene.AddRectangle(-2.0, -2.0, edge, 2.0, 0.0, plate);
+      const Picture picture = scene.Render();
+      scene.Renderer->RemoveActor(actor);
+      const Rgba full = CompositePlates({ plate }, TestBackground);
+      const double share =
+        (picture.At(4, 4)[0] - TestBackground[0]) / (full[0] - TestBackground[0]);
+      EXPECT_NEAR(Samples * share, std::lround(Samples * share), 0.03) << "edge at " << edge;
+      coverages.insert(static_cast<int>(std::lround(Samples * share)));
+      EXPECT_NEAR(picture.At(3, 4)[0], full[0], 0.6 / 255);
+      EXPECT_NEAR(picture.At(5, 4)[0], TestBackground[0], 0.6 / 255);
+    }
+    EXPECT_EQ(coverages, (std::set<int>{ 0, 1, 2, 3, 4 }));
+  }
+}
+
+TEST(MultisamplingBands, AreTheWholePicture)
+{
+  TestScene scene(61, 47, Samples);
+  AddParts(scene);
+  AddOpaqueParts(scene);
+  for (const Method& method : ExactMethods())
+  {
+    SCOPED_TRACE(method.Name);
+    const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
+    auto* limited = vtkLinkedListTransparencyPass::SafeDownCast(pass);
+    if (!limited)
+    {
+      continue;
+    }
+    scene.Use(limited);
+    const Picture whole = scene.Render();
+    EXPECT_EQ(limited->GetNumberOfBands(), 1);
+    const vtkTypeInt64 plain = limited->GetFragmentCount() * 20;
+    for (const int parts : { 3, 5, 8, 20, 60 })
+    {
+      SCOPED_TRACE(parts);
+      limited->SetMemoryLimit(plain / parts);
+      EXPECT_TRUE(scene.Render() == whole);
+      EXPECT_GE(limited->GetNumberOfBands(), parts / 2);
+      EXPECT_STREQ(limited->GetFallbackReason(), "");
+    }
+  }
+}
+
+}
