@@ -43,6 +43,10 @@ const std::vector<Demo>& Demos()
       { { "layers", 64, 1, 20000, true }, { "alpha", 0.2, 0, 1, false },
         { "seed", 1, 0, LargestSeed, true }, { "resolution", 32, 3, 1000, true } },
       MakeSpheresScene },
+    { "assembly",
+      "machines in glass housings: shafts, gears, bearings, bolts, pipes, cables, boards",
+      { { "parts", 2000, 1, 200000, true }, { "seed", 1, 0, LargestSeed, true } },
+      MakeAssemblyScene },
   };
   return demos;
 }
