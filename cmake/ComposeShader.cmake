@@ -25,6 +25,7 @@ function (vitrine_compose file)
 
   file(READ "${INCLUDE_DIR}/${file}" content)
   # Keep what CMake lists would eat.
+  string(REPLACE "\\" "@BS@" content "${content}")
   string(REPLACE ";" "\\;" content "${content}")
   string(REPLACE "[" "@LB@" content "${content}")
   string(REPLACE "]" "@RB@" content "${content}")
@@ -59,6 +60,7 @@ set(vitrine_text "${legend}\n${vitrine_text}")
 string(REPLACE "@LB@" "[" vitrine_text "${vitrine_text}")
 string(REPLACE "@RB@" "]" vitrine_text "${vitrine_text}")
 string(REPLACE "\\;" ";" vitrine_text "${vitrine_text}")
+string(REPLACE "@BS@" "\\" vitrine_text "${vitrine_text}")
 
 # A raw string literal may hold 64 KiB at most in portable compilers; shaders stay far below.
 file(WRITE "${OUTPUT}.new" "// Written by ComposeShader.cmake from ${name}.

@@ -113,4 +113,40 @@ LongResolveText UnrollLongResolve(int block)
   return text;
 }
 
+SortRunsText UnrollSortRuns(int size, int pageSize)
+{
+  assert(size > 0 && pageSize > 0 && size % pageSize == 0);
+  SortRunsText text;
+  text.Declare = ForEach("DECLARE", 0, size);
+  for (int page = 0; page < size / pageSize; ++page)
+  {
+    const std::string name = "p" + std::to_string(page);
+    text.Declare += "DECLARE_PAGE(" + name + ")\n";
+    text.Load += "TAKE_PAGE(" + name + ")\n";
+    for (int slot = 0; slot < pageSize; ++slot)
+    {
+      const std::string call =
+        "(" + Register(page * pageSize + slot) + ", " + name + ", " + std::to_string(slot) + ")\n";
+      text.Load += "LOAD" + call;
+      text.Store += "STORE" + call;
+    }
+  }
+  text.Sort = EmitGlsl(BestKnownNetwork(size), "COMPARE_EXCHANGE_FULL", "f");
+  return text;
+}
+
+MergeRunsText UnrollMergeRuns(int runs)
+{
+  MergeRunsText text;
+  for (int i = 0; i < runs; ++i)
+  {
+    const std::string run = "r" + std::to_string(i);
+    const std::string operands = "(" + run + ", " + std::to_string(i) + ")\n";
+    text.Declare += "DECLARE_RUN(" + run + ")\n";
+    text.FindNearest += "FIND_NEAREST" + operands;
+    text.PutBack += "PUT_BACK" + operands;
+  }
+  return text;
+}
+
 }

@@ -37,5 +37,28 @@ struct LongResolveText
 
 LongResolveText UnrollLongResolve(int block);
 
+/** Text for the tags of LinkedListSortRuns.glsl. */
+struct SortRunsText
+{
+  std::string Declare;
+  std::string Load;
+  std::string Sort;
+  std::string Store;
+};
+
+/** For runs of `size` nodes, a multiple of `pageSize`. */
+SortRunsText UnrollSortRuns(int size, int pageSize);
+
+/** Text for the tags of LinkedListMergeRuns.glsl. */
+struct MergeRunsText
+{
+  std::string Declare;
+  std::string FindNearest;
+  std::string PutBack;
+};
+
+/** For up to `runs` runs. */
+MergeRunsText UnrollMergeRuns(int runs);
+
 }
 #endif

@@ -4,6 +4,22 @@
 
 #define NO_KEY 0xffffffffu
 
+// VITRINE_KEEP_COVERAGE: registers carry the node's coverage too, where the target is multisampled.
+#if defined(VITRINE_KEEP_COVERAGE) && VITRINE_SAMPLES > 0
+#define COVERAGE_MEMBER uint coverage;
+#define EXCHANGE_COVERAGE(a, b, s) \
+  { \
+    uint t = s ? b.coverage : a.coverage; b.coverage = s ? a.coverage : b.coverage; a.coverage = t; \
+  }
+#define SET_COVERAGE(f, node) f.coverage = nodeCoverage(node);
+#define SELECT_COVERAGE(f, s, a, b) f.coverage = s ? a.coverage : b.coverage;
+#else
+#define COVERAGE_MEMBER
+#define EXCHANGE_COVERAGE(a, b, s)
+#define SET_COVERAGE(f, node)
+#define SELECT_COVERAGE(f, s, a, b)
+#endif
+
 #ifdef VITRINE_HALF_FLOAT
 
 struct Fragment
@@ -11,15 +27,21 @@ struct Fragment
   uint key;        // bits of the window depth
   uint redGreen;   // as PackedColor.glsl packs
   uint blueAlpha;
+  COVERAGE_MEMBER
 };
 
-Fragment unpackNode(bool valid, uvec4 node)
-{
-  return Fragment(valid ? node.x : NO_KEY, valid ? node.y : 0u, valid ? node.z : 0u);
-}
 uint nodeCoverage(uvec4 node)
 {
   return node.w;
+}
+Fragment unpackNode(bool valid, uvec4 node)
+{
+  Fragment f;
+  f.key = valid ? node.x : NO_KEY;
+  f.redGreen = valid ? node.y : 0u;
+  f.blueAlpha = valid ? node.z : 0u;
+  SET_COVERAGE(f, node)
+  return f;
 }
 vec4 fragmentColor(Fragment f)
 {
@@ -28,6 +50,15 @@ vec4 fragmentColor(Fragment f)
 bool colorAbove(Fragment a, Fragment b)
 {
   return a.blueAlpha > b.blueAlpha || (a.blueAlpha == b.blueAlpha && a.redGreen > b.redGreen);
+}
+Fragment selectFragment(bool s, Fragment a, Fragment b)
+{
+  Fragment f;
+  f.key = s ? a.key : b.key;
+  f.redGreen = s ? a.redGreen : b.redGreen;
+  f.blueAlpha = s ? a.blueAlpha : b.blueAlpha;
+  SELECT_COVERAGE(f, s, a, b)
+  return f;
 }
 bool sameFragment(Fragment a, Fragment b)
 {
@@ -38,6 +69,7 @@ bool sameFragment(Fragment a, Fragment b)
   { \
     uint t = s ? b.redGreen : a.redGreen; b.redGreen = s ? a.redGreen : b.redGreen; a.redGreen = t; \
     t = s ? b.blueAlpha : a.blueAlpha; b.blueAlpha = s ? a.blueAlpha : b.blueAlpha; a.blueAlpha = t; \
+    EXCHANGE_COVERAGE(a, b, s) \
   }
 
 #else
@@ -46,15 +78,20 @@ struct Fragment
 {
   uint key;   // bits of the window depth
   uint color; // as PackedColor.glsl packs
+  COVERAGE_MEMBER
 };
 
-Fragment unpackNode(bool valid, uvec4 node)
-{
-  return Fragment(valid ? node.x : NO_KEY, valid ? node.y : 0u);
-}
 uint nodeCoverage(uvec4 node)
 {
   return node.z;
+}
+Fragment unpackNode(bool valid, uvec4 node)
+{
+  Fragment f;
+  f.key = valid ? node.x : NO_KEY;
+  f.color = valid ? node.y : 0u;
+  SET_COVERAGE(f, node)
+  return f;
 }
 vec4 fragmentColor(Fragment f)
 {
@@ -64,6 +101,14 @@ bool colorAbove(Fragment a, Fragment b)
 {
   return a.color > b.color;
 }
+Fragment selectFragment(bool s, Fragment a, Fragment b)
+{
+  Fragment f;
+  f.key = s ? a.key : b.key;
+  f.color = s ? a.color : b.color;
+  SELECT_COVERAGE(f, s, a, b)
+  return f;
+}
 bool sameFragment(Fragment a, Fragment b)
 {
   return a.key == b.key && a.color == b.color;
@@ -72,6 +117,7 @@ bool sameFragment(Fragment a, Fragment b)
 #define EXCHANGE_COLOR(a, b, s) \
   { \
     uint t = s ? b.color : a.color; b.color = s ? a.color : b.color; a.color = t; \
+    EXCHANGE_COVERAGE(a, b, s) \
   }
 
 #endif

@@ -5,10 +5,12 @@
 uniform sampler2DMS backdrop;
 #define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, gl_SampleID)
 #define IN_SAMPLE(node) ((nodeCoverage(node) >> uint(gl_SampleID) & 1u) != 0u)
+#define FRAGMENT_IN_SAMPLE(f) ((f.coverage >> uint(gl_SampleID) & 1u) != 0u)
 #else
 uniform sampler2D backdrop;
 #define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, 0)
 #define IN_SAMPLE(node) true
+#define FRAGMENT_IN_SAMPLE(f) true
 #endif
 
 layout(location = 0) out vec4 outColor; // premultiplied

@@ -25,8 +25,11 @@
 // Resolve: pixels are binned by the longest list in their tile of this many pixels a side.
 #define VITRINE_TILE_SIZE 16
 
-// The longest list that a network over named registers sorts; longer ones are merged block by block.
+// The longest list that one network over named registers sorts. Longer ones are sorted in runs, which are merged
+// all at once; beyond that many runs, block by block.
 #define VITRINE_LONGEST_NETWORK 64
+#define VITRINE_RUN_SIZE 32
+#define VITRINE_MAX_RUNS 32
 #define VITRINE_MERGE_BLOCK 32
 
 #ifdef __cplusplus

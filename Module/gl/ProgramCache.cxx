@@ -36,6 +36,7 @@ vtkShaderProgram* ProgramCache::Ready(vtkOpenGLRenderWindow* window, const std::
   const std::string version = "#version 430 core\n";
   program = cache->ReadyShaderProgram(
     (version + vertex).c_str(), (version + defineLines + fragment()).c_str(), "");
+  this->Failed = this->Failed || !program;
   return program;
 }
 

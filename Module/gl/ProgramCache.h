@@ -22,7 +22,8 @@ class ProgramCache
 public:
   /**
    * Bind the program of this name and these defines; `fragment` makes its fragment shader, without #version
-   * and defines, when it is wanted for the first time. GLSL 4.30 core.
+   * and defines, when it is wanted for the first time. GLSL 4.30 core. Returns null where the driver cannot
+   * compile it; VTK has said why then.
    */
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& name,
     const std::vector<std::string>& defines, const char* vertex,
@@ -31,9 +32,13 @@ public:
   /** Whether the program of this name and these defines was compiled already. */
   bool Has(const std::string& name, const std::vector<std::string>& defines) const;
 
+  /** Whether a program did not compile. */
+  bool HasFailed() const { return this->Failed; }
+
   void Release() { this->Programs.clear(); }
 
 private:
+  bool Failed = false;
   std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs;
 };
 

@@ -1,17 +1,15 @@
 #include "transparency/ListResolver.h"
 
-#include "Core/ResolveProgram.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/ScopedState.h"
-#include "transparency/FillShader.h"
 #include "transparency/NodePool.h"
+#include "transparency/ResolveSources.h"
 #include "transparency/ShaderText.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <array>
-#include <cassert>
 #include <limits>
 
 namespace vitrine
@@ -21,13 +19,22 @@ namespace
 
 // Bin b holds the tiles whose longest list is at most this, and longer than that of bin b - 1. The last bin
 // is without bound.
-constexpr std::array<int, 5> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
-  std::numeric_limits<int>::max() };
+constexpr std::array<int, 6> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
+  VITRINE_RUN_SIZE* VITRINE_MAX_RUNS, std::numeric_limits<int>::max() };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
+constexpr int RunsBin = BinCount - 2;
+constexpr int BlocksBin = BinCount - 1;
 
 std::string ResolveName(int bin)
 {
   return "resolve " + std::to_string(BinLimits[bin]);
+}
+
+std::vector<std::string> RunDefines(const ListLayout& layout)
+{
+  std::vector<std::string> defines = layout.Defines();
+  defines.push_back("VITRINE_RUN_PAGES " + std::to_string(VITRINE_RUN_SIZE / layout.PageSize));
+  return defines;
 }
 
 std::string BinLimitList()
@@ -38,41 +45,6 @@ std::string BinLimitList()
     list += (list.empty() ? "" : ", ") + std::to_string(limit) + "u";
   }
   return list;
-}
-
-// The tags are in our own shaders, so a missing one is an error in the program.
-void Fill(std::string& source, const char* tag, const std::string& text)
-{
-  const std::string problem = ReplaceTag(source, std::string("//Vitrine::") + tag, text);
-  assert(problem.empty());
-  (void)problem;
-}
-
-std::string ShortResolve(int pageSize, int size)
-{
-  const ResolveText text = UnrollResolve(size, pageSize);
-  std::string source = shaders::LinkedListResolve;
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "Load", text.Load);
-  Fill(source, "Sort", text.Sort);
-  Fill(source, "OrderTies", text.OrderTies);
-  Fill(source, "Blend", text.Blend);
-  return source;
-}
-
-std::string LongResolve()
-{
-  const LongResolveText text = UnrollLongResolve(VITRINE_MERGE_BLOCK);
-  std::string source = shaders::LinkedListResolveLong;
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "ClearNearest", text.ClearNearest);
-  Fill(source, "LoadBlock", text.LoadBlock);
-  Fill(source, "SortBlock", text.SortBlock);
-  Fill(source, "MergeBlock", text.MergeBlock);
-  Fill(source, "Blend", text.Blend);
-  Fill(source, "CountSame", text.CountSame);
-  Fill(source, "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";");
-  return source;
 }
 
 // The tiles that a region touches.
@@ -167,6 +139,10 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
   const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, pool.CounterBuffer());
   const ScopedListTextures textures(state, pool, heads);
   vtkShaderProgram* program = this->ReadyClassify(window, layout);
+  if (!program)
+  {
+    return;
+  }
   textures.SetUniforms(program);
   const int regionFirst[2] = { region.X, region.Y };
   const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
@@ -198,12 +174,18 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const ScopedListTextures textures(state, pool, heads);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
-  for (const BinDraw& draw : this->PlanDraws(layout, tileBins))
+  const auto drawTiles = [&](vtkShaderProgram* program, const BinDraw& draw)
   {
-    vtkShaderProgram* program = this->ReadyResolve(window, layout, draw.Bin);
+    if (!program)
+    {
+      return;
+    }
     textures.SetUniforms(program);
     program->SetUniformi("tileMax", tileMax.Unit());
-    program->SetUniformi("backdrop", backdrop.Unit());
+    if (program->IsUniformUsed("backdrop"))
+    {
+      program->SetUniformi("backdrop", backdrop.Unit());
+    }
     const int lengths[2] = { draw.Longer, BinLimits[draw.Bin] };
     program->SetUniform2i("binRange", lengths);
     program->SetUniform2i("tileFirst", tiles.First);
@@ -212,6 +194,16 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
     program->SetUniform2i("regionFirst", regionFirst);
     program->SetUniform2i("regionEnd", regionEnd);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tiles.Count[0] * tiles.Count[1]);
+  };
+  for (const BinDraw& draw : this->PlanDraws(layout, tileBins))
+  {
+    if (draw.Bin == RunsBin)
+    {
+      const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, pool.NodeBuffer());
+      drawTiles(this->ReadySortRuns(window, layout), draw);
+      glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+    drawTiles(this->ReadyResolve(window, layout, draw.Bin), draw);
   }
 }
 
@@ -231,7 +223,7 @@ std::vector<ListResolver::BinDraw> ListResolver::PlanDraws(
       continue;
     }
     const int longer = bin > 0 ? BinLimits[bin - 1] : 0;
-    const bool compiled = this->Programs.Has(ResolveName(bin), layout.Defines());
+    const bool compiled = this->Programs.Has(ResolveName(bin), RunDefines(layout));
     if (compiled || mayCompile)
     {
       mayCompile = mayCompile && compiled;
@@ -256,12 +248,23 @@ vtkShaderProgram* ListResolver::ReadyClassify(
     window, "classify", defines, shaders::FullScreenVertex, [] { return shaders::TileClassify; });
 }
 
+vtkShaderProgram* ListResolver::ReadySortRuns(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  return this->Programs.Ready(window, "sort runs", RunDefines(layout), shaders::TileQuadVertex,
+    [&] { return SortRunsSource(VITRINE_RUN_SIZE, layout.PageSize); });
+}
+
 vtkShaderProgram* ListResolver::ReadyResolve(
   vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
 {
-  const bool isLong = bin == BinCount - 1;
-  return this->Programs.Ready(window, ResolveName(bin), layout.Defines(), shaders::TileQuadVertex,
-    [&] { return isLong ? LongResolve() : ShortResolve(layout.PageSize, BinLimits[bin]); });
+  return this->Programs.Ready(window, ResolveName(bin), RunDefines(layout), shaders::TileQuadVertex,
+    [&]
+    {
+      return bin == BlocksBin ? MergeBlocksSource(VITRINE_MERGE_BLOCK)
+        : bin == RunsBin      ? MergeRunsSource(VITRINE_MAX_RUNS)
+                              : NetworkSource(BinLimits[bin], layout.PageSize);
+    });
 }
 
 void ListResolver::Release()

@@ -53,6 +53,9 @@ public:
     const Image2D& heads, const Image2D& backdrop, const RenderTarget& target,
     const PixelRegion& region, std::uint32_t tileBins);
 
+  /** Whether a shader did not compile, so that nothing was drawn by it. */
+  bool HasFailed() const { return this->Programs.HasFailed(); }
+
   std::int64_t Bytes() const { return this->TileMax.Bytes(); }
 
   void Release();
@@ -66,6 +69,7 @@ private:
   };
   std::vector<BinDraw> PlanDraws(const ListLayout& layout, std::uint32_t tileBins) const;
   vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
+  vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout);
   vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
 
   Image2D TileMax;

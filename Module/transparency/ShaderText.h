@@ -11,8 +11,10 @@ namespace shaders
 extern const char* const FullScreenVertex;
 extern const char* const LinkedListFillDec;
 extern const char* const LinkedListFillImpl;
+extern const char* const LinkedListMergeRuns;
 extern const char* const LinkedListResolve;
 extern const char* const LinkedListResolveLong;
+extern const char* const LinkedListSortRuns;
 extern const char* const TileClassify;
 extern const char* const TileQuadVertex;
 extern const char* const TruthFillDec;

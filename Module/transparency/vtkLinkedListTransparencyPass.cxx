@@ -223,6 +223,10 @@ std::string vtkLinkedListTransparencyPass::RenderFragments(
       }
     }
   }
+  if (in.Resolver.HasFailed())
+  {
+    return "the driver cannot compile a shader of the method";
+  }
   this->FinishFrame(frame);
   return {};
 }

@@ -1,0 +1,103 @@
+// Linked-list A-buffer, lists too long for one network, second half: merge the runs that LinkedListSortRuns.glsl
+// sorted, all at once, with each run's nearest fragment in registers, and composite on the way.
+#define VITRINE_KEEP_COVERAGE
+#include "LinkedListRead.glsl"
+#include "Registers.glsl"
+#include "ResolveOutput.glsl"
+
+// A run being merged: its nearest fragment left, and where the one after that is. `place` holds, from the lowest
+// bits on: the slot in the page, the nodes in the page, and the pages left, this one included.
+struct Run
+{
+  Fragment head;
+  uint page;
+  uint place;
+};
+#define PLACE(slot, filled, left) (uint(slot) | (uint(filled) << 8) | (uint(left) << 16))
+
+#define DECLARE_RUN(r) Run r; r.head = unpackNode(false, uvec4(0u)); r.page = VITRINE_END; r.place = 0u;
+
+// Run a where s holds, else run b: selects, since a software rasteriser pays more for branches.
+Run selectRun(bool s, Run a, Run b)
+{
+  Run r;
+  r.head = selectFragment(s, a.head, b.head);
+  r.page = s ? a.page : b.page;
+  r.place = s ? a.place : b.place;
+  return r;
+}
+
+#define FIND_NEAREST(r, i) \
+  { \
+    bool nearer = r.head.key < run.head.key || (r.head.key == run.head.key && colorAbove(run.head, r.head)); \
+    run = selectRun(nearer, r, run); \
+    which = nearer ? i : which; \
+  }
+#define PUT_BACK(r, i) r = selectRun(which == i, run, r);
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uvec2 head = loadHead(pixel);
+  if (head.y == 0u)
+  {
+    discard;
+  }
+
+  //Vitrine::Declare
+
+  // The next run of the list to start: `runPages` pages from `page`.
+  uint page = head.x;
+  int filled = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
+  int pages = int((head.y + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
+  int runPages = (pages - 1) % VITRINE_RUN_PAGES + 1;
+  int started = 0;
+
+  vec3 color = vec3(0.0);
+  float transmittance = 1.0;
+  while (true)
+  {
+    Run run;
+    run.head = unpackNode(false, uvec4(0u));
+    int which = -1;
+    if (page != VITRINE_END)
+    {
+      run.page = page;
+      run.place = PLACE(0, filled, runPages);
+      which = started;
+      ++started;
+      for (int i = 0; i < runPages; ++i)
+      {
+        page = loadLink(page);
+      }
+      filled = VITRINE_PAGE_SIZE;
+      runPages = VITRINE_RUN_PAGES;
+    }
+    else
+    {
+      //Vitrine::FindNearest
+      if (which < 0)
+      {
+        break;
+      }
+      if (FRAGMENT_IN_SAMPLE(run.head))
+      {
+        BLEND(run.head)
+      }
+    }
+
+    // Advance the run by one fragment.
+    bool valid = run.page != VITRINE_END;
+    uint slot = run.place & 0xffu;
+    uint left = run.place >> 16;
+    uvec4 node = texelFetch(nodes, int(vitrineNodeIndex(valid ? run.page : 0u, slot, uint(VITRINE_PAGE_SIZE))));
+    bool pageDone = slot + 1u == ((run.place >> 8) & 0xffu);
+    uint next = pageDone && left > 1u ? loadLink(valid ? run.page : 0u) : VITRINE_END;
+    run.page = valid && pageDone ? next : run.page;
+    run.place = pageDone ? PLACE(0, VITRINE_PAGE_SIZE, left - 1u) : run.place + 1u;
+    run.head = unpackNode(valid, node);
+    //Vitrine::PutBack
+  }
+
+  writeOver(pixel, color, transmittance);
+}

@@ -1,0 +1,90 @@
+// Linked-list A-buffer, lists too long for one network, first half: sort runs of VITRINE_RUN_SIZE nodes in place,
+// each by a network over registers, so that the nodes of a run ascend from its newest page to its oldest.
+//
+// A run is VITRINE_RUN_PAGES pages; if the list has no multiple of that, its first run, the newest, has fewer.
+// Only the list's newest page may be partly filled.
+//
+// P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
+// (2014): sorted blocks go back to the list's own nodes.
+#define VITRINE_KEEP_COVERAGE
+#include "LinkedListRead.glsl"
+#include "Registers.glsl"
+
+layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer NodeBuffer
+{
+  uint nodeWords[];
+};
+
+// A page's fragments stand in its last registers: the first `empty` of them have none.
+struct RunPage
+{
+  uint page;
+  int empty;
+};
+
+#define DECLARE_PAGE(p) RunPage p;
+
+// Take the next page of the list, or, while `absent` pages are missing from the first run, none.
+#define TAKE_PAGE(p) \
+  p.page = absent > 0 ? VITRINE_END : page; \
+  p.empty = p.page == VITRINE_END ? VITRINE_PAGE_SIZE : VITRINE_PAGE_SIZE - filled; \
+  if (p.page != VITRINE_END) \
+  { \
+    page = loadLink(page); \
+    filled = VITRINE_PAGE_SIZE; \
+  } \
+  --absent;
+
+// Registers without a fragment sort first, to where they were loaded from.
+#define LOAD(f, p, i) \
+  { \
+    int slot = i - p.empty; \
+    uvec4 node = texelFetch(nodes, \
+      int(vitrineNodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0)), uint(VITRINE_PAGE_SIZE)))); \
+    f = unpackNode(true, slot < 0 ? uvec4(0u) : node); \
+  }
+
+#define STORE(f, p, i) \
+  if (i >= p.empty) \
+  { \
+    storeNode(vitrineNodeIndex(p.page, uint(i - p.empty), uint(VITRINE_PAGE_SIZE)), f); \
+  }
+
+void storeNode(uint index, Fragment f)
+{
+  uint word = index * uint(VITRINE_NODE_WORDS);
+  nodeWords[word] = f.key;
+#ifdef VITRINE_HALF_FLOAT
+  nodeWords[word + 1u] = f.redGreen;
+  nodeWords[word + 2u] = f.blueAlpha;
+#else
+  nodeWords[word + 1u] = f.color;
+#endif
+#if VITRINE_SAMPLES > 0
+  nodeWords[word + uint(VITRINE_NODE_WORDS) - 1u] = f.coverage;
+#endif
+}
+
+void main()
+{
+  uvec2 head = loadHead(ivec2(gl_FragCoord.xy));
+  if (head.y == 0u)
+  {
+    discard;
+  }
+
+  //Vitrine::Declare
+
+  uint page = head.x;
+  int filled = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
+  int pages = int((head.y + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
+  int absent = (VITRINE_RUN_PAGES - pages % VITRINE_RUN_PAGES) % VITRINE_RUN_PAGES;
+  while (page != VITRINE_END)
+  {
+    //Vitrine::Load
+
+    //Vitrine::Sort
+
+    //Vitrine::Store
+  }
+}

@@ -1,0 +1,72 @@
+#include "transparency/ResolveSources.h"
+
+#include "Core/ResolveProgram.h"
+#include "transparency/FillShader.h"
+#include "transparency/ShaderText.h"
+
+#include <cassert>
+
+namespace vitrine
+{
+namespace
+{
+
+// The tags are in our own shaders, so a missing one is an error in the program.
+void Fill(std::string& source, const char* tag, const std::string& text)
+{
+  const std::string problem = ReplaceTag(source, std::string("//Vitrine::") + tag, text);
+  assert(problem.empty());
+  (void)problem;
+}
+
+}
+
+std::string NetworkSource(int size, int pageSize)
+{
+  const ResolveText text = UnrollResolve(size, pageSize);
+  std::string source = shaders::LinkedListResolve;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "Load", text.Load);
+  Fill(source, "Sort", text.Sort);
+  Fill(source, "OrderTies", text.OrderTies);
+  Fill(source, "Blend", text.Blend);
+  return source;
+}
+
+std::string SortRunsSource(int size, int pageSize)
+{
+  const SortRunsText text = UnrollSortRuns(size, pageSize);
+  std::string source = shaders::LinkedListSortRuns;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "Load", text.Load);
+  Fill(source, "Sort", text.Sort);
+  Fill(source, "Store", text.Store);
+  return source;
+}
+
+std::string MergeRunsSource(int runs)
+{
+  const MergeRunsText text = UnrollMergeRuns(runs);
+  std::string source = shaders::LinkedListMergeRuns;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "FindNearest", text.FindNearest);
+  Fill(source, "PutBack", text.PutBack);
+  return source;
+}
+
+std::string MergeBlocksSource(int block)
+{
+  const LongResolveText text = UnrollLongResolve(block);
+  std::string source = shaders::LinkedListResolveLong;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "ClearNearest", text.ClearNearest);
+  Fill(source, "LoadBlock", text.LoadBlock);
+  Fill(source, "SortBlock", text.SortBlock);
+  Fill(source, "MergeBlock", text.MergeBlock);
+  Fill(source, "Blend", text.Blend);
+  Fill(source, "CountSame", text.CountSame);
+  Fill(source, "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";");
+  return source;
+}
+
+}

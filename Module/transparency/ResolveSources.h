@@ -1,0 +1,25 @@
+/**
+ * The fragment shaders that resolve lists, with their unrolled parts filled in.
+ */
+#ifndef VITRINE_RESOLVE_SOURCES_H
+#define VITRINE_RESOLVE_SOURCES_H
+
+#include <string>
+
+namespace vitrine
+{
+
+/** LinkedListResolve.glsl for lists of up to `size` nodes, by one network. */
+std::string NetworkSource(int size, int pageSize);
+
+/** LinkedListSortRuns.glsl for runs of `size` nodes. */
+std::string SortRunsSource(int size, int pageSize);
+
+/** LinkedListMergeRuns.glsl for up to `runs` runs. */
+std::string MergeRunsSource(int runs);
+
+/** LinkedListResolveLong.glsl for lists of any length, in blocks of `block` nodes. */
+std::string MergeBlocksSource(int block);
+
+}
+#endif
