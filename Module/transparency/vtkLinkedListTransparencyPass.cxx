@@ -339,3 +339,9 @@ void vtkLinkedListTransparencyPass::ReleaseMethodResources()
   in.Backdrop.Release();
   in.Resolver.Release();
 }
+
+//------------------------------------------------------------------------------
+void vtkLinkedListTransparencyPass::ForgetMethodResources()
+{
+  this->Private.reset(new Internals);
+}

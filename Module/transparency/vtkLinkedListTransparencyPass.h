@@ -88,6 +88,7 @@ protected:
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   void ReleaseMethodResources() override;
+  void ForgetMethodResources() override;
 
   int ColorStorage = HALF_FLOAT;
   vtkTypeInt64 MemoryLimit = 0;

@@ -54,6 +54,7 @@ bool HasNoSpecularTerm(vtkProp* prop)
 struct vtkTransparencyPass::Internals
 {
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkMTimeType ContextTime = 0; // of Window's context
   vtkNew<vtkOrderIndependentTranslucentPass> Fallback;
   vtkNew<vtkTranslucentPass> FallbackGeometry;
   std::string FallbackReason;
@@ -171,22 +172,41 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
 void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderWindow);
-  if (window == this->Private->Window)
+  Internals& in = *this->Private;
+  if (window == in.Window && window->GetContextCreationTime() == in.ContextTime)
   {
     return;
   }
-  if (this->Private->Window)
-  {
-    vtkOpenGLRenderWindow* previous = this->Private->Window;
-    previous->MakeCurrent();
-    this->ReleaseGraphicsResources(previous);
-    window->MakeCurrent();
-  }
-  this->Private->Window = window;
-  this->Private->MissingFeature = this->FindMissingFeature(window);
-  this->Private->PostDepthCoverage = vitrine::HasExtension("GL_ARB_post_depth_coverage");
-  this->Private->SoftwareRasteriser = vitrine::IsSoftwareRasteriser();
+  this->LeaveWindow();
+  in.Window = window;
+  in.ContextTime = window->GetContextCreationTime();
+  in.MissingFeature = this->FindMissingFeature(window);
+  in.PostDepthCoverage = vitrine::HasExtension("GL_ARB_post_depth_coverage");
+  in.SoftwareRasteriser = vitrine::IsSoftwareRasteriser();
   this->ShaderStage.Modified();
+}
+
+//------------------------------------------------------------------------------
+// Release what is held in a context that lives; forget it where that is gone without a word, as when the window
+// was finalized while its renderers had other passes.
+void vtkTransparencyPass::LeaveWindow()
+{
+  Internals& in = *this->Private;
+  if (in.Window && in.Window->GetContextCreationTime() == in.ContextTime)
+  {
+    vtkOpenGLRenderWindow* window = in.Window;
+    window->PushContext();
+    if (window->IsCurrent())
+    {
+      this->ReleaseGraphicsResources(window);
+    }
+    window->PopContext();
+  }
+  in.OpaqueDepthUnit.reset();
+  in.OpaqueDepth = vitrine::Image2D();
+  in.OpaqueDepthFramebuffer = vitrine::Framebuffer();
+  this->ForgetMethodResources();
+  in.Window = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -344,9 +364,5 @@ vtkTypeInt64 vtkTransparencyPass::GetSharedBytes()
 //------------------------------------------------------------------------------
 void vtkTransparencyPass::ReleaseBeforeDestruction()
 {
-  if (vtkOpenGLRenderWindow* window = this->Private->Window)
-  {
-    window->MakeCurrent();
-    this->ReleaseGraphicsResources(window);
-  }
+  this->LeaveWindow();
 }

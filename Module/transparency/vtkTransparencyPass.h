@@ -126,7 +126,12 @@ protected:
   virtual void ReleaseMethodResources() = 0;
 
   /**
-   * For destructors of methods: free what is held if the window still lives.
+   * Forget the method's own GL objects: their context is gone, and they with it.
+   */
+  virtual void ForgetMethodResources() = 0;
+
+  /**
+   * For destructors of methods: free what is held if its context still lives.
    */
   void ReleaseBeforeDestruction();
 
@@ -157,6 +162,7 @@ private:
   void operator=(const vtkTransparencyPass&) = delete;
 
   void UseWindow(vtkRenderWindow* renderWindow);
+  void LeaveWindow();
   std::string RenderExactly(const vtkRenderState* s);
   void RenderFallback(const vtkRenderState* s, const std::string& reason);
 

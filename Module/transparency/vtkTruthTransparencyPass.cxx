@@ -339,3 +339,9 @@ void vtkTruthTransparencyPass::ReleaseMethodResources()
   in.VertexArray.Release();
   in.Programs.Release();
 }
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::ForgetMethodResources()
+{
+  this->Private.reset(new Internals);
+}

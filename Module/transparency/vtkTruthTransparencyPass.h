@@ -52,6 +52,7 @@ protected:
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   void ReleaseMethodResources() override;
+  void ForgetMethodResources() override;
 
   vtkTypeInt64 SampleCount = 0;
 
