@@ -234,7 +234,7 @@ private:
 };
 vtkStandardNewMacro(StateCheckingPass);
 
-class OpenGLStateAfterBands : public testing::Test
+class OpenGLStateChecks : public testing::Test
 {
 protected:
   static void ExpectPutBack(TestScene& scene, vtkTransparencyPass* pass)
@@ -258,7 +258,7 @@ protected:
 };
 
 class OpenGLState
-  : public OpenGLStateAfterBands
+  : public OpenGLStateChecks
   , public testing::WithParamInterface<Method>
 {
 };
@@ -289,7 +289,7 @@ TEST_P(OpenGLState, IsPutBackAfterWritersOfDepth)
   ExpectPutBack(scene, GetParam().Make());
 }
 
-TEST_F(OpenGLStateAfterBands, IsPutBack)
+TEST_F(OpenGLStateChecks, IsPutBackAfterBands)
 {
   TestScene scene(40, 30);
   AddParts(scene);
