@@ -38,6 +38,8 @@ const std::vector<Entry>& Entries()
     { "vtk-peeling", "vtkDualDepthPeelingPass with as many peels as it takes", false,
       [] { return MakeVTKPeeling(AnyNumberOfPeels); } },
     { "linked-list", "A-buffer of linked lists; exact", true, MakeLinkedList },
+    { "linked-list-8bit", "the same with 8-bit colours; rounds alpha", false,
+      MakeLinkedListEightBit },
     { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
   };
   return entries;

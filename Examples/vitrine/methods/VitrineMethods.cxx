@@ -42,6 +42,13 @@ std::unique_ptr<Method> MakeLinkedList()
   return std::make_unique<VitrineMethod>(vtkSmartPointer<vtkLinkedListTransparencyPass>::New());
 }
 
+std::unique_ptr<Method> MakeLinkedListEightBit()
+{
+  auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
+  pass->SetColorStorageToEightBit();
+  return std::make_unique<VitrineMethod>(pass);
+}
+
 std::unique_ptr<Method> MakeTruth()
 {
   return std::make_unique<VitrineMethod>(vtkSmartPointer<vtkTruthTransparencyPass>::New());

@@ -28,6 +28,7 @@ private:
 
 /** vtkLinkedListTransparencyPass. */
 std::unique_ptr<Method> MakeLinkedList();
+std::unique_ptr<Method> MakeLinkedListEightBit();
 
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
