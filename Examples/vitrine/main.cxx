@@ -3,6 +3,7 @@
 #include "Version.h"
 #include "commands/Commands.h"
 #include "scene/DemoScene.h"
+#include "scene/files/SceneFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,10 +25,12 @@ int Run(int argc, char* argv[])
   CLI::App app("See into large assemblies: exact transparency, and what it costs", "vitrine");
   app.require_subcommand(1);
   app.set_version_flag("--version", program::Version);
-  app.footer("Generated scenes:\n" + program::DescribeDemoScenes());
+  app.footer("INPUT is a file (" + program::ListFileTypes() + ") or a generated scene:\n" +
+    program::DescribeDemoScenes());
   program::AddRenderCommand(app);
   program::AddCompareCommand(app);
   program::AddInfoCommand(app);
+  program::AddViewCommand(app);
   try
   {
     app.parse(argc, argv);

@@ -14,8 +14,6 @@ namespace program
 
 namespace
 {
-const double Background = 0.95;
-
 /** What follows `label` in the lines of a window's capabilities. */
 std::string FindCapability(const std::string& capabilities, const std::string& label)
 {

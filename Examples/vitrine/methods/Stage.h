@@ -29,6 +29,9 @@ struct PictureSize
   double Aspect() const { return static_cast<double>(this->Width) / this->Height; }
 };
 
+/** Behind everything: a grey of this brightness. */
+inline constexpr double Background = 0.95;
+
 /** What the device says of itself. */
 struct Device
 {

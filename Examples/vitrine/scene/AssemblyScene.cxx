@@ -1,7 +1,7 @@
 /**
  * demo:assembly: a plant of transmission machines, each a line of units in glass housings: motors, gearboxes,
- * planetary gears, pumps and control racks. More parts make more units; the last unit loses its least
- * important parts until the number is exact.
+ * planetary gears, pumps and control racks. More parts make more units. The number is made exact by leaving
+ * out the least important parts, bolts and washers first.
  */
 #include "scene/DemoScene.h"
 #include "scene/assembly/Housing.h"
@@ -28,7 +28,7 @@ struct UnitKind
   void (*Build)(Unit& unit);
 };
 
-/** In the order in which a line has them. */
+/** In the order in which the first six units have them; the others come in random order. */
 const std::array<UnitKind, 6> Kinds = { { { "gearbox", AddGearbox }, { "motor", AddMotor },
   { "planetary", AddPlanetaryGear }, { "pump", AddPump }, { "control", AddControlRack },
   { "gearbox", AddGearbox } } };
@@ -40,32 +40,62 @@ std::string NumberedName(const char* kind, std::size_t index)
   return name.str();
 }
 
-std::vector<UnitPart> BuildUnit(Warehouse& warehouse, std::size_t index, std::uint64_t seed)
+using UnitParts = std::vector<UnitPart>; // the most important first
+
+UnitParts BuildUnit(
+  Warehouse& warehouse, const UnitKind& kind, std::size_t index, std::uint64_t seed)
 {
-  const UnitKind& kind = Kinds[index % Kinds.size()];
-  Unit unit(warehouse, NumberedName(kind.Name, index), Random(seed + index).Next());
+  Unit unit(warehouse, NumberedName(kind.Name, index), seed);
   kind.Build(unit);
   AddHousing(unit);
   AddServices(unit);
-  std::vector<UnitPart> parts = unit.Parts();
+  UnitParts parts = unit.Parts();
   std::stable_sort(parts.begin(), parts.end(),
     [](const UnitPart& a, const UnitPart& b) { return a.Importance < b.Importance; });
   return parts;
 }
 
-/** Units until there are `count` parts. */
-std::vector<std::vector<UnitPart>> BuildUnits(std::size_t count, std::uint64_t seed)
+/** Units until there are at least `count` parts. */
+std::vector<UnitParts> BuildUnits(std::size_t count, std::uint64_t seed)
 {
   Warehouse warehouse;
-  std::vector<std::vector<UnitPart>> units;
-  for (std::size_t built = 0; built < count;)
+  Random random(seed);
+  std::vector<UnitKind> kinds(Kinds.begin(), Kinds.end());
+  std::vector<UnitParts> units;
+  for (std::size_t built = 0; built < count; built += units.back().size())
   {
-    units.push_back(BuildUnit(warehouse, units.size(), seed));
-    const std::size_t surplus = std::max(built + units.back().size(), count) - count;
-    units.back().resize(units.back().size() - surplus);
-    built += units.back().size();
+    const std::size_t turn = units.size() % kinds.size();
+    if (turn == 0 && !units.empty())
+    {
+      random.Shuffle(kinds);
+    }
+    units.push_back(BuildUnit(warehouse, kinds[turn], units.size(), random.Next()));
   }
   return units;
+}
+
+/** Leave out what exceeds `count`: fasteners of all units in turn, then what the last unit misses least. */
+void LeaveOut(std::vector<UnitParts>& units, std::size_t count)
+{
+  std::size_t total = 0;
+  for (const UnitParts& unit : units)
+  {
+    total += unit.size();
+  }
+  for (bool hasFasteners = true; hasFasteners && total > count;)
+  {
+    hasFasteners = false;
+    for (std::size_t i = units.size(); i-- > 0 && total > count;)
+    {
+      if (!units[i].empty() && units[i].back().Importance == Rank::FASTENER)
+      {
+        units[i].pop_back();
+        --total;
+        hasFasteners = true;
+      }
+    }
+  }
+  units.back().resize(units.back().size() - (total - count));
 }
 
 /** Lines run along x, side by side along z, about as many as makes the floor square. */
@@ -106,8 +136,9 @@ std::vector<vtkSmartPointer<vtkProperty>> MakeProperties()
 
 Scene MakeAssemblyScene(const DemoValues& values)
 {
-  const auto units = BuildUnits(
-    static_cast<std::size_t>(values.at("parts")), static_cast<std::uint64_t>(values.at("seed")));
+  const auto count = static_cast<std::size_t>(values.at("parts"));
+  std::vector<UnitParts> units = BuildUnits(count, static_cast<std::uint64_t>(values.at("seed")));
+  LeaveOut(units, count);
   const std::vector<vtkSmartPointer<vtkProperty>> properties = MakeProperties();
   Scene scene;
   for (std::size_t i = 0; i < units.size(); ++i)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace program
 {
@@ -59,28 +61,68 @@ PictureAxes AxesOf(const Stance& stance, const View& view)
   return axes;
 }
 
-/**
- * The distance from `center` at which a perspective view shows the boxes of all parts. Of the picture, the
- * point (x, y) at depth z towards the viewer is seen from distance d if |y| <= (d - z) tan(angle / 2).
- */
-double FitDistance(const Scene& scene, const Vector& center, const PictureAxes& axes, double aspect)
+std::vector<Vector> BoxCorners(const Scene& scene)
 {
-  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
-  double distance = 0.0;
+  std::vector<Vector> corners;
   for (const Part& part : scene.Parts)
   {
     const std::array<double, 6> bounds = PartBounds(part);
     for (int corner = 0; corner < 8; ++corner)
     {
-      const Vector point = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
-        bounds[4 + ((corner >> 2) & 1)] };
-      const Vector offset = Combine(1.0, point, -1.0, center);
-      const double reach =
-        std::max(std::abs(Dot(offset, axes.Right)) / aspect, std::abs(Dot(offset, axes.Up)));
-      distance = std::max(distance, Margin * reach / tangent + Dot(offset, axes.Toward));
+      corners.push_back(
+        { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)] });
     }
   }
-  return distance > 0.0 ? distance : 1.0;
+  return corners;
+}
+
+/** Where the middle of the picture lies, and the distance of the viewer from there. */
+struct Fit
+{
+  Vector Middle;
+  double Distance;
+};
+
+/**
+ * The nearest view of all corners: along each of the picture's axes, a corner at place x and depth z towards
+ * the viewer is seen between slopes -t and t from (m, d) if |x - m| <= (d - z) t. The most extreme corners
+ * of both sides give m and d.
+ */
+void FitAxis(const std::vector<Vector>& corners, const Vector& axis, const Vector& toward,
+  double slope, double& middle, double& distance)
+{
+  double high = -std::numeric_limits<double>::max();
+  double low = -std::numeric_limits<double>::max();
+  for (const Vector& corner : corners)
+  {
+    const double depth = Dot(corner, toward) * slope;
+    high = std::max(high, Dot(corner, axis) + depth);
+    low = std::max(low, -Dot(corner, axis) + depth);
+  }
+  middle = 0.5 * (high - low);
+  distance = 0.5 * (high + low) / slope;
+}
+
+Fit FitView(const Scene& scene, const PictureAxes& axes, double aspect)
+{
+  const double slope = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle)) / Margin;
+  const std::vector<Vector> corners = BoxCorners(scene);
+  const Vector center = Middle(SceneBounds(scene));
+  double x = 0.0;
+  double y = 0.0;
+  double distanceX = 0.0;
+  double distanceY = 0.0;
+  FitAxis(corners, axes.Right, axes.Toward, slope * aspect, x, distanceX);
+  FitAxis(corners, axes.Up, axes.Toward, slope, y, distanceY);
+  Fit fit;
+  const double depth = Dot(center, axes.Toward);
+  fit.Middle = Combine(1.0, Combine(x, axes.Right, y, axes.Up), depth, axes.Toward);
+  fit.Distance = std::max(distanceX, distanceY) - depth;
+  if (!(fit.Distance > 0.0)) // all of the scene is one point
+  {
+    fit.Distance = 1.0;
+  }
+  return fit;
 }
 
 double RadiusDistance(double radius, double aspect)
@@ -94,12 +136,18 @@ vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, dou
 {
   const Stance& stance = scene.Placement;
   const PictureAxes axes = AxesOf(stance, view);
-  const Vector center = Middle(SceneBounds(scene));
-  const double distance = stance.VisibleRadius ? RadiusDistance(*stance.VisibleRadius, aspect)
-                                               : FitDistance(scene, center, axes, aspect);
+  Fit fit;
+  if (stance.VisibleRadius)
+  {
+    fit = { Middle(SceneBounds(scene)), RadiusDistance(*stance.VisibleRadius, aspect) };
+  }
+  else
+  {
+    fit = FitView(scene, axes, aspect);
+  }
   auto camera = vtkSmartPointer<vtkCamera>::New();
-  camera->SetFocalPoint(center.data());
-  camera->SetPosition(Combine(1.0, center, distance, axes.Toward).data());
+  camera->SetFocalPoint(fit.Middle.data());
+  camera->SetPosition(Combine(1.0, fit.Middle, fit.Distance, axes.Toward).data());
   camera->SetViewUp(std::abs(view.Elevation) < 89.0 ? stance.Up.data() : axes.Up.data());
   camera->SetViewAngle(ViewAngle);
   if (stance.ParallelScale)

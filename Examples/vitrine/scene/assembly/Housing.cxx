@@ -162,9 +162,9 @@ void AddBaseFrame(Unit& unit)
 void AddHousing(Unit& unit)
 {
   AddShell(unit);
-  AddBaseFrame(unit);
-  AddInspectionCover(unit);
   AddFlangeBolts(unit);
+  AddInspectionCover(unit);
+  AddBaseFrame(unit); // whose bolts are missed least where parts are few
 }
 
 }

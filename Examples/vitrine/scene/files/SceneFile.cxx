@@ -168,7 +168,7 @@ std::string ListFileTypes()
   std::string list;
   for (const FileType& type : FileTypes())
   {
-    list += (list.empty() ? "" : " ") + type.Extension;
+    list += (list.empty() ? "" : ", ") + type.Extension;
   }
   return list;
 }
