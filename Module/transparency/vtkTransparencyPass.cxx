@@ -293,8 +293,11 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
   if (!problem.empty())
   {
     vtkErrorMacro(<< this->GetMethodName() << ": fragments of "
-                  << (prop ? prop->GetClassName() : "a prop") << " cannot be stored: " << problem);
-    return false;
+                  << (prop ? prop->GetClassName() : "a prop") << " cannot be stored: " << problem
+                  << ". It is not drawn.");
+    // What the shader would write in place of fragments is no list.
+    fragmentShader = "//VTK::System::Dec\nvoid main()\n{\n  discard;\n}\n";
+    return true;
   }
 
   if (prop && HasNoSpecularTerm(prop))
