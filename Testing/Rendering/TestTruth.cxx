@@ -169,7 +169,7 @@ TEST_P(Truth, CountsWritersOfDepthAsAnOcclusionQueryDoes)
     TestScene scene(40, 30, GetParam());
     scene.Window->SetStencilCapable(stencil);
     scene.AddRectangle(-0.713, -0.9, 0.5, 0.9, 0.125, { 1.0, 1.0, 1.0, 1.0 });
-    for (const double offset : { 0.0, 0.001, -0.001 })
+    for (const double offset : { 0.0, 0.001, -0.001, 0.7, -0.7 })
     {
       vtkSmartPointer<vtkActor> actor =
         scene.AddRectangle(-0.9, -0.717, 0.7, 0.3, 0.125, { 0.2, 0.5, 0.9, 0.4 });

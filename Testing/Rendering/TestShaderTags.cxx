@@ -1,0 +1,45 @@
+// A mapper's shader that a method cannot be joined to is an error, never silence.
+#include "TestMessages.h"
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "vtkActor.h"
+#include "vtkShaderProperty.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+class ShaderTags : public testing::TestWithParam<Method>
+{
+};
+
+TEST_P(ShaderTags, MissingOnesAreErrors)
+{
+  for (const char* tag : { "//VTK::DepthPeeling::Impl", "//VTK::DepthPeeling::Dec" })
+  {
+    SCOPED_TRACE(tag);
+    TestScene scene(12, 10);
+    const std::vector<Rgba> plates = RandomPlates(5, 0.4, 1);
+    scene.AddPlates(plates, 2);
+    scene.AddSphere(0.0, 0.0, 0.0, 0.5, { 0.9, 0.5, 0.1, 0.4 })
+      ->GetShaderProperty()
+      ->AddFragmentShaderReplacement(tag, true, "", false);
+    scene.Use(GetParam().Make());
+    const Rgba color = UniformColor(scene.Render());
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find(std::string("the shader has no tag ") + tag), std::string::npos)
+      << messages[0];
+    // All else is drawn as ever.
+    const Rgba expected = CompositePlates(plates, TestBackground);
+    for (int c = 0; c < 4; ++c)
+    {
+      EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ShaderTags, testing::ValuesIn(AllMethods()), MethodName());
+
+}
