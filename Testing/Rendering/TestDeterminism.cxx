@@ -110,23 +110,25 @@ TEST_P(Determinism, CoincidentPlatesOrderByPackedColor)
 // Ties in lists of every bin: each plate stands at one of three heights.
 TEST_P(Determinism, ManyCoincidentPlatesOrderByPackedColor)
 {
-  for (const int layers : { 8, 13, 24, 40, 64, 65, 100 })
+  for (const int layers : { 8, 13, 24, 40, 64, 65, 100, 1100 })
   {
     SCOPED_TRACE(std::to_string(layers) + " layers");
     TestScene scene(6, 5);
-    std::vector<Rgba> plates = RandomPlates(layers, 0.2, 31);
+    std::vector<Rgba> plates = RandomPlates(layers, layers > 100 ? 0.01 : 0.2, 31);
     for (std::size_t i = 0; i + 4 < plates.size(); i += 5)
     {
       plates[i + 4] = plates[i]; // twins
     }
-    std::vector<std::vector<Rgba>> heights(3);
+    std::vector<double> heights;
+    std::vector<std::vector<Rgba>> byHeight(3);
     for (int i = 0; i < layers; ++i)
     {
-      scene.AddPlate(0.5 - 0.5 * (i % 3), plates[i]);
-      heights[i % 3].push_back(plates[i]);
+      heights.push_back(0.5 - 0.5 * (i % 3));
+      byHeight[i % 3].push_back(plates[i]);
     }
+    scene.AddPlates(plates, heights, 32);
     std::vector<Rgba> sorted;
-    for (std::vector<Rgba>& height : heights)
+    for (std::vector<Rgba>& height : byHeight)
     {
       std::sort(height.begin(), height.end(),
         [](const Rgba& a, const Rgba& b)

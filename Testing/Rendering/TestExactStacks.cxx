@@ -31,7 +31,7 @@ TEST_P(ExactStack, IsTheClosedForm)
   const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
   scene.Use(pass);
   for (const int layers : { 1, 2, 7, 8, 9, 15, 16, 17, 23, 24, 25, 31, 32, 33, 47, 48, 49, 63, 64,
-         65, 95, 96, 97, 127, 128, 129, 200, 1000 })
+         65, 95, 96, 97, 127, 128, 129, 200, 1000, 1023, 1024, 1025 })
   {
     SCOPED_TRACE(std::to_string(layers) + " layers");
     // Faint enough for the farthest to show.

@@ -146,6 +146,20 @@ TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
   }
 }
 
+TEST_P(MemoryPool, KeepsItsLimitWithLongLists)
+{
+  TestScene scene(Width, Height);
+  const std::vector<Rgba> plates = RandomPlates(1100, 0.004, 19);
+  scene.AddPlates(plates, 20);
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  scene.Use(pass);
+  const Picture whole = scene.Render();
+  pass->SetMemoryLimit(pass->GetPoolBytes() / 7);
+  EXPECT_TRUE(scene.Render() == whole);
+  EXPECT_GE(pass->GetNumberOfBands(), 6);
+  EXPECT_LE(pass->GetPoolBytes(), pass->GetMemoryLimit());
+}
+
 TEST_P(MemoryPool, SaysSoWhereOnePixelAloneExceedsTheLimit)
 {
   TestScene scene(Width, Height);

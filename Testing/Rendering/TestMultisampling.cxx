@@ -130,6 +130,26 @@ TEST_P(Multisampling, OpaqueEdgesStayAntialiased)
   EXPECT_GT(edges, 10);
 }
 
+// Lists of every bin.
+TEST_P(Multisampling, StacksAreTheClosedForm)
+{
+  TestScene scene(9, 6, Samples);
+  scene.Use(GetParam().Make());
+  for (const int layers : { 3, 60, 200, 1100 })
+  {
+    SCOPED_TRACE(std::to_string(layers) + " layers");
+    const std::vector<Rgba> plates = RandomPlates(layers, std::max(1.0 / 255, 1.0 / layers), 7);
+    const vtkSmartPointer<vtkActor> actor = scene.AddPlates(plates, 8);
+    const Rgba color = UniformColor(scene.Render());
+    const Rgba expected = CompositePlates(plates, TestBackground);
+    for (int c = 0; c < 4; ++c)
+    {
+      EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
+    }
+    scene.Renderer->RemoveActor(actor);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, Multisampling, testing::ValuesIn(ExactMethods()), MethodName());
 
 // A vertical edge from the left through every fraction of a pixel: as much of the plate as samples are covered.

@@ -99,6 +99,18 @@ vtkSmartPointer<vtkActor> TestScene::AddPlate(double z, const Rgba& color)
 
 vtkSmartPointer<vtkActor> TestScene::AddPlates(const std::vector<Rgba>& plates, std::uint64_t seed)
 {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < plates.size(); ++i)
+  {
+    const double behind = static_cast<double>(i) + 0.5;
+    heights.push_back(0.9 - 1.8 * behind / static_cast<double>(plates.size()));
+  }
+  return this->AddPlates(plates, heights, seed);
+}
+
+vtkSmartPointer<vtkActor> TestScene::AddPlates(
+  const std::vector<Rgba>& plates, const std::vector<double>& heights, std::uint64_t seed)
+{
   std::vector<int> order(plates.size());
   std::iota(order.begin(), order.end(), 0);
   TestRandom random(seed);
@@ -113,7 +125,7 @@ vtkSmartPointer<vtkActor> TestScene::AddPlates(const std::vector<Rgba>& plates, 
   colors->SetNumberOfComponents(4);
   for (const int i : order)
   {
-    const double z = 0.9 - 1.8 * (i + 0.5) / static_cast<double>(plates.size());
+    const double z = heights[i];
     const vtkIdType first = points->InsertNextPoint(-10.0, -10.0, z);
     points->InsertNextPoint(10.0, -10.0, z);
     points->InsertNextPoint(10.0, 10.0, z);

@@ -55,6 +55,10 @@ struct TestScene
    */
   vtkSmartPointer<vtkActor> AddPlates(const std::vector<Rgba>& plates, std::uint64_t seed);
 
+  /** The same, each at a height of its own. */
+  vtkSmartPointer<vtkActor> AddPlates(
+    const std::vector<Rgba>& plates, const std::vector<double>& heights, std::uint64_t seed);
+
   /** A triangle with a height of its own at each corner, unlit; corners are x, y, z. */
   vtkSmartPointer<vtkActor> AddTriangle(
     const std::array<std::array<double, 3>, 3>& corners, const Rgba& color);

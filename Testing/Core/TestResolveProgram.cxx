@@ -1,0 +1,237 @@
+// The generated parts of the resolve shaders, read back and carried out on numbers.
+#include "Core/ResolveProgram.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct Call
+{
+  std::string Macro;
+  std::vector<std::string> Operands;
+
+  // The number in an operand such as "f12".
+  int Number(std::size_t operand) const
+  {
+    return std::stoi(
+      this->Operands[operand].substr(this->Operands[operand].find_first_of("0123456789")));
+  }
+};
+
+// The calls `MACRO(a, b)` and the bare words in generated text.
+std::vector<Call> Calls(const std::string& text)
+{
+  static const std::regex word(R"((\w+)(\(([^)]*)\))?)");
+  static const std::regex operand(R"(\w+)");
+  std::vector<Call> calls;
+  for (std::sregex_iterator it(text.begin(), text.end(), word), end; it != end; ++it)
+  {
+    const std::string operands = (*it)[3];
+    Call call{ (*it)[1], {} };
+    for (std::sregex_iterator o(operands.begin(), operands.end(), operand); o != end; ++o)
+    {
+      call.Operands.push_back(o->str());
+    }
+    calls.push_back(call);
+  }
+  return calls;
+}
+
+void CompareExchange(const std::string& text, const std::string& macro, std::vector<int>& registers)
+{
+  for (const Call& call : Calls(text))
+  {
+    ASSERT_EQ(call.Macro, macro);
+    ASSERT_EQ(call.Operands.size(), 2u);
+    int& near = registers.at(call.Number(0));
+    int& far = registers.at(call.Number(1));
+    if (near > far)
+    {
+      std::swap(near, far);
+    }
+  }
+}
+
+std::vector<int> RandomKeys(std::mt19937& random, int count)
+{
+  std::vector<int> keys(count);
+  for (int& key : keys)
+  {
+    key = static_cast<int>(random() % 50);
+  }
+  return keys;
+}
+
+void ExpectOneEach(const std::string& text, const std::string& macro, int first, int end)
+{
+  const std::vector<Call> calls = Calls(text);
+  ASSERT_EQ(static_cast<int>(calls.size()), end - first);
+  for (int i = first; i < end; ++i)
+  {
+    EXPECT_EQ(calls[i - first].Macro, macro);
+    EXPECT_EQ(calls[i - first].Operands, std::vector<std::string>{ "f" + std::to_string(i) });
+  }
+}
+
+class ShortResolve : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(ShortResolve, DeclaresAndBlendsEachRegisterFrontToBack)
+{
+  const vitrine::ResolveText text = vitrine::UnrollResolve(GetParam(), 1);
+  ExpectOneEach(text.Declare, "DECLARE", 0, GetParam());
+  ExpectOneEach(text.Blend, "BLEND", 0, GetParam());
+}
+
+TEST_P(ShortResolve, LoadsEachSlotOfEachPageOnce)
+{
+  for (const int pageSize : { 1, 2, 4, 8 })
+  {
+    int loaded = 0;
+    int slot = 0;
+    for (const Call& call : Calls(vitrine::UnrollResolve(GetParam(), pageSize).Load))
+    {
+      if (call.Macro == "NEXT_PAGE")
+      {
+        EXPECT_EQ(slot, pageSize);
+        slot = 0;
+        continue;
+      }
+      ASSERT_EQ(call.Macro, "LOAD");
+      EXPECT_EQ(call.Number(0), loaded++);
+      EXPECT_EQ(call.Number(1), slot++);
+    }
+    EXPECT_EQ(loaded, GetParam());
+    EXPECT_EQ(slot, pageSize);
+  }
+}
+
+TEST_P(ShortResolve, Sorts)
+{
+  std::mt19937 random(1);
+  const std::string sort = vitrine::UnrollResolve(GetParam(), 1).Sort;
+  for (int round = 0; round < 200; ++round)
+  {
+    std::vector<int> keys = RandomKeys(random, GetParam());
+    if (round % 2 == 1)
+    {
+      std::replace_if(
+        keys.begin(), keys.end(), [](int key) { return key > 20; },
+        std::numeric_limits<int>::max()); // registers without a fragment
+    }
+    CompareExchange(sort, "COMPARE_EXCHANGE", keys);
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+  }
+}
+
+// Rounds of exchanges between neighbours order any run of equals, however long.
+TEST_P(ShortResolve, OrdersTiesInAsManyRoundsAsItTakes)
+{
+  std::vector<int> keys(GetParam());
+  std::iota(keys.rbegin(), keys.rend(), 0);
+  const std::string ties = vitrine::UnrollResolve(GetParam(), 1).OrderTies;
+  int rounds = 0;
+  while (!std::is_sorted(keys.begin(), keys.end()) && rounds < GetParam())
+  {
+    CompareExchange(ties, "ORDER_TIE", keys);
+    ++rounds;
+  }
+  EXPECT_LT(rounds, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Bins, ShortResolve, testing::Values(8, 16, 24, 32, 48, 64), testing::PrintToStringParamName());
+
+TEST(LongResolve, KeepsTheNearestBlock)
+{
+  std::mt19937 random(2);
+  for (const int block : { 2, 4, 8, 32 })
+  {
+    const vitrine::LongResolveText text = vitrine::UnrollLongResolve(block);
+    ExpectOneEach(text.Declare, "DECLARE", 0, 2 * block);
+    ExpectOneEach(text.ClearNearest, "CLEAR", 0, block);
+    ExpectOneEach(text.LoadBlock, "LOAD", block, 2 * block);
+    ExpectOneEach(text.Blend, "BLEND", 0, block);
+    ExpectOneEach(text.CountSame, "COUNT_SAME", 0, block);
+    EXPECT_EQ(text.LastRegister, "f" + std::to_string(block - 1));
+    for (int round = 0; round < 100; ++round)
+    {
+      std::vector<int> all;
+      std::vector<int> registers(2 * block, std::numeric_limits<int>::max());
+      for (int blocks = 0; blocks < 5; ++blocks)
+      {
+        const std::vector<int> loaded = RandomKeys(random, block);
+        all.insert(all.end(), loaded.begin(), loaded.end());
+        std::copy(loaded.begin(), loaded.end(), registers.begin() + block);
+        CompareExchange(text.SortBlock, "COMPARE_EXCHANGE_FULL", registers);
+        CompareExchange(text.MergeBlock, "COMPARE_EXCHANGE_FULL", registers);
+      }
+      std::sort(all.begin(), all.end());
+      EXPECT_TRUE(std::equal(registers.begin(), registers.begin() + block, all.begin()))
+        << "block " << block;
+    }
+  }
+}
+
+TEST(SortRuns, LoadSortAndStoreEachSlotOfEachPageOnce)
+{
+  std::mt19937 random(3);
+  for (const int pageSize : { 1, 2, 4, 8 })
+  {
+    constexpr int size = 32;
+    const vitrine::SortRunsText text = vitrine::UnrollSortRuns(size, pageSize);
+    std::vector<std::pair<std::string, int>> loads;
+    int pages = 0;
+    for (const Call& call : Calls(text.Load))
+    {
+      if (call.Macro == "TAKE_PAGE")
+      {
+        EXPECT_EQ(call.Number(0), pages++);
+        continue;
+      }
+      ASSERT_EQ(call.Macro, "LOAD");
+      EXPECT_EQ(call.Number(0), static_cast<int>(loads.size()));
+      loads.emplace_back(call.Operands[1], call.Number(2));
+      EXPECT_EQ(call.Number(1), pages - 1);
+    }
+    EXPECT_EQ(pages, size / pageSize);
+    std::vector<std::pair<std::string, int>> stores;
+    for (const Call& call : Calls(text.Store))
+    {
+      ASSERT_EQ(call.Macro, "STORE");
+      EXPECT_EQ(call.Number(0), static_cast<int>(stores.size()));
+      stores.emplace_back(call.Operands[1], call.Number(2));
+    }
+    EXPECT_EQ(stores, loads);
+    std::vector<int> keys = RandomKeys(random, size);
+    CompareExchange(text.Sort, "COMPARE_EXCHANGE_FULL", keys);
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+  }
+}
+
+TEST(MergeRuns, TouchEachRunOnce)
+{
+  const vitrine::MergeRunsText text = vitrine::UnrollMergeRuns(5);
+  for (const std::string& part : { text.Declare, text.FindNearest, text.PutBack })
+  {
+    const std::vector<Call> calls = Calls(part);
+    ASSERT_EQ(calls.size(), 5u);
+    for (int i = 0; i < 5; ++i)
+    {
+      EXPECT_EQ(calls[i].Number(0), i);
+      EXPECT_EQ(calls[i].Operands.size() == 1 ? i : calls[i].Number(1), i);
+    }
+  }
+}
+
+}
