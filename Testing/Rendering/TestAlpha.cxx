@@ -51,6 +51,21 @@ TEST_P(Alpha, OneInFrontHidesExactly)
   }
 }
 
+// Storage rounds to the nearest: what lies alone keeps its colour to half a step.
+TEST_P(Alpha, OneKeepsAnyColor)
+{
+  TestScene scene(6, 5);
+  for (const double step : { 0.1, 0.3, 0.7, 0.9 })
+  {
+    const Rgba color = { (100.0 + step) / 255, (30.0 + step) / 255, (200.0 + step) / 255, 1.0 };
+    const vtkSmartPointer<vtkActor> actor = scene.AddPlate(0.0, color);
+    actor->ForceTranslucentOn();
+    scene.Use(GetParam().Make());
+    ExpectColor(UniformColor(scene.Render()), color, 0.51);
+    scene.Renderer->RemoveActor(actor);
+  }
+}
+
 TEST_P(Alpha, ZeroIsAsIfNothingWereThere)
 {
   TestScene scene(6, 5);

@@ -29,7 +29,7 @@ const std::vector<Method>& ExactMethods()
         pass->SetColorStorageToEightBit();
         return pass;
       },
-      2.0 },
+      1.4 },
   };
   return methods;
 }
