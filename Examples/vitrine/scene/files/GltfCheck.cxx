@@ -1,15 +1,9 @@
 #include "scene/files/GltfCheck.h"
 
 #include "Errors.h"
-#include "VTKMessages.h"
 #include "scene/files/GltfAccessors.h"
 #include "scene/files/GltfReferences.h"
-
-#include "vtkImageData.h"
-#include "vtkJPEGReader.h"
-#include "vtkNew.h"
-#include "vtkPNGReader.h"
-#include "vtkSmartPointer.h"
+#include "scene/files/ImageCheck.h"
 
 #include <map>
 #include <set>
@@ -174,39 +168,22 @@ void CheckScenes(const GltfDocument& document)
   }
 }
 
-/** VTK's importer gives its decoders the rest of the buffer, so an image must end before. */
-void CheckImage(const GltfDocument& document, std::size_t index)
+/**
+ * VTK's importer gives its decoders all that follows an image in its buffer, so an image must end where it
+ * says.
+ */
+void CheckGltfImage(const GltfDocument& document, std::size_t index)
 {
   const Json& image = document.Json.at("images").at(index);
-  const std::string uri = image.value("uri", "");
-  const bool hasView = image.contains("bufferView");
-  if (!hasView && uri.compare(0, 5, "data:") != 0)
+  const std::string bytes = image.contains("bufferView")
+    ? GltfViewBytes(document, image.at("bufferView").get<std::size_t>())
+    : ReadGltfUri(document, image.at("uri").get<std::string>());
+  const std::string name = "image " + std::to_string(index);
+  const ImageFormat format = CheckImage(document.Path, name, bytes);
+  const char* const type = format == ImageFormat::PNG ? "image/png" : "image/jpeg";
+  if (image.value("mimeType", type) != type)
   {
-    ReadGltfUri(document, uri); // a file, whose end VTK's readers see
-    return;
-  }
-  std::string bytes = hasView ? GltfViewBytes(document, image.at("bufferView").get<std::size_t>())
-                              : ReadGltfUri(document, uri);
-  const bool isPng = bytes.compare(0, 4, "\x89PNG") == 0;
-  vtkSmartPointer<vtkImageReader2> reader;
-  if (isPng)
-  {
-    reader = vtkSmartPointer<vtkPNGReader>::New();
-  }
-  else
-  {
-    reader = vtkSmartPointer<vtkJPEGReader>::New();
-  }
-  const MessageCapture messages;
-  reader->SetMemoryBuffer(bytes.data());
-  reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
-  reader->Update();
-  const std::string type = image.value("mimeType", isPng ? "image/png" : "image/jpeg");
-  if (!messages.Errors().empty() || reader->GetOutput()->GetNumberOfPoints() == 0 ||
-    type != (isPng ? "image/png" : "image/jpeg"))
-  {
-    throw InputError(
-      document.Path, "image " + std::to_string(index) + " is damaged, or no PNG or JPEG");
+    throw InputError(document.Path, "is damaged: " + name + " is not of the type that it states");
   }
 }
 
@@ -221,7 +198,7 @@ void CheckTextures(const GltfDocument& document)
   }
   for (std::size_t i = 0; i < Items(document.Json, "images").size(); ++i)
   {
-    CheckImage(document, i);
+    CheckGltfImage(document, i);
   }
 }
 }

@@ -237,14 +237,15 @@ ObjContents CheckObj(const std::string& path, const std::string& bytes)
   return scanner.Finish();
 }
 
-void CheckMtl(const std::string& path, const std::string& bytes)
+std::vector<std::string> CheckMtl(const std::string& path, const std::string& bytes)
 {
   if (bytes.back() != '\n')
   {
     throw InputError(path, "does not end with the end of a line: it is truncated");
   }
+  std::vector<std::string> textures;
   ForEachLine(path, bytes,
-    [&path](int number, const Words& words)
+    [&](int number, const Words& words)
     {
       const bool isColor = words[0] == "Ka" || words[0] == "Kd" || words[0] == "Ks";
       if ((isColor && !HasNumbers(words, 0, 3)) || !HasShortOptions(words))
@@ -252,7 +253,12 @@ void CheckMtl(const std::string& path, const std::string& bytes)
         throw InputError(path,
           "line " + std::to_string(number) + " has too few or too many numbers for " + words[0]);
       }
+      if (words[0] == "map_Kd" || words[0] == "map_Ka")
+      {
+        textures.push_back(words.back());
+      }
     });
+  return textures;
 }
 
 }

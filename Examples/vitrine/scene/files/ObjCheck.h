@@ -22,8 +22,10 @@ struct ObjContents
  */
 ObjContents CheckObj(const std::string& path, const std::string& bytes);
 
-/** Throw InputError where a line has more numbers than VTK's reader has room for. */
-void CheckMtl(const std::string& path, const std::string& bytes);
+/**
+ * The names of the textures. Throws InputError where a line has more numbers than VTK's reader has room for.
+ */
+std::vector<std::string> CheckMtl(const std::string& path, const std::string& bytes);
 
 }
 #endif

@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "VTKMessages.h"
 #include "scene/files/FileBytes.h"
+#include "scene/files/ImageCheck.h"
 #include "scene/files/ObjCheck.h"
 
 #include "vtkActor.h"
@@ -39,6 +40,19 @@ std::string FindMaterials(const std::string& path, const ObjContents& contents)
     }
   }
   return "";
+}
+
+void CheckMaterials(const std::string& materials)
+{
+  for (const std::string& name : CheckMtl(materials, ReadBytes(materials)))
+  {
+    const fs::path texture = fs::path(materials).parent_path() / name;
+    std::error_code error;
+    if (fs::is_regular_file(texture, error)) // VTK tells of those that are not there
+    {
+      CheckImage(texture.string(), "it", ReadBytes(texture.string()));
+    }
+  }
 }
 
 /** VTK's parts share the points of the whole file; a part of its own has those that it uses. */
@@ -100,7 +114,7 @@ Scene ReadObjFile(const std::string& path)
   importer->SetFileName(path.c_str());
   if (!materials.empty())
   {
-    CheckMtl(materials, ReadBytes(materials));
+    CheckMaterials(materials);
     importer->SetFileNameMTL(materials.c_str());
     importer->SetTexturePath(fs::path(materials).parent_path().c_str());
   }

@@ -2,10 +2,10 @@
 
 #include "Errors.h"
 #include "VTKMessages.h"
-#include "scene/files/CrashGuard.h"
 #include "scene/files/FileBytes.h"
 #include "scene/files/FileReaders.h"
 #include "scene/files/GeometryCheck.h"
+#include "scene/files/ReadingGuard.h"
 
 #include <algorithm>
 #include <cctype>
@@ -58,7 +58,7 @@ const FileType& TypeOf(const std::string& path)
 /** Read, with whatever goes wrong in VTK's reader made into an InputError. */
 Scene ReadGuarded(const std::string& path, const FileType& type)
 {
-  const CrashGuard guard(path);
+  const ReadingGuard guard(path, std::filesystem::file_size(path));
   const MessageCapture messages;
   try
   {

@@ -10,14 +10,31 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUtilities.h"
 
 namespace program
 {
 
 namespace
 {
+const int MostBlocks = 1000000; // of a level; VTK's reader makes room for as many as the file says
+
+void CheckBlockIndices(const std::string& path, vtkXMLDataElement* element)
+{
+  int index = 0;
+  if (element->GetScalarAttribute("index", index) && (index < 0 || index >= MostBlocks))
+  {
+    throw InputError(path, "is damaged: a block has index " + std::to_string(index));
+  }
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+  {
+    CheckBlockIndices(path, element->GetNestedElement(i));
+  }
+}
+
 /** The name that the file gives a leaf, or its number. */
 std::string LeafName(vtkDataObjectTreeIterator* leaf)
 {
@@ -55,6 +72,13 @@ Scene ReadPolyDataFile(const std::string& path)
 
 Scene ReadMultiBlockFile(const std::string& path)
 {
+  vtkSmartPointer<vtkXMLDataElement> root;
+  root.TakeReference(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
+  if (!root)
+  {
+    throw InputError(path, "is no VTM file, or damaged");
+  }
+  CheckBlockIndices(path, root);
   vtkNew<vtkXMLMultiBlockDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();

@@ -1,7 +1,8 @@
-#include "scene/files/CrashGuard.h"
+#include "scene/files/ReadingGuard.h"
 
 #include "Errors.h"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <unistd.h>
@@ -13,6 +14,9 @@ namespace program
 namespace
 {
 const std::array<int, 5> Signals = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
+const rlim_t FreeMemory = rlim_t(4) << 30; // bytes, whatever the file
+const rlim_t MemoryOfByte = 100;           // bytes more for each byte of the file
 
 std::string Message;
 std::vector<char> HandlerStack; // of its own, since the crash may be a stack that ran over
@@ -29,8 +33,14 @@ void EndProgram(int)
 }
 }
 
-CrashGuard::CrashGuard(const std::string& path)
+ReadingGuard::ReadingGuard(const std::string& path, std::size_t fileSize)
 {
+  getrlimit(RLIMIT_DATA, &this->FormerLimit);
+  struct rlimit limit = this->FormerLimit;
+  limit.rlim_cur =
+    std::min<rlim_t>(limit.rlim_cur, FreeMemory + MemoryOfByte * static_cast<rlim_t>(fileSize));
+  setrlimit(RLIMIT_DATA, &limit);
+
   Message = "vitrine: " + path + ": is damaged: its reader crashed\n";
   HandlerStack.resize(1 << 16);
   stack_t stack{};
@@ -48,7 +58,7 @@ CrashGuard::CrashGuard(const std::string& path)
   }
 }
 
-CrashGuard::~CrashGuard()
+ReadingGuard::~ReadingGuard()
 {
   for (std::size_t i = 0; i < Signals.size(); ++i)
   {
@@ -57,6 +67,7 @@ CrashGuard::~CrashGuard()
   stack_t stack{};
   stack.ss_flags = SS_DISABLE;
   sigaltstack(&stack, nullptr);
+  setrlimit(RLIMIT_DATA, &this->FormerLimit);
 }
 
 }
