@@ -1,6 +1,7 @@
 #include "Core/ReferenceCompositor.h"
 
 #include <algorithm>
+#include <cstring>
 #include <future>
 #include <limits>
 #include <numeric>
@@ -20,6 +21,7 @@ namespace
 struct Layer
 {
   float Depth;
+  std::uint64_t Packed;
   float A;
   float B;
   float G;
@@ -28,10 +30,30 @@ struct Layer
 
   bool IsInFrontOf(const Layer& other) const
   {
-    return std::tie(this->Depth, this->A, this->B, this->G, this->R) <
-      std::tie(other.Depth, other.A, other.B, other.G, other.R);
+    return std::tie(this->Depth, this->Packed, this->A, this->B, this->G, this->R) <
+      std::tie(other.Depth, other.Packed, other.A, other.B, other.G, other.R);
   }
 };
+
+// A number in [0, 65504] as a 16-bit float without sign: 5 bits of exponent, 11 of mantissa, rounded. `exponent`
+// is the biased exponent of IEEE's single precision that code 0 begins at.
+std::uint64_t Packed16(float value, std::int64_t exponent)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  const std::int64_t code = ((std::int64_t(bits) + 0x800) >> 12) - (exponent << 11);
+  return static_cast<std::uint64_t>(std::clamp<std::int64_t>(code, 0, 0xffff));
+}
+
+// Colours order by what can be told apart in storage, alpha first. The last bits of a float are noise of the
+// rasteriser's interpolation: an alpha that is the same all over a part differs in them from pixel to pixel.
+std::uint64_t PackedColor(const Layer& layer, TargetRange range)
+{
+  const std::int64_t unitExponent = 96;
+  const std::int64_t colorExponent = range == TargetRange::Unit ? unitExponent : 111;
+  return Packed16(layer.A, unitExponent) << 48 | Packed16(layer.B, colorExponent) << 32 |
+    Packed16(layer.G, colorExponent) << 16 | Packed16(layer.R, colorExponent);
+}
 
 // NaN, for which no comparison holds, becomes 0.
 float Clamped(float value, float largest)
@@ -39,12 +61,15 @@ float Clamped(float value, float largest)
   return value > 0.0f ? std::min(value, largest) : 0.0f;
 }
 
-Layer MakeLayer(const CapturedFragment& fragment, float largestColor)
+Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
 {
+  const float largest = range == TargetRange::Unit ? 1.0f : std::numeric_limits<float>::infinity();
   const bool hasDepth = fragment.Depth == fragment.Depth;
-  return { hasDepth ? fragment.Depth : 0.0f, Clamped(fragment.Rgba[3], 1.0f),
-    Clamped(fragment.Rgba[2], largestColor), Clamped(fragment.Rgba[1], largestColor),
-    Clamped(fragment.Rgba[0], largestColor), fragment.Coverage };
+  Layer layer = { hasDepth ? fragment.Depth : 0.0f, 0, Clamped(fragment.Rgba[3], 1.0f),
+    Clamped(fragment.Rgba[2], largest), Clamped(fragment.Rgba[1], largest),
+    Clamped(fragment.Rgba[0], largest), fragment.Coverage };
+  layer.Packed = PackedColor(layer, range);
+  return layer;
 }
 
 // Composites the layers that cover a sample, front to back, over what `rgba` holds.
@@ -174,8 +199,6 @@ ReferenceCompositor::PixelLists ReferenceCompositor::SortByPixel(
 void ReferenceCompositor::CompositePixels(const CapturedFragment* fragments,
   const PixelLists& lists, std::size_t firstPixel, std::size_t lastPixel)
 {
-  const float largestColor =
-    this->Range == TargetRange::Unit ? 1.0f : std::numeric_limits<float>::infinity();
   std::vector<Layer> layers;
   for (std::size_t pixel = firstPixel; pixel < lastPixel; ++pixel)
   {
@@ -186,7 +209,7 @@ void ReferenceCompositor::CompositePixels(const CapturedFragment* fragments,
     layers.clear();
     for (std::size_t i = lists.Begin[pixel]; i < lists.Begin[pixel + 1]; ++i)
     {
-      layers.push_back(MakeLayer(fragments[lists.Order[i]], largestColor));
+      layers.push_back(MakeLayer(fragments[lists.Order[i]], this->Range));
     }
     std::sort(layers.begin(), layers.end(),
       [](const Layer& a, const Layer& b) { return a.IsInFrontOf(b); });

@@ -36,8 +36,8 @@ enum class TargetRange
  *     rgb = sum of T_(i-1) alpha_i rgb_i + T_n backdrop.rgb
  *     a   = (1 - T_n) + T_n backdrop.a
  *
- * Fragments of equal depth are ordered by (a, b, g, r), ascending, so the result does not depend on
- * the order of arrival, to the last bit. NaN counts as 0 in depth and in colour; alpha is clamped to
+ * Fragments of equal depth are ordered by packed colour, ascending: (a, b, g, r) as floats of 16 bits, then as they
+ * are; so the result does not depend on the order of arrival, to the last bit. NaN counts as 0 in depth and in colour; alpha is clamped to
  * [0, 1], colours to the range of the target; -0 equals 0. Coverage of samples that the picture does
  * not have is ignored.
  */

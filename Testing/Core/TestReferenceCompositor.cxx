@@ -127,6 +127,20 @@ TEST(ReferenceCompositor, EqualDepthsAreOrderedByAlphaBlueGreenRed)
   }
 }
 
+TEST(ReferenceCompositor, NoiseInTheLastBitsDoesNotOrderEqualDepths)
+{
+  // Two coincident faces of a part whose alpha was interpolated: what tells them apart is their blue.
+  const float alpha = 0.3f;
+  const float alphaAbove = std::nextafter(alpha, 1.0f);
+  const Rgba backdrop{ 0.0, 0.0, 0.0, 1.0 };
+  const Rgba expected = CompositePixel(
+    { Fragment(0.5f, 0, 0, 0.2f, alpha), Fragment(0.5f, 0, 0, 0.8f, alpha) }, backdrop);
+  const Rgba noisy = CompositePixel(
+    { Fragment(0.5f, 0, 0, 0.2f, alphaAbove), Fragment(0.5f, 0, 0, 0.8f, alpha) }, backdrop);
+  EXPECT_NEAR(expected[2], 0.3 * 0.2 + 0.7 * 0.3 * 0.8, 1e-6);
+  ExpectNear(noisy, expected, 1e-6);
+}
+
 TEST(ReferenceCompositor, MinusZeroEqualsZero)
 {
   // Equal depths and alphas, so blue decides, for -0 as for 0.
