@@ -2,6 +2,7 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkObjectFactory.h"
 #include "vtkObjectFactoryCollection.h"
 #include "vtkOpenGLState.h"
@@ -11,7 +12,6 @@
 #include "window/EGLOffscreenContext.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #ifndef VTK_FUTURE_CONST // a macro of VTK 9.3 and later
@@ -20,12 +20,14 @@
 
 namespace
 {
-const char* const Overridden = "vtkRenderWindow";
+const char* const WindowClass = "vtkRenderWindow";
+const char* const InteractorClass = "vtkRenderWindowInteractor";
 
 /**
- * Has vtkRenderWindow::New() give a vtkHeadlessRenderWindow. VTK asks the factories in the order of their
- * registration and takes the first answer, hence the ones before this one are kept quiet about
- * vtkRenderWindow, and speak again with Restore().
+ * Has vtkRenderWindow::New() give a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an
+ * interactor that needs no display either. VTK asks the factories in the order of their registration and
+ * takes the first answer, hence the ones before this one are kept quiet about these classes, and speak
+ * again with Restore().
  */
 class HeadlessWindowFactory : public vtkObjectFactory
 {
@@ -65,12 +67,11 @@ public:
     {
       for (int i = 0; i < factory->GetNumberOfOverrides(); ++i)
       {
-        if (factory->GetClassOverrideName(i) == std::string(Overridden) &&
-          factory->GetEnableFlag(i))
+        const std::string name = factory->GetClassOverrideName(i);
+        if ((name == WindowClass || name == InteractorClass) && factory->GetEnableFlag(i))
         {
-          const std::string subclass = factory->GetClassOverrideWithName(i);
-          factory->SetEnableFlag(0, Overridden, subclass.c_str());
-          this->Silenced.emplace_back(factory, subclass);
+          this->Silenced.push_back({ factory, name, factory->GetClassOverrideWithName(i) });
+          this->Silenced.back().Enable(false);
         }
       }
     }
@@ -78,12 +79,9 @@ public:
 
   void Restore()
   {
-    for (const auto& silenced : this->Silenced)
+    for (const Override& silenced : this->Silenced)
     {
-      if (silenced.first)
-      {
-        silenced.first->SetEnableFlag(1, Overridden, silenced.second.c_str());
-      }
+      silenced.Enable(true);
     }
     this->Silenced.clear();
   }
@@ -91,13 +89,30 @@ public:
 protected:
   HeadlessWindowFactory()
   {
-    this->RegisterOverride(Overridden, "vtkHeadlessRenderWindow", "a render window by EGL", 1,
+    this->RegisterOverride(WindowClass, "vtkHeadlessRenderWindow", "a render window by EGL", 1,
       []() -> vtkObject* { return vtkHeadlessRenderWindow::New(); });
+    this->RegisterOverride(InteractorClass, "vtkGenericRenderWindowInteractor",
+      "an interactor without events", 1,
+      []() -> vtkObject* { return vtkGenericRenderWindowInteractor::New(); });
   }
 
 private:
-  // Weak, since a factory from a shared library has to be gone when its library is closed.
-  std::vector<std::pair<vtkWeakPointer<vtkObjectFactory>, std::string>> Silenced;
+  struct Override
+  {
+    // Weak, since a factory from a shared library has to be gone when its library is closed.
+    vtkWeakPointer<vtkObjectFactory> Factory;
+    std::string Class;
+    std::string Subclass;
+
+    void Enable(bool enable) const
+    {
+      if (this->Factory)
+      {
+        this->Factory->SetEnableFlag(enable, this->Class.c_str(), this->Subclass.c_str());
+      }
+    }
+  };
+  std::vector<Override> Silenced;
 };
 vtkStandardNewMacro(HeadlessWindowFactory);
 

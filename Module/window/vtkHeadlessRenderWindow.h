@@ -50,8 +50,9 @@ public:
   ///@{
   /**
    * From InstallOverride() to RemoveOverride(), vtkRenderWindow::New() gives this class in place of the
-   * one it gave before. Calling either twice is as calling it once. Windows that exist already stay what
-   * they are.
+   * one it gave before, and vtkRenderWindowInteractor::New() a vtkGenericRenderWindowInteractor, whose
+   * event loop ends at once, since VTK's own interactor needs a display. Calling either twice is as calling
+   * it once. Windows that exist already stay what they are.
    */
   static void InstallOverride();
   static void RemoveOverride();

@@ -6,7 +6,11 @@ import unittest
 
 import numpy
 from vtkmodules.vtkCommonCore import VTK_ERROR, vtkFloatArray, vtkUnsignedCharArray
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkRenderWindow,
+    vtkRenderWindowInteractor,
+    vtkWindowToImageFilter,
+)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from scenes import (
@@ -22,6 +26,7 @@ from vitrine import vtkHeadlessRenderWindow
 
 BACKGROUND = [0, 0, 255]
 ORDINARY_WINDOW = type(vtkRenderWindow())  # before any override
+ORDINARY_INTERACTOR = type(vtkRenderWindowInteractor())
 
 
 class Override(unittest.TestCase):
@@ -31,6 +36,18 @@ class Override(unittest.TestCase):
     def test_stands_in_for_the_render_window(self):
         vtkHeadlessRenderWindow.InstallOverride()
         self.assertIsInstance(vtkRenderWindow(), vtkHeadlessRenderWindow)
+
+    def test_brings_an_interactor_that_needs_no_display(self):
+        vtkHeadlessRenderWindow.InstallOverride()
+        window = vtkRenderWindow()
+        window.AddRenderer(cone_renderer())
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetRenderWindow(window)
+        interactor.Initialize()
+        interactor.Start()
+        self.assertEqual(pixels(window).shape, (300, 300, 4))
+        vtkHeadlessRenderWindow.RemoveOverride()
+        self.assertIs(type(vtkRenderWindowInteractor()), ORDINARY_INTERACTOR)
 
     def test_is_removed_by_one_call_after_any_number_of_installs(self):
         for _ in range(3):
