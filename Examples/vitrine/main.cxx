@@ -20,6 +20,21 @@ int Report(const std::exception& error, int status)
   return status;
 }
 
+/** CLI11 would only say that a command is missing. */
+void RequireKnownCommand(CLI::App& app, const std::string& name)
+{
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+  {
+    if (command->get_name() == name)
+    {
+      return;
+    }
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw program::InputError(name, "there is no such command; there are " + known);
+}
+
 int Run(int argc, char* argv[])
 {
   CLI::App app("See into large assemblies: exact transparency, and what it costs", "vitrine");
@@ -31,6 +46,10 @@ int Run(int argc, char* argv[])
   program::AddCompareCommand(app);
   program::AddInfoCommand(app);
   program::AddViewCommand(app);
+  if (argc > 1 && argv[1][0] != '-')
+  {
+    RequireKnownCommand(app, argv[1]);
+  }
   try
   {
     app.parse(argc, argv);

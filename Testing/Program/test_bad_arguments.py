@@ -1,0 +1,93 @@
+import os
+import unittest
+
+from program import ProgramTest, run, scratch_folder
+
+
+class BadArguments(ProgramTest):
+    def test_help_is_everywhere(self):
+        for arguments in (["--help"], *([name, "--help"] for name in ("render", "compare", "info", "view"))):
+            result = run(*arguments)
+            self.assert_done(result)
+            self.assertIn(b"Usage", result.stdout)
+
+    def test_version(self):
+        result = run("--version")
+        self.assert_done(result)
+        self.assertEqual(result.stdout.decode().strip(), os.environ["VITRINE_VERSION"])
+
+    def test_no_command(self):
+        self.assert_refused(run())
+
+    def test_unknown_command(self):
+        self.assert_refused(run("rendr", "demo:stack"), "rendr")
+
+    def test_unknown_option(self):
+        self.assert_refused(run("info", "demo:stack", "--colour"), "--colour")
+
+    def test_no_input(self):
+        self.assert_refused(run("info"), "INPUT")
+
+    def test_unknown_method_lists_the_known_ones(self):
+        for methods in ("depth", "linked-list,depth", "vtk-peeling-", "vtk-peeling-0", "vtk-peeling-x"):
+            with self.subTest(methods=methods):
+                result = run("compare", "demo:stack,layers=2", "--methods", methods)
+                self.assert_refused(result, methods.split(",")[-1], "linked-list", "vtk-oit", "truth")
+
+    def test_no_method(self):
+        self.assert_refused(run("compare", "demo:stack", "--methods", ","), "linked-list")
+
+    def test_size(self):
+        for size in ("0x8", "8x0", "8", "8x", "x8", "-8x8", "8x8x8", "8.5x8", "20000x8", "axb"):
+            with self.subTest(size=size):
+                self.assert_refused(run("info", "demo:stack", f"--size={size}"), "--size", size)
+
+    def test_view(self):
+        for view in ("1", "1,2,3,4", "0,91", "0,-91", "0,0,0", "0,0,-1", "a,b", "nan,0", "1,", ",1", "1e999,0"):
+            with self.subTest(view=view):
+                self.assert_refused(run("info", "demo:stack", f"--view={view}"), "--view", view)
+
+    def test_opacity(self):
+        for opacity in ("-0.1", "1.1", "much"):
+            with self.subTest(opacity=opacity):
+                self.assert_refused(run("info", "demo:stack", f"--opacity={opacity}"), "opacity")
+
+    def test_frames(self):
+        self.assert_refused(run("compare", "demo:stack", "--frames", "0"), "frames")
+
+    def test_unknown_scene_lists_the_known_ones(self):
+        for scene in ("demo:", "demo:cube", "demo:Stack"):
+            with self.subTest(scene=scene):
+                self.assert_refused(run("info", scene), scene, "stack", "spheres", "assembly")
+
+    def test_unknown_key_lists_the_known_ones(self):
+        for setting in ("depth=3", "layers", "", "=3", "Layers=3"):
+            with self.subTest(setting=setting):
+                self.assert_refused(run("info", f"demo:stack,{setting}"), "layers", "alpha", "seed")
+        self.assert_refused(run("info", "demo:assembly,layers=3"), "parts", "seed")
+
+    def test_bad_values(self):
+        for scene in (
+            "demo:stack,layers=0", "demo:stack,layers=-1", "demo:stack,layers=1.5",
+            "demo:stack,layers=", "demo:stack,layers=many", "demo:stack,layers=1e9",
+            "demo:stack,alpha=1.01", "demo:stack,alpha=-0.1", "demo:stack,alpha=nan",
+            "demo:stack,seed=-1", "demo:spheres,resolution=2", "demo:assembly,parts=-1",
+            "demo:assembly,parts=abc", "demo:assembly,parts=1e9", "demo:assembly,parts=0x10",
+        ):  # fmt: skip
+            with self.subTest(scene=scene):
+                self.assert_refused(run("info", scene), scene, " from ", " to ")
+
+    def test_output_that_cannot_be_written(self):
+        with scratch_folder() as folder:
+            (folder / "folder.png").mkdir()
+            for output in ("none/picture.png", "folder.png", "picture.jpg", "picture"):
+                with self.subTest(output=output):
+                    result = run("render", "demo:stack,layers=2", "-o", folder / output)
+                    self.assert_refused(result, folder / output)
+            result = run("info", "demo:stack,layers=2", "--json", folder / "none" / "info.json")
+            self.assert_refused(result, folder / "none")
+            self.assertEqual([path.name for path in folder.iterdir()], ["folder.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,99 @@
+import json
+import os
+import unittest
+
+from program import FileTest, compare, run
+
+ROW = ["scene", "method", "width", "height", "frame_ms", "fragments", "layers_max", "layers_mean",
+       "geometry_passes", "bytes", "error", "deterministic"]  # fmt: skip
+ERROR = ["max", "rmse", "psnr", "ssim", "flip", "wrong_pixels"]
+SCENE = "demo:spheres,layers=6"
+
+
+class Compare(FileTest):
+    def test_json_is_as_agreed(self):
+        told = compare(SCENE, "--methods", "all", "--frames", "3", "--size", "48x40")
+        self.assertEqual(list(told), ["vitrine", "device", "results"])
+        self.assertEqual(told["vitrine"], os.environ["VITRINE_VERSION"])
+        self.assertEqual(list(told["device"]), ["vendor", "renderer", "gl"])
+        self.assertTrue(all(told["device"].values()), told["device"])
+        methods = [row["method"] for row in told["results"]]
+        for method in ("blend", "vtk-oit", "vtk-peeling-4", "vtk-peeling", "linked-list", "truth"):
+            self.assertIn(method, methods)
+        for row in told["results"]:
+            with self.subTest(method=row["method"]):
+                self.check_row(row)
+
+    def check_row(self, row):
+        self.assertEqual(list(row), ROW)
+        self.assertEqual((row["scene"], row["width"], row["height"]), (SCENE, 48, 40))
+        self.assertEqual(list(row["frame_ms"]), ["min", "median", "max", "frames"])
+        times = row["frame_ms"]
+        self.assertEqual(times["frames"], 3)
+        self.assertTrue(0.0 < times["min"] <= times["median"] <= times["max"])
+        self.assertEqual(row["layers_max"], 6)
+        self.assertTrue(1.0 <= row["layers_mean"] <= 6.0)
+        for key in ("fragments", "layers_max", "geometry_passes", "bytes"):
+            self.assertIsInstance(row[key], int)
+        self.assertEqual(list(row["error"]), ERROR)
+        self.assertTrue(0.0 <= row["error"]["max"] <= 1.0)
+        self.assertTrue(0.0 <= row["error"]["wrong_pixels"] <= 1.0)
+        self.assertLessEqual(row["error"]["psnr"], 99.0)
+        self.assertIs(row["deterministic"], True)
+
+    def test_errors_tell_the_methods_apart(self):
+        told = compare("demo:stack,layers=6,alpha=0.5", "--methods", "all", "--frames", "2", "--size", "32x32")
+        rows = {row["method"]: row for row in told["results"]}
+        for exact in ("linked-list", "truth"):
+            self.assertLess(rows[exact]["error"]["max"], 1.0 / 255.0)
+            self.assertEqual(rows[exact]["error"]["wrong_pixels"], 0.0)
+        for approximate in ("blend", "vtk-oit"):
+            self.assertGreater(rows[approximate]["error"]["max"], 8.0 / 255.0)
+        passes = {method: row["geometry_passes"] for method, row in rows.items()}
+        self.assertEqual((passes["blend"], passes["vtk-oit"], passes["linked-list"]), (1, 1, 1))
+        self.assertGreaterEqual(passes["vtk-peeling"], 3)
+
+    def test_few_peels_leave_an_error(self):
+        told = compare("demo:stack,layers=12,alpha=0.5", "--methods", "vtk-peeling-1,vtk-peeling-9",
+                       "--frames", "1", "--size", "16x16")  # fmt: skip
+        few, many = told["results"]
+        self.assertGreater(few["error"]["max"], 4.0 * many["error"]["max"])
+        self.assertLess(few["geometry_passes"], many["geometry_passes"])
+
+    def test_memory_of_vtks_methods(self):
+        told = compare("demo:stack,layers=2", "--methods", "blend,vtk-oit,vtk-peeling", "--frames", "1", "--size", "10x10")
+        self.assertEqual([row["bytes"] for row in told["results"]], [0, 1400, 3600])
+
+    def test_groups_and_repeated_methods(self):
+        told = compare(SCENE, "--methods", "linked-list,exact,linked-list", "--frames", "1", "--size", "8x8")
+        self.assertEqual([row["method"] for row in told["results"]].count("linked-list"), 1)
+
+    def test_opaque_scene_has_no_error(self):
+        told = compare("demo:stack,layers=3,alpha=1", "--methods", "vtk-oit,linked-list", "--frames", "1", "--size", "8x8")
+        for row in told["results"]:
+            self.assertEqual(row["error"]["max"], 0.0)
+            self.assertEqual(row["fragments"], 0)
+
+    def test_table_and_json(self):
+        path = self.folder / "results.json"
+        result = run("compare", SCENE, "--methods", "blend,truth", "--frames", "1", "--size", "8x8", "--json", path)
+        self.assert_done(result)
+        for word in (b"blend", b"truth", b"flip", SCENE.encode()):
+            self.assertIn(word, result.stdout)
+        self.assertEqual(len(json.loads(path.read_text())["results"]), 2)
+
+    def test_a_method_that_cannot_run_is_a_row_that_says_why(self):
+        result = run("compare", SCENE, "--methods", "blend,linked-list", "--frames", "1", "--size", "8x8",
+                     "--json", "-", MESA_GL_VERSION_OVERRIDE="3.2")  # fmt: skip
+        told = json.loads(result.stdout)
+        if "3.2" not in told["device"]["gl"]:
+            self.skipTest("the driver is not Mesa's")
+        blend, linked_list = told["results"]
+        self.assertEqual(list(linked_list), ["scene", "method", "width", "height", "skipped"])
+        self.assertIn("4.3", linked_list["skipped"])
+        self.assertEqual(list(blend), ROW)
+        self.assertIsNone(blend["error"])
+
+
+if __name__ == "__main__":
+    unittest.main()
