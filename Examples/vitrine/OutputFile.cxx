@@ -12,7 +12,9 @@ namespace program
 
 namespace
 {
-/** Beside `path`, so that it can be renamed, with its extension, by which writers know the format. */
+/**
+ * Beside `path`, so that it can be renamed, with its extension, by which writers know the format.
+ */
 std::filesystem::path TemporaryPath(const std::filesystem::path& path)
 {
   const std::string name =

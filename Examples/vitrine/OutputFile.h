@@ -14,8 +14,9 @@ namespace program
 void CheckWritable(const std::string& path);
 
 /**
- * Have `write` make a file under a temporary name beside `path`, and give it its name when it is whole.
- * `write` returns false if it could not. Throws InputError, and leaves what was there before.
+ * Have `write` make a file under a temporary name beside `path`, and give it its name when it is
+ * whole. `write` returns false if it could not. Throws InputError, and leaves what was there
+ * before.
  */
 void WriteWholeFile(
   const std::string& path, const std::function<bool(const std::string& temporary)>& write);

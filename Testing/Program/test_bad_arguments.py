@@ -6,7 +6,10 @@ from program import ProgramTest, run, scratch_folder
 
 class BadArguments(ProgramTest):
     def test_help_is_everywhere(self):
-        for arguments in (["--help"], *([name, "--help"] for name in ("render", "compare", "info", "view"))):
+        for arguments in (
+            ["--help"],
+            *([name, "--help"] for name in ("render", "compare", "info", "view")),
+        ):
             result = run(*arguments)
             self.assert_done(result)
             self.assertIn(b"Usage", result.stdout)
@@ -29,10 +32,18 @@ class BadArguments(ProgramTest):
         self.assert_refused(run("info"), "INPUT")
 
     def test_unknown_method_lists_the_known_ones(self):
-        for methods in ("depth", "linked-list,depth", "vtk-peeling-", "vtk-peeling-0", "vtk-peeling-x"):
+        for methods in (
+            "depth",
+            "linked-list,depth",
+            "vtk-peeling-",
+            "vtk-peeling-0",
+            "vtk-peeling-x",
+        ):
             with self.subTest(methods=methods):
                 result = run("compare", "demo:stack,layers=2", "--methods", methods)
-                self.assert_refused(result, methods.split(",")[-1], "linked-list", "vtk-oit", "truth")
+                self.assert_refused(
+                    result, methods.split(",")[-1], "linked-list", "vtk-oit", "truth"
+                )
 
     def test_no_method(self):
         self.assert_refused(run("compare", "demo:stack", "--methods", ","), "linked-list")
@@ -43,7 +54,19 @@ class BadArguments(ProgramTest):
                 self.assert_refused(run("info", "demo:stack", f"--size={size}"), "--size", size)
 
     def test_view(self):
-        for view in ("1", "1,2,3,4", "0,91", "0,-91", "0,0,0", "0,0,-1", "a,b", "nan,0", "1,", ",1", "1e999,0"):
+        for view in (
+            "1",
+            "1,2,3,4",
+            "0,91",
+            "0,-91",
+            "0,0,0",
+            "0,0,-1",
+            "a,b",
+            "nan,0",
+            "1,",
+            ",1",
+            "1e999,0",
+        ):
             with self.subTest(view=view):
                 self.assert_refused(run("info", "demo:stack", f"--view={view}"), "--view", view)
 

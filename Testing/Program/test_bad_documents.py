@@ -15,7 +15,11 @@ class BadDocuments(FileTest):
         self.refuse("bad.glb", scenes.pack_glb(document, scenes.gltf_binary()), *words)
 
     def test_required_extensions(self):
-        for extension in ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"):
+        for extension in (
+            "KHR_draco_mesh_compression",
+            "EXT_meshopt_compression",
+            "KHR_mesh_quantization",
+        ):
 
             def require(document, extension=extension):
                 document["extensionsRequired"] = [extension]

@@ -104,20 +104,37 @@ class BadFiles(FileTest):
         for bad in (float("nan"), float("inf")):
             corners = [(bad, 0.0, 0.0), *scenes.CORNERS[1:]]
             binary = scenes.gltf_binary(corners)
-            self.refuse("bad.glb", scenes.pack_glb(scenes.gltf_document(len(binary)), binary), "finite")
+            self.refuse(
+                "bad.glb", scenes.pack_glb(scenes.gltf_document(len(binary)), binary), "finite"
+            )
             self.refuse("bad.vtp", scenes.vtp(corners))
-            self.refuse("bad.obj", scenes.obj().replace(b"v 0.0", b"v %f" % bad, 1), "line 2", "finite")
-            self.refuse("bad.stl", scenes.binary_stl()[:96] + struct.pack("<f", bad) + scenes.binary_stl()[100:], "finite")
+            self.refuse(
+                "bad.obj", scenes.obj().replace(b"v 0.0", b"v %f" % bad, 1), "line 2", "finite"
+            )
+            self.refuse(
+                "bad.stl",
+                scenes.binary_stl()[:96] + struct.pack("<f", bad) + scenes.binary_stl()[100:],
+                "finite",
+            )
             ply = scenes.binary_ply()
             begin = ply.index(b"end_header\n") + len(b"end_header\n")
-            self.refuse("bad.ply", ply[:begin] + struct.pack("<f", bad) + ply[begin + 4 :], "finite")
+            self.refuse(
+                "bad.ply", ply[:begin] + struct.pack("<f", bad) + ply[begin + 4 :], "finite"
+            )
 
     def test_indices_out_of_range(self):
         triangles = [(0, 1, 8), *scenes.TRIANGLES[1:]]
         binary = scenes.gltf_binary(triangles=triangles)
-        self.refuse("bad.glb", scenes.pack_glb(scenes.gltf_document(len(binary)), binary), "index", "8 vertices")
+        self.refuse(
+            "bad.glb",
+            scenes.pack_glb(scenes.gltf_document(len(binary)), binary),
+            "index",
+            "8 vertices",
+        )
         self.refuse("bad.vtp", scenes.vtp(triangles=triangles), "8 points")
-        self.refuse("bad.vtp", scenes.vtp(triangles=[(0, 1, -1), *scenes.TRIANGLES[1:]]), "8 points")
+        self.refuse(
+            "bad.vtp", scenes.vtp(triangles=[(0, 1, -1), *scenes.TRIANGLES[1:]]), "8 points"
+        )
         self.refuse("bad.obj", scenes.obj().replace(b"f 1 2 4", b"f 1 2 17", 1), "not there")
         self.refuse("bad.obj", scenes.obj().replace(b"f 1 2 4", b"f 1 2 0", 1), "index")
         self.refuse("bad.ply", scenes.text_ply().replace(b"3 0 1 3", b"3 0 1 8", 1), "8 vertices")
@@ -127,7 +144,9 @@ class BadFiles(FileTest):
         self.refuse("none.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "nothing to draw")
         self.refuse("none.stl", b"none".ljust(84, b"\0"), "nothing to draw")
         self.refuse("none.stl", b"solid none\nendsolid none\n", "nothing to draw")
-        self.refuse("none.ply", scenes.text_ply().replace(b"element face 12", b"element face 0"), "no faces")
+        self.refuse(
+            "none.ply", scenes.text_ply().replace(b"element face 12", b"element face 0"), "no faces"
+        )
         self.refuse("none.vtp", scenes.vtp(triangles=()), "nothing to draw")
         self.refuse("none.vtm", scenes.vtm(), "nothing to draw")
         document = scenes.gltf_document(168)
@@ -145,7 +164,9 @@ class BadFiles(FileTest):
 
     def test_material_with_too_many_numbers(self):
         (self.folder / "boxes.mtl").write_bytes(b"newmtl left\nKd 1 1 1 1 1 1 1 1 1 1\n")
-        self.assert_refused(run("info", self.write("boxes.obj", scenes.obj())), "boxes.mtl", "line 2")
+        self.assert_refused(
+            run("info", self.write("boxes.obj", scenes.obj())), "boxes.mtl", "line 2"
+        )
 
     def test_glb_with_wrong_lengths(self):
         good = scenes.glb()

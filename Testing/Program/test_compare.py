@@ -4,8 +4,20 @@ import unittest
 
 from program import FileTest, compare, run
 
-ROW = ["scene", "method", "width", "height", "frame_ms", "fragments", "layers_max", "layers_mean",
-       "geometry_passes", "bytes", "error", "deterministic"]  # fmt: skip
+ROW = [
+    "scene",
+    "method",
+    "width",
+    "height",
+    "frame_ms",
+    "fragments",
+    "layers_max",
+    "layers_mean",
+    "geometry_passes",
+    "bytes",
+    "error",
+    "deterministic",
+]
 ERROR = ["max", "rmse", "psnr", "ssim", "flip", "wrong_pixels"]
 SCENE = "demo:spheres,layers=6"
 
@@ -42,7 +54,9 @@ class Compare(FileTest):
         self.assertIs(row["deterministic"], True)
 
     def test_errors_tell_the_methods_apart(self):
-        told = compare("demo:stack,layers=6,alpha=0.5", "--methods", "all", "--frames", "2", "--size", "32x32")
+        told = compare(
+            "demo:stack,layers=6,alpha=0.5", "--methods", "all", "--frames", "2", "--size", "32x32"
+        )
         rows = {row["method"]: row for row in told["results"]}
         for exact in ("linked-list", "truth"):
             self.assertLess(rows[exact]["error"]["max"], 1.0 / 255.0)
@@ -54,37 +68,84 @@ class Compare(FileTest):
         self.assertGreaterEqual(passes["vtk-peeling"], 3)
 
     def test_few_peels_leave_an_error(self):
-        told = compare("demo:stack,layers=12,alpha=0.5", "--methods", "vtk-peeling-1,vtk-peeling-9",
-                       "--frames", "1", "--size", "16x16")  # fmt: skip
+        told = compare(
+            "demo:stack,layers=12,alpha=0.5",
+            "--methods",
+            "vtk-peeling-1,vtk-peeling-9",
+            "--frames",
+            "1",
+            "--size",
+            "16x16",
+        )
         few, many = told["results"]
         self.assertGreater(few["error"]["max"], 4.0 * many["error"]["max"])
         self.assertLess(few["geometry_passes"], many["geometry_passes"])
 
     def test_memory_of_vtks_methods(self):
-        told = compare("demo:stack,layers=2", "--methods", "blend,vtk-oit,vtk-peeling", "--frames", "1", "--size", "10x10")
+        told = compare(
+            "demo:stack,layers=2",
+            "--methods",
+            "blend,vtk-oit,vtk-peeling",
+            "--frames",
+            "1",
+            "--size",
+            "10x10",
+        )
         self.assertEqual([row["bytes"] for row in told["results"]], [0, 1400, 3600])
 
     def test_groups_and_repeated_methods(self):
-        told = compare(SCENE, "--methods", "linked-list,exact,linked-list", "--frames", "1", "--size", "8x8")
+        told = compare(
+            SCENE, "--methods", "linked-list,exact,linked-list", "--frames", "1", "--size", "8x8"
+        )
         self.assertEqual([row["method"] for row in told["results"]].count("linked-list"), 1)
 
     def test_opaque_scene_has_no_error(self):
-        told = compare("demo:stack,layers=3,alpha=1", "--methods", "vtk-oit,linked-list", "--frames", "1", "--size", "8x8")
+        told = compare(
+            "demo:stack,layers=3,alpha=1",
+            "--methods",
+            "vtk-oit,linked-list",
+            "--frames",
+            "1",
+            "--size",
+            "8x8",
+        )
         for row in told["results"]:
             self.assertEqual(row["error"]["max"], 0.0)
             self.assertEqual(row["fragments"], 0)
 
     def test_table_and_json(self):
         path = self.folder / "results.json"
-        result = run("compare", SCENE, "--methods", "blend,truth", "--frames", "1", "--size", "8x8", "--json", path)
+        result = run(
+            "compare",
+            SCENE,
+            "--methods",
+            "blend,truth",
+            "--frames",
+            "1",
+            "--size",
+            "8x8",
+            "--json",
+            path,
+        )
         self.assert_done(result)
         for word in (b"blend", b"truth", b"flip", SCENE.encode()):
             self.assertIn(word, result.stdout)
         self.assertEqual(len(json.loads(path.read_text())["results"]), 2)
 
     def test_a_method_that_cannot_run_is_a_row_that_says_why(self):
-        result = run("compare", SCENE, "--methods", "blend,linked-list", "--frames", "1", "--size", "8x8",
-                     "--json", "-", MESA_GL_VERSION_OVERRIDE="3.2")  # fmt: skip
+        result = run(
+            "compare",
+            SCENE,
+            "--methods",
+            "blend,linked-list",
+            "--frames",
+            "1",
+            "--size",
+            "8x8",
+            "--json",
+            "-",
+            MESA_GL_VERSION_OVERRIDE="3.2",
+        )
         told = json.loads(result.stdout)
         if "3.2" not in told["device"]["gl"]:
             self.skipTest("the driver is not Mesa's")

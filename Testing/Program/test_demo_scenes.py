@@ -42,15 +42,25 @@ class DemoScenes(FileTest):
         return path.read_bytes(), read_png(path)[2]
 
     def test_stack_has_the_colour_of_its_closed_form(self):
-        for layers, alpha, seed in ((1, 0.5, 1), (2, 0.2, 1), (9, 0.2, 2), (65, 0.05, 3), (300, 0.004, 1), (4, 0.9, 7)):
+        for layers, alpha, seed in (
+            (1, 0.5, 1),
+            (2, 0.2, 1),
+            (9, 0.2, 2),
+            (65, 0.05, 3),
+            (300, 0.004, 1),
+            (4, 0.9, 7),
+        ):
             expected = stack_color(layers, alpha, seed)
             # half a step for the picture's own rounding; the linked list's half floats add to it
             for method, delta in (("linked-list", 0.75), ("truth", 0.501)):
                 with self.subTest(layers=layers, alpha=alpha, seed=seed, method=method):
                     _, rows = self.render(
                         f"demo:stack,layers={layers},alpha={alpha},seed={seed}",
-                        "--size", "6x4", "--method", method,
-                    )  # fmt: skip
+                        "--size",
+                        "6x4",
+                        "--method",
+                        method,
+                    )
                     for row in rows:
                         for i, value in enumerate(row):
                             self.assertAlmostEqual(value, 255 * expected[i % 3], delta=delta)
@@ -60,8 +70,17 @@ class DemoScenes(FileTest):
         self.assertEqual((layers["layers_max"], layers["layers_mean"]), (4000, 4000.0))
 
     def test_stack_fills_the_view_all_along_the_orbit(self):
-        row = compare("demo:stack,layers=5", "--methods", "blend", "--frames", "1", "--size", "16x16",
-                      "--view", "30,0")["results"][0]  # fmt: skip
+        row = compare(
+            "demo:stack,layers=5",
+            "--methods",
+            "blend",
+            "--frames",
+            "1",
+            "--size",
+            "16x16",
+            "--view",
+            "30,0",
+        )["results"][0]
         self.assertEqual(row["fragments"], 5 * 256)
 
     def test_stack_of_invisible_and_of_opaque_plates(self):
@@ -85,7 +104,11 @@ class DemoScenes(FileTest):
         self.assertEqual(len(pictures), 4)
 
     def test_the_same_name_gives_the_same_picture(self):
-        for scene in ("demo:stack,layers=20", "demo:spheres,layers=9", "demo:assembly,parts=50,seed=4"):
+        for scene in (
+            "demo:stack,layers=20",
+            "demo:spheres,layers=9",
+            "demo:assembly,parts=50,seed=4",
+        ):
             with self.subTest(scene=scene):
                 first, _ = self.render(scene, "--size", "48x48")
                 second, _ = self.render(scene, "--size", "48x48")

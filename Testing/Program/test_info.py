@@ -9,10 +9,23 @@ class Info(FileTest):
         told = info("demo:spheres,layers=4,alpha=0.5")
         self.assertEqual(
             list(told),
-            ["scene", "parts", "translucent_parts", "triangles", "lines", "points", "materials",
-             "bounds", "layers", "skipped", "notes"],
-        )  # fmt: skip
-        self.assertEqual(list(told["layers"]), ["width", "height", "fragments", "layers_max", "layers_mean"])
+            [
+                "scene",
+                "parts",
+                "translucent_parts",
+                "triangles",
+                "lines",
+                "points",
+                "materials",
+                "bounds",
+                "layers",
+                "skipped",
+                "notes",
+            ],
+        )
+        self.assertEqual(
+            list(told["layers"]), ["width", "height", "fragments", "layers_max", "layers_mean"]
+        )
 
     def test_layers_of_the_stack(self):
         layers = info("demo:stack,layers=7")["layers"]
@@ -46,9 +59,14 @@ class Info(FileTest):
 
     def test_without_what_truth_needs_it_says_so(self):
         result = run(
-            "info", "demo:stack,layers=3", "--size", "16x16", "--json", "-",
+            "info",
+            "demo:stack,layers=3",
+            "--size",
+            "16x16",
+            "--json",
+            "-",
             MESA_GL_VERSION_OVERRIDE="3.2",
-        )  # fmt: skip
+        )
         layers = json.loads(result.stdout)["layers"]
         if "skipped" not in layers:
             self.skipTest("the driver is not Mesa's")

@@ -23,7 +23,9 @@ class Render(FileTest):
     def test_the_plates_fill_any_window(self):
         for size in ("40x4", "4x40", "16x16"):
             width, height, rows = self.render("demo:stack,layers=1,alpha=1", "--size", size)
-            self.assertEqual(len({bytes(row[3 * x : 3 * x + 3]) for row in rows for x in range(width)}), 1)
+            self.assertEqual(
+                len({bytes(row[3 * x : 3 * x + 3]) for row in rows for x in range(width)}), 1
+            )
 
     def test_every_method_draws(self):
         for method in ("blend", "vtk-oit", "vtk-peeling-2", "vtk-peeling", "linked-list", "truth"):

@@ -1,4 +1,4 @@
-"""Real models, where they are at hand: VITRINE_SHARED_DATA, or ../shared/data beside the project."""
+"""Real models, where they are: VITRINE_SHARED_DATA, or ../shared/data beside the project."""
 
 import os
 import pathlib
@@ -10,7 +10,13 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("VITRINE_SHARED_DATA", PROJECT.parent / "shared" / "data"))
 KINDS = {".glb", ".obj", ".stl", ".ply"}
 MODELS = sorted(path for path in DATA.glob("*/*") if path.suffix in KINDS)
-COMPARED = ("VertexColorTest.glb", "glass-table_blend.glb", "ldraw_car.glb", "moveo_Top_Plate.stl", "cycloidal.ply")
+COMPARED = (
+    "VertexColorTest.glb",
+    "glass-table_blend.glb",
+    "ldraw_car.glb",
+    "moveo_Top_Plate.stl",
+    "cycloidal.ply",
+)
 
 # of SOURCES.md: parts and triangles
 COUNTS = {
@@ -39,8 +45,17 @@ class SharedData(ProgramTest):
         for path in MODELS:
             if path.name in COMPARED:
                 with self.subTest(model=path.name):
-                    row = compare(path, "--opacity", "0.3", "--methods", "linked-list", "--frames", "1",
-                                  "--size", "160x160")["results"][0]  # fmt: skip
+                    row = compare(
+                        path,
+                        "--opacity",
+                        "0.3",
+                        "--methods",
+                        "linked-list",
+                        "--frames",
+                        "1",
+                        "--size",
+                        "160x160",
+                    )["results"][0]
                     self.assertLessEqual(row["error"]["max"], 1.0 / 255.0)
                     self.assertIs(row["deterministic"], True)
                     self.assertGreater(row["layers_max"], 1)

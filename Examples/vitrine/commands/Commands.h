@@ -1,5 +1,6 @@
 /**
- * The program's commands. Each adds itself to the command line and runs when it is the one that was given.
+ * The program's commands. Each adds itself to the command line and runs when it is the one that was
+ * given.
  */
 #ifndef VITRINE_COMMANDS_H
 #define VITRINE_COMMANDS_H

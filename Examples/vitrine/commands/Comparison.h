@@ -46,8 +46,8 @@ struct ComparisonResult
 };
 
 /**
- * Draw the scene by every method, taken in turn frame by frame while the camera goes round, and compare the
- * first and the last picture with truth.
+ * Draw the scene by every method, taken in turn frame by frame while the camera goes round, and
+ * compare the first and the last picture with truth.
  */
 ComparisonResult CompareMethods(
   const Scene& scene, vtkCamera* start, const ComparisonSettings& settings);

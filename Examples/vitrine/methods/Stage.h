@@ -44,14 +44,15 @@ class Stage
 {
 public:
   /**
-   * Build the window; nothing is drawn yet. The scene's geometry is shared between stages, nothing else is.
+   * Build the window; nothing is drawn yet. The scene's geometry is shared between stages, nothing
+   * else is.
    */
   Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize size, int multisamples);
   ~Stage();
 
   /**
-   * Draw a frame, finished on the device. Returns the wall time in milliseconds. Throws RuntimeError if there
-   * is no OpenGL to draw with.
+   * Draw a frame, finished on the device. Returns the wall time in milliseconds. Throws
+   * RuntimeError if there is no OpenGL to draw with.
    */
   double Draw(vtkCamera* camera);
 

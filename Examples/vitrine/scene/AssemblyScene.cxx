@@ -1,7 +1,7 @@
 /**
- * demo:assembly: a plant of transmission machines, each a line of units in glass housings: motors, gearboxes,
- * planetary gears, pumps and control racks. More parts make more units. The number is made exact by leaving
- * out the least important parts, bolts and washers first.
+ * demo:assembly: a plant of transmission machines, each a line of units in glass housings: motors,
+ * gearboxes, planetary gears, pumps and control racks. More parts make more units. The number is
+ * made exact by leaving out the least important parts, bolts and washers first.
  */
 #include "scene/DemoScene.h"
 #include "scene/assembly/Housing.h"
@@ -74,7 +74,10 @@ std::vector<UnitParts> BuildUnits(std::size_t count, std::uint64_t seed)
   return units;
 }
 
-/** Leave out what exceeds `count`: fasteners of all units in turn, then what the last unit misses least. */
+/**
+ * Leave out what exceeds `count`: fasteners of all units in turn, then what the last unit misses
+ * least.
+ */
 void LeaveOut(std::vector<UnitParts>& units, std::size_t count)
 {
   std::size_t total = 0;

@@ -16,7 +16,9 @@ namespace program
 /** True if `input` names a generated scene and no file. */
 bool IsDemoScene(const std::string& input);
 
-/** Generate the scene. Throws InputError that lists what there is if the text names something else. */
+/**
+ * Generate the scene. Throws InputError that lists what there is if the text names something else.
+ */
 Scene MakeDemoScene(const std::string& input);
 
 /** One line for each generated scene, for --help. */

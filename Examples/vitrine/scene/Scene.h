@@ -56,10 +56,15 @@ struct Stance
   std::array<double, 3> Front = { 0.0, 0.0, 1.0 }; ///< from the scene to a viewer at azimuth 0
   View DefaultView;
 
-  /** Half the height of what a parallel projection shows; a perspective that fits the scene without. */
+  /**
+   * Half the height of what a parallel projection shows; a perspective that fits the scene
+   * without.
+   */
   std::optional<double> ParallelScale;
 
-  /** The radius of a sphere around the scene's centre that fills the view's height; fits without. */
+  /**
+   * The radius of a sphere around the scene's centre that fills the view's height; fits without.
+   */
   std::optional<double> VisibleRadius;
 };
 
@@ -91,8 +96,8 @@ std::size_t CountMaterials(const Scene& scene);
 void MultiplyOpacity(Scene& scene, double factor);
 
 /**
- * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and properties are
- * copied, since they hold objects of a window.
+ * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and
+ * properties are copied, since they hold objects of a window.
  */
 void AddActors(const Scene& scene, vtkRenderer* renderer);
 

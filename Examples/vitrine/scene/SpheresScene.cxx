@@ -1,7 +1,7 @@
 /**
- * demo:spheres: nested spheres whose centres are jittered, each of which adds two layers. Radii go from 1 down
- * to 0.55, and the view cuts nothing off. With an odd number of layers the innermost is a single disc that
- * faces the viewer.
+ * demo:spheres: nested spheres whose centres are jittered, each of which adds two layers. Radii go
+ * from 1 down to 0.55, and the view cuts nothing off. With an odd number of layers the innermost is
+ * a single disc that faces the viewer.
  */
 #include "scene/DemoScene.h"
 #include "scene/Random.h"

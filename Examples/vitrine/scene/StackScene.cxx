@@ -1,8 +1,9 @@
 /**
  * demo:stack: parallel plates whose composite is known in closed form.
  *
- * Plate i of N, counted from the front, has the colour of three numbers that Random(seed) gives one after the
- * other, as 8-bit values, and is unlit. Actors come in shuffled order. What a pixel must be is
+ * Plate i of N, counted from the front, has the colour of three numbers that Random(seed) gives one
+ * after the other, as 8-bit values, and is unlit. Actors come in shuffled order. What a pixel must
+ * be is
  *
  *     sum over i of (1 - alpha)^i alpha colour_i  +  (1 - alpha)^N background
  */

@@ -84,9 +84,9 @@ struct Fit
 };
 
 /**
- * The nearest view of all corners: along each of the picture's axes, a corner at place x and depth z towards
- * the viewer is seen between slopes -t and t from (m, d) if |x - m| <= (d - z) t. The most extreme corners
- * of both sides give m and d.
+ * The nearest view of all corners: along each of the picture's axes, a corner at place x and depth
+ * z towards the viewer is seen between slopes -t and t from (m, d) if |x - m| <= (d - z) t. The
+ * most extreme corners of both sides give m and d.
  */
 void FitAxis(const std::vector<Vector>& corners, const Vector& axis, const Vector& toward,
   double slope, double& middle, double& distance)

@@ -13,8 +13,8 @@ namespace program
 {
 
 /**
- * A camera that looks at the middle of the scene from the direction of `view` and, at zoom 1, shows all of it
- * in a picture of width / height = `aspect`.
+ * A camera that looks at the middle of the scene from the direction of `view` and, at zoom 1, shows
+ * all of it in a picture of width / height = `aspect`.
  */
 vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect);
 

@@ -14,7 +14,10 @@ namespace program
 /** A bolt with its head and a washer at `place`, along the place's z axis; its shank goes down. */
 void AddBolt(Unit& unit, const glm::dmat4& place, double radius, double length);
 
-/** The same through a joint of that thickness, with a washer and a nut at the other side: four parts. */
+/**
+ * The same through a joint of that thickness, with a washer and a nut at the other side: four
+ * parts.
+ */
 void AddBoltAndNut(Unit& unit, const glm::dmat4& place, double radius, double thickness);
 
 /** A deep-groove ball bearing around `place`'s z axis: rings, cage, eight balls. */

@@ -28,7 +28,10 @@ double HalfToothAngle(int teeth, double pitchRadius, double radius)
   return Pi / (2.0 * teeth) + Involute(PressureAngle) - Involute(pressure);
 }
 
-/** A toothed outline between the radii `root` and `tip`: up a flank at root, pitch, tip, and down again. */
+/**
+ * A toothed outline between the radii `root` and `tip`: up a flank at root, pitch, tip, and down
+ * again.
+ */
 Loop ToothedOutline(int teeth, double pitchRadius, double root, double tip, double sign)
 {
   Loop outline;
@@ -46,7 +49,9 @@ Loop ToothedOutline(int teeth, double pitchRadius, double root, double tip, doub
   return outline;
 }
 
-/** A circle with as many points as the outline, in the same directions, so that bands do not twist. */
+/**
+ * A circle with as many points as the outline, in the same directions, so that bands do not twist.
+ */
 Loop CircleAlong(const Loop& outline, double radius)
 {
   Loop circle;

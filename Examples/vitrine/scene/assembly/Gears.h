@@ -29,8 +29,8 @@ Mesh RingGear(const GearShape& shape);
 double CenterDistance(int teethA, int teethB, double module);
 
 /**
- * The angle by which gear B is turned, so that its teeth stand in the gaps of gear A, which is turned by
- * `angleA`. B's axis lies from A's in direction `direction`.
+ * The angle by which gear B is turned, so that its teeth stand in the gaps of gear A, which is
+ * turned by `angleA`. B's axis lies from A's in direction `direction`.
  */
 double MeshingAngle(int teethA, double angleA, int teethB, double direction);
 

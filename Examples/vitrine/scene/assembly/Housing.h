@@ -9,7 +9,10 @@
 namespace program
 {
 
-/** The sizes that units and their housing share. Lengths are along z, from -HalfLength to HalfLength. */
+/**
+ * The sizes that units and their housing share. Lengths are along z, from -HalfLength to
+ * HalfLength.
+ */
 struct UnitSize
 {
   static constexpr double HalfLength = 1.3;

@@ -50,8 +50,8 @@ private:
 };
 
 /**
- * A unit being built. The machine's axis is z, up is y, and the floor is y = 0. The same kind of unit always
- * has the same number of parts.
+ * A unit being built. The machine's axis is z, up is y, and the floor is y = 0. The same kind of
+ * unit always has the same number of parts.
  */
 class Unit
 {

@@ -1,7 +1,7 @@
 /**
- * One reader for each kind of file. A reader checks what VTK's reader takes on trust, since VTK 9.1 reads
- * beyond its arrays where a file is damaged, and throws InputError. What comes out is checked once more, by
- * ReadSceneFile().
+ * One reader for each kind of file. A reader checks what VTK's reader takes on trust, since VTK 9.1
+ * reads beyond its arrays where a file is damaged, and throws InputError. What comes out is checked
+ * once more, by ReadSceneFile().
  */
 #ifndef VITRINE_FILE_READERS_H
 #define VITRINE_FILE_READERS_H

@@ -12,8 +12,8 @@ namespace program
 {
 
 /**
- * What is wrong with the geometry: coordinates that are not finite, cells whose corners are not among the
- * points, data that do not match points or cells. Empty if nothing is.
+ * What is wrong with the geometry: coordinates that are not finite, cells whose corners are not
+ * among the points, data that do not match points or cells. Empty if nothing is.
  */
 std::string FindGeometryProblem(vtkPolyData* geometry);
 

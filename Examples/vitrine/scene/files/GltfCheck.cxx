@@ -169,8 +169,8 @@ void CheckScenes(const GltfDocument& document)
 }
 
 /**
- * VTK's importer gives its decoders all that follows an image in its buffer, so an image must end where it
- * says.
+ * VTK's importer gives its decoders all that follows an image in its buffer, so an image must end
+ * where it says.
  */
 void CheckGltfImage(const GltfDocument& document, std::size_t index)
 {

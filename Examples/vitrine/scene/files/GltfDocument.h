@@ -22,8 +22,8 @@ struct GltfDocument
 };
 
 /**
- * Read a .glb or .gltf file with its buffers. Throws InputError if lengths do not match, a buffer is not
- * there, or an extension is required that VTK's importer does not know.
+ * Read a .glb or .gltf file with its buffers. Throws InputError if lengths do not match, a buffer
+ * is not there, or an extension is required that VTK's importer does not know.
  */
 GltfDocument ReadGltfDocument(const std::string& path);
 

@@ -72,8 +72,8 @@ std::vector<Placed> ListPrimitives(const Json& document)
 }
 
 /**
- * The alpha of a material's colour, which the importer of VTK 9.1 drops. glTF ignores it unless alphaMode is
- * BLEND or MASK; VTK has no cutoff for MASK and draws it as BLEND.
+ * The alpha of a material's colour, which the importer of VTK 9.1 drops. glTF ignores it unless
+ * alphaMode is BLEND or MASK; VTK has no cutoff for MASK and draws it as BLEND.
  */
 double MaterialAlpha(const Json& document, int material)
 {

@@ -9,7 +9,9 @@
 namespace program
 {
 
-/** Throw InputError for an index, anywhere in the document, beyond the array that it points into. */
+/**
+ * Throw InputError for an index, anywhere in the document, beyond the array that it points into.
+ */
 void CheckGltfReferences(const GltfDocument& document);
 
 }

@@ -16,8 +16,8 @@ enum class ImageFormat
 };
 
 /**
- * Throw InputError unless the bytes are a whole PNG or JPEG; `name` tells which of the pictures in the file
- * `path`. VTK's readers crash on damaged PNGs and read beyond the end of truncated ones.
+ * Throw InputError unless the bytes are a whole PNG or JPEG; `name` tells which of the pictures in
+ * the file `path`. VTK's readers crash on damaged PNGs and read beyond the end of truncated ones.
  */
 ImageFormat CheckImage(const std::string& path, const std::string& name, const std::string& bytes);
 

@@ -17,13 +17,14 @@ struct ObjContents
 };
 
 /**
- * Throw InputError unless vertices are finite, corners of faces and lines are among them, and lines are such
- * as VTK's reader can take.
+ * Throw InputError unless vertices are finite, corners of faces and lines are among them, and lines
+ * are such as VTK's reader can take.
  */
 ObjContents CheckObj(const std::string& path, const std::string& bytes);
 
 /**
- * The names of the textures. Throws InputError where a line has more numbers than VTK's reader has room for.
+ * The names of the textures. Throws InputError where a line has more numbers than VTK's reader has
+ * room for.
  */
 std::vector<std::string> CheckMtl(const std::string& path, const std::string& bytes);
 

@@ -88,7 +88,10 @@ Part MakePart(vtkActor* actor, const std::string& name)
   return part;
 }
 
-/** A material that is not there is drawn in VTK's default; anything else that VTK complains of is an error. */
+/**
+ * A material that is not there is drawn in VTK's default; anything else that VTK complains of is
+ * an error.
+ */
 void TakeMessages(const std::string& path, const MessageCapture& messages, Scene& scene)
 {
   std::set<std::string> missing;

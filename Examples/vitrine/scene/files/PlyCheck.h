@@ -10,8 +10,8 @@ namespace program
 {
 
 /**
- * Throw InputError unless the header makes sense to VTK's reader, everything that it announces is there, and
- * the corners of faces are among the vertices.
+ * Throw InputError unless the header makes sense to VTK's reader, everything that it announces is
+ * there, and the corners of faces are among the vertices.
  *
  * G. Turk: The PLY Polygon File Format, 1994.
  */

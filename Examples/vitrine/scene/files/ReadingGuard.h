@@ -12,8 +12,8 @@ namespace program
 {
 
 /**
- * VTK's readers trust their input. What the checks before them let through must not look like a fault of the
- * program's, nor take the machine's memory. While a guard lives,
+ * VTK's readers trust their input. What the checks before them let through must not look like a
+ * fault of the program's, nor take the machine's memory. While a guard lives,
  *
  *  - a crash ends the program with one line that names the file, and the exit status for bad input;
  *  - memory that is out of proportion to the size of the file is refused: std::bad_alloc.

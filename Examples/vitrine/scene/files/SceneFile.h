@@ -12,9 +12,9 @@ namespace program
 {
 
 /**
- * Read a .glb, .gltf, .obj, .stl, .ply, .vtp or .vtm file. Throws InputError, with one line that says what is
- * wrong, if the file cannot be read as a whole or has nothing to draw. Parts without anything to draw are
- * listed in Scene::Skipped.
+ * Read a .glb, .gltf, .obj, .stl, .ply, .vtp or .vtm file. Throws InputError, with one line that
+ * says what is wrong, if the file cannot be read as a whole or has nothing to draw. Parts without
+ * anything to draw are listed in Scene::Skipped.
  */
 Scene ReadSceneFile(const std::string& path);
 

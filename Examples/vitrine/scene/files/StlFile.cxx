@@ -15,7 +15,9 @@ const std::size_t HeaderBytes = 84; // with the number of triangles at its end
 const std::size_t CountOffset = 80;
 const std::size_t TriangleBytes = 50;
 
-/** VTK reads a binary file to whatever end it has. A text file says where it ends, and VTK looks. */
+/**
+ * VTK reads a binary file to whatever end it has. A text file says where it ends, and VTK looks.
+ */
 void CheckBinaryLength(const std::string& path, const std::string& bytes)
 {
   if (bytes.size() < HeaderBytes)
