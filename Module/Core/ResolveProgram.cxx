@@ -135,16 +135,28 @@ SortRunsText UnrollSortRuns(int size, int pageSize)
   return text;
 }
 
-MergeRunsText UnrollMergeRuns(int runs)
+MergeRunsText UnrollMergeRuns(int runs, int groupSize)
 {
+  assert(groupSize > 0 && runs > 0 && runs % groupSize == 0);
   MergeRunsText text;
-  for (int i = 0; i < runs; ++i)
+  text.FindNearest = "run = g0;\n";
+  for (int group = 0; group < runs / groupSize; ++group)
   {
-    const std::string run = "r" + std::to_string(i);
-    const std::string operands = "(" + run + ", " + std::to_string(i) + ")\n";
-    text.Declare += "DECLARE_RUN(" + run + ")\n";
-    text.FindNearest += "FIND_NEAREST" + operands;
-    text.PutBack += "PUT_BACK" + operands;
+    const std::string nearest = "g" + std::to_string(group);
+    text.Declare += "DECLARE_RUN(" + nearest + ")\n";
+    text.FindNearest += group > 0 ? "TAKE_NEARER(run, " + nearest + ")\n" : "";
+    const int first = group * groupSize;
+    text.PutBack +=
+      "if (number / " + std::to_string(groupSize) + "u == " + std::to_string(group) + "u)\n{\n";
+    std::string takeNearest = nearest + " = r" + std::to_string(first) + ";\n";
+    for (int i = first; i < first + groupSize; ++i)
+    {
+      const std::string run = "r" + std::to_string(i);
+      text.Declare += "DECLARE_RUN(" + run + ")\n";
+      text.PutBack += "PUT_BACK(" + run + ", " + std::to_string(i) + "u)\n";
+      takeNearest += i > first ? "TAKE_NEARER(" + nearest + ", " + run + ")\n" : "";
+    }
+    text.PutBack += takeNearest + "}\n";
   }
   return text;
 }

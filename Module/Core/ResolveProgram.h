@@ -57,8 +57,8 @@ struct MergeRunsText
   std::string PutBack;
 };
 
-/** For up to `runs` runs. */
-MergeRunsText UnrollMergeRuns(int runs);
+/** For up to `runs` runs in groups of `groupSize`, of which `runs` is a multiple. */
+MergeRunsText UnrollMergeRuns(int runs, int groupSize);
 
 }
 #endif

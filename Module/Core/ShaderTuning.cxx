@@ -1,6 +1,9 @@
 #include "Core/ShaderTuning.h"
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
 #include <sstream>
 
 namespace vitrine
@@ -15,20 +18,60 @@ struct Uniform
 {
   std::string Type;
   std::string Name;
+  bool Movable;
 };
 
-// The uniform that a line declares, if it is one that can move.
-bool ParseUniform(const std::string& line, Uniform& uniform)
+bool IsWordCharacter(char c)
 {
-  static const std::regex declaration(
-    R"(^\s*uniform\s+(float|int|uint|[iu]?vec[234])\s+(\w+)\s*;.*$)");
-  std::smatch match;
-  if (!std::regex_match(line, match, declaration))
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+bool IsScalarOrVector(const std::string& type)
+{
+  static const std::set<std::string> types = { "float", "int", "uint", "vec2", "vec3", "vec4",
+    "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4" };
+  return types.count(type) > 0;
+}
+
+// The uniform that a line declares. Every mapper's shaders come through here, so no regular expressions.
+std::optional<Uniform> ParseUniform(const std::string& line)
+{
+  static const std::string keyword = "uniform";
+  const std::size_t start = line.find_first_not_of(" \t");
+  const std::size_t end = line.find(';');
+  if (start == std::string::npos || end == std::string::npos ||
+    line.compare(start, keyword.size(), keyword) != 0)
   {
-    return false;
+    return std::nullopt;
   }
-  uniform = { match[1], match[2] };
-  return true;
+  std::istringstream words(line.substr(start, end - start));
+  std::string first;
+  std::string declarator;
+  Uniform uniform;
+  words >> first >> uniform.Type >> declarator;
+  if (first != keyword)
+  {
+    return std::nullopt;
+  }
+  const auto nameEnd = std::find_if_not(declarator.begin(), declarator.end(), IsWordCharacter);
+  uniform.Name.assign(declarator.begin(), nameEnd);
+  const bool alone = nameEnd == declarator.end() && (words >> std::ws).eof();
+  uniform.Movable = alone && !uniform.Name.empty() && IsScalarOrVector(uniform.Type);
+  return uniform;
+}
+
+std::set<std::string> DeclaredUniforms(const std::string& shader)
+{
+  std::set<std::string> names;
+  std::istringstream lines(shader);
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (const std::optional<Uniform> uniform = ParseUniform(line))
+    {
+      names.insert(uniform->Name);
+    }
+  }
+  return names;
 }
 
 // The parenthesis that closes the one at `open`.
@@ -46,11 +89,6 @@ std::size_t ClosingParenthesis(const std::string& text, std::size_t open)
   return std::string::npos;
 }
 
-bool DeclaresUniform(const std::string& shader, const std::string& name)
-{
-  return std::regex_search(shader, std::regex("\\buniform\\s+\\w+\\s+" + name + "\\b"));
-}
-
 }
 
 int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentShader)
@@ -62,6 +100,7 @@ int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentS
     return 0;
   }
 
+  const std::set<std::string> inVertexShader = DeclaredUniforms(vertexShader);
   std::istringstream lines(fragmentShader);
   std::string fragment;
   std::string declarations;
@@ -69,18 +108,20 @@ int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentS
   int moved = 0;
   for (std::string line; std::getline(lines, line);)
   {
-    Uniform uniform;
-    if (moved < MaximumMoved && ParseUniform(line, uniform))
+    const std::optional<Uniform> uniform = ParseUniform(line);
+    if (moved < MaximumMoved && uniform && uniform->Movable)
     {
-      const std::string varying = "vitrineFlat_" + uniform.Name;
-      fragment += "flat in " + uniform.Type + " " + varying + ";\n";
-      fragment += "#define " + uniform.Name + " " + varying + "\n";
-      if (!DeclaresUniform(vertexShader, uniform.Name))
+      const std::string& type = uniform->Type;
+      const std::string& name = uniform->Name;
+      const std::string varying = "vitrineFlat_" + name;
+      fragment += "flat in " + type + " " + varying + ";\n";
+      fragment += "#define " + name + " " + varying + "\n";
+      if (inVertexShader.count(name) == 0)
       {
-        declarations += "uniform " + uniform.Type + " " + uniform.Name + ";\n";
+        declarations += "uniform " + type + " " + name + ";\n";
       }
-      declarations += "flat out " + uniform.Type + " " + varying + ";\n";
-      assignments += "  " + varying + " = " + uniform.Name + ";\n";
+      declarations += "flat out " + type + " " + varying + ";\n";
+      assignments += "  " + varying + " = " + name + ";\n";
       ++moved;
     }
     else

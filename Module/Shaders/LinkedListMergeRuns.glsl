@@ -1,19 +1,23 @@
 // Linked-list A-buffer, lists too long for one network, second half: merge the runs that LinkedListSortRuns.glsl
 // sorted, all at once, with each run's nearest fragment in registers, and composite on the way.
+//
+// The runs are in groups, each of which knows its nearest run. So a fragment costs a look at the groups and at
+// the runs of one group: a tournament of two rounds. Neighbouring pixels mostly take from the same group.
 #define VITRINE_KEEP_COVERAGE
 #include "LinkedListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
 // A run being merged: its nearest fragment left, and where the one after that is. `place` holds, from the lowest
-// bits on: the slot in the page, the nodes in the page, and the pages left, this one included.
+// bits on: the slot in the page, the nodes in the page, the pages left, this one included, and the run's number.
 struct Run
 {
   Fragment head;
   uint page;
   uint place;
 };
-#define PLACE(slot, filled, left) (uint(slot) | (uint(filled) << 8) | (uint(left) << 16))
+#define PLACE(slot, filled, left, number) \
+  (uint(slot) | (uint(filled) << 4) | ((uint(left) & 0xffu) << 8) | (uint(number) << 16))
 
 #define DECLARE_RUN(r) Run r; r.head = unpackNode(false, uvec4(0u)); r.page = VITRINE_END; r.place = 0u;
 
@@ -27,13 +31,11 @@ Run selectRun(bool s, Run a, Run b)
   return r;
 }
 
-#define FIND_NEAREST(r, i) \
-  { \
-    bool nearer = r.head.key < run.head.key || (r.head.key == run.head.key && colorAbove(run.head, r.head)); \
-    run = selectRun(nearer, r, run); \
-    which = nearer ? i : which; \
-  }
-#define PUT_BACK(r, i) r = selectRun(which == i, run, r);
+// Make a the run whose nearest fragment is the nearer.
+#define TAKE_NEARER(a, b) \
+  a = selectRun(b.head.key < a.head.key || (b.head.key == a.head.key && colorAbove(a.head, b.head)), b, a);
+
+#define PUT_BACK(r, i) r = selectRun(number == i, run, r);
 
 void main()
 {
@@ -51,20 +53,17 @@ void main()
   int filled = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
   int pages = int((head.y + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
   int runPages = (pages - 1) % VITRINE_RUN_PAGES + 1;
-  int started = 0;
+  uint started = 0u;
 
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
   while (true)
   {
     Run run;
-    run.head = unpackNode(false, uvec4(0u));
-    int which = -1;
     if (page != VITRINE_END)
     {
       run.page = page;
-      run.place = PLACE(0, filled, runPages);
-      which = started;
+      run.place = PLACE(0, filled, runPages, started);
       ++started;
       for (int i = 0; i < runPages; ++i)
       {
@@ -76,7 +75,7 @@ void main()
     else
     {
       //Vitrine::FindNearest
-      if (which < 0)
+      if (run.head.key == NO_KEY)
       {
         break;
       }
@@ -88,13 +87,14 @@ void main()
 
     // Advance the run by one fragment.
     bool valid = run.page != VITRINE_END;
-    uint slot = run.place & 0xffu;
-    uint left = run.place >> 16;
+    uint slot = run.place & 0xfu;
+    uint left = (run.place >> 8) & 0xffu;
+    uint number = run.place >> 16;
     uvec4 node = texelFetch(nodes, int(vitrineNodeIndex(valid ? run.page : 0u, slot, uint(VITRINE_PAGE_SIZE))));
-    bool pageDone = slot + 1u == ((run.place >> 8) & 0xffu);
+    bool pageDone = slot + 1u == ((run.place >> 4) & 0xfu);
     uint next = pageDone && left > 1u ? loadLink(valid ? run.page : 0u) : VITRINE_END;
     run.page = valid && pageDone ? next : run.page;
-    run.place = pageDone ? PLACE(0, VITRINE_PAGE_SIZE, left - 1u) : run.place + 1u;
+    run.place = pageDone ? PLACE(0, VITRINE_PAGE_SIZE, left - 1u, number) : run.place + 1u;
     run.head = unpackNode(valid, node);
     //Vitrine::PutBack
   }

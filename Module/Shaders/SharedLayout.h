@@ -29,6 +29,7 @@
 // all at once; beyond that many runs, block by block.
 #define VITRINE_LONGEST_NETWORK 64
 #define VITRINE_RUN_SIZE 32
+#define VITRINE_RUN_GROUP 8
 #define VITRINE_MAX_RUNS 32
 #define VITRINE_MERGE_BLOCK 32
 

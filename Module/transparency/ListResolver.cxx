@@ -19,11 +19,16 @@ namespace
 
 // Bin b holds the tiles whose longest list is at most this, and longer than that of bin b - 1. The last bin
 // is without bound.
-constexpr std::array<int, 6> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
-  VITRINE_RUN_SIZE* VITRINE_MAX_RUNS, std::numeric_limits<int>::max() };
+constexpr std::array<int, 7> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
+  VITRINE_RUN_SIZE* VITRINE_RUN_GROUP, VITRINE_RUN_SIZE* VITRINE_MAX_RUNS,
+  std::numeric_limits<int>::max() };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
-constexpr int RunsBin = BinCount - 2;
 constexpr int BlocksBin = BinCount - 1;
+
+bool IsMergeOfRuns(int bin)
+{
+  return BinLimits[bin] > VITRINE_LONGEST_NETWORK && bin != BlocksBin;
+}
 
 std::string ResolveName(int bin)
 {
@@ -197,7 +202,7 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   };
   for (const BinDraw& draw : this->PlanDraws(layout, tileBins))
   {
-    if (draw.Bin == RunsBin)
+    if (IsMergeOfRuns(draw.Bin))
     {
       const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, pool.NodeBuffer());
       drawTiles(this->ReadySortRuns(window, layout), draw);
@@ -262,7 +267,7 @@ vtkShaderProgram* ListResolver::ReadyResolve(
     [&]
     {
       return bin == BlocksBin ? MergeBlocksSource(VITRINE_MERGE_BLOCK)
-        : bin == RunsBin      ? MergeRunsSource(VITRINE_MAX_RUNS)
+        : IsMergeOfRuns(bin)  ? MergeRunsSource(BinLimits[bin] / VITRINE_RUN_SIZE)
                               : NetworkSource(BinLimits[bin], layout.PageSize);
     });
 }

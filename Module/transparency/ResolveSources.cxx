@@ -1,6 +1,7 @@
 #include "transparency/ResolveSources.h"
 
 #include "Core/ResolveProgram.h"
+#include "Shaders/SharedLayout.h"
 #include "transparency/FillShader.h"
 #include "transparency/ShaderText.h"
 
@@ -46,7 +47,7 @@ std::string SortRunsSource(int size, int pageSize)
 
 std::string MergeRunsSource(int runs)
 {
-  const MergeRunsText text = UnrollMergeRuns(runs);
+  const MergeRunsText text = UnrollMergeRuns(runs, VITRINE_RUN_GROUP);
   std::string source = shaders::LinkedListMergeRuns;
   Fill(source, "Declare", text.Declare);
   Fill(source, "FindNearest", text.FindNearest);

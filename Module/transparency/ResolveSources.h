@@ -15,7 +15,7 @@ std::string NetworkSource(int size, int pageSize);
 /** LinkedListSortRuns.glsl for runs of `size` nodes. */
 std::string SortRunsSource(int size, int pageSize);
 
-/** LinkedListMergeRuns.glsl for up to `runs` runs. */
+/** LinkedListMergeRuns.glsl for up to `runs` runs, a multiple of VITRINE_RUN_GROUP. */
 std::string MergeRunsSource(int runs);
 
 /** LinkedListResolveLong.glsl for lists of any length, in blocks of `block` nodes. */

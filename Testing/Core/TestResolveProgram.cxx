@@ -219,19 +219,18 @@ TEST(SortRuns, LoadSortAndStoreEachSlotOfEachPageOnce)
   }
 }
 
-TEST(MergeRuns, TouchEachRunOnce)
+TEST(MergeRuns, PutEachRunBackIntoItsGroup)
 {
-  const vitrine::MergeRunsText text = vitrine::UnrollMergeRuns(5);
-  for (const std::string& part : { text.Declare, text.FindNearest, text.PutBack })
-  {
-    const std::vector<Call> calls = Calls(part);
-    ASSERT_EQ(calls.size(), 5u);
-    for (int i = 0; i < 5; ++i)
-    {
-      EXPECT_EQ(calls[i].Number(0), i);
-      EXPECT_EQ(calls[i].Operands.size() == 1 ? i : calls[i].Number(1), i);
-    }
-  }
+  const vitrine::MergeRunsText text = vitrine::UnrollMergeRuns(4, 2);
+  EXPECT_EQ(text.Declare,
+    "DECLARE_RUN(g0)\nDECLARE_RUN(r0)\nDECLARE_RUN(r1)\n"
+    "DECLARE_RUN(g1)\nDECLARE_RUN(r2)\nDECLARE_RUN(r3)\n");
+  EXPECT_EQ(text.FindNearest, "run = g0;\nTAKE_NEARER(run, g1)\n");
+  EXPECT_EQ(text.PutBack,
+    "if (number / 2u == 0u)\n{\nPUT_BACK(r0, 0u)\nPUT_BACK(r1, 1u)\n"
+    "g0 = r0;\nTAKE_NEARER(g0, r1)\n}\n"
+    "if (number / 2u == 1u)\n{\nPUT_BACK(r2, 2u)\nPUT_BACK(r3, 3u)\n"
+    "g1 = r2;\nTAKE_NEARER(g1, r3)\n}\n");
 }
 
 }

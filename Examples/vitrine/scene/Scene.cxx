@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkTransform.h"
 
@@ -120,6 +121,13 @@ vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
   }
   return actor;
 }
+
+/** AddActor() without its search through all the actors there are, which takes most of a large scene's time. */
+void AppendActor(vtkRenderer* renderer, vtkActor* actor)
+{
+  renderer->GetViewProps()->AddItem(actor);
+  actor->AddConsumer(renderer);
+}
 }
 
 std::array<double, 6> PartBounds(const Part& part)
@@ -194,7 +202,7 @@ void AddActors(const Scene& scene, vtkRenderer* renderer)
   WindowCopies copies;
   for (const Part& part : scene.Parts)
   {
-    renderer->AddActor(MakeActor(part, copies));
+    AppendActor(renderer, MakeActor(part, copies));
   }
 }
 
