@@ -13,8 +13,8 @@ namespace program
 enum ExitStatus
 {
   SUCCESS = 0,
-  FAILURE = 1,  ///< the machine could not do it: no OpenGL context, a full disk
-  BAD_INPUT = 2 ///< what was asked for makes no sense: a bad file, a bad argument
+  FAILURE = 1,       ///< an error in the program, or no memory left
+  CANNOT_BE_DONE = 2 ///< a bad file, a bad argument, a full disk, no OpenGL
 };
 
 /** Bad input. what() says what is wrong with which file or argument. */

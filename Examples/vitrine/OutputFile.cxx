@@ -12,27 +12,77 @@ namespace program
 
 namespace
 {
-/**
- * Beside `path`, so that it can be renamed, with its extension, by which writers know the format.
- */
-std::filesystem::path TemporaryPath(const std::filesystem::path& path)
+namespace fs = std::filesystem;
+
+/** What `path` leads to: where a link ends, or what would be made. */
+fs::path Resolve(const std::string& path)
 {
-  const std::string name =
-    "." + path.stem().string() + "." + std::to_string(getpid()) + path.extension().string();
-  return path.parent_path() / name;
+  std::error_code error;
+  const fs::path resolved = fs::weakly_canonical(path, error);
+  return error ? fs::path(path) : resolved;
+}
+
+/** A device or a pipe can only be written to, not made anew. */
+bool IsDeviceOrPipe(const fs::path& path)
+{
+  std::error_code error;
+  return fs::exists(path, error) && !fs::is_regular_file(path, error);
+}
+
+/** Beside `path`, so that it can be renamed. */
+fs::path TemporaryPath(const fs::path& path)
+{
+  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()));
+}
+
+bool WriteBytes(const fs::path& path, std::string_view bytes)
+{
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  return file.good();
+}
+
+bool ReplaceFile(const fs::path& path, std::string_view bytes)
+{
+  const fs::path temporary = TemporaryPath(path);
+  std::error_code error;
+  if (WriteBytes(temporary, bytes))
+  {
+    fs::rename(temporary, path, error);
+    if (!error)
+    {
+      return true;
+    }
+  }
+  fs::remove(temporary, error);
+  return false;
 }
 }
 
 void CheckWritable(const std::string& path)
 {
+  if (path.empty())
+  {
+    throw InputError("the name of a file to write", "is empty");
+  }
   std::error_code error;
-  if (std::filesystem::is_directory(path, error))
+  const fs::path target = Resolve(path);
+  if (fs::is_directory(target, error))
   {
     throw InputError(path, "is a directory");
   }
-  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0)
+  {
+    throw InputError(path, "may not be written to");
+  }
+  if (IsDeviceOrPipe(target))
+  {
+    return;
+  }
+  fs::path folder = target.parent_path();
   folder = folder.empty() ? "." : folder;
-  if (!std::filesystem::is_directory(folder, error))
+  if (!fs::is_directory(folder, error))
   {
     throw InputError(path, "there is no folder " + folder.string());
   }
@@ -42,35 +92,14 @@ void CheckWritable(const std::string& path)
   }
 }
 
-void WriteWholeFile(
-  const std::string& path, const std::function<bool(const std::string& temporary)>& write)
+void WriteWholeFile(const std::string& path, std::string_view bytes)
 {
   CheckWritable(path);
-  const std::filesystem::path temporary = TemporaryPath(path);
-  const bool isWritten = write(temporary.string());
-  std::error_code error;
-  if (isWritten)
+  const fs::path target = Resolve(path);
+  if (!(IsDeviceOrPipe(target) ? WriteBytes(target, bytes) : ReplaceFile(target, bytes)))
   {
-    std::filesystem::rename(temporary, path, error);
-  }
-  if (!isWritten || error)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
     throw InputError(path, "cannot be written");
   }
-}
-
-void WriteTextFile(const std::string& path, const std::string& text)
-{
-  WriteWholeFile(path,
-    [&text](const std::string& temporary)
-    {
-      std::ofstream file(temporary, std::ios::binary);
-      file << text;
-      file.close();
-      return file.good();
-    });
 }
 
 }

@@ -2,12 +2,11 @@
 
 #include "Errors.h"
 #include "OutputFile.h"
-#include "VTKMessages.h"
 
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -31,16 +30,14 @@ void WritePicture(
   image->SetDimensions(size.Width, size.Height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   std::copy(pixels.begin(), pixels.end(), static_cast<std::uint8_t*>(image->GetScalarPointer()));
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* png = writer->GetResult();
   WriteWholeFile(path,
-    [&image](const std::string& temporary)
-    {
-      MessageCapture messages;
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetInputData(image);
-      writer->SetFileName(temporary.c_str());
-      writer->Write();
-      return writer->GetErrorCode() == vtkErrorCode::NoError && messages.Errors().empty();
-    });
+    { reinterpret_cast<const char*>(png->GetPointer(0)),
+      static_cast<std::size_t>(png->GetNumberOfValues()) });
 }
 
 }

@@ -61,7 +61,7 @@ int Run(int argc, char* argv[])
   }
   catch (const CLI::Error& error)
   {
-    return Report(error, program::BAD_INPUT);
+    return Report(error, program::CANNOT_BE_DONE);
   }
 }
 
@@ -76,7 +76,11 @@ int main(int argc, char* argv[])
   }
   catch (const program::InputError& error)
   {
-    return Report(error, program::BAD_INPUT);
+    return Report(error, program::CANNOT_BE_DONE);
+  }
+  catch (const program::RuntimeError& error)
+  {
+    return Report(error, program::CANNOT_BE_DONE);
   }
   catch (const std::bad_alloc&)
   {

@@ -14,14 +14,15 @@ PROGRAM = os.environ["VITRINE_PROGRAM"]
 TIMEOUT = 600  # seconds; for hangs only
 
 
-def run(*arguments, **environment):
+def run(*arguments, stdout=subprocess.PIPE, **environment):
     """Run the program with no display; environment variables may be added, or removed by None."""
     variables = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
     variables.update({key: value for key, value in environment.items() if value is not None})
     return subprocess.run(
         [PROGRAM, *map(str, arguments)],
         stdin=subprocess.DEVNULL,
-        capture_output=True,
+        stdout=stdout,
+        stderr=subprocess.PIPE,
         env=variables,
         timeout=TIMEOUT,
         check=False,

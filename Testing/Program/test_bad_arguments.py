@@ -71,9 +71,31 @@ class BadArguments(ProgramTest):
                 self.assert_refused(run("info", "demo:stack", f"--view={view}"), "--view", view)
 
     def test_opacity(self):
-        for opacity in ("-0.1", "1.1", "much"):
+        for opacity in ("-0.1", "1.1", "much", "nan", "inf"):
             with self.subTest(opacity=opacity):
                 self.assert_refused(run("info", "demo:stack", f"--opacity={opacity}"), "opacity")
+
+    def test_orbit(self):
+        for orbit in ("nan", "inf", "3601", "far"):
+            with self.subTest(orbit=orbit):
+                self.assert_refused(run("compare", "demo:stack", f"--orbit={orbit}"), "--orbit")
+
+    def test_multisamples(self):
+        for samples in ("-1", "1", "3", "64", "many"):
+            with self.subTest(samples=samples):
+                self.assert_refused(
+                    run("info", "demo:stack", f"--multisamples={samples}"), "--multisamples"
+                )
+
+    def test_empty_names(self):
+        self.assert_refused(run("info", "demo:stack", "--json", ""), "empty")
+        self.assert_refused(run("info", ""), "empty")
+
+    def test_stdout_that_is_full(self):
+        with open("/dev/full", "wb") as full:
+            result = run("info", "demo:stack,layers=2", "--size", "8x8", stdout=full)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr, b"vitrine: stdout cannot be written\n")
 
     def test_frames(self):
         self.assert_refused(run("compare", "demo:stack", "--frames", "0"), "frames")

@@ -100,6 +100,11 @@ class BadFiles(FileTest):
         self.assert_refused(run("render", path, "-o", picture), path)
         self.assertEqual(picture.read_bytes(), b"what was there")
 
+    def test_extents_that_cannot_be_drawn(self):
+        for scale, words in ((1e20, ("1e+20", "beyond")), (1e-20, ("1e-20", "below"))):
+            corners = [tuple(scale * x for x in corner) for corner in scenes.CORNERS]
+            self.refuse("bad.vtp", scenes.vtp(corners), *words)
+
     def test_coordinates_that_are_not_finite(self):
         for bad in (float("nan"), float("inf")):
             corners = [(bad, 0.0, 0.0), *scenes.CORNERS[1:]]

@@ -2,6 +2,7 @@ import json
 import os
 import unittest
 
+import scenes
 from program import FileTest, compare, run
 
 ROW = [
@@ -25,7 +26,7 @@ SCENE = "demo:spheres,layers=6"
 class Compare(FileTest):
     def test_json_is_as_agreed(self):
         told = compare(SCENE, "--methods", "all", "--frames", "3", "--size", "48x40")
-        self.assertEqual(list(told), ["vitrine", "device", "results"])
+        self.assertEqual(list(told), ["vitrine", "device", "settings", "results"])
         self.assertEqual(told["vitrine"], os.environ["VITRINE_VERSION"])
         self.assertEqual(list(told["device"]), ["vendor", "renderer", "gl"])
         self.assertTrue(all(told["device"].values()), told["device"])
@@ -99,9 +100,26 @@ class Compare(FileTest):
         )
         self.assertEqual([row["method"] for row in told["results"]].count("linked-list"), 1)
 
+    def test_settings_are_told(self):
+        told = compare(
+            SCENE, "--methods", "linked-list", "--frames", "1", "--size", "8x8",
+            "--opacity", "0.5", "--view", "10,20,2", "--orbit", "7", "--multisamples", "4",
+        )  # fmt: skip
+        self.assertEqual(
+            told["settings"], {"opacity": 0.5, "view": [10, 20, 2], "orbit": 7, "multisamples": 4}
+        )
+
+    def test_layers_of_alpha_1_hide_what_is_behind(self):
+        row = compare(
+            "demo:stack,layers=3,alpha=1", "--methods", "linked-list", "--frames", "1",
+            "--size", "8x8",
+        )["results"][0]  # fmt: skip
+        self.assertEqual(row["fragments"], 3 * 64)
+        self.assertLessEqual(row["error"]["max"], 1 / 255)
+
     def test_opaque_scene_has_no_error(self):
         told = compare(
-            "demo:stack,layers=3,alpha=1",
+            self.write("opaque.stl", scenes.binary_stl()),
             "--methods",
             "vtk-oit,linked-list",
             "--frames",

@@ -1,6 +1,7 @@
 import json
 import unittest
 
+import scenes
 from program import FileTest, info, run
 
 
@@ -41,7 +42,7 @@ class Info(FileTest):
         self.assertLess(edge, front)
 
     def test_opaque_scene_has_no_layers(self):
-        layers = info("demo:stack,layers=3,alpha=1")["layers"]
+        layers = info(self.write("opaque.stl", scenes.binary_stl()))["layers"]
         self.assertEqual((layers["fragments"], layers["layers_max"]), (0, 0))
 
     def test_text(self):

@@ -1,8 +1,62 @@
+import base64
+import json
+import os
+import struct
+import subprocess
 import unittest
+import zlib
 
 from program import FileTest, read_png, run
 
 BACKGROUND = 242  # 0.95 of 255, as VTK rounds it
+
+
+def white_pixel():
+    """A PNG of one white, opaque pixel."""
+    chunks = (
+        (b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 6, 0, 0, 0)),
+        (b"IDAT", zlib.compress(b"\0" + b"\xff" * 4)),
+        (b"IEND", b""),
+    )
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        for kind, body in chunks
+    )
+
+
+def data_uri(kind, data):
+    return f"data:{kind};base64," + base64.b64encode(data).decode()
+
+
+def pane(textured):
+    """A glTF file: a pane of glass with a factor of 0.5 in its base colour's alpha."""
+    corners = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+    data = b"".join(struct.pack("<3f", *corner) for corner in corners)
+    data += b"".join(struct.pack("<2f", (x + 1) / 2, (y + 1) / 2) for x, y, _ in corners)
+    data += struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    color = {"baseColorFactor": [0.2, 0.4, 0.8, 0.5]}
+    if textured:
+        color["baseColorTexture"] = {"index": 0}
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [
+            {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [
+            {"alphaMode": "BLEND", "doubleSided": True, "pbrMetallicRoughness": color}],
+        "buffers": [{"byteLength": 92, "uri": data_uri("application/octet-stream", data)}],
+        "bufferViews": [
+            {"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+            {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+             "min": [-1, -1, 0], "max": [1, 1, 0]},
+            {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+    }  # fmt: skip
+    if textured:
+        document["images"] = [{"uri": data_uri("image/png", white_pixel())}]
+        document["textures"] = [{"source": 0}]
+    return json.dumps(document).encode()
 
 
 class Render(FileTest):
@@ -59,6 +113,34 @@ class Render(FileTest):
         }  # fmt: skip
         rows = [b"".join(map(bytes, picture[2])) for picture in pictures.values()]
         self.assertEqual(len(set(rows)), len(rows))
+
+    def test_a_white_texture_changes_no_opacity(self):
+        for opacity in ("1", "0.3"):
+            with self.subTest(opacity=opacity):
+                colors = [
+                    self.render(
+                        self.write("pane.gltf", pane(textured)),
+                        "--size", "9x9", "--view", "0,0", "--opacity", opacity,
+                    )[2][4][12:15]
+                    for textured in (True, False)
+                ]  # fmt: skip
+                self.assertLess(colors[0][0], BACKGROUND - 10)
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(*colors)), 1)
+
+    def test_a_link_is_followed(self):
+        target = self.write("target.png", b"what was there")
+        (self.folder / "link.png").symlink_to(target)
+        self.render("demo:stack,layers=2", "--size", "8x8", name="link.png")
+        self.assertTrue((self.folder / "link.png").is_symlink())
+        self.assertEqual(read_png(target)[:2], (8, 8))
+
+    def test_a_pipe_is_written_to(self):
+        pipe = self.folder / "pipe.json"
+        os.mkfifo(pipe)
+        with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as reader:
+            self.assert_done(run("info", "demo:stack,layers=2", "--size", "8x8", "--json", pipe))
+            self.assertEqual(json.loads(reader.communicate()[0])["parts"], 2)
+        self.assertTrue(pipe.is_fifo())
 
     def test_multisamples_smooth_edges(self):
         scene = ["demo:spheres,layers=1,alpha=1,resolution=5", "--size", "24x24"]

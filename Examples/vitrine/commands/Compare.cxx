@@ -20,7 +20,7 @@ struct CompareOptions
   std::string Methods = "vtk-oit,vtk-peeling,linked-list";
   int Frames = 9;
   double Orbit = 30.0;
-  std::string Json;
+  std::optional<std::string> Json;
 };
 
 void Compare(const CompareOptions& options)
@@ -34,8 +34,11 @@ void Compare(const CompareOptions& options)
   settings.Frames = options.Frames;
   settings.Orbit = options.Orbit;
   const Scene scene = LoadScene(options.Scene);
+  settings.Opacity = options.Scene.Opacity.value_or(1.0);
+  settings.From = ChooseView(options.Scene, scene);
   const vtkSmartPointer<vtkCamera> start =
-    PlaceCamera(scene, ChooseView(options.Scene, scene), settings.Size.Aspect());
+    PlaceCamera(scene, settings.From, settings.Size.Aspect());
+  PrintOmissions(scene);
 
   const ComparisonResult comparison = CompareMethods(scene, start, settings);
 
@@ -60,7 +63,7 @@ void AddCompareCommand(CLI::App& app)
   command
     ->add_option("--orbit", options->Orbit, "degrees that the camera goes from first to last frame")
     ->type_name("DEG")
-    ->check(CLI::Range(-3600.0, 3600.0))
+    ->check(NumberWithin(-3600.0, 3600.0))
     ->capture_default_str();
   AddJsonOption(*command, options->Json);
   command->footer("Methods:\n" + DescribeMethods());

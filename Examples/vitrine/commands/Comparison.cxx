@@ -151,7 +151,7 @@ ComparisonResult CompareMethods(
 
   ComparisonResult comparison;
   comparison.Scene = scene.Name;
-  comparison.Size = settings.Size;
+  comparison.Settings = settings;
   comparison.GL = contestants.front().Window->GetDevice();
   for (Contestant& contestant : contestants)
   {

@@ -20,8 +20,10 @@ struct ComparisonSettings
   std::vector<std::string> Methods;
   PictureSize Size;
   int Multisamples = 0;
-  int Frames = 9;      ///< timed, of each method
-  double Orbit = 30.0; ///< degrees from the first frame to the last
+  double Opacity = 1.0; ///< multiplied into the scene
+  View From;            ///< of the first frame
+  int Frames = 9;       ///< timed, of each method
+  double Orbit = 30.0;  ///< degrees from the first frame to the last
 };
 
 /** What was measured of one method. */
@@ -40,7 +42,7 @@ struct MethodResult
 struct ComparisonResult
 {
   std::string Scene;
-  PictureSize Size;
+  ComparisonSettings Settings;
   Device GL;
   std::vector<MethodResult> Results;
 };

@@ -18,7 +18,7 @@ namespace
 struct InfoOptions
 {
   SceneOptions Scene;
-  std::string Json;
+  std::optional<std::string> Json;
 };
 
 SceneInfo CountScene(const Scene& scene)

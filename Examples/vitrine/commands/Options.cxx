@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <sstream>
 
 namespace program
 {
@@ -58,6 +59,20 @@ void Append(Scene& scene, Scene&& other)
 }
 }
 
+CLI::Validator NumberWithin(double low, double high)
+{
+  std::ostringstream range;
+  range << "a number from " << low << " to " << high;
+  return CLI::Validator(
+    [low, high, range = range.str()](const std::string& text)
+    {
+      double number = 0.0;
+      const bool isWithin = ParseNumber(text, number) && number >= low && number <= high;
+      return isWithin ? "" : "'" + text + "' is not " + range;
+    },
+    "");
+}
+
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize)
 {
   options.Size = defaultSize;
@@ -72,14 +87,14 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
     ->type_name("AZ,EL[,ZOOM]");
   command.add_option("--opacity", options.Opacity, "multiplied into every part's own opacity")
     ->type_name("A")
-    ->check(CLI::Range(0.0, 1.0));
+    ->check(NumberWithin(0.0, 1.0));
   command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
-    ->check(CLI::Range(0, 32))
+    ->check(CLI::IsMember({ 0, 2, 4, 8, 16, 32 }))
     ->capture_default_str();
 }
 
-void AddJsonOption(CLI::App& command, std::string& file)
+void AddJsonOption(CLI::App& command, std::optional<std::string>& file)
 {
   command
     .add_option("--json", file,
@@ -87,20 +102,25 @@ void AddJsonOption(CLI::App& command, std::string& file)
     ->type_name("FILE");
 }
 
-void CheckJsonPath(const std::string& file)
+void CheckJsonPath(const std::optional<std::string>& file)
 {
-  if (!file.empty() && file != StandardOutput)
+  if (file && *file != StandardOutput)
   {
-    CheckWritable(file);
+    CheckWritable(*file);
   }
 }
 
-void WriteReport(const std::string& file, const std::string& text, const std::string& json)
+void WriteReport(
+  const std::optional<std::string>& file, const std::string& text, const std::string& json)
 {
-  std::cout << (file == StandardOutput ? json : text);
-  if (!file.empty() && file != StandardOutput)
+  std::cout << (file == StandardOutput ? json : text) << std::flush;
+  if (!std::cout)
   {
-    WriteTextFile(file, json);
+    throw RuntimeError("stdout cannot be written");
+  }
+  if (file && *file != StandardOutput)
+  {
+    WriteWholeFile(*file, json);
   }
 }
 
@@ -148,6 +168,18 @@ Scene LoadScene(const SceneOptions& options)
     MultiplyOpacity(scene, *options.Opacity);
   }
   return scene;
+}
+
+void PrintOmissions(const Scene& scene)
+{
+  for (const SkippedPart& part : scene.Skipped)
+  {
+    std::cerr << "vitrine: note: " << part.Name << " is not drawn: it " << part.Reason << "\n";
+  }
+  for (const std::string& note : scene.Notes)
+  {
+    std::cerr << "vitrine: note: " << note << "\n";
+  }
 }
 
 View ChooseView(const SceneOptions& options, const Scene& scene)

@@ -26,17 +26,21 @@ struct SceneOptions
   int Multisamples = 0;
 };
 
+/** Accepts numbers of the range; CLI11's own Range accepts NaN too. */
+CLI::Validator NumberWithin(double low, double high);
+
 /** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
 
 /** Add --json FILE. */
-void AddJsonOption(CLI::App& command, std::string& file);
+void AddJsonOption(CLI::App& command, std::optional<std::string>& file);
 
 /** Throw InputError if --json names a file that could not be written. */
-void CheckJsonPath(const std::string& file);
+void CheckJsonPath(const std::optional<std::string>& file);
 
-/** Print `text`, and write `json` where --json says. */
-void WriteReport(const std::string& file, const std::string& text, const std::string& json);
+/** Print `text`, and write `json` where --json says. Throws InputError or RuntimeError if they cannot be written. */
+void WriteReport(
+  const std::optional<std::string>& file, const std::string& text, const std::string& json);
 
 /** "WxH" in pixels. Throws InputError for anything else. */
 PictureSize ParseSize(const std::string& text);
@@ -46,6 +50,9 @@ View ParseView(const std::string& text);
 
 /** Read or generate all inputs into one scene, with the opacity multiplied in. */
 Scene LoadScene(const SceneOptions& options);
+
+/** Tell on stderr, a line each, which parts are not drawn and what is drawn otherwise than a file says. */
+void PrintOmissions(const Scene& scene);
 
 /** The view that was asked for, or the scene's own. */
 View ChooseView(const SceneOptions& options, const Scene& scene);

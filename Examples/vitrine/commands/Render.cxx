@@ -31,6 +31,7 @@ void Render(const RenderOptions& options)
   progress.Show("reading the scene");
   const Scene scene = LoadScene(options.Scene);
 
+  PrintOmissions(scene);
   progress.Show("drawing");
   Stage stage(scene, std::move(method), size, options.Scene.Multisamples);
   stage.Draw(PlaceCamera(scene, ChooseView(options.Scene, scene), size.Aspect()));

@@ -138,11 +138,16 @@ std::vector<std::string> ParseMethodList(const std::string& list)
 
 std::string DescribeMethods()
 {
+  std::size_t width = 0;
+  for (const Entry& entry : Entries())
+  {
+    width = std::max(width, entry.Name.size() + 2);
+  }
   std::string lines;
   for (const Entry& entry : Entries())
   {
     lines +=
-      "  " + entry.Name + std::string(16 - entry.Name.size(), ' ') + entry.Description + "\n";
+      "  " + entry.Name + std::string(width - entry.Name.size(), ' ') + entry.Description + "\n";
   }
   return lines;
 }

@@ -37,7 +37,7 @@ Json FrameTimes(const MethodResult& result)
 Json ToRow(const ComparisonResult& comparison, const MethodResult& result)
 {
   Json row = { { "scene", comparison.Scene }, { "method", result.Method },
-    { "width", comparison.Size.Width }, { "height", comparison.Size.Height } };
+    { "width", comparison.Settings.Size.Width }, { "height", comparison.Settings.Size.Height } };
   if (!result.Skipped.empty())
   {
     row["skipped"] = result.Skipped;
@@ -143,6 +143,19 @@ double FirstMedian(const ComparisonResult& comparison)
   }
   return 1.0;
 }
+
+bool HasTranslucency(const ComparisonResult& comparison)
+{
+  return std::any_of(comparison.Results.begin(), comparison.Results.end(),
+    [](const MethodResult& result) { return result.Statistics.Fragments.value_or(1) > 0; });
+}
+
+Json SettingsJson(const ComparisonSettings& settings)
+{
+  return { { "opacity", settings.Opacity },
+    { "view", { settings.From.Azimuth, settings.From.Elevation, settings.From.Zoom } },
+    { "orbit", settings.Orbit }, { "multisamples", settings.Multisamples } };
+}
 }
 
 std::string ToTable(const ComparisonResult& comparison)
@@ -153,8 +166,11 @@ std::string ToTable(const ComparisonResult& comparison)
   {
     rows.push_back(ToCells(result, firstMedian));
   }
-  return comparison.Scene + ", " + std::to_string(comparison.Size.Width) + "x" +
-    std::to_string(comparison.Size.Height) + ", " + comparison.GL.Renderer + "\n" + Align(rows);
+  const PictureSize size = comparison.Settings.Size;
+  return comparison.Scene + ", " + std::to_string(size.Width) + "x" + std::to_string(size.Height) +
+    ", " + comparison.GL.Renderer + "\n" + Align(rows) +
+    (HasTranslucency(comparison) ? ""
+                                 : "Nothing in it is translucent; --opacity 0.3 makes it so.\n");
 }
 
 std::string ToJson(const ComparisonResult& comparison)
@@ -168,7 +184,7 @@ std::string ToJson(const ComparisonResult& comparison)
     { "device",
       { { "vendor", comparison.GL.Vendor }, { "renderer", comparison.GL.Renderer },
         { "gl", comparison.GL.Version } } },
-    { "results", rows } };
+    { "settings", SettingsJson(comparison.Settings) }, { "results", rows } };
   return document.dump(2, ' ', /* ensure_ascii= */ false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iomanip>
 #include <sstream>
 
 namespace program
@@ -48,6 +49,7 @@ Json LayersJson(const SceneInfo& info)
 std::string ToText(const SceneInfo& info)
 {
   std::ostringstream text;
+  text << std::setprecision(9);
   text << info.Name << "\n";
   text << "  parts       " << info.Parts << ", of which " << info.TranslucentParts
        << " are translucent\n";

@@ -10,6 +10,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -95,6 +96,19 @@ bool HasColors(vtkPolyData* geometry)
   return false;
 }
 
+/**
+ * With a texture of the base colour, VTK's shader takes the opacity from the texture alone. It is the product of
+ * both (glTF 2.0, 3.9.2).
+ */
+void MultiplyTextureIntoOpacity(vtkActor* actor)
+{
+  if (actor->GetProperty()->GetTexture("albedoTex"))
+  {
+    actor->GetShaderProperty()->AddFragmentShaderReplacement("opacity = albedoSample.a;",
+      /* replaceFirst= */ false, "opacity *= albedoSample.a;", /* replaceAll= */ true);
+  }
+}
+
 vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -104,6 +118,7 @@ vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetProperty(copies.Copy(part.Material));
+  MultiplyTextureIntoOpacity(actor);
   actor->SetForceTranslucent(part.ForceTranslucent);
   if (part.Transform)
   {

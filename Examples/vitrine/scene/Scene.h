@@ -31,7 +31,7 @@ struct Part
   vtkSmartPointer<vtkMatrix4x4> Transform; ///< to world coordinates; null for the identity
   vtkSmartPointer<vtkTexture> Texture;     ///< may be null
   vtkSmartPointer<vtkInformation> Keys;    ///< property keys for the actor; may be null
-  bool ForceTranslucent = false;           ///< its texture has an alpha that VTK does not look for
+  bool ForceTranslucent = false;           ///< translucent, though VTK does not see it
 };
 
 /** A part that is not drawn. */

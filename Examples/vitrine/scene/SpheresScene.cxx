@@ -79,6 +79,7 @@ Scene MakeSpheresScene(const DemoValues& values)
     part.Geometry = isSingle ? MakeDisc(radius, resolution) : MakeSphere(radius, resolution);
     part.Transform = JitteredPlace(random);
     part.Material = MakeMaterial(random, values.at("alpha"));
+    part.ForceTranslucent = true; // at alpha 1 too
     scene.Parts.push_back(part);
   }
   scene.Placement.VisibleRadius = 1.16;

@@ -80,6 +80,7 @@ Scene MakeStackScene(const DemoValues& values)
     part.Name = "plate-" + std::to_string(i);
     part.Geometry = plate;
     part.Material = MakeUnlitMaterial(random, values.at("alpha"));
+    part.ForceTranslucent = true; // at alpha 1 too
     part.Transform = TranslateTo(HalfDepth - 2.0 * HalfDepth * (i + 0.5) / layers);
     scene.Parts.push_back(part);
   }

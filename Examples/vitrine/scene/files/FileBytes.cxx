@@ -14,6 +14,10 @@ namespace program
 
 void CheckReadable(const std::string& path)
 {
+  if (path.empty())
+  {
+    throw InputError("the name of an input file", "is empty");
+  }
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))

@@ -167,6 +167,11 @@ std::string ReadGltfUri(const GltfDocument& document, const std::string& uri)
     return DecodeBase64(document, uri.substr(uri.find(',') + 1));
   }
   const std::filesystem::path file = std::filesystem::path(document.Path).parent_path() / uri;
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+  {
+    throw InputError(document.Path, "needs the file " + file.string() + ", which is not there");
+  }
   return ReadBytes(file.string());
 }
 

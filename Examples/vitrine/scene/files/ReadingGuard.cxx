@@ -29,7 +29,7 @@ void EndProgram(int)
   {
     _exit(FAILURE);
   }
-  _exit(BAD_INPUT);
+  _exit(CANNOT_BE_DONE);
 }
 }
 

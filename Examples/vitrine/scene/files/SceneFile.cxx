@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <new>
+#include <sstream>
 
 namespace program
 {
@@ -129,6 +130,32 @@ void SkipEmptyParts(Scene& scene)
   scene.Parts = std::move(drawn);
 }
 
+/** VTK's shaders square lengths in 32-bit float. */
+void CheckExtent(const std::string& path, const Scene& scene)
+{
+  const double smallest = 1e-15;
+  const double largest = 1e15;
+  const std::array<double, 6> bounds = SceneBounds(scene);
+  const double farthest = std::abs(*std::max_element(
+    bounds.begin(), bounds.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double across =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  std::ostringstream problem;
+  if (farthest > largest)
+  {
+    problem << "has coordinates of " << farthest << "; beyond " << largest
+            << " nothing can be drawn";
+  }
+  else if (across > 0.0 && across < smallest)
+  {
+    problem << "is only " << across << " across; below " << smallest << " nothing can be drawn";
+  }
+  if (!problem.str().empty())
+  {
+    throw InputError(path, problem.str());
+  }
+}
+
 /** Names tell parts apart: the second of a name becomes "name (2)". */
 void MakeNamesUnique(Scene& scene)
 {
@@ -157,6 +184,7 @@ Scene ReadSceneFile(const std::string& path)
   {
     throw InputError(path, "has nothing to draw: no triangles, lines or points");
   }
+  CheckExtent(path, scene);
   MakeNamesUnique(scene);
   scene.Name = path;
   scene.Placement.DefaultView = { 30.0, 20.0, 1.0 };
@@ -179,6 +207,12 @@ Scene MakeSinglePartScene(const std::string& path, vtkPolyData* geometry)
   part.Name = std::filesystem::path(path).stem().string();
   part.Geometry = geometry;
   part.Material = vtkSmartPointer<vtkProperty>::New();
+  if (CountTriangles(geometry) ==
+    0) // VTK's white points of one pixel are not seen on a bright ground
+  {
+    part.Material->SetColor(0.1, 0.2, 0.4);
+    part.Material->SetPointSize(3.0f);
+  }
   Scene scene;
   scene.Parts.push_back(part);
   return scene;
