@@ -5,13 +5,15 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <vector>
 
 namespace vitrine
 {
 namespace
 {
 
-// Varyings of this many vectors are safe beside VTK's own: OpenGL guarantees 15 (GL_MAX_VARYING_VECTORS).
+// OpenGL 4.3 guarantees 60 varying components at least, that is 15 vectors; software rasterisers, for which this
+// is, have 32 vectors, and VTK's own varyings take up to 8 of them.
 constexpr int MaximumMoved = 24;
 
 struct Uniform
@@ -33,18 +35,33 @@ bool IsScalarOrVector(const std::string& type)
   return types.count(type) > 0;
 }
 
-// The uniform that a line declares. Every mapper's shaders come through here, so no regular expressions.
-std::optional<Uniform> ParseUniform(const std::string& line)
+// A line cut behind each semicolon, since VTK declares several uniforms in one. Comments stay in one piece.
+std::vector<std::string> SplitStatements(const std::string& line)
+{
+  std::vector<std::string> statements;
+  const std::size_t comment = line.find("//");
+  std::size_t begin = 0;
+  for (std::size_t end = line.find(';'); end < comment && end != std::string::npos;
+       end = line.find(';', begin))
+  {
+    statements.push_back(line.substr(begin, end + 1 - begin));
+    begin = end + 1;
+  }
+  statements.push_back(line.substr(begin));
+  return statements;
+}
+
+// The uniform that a statement declares. Every mapper's shaders come through here, so no regular expressions.
+std::optional<Uniform> ParseUniform(const std::string& statement)
 {
   static const std::string keyword = "uniform";
-  const std::size_t start = line.find_first_not_of(" \t");
-  const std::size_t end = line.find(';');
-  if (start == std::string::npos || end == std::string::npos ||
-    line.compare(start, keyword.size(), keyword) != 0)
+  const std::size_t start = statement.find_first_not_of(" \t");
+  if (start == std::string::npos || statement.back() != ';' ||
+    statement.compare(start, keyword.size(), keyword) != 0)
   {
     return std::nullopt;
   }
-  std::istringstream words(line.substr(start, end - start));
+  std::istringstream words(statement.substr(start, statement.size() - 1 - start));
   std::string first;
   std::string declarator;
   Uniform uniform;
@@ -66,9 +83,12 @@ std::set<std::string> DeclaredUniforms(const std::string& shader)
   std::istringstream lines(shader);
   for (std::string line; std::getline(lines, line);)
   {
-    if (const std::optional<Uniform> uniform = ParseUniform(line))
+    for (const std::string& statement : SplitStatements(line))
     {
-      names.insert(uniform->Name);
+      if (const std::optional<Uniform> uniform = ParseUniform(statement))
+      {
+        names.insert(uniform->Name);
+      }
     }
   }
   return names;
@@ -108,9 +128,14 @@ int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentS
   int moved = 0;
   for (std::string line; std::getline(lines, line);)
   {
-    const std::optional<Uniform> uniform = ParseUniform(line);
-    if (moved < MaximumMoved && uniform && uniform->Movable)
+    for (const std::string& statement : SplitStatements(line))
     {
+      const std::optional<Uniform> uniform = ParseUniform(statement);
+      if (moved == MaximumMoved || !uniform || !uniform->Movable)
+      {
+        fragment += statement;
+        continue;
+      }
       const std::string& type = uniform->Type;
       const std::string& name = uniform->Name;
       const std::string varying = "vitrineFlat_" + name;
@@ -124,10 +149,7 @@ int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentS
       assignments += "  " + varying + " = " + name + ";\n";
       ++moved;
     }
-    else
-    {
-      fragment += line + "\n";
-    }
+    fragment += "\n";
   }
 
   fragmentShader = fragment;

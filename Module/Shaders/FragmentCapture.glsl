@@ -6,6 +6,7 @@
 // VITRINE_POST_DEPTH_COVERAGE  gl_SampleMaskIn tells the samples that pass the depth test
 // VITRINE_FIXED_POINT_TARGET   the target clamps colours to [0, 1] before it blends
 // VITRINE_OPAQUE_DEPTH_STEPS s steps of a depth buffer of at most 24 bits, else 0.0
+// VITRINE_OPAQUE_DEPTH_LOSS l  what a depth buffer may lose when it is sampled, where steps are 0.0
 
 #if defined(VITRINE_WRITES_DEPTH) || (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE))
 #define VITRINE_TESTS_DEPTH
@@ -31,9 +32,9 @@ bool vitrineHidden(float z, int s)
   float opaque = texelFetch(vitrineOpaqueDepth, ivec2(gl_FragCoord.xy), s).r;
   if (VITRINE_OPAQUE_DEPTH_STEPS > 0.0)
   {
-    return floor(z * VITRINE_OPAQUE_DEPTH_STEPS + 0.5) > floor(opaque * VITRINE_OPAQUE_DEPTH_STEPS + 0.5);
+    return roundEven(z * VITRINE_OPAQUE_DEPTH_STEPS) > roundEven(opaque * VITRINE_OPAQUE_DEPTH_STEPS);
   }
-  return z > opaque;
+  return z > opaque + VITRINE_OPAQUE_DEPTH_LOSS;
 }
 #endif
 
@@ -86,8 +87,18 @@ float vitrineDepth(float z)
   return z > 0.0 ? min(z, 1.0) : 0.0;
 }
 
+// The fragment's depth. One that the mapper's shader wrote is tested here, not in the depth buffer: what the depth
+// test would throw away after the shader has stored it must not be, so there it counts as nearest.
 #ifdef VITRINE_WRITES_DEPTH
-#define VITRINE_FRAGMENT_DEPTH gl_FragDepth
+float vitrineTakeDepth()
+{
+  float z = vitrineDepth(gl_FragDepth);
+  gl_FragDepth = 0.0;
+  return z;
+}
 #else
-#define VITRINE_FRAGMENT_DEPTH gl_FragCoord.z
+float vitrineTakeDepth()
+{
+  return vitrineDepth(gl_FragCoord.z);
+}
 #endif

@@ -45,7 +45,7 @@ vec4 vitrineUnpackColor(uvec2 p)
 
 uint vitrinePackColor(vec4 c)
 {
-  ivec4 q = ivec4(c * 255.0 + 0.5);
+  ivec4 q = ivec4(min(c, 1.0) * 255.0 + 0.5);
   return uint(q.r | (q.g << 8) | (q.b << 16) | (q.a << 24));
 }
 

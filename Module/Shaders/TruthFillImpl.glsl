@@ -1,6 +1,6 @@
   // The yardstick: capture the fragment as it is.
   {
-    float vitrineZ = vitrineDepth(VITRINE_FRAGMENT_DEPTH);
+    float vitrineZ = vitrineTakeDepth();
     uint vitrineSamples = vitrineCoverage(vitrineZ);
 #if defined(VITRINE_TESTS_DEPTH) || VITRINE_SAMPLES > 0
     if (vitrineSamples == 0u)

@@ -3,6 +3,7 @@
 #include "vtkOpenGLState.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine
 {
@@ -121,6 +122,7 @@ std::string RenderTarget::Probe(vtkOpenGLState* state)
     AttachmentParameter(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
   this->DepthSteps =
     fixedDepth && depthBits <= 24 ? static_cast<double>((1u << depthBits) - 1u) : 0.0;
+  this->DepthLoss = fixedDepth && depthBits > 24 ? std::ldexp(1.0, -23) : 0.0;
   this->DepthHasStencil = this->Depth.InternalFormat == GL_DEPTH24_STENCIL8 ||
     this->Depth.InternalFormat == GL_DEPTH32F_STENCIL8 ||
     this->Depth.InternalFormat == GL_DEPTH_STENCIL;

@@ -3,6 +3,8 @@
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 
+#include <cmath>
+
 namespace vitrine
 {
 
@@ -30,7 +32,9 @@ std::vector<std::string> CaptureDefines(
   const RenderTarget& target, bool postDepthCoverage, bool writesDepth)
 {
   std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(target.Samples),
-    "VITRINE_OPAQUE_DEPTH_STEPS " + std::to_string(target.DepthSteps) };
+    "VITRINE_OPAQUE_DEPTH_STEPS " + std::to_string(target.DepthSteps),
+    "VITRINE_OPAQUE_DEPTH_LOSS " + std::to_string(std::ldexp(target.DepthLoss, 23)) +
+      " * exp2(-23.0)" };
   if (writesDepth)
   {
     defines.emplace_back("VITRINE_WRITES_DEPTH");

@@ -1,10 +1,16 @@
 #include "vtkSeeThroughPass.h"
 
+#include "gl/VitrineOpenGL.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkSequencePass.h"
 #include "vtkSmartPointer.h"
 
 vtkStandardNewMacro(vtkSeeThroughPass);
@@ -22,10 +28,41 @@ void RenderForSelector(vtkRenderer* renderer)
   renderer->SetPass(pass);
 }
 
+// vtkCameraPass never tells the camera that the window is in stereo, so both eyes would see the same. The camera
+// learns it where a renderer without a pass updates it; that also sets the viewport and clears.
+class EyeCameraPass : public vtkCameraPass
+{
+public:
+  static EyeCameraPass* New() { VTK_STANDARD_NEW_BODY(EyeCameraPass); }
+  vtkTypeMacro(EyeCameraPass, vtkCameraPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+    vtkRenderer* renderer = s->GetRenderer();
+    if (s->GetFrameBuffer() || !window || !renderer->IsActiveCameraCreated() || !this->DelegatePass)
+    {
+      this->Superclass::Render(s);
+      return;
+    }
+    window->MakeCurrent();
+    vtkOpenGLState* state = window->GetState();
+    const vtkOpenGLState::ScopedglViewport viewport(state);
+    const vtkOpenGLState::ScopedglScissor scissor(state);
+    const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    renderer->GetActiveCamera()->Render(renderer);
+    this->DelegatePass->Render(s);
+    this->NumberOfRenderedProps = this->DelegatePass->GetNumberOfRenderedProps();
+  }
+};
+
 }
 
 vtkSeeThroughPass::vtkSeeThroughPass()
 {
+  vtkNew<EyeCameraPass> camera;
+  camera->SetDelegatePass(this->SequencePass);
+  this->SetCameraPass(camera);
   vtkNew<vtkLinkedListTransparencyPass> linkedList;
   this->SetTranslucentPass(linkedList);
 }

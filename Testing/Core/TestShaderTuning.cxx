@@ -43,6 +43,32 @@ TEST(FlatVaryings, DeclareNoUniformTwice)
   EXPECT_TRUE(Contains(vertex, "vitrineFlat_shared = shared;"));
 }
 
+// As vtkOpenGLRenderer of VTK 9.1 declares two positional lights.
+TEST(FlatVaryings, TakeTwoDeclarationsOfALine)
+{
+  std::string vertex = Vertex;
+  std::string fragment =
+    "uniform vec3 lightColor0;\n  uniform float shared; uniform int lightPositional0;uniform vec3 "
+    "lightColor1; // both; uniform int none;\nuniform float a[2];uniform float b;\nvoid main() "
+    "{}\n";
+  EXPECT_EQ(vitrine::PassUniformsAsFlatVaryings(vertex, fragment), 5);
+  for (const std::string name : { "lightColor0", "shared", "lightPositional0", "lightColor1", "b" })
+  {
+    EXPECT_TRUE(Contains(fragment, "#define " + name + " vitrineFlat_" + name + "\n")) << name;
+    EXPECT_TRUE(Contains(vertex, "vitrineFlat_" + name + " = " + name + ";")) << name;
+  }
+  EXPECT_TRUE(Contains(fragment, " // both; uniform int none;\n"));
+  EXPECT_TRUE(Contains(fragment, "uniform float a[2];"));
+}
+
+TEST(FlatVaryings, NeverRepeatAUniformBehindAnother)
+{
+  std::string vertex = "uniform int x;uniform vec3 y;\nvoid main()\n{\n}\n";
+  std::string fragment = "uniform int x;uniform vec3 y;\nvoid main() {}\n";
+  EXPECT_EQ(vitrine::PassUniformsAsFlatVaryings(vertex, fragment), 2);
+  EXPECT_EQ(vertex.find("uniform vec3 y;"), vertex.rfind("uniform vec3 y;"));
+}
+
 TEST(FlatVaryings, LeaveArraysMatricesAndSamplers)
 {
   const std::string original =

@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkShaderProperty.h"
 #include "vtkTranslucentPass.h"
 
 #include <gtest/gtest.h>
@@ -158,6 +159,31 @@ TEST_P(MemoryPool, KeepsItsLimitWithLongLists)
   EXPECT_TRUE(scene.Render() == whole);
   EXPECT_GE(pass->GetNumberOfBands(), 6);
   EXPECT_LE(pass->GetPoolBytes(), pass->GetMemoryLimit());
+}
+
+// What they hide behind opaque geometry takes no room that nobody counts.
+TEST_P(MemoryPool, KeepsItsLimitWithWritersOfDepth)
+{
+  TestScene scene(Width, Height);
+  scene.AddRectangle(-0.7, -1.0, 0.9, 0.8, -0.5, { 0.9, 0.9, 0.8, 1.0 });
+  for (int i = 0; i < 9; ++i)
+  {
+    scene.AddRectangle(-1.0, -1.0, 1.0, 1.0, -0.5, { 0.1 * i, 0.5, 1.0 - 0.1 * i, 0.3 })
+      ->GetShaderProperty()
+      ->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+        "gl_FragDepth = gl_FragCoord.z + (" + std::to_string(i - 4) +
+          ".0 + gl_FragCoord.x / 8.0) * exp2(-24.0);\n",
+        false);
+  }
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+  const Picture whole = ExpectTruth(scene, pass, 1.4);
+  const vtkTypeInt64 bytes = pass->GetPoolBytes();
+  for (const int part : { 2, 3, 10, 30 })
+  {
+    pass->SetMemoryLimit(bytes / part);
+    EXPECT_TRUE(scene.Render() == whole) << "a limit of 1/" << part;
+    EXPECT_STREQ(pass->GetFallbackReason(), "");
+  }
 }
 
 TEST_P(MemoryPool, SaysSoWhereOnePixelAloneExceedsTheLimit)

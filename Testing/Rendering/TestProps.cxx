@@ -13,10 +13,14 @@
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
 #include "vtkImageSliceMapper.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightKit.h"
+#include "vtkLinkedListTransparencyPass.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
@@ -24,8 +28,11 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSeeThroughPass.h"
+#include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
+#include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -334,6 +341,18 @@ TEST(Lighting, OfOneLayerIsVTKs)
       light->SetColor(1.0, 0.9, 0.5);
       scene.Renderer->AddLight(light);
     },
+    [](TestScene& scene)
+    {
+      for (const double x : { -0.9, 0.1, 0.8 })
+      {
+        vtkNew<vtkLight> light;
+        light->SetPositional(true);
+        light->SetPosition(x, 0.7, 1.5);
+        light->SetConeAngle(x > 0.5 ? 30.0 : 90.0);
+        light->SetColor(0.4, 0.3 + 0.1 * x, 0.5);
+        scene.Renderer->AddLight(light);
+      }
+    },
   };
   for (const auto& light : lights)
   {
@@ -364,6 +383,58 @@ TEST(Lighting, OfOneLayerIsVTKs)
         EXPECT_EQ(pass->GetLayersMax(), 1);
       }
     }
+  }
+}
+
+// Keys that an application set are put back.
+TEST(PropertyKeys, ThatAskForDepthToBeWrittenHideNothing)
+{
+  TestScene scene(Width, Height);
+  const std::vector<Rgba> plates = RandomPlates(5, 0.4, 31);
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (const int i : { 3, 0, 1, 4, 2 })
+  {
+    actors.push_back(scene.AddPlate(0.5 - 0.2 * i, plates[i]));
+    vtkNew<vtkInformation> keys;
+    keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
+    actors.back()->SetPropertyKeys(keys);
+  }
+  for (const Method& method : AllMethods())
+  {
+    const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
+    scene.Use(pass);
+    const Rgba color = UniformColor(scene.Render());
+    EXPECT_EQ(pass->GetFragmentCount(), 5 * Width * Height) << method;
+    const Rgba expected = CompositePlates(plates, TestBackground);
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(255.0 * color[i], 255.0 * expected[i], method.Tolerance) << method;
+    }
+  }
+  EXPECT_EQ(actors[0]->GetPropertyKeys()->Get(vtkOpenGLActor::GLDepthMaskOverride()), 1);
+}
+
+// A target that holds colours beyond 1: what 8 bits cannot hold does not spill into other channels.
+TEST(FloatTarget, ClampsWhatEightBitsCannotHold)
+{
+  TestScene scene(Width, Height);
+  scene.AddPlate(0.0, { 0.8, 0.2, 0.1, 0.5 })
+    ->GetShaderProperty()
+    ->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", false, "//VTK::Light::Impl\n  gl_FragData[0].rgb *= 2.0;\n", false);
+  vtkNew<vtkLinkedListTransparencyPass> pass;
+  pass->SetColorStorageToEightBit();
+  vtkNew<vtkSeeThroughPass> seeThrough;
+  seeThrough->SetTranslucentPass(pass);
+  vtkNew<vtkToneMappingPass> toneMapping;
+  toneMapping->SetToneMappingType(vtkToneMappingPass::Clamp);
+  toneMapping->SetDelegatePass(seeThrough);
+  scene.Renderer->SetPass(toneMapping);
+  const Rgba color = UniformColor(scene.Render());
+  const Rgba expected = CompositePlates({ { 1.0, 0.4, 0.2, 0.5 } }, TestBackground);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(255.0 * color[i], 255.0 * expected[i], 1.4) << i;
   }
 }
 

@@ -185,6 +185,36 @@ TEST_P(Truth, CountsWritersOfDepthAsAnOcclusionQueryDoes)
   }
 }
 
+// The same where depths differ by a few steps of the depth buffer. Some drivers lose one or two when they sample it.
+TEST_P(Truth, CountsWritersOfDepthToAFewSteps)
+{
+  for (const bool stencil : { false, true })
+  {
+    SCOPED_TRACE(stencil ? "24 bits of depth" : "32 bits of depth");
+    TestScene scene(64, 48, GetParam());
+    scene.Window->SetStencilCapable(stencil);
+    for (const double z : { -0.6, 0.7 })
+    {
+      const double y = z > 0.0 ? 0.0 : -0.9;
+      scene.AddRectangle(-0.9, y, 0.9, y + 0.9, z, { 1.0, 1.0, 1.0, 1.0 });
+      for (const int steps : { -8, -4, 0, 4, 8 })
+      {
+        scene.AddRectangle(-0.9, y, 0.9, y + 0.9, z, { 0.2, 0.5, 0.9, 0.4 })
+          ->GetShaderProperty()
+          ->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+            "gl_FragDepth = gl_FragCoord.z + " + std::to_string(steps) + ".0 * exp2(-24.0);\n",
+            false);
+      }
+    }
+    const vtkTypeInt64 seen = QueriedSamples(scene);
+    vtkNew<vtkTruthTransparencyPass> truth;
+    scene.Use(truth);
+    scene.Render();
+    EXPECT_GT(seen, 0);
+    EXPECT_EQ(truth->GetSampleCount(), seen);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, Truth, testing::Values(0, 4), testing::PrintToStringParamName());
 
 }

@@ -100,6 +100,32 @@ TEST_P(Windows, SeveralViewports)
   }
 }
 
+// Each eye sees the picture that it sees without a pass.
+TEST_P(Windows, InStereo)
+{
+  const auto draw = [this](bool usesPass, int eye)
+  {
+    TestScene scene(80, 60);
+    scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+    scene.Renderer->GetActiveCamera()->SetViewAngle(50.0);
+    const vtkSmartPointer<vtkActor> sphere =
+      scene.AddSphere(0.0, 0.0, 0.3, 0.5, { 0.3, 0.5, 0.9, 1.0 });
+    sphere->SetForceTranslucent(usesPass);
+    scene.Window->SetStereoType(eye);
+    scene.Window->StereoRenderOn();
+    if (usesPass)
+    {
+      scene.Renderer->SetPass(this->MakePass());
+    }
+    return scene.Render();
+  };
+  const Picture left = draw(true, VTK_STEREO_LEFT);
+  const Picture right = draw(true, VTK_STEREO_RIGHT);
+  EXPECT_GT(LargestDifference(left, right), 50);
+  EXPECT_LE(LargestDifference(left, draw(false, VTK_STEREO_LEFT)), 2);
+  EXPECT_LE(LargestDifference(right, draw(false, VTK_STEREO_RIGHT)), 2);
+}
+
 // A viewport of its own shows what a window of its size shows.
 TEST_P(Windows, AViewportIsAWindow)
 {
