@@ -35,9 +35,13 @@ bool IsScalarOrVector(const std::string& type)
   return types.count(type) > 0;
 }
 
-// A line cut behind each semicolon, since VTK declares several uniforms in one. Comments stay in one piece.
+// A line with uniforms cut behind each semicolon, since VTK declares several in one. Comments stay in one piece.
 std::vector<std::string> SplitStatements(const std::string& line)
 {
+  if (line.find("uniform") == std::string::npos)
+  {
+    return { line };
+  }
   std::vector<std::string> statements;
   const std::size_t comment = line.find("//");
   std::size_t begin = 0;
