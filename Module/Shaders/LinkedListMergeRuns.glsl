@@ -55,8 +55,8 @@ void main()
   int runPages = (pages - 1) % VITRINE_RUN_PAGES + 1;
   uint started = 0u;
 
-  vec3 color = vec3(0.0);
-  float transmittance = 1.0;
+  precise vec3 color = vec3(0.0);
+  precise float transmittance = 1.0;
   while (true)
   {
     Run run;

@@ -42,8 +42,8 @@ void main()
     //Vitrine::OrderTies
   } while (disordered);
 
-  vec3 color = vec3(0.0);
-  float transmittance = 1.0;
+  precise vec3 color = vec3(0.0);
+  precise float transmittance = 1.0;
   //Vitrine::Blend
 
   writeOver(pixel, color, transmittance);

@@ -66,8 +66,8 @@ void main()
 
   //Vitrine::Declare
 
-  vec3 color = vec3(0.0);
-  float transmittance = 1.0;
+  precise vec3 color = vec3(0.0);
+  precise float transmittance = 1.0;
   bool more = true;
   last = unpackNode(true, uvec4(0u));
   while (more)

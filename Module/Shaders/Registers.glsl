@@ -154,7 +154,8 @@ bool sameFragment(Fragment a, Fragment b)
     EXCHANGE_COLOR(a, b, s) \
   }
 
-// Composite front to back: `color` is premultiplied, `transmittance` what still shows behind.
+// Composite front to back: `color` is premultiplied, `transmittance` what still shows behind. Both are precise,
+// so that every program composites the same list to the same bits.
 #define BLEND(f) \
   { \
     vec4 c = fragmentColor(f); \

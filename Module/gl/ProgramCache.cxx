@@ -27,11 +27,12 @@ vtkShaderProgram* ProgramCache::Ready(vtkOpenGLRenderWindow* window, const std::
   const std::function<std::string()>& fragment)
 {
   const std::string defineLines = DefineLines(defines);
-  vtkSmartPointer<vtkShaderProgram>& program = this->Programs[name + "\n" + defineLines];
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  if (program)
+  const auto [entry, isNew] = this->Programs.try_emplace(name + "\n" + defineLines);
+  vtkSmartPointer<vtkShaderProgram>& program = entry->second;
+  if (!isNew)
   {
-    return cache->ReadyShaderProgram(program);
+    return program ? cache->ReadyShaderProgram(program) : nullptr;
   }
   const std::string version = "#version 430 core\n";
   program = cache->ReadyShaderProgram(

@@ -17,13 +17,16 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
+/** The reason that a pass gives where a program of its own does not compile. */
+inline constexpr const char* ProgramFailure = "the driver cannot compile a shader of the method";
+
 class ProgramCache
 {
 public:
   /**
    * Bind the program of this name and these defines; `fragment` makes its fragment shader, without #version
    * and defines, when it is wanted for the first time. GLSL 4.30 core. Returns null where the driver cannot
-   * compile it; VTK has said why then.
+   * compile it, which is tried once; VTK has said why then.
    */
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& name,
     const std::vector<std::string>& defines, const char* vertex,
@@ -35,7 +38,11 @@ public:
   /** Whether a program did not compile. */
   bool HasFailed() const { return this->Failed; }
 
-  void Release() { this->Programs.clear(); }
+  void Release()
+  {
+    this->Programs.clear();
+    this->Failed = false;
+  }
 
 private:
   bool Failed = false;

@@ -157,12 +157,20 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
 }
 
 //------------------------------------------------------------------------------
-void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
   const NodePool& pool, const Image2D& heads, const Image2D& backdropImage,
   const RenderTarget& target, const PixelRegion& region, std::uint32_t tileBins)
 {
+  const std::vector<BinDraw> draws = this->PlanDraws(layout, tileBins);
+  for (const BinDraw& draw : draws)
+  {
+    if (!this->ReadyPrograms(window, layout, draw.Bin))
+    {
+      return false;
+    }
+  }
+
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
   state->vtkglViewport(0, 0, target.Width, target.Height);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_BLEND);
@@ -181,10 +189,6 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
   const auto drawTiles = [&](vtkShaderProgram* program, const BinDraw& draw)
   {
-    if (!program)
-    {
-      return;
-    }
     textures.SetUniforms(program);
     program->SetUniformi("tileMax", tileMax.Unit());
     if (program->IsUniformUsed("backdrop"))
@@ -200,16 +204,36 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
     program->SetUniform2i("regionEnd", regionEnd);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tiles.Count[0] * tiles.Count[1]);
   };
-  for (const BinDraw& draw : this->PlanDraws(layout, tileBins))
+  for (const BinDraw& draw : draws)
   {
     if (IsMergeOfRuns(draw.Bin))
     {
+      this->BindForSort(state, target);
       const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, pool.NodeBuffer());
       drawTiles(this->ReadySortRuns(window, layout), draw);
       glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
     drawTiles(this->ReadyResolve(window, layout, draw.Bin), draw);
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A framebuffer without images, of one sample: the shader runs once for each pixel, even along the diagonals of
+// tiles, where both triangles cover samples of a multisampled pixel.
+void ListResolver::BindForSort(vtkOpenGLState* state, const RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->SortFramebuffer.Handle());
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, target.Width);
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, target.Height);
+}
+
+//------------------------------------------------------------------------------
+bool ListResolver::ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
+{
+  return this->ReadyResolve(window, layout, bin) &&
+    (!IsMergeOfRuns(bin) || this->ReadySortRuns(window, layout));
 }
 
 //------------------------------------------------------------------------------
@@ -276,6 +300,7 @@ void ListResolver::Release()
 {
   this->TileMax.Release();
   this->TileFramebuffer.Release();
+  this->SortFramebuffer.Release();
   this->VertexArray.Release();
   this->Programs.Release();
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkShaderProgram;
 
 namespace vitrine
@@ -47,9 +48,9 @@ public:
 
   /**
    * Sort and composite the lists of `region` over the backdrop, into the target. `tileBins` are the bins that
-   * Classify() found.
+   * Classify() found. Returns false, with nothing drawn, if a shader does not compile.
    */
-  void Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,
+  bool Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,
     const Image2D& heads, const Image2D& backdrop, const RenderTarget& target,
     const PixelRegion& region, std::uint32_t tileBins);
 
@@ -68,12 +69,15 @@ private:
     int Longer;
   };
   std::vector<BinDraw> PlanDraws(const ListLayout& layout, std::uint32_t tileBins) const;
+  bool ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
+  void BindForSort(vtkOpenGLState* state, const RenderTarget& target);
   vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
   vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout);
   vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
 
   Image2D TileMax;
   Framebuffer TileFramebuffer;
+  Framebuffer SortFramebuffer; // without images
   EmptyVertexArray VertexArray;
   ProgramCache Programs;
 };

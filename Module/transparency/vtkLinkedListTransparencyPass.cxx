@@ -225,7 +225,7 @@ std::string vtkLinkedListTransparencyPass::RenderFragments(
   }
   if (in.Resolver.HasFailed())
   {
-    return "the driver cannot compile a shader of the method";
+    return vitrine::ProgramFailure;
   }
   this->FinishFrame(frame);
   return {};

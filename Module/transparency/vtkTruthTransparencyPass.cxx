@@ -129,8 +129,11 @@ void vtkTruthTransparencyPass::Internals::DrawSamples(vtkOpenGLRenderWindow* win
   vtkShaderProgram* program =
     this->Programs.Ready(window, name, { "VITRINE_SAMPLES " + std::to_string(target.Samples) },
       vitrine::shaders::FullScreenVertex, [&] { return fragmentShader; });
-  program->SetUniformi("source", unit.Unit());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (program)
+  {
+    program->SetUniformi("source", unit.Unit());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -246,6 +249,10 @@ std::string vtkTruthTransparencyPass::RenderFragments(
   vitrine::ReferenceCompositor compositor(target.Width, target.Height, std::max(target.Samples, 1),
     target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
     in.ReadBackdrop(window, target));
+  if (in.Programs.HasFailed())
+  {
+    return vitrine::ProgramFailure;
+  }
 
   this->SampleCount = 0;
   const std::string problem = this->Capture(s, target, target.Region, compositor);
