@@ -13,6 +13,7 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkShaderProgram;
 
 namespace vitrine
@@ -39,6 +40,12 @@ struct ListLayout
 class ListResolver
 {
 public:
+  /**
+   * Make room for the tiles of the target, before the rest. Changes the framebuffer binding. Returns an empty
+   * string, or why the driver cannot.
+   */
+  std::string PrepareTiles(vtkOpenGLState* state, const RenderTarget& target);
+
   /**
    * Count what the lists in `region` need into the pool's counters, and each tile's longest list.
    */
