@@ -217,8 +217,8 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   }
   in.Target = target;
 
-  const vitrine::ScopedFirstDrawBuffer
-    drawBuffer; // goes when trackedState has bound the target again
+  // It goes when trackedState has bound the target again.
+  const vitrine::ScopedFirstDrawBuffer drawBuffer;
   const vitrine::ScopedArrayBuffer arrayBuffer;
   const vitrine::ScopedVertexArray vertexArray(0);
   vitrine::ScopedTrackedState trackedState(state);

@@ -4,6 +4,7 @@
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
@@ -11,12 +12,14 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRendererCollection.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkTranslucentPass.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace
 {
@@ -315,15 +318,34 @@ protected:
     this->SeeThrough->SetTranslucentPass(this->Pass);
   }
 
-  // How often the pool has another size than after the frame before.
+  // How often the pool has another size than after the viewport before.
   int Changes(int frames)
   {
     int changes = 0;
+    vtkTypeInt64 before = this->Pass->GetPoolBytes();
+    std::function<void()> count = [&]
+    {
+      changes += this->Pass->GetPoolBytes() != before ? 1 : 0;
+      before = this->Pass->GetPoolBytes();
+    };
+    vtkNew<vtkCallbackCommand> afterViewport;
+    afterViewport->SetClientData(&count);
+    afterViewport->SetCallback([](vtkObject*, unsigned long, void* data, void*)
+      { (*static_cast<std::function<void()>*>(data))(); });
+    vtkRendererCollection* renderers = this->Scene.Window->GetRenderers();
+    renderers->InitTraversal();
+    while (vtkRenderer* renderer = renderers->GetNextItem())
+    {
+      renderer->AddObserver(vtkCommand::EndEvent, afterViewport);
+    }
     for (int frame = 0; frame < frames; ++frame)
     {
-      const vtkTypeInt64 before = this->Pass->GetPoolBytes();
       this->Scene.Render();
-      changes += this->Pass->GetPoolBytes() != before ? 1 : 0;
+    }
+    renderers->InitTraversal();
+    while (vtkRenderer* renderer = renderers->GetNextItem())
+    {
+      renderer->RemoveObserver(afterViewport);
     }
     return changes;
   }
