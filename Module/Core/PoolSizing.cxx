@@ -52,6 +52,7 @@ bool PoolSizing::Grow(std::uint64_t needed)
     const std::uint64_t reserve = isRepeated ? needed / 4 : needed / 8;
     this->Resize(std::max(this->Size, this->Bounded(SaturatingAdd(needed, reserve))));
     this->FramesSinceGrowth = 0;
+    this->Patient = this->Patient || this->FramesSinceGross < Window;
   }
   return needed <= this->Size;
 }
@@ -59,10 +60,11 @@ bool PoolSizing::Grow(std::uint64_t needed)
 bool PoolSizing::EndFrame(std::uint64_t used)
 {
   this->FramesSinceGrowth = std::min(this->FramesSinceGrowth + 1, Window);
+  this->FramesSinceGross = std::min(this->FramesSinceGross + 1, Window);
   this->Low.Count(used, used < SettledUse(this->Size));
   this->Gross.Count(used, used < this->Size / GrossFactor);
 
-  const bool isGross = this->Gross.Frames >= GrossWindow;
+  const bool isGross = this->Gross.Frames >= GrossWindow && !this->Patient;
   if (!isGross && this->Low.Frames < Window)
   {
     return false;
@@ -74,6 +76,7 @@ bool PoolSizing::EndFrame(std::uint64_t used)
     return false;
   }
   this->Resize(size);
+  this->FramesSinceGross = isGross ? 0 : this->FramesSinceGross;
   return true;
 }
 

@@ -14,7 +14,8 @@ namespace vitrine
  * The pool grows at once, to what is needed and an eighth more, or a quarter more if it has grown
  * within the last window already, as when a camera comes closer. It shrinks, to the largest use and
  * an eighth more, when every frame of a window of 32 used less than 1/1.3 of it; and when four frames
- * in a row used less than an eighth of it. Sizes are rounded up to a granule of 4096 units.
+ * in a row used less than an eighth of it, unless it once had to grow again within a window of such a
+ * shrinking, as when heavy views come every few frames. Sizes are rounded up to a granule of 4096 units.
  *
  * So a steady need above 24,000 units settles within a window at no more than 1.3 times the need; a
  * use that swings with a period of at most a window never causes shrinking; and whatever the use
@@ -70,6 +71,8 @@ private:
   std::uint64_t Largest = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t Size;
   int FramesSinceGrowth = Window;
+  int FramesSinceGross = Window; // since it shrank after GrossWindow frames
+  bool Patient = false;          // that was rash before: shrink after Window frames alone
   Streak Low;
   Streak Gross;
 };

@@ -30,8 +30,8 @@
     vitrineHead = uvec2(vitrinePage, vitrineHead.y + 1u);
 #else
     ivec2 vitrinePixel = ivec2(gl_FragCoord.xy);
-    ivec2 vitrineHeadTexel = ivec2(2 * vitrinePixel.x, vitrinePixel.y);
-    imageAtomicAdd(vitrineHeads, vitrineHeadTexel + ivec2(1, 0), 1u);
+    ivec2 vitrineHeadTexel = ivec2(vitrinePixel.x, 2 * vitrinePixel.y);
+    imageAtomicAdd(vitrineHeads, vitrineHeadTexel + ivec2(0, 1), 1u);
     uint vitrineNew = atomicAdd(vitrineCounters.PagesUsed, 1u);
     if (vitrineNew < vitrineLimit)
     {

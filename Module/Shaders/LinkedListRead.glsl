@@ -12,8 +12,8 @@ uvec2 loadHead(ivec2 pixel)
 #ifdef VITRINE_FRAMEBUFFER_FETCH
   return texelFetch(heads, pixel, 0).xy;
 #else
-  ivec2 texel = ivec2(2 * pixel.x, pixel.y);
-  return uvec2(texelFetch(heads, texel, 0).x - 1u, texelFetch(heads, texel + ivec2(1, 0), 0).x);
+  ivec2 texel = ivec2(pixel.x, 2 * pixel.y);
+  return uvec2(texelFetch(heads, texel, 0).x - 1u, texelFetch(heads, texel + ivec2(0, 1), 0).x);
 #endif
 }
 

@@ -1,26 +1,45 @@
 #include "gl/BackdropCopy.h"
 
 #include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
 {
-
-void BackdropCopy::Copy(vtkOpenGLState* state, const RenderTarget& target)
+namespace
 {
-  const bool fresh =
-    this->Colors.Allocate(target.Color.InternalFormat, target.Width, target.Height, target.Samples);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
-  state->vtkglReadBuffer(target.DrawBuffer);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Handle());
-  if (fresh)
-  {
-    glFramebufferTexture2D(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Colors.Target(), this->Colors.Handle(), 0);
-  }
-  const PixelRegion& r = target.Region;
+
+void BlitColors(vtkOpenGLState* state, const PixelRegion& r)
+{
   state->vtkglBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, r.X, r.Y, r.X + r.Width,
     r.Y + r.Height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+}
+
+std::string BackdropCopy::Copy(vtkOpenGLState* state, const RenderTarget& target)
+{
+  std::string problem =
+    this->Colors.Allocate(target.Color.InternalFormat, target.Width, target.Height, target.Samples);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Handle());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Colors.Target(), this->Colors.Handle(), 0);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
+  const ScopedReadBuffer readBuffer(state, target.DrawBuffer);
+  BlitColors(state, target.Region);
+  return {};
+}
+
+void BackdropCopy::PutBack(vtkOpenGLState* state, const RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Target.Handle());
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  BlitColors(state, target.Region);
 }
 
 void BackdropCopy::Release()

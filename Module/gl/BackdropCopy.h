@@ -6,6 +6,8 @@
 
 #include "gl/GLObjects.h"
 
+#include <string>
+
 class vtkOpenGLState;
 
 namespace vitrine
@@ -16,8 +18,15 @@ struct RenderTarget;
 class BackdropCopy
 {
 public:
-  /** Copy the colours of the target's region, sample by sample. Changes the framebuffer bindings. */
-  void Copy(vtkOpenGLState* state, const RenderTarget& target);
+  /**
+   * Copy the colours of the target's region, sample by sample. Changes the framebuffer bindings. Returns an empty
+   * string, or why the driver cannot hold a copy.
+   */
+  std::string Copy(vtkOpenGLState* state, const RenderTarget& target);
+
+  /** Put the copied colours back into the target. Changes the framebuffer bindings and the scissor test. */
+  void PutBack(vtkOpenGLState* state, const RenderTarget& target);
+
   void Release();
 
   /** The copy: the target's size, samples and format. */

@@ -1,5 +1,7 @@
 #include "gl/GLObjects.h"
 
+#include "vtkObject.h"
+
 #include <algorithm>
 
 namespace vitrine
@@ -30,6 +32,41 @@ GLint BoundTexture(GLenum target)
   return name;
 }
 
+// Whether OpenGL has an error on record, which it then has no more. Bounded, since without a current context a driver
+// may have one for ever.
+bool TakeError()
+{
+  constexpr int most = 16;
+  int errors = 0;
+  while (errors < most && glGetError() != GL_NO_ERROR)
+  {
+    ++errors;
+  }
+  return errors > 0;
+}
+
+// An error on record must neither be taken for that of an allocation, nor be lost.
+void ReportEarlierErrors()
+{
+  if (TakeError())
+  {
+    vtkGenericWarningMacro("OpenGL had an error on record before an allocation of Vitrine's.");
+  }
+}
+
+int LargestImage()
+{
+  GLint size = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+  return size;
+}
+
+std::string DescribeSize(int width, int height, int samples)
+{
+  return std::to_string(width) + "x" + std::to_string(height) + " pixels" +
+    (samples > 0 ? " of " + std::to_string(samples) + " samples" : "");
+}
+
 // Binds a buffer to the generic shader storage target, which draws do not read.
 class ScopedBuffer
 {
@@ -49,39 +86,56 @@ private:
 
 }
 
-bool Image2D::Allocate(GLenum internalFormat, int width, int height, int samples)
+std::string Image2D::Allocate(GLenum internalFormat, int width, int height, int samples)
 {
   if (this->Texture != 0 && this->InternalFormat == internalFormat && this->Width == width &&
     this->Height == height && this->Samples == samples)
   {
-    return false;
+    return {};
   }
   this->Release();
+  if (std::max(width, height) > LargestImage())
+  {
+    return "it takes an image of " + DescribeSize(width, height, samples) +
+      ", and the driver's largest has " + std::to_string(LargestImage()) + " a side";
+  }
   this->InternalFormat = internalFormat;
   this->Width = width;
   this->Height = height;
   this->Samples = samples;
 
-  const GLint previous = BoundTexture(this->Target());
-  glGenTextures(1, &this->Texture);
-  glBindTexture(this->Target(), this->Texture);
-  if (samples > 0)
+  ReportEarlierErrors();
+  this->AllocateTexture();
+  if (TakeError())
   {
-    glTexStorage2DMultisample(this->Target(), samples, internalFormat, width, height, GL_TRUE);
+    this->Release();
+    return "the driver has no memory for an image of " + DescribeSize(width, height, samples);
+  }
+  return {};
+}
+
+void Image2D::AllocateTexture()
+{
+  const GLint previous = BoundTexture(this->Target());
+  glGenTextures(1, this->Texture.Address());
+  glBindTexture(this->Target(), this->Texture);
+  if (this->Samples > 0)
+  {
+    glTexStorage2DMultisample(
+      this->Target(), this->Samples, this->InternalFormat, this->Width, this->Height, GL_TRUE);
   }
   else
   {
-    glTexStorage2D(this->Target(), 1, internalFormat, width, height);
+    glTexStorage2D(this->Target(), 1, this->InternalFormat, this->Width, this->Height);
     glTexParameteri(this->Target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(this->Target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
   glBindTexture(this->Target(), static_cast<GLuint>(previous));
-  return true;
 }
 
 void Image2D::Release()
 {
-  glDeleteTextures(1, &this->Texture);
+  glDeleteTextures(1, this->Texture.Address());
   *this = Image2D();
 }
 
@@ -102,36 +156,37 @@ bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)
 {
   if (this->Name == 0)
   {
-    glGenBuffers(1, &this->Name);
+    glGenBuffers(1, this->Name.Address());
   }
-  while (glGetError() != GL_NO_ERROR)
-  {
-    // an earlier error must not be taken for this allocation's
-  }
+  ReportEarlierErrors();
   {
     const ScopedBuffer bound(this->Name);
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_COPY);
   }
-  if (glGetError() != GL_NO_ERROR)
+  if (texelFormat != GL_NONE)
+  {
+    this->AttachTexture(texelFormat);
+  }
+  if (TakeError())
   {
     this->Release();
     return false;
   }
   this->Size = size;
-
-  if (texelFormat != GL_NONE)
-  {
-    if (this->BufferTexture == 0)
-    {
-      glGenTextures(1, &this->BufferTexture);
-    }
-    GLint previous = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &previous);
-    glBindTexture(GL_TEXTURE_BUFFER, this->BufferTexture);
-    glTexBuffer(GL_TEXTURE_BUFFER, texelFormat, this->Name);
-    glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(previous));
-  }
   return true;
+}
+
+void Buffer::AttachTexture(GLenum texelFormat)
+{
+  if (this->BufferTexture == 0)
+  {
+    glGenTextures(1, this->BufferTexture.Address());
+  }
+  GLint previous = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &previous);
+  glBindTexture(GL_TEXTURE_BUFFER, this->BufferTexture);
+  glTexBuffer(GL_TEXTURE_BUFFER, texelFormat, this->Name);
+  glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(previous));
 }
 
 void Buffer::Write(std::int64_t offset, std::int64_t size, const void* data)
@@ -150,8 +205,8 @@ void Buffer::Read(std::int64_t offset, std::int64_t size, void* data) const
 
 void Buffer::Release()
 {
-  glDeleteTextures(1, &this->BufferTexture);
-  glDeleteBuffers(1, &this->Name);
+  glDeleteTextures(1, this->BufferTexture.Address());
+  glDeleteBuffers(1, this->Name.Address());
   *this = Buffer();
 }
 
@@ -159,30 +214,30 @@ GLuint Framebuffer::Handle()
 {
   if (this->Name == 0)
   {
-    glGenFramebuffers(1, &this->Name);
+    glGenFramebuffers(1, this->Name.Address());
   }
   return this->Name;
 }
 
 void Framebuffer::Release()
 {
-  glDeleteFramebuffers(1, &this->Name);
-  this->Name = 0;
+  glDeleteFramebuffers(1, this->Name.Address());
+  this->Name = {};
 }
 
 GLuint EmptyVertexArray::Handle()
 {
   if (this->Name == 0)
   {
-    glGenVertexArrays(1, &this->Name);
+    glGenVertexArrays(1, this->Name.Address());
   }
   return this->Name;
 }
 
 void EmptyVertexArray::Release()
 {
-  glDeleteVertexArrays(1, &this->Name);
-  this->Name = 0;
+  glDeleteVertexArrays(1, this->Name.Address());
+  this->Name = {};
 }
 
 }

@@ -2,7 +2,7 @@
  * The few GL objects that the passes hold: an image to render into, a buffer, each with its size in bytes.
  *
  * They belong to the context that is current at their first use; Release() needs that context current, and
- * their destructors free nothing, since no context need be current by then.
+ * their destructors free nothing, since no context need be current by then. They move and do not copy.
  */
 #ifndef VITRINE_GL_OBJECTS_H
 #define VITRINE_GL_OBJECTS_H
@@ -10,16 +10,43 @@
 #include "gl/VitrineOpenGL.h"
 
 #include <cstdint>
+#include <string>
+#include <utility>
 
 namespace vitrine
 {
+
+/** The name of a GL object, which one owner has: what it is moved from holds no name. */
+class ObjectName
+{
+public:
+  ObjectName() = default;
+  ObjectName(ObjectName&& other) noexcept
+    : Name(std::exchange(other.Name, 0))
+  {
+  }
+  ObjectName& operator=(ObjectName&& other) noexcept
+  {
+    this->Name = std::exchange(other.Name, 0);
+    return *this;
+  }
+
+  operator GLuint() const { return this->Name; }
+  GLuint* Address() { return &this->Name; }
+
+private:
+  GLuint Name = 0;
+};
 
 /** A 2D texture, single- or multisampled, sampled by texelFetch only. */
 class Image2D
 {
 public:
-  /** (Re)allocate where anything differs; contents are undefined then. Returns true if it did. */
-  bool Allocate(GLenum internalFormat, int width, int height, int samples);
+  /**
+   * (Re)allocate where anything differs; contents are undefined and the name is a new one then. Returns an empty
+   * string, or why the driver cannot hold such an image: there is none then.
+   */
+  std::string Allocate(GLenum internalFormat, int width, int height, int samples);
   void Release();
 
   GLuint Handle() const { return this->Texture; }
@@ -27,7 +54,9 @@ public:
   std::int64_t Bytes() const;
 
 private:
-  GLuint Texture = 0;
+  void AllocateTexture();
+
+  ObjectName Texture;
   GLenum InternalFormat = GL_NONE;
   int Width = 0;
   int Height = 0;
@@ -38,7 +67,10 @@ private:
 class Buffer
 {
 public:
-  /** Reallocate to `size` bytes; contents are undefined. Returns false if the driver has no memory for it. */
+  /**
+   * Reallocate to `size` bytes; contents are undefined. Returns false if the driver has no memory for it: there is
+   * no buffer then.
+   */
   bool Allocate(std::int64_t size, GLenum texelFormat = GL_NONE);
   void Release();
 
@@ -52,8 +84,10 @@ public:
   std::int64_t Bytes() const { return this->Size; }
 
 private:
-  GLuint Name = 0;
-  GLuint BufferTexture = 0;
+  void AttachTexture(GLenum texelFormat);
+
+  ObjectName Name;
+  ObjectName BufferTexture;
   std::int64_t Size = 0;
 };
 
@@ -65,7 +99,7 @@ public:
   void Release();
 
 private:
-  GLuint Name = 0;
+  ObjectName Name;
 };
 
 /** A vertex array without attributes, for draws that make their vertices from gl_VertexID. */
@@ -76,7 +110,7 @@ public:
   void Release();
 
 private:
-  GLuint Name = 0;
+  ObjectName Name;
 };
 
 }

@@ -10,66 +10,6 @@ namespace vitrine
 namespace
 {
 
-GLint AttachmentParameter(GLenum attachment, GLenum name)
-{
-  GLint value = 0;
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
-  return value;
-}
-
-struct ImageSize
-{
-  GLint Width = 0;
-  GLint Height = 0;
-};
-
-// Fill in the internal format, and return the size.
-ImageSize DescribeTexture(AttachedImage& image, GLenum target)
-{
-  const GLenum query =
-    target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_MULTISAMPLE;
-  GLint previous = 0;
-  glGetIntegerv(query, &previous);
-  glBindTexture(target, image.Name);
-  ImageSize size;
-  GLint format = 0;
-  glGetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &size.Width);
-  glGetTexLevelParameteriv(target, 0, GL_TEXTURE_HEIGHT, &size.Height);
-  glGetTexLevelParameteriv(target, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-  image.InternalFormat = static_cast<GLenum>(format);
-  glBindTexture(target, static_cast<GLuint>(previous));
-  return size;
-}
-
-ImageSize DescribeRenderbuffer(AttachedImage& image)
-{
-  GLint previous = 0;
-  glGetIntegerv(GL_RENDERBUFFER_BINDING, &previous);
-  glBindRenderbuffer(GL_RENDERBUFFER, image.Name);
-  ImageSize size;
-  GLint format = 0;
-  glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.Width);
-  glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.Height);
-  glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &format);
-  image.InternalFormat = static_cast<GLenum>(format);
-  glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(previous));
-  return size;
-}
-
-ImageSize DescribeAttachment(GLenum attachment, GLenum textureTarget, AttachedImage& image)
-{
-  image.Type =
-    static_cast<GLenum>(AttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE));
-  if (image.Type != GL_TEXTURE && image.Type != GL_RENDERBUFFER)
-  {
-    return {};
-  }
-  image.Name =
-    static_cast<GLuint>(AttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-  return image.Type == GL_TEXTURE ? DescribeTexture(image, textureTarget)
-                                  : DescribeRenderbuffer(image);
-}
-
 // Where drawing lands: the scissor box if it is on, else the viewport, cut to the target.
 PixelRegion DrawnRegion(vtkOpenGLState* state, int width, int height)
 {
@@ -105,27 +45,25 @@ std::string RenderTarget::Probe(vtkOpenGLState* state)
   }
 
   glGetIntegerv(GL_SAMPLES, &this->Samples);
-  const ImageSize size = DescribeAttachment(this->DrawBuffer, this->TextureTarget(), this->Color);
-  DescribeAttachment(GL_DEPTH_ATTACHMENT, this->TextureTarget(), this->Depth);
-  if (this->Color.Name == 0 || this->Depth.Name == 0)
+  std::string problem = this->Color.Describe(this->DrawBuffer, this->Samples);
+  if (problem.empty())
   {
-    return "the framebuffer lacks a colour or a depth image";
+    problem = this->Depth.Describe(GL_DEPTH_ATTACHMENT, this->Samples);
   }
-  this->Width = size.Width;
-  this->Height = size.Height;
-
-  this->FixedPoint = AttachmentParameter(this->DrawBuffer,
-                       GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_UNSIGNED_NORMALIZED;
-  const bool fixedDepth = AttachmentParameter(GL_DEPTH_ATTACHMENT,
-                            GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_UNSIGNED_NORMALIZED;
-  const GLint depthBits =
-    AttachmentParameter(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-  this->DepthSteps =
-    fixedDepth && depthBits <= 24 ? static_cast<double>((1u << depthBits) - 1u) : 0.0;
-  this->DepthLoss = fixedDepth && depthBits > 24 ? std::ldexp(1.0, -23) : 0.0;
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  this->Width = this->Color.Width;
+  this->Height = this->Color.Height;
+  this->FixedPoint = this->Color.FixedPoint;
+  this->DepthSteps = this->Depth.FixedPoint && this->Depth.DepthBits <= 24
+    ? static_cast<double>((1u << this->Depth.DepthBits) - 1u)
+    : 0.0;
+  this->DepthLoss =
+    this->Depth.FixedPoint && this->Depth.DepthBits > 24 ? std::ldexp(1.0, -23) : 0.0;
   this->DepthHasStencil = this->Depth.InternalFormat == GL_DEPTH24_STENCIL8 ||
-    this->Depth.InternalFormat == GL_DEPTH32F_STENCIL8 ||
-    this->Depth.InternalFormat == GL_DEPTH_STENCIL;
+    this->Depth.InternalFormat == GL_DEPTH32F_STENCIL8;
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   this->Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
@@ -152,17 +90,7 @@ void RenderTarget::BindForFill(
 
 void RenderTarget::AttachDepth() const
 {
-  const GLenum attachment =
-    this->DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
-  if (this->Depth.Type == GL_TEXTURE)
-  {
-    glFramebufferTexture2D(
-      GL_DRAW_FRAMEBUFFER, attachment, this->TextureTarget(), this->Depth.Name, 0);
-  }
-  else
-  {
-    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, attachment, GL_RENDERBUFFER, this->Depth.Name);
-  }
+  this->Depth.AttachAs(this->DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
 }
 
 }

@@ -4,6 +4,7 @@
 #ifndef VITRINE_RENDER_TARGET_H
 #define VITRINE_RENDER_TARGET_H
 
+#include "gl/AttachedImage.h"
 #include "gl/VitrineOpenGL.h"
 
 #include <string>
@@ -22,14 +23,6 @@ struct PixelRegion
   int Height = 0;
 
   bool IsEmpty() const { return this->Width <= 0 || this->Height <= 0; }
-};
-
-/** An image attached to a framebuffer: texture (GL_TEXTURE) or renderbuffer (GL_RENDERBUFFER). */
-struct AttachedImage
-{
-  GLenum Type = GL_NONE;
-  GLuint Name = 0;
-  GLenum InternalFormat = GL_NONE;
 };
 
 /**
@@ -56,11 +49,6 @@ struct RenderTarget
    * no state.
    */
   std::string Probe(vtkOpenGLState* state);
-
-  GLenum TextureTarget() const
-  {
-    return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-  }
 
   /**
    * Bind `framebuffer`, which has this target's depth, and set the state to rasterise translucent geometry into

@@ -6,6 +6,7 @@
 #include "vtkTextureUnitManager.h"
 
 #include <cassert>
+#include <iterator>
 
 namespace vitrine
 {
@@ -28,6 +29,19 @@ GLenum TextureBindingQuery(GLenum target)
       return 0;
   }
 }
+
+struct PixelSetting
+{
+  GLenum Name;
+  GLint Default;
+};
+
+// How pixels lie in memory, and how they do by OpenGL's defaults.
+const PixelSetting PixelSettings[] = { { GL_PACK_SWAP_BYTES, 0 }, { GL_PACK_LSB_FIRST, 0 },
+  { GL_PACK_ROW_LENGTH, 0 }, { GL_PACK_SKIP_ROWS, 0 }, { GL_PACK_SKIP_PIXELS, 0 },
+  { GL_PACK_ALIGNMENT, 4 }, { GL_UNPACK_SWAP_BYTES, 0 }, { GL_UNPACK_LSB_FIRST, 0 },
+  { GL_UNPACK_ROW_LENGTH, 0 }, { GL_UNPACK_SKIP_ROWS, 0 }, { GL_UNPACK_SKIP_PIXELS, 0 },
+  { GL_UNPACK_ALIGNMENT, 4 } };
 
 }
 
@@ -53,6 +67,61 @@ ScopedTrackedState::ScopedTrackedState(vtkOpenGLState* state)
 ScopedTrackedState::~ScopedTrackedState()
 {
   this->State->PopFramebufferBindings();
+}
+
+ScopedFirstDrawBuffer::ScopedFirstDrawBuffer()
+{
+  GLint count = 0;
+  glGetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    GLint buffer = 0;
+    glGetIntegerv(GL_DRAW_BUFFER0 + static_cast<GLenum>(i), &buffer);
+    this->Previous.push_back(static_cast<GLenum>(buffer));
+  }
+  // Not through vtkOpenGLState: of the buffers after the first it knows those of other framebuffers.
+  glDrawBuffers(1, this->Previous.data());
+}
+
+ScopedFirstDrawBuffer::~ScopedFirstDrawBuffer()
+{
+  glDrawBuffers(static_cast<GLsizei>(this->Previous.size()), this->Previous.data());
+}
+
+ScopedReadBuffer::ScopedReadBuffer(vtkOpenGLState* state, GLenum buffer)
+  : State(state)
+{
+  glGetIntegerv(GL_READ_BUFFER, &this->Previous);
+  state->vtkglReadBuffer(buffer);
+}
+
+ScopedReadBuffer::~ScopedReadBuffer()
+{
+  this->State->vtkglReadBuffer(static_cast<GLenum>(this->Previous));
+}
+
+ScopedPixelTransfer::ScopedPixelTransfer()
+{
+  static_assert(std::size(PixelSettings) == Settings, "one value each");
+  for (int i = 0; i < Settings; ++i)
+  {
+    glGetIntegerv(PixelSettings[i].Name, &this->Previous[i]);
+    glPixelStorei(PixelSettings[i].Name, PixelSettings[i].Default);
+  }
+  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &this->PreviousPack);
+  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->PreviousUnpack);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
+ScopedPixelTransfer::~ScopedPixelTransfer()
+{
+  for (int i = 0; i < Settings; ++i)
+  {
+    glPixelStorei(PixelSettings[i].Name, this->Previous[i]);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(this->PreviousPack));
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(this->PreviousUnpack));
 }
 
 ScopedArrayBuffer::ScopedArrayBuffer()

@@ -45,6 +45,52 @@ private:
   vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
 };
 
+/**
+ * The draw buffers of the bound framebuffer: what is drawn goes to the first alone, so that the others keep what they
+ * have. The same framebuffer must be bound when the keeper goes.
+ */
+class ScopedFirstDrawBuffer
+{
+public:
+  ScopedFirstDrawBuffer();
+  ~ScopedFirstDrawBuffer();
+  ScopedFirstDrawBuffer(const ScopedFirstDrawBuffer&) = delete;
+  void operator=(const ScopedFirstDrawBuffer&) = delete;
+
+private:
+  std::vector<GLenum> Previous;
+};
+
+/** The read buffer of the framebuffer that is bound for reading, and must be so again when the keeper goes. */
+class ScopedReadBuffer
+{
+public:
+  ScopedReadBuffer(vtkOpenGLState* state, GLenum buffer);
+  ~ScopedReadBuffer();
+  ScopedReadBuffer(const ScopedReadBuffer&) = delete;
+  void operator=(const ScopedReadBuffer&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  GLint Previous = 0;
+};
+
+/** Pixels go to and come from client memory, tightly packed, whatever is bound and set for their transfer. */
+class ScopedPixelTransfer
+{
+public:
+  ScopedPixelTransfer();
+  ~ScopedPixelTransfer();
+  ScopedPixelTransfer(const ScopedPixelTransfer&) = delete;
+  void operator=(const ScopedPixelTransfer&) = delete;
+
+private:
+  static constexpr int Settings = 12;
+  GLint Previous[Settings] = {};
+  GLint PreviousPack = 0;
+  GLint PreviousUnpack = 0;
+};
+
 /** The buffer bound for vertex attributes, which VTK's mappers leave changed. */
 class ScopedArrayBuffer
 {

@@ -116,22 +116,29 @@ int ListLayout::NodeBytes() const
 }
 
 //------------------------------------------------------------------------------
+std::string ListResolver::PrepareTiles(vtkOpenGLState* state, const RenderTarget& target)
+{
+  const TileRange tiles({ 0, 0, target.Width, target.Height });
+  std::string problem = this->TileMax.Allocate(GL_R32UI, tiles.Count[0], tiles.Count[1], 0);
+  if (problem.empty())
+  {
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->TileFramebuffer.Handle());
+    glFramebufferTexture2D(
+      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->TileMax.Handle(), 0);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
 void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout,
   const NodePool& pool, const Image2D& heads, const RenderTarget& target, const PixelRegion& region)
 {
   vtkOpenGLState* state = window->GetState();
-  const int tilesX = (target.Width + VITRINE_TILE_SIZE - 1) / VITRINE_TILE_SIZE;
-  const int tilesY = (target.Height + VITRINE_TILE_SIZE - 1) / VITRINE_TILE_SIZE;
-  const bool fresh = this->TileMax.Allocate(GL_R32UI, tilesX, tilesY, 0);
+  const TileRange all({ 0, 0, target.Width, target.Height });
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->TileFramebuffer.Handle());
-  if (fresh)
-  {
-    glFramebufferTexture2D(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->TileMax.Handle(), 0);
-  }
 
   const TileRange tiles(region);
-  state->vtkglViewport(0, 0, tilesX, tilesY);
+  state->vtkglViewport(0, 0, all.Count[0], all.Count[1]);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1]);
   state->vtkglDisable(GL_BLEND);

@@ -41,6 +41,12 @@ class ListResolver
 {
 public:
   /**
+   * Make room for the tiles of the target, before the rest. Changes the framebuffer binding. Returns an empty
+   * string, or why the driver cannot.
+   */
+  std::string PrepareTiles(vtkOpenGLState* state, const RenderTarget& target);
+
+  /**
    * Count what the lists in `region` need into the pool's counters, and each tile's longest list.
    */
   void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,

@@ -9,6 +9,8 @@
 #include "gl/GLObjects.h"
 
 #include <cstdint>
+#include <limits>
+#include <string>
 
 namespace vitrine
 {
@@ -30,15 +32,19 @@ class NodePool
 {
 public:
   static constexpr int MaximumPageShift = 3;
+  static constexpr std::int64_t Unlimited = std::numeric_limits<std::int64_t>::max();
 
   /** Node size in bytes (8, 12 or 16) and whether pages may hold several nodes. */
   void SetLayout(int nodeBytes, bool pages);
 
   /**
-   * Bound the pool to `bytes`, and to what one shader storage block and one buffer texture may hold. It holds 16
-   * pages of one node at least.
+   * Bound the pool to `bytes`, 0 for no bound, and to what one shader storage block and one buffer texture may hold.
+   * It holds 16 pages of one node at least.
    */
   void SetLimit(std::int64_t bytes);
+
+  /** What bounds the pool: "its limit is N bytes", or what the driver has memory for. */
+  std::string DescribeLimit() const;
 
   int PageShift() const { return this->Shift; }
   int PageSize() const { return 1 << this->Shift; }
@@ -51,23 +57,32 @@ public:
   {
     FITS,     ///< the frame is in the pool
     GREW,     ///< the frame was not, but there is room now: draw it again
-    TOO_LARGE ///< the limit forbids it; the pool is as large as the limit allows
+    TOO_LARGE ///< the limit, or the driver, forbids it; the pool is as large as they allow
   };
 
-  /** Whether what a frame counted is in the pool; if not, make room as far as the limit allows. */
+  /** Whether what a frame, or a part of it, counted is in the pool. */
+  bool Holds(const FragmentStatistics& needed) const;
+
+  /**
+   * Whether what a frame counted is in the pool; if not, make room as far as the limit and the driver's memory allow,
+   * in pages of a size that suits the frame.
+   */
   FitType Fit(const FragmentStatistics& needed);
 
   /**
-   * After a finished frame: shrink where the pool has long been too large, and choose the page size for the
-   * next frame.
+   * After a finished frame, or one without fragments: shrink where the pool has long been too large, and take up
+   * another page size where frames have long preferred it.
    */
   void EndFrame(const FragmentStatistics& used);
 
   /** The most pages that the limit allows at the current page size. */
   std::int64_t LimitPages() const;
 
-  /** Zero the frame's counters, with the allocator at the first page. */
-  void ResetCounters();
+  /**
+   * Zero the frame's counters, with the allocator at the first page. Returns false if the driver has no memory for
+   * the smallest pool.
+   */
+  bool ResetCounters();
 
   /** Read the frame's counters; waits for the device. */
   FragmentStatistics ReadCounters() const;
@@ -81,18 +96,27 @@ public:
   void Release();
 
 private:
-  void Allocate(std::int64_t pages);
+  bool Allocate(std::int64_t pages);
+  void UseShift(int shift);
   std::int64_t LimitPages(int shift) const;
-  int LargestShift() const;
+  int LargestShift(std::int64_t layers) const;
   std::int64_t PagesOf(const FragmentStatistics& statistics) const;
+  std::int64_t BytesOf(const FragmentStatistics& statistics) const;
   std::int64_t SizedPages() const;
   int PreferredShift(const FragmentStatistics& used) const;
+  int SettledShift(const FragmentStatistics& used);
+  void NoteShortage(std::int64_t bytes);
+  void ForgetOldShortage();
 
   int BytesPerNode = 0;
   bool HasPages = false;
   int Shift = 0;
+  int ProposedShift = 0;  // what the last frame preferred
+  int ProposalFrames = 0; // that have preferred it in a row to the one in use
   std::int64_t Limit = 0;
-  std::int64_t Pages = 0; // allocated
+  std::int64_t Memory = Unlimited; // bytes for which the driver has had memory
+  int ShortageFrames = 0;          // since it had none for more
+  std::int64_t Pages = 0;          // allocated
   PoolSizing Sizing;
   Buffer Counters;
   Buffer Nodes;

@@ -4,10 +4,10 @@
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
-#include "gl/GLObjects.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
 #include "transparency/FillShader.h"
+#include "transparency/ListHeads.h"
 #include "transparency/ListResolver.h"
 #include "transparency/NodePool.h"
 #include "transparency/ShaderText.h"
@@ -31,6 +31,11 @@ const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "G
   "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 const char* const FetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
+// How often a frame is drawn again whose props make more fragments than they did before.
+constexpr int MaximumAttempts = 4;
+const char* const UnsteadyProps =
+  "the translucent props make more fragments each time they are drawn within one frame";
+
 vitrine::PixelRegion RegionOf(const vitrine::PixelRect& rect)
 {
   vitrine::PixelRegion region;
@@ -48,72 +53,51 @@ struct vtkLinkedListTransparencyPass::Internals
   bool HasFramebufferFetch = false;
   vitrine::ListLayout Layout;
   vitrine::NodePool Pool;
-  vitrine::Image2D Heads;
-  vitrine::Framebuffer FillFramebuffer;  // opaque depth, and the heads where they are an attachment
-  vitrine::Framebuffer ClearFramebuffer; // the heads
+  vitrine::ListHeads Heads;
   vitrine::BackdropCopy Backdrop;
   vitrine::ListResolver Resolver;
 
-  void PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
-  void ClearHeads(vtkOpenGLState* state, const vitrine::PixelRegion& region);
-  std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  std::string PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  vitrine::BandPlan PlanBands(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+
+  std::int64_t Bytes() const
+  {
+    return this->Pool.Bytes() + this->Heads.Image().Bytes() + this->Backdrop.Image().Bytes() +
+      this->Resolver.Bytes();
+  }
 };
 
 //------------------------------------------------------------------------------
-void vtkLinkedListTransparencyPass::Internals::PrepareTargets(
+// Returns an empty string, or why the driver cannot hold the images that the target takes.
+std::string vtkLinkedListTransparencyPass::Internals::PrepareTargets(
   vtkOpenGLState* state, const vitrine::RenderTarget& target)
 {
-  const bool fetch = this->Layout.FramebufferFetch;
-  const bool fresh = fetch ? this->Heads.Allocate(GL_RG32UI, target.Width, target.Height, 0)
-                           : this->Heads.Allocate(GL_R32UI, 2 * target.Width, target.Height, 0);
-  if (fresh)
+  std::string problem = this->Heads.Prepare(state, target, this->Layout.FramebufferFetch);
+  if (problem.empty())
   {
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearFramebuffer.Handle());
-    glFramebufferTexture2D(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads.Handle(), 0);
+    problem = this->Resolver.PrepareTiles(state, target);
   }
-  // The target's images may be new ones under old names, so they are attached anew each frame.
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
-  glFramebufferTexture2D(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, fetch ? this->Heads.Handle() : 0, 0);
-  target.AttachDepth();
-  // Location 0 is the colour that the mappers' shaders write themselves.
-  unsigned int buffers[2] = { GL_NONE,
-    static_cast<unsigned int>(fetch ? GL_COLOR_ATTACHMENT0 : GL_NONE) };
-  state->vtkglDrawBuffers(2, buffers);
+  if (problem.empty())
+  {
+    problem = this->Backdrop.Copy(state, target);
+  }
+  return problem;
 }
 
 //------------------------------------------------------------------------------
-void vtkLinkedListTransparencyPass::Internals::ClearHeads(
-  vtkOpenGLState* state, const vitrine::PixelRegion& r)
-{
-  const bool fetch = this->Layout.FramebufferFetch;
-  const int scale = fetch ? 1 : 2;
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearFramebuffer.Handle());
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(scale * r.X, r.Y, scale * r.Width, r.Height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const GLuint empty[4] = { fetch ? VITRINE_END : 0u, 0u, 0u, 0u };
-  glClearBufferuiv(GL_COLOR, 0, empty);
-}
-
-//------------------------------------------------------------------------------
-// Fragments of each pixel of the target, row by row.
-std::vector<std::uint32_t> vtkLinkedListTransparencyPass::Internals::ReadCounts(
+// Parts of the screen that each fit into the pool, by the counts of the last fill.
+vitrine::BandPlan vtkLinkedListTransparencyPass::Internals::PlanBands(
   vtkOpenGLState* state, const vitrine::RenderTarget& target)
 {
-  const int texels = this->Layout.FramebufferFetch ? 1 : 2;
-  const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
-  std::vector<std::uint32_t> heads(2 * pixels);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ClearFramebuffer.Handle());
-  glReadPixels(0, 0, texels * target.Width, target.Height,
-    texels == 1 ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, heads.data());
-  std::vector<std::uint32_t> counts(pixels);
-  for (std::size_t i = 0; i < pixels; ++i)
+  const auto pageSize = static_cast<std::uint32_t>(this->Pool.PageSize());
+  std::vector<std::uint32_t> pages = this->Heads.ReadCounts(state);
+  for (std::uint32_t& n : pages)
   {
-    counts[i] = heads[2 * i + 1];
+    n = (n + pageSize - 1) / pageSize;
   }
-  return counts;
+  const vitrine::PixelRegion& r = target.Region;
+  return vitrine::PlanBands(pages, target.Width, target.Height,
+    static_cast<std::uint64_t>(this->Pool.CapacityPages()), { r.X, r.Y, r.Width, r.Height });
 }
 
 //------------------------------------------------------------------------------
@@ -202,40 +186,32 @@ std::string vtkLinkedListTransparencyPass::RenderFragments(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
-  this->PrepareFrame(target);
-
-  vitrine::FragmentStatistics frame = this->Fill(s, target, target.Region);
-  switch (in.Pool.Fit(frame))
-  {
-    case vitrine::NodePool::FITS:
-      this->Resolve(target, target.Region, frame);
-      break;
-    case vitrine::NodePool::GREW:
-      this->Fill(s, target, target.Region);
-      this->Resolve(target, target.Region, frame);
-      break;
-    case vitrine::NodePool::TOO_LARGE:
-    {
-      const std::string problem = this->RenderInBands(s, target);
-      if (!problem.empty())
-      {
-        return problem;
-      }
-    }
-  }
   if (in.Resolver.HasFailed())
   {
     return vitrine::ProgramFailure;
   }
-  this->FinishFrame(frame);
-  return {};
+  vitrine::FragmentStatistics frame;
+  std::string problem = this->PrepareFrame(target);
+  if (problem.empty())
+  {
+    problem = this->RenderLists(s, target, frame);
+  }
+  if (problem.empty() && in.Resolver.HasFailed())
+  {
+    in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
+    problem = vitrine::ProgramFailure;
+  }
+  if (problem.empty())
+  {
+    this->FinishFrame(frame);
+  }
+  return problem;
 }
 
 //------------------------------------------------------------------------------
-void vtkLinkedListTransparencyPass::PrepareFrame(const vitrine::RenderTarget& target)
+std::string vtkLinkedListTransparencyPass::PrepareFrame(const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
-  vtkOpenGLState* state = this->GetWindow()->GetState();
   in.Layout.HalfFloat = this->ColorStorage == HALF_FLOAT;
   in.Layout.FixedPoint = target.FixedPoint;
   in.Layout.Samples = target.Samples;
@@ -248,32 +224,61 @@ void vtkLinkedListTransparencyPass::PrepareFrame(const vitrine::RenderTarget& ta
   }
   in.Pool.SetLayout(in.Layout.NodeBytes(), fetch);
   in.Pool.SetLimit(this->MemoryLimit);
-  in.Layout.PageSize = in.Pool.PageSize();
   this->NumberOfBands = 1;
-
-  in.PrepareTargets(state, target);
-  in.Backdrop.Copy(state, target);
+  return in.PrepareTargets(this->GetWindow()->GetState(), target);
 }
 
 //------------------------------------------------------------------------------
-vitrine::FragmentStatistics vtkLinkedListTransparencyPass::Fill(
-  const vtkRenderState* s, const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
+std::string vtkLinkedListTransparencyPass::RenderLists(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::FragmentStatistics& frame)
+{
+  for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
+  {
+    const std::string problem = this->Fill(s, target, target.Region, frame);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    switch (this->Private->Pool.Fit(frame))
+    {
+      case vitrine::NodePool::FITS:
+        this->Resolve(target, target.Region, frame);
+        return {};
+      case vitrine::NodePool::GREW:
+        break;
+      case vitrine::NodePool::TOO_LARGE:
+        return this->RenderInBands(s, target);
+    }
+  }
+  return UnsteadyProps;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkLinkedListTransparencyPass::Fill(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+  vitrine::FragmentStatistics& statistics)
 {
   Internals& in = *this->Private;
   vtkOpenGLState* state = this->GetWindow()->GetState();
-  in.ClearHeads(state, region);
-  in.Pool.ResetCounters();
-  target.BindForFill(state, in.FillFramebuffer.Handle(), region);
+  in.Layout.PageSize = in.Pool.PageSize();
+  in.Heads.Clear(state, region);
+  if (!in.Pool.ResetCounters())
+  {
+    return "the driver has no memory for the smallest node pool";
+  }
+  target.BindForFill(state, in.Heads.FillFramebuffer(), region);
+  std::string problem;
   {
     const vitrine::ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, in.Pool.CounterBuffer());
     const vitrine::ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, in.Pool.NodeBuffer());
     const vitrine::ScopedStorageBuffer links(VITRINE_BINDING_LINKS, in.Pool.LinkBuffer());
     const vitrine::ScopedImage heads(
-      VITRINE_IMAGE_HEADS, in.Layout.FramebufferFetch ? 0 : in.Heads.Handle());
-    this->DrawTranslucentGeometry(s, region);
+      VITRINE_IMAGE_HEADS, in.Layout.FramebufferFetch ? 0 : in.Heads.Image().Handle());
+    problem = this->DrawTranslucentGeometry(s, region);
   }
-  in.Resolver.Classify(this->GetWindow(), in.Layout, in.Pool, in.Heads, target, region);
-  return in.Pool.ReadCounters();
+  in.Resolver.Classify(this->GetWindow(), in.Layout, in.Pool, in.Heads.Image(), target, region);
+  statistics = in.Pool.ReadCounters();
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -281,8 +286,8 @@ void vtkLinkedListTransparencyPass::Resolve(const vitrine::RenderTarget& target,
   const vitrine::PixelRegion& region, const vitrine::FragmentStatistics& statistics)
 {
   Internals& in = *this->Private;
-  in.Resolver.Resolve(this->GetWindow(), in.Layout, in.Pool, in.Heads, in.Backdrop.Image(), target,
-    region, statistics.TileBins);
+  in.Resolver.Resolve(this->GetWindow(), in.Layout, in.Pool, in.Heads.Image(), in.Backdrop.Image(),
+    target, region, statistics.TileBins);
 }
 
 //------------------------------------------------------------------------------
@@ -290,28 +295,49 @@ std::string vtkLinkedListTransparencyPass::RenderInBands(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
-  const auto pageSize = static_cast<std::uint32_t>(in.Pool.PageSize());
-  std::vector<std::uint32_t> pages = in.ReadCounts(this->GetWindow()->GetState(), target);
-  for (std::uint32_t& n : pages)
+  vtkOpenGLState* state = this->GetWindow()->GetState();
+  std::string problem;
+  for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
   {
-    n = (n + pageSize - 1) / pageSize;
+    const vitrine::BandPlan plan = in.PlanBands(state, target);
+    if (!plan.Fits)
+    {
+      return "one pixel alone needs " + std::to_string(plan.LargestPixel * in.Pool.PageBytes()) +
+        " bytes of the node pool, and " + in.Pool.DescribeLimit();
+    }
+    problem = this->DrawBands(s, target, plan.Bands);
+    if (problem.empty())
+    {
+      this->NumberOfBands = static_cast<int>(plan.Bands.size());
+      break;
+    }
+    in.Backdrop.PutBack(state, target);
   }
-  const vitrine::PixelRegion& r = target.Region;
-  const vitrine::BandPlan plan = vitrine::PlanBands(pages, target.Width, target.Height,
-    static_cast<std::uint64_t>(in.Pool.CapacityPages()), { r.X, r.Y, r.Width, r.Height });
-  if (!plan.Fits)
-  {
-    return "one pixel alone needs " + std::to_string(plan.LargestPixel * in.Pool.PageBytes()) +
-      " bytes of the node pool, which may have " + std::to_string(in.Pool.Bytes());
-  }
-  for (const vitrine::PixelRect& band : plan.Bands)
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkLinkedListTransparencyPass::DrawBands(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const std::vector<vitrine::PixelRect>& bands)
+{
+  bool holdsAll = true;
+  for (const vitrine::PixelRect& band : bands)
   {
     const vitrine::PixelRegion region = RegionOf(band);
-    const vitrine::FragmentStatistics part = this->Fill(s, target, region);
-    this->Resolve(target, region, part);
+    vitrine::FragmentStatistics part;
+    const std::string problem = this->Fill(s, target, region, part);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    // Links that are not in the pool must not be followed. The other bands are counted then, for the next plan.
+    holdsAll = holdsAll && this->Private->Pool.Holds(part);
+    if (holdsAll)
+    {
+      this->Resolve(target, region, part);
+    }
   }
-  this->NumberOfBands = static_cast<int>(plan.Bands.size());
-  return {};
+  return holdsAll ? std::string() : UnsteadyProps;
 }
 
 //------------------------------------------------------------------------------
@@ -324,8 +350,14 @@ void vtkLinkedListTransparencyPass::FinishFrame(const vitrine::FragmentStatistic
     ? static_cast<double>(frame.Fragments) / static_cast<double>(frame.CoveredPixels)
     : 0.0;
   in.Pool.EndFrame(frame);
-  this->Bytes = in.Pool.Bytes() + in.Heads.Bytes() + in.Backdrop.Image().Bytes() +
-    in.Resolver.Bytes() + this->GetSharedBytes();
+  this->Bytes = in.Bytes() + this->GetSharedBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkLinkedListTransparencyPass::RenderNothing()
+{
+  this->Private->Pool.EndFrame({});
+  this->Bytes = this->Private->Bytes() + this->GetSharedBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -334,8 +366,6 @@ void vtkLinkedListTransparencyPass::ReleaseMethodResources()
   Internals& in = *this->Private;
   in.Pool.Release();
   in.Heads.Release();
-  in.FillFramebuffer.Release();
-  in.ClearFramebuffer.Release();
   in.Backdrop.Release();
   in.Resolver.Release();
 }

@@ -9,7 +9,7 @@
  *     number of fragments. Depth is kept as 32-bit float, colour in half float or 8 bits.
  *  2. Classify: the longest list of each tile of 16x16 pixels, and what the frame needed.
  *  3. If the pool was too small it grows and the geometry is drawn again, in the same frame. If the memory
- *     limit forbids that, the frame is drawn in bands of the screen, each of which fits.
+ *     limit forbids that, or the driver has no memory, the frame is drawn in bands of the screen, each of which fits.
  *  4. Resolve: tiles in bins by their longest list; up to 64 fragments sort in registers by an unrolled
  *     network, longer lists block by block.
  *
@@ -25,9 +25,12 @@
 
 #include "vtkTransparencyPass.h"
 
+#include <vector> // for bands of the screen
+
 namespace vitrine
 {
 struct FragmentStatistics;
+struct PixelRect;
 struct PixelRegion;
 }
 
@@ -87,6 +90,7 @@ protected:
   std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
+  void RenderNothing() override;
   void ReleaseMethodResources() override;
   void ForgetMethodResources() override;
 
@@ -98,12 +102,16 @@ private:
   vtkLinkedListTransparencyPass(const vtkLinkedListTransparencyPass&) = delete;
   void operator=(const vtkLinkedListTransparencyPass&) = delete;
 
-  void PrepareFrame(const vitrine::RenderTarget& target);
-  vitrine::FragmentStatistics Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const vitrine::PixelRegion& region);
+  std::string PrepareFrame(const vitrine::RenderTarget& target);
+  std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    vitrine::FragmentStatistics& frame);
+  std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const vitrine::PixelRegion& region, vitrine::FragmentStatistics& statistics);
   void Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
     const vitrine::FragmentStatistics& statistics);
   std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
+  std::string DrawBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const std::vector<vitrine::PixelRect>& bands);
   void FinishFrame(const vitrine::FragmentStatistics& frame);
 
   struct Internals;

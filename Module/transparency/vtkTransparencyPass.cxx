@@ -2,7 +2,7 @@
 
 #include "Core/ShaderTuning.h"
 #include "gl/Capabilities.h"
-#include "gl/GLObjects.h"
+#include "gl/DepthCopy.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
 #include "transparency/FillShader.h"
@@ -99,10 +99,7 @@ struct vtkTransparencyPass::Internals
   bool PostDepthCoverage = false;
   bool SoftwareRasteriser = false;
 
-  // A copy of the opaque depth, made in the frames in which a mapper's shader asks for it.
-  vitrine::Image2D OpaqueDepth;
-  vitrine::Framebuffer OpaqueDepthFramebuffer;
-  std::unique_ptr<vitrine::ScopedTextureUnit> OpaqueDepthUnit;
+  vitrine::DepthCopy OpaqueDepth;
 
   // What of the target the mappers' shaders depend on.
   bool ChangesShaders(const vitrine::RenderTarget& target) const
@@ -111,36 +108,12 @@ struct vtkTransparencyPass::Internals
       this->Target.DepthSteps != target.DepthSteps || this->Target.DepthLoss != target.DepthLoss;
   }
 
-  void CopyOpaqueDepth();
-};
-
-//------------------------------------------------------------------------------
-void vtkTransparencyPass::Internals::CopyOpaqueDepth()
-{
-  const vitrine::RenderTarget& target = this->Target;
-  vtkOpenGLState* state = this->Window->GetState();
-  const bool fresh = this->OpaqueDepth.Allocate(
-    target.Depth.InternalFormat, target.Width, target.Height, target.Samples);
-
-  state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->OpaqueDepthFramebuffer.Handle());
-  if (fresh)
+  // Whether the context lives in which the pass has its GL objects.
+  bool HasContext() const
   {
-    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
-      target.DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-      this->OpaqueDepth.Target(), this->OpaqueDepth.Handle(), 0);
-    const GLenum none = GL_NONE;
-    glDrawBuffers(1, &none);
+    return this->Window && this->Window->GetContextCreationTime() == this->ContextTime;
   }
-  const vitrine::PixelRegion& r = target.Region;
-  state->vtkglBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, r.X, r.Y, r.X + r.Width,
-    r.Y + r.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  state->PopFramebufferBindings();
-
-  this->OpaqueDepthUnit = std::make_unique<vitrine::ScopedTextureUnit>(
-    state, this->OpaqueDepth.Target(), this->OpaqueDepth.Handle());
-}
+};
 
 //------------------------------------------------------------------------------
 vtkTransparencyPass::vtkTransparencyPass()
@@ -188,6 +161,10 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
   this->Private->FallbackReason.clear();
   if (!HasTranslucentGeometry(s))
   {
+    if (this->Private->HasContext() && this->Private->Window == s->GetRenderer()->GetRenderWindow())
+    {
+      this->RenderNothing();
+    }
     return;
   }
 
@@ -206,7 +183,7 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderWindow);
   Internals& in = *this->Private;
-  if (window == in.Window && window->GetContextCreationTime() == in.ContextTime)
+  if (window == in.Window && in.HasContext())
   {
     return;
   }
@@ -225,7 +202,7 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
 void vtkTransparencyPass::LeaveWindow()
 {
   Internals& in = *this->Private;
-  if (in.Window && in.Window->GetContextCreationTime() == in.ContextTime)
+  if (in.HasContext())
   {
     vtkOpenGLRenderWindow* window = in.Window;
     window->PushContext();
@@ -235,10 +212,16 @@ void vtkTransparencyPass::LeaveWindow()
     }
     window->PopContext();
   }
-  in.OpaqueDepthUnit.reset();
-  in.OpaqueDepth = vitrine::Image2D();
-  in.OpaqueDepthFramebuffer = vitrine::Framebuffer();
+  this->ForgetResources();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ForgetResources()
+{
+  Internals& in = *this->Private;
+  in.OpaqueDepth = vitrine::DepthCopy();
   this->ForgetMethodResources();
+  this->Bytes = 0;
   in.Window = nullptr;
 }
 
@@ -267,12 +250,14 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   }
   in.Target = target;
 
+  // It goes when trackedState has bound the target again.
+  const vitrine::ScopedFirstDrawBuffer drawBuffer;
   const vitrine::ScopedArrayBuffer arrayBuffer;
   const vitrine::ScopedVertexArray vertexArray(0);
   vitrine::ScopedTrackedState trackedState(state);
   vitrine::ScopedShaderProgram shaderProgram(in.Window);
   const std::string failure = this->RenderFragments(s, target);
-  in.OpaqueDepthUnit.reset();
+  in.OpaqueDepth.EndFrame();
   return failure;
 }
 
@@ -292,7 +277,7 @@ void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::str
 }
 
 //------------------------------------------------------------------------------
-void vtkTransparencyPass::DrawTranslucentGeometry(
+std::string vtkTransparencyPass::DrawTranslucentGeometry(
   const vtkRenderState* s, const vitrine::PixelRegion& region)
 {
   this->Private->Region = region;
@@ -306,6 +291,7 @@ void vtkTransparencyPass::DrawTranslucentGeometry(
   this->PostRender(s);
   this->NumberOfRenderedProps = rendered;
   this->GeometryPasses += 1;
+  return this->Private->OpaqueDepth.Problem();
 }
 
 //------------------------------------------------------------------------------
@@ -352,11 +338,8 @@ bool vtkTransparencyPass::SetShaderParameters(
   Internals& in = *this->Private;
   if (program->IsUniformUsed("vitrineOpaqueDepth"))
   {
-    if (!in.OpaqueDepthUnit)
-    {
-      in.CopyOpaqueDepth();
-    }
-    program->SetUniformi("vitrineOpaqueDepth", in.OpaqueDepthUnit->Unit());
+    program->SetUniformi(
+      "vitrineOpaqueDepth", in.OpaqueDepth.UnitOf(in.Window->GetState(), in.Target));
   }
   if (program->IsUniformUsed("vitrineRegionFirst"))
   {
@@ -380,14 +363,16 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Private;
   in.Fallback->ReleaseGraphicsResources(window);
-  if (window == in.Window)
+  if (window == in.Window && in.HasContext())
   {
-    in.OpaqueDepthUnit.reset();
     in.OpaqueDepth.Release();
-    in.OpaqueDepthFramebuffer.Release();
     this->ReleaseMethodResources();
     this->Bytes = 0;
     in.Window = nullptr;
+  }
+  else if (window == in.Window)
+  {
+    this->ForgetResources(); // the names are those of others
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -121,6 +121,11 @@ protected:
     const vtkRenderState* s, const vitrine::RenderTarget& target) = 0;
 
   /**
+   * A frame without translucent geometry, in the window of the method's GL objects, whose context is current.
+   */
+  virtual void RenderNothing() {}
+
+  /**
    * Free the method's own GL objects; their context is current.
    */
   virtual void ReleaseMethodResources() = 0;
@@ -137,8 +142,9 @@ protected:
 
   /**
    * Draw the translucent geometry in `region` once, with the method's storing of fragments joined to the shaders.
+   * Returns an empty string, or why fragments are missing.
    */
-  void DrawTranslucentGeometry(const vtkRenderState* s, const vitrine::PixelRegion& region);
+  std::string DrawTranslucentGeometry(const vtkRenderState* s, const vitrine::PixelRegion& region);
 
   /**
    * The window of the current frame.
@@ -163,6 +169,7 @@ private:
 
   void UseWindow(vtkRenderWindow* renderWindow);
   void LeaveWindow();
+  void ForgetResources();
   std::string RenderExactly(const vtkRenderState* s);
   void RenderFallback(const vtkRenderState* s, const std::string& reason);
 

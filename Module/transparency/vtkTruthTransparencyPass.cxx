@@ -72,7 +72,7 @@ struct vtkTruthTransparencyPass::Internals
   vitrine::Buffer Fragments;
   vitrine::Framebuffer FillFramebuffer;
   vitrine::BackdropCopy Backdrop;
-  vitrine::Image2D Picture; // RGBA32F, samples of a pixel side by side
+  vitrine::Image2D Picture; // RGBA32F: one sample of each pixel
   vitrine::Framebuffer PictureFramebuffer;
   vitrine::EmptyVertexArray VertexArray;
   vitrine::ProgramCache Programs;
@@ -83,42 +83,64 @@ struct vtkTruthTransparencyPass::Internals
   {
     return static_cast<std::size_t>(this->Fragments.Bytes()) / sizeof(vitrine::CapturedFragment);
   }
-  void PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
-  void DrawSamples(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
-    const char* name, const char* fragmentShader, const vitrine::Image2D& source);
+  std::string PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  void AttachTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  void DrawSample(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
+    const char* name, const char* fragmentShader, const vitrine::Image2D& source, int sample);
   std::vector<double> ReadBackdrop(
     vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
   void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
-    const std::vector<double>& samples);
+    const std::vector<double>& picture);
   std::uint32_t ReadCounter();
   std::vector<vitrine::CapturedFragment> ReadFragments(std::size_t count);
 };
 
 //------------------------------------------------------------------------------
-void vtkTruthTransparencyPass::Internals::PrepareTargets(
+// Returns an empty string, or why the driver cannot hold what the target takes.
+std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
   vtkOpenGLState* state, const vitrine::RenderTarget& target)
 {
   this->TargetWidth = target.Width;
-  if (this->Counter.Handle() == 0)
+  const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
+  const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
+  if ((this->Counter.Handle() == 0 && !this->Counter.Allocate(sizeof(GLuint))) ||
+    (this->Fragments.Handle() == 0 && !this->Fragments.Allocate(bytes / record * record)))
   {
-    const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
-    const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
-    this->Counter.Allocate(sizeof(GLuint));
-    this->Fragments.Allocate(bytes / record * record);
+    return "the driver has no memory for " + std::to_string(bytes) + " bytes of fragments";
   }
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
-  target.AttachDepth();
-  unsigned int none = GL_NONE;
-  state->vtkglDrawBuffers(1, &none);
+  std::string problem = this->Picture.Allocate(GL_RGBA32F, target.Width, target.Height, 0);
+  if (problem.empty())
+  {
+    problem = this->Backdrop.Copy(state, target);
+  }
+  if (problem.empty())
+  {
+    this->AttachTargets(state, target);
+  }
+  return problem;
 }
 
 //------------------------------------------------------------------------------
-// Draw one fragment of `fragmentShader` for each pixel, or sample, of the bound framebuffer's scissor box.
-void vtkTruthTransparencyPass::Internals::DrawSamples(vtkOpenGLRenderWindow* window,
+void vtkTruthTransparencyPass::Internals::AttachTargets(
+  vtkOpenGLState* state, const vitrine::RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
+  target.AttachDepth();
+  const GLenum none = GL_NONE;
+  glDrawBuffers(1, &none);
+}
+
+//------------------------------------------------------------------------------
+// Draw one fragment of `fragmentShader` for each pixel of the bound framebuffer's scissor box.
+void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* window,
   const vitrine::RenderTarget& target, const char* name, const char* fragmentShader,
-  const vitrine::Image2D& source)
+  const vitrine::Image2D& source, int sample)
 {
   vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(0, 0, target.Width, target.Height);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
@@ -129,54 +151,70 @@ void vtkTruthTransparencyPass::Internals::DrawSamples(vtkOpenGLRenderWindow* win
   vtkShaderProgram* program =
     this->Programs.Ready(window, name, { "VITRINE_SAMPLES " + std::to_string(target.Samples) },
       vitrine::shaders::FullScreenVertex, [&] { return fragmentShader; });
-  if (program)
+  if (!program)
   {
-    program->SetUniformi("source", unit.Unit());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return;
   }
+  program->SetUniformi("source", unit.Unit());
+  if (program->IsUniformUsed("sampleNumber"))
+  {
+    program->SetUniformi("sampleNumber", sample);
+  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 //------------------------------------------------------------------------------
+// The colours of the target, a pixel's samples side by side.
 std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
   vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
 {
   vtkOpenGLState* state = window->GetState();
-  this->Backdrop.Copy(state, target);
-
-  const int width = target.Width * std::max(target.Samples, 1);
-  const bool fresh = this->Picture.Allocate(GL_RGBA32F, width, target.Height, 0);
+  const int samples = std::max(target.Samples, 1);
+  const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
+  std::vector<float> plane(4 * pixels);
+  std::vector<double> backdrop(plane.size() * samples);
+  const vitrine::ScopedPixelTransfer pixelTransfer;
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->PictureFramebuffer.Handle());
-  if (fresh)
-  {
-    glFramebufferTexture2D(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
-  }
-  state->vtkglViewport(0, 0, width, target.Height);
   state->vtkglDisable(GL_SCISSOR_TEST);
-  this->DrawSamples(window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image());
-
-  std::vector<float> samples(std::size_t(4) * width * target.Height);
-  glReadPixels(0, 0, width, target.Height, GL_RGBA, GL_FLOAT, samples.data());
-  return std::vector<double>(samples.begin(), samples.end());
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    this->DrawSample(
+      window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image(), sample);
+    glReadPixels(0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      std::copy_n(&plane[4 * i], 4, &backdrop[4 * (i * samples + sample)]);
+    }
+  }
+  return backdrop;
 }
 
 //------------------------------------------------------------------------------
 void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* window,
-  const vitrine::RenderTarget& target, const std::vector<double>& samples)
+  const vitrine::RenderTarget& target, const std::vector<double>& picture)
 {
   vtkOpenGLState* state = window->GetState();
-  const std::vector<float> values(samples.begin(), samples.end());
-  {
-    const vitrine::ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->Picture.Handle());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, target.Width * std::max(target.Samples, 1),
-      target.Height, GL_RGBA, GL_FLOAT, values.data());
-  }
+  const int samples = std::max(target.Samples, 1);
+  const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
+  std::vector<float> plane(4 * pixels);
   const vitrine::PixelRegion& r = target.Region;
+  const vitrine::ScopedPixelTransfer pixelTransfer;
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
-  state->vtkglViewport(0, 0, target.Width, target.Height);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
-  this->DrawSamples(window, target, "write", vitrine::shaders::TruthWrite, this->Picture);
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      std::copy_n(&picture[4 * (i * samples + sample)], 4, &plane[4 * i]);
+    }
+    {
+      const vitrine::ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->Picture.Handle());
+      glTexSubImage2D(
+        GL_TEXTURE_2D, 0, 0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
+    }
+    this->DrawSample(window, target, "write", vitrine::shaders::TruthWrite, this->Picture, sample);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -245,7 +283,11 @@ std::string vtkTruthTransparencyPass::RenderFragments(
 {
   Internals& in = *this->Private;
   vtkOpenGLRenderWindow* window = this->GetWindow();
-  in.PrepareTargets(window->GetState(), target);
+  std::string problem = in.PrepareTargets(window->GetState(), target);
+  if (!problem.empty())
+  {
+    return problem;
+  }
   vitrine::ReferenceCompositor compositor(target.Width, target.Height, std::max(target.Samples, 1),
     target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
     in.ReadBackdrop(window, target));
@@ -255,7 +297,7 @@ std::string vtkTruthTransparencyPass::RenderFragments(
   }
 
   this->SampleCount = 0;
-  const std::string problem = this->Capture(s, target, target.Region, compositor);
+  problem = this->Capture(s, target, target.Region, compositor);
   if (!problem.empty())
   {
     return problem;
@@ -277,7 +319,11 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
   {
     const vitrine::ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, in.Counter.Handle());
     const vitrine::ScopedStorageBuffer fragments(VITRINE_BINDING_CAPTURE, in.Fragments.Handle());
-    this->DrawTranslucentGeometry(s, region);
+    const std::string problem = this->DrawTranslucentGeometry(s, region);
+    if (!problem.empty())
+    {
+      return problem;
+    }
   }
 
   const std::size_t count = in.ReadCounter();

@@ -127,6 +127,28 @@ TEST(PoolSizing, FarTooLargePoolShrinksAfterFourFrames)
   EXPECT_EQ(sizing.Capacity(), 180224u); // 160,000 * 1.125 as whole granules
 }
 
+// As where one heavy viewport and several light ones share a pass.
+TEST(PoolSizing, HeavyFramesAmongManyLightOnesThrashOnceAtMost)
+{
+  for (int period = 5; period <= PoolSizing::Window; ++period)
+  {
+    SCOPED_TRACE(period);
+    PoolSizing sizing;
+    int changes = 0;
+    for (int frame = 0; frame < 40 * PoolSizing::Window; ++frame)
+    {
+      changes += PlayFrame(sizing, frame % period == 0 ? 1000000 : 0);
+    }
+    EXPECT_LE(changes, 3); // grown, shrunk, and grown again for good
+    EXPECT_GE(sizing.Capacity(), 1000000u);
+    for (int frame = 0; frame < PoolSizing::Window; ++frame)
+    {
+      PlayFrame(sizing, 0);
+    }
+    EXPECT_EQ(sizing.Capacity(), 0u);
+  }
+}
+
 TEST(PoolSizing, OneLargeFrameStartsTheCountAgain)
 {
   PoolSizing sizing;

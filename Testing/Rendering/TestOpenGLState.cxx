@@ -44,8 +44,21 @@ const NamedEnum Scalars[] = { NAMED(GL_CURRENT_PROGRAM), NAMED(GL_VERTEX_ARRAY_B
   NAMED(GL_CULL_FACE_MODE), NAMED(GL_FRONT_FACE), NAMED(GL_STENCIL_FUNC), NAMED(GL_STENCIL_REF),
   NAMED(GL_STENCIL_VALUE_MASK), NAMED(GL_STENCIL_WRITEMASK), NAMED(GL_STENCIL_FAIL),
   NAMED(GL_STENCIL_PASS_DEPTH_FAIL), NAMED(GL_STENCIL_PASS_DEPTH_PASS), NAMED(GL_POLYGON_MODE),
-  NAMED(GL_PACK_ALIGNMENT), NAMED(GL_PACK_ROW_LENGTH), NAMED(GL_UNPACK_ALIGNMENT),
-  NAMED(GL_UNPACK_ROW_LENGTH), NAMED(GL_LOGIC_OP_MODE) };
+  NAMED(GL_PACK_ALIGNMENT), NAMED(GL_PACK_ROW_LENGTH), NAMED(GL_PACK_SKIP_ROWS),
+  NAMED(GL_PACK_SKIP_PIXELS), NAMED(GL_PACK_SWAP_BYTES), NAMED(GL_UNPACK_ALIGNMENT),
+  NAMED(GL_UNPACK_ROW_LENGTH), NAMED(GL_UNPACK_SKIP_ROWS), NAMED(GL_UNPACK_SKIP_PIXELS),
+  NAMED(GL_UNPACK_SWAP_BYTES), NAMED(GL_LOGIC_OP_MODE) };
+
+// How pixels lie in memory: values that no one has, and OpenGL's own.
+const struct
+{
+  GLenum Name;
+  GLint Odd;
+  GLint Default;
+} PixelSettings[] = { { GL_PACK_ALIGNMENT, 8, 4 }, { GL_PACK_ROW_LENGTH, 123, 0 },
+  { GL_PACK_SKIP_ROWS, 3, 0 }, { GL_PACK_SKIP_PIXELS, 5, 0 }, { GL_PACK_SWAP_BYTES, 1, 0 },
+  { GL_UNPACK_ALIGNMENT, 8, 4 }, { GL_UNPACK_ROW_LENGTH, 77, 0 }, { GL_UNPACK_SKIP_ROWS, 2, 0 },
+  { GL_UNPACK_SKIP_PIXELS, 7, 0 }, { GL_UNPACK_SWAP_BYTES, 1, 0 } };
 
 const NamedEnum Capabilities[] = { NAMED(GL_BLEND), NAMED(GL_DEPTH_TEST), NAMED(GL_SCISSOR_TEST),
   NAMED(GL_STENCIL_TEST), NAMED(GL_CULL_FACE), NAMED(GL_MULTISAMPLE), NAMED(GL_SAMPLE_SHADING),
@@ -210,10 +223,24 @@ private:
     }
     glGenVertexArrays(1, &this->VertexArray);
     glBindVertexArray(this->VertexArray);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, this->Buffer);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, this->Buffer);
+    for (const auto& setting : PixelSettings)
+    {
+      state->vtkglPixelStorei(setting.Name, setting.Odd);
+    }
+    state->vtkglReadBuffer(GL_NONE);
   }
 
   void Unbind(vtkOpenGLState* state)
   {
+    state->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+    for (const auto& setting : PixelSettings)
+    {
+      state->vtkglPixelStorei(setting.Name, setting.Default);
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     for (GLuint i = 0; i < 8; ++i)
     {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, 0);
@@ -239,11 +266,14 @@ class OpenGLStateChecks : public testing::Test
 protected:
   static void ExpectPutBack(TestScene& scene, vtkTransparencyPass* pass)
   {
+    scene.Use(pass);
+    const Picture expected = scene.Render();
+    pass->ReleaseGraphicsResources(scene.Window);
     vtkNew<StateCheckingPass> checking;
     checking->Delegate = pass;
     scene.Use(checking);
-    scene.Render(); // allocates
-    scene.Render(); // finds everything there
+    EXPECT_TRUE(scene.Render() == expected); // allocates
+    EXPECT_TRUE(scene.Render() == expected); // finds everything there
     EXPECT_EQ(checking->Frames, 2);
     EXPECT_STREQ(pass->GetFallbackReason(), "");
     EXPECT_GT(pass->GetFragmentCount(), 0);

@@ -1,0 +1,79 @@
+#include "transparency/ListHeads.h"
+
+#include "Shaders/SharedLayout.h"
+#include "gl/ScopedState.h"
+#include "vtkOpenGLState.h"
+
+namespace vitrine
+{
+
+std::string ListHeads::Prepare(
+  vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch)
+{
+  this->Fetched = framebufferFetch;
+  this->Width = target.Width;
+  this->Height = target.Height;
+  // For image atomics, which have one value a texel, each row is two: newest nodes, and counts.
+  std::string problem = framebufferFetch
+    ? this->Heads.Allocate(GL_RG32UI, this->Width, this->Height, 0)
+    : this->Heads.Allocate(GL_R32UI, this->Width, 2 * this->Height, 0);
+  if (problem.empty())
+  {
+    this->Attach(state, target);
+  }
+  return problem;
+}
+
+// Images may be new ones under old names, the target's too, so they are attached anew each frame.
+void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearTarget.Handle());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads.Handle(), 0);
+
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+    this->Fetched ? GLuint(this->Heads.Handle()) : 0u, 0);
+  target.AttachDepth();
+  // Location 0 is the colour that the mappers' shaders write themselves. Not through vtkOpenGLState: of the buffers
+  // after the first it knows those of other framebuffers.
+  const GLenum buffers[2] = { GL_NONE,
+    this->Fetched ? GLenum(GL_COLOR_ATTACHMENT0) : GLenum(GL_NONE) };
+  glDrawBuffers(2, buffers);
+}
+
+void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r)
+{
+  const int rows = this->Fetched ? 1 : 2;
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearTarget.Handle());
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const GLuint empty[4] = { this->Fetched ? VITRINE_END : 0u, 0u, 0u, 0u };
+  glClearBufferuiv(GL_COLOR, 0, empty);
+}
+
+std::vector<std::uint32_t> ListHeads::ReadCounts(vtkOpenGLState* state)
+{
+  const auto width = static_cast<std::size_t>(this->Width);
+  std::vector<std::uint32_t> heads(2 * width * this->Height);
+  const ScopedPixelTransfer pixelTransfer;
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ClearTarget.Handle());
+  glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
+    this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, heads.data());
+  std::vector<std::uint32_t> counts(width * this->Height);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    counts[i] = heads[this->Fetched ? 2 * i + 1 : (2 * (i / width) + 1) * width + i % width];
+  }
+  return counts;
+}
+
+void ListHeads::Release()
+{
+  this->Heads.Release();
+  this->FillTarget.Release();
+  this->ClearTarget.Release();
+}
+
+}
