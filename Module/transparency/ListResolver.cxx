@@ -1,6 +1,7 @@
 #include "transparency/ListResolver.h"
 
 #include "Shaders/SharedLayout.h"
+#include "gl/FullScreenDraw.h"
 #include "gl/ScopedState.h"
 #include "transparency/NodePool.h"
 #include "transparency/ResolveSources.h"
@@ -123,21 +124,14 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
   const int tilesX = (target.Width + VITRINE_TILE_SIZE - 1) / VITRINE_TILE_SIZE;
   const int tilesY = (target.Height + VITRINE_TILE_SIZE - 1) / VITRINE_TILE_SIZE;
   const bool fresh = this->TileMax.Allocate(GL_R32UI, tilesX, tilesY, 0);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->TileFramebuffer.Handle());
+  const TileRange tiles(region);
+  BindForFullScreenDraw(state, this->TileFramebuffer.Handle(), tilesX, tilesY,
+    { tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1] });
   if (fresh)
   {
     glFramebufferTexture2D(
       GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->TileMax.Handle(), 0);
   }
-
-  const TileRange tiles(region);
-  state->vtkglViewport(0, 0, tilesX, tilesY);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1]);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
@@ -162,14 +156,7 @@ void ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const RenderTarget& target, const PixelRegion& region, std::uint32_t tileBins)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
-  state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
 
   const TileRange tiles(region);
   const int targetSize[2] = { target.Width, target.Height };

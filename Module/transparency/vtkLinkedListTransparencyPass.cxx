@@ -7,6 +7,7 @@
 #include "gl/GLObjects.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "transparency/FillExtensions.h"
 #include "transparency/FillShader.h"
 #include "transparency/ListResolver.h"
 #include "transparency/NodePool.h"
@@ -17,7 +18,6 @@
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 
-#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkLinkedListTransparencyPass);
@@ -25,21 +25,7 @@ vtkStandardNewMacro(vtkLinkedListTransparencyPass);
 namespace
 {
 
-// What the declarations that are joined to the mappers' shaders (GLSL 1.50) use.
-const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "GL_ARB_gpu_shader5",
-  "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
-  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 const char* const FetchExtension = "GL_EXT_shader_framebuffer_fetch";
-
-vitrine::PixelRegion RegionOf(const vitrine::PixelRect& rect)
-{
-  vitrine::PixelRegion region;
-  region.X = rect.X;
-  region.Y = rect.Y;
-  region.Width = rect.Width;
-  region.Height = rect.Height;
-  return region;
-}
 
 }
 
@@ -165,15 +151,15 @@ vtkTypeInt64 vtkLinkedListTransparencyPass::GetPoolBytes()
 std::string vtkLinkedListTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
   this->Private->HasFramebufferFetch = vitrine::HasExtension(FetchExtension);
-  return vitrine::MissingFeatures(
-    4, 3, std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+  return vitrine::MissingFeatures(4, 3, vitrine::FillExtensions());
 }
 
 //------------------------------------------------------------------------------
 vitrine::FillShader vtkLinkedListTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;
-  fill.Extensions.assign(std::begin(RequiredExtensions), std::end(RequiredExtensions));
+  const std::vector<const char*>& extensions = vitrine::FillExtensions();
+  fill.Extensions.assign(extensions.begin(), extensions.end());
   if (this->Private->Layout.FramebufferFetch)
   {
     fill.Extensions.emplace_back(FetchExtension);
@@ -296,19 +282,17 @@ std::string vtkLinkedListTransparencyPass::RenderInBands(
   {
     n = (n + pageSize - 1) / pageSize;
   }
-  const vitrine::PixelRegion& r = target.Region;
   const vitrine::BandPlan plan = vitrine::PlanBands(pages, target.Width, target.Height,
-    static_cast<std::uint64_t>(in.Pool.CapacityPages()), { r.X, r.Y, r.Width, r.Height });
+    static_cast<std::uint64_t>(in.Pool.CapacityPages()), target.Region);
   if (!plan.Fits)
   {
     return "one pixel alone needs " + std::to_string(plan.LargestPixel * in.Pool.PageBytes()) +
       " bytes of the node pool, which may have " + std::to_string(in.Pool.Bytes());
   }
-  for (const vitrine::PixelRect& band : plan.Bands)
+  for (const vitrine::PixelRegion& band : plan.Bands)
   {
-    const vitrine::PixelRegion region = RegionOf(band);
-    const vitrine::FragmentStatistics part = this->Fill(s, target, region);
-    this->Resolve(target, region, part);
+    const vitrine::FragmentStatistics part = this->Fill(s, target, band);
+    this->Resolve(target, band, part);
   }
   this->NumberOfBands = static_cast<int>(plan.Bands.size());
   return {};

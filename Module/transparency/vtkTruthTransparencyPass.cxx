@@ -4,10 +4,12 @@
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
+#include "gl/FullScreenDraw.h"
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "transparency/FillExtensions.h"
 #include "transparency/FillShader.h"
 #include "transparency/ShaderText.h"
 #include "vtkImageData.h"
@@ -21,17 +23,12 @@
 #include <algorithm>
 #include <bitset>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkTruthTransparencyPass);
 
 namespace
 {
-
-const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "GL_ARB_gpu_shader5",
-  "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
-  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 
 // The GPU writes what Core reads.
 static_assert(
@@ -113,17 +110,12 @@ void vtkTruthTransparencyPass::Internals::PrepareTargets(
 }
 
 //------------------------------------------------------------------------------
-// Draw one fragment of `fragmentShader` for each pixel, or sample, of the bound framebuffer's scissor box.
+// Draw one fragment of `fragmentShader` for each pixel, or sample: to be called after BindForFullScreenDraw().
 void vtkTruthTransparencyPass::Internals::DrawSamples(vtkOpenGLRenderWindow* window,
   const vitrine::RenderTarget& target, const char* name, const char* fragmentShader,
   const vitrine::Image2D& source)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const vitrine::ScopedVertexArray vertexArray(this->VertexArray.Handle());
   const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
   vtkShaderProgram* program =
@@ -142,17 +134,16 @@ std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
 
   const int width = target.Width * std::max(target.Samples, 1);
   const bool fresh = this->Picture.Allocate(GL_RGBA32F, width, target.Height, 0);
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  vitrine::BindForFullScreenDraw(state, this->PictureFramebuffer.Handle(), width, target.Height);
   if (fresh)
   {
     glFramebufferTexture2D(
-      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
+      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
   }
-  state->vtkglViewport(0, 0, width, target.Height);
-  state->vtkglDisable(GL_SCISSOR_TEST);
   this->DrawSamples(window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image());
 
   std::vector<float> samples(std::size_t(4) * width * target.Height);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->PictureFramebuffer.Handle());
   glReadPixels(0, 0, width, target.Height, GL_RGBA, GL_FLOAT, samples.data());
   return std::vector<double>(samples.begin(), samples.end());
 }
@@ -168,11 +159,8 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, target.Width * std::max(target.Samples, 1),
       target.Height, GL_RGBA, GL_FLOAT, values.data());
   }
-  const vitrine::PixelRegion& r = target.Region;
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
-  state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
+  vitrine::BindForFullScreenDraw(
+    state, target.Framebuffer, target.Width, target.Height, target.Region);
   this->DrawSamples(window, target, "write", vitrine::shaders::TruthWrite, this->Picture);
 }
 
@@ -216,15 +204,15 @@ vtkImageData* vtkTruthTransparencyPass::GetResult()
 //------------------------------------------------------------------------------
 std::string vtkTruthTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
-  return vitrine::MissingFeatures(
-    4, 3, std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+  return vitrine::MissingFeatures(4, 3, vitrine::FillExtensions());
 }
 
 //------------------------------------------------------------------------------
 vitrine::FillShader vtkTruthTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;
-  fill.Extensions.assign(std::begin(RequiredExtensions), std::end(RequiredExtensions));
+  const std::vector<const char*>& extensions = vitrine::FillExtensions();
+  fill.Extensions.assign(extensions.begin(), extensions.end());
   fill.Declarations = vitrine::shaders::TruthFillDec;
   fill.Implementation = vitrine::shaders::TruthFillImpl;
   return fill;
