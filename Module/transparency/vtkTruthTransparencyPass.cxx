@@ -87,7 +87,7 @@ struct vtkTruthTransparencyPass::Internals
     vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
   void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
     const std::vector<double>& samples);
-  std::uint32_t ReadCounter();
+  std::uint64_t ReadCounter();
   std::vector<vitrine::CapturedFragment> ReadFragments(std::size_t count);
 };
 
@@ -100,7 +100,7 @@ void vtkTruthTransparencyPass::Internals::PrepareTargets(
   {
     const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
     const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
-    this->Counter.Allocate(sizeof(GLuint));
+    this->Counter.Allocate(sizeof(vitrine::VitrineCaptureCounters));
     this->Fragments.Allocate(bytes / record * record);
   }
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
@@ -165,12 +165,13 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t vtkTruthTransparencyPass::Internals::ReadCounter()
+// Fragments captured, those that found no room included.
+std::uint64_t vtkTruthTransparencyPass::Internals::ReadCounter()
 {
-  GLuint count = 0;
+  vitrine::VitrineCaptureCounters counters = {};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  this->Counter.Read(0, sizeof(count), &count);
-  return count;
+  this->Counter.Read(0, sizeof(counters), &counters);
+  return counters.Fragments + (std::uint64_t(counters.Wraps) << 32);
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +253,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
   vitrine::ReferenceCompositor& compositor)
 {
   Internals& in = *this->Private;
-  const GLuint zero = 0;
+  const vitrine::VitrineCaptureCounters zero = {};
   in.Counter.Write(0, sizeof(zero), &zero);
   target.BindForFill(this->GetWindow()->GetState(), in.FillFramebuffer.Handle(), region);
   {
@@ -261,7 +262,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
     this->DrawTranslucentGeometry(s, region);
   }
 
-  const std::size_t count = in.ReadCounter();
+  const std::uint64_t count = in.ReadCounter();
   if (count <= in.Capacity())
   {
     const std::vector<vitrine::CapturedFragment> fragments = in.ReadFragments(count);
