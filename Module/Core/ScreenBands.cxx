@@ -14,7 +14,7 @@ struct NeedView
 {
   const std::vector<std::uint32_t>& Need;
   std::size_t Stride;
-  PixelRect Region;
+  PixelRegion Region;
 
   std::uint32_t At(int x, int y) const { return this->Need[y * this->Stride + x]; }
 };
@@ -48,7 +48,7 @@ RowNeed SumRow(const NeedView& view, int y, std::uint64_t& largestPixel)
 class BandBuilder
 {
 public:
-  BandBuilder(std::uint64_t capacity, std::vector<PixelRect>& bands)
+  BandBuilder(std::uint64_t capacity, std::vector<PixelRegion>& bands)
     : Capacity(capacity)
     , Bands(bands)
   {
@@ -84,7 +84,7 @@ public:
 
 private:
   std::uint64_t Capacity;
-  std::vector<PixelRect>& Bands;
+  std::vector<PixelRegion>& Bands;
   std::uint64_t Sum = 0;
   int FirstX = 0;
   int LastX = 0;
@@ -105,7 +105,7 @@ void CutRow(const NeedView& view, const RowNeed& row, int y, BandBuilder& builde
   builder.Flush();
 }
 
-PixelRect ClipToPicture(const PixelRect& region, int width, int height)
+PixelRegion ClipToPicture(const PixelRegion& region, int width, int height)
 {
   const auto clip = [](std::int64_t value, int size)
   { return static_cast<int>(std::clamp<std::int64_t>(value, 0, size)); };
@@ -125,7 +125,7 @@ BandPlan PlanBands(
 }
 
 BandPlan PlanBands(const std::vector<std::uint32_t>& need, int width, int height,
-  std::uint64_t capacity, const PixelRect& region)
+  std::uint64_t capacity, const PixelRegion& region)
 {
   assert(width >= 0 && height >= 0);
   assert(need.size() == static_cast<std::size_t>(width) * height);

@@ -1,26 +1,19 @@
 #ifndef VITRINE_CORE_SCREEN_BANDS_H
 #define VITRINE_CORE_SCREEN_BANDS_H
 
+#include "Core/PixelRegion.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace vitrine
 {
 
-/** A rectangle of pixels: X to X + Width - 1 by Y to Y + Height - 1. */
-struct PixelRect
-{
-  int X;
-  int Y;
-  int Width;
-  int Height;
-};
-
 /** How to draw a picture in parts that each fit into a pool. */
 struct BandPlan
 {
   /** Rectangles without overlap, by rows and then columns, each with some need. Empty if !Fits. */
-  std::vector<PixelRect> Bands;
+  std::vector<PixelRegion> Bands;
   /** The largest need of a single pixel. */
   std::uint64_t LargestPixel = 0;
   /** False if a pixel alone needs more than the capacity, so that no plan exists. */
@@ -46,7 +39,7 @@ BandPlan PlanBands(
 
 /** As above, for the part of the picture that lies in `region`; what lies outside is left out. */
 BandPlan PlanBands(const std::vector<std::uint32_t>& need, int width, int height,
-  std::uint64_t capacity, const PixelRect& region);
+  std::uint64_t capacity, const PixelRegion& region);
 
 }
 

@@ -42,17 +42,32 @@ using uint = std::uint32_t;
 #endif
 
 /**
- * What a frame counts, std430. Sums that may pass 2^32 are kept as two: the low 16 bits of each addend
- * and the rest, so that value = Low + 65536 * High.
+ * Sums that may pass 2^32 are kept as two words: value = Low + 2^VITRINE_SPLIT_BITS * High, where Low sums the
+ * lowest bits of the addends and High the rest of each. There is one addend a tile. With 10 bits neither word
+ * wraps
+ *  - Low: in the largest image there is, 32768 x 32768 or 2^22 tiles: 2^22 * (2^10 - 1) < 2^32;
+ *  - High: below sums of 2^42, which is 16384 fragments in each pixel of 16384 x 16384, or 4096 in each of
+ *    32768 x 32768. The addend itself stays below 2^32 below 2^24 fragments in each pixel of the tile.
  */
+#define VITRINE_SPLIT_BITS 10
+
+/** What a frame counts, std430. */
 struct VitrineCounters
 {
-  uint PagesUsed;     // the allocator: next free page; counts on past the end of the pool
+  uint
+    PagesUsed; // the allocator: next free page; counts on past the end of the pool, even past 2^32
   uint LayersMax;     // most fragments in one pixel
   uint CoveredPixels; // pixels with at least one fragment
   uint TileBins;      // bit b is set if some tile falls into bin b
-  uint PagesLow[4];   // pages that the counts ask for with pages of 1, 2, 4 and 8 nodes
+  uint PagesLow[4];   // pages that the counts ask for with pages of 1, 2, 4 and 8 nodes: split sums
   uint PagesHigh[4];
+};
+
+/** What the yardstick counts, std430: fragments = Fragments + 2^32 * Wraps. */
+struct VitrineCaptureCounters
+{
+  uint Fragments; // the next free place; counts on past the end
+  uint Wraps;     // how often it passed 2^32
 };
 
 /** A fragment as the yardstick captures it: non-premultiplied colour, window depth; std430, 28 bytes. */
@@ -70,9 +85,23 @@ struct VitrineCapturedFragment
 #ifdef __cplusplus
 static_assert(sizeof(VitrineCapturedFragment) == 28, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
+static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
 static_assert(sizeof(VitrineCounters) == 48, "std430 layout");
 static_assert(offsetof(VitrineCounters, PagesLow) == 16, "std430 layout");
 static_assert(offsetof(VitrineCounters, PagesHigh) == 32, "std430 layout");
+
+/** The value of a split sum. */
+constexpr std::int64_t JoinSplitSum(uint low, uint high)
+{
+  return low + (std::int64_t(high) << VITRINE_SPLIT_BITS);
+}
+
+constexpr std::int64_t LargestTileCount =
+  std::int64_t(32768 / VITRINE_TILE_SIZE) * (32768 / VITRINE_TILE_SIZE);
+static_assert(LargestTileCount * ((1 << VITRINE_SPLIT_BITS) - 1) < (std::int64_t(1) << 32),
+  "the sum of the low bits wraps");
+static_assert(std::int64_t(1) << (32 + VITRINE_SPLIT_BITS) >= std::int64_t(16384) * 16384 * 16384,
+  "the sum of the high bits wraps");
 }
 #endif
 

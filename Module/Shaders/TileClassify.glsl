@@ -13,11 +13,11 @@ uniform ivec2 regionEnd;
 
 layout(location = 0) out uint tileMax;
 
-// Add `n` to a sum that may pass 2^32.
+// Add `n` to a split sum.
 void addPages(int shift, uint n)
 {
-  atomicAdd(counters.PagesLow[shift], n & 0xffffu);
-  atomicAdd(counters.PagesHigh[shift], n >> 16);
+  atomicAdd(counters.PagesLow[shift], n & ((1u << VITRINE_SPLIT_BITS) - 1u));
+  atomicAdd(counters.PagesHigh[shift], n >> VITRINE_SPLIT_BITS);
 }
 
 // Bin b holds the tiles whose longest list is at most binLimits[b] nodes, and longer than binLimits[b - 1].

@@ -4,7 +4,7 @@
 
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCaptureCounter
 {
-  uint vitrineCaptured; // counts on past the end
+  VitrineCaptureCounters vitrineCaptured;
 };
 layout(std430, binding = VITRINE_BINDING_CAPTURE) writeonly buffer VitrineCaptureBuffer
 {

@@ -8,7 +8,12 @@
       discard;
     }
 #endif
-    uint vitrineAt = atomicAdd(vitrineCaptured, 1u);
+    uint vitrineAt = atomicAdd(vitrineCaptured.Fragments, 1u);
+    if (vitrineAt == 0xffffffffu)
+    {
+      // What comes next overwrites the first fragments. The count tells, and they are drawn again in parts.
+      atomicAdd(vitrineCaptured.Wraps, 1u);
+    }
     if (vitrineAt < uint(vitrineCapture.length()))
     {
       vitrineCapture[vitrineAt].Pixel =

@@ -4,6 +4,7 @@
 #ifndef VITRINE_RENDER_TARGET_H
 #define VITRINE_RENDER_TARGET_H
 
+#include "Core/PixelRegion.h"
 #include "gl/AttachedImage.h"
 #include "gl/VitrineOpenGL.h"
 
@@ -13,17 +14,6 @@ class vtkOpenGLState;
 
 namespace vitrine
 {
-
-/** A rectangle of pixels in window coordinates (DC), origin at the bottom left. */
-struct PixelRegion
-{
-  int X = 0;
-  int Y = 0;
-  int Width = 0;
-  int Height = 0;
-
-  bool IsEmpty() const { return this->Width <= 0 || this->Height <= 0; }
-};
 
 /**
  * The draw framebuffer as it is: its images, size, samples and the region to draw.

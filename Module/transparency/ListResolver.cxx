@@ -1,6 +1,7 @@
 #include "transparency/ListResolver.h"
 
 #include "Shaders/SharedLayout.h"
+#include "gl/FullScreenDraw.h"
 #include "gl/ScopedState.h"
 #include "transparency/NodePool.h"
 #include "transparency/ResolveSources.h"
@@ -135,16 +136,9 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
 {
   vtkOpenGLState* state = window->GetState();
   const TileRange all({ 0, 0, target.Width, target.Height });
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->TileFramebuffer.Handle());
-
   const TileRange tiles(region);
-  state->vtkglViewport(0, 0, all.Count[0], all.Count[1]);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1]);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  BindForFullScreenDraw(state, this->TileFramebuffer.Handle(), all.Count[0], all.Count[1],
+    { tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1] });
 
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
@@ -178,13 +172,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   }
 
   vtkOpenGLState* state = window->GetState();
-  state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
 
   const TileRange tiles(region);
   const int targetSize[2] = { target.Width, target.Height };

@@ -283,8 +283,7 @@ FragmentStatistics NodePool::ReadCounters() const
   statistics.TileBins = counters.TileBins;
   for (int shift = 0; shift <= MaximumPageShift; ++shift)
   {
-    statistics.Pages[shift] =
-      counters.PagesLow[shift] + (std::int64_t(counters.PagesHigh[shift]) << 16);
+    statistics.Pages[shift] = JoinSplitSum(counters.PagesLow[shift], counters.PagesHigh[shift]);
   }
   statistics.Fragments = statistics.Pages[0];
   return statistics;

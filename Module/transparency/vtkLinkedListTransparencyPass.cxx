@@ -6,6 +6,7 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "transparency/FillExtensions.h"
 #include "transparency/FillShader.h"
 #include "transparency/ListHeads.h"
 #include "transparency/ListResolver.h"
@@ -17,7 +18,6 @@
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 
-#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkLinkedListTransparencyPass);
@@ -25,26 +25,12 @@ vtkStandardNewMacro(vtkLinkedListTransparencyPass);
 namespace
 {
 
-// What the declarations that are joined to the mappers' shaders (GLSL 1.50) use.
-const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "GL_ARB_gpu_shader5",
-  "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
-  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 const char* const FetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
 // How often a frame is drawn again whose props make more fragments than they did before.
 constexpr int MaximumAttempts = 4;
 const char* const UnsteadyProps =
   "the translucent props make more fragments each time they are drawn within one frame";
-
-vitrine::PixelRegion RegionOf(const vitrine::PixelRect& rect)
-{
-  vitrine::PixelRegion region;
-  region.X = rect.X;
-  region.Y = rect.Y;
-  region.Width = rect.Width;
-  region.Height = rect.Height;
-  return region;
-}
 
 }
 
@@ -95,9 +81,8 @@ vitrine::BandPlan vtkLinkedListTransparencyPass::Internals::PlanBands(
   {
     n = (n + pageSize - 1) / pageSize;
   }
-  const vitrine::PixelRegion& r = target.Region;
   return vitrine::PlanBands(pages, target.Width, target.Height,
-    static_cast<std::uint64_t>(this->Pool.CapacityPages()), { r.X, r.Y, r.Width, r.Height });
+    static_cast<std::uint64_t>(this->Pool.CapacityPages()), target.Region);
 }
 
 //------------------------------------------------------------------------------
@@ -149,15 +134,15 @@ vtkTypeInt64 vtkLinkedListTransparencyPass::GetPoolBytes()
 std::string vtkLinkedListTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
   this->Private->HasFramebufferFetch = vitrine::HasExtension(FetchExtension);
-  return vitrine::MissingFeatures(
-    4, 3, std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+  return vitrine::MissingFeatures(4, 3, vitrine::FillExtensions());
 }
 
 //------------------------------------------------------------------------------
 vitrine::FillShader vtkLinkedListTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;
-  fill.Extensions.assign(std::begin(RequiredExtensions), std::end(RequiredExtensions));
+  const std::vector<const char*>& extensions = vitrine::FillExtensions();
+  fill.Extensions.assign(extensions.begin(), extensions.end());
   if (this->Private->Layout.FramebufferFetch)
   {
     fill.Extensions.emplace_back(FetchExtension);
@@ -318,12 +303,11 @@ std::string vtkLinkedListTransparencyPass::RenderInBands(
 
 //------------------------------------------------------------------------------
 std::string vtkLinkedListTransparencyPass::DrawBands(const vtkRenderState* s,
-  const vitrine::RenderTarget& target, const std::vector<vitrine::PixelRect>& bands)
+  const vitrine::RenderTarget& target, const std::vector<vitrine::PixelRegion>& bands)
 {
   bool holdsAll = true;
-  for (const vitrine::PixelRect& band : bands)
+  for (const vitrine::PixelRegion& region : bands)
   {
-    const vitrine::PixelRegion region = RegionOf(band);
     vitrine::FragmentStatistics part;
     const std::string problem = this->Fill(s, target, region, part);
     if (!problem.empty())

@@ -30,7 +30,6 @@
 namespace vitrine
 {
 struct FragmentStatistics;
-struct PixelRect;
 struct PixelRegion;
 }
 
@@ -111,7 +110,7 @@ private:
     const vitrine::FragmentStatistics& statistics);
   std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string DrawBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const std::vector<vitrine::PixelRect>& bands);
+    const std::vector<vitrine::PixelRegion>& bands);
   void FinishFrame(const vitrine::FragmentStatistics& frame);
 
   struct Internals;

@@ -4,10 +4,12 @@
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
+#include "gl/FullScreenDraw.h"
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "transparency/FillExtensions.h"
 #include "transparency/FillShader.h"
 #include "transparency/ShaderText.h"
 #include "vtkImageData.h"
@@ -21,17 +23,12 @@
 #include <algorithm>
 #include <bitset>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkTruthTransparencyPass);
 
 namespace
 {
-
-const char* const RequiredExtensions[] = { "GL_ARB_explicit_attrib_location", "GL_ARB_gpu_shader5",
-  "GL_ARB_shader_bit_encoding", "GL_ARB_shader_image_load_store",
-  "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack" };
 
 // The GPU writes what Core reads.
 static_assert(
@@ -91,7 +88,7 @@ struct vtkTruthTransparencyPass::Internals
     vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
   void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
     const std::vector<double>& picture);
-  std::uint32_t ReadCounter();
+  std::uint64_t ReadCounter();
   std::vector<vitrine::CapturedFragment> ReadFragments(std::size_t count);
 };
 
@@ -103,7 +100,7 @@ std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
   this->TargetWidth = target.Width;
   const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
   const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
-  if ((this->Counter.Handle() == 0 && !this->Counter.Allocate(sizeof(GLuint))) ||
+  if ((this->Counter.Handle() == 0 && !this->Counter.Allocate(sizeof(vitrine::VitrineCaptureCounters))) ||
     (this->Fragments.Handle() == 0 && !this->Fragments.Allocate(bytes / record * record)))
   {
     return "the driver has no memory for " + std::to_string(bytes) + " bytes of fragments";
@@ -134,18 +131,12 @@ void vtkTruthTransparencyPass::Internals::AttachTargets(
 }
 
 //------------------------------------------------------------------------------
-// Draw one fragment of `fragmentShader` for each pixel of the bound framebuffer's scissor box.
+// Draw one fragment of `fragmentShader` for each pixel: to be called after BindForFullScreenDraw().
 void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* window,
   const vitrine::RenderTarget& target, const char* name, const char* fragmentShader,
   const vitrine::Image2D& source, int sample)
 {
   vtkOpenGLState* state = window->GetState();
-  state->vtkglViewport(0, 0, target.Width, target.Height);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const vitrine::ScopedVertexArray vertexArray(this->VertexArray.Handle());
   const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
   vtkShaderProgram* program =
@@ -174,8 +165,9 @@ std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
   std::vector<float> plane(4 * pixels);
   std::vector<double> backdrop(plane.size() * samples);
   const vitrine::ScopedPixelTransfer pixelTransfer;
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->PictureFramebuffer.Handle());
-  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  vitrine::BindForFullScreenDraw(
+    state, this->PictureFramebuffer.Handle(), target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
   {
     this->DrawSample(
@@ -197,11 +189,9 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
   const int samples = std::max(target.Samples, 1);
   const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
   std::vector<float> plane(4 * pixels);
-  const vitrine::PixelRegion& r = target.Region;
   const vitrine::ScopedPixelTransfer pixelTransfer;
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
+  vitrine::BindForFullScreenDraw(
+    state, target.Framebuffer, target.Width, target.Height, target.Region);
   for (int sample = 0; sample < samples; ++sample)
   {
     for (std::size_t i = 0; i < pixels; ++i)
@@ -218,12 +208,13 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t vtkTruthTransparencyPass::Internals::ReadCounter()
+// Fragments captured, those that found no room included.
+std::uint64_t vtkTruthTransparencyPass::Internals::ReadCounter()
 {
-  GLuint count = 0;
+  vitrine::VitrineCaptureCounters counters = {};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  this->Counter.Read(0, sizeof(count), &count);
-  return count;
+  this->Counter.Read(0, sizeof(counters), &counters);
+  return counters.Fragments + (std::uint64_t(counters.Wraps) << 32);
 }
 
 //------------------------------------------------------------------------------
@@ -257,15 +248,15 @@ vtkImageData* vtkTruthTransparencyPass::GetResult()
 //------------------------------------------------------------------------------
 std::string vtkTruthTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
-  return vitrine::MissingFeatures(
-    4, 3, std::vector<const char*>(std::begin(RequiredExtensions), std::end(RequiredExtensions)));
+  return vitrine::MissingFeatures(4, 3, vitrine::FillExtensions());
 }
 
 //------------------------------------------------------------------------------
 vitrine::FillShader vtkTruthTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;
-  fill.Extensions.assign(std::begin(RequiredExtensions), std::end(RequiredExtensions));
+  const std::vector<const char*>& extensions = vitrine::FillExtensions();
+  fill.Extensions.assign(extensions.begin(), extensions.end());
   fill.Declarations = vitrine::shaders::TruthFillDec;
   fill.Implementation = vitrine::shaders::TruthFillImpl;
   return fill;
@@ -313,7 +304,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
   vitrine::ReferenceCompositor& compositor)
 {
   Internals& in = *this->Private;
-  const GLuint zero = 0;
+  const vitrine::VitrineCaptureCounters zero = {};
   in.Counter.Write(0, sizeof(zero), &zero);
   target.BindForFill(this->GetWindow()->GetState(), in.FillFramebuffer.Handle(), region);
   {
@@ -326,7 +317,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
     }
   }
 
-  const std::size_t count = in.ReadCounter();
+  const std::uint64_t count = in.ReadCounter();
   if (count <= in.Capacity())
   {
     const std::vector<vitrine::CapturedFragment> fragments = in.ReadFragments(count);

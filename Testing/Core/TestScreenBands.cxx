@@ -11,10 +11,10 @@ namespace
 {
 
 using vitrine::BandPlan;
-using vitrine::PixelRect;
+using vitrine::PixelRegion;
 using vitrine::PlanBands;
 
-std::uint64_t SumOver(const std::vector<std::uint32_t>& need, int width, const PixelRect& rect)
+std::uint64_t SumOver(const std::vector<std::uint32_t>& need, int width, const PixelRegion& rect)
 {
   std::uint64_t sum = 0;
   for (int y = rect.Y; y < rect.Y + rect.Height; ++y)
@@ -29,11 +29,11 @@ std::uint64_t SumOver(const std::vector<std::uint32_t>& need, int width, const P
 
 // All that a plan that fits promises: bounds, capacity, no empty band, each needy pixel once.
 void ExpectExactCover(const BandPlan& plan, const std::vector<std::uint32_t>& need, int width,
-  int height, std::uint64_t capacity, const PixelRect& region)
+  int height, std::uint64_t capacity, const PixelRegion& region)
 {
   ASSERT_TRUE(plan.Fits);
   std::vector<int> covered(need.size());
-  for (const PixelRect& band : plan.Bands)
+  for (const PixelRegion& band : plan.Bands)
   {
     ASSERT_GE(band.X, 0);
     ASSERT_GE(band.Y, 0);
@@ -189,9 +189,9 @@ TEST(ScreenBands, RegionIsClippedAndTheRestLeftOut)
   }
   need[0] = 1000; // outside each region that begins at 1 or later
   const int most = std::numeric_limits<int>::max();
-  for (const PixelRect& region : { PixelRect{ 3, 4, 9, 5 }, PixelRect{ 1, 1, most, most },
-         PixelRect{ 19, 14, 1, 1 }, PixelRect{ 5, 5, 0, 3 }, PixelRect{ 30, 30, 5, 5 },
-         PixelRect{ 5, 5, -2, 3 }, PixelRect{ -5, 1, 10, 10 } })
+  for (const PixelRegion& region : { PixelRegion{ 3, 4, 9, 5 }, PixelRegion{ 1, 1, most, most },
+         PixelRegion{ 19, 14, 1, 1 }, PixelRegion{ 5, 5, 0, 3 }, PixelRegion{ 30, 30, 5, 5 },
+         PixelRegion{ 5, 5, -2, 3 }, PixelRegion{ -5, 1, 10, 10 } })
   {
     const BandPlan plan = PlanBands(need, 20, 15, 60, region);
     ExpectExactCover(plan, need, 20, 15, 60, region);

@@ -1,0 +1,23 @@
+#ifndef VITRINE_CORE_PIXEL_REGION_H
+#define VITRINE_CORE_PIXEL_REGION_H
+
+namespace vitrine
+{
+
+/**
+ * A rectangle of pixels in window coordinates (DC), origin at the bottom left: X to X + Width - 1 by Y to
+ * Y + Height - 1.
+ */
+struct PixelRegion
+{
+  int X = 0;
+  int Y = 0;
+  int Width = 0;
+  int Height = 0;
+
+  bool IsEmpty() const { return this->Width <= 0 || this->Height <= 0; }
+};
+
+}
+
+#endif

@@ -1,0 +1,29 @@
+#include "gl/FullScreenDraw.h"
+
+#include "vtkOpenGLState.h"
+
+namespace vitrine
+{
+
+void BindForFullScreenDraw(
+  vtkOpenGLState* state, GLuint framebuffer, int width, int height, const PixelRegion& region)
+{
+  BindForFullScreenDraw(state, framebuffer, width, height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(region.X, region.Y, region.Width, region.Height);
+}
+
+void BindForFullScreenDraw(vtkOpenGLState* state, GLuint framebuffer, int width, int height)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}
