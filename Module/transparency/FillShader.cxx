@@ -2,6 +2,8 @@
 
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 
 #include <cmath>
 
@@ -28,8 +30,8 @@ bool WritesDepth(const std::string& fragmentShader)
   return false;
 }
 
-std::vector<std::string> CaptureDefines(
-  const RenderTarget& target, bool postDepthCoverage, bool writesDepth)
+void AddCapture(
+  FillShader& fill, const RenderTarget& target, bool postDepthCoverage, bool writesDepth)
 {
   std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(target.Samples),
     "VITRINE_OPAQUE_DEPTH_STEPS " + std::to_string(target.DepthSteps),
@@ -47,7 +49,21 @@ std::vector<std::string> CaptureDefines(
   {
     defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
   }
-  return defines;
+  fill.Defines.insert(fill.Defines.begin(), defines.begin(), defines.end());
+  if (postDepthCoverage && target.Samples > 0)
+  {
+    fill.Extensions.emplace_back("GL_ARB_post_depth_coverage");
+  }
+}
+
+bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill, bool writesDepth)
+{
+  const std::string vertex = "//VTK::System::Dec\nvoid main()\n{\n  gl_Position = vec4(0.0);\n}\n";
+  std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n//VTK::DepthPeeling::Dec\n"
+                         "void main()\n{\n  gl_FragData[0] = vec4(0.5);\n" +
+    std::string(writesDepth ? "  gl_FragDepth = 0.5;\n" : "") + "//VTK::DepthPeeling::Impl\n}\n";
+  return JoinFillShader(fill, fragment).empty() &&
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }
 
 std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text)

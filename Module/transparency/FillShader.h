@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
+
 namespace vitrine
 {
 
@@ -24,11 +26,15 @@ struct FillShader
 /** True if the mapper's fragment shader computes a depth of its own. */
 bool WritesDepth(const std::string& fragmentShader);
 
+/** Add what FragmentCapture.glsl asks for, as `target` and the mapper's fragment shader decide. */
+void AddCapture(
+  FillShader& fill, const RenderTarget& target, bool postDepthCoverage, bool writesDepth);
+
 /**
- * The defines that FragmentCapture.glsl asks for, as `target` and the fragment shader decide.
+ * Whether the driver compiles what is joined to mappers' shaders: a mapper of VTK 9.1 does not survive that its
+ * shader does not compile. VTK's current program changes.
  */
-std::vector<std::string> CaptureDefines(
-  const RenderTarget& target, bool postDepthCoverage, bool writesDepth);
+bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill, bool writesDepth);
 
 /**
  * Join `fill` to a mapper's fragment shader at VTK's tags. Returns an empty string, or which tag is missing.

@@ -1,6 +1,7 @@
 #include "transparency/ListHeads.h"
 
 #include "Shaders/SharedLayout.h"
+#include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
 #include "vtkOpenGLState.h"
 
@@ -45,6 +46,7 @@ void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
 void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r)
 {
   const int rows = this->Fetched ? 1 : 2;
+  BarrierBeforeFramebufferAccess();
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearTarget.Handle());
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
@@ -58,6 +60,7 @@ std::vector<std::uint32_t> ListHeads::ReadCounts(vtkOpenGLState* state)
   const auto width = static_cast<std::size_t>(this->Width);
   std::vector<std::uint32_t> heads(2 * width * this->Height);
   const ScopedPixelTransfer pixelTransfer;
+  BarrierBeforeFramebufferAccess();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ClearTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
     this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, heads.data());

@@ -2,6 +2,7 @@
 
 #include "Shaders/SharedLayout.h"
 #include "gl/FullScreenDraw.h"
+#include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
 #include "transparency/NodePool.h"
 #include "transparency/ResolveSources.h"
@@ -140,7 +141,7 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
   BindForFullScreenDraw(state, this->TileFramebuffer.Handle(), all.Count[0], all.Count[1],
     { tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1] });
 
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  BarrierBeforeReadingLists();
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
   const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, pool.CounterBuffer());
   const ScopedListTextures textures(state, pool, heads);
@@ -206,7 +207,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
       this->BindForSort(state, target);
       const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, pool.NodeBuffer());
       drawTiles(this->ReadySortRuns(window, layout), draw);
-      glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+      BarrierBeforeReadingLists();
     }
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
     drawTiles(this->ReadyResolve(window, layout, draw.Bin), draw);

@@ -1,6 +1,7 @@
 #include "transparency/NodePool.h"
 
 #include "gl/Capabilities.h"
+#include "gl/MemoryBarriers.h"
 
 #include <algorithm>
 #include <cassert>
@@ -274,7 +275,7 @@ bool NodePool::ResetCounters()
 FragmentStatistics NodePool::ReadCounters() const
 {
   VitrineCounters counters = {};
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  BarrierBeforeReadingBuffers();
   this->Counters.Read(0, sizeof(counters), &counters);
 
   FragmentStatistics statistics;

@@ -4,6 +4,7 @@
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
+#include "gl/MemoryBarriers.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
 #include "transparency/FillExtensions.h"
@@ -251,6 +252,7 @@ std::string vtkLinkedListTransparencyPass::Fill(const vtkRenderState* s,
   {
     return "the driver has no memory for the smallest node pool";
   }
+  vitrine::BarrierBeforeFilling();
   target.BindForFill(state, in.Heads.FillFramebuffer(), region);
   std::string problem;
   {

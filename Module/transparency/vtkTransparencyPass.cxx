@@ -3,6 +3,7 @@
 #include "Core/ShaderTuning.h"
 #include "gl/Capabilities.h"
 #include "gl/DepthCopy.h"
+#include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
 #include "transparency/FillShader.h"
@@ -98,6 +99,8 @@ struct vtkTransparencyPass::Internals
   vitrine::PixelRegion Region;  // that is being drawn
   bool PostDepthCoverage = false;
   bool SoftwareRasteriser = false;
+  vtkMTimeType ProbeTime = 0; // when CanFill was found
+  bool CanFill = true;
 
   vitrine::DepthCopy OpaqueDepth;
 
@@ -280,7 +283,18 @@ void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::str
 std::string vtkTransparencyPass::DrawTranslucentGeometry(
   const vtkRenderState* s, const vitrine::PixelRegion& region)
 {
-  this->Private->Region = region;
+  Internals& in = *this->Private;
+  if (this->ShaderStage.GetMTime() > in.ProbeTime)
+  {
+    in.ProbeTime = this->ShaderStage.GetMTime();
+    in.CanFill = vitrine::CanCompile(in.Window, this->GetCapturingShader(false), false) &&
+      vitrine::CanCompile(in.Window, this->GetCapturingShader(true), true);
+  }
+  if (!in.CanFill)
+  {
+    return vitrine::ProgramFailure;
+  }
+  in.Region = region;
   this->PreRender(s);
   int rendered = 0;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -291,7 +305,15 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   this->PostRender(s);
   this->NumberOfRenderedProps = rendered;
   this->GeometryPasses += 1;
-  return this->Private->OpaqueDepth.Problem();
+  return in.OpaqueDepth.Problem();
+}
+
+//------------------------------------------------------------------------------
+vitrine::FillShader vtkTransparencyPass::GetCapturingShader(bool writesDepth)
+{
+  vitrine::FillShader fill = this->GetFillShader();
+  vitrine::AddCapture(fill, this->Private->Target, this->Private->PostDepthCoverage, writesDepth);
+  return fill;
 }
 
 //------------------------------------------------------------------------------
@@ -300,16 +322,8 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
 {
   Internals& in = *this->Private;
   const bool writesDepth = vitrine::WritesDepth(fragmentShader);
-  vitrine::FillShader fill = this->GetFillShader();
-  const std::vector<std::string> capture =
-    vitrine::CaptureDefines(in.Target, in.PostDepthCoverage, writesDepth);
-  fill.Defines.insert(fill.Defines.begin(), capture.begin(), capture.end());
-  if (in.PostDepthCoverage && in.Target.Samples > 0)
-  {
-    fill.Extensions.emplace_back("GL_ARB_post_depth_coverage");
-  }
-
-  const std::string problem = vitrine::JoinFillShader(fill, fragmentShader);
+  const std::string problem =
+    vitrine::JoinFillShader(this->GetCapturingShader(writesDepth), fragmentShader);
   if (!problem.empty())
   {
     vtkErrorMacro(<< this->GetMethodName() << ": fragments of "

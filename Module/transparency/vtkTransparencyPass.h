@@ -167,6 +167,7 @@ private:
   vtkTransparencyPass(const vtkTransparencyPass&) = delete;
   void operator=(const vtkTransparencyPass&) = delete;
 
+  vitrine::FillShader GetCapturingShader(bool writesDepth);
   void UseWindow(vtkRenderWindow* renderWindow);
   void LeaveWindow();
   void ForgetResources();

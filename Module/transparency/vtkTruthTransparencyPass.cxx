@@ -6,6 +6,7 @@
 #include "gl/Capabilities.h"
 #include "gl/FullScreenDraw.h"
 #include "gl/GLObjects.h"
+#include "gl/MemoryBarriers.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
@@ -100,7 +101,8 @@ std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
   this->TargetWidth = target.Width;
   const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
   const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
-  if ((this->Counter.Handle() == 0 && !this->Counter.Allocate(sizeof(vitrine::VitrineCaptureCounters))) ||
+  if ((this->Counter.Handle() == 0 &&
+        !this->Counter.Allocate(sizeof(vitrine::VitrineCaptureCounters))) ||
     (this->Fragments.Handle() == 0 && !this->Fragments.Allocate(bytes / record * record)))
   {
     return "the driver has no memory for " + std::to_string(bytes) + " bytes of fragments";
@@ -212,7 +214,7 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
 std::uint64_t vtkTruthTransparencyPass::Internals::ReadCounter()
 {
   vitrine::VitrineCaptureCounters counters = {};
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  vitrine::BarrierBeforeReadingBuffers();
   this->Counter.Read(0, sizeof(counters), &counters);
   return counters.Fragments + (std::uint64_t(counters.Wraps) << 32);
 }
@@ -306,6 +308,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
   Internals& in = *this->Private;
   const vitrine::VitrineCaptureCounters zero = {};
   in.Counter.Write(0, sizeof(zero), &zero);
+  vitrine::BarrierBeforeFilling();
   target.BindForFill(this->GetWindow()->GetState(), in.FillFramebuffer.Handle(), region);
   {
     const vitrine::ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, in.Counter.Handle());

@@ -2,8 +2,13 @@
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
+#include "transparency/FillShader.h"
 #include "vtkActor.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkShaderProperty.h"
+#include "vtkTranslucentPass.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +43,43 @@ TEST_P(ShaderTags, MissingOnesAreErrors)
       EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
     }
   }
+}
+
+// A method whose shader no driver compiles.
+class UncompilablePass : public vtkLinkedListTransparencyPass
+{
+public:
+  static UncompilablePass* New();
+  vtkTypeMacro(UncompilablePass, vtkLinkedListTransparencyPass);
+
+protected:
+  vitrine::FillShader GetFillShader() override
+  {
+    vitrine::FillShader fill;
+    fill.Implementation = "  this is no GLSL;\n";
+    return fill;
+  }
+};
+vtkStandardNewMacro(UncompilablePass);
+
+// VTK's mappers crash where their shaders do not compile.
+TEST(UncompilableShader, IsDrawnAsVTKDoes)
+{
+  TestScene scene(12, 10);
+  scene.AddPlates(RandomPlates(5, 0.4, 1), 2);
+  vtkNew<vtkOrderIndependentTranslucentPass> weighted;
+  vtkNew<vtkTranslucentPass> translucent;
+  weighted->SetTranslucentPass(translucent);
+  scene.Use(weighted);
+  const Picture byVTK = scene.Render();
+  vtkNew<UncompilablePass> pass;
+  scene.Use(pass);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    EXPECT_TRUE(scene.Render() == byVTK);
+    EXPECT_NE(std::string(pass->GetFallbackReason()).find("cannot compile"), std::string::npos);
+  }
+  EXPECT_FALSE(TakeMessages().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ShaderTags, testing::ValuesIn(AllMethods()), MethodName());
