@@ -1,7 +1,7 @@
 // The node pool: pages of VITRINE_PAGE_SIZE nodes, linked per pixel from the newest page to the oldest.
 //
 // A node is VITRINE_NODE_WORDS words: the bits of its window depth, its colour (RGBA8 in one word or
-// RGBA16F in two), and, where the target is multisampled, its coverage.
+// four 16-bit floats in two), and, where the target is multisampled, its coverage.
 
 #ifdef VITRINE_HALF_FLOAT
 #define VITRINE_COLOR_WORDS 2

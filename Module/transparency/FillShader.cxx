@@ -2,6 +2,7 @@
 
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
+#include "transparency/ShaderText.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 
@@ -56,12 +57,10 @@ void AddCapture(
   }
 }
 
-bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill, bool writesDepth)
+bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill)
 {
-  const std::string vertex = "//VTK::System::Dec\nvoid main()\n{\n  gl_Position = vec4(0.0);\n}\n";
-  std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n//VTK::DepthPeeling::Dec\n"
-                         "void main()\n{\n  gl_FragData[0] = vec4(0.5);\n" +
-    std::string(writesDepth ? "  gl_FragDepth = 0.5;\n" : "") + "//VTK::DepthPeeling::Impl\n}\n";
+  const std::string vertex = std::string("//VTK::System::Dec\n") + shaders::FullScreenVertex;
+  std::string fragment = shaders::FillProbe;
   return JoinFillShader(fill, fragment).empty() &&
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }

@@ -34,7 +34,7 @@ void AddCapture(
  * Whether the driver compiles what is joined to mappers' shaders: a mapper of VTK 9.1 does not survive that its
  * shader does not compile. VTK's current program changes.
  */
-bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill, bool writesDepth);
+bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill);
 
 /**
  * Join `fill` to a mapper's fragment shader at VTK's tags. Returns an empty string, or which tag is missing.

@@ -8,6 +8,7 @@ namespace vitrine
 {
 namespace shaders
 {
+extern const char* const FillProbe;
 extern const char* const FullScreenVertex;
 extern const char* const LinkedListFillDec;
 extern const char* const LinkedListFillImpl;

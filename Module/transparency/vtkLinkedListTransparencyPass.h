@@ -6,12 +6,12 @@
  * list by depth and composites it. Exact for any number of layers:
  *
  *  1. Fill: fragments go to a pool of pages of 1 to 8 nodes; an image holds each pixel's newest page and its
- *     number of fragments. Depth is kept as 32-bit float, colour in half float or 8 bits.
+ *     number of fragments. Depth is kept as 32-bit float, colour in 16-bit floats or 8 bits.
  *  2. Classify: the longest list of each tile of 16x16 pixels, and what the frame needed.
  *  3. If the pool was too small it grows and the geometry is drawn again, in the same frame. If the memory
  *     limit forbids that, or the driver has no memory, the frame is drawn in bands of the screen, each of which fits.
  *  4. Resolve: tiles in bins by their longest list; up to 64 fragments sort in registers by an unrolled
- *     network, longer lists block by block.
+ *     network, up to 1024 in runs that are merged at once, longer lists block by block.
  *
  * The picture does not depend on the order in which fragments arrive: among fragments of equal depth the
  * packed colour decides, compared by alpha, blue, green, red.
@@ -42,10 +42,12 @@ public:
 
   enum ColorStorageType
   {
-    HALF_FLOAT =
-      0, ///< RGBA16F, 8 bytes a fragment: exact to 8-bit pictures with any number of layers
-    EIGHT_BIT =
-      1 ///< RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up
+    /// Four 16-bit floats without sign (5 bits of exponent, 11 of mantissa), 8 bytes a fragment: exact to 8-bit
+    /// pictures with any number of layers.
+    HALF_FLOAT = 0,
+    /// RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up, and in floating-point
+    /// targets colours end at 1.
+    EIGHT_BIT = 1
   };
 
   ///@{

@@ -287,8 +287,8 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   if (this->ShaderStage.GetMTime() > in.ProbeTime)
   {
     in.ProbeTime = this->ShaderStage.GetMTime();
-    in.CanFill = vitrine::CanCompile(in.Window, this->GetCapturingShader(false), false) &&
-      vitrine::CanCompile(in.Window, this->GetCapturingShader(true), true);
+    in.CanFill = vitrine::CanCompile(in.Window, this->GetCapturingShader(false)) &&
+      vitrine::CanCompile(in.Window, this->GetCapturingShader(true));
   }
   if (!in.CanFill)
   {

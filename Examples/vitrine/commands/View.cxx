@@ -48,10 +48,9 @@ public:
     vtkNew<vtkRenderWindowInteractor> interactor;
     interactor->SetRenderWindow(this->Window);
     interactor->SetInteractorStyle(style);
-    vtkNew<vtkCallbackCommand> keys;
-    keys->SetClientData(this);
-    keys->SetCallback(OnKey);
-    interactor->AddObserver(vtkCommand::CharEvent, keys, /* priority= */ 1.0f);
+    this->Keys->SetClientData(this);
+    this->Keys->SetCallback(OnKey);
+    interactor->AddObserver(vtkCommand::CharEvent, this->Keys, /* priority= */ 1.0f);
     this->Use(0);
     this->Window->Render();
     interactor->Start();
@@ -65,6 +64,7 @@ private:
     const std::size_t index = static_cast<std::size_t>(key - '1');
     if (key >= '1' && index < self->Names.size())
     {
+      self->Keys->AbortFlagOn(); // VTK's own meaning of the key, as stereo of 3
       self->Use(index);
       self->Window->Render();
     }
@@ -91,6 +91,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Label;
+  vtkNew<vtkCallbackCommand> Keys;
   std::unique_ptr<Method> Current;
 };
 
