@@ -1,4 +1,3 @@
-//VTK::System::Dec
 // A mapper's fragment shader with nothing of a mapper in it: a method's fill is joined to it as to VTK's own, to learn
 // whether the driver takes it.
 //VTK::Output::Dec

@@ -59,8 +59,9 @@ void AddCapture(
 
 bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill)
 {
-  const std::string vertex = std::string("//VTK::System::Dec\n") + shaders::FullScreenVertex;
-  std::string fragment = shaders::FillProbe;
+  const std::string version = "//VTK::System::Dec\n"; // goes before all else
+  const std::string vertex = version + shaders::FullScreenVertex;
+  std::string fragment = version + shaders::FillProbe;
   return JoinFillShader(fill, fragment).empty() &&
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }
