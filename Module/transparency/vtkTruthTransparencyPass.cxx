@@ -83,8 +83,10 @@ struct vtkTruthTransparencyPass::Internals
   }
   std::string PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
   void AttachTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
-  void DrawSample(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
-    const char* name, const char* fragmentShader, const vitrine::Image2D& source, int sample);
+  vtkShaderProgram* ReadyRead(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
+  vtkShaderProgram* ReadyWrite(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
+  void DrawSample(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
+    const vitrine::Image2D& source, int sample);
   std::vector<double> ReadBackdrop(
     vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
   void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
@@ -133,21 +135,31 @@ void vtkTruthTransparencyPass::Internals::AttachTargets(
 }
 
 //------------------------------------------------------------------------------
-// Draw one fragment of `fragmentShader` for each pixel: to be called after BindForFullScreenDraw().
+vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyRead(
+  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
+{
+  return this->Programs.Ready(window, "read",
+    { "VITRINE_SAMPLES " + std::to_string(target.Samples) }, vitrine::shaders::FullScreenVertex,
+    [] { return vitrine::shaders::TruthRead; });
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyWrite(
+  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
+{
+  return this->Programs.Ready(window, "write",
+    { "VITRINE_SAMPLES " + std::to_string(target.Samples) }, vitrine::shaders::FullScreenVertex,
+    [] { return vitrine::shaders::TruthWrite; });
+}
+
+//------------------------------------------------------------------------------
+// Draw one fragment of the program, which is bound, for each pixel: to be called after BindForFullScreenDraw().
 void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* window,
-  const vitrine::RenderTarget& target, const char* name, const char* fragmentShader,
-  const vitrine::Image2D& source, int sample)
+  vtkShaderProgram* program, const vitrine::Image2D& source, int sample)
 {
   vtkOpenGLState* state = window->GetState();
   const vitrine::ScopedVertexArray vertexArray(this->VertexArray.Handle());
   const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
-  vtkShaderProgram* program =
-    this->Programs.Ready(window, name, { "VITRINE_SAMPLES " + std::to_string(target.Samples) },
-      vitrine::shaders::FullScreenVertex, [&] { return fragmentShader; });
-  if (!program)
-  {
-    return;
-  }
   program->SetUniformi("source", unit.Unit());
   if (program->IsUniformUsed("sampleNumber"))
   {
@@ -172,8 +184,7 @@ std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
     state, this->PictureFramebuffer.Handle(), target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
   {
-    this->DrawSample(
-      window, target, "read", vitrine::shaders::TruthRead, this->Backdrop.Image(), sample);
+    this->DrawSample(window, this->ReadyRead(window, target), this->Backdrop.Image(), sample);
     glReadPixels(0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
     for (std::size_t i = 0; i < pixels; ++i)
     {
@@ -205,7 +216,7 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
       glTexSubImage2D(
         GL_TEXTURE_2D, 0, 0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
     }
-    this->DrawSample(window, target, "write", vitrine::shaders::TruthWrite, this->Picture, sample);
+    this->DrawSample(window, this->ReadyWrite(window, target), this->Picture, sample);
   }
 }
 
@@ -276,6 +287,10 @@ std::string vtkTruthTransparencyPass::RenderFragments(
 {
   Internals& in = *this->Private;
   vtkOpenGLRenderWindow* window = this->GetWindow();
+  if (!in.ReadyRead(window, target) || !in.ReadyWrite(window, target))
+  {
+    return vitrine::ProgramFailure;
+  }
   std::string problem = in.PrepareTargets(window->GetState(), target);
   if (!problem.empty())
   {
@@ -284,10 +299,6 @@ std::string vtkTruthTransparencyPass::RenderFragments(
   vitrine::ReferenceCompositor compositor(target.Width, target.Height, std::max(target.Samples, 1),
     target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
     in.ReadBackdrop(window, target));
-  if (in.Programs.HasFailed())
-  {
-    return vitrine::ProgramFailure;
-  }
 
   this->SampleCount = 0;
   problem = this->Capture(s, target, target.Region, compositor);
