@@ -40,18 +40,14 @@ Run selectRun(bool s, Run a, Run b)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  uvec2 head = loadHead(pixel);
-  if (head.y == 0u)
-  {
-    discard;
-  }
+  uvec2 head = loadHeadToDraw(pixel);
 
   //Vitrine::Declare
 
   // The next run of the list to start: `runPages` pages from `page`.
   uint page = head.x;
-  int filled = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
-  int pages = int((head.y + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
+  int filled = nodesInNewestPage(head.y);
+  int pages = pagesOfList(head.y);
   int runPages = (pages - 1) % VITRINE_RUN_PAGES + 1;
   uint started = 0u;
 

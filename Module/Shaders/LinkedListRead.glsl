@@ -17,6 +17,28 @@ uvec2 loadHead(ivec2 pixel)
 #endif
 }
 
+// The same of the pixel that is drawn, which is left as it is where it has no fragments.
+uvec2 loadHeadToDraw(ivec2 pixel)
+{
+  uvec2 head = loadHead(pixel);
+  if (head.y == 0u)
+  {
+    discard;
+  }
+  return head;
+}
+
+// Nodes in the newest page of a list of `count` fragments; all other pages are full.
+int nodesInNewestPage(uint count)
+{
+  return int((count - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
+}
+
+int pagesOfList(uint count)
+{
+  return int((count + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
+}
+
 uint loadLink(uint page)
 {
   return texelFetch(links, int(page)).x;

@@ -21,16 +21,12 @@
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  uvec2 head = loadHead(pixel);
-  if (head.y == 0u)
-  {
-    discard;
-  }
+  uvec2 head = loadHeadToDraw(pixel);
 
   //Vitrine::Declare
 
   uint page = head.x;
-  int filled = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
+  int filled = nodesInNewestPage(head.y);
   //Vitrine::Load
 
   //Vitrine::Sort

@@ -20,7 +20,7 @@ uint lastSeen;
 void startWalk(uvec2 head)
 {
   page = head.x;
-  slot = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1));
+  slot = nodesInNewestPage(head.y) - 1;
   lastSeen = 0u;
 }
 
@@ -58,11 +58,7 @@ bool isLeft(Fragment f)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  uvec2 head = loadHead(pixel);
-  if (head.y == 0u)
-  {
-    discard;
-  }
+  uvec2 head = loadHeadToDraw(pixel);
 
   //Vitrine::Declare
 

@@ -67,17 +67,13 @@ void storeNode(uint index, Fragment f)
 
 void main()
 {
-  uvec2 head = loadHead(ivec2(gl_FragCoord.xy));
-  if (head.y == 0u)
-  {
-    discard;
-  }
+  uvec2 head = loadHeadToDraw(ivec2(gl_FragCoord.xy));
 
   //Vitrine::Declare
 
   uint page = head.x;
-  int filled = int((head.y - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
-  int pages = int((head.y + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
+  int filled = nodesInNewestPage(head.y);
+  int pages = pagesOfList(head.y);
   int absent = (VITRINE_RUN_PAGES - pages % VITRINE_RUN_PAGES) % VITRINE_RUN_PAGES;
   while (page != VITRINE_END)
   {

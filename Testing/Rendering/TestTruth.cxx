@@ -50,6 +50,16 @@ vtkTypeInt64 QueriedSamples(TestScene& scene)
   return counting->SampleCount;
 }
 
+void ExpectTruthToCountWhatIsSeen(TestScene& scene)
+{
+  const vtkTypeInt64 seen = QueriedSamples(scene);
+  vtkNew<vtkTruthTransparencyPass> truth;
+  scene.Use(truth);
+  scene.Render();
+  EXPECT_GT(seen, 0);
+  EXPECT_EQ(truth->GetSampleCount(), seen);
+}
+
 class Truth : public testing::TestWithParam<int>
 {
 };
@@ -151,12 +161,7 @@ TEST_P(Truth, CountsWhatLiesInOpaqueGeometryAsAnOcclusionQueryDoes)
     scene.AddRectangle(-0.713, -0.9, 0.5, 0.9, 0.125, { 1.0, 1.0, 1.0, 1.0 });
     scene.AddRectangle(-0.9, -0.717, 0.7, 0.3, 0.125, { 0.2, 0.5, 0.9, 0.4 });
     scene.AddRectangle(-0.9, -0.717, 0.9, 0.9, 0.1, { 0.9, 0.5, 0.9, 0.4 });
-    const vtkTypeInt64 seen = QueriedSamples(scene);
-    vtkNew<vtkTruthTransparencyPass> truth;
-    scene.Use(truth);
-    scene.Render();
-    EXPECT_GT(seen, 0);
-    EXPECT_EQ(truth->GetSampleCount(), seen);
+    ExpectTruthToCountWhatIsSeen(scene);
   }
 }
 
@@ -176,12 +181,7 @@ TEST_P(Truth, CountsWritersOfDepthAsAnOcclusionQueryDoes)
       actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
         "gl_FragDepth = gl_FragCoord.z + " + std::to_string(offset) + ";\n", false);
     }
-    const vtkTypeInt64 seen = QueriedSamples(scene);
-    vtkNew<vtkTruthTransparencyPass> truth;
-    scene.Use(truth);
-    scene.Render();
-    EXPECT_GT(seen, 0);
-    EXPECT_EQ(truth->GetSampleCount(), seen);
+    ExpectTruthToCountWhatIsSeen(scene);
   }
 }
 
@@ -206,12 +206,7 @@ TEST_P(Truth, CountsWritersOfDepthToAFewSteps)
             false);
       }
     }
-    const vtkTypeInt64 seen = QueriedSamples(scene);
-    vtkNew<vtkTruthTransparencyPass> truth;
-    scene.Use(truth);
-    scene.Render();
-    EXPECT_GT(seen, 0);
-    EXPECT_EQ(truth->GetSampleCount(), seen);
+    ExpectTruthToCountWhatIsSeen(scene);
   }
 }
 
