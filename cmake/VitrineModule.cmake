@@ -13,16 +13,22 @@ if (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES)
     RenderingFreeType RenderingVolume RenderingVolumeOpenGL2 InteractionWidgets)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components})
-find_package(OpenGL QUIET COMPONENTS EGL)
-if (NOT TARGET OpenGL::EGL AND (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES))
+include(VitrineStringABI)
+include(VitrineEGL)
+if (NOT VITRINE_HAS_EGL AND (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES))
   message(FATAL_ERROR "The examples and tests need EGL. Without it, turn BUILD_TESTING and "
     "VITRINE_BUILD_EXAMPLES off.")
 endif ()
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(vitrine_python_destination "lib/python3/dist-packages")
+set(vitrine_versions VERSION ${PROJECT_VERSION} SOVERSION 1)
 set(CMAKE_INSTALL_RPATH "\$ORIGIN" "\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON) # to a VTK outside the system's folders
+if (SKBUILD)
+  include(VitrineWheel)
+endif ()
 
 set(vitrine_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Vitrine")
 
@@ -40,8 +46,8 @@ vtk_module_build(
   MODULES                ${vitrine_modules}
   PACKAGE                Vitrine
   INSTALL_EXPORT         Vitrine
-  VERSION                ${PROJECT_VERSION}
-  SOVERSION              1
+  ${vitrine_versions}
+  LIBRARY_DESTINATION    "${CMAKE_INSTALL_LIBDIR}"
   CMAKE_DESTINATION      "${vitrine_cmake_destination}"
   HEADERS_DESTINATION    "${CMAKE_INSTALL_INCLUDEDIR}/vitrine"
   LICENSE_DESTINATION    "${CMAKE_INSTALL_DATADIR}/licenses/vitrine"

@@ -1,6 +1,5 @@
 # Wrap the module for Python as the package vitrine, in the build tree under the same relative folder as
 # in the installed one.
-set(vitrine_python_destination "lib/python3/dist-packages")
 
 add_library(VitrinePythonWrapping INTERFACE)
 target_compile_options(VitrinePythonWrapping INTERFACE -w) # VTK writes these sources

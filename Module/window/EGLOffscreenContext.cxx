@@ -1,8 +1,6 @@
 #include "window/EGLOffscreenContext.h"
 
-#define EGL_NO_X11
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
+#include "window/VitrineEGL.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -12,6 +10,12 @@
 
 namespace
 {
+bool HasEGL()
+{
+  static const bool has = vitrine::LoadEGL(EGL_NO_DISPLAY);
+  return has;
+}
+
 // Whether a list of extensions, separated by blanks, has the one of this very name.
 bool HasExtension(const char* extensions, const std::string& name)
 {
@@ -27,7 +31,7 @@ bool HasClientExtension(const std::string& name)
 
 std::vector<EGLDeviceEXT> QueryDevices()
 {
-  if (!HasClientExtension("EGL_EXT_platform_device") ||
+  if (!HasEGL() || !HasClientExtension("EGL_EXT_platform_device") ||
     !(HasClientExtension("EGL_EXT_device_base") ||
       HasClientExtension("EGL_EXT_device_enumeration")))
   {
@@ -114,6 +118,11 @@ std::unique_ptr<EGLOffscreenContext> EGLOffscreenContext::Create(
   int firstDevice, std::string& failures)
 {
   failures.clear();
+  if (!HasEGL())
+  {
+    failures = "this machine has no EGL (libEGL.so.1)";
+    return nullptr;
+  }
   for (const Candidate& candidate : ListCandidates(firstDevice))
   {
     std::unique_ptr<EGLOffscreenContext> context(
@@ -151,6 +160,7 @@ bool EGLOffscreenContext::Initialize(std::string& failure)
     failure = "eglInitialize gives " + GetLastError();
     return false;
   }
+  LoadEGL(this->Display);
   if (!eglBindAPI(EGL_OPENGL_API))
   {
     failure = "no OpenGL";
@@ -218,6 +228,10 @@ bool EGLOffscreenContext::IsCurrent() const
 
 EGLOffscreenContext::Binding EGLOffscreenContext::GetBinding()
 {
+  if (!HasEGL())
+  {
+    return { nullptr, nullptr, nullptr, nullptr };
+  }
   return { eglGetCurrentDisplay(), eglGetCurrentSurface(EGL_DRAW), eglGetCurrentSurface(EGL_READ),
     eglGetCurrentContext() };
 }

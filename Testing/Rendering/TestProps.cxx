@@ -4,7 +4,6 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkElevationFilter.h"
@@ -35,6 +34,14 @@
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
 #include "vtkUnsignedCharArray.h"
+
+#if __has_include("vtkCompositePolyDataMapper2.h") // up to VTK 9.2
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
 
 #include <gtest/gtest.h>
 
@@ -141,7 +148,7 @@ void AddComposite(TestScene& scene)
     sphere->Update();
     blocks->SetBlock(i, sphere->GetOutput());
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);

@@ -1,0 +1,7 @@
+# Where things lie in a wheel: all in the package's folder, beside the package vtkmodules, whose libraries they use.
+set(CMAKE_INSTALL_LIBDIR vitrine)
+set(CMAKE_INSTALL_BINDIR vitrine/bin)
+set(vitrine_python_destination ".")
+set(vitrine_versions)
+set(CMAKE_INSTALL_RPATH "\$ORIGIN" "\$ORIGIN/../vtkmodules" "\$ORIGIN/.." "\$ORIGIN/../../vtkmodules")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH OFF)
