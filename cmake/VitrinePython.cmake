@@ -14,9 +14,15 @@ vtk_module_wrap_python(
   BUILD_STATIC        OFF)
 
 set(vitrine_python_build_dir "${PROJECT_BINARY_DIR}/${vitrine_python_destination}/vitrine")
-configure_file(Python/vitrine/__init__.py "${vitrine_python_build_dir}/__init__.py" COPYONLY)
+file(GLOB vitrine_python_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/Python/vitrine"
+  "${PROJECT_SOURCE_DIR}/Python/vitrine/*.py" "${PROJECT_SOURCE_DIR}/Python/vitrine/*.pyi"
+  "${PROJECT_SOURCE_DIR}/Python/vitrine/py.typed")
+foreach (file IN LISTS vitrine_python_files)
+  configure_file("Python/vitrine/${file}" "${vitrine_python_build_dir}/${file}" COPYONLY)
+endforeach ()
 configure_file(Python/vitrine/_build.py.in "${vitrine_python_build_dir}/_build.py" @ONLY)
+list(TRANSFORM vitrine_python_files PREPEND "${vitrine_python_build_dir}/")
 install(
-  FILES       "${vitrine_python_build_dir}/__init__.py" "${vitrine_python_build_dir}/_build.py"
+  FILES       ${vitrine_python_files} "${vitrine_python_build_dir}/_build.py"
   DESTINATION "${vitrine_python_destination}/vitrine"
   COMPONENT   python)
