@@ -112,3 +112,9 @@ def _link_libraries(prefix, vtkmodules):
         link = folder / library.name
         link.unlink(missing_ok=True)
         link.symlink_to(library)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(f"usage: {sys.argv[0]} VERSION VTKMODULES FOLDER: prints the prefix for CMake")
+    print(put_together(sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()))

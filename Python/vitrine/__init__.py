@@ -14,7 +14,7 @@ def _load_vtk():
     """Load the VTK that this package extends, or say which one is missing."""
     needed = (
         f"vitrine needs the Python package of VTK {_VTK_VERSION}, which it was built with "
-        "(python3-vtk9 in Debian)"
+        "(vtk on PyPI, python3-vtk9 in Debian)"
     )
     try:
         import vtkmodules.vtkRenderingOpenGL2  # the base classes and their implementation

@@ -294,9 +294,7 @@ print("survived")
 """
 
     def run_without_egl(self, extra=""):
-        result = run_python(
-            self.PROGRAM % extra, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent"
-        )
+        result = run_python(self.PROGRAM % extra, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stdout, "survived\n")
         return [line for line in result.stderr.splitlines() if "ERR|" in line]

@@ -1,0 +1,65 @@
+"""What a wheel holds, and the program that it puts on PATH."""
+
+import importlib.metadata
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import vitrine
+from wheel import PROGRAM, run
+
+SYSTEM = {
+    "ld-linux-x86-64.so.2",
+    "libc.so.6",
+    "libdl.so.2",
+    "libgcc_s.so.1",
+    "libm.so.6",
+    "libpthread.so.0",
+    "libstdc++.so.6",
+}
+
+
+class Program(unittest.TestCase):
+    def test_is_of_the_package(self):
+        self.assertEqual(run(PROGRAM, "--version").stdout.strip(), vitrine.__version__)
+
+    def test_runs_as_a_module_too(self):
+        said = run(sys.executable, "-m", "vitrine", "info", "demo:stack,layers=3,alpha=0.5")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertRegex(said.stdout, r"parts\s+3")
+
+    def test_refuses_bad_input_with_its_own_status(self):
+        said = run(PROGRAM, "info", "nowhere.glb")
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("nowhere.glb", said.stderr)
+
+
+class Wheel(unittest.TestCase):
+    def setUp(self):
+        self.files = [
+            pathlib.Path(file.locate()) for file in importlib.metadata.distribution("vitrine").files
+        ]
+
+    def test_holds_no_library_of_vtk(self):
+        libraries = [file.name for file in self.files if ".so" in file.name]
+        self.assertEqual(sorted(libraries), ["libvtkVitrineRendering.so", "vtkVitrineRendering.so"])
+
+    def test_asks_for_nothing_but_vtk_and_the_c_library(self):
+        program = [file for file in self.files if file.match("vitrine/bin/vitrine")]
+        self.assertEqual(len(program), 1)
+        for file in [*program, *(file for file in self.files if file.suffix == ".so")]:
+            needed = re.findall(r"NEEDED\s+(\S+)", objdump(file))
+            others = [name for name in needed if not re.match(r"libvtk\w+(\.\d+)?\.so$", name)]
+            self.assertLessEqual(set(others), SYSTEM, file)
+
+
+def objdump(file):
+    return subprocess.run(
+        ["objdump", "-p", file], capture_output=True, text=True, check=True
+    ).stdout
+
+
+if __name__ == "__main__":
+    unittest.main()
