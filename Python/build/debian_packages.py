@@ -55,6 +55,7 @@ class Suite:
             "Dir::Cache": self.folder / "cache",
             "APT::Sandbox::User": getpass.getuser(),
             "APT::Update::Error-Mode": "any",
+            "Acquire::Check-Valid-Until": "false",  # mirrors may lag; the caller checks versions
             "Acquire::Languages": "none",
             "Acquire::Retries": "3",
         }
