@@ -1,10 +1,11 @@
-"""Vitrine: see into large assemblies, with VTK.
+"""Vitrine: see into large assemblies, with VTK and PyVista.
 
     import vitrine
-    vitrine.vtkHeadlessRenderWindow.InstallOverride()  # where there is no display
-    renderer.SetPass(vitrine.vtkSeeThroughPass())
+    vitrine.see_through(plotter)  # or a vtkRenderer, or a vtkRenderWindow
+    vitrine.stats(plotter)
 
-All classes of the VTK module Vitrine::Rendering, beside VTK's own of the package vtkmodules.
+see_through() and stats(), and all classes of the VTK module Vitrine::Rendering, beside VTK's own of the package
+vtkmodules.
 """
 
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
@@ -30,5 +31,7 @@ _load_vtk()
 
 from . import vtkVitrineRendering as _rendering  # noqa: E402, only once VTK is known to fit
 from .vtkVitrineRendering import *  # noqa: E402,F401,F403
+from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
+__all__ += ["SeeThrough", "Stats", "see_through", "stats"]

@@ -9,6 +9,8 @@ from scenes import run_python
 def concrete_classes():
     classes = {}
     for name in vitrine.__all__:
+        if not name.startswith("vtk"):
+            continue
         try:
             classes[name] = getattr(vitrine, name)()
         except TypeError:  # an abstract class
@@ -26,7 +28,6 @@ class Package(unittest.TestCase):
         ):
             self.assertIn(name, vitrine.__all__)
             self.assertTrue(getattr(vitrine, name)().IsA(name))
-        self.assertTrue(all(name.startswith("vtk") for name in vitrine.__all__))
 
     def test_says_its_version(self):
         self.assertRegex(vitrine.__version__, r"^\d+\.\d+\.\d+$")

@@ -1,0 +1,189 @@
+"""see_through() and stats(): pictures, undoing, misuse, and the examples of their documentation."""
+
+import doctest
+import gc
+import unittest
+
+import numpy
+from scenes import cone_renderer, pixels, plate, plates_renderer, run_python, window_with
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+
+import vitrine
+import vitrine._see_through
+
+
+def plates(count, alpha=0.4):
+    """A white renderer behind `count` black plates of this opacity."""
+    return plates_renderer(
+        *(plate(0.1 * i, (0, 0, 0), alpha) for i in range(count)), background=(1, 1, 1)
+    )
+
+
+def drawn(renderer, **arguments):
+    window = window_with(renderer, **arguments)
+    window.Render()
+    return window
+
+
+class Pictures(unittest.TestCase):
+    def test_of_plates_are_the_closed_form(self):
+        for method in vitrine._see_through.METHODS:
+            for count in (1, 5, 40):
+                with self.subTest(method=method, count=count):
+                    renderer = plates(count)
+                    vitrine.see_through(renderer, method)
+                    picture = pixels(drawn(renderer))[..., :3] / 255.0
+                    self.assertLessEqual(abs(picture - 0.6**count).max(), 0.51 / 255)
+
+    def test_of_a_limit_are_the_same(self):
+        pictures = []
+        for limit in (None, 50000):
+            renderer = plates(12)
+            vitrine.see_through(renderer, memory_limit=limit)
+            pictures.append(pixels(drawn(renderer)))
+            bands = renderer.GetPass().GetTranslucentPass().GetNumberOfBands()
+            self.assertEqual(bands > 1, limit is not None)
+        numpy.testing.assert_array_equal(*pictures)
+
+    def test_of_a_window_are_those_of_all_its_renderers(self):
+        left, right = plates(3), plates(2)
+        left.SetViewport(0, 0, 0.5, 1)
+        right.SetViewport(0.5, 0, 1, 1)
+        window = window_with(left)
+        window.AddRenderer(right)
+        handle = vitrine.see_through(window, color_storage="8-bit")
+        window.Render()
+        picture = pixels(window)[24, :, 0] / 255.0
+        self.assertLessEqual(abs(picture[:32] - 0.6**3).max(), 2 / 255)
+        self.assertLessEqual(abs(picture[32:] - 0.6**2).max(), 2 / 255)
+        self.assertEqual(handle.renderers, [left, right])
+
+
+class Undoing(unittest.TestCase):
+    def test_puts_back_what_was_there(self):
+        for before in (None, vitrine.vtkSeeThroughPass()):
+            renderer = vtkRenderer()
+            renderer.SetPass(before)
+            handle = vitrine.see_through(renderer)
+            self.assertIsNot(renderer.GetPass(), before)
+            handle.remove()
+            self.assertIs(renderer.GetPass(), before)
+            handle.remove()
+            self.assertIs(renderer.GetPass(), before)
+
+    def test_keeps_a_pass_that_was_set_since(self):
+        renderer, other = vtkRenderer(), vitrine.vtkSeeThroughPass()
+        handle = vitrine.see_through(renderer)
+        renderer.SetPass(other)
+        handle.remove()
+        self.assertIs(renderer.GetPass(), other)
+
+    def test_of_nested_ones_goes_step_by_step(self):
+        renderer = vtkRenderer()
+        with vitrine.see_through(renderer):
+            with vitrine.see_through(renderer, "truth"):
+                self.assertEqual(vitrine.stats(renderer).method, "truth")
+            self.assertEqual(vitrine.stats(renderer).method, "linked-list")
+        self.assertIsNone(renderer.GetPass())
+
+    def test_follows_an_exception(self):
+        renderer = cone_renderer(0.5)
+        window = drawn(renderer)
+        before = pixels(window)
+        with self.assertRaises(ZeroDivisionError):
+            with vitrine.see_through(window):
+                window.Render()
+                raise ZeroDivisionError
+        window.Render()
+        self.assertIsNone(renderer.GetPass())
+        numpy.testing.assert_array_equal(pixels(window), before)
+
+    def test_of_what_is_gone_is_nothing(self):
+        renderer = vtkRenderer()
+        handle = vitrine.see_through(renderer)
+        del renderer
+        gc.collect()
+        self.assertEqual(handle.renderers, [])
+        handle.remove()
+        self.assertEqual(repr(handle), "<SeeThrough linked-list, removed>")
+
+    def test_at_exit_is_quiet(self):
+        for tail in ("", "raise SystemExit(0)", "del window", "del renderer, handle"):
+            done = run_python(
+                "import vitrine, scenes\n"
+                "renderer = scenes.cone_renderer(0.5)\n"
+                "window = scenes.window_with(renderer)\n"
+                "handle = vitrine.see_through(window)\n"
+                "window.Render()\n" + tail
+            )
+            self.assertEqual((done.returncode, done.stderr), (0, ""), tail)
+
+
+class Figures(unittest.TestCase):
+    def test_are_those_of_the_last_frame(self):
+        window = window_with(plates(7))
+        handle = vitrine.see_through(window)
+        self.assertEqual(vitrine.stats(window).fragments, 0)
+        window.Render()
+        told = vitrine.stats(window)
+        self.assertEqual(told, handle.stats())
+        self.assertEqual((told.method, told.fallback_reason), ("linked-list", ""))
+        self.assertEqual((told.fragments, told.layers_max, told.layers_mean), (7 * 64 * 48, 7, 7.0))
+        self.assertGreater(told.bytes, told.fragments * 12)
+        self.assertIn(told.geometry_passes, (1, 2))
+
+    def test_of_several_renderers_are_put_together(self):
+        deep, flat = plates(6), plates(2)
+        deep.SetViewport(0, 0, 0.5, 1)
+        flat.SetViewport(0.5, 0, 1, 1)
+        window = window_with(deep)
+        window.AddRenderer(flat)
+        vitrine.see_through(window)
+        window.Render()
+        told = vitrine.stats(window)
+        self.assertEqual((told.fragments, told.layers_max, told.layers_mean), (8 * 32 * 48, 6, 4.0))
+        self.assertEqual(vitrine.stats(flat).layers_max, 2)
+
+
+class Misuse(unittest.TestCase):
+    def test_raises_what_python_users_expect(self):
+        renderer = vtkRenderer()
+        for error, words, call in (
+            (TypeError, "not vtk.*Actor", lambda: vitrine.see_through(vtkActor())),
+            (TypeError, "NoneType", lambda: vitrine.see_through(None)),
+            (ValueError, "known are linked-list", lambda: vitrine.see_through(renderer, "magic")),
+            (ValueError, "8-bit", lambda: vitrine.see_through(renderer, color_storage="16-bit")),
+            (ValueError, "above 0", lambda: vitrine.see_through(renderer, memory_limit=0)),
+            (ValueError, "above 0", lambda: vitrine.see_through(renderer, memory_limit=2**63)),
+            (TypeError, "1.5", lambda: vitrine.see_through(renderer, memory_limit=1.5)),
+            (
+                ValueError,
+                "not of truth",
+                lambda: vitrine.see_through(renderer, "truth", memory_limit=9),
+            ),
+            (ValueError, "no renderer", lambda: vitrine.see_through(vtkRenderWindow())),
+            (ValueError, "see_through", lambda: vitrine.stats(renderer)),
+            (TypeError, "int", lambda: vitrine.stats(3)),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex(error, words):
+                call()
+        self.assertIsNone(renderer.GetPass())
+
+    def test_of_a_closed_plotter_is_said(self):
+        class Closed:
+            renderers = ()
+            render_window = None
+
+        with self.assertRaisesRegex(RuntimeError, "closed"):
+            vitrine.see_through(Closed())
+
+
+class Documentation(unittest.TestCase):
+    def test_examples_run(self):
+        result = doctest.testmod(vitrine._see_through)
+        self.assertGreater(result.attempted, 0)
+        self.assertEqual(result.failed, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
