@@ -8,10 +8,7 @@
 #include "gl/ScopedState.h"
 #include "transparency/FillShader.h"
 #include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
-#include "vtkOpenGLActor.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -22,12 +19,10 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
-#include "vtkSmartPointer.h"
 #include "vtkTranslucentPass.h"
 #include "vtkWeakPointer.h"
 
 #include <memory>
-#include <optional>
 #include <set>
 
 namespace
@@ -44,34 +39,6 @@ bool HasTranslucentGeometry(const vtkRenderState* s)
   }
   return false;
 }
-
-// While it lives, the prop does not write depth, even if its property keys ask for that.
-class ScopedNoDepthMask
-{
-public:
-  explicit ScopedNoDepthMask(vtkProp* prop)
-    : Keys(prop->GetPropertyKeys())
-  {
-    if (this->Keys && this->Keys->Has(vtkOpenGLActor::GLDepthMaskOverride()))
-    {
-      this->Former = this->Keys->Get(vtkOpenGLActor::GLDepthMaskOverride());
-      this->Keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), 0);
-    }
-  }
-  ~ScopedNoDepthMask()
-  {
-    if (this->Former)
-    {
-      this->Keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), *this->Former);
-    }
-  }
-  ScopedNoDepthMask(const ScopedNoDepthMask&) = delete;
-  void operator=(const ScopedNoDepthMask&) = delete;
-
-private:
-  vtkSmartPointer<vtkInformation> Keys;
-  std::optional<int> Former;
-};
 
 // Whether the specular term of the prop is zero for sure, so that its pow() need not be computed. VTK
 // rebuilds the shader when the property changes.
@@ -299,7 +266,6 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   int rendered = 0;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
-    const ScopedNoDepthMask noDepthMask(s->GetPropArray()[i]);
     rendered += s->GetPropArray()[i]->RenderTranslucentPolygonalGeometry(s->GetRenderer());
   }
   this->PostRender(s);
@@ -350,6 +316,8 @@ bool vtkTransparencyPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   Internals& in = *this->Private;
+  // Last before the draw: images, and props whose keys ask for it, would write depth and hide what comes after them.
+  in.Window->GetState()->vtkglDepthMask(GL_FALSE);
   if (program->IsUniformUsed("vitrineOpaqueDepth"))
   {
     program->SetUniformi(

@@ -34,4 +34,4 @@ from .vtkVitrineRendering import *  # noqa: E402,F401,F403
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
-__all__ += ["SeeThrough", "Stats", "see_through", "stats"]
+__all__ += ["SeeThrough", "Stats", "__version__", "see_through", "stats"]

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Iterable
+import operator
+import warnings
+import weakref
+from typing import Any, Iterable, Mapping, SupportsIndex
 
-from vtkmodules.vtkCommonCore import vtkWeakReference
+from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from .vtkVitrineRendering import (
     vtkLinkedListTransparencyPass,
     vtkSeeThroughPass,
+    vtkTransparencyPass,
     vtkTruthTransparencyPass,
 )
 
-METHODS = {
+METHODS: dict[str, Any] = {
     "linked-list": vtkLinkedListTransparencyPass,
     "truth": vtkTruthTransparencyPass,
 }
@@ -29,9 +33,9 @@ def see_through(
     method: str = "linked-list",
     *,
     color_storage: str | None = None,
-    memory_limit: int | None = None,
+    memory_limit: SupportsIndex | None = None,
 ) -> SeeThrough:
-    """Draw the translucent props of `target` exactly, from its next frame on.
+    """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
     target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers.
     method: "linked-list", or "truth", the slow yardstick, composited in float64 on the CPU.
@@ -42,6 +46,9 @@ def see_through(
 
     Returns a handle: remove() puts back the passes that were there before, and so does leaving a `with`.
     A target that is see-through already takes the new method until then.
+
+    Warns where another pass is set aside (PyVista's SSAO, shadows, depth of field, SSAA and the like are passes): the
+    effect is gone until remove().
 
     Raises TypeError for another kind of target, ValueError for an unknown method or option, RuntimeError
     for a plotter that is closed.
@@ -57,36 +64,70 @@ def see_through(
     """
     renderers = _renderers_of(target)
     passes = [_make_pass(method, color_storage, memory_limit) for _ in renderers]
-    return SeeThrough(method, renderers, passes)
+    for name in sorted({_foreign_pass(renderer) for renderer in renderers} - {""}):
+        warnings.warn(f"see_through() sets {name} aside until remove()", stacklevel=2)
+    return SeeThrough(method, renderers, passes, _plotter_of(target))
 
 
 class SeeThrough:
     """What see_through() has set, to be taken away again. It keeps neither renderers nor windows alive."""
 
+    _alive: weakref.WeakSet[SeeThrough] = weakref.WeakSet()
+
     def __init__(
-        self, method: str, renderers: list[vtkRenderer], passes: list[vtkSeeThroughPass]
+        self,
+        method: str,
+        renderers: list[vtkRenderer],
+        passes: list[vtkSeeThroughPass],
+        plotter: Any = None,
     ) -> None:
         self.method = method
-        self._places = []
+        self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
+        self._places: list[_Place] = []
         for renderer, see_through_pass in zip(renderers, passes):
-            self._places.append((_weak(renderer), _weak(see_through_pass), renderer.GetPass()))
+            place = _Place(_weak(renderer), _weak(see_through_pass), renderer.GetPass())
+            self._places.append(place)
             renderer.SetPass(see_through_pass)
+        SeeThrough._alive.add(self)
+        self._render()
 
     @property
     def renderers(self) -> list[vtkRenderer]:
         """The renderers that still live."""
-        return [place[0].Get() for place in self._places if place[0].Get() is not None]
+        return [place.renderer.Get() for place in self._places if place.renderer.Get() is not None]
 
     def stats(self) -> Stats:
         """What stats() tells of these renderers."""
         return _combined(self.renderers)
 
     def remove(self) -> None:
-        """Put back the passes that were there before. Renderers that were given others since keep them."""
-        for renderer, ours, before in self._places:
-            if renderer.Get() is not None and renderer.Get().GetPass() is ours.Get():
-                renderer.Get().SetPass(before)
-        self._places = []
+        """Put back the passes that were there before. Renderers that were given others since keep them.
+
+        Handles of one target may be removed in any order. A plotter on show is drawn at once.
+        """
+        places, self._places = self._places, []
+        SeeThrough._alive.discard(self)
+        for place in places:
+            renderer, ours = place.renderer.Get(), place.ours.Get()
+            if renderer is None or ours is None:
+                continue
+            if renderer.GetPass() is ours:
+                renderer.SetPass(place.before)
+            for later in SeeThrough._alive:
+                later._forget(ours, place.before)
+        if places:
+            self._render()
+
+    def _forget(self, removed: vtkSeeThroughPass, before: Any) -> None:
+        for place in self._places:
+            if place.before is removed:
+                place.before = before
+
+    def _render(self) -> None:
+        """Draw the plotter, which does nothing before it is shown, and must not once it is closed."""
+        plotter = self._plotter()
+        if plotter is not None and plotter.render_window is not None:
+            plotter.render()
 
     def __enter__(self) -> SeeThrough:
         return self
@@ -95,10 +136,19 @@ class SeeThrough:
         self.remove()
 
     def __repr__(self) -> str:
-        count = len(self._places)
-        if count == 0:
+        if not self._places:
             return f"<SeeThrough {self.method}, removed>"
-        return f"<SeeThrough {self.method}, {count} renderer{'s' if count > 1 else ''}>"
+        count = len(self.renderers)
+        return f"<SeeThrough {self.method}, {count} renderer{'s' if count != 1 else ''}>"
+
+
+@dataclasses.dataclass
+class _Place:
+    """A renderer, the pass that a handle gave it, and the one it had before."""
+
+    renderer: Any
+    ours: Any
+    before: Any
 
 
 @dataclasses.dataclass(frozen=True)
@@ -128,10 +178,12 @@ def stats(target: Any) -> Stats:
 
 
 def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
-    passes = [_transparency_pass(renderer) for renderer in renderers]
-    passes = [found for found in passes if found is not None]
+    renderers = list(renderers)
+    passes = [found for found in map(_transparency_pass, renderers) if found is not None]
     if not passes:
-        raise ValueError("nothing here is see-through: call vitrine.see_through() first")
+        others = ", ".join(sorted({_foreign_pass(renderer) for renderer in renderers} - {""}))
+        held = f" (the pass that is set is {others})" if others else ""
+        raise ValueError(f"nothing here is see-through: call vitrine.see_through() first{held}")
     fragments = sum(found.GetFragmentCount() for found in passes)
     pixels = sum(
         found.GetFragmentCount() / found.GetLayersMean()
@@ -151,8 +203,23 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
 
 def _transparency_pass(renderer: vtkRenderer) -> Any:
     if isinstance(renderer.GetPass(), vtkSeeThroughPass):
-        return renderer.GetPass().GetTranslucentPass()
+        transparency = renderer.GetPass().GetTranslucentPass()
+        return transparency if isinstance(transparency, vtkTransparencyPass) else None
     return None
+
+
+def _foreign_pass(renderer: vtkRenderer) -> str:
+    """The class of a pass that is not Vitrine's, or ""."""
+    there = renderer.GetPass()
+    return "" if there is None or isinstance(there, vtkSeeThroughPass) else there.GetClassName()
+
+
+def _is_plotter(target: Any) -> bool:
+    return hasattr(target, "renderers") and hasattr(target, "render_window")
+
+
+def _plotter_of(target: Any) -> Any:
+    return target if not isinstance(target, vtkObject) and _is_plotter(target) else None
 
 
 def _renderers_of(target: Any) -> list[vtkRenderer]:
@@ -160,7 +227,7 @@ def _renderers_of(target: Any) -> list[vtkRenderer]:
         return [target]
     if isinstance(target, vtkRenderWindow):
         renderers = [renderer for renderer in target.GetRenderers()]
-    elif hasattr(target, "renderers") and hasattr(target, "render_window"):
+    elif _is_plotter(target):
         if target.render_window is None:
             raise RuntimeError("the plotter is closed")
         renderers = list(target.renderers)
@@ -175,28 +242,36 @@ def _renderers_of(target: Any) -> list[vtkRenderer]:
 
 
 def _make_pass(
-    method: str, color_storage: str | None, memory_limit: int | None
+    method: str, color_storage: str | None, memory_limit: SupportsIndex | None
 ) -> vtkSeeThroughPass:
-    if method not in METHODS:
-        raise ValueError(f"unknown method {method!r}: known are {', '.join(METHODS)}")
-    transparency = METHODS[method]()
+    transparency = _known("method", method, METHODS)()
     if color_storage is not None:
         _only_of_linked_list(method, "color_storage")
-        if color_storage not in _COLOR_STORAGES:
-            raise ValueError(
-                f"unknown color_storage {color_storage!r}: known are {', '.join(_COLOR_STORAGES)}"
-            )
-        transparency.SetColorStorage(_COLOR_STORAGES[color_storage])
+        transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
     if memory_limit is not None:
         _only_of_linked_list(method, "memory_limit")
-        if isinstance(memory_limit, bool) or not isinstance(memory_limit, int):
-            raise TypeError(f"memory_limit is a number of bytes, an int, not {memory_limit!r}")
-        if not 0 < memory_limit < 2**63:
-            raise ValueError(f"memory_limit is a number of bytes above 0, not {memory_limit}")
-        transparency.SetMemoryLimit(memory_limit)
+        transparency.SetMemoryLimit(_number_of_bytes(memory_limit))
     whole = vtkSeeThroughPass()
     whole.SetTranslucentPass(transparency)
     return whole
+
+
+def _known(argument: str, value: Any, values: Mapping[str, Any]) -> Any:
+    if not isinstance(value, str) or value not in values:
+        raise ValueError(f"unknown {argument} {value!r}: known are {', '.join(values)}")
+    return values[value]
+
+
+def _number_of_bytes(limit: SupportsIndex) -> int:
+    try:
+        number = operator.index(limit)
+    except TypeError:
+        number = None
+    if number is None or isinstance(limit, bool):
+        raise TypeError(f"memory_limit is a number of bytes, an int, not {limit!r}")
+    if not 0 < number < 2**63:
+        raise ValueError(f"memory_limit is a number of bytes above 0, not {number}")
+    return number
 
 
 def _only_of_linked_list(method: str, option: str) -> None:

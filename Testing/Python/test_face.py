@@ -3,10 +3,12 @@
 import doctest
 import gc
 import unittest
+import warnings
 
 import numpy
 from scenes import cone_renderer, pixels, plate, plates_renderer, run_python, window_with
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkTranslucentPass
 
 import vitrine
 import vitrine._see_through
@@ -84,6 +86,28 @@ class Undoing(unittest.TestCase):
             with vitrine.see_through(renderer, "truth"):
                 self.assertEqual(vitrine.stats(renderer).method, "truth")
             self.assertEqual(vitrine.stats(renderer).method, "linked-list")
+        self.assertIsNone(renderer.GetPass())
+
+    def test_goes_in_any_order(self):
+        renderer, before = plates(2), vtkRenderStepsPass()
+        renderer.SetPass(before)
+        with warnings.catch_warnings(record=True):
+            handles = [vitrine.see_through(renderer) for _ in range(3)]
+        last = renderer.GetPass()
+        handles[1].remove()
+        handles[0].remove()
+        self.assertIs(renderer.GetPass(), last)
+        handles[2].remove()
+        self.assertIs(renderer.GetPass(), before)
+
+    def test_leaves_nothing_where_another_pass_was_taken_away(self):
+        renderer = plates(2)
+        renderer.SetPass(vtkRenderStepsPass())
+        with warnings.catch_warnings(record=True):
+            handle = vitrine.see_through(renderer)
+        renderer.SetPass(None)
+        gc.collect()
+        handle.remove()
         self.assertIsNone(renderer.GetPass())
 
     def test_follows_an_exception(self):
@@ -168,6 +192,26 @@ class Misuse(unittest.TestCase):
             with self.subTest(words=words), self.assertRaisesRegex(error, words):
                 call()
         self.assertIsNone(renderer.GetPass())
+
+    def test_of_other_passes_is_said(self):
+        renderer = plates(2)
+        renderer.SetPass(vtkRenderStepsPass())
+        with self.assertWarnsRegex(UserWarning, "sets vtkRenderStepsPass aside"):
+            vitrine.see_through(renderer)
+        renderer.SetPass(vtkRenderStepsPass())
+        with self.assertRaisesRegex(ValueError, "set is vtkRenderStepsPass"):
+            vitrine.stats(renderer)
+        whole = vitrine.vtkSeeThroughPass()
+        whole.SetTranslucentPass(vtkTranslucentPass())
+        renderer.SetPass(whole)
+        with self.assertRaises(ValueError):
+            vitrine.stats(renderer)
+
+    def test_of_options_is_said(self):
+        for options in ({"method": ["truth"]}, {"method": {}}, {"color_storage": ["8-bit"]}):
+            with self.subTest(options), self.assertRaises(ValueError):
+                vitrine.see_through(plates(1), **options)
+        vitrine.see_through(plates(1), memory_limit=numpy.int64(10**9))
 
     def test_of_a_closed_plotter_is_said(self):
         class Closed:

@@ -1,6 +1,8 @@
 """PyVista's plotters, drawn through the package's face; their examples."""
 
+import base64
 import gc
+import io
 import os
 import pathlib
 import re
@@ -10,11 +12,15 @@ import tempfile
 import unittest
 import weakref
 
+import numpy
 import pyvista
+from PIL import Image
+from vtkmodules.vtkWebCore import vtkWebApplication
 
 import vitrine
 
 SIZE = (120, 90)
+EXAMPLES = pathlib.Path(os.environ["VITRINE_EXAMPLES"])
 
 
 def shells(**arguments):
@@ -47,6 +53,10 @@ def writable_resident_bytes():
     return total
 
 
+def run_python(*arguments):
+    return subprocess.run([sys.executable, "-B", *arguments], capture_output=True, text=True)
+
+
 class Plotters(unittest.TestCase):
     def tearDown(self):
         pyvista.close_all()
@@ -72,12 +82,10 @@ class Plotters(unittest.TestCase):
         plotter.camera_position = "yz"
         self.assert_exact(plotter)
 
-    def test_with_antialiasing_are_exact(self):
-        for kind in ("msaa", "ssaa"):
-            with self.subTest(kind):
-                plotter = shells()
-                plotter.enable_anti_aliasing(kind)
-                self.assert_exact(plotter)
+    def test_with_multisampling_are_exact(self):
+        plotter = shells()
+        plotter.enable_anti_aliasing("msaa")
+        self.assert_exact(plotter)
 
     def test_with_transparent_background_are_exact(self):
         plotter = shells()
@@ -102,6 +110,39 @@ class Plotters(unittest.TestCase):
         with self.assertRaises(RuntimeError):
             vitrine.see_through(plotter)
         handle.remove()
+
+    def test_on_show_are_drawn_at_once(self):
+        plotter = shells()
+        plotter.show(auto_close=False)
+        plain = plotter.screenshot(None, return_img=True).astype(int)
+        with vitrine.see_through(plotter):
+            inside = plotter.screenshot(None, return_img=True).astype(int)
+        after = plotter.screenshot(None, return_img=True).astype(int)
+        self.assertGreater(abs(inside - plain).max(), 3)
+        self.assertEqual(abs(after - plain).max(), 0)
+
+    def test_are_served_to_browsers(self):
+        """What trame's remote rendering and vtk.js' remote views send: JPEGs of the window."""
+        plotter = shells()
+        plotter.show(auto_close=False)
+        application = vtkWebApplication()
+        sent = {}
+        for method in (None, "truth", "linked-list"):
+            handle = method and vitrine.see_through(plotter, method)
+            jpeg = bytes(memoryview(application.StillRender(plotter.render_window, 95)))
+            sent[method] = numpy.asarray(Image.open(io.BytesIO(base64.b64decode(jpeg)))).astype(int)
+            if handle:
+                handle.remove()
+        self.assertLessEqual(abs(sent["linked-list"] - sent["truth"]).max(), 8)
+        self.assertGreater(abs(sent["linked-list"] - sent[None]).max(), 30)
+
+    def test_lose_other_passes_with_a_warning(self):
+        plotter = shells()
+        plotter.enable_ssao()
+        with self.assertWarnsRegex(UserWarning, "aside"):
+            handle = vitrine.see_through(plotter)
+        handle.remove()
+        self.assertIsNotNone(plotter.renderer.GetPass())
 
     def test_are_drawn_by_twos(self):
         first, second = shells(), shells()
@@ -136,34 +177,39 @@ def vitrine_layers(plotter):
 
 
 class Processes(unittest.TestCase):
-    def run_python(self, program):
-        return subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True)
-
     def test_end_quietly_while_see_through(self):
         for tail in ("", "plotter.close()", "raise SystemExit(0)", "pyvista.close_all()"):
             with self.subTest(tail):
-                done = self.run_python(
+                done = run_python(
+                    "-c",
                     "import pyvista, vitrine\n"
                     "plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))\n"
                     "plotter.add_mesh(pyvista.Sphere(), opacity=0.5)\n"
                     "handle = vitrine.see_through(plotter)\n"
-                    "plotter.show(auto_close=False)\n" + tail
+                    "plotter.show(auto_close=False)\n" + tail,
                 )
                 errors = [line for line in done.stderr.splitlines() if "X server" not in line]
                 self.assertEqual((done.returncode, errors), (0, []))
 
 
+class Documentation(unittest.TestCase):
+    def test_runs(self):
+        """The pieces of docs/python.md, one after the other."""
+        text = pathlib.Path(EXAMPLES.parents[1], "docs/python.md").read_text()
+        program = "".join(re.findall("```python\n(.*?)```", text, re.DOTALL))
+        done = run_python("-c", program)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        stats, fragments = done.stdout.splitlines()
+        self.assertRegex(stats, r"Stats\(method='linked-list', fragments=\d{5}")
+        self.assertGreater(int(fragments), 0)
+
+
 class Examples(unittest.TestCase):
     def test_draw_their_pictures(self):
-        folder = pathlib.Path(os.environ["VITRINE_EXAMPLES"])
         for name in ("pyvista_assembly", "pyvista_isosurfaces"):
             with self.subTest(name), tempfile.TemporaryDirectory() as out:
                 picture = pathlib.Path(out, "picture.png")
-                done = subprocess.run(
-                    [sys.executable, "-B", folder / f"{name}.py", picture],
-                    capture_output=True,
-                    text=True,
-                )
+                done = run_python(EXAMPLES / f"{name}.py", picture)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertGreater(picture.stat().st_size, 1000)
                 self.assertRegex(done.stdout, r"linked-list\s.* [01]\.0")

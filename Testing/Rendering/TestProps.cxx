@@ -393,6 +393,56 @@ TEST(Lighting, OfOneLayerIsVTKs)
   }
 }
 
+// VTK's images write depth by default, text in space (an image) too.
+TEST(Images, HideNothingInAnyOrder)
+{
+  const std::vector<Rgba> plates = { { 0.8, 0.2, 0.2, 0.4 }, { 0.2, 0.6, 0.4, 0.5 },
+    { 0.2, 0.2, 0.8, 0.3 } };
+  const unsigned char texel[3] = { 51, 153, 102 }; // the second plate
+  for (const Method& method : AllMethods())
+  {
+    for (const bool imageFirst : { true, false })
+    {
+      TestScene scene(Width, Height);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(2, 2, 1);
+      image->SetSpacing(4.0, 4.0, 1.0);
+      image->SetOrigin(-2.0, -2.0, 0.0);
+      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+      for (int i = 0; i < 12; ++i)
+      {
+        static_cast<unsigned char*>(image->GetScalarPointer())[i] = texel[i % 3];
+      }
+      vtkNew<vtkImageSliceMapper> mapper;
+      mapper->SetInputData(image);
+      vtkNew<vtkImageSlice> slice;
+      slice->SetMapper(mapper);
+      slice->GetProperty()->SetOpacity(plates[1][3]);
+      slice->ForceTranslucentOn();
+      if (imageFirst)
+      {
+        scene.Renderer->AddViewProp(slice);
+      }
+      scene.AddPlate(0.5, plates[0]);
+      scene.AddPlate(-0.5, plates[2]);
+      if (!imageFirst)
+      {
+        scene.Renderer->AddViewProp(slice);
+      }
+      const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
+      scene.Use(pass);
+      const Rgba color = UniformColor(scene.Render());
+      EXPECT_EQ(pass->GetFragmentCount(), 3 * Width * Height) << method << imageFirst;
+      const Rgba expected = CompositePlates(plates, TestBackground);
+      for (int i = 0; i < 4; ++i)
+      {
+        EXPECT_NEAR(255.0 * color[i], 255.0 * expected[i], method.Tolerance)
+          << method << imageFirst;
+      }
+    }
+  }
+}
+
 // Keys that an application set are put back.
 TEST(PropertyKeys, ThatAskForDepthToBeWrittenHideNothing)
 {

@@ -69,12 +69,12 @@ double Stage::Draw(vtkCamera* camera)
   this->Renderer->ResetCameraClippingRange();
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();
-  this->Window->WaitForCompletion();
-  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-  if (!this->Window->SupportsOpenGL() || this->Window->GetNeverRendered())
+  if (this->Window->GetNeverRendered() || !this->Window->SupportsOpenGL())
   {
     throw RuntimeError("there is no OpenGL to draw with here");
   }
+  this->Window->WaitForCompletion(); // needs the entry points of OpenGL
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   return passed.count();
 }
 
