@@ -11,7 +11,7 @@ vtkmodules.
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
 
 
-def _load_vtk():
+def _load_vtk() -> None:
     """Load the VTK that this package extends, or say which one is missing."""
     needed = (
         f"vitrine needs the Python package of VTK {_VTK_VERSION}, which it was built with "

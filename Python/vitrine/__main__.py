@@ -5,7 +5,7 @@ import pathlib
 import sys
 
 
-def main():
+def main() -> None:
     """Become the program, with this process's arguments."""
     program = pathlib.Path(__file__).parent / "bin" / "vitrine"
     if not program.is_file():

@@ -202,8 +202,9 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
 
 
 def _transparency_pass(renderer: vtkRenderer) -> Any:
-    if isinstance(renderer.GetPass(), vtkSeeThroughPass):
-        transparency = renderer.GetPass().GetTranslucentPass()
+    whole = renderer.GetPass()
+    if isinstance(whole, vtkSeeThroughPass):
+        transparency = whole.GetTranslucentPass()
         return transparency if isinstance(transparency, vtkTransparencyPass) else None
     return None
 
@@ -226,7 +227,8 @@ def _renderers_of(target: Any) -> list[vtkRenderer]:
     if isinstance(target, vtkRenderer):
         return [target]
     if isinstance(target, vtkRenderWindow):
-        renderers = [renderer for renderer in target.GetRenderers()]
+        collection: Any = target.GetRenderers()  # VTK's stubs do not know that it can be iterated
+        renderers = list(collection)
     elif _is_plotter(target):
         if target.render_window is None:
             raise RuntimeError("the plotter is closed")

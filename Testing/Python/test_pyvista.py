@@ -53,6 +53,15 @@ def writable_resident_bytes():
     return total
 
 
+def sent_by(application, window):
+    """The JPEG of the window as it is now: an application encodes in threads, and sends older pictures until it has done so."""
+    application.InvalidateCache(window)
+    jpeg = application.StillRender(window, 95)
+    while application.GetHasImagesBeingProcessed(window):
+        jpeg = application.StillRender(window, 95)
+    return bytes(memoryview(jpeg))
+
+
 def run_python(*arguments):
     return subprocess.run([sys.executable, "-B", *arguments], capture_output=True, text=True)
 
@@ -129,7 +138,7 @@ class Plotters(unittest.TestCase):
         sent = {}
         for method in (None, "truth", "linked-list"):
             handle = method and vitrine.see_through(plotter, method)
-            jpeg = bytes(memoryview(application.StillRender(plotter.render_window, 95)))
+            jpeg = sent_by(application, plotter.render_window)
             sent[method] = numpy.asarray(Image.open(io.BytesIO(base64.b64decode(jpeg)))).astype(int)
             if handle:
                 handle.remove()
