@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Text for the tags of LinkedListResolve.glsl, for lists of up to `size` nodes in pages of `pageSize`. */
+/** Text for the tags of ListResolve.glsl, for lists of up to `size` nodes in pages of `pageSize`. */
 struct ResolveText
 {
   std::string Declare;
@@ -22,7 +22,7 @@ struct ResolveText
 /** `size` is a multiple of `pageSize`. */
 ResolveText UnrollResolve(int size, int pageSize);
 
-/** Text for the tags of LinkedListResolveLong.glsl, for blocks of `block` nodes, a power of two. */
+/** Text for the tags of ListResolveLong.glsl, for blocks of `block` nodes, a power of two. */
 struct LongResolveText
 {
   std::string Declare;
@@ -37,7 +37,7 @@ struct LongResolveText
 
 LongResolveText UnrollLongResolve(int block);
 
-/** Text for the tags of LinkedListSortRuns.glsl. */
+/** Text for the tags of ListSortRuns.glsl. */
 struct SortRunsText
 {
   std::string Declare;
@@ -49,7 +49,7 @@ struct SortRunsText
 /** For runs of `size` nodes, a multiple of `pageSize`. */
 SortRunsText UnrollSortRuns(int size, int pageSize);
 
-/** Text for the tags of LinkedListMergeRuns.glsl. */
+/** Text for the tags of ListMergeRuns.glsl. */
 struct MergeRunsText
 {
   std::string Declare;

@@ -8,16 +8,12 @@
 //                            arrival; else they are an image set by atomics, and pages hold one node
 #include "SharedLayout.h"
 #include "FragmentCapture.glsl"
+#include "FragmentNodeStore.glsl"
 #include "NodePool.glsl"
-#include "PackedColor.glsl"
 
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounterBuffer
 {
   VitrineCounters vitrineCounters;
-};
-layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer VitrineNodeBuffer
-{
-  uint vitrineNodes[];
 };
 layout(std430, binding = VITRINE_BINDING_LINKS) writeonly buffer VitrineLinkBuffer
 {
@@ -30,19 +26,3 @@ uniform int vitrinePageSize;
 #else
 layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads; // a pixel: newest node + 1, count
 #endif
-
-void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
-{
-  uint word = node * uint(VITRINE_NODE_WORDS);
-  vitrineNodes[word] = floatBitsToUint(z);
-#ifdef VITRINE_HALF_FLOAT
-  uvec2 packedColor = vitrinePackColor(color);
-  vitrineNodes[word + 1u] = packedColor.x;
-  vitrineNodes[word + 2u] = packedColor.y;
-#else
-  vitrineNodes[word + 1u] = vitrinePackColor(color);
-#endif
-#if VITRINE_SAMPLES > 0
-  vitrineNodes[word + uint(VITRINE_NODE_WORDS) - 1u] = coverage;
-#endif
-}

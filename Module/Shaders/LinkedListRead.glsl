@@ -1,9 +1,6 @@
-// Reading the lists that LinkedListFill*.glsl wrote.
-#include "SharedLayout.h"
+// Linked lists, as ListRead.glsl walks them: from the newest page of a list to its oldest.
 #include "NodePool.glsl"
 
-uniform usampler2D heads;
-uniform usamplerBuffer nodes; // one texel a node
 uniform usamplerBuffer links; // one texel a page: the page before it
 
 // Newest page and number of fragments of a pixel.
@@ -17,29 +14,14 @@ uvec2 loadHead(ivec2 pixel)
 #endif
 }
 
-// The same of the pixel that is drawn, which is left as it is where it has no fragments.
-uvec2 loadHeadToDraw(ivec2 pixel)
-{
-  uvec2 head = loadHead(pixel);
-  if (head.y == 0u)
-  {
-    discard;
-  }
-  return head;
-}
-
-// Nodes in the newest page of a list of `count` fragments; all other pages are full.
-int nodesInNewestPage(uint count)
-{
-  return int((count - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;
-}
-
-int pagesOfList(uint count)
-{
-  return int((count + uint(VITRINE_PAGE_SIZE - 1)) / uint(VITRINE_PAGE_SIZE));
-}
-
-uint loadLink(uint page)
+uint nextPage(uint page)
 {
   return texelFetch(links, int(page)).x;
 }
+
+uint nodeIndex(uint page, uint slot)
+{
+  return vitrineNodeIndex(page, slot, uint(VITRINE_PAGE_SIZE));
+}
+
+#define IS_TOO_LONG(pixel) false // the pool as a whole may be too small

@@ -11,9 +11,11 @@
 #define VITRINE_BINDING_NODES 5
 #define VITRINE_BINDING_LINKS 6
 #define VITRINE_BINDING_CAPTURE 7
+#define VITRINE_BINDING_SUMS 8
 
-// Binding point of the image of heads, where heads are set by image atomics.
+// Binding points of images: of heads, where atomics or compute shaders set them, and of blocks' longest lists.
 #define VITRINE_IMAGE_HEADS 0
+#define VITRINE_IMAGE_BLOCKS 1
 
 // Ends a list: no page has this number.
 #define VITRINE_END 0xffffffffu
@@ -21,6 +23,11 @@
 // Node pool: pages of 16 successive numbers are interleaved, slot by slot, so that neighbouring pixels,
 // which take pages one after the other, write and read whole cache lines.
 #define VITRINE_INTERLEAVE_SHIFT 4
+
+// Packed lists: pixels lie in the buffer by blocks of this many a side, a divisor of VITRINE_TILE_SIZE. Sums of the
+// blocks' fragments are scanned level by level, this many to one.
+#define VITRINE_BLOCK_SIZE 4
+#define VITRINE_SCAN_FANOUT 128
 
 // Resolve: pixels are binned by the longest list in their tile of this many pixels a side.
 #define VITRINE_TILE_SIZE 16
@@ -61,6 +68,7 @@ struct VitrineCounters
   uint TileBins;      // bit b is set if some tile falls into bin b
   uint PagesLow[4];   // pages that the counts ask for with pages of 1, 2, 4 and 8 nodes: split sums
   uint PagesHigh[4];
+  uint ShortPixels; // packed lists: pixels with more fragments than room for them
 };
 
 /** What the yardstick counts, std430: fragments = Fragments + 2^32 * Wraps. */
@@ -86,9 +94,11 @@ struct VitrineCapturedFragment
 static_assert(sizeof(VitrineCapturedFragment) == 28, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
-static_assert(sizeof(VitrineCounters) == 48, "std430 layout");
+static_assert(sizeof(VitrineCounters) == 52, "std430 layout");
 static_assert(offsetof(VitrineCounters, PagesLow) == 16, "std430 layout");
 static_assert(offsetof(VitrineCounters, PagesHigh) == 32, "std430 layout");
+static_assert(offsetof(VitrineCounters, ShortPixels) == 48, "std430 layout");
+static_assert(VITRINE_TILE_SIZE % VITRINE_BLOCK_SIZE == 0, "blocks lie within tiles");
 
 /** The value of a split sum. */
 constexpr std::int64_t JoinSplitSum(uint low, uint high)

@@ -1,12 +1,16 @@
 // One fragment a tile: the longest list in the tile, and what the whole picture needs.
 //
 // Only pixels from regionFirst up to, not including, regionEnd count; heads outside are of an earlier frame.
-#include "LinkedListRead.glsl"
+#include "ListRead.glsl"
 
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer CounterBuffer
 {
   VitrineCounters counters;
 };
+
+#ifdef VITRINE_PACKED_LISTS
+layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) writeonly uniform uimage2D longestLists; // of each block of pixels
+#endif
 
 uniform ivec2 regionFirst;
 uniform ivec2 regionEnd;
@@ -33,22 +37,44 @@ uint binOf(uint count)
   return bin;
 }
 
-void main()
-{
-  ivec2 first = max(ivec2(gl_FragCoord.xy) * VITRINE_TILE_SIZE, regionFirst);
-  ivec2 end = min((ivec2(gl_FragCoord.xy) + 1) * VITRINE_TILE_SIZE, regionEnd);
+// What the pixels of a tile amount to.
+uint longest = 0u;
+uint covered = 0u;
+uint tooLong = 0u;
+uvec4 pages = uvec4(0u);
 
-  uint longest = 0u;
-  uint covered = 0u;
-  uvec4 pages = uvec4(0u);
+// Take the pixels from `first` up to `end` into the sums. Returns their longest list.
+uint takeBlock(ivec2 first, ivec2 end)
+{
+  uint longestOfBlock = 0u;
   for (int y = first.y; y < end.y; ++y)
   {
     for (int x = first.x; x < end.x; ++x)
     {
       uint count = loadHead(ivec2(x, y)).y;
-      longest = max(longest, count);
+      longestOfBlock = max(longestOfBlock, count);
       covered += min(count, 1u);
+      tooLong += IS_TOO_LONG(ivec2(x, y)) ? 1u : 0u;
       pages += (uvec4(count) + uvec4(0u, 1u, 3u, 7u)) >> uvec4(0u, 1u, 2u, 3u);
+    }
+  }
+  longest = max(longest, longestOfBlock);
+  return longestOfBlock;
+}
+
+void main()
+{
+  ivec2 tile = ivec2(gl_FragCoord.xy) * VITRINE_TILE_SIZE;
+  ivec2 tileEnd = min(tile + VITRINE_TILE_SIZE, regionEnd);
+  for (int y = tile.y; y < tileEnd.y; y += VITRINE_BLOCK_SIZE)
+  {
+    for (int x = tile.x; x < tileEnd.x; x += VITRINE_BLOCK_SIZE)
+    {
+      ivec2 block = ivec2(x, y);
+      uint longestOfBlock = takeBlock(max(block, regionFirst), min(block + VITRINE_BLOCK_SIZE, tileEnd));
+#ifdef VITRINE_PACKED_LISTS
+      imageStore(longestLists, block / VITRINE_BLOCK_SIZE, uvec4(longestOfBlock));
+#endif
     }
   }
 
@@ -57,6 +83,7 @@ void main()
   {
     atomicMax(counters.LayersMax, longest);
     atomicAdd(counters.CoveredPixels, covered);
+    atomicAdd(counters.ShortPixels, tooLong);
     atomicOr(counters.TileBins, 1u << binOf(longest));
     for (int shift = 0; shift < 4; ++shift)
     {

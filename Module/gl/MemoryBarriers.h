@@ -11,6 +11,9 @@
  *   sort runs (fetches, storage)      after classify nothing was written but counters
  *   resolve (fetches)                 BeforeReadingLists
  *
+ * Packed lists have scans (storage, images) between the clear, or the last fill, and the next: BetweenScans before, between
+ * and after them.
+ *
  * llvmpipe draws one thing after the other: there, no test can see a barrier that is missing.
  */
 #ifndef VITRINE_MEMORY_BARRIERS_H
@@ -38,6 +41,13 @@ inline void BarrierBeforeFilling()
 inline void BarrierBeforeReadingLists()
 {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+/** Before compute shaders read what fills, clears or other compute shaders wrote, and before a fill reads theirs. */
+inline void BarrierBetweenScans()
+{
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+    GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 /** Before a buffer that shaders wrote is read back. */

@@ -191,7 +191,7 @@ ScopedStorageBuffer::~ScopedStorageBuffer()
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(this->PreviousGeneric));
 }
 
-ScopedImage::ScopedImage(GLuint unit, GLuint texture)
+ScopedImage::ScopedImage(GLuint unit, GLuint texture, GLenum format)
   : Unit(unit)
 {
   glGetIntegeri_v(GL_IMAGE_BINDING_NAME, unit, &this->Name);
@@ -200,7 +200,7 @@ ScopedImage::ScopedImage(GLuint unit, GLuint texture)
   glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, unit, &this->Layer);
   glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, unit, &this->Access);
   glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, unit, &this->Format);
-  glBindImageTexture(unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+  glBindImageTexture(unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, format);
 }
 
 ScopedImage::~ScopedImage()

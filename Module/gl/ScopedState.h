@@ -148,11 +148,11 @@ private:
   GLint PreviousGeneric = 0;
 };
 
-/** The binding of an image unit to a level 0 of an R32UI texture, read and written. */
+/** The binding of an image unit to level 0 of a texture of unsigned integers, read and written. */
 class ScopedImage
 {
 public:
-  ScopedImage(GLuint unit, GLuint texture);
+  ScopedImage(GLuint unit, GLuint texture, GLenum format = GL_R32UI);
   ~ScopedImage();
   ScopedImage(const ScopedImage&) = delete;
   void operator=(const ScopedImage&) = delete;

@@ -1,20 +1,35 @@
 #include "transparency/ListHeads.h"
 
-#include "Shaders/SharedLayout.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
 {
+namespace
+{
+
+// Rows of first and of second words in turn become rows of pairs.
+std::vector<std::uint32_t> Interleaved(const std::vector<std::uint32_t>& words, std::size_t width)
+{
+  std::vector<std::uint32_t> pairs(words.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::size_t row = i / width;
+    pairs[row / 2 * 2 * width + i % width * 2 + row % 2] = words[i];
+  }
+  return pairs;
+}
+
+}
 
 std::string ListHeads::Prepare(
-  vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch)
+  vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple)
 {
   this->Fetched = framebufferFetch;
-  this->Width = target.Width;
-  this->Height = target.Height;
-  // For image atomics, which have one value a texel, each row is two: newest nodes, and counts.
+  this->Width = (target.Width + multiple - 1) / multiple * multiple;
+  this->Height = (target.Height + multiple - 1) / multiple * multiple;
+  // For image atomics, which have one value a texel, each row is two: of first words, and of second ones.
   std::string problem = framebufferFetch
     ? this->Heads.Allocate(GL_RG32UI, this->Width, this->Height, 0)
     : this->Heads.Allocate(GL_R32UI, this->Width, 2 * this->Height, 0);
@@ -43,7 +58,7 @@ void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
   glDrawBuffers(2, buffers);
 }
 
-void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r)
+void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r, GLuint first)
 {
   const int rows = this->Fetched ? 1 : 2;
   BarrierBeforeFramebufferAccess();
@@ -51,25 +66,20 @@ void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r)
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const GLuint empty[4] = { this->Fetched ? VITRINE_END : 0u, 0u, 0u, 0u };
+  const GLuint empty[4] = { first, 0u, 0u, 0u };
   glClearBufferuiv(GL_COLOR, 0, empty);
 }
 
-std::vector<std::uint32_t> ListHeads::ReadCounts(vtkOpenGLState* state)
+std::vector<std::uint32_t> ListHeads::Read(vtkOpenGLState* state)
 {
   const auto width = static_cast<std::size_t>(this->Width);
-  std::vector<std::uint32_t> heads(2 * width * this->Height);
+  std::vector<std::uint32_t> words(2 * width * this->Height);
   const ScopedPixelTransfer pixelTransfer;
   BarrierBeforeFramebufferAccess();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ClearTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
-    this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, heads.data());
-  std::vector<std::uint32_t> counts(width * this->Height);
-  for (std::size_t i = 0; i < counts.size(); ++i)
-  {
-    counts[i] = heads[this->Fetched ? 2 * i + 1 : (2 * (i / width) + 1) * width + i % width];
-  }
-  return counts;
+    this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
+  return this->Fetched ? words : Interleaved(words, width);
 }
 
 void ListHeads::Release()

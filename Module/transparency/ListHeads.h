@@ -1,6 +1,7 @@
 /**
- * The heads of the linked lists: an image of each pixel's newest page and its number of fragments, and the framebuffers
- * in which it is cleared and filled.
+ * The heads of lists: an image of two words for each pixel, and the framebuffers in which it is cleared and filled.
+ * Linked lists: the newest page, and the number of fragments. Packed lists: where the room ends, and where the next
+ * fragment goes.
  */
 #ifndef VITRINE_LIST_HEADS_H
 #define VITRINE_LIST_HEADS_H
@@ -21,19 +22,27 @@ class ListHeads
 {
 public:
   /**
-   * Make room for the target's pixels, in an attachment that shaders fetch from or an image for atomics. Changes the
-   * framebuffer binding. Returns an empty string, or why the driver cannot.
+   * Make room for the target's pixels, with width and height rounded up to a `multiple`, in an attachment that
+   * shaders fetch from or an image for atomics. Changes the framebuffer binding. Returns an empty string, or why the driver cannot.
    */
-  std::string Prepare(vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch);
+  std::string Prepare(
+    vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple = 1);
 
-  /** Empty the lists of a region. Changes the framebuffer binding, scissor box and colour mask. */
-  void Clear(vtkOpenGLState* state, const PixelRegion& region);
+  /**
+   * Set the heads of a region to `first` and 0. Changes the framebuffer binding, scissor box and colour mask.
+   */
+  void Clear(vtkOpenGLState* state, const PixelRegion& region, GLuint first);
 
-  /** Fragments of each pixel, row by row from the bottom; waits for the device. */
-  std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state);
+  /** All heads, two words a pixel, row by row from the bottom; waits for the device. */
+  std::vector<std::uint32_t> Read(vtkOpenGLState* state);
 
   /** To draw the lists' fragments into: it has the target's depth. */
   GLuint FillFramebuffer() { return this->FillTarget.Handle(); }
+
+  /** Pixels in a row, those by which it was rounded up included. */
+  int RowLength() const { return this->Width; }
+
+  bool AreFetched() const { return this->Fetched; }
 
   const Image2D& Image() const { return this->Heads; }
 

@@ -1,10 +1,11 @@
 #include "transparency/ListResolver.h"
 
+#include "Core/PackedOrder.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
-#include "transparency/NodePool.h"
+#include "transparency/FragmentStore.h"
 #include "transparency/ResolveSources.h"
 #include "transparency/ShaderText.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -54,37 +55,35 @@ std::string BinLimitList()
   return list;
 }
 
-// The tiles that a region touches.
-struct TileRange
+BlockRange TilesOf(const PixelRegion& region)
 {
-  int First[2];
-  int Count[2];
-  explicit TileRange(const PixelRegion& r)
-    : First{ r.X / VITRINE_TILE_SIZE, r.Y / VITRINE_TILE_SIZE }
-    , Count{ (r.X + r.Width - 1) / VITRINE_TILE_SIZE - First[0] + 1,
-      (r.Y + r.Height - 1) / VITRINE_TILE_SIZE - First[1] + 1 }
-  {
-  }
-};
+  return BlocksOf(region, VITRINE_TILE_SIZE);
+}
 
 // What both passes read: heads, nodes, links.
 class ScopedListTextures
 {
 public:
-  ScopedListTextures(vtkOpenGLState* state, const NodePool& pool, const Image2D& heads)
-    : Heads(state, GL_TEXTURE_2D, heads.Handle())
-    , Nodes(state, GL_TEXTURE_BUFFER, pool.NodeTexture())
-    , Links(state, GL_TEXTURE_BUFFER, pool.LinkTexture())
+  ScopedListTextures(vtkOpenGLState* state, FragmentStore& store)
+    : Store(store)
+    , Heads(state, GL_TEXTURE_2D, store.Heads().Image().Handle())
+    , Nodes(state, GL_TEXTURE_BUFFER, store.NodeTexture())
+    , Links(state, GL_TEXTURE_BUFFER, store.LinkTexture())
   {
   }
   void SetUniforms(vtkShaderProgram* program) const
   {
     program->SetUniformi("heads", this->Heads.Unit());
     program->SetUniformi("nodes", this->Nodes.Unit());
-    program->SetUniformi("links", this->Links.Unit());
+    if (program->IsUniformUsed("links"))
+    {
+      program->SetUniformi("links", this->Links.Unit());
+    }
+    this->Store.SetReadUniforms(program);
   }
 
 private:
+  FragmentStore& Store;
   ScopedTextureUnit Heads;
   ScopedTextureUnit Nodes;
   ScopedTextureUnit Links;
@@ -92,35 +91,10 @@ private:
 
 }
 
-std::vector<std::string> ListLayout::Defines() const
-{
-  std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(this->Samples),
-    "VITRINE_PAGE_SIZE " + std::to_string(this->PageSize) };
-  if (this->HalfFloat)
-  {
-    defines.emplace_back("VITRINE_HALF_FLOAT");
-  }
-  if (this->FixedPoint)
-  {
-    defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
-  }
-  if (this->FramebufferFetch)
-  {
-    defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
-  }
-  return defines;
-}
-
-int ListLayout::NodeBytes() const
-{
-  const int words = 1 + (this->HalfFloat ? 2 : 1) + (this->Samples > 0 ? 1 : 0);
-  return words * static_cast<int>(sizeof(uint));
-}
-
 //------------------------------------------------------------------------------
 std::string ListResolver::PrepareTiles(vtkOpenGLState* state, const RenderTarget& target)
 {
-  const TileRange tiles({ 0, 0, target.Width, target.Height });
+  const BlockRange tiles = TilesOf({ 0, 0, target.Width, target.Height });
   std::string problem = this->TileMax.Allocate(GL_R32UI, tiles.Count[0], tiles.Count[1], 0);
   if (problem.empty())
   {
@@ -133,18 +107,19 @@ std::string ListResolver::PrepareTiles(vtkOpenGLState* state, const RenderTarget
 
 //------------------------------------------------------------------------------
 void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  const NodePool& pool, const Image2D& heads, const RenderTarget& target, const PixelRegion& region)
+  FragmentStore& store, const RenderTarget& target, const PixelRegion& region)
 {
   vtkOpenGLState* state = window->GetState();
-  const TileRange all({ 0, 0, target.Width, target.Height });
-  const TileRange tiles(region);
+  const BlockRange all = TilesOf({ 0, 0, target.Width, target.Height });
+  const BlockRange tiles = TilesOf(region);
   BindForFullScreenDraw(state, this->TileFramebuffer.Handle(), all.Count[0], all.Count[1],
     { tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1] });
 
   BarrierBeforeReadingLists();
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
-  const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, pool.CounterBuffer());
-  const ScopedListTextures textures(state, pool, heads);
+  const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, store.CounterBuffer());
+  const ScopedImage longestLists(VITRINE_IMAGE_BLOCKS, store.BlockImage());
+  const ScopedListTextures textures(state, store);
   vtkShaderProgram* program = this->ReadyClassify(window, layout);
   if (!program)
   {
@@ -160,8 +135,8 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
 
 //------------------------------------------------------------------------------
 bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  const NodePool& pool, const Image2D& heads, const Image2D& backdropImage,
-  const RenderTarget& target, const PixelRegion& region, std::uint32_t tileBins)
+  FragmentStore& store, const Image2D& backdropImage, const RenderTarget& target,
+  const PixelRegion& region, std::uint32_t tileBins)
 {
   const std::vector<BinDraw> draws = this->PlanDraws(layout, tileBins);
   for (const BinDraw& draw : draws)
@@ -175,12 +150,12 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   vtkOpenGLState* state = window->GetState();
   BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
 
-  const TileRange tiles(region);
+  const BlockRange tiles = TilesOf(region);
   const int targetSize[2] = { target.Width, target.Height };
   const int regionFirst[2] = { region.X, region.Y };
   const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
-  const ScopedListTextures textures(state, pool, heads);
+  const ScopedListTextures textures(state, store);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
   const auto drawTiles = [&](vtkShaderProgram* program, const BinDraw& draw)
@@ -205,7 +180,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
     if (IsMergeOfRuns(draw.Bin))
     {
       this->BindForSort(state, target);
-      const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, pool.NodeBuffer());
+      const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, store.NodeBuffer());
       drawTiles(this->ReadySortRuns(window, layout), draw);
       BarrierBeforeReadingLists();
     }

@@ -1,5 +1,5 @@
 /**
- * The second half of the linked-list method: what the lists hold becomes a picture.
+ * The second half of the methods that store lists: what those hold becomes a picture.
  */
 #ifndef VITRINE_LIST_RESOLVER_H
 #define VITRINE_LIST_RESOLVER_H
@@ -7,6 +7,7 @@
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
+#include "transparency/ListLayout.h"
 
 #include <cstdint>
 #include <string>
@@ -19,23 +20,7 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
-class NodePool;
-
-/** How the lists are laid out: what the shaders are compiled for. */
-struct ListLayout
-{
-  bool HalfFloat = true;
-  bool FixedPoint = true;
-  bool FramebufferFetch = false;
-  int Samples = 0;
-  int PageSize = 1;
-
-  /** The shaders' defines for this layout. */
-  std::vector<std::string> Defines() const;
-
-  /** Bytes of a node. */
-  int NodeBytes() const;
-};
+class FragmentStore;
 
 class ListResolver
 {
@@ -47,18 +32,18 @@ public:
   std::string PrepareTiles(vtkOpenGLState* state, const RenderTarget& target);
 
   /**
-   * Count what the lists in `region` need into the pool's counters, and each tile's longest list.
+   * Count what the lists in `region` need into the store's counters, and each tile's longest list.
    */
-  void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,
-    const Image2D& heads, const RenderTarget& target, const PixelRegion& region);
+  void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
+    const RenderTarget& target, const PixelRegion& region);
 
   /**
    * Sort and composite the lists of `region` over the backdrop, into the target. `tileBins` are the bins that
    * Classify() found. Returns false, with nothing drawn, if a shader does not compile.
    */
-  bool Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, const NodePool& pool,
-    const Image2D& heads, const Image2D& backdrop, const RenderTarget& target,
-    const PixelRegion& region, std::uint32_t tileBins);
+  bool Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
+    const Image2D& backdrop, const RenderTarget& target, const PixelRegion& region,
+    std::uint32_t tileBins);
 
   /** Whether a shader did not compile, so that nothing was drawn by it. */
   bool HasFailed() const { return this->Programs.HasFailed(); }

@@ -1,7 +1,6 @@
 #include "transparency/NodePool.h"
 
 #include "gl/Capabilities.h"
-#include "gl/MemoryBarriers.h"
 
 #include <algorithm>
 #include <cassert>
@@ -137,11 +136,11 @@ bool NodePool::Holds(const FragmentStatistics& needed) const
 
 // What does not fit is drawn again, so its pages may have another size then. Where the driver has no memory for the
 // pool, it may have without a reserve, or else for half of it.
-NodePool::FitType NodePool::Fit(const FragmentStatistics& needed)
+FragmentStore::FitType NodePool::Fit(const FragmentStatistics& needed)
 {
   if (this->Holds(needed))
   {
-    return FITS;
+    return FragmentStore::FITS;
   }
   bool allocated = false;
   std::int64_t wanted = 0;
@@ -157,7 +156,7 @@ NodePool::FitType NodePool::Fit(const FragmentStatistics& needed)
       this->NoteShortage((wanted > least ? least : wanted / 2) * this->PageBytes());
     }
   } while (!allocated && wanted > 0);
-  return this->Holds(needed) ? GREW : TOO_LARGE;
+  return this->Holds(needed) ? FragmentStore::GREW : FragmentStore::TOO_LARGE;
 }
 
 // Whole pages in what the sizing policy allows.
@@ -259,40 +258,8 @@ bool NodePool::Allocate(std::int64_t pages)
   return allocated;
 }
 
-bool NodePool::ResetCounters()
-{
-  const bool allocated =
-    (this->Counters.Handle() != 0 || this->Counters.Allocate(sizeof(VitrineCounters))) &&
-    (this->Pages > 0 || this->Allocate(0));
-  if (allocated)
-  {
-    const VitrineCounters zero = {};
-    this->Counters.Write(0, sizeof(zero), &zero);
-  }
-  return allocated;
-}
-
-FragmentStatistics NodePool::ReadCounters() const
-{
-  VitrineCounters counters = {};
-  BarrierBeforeReadingBuffers();
-  this->Counters.Read(0, sizeof(counters), &counters);
-
-  FragmentStatistics statistics;
-  statistics.LayersMax = counters.LayersMax;
-  statistics.CoveredPixels = counters.CoveredPixels;
-  statistics.TileBins = counters.TileBins;
-  for (int shift = 0; shift <= MaximumPageShift; ++shift)
-  {
-    statistics.Pages[shift] = JoinSplitSum(counters.PagesLow[shift], counters.PagesHigh[shift]);
-  }
-  statistics.Fragments = statistics.Pages[0];
-  return statistics;
-}
-
 void NodePool::Release()
 {
-  this->Counters.Release();
   this->Nodes.Release();
   this->Links.Release();
   this->Pages = 0;

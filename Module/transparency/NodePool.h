@@ -1,12 +1,12 @@
 /**
- * The memory of the linked lists: pages of nodes, their links, and the frame's counters.
+ * The memory of the linked lists: pages of nodes, and their links.
  */
 #ifndef VITRINE_NODE_POOL_H
 #define VITRINE_NODE_POOL_H
 
 #include "Core/PoolSizing.h"
-#include "Shaders/SharedLayout.h"
 #include "gl/GLObjects.h"
+#include "transparency/FragmentStore.h"
 
 #include <cstdint>
 #include <limits>
@@ -15,23 +15,13 @@
 namespace vitrine
 {
 
-/** What a frame, or a part of it, asked for. */
-struct FragmentStatistics
-{
-  std::int64_t Fragments = 0;
-  std::int64_t LayersMax = 0;
-  std::int64_t CoveredPixels = 0;
-  std::uint32_t TileBins = 0;
-  std::int64_t Pages[4] = {}; ///< pages needed at 1, 2, 4 and 8 nodes a page
-};
-
 /** Bytes that `pages` pages of `pageSize` nodes take, links included. */
 std::int64_t PoolBytes(std::int64_t pages, int pageSize, int nodeBytes);
 
 class NodePool
 {
 public:
-  static constexpr int MaximumPageShift = 3;
+  static constexpr int MaximumPageShift = FragmentStatistics::MaximumPageShift;
   static constexpr std::int64_t Unlimited = std::numeric_limits<std::int64_t>::max();
 
   /** Node size in bytes (8, 12 or 16) and whether pages may hold several nodes. */
@@ -53,13 +43,6 @@ public:
   std::int64_t PageBytes() const { return PoolBytes(1, this->PageSize(), this->BytesPerNode); }
   std::int64_t Bytes() const { return this->Nodes.Bytes() + this->Links.Bytes(); }
 
-  enum FitType
-  {
-    FITS,     ///< the frame is in the pool
-    GREW,     ///< the frame was not, but there is room now: draw it again
-    TOO_LARGE ///< the limit, or the driver, forbids it; the pool is as large as they allow
-  };
-
   /** Whether what a frame, or a part of it, counted is in the pool. */
   bool Holds(const FragmentStatistics& needed) const;
 
@@ -67,7 +50,7 @@ public:
    * Whether what a frame counted is in the pool; if not, make room as far as the limit and the driver's memory allow,
    * in pages of a size that suits the frame.
    */
-  FitType Fit(const FragmentStatistics& needed);
+  FragmentStore::FitType Fit(const FragmentStatistics& needed);
 
   /**
    * After a finished frame, or one without fragments: shrink where the pool has long been too large, and take up
@@ -78,16 +61,9 @@ public:
   /** The most pages that the limit allows at the current page size. */
   std::int64_t LimitPages() const;
 
-  /**
-   * Zero the frame's counters, with the allocator at the first page. Returns false if the driver has no memory for
-   * the smallest pool.
-   */
-  bool ResetCounters();
+  /** See that there is a pool, if only the smallest. Returns false if the driver has no memory for it. */
+  bool Ensure() { return this->Pages > 0 || this->Allocate(0); }
 
-  /** Read the frame's counters; waits for the device. */
-  FragmentStatistics ReadCounters() const;
-
-  GLuint CounterBuffer() const { return this->Counters.Handle(); }
   GLuint NodeBuffer() const { return this->Nodes.Handle(); }
   GLuint LinkBuffer() const { return this->Links.Handle(); }
   GLuint NodeTexture() const { return this->Nodes.Texture(); }
@@ -118,7 +94,6 @@ private:
   int ShortageFrames = 0;          // since it had none for more
   std::int64_t Pages = 0;          // allocated
   PoolSizing Sizing;
-  Buffer Counters;
   Buffer Nodes;
   Buffer Links;
 };

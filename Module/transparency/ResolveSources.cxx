@@ -25,7 +25,7 @@ void Fill(std::string& source, const char* tag, const std::string& text)
 std::string NetworkSource(int size, int pageSize)
 {
   const ResolveText text = UnrollResolve(size, pageSize);
-  std::string source = shaders::LinkedListResolve;
+  std::string source = shaders::ListResolve;
   Fill(source, "Declare", text.Declare);
   Fill(source, "Load", text.Load);
   Fill(source, "Sort", text.Sort);
@@ -37,7 +37,7 @@ std::string NetworkSource(int size, int pageSize)
 std::string SortRunsSource(int size, int pageSize)
 {
   const SortRunsText text = UnrollSortRuns(size, pageSize);
-  std::string source = shaders::LinkedListSortRuns;
+  std::string source = shaders::ListSortRuns;
   Fill(source, "Declare", text.Declare);
   Fill(source, "Load", text.Load);
   Fill(source, "Sort", text.Sort);
@@ -48,7 +48,7 @@ std::string SortRunsSource(int size, int pageSize)
 std::string MergeRunsSource(int runs)
 {
   const MergeRunsText text = UnrollMergeRuns(runs, VITRINE_RUN_GROUP);
-  std::string source = shaders::LinkedListMergeRuns;
+  std::string source = shaders::ListMergeRuns;
   Fill(source, "Declare", text.Declare);
   Fill(source, "FindNearest", text.FindNearest);
   Fill(source, "PutBack", text.PutBack);
@@ -58,7 +58,7 @@ std::string MergeRunsSource(int runs)
 std::string MergeBlocksSource(int block)
 {
   const LongResolveText text = UnrollLongResolve(block);
-  std::string source = shaders::LinkedListResolveLong;
+  std::string source = shaders::ListResolveLong;
   Fill(source, "Declare", text.Declare);
   Fill(source, "ClearNearest", text.ClearNearest);
   Fill(source, "LoadBlock", text.LoadBlock);

@@ -9,16 +9,16 @@
 namespace vitrine
 {
 
-/** LinkedListResolve.glsl for lists of up to `size` nodes, by one network. */
+/** ListResolve.glsl for lists of up to `size` nodes, by one network. */
 std::string NetworkSource(int size, int pageSize);
 
-/** LinkedListSortRuns.glsl for runs of `size` nodes. */
+/** ListSortRuns.glsl for runs of `size` nodes. */
 std::string SortRunsSource(int size, int pageSize);
 
-/** LinkedListMergeRuns.glsl for up to `runs` runs, a multiple of VITRINE_RUN_GROUP. */
+/** ListMergeRuns.glsl for up to `runs` runs, a multiple of VITRINE_RUN_GROUP. */
 std::string MergeRunsSource(int runs);
 
-/** LinkedListResolveLong.glsl for lists of any length, in blocks of `block` nodes. */
+/** ListResolveLong.glsl for lists of any length, in blocks of `block` nodes. */
 std::string MergeBlocksSource(int block);
 
 }

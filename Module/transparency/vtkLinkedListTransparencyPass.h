@@ -2,121 +2,36 @@
  * @class   vtkLinkedListTransparencyPass
  * @brief   exact transparency by an A-buffer of linked lists
  *
- * One pass over the translucent geometry stores every fragment in a list of its pixel; a resolve sorts each
- * list by depth and composites it. Exact for any number of layers:
- *
- *  1. Fill: fragments go to a pool of pages of 1 to 8 nodes; an image holds each pixel's newest page and its
- *     number of fragments. Depth is kept as 32-bit float, colour in 16-bit floats or 8 bits.
- *  2. Classify: the longest list of each tile of 16x16 pixels, and what the frame needed.
- *  3. If the pool was too small it grows and the geometry is drawn again, in the same frame. If the memory
- *     limit forbids that, or the driver has no memory, the frame is drawn in bands of the screen, each of which fits.
- *  4. Resolve: tiles in bins by their longest list; up to 64 fragments sort in registers by an unrolled
- *     network, up to 1024 in runs that are merged at once, longer lists block by block.
- *
- * The picture does not depend on the order in which fragments arrive: among fragments of equal depth the
- * packed colour decides, compared by alpha, blue, green, red.
+ * Fragments go to a pool of pages of 1 to 8 nodes, which shaders allocate; an image holds each pixel's newest page and
+ * its number of fragments. One pass over the geometry, for any number of layers; a second one in the frames in which the
+ * pool grows.
  *
  * J. C. Yang, J. Hensley, H. Gruen, N. Thibieroz: Real-Time Concurrent Linked List Construction on the GPU,
- * EGSR 2010; C. Crassin: Linked lists of fragment pages, 2010; P. Knowles, G. Leach, F. Zambetta: Fast
- * Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014).
+ * EGSR 2010; C. Crassin: Linked lists of fragment pages, 2010.
  */
 #ifndef vtkLinkedListTransparencyPass_h
 #define vtkLinkedListTransparencyPass_h
 
-#include "vtkTransparencyPass.h"
+#include "vtkABufferTransparencyPass.h"
 
-#include <vector> // for bands of the screen
-
-namespace vitrine
-{
-struct FragmentStatistics;
-struct PixelRegion;
-}
-
-class VTKVITRINERENDERING_EXPORT vtkLinkedListTransparencyPass : public vtkTransparencyPass
+class VTKVITRINERENDERING_EXPORT vtkLinkedListTransparencyPass : public vtkABufferTransparencyPass
 {
 public:
   static vtkLinkedListTransparencyPass* New();
-  vtkTypeMacro(vtkLinkedListTransparencyPass, vtkTransparencyPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum ColorStorageType
-  {
-    /// Four 16-bit floats without sign (5 bits of exponent, 11 of mantissa), 8 bytes a fragment: exact to 8-bit
-    /// pictures with any number of layers.
-    HALF_FLOAT = 0,
-    /// RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up, and in floating-point
-    /// targets colours end at 1.
-    EIGHT_BIT = 1
-  };
-
-  ///@{
-  /**
-   * How fragments' colours are kept. Half float by default.
-   */
-  void SetColorStorage(int storage);
-  vtkGetMacro(ColorStorage, int);
-  void SetColorStorageToHalfFloat() { this->SetColorStorage(HALF_FLOAT); }
-  void SetColorStorageToEightBit() { this->SetColorStorage(EIGHT_BIT); }
-  ///@}
-
-  ///@{
-  /**
-   * The most GPU memory in bytes that the node pool may take; 0, the default, for no limit but the driver's.
-   * A frame that needs more is drawn in bands of the screen and is exact all the same, unless one pixel alone
-   * needs more, which is an error. The pool holds 16 fragments at least.
-   */
-  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
-  vtkGetMacro(MemoryLimit, vtkTypeInt64);
-  ///@}
-
-  /**
-   * Bytes of the node pool after the last frame; GetBytes() counts heads, tiles and the backdrop too.
-   */
-  vtkTypeInt64 GetPoolBytes();
-
-  /**
-   * In how many bands of the screen the last frame was drawn: 1 unless the memory limit demanded more.
-   */
-  vtkGetMacro(NumberOfBands, int);
+  vtkTypeMacro(vtkLinkedListTransparencyPass, vtkABufferTransparencyPass);
 
   const char* GetMethodName() override { return "linked-list"; }
 
 protected:
-  vtkLinkedListTransparencyPass();
+  vtkLinkedListTransparencyPass() = default;
   ~vtkLinkedListTransparencyPass() override;
 
-  vitrine::FillShader GetFillShader() override;
-  void SetFillParameters(vtkShaderProgram* program) override;
-  std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
-  std::string RenderFragments(
-    const vtkRenderState* s, const vitrine::RenderTarget& target) override;
-  void RenderNothing() override;
-  void ReleaseMethodResources() override;
-  void ForgetMethodResources() override;
-
-  int ColorStorage = HALF_FLOAT;
-  vtkTypeInt64 MemoryLimit = 0;
-  int NumberOfBands = 1;
+  std::unique_ptr<vitrine::FragmentStore> MakeStore() const override;
+  void GetStoringShader(vitrine::FillShader& fill) const override;
 
 private:
   vtkLinkedListTransparencyPass(const vtkLinkedListTransparencyPass&) = delete;
   void operator=(const vtkLinkedListTransparencyPass&) = delete;
-
-  std::string PrepareFrame(const vitrine::RenderTarget& target);
-  std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    vitrine::FragmentStatistics& frame);
-  std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const vitrine::PixelRegion& region, vitrine::FragmentStatistics& statistics);
-  void Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
-    const vitrine::FragmentStatistics& statistics);
-  std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
-  std::string DrawBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const std::vector<vitrine::PixelRegion>& bands);
-  void FinishFrame(const vitrine::FragmentStatistics& frame);
-
-  struct Internals;
-  std::unique_ptr<Internals> Private;
 };
 
 #endif

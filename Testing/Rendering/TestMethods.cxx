@@ -2,6 +2,7 @@
 
 #include "vtkImageData.h"
 #include "vtkLinkedListTransparencyPass.h"
+#include "vtkPrefixSumTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,17 @@ const std::vector<Method>& ExactMethods()
       []
       {
         auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
+        pass->SetColorStorageToEightBit();
+        return pass;
+      },
+      1.4 },
+    { "PrefixSumPredicted", [] { return vtkSmartPointer<vtkPrefixSumTransparencyPass>::New(); },
+      0.75 },
+    { "PrefixSumCountedEightBit",
+      []
+      {
+        auto pass = vtkSmartPointer<vtkPrefixSumTransparencyPass>::New();
+        pass->PredictionOff();
         pass->SetColorStorageToEightBit();
         return pass;
       },

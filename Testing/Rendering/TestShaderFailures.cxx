@@ -110,9 +110,8 @@ struct LongLists
 // The program for the long lists is the one that fails, when that for the short ones is there already.
 TEST(ShaderFailures, OfLongListsBlendNothingTwice)
 {
-  for (const LongLists& lists :
-    { LongLists{ "LinkedListResolve", 40 }, LongLists{ "LinkedListSortRuns", 100 },
-      LongLists{ "LinkedListMergeRuns", 100 }, LongLists{ "LinkedListResolveLong", 1100 } })
+  for (const LongLists& lists : { LongLists{ "ListResolve", 40 }, LongLists{ "ListSortRuns", 100 },
+         LongLists{ "ListMergeRuns", 100 }, LongLists{ "ListResolveLong", 1100 } })
   {
     for (const bool inBands : { false, true })
     {
@@ -145,7 +144,7 @@ TEST(ShaderFailures, OfShortListsBlendNothingTwice)
   const Picture byVTK = RenderAsVTK(scene);
   vtkNew<vtkLinkedListTransparencyPass> pass;
   ExpectTruth(scene, pass, 0.75);
-  const RejectedShader rejected("LinkedListResolve");
+  const RejectedShader rejected("ListResolve");
   ExpectFallbackOnce(scene, pass, byVTK);
 }
 

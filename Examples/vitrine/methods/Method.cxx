@@ -40,6 +40,14 @@ const std::vector<Entry>& Entries()
     { "linked-list", "A-buffer of linked lists; exact", true, MakeLinkedList },
     { "linked-list-8bit", "the same with 8-bit colours; rounds alpha", false,
       MakeLinkedListEightBit },
+    { "prefix-sum", "A-buffer packed by prefix sums; counts, then stores; exact", true,
+      MakePrefixSumCounted },
+    { "prefix-sum-8bit", "the same with 8-bit colours; rounds alpha", false,
+      MakePrefixSumCountedEightBit },
+    { "prefix-sum-predicted", "the same in one geometry pass where the last frame tells; exact",
+      true, MakePrefixSumPredicted },
+    { "prefix-sum-predicted-8bit", "the same with 8-bit colours; rounds alpha", false,
+      MakePrefixSumPredictedEightBit },
     { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
   };
   return entries;

@@ -2,6 +2,7 @@
 
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
+#include "vtkPrefixSumTransparencyPass.h"
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkTruthTransparencyPass.h"
@@ -47,6 +48,37 @@ std::unique_ptr<Method> MakeLinkedListEightBit()
   auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
   pass->SetColorStorageToEightBit();
   return std::make_unique<VitrineMethod>(pass);
+}
+
+namespace
+{
+std::unique_ptr<Method> MakePrefixSum(bool prediction, int storage)
+{
+  auto pass = vtkSmartPointer<vtkPrefixSumTransparencyPass>::New();
+  pass->SetPrediction(prediction);
+  pass->SetColorStorage(storage);
+  return std::make_unique<VitrineMethod>(pass);
+}
+}
+
+std::unique_ptr<Method> MakePrefixSumCounted()
+{
+  return MakePrefixSum(false, vtkPrefixSumTransparencyPass::HALF_FLOAT);
+}
+
+std::unique_ptr<Method> MakePrefixSumCountedEightBit()
+{
+  return MakePrefixSum(false, vtkPrefixSumTransparencyPass::EIGHT_BIT);
+}
+
+std::unique_ptr<Method> MakePrefixSumPredicted()
+{
+  return MakePrefixSum(true, vtkPrefixSumTransparencyPass::HALF_FLOAT);
+}
+
+std::unique_ptr<Method> MakePrefixSumPredictedEightBit()
+{
+  return MakePrefixSum(true, vtkPrefixSumTransparencyPass::EIGHT_BIT);
 }
 
 std::unique_ptr<Method> MakeTruth()

@@ -30,6 +30,12 @@ private:
 std::unique_ptr<Method> MakeLinkedList();
 std::unique_ptr<Method> MakeLinkedListEightBit();
 
+/** vtkPrefixSumTransparencyPass, counting first or by prediction. */
+std::unique_ptr<Method> MakePrefixSumCounted();
+std::unique_ptr<Method> MakePrefixSumCountedEightBit();
+std::unique_ptr<Method> MakePrefixSumPredicted();
+std::unique_ptr<Method> MakePrefixSumPredictedEightBit();
+
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
 

@@ -1,20 +1,20 @@
-// Linked-list A-buffer, resolving lists of up to VITRINE_BIN nodes: load into named registers, sort by an
+// A-buffer, resolving lists of up to VITRINE_BIN nodes: load into named registers, sort by an
 // unrolled network, composite.
 //
 // P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
 // (2014): sorting in registers, in bins by depth complexity.
-#include "LinkedListRead.glsl"
+#include "ListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
-// Nodes of `page` are valid up to `filled`; the newest page alone may be partly filled.
+// Nodes of `page` are valid up to `filled`; the first page alone may be partly filled.
 #define LOAD(f, slot) \
   { \
-    uvec4 node = texelFetch(nodes, int(vitrineNodeIndex(page, uint(slot), uint(VITRINE_PAGE_SIZE)))); \
+    uvec4 node = texelFetch(nodes, int(nodeIndex(page, uint(slot)))); \
     f = unpackNode(slot < filled && IN_SAMPLE(node), node); \
   }
 #define NEXT_PAGE \
-  page = filled > 0 ? loadLink(page) : VITRINE_END; \
+  page = filled > 0 ? nextPage(page) : VITRINE_END; \
   filled = page == VITRINE_END ? 0 : VITRINE_PAGE_SIZE; \
   page = filled > 0 ? page : 0u;
 
@@ -26,7 +26,7 @@ void main()
   //Vitrine::Declare
 
   uint page = head.x;
-  int filled = nodesInNewestPage(head.y);
+  int filled = nodesInFirstPage(head.y);
   //Vitrine::Load
 
   //Vitrine::Sort

@@ -1,13 +1,13 @@
-// Linked-list A-buffer, lists too long for one network, first half: sort runs of VITRINE_RUN_SIZE nodes in place,
-// each by a network over registers, so that the nodes of a run ascend from its newest page to its oldest.
+// A-buffer, lists too long for one network, first half: sort runs of VITRINE_RUN_SIZE nodes in place,
+// each by a network over registers, so that the nodes of a run ascend from its first page to its last.
 //
-// A run is VITRINE_RUN_PAGES pages; if the list has no multiple of that, its first run, the newest, has fewer.
-// Only the list's newest page may be partly filled.
+// A run is VITRINE_RUN_PAGES pages; if the list has no multiple of that, its first run has fewer.
+// Only the first page may be partly filled.
 //
 // P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
 // (2014): sorted blocks go back to the list's own nodes.
 #define VITRINE_KEEP_COVERAGE
-#include "LinkedListRead.glsl"
+#include "ListRead.glsl"
 #include "Registers.glsl"
 
 layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer NodeBuffer
@@ -30,7 +30,7 @@ struct RunPage
   p.empty = p.page == VITRINE_END ? VITRINE_PAGE_SIZE : VITRINE_PAGE_SIZE - filled; \
   if (p.page != VITRINE_END) \
   { \
-    page = loadLink(page); \
+    page = nextPage(page); \
     filled = VITRINE_PAGE_SIZE; \
   } \
   --absent;
@@ -40,14 +40,14 @@ struct RunPage
   { \
     int slot = i - p.empty; \
     uvec4 node = texelFetch(nodes, \
-      int(vitrineNodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0)), uint(VITRINE_PAGE_SIZE)))); \
+      int(nodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0))))); \
     f = unpackNode(true, slot < 0 ? uvec4(0u) : node); \
   }
 
 #define STORE(f, p, i) \
   if (i >= p.empty) \
   { \
-    storeNode(vitrineNodeIndex(p.page, uint(i - p.empty), uint(VITRINE_PAGE_SIZE)), f); \
+    storeNode(nodeIndex(p.page, uint(i - p.empty)), f); \
   }
 
 void storeNode(uint index, Fragment f)
@@ -72,7 +72,7 @@ void main()
   //Vitrine::Declare
 
   uint page = head.x;
-  int filled = nodesInNewestPage(head.y);
+  int filled = nodesInFirstPage(head.y);
   int pages = pagesOfList(head.y);
   int absent = (VITRINE_RUN_PAGES - pages % VITRINE_RUN_PAGES) % VITRINE_RUN_PAGES;
   while (page != VITRINE_END)

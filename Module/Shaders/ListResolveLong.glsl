@@ -1,10 +1,10 @@
-// Linked-list A-buffer, resolving lists of any length, block by block: each round walks the whole list,
+// A-buffer, resolving lists of any length, block by block: each round walks the whole list,
 // sorts blocks of VITRINE_MERGE_BLOCK nodes by a network and merges each into the nearest block so far of
 // what lies behind the last round's; then it composites that block. It needs registers only, no memory.
 //
 // After the register-based block sort of P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of
 // Complex Scenes, The Visual Computer 30 (2014); the merge is K. E. Batcher's bitonic one, AFIPS 1968.
-#include "LinkedListRead.glsl"
+#include "ListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
@@ -20,17 +20,17 @@ uint lastSeen;
 void startWalk(uvec2 head)
 {
   page = head.x;
-  slot = nodesInNewestPage(head.y) - 1;
+  slot = nodesInFirstPage(head.y) - 1;
   lastSeen = 0u;
 }
 
 uvec4 nextNode()
 {
-  uvec4 node = texelFetch(nodes, int(vitrineNodeIndex(page, uint(max(slot, 0)), uint(VITRINE_PAGE_SIZE))));
+  uvec4 node = texelFetch(nodes, int(nodeIndex(page, uint(max(slot, 0)))));
   --slot;
   if (slot == -1)
   {
-    uint before = loadLink(page);
+    uint before = nextPage(page);
     slot = before == VITRINE_END ? -1 : VITRINE_PAGE_SIZE - 1;
     page = before == VITRINE_END ? page : before;
   }

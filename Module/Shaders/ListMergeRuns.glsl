@@ -1,10 +1,10 @@
-// Linked-list A-buffer, lists too long for one network, second half: merge the runs that LinkedListSortRuns.glsl
+// A-buffer, lists too long for one network, second half: merge the runs that ListSortRuns.glsl
 // sorted, all at once, with each run's nearest fragment in registers, and composite on the way.
 //
 // The runs are in groups, each of which knows its nearest run. So a fragment costs a look at the groups and at
 // the runs of one group: a tournament of two rounds. Neighbouring pixels mostly take from the same group.
 #define VITRINE_KEEP_COVERAGE
-#include "LinkedListRead.glsl"
+#include "ListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
@@ -46,7 +46,7 @@ void main()
 
   // The next run of the list to start: `runPages` pages from `page`.
   uint page = head.x;
-  int filled = nodesInNewestPage(head.y);
+  int filled = nodesInFirstPage(head.y);
   int pages = pagesOfList(head.y);
   int runPages = (pages - 1) % VITRINE_RUN_PAGES + 1;
   uint started = 0u;
@@ -63,7 +63,7 @@ void main()
       ++started;
       for (int i = 0; i < runPages; ++i)
       {
-        page = loadLink(page);
+        page = nextPage(page);
       }
       filled = VITRINE_PAGE_SIZE;
       runPages = VITRINE_RUN_PAGES;
@@ -86,9 +86,9 @@ void main()
     uint slot = run.place & 0xfu;
     uint left = (run.place >> 8) & 0xffu;
     uint number = run.place >> 16;
-    uvec4 node = texelFetch(nodes, int(vitrineNodeIndex(valid ? run.page : 0u, slot, uint(VITRINE_PAGE_SIZE))));
+    uvec4 node = texelFetch(nodes, int(nodeIndex(valid ? run.page : 0u, slot)));
     bool pageDone = slot + 1u == ((run.place >> 4) & 0xfu);
-    uint next = pageDone && left > 1u ? loadLink(valid ? run.page : 0u) : VITRINE_END;
+    uint next = pageDone && left > 1u ? nextPage(valid ? run.page : 0u) : VITRINE_END;
     run.page = valid && pageDone ? next : run.page;
     run.place = pageDone ? PLACE(0, VITRINE_PAGE_SIZE, left - 1u, number) : run.place + 1u;
     run.head = unpackNode(valid, node);

@@ -1,0 +1,44 @@
+/**
+ * The order in which the lists of pixels lie in a packed buffer: Shaders/PackedOrder.glsl in C++.
+ */
+#ifndef VITRINE_CORE_PACKED_ORDER_H
+#define VITRINE_CORE_PACKED_ORDER_H
+
+#include "Core/PixelRegion.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/** Blocks of pixels: the first one's column and row, and the number of columns and rows. */
+struct BlockRange
+{
+  int First[2] = { 0, 0 };
+  int Count[2] = { 0, 0 };
+
+  bool operator==(const BlockRange& other) const
+  {
+    return this->First[0] == other.First[0] && this->First[1] == other.First[1] &&
+      this->Count[0] == other.Count[0] && this->Count[1] == other.Count[1];
+  }
+  int Size() const { return this->Count[0] * this->Count[1]; }
+};
+
+/** The blocks of `side` pixels a side that `region` touches. */
+BlockRange BlocksOf(const PixelRegion& region, int side);
+
+/** The pixels of these blocks, some of which may lie beyond the image. */
+PixelRegion PixelsOf(const BlockRange& blocks, int side);
+
+/**
+ * The lengths of the lists, given the heads of an image `width` pixels wide, row by row, that holds all pixels of
+ * `blocks`: two words each, where the room of the list ends and where its next fragment would go. Pixels outside of
+ * `blocks` have none.
+ */
+std::vector<std::uint32_t> PackedListLengths(
+  const std::vector<std::uint32_t>& heads, int width, const BlockRange& blocks, int side);
+
+}
+#endif

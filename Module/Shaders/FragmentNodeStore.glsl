@@ -1,0 +1,24 @@
+// Storing nodes from the fragment shaders of VTK's mappers.
+#include "FragmentNode.glsl"
+#include "PackedColor.glsl"
+
+layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer VitrineNodeBuffer
+{
+  uint vitrineNodes[];
+};
+
+void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
+{
+  uint word = node * uint(VITRINE_NODE_WORDS);
+  vitrineNodes[word] = floatBitsToUint(z);
+#ifdef VITRINE_HALF_FLOAT
+  uvec2 packedColor = vitrinePackColor(color);
+  vitrineNodes[word + 1u] = packedColor.x;
+  vitrineNodes[word + 2u] = packedColor.y;
+#else
+  vitrineNodes[word + 1u] = vitrinePackColor(color);
+#endif
+#if VITRINE_SAMPLES > 0
+  vitrineNodes[word + uint(VITRINE_NODE_WORDS) - 1u] = coverage;
+#endif
+}

@@ -1,0 +1,80 @@
+#include "gl/ComputeProgram.h"
+
+#include "gl/ProgramCache.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkSetGet.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+
+bool ComputeProgram::Use(vtkOpenGLRenderWindow* window, const std::vector<std::string>& defines)
+{
+  const std::string lines = DefineLines(defines);
+  if (lines != this->Defines)
+  {
+    this->Release();
+  }
+  if (this->Name == 0 && !this->Failed)
+  {
+    this->Defines = lines;
+    this->Compile("#version 430 core\n" + lines + this->Source);
+  }
+  window->GetShaderCache()->ReleaseCurrentShader();
+  glUseProgram(this->Name);
+  return !this->Failed;
+}
+
+void ComputeProgram::Compile(const std::string& text)
+{
+  const char* source = text.c_str();
+  *this->Name.Address() = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source);
+  GLint linked = GL_FALSE;
+  glGetProgramiv(this->Name, GL_LINK_STATUS, &linked);
+  if (linked == GL_FALSE)
+  {
+    GLint length = 0;
+    glGetProgramiv(this->Name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length) + 1, '\0');
+    glGetProgramInfoLog(this->Name, length, nullptr, log.data());
+    vtkGenericWarningMacro("A compute shader does not compile: " << log.c_str() << "\n" << text);
+    this->Release();
+    this->Failed = true;
+  }
+}
+
+void ComputeProgram::Set(const char* name, int value) const
+{
+  glUniform1i(glGetUniformLocation(this->Name, name), value);
+}
+
+void ComputeProgram::Set(const char* name, unsigned int value) const
+{
+  glUniform1ui(glGetUniformLocation(this->Name, name), value);
+}
+
+void ComputeProgram::Set(const char* name, const int (&value)[2]) const
+{
+  glUniform2i(glGetUniformLocation(this->Name, name), value[0], value[1]);
+}
+
+void ComputeProgram::DispatchFor(std::int64_t count, int groupSize)
+{
+  constexpr std::int64_t most = 65535; // groups along an axis that OpenGL guarantees
+  const std::int64_t groups = (count + groupSize - 1) / groupSize;
+  const std::int64_t rows = (groups + most - 1) / most;
+  glDispatchCompute(static_cast<GLuint>(std::min(groups, most)),
+    static_cast<GLuint>(std::max<std::int64_t>(rows, 1)), 1);
+}
+
+void ComputeProgram::Release()
+{
+  glDeleteProgram(this->Name);
+  this->Name = ObjectName();
+  this->Defines.clear();
+  this->Failed = false;
+}
+
+}

@@ -1,0 +1,230 @@
+#include "transparency/PackedListStore.h"
+
+#include "Core/PoolSizing.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/Capabilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace vitrine
+{
+namespace
+{
+
+constexpr int PageSize = 8; // pieces in which lists are read
+constexpr std::int64_t LeastNodes = 16;
+constexpr int ReserveShare =
+  8; // a share more for what is expected, lest each frame asks for a little more
+
+GLenum TexelFormat(int nodeBytes)
+{
+  assert(nodeBytes == 8 || nodeBytes == 12 || nodeBytes == 16);
+  return nodeBytes == 8 ? GL_RG32UI : nodeBytes == 12 ? GL_RGB32UI : GL_RGBA32UI;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::BeginFrame(
+  vtkOpenGLState* state, const RenderTarget& target, std::int64_t limit, ListLayout& layout)
+{
+  layout.Packed = true;
+  layout.PageSize = PageSize;
+  const bool isSame = layout.NodeBytes() == this->BytesPerNode && limit == this->Limit &&
+    layout.FramebufferFetch == this->ListsOfPixels.AreFetched();
+  if (!isSame)
+  {
+    this->Nodes.Release();
+    this->LastFrame = {};
+    this->Memory = 0;
+  }
+  this->TargetWidth = target.Width;
+  this->TargetHeight = target.Height;
+  this->BytesPerNode = layout.NodeBytes();
+  this->Limit = limit;
+  this->Blocks = BlocksOf(target.Region, VITRINE_BLOCK_SIZE);
+  this->Start = this->Predicts && this->LastFrame == this->Blocks ? PREDICTED : COUNTING;
+  const BlockRange all = BlocksOf({ 0, 0, target.Width, target.Height }, VITRINE_BLOCK_SIZE);
+  const std::string problem =
+    this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, VITRINE_BLOCK_SIZE);
+  return problem.empty() ? this->LongestLists.Allocate(GL_R32UI, all.Count[0], all.Count[1], 0)
+                         : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::BeginFill(
+  vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout)
+{
+  this->Blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
+  if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
+  {
+    return "the driver has no memory for the smallest buffer of fragments";
+  }
+  const std::string problem = this->Place(window, layout);
+  this->Start = COUNTING;
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  const auto capacity = static_cast<std::uint32_t>(this->Capacity());
+  switch (this->Start)
+  {
+    case COUNTED:
+      return this->Scan.PlaceCounted(window, layout, this->ListsOfPixels, this->Blocks, capacity);
+    case PREDICTED:
+      return this->PlacePredicted(window, layout);
+    case COUNTING:
+      this->ClearHeads(window);
+      break;
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Where the buffer may not have so much room, the frame is counted first, as if nothing were to be expected.
+std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  const auto place = [&]
+  {
+    return this->Scan.PlacePredicted(window, layout, this->ListsOfPixels,
+      this->LongestLists.Handle(), this->Blocks, static_cast<std::uint32_t>(this->Capacity()));
+  };
+  std::string problem = place();
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  this->RoomNodes = this->Scan.ReadTotal();
+  if (this->RoomNodes > this->Capacity())
+  {
+    const std::int64_t wanted = this->RoomNodes + this->RoomNodes / ReserveShare;
+    if (wanted <= this->LimitNodes() && this->Reserve(wanted))
+    {
+      return place();
+    }
+    this->ClearHeads(window);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Heads without room: the fill only counts.
+void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
+{
+  this->ListsOfPixels.Clear(window->GetState(), PixelsOf(this->Blocks, VITRINE_BLOCK_SIZE), 0u);
+}
+
+//------------------------------------------------------------------------------
+FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
+{
+  if (needed.ShortPixels == 0)
+  {
+    return FITS;
+  }
+  if (needed.Fragments > this->LimitNodes() || !this->Reserve(needed.Fragments))
+  {
+    return TOO_LARGE;
+  }
+  this->RoomNodes = needed.Fragments;
+  this->Start = COUNTED;
+  return GREW;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t PackedListStore::LimitNodes() const
+{
+  std::int64_t bytes = std::min(
+    LargestStorageBlock(), LargestBufferTexture() * static_cast<std::int64_t>(this->BytesPerNode));
+  for (const std::int64_t bound : { this->Limit, this->Memory })
+  {
+    bytes = bound > 0 ? std::min(bytes, bound) : bytes;
+  }
+  return std::max(bytes / this->BytesPerNode, LeastNodes);
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::DescribeLimit() const
+{
+  return this->Limit > 0 ? "its limit is " + std::to_string(this->Limit) + " bytes"
+                         : "the driver has memory for " +
+      std::to_string(this->LimitNodes() * this->BytesPerNode) + " bytes";
+}
+
+//------------------------------------------------------------------------------
+// Returns false if the driver has no memory for so many nodes.
+bool PackedListStore::Reserve(std::int64_t nodes)
+{
+  if (nodes <= this->Capacity())
+  {
+    return true;
+  }
+  const std::int64_t bytes = nodes * this->BytesPerNode;
+  const bool allocated = this->Nodes.Allocate(bytes, TexelFormat(this->BytesPerNode));
+  this->Memory = allocated ? this->Memory : bytes / 2;
+  return allocated;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> PackedListStore::ReadCounts(vtkOpenGLState* state)
+{
+  const std::size_t rowLength = this->ListsOfPixels.RowLength();
+  const std::vector<std::uint32_t> lengths = PackedListLengths(
+    this->ListsOfPixels.Read(state), static_cast<int>(rowLength), this->Blocks, VITRINE_BLOCK_SIZE);
+  std::vector<std::uint32_t> counts;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(this->TargetHeight); ++row)
+  {
+    const auto begin = lengths.begin() + static_cast<std::ptrdiff_t>(row * rowLength);
+    counts.insert(counts.end(), begin, begin + this->TargetWidth);
+  }
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::EndFrame(const FragmentStatistics& used, int bands)
+{
+  this->LastFrame = used.Fragments > 0 && bands == 1 ? this->Blocks : BlockRange();
+  this->ShrinkIfLongOversized();
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::ShrinkIfLongOversized()
+{
+  const bool isOversized = this->RoomNodes + this->RoomNodes / 3 < this->Capacity();
+  this->OversizedFrames = isOversized ? this->OversizedFrames + 1 : 0;
+  if (this->OversizedFrames >= PoolSizing::Window)
+  {
+    this->Nodes.Allocate(
+      std::max(this->RoomNodes, LeastNodes) * this->BytesPerNode, TexelFormat(this->BytesPerNode));
+    this->OversizedFrames = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::SetReadUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniform2i("blockFirst", this->Blocks.First);
+  program->SetUniform2i("blockCount", this->Blocks.Count);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t PackedListStore::OtherBytes() const
+{
+  return this->ListsOfPixels.Image().Bytes() + this->LongestLists.Bytes() + this->Scan.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::Release()
+{
+  this->FragmentStore::Release();
+  this->Nodes.Release();
+  this->LongestLists.Release();
+  this->Scan.Release();
+  this->LastFrame = {};
+}
+
+}

@@ -1,0 +1,76 @@
+/**
+ * Where the lists of a packed buffer begin and end: prefix sums over the picture, in compute shaders.
+ *
+ * M. Harris, S. Sengupta, J. D. Owens: Parallel Prefix Sum (Scan) with CUDA, GPU Gems 3, 2007, for scans block by block;
+ * the sums of VITRINE_SCAN_FANOUT values are one invocation's work, so that no invocation waits for another.
+ */
+#ifndef VITRINE_PACKED_SCAN_H
+#define VITRINE_PACKED_SCAN_H
+
+#include "Core/PackedOrder.h"
+#include "gl/ComputeProgram.h"
+#include "gl/GLObjects.h"
+#include "transparency/ListLayout.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+namespace vitrine
+{
+
+class ListHeads;
+
+class PackedScan
+{
+public:
+  PackedScan();
+
+  /**
+   * Give each pixel of `blocks` room for as many fragments as its head counted in the last fill, and none beyond
+   * `capacity` nodes. Returns an empty string, or why the driver cannot.
+   */
+  std::string PlaceCounted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+    const ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity);
+
+  /**
+   * The same, for as many fragments as the image `longestLists` says of the pixel's block and its neighbours.
+   */
+  std::string PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+    const ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity);
+
+  /** Nodes for which the last call asked, those beyond the capacity included; 2^32 - 1 for more. Waits for the device. */
+  std::uint32_t ReadTotal() const;
+
+  std::int64_t Bytes() const { return this->Sums.Bytes(); }
+
+  void Release();
+
+private:
+  struct Level
+  {
+    int Offset; // in the buffer, in values
+    int Count;
+  };
+
+  std::string Prepare(const BlockRange& blocks);
+  bool RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* window,
+    const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity, int perBlock = 1);
+  bool ScanSums(vtkOpenGLRenderWindow* window);
+  bool RunOverLevel(ComputeProgram& program, vtkOpenGLRenderWindow* window, std::size_t level);
+
+  std::vector<Level> Levels; // from the blocks' sums to that of all
+  int OfBlocks = 0;          // in the buffer: a value of each block that is kept beside its sum
+  Buffer Sums;
+  ComputeProgram Counts;
+  ComputeProgram Prediction;
+  ComputeProgram Up;
+  ComputeProgram Down;
+  ComputeProgram Counted;
+  ComputeProgram Predicted;
+};
+
+}
+#endif

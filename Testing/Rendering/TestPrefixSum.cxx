@@ -1,0 +1,248 @@
+// The prefix-sum pass: how many geometry passes and how much memory a frame takes, and that frames are exact whatever
+// the last one let expect.
+#include "TestMessages.h"
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "gl/VitrineOpenGL.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPrefixSumTransparencyPass.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+constexpr int Width = 42; // neither is a multiple of a block's 4 pixels
+constexpr int Height = 35;
+
+class PrefixSum : public testing::TestWithParam<int>
+{
+protected:
+  vtkSmartPointer<vtkPrefixSumTransparencyPass> MakePass(bool prediction) const
+  {
+    auto pass = vtkSmartPointer<vtkPrefixSumTransparencyPass>::New();
+    pass->SetColorStorage(GetParam());
+    pass->SetPrediction(prediction);
+    return pass;
+  }
+  int NodeBytes() const { return GetParam() == vtkPrefixSumTransparencyPass::HALF_FLOAT ? 12 : 8; }
+};
+
+void AddSpheres(TestScene& scene)
+{
+  for (int i = 0; i < 9; ++i)
+  {
+    scene.AddSphere(0.1 * i - 0.4, 0.05 * i, 0.0, 0.4, { 0.1 * i, 0.5, 0.9, 0.3 });
+  }
+}
+
+TEST_P(PrefixSum, CountedFramesTakeTwoGeometryPassesAndNoMoreMemoryThanFragments)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(false);
+  ExpectTruth(scene, pass, 1.4);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_EQ(pass->GetGeometryPasses(), 2);
+    EXPECT_EQ(pass->GetPoolBytes(), pass->GetFragmentCount() * this->NodeBytes());
+    scene.Render();
+  }
+}
+
+TEST_P(PrefixSum, PredictedFramesTakeOneGeometryPassOnceOneWasCounted)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  const Picture counted = ExpectTruth(scene, pass, 1.4);
+  EXPECT_EQ(pass->GetGeometryPasses(), 2);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_TRUE(scene.Render() == counted);
+    EXPECT_EQ(pass->GetGeometryPasses(), 1);
+  }
+}
+
+TEST_P(PrefixSum, SmallMovesAreFollowedInOneGeometryPass)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  scene.Use(pass);
+  scene.Render();
+  for (int frame = 0; frame < 8; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Pan(0.03, 0.02); // a pixel or less
+    ExpectTruth(scene, pass, 1.4);
+    EXPECT_EQ(pass->GetGeometryPasses(), 1) << "frame " << frame;
+  }
+}
+
+TEST_P(PrefixSum, JumpsAreFollowedInTheSameFrame)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  for (const double scale : { 20.0, 1.0, 0.3, 20.0, 0.1, 1.0 })
+  {
+    SCOPED_TRACE(scale);
+    scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
+    ExpectTruth(scene, pass, 1.4);
+    EXPECT_LE(pass->GetGeometryPasses(), 2);
+  }
+}
+
+TEST_P(PrefixSum, NothingIsExpectedOfOtherWindowsAndViewports)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  ExpectTruth(scene, pass, 1.4);
+  const double viewports[][4] = { { 0.0, 0.0, 0.5, 1.0 }, { 0.3, 0.2, 0.9, 0.7 }, { 0, 0, 1, 1 } };
+  for (const auto& viewport : viewports)
+  {
+    scene.Renderer->SetViewport(viewport);
+    ExpectTruth(scene, pass, 1.4);
+    EXPECT_EQ(pass->GetGeometryPasses(), 2);
+  }
+  scene.Window->SetSize(Height, Width);
+  ExpectTruth(scene, pass, 1.4);
+  EXPECT_EQ(pass->GetGeometryPasses(), 2);
+}
+
+// A limit between what the fragments take and what is to be expected: such frames are counted.
+TEST_P(PrefixSum, ExpectationsKeepTheLimit)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  const Picture whole = ExpectTruth(scene, pass, 1.4);
+  const vtkTypeInt64 needed = pass->GetFragmentCount() * this->NodeBytes();
+  pass->SetMemoryLimit(needed);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_TRUE(scene.Render() == whole);
+    EXPECT_EQ(pass->GetGeometryPasses(), 2);
+    EXPECT_EQ(pass->GetNumberOfBands(), 1);
+    EXPECT_LE(pass->GetPoolBytes(), needed);
+  }
+}
+
+TEST_P(PrefixSum, LimitsAreKeptInBands)
+{
+  TestScene scene(Width, Height);
+  AddSpheres(scene);
+  scene.AddPlates(RandomPlates(90, 0.02, 5), 6);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  const Picture whole = ExpectTruth(scene, pass, 3.0);
+  const vtkTypeInt64 needed = pass->GetFragmentCount() * this->NodeBytes();
+  for (const int part : { 2, 7, 40 })
+  {
+    SCOPED_TRACE(part);
+    pass->SetMemoryLimit(needed / part);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      EXPECT_TRUE(scene.Render() == whole);
+      EXPECT_STREQ(pass->GetFallbackReason(), "");
+      EXPECT_GE(pass->GetNumberOfBands(), part);
+      EXPECT_LE(pass->GetPoolBytes(), pass->GetMemoryLimit());
+      EXPECT_EQ(pass->GetGeometryPasses(), 1 + 2 * pass->GetNumberOfBands());
+    }
+  }
+}
+
+TEST_P(PrefixSum, SaysSoWhereOnePixelAloneExceedsTheLimit)
+{
+  TestScene scene(Width, Height);
+  scene.AddPlates(RandomPlates(100, 0.05, 7), 8);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  pass->SetMemoryLimit(50 * this->NodeBytes());
+  scene.Use(pass);
+  scene.Render();
+  const std::string reason = pass->GetFallbackReason();
+  EXPECT_NE(reason.find("one pixel alone needs " + std::to_string(100 * this->NodeBytes())),
+    std::string::npos)
+    << reason;
+  EXPECT_EQ(TakeMessages().size(), 1u);
+  pass->SetMemoryLimit(0);
+  ExpectTruth(scene, pass, 3.0);
+}
+
+TEST_P(PrefixSum, MemoryIsGivenBackAfterAWhile)
+{
+  TestScene scene(Width, Height);
+  const vtkSmartPointer<vtkActor> deep = scene.AddPlates(RandomPlates(60, 0.05, 11), 12);
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  scene.Use(pass);
+  scene.Render();
+  const vtkTypeInt64 large = pass->GetPoolBytes();
+  scene.Renderer->RemoveActor(deep);
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    scene.Render();
+  }
+  EXPECT_LT(pass->GetPoolBytes(), large / 2);
+  EXPECT_GE(pass->GetPoolBytes(), pass->GetFragmentCount() * this->NodeBytes());
+  ExpectTruth(scene, pass, 1.4);
+}
+
+// A pass over the geometry that makes more fragments than the one that counted: none is written outside of its pixel's
+// room, and the frame says that it cannot be drawn.
+class MoreEachDraw : public vtkCommand
+{
+public:
+  static MoreEachDraw* New() { return new MoreEachDraw; }
+  void Execute(vtkObject*, unsigned long, void* program) override
+  {
+    static_cast<vtkShaderProgram*>(program)->SetUniformf("shown", this->Shown);
+    this->Shown += 3.0f;
+  }
+  float Shown = 2.0f;
+};
+
+TEST_P(PrefixSum, SaysSoWhereItsPassesDoNotAgree)
+{
+  TestScene scene(Width, Height);
+  const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.0, { 0.9, 0.2, 0.1, 0.5 });
+  plate->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Light::Dec", true, "//VTK::Light::Dec\nuniform float shown;\n", false);
+  plate->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+    "//VTK::Light::Impl\nif (gl_FragCoord.x > shown) { discard; }\n", false);
+  vtkNew<MoreEachDraw> more;
+  plate->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, more);
+  scene.AddPlates(RandomPlates(8, 0.3, 1), 2);
+
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(false);
+  scene.Use(pass);
+  scene.Render();
+  const std::string reason = pass->GetFallbackReason();
+  EXPECT_NE(reason.find("more fragments each time"), std::string::npos) << reason;
+  EXPECT_EQ(TakeMessages().size(), 1u);
+}
+
+TEST_P(PrefixSum, FewerFragmentsThanCountedAreNoMatter)
+{
+  TestScene scene(Width, Height);
+  const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.0, { 0.9, 0.2, 0.1, 0.5 });
+  AddSpheres(scene);
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  scene.Use(pass);
+  scene.Render();
+  plate->VisibilityOff();
+  ExpectTruth(scene, pass, 1.4);
+  EXPECT_EQ(pass->GetGeometryPasses(), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Storage, PrefixSum,
+  testing::Values(
+    vtkPrefixSumTransparencyPass::HALF_FLOAT, vtkPrefixSumTransparencyPass::EIGHT_BIT),
+  [](const auto& info) { return info.param == 0 ? "HalfFloat" : "EightBit"; });
+
+}
