@@ -6,6 +6,7 @@ and wrapping tools are taken from there, and the libraries from the wheel, which
 
 import pathlib
 import re
+import shutil
 import sys
 
 from debian_packages import PackageError, Suite
@@ -23,6 +24,7 @@ def put_together(version, vtkmodules, folder):
     prefix = folder / "root/usr"
     done = folder / f"done-{version}-{sys.version_info.minor}"
     if not done.exists():
+        shutil.rmtree(folder, ignore_errors=True)  # what an interrupted build, or another version's, has left
         _unpack(folder)
         _check_version(prefix, version)
         _wrap_tools(prefix, folder / "loader/usr" / LIBRARIES)

@@ -6,6 +6,7 @@ together in build/vtk-sdk.
 
 import importlib.util
 import pathlib
+import re
 import sys
 
 from scikit_build_core import build as scikit
@@ -18,7 +19,8 @@ from scikit_build_core.build import (  # noqa: F401, hooks that need no VTK
 from debian_packages import PackageError
 from debian_vtk_sdk import put_together
 
-VTK_VERSION = "9.6.2"  # that of pyproject.toml
+PROJECT = pathlib.Path(__file__).resolve().parents[2] / "pyproject.toml"
+VTK_VERSION = re.search(r'"vtk==([\d.]+)"', PROJECT.read_text()).group(1)
 
 
 def get_requires_for_build_wheel(config_settings=None):
