@@ -12,7 +12,7 @@ function (vitrine_check_strings result)
 endfunction ()
 
 vitrine_check_strings(VITRINE_HAS_STRINGS_OF_${vitrine_vtk})
-set(VITRINE_HAS_STRINGS_OF_VTK ${VITRINE_HAS_STRINGS_OF_${vitrine_vtk}})
+set(VITRINE_HAS_STRINGS_OF_VTK "${VITRINE_HAS_STRINGS_OF_${vitrine_vtk}}")
 if (NOT VITRINE_HAS_STRINGS_OF_VTK)
   set(CMAKE_REQUIRED_DEFINITIONS -D_GLIBCXX_USE_CXX11_ABI=0)
   vitrine_check_strings(VITRINE_HAS_OLD_STRINGS_OF_${vitrine_vtk})
