@@ -16,7 +16,9 @@ install(
     "${vitrine_package_dir}/VitrineConfigVersion.cmake"
   DESTINATION "${vitrine_cmake_destination}"
   COMPONENT   development)
-install(
-  FILES       LICENSE
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vitrine"
-  COMPONENT   runtime)
+if (NOT SKBUILD) # which puts it beside the metadata of a wheel
+  install(
+    FILES       LICENSE
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vitrine"
+    COMPONENT   runtime)
+endif ()

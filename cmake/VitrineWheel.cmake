@@ -5,3 +5,10 @@ set(vitrine_python_destination ".")
 set(vitrine_versions)
 set(CMAKE_INSTALL_RPATH "\$ORIGIN" "\$ORIGIN/../vtkmodules" "\$ORIGIN/.." "\$ORIGIN/../../vtkmodules")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH OFF)
+
+# On PATH.
+install(
+  PROGRAMS    "${PROJECT_SOURCE_DIR}/Python/program.py"
+  DESTINATION "${SKBUILD_SCRIPTS_DIR}"
+  RENAME      vitrine
+  COMPONENT   python)

@@ -1,74 +1,97 @@
 """What the wheel of Vitrine is built with, put together from packages of Debian and the wheel of VTK itself.
 
-VTK's own SDK, the package vtk-sdk, is on PyPI for no Linux. Debian's forky has the same VTK: its headers, CMake files
+VTK's own SDK, the package vtk-sdk, is not on PyPI for Linux. Debian's forky has the same VTK: its headers, CMake files
 and wrapping tools are taken from there, and the libraries from the wheel, which are those that users load.
 """
 
+import contextlib
+import fcntl
 import pathlib
 import re
+import shutil
 import sys
 
-from debian_packages import PackageError, Suite
+from debian_packages import MIRROR, PackageError, Suite
 
 VTK_SUITE = "forky"
-VTK_PACKAGES = ["libvtk9-dev", "libvtk9.6", "python3-vtk9", "vtk9"]
 LIBRARY_SUITE = "bookworm"  # the oldest supported: static libraries of it link everywhere
 LIBRARY_PACKAGES = ["libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "libpng-dev", "zlib1g-dev"]
 LIBRARIES = "lib/x86_64-linux-gnu"
+SNAPSHOT = "https://snapshot.debian.org/archive/debian/20261101T000000Z"  # of the day with VTK 9.6.2 in forky
 
 
-def put_together(version, vtkmodules, folder):
-    """Return the prefix for CMake, in `folder`: VTK `version` with the libraries of the folder `vtkmodules`."""
-    folder = pathlib.Path(folder)
+@contextlib.contextmanager
+def sdk(version, vtkmodules, folder):
+    """The prefix for CMake, in `folder`: VTK `version` with the libraries of the folder `vtkmodules`.
+
+    Within the `with`, no other build has the folder.
+    """
+    complete = folder / f"{version}-cp3{sys.version_info.minor}"
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not complete.exists():
+            _put_together(version, folder / "incomplete").rename(complete)
+        _link_libraries(complete / "root/usr", vtkmodules)
+        yield complete / "root/usr"
+
+
+def _put_together(version, folder):
+    shutil.rmtree(folder, ignore_errors=True)  # what an interrupted build has left
     prefix = folder / "root/usr"
-    done = folder / f"done-{version}-{sys.version_info.minor}"
-    if not done.exists():
-        _unpack(folder)
-        _check_version(prefix, version)
-        _wrap_tools(prefix, folder / "loader/usr" / LIBRARIES)
-        _adapt_cmake_files(prefix)
-        _adapt_headers(prefix)
-        done.touch()
-    _link_libraries(prefix, pathlib.Path(vtkmodules))
-    return prefix
+    _unpack(version, folder)
+    _wrap_tools(prefix)
+    _adapt_cmake_files(prefix, version)
+    _adapt_headers(prefix, version)
+    return folder
 
 
-def _unpack(folder):
-    vtk = Suite(VTK_SUITE, folder / VTK_SUITE)
-    vtk.unpack(VTK_PACKAGES, folder / "root")
+def _series(version):
+    """The part of a version of VTK that Debian's names have, such as "9.6"."""
+    return ".".join(version.split(".")[:2])
+
+
+def _unpack(version, folder):
+    apt = folder / "apt"
+    packages = ["libvtk9-dev", f"libvtk{_series(version)}", "python3-vtk9", "vtk9"]
+    vtk = Suite(VTK_SUITE, apt / VTK_SUITE)
+    try:
+        vtk.unpack([f"{package}={version}*" for package in packages], folder / "root")
+    except PackageError as error:
+        raise PackageError(
+            f"{error}. Where {VTK_SUITE} has gone on to another VTK, set the environment variable {MIRROR} to a mirror "
+            f"that still has this one: {SNAPSHOT}"
+        ) from error
     vtk.unpack(["libc6"], folder / "loader")
-    Suite(LIBRARY_SUITE, folder / LIBRARY_SUITE).unpack(LIBRARY_PACKAGES, folder / "root")
+    Suite(LIBRARY_SUITE, apt / LIBRARY_SUITE, security=True).unpack(
+        LIBRARY_PACKAGES, folder / "root"
+    )
+    shutil.rmtree(apt)
 
 
-def _cmake_folder(prefix):
-    return prefix / LIBRARIES / "cmake/vtk-9.6"
-
-
-def _check_version(prefix, version):
-    text = (_cmake_folder(prefix) / "vtk-config-version.cmake").read_text()
-    found = re.search(r'PACKAGE_VERSION "([\d.]+)"', text).group(1)
-    if found != version:
-        raise PackageError(f"Debian's {VTK_SUITE} has VTK {found} by now, and {version} is needed")
-
-
-def _wrap_tools(prefix, loader):
+def _wrap_tools(prefix):
     """Run VTK's wrapping tools with the C library of their own suite, which this machine's may be older than."""
-    for tool in (prefix / "bin").glob("vtkWrap*"):
-        program = tool.with_name(f"{tool.name}.program")
-        tool.rename(program)
+    for tool in list((prefix / "bin").glob("vtkWrap*")):
+        tool.rename(tool.with_name(f"{tool.name}.program"))
         tool.write_text(
-            f'#!/bin/sh\nexec "{loader}/ld-linux-x86-64.so.2" '
-            f'--library-path "{loader}:{prefix / LIBRARIES}" "{program}" "$@"\n'
+            "#!/bin/sh\nprefix=${0%/*}/..\nloader=$prefix/../../loader/usr/"
+            f'{LIBRARIES}\nexec "$loader/ld-linux-x86-64.so.2" '
+            f'--library-path "$loader:$prefix/{LIBRARIES}" "$0.program" "$@"\n'
         )
         tool.chmod(0o755)
 
 
-def _adapt_cmake_files(prefix):
-    folder = _cmake_folder(prefix)
+def _adapt_cmake_files(prefix, version):
+    folder = prefix / LIBRARIES / f"cmake/vtk-{_series(version)}"
+    versioned = rf"(lib(?:vtk|viskores)[\w.]*?)-{re.escape(_series(version))}\.so[\d.]*"
     for file in folder.glob("*.cmake"):
         text = file.read_text()
-        text = re.sub(r"(lib(?:vtk|viskores)[\w.]*?)-9\.6\.so[\d.]*", r"\1.so", text)
-        text = re.sub(r"3\.1\d\b", f"3.{sys.version_info.minor}", text) if "vtk" in file.name.lower() else text
+        text = re.sub(versioned, r"\1.so", text)
+        text = (
+            re.sub(r"3\.1\d\b", f"3.{sys.version_info.minor}", text)
+            if "vtk" in file.name.lower()
+            else text
+        )
         text = re.sub(r"(INTERFACE_LINK_LIBRARIES) \"(.*)\"", _only_vtk, text)
         text = re.sub(r"list\(APPEND _cmake_import_check.*\n", "", text)
         text = re.sub(r"(foreach\(_target) \"[^)]*", r"\1", text)
@@ -100,16 +123,15 @@ def _only_vtk(match):
     return f'{match.group(1)} "{";".join(kept)}"'
 
 
-def _adapt_headers(prefix):
-    header = prefix / "include/vtk-9.6/vtkSMP.h"
+def _adapt_headers(prefix, version):
+    header = prefix / f"include/vtk-{_series(version)}/vtkSMP.h"
     text = header.read_text().replace("VTK_SMP_ENABLE_TBB 1", "VTK_SMP_ENABLE_TBB 0")
     header.write_text(text)
 
 
 def _link_libraries(prefix, vtkmodules):
-    folder = prefix / LIBRARIES
     for library in vtkmodules.glob("lib*.so"):
-        link = folder / library.name
+        link = prefix / LIBRARIES / library.name
         link.unlink(missing_ok=True)
         link.symlink_to(library)
 
@@ -117,4 +139,10 @@ def _link_libraries(prefix, vtkmodules):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(f"usage: {sys.argv[0]} VERSION VTKMODULES FOLDER: prints the prefix for CMake")
-    print(put_together(sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()))
+    try:
+        with sdk(
+            sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+        ) as prefix:
+            print(prefix)
+    except PackageError as error:
+        sys.exit(str(error))

@@ -15,7 +15,7 @@ def _load_vtk() -> None:
     """Load the VTK that this package extends, or say which one is missing."""
     needed = (
         f"vitrine needs the Python package of VTK {_VTK_VERSION}, which it was built with "
-        "(vtk on PyPI, python3-vtk9 in Debian)"
+        f"(of PyPI: pip install vtk=={_VTK_VERSION}; of Debian: apt install python3-vtk9)"
     )
     try:
         import vtkmodules.vtkRenderingOpenGL2  # the base classes and their implementation
@@ -23,7 +23,7 @@ def _load_vtk() -> None:
     except ImportError as error:
         raise ImportError(f"{needed}: {error}") from error
     found = f"{vtkVersion.GetVTKMajorVersion()}.{vtkVersion.GetVTKMinorVersion()}"
-    if found != _VTK_VERSION:
+    if not _VTK_VERSION.startswith(f"{found}."):
         raise ImportError(f"{needed}, and found VTK {found} at {vtkmodules.__path__[0]}")
 
 

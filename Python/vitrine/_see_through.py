@@ -48,7 +48,7 @@ def see_through(
     A target that is see-through already takes the new method until then.
 
     Warns where another pass is set aside (PyVista's SSAO, shadows, depth of field, SSAA and the like are passes): the
-    effect is gone until remove().
+    effect is gone until remove(). Switching one on or off later takes Vitrine's pass away: call see_through() again.
 
     Raises TypeError for another kind of target, ValueError for an unknown method or option, RuntimeError
     for a plotter that is closed.
@@ -70,7 +70,7 @@ def see_through(
 
 
 class SeeThrough:
-    """What see_through() has set, to be taken away again. It keeps neither renderers nor windows alive."""
+    """The handle that see_through() returns. It keeps neither renderers nor windows alive."""
 
     _alive: weakref.WeakSet[SeeThrough] = weakref.WeakSet()
 
@@ -106,7 +106,6 @@ class SeeThrough:
         Handles of one target may be removed in any order. A plotter on show is drawn at once.
         """
         places, self._places = self._places, []
-        SeeThrough._alive.discard(self)
         for place in places:
             renderer, ours = place.renderer.Get(), place.ours.Get()
             if renderer is None or ours is None:

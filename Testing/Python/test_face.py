@@ -4,6 +4,7 @@ import doctest
 import gc
 import unittest
 import warnings
+import weakref
 
 import numpy
 from scenes import cone_renderer, pixels, plate, plates_renderer, run_python, window_with
@@ -27,8 +28,23 @@ def drawn(renderer, **arguments):
     return window
 
 
+class Plotter:
+    """What see_through() asks of a pyvista.Plotter."""
+
+    def __init__(self, *renderers):
+        self.renderers = renderers
+        self.render_window = vtkRenderWindow()
+        self.frames = 0
+
+    def render(self):
+        self.frames += 1
+
+    def close(self):
+        self.render_window = None
+
+
 class Pictures(unittest.TestCase):
-    def test_of_plates_are_the_closed_form(self):
+    def test_plates_match_the_closed_form(self):
         for method in vitrine._see_through.METHODS:
             for count in (1, 5, 40):
                 with self.subTest(method=method, count=count):
@@ -37,7 +53,7 @@ class Pictures(unittest.TestCase):
                     picture = pixels(drawn(renderer))[..., :3] / 255.0
                     self.assertLessEqual(abs(picture - 0.6**count).max(), 0.51 / 255)
 
-    def test_of_a_limit_are_the_same(self):
+    def test_memory_limit_leaves_the_picture_alone(self):
         pictures = []
         for limit in (None, 50000):
             renderer = plates(12)
@@ -47,7 +63,19 @@ class Pictures(unittest.TestCase):
             self.assertEqual(bands > 1, limit is not None)
         numpy.testing.assert_array_equal(*pictures)
 
-    def test_of_a_window_are_those_of_all_its_renderers(self):
+    def test_color_storage_is_set(self):
+        passes = vitrine.vtkLinkedListTransparencyPass
+        for name, storage in (
+            (None, passes.HALF_FLOAT),
+            ("half-float", passes.HALF_FLOAT),
+            ("8-bit", passes.EIGHT_BIT),
+        ):
+            renderer = vtkRenderer()
+            vitrine.see_through(renderer, color_storage=name)
+            found = renderer.GetPass().GetTranslucentPass().GetColorStorage()
+            self.assertEqual(found, storage, name)
+
+    def test_window_draws_all_its_renderers(self):
         left, right = plates(3), plates(2)
         left.SetViewport(0, 0, 0.5, 1)
         right.SetViewport(0.5, 0, 1, 1)
@@ -62,7 +90,7 @@ class Pictures(unittest.TestCase):
 
 
 class Undoing(unittest.TestCase):
-    def test_puts_back_what_was_there(self):
+    def test_remove_puts_back_the_earlier_pass(self):
         for before in (None, vitrine.vtkSeeThroughPass()):
             renderer = vtkRenderer()
             renderer.SetPass(before)
@@ -73,14 +101,14 @@ class Undoing(unittest.TestCase):
             handle.remove()
             self.assertIs(renderer.GetPass(), before)
 
-    def test_keeps_a_pass_that_was_set_since(self):
+    def test_remove_keeps_a_pass_that_was_set_since(self):
         renderer, other = vtkRenderer(), vitrine.vtkSeeThroughPass()
         handle = vitrine.see_through(renderer)
         renderer.SetPass(other)
         handle.remove()
         self.assertIs(renderer.GetPass(), other)
 
-    def test_of_nested_ones_goes_step_by_step(self):
+    def test_nested_handles_are_undone_one_by_one(self):
         renderer = vtkRenderer()
         with vitrine.see_through(renderer):
             with vitrine.see_through(renderer, "truth"):
@@ -88,7 +116,7 @@ class Undoing(unittest.TestCase):
             self.assertEqual(vitrine.stats(renderer).method, "linked-list")
         self.assertIsNone(renderer.GetPass())
 
-    def test_goes_in_any_order(self):
+    def test_handles_are_removed_in_any_order(self):
         renderer, before = plates(2), vtkRenderStepsPass()
         renderer.SetPass(before)
         with warnings.catch_warnings(record=True):
@@ -100,7 +128,7 @@ class Undoing(unittest.TestCase):
         handles[2].remove()
         self.assertIs(renderer.GetPass(), before)
 
-    def test_leaves_nothing_where_another_pass_was_taken_away(self):
+    def test_remove_leaves_no_pass_where_it_was_taken_away(self):
         renderer = plates(2)
         renderer.SetPass(vtkRenderStepsPass())
         with warnings.catch_warnings(record=True):
@@ -110,7 +138,7 @@ class Undoing(unittest.TestCase):
         handle.remove()
         self.assertIsNone(renderer.GetPass())
 
-    def test_follows_an_exception(self):
+    def test_exception_undoes(self):
         renderer = cone_renderer(0.5)
         window = drawn(renderer)
         before = pixels(window)
@@ -122,7 +150,7 @@ class Undoing(unittest.TestCase):
         self.assertIsNone(renderer.GetPass())
         numpy.testing.assert_array_equal(pixels(window), before)
 
-    def test_of_what_is_gone_is_nothing(self):
+    def test_remove_after_the_renderer_is_gone_does_nothing(self):
         renderer = vtkRenderer()
         handle = vitrine.see_through(renderer)
         del renderer
@@ -131,7 +159,16 @@ class Undoing(unittest.TestCase):
         handle.remove()
         self.assertEqual(repr(handle), "<SeeThrough linked-list, removed>")
 
-    def test_at_exit_is_quiet(self):
+    def test_handle_keeps_no_pass_alive(self):
+        renderer = vtkRenderer()
+        handle = vitrine.see_through(renderer)
+        ours = vitrine._see_through._weak(renderer.GetPass())
+        renderer.SetPass(None)
+        gc.collect()
+        self.assertIsNone(ours.Get())
+        handle.remove()
+
+    def test_exit_is_quiet(self):
         for tail in ("", "raise SystemExit(0)", "del window", "del renderer, handle"):
             done = run_python(
                 "import vitrine, scenes\n"
@@ -143,8 +180,37 @@ class Undoing(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""), tail)
 
 
+class Plotters(unittest.TestCase):
+    def test_plotter_is_seen_through_in_all_its_renderers(self):
+        renderers = [vtkRenderer() for _ in range(3)]
+        handle = vitrine.see_through(Plotter(*renderers))
+        self.assertEqual(handle.renderers, renderers)
+        for renderer in renderers:
+            self.assertIs(type(renderer.GetPass()), vitrine.vtkSeeThroughPass)
+
+    def test_plotter_is_drawn_unless_closed(self):
+        plotter = Plotter(vtkRenderer())
+        handle = vitrine.see_through(plotter)
+        self.assertEqual(plotter.frames, 1)
+        handle.remove()
+        self.assertEqual(plotter.frames, 2)
+        handle = vitrine.see_through(plotter)
+        plotter.close()
+        handle.remove()
+        self.assertEqual(plotter.frames, 3)
+
+    def test_handle_keeps_no_plotter_alive(self):
+        plotter = Plotter(vtkRenderer())
+        reference = weakref.ref(plotter)
+        handle = vitrine.see_through(plotter)
+        del plotter
+        gc.collect()
+        self.assertIsNone(reference())
+        handle.remove()
+
+
 class Figures(unittest.TestCase):
-    def test_are_those_of_the_last_frame(self):
+    def test_tell_of_the_last_frame(self):
         window = window_with(plates(7))
         handle = vitrine.see_through(window)
         self.assertEqual(vitrine.stats(window).fragments, 0)
@@ -156,21 +222,39 @@ class Figures(unittest.TestCase):
         self.assertGreater(told.bytes, told.fragments * 12)
         self.assertIn(told.geometry_passes, (1, 2))
 
-    def test_of_several_renderers_are_put_together(self):
+    def test_several_renderers_are_put_together(self):
         deep, flat = plates(6), plates(2)
         deep.SetViewport(0, 0, 0.5, 1)
         flat.SetViewport(0.5, 0, 1, 1)
         window = window_with(deep)
         window.AddRenderer(flat)
-        vitrine.see_through(window)
+        vitrine.see_through(flat)
+        vitrine.see_through(deep, memory_limit=20000)  # in bands, so its geometry is drawn oftener
         window.Render()
         told = vitrine.stats(window)
         self.assertEqual((told.fragments, told.layers_max, told.layers_mean), (8 * 32 * 48, 6, 4.0))
-        self.assertEqual(vitrine.stats(flat).layers_max, 2)
+        parts = vitrine.stats(flat), vitrine.stats(deep)
+        self.assertEqual([part.layers_max for part in parts], [2, 6])
+        self.assertGreater(min(part.bytes for part in parts), 0)
+        self.assertEqual(told.bytes, sum(part.bytes for part in parts))
+        self.assertLess(parts[0].geometry_passes, parts[1].geometry_passes)
+        self.assertEqual(told.geometry_passes, parts[1].geometry_passes)
+
+    def test_fallback_reason_says_what_the_driver_lacks(self):
+        done = run_python(
+            "import vitrine, scenes\n"
+            "window = scenes.window_with(scenes.cone_renderer(0.5))\n"
+            "window.AddRenderer(scenes.cone_renderer(0.5))\n"
+            "vitrine.see_through(window)\n"
+            "window.Render()\n"
+            "print(vitrine.stats(window).fallback_reason)\n",
+            MESA_GL_VERSION_OVERRIDE="3.3",
+        )
+        self.assertEqual(done.stdout, "OpenGL 4.3 is needed, the context has 3.3\n", done.stderr)
 
 
 class Misuse(unittest.TestCase):
-    def test_raises_what_python_users_expect(self):
+    def test_bad_arguments_raise(self):
         renderer = vtkRenderer()
         for error, words, call in (
             (TypeError, "not vtk.*Actor", lambda: vitrine.see_through(vtkActor())),
@@ -180,9 +264,15 @@ class Misuse(unittest.TestCase):
             (ValueError, "above 0", lambda: vitrine.see_through(renderer, memory_limit=0)),
             (ValueError, "above 0", lambda: vitrine.see_through(renderer, memory_limit=2**63)),
             (TypeError, "1.5", lambda: vitrine.see_through(renderer, memory_limit=1.5)),
+            (TypeError, "not True", lambda: vitrine.see_through(renderer, memory_limit=True)),
             (
                 ValueError,
-                "not of truth",
+                "color_storage is an option of linked-list, not of truth",
+                lambda: vitrine.see_through(renderer, "truth", color_storage="8-bit"),
+            ),
+            (
+                ValueError,
+                "memory_limit is an option of linked-list, not of truth",
                 lambda: vitrine.see_through(renderer, "truth", memory_limit=9),
             ),
             (ValueError, "no renderer", lambda: vitrine.see_through(vtkRenderWindow())),
@@ -193,11 +283,15 @@ class Misuse(unittest.TestCase):
                 call()
         self.assertIsNone(renderer.GetPass())
 
-    def test_of_other_passes_is_said(self):
+    def test_warning_names_the_pass_and_the_line(self):
         renderer = plates(2)
         renderer.SetPass(vtkRenderStepsPass())
-        with self.assertWarnsRegex(UserWarning, "sets vtkRenderStepsPass aside"):
+        with self.assertWarnsRegex(UserWarning, "sets vtkRenderStepsPass aside") as caught:
             vitrine.see_through(renderer)
+        self.assertEqual(caught.filename, __file__)
+
+    def test_stats_of_other_passes_raise(self):
+        renderer = plates(2)
         renderer.SetPass(vtkRenderStepsPass())
         with self.assertRaisesRegex(ValueError, "set is vtkRenderStepsPass"):
             vitrine.stats(renderer)
@@ -207,19 +301,17 @@ class Misuse(unittest.TestCase):
         with self.assertRaises(ValueError):
             vitrine.stats(renderer)
 
-    def test_of_options_is_said(self):
+    def test_option_values_of_other_types_raise(self):
         for options in ({"method": ["truth"]}, {"method": {}}, {"color_storage": ["8-bit"]}):
             with self.subTest(options), self.assertRaises(ValueError):
                 vitrine.see_through(plates(1), **options)
         vitrine.see_through(plates(1), memory_limit=numpy.int64(10**9))
 
-    def test_of_a_closed_plotter_is_said(self):
-        class Closed:
-            renderers = ()
-            render_window = None
-
+    def test_closed_plotter_raises(self):
+        plotter = Plotter(vtkRenderer())
+        plotter.close()
         with self.assertRaisesRegex(RuntimeError, "closed"):
-            vitrine.see_through(Closed())
+            vitrine.see_through(plotter)
 
 
 class Documentation(unittest.TestCase):

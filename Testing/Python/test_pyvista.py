@@ -9,15 +9,18 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import weakref
 
 import numpy
 import pyvista
 from PIL import Image
+from vtkmodules.vtkRenderingOpenGL2 import vtkSSAOPass
 from vtkmodules.vtkWebCore import vtkWebApplication
 
 import vitrine
+from vitrine._see_through import _weak
 
 SIZE = (120, 90)
 EXAMPLES = pathlib.Path(os.environ["VITRINE_EXAMPLES"])
@@ -34,12 +37,20 @@ def add_shells(plotter):
         plotter.add_mesh(pyvista.Sphere(radius=radius), color=colour, opacity=0.35)
 
 
-def pictures(plotter, methods=("truth", "linked-list")):
+def picture_of(plotter):
+    return plotter.screenshot(None, return_img=True).astype(int)
+
+
+def pictures(plotter):
     result = []
-    for method in methods:
+    for method in ("truth", "linked-list"):
         with vitrine.see_through(plotter, method):
-            result.append(plotter.screenshot(None, return_img=True).astype(int))
+            result.append(picture_of(plotter))
     return result
+
+
+def quadrants(picture):
+    return [part for half in numpy.split(picture, 2) for part in numpy.split(half, 2, axis=1)]
 
 
 def writable_resident_bytes():
@@ -57,7 +68,9 @@ def sent_by(application, window):
     """The JPEG of the window as it is now: an application encodes in threads, and sends older pictures until it has done so."""
     application.InvalidateCache(window)
     jpeg = application.StillRender(window, 95)
+    patience = time.monotonic() + 60
     while application.GetHasImagesBeingProcessed(window):
+        assert time.monotonic() < patience, "the application still encodes after a minute"
         jpeg = application.StillRender(window, 95)
     return bytes(memoryview(jpeg))
 
@@ -77,7 +90,7 @@ class Plotters(unittest.TestCase):
         return ours
 
     def test_are_exact(self):
-        by_vtk = shells().screenshot(None, return_img=True).astype(int)
+        by_vtk = picture_of(shells())
         self.assertGreater(abs(self.assert_exact(shells()) - by_vtk).max(), 3)
 
     def test_with_subplots_are_exact(self):
@@ -87,9 +100,15 @@ class Plotters(unittest.TestCase):
                 plotter.subplot(row, column)
                 add_shells(plotter)
         plotter.link_views()
-        self.assert_exact(plotter)
-        plotter.camera_position = "yz"
-        self.assert_exact(plotter)
+        for camera in ("xy", "yz"):
+            plotter.camera_position = camera
+            by_vtk = picture_of(plotter)
+            ours = self.assert_exact(plotter)
+            for one, other in zip(quadrants(ours), quadrants(by_vtk)):
+                self.assertGreater(abs(one - other).max(), 3)
+        with vitrine.see_through(plotter):
+            passes = [renderer.GetPass() for renderer in plotter.renderers]
+        self.assertEqual([type(found) for found in passes], [vitrine.vtkSeeThroughPass] * 4)
 
     def test_with_multisampling_are_exact(self):
         plotter = shells()
@@ -105,12 +124,12 @@ class Plotters(unittest.TestCase):
         middle = picture[SIZE[1] // 2, SIZE[0] // 2, 3] / 255
         self.assertAlmostEqual(middle, 1 - 0.65**8, delta=2 / 255)
 
-    def test_with_depth_peeling_on_are_ours(self):
+    def test_with_depth_peeling_on_are_exact(self):
         plotter = shells()
         plotter.enable_depth_peeling()
         self.assert_exact(plotter)
 
-    def test_show_and_go_on(self):
+    def test_are_shown_and_closed(self):
         plotter = shells()
         handle = vitrine.see_through(plotter)
         plotter.show(auto_close=False)
@@ -123,10 +142,10 @@ class Plotters(unittest.TestCase):
     def test_on_show_are_drawn_at_once(self):
         plotter = shells()
         plotter.show(auto_close=False)
-        plain = plotter.screenshot(None, return_img=True).astype(int)
+        plain = picture_of(plotter)
         with vitrine.see_through(plotter):
-            inside = plotter.screenshot(None, return_img=True).astype(int)
-        after = plotter.screenshot(None, return_img=True).astype(int)
+            inside = picture_of(plotter)
+        after = picture_of(plotter)
         self.assertGreater(abs(inside - plain).max(), 3)
         self.assertEqual(abs(after - plain).max(), 0)
 
@@ -145,35 +164,52 @@ class Plotters(unittest.TestCase):
         self.assertLessEqual(abs(sent["linked-list"] - sent["truth"]).max(), 8)
         self.assertGreater(abs(sent["linked-list"] - sent[None]).max(), 30)
 
-    def test_lose_other_passes_with_a_warning(self):
+    def test_with_another_pass_are_warned_and_get_it_back(self):
         plotter = shells()
         plotter.enable_ssao()
-        with self.assertWarnsRegex(UserWarning, "aside"):
+        with self.assertWarnsRegex(UserWarning, "vtkSSAOPass aside"):
             handle = vitrine.see_through(plotter)
+        self.assertIs(type(plotter.renderer.GetPass()), vitrine.vtkSeeThroughPass)
         handle.remove()
-        self.assertIsNotNone(plotter.renderer.GetPass())
+        self.assertIs(type(plotter.renderer.GetPass()), vtkSSAOPass)
 
-    def test_are_drawn_by_twos(self):
+    def test_lose_our_pass_where_another_is_switched_on_or_off(self):
+        plotter = shells()
+        vitrine.see_through(plotter)
+        plotter.enable_ssao()
+        self.assertIs(type(plotter.renderer.GetPass()), vtkSSAOPass)
+        with self.assertWarns(UserWarning):
+            vitrine.see_through(plotter)
+        plotter.disable_ssao()
+        self.assertIsNone(plotter.renderer.GetPass())
+        with self.assertRaisesRegex(ValueError, "see_through"):
+            vitrine.stats(plotter)
+        self.assert_exact(plotter)
+
+    def test_two_at_a_time_draw_the_same(self):
         first, second = shells(), shells()
         vitrine.see_through(first)
         vitrine.see_through(second, color_storage="8-bit")
         for _ in range(3):
-            pair = [p.screenshot(None, return_img=True).astype(int) for p in (first, second)]
+            pair = [picture_of(plotter) for plotter in (first, second)]
             self.assertLessEqual(abs(pair[0] - pair[1]).max(), 2)
 
-    def test_that_come_and_go_leave_nothing(self):
-        passes, sizes = [], []
+    def test_two_hundred_in_turn_leave_nothing(self):
+        passes, plotters, sizes = [], [], []
         for i in range(200):
             plotter = shells()
-            vitrine.see_through(plotter)
+            handle = vitrine.see_through(plotter)
             plotter.show(auto_close=False)
-            passes.append(weakref.ref(plotter.renderer.GetPass()))
+            passes.append(_weak(plotter.renderer.GetPass()))
+            plotters.append(weakref.ref(plotter))
             plotter.close()
             del plotter
             if i % 40 == 39:
                 gc.collect()
                 sizes.append(writable_resident_bytes())
-        self.assertEqual([p for p in passes if p() is not None], [])
+        self.assertEqual(handle.renderers, [])
+        self.assertTrue(all(found.Get() is None for found in passes))
+        self.assertTrue(all(found() is None for found in plotters))
         # The C library takes arenas of megabytes at times; what leaks grows in every interval.
         growth = min(b - a for a, b in zip(sizes, sizes[1:])) / 40
         self.assertLess(growth, 8192, "bytes a plotter")

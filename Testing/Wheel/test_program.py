@@ -3,8 +3,10 @@
 import importlib.metadata
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import vitrine
@@ -24,11 +26,24 @@ SYSTEM = {
 class Program(unittest.TestCase):
     def test_is_of_the_package(self):
         self.assertEqual(run(PROGRAM, "--version").stdout.strip(), vitrine.__version__)
+        self.assertEqual(importlib.metadata.version("vitrine"), vitrine.__version__)
+
+    def test_starts_without_loading_vtk_into_python(self):
+        said = run(sys.executable, "-X", "importtime", PROGRAM, "--version")
+        self.assertEqual(said.stdout.strip(), vitrine.__version__)
+        self.assertIn("runpy", said.stderr)
+        self.assertNotIn("vtkmodules", said.stderr)
 
     def test_runs_as_a_module_too(self):
         said = run(sys.executable, "-m", "vitrine", "info", "demo:stack,layers=3,alpha=0.5")
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertRegex(said.stdout, r"parts\s+3")
+
+    def test_finds_vtk_in_another_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(pathlib.Path(vitrine.__file__).parent, f"{folder}/vitrine")
+            said = run(sys.executable, "-m", "vitrine", "--version", cwd=folder)
+        self.assertEqual(said.stdout.strip(), vitrine.__version__, said.stderr)
 
     def test_refuses_bad_input_with_its_own_status(self):
         said = run(PROGRAM, "info", "nowhere.glb")
@@ -38,9 +53,13 @@ class Program(unittest.TestCase):
 
 class Wheel(unittest.TestCase):
     def setUp(self):
-        self.files = [
-            pathlib.Path(file.locate()) for file in importlib.metadata.distribution("vitrine").files
-        ]
+        self.entries = importlib.metadata.distribution("vitrine").files
+        self.files = [pathlib.Path(entry.locate()) for entry in self.entries]
+
+    def test_lies_in_folders_of_its_own(self):
+        for entry, file in zip(self.entries, self.files):
+            if file.resolve() != PROGRAM.resolve():
+                self.assertRegex(str(entry), r"^vitrine(-[\d.]+\.dist-info)?/")
 
     def test_holds_no_library_of_vtk(self):
         libraries = [file.name for file in self.files if ".so" in file.name]

@@ -7,5 +7,5 @@ import sys
 PROGRAM = pathlib.Path(sys.executable).parent / "vitrine"
 
 
-def run(program, *arguments):
-    return subprocess.run([program, *arguments], capture_output=True, text=True)
+def run(program, *arguments, **settings):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, **settings)
