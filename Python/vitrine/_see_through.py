@@ -12,7 +12,9 @@ from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from .vtkVitrineRendering import (
+    vtkABufferTransparencyPass,
     vtkLinkedListTransparencyPass,
+    vtkPrefixSumTransparencyPass,
     vtkSeeThroughPass,
     vtkTransparencyPass,
     vtkTruthTransparencyPass,
@@ -20,11 +22,12 @@ from .vtkVitrineRendering import (
 
 METHODS: dict[str, Any] = {
     "linked-list": vtkLinkedListTransparencyPass,
+    "prefix-sum": vtkPrefixSumTransparencyPass,
     "truth": vtkTruthTransparencyPass,
 }
 _COLOR_STORAGES = {
-    "half-float": vtkLinkedListTransparencyPass.HALF_FLOAT,
-    "8-bit": vtkLinkedListTransparencyPass.EIGHT_BIT,
+    "half-float": vtkABufferTransparencyPass.HALF_FLOAT,
+    "8-bit": vtkABufferTransparencyPass.EIGHT_BIT,
 }
 
 
@@ -38,10 +41,10 @@ def see_through(
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
     target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers.
-    method: "linked-list", or "truth", the slow yardstick, composited in float64 on the CPU.
-    color_storage: of linked-list: "half-float", the default, or "8-bit", which takes less memory and
+    method: "linked-list", "prefix-sum", or "truth", the slow yardstick, composited in float64 on the CPU.
+    color_storage: of the exact methods: "half-float", the default, or "8-bit", which takes less memory and
         rounds each fragment.
-    memory_limit: of linked-list: the largest number of bytes that its fragments may take on the device, for
+    memory_limit: of the exact methods: the largest number of bytes that its fragments may take on the device, for
         each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
 
     Returns a handle: remove() puts back the passes that were there before, and so does leaving a `with`.
@@ -247,10 +250,10 @@ def _make_pass(
 ) -> vtkSeeThroughPass:
     transparency = _known("method", method, METHODS)()
     if color_storage is not None:
-        _only_of_linked_list(method, "color_storage")
+        _only_of_a_buffers(method, "color_storage")
         transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
     if memory_limit is not None:
-        _only_of_linked_list(method, "memory_limit")
+        _only_of_a_buffers(method, "memory_limit")
         transparency.SetMemoryLimit(_number_of_bytes(memory_limit))
     whole = vtkSeeThroughPass()
     whole.SetTranslucentPass(transparency)
@@ -275,9 +278,9 @@ def _number_of_bytes(limit: SupportsIndex) -> int:
     return number
 
 
-def _only_of_linked_list(method: str, option: str) -> None:
-    if method != "linked-list":
-        raise ValueError(f"{option} is an option of linked-list, not of {method}")
+def _only_of_a_buffers(method: str, option: str) -> None:
+    if method == "truth":
+        raise ValueError(f"{option} is no option of truth, which keeps every fragment as it is")
 
 
 def _weak(instance: Any) -> vtkWeakReference:

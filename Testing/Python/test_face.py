@@ -267,12 +267,12 @@ class Misuse(unittest.TestCase):
             (TypeError, "not True", lambda: vitrine.see_through(renderer, memory_limit=True)),
             (
                 ValueError,
-                "color_storage is an option of linked-list, not of truth",
+                "color_storage is no option of truth",
                 lambda: vitrine.see_through(renderer, "truth", color_storage="8-bit"),
             ),
             (
                 ValueError,
-                "memory_limit is an option of linked-list, not of truth",
+                "memory_limit is no option of truth",
                 lambda: vitrine.see_through(renderer, "truth", memory_limit=9),
             ),
             (ValueError, "no renderer", lambda: vitrine.see_through(vtkRenderWindow())),
