@@ -17,8 +17,7 @@ namespace program
 
 namespace
 {
-const double OrbitDegrees =
-  6.0; // from all of it the scenes have the layers that they are asked for
+const double OrbitDegrees = 6.0; // all along it the scenes have the layers that they are asked for
 
 struct PaperOptions
 {

@@ -1,10 +1,11 @@
 /**
  * demo:paper-masks and demo:paper-lists: scenes like those that stencil masks and linked lists were first
- * measured with: textured triangles, a transparent model, which stands among them, and an opaque one.
+ * measured with: textured triangles, a transparent model, which stands among them, and an opaque one
+ * inside it.
  *
- * From the scene's own view the pixel with most layers has exactly as many as are asked for, beginning
- * with one: those of the transparent model where it crosses itself, and one of each textured sheet.
- * With as many as the model has by itself, or fewer, there are only sheets; with none, the opaque model alone.
+ * The pixel with most layers has exactly as many as are asked for, and lies at the middle of the scene's own
+ * view: those of the transparent model, and one of each textured sheet. With as many as the model has by
+ * itself, or fewer, there are only sheets; with none, the opaque model alone.
  */
 #include "scene/DemoScene.h"
 #include "scene/Random.h"
@@ -30,7 +31,7 @@ const double SheetHalfDepth = 1.0;
 struct PaperScene
 {
   int TexturedTriangles;
-  int Rings; ///< of the transparent model
+  int Stations; ///< of the transparent model
   int Sides;
 };
 
@@ -45,27 +46,37 @@ vtkSmartPointer<vtkProperty> MakeMaterial(double red, double green, double blue,
   return material;
 }
 
-Part MakeTransparentModel(const PaperScene& settings)
+vtkSmartPointer<vtkMatrix4x4> ToMatrix(vtkTransform* transform)
 {
-  Part model;
-  model.Name = "figure-eight";
-  model.Geometry = MakeFigureEight(settings.Rings, settings.Sides);
-  model.Material = MakeMaterial(0.75, 0.45, 0.12, 0.4);
-  return model;
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  transform->GetMatrix(matrix);
+  return matrix;
 }
 
-/** Upright in a hole of the transparent model, so that it hides a part of the sheets. */
+/** Lying across the view. */
+Part MakeTransparentModel(const PaperScene& settings)
+{
+  vtkNew<vtkTransform> transform;
+  transform->RotateZ(7.0);
+  Part shell;
+  shell.Name = "shell";
+  shell.Geometry = MakeShell(settings.Stations, settings.Sides);
+  shell.Material = MakeMaterial(0.45, 0.6, 0.75, 0.2);
+  shell.Transform = ToMatrix(transform);
+  return shell;
+}
+
+/** Upright, and beside the middle, so that it hides a part of the sheets. */
 Part MakeOpaqueModel()
 {
   vtkNew<vtkTransform> transform;
-  transform->Translate(-FigureEightHole, 0.0, 0.0);
+  transform->Translate(-0.75, 0.0, 0.0);
   transform->RotateX(-90.0);
   Part vase;
   vase.Name = "vase";
   vase.Geometry = MakeVase();
-  vase.Material = MakeMaterial(0.25, 0.45, 0.75, 1.0);
-  vase.Transform = vtkSmartPointer<vtkMatrix4x4>::New();
-  transform->GetMatrix(vase.Transform);
+  vase.Material = MakeMaterial(0.75, 0.45, 0.12, 1.0);
+  vase.Transform = ToMatrix(transform);
   return vase;
 }
 
@@ -77,10 +88,10 @@ Scene MakePaperScene(const PaperScene& settings, const DemoValues& values)
     SheetHalfDepth };
   Scene scene;
   scene.Parts.push_back(MakeOpaqueModel());
-  if (layers > FigureEightLayers)
+  if (layers > ShellLayers)
   {
     scene.Parts.push_back(MakeTransparentModel(settings));
-    sheets.Count -= FigureEightLayers;
+    sheets.Count -= ShellLayers;
   }
   std::vector<Part> textured = MakeSheets(sheets, random);
   std::move(textured.begin(), textured.end(), std::back_inserter(scene.Parts));
@@ -91,12 +102,12 @@ Scene MakePaperScene(const PaperScene& settings, const DemoValues& values)
 
 Scene MakePaperMasksScene(const DemoValues& values)
 {
-  return MakePaperScene({ 384, 1340, 325 }, values); // 2 * 1340 * 325 = 871,000
+  return MakePaperScene({ 384, 325, 670 }, values); // 4 * 325 * 670 = 871,000
 }
 
 Scene MakePaperListsScene(const DemoValues& values)
 {
-  return MakePaperScene({ 2048, 725, 180 }, values); // 2 * 725 * 180 = 261,000
+  return MakePaperScene({ 2048, 225, 290 }, values); // 4 * 225 * 290 = 261,000
 }
 
 }

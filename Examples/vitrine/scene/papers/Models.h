@@ -10,18 +10,19 @@
 namespace program
 {
 
-/** What a figure eight adds to a pixel where it crosses itself, seen along z. */
-inline constexpr int FigureEightLayers = 4;
+/**
+ * The most layers that a shell adds to a pixel, from wherever it is seen: both of its walls are convex. Only on its
+ * outline may a pixel have two more, where triangles are smaller than pixels and their corners are rounded.
+ */
+inline constexpr int ShellLayers = 4;
 
 /**
- * A twisted tube along a figure eight that lies across the z axis and crosses itself there, 3 wide. It has 2 * rings * sides triangles and smooth normals.
+ * A thick-walled closed shell around the origin, 3 long along x and 1.9 wide. It has 4 * stations * sides triangles,
+ * half of them on its inner wall.
  */
-vtkSmartPointer<vtkPolyData> MakeFigureEight(int rings, int sides);
+vtkSmartPointer<vtkPolyData> MakeShell(int stations, int sides);
 
-/** Where one of the two holes of a figure eight has its middle, along x. */
-inline constexpr double FigureEightHole = 0.75;
-
-/** A vase of 2,256 triangles along z around the origin. */
+/** A vase of 2,256 triangles along z around the origin, 0.84 high. */
 vtkSmartPointer<vtkPolyData> MakeVase();
 
 }
