@@ -8,7 +8,7 @@ class BadArguments(ProgramTest):
     def test_help_is_everywhere(self):
         for arguments in (
             ["--help"],
-            *([name, "--help"] for name in ("render", "compare", "info", "view")),
+            *([name, "--help"] for name in ("render", "compare", "info", "paper", "view")),
         ):
             result = run(*arguments)
             self.assert_done(result)
@@ -118,6 +118,7 @@ class BadArguments(ProgramTest):
             "demo:stack,alpha=1.01", "demo:stack,alpha=-0.1", "demo:stack,alpha=nan",
             "demo:stack,seed=-1", "demo:spheres,resolution=2", "demo:assembly,parts=-1",
             "demo:assembly,parts=abc", "demo:assembly,parts=1e9", "demo:assembly,parts=0x10",
+            "demo:paper-masks,layers=65", "demo:paper-lists,layers=-1",
         ):  # fmt: skip
             with self.subTest(scene=scene):
                 self.assert_refused(run("info", scene), scene, " from ", " to ")

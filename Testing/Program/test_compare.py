@@ -173,6 +173,19 @@ class Compare(FileTest):
         self.assertEqual(list(blend), ROW)
         self.assertIsNone(blend["error"])
 
+    def test_depth_peeling_does_not_run_in_multisampled_windows(self):
+        result = run(
+            "compare", SCENE, "--methods", "vtk-oit,vtk-peeling,vtk-peeling-2", "--frames", "1",
+            "--size", "8x8", "--multisamples", "4", "--json", "-",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.count(b"\n"), 1)  # once for both
+        self.assertIn(b"multisampling", result.stderr)
+        oit, *peelings = json.loads(result.stdout)["results"]
+        self.assertEqual(list(oit), ROW)
+        for row in peelings:
+            self.assertIn("multisampling", row["skipped"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -56,10 +56,7 @@ void AddCompareCommand(CLI::App& app)
     ->add_option("--methods", options->Methods, "methods by name, and the groups exact and all")
     ->type_name("M,M,...")
     ->capture_default_str();
-  command->add_option("--frames", options->Frames, "timed frames of each method")
-    ->type_name("N")
-    ->check(CLI::Range(1, 100000))
-    ->capture_default_str();
+  AddFramesOption(*command, options->Frames);
   command
     ->add_option("--orbit", options->Orbit, "degrees that the camera goes from first to last frame")
     ->type_name("DEG")

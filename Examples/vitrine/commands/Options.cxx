@@ -73,13 +73,26 @@ CLI::Validator NumberWithin(double low, double high)
     "");
 }
 
+void AddSizeOption(CLI::App& command, std::string& size)
+{
+  command.add_option("--size", size, "width and height of the picture in pixels")
+    ->type_name("WxH")
+    ->capture_default_str();
+}
+
+void AddFramesOption(CLI::App& command, int& frames)
+{
+  command.add_option("--frames", frames, "timed frames of each method")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100000))
+    ->capture_default_str();
+}
+
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize)
 {
   options.Size = defaultSize;
   command.add_option("INPUT", options.Inputs, "files, or demo:NAME[,key=value...]")->required();
-  command.add_option("--size", options.Size, "width and height of the picture in pixels")
-    ->type_name("WxH")
-    ->capture_default_str();
+  AddSizeOption(command, options.Size);
   command
     .add_option("--view", options.View,
       "degrees around the scene and above its horizon, and how near; 0,0,1 is the whole from its "

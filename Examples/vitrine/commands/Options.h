@@ -29,6 +29,12 @@ struct SceneOptions
 /** Accepts numbers of the range; CLI11's own Range accepts NaN too. */
 CLI::Validator NumberWithin(double low, double high);
 
+/** Add --size, whose default is what `size` holds. */
+void AddSizeOption(CLI::App& command, std::string& size);
+
+/** Add --frames, whose default is what `frames` holds. */
+void AddFramesOption(CLI::App& command, int& frames);
+
 /** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
 

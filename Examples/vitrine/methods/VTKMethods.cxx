@@ -6,6 +6,7 @@
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkTranslucentPass.h"
@@ -48,6 +49,33 @@ public:
   std::int64_t Pixels = 0;
 };
 vtkStandardNewMacro(CountingRenderStepsPass);
+
+/** Depth peeling where it works. In a multisampled window it would leave out all that is translucent. */
+class SingleSamplePeelingPass : public vtkDualDepthPeelingPass
+{
+public:
+  static SingleSamplePeelingPass* New();
+  vtkTypeMacro(SingleSamplePeelingPass, vtkDualDepthPeelingPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    if (s->GetRenderer()->GetRenderWindow()->GetMultiSamples() <= 1)
+    {
+      this->WhyNot.clear();
+      this->Superclass::Render(s);
+      return;
+    }
+    if (this->WhyNot.empty())
+    {
+      this->WhyNot = "VTK's depth peeling needs a window without multisampling";
+      vtkErrorMacro(<< this->WhyNot << ". Translucent geometry is blended unsorted.");
+    }
+    this->TranslucentPass->Render(s);
+  }
+
+  std::string WhyNot; ///< the last frame was not peeled; empty if it was
+};
+vtkStandardNewMacro(SingleSamplePeelingPass);
 }
 
 namespace program
@@ -95,6 +123,22 @@ private:
   vtkSmartPointer<vtkOpenGLRenderPass> Pass;
   int BytesPerPixel;
 };
+
+class PeelingMethod : public VTKMethod
+{
+public:
+  explicit PeelingMethod(SingleSamplePeelingPass* pass)
+    : VTKMethod(pass, PeelingBytes)
+    , Pass(pass)
+  {
+    pass->SetTranslucentPass(this->Geometry());
+  }
+
+  std::string WhyNotRun() const override { return this->Pass->WhyNot; }
+
+private:
+  vtkSmartPointer<SingleSamplePeelingPass> Pass;
+};
 }
 
 std::unique_ptr<Method> MakeBlend()
@@ -112,12 +156,10 @@ std::unique_ptr<Method> MakeVTKOIT()
 
 std::unique_ptr<Method> MakeVTKPeeling(int peels)
 {
-  vtkNew<vtkDualDepthPeelingPass> pass;
+  vtkNew<SingleSamplePeelingPass> pass;
   pass->SetMaximumNumberOfPeels(peels);
   pass->SetOcclusionRatio(0.0);
-  auto method = std::make_unique<VTKMethod>(pass, PeelingBytes);
-  pass->SetTranslucentPass(method->Geometry());
-  return method;
+  return std::make_unique<PeelingMethod>(pass);
 }
 
 }

@@ -47,6 +47,14 @@ const std::vector<Demo>& Demos()
       "machines in glass housings: shafts, gears, bearings, bolts, pipes, cables, boards",
       { { "parts", 2000, 1, 200000, true }, { "seed", 1, 0, LargestSeed, true } },
       MakeAssemblyScene },
+    { "paper-masks",
+      "384 textured triangles, a transparent model of 871,000, an opaque one of 2,256",
+      { { "layers", 15, 0, MostPaperLayers, true }, { "seed", 1, 0, LargestSeed, true } },
+      MakePaperMasksScene },
+    { "paper-lists",
+      "2,048 textured triangles, a transparent model of 261,000, an opaque one of 2,256",
+      { { "layers", 57, 0, MostPaperLayers, true }, { "seed", 1, 0, LargestSeed, true } },
+      MakePaperListsScene },
   };
   return demos;
 }
