@@ -45,6 +45,7 @@ int Run(int argc, char* argv[])
   program::AddRenderCommand(app);
   program::AddCompareCommand(app);
   program::AddInfoCommand(app);
+  program::AddSortsCommand(app);
   program::AddViewCommand(app);
   if (argc > 1 && argv[1][0] != '-')
   {

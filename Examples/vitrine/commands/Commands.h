@@ -19,6 +19,9 @@ void AddCompareCommand(CLI::App& app);
 /** `vitrine info`: what is in a scene, and what is not shown of it. */
 void AddInfoCommand(CLI::App& app);
 
+/** `vitrine sorts`: the sorts of short lists side by side, on the device. */
+void AddSortsCommand(CLI::App& app);
+
 /** `vitrine view`: a window. */
 void AddViewCommand(CLI::App& app);
 
