@@ -46,6 +46,7 @@ int Run(int argc, char* argv[])
   program::AddCompareCommand(app);
   program::AddInfoCommand(app);
   program::AddPaperCommand(app);
+  program::AddSortsCommand(app);
   program::AddViewCommand(app);
   if (argc > 1 && argv[1][0] != '-')
   {

@@ -40,6 +40,13 @@
 #define VITRINE_MAX_RUNS 32
 #define VITRINE_MERGE_BLOCK 32
 
+// Sorts that are measured against each other (SortHarness.glsl): lists to a row of pixels, and the odd constants of
+// a list's checksum (Core/ListChecksum).
+#define VITRINE_SORT_ROW 256
+#define VITRINE_CHECKSUM_FACTOR 0x9e3779b1u
+#define VITRINE_CHECKSUM_KEY 0x85ebca6bu
+#define VITRINE_CHECKSUM_PAYLOAD 0xc2b2ae35u
+
 #ifdef __cplusplus
 #include <cstddef>
 #include <cstdint>

@@ -59,8 +59,14 @@ def ssim(a, b):
     a, b = a.astype(numpy.float64), b.astype(numpy.float64)
     if min(a.shape[:2]) >= 11:
         return structural_similarity(
-            a, b, gaussian_weights=True, sigma=1.5, use_sample_covariance=False,
-            data_range=1, channel_axis=2)
+            a,
+            b,
+            gaussian_weights=True,
+            sigma=1.5,
+            use_sample_covariance=False,
+            data_range=1,
+            channel_axis=2,
+        )
     # scikit-image refuses pictures smaller than its window: the same formula, with nothing cropped
     # along the short axes.
     window = lambda plane: gaussian_filter(plane, 1.5, truncate=3.5, mode="reflect", axes=(0, 1))
@@ -68,25 +74,38 @@ def ssim(a, b):
     variance_a = window(a * a) - mean_a**2
     variance_b = window(b * b) - mean_b**2
     covariance = window(a * b) - mean_a * mean_b
-    similarity = (2 * mean_a * mean_b + 0.01**2) * (2 * covariance + 0.03**2) / (
-        (mean_a**2 + mean_b**2 + 0.01**2) * (variance_a + variance_b + 0.03**2))
+    similarity = (
+        (2 * mean_a * mean_b + 0.01**2)
+        * (2 * covariance + 0.03**2)
+        / ((mean_a**2 + mean_b**2 + 0.01**2) * (variance_a + variance_b + 0.03**2))
+    )
     crop = [slice(5, -5) if size >= 11 else slice(None) for size in a.shape[:2]]
     return similarity[crop[0], crop[1]].mean()
 
 
 def main():
     for name, width, height in [
-            ("noise", 40, 30), ("ramps", 64, 48), ("plates", 51, 37), ("primaries", 33, 47),
-            ("extremes", 24, 24), ("noise", 11, 11), ("noise", 5, 7), ("plates", 200, 9),
-            ("noise", 1, 1)]:
+        ("noise", 40, 30),
+        ("ramps", 64, 48),
+        ("plates", 51, 37),
+        ("primaries", 33, 47),
+        ("extremes", 24, 24),
+        ("noise", 11, 11),
+        ("noise", 5, 7),
+        ("plates", 200, 9),
+        ("noise", 1, 1),
+    ]:
         reference, test = (picture(formula, width, height) for formula in PICTURES[name])
         _, flip, _ = flip_evaluator.evaluate(
-            reference, test, "LDR", inputsRGB=True, applyMagma=False, computeMeanError=True)
+            reference, test, "LDR", inputsRGB=True, applyMagma=False, computeMeanError=True
+        )
         difference = numpy.abs(test.astype(numpy.float64) - reference)
         rmse = numpy.sqrt((difference**2).mean())
         wrong = (difference.max(axis=2) > 1 / 255 + 1e-6).mean()
-        print(f'{{ "{name}", {width}, {height}, {difference.max():.8f}, {rmse:.8f}, '
-              f'{-20 * numpy.log10(rmse):.6f}, {ssim(test, reference):.8f}, {flip:.6f}, {wrong:.8f} }},')
+        print(
+            f'{{ "{name}", {width}, {height}, {difference.max():.8f}, {rmse:.8f}, '
+            f"{-20 * numpy.log10(rmse):.6f}, {ssim(test, reference):.8f}, {flip:.6f}, {wrong:.8f} }},"
+        )
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ class BadArguments(ProgramTest):
     def test_help_is_everywhere(self):
         for arguments in (
             ["--help"],
-            *([name, "--help"] for name in ("render", "compare", "info", "paper", "view")),
+            *([name, "--help"] for name in ("render", "compare", "info", "paper", "sorts", "view")),
         ):
             result = run(*arguments)
             self.assert_done(result)

@@ -22,6 +22,9 @@ void AddInfoCommand(CLI::App& app);
 /** `vitrine paper`: the papers' scenes, and frame rates beside theirs. */
 void AddPaperCommand(CLI::App& app);
 
+/** `vitrine sorts`: the sorts of short lists side by side, on the device. */
+void AddSortsCommand(CLI::App& app);
+
 /** `vitrine view`: a window. */
 void AddViewCommand(CLI::App& app);
 

@@ -1,5 +1,6 @@
 #include "commands/Comparison.h"
 
+#include "Median.h"
 #include "Progress.h"
 #include "scene/Viewpoint.h"
 
@@ -135,10 +136,7 @@ void Judge(std::vector<Contestant>& contestants, const Scene& scene, vtkCamera* 
 
 double MethodResult::Median() const
 {
-  std::vector<double> sorted = this->FrameMilliseconds;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+  return program::Median(this->FrameMilliseconds);
 }
 
 ComparisonResult CompareMethods(

@@ -7,29 +7,12 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <chrono>
-#include <sstream>
 
 namespace program
 {
 
 namespace
 {
-/** What follows `label` in the lines of a window's capabilities. */
-std::string FindCapability(const std::string& capabilities, const std::string& label)
-{
-  std::istringstream lines(capabilities);
-  std::string line;
-  while (std::getline(lines, line))
-  {
-    if (line.compare(0, label.size(), label) == 0)
-    {
-      const std::size_t begin = line.find_first_not_of(" :", label.size());
-      return begin == std::string::npos ? "" : line.substr(begin);
-    }
-  }
-  return "";
-}
-
 vitrine::Image ToImage(vtkImageData* rgba, PictureSize size)
 {
   vitrine::Image image{ size.Width, size.Height, {} };
@@ -89,10 +72,7 @@ std::vector<std::uint8_t> Stage::ReadPixels()
 
 Device Stage::GetDevice()
 {
-  const std::string capabilities = this->Window->ReportCapabilities();
-  return { FindCapability(capabilities, "OpenGL vendor string"),
-    FindCapability(capabilities, "OpenGL renderer string"),
-    FindCapability(capabilities, "OpenGL version string") };
+  return DescribeDevice(this->Window);
 }
 
 vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size)

@@ -5,6 +5,7 @@
 #define VITRINE_STAGE_H
 
 #include "Core/Image.h"
+#include "methods/Device.h"
 #include "methods/Method.h"
 #include "scene/Scene.h"
 
@@ -31,14 +32,6 @@ struct PictureSize
 
 /** Behind everything: a grey of this brightness. */
 inline constexpr double Background = 0.95;
-
-/** What the device says of itself. */
-struct Device
-{
-  std::string Vendor;
-  std::string Renderer;
-  std::string Version;
-};
 
 class Stage
 {

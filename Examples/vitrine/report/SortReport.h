@@ -1,0 +1,21 @@
+/**
+ * The results of `sorts` for people and for programs.
+ */
+#ifndef VITRINE_SORT_REPORT_H
+#define VITRINE_SORT_REPORT_H
+
+#include "sorts/SortMeasurement.h"
+
+#include <string>
+
+namespace program
+{
+
+/** Tables: times, ratios to the network, comparisons and speed by size; times by length. */
+std::string ToTables(const SortComparison& comparison);
+
+/** JSON: {"vitrine", "device", "settings", "results", "lengths"}; docs/sorts.md says what a row holds. */
+std::string ToJson(const SortComparison& comparison);
+
+}
+#endif
