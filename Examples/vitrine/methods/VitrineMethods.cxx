@@ -4,6 +4,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
+#include "vtkStencilMaskTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 namespace program
@@ -46,6 +47,13 @@ std::unique_ptr<Method> MakeLinkedListEightBit()
 {
   auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
   pass->SetColorStorageToEightBit();
+  return std::make_unique<VitrineMethod>(pass);
+}
+
+std::unique_ptr<Method> MakeStencilMask(int layers)
+{
+  auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
+  pass->SetNumberOfLayers(layers);
   return std::make_unique<VitrineMethod>(pass);
 }
 

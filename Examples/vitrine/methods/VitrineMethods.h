@@ -30,6 +30,9 @@ private:
 std::unique_ptr<Method> MakeLinkedList();
 std::unique_ptr<Method> MakeLinkedListEightBit();
 
+/** vtkStencilMaskTransparencyPass. */
+std::unique_ptr<Method> MakeStencilMask(int layers);
+
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
 
