@@ -2,6 +2,7 @@
 
 #include "Core/ShaderDeclarations.h"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -15,6 +16,29 @@ bool IsInterpolated(const ShaderDeclaration& input)
 {
   static const std::set<std::string> types = { "float", "vec2", "vec3", "vec4" };
   return input.Alone && types.count(input.Type) > 0;
+}
+
+// The variables of which the shader takes derivatives: moved, they would have the same value all over a group.
+std::set<std::string> DifferentiatedVariables(const std::string& shader)
+{
+  static const std::string call = "dFdx(";
+  static const char* const wordCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  std::set<std::string> names;
+  for (std::size_t at = shader.find(call); at != std::string::npos; at = shader.find(call, at + 1))
+  {
+    const std::size_t begin = at + call.size();
+    names.insert(shader.substr(begin, shader.find_first_not_of(wordCharacters, begin) - begin));
+  }
+  return names;
+}
+
+// Whether it is among `names` by itself or, as vertexVC for vertexVCVSOutput, by the name that VTK has for it in main().
+bool IsNamed(const ShaderDeclaration& input, const std::set<std::string>& names)
+{
+  static const std::string suffix = "VSOutput"; // or GSOutput
+  const std::size_t stem = input.Name.size() - std::min(suffix.size(), input.Name.size());
+  return names.count(input.Name) > 0 || names.count(input.Name.substr(0, stem)) > 0;
 }
 
 std::vector<ShaderDeclaration> InterpolatedInputs(const std::string& shader)
@@ -47,6 +71,7 @@ std::string Move(const std::string& from, const std::string& to)
 std::string MoveInputs(
   std::string& fragmentShader, const std::string& offset, const std::string& depth)
 {
+  const std::set<std::string> fixed = DifferentiatedVariables(fragmentShader);
   const std::size_t main = fragmentShader.find("void main");
   const std::size_t body = fragmentShader.find('{', main);
   if (main == std::string::npos || body == std::string::npos)
@@ -58,6 +83,10 @@ std::string MoveInputs(
   std::string names; // that main() knows the moved inputs by
   for (const ShaderDeclaration& input : InterpolatedInputs(fragmentShader.substr(0, main)))
   {
+    if (IsNamed(input, fixed))
+    {
+      continue;
+    }
     const std::string moved = "vitrineMoved_" + input.Name;
     variables += input.Type + " " + moved + ";\n";
     moves += Move(input.Name, moved);

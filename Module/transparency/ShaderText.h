@@ -18,6 +18,8 @@ extern const char* const LinkedListResolveLong;
 extern const char* const LinkedListSortRuns;
 extern const char* const StencilMaskFillDec;
 extern const char* const StencilMaskFillImpl;
+extern const char* const StencilMaskFilter;
+extern const char* const StencilMaskMark;
 extern const char* const StencilMaskResolve;
 extern const char* const TileClassify;
 extern const char* const TileQuadVertex;

@@ -27,6 +27,7 @@ struct vtkStencilMaskTransparencyPass::Internals
   vitrine::BackdropCopy Backdrop;
   vitrine::MaskResolver Resolver;
   vitrine::ViewDepth Depth; // of the frame
+  vitrine::MaskRepair Repair;
   int FirstPixel[2] = { 0, 0 };
 };
 
@@ -140,7 +141,8 @@ std::string vtkStencilMaskTransparencyPass::RenderFragments(
     problem = this->Fill(s, target);
   }
   if (problem.empty() &&
-    !in.Resolver.Resolve(this->GetWindow(), in.Group, in.Masks, in.Backdrop.Image(), target))
+    !in.Resolver.Resolve(
+      this->GetWindow(), in.Group, in.Masks, in.Backdrop.Image(), target, in.Repair))
   {
     problem = vitrine::ProgramFailure;
   }
@@ -169,12 +171,21 @@ std::string vtkStencilMaskTransparencyPass::PrepareFrame(
   vtkOpenGLState* state = this->GetWindow()->GetState();
   in.Group = *vitrine::FindMaskGroup(this->NumberOfLayers);
   in.Depth = vitrine::ViewDepth(s->GetRenderer()->GetActiveCamera());
+  in.Repair.Shown = this->ShowMarks ? vitrine::MaskRepair::MARKS
+    : this->Filter                  ? vitrine::MaskRepair::REPAIRED
+                                    : vitrine::MaskRepair::AS_IT_IS;
+  in.Repair.DepthLimit = static_cast<float>(this->DepthLimit);
+  in.Repair.ColorLimit = static_cast<float>(this->ColorLimit);
   in.FirstPixel[0] = target.Region.X;
   in.FirstPixel[1] = target.Region.Y;
   problem = in.Backdrop.Copy(state, target);
   if (problem.empty())
   {
     problem = in.Masks.Prepare(state, target, in.Group, this->DepthStorage == HALF_FLOAT);
+  }
+  if (problem.empty())
+  {
+    problem = in.Resolver.Prepare(state, target, in.Repair);
   }
   return problem;
 }
@@ -197,11 +208,14 @@ void vtkStencilMaskTransparencyPass::FinishFrame()
   Internals& in = *this->Private;
   const vitrine::MaskCounts counts = in.Masks.Count(this->GetWindow()->GetState());
   this->FragmentCount = counts.Fragments;
+  this->LostFragmentCount = counts.Lost;
+  this->SaturatedPixelCount = counts.Saturated;
   this->LayersMax = counts.LayersMax;
   this->LayersMean = counts.Covered > 0
     ? static_cast<double>(counts.Fragments) / static_cast<double>(counts.Covered)
     : 0.0;
-  this->Bytes = in.Masks.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
+  this->Bytes =
+    in.Masks.Bytes() + in.Resolver.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,38 @@ public:
   void SetDepthStorageToHalfFloat() { this->SetDepthStorage(HALF_FLOAT); }
   ///@}
 
+  ///@{
+  /**
+   * Repair pixels at the edges of polygons: those that are little like their neighbours take the mean of the best of
+   * the 12 nearest. On by default.
+   */
+  vtkSetMacro(Filter, vtkTypeBool);
+  vtkGetMacro(Filter, vtkTypeBool);
+  vtkBooleanMacro(Filter, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Show in place of the picture how little each pixel is like its neighbours: black where it passes every test, white
+   * where it fails all three. Off by default.
+   */
+  vtkSetMacro(ShowMarks, vtkTypeBool);
+  vtkGetMacro(ShowMarks, vtkTypeBool);
+  vtkBooleanMacro(ShowMarks, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Neighbours are alike if the sums of their layers' depths differ by less than DepthLimit, in parts of the depth
+   * range between the near and the far plane, and their composited colours by less than ColorLimit, as a distance
+   * in RGB within [0, 1].
+   */
+  vtkSetClampMacro(DepthLimit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DepthLimit, double);
+  vtkSetClampMacro(ColorLimit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ColorLimit, double);
+  ///@}
+
   const char* GetMethodName() override;
 
 protected:
@@ -70,6 +102,10 @@ protected:
 
   int NumberOfLayers = 8;
   int DepthStorage = FULL_FLOAT;
+  vtkTypeBool Filter = 1;
+  vtkTypeBool ShowMarks = 0;
+  double DepthLimit = 0.03;
+  double ColorLimit = 0.03;
 
 private:
   vtkStencilMaskTransparencyPass(const vtkStencilMaskTransparencyPass&) = delete;

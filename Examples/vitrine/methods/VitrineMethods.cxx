@@ -26,6 +26,8 @@ MethodStatistics VitrineMethod::Statistics() const
 {
   MethodStatistics statistics;
   statistics.Fragments = this->Pass->GetFragmentCount();
+  statistics.Lost = this->Pass->GetLostFragmentCount();
+  statistics.LostIsLeast = this->Pass->GetSaturatedPixelCount() > 0;
   statistics.LayersMax = this->Pass->GetLayersMax();
   statistics.LayersMean = this->Pass->GetLayersMean();
   statistics.GeometryPasses = this->Pass->GetGeometryPasses();

@@ -45,6 +45,8 @@ Json ToRow(const ComparisonResult& comparison, const MethodResult& result)
   }
   row["frame_ms"] = FrameTimes(result);
   row["fragments"] = OrNull(result.Statistics.Fragments);
+  row["lost"] = OrNull(result.Statistics.Lost);
+  row["lost_is_least"] = result.Statistics.LostIsLeast;
   row["layers_max"] = OrNull(result.Statistics.LayersMax);
   row["layers_mean"] = OrNull(result.Statistics.LayersMean);
   row["geometry_passes"] = OrNull(result.Statistics.GeometryPasses);
@@ -93,7 +95,8 @@ Row ToCells(const MethodResult& result, double firstMedian)
   const MethodStatistics& statistics = result.Statistics;
   Row cells = { result.Method, Format("%.1f", result.Median()),
     Format("%.2f", result.Median() / firstMedian), Integer(statistics.Fragments),
-    Integer(statistics.LayersMax), Integer(statistics.GeometryPasses), Bytes(statistics.Bytes) };
+    (statistics.LostIsLeast ? ">=" : "") + Integer(statistics.Lost), Integer(statistics.LayersMax),
+    Integer(statistics.GeometryPasses), Bytes(statistics.Bytes) };
   const Row errors = ErrorCells(result.Error);
   cells.insert(cells.end(), errors.begin(), errors.end());
   cells.push_back(result.IsDeterministic ? "yes" : "no");
@@ -102,8 +105,8 @@ Row ToCells(const MethodResult& result, double firstMedian)
 
 const Row& Head()
 {
-  static const Row head = { "method", "ms", "ratio", "fragments", "layers", "passes", "memory",
-    "max error/255", "psnr", "ssim", "flip", "wrong pixels", "deterministic" };
+  static const Row head = { "method", "ms", "ratio", "fragments", "lost", "layers", "passes",
+    "memory", "max error/255", "psnr", "ssim", "flip", "wrong pixels", "deterministic" };
   return head;
 }
 

@@ -1,0 +1,37 @@
+// Stencil masks, marking: how little a pixel is like its neighbours, in quarters.
+//
+// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: neighbours are alike in the sum of their layers' depths, in the parity
+// of their number, since closed bodies have an even one, and in colour; each that they are not has an error value. A
+// test counts as failed where it fails with most neighbours: with some it fails along every edge.
+#include "StencilMasks.glsl"
+
+uniform sampler2D layerColors; // composited, premultiplied; transmittance
+uniform sampler2D layerSums;   // sum of depths, number of layers
+uniform ivec2 lastPixel;
+uniform float depthLimit; // differences of the sums of depths from here on fail
+uniform float colorLimit; // so do distances of colours
+
+//VTK::Output::Dec
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 color = texelFetch(layerColors, pixel, 0).rgb;
+  vec2 sums = texelFetch(layerSums, pixel, 0).xy;
+  vec3 failures = vec3(0.0); // of depth, parity, colour
+  for (int y = -1; y <= 1; ++y)
+  {
+    for (int x = -1; x <= 1; ++x)
+    {
+      // The picture goes on as it ends; the pixel itself is like itself.
+      ivec2 neighbour = clamp(pixel + ivec2(x, y), ivec2(0), lastPixel);
+      vec2 theirs = texelFetch(layerSums, neighbour, 0).xy;
+      vec3 theirColor = texelFetch(layerColors, neighbour, 0).rgb;
+      failures += vec3(greaterThanEqual(
+        vec3(abs(sums.x - theirs.x), mod(sums.y + theirs.y, 2.0), distance(color, theirColor)),
+        vec3(depthLimit, 1.0, colorLimit)));
+    }
+  }
+  vec3 failed = step(vec3(VITRINE_MARK_NEIGHBOURS), failures);
+  gl_FragData[0] = vec4(dot(failed, vec3(0.25, 0.75, 0.5)) * 4.0 / 255.0);
+}
