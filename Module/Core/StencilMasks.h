@@ -34,23 +34,27 @@ std::optional<MaskGroup> FindMaskGroup(int layers);
 
 /**
  * The values with which the stencil of a group begins, row by row from the bottom: PassingValue() + k for layer k. The last
- * layer is where a copy at a group's scale finds the group by the nearest pixel: right and above the middle.
+ * layers are nearest to the middle, where a copy at a group's scale finds the group.
  */
 std::vector<std::uint8_t> MaskStartValues(const MaskGroup& group);
 
-/** What the last layer's stencil tells of a frame. */
+/** What the stencil tells of a frame, by one value for each pixel. */
 struct MaskCounts
 {
-  std::int64_t Fragments = 0;   ///< of all pixels; at most 255 of each are counted
-  std::int64_t Lost = 0;        ///< of them, those after the last layer of their pixel
-  std::int64_t Covered = 0;     ///< pixels with fragments
-  std::int64_t Overflowing = 0; ///< pixels with more fragments than layers
-  std::int64_t Saturated = 0;   ///< pixels with 255 fragments or more
-  int LayersMax = 0;            ///< most in one pixel, 255 at most
+  std::int64_t Fragments =
+    0;                   ///< of all pixels; what comes after the stencil reached 0 is not counted
+  std::int64_t Lost = 0; ///< of them, those after the last layer of their pixel
+  std::int64_t Covered = 0;   ///< pixels with fragments
+  std::int64_t Saturated = 0; ///< pixels in which the stencil reached 0
+  int LayersMax = 0;          ///< most in one pixel
 };
 
-/** Count by the last layer's stencil values, one a pixel. */
-MaskCounts CountMasked(const MaskGroup& group, const std::vector<std::uint8_t>& lastValues);
+/**
+ * Count by the stencil's values of a place in each group, given those that it began with. `values` are replaced by the
+ * number of fragments.
+ */
+MaskCounts CountMasked(const MaskGroup& group, const std::vector<std::uint8_t>& startValues,
+  std::vector<std::uint8_t>& values);
 
 }
 #endif

@@ -9,6 +9,7 @@
 
 uniform sampler2D layerColors;
 uniform sampler2D layerErrors; // of StencilMaskMark.glsl
+uniform sampler2D pixelCounts;
 uniform ivec2 firstPixel;      // of the target, where the layers begin
 uniform ivec2 lastPixel;       // of the layers
 
@@ -17,10 +18,13 @@ float errorOf(ivec2 pixel)
   return floor(texelFetch(layerErrors, pixel, 0).r * 255.0 + 0.5) * 0.25;
 }
 
-bool isNeighbour(ivec2 offset)
+// One of the 12 nearest, with as many fragments at its centre: what lies across an edge is another picture.
+bool isNeighbour(ivec2 pixel, ivec2 offset)
 {
   int distance = abs(offset.x) + abs(offset.y);
-  return distance == 1 || distance == 2;
+  ivec2 neighbour = clamp(pixel + offset, ivec2(0), lastPixel);
+  return (distance == 1 || distance == 2) &&
+    texelFetch(pixelCounts, neighbour, 0).r == texelFetch(pixelCounts, pixel, 0).r;
 }
 
 vec4 repaired(ivec2 pixel)
@@ -32,7 +36,7 @@ vec4 repaired(ivec2 pixel)
     {
       ivec2 offset = ivec2(x, y);
       float error = errorOf(clamp(pixel + offset, ivec2(0), lastPixel));
-      least = isNeighbour(offset) ? min(least, error) : least;
+      least = isNeighbour(pixel, offset) ? min(least, error) : least;
     }
   }
   vec4 sum = vec4(0.0);
@@ -45,12 +49,12 @@ vec4 repaired(ivec2 pixel)
       ivec2 neighbour = clamp(pixel + offset, ivec2(0), lastPixel);
       float weight = exp(-0.5 * float(x * x + y * y));
       weight *= errorOf(neighbour) == least ? 1.0 : VITRINE_WORSE_NEIGHBOUR;
-      weight = isNeighbour(offset) ? weight : 0.0;
+      weight = isNeighbour(pixel, offset) ? weight : 0.0;
       sum += weight * texelFetch(layerColors, neighbour, 0);
       weights += weight;
     }
   }
-  return sum / weights;
+  return weights > 0.0 ? sum / weights : texelFetch(layerColors, pixel, 0);
 }
 
 void main()

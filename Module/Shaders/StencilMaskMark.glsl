@@ -3,15 +3,24 @@
 // S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: neighbours are alike in the sum of their layers' depths, in the parity
 // of their number, since closed bodies have an even one, and in colour; each that they are not has an error value. A
 // test counts as failed where it fails with most neighbours: with some it fails along every edge.
+//
+// One test more needs no neighbours: the group holds as many layers as the stencil counted at the pixel's centre.
 #include "StencilMasks.glsl"
 
 uniform sampler2D layerColors; // composited, premultiplied; transmittance
 uniform sampler2D layerSums;   // sum of depths, number of layers
+uniform sampler2D pixelCounts;
 uniform ivec2 lastPixel;
 uniform float depthLimit; // differences of the sums of depths from here on fail
 uniform float colorLimit; // so do distances of colours
 
 //VTK::Output::Dec
+
+// Fragments close to the centre of a pixel, 255 at most.
+float countOf(ivec2 pixel)
+{
+  return floor(texelFetch(pixelCounts, pixel, 0).r * 255.0 + 0.5);
+}
 
 void main()
 {
@@ -33,5 +42,7 @@ void main()
     }
   }
   vec3 failed = step(vec3(VITRINE_MARK_NEIGHBOURS), failures);
-  gl_FragData[0] = vec4(dot(failed, vec3(0.25, 0.75, 0.5)) * 4.0 / 255.0);
+  float error = dot(failed, vec3(0.25, 0.75, 0.5));
+  bool complete = sums.y == min(countOf(pixel), float(VITRINE_GROUP.x * VITRINE_GROUP.y));
+  gl_FragData[0] = vec4((complete ? error : VITRINE_MOST_ERROR) * 4.0 / 255.0);
 }

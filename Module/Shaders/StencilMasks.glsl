@@ -6,10 +6,10 @@
 #define VITRINE_NO_DEPTH 3.0e38
 
 // A test between neighbours fails where it does with so many of the 8.
-#define VITRINE_MARK_NEIGHBOURS 5.0
+#define VITRINE_MARK_NEIGHBOURS 7.0
 
 // Errors from here on are repaired, and the error of a pixel that fails every test.
-#define VITRINE_MARKED 0.75
+#define VITRINE_MARKED 1.25
 #define VITRINE_MOST_ERROR 1.5
 
 // The weight of neighbours that are worse than the best.

@@ -92,8 +92,9 @@ bool MaskResolver::Resolve(vtkOpenGLRenderWindow* window, const MaskGroup& group
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
   if (repair.Shown != MaskRepair::AS_IT_IS)
   {
-    return this->Composite(window, group, masks, target) && this->Mark(window, target, repair) &&
-      this->Repair(window, backdrop, target, repair);
+    return this->Composite(window, group, masks, target) &&
+      this->Mark(window, group, masks, target, repair) &&
+      this->Repair(window, masks, backdrop, target, repair);
   }
   vtkOpenGLState* state = window->GetState();
   const ScopedGroupTextures groups(state, masks);
@@ -142,15 +143,16 @@ bool MaskResolver::Composite(vtkOpenGLRenderWindow* window, const MaskGroup& gro
   return true;
 }
 
-bool MaskResolver::Mark(
-  vtkOpenGLRenderWindow* window, const RenderTarget& target, const MaskRepair& repair)
+bool MaskResolver::Mark(vtkOpenGLRenderWindow* window, const MaskGroup& group,
+  const MaskTarget& masks, const RenderTarget& target, const MaskRepair& repair)
 {
   vtkOpenGLState* state = window->GetState();
   const ScopedTextureUnit colors(state, GL_TEXTURE_2D, this->LayerColors.Handle());
   const ScopedTextureUnit sums(state, GL_TEXTURE_2D, this->LayerSums.Handle());
+  const ScopedTextureUnit counts(state, GL_TEXTURE_2D, masks.Counts().Handle());
   BindForFullScreenDraw(
     state, this->ErrorTarget.Handle(), target.Region.Width, target.Region.Height);
-  vtkShaderProgram* program = this->Programs.Ready(window, "mark", { "VITRINE_SAMPLES 0" },
+  vtkShaderProgram* program = this->Programs.Ready(window, "mark", { GroupDefine(group) },
     shaders::FullScreenVertex, [] { return shaders::StencilMaskMark; });
   if (!program)
   {
@@ -158,6 +160,7 @@ bool MaskResolver::Mark(
   }
   program->SetUniformi("layerColors", colors.Unit());
   program->SetUniformi("layerSums", sums.Unit());
+  program->SetUniformi("pixelCounts", counts.Unit());
   program->SetUniformf("depthLimit", repair.DepthLimit);
   program->SetUniformf("colorLimit", repair.ColorLimit);
   SetPixel(program, "lastPixel", target.Region.Width - 1, target.Region.Height - 1);
@@ -165,12 +168,13 @@ bool MaskResolver::Mark(
   return true;
 }
 
-bool MaskResolver::Repair(vtkOpenGLRenderWindow* window, const Image2D& backdrop,
-  const RenderTarget& target, const MaskRepair& repair)
+bool MaskResolver::Repair(vtkOpenGLRenderWindow* window, const MaskTarget& masks,
+  const Image2D& backdrop, const RenderTarget& target, const MaskRepair& repair)
 {
   vtkOpenGLState* state = window->GetState();
   const ScopedTextureUnit colors(state, GL_TEXTURE_2D, this->LayerColors.Handle());
   const ScopedTextureUnit errors(state, GL_TEXTURE_2D, this->LayerErrors.Handle());
+  const ScopedTextureUnit counts(state, GL_TEXTURE_2D, masks.Counts().Handle());
   const ScopedTextureUnit behind(state, GL_TEXTURE_2D, backdrop.Handle());
   BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height, target.Region);
   std::vector<std::string> defines = { "VITRINE_SAMPLES 0" };
@@ -187,6 +191,7 @@ bool MaskResolver::Repair(vtkOpenGLRenderWindow* window, const Image2D& backdrop
   if (program->IsUniformUsed("layerColors"))
   {
     program->SetUniformi("layerColors", colors.Unit());
+    program->SetUniformi("pixelCounts", counts.Unit());
     SetPixel(program, "lastPixel", target.Region.Width - 1, target.Region.Height - 1);
   }
   if (program->IsUniformUsed("backdrop"))

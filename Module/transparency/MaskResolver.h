@@ -57,9 +57,10 @@ private:
     vtkOpenGLRenderWindow* window, const MaskGroup& group, bool keepLayers);
   bool Composite(vtkOpenGLRenderWindow* window, const MaskGroup& group, const MaskTarget& masks,
     const RenderTarget& target);
-  bool Mark(vtkOpenGLRenderWindow* window, const RenderTarget& target, const MaskRepair& repair);
-  bool Repair(vtkOpenGLRenderWindow* window, const Image2D& backdrop, const RenderTarget& target,
-    const MaskRepair& repair);
+  bool Mark(vtkOpenGLRenderWindow* window, const MaskGroup& group, const MaskTarget& masks,
+    const RenderTarget& target, const MaskRepair& repair);
+  bool Repair(vtkOpenGLRenderWindow* window, const MaskTarget& masks, const Image2D& backdrop,
+    const RenderTarget& target, const MaskRepair& repair);
 
   Image2D LayerColors; // RGBA16F: composited, premultiplied; transmittance
   Image2D LayerSums;   // RG32F: sum of depths, number of layers

@@ -91,7 +91,11 @@ std::string MaskTarget::Allocate(const PixelRegion& region, const MaskGroup& gro
   }
   if (problem.empty())
   {
-    problem = this->LastValues.Allocate(StencilFormat, this->Width, this->Height, 0);
+    problem = this->StencilCopy.Allocate(StencilFormat, this->Width, this->Height, 0);
+  }
+  if (problem.empty())
+  {
+    problem = this->CountImage.Allocate(GL_R8, this->Width, this->Height, 0);
   }
   if (problem.empty() && (!fits || this->StartValues.Handle() == 0))
   {
@@ -104,7 +108,7 @@ std::string MaskTarget::Allocate(const PixelRegion& region, const MaskGroup& gro
 void MaskTarget::Attach(vtkOpenGLState* state)
 {
   AttachStencilAlone(state, this->StartSource, this->StartValues);
-  AttachStencilAlone(state, this->CountTarget, this->LastValues);
+  AttachStencilAlone(state, this->CountTarget, this->StencilCopy);
   AttachStencil(state, this->FillTarget, this->StencilImage);
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->ColorImage.Handle(), 0);
@@ -119,6 +123,7 @@ std::string MaskTarget::WriteStartValues()
   const int width = this->Width * this->Group.Width;
   const int height = std::min(this->Height, StripGroups) * this->Group.Height;
   this->StartValues.Release();
+  this->StartCopy.clear();
   std::string problem = this->StartValues.Allocate(StencilFormat, width, height, 0);
   if (!problem.empty())
   {
@@ -152,6 +157,11 @@ void MaskTarget::BeginFill(vtkOpenGLState* state, const RenderTarget& target)
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglStencilMask(0xff);
   this->ResetStencil(state);
+  if (this->StartCopy.empty())
+  {
+    // Of even groups the middle lies between pixels: which one a copy takes is the driver's choice, always the same.
+    this->StartCopy = this->ReadStencil(state);
+  }
   BindForFullScreenDraw(state, this->FillTarget.Handle(), this->Width, this->Height);
   const GLfloat empty[4] = { NoDepth, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 1, empty);
@@ -180,7 +190,7 @@ void MaskTarget::ResetStencil(vtkOpenGLState* state)
   }
 }
 
-MaskCounts MaskTarget::Count(vtkOpenGLState* state)
+std::vector<std::uint8_t> MaskTarget::ReadStencil(vtkOpenGLState* state)
 {
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->FillTarget.Handle());
@@ -194,13 +204,25 @@ MaskCounts MaskTarget::Count(vtkOpenGLState* state)
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->CountTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
-  return CountMasked(this->Group, values);
+  return values;
+}
+
+MaskCounts MaskTarget::Count(vtkOpenGLState* state)
+{
+  std::vector<std::uint8_t> values = this->ReadStencil(state);
+  const MaskCounts counts = CountMasked(this->Group, this->StartCopy, values);
+  const ScopedPixelTransfer pixelTransfer;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->CountImage.Handle());
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RED, GL_UNSIGNED_BYTE, values.data());
+  return counts;
 }
 
 std::int64_t MaskTarget::Bytes() const
 {
   return this->ColorImage.Bytes() + this->DepthImage.Bytes() + this->StencilImage.Bytes() +
-    this->StartValues.Bytes() + this->LastValues.Bytes();
+    this->StartValues.Bytes() + this->StencilCopy.Bytes() + this->CountImage.Bytes();
 }
 
 void MaskTarget::Release()
@@ -209,7 +231,8 @@ void MaskTarget::Release()
   this->DepthImage.Release();
   this->StencilImage.Release();
   this->StartValues.Release();
-  this->LastValues.Release();
+  this->StencilCopy.Release();
+  this->CountImage.Release();
   this->FillTarget.Release();
   this->StartSource.Release();
   this->CountTarget.Release();

@@ -36,11 +36,17 @@ public:
    */
   void BeginFill(vtkOpenGLState* state, const RenderTarget& target);
 
-  /** What the stencil of the last layers tells; waits for the device. Changes the framebuffer bindings. */
+  /**
+   * What the stencil tells, in sum and, in Counts(), of each pixel; waits for the device. Changes the
+   * framebuffer bindings.
+   */
   MaskCounts Count(vtkOpenGLState* state);
 
   const Image2D& Colors() const { return this->ColorImage; }
   const Image2D& Depths() const { return this->DepthImage; }
+
+  /** R8: fragments / 255 of each pixel of the region, close to its centre. */
+  const Image2D& Counts() const { return this->CountImage; }
   std::int64_t Bytes() const;
   void Release();
 
@@ -49,6 +55,7 @@ private:
   void Attach(vtkOpenGLState* state);
   std::string WriteStartValues();
   void ResetStencil(vtkOpenGLState* state);
+  std::vector<std::uint8_t> ReadStencil(vtkOpenGLState* state);
 
   MaskGroup Group;
   int Width = 0; // of the region
@@ -57,7 +64,9 @@ private:
   Image2D DepthImage;   // R32F or R16F, in view space
   Image2D StencilImage; // with a depth that is not used: a stencil alone need not be supported
   Image2D StartValues;  // a strip of what the stencil begins with
-  Image2D LastValues;   // the stencil of the last layer of each pixel
+  Image2D StencilCopy;  // the stencil of a place near the middle of each group
+  std::vector<std::uint8_t> StartCopy; // what stands there at first
+  Image2D CountImage; // fragments, which shaders of OpenGL 3.2 cannot read from a stencil
   Framebuffer FillTarget;
   Framebuffer StartSource;
   Framebuffer CountTarget;

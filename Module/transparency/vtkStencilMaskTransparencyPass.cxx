@@ -146,10 +146,8 @@ std::string vtkStencilMaskTransparencyPass::RenderFragments(
   {
     problem = vitrine::ProgramFailure;
   }
-  if (problem.empty())
-  {
-    this->FinishFrame();
-  }
+  this->Bytes =
+    in.Masks.Bytes() + in.Resolver.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
   return problem;
 }
 
@@ -198,15 +196,13 @@ std::string vtkStencilMaskTransparencyPass::Fill(
   const vitrine::ScopedStencil stencil(state);
   this->Private->Masks.BeginFill(state, target);
   const std::string problem = this->DrawTranslucentGeometry(s, target.Region);
-  state->vtkglDisable(GL_STENCIL_TEST);
+  this->TakeCounts(this->Private->Masks.Count(state));
   return problem;
 }
 
 //------------------------------------------------------------------------------
-void vtkStencilMaskTransparencyPass::FinishFrame()
+void vtkStencilMaskTransparencyPass::TakeCounts(const vitrine::MaskCounts& counts)
 {
-  Internals& in = *this->Private;
-  const vitrine::MaskCounts counts = in.Masks.Count(this->GetWindow()->GetState());
   this->FragmentCount = counts.Fragments;
   this->LostFragmentCount = counts.Lost;
   this->SaturatedPixelCount = counts.Saturated;
@@ -214,8 +210,6 @@ void vtkStencilMaskTransparencyPass::FinishFrame()
   this->LayersMean = counts.Covered > 0
     ? static_cast<double>(counts.Fragments) / static_cast<double>(counts.Covered)
     : 0.0;
-  this->Bytes =
-    in.Masks.Bytes() + in.Resolver.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,11 @@
 
 #include "vtkTransparencyPass.h"
 
+namespace vitrine
+{
+struct MaskCounts;
+}
+
 class VTKVITRINERENDERING_EXPORT vtkStencilMaskTransparencyPass : public vtkTransparencyPass
 {
 public:
@@ -113,7 +118,7 @@ private:
 
   std::string PrepareFrame(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target);
-  void FinishFrame();
+  void TakeCounts(const vitrine::MaskCounts& counts);
 
   struct Internals;
   std::unique_ptr<Internals> Private;

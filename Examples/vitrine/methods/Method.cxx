@@ -40,11 +40,17 @@ const std::vector<Entry>& Entries()
     { "linked-list", "A-buffer of linked lists; exact", true, MakeLinkedList },
     { "linked-list-8bit", "the same with 8-bit colours; rounds alpha", false,
       MakeLinkedListEightBit },
-    { "stencil-mask-4", "the first 4 layers by stencil masks, inexact at edges; OpenGL 3.2", false,
+    { "stencil-mask-4", "the first 4 layers by stencil masks; inexact at edges; OpenGL 3.2", false,
       [] { return MakeStencilMask(4); } },
     { "stencil-mask-8", "the first 8 layers", false, [] { return MakeStencilMask(8); } },
     { "stencil-mask-9", "the first 9 layers", false, [] { return MakeStencilMask(9); } },
     { "stencil-mask-16", "the first 16 layers", false, [] { return MakeStencilMask(16); } },
+    { "stencil-mask-8-unfiltered", "without the repair of edges", false,
+      [] { return MakeUnfilteredStencilMask(8); } },
+    { "stencil-mask-16-unfiltered", "the same with 16 layers", false,
+      [] { return MakeUnfilteredStencilMask(16); } },
+    { "stencil-mask-8-marks", "where edges are repaired, in place of the picture", false,
+      [] { return MakeStencilMaskMarks(8); } },
     { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
   };
   return entries;

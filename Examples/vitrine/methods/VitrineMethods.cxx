@@ -10,6 +10,16 @@
 namespace program
 {
 
+namespace
+{
+vtkSmartPointer<vtkStencilMaskTransparencyPass> MakeStencilMaskPass(int layers)
+{
+  auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
+  pass->SetNumberOfLayers(layers);
+  return pass;
+}
+}
+
 VitrineMethod::VitrineMethod(vtkSmartPointer<vtkTransparencyPass> pass)
   : Pass(pass)
 {
@@ -54,8 +64,20 @@ std::unique_ptr<Method> MakeLinkedListEightBit()
 
 std::unique_ptr<Method> MakeStencilMask(int layers)
 {
-  auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
-  pass->SetNumberOfLayers(layers);
+  return std::make_unique<VitrineMethod>(MakeStencilMaskPass(layers));
+}
+
+std::unique_ptr<Method> MakeUnfilteredStencilMask(int layers)
+{
+  const auto pass = MakeStencilMaskPass(layers);
+  pass->FilterOff();
+  return std::make_unique<VitrineMethod>(pass);
+}
+
+std::unique_ptr<Method> MakeStencilMaskMarks(int layers)
+{
+  const auto pass = MakeStencilMaskPass(layers);
+  pass->ShowMarksOn();
   return std::make_unique<VitrineMethod>(pass);
 }
 

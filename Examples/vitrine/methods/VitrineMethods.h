@@ -32,6 +32,8 @@ std::unique_ptr<Method> MakeLinkedListEightBit();
 
 /** vtkStencilMaskTransparencyPass. */
 std::unique_ptr<Method> MakeStencilMask(int layers);
+std::unique_ptr<Method> MakeUnfilteredStencilMask(int layers);
+std::unique_ptr<Method> MakeStencilMaskMarks(int layers);
 
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
