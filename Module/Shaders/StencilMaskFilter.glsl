@@ -1,5 +1,5 @@
-// Stencil masks, repairing: marked pixels take the mean of the 12 nearest neighbours, weighted by distance and by how
-// good they are themselves. Those with the least error count fully. The backdrop is each pixel's own.
+// Stencil masks, repairing: marked pixels take the mean of themselves and the 12 nearest neighbours, weighted by
+// distance and by how good those are. Neighbours with the least error count fully. The backdrop is each pixel's own.
 //
 // S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
 //
@@ -39,8 +39,8 @@ vec4 repaired(ivec2 pixel)
       least = isNeighbour(pixel, offset) ? min(least, error) : least;
     }
   }
-  vec4 sum = vec4(0.0);
-  float weights = 0.0;
+  vec4 sum = texelFetch(layerColors, pixel, 0);
+  float weights = 1.0;
   for (int y = -2; y <= 2; ++y)
   {
     for (int x = -2; x <= 2; ++x)
@@ -54,7 +54,8 @@ vec4 repaired(ivec2 pixel)
       weights += weight;
     }
   }
-  return weights > 0.0 ? sum / weights : texelFetch(layerColors, pixel, 0);
+  // Where no neighbour is any better, nothing is won.
+  return least < VITRINE_MARKED ? sum / weights : texelFetch(layerColors, pixel, 0);
 }
 
 void main()

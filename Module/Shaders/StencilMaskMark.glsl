@@ -4,7 +4,8 @@
 // of their number, since closed bodies have an even one, and in colour; each that they are not has an error value. A
 // test counts as failed where it fails with most neighbours: with some it fails along every edge.
 //
-// One test more needs no neighbours: the group holds as many layers as the stencil counted at the pixel's centre.
+// One test more needs no neighbours: the group holds as many layers as the stencil counted at the pixel's centre. Where
+// that are more than the group can hold, what lacks is not the edges' fault.
 #include "StencilMasks.glsl"
 
 uniform sampler2D layerColors; // composited, premultiplied; transmittance
@@ -43,6 +44,8 @@ void main()
   }
   vec3 failed = step(vec3(VITRINE_MARK_NEIGHBOURS), failures);
   float error = dot(failed, vec3(0.25, 0.75, 0.5));
-  bool complete = sums.y == min(countOf(pixel), float(VITRINE_GROUP.x * VITRINE_GROUP.y));
-  gl_FragData[0] = vec4((complete ? error : VITRINE_MOST_ERROR) * 4.0 / 255.0);
+  float layers = float(VITRINE_GROUP.x * VITRINE_GROUP.y);
+  float count = countOf(pixel);
+  error = sums.y == min(count, layers) ? error : VITRINE_MOST_ERROR;
+  gl_FragData[0] = vec4(count > layers ? 0.0 : error * 4.0 / 255.0);
 }

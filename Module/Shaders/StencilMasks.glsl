@@ -13,4 +13,4 @@
 #define VITRINE_MOST_ERROR 1.5
 
 // The weight of neighbours that are worse than the best.
-#define VITRINE_WORSE_NEIGHBOUR 0.1
+#define VITRINE_WORSE_NEIGHBOUR 0.3
