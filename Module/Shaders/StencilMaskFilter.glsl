@@ -21,9 +21,9 @@ float errorOf(ivec2 pixel)
 // One of the 12 nearest, with as many fragments at its centre: what lies across an edge is another picture.
 bool isNeighbour(ivec2 pixel, ivec2 offset)
 {
-  int distance = abs(offset.x) + abs(offset.y);
+  int steps = abs(offset.x) + abs(offset.y);
   ivec2 neighbour = clamp(pixel + offset, ivec2(0), lastPixel);
-  return (distance == 1 || distance == 2) &&
+  return (steps == 1 || steps == 2) &&
     texelFetch(pixelCounts, neighbour, 0).r == texelFetch(pixelCounts, pixel, 0).r;
 }
 

@@ -2,6 +2,7 @@
 
 #include "vtkImageData.h"
 #include "vtkLinkedListTransparencyPass.h"
+#include "vtkStencilMaskTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 #include <gtest/gtest.h>
@@ -34,11 +35,34 @@ const std::vector<Method>& ExactMethods()
   return methods;
 }
 
+const std::vector<Method>& MaskMethods()
+{
+  // Colours are kept in 8 bits, as LinkedListEightBit does.
+  static const std::vector<Method> methods = []
+  {
+    std::vector<Method> masks;
+    for (const int layers : { 9, 16 })
+    {
+      masks.push_back({ "StencilMask" + std::to_string(layers),
+        [layers]
+        {
+          auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
+          pass->SetNumberOfLayers(layers);
+          return pass;
+        },
+        1.4, layers, false, "take one sample" });
+    }
+    return masks;
+  }();
+  return methods;
+}
+
 const std::vector<Method>& AllMethods()
 {
   static const std::vector<Method> methods = []
   {
     std::vector<Method> all = ExactMethods();
+    all.insert(all.end(), MaskMethods().begin(), MaskMethods().end());
     all.push_back(
       { "Truth", [] { return vtkSmartPointer<vtkTruthTransparencyPass>::New(); }, 0.51 });
     return all;

@@ -22,6 +22,18 @@ struct Method
 
   /** The largest distance from the truth, in steps of 1/255, that storage and rounding explain in small scenes. */
   double Tolerance;
+
+  /** The most layers of a pixel that it keeps; 0 for any number. */
+  int MaxLayers = 0;
+
+  /** Whether pixels at the edges of polygons are as right as others, and counted as truth counts them. */
+  bool ExactAtEdges = true;
+
+  /** Why it refuses multisampled targets, in part of a sentence; empty if it takes them. */
+  std::string RefusesSamples = "";
+
+  /** Whether it keeps so many layers. */
+  bool Keeps(int layers) const { return this->MaxLayers == 0 || layers <= this->MaxLayers; }
 };
 
 std::ostream& operator<<(std::ostream& os, const Method& method);
@@ -29,7 +41,10 @@ std::ostream& operator<<(std::ostream& os, const Method& method);
 /** Methods whose only error is rounding: in each setting of theirs. */
 const std::vector<Method>& ExactMethods();
 
-/** ExactMethods() and truth. */
+/** Methods that keep the first layers of each pixel, and are inexact at the edges of polygons. */
+const std::vector<Method>& MaskMethods();
+
+/** ExactMethods(), MaskMethods() and truth. */
 const std::vector<Method>& AllMethods();
 
 /** For INSTANTIATE_TEST_SUITE_P over methods. */
