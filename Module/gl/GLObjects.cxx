@@ -1,5 +1,6 @@
 #include "gl/GLObjects.h"
 
+#include "gl/ScopedState.h"
 #include "vtkObject.h"
 
 #include <algorithm>
@@ -154,6 +155,7 @@ void Image2D::AllocateTexture()
   }
   else
   {
+    const ScopedPixelTransfer pixelTransfer; // a bound buffer would be read
     const TransferFormat none = AnyTransferFormat(this->InternalFormat);
     glTexImage2D(this->Target(), 0, static_cast<GLint>(this->InternalFormat), this->Width,
       this->Height, 0, none.Format, none.Type, nullptr);

@@ -50,7 +50,7 @@ const std::vector<Method>& MaskMethods()
           pass->SetNumberOfLayers(layers);
           return pass;
         },
-        1.4, layers, false, "take one sample" });
+        1.4, layers, 0.2, "take one sample", "3.2" });
     }
     return masks;
   }();

@@ -26,11 +26,20 @@ struct Method
   /** The most layers of a pixel that it keeps; 0 for any number. */
   int MaxLayers = 0;
 
-  /** Whether pixels at the edges of polygons are as right as others, and counted as truth counts them. */
-  bool ExactAtEdges = true;
+  /** The share of a small scene's pixels that may be wrong, since they lie at the edges of polygons. */
+  double EdgeShare = 0.0;
 
   /** Why it refuses multisampled targets, in part of a sentence; empty if it takes them. */
   std::string RefusesSamples = "";
+
+  /** What of OpenGL it asks for. */
+  std::string NeedsOpenGL = "4.3";
+
+  /** The samples of targets to draw into: none and, where it takes them, 4. */
+  std::vector<int> Samples() const
+  {
+    return this->RefusesSamples.empty() ? std::vector<int>{ 0, 4 } : std::vector<int>{ 0 };
+  }
 
   /** Whether it keeps so many layers. */
   bool Keeps(int layers) const { return this->MaxLayers == 0 || layers <= this->MaxLayers; }

@@ -50,7 +50,7 @@ TEST_P(StencilMask, KeepsUpToItsNumberOfLayers)
     const std::vector<Rgba> plates = RandomPlates(layers, 0.4, 3);
     scene.AddPlates(plates, 4);
     scene.Use(this->Pass);
-    ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.6);
+    ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.75);
     EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
     EXPECT_EQ(this->Pass->GetLayersMax(), layers);
     EXPECT_EQ(this->Pass->GetFragmentCount(), layers * Width * Height);
@@ -86,7 +86,7 @@ TEST_P(StencilMask, LetsNoFragmentPassTwice)
   {
     SCOPED_TRACE(layers);
     TestScene scene(Width, Height);
-    const Rgba plate = { 0.2, 0.8, 0.4, 0.1 };
+    const Rgba plate = RoundedTo8Bits({ 0.2, 0.8, 0.4, 0.1 });
     scene.AddPlates(std::vector<Rgba>(layers, plate), 5);
     scene.Use(this->Pass);
     const std::vector<Rgba> first(GetParam(), plate);
@@ -215,7 +215,7 @@ TEST(StencilMaskFilter, MarksTheOutline)
       }
     }
   }
-  EXPECT_GT(marked, 20);
+  EXPECT_GE(marked, 20);
 }
 
 TEST(StencilMaskDepths, OfHalfFloatsOrderWhatIsFarEnoughApart)
