@@ -10,16 +10,6 @@
 namespace program
 {
 
-namespace
-{
-vtkSmartPointer<vtkStencilMaskTransparencyPass> MakeStencilMaskPass(int layers)
-{
-  auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
-  pass->SetNumberOfLayers(layers);
-  return pass;
-}
-}
-
 VitrineMethod::VitrineMethod(vtkSmartPointer<vtkTransparencyPass> pass)
   : Pass(pass)
 {
@@ -62,22 +52,12 @@ std::unique_ptr<Method> MakeLinkedListEightBit()
   return std::make_unique<VitrineMethod>(pass);
 }
 
-std::unique_ptr<Method> MakeStencilMask(int layers)
+std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges)
 {
-  return std::make_unique<VitrineMethod>(MakeStencilMaskPass(layers));
-}
-
-std::unique_ptr<Method> MakeUnfilteredStencilMask(int layers)
-{
-  const auto pass = MakeStencilMaskPass(layers);
-  pass->FilterOff();
-  return std::make_unique<VitrineMethod>(pass);
-}
-
-std::unique_ptr<Method> MakeStencilMaskMarks(int layers)
-{
-  const auto pass = MakeStencilMaskPass(layers);
-  pass->ShowMarksOn();
+  auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
+  pass->SetNumberOfLayers(layers);
+  pass->SetFilter(edges == MaskEdges::Repaired);
+  pass->SetShowMarks(edges == MaskEdges::Marks);
   return std::make_unique<VitrineMethod>(pass);
 }
 

@@ -30,10 +30,16 @@ private:
 std::unique_ptr<Method> MakeLinkedList();
 std::unique_ptr<Method> MakeLinkedListEightBit();
 
-/** vtkStencilMaskTransparencyPass. */
-std::unique_ptr<Method> MakeStencilMask(int layers);
-std::unique_ptr<Method> MakeUnfilteredStencilMask(int layers);
-std::unique_ptr<Method> MakeStencilMaskMarks(int layers);
+/** What stencil masks do about the edges of polygons: repair them, leave them, or show the marks alone. */
+enum class MaskEdges
+{
+  Repaired,
+  AsTheyAre,
+  Marks
+};
+
+/** vtkStencilMaskTransparencyPass with 4, 8, 9 or 16 layers. */
+std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges = MaskEdges::Repaired);
 
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
