@@ -1,11 +1,10 @@
 #include "Core/ShaderTuning.h"
 
-#include <algorithm>
-#include <cctype>
+#include "Core/ShaderDeclarations.h"
+
 #include <optional>
 #include <set>
 #include <sstream>
-#include <vector>
 
 namespace vitrine
 {
@@ -16,18 +15,6 @@ namespace
 // is, have 32 vectors, and VTK's own varyings take up to 8 of them.
 constexpr int MaximumMoved = 24;
 
-struct Uniform
-{
-  std::string Type;
-  std::string Name;
-  bool Movable;
-};
-
-bool IsWordCharacter(char c)
-{
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
 bool IsScalarOrVector(const std::string& type)
 {
   static const std::set<std::string> types = { "float", "int", "uint", "vec2", "vec3", "vec4",
@@ -35,50 +22,11 @@ bool IsScalarOrVector(const std::string& type)
   return types.count(type) > 0;
 }
 
-// A line with uniforms cut behind each semicolon, since VTK declares several in one. Comments stay in one piece.
-std::vector<std::string> SplitStatements(const std::string& line)
-{
-  if (line.find("uniform") == std::string::npos)
-  {
-    return { line };
-  }
-  std::vector<std::string> statements;
-  const std::size_t comment = line.find("//");
-  std::size_t begin = 0;
-  for (std::size_t end = line.find(';'); end < comment && end != std::string::npos;
-       end = line.find(';', begin))
-  {
-    statements.push_back(line.substr(begin, end + 1 - begin));
-    begin = end + 1;
-  }
-  statements.push_back(line.substr(begin));
-  return statements;
-}
+const std::string Keyword = "uniform";
 
-// The uniform that a statement declares. Every mapper's shaders come through here, so no regular expressions.
-std::optional<Uniform> ParseUniform(const std::string& statement)
+bool IsMovable(const ShaderDeclaration& uniform)
 {
-  static const std::string keyword = "uniform";
-  const std::size_t start = statement.find_first_not_of(" \t");
-  if (start == std::string::npos || statement.back() != ';' ||
-    statement.compare(start, keyword.size(), keyword) != 0)
-  {
-    return std::nullopt;
-  }
-  std::istringstream words(statement.substr(start, statement.size() - 1 - start));
-  std::string first;
-  std::string declarator;
-  Uniform uniform;
-  words >> first >> uniform.Type >> declarator;
-  if (first != keyword)
-  {
-    return std::nullopt;
-  }
-  const auto nameEnd = std::find_if_not(declarator.begin(), declarator.end(), IsWordCharacter);
-  uniform.Name.assign(declarator.begin(), nameEnd);
-  const bool alone = nameEnd == declarator.end() && (words >> std::ws).eof();
-  uniform.Movable = alone && !uniform.Name.empty() && IsScalarOrVector(uniform.Type);
-  return uniform;
+  return uniform.Alone && IsScalarOrVector(uniform.Type);
 }
 
 std::set<std::string> DeclaredUniforms(const std::string& shader)
@@ -87,9 +35,9 @@ std::set<std::string> DeclaredUniforms(const std::string& shader)
   std::istringstream lines(shader);
   for (std::string line; std::getline(lines, line);)
   {
-    for (const std::string& statement : SplitStatements(line))
+    for (const std::string& statement : SplitStatements(line, Keyword))
     {
-      if (const std::optional<Uniform> uniform = ParseUniform(statement))
+      if (const std::optional<ShaderDeclaration> uniform = ParseDeclaration(statement, Keyword))
       {
         names.insert(uniform->Name);
       }
@@ -132,10 +80,10 @@ int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentS
   int moved = 0;
   for (std::string line; std::getline(lines, line);)
   {
-    for (const std::string& statement : SplitStatements(line))
+    for (const std::string& statement : SplitStatements(line, Keyword))
     {
-      const std::optional<Uniform> uniform = ParseUniform(statement);
-      if (moved == MaximumMoved || !uniform || !uniform->Movable)
+      const std::optional<ShaderDeclaration> uniform = ParseDeclaration(statement, Keyword);
+      if (moved == MaximumMoved || !uniform || !IsMovable(*uniform))
       {
         fragment += statement;
         continue;

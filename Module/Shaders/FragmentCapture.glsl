@@ -7,12 +7,22 @@
 // VITRINE_FIXED_POINT_TARGET   the target clamps colours to [0, 1] before it blends
 // VITRINE_OPAQUE_DEPTH_STEPS s steps of a depth buffer of at most 24 bits, else 0.0
 // VITRINE_OPAQUE_DEPTH_LOSS l  what a depth buffer may lose when it is sampled, where steps are 0.0
+//
+// A method that rasterises into a target of its own, where hidden fragments must not reach the tests, defines before:
+// VITRINE_LATE_TESTS           the opaque depth is compared here alone
+// VITRINE_PIXEL p              the pixel of the opaque depth
+// VITRINE_RASTER_DEPTH z       the depth that the rasteriser has there
 
-#if defined(VITRINE_WRITES_DEPTH) || (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE))
+#if defined(VITRINE_WRITES_DEPTH) || defined(VITRINE_LATE_TESTS) || \
+  (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE))
 #define VITRINE_TESTS_DEPTH
 #endif
+#ifndef VITRINE_LATE_TESTS
+#define VITRINE_PIXEL ivec2(gl_FragCoord.xy)
+#define VITRINE_RASTER_DEPTH gl_FragCoord.z
+#endif
 
-#ifndef VITRINE_WRITES_DEPTH
+#if !defined(VITRINE_WRITES_DEPTH) && !defined(VITRINE_LATE_TESTS)
 layout(early_fragment_tests) in;
 #if VITRINE_SAMPLES > 0 && defined(VITRINE_POST_DEPTH_COVERAGE)
 layout(post_depth_coverage) in;
@@ -29,7 +39,7 @@ uniform sampler2D vitrineOpaqueDepth;
 // True if opaque geometry hides the depth `z` in sample `s`, as GL_LEQUAL decides in the depth buffer's own steps.
 bool vitrineHidden(float z, int s)
 {
-  float opaque = texelFetch(vitrineOpaqueDepth, ivec2(gl_FragCoord.xy), s).r;
+  float opaque = texelFetch(vitrineOpaqueDepth, VITRINE_PIXEL, s).r;
   if (VITRINE_OPAQUE_DEPTH_STEPS > 0.0)
   {
     return roundEven(z * VITRINE_OPAQUE_DEPTH_STEPS) > roundEven(opaque * VITRINE_OPAQUE_DEPTH_STEPS);
@@ -99,6 +109,6 @@ float vitrineTakeDepth()
 #else
 float vitrineTakeDepth()
 {
-  return vitrineDepth(gl_FragCoord.z);
+  return vitrineDepth(VITRINE_RASTER_DEPTH);
 }
 #endif

@@ -1,8 +1,16 @@
 // Fragments in named registers, and what a sort does with them. A register without a fragment sorts last and
 // blends as nothing.
+//
+// VITRINE_FLOAT_KEYS: keys are the depths themselves, where GLSL has no bits of a float; else their bits.
 #include "PackedColor.glsl"
 
+#ifdef VITRINE_FLOAT_KEYS
+#define KEY float
+#define NO_KEY VITRINE_NO_DEPTH
+#else
+#define KEY uint
 #define NO_KEY 0xffffffffu
+#endif
 
 // VITRINE_KEEP_COVERAGE: registers carry the node's coverage too, where the target is multisampled.
 #if defined(VITRINE_KEEP_COVERAGE) && VITRINE_SAMPLES > 0
@@ -24,7 +32,7 @@
 
 struct Fragment
 {
-  uint key;        // bits of the window depth
+  KEY key;         // the window depth
   uint redGreen;   // as PackedColor.glsl packs
   uint blueAlpha;
   COVERAGE_MEMBER
@@ -76,11 +84,12 @@ bool sameFragment(Fragment a, Fragment b)
 
 struct Fragment
 {
-  uint key;   // bits of the window depth
+  KEY key;    // the depth
   uint color; // as PackedColor.glsl packs
   COVERAGE_MEMBER
 };
 
+#ifndef VITRINE_FLOAT_KEYS
 uint nodeCoverage(uvec4 node)
 {
   return node.z;
@@ -93,6 +102,7 @@ Fragment unpackNode(bool valid, uvec4 node)
   SET_COVERAGE(f, node)
   return f;
 }
+#endif
 vec4 fragmentColor(Fragment f)
 {
   return vitrineUnpackColor(f.color);
@@ -128,7 +138,7 @@ bool sameFragment(Fragment a, Fragment b)
 // Exchange a and b where s holds, given that s holds wherever b is the nearer.
 #define EXCHANGE(a, b, s) \
   { \
-    uint near = min(a.key, b.key); b.key = max(a.key, b.key); a.key = near; \
+    KEY near = min(a.key, b.key); b.key = max(a.key, b.key); a.key = near; \
     EXCHANGE_COLOR(a, b, s) \
   }
 

@@ -13,7 +13,7 @@ uniform sampler2D backdrop;
 #define FRAGMENT_IN_SAMPLE(f) true
 #endif
 
-layout(location = 0) out vec4 outColor; // premultiplied
+out vec4 outColor; // premultiplied
 
 void writeOver(ivec2 pixel, vec3 color, float transmittance)
 {

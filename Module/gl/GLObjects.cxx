@@ -1,5 +1,6 @@
 #include "gl/GLObjects.h"
 
+#include "gl/ScopedState.h"
 #include "vtkObject.h"
 
 #include <algorithm>
@@ -22,6 +23,34 @@ std::int64_t BitsPerTexel(GLenum target)
     bits += value;
   }
   return bits;
+}
+
+struct TransferFormat
+{
+  GLenum Format;
+  GLenum Type;
+};
+
+// With which glTexImage2D() takes no pixels for an image of this format: glTexStorage2D() is above OpenGL 3.2.
+TransferFormat AnyTransferFormat(GLenum internalFormat)
+{
+  switch (internalFormat)
+  {
+    case GL_DEPTH_COMPONENT16:
+    case GL_DEPTH_COMPONENT24:
+    case GL_DEPTH_COMPONENT32:
+    case GL_DEPTH_COMPONENT32F:
+      return { GL_DEPTH_COMPONENT, GL_FLOAT };
+    case GL_DEPTH24_STENCIL8:
+      return { GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
+    case GL_DEPTH32F_STENCIL8:
+      return { GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV };
+    case GL_R32UI:
+    case GL_RG32UI:
+      return { GL_RED_INTEGER, GL_UNSIGNED_INT };
+    default:
+      return { GL_RGBA, GL_FLOAT };
+  }
 }
 
 GLint BoundTexture(GLenum target)
@@ -121,12 +150,16 @@ void Image2D::AllocateTexture()
   glBindTexture(this->Target(), this->Texture);
   if (this->Samples > 0)
   {
-    glTexStorage2DMultisample(
+    glTexImage2DMultisample(
       this->Target(), this->Samples, this->InternalFormat, this->Width, this->Height, GL_TRUE);
   }
   else
   {
-    glTexStorage2D(this->Target(), 1, this->InternalFormat, this->Width, this->Height);
+    const ScopedPixelTransfer pixelTransfer; // a bound buffer would be read
+    const TransferFormat none = AnyTransferFormat(this->InternalFormat);
+    glTexImage2D(this->Target(), 0, static_cast<GLint>(this->InternalFormat), this->Width,
+      this->Height, 0, none.Format, none.Type, nullptr);
+    glTexParameteri(this->Target(), GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(this->Target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(this->Target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }

@@ -34,7 +34,7 @@ vtkShaderProgram* ProgramCache::Ready(vtkOpenGLRenderWindow* window, const std::
   {
     return program ? cache->ReadyShaderProgram(program) : nullptr;
   }
-  const std::string version = "#version 430 core\n";
+  const std::string version = this->Version;
   program = cache->ReadyShaderProgram(
     (version + vertex).c_str(), (version + defineLines + fragment()).c_str(), "");
   this->Failed = this->Failed || !program;

@@ -20,12 +20,21 @@ namespace vitrine
 /** The reason that a pass gives where a program of its own does not compile. */
 inline constexpr const char* ProgramFailure = "the driver cannot compile a shader of the method";
 
+/** The first line of a program's shaders. VTK's first tag stands for the version that mappers' shaders have, 1.50. */
+inline constexpr const char* GLSL430 = "#version 430 core\n";
+inline constexpr const char* GLSL150 = "//VTK::System::Dec\n";
+
 class ProgramCache
 {
 public:
+  explicit ProgramCache(const char* version = GLSL430)
+    : Version(version)
+  {
+  }
+
   /**
    * Bind the program of this name and these defines; `fragment` makes its fragment shader, without #version
-   * and defines, when it is wanted for the first time. GLSL 4.30 core. Returns null where the driver cannot
+   * and defines, when it is wanted for the first time. Returns null where the driver cannot
    * compile it, which is tried once; VTK has said why then.
    */
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& name,
@@ -45,6 +54,7 @@ public:
   }
 
 private:
+  const char* Version;
   bool Failed = false;
   std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs;
 };

@@ -69,6 +69,40 @@ ScopedTrackedState::~ScopedTrackedState()
   this->State->PopFramebufferBindings();
 }
 
+ScopedStencil::ScopedStencil(vtkOpenGLState* state)
+  : State(state)
+{
+  glGetIntegerv(GL_STENCIL_FUNC, &this->Front.Function);
+  glGetIntegerv(GL_STENCIL_REF, &this->Front.Reference);
+  glGetIntegerv(GL_STENCIL_VALUE_MASK, &this->Front.ValueMask);
+  glGetIntegerv(GL_STENCIL_WRITEMASK, &this->Front.WriteMask);
+  glGetIntegerv(GL_STENCIL_FAIL, &this->Front.Fail);
+  glGetIntegerv(GL_STENCIL_PASS_DEPTH_FAIL, &this->Front.DepthFail);
+  glGetIntegerv(GL_STENCIL_PASS_DEPTH_PASS, &this->Front.Pass);
+  glGetIntegerv(GL_STENCIL_BACK_FUNC, &this->Back.Function);
+  glGetIntegerv(GL_STENCIL_BACK_REF, &this->Back.Reference);
+  glGetIntegerv(GL_STENCIL_BACK_VALUE_MASK, &this->Back.ValueMask);
+  glGetIntegerv(GL_STENCIL_BACK_WRITEMASK, &this->Back.WriteMask);
+  glGetIntegerv(GL_STENCIL_BACK_FAIL, &this->Back.Fail);
+  glGetIntegerv(GL_STENCIL_BACK_PASS_DEPTH_FAIL, &this->Back.DepthFail);
+  glGetIntegerv(GL_STENCIL_BACK_PASS_DEPTH_PASS, &this->Back.Pass);
+}
+
+ScopedStencil::~ScopedStencil()
+{
+  this->PutBack(GL_FRONT, this->Front);
+  this->PutBack(GL_BACK, this->Back);
+}
+
+void ScopedStencil::PutBack(GLenum which, const Face& face)
+{
+  this->State->vtkglStencilFuncSeparate(
+    which, static_cast<GLenum>(face.Function), face.Reference, static_cast<GLuint>(face.ValueMask));
+  this->State->vtkglStencilMaskSeparate(which, static_cast<GLuint>(face.WriteMask));
+  this->State->vtkglStencilOpSeparate(which, static_cast<GLenum>(face.Fail),
+    static_cast<GLenum>(face.DepthFail), static_cast<GLenum>(face.Pass));
+}
+
 ScopedFirstDrawBuffer::ScopedFirstDrawBuffer()
 {
   GLint count = 0;

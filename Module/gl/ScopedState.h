@@ -45,6 +45,33 @@ private:
   vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
 };
 
+/** Function, operations and mask of the stencil test, of both faces. */
+class ScopedStencil
+{
+public:
+  explicit ScopedStencil(vtkOpenGLState* state);
+  ~ScopedStencil();
+  ScopedStencil(const ScopedStencil&) = delete;
+  void operator=(const ScopedStencil&) = delete;
+
+private:
+  struct Face
+  {
+    GLint Function = 0;
+    GLint Reference = 0;
+    GLint ValueMask = 0;
+    GLint WriteMask = 0;
+    GLint Fail = 0;
+    GLint DepthFail = 0;
+    GLint Pass = 0;
+  };
+  void PutBack(GLenum which, const Face& face);
+
+  vtkOpenGLState* State;
+  Face Front;
+  Face Back;
+};
+
 /**
  * The draw buffers of the bound framebuffer: what is drawn goes to the first alone, so that the others keep what they
  * have. The same framebuffer must be bound when the keeper goes.

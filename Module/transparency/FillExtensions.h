@@ -1,5 +1,5 @@
 /**
- * What the declarations that are joined to mappers' shaders need of the driver.
+ * What the declarations that are joined to mappers' shaders need of the driver, where fragments go to buffers.
  */
 #ifndef VITRINE_FILL_EXTENSIONS_H
 #define VITRINE_FILL_EXTENSIONS_H
@@ -10,8 +10,8 @@ namespace vitrine
 {
 
 /**
- * Extensions of GLSL 1.50, in which VTK writes mappers' shaders, that storing a fragment takes in every method
- * (Shaders/FragmentCapture.glsl and each *FillDec.glsl).
+ * Extensions of GLSL 1.50, in which VTK writes mappers' shaders, that storing a fragment in a buffer takes
+ * (Shaders/FragmentCapture.glsl, LinkedListFillDec.glsl, TruthFillDec.glsl).
  */
 inline const std::vector<const char*>& FillExtensions()
 {

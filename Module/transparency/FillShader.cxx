@@ -1,5 +1,6 @@
 #include "transparency/FillShader.h"
 
+#include "Core/ShaderInputs.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "transparency/ShaderText.h"
@@ -97,6 +98,10 @@ std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
   if (problem.empty())
   {
     problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Impl", "\n" + fill.Implementation);
+  }
+  if (problem.empty() && !fill.InputOffset.empty())
+  {
+    problem = MoveInputs(fragmentShader, fill.InputOffset, fill.InputDepth);
   }
   return problem;
 }

@@ -21,6 +21,8 @@ struct FillShader
   std::vector<std::string> Defines;    ///< "NAME value"
   std::string Declarations;            ///< at global scope
   std::string Implementation;          ///< at the end of main(); the colour is gl_FragData[0]
+  std::string InputOffset; ///< where inputs are seen, see Core/ShaderInputs; empty: where they are
+  std::string InputDepth;  ///< the variable that takes the depth there
 };
 
 /** True if the mapper's fragment shader computes a depth of its own. */

@@ -20,18 +20,28 @@ void Fill(std::string& source, const char* tag, const std::string& text)
   (void)problem;
 }
 
-}
-
-std::string NetworkSource(int size, int pageSize)
+// A resolve of lists of up to `size` nodes, by one network.
+std::string Resolve(std::string source, int size, int pageSize)
 {
   const ResolveText text = UnrollResolve(size, pageSize);
-  std::string source = shaders::ListResolve;
   Fill(source, "Declare", text.Declare);
   Fill(source, "Load", text.Load);
   Fill(source, "Sort", text.Sort);
   Fill(source, "OrderTies", text.OrderTies);
   Fill(source, "Blend", text.Blend);
   return source;
+}
+
+}
+
+std::string NetworkSource(int size, int pageSize)
+{
+  return Resolve(shaders::ListResolve, size, pageSize);
+}
+
+std::string StencilMaskSource(int layers)
+{
+  return Resolve(shaders::StencilMaskResolve, layers, layers);
 }
 
 std::string SortRunsSource(int size, int pageSize)

@@ -12,6 +12,9 @@ namespace vitrine
 /** ListResolve.glsl for lists of up to `size` nodes, by one network. */
 std::string NetworkSource(int size, int pageSize);
 
+/** StencilMaskResolve.glsl for groups of `layers` pixels. */
+std::string StencilMaskSource(int layers);
+
 /** ListSortRuns.glsl for runs of `size` nodes. */
 std::string SortRunsSource(int size, int pageSize);
 

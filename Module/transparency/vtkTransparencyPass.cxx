@@ -102,6 +102,8 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
   os << indent << "FragmentCount: " << this->FragmentCount << "\n";
+  os << indent << "LostFragmentCount: " << this->LostFragmentCount << "\n";
+  os << indent << "SaturatedPixelCount: " << this->SaturatedPixelCount << "\n";
   os << indent << "LayersMax: " << this->LayersMax << "\n";
   os << indent << "LayersMean: " << this->LayersMean << "\n";
   os << indent << "GeometryPasses: " << this->GeometryPasses << "\n";
@@ -125,6 +127,8 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
   this->FragmentCount = 0;
+  this->LostFragmentCount = 0;
+  this->SaturatedPixelCount = 0;
   this->LayersMax = 0;
   this->LayersMean = 0.0;
   this->GeometryPasses = 0;

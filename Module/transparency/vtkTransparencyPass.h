@@ -73,6 +73,16 @@ public:
   vtkGetMacro(LayersMean, double);
   ///@}
 
+  ///@{
+  /**
+   * Of the last frame's fragments, those that the method could not keep: 0 for methods that are exact for any number of
+   * layers. SaturatedPixelCount pixels had more fragments than the method can count; there both numbers are least
+   * ones.
+   */
+  vtkGetMacro(LostFragmentCount, vtkTypeInt64);
+  vtkGetMacro(SaturatedPixelCount, vtkTypeInt64);
+  ///@}
+
   /**
    * How often the last frame drew the translucent geometry.
    */
@@ -157,6 +167,8 @@ protected:
   vtkTypeInt64 GetSharedBytes();
 
   vtkTypeInt64 FragmentCount = 0;
+  vtkTypeInt64 LostFragmentCount = 0;
+  vtkTypeInt64 SaturatedPixelCount = 0;
   vtkTypeInt64 LayersMax = 0;
   double LayersMean = 0.0;
   int GeometryPasses = 0;

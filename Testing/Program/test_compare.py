@@ -12,6 +12,8 @@ ROW = [
     "height",
     "frame_ms",
     "fragments",
+    "lost",
+    "lost_is_least",
     "layers_max",
     "layers_mean",
     "geometry_passes",
@@ -53,6 +55,22 @@ class Compare(FileTest):
         self.assertTrue(0.0 <= row["error"]["wrong_pixels"] <= 1.0)
         self.assertLessEqual(row["error"]["psnr"], 99.0)
         self.assertIs(row["deterministic"], True)
+
+    def test_rows_say_what_was_lost(self):
+        told = compare(
+            "demo:stack,layers=20",
+            "--methods",
+            "stencil-mask-4,stencil-mask-16-unfiltered,linked-list,blend",
+            *("--frames", "1", "--size", "8x8"),
+        )
+        lost = [row["lost"] for row in told["results"]]
+        self.assertEqual(lost, [16 * 64, 4 * 64, 0, None])
+        self.assertFalse(any(row["lost_is_least"] for row in told["results"]))
+        deep = compare(
+            *("demo:stack,layers=300", "--methods", "stencil-mask-8", "--frames", "1"),
+            *("--size", "8x8"),
+        )
+        self.assertTrue(deep["results"][0]["lost_is_least"])
 
     def test_errors_tell_the_methods_apart(self):
         told = compare(

@@ -295,7 +295,7 @@ class OpenGLState
 
 TEST_P(OpenGLState, IsPutBack)
 {
-  for (const int samples : { 0, 4 })
+  for (const int samples : GetParam().Samples())
   {
     for (const bool stencil : { false, true })
     {

@@ -71,7 +71,7 @@ class Picking : public testing::TestWithParam<Method>
 
 TEST_P(Picking, FindsWhatItFindsWithoutThePass)
 {
-  for (const int samples : { 0, 4 })
+  for (const int samples : GetParam().Samples())
   {
     SCOPED_TRACE(std::to_string(samples) + " samples");
     TestScene scene(Width, Height, samples);

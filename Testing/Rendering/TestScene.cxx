@@ -63,18 +63,20 @@ Rgba UniformColor(const Picture& picture)
   return picture.At(0, 0);
 }
 
-int LargestDifference(const Picture& a, const Picture& b)
+int LargestDifference(const Picture& a, const Picture& b, double besides)
 {
   if (a.Bytes.size() != b.Bytes.size())
   {
     return 256;
   }
-  int largest = 0;
+  std::vector<int> differences(a.Bytes.size() / 4, 0);
   for (std::size_t i = 0; i < a.Bytes.size(); ++i)
   {
-    largest = std::max(largest, std::abs(int(a.Bytes[i]) - int(b.Bytes[i])));
+    differences[i / 4] = std::max(differences[i / 4], std::abs(int(a.Bytes[i]) - int(b.Bytes[i])));
   }
-  return largest;
+  const auto left = static_cast<std::size_t>(besides * static_cast<double>(differences.size()));
+  std::sort(differences.rbegin(), differences.rend());
+  return left < differences.size() ? differences[left] : 0;
 }
 
 TestScene::TestScene(int width, int height, int multisamples)

@@ -38,8 +38,11 @@ Picture ReadPicture(vtkRenderWindow* window);
 /** The colour of the pixels, if they all have the same; else expects so and fails. */
 Rgba UniformColor(const Picture& picture);
 
-/** The largest difference of any colour channel, in steps of 1/255. */
-int LargestDifference(const Picture& a, const Picture& b);
+/**
+ * The largest difference of any colour channel, in steps of 1/255. The `besides` share of the pixels, those that differ most,
+ * is left out.
+ */
+int LargestDifference(const Picture& a, const Picture& b, double besides = 0.0);
 
 /** A headless window with one renderer, parallel projection over [-1, 1] in both directions, looking along -z. */
 struct TestScene

@@ -60,7 +60,7 @@ protected:
     scene.Use(pass);
     for (int frame = 0; frame < 2; ++frame)
     {
-      EXPECT_LE(LargestDifference(scene.Render(), expected),
+      EXPECT_LE(LargestDifference(scene.Render(), expected, GetParam().EdgeShare),
         2); // either rounds before the volume's blending
     }
     EXPECT_EQ(pass->GetLayersMax(), 1);

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace program
 {
@@ -48,6 +49,13 @@ const std::vector<Entry>& Entries()
       true, MakePrefixSumPredicted },
     { "prefix-sum-predicted-8bit", "the same with 8-bit colours; rounds alpha", false,
       MakePrefixSumPredictedEightBit },
+    { "stencil-mask-4",
+      "the first 4 layers by stencil masks, inexact at edges; with -unfiltered, edges as they are, "
+      "with -marks, where they are repaired",
+      false, [] { return MakeStencilMask(4); } },
+    { "stencil-mask-8", "the same with 8 layers", false, [] { return MakeStencilMask(8); } },
+    { "stencil-mask-9", "with 9 layers", false, [] { return MakeStencilMask(9); } },
+    { "stencil-mask-16", "with 16 layers", false, [] { return MakeStencilMask(16); } },
     { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
   };
   return entries;
@@ -78,6 +86,24 @@ int ParsePeels(const std::string& name)
   return error == std::errc() && last == end && peels > 0 ? peels : 0;
 }
 
+/** How stencil-mask-N shows its edges: the method for a name with such an ending; null for other names. */
+std::unique_ptr<Method> MakeMaskVariant(const std::string& name)
+{
+  const std::pair<std::string, MaskEdges> endings[] = { { "-unfiltered", MaskEdges::AsTheyAre },
+    { "-marks", MaskEdges::Marks } };
+  for (const auto& [ending, edges] : endings)
+  {
+    for (const int layers : { 4, 8, 9, 16 })
+    {
+      if (name == "stencil-mask-" + std::to_string(layers) + ending)
+      {
+        return MakeStencilMask(layers, edges);
+      }
+    }
+  }
+  return nullptr;
+}
+
 std::string ListNames()
 {
   std::string names;
@@ -90,7 +116,7 @@ std::string ListNames()
 
 void RequireMethod(const std::string& name)
 {
-  if (!FindEntry(name) && ParsePeels(name) == 0)
+  if (!FindEntry(name) && ParsePeels(name) == 0 && !MakeMaskVariant(name))
   {
     throw InputError("method '" + name + "'", "there is no such method; there are " + ListNames());
   }
@@ -118,8 +144,12 @@ std::vector<std::string> ExpandGroup(const std::string& name)
 std::unique_ptr<Method> MakeMethod(const std::string& name)
 {
   RequireMethod(name);
-  const Entry* entry = FindEntry(name);
-  return entry ? entry->Make() : MakeVTKPeeling(ParsePeels(name));
+  if (const Entry* entry = FindEntry(name))
+  {
+    return entry->Make();
+  }
+  std::unique_ptr<Method> variant = MakeMaskVariant(name);
+  return variant ? std::move(variant) : MakeVTKPeeling(ParsePeels(name));
 }
 
 std::vector<std::string> ParseMethodList(const std::string& list)

@@ -20,6 +20,8 @@ namespace program
 struct MethodStatistics
 {
   std::optional<std::int64_t> Fragments;
+  std::optional<std::int64_t> Lost; ///< fragments that the method could not keep
+  bool LostIsLeast = false;         ///< there were more than could be counted
   std::optional<std::int64_t> LayersMax;
   std::optional<double> LayersMean;
   std::optional<std::int64_t> GeometryPasses;

@@ -5,6 +5,7 @@
 #include "vtkPrefixSumTransparencyPass.h"
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
+#include "vtkStencilMaskTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 namespace program
@@ -26,6 +27,8 @@ MethodStatistics VitrineMethod::Statistics() const
 {
   MethodStatistics statistics;
   statistics.Fragments = this->Pass->GetFragmentCount();
+  statistics.Lost = this->Pass->GetLostFragmentCount();
+  statistics.LostIsLeast = this->Pass->GetSaturatedPixelCount() > 0;
   statistics.LayersMax = this->Pass->GetLayersMax();
   statistics.LayersMean = this->Pass->GetLayersMean();
   statistics.GeometryPasses = this->Pass->GetGeometryPasses();
@@ -79,6 +82,15 @@ std::unique_ptr<Method> MakePrefixSumPredicted()
 std::unique_ptr<Method> MakePrefixSumPredictedEightBit()
 {
   return MakePrefixSum(true, vtkPrefixSumTransparencyPass::EIGHT_BIT);
+}
+
+std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges)
+{
+  auto pass = vtkSmartPointer<vtkStencilMaskTransparencyPass>::New();
+  pass->SetNumberOfLayers(layers);
+  pass->SetFilter(edges == MaskEdges::Repaired);
+  pass->SetShowMarks(edges == MaskEdges::Marks);
+  return std::make_unique<VitrineMethod>(pass);
 }
 
 std::unique_ptr<Method> MakeTruth()

@@ -36,6 +36,17 @@ std::unique_ptr<Method> MakePrefixSumCountedEightBit();
 std::unique_ptr<Method> MakePrefixSumPredicted();
 std::unique_ptr<Method> MakePrefixSumPredictedEightBit();
 
+/** What stencil masks do about the edges of polygons: repair them, leave them, or show the marks alone. */
+enum class MaskEdges
+{
+  Repaired,
+  AsTheyAre,
+  Marks
+};
+
+/** vtkStencilMaskTransparencyPass with 4, 8, 9 or 16 layers. */
+std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges = MaskEdges::Repaired);
+
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
 

@@ -42,6 +42,8 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
   }
   row["frame_ms"] = FrameTimes(result);
   row["fragments"] = OrNull(result.Statistics.Fragments);
+  row["lost"] = OrNull(result.Statistics.Lost);
+  row["lost_is_least"] = result.Statistics.LostIsLeast;
   row["layers_max"] = OrNull(result.Statistics.LayersMax);
   row["layers_mean"] = OrNull(result.Statistics.LayersMean);
   row["geometry_passes"] = OrNull(result.Statistics.GeometryPasses);

@@ -40,7 +40,8 @@ TextRow ToCells(const MethodResult& result, double firstMedian)
   const MethodStatistics& statistics = result.Statistics;
   TextRow cells = { result.Method, FormatCell("%.1f", result.Median()),
     FormatCell("%.2f", result.Median() / firstMedian), Integer(statistics.Fragments),
-    Integer(statistics.LayersMax), Integer(statistics.GeometryPasses), Bytes(statistics.Bytes) };
+    (statistics.LostIsLeast ? ">=" : "") + Integer(statistics.Lost), Integer(statistics.LayersMax),
+    Integer(statistics.GeometryPasses), Bytes(statistics.Bytes) };
   const TextRow errors = ErrorCells(result.Error);
   cells.insert(cells.end(), errors.begin(), errors.end());
   cells.push_back(result.IsDeterministic ? "yes" : "no");
@@ -49,7 +50,7 @@ TextRow ToCells(const MethodResult& result, double firstMedian)
 
 const TextRow& Head()
 {
-  static const TextRow head = { "method", "ms", "ratio", "fragments", "layers", "passes", "memory",
+  static const TextRow head = { "method", "ms", "ratio", "fragments", "lost", "layers", "passes", "memory",
     "max error/255", "psnr", "ssim", "flip", "wrong pixels", "deterministic" };
   return head;
 }

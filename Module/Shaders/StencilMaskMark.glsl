@@ -1,0 +1,51 @@
+// Stencil masks, marking: how little a pixel is like its neighbours, in quarters.
+//
+// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: neighbours are alike in the sum of their layers' depths, in the parity
+// of their number, since closed bodies have an even one, and in colour; each that they are not has an error value. A
+// test counts as failed where it fails with most neighbours: with some it fails along every edge.
+//
+// One test more needs no neighbours: the group holds as many layers as the stencil counted at the pixel's centre. Where
+// that are more than the group can hold, what lacks is not the edges' fault.
+#include "StencilMasks.glsl"
+
+uniform sampler2D layerColors; // composited, premultiplied; transmittance
+uniform sampler2D layerSums;   // sum of depths, number of layers
+uniform sampler2D pixelCounts;
+uniform ivec2 lastPixel;
+uniform float depthLimit; // differences of the sums of depths from here on fail
+uniform float colorLimit; // so do distances of colours
+
+//VTK::Output::Dec
+
+// Fragments close to the centre of a pixel, 255 at most.
+float countOf(ivec2 pixel)
+{
+  return floor(texelFetch(pixelCounts, pixel, 0).r * 255.0 + 0.5);
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 color = texelFetch(layerColors, pixel, 0).rgb;
+  vec2 sums = texelFetch(layerSums, pixel, 0).xy;
+  vec3 failures = vec3(0.0); // of depth, parity, colour
+  for (int y = -1; y <= 1; ++y)
+  {
+    for (int x = -1; x <= 1; ++x)
+    {
+      // The picture goes on as it ends; the pixel itself is like itself.
+      ivec2 neighbour = clamp(pixel + ivec2(x, y), ivec2(0), lastPixel);
+      vec2 theirs = texelFetch(layerSums, neighbour, 0).xy;
+      vec3 theirColor = texelFetch(layerColors, neighbour, 0).rgb;
+      failures += vec3(greaterThanEqual(
+        vec3(abs(sums.x - theirs.x), mod(sums.y + theirs.y, 2.0), distance(color, theirColor)),
+        vec3(depthLimit, 1.0, colorLimit)));
+    }
+  }
+  vec3 failed = step(vec3(VITRINE_MARK_NEIGHBOURS), failures);
+  float error = dot(failed, vec3(0.25, 0.75, 0.5));
+  float layers = float(VITRINE_GROUP.x * VITRINE_GROUP.y);
+  float count = countOf(pixel);
+  error = sums.y == min(count, layers) ? error : VITRINE_MOST_ERROR;
+  gl_FragData[0] = vec4(count > layers ? 0.0 : error * 4.0 / 255.0);
+}

@@ -1,0 +1,24 @@
+/**
+ * From window depth to depth in view space.
+ */
+#ifndef VITRINE_VIEW_DEPTH_H
+#define VITRINE_VIEW_DEPTH_H
+
+class vtkCamera;
+
+namespace vitrine
+{
+
+/** Depth in view space, 0 in the near plane and 1 in the far plane, is a z / (b - c z) of the window depth z. */
+struct ViewDepth
+{
+  float Coefficients[3] = { 1.0f, 1.0f, 0.0f }; // a, b, c
+
+  ViewDepth() = default;
+
+  /** Of the camera's projection, whatever it is made of. */
+  explicit ViewDepth(vtkCamera* camera);
+};
+
+}
+#endif
