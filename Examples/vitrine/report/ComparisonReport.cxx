@@ -50,8 +50,8 @@ TextRow ToCells(const MethodResult& result, double firstMedian)
 
 const TextRow& Head()
 {
-  static const TextRow head = { "method", "ms", "ratio", "fragments", "lost", "layers", "passes", "memory",
-    "max error/255", "psnr", "ssim", "flip", "wrong pixels", "deterministic" };
+  static const TextRow head = { "method", "ms", "ratio", "fragments", "lost", "layers", "passes",
+    "memory", "max error/255", "psnr", "ssim", "flip", "wrong pixels", "deterministic" };
   return head;
 }
 
