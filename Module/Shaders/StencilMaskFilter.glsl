@@ -18,44 +18,45 @@ float errorOf(ivec2 pixel)
   return floor(texelFetch(layerErrors, pixel, 0).r * 255.0 + 0.5) * 0.25;
 }
 
-// One of the 12 nearest, with as many fragments at its centre: what lies across an edge is another picture.
-bool isNeighbour(ivec2 pixel, ivec2 offset)
+// The 12 nearest neighbours.
+const ivec2 steps[12] = ivec2[12](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1),
+  ivec2(1, -1), ivec2(-1, -1), ivec2(2, 0), ivec2(-2, 0), ivec2(0, 2), ivec2(0, -2));
+
+ivec2 neighbourOf(ivec2 pixel, int i)
 {
-  int steps = abs(offset.x) + abs(offset.y);
-  ivec2 neighbour = clamp(pixel + offset, ivec2(0), lastPixel);
-  return (steps == 1 || steps == 2) &&
-    texelFetch(pixelCounts, neighbour, 0).r == texelFetch(pixelCounts, pixel, 0).r;
+  return clamp(pixel + steps[i], ivec2(0), lastPixel);
 }
 
-vec4 repaired(ivec2 pixel)
+// Whether as many fragments lie at their centres: what lies across an edge is another picture.
+bool isAlike(ivec2 pixel, ivec2 neighbour)
+{
+  return texelFetch(pixelCounts, neighbour, 0).r == texelFetch(pixelCounts, pixel, 0).r;
+}
+
+// The layers of a pixel, repaired by the first `count` neighbours: none, where it is not marked. Software rasterisers run
+// both sides of a branch, but no loop longer than it takes.
+vec4 repaired(ivec2 pixel, int count)
 {
   float least = VITRINE_MOST_ERROR;
-  for (int y = -2; y <= 2; ++y)
+  for (int i = 0; i < count; ++i)
   {
-    for (int x = -2; x <= 2; ++x)
-    {
-      ivec2 offset = ivec2(x, y);
-      float error = errorOf(clamp(pixel + offset, ivec2(0), lastPixel));
-      least = isNeighbour(pixel, offset) ? min(least, error) : least;
-    }
+    ivec2 neighbour = neighbourOf(pixel, i);
+    least = isAlike(pixel, neighbour) ? min(least, errorOf(neighbour)) : least;
   }
-  vec4 sum = texelFetch(layerColors, pixel, 0);
+  vec4 own = texelFetch(layerColors, pixel, 0);
+  vec4 sum = own;
   float weights = 1.0;
-  for (int y = -2; y <= 2; ++y)
+  for (int i = 0; i < count; ++i)
   {
-    for (int x = -2; x <= 2; ++x)
-    {
-      ivec2 offset = ivec2(x, y);
-      ivec2 neighbour = clamp(pixel + offset, ivec2(0), lastPixel);
-      float weight = exp(-0.5 * float(x * x + y * y));
-      weight *= errorOf(neighbour) == least ? 1.0 : VITRINE_WORSE_NEIGHBOUR;
-      weight = isNeighbour(pixel, offset) ? weight : 0.0;
-      sum += weight * texelFetch(layerColors, neighbour, 0);
-      weights += weight;
-    }
+    ivec2 neighbour = neighbourOf(pixel, i);
+    float weight = exp(-0.5 * float(steps[i].x * steps[i].x + steps[i].y * steps[i].y));
+    weight *= errorOf(neighbour) == least ? 1.0 : VITRINE_WORSE_NEIGHBOUR;
+    weight = isAlike(pixel, neighbour) ? weight : 0.0;
+    sum += weight * texelFetch(layerColors, neighbour, 0);
+    weights += weight;
   }
   // Where no neighbour is any better, nothing is won.
-  return least < VITRINE_MARKED ? sum / weights : texelFetch(layerColors, pixel, 0);
+  return least < VITRINE_MARKED ? sum / weights : own;
 }
 
 void main()
@@ -66,11 +67,7 @@ void main()
 #ifdef VITRINE_SHOW_MARKS
   writeOver(target, vec3(error / VITRINE_MOST_ERROR), 0.0);
 #else
-  vec4 layers = texelFetch(layerColors, pixel, 0);
-  if (error >= VITRINE_MARKED)
-  {
-    layers = repaired(pixel);
-  }
+  vec4 layers = repaired(pixel, error >= VITRINE_MARKED ? 12 : 0);
   if (layers == vec4(0.0, 0.0, 0.0, 1.0))
   {
     discard;
