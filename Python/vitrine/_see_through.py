@@ -40,9 +40,15 @@ def see_through(
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
+<<<<<<< HEAD
     target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers.
     method: "linked-list", "prefix-sum", or "truth", the slow yardstick, composited in float64 on the CPU.
     color_storage: of the exact methods: "half-float", the default, or "8-bit", which takes less memory and
+=======
+    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers that they have now.
+    method: "linked-list", or "truth", the slow yardstick, composited in float64 on the CPU.
+    color_storage: of linked-list: "half-float", the default, or "8-bit", which takes less memory and
+>>>>>>> main
         rounds each fragment.
     memory_limit: of the exact methods: the largest number of bytes that its fragments may take on the device, for
         each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
@@ -172,7 +178,7 @@ class Stats:
 
 
 def stats(target: Any) -> Stats:
-    """What the last frame of `target`, which is see-through, took: zeros before the first.
+    """What the last frame of `target` took, summed over its renderers that are see-through: zeros before the first.
 
     Raises as see_through() does, and ValueError for a target that is not see-through.
     """
@@ -274,7 +280,7 @@ def _number_of_bytes(limit: SupportsIndex) -> int:
     if number is None or isinstance(limit, bool):
         raise TypeError(f"memory_limit is a number of bytes, an int, not {limit!r}")
     if not 0 < number < 2**63:
-        raise ValueError(f"memory_limit is a number of bytes above 0, not {number}")
+        raise ValueError(f"memory_limit is a number of bytes above 0 and below 2**63, not {number}")
     return number
 
 
