@@ -40,15 +40,9 @@ def see_through(
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
-<<<<<<< HEAD
-    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers.
+    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers that they have now.
     method: "linked-list", "prefix-sum", or "truth", the slow yardstick, composited in float64 on the CPU.
     color_storage: of the exact methods: "half-float", the default, or "8-bit", which takes less memory and
-=======
-    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers that they have now.
-    method: "linked-list", or "truth", the slow yardstick, composited in float64 on the CPU.
-    color_storage: of linked-list: "half-float", the default, or "8-bit", which takes less memory and
->>>>>>> main
         rounds each fragment.
     memory_limit: of the exact methods: the largest number of bytes that its fragments may take on the device, for
         each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
