@@ -10,9 +10,9 @@ import re
 import subprocess
 
 KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
-MIRROR = (
-    "VITRINE_DEBIAN_MIRROR"  # of the environment: the address of a mirror to take instead of apt's
-)
+
+# Of the environment: the address of a mirror to take instead of apt's.
+MIRROR = "VITRINE_DEBIAN_MIRROR"
 
 # By the labels that they give themselves.
 ARCHIVES = {

@@ -87,11 +87,8 @@ def _adapt_cmake_files(prefix, version):
     for file in folder.glob("*.cmake"):
         text = file.read_text()
         text = re.sub(versioned, r"\1.so", text)
-        text = (
-            re.sub(r"3\.1\d\b", f"3.{sys.version_info.minor}", text)
-            if "vtk" in file.name.lower()
-            else text
-        )
+        if "vtk" in file.name.lower():
+            text = re.sub(r"3\.1\d\b", f"3.{sys.version_info.minor}", text)
         text = re.sub(r"(INTERFACE_LINK_LIBRARIES) \"(.*)\"", _only_vtk, text)
         text = re.sub(r"list\(APPEND _cmake_import_check.*\n", "", text)
         text = re.sub(r"(foreach\(_target) \"[^)]*", r"\1", text)

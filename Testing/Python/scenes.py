@@ -83,8 +83,12 @@ def rendered(renderer, **arguments):
 
 def run_python(program, **environment):
     """Run a program in an interpreter of its own, with changes to the environment."""
+    return run_interpreter("-c", program, **environment)
+
+
+def run_interpreter(*arguments, **environment):
     return subprocess.run(
-        [sys.executable, "-B", "-c", program],
+        [sys.executable, "-B", *arguments],
         env={**os.environ, **environment},
         capture_output=True,
         text=True,

@@ -6,8 +6,6 @@ import io
 import os
 import pathlib
 import re
-import subprocess
-import sys
 import tempfile
 import time
 import unittest
@@ -16,6 +14,7 @@ import weakref
 import numpy
 import pyvista
 from PIL import Image
+from scenes import run_interpreter, run_python
 from vtkmodules.vtkRenderingOpenGL2 import vtkSSAOPass
 from vtkmodules.vtkWebCore import vtkWebApplication
 
@@ -73,10 +72,6 @@ def sent_by(application, window):
         assert time.monotonic() < patience, "the application still encodes after a minute"
         jpeg = application.StillRender(window, 95)
     return bytes(memoryview(jpeg))
-
-
-def run_python(*arguments):
-    return subprocess.run([sys.executable, "-B", *arguments], capture_output=True, text=True)
 
 
 class Plotters(unittest.TestCase):
@@ -226,7 +221,6 @@ class Processes(unittest.TestCase):
         for tail in ("", "plotter.close()", "raise SystemExit(0)", "pyvista.close_all()"):
             with self.subTest(tail):
                 done = run_python(
-                    "-c",
                     "import pyvista, vitrine\n"
                     "plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))\n"
                     "plotter.add_mesh(pyvista.Sphere(), opacity=0.5)\n"
@@ -242,7 +236,7 @@ class Documentation(unittest.TestCase):
         """The pieces of docs/python.md, one after the other."""
         text = pathlib.Path(EXAMPLES.parents[1], "docs/python.md").read_text()
         program = "".join(re.findall("```python\n(.*?)```", text, re.DOTALL))
-        done = run_python("-c", program)
+        done = run_python(program)
         self.assertEqual(done.returncode, 0, done.stderr)
         stats, fragments = done.stdout.splitlines()
         self.assertRegex(stats, r"Stats\(method='linked-list', fragments=\d{5}")
@@ -254,7 +248,7 @@ class Examples(unittest.TestCase):
         for name in ("pyvista_assembly", "pyvista_isosurfaces"):
             with self.subTest(name), tempfile.TemporaryDirectory() as out:
                 picture = pathlib.Path(out, "picture.png")
-                done = run_python(EXAMPLES / f"{name}.py", picture)
+                done = run_interpreter(EXAMPLES / f"{name}.py", picture)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertGreater(picture.stat().st_size, 1000)
                 self.assertRegex(done.stdout, r"linked-list\s.* [01]\.0")

@@ -451,7 +451,7 @@ TEST(Images, HideNothingInAnyOrder)
   }
 }
 
-// Keys that an application set are put back.
+// Keys that an application set are left alone.
 TEST(PropertyKeys, ThatAskForDepthToBeWrittenHideNothing)
 {
   TestScene scene(Width, Height);
