@@ -28,6 +28,12 @@ bool isTooLong(ivec2 pixel)
 }
 #define IS_TOO_LONG(pixel) isTooLong(pixel)
 
+// Where the first list of the block at `corner` begins.
+uint startOfBlock(ivec2 corner)
+{
+  return corner == blockFirst * VITRINE_BLOCK_SIZE ? 0u : loadRoom(pixelBefore(corner, blockFirst, blockCount)).x;
+}
+
 // The last piece of the pixel's list, and its number of fragments.
 uvec2 loadHead(ivec2 pixel)
 {

@@ -1,19 +1,27 @@
 // Packed lists: give each pixel of a block the room that ScanPrediction.glsl found, and none beyond the end of the
-// buffer.
-#include "ScanBlocks.glsl"
-#include "PackedHeads.glsl"
+// buffer. Drawn into the heads, since a software rasteriser stores images several times slower than it draws.
+#include "ScanSums.glsl"
 
-uniform int blocks;
-uniform uint capacity; // of the buffer, in nodes
+uniform int capacity; // of the buffer, in nodes
+
+#ifdef VITRINE_FRAMEBUFFER_FETCH
+out uvec2 head;
+#define HEAD(end, next) uvec2(end, next)
+#define ROWS 1
+#else
+out uint head; // rows of ends and of places in turn
+#define HEAD(end, next) (int(gl_FragCoord.y) % 2 == 0 ? end : next)
+#define ROWS 2
+#endif
 
 void main()
 {
-  const int pixels = VITRINE_BLOCK_SIZE * VITRINE_BLOCK_SIZE;
-  FOR_ONE_OF(i, blocks * pixels)
-  int block = i / pixels;
-  int inBlock = i % pixels;
+  const int side = VITRINE_BLOCK_SIZE;
+  ivec2 pixel = ivec2(gl_FragCoord.xy) / ivec2(1, ROWS);
+  ivec2 column = pixel / side - blockFirst;
+  int block = column.y * blockCount.x + column.x;
+  ivec2 inBlock = pixel & (side - 1);
   uint room = sums[ofBlocks + block];
-  uint place = addSaturating(sums[block], room * uint(inBlock));
-  ivec2 pixel = blockAt(block) * VITRINE_BLOCK_SIZE + ivec2(inBlock % VITRINE_BLOCK_SIZE, inBlock / VITRINE_BLOCK_SIZE);
-  storeRoom(pixel, min(addSaturating(place, room), capacity), min(place, capacity));
+  uint place = addSaturating(sums[block], room * uint(inBlock.y * side + inBlock.x));
+  head = HEAD(min(addSaturating(place, room), uint(capacity)), min(place, uint(capacity)));
 }

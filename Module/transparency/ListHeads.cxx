@@ -1,5 +1,6 @@
 #include "transparency/ListHeads.h"
 
+#include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
 #include "vtkOpenGLState.h"
@@ -43,7 +44,7 @@ std::string ListHeads::Prepare(
 // Images may be new ones under old names, the target's too, so they are attached anew each frame.
 void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearTarget.Handle());
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads.Handle(), 0);
 
@@ -62,12 +63,20 @@ void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r, GLuint first)
 {
   const int rows = this->Fetched ? 1 : 2;
   BarrierBeforeFramebufferAccess();
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ClearTarget.Handle());
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const GLuint empty[4] = { first, 0u, 0u, 0u };
   glClearBufferuiv(GL_COLOR, 0, empty);
+}
+
+void ListHeads::BindForWriting(vtkOpenGLState* state, const PixelRegion& r)
+{
+  const int rows = this->Fetched ? 1 : 2;
+  BarrierBeforeFramebufferAccess();
+  BindForFullScreenDraw(state, this->WriteTarget.Handle(), this->Width, rows * this->Height,
+    { r.X, rows * r.Y, r.Width, rows * r.Height });
 }
 
 std::vector<std::uint32_t> ListHeads::Read(vtkOpenGLState* state)
@@ -76,7 +85,7 @@ std::vector<std::uint32_t> ListHeads::Read(vtkOpenGLState* state)
   std::vector<std::uint32_t> words(2 * width * this->Height);
   const ScopedPixelTransfer pixelTransfer;
   BarrierBeforeFramebufferAccess();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ClearTarget.Handle());
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->WriteTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
     this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
   return this->Fetched ? words : Interleaved(words, width);
@@ -86,7 +95,7 @@ void ListHeads::Release()
 {
   this->Heads.Release();
   this->FillTarget.Release();
-  this->ClearTarget.Release();
+  this->WriteTarget.Release();
 }
 
 }

@@ -33,6 +33,12 @@ public:
    */
   void Clear(vtkOpenGLState* state, const PixelRegion& region, GLuint first);
 
+  /**
+   * Set the state to draw a region's heads: of uvec2 in an attachment that shaders fetch from, else rows of first and
+   * of second words in turn.
+   */
+  void BindForWriting(vtkOpenGLState* state, const PixelRegion& region);
+
   /** All heads, two words a pixel, row by row from the bottom; waits for the device. */
   std::vector<std::uint32_t> Read(vtkOpenGLState* state);
 
@@ -56,7 +62,7 @@ private:
   int Height = 0;
   Image2D Heads;
   Framebuffer FillTarget;  // opaque depth, and the heads where shaders fetch them
-  Framebuffer ClearTarget; // the heads
+  Framebuffer WriteTarget; // the heads
 };
 
 }

@@ -6,6 +6,8 @@
 #include "gl/ScopedState.h"
 #include "transparency/ListHeads.h"
 #include "transparency/ShaderText.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
 
 namespace vitrine
 {
@@ -13,11 +15,17 @@ namespace
 {
 
 constexpr int GroupSize = 64; // of the shaders (ScanBlocks.glsl)
-constexpr int PixelsOfBlock = VITRINE_BLOCK_SIZE * VITRINE_BLOCK_SIZE;
 
 int DividedUp(int count, int by)
 {
   return (count + by - 1) / by;
+}
+
+// What shaders that read or write heads are compiled for.
+std::vector<std::string> HeadDefines(const ListLayout& layout)
+{
+  return layout.FramebufferFetch ? std::vector<std::string>{ "VITRINE_FRAMEBUFFER_FETCH" }
+                                 : std::vector<std::string>();
 }
 
 }
@@ -28,7 +36,6 @@ PackedScan::PackedScan()
   , Up(shaders::ScanUp)
   , Down(shaders::ScanDown)
   , Counted(shaders::PlaceCounted)
-  , Predicted(shaders::PlacePredicted)
 {
 }
 
@@ -45,14 +52,14 @@ std::string PackedScan::PlaceCounted(vtkOpenGLRenderWindow* window, const ListLa
   const ScopedImage image(
     VITRINE_IMAGE_HEADS, heads.Image().Handle(), layout.FramebufferFetch ? GL_RG32UI : GL_R32UI);
   BarrierBetweenScans();
-  const bool done = this->RunOverBlocks(this->Counts, window, layout, blocks, capacity) &&
+  const bool done = this->RunOverBlocks(this->Counts, window, layout, blocks) &&
     this->ScanSums(window) && this->RunOverBlocks(this->Counted, window, layout, blocks, capacity);
   return done ? std::string() : ProgramFailure;
 }
 
 //------------------------------------------------------------------------------
 std::string PackedScan::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  const ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity)
+  ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity)
 {
   const std::string problem = this->Prepare(blocks);
   if (!problem.empty())
@@ -60,13 +67,10 @@ std::string PackedScan::PlacePredicted(vtkOpenGLRenderWindow* window, const List
     return problem;
   }
   const ScopedStorageBuffer sums(VITRINE_BINDING_SUMS, this->Sums.Handle());
-  const ScopedImage image(
-    VITRINE_IMAGE_HEADS, heads.Image().Handle(), layout.FramebufferFetch ? GL_RG32UI : GL_R32UI);
   const ScopedImage longest(VITRINE_IMAGE_BLOCKS, longestLists, GL_R32UI);
   BarrierBetweenScans();
-  const bool done = this->RunOverBlocks(this->Prediction, window, layout, blocks, capacity) &&
-    this->ScanSums(window) &&
-    this->RunOverBlocks(this->Predicted, window, layout, blocks, capacity, PixelsOfBlock);
+  const bool done = this->RunOverBlocks(this->Prediction, window, layout, blocks) &&
+    this->ScanSums(window) && this->DrawPredicted(window, layout, heads, blocks, capacity);
   return done ? std::string() : ProgramFailure;
 }
 
@@ -91,14 +95,9 @@ std::string PackedScan::Prepare(const BlockRange& blocks)
 
 //------------------------------------------------------------------------------
 bool PackedScan::RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* window,
-  const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity, int perBlock)
+  const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity)
 {
-  std::vector<std::string> defines;
-  if (layout.FramebufferFetch)
-  {
-    defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
-  }
-  if (!program.Use(window, defines))
+  if (!program.Use(window, HeadDefines(layout)))
   {
     return false;
   }
@@ -107,8 +106,28 @@ bool PackedScan::RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* w
   program.Set("blocks", blocks.Size());
   program.Set("ofBlocks", this->OfBlocks);
   program.Set("capacity", capacity);
-  ComputeProgram::DispatchFor(std::int64_t(blocks.Size()) * perBlock, GroupSize);
+  ComputeProgram::DispatchFor(blocks.Size(), GroupSize);
   BarrierBetweenScans();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PackedScan::DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+  ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity)
+{
+  heads.BindForWriting(window->GetState(), PixelsOf(blocks, VITRINE_BLOCK_SIZE));
+  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  vtkShaderProgram* program = this->Predicted.Ready(window, "predicted",
+    HeadDefines(layout), shaders::FullScreenVertex, [] { return shaders::PlacePredicted; });
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniform2i("blockFirst", blocks.First);
+  program->SetUniform2i("blockCount", blocks.Count);
+  program->SetUniformi("ofBlocks", this->OfBlocks);
+  program->SetUniformi("capacity", static_cast<int>(capacity)); // VTK sets no unsigned ones
+  glDrawArrays(GL_TRIANGLES, 0, 3);
   return true;
 }
 
@@ -161,10 +180,12 @@ void PackedScan::Release()
 {
   this->Sums.Release();
   for (ComputeProgram* program :
-    { &this->Counts, &this->Prediction, &this->Up, &this->Down, &this->Counted, &this->Predicted })
+    { &this->Counts, &this->Prediction, &this->Up, &this->Down, &this->Counted })
   {
     program->Release();
   }
+  this->Predicted.Release();
+  this->VertexArray.Release();
 }
 
 }

@@ -10,6 +10,7 @@
 #include "Core/PackedOrder.h"
 #include "gl/ComputeProgram.h"
 #include "gl/GLObjects.h"
+#include "gl/ProgramCache.h"
 #include "transparency/ListLayout.h"
 
 #include <cstdint>
@@ -36,10 +37,11 @@ public:
     const ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity);
 
   /**
-   * The same, for as many fragments as the image `longestLists` says of the pixel's block and its neighbours.
+   * The same, for as many fragments as the image `longestLists` says of the pixel's block and its neighbours. Changes
+   * the state of full-screen draws.
    */
   std::string PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-    const ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity);
+    ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity);
 
   /** Nodes for which the last call asked, those beyond the capacity included; 2^32 - 1 for more. Waits for the device. */
   std::uint32_t ReadTotal() const;
@@ -57,7 +59,9 @@ private:
 
   std::string Prepare(const BlockRange& blocks);
   bool RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* window,
-    const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity, int perBlock = 1);
+    const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity = 0);
+  bool DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+    ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity);
   bool ScanSums(vtkOpenGLRenderWindow* window);
   bool RunOverLevel(ComputeProgram& program, vtkOpenGLRenderWindow* window, std::size_t level);
 
@@ -69,7 +73,8 @@ private:
   ComputeProgram Up;
   ComputeProgram Down;
   ComputeProgram Counted;
-  ComputeProgram Predicted;
+  ProgramCache Predicted;
+  EmptyVertexArray VertexArray;
 };
 
 }
