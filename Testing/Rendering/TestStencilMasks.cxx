@@ -33,14 +33,6 @@ protected:
   vtkNew<vtkStencilMaskTransparencyPass> Pass;
 };
 
-void ExpectColor(const Rgba& color, const Rgba& expected, double tolerance)
-{
-  for (int c = 0; c < 4; ++c)
-  {
-    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], tolerance) << "channel " << c;
-  }
-}
-
 TEST_P(StencilMask, KeepsUpToItsNumberOfLayers)
 {
   for (int layers = 1; layers <= GetParam(); ++layers)
