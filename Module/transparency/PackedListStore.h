@@ -23,6 +23,7 @@ public:
   std::string BeginFill(
     vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout) override;
   void SetFillUniforms(vtkShaderProgram*) const override {}
+  bool HasFailed() const override { return this->Scan.HasFailed(); }
   FitType Fit(const FragmentStatistics& needed) override;
   std::int64_t CapacityUnits() const override { return this->LimitNodes(); }
   int UnitNodes() const override { return 1; }

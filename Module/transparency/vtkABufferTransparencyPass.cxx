@@ -151,7 +151,7 @@ std::string vtkABufferTransparencyPass::RenderFragments(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
-  if (in.Resolver.HasFailed())
+  if (in.Resolver.HasFailed() || this->GetStore().HasFailed())
   {
     return vitrine::ProgramFailure;
   }

@@ -23,13 +23,28 @@ public:
   {
     Legend = "// composed from: 1=" + file + ".glsl";
     Rejections = 0;
-    Driver = glShaderSource;
+    SetSourceOfDriver = glShaderSource;
+    CreateProgramOfDriver = glCreateShaderProgramv;
     glShaderSource = SetSource;
+    glCreateShaderProgramv = CreateProgram;
   }
-  ~RejectedShader() { glShaderSource = Driver; }
+  ~RejectedShader()
+  {
+    glShaderSource = SetSourceOfDriver;
+    glCreateShaderProgramv = CreateProgramOfDriver;
+  }
   static int Rejections;
 
 private:
+  static std::string Spoilt(std::string text)
+  {
+    if (text.find(Legend) != std::string::npos)
+    {
+      ++Rejections;
+      text += "\n#error rejected\n";
+    }
+    return text;
+  }
   static void GLAPIENTRY SetSource(
     GLuint shader, GLsizei count, const GLchar* const* strings, const GLint* lengths)
   {
@@ -38,20 +53,24 @@ private:
     {
       text += lengths && lengths[i] >= 0 ? std::string(strings[i], lengths[i]) : strings[i];
     }
-    if (text.find(Legend) != std::string::npos)
-    {
-      ++Rejections;
-      text += "\n#error rejected\n";
-    }
+    text = Spoilt(text);
     const GLchar* source = text.c_str();
-    Driver(shader, 1, &source, nullptr);
+    SetSourceOfDriver(shader, 1, &source, nullptr);
+  }
+  static GLuint GLAPIENTRY CreateProgram(GLenum type, GLsizei, const GLchar* const* strings)
+  {
+    const std::string text = Spoilt(strings[0]);
+    const GLchar* source = text.c_str();
+    return CreateProgramOfDriver(type, 1, &source);
   }
   static std::string Legend;
-  static decltype(glShaderSource) Driver;
+  static decltype(glShaderSource) SetSourceOfDriver;
+  static decltype(glCreateShaderProgramv) CreateProgramOfDriver;
 };
 int RejectedShader::Rejections = 0;
 std::string RejectedShader::Legend;
-decltype(glShaderSource) RejectedShader::Driver = nullptr;
+decltype(glShaderSource) RejectedShader::SetSourceOfDriver = nullptr;
+decltype(glCreateShaderProgramv) RejectedShader::CreateProgramOfDriver = nullptr;
 
 // Frames in which a shader is rejected. Returns how often the first one drew the geometry.
 int ExpectFallbackOnce(TestScene& scene, vtkTransparencyPass* pass, const Picture& byVTK)
