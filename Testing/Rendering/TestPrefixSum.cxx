@@ -15,6 +15,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+
 namespace
 {
 
@@ -173,22 +176,63 @@ public:
   float Shown = 2.0f;
 };
 
-TEST_P(PrefixSum, SaysSoWhereItsPassesDoNotAgree)
+void ShowMoreEachDraw(vtkActor* plate, MoreEachDraw* more)
 {
-  TestScene scene(Width, Height);
-  const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.0, { 0.9, 0.2, 0.1, 0.5 });
   plate->GetShaderProperty()->AddFragmentShaderReplacement(
     "//VTK::Light::Dec", true, "//VTK::Light::Dec\nuniform float shown;\n", false);
   plate->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
     "//VTK::Light::Impl\nif (gl_FragCoord.x > shown) { discard; }\n", false);
-  vtkNew<MoreEachDraw> more;
   plate->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, more);
-  scene.AddPlates(RandomPlates(8, 0.3, 1), 2);
+}
 
+// The words of the storage buffer that is so large.
+std::vector<std::uint32_t> ReadBuffer(vtkTypeInt64 bytes)
+{
+  for (GLuint name = 1; name < 3000; ++name)
+  {
+    GLint64 size = 0;
+    glBindBuffer(GL_COPY_READ_BUFFER, glIsBuffer(name) ? name : 0);
+    if (glIsBuffer(name))
+    {
+      glGetBufferParameteri64v(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &size);
+    }
+    if (size == bytes)
+    {
+      std::vector<std::uint32_t> words(static_cast<std::size_t>(bytes) / sizeof(std::uint32_t));
+      glGetBufferSubData(GL_COPY_READ_BUFFER, 0, bytes, words.data());
+      glBindBuffer(GL_COPY_READ_BUFFER, 0);
+      return words;
+    }
+  }
+  ADD_FAILURE() << "there is no buffer of " << bytes << " bytes";
+  return {};
+}
+
+TEST_P(PrefixSum, SaysSoWhereItsPassesDoNotAgreeAndWritesNothingOutsideOfRooms)
+{
+  TestScene scene(Width, Height);
   const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(false);
   scene.Use(pass);
+  const vtkSmartPointer<vtkActor> deep = scene.AddPlates(RandomPlates(30, 0.1, 3), 4);
+  scene.Render(); // so that the buffer is large enough for all that comes, and stays
+  deep->VisibilityOff();
+  scene.AddPlates(RandomPlates(8, 0.3, 1), 2);
+  const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.95, { 0.9, 0.2, 0.1, 0.5 });
+  vtkNew<MoreEachDraw> more;
+  ShowMoreEachDraw(plate, more);
   scene.Render();
   ExpectRefusal(pass, "more fragments each time");
+
+  // The last of four passes had room for the 8 columns of the plate that the third counted.
+  const std::vector<std::uint32_t> words = ReadBuffer(pass->GetPoolBytes());
+  int ofPlate = 0;
+  for (std::size_t i = 0; i < words.size(); i += this->NodeBytes() / sizeof(std::uint32_t))
+  {
+    float depth = 0.0f;
+    std::memcpy(&depth, &words[i], sizeof(depth));
+    ofPlate += std::abs(depth - 0.025f) < 0.01f;
+  }
+  EXPECT_EQ(ofPlate, 8 * Height);
 }
 
 TEST_P(PrefixSum, FewerFragmentsThanCountedAreNoMatter)
