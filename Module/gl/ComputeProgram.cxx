@@ -19,8 +19,8 @@ bool ComputeProgram::Use(vtkOpenGLRenderWindow* window, const std::vector<std::s
   }
   if (this->Name == 0 && !this->Failed)
   {
-    this->Defines = lines;
     this->Compile("#version 430 core\n" + lines + this->Source);
+    this->Defines = lines; // of one that failed, too: it is not tried again
   }
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(this->Name);

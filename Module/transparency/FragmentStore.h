@@ -61,6 +61,9 @@ public:
   /** The uniforms of the fill shader. */
   virtual void SetFillUniforms(vtkShaderProgram* program) const = 0;
 
+  /** Whether the driver could not compile one of the store's own shaders: it is of no use then. */
+  virtual bool HasFailed() const { return false; }
+
   enum FitType
   {
     FITS,     ///< what was drawn is in the store

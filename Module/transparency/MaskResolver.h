@@ -49,6 +49,9 @@ public:
   bool Resolve(vtkOpenGLRenderWindow* window, const MaskGroup& group, const MaskTarget& masks,
     const Image2D& backdrop, const RenderTarget& target, const MaskRepair& repair);
 
+  /** Whether the driver could not compile one of the shaders. */
+  bool HasFailed() const { return this->Programs.HasFailed(); }
+
   std::int64_t Bytes() const;
   void Release();
 

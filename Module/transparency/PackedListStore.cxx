@@ -41,6 +41,7 @@ std::string PackedListStore::BeginFrame(
     this->LastFrame = {};
     this->Memory = 0;
   }
+  this->ForgetOldShortage();
   this->TargetWidth = target.Width;
   this->TargetHeight = target.Height;
   this->BytesPerNode = layout.NodeBytes();
@@ -59,12 +60,13 @@ std::string PackedListStore::BeginFill(
   vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout)
 {
   this->Blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
-  if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
-  {
-    return "the driver has no memory for the smallest buffer of fragments";
-  }
   const std::string problem = this->Place(window, layout);
   this->Start = COUNTING;
+  if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
+  {
+    this->Memory = 0; // to be asked again
+    return "the driver has no memory for the smallest buffer of fragments";
+  }
   return problem;
 }
 
@@ -99,17 +101,19 @@ std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const
   {
     return problem;
   }
-  this->RoomNodes = this->Scan.ReadTotal();
-  if (this->RoomNodes > this->Capacity())
+  const std::int64_t room = this->Scan.ReadTotal();
+  if (room > this->Capacity())
   {
-    const std::int64_t wanted = this->RoomNodes + this->RoomNodes / ReserveShare;
-    if (wanted <= this->LimitNodes() && this->Reserve(wanted))
+    const std::int64_t wanted = room + room / ReserveShare;
+    if (wanted > this->LimitNodes() || !this->Reserve(wanted))
     {
-      return place();
+      this->ClearHeads(window);
+      return {};
     }
-    this->ClearHeads(window);
+    problem = place();
   }
-  return {};
+  this->RoomNodes = room;
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -128,9 +132,10 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
   }
   if (needed.Fragments > this->LimitNodes() || !this->Reserve(needed.Fragments))
   {
+    this->ReserveAll();
     return TOO_LARGE;
   }
-  this->RoomNodes = needed.Fragments;
+  this->RoomNodes = std::max(this->RoomNodes, needed.Fragments);
   this->Start = COUNTED;
   return GREW;
 }
@@ -165,8 +170,32 @@ bool PackedListStore::Reserve(std::int64_t nodes)
   }
   const std::int64_t bytes = nodes * this->BytesPerNode;
   const bool allocated = this->Nodes.Allocate(bytes, TexelFormat(this->BytesPerNode));
-  this->Memory = allocated ? this->Memory : bytes / 2;
+  if (!allocated)
+  {
+    this->Memory = bytes - 1;
+    this->ShortageFrames = 0;
+  }
   return allocated;
+}
+
+//------------------------------------------------------------------------------
+// As many nodes as the limit allows; of what the driver refuses, half.
+void PackedListStore::ReserveAll()
+{
+  while (this->LimitNodes() > LeastNodes && !this->Reserve(this->LimitNodes()))
+  {
+    this->Memory /= 2;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Others may have given memory back by now.
+void PackedListStore::ForgetOldShortage()
+{
+  if (this->Memory > 0 && ++this->ShortageFrames >= PoolSizing::Window)
+  {
+    this->Memory = 0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -189,6 +218,7 @@ void PackedListStore::EndFrame(const FragmentStatistics& used, int bands)
 {
   this->LastFrame = used.Fragments > 0 && bands == 1 ? this->Blocks : BlockRange();
   this->ShrinkIfLongOversized();
+  this->RoomNodes = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -225,6 +255,7 @@ void PackedListStore::Release()
   this->LongestLists.Release();
   this->Scan.Release();
   this->LastFrame = {};
+  this->Memory = 0;
 }
 
 }

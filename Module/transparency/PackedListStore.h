@@ -23,6 +23,7 @@ public:
   std::string BeginFill(
     vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout) override;
   void SetFillUniforms(vtkShaderProgram*) const override {}
+  bool HasFailed() const override { return this->Scan.HasFailed(); }
   FitType Fit(const FragmentStatistics& needed) override;
   std::int64_t CapacityUnits() const override { return this->LimitNodes(); }
   int UnitNodes() const override { return 1; }
@@ -50,6 +51,8 @@ private:
   std::int64_t LimitNodes() const;
   std::int64_t Capacity() const { return this->Nodes.Bytes() / this->BytesPerNode; }
   bool Reserve(std::int64_t nodes);
+  void ReserveAll();
+  void ForgetOldShortage();
   std::string Place(vtkOpenGLRenderWindow* window, const ListLayout& layout);
 
   std::string PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout);
@@ -62,8 +65,9 @@ private:
   int BytesPerNode = 8;
   std::int64_t Limit = 0;
   std::int64_t Memory =
-    0; // bytes for which the driver may have memory, since it had none for twice as many; 0: any
-  std::int64_t RoomNodes = 0; // that the last fill of a frame had room for
+    0; // bytes for which the driver may have memory, since it refused more; 0: any
+  int ShortageFrames = 0;     // since it did
+  std::int64_t RoomNodes = 0; // the most that a fill of this frame had room for
   StartType Start = COUNTING;
   BlockRange Blocks;       // of the last fill
   BlockRange LastFrame;    // whose longest lists are known; empty if none are

@@ -176,6 +176,13 @@ std::uint32_t PackedScan::ReadTotal() const
 }
 
 //------------------------------------------------------------------------------
+bool PackedScan::HasFailed() const
+{
+  return this->Counts.HasFailed() || this->Prediction.HasFailed() || this->Up.HasFailed() ||
+    this->Down.HasFailed() || this->Counted.HasFailed() || this->Predicted.HasFailed();
+}
+
+//------------------------------------------------------------------------------
 void PackedScan::Release()
 {
   this->Sums.Release();

@@ -46,6 +46,9 @@ public:
   /** Nodes for which the last call asked, those beyond the capacity included; 2^32 - 1 for more. Waits for the device. */
   std::uint32_t ReadTotal() const;
 
+  /** Whether the driver could not compile one of the shaders. */
+  bool HasFailed() const;
+
   std::int64_t Bytes() const { return this->Sums.Bytes(); }
 
   void Release();

@@ -36,14 +36,35 @@ bool HasLinesOrPoints(vtkDataObject* data)
   return false;
 }
 
+bool HasLinesOrPointsAt(vtkMapper* mapper, int port)
+{
+  for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+  {
+    if (HasLinesOrPoints(mapper->GetInputDataObject(port, i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Some mappers draw something else in the place of points and lines, of a size in the scene.
+bool DrawsLinesOrPoints(vtkMapper* mapper)
+{
+  if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
+  {
+    return false;
+  }
+  const int drawn = mapper->IsA("vtkGlyph3DMapper") ? 1 : 0; // a glyph, in place of each point
+  return mapper->GetNumberOfInputPorts() > drawn && HasLinesOrPointsAt(mapper, drawn);
+}
+
 bool DrawsLinesOrPoints(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
   return property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
-    property->GetVertexVisibility() ||
-    (mapper && mapper->GetNumberOfInputPorts() > 0 &&
-      HasLinesOrPoints(mapper->GetInputDataObject(0, 0)));
+    property->GetVertexVisibility() || (mapper && DrawsLinesOrPoints(mapper));
 }
 
 }

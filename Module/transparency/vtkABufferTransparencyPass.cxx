@@ -151,7 +151,7 @@ std::string vtkABufferTransparencyPass::RenderFragments(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
-  if (in.Resolver.HasFailed())
+  if (in.Resolver.HasFailed() || this->GetStore().HasFailed())
   {
     return vitrine::ProgramFailure;
   }
@@ -266,6 +266,13 @@ std::string vtkABufferTransparencyPass::RenderInBands(
   std::string problem;
   for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
   {
+    // Bands overwrite the counts by which they are planned.
+    vitrine::FragmentStatistics whole;
+    problem = attempt > 0 ? this->Fill(s, target, target.Region, whole) : std::string();
+    if (!problem.empty())
+    {
+      break;
+    }
     const vitrine::BandPlan plan = in.PlanBands(state, target);
     if (!plan.Fits)
     {
@@ -279,6 +286,10 @@ std::string vtkABufferTransparencyPass::RenderInBands(
       break;
     }
     in.Backdrop.PutBack(state, target);
+    if (problem != UnsteadyProps)
+    {
+      break;
+    }
   }
   return problem;
 }
@@ -287,7 +298,6 @@ std::string vtkABufferTransparencyPass::RenderInBands(
 std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
   const vitrine::RenderTarget& target, const std::vector<vitrine::PixelRegion>& bands)
 {
-  bool holdsAll = true;
   for (const vitrine::PixelRegion& region : bands)
   {
     vitrine::FragmentStatistics part;
@@ -302,14 +312,14 @@ std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
       }
       fit = this->GetStore().Fit(part);
     }
-    // Lists that are not in the store must not be walked. The other bands are counted then, for the next plan.
-    holdsAll = holdsAll && fit == vitrine::FragmentStore::FITS;
-    if (holdsAll)
+    // Lists that are not in the store must not be walked.
+    if (fit != vitrine::FragmentStore::FITS)
     {
-      this->Resolve(target, region, part);
+      return UnsteadyProps;
     }
+    this->Resolve(target, region, part);
   }
-  return holdsAll ? std::string() : UnsteadyProps;
+  return {};
 }
 
 //------------------------------------------------------------------------------

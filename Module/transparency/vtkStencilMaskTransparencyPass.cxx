@@ -135,6 +135,10 @@ std::string vtkStencilMaskTransparencyPass::RenderFragments(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
+  if (in.Resolver.HasFailed())
+  {
+    return vitrine::ProgramFailure;
+  }
   std::string problem = this->PrepareFrame(s, target);
   if (problem.empty())
   {

@@ -97,15 +97,9 @@ TEST_P(Determinism, CoincidentPlatesOrderByPackedColor)
       {
         scene.AddPlate(0.25, color);
       }
-      const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
-      scene.Use(pass);
-      const Rgba color = UniformColor(scene.Render());
-      const Rgba expected = CompositePlates(stack, TestBackground);
-      for (int c = 0; c < 4; ++c)
-      {
-        EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.6)
-          << stack.size() << " plates, channel " << c << (reversed ? ", reversed" : "");
-      }
+      SCOPED_TRACE(std::to_string(stack.size()) + " plates" + (reversed ? ", reversed" : ""));
+      scene.Use(GetParam().Make());
+      ExpectColor(UniformColor(scene.Render()), CompositePlates(stack, TestBackground), 0.6);
     }
   }
 }
@@ -142,14 +136,8 @@ TEST_P(Determinism, ManyCoincidentPlatesOrderByPackedColor)
         { return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend()); });
       sorted.insert(sorted.end(), height.begin(), height.end());
     }
-    const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
-    scene.Use(pass);
-    const Rgba color = UniformColor(scene.Render());
-    const Rgba expected = CompositePlates(sorted, TestBackground);
-    for (int c = 0; c < 4; ++c)
-    {
-      EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
-    }
+    scene.Use(GetParam().Make());
+    ExpectColor(UniformColor(scene.Render()), CompositePlates(sorted, TestBackground), 0.75);
   }
 }
 

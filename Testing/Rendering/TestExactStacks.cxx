@@ -17,12 +17,7 @@ class ExactStack : public testing::TestWithParam<Method>
 
 void ExpectClosedForm(const Picture& picture, const std::vector<Rgba>& plates, double tolerance)
 {
-  const Rgba expected = CompositePlates(plates, TestBackground);
-  const Rgba color = UniformColor(picture);
-  for (int c = 0; c < 4; ++c)
-  {
-    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], tolerance) << "channel " << c;
-  }
+  ExpectColor(UniformColor(picture), CompositePlates(plates, TestBackground), tolerance);
 }
 
 TEST_P(ExactStack, IsTheClosedForm)
@@ -90,12 +85,9 @@ TEST_P(ExactStack, WithADifferentLengthInEveryColumn)
   EXPECT_EQ(pass->GetFragmentCount(), steps * (steps + 1) / 2 * 2);
   for (int x = 0; x < steps; ++x)
   {
-    const Rgba expected =
-      CompositePlates({ plates.begin(), plates.begin() + x + 1 }, TestBackground);
-    for (int c = 0; c < 4; ++c)
-    {
-      ASSERT_NEAR(255.0 * picture.At(x, 1)[c], 255.0 * expected[c], 0.75) << x << ", channel " << c;
-    }
+    SCOPED_TRACE("column " + std::to_string(x));
+    const std::vector<Rgba> here(plates.begin(), plates.begin() + x + 1);
+    ExpectColor(picture.At(x, 1), CompositePlates(here, TestBackground), 0.75);
   }
 }
 

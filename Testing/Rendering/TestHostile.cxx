@@ -27,14 +27,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class Hostile : public testing::TestWithParam<Method>
 {
-protected:
-  static void ExpectColor(const Rgba& color, const Rgba& expected)
-  {
-    for (int c = 0; c < 4; ++c)
-    {
-      EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
-    }
-  }
 };
 
 // A plate whose shader makes colours that no number describes, between two plain ones.
@@ -69,7 +61,7 @@ TEST_P(Hostile, ColorsOfAShader)
         false);
     scene.Use(GetParam().Make());
     ExpectColor(
-      UniformColor(scene.Render()), CompositePlates({ front, c.As, back }, TestBackground));
+      UniformColor(scene.Render()), CompositePlates({ front, c.As, back }, TestBackground), 0.75);
   }
 }
 
@@ -120,7 +112,7 @@ TEST_P(Hostile, PositionsDisturbNothingElse)
       { 1.0, 0.0, 0.0, 0.5 });
     const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
     scene.Use(pass);
-    ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground));
+    ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.75);
     EXPECT_EQ(pass->GetFragmentCount(), layers * 12 * 10);
   }
 }

@@ -1,14 +1,9 @@
 // The linked-list pass's node pool: growth within a frame, limits kept in bands, shrinking, and what it costs.
-#include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkLinkedListTransparencyPass.h"
-#include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkShaderProperty.h"
-#include "vtkTranslucentPass.h"
 
 #include <gtest/gtest.h>
 
@@ -91,23 +86,6 @@ TEST_P(MemoryPool, GrowsWithinAFrame)
   EXPECT_EQ(pass->GetGeometryPasses(), 1);
 }
 
-TEST_P(MemoryPool, FollowsAZoomInTheSameFrame)
-{
-  TestScene scene(64, 64);
-  for (int i = 0; i < 10; ++i)
-  {
-    scene.AddSphere(0.1 * i - 0.5, 0.0, 0.0, 0.4, { 0.1 * i, 0.5, 0.9, 0.3 });
-  }
-  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
-  for (const double scale : { 20.0, 5.0, 1.0, 0.3, 20.0, 0.3 })
-  {
-    SCOPED_TRACE(scale);
-    scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
-    ExpectTruth(scene, pass, 2.5);
-    EXPECT_LE(pass->GetGeometryPasses(), 2);
-  }
-}
-
 TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
 {
   TestScene scene(Width, Height);
@@ -161,73 +139,16 @@ TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
   }
 }
 
-TEST_P(MemoryPool, KeepsItsLimitWithLongLists)
-{
-  TestScene scene(Width, Height);
-  const std::vector<Rgba> plates = RandomPlates(1100, 0.004, 19);
-  scene.AddPlates(plates, 20);
-  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
-  scene.Use(pass);
-  const Picture whole = scene.Render();
-  pass->SetMemoryLimit(pass->GetPoolBytes() / 7);
-  EXPECT_TRUE(scene.Render() == whole);
-  EXPECT_GE(pass->GetNumberOfBands(), 6);
-  EXPECT_LE(pass->GetPoolBytes(), pass->GetMemoryLimit());
-}
-
-// What they hide behind opaque geometry takes no room that nobody counts.
-TEST_P(MemoryPool, KeepsItsLimitWithWritersOfDepth)
-{
-  TestScene scene(Width, Height);
-  scene.AddRectangle(-0.7, -1.0, 0.9, 0.8, -0.5, { 0.9, 0.9, 0.8, 1.0 });
-  for (int i = 0; i < 9; ++i)
-  {
-    scene.AddRectangle(-1.0, -1.0, 1.0, 1.0, -0.5, { 0.1 * i, 0.5, 1.0 - 0.1 * i, 0.3 })
-      ->GetShaderProperty()
-      ->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
-        "gl_FragDepth = gl_FragCoord.z + (" + std::to_string(i - 4) +
-          ".0 + gl_FragCoord.x / 8.0) * exp2(-24.0);\n",
-        false);
-  }
-  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
-  const Picture whole = ExpectTruth(scene, pass, 1.4);
-  const vtkTypeInt64 bytes = pass->GetPoolBytes();
-  for (const int part : { 2, 3, 10, 30 })
-  {
-    pass->SetMemoryLimit(bytes / part);
-    EXPECT_TRUE(scene.Render() == whole) << "a limit of 1/" << part;
-    EXPECT_STREQ(pass->GetFallbackReason(), "");
-  }
-}
-
-TEST_P(MemoryPool, SaysSoWhereOnePixelAloneExceedsTheLimit)
+TEST_P(MemoryPool, NeedsPagesOfOneNodeForAPixelThatExceedsTheLimit)
 {
   TestScene scene(Width, Height);
   scene.AddPlates(RandomPlates(100, 0.05, 7), 8);
-  vtkNew<vtkOrderIndependentTranslucentPass> weighted;
-  vtkNew<vtkTranslucentPass> translucent;
-  weighted->SetTranslucentPass(translucent);
-  scene.Use(weighted);
-  const Picture byVTK = scene.Render();
-
   const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
   pass->SetMemoryLimit(Granule * this->PageBytes());
   scene.Use(pass);
-  EXPECT_TRUE(scene.Render() == byVTK);
-  const vtkTypeInt64 need = 100 * (this->NodeBytes() + 4); // pages of one node
-  const std::string reason = pass->GetFallbackReason();
-  EXPECT_NE(
-    reason.find("one pixel alone needs " + std::to_string(need) + " bytes"), std::string::npos)
-    << reason;
-  const std::vector<std::string> messages = TakeMessages();
-  ASSERT_EQ(messages.size(), 1u);
-  EXPECT_NE(messages[0].find(reason), std::string::npos) << messages[0];
-
-  // The next frame says nothing new, and a higher limit is as good as ever.
   scene.Render();
-  EXPECT_EQ(pass->GetFallbackReason(), reason);
-  pass->SetMemoryLimit(0);
-  ExpectTruth(scene, pass, 3.0);
+  const vtkTypeInt64 need = 100 * (this->NodeBytes() + 4);
+  ExpectRefusal(pass, "one pixel alone needs " + std::to_string(need) + " bytes");
 }
 
 TEST_P(MemoryPool, SettlesCloseToTheNeed)
@@ -245,35 +166,6 @@ TEST_P(MemoryPool, SettlesCloseToTheNeed)
   EXPECT_LE(pass->GetPoolBytes(), 1.3 * plain);
   EXPECT_GE(pass->GetPoolBytes(), pass->GetFragmentCount() * this->NodeBytes());
   EXPECT_GT(pass->GetBytes(), pass->GetPoolBytes());
-}
-
-TEST_P(MemoryPool, ShrinksAfterAWhileAndNotBefore)
-{
-  TestScene scene(48, 36);
-  const vtkSmartPointer<vtkActor> deep = scene.AddPlates(RandomPlates(60, 0.05, 11), 12);
-  scene.AddPlates(RandomPlates(30, 0.05, 13), 14);
-  const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
-  scene.Use(pass);
-  for (int frame = 0; frame < 3; ++frame)
-  {
-    scene.Render();
-  }
-  const vtkTypeInt64 large = pass->GetPoolBytes();
-
-  scene.Renderer->RemoveActor(deep);
-  for (int frame = 0; frame < 10; ++frame)
-  {
-    scene.Render();
-    EXPECT_EQ(pass->GetPoolBytes(), large) << "frame " << frame;
-  }
-  for (int frame = 10; frame < 40; ++frame)
-  {
-    scene.Render();
-    EXPECT_EQ(pass->GetGeometryPasses(), 1);
-  }
-  const double plain = static_cast<double>(pass->GetFragmentCount()) * (this->NodeBytes() + 4);
-  EXPECT_LT(pass->GetPoolBytes(), large / 2);
-  EXPECT_LE(pass->GetPoolBytes(), 1.3 * plain);
 }
 
 TEST_P(MemoryPool, HoldsStillWhereTheUseSwings)
@@ -303,5 +195,35 @@ INSTANTIATE_TEST_SUITE_P(Storage, MemoryPool,
   testing::Values(
     vtkLinkedListTransparencyPass::HALF_FLOAT, vtkLinkedListTransparencyPass::EIGHT_BIT),
   [](const auto& info) { return info.param == 0 ? "HalfFloat" : "EightBit"; });
+
+TEST(PagesAtTheLimit, AreOfOneNodeWhereLargerOnesDoNotFit)
+{
+  const std::vector<Rgba> plates = RandomPlates(80, 0.05, 7);
+  TestScene scene(4, 4);
+  scene.AddPlates(plates, 8);
+  vtkNew<vtkLinkedListTransparencyPass> unlimited;
+  scene.Use(unlimited);
+  const Picture expected = scene.Render();
+  for (const int limit : { 80 * 16, 1300, 1600, 2000, 3100 })
+  {
+    SCOPED_TRACE(limit);
+    vtkNew<vtkLinkedListTransparencyPass> pass;
+    pass->SetMemoryLimit(limit);
+    scene.Use(pass);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      EXPECT_TRUE(scene.Render() == expected);
+      EXPECT_STREQ(pass->GetFallbackReason(), "");
+      EXPECT_GT(pass->GetNumberOfBands(), 1);
+      EXPECT_LE(pass->GetPoolBytes(), limit);
+    }
+  }
+  vtkNew<vtkLinkedListTransparencyPass> pass;
+  pass->SetMemoryLimit(80 * 16 - 1);
+  scene.Use(pass);
+  scene.Render();
+  ExpectRefusal(
+    pass, "one pixel alone needs 1280 bytes of the node pool, and its limit is 1279 bytes");
+}
 
 }

@@ -1,8 +1,11 @@
 #include "TestMethods.h"
 
+#include "TestMessages.h"
+#include "vtkABufferTransparencyPass.h"
 #include "vtkImageData.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkPrefixSumTransparencyPass.h"
+#include "vtkSeeThroughPass.h"
 #include "vtkStencilMaskTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
@@ -10,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 std::ostream& operator<<(std::ostream& os, const Method& method)
@@ -82,6 +86,47 @@ const std::vector<Method>& AllMethods()
   return methods;
 }
 
+std::vector<Method> MethodsThat(bool (*is)(const Method& method))
+{
+  std::vector<Method> methods;
+  std::copy_if(AllMethods().begin(), AllMethods().end(), std::back_inserter(methods), is);
+  return methods;
+}
+
+const std::vector<Method>& ABufferMethods()
+{
+  static const std::vector<Method> methods = MethodsThat([](const Method& method)
+    { return vtkABufferTransparencyPass::SafeDownCast(method.Make()) != nullptr; });
+  return methods;
+}
+
+vtkSmartPointer<vtkABufferTransparencyPass> MakeABuffer(const Method& method)
+{
+  return vtkABufferTransparencyPass::SafeDownCast(method.Make());
+}
+
+vtkSmartPointer<vtkSeeThroughPass> MakeSeeThrough(const Method& method)
+{
+  auto seeThrough = vtkSmartPointer<vtkSeeThroughPass>::New();
+  const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
+  seeThrough->SetTranslucentPass(pass);
+  return seeThrough;
+}
+
+const std::vector<Method>& MultisamplingMethods()
+{
+  static const std::vector<Method> methods =
+    MethodsThat([](const Method& method) { return method.RefusesSamples.empty(); });
+  return methods;
+}
+
+const std::vector<Method>& SingleSampleMethods()
+{
+  static const std::vector<Method> methods =
+    MethodsThat([](const Method& method) { return !method.RefusesSamples.empty(); });
+  return methods;
+}
+
 double DistanceFromTruth(const Picture& picture, vtkImageData* truth, double besides)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -129,4 +174,13 @@ void ExpectAllAreTruth(TestScene& scene, double slack)
     const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
     ExpectTruth(scene, pass, slack * method.Tolerance);
   }
+}
+
+void ExpectRefusal(vtkTransparencyPass* pass, const std::string& text)
+{
+  const std::string reason = pass->GetFallbackReason();
+  EXPECT_NE(reason.find(text), std::string::npos) << reason;
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find(text), std::string::npos) << messages[0];
 }

@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+class vtkABufferTransparencyPass;
 class vtkImageData;
+class vtkSeeThroughPass;
 
 /** A transparency method in one of its settings. */
 struct Method
@@ -43,6 +45,9 @@ struct Method
 
   /** Whether it keeps so many layers. */
   bool Keeps(int layers) const { return this->MaxLayers == 0 || layers <= this->MaxLayers; }
+
+  /** Whether colours are kept in 8 bits, for which its tolerance leaves room. */
+  bool KeepsEightBits() const { return this->Tolerance > 1.0; }
 };
 
 std::ostream& operator<<(std::ostream& os, const Method& method);
@@ -55,6 +60,22 @@ const std::vector<Method>& MaskMethods();
 
 /** ExactMethods(), MaskMethods() and truth. */
 const std::vector<Method>& AllMethods();
+
+/** Those of AllMethods() of which `is` holds. */
+std::vector<Method> MethodsThat(bool (*is)(const Method& method));
+
+/** Those of AllMethods() that store every fragment, within a memory limit: of the class vtkABufferTransparencyPass. */
+const std::vector<Method>& ABufferMethods();
+
+/** A new pass of one of ABufferMethods(). */
+vtkSmartPointer<vtkABufferTransparencyPass> MakeABuffer(const Method& method);
+
+/** A pass for a whole frame, with a new one of the method. */
+vtkSmartPointer<vtkSeeThroughPass> MakeSeeThrough(const Method& method);
+
+/** Those of AllMethods() that take multisampled targets, and those that refuse them. */
+const std::vector<Method>& MultisamplingMethods();
+const std::vector<Method>& SingleSampleMethods();
 
 /** For INSTANTIATE_TEST_SUITE_P over methods. */
 struct MethodName
@@ -82,5 +103,8 @@ Picture ExpectTruth(
 
 /** The same for a new pass of every method of ExactMethods(), each within its tolerance times `slack`. */
 void ExpectAllAreTruth(TestScene& scene, double slack = 1.0);
+
+/** Expect that the last frame was VTK's, since the pass refused it with a reason that contains `text`, said once. */
+void ExpectRefusal(vtkTransparencyPass* pass, const std::string& text);
 
 #endif

@@ -2,8 +2,8 @@
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
+#include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
-#include "vtkLinkedListTransparencyPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -261,7 +261,7 @@ private:
 };
 vtkStandardNewMacro(StateCheckingPass);
 
-class OpenGLStateChecks : public testing::Test
+class OpenGLState : public testing::TestWithParam<Method>
 {
 protected:
   static void ExpectPutBack(TestScene& scene, vtkTransparencyPass* pass)
@@ -278,19 +278,6 @@ protected:
     EXPECT_STREQ(pass->GetFallbackReason(), "");
     EXPECT_GT(pass->GetFragmentCount(), 0);
   }
-
-  static void AddParts(TestScene& scene)
-  {
-    scene.AddSphere(0.3, 0.1, 0.2, 0.5, { 0.9, 0.5, 0.1, 0.4 });
-    scene.AddSphere(-0.2, -0.1, -0.3, 0.7, { 0.1, 0.5, 0.9, 0.6 });
-    scene.AddSphere(-0.2, 0.3, 0.3, 0.3, { 0.9, 0.5, 0.9, 1.0 });
-  }
-};
-
-class OpenGLState
-  : public OpenGLStateChecks
-  , public testing::WithParamInterface<Method>
-{
 };
 
 TEST_P(OpenGLState, IsPutBack)
@@ -302,7 +289,7 @@ TEST_P(OpenGLState, IsPutBack)
       SCOPED_TRACE(std::to_string(samples) + " samples" + (stencil ? ", stencil" : ""));
       TestScene scene(40, 30, samples);
       scene.Window->SetStencilCapable(stencil);
-      AddParts(scene);
+      scene.AddParts();
       ExpectPutBack(scene, GetParam().Make());
     }
   }
@@ -311,7 +298,7 @@ TEST_P(OpenGLState, IsPutBack)
 TEST_P(OpenGLState, IsPutBackAfterWritersOfDepth)
 {
   TestScene scene(40, 30);
-  AddParts(scene);
+  scene.AddParts();
   scene.AddRectangle(-0.8, -0.5, 0.7, 0.6, -0.3, { 0.3, 0.9, 0.3, 0.5 })
     ->GetShaderProperty()
     ->AddFragmentShaderReplacement(
@@ -319,16 +306,22 @@ TEST_P(OpenGLState, IsPutBackAfterWritersOfDepth)
   ExpectPutBack(scene, GetParam().Make());
 }
 
-TEST_F(OpenGLStateChecks, IsPutBackAfterBands)
+class OpenGLStateOfBands : public OpenGLState
+{
+};
+
+TEST_P(OpenGLStateOfBands, IsPutBack)
 {
   TestScene scene(40, 30);
-  AddParts(scene);
-  vtkNew<vtkLinkedListTransparencyPass> pass;
-  pass->SetMemoryLimit(4000);
+  scene.AddParts();
+  const vtkSmartPointer<vtkABufferTransparencyPass> pass = MakeABuffer(GetParam());
+  pass->SetMemoryLimit(3000);
   ExpectPutBack(scene, pass);
   EXPECT_GT(pass->GetNumberOfBands(), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, OpenGLState, testing::ValuesIn(AllMethods()), MethodName());
+INSTANTIATE_TEST_SUITE_P(
+  Methods, OpenGLStateOfBands, testing::ValuesIn(ABufferMethods()), MethodName());
 
 }

@@ -1,5 +1,4 @@
 // What VTK can draw translucently: each kind of prop, mapper and property by every method, against truth.
-#include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "vtkActor.h"
@@ -13,14 +12,8 @@
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
 #include "vtkImageSliceMapper.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkLight.h"
-#include "vtkLightKit.h"
-#include "vtkLinkedListTransparencyPass.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkOpenGLActor.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
@@ -28,11 +21,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkSeeThroughPass.h"
-#include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
-#include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -75,6 +65,7 @@ struct Kind
 {
   const char* Name;
   std::function<void(TestScene&)> Add;
+  bool CountsInPixels = false; // lines and points, which have a size in pixels
 };
 
 void PrintTo(const Kind& kind, std::ostream* os)
@@ -255,13 +246,13 @@ const Kind Kinds[] = {
   { "CompositeBlocks", AddComposite },
   { "Glyphs", AddGlyphs },
   { "SphereMapper", AddSphereImpostors },
-  { "Points", [](TestScene& s) { AddPoints(s, false); } },
-  { "PointsAsSpheres", [](TestScene& s) { AddPoints(s, true); } },
-  { "Lines", [](TestScene& s) { AddWireframe(s, 1.0, false); } },
-  { "WideLines", [](TestScene& s) { AddWireframe(s, 6.0, false); } },
-  { "LinesAsTubes", [](TestScene& s) { AddWireframe(s, 8.0, true); } },
+  { "Points", [](TestScene& s) { AddPoints(s, false); }, true },
+  { "PointsAsSpheres", [](TestScene& s) { AddPoints(s, true); }, true },
+  { "Lines", [](TestScene& s) { AddWireframe(s, 1.0, false); }, true },
+  { "WideLines", [](TestScene& s) { AddWireframe(s, 6.0, false); }, true },
+  { "LinesAsTubes", [](TestScene& s) { AddWireframe(s, 8.0, true); }, true },
   { "Image", AddImage },
-  { "VisibleEdges", [](TestScene& s) { AddCone(s)->GetProperty()->EdgeVisibilityOn(); } },
+  { "VisibleEdges", [](TestScene& s) { AddCone(s)->GetProperty()->EdgeVisibilityOn(); }, true },
   { "BackfaceProperty",
     [](TestScene& s)
     {
@@ -304,6 +295,30 @@ TEST_P(Props, AreTruth)
   ExpectAllAreTruth(scene);
 }
 
+// Masks are truth besides edges, or refuse what counts in pixels.
+TEST_P(Props, AreTruthBesidesEdgesOrRefused)
+{
+  TestScene scene(3 * Width, 3 * Height);
+  AddSurroundings(scene);
+  GetParam().Add(scene);
+  for (const Method& method : MaskMethods())
+  {
+    SCOPED_TRACE(method.Name);
+    const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
+    if (GetParam().CountsInPixels)
+    {
+      const Picture byVTK = scene.RenderAsVTK();
+      scene.Use(pass);
+      EXPECT_TRUE(scene.Render() == byVTK);
+      ExpectRefusal(pass, "lines and points");
+    }
+    else
+    {
+      ExpectTruth(scene, pass, method.Tolerance, 0.3);
+    }
+  }
+}
+
 // One layer needs no sorting: VTK's own blending of it is right, but for its rounding. That truth is right, too,
 // shows that joining the methods to the mappers' shaders changes nothing there.
 TEST_P(Props, InOneLayerAreAsVTKBlendsThem)
@@ -323,184 +338,14 @@ TEST_P(Props, InOneLayerAreAsVTKBlendsThem)
     {
       EXPECT_LE(LargestDifference(picture, expected, method.EdgeShare), 1);
     }
-    if (pass->GetFallbackReason()[0] != '\0')
+    if (method.MaxLayers > 0 && GetParam().CountsInPixels)
     {
-      EXPECT_GT(method.MaxLayers, 0);
-      EXPECT_NE(std::string(pass->GetFallbackReason()).find("lines and points"), std::string::npos);
-      EXPECT_EQ(TakeMessages().size(), 1u);
+      ExpectRefusal(pass, "lines and points");
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(
   Kinds, Props, testing::ValuesIn(Kinds), [](const auto& info) { return info.param.Name; });
-
-// What Core/ShaderTuning changes in shaders shows in no picture: one lit layer under every kind of light.
-TEST(Lighting, OfOneLayerIsVTKs)
-{
-  const std::function<void(TestScene&)> lights[] = {
-    [](TestScene&) {},
-    [](TestScene& scene)
-    {
-      vtkNew<vtkLightKit> kit;
-      kit->AddLightsToRenderer(scene.Renderer);
-    },
-    [](TestScene& scene)
-    {
-      vtkNew<vtkLight> light;
-      light->SetPositional(true);
-      light->SetPosition(0.5, 0.7, 1.5);
-      light->SetFocalPoint(0.0, 0.0, 0.0);
-      light->SetConeAngle(30.0);
-      light->SetColor(1.0, 0.9, 0.5);
-      scene.Renderer->AddLight(light);
-    },
-    [](TestScene& scene)
-    {
-      for (const double x : { -0.9, 0.1, 0.8 })
-      {
-        vtkNew<vtkLight> light;
-        light->SetPositional(true);
-        light->SetPosition(x, 0.7, 1.5);
-        light->SetConeAngle(x > 0.5 ? 30.0 : 90.0);
-        light->SetColor(0.4, 0.3 + 0.1 * x, 0.5);
-        scene.Renderer->AddLight(light);
-      }
-    },
-  };
-  for (const auto& light : lights)
-  {
-    for (const double specular : { 0.0, 0.5 })
-    {
-      SCOPED_TRACE(std::to_string(&light - lights) + ", specular " + std::to_string(specular));
-      TestScene scene(Width, Height);
-      light(scene);
-      // Opaque to the eye, so that blending rounds nothing.
-      const vtkSmartPointer<vtkActor> actor =
-        scene.AddSphere(0.0, 0.0, 0.0, 0.8, { 0.9, 0.6, 0.3, 1.0 });
-      actor->ForceTranslucentOn();
-      vtkProperty* property = actor->GetProperty();
-      property->SetSpecular(specular);
-      property->SetSpecularPower(12.0);
-      property->SetAmbient(0.1);
-      property->BackfaceCullingOn();
-      vtkNew<vtkTranslucentPass> blending;
-      scene.Use(blending);
-      const Picture expected = scene.Render();
-      for (const Method& method : AllMethods())
-      {
-        const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
-        scene.Use(pass);
-        // Storage rounds, but in truth.
-        EXPECT_LE(LargestDifference(scene.Render(), expected, method.EdgeShare),
-          method.Name == "Truth" ? 0 : 1)
-          << method.Name;
-        EXPECT_EQ(pass->GetLayersMax(), 1);
-      }
-    }
-  }
-}
-
-// VTK's images write depth by default, text in space (an image) too.
-TEST(Images, HideNothingInAnyOrder)
-{
-  const std::vector<Rgba> plates = { { 0.8, 0.2, 0.2, 0.4 }, { 0.2, 0.6, 0.4, 0.5 },
-    { 0.2, 0.2, 0.8, 0.3 } };
-  const unsigned char texel[3] = { 51, 153, 102 }; // the second plate
-  for (const Method& method : AllMethods())
-  {
-    for (const bool imageFirst : { true, false })
-    {
-      TestScene scene(Width, Height);
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(2, 2, 1);
-      image->SetSpacing(4.0, 4.0, 1.0);
-      image->SetOrigin(-2.0, -2.0, 0.0);
-      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-      for (int i = 0; i < 12; ++i)
-      {
-        static_cast<unsigned char*>(image->GetScalarPointer())[i] = texel[i % 3];
-      }
-      vtkNew<vtkImageSliceMapper> mapper;
-      mapper->SetInputData(image);
-      vtkNew<vtkImageSlice> slice;
-      slice->SetMapper(mapper);
-      slice->GetProperty()->SetOpacity(plates[1][3]);
-      slice->ForceTranslucentOn();
-      if (imageFirst)
-      {
-        scene.Renderer->AddViewProp(slice);
-      }
-      scene.AddPlate(0.5, plates[0]);
-      scene.AddPlate(-0.5, plates[2]);
-      if (!imageFirst)
-      {
-        scene.Renderer->AddViewProp(slice);
-      }
-      const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
-      scene.Use(pass);
-      const Rgba color = UniformColor(scene.Render());
-      EXPECT_EQ(pass->GetFragmentCount(), 3 * Width * Height) << method << imageFirst;
-      const Rgba expected = CompositePlates(plates, TestBackground);
-      for (int i = 0; i < 4; ++i)
-      {
-        EXPECT_NEAR(255.0 * color[i], 255.0 * expected[i], method.Tolerance)
-          << method << imageFirst;
-      }
-    }
-  }
-}
-
-// Keys that an application set are left alone.
-TEST(PropertyKeys, ThatAskForDepthToBeWrittenHideNothing)
-{
-  TestScene scene(Width, Height);
-  const std::vector<Rgba> plates = RandomPlates(5, 0.4, 31);
-  std::vector<vtkSmartPointer<vtkActor>> actors;
-  for (const int i : { 3, 0, 1, 4, 2 })
-  {
-    actors.push_back(scene.AddPlate(0.5 - 0.2 * i, plates[i]));
-    vtkNew<vtkInformation> keys;
-    keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
-    actors.back()->SetPropertyKeys(keys);
-  }
-  for (const Method& method : AllMethods())
-  {
-    const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
-    scene.Use(pass);
-    const Rgba color = UniformColor(scene.Render());
-    EXPECT_EQ(pass->GetFragmentCount(), 5 * Width * Height) << method;
-    const Rgba expected = CompositePlates(plates, TestBackground);
-    for (int i = 0; i < 4; ++i)
-    {
-      EXPECT_NEAR(255.0 * color[i], 255.0 * expected[i], method.Tolerance) << method;
-    }
-  }
-  EXPECT_EQ(actors[0]->GetPropertyKeys()->Get(vtkOpenGLActor::GLDepthMaskOverride()), 1);
-}
-
-// A target that holds colours beyond 1: what 8 bits cannot hold does not spill into other channels.
-TEST(FloatTarget, ClampsWhatEightBitsCannotHold)
-{
-  TestScene scene(Width, Height);
-  scene.AddPlate(0.0, { 0.8, 0.2, 0.1, 0.5 })
-    ->GetShaderProperty()
-    ->AddFragmentShaderReplacement(
-      "//VTK::Light::Impl", false, "//VTK::Light::Impl\n  gl_FragData[0].rgb *= 2.0;\n", false);
-  vtkNew<vtkLinkedListTransparencyPass> pass;
-  pass->SetColorStorageToEightBit();
-  vtkNew<vtkSeeThroughPass> seeThrough;
-  seeThrough->SetTranslucentPass(pass);
-  vtkNew<vtkToneMappingPass> toneMapping;
-  toneMapping->SetToneMappingType(vtkToneMappingPass::Clamp);
-  toneMapping->SetDelegatePass(seeThrough);
-  scene.Renderer->SetPass(toneMapping);
-  const Rgba color = UniformColor(scene.Render());
-  const Rgba expected = CompositePlates({ { 1.0, 0.4, 0.2, 0.5 } }, TestBackground);
-  for (int i = 0; i < 3; ++i)
-  {
-    EXPECT_NEAR(255.0 * color[i], 255.0 * expected[i], 1.4) << i;
-  }
-}
 
 }

@@ -105,6 +105,11 @@ TEST(CyclicTriangles, AreTruth)
   scene.AddTriangle(
     { { { 0.1, 0.9, 0.6 }, { -0.7, -0.8, -0.6 }, { -0.5, -0.9, -0.6 } } }, { 0.1, 0.1, 1.0, 0.7 });
   ExpectAllAreTruth(scene);
+  for (const Method& method : MaskMethods())
+  {
+    SCOPED_TRACE(method.Name);
+    ExpectTruth(scene, method.Make(), method.Tolerance, method.EdgeShare);
+  }
 }
 
 }

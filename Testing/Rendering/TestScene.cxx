@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -13,6 +14,7 @@
 #include "vtkProperty.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkSphereSource.h"
+#include "vtkTranslucentPass.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -201,6 +203,13 @@ vtkSmartPointer<vtkActor> TestScene::AddSphere(
   return this->AddSource(sphere, color);
 }
 
+void TestScene::AddParts()
+{
+  this->AddSphere(0.3, 0.1, 0.2, 0.5, { 0.9, 0.5, 0.1, 0.4 });
+  this->AddSphere(-0.2, -0.1, -0.3, 0.7, { 0.1, 0.5, 0.9, 0.6 });
+  this->AddSphere(-0.4, 0.3, 0.3, 0.4, { 0.9, 0.5, 0.9, 1.0 });
+}
+
 vtkSmartPointer<vtkActor> TestScene::AddSource(vtkAlgorithm* source, const Rgba& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -217,6 +226,15 @@ void TestScene::Use(vtkRenderPass* pass)
   vtkNew<vtkSeeThroughPass> seeThrough;
   seeThrough->SetTranslucentPass(pass);
   this->Renderer->SetPass(seeThrough);
+}
+
+Picture TestScene::RenderAsVTK()
+{
+  vtkNew<vtkOrderIndependentTranslucentPass> weighted;
+  vtkNew<vtkTranslucentPass> translucent;
+  weighted->SetTranslucentPass(translucent);
+  this->Use(weighted);
+  return this->Render();
 }
 
 Picture TestScene::Render()
@@ -244,6 +262,14 @@ Rgba CompositePlates(const std::vector<Rgba>& plates, const Rgba& background)
   }
   result[3] = 1.0 - transmittance + transmittance * background[3];
   return result;
+}
+
+void ExpectColor(const Rgba& color, const Rgba& expected, double tolerance)
+{
+  for (int c = 0; c < 4; ++c)
+  {
+    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], tolerance) << "channel " << c;
+  }
 }
 
 Rgba RoundedTo8Bits(const Rgba& color)

@@ -74,11 +74,17 @@ struct TestScene
   vtkSmartPointer<vtkActor> AddSphere(
     double x, double y, double z, double radius, const Rgba& color, int resolution = 16);
 
+  /** Two translucent spheres that cut each other, and an opaque one. */
+  void AddParts();
+
   /** A polygonal source with a mapper of its own, lit. */
   vtkSmartPointer<vtkActor> AddSource(vtkAlgorithm* source, const Rgba& color);
 
   /** Draw the translucent geometry by `pass`, the rest as VTK does. */
   void Use(vtkRenderPass* pass);
+
+  /** Draw a frame as VTK does where it has no pass, which is what methods do that refuse it. */
+  Picture RenderAsVTK();
 
   /** Draw a frame, and catch what OpenGL complains about. */
   Picture Render();
@@ -89,6 +95,9 @@ struct TestScene
 
 /** Plates composited front to back in double precision over a background; plates are given front to back. */
 Rgba CompositePlates(const std::vector<Rgba>& plates, const Rgba& background);
+
+/** Expect that no channel is farther off than `tolerance` steps of 1/255. */
+void ExpectColor(const Rgba& color, const Rgba& expected, double tolerance);
 
 /** A colour rounded to multiples of 1/255. */
 Rgba RoundedTo8Bits(const Rgba& color);

@@ -4,12 +4,9 @@
 #include "TestScene.h"
 #include "gl/ProgramCache.h"
 #include "gl/VitrineOpenGL.h"
+#include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
-#include "vtkLinkedListTransparencyPass.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkTranslucentPass.h"
-#include "vtkTruthTransparencyPass.h"
 
 #include <gtest/gtest.h>
 
@@ -26,13 +23,28 @@ public:
   {
     Legend = "// composed from: 1=" + file + ".glsl";
     Rejections = 0;
-    Driver = glShaderSource;
+    SetSourceOfDriver = glShaderSource;
+    CreateProgramOfDriver = glCreateShaderProgramv;
     glShaderSource = SetSource;
+    glCreateShaderProgramv = CreateProgram;
   }
-  ~RejectedShader() { glShaderSource = Driver; }
+  ~RejectedShader()
+  {
+    glShaderSource = SetSourceOfDriver;
+    glCreateShaderProgramv = CreateProgramOfDriver;
+  }
   static int Rejections;
 
 private:
+  static std::string Spoilt(std::string text)
+  {
+    if (text.find(Legend) != std::string::npos)
+    {
+      ++Rejections;
+      text += "\n#error rejected\n";
+    }
+    return text;
+  }
   static void GLAPIENTRY SetSource(
     GLuint shader, GLsizei count, const GLchar* const* strings, const GLint* lengths)
   {
@@ -41,29 +53,24 @@ private:
     {
       text += lengths && lengths[i] >= 0 ? std::string(strings[i], lengths[i]) : strings[i];
     }
-    if (text.find(Legend) != std::string::npos)
-    {
-      ++Rejections;
-      text += "\n#error rejected\n";
-    }
+    text = Spoilt(text);
     const GLchar* source = text.c_str();
-    Driver(shader, 1, &source, nullptr);
+    SetSourceOfDriver(shader, 1, &source, nullptr);
+  }
+  static GLuint GLAPIENTRY CreateProgram(GLenum type, GLsizei, const GLchar* const* strings)
+  {
+    const std::string text = Spoilt(strings[0]);
+    const GLchar* source = text.c_str();
+    return CreateProgramOfDriver(type, 1, &source);
   }
   static std::string Legend;
-  static decltype(glShaderSource) Driver;
+  static decltype(glShaderSource) SetSourceOfDriver;
+  static decltype(glCreateShaderProgramv) CreateProgramOfDriver;
 };
 int RejectedShader::Rejections = 0;
 std::string RejectedShader::Legend;
-decltype(glShaderSource) RejectedShader::Driver = nullptr;
-
-Picture RenderAsVTK(TestScene& scene)
-{
-  vtkNew<vtkOrderIndependentTranslucentPass> weighted;
-  vtkNew<vtkTranslucentPass> translucent;
-  weighted->SetTranslucentPass(translucent);
-  scene.Use(weighted);
-  return scene.Render();
-}
+decltype(glShaderSource) RejectedShader::SetSourceOfDriver = nullptr;
+decltype(glCreateShaderProgramv) RejectedShader::CreateProgramOfDriver = nullptr;
 
 // Frames in which a shader is rejected. Returns how often the first one drew the geometry.
 int ExpectFallbackOnce(TestScene& scene, vtkTransparencyPass* pass, const Picture& byVTK)
@@ -107,8 +114,17 @@ struct LongLists
   int Layers;
 };
 
+// Shaders of the resolve are the same for all methods that store every fragment, in one colour format as in the other.
+const Method ListMethods[] = { ExactMethods()[0], ExactMethods()[2] };
+
+class ResolveFailures : public testing::TestWithParam<Method>
+{
+protected:
+  const vtkSmartPointer<vtkABufferTransparencyPass> Pass = MakeABuffer(GetParam());
+};
+
 // The program for the long lists is the one that fails, when that for the short ones is there already.
-TEST(ShaderFailures, OfLongListsBlendNothingTwice)
+TEST_P(ResolveFailures, OfLongListsBlendNothingTwice)
 {
   for (const LongLists& lists : { LongLists{ "ListResolve", 40 }, LongLists{ "ListSortRuns", 100 },
          LongLists{ "ListMergeRuns", 100 }, LongLists{ "ListResolveLong", 1100 } })
@@ -117,13 +133,13 @@ TEST(ShaderFailures, OfLongListsBlendNothingTwice)
     {
       SCOPED_TRACE(std::string(lists.Shader) + (inBands ? ", in bands" : ""));
       LayeredScene scene;
-      vtkNew<vtkLinkedListTransparencyPass> pass;
+      const vtkSmartPointer<vtkABufferTransparencyPass> pass = MakeABuffer(GetParam());
       scene.Use(pass);
       scene.Render();
       EXPECT_STREQ(pass->GetFallbackReason(), "");
 
       scene.AddLongLists(lists.Layers);
-      const Picture byVTK = RenderAsVTK(scene);
+      const Picture byVTK = scene.RenderAsVTK();
       if (inBands)
       {
         pass->SetMemoryLimit(40000); // the first band has short lists only
@@ -137,41 +153,78 @@ TEST(ShaderFailures, OfLongListsBlendNothingTwice)
 }
 
 // The second frame compiles the program for the short lists, beside that for the long ones.
-TEST(ShaderFailures, OfShortListsBlendNothingTwice)
+TEST_P(ResolveFailures, OfShortListsBlendNothingTwice)
 {
   LayeredScene scene;
   scene.AddLongLists(100);
-  const Picture byVTK = RenderAsVTK(scene);
-  vtkNew<vtkLinkedListTransparencyPass> pass;
-  ExpectTruth(scene, pass, 0.75);
+  const Picture byVTK = scene.RenderAsVTK();
+  ExpectTruth(scene, this->Pass, 0.75);
   const RejectedShader rejected("ListResolve");
-  ExpectFallbackOnce(scene, pass, byVTK);
+  ExpectFallbackOnce(scene, this->Pass, byVTK);
 }
 
-TEST(ShaderFailures, OfTheTilesAreSaid)
+INSTANTIATE_TEST_SUITE_P(Methods, ResolveFailures, testing::ValuesIn(ListMethods), MethodName());
+
+//------------------------------------------------------------------------------
+// A shader of a method's own, which it cannot do without. The first frame of prefix sums counts; the second predicts.
+struct OwnShader
+{
+  const char* Method;
+  const char* Shader;
+  int FramesBefore = 0;
+};
+
+std::ostream& operator<<(std::ostream& os, const OwnShader& own)
+{
+  return os << own.Method << own.Shader;
+}
+
+const OwnShader OwnShaders[] = {
+  { "LinkedListHalfFloat", "TileClassify" },
+  { "PrefixSumPredicted", "TileClassify" },
+  { "PrefixSumPredicted", "ScanCounts" },
+  { "PrefixSumPredicted", "ScanUp" },
+  { "PrefixSumPredicted", "ScanDown" },
+  { "PrefixSumPredicted", "PlaceCounted" },
+  { "PrefixSumPredicted", "ScanPrediction", 1 },
+  { "PrefixSumPredicted", "PlacePredicted", 1 },
+  { "StencilMask9", "StencilMaskResolve" },
+  { "StencilMask9", "StencilMaskMark" },
+  { "StencilMask9", "StencilMaskFilter" },
+  { "Truth", "TruthRead" },
+  { "Truth", "TruthWrite" },
+};
+
+class ShaderFailures : public testing::TestWithParam<OwnShader>
+{
+protected:
+  static vtkSmartPointer<vtkTransparencyPass> MakePass()
+  {
+    const auto method = std::find_if(AllMethods().begin(), AllMethods().end(),
+      [](const Method& m) { return m.Name == GetParam().Method; });
+    return method->Make();
+  }
+};
+
+TEST_P(ShaderFailures, AreSaid)
 {
   LayeredScene scene;
-  const Picture byVTK = RenderAsVTK(scene);
-  vtkNew<vtkLinkedListTransparencyPass> pass;
+  const Picture byVTK = scene.RenderAsVTK();
+  const vtkSmartPointer<vtkTransparencyPass> pass = MakePass();
   scene.Use(pass);
-  const RejectedShader rejected("TileClassify");
+  for (int frame = 0; frame < GetParam().FramesBefore; ++frame)
+  {
+    scene.Render();
+    EXPECT_STREQ(pass->GetFallbackReason(), "");
+  }
+  const RejectedShader rejected(GetParam().Shader);
   ExpectFallbackOnce(scene, pass, byVTK);
 }
 
-TEST(ShaderFailures, OfTruthAreSaid)
-{
-  for (const char* const shader : { "TruthRead", "TruthWrite" })
-  {
-    SCOPED_TRACE(shader);
-    LayeredScene scene;
-    const Picture byVTK = RenderAsVTK(scene);
-    vtkNew<vtkTruthTransparencyPass> pass;
-    scene.Use(pass);
-    const RejectedShader rejected(shader);
-    ExpectFallbackOnce(scene, pass, byVTK);
-  }
-}
+INSTANTIATE_TEST_SUITE_P(
+  Shaders, ShaderFailures, testing::ValuesIn(OwnShaders), testing::PrintToStringParamName());
 
+//------------------------------------------------------------------------------
 TEST(ProgramCache, CompilesABrokenProgramOnce)
 {
   TestScene scene(4, 4);

@@ -1,187 +1,27 @@
-// Viewports, layers, several windows, tiles, sizes, and passes and windows that come and go in any order.
+// Several windows, and passes and windows that come and go in any order.
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkImageData.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkSeeThroughPass.h"
-#include "vtkTranslucentPass.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace
 {
 
-void AddParts(TestScene& scene)
-{
-  scene.AddSphere(0.3, 0.1, 0.2, 0.5, { 0.9, 0.5, 0.1, 0.4 });
-  scene.AddSphere(-0.2, -0.1, -0.3, 0.7, { 0.1, 0.5, 0.9, 0.6 });
-  scene.AddSphere(-0.4, 0.3, 0.3, 0.4, { 0.9, 0.5, 0.9, 1.0 });
-}
-
-// The colours of the rectangle [x0, x1) x [y0, y1), if they are all the same.
-Rgba ColorOf(const Picture& picture, int x0, int y0, int x1, int y1)
-{
-  for (int y = y0; y < y1; ++y)
-  {
-    for (int x = x0; x < x1; ++x)
-    {
-      EXPECT_EQ(picture.At(x, y), picture.At(x0, y0)) << x << ", " << y;
-    }
-  }
-  return picture.At(x0, y0);
-}
-
-void ExpectColor(const Rgba& color, const Rgba& expected)
-{
-  for (int c = 0; c < 4; ++c)
-  {
-    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 0.75) << "channel " << c;
-  }
-}
-
-void AddPlatesTo(vtkRenderer* renderer, const std::vector<Rgba>& plates)
-{
-  TestScene maker;
-  renderer->AddActor(maker.AddPlates(plates, 3));
-}
-
-// VTK clears viewports alone; here, first, all of the window.
-void ClearEverything(TestScene& scene)
-{
-  vtkNew<vtkRenderer> all;
-  scene.Window->RemoveRenderer(scene.Renderer);
-  scene.Window->AddRenderer(all);
-  scene.Window->AddRenderer(scene.Renderer);
-}
-
 class Windows : public testing::TestWithParam<Method>
 {
-protected:
-  vtkSmartPointer<vtkSeeThroughPass> MakePass() const
-  {
-    auto seeThrough = vtkSmartPointer<vtkSeeThroughPass>::New();
-    const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
-    seeThrough->SetTranslucentPass(pass);
-    return seeThrough;
-  }
 };
-
-TEST_P(Windows, SeveralViewports)
-{
-  for (const int samples : GetParam().Samples())
-  {
-    SCOPED_TRACE(std::to_string(samples) + " samples");
-    TestScene scene(80, 60, samples);
-    ClearEverything(scene);
-    const std::vector<Rgba> left = RandomPlates(5, 0.4, 1);
-    const std::vector<Rgba> right =
-      RandomPlates(GetParam().Keeps(40) ? 40 : GetParam().MaxLayers, 0.1, 2);
-    scene.Renderer->SetViewport(0.1, 0.2, 0.45, 0.9);
-    AddPlatesTo(scene.Renderer, left);
-    scene.Renderer->SetPass(this->MakePass());
-    vtkNew<vtkRenderer> second;
-    second->SetViewport(0.5, 0.0, 1.0, 0.7);
-    second->SetBackground(1.0, 0.0, 1.0);
-    second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-    AddPlatesTo(second, right);
-    second->SetPass(this->MakePass());
-    scene.Window->AddRenderer(second);
-    for (int frame = 0; frame < 2; ++frame)
-    {
-      const Picture picture = scene.Render();
-      ExpectColor(ColorOf(picture, 9, 13, 35, 53), CompositePlates(left, TestBackground));
-      ExpectColor(ColorOf(picture, 41, 1, 79, 41), CompositePlates(right, { 1.0, 0.0, 1.0, 0.0 }));
-      ExpectColor(ColorOf(picture, 41, 43, 80, 60), { 0.0, 0.0, 0.0, 0.0 });
-      ExpectColor(ColorOf(picture, 0, 0, 7, 60), { 0.0, 0.0, 0.0, 0.0 });
-    }
-  }
-}
-
-// Each eye sees the picture that it sees without a pass.
-TEST_P(Windows, InStereo)
-{
-  const auto draw = [this](bool usesPass, int eye)
-  {
-    TestScene scene(80, 60);
-    scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
-    scene.Renderer->GetActiveCamera()->SetViewAngle(50.0);
-    const vtkSmartPointer<vtkActor> sphere =
-      scene.AddSphere(0.0, 0.0, 0.3, 0.5, { 0.3, 0.5, 0.9, 1.0 });
-    sphere->SetForceTranslucent(usesPass);
-    scene.Window->SetStereoType(eye);
-    scene.Window->StereoRenderOn();
-    if (usesPass)
-    {
-      scene.Renderer->SetPass(this->MakePass());
-    }
-    return scene.Render();
-  };
-  const Picture left = draw(true, VTK_STEREO_LEFT);
-  const Picture right = draw(true, VTK_STEREO_RIGHT);
-  EXPECT_GT(LargestDifference(left, right), 50);
-  EXPECT_LE(LargestDifference(left, draw(false, VTK_STEREO_LEFT), GetParam().EdgeShare), 2);
-  EXPECT_LE(LargestDifference(right, draw(false, VTK_STEREO_RIGHT), GetParam().EdgeShare), 2);
-}
-
-// A viewport of its own shows what a window of its size shows.
-TEST_P(Windows, AViewportIsAWindow)
-{
-  TestScene alone(40, 30);
-  AddParts(alone);
-  alone.Renderer->SetPass(this->MakePass());
-  const Picture expected = alone.Render();
-  TestScene scene(80, 60);
-  AddParts(scene);
-  scene.Renderer->SetViewport(0.25, 0.5, 0.75, 1.0);
-  scene.Renderer->SetPass(this->MakePass());
-  const Picture picture = scene.Render();
-  for (int y = 0; y < 30; ++y)
-  {
-    for (int x = 0; x < 40; ++x)
-    {
-      ASSERT_EQ(picture.At(20 + x, 30 + y), expected.At(x, y)) << x << ", " << y;
-    }
-  }
-}
-
-TEST_P(Windows, SeveralLayers)
-{
-  TestScene scene(30, 20);
-  const std::vector<Rgba> below = RandomPlates(5, 0.4, 4);
-  const std::vector<Rgba> above = RandomPlates(9, 0.2, 5);
-  AddPlatesTo(scene.Renderer, below);
-  scene.Renderer->SetPass(this->MakePass());
-  vtkNew<vtkRenderer> second;
-  second->SetLayer(1);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  AddPlatesTo(second, above);
-  second->SetPass(this->MakePass());
-  scene.Window->SetNumberOfLayers(2);
-  scene.Window->AddRenderer(second);
-  std::vector<Rgba> all = above;
-  all.insert(all.end(), below.begin(), below.end());
-  const Rgba color = UniformColor(scene.Render());
-  const Rgba expected = CompositePlates(all, TestBackground);
-  for (int c = 0; c < 4; ++c)
-  {
-    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], 1.2); // the layer below is rounded, too
-  }
-}
 
 TEST_P(Windows, TwoAtOnce)
 {
   TestScene a(40, 30);
   TestScene b(61, 47);
-  AddParts(a);
+  a.AddParts();
   b.AddPlates(RandomPlates(20, 0.2, 6), 7);
-  a.Renderer->SetPass(this->MakePass());
-  b.Renderer->SetPass(this->MakePass());
+  a.Renderer->SetPass(MakeSeeThrough(GetParam()));
+  b.Renderer->SetPass(MakeSeeThrough(GetParam()));
   const Picture first = a.Render();
   const Picture second = b.Render();
   EXPECT_FALSE(first == second);
@@ -196,13 +36,13 @@ TEST_P(Windows, OnePassInTwoByTurns)
 {
   TestScene a(40, 30);
   TestScene b(61, 47, GetParam().Samples().back());
-  AddParts(a);
-  AddParts(b);
-  a.Renderer->SetPass(this->MakePass());
-  b.Renderer->SetPass(this->MakePass());
+  a.AddParts();
+  b.AddParts();
+  a.Renderer->SetPass(MakeSeeThrough(GetParam()));
+  b.Renderer->SetPass(MakeSeeThrough(GetParam()));
   const Picture first = a.Render();
   const Picture second = b.Render();
-  const vtkSmartPointer<vtkSeeThroughPass> shared = this->MakePass();
+  const vtkSmartPointer<vtkSeeThroughPass> shared = MakeSeeThrough(GetParam());
   a.Renderer->SetPass(shared);
   b.Renderer->SetPass(shared);
   for (int frame = 0; frame < 3; ++frame)
@@ -212,108 +52,11 @@ TEST_P(Windows, OnePassInTwoByTurns)
   }
 }
 
-TEST_P(Windows, AnySizeOneAfterTheOther)
-{
-  TestScene scene;
-  AddParts(scene);
-  scene.Renderer->SetPass(this->MakePass());
-  const int sizes[][2] = { { 1, 1 }, { 301, 300 }, { 1, 77 }, { 64, 48 }, { 33, 1 }, { 301, 300 },
-    { 16, 16 }, { 17, 15 } };
-  for (const auto& size : sizes)
-  {
-    SCOPED_TRACE(std::to_string(size[0]) + " x " + std::to_string(size[1]));
-    scene.Window->SetSize(size[0], size[1]);
-    const Picture resized = scene.Render();
-    ASSERT_EQ(resized.Width, size[0]);
-    ASSERT_EQ(resized.Height, size[1]);
-    TestScene fresh(size[0], size[1]);
-    AddParts(fresh);
-    fresh.Renderer->SetPass(this->MakePass());
-    EXPECT_TRUE(fresh.Render() == resized);
-  }
-}
-
-Picture Screenshot(vtkRenderWindow* window, int scale)
-{
-  vtkNew<vtkWindowToImageFilter> filter;
-  filter->SetInput(window);
-  filter->SetScale(scale);
-  filter->SetInputBufferTypeToRGBA();
-  filter->ReadFrontBufferOff();
-  filter->Update();
-  vtkImageData* image = filter->GetOutput();
-  Picture picture;
-  picture.Width = image->GetDimensions()[0];
-  picture.Height = image->GetDimensions()[1];
-  const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer());
-  picture.Bytes.assign(bytes, bytes + std::size_t(4) * picture.Width * picture.Height);
-  return picture;
-}
-
-TEST_P(Windows, ATiledScreenshotIsTheUntiledPicture)
-{
-  TestScene large(120, 90);
-  AddParts(large);
-  large.Renderer->SetPass(this->MakePass());
-  const Picture expected = large.Render();
-  TestScene scene(40, 30);
-  AddParts(scene);
-  scene.Renderer->SetPass(this->MakePass());
-  const Picture before = scene.Render();
-  EXPECT_TRUE(Screenshot(scene.Window, 1) == before);
-  const Picture tiled = Screenshot(scene.Window, 3);
-  EXPECT_EQ(tiled.Width, 120);
-  EXPECT_LE(
-    LargestDifference(tiled, expected, GetParam().EdgeShare), GetParam().EdgeShare > 0.0 ? 1 : 0);
-  EXPECT_TRUE(scene.Render() == before);
-}
-
-// One layer needs no sorting: VTK's own blending of it is right, but for its rounding.
-TEST_P(Windows, ATileOfAWallOfDisplays)
-{
-  TestScene scene(40, 30);
-  scene.AddSphere(-0.4, 0.3, 0.3, 0.4, { 0.9, 0.5, 0.9, 1.0 });
-  scene.AddRectangle(-0.7, -0.4, 0.8, 0.5, 0.0, { 0.2, 0.9, 0.2, 0.6 });
-  scene.Renderer->SetViewport(0.1, 0.2, 0.9, 0.7);
-  scene.Window->SetTileScale(2, 2);
-  scene.Window->SetTileViewport(0.5, 0.0, 1.0, 0.5);
-  vtkNew<vtkTranslucentPass> blending;
-  scene.Use(blending);
-  const Picture expected = scene.Render();
-  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
-  scene.Use(pass);
-  const Picture picture = scene.Render();
-  int wrong = 0;
-  for (int y = 12; y < 30; ++y) // the part of the wall's viewport that lies in the tile
-  {
-    for (int x = 0; x < 32; ++x)
-    {
-      for (int c = 0; c < 4; ++c)
-      {
-        wrong += std::abs(picture.At(x, y)[c] - expected.At(x, y)[c]) > 1.01 / 255;
-      }
-    }
-  }
-  EXPECT_LE(wrong, GetParam().EdgeShare * 4 * 32 * 18);
-  EXPECT_GT(pass->GetFragmentCount(), 0);
-  EXPECT_LE(pass->GetFragmentCount(), 32 * 18);
-}
-
-TEST_P(Windows, OffScreenBuffers)
-{
-  TestScene scene(40, 30);
-  AddParts(scene);
-  scene.Renderer->SetPass(this->MakePass());
-  const Picture expected = scene.Render();
-  scene.Window->SetUseOffScreenBuffers(true);
-  EXPECT_TRUE(scene.Render() == expected);
-}
-
 TEST_P(Windows, AfterTheirResourcesAreReleased)
 {
   TestScene scene(40, 30);
-  AddParts(scene);
-  const vtkSmartPointer<vtkSeeThroughPass> pass = this->MakePass();
+  scene.AddParts();
+  const vtkSmartPointer<vtkSeeThroughPass> pass = MakeSeeThrough(GetParam());
   scene.Renderer->SetPass(pass);
   const Picture expected = scene.Render();
   pass->ReleaseGraphicsResources(scene.Window);
@@ -332,22 +75,22 @@ TEST_P(Windows, AfterTheirResourcesAreReleased)
 
 TEST_P(Windows, PassesGoFirstOrLast)
 {
-  vtkSmartPointer<vtkSeeThroughPass> survivor = this->MakePass();
+  vtkSmartPointer<vtkSeeThroughPass> survivor = MakeSeeThrough(GetParam());
   Picture expected;
   {
     TestScene scene(40, 30);
-    AddParts(scene);
+    scene.AddParts();
     scene.Renderer->SetPass(survivor);
     expected = scene.Render();
-    scene.Renderer->SetPass(this->MakePass());
+    scene.Renderer->SetPass(MakeSeeThrough(GetParam()));
     EXPECT_TRUE(scene.Render() == expected);
     scene.Renderer->SetPass(nullptr);
     scene.Render();
-    scene.Renderer->SetPass(this->MakePass());
+    scene.Renderer->SetPass(MakeSeeThrough(GetParam()));
     EXPECT_TRUE(scene.Render() == expected);
   }
   TestScene scene(40, 30);
-  AddParts(scene);
+  scene.AddParts();
   scene.Renderer->SetPass(survivor);
   EXPECT_TRUE(scene.Render() == expected);
   scene.Renderer->SetPass(nullptr);
@@ -358,10 +101,10 @@ TEST_P(Windows, PassesGoFirstOrLast)
 TEST_P(Windows, WithPassesToggledEveryFrame)
 {
   TestScene scene(40, 30);
-  AddParts(scene);
+  scene.AddParts();
   scene.Renderer->SetPass(nullptr);
   const Picture plain = scene.Render();
-  const vtkSmartPointer<vtkSeeThroughPass> pass = this->MakePass();
+  const vtkSmartPointer<vtkSeeThroughPass> pass = MakeSeeThrough(GetParam());
   vtkNew<vtkSeeThroughPass> other;
   scene.Renderer->SetPass(pass);
   const Picture expected = scene.Render();
@@ -394,13 +137,13 @@ std::vector<int> ObjectCounts()
 TEST_P(Windows, LeakNoObjectsOfPassesThatComeAndGo)
 {
   TestScene scene(40, 30);
-  AddParts(scene);
+  scene.AddParts();
   std::vector<int> first;
   // Truth allocates much.
   const int cycles = GetParam().Name == "Truth" ? 12 : 60;
   for (int cycle = 0; cycle < cycles; ++cycle)
   {
-    scene.Renderer->SetPass(this->MakePass());
+    scene.Renderer->SetPass(MakeSeeThrough(GetParam()));
     scene.Render();
     scene.Renderer->SetPass(nullptr);
     scene.Window->MakeCurrent();
@@ -418,8 +161,8 @@ TEST_P(Windows, ComeAndGo)
   for (int cycle = 0; cycle < 10; ++cycle)
   {
     TestScene scene(40, 30, cycle % 2 == 0 ? 0 : GetParam().Samples().back());
-    AddParts(scene);
-    scene.Renderer->SetPass(this->MakePass());
+    scene.AddParts();
+    scene.Renderer->SetPass(MakeSeeThrough(GetParam()));
     const Picture picture = scene.Render();
     if (cycle == 0)
     {

@@ -1,9 +1,5 @@
 #include "report/ComparisonJson.h"
 
-#include "Version.h"
-
-#include <algorithm>
-
 namespace program
 {
 
@@ -13,14 +9,6 @@ Json ToJson(const vitrine::ImageError& error)
 {
   return { { "max", error.Max }, { "rmse", error.Rmse }, { "psnr", error.Psnr },
     { "ssim", error.Ssim }, { "flip", error.Flip }, { "wrong_pixels", error.WrongPixels } };
-}
-
-Json FrameTimes(const MethodResult& result)
-{
-  const auto [low, high] =
-    std::minmax_element(result.FrameMilliseconds.begin(), result.FrameMilliseconds.end());
-  return { { "min", *low }, { "median", result.Median() }, { "max", *high },
-    { "frames", result.FrameMilliseconds.size() } };
 }
 
 Json SettingsJson(const ComparisonSettings& settings)
@@ -40,7 +28,7 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
     row["skipped"] = result.Skipped;
     return row;
   }
-  row["frame_ms"] = FrameTimes(result);
+  row["frame_ms"] = Spread(result.FrameMilliseconds, "frames");
   row["fragments"] = OrNull(result.Statistics.Fragments);
   row["lost"] = OrNull(result.Statistics.Lost);
   row["lost_is_least"] = result.Statistics.LostIsLeast;
@@ -55,12 +43,10 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
 
 std::string ToJsonDocument(const ComparisonResult& comparison, const Json& rows)
 {
-  const Json document = { { "vitrine", Version },
-    { "device",
-      { { "vendor", comparison.GL.Vendor }, { "renderer", comparison.GL.Renderer },
-        { "gl", comparison.GL.Version } } },
-    { "settings", SettingsJson(comparison.Settings) }, { "results", rows } };
-  return document.dump(2, ' ', /* ensure_ascii= */ false, Json::error_handler_t::replace) + "\n";
+  Json document = MeasurementHead(comparison.GL);
+  document["settings"] = SettingsJson(comparison.Settings);
+  document["results"] = rows;
+  return JsonText(document);
 }
 
 }

@@ -5,21 +5,12 @@
 #define VITRINE_COMPARISON_JSON_H
 
 #include "commands/Comparison.h"
-
-#include <nlohmann/json.hpp>
+#include "report/Json.h"
 
 #include <string>
 
 namespace program
 {
-
-using Json = nlohmann::ordered_json;
-
-template <typename T>
-Json OrNull(const std::optional<T>& value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
 
 /** One method's row; {"scene", "method", "width", "height", "skipped"} if it could not run. */
 Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result);

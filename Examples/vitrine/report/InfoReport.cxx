@@ -1,6 +1,6 @@
 #include "report/InfoReport.h"
 
-#include <nlohmann/json.hpp>
+#include "report/Json.h"
 
 #include <iomanip>
 #include <sstream>
@@ -10,8 +10,6 @@ namespace program
 
 namespace
 {
-using Json = nlohmann::ordered_json;
-
 void AppendBounds(std::ostream& text, const std::array<double, 6>& bounds)
 {
   const char* const axes = "xyz";
@@ -91,7 +89,7 @@ std::string ToJson(const SceneInfo& info)
     { "lines", info.Lines }, { "points", info.Points }, { "materials", info.Materials },
     { "bounds", info.Bounds }, { "layers", LayersJson(info) }, { "skipped", skipped },
     { "notes", info.Notes } };
-  return document.dump(2, ' ', /* ensure_ascii= */ false, Json::error_handler_t::replace) + "\n";
+  return JsonText(document);
 }
 
 }

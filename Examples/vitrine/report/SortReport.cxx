@@ -1,11 +1,9 @@
 #include "report/SortReport.h"
 
 #include "Median.h"
-#include "Version.h"
-#include "report/ComparisonJson.h"
+#include "report/Json.h"
 #include "report/TextTable.h"
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -166,13 +164,6 @@ std::string SkippedLines(const SortComparison& comparison)
   return lines;
 }
 
-Json Spread(const std::vector<double>& milliseconds)
-{
-  const auto [low, high] = std::minmax_element(milliseconds.begin(), milliseconds.end());
-  return { { "min", *low }, { "median", Median(milliseconds) }, { "max", *high },
-    { "rounds", milliseconds.size() } };
-}
-
 Json ToRow(const SortRun& run, const SortTimes& times)
 {
   Json row = { { "method", vitrine::NameOf(times.Method) }, { "size", run.Size },
@@ -183,8 +174,8 @@ Json ToRow(const SortRun& run, const SortTimes& times)
     return row;
   }
   row["repeats"] = run.Repeats;
-  row["ms"] = Spread(times.Milliseconds);
-  row["floor_ms"] = Spread(run.FloorMilliseconds);
+  row["ms"] = Spread(times.Milliseconds, "rounds");
+  row["floor_ms"] = Spread(run.FloorMilliseconds, "rounds");
   row["net_ms"] = times.NetMilliseconds;
   row["elements_per_second"] = { { "whole",
                                    OrNull(ElementsPerSecond(run, Median(times.Milliseconds))) },
@@ -227,15 +218,12 @@ std::string ToTables(const SortComparison& comparison)
 std::string ToJson(const SortComparison& comparison)
 {
   const SortSettings& settings = comparison.Settings;
-  const Json document = { { "vitrine", Version },
-    { "device",
-      { { "vendor", comparison.GL.Vendor }, { "renderer", comparison.GL.Renderer },
-        { "gl", comparison.GL.Version } } },
-    { "settings",
-      { { "lists", settings.Lists }, { "rounds", settings.Rounds }, { "seed", settings.Seed },
-        { "storage", settings.Storage } } },
-    { "results", ToRows(comparison.Sizes) }, { "lengths", ToRows(comparison.Lengths) } };
-  return document.dump(2, ' ', /* ensure_ascii= */ false, Json::error_handler_t::replace) + "\n";
+  Json document = MeasurementHead(comparison.GL);
+  document["settings"] = { { "lists", settings.Lists }, { "rounds", settings.Rounds },
+    { "seed", settings.Seed }, { "storage", settings.Storage } };
+  document["results"] = ToRows(comparison.Sizes);
+  document["lengths"] = ToRows(comparison.Lengths);
+  return JsonText(document);
 }
 
 }

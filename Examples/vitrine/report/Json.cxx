@@ -1,0 +1,32 @@
+#include "report/Json.h"
+
+#include "Median.h"
+#include "Version.h"
+
+#include <algorithm>
+
+namespace program
+{
+
+Json MeasurementHead(const Device& device)
+{
+  return {
+    { "vitrine", Version },
+    { "device",
+      { { "vendor", device.Vendor }, { "renderer", device.Renderer }, { "gl", device.Version } } }
+  };
+}
+
+Json Spread(const std::vector<double>& milliseconds, const std::string& count)
+{
+  const auto [low, high] = std::minmax_element(milliseconds.begin(), milliseconds.end());
+  return { { "min", *low }, { "median", Median(milliseconds) }, { "max", *high },
+    { count, milliseconds.size() } };
+}
+
+std::string JsonText(const Json& document)
+{
+  return document.dump(2, ' ', /* ensure_ascii= */ false, Json::error_handler_t::replace) + "\n";
+}
+
+}

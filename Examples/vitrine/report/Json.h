@@ -1,0 +1,36 @@
+/**
+ * What all of the program's JSON shares.
+ */
+#ifndef VITRINE_PROGRAM_JSON_H
+#define VITRINE_PROGRAM_JSON_H
+
+#include "methods/Device.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json OrNull(const std::optional<T>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/** How a document of measurements begins: {"vitrine", "device"}. */
+Json MeasurementHead(const Device& device);
+
+/** {"min", "median", "max"} of times, of which there are some, and their number as `count`. */
+Json Spread(const std::vector<double>& milliseconds, const std::string& count);
+
+/** The text of a document, for a file or a terminal; what is not UTF-8 in it is replaced. */
+std::string JsonText(const Json& document);
+
+}
+#endif
