@@ -24,4 +24,7 @@ uint nodeIndex(uint page, uint slot)
   return vitrineNodeIndex(page, slot, uint(VITRINE_PAGE_SIZE));
 }
 
-#define IS_TOO_LONG(pixel) false // the pool as a whole may be too small
+#define IS_TOO_LONG(count) false // the pool as a whole may be too small
+
+// Pages of 1, 2, 4 and 8 nodes for a list.
+#define PAGES_OF(count) ((uvec4(count) + uvec4(0u, 1u, 3u, 7u)) >> uvec4(0u, 1u, 2u, 3u))

@@ -7,20 +7,33 @@
 #include "FragmentNodeStore.glsl"
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
-layout(location = 1) inout uvec2 vitrineHead; // where the room ends, where the next fragment goes
+layout(location = 1) inout uvec2 vitrineHead; // where the room begins, fragments so far and room
 #else
 layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads; // the same, in two rows
+layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounterBuffer
+{
+  VitrineCounters vitrineCounters;
+};
 #endif
 
-// The place of the pixel's next fragment, and the end of its room.
-uvec2 vitrineTakePlace()
+// Take the place of the pixel's next fragment in the buffer, VITRINE_END where there is no room for it.
+uint vitrineTakePlace()
 {
+  const uint one = 1u << VITRINE_COUNT_SHIFT;
 #ifdef VITRINE_FRAMEBUFFER_FETCH
-  uvec2 taken = vitrineHead.yx;
-  vitrineHead.y = taken.x + 1u;
-  return taken;
+  uint start = vitrineHead.x;
+  uint taken = vitrineHead.y;
+  uint count = taken >> VITRINE_COUNT_SHIFT;
+  vitrineHead.y = count < VITRINE_LARGEST_COUNT ? taken + one : taken;
 #else
   ivec2 texel = ivec2(gl_FragCoord.xy) * ivec2(1, 2);
-  return uvec2(imageAtomicAdd(vitrineHeads, texel + ivec2(0, 1), 1u), imageLoad(vitrineHeads, texel).x);
+  uint taken = imageAtomicAdd(vitrineHeads, texel + ivec2(0, 1), one);
+  uint start = imageLoad(vitrineHeads, texel).x;
+  uint count = taken >> VITRINE_COUNT_SHIFT;
+  if (count == VITRINE_LARGEST_COUNT)
+  {
+    atomicMax(vitrineCounters.LayersMax, VITRINE_LARGEST_COUNT); // the count begins anew
+  }
 #endif
+  return count < (taken & (one - 1u)) ? start + count : VITRINE_END;
 }

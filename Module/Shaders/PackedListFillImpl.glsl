@@ -1,5 +1,5 @@
-  // Packed lists: store the fragment in its pixel's room. Places count on past the end of the room: what the frame
-  // needs is known even when it does not fit, and nothing is written outside.
+  // Packed lists: store the fragment in its pixel's room. Fragments are counted on past the end of the room: what the
+  // frame needs is known even when it does not fit, and nothing is written outside.
   {
     float vitrineZ = vitrineTakeDepth();
     uint vitrineSamples = vitrineCoverage(vitrineZ);
@@ -9,9 +9,9 @@
       discard;
     }
 #endif
-    uvec2 vitrinePlace = vitrineTakePlace();
-    if (vitrinePlace.x < vitrinePlace.y)
+    uint vitrinePlace = vitrineTakePlace();
+    if (vitrinePlace != VITRINE_END)
     {
-      vitrineStoreNode(vitrinePlace.x, vitrineZ, vitrineColor(gl_FragData[0]), vitrineSamples);
+      vitrineStoreNode(vitrinePlace, vitrineZ, vitrineColor(gl_FragData[0]), vitrineSamples);
     }
   }

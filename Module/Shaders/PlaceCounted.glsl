@@ -10,18 +10,16 @@ void main()
 {
   FOR_ONE_OF(block, blocks)
   ivec2 corner = blockAt(block) * VITRINE_BLOCK_SIZE;
-  uint start = sums[ofBlocks + block];
   uint place = sums[block];
   for (int y = 0; y < VITRINE_BLOCK_SIZE; ++y)
   {
     for (int x = 0; x < VITRINE_BLOCK_SIZE; ++x)
     {
       ivec2 pixel = corner + ivec2(x, y);
-      uvec2 room = loadRoom(pixel);
-      uint end = addSaturating(place, room.y - start);
-      start = room.x;
-      storeRoom(pixel, min(end, capacity), min(place, capacity));
-      place = end;
+      uint count = loadCount(pixel);
+      uint start = min(place, capacity);
+      storeRoom(pixel, start, min(count, capacity - start));
+      place = addSaturating(place, count);
     }
   }
 }

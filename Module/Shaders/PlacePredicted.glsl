@@ -6,11 +6,11 @@ uniform int capacity; // of the buffer, in nodes
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
 out uvec2 head;
-#define HEAD(end, next) uvec2(end, next)
+#define HEAD(start, room) uvec2(start, room)
 #define ROWS 1
 #else
-out uint head; // rows of ends and of places in turn
-#define HEAD(end, next) (int(gl_FragCoord.y) % 2 == 0 ? end : next)
+out uint head; // rows of starts and of rooms in turn
+#define HEAD(start, room) (int(gl_FragCoord.y) % 2 == 0 ? start : room)
 #define ROWS 2
 #endif
 
@@ -23,5 +23,6 @@ void main()
   ivec2 inBlock = pixel & (side - 1);
   uint room = sums[ofBlocks + block];
   uint place = addSaturating(sums[block], room * uint(inBlock.y * side + inBlock.x));
-  head = HEAD(min(addSaturating(place, room), uint(capacity)), min(place, uint(capacity)));
+  uint start = min(place, uint(capacity));
+  head = HEAD(start, min(room, uint(capacity) - start));
 }

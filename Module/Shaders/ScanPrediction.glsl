@@ -18,7 +18,7 @@ void main()
       room = max(room, imageLoad(longestLists, clamp(blockAt(block) + ivec2(x, y), blockFirst, last)).x);
     }
   }
-  room = min(room, 0xffffffu);
+  room = min(room, VITRINE_LARGEST_COUNT);
   sums[ofBlocks + block] = room;
   sums[block] = room * uint(VITRINE_BLOCK_SIZE * VITRINE_BLOCK_SIZE);
 }

@@ -12,7 +12,7 @@ layout(std430, binding = VITRINE_BINDING_SUMS) buffer SumBuffer
 
 uniform ivec2 blockFirst;
 uniform ivec2 blockCount;
-uniform int ofBlocks; // where in `sums` a value of each block lies that is kept beside: see each shader
+uniform int ofBlocks; // where in `sums` the room of a pixel of each block lies, where that was predicted
 
 // The sum, or the largest word where there are more: counts of one frame may pass 2^32, places do not.
 uint addSaturating(uint a, uint b)

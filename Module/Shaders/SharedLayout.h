@@ -29,6 +29,11 @@
 #define VITRINE_BLOCK_SIZE 4
 #define VITRINE_SCAN_FANOUT 128
 
+// A packed list's head: where its room begins, and in one word its number of fragments (high bits) and its room in
+// fragments (low bits). The largest number stands for itself and all that are larger.
+#define VITRINE_COUNT_SHIFT 16
+#define VITRINE_LARGEST_COUNT 0xffffu
+
 // Resolve: pixels are binned by the longest list in their tile of this many pixels a side.
 #define VITRINE_TILE_SIZE 16
 

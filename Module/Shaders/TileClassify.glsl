@@ -43,30 +43,6 @@ uint covered = 0u;
 uint tooLong = 0u;
 uvec4 pages = uvec4(0u);
 
-#ifdef VITRINE_PACKED_LISTS
-
-// Take the pixels of a block into the sums, in the order of their lists. All of them have heads.
-uint takeBlock(ivec2 first, ivec2 end)
-{
-  uint longestOfBlock = 0u;
-  uint start = startOfBlock(first);
-  for (int y = first.y; y < first.y + VITRINE_BLOCK_SIZE; ++y)
-  {
-    for (int x = first.x; x < first.x + VITRINE_BLOCK_SIZE; ++x)
-    {
-      uvec2 room = loadRoom(ivec2(x, y));
-      uint count = room.y - start;
-      start = room.x;
-      longestOfBlock = max(longestOfBlock, count);
-      covered += min(count, 1u);
-      tooLong += room.y > room.x ? 1u : 0u;
-      pages.x += count;
-    }
-  }
-  longest = max(longest, longestOfBlock);
-  return longestOfBlock;
-}
-#else
 // Take the pixels from `first` up to `end` into the sums. Returns their longest list.
 uint takeBlock(ivec2 first, ivec2 end)
 {
@@ -78,15 +54,13 @@ uint takeBlock(ivec2 first, ivec2 end)
       uint count = loadHead(ivec2(x, y)).y;
       longestOfBlock = max(longestOfBlock, count);
       covered += min(count, 1u);
-      tooLong += IS_TOO_LONG(ivec2(x, y)) ? 1u : 0u;
-      pages += (uvec4(count) + uvec4(0u, 1u, 3u, 7u)) >> uvec4(0u, 1u, 2u, 3u);
+      tooLong += IS_TOO_LONG(count) ? 1u : 0u;
+      pages += PAGES_OF(count);
     }
   }
   longest = max(longest, longestOfBlock);
   return longestOfBlock;
 }
-
-#endif
 
 void main()
 {
@@ -97,11 +71,9 @@ void main()
     for (int x = tile.x; x < tileEnd.x; x += VITRINE_BLOCK_SIZE)
     {
       ivec2 block = ivec2(x, y);
+      uint longestOfBlock = takeBlock(max(block, regionFirst), min(block + VITRINE_BLOCK_SIZE, tileEnd));
 #ifdef VITRINE_PACKED_LISTS
-      uint longestOfBlock = takeBlock(block, block);
       imageStore(longestLists, block / VITRINE_BLOCK_SIZE, uvec4(longestOfBlock));
-#else
-      takeBlock(max(block, regionFirst), min(block + VITRINE_BLOCK_SIZE, tileEnd));
 #endif
     }
   }

@@ -68,7 +68,8 @@ public:
   {
     FITS,     ///< what was drawn is in the store
     GREW,     ///< it was not, but there is room now: draw it again
-    TOO_LARGE ///< the limit, or the driver, forbids it; the store is as large as they allow
+    TOO_LARGE, ///< the limit, or the driver, forbids it; the store is as large as they allow
+    TOO_DEEP   ///< a pixel has more fragments than the store can count
   };
 
   /** Whether what the last fill counted is in the store; if not, make room for it. */
@@ -87,9 +88,6 @@ public:
 
   /** After a finished frame in so many bands, or one without fragments. */
   virtual void EndFrame(const FragmentStatistics& used, int bands) = 0;
-
-  /** The uniforms by which shaders find the lists. */
-  virtual void SetReadUniforms(vtkShaderProgram* program) const = 0;
 
   ///@{
   /** GL names; 0 for what a store has not. */

@@ -25,7 +25,6 @@ public:
   std::string DescribeLimit() const override { return this->Pool.DescribeLimit(); }
   std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state) override;
   void EndFrame(const FragmentStatistics& used, int bands) override;
-  void SetReadUniforms(vtkShaderProgram*) const override {}
   GLuint NodeBuffer() const override { return this->Pool.NodeBuffer(); }
   GLuint NodeTexture() const override { return this->Pool.NodeTexture(); }
   GLuint LinkBuffer() const override { return this->Pool.LinkBuffer(); }

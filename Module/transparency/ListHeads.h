@@ -1,7 +1,7 @@
 /**
  * The heads of lists: an image of two words for each pixel, and the framebuffers in which it is cleared and filled.
- * Linked lists: the newest page, and the number of fragments. Packed lists: where the room ends, and where the next
- * fragment goes.
+ * Linked lists: the newest page, and the number of fragments. Packed lists: where the room begins, and fragments and
+ * room in one word.
  */
 #ifndef VITRINE_LIST_HEADS_H
 #define VITRINE_LIST_HEADS_H

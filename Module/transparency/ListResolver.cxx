@@ -1,6 +1,6 @@
 #include "transparency/ListResolver.h"
 
-#include "Core/PackedOrder.h"
+#include "Core/PixelBlocks.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
@@ -65,8 +65,7 @@ class ScopedListTextures
 {
 public:
   ScopedListTextures(vtkOpenGLState* state, FragmentStore& store)
-    : Store(store)
-    , Heads(state, GL_TEXTURE_2D, store.Heads().Image().Handle())
+    : Heads(state, GL_TEXTURE_2D, store.Heads().Image().Handle())
     , Nodes(state, GL_TEXTURE_BUFFER, store.NodeTexture())
     , Links(state, GL_TEXTURE_BUFFER, store.LinkTexture())
   {
@@ -79,11 +78,9 @@ public:
     {
       program->SetUniformi("links", this->Links.Unit());
     }
-    this->Store.SetReadUniforms(program);
   }
 
 private:
-  FragmentStore& Store;
   ScopedTextureUnit Heads;
   ScopedTextureUnit Nodes;
   ScopedTextureUnit Links;

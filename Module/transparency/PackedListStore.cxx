@@ -126,6 +126,10 @@ void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
 {
+  if (needed.LayersMax >= VITRINE_LARGEST_COUNT)
+  {
+    return TOO_DEEP;
+  }
   if (needed.ShortPixels == 0)
   {
     return FITS;
@@ -201,14 +205,15 @@ void PackedListStore::ForgetOldShortage()
 //------------------------------------------------------------------------------
 std::vector<std::uint32_t> PackedListStore::ReadCounts(vtkOpenGLState* state)
 {
-  const std::size_t rowLength = this->ListsOfPixels.RowLength();
-  const std::vector<std::uint32_t> lengths = PackedListLengths(
-    this->ListsOfPixels.Read(state), static_cast<int>(rowLength), this->Blocks, VITRINE_BLOCK_SIZE);
+  const std::vector<std::uint32_t> heads = this->ListsOfPixels.Read(state);
+  const auto rowLength = static_cast<std::size_t>(this->ListsOfPixels.RowLength());
   std::vector<std::uint32_t> counts;
-  for (std::size_t row = 0; row < static_cast<std::size_t>(this->TargetHeight); ++row)
+  for (std::size_t y = 0; y < static_cast<std::size_t>(this->TargetHeight); ++y)
   {
-    const auto begin = lengths.begin() + static_cast<std::ptrdiff_t>(row * rowLength);
-    counts.insert(counts.end(), begin, begin + this->TargetWidth);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(this->TargetWidth); ++x)
+    {
+      counts.push_back(heads[2 * (y * rowLength + x) + 1] >> VITRINE_COUNT_SHIFT);
+    }
   }
   return counts;
 }
@@ -232,13 +237,6 @@ void PackedListStore::ShrinkIfLongOversized()
       std::max(this->RoomNodes, LeastNodes) * this->BytesPerNode, TexelFormat(this->BytesPerNode));
     this->OversizedFrames = 0;
   }
-}
-
-//------------------------------------------------------------------------------
-void PackedListStore::SetReadUniforms(vtkShaderProgram* program) const
-{
-  program->SetUniform2i("blockFirst", this->Blocks.First);
-  program->SetUniform2i("blockCount", this->Blocks.Count);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 #ifndef VITRINE_PACKED_LIST_STORE_H
 #define VITRINE_PACKED_LIST_STORE_H
 
-#include "Core/PackedOrder.h"
+#include "Core/PixelBlocks.h"
 #include "transparency/FragmentStore.h"
 #include "transparency/PackedScan.h"
 
@@ -31,7 +31,6 @@ public:
   std::string DescribeLimit() const override;
   std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state) override;
   void EndFrame(const FragmentStatistics& used, int bands) override;
-  void SetReadUniforms(vtkShaderProgram* program) const override;
   GLuint NodeBuffer() const override { return this->Nodes.Handle(); }
   GLuint NodeTexture() const override { return this->Nodes.Texture(); }
   GLuint BlockImage() const override { return this->LongestLists.Handle(); }

@@ -7,7 +7,7 @@
 #ifndef VITRINE_PACKED_SCAN_H
 #define VITRINE_PACKED_SCAN_H
 
-#include "Core/PackedOrder.h"
+#include "Core/PixelBlocks.h"
 #include "gl/ComputeProgram.h"
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"

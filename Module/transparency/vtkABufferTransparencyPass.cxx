@@ -25,6 +25,8 @@ const char* const FetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
 // How often a frame is drawn again whose props make more fragments than they did before.
 constexpr int MaximumAttempts = 4;
+const std::string TooDeep = "a pixel has " + std::to_string(VITRINE_LARGEST_COUNT) +
+  " fragments or more, which packed lists cannot count; linked lists can";
 const char* const UnsteadyProps =
   "the translucent props make more fragments each time they are drawn within one frame";
 
@@ -217,6 +219,8 @@ std::string vtkABufferTransparencyPass::RenderLists(
         break;
       case vitrine::FragmentStore::TOO_LARGE:
         return this->RenderInBands(s, target);
+      case vitrine::FragmentStore::TOO_DEEP:
+        return TooDeep;
     }
   }
   return UnsteadyProps;

@@ -1,13 +1,10 @@
 /**
- * The order in which the lists of pixels lie in a packed buffer: Shaders/PackedOrder.glsl in C++.
+ * Square blocks of pixels, in which a picture is taken row by row.
  */
-#ifndef VITRINE_CORE_PACKED_ORDER_H
-#define VITRINE_CORE_PACKED_ORDER_H
+#ifndef VITRINE_CORE_PIXEL_BLOCKS_H
+#define VITRINE_CORE_PIXEL_BLOCKS_H
 
 #include "Core/PixelRegion.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace vitrine
 {
@@ -31,14 +28,6 @@ BlockRange BlocksOf(const PixelRegion& region, int side);
 
 /** The pixels of these blocks, some of which may lie beyond the image. */
 PixelRegion PixelsOf(const BlockRange& blocks, int side);
-
-/**
- * The lengths of the lists, given the heads of an image `width` pixels wide, row by row, that holds all pixels of
- * `blocks`: two words each, where the room of the list ends and where its next fragment would go. Pixels outside of
- * `blocks` have none.
- */
-std::vector<std::uint32_t> PackedListLengths(
-  const std::vector<std::uint32_t>& heads, int width, const BlockRange& blocks, int side);
 
 }
 #endif
