@@ -1,6 +1,10 @@
 // Storing nodes from the fragment shaders of VTK's mappers.
 #include "FragmentNode.glsl"
+#ifdef VITRINE_COMPACT_NODES
+#include "CompactNode.glsl"
+#else
 #include "PackedColor.glsl"
+#endif
 
 layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer VitrineNodeBuffer
 {
@@ -10,6 +14,11 @@ layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer VitrineNodeBuff
 void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
 {
   uint word = node * uint(VITRINE_NODE_WORDS);
+#ifdef VITRINE_COMPACT_NODES
+  uvec2 packedNode = vitrinePackNode(z, color);
+  vitrineNodes[word] = packedNode.x;
+  vitrineNodes[word + 1u] = packedNode.y;
+#else
   vitrineNodes[word] = floatBitsToUint(z);
 #ifdef VITRINE_HALF_FLOAT
   uvec2 packedColor = vitrinePackColor(color);
@@ -17,6 +26,7 @@ void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
   vitrineNodes[word + 2u] = packedColor.y;
 #else
   vitrineNodes[word + 1u] = vitrinePackColor(color);
+#endif
 #endif
 #if VITRINE_SAMPLES > 0
   vitrineNodes[word + uint(VITRINE_NODE_WORDS) - 1u] = coverage;

@@ -1,15 +1,24 @@
 // Fragments in named registers, and what a sort does with them. A register without a fragment sorts last and
 // blends as nothing.
 //
+// VITRINE_COMPACT_NODES: keys and colours are the words of CompactNode.glsl.
 // VITRINE_FLOAT_KEYS: keys are the depths themselves, where GLSL has no bits of a float; else their bits.
+#ifdef VITRINE_COMPACT_NODES
+#include "CompactNode.glsl"
+#else
 #include "PackedColor.glsl"
+#endif
 
 #ifdef VITRINE_FLOAT_KEYS
 #define KEY float
 #define NO_KEY VITRINE_NO_DEPTH
 #else
 #define KEY uint
+#ifdef VITRINE_COMPACT_NODES
+#define NO_KEY 0xffffff80u
+#else
 #define NO_KEY 0xffffffffu
+#endif
 #endif
 
 // VITRINE_KEEP_COVERAGE: registers carry the node's coverage too, where the target is multisampled.
@@ -105,7 +114,11 @@ Fragment unpackNode(bool valid, uvec4 node)
 #endif
 vec4 fragmentColor(Fragment f)
 {
+#ifdef VITRINE_COMPACT_NODES
+  return vitrineUnpackNodeColor(uvec2(f.key, f.color));
+#else
   return vitrineUnpackColor(f.color);
+#endif
 }
 bool colorAbove(Fragment a, Fragment b)
 {

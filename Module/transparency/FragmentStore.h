@@ -66,8 +66,8 @@ public:
 
   enum FitType
   {
-    FITS,     ///< what was drawn is in the store
-    GREW,     ///< it was not, but there is room now: draw it again
+    FITS,      ///< what was drawn is in the store
+    GREW,      ///< it was not, but there is room now: draw it again
     TOO_LARGE, ///< the limit, or the driver, forbids it; the store is as large as they allow
     TOO_DEEP   ///< a pixel has more fragments than the store can count
   };

@@ -5,6 +5,20 @@
 namespace vitrine
 {
 
+const char* ListLayout::ColorDefine() const
+{
+  switch (this->Colors)
+  {
+    case NodeColors::HalfFloat:
+      return "VITRINE_HALF_FLOAT";
+    case NodeColors::Compact:
+      return "VITRINE_COMPACT_NODES";
+    case NodeColors::EightBit:
+      break;
+  }
+  return nullptr;
+}
+
 std::vector<std::string> ListLayout::Defines() const
 {
   std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(this->Samples),
@@ -13,9 +27,9 @@ std::vector<std::string> ListLayout::Defines() const
   {
     defines.emplace_back("VITRINE_PACKED_LISTS");
   }
-  if (this->HalfFloat)
+  if (const char* colors = this->ColorDefine())
   {
-    defines.emplace_back("VITRINE_HALF_FLOAT");
+    defines.emplace_back(colors);
   }
   if (this->FixedPoint)
   {
@@ -30,7 +44,8 @@ std::vector<std::string> ListLayout::Defines() const
 
 int ListLayout::NodeBytes() const
 {
-  const int words = 1 + (this->HalfFloat ? 2 : 1) + (this->Samples > 0 ? 1 : 0);
+  const int words =
+    1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (this->Samples > 0 ? 1 : 0);
   return words * static_cast<int>(sizeof(std::uint32_t));
 }
 

@@ -10,14 +10,25 @@
 namespace vitrine
 {
 
+/** How nodes keep colours. */
+enum class NodeColors
+{
+  HalfFloat, ///< four 16-bit floats
+  EightBit,  ///< RGBA8
+  Compact    ///< with the depth in two words: for fixed-point targets
+};
+
 struct ListLayout
 {
   bool Packed = false; ///< successive nodes of a packed buffer; else linked pages of a pool
-  bool HalfFloat = true;
+  NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
   bool FramebufferFetch = false;
   int Samples = 0;
   int PageSize = 1;
+
+  /** What names the kind of colours in shaders; null for 8 bits. */
+  const char* ColorDefine() const;
 
   /** The shaders' defines for this layout. */
   std::vector<std::string> Defines() const;

@@ -117,8 +117,8 @@ bool PackedScan::DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& 
 {
   heads.BindForWriting(window->GetState(), PixelsOf(blocks, VITRINE_BLOCK_SIZE));
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
-  vtkShaderProgram* program = this->Predicted.Ready(window, "predicted",
-    HeadDefines(layout), shaders::FullScreenVertex, [] { return shaders::PlacePredicted; });
+  vtkShaderProgram* program = this->Predicted.Ready(window, "predicted", HeadDefines(layout),
+    shaders::FullScreenVertex, [] { return shaders::PlacePredicted; });
   if (!program)
   {
     return false;

@@ -63,8 +63,8 @@ private:
   std::string Prepare(const BlockRange& blocks);
   bool RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* window,
     const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity = 0);
-  bool DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-    ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity);
+  bool DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout, ListHeads& heads,
+    const BlockRange& blocks, std::uint32_t capacity);
   bool ScanSums(vtkOpenGLRenderWindow* window);
   bool RunOverLevel(ComputeProgram& program, vtkOpenGLRenderWindow* window, std::size_t level);
 

@@ -30,6 +30,17 @@ const std::string TooDeep = "a pixel has " + std::to_string(VITRINE_LARGEST_COUN
 const char* const UnsteadyProps =
   "the translucent props make more fragments each time they are drawn within one frame";
 
+const char* const StorageNames[] = { "HALF_FLOAT", "EIGHT_BIT", "COMPACT" };
+
+// Compact nodes have no room for colours beyond 1.
+vitrine::NodeColors KindOfColors(int storage, const vitrine::RenderTarget& target)
+{
+  const bool isCompact = storage == vtkABufferTransparencyPass::COMPACT && target.FixedPoint;
+  return isCompact                                     ? vitrine::NodeColors::Compact
+    : storage == vtkABufferTransparencyPass::EIGHT_BIT ? vitrine::NodeColors::EightBit
+                                                       : vitrine::NodeColors::HalfFloat;
+}
+
 }
 
 struct vtkABufferTransparencyPass::Internals
@@ -87,8 +98,7 @@ vitrine::FragmentStore& vtkABufferTransparencyPass::GetStore()
 void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "ColorStorage: " << (this->ColorStorage == HALF_FLOAT ? "HALF_FLOAT" : "EIGHT_BIT") << "\n";
+  os << indent << "ColorStorage: " << StorageNames[this->ColorStorage] << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "PoolBytes: " << this->GetPoolBytes() << "\n";
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
@@ -97,9 +107,10 @@ void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkABufferTransparencyPass::SetColorStorage(int storage)
 {
-  if (storage != HALF_FLOAT && storage != EIGHT_BIT)
+  if (storage < HALF_FLOAT || storage > COMPACT)
   {
-    vtkErrorMacro(<< "ColorStorage is HALF_FLOAT (0) or EIGHT_BIT (1), not " << storage << ".");
+    vtkErrorMacro(<< "ColorStorage is HALF_FLOAT (0), EIGHT_BIT (1) or COMPACT (2), not " << storage
+                  << ".");
     return;
   }
   if (storage != this->ColorStorage)
@@ -134,9 +145,9 @@ vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
     fill.Extensions.emplace_back(FetchExtension);
     fill.Defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
   }
-  if (this->Private->Layout.HalfFloat)
+  if (const char* colors = this->Private->Layout.ColorDefine())
   {
-    fill.Defines.emplace_back("VITRINE_HALF_FLOAT");
+    fill.Defines.emplace_back(colors);
   }
   this->GetStoringShader(fill);
   return fill;
@@ -179,8 +190,8 @@ std::string vtkABufferTransparencyPass::RenderFragments(
 std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
-  in.Layout.HalfFloat = this->ColorStorage == HALF_FLOAT;
   in.Layout.FixedPoint = target.FixedPoint;
+  in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = in.HasFramebufferFetch && target.Samples == 0;

@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "methods/VTKMethods.h"
 #include "methods/VitrineMethods.h"
+#include "vtkABufferTransparencyPass.h"
 
 #include <algorithm>
 #include <charconv>
@@ -15,6 +16,8 @@ namespace program
 
 namespace
 {
+using Lists = vtkABufferTransparencyPass;
+
 struct Entry
 {
   std::string Name;
@@ -38,17 +41,24 @@ const std::vector<Entry>& Entries()
       [] { return MakeVTKPeeling(ExamplePeels); } },
     { "vtk-peeling", "vtkDualDepthPeelingPass with as many peels as it takes", false,
       [] { return MakeVTKPeeling(AnyNumberOfPeels); } },
-    { "linked-list", "A-buffer of linked lists; exact", true, MakeLinkedList },
+    { "linked-list", "A-buffer of linked lists; exact", true,
+      [] { return MakeLinkedList(Lists::HALF_FLOAT); } },
+    { "linked-list-compact", "the same with two thirds of the memory; exact", true,
+      [] { return MakeLinkedList(Lists::COMPACT); } },
     { "linked-list-8bit", "the same with 8-bit colours; rounds alpha", false,
-      MakeLinkedListEightBit },
+      [] { return MakeLinkedList(Lists::EIGHT_BIT); } },
     { "prefix-sum", "A-buffer packed by prefix sums; counts, then stores; exact", true,
-      MakePrefixSumCounted },
+      [] { return MakePrefixSum(false, Lists::HALF_FLOAT); } },
+    { "prefix-sum-compact", "the same with two thirds of the memory; exact", true,
+      [] { return MakePrefixSum(false, Lists::COMPACT); } },
     { "prefix-sum-8bit", "the same with 8-bit colours; rounds alpha", false,
-      MakePrefixSumCountedEightBit },
+      [] { return MakePrefixSum(false, Lists::EIGHT_BIT); } },
     { "prefix-sum-predicted", "the same in one geometry pass where the last frame tells; exact",
-      true, MakePrefixSumPredicted },
+      true, [] { return MakePrefixSum(true, Lists::HALF_FLOAT); } },
+    { "prefix-sum-predicted-compact", "the same with two thirds of the memory; exact", true,
+      [] { return MakePrefixSum(true, Lists::COMPACT); } },
     { "prefix-sum-predicted-8bit", "the same with 8-bit colours; rounds alpha", false,
-      MakePrefixSumPredictedEightBit },
+      [] { return MakePrefixSum(true, Lists::EIGHT_BIT); } },
     { "stencil-mask-4",
       "the first 4 layers by stencil masks, inexact at edges; with -unfiltered, edges as they are, "
       "with -marks, where they are repaired",

@@ -41,47 +41,19 @@ std::string VitrineMethod::WhyNotRun() const
   return this->Pass->GetFallbackReason();
 }
 
-std::unique_ptr<Method> MakeLinkedList()
-{
-  return std::make_unique<VitrineMethod>(vtkSmartPointer<vtkLinkedListTransparencyPass>::New());
-}
-
-std::unique_ptr<Method> MakeLinkedListEightBit()
+std::unique_ptr<Method> MakeLinkedList(int storage)
 {
   auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
-  pass->SetColorStorageToEightBit();
+  pass->SetColorStorage(storage);
   return std::make_unique<VitrineMethod>(pass);
 }
 
-namespace
-{
 std::unique_ptr<Method> MakePrefixSum(bool prediction, int storage)
 {
   auto pass = vtkSmartPointer<vtkPrefixSumTransparencyPass>::New();
   pass->SetPrediction(prediction);
   pass->SetColorStorage(storage);
   return std::make_unique<VitrineMethod>(pass);
-}
-}
-
-std::unique_ptr<Method> MakePrefixSumCounted()
-{
-  return MakePrefixSum(false, vtkPrefixSumTransparencyPass::HALF_FLOAT);
-}
-
-std::unique_ptr<Method> MakePrefixSumCountedEightBit()
-{
-  return MakePrefixSum(false, vtkPrefixSumTransparencyPass::EIGHT_BIT);
-}
-
-std::unique_ptr<Method> MakePrefixSumPredicted()
-{
-  return MakePrefixSum(true, vtkPrefixSumTransparencyPass::HALF_FLOAT);
-}
-
-std::unique_ptr<Method> MakePrefixSumPredictedEightBit()
-{
-  return MakePrefixSum(true, vtkPrefixSumTransparencyPass::EIGHT_BIT);
 }
 
 std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges)

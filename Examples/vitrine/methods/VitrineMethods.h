@@ -26,15 +26,11 @@ private:
   vtkSmartPointer<vtkTransparencyPass> Pass;
 };
 
-/** vtkLinkedListTransparencyPass. */
-std::unique_ptr<Method> MakeLinkedList();
-std::unique_ptr<Method> MakeLinkedListEightBit();
+/** vtkLinkedListTransparencyPass, with colours kept by one of its ColorStorageType. */
+std::unique_ptr<Method> MakeLinkedList(int storage);
 
-/** vtkPrefixSumTransparencyPass, counting first or by prediction. */
-std::unique_ptr<Method> MakePrefixSumCounted();
-std::unique_ptr<Method> MakePrefixSumCountedEightBit();
-std::unique_ptr<Method> MakePrefixSumPredicted();
-std::unique_ptr<Method> MakePrefixSumPredictedEightBit();
+/** vtkPrefixSumTransparencyPass, by prediction or counting first. */
+std::unique_ptr<Method> MakePrefixSum(bool prediction, int storage);
 
 /** What stencil masks do about the edges of polygons: repair them, leave them, or show the marks alone. */
 enum class MaskEdges
