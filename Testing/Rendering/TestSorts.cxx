@@ -1,4 +1,5 @@
 // Every sort of every size on the device, against std::sort: keys in order, each with its own payload.
+#include "Shaders/SharedLayout.h"
 #include "TestMessages.h"
 #include "TestScene.h"
 #include "gl/Capabilities.h"
@@ -224,6 +225,47 @@ TEST_F(Sorts, AlwaysBeginWithWhatWasSet)
   EXPECT_EQ(this->Harness->ReadChecksums(), ChecksumsOf(*sorted, 4));
   ASSERT_TRUE(this->Harness->Copy());
   EXPECT_EQ(this->Harness->ReadChecksums(), ChecksumsOf(lists, 4));
+}
+
+// As often as it is repeated a list is sorted with other bits of its keys flipped, and the checksum goes on.
+TEST_F(Sorts, RepeatWithKeysInAnotherOrder)
+{
+  constexpr int capacity = 8;
+  constexpr int repeats = 3;
+  TestRandom random(Seed);
+  std::vector<SortList> lists;
+  for (int length = 0; length <= capacity; ++length)
+  {
+    lists.push_back(MakeList(length, random, [&](int) { return RandomDepth(random); }));
+  }
+  std::uint32_t shift = 1;
+  for (int i = 0; i < capacity; ++i)
+  {
+    shift *= VITRINE_CHECKSUM_FACTOR;
+  }
+  std::vector<std::array<std::uint32_t, 2>> expected;
+  for (const SortList& list : lists)
+  {
+    std::array<std::uint32_t, 2> all = { 0, 0 };
+    for (std::uint32_t repeat = 0; repeat < repeats; ++repeat)
+    {
+      SortList flipped = list;
+      for (SortElement& element : flipped)
+      {
+        element.Key ^= repeat * VITRINE_CHECKSUM_FACTOR & 0x7fffffffu;
+      }
+      const auto checksum = vitrine::ListChecksum(Canonical(flipped), capacity);
+      all = { all[0] * shift + checksum[0], all[1] + checksum[1] };
+    }
+    expected.push_back(all);
+  }
+  ASSERT_EQ(this->Harness->SetLists(lists, capacity), "");
+  for (const ListSort sort : vitrine::AllListSorts)
+  {
+    SCOPED_TRACE(vitrine::NameOf(sort));
+    ASSERT_TRUE(this->Harness->Sort(sort, repeats).has_value());
+    EXPECT_EQ(this->Harness->ReadChecksums(), expected);
+  }
 }
 
 TEST_F(Sorts, RefuseWhatTheyCannotSort)

@@ -210,6 +210,92 @@ TEST(StencilMaskFilter, MarksTheOutline)
   EXPECT_GE(marked, 20);
 }
 
+// A pixel unlike all around it, by what each test of neighbours looks at: sums of depths 0.25, parity 0.75, colour 0.5 of
+// 1.5 at most.
+TEST(StencilMaskFilter, MarksByDepthParityAndColor)
+{
+  const struct
+  {
+    int Layers; // more than around it
+    double Alpha;
+    double DepthLimit;
+    double Error;
+  } cases[] = { { 1, 0.6, 0.01, 1.5 }, { 1, 0.01, 0.01, 1.0 }, { 2, 0.6, 0.01, 0.75 },
+    { 2, 0.01, 0.01, 0.25 }, { 2, 0.6, 100.0, 0.5 }, { 1, 0.01, 100.0, 0.75 },
+    { 2, 0.01, 100.0, 0.0 } };
+  for (const auto& c : cases)
+  {
+    SCOPED_TRACE(std::to_string(c.Layers) + " layers of alpha " + std::to_string(c.Alpha));
+    TestScene scene(20, 20);
+    scene.AddPlate(-0.5, { 0.2, 0.4, 0.8, 0.5 });
+    for (int i = 0; i < c.Layers; ++i)
+    {
+      scene.AddRectangle(0.0, 0.0, 0.1, 0.1, 0.1 * i, { 1.0, 1.0, 0.2, c.Alpha });
+    }
+    vtkNew<vtkStencilMaskTransparencyPass> pass;
+    pass->ShowMarksOn();
+    pass->SetDepthLimit(c.DepthLimit);
+    scene.Use(pass);
+    const Picture marks = scene.Render();
+    EXPECT_NEAR(marks.At(10, 10)[0], c.Error / 1.5, 0.6 / 255);
+    EXPECT_EQ(marks.At(9, 10)[0], 0.0);
+  }
+}
+
+// Along an edge through a column of pixels that covers their centres but not all of their groups, a layer is missing.
+// Pixels there become the mean of their neighbours with as many layers: those inside, and those above and below, which
+// are no better and count 0.3.
+TEST(StencilMaskFilter, TakesTheWeightedMeanOfNeighboursAlike)
+{
+  TestScene scene(40, 30);
+  scene.AddPlate(-0.5, { 0.9, 0.2, 0.1, 0.5 });
+  scene.AddRectangle(-2.0, -2.0, 0.7 / 15, 2.0, 0.5, { 0.1, 0.9, 0.8, 0.5 });
+  vtkNew<vtkStencilMaskTransparencyPass> pass;
+  pass->SetNumberOfLayers(9);
+  scene.Use(pass);
+  const Picture repaired = scene.Render();
+  pass->FilterOff();
+  const Picture asItIs = scene.Render();
+  const double inside = std::exp(-0.5) + 2.0 * std::exp(-1.0) + std::exp(-2.0);
+  const double along = 1.0 + 0.3 * 2.0 * (std::exp(-0.5) + std::exp(-2.0));
+  Rgba expected;
+  for (int c = 0; c < 4; ++c)
+  {
+    expected[c] = (inside * asItIs.At(18, 15)[c] + along * asItIs.At(20, 15)[c]) / (inside + along);
+  }
+  ExpectColor(repaired.At(20, 15), expected, 1.1); // of rounded colours, rounded
+  EXPECT_GT(std::abs(asItIs.At(20, 15)[1] - asItIs.At(18, 15)[1]), 0.1);
+  EXPECT_EQ(repaired.At(18, 15), asItIs.At(18, 15));
+  EXPECT_EQ(repaired.At(22, 15), asItIs.At(22, 15));
+}
+
+// What no test marks stays as it is, though it differs from its neighbours.
+TEST(StencilMaskFilter, LeavesShading)
+{
+  TestScene scene(40, 40);
+  scene.AddSphere(0.0, 0.0, 0.0, 5.0, { 0.9, 0.5, 0.1, 0.5 }, 8)->SetPosition(0.0, 0.0, -4.9);
+  vtkNew<vtkStencilMaskTransparencyPass> pass;
+  scene.Use(pass);
+  pass->ShowMarksOn();
+  const Picture marks = scene.Render();
+  pass->ShowMarksOff();
+  const Picture filtered = scene.Render();
+  pass->FilterOff();
+  const Picture asItIs = scene.Render();
+  int left = 0;
+  int wrong = 0;
+  for (int i = 0; i < 40 * 40; ++i)
+  {
+    if (marks.Bytes[4 * i] < 200) // 1.25 of 1.5
+    {
+      ++left;
+      wrong += filtered.At(i % 40, i / 40) != asItIs.At(i % 40, i / 40);
+    }
+  }
+  EXPECT_GT(left, 1000);
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(StencilMaskDepths, OfHalfFloatsOrderWhatIsFarEnoughApart)
 {
   TestScene scene(Width, Height);
