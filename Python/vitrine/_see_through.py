@@ -28,6 +28,7 @@ METHODS: dict[str, Any] = {
 _COLOR_STORAGES = {
     "half-float": vtkABufferTransparencyPass.HALF_FLOAT,
     "8-bit": vtkABufferTransparencyPass.EIGHT_BIT,
+    "compact": vtkABufferTransparencyPass.COMPACT,
 }
 
 
@@ -42,8 +43,8 @@ def see_through(
 
     target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers that they have now.
     method: "linked-list", "prefix-sum", or "truth", the slow yardstick, composited in float64 on the CPU.
-    color_storage: of the exact methods: "half-float", the default, or "8-bit", which takes less memory and
-        rounds each fragment.
+    color_storage: of the exact methods: "half-float", the default; "compact", which takes two thirds of the memory and
+        is faster, and exact to 8-bit pictures; or "8-bit", which rounds each fragment.
     memory_limit: of the exact methods: the largest number of bytes that its fragments may take on the device, for
         each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
 

@@ -69,6 +69,7 @@ class Pictures(unittest.TestCase):
             (None, passes.HALF_FLOAT),
             ("half-float", passes.HALF_FLOAT),
             ("8-bit", passes.EIGHT_BIT),
+            ("compact", passes.COMPACT),
         ):
             renderer = vtkRenderer()
             vitrine.see_through(renderer, color_storage=name)

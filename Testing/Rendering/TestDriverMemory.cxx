@@ -61,7 +61,7 @@ protected:
   // What the fragments themselves take.
   static GLsizeiptr Needed()
   {
-    return GLsizeiptr(GetParam().KeepsEightBits() ? 8 : 12) * Layers * Width * Height;
+    return GLsizeiptr(GetParam().NodeBytes()) * Layers * Width * Height;
   }
 
   // The picture where there is memory for everything.

@@ -192,9 +192,9 @@ TEST_P(MemoryPool, HoldsStillWhereTheUseSwings)
 }
 
 INSTANTIATE_TEST_SUITE_P(Storage, MemoryPool,
-  testing::Values(
-    vtkLinkedListTransparencyPass::HALF_FLOAT, vtkLinkedListTransparencyPass::EIGHT_BIT),
-  [](const auto& info) { return info.param == 0 ? "HalfFloat" : "EightBit"; });
+  testing::Values(vtkLinkedListTransparencyPass::HALF_FLOAT,
+    vtkLinkedListTransparencyPass::EIGHT_BIT, vtkLinkedListTransparencyPass::COMPACT),
+  StorageName());
 
 TEST(PagesAtTheLimit, AreOfOneNodeWhereLargerOnesDoNotFit)
 {

@@ -23,8 +23,8 @@ std::ostream& operator<<(std::ostream& os, const Method& method)
 
 const std::vector<Method>& ExactMethods()
 {
-  // An 8-bit target rounds once, which is half a step. Storage of half floats adds less than a quarter, storage of
-  // 8 bits up to half a step for each layer that shows, mostly in alpha.
+  // An 8-bit target rounds once, which is half a step. Storage of half floats adds less than a quarter, that of compact
+  // nodes less than half, storage of 8 bits up to half a step for each layer that shows, mostly in alpha.
   static const std::vector<Method> methods = {
     { "LinkedListHalfFloat", [] { return vtkSmartPointer<vtkLinkedListTransparencyPass>::New(); },
       0.75 },
@@ -36,6 +36,14 @@ const std::vector<Method>& ExactMethods()
         return pass;
       },
       1.4 },
+    { "LinkedListCompact",
+      []
+      {
+        auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
+        pass->SetColorStorageToCompact();
+        return pass;
+      },
+      1.0 },
     { "PrefixSumPredicted", [] { return vtkSmartPointer<vtkPrefixSumTransparencyPass>::New(); },
       0.75 },
     { "PrefixSumCountedEightBit",

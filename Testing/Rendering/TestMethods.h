@@ -48,6 +48,9 @@ struct Method
 
   /** Whether colours are kept in 8 bits, for which its tolerance leaves room. */
   bool KeepsEightBits() const { return this->Tolerance > 1.0; }
+
+  /** Bytes that an A-buffer pass takes of each fragment: more where it keeps half floats, which are the most exact. */
+  int NodeBytes() const { return this->Tolerance < 1.0 ? 12 : 8; }
 };
 
 std::ostream& operator<<(std::ostream& os, const Method& method);
@@ -84,6 +87,17 @@ struct MethodName
   std::string operator()(const Info& info) const
   {
     return info.param.Name;
+  }
+};
+
+/** The same over an A-buffer pass's ways to keep colours. */
+struct StorageName
+{
+  template <class Info>
+  std::string operator()(const Info& info) const
+  {
+    const char* const names[] = { "HalfFloat", "EightBit", "Compact" };
+    return names[info.param];
   }
 };
 

@@ -51,11 +51,12 @@ const Case Cases[] = {
   { "OneRowMoreThanTwoLevelsHold", { { 0, 0 }, { 128, 129 } }, Few },
   { "APartOfThePicture", { { 5, 3 }, { 17, 11 } }, Few },
   { "Nothing", { { 0, 0 }, { 20, 20 } }, [](int) { return 0u; } },
-  { "OneLongList", { { 0, 0 }, { 20, 20 } }, [](int i) { return i == 77 ? 100000u : 0u; } },
+  { "OneLongList", { { 0, 0 }, { 20, 20 } }, [](int i) { return i == 77 ? 60000u : 0u; } },
   { "NoRoomForTheLast", { { 0, 0 }, { 20, 20 } }, Few, 7001 },
   { "NoRoomAtAll", { { 0, 0 }, { 20, 20 } }, Few, 0 },
   { "MoreThan2To24", { { 0, 0 }, { 20, 20 } }, [](int i) { return 3000u + Few(i); } },
-  { "MoreThan2To32", { { 0, 0 }, { 20, 20 } }, [](int i) { return 0xfffff0u + Few(i); }, 1u << 20 },
+  { "MoreThan2To32", { { 0, 0 }, { 128, 40 } }, [](int i) { return 0xfff0u + Few(i) % 15u; },
+    1u << 20 },
 };
 
 // Places in order, none beyond `capacity`, and the sum of all that was asked for.
@@ -65,12 +66,12 @@ struct Rooms
     : Capacity(capacity)
   {
   }
-  // Where the next list begins and ends.
+  // Where the next list begins, and its room.
   std::array<std::uint32_t, 2> Take(std::uint32_t length)
   {
-    const std::uint64_t begin = this->Total;
+    const std::uint32_t begin = this->Bounded(this->Total);
     this->Total = std::min(this->Total + length, Largest);
-    return { this->Bounded(begin), this->Bounded(this->Total) };
+    return { begin, this->Bounded(this->Total) - begin };
   }
   std::uint32_t Bounded(std::uint64_t place) const
   {
@@ -122,7 +123,7 @@ protected:
     }
   }
 
-  // Heads as a fill without room leaves them: the words of a pixel are 0 and its number of fragments.
+  // Heads as a fill without room leaves them: the words of a pixel are 0 and its number of fragments, shifted.
   void WriteCounts(const std::vector<std::uint32_t>& counts)
   {
     ASSERT_EQ(this->Heads.Prepare(
@@ -136,13 +137,14 @@ protected:
       {
         std::for_each(row, row + Width(),
           [&](std::uint32_t n) {
-            words.insert(words.end(), { 0u, n });
+            words.insert(words.end(), { 0u, n << VITRINE_COUNT_SHIFT });
           });
       }
       else
       {
         words.insert(words.end(), Width(), 0u);
-        words.insert(words.end(), row, row + Width());
+        std::transform(row, row + Width(), std::back_inserter(words),
+          [](std::uint32_t n) { return n << VITRINE_COUNT_SHIFT; });
       }
     }
     this->Fill(this->Heads.Image(), words);
@@ -169,8 +171,8 @@ protected:
     VisitPixels(
       [&](std::size_t pixel)
       {
-        const auto [begin, end] = rooms.Take(length(pixel));
-        wrong += heads[2 * pixel] != end || heads[2 * pixel + 1] != begin;
+        const auto [begin, room] = rooms.Take(length(pixel));
+        wrong += heads[2 * pixel] != begin || heads[2 * pixel + 1] != room;
       });
     EXPECT_EQ(wrong, 0) << "of " << heads.size() / 2;
     EXPECT_EQ(this->Scan.ReadTotal(), rooms.Total);
@@ -205,16 +207,14 @@ TEST_P(PackedScan, PlacesAgainWhatCountedOn)
   ASSERT_EQ(this->Scan.PlaceCounted(
               this->Window(), this->Layout, this->Heads, Blocks(), Parameters().Capacity),
     "");
-  // The fill: every pixel's next fragment goes three behind the end of its room.
+  // The fill: every pixel has three fragments more than room.
   std::vector<std::uint32_t> heads = this->Heads.Read(this->Window()->GetState());
   std::vector<std::uint32_t> taken(counts.size());
-  std::uint32_t start = 0;
   VisitPixels(
     [&](std::size_t pixel)
     {
-      heads[2 * pixel + 1] = heads[2 * pixel] + 3;
-      taken[pixel] = heads[2 * pixel + 1] - start;
-      start = heads[2 * pixel];
+      taken[pixel] = std::min(heads[2 * pixel + 1] + 3, VITRINE_LARGEST_COUNT);
+      heads[2 * pixel + 1] |= taken[pixel] << VITRINE_COUNT_SHIFT;
     });
   std::vector<std::uint32_t> words = heads;
   if (!this->Layout.FramebufferFetch)

@@ -35,6 +35,18 @@ protected:
     return pass;
   }
   int NodeBytes() const { return GetParam() == vtkPrefixSumTransparencyPass::HALF_FLOAT ? 12 : 8; }
+
+  // The window depth, below 1/8, of a node's first word.
+  float Depth(std::uint32_t word) const
+  {
+    if (GetParam() == vtkPrefixSumTransparencyPass::COMPACT)
+    {
+      return std::ldexp(static_cast<float>(word >> 7), -26);
+    }
+    float depth = 0.0f;
+    std::memcpy(&depth, &word, sizeof(depth));
+    return depth;
+  }
 };
 
 void AddSpheres(TestScene& scene)
@@ -228,9 +240,7 @@ TEST_P(PrefixSum, SaysSoWhereItsPassesDoNotAgreeAndWritesNothingOutsideOfRooms)
   int ofPlate = 0;
   for (std::size_t i = 0; i < words.size(); i += this->NodeBytes() / sizeof(std::uint32_t))
   {
-    float depth = 0.0f;
-    std::memcpy(&depth, &words[i], sizeof(depth));
-    ofPlate += std::abs(depth - 0.025f) < 0.01f;
+    ofPlate += std::abs(this->Depth(words[i]) - 0.025f) < 0.01f;
   }
   EXPECT_EQ(ofPlate, 8 * Height);
 }
@@ -248,9 +258,22 @@ TEST_P(PrefixSum, FewerFragmentsThanCountedAreNoMatter)
   EXPECT_EQ(pass->GetGeometryPasses(), 1);
 }
 
+TEST_P(PrefixSum, RefusesMoreFragmentsInAPixelThanHeadsCount)
+{
+  TestScene scene(3, 2);
+  scene.AddPlates(RandomPlates(66000, 0.01, 1), 2);
+  for (const bool prediction : { false, true })
+  {
+    const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(prediction);
+    scene.Use(pass);
+    scene.Render();
+    ExpectRefusal(pass, "65535 fragments or more");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Storage, PrefixSum,
-  testing::Values(
-    vtkPrefixSumTransparencyPass::HALF_FLOAT, vtkPrefixSumTransparencyPass::EIGHT_BIT),
-  [](const auto& info) { return info.param == 0 ? "HalfFloat" : "EightBit"; });
+  testing::Values(vtkPrefixSumTransparencyPass::HALF_FLOAT, vtkPrefixSumTransparencyPass::EIGHT_BIT,
+    vtkPrefixSumTransparencyPass::COMPACT),
+  StorageName());
 
 }

@@ -77,7 +77,7 @@ TEST_P(SharedPool, OfADeepAndAFlatViewHoldsStill)
   this->AddViewports({ 64, 1 });
   this->Changes(2);
   const vtkTypeInt64 bytes = this->Pass->GetPoolBytes();
-  EXPECT_GE(bytes, 64 * 60 * 20 * (GetParam().KeepsEightBits() ? 8 : 12));
+  EXPECT_GE(bytes, 64 * 60 * 20 * GetParam().NodeBytes());
   EXPECT_EQ(this->Changes(70), 0);
 }
 
