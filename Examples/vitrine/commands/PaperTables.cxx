@@ -22,7 +22,8 @@ const std::vector<PaperTable>& PaperTables()
 {
   static const std::vector<PaperTable> tables = {
     { "masks", "Stencil masks", "demo:paper-masks", { 8, 15 },
-      "blend,vtk-oit,stencil-mask-8,stencil-mask-16,linked-list,linked-list-8bit", { { 8, 0.27 }, { 16, 0.12 } } },
+      "blend,vtk-oit,stencil-mask-8,stencil-mask-16,linked-list,linked-list-8bit",
+      { { 8, 0.27 }, { 16, 0.12 } } },
     { "lists", "Linked lists", "demo:paper-lists", { 8, 16, 32, 57 },
       "blend,vtk-oit,linked-list,linked-list-8bit,prefix-sum-predicted,prefix-sum-predicted-8bit",
       { { 8, 0.12 }, { 16, 0.10 }, { 32, 0.06 }, { 64, 0.033 } } },
