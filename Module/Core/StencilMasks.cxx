@@ -1,7 +1,6 @@
 #include "Core/StencilMasks.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace vitrine
@@ -38,24 +37,6 @@ std::vector<std::uint8_t> MaskStartValues(const MaskGroup& group)
     values[static_cast<std::size_t>(place)] = static_cast<std::uint8_t>(next++);
   }
   return values;
-}
-
-MaskCounts CountMasked(const MaskGroup& group, const std::vector<std::uint8_t>& startValues,
-  std::vector<std::uint8_t>& values)
-{
-  assert(startValues.size() == values.size());
-  MaskCounts counts;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    counts.Saturated += values[i] == 0;
-    const int fragments = startValues[i] - values[i];
-    counts.Fragments += fragments;
-    counts.Lost += std::max(fragments - group.Layers(), 0);
-    counts.Covered += fragments > 0;
-    counts.LayersMax = std::max(counts.LayersMax, fragments);
-    values[i] = static_cast<std::uint8_t>(fragments);
-  }
-  return counts;
 }
 
 }

@@ -9,7 +9,6 @@
 #ifndef VITRINE_STENCIL_MASKS_H
 #define VITRINE_STENCIL_MASKS_H
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -37,24 +36,6 @@ std::optional<MaskGroup> FindMaskGroup(int layers);
  * layers are nearest to the middle, where a copy at a group's scale finds the group.
  */
 std::vector<std::uint8_t> MaskStartValues(const MaskGroup& group);
-
-/** What the stencil tells of a frame, by one value for each pixel. */
-struct MaskCounts
-{
-  std::int64_t Fragments =
-    0;                   ///< of all pixels; what comes after the stencil reached 0 is not counted
-  std::int64_t Lost = 0; ///< of them, those after the last layer of their pixel
-  std::int64_t Covered = 0;   ///< pixels with fragments
-  std::int64_t Saturated = 0; ///< pixels in which the stencil reached 0
-  int LayersMax = 0;          ///< most in one pixel
-};
-
-/**
- * Count by the stencil's values of a place in each group, given those that it began with. `values` are replaced by the
- * number of fragments.
- */
-MaskCounts CountMasked(const MaskGroup& group, const std::vector<std::uint8_t>& startValues,
-  std::vector<std::uint8_t>& values);
 
 }
 #endif

@@ -3,6 +3,7 @@
 //
 // VITRINE_COMPACT_NODES: keys and colours are the words of CompactNode.glsl.
 // VITRINE_FLOAT_KEYS: keys are the depths themselves, where GLSL has no bits of a float; else their bits.
+// VITRINE_FLOAT_COLORS: so are colours; else they are packed. They order alike.
 #ifdef VITRINE_COMPACT_NODES
 #include "CompactNode.glsl"
 #else
@@ -12,13 +13,23 @@
 #ifdef VITRINE_FLOAT_KEYS
 #define KEY float
 #define NO_KEY VITRINE_NO_DEPTH
+#define PRECISE
 #else
 #define KEY uint
+#define PRECISE precise
 #ifdef VITRINE_COMPACT_NODES
-#define NO_KEY 0xffffff80u
+#define NO_KEY 0xffffff80u // no depth, and an alpha of 0
 #else
 #define NO_KEY 0xffffffffu
 #endif
+#endif
+
+#ifdef VITRINE_FLOAT_COLORS
+#define COLOR vec4
+#define NO_COLOR vec4(0.0)
+#else
+#define COLOR uint
+#define NO_COLOR 0u
 #endif
 
 // VITRINE_KEEP_COVERAGE: registers carry the node's coverage too, where the target is multisampled.
@@ -93,8 +104,8 @@ bool sameFragment(Fragment a, Fragment b)
 
 struct Fragment
 {
-  KEY key;    // the depth
-  uint color; // as PackedColor.glsl packs
+  KEY key;     // the depth
+  COLOR color; // as PackedColor.glsl packs, or as it is
   COVERAGE_MEMBER
 };
 
@@ -112,6 +123,17 @@ Fragment unpackNode(bool valid, uvec4 node)
   return f;
 }
 #endif
+#ifdef VITRINE_FLOAT_COLORS
+vec4 fragmentColor(Fragment f)
+{
+  return f.color;
+}
+bool colorAbove(Fragment a, Fragment b)
+{
+  vec4 above = step(0.0, a.color - b.color) - step(0.0, b.color - a.color);
+  return dot(above, vec4(1.0, 2.0, 4.0, 8.0)) > 0.0;
+}
+#else
 vec4 fragmentColor(Fragment f)
 {
 #ifdef VITRINE_COMPACT_NODES
@@ -124,6 +146,7 @@ bool colorAbove(Fragment a, Fragment b)
 {
   return a.color > b.color;
 }
+#endif
 Fragment selectFragment(bool s, Fragment a, Fragment b)
 {
   Fragment f;
@@ -139,14 +162,18 @@ bool sameFragment(Fragment a, Fragment b)
 
 #define EXCHANGE_COLOR(a, b, s) \
   { \
-    uint t = s ? b.color : a.color; b.color = s ? a.color : b.color; a.color = t; \
+    COLOR t = s ? b.color : a.color; b.color = s ? a.color : b.color; a.color = t; \
     EXCHANGE_COVERAGE(a, b, s) \
   }
 
 #endif
 
 #define DECLARE(f) Fragment f;
+#ifdef VITRINE_FLOAT_KEYS
+#define CLEAR(f) f.key = NO_KEY; f.color = NO_COLOR;
+#else
 #define CLEAR(f) f = unpackNode(false, uvec4(0u));
+#endif
 
 // Exchange a and b where s holds, given that s holds wherever b is the nearer.
 #define EXCHANGE(a, b, s) \
@@ -185,3 +212,16 @@ bool sameFragment(Fragment a, Fragment b)
     color += transmittance * c.a * c.rgb; \
     transmittance -= transmittance * c.a; \
   }
+
+// None is nearer, and none of its depth has a lesser colour.
+Fragment nearestOfAll()
+{
+  Fragment f;
+#ifdef VITRINE_FLOAT_KEYS
+  f.key = 0.0;
+  f.color = NO_COLOR;
+#else
+  f = unpackNode(true, uvec4(0u));
+#endif
+  return f;
+}

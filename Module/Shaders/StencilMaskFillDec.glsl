@@ -16,6 +16,8 @@ float vitrineCentreDepth;        // of the window, at the pixel's centre
 // From here to the centre of the group, in pixels of the larger target.
 #define VITRINE_TO_CENTRE (0.5 * vec2(VITRINE_GROUP) - mod(gl_FragCoord.xy, vec2(VITRINE_GROUP)))
 
+#define VITRINE_KEPT_DEPTH(z) vitrineToView(z)
+
 // Depth in view space: 0 in the near plane, 1 in the far plane, linear between them.
 float vitrineToView(float z)
 {

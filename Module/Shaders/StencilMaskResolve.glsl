@@ -39,14 +39,7 @@ void main()
 
   //Vitrine::Load
 
-  //Vitrine::Sort
-
-  bool disordered;
-  do
-  {
-    disordered = false;
-    //Vitrine::OrderTies
-  } while (disordered);
+#include "SortRegisters.glsl"
 
   vec3 color = vec3(0.0);
   float transmittance = 1.0;

@@ -56,8 +56,7 @@ TransferFormat AnyTransferFormat(GLenum internalFormat)
 GLint BoundTexture(GLenum target)
 {
   GLint name = 0;
-  glGetIntegerv(
-    target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_MULTISAMPLE, &name);
+  glGetIntegerv(TextureBindingQuery(target), &name);
   return name;
 }
 
@@ -90,10 +89,18 @@ int LargestImage()
   return size;
 }
 
-std::string DescribeSize(int width, int height, int samples)
+int MostLayers()
+{
+  GLint layers = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
+  return layers;
+}
+
+std::string DescribeSize(int width, int height, int samples, int layers)
 {
   return std::to_string(width) + "x" + std::to_string(height) + " pixels" +
-    (samples > 0 ? " of " + std::to_string(samples) + " samples" : "");
+    (samples > 0 ? " of " + std::to_string(samples) + " samples" : "") +
+    (layers > 0 ? " in " + std::to_string(layers) + " layers" : "");
 }
 
 // Binds a buffer to the generic shader storage target, which draws do not read.
@@ -115,30 +122,46 @@ private:
 
 }
 
-std::string Image2D::Allocate(GLenum internalFormat, int width, int height, int samples)
+GLenum Image2D::Target() const
+{
+  if (this->Layers > 0)
+  {
+    return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_ARRAY;
+  }
+  return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+}
+
+std::string Image2D::Allocate(GLenum internalFormat, int width, int height, int samples, int layers)
 {
   if (this->Texture != 0 && this->InternalFormat == internalFormat && this->Width == width &&
-    this->Height == height && this->Samples == samples)
+    this->Height == height && this->Samples == samples && this->Layers == layers)
   {
     return {};
   }
   this->Release();
   if (std::max(width, height) > LargestImage())
   {
-    return "it takes an image of " + DescribeSize(width, height, samples) +
+    return "it takes an image of " + DescribeSize(width, height, samples, layers) +
       ", and the driver's largest has " + std::to_string(LargestImage()) + " a side";
+  }
+  if (layers > MostLayers())
+  {
+    return "it takes an image of " + DescribeSize(width, height, samples, layers) +
+      ", and the driver has at most " + std::to_string(MostLayers());
   }
   this->InternalFormat = internalFormat;
   this->Width = width;
   this->Height = height;
   this->Samples = samples;
+  this->Layers = layers;
 
   ReportEarlierErrors();
   this->AllocateTexture();
   if (TakeError())
   {
     this->Release();
-    return "the driver has no memory for an image of " + DescribeSize(width, height, samples);
+    return "the driver has no memory for an image of " +
+      DescribeSize(width, height, samples, layers);
   }
   return {};
 }
@@ -148,7 +171,12 @@ void Image2D::AllocateTexture()
   const GLint previous = BoundTexture(this->Target());
   glGenTextures(1, this->Texture.Address());
   glBindTexture(this->Target(), this->Texture);
-  if (this->Samples > 0)
+  if (this->Samples > 0 && this->Layers > 0)
+  {
+    glTexImage3DMultisample(this->Target(), this->Samples, this->InternalFormat, this->Width,
+      this->Height, this->Layers, GL_TRUE);
+  }
+  else if (this->Samples > 0)
   {
     glTexImage2DMultisample(
       this->Target(), this->Samples, this->InternalFormat, this->Width, this->Height, GL_TRUE);
@@ -157,8 +185,17 @@ void Image2D::AllocateTexture()
   {
     const ScopedPixelTransfer pixelTransfer; // a bound buffer would be read
     const TransferFormat none = AnyTransferFormat(this->InternalFormat);
-    glTexImage2D(this->Target(), 0, static_cast<GLint>(this->InternalFormat), this->Width,
-      this->Height, 0, none.Format, none.Type, nullptr);
+    const auto format = static_cast<GLint>(this->InternalFormat);
+    if (this->Layers > 0)
+    {
+      glTexImage3D(this->Target(), 0, format, this->Width, this->Height, this->Layers, 0,
+        none.Format, none.Type, nullptr);
+    }
+    else
+    {
+      glTexImage2D(
+        this->Target(), 0, format, this->Width, this->Height, 0, none.Format, none.Type, nullptr);
+    }
     glTexParameteri(this->Target(), GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(this->Target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(this->Target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -182,7 +219,8 @@ std::int64_t Image2D::Bytes() const
   glBindTexture(this->Target(), this->Texture);
   const std::int64_t bits = BitsPerTexel(this->Target());
   glBindTexture(this->Target(), static_cast<GLuint>(previous));
-  return bits / 8 * this->Width * this->Height * std::max(this->Samples, 1);
+  return bits / 8 * this->Width * this->Height * std::max(this->Samples, 1) *
+    std::max(this->Layers, 1);
 }
 
 bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)

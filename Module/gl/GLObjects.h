@@ -38,19 +38,19 @@ private:
   GLuint Name = 0;
 };
 
-/** A 2D texture, single- or multisampled, sampled by texelFetch only. */
+/** A 2D texture or an array of them, single- or multisampled, sampled by texelFetch only. */
 class Image2D
 {
 public:
   /**
    * (Re)allocate where anything differs; contents are undefined and the name is a new one then. Returns an empty
-   * string, or why the driver cannot hold such an image: there is none then.
+   * string, or why the driver cannot hold such an image: there is none then. Any `layers` but 0 make an array.
    */
-  std::string Allocate(GLenum internalFormat, int width, int height, int samples);
+  std::string Allocate(GLenum internalFormat, int width, int height, int samples, int layers = 0);
   void Release();
 
   GLuint Handle() const { return this->Texture; }
-  GLenum Target() const { return this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
+  GLenum Target() const;
   std::int64_t Bytes() const;
 
 private:
@@ -61,6 +61,7 @@ private:
   int Width = 0;
   int Height = 0;
   int Samples = 0;
+  int Layers = 0;
 };
 
 /** A buffer, and a buffer texture over it if a texel format is given. */

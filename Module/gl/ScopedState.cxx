@@ -13,23 +13,6 @@ namespace vitrine
 namespace
 {
 
-// The query that tells what is bound to a texture target of the active unit.
-GLenum TextureBindingQuery(GLenum target)
-{
-  switch (target)
-  {
-    case GL_TEXTURE_2D:
-      return GL_TEXTURE_BINDING_2D;
-    case GL_TEXTURE_2D_MULTISAMPLE:
-      return GL_TEXTURE_BINDING_2D_MULTISAMPLE;
-    case GL_TEXTURE_BUFFER:
-      return GL_TEXTURE_BINDING_BUFFER;
-    default:
-      assert(false && "texture target without a query");
-      return 0;
-  }
-}
-
 struct PixelSetting
 {
   GLenum Name;
@@ -43,6 +26,26 @@ const PixelSetting PixelSettings[] = { { GL_PACK_SWAP_BYTES, 0 }, { GL_PACK_LSB_
   { GL_UNPACK_ROW_LENGTH, 0 }, { GL_UNPACK_SKIP_ROWS, 0 }, { GL_UNPACK_SKIP_PIXELS, 0 },
   { GL_UNPACK_ALIGNMENT, 4 } };
 
+}
+
+GLenum TextureBindingQuery(GLenum target)
+{
+  switch (target)
+  {
+    case GL_TEXTURE_2D:
+      return GL_TEXTURE_BINDING_2D;
+    case GL_TEXTURE_2D_MULTISAMPLE:
+      return GL_TEXTURE_BINDING_2D_MULTISAMPLE;
+    case GL_TEXTURE_2D_ARRAY:
+      return GL_TEXTURE_BINDING_2D_ARRAY;
+    case GL_TEXTURE_2D_MULTISAMPLE_ARRAY:
+      return GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY;
+    case GL_TEXTURE_BUFFER:
+      return GL_TEXTURE_BINDING_BUFFER;
+    default:
+      assert(false && "texture target without a query");
+      return 0;
+  }
 }
 
 ScopedTrackedState::ScopedTrackedState(vtkOpenGLState* state)
@@ -168,6 +171,25 @@ ScopedArrayBuffer::~ScopedArrayBuffer()
   // A mapper that builds its buffers anew may have deleted it.
   const auto previous = static_cast<GLuint>(this->Previous);
   glBindBuffer(GL_ARRAY_BUFFER, glIsBuffer(previous) ? previous : 0);
+}
+
+ScopedSampleMask::ScopedSampleMask()
+  : WasEnabled(glIsEnabled(GL_SAMPLE_MASK))
+{
+  glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &this->Previous);
+  glDisable(GL_SAMPLE_MASK);
+}
+
+void ScopedSampleMask::DrawInto(int sample)
+{
+  glEnable(GL_SAMPLE_MASK);
+  glSampleMaski(0, 1u << static_cast<unsigned int>(sample));
+}
+
+ScopedSampleMask::~ScopedSampleMask()
+{
+  glSampleMaski(0, static_cast<GLbitfield>(this->Previous));
+  (this->WasEnabled ? glEnable : glDisable)(GL_SAMPLE_MASK);
 }
 
 ScopedVertexArray::ScopedVertexArray(GLuint vertexArray)

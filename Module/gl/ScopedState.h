@@ -16,6 +16,9 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
+/** The query that tells which texture is bound to `target` of the active unit. */
+GLenum TextureBindingQuery(GLenum target);
+
 /**
  * What vtkOpenGLState tracks and a pass changes: masks, tests, blending, viewport, scissor, framebuffer
  * bindings. Changes go through vtkOpenGLState, so its cache stays true.
@@ -128,6 +131,25 @@ public:
   void operator=(const ScopedArrayBuffer&) = delete;
 
 private:
+  GLint Previous = 0;
+};
+
+/**
+ * The samples that drawing is confined to, which VTK does not track: all of them, until one is chosen.
+ */
+class ScopedSampleMask
+{
+public:
+  ScopedSampleMask();
+  ~ScopedSampleMask();
+  ScopedSampleMask(const ScopedSampleMask&) = delete;
+  void operator=(const ScopedSampleMask&) = delete;
+
+  /** Confine multisampled drawing to one of the first 32 samples. */
+  static void DrawInto(int sample);
+
+private:
+  GLboolean WasEnabled = GL_FALSE;
   GLint Previous = 0;
 };
 

@@ -16,8 +16,6 @@ namespace
 // The strip of start values is so many groups high: the stencil is reset by a few copies, and the strip stays small.
 constexpr int StripGroups = 32;
 
-constexpr GLenum StencilFormat = GL_DEPTH24_STENCIL8;
-
 // A place without a fragment. 16-bit floats have no number so large: there it is infinite.
 constexpr float NoDepth = std::numeric_limits<float>::max();
 
@@ -44,16 +42,6 @@ void AttachStencil(vtkOpenGLState* state, Framebuffer& framebuffer, const Image2
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, image.Handle(), 0);
 }
 
-// Framebuffers without colours are complete in OpenGL 3.2 if they neither draw nor read any.
-void AttachStencilAlone(vtkOpenGLState* state, Framebuffer& framebuffer, const Image2D& image)
-{
-  AttachStencil(state, framebuffer, image);
-  const GLenum none = GL_NONE;
-  glDrawBuffers(1, &none);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.Handle());
-  glReadBuffer(GL_NONE);
-}
-
 }
 
 std::string MaskTarget::Prepare(
@@ -63,6 +51,10 @@ std::string MaskTarget::Prepare(
   if (problem.empty())
   {
     problem = this->Allocate(target.Region, group, halfFloat);
+  }
+  if (problem.empty())
+  {
+    problem = this->Counter.Prepare(state, this->Width, this->Height);
   }
   if (problem.empty())
   {
@@ -87,15 +79,7 @@ std::string MaskTarget::Allocate(const PixelRegion& region, const MaskGroup& gro
   }
   if (problem.empty())
   {
-    problem = this->StencilImage.Allocate(StencilFormat, width, height, 0);
-  }
-  if (problem.empty())
-  {
-    problem = this->StencilCopy.Allocate(StencilFormat, this->Width, this->Height, 0);
-  }
-  if (problem.empty())
-  {
-    problem = this->CountImage.Allocate(GL_R8, this->Width, this->Height, 0);
+    problem = this->StencilImage.Allocate(StencilCounter::StencilFormat, width, height, 0);
   }
   if (problem.empty() && (!fits || this->StartValues.Handle() == 0))
   {
@@ -108,7 +92,6 @@ std::string MaskTarget::Allocate(const PixelRegion& region, const MaskGroup& gro
 void MaskTarget::Attach(vtkOpenGLState* state)
 {
   AttachStencilAlone(state, this->StartSource, this->StartValues);
-  AttachStencilAlone(state, this->CountTarget, this->StencilCopy);
   AttachStencil(state, this->FillTarget, this->StencilImage);
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->ColorImage.Handle(), 0);
@@ -123,8 +106,8 @@ std::string MaskTarget::WriteStartValues()
   const int width = this->Width * this->Group.Width;
   const int height = std::min(this->Height, StripGroups) * this->Group.Height;
   this->StartValues.Release();
-  this->StartCopy.clear();
-  std::string problem = this->StartValues.Allocate(StencilFormat, width, height, 0);
+  this->Counter.ForgetStart();
+  std::string problem = this->StartValues.Allocate(StencilCounter::StencilFormat, width, height, 0);
   if (!problem.empty())
   {
     return problem;
@@ -157,11 +140,7 @@ void MaskTarget::BeginFill(vtkOpenGLState* state, const RenderTarget& target)
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglStencilMask(0xff);
   this->ResetStencil(state);
-  if (this->StartCopy.empty())
-  {
-    // Of even groups the middle lies between pixels: which one a copy takes is the driver's choice, always the same.
-    this->StartCopy = this->ReadStencil(state);
-  }
+  this->Counter.NoteStart(state, this->FillTarget, this->Whole());
   BindForFullScreenDraw(state, this->FillTarget.Handle(), this->Width, this->Height);
   const GLfloat empty[4] = { NoDepth, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 1, empty);
@@ -190,39 +169,20 @@ void MaskTarget::ResetStencil(vtkOpenGLState* state)
   }
 }
 
-std::vector<std::uint8_t> MaskTarget::ReadStencil(vtkOpenGLState* state)
+StencilCounts MaskTarget::Count(vtkOpenGLState* state)
 {
-  state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->FillTarget.Handle());
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->CountTarget.Handle());
-  state->vtkglBlitFramebuffer(0, 0, this->Width * this->Group.Width,
-    this->Height * this->Group.Height, 0, 0, this->Width, this->Height, GL_STENCIL_BUFFER_BIT,
-    GL_NEAREST);
-
-  std::vector<std::uint8_t> values(static_cast<std::size_t>(this->Width) * this->Height);
-  const ScopedPixelTransfer pixelTransfer;
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->CountTarget.Handle());
-  glReadPixels(0, 0, this->Width, this->Height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
-  return values;
+  return this->Counter.Count(state, this->FillTarget, this->Whole(), this->Group.Layers());
 }
 
-MaskCounts MaskTarget::Count(vtkOpenGLState* state)
+PixelRegion MaskTarget::Whole() const
 {
-  std::vector<std::uint8_t> values = this->ReadStencil(state);
-  const MaskCounts counts = CountMasked(this->Group, this->StartCopy, values);
-  const ScopedPixelTransfer pixelTransfer;
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->CountImage.Handle());
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RED, GL_UNSIGNED_BYTE, values.data());
-  return counts;
+  return { 0, 0, this->Width * this->Group.Width, this->Height * this->Group.Height };
 }
 
 std::int64_t MaskTarget::Bytes() const
 {
   return this->ColorImage.Bytes() + this->DepthImage.Bytes() + this->StencilImage.Bytes() +
-    this->StartValues.Bytes() + this->StencilCopy.Bytes() + this->CountImage.Bytes();
+    this->StartValues.Bytes() + this->Counter.Bytes();
 }
 
 void MaskTarget::Release()
@@ -231,11 +191,9 @@ void MaskTarget::Release()
   this->DepthImage.Release();
   this->StencilImage.Release();
   this->StartValues.Release();
-  this->StencilCopy.Release();
-  this->CountImage.Release();
+  this->Counter.Release();
   this->FillTarget.Release();
   this->StartSource.Release();
-  this->CountTarget.Release();
 }
 
 }

@@ -8,10 +8,10 @@
 #include "Core/PixelRegion.h"
 #include "Core/StencilMasks.h"
 #include "gl/GLObjects.h"
+#include "transparency/StencilCounter.h"
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 class vtkOpenGLState;
 
@@ -40,13 +40,13 @@ public:
    * What the stencil tells, in sum and, in Counts(), of each pixel; waits for the device. Changes the
    * framebuffer bindings.
    */
-  MaskCounts Count(vtkOpenGLState* state);
+  StencilCounts Count(vtkOpenGLState* state);
 
   const Image2D& Colors() const { return this->ColorImage; }
   const Image2D& Depths() const { return this->DepthImage; }
 
   /** R8: fragments / 255 of each pixel of the region, close to its centre. */
-  const Image2D& Counts() const { return this->CountImage; }
+  const Image2D& Counts() const { return this->Counter.Image(); }
   std::int64_t Bytes() const;
   void Release();
 
@@ -55,21 +55,18 @@ private:
   void Attach(vtkOpenGLState* state);
   std::string WriteStartValues();
   void ResetStencil(vtkOpenGLState* state);
-  std::vector<std::uint8_t> ReadStencil(vtkOpenGLState* state);
+  PixelRegion Whole() const;
 
   MaskGroup Group;
   int Width = 0; // of the region
   int Height = 0;
-  Image2D ColorImage;   // RGBA8
-  Image2D DepthImage;   // R32F or R16F, in view space
-  Image2D StencilImage; // with a depth that is not used: a stencil alone need not be supported
-  Image2D StartValues;  // a strip of what the stencil begins with
-  Image2D StencilCopy;  // the stencil of a place near the middle of each group
-  std::vector<std::uint8_t> StartCopy; // what stands there at first
-  Image2D CountImage; // fragments, which shaders of OpenGL 3.2 cannot read from a stencil
+  Image2D ColorImage; // RGBA8
+  Image2D DepthImage; // R32F or R16F, in view space
+  Image2D StencilImage;
+  Image2D StartValues;    // a strip of what the stencil begins with
+  StencilCounter Counter; // by a place near the middle of each group
   Framebuffer FillTarget;
   Framebuffer StartSource;
-  Framebuffer CountTarget;
 };
 
 }

@@ -20,6 +20,21 @@ void Fill(std::string& source, const char* tag, const std::string& text)
   (void)problem;
 }
 
+// A resolve of any number of fragments, in blocks of `block`.
+std::string ResolveLong(std::string source, int block)
+{
+  const LongResolveText text = UnrollLongResolve(block);
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "ClearNearest", text.ClearNearest);
+  Fill(source, "LoadBlock", text.LoadBlock);
+  Fill(source, "SortBlock", text.SortBlock);
+  Fill(source, "MergeBlock", text.MergeBlock);
+  Fill(source, "Blend", text.Blend);
+  Fill(source, "CountSame", text.CountSame);
+  Fill(source, "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";");
+  return source;
+}
+
 // A resolve of lists of up to `size` nodes, by one network.
 std::string Resolve(std::string source, int size, int pageSize)
 {
@@ -67,17 +82,17 @@ std::string MergeRunsSource(int runs)
 
 std::string MergeBlocksSource(int block)
 {
-  const LongResolveText text = UnrollLongResolve(block);
-  std::string source = shaders::ListResolveLong;
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "ClearNearest", text.ClearNearest);
-  Fill(source, "LoadBlock", text.LoadBlock);
-  Fill(source, "SortBlock", text.SortBlock);
-  Fill(source, "MergeBlock", text.MergeBlock);
-  Fill(source, "Blend", text.Blend);
-  Fill(source, "CountSame", text.CountSame);
-  Fill(source, "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";");
-  return source;
+  return ResolveLong(shaders::ListResolveLong, block);
+}
+
+std::string RoutedNetworkSource(int size)
+{
+  return Resolve(shaders::StencilRoutedResolve, size, size);
+}
+
+std::string RoutedBlocksSource(int block)
+{
+  return ResolveLong(shaders::StencilRoutedResolveLong, block);
 }
 
 }

@@ -15,6 +15,12 @@ std::string NetworkSource(int size, int pageSize);
 /** StencilMaskResolve.glsl for groups of `layers` pixels. */
 std::string StencilMaskSource(int layers);
 
+/** StencilRoutedResolve.glsl for pixels of up to `size` fragments, by one network. */
+std::string RoutedNetworkSource(int size);
+
+/** StencilRoutedResolveLong.glsl for pixels of any number of fragments, in blocks of `block`. */
+std::string RoutedBlocksSource(int block);
+
 /** ListSortRuns.glsl for runs of `size` nodes. */
 std::string SortRunsSource(int size, int pageSize);
 

@@ -112,7 +112,7 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
   vitrine::FillShader fill;
   fill.Defines.push_back(vitrine::GroupDefine(this->Private->Group));
   fill.Declarations = vitrine::shaders::StencilMaskFillDec;
-  fill.Implementation = vitrine::shaders::StencilMaskFillImpl;
+  fill.Implementation = vitrine::shaders::StencilFillImpl;
   fill.InputOffset = "VITRINE_TO_CENTRE";
   fill.InputDepth = "vitrineCentreDepth";
   return fill;
@@ -202,18 +202,6 @@ std::string vtkStencilMaskTransparencyPass::Fill(
   const std::string problem = this->DrawTranslucentGeometry(s, target.Region);
   this->TakeCounts(this->Private->Masks.Count(state));
   return problem;
-}
-
-//------------------------------------------------------------------------------
-void vtkStencilMaskTransparencyPass::TakeCounts(const vitrine::MaskCounts& counts)
-{
-  this->FragmentCount = counts.Fragments;
-  this->LostFragmentCount = counts.Lost;
-  this->SaturatedPixelCount = counts.Saturated;
-  this->LayersMax = counts.LayersMax;
-  this->LayersMean = counts.Covered > 0
-    ? static_cast<double>(counts.Fragments) / static_cast<double>(counts.Covered)
-    : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -20,11 +20,6 @@
 
 #include "vtkTransparencyPass.h"
 
-namespace vitrine
-{
-struct MaskCounts;
-}
-
 class VTKVITRINERENDERING_EXPORT vtkStencilMaskTransparencyPass : public vtkTransparencyPass
 {
 public:
@@ -118,7 +113,6 @@ private:
 
   std::string PrepareFrame(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target);
-  void TakeCounts(const vitrine::MaskCounts& counts);
 
   struct Internals;
   std::unique_ptr<Internals> Private;

@@ -1,6 +1,7 @@
 #include "vtkTransparencyPass.h"
 
 #include "Core/ShaderTuning.h"
+#include "Core/StencilCounts.h"
 #include "gl/Capabilities.h"
 #include "gl/DepthCopy.h"
 #include "gl/ProgramCache.h"
@@ -276,6 +277,18 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   this->NumberOfRenderedProps = rendered;
   this->GeometryPasses += 1;
   return in.OpaqueDepth.Problem();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::TakeCounts(const vitrine::StencilCounts& counts)
+{
+  this->FragmentCount = counts.Fragments;
+  this->LostFragmentCount = counts.Lost;
+  this->SaturatedPixelCount = counts.Saturated;
+  this->LayersMax = counts.LayersMax;
+  this->LayersMean = counts.Covered > 0
+    ? static_cast<double>(counts.Fragments) / static_cast<double>(counts.Covered)
+    : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@ namespace vitrine
 struct FillShader;
 struct PixelRegion;
 struct RenderTarget;
+struct StencilCounts;
 }
 
 class VTKVITRINERENDERING_EXPORT vtkTransparencyPass : public vtkOpenGLRenderPass
@@ -155,6 +156,11 @@ protected:
    * Returns an empty string, or why fragments are missing.
    */
   std::string DrawTranslucentGeometry(const vtkRenderState* s, const vitrine::PixelRegion& region);
+
+  /**
+   * Take the frame's statistics from what a stencil counted.
+   */
+  void TakeCounts(const vitrine::StencilCounts& counts);
 
   /**
    * The window of the current frame.

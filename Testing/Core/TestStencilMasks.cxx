@@ -1,4 +1,5 @@
 // Groups, the values that their stencil begins with, and what is counted by what is left.
+#include "Core/StencilCounts.h"
 #include "Core/StencilMasks.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +81,7 @@ TEST_P(Masks, CountFragmentsUntilTheStencilIsZero)
     std::uint8_t value = start;
     Pass(this->Group, value, fragments);
     std::vector<std::uint8_t> values = { value };
-    const vitrine::MaskCounts counts = vitrine::CountMasked(this->Group, { start }, values);
+    const vitrine::StencilCounts counts = vitrine::CountFragments(GetParam(), { start }, values);
     EXPECT_EQ(counts.Fragments, fragments);
     EXPECT_EQ(counts.LayersMax, fragments);
     EXPECT_EQ(counts.Lost, std::max(fragments - GetParam(), 0));
@@ -97,7 +98,7 @@ TEST_P(Masks, SayWhereThereMayBeMoreThanCounted)
     std::uint8_t value = 254;
     Pass(this->Group, value, fragments);
     std::vector<std::uint8_t> values = { value, 250 };
-    const vitrine::MaskCounts counts = vitrine::CountMasked(this->Group, { 254, 254 }, values);
+    const vitrine::StencilCounts counts = vitrine::CountFragments(GetParam(), { 254, 254 }, values);
     EXPECT_EQ(counts.Saturated, 1);
     EXPECT_EQ(counts.Fragments, 254 + 4);
     EXPECT_EQ(counts.LayersMax, 254);

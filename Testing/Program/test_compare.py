@@ -72,6 +72,19 @@ class Compare(FileTest):
         )
         self.assertTrue(deep["results"][0]["lost_is_least"])
 
+    def test_stencil_routing_is_exact_or_says_why_not(self):
+        told = compare(
+            *("demo:spheres,layers=10", "--frames", "2", "--size", "40x30", "--methods"),
+            ",".join(["stencil-routed", *(f"stencil-routed-{k}" for k in (1, 2, 4, 8, 16, 32))]),
+        )
+        automatic, one, *more = told["results"]
+        for row in (automatic, one, *(row for row in more if "skipped" not in row)):
+            self.assertLessEqual(row["error"]["max"], 1.0 / 255.0)
+            self.assertEqual((row["lost"], row["layers_max"]), (0, 10))
+        self.assertEqual(one["geometry_passes"], 10)
+        for row in more:
+            self.assertIn("samples", row.get("skipped", "samples"))
+
     def test_errors_tell_the_methods_apart(self):
         told = compare(
             "demo:stack,layers=6,alpha=0.5", "--methods", "all", "--frames", "2", "--size", "32x32"

@@ -25,7 +25,8 @@ const std::vector<PaperTable>& PaperTables()
       "blend,vtk-oit,stencil-mask-8,stencil-mask-16,linked-list,prefix-sum-predicted-compact",
       { { 8, 0.27 }, { 16, 0.12 } } },
     { "lists", "Linked lists", "demo:paper-lists", { 8, 16, 32, 57 },
-      "blend,vtk-oit,linked-list,linked-list-compact,prefix-sum-predicted,prefix-sum-predicted-compact",
+      "blend,vtk-oit,linked-list,linked-list-compact,prefix-sum-predicted,prefix-sum-predicted-"
+      "compact",
       { { 8, 0.12 }, { 16, 0.10 }, { 32, 0.06 }, { 64, 0.033 } } },
   };
   return tables;

@@ -66,6 +66,12 @@ const std::vector<Entry>& Entries()
     { "stencil-mask-8", "the same with 8 layers", false, [] { return MakeStencilMask(8); } },
     { "stencil-mask-9", "with 9 layers", false, [] { return MakeStencilMask(9); } },
     { "stencil-mask-16", "with 16 layers", false, [] { return MakeStencilMask(16); } },
+    { "stencil-routed",
+      "stencil routing in as many passes as it takes, each into as many samples as the driver "
+      "routes; exact up to 254 layers; with -K, into 1, 2, 4, 8, 16 or 32 samples",
+      true, [] { return MakeStencilRouted(0); } },
+    { "stencil-routed-8bit", "the same with 8-bit colours; rounds alpha", false,
+      MakeStencilRoutedEightBit },
     { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
   };
   return entries;
@@ -96,9 +102,19 @@ int ParsePeels(const std::string& name)
   return error == std::errc() && last == end && peels > 0 ? peels : 0;
 }
 
-/** How stencil-mask-N shows its edges: the method for a name with such an ending; null for other names. */
-std::unique_ptr<Method> MakeMaskVariant(const std::string& name)
+/**
+ * The method for a name with an ending that says how stencil-mask-N shows its edges or into how many samples
+ * stencil-routed goes; null for other names.
+ */
+std::unique_ptr<Method> MakeVariant(const std::string& name)
 {
+  for (const int samples : { 1, 2, 4, 8, 16, 32 })
+  {
+    if (name == "stencil-routed-" + std::to_string(samples))
+    {
+      return MakeStencilRouted(samples);
+    }
+  }
   const std::pair<std::string, MaskEdges> endings[] = { { "-unfiltered", MaskEdges::AsTheyAre },
     { "-marks", MaskEdges::Marks } };
   for (const auto& [ending, edges] : endings)
@@ -126,7 +142,7 @@ std::string ListNames()
 
 void RequireMethod(const std::string& name)
 {
-  if (!FindEntry(name) && ParsePeels(name) == 0 && !MakeMaskVariant(name))
+  if (!FindEntry(name) && ParsePeels(name) == 0 && !MakeVariant(name))
   {
     throw InputError("method '" + name + "'", "there is no such method; there are " + ListNames());
   }
@@ -158,7 +174,7 @@ std::unique_ptr<Method> MakeMethod(const std::string& name)
   {
     return entry->Make();
   }
-  std::unique_ptr<Method> variant = MakeMaskVariant(name);
+  std::unique_ptr<Method> variant = MakeVariant(name);
   return variant ? std::move(variant) : MakeVTKPeeling(ParsePeels(name));
 }
 

@@ -6,6 +6,7 @@
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkStencilMaskTransparencyPass.h"
+#include "vtkStencilRoutedTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 namespace program
@@ -62,6 +63,20 @@ std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges)
   pass->SetNumberOfLayers(layers);
   pass->SetFilter(edges == MaskEdges::Repaired);
   pass->SetShowMarks(edges == MaskEdges::Marks);
+  return std::make_unique<VitrineMethod>(pass);
+}
+
+std::unique_ptr<Method> MakeStencilRouted(int samples)
+{
+  auto pass = vtkSmartPointer<vtkStencilRoutedTransparencyPass>::New();
+  pass->SetSamplesPerPass(samples);
+  return std::make_unique<VitrineMethod>(pass);
+}
+
+std::unique_ptr<Method> MakeStencilRoutedEightBit()
+{
+  auto pass = vtkSmartPointer<vtkStencilRoutedTransparencyPass>::New();
+  pass->SetColorStorageToEightBit();
   return std::make_unique<VitrineMethod>(pass);
 }
 

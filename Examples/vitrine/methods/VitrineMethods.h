@@ -43,6 +43,10 @@ enum class MaskEdges
 /** vtkStencilMaskTransparencyPass with 4, 8, 9 or 16 layers. */
 std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges = MaskEdges::Repaired);
 
+/** vtkStencilRoutedTransparencyPass with so many samples a pass, 0 for as many as the driver routes. */
+std::unique_ptr<Method> MakeStencilRouted(int samples);
+std::unique_ptr<Method> MakeStencilRoutedEightBit();
+
 /** vtkTruthTransparencyPass. */
 std::unique_ptr<Method> MakeTruth();
 

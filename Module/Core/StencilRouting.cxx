@@ -1,0 +1,19 @@
+#include "Core/StencilRouting.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+
+const std::vector<int>& RoutedSampleCounts()
+{
+  static const std::vector<int> counts = { 1, 2, 4, 8, 16, 32 };
+  return counts;
+}
+
+int StencilRoute::PassesFor(int layers) const
+{
+  return std::min((layers + this->Samples - 1) / this->Samples, this->MostPasses());
+}
+
+}

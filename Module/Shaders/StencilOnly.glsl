@@ -1,0 +1,4 @@
+// Draws that change the stencil alone.
+void main()
+{
+}

@@ -1,0 +1,26 @@
+// Stencil routing, resolving pixels with as many fragments as a network sorts: load into named registers, sort by an unrolled
+// network, composite.
+//
+// K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
+#include "StencilRoutedRead.glsl"
+#include "ResolveOutput.glsl"
+
+#define LOAD(f, i) f = loadFragment(pixel, i, count);
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  int count = loadCountToDraw(pixel);
+
+  //Vitrine::Declare
+
+  //Vitrine::Load
+
+#include "SortRegisters.glsl"
+
+  vec3 color = vec3(0.0);
+  float transmittance = 1.0;
+  //Vitrine::Blend
+
+  writeOver(pixel, color, transmittance);
+}

@@ -1,0 +1,34 @@
+// Stencil routing, resolving pixels with any number of fragments, block by block.
+//
+// K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
+#include "StencilRoutedRead.glsl"
+#include "ResolveOutput.glsl"
+
+// The walk over the pixel's fragments.
+ivec2 pixel;
+int count;
+int next;
+
+void startWalk()
+{
+  next = 0;
+}
+
+bool isWalking()
+{
+  return next < count;
+}
+
+#define NEXT_FRAGMENT(f) f = loadFragment(pixel, next++, count);
+
+#include "CompositeBlocks.glsl"
+
+void main()
+{
+  pixel = ivec2(gl_FragCoord.xy);
+  count = loadCountToDraw(pixel);
+  vec3 color;
+  float transmittance;
+  compositeBlocks(color, transmittance);
+  writeOver(pixel, color, transmittance);
+}
