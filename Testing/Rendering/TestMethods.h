@@ -47,7 +47,7 @@ struct Method
   bool Keeps(int layers) const { return this->MaxLayers == 0 || layers <= this->MaxLayers; }
 
   /** Whether colours are kept in 8 bits, for which its tolerance leaves room. */
-  bool KeepsEightBits() const { return this->Tolerance > 1.0; }
+  bool KeepsEightBits() const { return this->Tolerance > 1.2; }
 
   /** Bytes that an A-buffer pass takes of each fragment: more where it keeps half floats, which are the most exact. */
   int NodeBytes() const { return this->Tolerance < 1.0 ? 12 : 8; }
@@ -55,7 +55,7 @@ struct Method
 
 std::ostream& operator<<(std::ostream& os, const Method& method);
 
-/** Methods whose only error is rounding: in each setting of theirs. */
+/** Methods whose only error is rounding: each setting of theirs in one of them, not all settings together. */
 const std::vector<Method>& ExactMethods();
 
 /** Methods that keep the first layers of each pixel, and are inexact at the edges of polygons. */

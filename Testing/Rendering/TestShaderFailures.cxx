@@ -114,8 +114,11 @@ struct LongLists
   int Layers;
 };
 
-// Shaders of the resolve are the same for all methods that store every fragment, in one colour format as in the other.
-const Method ListMethods[] = { ExactMethods()[0], ExactMethods()[2] };
+// Shaders of the resolve are the same for all methods that store every fragment, but for how they read linked and packed lists.
+const std::vector<Method> ListMethods = MethodsThat(
+  [](const Method& method) {
+    return method.Name == "LinkedListHalfFloat" || method.Name == "PrefixSumPredicted";
+  });
 
 class ResolveFailures : public testing::TestWithParam<Method>
 {
