@@ -1,20 +1,12 @@
 #include "Core/ShaderDeclarations.h"
 
+#include "Core/ShaderWords.h"
+
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 namespace vitrine
 {
-namespace
-{
-
-bool IsWordCharacter(char c)
-{
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
-}
 
 std::vector<std::string> SplitStatements(const std::string& line, const std::string& keyword)
 {

@@ -1,6 +1,8 @@
 #include "Core/ShaderInputs.h"
 
 #include "Core/ShaderDeclarations.h"
+#include "Core/ShaderLookups.h"
+#include "Core/ShaderWords.h"
 
 #include <algorithm>
 #include <set>
@@ -22,13 +24,11 @@ bool IsInterpolated(const ShaderDeclaration& input)
 std::set<std::string> DifferentiatedVariables(const std::string& shader)
 {
   static const std::string call = "dFdx(";
-  static const char* const wordCharacters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
   std::set<std::string> names;
   for (std::size_t at = shader.find(call); at != std::string::npos; at = shader.find(call, at + 1))
   {
     const std::size_t begin = at + call.size();
-    names.insert(shader.substr(begin, shader.find_first_not_of(wordCharacters, begin) - begin));
+    names.insert(shader.substr(begin, EndOfWord(shader, begin) - begin));
   }
   return names;
 }
@@ -41,23 +41,55 @@ bool IsNamed(const ShaderDeclaration& input, const std::set<std::string>& names)
   return names.count(input.Name) > 0 || names.count(input.Name.substr(0, stem)) > 0;
 }
 
-std::vector<ShaderDeclaration> InterpolatedInputs(const std::string& shader)
+std::vector<ShaderDeclaration> Declarations(const std::string& shader, const std::string& keyword)
 {
-  static const std::string keyword = "in";
-  std::vector<ShaderDeclaration> inputs;
+  std::vector<ShaderDeclaration> declarations;
   std::istringstream lines(shader);
   for (std::string line; std::getline(lines, line);)
   {
     for (const std::string& statement : SplitStatements(line, keyword + " "))
     {
-      const std::optional<ShaderDeclaration> input = ParseDeclaration(statement, keyword);
-      if (input && IsInterpolated(*input))
+      if (const auto declaration = ParseDeclaration(statement, keyword))
       {
-        inputs.push_back(*input);
+        declarations.push_back(*declaration);
       }
     }
   }
-  return inputs;
+  return declarations;
+}
+
+// The interpolated inputs of which the shader takes no derivatives.
+std::vector<ShaderDeclaration> MovedInputs(
+  const std::string& declarations, const std::set<std::string>& fixed)
+{
+  std::vector<ShaderDeclaration> moved;
+  for (const ShaderDeclaration& input : Declarations(declarations, "in"))
+  {
+    if (IsInterpolated(input) && !IsNamed(input, fixed))
+    {
+      moved.push_back(input);
+    }
+  }
+  return moved;
+}
+
+LookupNames NamesForLookups(
+  const std::string& declarations, const std::vector<ShaderDeclaration>& moved)
+{
+  LookupNames names;
+  names.Unmoved = "vitrineUnmoved_";
+  for (const ShaderDeclaration& input : moved)
+  {
+    names.Inputs.insert(input.Name);
+  }
+  for (const ShaderDeclaration& uniform : Declarations(declarations, "uniform"))
+  {
+    if (uniform.Alone && HasPlainGradients(uniform.Type))
+    {
+      names.Samplers.insert(uniform.Name);
+    }
+  }
+  return names;
 }
 
 std::string Move(const std::string& from, const std::string& to)
@@ -68,34 +100,39 @@ std::string Move(const std::string& from, const std::string& to)
 
 }
 
-std::string MoveInputs(
-  std::string& fragmentShader, const std::string& offset, const std::string& depth)
+std::string MoveInputs(std::string& fragmentShader, const InputPlace& place)
 {
-  const std::set<std::string> fixed = DifferentiatedVariables(fragmentShader);
   const std::size_t main = fragmentShader.find("void main");
   const std::size_t body = fragmentShader.find('{', main);
   if (main == std::string::npos || body == std::string::npos)
   {
     return "the shader has no main()";
   }
+  const std::string before = fragmentShader.substr(0, main);
+  const std::vector<ShaderDeclaration> inputs =
+    MovedInputs(before, DifferentiatedVariables(fragmentShader));
+  const LookupNames lookups = NamesForLookups(before, inputs);
+  const std::string code =
+    KeepDerivatives(fragmentShader.substr(body + 1), lookups, place.PixelSize);
   std::string variables;
-  std::string moves = Move("gl_FragCoord.z", depth);
+  std::string moves = Move("gl_FragCoord.z", place.Depth);
   std::string names; // that main() knows the moved inputs by
-  for (const ShaderDeclaration& input : InterpolatedInputs(fragmentShader.substr(0, main)))
+  for (const ShaderDeclaration& input : inputs)
   {
-    if (IsNamed(input, fixed))
-    {
-      continue;
-    }
     const std::string moved = "vitrineMoved_" + input.Name;
     variables += input.Type + " " + moved + ";\n";
     moves += Move(input.Name, moved);
     names += "#define " + input.Name + " " + moved + "\n";
+    const std::string unmoved = lookups.Unmoved + input.Name;
+    if (code.find(unmoved) != std::string::npos)
+    {
+      variables += input.Type + " " + unmoved + ";\n";
+      moves += "  " + unmoved + " = " + input.Name + ";\n";
+    }
   }
-  fragmentShader.insert(body + 1, "\n  vitrineMoveInputs();\n");
-  fragmentShader.insert(main,
-    variables + "void vitrineMoveInputs()\n{\n  vec2 offset = " + offset + ";\n" + moves + "}\n" +
-      names);
+  fragmentShader = before + variables +
+    "void vitrineMoveInputs()\n{\n  vec2 offset = " + place.Offset + ";\n" + moves + "}\n" + names +
+    fragmentShader.substr(main, body + 1 - main) + "\n  vitrineMoveInputs();\n" + code;
   return {};
 }
 

@@ -9,14 +9,23 @@
 namespace vitrine
 {
 
+/** Where a shader is to see its inputs. Expressions of GLSL. */
+struct InputPlace
+{
+  std::string Offset; ///< vec2: so many pixels of the target away
+  std::string
+    PixelSize; ///< vec2: the width and height, in pixels of the target, of what is shaded alike
+  std::string Depth; ///< the global variable that takes the depth there
+};
+
 /**
- * Have the shader see each of its interpolated inputs (float and vectors; no arrays, none that are flat) as it is `offset`
+ * Have the shader see each of its interpolated inputs (float and vectors; no arrays, none that are flat) as it is `place.Offset`
  * pixels away, along its slope in the picture, which for depth is exact and for the rest all but exact. Inputs
- * of which the shader takes derivatives stay as they are. `offset` is an expression of GLSL, a vec2. The depth there goes to the global variable `depth`, which is declared before main().
+ * of which the shader takes derivatives by dFdx() stay as they are. Textures that main() looks up by moved inputs are seen at the level of detail of
+ * pixels of size `place.PixelSize`, see Core/ShaderLookups. `place.Depth` is declared before main().
  * Sources are GLSL as VTK writes it: one declaration a line. Returns an empty string, or what is wrong.
  */
-std::string MoveInputs(
-  std::string& fragmentShader, const std::string& offset, const std::string& depth);
+std::string MoveInputs(std::string& fragmentShader, const InputPlace& place);
 
 }
 #endif

@@ -1,6 +1,5 @@
 #include "transparency/FillShader.h"
 
-#include "Core/ShaderInputs.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "transparency/ShaderText.h"
@@ -99,9 +98,9 @@ std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
   {
     problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Impl", "\n" + fill.Implementation);
   }
-  if (problem.empty() && !fill.InputOffset.empty())
+  if (problem.empty() && fill.Inputs)
   {
-    problem = MoveInputs(fragmentShader, fill.InputOffset, fill.InputDepth);
+    problem = MoveInputs(fragmentShader, *fill.Inputs);
   }
   return problem;
 }

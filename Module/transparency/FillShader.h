@@ -4,6 +4,9 @@
 #ifndef VITRINE_FILL_SHADER_H
 #define VITRINE_FILL_SHADER_H
 
+#include "Core/ShaderInputs.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +24,7 @@ struct FillShader
   std::vector<std::string> Defines;    ///< "NAME value"
   std::string Declarations;            ///< at global scope
   std::string Implementation;          ///< at the end of main(); the colour is gl_FragData[0]
-  std::string InputOffset; ///< where inputs are seen, see Core/ShaderInputs; empty: where they are
-  std::string InputDepth;  ///< the variable that takes the depth there
+  std::optional<InputPlace> Inputs;    ///< where inputs are seen; none: where they are
 };
 
 /** True if the mapper's fragment shader computes a depth of its own. */

@@ -113,8 +113,7 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
   fill.Defines.push_back(vitrine::GroupDefine(this->Private->Group));
   fill.Declarations = vitrine::shaders::StencilMaskFillDec;
   fill.Implementation = vitrine::shaders::StencilFillImpl;
-  fill.InputOffset = "VITRINE_TO_CENTRE";
-  fill.InputDepth = "vitrineCentreDepth";
+  fill.Inputs = { "VITRINE_TO_CENTRE", "vec2(VITRINE_GROUP)", "vitrineCentreDepth" };
   return fill;
 }
 

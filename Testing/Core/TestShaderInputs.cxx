@@ -6,9 +6,11 @@
 namespace
 {
 
+const vitrine::InputPlace Place = { "vec2(0.5)", "size", "z" };
+
 std::string Moved(std::string shader)
 {
-  EXPECT_EQ(vitrine::MoveInputs(shader, "vec2(0.5)", "z"), "");
+  EXPECT_EQ(vitrine::MoveInputs(shader, Place), "");
   return shader;
 }
 
@@ -71,8 +73,105 @@ TEST(ShaderInputs, WhoseDerivativesAreTakenStay)
 TEST(ShaderInputs, NeedAMain)
 {
   std::string shader = "in vec4 a;\n";
-  EXPECT_NE(vitrine::MoveInputs(shader, "vec2(0.0)", "z"), "");
+  EXPECT_NE(vitrine::MoveInputs(shader, Place), "");
   EXPECT_EQ(shader, "in vec4 a;\n");
+}
+
+// What a shader with a moved input t and an unmoved one, f, does in main() becomes of `code`.
+std::string Rewritten(const std::string& code)
+{
+  const std::string body = "\n  vitrineMoveInputs();\n";
+  const std::string moved = Moved("uniform sampler2D s; uniform samplerCube c;\n"
+                                  "uniform sampler2DArray array;\nuniform sampler2DShadow shadow;\n"
+                                  "uniform sampler2D several[3];\n"
+                                  "in vec2 t;\nflat in vec2 f;\nvoid main()\n{" +
+    code + "}\n");
+  const std::size_t at = moved.find(body) + body.size();
+  return moved.substr(at, moved.size() - 2 - at);
+}
+
+std::string Lookup(const std::string& coordinates, const std::string& unmoved)
+{
+  return "textureGrad(s, " + coordinates + ", dFdx(" + unmoved + ") * size.x, dFdy(" + unmoved +
+    ") * size.y)";
+}
+
+TEST(ShaderLookups, ByMovedInputsTakeThePixelsGradients)
+{
+  const std::string t = "vitrineUnmoved_t";
+  EXPECT_EQ(Rewritten("a = texture(s, t);"), "a = " + Lookup("t", t) + ";");
+  EXPECT_EQ(Rewritten("texture2D( s,t )"), Lookup("t", t));
+  EXPECT_EQ(Rewritten("texture (s, t.st).rgb"), Lookup("t.st", t + ".st") + ".rgb");
+  EXPECT_EQ(Rewritten("texture(s, vec2(t, 0.0))"), Lookup("vec2(t, 0.0)", "vec2(" + t + ", 0.0)"));
+  EXPECT_EQ(Rewritten("texture(s, m[i, 1] * (f + t))"),
+    Lookup("m[i, 1] * (f + t)", "m[i, 1] * (f + " + t + ")"));
+  EXPECT_EQ(Rewritten("g(texture(s, t), texture(s, t.ts))"),
+    "g(" + Lookup("t", t) + ", " + Lookup("t.ts", t + ".ts") + ")");
+  EXPECT_EQ(Rewritten("texture(c, vec3(t, 1.0))"),
+    "textureGrad(c, vec3(t, 1.0), dFdx(vec3(vitrineUnmoved_t, 1.0)) * size.x, "
+    "dFdy(vec3(vitrineUnmoved_t, 1.0)) * size.y)");
+}
+
+TEST(ShaderLookups, WithBiasScaleTheGradients)
+{
+  EXPECT_EQ(Rewritten("texture(s, t, -1.5)"),
+    "textureGrad(s, t, dFdx(vitrineUnmoved_t) * size.x * exp2(-1.5), "
+    "dFdy(vitrineUnmoved_t) * size.y * exp2(-1.5))");
+}
+
+TEST(ShaderLookups, WithinOthersAreMendedToo)
+{
+  const std::string inner = Lookup("t", "vitrineUnmoved_t");
+  EXPECT_EQ(Rewritten("texture(s, texture(s, t).xy)"),
+    Lookup(inner + ".xy", "texture(s, vitrineUnmoved_t).xy"));
+  EXPECT_EQ(Rewritten("texture(array, texture(s, t).xyz)"), "texture(array, " + inner + ".xyz)");
+}
+
+TEST(ShaderLookups, WidthsAreThePixels)
+{
+  EXPECT_EQ(Rewritten("if (fwidth(t.x) <= fwidth(f.x))"),
+    "if ((abs(dFdx(vitrineUnmoved_t.x) * size.x) + abs(dFdy(vitrineUnmoved_t.x) * size.y)) <= "
+    "fwidth(f.x))");
+}
+
+TEST(ShaderLookups, OfOtherKindsStay)
+{
+  for (const std::string code :
+    { "textureLod(s, t, 0.0)", "textureGrad(s, t, a, b)", "texelFetch(s, ivec2(t), 0)",
+      "textureSize(s, 0) * t", "mytexture(s, t)", "a.texture(s, t)", "texture(s, f)",
+      "texture(s, a.t)", "texture(s, tt + t2)", "texture(array, vec3(t, 0.0))",
+      "texture(shadow, vec3(t, 0.5))", "texture(several[0], t)", "texture(unknown, t)",
+      "texture(s)", "texture(s, t, 0.0, 1.0)", "texture(s, t", "texture", "" })
+  {
+    EXPECT_EQ(Rewritten(code), code);
+  }
+}
+
+TEST(ShaderLookups, InCommentsAndForThePreprocessorStay)
+{
+  for (const std::string code : { "// texture(s, t)\n", "/* texture(s, t)\n texture(s, t) */",
+         "\n#define LOOKUP texture(s, t)\n", "texture(s,\n#if A\nt\n#else\nf\n#endif\n)",
+         "/* texture(s, t)", "// texture(s, t)" })
+  {
+    EXPECT_EQ(Rewritten(code), code);
+  }
+  EXPECT_EQ(Rewritten("// texture(s, t\ntexture(s, /* ), t */ t) // texture(s, t)\n"),
+    "// texture(s, t\n" + Lookup("t", "vitrineUnmoved_t") + " // texture(s, t)\n");
+}
+
+TEST(ShaderLookups, BeforeMainStay)
+{
+  const std::string helper = "vec4 look() { return texture(s, t); }\n";
+  const std::string moved = Moved("uniform sampler2D s;\nin vec2 t;\n" + helper + Main);
+  EXPECT_TRUE(Contains(moved, helper));
+  EXPECT_FALSE(Contains(moved, "vitrineUnmoved_"));
+}
+
+TEST(ShaderLookups, DeclareWhatTheyNeed)
+{
+  EXPECT_TRUE(
+    Contains(Moved("uniform sampler2D s;\nin vec2 t;\nvoid main()\n{\n  a = texture(s, t);\n}\n"),
+      "vec2 vitrineMoved_t;\nvec2 vitrineUnmoved_t;\nvoid vitrineMoveInputs()"));
 }
 
 }

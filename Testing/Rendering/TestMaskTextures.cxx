@@ -1,0 +1,132 @@
+// Stencil masks shade a pixel in many places of a larger target: of textures they see what the picture's pixels see, so
+// that minified ones come from the level of detail that truth takes.
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTexture.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace
+{
+
+// Squares of 4 texels in two colours, mipmapped.
+vtkSmartPointer<vtkTexture> MakeChecker()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int i = 0; i < 64 * 64; ++i)
+  {
+    const bool odd = (i / 4 + i / 256) % 2 != 0;
+    auto* texel = static_cast<unsigned char*>(image->GetScalarPointer(i % 64, i / 64, 0));
+    texel[0] = odd ? 255 : 20;
+    texel[1] = odd ? 30 : 200;
+    texel[2] = 90;
+    texel[3] = odd ? 220 : 60;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->MipmapOn();
+  texture->InterpolateOn();
+  texture->RepeatOn();
+  return texture;
+}
+
+// A triangle that leans back and fills a perspective view, without an edge in it.
+vtkSmartPointer<vtkActor> AddLeaningTriangle(TestScene& scene, int coordinates)
+{
+  const float corners[3][3] = { { -30.0f, -3.0f, 1.0f }, { 30.0f, -3.0f, 1.0f },
+    { 0.0f, 40.0f, -30.0f } };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> texturePlaces;
+  texturePlaces->SetNumberOfComponents(coordinates);
+  for (const float* corner : corners)
+  {
+    points->InsertNextPoint(corner);
+    normals->InsertNextTuple3(0.0, 0.58, 0.81);
+    const float place[2] = { 0.9f * corner[0] + 0.1f * corner[1], 0.4f * corner[1] };
+    texturePlaces->InsertNextTuple(place);
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 2 });
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->SetTCoords(texturePlaces);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(0.7);
+  actor->ForceTranslucentOn();
+  scene.Renderer->AddActor(actor);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  return actor;
+}
+
+struct Lookup
+{
+  const char* Name;
+  std::function<void(vtkActor*)> Texture;
+  int Coordinates = 2;
+};
+
+void PrintTo(const Lookup& lookup, std::ostream* os)
+{
+  *os << lookup.Name;
+}
+
+const Lookup Lookups[] = {
+  { "Texture", [](vtkActor* a) { a->SetTexture(MakeChecker()); } },
+  { "OneCoordinate", [](vtkActor* a) { a->SetTexture(MakeChecker()); }, 1 },
+  { "PropertyTexture", [](vtkActor* a) { a->GetProperty()->SetTexture("mine", MakeChecker()); } },
+  { "AlbedoTexture",
+    [](vtkActor* a)
+    {
+      const vtkSmartPointer<vtkTexture> albedo = MakeChecker();
+      albedo->UseSRGBColorSpaceOn();
+      a->GetProperty()->SetInterpolationToPBR();
+      a->GetProperty()->SetBaseColorTexture(albedo);
+    } },
+  { "MaterialTexture",
+    [](vtkActor* a)
+    {
+      a->GetProperty()->SetInterpolationToPBR();
+      a->GetProperty()->SetORMTexture(MakeChecker());
+    } },
+};
+
+class StencilMaskTexture : public testing::TestWithParam<Lookup>
+{
+};
+
+TEST_P(StencilMaskTexture, IsMinifiedAsInTruth)
+{
+  TestScene scene(60, 50);
+  const vtkSmartPointer<vtkActor> actor = AddLeaningTriangle(scene, GetParam().Coordinates);
+  GetParam().Texture(actor);
+  for (const Method& method : MaskMethods())
+  {
+    SCOPED_TRACE(method.Name);
+    ExpectTruth(scene, method.Make(), 1.4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lookups, StencilMaskTexture, testing::ValuesIn(Lookups),
+  [](const auto& info) { return info.param.Name; });
+
+}
