@@ -74,9 +74,11 @@ std::vector<ShaderDeclaration> MovedInputs(
 }
 
 LookupNames NamesForLookups(
-  const std::string& declarations, const std::vector<ShaderDeclaration>& moved)
+  const std::string& declarations, const std::vector<ShaderDeclaration>& moved,
+  const std::string& textureGrad)
 {
   LookupNames names;
+  names.TextureGrad = textureGrad;
   names.Unmoved = "vitrineUnmoved_";
   for (const ShaderDeclaration& input : moved)
   {
@@ -111,7 +113,7 @@ std::string MoveInputs(std::string& fragmentShader, const InputPlace& place)
   const std::string before = fragmentShader.substr(0, main);
   const std::vector<ShaderDeclaration> inputs =
     MovedInputs(before, DifferentiatedVariables(fragmentShader));
-  const LookupNames lookups = NamesForLookups(before, inputs);
+  const LookupNames lookups = NamesForLookups(before, inputs, place.TextureGrad);
   const std::string code =
     KeepDerivatives(fragmentShader.substr(body + 1), lookups, place.PixelSize);
   std::string variables;

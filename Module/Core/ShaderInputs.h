@@ -16,6 +16,7 @@ struct InputPlace
   std::string
     PixelSize; ///< vec2: the width and height, in pixels of the target, of what is shaded alike
   std::string Depth; ///< the global variable that takes the depth there
+  std::string TextureGrad = "textureGrad"; ///< the function for lookups, declared before main()
 };
 
 /**

@@ -131,7 +131,7 @@ private:
     }
     const std::string bias =
       count == 3 ? " * exp2(" + this->Rewrite(call.Arguments[2]) + ")" : std::string();
-    return "textureGrad(" + call.Arguments[0] + ", " + this->Rewrite(seen) + ", " + dx + bias +
+    return this->Names.TextureGrad + "(" + call.Arguments[0] + ", " + this->Rewrite(seen) + ", " + dx + bias +
       ", " + dy + bias + ")";
   }
 
@@ -145,8 +145,7 @@ bool HasPlainGradients(const std::string& samplerType)
 {
   static const std::set<std::string> types = { "sampler1D", "sampler2D", "sampler3D",
     "samplerCube" };
-  const bool isInteger = samplerType[0] == 'i' || samplerType[0] == 'u';
-  return types.count(samplerType.substr(isInteger ? 1 : 0)) > 0;
+  return types.count(samplerType) > 0;
 }
 
 std::string KeepDerivatives(

@@ -19,9 +19,11 @@ struct LookupNames
 
   /** The same inputs, not moved, are named so with this before it. */
   std::string Unmoved;
+
+  std::string TextureGrad; ///< textureGrad() or what stands for it
 };
 
-/** Whether gradients have as many components as coordinates, as for "sampler2D". Shadows and arrays have fewer. */
+/** Whether gradients have as many components as coordinates, as for "sampler2D". Shadows and arrays have fewer. Integers are none. */
 bool HasPlainGradients(const std::string& samplerType);
 
 /**

@@ -12,6 +12,7 @@ float vitrineCentreDepth;        // of the window, at the pixel's centre
 #define VITRINE_PIXEL (vitrineFirstPixel + ivec2(gl_FragCoord.xy) / VITRINE_GROUP)
 #define VITRINE_RASTER_DEPTH vitrineCentreDepth
 #include "FragmentCapture.glsl"
+#include "QuadTextureGrad.glsl"
 
 // From here to the centre of the group, in pixels of the larger target.
 #define VITRINE_TO_CENTRE (0.5 * vec2(VITRINE_GROUP) - mod(gl_FragCoord.xy, vec2(VITRINE_GROUP)))

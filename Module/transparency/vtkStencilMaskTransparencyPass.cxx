@@ -114,6 +114,10 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
   fill.Declarations = vitrine::shaders::StencilMaskFillDec;
   fill.Implementation = vitrine::shaders::StencilFillImpl;
   fill.Inputs = { "VITRINE_TO_CENTRE", "vec2(VITRINE_GROUP)", "vitrineCentreDepth" };
+  if (vitrine::IsSoftwareRasteriser())
+  {
+    fill.Inputs->TextureGrad = "vitrineTextureGrad"; // llvmpipe's anisotropic filter heeds no gradients
+  }
   return fill;
 }
 

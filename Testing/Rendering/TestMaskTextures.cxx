@@ -20,8 +20,8 @@
 namespace
 {
 
-// Squares of 4 texels in two colours, mipmapped.
-vtkSmartPointer<vtkTexture> MakeChecker()
+// Squares of 4 texels in two colours, mipmapped; anisotropic by default, as VTK's textures are.
+vtkSmartPointer<vtkTexture> MakeChecker(float anisotropy = 4.0f)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(64, 64, 1);
@@ -30,16 +30,17 @@ vtkSmartPointer<vtkTexture> MakeChecker()
   {
     const bool odd = (i / 4 + i / 256) % 2 != 0;
     auto* texel = static_cast<unsigned char*>(image->GetScalarPointer(i % 64, i / 64, 0));
-    texel[0] = odd ? 255 : 20;
+    texel[0] = odd ? 230 : 40;
     texel[1] = odd ? 30 : 200;
     texel[2] = 90;
-    texel[3] = odd ? 220 : 60;
+    texel[3] = odd ? 210 : 90;
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   texture->MipmapOn();
   texture->InterpolateOn();
   texture->RepeatOn();
+  texture->SetMaximumAnisotropicFiltering(anisotropy);
   return texture;
 }
 
@@ -92,6 +93,7 @@ void PrintTo(const Lookup& lookup, std::ostream* os)
 
 const Lookup Lookups[] = {
   { "Texture", [](vtkActor* a) { a->SetTexture(MakeChecker()); } },
+  { "IsotropicTexture", [](vtkActor* a) { a->SetTexture(MakeChecker(1.0f)); } },
   { "OneCoordinate", [](vtkActor* a) { a->SetTexture(MakeChecker()); }, 1 },
   { "PropertyTexture", [](vtkActor* a) { a->GetProperty()->SetTexture("mine", MakeChecker()); } },
   { "AlbedoTexture",
