@@ -73,9 +73,8 @@ std::vector<ShaderDeclaration> MovedInputs(
   return moved;
 }
 
-LookupNames NamesForLookups(
-  const std::string& declarations, const std::vector<ShaderDeclaration>& moved,
-  const std::string& textureGrad)
+LookupNames NamesForLookups(const std::string& declarations,
+  const std::vector<ShaderDeclaration>& moved, const std::string& textureGrad)
 {
   LookupNames names;
   names.TextureGrad = textureGrad;

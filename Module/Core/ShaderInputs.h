@@ -12,11 +12,12 @@ namespace vitrine
 /** Where a shader is to see its inputs. Expressions of GLSL. */
 struct InputPlace
 {
-  std::string Offset; ///< vec2: so many pixels of the target away
-  std::string
-    PixelSize; ///< vec2: the width and height, in pixels of the target, of what is shaded alike
-  std::string Depth; ///< the global variable that takes the depth there
-  std::string TextureGrad = "textureGrad"; ///< the function for lookups, declared before main()
+  std::string Offset;    ///< vec2: so many pixels of the target away
+  std::string PixelSize; ///< vec2: the pixels of the target that see the same
+  std::string Depth;     ///< the global variable that takes the depth there
+
+  /** The function that looks textures up as this does, declared before main(). */
+  std::string TextureGrad = "textureGrad";
 };
 
 /**

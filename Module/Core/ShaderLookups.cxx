@@ -131,8 +131,8 @@ private:
     }
     const std::string bias =
       count == 3 ? " * exp2(" + this->Rewrite(call.Arguments[2]) + ")" : std::string();
-    return this->Names.TextureGrad + "(" + call.Arguments[0] + ", " + this->Rewrite(seen) + ", " + dx + bias +
-      ", " + dy + bias + ")";
+    return this->Names.TextureGrad + "(" + call.Arguments[0] + ", " + this->Rewrite(seen) + ", " +
+      dx + bias + ", " + dy + bias + ")";
   }
 
   const LookupNames& Names;

@@ -116,7 +116,8 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
   fill.Inputs = { "VITRINE_TO_CENTRE", "vec2(VITRINE_GROUP)", "vitrineCentreDepth" };
   if (vitrine::IsSoftwareRasteriser())
   {
-    fill.Inputs->TextureGrad = "vitrineTextureGrad"; // llvmpipe's anisotropic filter heeds no gradients
+    // With anisotropic filters, which textures have by default, they ignore gradients.
+    fill.Inputs->TextureGrad = "vitrineTextureGrad";
   }
   return fill;
 }

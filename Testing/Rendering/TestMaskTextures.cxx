@@ -79,11 +79,32 @@ vtkSmartPointer<vtkActor> AddLeaningTriangle(TestScene& scene, int coordinates)
   return actor;
 }
 
+void SetAlbedo(vtkActor* actor, vtkTexture* texture)
+{
+  texture->UseSRGBColorSpaceOn();
+  actor->GetProperty()->SetInterpolationToPBR();
+  actor->GetProperty()->SetBaseColorTexture(texture);
+}
+
+// Of two coordinates that its vertices have, VTK takes the one that changes less from pixel to pixel.
+void SetSeamless(vtkActor* actor, vtkTexture* texture)
+{
+  texture->MipmapOff();
+  actor->SetTexture(texture);
+  vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SeamlessUOn();
+}
+
 struct Lookup
 {
   const char* Name;
   std::function<void(vtkActor*)> Texture;
   int Coordinates = 2;
+
+  /**
+   * The share of the channels that may be off. llvmpipe's anisotropic filter takes one level, and not between two: where that
+   * changes, the least difference of gradients shows.
+   */
+  double Besides = 0.02;
 };
 
 void PrintTo(const Lookup& lookup, std::ostream* os)
@@ -93,23 +114,19 @@ void PrintTo(const Lookup& lookup, std::ostream* os)
 
 const Lookup Lookups[] = {
   { "Texture", [](vtkActor* a) { a->SetTexture(MakeChecker()); } },
-  { "IsotropicTexture", [](vtkActor* a) { a->SetTexture(MakeChecker(1.0f)); } },
+  { "IsotropicTexture", [](vtkActor* a) { a->SetTexture(MakeChecker(1.0f)); }, 2, 0.0 },
+
   { "OneCoordinate", [](vtkActor* a) { a->SetTexture(MakeChecker()); }, 1 },
   { "PropertyTexture", [](vtkActor* a) { a->GetProperty()->SetTexture("mine", MakeChecker()); } },
-  { "AlbedoTexture",
-    [](vtkActor* a)
-    {
-      const vtkSmartPointer<vtkTexture> albedo = MakeChecker();
-      albedo->UseSRGBColorSpaceOn();
-      a->GetProperty()->SetInterpolationToPBR();
-      a->GetProperty()->SetBaseColorTexture(albedo);
-    } },
+  { "AlbedoTexture", [](vtkActor* a) { SetAlbedo(a, MakeChecker()); } },
+  { "IsotropicAlbedoTexture", [](vtkActor* a) { SetAlbedo(a, MakeChecker(1.0f)); }, 2, 0.0 },
   { "MaterialTexture",
     [](vtkActor* a)
     {
       a->GetProperty()->SetInterpolationToPBR();
       a->GetProperty()->SetORMTexture(MakeChecker());
     } },
+  { "SeamlessTexture", [](vtkActor* a) { SetSeamless(a, MakeChecker(1.0f)); }, 2, 0.0 },
 };
 
 class StencilMaskTexture : public testing::TestWithParam<Lookup>
@@ -124,7 +141,7 @@ TEST_P(StencilMaskTexture, IsMinifiedAsInTruth)
   for (const Method& method : MaskMethods())
   {
     SCOPED_TRACE(method.Name);
-    ExpectTruth(scene, method.Make(), 1.4);
+    ExpectTruth(scene, method.Make(), 1.4, GetParam().Besides);
   }
 }
 
