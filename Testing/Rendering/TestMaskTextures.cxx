@@ -20,7 +20,7 @@
 namespace
 {
 
-// Squares of 4 texels in two colours, mipmapped; anisotropic by default, as VTK's textures are.
+// Rectangles of 4 x 8 texels in two colours, mipmapped; anisotropic by default, as VTK's textures are.
 vtkSmartPointer<vtkTexture> MakeChecker(float anisotropy = 4.0f)
 {
   vtkNew<vtkImageData> image;
@@ -28,7 +28,7 @@ vtkSmartPointer<vtkTexture> MakeChecker(float anisotropy = 4.0f)
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   for (int i = 0; i < 64 * 64; ++i)
   {
-    const bool odd = (i / 4 + i / 256) % 2 != 0;
+    const bool odd = (i / 4 + (i / 64 + 4) / 8) % 2 != 0;
     auto* texel = static_cast<unsigned char*>(image->GetScalarPointer(i % 64, i / 64, 0));
     texel[0] = odd ? 230 : 40;
     texel[1] = odd ? 30 : 200;
@@ -72,10 +72,11 @@ vtkSmartPointer<vtkActor> AddLeaningTriangle(TestScene& scene, int coordinates)
   mapper->SetInputData(data);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetOpacity(0.7);
+  actor->GetProperty()->SetOpacity(0.5);
   actor->ForceTranslucentOn();
   scene.Renderer->AddActor(actor);
   scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  scene.Renderer->ResetCameraClippingRange();
   return actor;
 }
 
