@@ -115,10 +115,8 @@ struct LongLists
 };
 
 // Shaders of the resolve are the same for all methods that store every fragment, but for how they read linked and packed lists.
-const std::vector<Method> ListMethods = MethodsThat(
-  [](const Method& method) {
-    return method.Name == "LinkedListHalfFloat" || method.Name == "PrefixSumPredicted";
-  });
+const std::vector<Method> ListMethods = MethodsThat([](const Method& method)
+  { return method.Name == "LinkedListHalfFloat" || method.Name == "PrefixSumPredicted"; });
 
 class ResolveFailures : public testing::TestWithParam<Method>
 {
