@@ -53,17 +53,19 @@ std::array<GLubyte, 4> ReadPixel(vtkOpenGLState* state, Framebuffer& source)
 
 std::string DescribeVerdict(bool strayed, bool routed, int samples)
 {
+  const std::string those = std::to_string(samples) + " samples of a pixel";
   if (strayed)
   {
-    return "the driver goes on multisampling where it is switched off, so fragments do not cover "
-           "all " +
-      std::to_string(samples) + " samples of a pixel";
+    return "the driver goes on multisampling where it is switched off, so that fragments do not "
+           "cover all " +
+      those + " alike";
   }
-  return routed ? std::string()
-                : "the driver tests the stencil of one sample for all of a pixel where "
-                  "multisampling is off, as "
-                  "OpenGL allows, so " +
-      std::to_string(samples) + " samples take no more than one does";
+  if (!routed)
+  {
+    return "where multisampling is off, the driver does not let one fragment through to each of " +
+      those + ": OpenGL allows it to test the stencil of one sample for all";
+  }
+  return {};
 }
 
 }

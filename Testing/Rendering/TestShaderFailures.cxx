@@ -260,9 +260,10 @@ TEST_P(SamplesShaderFailures, AreSaid)
 TEST_P(SamplesShaderFailures, LeaveOneSampleToBeChosen)
 {
   LayeredScene scene;
+  scene.RenderAsVTK(); // the context, with which the loader sets its pointers
   vtkNew<vtkStencilRoutedTransparencyPass> pass;
-  const RejectedShader rejected(GetParam());
   scene.Use(pass);
+  const RejectedShader rejected(GetParam());
   scene.Render();
   EXPECT_GT(RejectedShader::Rejections, 0);
   EXPECT_FALSE(TakeMessages().empty()); // VTK says what the driver says
