@@ -62,7 +62,7 @@ TEST_P(Targets, TooLargeForTheDriverAreSaidToBe)
     return;
   }
   EXPECT_NE(color, (Rgba{ 0.0, 0.0, 0.0, 0.0 }));
-  const bool isMask = GetParam().MaxLayers > 0;
+  const bool isMask = GetParam().EdgeShare > 0.0;
   const int rows = isMask ? static_cast<int>(std::sqrt(GetParam().MaxLayers)) : 2;
   ExpectRefusal(pass, "x" + std::to_string(9000 * rows) + " pixels");
 }
