@@ -1,5 +1,7 @@
 #include "Core/StencilRouting.h"
 
+#include "Core/Rounding.h"
+
 #include <algorithm>
 
 namespace vitrine
@@ -13,7 +15,7 @@ const std::vector<int>& RoutedSampleCounts()
 
 int StencilRoute::PassesFor(int layers) const
 {
-  return std::min((layers + this->Samples - 1) / this->Samples, this->MostPasses());
+  return std::min(DividedUp(layers, this->Samples), this->MostPasses());
 }
 
 }

@@ -1,9 +1,9 @@
 // A depth and a colour in two words: 25 bits of depth, 12 of alpha, 9 of each colour. The first word is the key that
 // sorts; with the second, fragments of equal depth order by alpha, blue, green, red. For colours from 0 to 1.
 //
-// From 1/8 on, window depths are kept to the bit; nearer ones in steps of 2^-26, a quarter of a 24-bit depth buffer's.
-// Alpha has 8 bits of mantissa below 16 exponents: its rounding, which layers add up, stays below a fifth of 1/255 in a
-// stack of any number of equal ones, and that of a colour below a quarter.
+// From 1/8 on, window depths are kept to the bit, but for the last three, which become one; nearer ones in steps of 2^-26,
+// a quarter of a 24-bit depth buffer's. Alpha has 8 bits of mantissa below 16 exponents: its rounding, which layers add up,
+// stays below a quarter of 1/255 in a stack of any number of equal ones, and so does that of a colour.
 
 // From here on depths are taken by their bits, before by steps; the largest is one less than a register's without a
 // fragment.

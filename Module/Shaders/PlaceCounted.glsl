@@ -16,6 +16,10 @@ void main()
     for (int x = 0; x < VITRINE_BLOCK_SIZE; ++x)
     {
       ivec2 pixel = corner + ivec2(x, y);
+      if (!isInRegion(pixel))
+      {
+        continue;
+      }
       uint count = loadCount(pixel);
       uint start = min(place, capacity);
       storeRoom(pixel, start, min(count, capacity - start));

@@ -1,6 +1,14 @@
 // The compute shaders that find the places of packed lists: an invocation for each block, or each sum.
 #include "ScanSums.glsl"
 
+uniform ivec2 regionFirst; // the pixels that are given room; heads of others stay as they are
+uniform ivec2 regionEnd;
+
+bool isInRegion(ivec2 pixel)
+{
+  return all(greaterThanEqual(pixel, regionFirst)) && all(lessThan(pixel, regionEnd));
+}
+
 ivec2 blockAt(int i)
 {
   return blockFirst + ivec2(i % blockCount.x, i / blockCount.x);

@@ -13,7 +13,8 @@ void main()
   {
     for (int x = 0; x < VITRINE_BLOCK_SIZE; ++x)
     {
-      sum += loadCount(corner + ivec2(x, y));
+      ivec2 pixel = corner + ivec2(x, y);
+      sum += isInRegion(pixel) ? loadCount(pixel) : 0u;
     }
   }
   sums[block] = sum;

@@ -6,12 +6,12 @@
 #ifndef VITRINE_SHARED_LAYOUT_H
 #define VITRINE_SHARED_LAYOUT_H
 
-// Binding points of shader storage buffers.
+// Binding points of shader storage buffers, of which OpenGL 4.3 has 8. Packed lists have sums in place of links.
 #define VITRINE_BINDING_COUNTERS 4
 #define VITRINE_BINDING_NODES 5
 #define VITRINE_BINDING_LINKS 6
+#define VITRINE_BINDING_SUMS 6
 #define VITRINE_BINDING_CAPTURE 7
-#define VITRINE_BINDING_SUMS 8
 
 // Binding points of images: of heads, where atomics or compute shaders set them, and of blocks' longest lists.
 #define VITRINE_IMAGE_HEADS 0

@@ -1,5 +1,6 @@
 #include "gl/ComputeProgram.h"
 
+#include "Core/Rounding.h"
 #include "gl/ProgramCache.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -63,8 +64,8 @@ void ComputeProgram::Set(const char* name, const int (&value)[2]) const
 void ComputeProgram::DispatchFor(std::int64_t count, int groupSize)
 {
   constexpr std::int64_t most = 65535; // groups along an axis that OpenGL guarantees
-  const std::int64_t groups = (count + groupSize - 1) / groupSize;
-  const std::int64_t rows = (groups + most - 1) / most;
+  const std::int64_t groups = DividedUp<std::int64_t>(count, groupSize);
+  const std::int64_t rows = DividedUp<std::int64_t>(groups, most);
   glDispatchCompute(static_cast<GLuint>(std::min(groups, most)),
     static_cast<GLuint>(std::max<std::int64_t>(rows, 1)), 1);
 }

@@ -26,6 +26,10 @@ const PixelSetting PixelSettings[] = { { GL_PACK_SWAP_BYTES, 0 }, { GL_PACK_LSB_
   { GL_UNPACK_ROW_LENGTH, 0 }, { GL_UNPACK_SKIP_ROWS, 0 }, { GL_UNPACK_SKIP_PIXELS, 0 },
   { GL_UNPACK_ALIGNMENT, 4 } };
 
+// What confines multisampled drawing to some samples.
+const GLenum SampleCapabilities[] = { GL_SAMPLE_MASK, GL_SAMPLE_ALPHA_TO_COVERAGE,
+  GL_SAMPLE_COVERAGE };
+
 }
 
 GLenum TextureBindingQuery(GLenum target)
@@ -174,10 +178,14 @@ ScopedArrayBuffer::~ScopedArrayBuffer()
 }
 
 ScopedSampleMask::ScopedSampleMask()
-  : WasEnabled(glIsEnabled(GL_SAMPLE_MASK))
 {
+  static_assert(std::size(SampleCapabilities) == Capabilities, "one value each");
   glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &this->Previous);
-  glDisable(GL_SAMPLE_MASK);
+  for (int i = 0; i < Capabilities; ++i)
+  {
+    this->WereEnabled[i] = glIsEnabled(SampleCapabilities[i]);
+    glDisable(SampleCapabilities[i]);
+  }
 }
 
 void ScopedSampleMask::DrawInto(int sample)
@@ -189,7 +197,10 @@ void ScopedSampleMask::DrawInto(int sample)
 ScopedSampleMask::~ScopedSampleMask()
 {
   glSampleMaski(0, static_cast<GLbitfield>(this->Previous));
-  (this->WasEnabled ? glEnable : glDisable)(GL_SAMPLE_MASK);
+  for (int i = 0; i < Capabilities; ++i)
+  {
+    (this->WereEnabled[i] ? glEnable : glDisable)(SampleCapabilities[i]);
+  }
 }
 
 ScopedVertexArray::ScopedVertexArray(GLuint vertexArray)

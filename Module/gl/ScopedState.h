@@ -135,7 +135,8 @@ private:
 };
 
 /**
- * The samples that drawing is confined to, which VTK does not track: all of them, until one is chosen.
+ * The samples that drawing is confined to, which VTK does not track: all of them, until one is chosen, whatever their mask,
+ * coverage or the alpha of fragments says.
  */
 class ScopedSampleMask
 {
@@ -149,7 +150,8 @@ public:
   static void DrawInto(int sample);
 
 private:
-  GLboolean WasEnabled = GL_FALSE;
+  static constexpr int Capabilities = 3;
+  GLboolean WereEnabled[Capabilities] = {};
   GLint Previous = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "sorting/SortHarness.h"
 
+#include "Core/Rounding.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/Capabilities.h"
 #include "gl/FullScreenDraw.h"
@@ -23,7 +24,7 @@ namespace
 
 std::size_t RoundedUpToRows(std::size_t lists)
 {
-  return (lists + VITRINE_SORT_ROW - 1) / VITRINE_SORT_ROW * VITRINE_SORT_ROW;
+  return RoundedUp<std::size_t>(lists, VITRINE_SORT_ROW);
 }
 
 std::int64_t BytesOf(std::size_t elements)

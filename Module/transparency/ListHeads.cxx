@@ -1,5 +1,6 @@
 #include "transparency/ListHeads.h"
 
+#include "Core/Rounding.h"
 #include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
@@ -28,8 +29,8 @@ std::string ListHeads::Prepare(
   vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple)
 {
   this->Fetched = framebufferFetch;
-  this->Width = (target.Width + multiple - 1) / multiple * multiple;
-  this->Height = (target.Height + multiple - 1) / multiple * multiple;
+  this->Width = RoundedUp(target.Width, multiple);
+  this->Height = RoundedUp(target.Height, multiple);
   // For image atomics, which have one value a texel, each row is two: of first words, and of second ones.
   std::string problem = framebufferFetch
     ? this->Heads.Allocate(GL_RG32UI, this->Width, this->Height, 0)

@@ -1,5 +1,6 @@
 #include "transparency/NodePool.h"
 
+#include "Core/Rounding.h"
 #include "gl/Capabilities.h"
 
 #include <algorithm>
@@ -30,11 +31,6 @@ GLenum TexelFormat(int nodeBytes)
 std::int64_t RoundDown(std::int64_t value, std::int64_t granule)
 {
   return value / granule * granule;
-}
-
-std::int64_t RoundUp(std::int64_t value, std::int64_t granule)
-{
-  return RoundDown(value + granule - 1, granule);
 }
 
 // Pages of one node lie one after the other, those of several in interleaved groups.
@@ -112,7 +108,7 @@ int NodePool::LargestShift(std::int64_t layers) const
 {
   int shift = MaximumPageShift;
   while (
-    shift > 0 && (this->LimitPages(shift) << shift) < RoundUp(layers, std::int64_t(1) << shift))
+    shift > 0 && (this->LimitPages(shift) << shift) < RoundedUp(layers, std::int64_t(1) << shift))
   {
     --shift;
   }
@@ -148,7 +144,7 @@ FragmentStore::FitType NodePool::Fit(const FragmentStatistics& needed)
   {
     this->UseShift(this->PreferredShift(needed));
     this->Sizing.Grow(static_cast<std::uint64_t>(this->BytesOf(needed)));
-    const std::int64_t least = RoundUp(this->PagesOf(needed), Granule(this->Shift));
+    const std::int64_t least = RoundedUp(this->PagesOf(needed), Granule(this->Shift));
     wanted = std::min(std::max(this->SizedPages(), least), this->LimitPages());
     allocated = this->Allocate(wanted);
     if (!allocated)
@@ -241,7 +237,7 @@ void NodePool::ForgetOldShortage()
 // Returns false if the driver has no memory for so many pages: the pool is empty then.
 bool NodePool::Allocate(std::int64_t pages)
 {
-  const std::int64_t rounded = std::max(RoundUp(pages, Granule(this->Shift)), Interleave);
+  const std::int64_t rounded = std::max(RoundedUp(pages, Granule(this->Shift)), Interleave);
   const std::int64_t nodeBytes = rounded * this->PageSize() * this->BytesPerNode;
   if (rounded == this->Pages && nodeBytes == this->Nodes.Bytes())
   {

@@ -41,6 +41,10 @@ std::string PackedListStore::BeginFrame(
     this->LastFrame = {};
     this->Memory = 0;
   }
+  if (target.Width != this->TargetWidth || target.Height != this->TargetHeight)
+  {
+    this->LastFrame = {}; // images may be new ones
+  }
   this->ForgetOldShortage();
   this->TargetWidth = target.Width;
   this->TargetHeight = target.Height;
@@ -48,6 +52,7 @@ std::string PackedListStore::BeginFrame(
   this->Limit = limit;
   this->Blocks = BlocksOf(target.Region, VITRINE_BLOCK_SIZE);
   this->Start = this->Predicts && this->LastFrame == this->Blocks ? PREDICTED : COUNTING;
+  this->HasCountsOfBands = false;
   const BlockRange all = BlocksOf({ 0, 0, target.Width, target.Height }, VITRINE_BLOCK_SIZE);
   const std::string problem =
     this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, VITRINE_BLOCK_SIZE);
@@ -59,9 +64,10 @@ std::string PackedListStore::BeginFrame(
 std::string PackedListStore::BeginFill(
   vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout)
 {
+  this->Region = region;
   this->Blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
   const std::string problem = this->Place(window, layout);
-  this->Start = COUNTING;
+  this->Start = this->HasCountsOfBands ? COUNTED : COUNTING;
   if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
   {
     this->Memory = 0; // to be asked again
@@ -77,7 +83,7 @@ std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayo
   switch (this->Start)
   {
     case COUNTED:
-      return this->Scan.PlaceCounted(window, layout, this->ListsOfPixels, this->Blocks, capacity);
+      return this->Scan.PlaceCounted(window, layout, this->ListsOfPixels, this->Region, capacity);
     case PREDICTED:
       return this->PlacePredicted(window, layout);
     case COUNTING:
@@ -104,8 +110,7 @@ std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const
   const std::int64_t room = this->Scan.ReadTotal();
   if (room > this->Capacity())
   {
-    const std::int64_t wanted = room + room / ReserveShare;
-    if (wanted > this->LimitNodes() || !this->Reserve(wanted))
+    if (!this->ReserveMoreThan(room))
     {
       this->ClearHeads(window);
       return {};
@@ -137,6 +142,8 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
   if (needed.Fragments > this->LimitNodes() || !this->Reserve(needed.Fragments))
   {
     this->ReserveAll();
+    this->Start = COUNTED; // band by band, by the counts that are there
+    this->HasCountsOfBands = true;
     return TOO_LARGE;
   }
   this->RoomNodes = std::max(this->RoomNodes, needed.Fragments);
@@ -159,9 +166,10 @@ std::int64_t PackedListStore::LimitNodes() const
 //------------------------------------------------------------------------------
 std::string PackedListStore::DescribeLimit() const
 {
-  return this->Limit > 0 ? "its limit is " + std::to_string(this->Limit) + " bytes"
-                         : "the driver has memory for " +
-      std::to_string(this->LimitNodes() * this->BytesPerNode) + " bytes";
+  const std::int64_t bytes = this->LimitNodes() * this->BytesPerNode;
+  const bool byLimit = this->Limit > 0 && this->Limit < bytes + this->BytesPerNode;
+  return byLimit ? "its limit is " + std::to_string(this->Limit) + " bytes"
+                 : "the driver has memory for " + std::to_string(bytes) + " bytes";
 }
 
 //------------------------------------------------------------------------------
@@ -180,6 +188,15 @@ bool PackedListStore::Reserve(std::int64_t nodes)
     this->ShortageFrames = 0;
   }
   return allocated;
+}
+
+//------------------------------------------------------------------------------
+// So many nodes, and a share more where the limit and the driver have it.
+bool PackedListStore::ReserveMoreThan(std::int64_t nodes)
+{
+  return nodes <= this->LimitNodes() &&
+    (this->Reserve(std::min(nodes + nodes / ReserveShare, this->LimitNodes())) ||
+      this->Reserve(nodes));
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,7 @@ private:
   std::int64_t LimitNodes() const;
   std::int64_t Capacity() const { return this->Nodes.Bytes() / this->BytesPerNode; }
   bool Reserve(std::int64_t nodes);
+  bool ReserveMoreThan(std::int64_t nodes);
   void ReserveAll();
   void ForgetOldShortage();
   std::string Place(vtkOpenGLRenderWindow* window, const ListLayout& layout);
@@ -68,9 +69,11 @@ private:
   int ShortageFrames = 0;     // since it did
   std::int64_t RoomNodes = 0; // the most that a fill of this frame had room for
   StartType Start = COUNTING;
-  BlockRange Blocks;       // of the last fill
-  BlockRange LastFrame;    // whose longest lists are known; empty if none are
-  int OversizedFrames = 0; // in a row that used much less than there is
+  bool HasCountsOfBands = false; // of all pixels, after a fill that did not fit
+  PixelRegion Region;            // of the last fill
+  BlockRange Blocks;             // of it
+  BlockRange LastFrame;          // whose longest lists are known; empty if none are
+  int OversizedFrames = 0;       // in a row that used much less than there is
   Buffer Nodes;
   Image2D LongestLists; // of each block
   PackedScan Scan;

@@ -1,5 +1,6 @@
 #include "transparency/PackedScan.h"
 
+#include "Core/Rounding.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ProgramCache.h"
@@ -15,11 +16,6 @@ namespace
 {
 
 constexpr int GroupSize = 64; // of the shaders (ScanBlocks.glsl)
-
-int DividedUp(int count, int by)
-{
-  return (count + by - 1) / by;
-}
 
 // What shaders that read or write heads are compiled for.
 std::vector<std::string> HeadDefines(const ListLayout& layout)
@@ -41,9 +37,9 @@ PackedScan::PackedScan()
 
 //------------------------------------------------------------------------------
 std::string PackedScan::PlaceCounted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  const ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity)
+  const ListHeads& heads, const PixelRegion& region, std::uint32_t capacity)
 {
-  const std::string problem = this->Prepare(blocks);
+  const std::string problem = this->Prepare(BlocksOf(region, VITRINE_BLOCK_SIZE));
   if (!problem.empty())
   {
     return problem;
@@ -52,8 +48,8 @@ std::string PackedScan::PlaceCounted(vtkOpenGLRenderWindow* window, const ListLa
   const ScopedImage image(
     VITRINE_IMAGE_HEADS, heads.Image().Handle(), layout.FramebufferFetch ? GL_RG32UI : GL_R32UI);
   BarrierBetweenScans();
-  const bool done = this->RunOverBlocks(this->Counts, window, layout, blocks) &&
-    this->ScanSums(window) && this->RunOverBlocks(this->Counted, window, layout, blocks, capacity);
+  const bool done = this->RunOverBlocks(this->Counts, window, layout, region) &&
+    this->ScanSums(window) && this->RunOverBlocks(this->Counted, window, layout, region, capacity);
   return done ? std::string() : ProgramFailure;
 }
 
@@ -69,7 +65,8 @@ std::string PackedScan::PlacePredicted(vtkOpenGLRenderWindow* window, const List
   const ScopedStorageBuffer sums(VITRINE_BINDING_SUMS, this->Sums.Handle());
   const ScopedImage longest(VITRINE_IMAGE_BLOCKS, longestLists, GL_R32UI);
   BarrierBetweenScans();
-  const bool done = this->RunOverBlocks(this->Prediction, window, layout, blocks) &&
+  const bool done =
+    this->RunOverBlocks(this->Prediction, window, layout, PixelsOf(blocks, VITRINE_BLOCK_SIZE)) &&
     this->ScanSums(window) && this->DrawPredicted(window, layout, heads, blocks, capacity);
   return done ? std::string() : ProgramFailure;
 }
@@ -88,19 +85,24 @@ std::string PackedScan::Prepare(const BlockRange& blocks)
   this->OfBlocks = end;
   const auto bytes =
     static_cast<std::int64_t>(this->OfBlocks + blocks.Size()) * std::int64_t(sizeof(uint));
-  return bytes == this->Sums.Bytes() || this->Sums.Allocate(bytes)
+  return bytes <= this->Sums.Bytes() || this->Sums.Allocate(bytes)
     ? std::string()
     : "the driver has no memory for the sums of a scan";
 }
 
 //------------------------------------------------------------------------------
 bool PackedScan::RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* window,
-  const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity)
+  const ListLayout& layout, const PixelRegion& region, std::uint32_t capacity)
 {
   if (!program.Use(window, HeadDefines(layout)))
   {
     return false;
   }
+  const BlockRange blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
+  const int regionFirst[2] = { region.X, region.Y };
+  const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
+  program.Set("regionFirst", regionFirst);
+  program.Set("regionEnd", regionEnd);
   program.Set("blockFirst", blocks.First);
   program.Set("blockCount", blocks.Count);
   program.Set("blocks", blocks.Size());

@@ -30,11 +30,11 @@ public:
   PackedScan();
 
   /**
-   * Give each pixel of `blocks` room for as many fragments as its head counted in the last fill, and none beyond
-   * `capacity` nodes. Returns an empty string, or why the driver cannot.
+   * Give each pixel of `region` room for as many fragments as its head counted in the last fill, and none beyond
+   * `capacity` nodes. Other pixels keep their counts. Returns an empty string, or why the driver cannot.
    */
   std::string PlaceCounted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-    const ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity);
+    const ListHeads& heads, const PixelRegion& region, std::uint32_t capacity);
 
   /**
    * The same, for as many fragments as the image `longestLists` says of the pixel's block and its neighbours. Changes
@@ -62,7 +62,7 @@ private:
 
   std::string Prepare(const BlockRange& blocks);
   bool RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* window,
-    const ListLayout& layout, const BlockRange& blocks, std::uint32_t capacity = 0);
+    const ListLayout& layout, const PixelRegion& region, std::uint32_t capacity = 0);
   bool DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout, ListHeads& heads,
     const BlockRange& blocks, std::uint32_t capacity);
   bool ScanSums(vtkOpenGLRenderWindow* window);

@@ -28,6 +28,9 @@ public:
   bool Resolve(vtkOpenGLRenderWindow* window, const RoutedTarget& fragments,
     const CountedRegions& counts, int layers, const Image2D& backdrop, const RenderTarget& target);
 
+  /** Whether a program did not compile. */
+  bool HasFailed() const { return this->Programs.HasFailed(); }
+
   void Release();
 
 private:

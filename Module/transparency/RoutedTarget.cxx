@@ -29,10 +29,22 @@ std::string RoutedTarget::Prepare(
 std::string RoutedTarget::Grow(vtkOpenGLState* state, int passes)
 {
   const std::int64_t perPass = this->FragmentsPerPass();
-  this->Sizing.Grow(static_cast<std::uint64_t>(passes * perPass));
+  const auto needed = static_cast<std::uint64_t>(passes * perPass);
+  this->Sizing.SetLimit(std::max(needed, this->Sizing.Limit()));
+  this->Sizing.Grow(needed);
   const auto room = static_cast<std::int64_t>(this->Sizing.Capacity()) / perPass;
-  this->PassCount = static_cast<int>(std::min<std::int64_t>(room, this->Routed.MostPasses()));
-  return this->Allocate(state);
+  const auto wanted = static_cast<int>(std::min<std::int64_t>(room, this->Routed.MostPasses()));
+  std::string problem = this->Allocate(state, wanted);
+  if (!problem.empty() && wanted > passes)
+  {
+    this->Sizing.SetLimit(needed); // no reserve is asked for again
+    problem = this->Allocate(state, passes);
+  }
+  if (!problem.empty())
+  {
+    this->ReleaseImages();
+  }
+  return problem;
 }
 
 std::int64_t RoutedTarget::FragmentsPerPass() const
@@ -42,52 +54,20 @@ std::int64_t RoutedTarget::FragmentsPerPass() const
 }
 
 // The images begin where the target does, so that all is rasterised as there, to the last bit; they end with the region.
-std::string RoutedTarget::Allocate(vtkOpenGLState* state)
+std::string RoutedTarget::Allocate(vtkOpenGLState* state, int passes)
 {
-  const int width = this->Region.X + this->Region.Width;
-  const int height = this->Region.Y + this->Region.Height;
-  const int samples = this->Routed.SamplesPerPass() > 1 ? this->Routed.SamplesPerPass() : 0;
-  std::string problem = this->ColorImages.Allocate(
-    this->HalfFloat ? GL_RGBA16F : GL_RGBA8, width, height, samples, this->PassCount);
-  if (problem.empty())
-  {
-    problem = this->DepthImages.Allocate(GL_R32F, width, height, samples, this->PassCount);
-  }
-  if (problem.empty())
-  {
-    problem = this->StencilImage.Allocate(StencilCounter::StencilFormat, width, height, samples);
-  }
-  if (problem.empty())
-  {
-    this->Attach(state, 0);
-    if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    {
-      problem = "the driver cannot draw into its images of " +
-        std::to_string(this->Routed.SamplesPerPass()) + " samples together";
-    }
-  }
-  return problem;
-}
-
-void RoutedTarget::Attach(vtkOpenGLState* state, int pass)
-{
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
-  glFramebufferTextureLayer(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->ColorImages.Handle(), 0, pass);
-  glFramebufferTextureLayer(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, this->DepthImages.Handle(), 0, pass);
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT,
-    this->StencilImage.Target(), this->StencilImage.Handle(), 0);
-  const GLenum both[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-  glDrawBuffers(2, both);
+  const PixelRegion& r = this->Region;
+  this->PassCount = passes;
+  return this->Images.Allocate(state,
+    { r.X + r.Width, r.Y + r.Height, this->Routed.SamplesPerPass(), this->HalfFloat }, passes);
 }
 
 bool RoutedTarget::BeginPass(vtkOpenGLRenderWindow* window, const RenderTarget& target,
   SampleRouting& routing, int pass, const PixelRegion& region)
 {
   vtkOpenGLState* state = window->GetState();
-  this->Attach(state, pass);
-  BindForFullScreenDraw(state, this->FillTarget.Handle(), this->Region.X + this->Region.Width,
+  this->Images.Attach(state, pass);
+  BindForFullScreenDraw(state, this->Images.Target().Handle(), this->Region.X + this->Region.Width,
     this->Region.Y + this->Region.Height, region);
   if (!routing.WriteStart(window, this->Routed))
   {
@@ -95,20 +75,19 @@ bool RoutedTarget::BeginPass(vtkOpenGLRenderWindow* window, const RenderTarget& 
   }
   if (pass == 0)
   {
-    this->Fragments.NoteStart(state, this->FillTarget, this->Region);
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
+    this->Fragments.NoteStart(state, this->Images.Target(), this->Region);
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Images.Target().Handle());
     state->vtkglEnable(GL_SCISSOR_TEST);
   }
   const PixelRegion& v = target.Viewport;
   state->vtkglViewport(v.X, v.Y, v.Width, v.Height);
-  state->vtkglDisable(GL_MULTISAMPLE);
   RouteFragments(state, this->Routed, pass);
   return true;
 }
 
 StencilCounts RoutedTarget::Count(vtkOpenGLState* state, int layers)
 {
-  return this->Fragments.Count(state, this->FillTarget, this->Region, layers);
+  return this->Fragments.Count(state, this->Images.Target(), this->Region, layers);
 }
 
 void RoutedTarget::EndFrame(int passes)
@@ -118,17 +97,21 @@ void RoutedTarget::EndFrame(int passes)
 
 std::int64_t RoutedTarget::Bytes() const
 {
-  return this->ColorImages.Bytes() + this->DepthImages.Bytes() + this->StencilImage.Bytes() +
-    this->Fragments.Bytes();
+  return this->Images.Bytes() + this->Fragments.Bytes();
 }
 
 void RoutedTarget::Release()
 {
-  this->ColorImages.Release();
-  this->DepthImages.Release();
-  this->StencilImage.Release();
+  this->ReleaseImages();
   this->Fragments.Release();
-  this->FillTarget.Release();
+}
+
+// The next frame begins anew: what there was no memory for is not asked for again before it is needed.
+void RoutedTarget::ReleaseImages()
+{
+  this->Images.Release();
+  this->Sizing = PoolSizing();
+  this->PassCount = 0;
 }
 
 }

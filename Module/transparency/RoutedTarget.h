@@ -1,6 +1,7 @@
 /**
  * Where stencil routing keeps fragments: for each geometry pass of a frame a layer of images, and in that a sample for
- * each fragment that the pass takes of a pixel, with colours, depths and the stencil that lets it through.
+ * each fragment that the pass takes of a pixel, with colours, depths and the stencil that lets it through. How many layers
+ * there are is a policy: Core/PoolSizing.
  */
 #ifndef VITRINE_ROUTED_TARGET_H
 #define VITRINE_ROUTED_TARGET_H
@@ -8,7 +9,7 @@
 #include "Core/PixelRegion.h"
 #include "Core/PoolSizing.h"
 #include "Core/StencilRouting.h"
-#include "gl/GLObjects.h"
+#include "transparency/RoutedImages.h"
 #include "transparency/StencilCounter.h"
 
 #include <cstdint>
@@ -33,10 +34,13 @@ public:
   std::string Prepare(
     vtkOpenGLState* state, const RenderTarget& target, const StencilRoute& route, bool halfFloat);
 
-  /** The passes that there is room for. */
+  /** The passes that there is room for, none when an allocation failed. */
   int Passes() const { return this->PassCount; }
 
-  /** Make room for so many passes. What earlier passes stored is lost. Returns an empty string, or why the driver cannot. */
+  /**
+   * Make room for so many passes, and a reserve if the driver has memory for it. What earlier passes stored is lost. Returns
+   * an empty string, or why the driver cannot: then nothing is held.
+   */
   std::string Grow(vtkOpenGLState* state, int passes);
 
   /**
@@ -57,26 +61,23 @@ public:
 
   const StencilRoute& Route() const { return this->Routed; }
   const StencilCounter& Counter() const { return this->Fragments; }
-  const Image2D& Colors() const { return this->ColorImages; }
-  const Image2D& Depths() const { return this->DepthImages; }
+  const Image2D& Colors() const { return this->Images.Colors(); }
+  const Image2D& Depths() const { return this->Images.Depths(); }
   std::int64_t Bytes() const;
   void Release();
 
 private:
-  std::string Allocate(vtkOpenGLState* state);
-  void Attach(vtkOpenGLState* state, int pass);
+  std::string Allocate(vtkOpenGLState* state, int passes);
+  void ReleaseImages();
   std::int64_t FragmentsPerPass() const;
 
   StencilRoute Routed;
   PixelRegion Region; // of the target; pixels are where they are there
   bool HalfFloat = true;
   int PassCount = 0;
-  PoolSizing Sizing;    // in fragments
-  Image2D ColorImages;  // RGBA16F or RGBA8
-  Image2D DepthImages;  // R32F, of the window
-  Image2D StencilImage; // of one pass
+  PoolSizing Sizing; // in fragments
+  RoutedImages Images;
   StencilCounter Fragments;
-  Framebuffer FillTarget;
 };
 
 }

@@ -1,5 +1,6 @@
 #include "vtkABufferTransparencyPass.h"
 
+#include "Core/Rounding.h"
 #include "Core/ScreenBands.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
@@ -69,7 +70,7 @@ vitrine::BandPlan vtkABufferTransparencyPass::Internals::PlanBands(
   std::vector<std::uint32_t> units = this->Store->ReadCounts(state);
   for (std::uint32_t& n : units)
   {
-    n = (n + unit - 1) / unit;
+    n = vitrine::DividedUp(n, unit);
   }
   return vitrine::PlanBands(units, target.Width, target.Height,
     static_cast<std::uint64_t>(this->Store->CapacityUnits()), target.Region);

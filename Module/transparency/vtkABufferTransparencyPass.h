@@ -5,7 +5,7 @@
  * One frame:
  *
  *  1. Fill: the translucent geometry is drawn, and every fragment goes to the list of its pixel. Depth is kept as
- *     32-bit float, colour in 16-bit floats or 8 bits.
+ *     32-bit float, colour in 16-bit floats or 8 bits, or both in 8 bytes.
  *  2. Classify: the longest list of each tile of 16x16 pixels, and what the frame needed.
  *  3. If there was no room for that, there is now, and the geometry is drawn again, in the same frame. If the memory
  *     limit forbids that, or the driver has no memory, the frame is drawn in bands of the screen, each of which fits.
@@ -48,7 +48,7 @@ public:
     /// targets colours end at 1.
     EIGHT_BIT = 1,
     /// 39 bits, which with 25 of depth make 8 bytes a fragment in all: exact to 8-bit pictures, as HALF_FLOAT is, but
-    /// closer to half a step more. Depths below 1/8 are kept in steps of 2^-26, which is finer than depth buffers are. In
+    /// with half a step more at most. Depths below 1/8 are kept in steps of 2^-26, a quarter of a 24-bit depth buffer's. In
     /// floating-point targets colours are kept as HALF_FLOAT does.
     COMPACT = 2
   };

@@ -9,6 +9,7 @@
 #include "transparency/FillShader.h"
 #include "transparency/RoutedResolver.h"
 #include "transparency/RoutedTarget.h"
+#include "transparency/RoutingProbe.h"
 #include "transparency/SampleRouting.h"
 #include "transparency/ShaderText.h"
 #include "vtkObjectFactory.h"
@@ -30,6 +31,7 @@ vtkStandardNewMacro(vtkStencilRoutedTransparencyPass);
 
 struct vtkStencilRoutedTransparencyPass::Internals
 {
+  vitrine::RoutingProbe Probe;
   vitrine::SampleRouting Routing;
   vitrine::RoutedTarget Fragments;
   vitrine::BackdropCopy Backdrop;
@@ -146,6 +148,10 @@ std::string vtkStencilRoutedTransparencyPass::RenderFragments(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
+  if (in.Resolver.HasFailed())
+  {
+    return vitrine::ProgramFailure;
+  }
   const vitrine::ScopedStencil stencil(this->GetWindow()->GetState());
   const vitrine::ScopedSampleMask sampleMask;
   std::string problem = this->PrepareFrame(target);
@@ -163,6 +169,7 @@ std::string vtkStencilRoutedTransparencyPass::RenderFragments(
   {
     this->FinishFrame();
   }
+  this->Bytes = in.Fragments.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
   return problem;
 }
 
@@ -196,14 +203,19 @@ std::string vtkStencilRoutedTransparencyPass::PrepareFrame(const vitrine::Render
 // Those that are set, or the most that the driver routes. Returns an empty string, or why it does not.
 std::string vtkStencilRoutedTransparencyPass::ChooseSamples(int& samples)
 {
-  vitrine::SampleRouting& routing = this->Private->Routing;
+  Internals& in = *this->Private;
+  const auto findObstacle = [&](int n)
+  {
+    return in.Probe.FindObstacle(
+      this->GetWindow(), in.Routing, n, this->ColorStorage == HALF_FLOAT);
+  };
   if (this->SamplesPerPass != 0)
   {
     samples = this->SamplesPerPass;
-    return routing.FindObstacle(this->GetWindow(), samples);
+    return findObstacle(samples);
   }
   samples = *std::find_if(std::begin(AutomaticSamples), std::end(AutomaticSamples) - 1,
-    [&](int n) { return routing.FindObstacle(this->GetWindow(), n).empty(); });
+    [&](int n) { return findObstacle(n).empty(); });
   return {};
 }
 
@@ -255,7 +267,6 @@ void vtkStencilRoutedTransparencyPass::FinishFrame()
 {
   Internals& in = *this->Private;
   in.Fragments.EndFrame(in.Passes);
-  this->Bytes = in.Fragments.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
   if (!this->HasWarned && (this->LostFragmentCount > 0 || this->SaturatedPixelCount > 0))
   {
     this->HasWarned = true;
@@ -270,6 +281,7 @@ void vtkStencilRoutedTransparencyPass::FinishFrame()
 void vtkStencilRoutedTransparencyPass::ReleaseMethodResources()
 {
   Internals& in = *this->Private;
+  in.Probe.Release();
   in.Routing.Release();
   in.Fragments.Release();
   in.Backdrop.Release();

@@ -13,9 +13,10 @@
  * said in a warning, and GetLostFragmentCount() tells how many at least. All passes of a frame must draw the same fragments
  * in the same order.
  *
- * OpenGL lets a driver test one sample's stencil for all of a pixel where multisampling is off, and some do: there, one
- * sample a pass, K = 1, is all there is, and as many passes as layers. Larger K are refused, and so are targets with several
- * samples a pixel: then VTK's own way draws, and GetFallbackReason() tells why.
+ * OpenGL lets a driver test one sample's stencil for all of a pixel where multisampling is off, and some do; others are said
+ * to go on multisampling. There, which the first frame finds out by a few fragments, one sample a pass, K = 1, is all there
+ * is, and as many passes as layers. Larger K are refused, and so are targets with several samples a pixel: then VTK's own
+ * way draws, and GetFallbackReason() tells why.
  *
  * K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
  */

@@ -16,6 +16,7 @@ from .vtkVitrineRendering import (
     vtkLinkedListTransparencyPass,
     vtkPrefixSumTransparencyPass,
     vtkSeeThroughPass,
+    vtkStencilRoutedTransparencyPass,
     vtkTransparencyPass,
     vtkTruthTransparencyPass,
 )
@@ -23,6 +24,7 @@ from .vtkVitrineRendering import (
 METHODS: dict[str, Any] = {
     "linked-list": vtkLinkedListTransparencyPass,
     "prefix-sum": vtkPrefixSumTransparencyPass,
+    "stencil-routed": vtkStencilRoutedTransparencyPass,
     "truth": vtkTruthTransparencyPass,
 }
 _COLOR_STORAGES = {
@@ -42,10 +44,11 @@ def see_through(
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
     target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers that they have now.
-    method: "linked-list", "prefix-sum", or "truth", the slow yardstick, composited in float64 on the CPU.
-    color_storage: of the exact methods: "half-float", the default; "compact", which takes two thirds of the memory and
+    method: "linked-list", "prefix-sum", "stencil-routed" for drivers without OpenGL 4.3, or "truth", the slow
+        yardstick, composited in float64 on the CPU.
+    color_storage: of the first two methods: "half-float", the default; "compact", which takes two thirds of the memory and
         is faster, and exact to 8-bit pictures; or "8-bit", which rounds each fragment.
-    memory_limit: of the exact methods: the largest number of bytes that its fragments may take on the device, for
+    memory_limit: of the first two methods: the largest number of bytes that its fragments may take on the device, for
         each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
 
     Returns a handle: remove() puts back the passes that were there before, and so does leaving a `with`.
@@ -280,8 +283,8 @@ def _number_of_bytes(limit: SupportsIndex) -> int:
 
 
 def _only_of_a_buffers(method: str, option: str) -> None:
-    if method == "truth":
-        raise ValueError(f"{option} is no option of truth, which keeps every fragment as it is")
+    if not issubclass(METHODS[method], vtkABufferTransparencyPass):
+        raise ValueError(f"{option} is no option of {method}")
 
 
 def _weak(instance: Any) -> vtkWeakReference:

@@ -46,6 +46,9 @@ struct Method
   /** Whether it keeps so many layers. */
   bool Keeps(int layers) const { return this->MaxLayers == 0 || layers <= this->MaxLayers; }
 
+  /** Whether it draws into groups of pixels, whose edges are inexact. */
+  bool HasGroups() const { return this->EdgeShare > 0.0; }
+
   /** Whether colours are kept in 8 bits, for which its tolerance leaves room. */
   bool KeepsEightBits() const { return this->Tolerance > 1.2; }
 

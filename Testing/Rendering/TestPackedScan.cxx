@@ -191,8 +191,8 @@ TEST_P(PackedScan, PlacesWhatWasCounted)
   int number = 0;
   VisitPixels([&](std::size_t pixel) { counts[pixel] = Parameters().Value(number++); });
   this->WriteCounts(counts);
-  ASSERT_EQ(this->Scan.PlaceCounted(
-              this->Window(), this->Layout, this->Heads, Blocks(), Parameters().Capacity),
+  ASSERT_EQ(this->Scan.PlaceCounted(this->Window(), this->Layout, this->Heads,
+              PixelsOf(Blocks(), Side), Parameters().Capacity),
     "");
   this->ExpectRooms([&](std::size_t pixel) { return counts[pixel]; });
 }
@@ -204,8 +204,8 @@ TEST_P(PackedScan, PlacesAgainWhatCountedOn)
   int number = 0;
   VisitPixels([&](std::size_t pixel) { counts[pixel] = Parameters().Value(number++) / 2; });
   this->WriteCounts(counts);
-  ASSERT_EQ(this->Scan.PlaceCounted(
-              this->Window(), this->Layout, this->Heads, Blocks(), Parameters().Capacity),
+  ASSERT_EQ(this->Scan.PlaceCounted(this->Window(), this->Layout, this->Heads,
+              PixelsOf(Blocks(), Side), Parameters().Capacity),
     "");
   // The fill: every pixel has three fragments more than room.
   std::vector<std::uint32_t> heads = this->Heads.Read(this->Window()->GetState());
@@ -227,8 +227,8 @@ TEST_P(PackedScan, PlacesAgainWhatCountedOn)
     }
   }
   this->Fill(this->Heads.Image(), words);
-  ASSERT_EQ(this->Scan.PlaceCounted(
-              this->Window(), this->Layout, this->Heads, Blocks(), Parameters().Capacity),
+  ASSERT_EQ(this->Scan.PlaceCounted(this->Window(), this->Layout, this->Heads,
+              PixelsOf(Blocks(), Side), Parameters().Capacity),
     "");
   this->ExpectRooms([&](std::size_t pixel) { return taken[pixel]; });
 }

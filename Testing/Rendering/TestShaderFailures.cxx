@@ -7,6 +7,7 @@
 #include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkStencilRoutedTransparencyPass.h"
 
 #include <gtest/gtest.h>
 
@@ -189,6 +190,7 @@ const OwnShader OwnShaders[] = {
   { "PrefixSumPredicted", "PlaceCounted" },
   { "PrefixSumPredicted", "ScanPrediction", 1 },
   { "PrefixSumPredicted", "PlacePredicted", 1 },
+  { "StencilRoutedHalfFloat", "StencilRoutedResolve" },
   { "StencilMask9", "StencilMaskResolve" },
   { "StencilMask9", "StencilMaskMark" },
   { "StencilMask9", "StencilMaskFilter" },
@@ -224,6 +226,55 @@ TEST_P(ShaderFailures, AreSaid)
 
 INSTANTIATE_TEST_SUITE_P(
   Shaders, ShaderFailures, testing::ValuesIn(OwnShaders), testing::PrintToStringParamName());
+
+//------------------------------------------------------------------------------
+TEST(RoutedShaderFailures, OfLongListsBlendNothingTwice)
+{
+  LayeredScene scene;
+  vtkNew<vtkStencilRoutedTransparencyPass> pass;
+  scene.Use(pass);
+  scene.Render();
+  EXPECT_STREQ(pass->GetFallbackReason(), "");
+  scene.AddLongLists(40);
+  const Picture byVTK = scene.RenderAsVTK();
+  scene.Use(pass);
+  const RejectedShader rejected("StencilRoutedResolveLong");
+  ExpectFallbackOnce(scene, pass, byVTK);
+}
+
+// Shaders that only several samples a pass take.
+class SamplesShaderFailures : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(SamplesShaderFailures, AreSaid)
+{
+  LayeredScene scene;
+  const Picture byVTK = scene.RenderAsVTK();
+  vtkNew<vtkStencilRoutedTransparencyPass> pass;
+  pass->SetSamplesPerPass(4);
+  scene.Use(pass);
+  const RejectedShader rejected(GetParam());
+  ExpectFallbackOnce(scene, pass, byVTK);
+}
+
+TEST_P(SamplesShaderFailures, LeaveOneSampleToBeChosen)
+{
+  LayeredScene scene;
+  scene.RenderAsVTK(); // the context, with which the loader sets its pointers
+  vtkNew<vtkStencilRoutedTransparencyPass> pass;
+  scene.Use(pass);
+  const RejectedShader rejected(GetParam());
+  scene.Render();
+  EXPECT_GT(RejectedShader::Rejections, 0);
+  EXPECT_FALSE(TakeMessages().empty()); // VTK says what the driver says
+  ExpectTruth(scene, pass, 0.75);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shaders, SamplesShaderFailures,
+  testing::Values(
+    "StencilOnly", "StencilRoutedProbe", "StencilRoutedProbeVertex", "StencilRoutedVerdict"),
+  [](const auto& info) { return std::string(info.param); });
 
 //------------------------------------------------------------------------------
 TEST(ProgramCache, CompilesABrokenProgramOnce)

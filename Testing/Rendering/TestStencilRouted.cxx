@@ -3,7 +3,6 @@
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
-#include "vtkActor.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkProperty.h"
 #include "vtkStencilRoutedTransparencyPass.h"
@@ -17,14 +16,6 @@ namespace
 
 constexpr int Width = 20;
 constexpr int Height = 18;
-
-void ExpectColor(const Rgba& color, const Rgba& expected, double tolerance)
-{
-  for (int c = 0; c < 4; ++c)
-  {
-    EXPECT_NEAR(255.0 * color[c], 255.0 * expected[c], tolerance) << "channel " << c;
-  }
-}
 
 // Plates that are drawn front to back, so that the nearest are kept where not all are.
 void AddPlatesInOrder(TestScene& scene, const std::vector<Rgba>& plates)
@@ -237,49 +228,6 @@ TEST_P(StencilRouted, IsExactInPartOfAWindow)
 
 INSTANTIATE_TEST_SUITE_P(
   Samples, StencilRouted, testing::Values(0, 1, 4, 8), testing::PrintToStringParamName());
-
-// The first frame with more layers makes room for them, and the first pass is drawn again.
-TEST(StencilRoutedMemory, GrowsWithinTheFrameAndShrinksAfterMany)
-{
-  TestScene scene(64, 48);
-  vtkNew<vtkStencilRoutedTransparencyPass> pass;
-  pass->SetSamplesPerPass(1);
-  scene.Use(pass);
-  scene.AddPlate(0.9, { 0.2, 0.4, 0.6, 0.5 });
-  scene.Render();
-  const vtkTypeInt64 small = pass->GetBytes();
-  EXPECT_EQ(pass->GetGeometryPasses(), 1);
-
-  const vtkSmartPointer<vtkActor> stack = scene.AddPlates(RandomPlates(40, 0.1, 3), 4);
-  const Picture first = scene.Render();
-  EXPECT_EQ(pass->GetGeometryPasses(), 41 + 1);
-  EXPECT_GE(pass->GetBytes(), small + 39 * 64 * 48 * 12);
-  EXPECT_LE(pass->GetBytes(), small + 1.3 * 40 * 64 * 48 * 12);
-  EXPECT_TRUE(scene.Render() == first);
-  EXPECT_EQ(pass->GetGeometryPasses(), 41);
-
-  scene.Renderer->RemoveActor(stack);
-  for (int frame = 0; frame < 40; ++frame)
-  {
-    scene.Render();
-    EXPECT_EQ(pass->GetGeometryPasses(), 1);
-  }
-  EXPECT_EQ(pass->GetBytes(), small);
-}
-
-TEST(StencilRoutedMemory, HalvesColoursOfEightBits)
-{
-  TestScene scene(128, 96);
-  scene.AddPlate(0.0, { 0.2, 0.4, 0.6, 0.5 });
-  vtkNew<vtkStencilRoutedTransparencyPass> pass;
-  pass->SetSamplesPerPass(1);
-  scene.Use(pass);
-  scene.Render();
-  const vtkTypeInt64 halfFloat = pass->GetBytes();
-  pass->SetColorStorageToEightBit();
-  scene.Render();
-  EXPECT_EQ(pass->GetBytes(), halfFloat - 4 * 128 * 96);
-}
 
 TEST(StencilRoutedWindows, MayChangeTheirSize)
 {

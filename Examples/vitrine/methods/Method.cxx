@@ -137,7 +137,9 @@ std::string ListNames()
   {
     names += entry.Name + ", ";
   }
-  return names + "and the groups exact and all";
+  return names +
+    "vtk-peeling-K and stencil-routed-K with another K, stencil-mask-N-unfiltered and "
+    "stencil-mask-N-marks; to compare, also the groups exact and all";
 }
 
 void RequireMethod(const std::string& name)

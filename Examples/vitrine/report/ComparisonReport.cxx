@@ -67,10 +67,11 @@ double FirstMedian(const ComparisonResult& comparison)
   return 1.0;
 }
 
-bool HasTranslucency(const ComparisonResult& comparison)
+bool MayHaveTranslucency(const ComparisonResult& comparison)
 {
   return std::any_of(comparison.Results.begin(), comparison.Results.end(),
-    [](const MethodResult& result) { return result.Statistics.Fragments.value_or(1) > 0; });
+    [](const MethodResult& result)
+    { return !result.Skipped.empty() || result.Statistics.Fragments.value_or(1) > 0; });
 }
 }
 
@@ -85,8 +86,9 @@ std::string ToTable(const ComparisonResult& comparison)
   const PictureSize size = comparison.Settings.Size;
   return comparison.Scene + ", " + std::to_string(size.Width) + "x" + std::to_string(size.Height) +
     ", " + comparison.GL.Renderer + "\n" + AlignColumns(rows) +
-    (HasTranslucency(comparison) ? ""
-                                 : "Nothing in it is translucent; --opacity 0.3 makes it so.\n");
+    (MayHaveTranslucency(comparison)
+        ? ""
+        : "Nothing in it is translucent; --opacity 0.3 makes it so.\n");
 }
 
 std::string ToJson(const ComparisonResult& comparison)

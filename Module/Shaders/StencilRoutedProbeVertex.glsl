@@ -1,0 +1,8 @@
+// One triangle over all of a viewport that lies on one side of an edge, made from gl_VertexID.
+uniform float edge;
+uniform float side; // 1 for what is left of x = edge; -1 for its mirror image
+void main()
+{
+  vec2 corner = gl_VertexID == 0 ? vec2(edge, -9.0) : gl_VertexID == 1 ? vec2(edge, 9.0) : vec2(-9.0, 0.0);
+  gl_Position = vec4(side * corner.x, corner.y, 0.0, 1.0);
+}
