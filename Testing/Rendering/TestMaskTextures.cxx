@@ -33,7 +33,7 @@ vtkSmartPointer<vtkTexture> MakeChecker(float anisotropy = 4.0f)
     texel[0] = odd ? 230 : 40;
     texel[1] = odd ? 30 : 200;
     texel[2] = 90;
-    texel[3] = odd ? 210 : 90;
+    texel[3] = odd ? 190 : 110;
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
