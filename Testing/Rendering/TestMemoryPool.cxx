@@ -143,6 +143,7 @@ TEST_P(MemoryPool, NeedsPagesOfOneNodeForAPixelThatExceedsTheLimit)
 {
   TestScene scene(Width, Height);
   scene.AddPlates(RandomPlates(100, 0.05, 7), 8);
+  scene.Render(); // the driver's extensions, by which pages have a size, are known then
   const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
   pass->SetMemoryLimit(Granule * this->PageBytes());
   scene.Use(pass);
