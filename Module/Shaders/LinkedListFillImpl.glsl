@@ -1,14 +1,7 @@
   // Linked-list A-buffer: append the fragment to its pixel's list. The allocator counts on past the end
   // of the pool, and so do the heads: what the frame needs is known even when it does not fit.
   {
-    float vitrineZ = vitrineTakeDepth();
-    uint vitrineSamples = vitrineCoverage(vitrineZ);
-#if defined(VITRINE_TESTS_DEPTH) || VITRINE_SAMPLES > 0
-    if (vitrineSamples == 0u)
-    {
-      discard;
-    }
-#endif
+#include "TakeFragment.glsl"
     uint vitrineLimit = uint(vitrineLinks.length());
 #ifdef VITRINE_FRAMEBUFFER_FETCH
     uint vitrinePage = vitrineHead.x;

@@ -1,13 +1,6 @@
   // The yardstick: capture the fragment as it is.
   {
-    float vitrineZ = vitrineTakeDepth();
-    uint vitrineSamples = vitrineCoverage(vitrineZ);
-#if defined(VITRINE_TESTS_DEPTH) || VITRINE_SAMPLES > 0
-    if (vitrineSamples == 0u)
-    {
-      discard;
-    }
-#endif
+#include "TakeFragment.glsl"
     uint vitrineAt = atomicAdd(vitrineCaptured.Fragments, 1u);
     if (vitrineAt == 0xffffffffu)
     {
