@@ -12,3 +12,6 @@ if (VITRINE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER "${VITRINE_CCACHE}")
   set(CMAKE_CXX_COMPILER_LAUNCHER "${VITRINE_CCACHE}")
 endif ()
+
+# For what takes more time to be compiled than it ever runs: tests, command lines.
+set(VITRINE_QUICK_COMPILE "$<$<CONFIG:Release>:-O1>")
