@@ -1,17 +1,15 @@
 #include "Core/Flip.h"
 #include "Core/ImageError.h"
 #include "Core/StructuralSimilarity.h"
+#include "ImagePairs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <map>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,74 +17,14 @@ namespace
 {
 
 using vitrine::CompareImages;
+using vitrine::FindImagePair;
 using vitrine::Image;
 using vitrine::ImageError;
+using vitrine::ImagePair;
+using vitrine::MakeImage;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float inf = std::numeric_limits<float>::infinity();
-
-using Formula = int (*)(int x, int y, int c); // an 8-bit value
-
-// lowbias32 by C. Wellons.
-std::uint32_t Mix(std::uint32_t value)
-{
-  value = (value ^ (value >> 16)) * 0x7feb352du;
-  value = (value ^ (value >> 15)) * 0x846ca68bu;
-  return value ^ (value >> 16);
-}
-
-// The pictures of image_error_figures.py, from the same formulas.
-int Noise(std::uint32_t seed, int x, int y, int c, std::uint32_t modulus)
-{
-  return static_cast<int>(Mix(Mix(Mix(seed) + x) + 4 * y + c) % modulus);
-}
-
-int Clamped(int value)
-{
-  return std::clamp(value, 0, 255);
-}
-
-int Plates(int x, int y, int c)
-{
-  return (x / 8 + y / 8) % 2 * 150 + 20 + 30 * c;
-}
-
-struct Pair
-{
-  Formula Reference;
-  Formula Test;
-};
-
-const std::map<std::string, Pair> pairs{
-  { "noise",
-    { [](int x, int y, int c) { return Noise(1, x, y, c, 256); },
-      [](int x, int y, int c)
-      { return Clamped(Noise(1, x, y, c, 256) + Noise(2, x, y, c, 21) - 10); } } },
-  { "ramps",
-    { [](int x, int y, int c) { return Clamped(3 * x + 2 * y * c); },
-      [](int x, int y, int c) { return Clamped(3 * x + 2 * y * c + Noise(3, x, y, c, 3) - 1); } } },
-  { "plates", { Plates, [](int x, int y, int c) { return Plates(x + 1, y, c); } } },
-  { "primaries",
-    { [](int x, int y, int c) { return (x / 4 + y / 5) % 3 == c ? 255 : 0; },
-      [](int x, int y, int c) { return (x / 4 + y / 5 + 1) % 3 == c ? 255 : 0; } } },
-  { "extremes", { [](int, int, int) { return 0; }, [](int, int, int) { return 255; } } },
-};
-
-Image MakeImage(int width, int height, Formula formula)
-{
-  Image image{ width, height, {} };
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        image.Rgb.push_back(static_cast<float>(formula(x, y, c) / 255.0));
-      }
-    }
-  }
-  return image;
-}
 
 Image Uniform(int width, int height, float r, float g, float b)
 {
@@ -99,60 +37,20 @@ Image Uniform(int width, int height, float r, float g, float b)
   return image;
 }
 
-struct Figures
-{
-  const char* Name;
-  int Width;
-  int Height;
-  double Max;
-  double Rmse;
-  double Psnr;
-  double Ssim;
-  double Flip;
-  double WrongPixels;
-};
-
-// Printed by image_error_figures.py with flip-evaluator 1.7, scikit-image 0.26.0 and numpy 2.4.6.
-const Figures published[] = {
-  { "noise", 40, 30, 0.03921571, 0.02365137, 32.522873, 0.99647463, 0.070940, 0.99333333 },
-  { "ramps", 64, 48, 0.00392160, 0.00306618, 50.268060, 0.99497686, 0.014296, 0.00000000 },
-  { "plates", 51, 37, 0.58823531, 0.20176304, 13.903168, 0.65470190, 0.234967, 0.11764706 },
-  { "primaries", 33, 47, 1.00000000, 0.81649658, 1.760913, -0.29556338, 0.912823, 1.00000000 },
-  { "extremes", 24, 24, 1.00000000, 1.00000000, -0.000000, 0.00009999, 0.967386, 1.00000000 },
-  { "noise", 11, 11, 0.03921571, 0.02450143, 32.216172, 0.99626946, 0.078275, 1.00000000 },
-  { "noise", 5, 7, 0.03921569, 0.02346084, 32.593129, 0.99673534, 0.104740, 1.00000000 },
-  { "plates", 200, 9, 0.58823531, 0.20797259, 13.639878, 0.56273053, 0.261514, 0.12500000 },
-  { "noise", 1, 1, 0.02352941, 0.02099657, 33.557032, 0.99921530, 0.130414, 1.00000000 },
-};
-
-TEST(ImageError, AgreesWithFlipEvaluatorAndScikitImage)
-{
-  for (const Figures& expected : published)
-  {
-    SCOPED_TRACE(
-      testing::Message() << expected.Name << " " << expected.Width << " x " << expected.Height);
-    const Pair& pair = pairs.at(expected.Name);
-    const ImageError error = CompareImages(MakeImage(expected.Width, expected.Height, pair.Test),
-      MakeImage(expected.Width, expected.Height, pair.Reference));
-    EXPECT_NEAR(error.Max, expected.Max, 1e-8);
-    EXPECT_NEAR(error.Rmse, expected.Rmse, 1e-8);
-    EXPECT_NEAR(error.Psnr, expected.Psnr, 1e-6);
-    EXPECT_NEAR(error.Ssim, expected.Ssim, 1e-7);
-    EXPECT_NEAR(error.Flip, expected.Flip, 5e-5); // flip-evaluator computes in 32 bits
-    EXPECT_NEAR(error.WrongPixels, expected.WrongPixels, 1e-8);
-  }
-}
-
 TEST(ImageError, EqualPicturesHaveNone)
 {
-  const Image image = MakeImage(37, 29, pairs.at("noise").Reference);
-  const ImageError error = CompareImages(image, image);
-  EXPECT_EQ(error.Max, 0.0);
-  EXPECT_EQ(error.Rmse, 0.0);
-  EXPECT_EQ(error.Psnr, 99.0);
-  EXPECT_NEAR(error.Ssim, 1.0, 1e-12);
-  EXPECT_EQ(error.Flip, 0.0);
-  EXPECT_EQ(error.WrongPixels, 0.0);
+  for (const ImagePair& pair : vitrine::ImagePairs())
+  {
+    SCOPED_TRACE(pair.Name);
+    const Image image = MakeImage(pair.Width, pair.Height, pair.Reference);
+    const ImageError error = CompareImages(image, image);
+    EXPECT_EQ(error.Max, 0.0);
+    EXPECT_EQ(error.Rmse, 0.0);
+    EXPECT_EQ(error.Psnr, 99.0);
+    EXPECT_NEAR(error.Ssim, 1.0, 1e-12);
+    EXPECT_EQ(error.Flip, 0.0);
+    EXPECT_EQ(error.WrongPixels, 0.0);
+  }
 }
 
 TEST(ImageError, PicturesWithoutPixelsAreEqual)
@@ -224,7 +122,7 @@ TEST(ImageError, OneWrongChannelMakesAPixelWrong)
 
 TEST(ImageError, PixelWithNaNIsAsWrongAsCanBe)
 {
-  const Image clean = MakeImage(20, 20, pairs.at("noise").Reference);
+  const Image clean = MakeImage(20, 20, FindImagePair("noise").Reference);
   Image broken = clean;
   broken.Rgb[3 * 210 + 1] = nan;
   for (const ImageError& error :
@@ -318,7 +216,7 @@ TEST(Flip, FindsTheErrorWhereItIs)
 
 TEST(StructuralSimilarity, LeavesOutTheBorderOfTheWindow)
 {
-  const Image reference = MakeImage(31, 31, pairs.at("plates").Reference);
+  const Image reference = MakeImage(31, 31, FindImagePair("moved-edges").Reference);
   Image corner = reference;
   corner.Rgb[0] = 1;
   Image center = reference;
