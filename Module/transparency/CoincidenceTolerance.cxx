@@ -23,7 +23,7 @@ std::string CoincidenceTolerance::FindProblem() const
 {
   return IsTolerance(this->Steps) && IsTolerance(this->Slope)
     ? std::string()
-    : "A coincidence tolerance is two finite numbers of at least 0, steps and slope, not " +
+    : "CoincidenceSteps and CoincidenceSlope are finite numbers of at least 0, not " +
       std::to_string(this->Steps) + " and " + std::to_string(this->Slope) + ".";
 }
 

@@ -132,26 +132,37 @@ vitrine::CoincidenceTolerance vtkABufferTransparencyPass::GetTolerance() const
 }
 
 //------------------------------------------------------------------------------
-void vtkABufferTransparencyPass::SetCoincidenceTolerance(double steps, double slope)
+void vtkABufferTransparencyPass::SetTolerance(const vitrine::CoincidenceTolerance& tolerance)
 {
-  const vitrine::CoincidenceTolerance before = this->GetTolerance();
-  const vitrine::CoincidenceTolerance tolerance{ steps, slope };
   const std::string problem = tolerance.FindProblem();
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return;
   }
+  const vitrine::CoincidenceTolerance before = this->GetTolerance();
   if (tolerance.IsOn() != before.IsOn())
   {
     this->ShaderStage.Modified();
   }
-  if (steps != before.Steps || slope != before.Slope)
+  if (tolerance.Steps != before.Steps || tolerance.Slope != before.Slope)
   {
-    this->CoincidenceSteps = steps;
-    this->CoincidenceSlope = slope;
+    this->CoincidenceSteps = tolerance.Steps;
+    this->CoincidenceSlope = tolerance.Slope;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetCoincidenceSteps(double steps)
+{
+  this->SetTolerance({ steps, this->CoincidenceSlope });
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetCoincidenceSlope(double slope)
+{
+  this->SetTolerance({ this->CoincidenceSteps, slope });
 }
 
 //------------------------------------------------------------------------------

@@ -44,22 +44,22 @@ public:
   ///@{
   /**
    * The tolerance within which fragments coincide: what truth is to methods of the same tolerance.
-   * @param steps  in steps of 2^-24, the smallest that a 24-bit depth buffer and 32-bit floats below 1 have
-   * @param slope  times the larger change of the fragment's depth to the next pixel, along x or y
+   * As glPolygonOffset reckons, a fragment's tolerance is Steps * 2^-24 + Slope * max(|dz/dx|, |dz/dy|): a number of the
+   * smallest steps that a 24-bit depth buffer has, and a share of the larger change of its depth to the next pixel.
+   * Fragments whose depths are within the sum of their tolerances coincide, and so do those that others between them
+   * join. They are composited as the mean over all their orders, so that neither their order nor noise below the
+   * tolerance shows. Two come out the same to the bit in any order, more of them up to the last bits of a 32-bit float.
+   * Where nothing coincides, the picture is what it is without.
    *
-   * As glPolygonOffset reckons, a fragment's tolerance is steps * 2^-24 + slope * max(|dz/dx|, |dz/dy|). Fragments whose
-   * depths are within the sum of their tolerances coincide, and so do those that others between them join. They
-   * are composited as the mean over all their orders, so that neither their order nor noise below the tolerance shows. Two come
-   * out the same to the bit in any order, more of them up to the last bits of a 32-bit float. Where nothing
-   * coincides, the picture is what it is without.
-   *
-   * (0, 0), the default, is no tolerance: fragments of exactly equal depth are ordered by packed colour. What is near
-   * for other reasons coincides too: front and back of a part along its silhouette, within about `slope` / 2 pixels of it, and
-   * layers closer than the tolerance. Numbers below 0, infinite ones and NaN are errors, and change nothing. Targets
-   * of more than 16 samples are refused.
+   * Both are 0 by default, which is no tolerance: fragments of exactly equal depth are ordered by packed colour. What
+   * is near for other reasons coincides too: front and back of a part along its silhouette, within about Slope / 2
+   * pixels of it, and layers closer than the tolerance. Opaque geometry has none: what it hides is decided by the
+   * depth test. Numbers below 0, infinite ones and NaN are errors, and change nothing. Targets of more than 16 samples
+   * are refused.
    */
-  void SetCoincidenceTolerance(double steps, double slope);
+  void SetCoincidenceSteps(double steps);
   vtkGetMacro(CoincidenceSteps, double);
+  void SetCoincidenceSlope(double slope);
   vtkGetMacro(CoincidenceSlope, double);
   ///@}
 
@@ -86,6 +86,7 @@ private:
   void operator=(const vtkTruthTransparencyPass&) = delete;
 
   vitrine::CoincidenceTolerance GetTolerance() const;
+  void SetTolerance(const vitrine::CoincidenceTolerance& tolerance);
   std::string Capture(const vtkRenderState* s, const vitrine::RenderTarget& target,
     const vitrine::PixelRegion& region, vitrine::ReferenceCompositor& compositor);
   void KeepResult(
