@@ -1,8 +1,11 @@
 #include "Core/ReferenceCompositor.h"
 
+#include "Core/CoincidentGroup.h"
+
 #include <algorithm>
 #include <cstring>
 #include <future>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -27,11 +30,25 @@ struct Layer
   float G;
   float R;
   std::uint32_t Coverage;
+  float Extent;
 
   bool IsInFrontOf(const Layer& other) const
   {
     return std::tie(this->Depth, this->Packed, this->A, this->B, this->G, this->R) <
       std::tie(other.Depth, other.Packed, other.A, other.B, other.G, other.R);
+  }
+
+  bool HasLesserColor(const Layer& other) const
+  {
+    return std::tie(this->Packed, this->A, this->B, this->G, this->R) <
+      std::tie(other.Packed, other.A, other.B, other.G, other.R);
+  }
+
+  // Where its interval ends; before all others if it has none, so that nothing meets it.
+  float FarEnd() const
+  {
+    return this->Extent > 0.0f ? this->Depth + this->Extent
+                               : -std::numeric_limits<float>::infinity();
   }
 };
 
@@ -67,37 +84,89 @@ Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
   const bool hasDepth = fragment.Depth == fragment.Depth;
   Layer layer = { hasDepth ? fragment.Depth : 0.0f, 0, Clamped(fragment.Rgba[3], 1.0f),
     Clamped(fragment.Rgba[2], largest), Clamped(fragment.Rgba[1], largest),
-    Clamped(fragment.Rgba[0], largest), fragment.Coverage };
+    Clamped(fragment.Rgba[0], largest), fragment.Coverage, fragment.Extent };
   layer.Packed = PackedColor(layer, range);
   return layer;
 }
 
-// Composites the layers that cover a sample, front to back, over what `rgba` holds.
-void CompositeSample(const std::vector<Layer>& layers, std::uint32_t sampleBit, double* rgba)
+// Light on its way through the layers of a sample, from the front.
+struct Ray
 {
-  double sum[3] = { 0.0, 0.0, 0.0 };
-  double transmittance = 1.0;
+  double Sum[3] = { 0.0, 0.0, 0.0 };
+  double Transmittance = 1.0;
+
+  void Pass(const Layer& layer)
+  {
+    const double weight = this->Transmittance * layer.A;
+    // What has no weight adds nothing, even if its colour is infinite.
+    if (weight == 0.0)
+    {
+      return;
+    }
+    this->Sum[0] += weight * layer.R;
+    this->Sum[1] += weight * layer.G;
+    this->Sum[2] += weight * layer.B;
+    this->Transmittance *= 1.0 - layer.A;
+  }
+
+  // Layers that coincide.
+  void Pass(const CoincidentGroup& group)
+  {
+    group.AddColor(this->Transmittance, this->Sum);
+    this->Transmittance *= group.Transmittance();
+  }
+};
+
+// Those from `first` on that coincide, up to the one that is returned. Layers are in the order of their near ends.
+std::size_t EndOfGroup(const std::vector<Layer>& layers, std::size_t first)
+{
+  float farEnd = layers[first].FarEnd();
+  std::size_t end = first + 1;
+  while (end < layers.size() && layers[end].Depth <= farEnd)
+  {
+    farEnd = std::max(farEnd, layers[end].FarEnd());
+    ++end;
+  }
+  return end;
+}
+
+// Layers of one group come in any order; a fixed one makes the sum the same to the last bit.
+CoincidentGroup MakeGroup(std::vector<Layer> layers)
+{
+  std::sort(layers.begin(), layers.end(),
+    [](const Layer& a, const Layer& b) { return a.HasLesserColor(b); });
+  CoincidentGroup group;
   for (const Layer& layer : layers)
   {
-    const double weight = transmittance * layer.A;
-    // What has no weight adds nothing, even if its colour is infinite.
-    if ((layer.Coverage & sampleBit) == 0 || weight == 0.0)
+    const double rgb[3] = { layer.R, layer.G, layer.B };
+    group.Add(layer.A, rgb);
+  }
+  return group;
+}
+
+// Composites layers, front to back, over what `rgba` holds.
+void CompositeSample(const std::vector<Layer>& layers, double* rgba)
+{
+  Ray ray;
+  for (std::size_t first = 0, end = 0; first < layers.size(); first = end)
+  {
+    end = EndOfGroup(layers, first);
+    if (end == first + 1)
     {
-      continue;
+      ray.Pass(layers[first]);
     }
-    sum[0] += weight * layer.R;
-    sum[1] += weight * layer.G;
-    sum[2] += weight * layer.B;
-    transmittance *= 1.0 - layer.A;
+    else
+    {
+      ray.Pass(MakeGroup({ layers.begin() + first, layers.begin() + end }));
+    }
   }
   for (int channel = 0; channel < 3; ++channel)
   {
-    const double behind = transmittance == 0.0 ? 0.0 : transmittance * rgba[channel];
-    rgba[channel] = sum[channel] + behind;
+    const double behind = ray.Transmittance == 0.0 ? 0.0 : ray.Transmittance * rgba[channel];
+    rgba[channel] = ray.Sum[channel] + behind;
   }
-  rgba[3] = (1.0 - transmittance) + transmittance * rgba[3];
+  rgba[3] = (1.0 - ray.Transmittance) + ray.Transmittance * rgba[3];
 }
-
 }
 
 // The fragments of pixel p are those at Order[Begin[p]] to Order[Begin[p + 1] - 1].
@@ -200,6 +269,7 @@ void ReferenceCompositor::CompositePixels(const CapturedFragment* fragments,
   const PixelLists& lists, std::size_t firstPixel, std::size_t lastPixel)
 {
   std::vector<Layer> layers;
+  std::vector<Layer> covering;
   for (std::size_t pixel = firstPixel; pixel < lastPixel; ++pixel)
   {
     if (lists.Length(pixel) == 0)
@@ -215,8 +285,10 @@ void ReferenceCompositor::CompositePixels(const CapturedFragment* fragments,
       [](const Layer& a, const Layer& b) { return a.IsInFrontOf(b); });
     for (std::size_t sample = 0; sample < this->SamplesPerPixel; ++sample)
     {
-      CompositeSample(layers, std::uint32_t{ 1 } << sample,
-        &this->Picture[(pixel * this->SamplesPerPixel + sample) * 4]);
+      covering.clear();
+      std::copy_if(layers.begin(), layers.end(), std::back_inserter(covering),
+        [=](const Layer& layer) { return (layer.Coverage >> sample & 1u) != 0; });
+      CompositeSample(covering, &this->Picture[(pixel * this->SamplesPerPixel + sample) * 4]);
     }
   }
 }

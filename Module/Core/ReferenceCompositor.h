@@ -8,15 +8,16 @@
 namespace vitrine
 {
 
-/** A translucent fragment as the truth method captures it: 28 bytes, the layout of its GPU buffer. */
+/** A translucent fragment as the truth method captures it: 32 bytes, the layout of its GPU buffer. */
 struct CapturedFragment
 {
-  std::uint32_t Pixel;    ///< y * width + x, row 0 at the bottom
-  float Depth;            ///< window depth in [0, 1], 0 nearest
-  float Rgba[4];          ///< not premultiplied
+  std::uint32_t Pixel; ///< y * width + x, row 0 at the bottom
+  float Depth;   ///< window depth in [0, 1], 0 nearest; with an extent the near end of an interval
+  float Rgba[4]; ///< not premultiplied
   std::uint32_t Coverage; ///< bit s: covers sample s (1 where pixels have one sample)
+  float Extent = 0.0f;    ///< length of the interval within which others coincide; 0: none does
 };
-static_assert(sizeof(CapturedFragment) == 28, "the GPU writes fragments without padding");
+static_assert(sizeof(CapturedFragment) == 32, "the GPU writes fragments without padding");
 
 /** What the target of the judged methods can hold, and so what colours mean. */
 enum class TargetRange
@@ -40,6 +41,10 @@ enum class TargetRange
  * are; so the result does not depend on the order of arrival, to the last bit. NaN counts as 0 in depth and in colour; alpha is clamped to
  * [0, 1], colours to the range of the target; -0 equals 0. Coverage of samples that the picture does
  * not have is ignored.
+ *
+ * Fragments that have an extent are intervals of depth, from Depth to Depth + Extent, added in 32-bit float. In each
+ * sample, those whose intervals meet, by themselves or through others between them, are composited as a CoincidentGroup: as
+ * the mean over all orders. So their order does not matter, to the last bit, and neither does noise of their depths below the extent.
  */
 class ReferenceCompositor
 {

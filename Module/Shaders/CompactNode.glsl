@@ -23,6 +23,13 @@ uint vitrineCompactDepth(float z)
   return min(steps, VITRINE_LARGEST_DEPTH);
 }
 
+#ifdef VITRINE_COINCIDENCE
+float vitrineExpandDepth(uint steps)
+{
+  return steps < (1u << 23) ? float(steps) * (1.0 / VITRINE_DEPTH_STEPS) : uintBitsToFloat(steps + VITRINE_DEPTH_BASE);
+}
+#endif
+
 uvec2 vitrinePackNode(float z, vec4 c)
 {
   uint alpha = (floatBitsToUint(c.a + VITRINE_ALPHA_OFFSET) - (VITRINE_ALPHA_BASE - 0x4000u)) >> 15;

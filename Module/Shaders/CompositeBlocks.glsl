@@ -55,6 +55,7 @@ void compositeBlocks(out vec3 colorOfAll, out float transmittanceOfAll)
     }
 
     //Vitrine::Blend
+    BLEND_REGISTERS
 
     // The block's last register is its farthest fragment; if it is empty all are done.
     //Vitrine::LastOfBlock
@@ -64,6 +65,7 @@ void compositeBlocks(out vec3 colorOfAll, out float transmittanceOfAll)
     //Vitrine::CountSame
     lastDone = same;
   }
+  BLEND_REST
   colorOfAll = color;
   transmittanceOfAll = transmittance;
 }

@@ -4,6 +4,7 @@
 //VTK::DepthPeeling::Dec
 void main()
 {
+  //VTK::UniformFlow::Impl
   gl_FragData[0] = vec4(0.5);
 #ifdef VITRINE_WRITES_DEPTH
   gl_FragDepth = 0.5;

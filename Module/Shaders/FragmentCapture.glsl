@@ -112,3 +112,7 @@ float vitrineTakeDepth()
   return vitrineDepth(VITRINE_RASTER_DEPTH);
 }
 #endif
+
+#ifdef VITRINE_COINCIDENCE
+#include "Coincidence.glsl"
+#endif

@@ -11,7 +11,7 @@ layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer VitrineNodeBuff
   uint vitrineNodes[];
 };
 
-void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
+void vitrineStoreNode(uint node, float z, vec4 color, uint extra)
 {
   uint word = node * uint(VITRINE_NODE_WORDS);
 #ifdef VITRINE_COMPACT_NODES
@@ -28,7 +28,7 @@ void vitrineStoreNode(uint node, float z, vec4 color, uint coverage)
   vitrineNodes[word + 1u] = vitrinePackColor(color);
 #endif
 #endif
-#if VITRINE_SAMPLES > 0
-  vitrineNodes[word + uint(VITRINE_NODE_WORDS) - 1u] = coverage;
+#ifdef VITRINE_NODE_HAS_EXTRA
+  vitrineNodes[word + uint(VITRINE_NODE_WORDS) - 1u] = extra;
 #endif
 }

@@ -3,7 +3,7 @@
 //
 // The runs are in groups, each of which knows its nearest run. So a fragment costs a look at the groups and at
 // the runs of one group: a tournament of two rounds. Neighbouring pixels mostly take from the same group.
-#define VITRINE_KEEP_COVERAGE
+#define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
@@ -77,7 +77,7 @@ void main()
       }
       if (FRAGMENT_IN_SAMPLE(run.head))
       {
-        BLEND(run.head)
+        BLEND_NEXT(run.head)
       }
     }
 
@@ -94,6 +94,7 @@ void main()
     run.head = unpackNode(valid, node);
     //Vitrine::PutBack
   }
+  BLEND_REST
 
   writeOver(pixel, color, transmittance);
 }

@@ -41,6 +41,8 @@ void main()
   precise vec3 color = vec3(0.0);
   precise float transmittance = 1.0;
   //Vitrine::Blend
+  BLEND_REGISTERS
+  BLEND_REST
 
   writeOver(pixel, color, transmittance);
 }

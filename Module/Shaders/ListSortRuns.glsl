@@ -6,7 +6,7 @@
 //
 // P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
 // (2014): sorted blocks go back to the list's own nodes.
-#define VITRINE_KEEP_COVERAGE
+#define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "Registers.glsl"
 
@@ -60,8 +60,8 @@ void storeNode(uint index, Fragment f)
 #else
   nodeWords[word + 1u] = f.color;
 #endif
-#if VITRINE_SAMPLES > 0
-  nodeWords[word + uint(VITRINE_NODE_WORDS) - 1u] = f.coverage;
+#ifdef VITRINE_NODE_HAS_EXTRA
+  nodeWords[word + uint(VITRINE_NODE_WORDS) - 1u] = f.extra;
 #endif
 }
 

@@ -32,20 +32,28 @@
 #define NO_COLOR 0u
 #endif
 
-// VITRINE_KEEP_COVERAGE: registers carry the node's coverage too, where the target is multisampled.
-#if defined(VITRINE_KEEP_COVERAGE) && VITRINE_SAMPLES > 0
-#define COVERAGE_MEMBER uint coverage;
-#define EXCHANGE_COVERAGE(a, b, s) \
+// VITRINE_KEEP_EXTRA: registers carry the node's last word too, where the target is multisampled.
+// VITRINE_COINCIDENCE: they always do, and of equal depths and colours those with the larger one are the farther.
+#if defined(VITRINE_COINCIDENCE) || (defined(VITRINE_KEEP_EXTRA) && VITRINE_SAMPLES > 0)
+#define EXTRA_MEMBER uint extra;
+#define EXCHANGE_EXTRA(a, b, s) \
   { \
-    uint t = s ? b.coverage : a.coverage; b.coverage = s ? a.coverage : b.coverage; a.coverage = t; \
+    uint t = s ? b.extra : a.extra; b.extra = s ? a.extra : b.extra; a.extra = t; \
   }
-#define SET_COVERAGE(f, node) f.coverage = nodeCoverage(node);
-#define SELECT_COVERAGE(f, s, a, b) f.coverage = s ? a.coverage : b.coverage;
+#define SET_EXTRA(f, node) f.extra = nodeExtra(node);
+#define SELECT_EXTRA(f, s, a, b) f.extra = s ? a.extra : b.extra;
 #else
-#define COVERAGE_MEMBER
-#define EXCHANGE_COVERAGE(a, b, s)
-#define SET_COVERAGE(f, node)
-#define SELECT_COVERAGE(f, s, a, b)
+#define EXTRA_MEMBER
+#define EXCHANGE_EXTRA(a, b, s)
+#define SET_EXTRA(f, node)
+#define SELECT_EXTRA(f, s, a, b)
+#endif
+#ifdef VITRINE_COINCIDENCE
+#define OR_EXTRA_ABOVE(same, a, b) || (same && a.extra > b.extra)
+#define AND_SAME_EXTRA(a, b) && a.extra == b.extra
+#else
+#define OR_EXTRA_ABOVE(same, a, b)
+#define AND_SAME_EXTRA(a, b)
 #endif
 
 #ifdef VITRINE_HALF_FLOAT
@@ -55,10 +63,10 @@ struct Fragment
   KEY key;         // the window depth
   uint redGreen;   // as PackedColor.glsl packs
   uint blueAlpha;
-  COVERAGE_MEMBER
+  EXTRA_MEMBER
 };
 
-uint nodeCoverage(uvec4 node)
+uint nodeExtra(uvec4 node)
 {
   return node.w;
 }
@@ -68,7 +76,7 @@ Fragment unpackNode(bool valid, uvec4 node)
   f.key = valid ? node.x : NO_KEY;
   f.redGreen = valid ? node.y : 0u;
   f.blueAlpha = valid ? node.z : 0u;
-  SET_COVERAGE(f, node)
+  SET_EXTRA(f, node)
   return f;
 }
 vec4 fragmentColor(Fragment f)
@@ -77,7 +85,8 @@ vec4 fragmentColor(Fragment f)
 }
 bool colorAbove(Fragment a, Fragment b)
 {
-  return a.blueAlpha > b.blueAlpha || (a.blueAlpha == b.blueAlpha && a.redGreen > b.redGreen);
+  return a.blueAlpha > b.blueAlpha || (a.blueAlpha == b.blueAlpha && a.redGreen > b.redGreen)
+    OR_EXTRA_ABOVE(a.blueAlpha == b.blueAlpha && a.redGreen == b.redGreen, a, b);
 }
 Fragment selectFragment(bool s, Fragment a, Fragment b)
 {
@@ -85,19 +94,19 @@ Fragment selectFragment(bool s, Fragment a, Fragment b)
   f.key = s ? a.key : b.key;
   f.redGreen = s ? a.redGreen : b.redGreen;
   f.blueAlpha = s ? a.blueAlpha : b.blueAlpha;
-  SELECT_COVERAGE(f, s, a, b)
+  SELECT_EXTRA(f, s, a, b)
   return f;
 }
 bool sameFragment(Fragment a, Fragment b)
 {
-  return a.key == b.key && a.redGreen == b.redGreen && a.blueAlpha == b.blueAlpha;
+  return a.key == b.key && a.redGreen == b.redGreen && a.blueAlpha == b.blueAlpha AND_SAME_EXTRA(a, b);
 }
 
 #define EXCHANGE_COLOR(a, b, s) \
   { \
     uint t = s ? b.redGreen : a.redGreen; b.redGreen = s ? a.redGreen : b.redGreen; a.redGreen = t; \
     t = s ? b.blueAlpha : a.blueAlpha; b.blueAlpha = s ? a.blueAlpha : b.blueAlpha; a.blueAlpha = t; \
-    EXCHANGE_COVERAGE(a, b, s) \
+    EXCHANGE_EXTRA(a, b, s) \
   }
 
 #else
@@ -106,11 +115,11 @@ struct Fragment
 {
   KEY key;     // the depth
   COLOR color; // as PackedColor.glsl packs, or as it is
-  COVERAGE_MEMBER
+  EXTRA_MEMBER
 };
 
 #ifndef VITRINE_FLOAT_KEYS
-uint nodeCoverage(uvec4 node)
+uint nodeExtra(uvec4 node)
 {
   return node.z;
 }
@@ -119,7 +128,7 @@ Fragment unpackNode(bool valid, uvec4 node)
   Fragment f;
   f.key = valid ? node.x : NO_KEY;
   f.color = valid ? node.y : 0u;
-  SET_COVERAGE(f, node)
+  SET_EXTRA(f, node)
   return f;
 }
 #endif
@@ -144,7 +153,7 @@ vec4 fragmentColor(Fragment f)
 }
 bool colorAbove(Fragment a, Fragment b)
 {
-  return a.color > b.color;
+  return a.color > b.color OR_EXTRA_ABOVE(a.color == b.color, a, b);
 }
 #endif
 Fragment selectFragment(bool s, Fragment a, Fragment b)
@@ -152,18 +161,18 @@ Fragment selectFragment(bool s, Fragment a, Fragment b)
   Fragment f;
   f.key = s ? a.key : b.key;
   f.color = s ? a.color : b.color;
-  SELECT_COVERAGE(f, s, a, b)
+  SELECT_EXTRA(f, s, a, b)
   return f;
 }
 bool sameFragment(Fragment a, Fragment b)
 {
-  return a.key == b.key && a.color == b.color;
+  return a.key == b.key && a.color == b.color AND_SAME_EXTRA(a, b);
 }
 
 #define EXCHANGE_COLOR(a, b, s) \
   { \
     COLOR t = s ? b.color : a.color; b.color = s ? a.color : b.color; a.color = t; \
-    EXCHANGE_COVERAGE(a, b, s) \
+    EXCHANGE_EXTRA(a, b, s) \
   }
 
 #endif
@@ -206,12 +215,25 @@ bool sameFragment(Fragment a, Fragment b)
 
 // Composite front to back: `color` is premultiplied, `transmittance` what still shows behind. Both are precise,
 // so that every program composites the same list to the same bits.
-#define BLEND(f) \
+#define BLEND_COLOR(c) \
   { \
-    vec4 c = fragmentColor(f); \
     color += transmittance * c.a * c.rgb; \
     transmittance -= transmittance * c.a; \
   }
+
+// Composite the fragment in a register, the next one at hand, what is left of the registers, of the list.
+#ifdef VITRINE_COINCIDENCE
+#include "CoincidentGroup.glsl"
+#else
+#define BLEND(f) \
+  { \
+    vec4 c = fragmentColor(f); \
+    BLEND_COLOR(c) \
+  }
+#define BLEND_NEXT(f) BLEND(f)
+#define BLEND_REGISTERS
+#define BLEND_REST
+#endif
 
 // None is nearer, and none of its depth has a lesser colour.
 Fragment nearestOfAll()

@@ -4,8 +4,8 @@
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMS backdrop;
 #define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, gl_SampleID)
-#define IN_SAMPLE(node) ((nodeCoverage(node) >> uint(gl_SampleID) & 1u) != 0u)
-#define FRAGMENT_IN_SAMPLE(f) ((f.coverage >> uint(gl_SampleID) & 1u) != 0u)
+#define IN_SAMPLE(node) ((nodeExtra(node) >> uint(gl_SampleID) & 1u) != 0u)
+#define FRAGMENT_IN_SAMPLE(f) ((f.extra >> uint(gl_SampleID) & 1u) != 0u)
 #else
 uniform sampler2D backdrop;
 #define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, 0)

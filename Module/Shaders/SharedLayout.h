@@ -52,6 +52,12 @@
 #define VITRINE_CHECKSUM_KEY 0x85ebca6bu
 #define VITRINE_CHECKSUM_PAYLOAD 0xc2b2ae35u
 
+// With a tolerance for coincidence a word holds what covers and how far: a fragment's samples in the low half, and in the
+// high half that of the 32-bit float that is the extent of its interval of depths.
+#define VITRINE_COVERAGE_MASK 0xffffu
+#define VITRINE_EXTENT_MASK 0xffff0000u
+#define VITRINE_COINCIDENCE_SAMPLES 16
+
 #ifdef __cplusplus
 #include <cstddef>
 #include <cstdint>
@@ -90,7 +96,7 @@ struct VitrineCaptureCounters
   uint Wraps;     // how often it passed 2^32
 };
 
-/** A fragment as the yardstick captures it: non-premultiplied colour, window depth; std430, 28 bytes. */
+/** A fragment as the yardstick captures it: non-premultiplied colour, window depth; std430, 32 bytes. */
 struct VitrineCapturedFragment
 {
   uint Pixel; // y * width of the target + x
@@ -100,10 +106,11 @@ struct VitrineCapturedFragment
   float Blue;
   float Alpha;
   uint Coverage; // bit s: sample s is covered
+  float Extent;  // of the interval within which others coincide; 0: none does
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(VitrineCapturedFragment) == 28, "std430 layout");
+static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
 static_assert(sizeof(VitrineCounters) == 52, "std430 layout");

@@ -16,6 +16,12 @@
       vitrineCapture[vitrineAt].Green = gl_FragData[0].g;
       vitrineCapture[vitrineAt].Blue = gl_FragData[0].b;
       vitrineCapture[vitrineAt].Alpha = gl_FragData[0].a;
+#ifdef VITRINE_COINCIDENCE
+      vitrineCapture[vitrineAt].Coverage = vitrineSamples & VITRINE_COVERAGE_MASK;
+      vitrineCapture[vitrineAt].Extent = uintBitsToFloat(vitrineSamples & VITRINE_EXTENT_MASK);
+#else
       vitrineCapture[vitrineAt].Coverage = vitrineSamples;
+      vitrineCapture[vitrineAt].Extent = 0.0;
+#endif
     }
   }

@@ -94,6 +94,10 @@ std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
     problem = ReplaceTag(
       fragmentShader, "//VTK::DepthPeeling::Dec", DefineLines(fill.Defines) + fill.Declarations);
   }
+  if (problem.empty() && !fill.UniformFlow.empty())
+  {
+    problem = ReplaceTag(fragmentShader, "//VTK::UniformFlow::Impl", fill.UniformFlow);
+  }
   if (problem.empty())
   {
     problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Impl", "\n" + fill.Implementation);

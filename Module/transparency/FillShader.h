@@ -23,6 +23,7 @@ struct FillShader
   std::vector<std::string> Extensions; ///< required beside those of FragmentCapture.glsl
   std::vector<std::string> Defines;    ///< "NAME value"
   std::string Declarations;            ///< at global scope
+  std::string UniformFlow;             ///< at the beginning of main(), as what takes derivatives
   std::string Implementation;          ///< at the end of main(); the colour is gl_FragData[0]
   std::optional<InputPlace> Inputs;    ///< where inputs are seen; none: where they are
 };

@@ -35,6 +35,10 @@ std::vector<std::string> ListLayout::Defines() const
   {
     defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
   }
+  if (this->Coincidence)
+  {
+    defines.emplace_back("VITRINE_COINCIDENCE");
+  }
   if (this->FramebufferFetch)
   {
     defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
@@ -44,8 +48,8 @@ std::vector<std::string> ListLayout::Defines() const
 
 int ListLayout::NodeBytes() const
 {
-  const int words =
-    1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (this->Samples > 0 ? 1 : 0);
+  const bool hasExtra = this->Samples > 0 || this->Coincidence;
+  const int words = 1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (hasExtra ? 1 : 0);
   return words * static_cast<int>(sizeof(std::uint32_t));
 }
 

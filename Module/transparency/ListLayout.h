@@ -24,6 +24,7 @@ struct ListLayout
   NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
   bool FramebufferFetch = false;
+  bool Coincidence = false; ///< depths are intervals: with a tolerance
   int Samples = 0;
   int PageSize = 1;
 

@@ -8,6 +8,7 @@
 #include "gl/MemoryBarriers.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "transparency/CoincidenceTolerance.h"
 #include "transparency/FillExtensions.h"
 #include "transparency/FillShader.h"
 #include "transparency/FragmentStore.h"
@@ -101,6 +102,8 @@ void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ColorStorage: " << StorageNames[this->ColorStorage] << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "CoincidenceSteps: " << this->CoincidenceSteps << "\n";
+  os << indent << "CoincidenceSlope: " << this->CoincidenceSlope << "\n";
   os << indent << "PoolBytes: " << this->GetPoolBytes() << "\n";
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
 }
@@ -120,6 +123,46 @@ void vtkABufferTransparencyPass::SetColorStorage(int storage)
     this->ShaderStage.Modified();
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+vitrine::CoincidenceTolerance vtkABufferTransparencyPass::GetTolerance() const
+{
+  return { this->CoincidenceSteps, this->CoincidenceSlope };
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetTolerance(const vitrine::CoincidenceTolerance& tolerance)
+{
+  const std::string problem = tolerance.FindProblem();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return;
+  }
+  const vitrine::CoincidenceTolerance before = this->GetTolerance();
+  if (tolerance.IsOn() != before.IsOn())
+  {
+    this->ShaderStage.Modified();
+  }
+  if (tolerance.Steps != before.Steps || tolerance.Slope != before.Slope)
+  {
+    this->CoincidenceSteps = tolerance.Steps;
+    this->CoincidenceSlope = tolerance.Slope;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetCoincidenceSteps(double steps)
+{
+  this->SetTolerance({ steps, this->CoincidenceSlope });
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetCoincidenceSlope(double slope)
+{
+  this->SetTolerance({ this->CoincidenceSteps, slope });
 }
 
 //------------------------------------------------------------------------------
@@ -151,6 +194,7 @@ vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
     fill.Defines.emplace_back(colors);
   }
   this->GetStoringShader(fill);
+  this->GetTolerance().AddTo(fill);
   return fill;
 }
 
@@ -158,6 +202,7 @@ vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
 void vtkABufferTransparencyPass::SetFillParameters(vtkShaderProgram* program)
 {
   this->GetStore().SetFillUniforms(program);
+  this->GetTolerance().SetUniforms(program);
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +236,8 @@ std::string vtkABufferTransparencyPass::RenderFragments(
 std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
+  const vitrine::CoincidenceTolerance tolerance = this->GetTolerance();
+  in.Layout.Coincidence = tolerance.IsOn();
   in.Layout.FixedPoint = target.FixedPoint;
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
@@ -203,7 +250,11 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   }
   this->NumberOfBands = 1;
   vtkOpenGLState* state = this->GetWindow()->GetState();
-  std::string problem = this->GetStore().BeginFrame(state, target, this->MemoryLimit, in.Layout);
+  std::string problem = tolerance.FindProblemIn(target);
+  if (problem.empty())
+  {
+    problem = this->GetStore().BeginFrame(state, target, this->MemoryLimit, in.Layout);
+  }
   if (problem.empty())
   {
     problem = in.Resolver.PrepareTiles(state, target);

@@ -29,6 +29,7 @@
 namespace vitrine
 {
 class FragmentStore;
+struct CoincidenceTolerance;
 struct FragmentStatistics;
 struct PixelRegion;
 }
@@ -74,6 +75,28 @@ public:
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
+  ///@{
+  /**
+   * The tolerance within which fragments coincide, as those of mating faces do: float noise orders them otherwise.
+   * As glPolygonOffset reckons, a fragment's tolerance is Steps * 2^-24 + Slope * max(|dz/dx|, |dz/dy|): a number of the
+   * smallest steps that a 24-bit depth buffer has, and a share of the larger change of its depth to the next pixel.
+   * Fragments whose depths are within the sum of their tolerances coincide, and so do those that others between them
+   * join. They are composited as the mean over all their orders, so that neither their order nor noise below the
+   * tolerance shows. Two come out the same to the bit in any order, more of them up to the last bits of a 32-bit float.
+   * Where nothing coincides, the picture is what it is without.
+   *
+   * Both are 0 by default, which is no tolerance: fragments of exactly equal depth are ordered by packed colour. What
+   * is near for other reasons coincides too: front and back of a part along its silhouette, within about Slope / 2
+   * pixels of it, and layers closer than the tolerance. Opaque geometry has none: what it hides is decided by the
+   * depth test. A fragment takes 4 bytes more, unless the target is multisampled. Numbers below 0, infinite ones and
+   * NaN are errors, and change nothing. Targets of more than 16 samples are refused.
+   */
+  void SetCoincidenceSteps(double steps);
+  vtkGetMacro(CoincidenceSteps, double);
+  void SetCoincidenceSlope(double slope);
+  vtkGetMacro(CoincidenceSlope, double);
+  ///@}
+
   /**
    * Bytes for fragments after the last frame; GetBytes() counts heads, tiles and the backdrop too.
    */
@@ -114,12 +137,16 @@ protected:
 
   int ColorStorage = HALF_FLOAT;
   vtkTypeInt64 MemoryLimit = 0;
+  double CoincidenceSteps = 0.0;
+  double CoincidenceSlope = 0.0;
   int NumberOfBands = 1;
 
 private:
   vtkABufferTransparencyPass(const vtkABufferTransparencyPass&) = delete;
   void operator=(const vtkABufferTransparencyPass&) = delete;
 
+  vitrine::CoincidenceTolerance GetTolerance() const;
+  void SetTolerance(const vitrine::CoincidenceTolerance& tolerance);
   std::string PrepareFrame(const vitrine::RenderTarget& target);
   std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
     vitrine::FragmentStatistics& frame);

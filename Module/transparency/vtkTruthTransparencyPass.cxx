@@ -10,6 +10,7 @@
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "transparency/CoincidenceTolerance.h"
 #include "transparency/FillExtensions.h"
 #include "transparency/FillShader.h"
 #include "transparency/ShaderText.h"
@@ -39,6 +40,9 @@ static_assert(
   "layout");
 static_assert(offsetof(vitrine::CapturedFragment, Coverage) ==
     offsetof(vitrine::VitrineCapturedFragment, Coverage),
+  "layout");
+static_assert(
+  offsetof(vitrine::CapturedFragment, Extent) == offsetof(vitrine::VitrineCapturedFragment, Extent),
   "layout");
 
 constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
@@ -253,6 +257,46 @@ vtkTruthTransparencyPass::~vtkTruthTransparencyPass()
 }
 
 //------------------------------------------------------------------------------
+vitrine::CoincidenceTolerance vtkTruthTransparencyPass::GetTolerance() const
+{
+  return { this->CoincidenceSteps, this->CoincidenceSlope };
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::SetTolerance(const vitrine::CoincidenceTolerance& tolerance)
+{
+  const std::string problem = tolerance.FindProblem();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return;
+  }
+  const vitrine::CoincidenceTolerance before = this->GetTolerance();
+  if (tolerance.IsOn() != before.IsOn())
+  {
+    this->ShaderStage.Modified();
+  }
+  if (tolerance.Steps != before.Steps || tolerance.Slope != before.Slope)
+  {
+    this->CoincidenceSteps = tolerance.Steps;
+    this->CoincidenceSlope = tolerance.Slope;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::SetCoincidenceSteps(double steps)
+{
+  this->SetTolerance({ steps, this->CoincidenceSlope });
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::SetCoincidenceSlope(double slope)
+{
+  this->SetTolerance({ this->CoincidenceSteps, slope });
+}
+
+//------------------------------------------------------------------------------
 vtkImageData* vtkTruthTransparencyPass::GetResult()
 {
   return this->Private->Result;
@@ -272,6 +316,7 @@ vitrine::FillShader vtkTruthTransparencyPass::GetFillShader()
   fill.Extensions.assign(extensions.begin(), extensions.end());
   fill.Declarations = vitrine::shaders::TruthFillDec;
   fill.Implementation = vitrine::shaders::TruthFillImpl;
+  this->GetTolerance().AddTo(fill);
   return fill;
 }
 
@@ -279,6 +324,7 @@ vitrine::FillShader vtkTruthTransparencyPass::GetFillShader()
 void vtkTruthTransparencyPass::SetFillParameters(vtkShaderProgram* program)
 {
   program->SetUniformi("vitrineTargetWidth", this->Private->TargetWidth);
+  this->GetTolerance().SetUniforms(program);
 }
 
 //------------------------------------------------------------------------------
@@ -291,7 +337,11 @@ std::string vtkTruthTransparencyPass::RenderFragments(
   {
     return vitrine::ProgramFailure;
   }
-  std::string problem = in.PrepareTargets(window->GetState(), target);
+  std::string problem = this->GetTolerance().FindProblemIn(target);
+  if (problem.empty())
+  {
+    problem = in.PrepareTargets(window->GetState(), target);
+  }
   if (!problem.empty())
   {
     return problem;

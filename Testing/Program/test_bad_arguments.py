@@ -87,6 +87,13 @@ class BadArguments(ProgramTest):
                     run("info", "demo:stack", f"--multisamples={samples}"), "--multisamples"
                 )
 
+    def test_coincidence(self):
+        for coincidence in ("-1", "1,-1", "1,2,3", "1,", ",1", "nan", "inf", "near", ""):
+            with self.subTest(coincidence=coincidence):
+                self.assert_refused(
+                    run("compare", "demo:stack", f"--coincidence={coincidence}"), "--coincidence"
+                )
+
     def test_empty_names(self):
         self.assert_refused(run("info", "demo:stack", "--json", ""), "empty")
         self.assert_refused(run("info", ""), "empty")

@@ -140,6 +140,15 @@ class Compare(FileTest):
             told["settings"], {"opacity": 0.5, "view": [10, 20, 2], "orbit": 7, "multisamples": 4}
         )
 
+    def test_coincidence_is_of_methods_and_truth_alike(self):
+        told = compare(
+            "demo:spheres,layers=8", "--methods", "linked-list,prefix-sum-compact,truth,blend",
+            "--frames", "1", "--size", "40x40", "--coincidence", "4096,2",
+        )  # fmt: skip
+        self.assertEqual(told["settings"]["coincidence"], [4096, 2])
+        for row in told["results"][:3]:
+            self.assertLessEqual(row["error"]["max"], 1 / 255, row["method"])
+
     def test_layers_of_alpha_1_hide_what_is_behind(self):
         row = compare(
             "demo:stack,layers=3,alpha=1", "--methods", "linked-list", "--frames", "1",

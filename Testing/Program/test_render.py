@@ -142,6 +142,14 @@ class Render(FileTest):
             self.assertEqual(json.loads(reader.communicate()[0])["parts"], 2)
         self.assertTrue(pipe.is_fifo())
 
+    def test_coincidence_changes_what_coincides_alone(self):
+        for scene, is_changed in (("demo:spheres,layers=8", True), ("demo:stack,layers=8", False)):
+            for method in ("linked-list", "truth"):
+                options = (scene, "--size", "24x24", "--method", method)
+                without = self.render(*options)
+                tolerant = self.render(*options, "--coincidence", "64,2")
+                self.assertEqual(tolerant != without, is_changed, (scene, method))
+
     def test_multisamples_smooth_edges(self):
         scene = ["demo:spheres,layers=1,alpha=1,resolution=5", "--size", "24x24"]
         shades = [

@@ -2,12 +2,13 @@
 
 import doctest
 import gc
+import math
 import unittest
 import warnings
 import weakref
 
 import numpy
-from scenes import cone_renderer, pixels, plate, plates_renderer, run_python, window_with
+from scenes import cone_renderer, pixels, plate, plates_renderer, rendered, run_python, window_with
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkTranslucentPass
 
@@ -75,6 +76,31 @@ class Pictures(unittest.TestCase):
             vitrine.see_through(renderer, color_storage=name)
             found = renderer.GetPass().GetTranslucentPass().GetColorStorage()
             self.assertEqual(found, storage, name)
+
+    def test_coincidence_is_set(self):
+        for method in ("linked-list", "prefix-sum", "truth"):
+            for value, expected in ((None, (0, 0)), (3, (3, 0)), ((0.5, 0.25), (0.5, 0.25))):
+                renderer = vtkRenderer()
+                vitrine.see_through(renderer, method, coincidence=value)
+                found = renderer.GetPass().GetTranslucentPass()
+                self.assertEqual(
+                    (found.GetCoincidenceSteps(), found.GetCoincidenceSlope()), expected
+                )
+
+    def test_coincidence_takes_the_order_from_plates_of_one_place(self):
+        for method in ("linked-list", "prefix-sum", "truth"):
+            pictures = []
+            for nudge in (-1e-6, 1e-6):
+                renderer = plates_renderer(
+                    plate(0.0, (1, 0, 0), 0.5), plate(nudge, (0, 0, 1), 0.5), plate(-1, (0, 1, 0))
+                )
+                vitrine.see_through(renderer, method, coincidence=256)
+                pictures.append(rendered(renderer))
+            numpy.testing.assert_array_equal(*pictures)
+            # Either order gives one of the colours 0.5 and the other 0.25.
+            numpy.testing.assert_allclose(
+                pictures[0][4, 4, :3] / 255.0, (0.375, 0.25, 0.375), atol=0.004
+            )
 
     def test_window_draws_all_its_renderers(self):
         left, right = plates(3), plates(2)
@@ -275,6 +301,20 @@ class Misuse(unittest.TestCase):
                 ValueError,
                 "memory_limit is no option of truth",
                 lambda: vitrine.see_through(renderer, "truth", memory_limit=9),
+            ),
+            (TypeError, "pair", lambda: vitrine.see_through(renderer, coincidence="wide")),
+            (TypeError, "pair", lambda: vitrine.see_through(renderer, coincidence=(1, 2, 3))),
+            (TypeError, "not True", lambda: vitrine.see_through(renderer, coincidence=True)),
+            (ValueError, "at least 0", lambda: vitrine.see_through(renderer, coincidence=-1)),
+            (
+                ValueError,
+                "finite",
+                lambda: vitrine.see_through(renderer, coincidence=(0, math.nan)),
+            ),
+            (
+                ValueError,
+                "coincidence is no option of stencil-routed",
+                lambda: vitrine.see_through(renderer, "stencil-routed", coincidence=1),
             ),
             (ValueError, "no renderer", lambda: vitrine.see_through(vtkRenderWindow())),
             (ValueError, "see_through", lambda: vitrine.stats(renderer)),

@@ -20,6 +20,7 @@ struct CompareOptions
   std::string Methods = "vtk-oit,vtk-peeling,linked-list";
   int Frames = 9;
   double Orbit = 30.0;
+  std::optional<std::string> Coincidence;
   std::optional<std::string> Json;
 };
 
@@ -33,6 +34,7 @@ void Compare(const CompareOptions& options)
   settings.Multisamples = options.Scene.Multisamples;
   settings.Frames = options.Frames;
   settings.Orbit = options.Orbit;
+  settings.Tolerance = ParseCoincidence(options.Coincidence);
   const Scene scene = LoadScene(options.Scene);
   settings.Opacity = options.Scene.Opacity.value_or(1.0);
   settings.From = ChooseView(options.Scene, scene);
@@ -62,6 +64,7 @@ void AddCompareCommand(CLI::App& app)
     ->type_name("DEG")
     ->check(NumberWithin(-3600.0, 3600.0))
     ->capture_default_str();
+  AddCoincidenceOption(*command, options->Coincidence);
   AddJsonOption(*command, options->Json);
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Compare(*options); });

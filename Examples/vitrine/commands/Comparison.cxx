@@ -29,8 +29,10 @@ std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& sett
   {
     Contestant contestant;
     contestant.Result.Method = method;
+    std::unique_ptr<Method> drawing = MakeMethod(method);
+    drawing->SetCoincidence(settings.Tolerance);
     contestant.Window =
-      std::make_unique<Stage>(scene, MakeMethod(method), settings.Size, settings.Multisamples);
+      std::make_unique<Stage>(scene, std::move(drawing), settings.Size, settings.Multisamples);
     contestants.push_back(std::move(contestant));
   }
   return contestants;
@@ -114,7 +116,7 @@ void Judge(std::vector<Contestant>& contestants, const Scene& scene, vtkCamera* 
   const ComparisonSettings& settings, Progress& progress)
 {
   progress.Show("drawing truth");
-  TruthStage truth(scene, settings.Size, settings.Multisamples);
+  TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
   const std::unique_ptr<vitrine::Image> first = truth.Draw(start);
   const std::unique_ptr<vitrine::Image> last =
     truth.Draw(Orbit(start, (settings.Frames - 1) * OrbitStep(settings)));

@@ -20,10 +20,11 @@ struct ComparisonSettings
   std::vector<std::string> Methods;
   PictureSize Size;
   int Multisamples = 0;
-  double Opacity = 1.0; ///< multiplied into the scene
-  View From;            ///< of the first frame
-  int Frames = 9;       ///< timed, of each method
-  double Orbit = 30.0;  ///< degrees from the first frame to the last
+  Coincidence Tolerance; ///< of truth, and of methods that have one
+  double Opacity = 1.0;  ///< multiplied into the scene
+  View From;             ///< of the first frame
+  int Frames = 9;        ///< timed, of each method
+  double Orbit = 30.0;   ///< degrees from the first frame to the last
 };
 
 /** What was measured of one method. */

@@ -5,6 +5,7 @@
 #include "scene/DemoScene.h"
 #include "scene/files/SceneFile.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -107,6 +108,15 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
     ->capture_default_str();
 }
 
+void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincidence)
+{
+  command
+    .add_option("--coincidence", coincidence,
+      "how near fragments coincide, as those of mating faces, in steps of 2^-24 of the depth and "
+      "times its slope a pixel; of linked-list, prefix-sum, their kin, and truth")
+    ->type_name("STEPS[,SLOPE]");
+}
+
 void AddJsonOption(CLI::App& command, std::optional<std::string>& file)
 {
   command
@@ -167,6 +177,23 @@ View ParseView(const std::string& text)
   view.Elevation = numbers[1];
   view.Zoom = numbers.size() == 3 ? numbers[2] : 1.0;
   return view;
+}
+
+Coincidence ParseCoincidence(const std::optional<std::string>& text)
+{
+  if (!text)
+  {
+    return {};
+  }
+  const std::vector<double> numbers = ParseNumbers(*text);
+  const bool isTolerance = (numbers.size() == 1 || numbers.size() == 2) &&
+    *std::min_element(numbers.begin(), numbers.end()) >= 0.0;
+  if (!isTolerance)
+  {
+    throw InputError(
+      "--coincidence", "'" + *text + "' is not STEPS[,SLOPE], one or two numbers of at least 0");
+  }
+  return { numbers[0], numbers.size() == 2 ? numbers[1] : 0.0 };
 }
 
 Scene LoadScene(const SceneOptions& options)

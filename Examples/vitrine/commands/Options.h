@@ -38,6 +38,9 @@ void AddFramesOption(CLI::App& command, int& frames);
 /** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
 
+/** Add --coincidence. */
+void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincidence);
+
 /** Add --json FILE. */
 void AddJsonOption(CLI::App& command, std::optional<std::string>& file);
 
@@ -53,6 +56,9 @@ PictureSize ParseSize(const std::string& text);
 
 /** "AZ,EL[,ZOOM]". Throws InputError for anything else. */
 View ParseView(const std::string& text);
+
+/** "STEPS[,SLOPE]", or no tolerance. Throws InputError for anything else. */
+Coincidence ParseCoincidence(const std::optional<std::string>& text);
 
 /** Read or generate all inputs into one scene, with the opacity multiplied in. */
 Scene LoadScene(const SceneOptions& options);

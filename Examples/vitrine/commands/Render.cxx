@@ -19,6 +19,7 @@ struct RenderOptions
   SceneOptions Scene;
   std::string Output;
   std::string Method = "linked-list";
+  std::optional<std::string> Coincidence;
 };
 
 void Render(const RenderOptions& options)
@@ -28,6 +29,7 @@ void Render(const RenderOptions& options)
   CheckPicturePath(options.Output);
   const PictureSize size = ParseSize(options.Scene.Size);
   std::unique_ptr<Method> method = MakeMethod(options.Method);
+  method->SetCoincidence(ParseCoincidence(options.Coincidence));
   progress.Show("reading the scene");
   const Scene scene = LoadScene(options.Scene);
 
@@ -50,6 +52,7 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("--method", options->Method, "how translucent geometry is drawn")
     ->type_name("M")
     ->capture_default_str();
+  AddCoincidenceOption(*command, options->Coincidence);
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Render(*options); });
 }

@@ -28,6 +28,13 @@ struct MethodStatistics
   std::optional<std::int64_t> Bytes;
 };
 
+/** The tolerance within which fragments coincide; see vtkABufferTransparencyPass::SetCoincidenceSteps(). */
+struct Coincidence
+{
+  double Steps = 0.0; ///< of 2^-24 of the window's depth
+  double Slope = 0.0; ///< times the slope of the depth, a pixel
+};
+
 /** One method, attached to one renderer. */
 class Method
 {
@@ -36,6 +43,9 @@ public:
 
   /** Have the renderer draw translucent geometry by this method. */
   virtual void Attach(vtkRenderer* renderer) = 0;
+
+  /** Have fragments coincide; methods that have no such tolerance draw as ever. */
+  virtual void SetCoincidence(const Coincidence&) {}
 
   /** Of the last frame. */
   virtual MethodStatistics Statistics() const = 0;

@@ -86,11 +86,14 @@ vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size
   return image;
 }
 
-TruthStage::TruthStage(const Scene& scene, PictureSize size, int multisamples)
+TruthStage::TruthStage(
+  const Scene& scene, PictureSize size, int multisamples, const Coincidence& coincidence)
   : Window(scene,
       std::make_unique<VitrineMethod>(vtkSmartPointer<vtkTransparencyPass>(this->Pass.Get())), size,
       multisamples)
 {
+  this->Pass->SetCoincidenceSteps(coincidence.Steps);
+  this->Pass->SetCoincidenceSlope(coincidence.Slope);
 }
 
 std::unique_ptr<vitrine::Image> TruthStage::Draw(vtkCamera* camera)

@@ -70,7 +70,8 @@ vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size
 class TruthStage
 {
 public:
-  TruthStage(const Scene& scene, PictureSize size, int multisamples);
+  TruthStage(
+    const Scene& scene, PictureSize size, int multisamples, const Coincidence& coincidence = {});
 
   /** Draw and return the picture. Null if truth cannot run here. */
   std::unique_ptr<vitrine::Image> Draw(vtkCamera* camera);

@@ -1,5 +1,6 @@
 #include "methods/VitrineMethods.h"
 
+#include "vtkABufferTransparencyPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkPrefixSumTransparencyPass.h"
@@ -22,6 +23,20 @@ void VitrineMethod::Attach(vtkRenderer* renderer)
   vtkNew<vtkSeeThroughPass> steps;
   steps->SetTranslucentPass(this->Pass);
   renderer->SetPass(steps);
+}
+
+void VitrineMethod::SetCoincidence(const Coincidence& coincidence)
+{
+  if (auto* lists = vtkABufferTransparencyPass::SafeDownCast(this->Pass))
+  {
+    lists->SetCoincidenceSteps(coincidence.Steps);
+    lists->SetCoincidenceSlope(coincidence.Slope);
+  }
+  else if (auto* truth = vtkTruthTransparencyPass::SafeDownCast(this->Pass))
+  {
+    truth->SetCoincidenceSteps(coincidence.Steps);
+    truth->SetCoincidenceSlope(coincidence.Slope);
+  }
 }
 
 MethodStatistics VitrineMethod::Statistics() const

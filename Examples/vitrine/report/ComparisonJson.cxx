@@ -13,9 +13,15 @@ Json ToJson(const vitrine::ImageError& error)
 
 Json SettingsJson(const ComparisonSettings& settings)
 {
-  return { { "opacity", settings.Opacity },
+  Json json = { { "opacity", settings.Opacity },
     { "view", { settings.From.Azimuth, settings.From.Elevation, settings.From.Zoom } },
     { "orbit", settings.Orbit }, { "multisamples", settings.Multisamples } };
+  const Coincidence& tolerance = settings.Tolerance;
+  if (tolerance.Steps > 0.0 || tolerance.Slope > 0.0)
+  {
+    json["coincidence"] = { tolerance.Steps, tolerance.Slope };
+  }
+  return json;
 }
 }
 
