@@ -20,13 +20,13 @@ namespace program
 /** A scene in which some methods fail. */
 struct StabilityScene
 {
-  std::string Name;                ///< one word or a few with hyphens; no two are alike
+  std::string Name;                ///< short, without spaces or commas; no two are alike
   std::string Input;               ///< demo:...
-  std::string Expectation;         ///< one sentence: who is exact there, what breaks whom
-  bool HasExactAnswer = true;      ///< a method that is exact is within 1/255 of truth
+  std::string Expectation;         ///< who is exact there, what breaks whom
+  bool IsQuick = false;            ///< also in a quick run
+  bool IsHeavy = false;            ///< drawn but a few times, and in no other window
   std::optional<PictureSize> Size; ///< of its own; the run's without
-  double ZoomBefore = 1.0;         ///< each frame follows one that is zoomed by so much
-  bool IsQuick = true;             ///< also in the quick run
+  double ZoomBefore = 1.0;         ///< each frame follows one with that zoom
 };
 
 /** All of them, in the order of a table. */
@@ -49,6 +49,7 @@ struct Flicker
   PictureChange Truth;
   /** The most by which any channel of any pixel changed in a step beyond truth's own change there, at least 0. */
   double Excess = 0.0;
+  double Error = 0.0; ///< the largest difference to truth of any channel in any step
 };
 
 /** The error of a method in a window of another size or with samples. */
@@ -66,7 +67,7 @@ enum class StabilityOutcome
 {
   Refused,        ///< it could not run
   OrderDependent, ///< frames differ that draw the same
-  Flickers,       ///< it changes where truth does not
+  Flickers,       ///< moved or turned, its picture changes by 1/255 more than truth's
   Wrong,          ///< it is off by more than 1/255
   Exact
 };
@@ -78,17 +79,21 @@ struct StabilityCell
   std::string Method;
   std::string Skipped; ///< why it could not run; all but the outcome is void then
   PictureSize Size{};
-  std::optional<vitrine::ImageError> Error; ///< against truth
+  std::optional<vitrine::ImageError> Error; ///< against truth, of the scene's own view
   std::int64_t RepetitionDifference =
-    0;                              ///< most 8-bit values that differ when a frame is drawn again
+    0;                              ///< most 8-bit values that differ when the view is drawn again
   std::int64_t OrderDifference = 0; ///< most that differ when actors come in another order
   Flicker Shift;                    ///< the camera moves by 1/100 pixel a step
   Flicker Turn;                     ///< the camera turns by one degree a step
   std::vector<OtherWindow> Others;
+  std::vector<std::string> Messages; ///< of VTK, other than that it cannot run
   StabilityOutcome Outcome = StabilityOutcome::Exact;
   std::string Verdict;                    ///< all that is wrong, in words; "exact"
   std::vector<std::uint8_t> Picture;      ///< 8-bit RGB, rows from the bottom
   std::vector<std::uint8_t> TruthPicture; ///< the same, rounded
+
+  /** The largest difference to truth of any channel in any of the frames. */
+  double WorstError() const;
 };
 
 /** What is drawn, and how often. */
