@@ -4,6 +4,7 @@
 #include "methods/VitrineMethods.h"
 
 #include "vtkImageData.h"
+#include "vtkPropCollection.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <chrono>
@@ -13,6 +14,10 @@ namespace program
 
 namespace
 {
+// Of the distance that the far plane has. VTK's own choice for depths of 24 bits and more; when VTK 9.1 asks
+// the window, which it does once there is something to draw, it can leave an OpenGL error behind.
+const double NearestShare = 0.001;
+
 vitrine::Image ToImage(vtkImageData* rgba, PictureSize size)
 {
   vitrine::Image image{ size.Width, size.Height, {} };
@@ -37,8 +42,9 @@ Stage::Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize siz
   this->Window->SetMultiSamples(multisamples);
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->SetBackground(Background, Background, Background);
-  AddActors(scene, this->Renderer);
+  this->Renderer->SetNearClippingPlaneTolerance(NearestShare);
   this->DrawingMethod->Attach(this->Renderer);
+  this->SetScene(scene);
 }
 
 Stage::~Stage()
@@ -46,10 +52,40 @@ Stage::~Stage()
   this->Window->Finalize();
 }
 
+void Stage::SetScene(const Scene& scene)
+{
+  this->Renderer->RemoveAllViewProps();
+  this->Actors = AddActors(scene, this->Renderer);
+  this->ClippingRange = scene.Placement.ClippingRange;
+}
+
+void Stage::SetPartOrder(const std::vector<std::size_t>& order)
+{
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  props->RemoveAllItems();
+  for (const std::size_t part : order)
+  {
+    props->AddItem(this->Actors[part]);
+  }
+}
+
+void Stage::SetSize(PictureSize size)
+{
+  this->Size = size;
+  this->Window->SetSize(size.Width, size.Height);
+}
+
 double Stage::Draw(vtkCamera* camera)
 {
   this->Renderer->GetActiveCamera()->DeepCopy(camera);
-  this->Renderer->ResetCameraClippingRange();
+  if (this->ClippingRange)
+  {
+    this->Renderer->GetActiveCamera()->SetClippingRange(this->ClippingRange->data());
+  }
+  else
+  {
+    this->Renderer->ResetCameraClippingRange();
+  }
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();
   if (this->Window->GetNeverRendered() || !this->Window->SupportsOpenGL())
