@@ -3,7 +3,6 @@
 #include "commands/Comparison.h"
 #include "commands/Options.h"
 #include "report/ComparisonReport.h"
-#include "scene/Viewpoint.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -36,11 +35,10 @@ void Compare(const CompareOptions& options)
   const Scene scene = LoadScene(options.Scene);
   settings.Opacity = options.Scene.Opacity.value_or(1.0);
   settings.From = ChooseView(options.Scene, scene);
-  const vtkSmartPointer<vtkCamera> start =
-    PlaceCamera(scene, settings.From, settings.Size.Aspect());
   PrintOmissions(scene);
 
-  const ComparisonResult comparison = CompareMethods(scene, start, settings);
+  Progress progress;
+  const ComparisonResult comparison = CompareMethods(scene, settings, progress);
 
   WriteReport(options.Json, ToTable(comparison), ToJson(comparison));
 }

@@ -1,0 +1,104 @@
+#include "chart/ChartPlan.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace program
+{
+
+namespace
+{
+/** What a quick chart does less of. */
+struct Extent
+{
+  std::vector<std::string> Scenes;
+  PictureSize SceneSize;
+  int Frames;
+  std::vector<int> Layers;
+  int LayersSide; ///< of the window
+  std::vector<double> Zooms;
+  int FragmentsSide;
+  std::vector<int> Sides;
+  double SlowestFrame;
+};
+
+const char* const FragmentsScene = "demo:spheres,layers=16";
+const char* const SettingsOfFamilies =
+  ",vtk-peeling-2,vtk-peeling-8,vtk-peeling-16,stencil-mask-8-unfiltered,stencil-routed-8";
+const char* const OneOfEachFamily =
+  "vtk-oit,blend,vtk-peeling,linked-list,prefix-sum,stencil-mask-8,stencil-routed";
+
+Extent QuickExtent()
+{
+  return { { "demo:stack,layers=16,alpha=0.3", "demo:spheres,layers=32",
+             "demo:assembly,parts=300" },
+    { 192, 192 }, 3, { 1, 4, 16, 64, 256 }, 48, { 0.125, 0.25, 0.5, 1.0 }, 128,
+    { 32, 64, 128, 256 }, 300.0 };
+}
+
+Extent FullExtent()
+{
+  return { { "demo:stack,layers=64,alpha=0.2", "demo:spheres,layers=64", "demo:assembly,parts=2000",
+             "demo:paper-masks", "demo:paper-lists" },
+    { 512, 512 }, 9, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192,
+    { 0.0625, 0.125, 0.25, 0.5, 1.0, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
+}
+
+void AddScenes(ChartPlan& plan, const std::vector<std::string>& inputs, PictureSize size)
+{
+  for (const std::string& input : inputs)
+  {
+    plan.Steps.push_back({ "scenes", input, size, 1.0 });
+  }
+}
+
+/** What grows, each from the least to the most. */
+void AddGrowth(ChartPlan& plan, const Extent& extent, int largestSide)
+{
+  const auto square = [largestSide](int side) {
+    return PictureSize{ std::min(side, largestSide), std::min(side, largestSide) };
+  };
+  for (const int layers : extent.Layers)
+  {
+    plan.Steps.push_back({ "layers", "demo:stack,layers=" + std::to_string(layers) + ",alpha=0.2",
+      square(extent.LayersSide), 1.0 });
+  }
+  for (const double zoom : extent.Zooms)
+  {
+    plan.Steps.push_back({ "fragments", FragmentsScene, square(extent.FragmentsSide), zoom });
+  }
+  for (const int side : extent.Sides)
+  {
+    if (side <= largestSide)
+    {
+      plan.Steps.push_back({ "resolution", FragmentsScene, square(side), 1.0 });
+    }
+  }
+}
+
+std::vector<std::string> AllMethods()
+{
+  std::vector<std::string> methods = ParseMethodList(std::string("all") + SettingsOfFamilies);
+  methods.erase(std::remove(methods.begin(), methods.end(), "truth"), methods.end());
+  return methods;
+}
+}
+
+ChartPlan MakeChartPlan(const ChartChoices& choices)
+{
+  const Extent extent = choices.IsQuick ? QuickExtent() : FullExtent();
+  const PictureSize size = choices.Size.value_or(extent.SceneSize);
+  const int unlimited = std::numeric_limits<int>::max();
+  const int largestSide = choices.Size ? std::max(size.Width, size.Height) : unlimited;
+  ChartPlan plan;
+  AddScenes(plan, extent.Scenes, size);
+  AddScenes(plan, choices.Inputs, size);
+  AddGrowth(plan, extent, largestSide);
+  plan.SceneMethods = choices.Methods ? *choices.Methods : AllMethods();
+  plan.GrowthMethods = choices.Methods ? *choices.Methods : ParseMethodList(OneOfEachFamily);
+  plan.Frames = choices.Frames.value_or(extent.Frames);
+  plan.SlowestFrame = extent.SlowestFrame;
+  return plan;
+}
+
+}

@@ -1,0 +1,5 @@
+// Where each method fails.
+
+function startFailures() {
+  byId("failures").hidden = true;
+}
