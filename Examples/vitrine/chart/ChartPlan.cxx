@@ -32,8 +32,8 @@ Extent QuickExtent()
 {
   return { { "demo:stack,layers=16,alpha=0.3", "demo:spheres,layers=32",
              "demo:assembly,parts=300" },
-    { 192, 192 }, 3, { 1, 4, 16, 64, 256 }, 48, { 0.125, 0.25, 0.5, 1.0 }, 128,
-    { 32, 64, 128, 256 }, 300.0 };
+    { 192, 192 }, 3, { 1, 4, 16, 64, 256 }, 48, { 0.25, 0.5, 1.0, 2.0 }, 128, { 32, 64, 128, 256 },
+    300.0 };
 }
 
 Extent FullExtent()
@@ -41,7 +41,7 @@ Extent FullExtent()
   return { { "demo:stack,layers=64,alpha=0.2", "demo:spheres,layers=64", "demo:assembly,parts=2000",
              "demo:paper-masks", "demo:paper-lists" },
     { 512, 512 }, 9, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192,
-    { 0.0625, 0.125, 0.25, 0.5, 1.0, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
+    { 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
 }
 
 void AddScenes(ChartPlan& plan, const std::vector<std::string>& inputs, PictureSize size)

@@ -66,23 +66,25 @@ ChartRecord::ChartRecord(const std::string& folder, const Json& head)
   MakeFolder(folder);
   CheckWritable(this->PathOf(DocumentName));
   this->Contents["results"] = Json::array();
-  if (const std::optional<Json> before = ReadDocument(this->PathOf(DocumentName)))
-  {
-    this->TakeUp(*before);
-  }
+  ReadDocument(this->PathOf(DocumentName));
   MakeFolder(this->PathOf(PictureFolder));
 }
 
-void ChartRecord::TakeUp(const Json& before)
+std::string ChartRecord::GoOn()
 {
-  if (const char* difference = FindDifference(this->Contents, before))
+  const std::optional<Json> before = ReadDocument(this->PathOf(DocumentName));
+  if (!before)
   {
-    this->Found = this->PathOf(DocumentName) + " was measured with another " +
-      (difference == Head[0] ? "version" : difference) + "; starting afresh";
-    return;
+    return "";
   }
-  this->Contents = before;
-  this->Found = this->PathOf(DocumentName) + " has " + std::to_string(before["results"].size()) +
+  if (const char* difference = FindDifference(this->Contents, *before))
+  {
+    return this->PathOf(DocumentName) + " was measured with another " +
+      (difference == Head[0] ? "version" : difference) + "; starting afresh";
+  }
+  this->Contents = *before;
+  return this->PathOf(DocumentName) + " has " +
+    std::to_string(this->Rows("results").size() + this->Rows("failures").size()) +
     " results already; going on from there";
 }
 

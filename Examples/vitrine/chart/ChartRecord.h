@@ -19,14 +19,16 @@ class ChartRecord
 {
 public:
   /**
-   * Take up what was measured in the folder by the same version on the same device with the same settings, all of which `head`
-   * holds ({"vitrine", "device", "settings"}); begin anew if it was measured otherwise. The folder is made if it is not
-   * there. Throws InputError if it cannot be, or holds a chart.json of something else.
+   * Begin anew; `head` holds what all of it is measured with ({"vitrine", "device", "settings"}). The folder is made if it is not
+   * there. Throws InputError if it cannot be, may not be written to, or holds a chart.json of something else.
    */
   ChartRecord(const std::string& folder, const Json& head);
 
-  /** What was found, in a sentence for stderr; empty if nothing was. */
-  const std::string& Finding() const { return this->Found; }
+  /**
+   * Take up what stands in the folder if it was measured with the same. Returns what was found, in a sentence; empty if
+   * nothing was.
+   */
+  std::string GoOn();
 
   /** Whether the list `list` has rows with these values. */
   bool Has(const std::string& list, const Json& values) const;
@@ -50,12 +52,10 @@ public:
   const Json& Document() const { return this->Contents; }
 
 private:
-  void TakeUp(const Json& before);
   void Save() const;
 
   std::string Folder;
   Json Contents;
-  std::string Found;
 };
 
 }

@@ -1,11 +1,8 @@
 #include "Errors.h"
-#include "OutputFile.h"
 #include "chart/ChartMeasurement.h"
-#include "chart/ChartSummary.h"
 #include "commands/Commands.h"
 #include "commands/Options.h"
-#include "report/ChartPage.h"
-#include "report/ChartPlot.h"
+#include "report/ChartFiles.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -55,19 +52,12 @@ ChartPlan MakePlan(const ChartOptions& options)
   return MakeChartPlan(choices);
 }
 
-void Summarise(ChartRecord& record)
+void PrintNote(const std::string& note)
 {
-  record.Set("results", AddRatios(record.Rows("results")));
-  record.Set("scenes", SummariseScenes(record.Rows("results")));
-  record.Set("growth", SummariseGrowth(record.Rows("results")));
-}
-
-void WriteChart(ChartRecord& record)
-{
-  Summarise(record);
-  PlotChart(record);
-  WriteWholeFile(record.PathOf("index.html"), MakeChartPage(record));
-  std::cout << record.PathOf("index.html") << "\n";
+  if (!note.empty())
+  {
+    std::cerr << "vitrine: note: " << note << "\n";
+  }
 }
 
 void Chart(const ChartOptions& options)
@@ -76,15 +66,12 @@ void Chart(const ChartOptions& options)
   const ChartPlan plan = MakePlan(options);
   CheckInputs(options.Inputs);
   ChartRecord record(options.Out, ChartHead(plan, FindDevice()));
-  if (!record.Finding().empty())
-  {
-    std::cerr << "vitrine: note: " << record.Finding() << "\n";
-  }
+  PrintNote(record.GoOn());
   {
     Progress progress;
     MeasureChart(plan, record, progress);
   }
-  WriteChart(record);
+  std::cout << WriteChart(record) << "\n";
 }
 }
 

@@ -1,7 +1,11 @@
 #include "commands/Commands.h"
 
+#include "chart/ChartMeasurement.h"
+#include "chart/ChartRecord.h"
 #include "commands/Comparison.h"
 #include "commands/Options.h"
+#include "report/ChartFiles.h"
+#include "report/ComparisonJson.h"
 #include "report/ComparisonReport.h"
 
 #include "vtkHeadlessRenderWindow.h"
@@ -20,7 +24,15 @@ struct CompareOptions
   int Frames = 9;
   double Orbit = 30.0;
   std::optional<std::string> Json;
+  std::optional<std::string> Chart;
 };
+
+ChartRecord BeginChart(const std::string& folder, const ComparisonSettings& settings)
+{
+  program::Json head = MeasurementHead(FindDevice());
+  head["settings"] = ToJson(settings);
+  return { folder, head };
+}
 
 void Compare(const CompareOptions& options)
 {
@@ -37,8 +49,18 @@ void Compare(const CompareOptions& options)
   settings.From = ChooseView(options.Scene, scene);
   PrintOmissions(scene);
 
+  std::optional<ChartRecord> chart;
+  if (options.Chart)
+  {
+    chart = BeginChart(*options.Chart, settings);
+  }
   Progress progress;
   const ComparisonResult comparison = CompareMethods(scene, settings, progress);
+  if (chart)
+  {
+    RecordScene(comparison, 0, *chart);
+    WriteChart(*chart);
+  }
 
   WriteReport(options.Json, ToTable(comparison), ToJson(comparison));
 }
@@ -61,6 +83,10 @@ void AddCompareCommand(CLI::App& app)
     ->check(NumberWithin(-3600.0, 3600.0))
     ->capture_default_str();
   AddJsonOption(*command, options->Json);
+  command
+    ->add_option(
+      "--chart", options->Chart, "also write a page, a plot and pictures into the folder DIR")
+    ->type_name("DIR");
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Compare(*options); });
 }

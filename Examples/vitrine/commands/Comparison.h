@@ -36,7 +36,7 @@ struct MethodResult
   std::vector<double> FrameMilliseconds;
   MethodStatistics Statistics;              ///< of the last frame
   std::optional<vitrine::ImageError> Error; ///< the worse of the first and the last frame
-  std::vector<std::uint8_t> Picture; ///< the first frame, as Stage::ReadPixels() gives it
+  std::vector<std::uint8_t> Picture;        ///< the first frame, as Stage::ReadPixels() gives it
   bool IsDeterministic = true;
 
   double Median() const;

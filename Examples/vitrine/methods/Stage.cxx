@@ -94,8 +94,8 @@ std::vector<std::uint8_t> ToPixels(const vitrine::Image& image)
   pixels.reserve(image.Rgb.size());
   for (const float value : image.Rgb)
   {
-    pixels.push_back(
-      static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))));
+    const float shown = std::isnan(value) ? 0.0f : std::clamp(value, 0.0f, 1.0f);
+    pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0f * shown)));
   }
   return pixels;
 }

@@ -66,7 +66,7 @@ private:
 /** An 8-bit picture as numbers in [0, 1]. */
 vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size);
 
-/** A picture as 8-bit RGB, rounded; clamped to [0, 1] first. */
+/** A picture as a display shows it, 8-bit RGB, rounded; what is not a number is black. */
 std::vector<std::uint8_t> ToPixels(const vitrine::Image& image);
 
 /** A stage whose method is truth, with its pictures before they are rounded. */

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace program
 {
@@ -15,7 +16,7 @@ namespace program
 namespace
 {
 const PictureSize PlotSize = { 640, 480 };
-const double ZeroLane = 0.6; // decades below the lowest tick in which zeros lie
+const double ZeroLane = 0.12; // of an axis, below what has a logarithm; there zeros lie
 const std::array<unsigned char, 3> Black = { 0, 0, 0 };
 const char* const Cost = "time";
 const char* const Error = "max";
@@ -33,8 +34,8 @@ PlotMarker MarkerOf(const MethodFamily& family)
 
 struct Range
 {
-  double Low = 1.0;
-  double High = 1.0;
+  double Low = std::numeric_limits<double>::max();
+  double High = 0.0;
   bool HasZero = false;
 
   void Include(double value)
@@ -48,22 +49,20 @@ struct Range
 /** Zero has no logarithm: it has a lane of its own below. */
 PlotAxis AxisOf(const std::string& title, const Range& range)
 {
-  PlotAxis axis = DecadeAxis(title, range.Low, range.High);
-  if (axis.Low == axis.High)
-  {
-    axis = DecadeAxis(title, range.Low, 10.0 * range.High);
-  }
+  PlotAxis axis = range.High > 0.0 ? LogarithmicAxis(title, range.Low, range.High)
+                                   : LogarithmicAxis(title, 1.0, 1.0);
   if (range.HasZero)
   {
-    axis.Ticks.emplace(axis.Ticks.begin(), axis.Low - ZeroLane, "0");
-    axis.Low -= 2.0 * ZeroLane;
+    const double lane = ZeroLane * (axis.High - axis.Low);
+    axis.Low -= lane;
+    axis.Ticks.emplace(axis.Ticks.begin(), axis.Low + 0.5 * lane, "0");
   }
   return axis;
 }
 
 double PlaceOn(const PlotAxis& axis, double value)
 {
-  return value > 0.0 ? std::log10(value) : axis.Low + ZeroLane;
+  return value > 0.0 ? std::log10(value) : axis.Ticks.front().first;
 }
 
 bool IsTold(const Json& point)

@@ -10,13 +10,13 @@ Json ToJson(const vitrine::ImageError& error)
   return { { "max", error.Max }, { "rmse", error.Rmse }, { "psnr", error.Psnr },
     { "ssim", error.Ssim }, { "flip", error.Flip }, { "wrong_pixels", error.WrongPixels } };
 }
+}
 
-Json SettingsJson(const ComparisonSettings& settings)
+Json ToJson(const ComparisonSettings& settings)
 {
   return { { "opacity", settings.Opacity },
     { "view", { settings.From.Azimuth, settings.From.Elevation, settings.From.Zoom } },
     { "orbit", settings.Orbit }, { "multisamples", settings.Multisamples } };
-}
 }
 
 Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
@@ -44,7 +44,7 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
 std::string ToJsonDocument(const ComparisonResult& comparison, const Json& rows)
 {
   Json document = MeasurementHead(comparison.GL);
-  document["settings"] = SettingsJson(comparison.Settings);
+  document["settings"] = ToJson(comparison.Settings);
   document["results"] = rows;
   return JsonText(document);
 }

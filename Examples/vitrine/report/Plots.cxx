@@ -19,6 +19,7 @@
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace program
@@ -137,12 +138,24 @@ void PlaceCharts(
 }
 }
 
-PlotAxis DecadeAxis(const std::string& title, double low, double high)
+PlotAxis LogarithmicAxis(const std::string& title, double low, double high)
 {
-  PlotAxis axis{ title, std::floor(std::log10(low)), std::ceil(std::log10(high)), {} };
-  for (double decade = axis.Low; decade <= axis.High; ++decade)
+  const double shortest = 0.7; // decades, so that there are always two ticks
+  const double span = std::log10(high) - std::log10(low);
+  const double margin = std::max(0.07 * span, 0.5 * (shortest - span));
+  PlotAxis axis{ title, std::log10(low) - margin, std::log10(high) + margin, {} };
+  const bool isShort = axis.High - axis.Low < 2.0;
+  for (double decade = std::floor(axis.Low); decade <= axis.High; ++decade)
   {
-    axis.Ticks.emplace_back(decade, FormatCell("%g", std::pow(10.0, decade)));
+    for (const double step :
+      isShort ? std::vector<double>{ 1.0, 2.0, 5.0 } : std::vector<double>{ 1.0 })
+    {
+      const double place = decade + std::log10(step);
+      if (place >= axis.Low && place <= axis.High)
+      {
+        axis.Ticks.emplace_back(place, FormatCell("%g", std::pow(10.0, place)));
+      }
+    }
   }
   return axis;
 }

@@ -62,8 +62,11 @@ struct Plot
   PlotCorner Legend = PlotCorner::None; ///< where the names of series stand
 };
 
-/** An axis of decimal logarithms with a tick at each power of ten from that below `low` to that above `high`, both above 0. */
-PlotAxis DecadeAxis(const std::string& title, double low, double high);
+/**
+ * An axis of decimal logarithms from a little below `low` to a little above `high`, both above 0, with ticks at powers of ten, and
+ * at 2 and 5 times these where it is short.
+ */
+PlotAxis LogarithmicAxis(const std::string& title, double low, double high);
 
 /** Draw plots in rows of `columns`: 8-bit RGB, rows from the bottom. */
 std::vector<std::uint8_t> DrawPlots(const std::vector<Plot>& plots, int columns, PictureSize size);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace program
@@ -73,11 +74,10 @@ PlotAxis RunAxis(const std::string& title, const std::vector<SortRun>& runs)
   return axis;
 }
 
-/** One millisecond is always on it. */
 PlotAxis TimeAxis(const std::vector<PlotSeries>& lines)
 {
-  double low = 1.0;
-  double high = 1.0;
+  double low = std::numeric_limits<double>::max();
+  double high = 0.0;
   for (const PlotSeries& line : lines)
   {
     for (const auto& point : line.Points)
@@ -86,7 +86,7 @@ PlotAxis TimeAxis(const std::vector<PlotSeries>& lines)
       high = std::max(high, std::pow(10.0, point.second));
     }
   }
-  return DecadeAxis("milliseconds", low, high);
+  return LogarithmicAxis("milliseconds", low, high);
 }
 
 Plot MakePlot(const SortComparison& comparison, const std::vector<SortRun>& runs,

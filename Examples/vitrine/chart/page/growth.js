@@ -41,12 +41,12 @@ function fitTable(growth, lines) {
   return html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...lines.map(fitRow))));
 }
 
-function drawGrowth(growth, width) {
+function drawGrowth(growth, article) {
   const lines = growth.lines.filter(({ points }) => points.length > 0);
   const untold = growth.lines.filter(({ points }) => points.length === 0);
   const plot = makePlot({
     pairs: lines.flatMap(({ points }) => points),
-    width,
+    width: article.clientWidth - 28,
     height: 320,
     xTitle: growth.x,
     yTitle: growth.y,
@@ -56,9 +56,7 @@ function drawGrowth(growth, width) {
   });
   lines.forEach((line) => drawLine(plot, line, growth));
   const names = untold.map(({ method, left_off: reason }) => (reason ? `${method} (${reason})` : method)).join(", ");
-  return html(
-    "article",
-    {},
+  article.append(
     html("h3", {}, growth.title),
     plot.drawing,
     fitTable(growth, lines),
@@ -67,7 +65,7 @@ function drawGrowth(growth, width) {
 }
 
 function drawGrowths() {
-  const column = Math.min(byId("growths").clientWidth, 1200);
-  const width = column > 760 ? (column - 32) / 2 : column;
-  byId("growths").replaceChildren(...chart.growth.map((growth) => drawGrowth(growth, Math.max(280, width))));
+  const articles = chart.growth.map(() => html("article"));
+  byId("growths").replaceChildren(...articles); // the layout gives them their width
+  chart.growth.forEach((growth, i) => drawGrowth(growth, articles[i]));
 }

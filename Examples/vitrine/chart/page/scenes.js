@@ -80,9 +80,9 @@ function drawScatter() {
     label: `${error.title} against ${cost.title}`,
   });
   drawFront(plot, points);
+  const byCost = [...points].sort((a, b) => a.pair[0] - b.pair[0]);
+  plot.inside.append(...byCost.map((point) => drawPoint(plot, point, cost, error)));
   labelPoints(plot, points.map(({ pair, method }) => ({ x: plot.at(pair)[0], y: plot.at(pair)[1], text: method })));
-  const inReadingOrder = [...points].sort((a, b) => a.pair[0] - b.pair[0]);
-  plot.inside.append(...inReadingOrder.map((point) => drawPoint(plot, point, cost, error)));
   byId("scatter").replaceChildren(plot.drawing);
   markSelected();
 }
