@@ -48,6 +48,7 @@ int Run(int argc, char* argv[])
   program::AddInfoCommand(app);
   program::AddPaperCommand(app);
   program::AddSortsCommand(app);
+  program::AddStabilityCommand(app);
   program::AddViewCommand(app);
   if (argc > 1 && argv[1][0] != '-')
   {

@@ -312,6 +312,13 @@ std::string vtkTruthTransparencyPass::RenderFragments(
 }
 
 //------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::RenderNothing()
+{
+  this->Private->Result = nullptr;
+  this->SampleCount = 0;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
   const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
   vitrine::ReferenceCompositor& compositor)

@@ -31,7 +31,7 @@ public:
 
   /**
    * The last frame's picture within the viewport: float, 4 components (premultiplied RGBA, not clamped), row 0
-   * at the bottom, samples of a pixel averaged. Null before the first frame with translucent geometry.
+   * at the bottom, samples of a pixel averaged. Null if there was no translucent geometry.
    */
   vtkImageData* GetResult();
 
@@ -51,6 +51,7 @@ protected:
   std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
+  void RenderNothing() override;
   void ReleaseMethodResources() override;
   void ForgetMethodResources() override;
 

@@ -35,8 +35,13 @@ def run(*arguments, stdout=subprocess.PIPE, **environment):
 
 
 def info(*arguments):
+    """The JSON of `vitrine info` for a small window."""
+    return info_at("16x16", *arguments)
+
+
+def info_at(size, *arguments):
     """The JSON of `vitrine info`."""
-    result = run("info", *arguments, "--size", "16x16", "--json", "-")
+    result = run("info", *arguments, "--size", size, "--json", "-")
     if result.returncode != 0:
         raise AssertionError(result.stderr.decode(errors="replace"))
     return json.loads(result.stdout)

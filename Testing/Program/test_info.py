@@ -20,6 +20,7 @@ class Info(FileTest):
                 "materials",
                 "bounds",
                 "layers",
+                "expected",
                 "skipped",
                 "notes",
             ],

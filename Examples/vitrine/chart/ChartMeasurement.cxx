@@ -2,6 +2,7 @@
 
 #include "commands/Options.h"
 #include "report/ComparisonJson.h"
+#include "report/StabilityReport.h"
 #include "report/TextTable.h"
 #include "scene/DemoScene.h"
 #include "scene/Viewpoint.h"
@@ -30,6 +31,20 @@ Json StepJson(const ChartStep& step)
       std::filesystem::last_write_time(step.Input, error).time_since_epoch().count();
   }
   return input;
+}
+
+Json FailuresJson(const StabilitySettings& settings)
+{
+  Json scenes = Json::array();
+  for (const StabilityScene& scene : settings.Scenes)
+  {
+    scenes.push_back(
+      { { "name", scene.Name }, { "input", scene.Input }, { "expectation", scene.Expectation } });
+  }
+  return { { "methods", settings.Methods }, { "width", settings.Size.Width },
+    { "height", settings.Size.Height }, { "repetitions", settings.Repetitions },
+    { "orders", settings.Orders }, { "shifts", settings.Shifts }, { "turns", settings.Turns },
+    { "other_windows", settings.WithOtherWindows }, { "scenes", scenes } };
 }
 
 Json Key(const std::string& part, int number)
@@ -147,6 +162,35 @@ void MeasureGrowth(
   comparison.Results.insert(comparison.Results.end(), leftOut.begin(), leftOut.end());
   RecordGrowth(comparison, step.Part, number, record);
 }
+
+void RecordCell(const StabilityCell& cell, ChartRecord& record)
+{
+  Json row = ToJsonRow(cell);
+  const std::string prefix = "failure-" + cell.Scene + "-";
+  if (cell.Skipped.empty())
+  {
+    row["picture"] = record.AddPicture(prefix + cell.Method, cell.Picture, cell.Size);
+    row["truth_picture"] = record.AddPicture(prefix + "truth", cell.TruthPicture, cell.Size);
+  }
+  record.Add("failures", Json::array({ row }));
+}
+
+void MeasureFailures(const StabilitySettings& settings, ChartRecord& record, Progress& progress)
+{
+  const std::string count = std::to_string(settings.Scenes.size() * settings.Methods.size());
+  StabilityListener listener;
+  listener.IsKnown = [&record](const std::string& scene, const std::string& method) {
+    return record.Has("failures", { { "scene", scene }, { "method", method } });
+  };
+  listener.Begins = [&](const std::string& scene, const std::string& method)
+  {
+    progress.SetTask(
+      "failures, " + std::to_string(record.Rows("failures").size()) + " of " + count + ": ");
+    progress.Show(scene + ", " + method);
+  };
+  listener.Finished = [&record](const StabilityCell& cell) { RecordCell(cell, record); };
+  MeasureStability(settings, listener);
+}
 }
 
 Device FindDevice()
@@ -167,7 +211,8 @@ Json ChartHead(const ChartPlan& plan, const Device& device)
   }
   head["settings"] = { { "frames", plan.Frames }, { "orbit", OrbitDegrees },
     { "slowest_frame_ms", plan.SlowestFrame }, { "scene_methods", plan.SceneMethods },
-    { "growth_methods", plan.GrowthMethods }, { "steps", steps } };
+    { "growth_methods", plan.GrowthMethods }, { "steps", steps },
+    { "failures", FailuresJson(plan.Failures) } };
   return head;
 }
 
@@ -186,12 +231,16 @@ void MeasureChart(const ChartPlan& plan, ChartRecord& record, Progress& progress
       step.Input + ": ");
     (step.Part == "scenes" ? MeasureScene : MeasureGrowth)(plan, step, number, record, progress);
   }
+  MeasureFailures(plan.Failures, record, progress);
 }
 
 void RecordScene(const ComparisonResult& comparison, int number, ChartRecord& record)
 {
   const PictureSize size = comparison.Settings.Size;
   const std::string prefix = "scene-" + std::to_string(number + 1) + "-";
+  const std::string truth = comparison.TruthPicture.empty()
+    ? ""
+    : record.AddPicture(prefix + "truth", comparison.TruthPicture, size);
   Json rows = Json::array();
   for (const MethodResult& result : comparison.Results)
   {
@@ -200,9 +249,9 @@ void RecordScene(const ComparisonResult& comparison, int number, ChartRecord& re
     {
       row["picture"] = record.AddPicture(prefix + result.Method, result.Picture, size);
     }
-    if (!comparison.TruthPicture.empty())
+    if (!truth.empty())
     {
-      row["truth_picture"] = record.AddPicture(prefix + "truth", comparison.TruthPicture, size);
+      row["truth_picture"] = truth;
     }
     rows.push_back(row);
   }

@@ -82,6 +82,25 @@ std::vector<std::string> AllMethods()
   methods.erase(std::remove(methods.begin(), methods.end(), "truth"), methods.end());
   return methods;
 }
+
+StabilitySettings PlanFailures(bool isQuick, const std::vector<std::string>& methods)
+{
+  StabilitySettings failures;
+  failures.Methods = methods;
+  failures.Scenes = StabilityScenes();
+  if (isQuick)
+  {
+    MakeQuick(failures);
+    failures.WithOtherWindows = false;
+  }
+  return failures;
+}
+
+/** The methods of which all can be told apart in one plot. */
+std::vector<std::string> FewMethods()
+{
+  return ParseMethodList(OneOfEachFamily);
+}
 }
 
 ChartPlan MakeChartPlan(const ChartChoices& choices)
@@ -95,7 +114,9 @@ ChartPlan MakeChartPlan(const ChartChoices& choices)
   AddScenes(plan, choices.Inputs, size);
   AddGrowth(plan, extent, largestSide);
   plan.SceneMethods = choices.Methods ? *choices.Methods : AllMethods();
-  plan.GrowthMethods = choices.Methods ? *choices.Methods : ParseMethodList(OneOfEachFamily);
+  plan.GrowthMethods = choices.Methods ? *choices.Methods : FewMethods();
+  plan.Failures =
+    PlanFailures(choices.IsQuick, choices.IsQuick ? plan.GrowthMethods : plan.SceneMethods);
   plan.Frames = choices.Frames.value_or(extent.Frames);
   plan.SlowestFrame = extent.SlowestFrame;
   return plan;

@@ -1,10 +1,11 @@
 /**
- * What a chart measures: scenes by many methods, and scenes that grow by a few.
+ * What a chart measures: scenes by many methods, scenes that grow by a few, and scenes in which methods fail.
  */
 #ifndef VITRINE_CHART_PLAN_H
 #define VITRINE_CHART_PLAN_H
 
 #include "commands/Comparison.h"
+#include "stability/Stability.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct ChartPlan
   std::vector<ChartStep> Steps;
   std::vector<std::string> SceneMethods;
   std::vector<std::string> GrowthMethods;
+  StabilitySettings Failures;
   int Frames = 9;
   double SlowestFrame =
     0.0; ///< milliseconds; a method that takes longer leaves off where its scene grows on

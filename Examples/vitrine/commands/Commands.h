@@ -28,6 +28,9 @@ void AddPaperCommand(CLI::App& app);
 /** `vitrine sorts`: the sorts of short lists side by side, on the device. */
 void AddSortsCommand(CLI::App& app);
 
+/** `vitrine stability`: methods on scenes in which some fail. */
+void AddStabilityCommand(CLI::App& app);
+
 /** `vitrine view`: a window. */
 void AddViewCommand(CLI::App& app);
 

@@ -28,6 +28,7 @@ SceneInfo CountScene(const Scene& scene)
   info.Parts = scene.Parts.size();
   info.Materials = CountMaterials(scene);
   info.Bounds = SceneBounds(scene);
+  info.Expectation = scene.Expectation;
   info.Skipped = scene.Skipped;
   info.Notes = scene.Notes;
   for (const Part& part : scene.Parts)

@@ -56,6 +56,9 @@ void Append(Scene& scene, Scene&& other)
   std::move(other.Notes.begin(), other.Notes.end(), std::back_inserter(scene.Notes));
   scene.Placement.ParallelScale.reset(); // what fitted one of them does not fit all
   scene.Placement.VisibleRadius.reset();
+  scene.Placement.Camera.reset();
+  scene.Placement.ClippingRange.reset();
+  scene.Expectation.clear();
 }
 }
 

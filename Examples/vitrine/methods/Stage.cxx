@@ -4,6 +4,7 @@
 #include "methods/VitrineMethods.h"
 
 #include "vtkImageData.h"
+#include "vtkPropCollection.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ Stage::Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize siz
   this->Window->SetMultiSamples(multisamples);
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->SetBackground(Background, Background, Background);
-  AddActors(scene, this->Renderer);
   this->DrawingMethod->Attach(this->Renderer);
+  this->SetScene(scene);
 }
 
 Stage::~Stage()
@@ -48,10 +49,40 @@ Stage::~Stage()
   this->Window->Finalize();
 }
 
+void Stage::SetScene(const Scene& scene)
+{
+  this->Renderer->RemoveAllViewProps();
+  this->Actors = AddActors(scene, this->Renderer);
+  this->ClippingRange = scene.Placement.ClippingRange;
+}
+
+void Stage::SetPartOrder(const std::vector<std::size_t>& order)
+{
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  props->RemoveAllItems();
+  for (const std::size_t part : order)
+  {
+    props->AddItem(this->Actors[part]);
+  }
+}
+
+void Stage::SetSize(PictureSize size)
+{
+  this->Size = size;
+  this->Window->SetSize(size.Width, size.Height);
+}
+
 double Stage::Draw(vtkCamera* camera)
 {
   this->Renderer->GetActiveCamera()->DeepCopy(camera);
-  this->Renderer->ResetCameraClippingRange();
+  if (this->ClippingRange)
+  {
+    this->Renderer->GetActiveCamera()->SetClippingRange(this->ClippingRange->data());
+  }
+  else
+  {
+    this->Renderer->ResetCameraClippingRange();
+  }
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();
   if (this->Window->GetNeverRendered() || !this->Window->SupportsOpenGL())

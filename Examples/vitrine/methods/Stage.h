@@ -16,7 +16,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkTruthTransparencyPass.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace program
@@ -43,6 +46,14 @@ public:
   Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize size, int multisamples);
   ~Stage();
 
+  /** Draw another scene from now on; what the method and the window have built so far stays. */
+  void SetScene(const Scene& scene);
+
+  /** Draw the scene's parts in another order, a permutation of their indices. */
+  void SetPartOrder(const std::vector<std::size_t>& order);
+
+  void SetSize(PictureSize size);
+
   /**
    * Draw a frame, finished on the device. Returns the wall time in milliseconds. Throws
    * RuntimeError if there is no OpenGL to draw with.
@@ -61,6 +72,8 @@ private:
   PictureSize Size;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
+  std::vector<vtkSmartPointer<vtkActor>> Actors; ///< in the order of the scene's parts
+  std::optional<std::array<double, 2>> ClippingRange;
 };
 
 /** An 8-bit picture as numbers in [0, 1]. */
@@ -78,6 +91,7 @@ public:
   /** Draw and return the picture. Null if truth cannot run here. */
   std::unique_ptr<vitrine::Image> Draw(vtkCamera* camera);
 
+  Stage& GetStage() { return this->Window; }
   MethodStatistics Statistics() const { return this->Window.GetMethod().Statistics(); }
   std::string WhyNotRun() const { return this->Window.GetMethod().WhyNotRun(); }
 

@@ -3,15 +3,6 @@
 namespace program
 {
 
-namespace
-{
-Json ToJson(const vitrine::ImageError& error)
-{
-  return { { "max", error.Max }, { "rmse", error.Rmse }, { "psnr", error.Psnr },
-    { "ssim", error.Ssim }, { "flip", error.Flip }, { "wrong_pixels", error.WrongPixels } };
-}
-}
-
 Json ToJson(const ComparisonSettings& settings)
 {
   return { { "opacity", settings.Opacity },
@@ -36,7 +27,7 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
   row["layers_mean"] = OrNull(result.Statistics.LayersMean);
   row["geometry_passes"] = OrNull(result.Statistics.GeometryPasses);
   row["bytes"] = OrNull(result.Statistics.Bytes);
-  row["error"] = result.Error ? ToJson(*result.Error) : Json(nullptr);
+  row["error"] = result.Error ? ErrorJson(*result.Error) : Json(nullptr);
   row["deterministic"] = result.IsDeterministic;
   return row;
 }

@@ -66,6 +66,10 @@ std::string ToText(const SceneInfo& info)
   text << "\n  layers      ";
   AppendLayers(text, info);
   text << "\n";
+  if (!info.Expectation.empty())
+  {
+    text << "  expected    " << info.Expectation << "\n";
+  }
   for (const SkippedPart& part : info.Skipped)
   {
     text << "  skipped     " << part.Name << ": " << part.Reason << "\n";
@@ -87,8 +91,8 @@ std::string ToJson(const SceneInfo& info)
   const Json document = { { "scene", info.Name }, { "parts", info.Parts },
     { "translucent_parts", info.TranslucentParts }, { "triangles", info.Triangles },
     { "lines", info.Lines }, { "points", info.Points }, { "materials", info.Materials },
-    { "bounds", info.Bounds }, { "layers", LayersJson(info) }, { "skipped", skipped },
-    { "notes", info.Notes } };
+    { "bounds", info.Bounds }, { "layers", LayersJson(info) }, { "expected", info.Expectation },
+    { "skipped", skipped }, { "notes", info.Notes } };
   return JsonText(document);
 }
 

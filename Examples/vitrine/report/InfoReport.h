@@ -28,6 +28,7 @@ struct SceneInfo
   PictureSize Size{};
   std::string WhyNoLayers; ///< empty if Layers holds
   MethodStatistics Layers; ///< of translucent geometry, from the view that was asked for
+  std::string Expectation; ///< how methods do on it; may be empty
   std::vector<SkippedPart> Skipped;
   std::vector<std::string> Notes;
 };

@@ -17,6 +17,12 @@ Json MeasurementHead(const Device& device)
   };
 }
 
+Json ErrorJson(const vitrine::ImageError& error)
+{
+  return { { "max", error.Max }, { "rmse", error.Rmse }, { "psnr", error.Psnr },
+    { "ssim", error.Ssim }, { "flip", error.Flip }, { "wrong_pixels", error.WrongPixels } };
+}
+
 Json Spread(const std::vector<double>& milliseconds, const std::string& count)
 {
   const auto [low, high] = std::minmax_element(milliseconds.begin(), milliseconds.end());

@@ -4,6 +4,7 @@
 #ifndef VITRINE_PROGRAM_JSON_H
 #define VITRINE_PROGRAM_JSON_H
 
+#include "Core/ImageError.h"
 #include "methods/Device.h"
 
 #include <nlohmann/json.hpp>
@@ -25,6 +26,9 @@ Json OrNull(const std::optional<T>& value)
 
 /** How a document of measurements begins: {"vitrine", "device"}. */
 Json MeasurementHead(const Device& device);
+
+/** {"max", "rmse", "psnr", "ssim", "flip", "wrong_pixels"}. */
+Json ErrorJson(const vitrine::ImageError& error);
 
 /** {"min", "median", "max"} of times, of which there are some, and their number as `count`. */
 Json Spread(const std::vector<double>& milliseconds, const std::string& count);

@@ -1,6 +1,7 @@
 #include "scene/DemoScene.h"
 
 #include "Errors.h"
+#include "scene/DemoTable.h"
 
 #include <charconv>
 #include <cmath>
@@ -12,52 +13,6 @@ namespace program
 namespace
 {
 const std::string Prefix = "demo:";
-
-struct DemoKey
-{
-  std::string Name;
-  double Default;
-  double Minimum;
-  double Maximum;
-  bool IsInteger;
-};
-
-struct Demo
-{
-  std::string Name;
-  std::string Description;
-  std::vector<DemoKey> Keys;
-  Scene (*Make)(const DemoValues& values);
-};
-
-const double LargestSeed = 9007199254740992.0; // 2^53: all integers up to it are doubles
-
-const std::vector<Demo>& Demos()
-{
-  static const std::vector<Demo> demos = {
-    { "stack", "parallel plates that fill the view, in shuffled order; closed-form answer",
-      { { "layers", 64, 1, 100000, true }, { "alpha", 0.2, 0, 1, false },
-        { "seed", 1, 0, LargestSeed, true } },
-      MakeStackScene },
-    { "spheres", "layers/2 nested, jittered spheres",
-      { { "layers", 64, 1, 20000, true }, { "alpha", 0.2, 0, 1, false },
-        { "seed", 1, 0, LargestSeed, true }, { "resolution", 32, 3, 1000, true } },
-      MakeSpheresScene },
-    { "assembly",
-      "machines in glass housings: shafts, gears, bearings, bolts, pipes, cables, boards",
-      { { "parts", 2000, 1, 200000, true }, { "seed", 1, 0, LargestSeed, true } },
-      MakeAssemblyScene },
-    { "paper-masks",
-      "384 textured triangles, a transparent model of 871,000, an opaque one of 2,256",
-      { { "layers", 15, 0, MostPaperLayers, true }, { "seed", 1, 0, LargestSeed, true } },
-      MakePaperMasksScene },
-    { "paper-lists",
-      "2,048 textured triangles, a transparent model of 261,000, an opaque one of 2,256",
-      { { "layers", 57, 0, MostPaperLayers, true }, { "seed", 1, 0, LargestSeed, true } },
-      MakePaperListsScene },
-  };
-  return demos;
-}
 
 template <typename Items>
 std::string JoinNames(const Items& items)
@@ -80,6 +35,17 @@ std::vector<std::string> Split(const std::string& text, char separator)
     pieces.push_back(piece);
   }
   if (!text.empty() && text.back() == separator)
+  {
+    pieces.emplace_back();
+  }
+  return pieces;
+}
+
+/** The scene's name, which may be empty, and its settings. */
+std::vector<std::string> SplitInput(const std::string& input)
+{
+  std::vector<std::string> pieces = Split(input.substr(Prefix.size()), ',');
+  if (pieces.empty())
   {
     pieces.emplace_back();
   }
@@ -148,10 +114,16 @@ bool IsDemoScene(const std::string& input)
   return input.compare(0, Prefix.size(), Prefix) == 0;
 }
 
+std::string DemoExpectation(const std::string& input)
+{
+  const std::vector<std::string> pieces = SplitInput(input);
+  return FindDemo(input, pieces.front()).Expectation;
+}
+
 Scene MakeDemoScene(const std::string& input)
 {
-  const std::vector<std::string> pieces = Split(input.substr(Prefix.size()), ',');
-  const Demo& demo = FindDemo(input, pieces.empty() ? "" : pieces.front());
+  const std::vector<std::string> pieces = SplitInput(input);
+  const Demo& demo = FindDemo(input, pieces.front());
   DemoValues values;
   for (const DemoKey& key : demo.Keys)
   {
@@ -163,6 +135,7 @@ Scene MakeDemoScene(const std::string& input)
   }
   Scene scene = demo.Make(values);
   scene.Name = input;
+  scene.Expectation = demo.Expectation;
   return scene;
 }
 
@@ -177,6 +150,7 @@ std::string DescribeDemoScenes()
       lines += "," + key.Name + "=" + FormatNumber(key.Default);
     }
     lines += "\n      " + demo.Description + "\n";
+    lines += demo.Expectation.empty() ? "" : "      Expected: " + demo.Expectation + "\n";
   }
   return lines;
 }

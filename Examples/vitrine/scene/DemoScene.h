@@ -21,7 +21,10 @@ bool IsDemoScene(const std::string& input);
  */
 Scene MakeDemoScene(const std::string& input);
 
-/** One line for each generated scene, for --help. */
+/** How methods are expected to do on a generated scene; throws like MakeDemoScene(). */
+std::string DemoExpectation(const std::string& input);
+
+/** A few lines for each generated scene, for --help. */
 std::string DescribeDemoScenes();
 
 /** The values of a scene's keys, defaults filled in. */

@@ -8,6 +8,7 @@
  * itself, or fewer, there are only sheets; with none, the opaque model alone.
  */
 #include "scene/DemoScene.h"
+#include "scene/Plates.h"
 #include "scene/Random.h"
 #include "scene/papers/Models.h"
 #include "scene/papers/Sheets.h"
@@ -44,13 +45,6 @@ vtkSmartPointer<vtkProperty> MakeMaterial(double red, double green, double blue,
   material->SetSpecular(0.25);
   material->SetSpecularPower(30.0);
   return material;
-}
-
-vtkSmartPointer<vtkMatrix4x4> ToMatrix(vtkTransform* transform)
-{
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  transform->GetMatrix(matrix);
-  return matrix;
 }
 
 /** Lying across the view. */

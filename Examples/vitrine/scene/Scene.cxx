@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
+#include "vtkOpenGLSphereMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
@@ -109,12 +110,29 @@ void MultiplyTextureIntoOpacity(vtkActor* actor)
   }
 }
 
-vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
+vtkSmartPointer<vtkPolyDataMapper> MakeMapper(const Part& part)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkSmartPointer<vtkPolyDataMapper> mapper;
+  if (part.SphereRadius > 0.0)
+  {
+    vtkNew<vtkOpenGLSphereMapper> spheres;
+    spheres->SetRadius(static_cast<float>(part.SphereRadius));
+    mapper = spheres;
+  }
+  else
+  {
+    mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  }
   mapper->SetInputData(part.Geometry);
   mapper->SetColorModeToDirectScalars();
   mapper->SetScalarVisibility(HasColors(part.Geometry));
+  mapper->SetClippingPlanes(part.ClippingPlanes);
+  return mapper;
+}
+
+vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
+{
+  const vtkSmartPointer<vtkPolyDataMapper> mapper = MakeMapper(part);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetProperty(copies.Copy(part.Material));
@@ -212,13 +230,16 @@ bool IsTranslucent(const Part& part)
   return MakeActor(part, copies)->HasTranslucentPolygonalGeometry() != 0;
 }
 
-void AddActors(const Scene& scene, vtkRenderer* renderer)
+std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer)
 {
   WindowCopies copies;
+  std::vector<vtkSmartPointer<vtkActor>> actors;
   for (const Part& part : scene.Parts)
   {
-    AppendActor(renderer, MakeActor(part, copies));
+    actors.push_back(MakeActor(part, copies));
+    AppendActor(renderer, actors.back());
   }
+  return actors;
 }
 
 }

@@ -4,8 +4,10 @@
 #ifndef VITRINE_SCENE_H
 #define VITRINE_SCENE_H
 
+#include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
@@ -31,7 +33,9 @@ struct Part
   vtkSmartPointer<vtkMatrix4x4> Transform; ///< to world coordinates; null for the identity
   vtkSmartPointer<vtkTexture> Texture;     ///< may be null
   vtkSmartPointer<vtkInformation> Keys;    ///< property keys for the actor; may be null
-  bool ForceTranslucent = false;           ///< translucent, though VTK does not see it
+  vtkSmartPointer<vtkPlaneCollection> ClippingPlanes; ///< in world coordinates; may be null
+  double SphereRadius = 0.0;     ///< above 0, each point is drawn as a sphere by a shader alone
+  bool ForceTranslucent = false; ///< translucent, though VTK does not see it
 };
 
 /** A part that is not drawn. */
@@ -47,6 +51,13 @@ struct View
   double Azimuth = 0.0;   ///< degrees, counterclockwise around the scene's up axis; 0 is the front
   double Elevation = 0.0; ///< degrees above the horizon
   double Zoom = 1.0;      ///< 1 shows all of the scene
+};
+
+/** A place to look from, and what stands in the middle of the picture. */
+struct CameraPlace
+{
+  std::array<double, 3> Position;
+  std::array<double, 3> FocalPoint;
 };
 
 /** Where a scene stands in the world and how it likes to be seen. */
@@ -66,6 +77,12 @@ struct Stance
    * The radius of a sphere around the scene's centre that fills the view's height; fits without.
    */
   std::optional<double> VisibleRadius;
+
+  /** Where azimuth 0, elevation 0 and zoom 1 are seen from; chosen by bounds without. */
+  std::optional<CameraPlace> Camera;
+
+  /** Distances of what is seen, nearest and farthest; chosen by bounds without. */
+  std::optional<std::array<double, 2>> ClippingRange;
 };
 
 struct Scene
@@ -74,6 +91,7 @@ struct Scene
   std::vector<Part> Parts;
   std::vector<SkippedPart> Skipped;
   std::vector<std::string> Notes; ///< what was read otherwise than the file says
+  std::string Expectation;        ///< of a generated scene: how methods do on it; may be empty
   Stance Placement;
 };
 
@@ -97,9 +115,9 @@ void MultiplyOpacity(Scene& scene, double factor);
 
 /**
  * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and
- * properties are copied, since they hold objects of a window.
+ * properties are copied, since they hold objects of a window. Returns the actors, in the order of the parts.
  */
-void AddActors(const Scene& scene, vtkRenderer* renderer);
+std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer);
 
 }
 #endif

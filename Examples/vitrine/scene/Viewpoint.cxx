@@ -130,9 +130,22 @@ double RadiusDistance(double radius, double aspect)
   const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
   return radius / (tangent * std::min(1.0, aspect));
 }
+
+/** Where the scene says, and from there by the view. */
+vtkSmartPointer<vtkCamera> CameraAt(
+  const CameraPlace& place, const Stance& stance, const View& view)
+{
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetFocalPoint(place.FocalPoint.data());
+  camera->SetPosition(place.Position.data());
+  camera->SetViewUp(stance.Up.data());
+  camera->Azimuth(view.Azimuth);
+  camera->Elevation(view.Elevation);
+  camera->OrthogonalizeViewUp();
+  return camera;
 }
 
-vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect)
+vtkSmartPointer<vtkCamera> CameraByBounds(const Scene& scene, const View& view, double aspect)
 {
   const Stance& stance = scene.Placement;
   const PictureAxes axes = AxesOf(stance, view);
@@ -149,6 +162,15 @@ vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, dou
   camera->SetFocalPoint(fit.Middle.data());
   camera->SetPosition(Combine(1.0, fit.Middle, fit.Distance, axes.Toward).data());
   camera->SetViewUp(std::abs(view.Elevation) < 89.0 ? stance.Up.data() : axes.Up.data());
+  return camera;
+}
+}
+
+vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect)
+{
+  const Stance& stance = scene.Placement;
+  const vtkSmartPointer<vtkCamera> camera =
+    stance.Camera ? CameraAt(*stance.Camera, stance, view) : CameraByBounds(scene, view, aspect);
   camera->SetViewAngle(ViewAngle);
   if (stance.ParallelScale)
   {
@@ -157,6 +179,26 @@ vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, dou
   }
   camera->Zoom(view.Zoom);
   return camera;
+}
+
+vtkSmartPointer<vtkCamera> Shift(vtkCamera* camera, double right, double up, int height)
+{
+  auto moved = vtkSmartPointer<vtkCamera>::New();
+  moved->DeepCopy(camera);
+  const double halfHeight = camera->GetParallelProjection()
+    ? camera->GetParallelScale()
+    : camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  const double pixel = 2.0 * halfHeight / height;
+  Vector toward, upward, position, focus;
+  camera->GetViewPlaneNormal(toward.data());
+  camera->GetViewUp(upward.data());
+  camera->GetPosition(position.data());
+  camera->GetFocalPoint(focus.data());
+  const Vector side = Cross(upward, toward);
+  const Vector step = Combine(pixel * right, side, pixel * up, Cross(toward, side));
+  moved->SetPosition(Combine(1.0, position, 1.0, step).data());
+  moved->SetFocalPoint(Combine(1.0, focus, 1.0, step).data());
+  return moved;
 }
 
 vtkSmartPointer<vtkCamera> Orbit(vtkCamera* camera, double degrees)

@@ -18,6 +18,12 @@ namespace program
  */
 vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect);
 
+/**
+ * The same camera after moving so many pixels to the right and upwards, which are those of a picture of that height, in
+ * the plane through the focal point.
+ */
+vtkSmartPointer<vtkCamera> Shift(vtkCamera* camera, double right, double up, int height);
+
 /** The same camera after going `degrees` around the scene's up axis. */
 vtkSmartPointer<vtkCamera> Orbit(vtkCamera* camera, double degrees);
 

@@ -53,6 +53,11 @@ function format(value, digits = 3) {
   return size < 1e-3 || size >= 1e7 ? value.toExponential(1) : String(+value.toPrecision(digits));
 }
 
+/** The family of a method of any row: the name that the method's begins with. */
+function familyOf(method) {
+  return Object.keys(data.families).find((family) => method.startsWith(family)) ?? "other";
+}
+
 /** The mark of a family around (x, y). */
 function marker(family, x, y, radius = 6) {
   const { color, marker: shape } = data.families[family];

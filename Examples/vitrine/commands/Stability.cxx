@@ -1,0 +1,118 @@
+#include "stability/Stability.h"
+
+#include "Errors.h"
+#include "Progress.h"
+#include "commands/Commands.h"
+#include "commands/Options.h"
+#include "report/StabilityReport.h"
+
+#include "vtkHeadlessRenderWindow.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+struct StabilityOptions
+{
+  std::string Methods = "all";
+  std::vector<std::string> Scenes;
+  bool IsQuick = false;
+  std::optional<std::string> Json;
+};
+
+std::string ListScenes()
+{
+  std::string names;
+  for (const StabilityScene& scene : StabilityScenes())
+  {
+    names += (names.empty() ? "" : ", ") + scene.Name;
+  }
+  return names;
+}
+
+std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)
+{
+  const std::vector<StabilityScene> all = StabilityScenes();
+  std::vector<StabilityScene> chosen;
+  for (const std::string& name : names)
+  {
+    const auto found = std::find_if(
+      all.begin(), all.end(), [&name](const StabilityScene& scene) { return scene.Name == name; });
+    if (found == all.end())
+    {
+      throw InputError("--scenes", "'" + name + "' is not one of them, which are " + ListScenes());
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+/** Scenes that are named are drawn in a quick run too. */
+StabilitySettings ToSettings(const StabilityOptions& options)
+{
+  StabilitySettings settings;
+  settings.Methods = ParseMethodList(options.Methods);
+  settings.Scenes = StabilityScenes();
+  if (options.IsQuick)
+  {
+    MakeQuick(settings);
+  }
+  if (!options.Scenes.empty())
+  {
+    settings.Scenes = ChooseScenes(options.Scenes);
+  }
+  return settings;
+}
+
+void Stability(const StabilityOptions& options)
+{
+  vtkHeadlessRenderWindow::InstallOverride();
+  CheckJsonPath(options.Json);
+  StabilityResult result;
+  result.Settings = ToSettings(options);
+  Progress progress;
+  StabilityListener listener;
+  listener.Begins = [&progress](const std::string& scene, const std::string& method)
+  { progress.Show(scene + ": " + method); };
+  listener.Finished = [&result](const StabilityCell& cell) { result.Cells.push_back(cell); };
+
+  result.GL = MeasureStability(result.Settings, listener);
+
+  WriteReport(options.Json, ToTable(result), ToJson(result));
+}
+
+std::string DescribeStabilityScenes()
+{
+  std::string lines;
+  for (const StabilityScene& scene : StabilityScenes())
+  {
+    lines += "  " + scene.Name + "  " + scene.Input + (scene.IsQuick ? ", quick" : "") + "\n";
+  }
+  return lines;
+}
+}
+
+void AddStabilityCommand(CLI::App& app)
+{
+  auto options = std::make_shared<StabilityOptions>();
+  CLI::App* command = app.add_subcommand("stability",
+    "Draw scenes in which methods fail; print how each fails, and how it flickers, beside truth");
+  command
+    ->add_option("--methods", options->Methods, "methods by name, and the groups exact and all")
+    ->type_name("M,M,...")
+    ->capture_default_str();
+  command->add_option("--scenes", options->Scenes, "scenes by name; all of them without")
+    ->type_name("NAME,...")
+    ->delimiter(',')
+    ->allow_extra_args(false);
+  command->add_flag("--quick", options->IsQuick, "fewer scenes, and a few frames of each kind");
+  AddJsonOption(*command, options->Json);
+  command->footer("Scenes:\n" + DescribeStabilityScenes() + "Methods:\n" + DescribeMethods());
+  command->callback([options] { Stability(*options); });
+}
+
+}

@@ -1,0 +1,196 @@
+#include "report/StabilityReport.h"
+
+#include "report/TextTable.h"
+#include "stability/Verdict.h"
+
+#include <algorithm>
+
+namespace program
+{
+
+namespace
+{
+const TextRow Head = { "method", "error/255", "wrong pixels", "repeated", "shuffled",
+  "shift/255 (truth)", "turn/255 (truth)", "verdict" };
+
+std::string Steps(double value)
+{
+  return FormatCell("%.2f", 255.0 * value);
+}
+
+/** The largest change beside truth's. */
+std::string ChangeCell(const Flicker& flicker)
+{
+  return Steps(flicker.Method.Largest) + " (" + Steps(flicker.Truth.Largest) + ")";
+}
+
+TextRow ToCells(const StabilityCell& cell)
+{
+  if (!cell.Skipped.empty())
+  {
+    return { cell.Method, cell.Verdict };
+  }
+  return { cell.Method, Steps(cell.Error->Max),
+    FormatCell("%.2f %%", 100.0 * cell.Error->WrongPixels),
+    std::to_string(cell.RepetitionDifference), std::to_string(cell.OrderDifference),
+    ChangeCell(cell.Shift), ChangeCell(cell.Turn), cell.Verdict };
+}
+
+/** What verdicts do not tell: refusals and errors in other windows, and what VTK said. */
+std::string Remarks(const StabilityCell& cell)
+{
+  std::string lines;
+  for (const OtherWindow& other : cell.Others)
+  {
+    const std::string place = "  " + cell.Method + ", " + other.Name + ": ";
+    if (!other.Skipped.empty())
+    {
+      lines += place + "refused: " + other.Skipped + "\n";
+    }
+    else if (other.Error && other.Error->Max > std::max(1.0 / 255.0, cell.WorstError()) + 1e-6)
+    {
+      lines += place + "wrong by " + Steps(other.Error->Max) + "/255\n";
+    }
+  }
+  for (const std::string& message : cell.Messages)
+  {
+    lines += "  " + cell.Method + ": " + message + "\n";
+  }
+  return lines;
+}
+
+std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityCell>& cells)
+{
+  std::vector<TextRow> rows = { Head };
+  std::string remarks;
+  for (const StabilityCell& cell : cells)
+  {
+    if (cell.Scene == scene.Name)
+    {
+      rows.push_back(ToCells(cell));
+      remarks += Remarks(cell);
+    }
+  }
+  const std::string expected =
+    scene.Expectation.empty() ? "" : "Expected: " + scene.Expectation + "\n";
+  return rows.size() == 1
+    ? ""
+    : scene.Name + ", " + scene.Input + "\n" + expected + AlignColumns(rows) + remarks + "\n";
+}
+
+/** The cell with the largest error, or that depends on order where none has an error; null if none could run. */
+const StabilityCell* WorstOf(const std::vector<StabilityCell>& cells, const std::string& method)
+{
+  const StabilityCell* worst = nullptr;
+  for (const StabilityCell& cell : cells)
+  {
+    if (cell.Method == method && cell.Skipped.empty() &&
+      (!worst || cell.WorstError() > worst->WorstError()))
+    {
+      worst = &cell;
+    }
+  }
+  return worst;
+}
+
+std::string WorstTable(const StabilityResult& result)
+{
+  std::vector<TextRow> rows = { { "method", "worst error/255", "scene" } };
+  for (const std::string& method : result.Settings.Methods)
+  {
+    const StabilityCell* worst = WorstOf(result.Cells, method);
+    rows.push_back(worst ? TextRow{ method, Steps(worst->WorstError()), worst->Scene }
+                         : TextRow{ method, "refused in all scenes" });
+  }
+  return "Worst scene of each method:\n" + AlignColumns(rows);
+}
+
+Json FlickerJson(const Flicker& flicker)
+{
+  return { { "largest", flicker.Method.Largest }, { "typical", flicker.Method.Typical },
+    { "truth_largest", flicker.Truth.Largest }, { "truth_typical", flicker.Truth.Typical },
+    { "excess", flicker.Excess }, { "error", flicker.Error } };
+}
+
+Json OtherJson(const OtherWindow& other)
+{
+  Json row = { { "name", other.Name }, { "width", other.Size.Width },
+    { "height", other.Size.Height }, { "multisamples", other.Multisamples } };
+  if (!other.Skipped.empty())
+  {
+    row["skipped"] = other.Skipped;
+  }
+  else
+  {
+    row["error"] = other.Error ? ErrorJson(*other.Error) : Json(nullptr);
+  }
+  return row;
+}
+
+Json SettingsJson(const StabilitySettings& settings)
+{
+  return { { "repetitions", settings.Repetitions }, { "orders", settings.Orders },
+    { "shifts", settings.Shifts }, { "turns", settings.Turns } };
+}
+
+Json ScenesJson(const std::vector<StabilityScene>& scenes)
+{
+  Json list = Json::array();
+  for (const StabilityScene& scene : scenes)
+  {
+    list.push_back({ { "name", scene.Name }, { "input", scene.Input },
+      { "expected", scene.Expectation }, { "zoom_before", scene.ZoomBefore } });
+  }
+  return list;
+}
+}
+
+std::string ToTable(const StabilityResult& result)
+{
+  std::string text = result.GL.Renderer + "\n\n";
+  for (const StabilityScene& scene : result.Settings.Scenes)
+  {
+    text += SceneTable(scene, result.Cells);
+  }
+  return text + WorstTable(result);
+}
+
+Json ToJsonRow(const StabilityCell& cell)
+{
+  Json row = { { "scene", cell.Scene }, { "method", cell.Method }, { "width", cell.Size.Width },
+    { "height", cell.Size.Height }, { "outcome", Name(cell.Outcome) },
+    { "verdict", cell.Verdict } };
+  if (!cell.Skipped.empty())
+  {
+    row["skipped"] = cell.Skipped;
+    return row;
+  }
+  row["error"] = ErrorJson(*cell.Error);
+  row["worst_error"] = cell.WorstError();
+  row["repetition_difference"] = cell.RepetitionDifference;
+  row["order_difference"] = cell.OrderDifference;
+  row["shift"] = FlickerJson(cell.Shift);
+  row["turn"] = FlickerJson(cell.Turn);
+  row["others"] = Json::array();
+  for (const OtherWindow& other : cell.Others)
+  {
+    row["others"].push_back(OtherJson(other));
+  }
+  row["messages"] = cell.Messages;
+  return row;
+}
+
+std::string ToJson(const StabilityResult& result)
+{
+  Json document = MeasurementHead(result.GL);
+  document["settings"] = SettingsJson(result.Settings);
+  document["scenes"] = ScenesJson(result.Settings.Scenes);
+  document["results"] = Json::array();
+  for (const StabilityCell& cell : result.Cells)
+  {
+    document["results"].push_back(ToJsonRow(cell));
+  }
+  return JsonText(document);
+}
+
+}

@@ -1,0 +1,34 @@
+/**
+ * The results of `stability` for people and for programs.
+ */
+#ifndef VITRINE_STABILITY_REPORT_H
+#define VITRINE_STABILITY_REPORT_H
+
+#include "methods/Device.h"
+#include "report/Json.h"
+#include "stability/Stability.h"
+
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+struct StabilityResult
+{
+  StabilitySettings Settings;
+  Device GL;
+  std::vector<StabilityCell> Cells; ///< scene by scene
+};
+
+/** A table for each scene, and each method's worst scene. */
+std::string ToTable(const StabilityResult& result);
+
+/** One cell, without its pictures; {"scene", "method", "width", "height", "skipped", ...} if it could not run. */
+Json ToJsonRow(const StabilityCell& cell);
+
+/** {"vitrine", "device", "settings", "scenes", "results"}. */
+std::string ToJson(const StabilityResult& result);
+
+}
+#endif

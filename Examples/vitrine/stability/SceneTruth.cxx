@@ -1,0 +1,153 @@
+#include "stability/SceneTruth.h"
+
+#include "scene/DemoScene.h"
+#include "scene/Random.h"
+#include "scene/Viewpoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace program
+{
+
+namespace
+{
+const double ShiftInPixels = 0.01;
+const double ShiftDirection = 0.5; // radians above the picture's horizon, so that both axes move
+const double TurnInDegrees = 1.0;
+const std::uint64_t OrderSeed = 1;
+
+/** Steps of scenes that take long to draw. */
+const int HeavySteps = 2;
+
+int Steps(const StabilityScene& entry, int usual)
+{
+  return entry.IsHeavy ? std::min(usual, HeavySteps) : usual;
+}
+
+std::vector<std::vector<std::size_t>> ShuffledOrders(std::size_t parts, int count)
+{
+  std::vector<std::vector<std::size_t>> orders;
+  std::vector<std::size_t> order(parts);
+  std::iota(order.begin(), order.end(), 0);
+  Random random(OrderSeed);
+  for (int i = 0; i < count; ++i)
+  {
+    random.Shuffle(order);
+    orders.push_back(order);
+  }
+  return orders;
+}
+
+std::vector<vtkSmartPointer<vtkCamera>> Shifted(vtkCamera* start, int steps, int height)
+{
+  std::vector<vtkSmartPointer<vtkCamera>> cameras;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double pixels = i * ShiftInPixels;
+    cameras.push_back(
+      Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height));
+  }
+  return cameras;
+}
+
+std::vector<vtkSmartPointer<vtkCamera>> Turned(vtkCamera* start, int steps)
+{
+  std::vector<vtkSmartPointer<vtkCamera>> cameras;
+  for (int i = 0; i <= steps; ++i)
+  {
+    cameras.push_back(Orbit(start, i * TurnInDegrees));
+  }
+  return cameras;
+}
+
+std::vector<OtherTruth> OtherWindowsOf(PictureSize size)
+{
+  const auto part = [](int side, int divisor) { return std::max(1, side / divisor); };
+  return { { "half", { part(size.Width, 2), part(size.Height, 2) }, 0, {} },
+    { "double", { 2 * size.Width, 2 * size.Height }, 0, {} },
+    { "third", { part(size.Width, 3), part(size.Height, 3) }, 0, {} },
+    { "4-samples", size, 4, {} } };
+}
+
+SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& settings)
+{
+  SceneTruth plan;
+  plan.Entry = entry;
+  plan.Parts = MakeDemoScene(entry.Input);
+  plan.Size = entry.Size.value_or(settings.Size);
+  plan.Repetitions = Steps(entry, settings.Repetitions);
+  plan.Orders = ShuffledOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
+  const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
+  plan.Shifts = Shifted(start, Steps(entry, settings.Shifts), plan.Size.Height);
+  plan.Turns = Turned(start, Steps(entry, settings.Turns));
+  if (settings.WithOtherWindows && !entry.IsHeavy)
+  {
+    plan.Others = OtherWindowsOf(plan.Size);
+  }
+  return plan;
+}
+
+/** Pictures of all the views; an empty list, and why, if truth cannot run. */
+std::vector<vitrine::Image> DrawAll(
+  TruthStage& truth, const std::vector<vtkSmartPointer<vtkCamera>>& cameras, std::string& skipped)
+{
+  std::vector<vitrine::Image> pictures;
+  for (vtkCamera* camera : cameras)
+  {
+    const std::unique_ptr<vitrine::Image> picture = truth.Draw(camera);
+    if (!picture)
+    {
+      skipped = truth.WhyNotRun();
+      return {};
+    }
+    pictures.push_back(*picture);
+  }
+  return pictures;
+}
+
+void DrawOther(OtherTruth& other, const SceneTruth& plan, TruthStage& truth)
+{
+  truth.GetStage().SetScene(plan.Parts);
+  truth.GetStage().SetSize(other.Size);
+  if (const std::unique_ptr<vitrine::Image> picture = truth.Draw(OwnView(plan.Parts, other.Size)))
+  {
+    other.Picture = *picture;
+  }
+}
+}
+
+vtkSmartPointer<vtkCamera> OwnView(const Scene& scene, PictureSize size)
+{
+  return PlaceCamera(scene, scene.Placement.DefaultView, size.Aspect());
+}
+
+void DrawAfterZoom(Stage& stage, vtkCamera* camera, const StabilityScene& entry)
+{
+  if (entry.ZoomBefore != 1.0)
+  {
+    vtkNew<vtkCamera> before;
+    before->DeepCopy(camera);
+    before->Zoom(entry.ZoomBefore);
+    stage.Draw(before);
+  }
+  stage.Draw(camera);
+}
+
+SceneTruth DrawTruth(const StabilityScene& entry, const StabilitySettings& settings,
+  TruthStage& single, TruthStage& multisampled)
+{
+  SceneTruth truth = PlanViews(entry, settings);
+  single.GetStage().SetScene(truth.Parts);
+  single.GetStage().SetSize(truth.Size);
+  truth.ShiftPictures = DrawAll(single, truth.Shifts, truth.Skipped);
+  truth.TurnPictures = DrawAll(single, truth.Turns, truth.Skipped);
+  for (OtherTruth& other : truth.Others)
+  {
+    DrawOther(other, truth, other.Multisamples > 0 ? multisampled : single);
+  }
+  return truth;
+}
+
+}

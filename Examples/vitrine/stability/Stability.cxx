@@ -1,0 +1,227 @@
+#include "stability/Stability.h"
+
+#include "VTKMessages.h"
+#include "stability/PictureChanges.h"
+#include "stability/SceneTruth.h"
+#include "stability/Verdict.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+const int SamplesOfOthers = 4;
+
+using Pixels = std::vector<std::uint8_t>;
+
+/** A method's windows, which all scenes share. */
+struct Windows
+{
+  std::unique_ptr<Stage> Single;
+  std::unique_ptr<Stage> Multisampled;
+};
+
+Windows OpenWindows(const std::string& method, const StabilitySettings& settings)
+{
+  const Scene nothing;
+  return { std::make_unique<Stage>(nothing, MakeMethod(method), settings.Size, 0),
+    std::make_unique<Stage>(nothing, MakeMethod(method), settings.Size, SamplesOfOthers) };
+}
+
+std::int64_t CountDifferences(const Pixels& a, const Pixels& b)
+{
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    count += a[i] != b[i];
+  }
+  return count;
+}
+
+/** Measures one cell. */
+class CellStudy
+{
+public:
+  CellStudy(const SceneTruth& truth, Windows& windows, const std::string& method)
+    : Truth(truth)
+    , Own(windows)
+  {
+    this->Cell.Scene = truth.Entry.Name;
+    this->Cell.Method = method;
+    this->Cell.Size = truth.Size;
+  }
+
+  StabilityCell Measure()
+  {
+    const MessageCapture messages;
+    this->Open(*this->Own.Single, this->Truth.Size);
+    this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
+    this->Cell.Skipped = this->Truth.Skipped.empty()
+      ? this->Own.Single->GetMethod().WhyNotRun()
+      : "there is no truth to compare with: " + this->Truth.Skipped;
+    if (this->Cell.Skipped.empty())
+    {
+      this->CompareWithTruth();
+      this->Repeat();
+      this->Cell.Shift = this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures);
+      this->Cell.Turn = this->Follow(this->Truth.Turns, this->Truth.TurnPictures);
+      this->Shuffle();
+      this->Cell.Messages = messages.Errors();
+      this->MeasureOtherWindows();
+    }
+    Judge(this->Cell);
+    return std::move(this->Cell);
+  }
+
+private:
+  void Open(Stage& stage, PictureSize size)
+  {
+    stage.SetScene(this->Truth.Parts);
+    stage.SetSize(size);
+  }
+
+  Pixels Draw(vtkCamera* camera)
+  {
+    DrawAfterZoom(*this->Own.Single, camera, this->Truth.Entry);
+    return this->Own.Single->ReadPixels();
+  }
+
+  void CompareWithTruth()
+  {
+    const vitrine::Image& truth = this->Truth.ShiftPictures.front();
+    this->Cell.TruthPicture = ToPixels(truth);
+    this->Cell.Error = vitrine::CompareImages(ToImage(this->Cell.Picture, this->Truth.Size), truth);
+  }
+
+  void Repeat()
+  {
+    for (int i = 1; i < this->Truth.Repetitions; ++i)
+    {
+      const Pixels again = this->Draw(this->Truth.Shifts.front());
+      this->Cell.RepetitionDifference =
+        std::max(this->Cell.RepetitionDifference, CountDifferences(again, this->Cell.Picture));
+    }
+  }
+
+  void Shuffle()
+  {
+    for (const std::vector<std::size_t>& order : this->Truth.Orders)
+    {
+      this->Own.Single->SetPartOrder(order);
+      const Pixels shuffled = this->Draw(this->Truth.Shifts.front());
+      this->Cell.OrderDifference =
+        std::max(this->Cell.OrderDifference, CountDifferences(shuffled, this->Cell.Picture));
+    }
+  }
+
+  Flicker Follow(const std::vector<vtkSmartPointer<vtkCamera>>& cameras,
+    const std::vector<vitrine::Image>& truth)
+  {
+    FlickerMeter meter;
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+    {
+      meter.Add(ToImage(this->Draw(cameras[i]), this->Truth.Size), truth[i]);
+    }
+    return meter.Result();
+  }
+
+  void MeasureOtherWindows()
+  {
+    for (const OtherTruth& other : this->Truth.Others)
+    {
+      Stage& stage = other.Multisamples > 0 ? *this->Own.Multisampled : *this->Own.Single;
+      this->Open(stage, other.Size);
+      stage.Draw(OwnView(this->Truth.Parts, other.Size));
+      OtherWindow window{ other.Name, other.Size, other.Multisamples, stage.GetMethod().WhyNotRun(),
+        std::nullopt };
+      if (window.Skipped.empty() && !other.Picture.Rgb.empty())
+      {
+        window.Error =
+          vitrine::CompareImages(ToImage(stage.ReadPixels(), other.Size), other.Picture);
+      }
+      this->Cell.Others.push_back(window);
+    }
+  }
+
+  const SceneTruth& Truth;
+  Windows& Own;
+  StabilityCell Cell;
+};
+
+std::vector<std::string> UnknownMethods(
+  const StabilityScene& scene, const StabilitySettings& settings, const StabilityListener& listener)
+{
+  std::vector<std::string> unknown;
+  for (const std::string& method : settings.Methods)
+  {
+    if (!listener.IsKnown || !listener.IsKnown(scene.Name, method))
+    {
+      unknown.push_back(method);
+    }
+  }
+  return unknown;
+}
+}
+
+double StabilityCell::WorstError() const
+{
+  return std::max({ this->Error ? this->Error->Max : 0.0, this->Shift.Error, this->Turn.Error });
+}
+
+void MakeQuick(StabilitySettings& settings)
+{
+  settings.Repetitions = 3;
+  settings.Orders = 3;
+  settings.Shifts = 4;
+  settings.Turns = 4;
+  settings.Scenes.erase(std::remove_if(settings.Scenes.begin(), settings.Scenes.end(),
+                          [](const StabilityScene& scene) { return !scene.IsQuick; }),
+    settings.Scenes.end());
+}
+
+Device MeasureStability(const StabilitySettings& settings, const StabilityListener& listener)
+{
+  const Scene nothing;
+  TruthStage single(nothing, settings.Size, 0);
+  TruthStage multisampled(nothing, settings.Size, SamplesOfOthers);
+  single.Draw(vtkNew<vtkCamera>()); // for the device, even if all cells are known
+  std::map<std::string, Windows> windows;
+  for (const StabilityScene& scene : settings.Scenes)
+  {
+    const std::vector<std::string> methods = UnknownMethods(scene, settings, listener);
+    if (methods.empty())
+    {
+      continue;
+    }
+    const auto begins = [&](const std::string& method)
+    {
+      if (listener.Begins)
+      {
+        listener.Begins(scene.Name, method);
+      }
+    };
+    begins("truth");
+    const SceneTruth truth = DrawTruth(scene, settings, single, multisampled);
+    for (const std::string& method : methods)
+    {
+      begins(method);
+      const auto [place, isNew] = windows.try_emplace(method);
+      if (isNew)
+      {
+        place->second = OpenWindows(method, settings);
+      }
+      const StabilityCell cell = CellStudy(truth, place->second, method).Measure();
+      if (listener.Finished)
+      {
+        listener.Finished(cell);
+      }
+    }
+  }
+  return single.GetStage().GetDevice();
+}
+
+}

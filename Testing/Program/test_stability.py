@@ -1,0 +1,108 @@
+"""Methods fail where they are known to fail, in the known way, and nowhere else."""
+
+import json
+import unittest
+
+import stability_figures
+from program import FileTest, run
+
+STEP = 1.0 / 255.0 + 1e-6
+# Approximate methods' figures are the same to the bit on one machine; compilers and drivers round otherwise.
+FIGURES = {"error": 1.0, "worst": 1.0, "wrong": 1.0, "shift": 1.5, "turn": 1.5}
+ROW = ["scene", "method", "width", "height", "outcome", "verdict", "error", "worst_error"]
+ROW += ["repetition_difference", "order_difference", "shift", "turn", "others", "messages"]
+
+
+class KnownFailures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.told = stability_figures.measure()
+        cls.rows = {(row["scene"], row["method"]): row for row in cls.told["results"]}
+
+    def rows_of(self, methods):
+        for (scene, method), row in self.rows.items():
+            if method in methods:
+                with self.subTest(scene=scene, method=method):
+                    yield row
+
+    def test_every_cell_is_there(self):
+        scenes, methods = stability_figures.SCENES, stability_figures.EXACT
+        methods = methods + stability_figures.APPROXIMATE
+        self.assertEqual(set(self.rows), {(s, m) for s in scenes for m in methods})
+        self.assertEqual([scene["name"] for scene in self.told["scenes"]], scenes)
+        for row in self.rows_of(methods):
+            self.assertEqual(list(row), ROW[:6] + ["skipped"] if "skipped" in row else ROW)
+
+    def test_exact_methods_are_exact_everywhere(self):
+        for row in self.rows_of(stability_figures.EXACT):
+            self.assertEqual(row["verdict"], "exact")
+            self.assertLessEqual(row["worst_error"], STEP)
+            self.assertEqual(row["repetition_difference"], 0)
+            self.assertEqual(row["order_difference"], 0)
+            for motion in (row["shift"], row["turn"]):
+                self.assertLessEqual(motion["largest"], motion["truth_largest"] + STEP)
+                self.assertLessEqual(motion["typical"], motion["truth_typical"] + STEP)
+            self.assertEqual(row["messages"], [])
+
+    def test_exact_methods_are_exact_in_windows_of_other_sizes_and_samples(self):
+        for row in self.rows_of(stability_figures.EXACT):
+            names = [other["name"] for other in row["others"]]
+            self.assertEqual(names, ["half", "double", "third", "4-samples"])
+            for other in row["others"]:
+                if "skipped" in other:
+                    self.assertEqual(
+                        (row["method"], other["name"]), ("stencil-routed", "4-samples")
+                    )
+                else:
+                    self.assertLessEqual(other["error"]["max"], STEP, other)
+
+    def test_approximate_methods_fail_in_the_known_way(self):
+        expected = stability_figures.read()
+        for row in self.rows_of(stability_figures.APPROXIMATE):
+            known = expected[row["scene"], row["method"]]
+            now = stability_figures.figures(row)
+            self.assertEqual(now["outcome"], known["outcome"], now)
+            if "skipped" in row:
+                continue
+            for figure, tolerance in FIGURES.items():
+                self.assertAlmostEqual(
+                    float(now[figure]), float(known[figure]), delta=tolerance, msg=figure
+                )
+            for figure in ("repeated", "shuffled"):
+                self.assertEqual(now[figure] == "0", known[figure] == "0", (figure, now))
+
+
+class Stability(FileTest):
+    def test_what_is_not_there_is_refused(self):
+        self.assert_refused(run("stability", "--scenes", "nowhere"), "nowhere", "coincident")
+        self.assert_refused(run("stability", "--methods", "nohow"), "nohow", "linked-list")
+        self.assert_refused(run("stability", "--json", self.folder), self.folder)
+
+    def test_table_tells_verdicts_and_the_worst_scene(self):
+        path = self.folder / "told.json"
+        result = run(
+            *("stability", "--quick", "--scenes", "empty,stack-4-alpha-1", "--json", path),
+            *("--methods", "blend,linked-list"),
+        )
+        self.assert_done(result)
+        for word in (b"Expected: ", b"exact", b"wrong by", b"Worst scene of each method"):
+            self.assertIn(word, result.stdout)
+        told = json.loads(path.read_text())
+        self.assertEqual([row["method"] for row in told["results"]], ["blend", "linked-list"] * 2)
+        self.assertEqual(list(told), ["vitrine", "device", "settings", "scenes", "results"])
+        self.assertTrue(all(told["device"].values()), told["device"])
+
+    def test_a_method_that_cannot_run_says_why(self):
+        result = run(
+            *("stability", "--quick", "--scenes", "empty", "--methods", "linked-list,blend"),
+            *("--json", "-"),
+            MESA_GL_VERSION_OVERRIDE="3.2",
+        )
+        told = json.loads(result.stdout)
+        if "3.2" not in told["device"]["gl"]:
+            self.skipTest("the driver is not Mesa's")
+        self.assertEqual(result.returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
