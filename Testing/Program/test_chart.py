@@ -22,6 +22,7 @@ ERRORS = {
     "flip": lambda row: row["error"]["flip"],
     "wrong_pixels": lambda row: row["error"]["wrong_pixels"],
 }
+OUTCOMES = ("exact", "wrong", "flickers", "order-dependent", "refused")
 
 
 def beats(a, b):
@@ -158,7 +159,26 @@ class Chart(ProgramTest):
         self.assertNotIn("http:", page.replace("http://www.w3.org/2000/svg", ""))
         self.assertNotIn("https:", page)
         self.assertNotIn("@import", page)
-        self.assertEqual(page.count("data:image/png;base64,"), 3 * (len(METHODS) + 1))
+        rows = self.rows + self.document["failures"]
+        named = {row[key] for row in rows for key in ("picture", "truth_picture") if key in row}
+        self.assertEqual(page.count("data:image/png;base64,"), len(named))
+
+    def test_every_cell_of_where_methods_fail_is_there(self):
+        settings = self.document["settings"]["failures"]
+        cells = {(cell["scene"], cell["method"]): cell for cell in self.document["failures"]}
+        self.assertEqual(len(cells), len(self.document["failures"]))
+        names = [scene["name"] for scene in settings["scenes"]]
+        self.assertEqual(set(cells), {(name, method) for name in names for method in METHODS})
+        self.assertTrue(all(scene["expectation"] for scene in settings["scenes"]))
+        for cell in cells.values():
+            self.assertIn(cell["outcome"], OUTCOMES)
+            if cell["outcome"] != "refused":
+                self.assertTrue((self.folder / cell["truth_picture"]).exists())
+                width, height, _ = read_png(self.folder / cell["picture"])
+                self.assertEqual((width, height), (cell["width"], cell["height"]))
+        outcomes = [cells[name, "linked-list"]["outcome"] for name in names]
+        self.assertIn("exact", outcomes)
+        self.assertIn("wrong", [cells[name, "vtk-oit"]["outcome"] for name in names])
 
 
 class ChartOfOwnScene(FileTest):
@@ -235,6 +255,20 @@ class Refusals(FileTest):
         process = start_chart(self.folder)
         self.assertIn(b"with another version; starting afresh", process.stderr.readline())
         stop_when(process, lambda: True, signal.SIGKILL)
+
+    def test_damaged_rows_are_told(self):
+        folder = self.folder / "chart"
+        process = start_chart(folder)
+        stop_when(process, lambda: results_there(folder), signal.SIGKILL)
+        document = read_document(folder)
+        for change in ({"part": 3}, {"frame_ms": {}}, {"picture": ["a"]}):
+            with self.subTest(change=change):
+                rows = [{**document["results"][0], **change}]
+                text = json.dumps({**document, "results": rows})
+                (folder / "chart.json").write_text(text)
+                self.assert_refused(chart(folder), folder / "chart.json", "damaged")
+        (folder / "chart.json").write_text(json.dumps({**document, "results": [7]}))
+        self.assert_refused(chart(folder), folder / "chart.json", "damaged")
 
     def test_what_cannot_be_read_is_told_before_anything_is_measured(self):
         path = self.write("empty.stl", b"")

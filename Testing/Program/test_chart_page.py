@@ -172,6 +172,17 @@ class ChartPage(unittest.TestCase):
                 if line["fit"]:
                     self.assertIn(f"{line['fit']['exponent']:.2f}", table.text)
 
+    def test_every_cell_shows_how_its_method_fails(self):
+        cells = self.document["failures"]
+        buttons = self.find_all("#cells button")
+        self.assertEqual(len(buttons), len(cells))
+        labels = {button.get_attribute("aria-label"): button for button in buttons}
+        for cell in (cells[0], cells[-1]):
+            name = f"{cell['method']} on {cell['scene']}"
+            labels[f"{name}: {cell['verdict']}"].click()
+            self.assertIn(name, self.find("#cell h3").text)
+            self.assertIn(cell["verdict"], self.find("#cell dl").text)
+
 
 class ChartPageLooks(unittest.TestCase):
     """At other widths and in the dark."""

@@ -1,7 +1,8 @@
 #include "chart/ChartPlan.h"
 
+#include "chart/MethodFamily.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace program
 {
@@ -30,15 +31,15 @@ const char* const OneOfEachFamily =
 
 Extent QuickExtent()
 {
-  return { { "demo:stack,layers=16,alpha=0.3", "demo:spheres,layers=32",
-             "demo:assembly,parts=300" },
-    { 192, 192 }, 3, { 1, 4, 16, 64, 256 }, 48, { 0.25, 0.5, 1.0, 2.0 }, 128, { 32, 64, 128, 256 },
-    300.0 };
+  return { { "demo:assembly,parts=100", "demo:spheres,layers=16",
+             "demo:stack,layers=16,alpha=0.3" },
+    { 160, 160 }, 2, { 1, 4, 16, 64, 256 }, 48, { 0.25, 0.5, 1.0, 2.0 }, 96, { 32, 64, 128, 192 },
+    150.0 };
 }
 
 Extent FullExtent()
 {
-  return { { "demo:stack,layers=64,alpha=0.2", "demo:spheres,layers=64", "demo:assembly,parts=2000",
+  return { { "demo:assembly,parts=2000", "demo:spheres,layers=64", "demo:stack,layers=64,alpha=0.2",
              "demo:paper-masks", "demo:paper-lists" },
     { 512, 512 }, 9, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192,
     { 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
@@ -53,11 +54,9 @@ void AddScenes(ChartPlan& plan, const std::vector<std::string>& inputs, PictureS
 }
 
 /** What grows, each from the least to the most. */
-void AddGrowth(ChartPlan& plan, const Extent& extent, int largestSide)
+void AddGrowth(ChartPlan& plan, const Extent& extent)
 {
-  const auto square = [largestSide](int side) {
-    return PictureSize{ std::min(side, largestSide), std::min(side, largestSide) };
-  };
+  const auto square = [](int side) { return PictureSize{ side, side }; };
   for (const int layers : extent.Layers)
   {
     plan.Steps.push_back({ "layers", "demo:stack,layers=" + std::to_string(layers) + ",alpha=0.2",
@@ -69,10 +68,7 @@ void AddGrowth(ChartPlan& plan, const Extent& extent, int largestSide)
   }
   for (const int side : extent.Sides)
   {
-    if (side <= largestSide)
-    {
-      plan.Steps.push_back({ "resolution", FragmentsScene, square(side), 1.0 });
-    }
+    plan.Steps.push_back({ "resolution", FragmentsScene, square(side), 1.0 });
   }
 }
 
@@ -80,6 +76,8 @@ std::vector<std::string> AllMethods()
 {
   std::vector<std::string> methods = ParseMethodList(std::string("all") + SettingsOfFamilies);
   methods.erase(std::remove(methods.begin(), methods.end(), "truth"), methods.end());
+  std::stable_sort(methods.begin(), methods.end(),
+    [](const std::string& a, const std::string& b) { return &FamilyOf(a) < &FamilyOf(b); });
   return methods;
 }
 
@@ -107,12 +105,10 @@ ChartPlan MakeChartPlan(const ChartChoices& choices)
 {
   const Extent extent = choices.IsQuick ? QuickExtent() : FullExtent();
   const PictureSize size = choices.Size.value_or(extent.SceneSize);
-  const int unlimited = std::numeric_limits<int>::max();
-  const int largestSide = choices.Size ? std::max(size.Width, size.Height) : unlimited;
   ChartPlan plan;
   AddScenes(plan, extent.Scenes, size);
   AddScenes(plan, choices.Inputs, size);
-  AddGrowth(plan, extent, largestSide);
+  AddGrowth(plan, extent);
   plan.SceneMethods = choices.Methods ? *choices.Methods : AllMethods();
   plan.GrowthMethods = choices.Methods ? *choices.Methods : FewMethods();
   plan.Failures =

@@ -39,8 +39,7 @@ struct ChartChoices
   bool IsQuick = false;
   std::vector<std::string> Inputs; ///< besides the standard scenes
   std::optional<std::vector<std::string>> Methods;
-  std::optional<PictureSize>
-    Size; ///< of the scenes; what grows has windows of its own, but none larger
+  std::optional<PictureSize> Size; ///< of the scenes; what grows has windows of its own
   std::optional<int> Frames;
 };
 

@@ -38,6 +38,51 @@ std::optional<Json> ReadDocument(const std::string& path)
   return document;
 }
 
+bool HasStrings(const Json& row, const std::vector<std::string>& keys)
+{
+  return row.is_object() &&
+    std::all_of(keys.begin(), keys.end(),
+      [&row](const std::string& key) { return row.contains(key) && row[key].is_string(); });
+}
+
+bool HasNumber(const Json& row, const std::string& pointer)
+{
+  const Json::json_pointer place(pointer);
+  return row.contains(place) && row.at(place).is_number();
+}
+
+bool IsResult(const Json& row)
+{
+  const bool ran = HasNumber(row, "/frame_ms/median");
+  return HasStrings(row, { "part", "scene", "method" }) && HasNumber(row, "/step") &&
+    HasNumber(row, "/width") && HasNumber(row, "/height") &&
+    (ran || HasStrings(row, { "skipped" }));
+}
+
+bool IsCell(const Json& row)
+{
+  return HasStrings(row, { "scene", "method", "outcome", "verdict" });
+}
+
+bool HasNoOtherPictures(const Json& row)
+{
+  const auto isPath = [&row](const char* key)
+  { return !row.contains(key) || row[key].is_string(); };
+  return isPath("picture") && isPath("truth_picture");
+}
+
+/** What anyone can have edited. */
+void CheckRows(const std::string& path, const Json& rows, bool (*isGood)(const Json& row))
+{
+  for (const Json& row : rows)
+  {
+    if (!isGood(row) || !HasNoOtherPictures(row))
+    {
+      throw InputError(path, "has rows that are damaged; remove it to measure afresh");
+    }
+  }
+}
+
 bool HasValues(const Json& row, const Json& values)
 {
   return std::all_of(values.items().begin(), values.items().end(),
@@ -83,6 +128,8 @@ std::string ChartRecord::GoOn()
       (difference == Head[0] ? "version" : difference) + "; starting afresh";
   }
   this->Contents = *before;
+  CheckRows(this->PathOf(DocumentName), this->Rows("results"), IsResult);
+  CheckRows(this->PathOf(DocumentName), this->Rows("failures"), IsCell);
   return this->PathOf(DocumentName) + " has " +
     std::to_string(this->Rows("results").size() + this->Rows("failures").size()) +
     " results already; going on from there";

@@ -26,7 +26,7 @@ public:
 
   /**
    * Take up what stands in the folder if it was measured with the same. Returns what was found, in a sentence; empty if
-   * nothing was.
+   * nothing was. Throws InputError for rows that are not of a chart.
    */
   std::string GoOn();
 

@@ -13,7 +13,7 @@ namespace program
 
 /**
  * Complete chart.json with what follows from the measurements, and write the plots and the page. Returns the page's path. Throws
- * InputError if the record's rows are not what the program writes, or a file cannot be written.
+ * InputError if a file cannot be written, or a picture is missing.
  */
 std::string WriteChart(ChartRecord& record);
 

@@ -143,6 +143,14 @@ Plot ScenePlot(const Json& scene)
   return plot;
 }
 
+/** Room on the right in which there are no points. */
+void ShowLegend(Plot& plot)
+{
+  const double share = 0.5; // of the axis as it is
+  plot.X.High += share * (plot.X.High - plot.X.Low);
+  plot.Legend = PlotCorner::UpperRight;
+}
+
 std::string LineName(const Json& line)
 {
   const std::string method = line["method"];
@@ -175,7 +183,7 @@ Plot GrowthPlot(const Json& growth)
     }
     plot.Series.push_back(series);
   }
-  plot.Legend = PlotCorner::UpperLeft;
+  ShowLegend(plot);
   return plot;
 }
 
@@ -196,7 +204,7 @@ void PlotChart(const ChartRecord& record)
   {
     scenes.push_back(ScenePlot(scene));
   }
-  scenes.front().Legend = PlotCorner::UpperRight;
+  ShowLegend(scenes.front());
   WritePlots(record.PathOf("error.png"), scenes, 3);
   std::vector<Plot> growths;
   for (const Json& growth : record.Rows("growth"))

@@ -98,8 +98,7 @@ void ShowLegend(vtkChartXY* chart, PlotCorner corner)
 {
   chart->SetShowLegend(corner != PlotCorner::None);
   chart->GetLegend()->SetLabelSize(14);
-  chart->GetLegend()->SetHorizontalAlignment(
-    corner == PlotCorner::UpperLeft ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
+  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(
     corner == PlotCorner::LowerRight ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
 }

@@ -49,8 +49,7 @@ enum class PlotCorner
 {
   None,
   LowerRight,
-  UpperRight,
-  UpperLeft
+  UpperRight
 };
 
 struct Plot

@@ -9,7 +9,8 @@ const OUTCOMES = {
 };
 
 function shortVerdict(cell) {
-  return cell.outcome === "wrong" ? `${format(255 * cell.worst_error)}/255` : cell.outcome;
+  const words = { exact: "exact", refused: "refused", flickers: "flickers", "order-dependent": "by order" };
+  return words[cell.outcome] ?? `${format(255 * cell.worst_error)}/255`;
 }
 
 function showCell(cell, scene) {
@@ -38,7 +39,7 @@ function cellButton(cell, scene) {
   const button = html(
     "button",
     { type: "button", class: `cell ${kind}`, "aria-label": `${cell.method} on ${scene.name}: ${cell.verdict}`, onclick: show, onfocus: show },
-    ...(cell.picture ? [html("img", { src: data.pictures[cell.picture], alt: "", loading: "lazy" })] : []),
+    ...(cell.picture ? [html("img", { src: data.pictures[cell.picture], alt: "" })] : []),
     html("span", {}, `${sign} ${shortVerdict(cell)}`)
   );
   return button;

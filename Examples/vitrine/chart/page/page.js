@@ -4,12 +4,27 @@ function showDevice() {
   const { device, vitrine } = chart;
   const facts = { device: device.renderer, OpenGL: device.gl, vendor: device.vendor, version: vitrine };
   byId("device").replaceChildren(
-    ...Object.entries(facts).flatMap(([name, value]) => [html("dt", {}, name), html("dd", {}, value)])
+    ...Object.entries(facts).map(([name, value]) => html("div", {}, html("dt", {}, name), html("dd", {}, value)))
+  );
+}
+
+function showSettings() {
+  const { frames, orbit } = chart.settings;
+  const times = chart.results.find((row) => row.frame_ms)?.frame_ms.frames ?? frames;
+  byId("measured").replaceChildren(
+    html(
+      "p",
+      {},
+      `Frame time is the median of ${times} whole frames, finished on the device, while the camera goes round by ${orbit} degrees; the
+      methods take turns frame by frame. An error is the worse of the first and the last frame; pictures show the first. Memory is what a
+      method holds for the frame.`
+    )
   );
 }
 
 function start() {
   showDevice();
+  showSettings();
   startScenes();
   byId("growth").hidden = chart.growth.length === 0;
   drawGrowths();
