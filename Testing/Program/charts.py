@@ -1,7 +1,12 @@
 """Charts of small windows, for tests."""
 
+import functools
 import json
+import pathlib
+import signal
 import subprocess
+import tempfile
+import types
 
 from program import PROGRAM, TIMEOUT, environment_without_display, run
 
@@ -42,4 +47,24 @@ def start_chart(folder):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env=environment_without_display(),
+    )
+
+
+@functools.cache
+def resumed_chart():
+    """
+    A chart that was stopped on its way and gone on with, one for all tests of a process: its folder, what was there when it was
+    stopped (files, document), and how both runs ended.
+    """
+    scratch = tempfile.TemporaryDirectory()
+    folder = pathlib.Path(scratch.name) / "chart"
+    process = start_chart(folder)
+    stop_when(process, lambda: results_there(folder), signal.SIGINT)
+    return types.SimpleNamespace(
+        scratch=scratch,  # is removed when nobody has it any more
+        folder=folder,
+        stopped=process.returncode,
+        before=read_document(folder),
+        files_before=sorted(path.name for path in folder.iterdir()),
+        result=chart(folder),
     )

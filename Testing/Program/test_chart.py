@@ -1,12 +1,19 @@
 import json
 import math
 import os
-import pathlib
 import signal
-import tempfile
 import unittest
 
-from charts import METHODS, SMALL, chart, read_document, results_there, start_chart, stop_when
+from charts import (
+    METHODS,
+    SMALL,
+    chart,
+    read_document,
+    results_there,
+    resumed_chart,
+    start_chart,
+    stop_when,
+)
 from program import FileTest, ProgramTest, read_png, run
 
 COSTS = {
@@ -30,33 +37,25 @@ def beats(a, b):
 
 
 class Chart(ProgramTest):
-    """One chart, stopped on its way and gone on with, for all tests."""
-
     @classmethod
     def setUpClass(cls):
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.folder = pathlib.Path(scratch.name) / "chart"
-        process = start_chart(cls.folder)
-        stop_when(process, lambda: results_there(cls.folder), signal.SIGINT)
-        cls.stopped = process.returncode
-        cls.before = read_document(cls.folder)
-        cls.files_before = sorted(path.name for path in cls.folder.iterdir())
-        cls.result = chart(cls.folder)
+        cls.resumed = resumed_chart()
+        cls.folder = cls.resumed.folder
+        cls.before = cls.resumed.before
         cls.document = read_document(cls.folder)
         cls.rows = cls.document["results"]
 
     def test_a_stopped_run_leaves_whole_files_only(self):
-        self.assertNotEqual(self.stopped, 0)
-        self.assertEqual(self.files_before, ["chart.json", "pictures"])
+        self.assertNotEqual(self.resumed.stopped, 0)
+        self.assertEqual(self.resumed.files_before, ["chart.json", "pictures"])
         self.assertTrue(0 < len(self.before["results"]) < len(self.rows))
 
     def test_a_run_goes_on_where_it_was_stopped(self):
-        self.assertEqual(self.result.returncode, 0)
-        said = self.result.stderr.decode()
+        said = self.resumed.result.stderr.decode()
+        self.assertEqual(self.resumed.result.returncode, 0, said)
         self.assertIn(f"has {len(self.before['results'])} results already; going on", said)
         for row in self.before["results"]:
-            self.assertIn(row, [{key: now[key] for key in row} for now in self.rows])
+            self.assertIn(row, [{key: later.get(key) for key in row} for later in self.rows])
         places = [(row["part"], row["step"], row["method"]) for row in self.rows]
         self.assertEqual(len(places), len(set(places)))
 
@@ -66,7 +65,9 @@ class Chart(ProgramTest):
         self.assertEqual(read_document(self.folder), self.document)
 
     def test_all_files_are_there(self):
-        self.assertEqual(self.result.stdout.decode().strip(), str(self.folder / "index.html"))
+        self.assertEqual(
+            self.resumed.result.stdout.decode().strip(), str(self.folder / "index.html")
+        )
         files = sorted(path.name for path in self.folder.iterdir())
         self.assertEqual(files, ["chart.json", "error.png", "growth.png", "index.html", "pictures"])
         self.assertEqual(read_png(self.folder / "error.png")[:2], (1920, 480))

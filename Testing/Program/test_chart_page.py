@@ -5,30 +5,20 @@ The chart's page in a browser. Where VITRINE_SCREENSHOTS names a folder, picture
 import base64
 import os
 import pathlib
-import tempfile
 import unittest
 
 from browser import open_browser, open_page, whole_page_png
-from charts import METHODS, chart, read_document
+from charts import METHODS, read_document, resumed_chart
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
 
-def setUpModule():
-    """One chart for all tests."""
-    scratch = tempfile.TemporaryDirectory()
-    unittest.addModuleCleanup(scratch.cleanup)
-    result = chart(pathlib.Path(scratch.name) / "chart")
-    if result.returncode != 0:
-        raise AssertionError(result.stderr.decode())
-    ChartPage.folder = ChartPageLooks.folder = pathlib.Path(scratch.name) / "chart"
-
-
 class ChartPage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        cls.folder = resumed_chart().folder
         cls.document = read_document(cls.folder)
         cls.scene = cls.document["scenes"][1]
         cls.browser = open_browser()
@@ -190,7 +180,7 @@ class ChartPageLooks(unittest.TestCase):
     def look(self, name, **window):
         browser = open_browser(**window)
         self.addCleanup(browser.quit)
-        open_page(browser, self.folder / "index.html")
+        open_page(browser, resumed_chart().folder / "index.html")
         if "VITRINE_SCREENSHOTS" in os.environ:
             target = pathlib.Path(os.environ["VITRINE_SCREENSHOTS"]) / f"chart-{name}.png"
             target.write_bytes(base64.b64decode(whole_page_png(browser)))

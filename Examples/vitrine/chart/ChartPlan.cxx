@@ -89,7 +89,10 @@ StabilitySettings PlanFailures(bool isQuick, const std::vector<std::string>& met
   if (isQuick)
   {
     MakeQuick(failures);
+    failures.Repetitions = 2;
+    failures.Orders = 2;
     failures.WithOtherWindows = false;
+    failures.Size = { 48, 48 };
   }
   return failures;
 }
