@@ -92,6 +92,24 @@ void CheckWritable(const std::string& path)
   }
 }
 
+void MakeFolder(const std::string& path)
+{
+  std::error_code error;
+  if (path.empty())
+  {
+    throw InputError("the name of a folder to write", "is empty");
+  }
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+  {
+    throw InputError(path, "is not a folder");
+  }
+  fs::create_directory(path, error);
+  if (error)
+  {
+    throw InputError(path, "cannot be made: " + error.message());
+  }
+}
+
 void WriteWholeFile(const std::string& path, std::string_view bytes)
 {
   CheckWritable(path);

@@ -24,11 +24,16 @@ Progress::~Progress()
   }
 }
 
+void Progress::SetTask(const std::string& task)
+{
+  this->Task = task;
+}
+
 void Progress::Show(const std::string& text)
 {
   if (this->IsShown)
   {
-    std::cerr << WipeLine << text << std::flush;
+    std::cerr << WipeLine << this->Task << text << std::flush;
   }
 }
 

@@ -16,11 +16,15 @@ public:
   Progress();
   ~Progress();
 
+  /** Put `task` before all lines from now on: of what the work that shows them is a part. */
+  void SetTask(const std::string& task);
+
   /** Replace the line. */
   void Show(const std::string& text);
 
 private:
   bool IsShown;
+  std::string Task;
 };
 
 }

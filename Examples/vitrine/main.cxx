@@ -44,6 +44,7 @@ int Run(int argc, char* argv[])
     program::DescribeDemoScenes());
   program::AddRenderCommand(app);
   program::AddCompareCommand(app);
+  program::AddChartCommand(app);
   program::AddInfoCommand(app);
   program::AddPaperCommand(app);
   program::AddSortsCommand(app);

@@ -14,16 +14,21 @@ PROGRAM = os.environ["VITRINE_PROGRAM"]
 TIMEOUT = 600  # seconds; for hangs only
 
 
-def run(*arguments, stdout=subprocess.PIPE, **environment):
-    """Run the program with no display; environment variables may be added, or removed by None."""
+def environment_without_display(**changes):
+    """Environment variables; some may be added."""
     variables = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-    variables.update({key: value for key, value in environment.items() if value is not None})
+    variables.update({key: value for key, value in changes.items() if value is not None})
+    return variables
+
+
+def run(*arguments, stdout=subprocess.PIPE, **environment):
+    """Run the program with no display; environment variables may be added."""
     return subprocess.run(
         [PROGRAM, *map(str, arguments)],
         stdin=subprocess.DEVNULL,
         stdout=stdout,
         stderr=subprocess.PIPE,
-        env=variables,
+        env=environment_without_display(**environment),
         timeout=TIMEOUT,
         check=False,
     )

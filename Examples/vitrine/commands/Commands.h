@@ -16,6 +16,9 @@ void AddRenderCommand(CLI::App& app);
 /** `vitrine compare`: methods side by side, speed and error. */
 void AddCompareCommand(CLI::App& app);
 
+/** `vitrine chart`: a page on speed against error, to look at and to keep. */
+void AddChartCommand(CLI::App& app);
+
 /** `vitrine info`: what is in a scene, and what is not shown of it. */
 void AddInfoCommand(CLI::App& app);
 

@@ -1,9 +1,12 @@
 #include "commands/Commands.h"
 
+#include "chart/ChartMeasurement.h"
+#include "chart/ChartRecord.h"
 #include "commands/Comparison.h"
 #include "commands/Options.h"
+#include "report/ChartFiles.h"
+#include "report/ComparisonJson.h"
 #include "report/ComparisonReport.h"
-#include "scene/Viewpoint.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -22,7 +25,15 @@ struct CompareOptions
   double Orbit = 30.0;
   std::optional<std::string> Coincidence;
   std::optional<std::string> Json;
+  std::optional<std::string> Chart;
 };
+
+ChartRecord BeginChart(const std::string& folder, const ComparisonSettings& settings)
+{
+  program::Json head = MeasurementHead(FindDevice());
+  head["settings"] = ToJson(settings);
+  return { folder, head };
+}
 
 void Compare(const CompareOptions& options)
 {
@@ -38,11 +49,20 @@ void Compare(const CompareOptions& options)
   const Scene scene = LoadScene(options.Scene);
   settings.Opacity = options.Scene.Opacity.value_or(1.0);
   settings.From = ChooseView(options.Scene, scene);
-  const vtkSmartPointer<vtkCamera> start =
-    PlaceCamera(scene, settings.From, settings.Size.Aspect());
   PrintOmissions(scene);
 
-  const ComparisonResult comparison = CompareMethods(scene, start, settings);
+  std::optional<ChartRecord> chart;
+  if (options.Chart)
+  {
+    chart = BeginChart(*options.Chart, settings);
+  }
+  Progress progress;
+  const ComparisonResult comparison = CompareMethods(scene, settings, progress);
+  if (chart)
+  {
+    RecordScene(comparison, 0, *chart);
+    WriteChart(*chart);
+  }
 
   WriteReport(options.Json, ToTable(comparison), ToJson(comparison));
 }
@@ -66,6 +86,10 @@ void AddCompareCommand(CLI::App& app)
     ->capture_default_str();
   AddCoincidenceOption(*command, options->Coincidence);
   AddJsonOption(*command, options->Json);
+  command
+    ->add_option(
+      "--chart", options->Chart, "also write a page, a plot and pictures into the folder DIR")
+    ->type_name("DIR");
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Compare(*options); });
 }

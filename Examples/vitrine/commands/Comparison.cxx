@@ -1,7 +1,6 @@
 #include "commands/Comparison.h"
 
 #include "Median.h"
-#include "Progress.h"
 #include "scene/Viewpoint.h"
 
 #include <algorithm>
@@ -18,7 +17,6 @@ struct Contestant
 {
   MethodResult Result;
   std::unique_ptr<Stage> Window;
-  std::vector<std::uint8_t> FirstPicture;
   std::vector<std::uint8_t> LastPicture;
 };
 
@@ -58,9 +56,9 @@ void DrawFrame(Contestant& contestant, vtkCamera* camera)
   MethodResult& result = contestant.Result;
   result.FrameMilliseconds.push_back(contestant.Window->Draw(camera));
   contestant.LastPicture = contestant.Window->ReadPixels();
-  if (contestant.FirstPicture.empty())
+  if (result.Picture.empty())
   {
-    contestant.FirstPicture = contestant.LastPicture;
+    result.Picture = contestant.LastPicture;
   }
   contestant.Window->Draw(camera);
   if (contestant.Window->ReadPixels() != contestant.LastPicture)
@@ -112,8 +110,9 @@ void FillIn(MethodStatistics& statistics, const MethodStatistics& truth)
   statistics.LayersMean = statistics.LayersMean ? statistics.LayersMean : truth.LayersMean;
 }
 
-void Judge(std::vector<Contestant>& contestants, const Scene& scene, vtkCamera* start,
-  const ComparisonSettings& settings, Progress& progress)
+/** Compare pictures with truth's, and return truth's first; nothing if truth cannot run here. */
+std::vector<std::uint8_t> Judge(std::vector<Contestant>& contestants, const Scene& scene,
+  vtkCamera* start, const ComparisonSettings& settings, Progress& progress)
 {
   progress.Show("drawing truth");
   TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
@@ -128,11 +127,11 @@ void Judge(std::vector<Contestant>& contestants, const Scene& scene, vtkCamera* 
       continue;
     }
     progress.Show("judging " + result.Method);
-    result.Error =
-      Worse(vitrine::CompareImages(ToImage(contestant.FirstPicture, settings.Size), *first),
-        vitrine::CompareImages(ToImage(contestant.LastPicture, settings.Size), *last));
+    result.Error = Worse(vitrine::CompareImages(ToImage(result.Picture, settings.Size), *first),
+      vitrine::CompareImages(ToImage(contestant.LastPicture, settings.Size), *last));
     FillIn(result.Statistics, truth.Statistics());
   }
+  return first ? ToPixels(*first) : std::vector<std::uint8_t>{};
 }
 }
 
@@ -142,9 +141,10 @@ double MethodResult::Median() const
 }
 
 ComparisonResult CompareMethods(
-  const Scene& scene, vtkCamera* start, const ComparisonSettings& settings)
+  const Scene& scene, const ComparisonSettings& settings, Progress& progress)
 {
-  Progress progress;
+  const vtkSmartPointer<vtkCamera> start =
+    PlaceCamera(scene, settings.From, settings.Size.Aspect());
   std::vector<Contestant> contestants = SetUp(scene, settings);
   WarmUp(contestants, start, progress);
   DrawFrames(contestants, start, settings, progress);
@@ -158,7 +158,7 @@ ComparisonResult CompareMethods(
     contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();
     contestant.Window.reset();
   }
-  Judge(contestants, scene, start, settings, progress);
+  comparison.TruthPicture = Judge(contestants, scene, start, settings, progress);
   for (Contestant& contestant : contestants)
   {
     comparison.Results.push_back(std::move(contestant.Result));

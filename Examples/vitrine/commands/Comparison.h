@@ -5,9 +5,11 @@
 #define VITRINE_COMPARISON_H
 
 #include "Core/ImageError.h"
+#include "Progress.h"
 #include "methods/Stage.h"
 #include "scene/Scene.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +37,7 @@ struct MethodResult
   std::vector<double> FrameMilliseconds;
   MethodStatistics Statistics;              ///< of the last frame
   std::optional<vitrine::ImageError> Error; ///< the worse of the first and the last frame
+  std::vector<std::uint8_t> Picture;        ///< the first frame, as Stage::ReadPixels() gives it
   bool IsDeterministic = true;
 
   double Median() const;
@@ -46,14 +49,15 @@ struct ComparisonResult
   ComparisonSettings Settings;
   Device GL;
   std::vector<MethodResult> Results;
+  std::vector<std::uint8_t> TruthPicture; ///< of the first frame; empty if truth cannot run here
 };
 
 /**
- * Draw the scene by every method, taken in turn frame by frame while the camera goes round, and
- * compare the first and the last picture with truth.
+ * Draw the scene by every method, of which there is one at least, taken in turn frame by frame while the camera goes
+ * round, and compare the first and the last picture with truth.
  */
 ComparisonResult CompareMethods(
-  const Scene& scene, vtkCamera* start, const ComparisonSettings& settings);
+  const Scene& scene, const ComparisonSettings& settings, Progress& progress);
 
 }
 #endif

@@ -5,7 +5,6 @@
 #include "commands/PaperTables.h"
 #include "report/PaperReport.h"
 #include "scene/DemoScene.h"
-#include "scene/Viewpoint.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -44,9 +43,8 @@ PaperStep MeasureStep(const PaperTable& table, ComparisonSettings settings, int 
 {
   const Scene scene = MakeDemoScene(table.Scene + ",layers=" + std::to_string(layers));
   settings.From = scene.Placement.DefaultView;
-  const vtkSmartPointer<vtkCamera> start =
-    PlaceCamera(scene, settings.From, settings.Size.Aspect());
-  return { layers, CompareMethods(scene, start, settings) };
+  Progress progress;
+  return { layers, CompareMethods(scene, settings, progress) };
 }
 
 PaperResult MeasureTable(const PaperTable& table, const PaperOptions& options)

@@ -7,7 +7,9 @@
 #include "vtkPropCollection.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace program
 {
@@ -120,6 +122,18 @@ vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size
     image.Rgb.push_back(value / 255.0f);
   }
   return image;
+}
+
+std::vector<std::uint8_t> ToPixels(const vitrine::Image& image)
+{
+  std::vector<std::uint8_t> pixels;
+  pixels.reserve(image.Rgb.size());
+  for (const float value : image.Rgb)
+  {
+    const float shown = std::isnan(value) ? 0.0f : std::clamp(value, 0.0f, 1.0f);
+    pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0f * shown)));
+  }
+  return pixels;
 }
 
 TruthStage::TruthStage(

@@ -79,6 +79,9 @@ private:
 /** An 8-bit picture as numbers in [0, 1]. */
 vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size);
 
+/** A picture as a display shows it, 8-bit RGB, rounded; what is not a number is black. */
+std::vector<std::uint8_t> ToPixels(const vitrine::Image& image);
+
 /** A stage whose method is truth, with its pictures before they are rounded. */
 class TruthStage
 {

@@ -3,9 +3,7 @@
 namespace program
 {
 
-namespace
-{
-Json SettingsJson(const ComparisonSettings& settings)
+Json ToJson(const ComparisonSettings& settings)
 {
   Json json = { { "opacity", settings.Opacity },
     { "view", { settings.From.Azimuth, settings.From.Elevation, settings.From.Zoom } },
@@ -16,7 +14,6 @@ Json SettingsJson(const ComparisonSettings& settings)
     json["coincidence"] = { tolerance.Steps, tolerance.Slope };
   }
   return json;
-}
 }
 
 Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
@@ -44,7 +41,7 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
 std::string ToJsonDocument(const ComparisonResult& comparison, const Json& rows)
 {
   Json document = MeasurementHead(comparison.GL);
-  document["settings"] = SettingsJson(comparison.Settings);
+  document["settings"] = ToJson(comparison.Settings);
   document["results"] = rows;
   return JsonText(document);
 }

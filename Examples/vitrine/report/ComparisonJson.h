@@ -12,6 +12,9 @@
 namespace program
 {
 
+/** {"opacity", "view", "orbit", "multisamples"}. */
+Json ToJson(const ComparisonSettings& settings);
+
 /** One method's row; {"scene", "method", "width", "height", "skipped"} if it could not run. */
 Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result);
 

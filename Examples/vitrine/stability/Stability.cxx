@@ -6,7 +6,6 @@
 #include "stability/Verdict.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -42,19 +41,6 @@ std::int64_t CountDifferences(const Pixels& a, const Pixels& b)
     count += a[i] != b[i];
   }
   return count;
-}
-
-/** As a display shows it; what is not a number is black. */
-Pixels Rounded(const vitrine::Image& picture)
-{
-  Pixels pixels;
-  pixels.reserve(picture.Rgb.size());
-  for (const float value : picture.Rgb)
-  {
-    const float shown = std::isnan(value) ? 0.0f : std::clamp(value, 0.0f, 1.0f);
-    pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0f * shown)));
-  }
-  return pixels;
 }
 
 /** Measures one cell. */
@@ -103,7 +89,7 @@ private:
   void CompareWithTruth()
   {
     const vitrine::Image& truth = this->Truth.ShiftPictures.front();
-    this->Cell.TruthPicture = Rounded(truth);
+    this->Cell.TruthPicture = ToPixels(truth);
     this->Cell.Error = vitrine::CompareImages(ToImage(this->Cell.Picture, this->Truth.Size), truth);
   }
 

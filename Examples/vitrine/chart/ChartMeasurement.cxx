@@ -1,0 +1,261 @@
+#include "chart/ChartMeasurement.h"
+
+#include "commands/Options.h"
+#include "report/ComparisonJson.h"
+#include "report/StabilityReport.h"
+#include "report/TextTable.h"
+#include "scene/DemoScene.h"
+#include "scene/Viewpoint.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace program
+{
+
+namespace
+{
+const double OrbitDegrees = 30.0;
+
+/** What tells whether an input is what it was. */
+Json StepJson(const ChartStep& step)
+{
+  Json input = { { "part", step.Part }, { "scene", step.Input }, { "width", step.Size.Width },
+    { "height", step.Size.Height }, { "zoom", step.Zoom } };
+  if (!IsDemoScene(step.Input))
+  {
+    std::error_code error;
+    input["bytes"] = std::filesystem::file_size(step.Input, error);
+    input["modified"] =
+      std::filesystem::last_write_time(step.Input, error).time_since_epoch().count();
+  }
+  return input;
+}
+
+Json FailuresJson(const StabilitySettings& settings)
+{
+  Json scenes = Json::array();
+  for (const StabilityScene& scene : settings.Scenes)
+  {
+    scenes.push_back(
+      { { "name", scene.Name }, { "input", scene.Input }, { "expectation", scene.Expectation } });
+  }
+  return { { "methods", settings.Methods }, { "width", settings.Size.Width },
+    { "height", settings.Size.Height }, { "repetitions", settings.Repetitions },
+    { "orders", settings.Orders }, { "shifts", settings.Shifts }, { "turns", settings.Turns },
+    { "other_windows", settings.WithOtherWindows }, { "scenes", scenes } };
+}
+
+Json Key(const std::string& part, int number)
+{
+  return { { "part", part }, { "step", number } };
+}
+
+/** A row of `compare` that knows its place in the chart. */
+Json PlaceRow(const ComparisonResult& comparison, const MethodResult& result,
+  const std::string& part, int number)
+{
+  Json row = Key(part, number);
+  row.update(ToJsonRow(comparison, result));
+  return row;
+}
+
+/** Why `method` is left out after the step that `before` is the key of: it took too long there, or was left out. */
+std::string WhyLeftOut(
+  const ChartRecord& record, const Json& before, const std::string& method, double slowest)
+{
+  for (const Json& row : record.Rows("results"))
+  {
+    if (row["part"] != before["part"] || row["step"] != before["step"] || row["method"] != method)
+    {
+      continue;
+    }
+    if (row.contains("skipped"))
+    {
+      return row["skipped"];
+    }
+    const double milliseconds = row["frame_ms"]["median"];
+    return milliseconds <= slowest
+      ? ""
+      : FormatCell("one frame of the step before took %.1f s", milliseconds / 1000.0);
+  }
+  return "";
+}
+
+/** Those of `methods` that are left out, each with its reason. */
+std::vector<MethodResult> LeaveOut(const std::vector<std::string>& methods, const ChartPlan& plan,
+  const std::string& part, int number, const ChartRecord& record)
+{
+  std::vector<MethodResult> leftOut;
+  for (const std::string& method : methods)
+  {
+    MethodResult result;
+    result.Method = method;
+    result.Skipped = WhyLeftOut(record, Key(part, number - 1), method, plan.SlowestFrame);
+    if (!result.Skipped.empty())
+    {
+      leftOut.push_back(result);
+    }
+  }
+  return leftOut;
+}
+
+Scene LoadInput(const std::string& input)
+{
+  SceneOptions options;
+  options.Inputs = { input };
+  return LoadScene(options);
+}
+
+ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, const Scene& scene)
+{
+  ComparisonSettings settings;
+  settings.Methods = step.Part == "scenes" ? plan.SceneMethods : plan.GrowthMethods;
+  settings.Size = step.Size;
+  settings.Frames = plan.Frames;
+  settings.Orbit = OrbitDegrees;
+  settings.From = scene.Placement.DefaultView;
+  settings.From.Zoom *= step.Zoom;
+  return settings;
+}
+
+void RecordGrowth(
+  const ComparisonResult& comparison, const std::string& part, int number, ChartRecord& record)
+{
+  Json rows = Json::array();
+  for (const MethodResult& result : comparison.Results)
+  {
+    rows.push_back(PlaceRow(comparison, result, part, number));
+  }
+  record.Add("results", rows);
+}
+
+void MeasureScene(
+  const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
+{
+  const Scene scene = LoadInput(step.Input);
+  PrintOmissions(scene);
+  RecordScene(CompareMethods(scene, MakeSettings(plan, step, scene), progress), number, record);
+}
+
+void MeasureGrowth(
+  const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
+{
+  const Scene scene = LoadInput(step.Input);
+  ComparisonSettings settings = MakeSettings(plan, step, scene);
+  const std::vector<MethodResult> leftOut =
+    LeaveOut(settings.Methods, plan, step.Part, number, record);
+  for (const MethodResult& result : leftOut)
+  {
+    settings.Methods.erase(
+      std::remove(settings.Methods.begin(), settings.Methods.end(), result.Method),
+      settings.Methods.end());
+  }
+  ComparisonResult comparison;
+  comparison.Scene = scene.Name;
+  comparison.Settings = settings;
+  if (!settings.Methods.empty())
+  {
+    comparison = CompareMethods(scene, settings, progress);
+  }
+  comparison.Results.insert(comparison.Results.end(), leftOut.begin(), leftOut.end());
+  RecordGrowth(comparison, step.Part, number, record);
+}
+
+void RecordCell(const StabilityCell& cell, ChartRecord& record)
+{
+  Json row = ToJsonRow(cell);
+  const std::string prefix = "failure-" + cell.Scene + "-";
+  if (cell.Skipped.empty())
+  {
+    row["picture"] = record.AddPicture(prefix + cell.Method, cell.Picture, cell.Size);
+    row["truth_picture"] = record.AddPicture(prefix + "truth", cell.TruthPicture, cell.Size);
+  }
+  record.Add("failures", Json::array({ row }));
+}
+
+void MeasureFailures(const StabilitySettings& settings, ChartRecord& record, Progress& progress)
+{
+  const std::string count = std::to_string(settings.Scenes.size() * settings.Methods.size());
+  StabilityListener listener;
+  listener.IsKnown = [&record](const std::string& scene, const std::string& method) {
+    return record.Has("failures", { { "scene", scene }, { "method", method } });
+  };
+  listener.Begins = [&](const std::string& scene, const std::string& method)
+  {
+    progress.SetTask(
+      "failures, " + std::to_string(record.Rows("failures").size()) + " of " + count + ": ");
+    progress.Show(scene + ", " + method);
+  };
+  listener.Finished = [&record](const StabilityCell& cell) { RecordCell(cell, record); };
+  MeasureStability(settings, listener);
+}
+}
+
+Device FindDevice()
+{
+  const Scene scene = LoadInput("demo:stack,layers=1");
+  Stage stage(scene, MakeMethod("blend"), { 8, 8 }, 0);
+  stage.Draw(PlaceCamera(scene, {}, 1.0));
+  return stage.GetDevice();
+}
+
+Json ChartHead(const ChartPlan& plan, const Device& device)
+{
+  Json head = MeasurementHead(device);
+  Json steps = Json::array();
+  for (const ChartStep& step : plan.Steps)
+  {
+    steps.push_back(StepJson(step));
+  }
+  head["settings"] = { { "frames", plan.Frames }, { "orbit", OrbitDegrees },
+    { "slowest_frame_ms", plan.SlowestFrame }, { "scene_methods", plan.SceneMethods },
+    { "growth_methods", plan.GrowthMethods }, { "steps", steps },
+    { "failures", FailuresJson(plan.Failures) } };
+  return head;
+}
+
+void MeasureChart(const ChartPlan& plan, ChartRecord& record, Progress& progress)
+{
+  std::map<std::string, int> numbers;
+  for (std::size_t i = 0; i < plan.Steps.size(); ++i)
+  {
+    const ChartStep& step = plan.Steps[i];
+    const int number = numbers[step.Part]++;
+    if (record.Has("results", Key(step.Part, number)))
+    {
+      continue;
+    }
+    progress.SetTask(std::to_string(i + 1) + " of " + std::to_string(plan.Steps.size()) + ", " +
+      step.Input + ": ");
+    (step.Part == "scenes" ? MeasureScene : MeasureGrowth)(plan, step, number, record, progress);
+  }
+  MeasureFailures(plan.Failures, record, progress);
+}
+
+void RecordScene(const ComparisonResult& comparison, int number, ChartRecord& record)
+{
+  const PictureSize size = comparison.Settings.Size;
+  const std::string prefix = "scene-" + std::to_string(number + 1) + "-";
+  const std::string truth = comparison.TruthPicture.empty()
+    ? ""
+    : record.AddPicture(prefix + "truth", comparison.TruthPicture, size);
+  Json rows = Json::array();
+  for (const MethodResult& result : comparison.Results)
+  {
+    Json row = PlaceRow(comparison, result, "scenes", number);
+    if (result.Skipped.empty())
+    {
+      row["picture"] = record.AddPicture(prefix + result.Method, result.Picture, size);
+    }
+    if (!truth.empty())
+    {
+      row["truth_picture"] = truth;
+    }
+    rows.push_back(row);
+  }
+  record.Add("results", rows);
+}
+
+}

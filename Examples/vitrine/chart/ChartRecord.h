@@ -1,0 +1,62 @@
+/**
+ * The measurements of a chart as they stand in a folder, so that a run can be stopped and go on: chart.json and the pictures
+ * that it names.
+ */
+#ifndef VITRINE_CHART_RECORD_H
+#define VITRINE_CHART_RECORD_H
+
+#include "methods/Stage.h"
+#include "report/Json.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+class ChartRecord
+{
+public:
+  /**
+   * Begin anew; `head` holds what all of it is measured with ({"vitrine", "device", "settings"}). The folder is made if it is not
+   * there. Throws InputError if it cannot be, may not be written to, or holds a chart.json of something else.
+   */
+  ChartRecord(const std::string& folder, const Json& head);
+
+  /**
+   * Take up what stands in the folder if it was measured with the same. Returns what was found, in a sentence; empty if
+   * nothing was. Throws InputError for rows that are not of a chart.
+   */
+  std::string GoOn();
+
+  /** Whether the list `list` has rows with these values. */
+  bool Has(const std::string& list, const Json& values) const;
+
+  /** Rows of a list; none if there is no such list. */
+  const Json& Rows(const std::string& list) const;
+
+  /** Add rows to a list and write chart.json: all of them or none are there. */
+  void Add(const std::string& list, const Json& rows);
+
+  /** Set what follows from the rows, and write chart.json. */
+  void Set(const std::string& key, const Json& value);
+
+  /** Write 8-bit RGB, rows from the bottom, as a PNG. Returns its path in the folder. */
+  std::string AddPicture(
+    const std::string& name, const std::vector<std::uint8_t>& pixels, PictureSize size);
+
+  /** The path of a file in the folder. */
+  std::string PathOf(const std::string& file) const;
+
+  const Json& Document() const { return this->Contents; }
+
+private:
+  void Save() const;
+
+  std::string Folder;
+  Json Contents;
+};
+
+}
+#endif

@@ -1,0 +1,34 @@
+#include "chart/MethodFamily.h"
+
+namespace program
+{
+
+const std::vector<MethodFamily>& MethodFamilies()
+{
+  // The colours of M. Okabe and K. Ito, which the colour-blind tell apart, and grey.
+  static const std::vector<MethodFamily> families = {
+    { "blend", { { 128, 128, 128 } }, "cross" },
+    { "vtk-oit", { { 213, 94, 0 } }, "triangle" },
+    { "vtk-peeling", { { 230, 159, 0 } }, "square" },
+    { "linked-list", { { 0, 114, 178 } }, "circle" },
+    { "prefix-sum", { { 86, 180, 233 } }, "diamond" },
+    { "stencil-mask", { { 0, 158, 115 } }, "triangle-down" },
+    { "stencil-routed", { { 204, 121, 167 } }, "plus" },
+    { "other", { { 96, 96, 96 } }, "square" },
+  };
+  return families;
+}
+
+const MethodFamily& FamilyOf(const std::string& method)
+{
+  for (const MethodFamily& family : MethodFamilies())
+  {
+    if (method.compare(0, family.Name.size(), family.Name) == 0)
+    {
+      return family;
+    }
+  }
+  return MethodFamilies().back();
+}
+
+}

@@ -1,0 +1,103 @@
+#include "Errors.h"
+#include "chart/ChartMeasurement.h"
+#include "commands/Commands.h"
+#include "commands/Options.h"
+#include "report/ChartFiles.h"
+
+#include "vtkHeadlessRenderWindow.h"
+
+#include <iostream>
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+struct ChartOptions
+{
+  std::vector<std::string> Inputs;
+  std::string Out = "chart";
+  bool IsQuick = false;
+  std::optional<std::string> Methods;
+  std::optional<std::string> Size;
+  std::optional<int> Frames;
+};
+
+/** Reads what is given once, so that what cannot be read is told before anything is measured. */
+void CheckInputs(const std::vector<std::string>& inputs)
+{
+  for (const std::string& input : inputs)
+  {
+    SceneOptions options;
+    options.Inputs = { input };
+    LoadScene(options);
+  }
+}
+
+ChartPlan MakePlan(const ChartOptions& options)
+{
+  ChartChoices choices;
+  choices.IsQuick = options.IsQuick;
+  choices.Inputs = options.Inputs;
+  choices.Frames = options.Frames;
+  if (options.Methods)
+  {
+    choices.Methods = ParseMethodList(*options.Methods);
+  }
+  if (options.Size)
+  {
+    choices.Size = ParseSize(*options.Size);
+  }
+  return MakeChartPlan(choices);
+}
+
+void PrintNote(const std::string& note)
+{
+  if (!note.empty())
+  {
+    std::cerr << "vitrine: note: " << note << "\n";
+  }
+}
+
+void Chart(const ChartOptions& options)
+{
+  vtkHeadlessRenderWindow::InstallOverride();
+  const ChartPlan plan = MakePlan(options);
+  CheckInputs(options.Inputs);
+  ChartRecord record(options.Out, ChartHead(plan, FindDevice()));
+  PrintNote(record.GoOn());
+  {
+    Progress progress;
+    MeasureChart(plan, record, progress);
+  }
+  std::cout << WriteChart(record) << "\n";
+}
+}
+
+void AddChartCommand(CLI::App& app)
+{
+  auto options = std::make_shared<ChartOptions>();
+  CLI::App* command = app.add_subcommand("chart",
+    "Measure every method on the standard scenes and on what is given; write a page, plots and "
+    "JSON");
+  command->add_option(
+    "INPUT", options->Inputs, "files, or demo:NAME[,key=value...], besides the standard scenes");
+  command->add_option("--out", options->Out, "folder for index.html, *.png and chart.json")
+    ->type_name("DIR")
+    ->capture_default_str();
+  command->add_flag("--quick", options->IsQuick, "smaller scenes and windows: minutes, not hours");
+  command
+    ->add_option("--methods", options->Methods, "methods by name, and the groups exact and all")
+    ->type_name("M,M,...");
+  command->add_option("--size", options->Size, "width and height of the pictures in pixels")
+    ->type_name("WxH");
+  command->add_option("--frames", options->Frames, "timed frames of each method")
+    ->type_name("N")
+    ->check(CLI::Range(1, 100000));
+  command->footer(
+    "A run that was stopped goes on by the same command.\nMethods:\n" + DescribeMethods());
+  command->callback([options] { Chart(*options); });
+}
+
+}

@@ -1,0 +1,21 @@
+/**
+ * A chart as a page for browsers.
+ */
+#ifndef VITRINE_CHART_PAGE_H
+#define VITRINE_CHART_PAGE_H
+
+#include "chart/ChartRecord.h"
+
+#include <string>
+
+namespace program
+{
+
+/**
+ * One HTML file that needs nothing else: style, scripts, the record's document and its pictures are in it. Throws InputError if
+ * a picture that the document names is missing.
+ */
+std::string MakeChartPage(const ChartRecord& record);
+
+}
+#endif

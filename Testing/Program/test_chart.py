@@ -1,0 +1,286 @@
+import json
+import math
+import os
+import signal
+import unittest
+
+from charts import (
+    METHODS,
+    SMALL,
+    chart,
+    read_document,
+    results_there,
+    resumed_chart,
+    start_chart,
+    stop_when,
+)
+from program import FileTest, ProgramTest, read_png, run
+
+COSTS = {
+    "time": lambda row: row["ratio"],
+    "memory": lambda row: row["bytes"],
+    "passes": lambda row: row["geometry_passes"],
+}
+ERRORS = {
+    "max": lambda row: row["error"]["max"],
+    "rmse": lambda row: row["error"]["rmse"],
+    "psnr": lambda row: -row["error"]["psnr"],
+    "ssim": lambda row: -row["error"]["ssim"],
+    "flip": lambda row: row["error"]["flip"],
+    "wrong_pixels": lambda row: row["error"]["wrong_pixels"],
+}
+OUTCOMES = ("exact", "wrong", "flickers", "order-dependent", "refused")
+
+
+def beats(a, b):
+    return a != b and a[0] <= b[0] and a[1] <= b[1]
+
+
+class Chart(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.resumed = resumed_chart()
+        cls.folder = cls.resumed.folder
+        cls.before = cls.resumed.before
+        cls.document = read_document(cls.folder)
+        cls.rows = cls.document["results"]
+
+    def test_a_stopped_run_leaves_whole_files_only(self):
+        self.assertNotEqual(self.resumed.stopped, 0)
+        self.assertEqual(self.resumed.files_before, ["chart.json", "pictures"])
+        self.assertTrue(0 < len(self.before["results"]) < len(self.rows))
+
+    def test_a_run_goes_on_where_it_was_stopped(self):
+        said = self.resumed.result.stderr.decode()
+        self.assertEqual(self.resumed.result.returncode, 0, said)
+        self.assertIn(f"has {len(self.before['results'])} results already; going on", said)
+        for row in self.before["results"]:
+            self.assertIn(row, [{key: later.get(key) for key in row} for later in self.rows])
+        places = [(row["part"], row["step"], row["method"]) for row in self.rows]
+        self.assertEqual(len(places), len(set(places)))
+
+    def test_a_complete_chart_is_not_measured_again(self):
+        again = chart(self.folder)
+        self.assertIn(b"results already", again.stderr)
+        self.assertEqual(read_document(self.folder), self.document)
+
+    def test_all_files_are_there(self):
+        self.assertEqual(
+            self.resumed.result.stdout.decode().strip(), str(self.folder / "index.html")
+        )
+        files = sorted(path.name for path in self.folder.iterdir())
+        self.assertEqual(files, ["chart.json", "error.png", "growth.png", "index.html", "pictures"])
+        self.assertEqual(read_png(self.folder / "error.png")[:2], (1920, 480))
+        self.assertEqual(read_png(self.folder / "growth.png")[:2], (1280, 960))
+
+    def test_json_says_what_was_measured_and_on_what(self):
+        self.assertEqual(self.document["vitrine"], os.environ["VITRINE_VERSION"])
+        self.assertTrue(all(self.document["device"].values()))
+        self.assertEqual(self.document["settings"]["scene_methods"], list(METHODS))
+        steps = self.document["settings"]["steps"]
+        parts = [step["part"] for step in steps]
+        for part in ("scenes", "layers", "fragments", "resolution"):
+            self.assertGreaterEqual(parts.count(part), 1 if part == "resolution" else 3)
+        self.assertEqual(len(self.rows), len(METHODS) * len(steps))
+
+    def test_rows_are_those_of_compare_and_more(self):
+        for row in self.rows:
+            with self.subTest(part=row["part"], step=row["step"], method=row["method"]):
+                for key in ("scene", "width", "height", "frame_ms", "fragments", "bytes", "error"):
+                    self.assertIn(key, row)
+                self.assertTrue(row["method"].startswith(row["family"]))
+                self.assertEqual(row["ratio_to"], "vtk-oit")
+                if row["method"] == "vtk-oit":
+                    self.assertEqual(row["ratio"], 1.0)
+                self.assertEqual("picture" in row, row["part"] == "scenes")
+
+    def test_pictures_are_those_of_the_rows(self):
+        for row in self.rows:
+            for key in ("picture", "truth_picture"):
+                if key in row:
+                    width, height, _ = read_png(self.folder / row[key])
+                    self.assertEqual((width, height), (row["width"], row["height"]))
+        exact = next(row for row in self.rows if row["method"] == "linked-list")
+        difference = self.largest_difference(exact["picture"], exact["truth_picture"])
+        self.assertLessEqual(difference, 1)
+        wrong = next(row for row in self.rows if row["method"] == "blend")
+        difference = self.largest_difference(wrong["picture"], wrong["truth_picture"])
+        # both pictures are rounded, by a half at most; the error is the worse of two frames
+        self.assertLessEqual(difference, 255 * wrong["error"]["max"] + 1)
+        self.assertGreater(difference, 5)
+
+    def largest_difference(self, one, other):
+        rows = [read_png(self.folder / path)[2] for path in (one, other)]
+        return max(abs(a - b) for line in zip(*rows) for a, b in zip(*line))
+
+    def test_fronts_are_what_nobody_beats(self):
+        for scene in self.document["scenes"]:
+            rows = [
+                row for row in self.rows if row["part"] == "scenes" and row["step"] == scene["step"]
+            ]
+            for cost, read_cost in COSTS.items():
+                for error, read_error in ERRORS.items():
+                    with self.subTest(scene=scene["scene"], cost=cost, error=error):
+                        told = [row for row in rows if read_cost(row) is not None]
+                        places = [(read_cost(row), read_error(row)) for row in told]
+                        front = {
+                            row["method"]
+                            for row, place in zip(told, places)
+                            if not any(beats(other, place) for other in places)
+                        }
+                        self.assertEqual(set(scene["fronts"][cost][error]), front)
+
+    def test_growth_is_measured_as_it_grows(self):
+        titles = [growth["title"] for growth in self.document["growth"]]
+        self.assertEqual(
+            titles,
+            [
+                "Time against layers",
+                "Memory against layers",
+                "Time against fragments",
+                "Time against resolution",
+            ],
+        )
+        for growth in self.document["growth"]:
+            for line in growth["lines"]:
+                xs = [point[0] for point in line["points"]]
+                self.assertEqual(xs, sorted(set(xs)), growth["title"])
+
+    def test_memory_of_lists_grows_with_layers(self):
+        growth = self.document["growth"][1]
+        fits = {line["method"]: line["fit"] for line in growth["lines"]}
+        self.assertIsNone(fits["blend"])  # holds nothing: zeros have no logarithm
+        self.assertAlmostEqual(fits["vtk-oit"]["exponent"], 0.0)
+        self.assertTrue(0.8 < fits["linked-list"]["exponent"] < 1.2, fits)
+        self.assertEqual(fits["linked-list"]["to"], 256)
+        self.assertTrue(math.isclose(fits["linked-list"]["from"], 16))
+
+    def test_the_page_needs_nothing_else(self):
+        page = (self.folder / "index.html").read_text()
+        self.assertNotIn("http:", page.replace("http://www.w3.org/2000/svg", ""))
+        self.assertNotIn("https:", page)
+        self.assertNotIn("@import", page)
+        rows = self.rows + self.document["failures"]
+        named = {row[key] for row in rows for key in ("picture", "truth_picture") if key in row}
+        self.assertEqual(page.count("data:image/png;base64,"), len(named))
+
+    def test_every_cell_of_where_methods_fail_is_there(self):
+        settings = self.document["settings"]["failures"]
+        cells = {(cell["scene"], cell["method"]): cell for cell in self.document["failures"]}
+        self.assertEqual(len(cells), len(self.document["failures"]))
+        names = [scene["name"] for scene in settings["scenes"]]
+        self.assertEqual(set(cells), {(name, method) for name in names for method in METHODS})
+        self.assertTrue(all(scene["expectation"] for scene in settings["scenes"]))
+        for cell in cells.values():
+            self.assertIn(cell["outcome"], OUTCOMES)
+            if cell["outcome"] != "refused":
+                self.assertTrue((self.folder / cell["truth_picture"]).exists())
+                width, height, _ = read_png(self.folder / cell["picture"])
+                self.assertEqual((width, height), (cell["width"], cell["height"]))
+        outcomes = [cells[name, "linked-list"]["outcome"] for name in names]
+        self.assertIn("exact", outcomes)
+        self.assertIn("wrong", [cells[name, "vtk-oit"]["outcome"] for name in names])
+
+
+class ChartOfOwnScene(FileTest):
+    SCENE = ("demo:stack,layers=3", "--methods", "linked-list,stencil-routed-32,vtk-oit")
+
+    def compare(self, *arguments):
+        return run("compare", *self.SCENE, "--frames", "1", "--size", "8x8", *arguments)
+
+    def test_compare_writes_a_chart(self):
+        folder = self.folder / "chart"
+        for _ in range(2):  # the second measures anew
+            result = self.compare("--chart", folder, "--json", self.folder / "rows.json")
+            self.assert_done(result)
+            rows = json.loads((self.folder / "rows.json").read_text())["results"]
+            document = read_document(folder)
+            now = [{key: row[key] for key in rows[0] if key in row} for row in document["results"]]
+            self.assertEqual(
+                now, [{key: row[key] for key in rows[0] if key in row} for row in rows]
+            )
+            self.assertEqual(document["growth"], [])
+            self.assertTrue((folder / "index.html").exists())
+            self.assertFalse((folder / "growth.png").exists())
+
+    def test_a_name_that_is_hostile_to_pages_is_text(self):
+        name = "</script><script>alert(1)<!--.stl"
+        name = name.replace("/", "\u2215")
+        triangle = b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        triangle += b"vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
+        path = self.write(name, triangle)
+        folder = self.folder / "chart"
+        result = run("compare", path, "--methods", "blend", "--size", "8x8", "--chart", folder)
+        self.assert_done(result)
+        page = (folder / "index.html").read_text()
+        self.assertNotIn("<script>alert", page)
+        self.assertIn("\\u003cscript>alert(1)\\u003c!--.stl", page)
+
+
+class Refusals(FileTest):
+    def refuse_chart(self, folder, *words):
+        for command in (("chart", *SMALL, "--out"), ("compare", "demo:stack", "--chart")):
+            with self.subTest(command=command[0]):
+                self.assert_refused(run(*command, folder), *words)
+
+    def test_a_folder_must_be_a_folder(self):
+        path = self.write("file", b"")
+        self.refuse_chart(path, path, "is not a folder")
+        self.refuse_chart("", "is empty")
+
+    def test_a_folder_must_lie_in_a_folder(self):
+        path = self.folder / "none" / "chart"
+        self.refuse_chart(path, path, "cannot be made")
+        self.assertFalse(path.parent.exists())
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_a_folder_must_be_writable(self):
+        path = self.folder / "locked"
+        path.mkdir()
+        path.chmod(0o500)
+        self.refuse_chart(path, path, "may not be written to")
+
+    def test_a_file_in_the_way_of_a_picture_is_told(self):
+        path = self.write("pictures", b"")
+        self.refuse_chart(self.folder, path, "is not a folder")
+
+    def test_the_json_of_others_is_left_alone(self):
+        for content in (b"", b"{", b"[]", b'{"vitrine": "0"}', b"null"):
+            path = self.write("chart.json", content)
+            self.refuse_chart(self.folder, path, "is not the chart.json of a chart")
+            self.assertEqual(path.read_bytes(), content)
+
+    def test_another_version_starts_afresh_and_says_so(self):
+        head = {"vitrine": "0.0.0", "device": {}, "settings": {}, "results": []}
+        self.write("chart.json", json.dumps(head).encode())
+        process = start_chart(self.folder)
+        self.assertIn(b"with another version; starting afresh", process.stderr.readline())
+        stop_when(process, lambda: True, signal.SIGKILL)
+
+    def test_damaged_rows_are_told(self):
+        folder = self.folder / "chart"
+        process = start_chart(folder)
+        stop_when(process, lambda: results_there(folder), signal.SIGKILL)
+        document = read_document(folder)
+        for change in ({"part": 3}, {"frame_ms": {}}, {"picture": ["a"]}):
+            with self.subTest(change=change):
+                rows = [{**document["results"][0], **change}]
+                text = json.dumps({**document, "results": rows})
+                (folder / "chart.json").write_text(text)
+                self.assert_refused(chart(folder), folder / "chart.json", "damaged")
+        (folder / "chart.json").write_text(json.dumps({**document, "results": [7]}))
+        self.assert_refused(chart(folder), folder / "chart.json", "damaged")
+
+    def test_what_cannot_be_read_is_told_before_anything_is_measured(self):
+        path = self.write("empty.stl", b"")
+        folder = self.folder / "chart"
+        self.assert_refused(chart(folder, path), path)
+        self.assertFalse(folder.exists())
+
+    def test_methods_must_be_known(self):
+        result = run("chart", "--methods", "magic", "--out", self.folder / "chart")
+        self.assert_refused(result, "magic")
+
+
+if __name__ == "__main__":
+    unittest.main()
