@@ -21,6 +21,7 @@ struct StabilityOptions
   std::string Methods = "all";
   std::vector<std::string> Scenes;
   bool IsQuick = false;
+  std::optional<std::string> Coincidence;
   std::optional<std::string> Json;
 };
 
@@ -57,6 +58,7 @@ StabilitySettings ToSettings(const StabilityOptions& options)
   StabilitySettings settings;
   settings.Methods = ParseMethodList(options.Methods);
   settings.Scenes = StabilityScenes();
+  settings.Tolerance = ParseCoincidence(options.Coincidence);
   if (options.IsQuick)
   {
     MakeQuick(settings);
@@ -110,6 +112,7 @@ void AddStabilityCommand(CLI::App& app)
     ->delimiter(',')
     ->allow_extra_args(false);
   command->add_flag("--quick", options->IsQuick, "fewer scenes, and a few frames of each kind");
+  AddCoincidenceOption(*command, options->Coincidence);
   AddJsonOption(*command, options->Json);
   command->footer("Scenes:\n" + DescribeStabilityScenes() + "Methods:\n" + DescribeMethods());
   command->callback([options] { Stability(*options); });

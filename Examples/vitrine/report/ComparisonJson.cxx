@@ -8,11 +8,7 @@ Json ToJson(const ComparisonSettings& settings)
   Json json = { { "opacity", settings.Opacity },
     { "view", { settings.From.Azimuth, settings.From.Elevation, settings.From.Zoom } },
     { "orbit", settings.Orbit }, { "multisamples", settings.Multisamples } };
-  const Coincidence& tolerance = settings.Tolerance;
-  if (tolerance.Steps > 0.0 || tolerance.Slope > 0.0)
-  {
-    json["coincidence"] = { tolerance.Steps, tolerance.Slope };
-  }
+  AddCoincidence(json, settings.Tolerance);
   return json;
 }
 

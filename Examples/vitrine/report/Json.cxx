@@ -23,6 +23,14 @@ Json ErrorJson(const vitrine::ImageError& error)
     { "ssim", error.Ssim }, { "flip", error.Flip }, { "wrong_pixels", error.WrongPixels } };
 }
 
+void AddCoincidence(Json& settings, const Coincidence& tolerance)
+{
+  if (tolerance.Steps > 0.0 || tolerance.Slope > 0.0)
+  {
+    settings["coincidence"] = { tolerance.Steps, tolerance.Slope };
+  }
+}
+
 Json Spread(const std::vector<double>& milliseconds, const std::string& count)
 {
   const auto [low, high] = std::minmax_element(milliseconds.begin(), milliseconds.end());

@@ -6,6 +6,7 @@
 
 #include "Core/ImageError.h"
 #include "methods/Device.h"
+#include "methods/Method.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,9 @@ Json MeasurementHead(const Device& device);
 
 /** {"max", "rmse", "psnr", "ssim", "flip", "wrong_pixels"}. */
 Json ErrorJson(const vitrine::ImageError& error);
+
+/** Adds "coincidence": [steps, slope] to settings, if there is a tolerance. */
+void AddCoincidence(Json& settings, const Coincidence& tolerance);
 
 /** {"min", "median", "max"} of times, of which there are some, and their number as `count`. */
 Json Spread(const std::vector<double>& milliseconds, const std::string& count);

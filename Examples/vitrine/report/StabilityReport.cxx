@@ -129,8 +129,10 @@ Json OtherJson(const OtherWindow& other)
 
 Json SettingsJson(const StabilitySettings& settings)
 {
-  return { { "repetitions", settings.Repetitions }, { "orders", settings.Orders },
+  Json json = { { "repetitions", settings.Repetitions }, { "orders", settings.Orders },
     { "shifts", settings.Shifts }, { "turns", settings.Turns } };
+  AddCoincidence(json, settings.Tolerance);
+  return json;
 }
 
 Json ScenesJson(const std::vector<StabilityScene>& scenes)

@@ -26,11 +26,15 @@ struct Windows
   std::unique_ptr<Stage> Multisampled;
 };
 
-Windows OpenWindows(const std::string& method, const StabilitySettings& settings)
+Windows OpenWindows(const std::string& name, const StabilitySettings& settings)
 {
-  const Scene nothing;
-  return { std::make_unique<Stage>(nothing, MakeMethod(method), settings.Size, 0),
-    std::make_unique<Stage>(nothing, MakeMethod(method), settings.Size, SamplesOfOthers) };
+  const auto open = [&](int multisamples)
+  {
+    std::unique_ptr<Method> method = MakeMethod(name);
+    method->SetCoincidence(settings.Tolerance);
+    return std::make_unique<Stage>(Scene(), std::move(method), settings.Size, multisamples);
+  };
+  return { open(0), open(SamplesOfOthers) };
 }
 
 std::int64_t CountDifferences(const Pixels& a, const Pixels& b)
@@ -189,8 +193,8 @@ void MakeQuick(StabilitySettings& settings)
 Device MeasureStability(const StabilitySettings& settings, const StabilityListener& listener)
 {
   const Scene nothing;
-  TruthStage single(nothing, settings.Size, 0);
-  TruthStage multisampled(nothing, settings.Size, SamplesOfOthers);
+  TruthStage single(nothing, settings.Size, 0, settings.Tolerance);
+  TruthStage multisampled(nothing, settings.Size, SamplesOfOthers, settings.Tolerance);
   single.Draw(vtkNew<vtkCamera>()); // for the device, even if all cells are known
   std::map<std::string, Windows> windows;
   for (const StabilityScene& scene : settings.Scenes)

@@ -102,6 +102,7 @@ struct StabilitySettings
   std::vector<std::string> Methods;
   std::vector<StabilityScene> Scenes;
   PictureSize Size{ 64, 64 }; ///< of scenes without one of their own
+  Coincidence Tolerance;      ///< of truth, and of methods that have one
   int Repetitions = 100;      ///< frames that must be alike
   int Orders = 24;            ///< shuffled orders of actors
   int Shifts = 100;           ///< steps of 1/100 pixel
