@@ -111,9 +111,9 @@ class Stability(FileTest):
         self.assertEqual(list(told), ["vitrine", "device", "settings", "scenes", "results"])
         self.assertTrue(all(told["device"].values()), told["device"])
 
-    def test_a_method_that_cannot_run_says_why(self):
+    def test_where_truth_cannot_run_rows_say_why(self):
         result = run(
-            *("stability", "--quick", "--scenes", "empty", "--methods", "linked-list,blend"),
+            *("stability", "--quick", "--scenes", "crossing", "--methods", "linked-list,blend"),
             *("--json", "-"),
             MESA_GL_VERSION_OVERRIDE="3.2",
         )
@@ -121,6 +121,9 @@ class Stability(FileTest):
         if "3.2" not in told["device"]["gl"]:
             self.skipTest("the driver is not Mesa's")
         self.assertEqual(result.returncode, 0)
+        self.assertEqual([row["outcome"] for row in told["results"]], ["refused"] * 2)
+        for row in told["results"]:
+            self.assertIn("OpenGL", row["skipped"])
 
 
 if __name__ == "__main__":

@@ -102,6 +102,20 @@ TEST(TruthClosedForm, PlatesInFloat)
   }
 }
 
+TEST(TruthClosedForm, FramesWithoutTranslucentGeometryHaveNoResult)
+{
+  TestScene scene(5, 3);
+  scene.AddPlates(RandomPlates(2, 0.5, 11), 12);
+  vtkNew<vtkTruthTransparencyPass> truth;
+  scene.Use(truth);
+  scene.Render();
+  EXPECT_NE(truth->GetResult(), nullptr);
+  scene.Renderer->RemoveAllViewProps();
+  scene.Render();
+  EXPECT_EQ(truth->GetResult(), nullptr);
+  EXPECT_EQ(truth->GetSampleCount(), 0);
+}
+
 // What is drawn in parts is drawn whole: each pixel once, none left out.
 TEST(TruthClosedForm, MoreFragmentsThanOneBufferHolds)
 {

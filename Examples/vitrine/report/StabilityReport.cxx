@@ -47,7 +47,8 @@ std::string Remarks(const StabilityCell& cell)
     {
       lines += place + "refused: " + other.Skipped + "\n";
     }
-    else if (other.Error && other.Error->Max > std::max(1.0 / 255.0, cell.WorstError()) + 1e-6)
+    else if (other.Error &&
+      other.Error->Max > std::max(LargestExactError(other.Multisamples), cell.WorstError()))
     {
       lines += place + "wrong by " + Steps(other.Error->Max) + "/255\n";
     }

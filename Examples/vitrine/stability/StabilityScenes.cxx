@@ -92,7 +92,7 @@ std::vector<StabilityScene> Others()
     Quick("parallel", "parallel"),
     Slow("faint", "stack,layers=300,alpha=0.0019"),
     Slow("needles", "needles"),
-    Quick("needles-few", "needles,needles=400"),
+    Quick("needles-few", "needles,needles=200"),
     Quick("slivers", "slivers"),
     Quick("opaque", "opaque"),
     Quick("clipped", "clipped"),

@@ -9,6 +9,12 @@
 namespace program
 {
 
+/**
+ * The largest error of an exact method: a step of a display. With several samples a pixel, each is rounded to 8
+ * bits and so is their mean, and what the method itself rounds comes on top.
+ */
+double LargestExactError(int multisamples);
+
 /** Fill in the outcome and the verdict from what was measured. */
 void Judge(StabilityCell& cell);
 
