@@ -13,34 +13,18 @@ import pathlib
 from program import run
 
 FILE = pathlib.Path(__file__).with_name("stability_figures.csv")
-EXACT = [
-    "linked-list",
-    "linked-list-compact",
-    "prefix-sum",
-    "prefix-sum-predicted-compact",
-    "stencil-routed",
-]
-APPROXIMATE = [
-    "blend",
-    "vtk-oit",
-    "vtk-peeling-4",
-    "vtk-peeling",
-    "linked-list-8bit",
-    "stencil-mask-8",
-]
+EXACT = ["linked-list", "prefix-sum-predicted-compact", "stencil-routed"]
+APPROXIMATE = ["blend", "vtk-oit", "vtk-peeling", "linked-list-8bit", "stencil-mask-8"]
 SCENES = [
     "coincident",
-    "coincident-together",
-    "mating",
+    "mating-everywhere",
     "crossing",
-    "cyclic",
     "gaps",
     "near-far",
     "large-coordinates",
     "inside",
     "at-face",
-    "parallel",
-    "needles",
+    "needles-few",
     "slivers",
     "opaque",
     "clipped",
@@ -50,8 +34,8 @@ SCENES = [
     "empty",
     "zoom",
     "window-1x1",
+    "stack-17-alpha-0.01",
     "stack-17-alpha-0.5",
-    "stack-64-alpha-0.01",
 ]
 COLUMNS = ["scene", "method", "outcome", "error", "worst", "wrong", "repeated", "shuffled"]
 COLUMNS += ["shift", "turn"]

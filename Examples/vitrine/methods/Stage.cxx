@@ -16,6 +16,10 @@ namespace program
 
 namespace
 {
+// Of the distance that the far plane has. VTK's own choice for depths of 24 bits and more; when VTK 9.1 asks
+// the window, which it does once there is something to draw, it can leave an OpenGL error behind.
+const double NearestShare = 0.001;
+
 vitrine::Image ToImage(vtkImageData* rgba, PictureSize size)
 {
   vitrine::Image image{ size.Width, size.Height, {} };
@@ -40,6 +44,7 @@ Stage::Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize siz
   this->Window->SetMultiSamples(multisamples);
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->SetBackground(Background, Background, Background);
+  this->Renderer->SetNearClippingPlaneTolerance(NearestShare);
   this->DrawingMethod->Attach(this->Renderer);
   this->SetScene(scene);
 }

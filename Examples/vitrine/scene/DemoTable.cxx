@@ -53,7 +53,8 @@ std::vector<Demo> DemosOfDepth()
     { "mating", "boxes that share faces, each in a frame of its own as CAD systems write parts",
       "rounding decides which of two mating faces is in front, and decides anew with each move of "
       "the camera, for exact methods and for truth alike",
-      { { "boxes", 3, 1, 64, true }, { "offset", 1000, 0, 1e6, false }, Alpha(0.5), Seed() },
+      { { "boxes", 3, 1, 64, true }, { "height", 1, 0.001, 1000, false },
+        { "offset", 10, 0, 1e6, false }, Alpha(0.5), Seed() },
       MakeMatingScene },
     { "crossing", "planes that cut each other in one line",
       "exact wherever fragments are sorted pixel by pixel; no order of actors is right",

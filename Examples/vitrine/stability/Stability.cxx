@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <numeric>
 
 namespace program
 {
@@ -58,7 +59,8 @@ public:
   StabilityCell Measure()
   {
     const MessageCapture messages;
-    this->Open(*this->Own.Single, this->Truth.Size);
+    this->Own.Single->SetScene(this->Truth.Parts);
+    this->Own.Single->SetSize(this->Truth.Size);
     this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
     this->Cell.Skipped = this->Truth.Skipped.empty()
       ? this->Own.Single->GetMethod().WhyNotRun()
@@ -78,12 +80,6 @@ public:
   }
 
 private:
-  void Open(Stage& stage, PictureSize size)
-  {
-    stage.SetScene(this->Truth.Parts);
-    stage.SetSize(size);
-  }
-
   Pixels Draw(vtkCamera* camera)
   {
     DrawAfterZoom(*this->Own.Single, camera, this->Truth.Entry);
@@ -116,6 +112,9 @@ private:
       this->Cell.OrderDifference =
         std::max(this->Cell.OrderDifference, CountDifferences(shuffled, this->Cell.Picture));
     }
+    std::vector<std::size_t> own(this->Truth.Parts.Parts.size());
+    std::iota(own.begin(), own.end(), 0);
+    this->Own.Single->SetPartOrder(own);
   }
 
   Flicker Follow(const std::vector<vtkSmartPointer<vtkCamera>>& cameras,
@@ -131,10 +130,14 @@ private:
 
   void MeasureOtherWindows()
   {
+    if (!this->Truth.Others.empty())
+    {
+      this->Own.Multisampled->SetScene(this->Truth.Parts);
+    }
     for (const OtherTruth& other : this->Truth.Others)
     {
       Stage& stage = other.Multisamples > 0 ? *this->Own.Multisampled : *this->Own.Single;
-      this->Open(stage, other.Size);
+      stage.SetSize(other.Size);
       stage.Draw(OwnView(this->Truth.Parts, other.Size));
       OtherWindow window{ other.Name, other.Size, other.Multisamples, stage.GetMethod().WhyNotRun(),
         std::nullopt };

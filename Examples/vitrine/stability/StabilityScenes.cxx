@@ -28,7 +28,7 @@ std::vector<StabilityScene> Stacks()
       scene.Name = "stack-" + count + "-alpha-" + AlphaNames[i];
       scene.Input = "demo:stack,layers=" + count + ",alpha=" + Alphas[i];
       scene.IsHeavy = layers == 1000;
-      scene.IsQuick = layers == 64 || (layers == 17 && AlphaNames[i] == std::string("0.5"));
+      scene.IsQuick = layers == 17 || (layers == 64 && AlphaNames[i] == std::string("0.01"));
       scenes.push_back(scene);
     }
   }
@@ -77,7 +77,8 @@ std::vector<StabilityScene> Others()
     Quick("coincident-together", "coincident,together=1"),
     Slow("coincident-faint", "coincident,plates=40,alpha=0.03"),
     Quick("mating", "mating"),
-    Slow("mating-far", "mating,offset=100000"),
+    Quick("mating-everywhere", "mating,height=16"), // no outlines, whose own flicker is larger
+    Slow("mating-far", "mating,offset=1000"),
     Quick("crossing", "crossing"),
     Quick("cyclic", "cyclic"),
     Slow("cyclic-together", "cyclic,together=1"),
@@ -90,7 +91,8 @@ std::vector<StabilityScene> Others()
     Quick("at-face", "at-face"),
     Quick("parallel", "parallel"),
     Slow("faint", "stack,layers=300,alpha=0.0019"),
-    Quick("needles", "needles"),
+    Slow("needles", "needles"),
+    Quick("needles-few", "needles,needles=400"),
     Quick("slivers", "slivers"),
     Quick("opaque", "opaque"),
     Quick("clipped", "clipped"),

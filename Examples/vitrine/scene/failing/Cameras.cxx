@@ -21,7 +21,8 @@ DemoValues SpheresValues(const DemoValues& values)
 Scene MakeInsideScene(const DemoValues& values)
 {
   Scene scene = MakeSpheresScene(SpheresValues(values));
-  scene.Placement.Camera = { { 0.2, 0.1, 0.7 }, { 0.0, 0.0, 0.0 } }; // between the shells
+  const std::array<double, 3> eye = { 0.2, 0.1, 0.7 }; // between the shells, looking along them
+  scene.Placement.Camera = { eye, { eye[0] + 0.9, eye[1], eye[2] - 0.6 } };
   return scene;
 }
 

@@ -46,7 +46,8 @@ vtkSmartPointer<vtkPolyData> Transformed(vtkPolyData* geometry, vtkLinearTransfo
 }
 
 /** A box in a frame of its own, as CAD systems write their parts: far from its origin, and turned. */
-Part MakeBoxInItsFrame(double x, double halfLength, double offset, Random& random)
+Part MakeBoxInItsFrame(
+  double x, double halfLength, double halfHeight, double offset, Random& random)
 {
   vtkNew<vtkTransform> toWorld;
   toWorld->RotateZ(random.Between(-180.0, 180.0));
@@ -55,7 +56,7 @@ Part MakeBoxInItsFrame(double x, double halfLength, double offset, Random& rando
   toWorld->Translate(offset * random.Between(0.5, 1.0), -offset * random.Between(0.5, 1.0),
     offset * random.Between(0.5, 1.0));
   vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(x - halfLength, x + halfLength, -0.5, 0.5, -0.5, 0.5);
+  cube->SetBounds(x - halfLength, x + halfLength, -halfHeight, halfHeight, -halfHeight, halfHeight);
   cube->Update();
   Part part;
   part.Geometry = Transformed(cube->GetOutput(), toWorld->GetLinearInverse());
@@ -104,13 +105,14 @@ Scene MakeMatingScene(const DemoValues& values)
   Scene scene;
   for (int i = 0; i < boxes; ++i)
   {
-    Part box = MakeBoxInItsFrame(
-      (2.0 * i + 1.0) * halfLength - 1.0, halfLength, values.at("offset"), random);
+    Part box = MakeBoxInItsFrame((2.0 * i + 1.0) * halfLength - 1.0, halfLength,
+      values.at("height") / 2.0, values.at("offset"), random);
     box.Name = "box-" + std::to_string(i);
     box.Material = MakeLit(EightBitColor(random), values.at("alpha"));
     scene.Parts.push_back(box);
   }
   scene.Placement.DefaultView = { 55.0, 20.0, 1.0 };
+  scene.Placement.VisibleRadius = 1.25;
   return scene;
 }
 

@@ -20,7 +20,7 @@ Scene MakeCrossingScene(const DemoValues& values)
   for (int i = 0; i < planes; ++i)
   {
     vtkNew<vtkTransform> turned;
-    turned->RotateY(180.0 * (i + 0.5) / planes);
+    turned->RotateY(180.0 * (i + 0.25) / planes);
     turned->RotateX(random.Between(-25.0, 25.0));
     Part part;
     part.Name = "plane-" + std::to_string(i);
