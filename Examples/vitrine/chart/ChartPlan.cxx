@@ -25,14 +25,13 @@ struct Extent
 
 const char* const FragmentsScene = "demo:spheres,layers=16";
 const char* const SettingsOfFamilies =
-  ",vtk-peeling-2,vtk-peeling-8,vtk-peeling-16,stencil-mask-8-unfiltered,stencil-routed-8";
+  ",vtk-peeling-2,vtk-peeling-8,stencil-mask-8-unfiltered,stencil-routed-8";
 const char* const OneOfEachFamily =
   "vtk-oit,blend,vtk-peeling,linked-list,prefix-sum,stencil-mask-8,stencil-routed";
 
 Extent QuickExtent()
 {
-  return { { "demo:assembly,parts=100", "demo:spheres,layers=16",
-             "demo:stack,layers=16,alpha=0.3" },
+  return { { "demo:assembly,parts=60", "demo:spheres,layers=16", "demo:stack,layers=16,alpha=0.3" },
     { 160, 160 }, 3, { 1, 4, 16, 64, 256 }, 48, { 0.25, 0.5, 1.0, 2.0 }, 96, { 32, 64, 128, 192 },
     150.0 };
 }
