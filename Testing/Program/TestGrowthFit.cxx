@@ -42,8 +42,8 @@ TEST(GrowthFit, FitsTheUpperHalf)
   const auto fit = FitGrowth(points);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->Exponent, 2.0, 1e-12);
-  EXPECT_NEAR(fit->From, 16.0, 1e-9);
-  EXPECT_NEAR(fit->To, 256.0, 1e-9);
+  EXPECT_EQ(fit->From, 16.0);
+  EXPECT_EQ(fit->To, 256.0);
   EXPECT_EQ(fit->Points, 3);
 }
 
@@ -51,7 +51,7 @@ TEST(GrowthFit, FitsAllWhereTheUpperHalfHasTooFew)
 {
   const auto fit = FitGrowth(PowerLaw(1.0, 1.0, { 1, 2, 1000 }));
   ASSERT_TRUE(fit);
-  EXPECT_NEAR(fit->From, 1.0, 1e-9);
+  EXPECT_EQ(fit->From, 1.0);
   EXPECT_EQ(fit->Points, 3);
 }
 

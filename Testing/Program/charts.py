@@ -59,7 +59,7 @@ def resumed_chart():
     scratch = tempfile.TemporaryDirectory()
     folder = pathlib.Path(scratch.name) / "chart"
     process = start_chart(folder)
-    stop_when(process, lambda: results_there(folder), signal.SIGINT)
+    stop_when(process, lambda: results_there(folder), signal.SIGTERM)
     return types.SimpleNamespace(
         scratch=scratch,  # is removed when nobody has it any more
         folder=folder,

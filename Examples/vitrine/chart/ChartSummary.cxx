@@ -193,6 +193,20 @@ std::vector<std::string> MethodsOf(const Rows& rows)
   return methods;
 }
 
+/** The x of all rows of a step: the most that any method counted, since some stop counting before the others. */
+double StepX(const Growth& growth, const Rows& rows, const Json& step)
+{
+  double most = std::nan("");
+  for (const Json* row : rows)
+  {
+    if ((*row)["step"] == step && Ran(*row))
+    {
+      most = std::fmax(most, growth.X(*row));
+    }
+  }
+  return most;
+}
+
 Json Line(const Growth& growth, const Rows& rows, const std::string& method, double unit)
 {
   Json points = Json::array();
@@ -211,7 +225,7 @@ Json Line(const Growth& growth, const Rows& rows, const std::string& method, dou
     }
     const double y =
       growth.Cost == "time" ? Milliseconds(*row) / unit : NumberOrNaN(*row, "bytes") / unit;
-    const double x = growth.X(*row);
+    const double x = StepX(growth, rows, (*row)["step"]);
     if (std::isfinite(x) && std::isfinite(y))
     {
       toFit.push_back({ x, y });

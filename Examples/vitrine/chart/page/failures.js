@@ -17,7 +17,7 @@ function showCell(cell, scene) {
   const facts = [
     ["verdict", cell.verdict],
     ["worst error", cell.skipped ? "not told" : `${format(255 * cell.worst_error)}/255`],
-    ["expected", scene.expectation],
+    ...(scene.expectation ? [["expected", scene.expectation]] : []),
     ["to draw it", scene.input],
     ...(cell.messages ?? []).map((message) => ["message", message]),
   ];
