@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -116,9 +117,9 @@ TEST_P(Determinism, ManyCoincidentPlatesOrderByPackedColor)
     SCOPED_TRACE(std::to_string(layers) + " layers");
     TestScene scene(6, 5);
     std::vector<Rgba> plates = RandomPlates(layers, layers > 100 ? 0.01 : 0.2, 31);
-    for (std::size_t i = 0; i + 4 < plates.size(); i += 5)
+    for (std::size_t i = 0; i + 3 < plates.size(); i += 5)
     {
-      plates[i + 4] = plates[i]; // twins
+      plates[i + 3] = plates[i]; // twins, at the same height
     }
     std::vector<double> heights;
     std::vector<std::vector<Rgba>> byHeight(3);
@@ -138,6 +139,25 @@ TEST_P(Determinism, ManyCoincidentPlatesOrderByPackedColor)
     }
     scene.Use(GetParam().Make());
     ExpectColor(UniformColor(scene.Render()), CompositePlates(sorted, TestBackground), 0.75);
+  }
+}
+
+// None of many fragments that are the same to the bit is taken for another, however many a method sorts at a time.
+TEST_P(Determinism, EqualFragmentsAllCount)
+{
+  for (const int layers : { 2, 9, 65, 200, 1100 })
+  {
+    if (!GetParam().Keeps(layers))
+    {
+      continue;
+    }
+    SCOPED_TRACE(std::to_string(layers) + " layers");
+    TestScene scene(6, 5);
+    const double alpha = std::ceil(3.0 * 255.0 / (layers + 5)) / 255.0; // exact in 8 bits
+    const std::vector<Rgba> plates(layers, { 0.8, 0.6, 0.2, alpha });
+    scene.AddPlates(plates, std::vector<double>(layers, 0.25), 8);
+    scene.Use(GetParam().Make());
+    ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.75);
   }
 }
 

@@ -212,7 +212,14 @@ private:
     glBufferData(GL_SHADER_STORAGE_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
     for (GLuint i = 0; i < 8; ++i)
     {
-      glBindBufferRange(GL_SHADER_STORAGE_BUFFER, i, this->Buffer, 256 * i, 256 * (i + 1));
+      if (this->Frames == 0)
+      {
+        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, i, this->Buffer, 256 * i, 256 * (i + 1));
+      }
+      else
+      {
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, this->Buffer); // whole
+      }
     }
     glGenTextures(3, this->Textures);
     for (GLuint unit = 0; unit < Units; ++unit)

@@ -188,12 +188,16 @@ TEST_P(Truth, CountsWritersOfDepthAsAnOcclusionQueryDoes)
     TestScene scene(40, 30, GetParam());
     scene.Window->SetStencilCapable(stencil);
     scene.AddRectangle(-0.713, -0.9, 0.5, 0.9, 0.125, { 1.0, 1.0, 1.0, 1.0 });
-    for (const double offset : { 0.0, 0.001, -0.001, 0.7, -0.7 })
+    // What is rasterised in the opaque plane, behind it and in front, is written to either side of it.
+    for (const double z : { 0.125, -0.4, 0.4 })
     {
-      vtkSmartPointer<vtkActor> actor =
-        scene.AddRectangle(-0.9, -0.717, 0.7, 0.3, 0.125, { 0.2, 0.5, 0.9, 0.4 });
-      actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
-        "gl_FragDepth = gl_FragCoord.z + " + std::to_string(offset) + ";\n", false);
+      for (const double offset : { 0.0, 0.001, -0.001, 0.7, -0.7 })
+      {
+        vtkSmartPointer<vtkActor> actor =
+          scene.AddRectangle(-0.9, -0.717, 0.7, 0.3, z, { 0.2, 0.5, 0.9, 0.4 });
+        actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+          "gl_FragDepth = gl_FragCoord.z + " + std::to_string(offset) + ";\n", false);
+      }
     }
     ExpectTruthToCountWhatIsSeen(scene);
   }
