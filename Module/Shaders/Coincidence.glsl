@@ -25,7 +25,7 @@ uint vitrineTakeExtent(inout float z)
 {
   // A slope that is not a number counts as 0.
   float tolerance = min(vitrineTolerance.x + vitrineDepth(vitrineTolerance.y * vitrineDepthSlope), 1.0);
-  uint rounded = max((floatBitsToUint(tolerance) + ~VITRINE_EXTENT_MASK) & VITRINE_EXTENT_MASK, 0x00800000u);
+  uint rounded = (floatBitsToUint(tolerance) + ~VITRINE_EXTENT_MASK) & VITRINE_EXTENT_MASK;
   z = max(z - uintBitsToFloat(rounded), 0.0);
-  return rounded + 0x00800000u;
+  return rounded + 0x00800000u; // twice; of 0, the least float
 }

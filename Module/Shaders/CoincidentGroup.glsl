@@ -126,16 +126,41 @@ vec3 colorOfGroup()
     addToGroup(f); \
   }
 
-// Registers go through an array, so that what follows stands in the program once, not for each of them.
+// Registers are composited as if nothing coincided, and put into an array. Where some do coincide, those of the array are
+// composited anew, from where the registers before them ended: so that code stands in the program once, not for each.
 Fragment sorted[VITRINE_LONGEST_NETWORK];
 int sortedSize = 0;
+bool sortedMeet = false;
+float sortedFarEnd = -1.0;
+precise vec3 colorBefore = vec3(0.0);
+precise float transmittanceBefore = 1.0;
 
-#define BLEND(f) sorted[sortedSize++] = f;
+#define BLEND(f) \
+  { \
+    vec4 c = fragmentColor(f); \
+    BLEND_COLOR(c) \
+    sorted[sortedSize++] = f; \
+    sortedMeet = sortedMeet || (f.key != NO_KEY && nearEnd(f) <= sortedFarEnd); \
+    sortedFarEnd = max(sortedFarEnd, farEnd(f)); \
+  }
 
+// Registers that are a part of the list: the last group may go on in the next ones.
 #define BLEND_REGISTERS \
+  color = colorBefore; \
+  transmittance = transmittanceBefore; \
   for (int i = 0; i < sortedSize && sorted[i].key != NO_KEY; ++i) \
   { \
     Fragment next = sorted[i]; \
     BLEND_NEXT(next) \
   } \
-  sortedSize = 0;
+  sortedSize = 0; \
+  colorBefore = color; \
+  transmittanceBefore = transmittance;
+
+// Registers that are the whole list.
+#define BLEND_LIST \
+  if (sortedMeet) \
+  { \
+    BLEND_REGISTERS \
+    BLEND_REST \
+  }

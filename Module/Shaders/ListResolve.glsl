@@ -41,8 +41,7 @@ void main()
   precise vec3 color = vec3(0.0);
   precise float transmittance = 1.0;
   //Vitrine::Blend
-  BLEND_REGISTERS
-  BLEND_REST
+  BLEND_LIST
 
   writeOver(pixel, color, transmittance);
 }

@@ -221,7 +221,8 @@ bool sameFragment(Fragment a, Fragment b)
     transmittance -= transmittance * c.a; \
   }
 
-// Composite the fragment in a register, the next one at hand, what is left of the registers, of the list.
+// Composite the fragment in a register, and then what the registers hold together, a part of the list or all of it; or the
+// next fragment of the list; and at its end what is left.
 #ifdef VITRINE_COINCIDENCE
 #include "CoincidentGroup.glsl"
 #else
@@ -232,6 +233,7 @@ bool sameFragment(Fragment a, Fragment b)
   }
 #define BLEND_NEXT(f) BLEND(f)
 #define BLEND_REGISTERS
+#define BLEND_LIST
 #define BLEND_REST
 #endif
 
