@@ -1,4 +1,5 @@
 import json
+import math
 import os
 import unittest
 
@@ -99,6 +100,19 @@ class Compare(FileTest):
         self.assertEqual((passes["blend"], passes["vtk-oit"], passes["linked-list"]), (1, 1, 1))
         self.assertGreaterEqual(passes["vtk-peeling"], 3)
 
+    def test_figures_are_what_their_names_say(self):
+        told = compare(
+            *("demo:stack,layers=6,alpha=0.5", "--methods", "blend", "--frames", "1"),
+            *("--size", "16x16"),
+        )
+        error = told["results"][0]["error"]
+        # All pixels are alike: the largest difference is that of one channel, RMSE the mean of three.
+        self.assertLess(1.02 * error["rmse"], error["max"])
+        self.assertLess(error["max"], 1.74 * error["rmse"])
+        self.assertAlmostEqual(error["psnr"], -20.0 * math.log10(error["rmse"]), delta=0.01)
+        self.assertEqual(error["wrong_pixels"], 1.0)
+        self.assertLess(error["flip"], error["ssim"])
+
     def test_few_peels_leave_an_error(self):
         told = compare(
             "demo:stack,layers=12,alpha=0.5",
@@ -168,7 +182,7 @@ class Compare(FileTest):
             "8x8",
         )
         for row in told["results"]:
-            self.assertEqual(row["error"]["max"], 0.0)
+            self.assertEqual(list(row["error"].values()), [0, 0, 99, 1, 0, 0])
             self.assertEqual(row["fragments"], 0)
 
     def test_table_and_json(self):
