@@ -92,7 +92,9 @@ class Pictures(unittest.TestCase):
             pictures = []
             for nudge in (-1e-6, 1e-6):
                 renderer = plates_renderer(
-                    plate(0.0, (1, 0, 0), 0.5), plate(nudge, (0, 0, 1), 0.5), plate(-1, (0, 1, 0))
+                    plate(0.0, (1, 0, 0), 0.5),
+                    plate(nudge, (0, 0, 1), 0.5),
+                    plate(-1, (0, 1, 0), 1.0),
                 )
                 vitrine.see_through(renderer, method, coincidence=256)
                 pictures.append(rendered(renderer))
