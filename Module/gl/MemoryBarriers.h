@@ -14,7 +14,7 @@
  * Packed lists have scans (storage, images) between the clear, or the last fill, and the next: BetweenScans before, between
  * and after them.
  *
- * llvmpipe draws one thing after the other: there, no test can see a barrier that is missing.
+ * llvmpipe draws one thing after the other: there, no picture shows a barrier that is missing. TestMemoryBarriers looks at the calls.
  */
 #ifndef VITRINE_MEMORY_BARRIERS_H
 #define VITRINE_MEMORY_BARRIERS_H

@@ -1,0 +1,170 @@
+// Which barriers stand between what a frame writes and what looks at it (gl/MemoryBarriers.h). llvmpipe draws one thing after
+// the other, so no picture shows a barrier that is missing: here the calls themselves are recorded on their way to the driver.
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "gl/VitrineOpenGL.h"
+#include "vtkABufferTransparencyPass.h"
+#include "vtkActor.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPrefixSumTransparencyPass.h"
+#include "vtkTruthTransparencyPass.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace
+{
+
+constexpr int Size = 16;
+
+// While it lives, writes down what writes and what needs to have been written, a letter each: C clears an image, S runs a
+// compute shader, G draws geometry, T draws tiles, R reads a buffer; and barriers, by the uses that they come before:
+// f framebuffers, F fills, l lists, s scans, r reads.
+class CallRecord
+{
+public:
+  CallRecord()
+  {
+    Calls.clear();
+    Barrier = glMemoryBarrier;
+    Dispatch = glDispatchCompute;
+    Read = glGetBufferSubData;
+    Clear = glClearBufferuiv;
+    Tiles = glDrawArraysInstanced;
+    glMemoryBarrier = RecordBarrier;
+    glDispatchCompute = RecordDispatch;
+    glGetBufferSubData = RecordRead;
+    glClearBufferuiv = RecordClear;
+    glDrawArraysInstanced = RecordTiles;
+  }
+  ~CallRecord()
+  {
+    glMemoryBarrier = Barrier;
+    glDispatchCompute = Dispatch;
+    glGetBufferSubData = Read;
+    glClearBufferuiv = Clear;
+    glDrawArraysInstanced = Tiles;
+  }
+  static std::string Calls;
+
+private:
+  static void RecordBarrier(GLbitfield uses)
+  {
+    Calls += Letter(uses);
+    Barrier(uses);
+  }
+  static char Letter(GLbitfield uses)
+  {
+    const bool fetches = uses & GL_TEXTURE_FETCH_BARRIER_BIT;
+    const bool storage = uses & GL_SHADER_STORAGE_BARRIER_BIT;
+    const bool images = uses & GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
+    const bool framebuffers = uses & GL_FRAMEBUFFER_BARRIER_BIT;
+    const bool buffers = uses & GL_BUFFER_UPDATE_BARRIER_BIT;
+    const bool lists = fetches && storage;
+    return lists && images && framebuffers ? 's'
+      : lists && images && buffers         ? 'F'
+      : lists                              ? 'l'
+      : framebuffers                       ? 'f'
+      : buffers                            ? 'r'
+                                           : '?';
+  }
+  static void RecordDispatch(GLuint x, GLuint y, GLuint z)
+  {
+    Calls += 'S';
+    Dispatch(x, y, z);
+  }
+  static void RecordRead(GLenum target, GLintptr offset, GLsizeiptr size, void* data)
+  {
+    Calls += 'R';
+    Read(target, offset, size, data);
+  }
+  static void RecordClear(GLenum buffer, GLint index, const GLuint* value)
+  {
+    Calls += 'C';
+    Clear(buffer, index, value);
+  }
+  static void RecordTiles(GLenum mode, GLint first, GLsizei count, GLsizei instances)
+  {
+    Calls += 'T';
+    Tiles(mode, first, count, instances);
+  }
+
+  static decltype(glMemoryBarrier) Barrier;
+  static decltype(glDispatchCompute) Dispatch;
+  static decltype(glGetBufferSubData) Read;
+  static decltype(glClearBufferuiv) Clear;
+  static decltype(glDrawArraysInstanced) Tiles;
+};
+std::string CallRecord::Calls;
+decltype(glMemoryBarrier) CallRecord::Barrier = nullptr;
+decltype(glDispatchCompute) CallRecord::Dispatch = nullptr;
+decltype(glGetBufferSubData) CallRecord::Read = nullptr;
+decltype(glClearBufferuiv) CallRecord::Clear = nullptr;
+decltype(glDrawArraysInstanced) CallRecord::Tiles = nullptr;
+
+void RecordGeometry(vtkObject*, unsigned long, void*, void*)
+{
+  CallRecord::Calls += 'G';
+}
+
+// The calls of a frame of so many layers by the pass, whose frames before have settled.
+std::string CallsOf(vtkTransparencyPass* pass, int layers)
+{
+  TestScene scene(Size, Size);
+  vtkActor* actor = scene.AddPlates(RandomPlates(layers, 0.1, 5), 6);
+  vtkNew<vtkCallbackCommand> draws;
+  draws->SetCallback(RecordGeometry);
+  actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, draws);
+  scene.Use(pass);
+  scene.Render();
+  scene.Render();
+  const CallRecord record;
+  scene.Render();
+  return CallRecord::Calls;
+}
+
+TEST(MemoryBarriers, OfLinkedLists)
+{
+  EXPECT_EQ(CallsOf(MakeABuffer(ABufferMethods().front()), 10), "fCFGlrRT");
+}
+
+// Runs are sorted in place and then merged.
+TEST(MemoryBarriers, OfLongLinkedLists)
+{
+  EXPECT_EQ(CallsOf(MakeABuffer(ABufferMethods().front()), 100), "fCFGlrRTlT");
+}
+
+// Counted, and then scanned: sums of blocks, of blocks of blocks, and down again.
+TEST(MemoryBarriers, OfCountedPrefixSums)
+{
+  vtkNew<vtkPrefixSumTransparencyPass> pass;
+  pass->PredictionOff();
+  EXPECT_EQ(CallsOf(pass, 10), "fCFGlrRsSsSsSsSsFGlrRT");
+}
+
+TEST(MemoryBarriers, OfPredictedPrefixSums)
+{
+  vtkNew<vtkPrefixSumTransparencyPass> pass;
+  EXPECT_EQ(CallsOf(pass, 10), "sSsSsSsfrRFGlrRT");
+}
+
+// Counts are read as a framebuffer, and each of two bands is cleared, filled and resolved.
+TEST(MemoryBarriers, OfBands)
+{
+  const vtkSmartPointer<vtkABufferTransparencyPass> pass = MakeABuffer(ABufferMethods().front());
+  pass->SetMemoryLimit(Size * Size * 10 * 12 * 2 / 3);
+  EXPECT_EQ(CallsOf(pass, 10), "fCFGlrRffCFGlrRTfCFGlrRT");
+}
+
+TEST(MemoryBarriers, OfTruth)
+{
+  vtkNew<vtkTruthTransparencyPass> pass;
+  EXPECT_EQ(CallsOf(pass, 10), "FGrRR");
+}
+
+}
