@@ -125,7 +125,7 @@ TEST_P(StencilRouted, SaysWhatIsBeyondTheReach)
     GTEST_SKIP() << this->Reason();
   }
   bool hasWarned = false;
-  for (const int layers : { 255, 257 })
+  for (const int layers : { 255, 256, 257 })
   {
     SCOPED_TRACE(layers);
     TestScene scene(4, 3);
