@@ -23,8 +23,7 @@ void CheckPicturePath(const std::string& path)
   CheckWritable(path);
 }
 
-void WritePicture(
-  const std::string& path, const std::vector<std::uint8_t>& pixels, PictureSize size)
+std::string EncodePicture(const std::vector<std::uint8_t>& pixels, PictureSize size)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(size.Width, size.Height, 1);
@@ -35,9 +34,14 @@ void WritePicture(
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* png = writer->GetResult();
-  WriteWholeFile(path,
-    { reinterpret_cast<const char*>(png->GetPointer(0)),
-      static_cast<std::size_t>(png->GetNumberOfValues()) });
+  return { reinterpret_cast<const char*>(png->GetPointer(0)),
+    static_cast<std::size_t>(png->GetNumberOfValues()) };
+}
+
+void WritePicture(
+  const std::string& path, const std::vector<std::uint8_t>& pixels, PictureSize size)
+{
+  WriteWholeFile(path, EncodePicture(pixels, size));
 }
 
 }

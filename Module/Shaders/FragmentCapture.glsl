@@ -6,7 +6,8 @@
 // VITRINE_POST_DEPTH_COVERAGE  gl_SampleMaskIn tells the samples that pass the depth test
 // VITRINE_FIXED_POINT_TARGET   the target clamps colours to [0, 1] before it blends
 // VITRINE_OPAQUE_DEPTH_STEPS s steps of a depth buffer of at most 24 bits, else 0.0
-// VITRINE_OPAQUE_DEPTH_LOSS l  what a depth buffer may lose when it is sampled, where steps are 0.0
+// VITRINE_OPAQUE_INTEGERS      the depth buffer has more bits, and comes as integers of 32
+// VITRINE_OPAQUE_DEPTH_LOSS l  what any other depth buffer may lose when it is sampled
 //
 // A method that rasterises into a target of its own, where hidden fragments must not reach the tests, defines before:
 // VITRINE_LATE_TESTS           the opaque depth is compared here alone
@@ -32,11 +33,24 @@ layout(post_depth_coverage) in;
 #ifdef VITRINE_TESTS_DEPTH
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMS vitrineOpaqueDepth;
+#elif defined(VITRINE_OPAQUE_INTEGERS)
+uniform usamplerBuffer vitrineOpaqueDepth; // row by row
+uniform int vitrineOpaqueWidth;
 #else
 uniform sampler2D vitrineOpaqueDepth;
 #endif
 
 // True if opaque geometry hides the depth `z` in sample `s`, as GL_LEQUAL decides in the depth buffer's own steps.
+#ifdef VITRINE_OPAQUE_INTEGERS
+// llvmpipe stores 31 bits, rounded down, twice; 1.0 is one less. As a float that is what it came from, as it is where a
+// driver stores the nearest of 32 bits: a float has no more than 24 of them.
+bool vitrineHidden(float z, int s)
+{
+  ivec2 pixel = VITRINE_PIXEL;
+  uint opaque = texelFetch(vitrineOpaqueDepth, pixel.y * vitrineOpaqueWidth + pixel.x).r;
+  return 2.0 * floor(z * exp2(31.0)) > float(opaque);
+}
+#else
 bool vitrineHidden(float z, int s)
 {
   float opaque = texelFetch(vitrineOpaqueDepth, VITRINE_PIXEL, s).r;
@@ -46,6 +60,7 @@ bool vitrineHidden(float z, int s)
   }
   return z > opaque + VITRINE_OPAQUE_DEPTH_LOSS;
 }
+#endif
 #endif
 
 #if VITRINE_SAMPLES > 0

@@ -12,5 +12,5 @@
     }
 #endif
 #ifdef VITRINE_COINCIDENCE
-    vitrineSamples |= vitrineTakeExtent(vitrineZ);
+    vitrineSamples |= vitrineTakeExtent(vitrineZ, gl_FragData[0].a);
 #endif

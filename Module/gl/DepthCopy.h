@@ -22,7 +22,8 @@ class DepthCopy
 public:
   /**
    * The texture unit where the copy is bound in this frame, or -1, see Problem(). The first call of a frame copies
-   * the depth of the target's region, sample by sample.
+   * the depth of the target's region, sample by sample: to a texture of the target's size and format, or, where
+   * RenderTarget::DepthIntegers, to a buffer texture of the target's pixels in 32-bit unsigned integers, row by row.
    */
   int UnitOf(vtkOpenGLState* state, const RenderTarget& target);
 
@@ -33,15 +34,17 @@ public:
   void EndFrame();
 
   /** GPU memory that the copy holds. */
-  std::int64_t Bytes() const { return this->Depth.Bytes(); }
+  std::int64_t Bytes() const { return this->Depth.Bytes() + this->Integers.Bytes(); }
 
   void Release();
 
 private:
-  void Copy(vtkOpenGLState* state, const RenderTarget& target);
+  std::string CopyImage(vtkOpenGLState* state, const RenderTarget& target);
+  std::string CopyIntegers(vtkOpenGLState* state, const RenderTarget& target);
 
   Image2D Depth;
-  Framebuffer Target;
+  Framebuffer Target; // of Depth
+  Buffer Integers;
   std::unique_ptr<ScopedTextureUnit> Binding;
   std::string WhyNone;
 };

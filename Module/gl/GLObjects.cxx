@@ -103,16 +103,16 @@ std::string DescribeSize(int width, int height, int samples, int layers)
     (layers > 0 ? " in " + std::to_string(layers) + " layers" : "");
 }
 
-// Binds a buffer to the generic shader storage target, which draws do not read.
+// Binds a buffer to a target that draws do not read.
 class ScopedBuffer
 {
 public:
   explicit ScopedBuffer(GLuint buffer)
   {
-    glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &this->Previous);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+    glGetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &this->Previous);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
   }
-  ~ScopedBuffer() { glBindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(this->Previous)); }
+  ~ScopedBuffer() { glBindBuffer(GL_COPY_WRITE_BUFFER, static_cast<GLuint>(this->Previous)); }
   ScopedBuffer(const ScopedBuffer&) = delete;
   void operator=(const ScopedBuffer&) = delete;
 
@@ -232,7 +232,7 @@ bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)
   ReportEarlierErrors();
   {
     const ScopedBuffer bound(this->Name);
-    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_COPY);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_COPY);
   }
   if (texelFormat != GL_NONE)
   {
@@ -264,14 +264,14 @@ void Buffer::Write(std::int64_t offset, std::int64_t size, const void* data)
 {
   const ScopedBuffer bound(this->Name);
   glBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
+    GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
 }
 
 void Buffer::Read(std::int64_t offset, std::int64_t size, void* data) const
 {
   const ScopedBuffer bound(this->Name);
   glGetBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
+    GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
 }
 
 void Buffer::Release()

@@ -60,8 +60,9 @@ std::string RenderTarget::Probe(vtkOpenGLState* state)
   this->DepthSteps = this->Depth.FixedPoint && this->Depth.DepthBits <= 24
     ? static_cast<double>((1u << this->Depth.DepthBits) - 1u)
     : 0.0;
-  this->DepthLoss =
-    this->Depth.FixedPoint && this->Depth.DepthBits > 24 ? std::ldexp(1.0, -23) : 0.0;
+  const bool samplersLoseBits = this->Depth.FixedPoint && this->Depth.DepthBits > 24;
+  this->DepthIntegers = samplersLoseBits && this->Samples == 0;
+  this->DepthLoss = samplersLoseBits && this->Samples > 0 ? std::ldexp(1.0, -23) : 0.0;
   this->DepthHasStencil = this->Depth.InternalFormat == GL_DEPTH24_STENCIL8 ||
     this->Depth.InternalFormat == GL_DEPTH32F_STENCIL8;
   int viewport[4];

@@ -30,7 +30,10 @@ struct RenderTarget
   int Samples = 0;         // 0: single-sampled
   bool FixedPoint = true;  // colours are normalised fixed point, not float
   double DepthSteps = 0.0; // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0
-  double DepthLoss = 0.0;  // how far sampled depth may be off where it is of more bits, else 0
+  bool DepthIntegers =
+    false; // single-sampled fixed-point depth of more bits, which is copied as integers of 32
+  double DepthLoss =
+    0.0; // how far sampled depth may be off where multisampled depth is of more bits, else 0
   PixelRegion Viewport;
   PixelRegion Region; // scissor box within the target, or the viewport where the test is off
 

@@ -38,6 +38,10 @@ void AddCapture(
     "VITRINE_OPAQUE_DEPTH_STEPS " + std::to_string(target.DepthSteps),
     "VITRINE_OPAQUE_DEPTH_LOSS " + std::to_string(std::ldexp(target.DepthLoss, 23)) +
       " * exp2(-23.0)" };
+  if (target.DepthIntegers)
+  {
+    defines.emplace_back("VITRINE_OPAQUE_INTEGERS");
+  }
   if (writesDepth)
   {
     defines.emplace_back("VITRINE_WRITES_DEPTH");

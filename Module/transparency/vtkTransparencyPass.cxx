@@ -76,7 +76,9 @@ struct vtkTransparencyPass::Internals
   bool ChangesShaders(const vitrine::RenderTarget& target) const
   {
     return this->Target.Samples != target.Samples || this->Target.FixedPoint != target.FixedPoint ||
-      this->Target.DepthSteps != target.DepthSteps || this->Target.DepthLoss != target.DepthLoss;
+      this->Target.DepthSteps != target.DepthSteps ||
+      this->Target.DepthIntegers != target.DepthIntegers ||
+      this->Target.DepthLoss != target.DepthLoss;
   }
 
   // Whether the context lives in which the pass has its GL objects.
@@ -339,6 +341,10 @@ bool vtkTransparencyPass::SetShaderParameters(
   {
     program->SetUniformi(
       "vitrineOpaqueDepth", in.OpaqueDepth.UnitOf(in.Window->GetState(), in.Target));
+  }
+  if (program->IsUniformUsed("vitrineOpaqueWidth"))
+  {
+    program->SetUniformi("vitrineOpaqueWidth", in.Target.Width);
   }
   if (program->IsUniformUsed("vitrineRegionFirst"))
   {

@@ -53,9 +53,10 @@ public:
    *
    * Both are 0 by default, which is no tolerance: fragments of exactly equal depth are ordered by packed colour. What
    * is near for other reasons coincides too: front and back of a part along its silhouette, within about Slope / 2
-   * pixels of it, and layers closer than the tolerance. Opaque geometry has none: what it hides is decided by the
-   * depth test. Numbers below 0, infinite ones and NaN are errors, and change nothing. Targets of more than 16 samples
-   * are refused.
+   * pixels of it, and layers closer than the tolerance. At the rims of impostors, whose shaders throw fragments away,
+   * the slope is what the driver makes of it. Fragments of alpha 0 coincide with none and join none. Opaque geometry
+   * has no tolerance: what it hides is decided by the depth test. Numbers below 0, infinite ones and NaN are errors,
+   * and change nothing. Targets of more than 16 samples are refused.
    */
   void SetCoincidenceSteps(double steps);
   vtkGetMacro(CoincidenceSteps, double);

@@ -20,3 +20,12 @@ TEST(MethodFamily, HasAColourOfItsOwn)
     EXPECT_TRUE(colors.insert(family.Color).second) << family.Name;
   }
 }
+
+TEST(MethodFamily, HasAMarkOfItsOwn)
+{
+  std::set<std::string> markers;
+  for (const program::MethodFamily& family : program::MethodFamilies())
+  {
+    EXPECT_TRUE(markers.insert(family.Marker).second) << family.Name;
+  }
+}

@@ -3,6 +3,7 @@
 import functools
 import json
 import pathlib
+import re
 import signal
 import subprocess
 import tempfile
@@ -21,6 +22,12 @@ def chart(folder, *arguments):
 
 def read_document(folder):
     return json.loads((folder / "chart.json").read_text())
+
+
+def page_data(folder):
+    """What the page of a chart holds."""
+    page = (folder / "index.html").read_text()
+    return json.loads(re.search(r'id="data">(.*?)</script>', page, re.DOTALL)[1])
 
 
 def results_there(folder):

@@ -1,5 +1,7 @@
+import base64
 import json
 import os
+import shutil
 import signal
 import unittest
 
@@ -7,6 +9,7 @@ from charts import (
     METHODS,
     SMALL,
     chart,
+    page_data,
     read_document,
     results_there,
     resumed_chart,
@@ -170,7 +173,9 @@ class Chart(ProgramTest):
         self.assertEqual(len(cells), len(self.document["failures"]))
         names = [scene["name"] for scene in settings["scenes"]]
         self.assertEqual(set(cells), {(name, method) for name in names for method in METHODS})
-        self.assertIn("expectation", settings["scenes"][0])
+        self.assertIn("expected", settings["scenes"][0])
+        self.assertIn("zoom_before", settings["scenes"][0])
+        self.assertIn("heavy", settings["scenes"][0])
         for cell in cells.values():
             self.assertIn(cell["outcome"], OUTCOMES)
             if cell["outcome"] != "refused":
@@ -202,6 +207,47 @@ class ChartOfOwnScene(FileTest):
             self.assertEqual(document["growth"], [])
             self.assertTrue((folder / "index.html").exists())
             self.assertFalse((folder / "growth.png").exists())
+
+    def test_large_pictures_are_scaled_down_for_the_page(self):
+        folder = self.folder / "chart"
+        command = ("compare", "demo:stack", "--methods", "blend", "--frames", "1")
+        result = run(*command, "--size", "1100x3", "--chart", folder)
+        self.assertEqual(result.returncode, 0, result.stderr.decode())
+        row = read_document(folder)["results"][0]
+        width, _, rows = read_png(folder / row["picture"])
+        self.assertEqual(width, 1100)
+        page = page_data(folder)
+        self.assertEqual(page["shrunk"][row["picture"]], 2)
+        encoded = page["pictures"][row["picture"]].removeprefix("data:image/png;base64,")
+        small = self.write("small.png", base64.b64decode(encoded))
+        width, height, shrunk = read_png(small)
+        self.assertEqual((width, height), (550, 2))
+        for x in (0, 100, 549):
+            # rows of a PNG come from the top: the upper one is what is left of a square
+            top = rows[0][6 * x : 6 * x + 6]
+            self.assertAlmostEqual(shrunk[0][3 * x], (top[0] + top[3]) / 2, delta=0.5)
+            square = [row[6 * x + 3 * i] for row in rows[1:] for i in (0, 1)]
+            self.assertAlmostEqual(shrunk[1][3 * x], sum(square) / 4, delta=0.5)
+
+    def test_pictures_are_files_of_the_chart(self):
+        """What somebody put in the place of a picture is not taken into a page."""
+        resumed = self.folder / "chart"
+        shutil.copytree(resumed_chart().folder, resumed)
+        picture = resumed / read_document(resumed)["results"][0]["picture"]
+        content = picture.read_bytes()
+        secret = self.write("secret", b"secret")
+        aside = self.write("aside.png", content)
+        for put in (
+            lambda: picture.symlink_to(aside),
+            lambda: picture.write_bytes(secret.read_bytes()),
+            lambda: picture.write_bytes(content[: len(content) // 2]),
+            lambda: None,
+        ):
+            picture.unlink(missing_ok=True)
+            put()
+            result = chart(resumed)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(f"{picture}: is missing, or no picture", result.stderr.decode())
 
     def test_a_name_that_is_hostile_to_pages_is_text(self):
         name = "</script><script>alert(1)<!--.stl"
@@ -250,19 +296,36 @@ class Refusals(FileTest):
             self.refuse_chart(self.folder, path, "is not the chart.json of a chart")
             self.assertEqual(path.read_bytes(), content)
 
-    def test_another_version_starts_afresh_and_says_so(self):
+    def test_a_chart_of_others_is_not_written_over(self):
         head = {"vitrine": "0.0.0", "device": {}, "settings": {}, "results": []}
-        self.write("chart.json", json.dumps(head).encode())
-        process = start_chart(self.folder)
-        self.assertIn(b"with another version; starting afresh", process.stderr.readline())
-        stop_when(process, lambda: True, signal.SIGKILL)
+        path = self.write("chart.json", json.dumps(head).encode())
+        before = path.read_bytes()
+        self.refuse_chart(self.folder, path, "by another version", "another folder by --")
+        self.assertEqual(path.read_bytes(), before)
+
+    def test_a_chart_with_other_settings_is_not_written_over(self):
+        folder = self.folder / "chart"
+        compare = ("compare", "demo:stack,layers=2", "--size", "8x8", "--frames", "1")
+        first = run(*compare, "--methods", "blend", "--chart", folder)
+        self.assertEqual(first.returncode, 0, first.stderr.decode())
+        before = (folder / "chart.json").read_bytes()
+        for command in ((*compare, "--methods", "vtk-oit", "--chart"), ("chart", *SMALL, "--out")):
+            self.assert_refused(run(*command, folder), "with other settings", command[-1])
+            self.assertEqual((folder / "chart.json").read_bytes(), before)
+
+    def test_a_file_in_the_way_of_a_plot_is_told(self):
+        for name in ("index.html", "error.png", "growth.png"):
+            path = self.folder / name
+            path.mkdir()
+            self.refuse_chart(self.folder, path, "is a directory")
+            path.rmdir()
 
     def test_damaged_rows_are_told(self):
         folder = self.folder / "chart"
         process = start_chart(folder)
         stop_when(process, lambda: results_there(folder), signal.SIGKILL)
         document = read_document(folder)
-        for change in ({"part": 3}, {"frame_ms": {}}, {"picture": ["a"]}):
+        for change in ({"part": 3}, {"frame_ms": {}}, {"picture": "/etc/passwd"}):
             with self.subTest(change=change):
                 rows = [{**document["results"][0], **change}]
                 text = json.dumps({**document, "results": rows})

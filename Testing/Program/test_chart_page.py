@@ -173,6 +173,70 @@ class ChartPage(unittest.TestCase):
             self.assertIn(name, self.find("#cell h3").text)
             self.assertIn(cell["verdict"], self.find("#cell dl").text)
 
+    def focused(self):
+        return self.browser.switch_to.active_element
+
+    def test_the_tab_key_reaches_one_cell_and_arrows_the_others(self):
+        buttons = self.find_all("#cells button")
+        self.assertEqual([button.get_attribute("tabindex") for button in buttons].count("0"), 1)
+        labels = [button.get_attribute("aria-label") for button in buttons]
+        columns = len(METHODS)
+        buttons[0].click()
+        for key, index in (
+            (Keys.ARROW_RIGHT, 1),
+            (Keys.ARROW_DOWN, 1 + columns),
+            (Keys.ARROW_LEFT, columns),
+            (Keys.ARROW_LEFT, columns),
+            (Keys.ARROW_UP, 0),
+            (Keys.ARROW_UP, 0),
+        ):
+            self.focused().send_keys(key)
+            self.assertEqual(self.focused().get_attribute("aria-label"), labels[index])
+            cell = self.document["failures"][index]
+            self.assertEqual(self.find("#cell h3").text, f"{cell['method']} on {cell['scene']}")
+        self.assertEqual([button.get_attribute("tabindex") for button in buttons].count("0"), 1)
+
+    def test_a_cell_says_how_it_is_drawn(self):
+        scenes = {scene["name"]: scene for scene in self.document["settings"]["failures"]["scenes"]}
+        for cell in self.document["failures"]:
+            self.find(
+                f'#cells [data-scene="{cell["scene"]}"][data-method="{cell["method"]}"]'
+            ).click()
+            text = self.find("#cell dl").text
+            scene = scenes[cell["scene"]]
+            self.assertIn(f"{scene['input']} --size {cell['width']}x{cell['height']}", text)
+            self.assertEqual("times the zoom" in text, scene["zoom_before"] != 1)
+
+    def test_a_mark_keeps_the_focus_when_the_window_changes(self):
+        self.find("#cost").send_keys(Keys.TAB)
+        method = self.focused().get_attribute("data-method")
+        self.browser.execute_script("drawn = document.querySelector('#scatter svg')")
+        width = self.browser.execute_script("return window.innerWidth")
+        self.addCleanup(self.resize, width)
+        self.resize(width - 100)
+        WebDriverWait(self.browser, 60).until(
+            lambda browser: browser.execute_script("return !drawn.isConnected")
+        )
+        self.assertEqual(self.focused().get_attribute("data-method"), method)
+
+    def resize(self, width):
+        self.browser.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False},
+        )
+
+    def test_the_last_choice_of_strength_is_seen(self):
+        self.browser.execute_script("""
+            const choice = document.querySelector("#detail select");
+            for (const gain of [1, 64, 4]) {
+              choice.value = gain;
+              choice.dispatchEvent(new Event("change"));
+            }
+            """)
+        canvas = self.find("#detail canvas")
+        WebDriverWait(self.browser, 60).until(lambda _: canvas.get_attribute("data-largest"))
+        WebDriverWait(self.browser, 60).until(lambda _: canvas.get_attribute("data-gain") == "4")
+
 
 class ChartPageLooks(unittest.TestCase):
     """At other widths and in the dark."""

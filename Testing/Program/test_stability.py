@@ -9,9 +9,6 @@ from program import FileTest, run
 STEP = 1.0 / 255.0 + 1e-6
 # Each sample is rounded to 8 bits, and their mean again; what nodes round comes on top.
 STEP_OF_SAMPLES = 1.2 / 255.0
-# Faces in the plane of an opaque one: routing compares with a copy of the opaque depth, which llvmpipe samples with 23
-# of its 32 bits, and so shows what the depth buffer itself hides. The figures say by how much.
-NOT_EXACT = {("opaque", "stencil-routed")}
 # Approximate methods' figures are the same to the bit on one machine; compilers and drivers round otherwise.
 FIGURES = {"error": 1.0, "worst": 1.0, "wrong": 1.0, "shift": 1.5, "turn": 1.5}
 ROW = ["scene", "method", "width", "height", "outcome", "verdict", "error", "worst_error"]
@@ -44,9 +41,8 @@ class KnownFailures(unittest.TestCase):
 
     def test_exact_methods_are_exact_everywhere(self):
         def check(row):
-            if (row["scene"], row["method"]) not in NOT_EXACT:
-                self.assertEqual(row["verdict"], "exact")
-                self.assertLessEqual(row["worst_error"], STEP)
+            self.assertEqual(row["verdict"], "exact")
+            self.assertLessEqual(row["worst_error"], STEP)
             self.assertEqual(row["repetition_difference"], 0)
             self.assertEqual(row["order_difference"], 0)
             for motion in (row["shift"], row["turn"]):

@@ -1,6 +1,8 @@
 // A tolerance for coincidence: what it groups is composited without an order, and nothing else changes.
 #include "TestGroups.h"
 #include "TestMessages.h"
+#include "gl/RenderTarget.h"
+#include "transparency/CoincidenceTolerance.h"
 #include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -9,12 +11,32 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
 namespace
 {
+
+constexpr Rgba Red = { 1.0, 0.2, 0.0, 0.6 };
+constexpr Rgba Blue = { 0.0, 0.4, 1.0, 0.2 };
+
+Rgba MeanOfBothOrders()
+{
+  const Rgba redFirst = CompositePlates({ Red, Blue }, TestBackground);
+  const Rgba blueFirst = CompositePlates({ Blue, Red }, TestBackground);
+  Rgba mean;
+  for (int c = 0; c < 4; ++c)
+  {
+    mean[c] = 0.5 * (redFirst[c] + blueFirst[c]);
+  }
+  return mean;
+}
+
+// Two plates coincide within the sum of their tolerances. Heights differ by twice as much as depths.
+constexpr double Reach = 4.0 * Noise;
 
 class Coincidence : public testing::TestWithParam<Method>
 {
@@ -22,27 +44,18 @@ class Coincidence : public testing::TestWithParam<Method>
 
 TEST_P(Coincidence, PairsAreTheMeanOfBothOrdersToTheByte)
 {
-  const Rgba red = { 1.0, 0.2, 0.0, 0.6 };
-  const Rgba blue = { 0.0, 0.4, 1.0, 0.2 };
-  const Rgba redFirst = CompositePlates({ red, blue }, TestBackground);
-  const Rgba blueFirst = CompositePlates({ blue, red }, TestBackground);
-  Rgba mean;
-  for (int c = 0; c < 4; ++c)
-  {
-    mean[c] = 0.5 * (redFirst[c] + blueFirst[c]);
-  }
   for (const int samples : { 0, 4 })
   {
     TestScene scene(9, 6, samples);
     scene.Use(MakeTolerant(GetParam()));
     std::vector<Picture> pictures;
-    for (const double noise : { -0.9, -0.1, 0.0, 0.1, 0.9 })
+    for (const double noise : { -0.95, -0.02, 0.0, 0.02, 0.95 })
     {
       scene.Renderer->RemoveAllViewProps();
-      scene.AddPlate(0.3, red);
-      scene.AddPlate(0.3 + noise * Noise, blue);
+      scene.AddPlate(0.3, Red);
+      scene.AddPlate(0.3 + noise * Reach, Blue);
       pictures.push_back(scene.Render());
-      ExpectColor(UniformColor(pictures.back()), mean, GetParam().Tolerance);
+      ExpectColor(UniformColor(pictures.back()), MeanOfBothOrders(), GetParam().Tolerance);
       EXPECT_TRUE(pictures.back() == pictures.front()) << "noise " << noise;
     }
   }
@@ -50,17 +63,50 @@ TEST_P(Coincidence, PairsAreTheMeanOfBothOrdersToTheByte)
 
 TEST_P(Coincidence, EndsBeyondTheTolerance)
 {
-  const Rgba red = { 1.0, 0.2, 0.0, 0.6 };
-  const Rgba blue = { 0.0, 0.4, 1.0, 0.2 };
-  for (const double height : { 0.3 + 5 * Noise, 0.3 - 5 * Noise })
+  for (const double height : { 0.3 + 1.05 * Reach, 0.3 - 1.05 * Reach })
   {
     TestScene scene(9, 6);
-    scene.AddPlate(0.3, red);
-    scene.AddPlate(height, blue);
+    scene.AddPlate(0.3, Red);
+    scene.AddPlate(height, Blue);
     scene.Use(MakeTolerant(GetParam()));
     const Picture picture = scene.Render();
     scene.Use(GetParam().Make());
     EXPECT_TRUE(picture == scene.Render());
+  }
+}
+
+// There the near ends of intervals are cut off, and their far ends must not move away for it.
+TEST_P(Coincidence, EndsBeyondTheToleranceAtTheNearPlane)
+{
+  const double tolerance = 0.05; // five times the depth of the nearer plate
+  const auto heightAt = [](double depth) { return 1.0 - 2.0 * depth; };
+  for (const bool within : { true, false })
+  {
+    TestScene scene(9, 6);
+    scene.AddPlate(heightAt(0.01), Red);
+    scene.AddPlate(heightAt(0.01 + (within ? 1.95 : 2.05) * tolerance), Blue);
+    scene.Use(MakeTolerant(GetParam(), std::ldexp(tolerance, 24)));
+    ExpectColor(UniformColor(scene.Render()),
+      within ? MeanOfBothOrders() : CompositePlates({ Red, Blue }, TestBackground),
+      GetParam().Tolerance);
+  }
+}
+
+// A plate between two others joins them, unless it is not seen.
+TEST_P(Coincidence, IsNotPassedOnByWhatIsNotSeen)
+{
+  for (const int samples : { 0, 4 })
+  {
+    for (const double alpha : { 0.0, 1.0 / 255 })
+    {
+      TestScene scene(9, 6, samples);
+      scene.AddPlates({ Red, { 1.0, 1.0, 1.0, alpha }, Blue },
+        { 0.3, 0.3 - 0.45 * Reach, 0.3 - 1.2 * Reach }, 62);
+      scene.Use(GetParam().Make());
+      const Picture ordered = scene.Render();
+      scene.Use(MakeTolerant(GetParam()));
+      EXPECT_EQ(scene.Render() == ordered, alpha == 0.0) << "alpha " << alpha;
+    }
   }
 }
 
@@ -92,16 +138,14 @@ TEST_P(Coincidence, OfPartsIsTruthOfTheSameTolerance)
 // Two corners of a plane, tilted, whose heights differ by less than a hundredth of its change over a pixel.
 TEST_P(Coincidence, ByTheSlopeGroupsTiltedFaces)
 {
-  const Rgba red = { 1.0, 0.2, 0.0, 0.6 };
-  const Rgba blue = { 0.0, 0.4, 1.0, 0.2 };
   TestScene scene(40, 30);
   std::vector<Picture> pictures;
   for (const double noise : { -1e-4, 1e-4 })
   {
     scene.Renderer->RemoveAllViewProps();
-    scene.AddTriangle({ { { -4, -4, -0.9 }, { 4, -4, 0.9 }, { 0, 4, 0.5 } } }, red);
+    scene.AddTriangle({ { { -4, -4, -0.9 }, { 4, -4, 0.9 }, { 0, 4, 0.5 } } }, Red);
     scene.AddTriangle(
-      { { { -4, -4, -0.9 + noise }, { 4, -4, 0.9 + noise }, { 0, 4, 0.5 + noise } } }, blue);
+      { { { -4, -4, -0.9 + noise }, { 4, -4, 0.9 + noise }, { 0, 4, 0.5 + noise } } }, Blue);
     scene.Use(MakeTolerant(GetParam(), 0.0, 0.05));
     pictures.push_back(scene.Render());
     scene.Use(MakeTolerant(GetParam(), 0.0, 0.0005));
@@ -114,21 +158,19 @@ TEST_P(Coincidence, ByTheSlopeGroupsTiltedFaces)
 // side of the cut as the tolerance has slopes.
 TEST_P(Coincidence, ReachesAsManyPixelsAsSlopesToEitherSide)
 {
-  const Rgba red = { 1.0, 0.2, 0.0, 0.6 };
-  const Rgba blue = { 0.0, 0.4, 1.0, 0.2 };
-  const Rgba tiltedFirst = CompositePlates({ red, blue }, TestBackground);
-  const Rgba flatFirst = CompositePlates({ blue, red }, TestBackground);
+  const Rgba tiltedFirst = CompositePlates({ Red, Blue }, TestBackground);
+  const Rgba flatFirst = CompositePlates({ Blue, Red }, TestBackground);
   constexpr int size = 40;
   constexpr int slopes = 3;
   for (const bool alongX : { true, false })
   {
     TestScene scene(size, size);
-    scene.AddPlate(0.0, blue);
+    scene.AddPlate(0.0, Blue);
     scene.AddTriangle(alongX ? std::array<std::array<double, 3>, 3>{ { { -1, -9, -0.5 },
                                  { 1, 0, 0.5 }, { -1, 9, -0.5 } } }
                              : std::array<std::array<double, 3>, 3>{ { { -9, -1, -0.5 },
                                  { 9, -1, -0.5 }, { 0, 1, 0.5 } } },
-      red);
+      Red);
     scene.Use(MakeTolerant(GetParam(), 0.0, slopes));
     const Picture picture = scene.Render();
     for (int i = 10; i < 30; ++i)
@@ -149,20 +191,12 @@ TEST_P(Coincidence, ReachesAsManyPixelsAsSlopesToEitherSide)
 
 TEST_P(Coincidence, ByTheSlopeGroupsEqualDepthsOfFlatFaces)
 {
-  const Rgba red = { 1.0, 0.2, 0.0, 0.6 };
-  const Rgba blue = { 0.0, 0.4, 1.0, 0.2 };
-  const Rgba redFirst = CompositePlates({ red, blue }, TestBackground);
-  const Rgba blueFirst = CompositePlates({ blue, red }, TestBackground);
   TestScene scene(9, 6);
-  scene.AddPlate(0.3, red);
-  scene.AddPlate(0.3, blue);
+  scene.AddPlate(0.3, Red);
+  scene.AddPlate(0.3, Blue);
   scene.AddPlate(-0.3, { 0.0, 0.0, 0.0, 0.0 });
   scene.Use(MakeTolerant(GetParam(), 0.0, 1.0));
-  const Rgba color = UniformColor(scene.Render());
-  for (int c = 0; c < 4; ++c)
-  {
-    EXPECT_NEAR(255 * color[c], 127.5 * (redFirst[c] + blueFirst[c]), GetParam().Tolerance);
-  }
+  ExpectColor(UniformColor(scene.Render()), MeanOfBothOrders(), GetParam().Tolerance);
 }
 
 // The slope that counts is that of the depth that a shader writes, not of the geometry.
@@ -174,9 +208,7 @@ TEST_P(Coincidence, TakesTheSlopeOfWrittenDepths)
     TestScene scene(40, 30);
     for (const double offset : { 0.0, noise })
     {
-      scene
-        .AddRectangle(-2, -2, 2, 2, 0.0,
-          offset == 0.0 ? Rgba{ 1.0, 0.2, 0.0, 0.6 } : Rgba{ 0.0, 0.4, 1.0, 0.2 })
+      scene.AddRectangle(-2, -2, 2, 2, 0.0, offset == 0.0 ? Red : Blue)
         ->GetShaderProperty()
         ->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
           "gl_FragDepth = 0.3 + 0.01 * gl_FragCoord.x + float(" + std::to_string(offset) + ");\n",
@@ -188,6 +220,52 @@ TEST_P(Coincidence, TakesTheSlopeOfWrittenDepths)
     EXPECT_FALSE(scene.Render() == pictures.back());
   }
   EXPECT_TRUE(pictures[0] == pictures[1]);
+}
+
+// Impostors, one plane, of which a shader throws away what is outside of a circle: along its rim slopes may be anything, and
+// so either order or none is right.
+TEST_P(Coincidence, TakesTheSlopeOfDepthsThatAreNotThrownAway)
+{
+  const int width = 40;
+  const int height = 30;
+  const double radius = 12.0;
+  const Rgba rims[] = { MeanOfBothOrders(), CompositePlates({ Red, Blue }, TestBackground),
+    CompositePlates({ Blue, Red }, TestBackground) };
+  for (const double noise : { -1e-4, 1e-4 })
+  {
+    TestScene scene(width, height);
+    for (const double offset : { 0.0, noise })
+    {
+      scene.AddRectangle(-2, -2, 2, 2, 0.0, offset == 0.0 ? Red : Blue)
+        ->GetShaderProperty()
+        ->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+          "if (distance(gl_FragCoord.xy, vec2(20.0, 15.0)) > 12.0) discard;\n"
+          "gl_FragDepth = 0.3 + 0.01 * gl_FragCoord.x + float(" +
+            std::to_string(offset) + ");\n",
+          false);
+    }
+    scene.Use(MakeTolerant(GetParam(), 0.0, 0.05));
+    const Picture picture = scene.Render();
+    for (int y = 0; y < height; ++y)
+    {
+      for (int x = 0; x < width; ++x)
+      {
+        SCOPED_TRACE(std::to_string(x) + ", " + std::to_string(y));
+        const double fromRim = std::hypot(x + 0.5 - width / 2, y + 0.5 - height / 2) - radius;
+        const Rgba color = picture.At(x, y);
+        const bool isRim = fromRim > -1.5 && fromRim <= 0.0; // a neighbour may be gone
+        if (isRim)
+        {
+          EXPECT_TRUE(std::any_of(std::begin(rims), std::end(rims),
+            [&](const Rgba& rim) { return std::abs(255 * (color[0] - rim[0])) <= 1.0; }));
+        }
+        else
+        {
+          ExpectColor(color, fromRim > 0.0 ? TestBackground : rims[0], GetParam().Tolerance);
+        }
+      }
+    }
+  }
 }
 
 TEST_P(Coincidence, OfAllDepthIsOneGroup)
@@ -218,6 +296,25 @@ TEST_P(Coincidence, RefusesWhatIsNoTolerance)
   {
     EXPECT_EQ(lists->GetCoincidenceSteps(), 3.0);
     EXPECT_EQ(lists->GetCoincidenceSlope(), 0.5);
+  }
+}
+
+TEST(CoincidenceTolerance, CanBeHadWithSixteenSamples)
+{
+  const vitrine::CoincidenceTolerance none;
+  const vitrine::CoincidenceTolerance some = { 1.0, 0.0 };
+  vitrine::RenderTarget target;
+  for (const int samples : { 0, 1, 4, 16, 17, 32 })
+  {
+    target.Samples = samples;
+    EXPECT_EQ(none.FindProblemIn(target), "");
+    const std::string problem = some.FindProblemIn(target);
+    EXPECT_EQ(problem.empty(), samples <= 16) << problem;
+    if (samples > 16)
+    {
+      EXPECT_NE(problem.find("16 samples"), std::string::npos) << problem;
+      EXPECT_NE(problem.find("has " + std::to_string(samples)), std::string::npos) << problem;
+    }
   }
 }
 

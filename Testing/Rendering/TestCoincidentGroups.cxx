@@ -88,33 +88,50 @@ TEST_P(CoincidentGroups, WithoutAnyIsThePictureWithoutTheTolerance)
 INSTANTIATE_TEST_SUITE_P(
   Methods, CoincidentGroups, testing::ValuesIn(TolerantMethods()), MethodName());
 
-// Colours of any alpha, many at one depth: the mean within a quarter of a step, and what storage adds.
+// Colours of any alpha, many at one depth: the mean within a third of a step, and what storage adds.
 class CoincidentStorage : public testing::TestWithParam<Method>
 {
 };
 
+// One group: the first of its plates are red, the others green.
+Groups OfTwoAlphas(int layers, int reds, double alphaOfReds, double alphaOfGreens)
+{
+  const Rgba red = { 1.0, 0.0, 0.4, alphaOfReds };
+  const Rgba green = { 0.0, 1.0, 0.4, alphaOfGreens };
+  Groups groups;
+  groups.Plates.assign(reds, red);
+  groups.Plates.resize(layers, green);
+  groups.Heights.assign(layers, 0.3);
+  groups.Sizes = { layers };
+  return groups;
+}
+
 TEST_P(CoincidentStorage, LargeGroupsOfHostileAlphasAreTheClosedForm)
 {
-  const std::vector<double> alphas = { 0.0, 1.0, 128.0 / 255, 1.0 / 255, 252.0 / 255, 51.0 / 255 };
+  const double alphas[] = { 0.0, 1.0, 128.0 / 255, 1.0 / 255, 252.0 / 255, 56.0 / 255 };
   TestScene scene(3, 2);
   scene.Use(MakeTolerant(GetParam()));
-  for (const int layers : { 2, 8, 9, 16, 32, 64, 200, 1000 })
+  for (const int layers : { 2, 8, 9, 32, 200, 1000 })
   {
-    for (std::size_t a = 0; a < alphas.size(); ++a)
+    for (const int share : { 2, 4, 8 })
     {
-      for (std::size_t b = a + 1; b < alphas.size(); ++b)
+      for (const double few : alphas)
       {
-        SCOPED_TRACE(std::to_string(layers) + " layers, alphas " + std::to_string(alphas[a]) +
-          " and " + std::to_string(alphas[b]));
-        Groups groups = RandomGroups(layers, { layers }, 0.5, 55);
-        for (int i = 0; i < layers; ++i)
+        for (const double many : alphas)
         {
-          const bool first = i < layers / 2;
-          groups.Plates[i] = { first ? 1.0 : 0.0, first ? 0.0 : 1.0, 0.4, alphas[first ? a : b] };
+          if (few <= many) // the error is larger where the more opaque are fewer
+          {
+            continue;
+          }
+          SCOPED_TRACE(std::to_string(layers / share) + " of " + std::to_string(layers) +
+            " layers with alpha " + std::to_string(few) + ", others " + std::to_string(many));
+          const Groups groups = OfTwoAlphas(layers, layers / share, few, many);
+          const vtkSmartPointer<vtkActor> actor =
+            scene.AddPlates(groups.Plates, groups.Heights, 56);
+          ExpectColor(
+            UniformColor(scene.Render()), ClosedForm(groups), GetParam().Tolerance + 1.0 / 3.0);
+          scene.Renderer->RemoveActor(actor);
         }
-        const vtkSmartPointer<vtkActor> actor = scene.AddPlates(groups.Plates, groups.Heights, 56);
-        ExpectColor(UniformColor(scene.Render()), ClosedForm(groups), GetParam().Tolerance + 0.25);
-        scene.Renderer->RemoveActor(actor);
       }
     }
   }

@@ -122,11 +122,9 @@ Picture ExpectTruth(
   TestScene& scene, vtkTransparencyPass* pass, double tolerance, double besides = 0.0);
 
 /**
- * The same for a new pass of every method of ExactMethods() and RoutedMethods(), each within its tolerance times `slack`; of the
- * latter, the `besides` share of the pixels may be wrong: where translucent geometry meets opaque one, since what they sample of a
- * depth buffer of 32 bits is off by as much as 2^-23 (RenderTarget::DepthLoss).
+ * The same for a new pass of every method of ExactMethods() and RoutedMethods(), each within its tolerance times `slack`.
  */
-void ExpectAllAreTruth(TestScene& scene, double slack = 1.0, double besides = 0.0);
+void ExpectAllAreTruth(TestScene& scene, double slack = 1.0);
 
 /** Expect that the last frame was VTK's, since the pass refused it with a reason that contains `text`, said once. */
 void ExpectRefusal(vtkTransparencyPass* pass, const std::string& text);

@@ -292,8 +292,7 @@ TEST_P(Props, AreTruth)
   const Picture without = scene.Render();
   GetParam().Add(scene);
   EXPECT_FALSE(scene.Render() == without) << "nothing was added";
-  // One of the blocks is opaque, and meets the others.
-  ExpectAllAreTruth(scene, 1.0, GetParam().Name == std::string("CompositeBlocks") ? 0.002 : 0.0);
+  ExpectAllAreTruth(scene);
 }
 
 // Masks are truth besides edges, or refuse what counts in pixels.

@@ -35,16 +35,10 @@ Json StepJson(const ChartStep& step)
 
 Json FailuresJson(const StabilitySettings& settings)
 {
-  Json scenes = Json::array();
-  for (const StabilityScene& scene : settings.Scenes)
-  {
-    scenes.push_back(
-      { { "name", scene.Name }, { "input", scene.Input }, { "expectation", scene.Expectation } });
-  }
   return { { "methods", settings.Methods }, { "width", settings.Size.Width },
     { "height", settings.Size.Height }, { "repetitions", settings.Repetitions },
     { "orders", settings.Orders }, { "shifts", settings.Shifts }, { "turns", settings.Turns },
-    { "other_windows", settings.WithOtherWindows }, { "scenes", scenes } };
+    { "other_windows", settings.WithOtherWindows }, { "scenes", ScenesJson(settings.Scenes) } };
 }
 
 Json Key(const std::string& part, int number)

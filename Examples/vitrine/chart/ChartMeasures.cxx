@@ -5,13 +5,13 @@
 namespace program
 {
 
-namespace
-{
 double NumberOrNaN(const Json& row, const char* key)
 {
   return row.contains(key) && row[key].is_number() ? row[key].get<double>() : std::nan("");
 }
 
+namespace
+{
 double ErrorOrNaN(const Json& row, const char* key)
 {
   return row.contains("error") && row["error"].is_object() ? NumberOrNaN(row["error"], key)

@@ -21,6 +21,9 @@ struct ChartMeasure
   bool IsLogarithmic = true;
 };
 
+/** The number `key` of a row; NaN where it has none. */
+double NumberOrNaN(const Json& row, const char* key);
+
 /** Frame time as a ratio, memory, geometry passes. */
 const std::vector<ChartMeasure>& CostMeasures();
 

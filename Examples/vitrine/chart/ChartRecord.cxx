@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "OutputFile.h"
 #include "OutputPicture.h"
+#include "chart/ChartRows.h"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,23 @@ namespace
 namespace fs = std::filesystem;
 
 const char* const DocumentName = "chart.json";
-const char* const PictureFolder = "pictures";
-const std::array<const char*, 3> Head = { "vitrine", "device", "settings" };
+
+/** What is alike in all of a chart, and in words where it is not. */
+struct HeadKey
+{
+  const char* Name;
+  const char* Difference;
+};
+
+const std::array<HeadKey, 3> Head = { { { "vitrine", "by another version" },
+  { "device", "on another device" }, { "settings", "with other settings" } } };
+
+/** Where a document has rows, they are a list. */
+bool HasLists(const Json& document)
+{
+  return document.contains("results") && document["results"].is_array() &&
+    (!document.contains("failures") || document["failures"].is_array());
+}
 
 /** Nothing if there is no file; throws if it is no chart. */
 std::optional<Json> ReadDocument(const std::string& path)
@@ -31,55 +47,18 @@ std::optional<Json> ReadDocument(const std::string& path)
   }
   std::ifstream file(path);
   Json document = Json::parse(file, nullptr, /* allow_exceptions= */ false);
-  if (!document.is_object() || !document.contains(Head[0]) || !document.contains("results"))
+  if (!document.is_object() || !document.contains(Head[0].Name) || !HasLists(document))
   {
     throw InputError(path, "is not the chart.json of a chart; move it, or name another folder");
   }
   return document;
 }
 
-bool HasStrings(const Json& row, const std::vector<std::string>& keys)
-{
-  return row.is_object() &&
-    std::all_of(keys.begin(), keys.end(),
-      [&row](const std::string& key) { return row.contains(key) && row[key].is_string(); });
-}
-
-bool HasNumber(const Json& row, const std::string& pointer)
-{
-  const Json::json_pointer place(pointer);
-  return row.contains(place) && row.at(place).is_number();
-}
-
-bool IsResult(const Json& row)
-{
-  const bool ran = HasNumber(row, "/frame_ms/median");
-  return HasStrings(row, { "part", "scene", "method" }) && HasNumber(row, "/step") &&
-    HasNumber(row, "/width") && HasNumber(row, "/height") &&
-    (ran || HasStrings(row, { "skipped" }));
-}
-
-bool IsCell(const Json& row)
-{
-  return HasStrings(row, { "scene", "method", "outcome", "verdict" });
-}
-
-bool HasNoOtherPictures(const Json& row)
-{
-  const auto isPath = [&row](const char* key)
-  { return !row.contains(key) || row[key].is_string(); };
-  return isPath("picture") && isPath("truth_picture");
-}
-
-/** What anyone can have edited. */
 void CheckRows(const std::string& path, const Json& rows, bool (*isGood)(const Json& row))
 {
-  for (const Json& row : rows)
+  if (!std::all_of(rows.begin(), rows.end(), isGood))
   {
-    if (!isGood(row) || !HasNoOtherPictures(row))
-    {
-      throw InputError(path, "has rows that are damaged; remove it to measure afresh");
-    }
+    throw InputError(path, "has rows that are damaged; remove it to measure afresh");
   }
 }
 
@@ -90,29 +69,39 @@ bool HasValues(const Json& row, const Json& values)
     { return row.contains(item.key()) && row[item.key()] == item.value(); });
 }
 
-/** The first of the head's keys whose values differ; null if none do. */
-const char* FindDifference(const Json& head, const Json& document)
+/** Throws where a document was measured otherwise: what may have taken hours is not written over. */
+void CheckHead(
+  const std::string& path, const Json& document, const Json& head, const std::string& option)
 {
-  for (const char* key : Head)
+  for (const HeadKey& key : Head)
   {
-    if (!document.contains(key) || document[key] != head[key])
+    if (!document.contains(key.Name) || document[key.Name] != head[key.Name])
     {
-      return key;
+      throw InputError(path,
+        std::string("was measured ") + key.Difference + "; name another folder by " + option +
+          ", or remove it to measure afresh");
     }
   }
-  return nullptr;
 }
 }
 
-ChartRecord::ChartRecord(const std::string& folder, const Json& head)
+ChartRecord::ChartRecord(
+  const std::string& folder, const Json& head, const std::string& folderOption)
   : Folder(folder)
-  , Contents(head)
+  , Contents(Json::parse(JsonText(head))) // as it is read again: names of files need not be UTF-8
 {
   MakeFolder(folder);
-  CheckWritable(this->PathOf(DocumentName));
+  for (const char* file : { DocumentName, PageFile, ErrorPlotFile, GrowthPlotFile })
+  {
+    CheckWritable(this->PathOf(file));
+  }
+  if (const std::optional<Json> before = ReadDocument(this->PathOf(DocumentName)))
+  {
+    CheckHead(this->PathOf(DocumentName), *before, this->Contents, folderOption);
+  }
   this->Contents["results"] = Json::array();
-  ReadDocument(this->PathOf(DocumentName));
-  MakeFolder(this->PathOf(PictureFolder));
+  MakeFolder(fs::path(this->PathOf(PicturePath("any"))).parent_path().string());
+  CheckWritable(this->PathOf(PicturePath("any")));
 }
 
 std::string ChartRecord::GoOn()
@@ -122,14 +111,9 @@ std::string ChartRecord::GoOn()
   {
     return "";
   }
-  if (const char* difference = FindDifference(this->Contents, *before))
-  {
-    return this->PathOf(DocumentName) + " was measured with another " +
-      (difference == Head[0] ? "version" : difference) + "; starting afresh";
-  }
   this->Contents = *before;
-  CheckRows(this->PathOf(DocumentName), this->Rows("results"), IsResult);
-  CheckRows(this->PathOf(DocumentName), this->Rows("failures"), IsCell);
+  CheckRows(this->PathOf(DocumentName), this->Rows("results"), IsChartResult);
+  CheckRows(this->PathOf(DocumentName), this->Rows("failures"), IsChartCell);
   return this->PathOf(DocumentName) + " has " +
     std::to_string(this->Rows("results").size() + this->Rows("failures").size()) +
     " results already; going on from there";
@@ -166,7 +150,7 @@ void ChartRecord::Set(const std::string& key, const Json& value)
 std::string ChartRecord::AddPicture(
   const std::string& name, const std::vector<std::uint8_t>& pixels, PictureSize size)
 {
-  const std::string file = std::string(PictureFolder) + "/" + name + ".png";
+  const std::string file = PicturePath(name);
   WritePicture(this->PathOf(file), pixels, size);
   return file;
 }

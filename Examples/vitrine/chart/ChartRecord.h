@@ -15,18 +15,24 @@
 namespace program
 {
 
+/** The files beside chart.json that are written once everything is measured. */
+inline constexpr const char* PageFile = "index.html";
+inline constexpr const char* ErrorPlotFile = "error.png";
+inline constexpr const char* GrowthPlotFile = "growth.png";
+
 class ChartRecord
 {
 public:
   /**
    * Begin anew; `head` holds what all of it is measured with ({"vitrine", "device", "settings"}). The folder is made if it is not
-   * there. Throws InputError if it cannot be, may not be written to, or holds a chart.json of something else.
+   * there. Throws InputError if it cannot be, if one of its files may not be written to, or if it holds a chart.json of something
+   * else, or one that was measured with another head; the message names `folderOption`, by which users name a folder.
    */
-  ChartRecord(const std::string& folder, const Json& head);
+  ChartRecord(const std::string& folder, const Json& head, const std::string& folderOption);
 
   /**
-   * Take up what stands in the folder if it was measured with the same. Returns what was found, in a sentence; empty if
-   * nothing was. Throws InputError for rows that are not of a chart.
+   * Take up what stands in the folder. Returns what was found, in a sentence; empty if nothing was. Throws InputError for rows that
+   * are not of a chart.
    */
   std::string GoOn();
 

@@ -149,11 +149,6 @@ struct Growth
   std::function<double(const Json& row)> X;
 };
 
-double NumberOrNaN(const Json& row, const char* key)
-{
-  return row[key].is_number() ? row[key].get<double>() : std::nan("");
-}
-
 const std::vector<Growth>& Growths()
 {
   const auto layers = [](const Json& row) { return NumberOrNaN(row, "layers_max"); };

@@ -8,13 +8,13 @@ const std::vector<MethodFamily>& MethodFamilies()
   // The colours of M. Okabe and K. Ito, which the colour-blind tell apart, and grey.
   static const std::vector<MethodFamily> families = {
     { "blend", { { 128, 128, 128 } }, "cross" },
-    { "vtk-oit", { { 213, 94, 0 } }, "triangle" },
+    { "vtk-oit", { { 213, 94, 0 } }, "open-diamond" },
     { "vtk-peeling", { { 230, 159, 0 } }, "square" },
     { "linked-list", { { 0, 114, 178 } }, "circle" },
     { "prefix-sum", { { 86, 180, 233 } }, "diamond" },
-    { "stencil-mask", { { 0, 158, 115 } }, "triangle-down" },
+    { "stencil-mask", { { 0, 158, 115 } }, "open-circle" },
     { "stencil-routed", { { 204, 121, 167 } }, "plus" },
-    { "other", { { 96, 96, 96 } }, "square" },
+    { "other", { { 96, 96, 96 } }, "open-square" },
   };
   return families;
 }

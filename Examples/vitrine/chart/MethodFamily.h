@@ -16,7 +16,8 @@ struct MethodFamily
 {
   std::string Name;                   ///< how its members' names begin
   std::array<unsigned char, 3> Color; ///< red, green, blue
-  std::string Marker; ///< circle, square, diamond, plus, cross, triangle or triangle-down
+  std::string
+    Marker; ///< plus, cross, circle, square, diamond, or one of the last three after "open-"
 };
 
 /** All families, the last of which is of methods that belong to no other. */

@@ -65,7 +65,7 @@ void Chart(const ChartOptions& options)
   vtkHeadlessRenderWindow::InstallOverride();
   const ChartPlan plan = MakePlan(options);
   CheckInputs(options.Inputs);
-  ChartRecord record(options.Out, ChartHead(plan, FindDevice()));
+  ChartRecord record(options.Out, ChartHead(plan, FindDevice()), "--out");
   PrintNote(record.GoOn());
   {
     Progress progress;

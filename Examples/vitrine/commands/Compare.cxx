@@ -28,11 +28,14 @@ struct CompareOptions
   std::optional<std::string> Chart;
 };
 
-ChartRecord BeginChart(const std::string& folder, const ComparisonSettings& settings)
+ChartRecord BeginChart(const CompareOptions& options, const ComparisonSettings& settings)
 {
   program::Json head = MeasurementHead(FindDevice());
   head["settings"] = ToJson(settings);
-  return { folder, head };
+  head["settings"].update({ { "inputs", options.Scene.Inputs }, { "methods", settings.Methods },
+    { "width", settings.Size.Width }, { "height", settings.Size.Height },
+    { "frames", settings.Frames } });
+  return { *options.Chart, head, "--chart" };
 }
 
 void Compare(const CompareOptions& options)
@@ -54,7 +57,7 @@ void Compare(const CompareOptions& options)
   std::optional<ChartRecord> chart;
   if (options.Chart)
   {
-    chart = BeginChart(*options.Chart, settings);
+    chart = BeginChart(options, settings);
   }
   Progress progress;
   const ComparisonResult comparison = CompareMethods(scene, settings, progress);

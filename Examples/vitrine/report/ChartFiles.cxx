@@ -20,7 +20,7 @@ void Summarise(ChartRecord& record)
 
 std::string WriteChart(ChartRecord& record)
 {
-  const std::string page = record.PathOf("index.html");
+  const std::string page = record.PathOf(PageFile);
   Summarise(record);
   PlotChart(record);
   WriteWholeFile(page, MakeChartPage(record));

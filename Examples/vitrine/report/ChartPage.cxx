@@ -1,15 +1,11 @@
 #include "report/ChartPage.h"
 
-#include "Errors.h"
 #include "chart/ChartMeasures.h"
 #include "chart/ChartPageTexts.h"
 #include "chart/MethodFamily.h"
-#include "report/TextTable.h"
+#include "report/PagePicture.h"
 
-#include "vtkBase64Utilities.h"
-
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 #include <vector>
 
 namespace program
@@ -17,36 +13,23 @@ namespace program
 
 namespace
 {
-std::string ReadPicture(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{ std::istreambuf_iterator<char>(file), {} };
-  if (bytes.empty())
-  {
-    throw InputError(path, "is missing; remove chart.json beside its folder to measure afresh");
-  }
-  return bytes;
-}
-
-std::string DataUri(const std::string& png)
-{
-  std::vector<unsigned char> base64(png.size() / 3 * 4 + 8);
-  const auto length = vtkBase64Utilities::Encode(
-    reinterpret_cast<const unsigned char*>(png.data()), png.size(), base64.data());
-  return "data:image/png;base64," + std::string(base64.begin(), base64.begin() + length);
-}
-
-/** Add to `pictures` what the rows of a list name, by path. */
-void AddPictures(const ChartRecord& record, const std::string& list, Json& pictures)
+/** The pictures that the rows of a list name, by path: their URIs, and how much those are shrunk that are. */
+void AddPictures(const ChartRecord& record, const std::string& list, Json& uris, Json& shrunk)
 {
   for (const Json& row : record.Rows(list))
   {
     for (const char* key : { "picture", "truth_picture" })
     {
-      if (row.contains(key) && !pictures.contains(std::string(row[key])))
+      const std::string path = row.value(key, "");
+      if (path.empty() || uris.contains(path))
       {
-        const std::string path = row[key];
-        pictures[path] = DataUri(ReadPicture(record.PathOf(path)));
+        continue;
+      }
+      const PagePicture picture = ReadPagePicture(record.PathOf(path));
+      uris[path] = picture.Uri;
+      if (picture.Shrink > 1)
+      {
+        shrunk[path] = picture.Shrink;
       }
     }
   }
@@ -79,11 +62,12 @@ Json MeasuresJson(const std::vector<ChartMeasure>& measures)
 Json PageData(const ChartRecord& record)
 {
   Json pictures = Json::object();
-  AddPictures(record, "results", pictures);
-  AddPictures(record, "failures", pictures);
+  Json shrunk = Json::object();
+  AddPictures(record, "results", pictures, shrunk);
+  AddPictures(record, "failures", pictures, shrunk);
   return { { "chart", record.Document() }, { "families", FamiliesJson() },
     { "costs", MeasuresJson(CostMeasures()) }, { "errors", MeasuresJson(ErrorMeasures()) },
-    { "pictures", pictures } };
+    { "pictures", pictures }, { "shrunk", shrunk } };
 }
 
 /** JSON that may stand in a script element: nothing in it can end the element. */

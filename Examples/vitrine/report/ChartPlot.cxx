@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace program
 {
@@ -21,15 +22,19 @@ const std::array<unsigned char, 3> Black = { 0, 0, 0 };
 const char* const Cost = "time";
 const char* const Error = "max";
 
-/** VTK has no triangles; colours tell families apart as well. */
+const std::string Open = "open-";
+
+bool IsOpen(const MethodFamily& family)
+{
+  return family.Marker.compare(0, Open.size(), Open) == 0;
+}
+
 PlotMarker MarkerOf(const MethodFamily& family)
 {
-  const std::string& name = family.Marker;
-  return name == "circle" ? PlotMarker::Circle
-    : name == "diamond"   ? PlotMarker::Diamond
-    : name == "plus"      ? PlotMarker::Plus
-    : name == "cross"     ? PlotMarker::Cross
-                          : PlotMarker::Square;
+  static const std::map<std::string, PlotMarker> markers = { { "circle", PlotMarker::Circle },
+    { "square", PlotMarker::Square }, { "diamond", PlotMarker::Diamond },
+    { "plus", PlotMarker::Plus }, { "cross", PlotMarker::Cross } };
+  return markers.at(IsOpen(family) ? family.Marker.substr(Open.size()) : family.Marker);
 }
 
 struct Range
@@ -76,6 +81,7 @@ PlotSeries FamilySeries(const Json& scene, const MethodFamily& family, const Plo
   series.Name = family.Name;
   series.Color = family.Color;
   series.Marker = MarkerOf(family);
+  series.IsOpen = IsOpen(family);
   series.HasLine = false;
   for (const Json& point : scene["points"])
   {
@@ -157,6 +163,47 @@ std::string LineName(const Json& line)
   return line["fit"].is_object() ? method + FormatCell(": %.2f", line["fit"]["exponent"]) : method;
 }
 
+using Points = std::vector<std::pair<double, double>>;
+
+Points PlaceOn(const Plot& plot, const Json& line)
+{
+  Points places;
+  for (const Json& point : line["points"])
+  {
+    places.emplace_back(PlaceOn(plot.X, point[0]), PlaceOn(plot.Y, point[1]));
+  }
+  return places;
+}
+
+/** The power law, dashed, over the range that it was fitted to. */
+PlotSeries FitSeries(const Json& fit)
+{
+  PlotSeries series{ "fit", Black, PlotMarker::None, true, /* IsDashed= */ true, {}, false,
+    /* IsInLegend= */ false };
+  for (const char* end : { "from", "to" })
+  {
+    const double x = fit[end];
+    const double y = std::pow(x, fit["exponent"].get<double>()) * fit["factor"].get<double>();
+    series.Points.emplace_back(std::log10(x), std::log10(y));
+  }
+  return series;
+}
+
+/** A line, and marks on it; VTK's lines have no open marks. */
+void AddLine(Plot& plot, const Json& line)
+{
+  const MethodFamily& family = FamilyOf(line["method"]);
+  const Points places = PlaceOn(plot, line);
+  plot.Series.push_back({ "line", family.Color, PlotMarker::None, true, false, places, false,
+    /* IsInLegend= */ false });
+  plot.Series.push_back({ LineName(line), family.Color, MarkerOf(family), /* HasLine= */ false,
+    false, places, IsOpen(family), true });
+  if (line["fit"].is_object())
+  {
+    plot.Series.push_back(FitSeries(line["fit"]));
+  }
+}
+
 Plot GrowthPlot(const Json& growth)
 {
   Range xs;
@@ -175,13 +222,7 @@ Plot GrowthPlot(const Json& growth)
   plot.Y = AxisOf(growth["y"], ys);
   for (const Json& line : growth["lines"])
   {
-    const MethodFamily& family = FamilyOf(line["method"]);
-    PlotSeries series{ LineName(line), family.Color, MarkerOf(family), true, false, {} };
-    for (const Json& point : line["points"])
-    {
-      series.Points.emplace_back(PlaceOn(plot.X, point[0]), PlaceOn(plot.Y, point[1]));
-    }
-    plot.Series.push_back(series);
+    AddLine(plot, line);
   }
   ShowLegend(plot);
   return plot;
@@ -205,7 +246,7 @@ void PlotChart(const ChartRecord& record)
     scenes.push_back(ScenePlot(scene));
   }
   ShowLegend(scenes.front());
-  WritePlots(record.PathOf("error.png"), scenes, 3);
+  WritePlots(record.PathOf(ErrorPlotFile), scenes, 3);
   std::vector<Plot> growths;
   for (const Json& growth : record.Rows("growth"))
   {
@@ -213,7 +254,7 @@ void PlotChart(const ChartRecord& record)
   }
   if (!growths.empty())
   {
-    WritePlots(record.PathOf("growth.png"), growths, 2);
+    WritePlots(record.PathOf(GrowthPlotFile), growths, 2);
   }
 }
 

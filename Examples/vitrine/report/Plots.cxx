@@ -3,15 +3,20 @@
 #include "report/TextTable.h"
 
 #include "vtkAxis.h"
+#include "vtkBrush.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
+#include "vtkContext2D.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
 #include "vtkDoubleArray.h"
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPen.h"
+#include "vtkPlotLine.h"
 #include "vtkPlotPoints.h"
+#include "vtkRect.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -64,11 +69,57 @@ vtkSmartPointer<vtkTable> ToTable(const PlotSeries& series)
   return table;
 }
 
+/** Marks with a white hole, in the legend too. */
+class OpenMarks : public vtkPlotPoints
+{
+public:
+  static OpenMarks* New();
+  vtkTypeMacro(OpenMarks, vtkPlotPoints);
+
+  bool Paint(vtkContext2D* painter) override
+  {
+    const bool isDrawn = this->Superclass::Paint(painter);
+    unsigned char color[3];
+    this->GetColor(color);
+    const float size = this->GetMarkerSize();
+    this->SetColor(255, 255, 255, 255);
+    this->SetMarkerSize(0.5f * size);
+    this->Superclass::Paint(painter);
+    this->SetColor(color[0], color[1], color[2], 255);
+    this->SetMarkerSize(size);
+    return isDrawn;
+  }
+
+  /** VTK's marks in legends have no size of their own. */
+  bool PaintLegend(vtkContext2D* painter, const vtkRectf& rect, int index) override
+  {
+    const bool isDrawn = this->Superclass::PaintLegend(painter, rect, index);
+    float middle[2] = { rect.GetX() + 0.5f * rect.GetWidth(),
+      rect.GetY() + 0.5f * rect.GetHeight() };
+    painter->GetPen()->SetColor(255, 255, 255, 255);
+    painter->GetBrush()->SetColor(255, 255, 255, 255);
+    painter->GetPen()->SetWidth(4.0f);
+    painter->DrawMarkers(this->GetMarkerStyle(), /* highlight= */ false, middle, 1);
+    return isDrawn;
+  }
+};
+vtkStandardNewMacro(OpenMarks);
+
+vtkSmartPointer<vtkPlotPoints> MakePlot(const PlotSeries& series)
+{
+  if (series.HasLine && series.Points.size() > 1)
+  {
+    return vtkSmartPointer<vtkPlotLine>::New();
+  }
+  return series.IsOpen ? vtkSmartPointer<vtkPlotPoints>(vtkSmartPointer<OpenMarks>::New())
+                       : vtkSmartPointer<vtkPlotPoints>::New();
+}
+
 void AddSeries(vtkChartXY* chart, const PlotSeries& series)
 {
-  const bool hasLine = series.HasLine && series.Points.size() > 1;
-  auto* plot =
-    vtkPlotPoints::SafeDownCast(chart->AddPlot(hasLine ? vtkChart::LINE : vtkChart::POINTS));
+  const vtkSmartPointer<vtkPlotPoints> plot = MakePlot(series);
+  chart->AddPlot(plot);
+  plot->SetLegendVisibility(series.IsInLegend);
   plot->SetInputData(ToTable(series), 0, 1);
   plot->SetColor(series.Color[0], series.Color[1], series.Color[2], 255);
   plot->SetWidth(2.5f);

@@ -34,6 +34,8 @@ struct PlotSeries
   bool HasLine = true;
   bool IsDashed = false;
   std::vector<std::pair<double, double>> Points; ///< in the units of the axes
+  bool IsOpen = false;                           ///< its marks have a hole
+  bool IsInLegend = true;
 };
 
 /** From Low to High; nothing is written but the labels of ticks. */

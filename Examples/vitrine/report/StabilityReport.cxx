@@ -135,17 +135,6 @@ Json SettingsJson(const StabilitySettings& settings)
   AddCoincidence(json, settings.Tolerance);
   return json;
 }
-
-Json ScenesJson(const std::vector<StabilityScene>& scenes)
-{
-  Json list = Json::array();
-  for (const StabilityScene& scene : scenes)
-  {
-    list.push_back({ { "name", scene.Name }, { "input", scene.Input },
-      { "expected", scene.Expectation }, { "zoom_before", scene.ZoomBefore } });
-  }
-  return list;
-}
 }
 
 std::string ToTable(const StabilityResult& result)
@@ -181,6 +170,20 @@ Json ToJsonRow(const StabilityCell& cell)
   }
   row["messages"] = cell.Messages;
   return row;
+}
+
+Json ScenesJson(const std::vector<StabilityScene>& scenes)
+{
+  Json list = Json::array();
+  for (const StabilityScene& scene : scenes)
+  {
+    list.push_back({ { "name", scene.Name }, { "input", scene.Input },
+      { "expected", scene.Expectation }, { "zoom_before", scene.ZoomBefore },
+      { "width", scene.Size ? Json(scene.Size->Width) : Json(nullptr) },
+      { "height", scene.Size ? Json(scene.Size->Height) : Json(nullptr) },
+      { "heavy", scene.IsHeavy } });
+  }
+  return list;
 }
 
 std::string ToJson(const StabilityResult& result)

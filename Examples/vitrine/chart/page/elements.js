@@ -58,21 +58,26 @@ function familyOf(method) {
   return Object.keys(data.families).find((family) => method.startsWith(family)) ?? "other";
 }
 
-/** The mark of a family around (x, y). */
-function marker(family, x, y, radius = 6) {
-  const { color, marker: shape } = data.families[family];
-  const r = radius;
+/** The outline of a shape, `r` from its middle to its sides. */
+function outline(shape, r) {
+  const plus = `M${-r / 3},${-r}H${r / 3}V${-r / 3}H${r}V${r / 3}H${r / 3}V${r}H${-r / 3}V${r / 3}H${-r}V${-r / 3}H${-r / 3}Z`;
   const paths = {
     circle: `M${-r},0a${r},${r} 0 1,0 ${2 * r},0a${r},${r} 0 1,0 ${-2 * r},0Z`,
     square: `M${-r},${-r}H${r}V${r}H${-r}Z`,
     diamond: `M0,${-1.3 * r}L${1.3 * r},0L0,${1.3 * r}L${-1.3 * r},0Z`,
-    triangle: `M0,${-1.2 * r}L${1.2 * r},${r}H${-1.2 * r}Z`,
-    "triangle-down": `M0,${1.2 * r}L${1.2 * r},${-r}H${-1.2 * r}Z`,
-    plus: `M${-r / 3},${-r}H${r / 3}V${-r / 3}H${r}V${r / 3}H${r / 3}V${r}H${-r / 3}V${r / 3}H${-r}V${-r / 3}H${-r / 3}Z`,
+    plus,
+    cross: plus,
   };
-  paths.cross = paths.plus;
+  return paths[shape];
+}
+
+/** The mark of a family around (x, y); those of open shapes have a hole. */
+function marker(family, x, y, radius = 6) {
+  const { color, marker: name } = data.families[family];
+  const shape = name.replace("open-", "");
+  const d = outline(shape, radius) + (shape === name ? "" : outline(shape, radius / 2));
   const turn = shape === "cross" ? " rotate(45)" : "";
-  return svg("path", { d: paths[shape], fill: color, class: "mark", transform: `translate(${x},${y})${turn}` });
+  return svg("path", { d, fill: color, "fill-rule": "evenodd", class: "mark", transform: `translate(${x},${y})${turn}` });
 }
 
 /** The mark of a family as a small picture in text. */

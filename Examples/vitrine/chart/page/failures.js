@@ -17,28 +17,43 @@ function showCell(cell, scene) {
   const facts = [
     ["verdict", cell.verdict],
     ["worst error", cell.skipped ? "not told" : `${format(255 * cell.worst_error)}/255`],
-    ...(scene.expectation ? [["expected", scene.expectation]] : []),
-    ["to draw it", scene.input],
+    ...(scene.expected ? [["expected", scene.expected]] : []),
+    ["to draw it", `vitrine render ${scene.input} --size ${cell.width}x${cell.height} --method ${cell.method} -o picture.png`],
+    ...(scene.zoom_before !== 1 ? [["before each frame", `one at ${scene.zoom_before} times the zoom`]] : []),
+    ...(scene.heavy ? [["frames", "a few only"]] : []),
     ...(cell.messages ?? []).map((message) => ["message", message]),
   ];
   byId("cell").replaceChildren(
     html("h3", {}, badge(familyOf(cell.method)), `${cell.method} on ${scene.name}`),
-    ...(cell.picture ? [pictureAndDifference(cell.picture, cell.truth_picture, cell.method)] : []),
+    ...(cell.picture && cell.truth_picture ? [pictureAndDifference(cell.picture, cell.truth_picture, cell.method)] : []),
     html("dl", { class: "facts" }, ...facts.flatMap(([name, value]) => [html("dt", {}, name), html("dd", {}, value)]))
   );
 }
 
-/** All that a method draws in a scene, as a button that shows it large. */
+/** All that a method draws in a scene, as a button that shows it large. The Tab key reaches the one that is shown. */
 function cellButton(cell, scene) {
   const { sign, kind } = OUTCOMES[cell.outcome];
   const show = () => {
-    document.querySelectorAll("#cells .chosen").forEach((node) => node.classList.remove("chosen"));
+    for (const before of document.querySelectorAll("#cells .chosen")) {
+      before.classList.remove("chosen");
+      before.tabIndex = -1;
+    }
     button.classList.add("chosen");
+    button.tabIndex = 0;
     showCell(cell, scene);
   };
   const button = html(
     "button",
-    { type: "button", class: `cell ${kind}`, "aria-label": `${cell.method} on ${scene.name}: ${cell.verdict}`, onclick: show, onfocus: show },
+    {
+      type: "button",
+      class: `cell ${kind}`,
+      tabindex: -1,
+      "data-scene": scene.name,
+      "data-method": cell.method,
+      "aria-label": `${cell.method} on ${scene.name}: ${cell.verdict}`,
+      onclick: show,
+      onfocus: show,
+    },
     ...(cell.picture ? [html("img", { src: data.pictures[cell.picture], alt: "" })] : []),
     html("span", {}, `${sign} ${shortVerdict(cell)}`)
   );
@@ -58,6 +73,38 @@ function failureRow(scene, methods, cells) {
   );
 }
 
+const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
+
+/** The next cell from a button in a direction; none at the edge. */
+function nextButton(button, [down, right]) {
+  const { rows } = byId("cells").tBodies[0];
+  let row = button.closest("tr").sectionRowIndex + down;
+  let column = button.closest("td").cellIndex + right;
+  for (; rows[row]?.cells[column]; row += down, column += right) {
+    const next = rows[row].cells[column].querySelector("button");
+    if (next) {
+      return next;
+    }
+  }
+  return null;
+}
+
+function moveByArrows(event) {
+  const button = event.target.closest("button");
+  if (button && event.key in STEPS) {
+    event.preventDefault();
+    nextButton(button, STEPS[event.key])?.focus();
+  }
+}
+
+/** The first cell that is worth a look. */
+function showFirst(cells) {
+  const worst = cells.find((cell) => cell.outcome !== "exact" && cell.picture) ?? cells[0];
+  const buttons = [...byId("cells").querySelectorAll("button")];
+  const isWorst = ({ dataset }) => dataset.scene === worst.scene && dataset.method === worst.method;
+  (buttons.find(isWorst) ?? buttons[0])?.click();
+}
+
 function startFailures() {
   const { failures: cells = [] } = chart;
   byId("failures").hidden = cells.length === 0;
@@ -70,6 +117,6 @@ function startFailures() {
     html("thead", {}, head),
     html("tbody", {}, ...scenes.map((scene) => failureRow(scene, methods, cells)))
   );
-  const worst = cells.find((cell) => cell.outcome !== "exact" && cell.picture) ?? cells[0];
-  showCell(worst, scenes.find(({ name }) => name === worst.scene));
+  byId("cells").addEventListener("keydown", moveByArrows);
+  showFirst(cells);
 }

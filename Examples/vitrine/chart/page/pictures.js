@@ -11,9 +11,8 @@ async function readPixels(path) {
   return context.getImageData(0, 0, canvas.width, canvas.height);
 }
 
-/** Draw the difference of two pictures into a canvas, so many times as strong. */
-async function drawDifference(canvas, path, otherPath, gain) {
-  const [one, other] = await Promise.all([readPixels(path), readPixels(otherPath)]);
+/** Draw the difference of the pixels of two pictures into a canvas, so many times as strong. */
+function drawDifference(canvas, one, other, gain) {
   canvas.width = one.width;
   canvas.height = one.height;
   const difference = new ImageData(one.width, one.height);
@@ -25,6 +24,7 @@ async function drawDifference(canvas, path, otherPath, gain) {
   }
   canvas.getContext("2d").putImageData(difference, 0, 0);
   canvas.setAttribute("data-largest", largest);
+  canvas.setAttribute("data-gain", gain);
 }
 
 function picture(path, label) {
@@ -34,10 +34,21 @@ function picture(path, label) {
 const GAINS = [1, 4, 16, 64];
 let gain = 16;
 
+/** In words, how much smaller a picture is here than it was drawn. */
+function shrinkOf(path) {
+  return data.shrunk[path] ? `, at 1/${data.shrunk[path]} of its size` : "";
+}
+
 /** A picture beside what differs from truth. */
 function pictureAndDifference(path, truthPath, name) {
   const canvas = html("canvas", { role: "img", "aria-label": `What differs between ${name} and truth` });
-  const draw = () => drawDifference(canvas, path, truthPath, gain);
+  const bothPixels = Promise.all([readPixels(path), readPixels(truthPath)]);
+  // Once they are read, they are drawn in the order of the choices, so that the last choice is what is seen.
+  const draw = () =>
+    bothPixels.then(
+      ([one, other]) => drawDifference(canvas, one, other, gain),
+      () => canvas.replaceWith(html("p", { class: "hint" }, "This browser cannot read the pictures."))
+    );
   const choice = html(
     "select",
     {
@@ -53,7 +64,7 @@ function pictureAndDifference(path, truthPath, name) {
   return html(
     "div",
     { class: "pictures" },
-    html("figure", {}, picture(path, `Drawn by ${name}`), html("figcaption", {}, "picture")),
+    html("figure", {}, picture(path, `Drawn by ${name}`), html("figcaption", {}, `picture${shrinkOf(path)}`)),
     html("figure", {}, canvas, html("figcaption", {}, "difference ", choice))
   );
 }

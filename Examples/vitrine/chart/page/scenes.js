@@ -83,8 +83,12 @@ function drawScatter() {
   const byCost = [...points].sort((a, b) => a.pair[0] - b.pair[0]);
   plot.inside.append(...byCost.map((point) => drawPoint(plot, point, cost, error)));
   labelPoints(plot, points.map(({ pair, method }) => ({ x: plot.at(pair)[0], y: plot.at(pair)[1], text: method })));
+  const focused = document.activeElement?.closest("#scatter .point")?.dataset.method;
   byId("scatter").replaceChildren(plot.drawing);
   markSelected();
+  if (focused) {
+    document.querySelector(`#scatter .point[data-method="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
+  }
 }
 
 function markSelected() {
