@@ -9,6 +9,7 @@ at each line of its difference before it is kept.
 import csv
 import json
 import pathlib
+import re
 
 from program import run
 
@@ -38,7 +39,13 @@ SCENES = [
     "stack-17-alpha-0.5",
 ]
 COLUMNS = ["scene", "method", "outcome", "error", "worst", "wrong", "repeated", "shuffled"]
-COLUMNS += ["shift", "turn"]
+COLUMNS += ["shift", "shift_excess", "turn", "turn_excess"]
+
+
+def suite():
+    """What each scene of `vitrine stability` draws, by its name."""
+    told = run("stability", "--help").stdout.decode()
+    return dict(re.findall(r"^  (\S+)  (demo:\S+?)(?:, quick)?$", told, re.MULTILINE))
 
 
 def measure():
@@ -62,8 +69,9 @@ def figures(row):
     line["wrong"] = f"{100 * row['error']['wrong_pixels']:.2f}"
     line["repeated"] = str(row["repetition_difference"])
     line["shuffled"] = str(row["order_difference"])
-    line["shift"] = f"{255 * row['shift']['largest']:.2f}"
-    line["turn"] = f"{255 * row['turn']['largest']:.2f}"
+    for motion in ("shift", "turn"):
+        line[motion] = f"{255 * row[motion]['largest']:.2f}"
+        line[f"{motion}_excess"] = f"{255 * row[motion]['excess']:.2f}"
     return line
 
 

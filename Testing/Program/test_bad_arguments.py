@@ -8,7 +8,8 @@ class BadArguments(ProgramTest):
     def test_help_is_everywhere(self):
         for arguments in (
             ["--help"],
-            *([name, "--help"] for name in ("render", "compare", "info", "paper", "sorts", "view")),
+            *([name, "--help"] for name in ("render", "compare", "chart", "info", "paper")),
+            *([name, "--help"] for name in ("sorts", "stability", "view")),
         ):
             result = run(*arguments)
             self.assert_done(result)

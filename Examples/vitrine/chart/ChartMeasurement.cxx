@@ -95,13 +95,6 @@ std::vector<MethodResult> LeaveOut(const std::vector<std::string>& methods, cons
   return leftOut;
 }
 
-Scene LoadInput(const std::string& input)
-{
-  SceneOptions options;
-  options.Inputs = { input };
-  return LoadScene(options);
-}
-
 ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, const Scene& scene)
 {
   ComparisonSettings settings;
@@ -129,7 +122,6 @@ void MeasureScene(
   const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
 {
   const Scene scene = LoadInput(step.Input);
-  PrintOmissions(scene);
   RecordScene(CompareMethods(scene, MakeSettings(plan, step, scene), progress), number, record);
 }
 

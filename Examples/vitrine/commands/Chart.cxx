@@ -24,17 +24,6 @@ struct ChartOptions
   std::optional<int> Frames;
 };
 
-/** Reads what is given once, so that what cannot be read is told before anything is measured. */
-void CheckInputs(const std::vector<std::string>& inputs)
-{
-  for (const std::string& input : inputs)
-  {
-    SceneOptions options;
-    options.Inputs = { input };
-    LoadScene(options);
-  }
-}
-
 ChartPlan MakePlan(const ChartOptions& options)
 {
   ChartChoices choices;

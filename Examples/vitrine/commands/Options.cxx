@@ -92,6 +92,13 @@ void AddFramesOption(CLI::App& command, int& frames)
     ->capture_default_str();
 }
 
+CLI::Option* AddOpacityOption(CLI::App& command, std::optional<double>& opacity)
+{
+  return command.add_option("--opacity", opacity, "multiplied into every part's own opacity")
+    ->type_name("A")
+    ->check(NumberWithin(0.0, 1.0));
+}
+
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize)
 {
   options.Size = defaultSize;
@@ -102,9 +109,7 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
       "degrees around the scene and above its horizon, and how near; 0,0,1 is the whole from its "
       "front")
     ->type_name("AZ,EL[,ZOOM]");
-  command.add_option("--opacity", options.Opacity, "multiplied into every part's own opacity")
-    ->type_name("A")
-    ->check(NumberWithin(0.0, 1.0));
+  AddOpacityOption(command, options.Opacity);
   command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
     ->check(CLI::IsMember({ 0, 2, 4, 8, 16, 32 }))
@@ -211,6 +216,22 @@ Scene LoadScene(const SceneOptions& options)
     MultiplyOpacity(scene, *options.Opacity);
   }
   return scene;
+}
+
+Scene LoadInput(const std::string& input, const std::optional<double>& opacity)
+{
+  SceneOptions options;
+  options.Inputs = { input };
+  options.Opacity = opacity;
+  return LoadScene(options);
+}
+
+void CheckInputs(const std::vector<std::string>& inputs)
+{
+  for (const std::string& input : inputs)
+  {
+    PrintOmissions(LoadInput(input));
+  }
 }
 
 void PrintOmissions(const Scene& scene)

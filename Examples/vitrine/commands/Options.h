@@ -35,6 +35,9 @@ void AddSizeOption(CLI::App& command, std::string& size);
 /** Add --frames, whose default is what `frames` holds. */
 void AddFramesOption(CLI::App& command, int& frames);
 
+/** Add --opacity. */
+CLI::Option* AddOpacityOption(CLI::App& command, std::optional<double>& opacity);
+
 /** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
 
@@ -62,6 +65,15 @@ Coincidence ParseCoincidence(const std::optional<std::string>& text);
 
 /** Read or generate all inputs into one scene, with the opacity multiplied in. */
 Scene LoadScene(const SceneOptions& options);
+
+/** The same for one input. */
+Scene LoadInput(const std::string& input, const std::optional<double>& opacity = std::nullopt);
+
+/**
+ * Read each input once, so that what cannot be read is told before anything is measured: throws InputError. Prints
+ * omissions.
+ */
+void CheckInputs(const std::vector<std::string>& inputs);
 
 /** Tell on stderr, a line each, which parts are not drawn and what is drawn otherwise than a file says. */
 void PrintOmissions(const Scene& scene);

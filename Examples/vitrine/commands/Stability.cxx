@@ -5,11 +5,13 @@
 #include "commands/Commands.h"
 #include "commands/Options.h"
 #include "report/StabilityReport.h"
+#include "scene/DemoScene.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace program
 {
@@ -18,6 +20,9 @@ namespace
 {
 struct StabilityOptions
 {
+  std::vector<std::string> Inputs;
+  std::optional<double> Opacity;
+  std::optional<std::string> Size;
   std::string Methods = "all";
   std::vector<std::string> Scenes;
   bool IsQuick = false;
@@ -52,7 +57,29 @@ std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)
   return chosen;
 }
 
-/** Scenes that are named are drawn in a quick run too. */
+/** What is given in place of the suite, each as a scene of its own. */
+std::vector<StabilityScene> GivenScenes(const StabilityOptions& options)
+{
+  std::vector<StabilityScene> scenes;
+  std::set<std::string> names;
+  for (const std::string& input : options.Inputs)
+  {
+    if (!names.insert(input).second)
+    {
+      throw InputError(input, "is given twice");
+    }
+    StabilityScene scene;
+    scene.Name = input;
+    scene.Input = input;
+    scene.Opacity = options.Opacity;
+    scene.Load = [input, opacity = options.Opacity] { return LoadInput(input, opacity); };
+    scene.Expectation = IsDemoScene(input) ? DemoExpectation(input) : "";
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+/** Scenes that are named or given are drawn in a quick run too. */
 StabilitySettings ToSettings(const StabilityOptions& options)
 {
   StabilitySettings settings;
@@ -67,6 +94,14 @@ StabilitySettings ToSettings(const StabilityOptions& options)
   {
     settings.Scenes = ChooseScenes(options.Scenes);
   }
+  if (!options.Inputs.empty())
+  {
+    settings.Scenes = GivenScenes(options);
+  }
+  if (options.Size)
+  {
+    settings.Size = ParseSize(*options.Size);
+  }
   return settings;
 }
 
@@ -76,6 +111,7 @@ void Stability(const StabilityOptions& options)
   CheckJsonPath(options.Json);
   StabilityResult result;
   result.Settings = ToSettings(options);
+  CheckInputs(options.Inputs);
   Progress progress;
   StabilityListener listener;
   listener.Begins = [&progress](const std::string& scene, const std::string& method)
@@ -103,6 +139,13 @@ void AddStabilityCommand(CLI::App& app)
   auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = app.add_subcommand("stability",
     "Draw scenes in which methods fail; print how each fails, and how it flickers, beside truth");
+  CLI::Option* inputs = command->add_option(
+    "INPUT", options->Inputs, "files, or demo:NAME[,key=value...], in place of the scenes below");
+  AddOpacityOption(*command, options->Opacity)->needs(inputs);
+  command
+    ->add_option("--size", options->Size,
+      "width and height in pixels of windows that a scene does not choose; 64x64 without")
+    ->type_name("WxH");
   command
     ->add_option("--methods", options->Methods, "methods by name, and the groups exact and all")
     ->type_name("M,M,...")
@@ -110,7 +153,8 @@ void AddStabilityCommand(CLI::App& app)
   command->add_option("--scenes", options->Scenes, "scenes by name; all of them without")
     ->type_name("NAME,...")
     ->delimiter(',')
-    ->allow_extra_args(false);
+    ->allow_extra_args(false)
+    ->excludes(inputs);
   command->add_flag("--quick", options->IsQuick, "fewer scenes, and a few frames of each kind");
   AddCoincidenceOption(*command, options->Coincidence);
   AddJsonOption(*command, options->Json);

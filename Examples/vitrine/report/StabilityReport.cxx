@@ -3,25 +3,34 @@
 #include "report/TextTable.h"
 #include "stability/Verdict.h"
 
-#include <algorithm>
-
 namespace program
 {
 
 namespace
 {
 const TextRow Head = { "method", "error/255", "wrong pixels", "repeated", "shuffled",
-  "shift/255 (truth)", "turn/255 (truth)", "verdict" };
+  "shift/255 (truth)", "changed % (truth)", "turn/255 (truth)", "changed % (truth)", "verdict" };
 
 std::string Steps(double value)
 {
   return FormatCell("%.2f", 255.0 * value);
 }
 
-/** The largest change beside truth's. */
-std::string ChangeCell(const Flicker& flicker)
+/** A method's figure beside truth's. */
+std::string Beside(const std::string& method, const std::string& truth)
 {
-  return Steps(flicker.Method.Largest) + " (" + Steps(flicker.Truth.Largest) + ")";
+  return method + " (" + truth + ")";
+}
+
+std::string LargestCell(const Flicker& flicker)
+{
+  return Beside(Steps(flicker.Method.Largest), Steps(flicker.Truth.Largest));
+}
+
+std::string ChangedCell(const Flicker& flicker)
+{
+  return Beside(FormatCell("%.2f", 100.0 * flicker.Method.ChangedPixels),
+    FormatCell("%.2f", 100.0 * flicker.Truth.ChangedPixels));
 }
 
 TextRow ToCells(const StabilityCell& cell)
@@ -33,10 +42,11 @@ TextRow ToCells(const StabilityCell& cell)
   return { cell.Method, Steps(cell.Error->Max),
     FormatCell("%.2f %%", 100.0 * cell.Error->WrongPixels),
     std::to_string(cell.RepetitionDifference), std::to_string(cell.OrderDifference),
-    ChangeCell(cell.Shift), ChangeCell(cell.Turn), cell.Verdict };
+    LargestCell(cell.Shift), ChangedCell(cell.Shift), LargestCell(cell.Turn),
+    ChangedCell(cell.Turn), cell.Verdict };
 }
 
-/** What verdicts do not tell: refusals and errors in other windows, and what VTK said. */
+/** What verdicts do not tell: refusals and larger errors in other windows, and what VTK said. */
 std::string Remarks(const StabilityCell& cell)
 {
   std::string lines;
@@ -47,8 +57,7 @@ std::string Remarks(const StabilityCell& cell)
     {
       lines += place + "refused: " + other.Skipped + "\n";
     }
-    else if (other.Error &&
-      other.Error->Max > std::max(LargestExactError(other.Multisamples), cell.WorstError()))
+    else if (IsWrong(other) && other.Error->Max > cell.OwnWindowError())
     {
       lines += place + "wrong by " + Steps(other.Error->Max) + "/255\n";
     }
@@ -58,6 +67,11 @@ std::string Remarks(const StabilityCell& cell)
     lines += "  " + cell.Method + ": " + message + "\n";
   }
   return lines;
+}
+
+std::string Title(const StabilityScene& scene)
+{
+  return scene.Name == scene.Input ? scene.Name : scene.Name + ", " + scene.Input;
 }
 
 std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityCell>& cells)
@@ -74,12 +88,11 @@ std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityC
   }
   const std::string expected =
     scene.Expectation.empty() ? "" : "Expected: " + scene.Expectation + "\n";
-  return rows.size() == 1
-    ? ""
-    : scene.Name + ", " + scene.Input + "\n" + expected + AlignColumns(rows) + remarks + "\n";
+  return rows.size() == 1 ? ""
+                          : Title(scene) + "\n" + expected + AlignColumns(rows) + remarks + "\n";
 }
 
-/** The cell with the largest error, or that depends on order where none has an error; null if none could run. */
+/** The cell with the largest error, the first of equals; null if none could run. */
 const StabilityCell* WorstOf(const std::vector<StabilityCell>& cells, const std::string& method)
 {
   const StabilityCell* worst = nullptr;
@@ -109,8 +122,10 @@ std::string WorstTable(const StabilityResult& result)
 Json FlickerJson(const Flicker& flicker)
 {
   return { { "largest", flicker.Method.Largest }, { "typical", flicker.Method.Typical },
-    { "truth_largest", flicker.Truth.Largest }, { "truth_typical", flicker.Truth.Typical },
-    { "excess", flicker.Excess }, { "error", flicker.Error } };
+    { "changed_pixels", flicker.Method.ChangedPixels }, { "truth_largest", flicker.Truth.Largest },
+    { "truth_typical", flicker.Truth.Typical },
+    { "truth_changed_pixels", flicker.Truth.ChangedPixels }, { "excess", flicker.Excess },
+    { "error", flicker.Error } };
 }
 
 Json OtherJson(const OtherWindow& other)
@@ -161,6 +176,7 @@ Json ToJsonRow(const StabilityCell& cell)
   row["worst_error"] = cell.WorstError();
   row["repetition_difference"] = cell.RepetitionDifference;
   row["order_difference"] = cell.OrderDifference;
+  row["redrawn_error"] = cell.RedrawnError;
   row["shift"] = FlickerJson(cell.Shift);
   row["turn"] = FlickerJson(cell.Turn);
   row["others"] = Json::array();
@@ -178,7 +194,8 @@ Json ScenesJson(const std::vector<StabilityScene>& scenes)
   for (const StabilityScene& scene : scenes)
   {
     list.push_back({ { "name", scene.Name }, { "input", scene.Input },
-      { "expected", scene.Expectation }, { "zoom_before", scene.ZoomBefore },
+      { "opacity", scene.Opacity.value_or(1.0) }, { "expected", scene.Expectation },
+      { "zoom_before", scene.ZoomBefore },
       { "width", scene.Size ? Json(scene.Size->Width) : Json(nullptr) },
       { "height", scene.Size ? Json(scene.Size->Height) : Json(nullptr) },
       { "heavy", scene.IsHeavy } });

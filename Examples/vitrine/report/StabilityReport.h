@@ -27,7 +27,7 @@ std::string ToTable(const StabilityResult& result);
 /** One cell, without its pictures; {"scene", "method", "width", "height", "skipped", ...} if it could not run. */
 Json ToJsonRow(const StabilityCell& cell);
 
-/** What is drawn: {"name", "input", "expected", "zoom_before", "width", "height", "heavy"} of each; the size is null without one of its own. */
+/** What is drawn: {"name", "input", "opacity", "expected", "zoom_before", "width", "height", "heavy"} of each; the size is null without one of its own. */
 Json ScenesJson(const std::vector<StabilityScene>& scenes);
 
 /** {"vitrine", "device", "settings", "scenes", "results"}. */

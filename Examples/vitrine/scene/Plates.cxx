@@ -71,6 +71,17 @@ vtkSmartPointer<vtkProperty> MakeLit(const Color& color, double alpha)
   return material;
 }
 
+Part MakeTranslucentPart(const std::string& name, vtkSmartPointer<vtkPolyData> geometry,
+  vtkSmartPointer<vtkProperty> material)
+{
+  Part part;
+  part.Name = name;
+  part.Geometry = geometry;
+  part.Material = material;
+  part.ForceTranslucent = true;
+  return part;
+}
+
 vtkSmartPointer<vtkMatrix4x4> TranslateTo(double x, double y, double z)
 {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();

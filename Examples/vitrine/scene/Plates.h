@@ -5,6 +5,7 @@
 #define VITRINE_PLATES_H
 
 #include "scene/Random.h"
+#include "scene/Scene.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
@@ -13,6 +14,7 @@
 #include "vtkTransform.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace program
@@ -34,6 +36,10 @@ vtkSmartPointer<vtkProperty> MakeUnlit(const Color& color, double alpha);
 
 /** A dull material that the lights show. */
 vtkSmartPointer<vtkProperty> MakeLit(const Color& color, double alpha);
+
+/** A part that is drawn as translucent, at alpha 1 too. */
+Part MakeTranslucentPart(const std::string& name, vtkSmartPointer<vtkPolyData> geometry,
+  vtkSmartPointer<vtkProperty> material);
 
 vtkSmartPointer<vtkMatrix4x4> TranslateTo(double x, double y, double z);
 

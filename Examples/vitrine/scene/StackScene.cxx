@@ -30,11 +30,8 @@ Scene MakeStackScene(const DemoValues& values)
   Scene scene;
   for (int i = 0; i < layers; ++i)
   {
-    Part part;
-    part.Name = "plate-" + std::to_string(i);
-    part.Geometry = plate;
-    part.Material = MakeUnlit(EightBitColor(random), values.at("alpha"));
-    part.ForceTranslucent = true; // at alpha 1 too
+    Part part = MakeTranslucentPart(
+      "plate-" + std::to_string(i), plate, MakeUnlit(EightBitColor(random), values.at("alpha")));
     part.Transform = TranslateTo(0.0, 0.0, HalfDepth - 2.0 * HalfDepth * (i + 0.5) / layers);
     scene.Parts.push_back(part);
   }

@@ -191,10 +191,11 @@ vtkSmartPointer<vtkCamera> Shift(vtkCamera* camera, double right, double up, int
   const double pixel = 2.0 * halfHeight / height;
   Vector toward, upward, position, focus;
   camera->GetViewPlaneNormal(toward.data());
-  camera->GetViewUp(upward.data());
+  camera->GetViewUp(upward.data()); // need not be across the line of sight
   camera->GetPosition(position.data());
   camera->GetFocalPoint(focus.data());
-  const Vector side = Cross(upward, toward);
+  Vector side = Cross(upward, toward);
+  vtkMath::Normalize(side.data());
   const Vector step = Combine(pixel * right, side, pixel * up, Cross(toward, side));
   moved->SetPosition(Combine(1.0, position, 1.0, step).data());
   moved->SetFocalPoint(Combine(1.0, focus, 1.0, step).data());

@@ -12,6 +12,9 @@
 namespace program
 {
 
+/** The largest difference of any channel of any pixel, as a display shows them; pictures of one size. */
+double LargestDifference(const vitrine::Image& a, const vitrine::Image& b);
+
 /** Takes a method's picture and truth's of each step in turn. */
 class FlickerMeter
 {
@@ -22,10 +25,19 @@ public:
   Flicker Result() const;
 
 private:
+  /** What one step changes. */
+  struct StepChange
+  {
+    double Largest;
+    double ChangedPixels;
+  };
+  static StepChange Measure(const vitrine::Image& before, const vitrine::Image& after);
+  static PictureChange Summarise(const std::vector<StepChange>& steps);
+
   vitrine::Image LastMethod;
   vitrine::Image LastTruth;
-  std::vector<double> MethodChanges;
-  std::vector<double> TruthChanges;
+  std::vector<StepChange> MethodSteps;
+  std::vector<StepChange> TruthSteps;
   double Excess = 0.0;
   double Error = 0.0;
 };

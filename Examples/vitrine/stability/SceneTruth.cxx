@@ -1,6 +1,5 @@
 #include "stability/SceneTruth.h"
 
-#include "scene/DemoScene.h"
 #include "scene/Random.h"
 #include "scene/Viewpoint.h"
 
@@ -75,7 +74,7 @@ SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& setti
 {
   SceneTruth plan;
   plan.Entry = entry;
-  plan.Parts = MakeDemoScene(entry.Input);
+  plan.Parts = entry.Load();
   plan.Size = entry.Size.value_or(settings.Size);
   plan.Repetitions = Steps(entry, settings.Repetitions);
   plan.Orders = ShuffledOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));

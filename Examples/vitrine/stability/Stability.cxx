@@ -66,9 +66,10 @@ public:
     this->Own.Single->SetScene(this->Truth.Parts);
     this->Own.Single->SetSize(this->Truth.Size);
     this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
-    this->Cell.Skipped = this->Truth.Skipped.empty()
-      ? this->Own.Single->GetMethod().WhyNotRun()
-      : "there is no truth to compare with: " + this->Truth.Skipped;
+    if (!this->Truth.Skipped.empty())
+    {
+      this->Cell.Skipped = "there is no truth to compare with: " + this->Truth.Skipped;
+    }
     if (this->Cell.Skipped.empty())
     {
       this->CompareWithTruth();
@@ -76,18 +77,32 @@ public:
       this->Cell.Shift = this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures);
       this->Cell.Turn = this->Follow(this->Truth.Turns, this->Truth.TurnPictures);
       this->Shuffle();
-      this->Cell.Messages = messages.Errors();
       this->MeasureOtherWindows();
+      this->TakeMessages(messages.Errors());
     }
     Judge(this->Cell);
     return std::move(this->Cell);
   }
 
 private:
+  /** The first frame that the method refuses refuses the cell. */
   Pixels Draw(vtkCamera* camera)
   {
     DrawAfterZoom(*this->Own.Single, camera, this->Truth.Entry);
+    if (this->Cell.Skipped.empty())
+    {
+      this->Cell.Skipped = this->Own.Single->GetMethod().WhyNotRun();
+    }
     return this->Own.Single->ReadPixels();
+  }
+
+  /** Draw the scene's own view once more, and raise `difference` to the values that differ. */
+  void DrawAgain(std::int64_t& difference)
+  {
+    const Pixels again = this->Draw(this->Truth.Shifts.front());
+    difference = std::max(difference, CountDifferences(again, this->Cell.Picture));
+    this->Cell.RedrawnError = std::max(this->Cell.RedrawnError,
+      LargestDifference(ToImage(again, this->Truth.Size), this->Truth.ShiftPictures.front()));
   }
 
   void CompareWithTruth()
@@ -101,9 +116,7 @@ private:
   {
     for (int i = 1; i < this->Truth.Repetitions; ++i)
     {
-      const Pixels again = this->Draw(this->Truth.Shifts.front());
-      this->Cell.RepetitionDifference =
-        std::max(this->Cell.RepetitionDifference, CountDifferences(again, this->Cell.Picture));
+      this->DrawAgain(this->Cell.RepetitionDifference);
     }
   }
 
@@ -112,9 +125,7 @@ private:
     for (const std::vector<std::size_t>& order : this->Truth.Orders)
     {
       this->Own.Single->SetPartOrder(order);
-      const Pixels shuffled = this->Draw(this->Truth.Shifts.front());
-      this->Cell.OrderDifference =
-        std::max(this->Cell.OrderDifference, CountDifferences(shuffled, this->Cell.Picture));
+      this->DrawAgain(this->Cell.OrderDifference);
     }
     std::vector<std::size_t> own(this->Truth.Parts.Parts.size());
     std::iota(own.begin(), own.end(), 0);
@@ -154,6 +165,20 @@ private:
     }
   }
 
+  /** All but what other windows' rows tell: that the method cannot run there. */
+  void TakeMessages(const std::vector<std::string>& messages)
+  {
+    for (const std::string& message : messages)
+    {
+      const auto tells = [&message](const OtherWindow& other)
+      { return !other.Skipped.empty() && message.find(other.Skipped) != std::string::npos; };
+      if (std::none_of(this->Cell.Others.begin(), this->Cell.Others.end(), tells))
+      {
+        this->Cell.Messages.push_back(message);
+      }
+    }
+  }
+
   const SceneTruth& Truth;
   Windows& Own;
   StabilityCell Cell;
@@ -172,11 +197,6 @@ std::vector<std::string> UnknownMethods(
   }
   return unknown;
 }
-}
-
-double StabilityCell::WorstError() const
-{
-  return std::max({ this->Error ? this->Error->Max : 0.0, this->Shift.Error, this->Turn.Error });
 }
 
 void MakeQuick(StabilitySettings& settings)

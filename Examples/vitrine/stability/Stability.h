@@ -20,16 +20,18 @@ namespace program
 /** A scene in which some methods fail. */
 struct StabilityScene
 {
-  std::string Name;                ///< short, without spaces or commas; no two are alike
-  std::string Input;               ///< demo:...
-  std::string Expectation;         ///< who is exact there, what breaks whom
-  bool IsQuick = false;            ///< also in a quick run
-  bool IsHeavy = false;            ///< drawn but a few times, and in no other window
+  std::string Name;              ///< no two are alike; in the suite short, without spaces or commas
+  std::string Input;             ///< a file or demo:...
+  std::optional<double> Opacity; ///< multiplied into every part's own, if any
+  std::function<Scene()> Load;   ///< reads or generates it, as it is drawn
+  std::string Expectation;       ///< who is exact there, what breaks whom
+  bool IsQuick = false;          ///< also in a quick run
+  bool IsHeavy = false;          ///< drawn but a few times, and in no other window
   std::optional<PictureSize> Size; ///< of its own; the run's without
   double ZoomBefore = 1.0;         ///< each frame follows one with that zoom
 };
 
-/** All of them, in the order of a table. */
+/** The suite of them, in the order of a table. */
 std::vector<StabilityScene> StabilityScenes();
 
 /**
@@ -40,6 +42,8 @@ struct PictureChange
 {
   double Largest = 0.0; ///< of all steps
   double Typical = 0.0; ///< the median of the steps
+  /** The share of pixels of which a channel changes by more than 1/255: the median of the steps. */
+  double ChangedPixels = 0.0;
 };
 
 /** What a moving camera does to pictures. */
@@ -55,7 +59,7 @@ struct Flicker
 /** The error of a method in a window of another size or with samples. */
 struct OtherWindow
 {
-  std::string Name; ///< "half", "double", "third", "samples"
+  std::string Name; ///< "half", "double", "third", "4-samples"
   PictureSize Size{};
   int Multisamples = 0;
   std::string Skipped; ///< why the method could not run there
@@ -67,8 +71,8 @@ enum class StabilityOutcome
 {
   Refused,        ///< it could not run
   OrderDependent, ///< frames differ that draw the same
-  Flickers,       ///< moved or turned, its picture changes by 1/255 more than truth's
-  Wrong,          ///< it is off by more than 1/255
+  Flickers, ///< moved or turned, a value changes by more than truth's own and what rounding explains
+  Wrong,    ///< it is off by more than LargestExactError() of its window
   Exact
 };
 
@@ -83,8 +87,10 @@ struct StabilityCell
   std::int64_t RepetitionDifference =
     0;                              ///< most 8-bit values that differ when the view is drawn again
   std::int64_t OrderDifference = 0; ///< most that differ when actors come in another order
-  Flicker Shift;                    ///< the camera moves by 1/100 pixel a step
-  Flicker Turn;                     ///< the camera turns by one degree a step
+  double RedrawnError =
+    0.0;         ///< the largest difference to truth of any channel in any of those frames
+  Flicker Shift; ///< the camera moves by 1/100 pixel a step
+  Flicker Turn;  ///< the camera turns by one degree a step
   std::vector<OtherWindow> Others;
   std::vector<std::string> Messages; ///< of VTK, other than that it cannot run
   StabilityOutcome Outcome = StabilityOutcome::Exact;
@@ -92,7 +98,10 @@ struct StabilityCell
   std::vector<std::uint8_t> Picture;      ///< 8-bit RGB, rows from the bottom
   std::vector<std::uint8_t> TruthPicture; ///< the same, rounded
 
-  /** The largest difference to truth of any channel in any of the frames. */
+  /** The largest difference to truth of any channel in any frame of the scene's own window. */
+  double OwnWindowError() const;
+
+  /** The same of all frames, those in other windows too. */
   double WorstError() const;
 };
 

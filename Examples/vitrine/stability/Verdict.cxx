@@ -9,23 +9,24 @@ namespace program
 
 namespace
 {
-const double Step = LargestExactError(0);
+const double LostAsFloat = 1e-6; // by 8-bit values
 
-bool HasMore(const PictureChange& method, const PictureChange& truth)
+double ExcessOf(const StabilityCell& cell)
 {
-  return method.Largest - truth.Largest > Step || method.Typical - truth.Typical > Step;
-}
-
-/** How much more a picture changes than truth's, in the worse of largest and typical step. */
-double SurplusOf(const Flicker& flicker)
-{
-  return std::max(
-    flicker.Method.Largest - flicker.Truth.Largest, flicker.Method.Typical - flicker.Truth.Typical);
+  return std::max(cell.Shift.Excess, cell.Turn.Excess);
 }
 
 bool Flickers(const StabilityCell& cell)
 {
-  return HasMore(cell.Shift.Method, cell.Shift.Truth) || HasMore(cell.Turn.Method, cell.Turn.Truth);
+  return ExcessOf(cell) > LargestExactExcess();
+}
+
+/** Each window by its own bound. */
+bool IsWrongAnywhere(const StabilityCell& cell)
+{
+  return cell.OwnWindowError() > LargestExactError(0) ||
+    std::any_of(cell.Others.begin(), cell.Others.end(),
+      [](const OtherWindow& other) { return IsWrong(other); });
 }
 
 bool IsOrderDependent(const StabilityCell& cell)
@@ -47,7 +48,7 @@ StabilityOutcome OutcomeOf(const StabilityCell& cell)
   {
     return StabilityOutcome::Flickers;
   }
-  return cell.WorstError() > Step ? StabilityOutcome::Wrong : StabilityOutcome::Exact;
+  return IsWrongAnywhere(cell) ? StabilityOutcome::Wrong : StabilityOutcome::Exact;
 }
 
 std::string InSteps(double value)
@@ -62,7 +63,7 @@ std::string Describe(const StabilityCell& cell)
     return "refused: " + cell.Skipped;
   }
   std::vector<std::string> faults;
-  if (cell.WorstError() > Step)
+  if (IsWrongAnywhere(cell))
   {
     faults.push_back("wrong by " + InSteps(cell.WorstError()));
   }
@@ -77,8 +78,7 @@ std::string Describe(const StabilityCell& cell)
   }
   if (Flickers(cell))
   {
-    faults.push_back(
-      "flickers by " + InSteps(std::max(SurplusOf(cell.Shift), SurplusOf(cell.Turn))));
+    faults.push_back("flickers by " + InSteps(ExcessOf(cell)));
   }
   std::string verdict;
   for (const std::string& fault : faults)
@@ -89,10 +89,35 @@ std::string Describe(const StabilityCell& cell)
 }
 }
 
+double StabilityCell::OwnWindowError() const
+{
+  return std::max({ this->Error ? this->Error->Max : 0.0, this->RedrawnError, this->Shift.Error,
+    this->Turn.Error });
+}
+
+double StabilityCell::WorstError() const
+{
+  double worst = this->OwnWindowError();
+  for (const OtherWindow& other : this->Others)
+  {
+    worst = std::max(worst, other.Error ? other.Error->Max : 0.0);
+  }
+  return worst;
+}
+
 double LargestExactError(int multisamples)
 {
-  const double lostAsFloat = 1e-6; // by 8-bit values
-  return (multisamples > 0 ? 1.2 : 1.0) / 255.0 + lostAsFloat;
+  return (multisamples > 0 ? 1.2 : 1.0) / 255.0 + LostAsFloat;
+}
+
+double LargestExactExcess()
+{
+  return 1.5 / 255.0 + LostAsFloat;
+}
+
+bool IsWrong(const OtherWindow& other)
+{
+  return other.Error && other.Error->Max > LargestExactError(other.Multisamples);
 }
 
 void Judge(StabilityCell& cell)

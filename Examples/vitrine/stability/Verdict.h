@@ -15,6 +15,15 @@ namespace program
  */
 double LargestExactError(int multisamples);
 
+/**
+ * The most by which a value of an exact method changes beyond truth's own change there. Rounding to 8 bits adds less
+ * than a step; what the method itself rounds may take a quarter of one in either picture.
+ */
+double LargestExactExcess();
+
+/** True if the frames of that window are off by more than an exact method's. */
+bool IsWrong(const OtherWindow& other);
+
 /** Fill in the outcome and the verdict from what was measured. */
 void Judge(StabilityCell& cell);
 

@@ -34,12 +34,9 @@ Scene MakeAtFaceScene(const DemoValues& values)
   Scene scene;
   for (double z : behind)
   {
-    Part part;
-    part.Name = "plate-" + std::to_string(scene.Parts.size());
-    part.Geometry = MakePlate(0.15 * z, 0.15 * z);
-    part.Material = MakeUnlit(EightBitColor(random), values.at("alpha"));
+    Part part = MakeTranslucentPart("plate-" + std::to_string(scene.Parts.size()),
+      MakePlate(0.15 * z, 0.15 * z), MakeUnlit(EightBitColor(random), values.at("alpha")));
     part.Transform = TranslateTo(0.05 * z * std::cos(2.0 + scene.Parts.size()), 0.03 * z, -z);
-    part.ForceTranslucent = true;
     scene.Parts.push_back(part);
   }
   random.Shuffle(scene.Parts);

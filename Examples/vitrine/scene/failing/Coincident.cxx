@@ -82,12 +82,8 @@ Scene MakeCoincidentScene(const DemoValues& values)
   for (const auto& [corners, color] : squares)
   {
     together.Add(corners, color);
-    Part part;
-    part.Name = "plate-" + std::to_string(scene.Parts.size());
-    part.Geometry = MakePolygon(corners);
-    part.Material = MakeUnlit(color, alpha);
-    part.ForceTranslucent = true;
-    scene.Parts.push_back(part);
+    scene.Parts.push_back(MakeTranslucentPart("plate-" + std::to_string(scene.Parts.size()),
+      MakePolygon(corners), MakeUnlit(color, alpha)));
   }
   if (values.at("together") != 0.0)
   {

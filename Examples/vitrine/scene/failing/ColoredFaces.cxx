@@ -29,12 +29,7 @@ Part ColoredFaces::ToPart(const std::string& name, double alpha)
   faces->SetPoints(this->Points);
   faces->SetPolys(this->Polygons);
   faces->GetCellData()->SetScalars(this->Colors);
-  Part part;
-  part.Name = name;
-  part.Geometry = faces;
-  part.Material = MakeUnlit({ 1.0, 1.0, 1.0 }, alpha);
-  part.ForceTranslucent = true;
-  return part;
+  return MakeTranslucentPart(name, faces, MakeUnlit({ 1.0, 1.0, 1.0 }, alpha));
 }
 
 }

@@ -22,12 +22,9 @@ Scene MakeCrossingScene(const DemoValues& values)
     vtkNew<vtkTransform> turned;
     turned->RotateY(180.0 * (i + 0.25) / planes);
     turned->RotateX(random.Between(-25.0, 25.0));
-    Part part;
-    part.Name = "plane-" + std::to_string(i);
-    part.Geometry = plate;
-    part.Material = MakeUnlit(EightBitColor(random), values.at("alpha"));
+    Part part = MakeTranslucentPart(
+      "plane-" + std::to_string(i), plate, MakeUnlit(EightBitColor(random), values.at("alpha")));
     part.Transform = ToMatrix(turned);
-    part.ForceTranslucent = true;
     scene.Parts.push_back(part);
   }
   random.Shuffle(scene.Parts);
@@ -54,12 +51,8 @@ Scene MakeCyclicScene(const DemoValues& values)
       turn(0.95, -0.65, 0.25), turn(0.95, 0.0, 0.25) };
     const Color color = EightBitColor(colors);
     together.Add(corners, color);
-    Part part;
-    part.Name = "triangle-" + std::to_string(i);
-    part.Geometry = MakePolygon(corners);
-    part.Material = MakeUnlit(color, values.at("alpha"));
-    part.ForceTranslucent = true;
-    scene.Parts.push_back(part);
+    scene.Parts.push_back(MakeTranslucentPart(
+      "triangle-" + std::to_string(i), MakePolygon(corners), MakeUnlit(color, values.at("alpha"))));
   }
   if (values.at("together") != 0.0)
   {

@@ -15,15 +15,6 @@ namespace program
 
 namespace
 {
-Part MakePlatePart(double half, const Color& color, double alpha)
-{
-  Part part;
-  part.Geometry = MakePlate(half, half);
-  part.Material = MakeUnlit(color, alpha);
-  part.ForceTranslucent = true;
-  return part;
-}
-
 /** A thin box whose corners are doubles far from the origin. */
 vtkSmartPointer<vtkPolyData> MakeFarBox(const std::array<double, 6>& bounds)
 {
@@ -43,8 +34,8 @@ Scene MakeGapsScene(const DemoValues& values)
   Scene scene;
   for (int i = 0; i < plates; ++i)
   {
-    Part part = MakePlatePart(0.6, EightBitColor(random), values.at("alpha"));
-    part.Name = "plate-" + std::to_string(i);
+    Part part = MakeTranslucentPart("plate-" + std::to_string(i), MakePlate(0.6, 0.6),
+      MakeUnlit(EightBitColor(random), values.at("alpha")));
     const double angle = 2.4 * i; // nearly the golden one, so that the plates show all around
     part.Transform = TranslateTo(
       0.3 * std::cos(angle), 0.3 * std::sin(angle), -depthStep * values.at("steps") * i);
@@ -68,9 +59,9 @@ Scene MakeNearFarScene(const DemoValues& values)
   for (int i = 0; i < plates; ++i)
   {
     const double distance = first * std::pow(last / first, i / std::max(1.0, plates - 1.0));
-    Part part =
-      MakePlatePart(0.14 * distance, EightBitColor(random), values.at("alpha")); // alike on screen
-    part.Name = "plate-" + std::to_string(i);
+    const double half = 0.14 * distance; // alike on screen
+    Part part = MakeTranslucentPart("plate-" + std::to_string(i), MakePlate(half, half),
+      MakeUnlit(EightBitColor(random), values.at("alpha")));
     part.Transform = TranslateTo(
       0.1 * distance * std::cos(2.4 * i), 0.1 * distance * std::sin(2.4 * i), -distance);
     scene.Parts.push_back(part);

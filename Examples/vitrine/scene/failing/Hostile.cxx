@@ -21,12 +21,7 @@ const double Infinity = std::numeric_limits<double>::infinity();
 void AddPart(Scene& scene, const std::string& name, vtkSmartPointer<vtkPolyData> geometry,
   vtkSmartPointer<vtkProperty> material)
 {
-  Part part;
-  part.Name = name;
-  part.Geometry = geometry;
-  part.Material = material;
-  part.ForceTranslucent = true;
-  scene.Parts.push_back(part);
+  scene.Parts.push_back(MakeTranslucentPart(name, geometry, material));
 }
 
 /** A rectangle whose last corner has another place. */

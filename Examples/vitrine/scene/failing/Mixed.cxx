@@ -20,10 +20,7 @@ namespace
 {
 Part MakePlatePart(const std::string& name, double half, const Color& color, double alpha)
 {
-  Part part;
-  part.Name = name;
-  part.Geometry = MakePlate(half, half);
-  part.Material = MakeUnlit(color, alpha);
+  Part part = MakeTranslucentPart(name, MakePlate(half, half), MakeUnlit(color, alpha));
   part.ForceTranslucent = alpha < 1.0;
   return part;
 }
@@ -102,13 +99,10 @@ Scene MakeAlphaTextureScene(const DemoValues& values)
     vtkNew<vtkTransform> tilted;
     tilted->RotateY(random.Between(-30.0, 30.0));
     tilted->RotateX(random.Between(-30.0, 30.0));
-    Part part;
-    part.Name = "plate-" + std::to_string(i);
-    part.Geometry = plate;
-    part.Material = MakeUnlit({ 1.0, 1.0, 1.0 }, 1.0);
+    Part part =
+      MakeTranslucentPart("plate-" + std::to_string(i), plate, MakeUnlit({ 1.0, 1.0, 1.0 }, 1.0));
     part.Texture = textures[i];
     part.Transform = ToMatrix(tilted);
-    part.ForceTranslucent = true;
     scene.Parts.push_back(part);
   }
   scene.Placement.VisibleRadius = 1.1;
@@ -131,12 +125,9 @@ Scene MakeImpostorsScene(const DemoValues& values)
     auto center = vtkSmartPointer<vtkPolyData>::New();
     center->SetPoints(points);
     center->SetVerts(vertices);
-    Part part;
-    part.Name = "sphere-" + std::to_string(i);
-    part.Geometry = center;
+    Part part = MakeTranslucentPart(
+      "sphere-" + std::to_string(i), center, MakeLit(EightBitColor(random), alpha));
     part.SphereRadius = 0.45;
-    part.Material = MakeLit(EightBitColor(random), alpha);
-    part.ForceTranslucent = true;
     scene.Parts.push_back(part);
   }
   scene.Parts.push_back(MakePlatePart("plate", 0.9, EightBitColor(random), alpha));
