@@ -17,13 +17,13 @@ struct Extent
   int Frames;
   std::vector<int> Layers;
   int LayersSide; ///< of the window
+  std::string FragmentsScene;
   std::vector<double> Zooms;
   int FragmentsSide;
   std::vector<int> Sides;
   double SlowestFrame;
 };
 
-const char* const FragmentsScene = "demo:spheres,layers=16";
 const char* const SettingsOfFamilies =
   ",vtk-peeling-2,vtk-peeling-8,stencil-mask-8-unfiltered,stencil-routed-8";
 const char* const OneOfEachFamily =
@@ -31,16 +31,16 @@ const char* const OneOfEachFamily =
 
 Extent QuickExtent()
 {
-  return { { "demo:assembly,parts=60", "demo:spheres,layers=16", "demo:stack,layers=16,alpha=0.3" },
-    { 160, 160 }, 3, { 1, 4, 16, 64, 256 }, 48, { 0.25, 0.5, 1.0, 2.0 }, 96, { 32, 64, 128, 192 },
-    150.0 };
+  return { { "demo:assembly,parts=30", "demo:spheres,layers=8", "demo:stack,layers=16,alpha=0.3" },
+    { 128, 128 }, 3, { 1, 4, 16, 64, 256 }, 32, "demo:spheres,layers=8", { 0.25, 0.5, 1.0, 2.0 },
+    96, { 32, 64, 128, 192 }, 150.0 };
 }
 
 Extent FullExtent()
 {
   return { { "demo:assembly,parts=2000", "demo:spheres,layers=64", "demo:stack,layers=64,alpha=0.2",
              "demo:paper-masks", "demo:paper-lists" },
-    { 512, 512 }, 9, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192,
+    { 512, 512 }, 9, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192, "demo:spheres,layers=16",
     { 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
 }
 
@@ -63,11 +63,12 @@ void AddGrowth(ChartPlan& plan, const Extent& extent)
   }
   for (const double zoom : extent.Zooms)
   {
-    plan.Steps.push_back({ "fragments", FragmentsScene, square(extent.FragmentsSide), zoom });
+    plan.Steps.push_back(
+      { "fragments", extent.FragmentsScene, square(extent.FragmentsSide), zoom });
   }
   for (const int side : extent.Sides)
   {
-    plan.Steps.push_back({ "resolution", FragmentsScene, square(side), 1.0 });
+    plan.Steps.push_back({ "resolution", extent.FragmentsScene, square(side), 1.0 });
   }
 }
 
