@@ -1,10 +1,11 @@
 """Real models, where they are: VITRINE_SHARED_DATA, or ../shared/data beside the project."""
 
+import json
 import os
 import pathlib
 import unittest
 
-from program import ProgramTest, compare, info
+from program import FileTest, compare, info, read_png, run
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("VITRINE_SHARED_DATA", PROJECT.parent / "shared" / "data"))
@@ -32,7 +33,7 @@ COUNTS = {
 
 
 @unittest.skipUnless(MODELS, f"there are no models in {DATA}")
-class SharedData(ProgramTest):
+class SharedData(FileTest):
     def test_every_model_is_read(self):
         for path in MODELS:
             with self.subTest(model=path.name):
@@ -59,6 +60,45 @@ class SharedData(ProgramTest):
                     self.assertLessEqual(row["error"]["max"], 1.0 / 255.0)
                     self.assertIs(row["deterministic"], True)
                     self.assertGreater(row["layers_max"], 1)
+
+    def test_a_tolerance_ends_the_flicker_of_mating_faces(self):
+        model = DATA / "assemblies" / "ldraw_car.glb"
+        moved = {}
+        for tolerance in ((), ("--coincidence", "16,0.01")):
+            result = run(
+                *("stability", model, "--opacity", "0.3", "--size", "160x160", "--quick"),
+                *("--methods", "linked-list", "--json", "-", *tolerance),
+            )
+            self.assert_done(result)
+            row = json.loads(result.stdout)["results"][0]
+            self.assertEqual(row["outcome"], "exact")
+            moved[tolerance] = row["shift"]
+        without, within = moved.values()
+        for figure in ("changed_pixels", "truth_changed_pixels"):
+            self.assertGreater(without[figure], 0.02)
+            self.assertLess(within[figure], 0.25 * without[figure])
+
+    def test_a_tolerance_changes_nothing_but_what_coincides(self):
+        model = DATA / "assemblies" / "ldraw_car.glb"
+        truth, changes = (self.changes_by_a_tolerance(model, m) for m in ("truth", "linked-list"))
+        self.assertLess(sum(map(bool, truth)), 0.15 * len(truth))
+        self.assertGreater(sum(map(bool, truth)), 0)
+        # What truth changes by less than a step may be a step when it is rounded.
+        self.assertLessEqual(max(map(int.__sub__, changes, truth)), 1)
+
+    def changes_by_a_tolerance(self, model, method):
+        """The change of each value of the picture, in steps of 1/255."""
+        values = []
+        for tolerance in ((), ("--coincidence", "16,0.01")):
+            path = self.folder / "picture.png"
+            self.assert_done(
+                run(
+                    *("render", model, "--opacity", "0.3", "--size", "160x160"),
+                    *("--method", method, "-o", path, *tolerance),
+                )
+            )
+            values.append(b"".join(map(bytes, read_png(path)[2])))
+        return [abs(a - b) for a, b in zip(*values)]
 
 
 if __name__ == "__main__":
