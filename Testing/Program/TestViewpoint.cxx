@@ -35,6 +35,16 @@ vtkSmartPointer<vtkCamera> CameraAbove(double elevation)
   return camera;
 }
 
+void ExpectMagnified(vtkCamera* camera, double factor)
+{
+  const std::array<double, 3> point = { 0.3, 0.2, 0.0 };
+  const std::array<double, 2> before = PixelOf(camera, point);
+  program::Magnify(camera, factor);
+  const std::array<double, 2> after = PixelOf(camera, point);
+  EXPECT_NEAR(after[0], factor * before[0], 1e-9);
+  EXPECT_NEAR(after[1], factor * before[1], 1e-9);
+}
+
 void ExpectShift(vtkCamera* camera)
 {
   const double right = 3.0;
@@ -68,5 +78,18 @@ TEST(Shift, OfNothingIsTheSameView)
   {
     EXPECT_EQ(same->GetPosition()[axis], camera->GetPosition()[axis]);
     EXPECT_EQ(same->GetFocalPoint()[axis], camera->GetFocalPoint()[axis]);
+  }
+}
+
+TEST(Magnify, ScalesThePictureInEitherProjection)
+{
+  for (const double factor : { 0.01, 0.1, 0.5, 1.0, 3.0, 100.0 })
+  {
+    SCOPED_TRACE(factor);
+    ExpectMagnified(CameraAbove(20.0), factor);
+    const vtkSmartPointer<vtkCamera> parallel = CameraAbove(20.0);
+    parallel->ParallelProjectionOn();
+    parallel->SetParallelScale(2.0);
+    ExpectMagnified(parallel, factor);
   }
 }

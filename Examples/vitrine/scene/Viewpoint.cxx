@@ -164,6 +164,11 @@ vtkSmartPointer<vtkCamera> CameraByBounds(const Scene& scene, const View& view, 
   camera->SetViewUp(std::abs(view.Elevation) < 89.0 ? stance.Up.data() : axes.Up.data());
   return camera;
 }
+
+double TangentOfHalfAngle(vtkCamera* camera)
+{
+  return std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+}
 }
 
 vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect)
@@ -177,8 +182,19 @@ vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, dou
     camera->ParallelProjectionOn();
     camera->SetParallelScale(*stance.ParallelScale);
   }
-  camera->Zoom(view.Zoom);
+  Magnify(camera, view.Zoom);
   return camera;
+}
+
+void Magnify(vtkCamera* camera, double factor)
+{
+  if (factor == 1.0)
+  {
+    return; // to the bit
+  }
+  const double halfHeight = TangentOfHalfAngle(camera) / factor;
+  camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(halfHeight)));
+  camera->SetParallelScale(camera->GetParallelScale() / factor);
 }
 
 vtkSmartPointer<vtkCamera> Shift(vtkCamera* camera, double right, double up, int height)
@@ -187,7 +203,7 @@ vtkSmartPointer<vtkCamera> Shift(vtkCamera* camera, double right, double up, int
   moved->DeepCopy(camera);
   const double halfHeight = camera->GetParallelProjection()
     ? camera->GetParallelScale()
-    : camera->GetDistance() * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+    : camera->GetDistance() * TangentOfHalfAngle(camera);
   const double pixel = 2.0 * halfHeight / height;
   Vector toward, upward, position, focus;
   camera->GetViewPlaneNormal(toward.data());

@@ -19,6 +19,12 @@ namespace program
 vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect);
 
 /**
+ * Have everything appear `factor` times as large in the picture. (vtkCamera::Zoom divides the angle of view, which beyond half
+ * a turn shows nothing.)
+ */
+void Magnify(vtkCamera* camera, double factor);
+
+/**
  * The same camera after moving so many pixels to the right and upwards, which are those of a picture of that height, in
  * the plane through the focal point.
  */

@@ -128,7 +128,7 @@ void DrawAfterZoom(Stage& stage, vtkCamera* camera, const StabilityScene& entry)
   {
     vtkNew<vtkCamera> before;
     before->DeepCopy(camera);
-    before->Zoom(entry.ZoomBefore);
+    Magnify(before, entry.ZoomBefore);
     stage.Draw(before);
   }
   stage.Draw(camera);

@@ -70,6 +70,8 @@ StabilityScene Heavy(StabilityScene scene)
   return scene;
 }
 
+const PictureSize SizeOfNeedles = { 64, 64 }; // where each is a pixel
+
 std::vector<StabilityScene> Others()
 {
   return {
@@ -91,8 +93,8 @@ std::vector<StabilityScene> Others()
     Quick("at-face", "at-face"),
     Quick("parallel", "parallel"),
     Slow("faint", "stack,layers=300,alpha=0.0019"),
-    Slow("needles", "needles"),
-    Quick("needles-few", "needles,needles=200"),
+    Sized(Slow("needles", "needles"), SizeOfNeedles),
+    Sized(Quick("needles-few", "needles,needles=200"), SizeOfNeedles),
     Quick("slivers", "slivers"),
     Quick("opaque", "opaque"),
     Quick("clipped", "clipped"),

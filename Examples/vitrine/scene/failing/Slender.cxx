@@ -20,7 +20,7 @@ const double Pixel = 2.0 / 64.0; // of a picture that is 64 pixels high and show
 void AddNeedle(ColoredFaces& faces, double x, double y, double front, double back, Random& random)
 {
   const Color color = EightBitColor(random);
-  const double half = 0.45 * Pixel;
+  const double half = 0.5 * Pixel; // no gaps, so that windows of other sizes meet them too
   for (double z : { front, back })
   {
     faces.Add({ { x - half, y - half, z }, { x + half, y - half, z }, { x + half, y + half, z },
