@@ -30,6 +30,32 @@ std::string Pair(const std::string& macro, int a, int b)
   return macro + "(" + Register(a) + ", " + Register(b) + ")\n";
 }
 
+std::string DeclarePages(int count)
+{
+  std::string text;
+  for (int page = 0; page < count; ++page)
+  {
+    text += "DECLARE_PAGE(p" + std::to_string(page) + ")\n";
+  }
+  return text;
+}
+
+// `macro(f, p, i)` for `count` registers from `first` on: slot i of page p. If there is a `begin`, `begin(p)` stands before
+// each page.
+std::string ForEachSlot(
+  const std::string& begin, const std::string& macro, int first, int count, int pageSize)
+{
+  std::string text;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string page = "p" + std::to_string(i / pageSize);
+    const int slot = i % pageSize;
+    text += slot == 0 && !begin.empty() ? begin + "(" + page + ")\n" : "";
+    text += macro + "(" + Register(first + i) + ", " + page + ", " + std::to_string(slot) + ")\n";
+  }
+  return text;
+}
+
 // One round of odd-even transposition: every pair of neighbours once.
 std::string NeighbourPairs(const std::string& macro, int size)
 {
@@ -117,21 +143,25 @@ SortRunsText UnrollSortRuns(int size, int pageSize)
 {
   assert(size > 0 && pageSize > 0 && size % pageSize == 0);
   SortRunsText text;
-  text.Declare = ForEach("DECLARE", 0, size);
-  for (int page = 0; page < size / pageSize; ++page)
-  {
-    const std::string name = "p" + std::to_string(page);
-    text.Declare += "DECLARE_PAGE(" + name + ")\n";
-    text.Load += "TAKE_PAGE(" + name + ")\n";
-    for (int slot = 0; slot < pageSize; ++slot)
-    {
-      const std::string call =
-        "(" + Register(page * pageSize + slot) + ", " + name + ", " + std::to_string(slot) + ")\n";
-      text.Load += "LOAD" + call;
-      text.Store += "STORE" + call;
-    }
-  }
+  text.Declare = ForEach("DECLARE", 0, size) + DeclarePages(size / pageSize);
+  text.Load = ForEachSlot("TAKE_PAGE", "LOAD", 0, size, pageSize);
   text.Sort = EmitGlsl(BestKnownNetwork(size), "COMPARE_EXCHANGE_FULL", "f");
+  text.Store = ForEachSlot("", "STORE", 0, size, pageSize);
+  return text;
+}
+
+SortLongRunsText UnrollSortLongRuns(int block, int pageSize)
+{
+  assert(pageSize > 0 && block % pageSize == 0);
+  const LongResolveText blocks = UnrollLongResolve(block);
+  SortLongRunsText text;
+  text.Declare = blocks.Declare + DeclarePages(block / pageSize);
+  text.ClearNearest = blocks.ClearNearest;
+  text.Load = ForEachSlot("TAKE_PAGE", "LOAD", block, block, pageSize);
+  text.Sort = blocks.SortBlock;
+  text.Merge = blocks.MergeBlock;
+  text.Store = ForEachSlot("", "STORE", block, block, pageSize);
+  text.StoreNearest = ForEachSlot("TAKE_PAGE", "STORE", 0, block, pageSize);
   return text;
 }
 

@@ -22,7 +22,7 @@ struct ResolveText
 /** `size` is a multiple of `pageSize`. */
 ResolveText UnrollResolve(int size, int pageSize);
 
-/** Text for the tags of ListResolveLong.glsl, for blocks of `block` nodes, a power of two. */
+/** Text for the tags of CompositeBlocks.glsl, for blocks of `block` nodes, a power of two. */
 struct LongResolveText
 {
   std::string Declare;
@@ -48,6 +48,21 @@ struct SortRunsText
 
 /** For runs of `size` nodes, a multiple of `pageSize`. */
 SortRunsText UnrollSortRuns(int size, int pageSize);
+
+/** Text for the tags of ListSortLongRuns.glsl. */
+struct SortLongRunsText
+{
+  std::string Declare;
+  std::string ClearNearest;
+  std::string Load;
+  std::string Sort;
+  std::string Merge;
+  std::string Store;
+  std::string StoreNearest;
+};
+
+/** For blocks of `block` nodes, a power of two and a multiple of `pageSize`. */
+SortLongRunsText UnrollSortLongRuns(int block, int pageSize);
 
 /** Text for the tags of ListMergeRuns.glsl. */
 struct MergeRunsText

@@ -55,7 +55,6 @@ void compositeBlocks(out vec3 colorOfAll, out float transmittanceOfAll)
     }
 
     //Vitrine::Blend
-    BLEND_REGISTERS
 
     // The block's last register is its farthest fragment; if it is empty all are done.
     //Vitrine::LastOfBlock
@@ -65,7 +64,6 @@ void compositeBlocks(out vec3 colorOfAll, out float transmittanceOfAll)
     //Vitrine::CountSame
     lastDone = same;
   }
-  BLEND_REST
   colorOfAll = color;
   transmittanceOfAll = transmittance;
 }

@@ -1,10 +1,11 @@
-// A-buffer, lists too long for one network, second half: merge the runs that ListSortRuns.glsl
+// A-buffer, lists too long for one network, second half: merge the runs that ListSortRuns.glsl or ListSortLongRuns.glsl
 // sorted, all at once, with each run's nearest fragment in registers, and composite on the way.
 //
 // The runs are in groups, each of which knows its nearest run. So a fragment costs a look at the groups and at
 // the runs of one group: a tournament of two rounds. Neighbouring pixels mostly take from the same group.
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
+#include "ListRuns.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
@@ -17,7 +18,8 @@ struct Run
   uint place;
 };
 #define PLACE(slot, filled, left, number) \
-  (uint(slot) | (uint(filled) << 4) | ((uint(left) & 0xffu) << 8) | (uint(number) << 16))
+  (uint(slot) | (uint(filled) << 4) | ((uint(left) & VITRINE_MOST_PAGES) << 8) | (uint(number) << 27))
+#define VITRINE_MOST_PAGES 0x7ffffu
 
 #define DECLARE_RUN(r) Run r; r.head = unpackNode(false, uvec4(0u)); r.page = VITRINE_END; r.place = 0u;
 
@@ -48,7 +50,7 @@ void main()
   uint page = head.x;
   int filled = nodesInFirstPage(head.y);
   int pages = pagesOfList(head.y);
-  int runPages = (pages - 1) % VITRINE_RUN_PAGES + 1;
+  int runPages = pagesOfFirstRun(pages);
   uint started = 0u;
 
   precise vec3 color = vec3(0.0);
@@ -66,7 +68,7 @@ void main()
         page = nextPage(page);
       }
       filled = VITRINE_PAGE_SIZE;
-      runPages = VITRINE_RUN_PAGES;
+      runPages = pagesOfRun(pages);
     }
     else
     {
@@ -84,8 +86,8 @@ void main()
     // Advance the run by one fragment.
     bool valid = run.page != VITRINE_END;
     uint slot = run.place & 0xfu;
-    uint left = (run.place >> 8) & 0xffu;
-    uint number = run.place >> 16;
+    uint left = (run.place >> 8) & VITRINE_MOST_PAGES;
+    uint number = run.place >> 27;
     uvec4 node = texelFetch(nodes, int(nodeIndex(valid ? run.page : 0u, slot)));
     bool pageDone = slot + 1u == ((run.place >> 4) & 0xfu);
     uint next = pageDone && left > 1u ? nextPage(valid ? run.page : 0u) : VITRINE_END;

@@ -1,69 +1,14 @@
 // A-buffer, lists too long for one network, first half: sort runs of VITRINE_RUN_SIZE nodes in place,
-// each by a network over registers, so that the nodes of a run ascend from its first page to its last.
-//
-// A run is VITRINE_RUN_PAGES pages; if the list has no multiple of that, its first run has fewer.
-// Only the first page may be partly filled.
+// each by a network over registers.
 //
 // P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
 // (2014): sorted blocks go back to the list's own nodes.
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "Registers.glsl"
-
-layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer NodeBuffer
-{
-  uint nodeWords[];
-};
-
-// A page's fragments stand in its last registers: the first `empty` of them have none.
-struct RunPage
-{
-  uint page;
-  int empty;
-};
-
-#define DECLARE_PAGE(p) RunPage p;
-
-// Take the next page of the list, or, while `absent` pages are missing from the first run, none.
-#define TAKE_PAGE(p) \
-  p.page = absent > 0 ? VITRINE_END : page; \
-  p.empty = p.page == VITRINE_END ? VITRINE_PAGE_SIZE : VITRINE_PAGE_SIZE - filled; \
-  if (p.page != VITRINE_END) \
-  { \
-    page = nextPage(page); \
-    filled = VITRINE_PAGE_SIZE; \
-  } \
-  --absent;
-
-// Registers without a fragment sort first, to where they were loaded from.
-#define LOAD(f, p, i) \
-  { \
-    int slot = i - p.empty; \
-    uvec4 node = texelFetch(nodes, \
-      int(nodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0))))); \
-    f = unpackNode(true, slot < 0 ? uvec4(0u) : node); \
-  }
-
-#define STORE(f, p, i) \
-  if (i >= p.empty) \
-  { \
-    storeNode(nodeIndex(p.page, uint(i - p.empty)), f); \
-  }
-
-void storeNode(uint index, Fragment f)
-{
-  uint word = index * uint(VITRINE_NODE_WORDS);
-  nodeWords[word] = f.key;
-#ifdef VITRINE_HALF_FLOAT
-  nodeWords[word + 1u] = f.redGreen;
-  nodeWords[word + 2u] = f.blueAlpha;
-#else
-  nodeWords[word + 1u] = f.color;
-#endif
-#ifdef VITRINE_NODE_HAS_EXTRA
-  nodeWords[word + uint(VITRINE_NODE_WORDS) - 1u] = f.extra;
-#endif
-}
+#define FETCH_NODE(index) texelFetch(nodes, int(index))
+#define NODE_ACCESS writeonly
+#include "RunPages.glsl"
 
 void main()
 {
@@ -73,8 +18,7 @@ void main()
 
   uint page = head.x;
   int filled = nodesInFirstPage(head.y);
-  int pages = pagesOfList(head.y);
-  int absent = (VITRINE_RUN_PAGES - pages % VITRINE_RUN_PAGES) % VITRINE_RUN_PAGES;
+  int absent = absentPages(pagesOfList(head.y));
   while (page != VITRINE_END)
   {
     //Vitrine::Load

@@ -221,8 +221,8 @@ bool sameFragment(Fragment a, Fragment b)
     transmittance -= transmittance * c.a; \
   }
 
-// Composite the fragment in a register, and then what the registers hold together, a part of the list or all of it; or the
-// next fragment of the list; and at its end what is left.
+// Composite the fragment in a register, and then what the registers hold together, the list; or the next fragment of the
+// list, and at its end what is left.
 #ifdef VITRINE_COINCIDENCE
 #include "CoincidentGroup.glsl"
 #else
@@ -232,7 +232,6 @@ bool sameFragment(Fragment a, Fragment b)
     BLEND_COLOR(c) \
   }
 #define BLEND_NEXT(f) BLEND(f)
-#define BLEND_REGISTERS
 #define BLEND_LIST
 #define BLEND_REST
 #endif

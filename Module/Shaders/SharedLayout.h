@@ -38,12 +38,11 @@
 #define VITRINE_TILE_SIZE 16
 
 // The longest list that one network over named registers sorts. Longer ones are sorted in runs, which are merged
-// all at once; beyond that many runs, block by block.
+// all at once; beyond that many runs of this size, runs are longer.
 #define VITRINE_LONGEST_NETWORK 64
 #define VITRINE_RUN_SIZE 32
 #define VITRINE_RUN_GROUP 8
 #define VITRINE_MAX_RUNS 32
-#define VITRINE_MERGE_BLOCK 32
 
 // Sorts that are measured against each other (SortHarness.glsl): lists to a row of pixels, and the odd constants of
 // a list's checksum (Core/ListChecksum).

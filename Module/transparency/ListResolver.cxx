@@ -12,6 +12,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -26,16 +27,22 @@ constexpr std::array<int, 7> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
   VITRINE_RUN_SIZE* VITRINE_RUN_GROUP, VITRINE_RUN_SIZE* VITRINE_MAX_RUNS,
   std::numeric_limits<int>::max() };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
-constexpr int BlocksBin = BinCount - 1;
+constexpr int LongRunsBin = BinCount - 1;
 
 bool IsMergeOfRuns(int bin)
 {
-  return BinLimits[bin] > VITRINE_LONGEST_NETWORK && bin != BlocksBin;
+  return BinLimits[bin] > VITRINE_LONGEST_NETWORK;
+}
+
+// The most nodes that are sorted in registers in a bin's lists. Longer lists have longer runs.
+int NodesAtOnce(int bin)
+{
+  return std::min(BinLimits[bin], VITRINE_RUN_SIZE * VITRINE_MAX_RUNS);
 }
 
 std::string ResolveName(int bin)
 {
-  return "resolve " + std::to_string(BinLimits[bin]);
+  return "resolve " + std::to_string(NodesAtOnce(bin));
 }
 
 std::vector<std::string> RunDefines(const ListLayout& layout)
@@ -178,7 +185,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
     {
       this->BindForSort(state, target);
       const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, store.NodeBuffer());
-      drawTiles(this->ReadySortRuns(window, layout), draw);
+      drawTiles(this->ReadySortRuns(window, layout, draw.Bin), draw);
       BarrierBeforeReadingLists();
     }
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
@@ -201,7 +208,7 @@ void ListResolver::BindForSort(vtkOpenGLState* state, const RenderTarget& target
 bool ListResolver::ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
 {
   return this->ReadyResolve(window, layout, bin) &&
-    (!IsMergeOfRuns(bin) || this->ReadySortRuns(window, layout));
+    (!IsMergeOfRuns(bin) || this->ReadySortRuns(window, layout, bin));
 }
 
 //------------------------------------------------------------------------------
@@ -246,21 +253,27 @@ vtkShaderProgram* ListResolver::ReadyClassify(
 }
 
 vtkShaderProgram* ListResolver::ReadySortRuns(
-  vtkOpenGLRenderWindow* window, const ListLayout& layout)
+  vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
 {
-  return this->Programs.Ready(window, "sort runs", RunDefines(layout), shaders::TileQuadVertex,
-    [&] { return SortRunsSource(VITRINE_RUN_SIZE, layout.PageSize); });
+  const bool longRuns = bin == LongRunsBin;
+  return this->Programs.Ready(window, longRuns ? "sort long runs" : "sort runs", RunDefines(layout),
+    shaders::TileQuadVertex,
+    [&]
+    {
+      return longRuns ? SortLongRunsSource(VITRINE_RUN_SIZE, layout.PageSize)
+                      : SortRunsSource(VITRINE_RUN_SIZE, layout.PageSize);
+    });
 }
 
 vtkShaderProgram* ListResolver::ReadyResolve(
   vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
 {
+  const int size = NodesAtOnce(bin);
   return this->Programs.Ready(window, ResolveName(bin), RunDefines(layout), shaders::TileQuadVertex,
     [&]
     {
-      return bin == BlocksBin ? MergeBlocksSource(VITRINE_MERGE_BLOCK)
-        : IsMergeOfRuns(bin)  ? MergeRunsSource(BinLimits[bin] / VITRINE_RUN_SIZE)
-                              : NetworkSource(BinLimits[bin], layout.PageSize);
+      return IsMergeOfRuns(bin) ? MergeRunsSource(size / VITRINE_RUN_SIZE)
+                                : NetworkSource(size, layout.PageSize);
     });
 }
 

@@ -63,7 +63,7 @@ private:
   bool ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
   void BindForSort(vtkOpenGLState* state, const RenderTarget& target);
   vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
-  vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout);
+  vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
   vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
 
   Image2D TileMax;

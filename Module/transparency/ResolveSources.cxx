@@ -70,6 +70,20 @@ std::string SortRunsSource(int size, int pageSize)
   return source;
 }
 
+std::string SortLongRunsSource(int block, int pageSize)
+{
+  const SortLongRunsText text = UnrollSortLongRuns(block, pageSize);
+  std::string source = shaders::ListSortLongRuns;
+  Fill(source, "Declare", text.Declare);
+  Fill(source, "ClearNearest", text.ClearNearest);
+  Fill(source, "Load", text.Load);
+  Fill(source, "Sort", text.Sort);
+  Fill(source, "Merge", text.Merge);
+  Fill(source, "Store", text.Store);
+  Fill(source, "StoreNearest", text.StoreNearest);
+  return source;
+}
+
 std::string MergeRunsSource(int runs)
 {
   const MergeRunsText text = UnrollMergeRuns(runs, VITRINE_RUN_GROUP);
@@ -78,11 +92,6 @@ std::string MergeRunsSource(int runs)
   Fill(source, "FindNearest", text.FindNearest);
   Fill(source, "PutBack", text.PutBack);
   return source;
-}
-
-std::string MergeBlocksSource(int block)
-{
-  return ResolveLong(shaders::ListResolveLong, block);
 }
 
 std::string RoutedNetworkSource(int size)

@@ -24,11 +24,11 @@ std::string RoutedBlocksSource(int block);
 /** ListSortRuns.glsl for runs of `size` nodes. */
 std::string SortRunsSource(int size, int pageSize);
 
+/** ListSortLongRuns.glsl for runs of any number of blocks of `block` nodes. */
+std::string SortLongRunsSource(int block, int pageSize);
+
 /** ListMergeRuns.glsl for up to `runs` runs, a multiple of VITRINE_RUN_GROUP. */
 std::string MergeRunsSource(int runs);
-
-/** ListResolveLong.glsl for lists of any length, in blocks of `block` nodes. */
-std::string MergeBlocksSource(int block);
 
 }
 #endif

@@ -14,7 +14,7 @@ extern const char* const LinkedListFillDec;
 extern const char* const LinkedListFillImpl;
 extern const char* const ListMergeRuns;
 extern const char* const ListResolve;
-extern const char* const ListResolveLong;
+extern const char* const ListSortLongRuns;
 extern const char* const ListSortRuns;
 extern const char* const PackedListFillDec;
 extern const char* const PackedListFillImpl;

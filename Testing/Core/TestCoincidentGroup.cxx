@@ -148,6 +148,16 @@ TEST(CoincidentGroup, EqualAlphasShareWhatDoesNotPass)
   }
 }
 
+// So many that what is seen behind half of them is nothing in double precision.
+TEST(CoincidentGroup, OfManyOpaqueOnesIsTheirMean)
+{
+  std::vector<Layer> layers(6000, { White, 1.0 });
+  layers.resize(8000, { Black, 1.0 });
+  const CoincidentGroup group = MakeGroup(layers);
+  EXPECT_NEAR(ColorOf(group)[0], 0.75, 1e-12);
+  EXPECT_EQ(group.Transmittance(), 0.0);
+}
+
 // One opaque fragment among `count` - 1 of alpha a: its weight is the integral of (1 - t a)^(count - 1).
 TEST(CoincidentGroup, OneOpaqueAmongManyIsTheClosedForm)
 {

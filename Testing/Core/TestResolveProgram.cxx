@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -183,6 +184,40 @@ TEST(LongResolve, KeepsTheNearestBlock)
   }
 }
 
+// A register, page and slot of a call such as `LOAD(f3, p1, 1)`.
+using Place = std::array<int, 3>;
+
+// The places of `macro`, in order, where `begin` stands before each page.
+std::vector<Place> Places(
+  const std::string& text, const std::string& begin, const std::string& macro)
+{
+  std::vector<Place> places;
+  int pages = 0;
+  for (const Call& call : Calls(text))
+  {
+    if (call.Macro == begin)
+    {
+      EXPECT_EQ(call.Number(0), pages++);
+      continue;
+    }
+    EXPECT_EQ(call.Macro, macro);
+    places.push_back({ call.Number(0), call.Number(1), call.Number(2) });
+    EXPECT_TRUE(begin.empty() || places.back()[1] == pages - 1);
+  }
+  return places;
+}
+
+// Each slot of each page once, in registers from `first` on.
+std::vector<Place> AllPlaces(int first, int size, int pageSize)
+{
+  std::vector<Place> places;
+  for (int i = 0; i < size; ++i)
+  {
+    places.push_back({ first + i, i / pageSize, i % pageSize });
+  }
+  return places;
+}
+
 TEST(SortRuns, LoadSortAndStoreEachSlotOfEachPageOnce)
 {
   std::mt19937 random(3);
@@ -190,32 +225,25 @@ TEST(SortRuns, LoadSortAndStoreEachSlotOfEachPageOnce)
   {
     constexpr int size = 32;
     const vitrine::SortRunsText text = vitrine::UnrollSortRuns(size, pageSize);
-    std::vector<std::pair<std::string, int>> loads;
-    int pages = 0;
-    for (const Call& call : Calls(text.Load))
-    {
-      if (call.Macro == "TAKE_PAGE")
-      {
-        EXPECT_EQ(call.Number(0), pages++);
-        continue;
-      }
-      ASSERT_EQ(call.Macro, "LOAD");
-      EXPECT_EQ(call.Number(0), static_cast<int>(loads.size()));
-      loads.emplace_back(call.Operands[1], call.Number(2));
-      EXPECT_EQ(call.Number(1), pages - 1);
-    }
-    EXPECT_EQ(pages, size / pageSize);
-    std::vector<std::pair<std::string, int>> stores;
-    for (const Call& call : Calls(text.Store))
-    {
-      ASSERT_EQ(call.Macro, "STORE");
-      EXPECT_EQ(call.Number(0), static_cast<int>(stores.size()));
-      stores.emplace_back(call.Operands[1], call.Number(2));
-    }
-    EXPECT_EQ(stores, loads);
+    EXPECT_EQ(Places(text.Load, "TAKE_PAGE", "LOAD"), AllPlaces(0, size, pageSize));
+    EXPECT_EQ(Places(text.Store, "", "STORE"), AllPlaces(0, size, pageSize));
     std::vector<int> keys = RandomKeys(random, size);
     CompareExchange(text.Sort, "COMPARE_EXCHANGE_FULL", keys);
     EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+  }
+}
+
+// Blocks pass through the upper registers, and the nearest stays in the lower ones.
+TEST(SortLongRuns, LoadAndStoreEachSlotOfEachPageOnce)
+{
+  for (const int pageSize : { 1, 2, 4, 8 })
+  {
+    constexpr int block = 32;
+    const vitrine::SortLongRunsText text = vitrine::UnrollSortLongRuns(block, pageSize);
+    EXPECT_EQ(Places(text.Load, "TAKE_PAGE", "LOAD"), AllPlaces(block, block, pageSize));
+    EXPECT_EQ(Places(text.Store, "", "STORE"), AllPlaces(block, block, pageSize));
+    EXPECT_EQ(Places(text.StoreNearest, "TAKE_PAGE", "STORE"), AllPlaces(0, block, pageSize));
+    ExpectOneEach(text.ClearNearest, "CLEAR", 0, block);
   }
 }
 

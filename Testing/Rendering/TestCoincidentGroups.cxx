@@ -85,6 +85,41 @@ TEST_P(CoincidentGroups, WithoutAnyIsThePictureWithoutTheTolerance)
   }
 }
 
+// Of opaque fragments each is the nearest as often as any other, however many there are: more than floats can tell what is
+// seen behind, and than one run or block sorts. Truth takes a time that grows with the square of the group.
+TEST_P(CoincidentGroups, OfAnyNumberOfOpaqueOnesAreTheirMean)
+{
+  const Rgba red = { 1.0, 0.0, 0.4, 1.0 };
+  const Rgba blue = { 0.0, 0.2, 1.0, 1.0 };
+  TestScene scene(1, 1);
+  const vtkSmartPointer<vtkTransparencyPass> pass = MakeTolerant(GetParam());
+  const int most = vtkABufferTransparencyPass::SafeDownCast(pass) ? 20000 : 5000;
+  scene.Use(pass);
+  for (const int layers : { 1000, 1025, 5000, 9000, 12000, 20000 })
+  {
+    for (const int reds : { layers, layers / 2 })
+    {
+      if (layers > most)
+      {
+        continue;
+      }
+      SCOPED_TRACE(std::to_string(reds) + " of " + std::to_string(layers) + " layers are red");
+      std::vector<Rgba> plates(reds, red);
+      plates.resize(layers, blue);
+      Rgba mean = { 0.0, 0.0, 0.0, 1.0 };
+      for (int c = 0; c < 3; ++c)
+      {
+        mean[c] = (reds * red[c] + (layers - reds) * blue[c]) / layers;
+      }
+      const vtkSmartPointer<vtkActor> actor =
+        scene.AddPlates(plates, std::vector<double>(layers, 0.3), 63);
+      // The window rounds by up to half a step.
+      ExpectColor(UniformColor(scene.Render()), mean, reds == layers ? 0.0 : 0.5 + 1.0 / 3.0);
+      scene.Renderer->RemoveActor(actor);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Methods, CoincidentGroups, testing::ValuesIn(TolerantMethods()), MethodName());
 

@@ -3,6 +3,7 @@
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "vtkActor.h"
+#include "vtkProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,40 @@ TEST_P(ExactStack, Of4000Layers)
   EXPECT_EQ(pass->GetLostFragmentCount(), 0);
   EXPECT_EQ(pass->GetLayersMax(), 4000);
   EXPECT_EQ(pass->GetFragmentCount(), 4000 * 3 * 2);
+}
+
+// Lists so long that the work on each must not grow with their square: drivers end the loops of a shader after a number
+// of rounds, llvmpipe after 65,535 in all. Layers, of one depth or apart, are so faint that together they take a fifth of a
+// step, and a plate shows behind them.
+TEST_P(ExactStack, SeesThroughAnyNumberOfFaintLayers)
+{
+  TestScene scene(2, 1);
+  const Rgba behind = { 1.0, 0.0, 0.2, 0.8 };
+  scene.AddPlate(-0.95, behind);
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  scene.Use(pass);
+  for (const int layers : { 5000, 9000, 20000 })
+  {
+    for (const double spacing : { 0.0, 1.8 / layers })
+    {
+      if (!GetParam().Keeps(layers + 1))
+      {
+        continue;
+      }
+      SCOPED_TRACE(std::to_string(layers) + " layers " + std::to_string(spacing) + " apart");
+      std::vector<double> heights(layers);
+      for (int i = 0; i < layers; ++i)
+      {
+        heights[i] = 0.9 - spacing * i;
+      }
+      const vtkSmartPointer<vtkActor> actor =
+        scene.AddPlates(RandomPlates(layers, 1.0 / 255, 11), heights, 12);
+      actor->GetProperty()->SetOpacity(1e-5);
+      ExpectClosedForm(scene.Render(), { behind }, std::max(0.6, GetParam().Tolerance * 0.5) + 0.2);
+      EXPECT_EQ(pass->GetLayersMax(), layers + 1);
+      scene.Renderer->RemoveActor(actor);
+    }
+  }
 }
 
 // Neighbours of every length, so that tiles hold lists of many lengths and bins lie side by side.

@@ -129,7 +129,7 @@ protected:
 TEST_P(ResolveFailures, OfLongListsBlendNothingTwice)
 {
   for (const LongLists& lists : { LongLists{ "ListResolve", 40 }, LongLists{ "ListSortRuns", 100 },
-         LongLists{ "ListMergeRuns", 100 }, LongLists{ "ListResolveLong", 1100 } })
+         LongLists{ "ListMergeRuns", 100 }, LongLists{ "ListSortLongRuns", 1100 } })
   {
     for (const bool inBands : { false, true })
     {

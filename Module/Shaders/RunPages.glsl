@@ -1,0 +1,68 @@
+// Runs of nodes in registers: they are loaded page by page, and stored in place, so that the nodes of a run ascend from its
+// first page to its last.
+//
+// A block of registers is VITRINE_RUN_PAGES pages; if the list has no multiple of that, its first block has fewer.
+// Only the first page may be partly filled.
+//
+// FETCH_NODE(index)  reads a node
+// NODE_ACCESS        what else is known of the buffer
+
+layout(std430, binding = VITRINE_BINDING_NODES) NODE_ACCESS buffer NodeBuffer
+{
+  uint nodeWords[];
+};
+
+// A page's fragments stand in its last registers: the first `empty` of them have none.
+struct RunPage
+{
+  uint page;
+  int empty;
+};
+
+#define DECLARE_PAGE(p) RunPage p;
+
+// Take the next page of the list, or, while `absent` pages are missing from the first block, none.
+#define TAKE_PAGE(p) \
+  p.page = absent > 0 ? VITRINE_END : page; \
+  p.empty = p.page == VITRINE_END ? VITRINE_PAGE_SIZE : VITRINE_PAGE_SIZE - filled; \
+  if (p.page != VITRINE_END) \
+  { \
+    page = nextPage(page); \
+    filled = VITRINE_PAGE_SIZE; \
+  } \
+  --absent;
+
+// Registers without a fragment sort first, to where they were loaded from.
+#define LOAD(f, p, i) \
+  { \
+    int slot = i - p.empty; \
+    uvec4 node = FETCH_NODE(nodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0)))); \
+    f = unpackNode(true, slot < 0 ? uvec4(0u) : node); \
+  }
+
+#define STORE(f, p, i) \
+  if (i >= p.empty) \
+  { \
+    storeNode(nodeIndex(p.page, uint(i - p.empty)), f); \
+  }
+
+void storeNode(uint index, Fragment f)
+{
+  uint word = index * uint(VITRINE_NODE_WORDS);
+  nodeWords[word] = f.key;
+#ifdef VITRINE_HALF_FLOAT
+  nodeWords[word + 1u] = f.redGreen;
+  nodeWords[word + 2u] = f.blueAlpha;
+#else
+  nodeWords[word + 1u] = f.color;
+#endif
+#ifdef VITRINE_NODE_HAS_EXTRA
+  nodeWords[word + uint(VITRINE_NODE_WORDS) - 1u] = f.extra;
+#endif
+}
+
+// Pages that are missing from the first block of a list of so many.
+int absentPages(int pages)
+{
+  return (VITRINE_RUN_PAGES - pages % VITRINE_RUN_PAGES) % VITRINE_RUN_PAGES;
+}
