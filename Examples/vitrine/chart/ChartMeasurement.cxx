@@ -95,6 +95,11 @@ std::vector<MethodResult> LeaveOut(const std::vector<std::string>& methods, cons
   return leftOut;
 }
 
+Scene LoadStep(const ChartStep& step)
+{
+  return step.Loaded ? *step.Loaded : LoadInput(step.Input);
+}
+
 ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, const Scene& scene)
 {
   ComparisonSettings settings;
@@ -121,14 +126,14 @@ void RecordGrowth(
 void MeasureScene(
   const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
 {
-  const Scene scene = LoadInput(step.Input);
+  const Scene scene = LoadStep(step);
   RecordScene(CompareMethods(scene, MakeSettings(plan, step, scene), progress), number, record);
 }
 
 void MeasureGrowth(
   const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
 {
-  const Scene scene = LoadInput(step.Input);
+  const Scene scene = LoadStep(step);
   ComparisonSettings settings = MakeSettings(plan, step, scene);
   const std::vector<MethodResult> leftOut =
     LeaveOut(settings.Methods, plan, step.Part, number, record);
