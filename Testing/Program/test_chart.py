@@ -203,6 +203,16 @@ class ChartOfFiles(FileTest):
         stop_when(process, is_measured, signal.SIGTERM)
 
 
+class ChartOfRefused(FileTest):
+    def test_rows_tell_why_methods_are_skipped_and_stderr_does_not(self):
+        folder = self.folder / "chart"
+        small = ("--quick", "--size", "8x8", "--frames", "1", "--methods", "stencil-routed-32")
+        self.assert_done(run("chart", *small, "--out", folder))
+        document = read_document(folder)
+        for row in document["results"] + document["failures"]:
+            self.assertIn("samples", row.get("skipped", "samples"))
+
+
 class ChartOfOwnScene(FileTest):
     SCENE = ("demo:stack,layers=3", "--methods", "linked-list,stencil-routed-32,vtk-oit")
 

@@ -1,5 +1,6 @@
 #include "chart/ChartMeasurement.h"
 
+#include "VTKMessages.h"
 #include "commands/Options.h"
 #include "report/ComparisonJson.h"
 #include "report/StabilityReport.h"
@@ -112,6 +113,20 @@ ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, co
   return settings;
 }
 
+/** CompareMethods(), with nothing on stderr of why methods are skipped, which their rows tell. */
+ComparisonResult Compare(const Scene& scene, const ComparisonSettings& settings, Progress& progress)
+{
+  MessageCapture messages;
+  ComparisonResult comparison = CompareMethods(scene, settings, progress);
+  std::vector<std::string> told;
+  for (const MethodResult& result : comparison.Results)
+  {
+    told.push_back(result.Skipped);
+  }
+  messages.ShowAllBut(told);
+  return comparison;
+}
+
 void RecordGrowth(
   const ComparisonResult& comparison, const std::string& part, int number, ChartRecord& record)
 {
@@ -127,7 +142,7 @@ void MeasureScene(
   const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
 {
   const Scene scene = LoadStep(step);
-  RecordScene(CompareMethods(scene, MakeSettings(plan, step, scene), progress), number, record);
+  RecordScene(Compare(scene, MakeSettings(plan, step, scene), progress), number, record);
 }
 
 void MeasureGrowth(
@@ -148,7 +163,7 @@ void MeasureGrowth(
   comparison.Settings = settings;
   if (!settings.Methods.empty())
   {
-    comparison = CompareMethods(scene, settings, progress);
+    comparison = Compare(scene, settings, progress);
   }
   comparison.Results.insert(comparison.Results.end(), leftOut.begin(), leftOut.end());
   RecordGrowth(comparison, step.Part, number, record);
