@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <iterator>
 #include <set>
 
 namespace program
@@ -91,6 +92,34 @@ MessageCapture::MessageCapture()
 MessageCapture::~MessageCapture()
 {
   Current = this->Outer;
+}
+
+void MessageCapture::ShowAllBut(const std::vector<std::string>& reasons)
+{
+  Current = this->Outer;
+  for (const std::string& line : LinesWithout(this->ErrorLines, reasons))
+  {
+    vtkOutputWindow::GetInstance()->DisplayErrorText(line.c_str());
+  }
+  for (const std::string& line : LinesWithout(this->WarningLines, reasons))
+  {
+    vtkOutputWindow::GetInstance()->DisplayWarningText(line.c_str());
+  }
+  Current = this;
+}
+
+std::vector<std::string> LinesWithout(
+  const std::vector<std::string>& lines, const std::vector<std::string>& reasons)
+{
+  std::vector<std::string> others;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(others),
+    [&reasons](const std::string& line)
+    {
+      return std::none_of(reasons.begin(), reasons.end(),
+        [&line](const std::string& reason)
+        { return !reason.empty() && line.find(reason) != std::string::npos; });
+    });
+  return others;
 }
 
 }

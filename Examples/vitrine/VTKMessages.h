@@ -22,6 +22,9 @@ public:
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
+  /** Show errors and warnings after all, but for those that have one of the reasons in them, which is told otherwise. */
+  void ShowAllBut(const std::vector<std::string>& reasons);
+
   const std::vector<std::string>& Errors() const { return this->ErrorLines; }
   const std::vector<std::string>& Warnings() const { return this->WarningLines; }
 
@@ -31,6 +34,10 @@ private:
   std::vector<std::string> WarningLines;
   MessageCapture* Outer;
 };
+
+/** The lines that have none of the reasons in them, other than empty ones. */
+std::vector<std::string> LinesWithout(
+  const std::vector<std::string>& lines, const std::vector<std::string>& reasons);
 
 }
 #endif

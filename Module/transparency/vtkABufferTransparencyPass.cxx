@@ -102,8 +102,6 @@ void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ColorStorage: " << StorageNames[this->ColorStorage] << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "CoincidenceSteps: " << this->CoincidenceSteps << "\n";
-  os << indent << "CoincidenceSlope: " << this->CoincidenceSlope << "\n";
   os << indent << "PoolBytes: " << this->GetPoolBytes() << "\n";
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
 }
@@ -123,46 +121,6 @@ void vtkABufferTransparencyPass::SetColorStorage(int storage)
     this->ShaderStage.Modified();
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-vitrine::CoincidenceTolerance vtkABufferTransparencyPass::GetTolerance() const
-{
-  return { this->CoincidenceSteps, this->CoincidenceSlope };
-}
-
-//------------------------------------------------------------------------------
-void vtkABufferTransparencyPass::SetTolerance(const vitrine::CoincidenceTolerance& tolerance)
-{
-  const std::string problem = tolerance.FindProblem();
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-    return;
-  }
-  const vitrine::CoincidenceTolerance before = this->GetTolerance();
-  if (tolerance.IsOn() != before.IsOn())
-  {
-    this->ShaderStage.Modified();
-  }
-  if (tolerance.Steps != before.Steps || tolerance.Slope != before.Slope)
-  {
-    this->CoincidenceSteps = tolerance.Steps;
-    this->CoincidenceSlope = tolerance.Slope;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkABufferTransparencyPass::SetCoincidenceSteps(double steps)
-{
-  this->SetTolerance({ steps, this->CoincidenceSlope });
-}
-
-//------------------------------------------------------------------------------
-void vtkABufferTransparencyPass::SetCoincidenceSlope(double slope)
-{
-  this->SetTolerance({ this->CoincidenceSteps, slope });
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,7 @@
 #ifndef vtkABufferTransparencyPass_h
 #define vtkABufferTransparencyPass_h
 
-#include "vtkTransparencyPass.h"
+#include "vtkTolerantTransparencyPass.h"
 
 #include <memory> // for the store
 #include <vector> // for bands of the screen
@@ -29,15 +29,14 @@
 namespace vitrine
 {
 class FragmentStore;
-struct CoincidenceTolerance;
 struct FragmentStatistics;
 struct PixelRegion;
 }
 
-class VTKVITRINERENDERING_EXPORT vtkABufferTransparencyPass : public vtkTransparencyPass
+class VTKVITRINERENDERING_EXPORT vtkABufferTransparencyPass : public vtkTolerantTransparencyPass
 {
 public:
-  vtkAbstractTypeMacro(vtkABufferTransparencyPass, vtkTransparencyPass);
+  vtkAbstractTypeMacro(vtkABufferTransparencyPass, vtkTolerantTransparencyPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ColorStorageType
@@ -73,30 +72,6 @@ public:
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
-  ///@}
-
-  ///@{
-  /**
-   * The tolerance within which fragments coincide, as those of mating faces do: float noise orders them otherwise.
-   * As glPolygonOffset reckons, a fragment's tolerance is Steps * 2^-24 + Slope * max(|dz/dx|, |dz/dy|): a number of the
-   * smallest steps that a 24-bit depth buffer has, and a share of the larger change of its depth to the next pixel.
-   * Fragments whose depths are within the sum of their tolerances coincide, and so do those that others between them
-   * join. They are composited as the mean over all their orders, so that neither their order nor noise below the
-   * tolerance shows. Two come out the same to the bit in any order, more of them up to the last bits of a 32-bit float.
-   * Where nothing coincides, the picture is what it is without.
-   *
-   * Both are 0 by default, which is no tolerance: fragments of exactly equal depth are ordered by packed colour. What
-   * is near for other reasons coincides too: front and back of a part along its silhouette, within about Slope / 2
-   * pixels of it, and layers closer than the tolerance. At the rims of impostors, whose shaders throw fragments away,
-   * the slope is what the driver makes of it. Fragments of alpha 0 coincide with none and join none. Opaque geometry
-   * has no tolerance: what it hides is decided by the depth test. A fragment takes 4 bytes more, unless the target is
-   * multisampled. Numbers below 0, infinite ones and NaN are errors, and change nothing. Targets of more than 16
-   * samples are refused.
-   */
-  void SetCoincidenceSteps(double steps);
-  vtkGetMacro(CoincidenceSteps, double);
-  void SetCoincidenceSlope(double slope);
-  vtkGetMacro(CoincidenceSlope, double);
   ///@}
 
   /**
@@ -139,16 +114,12 @@ protected:
 
   int ColorStorage = HALF_FLOAT;
   vtkTypeInt64 MemoryLimit = 0;
-  double CoincidenceSteps = 0.0;
-  double CoincidenceSlope = 0.0;
   int NumberOfBands = 1;
 
 private:
   vtkABufferTransparencyPass(const vtkABufferTransparencyPass&) = delete;
   void operator=(const vtkABufferTransparencyPass&) = delete;
 
-  vitrine::CoincidenceTolerance GetTolerance() const;
-  void SetTolerance(const vitrine::CoincidenceTolerance& tolerance);
   std::string PrepareFrame(const vitrine::RenderTarget& target);
   std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
     vitrine::FragmentStatistics& frame);

@@ -13,7 +13,7 @@
  * Colours are kept in 8 bits. Targets with several samples a pixel are refused, and so are lines and points, whose width
  * counts in pixels of the larger target: then VTK's own way draws, and GetFallbackReason() tells why.
  *
- * There is no tolerance for coincidence, as vtkABufferTransparencyPass has it.
+ * There is no tolerance for coincidence, as vtkTolerantTransparencyPass has it.
  *
  * S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
  */

@@ -18,7 +18,7 @@
  * is, and as many passes as layers. Larger K are refused, and so are targets with several samples a pixel: then VTK's own
  * way draws, and GetFallbackReason() tells why.
  *
- * There is no tolerance for coincidence, as vtkABufferTransparencyPass has it.
+ * There is no tolerance for coincidence, as vtkTolerantTransparencyPass has it.
  *
  * K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
  */

@@ -257,46 +257,6 @@ vtkTruthTransparencyPass::~vtkTruthTransparencyPass()
 }
 
 //------------------------------------------------------------------------------
-vitrine::CoincidenceTolerance vtkTruthTransparencyPass::GetTolerance() const
-{
-  return { this->CoincidenceSteps, this->CoincidenceSlope };
-}
-
-//------------------------------------------------------------------------------
-void vtkTruthTransparencyPass::SetTolerance(const vitrine::CoincidenceTolerance& tolerance)
-{
-  const std::string problem = tolerance.FindProblem();
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-    return;
-  }
-  const vitrine::CoincidenceTolerance before = this->GetTolerance();
-  if (tolerance.IsOn() != before.IsOn())
-  {
-    this->ShaderStage.Modified();
-  }
-  if (tolerance.Steps != before.Steps || tolerance.Slope != before.Slope)
-  {
-    this->CoincidenceSteps = tolerance.Steps;
-    this->CoincidenceSlope = tolerance.Slope;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkTruthTransparencyPass::SetCoincidenceSteps(double steps)
-{
-  this->SetTolerance({ steps, this->CoincidenceSlope });
-}
-
-//------------------------------------------------------------------------------
-void vtkTruthTransparencyPass::SetCoincidenceSlope(double slope)
-{
-  this->SetTolerance({ this->CoincidenceSteps, slope });
-}
-
-//------------------------------------------------------------------------------
 vtkImageData* vtkTruthTransparencyPass::GetResult()
 {
   return this->Private->Result;

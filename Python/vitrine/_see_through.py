@@ -19,6 +19,7 @@ from .vtkVitrineRendering import (
     vtkPrefixSumTransparencyPass,
     vtkSeeThroughPass,
     vtkStencilRoutedTransparencyPass,
+    vtkTolerantTransparencyPass,
     vtkTransparencyPass,
     vtkTruthTransparencyPass,
 )
@@ -263,14 +264,13 @@ def _make_pass(
 ) -> vtkSeeThroughPass:
     transparency = _known("method", method, METHODS)()
     if color_storage is not None:
-        _only_of_a_buffers(method, "color_storage")
+        _only_of(vtkABufferTransparencyPass, method, "color_storage")
         transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
     if memory_limit is not None:
-        _only_of_a_buffers(method, "memory_limit")
+        _only_of(vtkABufferTransparencyPass, method, "memory_limit")
         transparency.SetMemoryLimit(_number_of_bytes(memory_limit))
     if coincidence is not None:
-        if not hasattr(transparency, "SetCoincidenceSteps"):
-            raise ValueError(f"coincidence is no option of {method}")
+        _only_of(vtkTolerantTransparencyPass, method, "coincidence")
         steps, slope = _steps_and_slope(coincidence)
         transparency.SetCoincidenceSteps(steps)
         transparency.SetCoincidenceSlope(slope)
@@ -308,8 +308,8 @@ def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
     return float(pair[0]), float(pair[1])
 
 
-def _only_of_a_buffers(method: str, option: str) -> None:
-    if not issubclass(METHODS[method], vtkABufferTransparencyPass):
+def _only_of(kind: type, method: str, option: str) -> None:
+    if not issubclass(METHODS[method], kind):
         raise ValueError(f"{option} is no option of {method}")
 
 

@@ -47,10 +47,10 @@ def stop_when(process, is_enough, signal):
     process.communicate(timeout=TIMEOUT)
 
 
-def start_chart(folder):
+def start_chart(folder, *arguments):
     """Start `vitrine chart` with small windows."""
     return subprocess.Popen(
-        [PROGRAM, "chart", *SMALL, "--out", str(folder)],
+        [PROGRAM, "chart", *SMALL, "--out", str(folder), *map(str, arguments)],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env=environment_without_display(),

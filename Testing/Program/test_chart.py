@@ -5,6 +5,7 @@ import shutil
 import signal
 import unittest
 
+import scenes
 from charts import (
     METHODS,
     SMALL,
@@ -185,6 +186,31 @@ class Chart(ProgramTest):
         outcomes = [cells[name, "linked-list"]["outcome"] for name in names]
         self.assertIn("exact", outcomes)
         self.assertIn("wrong", [cells[name, "vtk-oit"]["outcome"] for name in names])
+
+
+class ChartOfFiles(FileTest):
+    def test_a_file_is_read_before_anything_is_measured_and_not_again(self):
+        path = self.write("plate.stl", scenes.binary_stl())
+        folder = self.folder / "chart"
+        process = start_chart(folder, path)
+
+        def is_measured():
+            rows = results_there(folder)
+            if rows:
+                path.unlink(missing_ok=True)
+            return any(row["scene"] == str(path) for row in rows)
+
+        stop_when(process, is_measured, signal.SIGTERM)
+
+
+class ChartOfRefused(FileTest):
+    def test_rows_tell_why_methods_are_skipped_and_stderr_does_not(self):
+        folder = self.folder / "chart"
+        small = ("--quick", "--size", "8x8", "--frames", "1", "--methods", "stencil-routed-32")
+        self.assert_done(run("chart", *small, "--out", folder))
+        document = read_document(folder)
+        for row in document["results"] + document["failures"]:
+            self.assertIn("samples", row.get("skipped", "samples"))
 
 
 class ChartOfOwnScene(FileTest):

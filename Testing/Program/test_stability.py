@@ -208,6 +208,7 @@ class Stability(FileTest):
         if "3.2" not in told["device"]["gl"]:
             self.skipTest("the driver is not Mesa's")
         self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr, b"")
         self.assertEqual([row["outcome"] for row in told["results"]], ["refused"] * 2)
         for row in told["results"]:
             self.assertIn("OpenGL", row["skipped"])

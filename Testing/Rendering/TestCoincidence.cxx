@@ -3,10 +3,10 @@
 #include "TestMessages.h"
 #include "gl/RenderTarget.h"
 #include "transparency/CoincidenceTolerance.h"
-#include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkShaderProperty.h"
+#include "vtkTolerantTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 #include <gtest/gtest.h>
@@ -292,11 +292,9 @@ TEST_P(Coincidence, RefusesWhatIsNoTolerance)
     ASSERT_EQ(messages.size(), 2u);
     EXPECT_NE(messages[0].find("finite numbers of at least 0"), std::string::npos) << messages[0];
   }
-  if (auto* lists = vtkABufferTransparencyPass::SafeDownCast(pass))
-  {
-    EXPECT_EQ(lists->GetCoincidenceSteps(), 3.0);
-    EXPECT_EQ(lists->GetCoincidenceSlope(), 0.5);
-  }
+  auto* tolerant = vtkTolerantTransparencyPass::SafeDownCast(pass);
+  EXPECT_EQ(tolerant->GetCoincidenceSteps(), 3.0);
+  EXPECT_EQ(tolerant->GetCoincidenceSlope(), 0.5);
 }
 
 TEST(CoincidenceTolerance, CanBeHadWithSixteenSamples)

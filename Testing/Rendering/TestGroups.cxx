@@ -1,22 +1,16 @@
 #include "TestGroups.h"
 
 #include "Core/CoincidentGroup.h"
-#include "vtkABufferTransparencyPass.h"
-#include "vtkTruthTransparencyPass.h"
+#include "vtkTolerantTransparencyPass.h"
 
 #include <algorithm>
 
 void SetTolerance(vtkTransparencyPass* pass, double steps, double slope)
 {
-  if (auto* lists = vtkABufferTransparencyPass::SafeDownCast(pass))
+  if (auto* tolerant = vtkTolerantTransparencyPass::SafeDownCast(pass))
   {
-    lists->SetCoincidenceSteps(steps);
-    lists->SetCoincidenceSlope(slope);
-  }
-  if (auto* truth = vtkTruthTransparencyPass::SafeDownCast(pass))
-  {
-    truth->SetCoincidenceSteps(steps);
-    truth->SetCoincidenceSlope(slope);
+    tolerant->SetCoincidenceSteps(steps);
+    tolerant->SetCoincidenceSlope(slope);
   }
 }
 
@@ -29,13 +23,8 @@ vtkSmartPointer<vtkTransparencyPass> MakeTolerant(const Method& method, double s
 
 std::vector<Method> TolerantMethods()
 {
-  return MethodsThat(
-    [](const Method& method)
-    {
-      const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
-      return vtkABufferTransparencyPass::SafeDownCast(pass) ||
-        vtkTruthTransparencyPass::SafeDownCast(pass);
-    });
+  return MethodsThat([](const Method& method)
+    { return vtkTolerantTransparencyPass::SafeDownCast(method.Make()) != nullptr; });
 }
 
 Groups RandomGroups(int layers, const std::vector<int>& sizes, double alpha, std::uint64_t seed)

@@ -1,5 +1,6 @@
 #include "chart/ChartMeasurement.h"
 
+#include "VTKMessages.h"
 #include "commands/Options.h"
 #include "report/ComparisonJson.h"
 #include "report/StabilityReport.h"
@@ -95,6 +96,11 @@ std::vector<MethodResult> LeaveOut(const std::vector<std::string>& methods, cons
   return leftOut;
 }
 
+Scene LoadStep(const ChartStep& step)
+{
+  return step.Loaded ? *step.Loaded : LoadInput(step.Input);
+}
+
 ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, const Scene& scene)
 {
   ComparisonSettings settings;
@@ -105,6 +111,20 @@ ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, co
   settings.From = scene.Placement.DefaultView;
   settings.From.Zoom *= step.Zoom;
   return settings;
+}
+
+/** CompareMethods(), with nothing on stderr of why methods are skipped, which their rows tell. */
+ComparisonResult Compare(const Scene& scene, const ComparisonSettings& settings, Progress& progress)
+{
+  MessageCapture messages;
+  ComparisonResult comparison = CompareMethods(scene, settings, progress);
+  std::vector<std::string> told;
+  for (const MethodResult& result : comparison.Results)
+  {
+    told.push_back(result.Skipped);
+  }
+  messages.ShowAllBut(told);
+  return comparison;
 }
 
 void RecordGrowth(
@@ -121,14 +141,14 @@ void RecordGrowth(
 void MeasureScene(
   const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
 {
-  const Scene scene = LoadInput(step.Input);
-  RecordScene(CompareMethods(scene, MakeSettings(plan, step, scene), progress), number, record);
+  const Scene scene = LoadStep(step);
+  RecordScene(Compare(scene, MakeSettings(plan, step, scene), progress), number, record);
 }
 
 void MeasureGrowth(
   const ChartPlan& plan, const ChartStep& step, int number, ChartRecord& record, Progress& progress)
 {
-  const Scene scene = LoadInput(step.Input);
+  const Scene scene = LoadStep(step);
   ComparisonSettings settings = MakeSettings(plan, step, scene);
   const std::vector<MethodResult> leftOut =
     LeaveOut(settings.Methods, plan, step.Part, number, record);
@@ -143,7 +163,7 @@ void MeasureGrowth(
   comparison.Settings = settings;
   if (!settings.Methods.empty())
   {
-    comparison = CompareMethods(scene, settings, progress);
+    comparison = Compare(scene, settings, progress);
   }
   comparison.Results.insert(comparison.Results.end(), leftOut.begin(), leftOut.end());
   RecordGrowth(comparison, step.Part, number, record);

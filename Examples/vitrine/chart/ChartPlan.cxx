@@ -44,11 +44,16 @@ Extent FullExtent()
     { 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
 }
 
-void AddScenes(ChartPlan& plan, const std::vector<std::string>& inputs, PictureSize size)
+void AddScenes(ChartPlan& plan, const std::vector<std::string>& standard,
+  const std::vector<LoadedInput>& given, PictureSize size)
 {
-  for (const std::string& input : inputs)
+  for (const std::string& input : standard)
   {
-    plan.Steps.push_back({ "scenes", input, size, 1.0 });
+    plan.Steps.push_back({ "scenes", input, size, 1.0, std::nullopt });
+  }
+  for (const LoadedInput& input : given)
+  {
+    plan.Steps.push_back({ "scenes", input.Name, size, 1.0, input.Contents });
   }
 }
 
@@ -59,16 +64,16 @@ void AddGrowth(ChartPlan& plan, const Extent& extent)
   for (const int layers : extent.Layers)
   {
     plan.Steps.push_back({ "layers", "demo:stack,layers=" + std::to_string(layers) + ",alpha=0.2",
-      square(extent.LayersSide), 1.0 });
+      square(extent.LayersSide), 1.0, std::nullopt });
   }
   for (const double zoom : extent.Zooms)
   {
     plan.Steps.push_back(
-      { "fragments", extent.FragmentsScene, square(extent.FragmentsSide), zoom });
+      { "fragments", extent.FragmentsScene, square(extent.FragmentsSide), zoom, std::nullopt });
   }
   for (const int side : extent.Sides)
   {
-    plan.Steps.push_back({ "resolution", extent.FragmentsScene, square(side), 1.0 });
+    plan.Steps.push_back({ "resolution", extent.FragmentsScene, square(side), 1.0, std::nullopt });
   }
 }
 
@@ -118,8 +123,7 @@ ChartPlan MakeChartPlan(const ChartChoices& choices)
   const Extent extent = choices.IsQuick ? QuickExtent() : FullExtent();
   const PictureSize size = choices.Size.value_or(extent.SceneSize);
   ChartPlan plan;
-  AddScenes(plan, extent.Scenes, size);
-  AddScenes(plan, choices.Inputs, size);
+  AddScenes(plan, extent.Scenes, choices.Inputs, size);
   AddGrowth(plan, extent);
   plan.SceneMethods = choices.Methods ? *choices.Methods : AllMethods();
   plan.GrowthMethods = choices.Methods ? *choices.Methods : FewMethods();

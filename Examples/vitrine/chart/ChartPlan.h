@@ -5,6 +5,7 @@
 #define VITRINE_CHART_PLAN_H
 
 #include "commands/Comparison.h"
+#include "commands/Options.h"
 #include "stability/Stability.h"
 
 #include <string>
@@ -19,7 +20,8 @@ struct ChartStep
   std::string Part;  ///< "scenes", or what grows: "layers", "fragments" or "resolution"
   std::string Input; ///< a file or demo:NAME[,key=value...]
   PictureSize Size{};
-  double Zoom = 1.0; ///< times that of the scene's own view
+  double Zoom = 1.0;           ///< times that of the scene's own view
+  std::optional<Scene> Loaded; ///< what Input is, where it is loaded already
 };
 
 struct ChartPlan
@@ -37,7 +39,7 @@ struct ChartPlan
 struct ChartChoices
 {
   bool IsQuick = false;
-  std::vector<std::string> Inputs; ///< besides the standard scenes
+  std::vector<LoadedInput> Inputs; ///< besides the standard scenes
   std::optional<std::vector<std::string>> Methods;
   std::optional<PictureSize> Size; ///< of the scenes; what grows has windows of its own
   std::optional<int> Frames;

@@ -28,7 +28,6 @@ ChartPlan MakePlan(const ChartOptions& options)
 {
   ChartChoices choices;
   choices.IsQuick = options.IsQuick;
-  choices.Inputs = options.Inputs;
   choices.Frames = options.Frames;
   if (options.Methods)
   {
@@ -38,6 +37,7 @@ ChartPlan MakePlan(const ChartOptions& options)
   {
     choices.Size = ParseSize(*options.Size);
   }
+  choices.Inputs = LoadInputs(options.Inputs);
   return MakeChartPlan(choices);
 }
 
@@ -53,7 +53,6 @@ void Chart(const ChartOptions& options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   const ChartPlan plan = MakePlan(options);
-  CheckInputs(options.Inputs);
   ChartRecord record(options.Out, ChartHead(plan, FindDevice()), "--out");
   PrintNote(record.GoOn());
   {

@@ -226,12 +226,16 @@ Scene LoadInput(const std::string& input, const std::optional<double>& opacity)
   return LoadScene(options);
 }
 
-void CheckInputs(const std::vector<std::string>& inputs)
+std::vector<LoadedInput> LoadInputs(
+  const std::vector<std::string>& inputs, const std::optional<double>& opacity)
 {
+  std::vector<LoadedInput> loaded;
   for (const std::string& input : inputs)
   {
-    PrintOmissions(LoadInput(input));
+    loaded.push_back({ input, LoadInput(input, opacity) });
+    PrintOmissions(loaded.back().Contents);
   }
+  return loaded;
 }
 
 void PrintOmissions(const Scene& scene)

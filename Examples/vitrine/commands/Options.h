@@ -69,11 +69,19 @@ Scene LoadScene(const SceneOptions& options);
 /** The same for one input. */
 Scene LoadInput(const std::string& input, const std::optional<double>& opacity = std::nullopt);
 
+/** An input, and what was read or generated from it. */
+struct LoadedInput
+{
+  std::string Name; ///< a file or demo:NAME[,key=value...]
+  Scene Contents;
+};
+
 /**
- * Read each input once, so that what cannot be read is told before anything is measured: throws InputError. Prints
+ * Load each input, so that what cannot be read is told before anything is measured: throws InputError. Prints
  * omissions.
  */
-void CheckInputs(const std::vector<std::string>& inputs);
+std::vector<LoadedInput> LoadInputs(
+  const std::vector<std::string>& inputs, const std::optional<double>& opacity = std::nullopt);
 
 /** Tell on stderr, a line each, which parts are not drawn and what is drawn otherwise than a file says. */
 void PrintOmissions(const Scene& scene);

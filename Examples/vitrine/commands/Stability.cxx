@@ -5,7 +5,6 @@
 #include "commands/Commands.h"
 #include "commands/Options.h"
 #include "report/StabilityReport.h"
-#include "scene/DemoScene.h"
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -57,23 +56,31 @@ std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)
   return chosen;
 }
 
-/** What is given in place of the suite, each as a scene of its own. */
-std::vector<StabilityScene> GivenScenes(const StabilityOptions& options)
+void CheckThatNoneIsTwice(const std::vector<std::string>& inputs)
 {
-  std::vector<StabilityScene> scenes;
   std::set<std::string> names;
-  for (const std::string& input : options.Inputs)
+  for (const std::string& input : inputs)
   {
     if (!names.insert(input).second)
     {
       throw InputError(input, "is given twice");
     }
+  }
+}
+
+/** What is given in place of the suite, each as a scene of its own. */
+std::vector<StabilityScene> GivenScenes(const StabilityOptions& options)
+{
+  CheckThatNoneIsTwice(options.Inputs);
+  std::vector<StabilityScene> scenes;
+  for (const LoadedInput& input : LoadInputs(options.Inputs, options.Opacity))
+  {
     StabilityScene scene;
-    scene.Name = input;
-    scene.Input = input;
+    scene.Name = input.Name;
+    scene.Input = input.Name;
     scene.Opacity = options.Opacity;
-    scene.Load = [input, opacity = options.Opacity] { return LoadInput(input, opacity); };
-    scene.Expectation = IsDemoScene(input) ? DemoExpectation(input) : "";
+    scene.Load = [loaded = input.Contents] { return loaded; };
+    scene.Expectation = input.Contents.Expectation;
     scenes.push_back(scene);
   }
   return scenes;
@@ -94,13 +101,13 @@ StabilitySettings ToSettings(const StabilityOptions& options)
   {
     settings.Scenes = ChooseScenes(options.Scenes);
   }
-  if (!options.Inputs.empty())
-  {
-    settings.Scenes = GivenScenes(options);
-  }
   if (options.Size)
   {
     settings.Size = ParseSize(*options.Size);
+  }
+  if (!options.Inputs.empty())
+  {
+    settings.Scenes = GivenScenes(options);
   }
   return settings;
 }
@@ -111,7 +118,6 @@ void Stability(const StabilityOptions& options)
   CheckJsonPath(options.Json);
   StabilityResult result;
   result.Settings = ToSettings(options);
-  CheckInputs(options.Inputs);
   Progress progress;
   StabilityListener listener;
   listener.Begins = [&progress](const std::string& scene, const std::string& method)

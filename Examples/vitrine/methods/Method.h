@@ -28,7 +28,7 @@ struct MethodStatistics
   std::optional<std::int64_t> Bytes;
 };
 
-/** The tolerance within which fragments coincide; see vtkABufferTransparencyPass::SetCoincidenceSteps(). */
+/** The tolerance within which fragments coincide; see vtkTolerantTransparencyPass::SetCoincidenceSteps(). */
 struct Coincidence
 {
   double Steps = 0.0; ///< of 2^-24 of the window's depth

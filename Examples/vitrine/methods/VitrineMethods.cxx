@@ -1,6 +1,5 @@
 #include "methods/VitrineMethods.h"
 
-#include "vtkABufferTransparencyPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkPrefixSumTransparencyPass.h"
@@ -8,6 +7,7 @@
 #include "vtkSeeThroughPass.h"
 #include "vtkStencilMaskTransparencyPass.h"
 #include "vtkStencilRoutedTransparencyPass.h"
+#include "vtkTolerantTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 namespace program
@@ -27,15 +27,10 @@ void VitrineMethod::Attach(vtkRenderer* renderer)
 
 void VitrineMethod::SetCoincidence(const Coincidence& coincidence)
 {
-  if (auto* lists = vtkABufferTransparencyPass::SafeDownCast(this->Pass))
+  if (auto* tolerant = vtkTolerantTransparencyPass::SafeDownCast(this->Pass))
   {
-    lists->SetCoincidenceSteps(coincidence.Steps);
-    lists->SetCoincidenceSlope(coincidence.Slope);
-  }
-  else if (auto* truth = vtkTruthTransparencyPass::SafeDownCast(this->Pass))
-  {
-    truth->SetCoincidenceSteps(coincidence.Steps);
-    truth->SetCoincidenceSlope(coincidence.Slope);
+    tolerant->SetCoincidenceSteps(coincidence.Steps);
+    tolerant->SetCoincidenceSlope(coincidence.Slope);
   }
 }
 

@@ -2,9 +2,9 @@
 
 #include "Errors.h"
 #include "OutputPicture.h"
+#include "PngDecoder.h"
 
 #include "vtkBase64Utilities.h"
-#include "vtk_png.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -17,15 +17,7 @@ namespace program
 
 namespace
 {
-const int LongestSide = 1024;       // in pixels; hundreds of pictures stand in one page
-const unsigned LargestSide = 65536; // no window is larger
-
-struct Picture
-{
-  std::vector<std::uint8_t>
-    Pixels; ///< 8-bit RGB, rows from the bottom; nothing if it is no picture
-  PictureSize Size{};
-};
+const int LongestSide = 1024; // in pixels; hundreds of pictures stand in one page
 
 /** Nothing of what is no regular file. */
 std::string ReadBytes(const std::string& path)
@@ -39,38 +31,17 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
-/** By libpng itself: VTK's reader reads beyond the end of files that were cut short. */
-Picture Decode(const std::string& bytes)
-{
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) ||
-    image.width > LargestSide || image.height > LargestSide)
-  {
-    png_image_free(&image);
-    return {};
-  }
-  image.format = PNG_FORMAT_RGB;
-  Picture picture;
-  picture.Size = { static_cast<int>(image.width), static_cast<int>(image.height) };
-  picture.Pixels.resize(PNG_IMAGE_SIZE(image));
-  const png_int_32 upwards = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(image));
-  const bool isWhole =
-    png_image_finish_read(&image, nullptr, picture.Pixels.data(), upwards, nullptr) != 0;
-  return isWhole ? picture : Picture();
-}
-
 /** The mean of the square with `side` pixels on a side, or what of it lies in the picture, rounded. */
-std::uint8_t MeanOfSquare(const Picture& picture, int left, int bottom, int side, int channel)
+std::uint8_t MeanOfSquare(const RgbPicture& picture, int left, int bottom, int side, int channel)
 {
-  const int right = std::min(left + side, picture.Size.Width);
-  const int top = std::min(bottom + side, picture.Size.Height);
+  const int right = std::min(left + side, picture.Width);
+  const int top = std::min(bottom + side, picture.Height);
   std::int64_t sum = 0;
   for (int y = bottom; y < top; ++y)
   {
     for (int x = left; x < right; ++x)
     {
-      const std::size_t pixel = static_cast<std::size_t>(y) * picture.Size.Width + x;
+      const std::size_t pixel = static_cast<std::size_t>(y) * picture.Width + x;
       sum += picture.Pixels[3 * pixel + channel];
     }
   }
@@ -78,14 +49,15 @@ std::uint8_t MeanOfSquare(const Picture& picture, int left, int bottom, int side
   return static_cast<std::uint8_t>((sum + count / 2) / count);
 }
 
-Picture Shrunk(const Picture& picture, int side)
+RgbPicture Shrunk(const RgbPicture& picture, int side)
 {
   const auto cut = [side](int length) { return (length + side - 1) / side; };
-  Picture shrunk;
-  shrunk.Size = { cut(picture.Size.Width), cut(picture.Size.Height) };
-  for (int y = 0; y < shrunk.Size.Height; ++y)
+  RgbPicture shrunk;
+  shrunk.Width = cut(picture.Width);
+  shrunk.Height = cut(picture.Height);
+  for (int y = 0; y < shrunk.Height; ++y)
   {
-    for (int x = 0; x < shrunk.Size.Width; ++x)
+    for (int x = 0; x < shrunk.Width; ++x)
     {
       for (int channel = 0; channel < 3; ++channel)
       {
@@ -108,20 +80,20 @@ std::string DataUri(const std::string& png)
 PagePicture ReadPagePicture(const std::string& path)
 {
   const std::string bytes = ReadBytes(path);
-  const Picture picture = bytes.empty() ? Picture() : Decode(bytes);
+  const RgbPicture picture = DecodePng(bytes);
   if (picture.Pixels.empty())
   {
     throw InputError(
       path, "is missing, or no picture; remove chart.json beside its folder to measure afresh");
   }
-  const int longest = std::max(picture.Size.Width, picture.Size.Height);
+  const int longest = std::max(picture.Width, picture.Height);
   const int shrink = (longest + LongestSide - 1) / LongestSide;
   if (shrink == 1)
   {
     return { DataUri(bytes), 1 };
   }
-  const Picture shrunk = Shrunk(picture, shrink);
-  return { DataUri(EncodePicture(shrunk.Pixels, shrunk.Size)), shrink };
+  const RgbPicture shrunk = Shrunk(picture, shrink);
+  return { DataUri(EncodePicture(shrunk.Pixels, { shrunk.Width, shrunk.Height })), shrink };
 }
 
 }

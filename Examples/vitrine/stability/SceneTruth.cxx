@@ -1,5 +1,6 @@
 #include "stability/SceneTruth.h"
 
+#include "VTKMessages.h"
 #include "scene/Random.h"
 #include "scene/Viewpoint.h"
 
@@ -137,6 +138,7 @@ void DrawAfterZoom(Stage& stage, vtkCamera* camera, const StabilityScene& entry)
 SceneTruth DrawTruth(const StabilityScene& entry, const StabilitySettings& settings,
   TruthStage& single, TruthStage& multisampled)
 {
+  MessageCapture messages;
   SceneTruth truth = PlanViews(entry, settings);
   single.GetStage().SetScene(truth.Parts);
   single.GetStage().SetSize(truth.Size);
@@ -146,6 +148,7 @@ SceneTruth DrawTruth(const StabilityScene& entry, const StabilitySettings& setti
   {
     DrawOther(other, truth, other.Multisamples > 0 ? multisampled : single);
   }
+  messages.ShowAllBut({ truth.Skipped }); // which the rows of all methods tell
   return truth;
 }
 

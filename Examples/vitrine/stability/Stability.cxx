@@ -168,15 +168,12 @@ private:
   /** All but what other windows' rows tell: that the method cannot run there. */
   void TakeMessages(const std::vector<std::string>& messages)
   {
-    for (const std::string& message : messages)
+    std::vector<std::string> told;
+    for (const OtherWindow& other : this->Cell.Others)
     {
-      const auto tells = [&message](const OtherWindow& other)
-      { return !other.Skipped.empty() && message.find(other.Skipped) != std::string::npos; };
-      if (std::none_of(this->Cell.Others.begin(), this->Cell.Others.end(), tells))
-      {
-        this->Cell.Messages.push_back(message);
-      }
+      told.push_back(other.Skipped);
     }
+    this->Cell.Messages = LinesWithout(messages, told);
   }
 
   const SceneTruth& Truth;

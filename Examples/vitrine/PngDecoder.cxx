@@ -1,0 +1,37 @@
+// By libpng itself: VTK's reader reads beyond the end of files that were cut short.
+#include "PngDecoder.h"
+
+#include "vtk_png.h"
+
+namespace program
+{
+
+namespace
+{
+const unsigned LargestSide = 16384;
+}
+
+RgbPicture DecodePng(const std::string& bytes)
+{
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) ||
+    image.width > LargestSide || image.height > LargestSide)
+  {
+    png_image_free(&image);
+    return {};
+  }
+  image.format = PNG_FORMAT_RGB;
+  RgbPicture picture;
+  picture.Width = static_cast<int>(image.width);
+  picture.Height = static_cast<int>(image.height);
+  picture.Pixels.resize(PNG_IMAGE_SIZE(image));
+  const png_int_32 upwards = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(image));
+  if (!png_image_finish_read(&image, nullptr, picture.Pixels.data(), upwards, nullptr))
+  {
+    return {};
+  }
+  return picture;
+}
+
+}

@@ -1,0 +1,25 @@
+/**
+ * PNGs from anywhere, whole or damaged.
+ */
+#ifndef VITRINE_PNG_DECODER_H
+#define VITRINE_PNG_DECODER_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+struct RgbPicture
+{
+  std::vector<std::uint8_t> Pixels; ///< 8-bit RGB, rows from the bottom
+  int Width = 0;
+  int Height = 0;
+};
+
+/** The picture in the bytes; without pixels if they are no whole PNG of at most 16384 pixels a side. */
+RgbPicture DecodePng(const std::string& bytes);
+
+}
+#endif
