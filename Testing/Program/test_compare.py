@@ -227,6 +227,20 @@ class Compare(FileTest):
         self.assertEqual(list(blend), ROW)
         self.assertIsNone(blend["error"])
 
+    def test_a_method_that_gives_up_on_the_way_is_a_row_that_says_why(self):
+        # seen from the side first, in few fragments, and end-on in the last frame, in 66,000 a pixel
+        result = run(
+            "compare", "demo:needles,needles=660000", "--methods", "prefix-sum,blend",
+            "--frames", "2", "--size", "2x2", "--view", "30,0,32", "--orbit", "-30", "--json", "-",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(b"65535", result.stderr)
+        prefix_sum, blend = json.loads(result.stdout)["results"]
+        self.assertEqual(list(prefix_sum), ["scene", "method", "width", "height", "skipped"])
+        self.assertIn("65535", prefix_sum["skipped"])
+        self.assertEqual(list(blend), ROW)
+        self.assertEqual(blend["layers_max"], 66000)
+
     def test_depth_peeling_does_not_run_in_multisampled_windows(self):
         result = run(
             "compare", SCENE, "--methods", "vtk-oit,vtk-peeling,vtk-peeling-2", "--frames", "1",

@@ -36,6 +36,17 @@ std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& sett
   return contestants;
 }
 
+/** Draw a frame; the first that the method does not draw itself makes its row a skipped one. */
+double Draw(Contestant& contestant, vtkCamera* camera)
+{
+  const double milliseconds = contestant.Window->Draw(camera);
+  if (contestant.Result.Skipped.empty())
+  {
+    contestant.Result.Skipped = contestant.Window->GetMethod().WhyNotRun();
+  }
+  return milliseconds;
+}
+
 /** Draw untimed frames, and learn who cannot. */
 void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& progress)
 {
@@ -44,9 +55,8 @@ void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& p
     progress.Show("warming up " + contestant.Result.Method);
     for (int i = 0; i < WarmUpFrames; ++i)
     {
-      contestant.Window->Draw(camera);
+      Draw(contestant, camera);
     }
-    contestant.Result.Skipped = contestant.Window->GetMethod().WhyNotRun();
   }
 }
 
@@ -54,13 +64,13 @@ void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& p
 void DrawFrame(Contestant& contestant, vtkCamera* camera)
 {
   MethodResult& result = contestant.Result;
-  result.FrameMilliseconds.push_back(contestant.Window->Draw(camera));
+  result.FrameMilliseconds.push_back(Draw(contestant, camera));
   contestant.LastPicture = contestant.Window->ReadPixels();
   if (result.Picture.empty())
   {
     result.Picture = contestant.LastPicture;
   }
-  contestant.Window->Draw(camera);
+  Draw(contestant, camera);
   if (contestant.Window->ReadPixels() != contestant.LastPicture)
   {
     result.IsDeterministic = false;
