@@ -162,6 +162,16 @@ class Compare(FileTest):
         self.assertEqual(told["settings"]["coincidence"], [4096, 2])
         for row in told["results"][:3]:
             self.assertLessEqual(row["error"]["max"], 1 / 255, row["method"])
+        self.assertIn("no tolerance", told["results"][3]["skipped"])
+
+    def test_with_a_coincidence_all_rows_can_be_skipped(self):
+        told = compare(
+            SCENE, "--methods", "stencil-routed,stencil-mask-4,vtk-oit,vtk-peeling",
+            "--frames", "1", "--size", "8x8", "--coincidence", "0,1",
+        )  # fmt: skip
+        self.assertTrue(all(told["device"].values()), told["device"])
+        for row in told["results"]:
+            self.assertIn("no tolerance", row["skipped"], row["method"])
 
     def test_layers_of_alpha_1_hide_what_is_behind(self):
         row = compare(

@@ -120,6 +120,17 @@ class Tolerance(unittest.TestCase):
                 self.assertGreater(before["changed_pixels"], 0.01)
                 self.assertLess(after["changed_pixels"], 0.1 * before["changed_pixels"])
 
+    def test_methods_without_one_are_not_judged_by_it(self):
+        result = run(
+            *("stability", "--quick", "--scenes", "mating", "--coincidence", "16,0.01"),
+            *("--methods", "linked-list,stencil-routed,stencil-mask-4,blend", "--json", "-"),
+        )
+        lists, *others = json.loads(result.stdout)["results"]
+        self.assertEqual(lists["outcome"], "exact")
+        for row in others:
+            self.assertEqual(row["outcome"], "refused", row["method"])
+            self.assertIn("no tolerance", row["skipped"])
+
 
 class Given(FileTest):
     """What is given is drawn in place of the suite."""

@@ -28,7 +28,7 @@ std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& sett
     Contestant contestant;
     contestant.Result.Method = method;
     std::unique_ptr<Method> drawing = MakeMethod(method);
-    drawing->SetCoincidence(settings.Tolerance);
+    contestant.Result.Skipped = drawing->SetCoincidence(settings.Tolerance);
     contestant.Window =
       std::make_unique<Stage>(scene, std::move(drawing), settings.Size, settings.Multisamples);
     contestants.push_back(std::move(contestant));
@@ -47,13 +47,13 @@ double Draw(Contestant& contestant, vtkCamera* camera)
   return milliseconds;
 }
 
-/** Draw untimed frames, and learn who cannot. */
+/** Draw untimed frames, and learn who else cannot. */
 void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& progress)
 {
   for (Contestant& contestant : contestants)
   {
     progress.Show("warming up " + contestant.Result.Method);
-    for (int i = 0; i < WarmUpFrames; ++i)
+    for (int i = 0; i < WarmUpFrames && contestant.Result.Skipped.empty(); ++i)
     {
       Draw(contestant, camera);
     }
@@ -121,11 +121,10 @@ void FillIn(MethodStatistics& statistics, const MethodStatistics& truth)
 }
 
 /** Compare pictures with truth's, and return truth's first; nothing if truth cannot run here. */
-std::vector<std::uint8_t> Judge(std::vector<Contestant>& contestants, const Scene& scene,
+std::vector<std::uint8_t> Judge(std::vector<Contestant>& contestants, TruthStage& truth,
   vtkCamera* start, const ComparisonSettings& settings, Progress& progress)
 {
   progress.Show("drawing truth");
-  TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
   const std::unique_ptr<vitrine::Image> first = truth.Draw(start);
   const std::unique_ptr<vitrine::Image> last =
     truth.Draw(Orbit(start, (settings.Frames - 1) * OrbitStep(settings)));
@@ -162,13 +161,14 @@ ComparisonResult CompareMethods(
   ComparisonResult comparison;
   comparison.Scene = scene.Name;
   comparison.Settings = settings;
-  comparison.GL = contestants.front().Window->GetDevice();
   for (Contestant& contestant : contestants)
   {
     contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();
     contestant.Window.reset();
   }
-  comparison.TruthPicture = Judge(contestants, scene, start, settings, progress);
+  TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
+  comparison.TruthPicture = Judge(contestants, truth, start, settings, progress);
+  comparison.GL = truth.GetStage().GetDevice(); // even where all methods are skipped
   for (Contestant& contestant : contestants)
   {
     comparison.Results.push_back(std::move(contestant.Result));

@@ -25,18 +25,29 @@ void VitrineMethod::Attach(vtkRenderer* renderer)
   renderer->SetPass(steps);
 }
 
-void VitrineMethod::SetCoincidence(const Coincidence& coincidence)
+namespace
+{
+template <typename PassType>
+void SetTolerance(PassType* pass, const Coincidence& coincidence)
+{
+  pass->SetCoincidenceSteps(coincidence.Steps);
+  pass->SetCoincidenceSlope(coincidence.Slope);
+}
+}
+
+std::string VitrineMethod::SetCoincidence(const Coincidence& coincidence)
 {
   if (auto* lists = vtkABufferTransparencyPass::SafeDownCast(this->Pass))
   {
-    lists->SetCoincidenceSteps(coincidence.Steps);
-    lists->SetCoincidenceSlope(coincidence.Slope);
+    SetTolerance(lists, coincidence);
+    return "";
   }
-  else if (auto* truth = vtkTruthTransparencyPass::SafeDownCast(this->Pass))
+  if (auto* truth = vtkTruthTransparencyPass::SafeDownCast(this->Pass))
   {
-    truth->SetCoincidenceSteps(coincidence.Steps);
-    truth->SetCoincidenceSlope(coincidence.Slope);
+    SetTolerance(truth, coincidence);
+    return "";
   }
+  return this->Method::SetCoincidence(coincidence);
 }
 
 MethodStatistics VitrineMethod::Statistics() const

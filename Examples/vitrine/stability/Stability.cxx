@@ -24,17 +24,21 @@ struct Windows
 {
   std::unique_ptr<Stage> Single;
   std::unique_ptr<Stage> Multisampled;
+  std::string WhyNone; ///< why the method is not to be judged by this truth at all
 };
 
 Windows OpenWindows(const std::string& name, const StabilitySettings& settings)
 {
+  Windows windows;
   const auto open = [&](int multisamples)
   {
     std::unique_ptr<Method> method = MakeMethod(name);
-    method->SetCoincidence(settings.Tolerance);
+    windows.WhyNone = method->SetCoincidence(settings.Tolerance);
     return std::make_unique<Stage>(Scene(), std::move(method), settings.Size, multisamples);
   };
-  return { open(0), open(SamplesOfOthers) };
+  windows.Single = open(0);
+  windows.Multisampled = open(SamplesOfOthers);
+  return windows;
 }
 
 std::int64_t CountDifferences(const Pixels& a, const Pixels& b)
@@ -63,12 +67,14 @@ public:
   StabilityCell Measure()
   {
     const MessageCapture messages;
-    this->Own.Single->SetScene(this->Truth.Parts);
-    this->Own.Single->SetSize(this->Truth.Size);
-    this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
+    this->Cell.Skipped = this->Own.WhyNone;
     if (!this->Truth.Skipped.empty())
     {
       this->Cell.Skipped = "there is no truth to compare with: " + this->Truth.Skipped;
+    }
+    if (this->Cell.Skipped.empty())
+    {
+      this->Begin();
     }
     if (this->Cell.Skipped.empty())
     {
@@ -85,6 +91,13 @@ public:
   }
 
 private:
+  void Begin()
+  {
+    this->Own.Single->SetScene(this->Truth.Parts);
+    this->Own.Single->SetSize(this->Truth.Size);
+    this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
+  }
+
   /** The first frame that the method refuses refuses the cell. */
   Pixels Draw(vtkCamera* camera)
   {
