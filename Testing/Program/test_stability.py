@@ -193,13 +193,15 @@ class Stability(FileTest):
     def test_what_is_not_there_is_refused(self):
         self.assert_refused(run("stability", "--scenes", "nowhere"), "nowhere", "coincident")
         self.assert_refused(run("stability", "--methods", "nohow"), "nohow", "linked-list")
+        for twice in ("empty,empty", "crossing,empty,crossing"):
+            self.assert_refused(run("stability", "--scenes", twice), twice[-5:], "twice")
         self.assert_refused(run("stability", "--json", self.folder), self.folder)
 
     def test_table_tells_verdicts_and_the_worst_scene(self):
         path = self.folder / "told.json"
         result = run(
             *("stability", "--quick", "--scenes", "empty,crossing", "--json", path),
-            *("--methods", "blend,linked-list"),
+            *("--methods", "blend,linked-list,blend"),  # groups overlap; each method is drawn once
         )
         self.assert_done(result)
         for word in (b"Expected: ", b"exact", b"wrong by", b"Worst scene of each method"):
