@@ -84,6 +84,20 @@ TEST(Verdict, OtherWindowsThatAreRefusedAreNotWrong)
   ExpectVerdict(cell, StabilityOutcome::Exact, "exact");
 }
 
+TEST(Verdict, SaysInWhichWindowsThereIsNoTruth)
+{
+  OtherWindow without;
+  without.Name = "double";
+  without.NotJudged = "no memory";
+  StabilityCell cell = Exact();
+  cell.Others = { Other(0.5 * Step, 0), without };
+  ExpectVerdict(cell, StabilityOutcome::Exact, "exact; not judged in double");
+  cell.Shift.Error = 4.0 * Step;
+  without.Name = "4-samples";
+  cell.Others.push_back(without);
+  ExpectVerdict(cell, StabilityOutcome::Wrong, "wrong by 4.0/255; not judged in double, 4-samples");
+}
+
 TEST(Verdict, FlickersWhereAValueChangesMoreThanRoundingExplains)
 {
   StabilityCell cell = Exact();

@@ -46,7 +46,7 @@ TextRow ToCells(const StabilityCell& cell)
     ChangedCell(cell.Turn), cell.Verdict };
 }
 
-/** What verdicts do not tell: refusals and larger errors in other windows, and what VTK said. */
+/** What verdicts do not tell: refusals and larger errors in other windows, why they have no truth, and what VTK said. */
 std::string Remarks(const StabilityCell& cell)
 {
   std::string lines;
@@ -56,6 +56,10 @@ std::string Remarks(const StabilityCell& cell)
     if (!other.Skipped.empty())
     {
       lines += place + "refused: " + other.Skipped + "\n";
+    }
+    else if (!other.NotJudged.empty())
+    {
+      lines += place + "not judged, there is no truth: " + other.NotJudged + "\n";
     }
     else if (IsWrong(other) && other.Error->Max > cell.OwnWindowError())
     {
@@ -136,9 +140,13 @@ Json OtherJson(const OtherWindow& other)
   {
     row["skipped"] = other.Skipped;
   }
+  else if (!other.NotJudged.empty())
+  {
+    row["not_judged"] = other.NotJudged;
+  }
   else
   {
-    row["error"] = other.Error ? ErrorJson(*other.Error) : Json(nullptr);
+    row["error"] = ErrorJson(*other.Error);
   }
   return row;
 }

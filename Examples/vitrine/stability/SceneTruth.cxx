@@ -64,10 +64,10 @@ std::vector<vtkSmartPointer<vtkCamera>> Turned(vtkCamera* start, int steps)
 std::vector<OtherTruth> OtherWindowsOf(PictureSize size)
 {
   const auto part = [](int side, int divisor) { return std::max(1, side / divisor); };
-  return { { "half", { part(size.Width, 2), part(size.Height, 2) }, 0, {} },
-    { "double", { 2 * size.Width, 2 * size.Height }, 0, {} },
-    { "third", { part(size.Width, 3), part(size.Height, 3) }, 0, {} },
-    { "4-samples", size, 4, {} } };
+  return { { "half", { part(size.Width, 2), part(size.Height, 2) }, 0, {}, "" },
+    { "double", { 2 * size.Width, 2 * size.Height }, 0, {}, "" },
+    { "third", { part(size.Width, 3), part(size.Height, 3) }, 0, {}, "" },
+    { "4-samples", size, 4, {}, "" } };
 }
 
 SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& settings)
@@ -110,9 +110,14 @@ void DrawOther(OtherTruth& other, const SceneTruth& plan, TruthStage& truth)
 {
   truth.GetStage().SetScene(plan.Parts);
   truth.GetStage().SetSize(other.Size);
-  if (const std::unique_ptr<vitrine::Image> picture = truth.Draw(OwnView(plan.Parts, other.Size)))
+  const std::unique_ptr<vitrine::Image> picture = truth.Draw(OwnView(plan.Parts, other.Size));
+  if (picture)
   {
     other.Picture = *picture;
+  }
+  else
+  {
+    other.Skipped = truth.WhyNotRun();
   }
 }
 }

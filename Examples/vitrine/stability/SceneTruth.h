@@ -14,13 +14,14 @@
 namespace program
 {
 
-/** Truth's picture of a window of another size or with samples; without values where it cannot run. */
+/** Truth's picture of a window of another size or with samples. */
 struct OtherTruth
 {
   std::string Name;
   PictureSize Size;
   int Multisamples;
   vitrine::Image Picture;
+  std::string Skipped; ///< why truth cannot run there; no picture then
 };
 
 struct SceneTruth

@@ -168,8 +168,8 @@ private:
       stage.SetSize(other.Size);
       stage.Draw(OwnView(this->Truth.Parts, other.Size));
       OtherWindow window{ other.Name, other.Size, other.Multisamples, stage.GetMethod().WhyNotRun(),
-        std::nullopt };
-      if (window.Skipped.empty() && !other.Picture.Rgb.empty())
+        other.Skipped, std::nullopt };
+      if (window.Skipped.empty() && window.NotJudged.empty())
       {
         window.Error =
           vitrine::CompareImages(ToImage(stage.ReadPixels(), other.Size), other.Picture);

@@ -62,7 +62,8 @@ struct OtherWindow
   std::string Name; ///< "half", "double", "third", "4-samples"
   PictureSize Size{};
   int Multisamples = 0;
-  std::string Skipped; ///< why the method could not run there
+  std::string Skipped;   ///< why the method could not run there
+  std::string NotJudged; ///< why truth could not
   std::optional<vitrine::ImageError> Error;
 };
 
@@ -94,7 +95,7 @@ struct StabilityCell
   std::vector<OtherWindow> Others;
   std::vector<std::string> Messages; ///< of VTK, other than that it cannot run
   StabilityOutcome Outcome = StabilityOutcome::Exact;
-  std::string Verdict;                    ///< all that is wrong, in words; "exact"
+  std::string Verdict; ///< all that is wrong, in words, or "exact"; windows without truth
   std::vector<std::uint8_t> Picture;      ///< 8-bit RGB, rows from the bottom
   std::vector<std::uint8_t> TruthPicture; ///< the same, rounded
 

@@ -56,6 +56,30 @@ std::string InSteps(double value)
   return FormatCell("%.1f/255", 255.0 * value);
 }
 
+std::string Join(const std::vector<std::string>& words, const std::string& separator)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : separator) + word;
+  }
+  return text;
+}
+
+/** The windows in which there is no truth to judge by. */
+std::string NotJudged(const StabilityCell& cell)
+{
+  std::vector<std::string> names;
+  for (const OtherWindow& other : cell.Others)
+  {
+    if (!other.NotJudged.empty())
+    {
+      names.push_back(other.Name);
+    }
+  }
+  return Join(names, ", ");
+}
+
 std::string Describe(const StabilityCell& cell)
 {
   if (!cell.Skipped.empty())
@@ -80,12 +104,15 @@ std::string Describe(const StabilityCell& cell)
   {
     faults.push_back("flickers by " + InSteps(ExcessOf(cell)));
   }
-  std::string verdict;
-  for (const std::string& fault : faults)
+  if (faults.empty())
   {
-    verdict += (verdict.empty() ? "" : "; ") + fault;
+    faults.push_back("exact");
   }
-  return verdict.empty() ? "exact" : verdict;
+  if (const std::string others = NotJudged(cell); !others.empty())
+  {
+    faults.push_back("not judged in " + others);
+  }
+  return Join(faults, "; ");
 }
 }
 
