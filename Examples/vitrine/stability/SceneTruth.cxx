@@ -1,21 +1,18 @@
 #include "stability/SceneTruth.h"
 
-#include "scene/Random.h"
 #include "scene/Viewpoint.h"
+#include "stability/StudyPlan.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace program
 {
 
 namespace
 {
-const double ShiftInPixels = 0.01;
 const double ShiftDirection = 0.5; // radians above the picture's horizon, so that both axes move
 const double TurnInDegrees = 1.0;
-const std::uint64_t OrderSeed = 1;
 
 /** Steps of scenes that take long to draw. */
 const int HeavySteps = 2;
@@ -25,26 +22,12 @@ int Steps(const StabilityScene& entry, int usual)
   return entry.IsHeavy ? std::min(usual, HeavySteps) : usual;
 }
 
-std::vector<std::vector<std::size_t>> ShuffledOrders(std::size_t parts, int count)
-{
-  std::vector<std::vector<std::size_t>> orders;
-  std::vector<std::size_t> order(parts);
-  std::iota(order.begin(), order.end(), 0);
-  Random random(OrderSeed);
-  for (int i = 0; i < count; ++i)
-  {
-    random.Shuffle(order);
-    orders.push_back(order);
-  }
-  return orders;
-}
-
-std::vector<vtkSmartPointer<vtkCamera>> Shifted(vtkCamera* start, int steps, int height)
+std::vector<vtkSmartPointer<vtkCamera>> Shifted(
+  vtkCamera* start, const std::vector<double>& shifts, int height)
 {
   std::vector<vtkSmartPointer<vtkCamera>> cameras;
-  for (int i = 0; i <= steps; ++i)
+  for (const double pixels : shifts)
   {
-    const double pixels = i * ShiftInPixels;
     cameras.push_back(
       Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height));
   }
@@ -77,9 +60,11 @@ SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& setti
   plan.Parts = entry.Load();
   plan.Size = entry.Size.value_or(settings.Size);
   plan.Repetitions = Steps(entry, settings.Repetitions);
-  plan.Orders = ShuffledOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
+  plan.Orders = PlanOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
   const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
-  plan.Shifts = Shifted(start, Steps(entry, settings.Shifts), plan.Size.Height);
+  const ShiftPlan shifts = PlanShifts(Steps(entry, settings.Shifts));
+  plan.Shifts = Shifted(start, shifts.Pixels, plan.Size.Height);
+  plan.ShiftRun = shifts.RunLength;
   plan.Turns = Turned(start, Steps(entry, settings.Turns));
   if (settings.WithOtherWindows && !entry.IsHeavy)
   {

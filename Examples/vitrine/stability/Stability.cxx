@@ -80,8 +80,10 @@ public:
     {
       this->CompareWithTruth();
       this->Repeat();
-      this->Cell.Shift = this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures);
-      this->Cell.Turn = this->Follow(this->Truth.Turns, this->Truth.TurnPictures);
+      this->Cell.Shift =
+        this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures, this->Truth.ShiftRun);
+      this->Cell.Turn =
+        this->Follow(this->Truth.Turns, this->Truth.TurnPictures, this->Truth.Turns.size());
       this->Shuffle();
       this->MeasureOtherWindows();
       this->TakeMessages(messages.Errors());
@@ -145,12 +147,17 @@ private:
     this->Own.Single->SetPartOrder(own);
   }
 
+  /** The camera goes on by steps in runs of so many frames. */
   Flicker Follow(const std::vector<vtkSmartPointer<vtkCamera>>& cameras,
-    const std::vector<vitrine::Image>& truth)
+    const std::vector<vitrine::Image>& truth, std::size_t run)
   {
     FlickerMeter meter;
     for (std::size_t i = 0; i < cameras.size(); ++i)
     {
+      if (i % run == 0)
+      {
+        meter.BeginRun();
+      }
       meter.Add(ToImage(this->Draw(cameras[i]), this->Truth.Size), truth[i]);
     }
     return meter.Result();
@@ -166,7 +173,7 @@ private:
     {
       Stage& stage = other.Multisamples > 0 ? *this->Own.Multisampled : *this->Own.Single;
       stage.SetSize(other.Size);
-      stage.Draw(OwnView(this->Truth.Parts, other.Size));
+      DrawAfterZoom(stage, OwnView(this->Truth.Parts, other.Size), this->Truth.Entry);
       OtherWindow window{ other.Name, other.Size, other.Multisamples, stage.GetMethod().WhyNotRun(),
         other.Skipped, std::nullopt };
       if (window.Skipped.empty() && window.NotJudged.empty())

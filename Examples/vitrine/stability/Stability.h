@@ -114,13 +114,16 @@ struct StabilitySettings
   PictureSize Size{ 64, 64 }; ///< of scenes without one of their own
   Coincidence Tolerance;      ///< of truth, and of methods that have one
   int Repetitions = 100;      ///< frames that must be alike
-  int Orders = 24;            ///< shuffled orders of actors
-  int Shifts = 100;           ///< steps of 1/100 pixel
-  int Turns = 360;            ///< steps of one degree
+  int Orders = 24;            ///< of actors: all orders where there are no more, else shuffled ones
+  int Shifts = 100; ///< steps of 1/100 pixel; fewer are spread over a pixel, see PlanShifts()
+  int Turns = 360;  ///< steps of one degree
   bool WithOtherWindows = true;
 };
 
-/** Fewer frames of each kind, and scenes for a quick run only. */
+/**
+ * Fewer frames of each kind, and scenes for a quick run only. The steps of 1/100 pixel begin at 0, 1/4, 1/2 and 3/4
+ * pixel.
+ */
 void MakeQuick(StabilitySettings& settings);
 
 /** What is told of cells as they are measured. */
