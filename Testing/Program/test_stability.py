@@ -16,7 +16,7 @@ EXCESS = 1.5 / 255.0 + 1e-6
 FIGURES = {"error": 1.0, "worst": 1.0, "wrong": 1.0, "shift": 1.5, "turn": 1.5}
 FIGURES |= {"shift_excess": 1.5, "turn_excess": 1.5}
 ROW = ["scene", "method", "width", "height", "outcome", "verdict", "error", "worst_error"]
-ROW += ["repetition_difference", "order_difference", "redrawn_error"]
+ROW += ["worst_frames", "repetition_difference", "order_difference", "redrawn_error"]
 ROW += ["shift", "turn", "others", "messages"]
 
 

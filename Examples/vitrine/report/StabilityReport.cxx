@@ -113,12 +113,13 @@ const StabilityCell* WorstOf(const std::vector<StabilityCell>& cells, const std:
 
 std::string WorstTable(const StabilityResult& result)
 {
-  std::vector<TextRow> rows = { { "method", "worst error/255", "scene" } };
+  std::vector<TextRow> rows = { { "method", "worst error/255", "scene", "frames" } };
   for (const std::string& method : result.Settings.Methods)
   {
     const StabilityCell* worst = WorstOf(result.Cells, method);
-    rows.push_back(worst ? TextRow{ method, Steps(worst->WorstError()), worst->Scene }
-                         : TextRow{ method, "refused in all scenes" });
+    rows.push_back(worst
+        ? TextRow{ method, Steps(worst->WorstError()), worst->Scene, worst->Worst().Frames }
+        : TextRow{ method, "refused in all scenes" });
   }
   return "Worst scene of each method:\n" + AlignColumns(rows);
 }
@@ -182,6 +183,7 @@ Json ToJsonRow(const StabilityCell& cell)
   }
   row["error"] = ErrorJson(*cell.Error);
   row["worst_error"] = cell.WorstError();
+  row["worst_frames"] = cell.Worst().Frames;
   row["repetition_difference"] = cell.RepetitionDifference;
   row["order_difference"] = cell.OrderDifference;
   row["redrawn_error"] = cell.RedrawnError;

@@ -67,6 +67,13 @@ struct OtherWindow
   std::optional<vitrine::ImageError> Error;
 };
 
+/** The largest difference to truth of any channel in frames of one kind. */
+struct FrameError
+{
+  std::string Frames; ///< "first", "redrawn", "shift", "turn", or the name of another window
+  double Error = 0.0;
+};
+
 /** What is wrong with a method on a scene; the first that holds. */
 enum class StabilityOutcome
 {
@@ -103,7 +110,10 @@ struct StabilityCell
   double OwnWindowError() const;
 
   /** The same of all frames, those in other windows too. */
-  double WorstError() const;
+  double WorstError() const { return this->Worst().Error; }
+
+  /** The frames with the largest error; the first of equals. */
+  FrameError Worst() const;
 };
 
 /** What is drawn, and how often. */

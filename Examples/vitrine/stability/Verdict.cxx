@@ -11,6 +11,25 @@ namespace
 {
 const double LostAsFloat = 1e-6; // by 8-bit values
 
+double MaxOf(const std::optional<vitrine::ImageError>& error)
+{
+  return error ? error->Max : 0.0;
+}
+
+/** Of the scene's own window. */
+std::vector<FrameError> OwnFrames(const StabilityCell& cell)
+{
+  return { { "first", MaxOf(cell.Error) }, { "redrawn", cell.RedrawnError },
+    { "shift", cell.Shift.Error }, { "turn", cell.Turn.Error } };
+}
+
+/** The first of those with the largest error. */
+FrameError WorstOf(const std::vector<FrameError>& frames)
+{
+  return *std::max_element(frames.begin(), frames.end(),
+    [](const FrameError& a, const FrameError& b) { return a.Error < b.Error; });
+}
+
 double ExcessOf(const StabilityCell& cell)
 {
   return std::max(cell.Shift.Excess, cell.Turn.Excess);
@@ -118,18 +137,17 @@ std::string Describe(const StabilityCell& cell)
 
 double StabilityCell::OwnWindowError() const
 {
-  return std::max({ this->Error ? this->Error->Max : 0.0, this->RedrawnError, this->Shift.Error,
-    this->Turn.Error });
+  return WorstOf(OwnFrames(*this)).Error;
 }
 
-double StabilityCell::WorstError() const
+FrameError StabilityCell::Worst() const
 {
-  double worst = this->OwnWindowError();
+  std::vector<FrameError> frames = OwnFrames(*this);
   for (const OtherWindow& other : this->Others)
   {
-    worst = std::max(worst, other.Error ? other.Error->Max : 0.0);
+    frames.push_back({ other.Name, MaxOf(other.Error) });
   }
-  return worst;
+  return WorstOf(frames);
 }
 
 double LargestExactError(int multisamples)
