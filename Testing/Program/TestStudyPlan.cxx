@@ -22,6 +22,11 @@ bool IsPermutation(Order order)
   return order == own;
 }
 
+bool Never(int, int)
+{
+  return false;
+}
+
 void ExpectOrders(std::size_t parts, int count, std::size_t orders, std::size_t different)
 {
   SCOPED_TRACE(parts);
@@ -56,7 +61,7 @@ TEST(PlanOrders, AreRandomWhereTheyAreMany)
 
 TEST(PlanShifts, GoThroughAPixelStepByStep)
 {
-  const ShiftPlan plan = PlanShifts(100);
+  const ShiftPlan plan = PlanShifts(100, Never);
   ASSERT_EQ(plan.Pixels.size(), 101u);
   EXPECT_EQ(plan.RunLength, 101u);
   for (std::size_t i = 0; i < plan.Pixels.size(); ++i)
@@ -67,9 +72,22 @@ TEST(PlanShifts, GoThroughAPixelStepByStep)
 
 TEST(PlanShifts, AreSpreadOverAPixelWhereTheyAreFew)
 {
-  const ShiftPlan four = PlanShifts(4);
+  const ShiftPlan four = PlanShifts(4, Never);
   EXPECT_EQ(four.Pixels, std::vector<double>({ 0, 0.01, 0.25, 0.26, 0.5, 0.51, 0.75, 0.76 }));
   EXPECT_EQ(four.RunLength, 2u);
-  EXPECT_EQ(PlanShifts(2).Pixels, std::vector<double>({ 0, 0.01, 0.5, 0.51 }));
-  EXPECT_EQ(PlanShifts(0).Pixels, std::vector<double>({ 0 }));
+  EXPECT_EQ(PlanShifts(2, Never).Pixels, std::vector<double>({ 0, 0.01, 0.5, 0.51 }));
+  EXPECT_EQ(PlanShifts(0, Never).Pixels, std::vector<double>({ 0 }));
+}
+
+TEST(PlanShifts, AreOverStepsThatChangeThePicture)
+{
+  // edges that cross the middles of pixels on the way to these places
+  const std::vector<int> edges = { 21, 34, 60, 63, 100 };
+  const auto crossed = [&edges](int a, int b)
+  {
+    return std::any_of(
+      edges.begin(), edges.end(), [a, b](int edge) { return a < edge && edge <= b; });
+  };
+  const ShiftPlan plan = PlanShifts(4, crossed);
+  EXPECT_EQ(plan.Pixels, std::vector<double>({ 0, 0.01, 0.33, 0.34, 0.59, 0.6, 0.99, 1 }));
 }

@@ -1,10 +1,13 @@
 #include "stability/SceneTruth.h"
 
 #include "scene/Viewpoint.h"
+#include "stability/PictureChanges.h"
 #include "stability/StudyPlan.h"
+#include "stability/Verdict.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace program
 {
@@ -22,16 +25,9 @@ int Steps(const StabilityScene& entry, int usual)
   return entry.IsHeavy ? std::min(usual, HeavySteps) : usual;
 }
 
-std::vector<vtkSmartPointer<vtkCamera>> Shifted(
-  vtkCamera* start, const std::vector<double>& shifts, int height)
+vtkSmartPointer<vtkCamera> Shifted(vtkCamera* start, double pixels, int height)
 {
-  std::vector<vtkSmartPointer<vtkCamera>> cameras;
-  for (const double pixels : shifts)
-  {
-    cameras.push_back(
-      Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height));
-  }
-  return cameras;
+  return Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height);
 }
 
 std::vector<vtkSmartPointer<vtkCamera>> Turned(vtkCamera* start, int steps)
@@ -62,15 +58,40 @@ SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& setti
   plan.Repetitions = Steps(entry, settings.Repetitions);
   plan.Orders = PlanOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
   const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
-  const ShiftPlan shifts = PlanShifts(Steps(entry, settings.Shifts));
-  plan.Shifts = Shifted(start, shifts.Pixels, plan.Size.Height);
-  plan.ShiftRun = shifts.RunLength;
   plan.Turns = Turned(start, Steps(entry, settings.Turns));
   if (settings.WithOtherWindows && !entry.IsHeavy)
   {
     plan.Others = OtherWindowsOf(plan.Size);
   }
   return plan;
+}
+
+/** The plan's shifts: where they are few, over steps that change truth. */
+void PlanShiftViews(SceneTruth& plan, const StabilitySettings& settings, TruthStage& truth)
+{
+  const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
+  std::map<int, std::unique_ptr<vitrine::Image>> pictures;
+  const auto draw = [&](int steps) -> const vitrine::Image*
+  {
+    const auto [place, isNew] = pictures.try_emplace(steps);
+    if (isNew)
+    {
+      place->second = truth.Draw(Shifted(start, InPixels(steps), plan.Size.Height));
+    }
+    return place->second.get();
+  };
+  const ShiftPlan shifts = PlanShifts(Steps(plan.Entry, settings.Shifts),
+    [&draw](int a, int b)
+    {
+      const vitrine::Image* before = draw(a);
+      const vitrine::Image* after = draw(b);
+      return before && after && LargestDifference(*before, *after) > LargestExactError(0);
+    });
+  for (const double pixels : shifts.Pixels)
+  {
+    plan.Shifts.push_back(Shifted(start, pixels, plan.Size.Height));
+  }
+  plan.ShiftRun = shifts.RunLength;
 }
 
 /** Pictures of all the views; an empty list, and why, if truth cannot run. */
@@ -130,6 +151,7 @@ SceneTruth DrawTruth(const StabilityScene& entry, const StabilitySettings& setti
   SceneTruth truth = PlanViews(entry, settings);
   single.GetStage().SetScene(truth.Parts);
   single.GetStage().SetSize(truth.Size);
+  PlanShiftViews(truth, settings, single);
   truth.ShiftPictures = DrawAll(single, truth.Shifts, truth.Skipped);
   truth.TurnPictures = DrawAll(single, truth.Turns, truth.Skipped);
   for (OtherTruth& other : truth.Others)

@@ -131,8 +131,8 @@ struct StabilitySettings
 };
 
 /**
- * Fewer frames of each kind, and scenes for a quick run only. The steps of 1/100 pixel begin at 0, 1/4, 1/2 and 3/4
- * pixel.
+ * Fewer frames of each kind, and scenes for a quick run only. The first step of 1/100 pixel is from the scene's own
+ * view, the others lie in the second, third and last quarter of a pixel.
  */
 void MakeQuick(StabilitySettings& settings);
 

@@ -24,9 +24,19 @@ bool HasFewOrders(std::size_t parts, int count)
   return orders <= static_cast<std::size_t>(count);
 }
 
-double InPixels(int steps)
+/** Where a step begins over which the picture changes; `begin` if it is the same at both ends. */
+int FindChange(int begin, int end, const DoesChange& doesChange)
 {
-  return static_cast<double>(steps) / StepsOfAPixel;
+  if (!doesChange(begin, end))
+  {
+    return begin;
+  }
+  while (end - begin > 1)
+  {
+    const int middle = (begin + end) / 2;
+    (doesChange(begin, middle) ? end : begin) = middle;
+  }
+  return begin;
 }
 }
 
@@ -52,16 +62,24 @@ std::vector<std::vector<std::size_t>> PlanOrders(std::size_t parts, int count)
   return orders;
 }
 
-ShiftPlan PlanShifts(int steps)
+double InPixels(int steps)
+{
+  return static_cast<double>(steps) / StepsOfAPixel;
+}
+
+ShiftPlan PlanShifts(int steps, const DoesChange& doesChange)
 {
   const int runs = steps < StepsOfAPixel ? std::max(steps, 1) : 1;
   const int stepsOfRun = steps / runs;
   ShiftPlan plan{ {}, static_cast<std::size_t>(stepsOfRun) + 1 };
   for (int run = 0; run < runs; ++run)
   {
+    const int begin = run == 0
+      ? 0
+      : FindChange(run * StepsOfAPixel / runs, (run + 1) * StepsOfAPixel / runs, doesChange);
     for (int step = 0; step <= stepsOfRun; ++step)
     {
-      plan.Pixels.push_back(static_cast<double>(run) / runs + InPixels(step));
+      plan.Pixels.push_back(InPixels(begin + step));
     }
   }
   return plan;

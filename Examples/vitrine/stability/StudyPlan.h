@@ -5,6 +5,7 @@
 #define VITRINE_STUDY_PLAN_H
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace program
@@ -24,11 +25,19 @@ struct ShiftPlan
     RunLength; ///< frames that follow each other by 1/100 pixel; the next run begins elsewhere
 };
 
+/** So many steps of 1/100 pixel. */
+double InPixels(int steps);
+
+/** Whether a picture is another at b than at a, both in steps of 1/100 pixel. */
+using DoesChange = std::function<bool(int a, int b)>;
+
 /**
  * So many steps of 1/100 pixel: in one run if they go through a whole pixel. Fewer would all lie near one place, where edges
- * of a scene may cross no middle of a pixel; they are steps apart, from places spread evenly over a pixel.
+ * of a scene may cross no middle of a pixel. They are runs of one step then: the first from the scene's own view, each of the
+ * others in its share of the pixel, over a step that changes the picture, which is found by halving; if the picture is the same
+ * at both ends of the share, the run begins there.
  */
-ShiftPlan PlanShifts(int steps);
+ShiftPlan PlanShifts(int steps, const DoesChange& doesChange);
 
 }
 #endif
