@@ -21,6 +21,7 @@ Json Cell()
 {
   return { { "scene", "mating" }, { "method", "blend" }, { "width", 8 }, { "height", 8 },
     { "outcome", "wrong" }, { "verdict", "wrong by 3/255" }, { "worst_error", 0.01 },
+    { "worst_frames", "third" }, { "error", { { "max", 0.005 } } },
     { "messages", Json::array({ "none" }) }, { "picture", "pictures/a.png" },
     { "truth_picture", "pictures/b.png" } };
 }
@@ -55,7 +56,7 @@ TEST(ChartRows, HaveAllThatIsReadFromThem)
     EXPECT_FALSE(IsChartResult(Without(Result(), key))) << key;
   }
   for (const char* key : { "scene", "method", "width", "height", "outcome", "verdict",
-         "worst_error", "picture", "truth_picture" })
+         "worst_error", "worst_frames", "error", "picture", "truth_picture" })
   {
     EXPECT_FALSE(IsChartCell(Without(Cell(), key))) << key;
   }
@@ -75,10 +76,11 @@ TEST(ChartRows, HaveTheTypesThatAreRead)
   {
     EXPECT_FALSE(IsChartResult(With(Result(), key, value))) << key << " " << value;
   }
-  for (const auto& [key, value] :
-    { std::pair("outcome", Json("magic")), std::pair("outcome", Json(1)),
-      std::pair("skipped", Json(false)), std::pair("worst_error", Json("large")),
-      std::pair("messages", Json("none")), std::pair("messages", Json::array({ 1 })) })
+  for (const auto& [key, value] : { std::pair("outcome", Json("magic")),
+         std::pair("outcome", Json(1)), std::pair("skipped", Json(false)),
+         std::pair("worst_error", Json("large")), std::pair("worst_frames", Json(3)),
+         std::pair("error", Json(nullptr)), std::pair("error", Json({ { "max", "large" } })),
+         std::pair("messages", Json("none")), std::pair("messages", Json::array({ 1 })) })
   {
     EXPECT_FALSE(IsChartCell(With(Cell(), key, value))) << key << " " << value;
   }

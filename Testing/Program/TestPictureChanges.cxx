@@ -98,6 +98,23 @@ TEST(FlickerMeter, TypicalIsTheMedianOfTheSteps)
   EXPECT_EQ(flicker.Truth.Typical, 0.0);
 }
 
+TEST(FlickerMeter, NoStepLeadsFromOneRunToTheNext)
+{
+  FlickerMeter meter;
+  for (const float place : { 0.0f, 0.5f })
+  {
+    meter.BeginRun();
+    meter.Add(Row({ place, 0, 0 }), Row({ 0, 0, 0 }));
+    meter.Add(Row({ place + 0.125f, 0, 0 }), Row({ 0.125f, 0, 0 }));
+  }
+  const Flicker flicker = meter.Result();
+  EXPECT_EQ(flicker.Method.Largest, 0.125);
+  EXPECT_EQ(flicker.Method.Typical, 0.125);
+  EXPECT_EQ(flicker.Truth.Largest, 0.125);
+  EXPECT_EQ(flicker.Excess, 0.0);
+  EXPECT_EQ(flicker.Error, 0.5);
+}
+
 TEST(FlickerMeter, CountsPixelsOfWhichAnyChannelChangesByMoreThanAStep)
 {
   const Image before = Row({ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 });

@@ -50,14 +50,20 @@ TEST(Verdict, IsExactUpToAStep)
 
 TEST(Verdict, TakesTheWorstFrame)
 {
+  EXPECT_EQ(Exact().Worst().Frames, "first");
   StabilityCell redrawn = Exact();
+  redrawn.RedrawnError = redrawn.Error->Max;
+  EXPECT_EQ(redrawn.Worst().Frames, "first"); // of equals
   redrawn.RedrawnError = 3.0 * Step;
+  EXPECT_EQ(redrawn.Worst().Frames, "redrawn");
   ExpectVerdict(redrawn, StabilityOutcome::Wrong, "wrong by 3.0/255");
   StabilityCell shifted = Exact();
   shifted.Shift.Error = 4.0 * Step;
+  EXPECT_EQ(shifted.Worst().Frames, "shift");
   ExpectVerdict(shifted, StabilityOutcome::Wrong, "wrong by 4.0/255");
   StabilityCell turned = Exact();
   turned.Turn.Error = 5.0 * Step;
+  EXPECT_EQ(turned.Worst().Frames, "turn");
   ExpectVerdict(turned, StabilityOutcome::Wrong, "wrong by 5.0/255");
 }
 
@@ -68,7 +74,9 @@ TEST(Verdict, JudgesOtherWindowsByTheirOwnBound)
   ExpectVerdict(resized, StabilityOutcome::Wrong, "wrong by 1.1/255");
   StabilityCell sampled = Exact();
   sampled.Others = { Other(1.1 * Step, 4) };
+  sampled.Others.front().Name = "4-samples";
   EXPECT_DOUBLE_EQ(sampled.WorstError(), 1.1 * Step);
+  EXPECT_EQ(sampled.Worst().Frames, "4-samples");
   EXPECT_DOUBLE_EQ(sampled.OwnWindowError(), 0.5 * Step);
   ExpectVerdict(sampled, StabilityOutcome::Exact, "exact");
   sampled.Others = { Other(1.3 * Step, 4) };
@@ -82,6 +90,20 @@ TEST(Verdict, OtherWindowsThatAreRefusedAreNotWrong)
   refused.Skipped = "multisampled";
   cell.Others = { refused };
   ExpectVerdict(cell, StabilityOutcome::Exact, "exact");
+}
+
+TEST(Verdict, SaysInWhichWindowsThereIsNoTruth)
+{
+  OtherWindow without;
+  without.Name = "double";
+  without.NotJudged = "no memory";
+  StabilityCell cell = Exact();
+  cell.Others = { Other(0.5 * Step, 0), without };
+  ExpectVerdict(cell, StabilityOutcome::Exact, "exact; not judged in double");
+  cell.Shift.Error = 4.0 * Step;
+  without.Name = "4-samples";
+  cell.Others.push_back(without);
+  ExpectVerdict(cell, StabilityOutcome::Wrong, "wrong by 4.0/255; not judged in double, 4-samples");
 }
 
 TEST(Verdict, FlickersWhereAValueChangesMoreThanRoundingExplains)

@@ -95,6 +95,19 @@ class BadArguments(ProgramTest):
                     run("compare", "demo:stack", f"--coincidence={coincidence}"), "--coincidence"
                 )
 
+    def test_coincidence_of_a_method_that_has_none(self):
+        with scratch_folder() as folder:
+            path = folder / "picture.png"
+            for method in ("stencil-routed", "stencil-mask-8", "blend"):
+                self.assert_refused(
+                    run(
+                        *("render", "demo:stack", "-o", path, "--method", method),
+                        *("--coincidence", "16"),
+                    ),
+                    *("--coincidence", method),
+                )
+            self.assertFalse(path.exists())
+
     def test_empty_names(self):
         self.assert_refused(run("info", "demo:stack", "--json", ""), "empty")
         self.assert_refused(run("info", ""), "empty")

@@ -206,6 +206,22 @@ class ChartPage(unittest.TestCase):
             scene = scenes[cell["scene"]]
             self.assertIn(f"{scene['input']} --size {cell['width']}x{cell['height']}", text)
             self.assertEqual("times the zoom" in text, scene["zoom_before"] != 1)
+            self.assertEqual("error of the picture" in text, "skipped" not in cell)
+            if "skipped" not in cell:
+                of_picture = "which is shown" in text
+                self.assertEqual(of_picture, cell["worst_frames"] == "first")
+
+    def test_cells_say_how_many_frames_they_are_judged_by(self):
+        settings = self.document["settings"]["failures"]
+        text = self.find("#frames").text
+        for words in (
+            f"the same {settings['repetitions']} times",
+            f"{settings['orders']} orders",
+            f"{settings['shifts']} steps of 1/100 pixel",
+            f"{settings['turns']} of a degree",
+            "no other window",
+        ):
+            self.assertIn(words, text)
 
     def test_a_mark_keeps_the_focus_when_the_window_changes(self):
         self.find("#cost").send_keys(Keys.TAB)

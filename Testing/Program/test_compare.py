@@ -162,6 +162,16 @@ class Compare(FileTest):
         self.assertEqual(told["settings"]["coincidence"], [4096, 2])
         for row in told["results"][:3]:
             self.assertLessEqual(row["error"]["max"], 1 / 255, row["method"])
+        self.assertIn("no tolerance", told["results"][3]["skipped"])
+
+    def test_with_a_coincidence_all_rows_can_be_skipped(self):
+        told = compare(
+            SCENE, "--methods", "stencil-routed,stencil-mask-4,vtk-oit,vtk-peeling",
+            "--frames", "1", "--size", "8x8", "--coincidence", "0,1",
+        )  # fmt: skip
+        self.assertTrue(all(told["device"].values()), told["device"])
+        for row in told["results"]:
+            self.assertIn("no tolerance", row["skipped"], row["method"])
 
     def test_layers_of_alpha_1_hide_what_is_behind(self):
         row = compare(
@@ -226,6 +236,20 @@ class Compare(FileTest):
         self.assertIn("4.3", linked_list["skipped"])
         self.assertEqual(list(blend), ROW)
         self.assertIsNone(blend["error"])
+
+    def test_a_method_that_gives_up_on_the_way_is_a_row_that_says_why(self):
+        # seen from the side first, in few fragments, and end-on in the last frame, in 66,000 a pixel
+        result = run(
+            "compare", "demo:needles,needles=660000", "--methods", "prefix-sum,blend",
+            "--frames", "2", "--size", "2x2", "--view", "30,0,32", "--orbit", "-30", "--json", "-",
+        )  # fmt: skip
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(b"65535", result.stderr)
+        prefix_sum, blend = json.loads(result.stdout)["results"]
+        self.assertEqual(list(prefix_sum), ["scene", "method", "width", "height", "skipped"])
+        self.assertIn("65535", prefix_sum["skipped"])
+        self.assertEqual(list(blend), ROW)
+        self.assertEqual(blend["layers_max"], 66000)
 
     def test_depth_peeling_does_not_run_in_multisampled_windows(self):
         result = run(

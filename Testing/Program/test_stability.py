@@ -16,7 +16,7 @@ EXCESS = 1.5 / 255.0 + 1e-6
 FIGURES = {"error": 1.0, "worst": 1.0, "wrong": 1.0, "shift": 1.5, "turn": 1.5}
 FIGURES |= {"shift_excess": 1.5, "turn_excess": 1.5}
 ROW = ["scene", "method", "width", "height", "outcome", "verdict", "error", "worst_error"]
-ROW += ["repetition_difference", "order_difference", "redrawn_error"]
+ROW += ["worst_frames", "repetition_difference", "order_difference", "redrawn_error"]
 ROW += ["shift", "turn", "others", "messages"]
 
 
@@ -80,6 +80,17 @@ class KnownFailures(unittest.TestCase):
 
         self.for_each(stability_figures.EXACT, check)
 
+    def test_truth_changes_wherever_there_are_edges(self):
+        """A method that flickers could not be seen where nothing changes."""
+        without_edges = {scene for scene, _ in self.rows if scene.startswith("stack-")} | {"empty"}
+
+        def check(row):
+            for motion in ("shift", "turn"):
+                changes = row[motion]["truth_largest"] > 0.0
+                self.assertEqual(changes, row["scene"] not in without_edges, motion)
+
+        self.for_each(["linked-list"], check)
+
     def test_what_fails_fails_in_the_known_way(self):
         expected = stability_figures.read()
         self.assertEqual(set(expected), set(self.rows))
@@ -119,6 +130,25 @@ class Tolerance(unittest.TestCase):
                 before, after = without[cell]["shift"], row["shift"]
                 self.assertGreater(before["changed_pixels"], 0.01)
                 self.assertLess(after["changed_pixels"], 0.1 * before["changed_pixels"])
+                if (
+                    cell[0] == "mating-everywhere"
+                ):  # no outlines, which flicker with a tolerance too
+                    for largest in ("largest", "truth_largest"):
+                        self.assertGreaterEqual(before[largest], 10 / 255)
+                        self.assertLessEqual(after[largest], STEP)
+                    self.assertEqual(after["changed_pixels"], 0.0)
+                    self.assertEqual(after["truth_changed_pixels"], 0.0)
+
+    def test_methods_without_one_are_not_judged_by_it(self):
+        result = run(
+            *("stability", "--quick", "--scenes", "mating", "--coincidence", "16,0.01"),
+            *("--methods", "linked-list,stencil-routed,stencil-mask-4,blend", "--json", "-"),
+        )
+        lists, *others = json.loads(result.stdout)["results"]
+        self.assertEqual(lists["outcome"], "exact")
+        for row in others:
+            self.assertEqual(row["outcome"], "refused", row["method"])
+            self.assertIn("no tolerance", row["skipped"])
 
 
 class Given(FileTest):
@@ -182,13 +212,15 @@ class Stability(FileTest):
     def test_what_is_not_there_is_refused(self):
         self.assert_refused(run("stability", "--scenes", "nowhere"), "nowhere", "coincident")
         self.assert_refused(run("stability", "--methods", "nohow"), "nohow", "linked-list")
+        for twice in ("empty,empty", "crossing,empty,crossing"):
+            self.assert_refused(run("stability", "--scenes", twice), twice[-5:], "twice")
         self.assert_refused(run("stability", "--json", self.folder), self.folder)
 
     def test_table_tells_verdicts_and_the_worst_scene(self):
         path = self.folder / "told.json"
         result = run(
             *("stability", "--quick", "--scenes", "empty,crossing", "--json", path),
-            *("--methods", "blend,linked-list"),
+            *("--methods", "blend,linked-list,blend"),  # groups overlap; each method is drawn once
         )
         self.assert_done(result)
         for word in (b"Expected: ", b"exact", b"wrong by", b"Worst scene of each method"):

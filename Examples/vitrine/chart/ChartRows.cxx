@@ -104,8 +104,9 @@ bool IsSkippedOr(bool (*isMeasured)(const Json& row), const Json& row)
 
 bool IsJudged(const Json& row)
 {
-  return HasNumber(row, "worst_error") && row.contains("picture") &&
-    row.contains("truth_picture") && HasMessages(row);
+  return HasNumber(row, "worst_error") && HasStrings(row, { "worst_frames" }) &&
+    row.contains("error") && row["error"].is_object() && HasNumber(row["error"], "max") &&
+    row.contains("picture") && row.contains("truth_picture") && HasMessages(row);
 }
 }
 

@@ -28,7 +28,7 @@ std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& sett
     Contestant contestant;
     contestant.Result.Method = method;
     std::unique_ptr<Method> drawing = MakeMethod(method);
-    drawing->SetCoincidence(settings.Tolerance);
+    contestant.Result.Skipped = drawing->SetCoincidence(settings.Tolerance);
     contestant.Window =
       std::make_unique<Stage>(scene, std::move(drawing), settings.Size, settings.Multisamples);
     contestants.push_back(std::move(contestant));
@@ -36,17 +36,27 @@ std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& sett
   return contestants;
 }
 
-/** Draw untimed frames, and learn who cannot. */
+/** Draw a frame; the first that the method does not draw itself makes its row a skipped one. */
+double Draw(Contestant& contestant, vtkCamera* camera)
+{
+  const double milliseconds = contestant.Window->Draw(camera);
+  if (contestant.Result.Skipped.empty())
+  {
+    contestant.Result.Skipped = contestant.Window->GetMethod().WhyNotRun();
+  }
+  return milliseconds;
+}
+
+/** Draw untimed frames, and learn who else cannot. */
 void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& progress)
 {
   for (Contestant& contestant : contestants)
   {
     progress.Show("warming up " + contestant.Result.Method);
-    for (int i = 0; i < WarmUpFrames; ++i)
+    for (int i = 0; i < WarmUpFrames && contestant.Result.Skipped.empty(); ++i)
     {
-      contestant.Window->Draw(camera);
+      Draw(contestant, camera);
     }
-    contestant.Result.Skipped = contestant.Window->GetMethod().WhyNotRun();
   }
 }
 
@@ -54,13 +64,13 @@ void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& p
 void DrawFrame(Contestant& contestant, vtkCamera* camera)
 {
   MethodResult& result = contestant.Result;
-  result.FrameMilliseconds.push_back(contestant.Window->Draw(camera));
+  result.FrameMilliseconds.push_back(Draw(contestant, camera));
   contestant.LastPicture = contestant.Window->ReadPixels();
   if (result.Picture.empty())
   {
     result.Picture = contestant.LastPicture;
   }
-  contestant.Window->Draw(camera);
+  Draw(contestant, camera);
   if (contestant.Window->ReadPixels() != contestant.LastPicture)
   {
     result.IsDeterministic = false;
@@ -111,11 +121,10 @@ void FillIn(MethodStatistics& statistics, const MethodStatistics& truth)
 }
 
 /** Compare pictures with truth's, and return truth's first; nothing if truth cannot run here. */
-std::vector<std::uint8_t> Judge(std::vector<Contestant>& contestants, const Scene& scene,
+std::vector<std::uint8_t> Judge(std::vector<Contestant>& contestants, TruthStage& truth,
   vtkCamera* start, const ComparisonSettings& settings, Progress& progress)
 {
   progress.Show("drawing truth");
-  TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
   const std::unique_ptr<vitrine::Image> first = truth.Draw(start);
   const std::unique_ptr<vitrine::Image> last =
     truth.Draw(Orbit(start, (settings.Frames - 1) * OrbitStep(settings)));
@@ -152,13 +161,14 @@ ComparisonResult CompareMethods(
   ComparisonResult comparison;
   comparison.Scene = scene.Name;
   comparison.Settings = settings;
-  comparison.GL = contestants.front().Window->GetDevice();
   for (Contestant& contestant : contestants)
   {
     contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();
     contestant.Window.reset();
   }
-  comparison.TruthPicture = Judge(contestants, scene, start, settings, progress);
+  TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
+  comparison.TruthPicture = Judge(contestants, truth, start, settings, progress);
+  comparison.GL = truth.GetStage().GetDevice(); // even where all methods are skipped
   for (Contestant& contestant : contestants)
   {
     comparison.Results.push_back(std::move(contestant.Result));

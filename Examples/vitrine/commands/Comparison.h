@@ -33,7 +33,7 @@ struct ComparisonSettings
 struct MethodResult
 {
   std::string Method;
-  std::string Skipped; ///< why it could not run; the rest is void then
+  std::string Skipped; ///< why it did not draw every frame; the rest is void then
   std::vector<double> FrameMilliseconds;
   MethodStatistics Statistics;              ///< of the last frame
   std::optional<vitrine::ImageError> Error; ///< the worse of the first and the last frame

@@ -1,5 +1,6 @@
 #include "commands/Commands.h"
 
+#include "Errors.h"
 #include "OutputPicture.h"
 #include "Progress.h"
 #include "commands/Options.h"
@@ -29,7 +30,11 @@ void Render(const RenderOptions& options)
   CheckPicturePath(options.Output);
   const PictureSize size = ParseSize(options.Scene.Size);
   std::unique_ptr<Method> method = MakeMethod(options.Method);
-  method->SetCoincidence(ParseCoincidence(options.Coincidence));
+  const std::string problem = method->SetCoincidence(ParseCoincidence(options.Coincidence));
+  if (!problem.empty())
+  {
+    throw InputError("--coincidence", "not by method '" + options.Method + "': " + problem);
+  }
   progress.Show("reading the scene");
   const Scene scene = LoadScene(options.Scene);
 

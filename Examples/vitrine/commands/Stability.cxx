@@ -51,6 +51,10 @@ std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)
     {
       throw InputError("--scenes", "'" + name + "' is not one of them, which are " + ListScenes());
     }
+    if (std::count(names.begin(), names.end(), name) > 1)
+    {
+      throw InputError("--scenes", "'" + name + "' is given twice");
+    }
     chosen.push_back(*found);
   }
   return chosen;

@@ -169,6 +169,11 @@ std::vector<std::string> ExpandGroup(const std::string& name)
 }
 }
 
+std::string Method::SetCoincidence(const Coincidence& coincidence)
+{
+  return coincidence.IsOn() ? "it has no tolerance within which fragments coincide" : "";
+}
+
 std::unique_ptr<Method> MakeMethod(const std::string& name)
 {
   RequireMethod(name);

@@ -33,6 +33,8 @@ struct Coincidence
 {
   double Steps = 0.0; ///< of 2^-24 of the window's depth
   double Slope = 0.0; ///< times the slope of the depth, a pixel
+
+  bool IsOn() const { return this->Steps > 0.0 || this->Slope > 0.0; }
 };
 
 /** One method, attached to one renderer. */
@@ -44,8 +46,11 @@ public:
   /** Have the renderer draw translucent geometry by this method. */
   virtual void Attach(vtkRenderer* renderer) = 0;
 
-  /** Have fragments coincide; methods that have no such tolerance draw as ever. */
-  virtual void SetCoincidence(const Coincidence&) {}
+  /**
+   * Have fragments coincide. Returns why the method cannot, empty if it can: what it draws then is not what is asked for, and
+   * truth with the tolerance does not judge it.
+   */
+  [[nodiscard]] virtual std::string SetCoincidence(const Coincidence& coincidence);
 
   /** Of the last frame. */
   virtual MethodStatistics Statistics() const = 0;

@@ -25,13 +25,15 @@ void VitrineMethod::Attach(vtkRenderer* renderer)
   renderer->SetPass(steps);
 }
 
-void VitrineMethod::SetCoincidence(const Coincidence& coincidence)
+std::string VitrineMethod::SetCoincidence(const Coincidence& coincidence)
 {
   if (auto* tolerant = vtkTolerantTransparencyPass::SafeDownCast(this->Pass))
   {
     tolerant->SetCoincidenceSteps(coincidence.Steps);
     tolerant->SetCoincidenceSlope(coincidence.Slope);
+    return "";
   }
+  return this->Method::SetCoincidence(coincidence);
 }
 
 MethodStatistics VitrineMethod::Statistics() const

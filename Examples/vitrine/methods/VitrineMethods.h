@@ -19,7 +19,7 @@ public:
   explicit VitrineMethod(vtkSmartPointer<vtkTransparencyPass> pass);
 
   void Attach(vtkRenderer* renderer) override;
-  void SetCoincidence(const Coincidence& coincidence) override;
+  std::string SetCoincidence(const Coincidence& coincidence) override;
   MethodStatistics Statistics() const override;
   std::string WhyNotRun() const override;
 

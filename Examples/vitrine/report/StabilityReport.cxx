@@ -46,7 +46,7 @@ TextRow ToCells(const StabilityCell& cell)
     ChangedCell(cell.Turn), cell.Verdict };
 }
 
-/** What verdicts do not tell: refusals and larger errors in other windows, and what VTK said. */
+/** What verdicts do not tell: refusals and larger errors in other windows, why they have no truth, and what VTK said. */
 std::string Remarks(const StabilityCell& cell)
 {
   std::string lines;
@@ -56,6 +56,10 @@ std::string Remarks(const StabilityCell& cell)
     if (!other.Skipped.empty())
     {
       lines += place + "refused: " + other.Skipped + "\n";
+    }
+    else if (!other.NotJudged.empty())
+    {
+      lines += place + "not judged, there is no truth: " + other.NotJudged + "\n";
     }
     else if (IsWrong(other) && other.Error->Max > cell.OwnWindowError())
     {
@@ -109,12 +113,13 @@ const StabilityCell* WorstOf(const std::vector<StabilityCell>& cells, const std:
 
 std::string WorstTable(const StabilityResult& result)
 {
-  std::vector<TextRow> rows = { { "method", "worst error/255", "scene" } };
+  std::vector<TextRow> rows = { { "method", "worst error/255", "scene", "frames" } };
   for (const std::string& method : result.Settings.Methods)
   {
     const StabilityCell* worst = WorstOf(result.Cells, method);
-    rows.push_back(worst ? TextRow{ method, Steps(worst->WorstError()), worst->Scene }
-                         : TextRow{ method, "refused in all scenes" });
+    rows.push_back(worst
+        ? TextRow{ method, Steps(worst->WorstError()), worst->Scene, worst->Worst().Frames }
+        : TextRow{ method, "refused in all scenes" });
   }
   return "Worst scene of each method:\n" + AlignColumns(rows);
 }
@@ -136,9 +141,13 @@ Json OtherJson(const OtherWindow& other)
   {
     row["skipped"] = other.Skipped;
   }
+  else if (!other.NotJudged.empty())
+  {
+    row["not_judged"] = other.NotJudged;
+  }
   else
   {
-    row["error"] = other.Error ? ErrorJson(*other.Error) : Json(nullptr);
+    row["error"] = ErrorJson(*other.Error);
   }
   return row;
 }
@@ -174,6 +183,7 @@ Json ToJsonRow(const StabilityCell& cell)
   }
   row["error"] = ErrorJson(*cell.Error);
   row["worst_error"] = cell.WorstError();
+  row["worst_frames"] = cell.Worst().Frames;
   row["repetition_difference"] = cell.RepetitionDifference;
   row["order_difference"] = cell.OrderDifference;
   row["redrawn_error"] = cell.RedrawnError;

@@ -82,6 +82,12 @@ PictureChange FlickerMeter::Summarise(const std::vector<StepChange>& steps)
   return { *std::max_element(largest.begin(), largest.end()), Median(largest), Median(changed) };
 }
 
+void FlickerMeter::BeginRun()
+{
+  this->LastMethod = {};
+  this->LastTruth = {};
+}
+
 void FlickerMeter::Add(const vitrine::Image& method, const vitrine::Image& truth)
 {
   this->Error = std::max(this->Error, LargestDifference(method, truth));

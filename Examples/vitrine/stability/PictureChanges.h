@@ -19,6 +19,9 @@ double LargestDifference(const vitrine::Image& a, const vitrine::Image& b);
 class FlickerMeter
 {
 public:
+  /** The next picture is no step on from the last. */
+  void BeginRun();
+
   void Add(const vitrine::Image& method, const vitrine::Image& truth);
 
   /** Of the steps so far; zeros for fewer than two pictures. */

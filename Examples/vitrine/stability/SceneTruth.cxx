@@ -1,22 +1,22 @@
 #include "stability/SceneTruth.h"
 
 #include "VTKMessages.h"
-#include "scene/Random.h"
 #include "scene/Viewpoint.h"
+#include "stability/PictureChanges.h"
+#include "stability/StudyPlan.h"
+#include "stability/Verdict.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 
 namespace program
 {
 
 namespace
 {
-const double ShiftInPixels = 0.01;
 const double ShiftDirection = 0.5; // radians above the picture's horizon, so that both axes move
 const double TurnInDegrees = 1.0;
-const std::uint64_t OrderSeed = 1;
 
 /** Steps of scenes that take long to draw. */
 const int HeavySteps = 2;
@@ -26,30 +26,9 @@ int Steps(const StabilityScene& entry, int usual)
   return entry.IsHeavy ? std::min(usual, HeavySteps) : usual;
 }
 
-std::vector<std::vector<std::size_t>> ShuffledOrders(std::size_t parts, int count)
+vtkSmartPointer<vtkCamera> Shifted(vtkCamera* start, double pixels, int height)
 {
-  std::vector<std::vector<std::size_t>> orders;
-  std::vector<std::size_t> order(parts);
-  std::iota(order.begin(), order.end(), 0);
-  Random random(OrderSeed);
-  for (int i = 0; i < count; ++i)
-  {
-    random.Shuffle(order);
-    orders.push_back(order);
-  }
-  return orders;
-}
-
-std::vector<vtkSmartPointer<vtkCamera>> Shifted(vtkCamera* start, int steps, int height)
-{
-  std::vector<vtkSmartPointer<vtkCamera>> cameras;
-  for (int i = 0; i <= steps; ++i)
-  {
-    const double pixels = i * ShiftInPixels;
-    cameras.push_back(
-      Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height));
-  }
-  return cameras;
+  return Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height);
 }
 
 std::vector<vtkSmartPointer<vtkCamera>> Turned(vtkCamera* start, int steps)
@@ -65,10 +44,10 @@ std::vector<vtkSmartPointer<vtkCamera>> Turned(vtkCamera* start, int steps)
 std::vector<OtherTruth> OtherWindowsOf(PictureSize size)
 {
   const auto part = [](int side, int divisor) { return std::max(1, side / divisor); };
-  return { { "half", { part(size.Width, 2), part(size.Height, 2) }, 0, {} },
-    { "double", { 2 * size.Width, 2 * size.Height }, 0, {} },
-    { "third", { part(size.Width, 3), part(size.Height, 3) }, 0, {} },
-    { "4-samples", size, 4, {} } };
+  return { { "half", { part(size.Width, 2), part(size.Height, 2) }, 0, {}, "" },
+    { "double", { 2 * size.Width, 2 * size.Height }, 0, {}, "" },
+    { "third", { part(size.Width, 3), part(size.Height, 3) }, 0, {}, "" },
+    { "4-samples", size, 4, {}, "" } };
 }
 
 SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& settings)
@@ -78,15 +57,42 @@ SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& setti
   plan.Parts = entry.Load();
   plan.Size = entry.Size.value_or(settings.Size);
   plan.Repetitions = Steps(entry, settings.Repetitions);
-  plan.Orders = ShuffledOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
+  plan.Orders = PlanOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
   const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
-  plan.Shifts = Shifted(start, Steps(entry, settings.Shifts), plan.Size.Height);
   plan.Turns = Turned(start, Steps(entry, settings.Turns));
   if (settings.WithOtherWindows && !entry.IsHeavy)
   {
     plan.Others = OtherWindowsOf(plan.Size);
   }
   return plan;
+}
+
+/** The plan's shifts: where they are few, over steps that change truth. */
+void PlanShiftViews(SceneTruth& plan, const StabilitySettings& settings, TruthStage& truth)
+{
+  const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
+  std::map<int, std::unique_ptr<vitrine::Image>> pictures;
+  const auto draw = [&](int steps) -> const vitrine::Image*
+  {
+    const auto [place, isNew] = pictures.try_emplace(steps);
+    if (isNew)
+    {
+      place->second = truth.Draw(Shifted(start, InPixels(steps), plan.Size.Height));
+    }
+    return place->second.get();
+  };
+  const ShiftPlan shifts = PlanShifts(Steps(plan.Entry, settings.Shifts),
+    [&draw](int a, int b)
+    {
+      const vitrine::Image* before = draw(a);
+      const vitrine::Image* after = draw(b);
+      return before && after && LargestDifference(*before, *after) > LargestExactError(0);
+    });
+  for (const double pixels : shifts.Pixels)
+  {
+    plan.Shifts.push_back(Shifted(start, pixels, plan.Size.Height));
+  }
+  plan.ShiftRun = shifts.RunLength;
 }
 
 /** Pictures of all the views; an empty list, and why, if truth cannot run. */
@@ -111,9 +117,14 @@ void DrawOther(OtherTruth& other, const SceneTruth& plan, TruthStage& truth)
 {
   truth.GetStage().SetScene(plan.Parts);
   truth.GetStage().SetSize(other.Size);
-  if (const std::unique_ptr<vitrine::Image> picture = truth.Draw(OwnView(plan.Parts, other.Size)))
+  const std::unique_ptr<vitrine::Image> picture = truth.Draw(OwnView(plan.Parts, other.Size));
+  if (picture)
   {
     other.Picture = *picture;
+  }
+  else
+  {
+    other.Skipped = truth.WhyNotRun();
   }
 }
 }
@@ -142,6 +153,7 @@ SceneTruth DrawTruth(const StabilityScene& entry, const StabilitySettings& setti
   SceneTruth truth = PlanViews(entry, settings);
   single.GetStage().SetScene(truth.Parts);
   single.GetStage().SetSize(truth.Size);
+  PlanShiftViews(truth, settings, single);
   truth.ShiftPictures = DrawAll(single, truth.Shifts, truth.Skipped);
   truth.TurnPictures = DrawAll(single, truth.Turns, truth.Skipped);
   for (OtherTruth& other : truth.Others)

@@ -14,13 +14,14 @@
 namespace program
 {
 
-/** Truth's picture of a window of another size or with samples; without values where it cannot run. */
+/** Truth's picture of a window of another size or with samples. */
 struct OtherTruth
 {
   std::string Name;
   PictureSize Size;
   int Multisamples;
   vitrine::Image Picture;
+  std::string Skipped; ///< why truth cannot run there; no picture then
 };
 
 struct SceneTruth
@@ -31,8 +32,10 @@ struct SceneTruth
   int Repetitions;
   std::vector<std::vector<std::size_t>> Orders;   ///< of parts
   std::vector<vtkSmartPointer<vtkCamera>> Shifts; ///< the first is the scene's own view
-  std::vector<vtkSmartPointer<vtkCamera>> Turns;  ///< likewise
-  std::string Skipped;                            ///< why there is no truth; no pictures then
+  std::size_t ShiftRun =
+    0; ///< so many of them follow each other by a step; the next begin elsewhere
+  std::vector<vtkSmartPointer<vtkCamera>> Turns; ///< likewise, all in one run
+  std::string Skipped;                           ///< why there is no truth; no pictures then
   std::vector<vitrine::Image> ShiftPictures;
   std::vector<vitrine::Image> TurnPictures;
   std::vector<OtherTruth> Others;

@@ -24,17 +24,21 @@ struct Windows
 {
   std::unique_ptr<Stage> Single;
   std::unique_ptr<Stage> Multisampled;
+  std::string WhyNone; ///< why the method is not to be judged by this truth at all
 };
 
 Windows OpenWindows(const std::string& name, const StabilitySettings& settings)
 {
+  Windows windows;
   const auto open = [&](int multisamples)
   {
     std::unique_ptr<Method> method = MakeMethod(name);
-    method->SetCoincidence(settings.Tolerance);
+    windows.WhyNone = method->SetCoincidence(settings.Tolerance);
     return std::make_unique<Stage>(Scene(), std::move(method), settings.Size, multisamples);
   };
-  return { open(0), open(SamplesOfOthers) };
+  windows.Single = open(0);
+  windows.Multisampled = open(SamplesOfOthers);
+  return windows;
 }
 
 std::int64_t CountDifferences(const Pixels& a, const Pixels& b)
@@ -63,19 +67,23 @@ public:
   StabilityCell Measure()
   {
     const MessageCapture messages;
-    this->Own.Single->SetScene(this->Truth.Parts);
-    this->Own.Single->SetSize(this->Truth.Size);
-    this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
+    this->Cell.Skipped = this->Own.WhyNone;
     if (!this->Truth.Skipped.empty())
     {
       this->Cell.Skipped = "there is no truth to compare with: " + this->Truth.Skipped;
     }
     if (this->Cell.Skipped.empty())
     {
+      this->Begin();
+    }
+    if (this->Cell.Skipped.empty())
+    {
       this->CompareWithTruth();
       this->Repeat();
-      this->Cell.Shift = this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures);
-      this->Cell.Turn = this->Follow(this->Truth.Turns, this->Truth.TurnPictures);
+      this->Cell.Shift =
+        this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures, this->Truth.ShiftRun);
+      this->Cell.Turn =
+        this->Follow(this->Truth.Turns, this->Truth.TurnPictures, this->Truth.Turns.size());
       this->Shuffle();
       this->MeasureOtherWindows();
       this->TakeMessages(messages.Errors());
@@ -85,6 +93,13 @@ public:
   }
 
 private:
+  void Begin()
+  {
+    this->Own.Single->SetScene(this->Truth.Parts);
+    this->Own.Single->SetSize(this->Truth.Size);
+    this->Cell.Picture = this->Draw(this->Truth.Shifts.front());
+  }
+
   /** The first frame that the method refuses refuses the cell. */
   Pixels Draw(vtkCamera* camera)
   {
@@ -132,12 +147,17 @@ private:
     this->Own.Single->SetPartOrder(own);
   }
 
+  /** The camera goes on by steps in runs of so many frames. */
   Flicker Follow(const std::vector<vtkSmartPointer<vtkCamera>>& cameras,
-    const std::vector<vitrine::Image>& truth)
+    const std::vector<vitrine::Image>& truth, std::size_t run)
   {
     FlickerMeter meter;
     for (std::size_t i = 0; i < cameras.size(); ++i)
     {
+      if (i % run == 0)
+      {
+        meter.BeginRun();
+      }
       meter.Add(ToImage(this->Draw(cameras[i]), this->Truth.Size), truth[i]);
     }
     return meter.Result();
@@ -153,10 +173,10 @@ private:
     {
       Stage& stage = other.Multisamples > 0 ? *this->Own.Multisampled : *this->Own.Single;
       stage.SetSize(other.Size);
-      stage.Draw(OwnView(this->Truth.Parts, other.Size));
+      DrawAfterZoom(stage, OwnView(this->Truth.Parts, other.Size), this->Truth.Entry);
       OtherWindow window{ other.Name, other.Size, other.Multisamples, stage.GetMethod().WhyNotRun(),
-        std::nullopt };
-      if (window.Skipped.empty() && !other.Picture.Rgb.empty())
+        other.Skipped, std::nullopt };
+      if (window.Skipped.empty() && window.NotJudged.empty())
       {
         window.Error =
           vitrine::CompareImages(ToImage(stage.ReadPixels(), other.Size), other.Picture);

@@ -62,8 +62,16 @@ struct OtherWindow
   std::string Name; ///< "half", "double", "third", "4-samples"
   PictureSize Size{};
   int Multisamples = 0;
-  std::string Skipped; ///< why the method could not run there
+  std::string Skipped;   ///< why the method could not run there
+  std::string NotJudged; ///< why truth could not
   std::optional<vitrine::ImageError> Error;
+};
+
+/** The largest difference to truth of any channel in frames of one kind. */
+struct FrameError
+{
+  std::string Frames; ///< "first", "redrawn", "shift", "turn", or the name of another window
+  double Error = 0.0;
 };
 
 /** What is wrong with a method on a scene; the first that holds. */
@@ -94,7 +102,7 @@ struct StabilityCell
   std::vector<OtherWindow> Others;
   std::vector<std::string> Messages; ///< of VTK, other than that it cannot run
   StabilityOutcome Outcome = StabilityOutcome::Exact;
-  std::string Verdict;                    ///< all that is wrong, in words; "exact"
+  std::string Verdict; ///< all that is wrong, in words, or "exact"; windows without truth
   std::vector<std::uint8_t> Picture;      ///< 8-bit RGB, rows from the bottom
   std::vector<std::uint8_t> TruthPicture; ///< the same, rounded
 
@@ -102,7 +110,10 @@ struct StabilityCell
   double OwnWindowError() const;
 
   /** The same of all frames, those in other windows too. */
-  double WorstError() const;
+  double WorstError() const { return this->Worst().Error; }
+
+  /** The frames with the largest error; the first of equals. */
+  FrameError Worst() const;
 };
 
 /** What is drawn, and how often. */
@@ -113,13 +124,16 @@ struct StabilitySettings
   PictureSize Size{ 64, 64 }; ///< of scenes without one of their own
   Coincidence Tolerance;      ///< of truth, and of methods that have one
   int Repetitions = 100;      ///< frames that must be alike
-  int Orders = 24;            ///< shuffled orders of actors
-  int Shifts = 100;           ///< steps of 1/100 pixel
-  int Turns = 360;            ///< steps of one degree
+  int Orders = 24;            ///< of actors: all orders where there are no more, else shuffled ones
+  int Shifts = 100; ///< steps of 1/100 pixel; fewer are spread over a pixel, see PlanShifts()
+  int Turns = 360;  ///< steps of one degree
   bool WithOtherWindows = true;
 };
 
-/** Fewer frames of each kind, and scenes for a quick run only. */
+/**
+ * Fewer frames of each kind, and scenes for a quick run only. The first step of 1/100 pixel is from the scene's own
+ * view, the others lie in the second, third and last quarter of a pixel.
+ */
 void MakeQuick(StabilitySettings& settings);
 
 /** What is told of cells as they are measured. */

@@ -11,6 +11,25 @@ namespace
 {
 const double LostAsFloat = 1e-6; // by 8-bit values
 
+double MaxOf(const std::optional<vitrine::ImageError>& error)
+{
+  return error ? error->Max : 0.0;
+}
+
+/** Of the scene's own window. */
+std::vector<FrameError> OwnFrames(const StabilityCell& cell)
+{
+  return { { "first", MaxOf(cell.Error) }, { "redrawn", cell.RedrawnError },
+    { "shift", cell.Shift.Error }, { "turn", cell.Turn.Error } };
+}
+
+/** The first of those with the largest error. */
+FrameError WorstOf(const std::vector<FrameError>& frames)
+{
+  return *std::max_element(frames.begin(), frames.end(),
+    [](const FrameError& a, const FrameError& b) { return a.Error < b.Error; });
+}
+
 double ExcessOf(const StabilityCell& cell)
 {
   return std::max(cell.Shift.Excess, cell.Turn.Excess);
@@ -56,6 +75,30 @@ std::string InSteps(double value)
   return FormatCell("%.1f/255", 255.0 * value);
 }
 
+std::string Join(const std::vector<std::string>& words, const std::string& separator)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : separator) + word;
+  }
+  return text;
+}
+
+/** The windows in which there is no truth to judge by. */
+std::string NotJudged(const StabilityCell& cell)
+{
+  std::vector<std::string> names;
+  for (const OtherWindow& other : cell.Others)
+  {
+    if (!other.NotJudged.empty())
+    {
+      names.push_back(other.Name);
+    }
+  }
+  return Join(names, ", ");
+}
+
 std::string Describe(const StabilityCell& cell)
 {
   if (!cell.Skipped.empty())
@@ -80,29 +123,31 @@ std::string Describe(const StabilityCell& cell)
   {
     faults.push_back("flickers by " + InSteps(ExcessOf(cell)));
   }
-  std::string verdict;
-  for (const std::string& fault : faults)
+  if (faults.empty())
   {
-    verdict += (verdict.empty() ? "" : "; ") + fault;
+    faults.push_back("exact");
   }
-  return verdict.empty() ? "exact" : verdict;
+  if (const std::string others = NotJudged(cell); !others.empty())
+  {
+    faults.push_back("not judged in " + others);
+  }
+  return Join(faults, "; ");
 }
 }
 
 double StabilityCell::OwnWindowError() const
 {
-  return std::max({ this->Error ? this->Error->Max : 0.0, this->RedrawnError, this->Shift.Error,
-    this->Turn.Error });
+  return WorstOf(OwnFrames(*this)).Error;
 }
 
-double StabilityCell::WorstError() const
+FrameError StabilityCell::Worst() const
 {
-  double worst = this->OwnWindowError();
+  std::vector<FrameError> frames = OwnFrames(*this);
   for (const OtherWindow& other : this->Others)
   {
-    worst = std::max(worst, other.Error ? other.Error->Max : 0.0);
+    frames.push_back({ other.Name, MaxOf(other.Error) });
   }
-  return worst;
+  return WorstOf(frames);
 }
 
 double LargestExactError(int multisamples)

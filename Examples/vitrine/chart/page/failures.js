@@ -13,10 +13,27 @@ function shortVerdict(cell) {
   return words[cell.outcome] ?? `${format(255 * cell.worst_error)}/255`;
 }
 
+const FRAMES = {
+  first: "the first frame, which is shown",
+  redrawn: "a frame drawn again, or in another order of parts",
+  shift: "a frame moved by a part of a pixel",
+  turn: "a turned frame",
+};
+
+/** The largest error of a cell, and of which frames. */
+function worstError({ worst_error, worst_frames }) {
+  return `${format(255 * worst_error)}/255, in ${FRAMES[worst_frames] ?? `the window "${worst_frames}"`}`;
+}
+
 function showCell(cell, scene) {
   const facts = [
     ["verdict", cell.verdict],
-    ["worst error", cell.skipped ? "not told" : `${format(255 * cell.worst_error)}/255`],
+    ...(cell.skipped
+      ? []
+      : [
+          ["worst error", worstError(cell)],
+          ["error of the picture", `${format(255 * cell.error.max)}/255`],
+        ]),
     ...(scene.expected ? [["expected", scene.expected]] : []),
     ["to draw it", `vitrine render ${scene.input} --size ${cell.width}x${cell.height} --method ${cell.method} -o picture.png`],
     ...(scene.zoom_before !== 1 ? [["before each frame", `one at ${scene.zoom_before} times the zoom`]] : []),
@@ -105,6 +122,16 @@ function showFirst(cells) {
   (buttons.find(isWorst) ?? buttons[0])?.click();
 }
 
+/** How many frames a cell is judged by. */
+function countFrames({ repetitions, orders, shifts, turns, other_windows }) {
+  return (
+    `Frames of each cell: the same ${repetitions} times, ${orders} orders of parts or all there are, ${shifts} steps of 1/100 pixel, ` +
+    `${turns} of a degree; ` +
+    (other_windows ? "also in windows of half, double and a third of the size and with 4 samples a pixel." : "in no other window.") +
+    " Scenes of which a cell says so are drawn in a few of each only."
+  );
+}
+
 function startFailures() {
   const { failures: cells = [] } = chart;
   byId("failures").hidden = cells.length === 0;
@@ -112,6 +139,7 @@ function startFailures() {
     return;
   }
   const { scenes, methods } = chart.settings.failures;
+  byId("frames").textContent = countFrames(chart.settings.failures);
   const head = html("tr", {}, html("th", { scope: "col" }, "scene"), ...methods.map((method) => html("th", { scope: "col" }, method)));
   byId("cells").replaceChildren(
     html("thead", {}, head),

@@ -1,0 +1,88 @@
+#include "stability/StudyPlan.h"
+
+#include "scene/Random.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace program
+{
+
+namespace
+{
+const std::uint64_t OrderSeed = 1;
+const int StepsOfAPixel = 100;
+
+/** Whether so many parts have `count` orders at most. */
+bool HasFewOrders(std::size_t parts, int count)
+{
+  std::size_t orders = 1;
+  for (std::size_t i = 2; i <= parts && orders <= static_cast<std::size_t>(count); ++i)
+  {
+    orders *= i;
+  }
+  return orders <= static_cast<std::size_t>(count);
+}
+
+/** Where a step begins over which the picture changes; `begin` if it is the same at both ends. */
+int FindChange(int begin, int end, const DoesChange& doesChange)
+{
+  if (!doesChange(begin, end))
+  {
+    return begin;
+  }
+  while (end - begin > 1)
+  {
+    const int middle = (begin + end) / 2;
+    (doesChange(begin, middle) ? end : begin) = middle;
+  }
+  return begin;
+}
+}
+
+std::vector<std::vector<std::size_t>> PlanOrders(std::size_t parts, int count)
+{
+  std::vector<std::vector<std::size_t>> orders;
+  std::vector<std::size_t> order(parts);
+  std::iota(order.begin(), order.end(), 0);
+  if (HasFewOrders(parts, count))
+  {
+    do
+    {
+      orders.push_back(order);
+    } while (std::next_permutation(order.begin(), order.end()));
+    return orders;
+  }
+  Random random(OrderSeed);
+  for (int i = 0; i < count; ++i)
+  {
+    random.Shuffle(order);
+    orders.push_back(order);
+  }
+  return orders;
+}
+
+double InPixels(int steps)
+{
+  return static_cast<double>(steps) / StepsOfAPixel;
+}
+
+ShiftPlan PlanShifts(int steps, const DoesChange& doesChange)
+{
+  const int runs = steps < StepsOfAPixel ? std::max(steps, 1) : 1;
+  const int stepsOfRun = steps / runs;
+  ShiftPlan plan{ {}, static_cast<std::size_t>(stepsOfRun) + 1 };
+  for (int run = 0; run < runs; ++run)
+  {
+    const int begin = run == 0
+      ? 0
+      : FindChange(run * StepsOfAPixel / runs, (run + 1) * StepsOfAPixel / runs, doesChange);
+    for (int step = 0; step <= stepsOfRun; ++step)
+    {
+      plan.Pixels.push_back(InPixels(begin + step));
+    }
+  }
+  return plan;
+}
+
+}
