@@ -2,6 +2,7 @@
 
 #include "Core/PixelBlocks.h"
 #include "Shaders/SharedLayout.h"
+#include "gl/Capabilities.h"
 #include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
@@ -28,6 +29,9 @@ constexpr std::array<int, 7> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
   std::numeric_limits<int>::max() };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
 constexpr int LongRunsBin = BinCount - 1;
+
+// Measured: lists of 30,000 were whole, and those of 31,000 were not; with a tolerance, 20,000 and 24,576.
+constexpr std::int64_t LongestOfSoftware = 20000;
 
 bool IsMergeOfRuns(int bin)
 {
@@ -96,6 +100,14 @@ private:
 }
 
 //------------------------------------------------------------------------------
+std::string ListResolver::FindProblemOfLength(std::int64_t longest)
+{
+  return longest > LongestOfSoftware && IsSoftwareRasteriser() ? "a pixel has " +
+      std::to_string(longest) + " fragments, and this driver ends shaders that resolve more than " +
+      std::to_string(LongestOfSoftware)
+                                                               : "";
+}
+
 std::string ListResolver::PrepareTiles(vtkOpenGLState* state, const RenderTarget& target)
 {
   const BlockRange tiles = TilesOf({ 0, 0, target.Width, target.Height });

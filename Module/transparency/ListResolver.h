@@ -38,6 +38,12 @@ public:
     const RenderTarget& target, const PixelRegion& region);
 
   /**
+   * Empty, or why a list of `longest` fragments cannot be resolved here: llvmpipe ends the loops of a shader after 65,535
+   * rounds, in silence, and the merge of long runs takes two and more for each fragment.
+   */
+  static std::string FindProblemOfLength(std::int64_t longest);
+
+  /**
    * Sort and composite the lists of `region` over the backdrop, into the target. `tileBins` are the bins that
    * Classify() found. Returns false, with nothing drawn, if a shader does not compile.
    */

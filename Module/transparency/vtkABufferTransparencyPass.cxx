@@ -234,8 +234,7 @@ std::string vtkABufferTransparencyPass::RenderLists(
     switch (this->GetStore().Fit(frame))
     {
       case vitrine::FragmentStore::FITS:
-        this->Resolve(target, target.Region, frame);
-        return {};
+        return this->Resolve(target, target.Region, frame);
       case vitrine::FragmentStore::GREW:
         break;
       case vitrine::FragmentStore::TOO_LARGE:
@@ -274,12 +273,18 @@ std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
 }
 
 //------------------------------------------------------------------------------
-void vtkABufferTransparencyPass::Resolve(const vitrine::RenderTarget& target,
+std::string vtkABufferTransparencyPass::Resolve(const vitrine::RenderTarget& target,
   const vitrine::PixelRegion& region, const vitrine::FragmentStatistics& statistics)
 {
+  const std::string problem = vitrine::ListResolver::FindProblemOfLength(statistics.LayersMax);
+  if (!problem.empty())
+  {
+    return problem;
+  }
   Internals& in = *this->Private;
   in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), in.Backdrop.Image(), target,
     region, statistics.TileBins);
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -342,7 +347,11 @@ std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
     {
       return UnsteadyProps;
     }
-    this->Resolve(target, region, part);
+    const std::string problem = this->Resolve(target, region, part);
+    if (!problem.empty())
+    {
+      return problem;
+    }
   }
   return {};
 }

@@ -125,7 +125,7 @@ private:
     vitrine::FragmentStatistics& frame);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
     const vitrine::PixelRegion& region, vitrine::FragmentStatistics& statistics);
-  void Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+  std::string Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
     const vitrine::FragmentStatistics& statistics);
   std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string DrawBands(const vtkRenderState* s, const vitrine::RenderTarget& target,

@@ -53,6 +53,7 @@ class BadArguments(ProgramTest):
         for size in ("0x8", "8x0", "8", "8x", "x8", "-8x8", "8x8x8", "8.5x8", "20000x8", "axb"):
             with self.subTest(size=size):
                 self.assert_refused(run("info", "demo:stack", f"--size={size}"), "--size", size)
+        self.assert_refused(run("stability", "demo:stack", "--size", "8x8193"), "--size", "8192")
 
     def test_view(self):
         for view in (

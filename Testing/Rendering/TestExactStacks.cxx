@@ -2,6 +2,8 @@
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
+#include "gl/Capabilities.h"
+#include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
 #include "vtkProperty.h"
 
@@ -79,7 +81,7 @@ TEST_P(ExactStack, SeesThroughAnyNumberOfFaintLayers)
   scene.AddPlate(-0.95, behind);
   const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
   scene.Use(pass);
-  for (const int layers : { 5000, 9000, 20000 })
+  for (const int layers : { 5000, 9000, 19999 })
   {
     for (const double spacing : { 0.0, 1.8 / layers })
     {
@@ -101,6 +103,28 @@ TEST_P(ExactStack, SeesThroughAnyNumberOfFaintLayers)
       scene.Renderer->RemoveActor(actor);
     }
   }
+}
+
+// llvmpipe would drop the farthest in silence.
+TEST_P(ExactStack, RefusesLongerListsThanTheDriversLoops)
+{
+  const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+  if (!vtkABufferTransparencyPass::SafeDownCast(pass))
+  {
+    GTEST_SKIP() << "it keeps no lists";
+  }
+  TestScene scene(1, 1);
+  scene.Use(pass);
+  scene.AddPlates(RandomPlates(20000, 1.0 / 255, 13), 14);
+  scene.Render();
+  EXPECT_STREQ(pass->GetFallbackReason(), "");
+  if (!vitrine::IsSoftwareRasteriser())
+  {
+    GTEST_SKIP() << "the driver is not known to end loops";
+  }
+  scene.AddPlate(-0.95, { 1.0, 0.0, 0.2, 0.5 });
+  scene.Render();
+  ExpectRefusal(pass, "a pixel has 20001 fragments");
 }
 
 // Neighbours of every length, so that tiles hold lists of many lengths and bins lie side by side.

@@ -16,7 +16,6 @@ namespace program
 
 namespace
 {
-const int LargestSide = 16384;
 const std::string StandardOutput = "-";
 
 template <typename T>
@@ -155,16 +154,16 @@ void WriteReport(
   }
 }
 
-PictureSize ParseSize(const std::string& text)
+PictureSize ParseSize(const std::string& text, int largestSide)
 {
   PictureSize size{};
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos || !ParseNumber(text.substr(0, cross), size.Width) ||
     !ParseNumber(text.substr(cross + 1), size.Height) || size.Width < 1 || size.Height < 1 ||
-    size.Width > LargestSide || size.Height > LargestSide)
+    size.Width > largestSide || size.Height > largestSide)
   {
     throw InputError(
-      "--size", "'" + text + "' is not WxH, two integers from 1 to " + std::to_string(LargestSide));
+      "--size", "'" + text + "' is not WxH, two integers from 1 to " + std::to_string(largestSide));
   }
   return size;
 }

@@ -54,8 +54,11 @@ void CheckJsonPath(const std::optional<std::string>& file);
 void WriteReport(
   const std::optional<std::string>& file, const std::string& text, const std::string& json);
 
+/** Pixels a side of the largest window. */
+inline constexpr int LargestSide = 16384;
+
 /** "WxH" in pixels. Throws InputError for anything else. */
-PictureSize ParseSize(const std::string& text);
+PictureSize ParseSize(const std::string& text, int largestSide = LargestSide);
 
 /** "AZ,EL[,ZOOM]". Throws InputError for anything else. */
 View ParseView(const std::string& text);

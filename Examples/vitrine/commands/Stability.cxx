@@ -107,7 +107,7 @@ StabilitySettings ToSettings(const StabilityOptions& options)
   }
   if (options.Size)
   {
-    settings.Size = ParseSize(*options.Size);
+    settings.Size = ParseSize(*options.Size, LargestSide / 2); // twice as large is drawn too
   }
   if (!options.Inputs.empty())
   {
