@@ -100,6 +100,15 @@ class Compare(FileTest):
         self.assertEqual((passes["blend"], passes["vtk-oit"], passes["linked-list"]), (1, 1, 1))
         self.assertGreaterEqual(passes["vtk-peeling"], 3)
 
+    def test_passes_are_those_of_the_timed_frames(self):
+        # What the frame before does not tell is counted first, each time that the camera jumps.
+        for orbit, passes in (("0", 1), ("120", 2)):
+            told = compare(
+                *("demo:assembly,parts=5", "--methods", "prefix-sum-predicted"),
+                *("--frames", "5", "--size", "64x64", "--orbit", orbit),
+            )
+            self.assertEqual(told["results"][0]["geometry_passes"], passes, orbit)
+
     def test_figures_are_what_their_names_say(self):
         told = compare(
             *("demo:stack,layers=6,alpha=0.5", "--methods", "blend", "--frames", "1"),

@@ -1,6 +1,8 @@
 """Methods fail where they are known to fail, in the known way, and nowhere else."""
 
 import json
+import pathlib
+import re
 import unittest
 
 import stability_figures
@@ -18,6 +20,17 @@ FIGURES |= {"shift_excess": 1.5, "turn_excess": 1.5}
 ROW = ["scene", "method", "width", "height", "outcome", "verdict", "error", "worst_error"]
 ROW += ["worst_frames", "repetition_difference", "order_difference", "redrawn_error"]
 ROW += ["shift", "turn", "others", "messages"]
+
+METHODS = pathlib.Path(__file__).parents[2] / "docs" / "methods.md"
+
+
+def documented_worst_cases():
+    """The error in steps of 1/255 by method, of the table in docs/methods.md."""
+    section = METHODS.read_text(encoding="utf-8").split("## Worst cases")[1].split("\n## ")[0]
+    worst = {}
+    for names, error in re.findall(r"^\| (`.*?) \| ([0-9.]+) \|", section, re.MULTILINE):
+        worst.update({name: float(error) for name in re.findall(r"`(\S+?)`", names)})
+    return worst
 
 
 class KnownFailures(unittest.TestCase):
@@ -109,6 +122,16 @@ class KnownFailures(unittest.TestCase):
                 self.assertEqual(now[figure] == "0", known[figure] == "0", (figure, now))
 
         self.for_each(stability_figures.EXACT + stability_figures.APPROXIMATE, check)
+
+    def test_the_documented_worst_cases_are_the_worst(self):
+        told = documented_worst_cases()
+        self.assertEqual(set(stability_figures.APPROXIMATE) - set(told), set())
+
+        def check(row):
+            if "skipped" not in row:
+                self.assertLessEqual(255 * row["worst_error"], told[row["method"]] + 1.0)
+
+        self.for_each(stability_figures.APPROXIMATE, check)
 
 
 class Tolerance(unittest.TestCase):

@@ -18,6 +18,7 @@ struct Contestant
   MethodResult Result;
   std::unique_ptr<Stage> Window;
   std::vector<std::uint8_t> LastPicture;
+  std::vector<std::int64_t> GeometryPasses; ///< of the timed frames
 };
 
 std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& settings)
@@ -60,11 +61,28 @@ void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& p
   }
 }
 
+/** A frame that is drawn again from where it was may take fewer passes than the one that is timed. */
+std::optional<std::int64_t> MedianPasses(Contestant& contestant)
+{
+  std::vector<std::int64_t>& passes = contestant.GeometryPasses;
+  if (passes.empty())
+  {
+    return std::nullopt;
+  }
+  const auto middle = passes.begin() + passes.size() / 2;
+  std::nth_element(passes.begin(), middle, passes.end());
+  return *middle;
+}
+
 /** Draw one frame twice: once for the time, once for whether it comes out the same. */
 void DrawFrame(Contestant& contestant, vtkCamera* camera)
 {
   MethodResult& result = contestant.Result;
   result.FrameMilliseconds.push_back(Draw(contestant, camera));
+  if (const auto passes = contestant.Window->GetMethod().Statistics().GeometryPasses)
+  {
+    contestant.GeometryPasses.push_back(*passes);
+  }
   contestant.LastPicture = contestant.Window->ReadPixels();
   if (result.Picture.empty())
   {
@@ -164,6 +182,7 @@ ComparisonResult CompareMethods(
   for (Contestant& contestant : contestants)
   {
     contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();
+    contestant.Result.Statistics.GeometryPasses = MedianPasses(contestant);
     contestant.Window.reset();
   }
   TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);

@@ -35,7 +35,7 @@ struct MethodResult
   std::string Method;
   std::string Skipped; ///< why it did not draw every frame; the rest is void then
   std::vector<double> FrameMilliseconds;
-  MethodStatistics Statistics;              ///< of the last frame
+  MethodStatistics Statistics; ///< of the last frame; the passes are the median of the timed ones'
   std::optional<vitrine::ImageError> Error; ///< the worse of the first and the last frame
   std::vector<std::uint8_t> Picture;        ///< the first frame, as Stage::ReadPixels() gives it
   bool IsDeterministic = true;
