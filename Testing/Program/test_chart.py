@@ -203,6 +203,38 @@ class ChartOfFiles(FileTest):
         stop_when(process, is_measured, signal.SIGTERM)
 
 
+    def test_opacity_is_that_of_files_and_belongs_to_the_settings(self):
+        path = self.write("plate.stl", scenes.binary_stl())
+        folder = self.folder / "chart"
+        told = []
+        process = start_chart(folder, path, "--opacity", "0.5")
+
+        def is_measured():
+            told[:] = [row for row in results_there(folder) if row["scene"] == str(path)]
+            return told
+
+        stop_when(process, is_measured, signal.SIGTERM)
+        self.assertTrue(all(row["fragments"] > 0 for row in told), told)
+        self.assertEqual(read_document(folder)["settings"]["opacity"], 0.5)
+        self.assertNotIn(b"translucent", process.said)
+        before = (folder / "chart.json").read_bytes()
+        result = chart(folder, path, "--opacity", "0.25")
+        self.assert_refused(result, folder / "chart.json", "other settings")
+        self.assertEqual((folder / "chart.json").read_bytes(), before)
+
+    def test_an_opaque_file_is_told_before_anything_is_measured(self):
+        path = self.write("plate.stl", scenes.binary_stl())
+        self.write("chart.json", b"")  # ends the run
+        result = chart(self.folder, path, "demo:crossing")
+        self.assertEqual(result.returncode, 2)
+        advice = f"{path}: Nothing in it is translucent; --opacity 0.3 makes it so."
+        self.assertIn(advice, result.stderr.decode())
+        self.assertEqual(result.stderr.count(b"translucent"), 1)
+
+    def test_opacity_needs_an_input(self):
+        self.assert_refused(chart(self.folder, "--opacity", "0.5"), "--opacity", "INPUT")
+
+
 class ChartOfRefused(FileTest):
     def test_rows_tell_why_methods_are_skipped_and_stderr_does_not(self):
         folder = self.folder / "chart"

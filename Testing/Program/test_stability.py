@@ -5,7 +5,7 @@ import unittest
 
 import stability_figures
 from program import FileTest, run
-from scenes import glb, obj
+from scenes import binary_stl, glb, obj
 
 STEP = 1.0 / 255.0 + 1e-6
 # Each sample is rounded to 8 bits, and their mean again; what nodes round comes on top.
@@ -181,6 +181,15 @@ class Given(FileTest):
             return told["results"][0]["turn"]["truth_largest"]
 
         self.assertLess(changes(0.1), 0.5 * changes(1.0))
+
+    def test_opaque_files_are_told(self):
+        path = self.folder / "plate.stl"
+        path.write_bytes(binary_stl())
+        advice = f"{path}: Nothing in it is translucent; --opacity 0.3 makes it so.\n"
+        result = self.stability(path, "demo:crossing", "demo:empty", "--size", "8x8")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.decode(), "vitrine: note: " + advice)
+        self.assert_done(self.stability(path, "--opacity", "0.3", "--size", "8x8"))
 
     def test_what_is_not_drawn_is_told_once(self):
         path = self.folder / "boxes.obj"

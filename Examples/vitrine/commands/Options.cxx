@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "OutputFile.h"
 #include "scene/DemoScene.h"
+#include "scene/OpacityAdvice.h"
 #include "scene/files/SceneFile.h"
 
 #include <algorithm>
@@ -59,6 +60,15 @@ void Append(Scene& scene, Scene&& other)
   scene.Placement.Camera.reset();
   scene.Placement.ClippingRange.reset();
   scene.Expectation.clear();
+}
+
+void PrintAdvice(const LoadedInput& input)
+{
+  const std::string advice = OpacityAdvice(input.Contents);
+  if (!advice.empty())
+  {
+    std::cerr << "vitrine: note: " << input.Name << ": " << advice << "\n";
+  }
 }
 }
 
@@ -233,6 +243,7 @@ std::vector<LoadedInput> LoadInputs(
   {
     loaded.push_back({ input, LoadInput(input, opacity) });
     PrintOmissions(loaded.back().Contents);
+    PrintAdvice(loaded.back());
   }
   return loaded;
 }

@@ -81,7 +81,7 @@ struct LoadedInput
 
 /**
  * Load each input, so that what cannot be read is told before anything is measured: throws InputError. Prints
- * omissions.
+ * omissions, and which have nothing translucent.
  */
 std::vector<LoadedInput> LoadInputs(
   const std::vector<std::string>& inputs, const std::optional<double>& opacity = std::nullopt);
