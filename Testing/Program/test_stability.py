@@ -1,10 +1,13 @@
 """Methods fail where they are known to fail, in the known way, and nowhere else."""
 
 import json
+import signal
+import subprocess
 import unittest
 
 import stability_figures
-from program import FileTest, run
+from charts import stop_when
+from program import PROGRAM, FileTest, environment_without_display, run
 from scenes import binary_stl, glb, obj
 
 STEP = 1.0 / 255.0 + 1e-6
@@ -238,6 +241,37 @@ class Stability(FileTest):
         self.assertEqual([row["method"] for row in told["results"]], ["blend", "linked-list"] * 2)
         self.assertEqual(list(told), ["vitrine", "device", "settings", "scenes", "results"])
         self.assertTrue(all(told["device"].values()), told["device"])
+
+    def test_a_run_that_is_stopped_leaves_the_scenes_that_it_finished(self):
+        path, tables = self.folder / "told.json", self.folder / "tables.txt"
+        path.write_text("{}")
+        # the second scene takes far longer than the first
+        arguments = ["--quick", "--scenes", "empty,window-4k", "--methods", "blend,linked-list"]
+        with tables.open("wb") as stdout:
+            process = subprocess.Popen(
+                [PROGRAM, "stability", *arguments, "--json", str(path)],
+                stdout=stdout,
+                stderr=subprocess.PIPE,
+                env=environment_without_display(),
+            )
+        stop_when(process, lambda: path.read_text() != "{}", signal.SIGTERM)
+        told = json.loads(path.read_text())
+        self.assertEqual([scene["name"] for scene in told["scenes"]][0], "empty")
+        self.assertEqual(len(told["scenes"]), 2)
+        rows = [(row["scene"], row["method"]) for row in told["results"]]
+        self.assertEqual(rows, [("empty", "blend"), ("empty", "linked-list")])
+        text = tables.read_text()
+        self.assertTrue(text.startswith(told["device"]["renderer"]), text)
+        self.assertIn("\nempty, demo:empty\n", text)
+        self.assertEqual(sum(line.startswith("linked-list") for line in text.split("\n")), 1)
+        self.assertNotIn("Worst", text)
+        self.assertEqual(sorted(self.folder.iterdir()), [tables, path])
+
+    def test_a_pipe_is_written_to_once(self):
+        arguments = ("--scenes", "empty,crossing", "--methods", "blend", "--size", "8x8")
+        result = run("stability", "--quick", *arguments, "--json", "/dev/stdout")
+        self.assert_done(result)
+        self.assertEqual(result.stdout.count(b'"vitrine"'), 1)
 
     def test_where_truth_cannot_run_rows_say_why(self):
         result = run(

@@ -62,6 +62,15 @@ void Append(Scene& scene, Scene&& other)
   scene.Expectation.clear();
 }
 
+void Print(const std::string& text)
+{
+  std::cout << text << std::flush;
+  if (!std::cout)
+  {
+    throw RuntimeError("stdout cannot be written");
+  }
+}
+
 void PrintAdvice(const LoadedInput& input)
 {
   const std::string advice = OpacityAdvice(input.Contents);
@@ -150,14 +159,26 @@ void CheckJsonPath(const std::optional<std::string>& file)
   }
 }
 
+void PrintText(const std::optional<std::string>& file, const std::string& text)
+{
+  if (file != StandardOutput)
+  {
+    Print(text);
+  }
+}
+
+void WriteUnfinished(const std::optional<std::string>& file, const std::string& json)
+{
+  if (file && *file != StandardOutput && CanBeReplaced(*file))
+  {
+    WriteWholeFile(*file, json);
+  }
+}
+
 void WriteReport(
   const std::optional<std::string>& file, const std::string& text, const std::string& json)
 {
-  std::cout << (file == StandardOutput ? json : text) << std::flush;
-  if (!std::cout)
-  {
-    throw RuntimeError("stdout cannot be written");
-  }
+  Print(file == StandardOutput ? json : text);
   if (file && *file != StandardOutput)
   {
     WriteWholeFile(*file, json);

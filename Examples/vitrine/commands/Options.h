@@ -50,6 +50,12 @@ void AddJsonOption(CLI::App& command, std::optional<std::string>& file);
 /** Throw InputError if --json names a file that could not be written. */
 void CheckJsonPath(const std::optional<std::string>& file);
 
+/** Print `text`, unless --json is what goes to stdout. Throws RuntimeError if it cannot be written. */
+void PrintText(const std::optional<std::string>& file, const std::string& text);
+
+/** Write `json` where --json says, if that is a file which WriteReport() will replace. Throws InputError if it cannot be written. */
+void WriteUnfinished(const std::optional<std::string>& file, const std::string& json);
+
 /** Print `text`, and write `json` where --json says. Throws InputError or RuntimeError if they cannot be written. */
 void WriteReport(
   const std::optional<std::string>& file, const std::string& text, const std::string& json);
