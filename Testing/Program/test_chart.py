@@ -354,6 +354,13 @@ class Refusals(FileTest):
             self.refuse_chart(self.folder, path, "is not the chart.json of a chart")
             self.assertEqual(path.read_bytes(), content)
 
+    def test_the_page_and_the_plots_of_others_are_left_alone(self):
+        for name in ("index.html", "error.png", "growth.png"):
+            path = self.write(name, b"mine")
+            self.refuse_chart(self.folder, path, "no chart.json is beside it", "another folder by --")
+            self.assertEqual([file.read_bytes() for file in self.folder.iterdir()], [b"mine"])
+            path.unlink()
+
     def test_a_chart_of_others_is_not_written_over(self):
         head = {"vitrine": "0.0.0", "device": {}, "settings": {}, "results": []}
         path = self.write("chart.json", json.dumps(head).encode())

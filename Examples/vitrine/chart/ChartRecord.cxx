@@ -58,7 +58,7 @@ void CheckRows(const std::string& path, const Json& rows, bool (*isGood)(const J
 {
   if (!std::all_of(rows.begin(), rows.end(), isGood))
   {
-    throw InputError(path, "has rows that are damaged; remove it to measure afresh");
+    throw InputError(path, "has rows that are damaged; empty its folder to measure afresh");
   }
 }
 
@@ -79,7 +79,7 @@ void CheckHead(
     {
       throw InputError(path,
         std::string("was measured ") + key.Difference + "; name another folder by " + option +
-          ", or remove it to measure afresh");
+          ", or empty this one to measure afresh");
     }
   }
 }
@@ -98,6 +98,10 @@ ChartRecord::ChartRecord(
   if (const std::optional<Json> before = ReadDocument(this->PathOf(DocumentName)))
   {
     CheckHead(this->PathOf(DocumentName), *before, this->Contents, folderOption);
+  }
+  else
+  {
+    this->CheckThatNoneIsThere({ PageFile, ErrorPlotFile, GrowthPlotFile }, folderOption);
   }
   this->Contents["results"] = Json::array();
   MakeFolder(fs::path(this->PathOf(PicturePath("any"))).parent_path().string());
@@ -153,6 +157,21 @@ std::string ChartRecord::AddPicture(
   const std::string file = PicturePath(name);
   WritePicture(this->PathOf(file), pixels, size);
   return file;
+}
+
+void ChartRecord::CheckThatNoneIsThere(
+  const std::vector<std::string>& files, const std::string& folderOption) const
+{
+  for (const std::string& file : files)
+  {
+    std::error_code error;
+    if (fs::exists(this->PathOf(file), error))
+    {
+      throw InputError(this->PathOf(file),
+        "is of no chart, since no chart.json is beside it; name another folder by " + folderOption +
+          ", or move it");
+    }
+  }
 }
 
 std::string ChartRecord::PathOf(const std::string& file) const
