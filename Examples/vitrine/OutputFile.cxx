@@ -110,6 +110,11 @@ void MakeFolder(const std::string& path)
   }
 }
 
+bool CanBeReplaced(const std::string& path)
+{
+  return !IsDeviceOrPipe(Resolve(path));
+}
+
 void WriteWholeFile(const std::string& path, std::string_view bytes)
 {
   CheckWritable(path);

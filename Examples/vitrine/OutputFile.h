@@ -16,6 +16,9 @@ void CheckWritable(const std::string& path);
 /** Make a folder, in one that is there, unless it is there already. Throws InputError. */
 void MakeFolder(const std::string& path);
 
+/** Whether WriteWholeFile() replaces `path`, as often as one likes: it is neither a device nor a pipe. */
+bool CanBeReplaced(const std::string& path);
+
 /**
  * Write a file under a temporary name beside `path`, or beside the file that the link `path` leads to, and give
  * it its name when it is whole. Devices and pipes are written to as they are. Throws InputError, and leaves what

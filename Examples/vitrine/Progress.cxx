@@ -18,6 +18,11 @@ Progress::Progress()
 
 Progress::~Progress()
 {
+  this->Hide();
+}
+
+void Progress::Hide()
+{
   if (this->IsShown)
   {
     std::cerr << WipeLine << std::flush;

@@ -19,6 +19,9 @@ public:
   /** Put `task` before all lines from now on: of what the work that shows them is a part. */
   void SetTask(const std::string& task);
 
+  /** Wipe the line, for something else to be printed there. */
+  void Hide();
+
   /** Replace the line. */
   void Show(const std::string& text);
 

@@ -164,6 +164,20 @@ TEST_F(ChartRecordTest, FindsWhatIsInTheWayBeforeAnythingIsMeasured)
   EXPECT_EQ(this->Refusal(Head()), "");
 }
 
+TEST_F(ChartRecordTest, LeavesPagesAndPlotsOfOthers)
+{
+  for (const char* name : { "index.html", "error.png", "growth.png" })
+  {
+    this->Write(name, "mine");
+    const std::string refusal = this->Refusal(Head());
+    EXPECT_NE(refusal.find(std::string(name) + ": is of no chart"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("--there"), std::string::npos) << refusal;
+    EXPECT_EQ(this->Read(name), "mine");
+    EXPECT_FALSE(fs::exists(this->Chart() + "/pictures"));
+    fs::remove(this->Chart() + "/" + name);
+  }
+}
+
 TEST_F(ChartRecordTest, WritesPicturesIntoAFolderOfTheirOwn)
 {
   ChartRecord record = this->Open(Head());

@@ -38,8 +38,8 @@ StabilityResult OneCell()
 TEST(StabilityReport, SaysWhyAWindowIsNotJudged)
 {
   const StabilityResult result = OneCell();
-  EXPECT_NE(
-    program::ToTable(result).find("  blend, double: not judged, there is no truth: no memory\n"),
+  EXPECT_NE(program::SceneTable(result.Settings.Scenes.front(), result.Cells)
+              .find("  blend, double: not judged, there is no truth: no memory\n"),
     std::string::npos);
   const program::Json others = program::ToJsonRow(result.Cells.front())["others"];
   EXPECT_FALSE(others[0].contains("not_judged"));
@@ -51,7 +51,6 @@ TEST(StabilityReport, NamesTheFramesOfTheWorstError)
 {
   const StabilityResult result = OneCell();
   EXPECT_EQ(program::ToJsonRow(result.Cells.front())["worst_frames"], "third");
-  const std::string table = program::ToTable(result);
-  const std::string worst = table.substr(table.find("Worst scene of each method"));
+  const std::string worst = program::WorstTable(result);
   EXPECT_NE(worst.find("3.00  mating   third"), std::string::npos) << worst;
 }

@@ -36,7 +36,7 @@ def results_there(folder):
 
 
 def stop_when(process, is_enough, signal):
-    """Send a signal to a program as soon as is_enough(); it must not have ended before."""
+    """Send a signal to a program as soon as is_enough(); it must not have ended before. What it said is in process.said."""
     while not is_enough():
         try:
             process.wait(timeout=0.02)
@@ -44,7 +44,7 @@ def stop_when(process, is_enough, signal):
             continue
         raise AssertionError("the program ended before it could be stopped")
     process.send_signal(signal)
-    process.communicate(timeout=TIMEOUT)
+    _, process.said = process.communicate(timeout=TIMEOUT)
 
 
 def start_chart(folder, *arguments):

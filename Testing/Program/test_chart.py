@@ -203,6 +203,42 @@ class ChartOfFiles(FileTest):
         stop_when(process, is_measured, signal.SIGTERM)
 
 
+    def test_opacity_is_that_of_files_and_belongs_to_the_settings(self):
+        path = self.write("plate.stl", scenes.binary_stl())
+        folder = self.folder / "chart"
+        told = []
+        process = start_chart(folder, path, "--opacity", "0.5")
+
+        def is_measured():
+            told[:] = [row for row in results_there(folder) if row["scene"] == str(path)]
+            return told
+
+        stop_when(process, is_measured, signal.SIGTERM)
+        self.assertTrue(all(row["fragments"] > 0 for row in told), told)
+        self.assertEqual(read_document(folder)["settings"]["opacity"], 0.5)
+        self.assertNotIn(b"translucent", process.said)
+        before = (folder / "chart.json").read_bytes()
+        result = chart(folder, path, "--opacity", "0.25")
+        words = "with other settings (settings.opacity was 0.5 and is 0.25)"
+        self.assert_refused(result, folder / "chart.json", words)
+        path.write_bytes(path.read_bytes() + b"\0")
+        result = chart(folder, path, "--opacity", "0.5")
+        self.assert_refused(result, f"with other settings ({path} has changed)")
+        self.assertEqual((folder / "chart.json").read_bytes(), before)
+
+    def test_an_opaque_file_is_told_before_anything_is_measured(self):
+        path = self.write("plate.stl", scenes.binary_stl())
+        self.write("chart.json", b"")  # ends the run
+        result = chart(self.folder, path, "demo:crossing")
+        self.assertEqual(result.returncode, 2)
+        advice = f"{path}: Nothing in it is translucent; --opacity 0.3 makes it so."
+        self.assertIn(advice, result.stderr.decode())
+        self.assertEqual(result.stderr.count(b"translucent"), 1)
+
+    def test_opacity_needs_an_input(self):
+        self.assert_refused(chart(self.folder, "--opacity", "0.5"), "--opacity", "INPUT")
+
+
 class ChartOfRefused(FileTest):
     def test_rows_tell_why_methods_are_skipped_and_stderr_does_not(self):
         folder = self.folder / "chart"
@@ -319,8 +355,16 @@ class Refusals(FileTest):
     def test_the_json_of_others_is_left_alone(self):
         for content in (b"", b"{", b"[]", b'{"vitrine": "0"}', b"null"):
             path = self.write("chart.json", content)
-            self.refuse_chart(self.folder, path, "is not the chart.json of a chart")
+            words = "is damaged" if len(content) < 2 else "is not the chart.json of a chart"
+            self.refuse_chart(self.folder, path, words)
             self.assertEqual(path.read_bytes(), content)
+
+    def test_the_page_and_the_plots_of_others_are_left_alone(self):
+        for name in ("index.html", "error.png", "growth.png"):
+            path = self.write(name, b"mine")
+            self.refuse_chart(self.folder, path, "no chart.json is beside it", "another folder by --")
+            self.assertEqual([file.read_bytes() for file in self.folder.iterdir()], [b"mine"])
+            path.unlink()
 
     def test_a_chart_of_others_is_not_written_over(self):
         head = {"vitrine": "0.0.0", "device": {}, "settings": {}, "results": []}
@@ -336,7 +380,8 @@ class Refusals(FileTest):
         self.assertEqual(first.returncode, 0, first.stderr.decode())
         before = (folder / "chart.json").read_bytes()
         for command in ((*compare, "--methods", "vtk-oit", "--chart"), ("chart", *SMALL, "--out")):
-            self.assert_refused(run(*command, folder), "with other settings", command[-1])
+            words = ("with other settings (settings.", " was ", " and is ", command[-1])
+            self.assert_refused(run(*command, folder), *words)
             self.assertEqual((folder / "chart.json").read_bytes(), before)
 
     def test_a_file_in_the_way_of_a_plot_is_told(self):

@@ -57,6 +57,14 @@ class Compare(FileTest):
         self.assertLessEqual(row["error"]["psnr"], 99.0)
         self.assertIs(row["deterministic"], True)
 
+    def test_opaque_files_are_told(self):
+        path = self.write("plate.stl", scenes.binary_stl())
+        advice = b"Nothing in it is translucent; --opacity 0.3 makes it so.\n"
+        for arguments, is_told in (((path,), True), ((path, "--opacity", "0.3"), False)):
+            result = run("compare", *arguments, "--frames", "1", "--size", "8x8")
+            self.assert_done(result)
+            self.assertEqual(result.stdout.endswith(advice), is_told, result.stdout)
+
     def test_rows_say_what_was_lost(self):
         told = compare(
             "demo:stack,layers=20",

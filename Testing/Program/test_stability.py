@@ -3,11 +3,14 @@
 import json
 import pathlib
 import re
+import signal
+import subprocess
 import unittest
 
 import stability_figures
-from program import FileTest, run
-from scenes import glb, obj
+from charts import stop_when
+from program import PROGRAM, FileTest, environment_without_display, run
+from scenes import binary_stl, glb, obj
 
 STEP = 1.0 / 255.0 + 1e-6
 # Each sample is rounded to 8 bits, and their mean again; what nodes round comes on top.
@@ -205,6 +208,15 @@ class Given(FileTest):
 
         self.assertLess(changes(0.1), 0.5 * changes(1.0))
 
+    def test_opaque_files_are_told(self):
+        path = self.folder / "plate.stl"
+        path.write_bytes(binary_stl())
+        advice = f"{path}: Nothing in it is translucent; --opacity 0.3 makes it so.\n"
+        result = self.stability(path, "demo:crossing", "demo:empty", "--size", "8x8")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.decode(), "vitrine: note: " + advice)
+        self.assert_done(self.stability(path, "--opacity", "0.3", "--size", "8x8"))
+
     def test_what_is_not_drawn_is_told_once(self):
         path = self.folder / "boxes.obj"
         path.write_bytes(obj())
@@ -252,6 +264,37 @@ class Stability(FileTest):
         self.assertEqual([row["method"] for row in told["results"]], ["blend", "linked-list"] * 2)
         self.assertEqual(list(told), ["vitrine", "device", "settings", "scenes", "results"])
         self.assertTrue(all(told["device"].values()), told["device"])
+
+    def test_a_run_that_is_stopped_leaves_the_scenes_that_it_finished(self):
+        path, tables = self.folder / "told.json", self.folder / "tables.txt"
+        path.write_text("{}")
+        # the second scene takes far longer than the first
+        arguments = ["--quick", "--scenes", "empty,window-4k", "--methods", "blend,linked-list"]
+        with tables.open("wb") as stdout:
+            process = subprocess.Popen(
+                [PROGRAM, "stability", *arguments, "--json", str(path)],
+                stdout=stdout,
+                stderr=subprocess.PIPE,
+                env=environment_without_display(),
+            )
+        stop_when(process, lambda: path.read_text() != "{}", signal.SIGTERM)
+        told = json.loads(path.read_text())
+        self.assertEqual([scene["name"] for scene in told["scenes"]][0], "empty")
+        self.assertEqual(len(told["scenes"]), 2)
+        rows = [(row["scene"], row["method"]) for row in told["results"]]
+        self.assertEqual(rows, [("empty", "blend"), ("empty", "linked-list")])
+        text = tables.read_text()
+        self.assertTrue(text.startswith(told["device"]["renderer"]), text)
+        self.assertIn("\nempty, demo:empty\n", text)
+        self.assertEqual(sum(line.startswith("linked-list") for line in text.split("\n")), 1)
+        self.assertNotIn("Worst", text)
+        self.assertEqual(sorted(self.folder.iterdir()), [tables, path])
+
+    def test_a_pipe_is_written_to_once(self):
+        arguments = ("--scenes", "empty,crossing", "--methods", "blend", "--size", "8x8")
+        result = run("stability", "--quick", *arguments, "--json", "/dev/stdout")
+        self.assert_done(result)
+        self.assertEqual(result.stdout.count(b'"vitrine"'), 1)
 
     def test_where_truth_cannot_run_rows_say_why(self):
         result = run(

@@ -215,10 +215,10 @@ Json ChartHead(const ChartPlan& plan, const Device& device)
   {
     steps.push_back(StepJson(step));
   }
-  head["settings"] = { { "frames", plan.Frames }, { "orbit", OrbitDegrees },
-    { "slowest_frame_ms", plan.SlowestFrame }, { "scene_methods", plan.SceneMethods },
-    { "growth_methods", plan.GrowthMethods }, { "steps", steps },
-    { "failures", FailuresJson(plan.Failures) } };
+  head["settings"] = { { "opacity", plan.Opacity }, { "frames", plan.Frames },
+    { "orbit", OrbitDegrees }, { "slowest_frame_ms", plan.SlowestFrame },
+    { "scene_methods", plan.SceneMethods }, { "growth_methods", plan.GrowthMethods },
+    { "steps", steps }, { "failures", FailuresJson(plan.Failures) } };
   return head;
 }
 

@@ -129,6 +129,7 @@ ChartPlan MakeChartPlan(const ChartChoices& choices)
   plan.GrowthMethods = choices.Methods ? *choices.Methods : FewMethods();
   plan.Failures =
     PlanFailures(choices.IsQuick, choices.IsQuick ? plan.GrowthMethods : plan.SceneMethods);
+  plan.Opacity = choices.Opacity;
   plan.Frames = choices.Frames.value_or(extent.Frames);
   plan.SlowestFrame = extent.SlowestFrame;
   return plan;

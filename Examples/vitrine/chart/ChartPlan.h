@@ -30,6 +30,7 @@ struct ChartPlan
   std::vector<std::string> SceneMethods;
   std::vector<std::string> GrowthMethods;
   StabilitySettings Failures;
+  double Opacity = 1.0; ///< multiplied into what is given
   int Frames = 9;
   double SlowestFrame =
     0.0; ///< milliseconds; a method that takes longer leaves off where its scene grows on
@@ -40,6 +41,7 @@ struct ChartChoices
 {
   bool IsQuick = false;
   std::vector<LoadedInput> Inputs; ///< besides the standard scenes
+  double Opacity = 1.0;            ///< that is multiplied into them
   std::optional<std::vector<std::string>> Methods;
   std::optional<PictureSize> Size; ///< of the scenes; what grows has windows of its own
   std::optional<int> Frames;

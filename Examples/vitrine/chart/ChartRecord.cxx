@@ -4,6 +4,7 @@
 #include "OutputFile.h"
 #include "OutputPicture.h"
 #include "chart/ChartRows.h"
+#include "chart/FirstDifference.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,10 @@ std::optional<Json> ReadDocument(const std::string& path)
   }
   std::ifstream file(path);
   Json document = Json::parse(file, nullptr, /* allow_exceptions= */ false);
+  if (document.is_discarded())
+  {
+    throw InputError(path, "is damaged: it is no JSON; move it, or name another folder");
+  }
   if (!document.is_object() || !document.contains(Head[0].Name) || !HasLists(document))
   {
     throw InputError(path, "is not the chart.json of a chart; move it, or name another folder");
@@ -58,7 +63,7 @@ void CheckRows(const std::string& path, const Json& rows, bool (*isGood)(const J
 {
   if (!std::all_of(rows.begin(), rows.end(), isGood))
   {
-    throw InputError(path, "has rows that are damaged; remove it to measure afresh");
+    throw InputError(path, "has rows that are damaged; empty its folder to measure afresh");
   }
 }
 
@@ -75,11 +80,13 @@ void CheckHead(
 {
   for (const HeadKey& key : Head)
   {
-    if (!document.contains(key.Name) || document[key.Name] != head[key.Name])
+    const std::string difference =
+      FirstDifference(key.Name, document.value(key.Name, Json(nullptr)), head[key.Name]);
+    if (!difference.empty())
     {
       throw InputError(path,
-        std::string("was measured ") + key.Difference + "; name another folder by " + option +
-          ", or remove it to measure afresh");
+        std::string("was measured ") + key.Difference + " (" + difference +
+          "); name another folder by " + option + ", or empty this one to measure afresh");
     }
   }
 }
@@ -98,6 +105,10 @@ ChartRecord::ChartRecord(
   if (const std::optional<Json> before = ReadDocument(this->PathOf(DocumentName)))
   {
     CheckHead(this->PathOf(DocumentName), *before, this->Contents, folderOption);
+  }
+  else
+  {
+    this->CheckThatNoneIsThere({ PageFile, ErrorPlotFile, GrowthPlotFile }, folderOption);
   }
   this->Contents["results"] = Json::array();
   MakeFolder(fs::path(this->PathOf(PicturePath("any"))).parent_path().string());
@@ -153,6 +164,21 @@ std::string ChartRecord::AddPicture(
   const std::string file = PicturePath(name);
   WritePicture(this->PathOf(file), pixels, size);
   return file;
+}
+
+void ChartRecord::CheckThatNoneIsThere(
+  const std::vector<std::string>& files, const std::string& folderOption) const
+{
+  for (const std::string& file : files)
+  {
+    std::error_code error;
+    if (fs::exists(this->PathOf(file), error))
+    {
+      throw InputError(this->PathOf(file),
+        "is of no chart, since no chart.json is beside it; name another folder by " + folderOption +
+          ", or move it");
+    }
+  }
 }
 
 std::string ChartRecord::PathOf(const std::string& file) const

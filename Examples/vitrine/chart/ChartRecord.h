@@ -26,7 +26,7 @@ public:
   /**
    * Begin anew; `head` holds what all of it is measured with ({"vitrine", "device", "settings"}). The folder is made if it is not
    * there. Throws InputError if it cannot be, if one of its files may not be written to, or if it holds a chart.json of something
-   * else, or one that was measured with another head; the message names `folderOption`, by which users name a folder.
+   * else, or one that was measured with another head, or a page or a plot without any; the message names `folderOption`, by which users name a folder.
    */
   ChartRecord(const std::string& folder, const Json& head, const std::string& folderOption);
 
@@ -58,6 +58,8 @@ public:
   const Json& Document() const { return this->Contents; }
 
 private:
+  void CheckThatNoneIsThere(
+    const std::vector<std::string>& files, const std::string& folderOption) const;
   void Save() const;
 
   std::string Folder;

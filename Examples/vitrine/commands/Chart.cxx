@@ -17,6 +17,7 @@ namespace
 struct ChartOptions
 {
   std::vector<std::string> Inputs;
+  std::optional<double> Opacity;
   std::string Out = "chart";
   bool IsQuick = false;
   std::optional<std::string> Methods;
@@ -37,7 +38,8 @@ ChartPlan MakePlan(const ChartOptions& options)
   {
     choices.Size = ParseSize(*options.Size);
   }
-  choices.Inputs = LoadInputs(options.Inputs);
+  choices.Inputs = LoadInputs(options.Inputs, options.Opacity);
+  choices.Opacity = options.Opacity.value_or(1.0);
   return MakeChartPlan(choices);
 }
 
@@ -69,8 +71,9 @@ void AddChartCommand(CLI::App& app)
   CLI::App* command = app.add_subcommand("chart",
     "Measure every method on the standard scenes and on what is given; write a page, plots and "
     "JSON");
-  command->add_option(
+  CLI::Option* inputs = command->add_option(
     "INPUT", options->Inputs, "files, or demo:NAME[,key=value...], besides the standard scenes");
+  AddOpacityOption(*command, options->Opacity)->needs(inputs);
   command->add_option("--out", options->Out, "folder for index.html, *.png and chart.json")
     ->type_name("DIR")
     ->capture_default_str();

@@ -1,6 +1,7 @@
 #include "commands/Comparison.h"
 
 #include "Median.h"
+#include "scene/OpacityAdvice.h"
 #include "scene/Viewpoint.h"
 
 #include <algorithm>
@@ -179,6 +180,7 @@ ComparisonResult CompareMethods(
   ComparisonResult comparison;
   comparison.Scene = scene.Name;
   comparison.Settings = settings;
+  comparison.Advice = OpacityAdvice(scene);
   for (Contestant& contestant : contestants)
   {
     contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();

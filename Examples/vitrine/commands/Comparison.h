@@ -50,6 +50,7 @@ struct ComparisonResult
   Device GL;
   std::vector<MethodResult> Results;
   std::vector<std::uint8_t> TruthPicture; ///< of the first frame; empty if truth cannot run here
+  std::string Advice;                     ///< OpacityAdvice() of the scene
 };
 
 /**

@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "OutputFile.h"
 #include "scene/DemoScene.h"
+#include "scene/OpacityAdvice.h"
 #include "scene/files/SceneFile.h"
 
 #include <algorithm>
@@ -59,6 +60,24 @@ void Append(Scene& scene, Scene&& other)
   scene.Placement.Camera.reset();
   scene.Placement.ClippingRange.reset();
   scene.Expectation.clear();
+}
+
+void Print(const std::string& text)
+{
+  std::cout << text << std::flush;
+  if (!std::cout)
+  {
+    throw RuntimeError("stdout cannot be written");
+  }
+}
+
+void PrintAdvice(const LoadedInput& input)
+{
+  const std::string advice = OpacityAdvice(input.Contents);
+  if (!advice.empty())
+  {
+    std::cerr << "vitrine: note: " << input.Name << ": " << advice << "\n";
+  }
 }
 }
 
@@ -140,14 +159,26 @@ void CheckJsonPath(const std::optional<std::string>& file)
   }
 }
 
+void PrintText(const std::optional<std::string>& file, const std::string& text)
+{
+  if (file != StandardOutput)
+  {
+    Print(text);
+  }
+}
+
+void WriteUnfinished(const std::optional<std::string>& file, const std::string& json)
+{
+  if (file && *file != StandardOutput && CanBeReplaced(*file))
+  {
+    WriteWholeFile(*file, json);
+  }
+}
+
 void WriteReport(
   const std::optional<std::string>& file, const std::string& text, const std::string& json)
 {
-  std::cout << (file == StandardOutput ? json : text) << std::flush;
-  if (!std::cout)
-  {
-    throw RuntimeError("stdout cannot be written");
-  }
+  Print(file == StandardOutput ? json : text);
   if (file && *file != StandardOutput)
   {
     WriteWholeFile(*file, json);
@@ -233,6 +264,7 @@ std::vector<LoadedInput> LoadInputs(
   {
     loaded.push_back({ input, LoadInput(input, opacity) });
     PrintOmissions(loaded.back().Contents);
+    PrintAdvice(loaded.back());
   }
   return loaded;
 }

@@ -50,6 +50,12 @@ void AddJsonOption(CLI::App& command, std::optional<std::string>& file);
 /** Throw InputError if --json names a file that could not be written. */
 void CheckJsonPath(const std::optional<std::string>& file);
 
+/** Print `text`, unless --json is what goes to stdout. Throws RuntimeError if it cannot be written. */
+void PrintText(const std::optional<std::string>& file, const std::string& text);
+
+/** Write `json` where --json says, if that is a file which WriteReport() will replace. Throws InputError if it cannot be written. */
+void WriteUnfinished(const std::optional<std::string>& file, const std::string& json);
+
 /** Print `text`, and write `json` where --json says. Throws InputError or RuntimeError if they cannot be written. */
 void WriteReport(
   const std::optional<std::string>& file, const std::string& text, const std::string& json);
@@ -81,7 +87,7 @@ struct LoadedInput
 
 /**
  * Load each input, so that what cannot be read is told before anything is measured: throws InputError. Prints
- * omissions.
+ * omissions, and which have nothing translucent.
  */
 std::vector<LoadedInput> LoadInputs(
   const std::vector<std::string>& inputs, const std::optional<double>& opacity = std::nullopt);

@@ -124,13 +124,24 @@ void Stability(const StabilityOptions& options)
   result.Settings = ToSettings(options);
   Progress progress;
   StabilityListener listener;
+  listener.Opened = [&](const Device& device)
+  {
+    result.GL = device;
+    PrintText(options.Json, TableHead(result));
+  };
   listener.Begins = [&progress](const std::string& scene, const std::string& method)
   { progress.Show(scene + ": " + method); };
   listener.Finished = [&result](const StabilityCell& cell) { result.Cells.push_back(cell); };
+  listener.SceneFinished = [&](const StabilityScene& scene)
+  {
+    progress.Hide();
+    PrintText(options.Json, SceneTable(scene, result.Cells));
+    WriteUnfinished(options.Json, ToJson(result));
+  };
 
-  result.GL = MeasureStability(result.Settings, listener);
+  MeasureStability(result.Settings, listener);
 
-  WriteReport(options.Json, ToTable(result), ToJson(result));
+  WriteReport(options.Json, WorstTable(result), ToJson(result));
 }
 
 std::string DescribeStabilityScenes()

@@ -3,8 +3,6 @@
 #include "report/ComparisonJson.h"
 #include "report/TextTable.h"
 
-#include <algorithm>
-
 namespace program
 {
 
@@ -66,13 +64,6 @@ double FirstMedian(const ComparisonResult& comparison)
   }
   return 1.0;
 }
-
-bool MayHaveTranslucency(const ComparisonResult& comparison)
-{
-  return std::any_of(comparison.Results.begin(), comparison.Results.end(),
-    [](const MethodResult& result)
-    { return !result.Skipped.empty() || result.Statistics.Fragments.value_or(1) > 0; });
-}
 }
 
 std::string ToTable(const ComparisonResult& comparison)
@@ -86,9 +77,7 @@ std::string ToTable(const ComparisonResult& comparison)
   const PictureSize size = comparison.Settings.Size;
   return comparison.Scene + ", " + std::to_string(size.Width) + "x" + std::to_string(size.Height) +
     ", " + comparison.GL.Renderer + "\n" + AlignColumns(rows) +
-    (MayHaveTranslucency(comparison)
-        ? ""
-        : "Nothing in it is translucent; --opacity 0.3 makes it so.\n");
+    (comparison.Advice.empty() ? "" : comparison.Advice + "\n");
 }
 
 std::string ToJson(const ComparisonResult& comparison)

@@ -83,8 +83,7 @@ PagePicture ReadPagePicture(const std::string& path)
   const RgbPicture picture = DecodePng(bytes);
   if (picture.Pixels.empty())
   {
-    throw InputError(
-      path, "is missing, or no picture; remove chart.json beside its folder to measure afresh");
+    throw InputError(path, "is missing, or no picture; empty the chart's folder to measure afresh");
   }
   const int longest = std::max(picture.Width, picture.Height);
   const int shrink = (longest + LongestSide - 1) / LongestSide;

@@ -78,24 +78,6 @@ std::string Title(const StabilityScene& scene)
   return scene.Name == scene.Input ? scene.Name : scene.Name + ", " + scene.Input;
 }
 
-std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityCell>& cells)
-{
-  std::vector<TextRow> rows = { Head };
-  std::string remarks;
-  for (const StabilityCell& cell : cells)
-  {
-    if (cell.Scene == scene.Name)
-    {
-      rows.push_back(ToCells(cell));
-      remarks += Remarks(cell);
-    }
-  }
-  const std::string expected =
-    scene.Expectation.empty() ? "" : "Expected: " + scene.Expectation + "\n";
-  return rows.size() == 1 ? ""
-                          : Title(scene) + "\n" + expected + AlignColumns(rows) + remarks + "\n";
-}
-
 /** The cell with the largest error, the first of equals; null if none could run. */
 const StabilityCell* WorstOf(const std::vector<StabilityCell>& cells, const std::string& method)
 {
@@ -109,19 +91,6 @@ const StabilityCell* WorstOf(const std::vector<StabilityCell>& cells, const std:
     }
   }
   return worst;
-}
-
-std::string WorstTable(const StabilityResult& result)
-{
-  std::vector<TextRow> rows = { { "method", "worst error/255", "scene", "frames" } };
-  for (const std::string& method : result.Settings.Methods)
-  {
-    const StabilityCell* worst = WorstOf(result.Cells, method);
-    rows.push_back(worst
-        ? TextRow{ method, Steps(worst->WorstError()), worst->Scene, worst->Worst().Frames }
-        : TextRow{ method, "refused in all scenes" });
-  }
-  return "Worst scene of each method:\n" + AlignColumns(rows);
 }
 
 Json FlickerJson(const Flicker& flicker)
@@ -161,14 +130,39 @@ Json SettingsJson(const StabilitySettings& settings)
 }
 }
 
-std::string ToTable(const StabilityResult& result)
+std::string TableHead(const StabilityResult& result)
 {
-  std::string text = result.GL.Renderer + "\n\n";
-  for (const StabilityScene& scene : result.Settings.Scenes)
+  return result.GL.Renderer + "\n\n";
+}
+
+std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityCell>& cells)
+{
+  std::vector<TextRow> rows = { Head };
+  std::string remarks;
+  for (const StabilityCell& cell : cells)
   {
-    text += SceneTable(scene, result.Cells);
+    if (cell.Scene == scene.Name)
+    {
+      rows.push_back(ToCells(cell));
+      remarks += Remarks(cell);
+    }
   }
-  return text + WorstTable(result);
+  const std::string expected =
+    scene.Expectation.empty() ? "" : "Expected: " + scene.Expectation + "\n";
+  return Title(scene) + "\n" + expected + AlignColumns(rows) + remarks + "\n";
+}
+
+std::string WorstTable(const StabilityResult& result)
+{
+  std::vector<TextRow> rows = { { "method", "worst error/255", "scene", "frames" } };
+  for (const std::string& method : result.Settings.Methods)
+  {
+    const StabilityCell* worst = WorstOf(result.Cells, method);
+    rows.push_back(worst
+        ? TextRow{ method, Steps(worst->WorstError()), worst->Scene, worst->Worst().Frames }
+        : TextRow{ method, "refused in all scenes" });
+  }
+  return "Worst scene of each method:\n" + AlignColumns(rows);
 }
 
 Json ToJsonRow(const StabilityCell& cell)

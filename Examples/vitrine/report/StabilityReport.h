@@ -18,11 +18,17 @@ struct StabilityResult
 {
   StabilitySettings Settings;
   Device GL;
-  std::vector<StabilityCell> Cells; ///< scene by scene
+  std::vector<StabilityCell> Cells; ///< scene by scene, as far as they are measured
 };
 
-/** A table for each scene, and each method's worst scene. */
-std::string ToTable(const StabilityResult& result);
+/** What stands before the first table: the device. */
+std::string TableHead(const StabilityResult& result);
+
+/** The table of a scene. */
+std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityCell>& cells);
+
+/** Each method's worst scene. */
+std::string WorstTable(const StabilityResult& result);
 
 /** One cell, without its pictures; {"scene", "method", "width", "height", "skipped", ...} if it could not run. */
 Json ToJsonRow(const StabilityCell& cell);

@@ -227,12 +227,16 @@ void MakeQuick(StabilitySettings& settings)
     settings.Scenes.end());
 }
 
-Device MeasureStability(const StabilitySettings& settings, const StabilityListener& listener)
+void MeasureStability(const StabilitySettings& settings, const StabilityListener& listener)
 {
   const Scene nothing;
   TruthStage single(nothing, settings.Size, 0, settings.Tolerance);
   TruthStage multisampled(nothing, settings.Size, SamplesOfOthers, settings.Tolerance);
-  single.Draw(vtkNew<vtkCamera>()); // for the device, even if all cells are known
+  if (listener.Opened)
+  {
+    single.Draw(vtkNew<vtkCamera>()); // the device is known once something is drawn
+    listener.Opened(single.GetStage().GetDevice());
+  }
   std::map<std::string, Windows> windows;
   for (const StabilityScene& scene : settings.Scenes)
   {
@@ -264,8 +268,11 @@ Device MeasureStability(const StabilitySettings& settings, const StabilityListen
         listener.Finished(cell);
       }
     }
+    if (listener.SceneFinished)
+    {
+      listener.SceneFinished(scene);
+    }
   }
-  return single.GetStage().GetDevice();
 }
 
 }

@@ -139,20 +139,24 @@ void MakeQuick(StabilitySettings& settings);
 /** What is told of cells as they are measured. */
 struct StabilityListener
 {
+  /** Called once, before all else, with the device that draws. */
+  std::function<void(const Device& device)> Opened;
   /** True if a cell is known already and not to be measured. */
   std::function<bool(const std::string& scene, const std::string& method)> IsKnown;
   /** Called before each cell. */
   std::function<void(const std::string& scene, const std::string& method)> Begins;
   /** Called with each cell that is finished. */
   std::function<void(const StabilityCell& cell)> Finished;
+  /** Called after the last cell of each scene. */
+  std::function<void(const StabilityScene& scene)> SceneFinished;
 };
 
 /**
  * Measure each method on each scene, scene by scene. Truth is drawn once for each scene and step. Windows are
  * shared by scenes. Any member of the listener may be empty. Throws InputError for methods that there are not,
- * RuntimeError if there is no OpenGL to draw with. Returns the device that drew.
+ * RuntimeError if there is no OpenGL to draw with.
  */
-Device MeasureStability(const StabilitySettings& settings, const StabilityListener& listener);
+void MeasureStability(const StabilitySettings& settings, const StabilityListener& listener);
 
 }
 #endif
