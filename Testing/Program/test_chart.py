@@ -219,7 +219,11 @@ class ChartOfFiles(FileTest):
         self.assertNotIn(b"translucent", process.said)
         before = (folder / "chart.json").read_bytes()
         result = chart(folder, path, "--opacity", "0.25")
-        self.assert_refused(result, folder / "chart.json", "other settings")
+        words = "with other settings (settings.opacity was 0.5 and is 0.25)"
+        self.assert_refused(result, folder / "chart.json", words)
+        os.utime(path, (0, 0))
+        result = chart(folder, path, "--opacity", "0.5")
+        self.assert_refused(result, f"with other settings ({path} has changed)")
         self.assertEqual((folder / "chart.json").read_bytes(), before)
 
     def test_an_opaque_file_is_told_before_anything_is_measured(self):
@@ -351,7 +355,8 @@ class Refusals(FileTest):
     def test_the_json_of_others_is_left_alone(self):
         for content in (b"", b"{", b"[]", b'{"vitrine": "0"}', b"null"):
             path = self.write("chart.json", content)
-            self.refuse_chart(self.folder, path, "is not the chart.json of a chart")
+            words = "is damaged" if len(content) < 2 else "is not the chart.json of a chart"
+            self.refuse_chart(self.folder, path, words)
             self.assertEqual(path.read_bytes(), content)
 
     def test_the_page_and_the_plots_of_others_are_left_alone(self):
@@ -375,7 +380,8 @@ class Refusals(FileTest):
         self.assertEqual(first.returncode, 0, first.stderr.decode())
         before = (folder / "chart.json").read_bytes()
         for command in ((*compare, "--methods", "vtk-oit", "--chart"), ("chart", *SMALL, "--out")):
-            self.assert_refused(run(*command, folder), "with other settings", command[-1])
+            words = ("with other settings (settings.", " was ", " and is ", command[-1])
+            self.assert_refused(run(*command, folder), *words)
             self.assertEqual((folder / "chart.json").read_bytes(), before)
 
     def test_a_file_in_the_way_of_a_plot_is_told(self):

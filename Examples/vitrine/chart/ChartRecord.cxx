@@ -4,6 +4,7 @@
 #include "OutputFile.h"
 #include "OutputPicture.h"
 #include "chart/ChartRows.h"
+#include "chart/FirstDifference.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,10 @@ std::optional<Json> ReadDocument(const std::string& path)
   }
   std::ifstream file(path);
   Json document = Json::parse(file, nullptr, /* allow_exceptions= */ false);
+  if (document.is_discarded())
+  {
+    throw InputError(path, "is damaged: it is no JSON; move it, or name another folder");
+  }
   if (!document.is_object() || !document.contains(Head[0].Name) || !HasLists(document))
   {
     throw InputError(path, "is not the chart.json of a chart; move it, or name another folder");
@@ -75,11 +80,13 @@ void CheckHead(
 {
   for (const HeadKey& key : Head)
   {
-    if (!document.contains(key.Name) || document[key.Name] != head[key.Name])
+    const std::string difference =
+      FirstDifference(key.Name, document.value(key.Name, Json(nullptr)), head[key.Name]);
+    if (!difference.empty())
     {
       throw InputError(path,
-        std::string("was measured ") + key.Difference + "; name another folder by " + option +
-          ", or empty this one to measure afresh");
+        std::string("was measured ") + key.Difference + " (" + difference +
+          "); name another folder by " + option + ", or empty this one to measure afresh");
     }
   }
 }
