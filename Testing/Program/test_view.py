@@ -11,6 +11,11 @@ class ViewCommand(ProgramTest):
             self.assertEqual(result.stderr.count(b"\n"), 1)
             self.assertIn(b"DISPLAY", result.stderr)
 
+    def test_a_tolerance_is_read_as_in_render(self):
+        result = run("view", "demo:mating", "--coincidence", "16,x")
+        self.assert_refused(result, "--coincidence", "STEPS[,SLOPE]")
+        self.assert_refused(run("view", "demo:mating", "--coincidence", "16,0.01"), "DISPLAY")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -23,8 +23,10 @@ namespace
 class Viewer
 {
 public:
-  Viewer(const Scene& scene, const SceneOptions& options, const std::string& firstMethod)
+  Viewer(const Scene& scene, const SceneOptions& options, const std::string& firstMethod,
+    const Coincidence& tolerance)
     : Names(ParseMethodList(firstMethod + ",all"))
+    , Tolerance(tolerance)
   {
     const PictureSize size = ParseSize(options.Size);
     this->Window->SetSize(size.Width, size.Height);
@@ -77,9 +79,10 @@ private:
       former->ReleaseGraphicsResources(this->Window);
     }
     std::unique_ptr<Method> method = MakeMethod(this->Names[index]);
+    const std::string problem = method->SetCoincidence(this->Tolerance);
     method->Attach(this->Renderer);
     this->Current = std::move(method);
-    std::string text = this->Names[index] + "   (keys:";
+    std::string text = this->Names[index] + (problem.empty() ? "" : ", " + problem) + "   (keys:";
     for (std::size_t i = 0; i < this->Names.size(); ++i)
     {
       text += " " + std::to_string(i + 1) + " " + this->Names[i];
@@ -88,6 +91,7 @@ private:
   }
 
   std::vector<std::string> Names;
+  Coincidence Tolerance;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Label;
@@ -99,17 +103,19 @@ struct ViewOptions
 {
   SceneOptions Scene;
   std::string Method = "linked-list";
+  std::optional<std::string> Coincidence;
 };
 
 void ShowScene(const ViewOptions& options)
 {
+  const Coincidence tolerance = ParseCoincidence(options.Coincidence);
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {
     throw RuntimeError("view needs a display, and DISPLAY is not set; render needs none");
   }
   const Scene scene = LoadScene(options.Scene);
-  Viewer(scene, options.Scene, options.Method).Run();
+  Viewer(scene, options.Scene, options.Method, tolerance).Run();
 }
 }
 
@@ -121,6 +127,7 @@ void AddViewCommand(CLI::App& app)
   command->add_option("--method", options->Method, "the method to begin with")
     ->type_name("M")
     ->capture_default_str();
+  AddCoincidenceOption(*command, options->Coincidence);
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { ShowScene(*options); });
 }
