@@ -202,7 +202,6 @@ class ChartOfFiles(FileTest):
 
         stop_when(process, is_measured, signal.SIGTERM)
 
-
     def test_opacity_is_that_of_files_and_belongs_to_the_settings(self):
         path = self.write("plate.stl", scenes.binary_stl())
         folder = self.folder / "chart"
@@ -362,7 +361,9 @@ class Refusals(FileTest):
     def test_the_page_and_the_plots_of_others_are_left_alone(self):
         for name in ("index.html", "error.png", "growth.png"):
             path = self.write(name, b"mine")
-            self.refuse_chart(self.folder, path, "no chart.json is beside it", "another folder by --")
+            self.refuse_chart(
+                self.folder, path, "no chart.json is beside it", "another folder by --"
+            )
             self.assertEqual([file.read_bytes() for file in self.folder.iterdir()], [b"mine"])
             path.unlink()
 
