@@ -6,45 +6,50 @@
 #include "transparency/ShaderText.h"
 
 #include <cassert>
+#include <vector>
 
 namespace vitrine
 {
 namespace
 {
 
-// The tags are in our own shaders, so a missing one is an error in the program.
-void Fill(std::string& source, const char* tag, const std::string& text)
+struct TagText
 {
-  const std::string problem = ReplaceTag(source, std::string("//Vitrine::") + tag, text);
-  assert(problem.empty());
-  (void)problem;
+  const char* Tag;
+  std::string Text;
+};
+
+// The tags are in our own shaders, so a missing one is an error in the program.
+std::string Filled(std::string source, const std::vector<TagText>& texts)
+{
+  for (const TagText& text : texts)
+  {
+    const std::string problem =
+      ReplaceTag(source, std::string("//Vitrine::") + text.Tag, text.Text);
+    assert(problem.empty());
+    (void)problem;
+  }
+  return source;
 }
 
 // A resolve of any number of fragments, in blocks of `block`.
-std::string ResolveLong(std::string source, int block)
+std::string ResolveLong(const char* source, int block)
 {
   const LongResolveText text = UnrollLongResolve(block);
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "ClearNearest", text.ClearNearest);
-  Fill(source, "LoadBlock", text.LoadBlock);
-  Fill(source, "SortBlock", text.SortBlock);
-  Fill(source, "MergeBlock", text.MergeBlock);
-  Fill(source, "Blend", text.Blend);
-  Fill(source, "CountSame", text.CountSame);
-  Fill(source, "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";");
-  return source;
+  return Filled(source,
+    { { "Declare", text.Declare }, { "ClearNearest", text.ClearNearest },
+      { "LoadBlock", text.LoadBlock }, { "SortBlock", text.SortBlock },
+      { "MergeBlock", text.MergeBlock }, { "Blend", text.Blend }, { "CountSame", text.CountSame },
+      { "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";" } });
 }
 
 // A resolve of lists of up to `size` nodes, by one network.
-std::string Resolve(std::string source, int size, int pageSize)
+std::string Resolve(const char* source, int size, int pageSize)
 {
   const ResolveText text = UnrollResolve(size, pageSize);
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "Load", text.Load);
-  Fill(source, "Sort", text.Sort);
-  Fill(source, "OrderTies", text.OrderTies);
-  Fill(source, "Blend", text.Blend);
-  return source;
+  return Filled(source,
+    { { "Declare", text.Declare }, { "Load", text.Load }, { "Sort", text.Sort },
+      { "OrderTies", text.OrderTies }, { "Blend", text.Blend } });
 }
 
 }
@@ -62,36 +67,26 @@ std::string StencilMaskSource(int layers)
 std::string SortRunsSource(int size, int pageSize)
 {
   const SortRunsText text = UnrollSortRuns(size, pageSize);
-  std::string source = shaders::ListSortRuns;
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "Load", text.Load);
-  Fill(source, "Sort", text.Sort);
-  Fill(source, "Store", text.Store);
-  return source;
+  return Filled(shaders::ListSortRuns,
+    { { "Declare", text.Declare }, { "Load", text.Load }, { "Sort", text.Sort },
+      { "Store", text.Store } });
 }
 
 std::string SortLongRunsSource(int block, int pageSize)
 {
   const SortLongRunsText text = UnrollSortLongRuns(block, pageSize);
-  std::string source = shaders::ListSortLongRuns;
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "ClearNearest", text.ClearNearest);
-  Fill(source, "Load", text.Load);
-  Fill(source, "Sort", text.Sort);
-  Fill(source, "Merge", text.Merge);
-  Fill(source, "Store", text.Store);
-  Fill(source, "StoreNearest", text.StoreNearest);
-  return source;
+  return Filled(shaders::ListSortLongRuns,
+    { { "Declare", text.Declare }, { "ClearNearest", text.ClearNearest }, { "Load", text.Load },
+      { "Sort", text.Sort }, { "Merge", text.Merge }, { "Store", text.Store },
+      { "StoreNearest", text.StoreNearest } });
 }
 
 std::string MergeRunsSource(int runs)
 {
   const MergeRunsText text = UnrollMergeRuns(runs, VITRINE_RUN_GROUP);
-  std::string source = shaders::ListMergeRuns;
-  Fill(source, "Declare", text.Declare);
-  Fill(source, "FindNearest", text.FindNearest);
-  Fill(source, "PutBack", text.PutBack);
-  return source;
+  return Filled(shaders::ListMergeRuns,
+    { { "Declare", text.Declare }, { "FindNearest", text.FindNearest },
+      { "PutBack", text.PutBack } });
 }
 
 std::string RoutedNetworkSource(int size)

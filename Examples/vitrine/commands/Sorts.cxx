@@ -1,6 +1,7 @@
 #include "commands/Commands.h"
 
 #include "Errors.h"
+#include "Join.h"
 #include "OutputPicture.h"
 #include "commands/Options.h"
 #include "report/SortPlot.h"
@@ -33,16 +34,6 @@ std::vector<std::string> AllNames()
     names.push_back(vitrine::NameOf(sort));
   }
   return names;
-}
-
-std::string Join(const std::vector<std::string>& names)
-{
-  std::string list;
-  for (const std::string& name : names)
-  {
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
 }
 
 /** Without what is there already. */

@@ -1,6 +1,7 @@
 #include "stability/Stability.h"
 
 #include "Errors.h"
+#include "Join.h"
 #include "Progress.h"
 #include "commands/Commands.h"
 #include "commands/Options.h"
@@ -31,12 +32,7 @@ struct StabilityOptions
 
 std::string ListScenes()
 {
-  std::string names;
-  for (const StabilityScene& scene : StabilityScenes())
-  {
-    names += (names.empty() ? "" : ", ") + scene.Name;
-  }
-  return names;
+  return Join(StabilityScenes(), [](const StabilityScene& scene) { return scene.Name; });
 }
 
 std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)

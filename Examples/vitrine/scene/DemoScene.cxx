@@ -1,6 +1,7 @@
 #include "scene/DemoScene.h"
 
 #include "Errors.h"
+#include "Join.h"
 #include "scene/DemoTable.h"
 
 #include <charconv>
@@ -17,12 +18,7 @@ const std::string Prefix = "demo:";
 template <typename Items>
 std::string JoinNames(const Items& items)
 {
-  std::string names;
-  for (const auto& item : items)
-  {
-    names += (names.empty() ? "" : ", ") + item.Name;
-  }
-  return names;
+  return Join(items, [](const auto& item) { return item.Name; });
 }
 
 std::vector<std::string> Split(const std::string& text, char separator)

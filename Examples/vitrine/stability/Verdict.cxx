@@ -1,5 +1,6 @@
 #include "stability/Verdict.h"
 
+#include "Join.h"
 #include "report/TextTable.h"
 
 #include <algorithm>
@@ -75,16 +76,6 @@ std::string InSteps(double value)
   return FormatCell("%.1f/255", 255.0 * value);
 }
 
-std::string Join(const std::vector<std::string>& words, const std::string& separator)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : separator) + word;
-  }
-  return text;
-}
-
 /** The windows in which there is no truth to judge by. */
 std::string NotJudged(const StabilityCell& cell)
 {
@@ -96,7 +87,7 @@ std::string NotJudged(const StabilityCell& cell)
       names.push_back(other.Name);
     }
   }
-  return Join(names, ", ");
+  return Join(names);
 }
 
 std::string Describe(const StabilityCell& cell)

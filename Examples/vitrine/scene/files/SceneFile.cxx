@@ -1,6 +1,7 @@
 #include "scene/files/SceneFile.h"
 
 #include "Errors.h"
+#include "Join.h"
 #include "VTKMessages.h"
 #include "scene/files/FileBytes.h"
 #include "scene/files/FileReaders.h"
@@ -193,12 +194,7 @@ Scene ReadSceneFile(const std::string& path)
 
 std::string ListFileTypes()
 {
-  std::string list;
-  for (const FileType& type : FileTypes())
-  {
-    list += (list.empty() ? "" : ", ") + type.Extension;
-  }
-  return list;
+  return Join(FileTypes(), [](const FileType& type) { return type.Extension; });
 }
 
 Scene MakeSinglePartScene(const std::string& path, vtkPolyData* geometry)
