@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -51,6 +52,13 @@ class Table(unittest.TestCase):
         for entry in table.values():
             with self.subTest(mutant=entry.name):
                 entry.check(ROOT)
+
+    def test_is_what_is_documented(self):
+        """A mutant that is changed has to be run again for its row."""
+        table = mutants.read_table((ROOT / mutants.TABLE).read_text(encoding="utf-8"))
+        text = (ROOT / "docs/testing.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| (.*?) \| `(.*?)` \| noticed \| .*? \|$", text, re.MULTILINE)
+        self.assertEqual(rows, [(entry.broken, entry.file) for entry in table.values()])
 
     def test_is_refused_where_it_does_not_fit(self):
         with tempfile.TemporaryDirectory() as folder:

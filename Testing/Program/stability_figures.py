@@ -14,7 +14,8 @@ import re
 from program import run
 
 FILE = pathlib.Path(__file__).with_name("stability_figures.csv")
-EXACT = ["linked-list", "prefix-sum-predicted-compact", "stencil-routed"]
+EXACT = ["linked-list", "prefix-sum", "prefix-sum-predicted"]
+EXACT += [f"{method}-compact" for method in EXACT] + ["stencil-routed"]
 APPROXIMATE = ["blend", "vtk-oit", "vtk-peeling", "linked-list-8bit", "stencil-mask-8"]
 SCENES = [
     "coincident",
@@ -25,6 +26,7 @@ SCENES = [
     "large-coordinates",
     "inside",
     "at-face",
+    "parallel",
     "needles-few",
     "slivers",
     "opaque",
@@ -35,8 +37,10 @@ SCENES = [
     "empty",
     "zoom",
     "window-1x1",
+    "stack-17-alpha-0",
     "stack-17-alpha-0.01",
     "stack-17-alpha-0.5",
+    "stack-17-alpha-1",
 ]
 COLUMNS = ["scene", "method", "outcome", "error", "worst", "wrong", "repeated", "shuffled"]
 COLUMNS += ["shift", "shift_excess", "turn", "turn_excess"]

@@ -9,7 +9,7 @@ namespace program
 namespace
 {
 const TextRow Head = { "method", "error/255", "wrong pixels", "repeated", "shuffled",
-  "shift/255 (truth)", "changed % (truth)", "turn/255 (truth)", "changed % (truth)", "verdict" };
+  "shift/255 (truth)", "shift % (truth)", "turn/255 (truth)", "turn % (truth)", "verdict" };
 
 std::string Steps(double value)
 {
