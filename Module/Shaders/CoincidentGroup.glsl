@@ -40,7 +40,7 @@ precise float groupOpacity; // 1 - groupThrough, to the last bit of the faintest
 float nearEnd(Fragment f)
 {
 #ifdef VITRINE_COMPACT_NODES
-  return vitrineExpandDepth(f.key >> 7);
+  return vitrineExpandDepth(f.key);
 #else
   return uintBitsToFloat(f.key);
 #endif

@@ -18,7 +18,7 @@
 #define KEY uint
 #define PRECISE precise
 #ifdef VITRINE_COMPACT_NODES
-#define NO_KEY 0xffffff80u // no depth, and an alpha of 0
+#define NO_KEY 0xffffffc0u // no depth, and an alpha of 0
 #else
 #define NO_KEY 0xffffffffu
 #endif

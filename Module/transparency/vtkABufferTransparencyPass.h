@@ -47,8 +47,8 @@ public:
     /// RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up, and in floating-point
     /// targets colours end at 1.
     EIGHT_BIT = 1,
-    /// 39 bits, which with 25 of depth make 8 bytes a fragment in all: exact to 8-bit pictures, as HALF_FLOAT is, but
-    /// with half a step more at most. Depths below 1/8 are kept in steps of 2^-26, a quarter of a 24-bit depth buffer's. In
+    /// 38 bits, which with 26 of depth make 8 bytes a fragment in all: exact to 8-bit pictures, as HALF_FLOAT is, but
+    /// with half a step more at most. Depths below 1/128 are kept in steps of 2^-30, a 64th of a 24-bit depth buffer's. In
     /// floating-point targets colours are kept as HALF_FLOAT does.
     COMPACT = 2
   };

@@ -124,31 +124,6 @@ TEST_P(FaintLayers, AddUp)
 }
 
 // 8 bits round this alpha by a fiftieth.
-// Alphas that lie just below one that compact nodes have: kept as that one, they leave the picture's own rounding alone.
-TEST(CompactNodes, KeepTheNearestAlpha)
-{
-  TestScene scene(4, 4);
-  vtkNew<vtkLinkedListTransparencyPass> pass;
-  pass->SetColorStorageToCompact();
-  std::vector<vtkSmartPointer<vtkActor>> plates;
-  for (const double z : { -0.4, -0.2, 0.0, 0.2 })
-  {
-    plates.push_back(scene.AddPlate(z, { 1.0, 0.0, 1.0, 0.5 }));
-  }
-  scene.Use(pass);
-  for (int code = 0; code < 100; ++code)
-  {
-    SCOPED_TRACE(code);
-    const double alpha = 0.25 * (1.0 + (code + 0.95) / 256.0);
-    for (const auto& plate : plates)
-    {
-      plate->GetProperty()->SetOpacity(alpha);
-    }
-    const std::vector<Rgba> stack(plates.size(), { 1.0, 0.0, 1.0, alpha });
-    ExpectColor(UniformColor(scene.Render()), CompositePlates(stack, TestBackground), 0.55);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Methods, FaintLayers,
   testing::ValuesIn(MethodsThat(
     [](const Method& method) { return !method.KeepsEightBits() && method.Keeps(1000); })),

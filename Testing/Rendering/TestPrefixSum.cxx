@@ -36,15 +36,13 @@ protected:
   }
   int NodeBytes() const { return GetParam() == vtkPrefixSumTransparencyPass::HALF_FLOAT ? 12 : 8; }
 
-  // The window depth, below 1/8, of a node's first word.
+  // The window depth, from 1/128 on, of a node's first word.
   float Depth(std::uint32_t word) const
   {
-    if (GetParam() == vtkPrefixSumTransparencyPass::COMPACT)
-    {
-      return std::ldexp(static_cast<float>(word >> 7), -26);
-    }
+    const std::uint32_t bits =
+      GetParam() == vtkPrefixSumTransparencyPass::COMPACT ? (word >> 6) + 0x3b800000u : word;
     float depth = 0.0f;
-    std::memcpy(&depth, &word, sizeof(depth));
+    std::memcpy(&depth, &bits, sizeof(depth));
     return depth;
   }
 };
