@@ -182,7 +182,7 @@ private:
       }
       if (slot == OctreeNode::OwnSlot)
       {
-        EXPECT_TRUE(page.Nodes[node.Child(slot)].IsLeaf());
+        EXPECT_NE(page.Nodes[node.Child(slot)].Kind(), OctreeNode::Kinds::Inner);
         this->CheckNode(page, node.Child(slot), cell, depth, below);
       }
       else

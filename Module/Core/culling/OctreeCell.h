@@ -50,6 +50,14 @@ struct OctreeCell
     return cell;
   }
 
+  /** Whether a point is in this cell and in no other beside it. The point is finite. */
+  bool Has(const glm::vec3& point) const
+  {
+    return point.x >= this->Extent.Min.x && point.x < this->Extent.Max.x &&
+      point.y >= this->Extent.Min.y && point.y < this->Extent.Max.y &&
+      point.z >= this->Extent.Min.z && point.z < this->Extent.Max.z;
+  }
+
   /** The sides of the split planes that a box has points on: bits 0 to 2 low in x, y, z, bits 3 to 5 high. */
   unsigned SidesOf(const Box& box) const
   {
