@@ -141,6 +141,38 @@ TEST(OctreeCell, OctantsPartSpace)
   EXPECT_EQ(root.OctantsFor({ { 1, 1, 1 }, { 1, 1, 4 } }), 1u << 7);
 }
 
+TEST(OctreeCell, IsNotDividedBelowWhatFloatsTellApart)
+{
+  const float next = std::nextafter(1.0f, 2.0f);
+  OctreeCell cell = OctreeCell::Around({ glm::vec3(-1), glm::vec3(1.5f) });
+  for (int depth = 0; depth < 100; ++depth)
+  {
+    cell = cell.Octant(cell.OctantsFor({ glm::vec3(next), glm::vec3(next) }) == 1 ? 0 : 7);
+    ASSERT_TRUE(cell.Has(glm::vec3(next)));
+  }
+  EXPECT_FALSE(cell.IsDivisible());
+  EXPECT_FALSE(cell.Has(glm::vec3(1.0f)));
+  EXPECT_FALSE(cell.Has(glm::vec3(std::nextafter(next, 2.0f))));
+}
+
+TEST(Octree, OfBoxesAsCloseAsFloatsCanBeIsDivided)
+{
+  std::vector<Box> boxes;
+  float place = 1;
+  for (int i = 0; i < 200; ++i)
+  {
+    boxes.push_back({ glm::vec3(place, 0, 0), glm::vec3(place, 0, 0) });
+    place = std::nextafter(place, 2.0f);
+  }
+  boxes.push_back({ glm::vec3(-3e38f), glm::vec3(2.7e38f) });
+  boxes.push_back({ glm::vec3(-7e30f), glm::vec3(-7e30f) });
+  const Octree tree(ViewOf(boxes), 2);
+  CheckTree(tree, boxes);
+  Recorder recorder;
+  WalkFrontToBack(tree, OrderFromEye(glm::vec3(0)), recorder);
+  EXPECT_LT(recorder.Items.size(), 1000u);
+}
+
 TEST(Octree, OfNothingIsEmpty)
 {
   EXPECT_TRUE(Octree().IsEmpty());
@@ -174,6 +206,24 @@ TEST(Octree, DoesNotSplitWhatHasAPointInCommon)
     fan.push_back({ glm::vec3(0), glm::vec3(i, 1000 - i, 1) });
   }
   EXPECT_EQ(Octree(ViewOf(fan), 4).TopPage().Nodes.size(), 1u);
+}
+
+TEST(Octree, DoesNotSplitAFewForLeavesThatListThemOverAndOver)
+{
+  // Overlapping boxes, a third of the row long each.
+  std::vector<Box> boxes;
+  for (int i = 0; i < 16; ++i)
+  {
+    boxes.push_back({ glm::vec3(i), glm::vec3(i + 5) });
+  }
+  EXPECT_EQ(Octree(ViewOf(boxes), 4).TopPage().Nodes.size(), 1u);
+  EXPECT_GT(Octree(ViewOf(boxes), 3).TopPage().Nodes.size(), 1u);
+  // Apart, they are split.
+  for (Box& box : boxes)
+  {
+    box.Max = box.Min + 0.5f;
+  }
+  EXPECT_GT(Octree(ViewOf(boxes), 4).TopPage().Nodes.size(), 1u);
 }
 
 TEST(Octree, KeepsLongItemsOutOfSmallCells)

@@ -19,9 +19,10 @@ namespace vitrine
  * H. Samet: Applications of spatial data structures, 1990)
  *
  * A node is split while it holds more than a set number of items. Items are not cut: one stands in every leaf whose cell
- * its box has points in, and ItemMarks tell who has seen it already. Two rules bound how often that is. An item longer
- * than a cell's edge is not handed to the cell's octants but stays in a list of its own, which is a leaf beside them. And
- * a node whose boxes all have a point in common is not split, since some octant would hold them all again.
+ * its box has points in, and ItemMarks tell who has seen it already. Three rules bound how often that is. An item longer
+ * than a cell's edge is not handed to the cell's octants but stays in a list of its own, which is a leaf beside them. A
+ * node whose boxes all have a point in common is not split, since some octant would hold them all again. And neither is one
+ * with up to four times the set number where its octants would list its items more than 2.5 times over.
  *
  * An item whose box is empty or not finite has no place; it stands in a list of its own. Every question to a tree
  * (OctreeQueries.h and its like) considers it, the walk (OctreeWalk.h) does not.
@@ -40,8 +41,8 @@ public:
 
   /**
    * Builds the tree of all items.
-   * @param leafSize  how many items a node holds at most without being split. Of triangles of a mesh, which overlap
-   *                  their neighbours' cells, half as many would take twice the memory; parts may take fewer.
+   * @param leafSize  how many items a node holds at most without being split. Triangles of a mesh reach into their
+   *                  neighbours' cells: half as many to a leaf would take twice the memory. For parts, 16 is few enough.
    */
   explicit Octree(const ItemBoxes& boxes, std::uint32_t leafSize = DefaultLeafSize);
 

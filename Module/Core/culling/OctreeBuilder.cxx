@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -22,6 +23,10 @@ constexpr std::size_t FirstCopyShare = 4;
 constexpr std::size_t NextCopyShare = 12;
 // and not where so few of them are about: 400 kB stay in the second cache.
 constexpr std::size_t FewBoxes = 16384;
+
+// A node that would make only a few leaves is not split where these would list its items so many times over.
+constexpr std::size_t FewLeaves = 4;
+constexpr double MostRepetition = 2.5;
 
 struct LowestBits
 {
@@ -246,8 +251,11 @@ bool OctreeBuilder::Scatter(const OctreeCell& cell, const Range& range, Slots& s
   counter.Flush();
   const std::array<std::size_t, OctreeNode::OwnSlot + 1> counts = counter.BySlot();
   const std::size_t largest = *std::max_element(counts.begin(), counts.end());
-  const bool isInVain = counts[OctreeNode::OwnSlot] == range.Size() ||
-    (largest == range.Size() && this->HaveCommonPoint(range));
+  const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t{ 0 });
+  const bool isMostlyRepeated =
+    sum > MostRepetition * range.Size() && range.Size() <= FewLeaves * this->LeafSize;
+  const bool isInVain = isMostlyRepeated || counts[OctreeNode::OwnSlot] == range.Size() ||
+    (largest == range.Size() && (!cell.IsDivisible() || this->HaveCommonPoint(range)));
   if (isInVain)
   {
     return false;

@@ -20,7 +20,9 @@ namespace vitrine
 struct OctreeCell
 {
   Box Extent = Box::Everything(); ///< its points and those on its high sides
-  glm::vec3 Centre{ 0.0f };       ///< where it is split
+  glm::vec3 Centre{
+    0.0f
+  }; ///< where it is split; infinite on axes that it is too small for, where all is low
   float Half = 1.0f; ///< half of an edge; for outermost cells, of the part around the centre
 
   /** The cell of a root: all of space, its centre that of a placeable box. */
@@ -44,10 +46,21 @@ struct OctreeCell
     for (int axis = 0; axis < 3; ++axis)
     {
       const bool isHigh = (octant >> axis & 1) != 0;
-      (isHigh ? cell.Extent.Min : cell.Extent.Max)[axis] = this->Centre[axis];
-      cell.Centre[axis] += isHigh ? cell.Half : -cell.Half;
+      float& side = (isHigh ? cell.Extent.Min : cell.Extent.Max)[axis];
+      side = isHigh ? this->Centre[axis] : std::min(side, this->Centre[axis]);
+      float& centre = cell.Centre[axis];
+      centre += isHigh ? cell.Half : -cell.Half;
+      const bool isInside = cell.Extent.Min[axis] < centre && centre < cell.Extent.Max[axis];
+      centre = isInside ? centre : std::numeric_limits<float>::infinity();
     }
     return cell;
+  }
+
+  /** Whether the cell is larger than what floats can tell apart. */
+  bool IsDivisible() const
+  {
+    return std::min({ this->Centre.x, this->Centre.y, this->Centre.z }) <
+      std::numeric_limits<float>::infinity();
   }
 
   /** Whether a point is in this cell and in no other beside it. The point is finite. */

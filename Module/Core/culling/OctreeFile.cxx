@@ -344,15 +344,15 @@ OctreePage OctreeFile::Read(std::uint32_t number) const
   {
     Fail(this->Path, "page " + std::to_string(number) + " of the octree is damaged");
   }
-  if (!this->IsSound(page, number == 0))
+  if (!IsSound(page, number == 0, this->ItemCount, this->PageCount()))
   {
     Fail(this->Path, "page " + std::to_string(number) + " of the octree was made of other items");
   }
   return page;
 }
 
-// Whether a walk through the page comes to an end and never leaves it.
-bool OctreeFile::IsSound(const OctreePage& page, bool isTop) const
+bool OctreeFile::IsSound(
+  const OctreePage& page, bool isTop, std::uint32_t itemCount, std::uint32_t pageCount)
 {
   struct Visited
   {
@@ -389,7 +389,7 @@ bool OctreeFile::IsSound(const OctreePage& page, bool isTop) const
       }
       for (std::uint32_t i = 0; i < node.Count(); ++i)
       {
-        if (page.ItemsOf(node)[i] >= this->ItemCount)
+        if (page.ItemsOf(node)[i] >= itemCount)
         {
           return false;
         }
@@ -397,7 +397,7 @@ bool OctreeFile::IsSound(const OctreePage& page, bool isTop) const
     }
     else if (node.Kind() == OctreeNode::Kinds::Stored)
     {
-      if (!isTop || node.First == 0 || node.First >= this->PageCount())
+      if (!isTop || node.First == 0 || node.First >= pageCount)
       {
         return false;
       }

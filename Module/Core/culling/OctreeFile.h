@@ -47,6 +47,13 @@ public:
   /** Safe to be called by several threads. @throws std::runtime_error if the file is truncated or damaged */
   OctreePage Read(std::uint32_t page) const;
 
+  /**
+   * Whether a walk through a page comes to an end and finds only nodes, lists and items that are there.
+   * @param isTop  whether it is the top of a tree, which alone may be empty and may stand on other pages
+   */
+  static bool IsSound(
+    const OctreePage& page, bool isTop, std::uint32_t itemCount, std::uint32_t pageCount);
+
   /** Where a page lies in the file. */
   struct PagePlace
   {
@@ -57,8 +64,6 @@ public:
   };
 
 private:
-  bool IsSound(const OctreePage& page, bool isTop) const;
-
   std::filesystem::path Path;
   std::uint32_t ItemCount;
   mutable std::mutex Access;
