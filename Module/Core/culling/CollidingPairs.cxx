@@ -133,32 +133,53 @@ private:
 
   void PairLeaves(const Place& first, const Place& second)
   {
-    this->ReadBoxes(first, this->FirstBoxes, this->FirstOfLeaf);
-    this->ReadBoxes(second, this->SecondBoxes, this->SecondOfLeaf);
-    for (std::uint32_t i = 0; i < first.Node->Count() && !this->IsDone; ++i)
+    this->FirstOfLeaf.Read(first, this->FirstBoxes, second.Node->Bounds);
+    this->SecondOfLeaf.Read(second, this->SecondBoxes, first.Node->Bounds);
+    for (std::size_t i = 0; i < this->FirstOfLeaf.Items.size() && !this->IsDone; ++i)
     {
-      const Box& box = this->FirstOfLeaf[i];
-      if (!Touches(box, second.Node->Bounds))
+      const Box& box = this->FirstOfLeaf.Boxes[i];
+      for (std::size_t j = 0; j < this->SecondOfLeaf.Items.size(); ++j)
       {
-        continue;
-      }
-      for (std::uint32_t j = 0; j < second.Node->Count(); ++j)
-      {
-        const Box& other = this->SecondOfLeaf[j];
-        const glm::vec3 corner = box.ClippedTo(other).Min;
-        if (Touches(box, other) && first.Cell.Has(corner) && second.Cell.Has(corner))
+        const Box& other = this->SecondOfLeaf.Boxes[j];
+        if (!Touches(box, other))
         {
-          this->Offer(first.Page->ItemsOf(*first.Node)[i], second.Page->ItemsOf(*second.Node)[j]);
+          continue;
+        }
+        const glm::vec3 corner = box.ClippedTo(other).Min;
+        if (first.Cell.Has(corner) && second.Cell.Has(corner))
+        {
+          this->Offer(this->FirstOfLeaf.Items[i], this->SecondOfLeaf.Items[j]);
         }
       }
     }
   }
 
-  static void ReadBoxes(const Place& leaf, const ItemBoxes& boxes, std::vector<Box>& read)
+  // Items of a leaf and their boxes.
+  struct Candidates
   {
-    read.resize(leaf.Node->Count());
-    boxes.Read(leaf.Page->ItemsOf(*leaf.Node), leaf.Node->Count(), read.data());
-  }
+    std::vector<std::uint32_t> Items;
+    std::vector<Box> Boxes;
+
+    // Reads those that touch a box.
+    void Read(const Place& leaf, const ItemBoxes& boxes, const Box& near)
+    {
+      const std::uint32_t* items = leaf.Page->ItemsOf(*leaf.Node);
+      this->Items.assign(items, items + leaf.Node->Count());
+      this->Boxes.resize(this->Items.size());
+      boxes.Read(this->Items.data(), this->Items.size(), this->Boxes.data());
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < this->Items.size(); ++i)
+      {
+        if (Touches(this->Boxes[i], near))
+        {
+          this->Items[kept] = this->Items[i];
+          this->Boxes[kept++] = this->Boxes[i];
+        }
+      }
+      this->Items.resize(kept);
+      this->Boxes.resize(kept);
+    }
+  };
 
   const Octree& First;
   const ItemBoxes& FirstBoxes;
@@ -166,8 +187,8 @@ private:
   const ItemBoxes& SecondBoxes;
   std::function<bool(std::uint32_t, std::uint32_t)> IsDoneAfter;
   bool IsDone = false;
-  std::vector<Box> FirstOfLeaf;
-  std::vector<Box> SecondOfLeaf;
+  Candidates FirstOfLeaf;
+  Candidates SecondOfLeaf;
 };
 
 }
