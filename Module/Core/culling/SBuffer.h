@@ -1,0 +1,121 @@
+#ifndef VITRINE_CORE_S_BUFFER_H
+#define VITRINE_CORE_S_BUFFER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * What an occluder surely covers of a line of an s-buffer: all of the line's height from Left to Right, in columns. Depth
+ * is reversed, 1 at the near plane and 0 at the far one, and linear between the ends; what is drawn is nowhere farther.
+ */
+struct Segment
+{
+  float Left;
+  float Right;
+  float LeftDepth;
+  float RightDepth;
+  std::uint32_t Face; ///< whose it is, any number of the caller's
+};
+
+/** A part of a line, and what covers it. */
+struct Span
+{
+  float Left;
+  float Right;
+  float Depth; ///< reversed, at Left
+  float Slope; ///< of the depth, per column
+  std::uint32_t Face;
+  std::uint32_t Next; ///< the next one to the right in the same tile, or NoSpan
+
+  float DepthAt(float x) const { return this->Depth + this->Slope * (x - this->Left); }
+};
+
+/** A rectangle of the screen and the nearest that may stand there. Lines and columns count from 0 and are real. */
+struct ScreenRectangle
+{
+  float Left;
+  float Right;
+  float Bottom;
+  float Top;
+  float Nearest; ///< the greatest reversed depth
+};
+
+/** Counts since Clear(). */
+struct SBufferCounts
+{
+  std::uint64_t Inserted = 0;    ///< segments
+  std::uint64_t Comparisons = 0; ///< of two depths at one place
+  std::uint64_t Refused = 0;     ///< pieces of segments for which there was no span left
+};
+
+/**
+ * An s-buffer: for each line of the screen the spans that are covered, sorted, each by the nearest face known there
+ * (A. V. Boreskov, the hierarchical s-buffer). A line is thick: it
+ * stands for all the pixels in it, and a span covers all of them. Ends of spans are real numbers, so columns set
+ * nothing but the unit.
+ *
+ * Lines are cut into tiles of TileWidth columns with a list each, and the least depth of all that covers a tile, if it is
+ * full. Most questions are answered by the latter.
+ *
+ * Spans come from a pool. Once it is used up, nothing is inserted any more: less is hidden, never too much.
+ */
+class SBuffer
+{
+public:
+  static constexpr std::uint32_t NoSpan = 0xffffffffu;
+  static constexpr int TileWidth = 8;
+
+  /** With that many columns and lines, both at least 1. */
+  SBuffer(int columns, int lines, std::size_t mostSpans = 1u << 20);
+
+  int Columns() const { return this->ColumnCount; }
+  int Lines() const { return this->LineCount; }
+
+  /** Nothing is covered. */
+  void Clear();
+
+  /** Keep what of `segment` is nearer than what is there. Segments without length or that are not finite are left out. */
+  void Insert(int line, const Segment& segment);
+
+  /** Whether all of the rectangle is covered by what is nearer by more than `margin`. Beyond the screen nothing shows. */
+  bool Hides(const ScreenRectangle& rectangle, float margin);
+
+  /** The spans of a line, from left to right. */
+  std::vector<Span> SpansOf(int line) const;
+
+  const SBufferCounts& Counts() const { return this->Counted; }
+
+private:
+  struct Tile
+  {
+    std::uint32_t First;
+    float Least; ///< of the depth, NotFull, or NotKnown
+  };
+
+  class Insertion;
+
+  std::uint32_t Allocate();
+  void Free(std::uint32_t span);
+  bool LineHides(int line, float left, float right, float nearest);
+  float LeastOf(const Tile& tile, float left, float right) const;
+  bool TileHides(const Tile& tile, float left, float right, float nearest) const;
+
+  int ColumnCount;
+  int LineCount;
+  int TilesPerLine;
+  std::vector<Tile> Tiles;
+  std::size_t MostSpans;
+  std::unique_ptr<Span[]> Pool; ///< not written before it is used
+  std::size_t Used = 0;
+  std::uint32_t FirstFree = NoSpan;
+  SBufferCounts Counted;
+};
+
+}
+
+#endif

@@ -1,0 +1,180 @@
+#include "Core/culling/ScreenProjection.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace
+{
+
+using vitrine::Box;
+using vitrine::ScreenProjection;
+using vitrine::ScreenRectangle;
+using Place = vitrine::ScreenProjection::Place;
+
+const int Columns = 480;
+const int Lines = 270;
+
+/** The eye at the origin looks along -z, 90 degrees high, from 1 to 101. */
+glm::dmat4 Perspective()
+{
+  return glm::perspective(glm::radians(90.0), double(Columns) / Lines, 1.0, 101.0);
+}
+
+glm::dvec3 CornerOf(const Box& box, int i)
+{
+  return { i & 1 ? box.Max.x : box.Min.x, i & 2 ? box.Max.y : box.Min.y,
+    i & 4 ? box.Max.z : box.Min.z };
+}
+
+/** In doubles: column, line, reversed depth, w. */
+glm::dvec4 OnScreen(const glm::dmat4& toClip, const glm::dvec3& point)
+{
+  const glm::dvec4 clip = toClip * glm::dvec4(point, 1.0);
+  return { (clip.x / clip.w + 1.0) / 2.0 * Columns, (clip.y / clip.w + 1.0) / 2.0 * Lines,
+    (1.0 - clip.z / clip.w) / 2.0, clip.w };
+}
+
+void ExpectToHold(const ScreenRectangle& rectangle, const glm::dvec4& point)
+{
+  EXPECT_LE(rectangle.Left, point.x);
+  EXPECT_GE(rectangle.Right, point.x);
+  EXPECT_LE(rectangle.Bottom, point.y);
+  EXPECT_GE(rectangle.Top, point.y);
+  EXPECT_GE(rectangle.Nearest, point.z);
+}
+
+/** Outside of one plane of the view, all of it. */
+bool IsOutside(const glm::dmat4& toClip, const Box& box)
+{
+  int outside[6] = {};
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 clip = toClip * glm::dvec4(CornerOf(box, i), 1.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      outside[2 * axis] += clip[axis] < -clip.w;
+      outside[2 * axis + 1] += clip[axis] > clip.w;
+    }
+  }
+  return *std::max_element(outside, outside + 6) == 8;
+}
+
+bool ReachesBeforeNearPlane(const glm::dmat4& toClip, const Box& box)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 clip = toClip * glm::dvec4(CornerOf(box, i), 1.0);
+    if (clip.w <= 0.0 || clip.z < -clip.w)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+TEST(ScreenProjection, OfABoxInTheMiddle)
+{
+  const ScreenProjection projection(Perspective(), Columns, Lines, { 0.5f, 0.25f });
+  ScreenRectangle rectangle;
+  ASSERT_EQ(projection.Project({ { -1, -2, -20 }, { 3, 2, -10 } }, rectangle), Place::Before);
+  // 90 degrees high: y / distance is 1 at the top.
+  EXPECT_NEAR(rectangle.Bottom, 135.0 - 135.0 * 0.2 - 0.25, 1e-3);
+  EXPECT_NEAR(rectangle.Top, 135.0 + 135.0 * 0.2 + 0.25, 1e-3);
+  EXPECT_NEAR(rectangle.Left, 240.0 - 135.0 * 0.1 - 0.5, 1e-3);
+  EXPECT_NEAR(rectangle.Right, 240.0 + 135.0 * 0.3 + 0.5, 1e-3);
+  // (1 / distance - 1 / far) / (1 / near - 1 / far)
+  EXPECT_NEAR(rectangle.Nearest, (1.0 / 10.0 - 1.0 / 101.0) / (1.0 - 1.0 / 101.0), 1e-6);
+}
+
+TEST(ScreenProjection, OfAParallelView)
+{
+  const ScreenProjection projection(
+    glm::ortho(-4.8, 4.8, -2.7, 2.7, 1.0, 101.0), Columns, Lines, { 0.0f, 0.0f });
+  ScreenRectangle rectangle;
+  ASSERT_EQ(projection.Project({ { -1, -2, -20 }, { 3, 2, -11 } }, rectangle), Place::Before);
+  EXPECT_NEAR(rectangle.Left, 240.0 - 50.0, 1e-3);
+  EXPECT_NEAR(rectangle.Right, 240.0 + 150.0, 1e-3);
+  EXPECT_NEAR(rectangle.Bottom, 135.0 - 100.0, 1e-3);
+  EXPECT_NEAR(rectangle.Nearest, 0.9, 1e-5);
+}
+
+TEST(ScreenProjection, KnowsWhatIsBeforeTheNearPlaneAndOutside)
+{
+  const ScreenProjection projection(Perspective(), Columns, Lines, { 0.0f, 0.0f });
+  ScreenRectangle rectangle;
+  EXPECT_EQ(projection.Project({ { -1, -1, -5 }, { 1, 1, 5 } }, rectangle), Place::Near);
+  EXPECT_EQ(projection.Project({ { -1, -1, -5 }, { 1, 1, -0.9f } }, rectangle), Place::Near);
+  EXPECT_EQ(projection.Project({ { -1, -1, -5 }, { 1, 1, -1.1f } }, rectangle), Place::Before);
+  EXPECT_EQ(projection.Project({ { -1, -1, 2 }, { 1, 1, 5 } }, rectangle), Place::Outside);
+  EXPECT_EQ(projection.Project({ { -1, -1, -0.9f }, { 1, 1, -0.1f } }, rectangle), Place::Outside);
+  EXPECT_EQ(projection.Project({ { -1, -1, -200 }, { 1, 1, -102 } }, rectangle), Place::Outside);
+  EXPECT_EQ(projection.Project({ { -9, 11, -10 }, { 9, 12, -9 } }, rectangle), Place::Outside);
+  EXPECT_EQ(projection.Project({ { 30, -1, -10 }, { 40, 1, -9 } }, rectangle), Place::Outside);
+}
+
+TEST(ScreenProjection, OfNumbersThatAreNoneIsNear)
+{
+  const ScreenProjection projection(Perspective(), Columns, Lines, { 0.0f, 0.0f });
+  ScreenRectangle rectangle;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(projection.Project({ { nan, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
+  EXPECT_EQ(projection.Project(Box::Everything(), rectangle), Place::Near);
+  const ScreenProjection broken(glm::dmat4(std::nan("")), Columns, Lines, { 0.0f, 0.0f });
+  EXPECT_EQ(broken.Project({ { -1, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
+}
+
+TEST(ScreenProjection, HoldsAllOfABoxWhateverTheView)
+{
+  int before = 0;
+  int outside = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 generator(seed);
+    const auto between = [&generator](double least, double greatest)
+    { return std::uniform_real_distribution<double>(least, greatest)(generator); };
+    const double offset = seed % 3 == 0 ? 1e6 : 0.0;
+    const double scale =
+      std::pow(10.0, between(offset == 0.0 ? -3.0 : 0.0, 3.0)); // doubles have an end, too
+    const auto somewhere = [&](double size)
+    { return offset + size * glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1)); };
+    const glm::dmat4 view =
+      glm::lookAt(somewhere(2.0 * scale), somewhere(scale), glm::dvec3(0.1, 1.0, 0.2));
+    const glm::dmat4 lens = seed % 2 == 0
+      ? glm::perspective(between(0.1, 2.5), double(Columns) / Lines, 1e-3 * scale, 10.0 * scale)
+      : glm::ortho(-scale, scale, -scale, scale, 1e-3 * scale, 10.0 * scale);
+    const glm::dmat4 toClip = lens * view;
+    const ScreenProjection projection(toClip, Columns, Lines, { 0.0f, 0.0f });
+    for (int i = 0; i < 300; ++i)
+    {
+      const glm::dvec3 a = somewhere(3.0 * scale);
+      const glm::dvec3 b = a + std::pow(10.0, between(-4.0, 0.0)) * (somewhere(scale) - offset);
+      const Box box = Box::Around(glm::min(a, b), glm::max(a, b));
+      ScreenRectangle rectangle;
+      const Place place = projection.Project(box, rectangle);
+      if (place == Place::Outside)
+      {
+        ++outside;
+        ASSERT_TRUE(IsOutside(toClip, box));
+      }
+      else if (place == Place::Before)
+      {
+        ++before;
+        ASSERT_FALSE(ReachesBeforeNearPlane(toClip, box));
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          ExpectToHold(rectangle, OnScreen(toClip, CornerOf(box, corner)));
+        }
+      }
+    }
+  }
+  EXPECT_GT(before, 5000);
+  EXPECT_GT(outside, 5000);
+}
