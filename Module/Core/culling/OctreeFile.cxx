@@ -1,11 +1,12 @@
 #include "Core/culling/OctreeFile.h"
 
+#include "Core/culling/OctreePageCutter.h"
+
 #include <cassert>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 
 namespace vitrine
 {
@@ -93,123 +94,6 @@ std::uint64_t BytesFor(std::uint64_t nodes, std::uint64_t items)
   throw std::runtime_error(file.string() + ": " + what);
 }
 
-// Takes a tree apart into pages.
-class PageCutter
-{
-public:
-  PageCutter(const OctreePage& whole, std::size_t pageBytes)
-    : Whole(whole)
-    , PageBytes(pageBytes)
-    , BytesBelow(whole.Nodes.size())
-  {
-    this->Roots.push_back(0);
-    if (!whole.Nodes.empty())
-    {
-      this->Measure(0);
-      this->Cut(0);
-    }
-  }
-
-  std::uint32_t PageCount() const { return static_cast<std::uint32_t>(this->Roots.size()); }
-
-  OctreePage Page(std::uint32_t number) const
-  {
-    OctreePage page;
-    if (!this->Whole.Nodes.empty())
-    {
-      page.NewNodes(1);
-      this->Copy(this->Roots[number], page, 0, number == 0);
-    }
-    return page;
-  }
-
-private:
-  // A page for less than this share of a full one is not worth being read from disk.
-  static constexpr std::size_t LeastShare = 64;
-
-  std::uint64_t Measure(std::uint32_t number)
-  {
-    const OctreeNode& node = this->Whole.Nodes[number];
-    std::uint64_t bytes = sizeof(OctreeNode);
-    if (node.IsLeaf())
-    {
-      bytes += (1 + std::uint64_t{ node.Count() }) * sizeof(std::uint32_t);
-    }
-    else
-    {
-      for (std::uint32_t i = 0; i < node.ChildCount(); ++i)
-      {
-        bytes += this->Measure(node.First + i);
-      }
-    }
-    return this->BytesBelow[number] = bytes;
-  }
-
-  void Cut(std::uint32_t number)
-  {
-    const OctreeNode& node = this->Whole.Nodes[number];
-    if (node.IsLeaf())
-    {
-      return;
-    }
-    for (std::uint32_t child = node.First; child < node.First + node.ChildCount(); ++child)
-    {
-      const bool isLeaf = this->Whole.Nodes[child].IsLeaf();
-      if (this->BytesBelow[child] > this->PageBytes && !isLeaf)
-      {
-        this->Cut(child);
-      }
-      else if (this->BytesBelow[child] > this->PageBytes / LeastShare)
-      {
-        this->Numbers[child] = this->PageCount();
-        this->Roots.push_back(child);
-      }
-    }
-  }
-
-  void Copy(std::uint32_t from, OctreePage& page, std::uint32_t to, bool isTop) const
-  {
-    const OctreeNode& node = this->Whole.Nodes[from];
-    page.Nodes[to] = node;
-    if (node.IsLeaf())
-    {
-      const std::uint32_t first = page.NewList(node.Count());
-      std::memcpy(
-        page.Items.data() + first, this->Whole.ItemsOf(node), node.Count() * sizeof(std::uint32_t));
-      page.Nodes[to].First = first;
-      return;
-    }
-    const std::uint32_t first = page.NewNodes(node.ChildCount());
-    page.Nodes[to].First = first;
-    for (std::uint32_t i = 0; i < node.ChildCount(); ++i)
-    {
-      const std::uint32_t stored = isTop ? this->PageOf(node.First + i) : 0;
-      if (stored != 0)
-      {
-        page.Nodes[first + i] = { this->Whole.Nodes[node.First + i].Bounds, stored,
-          OctreeNode::StoredDetail() };
-      }
-      else
-      {
-        this->Copy(node.First + i, page, first + i, isTop);
-      }
-    }
-  }
-
-  // The page that begins with a node, 0 if none does.
-  std::uint32_t PageOf(std::uint32_t node) const
-  {
-    const auto found = this->Numbers.find(node);
-    return found == this->Numbers.end() ? 0 : found->second;
-  }
-
-  const OctreePage& Whole;
-  std::size_t PageBytes;
-  std::vector<std::uint64_t> BytesBelow;                    // by node, itself included
-  std::vector<std::uint32_t> Roots;                         // by page
-  std::unordered_map<std::uint32_t, std::uint32_t> Numbers; // of the pages, by root
-};
-
 }
 
 void WriteOctreeFile(const Octree& tree, const std::filesystem::path& file, std::size_t pageBytes)
@@ -218,7 +102,7 @@ void WriteOctreeFile(const Octree& tree, const std::filesystem::path& file, std:
   beside += ".part";
   {
     std::ofstream stream(beside, std::ios::binary);
-    const PageCutter cutter(tree.TopPage(), pageBytes);
+    const OctreePageCutter cutter(tree.TopPage(), pageBytes);
     Header header;
     header.PageCount = cutter.PageCount();
     header.UnplacedCount = static_cast<std::uint32_t>(tree.UnplacedItems().size());

@@ -64,7 +64,7 @@ std::vector<std::uint32_t> Collect(
 
 bool IsSphere(const Sphere& sphere)
 {
-  return Ray{ sphere.Centre }.IsFinite() && sphere.Radius >= 0;
+  return IsFinite(sphere.Centre) && sphere.Radius >= 0;
 }
 
 double FarthestDistance(const Box& box, const glm::dvec3& point)

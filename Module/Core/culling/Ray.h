@@ -12,6 +12,12 @@
 namespace vitrine
 {
 
+/** Whether none of a point's numbers is infinite or NaN, which times 0 are NaN. */
+inline bool IsFinite(const glm::dvec3& point)
+{
+  return point.x * 0 + point.y * 0 + point.z * 0 == 0;
+}
+
 /** The points Origin + t Direction with 0 <= t <= Furthest. One with a number that is not finite has none. */
 struct Ray
 {
@@ -21,9 +27,7 @@ struct Ray
 
   bool IsFinite() const
   {
-    const double zero = this->Origin.x * 0 + this->Origin.y * 0 + this->Origin.z * 0 +
-      this->Direction.x * 0 + this->Direction.y * 0 + this->Direction.z * 0;
-    return zero == 0;
+    return vitrine::IsFinite(this->Origin) && vitrine::IsFinite(this->Direction);
   }
 };
 

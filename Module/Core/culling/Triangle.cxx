@@ -11,16 +11,9 @@ namespace vitrine
 namespace
 {
 
-bool IsFinite(const Triangle& triangle)
+bool AreFinite(const Triangle& triangle)
 {
-  for (const glm::dvec3& corner : triangle)
-  {
-    if (!std::isfinite(corner.x) || !std::isfinite(corner.y) || !std::isfinite(corner.z))
-    {
-      return false;
-    }
-  }
-  return true;
+  return IsFinite(triangle[0]) && IsFinite(triangle[1]) && IsFinite(triangle[2]);
 }
 
 bool IsSeparatedAlong(const glm::dvec3& axis, const Triangle& a, const Triangle& b)
@@ -38,7 +31,7 @@ bool IsSeparatedAlong(const glm::dvec3& axis, const Triangle& a, const Triangle&
 
 Box BoxOf(const Triangle& triangle)
 {
-  if (!IsFinite(triangle))
+  if (!AreFinite(triangle))
   {
     const glm::vec3 unknown(std::numeric_limits<float>::quiet_NaN());
     return { unknown, unknown };
@@ -64,7 +57,7 @@ std::optional<double> RayMeets(const Ray& ray, const Triangle& triangle)
 
 bool TrianglesMeet(const Triangle& a, const Triangle& b)
 {
-  if (!IsFinite(a) || !IsFinite(b))
+  if (!AreFinite(a) || !AreFinite(b))
   {
     return false;
   }
