@@ -13,5 +13,18 @@ if (VITRINE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${VITRINE_CCACHE}")
 endif ()
 
-# For what takes more time to be compiled than it ever runs: tests, command lines.
+# For what takes more time to be compiled than it ever runs: tests, and the program, whose work is done by Core and VTK.
 set(VITRINE_QUICK_COMPILE "$<$<CONFIG:Release>:-O1>")
+
+# Where CMAKE_UNITY_BUILD is on, the sources of each folder are compiled as one: headers are read once for all of them.
+function (vitrine_unite_folders target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach (source IN LISTS sources)
+    get_filename_component(folder "${source}" DIRECTORY)
+    if (folder AND NOT IS_ABSOLUTE "${folder}")
+      string(REPLACE "/" "_" folder "${folder}")
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${folder}")
+    endif ()
+  endforeach ()
+endfunction ()

@@ -10,6 +10,7 @@
 #include "transparency/ListHeads.h"
 #include "transparency/ListLayout.h"
 
+#include <cassert>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,13 @@ class vtkShaderProgram;
 
 namespace vitrine
 {
+
+/** The format of a texel that holds a node of so many bytes: 8, 12 or 16. */
+inline GLenum NodeFormat(int nodeBytes)
+{
+  assert(nodeBytes == 8 || nodeBytes == 12 || nodeBytes == 16);
+  return nodeBytes == 8 ? GL_RG32UI : nodeBytes == 12 ? GL_RGB32UI : GL_RGBA32UI;
+}
 
 /** The storage buffers that a fill writes, bound while the keeper lives; 0 for those that it has not. */
 class ScopedFillBuffers

@@ -4,7 +4,6 @@
 #include "gl/Capabilities.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace vitrine
 {
@@ -13,20 +12,6 @@ namespace
 
 constexpr std::int64_t Interleave = std::int64_t(1) << VITRINE_INTERLEAVE_SHIFT;
 constexpr std::int64_t LinkBytes = sizeof(uint);
-
-GLenum TexelFormat(int nodeBytes)
-{
-  switch (nodeBytes)
-  {
-    case 8:
-      return GL_RG32UI;
-    case 12:
-      return GL_RGB32UI;
-    default:
-      assert(nodeBytes == 16);
-      return GL_RGBA32UI;
-  }
-}
 
 std::int64_t RoundDown(std::int64_t value, std::int64_t granule)
 {
@@ -243,7 +228,7 @@ bool NodePool::Allocate(std::int64_t pages)
   {
     return true;
   }
-  const bool allocated = this->Nodes.Allocate(nodeBytes, TexelFormat(this->BytesPerNode)) &&
+  const bool allocated = this->Nodes.Allocate(nodeBytes, NodeFormat(this->BytesPerNode)) &&
     this->Links.Allocate(rounded * LinkBytes, GL_R32UI);
   if (!allocated)
   {

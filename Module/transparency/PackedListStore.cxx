@@ -7,7 +7,6 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace vitrine
 {
@@ -18,12 +17,6 @@ constexpr int PageSize = 8; // pieces in which lists are read
 constexpr std::int64_t LeastNodes = 16;
 constexpr int ReserveShare =
   8; // a share more for what is expected, lest each frame asks for a little more
-
-GLenum TexelFormat(int nodeBytes)
-{
-  assert(nodeBytes == 8 || nodeBytes == 12 || nodeBytes == 16);
-  return nodeBytes == 8 ? GL_RG32UI : nodeBytes == 12 ? GL_RGB32UI : GL_RGBA32UI;
-}
 
 }
 
@@ -181,7 +174,7 @@ bool PackedListStore::Reserve(std::int64_t nodes)
     return true;
   }
   const std::int64_t bytes = nodes * this->BytesPerNode;
-  const bool allocated = this->Nodes.Allocate(bytes, TexelFormat(this->BytesPerNode));
+  const bool allocated = this->Nodes.Allocate(bytes, NodeFormat(this->BytesPerNode));
   if (!allocated)
   {
     this->Memory = bytes - 1;
@@ -251,7 +244,7 @@ void PackedListStore::ShrinkIfLongOversized()
   if (this->OversizedFrames >= PoolSizing::Window)
   {
     this->Nodes.Allocate(
-      std::max(this->RoomNodes, LeastNodes) * this->BytesPerNode, TexelFormat(this->BytesPerNode));
+      std::max(this->RoomNodes, LeastNodes) * this->BytesPerNode, NodeFormat(this->BytesPerNode));
     this->OversizedFrames = 0;
   }
 }

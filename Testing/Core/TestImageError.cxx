@@ -26,7 +26,7 @@ using vitrine::MakeImage;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-Image Uniform(int width, int height, float r, float g, float b)
+Image OneColor(int width, int height, float r, float g, float b)
 {
   const float color[3] = { r, g, b };
   Image image{ width, height, std::vector<float>(static_cast<std::size_t>(width) * height * 3) };
@@ -67,8 +67,8 @@ TEST(ImageError, PicturesWithoutPixelsAreEqual)
 
 TEST(ImageError, PicturesOfDifferentSizesCannotBeCompared)
 {
-  const Image image = Uniform(4, 3, 0, 0, 0);
-  EXPECT_THROW(CompareImages(image, Uniform(3, 4, 0, 0, 0)), std::invalid_argument);
+  const Image image = OneColor(4, 3, 0, 0, 0);
+  EXPECT_THROW(CompareImages(image, OneColor(3, 4, 0, 0, 0)), std::invalid_argument);
   EXPECT_THROW(CompareImages({ 4, 3, {} }, image), std::invalid_argument);
   EXPECT_THROW(CompareImages(image, { 4, 3, {} }), std::invalid_argument);
   EXPECT_THROW(
@@ -82,7 +82,7 @@ TEST(ImageError, UniformPicturesHaveErrorsInClosedForm)
   for (const auto& [width, height] : { std::pair(1, 1), std::pair(3, 40), std::pair(25, 30) })
   {
     const ImageError error =
-      CompareImages(Uniform(width, height, a, a, a), Uniform(width, height, b, b, b));
+      CompareImages(OneColor(width, height, a, a, a), OneColor(width, height, b, b, b));
     EXPECT_NEAR(error.Max, b - a, 1e-12);
     EXPECT_NEAR(error.Rmse, b - a, 1e-12);
     EXPECT_NEAR(error.Psnr, 20 * std::log10(2.0), 1e-12);
@@ -96,19 +96,19 @@ TEST(ImageError, OneStepOfEightBitsIsNotWrongAndTwoAre)
   for (int value = 0; value + 2 <= 255; ++value)
   {
     const auto uniform = [](int v)
-    { return Uniform(1, 1, v / 255.0f, static_cast<float>(v / 255.0), v * (1.0f / 255)); };
+    { return OneColor(1, 1, v / 255.0f, static_cast<float>(v / 255.0), v * (1.0f / 255)); };
     const Image image = uniform(value);
     EXPECT_EQ(CompareImages(uniform(value + 1), image).WrongPixels, 0.0) << value;
     EXPECT_EQ(CompareImages(image, uniform(value + 1)).WrongPixels, 0.0) << value;
     EXPECT_EQ(CompareImages(uniform(value + 2), image).WrongPixels, 1.0) << value;
   }
-  const Image black = Uniform(1, 1, 0, 0, 0);
-  EXPECT_EQ(CompareImages(Uniform(1, 1, 0, 0, 1.001f / 255), black).WrongPixels, 1.0);
+  const Image black = OneColor(1, 1, 0, 0, 0);
+  EXPECT_EQ(CompareImages(OneColor(1, 1, 0, 0, 1.001f / 255), black).WrongPixels, 1.0);
 }
 
 TEST(ImageError, OneWrongChannelMakesAPixelWrong)
 {
-  const Image reference = Uniform(10, 10, 0.5f, 0.5f, 0.5f);
+  const Image reference = OneColor(10, 10, 0.5f, 0.5f, 0.5f);
   for (int channel = 0; channel < 3; ++channel)
   {
     Image test = reference;
@@ -148,23 +148,23 @@ TEST(ImageError, PixelWithNaNIsAsWrongAsCanBe)
 TEST(ImageError, ValuesThatNoDisplayShowsAreClamped)
 {
   const ImageError error =
-    CompareImages(Uniform(12, 12, 1.5f, -2, inf), Uniform(12, 12, 1, -inf, 7));
+    CompareImages(OneColor(12, 12, 1.5f, -2, inf), OneColor(12, 12, 1, -inf, 7));
   EXPECT_EQ(error.Max, 0.0);
   EXPECT_EQ(error.Flip, 0.0);
-  EXPECT_EQ(CompareImages(Uniform(1, 1, 2, 2, 2), Uniform(1, 1, -2, -2, -2)).Max, 1.0);
+  EXPECT_EQ(CompareImages(OneColor(1, 1, 2, 2, 2), OneColor(1, 1, -2, -2, -2)).Max, 1.0);
 }
 
 TEST(ImageError, PsnrOfTheSmallestDifferenceIsCapped)
 {
-  const Image black = Uniform(1, 1, 0, 0, 0);
-  EXPECT_EQ(CompareImages(Uniform(1, 1, 1e-6f, 0, 0), black).Psnr, 99.0);
-  EXPECT_NEAR(CompareImages(Uniform(1, 1, 1e-4f, 1e-4f, 1e-4f), black).Psnr, 80.0, 1e-4);
+  const Image black = OneColor(1, 1, 0, 0, 0);
+  EXPECT_EQ(CompareImages(OneColor(1, 1, 1e-6f, 0, 0), black).Psnr, 99.0);
+  EXPECT_NEAR(CompareImages(OneColor(1, 1, 1e-4f, 1e-4f, 1e-4f), black).Psnr, 80.0, 1e-4);
 }
 
 TEST(Flip, GreenAgainstBlueIsTheLargestColorError)
 {
   const vitrine::Plane errors =
-    vitrine::FlipErrorMap(Uniform(30, 4, 0, 1, 0), Uniform(30, 4, 0, 0, 1));
+    vitrine::FlipErrorMap(OneColor(30, 4, 0, 1, 0), OneColor(30, 4, 0, 0, 1));
   ASSERT_EQ(errors.Values.size(), 120u);
   for (double error : errors.Values)
   {
@@ -179,7 +179,7 @@ TEST(Flip, IsSymmetricAndBetweenZeroAndOne)
   std::mt19937 random(seed);
   for (int trial = 0; trial < 20; ++trial)
   {
-    Image a = Uniform(1 + random() % 30, 1 + random() % 30, 0, 0, 0);
+    Image a = OneColor(1 + random() % 30, 1 + random() % 30, 0, 0, 0);
     Image b = a;
     for (float& value : a.Rgb)
     {
@@ -201,7 +201,7 @@ TEST(Flip, IsSymmetricAndBetweenZeroAndOne)
 
 TEST(Flip, FindsTheErrorWhereItIs)
 {
-  const Image reference = Uniform(61, 41, 0.5f, 0.5f, 0.5f);
+  const Image reference = OneColor(61, 41, 0.5f, 0.5f, 0.5f);
   Image test = reference;
   test.Rgb[3 * (20 * 61 + 30)] = 1;
   const vitrine::Plane errors = vitrine::FlipErrorMap(test, reference);

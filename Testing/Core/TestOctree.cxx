@@ -1,3 +1,4 @@
+#include "NonFinite.h"
 #include "OctreeScenes.h"
 
 #include "Core/culling/ItemMarks.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -22,9 +22,6 @@ using vitrine::OrderAlong;
 using vitrine::OrderFromEye;
 using vitrine::TriangleBoxes;
 using vitrine::WalkFrontToBack;
-
-constexpr float NotANumber = std::numeric_limits<float>::quiet_NaN();
-constexpr float Infinity = std::numeric_limits<float>::infinity();
 
 // Enters every node and keeps what it comes by.
 struct Recorder

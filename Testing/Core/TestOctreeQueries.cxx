@@ -1,3 +1,4 @@
+#include "NonFinite.h"
 #include "OctreeScenes.h"
 
 #include "Core/culling/OctreeQueries.h"
@@ -7,7 +8,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <random>
 #include <vector>
@@ -29,9 +29,6 @@ using vitrine::RayMeets;
 using vitrine::Sphere;
 using vitrine::Triangle;
 using Numbers = std::vector<std::uint32_t>;
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // Unit cubes at x = 0, 2, 4, ...
 std::vector<Box> RowOfCubes(int count)

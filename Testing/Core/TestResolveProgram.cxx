@@ -185,13 +185,13 @@ TEST(LongResolve, KeepsTheNearestBlock)
 }
 
 // A register, page and slot of a call such as `LOAD(f3, p1, 1)`.
-using Place = std::array<int, 3>;
+using MacroPlace = std::array<int, 3>;
 
 // The places of `macro`, in order, where `begin` stands before each page.
-std::vector<Place> Places(
+std::vector<MacroPlace> Places(
   const std::string& text, const std::string& begin, const std::string& macro)
 {
-  std::vector<Place> places;
+  std::vector<MacroPlace> places;
   int pages = 0;
   for (const Call& call : Calls(text))
   {
@@ -208,9 +208,9 @@ std::vector<Place> Places(
 }
 
 // Each slot of each page once, in registers from `first` on.
-std::vector<Place> AllPlaces(int first, int size, int pageSize)
+std::vector<MacroPlace> AllPlaces(int first, int size, int pageSize)
 {
-  std::vector<Place> places;
+  std::vector<MacroPlace> places;
   for (int i = 0; i < size; ++i)
   {
     places.push_back({ first + i, i / pageSize, i % pageSize });

@@ -1,10 +1,11 @@
+#include "NonFinite.h"
+
 #include "Core/culling/SBuffer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -15,9 +16,6 @@ using vitrine::SBuffer;
 using vitrine::ScreenRectangle;
 using vitrine::Segment;
 using vitrine::Span;
-
-const float Infinity = std::numeric_limits<float>::infinity();
-const float NaN = std::numeric_limits<float>::quiet_NaN();
 
 Segment Flat(float left, float right, float depth, std::uint32_t face = 0)
 {
@@ -258,17 +256,17 @@ TEST(SBuffer, LeavesOutWhatIsNoSegment)
 {
   SBuffer buffer(40, 1);
   for (const Segment& segment :
-    { Flat(5.0f, 5.0f, 0.5f), Flat(6.0f, 5.0f, 0.5f), Flat(NaN, 5.0f, 0.5f), Flat(1.0f, NaN, 0.5f),
-      Flat(1.0f, 5.0f, NaN), Flat(1.0f, 5.0f, Infinity), Segment{ 1.0f, 5.0f, -Infinity, 0.5f, 0 },
-      Segment{ -Infinity, Infinity, 0.5f, 0.4f, 0 }, Flat(50.0f, 60.0f, 0.5f),
-      Flat(-5.0f, 0.0f, 0.5f) })
+    { Flat(5.0f, 5.0f, 0.5f), Flat(6.0f, 5.0f, 0.5f), Flat(NotANumber, 5.0f, 0.5f),
+      Flat(1.0f, NotANumber, 0.5f), Flat(1.0f, 5.0f, NotANumber), Flat(1.0f, 5.0f, Infinity),
+      Segment{ 1.0f, 5.0f, -Infinity, 0.5f, 0 }, Segment{ -Infinity, Infinity, 0.5f, 0.4f, 0 },
+      Flat(50.0f, 60.0f, 0.5f), Flat(-5.0f, 0.0f, 0.5f) })
   {
     buffer.Insert(0, segment);
   }
   EXPECT_TRUE(buffer.SpansOf(0).empty());
   buffer.Insert(0, Flat(0.0f, 40.0f, 0.5f));
-  EXPECT_FALSE(buffer.Hides({ NaN, NaN, NaN, NaN, NaN }, 0.0f));
-  EXPECT_FALSE(buffer.Hides({ 1.0f, 5.0f, 0.0f, 1.0f, NaN }, 0.0f));
+  EXPECT_FALSE(buffer.Hides({ NotANumber, NotANumber, NotANumber, NotANumber, NotANumber }, 0.0f));
+  EXPECT_FALSE(buffer.Hides({ 1.0f, 5.0f, 0.0f, 1.0f, NotANumber }, 0.0f));
 }
 
 TEST(SBuffer, ThatHasNoSpansLeftHidesLessAndSaysSo)

@@ -1,4 +1,6 @@
 // Fragment shaders that see their inputs somewhere else.
+#include "Contains.h"
+
 #include "Core/ShaderInputs.h"
 
 #include <gtest/gtest.h>
@@ -6,17 +8,12 @@
 namespace
 {
 
-const vitrine::InputPlace Place = { "vec2(0.5)", "size", "z" };
+const vitrine::InputPlace Elsewhere = { "vec2(0.5)", "size", "z" };
 
 std::string Moved(std::string shader)
 {
-  EXPECT_EQ(vitrine::MoveInputs(shader, Place), "");
+  EXPECT_EQ(vitrine::MoveInputs(shader, Elsewhere), "");
   return shader;
-}
-
-bool Contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
 }
 
 const std::string Main = "void main()\n{\n  use(colorVCVSOutput);\n}\n";
@@ -73,7 +70,7 @@ TEST(ShaderInputs, WhoseDerivativesAreTakenStay)
 TEST(ShaderInputs, NeedAMain)
 {
   std::string shader = "in vec4 a;\n";
-  EXPECT_NE(vitrine::MoveInputs(shader, Place), "");
+  EXPECT_NE(vitrine::MoveInputs(shader, Elsewhere), "");
   EXPECT_EQ(shader, "in vec4 a;\n");
 }
 

@@ -1,15 +1,12 @@
 // Rewriting of VTK's shaders: what moves, what stays, and what is left alone.
+#include "Contains.h"
+
 #include "Core/ShaderTuning.h"
 
 #include <gtest/gtest.h>
 
 namespace
 {
-
-bool Contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
 
 const std::string Vertex =
   "#version 150\nin vec4 vertexMC;\nuniform float shared;\nvoid main()\n{\n"

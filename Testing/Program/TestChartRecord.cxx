@@ -116,8 +116,9 @@ TEST_F(ChartRecordTest, LeavesWhatWasMeasuredOtherwise)
 {
   this->Open(Head()).Add("results", Json::array({ Row(0) }));
   const std::string before = this->Read("chart.json");
-  for (const auto& [key, words] : { std::pair("vitrine", "by another version"),
-         std::pair("device", "on another device"), std::pair("settings", "with other settings") })
+  for (const auto& [key, words] :
+    { std::pair("vitrine", "by another version"), std::pair("build", "by another build"),
+      std::pair("device", "on another device"), std::pair("settings", "with other settings") })
   {
     Json head = Head();
     head[key] = "other";
@@ -126,6 +127,27 @@ TEST_F(ChartRecordTest, LeavesWhatWasMeasuredOtherwise)
     EXPECT_NE(refusal.find("--there"), std::string::npos) << refusal;
     EXPECT_EQ(this->Read("chart.json"), before);
   }
+}
+
+TEST_F(ChartRecordTest, IsOfOneRunAtATime)
+{
+  {
+    const ChartRecord record = this->Open(Head());
+    EXPECT_NE(this->Refusal(Head()).find("another run"), std::string::npos);
+  }
+  EXPECT_EQ(this->Refusal(Head()), "");
+}
+
+TEST_F(ChartRecordTest, RemovesRowsByTheirValues)
+{
+  {
+    ChartRecord record = this->Open(Head());
+    record.Add("results", Json::array({ Row(0), Row(1), Row(2) }));
+    record.Remove("results", { { "step", 1 } });
+    record.Remove("results", { { "step", 7 } });
+    record.Remove("failures", { { "step", 0 } });
+  }
+  EXPECT_EQ(Json::parse(this->Read("chart.json"))["results"], Json::array({ Row(0), Row(2) }));
 }
 
 TEST_F(ChartRecordTest, TakesListsOfRowsOnly)

@@ -9,9 +9,10 @@
 namespace
 {
 
+using program::MotionPlan;
 using program::PlanOrders;
 using program::PlanShifts;
-using program::ShiftPlan;
+using program::PlanTurns;
 using Order = std::vector<std::size_t>;
 
 bool IsPermutation(Order order)
@@ -61,22 +62,22 @@ TEST(PlanOrders, AreRandomWhereTheyAreMany)
 
 TEST(PlanShifts, GoThroughAPixelStepByStep)
 {
-  const ShiftPlan plan = PlanShifts(100, Never);
-  ASSERT_EQ(plan.Pixels.size(), 101u);
+  const MotionPlan plan = PlanShifts(100, Never);
+  ASSERT_EQ(plan.Places.size(), 101u);
   EXPECT_EQ(plan.RunLength, 101u);
-  for (std::size_t i = 0; i < plan.Pixels.size(); ++i)
+  for (std::size_t i = 0; i < plan.Places.size(); ++i)
   {
-    EXPECT_DOUBLE_EQ(plan.Pixels[i], 0.01 * i);
+    EXPECT_DOUBLE_EQ(plan.Places[i], 0.01 * i);
   }
 }
 
 TEST(PlanShifts, AreSpreadOverAPixelWhereTheyAreFew)
 {
-  const ShiftPlan four = PlanShifts(4, Never);
-  EXPECT_EQ(four.Pixels, std::vector<double>({ 0, 0.01, 0.25, 0.26, 0.5, 0.51, 0.75, 0.76 }));
+  const MotionPlan four = PlanShifts(4, Never);
+  EXPECT_EQ(four.Places, std::vector<double>({ 0, 0.01, 0.25, 0.26, 0.5, 0.51, 0.75, 0.76 }));
   EXPECT_EQ(four.RunLength, 2u);
-  EXPECT_EQ(PlanShifts(2, Never).Pixels, std::vector<double>({ 0, 0.01, 0.5, 0.51 }));
-  EXPECT_EQ(PlanShifts(0, Never).Pixels, std::vector<double>({ 0 }));
+  EXPECT_EQ(PlanShifts(2, Never).Places, std::vector<double>({ 0, 0.01, 0.5, 0.51 }));
+  EXPECT_EQ(PlanShifts(0, Never).Places, std::vector<double>({ 0 }));
 }
 
 TEST(PlanShifts, AreOverStepsThatChangeThePicture)
@@ -88,6 +89,24 @@ TEST(PlanShifts, AreOverStepsThatChangeThePicture)
     return std::any_of(
       edges.begin(), edges.end(), [a, b](int edge) { return a < edge && edge <= b; });
   };
-  const ShiftPlan plan = PlanShifts(4, crossed);
-  EXPECT_EQ(plan.Pixels, std::vector<double>({ 0, 0.01, 0.33, 0.34, 0.59, 0.6, 0.99, 1 }));
+  const MotionPlan plan = PlanShifts(4, crossed);
+  EXPECT_EQ(plan.Places, std::vector<double>({ 0, 0.01, 0.33, 0.34, 0.59, 0.6, 0.99, 1 }));
+}
+
+TEST(PlanTurns, GoRoundDegreeByDegree)
+{
+  const MotionPlan plan = PlanTurns(360);
+  ASSERT_EQ(plan.Places.size(), 361u);
+  EXPECT_EQ(plan.RunLength, 361u);
+  EXPECT_EQ(plan.Places.front(), 0.0);
+  EXPECT_EQ(plan.Places[1], 1.0);
+  EXPECT_EQ(plan.Places.back(), 360.0);
+}
+
+TEST(PlanTurns, AreSpreadOverATurnWhereTheyAreFew)
+{
+  const MotionPlan four = PlanTurns(4);
+  EXPECT_EQ(four.Places, std::vector<double>({ 0, 1, 90, 91, 180, 181, 270, 271 }));
+  EXPECT_EQ(four.RunLength, 2u);
+  EXPECT_EQ(PlanTurns(0).Places, std::vector<double>({ 0 }));
 }

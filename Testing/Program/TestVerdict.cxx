@@ -56,15 +56,15 @@ TEST(Verdict, TakesTheWorstFrame)
   EXPECT_EQ(redrawn.Worst().Frames, "first"); // of equals
   redrawn.RedrawnError = 3.0 * Step;
   EXPECT_EQ(redrawn.Worst().Frames, "redrawn");
-  ExpectVerdict(redrawn, StabilityOutcome::Wrong, "wrong by 3.0/255");
+  ExpectVerdict(redrawn, StabilityOutcome::Wrong, "wrong by 3/255");
   StabilityCell shifted = Exact();
   shifted.Shift.Error = 4.0 * Step;
   EXPECT_EQ(shifted.Worst().Frames, "shift");
-  ExpectVerdict(shifted, StabilityOutcome::Wrong, "wrong by 4.0/255");
+  ExpectVerdict(shifted, StabilityOutcome::Wrong, "wrong by 4/255");
   StabilityCell turned = Exact();
   turned.Turn.Error = 5.0 * Step;
   EXPECT_EQ(turned.Worst().Frames, "turn");
-  ExpectVerdict(turned, StabilityOutcome::Wrong, "wrong by 5.0/255");
+  ExpectVerdict(turned, StabilityOutcome::Wrong, "wrong by 5/255");
 }
 
 TEST(Verdict, JudgesOtherWindowsByTheirOwnBound)
@@ -103,7 +103,7 @@ TEST(Verdict, SaysInWhichWindowsThereIsNoTruth)
   cell.Shift.Error = 4.0 * Step;
   without.Name = "4-samples";
   cell.Others.push_back(without);
-  ExpectVerdict(cell, StabilityOutcome::Wrong, "wrong by 4.0/255; not judged in double, 4-samples");
+  ExpectVerdict(cell, StabilityOutcome::Wrong, "wrong by 4/255; not judged in double, 4-samples");
 }
 
 TEST(Verdict, FlickersWhereAValueChangesMoreThanRoundingExplains)
@@ -115,7 +115,7 @@ TEST(Verdict, FlickersWhereAValueChangesMoreThanRoundingExplains)
   cell.Turn.Excess = 1.6 * Step;
   ExpectVerdict(cell, StabilityOutcome::Flickers, "flickers by 1.6/255");
   cell.Shift.Excess = 2.0 * Step;
-  ExpectVerdict(cell, StabilityOutcome::Flickers, "flickers by 2.0/255");
+  ExpectVerdict(cell, StabilityOutcome::Flickers, "flickers by 2/255");
 }
 
 TEST(Verdict, TellsAllThatIsWrongAndTheFirstAsTheOutcome)
@@ -126,8 +126,8 @@ TEST(Verdict, TellsAllThatIsWrongAndTheFirstAsTheOutcome)
   cell.Error->Max = 9.0 * Step;
   cell.Shift.Excess = 2.0 * Step;
   ExpectVerdict(cell, StabilityOutcome::OrderDependent,
-    "wrong by 9.0/255; another picture each time (3 values); order-dependent (7 values); "
-    "flickers by 2.0/255");
+    "wrong by 9/255; another picture each time (3 values); order-dependent (7 values); "
+    "flickers by 2/255");
   cell.Skipped = "no OpenGL";
   ExpectVerdict(cell, StabilityOutcome::Refused, "refused: no OpenGL");
 }

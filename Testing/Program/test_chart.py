@@ -1,8 +1,10 @@
 import base64
 import json
 import os
+import pathlib
 import shutil
 import signal
+import tempfile
 import unittest
 
 import scenes
@@ -32,6 +34,7 @@ ERRORS = {
     "flip": lambda row: row["error"]["flip"],
     "wrong_pixels": lambda row: row["error"]["wrong_pixels"],
 }
+MARK = 123456.0  # milliseconds that no frame takes
 OUTCOMES = ("exact", "wrong", "flickers", "order-dependent", "refused")
 
 
@@ -67,6 +70,25 @@ class Chart(ProgramTest):
         again = chart(self.folder)
         self.assertIn(b"results already", again.stderr)
         self.assertEqual(read_document(self.folder), self.document)
+
+    def test_what_grows_is_of_one_run(self):
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "chart"
+        shutil.copytree(self.folder, folder)
+        document = read_document(folder)
+        for row in document["results"]:
+            row["frame_ms"]["median"] = MARK
+        last = max(row["step"] for row in self.rows if row["part"] == "layers")
+        document["results"] = [
+            row
+            for row in document["results"]
+            if (row["part"], row["step"]) != ("layers", last)
+        ]
+        (folder / "chart.json").write_text(json.dumps(document))
+        self.assertEqual(chart(folder).returncode, 0)
+        rows = read_document(folder)["results"]
+        self.assertEqual(len(rows), len(self.rows))
+        for row in rows:
+            self.assertEqual(row["frame_ms"]["median"] == MARK, row["part"] != "layers")
 
     def test_all_files_are_there(self):
         self.assertEqual(
@@ -244,8 +266,9 @@ class ChartOfRefused(FileTest):
         small = ("--quick", "--size", "8x8", "--frames", "1", "--methods", "stencil-routed-32")
         self.assert_done(run("chart", *small, "--out", folder))
         document = read_document(folder)
+        self.assertGreater(len(document["results"]), 0)
         for row in document["results"] + document["failures"]:
-            self.assertIn("samples", row.get("skipped", "samples"))
+            self.assertIn("samples", row["skipped"])
 
 
 class ChartOfOwnScene(FileTest):

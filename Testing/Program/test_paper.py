@@ -100,7 +100,7 @@ class Paper(FileTest):
 
     def test_json_has_compares_rows_and_shares(self):
         told = self.paper("lists", "--layers", "2,9")
-        self.assertEqual(list(told), ["vitrine", "device", "settings", "results"])
+        self.assertEqual(list(told), ["vitrine", "build", "device", "settings", "results"])
         scenes = [row["scene"] for row in told["results"]]
         self.assertEqual(
             list(dict.fromkeys(scenes)),

@@ -31,7 +31,7 @@ def sorts(*arguments):
 class Sorts(FileTest):
     def test_json_is_as_agreed(self):
         told = sorts("--sizes", "2,4,2")
-        self.assertEqual(list(told), ["vitrine", "device", "settings", "results", "lengths"])
+        self.assertEqual(list(told), ["vitrine", "build", "device", "settings", "results", "lengths"])
         self.assertEqual(told["vitrine"], os.environ["VITRINE_VERSION"])
         self.assertEqual(list(told["device"]), ["vendor", "renderer", "gl"])
         self.assertEqual(told["settings"], {"lists": 300, "rounds": 2, "seed": 1, "storage": 4})

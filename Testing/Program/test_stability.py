@@ -98,12 +98,14 @@ class KnownFailures(unittest.TestCase):
 
     def test_truth_changes_wherever_there_are_edges(self):
         """A method that flickers could not be seen where nothing changes."""
-        without_edges = {scene for scene, _ in self.rows if scene.startswith("stack-")} | {"empty"}
+        invisible = {"empty", "stack-17-alpha-0"}
+        without_edges = {scene for scene, _ in self.rows if scene.startswith("stack-")}
+        still = {"shift": invisible | without_edges, "turn": invisible}
 
         def check(row):
-            for motion in ("shift", "turn"):
+            for motion, scenes in still.items():
                 changes = row[motion]["truth_largest"] > 0.0
-                self.assertEqual(changes, row["scene"] not in without_edges, motion)
+                self.assertEqual(changes, row["scene"] not in scenes, motion)
 
         self.for_each(["linked-list"], check)
 
@@ -245,7 +247,7 @@ class Given(FileTest):
 
 class Stability(FileTest):
     def test_what_is_not_there_is_refused(self):
-        self.assert_refused(run("stability", "--scenes", "nowhere"), "nowhere", "coincident")
+        self.assert_refused(run("stability", "--scenes", "nowhere"), "nowhere", "--help")
         self.assert_refused(run("stability", "--methods", "nohow"), "nohow", "linked-list")
         for twice in ("empty,empty", "crossing,empty,crossing"):
             self.assert_refused(run("stability", "--scenes", twice), twice[-5:], "twice")
@@ -262,7 +264,7 @@ class Stability(FileTest):
             self.assertIn(word, result.stdout)
         told = json.loads(path.read_text())
         self.assertEqual([row["method"] for row in told["results"]], ["blend", "linked-list"] * 2)
-        self.assertEqual(list(told), ["vitrine", "device", "settings", "scenes", "results"])
+        self.assertEqual(list(told), ["vitrine", "build", "device", "settings", "scenes", "results"])
         self.assertTrue(all(told["device"].values()), told["device"])
 
     def test_a_run_that_is_stopped_leaves_the_scenes_that_it_finished(self):

@@ -17,7 +17,16 @@ namespace program
 
 namespace
 {
-const double OrbitDegrees = 30.0;
+/** From frame to frame, as where a user turns a model: methods that predict from the frame before do so well or badly by it. */
+const double DegreesAFrame = 3.75;
+
+/** In names of pictures: truth in float64, rounded once. What the method `truth` draws into a window is another. */
+const char* const ReferenceName = "reference";
+
+double OrbitDegrees(int frames)
+{
+  return DegreesAFrame * (frames - 1);
+}
 
 /** What tells whether an input is what it was. */
 Json StepJson(const ChartStep& step)
@@ -56,24 +65,23 @@ Json PlaceRow(const ComparisonResult& comparison, const MethodResult& result,
   return row;
 }
 
-/** Why `method` is left out after the step that `before` is the key of: it took too long there, or was left out. */
-std::string WhyLeftOut(
-  const ChartRecord& record, const Json& before, const std::string& method, double slowest)
+/** Why `method` is left out of a step: its frames took too long in one before. Empty if they did not. */
+std::string WhyLeftOut(const ChartRecord& record, const std::string& part, int number,
+  const std::string& method, double slowest)
 {
   for (const Json& row : record.Rows("results"))
   {
-    if (row["part"] != before["part"] || row["step"] != before["step"] || row["method"] != method)
+    if (row["part"] != part || row["step"] >= number || row["method"] != method ||
+      row.contains("skipped"))
     {
       continue;
     }
-    if (row.contains("skipped"))
-    {
-      return row["skipped"];
-    }
     const double milliseconds = row["frame_ms"]["median"];
-    return milliseconds <= slowest
-      ? ""
-      : FormatCell("one frame of the step before took %.1f s", milliseconds / 1000.0);
+    if (milliseconds > slowest)
+    {
+      return "a frame of " + row["scene"].get<std::string>() +
+        FormatCell(" took %.1f s", milliseconds / 1000.0);
+    }
   }
   return "";
 }
@@ -87,7 +95,7 @@ std::vector<MethodResult> LeaveOut(const std::vector<std::string>& methods, cons
   {
     MethodResult result;
     result.Method = method;
-    result.Skipped = WhyLeftOut(record, Key(part, number - 1), method, plan.SlowestFrame);
+    result.Skipped = WhyLeftOut(record, part, number, method, plan.SlowestFrame);
     if (!result.Skipped.empty())
     {
       leftOut.push_back(result);
@@ -107,7 +115,7 @@ ComparisonSettings MakeSettings(const ChartPlan& plan, const ChartStep& step, co
   settings.Methods = step.Part == "scenes" ? plan.SceneMethods : plan.GrowthMethods;
   settings.Size = step.Size;
   settings.Frames = plan.Frames;
-  settings.Orbit = OrbitDegrees;
+  settings.Orbit = OrbitDegrees(plan.Frames);
   settings.From = scene.Placement.DefaultView;
   settings.From.Zoom *= step.Zoom;
   return settings;
@@ -169,6 +177,27 @@ void MeasureGrowth(
   RecordGrowth(comparison, step.Part, number, record);
 }
 
+/**
+ * What grows is timed in units of its first step, so all of it has to be of one run: another finds the machine busier or
+ * less so.
+ */
+void DropUnfinishedGrowth(const ChartPlan& plan, ChartRecord& record)
+{
+  std::map<std::string, int> counts;
+  for (const ChartStep& step : plan.Steps)
+  {
+    ++counts[step.Part];
+  }
+  counts.erase("scenes");
+  for (const auto& [part, count] : counts)
+  {
+    if (!record.Has("results", Key(part, count - 1)))
+    {
+      record.Remove("results", { { "part", part } });
+    }
+  }
+}
+
 void RecordCell(const StabilityCell& cell, ChartRecord& record)
 {
   Json row = ToJsonRow(cell);
@@ -176,7 +205,7 @@ void RecordCell(const StabilityCell& cell, ChartRecord& record)
   if (cell.Skipped.empty())
   {
     row["picture"] = record.AddPicture(prefix + cell.Method, cell.Picture, cell.Size);
-    row["truth_picture"] = record.AddPicture(prefix + "truth", cell.TruthPicture, cell.Size);
+    row["truth_picture"] = record.AddPicture(prefix + ReferenceName, cell.TruthPicture, cell.Size);
   }
   record.Add("failures", Json::array({ row }));
 }
@@ -216,7 +245,7 @@ Json ChartHead(const ChartPlan& plan, const Device& device)
     steps.push_back(StepJson(step));
   }
   head["settings"] = { { "opacity", plan.Opacity }, { "frames", plan.Frames },
-    { "orbit", OrbitDegrees }, { "slowest_frame_ms", plan.SlowestFrame },
+    { "orbit", OrbitDegrees(plan.Frames) }, { "slowest_frame_ms", plan.SlowestFrame },
     { "scene_methods", plan.SceneMethods }, { "growth_methods", plan.GrowthMethods },
     { "steps", steps }, { "failures", FailuresJson(plan.Failures) } };
   return head;
@@ -224,6 +253,7 @@ Json ChartHead(const ChartPlan& plan, const Device& device)
 
 void MeasureChart(const ChartPlan& plan, ChartRecord& record, Progress& progress)
 {
+  DropUnfinishedGrowth(plan, record);
   std::map<std::string, int> numbers;
   for (std::size_t i = 0; i < plan.Steps.size(); ++i)
   {
@@ -246,7 +276,7 @@ void RecordScene(const ComparisonResult& comparison, int number, ChartRecord& re
   const std::string prefix = "scene-" + std::to_string(number + 1) + "-";
   const std::string truth = comparison.TruthPicture.empty()
     ? ""
-    : record.AddPicture(prefix + "truth", comparison.TruthPicture, size);
+    : record.AddPicture(prefix + ReferenceName, comparison.TruthPicture, size);
   Json rows = Json::array();
   for (const MethodResult& result : comparison.Results)
   {

@@ -13,7 +13,7 @@ namespace program
 /** The device that a chart would be measured on. Throws RuntimeError if there is no OpenGL to draw with. */
 Device FindDevice();
 
-/** {"vitrine", "device", "settings"} of a chart: what must be alike for measurements to stand in one chart. */
+/** {"vitrine", "build", "device", "settings"} of a chart: what must be alike for measurements to stand in one chart. */
 Json ChartHead(const ChartPlan& plan, const Device& device);
 
 /** Measure the steps of the plan that the record lacks. */

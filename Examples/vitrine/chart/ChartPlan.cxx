@@ -40,7 +40,7 @@ Extent FullExtent()
 {
   return { { "demo:assembly,parts=2000", "demo:spheres,layers=64", "demo:stack,layers=64,alpha=0.2",
              "demo:paper-masks", "demo:paper-lists" },
-    { 512, 512 }, 9, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192, "demo:spheres,layers=16",
+    { 512, 512 }, 5, { 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1000 }, 192, "demo:spheres,layers=16",
     { 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0 }, 512, { 64, 128, 256, 512, 1024 }, 8000.0 };
 }
 
@@ -92,11 +92,16 @@ bool IsDeepStack(const StabilityScene& scene)
   return scene.Name.compare(0, 9, "stack-64-") == 0;
 }
 
+/** All scenes, each with fewer frames than `vitrine stability` draws: hours less. */
 StabilitySettings PlanFailures(bool isQuick, const std::vector<std::string>& methods)
 {
   StabilitySettings failures;
   failures.Methods = methods;
   failures.Scenes = StabilityScenes();
+  failures.Repetitions = 5;
+  failures.Orders = 6;
+  failures.Shifts = 10;
+  failures.Turns = 24;
   if (isQuick)
   {
     MakeQuick(failures);

@@ -31,7 +31,7 @@ struct ChartPlan
   std::vector<std::string> GrowthMethods;
   StabilitySettings Failures;
   double Opacity = 1.0; ///< multiplied into what is given
-  int Frames = 9;
+  int Frames = 5;
   double SlowestFrame =
     0.0; ///< milliseconds; a method that takes longer leaves off where its scene grows on
 };

@@ -28,8 +28,9 @@ struct HeadKey
   const char* Difference;
 };
 
-const std::array<HeadKey, 3> Head = { { { "vitrine", "by another version" },
-  { "device", "on another device" }, { "settings", "with other settings" } } };
+const std::array<HeadKey, 4> Head = { { { "vitrine", "by another version" },
+  { "build", "by another build" }, { "device", "on another device" },
+  { "settings", "with other settings" } } };
 
 /** Where a document has rows, they are a list. */
 bool HasLists(const Json& document)
@@ -80,8 +81,8 @@ void CheckHead(
 {
   for (const HeadKey& key : Head)
   {
-    const std::string difference =
-      FirstDifference(key.Name, document.value(key.Name, Json(nullptr)), head[key.Name]);
+    const std::string difference = FirstDifference(
+      key.Name, document.value(key.Name, Json(nullptr)), head.value(key.Name, Json(nullptr)));
     if (!difference.empty())
     {
       throw InputError(path,
@@ -98,6 +99,7 @@ ChartRecord::ChartRecord(
   , Contents(Json::parse(JsonText(head))) // as it is read again: names of files need not be UTF-8
 {
   MakeFolder(folder);
+  this->Lock = std::make_unique<FolderLock>(folder);
   for (const char* file : { DocumentName, PageFile, ErrorPlotFile, GrowthPlotFile })
   {
     CheckWritable(this->PathOf(file));
@@ -150,6 +152,23 @@ void ChartRecord::Add(const std::string& list, const Json& rows)
     this->Contents[list].push_back(row);
   }
   this->Save();
+}
+
+void ChartRecord::Remove(const std::string& list, const Json& values)
+{
+  if (!this->Has(list, values))
+  {
+    return;
+  }
+  Json kept = Json::array();
+  for (const Json& row : this->Rows(list))
+  {
+    if (!HasValues(row, values))
+    {
+      kept.push_back(row);
+    }
+  }
+  this->Set(list, kept);
 }
 
 void ChartRecord::Set(const std::string& key, const Json& value)

@@ -5,10 +5,12 @@
 #ifndef VITRINE_CHART_RECORD_H
 #define VITRINE_CHART_RECORD_H
 
+#include "chart/FolderLock.h"
 #include "methods/Stage.h"
 #include "report/Json.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,8 +26,8 @@ class ChartRecord
 {
 public:
   /**
-   * Begin anew; `head` holds what all of it is measured with ({"vitrine", "device", "settings"}). The folder is made if it is not
-   * there. Throws InputError if it cannot be, if one of its files may not be written to, or if it holds a chart.json of something
+   * Begin anew; `head` holds what all of it is measured with ({"vitrine", "build", "device", "settings"}). The folder is made if it is not
+   * there, and no other run can have it meanwhile. Throws InputError if it cannot be, if one of its files may not be written to, or if it holds a chart.json of something
    * else, or one that was measured with another head, or a page or a plot without any; the message names `folderOption`, by which users name a folder.
    */
   ChartRecord(const std::string& folder, const Json& head, const std::string& folderOption);
@@ -45,6 +47,9 @@ public:
   /** Add rows to a list and write chart.json: all of them or none are there. */
   void Add(const std::string& list, const Json& rows);
 
+  /** Remove the rows with these values from a list, and write chart.json if there were any. */
+  void Remove(const std::string& list, const Json& values);
+
   /** Set what follows from the rows, and write chart.json. */
   void Set(const std::string& key, const Json& value);
 
@@ -63,6 +68,7 @@ private:
   void Save() const;
 
   std::string Folder;
+  std::unique_ptr<FolderLock> Lock;
   Json Contents;
 };
 

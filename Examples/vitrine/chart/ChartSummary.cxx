@@ -207,6 +207,7 @@ Json Line(const Growth& growth, const Rows& rows, const std::string& method, dou
   Json points = Json::array();
   std::vector<GrowthPoint> toFit;
   Json leftOff = nullptr;
+  Json losesFrom = nullptr;
   for (const Json* row : rows)
   {
     if ((*row)["method"] != method)
@@ -226,9 +227,13 @@ Json Line(const Growth& growth, const Rows& rows, const std::string& method, dou
       toFit.push_back({ x, y });
       points.push_back({ x, y });
     }
+    if (losesFrom.is_null() && NumberOrNaN(*row, "lost") > 0.0)
+    {
+      losesFrom = NumberOrNull(x);
+    }
   }
   return { { "method", method }, { "family", FamilyOf(method).Name }, { "points", points },
-    { "fit", FitJson(FitGrowth(toFit)) }, { "left_off", leftOff } };
+    { "fit", FitJson(FitGrowth(toFit)) }, { "loses_from", losesFrom }, { "left_off", leftOff } };
 }
 
 /** Nothing if no method ran in the first step. */

@@ -1,7 +1,6 @@
 #include "stability/Stability.h"
 
 #include "Errors.h"
-#include "Join.h"
 #include "Progress.h"
 #include "commands/Commands.h"
 #include "commands/Options.h"
@@ -30,11 +29,6 @@ struct StabilityOptions
   std::optional<std::string> Json;
 };
 
-std::string ListScenes()
-{
-  return Join(StabilityScenes(), [](const StabilityScene& scene) { return scene.Name; });
-}
-
 std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)
 {
   const std::vector<StabilityScene> all = StabilityScenes();
@@ -45,7 +39,8 @@ std::vector<StabilityScene> ChooseScenes(const std::vector<std::string>& names)
       all.begin(), all.end(), [&name](const StabilityScene& scene) { return scene.Name == name; });
     if (found == all.end())
     {
-      throw InputError("--scenes", "'" + name + "' is not one of them, which are " + ListScenes());
+      throw InputError(
+        "--scenes", "'" + name + "' is not one of those that `vitrine stability --help` lists");
     }
     if (std::count(names.begin(), names.end(), name) > 1)
     {

@@ -18,7 +18,7 @@ Json ToJson(const ComparisonSettings& settings);
 /** One method's row; {"scene", "method", "width", "height", "skipped"} if it could not run. */
 Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result);
 
-/** {"vitrine", "device", "settings", "results": rows}; device and settings are those of `comparison`. */
+/** {"vitrine", "build", "device", "settings", "results": rows}; device and settings are those of `comparison`. */
 std::string ToJsonDocument(const ComparisonResult& comparison, const Json& rows);
 
 }

@@ -46,7 +46,7 @@ TextRow ToCells(const MethodResult& result, double firstMedian)
   return cells;
 }
 
-const TextRow& Head()
+const TextRow& ComparisonHead()
 {
   static const TextRow head = { "method", "ms", "ratio", "fragments", "lost", "layers", "passes",
     "memory", "max error/255", "psnr", "ssim", "flip", "wrong pixels", "deterministic" };
@@ -69,7 +69,7 @@ double FirstMedian(const ComparisonResult& comparison)
 std::string ToTable(const ComparisonResult& comparison)
 {
   const double firstMedian = FirstMedian(comparison);
-  std::vector<TextRow> rows = { Head() };
+  std::vector<TextRow> rows = { ComparisonHead() };
   for (const MethodResult& result : comparison.Results)
   {
     rows.push_back(ToCells(result, firstMedian));

@@ -2,6 +2,7 @@
 
 #include "Median.h"
 #include "Version.h"
+#include "report/Build.h"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace program
 Json MeasurementHead(const Device& device)
 {
   return {
-    { "vitrine", Version },
+    { "vitrine", Version }, { "build", BuildJson() },
     { "device",
       { { "vendor", device.Vendor }, { "renderer", device.Renderer }, { "gl", device.Version } } }
   };

@@ -25,7 +25,7 @@ Json OrNull(const std::optional<T>& value)
   return value ? Json(*value) : Json(nullptr);
 }
 
-/** How a document of measurements begins: {"vitrine", "device"}. */
+/** How a document of measurements begins: {"vitrine", "build", "device"}. */
 Json MeasurementHead(const Device& device);
 
 /** {"max", "rmse", "psnr", "ssim", "flip", "wrong_pixels"}. */

@@ -29,7 +29,7 @@ double ShareOfBlend(const ComparisonResult& comparison, const MethodResult& resu
   return blend->Median() / result.Median();
 }
 
-const TextRow& Head()
+const TextRow& PaperHead()
 {
   static const TextRow head = { "layers", "method", "ms", "fps", "Mpixel/s", "share of blend",
     "paper's share", "factor", "layers there", "max error/255" };
@@ -58,7 +58,7 @@ TextRow ToCells(const PaperTable& table, const PaperStep& step, const MethodResu
 
 std::string ToText(const PaperResult& result)
 {
-  std::vector<TextRow> rows = { Head() };
+  std::vector<TextRow> rows = { PaperHead() };
   for (const PaperStep& step : result.Steps)
   {
     for (const MethodResult& method : step.Comparison.Results)

@@ -8,7 +8,7 @@ namespace program
 
 namespace
 {
-const TextRow Head = { "method", "error/255", "wrong pixels", "repeated", "shuffled",
+const TextRow StabilityHead = { "method", "error/255", "wrong pixels", "repeated", "shuffled",
   "shift/255 (truth)", "shift % (truth)", "turn/255 (truth)", "turn % (truth)", "verdict" };
 
 std::string Steps(double value)
@@ -137,7 +137,7 @@ std::string TableHead(const StabilityResult& result)
 
 std::string SceneTable(const StabilityScene& scene, const std::vector<StabilityCell>& cells)
 {
-  std::vector<TextRow> rows = { Head };
+  std::vector<TextRow> rows = { StabilityHead };
   std::string remarks;
   for (const StabilityCell& cell : cells)
   {

@@ -36,7 +36,7 @@ Json ToJsonRow(const StabilityCell& cell);
 /** What is drawn: {"name", "input", "opacity", "expected", "zoom_before", "width", "height", "heavy"} of each; the size is null without one of its own. */
 Json ScenesJson(const std::vector<StabilityScene>& scenes);
 
-/** {"vitrine", "device", "settings", "scenes", "results"}. */
+/** {"vitrine", "build", "device", "settings", "scenes", "results"}. */
 std::string ToJson(const StabilityResult& result);
 
 }

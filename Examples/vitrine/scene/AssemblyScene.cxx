@@ -113,7 +113,7 @@ glm::dmat4 PlaceUnit(std::size_t index, std::size_t count)
   return Shift(along, 0.0, across) * TurnY(0.5 * Pi);
 }
 
-vtkSmartPointer<vtkMatrix4x4> ToMatrix(const glm::dmat4& place)
+vtkSmartPointer<vtkMatrix4x4> MatrixOf(const glm::dmat4& place)
 {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   for (int row = 0; row < 4; ++row)
@@ -153,7 +153,7 @@ Scene MakeAssemblyScene(const DemoValues& values)
       drawn.Name = part.Name;
       drawn.Geometry = part.Geometry;
       drawn.Material = properties[static_cast<std::size_t>(part.MadeOf)];
-      drawn.Transform = ToMatrix(place * part.Place);
+      drawn.Transform = MatrixOf(place * part.Place);
       scene.Parts.push_back(drawn);
     }
   }

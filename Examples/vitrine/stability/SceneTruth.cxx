@@ -16,7 +16,6 @@ namespace program
 namespace
 {
 const double ShiftDirection = 0.5; // radians above the picture's horizon, so that both axes move
-const double TurnInDegrees = 1.0;
 
 /** Steps of scenes that take long to draw. */
 const int HeavySteps = 2;
@@ -29,16 +28,6 @@ int Steps(const StabilityScene& entry, int usual)
 vtkSmartPointer<vtkCamera> Shifted(vtkCamera* start, double pixels, int height)
 {
   return Shift(start, pixels * std::cos(ShiftDirection), pixels * std::sin(ShiftDirection), height);
-}
-
-std::vector<vtkSmartPointer<vtkCamera>> Turned(vtkCamera* start, int steps)
-{
-  std::vector<vtkSmartPointer<vtkCamera>> cameras;
-  for (int i = 0; i <= steps; ++i)
-  {
-    cameras.push_back(Orbit(start, i * TurnInDegrees));
-  }
-  return cameras;
 }
 
 std::vector<OtherTruth> OtherWindowsOf(PictureSize size)
@@ -59,7 +48,12 @@ SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& setti
   plan.Repetitions = Steps(entry, settings.Repetitions);
   plan.Orders = PlanOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));
   const vtkSmartPointer<vtkCamera> start = OwnView(plan.Parts, plan.Size);
-  plan.Turns = Turned(start, Steps(entry, settings.Turns));
+  const MotionPlan turns = PlanTurns(Steps(entry, settings.Turns));
+  for (const double degrees : turns.Places)
+  {
+    plan.Turns.push_back(Orbit(start, degrees));
+  }
+  plan.TurnRun = turns.RunLength;
   if (settings.WithOtherWindows && !entry.IsHeavy)
   {
     plan.Others = OtherWindowsOf(plan.Size);
@@ -81,14 +75,14 @@ void PlanShiftViews(SceneTruth& plan, const StabilitySettings& settings, TruthSt
     }
     return place->second.get();
   };
-  const ShiftPlan shifts = PlanShifts(Steps(plan.Entry, settings.Shifts),
+  const MotionPlan shifts = PlanShifts(Steps(plan.Entry, settings.Shifts),
     [&draw](int a, int b)
     {
       const vitrine::Image* before = draw(a);
       const vitrine::Image* after = draw(b);
       return before && after && LargestDifference(*before, *after) > LargestExactError(0);
     });
-  for (const double pixels : shifts.Pixels)
+  for (const double pixels : shifts.Places)
   {
     plan.Shifts.push_back(Shifted(start, pixels, plan.Size.Height));
   }

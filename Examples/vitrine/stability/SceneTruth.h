@@ -34,8 +34,9 @@ struct SceneTruth
   std::vector<vtkSmartPointer<vtkCamera>> Shifts; ///< the first is the scene's own view
   std::size_t ShiftRun =
     0; ///< so many of them follow each other by a step; the next begin elsewhere
-  std::vector<vtkSmartPointer<vtkCamera>> Turns; ///< likewise, all in one run
-  std::string Skipped;                           ///< why there is no truth; no pictures then
+  std::vector<vtkSmartPointer<vtkCamera>> Turns; ///< likewise
+  std::size_t TurnRun = 0;
+  std::string Skipped; ///< why there is no truth; no pictures then
   std::vector<vitrine::Image> ShiftPictures;
   std::vector<vitrine::Image> TurnPictures;
   std::vector<OtherTruth> Others;

@@ -83,11 +83,11 @@ public:
       this->Cell.Shift =
         this->Follow(this->Truth.Shifts, this->Truth.ShiftPictures, this->Truth.ShiftRun);
       this->Cell.Turn =
-        this->Follow(this->Truth.Turns, this->Truth.TurnPictures, this->Truth.Turns.size());
+        this->Follow(this->Truth.Turns, this->Truth.TurnPictures, this->Truth.TurnRun);
       this->Shuffle();
       this->MeasureOtherWindows();
-      this->TakeMessages(messages.Errors());
     }
+    this->TakeMessages(messages);
     Judge(this->Cell);
     return std::move(this->Cell);
   }
@@ -185,15 +185,25 @@ private:
     }
   }
 
-  /** All but what other windows' rows tell: that the method cannot run there. */
-  void TakeMessages(const std::vector<std::string>& messages)
+  /** Errors and warnings, each once, but for why the method cannot run, which is told otherwise. */
+  void TakeMessages(const MessageCapture& messages)
   {
-    std::vector<std::string> told;
+    std::vector<std::string> told{ this->Cell.Skipped };
     for (const OtherWindow& other : this->Cell.Others)
     {
       told.push_back(other.Skipped);
     }
-    this->Cell.Messages = LinesWithout(messages, told);
+    for (const std::vector<std::string>* lines : { &messages.Errors(), &messages.Warnings() })
+    {
+      for (const std::string& line : LinesWithout(*lines, told))
+      {
+        std::vector<std::string>& kept = this->Cell.Messages;
+        if (std::find(kept.begin(), kept.end(), line) == kept.end())
+        {
+          kept.push_back(line);
+        }
+      }
+    }
   }
 
   const SceneTruth& Truth;

@@ -100,7 +100,8 @@ struct StabilityCell
   Flicker Shift; ///< the camera moves by 1/100 pixel a step
   Flicker Turn;  ///< the camera turns by one degree a step
   std::vector<OtherWindow> Others;
-  std::vector<std::string> Messages; ///< of VTK, other than that it cannot run
+  std::vector<std::string>
+    Messages; ///< errors and warnings of VTK, each once, other than that it cannot run
   StabilityOutcome Outcome = StabilityOutcome::Exact;
   std::string Verdict; ///< all that is wrong, in words, or "exact"; windows without truth
   std::vector<std::uint8_t> Picture;      ///< 8-bit RGB, rows from the bottom
@@ -126,13 +127,13 @@ struct StabilitySettings
   int Repetitions = 100;      ///< frames that must be alike
   int Orders = 24;            ///< of actors: all orders where there are no more, else shuffled ones
   int Shifts = 100; ///< steps of 1/100 pixel; fewer are spread over a pixel, see PlanShifts()
-  int Turns = 360;  ///< steps of one degree
+  int Turns = 360;  ///< steps of one degree; fewer are spread over a turn, see PlanTurns()
   bool WithOtherWindows = true;
 };
 
 /**
- * Fewer frames of each kind, and scenes for a quick run only. The first step of 1/100 pixel is from the scene's own
- * view, the others lie in the second, third and last quarter of a pixel.
+ * Fewer frames of each kind, and scenes for a quick run only. Motion has a step in each quarter of a pixel and of a turn; see
+ * PlanShifts() and PlanTurns().
  */
 void MakeQuick(StabilitySettings& settings);
 

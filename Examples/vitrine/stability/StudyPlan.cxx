@@ -12,6 +12,7 @@ namespace
 {
 const std::uint64_t OrderSeed = 1;
 const int StepsOfAPixel = 100;
+const int StepsOfATurn = 360;
 
 /** Whether so many parts have `count` orders at most. */
 bool HasFewOrders(std::size_t parts, int count)
@@ -37,6 +38,27 @@ int FindChange(int begin, int end, const DoesChange& doesChange)
     (doesChange(begin, middle) ? end : begin) = middle;
   }
   return begin;
+}
+
+/**
+ * Steps in one run if there are as many as go through `whole`, else in runs of one step, each in its share of it: it begins at
+ * `findBegin(run, begin, end)` of the share. Places are told in units of `stepsOfAPlace`.
+ */
+MotionPlan PlanMotion(int steps, int whole, double stepsOfAPlace,
+  const std::function<int(int run, int begin, int end)>& findBegin)
+{
+  const int runs = steps < whole ? std::max(steps, 1) : 1;
+  const int stepsOfRun = steps / runs;
+  MotionPlan plan{ {}, static_cast<std::size_t>(stepsOfRun) + 1 };
+  for (int run = 0; run < runs; ++run)
+  {
+    const int begin = findBegin(run, run * whole / runs, (run + 1) * whole / runs);
+    for (int i = 0; i <= stepsOfRun; ++i)
+    {
+      plan.Places.push_back((begin + i) / stepsOfAPlace);
+    }
+  }
+  return plan;
 }
 }
 
@@ -67,22 +89,16 @@ double InPixels(int steps)
   return static_cast<double>(steps) / StepsOfAPixel;
 }
 
-ShiftPlan PlanShifts(int steps, const DoesChange& doesChange)
+MotionPlan PlanShifts(int steps, const DoesChange& doesChange)
 {
-  const int runs = steps < StepsOfAPixel ? std::max(steps, 1) : 1;
-  const int stepsOfRun = steps / runs;
-  ShiftPlan plan{ {}, static_cast<std::size_t>(stepsOfRun) + 1 };
-  for (int run = 0; run < runs; ++run)
-  {
-    const int begin = run == 0
-      ? 0
-      : FindChange(run * StepsOfAPixel / runs, (run + 1) * StepsOfAPixel / runs, doesChange);
-    for (int step = 0; step <= stepsOfRun; ++step)
-    {
-      plan.Pixels.push_back(InPixels(begin + step));
-    }
-  }
-  return plan;
+  return PlanMotion(steps, StepsOfAPixel, StepsOfAPixel,
+    [&doesChange](int run, int begin, int end)
+    { return run == 0 ? begin : FindChange(begin, end, doesChange); });
+}
+
+MotionPlan PlanTurns(int steps)
+{
+  return PlanMotion(steps, StepsOfATurn, 1.0, [](int, int begin, int) { return begin; });
 }
 
 }

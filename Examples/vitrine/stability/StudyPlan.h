@@ -17,12 +17,11 @@ namespace program
  */
 std::vector<std::vector<std::size_t>> PlanOrders(std::size_t parts, int count);
 
-/** How far the camera is moved, frame by frame. */
-struct ShiftPlan
+/** Where the camera is, frame by frame. */
+struct MotionPlan
 {
-  std::vector<double> Pixels; ///< from the scene's own view, which is the first
-  std::size_t
-    RunLength; ///< frames that follow each other by 1/100 pixel; the next run begins elsewhere
+  std::vector<double> Places; ///< pixels or degrees from the scene's own view, which is the first
+  std::size_t RunLength; ///< frames that follow each other by a step; the next run begins elsewhere
 };
 
 /** So many steps of 1/100 pixel. */
@@ -37,7 +36,13 @@ using DoesChange = std::function<bool(int a, int b)>;
  * others in its share of the pixel, over a step that changes the picture, which is found by halving; if the picture is the same
  * at both ends of the share, the run begins there.
  */
-ShiftPlan PlanShifts(int steps, const DoesChange& doesChange);
+MotionPlan PlanShifts(int steps, const DoesChange& doesChange);
+
+/**
+ * So many steps of a degree: in one run if they go all the way round. Fewer are runs of one step, spread evenly over the turn,
+ * since a scene may fail where no step from its own view leads.
+ */
+MotionPlan PlanTurns(int steps);
 
 }
 #endif

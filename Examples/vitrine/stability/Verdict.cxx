@@ -41,12 +41,16 @@ bool Flickers(const StabilityCell& cell)
   return ExcessOf(cell) > LargestExactExcess();
 }
 
-/** Each window by its own bound. */
-bool IsWrongAnywhere(const StabilityCell& cell)
+/** The largest error of the windows that exceed their own bounds; 0 if none does. */
+double WrongBy(const StabilityCell& cell)
 {
-  return cell.OwnWindowError() > LargestExactError(0) ||
-    std::any_of(cell.Others.begin(), cell.Others.end(),
-      [](const OtherWindow& other) { return IsWrong(other); });
+  const double own = cell.OwnWindowError();
+  double largest = own > LargestExactError(0) ? own : 0.0;
+  for (const OtherWindow& other : cell.Others)
+  {
+    largest = IsWrong(other) ? std::max(largest, other.Error->Max) : largest;
+  }
+  return largest;
 }
 
 bool IsOrderDependent(const StabilityCell& cell)
@@ -68,12 +72,12 @@ StabilityOutcome OutcomeOf(const StabilityCell& cell)
   {
     return StabilityOutcome::Flickers;
   }
-  return IsWrongAnywhere(cell) ? StabilityOutcome::Wrong : StabilityOutcome::Exact;
+  return WrongBy(cell) > 0.0 ? StabilityOutcome::Wrong : StabilityOutcome::Exact;
 }
 
 std::string InSteps(double value)
 {
-  return FormatCell("%.1f/255", 255.0 * value);
+  return FormatCell("%.3g/255", 255.0 * value);
 }
 
 /** The windows in which there is no truth to judge by. */
@@ -97,9 +101,9 @@ std::string Describe(const StabilityCell& cell)
     return "refused: " + cell.Skipped;
   }
   std::vector<std::string> faults;
-  if (IsWrongAnywhere(cell))
+  if (const double error = WrongBy(cell); error > 0.0)
   {
-    faults.push_back("wrong by " + InSteps(cell.WorstError()));
+    faults.push_back("wrong by " + InSteps(error));
   }
   if (cell.RepetitionDifference > 0)
   {

@@ -21,10 +21,10 @@ namespace
 {
 
 // Collects the triangles that may be in the shaft.
-class Collector
+class BlockerCollector
 {
 public:
-  Collector(const Shaft& shaft, const BlockerOf& blocker, std::size_t most)
+  BlockerCollector(const Shaft& shaft, const BlockerOf& blocker, std::size_t most)
     : Between(shaft)
     , TriangleOf(blocker)
     , Most(most)
@@ -298,7 +298,7 @@ bool MaySeeEachOther(const Octree& tree, const BlockerOf& blocker, const Box& a,
     return true;
   }
   const Shaft shaft(a, b);
-  Collector collector(shaft, blocker, mostTriangles);
+  BlockerCollector collector(shaft, blocker, mostTriangles);
   WalkFrontToBack(tree, OrderAlong(glm::vec3(0.0f)), collector);
   if (collector.AreTooMany())
   {

@@ -8,9 +8,12 @@ const OUTCOMES = {
   refused: { sign: "–", kind: "none" },
 };
 
+/** In steps of an 8-bit picture. */
+const steps = (value) => `${format(255 * value)}/255`;
+
 function shortVerdict(cell) {
   const words = { exact: "exact", refused: "refused", flickers: "flickers", "order-dependent": "by order" };
-  return words[cell.outcome] ?? `${format(255 * cell.worst_error)}/255`;
+  return words[cell.outcome] ?? steps(cell.worst_error);
 }
 
 const FRAMES = {
@@ -22,18 +25,40 @@ const FRAMES = {
 
 /** The largest error of a cell, and of which frames. */
 function worstError({ worst_error, worst_frames }) {
-  return `${format(255 * worst_error)}/255, in ${FRAMES[worst_frames] ?? `the window "${worst_frames}"`}`;
+  return `${steps(worst_error)}, in ${FRAMES[worst_frames] ?? `the window "${worst_frames}"`}`;
+}
+
+/** How a picture changes from step to step, beside truth's change. */
+function flicker(motion) {
+  return (
+    `changes by ${steps(motion.largest)} at most, where truth does by ${steps(motion.truth_largest)}; beyond truth's own change of a ` +
+    `value by ${steps(motion.excess)} at most; off by ${steps(motion.error)} at most`
+  );
+}
+
+function otherWindow({ width, height, error, skipped, not_judged: notJudged }) {
+  const reason = skipped ? `refused: ${skipped}` : notJudged && `not judged, there is no truth: ${notJudged}`;
+  return reason ?? `${width}x${height}: off by ${steps(error.max)}`;
+}
+
+/** All that was measured of a cell. */
+function measured(cell) {
+  const differences = (count) => (count === 0 ? "the same to the bit" : `${format(count)} values differ`);
+  return [
+    ["worst error", worstError(cell)],
+    ["error of the picture", steps(cell.error.max)],
+    ["drawn again", differences(cell.repetition_difference)],
+    ["in other orders", differences(cell.order_difference)],
+    ["moved by 1/100 pixel", flicker(cell.shift)],
+    ["turned by a degree", flicker(cell.turn)],
+    ...cell.others.map((other) => [`window "${other.name}"`, otherWindow(other)]),
+  ];
 }
 
 function showCell(cell, scene) {
   const facts = [
     ["verdict", cell.verdict],
-    ...(cell.skipped
-      ? []
-      : [
-          ["worst error", worstError(cell)],
-          ["error of the picture", `${format(255 * cell.error.max)}/255`],
-        ]),
+    ...(cell.skipped ? [] : measured(cell)),
     ...(scene.expected ? [["expected", scene.expected]] : []),
     ["to draw it", `vitrine render ${scene.input} --size ${cell.width}x${cell.height} --method ${cell.method} -o picture.png`],
     ...(scene.zoom_before !== 1 ? [["before each frame", `one at ${scene.zoom_before} times the zoom`]] : []),
@@ -126,7 +151,7 @@ function showFirst(cells) {
 function countFrames({ repetitions, orders, shifts, turns, other_windows }) {
   return (
     `Frames of each cell: the same ${repetitions} times, ${orders} orders of parts or all there are, ${shifts} steps of 1/100 pixel, ` +
-    `${turns} of a degree; ` +
+    `${turns} of a degree, each spread over a pixel and a turn; ` +
     (other_windows ? "also in windows of half, double and a third of the size and with 4 samples a pixel." : "in no other window.") +
     " Scenes of which a cell says so are drawn in a few of each only."
   );

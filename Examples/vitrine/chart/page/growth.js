@@ -21,7 +21,13 @@ function drawLine(plot, line, growth) {
   }
 }
 
-function fitRow(line) {
+/** What its times and memory do not tell of a method: that it draws less than there is, and where it ends. */
+function remark(line, growth) {
+  const loses = line.loses_from === null ? [] : [`drops fragments from ${format(line.loses_from)} ${growth.x} on`];
+  return [...loses, ...(line.left_off ? [line.left_off] : [])].join("; ");
+}
+
+function fitRow(line, growth) {
   const fit = line.fit;
   const range = fit ? `${format(fit.from)} to ${format(fit.to)}` : "too few points";
   return html(
@@ -31,14 +37,14 @@ function fitRow(line) {
     html("td", {}, fit ? fit.exponent.toFixed(2) : "–"),
     html("td", {}, range),
     html("td", {}, fit ? `× ${fit.off_by.toFixed(2)}` : "–"),
-    html("td", { class: "reason" }, line.left_off ?? "")
+    html("td", { class: "reason" }, remark(line, growth))
   );
 }
 
 function fitTable(growth, lines) {
-  const titles = ["method", "exponent", growth.x, "off by", "left off"];
+  const titles = ["method", "exponent", growth.x, "off by", "remark"];
   const head = html("tr", {}, ...titles.map((title) => html("th", { scope: "col" }, title)));
-  return html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...lines.map(fitRow))));
+  return html("div", { class: "wide" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...lines.map((line) => fitRow(line, growth)))));
 }
 
 function drawGrowth(growth, article) {

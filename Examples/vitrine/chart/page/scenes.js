@@ -104,7 +104,9 @@ function select(method) {
 }
 
 const FIGURES = [
-  ["ms", (row) => row.frame_ms.median],
+  ["ms, median", (row) => row.frame_ms.median],
+  ["ms, least", (row) => row.frame_ms.min],
+  ["ms, most", (row) => row.frame_ms.max],
   ["ratio", (row) => row.ratio],
   ["max / 255", (row) => row.error && 255 * row.error.max],
   ["RMSE / 255", (row) => row.error && 255 * row.error.rmse],
@@ -115,14 +117,16 @@ const FIGURES = [
   ["MiB", (row) => row.bytes === null ? null : row.bytes / 1048576],
   ["passes", (row) => row.geometry_passes],
   ["fragments", (row) => row.fragments],
-  ["lost", (row) => row.lost],
+  ["lost", (row) => row.lost, 3, (row) => row.lost_is_least],
   ["layers", (row) => row.layers_max],
   ["same twice", (row) => row.deterministic],
 ];
 
-function figure(row, [, read, digits]) {
+/** Of what is a lower bound it says so. */
+function figure(row, [, read, digits, isLeast]) {
   const value = read(row);
-  return typeof value === "boolean" ? (value ? "yes" : "no") : format(value, digits);
+  const text = typeof value === "boolean" ? (value ? "yes" : "no") : format(value, digits);
+  return isLeast?.(row) && value ? `≥ ${text}` : text;
 }
 
 function drawDetail() {

@@ -11,7 +11,7 @@ namespace program
 
 namespace
 {
-const double Module = 0.03;
+const double ToothModule = 0.03;
 const int SunTeeth = 24;
 const int PlanetTeeth = 18;
 const int RingTeeth = SunTeeth + 2 * PlanetTeeth;
@@ -22,12 +22,12 @@ const double PinRadius = 0.07;
 
 void AddPlanet(Unit& unit, const glm::dmat4& stage, double sunAngle, double direction)
 {
-  const Point axis = OnCircle(CenterDistance(SunTeeth, PlanetTeeth, Module), direction);
+  const Point axis = OnCircle(CenterDistance(SunTeeth, PlanetTeeth, ToothModule), direction);
   const double angle = MeshingAngle(SunTeeth, sunAngle, PlanetTeeth, direction);
   unit.Add(Rank::DRIVE, "planet-gear", Material::BRONZE, stage * Shift(axis) * TurnZ(angle),
     "planet gear",
     [] {
-      return Gear({ PlanetTeeth, Module, Width, 1.6 * PinRadius });
+      return Gear({ PlanetTeeth, ToothModule, Width, 1.6 * PinRadius });
     });
   unit.Add(Rank::DRIVE, "planet-pin", Material::STEEL, stage * Shift(axis), "planet pin",
     [] {
@@ -73,13 +73,13 @@ void AddStage(Unit& unit, double z)
   const double first = unit.Dice.Between(0.0, 0.5 * Pi);
   unit.Add(Rank::DRIVE, "sun-gear", Material::GEAR_STEEL, stage * TurnZ(sunAngle), "sun gear",
     [] {
-      return Gear({ SunTeeth, Module, Width, UnitSize::MainShaft });
+      return Gear({ SunTeeth, ToothModule, Width, UnitSize::MainShaft });
     });
   const double planetAngle = MeshingAngle(SunTeeth, sunAngle, PlanetTeeth, first);
   const double ringAngle = RingMeshingAngle(PlanetTeeth, planetAngle, RingTeeth, first);
   unit.Add(Rank::DRIVE, "ring-gear", Material::STEEL, stage * TurnZ(ringAngle), "ring gear",
     [] {
-      return RingGear({ RingTeeth, Module, Width, RingRadius });
+      return RingGear({ RingTeeth, ToothModule, Width, RingRadius });
     });
   for (int i = 0; i < Planets; ++i)
   {

@@ -12,7 +12,7 @@ namespace program
 
 namespace
 {
-const std::size_t LongestLine = 99998; // VTK's reader has lines of 100000
+const std::size_t LongestObjLine = 99998; // VTK's reader has lines of 100000
 
 using Words = std::vector<std::string>;
 
@@ -24,7 +24,7 @@ void ForEachLine(const std::string& path, const std::string& bytes, const Take& 
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number)
   {
-    if (line.size() > LongestLine)
+    if (line.size() > LongestObjLine)
     {
       throw InputError(
         path, "line " + std::to_string(number) + " is longer than VTK's reader can take");

@@ -11,7 +11,7 @@ namespace program
 
 namespace
 {
-const std::size_t LongestLine = 4000; // VTK's reader has lines of 4096
+const std::size_t LongestPlyLine = 4000; // VTK's reader has lines of 4096
 
 const PlyType* FindType(const std::string& name)
 {
@@ -116,7 +116,7 @@ PlyHeader ParsePlyHeader(const std::string& path, const std::string& bytes)
   for (int number = 1;; ++number)
   {
     const std::size_t end = bytes.find('\n', header.Bytes);
-    if (end == std::string::npos || end - header.Bytes > LongestLine)
+    if (end == std::string::npos || end - header.Bytes > LongestPlyLine)
     {
       throw InputError(
         path, number == 1 ? "is no PLY file" : "is truncated: its header has no end");

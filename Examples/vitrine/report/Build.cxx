@@ -1,0 +1,41 @@
+#include "report/Build.h"
+
+#include "vtkTransparencyPass.h"
+#include "vtkVersion.h"
+
+#include <dlfcn.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+namespace program
+{
+
+namespace
+{
+/** The file that holds the code at an address; empty if none does. */
+std::string FileOf(const void* address)
+{
+  Dl_info info;
+  return dladdr(address, &info) != 0 ? info.dli_fname : "";
+}
+
+std::string HashOfFile(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::ostringstream hash;
+  hash << std::hex << std::hash<std::string>()(bytes);
+  return hash.str();
+}
+}
+
+Json BuildJson()
+{
+  const auto codeOfLibrary = &vtkTransparencyPass::SafeDownCast;
+  return { { "vtk", vtkVersion::GetVTKVersionFull() }, { "program", HashOfFile("/proc/self/exe") },
+    { "library", HashOfFile(FileOf(reinterpret_cast<const void*>(codeOfLibrary))) } };
+}
+
+}
