@@ -30,6 +30,8 @@ class Compare(FileTest):
     def test_json_is_as_agreed(self):
         told = compare(SCENE, "--methods", "all", "--frames", "3", "--size", "48x40")
         self.assertEqual(list(told), ["vitrine", "build", "device", "settings", "results"])
+        self.assertEqual(list(told["build"]), ["vtk", "program", "library"])
+        self.assertEqual(len(set(told["build"].values()) - {""}), 3)
         self.assertEqual(told["vitrine"], os.environ["VITRINE_VERSION"])
         self.assertEqual(list(told["device"]), ["vendor", "renderer", "gl"])
         self.assertTrue(all(told["device"].values()), told["device"])

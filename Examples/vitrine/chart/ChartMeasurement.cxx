@@ -209,23 +209,6 @@ void RecordCell(const StabilityCell& cell, ChartRecord& record)
   }
   record.Add("failures", Json::array({ row }));
 }
-
-void MeasureFailures(const StabilitySettings& settings, ChartRecord& record, Progress& progress)
-{
-  const std::string count = std::to_string(settings.Scenes.size() * settings.Methods.size());
-  StabilityListener listener;
-  listener.IsKnown = [&record](const std::string& scene, const std::string& method) {
-    return record.Has("failures", { { "scene", scene }, { "method", method } });
-  };
-  listener.Begins = [&](const std::string& scene, const std::string& method)
-  {
-    progress.SetTask(
-      "failures, " + std::to_string(record.Rows("failures").size()) + " of " + count + ": ");
-    progress.Show(scene + ", " + method);
-  };
-  listener.Finished = [&record](const StabilityCell& cell) { RecordCell(cell, record); };
-  MeasureStability(settings, listener);
-}
 }
 
 Device FindDevice()
@@ -251,7 +234,7 @@ Json ChartHead(const ChartPlan& plan, const Device& device)
   return head;
 }
 
-void MeasureChart(const ChartPlan& plan, ChartRecord& record, Progress& progress)
+void MeasureSteps(const ChartPlan& plan, ChartRecord& record, Progress& progress)
 {
   DropUnfinishedGrowth(plan, record);
   std::map<std::string, int> numbers;
@@ -267,7 +250,24 @@ void MeasureChart(const ChartPlan& plan, ChartRecord& record, Progress& progress
       step.Input + ": ");
     (step.Part == "scenes" ? MeasureScene : MeasureGrowth)(plan, step, number, record, progress);
   }
-  MeasureFailures(plan.Failures, record, progress);
+}
+
+void MeasureFailures(const ChartPlan& plan, ChartRecord& record, Progress& progress)
+{
+  const std::string count =
+    std::to_string(plan.Failures.Scenes.size() * plan.Failures.Methods.size());
+  StabilityListener listener;
+  listener.IsKnown = [&record](const std::string& scene, const std::string& method) {
+    return record.Has("failures", { { "scene", scene }, { "method", method } });
+  };
+  listener.Begins = [&](const std::string& scene, const std::string& method)
+  {
+    progress.SetTask(
+      "failures, " + std::to_string(record.Rows("failures").size()) + " of " + count + ": ");
+    progress.Show(scene + ", " + method);
+  };
+  listener.Finished = [&record](const StabilityCell& cell) { RecordCell(cell, record); };
+  MeasureStability(plan.Failures, listener);
 }
 
 void RecordScene(const ComparisonResult& comparison, int number, ChartRecord& record)

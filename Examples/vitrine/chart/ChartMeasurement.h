@@ -16,8 +16,11 @@ Device FindDevice();
 /** {"vitrine", "build", "device", "settings"} of a chart: what must be alike for measurements to stand in one chart. */
 Json ChartHead(const ChartPlan& plan, const Device& device);
 
-/** Measure the steps of the plan that the record lacks. */
-void MeasureChart(const ChartPlan& plan, ChartRecord& record, Progress& progress);
+/** Measure the steps of the plan that the record lacks: the rows "results". */
+void MeasureSteps(const ChartPlan& plan, ChartRecord& record, Progress& progress);
+
+/** Measure the cells of the plan that the record lacks: the rows "failures". */
+void MeasureFailures(const ChartPlan& plan, ChartRecord& record, Progress& progress);
 
 /**
  * Add the results of a comparison, which is step `number` of the part "scenes", and its pictures: rows as `compare` has, and in

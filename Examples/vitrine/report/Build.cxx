@@ -1,6 +1,6 @@
 #include "report/Build.h"
 
-#include "vtkTransparencyPass.h"
+#include "vtkSeeThroughPass.h"
 #include "vtkVersion.h"
 
 #include <dlfcn.h>
@@ -33,8 +33,8 @@ std::string HashOfFile(const std::string& path)
 
 Json BuildJson()
 {
-  const auto codeOfLibrary = &vtkTransparencyPass::SafeDownCast;
-  return { { "vtk", vtkVersion::GetVTKVersionFull() }, { "program", HashOfFile("/proc/self/exe") },
+  const auto codeOfLibrary = &vtkSeeThroughPass::New;
+  return { { "vtk", vtkVersion::GetVTKVersion() }, { "program", HashOfFile("/proc/self/exe") },
     { "library", HashOfFile(FileOf(reinterpret_cast<const void*>(codeOfLibrary))) } };
 }
 
