@@ -81,7 +81,7 @@ TEST_F(ChartRecordTest, BeginsWithoutRows)
   EXPECT_EQ(record.GoOn(), "");
   EXPECT_TRUE(record.Rows("results").empty());
   EXPECT_TRUE(record.Rows("failures").empty());
-  EXPECT_FALSE(fs::exists(record.PathOf("chart.json")));
+  EXPECT_EQ(Json::parse(this->Read("chart.json"))["results"], Json::array());
 }
 
 TEST_F(ChartRecordTest, GoesOnWithTheRowsThatAreThere)
@@ -127,6 +127,14 @@ TEST_F(ChartRecordTest, LeavesWhatWasMeasuredOtherwise)
     EXPECT_NE(refusal.find("--there"), std::string::npos) << refusal;
     EXPECT_EQ(this->Read("chart.json"), before);
   }
+}
+
+TEST_F(ChartRecordTest, LeavesPicturesOfNoChart)
+{
+  this->Write("mine", "");
+  fs::create_directory(this->Chart() + "/pictures");
+  EXPECT_NE(this->Refusal(Head()).find("pictures"), std::string::npos);
+  EXPECT_FALSE(fs::exists(this->Chart() + "/chart.json"));
 }
 
 TEST_F(ChartRecordTest, IsOfOneRunAtATime)

@@ -79,6 +79,8 @@ TEST(Verdict, JudgesOtherWindowsByTheirOwnBound)
   EXPECT_EQ(sampled.Worst().Frames, "4-samples");
   EXPECT_DOUBLE_EQ(sampled.OwnWindowError(), 0.5 * Step);
   ExpectVerdict(sampled, StabilityOutcome::Exact, "exact");
+  sampled.Error->Max = 1.05 * Step; // beyond its bound, which samples' errors are not
+  ExpectVerdict(sampled, StabilityOutcome::Wrong, "wrong by 1.05/255");
   sampled.Others = { Other(1.3 * Step, 4) };
   ExpectVerdict(sampled, StabilityOutcome::Wrong, "wrong by 1.3/255");
 }

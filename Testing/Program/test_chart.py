@@ -372,7 +372,7 @@ class Refusals(FileTest):
 
     def test_a_file_in_the_way_of_a_picture_is_told(self):
         path = self.write("pictures", b"")
-        self.refuse_chart(self.folder, path, "is not a folder")
+        self.refuse_chart(self.folder, path, "is of no chart")
 
     def test_the_json_of_others_is_left_alone(self):
         for content in (b"", b"{", b"[]", b'{"vitrine": "0"}', b"null"):

@@ -65,6 +65,14 @@ class DemoScenes(FileTest):
                         for i, value in enumerate(row):
                             self.assertAlmostEqual(value, 255 * expected[i % 3], delta=delta)
 
+    def test_a_stack_of_few_actors_is_the_same_stack(self):
+        own, _ = self.render("demo:stack,layers=9,alpha=0.3", "--size", "6x4")
+        for actors in (1, 2, 9, 12):
+            scene = f"demo:stack,layers=9,alpha=0.3,actors={actors}"
+            self.assertEqual(info(scene)["parts"], min(actors, 9))
+            dealt, _ = self.render(scene, "--size", "6x4")
+            self.assertEqual(dealt, own)
+
     def test_stack_of_4000_plates(self):
         layers = info("demo:stack,layers=4000,alpha=0.01")["layers"]
         self.assertEqual((layers["layers_max"], layers["layers_mean"]), (4000, 4000.0))

@@ -104,16 +104,19 @@ ChartRecord::ChartRecord(
   {
     CheckWritable(this->PathOf(file));
   }
+  this->Contents["results"] = Json::array();
+  const fs::path pictures = fs::path(this->PathOf(PicturePath("any"))).parent_path();
   if (const std::optional<Json> before = ReadDocument(this->PathOf(DocumentName)))
   {
     CheckHead(this->PathOf(DocumentName), *before, this->Contents, folderOption);
   }
   else
   {
-    this->CheckThatNoneIsThere({ PageFile, ErrorPlotFile, GrowthPlotFile }, folderOption);
+    this->CheckThatNoneIsThere(
+      { PageFile, ErrorPlotFile, GrowthPlotFile, pictures.filename().string() }, folderOption);
+    this->Save(); // before any picture: pictures without it are somebody else's
   }
-  this->Contents["results"] = Json::array();
-  MakeFolder(fs::path(this->PathOf(PicturePath("any"))).parent_path().string());
+  MakeFolder(pictures.string());
   CheckWritable(this->PathOf(PicturePath("any")));
 }
 
@@ -127,9 +130,10 @@ std::string ChartRecord::GoOn()
   this->Contents = *before;
   CheckRows(this->PathOf(DocumentName), this->Rows("results"), IsChartResult);
   CheckRows(this->PathOf(DocumentName), this->Rows("failures"), IsChartCell);
-  return this->PathOf(DocumentName) + " has " +
-    std::to_string(this->Rows("results").size() + this->Rows("failures").size()) +
-    " results already; going on from there";
+  const std::size_t count = this->Rows("results").size() + this->Rows("failures").size();
+  return count == 0 ? ""
+                    : this->PathOf(DocumentName) + " has " + std::to_string(count) +
+      " results already; going on from there";
 }
 
 bool ChartRecord::Has(const std::string& list, const Json& values) const

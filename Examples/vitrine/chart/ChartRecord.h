@@ -28,7 +28,7 @@ public:
   /**
    * Begin anew; `head` holds what all of it is measured with ({"vitrine", "build", "device", "settings"}). The folder is made if it is not
    * there, and no other run can have it meanwhile. Throws InputError if it cannot be, if one of its files may not be written to, or if it holds a chart.json of something
-   * else, or one that was measured with another head, or a page or a plot without any; the message names `folderOption`, by which users name a folder.
+   * else, or one that was measured with another head, or a page, a plot or pictures without any; the message names `folderOption`, by which users name a folder.
    */
   ChartRecord(const std::string& folder, const Json& head, const std::string& folderOption);
 

@@ -162,7 +162,9 @@ void AddStabilityCommand(CLI::App& app)
     ->add_option("--methods", options->Methods, "methods by name, and the groups exact and all")
     ->type_name("M,M,...")
     ->capture_default_str();
-  command->add_option("--scenes", options->Scenes, "scenes by name; all of them without")
+  command
+    ->add_option(
+      "--scenes", options->Scenes, "scenes by name, with commas between them; all of them without")
     ->type_name("NAME,...")
     ->delimiter(',')
     ->allow_extra_args(false)

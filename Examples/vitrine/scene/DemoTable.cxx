@@ -26,7 +26,8 @@ std::vector<Demo> UsualDemos()
       "exact with all that store every layer; the rest lose the layers that they have no room for, "
       "and 8-bit storage "
       "drifts with many faint ones",
-      { { "layers", 64, 1, 100000, true }, Alpha(0.2), Seed() }, MakeStackScene },
+      { { "layers", 64, 1, 100000, true }, Alpha(0.2), Seed(), { "actors", 0, 0, 100000, true } },
+      MakeStackScene },
     { "spheres", "layers/2 nested, jittered spheres", "",
       { { "layers", 64, 1, 20000, true }, Alpha(0.2), Seed(), { "resolution", 32, 3, 1000, true } },
       MakeSpheresScene },

@@ -12,6 +12,9 @@ namespace
 const char* const Alphas[] = { "0", "0.00392156862745098", "0.01", "0.5", "0.99", "1" };
 const char* const AlphaNames[] = { "0", "1-255", "0.01", "0.5", "0.99", "1" };
 
+/** Of deep stacks, of which each pixel is alike: methods that draw all layers for each take seconds a frame in larger ones. */
+const PictureSize SizeOfDeepStacks = { 16, 16 };
+
 /**
  * From one layer to four times what stencil masks keep, 16, and beyond all bins of the lists' networks. What is
  * quick are 17 layers of each alpha, one more than masks keep, and 64 of alpha 0.01.
@@ -26,8 +29,10 @@ std::vector<StabilityScene> Stacks()
       StabilityScene scene;
       const std::string count = std::to_string(layers);
       scene.Name = "stack-" + count + "-alpha-" + AlphaNames[i];
-      scene.Input = "demo:stack,layers=" + count + ",alpha=" + Alphas[i];
       scene.IsHeavy = layers == 1000;
+      scene.Input =
+        "demo:stack,layers=" + count + ",alpha=" + Alphas[i] + (scene.IsHeavy ? ",actors=8" : "");
+      scene.Size = layers > 17 ? std::optional(SizeOfDeepStacks) : std::nullopt;
       scene.IsQuick = layers == 17 || (layers == 64 && AlphaNames[i] == std::string("0.01"));
       scenes.push_back(scene);
     }
@@ -92,7 +97,7 @@ std::vector<StabilityScene> Others()
     Quick("inside", "inside"),
     Quick("at-face", "at-face"),
     Quick("parallel", "parallel"),
-    Slow("faint", "stack,layers=300,alpha=0.0019"),
+    Sized(Slow("faint", "stack,layers=300,alpha=0.0019,actors=8"), SizeOfDeepStacks),
     Sized(Slow("needles", "needles"), SizeOfNeedles),
     Sized(Quick("needles-few", "needles,needles=200"), SizeOfNeedles),
     Quick("slivers", "slivers"),
