@@ -1,3 +1,5 @@
+#include "NonFinite.h"
+
 #include "Core/Flip.h"
 #include "Core/ImageError.h"
 #include "Core/StructuralSimilarity.h"
@@ -7,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -22,9 +23,6 @@ using vitrine::Image;
 using vitrine::ImageError;
 using vitrine::ImagePair;
 using vitrine::MakeImage;
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 Image OneColor(int width, int height, float r, float g, float b)
 {
@@ -124,7 +122,7 @@ TEST(ImageError, PixelWithNaNIsAsWrongAsCanBe)
 {
   const Image clean = MakeImage(20, 20, FindImagePair("noise").Reference);
   Image broken = clean;
-  broken.Rgb[3 * 210 + 1] = nan;
+  broken.Rgb[3 * 210 + 1] = NotANumber;
   for (const ImageError& error :
     { CompareImages(broken, clean), CompareImages(clean, broken), CompareImages(broken, broken) })
   {
@@ -136,7 +134,7 @@ TEST(ImageError, PixelWithNaNIsAsWrongAsCanBe)
     EXPECT_LT(error.Flip, 0.5);
   }
   Image nothing = clean;
-  std::fill(nothing.Rgb.begin(), nothing.Rgb.end(), nan);
+  std::fill(nothing.Rgb.begin(), nothing.Rgb.end(), NotANumber);
   const ImageError error = CompareImages(nothing, clean);
   EXPECT_EQ(error.Max, 1.0);
   EXPECT_EQ(error.Rmse, 1.0);
@@ -148,7 +146,7 @@ TEST(ImageError, PixelWithNaNIsAsWrongAsCanBe)
 TEST(ImageError, ValuesThatNoDisplayShowsAreClamped)
 {
   const ImageError error =
-    CompareImages(OneColor(12, 12, 1.5f, -2, inf), OneColor(12, 12, 1, -inf, 7));
+    CompareImages(OneColor(12, 12, 1.5f, -2, Infinity), OneColor(12, 12, 1, -Infinity, 7));
   EXPECT_EQ(error.Max, 0.0);
   EXPECT_EQ(error.Flip, 0.0);
   EXPECT_EQ(CompareImages(OneColor(1, 1, 2, 2, 2), OneColor(1, 1, -2, -2, -2)).Max, 1.0);

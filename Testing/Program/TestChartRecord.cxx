@@ -64,7 +64,7 @@ protected:
 
 Json Head()
 {
-  return { { "vitrine", "1" }, { "device", { { "renderer", "any" } } },
+  return { { "vitrine", "1" }, { "build", "a" }, { "device", { { "renderer", "any" } } },
     { "settings", { { "input", "a.stl" } } } };
 }
 

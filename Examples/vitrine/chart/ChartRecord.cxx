@@ -81,8 +81,8 @@ void CheckHead(
 {
   for (const HeadKey& key : Head)
   {
-    const std::string difference = FirstDifference(
-      key.Name, document.value(key.Name, Json(nullptr)), head.value(key.Name, Json(nullptr)));
+    const std::string difference =
+      FirstDifference(key.Name, document.value(key.Name, Json(nullptr)), head[key.Name]);
     if (!difference.empty())
     {
       throw InputError(path,

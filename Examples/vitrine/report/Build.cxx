@@ -8,6 +8,8 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <sstream>
+#include <string>
 
 namespace program
 {
@@ -34,8 +36,10 @@ std::string HashOfFile(const std::string& path)
 Json BuildJson()
 {
   const auto codeOfLibrary = &vtkSeeThroughPass::New;
-  return { { "vtk", vtkVersion::GetVTKVersion() }, { "program", HashOfFile("/proc/self/exe") },
+  static const Json build = { { "vtk", vtkVersion::GetVTKVersion() },
+    { "program", HashOfFile("/proc/self/exe") },
     { "library", HashOfFile(FileOf(reinterpret_cast<const void*>(codeOfLibrary))) } };
+  return build;
 }
 
 }

@@ -32,7 +32,10 @@ std::vector<StabilityScene> Stacks()
       scene.IsHeavy = layers == 1000;
       scene.Input =
         "demo:stack,layers=" + count + ",alpha=" + Alphas[i] + (scene.IsHeavy ? ",actors=8" : "");
-      scene.Size = layers > 17 ? std::optional(SizeOfDeepStacks) : std::nullopt;
+      if (layers >= 64)
+      {
+        scene.Size = SizeOfDeepStacks;
+      }
       scene.IsQuick = layers == 17 || (layers == 64 && AlphaNames[i] == std::string("0.01"));
       scenes.push_back(scene);
     }
