@@ -45,6 +45,7 @@ int Run(int argc, char* argv[])
   program::AddRenderCommand(app);
   program::AddCompareCommand(app);
   program::AddChartCommand(app);
+  program::AddCullCommand(app);
   program::AddInfoCommand(app);
   program::AddPaperCommand(app);
   program::AddSortsCommand(app);

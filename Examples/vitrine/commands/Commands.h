@@ -19,6 +19,9 @@ void AddCompareCommand(CLI::App& app);
 /** `vitrine chart`: a page on speed against error, to look at and to keep. */
 void AddChartCommand(CLI::App& app);
 
+/** `vitrine cull`: frames with and without occlusion culling. */
+void AddCullCommand(CLI::App& app);
+
 /** `vitrine info`: what is in a scene, and what is not shown of it. */
 void AddInfoCommand(CLI::App& app);
 

@@ -9,13 +9,18 @@ namespace vitrine
 namespace
 {
 
-// More than what a few roundings to floats change, as a share of the largest number that goes into a sum.
-const float Rounding = 0x1p-21f;
+// More than what a device's roundings and ours change, as a share of the sum of all that goes into a product of a
+// matrix and a point: each rounds the matrix, products and sums to floats.
+const double RoundingOfSums = 0x1p-20;
 
-/** A coordinate of the eight corners of a box. */
-struct Corners
+}
+
+/** A coordinate of the eight corners of a box, in arrays that a compiler makes vectors of. */
+struct ScreenProjection::Corners
 {
-  float Of[8];
+  alignas(32) float Of[8];
+
+  Corners() = default;
 
   /** `base` and the sums of the box's edges. */
   Corners(double base, const glm::dvec3& edges)
@@ -24,11 +29,11 @@ struct Corners
     const float x = static_cast<float>(edges.x);
     const float y = static_cast<float>(edges.y);
     const float z = static_cast<float>(edges.z);
-    const float ofX[2] = { b, b + x };
-    const float ofYZ[4] = { 0.0f, y, z, y + z };
-    for (int i = 0; i < 8; ++i)
+    const float low[4] = { b, b + x, b + y, b + x + y };
+    for (int i = 0; i < 4; ++i)
     {
-      this->Of[i] = ofX[i % 2] + ofYZ[i / 2];
+      this->Of[i] = low[i];
+      this->Of[i + 4] = low[i] + z;
     }
   }
 
@@ -40,15 +45,15 @@ struct Corners
     }
   }
 
-  void Invert()
+  Corners Inverse() const
   {
+    Corners inverse;
     for (int i = 0; i < 8; ++i)
     {
-      this->Of[i] = 1.0f / this->Of[i];
+      inverse.Of[i] = 1.0f / this->Of[i];
     }
+    return inverse;
   }
-
-  float Largest() const { return std::max(std::abs(this->Least()), std::abs(this->Greatest())); }
 
   float Least() const
   {
@@ -69,79 +74,103 @@ struct Corners
     }
     return std::max(std::max(greatest[0], greatest[1]), std::max(greatest[2], greatest[3]));
   }
+
+  /** Whether factor times this is less than `other` at all corners, by more than `slack`. */
+  bool IsBelow(float factor, const Corners& other, float slack) const
+  {
+    Corners difference = other;
+    for (int i = 0; i < 8; ++i)
+    {
+      difference.Of[i] -= factor * this->Of[i];
+    }
+    return difference.Least() > slack;
+  }
 };
 
-/** Whether factor * a is less than b at all corners, by more than rounding explains. */
-bool IsBelow(const Corners& a, float factor, const Corners& b, float slack)
+ScreenMargin ScreenMatrix::MarginFrom(float leastW) const
 {
-  Corners difference = b;
-  for (int i = 0; i < 8; ++i)
-  {
-    difference.Of[i] -= factor * a.Of[i];
-  }
-  return difference.Least() > slack;
-}
+  const float inverse = 1.0f / leastW;
+  return { this->Snapping.Column + (this->Rounding.x + this->Size.x * this->Rounding.w) * inverse,
+    this->Snapping.Line + (this->Rounding.y + this->Size.y * this->Rounding.w) * inverse,
+    this->Snapping.Depth + (this->Rounding.z + this->Rounding.w) * inverse };
 }
 
-ScreenProjection::ScreenProjection(
-  const glm::dmat4& toClip, int columns, int lines, const glm::vec2& margin)
-  : Margin(margin)
-  , ColumnCount(static_cast<float>(columns))
-  , LineCount(static_cast<float>(lines))
+ScreenProjection::ScreenProjection(const glm::dmat4& toClip, int columns, int lines,
+  const glm::dvec3& reach, const ScreenMargin& snapping)
 {
+  const glm::dvec4 point(glm::abs(reach), 1.0);
+  glm::dvec4 sums(0.0); // of absolute values, of each clip coordinate
   for (int column = 0; column < 4; ++column)
   {
     const glm::dvec4& clip = toClip[column];
-    this->Matrix[column] = { 0.5 * columns * (clip.x + clip.w), 0.5 * lines * (clip.y + clip.w),
-      0.5 * (clip.w - clip.z), clip.w };
+    this->World.Matrix[column] = { 0.5 * columns * (clip.x + clip.w),
+      0.5 * lines * (clip.y + clip.w), 0.5 * (clip.w - clip.z), clip.w };
+    sums += glm::abs(clip) * point[column];
   }
+  this->World.Rounding = RoundingOfSums *
+    glm::dvec4(0.5 * columns * (sums.x + sums.w), 0.5 * lines * (sums.y + sums.w),
+      0.5 * (sums.z + sums.w), sums.w);
+  this->World.Snapping = snapping;
+  this->World.Size = { columns, lines };
 }
 
 glm::dvec4 ScreenProjection::ToScreen(const glm::dvec3& point) const
 {
-  return this->Matrix * glm::dvec4(point, 1.0);
+  return this->World.Matrix * glm::dvec4(point, 1.0);
+}
+
+ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, float coarser) const
+{
+  ScreenMatrix matrix = this->World;
+  matrix.Matrix = this->World.Matrix * toWorld;
+  matrix.Rounding *= coarser;
+  return matrix;
 }
 
 ScreenProjection::Place ScreenProjection::Project(const Box& box, ScreenRectangle& rectangle) const
 {
+  const glm::dmat4& matrix = this->World.Matrix;
   const glm::dvec4 base = this->ToScreen(box.Min);
   const glm::dvec3 size = glm::dvec3(box.Max) - glm::dvec3(box.Min);
-  const glm::dvec4 x = this->Matrix[0] * size.x;
-  const glm::dvec4 y = this->Matrix[1] * size.y;
-  const glm::dvec4 z = this->Matrix[2] * size.z;
+  const glm::dvec4 x = matrix[0] * size.x;
+  const glm::dvec4 y = matrix[1] * size.y;
+  const glm::dvec4 z = matrix[2] * size.z;
   const Corners w(base.w, { x.w, y.w, z.w });
   Corners columns(base.x, { x.x, y.x, z.x });
   Corners lines(base.y, { x.y, y.y, z.y });
   Corners depths(base.z, { x.z, y.z, z.z });
 
-  const float slack = Rounding * w.Largest();
-  const float columnSlack = Rounding * columns.Largest();
-  const float lineSlack = Rounding * lines.Largest();
-  const float depthSlack = Rounding * depths.Largest();
-  if (columns.Greatest() < -columnSlack || lines.Greatest() < -lineSlack ||
-    depths.Greatest() < -depthSlack ||
-    IsBelow(w, this->ColumnCount, columns, columnSlack + this->ColumnCount * slack) ||
-    IsBelow(w, this->LineCount, lines, lineSlack + this->LineCount * slack) ||
-    IsBelow(w, 1.0f, depths, depthSlack + slack))
+  const float leastW = w.Least();
+  if (!(leastW > this->World.Rounding.w))
   {
-    return Place::Outside;
+    return this->IsOutside(columns, lines, depths, w) ? Place::Outside : Place::Near;
   }
-  const float nearest = w.Least();
-  if (!(nearest > slack) || !IsBelow(depths, 1.0f, w, depthSlack + slack))
-  {
-    return Place::Near;
-  }
-
-  Corners inverse = w;
-  inverse.Invert();
+  const Corners inverse = w.Inverse();
   columns.Multiply(inverse);
   lines.Multiply(inverse);
   depths.Multiply(inverse);
-  const float column = this->Margin.x + 2.0f * columnSlack / nearest;
-  const float line = this->Margin.y + 2.0f * lineSlack / nearest;
-  rectangle = { columns.Least() - column, columns.Greatest() + column, lines.Least() - line,
-    lines.Greatest() + line, depths.Greatest() + 2.0f * depthSlack / nearest };
-  return Place::Before;
+  const ScreenMargin margin = this->World.MarginFrom(leastW);
+  rectangle = { columns.Least() - margin.Column, columns.Greatest() + margin.Column,
+    lines.Least() - margin.Line, lines.Greatest() + margin.Line, depths.Greatest() + margin.Depth };
+  const glm::vec2& screen = this->World.Size;
+  if (rectangle.Right < 0.0f || rectangle.Left > screen.x || rectangle.Top < 0.0f ||
+    rectangle.Bottom > screen.y || rectangle.Nearest < 0.0f || depths.Least() - margin.Depth > 1.0f)
+  {
+    return Place::Outside;
+  }
+  return rectangle.Nearest < 1.0f ? Place::Before : Place::Near;
+}
+
+/** Of a box that reaches to where w is not positive: whether all corners lie on the outer side of one plane of the frustum. */
+bool ScreenProjection::IsOutside(
+  const Corners& columns, const Corners& lines, const Corners& depths, const Corners& w) const
+{
+  const glm::vec2& screen = this->World.Size;
+  const glm::vec4& slack = this->World.Rounding;
+  return columns.Greatest() < -slack.x || lines.Greatest() < -slack.y ||
+    depths.Greatest() < -slack.z || w.IsBelow(screen.x, columns, slack.x + screen.x * slack.w) ||
+    w.IsBelow(screen.y, lines, slack.y + screen.y * slack.w) ||
+    w.IsBelow(1.0f, depths, slack.z + slack.w);
 }
 
 }

@@ -11,6 +11,26 @@
 namespace vitrine
 {
 
+/** By how much a device may draw something elsewhere than it is: in columns, lines, and reversed depth. */
+struct ScreenMargin
+{
+  float Column = 0.0f;
+  float Line = 0.0f;
+  float Depth = 0.0f;
+};
+
+/** A map to column, line and reversed depth, each times w, and w; and how far off a device may be that makes it in floats. */
+struct ScreenMatrix
+{
+  glm::dmat4 Matrix;
+  glm::vec4 Rounding;    ///< of each of the four
+  ScreenMargin Snapping; ///< what a rasteriser moves by besides
+  glm::vec2 Size;        ///< columns and lines
+
+  /** Of points on the screen for which w is at least `leastW`. */
+  ScreenMargin MarginFrom(float leastW) const;
+};
+
 /**
  * How a view maps world coordinates (WC) onto the columns and lines of an s-buffer, and to reversed depth: (w - z) / 2w of clip
  * coordinates, 1 at the near plane and 0 at the far one. That is affine on the screen along a plane, in perspective and in
@@ -29,25 +49,36 @@ public:
   };
 
   /**
-   * @param toClip  from world coordinates to OpenGL's clip coordinates, for column vectors
-   * @param margin  of rectangles to each side, in columns and lines: what a rasteriser may move edges by
+   * @param toClip    from world coordinates to OpenGL's clip coordinates, for column vectors
+   * @param reach     the largest absolute coordinate of what is drawn: the larger they are, the coarser a device's floats
+   * @param snapping  what a rasteriser moves edges and depths by, besides the rounding of its floats
    */
-  ScreenProjection(const glm::dmat4& toClip, int columns, int lines, const glm::vec2& margin);
+  ScreenProjection(const glm::dmat4& toClip, int columns, int lines, const glm::dvec3& reach,
+    const ScreenMargin& snapping);
 
   /**
-   * The least rectangle that surely holds all of the box on the screen, and the greatest depth that it surely does not
-   * exceed. `rectangle` is written where the box is Before.
+   * The least rectangle that surely holds all that is drawn of the box on the screen, and the greatest depth that it surely does
+   * not exceed. `rectangle` is written where the box is Before.
    */
   Place Project(const Box& box, ScreenRectangle& rectangle) const;
 
   /** Column, line and depth, each times w, and w. */
   glm::dvec4 ToScreen(const glm::dvec3& point) const;
 
+  /**
+   * Of a part's model coordinates.
+   * @param toWorld  from model coordinates
+   * @param coarser  how many times as large as `reach` the sums are that lead from its coordinates to the world
+   */
+  ScreenMatrix Of(const glm::dmat4& toWorld, float coarser) const;
+
 private:
-  glm::dmat4 Matrix;
-  glm::vec2 Margin;
-  float ColumnCount;
-  float LineCount;
+  struct Corners;
+
+  bool IsOutside(
+    const Corners& columns, const Corners& lines, const Corners& depths, const Corners& w) const;
+
+  ScreenMatrix World;
 };
 
 }

@@ -1,0 +1,100 @@
+#include "commands/Commands.h"
+
+#include "Errors.h"
+#include "Progress.h"
+#include "commands/Options.h"
+#include "report/CullReport.h"
+
+#include "vtkHeadlessRenderWindow.h"
+
+#include <map>
+#include <memory>
+
+namespace program
+{
+
+namespace
+{
+struct CullOptions
+{
+  std::vector<std::string> Inputs;
+  std::string Size = "480x270";
+  std::optional<double> Opacity;
+  CullSettings Settings;
+  bool WithoutIdeal = false;
+  std::optional<std::string> Json;
+};
+
+const std::map<std::string, PoseProjection> Projections = { { "perspective",
+                                                              PoseProjection::Perspective },
+  { "parallel", PoseProjection::Parallel }, { "both", PoseProjection::Both } };
+
+void Cull(CullOptions options)
+{
+  vtkHeadlessRenderWindow::InstallOverride();
+  CheckJsonPath(options.Json);
+  options.Settings.Size = ParseSize(options.Size);
+  options.Settings.CountsIdeal = !options.WithoutIdeal;
+  std::vector<CullRun> runs;
+  {
+    Progress progress;
+    for (const std::string& input : options.Inputs)
+    {
+      progress.Show(input + ": reading");
+      Scene scene = LoadInput(input, options.Opacity);
+      scene.Name = input;
+      runs.push_back(MeasureCulling(scene, options.Settings,
+        [&](int pose)
+        {
+          progress.Show(input + ": pose " + std::to_string(pose + 1) + " of " +
+            std::to_string(options.Settings.Poses));
+        }));
+    }
+  }
+  WriteReport(options.Json, ToTable(runs), ToJson(runs));
+  if (const std::int64_t wrong = CountWrongPixels(runs))
+  {
+    throw std::runtime_error(std::to_string(wrong) + " pixels differ with the culler");
+  }
+}
+}
+
+void AddCullCommand(CLI::App& app)
+{
+  auto options = std::make_shared<CullOptions>();
+  CLI::App* command = app.add_subcommand("cull",
+    "Draw frames with and without occlusion culling; tell what it leaves out, and what it costs");
+  command->add_option("INPUT", options->Inputs, "files, or demo:NAME[,key=value...]")->required();
+  AddSizeOption(*command, options->Size);
+  AddOpacityOption(*command, options->Opacity);
+  command->add_option("--poses", options->Settings.Poses, "cameras, from outside and from within")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1000000))
+    ->capture_default_str();
+  command->add_option("--seed", options->Settings.Seed, "of the poses")
+    ->type_name("S")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command->add_option("--projection", options->Settings.Projection, "of the poses")
+    ->type_name("perspective|parallel|both")
+    ->transform(CLI::CheckedTransformer(Projections))
+    ->default_str("both");
+  command
+    ->add_option("--multisamples", options->Settings.Multisamples, "samples of a pixel; 0 for one")
+    ->type_name("N")
+    ->check(CLI::IsMember({ 0, 2, 4, 8, 16, 32 }))
+    ->capture_default_str();
+  command->add_option("--method", options->Settings.Method, "that draws what is translucent")
+    ->type_name("M")
+    ->capture_default_str();
+  command->add_option("--lines", options->Settings.BufferLines, "of the s-buffer at most")
+    ->type_name("N")
+    ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  command->add_flag(
+    "--without-ideal", options->WithoutIdeal, "do not count what a perfect culler would draw");
+  AddJsonOption(*command, options->Json);
+  command->callback([options] { Cull(*options); });
+}
+
+}

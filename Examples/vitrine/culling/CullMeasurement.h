@@ -1,0 +1,58 @@
+/**
+ * Frames with and without vtkHierarchicalSBufferCuller, side by side.
+ */
+#ifndef VITRINE_PROGRAM_CULL_MEASUREMENT_H
+#define VITRINE_PROGRAM_CULL_MEASUREMENT_H
+
+#include "culling/CullPoses.h"
+#include "methods/Device.h"
+#include "methods/Stage.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+struct CullSettings
+{
+  PictureSize Size = { 480, 270 };
+  int Multisamples = 0;
+  int Poses = 20;
+  PoseProjection Projection = PoseProjection::Both;
+  std::uint64_t Seed = 1;
+  std::string Method = "vtk-oit";
+  int BufferLines = 270;
+  bool CountsIdeal = true;
+};
+
+/** One pose. */
+struct CullFrame
+{
+  std::size_t Drawn = 0; ///< actors that the culler left
+  std::size_t Ideal = 0; ///< opaque parts that own a pixel
+  double CullMilliseconds = 0.0;
+  double FrameMilliseconds = 0.0;
+  double FrameMillisecondsWithout = 0.0;
+  std::int64_t WrongPixels = 0; ///< that differ between the two
+};
+
+struct CullRun
+{
+  std::string Name;
+  std::size_t Parts = 0;
+  std::size_t OpaqueParts = 0;
+  CullSettings Settings;
+  Device DrawnBy;
+  std::vector<CullFrame> Frames;
+};
+
+/** @param progress  is told how many poses are done */
+CullRun MeasureCulling(
+  const Scene& scene, const CullSettings& settings, const std::function<void(int)>& progress);
+
+}
+
+#endif

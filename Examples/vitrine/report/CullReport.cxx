@@ -1,0 +1,155 @@
+#include "report/CullReport.h"
+
+#include "Median.h"
+#include "report/Json.h"
+#include "report/TextTable.h"
+
+#include <functional>
+#include <optional>
+
+namespace program
+{
+
+namespace
+{
+using FrameValue = std::function<double(const CullFrame&)>;
+
+std::vector<double> Values(const CullRun& run, const FrameValue& value)
+{
+  std::vector<double> values;
+  for (const CullFrame& frame : run.Frames)
+  {
+    values.push_back(value(frame));
+  }
+  return values;
+}
+
+double Sum(const CullRun& run, const FrameValue& value)
+{
+  double sum = 0.0;
+  for (const double each : Values(run, value))
+  {
+    sum += each;
+  }
+  return sum;
+}
+
+double Mean(const CullRun& run, const FrameValue& value)
+{
+  return Sum(run, value) / static_cast<double>(run.Frames.size());
+}
+
+double Drawn(const CullFrame& frame)
+{
+  return static_cast<double>(frame.Drawn);
+}
+double Ideal(const CullFrame& frame)
+{
+  return static_cast<double>(frame.Ideal);
+}
+double Wrong(const CullFrame& frame)
+{
+  return static_cast<double>(frame.WrongPixels);
+}
+double CullTimeOf(const CullFrame& frame)
+{
+  return frame.CullMilliseconds;
+}
+double With(const CullFrame& frame)
+{
+  return frame.FrameMilliseconds;
+}
+double Without(const CullFrame& frame)
+{
+  return frame.FrameMillisecondsWithout;
+}
+
+/** Of all parts, the share that is not drawn. */
+double CulledShare(const CullRun& run)
+{
+  return 1.0 - Mean(run, Drawn) / static_cast<double>(run.Parts);
+}
+
+/** Of all parts, the share that a perfect culler would not draw; translucent parts are no matter of its. */
+std::optional<double> IdealShare(const CullRun& run)
+{
+  if (run.OpaqueParts == 0)
+  {
+    return std::nullopt;
+  }
+  return 1.0 - Mean(run, Ideal) / static_cast<double>(run.OpaqueParts);
+}
+
+std::string Share(const std::optional<double>& share)
+{
+  return share ? FormatCell("%.1f %%", 100.0 * *share) : "?";
+}
+
+TextRow RowOf(const CullRun& run)
+{
+  return { run.Name, std::to_string(run.Parts), FormatCell("%.0f", Mean(run, Drawn)),
+    run.OpaqueParts > 0 ? FormatCell("%.0f", Mean(run, Ideal)) : "?", Share(CulledShare(run)),
+    Share(IdealShare(run)), FormatCell("%.2f", Median(Values(run, CullTimeOf))),
+    FormatCell("%.2f", Median(Values(run, With))), FormatCell("%.2f", Median(Values(run, Without))),
+    FormatCell("%.0f", Sum(run, Wrong)) };
+}
+
+Json RunJson(const CullRun& run)
+{
+  Json poses = Json::array();
+  for (const CullFrame& frame : run.Frames)
+  {
+    poses.push_back({ { "drawn", frame.Drawn },
+      { "ideal", run.OpaqueParts > 0 ? Json(frame.Ideal) : Json(nullptr) },
+      { "cull_ms", frame.CullMilliseconds }, { "frame_ms", frame.FrameMilliseconds },
+      { "frame_ms_without", frame.FrameMillisecondsWithout },
+      { "wrong_pixels", frame.WrongPixels } });
+  }
+  return { { "input", run.Name }, { "parts", run.Parts }, { "opaque_parts", run.OpaqueParts },
+    { "drawn", Mean(run, Drawn) },
+    { "ideal", run.OpaqueParts > 0 ? Json(Mean(run, Ideal)) : Json(nullptr) },
+    { "culled_share", CulledShare(run) }, { "ideal_share", OrNull(IdealShare(run)) },
+    { "cull_ms", Median(Values(run, CullTimeOf)) }, { "frame_ms", Median(Values(run, With)) },
+    { "frame_ms_without", Median(Values(run, Without)) },
+    { "wrong_pixels", static_cast<std::int64_t>(Sum(run, Wrong)) }, { "poses", poses } };
+}
+}
+
+std::string ToTable(const std::vector<CullRun>& runs)
+{
+  std::vector<TextRow> rows = { { "input", "parts", "drawn", "ideal", "culled", "ideally",
+    "cull ms", "frame ms", "without", "wrong pixels" } };
+  for (const CullRun& run : runs)
+  {
+    rows.push_back(RowOf(run));
+  }
+  return runs.front().DrawnBy.Renderer + "\n\n" + AlignColumns(rows);
+}
+
+std::string ToJson(const std::vector<CullRun>& runs)
+{
+  const CullSettings& settings = runs.front().Settings;
+  Json document = MeasurementHead(runs.front().DrawnBy);
+  document["settings"] = { { "width", settings.Size.Width }, { "height", settings.Size.Height },
+    { "multisamples", settings.Multisamples }, { "poses", settings.Poses },
+    { "seed", settings.Seed }, { "method", settings.Method },
+    { "buffer_lines", settings.BufferLines } };
+  document["results"] = Json::array();
+  for (const CullRun& run : runs)
+  {
+    document["results"].push_back(RunJson(run));
+  }
+  return JsonText(document);
+}
+
+std::int64_t CountWrongPixels(const std::vector<CullRun>& runs)
+{
+  double wrong = 0.0;
+  for (const CullRun& run : runs)
+  {
+    wrong += Sum(run, Wrong);
+  }
+  return static_cast<std::int64_t>(wrong);
+}
+
+}

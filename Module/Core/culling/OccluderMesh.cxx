@@ -1,0 +1,150 @@
+#include "Core/culling/OccluderMesh.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace vitrine
+{
+
+namespace
+{
+
+bool IsFinitePoint(const glm::dvec3& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/** One side of a face, under the name that it has from either side. */
+struct Side
+{
+  std::uint32_t Least;
+  std::uint32_t Greatest;
+  std::uint32_t Face;
+  bool IsForward; ///< the face goes from Least to Greatest
+
+  bool IsBefore(const Side& other) const
+  {
+    return this->Least != other.Least    ? this->Least < other.Least
+      : this->Greatest != other.Greatest ? this->Greatest < other.Greatest
+                                         : this->Face < other.Face;
+  }
+  bool JoinsWith(const Side& other) const
+  {
+    return this->Least == other.Least && this->Greatest == other.Greatest &&
+      this->IsForward != other.IsForward;
+  }
+  bool IsBetweenTheSame(const Side& other) const
+  {
+    return this->Least == other.Least && this->Greatest == other.Greatest;
+  }
+};
+}
+
+OccluderMesh::OccluderMesh(
+  const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners)
+{
+  assert(corners.size() % 3 == 0);
+  std::vector<std::uint32_t> welded = corners;
+  this->Weld(points, welded);
+  for (std::size_t i = 0; i + 2 < welded.size(); i += 3)
+  {
+    const Face face{ welded[i], welded[i + 1], welded[i + 2] };
+    const bool isDrawn = IsFinitePoint(points[corners[i]]) &&
+      IsFinitePoint(points[corners[i + 1]]) && IsFinitePoint(points[corners[i + 2]]);
+    if (isDrawn && face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+    {
+      this->Triangles.push_back(face);
+    }
+  }
+  this->FindEdges();
+}
+
+void OccluderMesh::Weld(const std::vector<glm::dvec3>& points, std::vector<std::uint32_t>& corners)
+{
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  order.erase(std::remove_if(order.begin(), order.end(),
+                [&](std::uint32_t i) { return !IsFinitePoint(points[i]); }),
+    order.end());
+  const auto key = [&](std::uint32_t i) {
+    return std::array<double, 3>{ points[i].x, points[i].y, points[i].z };
+  };
+  std::sort(
+    order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+
+  glm::dvec3 least(0.0), greatest(0.0);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    least = i == 0 ? points[order[i]] : glm::min(least, points[order[i]]);
+    greatest = i == 0 ? points[order[i]] : glm::max(greatest, points[order[i]]);
+  }
+  this->Middle = 0.5 * least + 0.5 * greatest;
+
+  std::vector<std::uint32_t> place(points.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const glm::dvec3& point = points[order[i]];
+    if (i == 0 || point != points[order[i - 1]])
+    {
+      this->X.push_back(static_cast<float>(point.x - this->Middle.x));
+      this->Y.push_back(static_cast<float>(point.y - this->Middle.y));
+      this->Z.push_back(static_cast<float>(point.z - this->Middle.z));
+    }
+    place[order[i]] = static_cast<std::uint32_t>(this->X.size() - 1);
+  }
+  for (std::uint32_t& corner : corners)
+  {
+    assert(corner < points.size());
+    corner = place[corner];
+  }
+}
+
+void OccluderMesh::FindEdges()
+{
+  std::vector<Side> sides;
+  sides.reserve(this->Triangles.size() * 3);
+  for (std::uint32_t f = 0; f < this->Triangles.size(); ++f)
+  {
+    const Face& face = this->Triangles[f];
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::uint32_t from = face[i];
+      const std::uint32_t to = face[(i + 1) % 3];
+      sides.push_back({ std::min(from, to), std::max(from, to), f, from < to });
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.IsBefore(b); });
+
+  for (std::size_t i = 0; i < sides.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].IsBetweenTheSame(sides[i]))
+    {
+      ++end;
+    }
+    // Two faces that go through it in opposite directions are joined. Where there are more, none is: which of them
+    // continue each other depends on the view.
+    const bool isJoined = end == i + 2 && sides[i].JoinsWith(sides[i + 1]);
+    for (std::size_t k = i; k < (isJoined ? i + 1 : end); ++k)
+    {
+      const Side& side = sides[k];
+      this->Sides.push_back(
+        { side.IsForward ? side.Least : side.Greatest, side.IsForward ? side.Greatest : side.Least,
+          side.Face, isJoined ? sides[i + 1].Face : NoFace });
+    }
+    this->HasNoBorder = this->HasNoBorder && isJoined;
+    i = end;
+  }
+}
+
+std::size_t OccluderMesh::Bytes() const
+{
+  return sizeof(*this) + 3 * this->X.capacity() * sizeof(float) +
+    this->Triangles.capacity() * sizeof(Face) + this->Sides.capacity() * sizeof(Edge);
+}
+
+}

@@ -1,0 +1,144 @@
+#include "Core/culling/PartCuller.h"
+
+#include "Core/culling/OctreeWalk.h"
+
+#include <cassert>
+
+namespace vitrine
+{
+
+namespace
+{
+// Meshes of more points are not projected before they are known to show: their boxes decide.
+const std::size_t FewPoints = 64;
+}
+
+/** Visits nodes and parts in one frame. */
+class PartCuller::Walk
+{
+public:
+  Walk(PartCuller& culler, const std::vector<Box>& bounds, OccluderSource& occluders,
+    const CullView& view, std::vector<std::uint8_t>& visible)
+    : Culler(culler)
+    , Bounds(bounds)
+    , Occluders(occluders)
+    , View(view)
+    , Visible(visible)
+  {
+  }
+
+  bool Enter(const OctreeNode& node)
+  {
+    ++this->Culler.Counted.Nodes;
+    return this->MayShow(node.Bounds);
+  }
+
+  void Visit(const OctreeNode&, const std::uint32_t* items, std::uint32_t count)
+  {
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      if (!this->Culler.IsTested[items[i]] && this->Visible[items[i]])
+      {
+        this->Culler.IsTested[items[i]] = 1;
+        this->Visible[items[i]] = this->VisitPart(items[i]);
+      }
+    }
+  }
+
+  /** What the walk has not come to does not show, but for items that have no place. */
+  void DropUntested(const std::vector<std::uint32_t>& unplaced)
+  {
+    for (const std::uint32_t item : unplaced)
+    {
+      this->Culler.IsTested[item] = 1;
+    }
+    for (std::size_t i = 0; i < this->Visible.size(); ++i)
+    {
+      this->Visible[i] &= this->Culler.IsTested[i];
+    }
+  }
+
+private:
+  bool MayShow(const Box& box)
+  {
+    ScreenRectangle rectangle;
+    switch (this->View.Projection.Project(box, rectangle))
+    {
+      case ScreenProjection::Place::Outside:
+        return false;
+      case ScreenProjection::Place::Near:
+        return true;
+      case ScreenProjection::Place::Before:
+        return !this->Culler.Lines.Hides(rectangle, 0.0f);
+    }
+    return true;
+  }
+
+  bool VisitPart(std::uint32_t item)
+  {
+    ++this->Culler.Counted.Tested;
+    if (!this->MayShow(this->Bounds[item]))
+    {
+      return false;
+    }
+    const Occluder occluder = this->Occluders.OccluderOf(item);
+    if (!occluder.Mesh)
+    {
+      return true;
+    }
+    const bool isBehindNear = this->Culler.Projected.Project(
+      *occluder.Mesh, this->View.Projection.Of(*occluder.ToWorld, occluder.Coarser));
+    if (isBehindNear && occluder.Mesh->PointCount() <= FewPoints &&
+      this->Culler.Lines.Hides(this->Culler.Projected.Rectangle(), 0.0f))
+    {
+      return false;
+    }
+    this->InsertPart(item, occluder);
+    return true;
+  }
+
+  void InsertPart(std::uint32_t item, const Occluder& occluder)
+  {
+    ++this->Culler.Counted.Inserted;
+    this->Culler.Projected.FindFacings();
+    this->Culler.Coverage.Insert(
+      this->Culler.Lines, this->Culler.Projected, MeshProjection::Facing::Front, item);
+    if (occluder.HasBackFaces && !occluder.Mesh->IsClosed())
+    {
+      this->Culler.Coverage.Insert(
+        this->Culler.Lines, this->Culler.Projected, MeshProjection::Facing::Back, item);
+    }
+  }
+
+  PartCuller& Culler;
+  const std::vector<Box>& Bounds;
+  OccluderSource& Occluders;
+  const CullView& View;
+  std::vector<std::uint8_t>& Visible;
+};
+
+PartCuller::PartCuller(int columns, int lines)
+  : Lines(columns, lines)
+{
+}
+
+void PartCuller::Cull(const Octree& tree, const std::vector<Box>& bounds, OccluderSource& occluders,
+  const CullView& view, std::vector<std::uint8_t>& visible)
+{
+  assert(visible.size() == bounds.size());
+  this->Lines.Clear();
+  this->Counted = {};
+  this->IsTested.assign(bounds.size(), 0);
+  Walk walk(*this, bounds, occluders, view, visible);
+  if (view.IsParallel)
+  {
+    WalkFrontToBack(tree, OrderAlong(view.Eye), walk);
+  }
+  else
+  {
+    WalkFrontToBack(tree, OrderFromEye(view.Eye), walk);
+  }
+  walk.DropUntested(tree.UnplacedItems());
+}
+
+}

@@ -1,0 +1,87 @@
+#ifndef VITRINE_CORE_CULLING_PART_CULLER_H
+#define VITRINE_CORE_CULLING_PART_CULLER_H
+
+#include "Core/culling/MeshProjection.h"
+#include "Core/culling/Octree.h"
+#include "Core/culling/OutlineCoverage.h"
+#include "Core/culling/SBuffer.h"
+#include "Core/culling/ScreenProjection.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/** What a part hides with. */
+struct Occluder
+{
+  const OccluderMesh* Mesh = nullptr;  ///< null if it hides nothing
+  const glm::dmat4* ToWorld = nullptr; ///< from the mesh's model coordinates
+  float Coarser = 1.0f;                ///< see ScreenProjection::Of()
+  bool HasBackFaces = true; ///< whether faces that go around clockwise on the screen are drawn, too
+};
+
+/** Tells what parts hide with; asked only for those that show. */
+class OccluderSource
+{
+public:
+  virtual ~OccluderSource() = default;
+  virtual Occluder OccluderOf(std::uint32_t part) = 0;
+};
+
+/** Counts of one frame. */
+struct CullCounts
+{
+  std::uint32_t Nodes = 0;    ///< of the octree that were tested
+  std::uint32_t Tested = 0;   ///< parts
+  std::uint32_t Inserted = 0; ///< parts whose cover went into the s-buffer
+};
+
+/** What a view needs to be known of for a walk. */
+struct CullView
+{
+  ScreenProjection Projection;
+  glm::dvec3 Eye; ///< WC; of a parallel view, its direction
+  bool IsParallel;
+};
+
+/**
+ * The hierarchical s-buffer: walks an octree of parts from front to back, leaves out what is outside the view or hidden by what
+ * stands in the s-buffer, and puts what shows into it.
+ * (A. V. Boreskov, hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993)
+ */
+class PartCuller
+{
+public:
+  /** With an s-buffer of so many columns and lines. */
+  PartCuller(int columns, int lines);
+
+  /**
+   * Finds which parts may show.
+   * @param tree       of the parts' bounds
+   * @param bounds     of each part, in world coordinates (WC)
+   * @param occluders  tells what the parts hide with
+   * @param visible    one for each part; on input 1 for those that this frame draws. 0 is put for what surely does not show
+   */
+  void Cull(const Octree& tree, const std::vector<Box>& bounds, OccluderSource& occluders,
+    const CullView& view, std::vector<std::uint8_t>& visible);
+
+  const CullCounts& Counts() const { return this->Counted; }
+  const SBuffer& Buffer() const { return this->Lines; }
+
+private:
+  class Walk;
+
+  SBuffer Lines;
+  MeshProjection Projected;
+  OutlineCoverage Coverage;
+  CullCounts Counted;
+  std::vector<std::uint8_t> IsTested;
+};
+
+}
+
+#endif

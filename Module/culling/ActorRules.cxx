@@ -1,0 +1,121 @@
+#include "culling/ActorRules.h"
+
+#include "culling/PartGeometry.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// What antialiased and snapped lines and points touch beyond their width.
+const float BesidesWidth = 1.5f;
+
+bool IsOfClass(vtkObject* object, const char* name)
+{
+  return std::strcmp(object->GetClassName(), name) == 0;
+}
+
+/** Reads what vtkProp::GetShaderProperty() would make where there is none. */
+class ShaderPropertyOf : public vtkProp
+{
+public:
+  static vtkShaderProperty* Read(vtkProp* prop)
+  {
+    return prop->*(&ShaderPropertyOf::ShaderProperty);
+  }
+};
+
+bool HasShaderCode(vtkActor* actor)
+{
+  vtkShaderProperty* shader = ShaderPropertyOf::Read(actor);
+  return shader &&
+    (shader->GetNumberOfShaderReplacements() > 0 || shader->HasVertexShaderCode() ||
+      shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
+}
+
+/** Of three components without a map to colours: no alpha. */
+bool IsOpaque(vtkTexture* texture)
+{
+  vtkImageData* image = texture->GetInput();
+  return image && image->GetNumberOfScalarComponents() == 3 &&
+    image->GetScalarType() == VTK_UNSIGNED_CHAR &&
+    texture->GetColorMode() == VTK_COLOR_MODE_DEFAULT;
+}
+}
+
+vtkActor* AsHideable(vtkProp* prop)
+{
+  vtkActor* actor = IsOfClass(prop, "vtkOpenGLActor") ? static_cast<vtkActor*>(prop) : nullptr;
+  if (!actor || !actor->GetMapper() || !IsOfClass(actor->GetMapper(), "vtkOpenGLPolyDataMapper"))
+  {
+    return nullptr;
+  }
+  const bool isDrawnWhereItIs =
+    !HasShaderCode(actor) && vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF;
+  return isDrawnWhereItIs ? actor : nullptr;
+}
+
+vtkMTimeType ModificationTime(vtkActor* actor)
+{
+  vtkMTimeType time = std::max(actor->GetMTime(), actor->GetMapper()->GetMTime());
+  if (vtkShaderProperty* shader = ShaderPropertyOf::Read(actor))
+  {
+    time = std::max(time, std::max(shader->GetMTime(), shader->GetShaderMTime()));
+  }
+  return time;
+}
+
+float GrowthOf(vtkActor* actor, const PartGeometry& geometry)
+{
+  vtkProperty* property = actor->GetProperty();
+  if (property->GetEdgeVisibility() || property->GetVertexVisibility() ||
+    property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes())
+  {
+    return -1.0f;
+  }
+  const bool isThin = property->GetRepresentation() != VTK_SURFACE || geometry.HasThinCells();
+  return isThin ? std::max(property->GetLineWidth(), property->GetPointSize()) + BesidesWidth
+                : 0.0f;
+}
+
+bool IsOpaqueSurface(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
+  vtkProperty* back = actor->GetBackfaceProperty();
+  return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
+    !actor->HasTranslucentPolygonalGeometry() && !actor->GetForceOpaque() &&
+    property->GetOpacity() >= 1.0 && !(back && back->GetOpacity() < 1.0) &&
+    !(planes && planes->GetNumberOfItems() > 0);
+}
+
+bool AreTexturesOpaque(vtkActor* actor)
+{
+  if (actor->GetTexture() && !IsOpaque(actor->GetTexture()))
+  {
+    return false;
+  }
+  if (actor->GetProperty()->GetNumberOfTextures() == 0)
+  {
+    return true;
+  }
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return std::all_of(
+    textures.begin(), textures.end(), [](const auto& texture) { return IsOpaque(texture.second); });
+}
+
+}

@@ -1,0 +1,35 @@
+#ifndef VITRINE_CULLING_ACTOR_RULES_H
+#define VITRINE_CULLING_ACTOR_RULES_H
+
+#include "vtkType.h"
+
+class vtkActor;
+class vtkMapper;
+class vtkProp;
+
+namespace vitrine
+{
+
+class PartGeometry;
+
+/**
+ * The prop as an actor that is drawn where its polydata's points are, so that it can be hidden; null for all others: other
+ * classes, other mappers, shader code of the user's, offsets of coincident topology.
+ */
+vtkActor* AsHideable(vtkProp* prop);
+
+/** The latest time at which anything was modified that decides where an actor is drawn and what it hides. */
+vtkMTimeType ModificationTime(vtkActor* actor);
+
+/** By how many pixels the actor is drawn wider than its points are; less than 0 if that is not known. */
+float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
+
+/** Whether the surface of the actor surely hides what lies behind it, textures aside. */
+bool IsOpaqueSurface(vtkActor* actor);
+
+/** Whether the actor has no texture that could let anything through. */
+bool AreTexturesOpaque(vtkActor* actor);
+
+}
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef VITRINE_CULLING_MATRICES_H
+#define VITRINE_CULLING_MATRICES_H
+
+#include "vtkMatrix4x4.h"
+
+#include <glm/mat4x4.hpp>
+
+namespace vitrine
+{
+
+/** VTK's matrices are kept row by row, GLM's column by column. Both multiply column vectors. */
+inline glm::dmat4 MatrixOf(const double elements[16])
+{
+  glm::dmat4 matrix;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      matrix[column][row] = elements[4 * row + column];
+    }
+  }
+  return matrix;
+}
+
+inline glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
+{
+  return MatrixOf(matrix->GetData());
+}
+
+}
+
+#endif

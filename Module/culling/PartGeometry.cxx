@@ -1,0 +1,96 @@
+#include "culling/PartGeometry.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace vitrine
+{
+
+namespace
+{
+
+const double LargestFloat = std::numeric_limits<float>::max();
+
+std::vector<glm::dvec3> PointsOf(vtkPolyData* data)
+{
+  std::vector<glm::dvec3> points(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    data->GetPoints()->GetPoint(static_cast<vtkIdType>(i), &points[i].x);
+  }
+  return points;
+}
+
+/** The triangles that VTK draws polygons as: a fan around the first corner. */
+std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data)
+{
+  std::vector<std::uint32_t> corners;
+  const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCurrentCell(count, points);
+    for (vtkIdType i = 1; i + 1 < count; ++i)
+    {
+      corners.push_back(static_cast<std::uint32_t>(points[0]));
+      corners.push_back(static_cast<std::uint32_t>(points[i]));
+      corners.push_back(static_cast<std::uint32_t>(points[i + 1]));
+    }
+  }
+  return corners;
+}
+
+/** Ghost cells may or may not be drawn. */
+bool HasGhosts(vtkPolyData* data)
+{
+  return data->GetPointGhostArray() || data->GetCellGhostArray();
+}
+}
+
+PartGeometry::PartGeometry(vtkPolyData* data)
+  : Data(data)
+  , Time(data->GetMTime())
+  , Low(std::numeric_limits<double>::infinity())
+  , High(-std::numeric_limits<double>::infinity())
+  , HasVertsOrLines(data->GetNumberOfVerts() > 0 || data->GetNumberOfLines() > 0)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoints()->GetPoint(i, point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], point[axis]);
+      this->High[axis] = std::max(this->High[axis], point[axis]);
+      this->AreAllFinite = this->AreAllFinite && std::abs(point[axis]) <= LargestFloat;
+    }
+  }
+}
+
+bool PartGeometry::IsCurrent(vtkPolyData* data) const
+{
+  return data == this->Data && data->GetMTime() == this->Time;
+}
+
+const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
+{
+  if (!this->Mesh)
+  {
+    this->Mesh = HasGhosts(data)
+      ? std::make_unique<OccluderMesh>()
+      : std::make_unique<OccluderMesh>(PointsOf(data), TrianglesOf(data));
+  }
+  return *this->Mesh;
+}
+
+}

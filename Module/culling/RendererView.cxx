@@ -1,0 +1,78 @@
+#include "culling/RendererView.h"
+
+#include "culling/Matrices.h"
+#include "culling/SceneParts.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// In pixels: rasterisers put corners on a grid of 1/256 of a pixel, and samples anywhere within one.
+const float SnappedPixels = 1.0f / 64.0f;
+
+// Of reversed depth: a few steps of a depth buffer of 24 bits.
+const float SnappedDepth = 0x1p-21f;
+
+/** Whether VTK draws with the matrices that the camera tells now. */
+bool IsKnown(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  return std::strcmp(camera->GetClassName(), "vtkOpenGLCamera") == 0 &&
+    camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender();
+}
+
+// Points farther away than so many units are directions.
+const double FarAway = 1e9;
+
+/** The eye is what x, y and w of clip coordinates are 0 for: a point, or the direction of a parallel view. */
+CullView ViewOf(const glm::dmat4& toClip, const ScreenProjection& projection)
+{
+  const glm::dvec4 eye = glm::inverse(toClip) * glm::dvec4(0.0, 0.0, 1.0, 0.0);
+  const bool isParallel = std::abs(eye.w) * FarAway <=
+    std::max(std::max(std::abs(eye.x), std::abs(eye.y)), std::abs(eye.z));
+  return { projection, isParallel ? glm::dvec3(eye) : glm::dvec3(eye) / eye.w, isParallel };
+}
+}
+
+bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts)
+{
+  if (!renderer->IsActiveCameraCreated() || !IsKnown(renderer))
+  {
+    return false;
+  }
+  int width = 0, height = 0, left = 0, bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  if (width < 1 || height < 1)
+  {
+    return false;
+  }
+  const int pixelsOfLine = (height + mostLines - 1) / mostLines;
+  this->Lines = (height + pixelsOfLine - 1) / pixelsOfLine;
+  this->Columns = (width + pixelsOfLine - 1) / pixelsOfLine;
+
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::dmat4 toView = MatrixOf(camera->GetModelViewTransformMatrix());
+  const glm::dmat4 toClip =
+    MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) * toView;
+  const float moved = SnappedPixels + parts.LargestGrowth();
+  const ScreenMargin snapping{ moved * static_cast<float>(this->Columns) / width,
+    moved * static_cast<float>(this->Lines) / height, SnappedDepth };
+  this->Known =
+    ViewOf(toClip, ScreenProjection(toClip, this->Columns, this->Lines, parts.Reach(), snapping));
+  return true;
+}
+
+}

@@ -1,0 +1,36 @@
+#ifndef VITRINE_CULLING_RENDERER_VIEW_H
+#define VITRINE_CULLING_RENDERER_VIEW_H
+
+#include "Core/culling/PartCuller.h"
+
+#include <optional>
+
+class vtkRenderer;
+
+namespace vitrine
+{
+
+class SceneParts;
+
+/** What a renderer is about to show: of its eye, viewport and tile, as its mappers will draw it. */
+class RendererView
+{
+public:
+  int Columns = 0; ///< of the s-buffer
+  int Lines = 0;
+
+  /**
+   * @param mostLines  of the s-buffer
+   * @returns false if it is not known what the renderer will show
+   */
+  bool Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts);
+
+  const CullView& View() const { return *this->Known; }
+
+private:
+  std::optional<CullView> Known;
+};
+
+}
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef VITRINE_CULLING_SCENE_PARTS_H
+#define VITRINE_CULLING_SCENE_PARTS_H
+
+#include "Core/culling/Octree.h"
+#include "Core/culling/PartCuller.h"
+#include "culling/PartGeometry.h"
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+class vtkActor;
+class vtkMapper;
+class vtkPolyData;
+class vtkProp;
+
+namespace vitrine
+{
+
+/**
+ * The actors of a renderer as parts that hide and are hidden: their boxes in an octree, kept up to date from frame to frame by
+ * the times at which they were modified.
+ */
+class SceneParts : public OccluderSource
+{
+public:
+  /** Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does. */
+  void Update(vtkProp* const* props, int count);
+
+  /** Of all boxes; what cannot be hidden has no place in it. */
+  const Octree& Tree() const { return this->Boxes; }
+  const std::vector<Box>& Bounds() const { return this->BoxOf; }
+
+  /** The part that the i-th prop of the last update is. */
+  std::uint32_t PartOf(int i) const { return this->Drawn[static_cast<std::size_t>(i)]; }
+
+  /** Puts 1 for the parts that were in the last update, 0 for others. */
+  void MarkDrawn(std::vector<std::uint8_t>& visible) const;
+
+  /** The largest absolute coordinate, in world coordinates (WC). */
+  const glm::dvec3& Reach() const { return this->Farthest; }
+
+  /** By how many pixels lines and points are drawn wider than they are. */
+  float LargestGrowth() const { return this->Growth; }
+
+  Occluder OccluderOf(std::uint32_t part) override;
+
+private:
+  /** A prop, and what was known of it when it was last looked at. */
+  struct Part
+  {
+    vtkProp* Prop = nullptr;
+    vtkActor* Actor = nullptr; ///< null if it cannot be hidden
+    vtkMapper* Mapper = nullptr;
+    vtkPolyData* Data = nullptr;
+    vtkMTimeType Time = 0;
+    std::shared_ptr<PartGeometry> Geometry;
+    glm::dmat4 ToWorld{ 1.0 };
+    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
+    float Growth = 0.0f;
+    bool MayHide = false;
+  };
+
+  std::uint32_t Find(vtkProp* prop);
+  bool Refresh(Part& part, Box& box);
+  Box Read(Part& part);
+  std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
+  void Replant(std::vector<Octree::MovedItem>& moved, std::size_t known);
+  void MeasureAll();
+
+  std::vector<Part> Parts;
+  std::vector<Box> BoxOf;
+  std::vector<std::uint32_t> Drawn;
+  std::unordered_map<vtkProp*, std::uint32_t> Index;
+  std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
+  std::uint32_t Cursor = 0; ///< the part behind the last one that was found
+  Octree Boxes;
+  glm::dvec3 Farthest{ 0.0 };
+  float Growth = 0.0f;
+};
+
+}
+
+#endif

@@ -1,0 +1,136 @@
+#include "vtkHierarchicalSBufferCuller.h"
+
+#include "Core/culling/PartCuller.h"
+#include "culling/RendererView.h"
+#include "culling/SceneParts.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+vtkStandardNewMacro(vtkHierarchicalSBufferCuller);
+
+/** What is kept of each renderer from frame to frame. */
+struct vtkHierarchicalSBufferCuller::State
+{
+  struct CulledRenderer;
+  std::map<vtkRenderer*, CulledRenderer> Of;
+
+  CulledRenderer& At(vtkRenderer* renderer);
+};
+
+struct vtkHierarchicalSBufferCuller::State::CulledRenderer
+{
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vitrine::SceneParts Parts;
+  std::unique_ptr<vitrine::PartCuller> Culler;
+  std::vector<std::uint8_t> Visible;
+
+  vitrine::PartCuller& CullerOf(const vitrine::RendererView& view)
+  {
+    if (!this->Culler || this->Culler->Buffer().Columns() != view.Columns ||
+      this->Culler->Buffer().Lines() != view.Lines)
+    {
+      this->Culler = std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines);
+    }
+    return *this->Culler;
+  }
+};
+
+vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCuller::State::At(
+  vtkRenderer* renderer)
+{
+  for (auto i = this->Of.begin(); i != this->Of.end();)
+  {
+    i = i->second.Renderer ? std::next(i) : this->Of.erase(i);
+  }
+  CulledRenderer& known = this->Of[renderer];
+  known.Renderer = renderer;
+  return known;
+}
+
+vtkHierarchicalSBufferCuller::vtkHierarchicalSBufferCuller()
+  : Renderers(std::make_unique<State>())
+{
+}
+
+vtkHierarchicalSBufferCuller::~vtkHierarchicalSBufferCuller() = default;
+
+double vtkHierarchicalSBufferCuller::Cull(
+  vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const int given = listLength;
+  this->NumberOfTestedParts = this->NumberOfTestedNodes = this->NumberOfOccluders = 0;
+  this->NumberOfSpans = this->NumberOfComparisons = 0;
+  if (this->Culling && !renderer->GetSelector())
+  {
+    this->DropHidden(renderer, propList, listLength);
+  }
+  this->NumberOfDrawnProps = listLength;
+  this->NumberOfCulledParts = given - listLength;
+
+  double total = 0.0;
+  for (int i = 0; i < listLength; ++i)
+  {
+    if (!initialized)
+    {
+      propList[i]->SetRenderTimeMultiplier(1.0);
+    }
+    total += propList[i]->GetRenderTimeMultiplier();
+  }
+  initialized = 1;
+  this->CullTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::max(total, 1.0); // what is shared out by it must stay finite
+}
+
+void vtkHierarchicalSBufferCuller::DropHidden(
+  vtkRenderer* renderer, vtkProp** propList, int& listLength)
+{
+  State::CulledRenderer& known = this->Renderers->At(renderer);
+  vitrine::SceneParts& parts = known.Parts;
+  parts.Update(propList, listLength);
+  vitrine::RendererView view;
+  if (!view.Read(renderer, this->BufferLines, parts))
+  {
+    return;
+  }
+  vitrine::PartCuller& culler = known.CullerOf(view);
+  parts.MarkDrawn(known.Visible);
+  culler.Cull(parts.Tree(), parts.Bounds(), parts, view.View(), known.Visible);
+
+  int kept = 0;
+  for (int i = 0; i < listLength; ++i)
+  {
+    if (known.Visible[parts.PartOf(i)])
+    {
+      propList[kept++] = propList[i];
+    }
+  }
+  listLength = kept;
+  this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
+  this->NumberOfTestedNodes = static_cast<int>(culler.Counts().Nodes);
+  this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
+  this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Inserted);
+  this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Comparisons);
+}
+
+void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Culling: " << (this->Culling ? "On" : "Off") << "\n";
+  os << indent << "BufferLines: " << this->BufferLines << "\n";
+  os << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n";
+  os << indent << "NumberOfTestedParts: " << this->NumberOfTestedParts << "\n";
+  os << indent << "NumberOfCulledParts: " << this->NumberOfCulledParts << "\n";
+  os << indent << "NumberOfTestedNodes: " << this->NumberOfTestedNodes << "\n";
+  os << indent << "NumberOfOccluders: " << this->NumberOfOccluders << "\n";
+  os << indent << "NumberOfSpans: " << this->NumberOfSpans << "\n";
+  os << indent << "NumberOfComparisons: " << this->NumberOfComparisons << "\n";
+  os << indent << "CullTime: " << this->CullTime << "\n";
+}

@@ -1,0 +1,101 @@
+/**
+ * @class   vtkHierarchicalSBufferCuller
+ * @brief   leaves out the actors that others hide, without changing a pixel
+ *
+ * Added to a renderer like any other culler, behind VTK's own:
+ *
+ *     vtkNew<vtkHierarchicalSBufferCuller> culler;
+ *     renderer->AddCuller(culler);
+ *
+ * An octree of the actors' bounding boxes is walked from front to back. What lies outside of the view or wholly behind what is
+ * drawn in front is left out of the frame. Cover is kept in an s-buffer of at most BufferLines lines; a line stands for all
+ * pixels in it, and counts as covered only where an occluder surely covers all of them, whatever the samples.
+ *
+ * What hides: opaque surfaces that vtkPolyDataMapper draws from triangles and convex polygons, with no shader code of the user's, no
+ * clipping planes, no texture but one of plain colours. What is hidden: all actors of that mapper, and of composite ones.
+ * Everything else is left to the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of
+ * other classes, geometry that is not finite.
+ *
+ * While a selector renders, in a view of a camera of another class, and while stereo rendering is being switched, nothing is
+ * left out.
+ *
+ * The order of actors does not change. Culled actors build no buffers until they show.
+ *
+ * A. V. Boreskov: hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993.
+ */
+#ifndef vtkHierarchicalSBufferCuller_h
+#define vtkHierarchicalSBufferCuller_h
+
+#include "vtkCuller.h"
+#include "vtkVitrineRenderingModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+
+class VTKVITRINERENDERING_EXPORT vtkHierarchicalSBufferCuller : public vtkCuller
+{
+public:
+  static vtkHierarchicalSBufferCuller* New();
+  vtkTypeMacro(vtkHierarchicalSBufferCuller, vtkCuller);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Whether anything is left out. On by default. */
+  vtkSetMacro(Culling, bool);
+  vtkGetMacro(Culling, bool);
+  vtkBooleanMacro(Culling, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many lines the s-buffer has at most, from 1 to 4096, 270 by default. A viewport of fewer pixels has a line for each. More
+   * lines hide more, and take longer.
+   */
+  vtkSetClampMacro(BufferLines, int, 1, 4096);
+  vtkGetMacro(BufferLines, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last frame, or of its last renderer or eye: props that were left to be drawn; actors that were tested, and those of them that were left out; nodes of
+   * the octree that were tested; actors whose cover went into the s-buffer; spans that it was given, and comparisons of depths
+   * there; seconds that all of it took.
+   */
+  vtkGetMacro(NumberOfDrawnProps, int);
+  vtkGetMacro(NumberOfTestedParts, int);
+  vtkGetMacro(NumberOfCulledParts, int);
+  vtkGetMacro(NumberOfTestedNodes, int);
+  vtkGetMacro(NumberOfOccluders, int);
+  vtkGetMacro(NumberOfSpans, vtkTypeInt64);
+  vtkGetMacro(NumberOfComparisons, vtkTypeInt64);
+  vtkGetMacro(CullTime, double);
+  ///@}
+
+  double Cull(
+    vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
+
+protected:
+  vtkHierarchicalSBufferCuller();
+  ~vtkHierarchicalSBufferCuller() override;
+
+  bool Culling = true;
+  int BufferLines = 270;
+  int NumberOfDrawnProps = 0;
+  int NumberOfTestedParts = 0;
+  int NumberOfCulledParts = 0;
+  int NumberOfTestedNodes = 0;
+  int NumberOfOccluders = 0;
+  vtkTypeInt64 NumberOfSpans = 0;
+  vtkTypeInt64 NumberOfComparisons = 0;
+  double CullTime = 0.0;
+
+private:
+  vtkHierarchicalSBufferCuller(const vtkHierarchicalSBufferCuller&) = delete;
+  void operator=(const vtkHierarchicalSBufferCuller&) = delete;
+
+  void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+
+  struct State; // of each renderer
+  std::unique_ptr<State> Renderers;
+};
+
+#endif
