@@ -1,5 +1,6 @@
 #include "culling/ActorRules.h"
 
+#include "culling/ClassName.h"
 #include "culling/PartGeometry.h"
 
 #include "vtkActor.h"
@@ -13,7 +14,6 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace vitrine
 {
@@ -23,11 +23,6 @@ namespace
 
 // What antialiased and snapped lines and points touch beyond their width.
 const float BesidesWidth = 1.5f;
-
-bool IsOfClass(vtkObject* object, const char* name)
-{
-  return std::strcmp(object->GetClassName(), name) == 0;
-}
 
 /** Reads what vtkProp::GetShaderProperty() would make where there is none. */
 class ShaderPropertyOf : public vtkProp

@@ -1,10 +1,12 @@
 #include "culling/RendererView.h"
 
+#include "culling/ClassName.h"
 #include "culling/Matrices.h"
 #include "culling/SceneParts.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace vitrine
 {
@@ -30,8 +31,31 @@ const float SnappedDepth = 0x1p-21f;
 bool IsKnown(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  return std::strcmp(camera->GetClassName(), "vtkOpenGLCamera") == 0 &&
+  return IsOfClass(camera, "vtkOpenGLCamera") &&
     camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender();
+}
+
+/** Of passes that draw into targets of the window's size. Stencil masks have a larger one, and who knows what others have. */
+bool IsOfWindowSize(vtkRenderPass* translucent)
+{
+  return translucent->IsA("vtkTranslucentPass") ||
+    translucent->IsA("vtkOrderIndependentTranslucentPass") ||
+    translucent->IsA("vtkDualDepthPeelingPass") ||
+    (translucent->IsA("vtkTransparencyPass") &&
+      !translucent->IsA("vtkStencilMaskTransparencyPass"));
+}
+
+bool IsSampledAtCentres(vtkRenderer* renderer)
+{
+  if (renderer->GetRenderWindow()->GetMultiSamples() > 1)
+  {
+    return false;
+  }
+  auto* steps = vtkRenderStepsPass::SafeDownCast(renderer->GetPass());
+  return !renderer->GetPass() ||
+    (steps && !steps->GetPostProcessPass() && steps->GetOpaquePass() &&
+      IsOfClass(steps->GetOpaquePass(), "vtkOpaquePass") && steps->GetTranslucentPass() &&
+      IsOfWindowSize(steps->GetTranslucentPass()));
 }
 
 // Points farther away than so many units are directions.
@@ -59,19 +83,20 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   {
     return false;
   }
-  const int pixelsOfLine = (height + mostLines - 1) / mostLines;
-  this->Lines = (height + pixelsOfLine - 1) / pixelsOfLine;
-  this->Columns = (width + pixelsOfLine - 1) / pixelsOfLine;
+  const int pixels = (height + mostLines - 1) / mostLines;
+  this->Lines = (height + pixels - 1) / pixels;
+  this->Columns = (width + pixels - 1) / pixels;
+  this->Samples = IsSampledAtCentres(renderer) ? SampleGrid::AtCentres(pixels) : SampleGrid();
 
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dmat4 toView = MatrixOf(camera->GetModelViewTransformMatrix());
   const glm::dmat4 toClip =
     MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) * toView;
   const float moved = SnappedPixels + parts.LargestGrowth();
-  const ScreenMargin snapping{ moved * static_cast<float>(this->Columns) / width,
-    moved * static_cast<float>(this->Lines) / height, SnappedDepth };
-  this->Known =
-    ViewOf(toClip, ScreenProjection(toClip, this->Columns, this->Lines, parts.Reach(), snapping));
+  const ScreenMargin snapping{ moved / pixels, moved / pixels, SnappedDepth };
+  this->Known = ViewOf(toClip,
+    ScreenProjection(toClip, static_cast<double>(width) / pixels,
+      static_cast<double>(height) / pixels, parts.Reach(), snapping));
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Core/culling/PartCuller.h"
 
+#include <array>
 #include <optional>
 
 class vtkRenderer;
@@ -18,12 +19,20 @@ class RendererView
 public:
   int Columns = 0; ///< of the s-buffer
   int Lines = 0;
+  SampleGrid Samples;
 
   /**
    * @param mostLines  of the s-buffer
    * @returns false if it is not known what the renderer will show
    */
   bool Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts);
+
+  /** What an s-buffer for the view differs by from others. */
+  std::array<float, 3> Shape() const
+  {
+    return { static_cast<float>(this->Columns), static_cast<float>(this->Lines),
+      this->Samples.Inset() };
+  }
 
   const CullView& View() const { return *this->Known; }
 

@@ -10,6 +10,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
 
@@ -29,14 +30,15 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   vtkWeakPointer<vtkRenderer> Renderer;
   vitrine::SceneParts Parts;
   std::unique_ptr<vitrine::PartCuller> Culler;
+  std::array<float, 3> Shape{};
   std::vector<std::uint8_t> Visible;
 
   vitrine::PartCuller& CullerOf(const vitrine::RendererView& view)
   {
-    if (!this->Culler || this->Culler->Buffer().Columns() != view.Columns ||
-      this->Culler->Buffer().Lines() != view.Lines)
+    if (!this->Culler || this->Shape != view.Shape())
     {
-      this->Culler = std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines);
+      this->Culler = std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines, view.Samples);
+      this->Shape = view.Shape();
     }
     return *this->Culler;
   }

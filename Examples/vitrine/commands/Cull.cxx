@@ -19,7 +19,7 @@ struct CullOptions
 {
   std::vector<std::string> Inputs;
   std::string Size = "480x270";
-  std::optional<double> Opacity;
+  bool KeepsOpacity = false;
   CullSettings Settings;
   bool WithoutIdeal = false;
   std::optional<std::string> Json;
@@ -41,7 +41,11 @@ void Cull(CullOptions options)
     for (const std::string& input : options.Inputs)
     {
       progress.Show(input + ": reading");
-      Scene scene = LoadInput(input, options.Opacity);
+      Scene scene = LoadInput(input);
+      if (!options.KeepsOpacity)
+      {
+        MakeOpaque(scene);
+      }
       scene.Name = input;
       runs.push_back(MeasureCulling(scene, options.Settings,
         [&](int pose)
@@ -66,7 +70,8 @@ void AddCullCommand(CLI::App& app)
     "Draw frames with and without occlusion culling; tell what it leaves out, and what it costs");
   command->add_option("INPUT", options->Inputs, "files, or demo:NAME[,key=value...]")->required();
   AddSizeOption(*command, options->Size);
-  AddOpacityOption(*command, options->Opacity);
+  command->add_flag("--keep-opacity", options->KeepsOpacity,
+    "draw parts as translucent as they are; all are opaque without");
   command->add_option("--poses", options->Settings.Poses, "cameras, from outside and from within")
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))

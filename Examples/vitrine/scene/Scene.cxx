@@ -212,6 +212,15 @@ std::size_t CountMaterials(const Scene& scene)
   return materials.size();
 }
 
+void MakeOpaque(Scene& scene)
+{
+  for (Part& part : scene.Parts)
+  {
+    part.Material->SetOpacity(1.0);
+    part.ForceTranslucent = false;
+  }
+}
+
 void MultiplyOpacity(Scene& scene, double factor)
 {
   std::set<vtkProperty*> done;

@@ -113,6 +113,9 @@ std::size_t CountMaterials(const Scene& scene);
 /** Multiply `factor` into the opacity of every part. */
 void MultiplyOpacity(Scene& scene, double factor);
 
+/** Have every part's material be opaque. Textures and colours keep their alpha. */
+void MakeOpaque(Scene& scene);
+
 /**
  * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and
  * properties are copied, since they hold objects of a window. Returns the actors, in the order of the parts.

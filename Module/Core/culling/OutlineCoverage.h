@@ -21,8 +21,8 @@ namespace vitrine
  * rasteriser moves points by, as long as the outline is taken that much wider (the degree of a map over a point stays as it
  * is while the image of its boundary does not pass the point).
  *
- * Depth is bounded from below in cells of a line and SBuffer::TileWidth columns: by the planes of all faces in a cell, and
- * never below their farthest points.
+ * One depth stands for all of it, that of the farthest point of a face that counts: this is for occluders of few cells, and
+ * CellCoverage for larger ones.
  */
 class OutlineCoverage
 {
@@ -31,10 +31,10 @@ public:
    * @param buffer      takes what is covered
    * @param projection  of the occluder; its facings are found
    * @param facing      of the faces that count, Front or Back
-   * @param face        what spans say whose they are
+   * @param part        what spans say whose they are
    */
   void Insert(SBuffer& buffer, const MeshProjection& projection, MeshProjection::Facing facing,
-    std::uint32_t face);
+    std::uint32_t part);
 
 private:
   /** Where an edge of the outline passes a line. */
@@ -46,34 +46,20 @@ private:
     std::uint32_t Next;   ///< on the same line, or None
   };
 
-  /** A lower bound of the depth in a cell, linear between its sides. */
-  struct Bound
-  {
-    float Left;
-    float Right;
-  };
-
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  bool FrameCells(const SBuffer& buffer);
+  bool FrameLines(const SBuffer& buffer);
   void FindOutline(MeshProjection::Facing facing);
   void AddEdge(const ScreenPoint& from, const ScreenPoint& to);
-  void AddPassage(int line, float left, float right, int winding);
-  void BoundDepths(MeshProjection::Facing facing);
-  void BoundByFarthest(MeshProjection::Facing facing);
-  void BoundByFace(const OccluderMesh::Face& face);
-  void InsertLine(SBuffer& buffer, int line, std::uint32_t face);
-  void InsertInterval(SBuffer& buffer, int line, float left, float right, std::uint32_t face) const;
+  float FarthestOf(MeshProjection::Facing facing) const;
+  void InsertLine(SBuffer& buffer, int line, float depth, std::uint32_t part);
 
   const MeshProjection* Projection = nullptr;
-  int FirstLine = 0, LastLine = 0; ///< of the cells
-  int FirstTile = 0, LastTile = 0;
-  float ColumnCount = 0.0f;
+  float Inset = 0.0f; ///< how far from their sides lines have no samples
+  int FirstLine = 0, LastLine = 0;
   std::vector<std::uint32_t> Heads; ///< of each line's passages
   std::vector<Passage> Passages;
   std::vector<Passage> Sorted;
-  std::vector<Bound> Bounds;
-  bool HasOneBound = false; ///< Bounds[0] is every cell's
 };
 
 }

@@ -11,6 +11,10 @@ namespace
 {
 // Meshes of more points are not projected before they are known to show: their boxes decide.
 const std::size_t FewPoints = 64;
+
+// Occluders of no more get one depth.
+const float FewColumns = 16.0f;
+const float FewLines = 8.0f;
 }
 
 /** Visits nodes and parts in one frame. */
@@ -101,12 +105,23 @@ private:
   {
     ++this->Culler.Counted.Inserted;
     this->Culler.Projected.FindFacings();
-    this->Culler.Coverage.Insert(
-      this->Culler.Lines, this->Culler.Projected, MeshProjection::Facing::Front, item);
+    this->InsertFaces(item, MeshProjection::Facing::Front);
     if (occluder.HasBackFaces && !occluder.Mesh->IsClosed())
     {
-      this->Culler.Coverage.Insert(
-        this->Culler.Lines, this->Culler.Projected, MeshProjection::Facing::Back, item);
+      this->InsertFaces(item, MeshProjection::Facing::Back);
+    }
+  }
+
+  void InsertFaces(std::uint32_t item, MeshProjection::Facing facing)
+  {
+    const ScreenRectangle& around = this->Culler.Projected.Rectangle();
+    if (around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines)
+    {
+      this->Culler.CoverOfFew.Insert(this->Culler.Lines, this->Culler.Projected, facing, item);
+    }
+    else
+    {
+      this->Culler.CoverOfMany.Insert(this->Culler.Lines, this->Culler.Projected, facing, item);
     }
   }
 
@@ -117,8 +132,8 @@ private:
   std::vector<std::uint8_t>& Visible;
 };
 
-PartCuller::PartCuller(int columns, int lines)
-  : Lines(columns, lines)
+PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)
+  : Lines(columns, lines, samples)
 {
 }
 

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_PART_CULLER_H
 #define VITRINE_CORE_CULLING_PART_CULLER_H
 
+#include "Core/culling/CellCoverage.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/Octree.h"
 #include "Core/culling/OutlineCoverage.h"
@@ -57,7 +58,7 @@ class PartCuller
 {
 public:
   /** With an s-buffer of so many columns and lines. */
-  PartCuller(int columns, int lines);
+  PartCuller(int columns, int lines, const SampleGrid& samples = {});
 
   /**
    * Finds which parts may show.
@@ -77,7 +78,8 @@ private:
 
   SBuffer Lines;
   MeshProjection Projected;
-  OutlineCoverage Coverage;
+  OutlineCoverage CoverOfFew;
+  CellCoverage CoverOfMany;
   CullCounts Counted;
   std::vector<std::uint8_t> IsTested;
 };

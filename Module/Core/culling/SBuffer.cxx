@@ -177,10 +177,11 @@ private:
   bool IsChanged = false;
 };
 
-SBuffer::SBuffer(int columns, int lines, std::size_t mostSpans)
+SBuffer::SBuffer(int columns, int lines, const SampleGrid& samples, std::size_t mostSpans)
   : ColumnCount(columns)
   , LineCount(lines)
   , TilesPerLine((columns + TileWidth - 1) / TileWidth)
+  , Grid(samples)
   , Tiles(static_cast<std::size_t>(this->TilesPerLine) * lines)
   , MostSpans(mostSpans)
   , Pool(new Span[mostSpans])
@@ -269,11 +270,11 @@ float SBuffer::LeastOf(const Tile& tile, float left, float right) const
 
 bool SBuffer::TileHides(const Tile& tile, float left, float right, float nearest) const
 {
-  float covered = left;
-  for (std::uint32_t i = tile.First; i != NoSpan && covered < right; i = this->Pool[i].Next)
+  float covered = left; // the question may be of one place alone
+  for (std::uint32_t i = tile.First; i != NoSpan; i = this->Pool[i].Next)
   {
     const Span& span = this->Pool[i];
-    if (span.Right <= covered)
+    if (span.Right < covered)
     {
       continue;
     }
@@ -284,16 +285,21 @@ bool SBuffer::TileHides(const Tile& tile, float left, float right, float nearest
       return false;
     }
     covered = end;
+    if (covered >= right)
+    {
+      return true;
+    }
   }
-  return covered >= right;
+  return false;
 }
 
 bool SBuffer::Hides(const ScreenRectangle& rectangle, float margin)
 {
-  const float left = std::max(rectangle.Left, 0.0f);
-  const float right = std::min(rectangle.Right, static_cast<float>(this->ColumnCount));
-  const float bottom = std::max(rectangle.Bottom, 0.0f);
-  const float top = std::min(rectangle.Top, static_cast<float>(this->LineCount));
+  const float left = this->Grid.From(std::max(rectangle.Left, 0.0f));
+  const float right =
+    this->Grid.UpTo(std::min(rectangle.Right, static_cast<float>(this->ColumnCount)));
+  const float bottom = this->Grid.From(std::max(rectangle.Bottom, 0.0f));
+  const float top = this->Grid.UpTo(std::min(rectangle.Top, static_cast<float>(this->LineCount)));
   if (left > right || bottom > top)
   {
     return true;

@@ -1,6 +1,8 @@
 #ifndef VITRINE_CORE_S_BUFFER_H
 #define VITRINE_CORE_S_BUFFER_H
 
+#include "Core/culling/SampleGrid.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -71,7 +73,9 @@ public:
   static constexpr int TileWidth = 8;
 
   /** With that many columns and lines, both at least 1. */
-  SBuffer(int columns, int lines, std::size_t mostSpans = 1u << 20);
+  SBuffer(int columns, int lines, const SampleGrid& samples = {}, std::size_t mostSpans = 1u << 20);
+
+  const SampleGrid& Samples() const { return this->Grid; }
 
   int Columns() const { return this->ColumnCount; }
   int Lines() const { return this->LineCount; }
@@ -82,7 +86,9 @@ public:
   /** Keep what of `segment` is nearer than what is there. Segments without length or that are not finite are left out. */
   void Insert(int line, const Segment& segment);
 
-  /** Whether all of the rectangle is covered by what is nearer by more than `margin`. Beyond the screen nothing shows. */
+  /**
+   * Whether all samples in the rectangle are covered by what is nearer by more than `margin`. Beyond the screen nothing shows.
+   */
   bool Hides(const ScreenRectangle& rectangle, float margin);
 
   /** The spans of a line, from left to right. */
@@ -108,6 +114,7 @@ private:
   int ColumnCount;
   int LineCount;
   int TilesPerLine;
+  SampleGrid Grid;
   std::vector<Tile> Tiles;
   std::size_t MostSpans;
   std::unique_ptr<Span[]> Pool; ///< not written before it is used

@@ -95,7 +95,7 @@ ScreenMargin ScreenMatrix::MarginFrom(float leastW) const
     this->Snapping.Depth + (this->Rounding.z + this->Rounding.w) * inverse };
 }
 
-ScreenProjection::ScreenProjection(const glm::dmat4& toClip, int columns, int lines,
+ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, double lines,
   const glm::dvec3& reach, const ScreenMargin& snapping)
 {
   const glm::dvec4 point(glm::abs(reach), 1.0);

@@ -50,10 +50,12 @@ public:
 
   /**
    * @param toClip    from world coordinates to OpenGL's clip coordinates, for column vectors
+   * @param columns   of what is seen from left to right; the last may be a part of one
+   * @param lines     from bottom to top
    * @param reach     the largest absolute coordinate of what is drawn: the larger they are, the coarser a device's floats
    * @param snapping  what a rasteriser moves edges and depths by, besides the rounding of its floats
    */
-  ScreenProjection(const glm::dmat4& toClip, int columns, int lines, const glm::dvec3& reach,
+  ScreenProjection(const glm::dmat4& toClip, double columns, double lines, const glm::dvec3& reach,
     const ScreenMargin& snapping);
 
   /**

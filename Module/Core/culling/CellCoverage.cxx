@@ -1,0 +1,366 @@
+#include "Core/culling/CellCoverage.h"
+
+#include "Core/culling/LineExtent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+void CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
+  MeshProjection::Facing facing, std::uint32_t part)
+{
+  this->Projection = &projection;
+  this->Counted = facing;
+  this->Margin = projection.Margin();
+  this->Inset = buffer.Samples().Inset();
+  if (!this->FrameCells(buffer))
+  {
+    return;
+  }
+  this->FindFacePieces();
+  this->FindEdgePieces();
+  this->Parents.resize(this->FacePieces.size());
+  for (int line = this->FirstLine; line <= this->LastLine; ++line)
+  {
+    this->InsertLine(buffer, line, part);
+  }
+}
+
+/** Find the lines and tiles around all that counts; returns whether any line may be covered. */
+bool CellCoverage::FrameCells(const SBuffer& buffer)
+{
+  const std::vector<OccluderMesh::Face>& faces = this->Projection->Mesh().Faces();
+  const std::vector<ScreenPoint>& points = this->Projection->Points();
+  LineExtent columns, lines;
+  for (std::uint32_t i = 0; i < faces.size(); ++i)
+  {
+    if (this->Projection->FacingOf(i) == this->Counted)
+    {
+      for (const std::uint32_t corner : faces[i])
+      {
+        columns.Add(points[corner].Column);
+        lines.Add(points[corner].Line);
+      }
+    }
+  }
+  if (!(columns.Left < static_cast<float>(buffer.Columns()) && columns.Right > 0.0f &&
+        lines.Left < static_cast<float>(buffer.Lines()) && lines.Right > 0.0f &&
+        lines.Right - lines.Left >= 1.0f - 2.0f * this->Inset))
+  {
+    return false;
+  }
+  const int lastTile = (buffer.Columns() - 1) / SBuffer::TileWidth;
+  this->FirstLine = FloorWithin(std::ceil(lines.Left - this->Inset), 0, buffer.Lines() - 1);
+  this->LastLine = FloorWithin(lines.Right - 1.0f + this->Inset, 0, buffer.Lines() - 1);
+  this->FirstTile = FloorWithin(columns.Left / SBuffer::TileWidth, 0, lastTile);
+  this->LastTile = FloorWithin(columns.Right / SBuffer::TileWidth, 0, lastTile);
+  return this->FirstLine <= this->LastLine;
+}
+
+void CellCoverage::FindFacePieces()
+{
+  this->FacePieces.clear();
+  this->FaceHeads.assign(static_cast<std::size_t>(this->LastLine - this->FirstLine + 1), None);
+  this->PieceOfFace.assign(this->Projection->Mesh().Faces().size(), None);
+  for (std::uint32_t i = 0; i < this->PieceOfFace.size(); ++i)
+  {
+    if (this->Projection->FacingOf(i) == this->Counted)
+    {
+      this->AddFace(i);
+    }
+  }
+}
+
+void CellCoverage::AddFace(std::uint32_t face)
+{
+  const std::vector<ScreenPoint>& points = this->Projection->Points();
+  const OccluderMesh::Face& corners = this->Projection->Mesh().Faces()[face];
+  const ScreenEdge edges[3] = { { points[corners[0]], points[corners[1]] },
+    { points[corners[1]], points[corners[2]] }, { points[corners[2]], points[corners[0]] } };
+  LineExtent height;
+  float own = 0.0f;
+  for (const ScreenEdge& edge : edges)
+  {
+    height.Add(edge.Bottom().Line);
+    height.Add(edge.Top().Line);
+    own = std::max(own, edge.OwnRounding());
+  }
+  const float above = this->Above(own);
+  const float aside = this->Aside(own);
+  if (!(height.Left - above <= static_cast<float>(this->LastLine + 1) &&
+        height.Right + above >= static_cast<float>(this->FirstLine)))
+  {
+    return;
+  }
+  const int last = FloorWithin(height.Right + above, this->FirstLine, this->LastLine);
+  for (int line = FloorWithin(height.Left - above, this->FirstLine, this->LastLine); line <= last;
+       ++line)
+  {
+    const float bottom = static_cast<float>(line);
+    LineExtent touched, middle;
+    for (const ScreenEdge& edge : edges)
+    {
+      touched.Add(edge, bottom - above, bottom + 1.0f + above);
+      if (edge.Crosses(bottom + 0.5f))
+      {
+        middle.Add(edge.At(bottom + 0.5f));
+      }
+    }
+    if (!touched.IsEmpty())
+    {
+      std::uint32_t& head = this->FaceHeads[static_cast<std::size_t>(line - this->FirstLine)];
+      this->FacePieces.push_back({ face, { touched.Left - aside, touched.Right + aside },
+        { middle.Left, middle.Right }, head });
+      head = static_cast<std::uint32_t>(this->FacePieces.size() - 1);
+    }
+  }
+}
+
+void CellCoverage::FindEdgePieces()
+{
+  this->EdgePieces.clear();
+  this->EdgeHeads.assign(static_cast<std::size_t>(this->LastLine - this->FirstLine + 1), None);
+  for (const OccluderMesh::Edge& edge : this->Projection->Mesh().Edges())
+  {
+    const bool left = this->Projection->FacingOf(edge.Left) == this->Counted;
+    const bool right =
+      edge.Right != OccluderMesh::NoFace && this->Projection->FacingOf(edge.Right) == this->Counted;
+    if (left || right)
+    {
+      this->AddEdge(edge, left ? edge.Left : edge.Right, left && right ? edge.Right : None);
+    }
+  }
+}
+
+void CellCoverage::AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, std::uint32_t right)
+{
+  const std::vector<ScreenPoint>& points = this->Projection->Points();
+  const ScreenEdge onScreen(points[edge.From], points[edge.To]);
+  const float above = this->Above(onScreen.OwnRounding());
+  const float aside = this->Aside(onScreen.OwnRounding());
+  if (!(onScreen.Bottom().Line - above <= static_cast<float>(this->LastLine + 1) &&
+        onScreen.Top().Line + above >= static_cast<float>(this->FirstLine)))
+  {
+    return;
+  }
+  const int last = FloorWithin(onScreen.Top().Line + above, this->FirstLine, this->LastLine);
+  for (int line = FloorWithin(onScreen.Bottom().Line - above, this->FirstLine, this->LastLine);
+       line <= last; ++line)
+  {
+    const float bottom = static_cast<float>(line);
+    LineExtent touched;
+    touched.Add(onScreen, bottom - above, bottom + 1.0f + above);
+    if (!touched.IsEmpty())
+    {
+      std::uint32_t& head = this->EdgeHeads[static_cast<std::size_t>(line - this->FirstLine)];
+      this->EdgePieces.push_back(
+        { left, right, { touched.Left - aside, touched.Right + aside }, head });
+      head = static_cast<std::uint32_t>(this->EdgePieces.size() - 1);
+    }
+  }
+}
+
+void CellCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
+{
+  const std::size_t tiles = static_cast<std::size_t>(this->LastTile - this->FirstTile + 1);
+  this->Entries.clear();
+  this->TileFaces.assign(tiles, None);
+  this->TileEdges.assign(tiles, None);
+  const std::size_t index = static_cast<std::size_t>(line - this->FirstLine);
+  for (std::uint32_t i = this->FaceHeads[index]; i != None; i = this->FacePieces[i].Next)
+  {
+    this->PieceOfFace[this->FacePieces[i].Face] = i;
+    this->Parents[i] = i;
+    this->Deal(this->FacePieces[i].Touched, i, this->TileFaces);
+  }
+  for (std::uint32_t i = this->EdgeHeads[index]; i != None; i = this->EdgePieces[i].Next)
+  {
+    this->Deal(this->EdgePieces[i].Touched, i, this->TileEdges);
+  }
+  for (int tile = this->FirstTile; tile <= this->LastTile; ++tile)
+  {
+    this->InsertCell(buffer, line, tile, part);
+  }
+  for (std::uint32_t i = this->FaceHeads[index]; i != None; i = this->FacePieces[i].Next)
+  {
+    this->PieceOfFace[this->FacePieces[i].Face] = None;
+  }
+}
+
+/** Put a piece into the tiles that it touches. */
+void CellCoverage::Deal(
+  const Interval& touched, std::uint32_t piece, std::vector<std::uint32_t>& heads)
+{
+  const float first = static_cast<float>(this->FirstTile * SBuffer::TileWidth);
+  const float end = static_cast<float>((this->LastTile + 1) * SBuffer::TileWidth);
+  if (!(touched.Left <= end && touched.Right >= first))
+  {
+    return;
+  }
+  const int last = FloorWithin(touched.Right / SBuffer::TileWidth, this->FirstTile, this->LastTile);
+  for (int tile = FloorWithin(touched.Left / SBuffer::TileWidth, this->FirstTile, this->LastTile);
+       tile <= last; ++tile)
+  {
+    std::uint32_t& head = heads[static_cast<std::size_t>(tile - this->FirstTile)];
+    this->Entries.push_back({ piece, head });
+    head = static_cast<std::uint32_t>(this->Entries.size() - 1);
+  }
+}
+
+void CellCoverage::InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t part)
+{
+  this->FindSheets(tile);
+  std::sort(this->Shares.begin(), this->Shares.end(),
+    [](const Share& a, const Share& b) { return a.Sheet < b.Sheet; });
+  for (std::size_t first = 0; first < this->Shares.size();)
+  {
+    std::size_t end = first + 1;
+    while (end < this->Shares.size() && this->Shares[end].Sheet == this->Shares[first].Sheet)
+    {
+      ++end;
+    }
+    this->InsertSheet(buffer, line, tile, first, end, part);
+    first = end;
+  }
+}
+
+/** Join the faces of a tile, and tell its shares and cuts by sheet. */
+void CellCoverage::FindSheets(int tile)
+{
+  const std::size_t index = static_cast<std::size_t>(tile - this->FirstTile);
+  this->Shares.clear();
+  this->Cuts.clear();
+  for (std::uint32_t i = this->TileFaces[index]; i != None; i = this->Entries[i].Next)
+  {
+    this->Parents[this->Entries[i].Piece] = this->Entries[i].Piece;
+    this->Shares.push_back({ None, this->Entries[i].Piece });
+  }
+  for (std::uint32_t i = this->TileEdges[index]; i != None; i = this->Entries[i].Next)
+  {
+    const EdgePiece& edge = this->EdgePieces[this->Entries[i].Piece];
+    const std::uint32_t left = this->PieceOfFace[edge.Left];
+    const std::uint32_t right = edge.Right == None ? None : this->PieceOfFace[edge.Right];
+    if (left != None && right != None)
+    {
+      const std::uint32_t a = this->SheetOf(left);
+      const std::uint32_t b = this->SheetOf(right);
+      this->Parents[std::max(a, b)] = std::min(a, b);
+    }
+    else if (left != None || right != None)
+    {
+      this->Cuts.push_back({ left != None ? left : right, edge.Touched });
+    }
+  }
+  for (Share& share : this->Shares)
+  {
+    share.Sheet = this->SheetOf(share.Piece);
+  }
+  for (Cut& cut : this->Cuts)
+  {
+    cut.Sheet = this->SheetOf(cut.Sheet);
+  }
+}
+
+/** The first piece of the sheet that a piece is of; shortens the way there (R. E. Tarjan, 1975). */
+std::uint32_t CellCoverage::SheetOf(std::uint32_t piece)
+{
+  while (this->Parents[piece] != piece)
+  {
+    this->Parents[piece] = this->Parents[this->Parents[piece]];
+    piece = this->Parents[piece];
+  }
+  return piece;
+}
+
+void CellCoverage::InsertSheet(
+  SBuffer& buffer, int line, int tile, std::size_t first, std::size_t end, std::uint32_t part)
+{
+  const float tileLeft = static_cast<float>(tile * SBuffer::TileWidth);
+  const float tileRight = tileLeft + SBuffer::TileWidth;
+  this->Covered.clear();
+  for (std::size_t i = first; i < end; ++i)
+  {
+    const Interval& middle = this->FacePieces[this->Shares[i].Piece].Middle;
+    if (middle.Left < middle.Right && middle.Left < tileRight && middle.Right > tileLeft)
+    {
+      this->Covered.push_back(middle);
+    }
+  }
+  if (this->Covered.empty())
+  {
+    return;
+  }
+  this->Open.clear();
+  for (const Cut& cut : this->Cuts)
+  {
+    if (cut.Sheet == this->Shares[first].Sheet)
+    {
+      this->Open.push_back(cut.Touched);
+    }
+  }
+  const auto byLeft = [](const Interval& a, const Interval& b) { return a.Left < b.Left; };
+  std::sort(this->Covered.begin(), this->Covered.end(), byLeft);
+  std::sort(this->Open.begin(), this->Open.end(), byLeft);
+  const DepthBound bound = this->BoundSheet(line, tile, first, end);
+  const float slope = (bound.Right - bound.Left) / SBuffer::TileWidth;
+  const auto insert = [&](float left, float right)
+  {
+    if (left < right)
+    {
+      buffer.Insert(line,
+        { left, right, bound.Left + (left - tileLeft) * slope,
+          bound.Left + (right - tileLeft) * slope, part });
+    }
+  };
+
+  // What is covered and not open, from left to right.
+  std::size_t open = 0;
+  float reached = tileLeft;
+  for (std::size_t i = 0; i < this->Covered.size();)
+  {
+    float left = std::max(this->Covered[i].Left, tileLeft);
+    float right = this->Covered[i].Right;
+    for (++i; i < this->Covered.size() && this->Covered[i].Left <= right; ++i)
+    {
+      right = std::max(right, this->Covered[i].Right);
+    }
+    right = std::min(right, tileRight);
+    left = std::max(left, reached);
+    for (; open < this->Open.size() && this->Open[open].Left < right; ++open)
+    {
+      insert(left, std::min(right, this->Open[open].Left));
+      left = std::max(left, this->Open[open].Right);
+    }
+    insert(left, right);
+    reached = std::max(left, right);
+  }
+}
+
+DepthBound CellCoverage::BoundSheet(int line, int tile, std::size_t first, std::size_t end) const
+{
+  const std::vector<ScreenPoint>& points = this->Projection->Points();
+  const float left = static_cast<float>(tile * SBuffer::TileWidth);
+  DepthBound bound{ 2.0f, 2.0f };
+  for (std::size_t i = first; i < end; ++i)
+  {
+    const FacePiece& piece = this->FacePieces[this->Shares[i].Piece];
+    const OccluderMesh::Face& face = this->Projection->Mesh().Faces()[piece.Face];
+    const ScreenPoint& a = points[face[0]];
+    const ScreenPoint& b = points[face[1]];
+    const ScreenPoint& c = points[face[2]];
+    const float above = this->Margin.Line;
+    const float lowest = std::min(std::min(a.Line, b.Line), c.Line) - above;
+    const float highest = std::max(std::max(a.Line, b.Line), c.Line) + above;
+    const DepthPlane plane(a, b, c, this->Margin, this->Margin.Column, above);
+    const DepthBound own = plane.Within(left, left + SBuffer::TileWidth,
+      std::max(static_cast<float>(line) + this->Inset, lowest),
+      std::min(static_cast<float>(line + 1) - this->Inset, highest));
+    bound.Left = std::min(bound.Left, own.Left);
+    bound.Right = std::min(bound.Right, own.Right);
+  }
+  return bound;
+}
+
+}

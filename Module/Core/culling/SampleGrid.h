@@ -1,0 +1,53 @@
+#ifndef VITRINE_CORE_CULLING_SAMPLE_GRID_H
+#define VITRINE_CORE_CULLING_SAMPLE_GRID_H
+
+#include <cmath>
+
+namespace vitrine
+{
+
+/**
+ * Where on the screen something can show at all, in columns and lines of an s-buffer: at the centres of pixels, or, where pixels have
+ * several samples, anywhere.
+ */
+class SampleGrid
+{
+public:
+  /** Anywhere. */
+  SampleGrid() = default;
+
+  /** At the centres of pixels, of which a column and a line has so many. */
+  static SampleGrid AtCentres(int pixelsPerLine)
+  {
+    return SampleGrid(static_cast<float>(pixelsPerLine));
+  }
+
+  /** How far from its sides a line has no samples. */
+  float Inset() const { return this->Pixels > 0.0f ? 0.5f / this->Pixels : 0.0f; }
+
+  /** The first place with samples from `place` on. */
+  float From(float place) const
+  {
+    return this->Pixels > 0.0f ? (std::ceil(place * this->Pixels - 0.5f) + 0.5f) / this->Pixels
+                               : place;
+  }
+
+  /** The last one up to `place`. */
+  float UpTo(float place) const
+  {
+    return this->Pixels > 0.0f ? (std::floor(place * this->Pixels - 0.5f) + 0.5f) / this->Pixels
+                               : place;
+  }
+
+private:
+  explicit SampleGrid(float pixels)
+    : Pixels(pixels)
+  {
+  }
+
+  float Pixels = 0.0f; ///< 0 for samples anywhere
+};
+
+}
+
+#endif
