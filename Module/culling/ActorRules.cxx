@@ -24,19 +24,16 @@ namespace
 // What antialiased and snapped lines and points touch beyond their width.
 const float BesidesWidth = 1.5f;
 
-/** Reads what vtkProp::GetShaderProperty() would make where there is none. */
-class ShaderPropertyOf : public vtkProp
+/** Has access to a member of all props. */
+class AnyProp : public vtkProp
 {
 public:
-  static vtkShaderProperty* Read(vtkProp* prop)
-  {
-    return prop->*(&ShaderPropertyOf::ShaderProperty);
-  }
+  static vtkShaderProperty* ShaderOf(vtkProp* prop) { return prop->*(&AnyProp::ShaderProperty); }
 };
 
 bool HasShaderCode(vtkActor* actor)
 {
-  vtkShaderProperty* shader = ShaderPropertyOf::Read(actor);
+  vtkShaderProperty* shader = ShaderPropertyOf(actor);
   return shader &&
     (shader->GetNumberOfShaderReplacements() > 0 || shader->HasVertexShaderCode() ||
       shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
@@ -64,14 +61,14 @@ vtkActor* AsHideable(vtkProp* prop)
   return isDrawnWhereItIs ? actor : nullptr;
 }
 
-vtkMTimeType ModificationTime(vtkActor* actor)
+vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)
 {
-  vtkMTimeType time = std::max(actor->GetMTime(), actor->GetMapper()->GetMTime());
-  if (vtkShaderProperty* shader = ShaderPropertyOf::Read(actor))
-  {
-    time = std::max(time, std::max(shader->GetMTime(), shader->GetShaderMTime()));
-  }
-  return time;
+  return AnyProp::ShaderOf(prop);
+}
+
+vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader)
+{
+  return std::max(shader->GetMTime(), shader->GetShaderMTime());
 }
 
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry)

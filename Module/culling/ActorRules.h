@@ -6,6 +6,7 @@
 class vtkActor;
 class vtkMapper;
 class vtkProp;
+class vtkShaderProperty;
 
 namespace vitrine
 {
@@ -18,8 +19,11 @@ class PartGeometry;
  */
 vtkActor* AsHideable(vtkProp* prop);
 
-/** The latest time at which anything was modified that decides where an actor is drawn and what it hides. */
-vtkMTimeType ModificationTime(vtkActor* actor);
+/** What vtkProp::GetShaderProperty() tells, null where that would make one. */
+vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
+
+/** When anything in it was modified. */
+vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader);
 
 /** By how many pixels the actor is drawn wider than its points are; less than 0 if that is not known. */
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry);

@@ -77,9 +77,13 @@ PartGeometry::PartGeometry(vtkPolyData* data)
   }
 }
 
-bool PartGeometry::IsCurrent(vtkPolyData* data) const
+bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
 {
-  return data == this->Data && data->GetMTime() == this->Time;
+  if (this->LookedAt != frame && data == this->Data && data->GetMTime() == this->Time)
+  {
+    this->LookedAt = frame;
+  }
+  return data == this->Data && this->LookedAt == frame;
 }
 
 const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)

@@ -21,8 +21,8 @@ public:
   /** Reads the points of `data` as it is now. */
   explicit PartGeometry(vtkPolyData* data);
 
-  /** Whether it is of `data` as it is now. */
-  bool IsCurrent(vtkPolyData* data) const;
+  /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. */
+  bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
 
   /** Of all points, in model coordinates (MC); Least exceeds Greatest if there are none. */
   const glm::dvec3& Least() const { return this->Low; }
@@ -40,6 +40,7 @@ public:
 private:
   vtkPolyData* Data;
   vtkMTimeType Time;
+  vtkMTimeType LookedAt = 0; ///< the frame in which it was found to be current
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

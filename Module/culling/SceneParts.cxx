@@ -7,6 +7,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 #include "vtkTrivialProducer.h"
 
 #include <glm/common.hpp>
@@ -41,13 +42,16 @@ void SceneParts::Update(vtkProp* const* props, int count)
   bool hasChanged = false;
   this->Drawn.resize(static_cast<std::size_t>(count));
   this->Cursor = 0;
+  ++this->Frame;
   for (int i = 0; i < count; ++i)
   {
     const std::uint32_t part = this->Find(props[i]);
     this->Drawn[static_cast<std::size_t>(i)] = part;
     const Box before = this->BoxOf[part];
-    if (this->Refresh(this->Parts[part], this->BoxOf[part]))
+    if (!this->IsUnchanged(this->Parts[part]))
     {
+      this->Look(this->Parts[part]);
+      this->BoxOf[part] = this->Parts[part].Actor ? this->Read(this->Parts[part]) : Box();
       hasChanged = true;
       if (part < known && !(before == this->BoxOf[part]))
       {
@@ -81,46 +85,59 @@ std::uint32_t SceneParts::Find(vtkProp* prop)
   return place->second;
 }
 
-/** Looks whether a part is as it was; if not, reads it anew and returns true. */
-bool SceneParts::Refresh(Part& part, Box& box)
+/** Whether a part is as it was; in the order in which what holds the next is known to be there. */
+bool SceneParts::IsUnchanged(const Part& part) const
 {
-  part.Actor = AsHideable(part.Prop);
-  if (!part.Actor)
-  {
-    const bool wasHideable = !box.IsEmpty();
-    box = Box();
-    part.Geometry.reset();
-    return wasHideable;
-  }
-  auto* mapper = static_cast<vtkPolyDataMapper*>(part.Actor->GetMapper());
-  if (!mapper->GetStatic() && !vtkTrivialProducer::SafeDownCast(mapper->GetInputAlgorithm()))
-  {
-    mapper->Update();
-  }
-  vtkPolyData* data = mapper->GetInput();
-  const vtkMTimeType time = ModificationTime(part.Actor);
-  if (part.Geometry && part.Time == time && part.Mapper == mapper && data &&
-    part.Geometry->IsCurrent(data))
+  if (part.Prop->GetMTime() != part.PropTime)
   {
     return false;
   }
-  part.Time = time;
-  part.Mapper = mapper;
-  part.Data = data;
-  if (!data)
+  if (!part.Actor)
   {
-    part.Geometry.reset();
-    box = Box();
     return true;
   }
-  box = this->Read(part);
-  return true;
+  return ShaderPropertyOf(part.Prop) == part.Shader &&
+    (!part.Shader || ShaderTimeOf(part.Shader) == part.ShaderTime) &&
+    part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
+    part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
+    part.Geometry->IsCurrent(part.Data, this->Frame);
+}
+
+/** Notes what a part is now. */
+void SceneParts::Look(Part& part)
+{
+  part.PropTime = part.Prop->GetMTime();
+  part.Shader = ShaderPropertyOf(part.Prop);
+  part.ShaderTime = part.Shader ? ShaderTimeOf(part.Shader) : 0;
+  part.Actor = AsHideable(part.Prop);
+  part.Geometry.reset();
+  if (!part.Actor)
+  {
+    return;
+  }
+  part.Mapper = static_cast<vtkPolyDataMapper*>(part.Actor->GetMapper());
+  part.Producer = vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm());
+  if (!part.Producer && !part.Mapper->GetStatic())
+  {
+    part.Mapper->Update();
+  }
+  part.MapperTime = part.Mapper->GetMTime();
+  part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
+  part.Data = part.Mapper->GetInput();
+  if (part.Data)
+  {
+    part.Geometry = this->GeometryOf(part.Data);
+  }
+  else
+  {
+    part.Actor = nullptr;
+    part.PropTime = 0; // the mapper may get some without the actor's knowing
+  }
 }
 
 /** Returns the part's box: empty if it cannot be hidden. */
 Box SceneParts::Read(Part& part)
 {
-  part.Geometry = this->GeometryOf(part.Data);
   double elements[16];
   part.Actor->GetMatrix(elements);
   part.ToWorld = MatrixOf(elements);
@@ -152,7 +169,7 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
 {
   std::weak_ptr<PartGeometry>& known = this->Geometries[data];
   std::shared_ptr<PartGeometry> geometry = known.lock();
-  if (!geometry || !geometry->IsCurrent(data))
+  if (!geometry || !geometry->IsCurrent(data, this->Frame))
   {
     geometry = std::make_shared<PartGeometry>(data);
     known = geometry;

@@ -13,9 +13,11 @@
 #include <vector>
 
 class vtkActor;
-class vtkMapper;
 class vtkPolyData;
+class vtkPolyDataMapper;
 class vtkProp;
+class vtkShaderProperty;
+class vtkTrivialProducer;
 
 namespace vitrine
 {
@@ -49,14 +51,22 @@ public:
   Occluder OccluderOf(std::uint32_t part) override;
 
 private:
-  /** A prop, and what was known of it when it was last looked at. */
+  /**
+   * A prop, and what was known of it when it was last looked at. What pointers lead to is there as long as the times of what holds
+   * them have not changed.
+   */
   struct Part
   {
     vtkProp* Prop = nullptr;
+    vtkMTimeType PropTime = 0;
     vtkActor* Actor = nullptr; ///< null if it cannot be hidden
-    vtkMapper* Mapper = nullptr;
+    vtkShaderProperty* Shader = nullptr;
+    vtkMTimeType ShaderTime = 0;
+    vtkPolyDataMapper* Mapper = nullptr;
+    vtkMTimeType MapperTime = 0;
+    vtkTrivialProducer* Producer = nullptr; ///< of the data; null if something makes them
+    vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
-    vtkMTimeType Time = 0;
     std::shared_ptr<PartGeometry> Geometry;
     glm::dmat4 ToWorld{ 1.0 };
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
@@ -65,7 +75,8 @@ private:
   };
 
   std::uint32_t Find(vtkProp* prop);
-  bool Refresh(Part& part, Box& box);
+  bool IsUnchanged(const Part& part) const;
+  void Look(Part& part);
   Box Read(Part& part);
   std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
   void Replant(std::vector<Octree::MovedItem>& moved, std::size_t known);
@@ -77,6 +88,7 @@ private:
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0; ///< the part behind the last one that was found
+  vtkMTimeType Frame = 0;   ///< counts updates
   Octree Boxes;
   glm::dvec3 Farthest{ 0.0 };
   float Growth = 0.0f;

@@ -70,7 +70,7 @@ double vtkHierarchicalSBufferCuller::Cull(
   const int given = listLength;
   this->NumberOfTestedParts = this->NumberOfTestedNodes = this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
-  if (this->Culling && !renderer->GetSelector())
+  if (this->Culling)
   {
     this->DropHidden(renderer, propList, listLength);
   }
@@ -104,7 +104,9 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   }
   vitrine::PartCuller& culler = known.CullerOf(view);
   parts.MarkDrawn(known.Visible);
-  culler.Cull(parts.Tree(), parts.Bounds(), parts, view.View(), known.Visible);
+  // A selector draws several times, and may want what lies behind a part that cannot be picked.
+  const bool occlusion = !renderer->GetSelector();
+  culler.Cull(parts.Tree(), parts.Bounds(), parts, view.View(), occlusion, known.Visible);
 
   int kept = 0;
   for (int i = 0; i < listLength; ++i)

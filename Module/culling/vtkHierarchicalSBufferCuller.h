@@ -2,9 +2,11 @@
  * @class   vtkHierarchicalSBufferCuller
  * @brief   leaves out the actors that others hide, without changing a pixel
  *
- * Added to a renderer like any other culler, behind VTK's own:
+ * Added to a renderer like any other culler. It leaves out what lies outside of the view, too, so that VTK's own need not
+ * stand before it, which takes longer:
  *
  *     vtkNew<vtkHierarchicalSBufferCuller> culler;
+ *     renderer->GetCullers()->RemoveAllItems();
  *     renderer->AddCuller(culler);
  *
  * An octree of the actors' bounding boxes is walked from front to back. What lies outside of the view or wholly behind what is
@@ -16,8 +18,8 @@
  * Everything else is left to the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of
  * other classes, geometry that is not finite.
  *
- * While a selector renders, in a view of a camera of another class, and while stereo rendering is being switched, nothing is
- * left out.
+ * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, and while
+ * stereo rendering is being switched, nothing is.
  *
  * The order of actors does not change. Culled actors build no buffers until they show.
  *

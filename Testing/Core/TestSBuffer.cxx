@@ -272,7 +272,7 @@ TEST(SBuffer, LeavesOutWhatIsNoSegment)
 TEST(SBuffer, ThatHasNoSpansLeftHidesLessAndSaysSo)
 {
   RandomSegments random(7);
-  SBuffer buffer(50, 1, 20);
+  SBuffer buffer(50, 1, {}, 20);
   std::vector<Segment> segments;
   for (int i = 0; i < 200; ++i)
   {

@@ -3,6 +3,8 @@
 #include "culling/ItemBuffer.h"
 #include "methods/Method.h"
 
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkHierarchicalSBufferCuller.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -16,27 +18,33 @@ namespace program
 namespace
 {
 
-/** A method, and a culler at the renderer that it is attached to. */
+/** A method, and the culler of the renderer that it is attached to: VTK's own or ours. */
 class CulledMethod : public Method
 {
 public:
-  CulledMethod(std::unique_ptr<Method> method, vtkHierarchicalSBufferCuller* culler)
+  explicit CulledMethod(std::unique_ptr<Method> method)
     : Drawn(std::move(method))
-    , Culler(culler)
   {
   }
 
   void Attach(vtkRenderer* renderer) override
   {
     this->Drawn->Attach(renderer);
-    renderer->AddCuller(this->Culler);
+    this->Renderer = renderer;
   }
+
+  void SetCuller(vtkCuller* culler)
+  {
+    this->Renderer->GetCullers()->RemoveAllItems();
+    this->Renderer->AddCuller(culler);
+  }
+
   MethodStatistics Statistics() const override { return this->Drawn->Statistics(); }
   std::string WhyNotRun() const override { return this->Drawn->WhyNotRun(); }
 
 private:
   std::unique_ptr<Method> Drawn;
-  vtkHierarchicalSBufferCuller* Culler;
+  vtkRenderer* Renderer = nullptr;
 };
 
 std::int64_t CountDifferent(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b)
@@ -54,22 +62,20 @@ class CullStage
 {
 public:
   CullStage(const Scene& scene, const CullSettings& settings)
-    : Window(scene, std::make_unique<CulledMethod>(MakeMethod(settings.Method), this->Culler),
-        settings.Size, settings.Multisamples)
+    : CullStage(scene, settings, std::make_unique<CulledMethod>(MakeMethod(settings.Method)))
   {
-    this->Culler->SetBufferLines(settings.BufferLines);
   }
 
   CullFrame Measure(vtkCamera* camera)
   {
     CullFrame frame;
-    this->Culler->CullingOff();
+    this->Cullers->SetCuller(this->Usual);
     frame.FrameMillisecondsWithout = this->Window.Draw(camera);
     const std::vector<std::uint8_t> without = this->Window.ReadPixels();
-    this->Culler->CullingOn();
+    this->Cullers->SetCuller(this->Ours);
     frame.FrameMilliseconds = this->Window.Draw(camera);
-    frame.CullMilliseconds = 1000.0 * this->Culler->GetCullTime();
-    frame.Drawn = static_cast<std::size_t>(this->Culler->GetNumberOfDrawnProps());
+    frame.CullMilliseconds = 1000.0 * this->Ours->GetCullTime();
+    frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnProps());
     frame.WrongPixels = CountDifferent(without, this->Window.ReadPixels());
     return frame;
   }
@@ -77,7 +83,16 @@ public:
   Device GetDevice() { return this->Window.GetDevice(); }
 
 private:
-  vtkNew<vtkHierarchicalSBufferCuller> Culler;
+  CullStage(const Scene& scene, const CullSettings& settings, std::unique_ptr<CulledMethod> cullers)
+    : Cullers(cullers.get())
+    , Window(scene, std::move(cullers), settings.Size, settings.Multisamples)
+  {
+    this->Ours->SetBufferLines(settings.BufferLines);
+  }
+
+  CulledMethod* Cullers; ///< of the window
+  vtkNew<vtkFrustumCoverageCuller> Usual;
+  vtkNew<vtkHierarchicalSBufferCuller> Ours;
   Stage Window;
 };
 }

@@ -15,6 +15,7 @@ void CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   this->Counted = facing;
   this->Margin = projection.Margin();
   this->Inset = buffer.Samples().Inset();
+  this->ColumnCount = static_cast<float>(buffer.Columns());
   if (!this->FrameCells(buffer))
   {
     return;
@@ -79,10 +80,12 @@ void CellCoverage::AddFace(std::uint32_t face)
   const OccluderMesh::Face& corners = this->Projection->Mesh().Faces()[face];
   const ScreenEdge edges[3] = { { points[corners[0]], points[corners[1]] },
     { points[corners[1]], points[corners[2]] }, { points[corners[2]], points[corners[0]] } };
-  LineExtent height;
+  LineExtent width, height;
   float own = 0.0f;
   for (const ScreenEdge& edge : edges)
   {
+    width.Add(edge.Bottom().Column);
+    width.Add(edge.Top().Column);
     height.Add(edge.Bottom().Line);
     height.Add(edge.Top().Line);
     own = std::max(own, edge.OwnRounding());
@@ -90,7 +93,8 @@ void CellCoverage::AddFace(std::uint32_t face)
   const float above = this->Above(own);
   const float aside = this->Aside(own);
   if (!(height.Left - above <= static_cast<float>(this->LastLine + 1) &&
-        height.Right + above >= static_cast<float>(this->FirstLine)))
+        height.Right + above >= static_cast<float>(this->FirstLine) &&
+        width.Left - aside <= this->ColumnCount && width.Right + aside >= 0.0f))
   {
     return;
   }
@@ -211,7 +215,13 @@ void CellCoverage::Deal(
 
 void CellCoverage::InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t part)
 {
-  this->FindSheets(tile);
+  const std::size_t index = static_cast<std::size_t>(tile - this->FirstTile);
+  if (this->TileFaces[index] == None ||
+    buffer.IsCoveredBefore(line, tile, this->Projection->Rectangle().Nearest))
+  {
+    return;
+  }
+  this->FindSheets(index);
   std::sort(this->Shares.begin(), this->Shares.end(),
     [](const Share& a, const Share& b) { return a.Sheet < b.Sheet; });
   for (std::size_t first = 0; first < this->Shares.size();)
@@ -227,9 +237,8 @@ void CellCoverage::InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t
 }
 
 /** Join the faces of a tile, and tell its shares and cuts by sheet. */
-void CellCoverage::FindSheets(int tile)
+void CellCoverage::FindSheets(std::size_t index)
 {
-  const std::size_t index = static_cast<std::size_t>(tile - this->FirstTile);
   this->Shares.clear();
   this->Cuts.clear();
   for (std::uint32_t i = this->TileFaces[index]; i != None; i = this->Entries[i].Next)

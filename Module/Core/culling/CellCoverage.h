@@ -90,7 +90,7 @@ private:
   void InsertLine(SBuffer& buffer, int line, std::uint32_t part);
   void Deal(const Interval& touched, std::uint32_t piece, std::vector<std::uint32_t>& heads);
   void InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t part);
-  void FindSheets(int tile);
+  void FindSheets(std::size_t index);
   std::uint32_t SheetOf(std::uint32_t piece);
   void InsertSheet(
     SBuffer& buffer, int line, int tile, std::size_t first, std::size_t end, std::uint32_t part);
@@ -102,6 +102,7 @@ private:
   MeshProjection::Facing Counted = MeshProjection::Facing::Front;
   ScreenMargin Margin;
   float Inset = 0.0f; ///< how far from their sides lines have no samples
+  float ColumnCount = 0.0f;
   int FirstLine = 0, LastLine = 0;
   int FirstTile = 0, LastTile = 0;
   std::vector<FacePiece> FacePieces;

@@ -12,6 +12,17 @@ namespace
 // Meshes of more points are not projected before they are known to show: their boxes decide.
 const std::size_t FewPoints = 64;
 
+// An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
+const float MostFacesPerCell = 1.0f;
+
+const ScreenRectangle Everywhere{ -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
+
+bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
+{
+  const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
+  return static_cast<float>(faces) > cells * MostFacesPerCell;
+}
+
 // Occluders of no more get one depth.
 const float FewColumns = 16.0f;
 const float FewLines = 8.0f;
@@ -22,11 +33,12 @@ class PartCuller::Walk
 {
 public:
   Walk(PartCuller& culler, const std::vector<Box>& bounds, OccluderSource& occluders,
-    const CullView& view, std::vector<std::uint8_t>& visible)
+    const CullView& view, bool occlusion, std::vector<std::uint8_t>& visible)
     : Culler(culler)
     , Bounds(bounds)
     , Occluders(occluders)
     , View(view)
+    , HasOcclusion(occlusion)
     , Visible(visible)
   {
   }
@@ -34,7 +46,8 @@ public:
   bool Enter(const OctreeNode& node)
   {
     ++this->Culler.Counted.Nodes;
-    return this->MayShow(node.Bounds);
+    ScreenRectangle rectangle;
+    return this->MayShow(node.Bounds, rectangle);
   }
 
   void Visit(const OctreeNode&, const std::uint32_t* items, std::uint32_t count)
@@ -63,17 +76,18 @@ public:
   }
 
 private:
-  bool MayShow(const Box& box)
+  /** Writes the rectangle of a box that lies behind the near plane; an endless one for others. */
+  bool MayShow(const Box& box, ScreenRectangle& rectangle)
   {
-    ScreenRectangle rectangle;
     switch (this->View.Projection.Project(box, rectangle))
     {
       case ScreenProjection::Place::Outside:
         return false;
       case ScreenProjection::Place::Near:
+        rectangle = Everywhere;
         return true;
       case ScreenProjection::Place::Before:
-        return !this->Culler.Lines.Hides(rectangle, 0.0f);
+        return !this->HasOcclusion || !this->Culler.Lines.Hides(rectangle, 0.0f);
     }
     return true;
   }
@@ -81,23 +95,33 @@ private:
   bool VisitPart(std::uint32_t item)
   {
     ++this->Culler.Counted.Tested;
-    if (!this->MayShow(this->Bounds[item]))
+    ScreenRectangle rectangle;
+    if (!this->MayShow(this->Bounds[item], rectangle))
     {
       return false;
     }
-    const Occluder occluder = this->Occluders.OccluderOf(item);
+    const Occluder occluder = this->HasOcclusion ? this->Occluders.OccluderOf(item) : Occluder();
     if (!occluder.Mesh)
+    {
+      return true;
+    }
+    const bool isSmall = occluder.Mesh->PointCount() <= FewPoints;
+    const bool isDense = IsDense(rectangle, occluder.Mesh->Faces().size());
+    if (!isSmall && isDense)
     {
       return true;
     }
     const bool isBehindNear = this->Culler.Projected.Project(
       *occluder.Mesh, this->View.Projection.Of(*occluder.ToWorld, occluder.Coarser));
-    if (isBehindNear && occluder.Mesh->PointCount() <= FewPoints &&
+    if (isBehindNear && isSmall &&
       this->Culler.Lines.Hides(this->Culler.Projected.Rectangle(), 0.0f))
     {
       return false;
     }
-    this->InsertPart(item, occluder);
+    if (!isDense)
+    {
+      this->InsertPart(item, occluder);
+    }
     return true;
   }
 
@@ -129,6 +153,7 @@ private:
   const std::vector<Box>& Bounds;
   OccluderSource& Occluders;
   const CullView& View;
+  bool HasOcclusion;
   std::vector<std::uint8_t>& Visible;
 };
 
@@ -138,13 +163,13 @@ PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)
 }
 
 void PartCuller::Cull(const Octree& tree, const std::vector<Box>& bounds, OccluderSource& occluders,
-  const CullView& view, std::vector<std::uint8_t>& visible)
+  const CullView& view, bool occlusion, std::vector<std::uint8_t>& visible)
 {
   assert(visible.size() == bounds.size());
   this->Lines.Clear();
   this->Counted = {};
   this->IsTested.assign(bounds.size(), 0);
-  Walk walk(*this, bounds, occluders, view, visible);
+  Walk walk(*this, bounds, occluders, view, occlusion, visible);
   if (view.IsParallel)
   {
     WalkFrontToBack(tree, OrderAlong(view.Eye), walk);

@@ -65,10 +65,11 @@ public:
    * @param tree       of the parts' bounds
    * @param bounds     of each part, in world coordinates (WC)
    * @param occluders  tells what the parts hide with
+   * @param occlusion  false for what lies outside of the view alone
    * @param visible    one for each part; on input 1 for those that this frame draws. 0 is put for what surely does not show
    */
   void Cull(const Octree& tree, const std::vector<Box>& bounds, OccluderSource& occluders,
-    const CullView& view, std::vector<std::uint8_t>& visible);
+    const CullView& view, bool occlusion, std::vector<std::uint8_t>& visible);
 
   const CullCounts& Counts() const { return this->Counted; }
   const SBuffer& Buffer() const { return this->Lines; }

@@ -325,20 +325,34 @@ bool SBuffer::LineHides(int line, float left, float right, float nearest)
   const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
   for (int i = std::min(static_cast<int>(left) / TileWidth, last); i <= last; ++i)
   {
-    Tile& tile = this->Tiles[static_cast<std::size_t>(line) * this->TilesPerLine + i];
+    const Tile& tile = this->KnownTile(line, i);
     const float tileLeft = static_cast<float>(i * TileWidth);
-    const float tileRight = std::min(tileLeft + TileWidth, static_cast<float>(this->ColumnCount));
-    if (tile.Least == NotKnown)
-    {
-      tile.Least = this->LeastOf(tile, tileLeft, tileRight);
-    }
     if (!(tile.Least > nearest) &&
-      !this->TileHides(tile, std::max(left, tileLeft), std::min(right, tileRight), nearest))
+      !this->TileHides(
+        tile, std::max(left, tileLeft), std::min(right, tileLeft + TileWidth), nearest))
     {
       return false;
     }
   }
   return true;
+}
+
+bool SBuffer::IsCoveredBefore(int line, int tile, float depth)
+{
+  return this->KnownTile(line, tile).Least >= depth;
+}
+
+/** A tile, with its least depth found. */
+SBuffer::Tile& SBuffer::KnownTile(int line, int tile)
+{
+  Tile& known = this->Tiles[static_cast<std::size_t>(line) * this->TilesPerLine + tile];
+  if (known.Least == NotKnown)
+  {
+    const float left = static_cast<float>(tile * TileWidth);
+    known.Least =
+      this->LeastOf(known, left, std::min(left + TileWidth, static_cast<float>(this->ColumnCount)));
+  }
+  return known;
 }
 
 std::vector<Span> SBuffer::SpansOf(int line) const

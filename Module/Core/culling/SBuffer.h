@@ -91,6 +91,9 @@ public:
    */
   bool Hides(const ScreenRectangle& rectangle, float margin);
 
+  /** Whether all of a tile is covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
+  bool IsCoveredBefore(int line, int tile, float depth);
+
   /** The spans of a line, from left to right. */
   std::vector<Span> SpansOf(int line) const;
 
@@ -108,6 +111,7 @@ private:
   std::uint32_t Allocate();
   void Free(std::uint32_t span);
   bool LineHides(int line, float left, float right, float nearest);
+  Tile& KnownTile(int line, int tile);
   float LeastOf(const Tile& tile, float left, float right) const;
   bool TileHides(const Tile& tile, float left, float right, float nearest) const;
 
