@@ -24,7 +24,6 @@ std::vector<CullerSetting> CullerSettings()
     { "Perspective", 0, false, 270, 101, 75 },
     { "Parallel", 0, true, 270, 97, 61 },
     { "PerspectiveOf4Samples", 4, false, 270, 83, 77 },
-    { "ParallelOf4Samples", 4, true, 270, 101, 75 },
     { "PerspectiveInThickLines", 0, false, 17, 113, 75 },
     { "ParallelInThickLinesOf4Samples", 4, true, 19, 89, 73 },
   };
@@ -94,6 +93,11 @@ std::vector<vtkSmartPointer<vtkActor>> CullerScene::AddHidden(double z)
     }
   }
   return boxes;
+}
+
+void CullerScene::Clear()
+{
+  this->Renderer->RemoveAllViewProps();
 }
 
 vtkSmartPointer<vtkActor> CullerScene::AddWall(double z)

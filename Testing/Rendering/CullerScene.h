@@ -59,6 +59,9 @@ struct CullerScene : TestScene
 
   vtkSmartPointer<vtkActor> AddMesh(vtkPolyData* mesh, const Rgba& color = { 0.5, 0.5, 0.5, 1.0 });
 
+  /** Take all props out. */
+  void Clear();
+
   /** Look from straight ahead. */
   void LookAhead();
 

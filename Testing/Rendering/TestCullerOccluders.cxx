@@ -103,11 +103,11 @@ TEST_P(CullerOccluders, Scene02MeshOfWires)
 {
   for (const double size : { 1.2, 0.7, 0.3 })
   {
-    CullerScene scene(GetParam());
-    const double hole = size * scene.PixelSize();
-    scene.AddMesh(MeshOf(WireMesh(1.2, hole, 2.0 * hole)));
-    scene.AddHidden();
-    scene.ExpectNothingHidden(103, 2);
+    Scene.Clear();
+    const double hole = size * Scene.PixelSize();
+    Scene.AddMesh(MeshOf(WireMesh(1.2, hole, 2.0 * hole)));
+    Scene.AddHidden();
+    Scene.ExpectNothingHidden(103, 2);
   }
 }
 
@@ -253,16 +253,16 @@ TEST_P(CullerOccluders, Scene09PointsThatAreNoNumbers)
   for (const double odd : { NaN, Infinity, -Infinity, 1e30, 1e38, 1e300 })
   {
     SCOPED_TRACE(odd);
-    CullerScene scene(GetParam());
+    Scene.Clear();
     std::vector<Quad> quads{ Rectangle(-1.1, -1.1, 1.1, 1.1, 0.0),
       Rectangle(-1.1, -1.1, 0.0, 1.1, 0.1) };
     quads[1][2][0] = odd;
-    const vtkSmartPointer<vtkActor> wall = scene.AddWall(0.2);
-    scene.AddMesh(MeshOf(quads));
-    scene.AddHidden();
-    scene.ExpectHidden(114, 2);
+    const vtkSmartPointer<vtkActor> wall = Scene.AddWall(0.2);
+    Scene.AddMesh(MeshOf(quads));
+    Scene.AddHidden();
+    Scene.ExpectHidden(114, 2);
     wall->VisibilityOff();
-    scene.ExpectSameAround(115, 2);
+    Scene.ExpectSameAround(115, 2);
   }
 }
 
@@ -270,19 +270,19 @@ TEST_P(CullerOccluders, Scene09PartsOfNothing)
 {
   for (const bool hasWall : { false, true })
   {
-    CullerScene scene(GetParam());
+    Scene.Clear();
     if (hasWall)
     {
-      scene.AddWall();
+      Scene.AddWall();
     }
-    scene.AddMesh(MeshOf({}));
-    scene.AddMesh(vtkSmartPointer<vtkPolyData>::New());
+    Scene.AddMesh(MeshOf({}));
+    Scene.AddMesh(vtkSmartPointer<vtkPolyData>::New());
     vtkNew<vtkPolyData> pointsAlone;
     pointsAlone->SetPoints(MeshOf({ Rectangle(0.0, 0.0, 1.0, 1.0, 0.0) })->GetPoints());
-    scene.AddMesh(pointsAlone);
-    scene.Renderer->AddActor(vtkSmartPointer<vtkActor>::New()); // without a mapper
-    scene.AddHidden();
-    EXPECT_EQ(scene.ExpectSameAround(116) > 0, hasWall);
+    Scene.AddMesh(pointsAlone);
+    Scene.Renderer->AddActor(vtkSmartPointer<vtkActor>::New()); // without a mapper
+    Scene.AddHidden();
+    EXPECT_EQ(Scene.ExpectSameAround(116) > 0, hasWall);
   }
 }
 
@@ -323,17 +323,17 @@ TEST_P(CullerOccluders, Scene10FacesThatAreLeftOut)
     for (const int culling : { 0, 1, 2, 3 })
     {
       SCOPED_TRACE(std::to_string(isMirrored) + " mirrored, culling " + std::to_string(culling));
-      CullerScene scene(GetParam());
-      const vtkSmartPointer<vtkActor> wall = scene.AddWall();
-      const vtkSmartPointer<vtkActor> box = scene.AddBox({ 0.1, 0.2, 0.6 }, { 0.9, 0.8, 0.7 });
+      Scene.Clear();
+      const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+      const vtkSmartPointer<vtkActor> box = Scene.AddBox({ 0.1, 0.2, 0.6 }, { 0.9, 0.8, 0.7 });
       for (vtkActor* actor : { wall.Get(), box.Get() })
       {
         actor->GetProperty()->SetBackfaceCulling(culling & 1);
         actor->GetProperty()->SetFrontfaceCulling(culling >> 1);
         actor->SetScale(isMirrored ? -1.0 : 1.0, 1.0, 1.0);
       }
-      scene.AddHidden();
-      const int culled = scene.ExpectSameAround(120, 2);
+      Scene.AddHidden();
+      const int culled = Scene.ExpectSameAround(120, 2);
       EXPECT_EQ(culled > 0, culling < 2) << culled;
     }
   }
