@@ -84,8 +84,9 @@ vtkActor* AsHideable(vtkProp* prop)
   {
     return nullptr;
   }
-  const bool isDrawnWhereItIs =
-    !HasShaderCode(actor) && vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF;
+  const bool isDrawnWhereItIs = !HasShaderCode(actor) &&
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetNumberOfSubPieces() == 1;
   return isDrawnWhereItIs ? actor : nullptr;
 }
 

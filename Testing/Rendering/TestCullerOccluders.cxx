@@ -1,4 +1,4 @@
-// What the culler takes for a cover, and what lies behind it: no pixel is lost. Scenes are numbered as in docs/culling.md.
+// What the culler takes for a cover, and what lies behind it: no pixel is lost. Scenes have the numbers of a list of scenes in which cullers fail.
 #include "CullerScene.h"
 #include "vtkCellArray.h"
 #include "vtkCylinderSource.h"
