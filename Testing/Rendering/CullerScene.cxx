@@ -107,13 +107,19 @@ vtkSmartPointer<vtkActor> CullerScene::AddWall(double z)
 
 vtkSmartPointer<vtkActor> CullerScene::AddBox(const Point3& middle, const Point3& size)
 {
+  const vtkSmartPointer<vtkActor> box = this->MakeBox(middle, size);
+  this->Renderer->AddActor(box);
+  return box;
+}
+
+vtkSmartPointer<vtkActor> CullerScene::MakeBox(const Point3& middle, const Point3& size)
+{
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(this->BoxMapper);
   actor->SetPosition(middle[0], middle[1], middle[2]);
   actor->SetScale(size[0], size[1], size[2]);
   actor->GetProperty()->SetColor(this->NextColor().data());
   actor->GetProperty()->LightingOff();
-  this->Renderer->AddActor(actor);
   return actor;
 }
 

@@ -54,8 +54,9 @@ struct CullerScene : TestScene
   /** An opaque wall at height 0, in front of all of those boxes, and wider than the view. */
   vtkSmartPointer<vtkActor> AddWall(double z = 0.0);
 
-  /** An unlit box of a colour of its own. */
+  /** An unlit box of a colour of its own; MakeBox() leaves it out of the renderer. */
   vtkSmartPointer<vtkActor> AddBox(const Point3& middle, const Point3& size);
+  vtkSmartPointer<vtkActor> MakeBox(const Point3& middle, const Point3& size);
 
   vtkSmartPointer<vtkActor> AddMesh(vtkPolyData* mesh, const Rgba& color = { 0.5, 0.5, 0.5, 1.0 });
 

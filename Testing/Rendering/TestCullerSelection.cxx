@@ -48,9 +48,9 @@ protected:
   {
     std::vector<vtkProp*> picked;
     vtkNew<vtkPropPicker> picker;
-    for (int y = 3; y < Scene.Setting.Height; y += 17)
+    for (int y = 3; y < Scene.Setting.Height; y += 29)
     {
-      for (int x = 3; x < Scene.Setting.Width; x += 13)
+      for (int x = 3; x < Scene.Setting.Width; x += 23)
       {
         picked.push_back(picker->PickProp(x, y, Scene.Renderer) ? picker->GetViewProp() : nullptr);
       }
@@ -71,7 +71,7 @@ protected:
     const std::vector<vtkProp*> props = this->PickProps();
     EXPECT_GE(ofCells.size(), leastProps);
     Scene.Culler->CullingOn();
-    for (int again = 0; again < 3; ++again)
+    for (int again = 0; again < 2; ++again)
     {
       Scene.Render();
       EXPECT_GT(Scene.Culler->GetNumberOfCulledParts(), 0);

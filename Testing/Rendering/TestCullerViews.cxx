@@ -7,7 +7,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +27,6 @@ public:
 
 protected:
   vtkCamera* Camera() { return Scene.Renderer->GetActiveCamera(); }
-
   // A wall over half of the view and more, and what lies behind it.
   void AddHalfWallAndHidden()
   {
@@ -72,6 +70,37 @@ protected:
     return picture;
   }
 
+  // Scales all parts and moves them: every other one by its matrix, the rest by their points.
+  void MoveParts(const Point3& corner, double scale)
+  {
+    vtkActorCollection* actors = Scene.Renderer->GetActors();
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      vtkNew<vtkTransform> transform;
+      transform->Translate(corner.data());
+      transform->Scale(scale, scale, scale);
+      if (i % 2 == 0)
+      {
+        actor->SetUserTransform(transform);
+        continue;
+      }
+      transform->Concatenate(actor->GetMatrix());
+      actor->GetMapper()->Update();
+      vtkNew<vtkPolyData> moved;
+      moved->DeepCopy(actor->GetMapper()->GetInput());
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      transform->TransformPoints(moved->GetPoints(), points);
+      moved->SetPoints(points);
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(moved);
+      actor->SetMapper(mapper);
+      actor->SetPosition(0.0, 0.0, 0.0);
+      actor->SetScale(1.0);
+    }
+  }
+
   int MostOfTiles = 0;
 };
 
@@ -79,9 +108,7 @@ protected:
 vtkSmartPointer<vtkActor> AddRoom(CullerScene& scene, double size)
 {
   vtkNew<vtkCubeSource> cube;
-  cube->SetXLength(size);
-  cube->SetYLength(size);
-  cube->SetZLength(size);
+  cube->SetBounds(-size, size, -size, size, -size, size);
   return scene.AddSource(cube, { 0.3, 0.4, 0.5, 1.0 });
 }
 
@@ -99,7 +126,7 @@ std::vector<Point3> EyesAt(const Point3& middle, const Point3& half)
 
 TEST_P(CullerViews, Scene04EyeInsideABoxAndOnItsFaces)
 {
-  AddRoom(Scene, 12.0);
+  AddRoom(Scene, 6.0);
   const Point3 middle{ 0.1, -0.2, 1.5 }, size{ 0.6, 0.5, 0.4 };
   Scene.AddBox(middle, size);
   Scene.AddMesh(MeshOf({ Rectangle(-1.0, -1.0, 1.0, 1.0, 0.0) }));
@@ -122,7 +149,7 @@ TEST_P(CullerViews, Scene04EyeInsideABoxAndOnItsFaces)
 
 TEST_P(CullerViews, Scene04EyeInsideAPartOfManyFaces)
 {
-  AddRoom(Scene, 12.0);
+  AddRoom(Scene, 6.0);
   for (int i = 0; i < 3; ++i)
   {
     Scene.AddSphere(0.2 * i - 0.2, 0.1, 1.2 - 0.5 * i, 0.6, { 0.4, 0.3 * i, 0.9, 1.0 }, 24);
@@ -278,37 +305,7 @@ TEST_P(CullerViews, Scene18CoordinatesOfAMap)
     Scene.Clear();
     this->AddHalfWallAndHidden();
     const Point3 corner{ 5.3e5, 5.4e6, 1.2e7 };
-    // Half of the parts by their points, the others by their matrices.
-    int number = 0;
-    vtkActorCollection* actors = Scene.Renderer->GetActors();
-    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
-    {
-      auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-      vtkNew<vtkTransform> transform;
-      transform->PostMultiply();
-      transform->Scale(feature, feature, feature);
-      transform->Translate(corner.data());
-      if (number++ % 2 == 0)
-      {
-        actor->SetUserTransform(transform);
-        continue;
-      }
-      transform->PreMultiply();
-      transform->Concatenate(actor->GetMatrix());
-      vtkNew<vtkPolyData> moved;
-      auto* mapper = static_cast<vtkPolyDataMapper*>(actor->GetMapper());
-      mapper->Update();
-      moved->DeepCopy(mapper->GetInput());
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      transform->TransformPoints(moved->GetPoints(), points);
-      moved->SetPoints(points);
-      vtkNew<vtkPolyDataMapper> own;
-      own->SetInputData(moved);
-      actor->SetMapper(own);
-      actor->SetPosition(0.0, 0.0, 0.0);
-      actor->SetScale(1.0);
-    }
+    this->MoveParts(corner, feature);
     int most = 0;
     TestRandom random(192);
     for (int pose = 0; pose < 4; ++pose)
