@@ -4,6 +4,8 @@
 #include "culling/PartGeometry.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkPlaneCollection.h"
@@ -39,9 +41,27 @@ bool HasShaderCode(vtkActor* actor)
       shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
 }
 
-/** Of three components without a map to colours: no alpha. */
+/** Transfer functions draw what is unknown to them with an opacity that vtkMapper::HasTranslucentPolygonalGeometry() ignores. */
+bool AreColorsOpaque(vtkMapper* mapper)
+{
+  int isOfCells = 0;
+  if (!mapper->GetScalarVisibility() ||
+    !vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells))
+  {
+    return true; // and there need not be a table
+  }
+  auto* function = vtkColorTransferFunction::SafeDownCast(mapper->GetLookupTable());
+  return !function || function->GetNanOpacity() >= 1.0;
+}
+
+/** Of three components without a map to colours: no alpha. Brings the image up to date, as drawing it does. */
 bool IsOpaque(vtkTexture* texture)
 {
+  if (vtkAlgorithm* source = texture->GetInputAlgorithm())
+  {
+    source->Update();
+  }
   vtkImageData* image = texture->GetInput();
   return image && image->GetNumberOfScalarComponents() == 3 &&
     image->GetScalarType() == VTK_UNSIGNED_CHAR &&
@@ -56,8 +76,9 @@ vtkActor* AsHideable(vtkProp* prop)
   {
     return nullptr;
   }
-  const bool isDrawnWhereItIs =
-    !HasShaderCode(actor) && vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF;
+  const bool isDrawnWhereItIs = !HasShaderCode(actor) &&
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetNumberOfSubPieces() == 1;
   return isDrawnWhereItIs ? actor : nullptr;
 }
 
@@ -92,7 +113,7 @@ bool IsOpaqueSurface(vtkActor* actor)
   return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !actor->HasTranslucentPolygonalGeometry() && !actor->GetForceOpaque() &&
     property->GetOpacity() >= 1.0 && !(back && back->GetOpacity() < 1.0) &&
-    !(planes && planes->GetNumberOfItems() > 0);
+    !(planes && planes->GetNumberOfItems() > 0) && AreColorsOpaque(actor->GetMapper());
 }
 
 bool AreTexturesOpaque(vtkActor* actor)

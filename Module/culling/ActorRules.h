@@ -15,7 +15,7 @@ class PartGeometry;
 
 /**
  * The prop as an actor that is drawn where its polydata's points are, so that it can be hidden; null for all others: other
- * classes, other mappers, shader code of the user's, offsets of coincident topology.
+ * classes, other mappers, mappers that draw piece by piece, shader code of the user's, offsets of coincident topology.
  */
 vtkActor* AsHideable(vtkProp* prop);
 

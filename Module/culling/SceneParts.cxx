@@ -28,6 +28,9 @@ const std::size_t FewOf = 16;
 // Of what floats make of the sums that lead to world coordinates; boxes are grown by it.
 const double RoundingOfSums = 0x1p-20;
 
+// Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
+const double FarthestSum = 1e15;
+
 /** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
 bool IsAffine(const glm::dmat4& m)
 {
@@ -160,6 +163,10 @@ Box SceneParts::Read(Part& part)
     const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
     half += direction * (0.5 * (greatest[axis] - least[axis]));
     part.Sums += direction * largest[axis];
+  }
+  if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
+  {
+    return Box();
   }
   half += RoundingOfSums * part.Sums;
   return Box::Around(middle - half, middle + half);

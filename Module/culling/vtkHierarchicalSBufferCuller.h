@@ -18,8 +18,9 @@
  * Everything else is left to the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of
  * other classes, geometry that is not finite.
  *
- * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, and while
- * stereo rendering is being switched, nothing is.
+ * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
+ * rendering is being switched, and below a pass that processes images and may look beyond the view (vtkEDLShading, blurs),
+ * nothing is.
  *
  * The order of actors does not change. Culled actors build no buffers until they show.
  *

@@ -1,0 +1,272 @@
+// What changes from frame to frame, and how many parts there are: no pixel is lost by culling.
+#include "CullerScene.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkCubeSource.h"
+#include "vtkCullerCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace
+{
+
+class CullerChanges : public CullerTest
+{
+public:
+  void Abort() { Scene.Window->SetAbortRender(1); }
+
+protected:
+  // A wall that covers all, boxes behind it, and the same pictures after each change of the wall.
+  void ExpectSameAfter(const std::vector<std::function<void(vtkActor*)>>& changes)
+  {
+    const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+    Scene.AddHidden();
+    EXPECT_GT(Scene.ExpectSame(), 40);
+    for (std::size_t i = 0; i < changes.size(); ++i)
+    {
+      SCOPED_TRACE("change " + std::to_string(i));
+      changes[i](wall);
+      // The changes lift the wall and put it back in turn.
+      EXPECT_EQ(Scene.ExpectSame() > 40, i % 2 == 1);
+    }
+  }
+};
+
+vtkPolyData* DataOf(vtkActor* actor)
+{
+  return static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetInput();
+}
+
+void MovePoints(vtkActor* actor, double x)
+{
+  vtkPoints* points = DataOf(actor)->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    points->SetPoint(i, point[0] + x, point[1], point[2]);
+  }
+  points->Modified();
+}
+
+TEST_P(CullerChanges, Scene14WallThatTeleports)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkNew<vtkTransform> transform;
+  this->ExpectSameAfter({
+    [](vtkActor* wall) { wall->SetPosition(3.0, 0.0, 0.0); },
+    [](vtkActor* wall) { wall->SetPosition(0.0, 0.0, 0.0); },
+    [](vtkActor* wall) { wall->SetPosition(0.0, 0.0, -0.6); }, // behind them all
+    [](vtkActor* wall) { wall->SetPosition(0.0, 0.0, 0.9); },
+    [](vtkActor* wall) { wall->RotateY(90.0); },
+    [](vtkActor* wall) { wall->RotateY(90.0); },
+    [](vtkActor* wall) { wall->SetScale(0.1); },
+    [](vtkActor* wall) { wall->SetScale(1.0); },
+    [&](vtkActor* wall)
+    {
+      matrix->SetElement(0, 3, 4.0);
+      wall->SetUserMatrix(matrix);
+    },
+    [&](vtkActor*) { matrix->SetElement(0, 3, 0.0); }, // the matrix alone tells of it
+    [&](vtkActor* wall)
+    {
+      wall->SetUserTransform(transform);
+      transform->Translate(0.0, 4.0, 0.0);
+    },
+    [&](vtkActor*) { transform->Identity(); },
+  });
+}
+
+TEST_P(CullerChanges, Scene14WallThatTurnsTranslucent)
+{
+  this->ExpectSameAfter({
+    [](vtkActor* wall) { wall->VisibilityOff(); },
+    [](vtkActor* wall) { wall->VisibilityOn(); },
+    [](vtkActor* wall) { wall->GetProperty()->SetOpacity(0.5); },
+    [](vtkActor* wall) { wall->GetProperty()->SetOpacity(1.0); },
+    [](vtkActor* wall) { wall->GetProperty()->FrontfaceCullingOn(); },
+    [](vtkActor* wall) { wall->GetProperty()->FrontfaceCullingOff(); },
+    [](vtkActor* wall) { wall->GetProperty()->SetRepresentationToWireframe(); },
+    [](vtkActor* wall) { wall->GetProperty()->SetRepresentationToSurface(); },
+    [](vtkActor* wall)
+    {
+      wall->SetProperty(vtkSmartPointer<vtkProperty>::New());
+      wall->GetProperty()->SetOpacity(0.3);
+    },
+    [](vtkActor* wall) { wall->SetProperty(vtkSmartPointer<vtkProperty>::New()); },
+  });
+}
+
+TEST_P(CullerChanges, Scene14WallOfOtherData)
+{
+  const vtkSmartPointer<vtkPolyData> small = MeshOf({ Rectangle(-0.2, -0.2, 0.2, 0.2, 0.0) });
+  const vtkSmartPointer<vtkPolyData> large = MeshOf({ Rectangle(-2.2, -2.2, 2.2, 2.2, 0.0) });
+  vtkNew<vtkPolyDataMapper> other;
+  other->SetInputData(small);
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(0.3);
+  cube->SetYLength(5.0);
+  const auto mapperOf = [](vtkActor* wall)
+  { return static_cast<vtkPolyDataMapper*>(wall->GetMapper()); };
+  this->ExpectSameAfter({
+    [](vtkActor* wall) { MovePoints(wall, 3.0); },
+    [](vtkActor* wall) { MovePoints(wall, -3.0); },
+    [&](vtkActor* wall) { mapperOf(wall)->SetInputData(small); },
+    [&](vtkActor* wall) { mapperOf(wall)->SetInputData(large); },
+    [&](vtkActor* wall) { DataOf(wall)->DeepCopy(small); },
+    [&](vtkActor* wall)
+    {
+      DataOf(wall)->SetPolys(nullptr),
+        DataOf(wall)->DeepCopy(MeshOf({ Rectangle(-2, -2, 2, 2, 0) }));
+    },
+    [&](vtkActor* wall) { mapperOf(wall)->SetInputConnection(cube->GetOutputPort()); },
+    [&](vtkActor*) { cube->SetXLength(5.0); }, // the pipeline alone tells of it
+    [&](vtkActor* wall) { wall->SetMapper(other); },
+    [&](vtkActor*) { other->SetInputData(large); },
+    [](vtkActor* wall) { DataOf(wall)->SetPolys(vtkSmartPointer<vtkCellArray>::New()); },
+  });
+}
+
+// Actors that go and come again may stand at the address of others.
+TEST_P(CullerChanges, Scene14PartsThatComeAndGo)
+{
+  TestRandom random(140);
+  std::vector<vtkSmartPointer<vtkActor>> parts;
+  int most = 0;
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame) + " of seed 140");
+    for (int i = 0; i < 15; ++i)
+    {
+      parts.push_back(
+        Scene.AddBox({ 1.6 * random.Unit() - 0.8, 1.6 * random.Unit() - 0.8, random.Unit() - 0.9 },
+          { 0.8 * random.Unit(), 0.5 * random.Unit(), 0.1 }));
+    }
+    while (parts.size() > 50)
+    {
+      const std::size_t gone = random.Next() % parts.size();
+      Scene.Renderer->RemoveActor(parts[gone]);
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(gone));
+    }
+    for (const vtkSmartPointer<vtkActor>& part : parts)
+    {
+      part->SetVisibility(random.Unit() < 0.9);
+      if (random.Unit() < 0.2)
+      {
+        part->AddPosition(0.1, -0.1, 0.1 * random.Unit());
+      }
+    }
+    Scene.LookFromAnywhere(random);
+    most = std::max(most, Scene.ExpectSame());
+  }
+  EXPECT_GT(most, 0);
+}
+
+TEST_P(CullerChanges, Scene24NoPartsAndOne)
+{
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  wall->VisibilityOff();
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+}
+
+TEST_P(CullerChanges, Scene24AllPartsOutOfView)
+{
+  Scene.Renderer->GetCullers()->RemoveItem(0); // VTK's own
+  Scene.AddHidden();
+  Scene.AddWall();
+  Scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -2.0);
+  Scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -4.0);
+  EXPECT_EQ(Scene.ExpectSame(), 64);
+  Scene.LookAhead();
+  Scene.ExpectHidden(141, 1);
+}
+
+// So many that a frame without culling takes seconds: the picture is that of the scene without those behind the wall.
+TEST(CullerManyParts, Scene24HundredThousand)
+{
+  CullerScene scene(CullerSettings()[0]);
+  const vtkSmartPointer<vtkActor> wall = scene.AddWall();
+  const std::vector<vtkSmartPointer<vtkActor>> inFront = scene.AddHidden(0.2);
+  TestRandom random(142);
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double x = 2.4 * random.Unit() - 1.2, y = 2.4 * random.Unit() - 1.2;
+    // The renderer itself would look through all of its props for each new one.
+    scene.Renderer->GetViewProps()->AddItem(
+      scene.MakeBox({ x, y, -1.5 * random.Unit() - 0.03 }, { 0.02, 0.02, 0.02 }));
+  }
+  const Picture culled = scene.Render();
+  EXPECT_EQ(scene.Culler->GetNumberOfDrawnProps(), 64);
+  scene.Clear();
+  scene.Renderer->AddActor(wall);
+  for (const vtkSmartPointer<vtkActor>& box : inFront)
+  {
+    scene.Renderer->AddActor(box);
+  }
+  scene.Culler->CullingOff();
+  EXPECT_EQ(CountDifferentPixels(culled, scene.Render()), 0);
+}
+
+TEST_P(CullerChanges, Scene25AbortedFrames)
+{
+  Scene.AddMesh(MeshOf({ Rectangle(-0.35, -2.0, 2.0, 2.0, 0.0) }));
+  Scene.AddHidden();
+  Scene.ExpectHidden(143, 1);
+  TestRandom random(144);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    Scene.LookFromAnywhere(random);
+    const unsigned long started =
+      Scene.Renderer->AddObserver(vtkCommand::StartEvent, this, &CullerChanges::Abort);
+    Scene.Culler->CullingOn();
+    Scene.Window->Render();
+    Scene.Renderer->RemoveObserver(started);
+    Scene.Window->SetAbortRender(0);
+    EXPECT_GT(Scene.ExpectSame(), 0);
+  }
+}
+
+// A dense assembly that turns once, a degree a frame: the settings share the frames.
+TEST_P(CullerChanges, Scene27AssemblyThatTurns)
+{
+  TestRandom random(145);
+  for (int i = 0; i < 140; ++i)
+  {
+    const auto within = [&] { return 1.5 * random.Unit() - 0.75; };
+    const double x = within(), y = within();
+    const vtkSmartPointer<vtkActor> part = Scene.AddBox({ x, y, within() },
+      { 0.05 + 0.3 * random.Unit(), 0.05 + 0.3 * random.Unit(), 0.05 + 0.2 * random.Unit() });
+    part->SetOrientation(i % 3 * 360.0 * random.Unit(), 0.0, i % 2 * 360.0 * random.Unit());
+  }
+  const std::vector<CullerSetting> settings = CullerSettings();
+  const auto setting = std::find_if(settings.begin(), settings.end(),
+    [](const CullerSetting& one) { return one.Name == GetParam().Name; });
+  const int frames = 360 / static_cast<int>(settings.size());
+  const auto first = static_cast<double>(setting - settings.begin()) * frames;
+  Scene.Renderer->GetActiveCamera()->Elevation(20.0);
+  Scene.Renderer->GetActiveCamera()->Azimuth(first);
+  int most = 0;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    SCOPED_TRACE("degree " + std::to_string(first + frame));
+    most = std::max(most, Scene.ExpectSame());
+    Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+  }
+  EXPECT_GT(most, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerChanges, testing::ValuesIn(CullerSettings()), CullerSettingName);
+
+}

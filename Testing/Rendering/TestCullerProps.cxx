@@ -1,0 +1,273 @@
+// Props that the culler does not treat, and VTK's passes: all is drawn as it is without culling.
+#include "CullerScene.h"
+#include "vtkActor2D.h"
+#include "vtkAssembly.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCubeSource.h"
+#include "vtkEDLShading.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkFollower.h"
+#include "vtkGaussianBlurPass.h"
+#include "vtkImageData.h"
+#include "vtkLODProp3D.h"
+#include "vtkLight.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkOpenGLFXAAPass.h"
+#include "vtkPanoramicProjectionPass.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkPropAssembly.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSeeThroughPass.h"
+#include "vtkSobelGradientMagnitudePass.h"
+#include "vtkSphereSource.h"
+#include "vtkTextActor.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+class CullerProps : public CullerTest
+{
+protected:
+  // A wall over most of the view and what lies behind it, lit, and translucent parts on both sides.
+  void AddParts()
+  {
+    Scene.AddMesh(MeshOf({ Rectangle(-0.35, -2.0, 2.0, 2.0, 0.0) }))->GetProperty()->LightingOn();
+    for (const vtkSmartPointer<vtkActor>& box : Scene.AddHidden())
+    {
+      box->GetProperty()->LightingOn();
+    }
+    for (const double z : { -0.7, 0.3 })
+    {
+      Scene.AddSphere(-0.3, 0.1, z, 0.25, { 0.2, 0.6, 0.9, 0.5 });
+      Scene.AddSphere(-0.1, -0.2, z, 0.25, { 0.9, 0.6, 0.2, 0.4 });
+    }
+    Scene.AddSphere(0.6, 0.2, -0.3, 0.1, { 0.9, 0.6, 0.9, 0.4 }); // hidden
+  }
+};
+
+vtkSmartPointer<vtkPolyDataMapper> MapperOf(vtkAlgorithm* source)
+{
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputConnection(source->GetOutputPort());
+  return mapper;
+}
+
+vtkSmartPointer<vtkVolume> MakeVolume()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(10, 10, 10);
+  image->SetSpacing(0.09, 0.09, 0.09);
+  image->SetOrigin(-0.7, -0.4, -0.4);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 1000; ++i)
+  {
+    voxels[i] = static_cast<unsigned char>(i % 10 * 25);
+  }
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetInputData(image);
+  mapper->AutoAdjustSampleDistancesOff(); // by time
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0.0, 0.1, 0.1, 0.9);
+  color->AddRGBPoint(255.0, 0.9, 0.9, 0.1);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(255.0, 0.2);
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetColor(color);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  return volume;
+}
+
+TEST_P(CullerProps, Scene23PartsOfProps)
+{
+  this->AddParts();
+  vtkNew<vtkCubeSource> cube;
+  const vtkSmartPointer<vtkPolyDataMapper> mapper = MapperOf(cube);
+  vtkNew<vtkActor> left, right;
+  left->SetMapper(mapper);
+  right->SetMapper(mapper);
+  left->SetPosition(-3.0, 0.0, -0.2);
+  right->SetPosition(0.5, 1.0, 0.1);
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(left);
+  assembly->AddPart(right);
+  assembly->SetScale(0.2);
+  Scene.Renderer->AddActor(assembly);
+  vtkNew<vtkActor> one;
+  one->SetMapper(mapper);
+  one->SetScale(0.1);
+  one->SetPosition(0.3, -0.4, -0.9);
+  vtkNew<vtkPropAssembly> props;
+  props->AddPart(one);
+  props->AddPart(left); // it is in both
+  Scene.Renderer->AddActor(props);
+  Scene.Renderer->AddActor(right); // and by itself
+  right->SetScale(0.3);
+  Scene.ExpectHidden(230);
+  EXPECT_EQ(Scene.Renderer->GetViewProps()->IsItemPresent(props) > 0, true);
+}
+
+TEST_P(CullerProps, Scene23FollowersAndLevelsOfDetail)
+{
+  this->AddParts();
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkFollower> follower;
+  follower->SetMapper(MapperOf(cube));
+  follower->SetCamera(Scene.Renderer->GetActiveCamera());
+  follower->SetScale(0.5, 0.3, 0.01);
+  follower->SetPosition(-0.5, -0.5, 0.2);
+  Scene.Renderer->AddActor(follower);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkLODProp3D> levels;
+  levels->AddLOD(MapperOf(cube), 0.0);
+  const int fine = levels->AddLOD(MapperOf(sphere), 0.0);
+  levels->AutomaticLODSelectionOff(); // by time
+  levels->SetSelectedLODID(fine);
+  levels->SetScale(0.4);
+  levels->SetPosition(-0.6, 0.5, 0.0);
+  Scene.Renderer->AddViewProp(levels);
+  Scene.ExpectHidden(231);
+}
+
+TEST_P(CullerProps, Scene23OverlaysAndText)
+{
+  this->AddParts();
+  vtkNew<vtkPolyDataMapper2D> plate;
+  plate->SetInputData(MeshOf({ Rectangle(3.0, 3.0, 30.0, 20.0, 0.0) }));
+  vtkNew<vtkActor2D> overlay;
+  overlay->SetMapper(plate);
+  overlay->GetProperty()->SetOpacity(0.6);
+  Scene.Renderer->AddActor2D(overlay);
+  vtkNew<vtkActor2D> underlay;
+  underlay->SetMapper(plate);
+  underlay->SetPosition(12, 24);
+  underlay->GetProperty()->SetDisplayLocationToBackground();
+  Scene.Renderer->AddActor2D(underlay);
+  vtkNew<vtkTextActor> text;
+  text->SetInput("hidden?");
+  text->SetPosition(40, 5);
+  Scene.Renderer->AddActor2D(text);
+  vtkNew<vtkBillboardTextActor3D> sign;
+  sign->SetInput("sign");
+  sign->SetPosition(0.5, 0.2, -0.5); // behind the wall
+  Scene.Renderer->AddActor(sign);
+  Scene.ExpectHidden(232);
+}
+
+TEST_P(CullerProps, Scene23Volumes)
+{
+  this->AddParts();
+  Scene.Renderer->AddVolume(MakeVolume());
+  Scene.ExpectHidden(233, 2);
+}
+
+// A sphere that a mapper draws in four pieces, one after the other.
+TEST_P(CullerProps, Scene23MapperOfPieces)
+{
+  Scene.AddMesh(MeshOf({ Rectangle(-0.2, -0.2, 2.0, 2.0, 0.9) })); // hides the first piece
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.8);
+  const vtkSmartPointer<vtkActor> pieces = Scene.AddSource(sphere, { 0.3, 0.8, 0.3, 1.0 });
+  auto* mapper = static_cast<vtkPolyDataMapper*>(pieces->GetMapper());
+  mapper->SetNumberOfSubPieces(4);
+  Scene.AddHidden(-0.9);
+  Scene.ExpectHidden(234);
+}
+
+TEST_P(CullerProps, Scene22Peeling)
+{
+  this->AddParts();
+  if (Scene.Setting.Samples == 0) // VTK peels no others
+  {
+    Scene.Renderer->UseDepthPeelingOn();
+    Scene.ExpectHidden(220, 2);
+  }
+  Scene.Use(vtkSmartPointer<vtkLinkedListTransparencyPass>::New());
+  Scene.ExpectHidden(221, 2);
+}
+
+TEST_P(CullerProps, Scene22HiddenLinesAndSmoothEdges)
+{
+  this->AddParts();
+  const vtkSmartPointer<vtkActor> wires =
+    Scene.AddSphere(-0.4, 0.2, 0.0, 0.4, { 0.9, 0.9, 0.9, 1.0 });
+  wires->GetProperty()->SetRepresentationToWireframe();
+  Scene.Renderer->UseHiddenLineRemovalOn();
+  Scene.ExpectHidden(222, 2);
+  Scene.Renderer->UseHiddenLineRemovalOff();
+  Scene.Renderer->SetUseFXAA(Scene.Setting.Samples == 0);
+  Scene.ExpectHidden(223, 2);
+}
+
+TEST_P(CullerProps, Scene22AmbientOcclusion)
+{
+  this->AddParts();
+  Scene.Renderer->UseSSAOOn();
+  Scene.Renderer->SetSSAORadius(0.3);
+  Scene.Renderer->SetSSAOBias(0.01);
+  Scene.ExpectHidden(224, 2);
+}
+
+// What is hidden casts a shadow nevertheless.
+TEST_P(CullerProps, Scene22Shadows)
+{
+  this->AddParts();
+  Scene.AddMesh(MeshOf({ Rectangle(-3.0, -3.0, 3.0, 3.0, -0.9) }))->GetProperty()->LightingOn();
+  vtkNew<vtkLight> light;
+  light->SetPositional(true);
+  light->SetConeAngle(40.0);
+  light->SetPosition(2.5, 0.5, 1.0);
+  light->SetFocalPoint(-0.2, 0.0, -0.7);
+  Scene.Renderer->AddLight(light);
+  Scene.Renderer->UseShadowsOn();
+  Scene.ExpectHidden(225, 2);
+}
+
+// Passes that look at the bounds of all parts, or at what lies beside the view: nothing is left out.
+TEST_P(CullerProps, Scene22PassesThatLookBeyondTheView)
+{
+  this->AddParts();
+  Scene.AddBox({ 0.7, 0.6, -3.0 }, { 0.1, 0.1, 0.1 }); // far behind the wall
+  for (int side = -40; side < 40; ++side)              // beside the view
+  {
+    Scene.AddBox({ 1.25 + 0.01 * side, -0.04 * side, 0.3 }, { 0.02, 0.02, 0.02 });
+    Scene.AddBox({ 0.04 * side, 1.25 + 0.01 * side, 0.3 }, { 0.02, 0.02, 0.02 });
+  }
+  const vtkSmartPointer<vtkImageProcessingPass> passes[] = { vtkSmartPointer<vtkEDLShading>::New(),
+    vtkSmartPointer<vtkGaussianBlurPass>::New(), vtkSmartPointer<vtkPanoramicProjectionPass>::New(),
+    vtkSmartPointer<vtkSobelGradientMagnitudePass>::New() };
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkOpenGLFXAAPass> smooth;
+  for (const vtkSmartPointer<vtkImageProcessingPass>& pass : passes)
+  {
+    SCOPED_TRACE(pass->GetClassName());
+    pass->SetDelegatePass(steps);
+    Scene.Renderer->SetPass(pass);
+    Scene.ExpectNothingHidden(226, 2);
+    pass->ReleaseGraphicsResources(Scene.Window);
+  }
+  smooth->SetDelegatePass(steps);
+  Scene.Renderer->SetPass(smooth);
+  if (Scene.Setting.Samples == 0)
+  {
+    Scene.ExpectHidden(227, 2);
+  }
+  smooth->ReleaseGraphicsResources(Scene.Window);
+  Scene.Renderer->SetPass(nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerProps, testing::ValuesIn(CullerSettings()), CullerSettingName);
+
+}

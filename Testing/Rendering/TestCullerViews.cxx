@@ -1,0 +1,399 @@
+// Where the eye is, and what the window is like: no pixel is lost by culling.
+#include "CullerScene.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkTransform.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace
+{
+
+class CullerViews : public CullerTest
+{
+public:
+  void TakeTile()
+  {
+    this->MostOfTiles = std::max(this->MostOfTiles, Scene.Culler->GetNumberOfCulledParts());
+  }
+
+protected:
+  vtkCamera* Camera() { return Scene.Renderer->GetActiveCamera(); }
+  // A wall over half of the view and more, and what lies behind it.
+  void AddHalfWallAndHidden()
+  {
+    Scene.AddMesh(MeshOf({ Rectangle(-0.35, -2.0, 2.0, 2.0, 0.0) }));
+    Scene.AddHidden();
+  }
+
+  // Expects the same pictures whatever the camera does, and that it hides something in each.
+  void ExpectHiddenBy(const std::vector<std::function<void(vtkCamera*)>>& changes)
+  {
+    this->AddHalfWallAndHidden();
+    for (std::size_t i = 0; i < changes.size(); ++i)
+    {
+      SCOPED_TRACE("change " + std::to_string(i));
+      vtkNew<vtkCamera> camera;
+      Scene.Renderer->SetActiveCamera(camera);
+      changes[i](camera);
+      Scene.ExpectHidden(170 + i, 2);
+    }
+  }
+
+  Picture Screenshot(int scale, bool culls)
+  {
+    Scene.Culler->SetCulling(culls);
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(Scene.Window);
+    filter->SetScale(scale);
+    filter->SetFixBoundary(scale > 2);
+    filter->ReadFrontBufferOff();
+    filter->Update();
+    vtkImageData* image = filter->GetOutput();
+    Picture picture;
+    picture.Width = image->GetDimensions()[0];
+    picture.Height = image->GetDimensions()[1];
+    const auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (int i = 0; i < picture.Width * picture.Height; ++i)
+    {
+      picture.Bytes.insert(picture.Bytes.end(), bytes + 3 * i, bytes + 3 * i + 3);
+      picture.Bytes.push_back(255);
+    }
+    return picture;
+  }
+
+  // Scales all parts and moves them: every other one by its matrix, the rest by their points.
+  void MoveParts(const Point3& corner, double scale)
+  {
+    vtkActorCollection* actors = Scene.Renderer->GetActors();
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      vtkNew<vtkTransform> transform;
+      transform->Translate(corner.data());
+      transform->Scale(scale, scale, scale);
+      if (i % 2 == 0)
+      {
+        actor->SetUserTransform(transform);
+        continue;
+      }
+      transform->Concatenate(actor->GetMatrix());
+      actor->GetMapper()->Update();
+      vtkNew<vtkPolyData> moved;
+      moved->DeepCopy(actor->GetMapper()->GetInput());
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      transform->TransformPoints(moved->GetPoints(), points);
+      moved->SetPoints(points);
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(moved);
+      actor->SetMapper(mapper);
+      actor->SetPosition(0.0, 0.0, 0.0);
+      actor->SetScale(1.0);
+    }
+  }
+
+  int MostOfTiles = 0;
+};
+
+// A room around the eye and all else, seen from within.
+vtkSmartPointer<vtkActor> AddRoom(CullerScene& scene, double size)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(-size, size, -size, size, -size, size);
+  return scene.AddSource(cube, { 0.3, 0.4, 0.5, 1.0 });
+}
+
+std::vector<Point3> EyesAt(const Point3& middle, const Point3& half)
+{
+  std::vector<Point3> eyes;
+  for (const double x :
+    { 0.0, 1.0 - 1e-6, 1.0, 1.0 + 1e-6 }) // inside, before and on a face, outside
+  {
+    eyes.push_back({ middle[0] + x * half[0], middle[1], middle[2] });
+    eyes.push_back({ middle[0], middle[1], middle[2] + x * half[2] });
+  }
+  return eyes;
+}
+
+TEST_P(CullerViews, Scene04EyeInsideABoxAndOnItsFaces)
+{
+  AddRoom(Scene, 6.0);
+  const Point3 middle{ 0.1, -0.2, 1.5 }, size{ 0.6, 0.5, 0.4 };
+  Scene.AddBox(middle, size);
+  Scene.AddMesh(MeshOf({ Rectangle(-1.0, -1.0, 1.0, 1.0, 0.0) }));
+  Scene.AddHidden();
+  int most = 0;
+  for (const Point3& eye : EyesAt(middle, { 0.5 * size[0], 0.5 * size[1], 0.5 * size[2] }))
+  {
+    SCOPED_TRACE(testing::PrintToString(eye));
+    this->Camera()->SetPosition(eye.data());
+    this->Camera()->SetFocalPoint(0.05, 0.0, -0.3);
+    this->Camera()->SetParallelScale(0.9);
+    for (const double nearest : { 1e-4, 0.05, 0.6 })
+    {
+      this->Camera()->SetClippingRange(nearest, 20.0);
+      most = std::max(most, Scene.ExpectSame());
+    }
+  }
+  EXPECT_GT(most, 20);
+}
+
+TEST_P(CullerViews, Scene04EyeInsideAPartOfManyFaces)
+{
+  AddRoom(Scene, 6.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    Scene.AddSphere(0.2 * i - 0.2, 0.1, 1.2 - 0.5 * i, 0.6, { 0.4, 0.3 * i, 0.9, 1.0 }, 24);
+  }
+  Scene.AddHidden();
+  int most = 0;
+  for (const double z : { 1.2, 1.6, 1.8, 1.9, 0.7, 0.1 })
+  {
+    SCOPED_TRACE(z);
+    this->Camera()->SetPosition(-0.2, 0.1, z);
+    this->Camera()->SetFocalPoint(0.0, 0.0, -0.5);
+    this->Camera()->SetParallelScale(0.9);
+    this->Camera()->SetClippingRange(0.01, 20.0);
+    most = std::max(most, Scene.ExpectSame());
+  }
+  EXPECT_GT(most, 0);
+}
+
+TEST_P(CullerViews, Scene05WallsAcrossTheNearPlane)
+{
+  Scene.AddMesh(MeshOf({ Rectangle(-0.3, -2.0, 2.0, 2.0, -0.1) }));
+  const vtkSmartPointer<vtkActor> wall = Scene.AddWall(0.05);
+  Scene.AddHidden();
+  TestRandom random(18);
+  int most = 0;
+  for (int pose = 0; pose < 8; ++pose)
+  {
+    SCOPED_TRACE("pose " + std::to_string(pose) + " of seed 18");
+    Scene.LookFromAnywhere(random);
+    wall->SetOrientation(60.0 * random.Unit() - 30.0, 120.0 * random.Unit() - 60.0, 0.0);
+    const double away = this->Camera()->GetDistance();
+    this->Camera()->SetClippingRange(away - 0.2 + 0.4 * random.Unit(), 9.0);
+    most = std::max(most, Scene.ExpectSame());
+  }
+  EXPECT_GT(most, 0);
+}
+
+TEST_P(CullerViews, Scene05EyeCloseToAFace)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  int most = 0;
+  for (const double away : { 1e-6, 1e-4, 1e-2, 0.1 })
+  {
+    for (const double aside : { 0.0, 0.7, 3.0 })
+    {
+      SCOPED_TRACE(std::to_string(away) + " away, " + std::to_string(aside) + " aside");
+      this->Camera()->SetPosition(0.2, 0.1, away);
+      this->Camera()->SetFocalPoint(0.2 + aside, 0.1, away - 1.0);
+      this->Camera()->SetClippingRange(0.5 * away, 10.0);
+      most = std::max(most, Scene.ExpectSame());
+    }
+  }
+  EXPECT_GT(most, 0);
+}
+
+TEST_P(CullerViews, Scene11OddCameras)
+{
+  const auto ahead = [this](vtkCamera*) { Scene.LookAhead(); };
+  const auto with = [&](const std::function<void(vtkCamera*)>& change)
+  {
+    return [=](vtkCamera* camera)
+    {
+      ahead(camera);
+      change(camera);
+    };
+  };
+  vtkNew<vtkTransform> shear;
+  shear->Scale(1.1, 0.9, 1.0);
+  shear->RotateZ(5.0);
+  vtkNew<vtkTransform> lens;
+  lens->Translate(0.1, -0.05, 0.0);
+  lens->Scale(0.9, 1.05, 1.0);
+  const double width = Scene.Setting.Width, height = Scene.Setting.Height;
+  this->ExpectHiddenBy({
+    with([](vtkCamera* camera) { camera->SetWindowCenter(0.25, -0.2); }),
+    with([](vtkCamera* camera) { camera->SetViewShear(0.15, -0.1, 1.0); }),
+    with([&](vtkCamera* camera) { camera->SetUserViewTransform(shear); }),
+    with([&](vtkCamera* camera) { camera->SetUserTransform(lens); }),
+    with([&](vtkCamera* camera) { camera->SetModelTransformMatrix(shear->GetMatrix()); }),
+    with([](vtkCamera* camera) { camera->UseHorizontalViewAngleOn(); }),
+    with(
+      [&](vtkCamera* camera)
+      {
+        camera->UseOffAxisProjectionOn(); // through a screen that stands aslant before the eye
+        camera->SetScreenBottomLeft(-1.3 * width / height, -1.2, -3.5);
+        camera->SetScreenBottomRight(1.2 * width / height, -1.2, -3.8);
+        camera->SetScreenTopRight(1.2 * width / height, 1.3, -3.8);
+      }),
+    with(
+      [&](vtkCamera* camera)
+      {
+        vtkNew<vtkMatrix4x4> explicitly;
+        explicitly->DeepCopy(camera->GetProjectionTransformMatrix(width / height, -1, 1));
+        explicitly->SetElement(0, 1, 0.07);
+        explicitly->SetElement(3, 0, Scene.Setting.IsParallel ? 0.02 : -0.05);
+        camera->SetExplicitProjectionTransformMatrix(explicitly);
+        camera->UseExplicitProjectionTransformMatrixOn();
+      }),
+  });
+}
+
+TEST_P(CullerViews, Scene12ViewportsAndLayersOfOneCuller)
+{
+  this->AddHalfWallAndHidden();
+  const vtkSmartPointer<vtkActor> shared = Scene.AddBox({ 0.2, 0.1, 0.4 }, { 0.5, 0.6, 0.1 });
+  Scene.Renderer->SetViewport(0.0, 0.0, 0.53, 1.0);
+  CullerScene other(GetParam());
+  other.AddMesh(MeshOf(StripsBetweenSlits(0.02, 19)));
+  other.AddHidden();
+  vtkNew<vtkRenderer> beside, above;
+  for (vtkRenderer* renderer : { beside.Get(), above.Get() })
+  {
+    for (int i = 0; i < other.Renderer->GetActors()->GetNumberOfItems(); ++i)
+    {
+      renderer->AddActor(vtkActor::SafeDownCast(other.Renderer->GetActors()->GetItemAsObject(i)));
+    }
+    renderer->AddActor(shared);
+    renderer->AddCuller(Scene.Culler);
+    Scene.Window->AddRenderer(renderer);
+  }
+  beside->SetViewport(0.53, 0.2, 1.0, 0.9);
+  beside->SetActiveCamera(this->Camera());
+  above->SetActiveCamera(this->Camera());
+  above->SetViewport(0.3, 0.3, 0.7, 0.61);
+  above->SetLayer(1);
+  Scene.Window->SetNumberOfLayers(2);
+  Scene.ExpectHidden(190, 5);
+}
+
+TEST_P(CullerViews, Scene12TilesOfAScreenshot)
+{
+  this->AddHalfWallAndHidden();
+  Scene.Renderer->AddObserver(vtkCommand::EndEvent, this, &CullerViews::TakeTile);
+  TestRandom random(191);
+  for (const int scale : { 2, 3 })
+  {
+    SCOPED_TRACE(scale);
+    Scene.LookFromAnywhere(random);
+    this->MostOfTiles = 0;
+    const Picture culled = this->Screenshot(scale, true);
+    EXPECT_GT(this->MostOfTiles, 0);
+    ASSERT_EQ(culled.Width, scale * Scene.Setting.Width);
+    EXPECT_EQ(CountDifferentPixels(culled, this->Screenshot(scale, false)), 0);
+  }
+}
+
+TEST_P(CullerViews, Scene18CoordinatesOfAMap)
+{
+  for (const double feature : { 2e3, 1.0, 1e-3 })
+  {
+    SCOPED_TRACE(feature);
+    Scene.Clear();
+    this->AddHalfWallAndHidden();
+    const Point3 corner{ 5.3e5, 5.4e6, 1.2e7 };
+    this->MoveParts(corner, feature);
+    int most = 0;
+    TestRandom random(192);
+    for (int pose = 0; pose < 4; ++pose)
+    {
+      Scene.LookFromAnywhere(random);
+      double eye[3], focus[3];
+      this->Camera()->GetPosition(eye);
+      this->Camera()->GetFocalPoint(focus);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        eye[axis] = corner[axis] + feature * eye[axis];
+        focus[axis] = corner[axis] + feature * focus[axis];
+      }
+      this->Camera()->SetPosition(eye);
+      this->Camera()->SetFocalPoint(focus);
+      this->Camera()->SetParallelScale(1.3 * feature);
+      this->Camera()->SetClippingRange(feature, 9.0 * feature);
+      most = std::max(most, Scene.ExpectSame());
+    }
+    // Of a millimetre in a country floats could lose all: nothing is hidden for sure.
+    EXPECT_EQ(most > 0, feature > 1.0);
+  }
+}
+
+TEST_P(CullerViews, Scene19FarAndNear)
+{
+  Scene.AddMesh(MeshOf({ Rectangle(-0.35, -2.0, 2.0, 2.0, 0.0) }));
+  for (const double behind : { 1e-7, 1e-5, 1e-3, 0.1 }) // the nearest by less than a step of depth
+  {
+    Scene.AddHidden(-0.02 - behind);
+  }
+  Scene.AddBox({ 0.0, 0.0, -5e3 }, { 3e3, 3e3, 1.0 });
+  TestRandom random(193);
+  int most = 0;
+  for (int pose = 0; pose < 4; ++pose)
+  {
+    Scene.LookFromAnywhere(random);
+    for (const double far : { 1e4, 1e6 })
+    {
+      this->Camera()->SetClippingRange(1e-6 * far, far);
+      most = std::max(most, Scene.ExpectSame());
+    }
+  }
+  EXPECT_GT(most, 0);
+}
+
+// Each eye is culled by itself. There is no headset here: two eyes of a window are the nearest to it.
+TEST_P(CullerViews, Scene20Stereo)
+{
+  this->AddHalfWallAndHidden();
+  this->Camera()->SetEyeAngle(12.0);
+  for (const int type : { VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_LEFT,
+         VTK_STEREO_RIGHT, VTK_STEREO_DRESDEN, VTK_STEREO_ANAGLYPH, VTK_STEREO_CHECKERBOARD,
+         VTK_STEREO_SPLITVIEWPORT_HORIZONTAL })
+  {
+    SCOPED_TRACE(type);
+    Scene.Window->SetStereoType(type);
+    Scene.Window->StereoRenderOn();
+    EXPECT_GT(Scene.ExpectSameAround(194, 1), 0);
+    Scene.Window->StereoRenderOff();
+    EXPECT_GT(Scene.ExpectSameAround(195, 1), 0);
+  }
+  Scene.Window->StereoRenderOn();
+  this->Camera()->UseOffAxisProjectionOn();
+  this->Camera()->SetEyeSeparation(0.3);
+  this->Camera()->SetScreenBottomLeft(-1.4, -1.2, -3.6);
+  this->Camera()->SetScreenBottomRight(1.4, -1.2, -3.6);
+  this->Camera()->SetScreenTopRight(1.4, 1.2, -3.6);
+  Scene.ExpectHidden(196, 2);
+}
+
+// Windows of 8k take a machine longer than a test should: 4096 pixels by 16 are as wide as any here.
+TEST_P(CullerViews, Scene26WindowsOfAnySize)
+{
+  this->AddHalfWallAndHidden();
+  TestRandom random(197);
+  for (const std::array<int, 2>& size : { std::array<int, 2>{ 64, 48 }, { 1, 1 }, { 33, 200 },
+         { 1, 57 }, { 4096, 16 }, { 301, 2 }, { 64, 48 } })
+  {
+    SCOPED_TRACE(testing::PrintToString(size));
+    Scene.Window->SetSize(size[0], size[1]);
+    Scene.LookFromAnywhere(random);
+    const int culled = Scene.ExpectSame();
+    EXPECT_TRUE(culled > 0 || size[0] * size[1] < 700) << culled;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerViews, testing::ValuesIn(CullerSettings()), CullerSettingName);
+
+}
