@@ -107,7 +107,7 @@ TEST_P(CullerOccluders, Scene02MeshOfWires)
     const double hole = size * Scene.PixelSize();
     Scene.AddMesh(MeshOf(WireMesh(1.2, hole, 2.0 * hole)));
     Scene.AddHidden();
-    if (Scene.Setting.MultiSamples > 1)
+    if (Scene.Setting.Samples > 1)
     {
       Scene.ExpectNothingHidden(103, 2);
     }
