@@ -13,7 +13,7 @@ namespace
 const std::size_t FewPoints = 64;
 
 // An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
-const float MostFacesPerCell = 1.0f;
+const float MostFacesPerCell = 4.0f;
 
 const ScreenRectangle Everywhere{ -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 
