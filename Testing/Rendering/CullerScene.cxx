@@ -22,10 +22,9 @@ std::vector<CullerSetting> CullerSettings()
 {
   return {
     { "Perspective", 0, false, 270, 101, 75 },
-    { "Parallel", 0, true, 270, 97, 61 },
-    { "PerspectiveOf4Samples", 4, false, 270, 83, 77 },
-    { "PerspectiveInThickLines", 0, false, 17, 113, 75 },
-    { "ParallelInThickLinesOf4Samples", 4, true, 19, 89, 73 },
+    { "ParallelInThickLines", 0, true, 19, 89, 73 },
+    { "PerspectiveInThickLinesOf4Samples", 4, false, 17, 113, 75 },
+    { "ParallelOf4Samples", 4, true, 270, 83, 77 },
   };
 }
 

@@ -73,13 +73,13 @@ struct CullerScene : TestScene
   int ExpectSame();
 
   /** The same from straight ahead and from several poses. Returns the most parts that were left out in one. */
-  int ExpectSameAround(std::uint64_t seed, int poses = 3);
+  int ExpectSameAround(std::uint64_t seed, int poses = 2);
 
   /** The same, and that parts are left out in at least one pose. */
-  void ExpectHidden(std::uint64_t seed, int poses = 3);
+  void ExpectHidden(std::uint64_t seed, int poses = 2);
 
   /** The same, and that nothing is left out in any pose. */
-  void ExpectNothingHidden(std::uint64_t seed, int poses = 3);
+  void ExpectNothingHidden(std::uint64_t seed, int poses = 2);
 
   /** The size of a pixel at height 0, seen from straight ahead. */
   double PixelSize() const;
