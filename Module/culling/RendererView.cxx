@@ -110,11 +110,11 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   const glm::dmat4 toView = MatrixOf(camera->GetModelViewTransformMatrix());
   const glm::dmat4 toClip =
     MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) * toView;
-  const float moved = SnappedPixels + parts.LargestGrowth();
-  const ScreenMargin snapping{ moved / pixels, moved / pixels, SnappedDepth };
+  const ScreenMargin snapping{ SnappedPixels / pixels, SnappedPixels / pixels, SnappedDepth };
+  const glm::vec2 growth(parts.LargestGrowth() / pixels);
   this->Known = ViewOf(toClip,
     ScreenProjection(toClip, static_cast<double>(width) / pixels,
-      static_cast<double>(height) / pixels, parts.Reach(), snapping));
+      static_cast<double>(height) / pixels, parts.Reach(), snapping, growth));
   return true;
 }
 

@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace vitrine
 {
@@ -24,6 +25,9 @@ const std::uint32_t LeafSize = 16;
 
 // A tree is built anew where more than one part in so many has moved or come.
 const std::size_t FewOf = 16;
+
+// Where parts were absent for more updates than that, all is read anew: they may be gone for good.
+const vtkMTimeType LongestAbsence = 1000;
 
 // Of what floats make of the sums that lead to world coordinates; boxes are grown by it.
 const double RoundingOfSums = 0x1p-20;
@@ -40,16 +44,22 @@ bool IsAffine(const glm::dmat4& m)
 
 void SceneParts::Update(vtkProp* const* props, int count)
 {
+  ++this->Frame;
+  if (this->Frame % LongestAbsence == 0)
+  {
+    this->ForgetAbsent();
+  }
+  this->LookAnewIfOffsetsChanged();
   const std::size_t known = this->Parts.size();
   std::vector<Octree::MovedItem> moved;
   bool hasChanged = false;
   this->Drawn.resize(static_cast<std::size_t>(count));
   this->Cursor = 0;
-  ++this->Frame;
   for (int i = 0; i < count; ++i)
   {
     const std::uint32_t part = this->Find(props[i]);
     this->Drawn[static_cast<std::size_t>(i)] = part;
+    this->Parts[part].SeenIn = this->Frame;
     const Box before = this->BoxOf[part];
     if (!this->IsUnchanged(this->Parts[part]))
     {
@@ -66,6 +76,34 @@ void SceneParts::Update(vtkProp* const* props, int count)
   {
     this->Replant(moved, known);
     this->MeasureAll();
+  }
+}
+
+/** What mappers offset depths by is a setting of the whole program, which no part's time tells of. */
+void SceneParts::LookAnewIfOffsetsChanged()
+{
+  const int offsets = vtkMapper::GetResolveCoincidentTopology();
+  if (std::exchange(this->Offsets, offsets) != offsets)
+  {
+    for (Part& part : this->Parts)
+    {
+      part.PropTime = 0;
+    }
+  }
+}
+
+/** Begins anew, if there are parts to be forgotten. */
+void SceneParts::ForgetAbsent()
+{
+  const bool isAnyAbsent = std::any_of(this->Parts.begin(), this->Parts.end(),
+    [&](const Part& part) { return part.SeenIn + LongestAbsence < this->Frame; });
+  if (isAnyAbsent)
+  {
+    this->Parts.clear();
+    this->BoxOf.clear();
+    this->Index.clear();
+    this->Geometries.clear();
+    this->Boxes = Octree();
   }
 }
 

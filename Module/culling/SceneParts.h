@@ -58,6 +58,7 @@ private:
   struct Part
   {
     vtkProp* Prop = nullptr;
+    vtkMTimeType SeenIn = 0; ///< the last update that had it
     vtkMTimeType PropTime = 0;
     vtkActor* Actor = nullptr; ///< null if it cannot be hidden
     vtkShaderProperty* Shader = nullptr;
@@ -74,6 +75,8 @@ private:
     bool MayHide = false;
   };
 
+  void LookAnewIfOffsetsChanged();
+  void ForgetAbsent();
   std::uint32_t Find(vtkProp* prop);
   bool IsUnchanged(const Part& part) const;
   void Look(Part& part);
@@ -90,6 +93,7 @@ private:
   std::uint32_t Cursor = 0; ///< the part behind the last one that was found
   vtkMTimeType Frame = 0;   ///< counts updates
   Octree Boxes;
+  int Offsets = 0; ///< of coincident topology, as they were
   glm::dvec3 Farthest{ 0.0 };
   float Growth = 0.0f;
 };

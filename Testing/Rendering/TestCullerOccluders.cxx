@@ -252,7 +252,14 @@ TEST_P(CullerOccluders, Scene08ShaftInAHole)
     }
   }
   Scene.AddHidden(-0.7);
-  Scene.ExpectHidden(113, 5);
+  if (Scene.Setting.BufferLines >= Scene.Setting.Height)
+  {
+    Scene.ExpectHidden(113, 5);
+  }
+  else // thick lines are no match for small shafts
+  {
+    Scene.ExpectSameAround(113, 5);
+  }
 }
 
 TEST_P(CullerOccluders, Scene09PointsThatAreNoNumbers)

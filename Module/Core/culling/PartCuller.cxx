@@ -114,7 +114,8 @@ private:
     const bool isBehindNear = this->Culler.Projected.Project(
       *occluder.Mesh, this->View.Projection.Of(*occluder.ToWorld, occluder.Coarser));
     if (isBehindNear && isSmall &&
-      this->Culler.Lines.Hides(this->Culler.Projected.Rectangle(), 0.0f))
+      this->Culler.Lines.Hides(
+        this->View.Projection.Grown(this->Culler.Projected.Rectangle()), 0.0f))
     {
       return false;
     }

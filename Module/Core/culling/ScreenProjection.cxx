@@ -96,7 +96,8 @@ ScreenMargin ScreenMatrix::MarginFrom(float leastW) const
 }
 
 ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, double lines,
-  const glm::dvec3& reach, const ScreenMargin& snapping)
+  const glm::dvec3& reach, const ScreenMargin& snapping, const glm::vec2& growth)
+  : Growth(growth)
 {
   const glm::dvec4 point(glm::abs(reach), 1.0);
   glm::dvec4 sums(0.0); // of absolute values, of each clip coordinate
@@ -117,6 +118,12 @@ ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, dou
 glm::dvec4 ScreenProjection::ToScreen(const glm::dvec3& point) const
 {
   return this->World.Matrix * glm::dvec4(point, 1.0);
+}
+
+ScreenRectangle ScreenProjection::Grown(const ScreenRectangle& rectangle) const
+{
+  return { rectangle.Left - this->Growth.x, rectangle.Right + this->Growth.x,
+    rectangle.Bottom - this->Growth.y, rectangle.Top + this->Growth.y, rectangle.Nearest };
 }
 
 ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, float coarser) const
@@ -150,8 +157,9 @@ ScreenProjection::Place ScreenProjection::Project(const Box& box, ScreenRectangl
   lines.Multiply(inverse);
   depths.Multiply(inverse);
   const ScreenMargin margin = this->World.MarginFrom(leastW);
-  rectangle = { columns.Least() - margin.Column, columns.Greatest() + margin.Column,
-    lines.Least() - margin.Line, lines.Greatest() + margin.Line, depths.Greatest() + margin.Depth };
+  rectangle = this->Grown({ columns.Least() - margin.Column, columns.Greatest() + margin.Column,
+    lines.Least() - margin.Line, lines.Greatest() + margin.Line,
+    depths.Greatest() + margin.Depth });
   const glm::vec2& screen = this->World.Size;
   if (rectangle.Right < 0.0f || rectangle.Left > screen.x || rectangle.Top < 0.0f ||
     rectangle.Bottom > screen.y || rectangle.Nearest < 0.0f || depths.Least() - margin.Depth > 1.0f)
@@ -166,7 +174,10 @@ bool ScreenProjection::IsOutside(
   const Corners& columns, const Corners& lines, const Corners& depths, const Corners& w) const
 {
   const glm::vec2& screen = this->World.Size;
-  const glm::vec4& slack = this->World.Rounding;
+  const float farthest = std::max(std::abs(w.Least()), std::abs(w.Greatest()));
+  glm::vec4 slack = this->World.Rounding;
+  slack.x += this->Growth.x * farthest;
+  slack.y += this->Growth.y * farthest;
   return columns.Greatest() < -slack.x || lines.Greatest() < -slack.y ||
     depths.Greatest() < -slack.z || w.IsBelow(screen.x, columns, slack.x + screen.x * slack.w) ||
     w.IsBelow(screen.y, lines, slack.y + screen.y * slack.w) ||

@@ -54,15 +54,20 @@ public:
    * @param lines     from bottom to top
    * @param reach     the largest absolute coordinate of what is drawn: the larger they are, the coarser a device's floats
    * @param snapping  what a rasteriser moves edges and depths by, besides the rounding of its floats
+   * @param growth    by how many columns and lines boxes reach farther on the screen, for lines and points that are drawn wider
+   *                  than they are
    */
   ScreenProjection(const glm::dmat4& toClip, double columns, double lines, const glm::dvec3& reach,
-    const ScreenMargin& snapping);
+    const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f));
 
   /**
    * The least rectangle that surely holds all that is drawn of the box on the screen, and the greatest depth that it surely does
    * not exceed. `rectangle` is written where the box is Before.
    */
   Place Project(const Box& box, ScreenRectangle& rectangle) const;
+
+  /** A rectangle, farther by the growth. */
+  ScreenRectangle Grown(const ScreenRectangle& rectangle) const;
 
   /** Column, line and depth, each times w, and w. */
   glm::dvec4 ToScreen(const glm::dvec3& point) const;
@@ -81,6 +86,7 @@ private:
     const Corners& columns, const Corners& lines, const Corners& depths, const Corners& w) const;
 
   ScreenMatrix World;
+  glm::vec2 Growth;
 };
 
 }
