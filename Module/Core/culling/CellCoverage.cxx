@@ -8,7 +8,7 @@
 namespace vitrine
 {
 
-void CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
+std::size_t CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   MeshProjection::Facing facing, std::uint32_t part)
 {
   this->Projection = &projection;
@@ -18,7 +18,7 @@ void CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   this->ColumnCount = static_cast<float>(buffer.Columns());
   if (!this->FrameCells(buffer))
   {
-    return;
+    return 0;
   }
   this->FindFacePieces();
   this->FindEdgePieces();
@@ -27,6 +27,7 @@ void CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   {
     this->InsertLine(buffer, line, part);
   }
+  return this->FacePieces.size() + this->EdgePieces.size();
 }
 
 /** Find the lines and tiles around all that counts; returns whether any line may be covered. */

@@ -8,13 +8,13 @@
 namespace vitrine
 {
 
-void OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
+std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   MeshProjection::Facing facing, std::uint32_t part)
 {
   this->Projection = &projection;
   if (!this->FrameLines(buffer))
   {
-    return;
+    return 0;
   }
   this->FindOutline(facing);
   const float depth = this->FarthestOf(facing) - projection.Margin().Depth;
@@ -22,6 +22,7 @@ void OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   {
     this->InsertLine(buffer, line, depth, part);
   }
+  return this->Passages.size();
 }
 
 /** Find the lines that all points lie in; returns whether any may be covered. */

@@ -32,9 +32,10 @@ public:
    * @param projection  of the occluder; its facings are found
    * @param facing      of the faces that count, Front or Back
    * @param part        what spans say whose they are
+   * @returns how many pieces of faces and edges on lines that took
    */
-  void Insert(SBuffer& buffer, const MeshProjection& projection, MeshProjection::Facing facing,
-    std::uint32_t part);
+  std::size_t Insert(SBuffer& buffer, const MeshProjection& projection,
+    MeshProjection::Facing facing, std::uint32_t part);
 
 private:
   /** Where an edge of the outline passes a line. */

@@ -2,6 +2,7 @@
 
 #include "Core/culling/OctreeWalk.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace vitrine
@@ -14,6 +15,9 @@ const std::size_t FewPoints = 64;
 
 // An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
 const float MostFacesPerCell = 4.0f;
+
+// To project so many faces takes as long as a piece of one on a line.
+const std::size_t FacesPerPiece = 8;
 
 const ScreenRectangle Everywhere{ -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 
@@ -32,9 +36,11 @@ const float FewLines = 8.0f;
 class PartCuller::Walk
 {
 public:
-  Walk(PartCuller& culler, const std::vector<Box>& bounds, OccluderSource& occluders,
-    const CullView& view, bool occlusion, std::vector<std::uint8_t>& visible)
+  Walk(PartCuller& culler, const Octree& tree, const std::vector<Box>& bounds,
+    OccluderSource& occluders, const CullView& view, bool occlusion,
+    std::vector<std::uint8_t>& visible)
     : Culler(culler)
+    , Tree(tree)
     , Bounds(bounds)
     , Occluders(occluders)
     , View(view)
@@ -47,7 +53,7 @@ public:
   {
     ++this->Culler.Counted.Nodes;
     ScreenRectangle rectangle;
-    return this->MayShow(node.Bounds, rectangle);
+    return this->MayShow(node.Bounds, rectangle, [&] { return this->CountBelow(node); });
   }
 
   void Visit(const OctreeNode&, const std::uint32_t* items, std::uint32_t count)
@@ -76,8 +82,12 @@ public:
   }
 
 private:
-  /** Writes the rectangle of a box that lies behind the near plane; an endless one for others. */
-  bool MayShow(const Box& box, ScreenRectangle& rectangle)
+  /**
+   * Writes the rectangle of a box that lies behind the near plane; an endless one for others.
+   * @param count  tells how many parts are in it
+   */
+  template <class Count>
+  bool MayShow(const Box& box, ScreenRectangle& rectangle, const Count& count)
   {
     switch (this->View.Projection.Project(box, rectangle))
     {
@@ -87,16 +97,30 @@ private:
         rectangle = Everywhere;
         return true;
       case ScreenProjection::Place::Before:
-        return !this->HasOcclusion || !this->Culler.Lines.Hides(rectangle, 0.0f);
+        if (!this->HasOcclusion || !this->Culler.Lines.Hides(rectangle, 0.0f))
+        {
+          return true;
+        }
+        this->Culler.Budget.AddHidden(count());
+        return false;
     }
     return true;
+  }
+
+  /** Items of pages that were loaded just now are not counted. */
+  std::uint32_t CountBelow(const OctreeNode& node) const
+  {
+    const OctreeNode* first = this->Tree.TopPage().Nodes.data();
+    const std::size_t index = static_cast<std::size_t>(&node - first);
+    return &node >= first && index < this->Culler.ItemsBelow.size() ? this->Culler.ItemsBelow[index]
+                                                                    : 1;
   }
 
   bool VisitPart(std::uint32_t item)
   {
     ++this->Culler.Counted.Tested;
     ScreenRectangle rectangle;
-    if (!this->MayShow(this->Bounds[item], rectangle))
+    if (!this->MayShow(this->Bounds[item], rectangle, [] { return 1; }))
     {
       return false;
     }
@@ -106,8 +130,10 @@ private:
       return true;
     }
     const bool isSmall = occluder.Mesh->PointCount() <= FewPoints;
-    const bool isDense = IsDense(rectangle, occluder.Mesh->Faces().size());
-    if (!isSmall && isDense)
+    const std::size_t faces = occluder.Mesh->Faces().size();
+    const bool isWorthInserting =
+      !IsDense(rectangle, faces) && this->Culler.Budget.Allows(faces / FacesPerPiece);
+    if (!isSmall && !isWorthInserting)
     {
       return true;
     }
@@ -117,9 +143,10 @@ private:
       this->Culler.Lines.Hides(
         this->View.Projection.Grown(this->Culler.Projected.Rectangle()), 0.0f))
     {
+      this->Culler.Budget.AddHidden(1);
       return false;
     }
-    if (!isDense)
+    if (isWorthInserting)
     {
       this->InsertPart(item, occluder);
     }
@@ -129,6 +156,7 @@ private:
   void InsertPart(std::uint32_t item, const Occluder& occluder)
   {
     ++this->Culler.Counted.Inserted;
+    this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
     this->Culler.Projected.FindFacings();
     this->InsertFaces(item, MeshProjection::Facing::Front);
     if (occluder.HasBackFaces && !occluder.Mesh->IsClosed())
@@ -142,15 +170,18 @@ private:
     const ScreenRectangle& around = this->Culler.Projected.Rectangle();
     if (around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines)
     {
-      this->Culler.CoverOfFew.Insert(this->Culler.Lines, this->Culler.Projected, facing, item);
+      this->Culler.Budget.Spend(
+        this->Culler.CoverOfFew.Insert(this->Culler.Lines, this->Culler.Projected, facing, item));
     }
     else
     {
-      this->Culler.CoverOfMany.Insert(this->Culler.Lines, this->Culler.Projected, facing, item);
+      this->Culler.Budget.Spend(
+        this->Culler.CoverOfMany.Insert(this->Culler.Lines, this->Culler.Projected, facing, item));
     }
   }
 
   PartCuller& Culler;
+  const Octree& Tree;
   const std::vector<Box>& Bounds;
   OccluderSource& Occluders;
   const CullView& View;
@@ -170,7 +201,12 @@ void PartCuller::Cull(const Octree& tree, const std::vector<Box>& bounds, Occlud
   this->Lines.Clear();
   this->Counted = {};
   this->IsTested.assign(bounds.size(), 0);
-  Walk walk(*this, bounds, occluders, view, occlusion, visible);
+  if (occlusion)
+  {
+    this->CountItemsBelow(tree);
+    this->Budget.Begin(static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 1)));
+  }
+  Walk walk(*this, tree, bounds, occluders, view, occlusion, visible);
   if (view.IsParallel)
   {
     WalkFrontToBack(tree, OrderAlong(view.Eye), walk);
@@ -180,6 +216,28 @@ void PartCuller::Cull(const Octree& tree, const std::vector<Box>& bounds, Occlud
     WalkFrontToBack(tree, OrderFromEye(view.Eye), walk);
   }
   walk.DropUntested(tree.UnplacedItems());
+}
+
+/** Children stand behind their parents. Where a tree has changed since and has as many nodes, it is near enough. */
+void PartCuller::CountItemsBelow(const Octree& tree)
+{
+  const std::vector<OctreeNode>& nodes = tree.TopPage().Nodes;
+  if (this->ItemsBelow.size() == nodes.size())
+  {
+    return;
+  }
+  this->ItemsBelow.assign(nodes.size(), 1);
+  for (std::size_t i = nodes.size(); i-- > 0;)
+  {
+    const OctreeNode& node = nodes[i];
+    std::uint32_t count = node.IsLeaf() ? node.Count() : 0;
+    for (int slot = 0; node.Kind() == OctreeNode::Kinds::Inner && slot <= OctreeNode::OwnSlot;
+         ++slot)
+    {
+      count += node.HasChild(slot) ? this->ItemsBelow[node.Child(slot)] : 0;
+    }
+    this->ItemsBelow[i] = std::max(count, 1u);
+  }
 }
 
 }

@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_PART_CULLER_H
 
 #include "Core/culling/CellCoverage.h"
+#include "Core/culling/InsertionBudget.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/Octree.h"
 #include "Core/culling/OutlineCoverage.h"
@@ -77,11 +78,15 @@ public:
 private:
   class Walk;
 
+  void CountItemsBelow(const Octree& tree);
+
   SBuffer Lines;
   MeshProjection Projected;
   OutlineCoverage CoverOfFew;
   CellCoverage CoverOfMany;
   CullCounts Counted;
+  InsertionBudget Budget;
+  std::vector<std::uint32_t> ItemsBelow; ///< each node of the tree, about
   std::vector<std::uint8_t> IsTested;
 };
 
