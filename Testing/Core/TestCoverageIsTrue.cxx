@@ -194,6 +194,49 @@ TEST(CoverageIsTrue, OfManyMeshesInOneBuffer)
   }
 }
 
+// Planes of faces that reach far beyond the screen are known to a part of what their corners' depths differ by.
+TEST(CoverageIsTrue, OfLongSlimFaces)
+{
+  int covered = 0;
+  for (unsigned seed = 1; seed <= 2000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const double length = std::pow(10.0, random.Between(1.0, 5.5));
+    const double turn = random.Between(0.0, 2.0 * M_PI);
+    const glm::dvec3 along(length * std::cos(turn), length * std::sin(turn), 0.0);
+    const glm::dvec3 aside = random.Between(0.8, 6.0) * glm::dvec3(-along.y, along.x, 0.0) / length;
+    const glm::dvec3 middle(20.0, 10.0, 0.5);
+    const auto corner = [&](double a, double b) {
+      return middle + (a + random.Between(-0.3, 0.3)) * along + b * aside +
+        glm::dvec3(0, 0, random.Between(-0.5, 0.49));
+    };
+    Triangles plank;
+    plank.AddQuad(corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1));
+    const OccluderMesh mesh = plank.Mesh();
+    const vitrine::ScreenMatrix asItStands{ glm::dmat4(1.0), glm::vec4(0.0f), {}, { 40, 20 } };
+    MeshProjection projection;
+    projection.Project(mesh, asItStands);
+    projection.FindFacings();
+    SBuffer buffer(40, 20);
+    OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
+    covered += coverage::CoveredArea(buffer) > 0.0;
+    std::vector<ScreenFace> faces;
+    for (const OccluderMesh::Face& face : mesh.Faces())
+    {
+      ScreenFace onScreen;
+      for (int i = 0; i < 3; ++i)
+      {
+        const vitrine::ScreenPoint& point = projection.Points()[face[i]];
+        onScreen[i] = { point.Column, point.Line, point.Depth };
+      }
+      faces.push_back(onScreen);
+    }
+    ASSERT_EQ(CoverageJudge(faces).WhatIsWrong(buffer, random.Generator, 4), "");
+  }
+  EXPECT_GT(covered, 500);
+}
+
 // What inserts nothing would be true as well.
 TEST(CoverageIsTrue, AndMostOfIt)
 {

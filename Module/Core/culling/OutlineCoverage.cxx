@@ -218,11 +218,17 @@ void OutlineCoverage::BoundByFace(const OccluderMesh::Face& face)
   const ScreenMargin& margin = this->Projection->Margin();
   const float own = OwnRounding *
     (std::abs(low.Column) + std::abs(high.Column) + std::abs(middle.Column) + std::abs(low.Line) +
-      std::abs(high.Line));
+      std::abs(high.Line) + SBuffer::TileWidth);
   const float aside = margin.Column + own;
   const float above = margin.Line + own;
-  const float slack = margin.Depth + std::abs(byColumn) * aside + std::abs(byLine) * above;
-  const float farthest = std::min(std::min(low.Depth, middle.Depth), high.Depth) - margin.Depth;
+  const float least = std::min(std::min(low.Depth, middle.Depth), high.Depth);
+  const float greatest = std::max(std::max(low.Depth, middle.Depth), high.Depth);
+  // The slimmer a face, the less is known of how it is inclined.
+  const float slimness = (std::abs(column1) + std::abs(column2)) *
+    (std::abs(line1) + std::abs(line2)) / std::abs(area);
+  const float slack = margin.Depth + std::abs(byColumn) * aside + std::abs(byLine) * above +
+    (greatest - least) * slimness * OwnRounding;
+  const float farthest = least - margin.Depth;
 
   if (!(low.Line - above <= static_cast<float>(this->LastLine + 1) &&
         high.Line + above >= static_cast<float>(this->FirstLine)))
