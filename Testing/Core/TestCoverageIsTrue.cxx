@@ -207,7 +207,8 @@ TEST(CoverageIsTrue, OfLongSlimFaces)
     const glm::dvec3 along(length * std::cos(turn), length * std::sin(turn), 0.0);
     const glm::dvec3 aside = random.Between(0.8, 6.0) * glm::dvec3(-along.y, along.x, 0.0) / length;
     const glm::dvec3 middle(20.0, 10.0, 0.5);
-    const auto corner = [&](double a, double b) {
+    const auto corner = [&](double a, double b)
+    {
       return middle + (a + random.Between(-0.3, 0.3)) * along + b * aside +
         glm::dvec3(0, 0, random.Between(-0.5, 0.49));
     };

@@ -20,7 +20,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   const float* z = mesh.Coordinates(2).data();
   float leastW = 3e38f;
   ScreenRectangle around{ 3e38f, -3e38f, 3e38f, -3e38f, -3e38f };
-  bool areAllBehind = true;
+  bool areAllBehind = count > 0;
   for (std::size_t i = 0; i < count; ++i)
   {
     const glm::vec4 p = m[0] * x[i] + m[1] * y[i] + m[2] * z[i] + m[3];

@@ -35,7 +35,7 @@ public:
 
   /**
    * @param toScreen  of the mesh's model coordinates
-   * @returns whether all points lie behind the near plane, so that Rectangle() holds them all
+   * @returns whether there are points and all lie behind the near plane, so that Rectangle() holds them all
    */
   bool Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen);
 

@@ -224,8 +224,8 @@ void OutlineCoverage::BoundByFace(const OccluderMesh::Face& face)
   const float least = std::min(std::min(low.Depth, middle.Depth), high.Depth);
   const float greatest = std::max(std::max(low.Depth, middle.Depth), high.Depth);
   // The slimmer a face, the less is known of how it is inclined.
-  const float slimness = (std::abs(column1) + std::abs(column2)) *
-    (std::abs(line1) + std::abs(line2)) / std::abs(area);
+  const float slimness =
+    (std::abs(column1) + std::abs(column2)) * (std::abs(line1) + std::abs(line2)) / std::abs(area);
   const float slack = margin.Depth + std::abs(byColumn) * aside + std::abs(byLine) * above +
     (greatest - least) * slimness * OwnRounding;
   const float farthest = least - margin.Depth;
