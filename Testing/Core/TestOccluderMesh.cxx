@@ -27,7 +27,7 @@ std::size_t CountBorders(const OccluderMesh& mesh)
 }
 
 /** The corners of the unit cube, by the bits of their numbers, and its triangles, counter-clockwise from outside. */
-Points CubePoints()
+Points DicePoints()
 {
   Points points;
   for (int i = 0; i < 8; ++i)
@@ -37,7 +37,7 @@ Points CubePoints()
   return points;
 }
 
-Corners CubeCorners()
+Corners DiceCorners()
 {
   return { 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6,
     1, 3, 5, 3, 7, 5 };
@@ -124,9 +124,9 @@ TEST(OccluderMesh, OfNothing)
 
 TEST(OccluderMesh, OfABoxIsClosed)
 {
-  const Points exploded = Exploded(CubePoints(), CubeCorners());
+  const Points exploded = Exploded(DicePoints(), DiceCorners());
   for (const OccluderMesh& mesh :
-    { OccluderMesh(CubePoints(), CubeCorners()), OccluderMesh(exploded, InOrder(36)) })
+    { OccluderMesh(DicePoints(), DiceCorners()), OccluderMesh(exploded, InOrder(36)) })
   {
     EXPECT_EQ(mesh.PointCount(), 8u);
     EXPECT_EQ(mesh.Faces().size(), 12u);
@@ -139,9 +139,9 @@ TEST(OccluderMesh, OfABoxIsClosed)
 
 TEST(OccluderMesh, KeepsTheOrderAndTheTurnOfFaces)
 {
-  const OccluderMesh mesh(CubePoints(), CubeCorners());
-  const Corners corners = CubeCorners();
-  const Points points = CubePoints();
+  const OccluderMesh mesh(DicePoints(), DiceCorners());
+  const Corners corners = DiceCorners();
+  const Points points = DicePoints();
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     EXPECT_EQ(PlaceOf(mesh, mesh.Faces()[i / 3][i % 3]), points[corners[i]]) << i;
@@ -160,9 +160,9 @@ TEST(OccluderMesh, OfASheetHasABorder)
 
 TEST(OccluderMesh, OfABoxWithoutALidIsOpen)
 {
-  Corners corners = CubeCorners();
+  Corners corners = DiceCorners();
   corners.resize(33);
-  const OccluderMesh mesh(CubePoints(), corners);
+  const OccluderMesh mesh(DicePoints(), corners);
   EXPECT_FALSE(mesh.IsClosed());
   EXPECT_EQ(CountBorders(mesh), 3u);
   ExpectEdgesFit(mesh);
@@ -257,19 +257,19 @@ TEST(OccluderMesh, LeavesOutTrianglesWithAPointThatIsNotFinite)
 
 TEST(OccluderMesh, IsFineFarFromTheOrigin)
 {
-  Points points = CubePoints();
+  Points points = DicePoints();
   const glm::dvec3 offset(1e7, -2e7, 3e7);
   for (glm::dvec3& point : points)
   {
     point = offset + 1e-3 * point;
   }
-  const OccluderMesh mesh(points, CubeCorners());
+  const OccluderMesh mesh(points, DiceCorners());
   EXPECT_TRUE(mesh.IsClosed());
   EXPECT_EQ(mesh.PointCount(), 8u);
   for (std::size_t i = 0; i < 36; ++i)
   {
     const glm::dvec3 place = PlaceOf(mesh, mesh.Faces()[i / 3][i % 3]);
-    const glm::dvec3 difference = place - points[CubeCorners()[i]];
+    const glm::dvec3 difference = place - points[DiceCorners()[i]];
     EXPECT_LT(std::abs(difference.x) + std::abs(difference.y) + std::abs(difference.z), 1.2e-8);
   }
 }
