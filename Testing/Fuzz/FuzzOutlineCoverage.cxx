@@ -23,7 +23,6 @@ using Facing = MeshProjection::Facing;
 constexpr unsigned MostPoints = 20;
 constexpr unsigned MostFaces = 24;
 
-// Few bytes, so that much of what is made up lies on the screen; now and then any number.
 glm::dvec3 PointOf(FuzzBytes& bytes)
 {
   const double x = bytes.Number();
@@ -46,7 +45,21 @@ OccluderMesh MeshOf(FuzzBytes& bytes)
   return OccluderMesh(points, corners);
 }
 
-ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines)
+/** The largest absolute coordinate. */
+double ReachOf(const OccluderMesh& mesh)
+{
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const float coordinate : mesh.Coordinates(axis))
+    {
+      reach = std::max(reach, std::abs(mesh.Origin()[axis] + double{ coordinate }));
+    }
+  }
+  return reach;
+}
+
+ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines, double reach)
 {
   const double aspect = double(columns) / lines;
   const glm::dmat4 lens = bytes.Below(2) == 0
@@ -61,7 +74,7 @@ ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines)
     const unsigned at = bytes.Below(16);
     toClip[at / 4][at % 4] = bytes.Number();
   }
-  return ScreenProjection(toClip, columns, lines, glm::dvec3(4.0), { most, most, 0.1f * most })
+  return ScreenProjection(toClip, columns, lines, glm::dvec3(reach), { most, most, 0.1f * most })
     .Of(glm::dmat4(1.0), 1.0f);
 }
 
@@ -145,7 +158,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int i = 0; i < 4 && bytes.AreLeft(); ++i)
   {
     const OccluderMesh mesh = MeshOf(bytes);
-    const ScreenMatrix matrix = MatrixOf(bytes, columns, lines);
+    const ScreenMatrix matrix = MatrixOf(bytes, columns, lines, ReachOf(mesh));
     projection.Project(mesh, matrix);
     projection.FindFacings();
     for (const Facing facing : { Facing::Front, Facing::Back })
