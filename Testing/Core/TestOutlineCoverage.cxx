@@ -275,6 +275,18 @@ TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionAtTheFartherDepth)
   EXPECT_NEAR(covered.DepthAt(9, 18.0), 0.4, 1e-6);
 }
 
+// Else a corner that lies in a line's middle would count for both of its edges.
+TEST(OutlineCoverage, EndsWhereACornerIsInTheMiddleOfALine)
+{
+  Triangles shapes;
+  shapes.AddQuad({ 2, 9.5, 0.5 }, { 9, 2.1, 0.5 }, { 16, 9.2, 0.5 }, { 9, 17.3, 0.5 });
+  AddRectangle(shapes, { 24, -1 }, { 37.5, 21 }, 0.5);
+  const Covered covered(shapes);
+  EXPECT_TRUE(covered.IsAt(9, 9.0));
+  EXPECT_FALSE(covered.IsAt(9, 20.0));
+  EXPECT_TRUE(covered.IsAt(9, 30.0));
+}
+
 TEST(OutlineCoverage, OfNeighboursThatTurnDifferentlyIsThatOfEachAlone)
 {
   Triangles mixed;
@@ -398,4 +410,15 @@ TEST(OutlineCoverage, OfFewCellsHasTheDepthOfTheFarthestCorner)
   small.AddQuad({ 10, 4, 0.3 }, { 15, 4, 0.5 }, { 15, 9, 0.6 }, { 10, 9, 0.4 });
   const Covered covered(small);
   EXPECT_NEAR(covered.DepthAt(6, 12.0), 0.3, 1e-6);
+}
+
+TEST(OutlineCoverage, OfASteepFaceIsNoFartherThanItsFarthestCorner)
+{
+  Triangles step;
+  AddRectangle(step, { 2.5, -1 }, { 10, 21 }, 0.5);
+  step.AddQuad({ 10, -1, 0.5 }, { 10.2, -1, 0.3 }, { 10.2, 21, 0.3 }, { 10, 21, 0.5 });
+  AddRectangle(step, { 10.2, -1 }, { 37.5, 21 }, 0.3);
+  const Covered covered(step);
+  EXPECT_NEAR(covered.DepthAt(9, 5.0), 0.5, 1e-4);
+  EXPECT_NEAR(covered.DepthAt(9, 15.5), 0.3, 1e-4);
 }
