@@ -220,7 +220,7 @@ TEST(OccluderMesh, DoesNotWeldWhatDiffersByLessThanAFloat)
   const double less = std::nextafter(1.0, 0.0);
   ASSERT_EQ(static_cast<float>(less), 1.0f);
   const OccluderMesh mesh(
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 0 }, { less, 1, 0 }, { 0, 1, 0 } },
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 0 }, { 1, less, 0 }, { 0, 1, 0 } },
     { 0, 1, 2, 3, 4, 5 });
   EXPECT_EQ(mesh.PointCount(), 5u);
   EXPECT_EQ(CountBorders(mesh), 6u);

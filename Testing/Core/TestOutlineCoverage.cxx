@@ -1,107 +1,28 @@
-// What single meshes cover, known without computing. Their points are columns, lines and reversed depths themselves.
+// What single meshes cover, known without computing.
 
+#include "CoveredScreen.h"
 #include "NonFinite.h"
-#include "OccluderScenes.h"
-
-#include "Core/culling/OutlineCoverage.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace
 {
 
+using coverage::AddRectangle;
+using coverage::AsItStands;
+using coverage::Covered;
+using coverage::Facing;
+using coverage::MeshProjection;
+using coverage::OccluderMesh;
+using coverage::OutlineCoverage;
+using coverage::RectangleOf;
+using coverage::SBuffer;
+using coverage::ScreenMatrix;
 using coverage::Triangles;
-using vitrine::MeshProjection;
-using vitrine::OccluderMesh;
-using vitrine::OutlineCoverage;
-using vitrine::SBuffer;
-using vitrine::ScreenMargin;
-using vitrine::ScreenMatrix;
-using vitrine::Span;
-using Facing = vitrine::MeshProjection::Facing;
-
-const int WideColumns = 40;
-const int WideLines = 20;
-const double Fine = 1e-3; // columns; many times what floats round
-
-ScreenMatrix AsItStands(const ScreenMargin& margin = {})
-{
-  return { glm::dmat4(1.0), glm::vec4(0.0f), margin, { WideColumns, WideLines } };
-}
-
-class Covered
-{
-public:
-  explicit Covered(
-    const Triangles& triangles, Facing facing = Facing::Front, const ScreenMargin& margin = {})
-    : Buffer(WideColumns, WideLines)
-  {
-    const OccluderMesh mesh = triangles.Mesh();
-    MeshProjection projection;
-    projection.Project(mesh, AsItStands(margin));
-    projection.FindFacings();
-    OutlineCoverage().Insert(this->Buffer, projection, facing, 7);
-  }
-
-  double Area() const { return coverage::CoveredArea(this->Buffer); }
-
-  bool IsAt(int line, double column) const { return this->DepthAt(line, column) >= 0.0; }
-
-  /** Or -1 where nothing is covered. */
-  double DepthAt(int line, double column) const
-  {
-    for (const Span& span : this->Buffer.SpansOf(line))
-    {
-      if (span.Left <= column && column < span.Right)
-      {
-        return span.DepthAt(static_cast<float>(column));
-      }
-    }
-    return -1.0;
-  }
-
-  /** Expects one stretch of spans without a gap, or nothing where `left` equals `right`. */
-  void ExpectFromTo(int line, double left, double right) const
-  {
-    SCOPED_TRACE(line);
-    const std::vector<Span> spans = this->Buffer.SpansOf(line);
-    if (left == right)
-    {
-      EXPECT_TRUE(spans.empty());
-      return;
-    }
-    ASSERT_FALSE(spans.empty());
-    EXPECT_NEAR(spans.front().Left, left, Fine);
-    EXPECT_NEAR(spans.back().Right, right, Fine);
-    EXPECT_GE(spans.front().Left, left);
-    EXPECT_LE(spans.back().Right, right);
-    for (std::size_t i = 0; i + 1 < spans.size(); ++i)
-    {
-      EXPECT_EQ(spans[i].Right, spans[i + 1].Left);
-      EXPECT_EQ(spans[i].Face, 7u);
-    }
-  }
-
-  SBuffer Buffer;
-};
-
-/** Upright, at one depth. */
-void AddRectangle(Triangles& triangles, const glm::dvec2& low, const glm::dvec2& high, double depth)
-{
-  triangles.AddQuad(
-    { low, depth }, { high.x, low.y, depth }, { high, depth }, { low.x, high.y, depth });
-}
-
-Triangles RectangleOf(const glm::dvec2& low, const glm::dvec2& high, double depth = 0.5)
-{
-  Triangles triangles;
-  AddRectangle(triangles, low, high, depth);
-  return triangles;
-}
+using coverage::WideColumns;
+using coverage::WideLines;
 
 /** From 2.5 to 37.5 and lines 1 .. 18, in so many columns and lines of quads of two triangles. */
 Triangles FineGrid(int columns, int lines)
@@ -260,21 +181,6 @@ TEST(OutlineCoverage, OfAFoldedSheetIsThatOfEitherSide)
   EXPECT_NEAR(back.DepthAt(9, 20.0), 0.45, 1e-4);
 }
 
-TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionAtTheFartherDepth)
-{
-  Triangles sheets;
-  AddRectangle(sheets, { 2.5, 1.5 }, { 20.5, 18.5 }, 0.7);
-  AddRectangle(sheets, { 12.5, 1.5 }, { 37.5, 18.5 }, 0.4);
-  const Covered covered(sheets);
-  EXPECT_TRUE(covered.IsAt(9, 3.0));
-  EXPECT_TRUE(covered.IsAt(9, 12.0));
-  EXPECT_TRUE(covered.IsAt(9, 16.0));
-  EXPECT_TRUE(covered.IsAt(9, 37.0));
-  EXPECT_NEAR(covered.DepthAt(9, 4.0), 0.7, 1e-6);
-  EXPECT_NEAR(covered.DepthAt(9, 36.0), 0.4, 1e-6);
-  EXPECT_NEAR(covered.DepthAt(9, 18.0), 0.4, 1e-6);
-}
-
 // Else a corner that lies in a line's middle would count for both of its edges.
 TEST(OutlineCoverage, EndsWhereACornerIsInTheMiddleOfALine)
 {
@@ -372,53 +278,4 @@ TEST(OutlineCoverage, LeavesOutFacesThatReachBeforeTheNearPlane)
   {
     covered.ExpectFromTo(line, 2.5, 20.5);
   }
-}
-
-TEST(OutlineCoverage, FollowsTheDepthOfAPlane)
-{
-  Triangles slanted;
-  slanted.AddQuad({ 0.5, -4, 0.2 }, { 39.5, -4, 0.8 }, { 39.5, 24, 0.8 }, { 0.5, 24, 0.2 });
-  const Covered covered(slanted);
-  for (double column = 1.0; column < 39.0; column += 0.37)
-  {
-    const double depth = 0.2 + 0.6 * (column - 0.5) / 39.0;
-    EXPECT_NEAR(covered.DepthAt(7, column), depth, 1e-4);
-    EXPECT_LE(covered.DepthAt(7, column), depth + 1e-7);
-  }
-}
-
-TEST(OutlineCoverage, TakesTheFarEndOfALine)
-{
-  for (const double top : { 0.1, 0.9 })
-  {
-    Triangles slanted;
-    slanted.AddQuad({ -1, 0, 0.5 }, { 41, 0, 0.5 }, { 41, 20, top }, { -1, 20, top });
-    const Covered covered(slanted);
-    for (int line = 1; line < 19; ++line)
-    {
-      const double farEnd = line + (top < 0.5 ? 1.0 : 0.0);
-      const double depth = 0.5 + (top - 0.5) * farEnd / 20.0;
-      EXPECT_NEAR(covered.DepthAt(line, 20.0), depth, 1e-4);
-      EXPECT_LE(covered.DepthAt(line, 20.0), depth + 1e-7);
-    }
-  }
-}
-
-TEST(OutlineCoverage, OfFewCellsHasTheDepthOfTheFarthestCorner)
-{
-  Triangles small;
-  small.AddQuad({ 10, 4, 0.3 }, { 15, 4, 0.5 }, { 15, 9, 0.6 }, { 10, 9, 0.4 });
-  const Covered covered(small);
-  EXPECT_NEAR(covered.DepthAt(6, 12.0), 0.3, 1e-6);
-}
-
-TEST(OutlineCoverage, OfASteepFaceIsNoFartherThanItsFarthestCorner)
-{
-  Triangles step;
-  AddRectangle(step, { 2.5, -1 }, { 10, 21 }, 0.5);
-  step.AddQuad({ 10, -1, 0.5 }, { 10.2, -1, 0.3 }, { 10.2, 21, 0.3 }, { 10, 21, 0.5 });
-  AddRectangle(step, { 10.2, -1 }, { 37.5, 21 }, 0.3);
-  const Covered covered(step);
-  EXPECT_NEAR(covered.DepthAt(9, 5.0), 0.5, 1e-4);
-  EXPECT_NEAR(covered.DepthAt(9, 15.5), 0.3, 1e-4);
 }
