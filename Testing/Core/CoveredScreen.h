@@ -34,7 +34,7 @@ class Covered
 public:
   explicit Covered(
     const Triangles& triangles, Facing facing = Facing::Front, const ScreenMargin& margin = {})
-    : Buffer(WideColumns, WideLines)
+    : Buffer(WideColumns, WideLines, 1u << 15)
   {
     const OccluderMesh mesh = triangles.Mesh();
     MeshProjection projection;

@@ -25,6 +25,8 @@ using vitrine::SBuffer;
 using vitrine::ScreenMargin;
 using Facing = vitrine::MeshProjection::Facing;
 
+const std::size_t MostSpans = 1u << 15; // many more than are used
+
 /** A mesh somewhere, and a view of it. */
 struct Subject
 {
@@ -93,7 +95,7 @@ void Judge(const Subject& subject, Facing facing, Random& random, Tally& tally)
   projection.Project(
     subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0), 1.0f));
   projection.FindFacings();
-  SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines);
+  SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, MostSpans);
   OutlineCoverage().Insert(buffer, projection, facing, 0);
   if (coverage::CoveredArea(buffer) == 0.0)
   {
@@ -166,7 +168,7 @@ TEST(CoverageIsTrue, OfManyMeshesInOneBuffer)
     SCOPED_TRACE(seed);
     Random random(seed);
     const View view = coverage::RandomView(glm::dvec3(0.0), random);
-    SBuffer buffer(view.Columns, view.Lines);
+    SBuffer buffer(view.Columns, view.Lines, MostSpans);
     OutlineCoverage outline;
     MeshProjection projection;
     std::vector<ScreenFace> faces;
@@ -219,7 +221,7 @@ TEST(CoverageIsTrue, OfLongSlimFaces)
     MeshProjection projection;
     projection.Project(mesh, asItStands);
     projection.FindFacings();
-    SBuffer buffer(40, 20);
+    SBuffer buffer(40, 20, MostSpans);
     OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
     covered += coverage::CoveredArea(buffer) > 0.0;
     std::vector<ScreenFace> faces;
@@ -253,7 +255,7 @@ TEST(CoverageIsTrue, AndMostOfIt)
     EXPECT_TRUE(projection.Project(
       subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0), 1.0f)));
     projection.FindFacings();
-    SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines);
+    SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, MostSpans);
     OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
     const double area = FrontArea(subject);
     EXPECT_GT(area, 700.0);
@@ -277,7 +279,7 @@ TEST(CoverageIsTrue, AndItsDepthIsNearThatOfThePlane)
     MeshProjection projection;
     projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0), 1.0f));
     projection.FindFacings();
-    SBuffer buffer(view.Columns, view.Lines);
+    SBuffer buffer(view.Columns, view.Lines, MostSpans);
     OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
     OutlineCoverage().Insert(buffer, projection, Facing::Back, 0);
     // Depths of the wall's corners differ by more than those of a line's lower and upper side.
