@@ -66,7 +66,7 @@ public:
       {
         continue;
       }
-      for (const double y : this->ScansOf(line, random, scansPerLine))
+      for (const double y : this->ScansOf(line, buffer.Samples().Inset(), random, scansPerLine))
       {
         const std::vector<Stretch> stretches = this->StretchesAt(y);
         for (const vitrine::Span& span : spans)
@@ -110,19 +110,24 @@ private:
   // A span tells its depth in floats.
   static constexpr double DepthRounding = 1e-7;
 
-  /** At both ends of the line, at random heights, and beside corners of faces. */
-  std::vector<double> ScansOf(int line, std::mt19937& random, int count) const
+  /** From the line's lowest samples to its highest: at both ends, at random heights, and beside corners of faces. */
+  std::vector<double> ScansOf(int line, double inset, std::mt19937& random, int count) const
   {
-    std::vector<double> scans{ line + 1e-7, line + 1 - 1e-7 };
+    const double low = line + inset, height = 1.0 - 2.0 * inset;
+    if (height == 0.0)
+    {
+      return { low };
+    }
+    std::vector<double> scans{ low + 1e-7, low + height - 1e-7 };
     for (int i = 0; i < count; ++i)
     {
-      scans.push_back(line + (random() + 0.5) / 4294967296.0);
+      scans.push_back(low + height * ((random() + 0.5) / 4294967296.0));
     }
     for (int i = 0; i < 8 * count && !this->Faces.empty(); ++i)
     {
       const double corner = this->Faces[random() % this->Faces.size()][random() % 3].y;
       const double y = corner + (random() % 2 == 0 ? 1e-6 : -1e-6);
-      if (y > line && y < line + 1 && scans.size() < 2 + 2 * std::size_t(count))
+      if (y > low && y < low + height && scans.size() < 2 + 2 * std::size_t(count))
       {
         scans.push_back(y);
       }

@@ -4,9 +4,8 @@
 #ifndef VITRINE_TESTING_COVERED_SCREEN_H
 #define VITRINE_TESTING_COVERED_SCREEN_H
 
+#include "CoverageWays.h"
 #include "OccluderScenes.h"
-
-#include "Core/culling/OutlineCoverage.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +14,8 @@
 namespace coverage
 {
 
-using vitrine::OutlineCoverage;
 using vitrine::SBuffer;
 using vitrine::Span;
-using Facing = vitrine::MeshProjection::Facing;
-
 const int WideColumns = 40;
 const int WideLines = 20;
 const double Fine = 1e-3; // columns; many times what floats round
@@ -32,15 +28,15 @@ inline ScreenMatrix AsItStands(const ScreenMargin& margin = {})
 class Covered
 {
 public:
-  explicit Covered(
-    const Triangles& triangles, Facing facing = Facing::Front, const ScreenMargin& margin = {})
-    : Buffer(WideColumns, WideLines, 1u << 15)
+  explicit Covered(const Way& way, const Triangles& triangles, Facing facing = Facing::Front,
+    const ScreenMargin& margin = {})
+    : Buffer(WideColumns, WideLines, way.Samples(), MostTestSpans)
   {
     const OccluderMesh mesh = triangles.Mesh();
     MeshProjection projection;
     projection.Project(mesh, AsItStands(margin));
     projection.FindFacings();
-    OutlineCoverage().Insert(this->Buffer, projection, facing, 7);
+    Inserter(way).Insert(this->Buffer, projection, facing, 7);
   }
 
   double Area() const { return CoveredArea(this->Buffer); }

@@ -104,6 +104,33 @@ inline Triangles BoxBetween(const glm::dvec3& low, const glm::dvec3& high)
   return box;
 }
 
+/** A hollow cube of so many units to either side of the origin, its walls so thick; if it is open, without the one towards x. */
+inline Triangles ShellOf(double half, double thickness, bool isOpen)
+{
+  const double inner = half - thickness;
+  Triangles shell = BoxBetween(glm::dvec3(-half), glm::dvec3(half));
+  Triangles hollow =
+    BoxBetween(glm::dvec3(-inner), glm::dvec3(isOpen ? half : inner, inner, inner));
+  if (isOpen)
+  {
+    shell.Corners.resize(shell.Corners.size() - 6);
+    hollow.Corners.resize(hollow.Corners.size() - 6);
+    const double turns[5][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 }, { -1, -1 } };
+    for (int i = 0; i < 4; ++i)
+    {
+      const auto at = [&](int turn, double reach)
+      { return glm::dvec3(half, reach * turns[turn][0], reach * turns[turn][1]); };
+      shell.AddQuad(at(i, half), at(i + 1, half), at(i + 1, inner), at(i, inner));
+    }
+  }
+  for (std::size_t i = 0; i < hollow.Corners.size(); i += 3)
+  {
+    shell.Add(hollow.Points[hollow.Corners[i]], hollow.Points[hollow.Corners[i + 2]],
+      hollow.Points[hollow.Corners[i + 1]]);
+  }
+  return shell;
+}
+
 /** Closed, and convex where the radii are equal. Points around are taken from a table, so that they are the same where it ends. */
 inline Triangles BallOf(int around, int rings, double leastRadius, Random& random)
 {
@@ -315,6 +342,27 @@ inline View RandomView(const glm::dvec3& middle, Random& random)
   view.Snapping = { static_cast<float>(snapping), static_cast<float>(0.7 * snapping),
     static_cast<float>(0.01 * snapping) };
   return view;
+}
+
+/** Of what lies around the origin, seen as a whole from `eye`, about `lines` high. */
+inline View WholeView(int lines, bool isParallel, const glm::dvec3& eye)
+{
+  View view;
+  view.Columns = 2 * lines;
+  view.Lines = 2 * lines;
+  view.IsParallel = isParallel;
+  view.Eye = eye;
+  view.ToClip = (isParallel ? glm::ortho(-2.0, 2.0, -2.0, 2.0, 0.1, 20.0)
+                            : glm::perspective(0.65, 1.0, 0.1, 20.0)) *
+    glm::lookAt(view.Eye, glm::dvec3(0.0), glm::dvec3(0.1, 1.0, 0.2));
+  return view;
+}
+
+/** From anywhere. */
+inline View WholeView(int lines, bool isParallel, Random& random)
+{
+  return WholeView(
+    lines, isParallel, 6.0 * glm::normalize(random.Point(-1, 1) + glm::dvec3(0.01, 0, 0)));
 }
 
 /** The faces of a mesh that are drawn: as the device has them, with all corners behind the near plane. */

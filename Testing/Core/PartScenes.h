@@ -70,17 +70,18 @@ public:
   }
 
   /** Leaves in Visible what may show. */
-  void Cull(PartCuller& culler, const View& view)
+  void Cull(PartCuller& culler, const View& view, bool occlusion = true)
   {
     const Octree tree(
       BoxArray(this->Bounds.data(), static_cast<std::uint32_t>(this->Bounds.size())), 8);
-    this->Cull(culler, view, tree);
+    this->Cull(culler, view, tree, occlusion);
   }
-  void Cull(PartCuller& culler, const View& view, const Octree& tree)
+  void Cull(PartCuller& culler, const View& view, const Octree& tree, bool occlusion = true)
   {
     this->Asked = 0;
     culler.Cull(tree, this->Bounds, *this,
-      CullView{ view.Projection(this->Reach), view.Eye, view.IsParallel }, this->Visible);
+      CullView{ view.Projection(this->Reach), view.Eye, view.IsParallel }, occlusion,
+      this->Visible);
   }
 
   struct Part
@@ -98,6 +99,81 @@ public:
   double Reach = 0.0;
   int Asked = 0;
 };
+
+const int FrameColumns = 96;
+const int FrameLines = 54;
+
+/** From the origin along -z, or of all that lies 10 to either side; from 1 to 100. */
+inline View AheadView(bool isParallel)
+{
+  View view;
+  view.Columns = FrameColumns;
+  view.Lines = FrameLines;
+  view.IsParallel = isParallel;
+  view.Eye = isParallel ? glm::dvec3(0, 0, -1) : glm::dvec3(0.0);
+  view.ToClip = isParallel ? glm::ortho(-16.0, 16.0, -9.0, 9.0, 1.0, 100.0)
+                           : glm::perspective(glm::radians(60.0), 16.0 / 9.0, 1.0, 100.0);
+  return view;
+}
+
+inline Triangles WallAt(double z)
+{
+  Triangles wall;
+  wall.AddQuad({ -60, -60, z }, { 60, -60, z }, { 60, 60, z }, { -60, 60, z });
+  return wall;
+}
+
+/** A heap of boxes within -10 .. 10, some turned, some open, some that hide nothing or have no back faces. */
+inline PartScene HeapOf(int count, Random& random)
+{
+  PartScene scene;
+  const double size = random.Between(0.5, 3.0);
+  for (int i = 0; i < count; ++i)
+  {
+    glm::dvec3 half = random.Point(0.05, size);
+    if (random.OneIn(6))
+    {
+      half[random.Below(3)] = 6.0;
+    }
+    Triangles box = BoxBetween(-half, half);
+    if (random.OneIn(5))
+    {
+      box.Corners.resize(box.Corners.size() - 3 * (1 + random.Below(6)));
+    }
+    glm::dmat4 toWorld = glm::translate(glm::dmat4(1.0), random.Point(-10, 10));
+    if (random.OneIn(2))
+    {
+      toWorld = glm::rotate(toWorld, random.Between(0, 6), random.Point(-1, 1) + glm::dvec3(1.01));
+    }
+    if (random.OneIn(7))
+    {
+      toWorld = glm::scale(toWorld, glm::dvec3(-1.0, 1.0, 1.0));
+    }
+    const std::uint32_t part = scene.Add(box, toWorld);
+    scene.Parts[part].Hides = !random.OneIn(10);
+    scene.Parts[part].HasBackFaces = !random.OneIn(4);
+    scene.Visible[part] = !random.OneIn(12);
+  }
+  return scene;
+}
+
+/** Of a heap, from without or from within. */
+inline View ViewOfHeap(Random& random)
+{
+  View view = AheadView(random.OneIn(3));
+  view.Columns = 20 + random.Below(80);
+  view.Lines = 12 + random.Below(50);
+  const glm::dvec3 eye = random.OneIn(3)
+    ? random.Point(-9, 9)
+    : random.Between(14.0, 30.0) * glm::normalize(random.Point(-1, 1) + glm::dvec3(0, 0, 0.01));
+  const glm::dvec3 target = random.Point(-3, 3);
+  const double nearest = random.OneIn(2) ? 0.1 : 2.0;
+  view.ToClip = (view.IsParallel ? glm::ortho(-13.0, 13.0, -9.0, 9.0, nearest, 60.0)
+                                 : glm::perspective(random.Between(0.5, 1.5), 1.5, nearest, 60.0)) *
+    glm::lookAt(eye, target, glm::dvec3(0.1, 1.0, 0.2));
+  view.Eye = view.IsParallel ? glm::normalize(target - eye) : eye;
+  return view;
+}
 
 /** Looks for points of parts that nothing stands before, of the parts that are drawn. */
 class SightLines
@@ -137,7 +213,71 @@ public:
     return false;
   }
 
+  /** Whether a part is seen at one of the centres of pixels, of which a line has so many. */
+  bool SeesAtCentre(std::uint32_t part, int pixelsPerLine) const
+  {
+    const std::vector<glm::dvec3>& corners = this->Scene.Parts[part].Corners;
+    for (std::size_t face = 0; face < corners.size(); face += 3)
+    {
+      if (this->IsDrawn(part, face) && this->SeesFaceAtCentre(part, face, pixelsPerLine))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
 private:
+  /** Faces that reach before the eye are left out. */
+  bool SeesFaceAtCentre(std::uint32_t part, std::size_t face, int pixelsPerLine) const
+  {
+    glm::dvec4 p[3]; // in pixels
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] = this->Seen.OnScreen(this->Scene.Parts[part].Corners[face + i]);
+      if (!(p[i].w > 0.0))
+      {
+        return false;
+      }
+      p[i].x *= pixelsPerLine;
+      p[i].y *= pixelsPerLine;
+    }
+    const auto turn = [](const glm::dvec4& a, const glm::dvec4& b, double x, double y)
+    { return (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y); };
+    const double area = turn(p[0], p[1], p[2].x, p[2].y);
+    const int width = this->Seen.Columns * pixelsPerLine, height = this->Seen.Lines * pixelsPerLine;
+    const auto first = [](double a, double b, double c) {
+      return std::max(0, static_cast<int>(std::max(std::min({ a, b, c }), 0.0)));
+    };
+    const auto end = [](double a, double b, double c, int most) {
+      return static_cast<int>(std::min(std::max({ a, b, c }) + 1.0, double(most)));
+    };
+    for (int j = first(p[0].y, p[1].y, p[2].y); j < end(p[0].y, p[1].y, p[2].y, height); ++j)
+    {
+      for (int i = first(p[0].x, p[1].x, p[2].x); i < end(p[0].x, p[1].x, p[2].x, width); ++i)
+      {
+        const double x = i + 0.5, y = j + 0.5;
+        const double c = turn(p[0], p[1], x, y) / area, a = turn(p[1], p[2], x, y) / area;
+        const double b = 1.0 - a - c;
+        if (a > 0.0 && b > 0.0 && c > 0.0 &&
+          this->SeesPoint(
+            this->PlaceOf(x / width, y / height, a * p[0].z + b * p[1].z + c * p[2].z), part))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** In the world, of shares of the screen and a reversed depth. */
+  glm::dvec3 PlaceOf(double x, double y, double depth) const
+  {
+    const glm::dvec4 place =
+      this->FromClip * glm::dvec4(2.0 * x - 1.0, 2.0 * y - 1.0, 1.0 - 2.0 * depth, 1.0);
+    return glm::dvec3(place) / place.w;
+  }
+
   bool SeesPoint(const glm::dvec3& point, std::uint32_t of) const
   {
     const glm::dvec4 clip = this->Seen.ToClip * glm::dvec4(point, 1.0);

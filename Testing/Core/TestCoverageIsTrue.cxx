@@ -1,8 +1,7 @@
 // Whatever the mesh and the view: what an s-buffer says is covered is covered, and nowhere farther than it says.
 
+#include "CoverageWays.h"
 #include "OccluderScenes.h"
-
-#include "Core/culling/OutlineCoverage.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +13,18 @@ namespace
 {
 
 using coverage::CoverageJudge;
+using coverage::Facing;
+using coverage::Inserter;
+using coverage::MostTestSpans;
 using coverage::Random;
 using coverage::ScreenFace;
 using coverage::Triangles;
 using coverage::View;
+using coverage::Way;
 using vitrine::MeshProjection;
 using vitrine::OccluderMesh;
-using vitrine::OutlineCoverage;
 using vitrine::SBuffer;
 using vitrine::ScreenMargin;
-using Facing = vitrine::MeshProjection::Facing;
-
-const std::size_t MostSpans = 1u << 15; // many more than are used
 
 /** A mesh somewhere, and a view of it. */
 struct Subject
@@ -89,14 +88,14 @@ struct Tally
 };
 
 /** Puts one side of a subject into an s-buffer and has it judged. */
-void Judge(const Subject& subject, Facing facing, Random& random, Tally& tally)
+void Judge(const Way& way, const Subject& subject, Facing facing, Random& random, Tally& tally)
 {
   MeshProjection projection;
   projection.Project(
     subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0), 1.0f));
   projection.FindFacings();
-  SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, MostSpans);
-  OutlineCoverage().Insert(buffer, projection, facing, 0);
+  SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, way.Samples(), MostTestSpans);
+  Inserter(way).Insert(buffer, projection, facing, 0);
   if (coverage::CoveredArea(buffer) == 0.0)
   {
     return;
@@ -131,23 +130,16 @@ double FrontArea(const Subject& subject)
   return area;
 }
 
-/** Seen as a whole, about `lines` high. */
-View WholeView(int lines, bool isParallel, Random& random)
+class CoverageIsTrue : public coverage::EachWay
 {
-  View view;
-  view.Columns = 2 * lines;
-  view.Lines = 2 * lines;
-  view.IsParallel = isParallel;
-  view.Eye = 6.0 * glm::normalize(random.Point(-1, 1) + glm::dvec3(0.01, 0, 0));
-  view.ToClip = (isParallel ? glm::ortho(-2.0, 2.0, -2.0, 2.0, 0.1, 20.0)
-                            : glm::perspective(0.65, 1.0, 0.1, 20.0)) *
-    glm::lookAt(view.Eye, glm::dvec3(0.0), glm::dvec3(0.1, 1.0, 0.2));
-  return view;
-}
+};
 
 }
 
-TEST(CoverageIsTrue, OfRandomMeshesInRandomViews)
+INSTANTIATE_TEST_SUITE_P(
+  Ways, CoverageIsTrue, ::testing::ValuesIn(coverage::AllWays), coverage::NameOf);
+
+TEST_P(CoverageIsTrue, OfRandomMeshesInRandomViews)
 {
   Tally tally;
   for (unsigned seed = 1; seed <= 700 && tally.Wrong < 5; ++seed)
@@ -155,21 +147,21 @@ TEST(CoverageIsTrue, OfRandomMeshesInRandomViews)
     SCOPED_TRACE(seed);
     Random random(seed);
     const Subject subject = RandomSubject(random);
-    Judge(subject, Facing::Front, random, tally);
-    Judge(subject, Facing::Back, random, tally);
+    Judge(GetParam(), subject, Facing::Front, random, tally);
+    Judge(GetParam(), subject, Facing::Back, random, tally);
   }
   EXPECT_GT(tally.Covered, 400);
 }
 
-TEST(CoverageIsTrue, OfManyMeshesInOneBuffer)
+TEST_P(CoverageIsTrue, OfManyMeshesInOneBuffer)
 {
   for (unsigned seed = 1; seed <= 25; ++seed)
   {
     SCOPED_TRACE(seed);
     Random random(seed);
     const View view = coverage::RandomView(glm::dvec3(0.0), random);
-    SBuffer buffer(view.Columns, view.Lines, MostSpans);
-    OutlineCoverage outline;
+    SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), MostTestSpans);
+    Inserter inserter(GetParam());
     MeshProjection projection;
     std::vector<ScreenFace> faces;
     for (int i = 0; i < 12; ++i)
@@ -185,7 +177,7 @@ TEST(CoverageIsTrue, OfManyMeshesInOneBuffer)
       projection.FindFacings();
       for (const Facing facing : { Facing::Front, Facing::Back })
       {
-        outline.Insert(buffer, projection, facing, 0);
+        inserter.Insert(buffer, projection, facing, 0);
         const std::vector<glm::dvec3> places = Moved(projection, random);
         const std::vector<ScreenFace> drawn = coverage::DrawnFaces(
           mesh, view, facing, [&](std::uint32_t point) { return places[point]; });
@@ -197,7 +189,7 @@ TEST(CoverageIsTrue, OfManyMeshesInOneBuffer)
 }
 
 // Planes of faces that reach far beyond the screen are known to a part of what their corners' depths differ by.
-TEST(CoverageIsTrue, OfLongSlimFaces)
+TEST_P(CoverageIsTrue, OfLongSlimFaces)
 {
   int covered = 0;
   for (unsigned seed = 1; seed <= 2000; ++seed)
@@ -221,8 +213,8 @@ TEST(CoverageIsTrue, OfLongSlimFaces)
     MeshProjection projection;
     projection.Project(mesh, asItStands);
     projection.FindFacings();
-    SBuffer buffer(40, 20, MostSpans);
-    OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
+    SBuffer buffer(40, 20, GetParam().Samples(), MostTestSpans);
+    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
     covered += coverage::CoveredArea(buffer) > 0.0;
     std::vector<ScreenFace> faces;
     for (const OccluderMesh::Face& face : mesh.Faces())
@@ -241,7 +233,7 @@ TEST(CoverageIsTrue, OfLongSlimFaces)
 }
 
 // What inserts nothing would be true as well.
-TEST(CoverageIsTrue, AndMostOfIt)
+TEST_P(CoverageIsTrue, AndMostOfIt)
 {
   for (unsigned seed = 1; seed <= 120; ++seed)
   {
@@ -250,59 +242,19 @@ TEST(CoverageIsTrue, AndMostOfIt)
     const Triangles triangles = seed % 2 == 0
       ? coverage::BoxBetween(glm::dvec3(-0.7), glm::dvec3(0.7))
       : coverage::BallOf(6 + random.Below(30), 4 + random.Below(20), 1.0, random);
-    const Subject subject{ triangles.Mesh(), WholeView(40, seed % 3 == 0, random), 1.0 };
+    const Subject subject{ triangles.Mesh(), coverage::WholeView(40, seed % 3 == 0, random), 1.0 };
     MeshProjection projection;
     EXPECT_TRUE(projection.Project(
       subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0), 1.0f)));
     projection.FindFacings();
-    SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, MostSpans);
-    OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
+    SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, GetParam().Samples(), MostTestSpans);
+    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
     const double area = FrontArea(subject);
     EXPECT_GT(area, 700.0);
     EXPECT_GT(coverage::CoveredArea(buffer), 0.85 * area);
-    EXPECT_LT(coverage::CoveredArea(buffer), area);
-  }
-}
-
-TEST(CoverageIsTrue, AndItsDepthIsNearThatOfThePlane)
-{
-  for (unsigned seed = 1; seed <= 60; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    Random random(seed);
-    View view = WholeView(40, seed % 2 == 0, random);
-    Triangles wall;
-    const glm::dvec3 side = glm::normalize(glm::cross(view.Eye, random.Point(-1, 1)));
-    const glm::dvec3 up = glm::normalize(glm::cross(view.Eye, side)) + 0.1 * view.Eye;
-    wall.AddQuad(-side - up, side - up, side + up, up - side);
-    const OccluderMesh mesh = wall.Mesh();
-    MeshProjection projection;
-    projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0), 1.0f));
-    projection.FindFacings();
-    SBuffer buffer(view.Columns, view.Lines, MostSpans);
-    OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
-    OutlineCoverage().Insert(buffer, projection, Facing::Back, 0);
-    // Depths of the wall's corners differ by more than those of a line's lower and upper side.
-    double least = 1.0, greatest = 0.0;
-    for (const vitrine::ScreenPoint& point : projection.Points())
+    if (GetParam().PixelsPerLine == 0)
     {
-      least = std::min(least, double{ point.Depth });
-      greatest = std::max(greatest, double{ point.Depth });
+      EXPECT_LT(coverage::CoveredArea(buffer), area);
     }
-    double farthest = 1.0, nearest = 0.0;
-    for (int line = 0; line < view.Lines; ++line)
-    {
-      for (const vitrine::Span& span : buffer.SpansOf(line))
-      {
-        for (const float depth : { span.Depth, span.DepthAt(span.Right) })
-        {
-          farthest = std::min(farthest, double{ depth });
-          nearest = std::max(nearest, double{ depth });
-        }
-      }
-    }
-    EXPECT_GT(greatest - least, 1e-3);
-    EXPECT_GT(nearest, greatest - 0.2 * (greatest - least));
-    EXPECT_GT(farthest, least - 0.05 * (greatest - least));
   }
 }

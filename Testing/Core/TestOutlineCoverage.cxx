@@ -1,281 +1,46 @@
-// What single meshes cover, known without computing.
+// How near what is covered by its outline is; what it covers is tested with cells', in TestMeshCoverage.cxx.
 
 #include "CoveredScreen.h"
-#include "NonFinite.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace
 {
 
 using coverage::AddRectangle;
-using coverage::AsItStands;
 using coverage::Covered;
-using coverage::Facing;
-using coverage::MeshProjection;
-using coverage::OccluderMesh;
-using coverage::OutlineCoverage;
-using coverage::RectangleOf;
-using coverage::SBuffer;
-using coverage::ScreenMatrix;
 using coverage::Triangles;
-using coverage::WideColumns;
-using coverage::WideLines;
+using coverage::Way;
 
-/** From 2.5 to 37.5 and lines 1 .. 18, in so many columns and lines of quads of two triangles. */
-Triangles FineGrid(int columns, int lines)
+const Way ByOutline{ false, 0 };
+
+}
+
+TEST(OutlineCoverage, HasTheDepthOfItsFarthestCorner)
 {
-  return coverage::GridOf(columns, lines,
-    [](double u, double v)
-    { return glm::dvec3(2.5 + 35.0 * u + std::sin(60 * v), 0.9 + 18.2 * v, 0.5); });
+  Triangles small;
+  small.AddQuad({ 10, 4, 0.3 }, { 15, 4, 0.5 }, { 15, 9, 0.6 }, { 10, 9, 0.4 });
+  const Covered covered(ByOutline, small);
+  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.3, 1e-6);
+  EXPECT_NEAR(covered.DepthAt(6, 14.5), 0.3, 1e-6);
 }
 
-}
-
-TEST(OutlineCoverage, OfTwoTrianglesThatFillTheScreenIsAllOfIt)
-{
-  Covered covered(RectangleOf({ -3, -3 }, { 45, 26 }));
-  for (int line = 0; line < WideLines; ++line)
-  {
-    covered.ExpectFromTo(line, 0.0, WideColumns);
-  }
-  EXPECT_TRUE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.499f }, 0.0f));
-  EXPECT_FALSE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.5f }, 0.0f));
-}
-
-TEST(OutlineCoverage, OfARectangleIsTheLinesThatAreWhollyInIt)
-{
-  const Covered covered(RectangleOf({ 3.25, 1.5 }, { 30.5, 12.5 }));
-  for (int line = 0; line < WideLines; ++line)
-  {
-    const bool isIn = line >= 2 && line <= 11;
-    covered.ExpectFromTo(line, isIn ? 3.25 : 0.0, isIn ? 30.5 : 0.0);
-  }
-  EXPECT_NEAR(covered.DepthAt(5, 17.0), 0.5, 1e-6);
-}
-
-TEST(OutlineCoverage, IsSmallerByTheMargin)
-{
-  const Covered covered(
-    RectangleOf({ 3.25, 1.5 }, { 30.5, 12.5 }), Facing::Front, { 0.5f, 0.75f, 0.125f });
-  for (int line = 0; line < WideLines; ++line)
-  {
-    const bool isIn = line >= 3 && line <= 10;
-    covered.ExpectFromTo(line, isIn ? 3.75 : 0.0, isIn ? 30.0 : 0.0);
-  }
-  EXPECT_NEAR(covered.DepthAt(5, 17.0), 0.375, 1e-6);
-}
-
-TEST(OutlineCoverage, OfATriangleIsWhatIsCoveredFromTheBottomToTheTopOfALine)
-{
-  Triangles triangle;
-  triangle.Add({ 5, 0, 0.5 }, { 35, 0, 0.5 }, { 5, 15, 0.5 }); // its slanted side falls by 1 in 2
-  const Covered covered(triangle);
-  covered.ExpectFromTo(0, 0.0, 0.0);
-  for (int line = 1; line < 14; ++line)
-  {
-    covered.ExpectFromTo(line, 5.0, 35.0 - 2.0 * (line + 1));
-  }
-  covered.ExpectFromTo(14, 0.0, 0.0);
-}
-
-TEST(OutlineCoverage, LeavesAHoleOpen)
-{
-  Triangles frame;
-  AddRectangle(frame, { 2, 1.5 }, { 12.5, 18.5 }, 0.5);
-  AddRectangle(frame, { 20.25, 1.5 }, { 38, 18.5 }, 0.5);
-  AddRectangle(frame, { 12.5, 1.5 }, { 20.25, 6.5 }, 0.5);
-  AddRectangle(frame, { 12.5, 11.5 }, { 20.25, 18.5 }, 0.5);
-  const Covered covered(frame);
-  for (int line = 2; line < 18; ++line)
-  {
-    EXPECT_TRUE(covered.IsAt(line, 12.0));
-    EXPECT_TRUE(covered.IsAt(line, 21.0));
-    EXPECT_EQ(covered.IsAt(line, 16.0), line < 6 || line > 11) << line;
-  }
-}
-
-TEST(OutlineCoverage, LeavesASlitOpen)
-{
-  for (const double slant : { 0.0, 4.0, -9.0 })
-  {
-    Triangles halves;
-    halves.AddQuad({ 1, -1, 0.5 }, { 19.5, -1, 0.5 }, { 19.5 + slant, 21, 0.5 }, { 1, 21, 0.5 });
-    halves.AddQuad({ 19.8, -1, 0.5 }, { 39, -1, 0.5 }, { 39, 21, 0.5 }, { 19.8 + slant, 21, 0.5 });
-    const Covered covered(halves);
-    for (int line = 0; line < WideLines; ++line)
-    {
-      SCOPED_TRACE(line);
-      for (const double y : { 0.0, 0.5, 1.0 })
-      {
-        const double slit = 19.5 + slant * (line + y + 1) / 22.0;
-        EXPECT_FALSE(covered.IsAt(line, slit + 0.01));
-        EXPECT_FALSE(covered.IsAt(line, slit + 0.29));
-        EXPECT_TRUE(covered.IsAt(line, slit - std::abs(slant) / 22.0 - 0.01));
-        EXPECT_TRUE(covered.IsAt(line, slit + std::abs(slant) / 22.0 + 0.31));
-      }
-    }
-  }
-}
-
-TEST(OutlineCoverage, LeavesASlitOpenThatIsAsWideAsAFloat)
-{
-  Triangles halves;
-  AddRectangle(halves, { 1, -1 }, { 19.5, 21 }, 0.5);
-  AddRectangle(halves, { std::nextafter(19.5, 20.0), -1 }, { 39, 21 }, 0.5);
-  const Covered covered(halves);
-  EXPECT_FALSE(covered.IsAt(9, 19.5));
-  EXPECT_TRUE(covered.IsAt(9, 19.4));
-}
-
-TEST(OutlineCoverage, HasNoGapsWithinAMesh)
-{
-  const double area = Covered(FineGrid(1, 30)).Area();
-  EXPECT_GT(area, 580.0);
-  for (const int columns : { 7, 40, 400 })
-  {
-    EXPECT_NEAR(Covered(FineGrid(columns, 30)).Area(), area, 0.01) << columns;
-  }
-}
-
-TEST(OutlineCoverage, OfSliversIsThatOfTheirUnion)
-{
-  Triangles fan;
-  const int count = 3000;
-  for (int i = 0; i < count; ++i)
-  {
-    const auto rim = [](int k) { return glm::dvec3(2.5 + 35.0 * k / count, 19.5, 0.5); };
-    fan.Add({ 20, 0.5, 0.5 }, rim(i + 1), rim(i));
-  }
-  Triangles whole;
-  whole.Add({ 20, 0.5, 0.5 }, { 37.5, 19.5, 0.5 }, { 2.5, 19.5, 0.5 });
-  const Covered covered(fan);
-  EXPECT_NEAR(covered.Area(), Covered(whole).Area(), 0.05);
-  EXPECT_NEAR(covered.DepthAt(9, 20.0), 0.5, 1e-4);
-}
-
-TEST(OutlineCoverage, OfWhatIsSeenFromBehindIsThatOfBackFaces)
-{
-  const Triangles turned = coverage::GridOf(
-    5, 4, [](double u, double v) { return glm::dvec3(37.5 - 35.0 * u, 1.5 + 17.0 * v, 0.5); });
-  EXPECT_EQ(Covered(turned, Facing::Front).Area(), 0.0);
-  const Covered covered(turned, Facing::Back);
-  for (int line = 2; line < 18; ++line)
-  {
-    covered.ExpectFromTo(line, 2.5, 37.5);
-  }
-  EXPECT_NEAR(covered.Area(), 16 * 35.0, 0.1);
-  EXPECT_NEAR(covered.DepthAt(9, 20.0), 0.5, 1e-6);
-}
-
-TEST(OutlineCoverage, OfAFoldedSheetIsThatOfEitherSide)
-{
-  Triangles sheet; // goes right to 30.5 and comes back behind
-  sheet.AddQuad({ 5.5, 1.5, 0.6 }, { 30.5, 1.5, 0.6 }, { 30.5, 18.5, 0.6 }, { 5.5, 18.5, 0.6 });
-  sheet.AddQuad({ 30.5, 1.5, 0.6 }, { 9.5, 1.5, 0.3 }, { 9.5, 18.5, 0.3 }, { 30.5, 18.5, 0.6 });
-  Covered(sheet, Facing::Front).ExpectFromTo(9, 5.5, 30.5);
-  const Covered back(sheet, Facing::Back);
-  back.ExpectFromTo(9, 9.5, 30.5);
-  EXPECT_NEAR(back.DepthAt(9, 20.0), 0.45, 1e-4);
-}
-
-// Else a corner that lies in a line's middle would count for both of its edges.
-TEST(OutlineCoverage, EndsWhereACornerIsInTheMiddleOfALine)
-{
-  Triangles shapes;
-  shapes.AddQuad({ 2, 9.5, 0.5 }, { 9, 2.1, 0.5 }, { 16, 9.2, 0.5 }, { 9, 17.3, 0.5 });
-  AddRectangle(shapes, { 24, -1 }, { 37.5, 21 }, 0.5);
-  const Covered covered(shapes);
-  EXPECT_TRUE(covered.IsAt(9, 9.0));
-  EXPECT_FALSE(covered.IsAt(9, 20.0));
-  EXPECT_TRUE(covered.IsAt(9, 30.0));
-}
-
-TEST(OutlineCoverage, OfNeighboursThatTurnDifferentlyIsThatOfEachAlone)
-{
-  Triangles mixed;
-  mixed.Add({ 1, -1, 0.5 }, { 39, -1, 0.5 }, { 1, 21, 0.5 });
-  mixed.Add({ 39, -1, 0.5 }, { 1, 21, 0.5 }, { 39, 21, 0.5 });
-  Triangles first, second;
-  first.Add({ 1, -1, 0.5 }, { 39, -1, 0.5 }, { 1, 21, 0.5 });
-  second.Add({ 39, -1, 0.5 }, { 1, 21, 0.5 }, { 39, 21, 0.5 });
-  EXPECT_NEAR(Covered(mixed).Area(), Covered(first).Area(), 1e-3);
-  EXPECT_NEAR(Covered(mixed, Facing::Back).Area(), Covered(second, Facing::Back).Area(), 1e-3);
-}
-
-TEST(OutlineCoverage, OfThreeFacesAtOneEdgeIsThatOfEachAlone)
-{
-  Triangles book;
-  AddRectangle(book, { 2.5, -1 }, { 20, 21 }, 0.5);
-  AddRectangle(book, { 20, -1 }, { 37.5, 21 }, 0.5);
-  book.Add({ 20, -1, 0.5 }, { 30, 10, 0.6 }, { 20, 21, 0.5 });
-  const Covered covered(book);
-  EXPECT_TRUE(covered.IsAt(9, 19.9));
-  EXPECT_TRUE(covered.IsAt(9, 20.1));
-  EXPECT_TRUE(covered.IsAt(9, 25.0));
-  EXPECT_NEAR(covered.Area(), 20 * 35.0, 30.0);
-}
-
-TEST(OutlineCoverage, EndsAtTheScreensSides)
-{
-  const struct
-  {
-    glm::dvec2 Low, High;
-    double Area;
-  } cases[] = {
-    { { -30, 2.5 }, { 10.5, 9.5 }, 6 * 10.5 },   // left
-    { { 10.5, 2.5 }, { 100, 9.5 }, 6 * 29.5 },   // right
-    { { 10.5, -50 }, { 20.5, 9.5 }, 9 * 10.0 },  // below
-    { { 10.5, 2.5 }, { 20.5, 99.5 }, 17 * 10.0 } // above
-  };
-  for (const auto& one : cases)
-  {
-    EXPECT_NEAR(Covered(RectangleOf(one.Low, one.High)).Area(), one.Area, 0.02);
-  }
-}
-
-TEST(OutlineCoverage, OfPointsFarOutsideIsStillThatOnTheScreen)
-{
-  EXPECT_NEAR(
-    Covered(RectangleOf({ -1e4, -1e4 }, { 1e4, 1e4 })).Area(), WideColumns * WideLines, 0.1);
-  for (const double far : { 1e7, 1e15, 1e30, 3e38 })
-  {
-    EXPECT_LE(Covered(RectangleOf({ -far, -far }, { far, far })).Area(), WideColumns * WideLines);
-    EXPECT_EQ(Covered(RectangleOf({ far, far }, { 1.1 * far, 1.1 * far })).Area(), 0.0);
-    EXPECT_EQ(Covered(RectangleOf({ -1.1 * far, 2 }, { -far, 9 })).Area(), 0.0);
-  }
-}
-
-TEST(OutlineCoverage, OfNumbersThatAreNoneIsNothing)
-{
-  const OccluderMesh mesh = RectangleOf({ 2.5, 2.5 }, { 30, 15 }).Mesh();
-  for (const double bad : { double{ NotANumber }, double{ Infinity }, -double{ Infinity } })
-  {
-    for (int i = 0; i < 16; ++i)
-    {
-      ScreenMatrix matrix = AsItStands();
-      matrix.Matrix[i / 4][i % 4] = bad;
-      SBuffer buffer(WideColumns, WideLines);
-      MeshProjection projection;
-      projection.Project(mesh, matrix);
-      projection.FindFacings();
-      OutlineCoverage().Insert(buffer, projection, Facing::Front, 0);
-      OutlineCoverage().Insert(buffer, projection, Facing::Back, 0);
-      EXPECT_EQ(coverage::CoveredArea(buffer), 0.0) << bad << " " << i;
-    }
-  }
-}
-
-TEST(OutlineCoverage, LeavesOutFacesThatReachBeforeTheNearPlane)
+TEST(OutlineCoverage, HasNotTheDepthOfFacesThatDoNotCount)
 {
   Triangles sheet;
-  AddRectangle(sheet, { 2.5, -1 }, { 20.5, 21 }, 0.5);
-  sheet.AddQuad({ 20.5, -1, 0.5 }, { 37.5, -1, 1.01 }, { 37.5, 21, 1.01 }, { 20.5, 21, 0.5 });
-  const Covered covered(sheet);
-  for (int line = 0; line < WideLines; ++line)
+  AddRectangle(sheet, { 2.5, 1.5 }, { 20.5, 18.5 }, 0.7);
+  sheet.AddQuad({ 20.5, 1.5, 0.7 }, { 20.5, 18.5, 0.7 }, { 30.5, 18.5, 0.1 }, { 30.5, 1.5, 0.1 });
+  EXPECT_NEAR(Covered(ByOutline, sheet).DepthAt(9, 12.0), 0.7, 1e-6);
+}
+
+TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionAtTheFartherDepth)
+{
+  Triangles sheets;
+  AddRectangle(sheets, { 2.5, 1.5 }, { 20.5, 18.5 }, 0.7);
+  AddRectangle(sheets, { 12.5, 1.5 }, { 37.5, 18.5 }, 0.4);
+  const Covered covered(ByOutline, sheets);
+  for (const double column : { 3.0, 12.0, 16.0, 37.0 })
   {
-    covered.ExpectFromTo(line, 2.5, 20.5);
+    EXPECT_NEAR(covered.DepthAt(9, column), 0.4, 1e-6) << column;
   }
 }

@@ -9,89 +9,19 @@
 namespace
 {
 
+using coverage::AheadView;
+using coverage::FrameColumns;
+using coverage::FrameLines;
+using coverage::HeapOf;
 using coverage::PartScene;
 using coverage::Random;
 using coverage::SightLines;
 using coverage::Triangles;
 using coverage::View;
+using coverage::ViewOfHeap;
+using coverage::WallAt;
 using vitrine::Box;
-using vitrine::Octree;
 using vitrine::PartCuller;
-
-const int FrameColumns = 96;
-const int FrameLines = 54;
-
-/** From the origin along -z, or of all that lies 10 to either side; from 1 to 100. */
-View AheadView(bool isParallel)
-{
-  View view;
-  view.Columns = FrameColumns;
-  view.Lines = FrameLines;
-  view.IsParallel = isParallel;
-  view.Eye = isParallel ? glm::dvec3(0, 0, -1) : glm::dvec3(0.0);
-  view.ToClip = isParallel ? glm::ortho(-16.0, 16.0, -9.0, 9.0, 1.0, 100.0)
-                           : glm::perspective(glm::radians(60.0), 16.0 / 9.0, 1.0, 100.0);
-  return view;
-}
-
-Triangles WallAt(double z)
-{
-  Triangles wall;
-  wall.AddQuad({ -60, -60, z }, { 60, -60, z }, { 60, 60, z }, { -60, 60, z });
-  return wall;
-}
-
-/** A heap of boxes within -10 .. 10, some turned, some open, some that hide nothing or have no back faces. */
-PartScene HeapOf(int count, Random& random)
-{
-  PartScene scene;
-  const double size = random.Between(0.5, 3.0);
-  for (int i = 0; i < count; ++i)
-  {
-    glm::dvec3 half = random.Point(0.05, size);
-    if (random.OneIn(6))
-    {
-      half[random.Below(3)] = 6.0;
-    }
-    Triangles box = coverage::BoxBetween(-half, half);
-    if (random.OneIn(5))
-    {
-      box.Corners.resize(box.Corners.size() - 3 * (1 + random.Below(6)));
-    }
-    glm::dmat4 toWorld = glm::translate(glm::dmat4(1.0), random.Point(-10, 10));
-    if (random.OneIn(2))
-    {
-      toWorld = glm::rotate(toWorld, random.Between(0, 6), random.Point(-1, 1) + glm::dvec3(1.01));
-    }
-    if (random.OneIn(7))
-    {
-      toWorld = glm::scale(toWorld, glm::dvec3(-1.0, 1.0, 1.0));
-    }
-    const std::uint32_t part = scene.Add(box, toWorld);
-    scene.Parts[part].Hides = !random.OneIn(10);
-    scene.Parts[part].HasBackFaces = !random.OneIn(4);
-    scene.Visible[part] = !random.OneIn(12);
-  }
-  return scene;
-}
-
-/** Of a heap, from without or from within. */
-View ViewOfHeap(Random& random)
-{
-  View view = AheadView(random.OneIn(3));
-  view.Columns = 20 + random.Below(80);
-  view.Lines = 12 + random.Below(50);
-  const glm::dvec3 eye = random.OneIn(3)
-    ? random.Point(-9, 9)
-    : random.Between(14.0, 30.0) * glm::normalize(random.Point(-1, 1) + glm::dvec3(0, 0, 0.01));
-  const glm::dvec3 target = random.Point(-3, 3);
-  const double nearest = random.OneIn(2) ? 0.1 : 2.0;
-  view.ToClip = (view.IsParallel ? glm::ortho(-13.0, 13.0, -9.0, 9.0, nearest, 60.0)
-                                 : glm::perspective(random.Between(0.5, 1.5), 1.5, nearest, 60.0)) *
-    glm::lookAt(eye, target, glm::dvec3(0.1, 1.0, 0.2));
-  view.Eye = view.IsParallel ? glm::normalize(target - eye) : eye;
-  return view;
-}
 
 }
 
@@ -331,4 +261,103 @@ TEST(PartCuller, ForgetsTheFrameBefore)
   scene.Cull(culler, AheadView(false));
   EXPECT_FALSE(scene.Visible[wall]);
   EXPECT_TRUE(scene.Visible[behind]);
+}
+
+TEST(PartCuller, AtCentresDropsNothingThatIsSeenThere)
+{
+  int anywhere = 0;
+  int culled = 0;
+  for (unsigned seed = 1; seed <= 24; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    PartScene scene = HeapOf(100 + random.Below(300), random);
+    const View view = ViewOfHeap(random);
+    const std::vector<std::uint8_t> drawn = scene.Visible;
+    const int pixels = 1 << random.Below(3);
+    PartCuller culler(view.Columns, view.Lines, vitrine::SampleGrid::AtCentres(pixels));
+    scene.Cull(culler, view);
+    const SightLines sight(scene, drawn, view);
+    for (std::uint32_t i = 0; i < scene.Parts.size(); ++i)
+    {
+      if (drawn[i] && !scene.Visible[i])
+      {
+        ASSERT_FALSE(sight.SeesAtCentre(i, pixels)) << "part " << i;
+        ++culled;
+      }
+    }
+    scene.Visible = drawn;
+    PartCuller without(view.Columns, view.Lines);
+    scene.Cull(without, view);
+    for (std::uint32_t i = 0; i < scene.Parts.size(); ++i)
+    {
+      anywhere += drawn[i] && !scene.Visible[i];
+    }
+  }
+  EXPECT_GT(culled, anywhere);
+}
+
+TEST(PartCuller, WithoutOcclusionDropsWhatIsOutsideAlone)
+{
+  PartScene scene;
+  scene.Add(WallAt(-20.0));
+  scene.AddBox({ -1, -1, -32 }, { 1, 1, -30 });
+  scene.AddBox({ 50, -1, -32 }, { 52, 1, -30 });
+  PartCuller culler(FrameColumns, FrameLines);
+  scene.Cull(culler, AheadView(false), false);
+  EXPECT_EQ(scene.Visible, (std::vector<std::uint8_t>{ 1, 1, 0 }));
+  EXPECT_EQ(scene.Asked, 0);
+  EXPECT_EQ(culler.Counts().Inserted, 0u);
+}
+
+// Its far wall's inside, which faces the view too, does not make it farther.
+TEST(PartCuller, DropsWhatIsRightBehindTheNearWallOfAShell)
+{
+  for (const bool isOpen : { false, true })
+  {
+    SCOPED_TRACE(isOpen);
+    PartScene scene;
+    const glm::dmat4 away = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -30));
+    const std::uint32_t shell = scene.Add(coverage::ShellOf(7.0, 0.2, isOpen), away);
+    const std::uint32_t inside = scene.AddBox({ -4, -4, -23.5 }, { 4, 4, -23.3 });
+    const std::uint32_t before = scene.AddBox({ -1, -1, -22 }, { 1, 1, -21 });
+    PartCuller culler(FrameColumns, FrameLines);
+    scene.Cull(culler, AheadView(true));
+    EXPECT_TRUE(scene.Visible[shell]);
+    EXPECT_FALSE(scene.Visible[inside]);
+    EXPECT_TRUE(scene.Visible[before]);
+  }
+}
+
+// To put it into the s-buffer takes longer than what it hides is worth.
+TEST(PartCuller, MeshesOfMoreFacesThanCellsHideNothing)
+{
+  for (const bool isDense : { false, true })
+  {
+    SCOPED_TRACE(isDense);
+    PartScene scene;
+    Random random(1);
+    const int rings = isDense ? 60 : 10;
+    const std::uint32_t ball = scene.Add(coverage::BallOf(2 * rings, rings, 1.0, random),
+      glm::scale(
+        glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -30)), glm::dvec3(5.0))); // 30 by 30 cells
+    const std::uint32_t behind = scene.AddBox({ -1, -1, -42 }, { 1, 1, -40 });
+    PartCuller culler(FrameColumns, FrameLines);
+    scene.Cull(culler, AheadView(true));
+    EXPECT_TRUE(scene.Visible[ball]);
+    EXPECT_EQ(scene.Visible[behind], isDense);
+  }
+}
+
+TEST(PartCuller, DenseMeshesOfFewPointsAreHiddenAsOthersAre)
+{
+  PartScene scene;
+  scene.Add(WallAt(-20.0));
+  const std::uint32_t speck = scene.AddBox({ 0, 0, -32.1 }, { 0.1, 0.1, -32 });
+  const std::uint32_t before = scene.AddBox({ 0, 0, -12.1 }, { 0.1, 0.1, -12 });
+  PartCuller culler(FrameColumns, FrameLines);
+  scene.Cull(culler, AheadView(true));
+  EXPECT_FALSE(scene.Visible[speck]);
+  EXPECT_TRUE(scene.Visible[before]);
+  EXPECT_EQ(culler.Counts().Inserted, 1u);
 }

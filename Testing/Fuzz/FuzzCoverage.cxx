@@ -1,9 +1,10 @@
-// Puts made-up meshes into an s-buffer, by matrices that may hold anything, with all faces' exact spans as the judge.
+// Puts made-up meshes into an s-buffer, by their outline or cell by cell, by matrices that may hold anything, with all faces' exact spans as the judge.
 
 #include "FuzzBytes.h"
 
 #include "../Core/CoverageJudge.h"
 
+#include "Core/culling/CellCoverage.h"
 #include "Core/culling/OutlineCoverage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -113,33 +114,38 @@ void AddDrawn(const MeshProjection& projection, const ScreenMatrix& matrix, Faci
   }
 }
 
-/** Whether spans leave no gap in what is said to be hidden, and are all nearer. */
+/** Whether spans leave no gap between the samples in what is said to be hidden, and are all nearer. */
 void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
 {
-  const float left = bytes.Below(256) * buffer.Columns() / 256.0f;
-  const float bottom = bytes.Below(256) * buffer.Lines() / 256.0f;
-  const ScreenRectangle rectangle{ left, left + bytes.Below(256) / 32.0f, bottom,
-    bottom + bytes.Below(256) / 64.0f, bytes.Below(256) / 256.0f };
+  const float start = bytes.Below(256) * buffer.Columns() / 256.0f;
+  const float base = bytes.Below(256) * buffer.Lines() / 256.0f;
+  const ScreenRectangle rectangle{ start, start + bytes.Below(256) / 32.0f, base,
+    base + bytes.Below(256) / 64.0f, bytes.Below(256) / 256.0f };
   if (!buffer.Hides(rectangle, 0.0f))
   {
     return;
   }
-  const float right = std::min(rectangle.Right, static_cast<float>(buffer.Columns()));
-  const int last = std::min(static_cast<int>(rectangle.Top), buffer.Lines() - 1);
-  for (int line = static_cast<int>(bottom); line <= last; ++line)
+  const SampleGrid& grid = buffer.Samples();
+  const float left = grid.From(start), bottom = grid.From(base);
+  const float right = grid.UpTo(std::min(rectangle.Right, static_cast<float>(buffer.Columns())));
+  const float top = grid.UpTo(std::min(rectangle.Top, static_cast<float>(buffer.Lines())));
+  const int last = std::min(static_cast<int>(top), buffer.Lines() - 1);
+  for (int line = static_cast<int>(bottom); left <= right && bottom <= top && line <= last; ++line)
   {
     float covered = left;
+    bool isCovered = false;
     for (const Span& span : buffer.SpansOf(line))
     {
-      if (span.Right >= covered && span.Left <= covered && covered < right)
+      if (span.Right >= covered && span.Left <= covered && !isCovered)
       {
         const float end = std::min(right, span.Right);
         Require(span.DepthAt(covered) > rectangle.Nearest && span.DepthAt(end) > rectangle.Nearest,
           "what is hidden is nearer than what hides it");
         covered = end;
+        isCovered = covered >= right;
       }
     }
-    Require(covered >= right, "what is hidden is not covered");
+    Require(isCovered, "what is hidden is not covered");
   }
 }
 
@@ -151,9 +157,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int columns = 1 + static_cast<int>(bytes.Below(40));
   const int lines = 1 + static_cast<int>(bytes.Below(24));
   std::mt19937 random(bytes.Byte());
-  SBuffer buffer(columns, lines, 1 + bytes.Below(8) * 300);
+  const unsigned pixels = bytes.Below(5);
+  SBuffer buffer(columns, lines,
+    pixels == 0 ? SampleGrid() : SampleGrid::AtCentres(static_cast<int>(pixels)),
+    1 + bytes.Below(8) * 300);
   MeshProjection projection;
   OutlineCoverage outline;
+  CellCoverage cells;
   std::vector<ScreenFace> faces;
   for (int i = 0; i < 4 && bytes.AreLeft(); ++i)
   {
@@ -161,9 +171,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const ScreenMatrix matrix = MatrixOf(bytes, columns, lines, ReachOf(mesh));
     projection.Project(mesh, matrix);
     projection.FindFacings();
+    const bool isByCells = bytes.Below(2) == 1;
     for (const Facing facing : { Facing::Front, Facing::Back })
     {
-      outline.Insert(buffer, projection, facing, static_cast<std::uint32_t>(i));
+      const std::uint32_t part = static_cast<std::uint32_t>(i);
+      if (isByCells)
+      {
+        cells.Insert(buffer, projection, facing, part);
+      }
+      else
+      {
+        outline.Insert(buffer, projection, facing, part);
+      }
       AddDrawn(projection, matrix, facing, random, faces);
     }
   }
