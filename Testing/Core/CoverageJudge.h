@@ -49,9 +49,13 @@ struct Stretch
 class CoverageJudge
 {
 public:
-  /** @param faces  what is drawn, as it turns */
-  explicit CoverageJudge(std::vector<ScreenFace> faces)
+  /**
+   * @param faces  what is drawn, as it turns
+   * @param inset  from a line's sides to the samples in it
+   */
+  CoverageJudge(std::vector<ScreenFace> faces, double inset)
     : Faces(std::move(faces))
+    , Inset(inset)
   {
   }
 
@@ -66,7 +70,7 @@ public:
       {
         continue;
       }
-      for (const double y : this->ScansOf(line, buffer.Samples().Inset(), random, scansPerLine))
+      for (const double y : this->ScansOf(line, random, scansPerLine))
       {
         const std::vector<Stretch> stretches = this->StretchesAt(y);
         for (const vitrine::Span& span : spans)
@@ -111,9 +115,9 @@ private:
   static constexpr double DepthRounding = 1e-7;
 
   /** From the line's lowest samples to its highest: at both ends, at random heights, and beside corners of faces. */
-  std::vector<double> ScansOf(int line, double inset, std::mt19937& random, int count) const
+  std::vector<double> ScansOf(int line, std::mt19937& random, int count) const
   {
-    const double low = line + inset, height = 1.0 - 2.0 * inset;
+    const double low = line + this->Inset, height = 1.0 - 2.0 * this->Inset;
     if (height == 0.0)
     {
       return { low };
@@ -218,6 +222,7 @@ private:
   }
 
   std::vector<ScreenFace> Faces;
+  double Inset;
 };
 
 /** Columns of all lines that spans cover. */

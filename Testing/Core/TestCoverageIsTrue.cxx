@@ -109,8 +109,9 @@ void Judge(const Way& way, const Subject& subject, Facing facing, Random& random
   for (const std::vector<glm::dvec3>& places :
     { exact, Moved(projection, random), Moved(projection, random) })
   {
-    const CoverageJudge judge(coverage::DrawnFaces(
-      subject.Mesh, subject.Seen, facing, [&](std::uint32_t i) { return places[i]; }));
+    const CoverageJudge judge(coverage::DrawnFaces(subject.Mesh, subject.Seen, facing,
+                                [&](std::uint32_t i) { return places[i]; }),
+      way.Inset());
     const std::string wrong = judge.WhatIsWrong(buffer, random.Generator, 4);
     EXPECT_EQ(wrong, "");
     tally.Wrong += !wrong.empty();
@@ -184,7 +185,8 @@ TEST_P(CoverageIsTrue, OfManyMeshesInOneBuffer)
         faces.insert(faces.end(), drawn.begin(), drawn.end());
       }
     }
-    ASSERT_EQ(CoverageJudge(faces).WhatIsWrong(buffer, random.Generator, 2), "");
+    ASSERT_EQ(
+      CoverageJudge(faces, GetParam().Inset()).WhatIsWrong(buffer, random.Generator, 2), "");
   }
 }
 
@@ -227,7 +229,8 @@ TEST_P(CoverageIsTrue, OfLongSlimFaces)
       }
       faces.push_back(onScreen);
     }
-    ASSERT_EQ(CoverageJudge(faces).WhatIsWrong(buffer, random.Generator, 4), "");
+    ASSERT_EQ(
+      CoverageJudge(faces, GetParam().Inset()).WhatIsWrong(buffer, random.Generator, 4), "");
   }
   EXPECT_GT(covered, 500);
 }

@@ -186,7 +186,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       AddDrawn(projection, matrix, facing, random, faces);
     }
   }
-  const std::string wrong = coverage::CoverageJudge(faces).WhatIsWrong(buffer, random, 3);
+  const std::string wrong =
+    coverage::CoverageJudge(faces, pixels == 0 ? 0.0 : 0.5 / pixels).WhatIsWrong(buffer, random, 3);
   Require(wrong.empty(), wrong.c_str());
   AskWhatIsHidden(buffer, bytes);
   return 0;
