@@ -159,3 +159,30 @@ TEST_P(CellCoverage, OfAShellHasTheDepthOfItsNearWall)
     EXPECT_FALSE(buffer.Hides(before, 0.0f));
   }
 }
+
+TEST_P(CellCoverage, LeavesOutCellsThatAreCoveredByWhatIsNearer)
+{
+  SBuffer buffer(
+    coverage::WideColumns, coverage::WideLines, GetParam().Samples(), coverage::MostTestSpans);
+  Inserter inserter(GetParam());
+  std::uint64_t inserted = 0;
+  for (const double depth : { 0.5, 0.3, 0.7, 0.5 })
+  {
+    SCOPED_TRACE(depth);
+    const OccluderMesh mesh = coverage::RectangleOf({ -3, -3 }, { 45, 26 }, depth).Mesh();
+    MeshProjection projection;
+    projection.Project(mesh, coverage::AsItStands());
+    projection.FindFacings();
+    inserter.Insert(buffer, projection, Facing::Front, 0);
+    const bool isNearest = depth == 0.7 || inserted == 0;
+    EXPECT_EQ(buffer.Counts().Inserted > inserted, isNearest);
+    inserted = buffer.Counts().Inserted;
+  }
+  for (int line = 0; line < coverage::WideLines; ++line)
+  {
+    for (const vitrine::Span& span : buffer.SpansOf(line))
+    {
+      EXPECT_NEAR(span.Depth, 0.7f, 1e-6f);
+    }
+  }
+}

@@ -52,15 +52,20 @@ TEST_P(MeshCoverage, OfTwoTrianglesThatFillTheScreenIsAllOfIt)
   EXPECT_FALSE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.5f }, 0.0f));
 }
 
-TEST_P(MeshCoverage, OfARectangleIsTheLinesThatAreWhollyInIt)
+TEST_P(MeshCoverage, OfARectangleIsTheLinesWhoseSamplesAreAllInIt)
 {
-  const Covered covered(GetParam(), RectangleOf({ 3.25, 1.4 }, { 30.5, 12.6 }));
-  for (int line = 0; line < WideLines; ++line)
+  for (double low = 1.03; low < 2.0; low += 0.1)
   {
-    const bool isIn = GetParam().IsBetween(line, 1.4, 12.6);
-    covered.ExpectFromTo(line, isIn ? 3.25 : 0.0, isIn ? 30.5 : 0.0);
+    SCOPED_TRACE(low);
+    const double high = low + 11.24;
+    const Covered covered(GetParam(), RectangleOf({ 3.25, low }, { 30.5, high }));
+    for (int line = 0; line < WideLines; ++line)
+    {
+      const bool isIn = GetParam().IsBetween(line, low, high);
+      covered.ExpectFromTo(line, isIn ? 3.25 : 0.0, isIn ? 30.5 : 0.0);
+    }
+    EXPECT_NEAR(covered.DepthAt(5, 17.0), 0.5, 1e-6);
   }
-  EXPECT_NEAR(covered.DepthAt(5, 17.0), 0.5, 1e-6);
 }
 
 TEST_P(MeshCoverage, IsSmallerByTheMargin)
