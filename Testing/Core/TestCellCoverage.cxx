@@ -19,11 +19,11 @@ using coverage::Triangles;
 using coverage::View;
 using coverage::Way;
 
+}
+
 class CellCoverage : public coverage::EachWay
 {
 };
-
-}
 
 INSTANTIATE_TEST_SUITE_P(Ways, CellCoverage,
   ::testing::Values(Way{ true, 0 }, Way{ true, 1 }, Way{ true, 2 }, Way{ true, 4 }),

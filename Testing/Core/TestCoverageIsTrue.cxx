@@ -131,11 +131,11 @@ double FrontArea(const Subject& subject)
   return area;
 }
 
+}
+
 class CoverageIsTrue : public coverage::EachWay
 {
 };
-
-}
 
 INSTANTIATE_TEST_SUITE_P(
   Ways, CoverageIsTrue, ::testing::ValuesIn(coverage::AllWays), coverage::NameOf);
@@ -152,6 +152,23 @@ TEST_P(CoverageIsTrue, OfRandomMeshesInRandomViews)
     Judge(GetParam(), subject, Facing::Back, random, tally);
   }
   EXPECT_GT(tally.Covered, 400);
+}
+
+// Several sheets behind each other, some of which are joined elsewhere.
+TEST_P(CoverageIsTrue, OfShellsOpenAndClosed)
+{
+  Tally tally;
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Triangles shell =
+      coverage::ShellOf(1.0, std::pow(10.0, random.Between(-3.0, -0.3)), random.OneIn(2));
+    const Subject subject{ shell.Mesh(), coverage::RandomView(glm::dvec3(0.0), random), 1.0 };
+    Judge(GetParam(), subject, Facing::Front, random, tally);
+    Judge(GetParam(), subject, Facing::Back, random, tally);
+  }
+  EXPECT_GT(tally.Covered, 60);
 }
 
 TEST_P(CoverageIsTrue, OfManyMeshesInOneBuffer)

@@ -32,11 +32,11 @@ Triangles FineGrid(int columns, int lines)
     { return glm::dvec3(2.5 + 35.0 * u + std::sin(60 * v), 0.9 + 18.2 * v, 0.5); });
 }
 
+}
+
 class MeshCoverage : public coverage::EachWay
 {
 };
-
-}
 
 INSTANTIATE_TEST_SUITE_P(
   Ways, MeshCoverage, ::testing::ValuesIn(coverage::AllWays), coverage::NameOf);
