@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ostream>
 #include <string>
 
 namespace coverage
@@ -68,12 +69,22 @@ private:
   vitrine::OutlineCoverage Outline;
 };
 
-inline std::string NameOf(const ::testing::TestParamInfo<Way>& info)
+inline std::string NameOf(const Way& way)
 {
-  const std::string samples = info.param.PixelsPerLine == 0
-    ? "Anywhere"
-    : "AtCentres" + std::to_string(info.param.PixelsPerLine);
-  return (info.param.IsByCells ? "Cells" : "Outline") + samples;
+  const std::string samples =
+    way.PixelsPerLine == 0 ? "Anywhere" : "AtCentres" + std::to_string(way.PixelsPerLine);
+  return (way.IsByCells ? "Cells" : "Outline") + samples;
+}
+
+inline std::string NameOfParameter(const ::testing::TestParamInfo<Way>& info)
+{
+  return NameOf(info.param);
+}
+
+/** What GoogleTest prints; else it does the bytes. */
+inline void PrintTo(const Way& way, std::ostream* out)
+{
+  *out << NameOf(way);
 }
 
 const Way AllWays[] = { { false, 0 }, { false, 1 }, { false, 2 }, { false, 4 }, { true, 0 },

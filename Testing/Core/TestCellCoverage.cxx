@@ -27,7 +27,7 @@ class CellCoverage : public coverage::EachWay
 
 INSTANTIATE_TEST_SUITE_P(Ways, CellCoverage,
   ::testing::Values(Way{ true, 0 }, Way{ true, 1 }, Way{ true, 2 }, Way{ true, 4 }),
-  coverage::NameOf);
+  coverage::NameOfParameter);
 
 TEST_P(CellCoverage, OfOverlappingSheetsIsTheirUnionAtTheNearerDepth)
 {

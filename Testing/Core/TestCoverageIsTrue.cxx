@@ -138,7 +138,7 @@ class CoverageIsTrue : public coverage::EachWay
 };
 
 INSTANTIATE_TEST_SUITE_P(
-  Ways, CoverageIsTrue, ::testing::ValuesIn(coverage::AllWays), coverage::NameOf);
+  Ways, CoverageIsTrue, ::testing::ValuesIn(coverage::AllWays), coverage::NameOfParameter);
 
 TEST_P(CoverageIsTrue, OfRandomMeshesInRandomViews)
 {

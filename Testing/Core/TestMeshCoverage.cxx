@@ -39,7 +39,7 @@ class MeshCoverage : public coverage::EachWay
 };
 
 INSTANTIATE_TEST_SUITE_P(
-  Ways, MeshCoverage, ::testing::ValuesIn(coverage::AllWays), coverage::NameOf);
+  Ways, MeshCoverage, ::testing::ValuesIn(coverage::AllWays), coverage::NameOfParameter);
 
 TEST_P(MeshCoverage, OfTwoTrianglesThatFillTheScreenIsAllOfIt)
 {
