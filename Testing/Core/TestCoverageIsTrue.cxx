@@ -131,6 +131,25 @@ double FrontArea(const Subject& subject)
   return area;
 }
 
+/** Of meshes whose points are columns, lines and depths themselves. */
+const vitrine::ScreenMatrix PlainScreen{ glm::dmat4(1.0), glm::vec4(0.0f), {}, { 40, 20 } };
+
+std::vector<ScreenFace> FacesAsTheyStand(const MeshProjection& projection)
+{
+  std::vector<ScreenFace> faces;
+  for (const OccluderMesh::Face& face : projection.Mesh().Faces())
+  {
+    ScreenFace onScreen;
+    for (int i = 0; i < 3; ++i)
+    {
+      const vitrine::ScreenPoint& point = projection.Points()[face[i]];
+      onScreen[i] = { point.Column, point.Line, point.Depth };
+    }
+    faces.push_back(onScreen);
+  }
+  return faces;
+}
+
 }
 
 class CoverageIsTrue : public coverage::EachWay
@@ -228,28 +247,45 @@ TEST_P(CoverageIsTrue, OfLongSlimFaces)
     Triangles plank;
     plank.AddQuad(corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1));
     const OccluderMesh mesh = plank.Mesh();
-    const vitrine::ScreenMatrix asItStands{ glm::dmat4(1.0), glm::vec4(0.0f), {}, { 40, 20 } };
     MeshProjection projection;
-    projection.Project(mesh, asItStands);
+    projection.Project(mesh, PlainScreen);
     projection.FindFacings();
     SBuffer buffer(40, 20, GetParam().Samples(), MostTestSpans);
     Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
     covered += coverage::CoveredArea(buffer) > 0.0;
-    std::vector<ScreenFace> faces;
-    for (const OccluderMesh::Face& face : mesh.Faces())
-    {
-      ScreenFace onScreen;
-      for (int i = 0; i < 3; ++i)
-      {
-        const vitrine::ScreenPoint& point = projection.Points()[face[i]];
-        onScreen[i] = { point.Column, point.Line, point.Depth };
-      }
-      faces.push_back(onScreen);
-    }
-    ASSERT_EQ(
-      CoverageJudge(faces, GetParam().Inset()).WhatIsWrong(buffer, random.Generator, 4), "");
+    const CoverageJudge judge(FacesAsTheyStand(projection), GetParam().Inset());
+    ASSERT_EQ(judge.WhatIsWrong(buffer, random.Generator, 4), "");
   }
   EXPECT_GT(covered, 500);
+}
+
+// A steep face takes the bound of a cell far down on one side; its numbers must not be coarse on the other side.
+TEST_P(CoverageIsTrue, OfFlatFacesBesideSteepOnes)
+{
+  for (unsigned seed = 1; seed <= 400; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const double depth = random.Between(0.6, 0.95), edge = random.Between(9.0, 31.0);
+    const double start = edge - std::pow(10.0, random.Between(-4.0, 0.0));
+    const double low = depth - std::pow(10.0, random.Between(-3.0, -0.3));
+    const bool isLeft = random.OneIn(2);
+    const auto at = [&](double column, double line, double z)
+    { return glm::dvec3(isLeft ? column : 40.0 - column, line, z); };
+    Triangles step;
+    step.AddQuad(at(start, -1, low), at(edge, -1, depth), at(edge, 21, depth), at(start, 21, low));
+    step.AddQuad(at(edge, -1, depth), at(41, -1, depth), at(41, 21, depth), at(edge, 21, depth));
+    const OccluderMesh mesh = step.Mesh();
+    MeshProjection projection;
+    projection.Project(mesh, PlainScreen);
+    projection.FindFacings();
+    SBuffer buffer(40, 20, GetParam().Samples(), MostTestSpans);
+    const Facing facing = isLeft ? Facing::Front : Facing::Back;
+    Inserter(GetParam()).Insert(buffer, projection, facing, 0);
+    ASSERT_GT(coverage::CoveredArea(buffer), 0.0);
+    const CoverageJudge judge(FacesAsTheyStand(projection), GetParam().Inset());
+    ASSERT_EQ(judge.WhatIsWrong(buffer, random.Generator, 1), "");
+  }
 }
 
 // What inserts nothing would be true as well.
