@@ -53,7 +53,7 @@ public:
 };
 
 // The leaves that a walk comes by, one after another.
-struct Recorder
+struct WalkRecorder
 {
   std::vector<std::uint32_t> Items;
   std::vector<Box> Nodes;
@@ -69,9 +69,9 @@ struct Recorder
   }
 };
 
-Recorder WalkFrom(const Octree& tree, const glm::vec3& eye)
+WalkRecorder WalkFrom(const Octree& tree, const glm::vec3& eye)
 {
-  Recorder recorder;
+  WalkRecorder recorder;
   WalkFrontToBack(tree, OrderFromEye(eye), recorder);
   return recorder;
 }
@@ -101,8 +101,8 @@ TEST(OctreeStore, WalkOfATreeTenTimesTheBudgetIsTheSame)
   for (int trial = 0; trial < 3; ++trial)
   {
     const glm::vec3 eye = RandomPoint(random, -1, 1);
-    const Recorder expected = WalkFrom(tree, eye);
-    const Recorder found = WalkFrom(stored, eye);
+    const WalkRecorder expected = WalkFrom(tree, eye);
+    const WalkRecorder found = WalkFrom(stored, eye);
     EXPECT_EQ(found.Items, expected.Items);
     EXPECT_EQ(found.Nodes, expected.Nodes);
     EXPECT_LE(store->ResidentBytes(), budget);
@@ -205,8 +205,8 @@ TEST(OctreeStore, IsWalkedByTwoThreadsAtOnce)
   const Folder folder;
   OctreeStore::Write(tree, folder.Path, 2048);
   const Octree stored = OctreeStore::Open(folder.Path, 20000, CountOf(boxes));
-  Recorder here;
-  Recorder there;
+  WalkRecorder here;
+  WalkRecorder there;
   std::thread other([&] { there = WalkFrom(stored, glm::vec3(1)); });
   here = WalkFrom(stored, glm::vec3(-1));
   other.join();

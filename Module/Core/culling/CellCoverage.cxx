@@ -370,7 +370,9 @@ DepthBound CellCoverage::BoundSheet(int line, int tile, std::size_t first, std::
     bound.Left = std::min(bound.Left, own.Left);
     bound.Right = std::min(bound.Right, own.Right);
   }
-  return bound;
+  // A span's numbers are as coarse as its farther end.
+  const float coarse = 0x1p-21f * std::abs(bound.Right - bound.Left);
+  return { bound.Left - coarse, bound.Right - coarse };
 }
 
 }

@@ -1,0 +1,188 @@
+// How near what is covered cell by cell is, known without computing.
+
+#include "CoveredScreen.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using coverage::AddRectangle;
+using coverage::Covered;
+using coverage::Facing;
+using coverage::Inserter;
+using coverage::MeshProjection;
+using coverage::OccluderMesh;
+using coverage::Random;
+using coverage::SBuffer;
+using coverage::Triangles;
+using coverage::View;
+using coverage::Way;
+
+}
+
+class CellCoverage : public coverage::EachWay
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Ways, CellCoverage,
+  ::testing::Values(Way{ true, 0 }, Way{ true, 1 }, Way{ true, 2 }, Way{ true, 4 }),
+  coverage::NameOfParameter);
+
+TEST_P(CellCoverage, OfOverlappingSheetsIsTheirUnionAtTheNearerDepth)
+{
+  Triangles sheets;
+  AddRectangle(sheets, { 2.5, 1.5 }, { 20.5, 18.5 }, 0.7);
+  AddRectangle(sheets, { 12.5, 1.5 }, { 37.5, 18.5 }, 0.4);
+  const Covered covered(GetParam(), sheets);
+  EXPECT_TRUE(covered.IsAt(9, 3.0));
+  EXPECT_TRUE(covered.IsAt(9, 12.0));
+  EXPECT_TRUE(covered.IsAt(9, 16.0));
+  EXPECT_TRUE(covered.IsAt(9, 37.0));
+  EXPECT_NEAR(covered.DepthAt(9, 4.0), 0.7, 1e-6);
+  EXPECT_NEAR(covered.DepthAt(9, 36.0), 0.4, 1e-6);
+  EXPECT_NEAR(covered.DepthAt(9, 18.0), 0.7, 1e-6);
+  EXPECT_NEAR(covered.DepthAt(9, 20.4), 0.7, 1e-6);
+  EXPECT_NEAR(covered.DepthAt(9, 20.6), 0.4, 1e-6);
+}
+
+TEST_P(CellCoverage, FollowsTheDepthOfAPlane)
+{
+  Triangles slanted;
+  slanted.AddQuad({ 0.5, -4, 0.2 }, { 39.5, -4, 0.8 }, { 39.5, 24, 0.8 }, { 0.5, 24, 0.2 });
+  const Covered covered(GetParam(), slanted);
+  for (double column = 1.0; column < 39.0; column += 0.37)
+  {
+    const double depth = 0.2 + 0.6 * (column - 0.5) / 39.0;
+    EXPECT_NEAR(covered.DepthAt(7, column), depth, 1e-4);
+    EXPECT_LE(covered.DepthAt(7, column), depth + 1e-7);
+  }
+}
+
+TEST_P(CellCoverage, TakesTheFarEndOfALine)
+{
+  for (const double top : { 0.1, 0.9 })
+  {
+    Triangles slanted;
+    slanted.AddQuad({ -1, 0, 0.5 }, { 41, 0, 0.5 }, { 41, 20, top }, { -1, 20, top });
+    const Covered covered(GetParam(), slanted);
+    for (int line = 1; line < 19; ++line)
+    {
+      const double inset = GetParam().Inset();
+      const double farEnd = line + (top < 0.5 ? 1.0 - inset : inset);
+      const double depth = 0.5 + (top - 0.5) * farEnd / 20.0;
+      EXPECT_NEAR(covered.DepthAt(line, 20.0), depth, 1e-4);
+      EXPECT_LE(covered.DepthAt(line, 20.0), depth + 1e-7);
+    }
+  }
+}
+
+TEST_P(CellCoverage, OfASteepFaceIsNoFartherThanItsFarthestCorner)
+{
+  Triangles step;
+  AddRectangle(step, { 2.5, -1 }, { 10, 21 }, 0.5);
+  step.AddQuad({ 10, -1, 0.5 }, { 10.2, -1, 0.3 }, { 10.2, 21, 0.3 }, { 10, 21, 0.5 });
+  AddRectangle(step, { 10.2, -1 }, { 37.5, 21 }, 0.3);
+  const Covered covered(GetParam(), step);
+  EXPECT_NEAR(covered.DepthAt(9, 5.0), 0.5, 1e-4);
+  EXPECT_NEAR(covered.DepthAt(9, 15.5), 0.3, 1e-4);
+}
+
+TEST_P(CellCoverage, IsNearThePlaneOfAWallInAnyView)
+{
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    View view = coverage::WholeView(40, seed % 2 == 0, random);
+    Triangles wall;
+    const glm::dvec3 side = glm::normalize(glm::cross(view.Eye, random.Point(-1, 1)));
+    const glm::dvec3 up = glm::normalize(glm::cross(view.Eye, side)) + 0.1 * view.Eye;
+    wall.AddQuad(-side - up, side - up, side + up, up - side);
+    const OccluderMesh mesh = wall.Mesh();
+    MeshProjection projection;
+    projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0), 1.0f));
+    projection.FindFacings();
+    SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), coverage::MostTestSpans);
+    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
+    Inserter(GetParam()).Insert(buffer, projection, Facing::Back, 0);
+    // Depths of the wall's corners differ by more than those of a line's lower and upper side.
+    double least = 1.0, greatest = 0.0;
+    for (const vitrine::ScreenPoint& point : projection.Points())
+    {
+      least = std::min(least, double{ point.Depth });
+      greatest = std::max(greatest, double{ point.Depth });
+    }
+    double farthest = 1.0, nearest = 0.0;
+    for (int line = 0; line < view.Lines; ++line)
+    {
+      for (const vitrine::Span& span : buffer.SpansOf(line))
+      {
+        for (const float depth : { span.Depth, span.DepthAt(span.Right) })
+        {
+          farthest = std::min(farthest, double{ depth });
+          nearest = std::max(nearest, double{ depth });
+        }
+      }
+    }
+    EXPECT_GT(greatest - least, 1e-3);
+    EXPECT_GT(nearest, greatest - 0.2 * (greatest - least));
+    EXPECT_GT(farthest, least - 0.05 * (greatest - least));
+  }
+}
+
+// A box with thick walls: the far wall's inside faces the view as well.
+TEST_P(CellCoverage, OfAShellHasTheDepthOfItsNearWall)
+{
+  for (const bool isOpen : { false, true })
+  {
+    SCOPED_TRACE(isOpen);
+    const View view = coverage::WholeView(40, true, glm::dvec3(0.2, 0.1, 6.0));
+    const OccluderMesh mesh = coverage::ShellOf(1.2, 0.1, isOpen).Mesh();
+    EXPECT_TRUE(mesh.IsClosed());
+    MeshProjection projection;
+    EXPECT_TRUE(projection.Project(mesh, view.Projection(2.0).Of(glm::dmat4(1.0), 1.0f)));
+    projection.FindFacings();
+    SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), coverage::MostTestSpans);
+    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
+    const vitrine::ScreenProjection toScreen = view.Projection(2.0);
+    vitrine::ScreenRectangle inside;
+    const glm::dvec3 half(0.7, 0.7, 0.05);
+    const glm::dvec3 middle(0.0, 0.0, 1.0); // 1.1 is where the near wall ends
+    ASSERT_EQ(toScreen.Project(vitrine::Box::Around(middle - half, middle + half), inside),
+      vitrine::ScreenProjection::Place::Before);
+    EXPECT_TRUE(buffer.Hides(inside, 0.0f));
+    vitrine::ScreenRectangle before;
+    const glm::dvec3 nearer(0.0, 0.0, 1.4);
+    ASSERT_EQ(toScreen.Project(vitrine::Box::Around(nearer - half, nearer + half), before),
+      vitrine::ScreenProjection::Place::Before);
+    EXPECT_FALSE(buffer.Hides(before, 0.0f));
+  }
+}
+
+TEST_P(CellCoverage, LeavesOutCellsThatAreCoveredByWhatIsNearer)
+{
+  SBuffer buffer(
+    coverage::WideColumns, coverage::WideLines, GetParam().Samples(), coverage::MostTestSpans);
+  Inserter inserter(GetParam());
+  std::uint64_t inserted = 0;
+  for (const double depth : { 0.5, 0.3, 0.7, 0.5 })
+  {
+    SCOPED_TRACE(depth);
+    const OccluderMesh mesh = coverage::RectangleOf({ -3, -3 }, { 45, 26 }, depth).Mesh();
+    MeshProjection projection;
+    projection.Project(mesh, coverage::AsItStands());
+    projection.FindFacings();
+    inserter.Insert(buffer, projection, Facing::Front, 0);
+    const bool isNearest = depth == 0.7 || inserted == 0;
+    EXPECT_EQ(buffer.Counts().Inserted > inserted, isNearest);
+    inserted = buffer.Counts().Inserted;
+  }
+  for (int line = 0; line < coverage::WideLines; ++line)
+  {
+    for (const vitrine::Span& span : buffer.SpansOf(line))
+    {
+      EXPECT_NEAR(span.Depth, 0.7f, 1e-6f);
+    }
+  }
+}

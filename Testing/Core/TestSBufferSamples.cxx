@@ -1,0 +1,183 @@
+// What an s-buffer hides where samples are at centres of pixels alone, and what it says of whole tiles.
+
+#include "NonFinite.h"
+
+#include "Core/culling/SBuffer.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+using vitrine::SampleGrid;
+using vitrine::SBuffer;
+using vitrine::ScreenRectangle;
+
+/** Of 40 columns and 4 lines. */
+SBuffer BufferOf(const SampleGrid& samples)
+{
+  return SBuffer(40, 4, samples, 1u << 12);
+}
+
+/** Whether all centres in a rectangle are covered by what is nearer. */
+bool AreCentresHidden(const SBuffer& buffer, int pixels, const ScreenRectangle& rectangle)
+{
+  for (int j = 0; j < buffer.Lines() * pixels; ++j)
+  {
+    const float y = (static_cast<float>(j) + 0.5f) / static_cast<float>(pixels);
+    for (int i = 0; i < buffer.Columns() * pixels; ++i)
+    {
+      const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(pixels);
+      if (rectangle.Left <= x && x <= rectangle.Right && rectangle.Bottom <= y &&
+        y <= rectangle.Top)
+      {
+        bool isHidden = false;
+        for (const vitrine::Span& span : buffer.SpansOf(static_cast<int>(y)))
+        {
+          isHidden =
+            isHidden || (span.Left <= x && x <= span.Right && span.DepthAt(x) > rectangle.Nearest);
+        }
+        if (!isHidden)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+}
+
+TEST(SBufferSamples, NothingShowsBetweenCentres)
+{
+  SBuffer one = BufferOf(SampleGrid::AtCentres(1));
+  EXPECT_TRUE(one.Hides({ 3.6f, 4.4f, 0.0f, 4.0f, 0.9f }, 0.0f)) << "between columns";
+  EXPECT_TRUE(one.Hides({ 3.0f, 9.0f, 1.6f, 2.4f, 0.9f }, 0.0f)) << "between lines";
+  EXPECT_TRUE(one.Hides({ 3.6f, 4.4f, 1.6f, 2.4f, 0.9f }, 0.0f));
+  EXPECT_TRUE(one.Hides({ 39.6f, 45.0f, 0.0f, 4.0f, 0.9f }, 0.0f)) << "behind the last column";
+  EXPECT_TRUE(one.Hides({ -2.0f, 0.4f, 0.0f, 4.0f, 0.9f }, 0.0f)) << "before the first one";
+  EXPECT_FALSE(one.Hides({ 3.4f, 3.6f, 1.4f, 1.6f, 0.9f }, 0.0f));
+  SBuffer two = BufferOf(SampleGrid::AtCentres(2));
+  EXPECT_TRUE(two.Hides({ 3.3f, 3.7f, 0.0f, 4.0f, 0.9f }, 0.0f));
+  EXPECT_FALSE(two.Hides({ 3.6f, 4.4f, 0.0f, 4.0f, 0.9f }, 0.0f));
+  SBuffer anywhere = BufferOf({});
+  EXPECT_FALSE(anywhere.Hides({ 3.6f, 3.60001f, 1.6f, 1.60001f, 0.9f }, 0.0f));
+}
+
+TEST(SBufferSamples, OneCentreIsLookedAt)
+{
+  for (const int pixels : { 0, 1, 2, 4 })
+  {
+    SCOPED_TRACE(pixels);
+    const SampleGrid grid = pixels == 0 ? SampleGrid() : SampleGrid::AtCentres(pixels);
+    const float y = grid.From(1.1f);
+    for (const float from : { 0.0f, 4.1f, 7.4f, 8.0f, 20.3f, 39.2f })
+    {
+      SCOPED_TRACE(from);
+      SBuffer buffer = BufferOf(grid);
+      const float x = grid.From(from);
+      const ScreenRectangle place{ x, x, y, y, 0.4f };
+      EXPECT_FALSE(buffer.Hides(place, 0.0f)) << "nothing is there";
+      buffer.Insert(1, { x + 0.01f, x + 3.0f, 0.5f, 0.5f, 0 });
+      buffer.Insert(1, { x - 3.0f, x - 0.01f, 0.5f, 0.5f, 0 });
+      EXPECT_FALSE(buffer.Hides(place, 0.0f)) << "it stands beside";
+      buffer.Insert(1, { x - 1.0f, x + 1.0f, 0.3f, 0.3f, 0 });
+      EXPECT_FALSE(buffer.Hides(place, 0.0f)) << "it stands behind";
+      buffer.Insert(1, { x - 1.0f, x + 1.0f, 0.5f, 0.5f, 0 });
+      EXPECT_TRUE(buffer.Hides(place, 0.0f));
+    }
+  }
+}
+
+TEST(SBufferSamples, OnlyCentresNeedBeCovered)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
+  buffer.Insert(1, { 3.45f, 6.55f, 0.5f, 0.5f, 0 });
+  EXPECT_TRUE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.4f, 0.4f }, 0.0f));
+  EXPECT_FALSE(buffer.Hides({ 2.4f, 7.4f, 0.6f, 2.4f, 0.4f }, 0.0f));
+  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.6f, 0.6f, 2.4f, 0.4f }, 0.0f));
+  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.4f, 2.4f, 0.4f }, 0.0f));
+  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.6f, 0.4f }, 0.0f));
+}
+
+TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryCentre)
+{
+  std::mt19937 random(3);
+  const auto between = [&](float least, float greatest)
+  { return least + (greatest - least) * (static_cast<float>(random()) / 4294967296.0f); };
+  int hidden = 0;
+  for (int round = 0; round < 1500; ++round)
+  {
+    const int pixels = 1 << random() % 3;
+    SBuffer buffer = BufferOf(SampleGrid::AtCentres(pixels));
+    for (int i = 0; i < 24; ++i)
+    {
+      const float left = between(-2.0f, 40.0f);
+      buffer.Insert(static_cast<int>(random() % 4),
+        { left, left + between(0.1f, 20.0f), between(0.1f, 0.9f), between(0.1f, 0.9f), 0 });
+    }
+    for (int i = 0; i < 10; ++i)
+    {
+      const float left = between(-1.0f, 40.0f), bottom = between(-1.0f, 4.0f);
+      const ScreenRectangle rectangle{ left, left + between(0.0f, 3.0f), bottom,
+        bottom + between(0.0f, 1.5f), between(0.0f, 0.9f) };
+      if (buffer.Hides(rectangle, 0.0f))
+      {
+        ++hidden;
+        ASSERT_TRUE(AreCentresHidden(buffer, pixels, rectangle)) << round;
+      }
+    }
+  }
+  EXPECT_GT(hidden, 2000);
+}
+
+TEST(SBufferSamples, OfNumbersThatAreNoneHidesNothing)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(2));
+  for (int line = 0; line < 4; ++line)
+  {
+    buffer.Insert(line, { 0.0f, 40.0f, 0.9f, 0.9f, 0 });
+  }
+  const ScreenRectangle whole{ 1.0f, 9.0f, 1.0f, 3.0f, 0.1f };
+  EXPECT_TRUE(buffer.Hides(whole, 0.0f));
+  for (float ScreenRectangle::*side : { &ScreenRectangle::Left, &ScreenRectangle::Right,
+         &ScreenRectangle::Bottom, &ScreenRectangle::Top, &ScreenRectangle::Nearest })
+  {
+    ScreenRectangle bad = whole;
+    bad.*side = NotANumber;
+    EXPECT_FALSE(buffer.Hides(bad, 0.0f));
+  }
+}
+
+TEST(SBufferTiles, AreCoveredBeforeWhatIsNoNearer)
+{
+  SBuffer buffer(20, 2); // the last tile is half a one
+  EXPECT_FALSE(buffer.IsCoveredBefore(1, 0, 0.0f)) << "nothing is there";
+  buffer.Insert(1, { 0.0f, 20.0f, 0.8f, 0.4f, 0 }); // 0.64 at column 8, 0.48 at 16
+  EXPECT_TRUE(buffer.IsCoveredBefore(1, 0, 0.639f));
+  EXPECT_FALSE(buffer.IsCoveredBefore(1, 0, 0.641f));
+  EXPECT_TRUE(buffer.IsCoveredBefore(1, 1, 0.479f));
+  EXPECT_FALSE(buffer.IsCoveredBefore(1, 1, 0.481f));
+  EXPECT_TRUE(buffer.IsCoveredBefore(1, 2, 0.399f));
+  EXPECT_FALSE(buffer.IsCoveredBefore(1, 2, 0.401f));
+  EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.1f)) << "another line";
+  EXPECT_FALSE(buffer.IsCoveredBefore(1, 0, NotANumber));
+}
+
+TEST(SBufferTiles, AreCoveredOnceTheyAreFull)
+{
+  SBuffer buffer(16, 1);
+  buffer.Insert(0, { 0.0f, 7.9f, 0.5f, 0.5f, 0 });
+  EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.1f)) << "a gap at its end";
+  buffer.Insert(0, { 7.8f, 9.0f, 0.3f, 0.3f, 0 });
+  EXPECT_TRUE(buffer.IsCoveredBefore(0, 0, 0.3f)) << "as near is enough";
+  EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.31f));
+  EXPECT_FALSE(buffer.IsCoveredBefore(0, 1, 0.1f));
+  buffer.Insert(0, { 7.0f, 8.0f, 0.4f, 0.4f, 0 });
+  EXPECT_TRUE(buffer.IsCoveredBefore(0, 0, 0.4f)) << "known anew";
+  buffer.Clear();
+  EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.1f));
+}

@@ -1,0 +1,194 @@
+// Puts made-up meshes into an s-buffer, by their outline or cell by cell, by matrices that may hold anything, with all faces' exact spans as the judge.
+
+#include "FuzzBytes.h"
+
+#include "../Core/CoverageJudge.h"
+
+#include "Core/culling/CellCoverage.h"
+#include "Core/culling/OutlineCoverage.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace vitrine;
+using coverage::ScreenFace;
+using Facing = MeshProjection::Facing;
+
+constexpr unsigned MostPoints = 20;
+constexpr unsigned MostFaces = 24;
+
+glm::dvec3 PointOf(FuzzBytes& bytes)
+{
+  const double x = bytes.Number();
+  const double y = bytes.Number();
+  return { x, y, bytes.Number() };
+}
+
+OccluderMesh MeshOf(FuzzBytes& bytes)
+{
+  std::vector<glm::dvec3> points(3 + bytes.Below(MostPoints));
+  for (glm::dvec3& point : points)
+  {
+    point = PointOf(bytes);
+  }
+  std::vector<std::uint32_t> corners(3 * (1 + bytes.Below(MostFaces)));
+  for (std::uint32_t& corner : corners)
+  {
+    corner = bytes.Below(static_cast<unsigned>(points.size()));
+  }
+  return OccluderMesh(points, corners);
+}
+
+/** The largest absolute coordinate. */
+double ReachOf(const OccluderMesh& mesh)
+{
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const float coordinate : mesh.Coordinates(axis))
+    {
+      reach = std::max(reach, std::abs(mesh.Origin()[axis] + double{ coordinate }));
+    }
+  }
+  return reach;
+}
+
+ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines, double reach)
+{
+  const double aspect = double(columns) / lines;
+  const glm::dmat4 lens = bytes.Below(2) == 0
+    ? glm::ortho(-2.0 * aspect, 2.0 * aspect, -2.0, 2.0, 0.5, 20.0)
+    : glm::perspective(0.5 + bytes.Below(16) / 8.0, aspect, 0.5, 20.0);
+  glm::dmat4 toClip = lens *
+    glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -1.0 - bytes.Below(8))),
+      bytes.Below(64) / 10.0, glm::dvec3(0.3, 1.0, 0.1));
+  const float most = bytes.Below(4) == 0 ? bytes.Below(64) / 100.0f : 0.0f;
+  for (unsigned damages = bytes.Below(16) == 0 ? bytes.Below(4) : 0; damages > 0; --damages)
+  {
+    const unsigned at = bytes.Below(16);
+    toClip[at / 4][at % 4] = bytes.Number();
+  }
+  return ScreenProjection(toClip, columns, lines, glm::dvec3(reach), { most, most, 0.1f * most })
+    .Of(glm::dmat4(1.0), 1.0f);
+}
+
+/** The faces that a device may draw: behind the near plane, each point moved by up to the margin. */
+void AddDrawn(const MeshProjection& projection, const ScreenMatrix& matrix, Facing facing,
+  std::mt19937& random, std::vector<ScreenFace>& faces)
+{
+  const OccluderMesh& mesh = projection.Mesh();
+  const auto moved = [&random](double place, double most)
+  { return place + (random() % 2 == 0 ? most : -most); };
+  std::vector<glm::dvec3> places;
+  std::vector<bool> isBehindNear;
+  for (std::size_t i = 0; i < mesh.PointCount(); ++i)
+  {
+    const glm::dvec4 point = matrix.Matrix *
+      glm::dvec4(mesh.Origin() +
+          glm::dvec3(mesh.Coordinates(0)[i], mesh.Coordinates(1)[i], mesh.Coordinates(2)[i]),
+        1.0);
+    const double slack = 1e-5 * (std::abs(point.w) + std::abs(point.z)) + 1e-9;
+    isBehindNear.push_back(point.w > -slack && point.z < point.w + slack);
+    const ScreenPoint& onScreen = projection.Points()[i];
+    const ScreenMargin& margin = projection.Margin();
+    const double column = moved(onScreen.Column, margin.Column);
+    const double line = moved(onScreen.Line, margin.Line);
+    places.emplace_back(column, line, moved(onScreen.Depth, margin.Depth));
+  }
+  for (const OccluderMesh::Face& face : mesh.Faces())
+  {
+    const ScreenFace onScreen{ places[face[0]], places[face[1]], places[face[2]] };
+    const double turn = coverage::TurnOf(onScreen);
+    if (isBehindNear[face[0]] && isBehindNear[face[1]] && isBehindNear[face[2]] &&
+      (facing == Facing::Front ? turn > 0.0 : turn < 0.0))
+    {
+      faces.push_back(onScreen);
+    }
+  }
+}
+
+/** Whether spans leave no gap between the samples in what is said to be hidden, and are all nearer. */
+void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
+{
+  const float start = bytes.Below(256) * buffer.Columns() / 256.0f;
+  const float base = bytes.Below(256) * buffer.Lines() / 256.0f;
+  const ScreenRectangle rectangle{ start, start + bytes.Below(256) / 32.0f, base,
+    base + bytes.Below(256) / 64.0f, bytes.Below(256) / 256.0f };
+  if (!buffer.Hides(rectangle, 0.0f))
+  {
+    return;
+  }
+  const SampleGrid& grid = buffer.Samples();
+  const float left = grid.From(start), bottom = grid.From(base);
+  const float right = grid.UpTo(std::min(rectangle.Right, static_cast<float>(buffer.Columns())));
+  const float top = grid.UpTo(std::min(rectangle.Top, static_cast<float>(buffer.Lines())));
+  const int last = std::min(static_cast<int>(top), buffer.Lines() - 1);
+  for (int line = static_cast<int>(bottom); left <= right && bottom <= top && line <= last; ++line)
+  {
+    float covered = left;
+    bool isCovered = false;
+    for (const Span& span : buffer.SpansOf(line))
+    {
+      if (span.Right >= covered && span.Left <= covered && !isCovered)
+      {
+        const float end = std::min(right, span.Right);
+        Require(span.DepthAt(covered) > rectangle.Nearest && span.DepthAt(end) > rectangle.Nearest,
+          "what is hidden is nearer than what hides it");
+        covered = end;
+        isCovered = covered >= right;
+      }
+    }
+    Require(isCovered, "what is hidden is not covered");
+  }
+}
+
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  FuzzBytes bytes(data, size);
+  const int columns = 1 + static_cast<int>(bytes.Below(40));
+  const int lines = 1 + static_cast<int>(bytes.Below(24));
+  std::mt19937 random(bytes.Byte());
+  const unsigned pixels = bytes.Below(5);
+  SBuffer buffer(columns, lines,
+    pixels == 0 ? SampleGrid() : SampleGrid::AtCentres(static_cast<int>(pixels)),
+    1 + bytes.Below(8) * 300);
+  MeshProjection projection;
+  OutlineCoverage outline;
+  CellCoverage cells;
+  std::vector<ScreenFace> faces;
+  for (int i = 0; i < 4 && bytes.AreLeft(); ++i)
+  {
+    const OccluderMesh mesh = MeshOf(bytes);
+    const ScreenMatrix matrix = MatrixOf(bytes, columns, lines, ReachOf(mesh));
+    projection.Project(mesh, matrix);
+    projection.FindFacings();
+    const bool isByCells = bytes.Below(2) == 1;
+    for (const Facing facing : { Facing::Front, Facing::Back })
+    {
+      const std::uint32_t part = static_cast<std::uint32_t>(i);
+      if (isByCells)
+      {
+        cells.Insert(buffer, projection, facing, part);
+      }
+      else
+      {
+        outline.Insert(buffer, projection, facing, part);
+      }
+      AddDrawn(projection, matrix, facing, random, faces);
+    }
+  }
+  const std::string wrong =
+    coverage::CoverageJudge(faces, pixels == 0 ? 0.0 : 0.5 / pixels).WhatIsWrong(buffer, random, 3);
+  Require(wrong.empty(), wrong.c_str());
+  AskWhatIsHidden(buffer, bytes);
+  return 0;
+}
