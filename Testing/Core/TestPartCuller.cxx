@@ -342,6 +342,10 @@ TEST(PartCuller, MeshesOfMoreFacesThanCellsHideNothing)
       glm::scale(
         glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -30)), glm::dvec3(5.0))); // 30 by 30 cells
     const std::uint32_t behind = scene.AddBox({ -1, -1, -42 }, { 1, 1, -40 });
+    for (int i = 0; i < 400; ++i) // beside the view, so that there is enough to spend
+    {
+      scene.AddBox({ 100 + i, 0, -30 }, { 100.5 + i, 1, -29 });
+    }
     PartCuller culler(FrameColumns, FrameLines);
     scene.Cull(culler, AheadView(true));
     EXPECT_TRUE(scene.Visible[ball]);
