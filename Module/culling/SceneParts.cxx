@@ -151,7 +151,8 @@ void SceneParts::Look(Part& part)
   part.Shader = ShaderPropertyOf(part.Prop);
   part.ShaderTime = part.Shader ? ShaderTimeOf(part.Shader) : 0;
   part.Actor = AsHideable(part.Prop);
-  part.Geometry.reset();
+  const std::shared_ptr<PartGeometry> before =
+    std::move(part.Geometry); // found again if it is still current
   if (!part.Actor)
   {
     return;

@@ -29,7 +29,7 @@ TEST(PartCuller, DropsNothingThatIsSeen)
 {
   int hidden = 0;
   int culled = 0;
-  for (unsigned seed = 1; seed <= 60; ++seed)
+  for (unsigned seed = 1; seed <= 20; ++seed)
   {
     SCOPED_TRACE(seed);
     Random random(seed);
