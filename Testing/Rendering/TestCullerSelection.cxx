@@ -1,49 +1,20 @@
 // Scene 21: what lies below the pointer is the same with and without culling, as often as one asks.
 #include "CullerScene.h"
+#include "Select.h"
+
 #include "vtkAreaPicker.h"
-#include "vtkHardwareSelector.h"
-#include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkPolyData.h"
 #include "vtkProp3DCollection.h"
 #include "vtkPropPicker.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 
 #include <gtest/gtest.h>
-
-#include <map>
-#include <set>
 
 namespace
 {
 
-using Picked = std::map<vtkProp*, std::set<vtkIdType>>;
-
 class CullerSelection : public CullerTest
 {
 protected:
-  Picked Select(int association, int x0, int y0, int x1, int y1)
-  {
-    vtkNew<vtkHardwareSelector> selector;
-    selector->SetRenderer(Scene.Renderer);
-    selector->SetFieldAssociation(association);
-    selector->SetArea(x0, y0, x1, y1);
-    const vtkSmartPointer<vtkSelection> selection = vtk::TakeSmartPointer(selector->Select());
-    Picked picked;
-    for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-    {
-      vtkSelectionNode* node = selection->GetNode(i);
-      auto* prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
-      auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-      for (vtkIdType k = 0; k < ids->GetNumberOfValues(); ++k)
-      {
-        picked[prop].insert(ids->GetValue(k));
-      }
-    }
-    return picked;
-  }
-
   std::vector<vtkProp*> PickProps()
   {
     std::vector<vtkProp*> picked;
@@ -66,8 +37,8 @@ protected:
     const int right = Scene.Setting.Width - 2, top = Scene.Setting.Height - 2;
     Scene.Culler->CullingOff();
     Scene.Render();
-    const Picked ofCells = this->Select(cells, 1, 1, right, top);
-    const Picked ofPoints = this->Select(points, 1, 1, right, top);
+    const Picked ofCells = Select(Scene.Renderer, cells, 1, 1, right, top);
+    const Picked ofPoints = Select(Scene.Renderer, points, 1, 1, right, top);
     const std::vector<vtkProp*> props = this->PickProps();
     EXPECT_GE(ofCells.size(), leastProps);
     Scene.Culler->CullingOn();
@@ -75,8 +46,8 @@ protected:
     {
       Scene.Render();
       EXPECT_GT(Scene.Culler->GetNumberOfCulledParts(), 0);
-      EXPECT_EQ(this->Select(cells, 1, 1, right, top), ofCells);
-      EXPECT_EQ(this->Select(points, 1, 1, right, top), ofPoints);
+      EXPECT_EQ(Select(Scene.Renderer, cells, 1, 1, right, top), ofCells);
+      EXPECT_EQ(Select(Scene.Renderer, points, 1, 1, right, top), ofPoints);
       EXPECT_EQ(this->PickProps(), props);
     }
   }

@@ -1,4 +1,5 @@
 // Parts that hide less than their triangles cover, or are drawn wider than they are: no pixel is lost.
+#include "CompositeMapper.h"
 #include "CullerScene.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -20,14 +21,6 @@
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
-
-#if __has_include("vtkCompositePolyDataMapper2.h") // up to VTK 9.2
-#include "vtkCompositePolyDataMapper2.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
 
 #include <gtest/gtest.h>
 

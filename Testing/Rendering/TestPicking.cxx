@@ -1,17 +1,12 @@
 // Picking through a renderer with the pass set finds what it finds without it, and leaves the picture alone.
+#include "Select.h"
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "vtkActor.h"
-#include "vtkHardwareSelector.h"
-#include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkPropPicker.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 namespace
@@ -26,29 +21,6 @@ void AddParts(TestScene& scene)
   scene.AddSphere(0.3, 0.1, 0.2, 0.5, { 0.9, 0.5, 0.1, 0.4 });
   scene.AddSphere(0.6, -0.3, -0.3, 0.5, { 0.1, 0.5, 0.9, 0.6 });
   scene.AddRectangle(-1.0, -0.9, 0.2, -0.2, 0.4, { 0.2, 0.9, 0.2, 0.3 });
-}
-
-using Picked = std::map<vtkProp*, std::set<vtkIdType>>;
-
-Picked Select(TestScene& scene, int association, int x0, int y0, int x1, int y1)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetFieldAssociation(association);
-  selector->SetArea(x0, y0, x1, y1);
-  const vtkSmartPointer<vtkSelection> selection = vtk::TakeSmartPointer(selector->Select());
-  Picked picked;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkSelectionNode* node = selection->GetNode(i);
-    auto* prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
-    auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    for (vtkIdType k = 0; k < ids->GetNumberOfValues(); ++k)
-    {
-      picked[prop].insert(ids->GetValue(k));
-    }
-  }
-  return picked;
 }
 
 std::vector<vtkProp*> PickProps(TestScene& scene)
@@ -79,9 +51,9 @@ TEST_P(Picking, FindsWhatItFindsWithoutThePass)
     scene.Render();
     const int cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
     const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    const Picked area = Select(scene, cells, 5, 4, 70, 50);
-    const Picked areaPoints = Select(scene, points, 5, 4, 70, 50);
-    const Picked point = Select(scene, cells, 55, 32, 55, 32);
+    const Picked area = Select(scene.Renderer, cells, 5, 4, 70, 50);
+    const Picked areaPoints = Select(scene.Renderer, points, 5, 4, 70, 50);
+    const Picked point = Select(scene.Renderer, cells, 55, 32, 55, 32);
     const std::vector<vtkProp*> props = PickProps(scene);
     ASSERT_EQ(area.size(), 4u);
     ASSERT_EQ(point.size(), 1u);
@@ -90,9 +62,9 @@ TEST_P(Picking, FindsWhatItFindsWithoutThePass)
     const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
     scene.Use(pass);
     const Picture before = scene.Render();
-    EXPECT_EQ(Select(scene, cells, 5, 4, 70, 50), area);
-    EXPECT_EQ(Select(scene, points, 5, 4, 70, 50), areaPoints);
-    EXPECT_EQ(Select(scene, cells, 55, 32, 55, 32), point);
+    EXPECT_EQ(Select(scene.Renderer, cells, 5, 4, 70, 50), area);
+    EXPECT_EQ(Select(scene.Renderer, points, 5, 4, 70, 50), areaPoints);
+    EXPECT_EQ(Select(scene.Renderer, cells, 55, 32, 55, 32), point);
     EXPECT_EQ(PickProps(scene), props);
     EXPECT_TRUE(scene.Render() == before);
     EXPECT_STREQ(pass->GetFallbackReason(), "");

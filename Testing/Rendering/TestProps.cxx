@@ -1,4 +1,5 @@
 // What VTK can draw translucently: each kind of prop, mapper and property by every method, against truth.
+#include "CompositeMapper.h"
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "vtkActor.h"
@@ -25,14 +26,6 @@
 #include "vtkTexture.h"
 #include "vtkTranslucentPass.h"
 #include "vtkUnsignedCharArray.h"
-
-#if __has_include("vtkCompositePolyDataMapper2.h") // up to VTK 9.2
-#include "vtkCompositePolyDataMapper2.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
 
 #include <gtest/gtest.h>
 

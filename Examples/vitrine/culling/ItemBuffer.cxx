@@ -91,8 +91,6 @@ Scene NumberParts(const Scene& scene, std::size_t& count)
   numbered.Parts.push_back(all);
   return numbered;
 }
-
-const std::size_t MostNumbers = (1u << 24) - 1;
 }
 
 ItemBuffer::ItemBuffer(const Scene& scene, PictureSize size)
