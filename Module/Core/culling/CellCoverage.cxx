@@ -93,15 +93,13 @@ void CellCoverage::AddFace(std::uint32_t face)
   }
   const float above = this->Above(own);
   const float aside = this->Aside(own);
-  if (!(height.Left - above <= static_cast<float>(this->LastLine + 1) &&
-        height.Right + above >= static_cast<float>(this->FirstLine) &&
-        width.Left - aside <= this->ColumnCount && width.Right + aside >= 0.0f))
+  if (!(width.Left - aside <= this->ColumnCount && width.Right + aside >= 0.0f))
   {
     return;
   }
-  const int last = FloorWithin(height.Right + above, this->FirstLine, this->LastLine);
-  for (int line = FloorWithin(height.Left - above, this->FirstLine, this->LastLine); line <= last;
-       ++line)
+  const LineRange lines =
+    LinesBetween(height.Left - above, height.Right + above, { this->FirstLine, this->LastLine });
+  for (int line = lines.First; line <= lines.Last; ++line)
   {
     const float bottom = static_cast<float>(line);
     LineExtent touched, middle;
@@ -145,14 +143,9 @@ void CellCoverage::AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, s
   const ScreenEdge onScreen(points[edge.From], points[edge.To]);
   const float above = this->Above(onScreen.OwnRounding());
   const float aside = this->Aside(onScreen.OwnRounding());
-  if (!(onScreen.Bottom().Line - above <= static_cast<float>(this->LastLine + 1) &&
-        onScreen.Top().Line + above >= static_cast<float>(this->FirstLine)))
-  {
-    return;
-  }
-  const int last = FloorWithin(onScreen.Top().Line + above, this->FirstLine, this->LastLine);
-  for (int line = FloorWithin(onScreen.Bottom().Line - above, this->FirstLine, this->LastLine);
-       line <= last; ++line)
+  const LineRange lines = LinesBetween(onScreen.Bottom().Line - above, onScreen.Top().Line + above,
+    { this->FirstLine, this->LastLine });
+  for (int line = lines.First; line <= lines.Last; ++line)
   {
     const float bottom = static_cast<float>(line);
     LineExtent touched;

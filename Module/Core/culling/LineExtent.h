@@ -85,6 +85,24 @@ inline int FloorWithin(float value, int least, int greatest)
     std::min(std::max(std::floor(value), static_cast<float>(least)), static_cast<float>(greatest)));
 }
 
+/** Lines one after the other; none where First exceeds Last. */
+struct LineRange
+{
+  int First = 0;
+  int Last = -1;
+};
+
+/** Those of `lines` that what reaches from `bottom` to `top` touches. Numbers that are none touch nothing. */
+inline LineRange LinesBetween(float bottom, float top, const LineRange& lines)
+{
+  if (!(bottom <= static_cast<float>(lines.Last + 1) && top >= static_cast<float>(lines.First)))
+  {
+    return {};
+  }
+  return { FloorWithin(bottom, lines.First, lines.Last),
+    FloorWithin(top, lines.First, lines.Last) };
+}
+
 }
 
 #endif

@@ -67,14 +67,9 @@ void OutlineCoverage::AddEdge(const ScreenPoint& from, const ScreenPoint& to)
   const ScreenEdge edge(from, to);
   const float aside = this->Projection->Margin().Column + edge.OwnRounding();
   const float above = this->Projection->Margin().Line + edge.OwnRounding() - this->Inset;
-  if (!(edge.Bottom().Line - above <= static_cast<float>(this->LastLine + 1) &&
-        edge.Top().Line + above >= static_cast<float>(this->FirstLine)))
-  {
-    return;
-  }
-  const int last = FloorWithin(edge.Top().Line + above, this->FirstLine, this->LastLine);
-  for (int line = FloorWithin(edge.Bottom().Line - above, this->FirstLine, this->LastLine);
-       line <= last; ++line)
+  const LineRange lines = LinesBetween(
+    edge.Bottom().Line - above, edge.Top().Line + above, { this->FirstLine, this->LastLine });
+  for (int line = lines.First; line <= lines.Last; ++line)
   {
     const float bottom = static_cast<float>(line);
     LineExtent extent;
