@@ -154,9 +154,9 @@ TEST(SBufferSamples, OfNumbersThatAreNoneHidesNothing)
 
 TEST(SBufferTiles, AreCoveredBeforeWhatIsNoNearer)
 {
-  SBuffer buffer(20, 2); // the last tile is half a one
+  SBuffer buffer(10, 2); // the last tile is half a one
   EXPECT_FALSE(buffer.IsCoveredBefore(1, 0, 0.0f)) << "nothing is there";
-  buffer.Insert(1, { 0.0f, 20.0f, 0.8f, 0.4f, 0 }); // 0.64 at column 8, 0.48 at 16
+  buffer.Insert(1, { 0.0f, 10.0f, 0.8f, 0.4f, 0 }); // 0.64 at column 4, 0.48 at 8
   EXPECT_TRUE(buffer.IsCoveredBefore(1, 0, 0.639f));
   EXPECT_FALSE(buffer.IsCoveredBefore(1, 0, 0.641f));
   EXPECT_TRUE(buffer.IsCoveredBefore(1, 1, 0.479f));
@@ -169,14 +169,14 @@ TEST(SBufferTiles, AreCoveredBeforeWhatIsNoNearer)
 
 TEST(SBufferTiles, AreCoveredOnceTheyAreFull)
 {
-  SBuffer buffer(16, 1);
-  buffer.Insert(0, { 0.0f, 7.9f, 0.5f, 0.5f, 0 });
+  SBuffer buffer(8, 1);
+  buffer.Insert(0, { 0.0f, 3.9f, 0.5f, 0.5f, 0 });
   EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.1f)) << "a gap at its end";
-  buffer.Insert(0, { 7.8f, 9.0f, 0.3f, 0.3f, 0 });
+  buffer.Insert(0, { 3.8f, 5.0f, 0.3f, 0.3f, 0 });
   EXPECT_TRUE(buffer.IsCoveredBefore(0, 0, 0.3f)) << "as near is enough";
   EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.31f));
   EXPECT_FALSE(buffer.IsCoveredBefore(0, 1, 0.1f));
-  buffer.Insert(0, { 7.0f, 8.0f, 0.4f, 0.4f, 0 });
+  buffer.Insert(0, { 3.0f, 4.0f, 0.4f, 0.4f, 0 });
   EXPECT_TRUE(buffer.IsCoveredBefore(0, 0, 0.4f)) << "known anew";
   buffer.Clear();
   EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.1f));

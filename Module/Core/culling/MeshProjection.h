@@ -64,6 +64,9 @@ public:
                                                        : Facing::Back;
   }
 
+  /** Whether all points are behind the near plane. */
+  bool IsBehindNear() const { return this->AreAllBehindNear; }
+
   /** Whether a point, which may be before the near plane, is not. */
   bool IsBehindNear(std::uint32_t point) const
   {

@@ -44,7 +44,7 @@ std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& proje
       }
     }
   }
-  return this->Outline.size() + static_cast<std::size_t>(this->LastLine - this->FirstLine + 1);
+  return this->EdgeCount + static_cast<std::size_t>(this->LastLine - this->FirstLine + 1);
 }
 
 /** Find the lines that all points lie in; returns whether any may be covered. */
@@ -71,23 +71,18 @@ bool OutlineCoverage::FrameLines(const SBuffer& buffer)
 void OutlineCoverage::FindFacets(MeshProjection::Facing facing)
 {
   const MeshFacets& facets = this->Projection->Mesh().Facets();
+  const bool areAllBehindNear = this->Projection->IsBehindNear();
   this->IsCounted.resize(facets.Count() + 1);
   float farthest = 1.0f;
   std::uint32_t begin = 0;
   for (std::size_t i = 0; i < facets.Count(); ++i)
   {
     const std::uint32_t end = facets.CornerEnds()[i];
-    bool counts = this->Projection->FacingOf(facets.LargestFaces()[i]) == facing;
-    if (counts)
+    const bool counts = this->Projection->FacingOf(facets.LargestFaces()[i]) == facing &&
+      (areAllBehindNear || this->IsBehindNear(begin, end));
+    for (std::uint32_t corner = counts ? begin : end; corner < end; ++corner)
     {
-      float least = 1.0f;
-      for (std::uint32_t corner = begin; corner < end; ++corner)
-      {
-        const std::uint32_t point = facets.Corners()[corner];
-        counts = counts && this->Projection->IsBehindNear(point);
-        least = std::min(least, this->Projection->Point(point).Depth);
-      }
-      farthest = counts ? std::min(farthest, least) : farthest;
+      farthest = std::min(farthest, this->Projection->Point(facets.Corners()[corner]).Depth);
     }
     this->IsCounted[i] = counts;
     begin = end;
@@ -96,43 +91,59 @@ void OutlineCoverage::FindFacets(MeshProjection::Facing facing)
   this->Depth = farthest - this->Projection->Margin().Depth;
 }
 
+/** Whether all corners of a facet are. */
+bool OutlineCoverage::IsBehindNear(std::uint32_t begin, std::uint32_t end) const
+{
+  const std::uint32_t* const corners = this->Projection->Mesh().Facets().Corners().data();
+  return std::all_of(corners + begin, corners + end,
+    [&](std::uint32_t corner) { return this->Projection->IsBehindNear(corner); });
+}
+
+/** Those that go down come first, those that go up behind them. What is chosen is chosen without branches, which could not be foreseen. */
 void OutlineCoverage::FindOutline(MeshProjection::Facing facing)
 {
   const std::vector<MeshEdge>& edges = this->Projection->Mesh().Facets().Edges();
   this->Ends.resize(edges.size() + 1);
+  this->Outline.resize(std::max(this->Outline.size(), edges.size() + 1));
+  // What counts lies left of an edge of the outline; of back faces, right of it.
+  const std::uint8_t isBack = facing == MeshProjection::Facing::Front ? 0 : 1;
+  const std::uint8_t* const isCounted = this->IsCounted.data();
+  MeshEdge* const ends = this->Ends.data();
   std::size_t count = 0;
   for (const MeshEdge& edge : edges)
   {
-    const bool left = this->IsCounted[edge.Left] != 0;
-    const bool right = this->IsCounted[edge.Right] != 0;
-    // What counts lies left of an edge of the outline; of back faces, right of it.
-    const bool isForward = left == (facing == MeshProjection::Facing::Front);
-    this->Ends[count].From = isForward ? edge.From : edge.To;
-    this->Ends[count].To = isForward ? edge.To : edge.From;
-    count += left != right; // without a branch, which could not be foreseen
+    const std::uint8_t left = isCounted[edge.Left];
+    const bool isForward = left != isBack;
+    ends[count].From = isForward ? edge.From : edge.To;
+    ends[count].To = isForward ? edge.To : edge.From;
+    count += left ^ isCounted[edge.Right];
   }
-  this->Outline.resize(count);
+  OutlineEdge* const outline = this->Outline.data();
+  std::size_t down = 0, up = count;
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Outline[i] = EdgeFrom(
+    const OutlineEdge edge = EdgeFrom(
       this->Projection->Point(this->Ends[i].From), this->Projection->Point(this->Ends[i].To));
+    outline[edge.Winding > 0.0f ? down : up - 1] = edge;
+    down += edge.Winding > 0.0f;
+    up -= edge.Winding < 0.0f;
   }
+  this->DownCount = down;
+  this->EdgeCount = count;
 }
 
 OutlineCoverage::OutlineEdge OutlineCoverage::EdgeFrom(
   const ScreenPoint& from, const ScreenPoint& to)
 {
-  const bool isUp = to.Line > from.Line;
-  const ScreenPoint& low = isUp ? from : to;
-  const ScreenPoint& high = isUp ? to : from;
+  const float isUp = to.Line > from.Line ? 1.0f : 0.0f;
+  const float bottom = std::min(from.Line, to.Line), top = std::max(from.Line, to.Line);
   const float left = std::min(from.Column, to.Column), right = std::max(from.Column, to.Column);
-  const float height = high.Line - low.Line;
-  if (!(height > LeastHeight))
-  {
-    return { low.Line, high.Line, isUp ? left : right, 0.0f, left, right, !isUp };
-  }
-  return { low.Line, high.Line, low.Column, (high.Column - low.Column) / height, left, right,
-    !isUp };
+  const bool isHigh = top - bottom > LeastHeight;
+  const float slope = (to.Column - from.Column) / (to.Line - from.Line);
+  const float inside = isUp > 0.0f ? left : right;
+  const float low = isUp > 0.0f ? from.Column : to.Column;
+  return { bottom, top, isHigh ? low : inside, isHigh ? slope : 0.0f, left, right,
+    1.0f - 2.0f * isUp };
 }
 
 /** On a line that it crosses. */
@@ -140,6 +151,17 @@ float OutlineCoverage::OutlineEdge::At(float line) const
 {
   return std::min(
     std::max(this->Column + (line - this->Bottom) * this->Slope, this->Left), this->Right);
+}
+
+/** At the top or at the bottom of what it has of lines. */
+VITRINE_INLINE Lanes OutlineCoverage::OutlineEdge::FarthestOn(
+  Lanes bottom, Lanes top, bool isAtTop) const
+{
+  const Lanes highest = LeastOf(top, AllLanes(this->Top));
+  const Lanes lowest = GreatestOf(bottom, AllLanes(this->Bottom));
+  const LaneMask mask = LaneMask{} - (isAtTop ? 1 : 0);
+  const Lanes column = ((mask ? highest : lowest) - this->Bottom) * this->Slope + this->Column;
+  return LeastOf(GreatestOf(column, AllLanes(this->Left)), AllLanes(this->Right));
 }
 
 /**
@@ -151,25 +173,22 @@ void OutlineCoverage::FindSpans(int line, SpanLanes& spans) const
   const Lanes base = LanesFrom(static_cast<float>(line));
   const Lanes bottom = base - this->Above, middle = base + 0.5f, top = base + 1.0f + this->Above;
   Lanes left = AllLanes(-Nowhere), right = AllLanes(Nowhere), crossings = AllLanes(0.0f);
-  for (const OutlineEdge& edge : this->Outline)
+  const OutlineEdge* const edges = this->Outline.data();
+  for (std::size_t i = 0; i < this->DownCount; ++i)
   {
+    const OutlineEdge& edge = edges[i];
     const LaneMask isTouched = (top >= edge.Bottom) & (bottom <= edge.Top);
-    const bool isAtTop = (edge.Slope > 0.0f) == edge.GoesDown;
-    const Lanes at =
-      isAtTop ? LeastOf(top, AllLanes(edge.Top)) : GreatestOf(bottom, AllLanes(edge.Bottom));
-    const Lanes column =
-      LeastOf(GreatestOf((at - edge.Bottom) * edge.Slope + edge.Column, AllLanes(edge.Left)),
-        AllLanes(edge.Right));
-    if (edge.GoesDown)
-    {
-      left = GreatestOf(left, isTouched ? column : AllLanes(-Nowhere));
-      const LaneMask isCrossed = (middle >= edge.Bottom) & (middle < edge.Top);
-      crossings += isCrossed ? AllLanes(1.0f) : AllLanes(0.0f);
-    }
-    else
-    {
-      right = LeastOf(right, isTouched ? column : AllLanes(Nowhere));
-    }
+    const Lanes column = edge.FarthestOn(bottom, top, edge.Slope > 0.0f);
+    left = GreatestOf(left, isTouched ? column : AllLanes(-Nowhere));
+    const LaneMask isCrossed = (middle >= edge.Bottom) & (middle < edge.Top);
+    crossings += isCrossed ? AllLanes(1.0f) : AllLanes(0.0f);
+  }
+  for (std::size_t i = this->DownCount; i < this->EdgeCount; ++i)
+  {
+    const OutlineEdge& edge = edges[i];
+    const LaneMask isTouched = (top >= edge.Bottom) & (bottom <= edge.Top);
+    const Lanes column = edge.FarthestOn(bottom, top, edge.Slope < 0.0f);
+    right = LeastOf(right, isTouched ? column : AllLanes(Nowhere));
   }
   StoreLanes(crossings > 0.0f ? left + this->Aside : AllLanes(Nowhere), spans.Left);
   StoreLanes(right - this->Aside, spans.Right);
@@ -183,8 +202,9 @@ void OutlineCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
   const float middle = static_cast<float>(line) + 0.5f;
   const float top = static_cast<float>(line) + 1.0f + this->Above;
   this->Passages.clear();
-  for (const OutlineEdge& edge : this->Outline)
+  for (std::size_t i = 0; i < this->EdgeCount; ++i)
   {
+    const OutlineEdge& edge = this->Outline[i];
     if (edge.Bottom <= top && edge.Top >= bottom)
     {
       const bool isLevel = edge.Slope == 0.0f;
@@ -192,7 +212,7 @@ void OutlineCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
       const float high = isLevel ? edge.Right : edge.At(std::min(edge.Top, top));
       const bool isCrossed = edge.Bottom <= middle && middle < edge.Top;
       this->Passages.push_back({ std::min(low, high) - this->Aside,
-        std::max(low, high) + this->Aside, isCrossed ? (edge.GoesDown ? 1 : -1) : 0 });
+        std::max(low, high) + this->Aside, isCrossed ? (edge.Winding > 0.0f ? 1 : -1) : 0 });
     }
   }
   std::sort(this->Passages.begin(), this->Passages.end(),

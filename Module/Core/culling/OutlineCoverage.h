@@ -49,9 +49,10 @@ private:
     float Column;      ///< at the bottom
     float Slope;       ///< columns a line
     float Left, Right; ///< columns
-    bool GoesDown;     ///< level ones, too
+    float Winding;     ///< 1 if it goes down, or is level, -1 if it goes up
 
     float At(float line) const;
+    Lanes FarthestOn(Lanes bottom, Lanes top, bool isAtTop) const;
   };
 
   /** What one outline edge down and one up leave between them, and how many go down through the middles. */
@@ -72,6 +73,7 @@ private:
 
   bool FrameLines(const SBuffer& buffer);
   void FindFacets(MeshProjection::Facing facing);
+  bool IsBehindNear(std::uint32_t begin, std::uint32_t end) const;
   void FindOutline(MeshProjection::Facing facing);
   static OutlineEdge EdgeFrom(const ScreenPoint& from, const ScreenPoint& to);
   void FindSpans(int line, SpanLanes& spans) const;
@@ -84,7 +86,9 @@ private:
   float Depth = 0.0f;
   std::vector<std::uint8_t> IsCounted; ///< each facet, and 0 for none
   std::vector<MeshEdge> Ends;          ///< of the outline
-  std::vector<OutlineEdge> Outline;
+  std::vector<OutlineEdge> Outline;    ///< first those that go down
+  std::size_t EdgeCount = 0;           ///< as many are of this one
+  std::size_t DownCount = 0;
   std::vector<Passage> Passages;
 };
 

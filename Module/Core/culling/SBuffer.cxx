@@ -305,6 +305,30 @@ bool SBuffer::TileHides(std::size_t tile, float left, float right, float nearest
   return false;
 }
 
+/** A bit for each tile of a column of tiles, up to eight from `line` up to `last`, that is not known to be covered by what is nearer. */
+VITRINE_INLINE unsigned SBuffer::OpenTiles(int line, int last, int tile, float nearest) const
+{
+  return ~BitsOf(LoadLanes(&this->Leasts[this->TileAt(line, tile)]) > AllLanes(nearest)) &
+    LowBits(last + 1 - line);
+}
+
+VITRINE_INLINE bool SBuffer::PartOfTilesHides(
+  int first, int last, int tile, float left, float right, float nearest) const
+{
+  for (int line = first; line <= last; line += LaneCount)
+  {
+    unsigned open = this->OpenTiles(line, last, tile, nearest);
+    for (std::size_t above = this->TileAt(line, tile); open != 0; ++above, open >>= 1)
+    {
+      if ((open & 1) != 0 && !this->TileHides(above, left, right, nearest))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 VITRINE_FOR_EACH_PROCESSOR
 bool SBuffer::Hides(const ScreenRectangle& rectangle) const
 {
@@ -324,22 +348,33 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
   const int lastLine = std::min(static_cast<int>(top), this->LineCount - 1);
   const int firstLine = std::min(static_cast<int>(bottom), lastLine);
   const int lastTile = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
-  for (int i = std::min(static_cast<int>(left) / TileWidth, lastTile); i <= lastTile; ++i)
+  const int firstTile = std::min(static_cast<int>(left) / TileWidth, lastTile);
+  const auto sideOf = [](int tile) { return static_cast<float>(tile * TileWidth); };
+  const int firstWhole = firstTile + (left > sideOf(firstTile) + this->Grid.Inset() ? 1 : 0);
+  const int endOfWhole = lastTile + (right < sideOf(lastTile + 1) - this->Grid.Inset() ? 0 : 1);
+
+  // Where all of a tile is in question its least depth says all; such tiles are looked at first.
+  for (int i = firstWhole; i < endOfWhole; ++i)
   {
-    const float tileLeft = static_cast<float>(i * TileWidth);
-    const float from = std::max(left, tileLeft), to = std::min(right, tileLeft + TileWidth);
     for (int line = firstLine; line <= lastLine; line += LaneCount)
     {
-      const std::size_t tile = this->TileAt(line, i);
-      unsigned open = ~BitsOf(LoadLanes(&this->Leasts[tile]) > AllLanes(rectangle.Nearest)) &
-        LowBits(lastLine + 1 - line);
-      for (std::size_t above = tile; open != 0; ++above, open >>= 1)
+      if (this->OpenTiles(line, lastLine, i, rectangle.Nearest) != 0)
       {
-        if ((open & 1) != 0 && !this->TileHides(above, from, to, rectangle.Nearest))
-        {
-          return false;
-        }
+        return false;
       }
+    }
+  }
+  for (int i = firstTile; i <= lastTile; ++i)
+  {
+    if (i == firstWhole && firstWhole < endOfWhole)
+    {
+      i = endOfWhole;
+    }
+    if (i <= lastTile &&
+      !this->PartOfTilesHides(firstLine, lastLine, i, std::max(left, sideOf(i)),
+        std::min(right, sideOf(i + 1)), rectangle.Nearest))
+    {
+      return false;
     }
   }
   return true;

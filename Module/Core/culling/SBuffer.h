@@ -70,7 +70,7 @@ class SBuffer
 {
 public:
   static constexpr std::uint32_t NoSpan = 0xffffffffu;
-  static constexpr int TileWidth = 8;
+  static constexpr int TileWidth = 4;
 
   /** With that many columns and lines, both at least 1. */
   SBuffer(int columns, int lines, const SampleGrid& samples = {}, std::size_t mostSpans = 1u << 20);
@@ -112,6 +112,9 @@ private:
   std::uint32_t Allocate();
   void Free(std::uint32_t span);
   float LeastDepthOf(std::uint32_t first, float left, float right) const;
+  unsigned OpenTiles(int line, int last, int tile, float nearest) const;
+  bool PartOfTilesHides(
+    int first, int last, int tile, float left, float right, float nearest) const;
   bool TileHides(std::size_t tile, float left, float right, float nearest) const;
 
   int ColumnCount;
