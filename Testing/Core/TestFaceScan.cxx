@@ -66,8 +66,10 @@ TEST(FaceScan, GoesAroundEitherWay)
   const Polygon back(there.rbegin(), there.rend());
   for (int line = 0; line < Lines; ++line)
   {
-    const vitrine::Segment a = vitrine::FaceScan(FaceNumber5(there), Lines).At(line).Covered;
-    const vitrine::Segment b = vitrine::FaceScan(FaceNumber5(back), Lines).At(line).Covered;
+    const vitrine::Segment a =
+      vitrine::FaceScan(FaceNumber5(there), Columns, Lines).At(line).Covered;
+    const vitrine::Segment b =
+      vitrine::FaceScan(FaceNumber5(back), Columns, Lines).At(line).Covered;
     EXPECT_EQ(a.Left, b.Left) << line;
     EXPECT_EQ(a.Right, b.Right) << line;
     EXPECT_EQ(a.LeftDepth, b.LeftDepth) << line;
@@ -80,10 +82,10 @@ TEST(FaceScan, TellsWhichFacesAreAcrossTheSidesThatItEndsAt)
   const Polygon quad{ At(2, 0, 0), At(8, 0, 0), At(9, 6, 0), At(1, 6, 0) };
   const std::uint32_t across[] = { 10, 11, 12, 13 }; // bottom, right, top, left
   const ConvexFace face{ quad.data(), quad.size(), 5, across };
-  EXPECT_EQ(vitrine::FaceScan(face, Lines).At(3).LeftNeighbour, 13u);
-  EXPECT_EQ(vitrine::FaceScan(face, Lines).At(3).RightNeighbour, 11u);
-  EXPECT_EQ(vitrine::FaceScan(FaceNumber5(quad), Lines).At(3).LeftNeighbour, NoNeighbour);
-  EXPECT_EQ(vitrine::FaceScan(face, Lines).At(7).LeftNeighbour, NoNeighbour) << "above it";
+  EXPECT_EQ(vitrine::FaceScan(face, Columns, Lines).At(3).LeftNeighbour, 13u);
+  EXPECT_EQ(vitrine::FaceScan(face, Columns, Lines).At(3).RightNeighbour, 11u);
+  EXPECT_EQ(vitrine::FaceScan(FaceNumber5(quad), Columns, Lines).At(3).LeftNeighbour, NoNeighbour);
+  EXPECT_EQ(vitrine::FaceScan(face, Columns, Lines).At(7).LeftNeighbour, NoNeighbour) << "above it";
 }
 
 TEST(FaceScan, LeavesNoGapBetweenFacesThatShareASide)
@@ -99,8 +101,10 @@ TEST(FaceScan, LeavesNoGapBetweenFacesThatShareASide)
     const Polygon right{ high, low, corner(35, 45, -2, 14) };
     for (int line = 0; line < Lines; ++line)
     {
-      const vitrine::Segment a = vitrine::FaceScan(FaceNumber5(left), Lines).At(line).Covered;
-      const vitrine::Segment b = vitrine::FaceScan(FaceNumber5(right), Lines).At(line).Covered;
+      const vitrine::Segment a =
+        vitrine::FaceScan(FaceNumber5(left), Columns, Lines).At(line).Covered;
+      const vitrine::Segment b =
+        vitrine::FaceScan(FaceNumber5(right), Columns, Lines).At(line).Covered;
       const double middle = line + 0.5;
       if (low.Line <= middle && middle < high.Line)
       {
@@ -150,6 +154,21 @@ TEST(FaceScan, OfHugeFacesEndsWithTheScreen)
     EXPECT_EQ(buffer.SpansOf(line).front().Left, 0.0f);
     EXPECT_EQ(buffer.SpansOf(line).back().Right, float(Columns));
   }
+}
+
+TEST(FaceScan, OfFacesThatReachFarBeyondTheScreenHasTheDepthThere)
+{
+  // 0.25 at column 0 and 0.65 at column 40.
+  const Polygon wide = UprightFace(-1e6, 1e6, 0, 2, 0.25 - 1e4, 0.25 + 1e4);
+  const std::uint32_t across[] = { 10, 11, 12, 13 };
+  const vitrine::FaceSegment segment =
+    vitrine::FaceScan({ wide.data(), wide.size(), 5, across }, Columns, Lines).At(1);
+  EXPECT_EQ(segment.Covered.Left, 0.0f);
+  EXPECT_EQ(segment.Covered.Right, float(Columns));
+  EXPECT_NEAR(segment.Covered.LeftDepth, 0.25, 1e-3); // the corners' depths are floats
+  EXPECT_NEAR(segment.Covered.RightDepth - segment.Covered.LeftDepth, 0.4, 1e-6);
+  EXPECT_EQ(segment.LeftNeighbour, NoNeighbour) << "no neighbour begins there";
+  EXPECT_EQ(segment.RightNeighbour, NoNeighbour);
 }
 
 TEST(FaceScan, InsertsWhatIsSeenOfFacesAtAllMiddles)

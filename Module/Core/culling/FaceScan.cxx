@@ -35,7 +35,7 @@ LineRange LinesOf(const ConvexFace& face, int lines)
 template <class Insertion>
 void InsertLines(const SBuffer& buffer, const ConvexFace& face, const Insertion& insert)
 {
-  const FaceScan scan(face, buffer.Lines());
+  const FaceScan scan(face, buffer.Columns(), buffer.Lines());
   for (int line = scan.Lines().First; line <= scan.Lines().Last; ++line)
   {
     insert(line, scan.At(line));
@@ -47,58 +47,61 @@ void InsertLines(const SBuffer& buffer, const ConvexFace& face, const Insertion&
 /** Where a side passes a line's middle. */
 struct FaceScan::Crossing
 {
-  Crossing(const ScreenPoint& low, const ScreenPoint& high, double middle)
-  {
-    const double share = (middle - low.Line) / (double{ high.Line } - low.Line);
-    this->Column = static_cast<float>(low.Column + share * (double{ high.Column } - low.Column));
-    this->Depth = static_cast<float>(low.Depth + share * (double{ high.Depth } - low.Depth));
-  }
+  double Column;
+  double Depth;
+  std::uint32_t Neighbour = NoNeighbour; ///< across the side
 
-  float Column;
-  float Depth;
+  /** What covers from here to `end` at `column`, which is no side's. */
+  Crossing Within(const Crossing& end, double column) const
+  {
+    const double share = (column - this->Column) / (end.Column - this->Column);
+    return { column, this->Depth + share * (end.Depth - this->Depth) };
+  }
 };
 
-FaceScan::FaceScan(const ConvexFace& face, int lines)
+FaceScan::FaceScan(const ConvexFace& face, int columns, int lines)
   : Face(face)
+  , Columns(columns)
   , Range(LinesOf(face, lines))
 {
 }
 
+/** The same for the faces on both sides; nowhere of a side that does not pass. */
+FaceScan::Crossing FaceScan::CrossingOf(std::size_t side, double middle) const
+{
+  const ScreenPoint& from = this->Face.Corners[side];
+  const ScreenPoint& to = this->Face.Corners[side + 1 < this->Face.Count ? side + 1 : 0];
+  const bool isUp = from.Line < to.Line;
+  const ScreenPoint& low = isUp ? from : to;
+  const ScreenPoint& high = isUp ? to : from;
+  if (!(low.Line <= middle && middle < high.Line))
+  {
+    return { std::nan(""), 0.0 };
+  }
+  const double share = (middle - low.Line) / (double{ high.Line } - low.Line);
+  return { low.Column + share * (double{ high.Column } - low.Column),
+    low.Depth + share * (double{ high.Depth } - low.Depth),
+    this->Face.Neighbours ? this->Face.Neighbours[side] : NoNeighbour };
+}
+
 FaceSegment FaceScan::At(int line) const
 {
-  const double middle = line + 0.5;
-  FaceSegment segment;
-  bool isFirst = true;
-  for (std::size_t i = 0; i < this->Face.Count; ++i)
+  Crossing left{ 1e300, 0.0 }, right{ -1e300, 0.0 };
+  for (std::size_t side = 0; side < this->Face.Count; ++side)
   {
-    const ScreenPoint& from = this->Face.Corners[i];
-    const ScreenPoint& to = this->Face.Corners[i + 1 < this->Face.Count ? i + 1 : 0];
-    const bool isUp = from.Line < to.Line;
-    const ScreenPoint& low = isUp ? from : to;
-    const ScreenPoint& high = isUp ? to : from;
-    if (!(low.Line <= middle && middle < high.Line))
-    {
-      continue;
-    }
-    const Crossing crossing(low, high, middle);
-    const std::uint32_t neighbour = this->Face.Neighbours ? this->Face.Neighbours[i] : NoNeighbour;
-    Segment& covered = segment.Covered;
-    if (isFirst || crossing.Column < covered.Left)
-    {
-      covered.Left = crossing.Column;
-      covered.LeftDepth = crossing.Depth;
-      segment.LeftNeighbour = neighbour;
-    }
-    if (isFirst || crossing.Column > covered.Right)
-    {
-      covered.Right = crossing.Column;
-      covered.RightDepth = crossing.Depth;
-      segment.RightNeighbour = neighbour;
-    }
-    isFirst = false;
+    const Crossing crossing = this->CrossingOf(side, line + 0.5);
+    left = crossing.Column < left.Column ? crossing : left;
+    right = crossing.Column > right.Column ? crossing : right;
   }
-  segment.Covered.Face = this->Face.Number;
-  return segment;
+  if (!(left.Column < right.Column && right.Column > 0.0 && left.Column < this->Columns))
+  {
+    return { { 0.0f, 0.0f, 0.0f, 0.0f, this->Face.Number } };
+  }
+  const Crossing first = left.Column < 0.0 ? left.Within(right, 0.0) : left;
+  const Crossing last = right.Column > this->Columns ? left.Within(right, this->Columns) : right;
+  return { { static_cast<float>(first.Column), static_cast<float>(last.Column),
+             static_cast<float>(first.Depth), static_cast<float>(last.Depth), this->Face.Number },
+    first.Neighbour, last.Neighbour };
 }
 
 void InsertFace(SBuffer& buffer, const ConvexFace& face)
@@ -119,7 +122,7 @@ bool HidesFace(const SBuffer& buffer, const ConvexFace& face, float margin)
   {
     return false;
   }
-  const FaceScan scan(face, buffer.Lines());
+  const FaceScan scan(face, buffer.Columns(), buffer.Lines());
   for (int line = scan.Lines().First; line <= scan.Lines().Last; ++line)
   {
     if (!buffer.Hides(line, scan.At(line).Covered, margin))

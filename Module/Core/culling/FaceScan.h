@@ -20,18 +20,21 @@ namespace vitrine
 class FaceScan
 {
 public:
-  FaceScan(const ConvexFace& face, int lines);
+  FaceScan(const ConvexFace& face, int columns, int lines);
 
   /** Those that it may cover. */
   const LineRange& Lines() const { return this->Range; }
 
-  /** What it covers of a line's middle; without length where that is nothing. */
+  /** What it covers of a line's middle on the screen; without length where that is nothing. */
   FaceSegment At(int line) const;
 
 private:
   struct Crossing;
 
+  Crossing CrossingOf(std::size_t side, double middle) const;
+
   const ConvexFace& Face;
+  int Columns;
   LineRange Range;
 };
 
