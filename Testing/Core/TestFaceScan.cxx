@@ -271,34 +271,40 @@ TEST(HidesBox, ByTheFacesThatLookTowardsTheEye)
 
 TEST(HidesBox, BehindTheFacesOfALargerOneThatItsRectangleLooksPast)
 {
-  const glm::dvec3 eye(5, 4, 6);
-  const ScreenProjection view(glm::perspective(0.6, 1.0, 0.5, 20.0) *
-      glm::lookAt(eye, glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0)),
-    64, 64, glm::dvec3(1.0), {});
+  const coverage::Triangles outer = coverage::BoxBetween(glm::dvec3(-1.0), glm::dvec3(1.0));
   const Box inner{ glm::vec3(-0.9f), glm::vec3(0.9f) };
-  for (const bool isWhole : { true, false })
+  for (const double side : { -1.0, 1.0 })
   {
-    SBuffer buffer(64, 64, {}, 1u << 14);
-    const coverage::Triangles outer = coverage::BoxBetween(glm::dvec3(-1.0), glm::dvec3(1.0));
-    const std::size_t count = outer.Corners.size() - (isWhole ? 0 : 6); // without the one towards x
-    for (std::size_t i = 0; i < count; i += 3)
+    const glm::dvec3 eye = side * glm::dvec3(5, 4, 6);
+    const ScreenProjection view(glm::perspective(0.6, 1.0, 0.5, 20.0) *
+        glm::lookAt(eye, glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0)),
+      64, 64, glm::dvec3(1.0), {});
+    const std::size_t towardsX = side > 0.0 ? 30 : 24; // corners of the face that looks to the eye
+    for (const bool isWhole : { true, false })
     {
-      Polygon polygon;
-      for (std::size_t j = i; j < i + 3; ++j)
+      SBuffer buffer(64, 64, {}, 1u << 14);
+      for (std::size_t i = 0; i < outer.Corners.size(); i += 3)
       {
-        const glm::dvec4 place = view.ToScreen(outer.Points[outer.Corners[j]]);
-        polygon.push_back(At(place.x / place.w, place.y / place.w, place.z / place.w));
+        Polygon polygon;
+        for (std::size_t j = i; j < i + 3; ++j)
+        {
+          const glm::dvec4 place = view.ToScreen(outer.Points[outer.Corners[j]]);
+          polygon.push_back(At(place.x / place.w, place.y / place.w, place.z / place.w));
+        }
+        if (isWhole || i < towardsX || i >= towardsX + 6)
+        {
+          InsertFace(buffer, FaceNumber5(polygon));
+        }
       }
-      InsertFace(buffer, FaceNumber5(polygon));
+      vitrine::ScreenRectangle rectangle;
+      ASSERT_EQ(view.Project(inner, rectangle), ScreenProjection::Place::Before);
+      EXPECT_FALSE(buffer.Hides(rectangle, 0.0f));
+      EXPECT_EQ(HidesBox(buffer, view, inner, eye, false, 0.0f), isWhole) << side;
     }
-    vitrine::ScreenRectangle rectangle;
-    ASSERT_EQ(view.Project(inner, rectangle), ScreenProjection::Place::Before);
-    EXPECT_FALSE(buffer.Hides(rectangle, 0.0f));
-    EXPECT_EQ(HidesBox(buffer, view, inner, eye, false, 0.0f), isWhole);
   }
 }
 
-TEST(HidesBox, NotWhereTheEyeIsInItOrItReachesBeforeTheNearPlane)
+TEST(HidesBox, NotWhereTheEyeIsInItOrItReachesBehindTheEyeOrTheNearPlane)
 {
   SBuffer full(8, 8, {}, 1024);
   InsertFace(full, FaceNumber5(LevelFace(0, 8, 0, 8, 1.0)));
@@ -311,4 +317,11 @@ TEST(HidesBox, NotWhereTheEyeIsInItOrItReachesBeforeTheNearPlane)
   const Box box{ { 2, 2, -0.5f }, { 5, 6, 0.5f } };
   EXPECT_FALSE(HidesBox(full, StraightView(), box, { 3, 3, 0 }, false, 0.0f)) << "eye inside";
   EXPECT_FALSE(HidesBox(full, StraightView(), box, glm::dvec3(NotANumber), false, 0.0f));
+
+  const ScreenProjection fromOrigin(
+    glm::perspective(1.0, 1.0, 0.5, 20.0), 8, 8, glm::dvec3(5.0), {});
+  const glm::dvec3 origin(0.0);
+  EXPECT_TRUE(HidesBox(full, fromOrigin, { { 1, -1, -5 }, { 2, 1, -3 } }, origin, false, 0.0f));
+  EXPECT_FALSE(HidesBox(full, fromOrigin, { { 1, -1, -5 }, { 2, 1, 3 } }, origin, false, 0.0f))
+    << "from ahead to behind the eye, beside it";
 }

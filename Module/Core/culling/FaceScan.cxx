@@ -141,10 +141,9 @@ bool HidesBox(const SBuffer& buffer, const ScreenProjection& projection, const B
   {
     const glm::dvec4 place = projection.ToScreen({ i & 1 ? box.Max.x : box.Min.x,
       i & 2 ? box.Max.y : box.Min.y, i & 4 ? box.Max.z : box.Min.z });
-    if (!(place.w > 0.0 &&
-          place.z <= place.w)) // before the near plane the reversed depth exceeds 1
+    if (!(place.w > 0.0))
     {
-      return false;
+      return false; // behind the eye
     }
     corners[i] = { static_cast<float>(place.x / place.w), static_cast<float>(place.y / place.w),
       static_cast<float>(place.z / place.w) };

@@ -49,7 +49,7 @@ bool HidesFace(const SBuffer& buffer, const ConvexFace& face, float margin);
 
 /**
  * Whether the faces of a box that look towards the eye are behind what is nearer by more than `margin`: then all of the box
- * is. A box around the eye, or that reaches before the near plane, is not.
+ * is. A box around the eye, or that reaches behind it or before the near plane, is not.
  * @param sight       the eye, or, of a parallel view, its direction, in world coordinates
  * @param isParallel  which of the two it is
  */
