@@ -9,7 +9,7 @@ namespace vitrine
 namespace
 {
 
-constexpr unsigned TableBits = 16;
+constexpr unsigned TableBits = 12; // more pairs save few comparisons more
 constexpr std::uint64_t NoPair = ~std::uint64_t{ 0 };
 
 // What sums in floats may be off: of a depth, and of a column whose error the slope turns into one of depth.
@@ -60,7 +60,10 @@ void FaceOrder::Begin(const FaceSegment& segment)
 FaceOrder::Order FaceOrder::Of(const Span& there, float left, float right)
 {
   const Order order = this->Derive(there, left, right);
-  this->Last = { right, there.DepthAt(right), there.Face, order };
+  if (this->Statements.SharedEnds)
+  {
+    this->Last = { right, there.DepthAt(right), there.Face, order };
+  }
   return order;
 }
 
