@@ -2,6 +2,7 @@
 
 #include "BenchmarkMeshes.h"
 
+#include "Core/culling/BoxLanes.h"
 #include "Core/culling/CellCoverage.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OutlineCoverage.h"
@@ -30,24 +31,28 @@ void ProjectBoxes(benchmark::State& state)
 {
   std::mt19937 random(1);
   const auto uniform = [&] { return static_cast<float>(-1 + 6 * (random() / 4294967296.0)); };
-  std::vector<Box> boxes(4096);
-  for (Box& box : boxes)
+  std::vector<BoxLanes> boxes(512);
+  for (BoxLanes& eight : boxes)
   {
-    const float x = uniform();
-    const float y = uniform();
-    box.Min = { x, y, uniform() };
-    box.Max = box.Min + 0.1f;
-  }
-  const ScreenProjection view = ViewOfCube();
-  ScreenRectangle rectangle{};
-  for (auto _ : state)
-  {
-    for (const Box& box : boxes)
+    for (int lane = 0; lane < LaneCount; ++lane)
     {
-      benchmark::DoNotOptimize(view.Project(box, rectangle));
+      const float x = uniform();
+      const float y = uniform();
+      const glm::vec3 corner(x, y, uniform());
+      eight.Set(lane, { corner, corner + 0.1f });
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(boxes.size()));
+  const ScreenProjection view = ViewOfCube();
+  RectangleLanes rectangles;
+  for (auto _ : state)
+  {
+    for (const BoxLanes& eight : boxes)
+    {
+      view.Project(eight, rectangles);
+      benchmark::DoNotOptimize(rectangles);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * LaneCount * static_cast<std::int64_t>(boxes.size()));
 }
 BENCHMARK(ProjectBoxes)->Unit(benchmark::kMicrosecond);
 
@@ -70,7 +75,6 @@ void ProjectMesh(benchmark::State& state)
   for (auto _ : state)
   {
     projection.Project(mesh, toScreen);
-    projection.FindFacings();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(mesh.Faces().size()));
 }
@@ -83,7 +87,6 @@ void CoverMesh(benchmark::State& state)
   const OccluderMesh mesh = SpheresOf(state.range(0));
   MeshProjection projection;
   projection.Project(mesh, ViewOfCube().Of(glm::dmat4(1.0), 1.0f));
-  projection.FindFacings();
   SBuffer buffer(480, 270, SampleGrid::AtCentres(4));
   Coverage coverage;
   for (auto _ : state)

@@ -19,7 +19,6 @@ using namespace vitrine;
 constexpr int Columns = 480;
 constexpr int Lines = 270;
 constexpr int PixelsPerLine = 4; // a screen of 1920x1080
-constexpr std::uint32_t BoxesPerLeaf = 16;
 
 // From -1 to 1 along each axis.
 struct Cube
@@ -107,27 +106,26 @@ private:
   std::vector<glm::dmat4> ToWorld;
 };
 
-CullView TheView()
+ScreenProjection TheView()
 {
   const glm::dmat4 toClip = glm::perspective(glm::radians(40.0), 16.0 / 9.0, 0.5, 6.0) * FromEye();
   const float snapping = 1.0f / 64 / PixelsPerLine;
-  return { ScreenProjection(
-             toClip, Columns, Lines, glm::dvec3(1.1), { snapping, snapping, 0x1p-21f }),
-    Eye, false };
+  return ScreenProjection(
+    toClip, Columns, Lines, glm::dvec3(1.1), { snapping, snapping, 0x1p-21f });
 }
 
 void CullBoxes(benchmark::State& state, bool hasWall)
 {
   BoxScene scene(static_cast<std::uint32_t>(state.range(0)), hasWall);
   const std::size_t count = scene.Bounds.size();
-  const Octree tree(BoxArray(scene.Bounds.data(), static_cast<std::uint32_t>(count)), BoxesPerLeaf);
-  const CullView view = TheView();
+  const LooseOctree tree(scene.Bounds);
+  const ScreenProjection view = TheView();
   PartCuller culler(Columns, Lines, SampleGrid::AtCentres(PixelsPerLine));
   std::vector<std::uint8_t> visible;
   for (auto _ : state)
   {
     visible.assign(count, 1);
-    culler.Cull(tree, scene.Bounds, scene, view, true, visible);
+    culler.Cull(tree, scene, view, true, visible);
   }
   std::size_t shown = 0;
   for (const std::uint8_t isVisible : visible)

@@ -75,8 +75,7 @@ void TestRectangles(benchmark::State& state)
     const LineSegment& place = places[asked++ % places.size()];
     const float bottom = static_cast<float>(place.Line);
     hidden += buffer.Hides({ place.Covered.Left, place.Covered.Left + 4.0f, bottom, bottom + 4.0f,
-                             0.5f * place.Covered.LeftDepth },
-      0.0f);
+      0.5f * place.Covered.LeftDepth });
   }
   state.counters["hidden_share"] = static_cast<double>(hidden) / static_cast<double>(asked);
 }

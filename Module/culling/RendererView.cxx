@@ -14,11 +14,6 @@
 #include "vtkSSAOPass.h"
 #include "vtkToneMappingPass.h"
 
-#include <glm/matrix.hpp>
-
-#include <algorithm>
-#include <cmath>
-
 namespace vitrine
 {
 
@@ -75,18 +70,6 @@ bool IsSampledAtCentres(vtkRenderer* renderer)
       IsOfClass(steps->GetOpaquePass(), "vtkOpaquePass") && steps->GetTranslucentPass() &&
       IsOfWindowSize(steps->GetTranslucentPass()));
 }
-
-// Points farther away than so many units are directions.
-const double FarAway = 1e9;
-
-/** The eye is what x, y and w of clip coordinates are 0 for: a point, or the direction of a parallel view. */
-CullView ViewOf(const glm::dmat4& toClip, const ScreenProjection& projection)
-{
-  const glm::dvec4 eye = glm::inverse(toClip) * glm::dvec4(0.0, 0.0, 1.0, 0.0);
-  const bool isParallel = std::abs(eye.w) * FarAway <=
-    std::max(std::max(std::abs(eye.x), std::abs(eye.y)), std::abs(eye.z));
-  return { projection, isParallel ? glm::dvec3(eye) : glm::dvec3(eye) / eye.w, isParallel };
-}
 }
 
 bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts)
@@ -112,9 +95,8 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
     MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) * toView;
   const ScreenMargin snapping{ SnappedPixels / pixels, SnappedPixels / pixels, SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);
-  this->Known = ViewOf(toClip,
-    ScreenProjection(toClip, static_cast<double>(width) / pixels,
-      static_cast<double>(height) / pixels, parts.Reach(), snapping, growth));
+  this->Known.emplace(toClip, static_cast<double>(width) / pixels,
+    static_cast<double>(height) / pixels, parts.Reach(), snapping, growth);
   return true;
 }
 

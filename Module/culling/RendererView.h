@@ -1,7 +1,8 @@
 #ifndef VITRINE_CULLING_RENDERER_VIEW_H
 #define VITRINE_CULLING_RENDERER_VIEW_H
 
-#include "Core/culling/PartCuller.h"
+#include "Core/culling/SampleGrid.h"
+#include "Core/culling/ScreenProjection.h"
 
 #include <array>
 #include <optional>
@@ -34,10 +35,10 @@ public:
       this->Samples.Inset() };
   }
 
-  const CullView& View() const { return *this->Known; }
+  const ScreenProjection& Projection() const { return *this->Known; }
 
 private:
-  std::optional<CullView> Known;
+  std::optional<ScreenProjection> Known;
 };
 
 }

@@ -21,9 +21,7 @@ namespace vitrine
 namespace
 {
 
-const std::uint32_t LeafSize = 16;
-
-// A tree is built anew where more than one part in so many has moved or come.
+// A tree is built anew once more than one part in so many has been put into it, or moved.
 const std::size_t FewOf = 16;
 
 // Where parts were absent for more updates than that, all is read anew: they may be gone for good.
@@ -50,9 +48,7 @@ void SceneParts::Update(vtkProp* const* props, int count)
     this->ForgetAbsent();
   }
   this->LookAnewIfOffsetsChanged();
-  const std::size_t known = this->Parts.size();
-  std::vector<Octree::MovedItem> moved;
-  bool hasChanged = false;
+  std::vector<std::uint32_t> changed;
   this->Drawn.resize(static_cast<std::size_t>(count));
   this->Cursor = 0;
   for (int i = 0; i < count; ++i)
@@ -60,21 +56,16 @@ void SceneParts::Update(vtkProp* const* props, int count)
     const std::uint32_t part = this->Find(props[i]);
     this->Drawn[static_cast<std::size_t>(i)] = part;
     this->Parts[part].SeenIn = this->Frame;
-    const Box before = this->BoxOf[part];
     if (!this->IsUnchanged(this->Parts[part]))
     {
       this->Look(this->Parts[part]);
       this->BoxOf[part] = this->Parts[part].Actor ? this->Read(this->Parts[part]) : Box();
-      hasChanged = true;
-      if (part < known && !(before == this->BoxOf[part]))
-      {
-        moved.push_back({ part, before });
-      }
+      changed.push_back(part);
     }
   }
-  if (known != this->Parts.size() || hasChanged)
+  if (!changed.empty())
   {
-    this->Replant(moved, known);
+    this->Replant(changed);
     this->MeasureAll();
   }
 }
@@ -103,7 +94,7 @@ void SceneParts::ForgetAbsent()
     this->BoxOf.clear();
     this->Index.clear();
     this->Geometries.clear();
-    this->Boxes = Octree();
+    this->Boxes = LooseOctree();
   }
 }
 
@@ -223,20 +214,17 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
   return geometry;
 }
 
-/** Puts the octree right: parts from `known` on are new. */
-void SceneParts::Replant(std::vector<Octree::MovedItem>& moved, std::size_t known)
+/** Puts the octree right. */
+void SceneParts::Replant(const std::vector<std::uint32_t>& changed)
 {
-  const BoxArray boxes(this->BoxOf.data(), static_cast<std::uint32_t>(this->BoxOf.size()));
-  const std::size_t added = this->Parts.size() - known;
-  if ((moved.size() + added) * FewOf > this->Parts.size())
+  if ((this->Boxes.PutCount() + changed.size()) * FewOf > this->Parts.size())
   {
-    this->Boxes = Octree(boxes, LeafSize);
+    this->Boxes = LooseOctree(this->BoxOf);
     return;
   }
-  this->Boxes.Move(moved.data(), moved.size(), boxes);
-  for (std::size_t part = known; part < this->Parts.size(); ++part)
+  for (const std::uint32_t part : changed)
   {
-    this->Boxes.Insert(static_cast<std::uint32_t>(part), boxes);
+    this->Boxes.Put(part, this->BoxOf[part]);
   }
 }
 
@@ -276,6 +264,12 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   const double most = std::max(1.0, std::max(coarser.x, std::max(coarser.y, coarser.z)));
   return { &part.Geometry->Occluder(part.Data), &part.ToWorld, static_cast<float>(most),
     !part.Actor->GetProperty()->GetBackfaceCulling() };
+}
+
+void SceneParts::Expect(std::uint32_t i) const
+{
+  Prefetch(&this->Parts[i]);
+  Prefetch(&this->Parts[i].ToWorld);
 }
 
 }

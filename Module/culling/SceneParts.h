@@ -1,7 +1,7 @@
 #ifndef VITRINE_CULLING_SCENE_PARTS_H
 #define VITRINE_CULLING_SCENE_PARTS_H
 
-#include "Core/culling/Octree.h"
+#include "Core/culling/LooseOctree.h"
 #include "Core/culling/PartCuller.h"
 #include "culling/PartGeometry.h"
 
@@ -32,9 +32,8 @@ public:
   /** Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does. */
   void Update(vtkProp* const* props, int count);
 
-  /** Of all boxes; what cannot be hidden has no place in it. */
-  const Octree& Tree() const { return this->Boxes; }
-  const std::vector<Box>& Bounds() const { return this->BoxOf; }
+  /** Of all boxes; what cannot be hidden is not in it. */
+  const LooseOctree& Tree() const { return this->Boxes; }
 
   /** The part that the i-th prop of the last update is. */
   std::uint32_t PartOf(int i) const { return this->Drawn[static_cast<std::size_t>(i)]; }
@@ -49,6 +48,7 @@ public:
   float LargestGrowth() const { return this->Growth; }
 
   Occluder OccluderOf(std::uint32_t part) override;
+  void Expect(std::uint32_t part) const override;
 
 private:
   /**
@@ -82,7 +82,7 @@ private:
   void Look(Part& part);
   Box Read(Part& part);
   std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
-  void Replant(std::vector<Octree::MovedItem>& moved, std::size_t known);
+  void Replant(const std::vector<std::uint32_t>& changed);
   void MeasureAll();
 
   std::vector<Part> Parts;
@@ -92,7 +92,7 @@ private:
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0; ///< the part behind the last one that was found
   vtkMTimeType Frame = 0;   ///< counts updates
-  Octree Boxes;
+  LooseOctree Boxes;
   int Offsets = 0; ///< of coincident topology, as they were
   glm::dvec3 Farthest{ 0.0 };
   float Growth = 0.0f;

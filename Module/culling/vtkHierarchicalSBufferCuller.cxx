@@ -106,7 +106,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   parts.MarkDrawn(known.Visible);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector();
-  culler.Cull(parts.Tree(), parts.Bounds(), parts, view.View(), occlusion, known.Visible);
+  culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
 
   int kept = 0;
   for (int i = 0; i < listLength; ++i)

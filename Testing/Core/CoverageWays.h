@@ -50,7 +50,7 @@ public:
   {
   }
 
-  void Insert(vitrine::SBuffer& buffer, const vitrine::MeshProjection& projection, Facing facing,
+  void Insert(vitrine::SBuffer& buffer, vitrine::MeshProjection& projection, Facing facing,
     std::uint32_t part)
   {
     if (this->IsByCells)

@@ -19,10 +19,8 @@ namespace coverage
 {
 
 using vitrine::Box;
-using vitrine::BoxArray;
-using vitrine::CullView;
+using vitrine::LooseOctree;
 using vitrine::Occluder;
-using vitrine::Octree;
 using vitrine::PartCuller;
 
 /** Parts, their places, and what they hide with. */
@@ -72,16 +70,12 @@ public:
   /** Leaves in Visible what may show. */
   void Cull(PartCuller& culler, const View& view, bool occlusion = true)
   {
-    const Octree tree(
-      BoxArray(this->Bounds.data(), static_cast<std::uint32_t>(this->Bounds.size())), 8);
-    this->Cull(culler, view, tree, occlusion);
+    this->Cull(culler, view, LooseOctree(this->Bounds), occlusion);
   }
-  void Cull(PartCuller& culler, const View& view, const Octree& tree, bool occlusion = true)
+  void Cull(PartCuller& culler, const View& view, const LooseOctree& tree, bool occlusion = true)
   {
     this->Asked = 0;
-    culler.Cull(tree, this->Bounds, *this,
-      CullView{ view.Projection(this->Reach), view.Eye, view.IsParallel }, occlusion,
-      this->Visible);
+    culler.Cull(tree, *this, view.Projection(this->Reach), occlusion, this->Visible);
   }
 
   struct Part

@@ -2,6 +2,8 @@
 
 #include "CoveredScreen.h"
 
+#include "BoxPlaces.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -108,8 +110,9 @@ TEST_P(CellCoverage, IsNearThePlaneOfAWallInAnyView)
     Inserter(GetParam()).Insert(buffer, projection, Facing::Back, 0);
     // Depths of the wall's corners differ by more than those of a line's lower and upper side.
     double least = 1.0, greatest = 0.0;
-    for (const vitrine::ScreenPoint& point : projection.Points())
+    for (std::uint32_t i = 0; i < mesh.PointCount(); ++i)
     {
+      const vitrine::ScreenPoint point = projection.Point(i);
       least = std::min(least, double{ point.Depth });
       greatest = std::max(greatest, double{ point.Depth });
     }
@@ -149,14 +152,16 @@ TEST_P(CellCoverage, OfAShellHasTheDepthOfItsNearWall)
     vitrine::ScreenRectangle inside;
     const glm::dvec3 half(0.7, 0.7, 0.05);
     const glm::dvec3 middle(0.0, 0.0, 1.0); // 1.1 is where the near wall ends
-    ASSERT_EQ(toScreen.Project(vitrine::Box::Around(middle - half, middle + half), inside),
-      vitrine::ScreenProjection::Place::Before);
-    EXPECT_TRUE(buffer.Hides(inside, 0.0f));
+    ASSERT_EQ(
+      coverage::PlaceOf(toScreen, vitrine::Box::Around(middle - half, middle + half), inside),
+      coverage::Place::Before);
+    EXPECT_TRUE(buffer.Hides(inside));
     vitrine::ScreenRectangle before;
     const glm::dvec3 nearer(0.0, 0.0, 1.4);
-    ASSERT_EQ(toScreen.Project(vitrine::Box::Around(nearer - half, nearer + half), before),
-      vitrine::ScreenProjection::Place::Before);
-    EXPECT_FALSE(buffer.Hides(before, 0.0f));
+    ASSERT_EQ(
+      coverage::PlaceOf(toScreen, vitrine::Box::Around(nearer - half, nearer + half), before),
+      coverage::Place::Before);
+    EXPECT_FALSE(buffer.Hides(before));
   }
 }
 

@@ -66,8 +66,9 @@ std::vector<glm::dvec3> Moved(const MeshProjection& projection, Random& random)
     return place + most * (isFar ? (share < 0.0 ? -1.0 : 1.0) : share);
   };
   std::vector<glm::dvec3> points;
-  for (const vitrine::ScreenPoint& point : projection.Points())
+  for (std::uint32_t i = 0; i < projection.Mesh().PointCount(); ++i)
   {
+    const vitrine::ScreenPoint point = projection.Point(i);
     const double column = moved(point.Column, margin.Column);
     const double line = moved(point.Line, margin.Line);
     points.emplace_back(column, line, moved(point.Depth, margin.Depth));
@@ -142,7 +143,7 @@ std::vector<ScreenFace> FacesAsTheyStand(const MeshProjection& projection)
     ScreenFace onScreen;
     for (int i = 0; i < 3; ++i)
     {
-      const vitrine::ScreenPoint& point = projection.Points()[face[i]];
+      const vitrine::ScreenPoint point = projection.Point(face[i]);
       onScreen[i] = { point.Column, point.Line, point.Depth };
     }
     faces.push_back(onScreen);

@@ -223,7 +223,7 @@ TEST(FaceOrder, NeighboursHaveTheSameTowardsWhatPassesTheirSide)
     {
       FaceScene scene =
         PairOfFaces(UprightFace(1, 4, 0, 10, 0.4, 0.5), UprightFace(4, 7, 0, 10, 0.5, 0.4));
-      scene.Add(LevelFace(0, 8, 0, 10, depth));
+      scene.Add(LevelFace(0.5, 7.5, 0, 10, depth)); // not all of a tile
       std::vector<std::uint32_t> sequence{ 2, 0, 1 };
       if (!isLeftFirst)
       {

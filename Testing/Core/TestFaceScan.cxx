@@ -1,5 +1,6 @@
 // Convex faces in an s-buffer at the screen's own resolution, and what is asked of them and of boxes.
 
+#include "BoxPlaces.h"
 #include "FaceScenes.h"
 #include "NonFinite.h"
 
@@ -297,8 +298,8 @@ TEST(HidesBox, BehindTheFacesOfALargerOneThatItsRectangleLooksPast)
         }
       }
       vitrine::ScreenRectangle rectangle;
-      ASSERT_EQ(view.Project(inner, rectangle), ScreenProjection::Place::Before);
-      EXPECT_FALSE(buffer.Hides(rectangle, 0.0f));
+      ASSERT_EQ(coverage::PlaceOf(view, inner, rectangle), coverage::Place::Before);
+      EXPECT_FALSE(buffer.Hides(rectangle));
       EXPECT_EQ(HidesBox(buffer, view, inner, eye, false, 0.0f), isWhole) << side;
     }
   }

@@ -48,8 +48,8 @@ TEST_P(MeshCoverage, OfTwoTrianglesThatFillTheScreenIsAllOfIt)
   {
     covered.ExpectFromTo(line, 0.0, WideColumns);
   }
-  EXPECT_TRUE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.499f }, 0.0f));
-  EXPECT_FALSE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.5f }, 0.0f));
+  EXPECT_TRUE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.499f }));
+  EXPECT_FALSE(covered.Buffer.Hides({ 0, WideColumns, 0, WideLines, 0.5f }));
 }
 
 TEST_P(MeshCoverage, OfARectangleIsTheLinesWhoseSamplesAreAllInIt)

@@ -172,7 +172,7 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
         glm::dvec3(mesh.Coordinates(0)[i], mesh.Coordinates(1)[i], mesh.Coordinates(2)[i]);
       const glm::dvec4 exact = view.OnScreen(glm::dvec3(toWorld * glm::dvec4(model, 1.0)));
       const glm::dvec3 device = ByDevice(view, toWorld, model);
-      const vitrine::ScreenPoint& point = projection.Points()[i];
+      const vitrine::ScreenPoint point = projection.Point(i);
       if (!counts[i] || !IsOnScreen(view, glm::dvec3(exact)) || !(exact.z > 0.0))
       {
         continue;

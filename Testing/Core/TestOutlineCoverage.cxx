@@ -44,3 +44,16 @@ TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionAtTheFartherDepth)
     EXPECT_NEAR(covered.DepthAt(9, column), 0.4, 1e-6) << column;
   }
 }
+
+TEST(OutlineCoverage, OfTwoSheetsSideBySideAreBoth)
+{
+  Triangles sheets;
+  AddRectangle(sheets, { 2.5, 1.5 }, { 12.5, 18.5 }, 0.7);
+  AddRectangle(sheets, { 22.5, 1.5 }, { 37.5, 18.5 }, 0.7);
+  const Covered covered(ByOutline, sheets);
+  for (const double column : { 3.0, 12.0, 23.0, 37.0 })
+  {
+    EXPECT_NEAR(covered.DepthAt(9, column), 0.7, 1e-6) << column;
+  }
+  EXPECT_FALSE(covered.IsAt(9, 17.0));
+}

@@ -81,6 +81,23 @@ TEST(PartCuller, DropsWhatIsBehindAWall)
   }
 }
 
+TEST(PartCuller, AWallHidesBeforeWhatIsBehindIsLookedAt)
+{
+  PartScene scene;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double x = i % 10 - 5, y = i / 10 % 10 - 5, z = -22 - i / 100;
+    scene.AddBox({ x, y, z }, { x + 0.3, y + 0.3, z + 0.3 });
+  }
+  scene.Add(WallAt(-20.0));
+  scene.AddBox({ -1, -1, -12 }, { 1, 1, -10 });
+  scene.AddBox({ -3, -3, -12 }, { -2, -2, -10 });
+  PartCuller culler(FrameColumns, FrameLines);
+  scene.Cull(culler, AheadView(false));
+  EXPECT_EQ(std::count(scene.Visible.begin(), scene.Visible.end(), 1), 3);
+  EXPECT_EQ(culler.Counts().Inserted, 3u);
+}
+
 TEST(PartCuller, SeesThroughASlit)
 {
   for (const double slit : { 0.3, 0.02, 0.001 })

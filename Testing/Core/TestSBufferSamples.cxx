@@ -54,17 +54,17 @@ bool AreCentresHidden(const SBuffer& buffer, int pixels, const ScreenRectangle& 
 TEST(SBufferSamples, NothingShowsBetweenCentres)
 {
   SBuffer one = BufferOf(SampleGrid::AtCentres(1));
-  EXPECT_TRUE(one.Hides({ 3.6f, 4.4f, 0.0f, 4.0f, 0.9f }, 0.0f)) << "between columns";
-  EXPECT_TRUE(one.Hides({ 3.0f, 9.0f, 1.6f, 2.4f, 0.9f }, 0.0f)) << "between lines";
-  EXPECT_TRUE(one.Hides({ 3.6f, 4.4f, 1.6f, 2.4f, 0.9f }, 0.0f));
-  EXPECT_TRUE(one.Hides({ 39.6f, 45.0f, 0.0f, 4.0f, 0.9f }, 0.0f)) << "behind the last column";
-  EXPECT_TRUE(one.Hides({ -2.0f, 0.4f, 0.0f, 4.0f, 0.9f }, 0.0f)) << "before the first one";
-  EXPECT_FALSE(one.Hides({ 3.4f, 3.6f, 1.4f, 1.6f, 0.9f }, 0.0f));
+  EXPECT_TRUE(one.Hides({ 3.6f, 4.4f, 0.0f, 4.0f, 0.9f })) << "between columns";
+  EXPECT_TRUE(one.Hides({ 3.0f, 9.0f, 1.6f, 2.4f, 0.9f })) << "between lines";
+  EXPECT_TRUE(one.Hides({ 3.6f, 4.4f, 1.6f, 2.4f, 0.9f }));
+  EXPECT_TRUE(one.Hides({ 39.6f, 45.0f, 0.0f, 4.0f, 0.9f })) << "behind the last column";
+  EXPECT_TRUE(one.Hides({ -2.0f, 0.4f, 0.0f, 4.0f, 0.9f })) << "before the first one";
+  EXPECT_FALSE(one.Hides({ 3.4f, 3.6f, 1.4f, 1.6f, 0.9f }));
   SBuffer two = BufferOf(SampleGrid::AtCentres(2));
-  EXPECT_TRUE(two.Hides({ 3.3f, 3.7f, 0.0f, 4.0f, 0.9f }, 0.0f));
-  EXPECT_FALSE(two.Hides({ 3.6f, 4.4f, 0.0f, 4.0f, 0.9f }, 0.0f));
+  EXPECT_TRUE(two.Hides({ 3.3f, 3.7f, 0.0f, 4.0f, 0.9f }));
+  EXPECT_FALSE(two.Hides({ 3.6f, 4.4f, 0.0f, 4.0f, 0.9f }));
   SBuffer anywhere = BufferOf({});
-  EXPECT_FALSE(anywhere.Hides({ 3.6f, 3.60001f, 1.6f, 1.60001f, 0.9f }, 0.0f));
+  EXPECT_FALSE(anywhere.Hides({ 3.6f, 3.60001f, 1.6f, 1.60001f, 0.9f }));
 }
 
 TEST(SBufferSamples, OneCentreIsLookedAt)
@@ -80,14 +80,14 @@ TEST(SBufferSamples, OneCentreIsLookedAt)
       SBuffer buffer = BufferOf(grid);
       const float x = grid.From(from);
       const ScreenRectangle place{ x, x, y, y, 0.4f };
-      EXPECT_FALSE(buffer.Hides(place, 0.0f)) << "nothing is there";
+      EXPECT_FALSE(buffer.Hides(place)) << "nothing is there";
       buffer.Insert(1, { x + 0.01f, x + 3.0f, 0.5f, 0.5f, 0 });
       buffer.Insert(1, { x - 3.0f, x - 0.01f, 0.5f, 0.5f, 0 });
-      EXPECT_FALSE(buffer.Hides(place, 0.0f)) << "it stands beside";
+      EXPECT_FALSE(buffer.Hides(place)) << "it stands beside";
       buffer.Insert(1, { x - 1.0f, x + 1.0f, 0.3f, 0.3f, 0 });
-      EXPECT_FALSE(buffer.Hides(place, 0.0f)) << "it stands behind";
+      EXPECT_FALSE(buffer.Hides(place)) << "it stands behind";
       buffer.Insert(1, { x - 1.0f, x + 1.0f, 0.5f, 0.5f, 0 });
-      EXPECT_TRUE(buffer.Hides(place, 0.0f));
+      EXPECT_TRUE(buffer.Hides(place));
     }
   }
 }
@@ -96,11 +96,11 @@ TEST(SBufferSamples, OnlyCentresNeedBeCovered)
 {
   SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
   buffer.Insert(1, { 3.45f, 6.55f, 0.5f, 0.5f, 0 });
-  EXPECT_TRUE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.4f, 0.4f }, 0.0f));
-  EXPECT_FALSE(buffer.Hides({ 2.4f, 7.4f, 0.6f, 2.4f, 0.4f }, 0.0f));
-  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.6f, 0.6f, 2.4f, 0.4f }, 0.0f));
-  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.4f, 2.4f, 0.4f }, 0.0f));
-  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.6f, 0.4f }, 0.0f));
+  EXPECT_TRUE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.4f, 0.4f }));
+  EXPECT_FALSE(buffer.Hides({ 2.4f, 7.4f, 0.6f, 2.4f, 0.4f }));
+  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.6f, 0.6f, 2.4f, 0.4f }));
+  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.4f, 2.4f, 0.4f }));
+  EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.6f, 0.4f }));
 }
 
 TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryCentre)
@@ -124,7 +124,7 @@ TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryCentre)
       const float left = between(-1.0f, 40.0f), bottom = between(-1.0f, 4.0f);
       const ScreenRectangle rectangle{ left, left + between(0.0f, 3.0f), bottom,
         bottom + between(0.0f, 1.5f), between(0.0f, 0.9f) };
-      if (buffer.Hides(rectangle, 0.0f))
+      if (buffer.Hides(rectangle))
       {
         ++hidden;
         ASSERT_TRUE(AreCentresHidden(buffer, pixels, rectangle)) << round;
@@ -142,13 +142,13 @@ TEST(SBufferSamples, OfNumbersThatAreNoneHidesNothing)
     buffer.Insert(line, { 0.0f, 40.0f, 0.9f, 0.9f, 0 });
   }
   const ScreenRectangle whole{ 1.0f, 9.0f, 1.0f, 3.0f, 0.1f };
-  EXPECT_TRUE(buffer.Hides(whole, 0.0f));
+  EXPECT_TRUE(buffer.Hides(whole));
   for (float ScreenRectangle::*side : { &ScreenRectangle::Left, &ScreenRectangle::Right,
          &ScreenRectangle::Bottom, &ScreenRectangle::Top, &ScreenRectangle::Nearest })
   {
     ScreenRectangle bad = whole;
     bad.*side = NotANumber;
-    EXPECT_FALSE(buffer.Hides(bad, 0.0f));
+    EXPECT_FALSE(buffer.Hides(bad));
   }
 }
 

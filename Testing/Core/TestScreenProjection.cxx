@@ -1,21 +1,21 @@
-#include "Core/culling/ScreenProjection.h"
+#include "BoxPlaces.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace
 {
 
+using coverage::Place;
+using coverage::PlaceOf;
 using vitrine::Box;
 using vitrine::ScreenMargin;
 using vitrine::ScreenProjection;
 using vitrine::ScreenRectangle;
-using Place = vitrine::ScreenProjection::Place;
 
 const int Columns = 480;
 const int Lines = 270;
@@ -92,7 +92,7 @@ TEST(ScreenProjection, OfABoxInTheMiddle)
 {
   const ScreenProjection projection(Perspective(), Columns, Lines, Reach, { 0.5f, 0.25f, 0.0f });
   ScreenRectangle rectangle;
-  ASSERT_EQ(projection.Project({ { -1, -2, -20 }, { 3, 2, -10 } }, rectangle), Place::Before);
+  ASSERT_EQ(PlaceOf(projection, { { -1, -2, -20 }, { 3, 2, -10 } }, rectangle), Place::Before);
   // 90 degrees high: y / distance is 1 at the top.
   EXPECT_NEAR(rectangle.Bottom, 135.0 - 135.0 * 0.2 - 0.25, 5e-3);
   EXPECT_NEAR(rectangle.Top, 135.0 + 135.0 * 0.2 + 0.25, 5e-3);
@@ -107,7 +107,7 @@ TEST(ScreenProjection, OfAParallelView)
   const ScreenProjection projection(
     glm::ortho(-4.8, 4.8, -2.7, 2.7, 1.0, 101.0), Columns, Lines, Reach, NoSnapping);
   ScreenRectangle rectangle;
-  ASSERT_EQ(projection.Project({ { -1, -2, -20 }, { 3, 2, -11 } }, rectangle), Place::Before);
+  ASSERT_EQ(PlaceOf(projection, { { -1, -2, -20 }, { 3, 2, -11 } }, rectangle), Place::Before);
   EXPECT_NEAR(rectangle.Left, 240.0 - 50.0, 5e-3);
   EXPECT_NEAR(rectangle.Right, 240.0 + 150.0, 5e-3);
   EXPECT_NEAR(rectangle.Bottom, 135.0 - 100.0, 5e-3);
@@ -118,25 +118,21 @@ TEST(ScreenProjection, KnowsWhatIsBeforeTheNearPlaneAndOutside)
 {
   const ScreenProjection projection(Perspective(), Columns, Lines, Reach, NoSnapping);
   ScreenRectangle rectangle;
-  EXPECT_EQ(projection.Project({ { -1, -1, -5 }, { 1, 1, 5 } }, rectangle), Place::Near);
-  EXPECT_EQ(projection.Project({ { -1, -1, -5 }, { 1, 1, -0.9f } }, rectangle), Place::Near);
-  EXPECT_EQ(projection.Project({ { -1, -1, -5 }, { 1, 1, -1.1f } }, rectangle), Place::Before);
-  EXPECT_EQ(projection.Project({ { -1, -1, 2 }, { 1, 1, 5 } }, rectangle), Place::Outside);
-  EXPECT_EQ(projection.Project({ { -1, -1, -0.9f }, { 1, 1, -0.1f } }, rectangle), Place::Outside);
-  EXPECT_EQ(projection.Project({ { -1, -1, -200 }, { 1, 1, -102 } }, rectangle), Place::Outside);
-  EXPECT_EQ(projection.Project({ { -9, 11, -10 }, { 9, 12, -9 } }, rectangle), Place::Outside);
-  EXPECT_EQ(projection.Project({ { 30, -1, -10 }, { 40, 1, -9 } }, rectangle), Place::Outside);
+  EXPECT_EQ(PlaceOf(projection, { { -1, -1, -5 }, { 1, 1, 5 } }, rectangle), Place::Near);
+  EXPECT_EQ(PlaceOf(projection, { { -1, -1, -5 }, { 1, 1, -0.9f } }, rectangle), Place::Near);
+  EXPECT_EQ(PlaceOf(projection, { { -1, -1, -5 }, { 1, 1, -1.1f } }, rectangle), Place::Before);
+  EXPECT_EQ(PlaceOf(projection, { { -1, -1, 2 }, { 1, 1, 5 } }, rectangle), Place::Outside);
+  EXPECT_EQ(PlaceOf(projection, { { -1, -1, -0.9f }, { 1, 1, -0.1f } }, rectangle), Place::Outside);
+  EXPECT_EQ(PlaceOf(projection, { { -1, -1, -200 }, { 1, 1, -102 } }, rectangle), Place::Outside);
+  EXPECT_EQ(PlaceOf(projection, { { -9, 11, -10 }, { 9, 12, -9 } }, rectangle), Place::Outside);
+  EXPECT_EQ(PlaceOf(projection, { { 30, -1, -10 }, { 40, 1, -9 } }, rectangle), Place::Outside);
 }
 
-TEST(ScreenProjection, OfNumbersThatAreNoneIsNear)
+TEST(ScreenProjection, InAViewThatIsNoneIsNear)
 {
-  const ScreenProjection projection(Perspective(), Columns, Lines, Reach, NoSnapping);
   ScreenRectangle rectangle;
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(projection.Project({ { nan, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
-  EXPECT_EQ(projection.Project(Box::Everything(), rectangle), Place::Near);
   const ScreenProjection broken(glm::dmat4(std::nan("")), Columns, Lines, Reach, NoSnapping);
-  EXPECT_EQ(broken.Project({ { -1, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
+  EXPECT_EQ(PlaceOf(broken, { { -1, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
 }
 
 TEST(ScreenProjection, HoldsAllOfABoxWhateverTheView)
@@ -168,7 +164,7 @@ TEST(ScreenProjection, HoldsAllOfABoxWhateverTheView)
       const glm::dvec3 b = a + std::pow(10.0, between(-4.0, 0.0)) * (somewhere(scale) - offset);
       const Box box = Box::Around(glm::min(a, b), glm::max(a, b));
       ScreenRectangle rectangle;
-      const Place place = projection.Project(box, rectangle);
+      const Place place = PlaceOf(projection, box, rectangle);
       if (place == Place::Outside)
       {
         ++outside;

@@ -96,7 +96,7 @@ void AddDrawn(const MeshProjection& projection, const ScreenMatrix& matrix, Faci
         1.0);
     const double slack = 1e-5 * (std::abs(point.w) + std::abs(point.z)) + 1e-9;
     isBehindNear.push_back(point.w > -slack && point.z < point.w + slack);
-    const ScreenPoint& onScreen = projection.Points()[i];
+    const ScreenPoint& onScreen = projection.Point(i);
     const ScreenMargin& margin = projection.Margin();
     const double column = moved(onScreen.Column, margin.Column);
     const double line = moved(onScreen.Line, margin.Line);
@@ -121,7 +121,7 @@ void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
   const float base = bytes.Below(256) * buffer.Lines() / 256.0f;
   const ScreenRectangle rectangle{ start, start + bytes.Below(256) / 32.0f, base,
     base + bytes.Below(256) / 64.0f, bytes.Below(256) / 256.0f };
-  if (!buffer.Hides(rectangle, 0.0f))
+  if (!buffer.Hides(rectangle))
   {
     return;
   }

@@ -8,9 +8,10 @@
 namespace vitrine
 {
 
-std::size_t CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
-  MeshProjection::Facing facing, std::uint32_t part)
+std::size_t CellCoverage::Insert(
+  SBuffer& buffer, MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part)
 {
+  projection.FindFacings();
   this->Projection = &projection;
   this->Counted = facing;
   this->Margin = projection.Margin();
@@ -34,7 +35,6 @@ std::size_t CellCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
 bool CellCoverage::FrameCells(const SBuffer& buffer)
 {
   const std::vector<OccluderMesh::Face>& faces = this->Projection->Mesh().Faces();
-  const std::vector<ScreenPoint>& points = this->Projection->Points();
   LineExtent columns, lines;
   for (std::uint32_t i = 0; i < faces.size(); ++i)
   {
@@ -42,8 +42,8 @@ bool CellCoverage::FrameCells(const SBuffer& buffer)
     {
       for (const std::uint32_t corner : faces[i])
       {
-        columns.Add(points[corner].Column);
-        lines.Add(points[corner].Line);
+        columns.Add(this->Projection->Point(corner).Column);
+        lines.Add(this->Projection->Point(corner).Line);
       }
     }
   }
@@ -77,10 +77,11 @@ void CellCoverage::FindFacePieces()
 
 void CellCoverage::AddFace(std::uint32_t face)
 {
-  const std::vector<ScreenPoint>& points = this->Projection->Points();
   const OccluderMesh::Face& corners = this->Projection->Mesh().Faces()[face];
-  const ScreenEdge edges[3] = { { points[corners[0]], points[corners[1]] },
-    { points[corners[1]], points[corners[2]] }, { points[corners[2]], points[corners[0]] } };
+  const ScreenEdge edges[3] = { { this->Projection->Point(corners[0]),
+                                  this->Projection->Point(corners[1]) },
+    { this->Projection->Point(corners[1]), this->Projection->Point(corners[2]) },
+    { this->Projection->Point(corners[2]), this->Projection->Point(corners[0]) } };
   LineExtent width, height;
   float own = 0.0f;
   for (const ScreenEdge& edge : edges)
@@ -139,8 +140,7 @@ void CellCoverage::FindEdgePieces()
 
 void CellCoverage::AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, std::uint32_t right)
 {
-  const std::vector<ScreenPoint>& points = this->Projection->Points();
-  const ScreenEdge onScreen(points[edge.From], points[edge.To]);
+  const ScreenEdge onScreen(this->Projection->Point(edge.From), this->Projection->Point(edge.To));
   const float above = this->Above(onScreen.OwnRounding());
   const float aside = this->Aside(onScreen.OwnRounding());
   const LineRange lines = LinesBetween(onScreen.Bottom().Line - above, onScreen.Top().Line + above,
@@ -343,16 +343,15 @@ void CellCoverage::InsertSheet(
 
 DepthBound CellCoverage::BoundSheet(int line, int tile, std::size_t first, std::size_t end) const
 {
-  const std::vector<ScreenPoint>& points = this->Projection->Points();
   const float left = static_cast<float>(tile * SBuffer::TileWidth);
   DepthBound bound{ 2.0f, 2.0f };
   for (std::size_t i = first; i < end; ++i)
   {
     const FacePiece& piece = this->FacePieces[this->Shares[i].Piece];
     const OccluderMesh::Face& face = this->Projection->Mesh().Faces()[piece.Face];
-    const ScreenPoint& a = points[face[0]];
-    const ScreenPoint& b = points[face[1]];
-    const ScreenPoint& c = points[face[2]];
+    const ScreenPoint a = this->Projection->Point(face[0]);
+    const ScreenPoint b = this->Projection->Point(face[1]);
+    const ScreenPoint c = this->Projection->Point(face[2]);
     const float above = this->Margin.Line;
     const float lowest = std::min(std::min(a.Line, b.Line), c.Line) - above;
     const float highest = std::max(std::max(a.Line, b.Line), c.Line) + above;

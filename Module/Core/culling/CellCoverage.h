@@ -26,13 +26,13 @@ class CellCoverage
 {
 public:
   /**
-   * @param projection  of the occluder; its facings are found
+   * @param projection  of the occluder, of which this finds the facings
    * @param facing      of the faces that count, Front or Back
    * @param part        what spans say whose they are
    * @returns how many pieces of faces and edges on lines that took
    */
-  std::size_t Insert(SBuffer& buffer, const MeshProjection& projection,
-    MeshProjection::Facing facing, std::uint32_t part);
+  std::size_t Insert(
+    SBuffer& buffer, MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part);
 
 private:
   static constexpr std::uint32_t None = 0xffffffffu;

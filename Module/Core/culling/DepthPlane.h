@@ -57,7 +57,7 @@ public:
 private:
   static constexpr float Rounding = 0x1p-21f; ///< of a few sums and products in floats
 
-  const ScreenPoint& Origin;
+  ScreenPoint Origin;
   float Farthest;
   float ByColumn;
   float ByLine;

@@ -9,6 +9,12 @@
 namespace vitrine
 {
 
+/** What our own sums in floats may be off on an edge that reaches no farther from 0. */
+inline float OwnRoundingOf(float column, float line)
+{
+  return 0x1p-20f * (column + line);
+}
+
 /** An edge on the screen, from its lower end to its upper one: the same numbers come out for the faces on both sides. */
 class ScreenEdge
 {
@@ -40,15 +46,14 @@ public:
   /** What our own sums in floats may be off. */
   float OwnRounding() const
   {
-    return 0x1p-21f *
-      (std::abs(this->Low.Column) + std::abs(this->High.Column) + std::abs(this->Low.Line) +
-        std::abs(this->High.Line));
+    return OwnRoundingOf(std::max(std::abs(this->Low.Column), std::abs(this->High.Column)),
+      std::max(std::abs(this->Low.Line), std::abs(this->High.Line)));
   }
 
 private:
   bool IsUp;
-  const ScreenPoint& Low;
-  const ScreenPoint& High;
+  ScreenPoint Low;
+  ScreenPoint High;
   float Slope; ///< not a number, or infinite, of a level edge, which crosses no line
 };
 

@@ -1,48 +1,59 @@
 #include "Core/culling/MeshProjection.h"
 
-#include <glm/gtc/matrix_transform.hpp>
+#include "Core/culling/Lanes.h"
 
-#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace vitrine
 {
 
+VITRINE_FOR_EACH_PROCESSOR
 bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen)
 {
   this->Projected = &mesh;
-  const std::size_t count = mesh.PointCount();
-  this->OnScreen.resize(count);
-  this->IsBehindNear.resize(count);
+  const float* const x = mesh.Coordinates(0).data();
+  const float* const y = mesh.Coordinates(1).data();
+  const float* const z = mesh.Coordinates(2).data();
+  const std::size_t room = mesh.Coordinates(0).size();
+  this->Columns.resize(room);
+  this->Lines.resize(room);
+  this->Depths.resize(room);
+  this->BehindNear.resize(room / LaneCount);
   const glm::mat4 m(glm::translate(toScreen.Matrix, mesh.Origin()));
-  const float depthSlack = toScreen.Rounding.z + toScreen.Rounding.w;
-  const float* x = mesh.Coordinates(0).data();
-  const float* y = mesh.Coordinates(1).data();
-  const float* z = mesh.Coordinates(2).data();
-  float leastW = 3e38f;
-  ScreenRectangle around{ 3e38f, -3e38f, 3e38f, -3e38f, -3e38f };
-  bool areAllBehind = count > 0;
-  for (std::size_t i = 0; i < count; ++i)
+  const Lanes leastW = AllLanes(toScreen.Rounding.w);
+  const Lanes leastSlack = AllLanes(toScreen.Rounding.z + toScreen.Rounding.w);
+  Lanes nearestW = AllLanes(3e38f), left = nearestW, right = -left, bottom = left, top = right,
+        nearest = right;
+  unsigned behindAll = (1u << LaneCount) - 1u;
+  for (std::size_t i = 0; i < room; i += LaneCount)
   {
-    const glm::vec4 p = m[0] * x[i] + m[1] * y[i] + m[2] * z[i] + m[3];
-    const float inverse = 1.0f / p.w;
-    const ScreenPoint point{ p.x * inverse, p.y * inverse, p.z * inverse };
-    const bool isBehind = p.w > toScreen.Rounding.w && p.w - p.z > depthSlack;
-    this->OnScreen[i] = point;
-    this->IsBehindNear[i] = isBehind;
-    areAllBehind = areAllBehind && isBehind;
-    leastW = isBehind ? std::min(leastW, p.w) : leastW;
-    around.Left = std::min(around.Left, point.Column);
-    around.Right = std::max(around.Right, point.Column);
-    around.Bottom = std::min(around.Bottom, point.Line);
-    around.Top = std::max(around.Top, point.Line);
-    around.Nearest = std::max(around.Nearest, point.Depth);
+    const Lanes px = LoadLanes(x + i), py = LoadLanes(y + i), pz = LoadLanes(z + i);
+    const Lanes w = m[0].w * px + m[1].w * py + m[2].w * pz + m[3].w;
+    const Lanes depthTimesW = m[0].z * px + m[1].z * py + m[2].z * pz + m[3].z;
+    const Lanes inverse = 1.0f / w;
+    const Lanes column = (m[0].x * px + m[1].x * py + m[2].x * pz + m[3].x) * inverse;
+    const Lanes line = (m[0].y * px + m[1].y * py + m[2].y * pz + m[3].y) * inverse;
+    const Lanes depth = depthTimesW * inverse;
+    const LaneMask isBehind = (w > leastW) & (w - depthTimesW > leastSlack);
+    StoreLanes(column, &this->Columns[i]);
+    StoreLanes(line, &this->Lines[i]);
+    StoreLanes(depth, &this->Depths[i]);
+    const unsigned behind = BitsOf(isBehind);
+    this->BehindNear[i / LaneCount] = static_cast<std::uint8_t>(behind);
+    behindAll &= behind;
+    nearestW = LeastOf(isBehind ? w : AllLanes(3e38f), nearestW);
+    left = LeastOf(left, column);
+    right = GreatestOf(right, column);
+    bottom = LeastOf(bottom, line);
+    top = GreatestOf(top, line);
+    nearest = GreatestOf(nearest, depth);
   }
-  this->DeviceMargin = toScreen.MarginFrom(leastW);
-  this->Around = { around.Left - this->DeviceMargin.Column,
-    around.Right + this->DeviceMargin.Column, around.Bottom - this->DeviceMargin.Line,
-    around.Top + this->DeviceMargin.Line, around.Nearest + this->DeviceMargin.Depth };
-  this->AreAllBehindNear = areAllBehind;
-  return areAllBehind;
+  this->DeviceMargin = toScreen.MarginFrom(LeastLane(nearestW));
+  this->Around = { LeastLane(left) - this->DeviceMargin.Column,
+    GreatestLane(right) + this->DeviceMargin.Column, LeastLane(bottom) - this->DeviceMargin.Line,
+    GreatestLane(top) + this->DeviceMargin.Line, GreatestLane(nearest) + this->DeviceMargin.Depth };
+  this->AreAllBehindNear = room > 0 && behindAll == (1u << LaneCount) - 1u;
+  return this->AreAllBehindNear;
 }
 
 void MeshProjection::FindFacings()
@@ -51,17 +62,7 @@ void MeshProjection::FindFacings()
   this->Facings.resize(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const OccluderMesh::Face& face = faces[i];
-    const ScreenPoint& a = this->OnScreen[face[0]];
-    const ScreenPoint& b = this->OnScreen[face[1]];
-    const ScreenPoint& c = this->OnScreen[face[2]];
-    const float area =
-      (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
-    const bool isWhole = this->AreAllBehindNear ||
-      (this->IsBehindNear[face[0]] && this->IsBehindNear[face[1]] && this->IsBehindNear[face[2]]);
-    this->Facings[i] = !isWhole || area == 0.0f || !(area == area) ? Facing::Neither
-      : area > 0.0f                                                ? Facing::Front
-                                                                   : Facing::Back;
+    this->Facings[i] = this->FacingOf(faces[i]);
   }
 }
 

@@ -40,7 +40,10 @@ public:
   bool Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen);
 
   const OccluderMesh& Mesh() const { return *this->Projected; }
-  const std::vector<ScreenPoint>& Points() const { return this->OnScreen; }
+  ScreenPoint Point(std::uint32_t i) const
+  {
+    return { this->Columns[i], this->Lines[i], this->Depths[i] };
+  }
 
   /** Around all points, margin included. */
   const ScreenRectangle& Rectangle() const { return this->Around; }
@@ -48,14 +51,33 @@ public:
   /** By how much a device may draw points elsewhere. */
   const ScreenMargin& Margin() const { return this->DeviceMargin; }
 
-  /** Finds which way the faces go around. */
+  /** Which way a face goes around. */
+  Facing FacingOf(const MeshFace& face) const
+  {
+    const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
+    const float area =
+      (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
+    const bool isWhole = this->AreAllBehindNear ||
+      (this->IsBehindNear(face[0]) && this->IsBehindNear(face[1]) && this->IsBehindNear(face[2]));
+    return !isWhole || area == 0.0f || !(area == area) ? Facing::Neither
+      : area > 0.0f                                    ? Facing::Front
+                                                       : Facing::Back;
+  }
+
+  /** Whether a point, which may be before the near plane, is not. */
+  bool IsBehindNear(std::uint32_t point) const
+  {
+    return (this->BehindNear[point / LaneCount] >> (point % LaneCount) & 1) != 0;
+  }
+
+  /** Finds which way all faces go around. */
   void FindFacings();
   Facing FacingOf(std::uint32_t face) const { return this->Facings[face]; }
 
 private:
   const OccluderMesh* Projected = nullptr;
-  std::vector<ScreenPoint> OnScreen;
-  std::vector<std::uint8_t> IsBehindNear;
+  std::vector<float> Columns, Lines, Depths; ///< of the points
+  std::vector<std::uint8_t> BehindNear;      ///< a bit for each point
   bool AreAllBehindNear = false;
   ScreenRectangle Around{};
   ScreenMargin DeviceMargin;

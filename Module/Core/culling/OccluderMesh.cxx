@@ -1,5 +1,7 @@
 #include "Core/culling/OccluderMesh.h"
 
+#include "Core/culling/Lanes.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -61,6 +63,7 @@ OccluderMesh::OccluderMesh(
     }
   }
   this->FindEdges();
+  this->FindFacets();
 }
 
 void OccluderMesh::Weld(const std::vector<glm::dvec3>& points, std::vector<std::uint32_t>& corners)
@@ -90,16 +93,30 @@ void OccluderMesh::Weld(const std::vector<glm::dvec3>& points, std::vector<std::
     const glm::dvec3& point = points[order[i]];
     if (i == 0 || point != points[order[i - 1]])
     {
-      this->X.push_back(static_cast<float>(point.x - this->Middle.x));
-      this->Y.push_back(static_cast<float>(point.y - this->Middle.y));
-      this->Z.push_back(static_cast<float>(point.z - this->Middle.z));
+      ++this->Count;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Places[axis].push_back(static_cast<float>(point[axis] - this->Middle[axis]));
+      }
     }
-    place[order[i]] = static_cast<std::uint32_t>(this->X.size() - 1);
+    place[order[i]] = static_cast<std::uint32_t>(this->Count - 1);
   }
+  this->PadPoints();
   for (std::uint32_t& corner : corners)
   {
     assert(corner < points.size());
     corner = place[corner];
+  }
+}
+
+void OccluderMesh::PadPoints()
+{
+  for (std::vector<float>& places : this->Places)
+  {
+    while (places.size() % LaneCount != 0)
+    {
+      places.push_back(places.back());
+    }
   }
 }
 
@@ -141,10 +158,21 @@ void OccluderMesh::FindEdges()
   }
 }
 
+void OccluderMesh::FindFacets()
+{
+  std::vector<glm::vec3> points(this->Count);
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    points[i] = { this->Places[0][i], this->Places[1][i], this->Places[2][i] };
+  }
+  this->Polygons = MeshFacets(points, this->Triangles, this->Sides);
+}
+
 std::size_t OccluderMesh::Bytes() const
 {
-  return sizeof(*this) + 3 * this->X.capacity() * sizeof(float) +
-    this->Triangles.capacity() * sizeof(Face) + this->Sides.capacity() * sizeof(Edge);
+  return sizeof(*this) + 3 * this->Places[0].capacity() * sizeof(float) +
+    this->Triangles.capacity() * sizeof(Face) + this->Sides.capacity() * sizeof(Edge) +
+    this->Polygons.Bytes();
 }
 
 }

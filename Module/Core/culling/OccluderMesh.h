@@ -1,11 +1,10 @@
 #ifndef VITRINE_CORE_CULLING_OCCLUDER_MESH_H
 #define VITRINE_CORE_CULLING_OCCLUDER_MESH_H
 
-#include "Core/culling/Box.h"
+#include "Core/culling/MeshFacets.h"
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,18 +21,10 @@ namespace vitrine
 class OccluderMesh
 {
 public:
-  static constexpr std::uint32_t NoFace = 0xffffffffu;
+  static constexpr std::uint32_t NoFace = MeshFacets::NoFace;
 
-  /** An edge as the face on its left goes around: counter-clockwise from `From` to `To`. */
-  struct Edge
-  {
-    std::uint32_t From;
-    std::uint32_t To;
-    std::uint32_t Left;  ///< a face
-    std::uint32_t Right; ///< the face that goes from To to From, or NoFace
-  };
-
-  using Face = std::array<std::uint32_t, 3>;
+  using Edge = MeshEdge;
+  using Face = MeshFace;
 
   /** A mesh of nothing. */
   OccluderMesh() = default;
@@ -44,19 +35,20 @@ public:
    */
   OccluderMesh(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
-  std::size_t PointCount() const { return this->X.size(); }
+  std::size_t PointCount() const { return this->Count; }
 
   /** What Coordinates() count from: the middle of the mesh, in model coordinates, so that floats are fine enough. */
   const glm::dvec3& Origin() const { return this->Middle; }
 
-  /** Coordinates of the points from the origin, one array an axis: they are projected by the thousand. */
-  const std::vector<float>& Coordinates(int axis) const
-  {
-    return axis == 0 ? this->X : axis == 1 ? this->Y : this->Z;
-  }
+  /**
+   * Coordinates of the points from the origin, one array an axis: they are projected eight at a time, and the last one is there again as
+   * often as that takes.
+   */
+  const std::vector<float>& Coordinates(int axis) const { return this->Places[axis]; }
 
   const std::vector<Face>& Faces() const { return this->Triangles; }
   const std::vector<Edge>& Edges() const { return this->Sides; }
+  const MeshFacets& Facets() const { return this->Polygons; }
 
   /** Whether every edge has a face on both sides. What goes around such a mesh sees no back faces. */
   bool IsClosed() const { return this->HasNoBorder; }
@@ -66,12 +58,16 @@ public:
 
 private:
   void Weld(const std::vector<glm::dvec3>& points, std::vector<std::uint32_t>& corners);
+  void PadPoints();
   void FindEdges();
+  void FindFacets();
 
   glm::dvec3 Middle{ 0.0 };
-  std::vector<float> X, Y, Z;
+  std::size_t Count = 0; ///< of points
+  std::vector<float> Places[3];
   std::vector<Face> Triangles;
   std::vector<Edge> Sides;
+  MeshFacets Polygons;
   bool HasNoBorder = true;
 };
 

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_OUTLINE_COVERAGE_H
 #define VITRINE_CORE_CULLING_OUTLINE_COVERAGE_H
 
+#include "Core/culling/Lanes.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SBuffer.h"
 
@@ -17,9 +18,12 @@ namespace vitrine
  * slanted edge. What counts is the outline, the edges with a face that goes around counter-clockwise on one side only. On a
  * line's middle, how often a point is covered changes at the outline alone, by one at each edge that crosses it. And where a
  * column of the line is met by no edge of the outline, all of the column is covered as often as its middle is: a point of
- * it could only stop to be covered at the outline. That holds for whatever mesh, convex or not, and whatever a
+ * it could only stop to be covered at the outline. That holds for whatever mesh, convex or not, for the outline of whichever of its faces, and whatever a
  * rasteriser moves points by, as long as the outline is taken that much wider (the degree of a map over a point stays as it
  * is while the image of its boundary does not pass the point).
+ *
+ * Most outlines cross a line twice, once on its way down and once up: then what lies right of all edges that go down and left of all that
+ * go up is covered, and that is found for eight lines at a time.
  *
  * One depth stands for all of it, that of the farthest point of a face that counts: this is for occluders of few cells, and
  * CellCoverage for larger ones.
@@ -29,8 +33,8 @@ class OutlineCoverage
 public:
   /**
    * @param buffer      takes what is covered
-   * @param projection  of the occluder; its facings are found
-   * @param facing      of the faces that count, Front or Back
+   * @param projection  of the occluder
+   * @param facing      of the facets that count, Front or Back
    * @param part        what spans say whose they are
    * @returns how many pieces of faces and edges on lines that took
    */
@@ -38,29 +42,50 @@ public:
     MeshProjection::Facing facing, std::uint32_t part);
 
 private:
+  /** An edge of the outline, from its lower end to its upper one, with what is covered on the right of those that go down. */
+  struct OutlineEdge
+  {
+    float Bottom, Top; ///< lines
+    float Column;      ///< at the bottom
+    float Slope;       ///< columns a line
+    float Left, Right; ///< columns
+    bool GoesDown;     ///< level ones, too
+
+    float At(float line) const;
+  };
+
+  /** What one outline edge down and one up leave between them, and how many go down through the middles. */
+  struct SpanLanes
+  {
+    float Left[LaneCount];
+    float Right[LaneCount];
+    float Crossings[LaneCount];
+  };
+
   /** Where an edge of the outline passes a line. */
   struct Passage
   {
     float Left; ///< of what it may touch of the line
     float Right;
     std::int32_t Winding; ///< by what the cover of the line's middle changes from left to right
-    std::uint32_t Next;   ///< on the same line, or None
   };
 
-  static constexpr std::uint32_t None = 0xffffffffu;
-
   bool FrameLines(const SBuffer& buffer);
+  void FindFacets(MeshProjection::Facing facing);
   void FindOutline(MeshProjection::Facing facing);
-  void AddEdge(const ScreenPoint& from, const ScreenPoint& to);
-  float FarthestOf(MeshProjection::Facing facing) const;
-  void InsertLine(SBuffer& buffer, int line, float depth, std::uint32_t part);
+  static OutlineEdge EdgeFrom(const ScreenPoint& from, const ScreenPoint& to);
+  void FindSpans(int line, SpanLanes& spans) const;
+  void InsertLine(SBuffer& buffer, int line, std::uint32_t part);
 
   const MeshProjection* Projection = nullptr;
-  float Inset = 0.0f; ///< how far from their sides lines have no samples
+  float Inset = 0.0f;               ///< how far from their sides lines have no samples
+  float Aside = 0.0f, Above = 0.0f; ///< by what edges are taken wider
   int FirstLine = 0, LastLine = 0;
-  std::vector<std::uint32_t> Heads; ///< of each line's passages
+  float Depth = 0.0f;
+  std::vector<std::uint8_t> IsCounted; ///< each facet, and 0 for none
+  std::vector<MeshEdge> Ends;          ///< of the outline
+  std::vector<OutlineEdge> Outline;
   std::vector<Passage> Passages;
-  std::vector<Passage> Sorted;
 };
 
 }

@@ -1,9 +1,7 @@
 #include "Core/culling/PartCuller.h"
 
-#include "Core/culling/OctreeWalk.h"
-
 #include <algorithm>
-#include <cassert>
+#include <utility>
 
 namespace vitrine
 {
@@ -19,8 +17,6 @@ const float MostFacesPerCell = 4.0f;
 // To project so many faces takes as long as a piece of one on a line.
 const std::size_t FacesPerPiece = 8;
 
-const ScreenRectangle Everywhere{ -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
-
 bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
 {
   const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
@@ -28,136 +24,165 @@ bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
 }
 
 // Occluders of no more get one depth.
-const float FewColumns = 16.0f;
-const float FewLines = 8.0f;
+const float FewColumns = 24.0f;
+const float FewLines = 16.0f;
 }
 
 /** Visits nodes and parts in one frame. */
 class PartCuller::Walk
 {
 public:
-  Walk(PartCuller& culler, const Octree& tree, const std::vector<Box>& bounds,
-    OccluderSource& occluders, const CullView& view, bool occlusion,
-    std::vector<std::uint8_t>& visible)
+  Walk(PartCuller& culler, const LooseOctree& tree, OccluderSource& occluders,
+    const ScreenProjection& view, bool occlusion, const std::vector<std::uint8_t>& drawn)
     : Culler(culler)
     , Tree(tree)
-    , Bounds(bounds)
     , Occluders(occluders)
     , View(view)
     , HasOcclusion(occlusion)
-    , Visible(visible)
+    , IsDrawn(drawn)
   {
   }
 
-  bool Enter(const OctreeNode& node)
+  void VisitNode(const LooseNode& node)
   {
     ++this->Culler.Counted.Nodes;
-    ScreenRectangle rectangle;
-    return this->MayShow(node.Bounds, rectangle, [&] { return this->CountBelow(node); });
-  }
-
-  void Visit(const OctreeNode&, const std::uint32_t* items, std::uint32_t count)
-  {
-    for (std::uint32_t i = 0; i < count; ++i)
+    RectangleLanes rectangles;
+    this->View.Project(node.Boxes, rectangles);
+    int lanes[LaneCount];
+    const int count = this->OrderLanes(node, rectangles, lanes);
+    for (int i = 0; i < count; ++i)
     {
-      if (!this->Culler.IsTested[items[i]] && this->Visible[items[i]])
+      const int lane = lanes[i];
+      const bool isNear = (rectangles.Near >> lane & 1u) != 0;
+      const ScreenRectangle rectangle = isNear ? Everywhere() : rectangles.At(lane);
+      if (node.IsItem(lane))
       {
-        this->Culler.IsTested[items[i]] = 1;
-        this->Visible[items[i]] = this->VisitPart(items[i]);
+        const std::uint32_t item = node.ItemAt(lane);
+        this->Culler.Shows[item] = this->VisitPart(item, rectangle);
+      }
+      else if (this->IsHidden(rectangle))
+      {
+        this->Culler.Budget.AddHidden(node.Counts[lane]);
+      }
+      else
+      {
+        this->VisitNode(this->Tree.Node(node.NodeAt(lane)));
       }
     }
   }
 
-  /** What the walk has not come to does not show, but for items that have no place. */
-  void DropUntested(const std::vector<std::uint32_t>& unplaced)
-  {
-    for (const std::uint32_t item : unplaced)
-    {
-      this->Culler.IsTested[item] = 1;
-    }
-    for (std::size_t i = 0; i < this->Visible.size(); ++i)
-    {
-      this->Visible[i] &= this->Culler.IsTested[i];
-    }
-  }
-
 private:
-  /**
-   * Writes the rectangle of a box that lies behind the near plane; an endless one for others.
-   * @param count  tells how many parts are in it
-   */
-  template <class Count>
-  bool MayShow(const Box& box, ScreenRectangle& rectangle, const Count& count)
+  static ScreenRectangle Everywhere() { return { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f }; }
+
+  /** Finds the lanes that are to be visited, what is long first and then from front to back; returns how many. */
+  int OrderLanes(const LooseNode& node, const RectangleLanes& rectangles, int* lanes)
   {
-    switch (this->View.Projection.Project(box, rectangle))
+    float nearest[LaneCount];
+    int count = 0;
+    for (int lane = 0; lane < LaneCount; ++lane)
     {
-      case ScreenProjection::Place::Outside:
-        return false;
-      case ScreenProjection::Place::Near:
-        rectangle = Everywhere;
-        return true;
-      case ScreenProjection::Place::Before:
-        if (!this->HasOcclusion || !this->Culler.Lines.Hides(rectangle, 0.0f))
-        {
-          return true;
-        }
-        this->Culler.Budget.AddHidden(count());
-        return false;
+      if (!node.Has(lane) || (rectangles.Outside >> lane & 1u) != 0 || !this->IsWanted(node, lane))
+      {
+        continue;
+      }
+      const bool isNear = (rectangles.Near >> lane & 1u) != 0;
+      const float depth = node.IsLong(lane) ? 3.0f : isNear ? 2.0f : rectangles.Nearest[lane];
+      int place = count++;
+      for (; place > 0 && nearest[place - 1] < depth; --place)
+      {
+        nearest[place] = nearest[place - 1];
+        lanes[place] = lanes[place - 1];
+      }
+      nearest[place] = depth;
+      lanes[place] = lane;
     }
-    return true;
+    return count;
   }
 
-  /** Items of pages that were loaded just now are not counted. */
-  std::uint32_t CountBelow(const OctreeNode& node) const
+  bool IsWanted(const LooseNode& node, int lane)
   {
-    const OctreeNode* first = this->Tree.TopPage().Nodes.data();
-    const std::size_t index = static_cast<std::size_t>(&node - first);
-    return &node >= first && index < this->Culler.ItemsBelow.size() ? this->Culler.ItemsBelow[index]
-                                                                    : 1;
+    if (!node.IsItem(lane))
+    {
+      this->Tree.Expect(node.NodeAt(lane));
+      return true;
+    }
+    const std::uint32_t item = node.ItemAt(lane);
+    this->Culler.Counted.Tested += this->IsDrawn[item];
+    this->Occluders.Expect(item);
+    return this->IsDrawn[item] != 0;
   }
 
-  bool VisitPart(std::uint32_t item)
+  bool IsHidden(const ScreenRectangle& rectangle) const
   {
-    ++this->Culler.Counted.Tested;
-    ScreenRectangle rectangle;
-    if (!this->MayShow(this->Bounds[item], rectangle, [] { return 1; }))
-    {
-      return false;
-    }
-    const Occluder occluder = this->HasOcclusion ? this->Occluders.OccluderOf(item) : Occluder();
-    if (!occluder.Mesh)
+    return this->HasOcclusion && this->Culler.Lines.Hides(rectangle);
+  }
+
+  /** Whether a part may show. Its box is not tested if its points are, which are as quickly projected. */
+  bool VisitPart(std::uint32_t item, const ScreenRectangle& rectangle)
+  {
+    if (!this->HasOcclusion)
     {
       return true;
     }
-    const bool isSmall = occluder.Mesh->PointCount() <= FewPoints;
-    const std::size_t faces = occluder.Mesh->Faces().size();
-    const bool isWorthInserting =
-      !IsDense(rectangle, faces) && this->Culler.Budget.Allows(faces / FacesPerPiece);
-    if (!isSmall && !isWorthInserting)
-    {
-      return true;
-    }
-    const bool isBehindNear = this->Culler.Projected.Project(
-      *occluder.Mesh, this->View.Projection.Of(*occluder.ToWorld, occluder.Coarser));
-    if (isBehindNear && isSmall &&
-      this->Culler.Lines.Hides(
-        this->View.Projection.Grown(this->Culler.Projected.Rectangle()), 0.0f))
+    if (!this->Culler.WasSmall[item] && this->IsHidden(rectangle))
     {
       this->Culler.Budget.AddHidden(1);
       return false;
     }
-    if (isWorthInserting)
+    const Occluder occluder = this->Occluders.OccluderOf(item);
+    const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPoints;
+    const bool wasSmall = std::exchange(this->Culler.WasSmall[item], isSmall) != 0;
+    const bool isShown = isSmall ? this->ShowSmall(item, occluder, rectangle)
+                                 : this->ShowLarge(item, occluder, rectangle, wasSmall);
+    this->Culler.Budget.AddHidden(!isShown);
+    return isShown;
+  }
+
+  bool ShowSmall(std::uint32_t item, const Occluder& occluder, const ScreenRectangle& rectangle)
+  {
+    const bool isBehindNear = this->Project(occluder);
+    if (isBehindNear && this->IsHidden(this->View.Grown(this->Culler.Projected.Rectangle())))
+    {
+      return false;
+    }
+    if (this->IsWorthInserting(occluder, rectangle))
     {
       this->InsertPart(item, occluder);
     }
     return true;
   }
 
+  bool ShowLarge(
+    std::uint32_t item, const Occluder& occluder, const ScreenRectangle& rectangle, bool isUntested)
+  {
+    if (isUntested && this->IsHidden(rectangle))
+    {
+      return false;
+    }
+    if (occluder.Mesh && this->IsWorthInserting(occluder, rectangle))
+    {
+      this->Project(occluder);
+      this->InsertPart(item, occluder);
+    }
+    return true;
+  }
+
+  bool Project(const Occluder& occluder)
+  {
+    return this->Culler.Projected.Project(
+      *occluder.Mesh, this->View.Of(*occluder.ToWorld, occluder.Coarser));
+  }
+
+  bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const
+  {
+    const std::size_t faces = occluder.Mesh->Faces().size();
+    return !IsDense(rectangle, faces) && this->Culler.Budget.Allows(faces / FacesPerPiece);
+  }
+
   void InsertPart(std::uint32_t item, const Occluder& occluder)
   {
     ++this->Culler.Counted.Inserted;
     this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
-    this->Culler.Projected.FindFacings();
     this->InsertFaces(item, MeshProjection::Facing::Front);
     if (occluder.HasBackFaces && !occluder.Mesh->IsClosed())
     {
@@ -168,25 +193,21 @@ private:
   void InsertFaces(std::uint32_t item, MeshProjection::Facing facing)
   {
     const ScreenRectangle& around = this->Culler.Projected.Rectangle();
-    if (around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines)
-    {
-      this->Culler.Budget.Spend(
-        this->Culler.CoverOfFew.Insert(this->Culler.Lines, this->Culler.Projected, facing, item));
-    }
-    else
-    {
-      this->Culler.Budget.Spend(
-        this->Culler.CoverOfMany.Insert(this->Culler.Lines, this->Culler.Projected, facing, item));
-    }
+    const bool isOfFewCells =
+      around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
+    SBuffer& lines = this->Culler.Lines;
+    MeshProjection& projected = this->Culler.Projected;
+    this->Culler.Budget.Spend(isOfFewCells
+        ? this->Culler.CoverOfFew.Insert(lines, projected, facing, item)
+        : this->Culler.CoverOfMany.Insert(lines, projected, facing, item));
   }
 
   PartCuller& Culler;
-  const Octree& Tree;
-  const std::vector<Box>& Bounds;
+  const LooseOctree& Tree;
   OccluderSource& Occluders;
-  const CullView& View;
+  const ScreenProjection& View;
   bool HasOcclusion;
-  std::vector<std::uint8_t>& Visible;
+  const std::vector<std::uint8_t>& IsDrawn;
 };
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)
@@ -194,49 +215,24 @@ PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)
 {
 }
 
-void PartCuller::Cull(const Octree& tree, const std::vector<Box>& bounds, OccluderSource& occluders,
-  const CullView& view, bool occlusion, std::vector<std::uint8_t>& visible)
+void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
+  const ScreenProjection& view, bool occlusion, std::vector<std::uint8_t>& visible)
 {
-  assert(visible.size() == bounds.size());
   this->Lines.Clear();
   this->Counted = {};
-  this->IsTested.assign(bounds.size(), 0);
+  this->Shows.assign(visible.size(), 0);
+  this->WasSmall.resize(visible.size(), 0);
   if (occlusion)
   {
-    this->CountItemsBelow(tree);
     this->Budget.Begin(static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 1)));
   }
-  Walk walk(*this, tree, bounds, occluders, view, occlusion, visible);
-  if (view.IsParallel)
+  if (!tree.IsEmpty())
   {
-    WalkFrontToBack(tree, OrderAlong(view.Eye), walk);
+    Walk(*this, tree, occluders, view, occlusion, visible).VisitNode(tree.Node(0));
   }
-  else
+  for (std::uint32_t i = 0; i < visible.size(); ++i)
   {
-    WalkFrontToBack(tree, OrderFromEye(view.Eye), walk);
-  }
-  walk.DropUntested(tree.UnplacedItems());
-}
-
-/** Children stand behind their parents. Where a tree has changed since and has as many nodes, it is near enough. */
-void PartCuller::CountItemsBelow(const Octree& tree)
-{
-  const std::vector<OctreeNode>& nodes = tree.TopPage().Nodes;
-  if (this->ItemsBelow.size() == nodes.size())
-  {
-    return;
-  }
-  this->ItemsBelow.assign(nodes.size(), 1);
-  for (std::size_t i = nodes.size(); i-- > 0;)
-  {
-    const OctreeNode& node = nodes[i];
-    std::uint32_t count = node.IsLeaf() ? node.Count() : 0;
-    for (int slot = 0; node.Kind() == OctreeNode::Kinds::Inner && slot <= OctreeNode::OwnSlot;
-         ++slot)
-    {
-      count += node.HasChild(slot) ? this->ItemsBelow[node.Child(slot)] : 0;
-    }
-    this->ItemsBelow[i] = std::max(count, 1u);
+    visible[i] &= static_cast<std::uint8_t>(this->Shows[i] | !tree.Holds(i));
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include "Core/culling/CellCoverage.h"
 #include "Core/culling/InsertionBudget.h"
+#include "Core/culling/LooseOctree.h"
 #include "Core/culling/MeshProjection.h"
-#include "Core/culling/Octree.h"
 #include "Core/culling/OutlineCoverage.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
@@ -32,6 +32,9 @@ class OccluderSource
 public:
   virtual ~OccluderSource() = default;
   virtual Occluder OccluderOf(std::uint32_t part) = 0;
+
+  /** The part may be asked for soon: a hint for those that keep what they tell far apart in memory. */
+  virtual void Expect(std::uint32_t part) const { static_cast<void>(part); }
 };
 
 /** Counts of one frame. */
@@ -40,14 +43,6 @@ struct CullCounts
   std::uint32_t Nodes = 0;    ///< of the octree that were tested
   std::uint32_t Tested = 0;   ///< parts
   std::uint32_t Inserted = 0; ///< parts whose cover went into the s-buffer
-};
-
-/** What a view needs to be known of for a walk. */
-struct CullView
-{
-  ScreenProjection Projection;
-  glm::dvec3 Eye; ///< WC; of a parallel view, its direction
-  bool IsParallel;
 };
 
 /**
@@ -63,14 +58,13 @@ public:
 
   /**
    * Finds which parts may show.
-   * @param tree       of the parts' bounds
-   * @param bounds     of each part, in world coordinates (WC)
+   * @param tree       of the parts' bounds, in world coordinates (WC); parts that are not in it stay as they are
    * @param occluders  tells what the parts hide with
    * @param occlusion  false for what lies outside of the view alone
    * @param visible    one for each part; on input 1 for those that this frame draws. 0 is put for what surely does not show
    */
-  void Cull(const Octree& tree, const std::vector<Box>& bounds, OccluderSource& occluders,
-    const CullView& view, bool occlusion, std::vector<std::uint8_t>& visible);
+  void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
+    bool occlusion, std::vector<std::uint8_t>& visible);
 
   const CullCounts& Counts() const { return this->Counted; }
   const SBuffer& Buffer() const { return this->Lines; }
@@ -78,16 +72,15 @@ public:
 private:
   class Walk;
 
-  void CountItemsBelow(const Octree& tree);
-
   SBuffer Lines;
   MeshProjection Projected;
   OutlineCoverage CoverOfFew;
   CellCoverage CoverOfMany;
   CullCounts Counted;
   InsertionBudget Budget;
-  std::vector<std::uint32_t> ItemsBelow; ///< each node of the tree, about
-  std::vector<std::uint8_t> IsTested;
+  std::vector<std::uint8_t> Shows;
+  std::vector<std::uint8_t>
+    WasSmall; ///< parts whose mesh had few points when it was last asked for
 };
 
 }

@@ -1,6 +1,7 @@
 #include "Core/culling/SBuffer.h"
 
 #include "Core/culling/FaceOrder.h"
+#include "Core/culling/Lanes.h"
 #include "Core/culling/SBufferInsertion.h"
 
 #include <algorithm>
@@ -12,9 +13,14 @@ namespace vitrine
 
 namespace
 {
-// What Tile::Least says in place of a depth; both are below all depths.
+// What stands in place of the least depth of a tile; below all depths.
 const float NotFull = -1.0f;
-const float NotKnown = -2.0f;
+
+/** As many bits as lines, up to all lanes. */
+unsigned LowBits(int lines)
+{
+  return (1u << std::min(lines, LaneCount)) - 1u;
+}
 }
 
 SBuffer::SBuffer(int columns, int lines, const SampleGrid& samples, std::size_t mostSpans)
@@ -22,7 +28,9 @@ SBuffer::SBuffer(int columns, int lines, const SampleGrid& samples, std::size_t 
   , LineCount(lines)
   , TilesPerLine((columns + TileWidth - 1) / TileWidth)
   , Grid(samples)
-  , Tiles(static_cast<std::size_t>(this->TilesPerLine) * lines)
+  , TileStride(static_cast<std::size_t>(lines) + LaneCount)
+  , Firsts(this->TileStride * this->TilesPerLine)
+  , Leasts(this->Firsts.size())
   , MostSpans(mostSpans)
   , Pool(new Span[mostSpans])
 {
@@ -32,7 +40,8 @@ SBuffer::SBuffer(int columns, int lines, const SampleGrid& samples, std::size_t 
 
 void SBuffer::Clear()
 {
-  std::fill(this->Tiles.begin(), this->Tiles.end(), Tile{ NoSpan, NotFull });
+  std::fill(this->Firsts.begin(), this->Firsts.end(), NoSpan);
+  std::fill(this->Leasts.begin(), this->Leasts.end(), NotFull);
   this->Used = 0;
   this->FirstFree = NoSpan;
   this->Counted = {};
@@ -60,20 +69,8 @@ void SBuffer::Free(std::uint32_t span)
   this->FirstFree = span;
 }
 
-void SBuffer::Insert(int line, const Segment& segment)
-{
-  NoFaceOrder none;
-  this->InsertBy(none, line, segment);
-}
-
-void SBuffer::Insert(int line, const FaceSegment& segment, FaceOrder& order)
-{
-  order.Begin(segment);
-  this->InsertBy(order, line, segment.Covered);
-}
-
 template <class Orders>
-inline void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
+VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
 {
   assert(line >= 0 && line < this->LineCount);
   const float left = std::max(segment.Left, 0.0f);
@@ -90,25 +87,39 @@ inline void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
   const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
   for (int i = static_cast<int>(left) / TileWidth; i <= last; ++i)
   {
-    Tile& tile = this->Tiles[static_cast<std::size_t>(line) * this->TilesPerLine + i];
-    if (tile.Least >= greatest)
+    const std::size_t tile = this->TileAt(line, i);
+    if (this->Leasts[tile] >= greatest)
     {
       continue;
     }
     const float tileLeft = static_cast<float>(i * TileWidth);
-    if (Insertion<Orders>(*this, orders, tile, segment, slope)
-          .Run(std::max(left, tileLeft), std::min(right, tileLeft + TileWidth)))
+    const float tileRight = std::min(tileLeft + TileWidth, static_cast<float>(this->ColumnCount));
+    if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
+          .Run(std::max(left, tileLeft), std::min(right, tileRight)))
     {
-      tile.Least = NotKnown;
+      this->Leasts[tile] = this->LeastDepthOf(this->Firsts[tile], tileLeft, tileRight);
     }
   }
 }
 
-float SBuffer::LeastOf(const Tile& tile, float left, float right) const
+VITRINE_FOR_EACH_PROCESSOR
+void SBuffer::Insert(int line, const Segment& segment)
+{
+  NoFaceOrder none;
+  this->InsertBy(none, line, segment);
+}
+
+void SBuffer::Insert(int line, const FaceSegment& segment, FaceOrder& order)
+{
+  order.Begin(segment);
+  this->InsertBy(order, line, segment.Covered);
+}
+
+float SBuffer::LeastDepthOf(std::uint32_t first, float left, float right) const
 {
   float covered = left;
   float least = 2.0f;
-  for (std::uint32_t i = tile.First; i != NoSpan; i = this->Pool[i].Next)
+  for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
   {
     const Span& span = this->Pool[i];
     if (span.Left > covered)
@@ -121,10 +132,10 @@ float SBuffer::LeastOf(const Tile& tile, float left, float right) const
   return covered >= right ? least : NotFull;
 }
 
-bool SBuffer::TileHides(const Tile& tile, float left, float right, float nearest) const
+bool SBuffer::TileHides(std::size_t tile, float left, float right, float nearest) const
 {
   float covered = left; // the question may be of one place alone
-  for (std::uint32_t i = tile.First; i != NoSpan; i = this->Pool[i].Next)
+  for (std::uint32_t i = this->Firsts[tile]; i != NoSpan; i = this->Pool[i].Next)
   {
     const Span& span = this->Pool[i];
     if (span.Right < covered)
@@ -146,7 +157,8 @@ bool SBuffer::TileHides(const Tile& tile, float left, float right, float nearest
   return false;
 }
 
-bool SBuffer::Hides(const ScreenRectangle& rectangle, float margin)
+VITRINE_FOR_EACH_PROCESSOR
+bool SBuffer::Hides(const ScreenRectangle& rectangle) const
 {
   const float left = this->Grid.From(std::max(rectangle.Left, 0.0f));
   const float right =
@@ -161,30 +173,25 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle, float margin)
   {
     return false; // not a number: it may be anywhere
   }
-  const float nearest = rectangle.Nearest + margin;
   const int lastLine = std::min(static_cast<int>(top), this->LineCount - 1);
-  for (int line = std::min(static_cast<int>(bottom), lastLine); line <= lastLine; ++line)
+  const int firstLine = std::min(static_cast<int>(bottom), lastLine);
+  const int lastTile = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
+  for (int i = std::min(static_cast<int>(left) / TileWidth, lastTile); i <= lastTile; ++i)
   {
-    if (!this->LineHides(line, left, right, nearest))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool SBuffer::LineHides(int line, float left, float right, float nearest)
-{
-  const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
-  for (int i = std::min(static_cast<int>(left) / TileWidth, last); i <= last; ++i)
-  {
-    const Tile& tile = this->KnownTile(line, i);
     const float tileLeft = static_cast<float>(i * TileWidth);
-    if (!(tile.Least > nearest) &&
-      !this->TileHides(
-        tile, std::max(left, tileLeft), std::min(right, tileLeft + TileWidth), nearest))
+    const float from = std::max(left, tileLeft), to = std::min(right, tileLeft + TileWidth);
+    for (int line = firstLine; line <= lastLine; line += LaneCount)
     {
-      return false;
+      const std::size_t tile = this->TileAt(line, i);
+      unsigned open = ~BitsOf(LoadLanes(&this->Leasts[tile]) > AllLanes(rectangle.Nearest)) &
+        LowBits(lastLine + 1 - line);
+      for (std::size_t above = tile; open != 0; ++above, open >>= 1)
+      {
+        if ((open & 1) != 0 && !this->TileHides(above, from, to, rectangle.Nearest))
+        {
+          return false;
+        }
+      }
     }
   }
   return true;
@@ -207,8 +214,8 @@ bool SBuffer::Hides(int line, const Segment& segment, float margin) const
   float covered = left;
   for (int i = static_cast<int>(left) / TileWidth; i <= last; ++i)
   {
-    const Tile& tile = this->Tiles[static_cast<std::size_t>(line) * this->TilesPerLine + i];
-    for (std::uint32_t j = tile.First; j != NoSpan && covered < right; j = this->Pool[j].Next)
+    const std::uint32_t first = this->Firsts[this->TileAt(line, i)];
+    for (std::uint32_t j = first; j != NoSpan && covered < right; j = this->Pool[j].Next)
     {
       const Span& span = this->Pool[j];
       if (span.Right <= covered)
@@ -228,31 +235,13 @@ bool SBuffer::Hides(int line, const Segment& segment, float margin) const
   return covered >= right;
 }
 
-bool SBuffer::IsCoveredBefore(int line, int tile, float depth)
-{
-  return this->KnownTile(line, tile).Least >= depth;
-}
-
-/** A tile, with its least depth found. */
-SBuffer::Tile& SBuffer::KnownTile(int line, int tile)
-{
-  Tile& known = this->Tiles[static_cast<std::size_t>(line) * this->TilesPerLine + tile];
-  if (known.Least == NotKnown)
-  {
-    const float left = static_cast<float>(tile * TileWidth);
-    known.Least =
-      this->LeastOf(known, left, std::min(left + TileWidth, static_cast<float>(this->ColumnCount)));
-  }
-  return known;
-}
-
 std::vector<Span> SBuffer::SpansOf(int line) const
 {
   assert(line >= 0 && line < this->LineCount);
   std::vector<Span> spans;
   for (int i = 0; i < this->TilesPerLine; ++i)
   {
-    std::uint32_t span = this->Tiles[static_cast<std::size_t>(line) * this->TilesPerLine + i].First;
+    std::uint32_t span = this->Firsts[this->TileAt(line, i)];
     for (; span != NoSpan; span = this->Pool[span].Next)
     {
       spans.push_back(this->Pool[span]);

@@ -92,16 +92,17 @@ public:
   /** The same, where the order of faces is known without comparing depths. */
   void Insert(int line, const FaceSegment& segment, FaceOrder& order);
 
-  /**
-   * Whether all samples in the rectangle are covered by what is nearer by more than `margin`. Beyond the screen nothing shows.
-   */
-  bool Hides(const ScreenRectangle& rectangle, float margin);
+  /** Whether all samples in the rectangle are covered by what is nearer. Beyond the screen nothing shows. */
+  bool Hides(const ScreenRectangle& rectangle) const;
 
   /** Whether all of a segment is behind what is nearer by more than `margin`. */
   bool Hides(int line, const Segment& segment, float margin) const;
 
   /** Whether all of a tile is covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
-  bool IsCoveredBefore(int line, int tile, float depth);
+  bool IsCoveredBefore(int line, int tile, float depth) const
+  {
+    return this->Leasts[this->TileAt(line, tile)] >= depth;
+  }
 
   /** The spans of a line, from left to right. */
   std::vector<Span> SpansOf(int line) const;
@@ -109,29 +110,30 @@ public:
   const SBufferCounts& Counts() const { return this->Counted; }
 
 private:
-  struct Tile
-  {
-    std::uint32_t First;
-    float Least; ///< of the depth, NotFull, or NotKnown
-  };
-
   template <class Orders>
   class Insertion;
 
   template <class Orders>
   void InsertBy(Orders& orders, int line, const Segment& segment);
+
+  /** Tiles that stand one above the other lie side by side, so that those of eight lines are looked at together. */
+  std::size_t TileAt(int line, int tile) const
+  {
+    return static_cast<std::size_t>(tile) * this->TileStride + line;
+  }
+
   std::uint32_t Allocate();
   void Free(std::uint32_t span);
-  bool LineHides(int line, float left, float right, float nearest);
-  Tile& KnownTile(int line, int tile);
-  float LeastOf(const Tile& tile, float left, float right) const;
-  bool TileHides(const Tile& tile, float left, float right, float nearest) const;
+  float LeastDepthOf(std::uint32_t first, float left, float right) const;
+  bool TileHides(std::size_t tile, float left, float right, float nearest) const;
 
   int ColumnCount;
   int LineCount;
   int TilesPerLine;
   SampleGrid Grid;
-  std::vector<Tile> Tiles;
+  std::size_t TileStride;            ///< lines, and some more that are never covered
+  std::vector<std::uint32_t> Firsts; ///< of each tile's spans
+  std::vector<float> Leasts;         ///< of each tile's depths, or NotFull
   std::size_t MostSpans;
   std::unique_ptr<Span[]> Pool; ///< not written before it is used
   std::size_t Used = 0;

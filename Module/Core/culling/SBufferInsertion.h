@@ -24,10 +24,11 @@ template <class Orders>
 class SBuffer::Insertion
 {
 public:
-  Insertion(SBuffer& buffer, Orders& orders, Tile& tile, const Segment& segment, float slope)
+  Insertion(
+    SBuffer& buffer, Orders& orders, std::uint32_t& first, const Segment& segment, float slope)
     : Buffer(buffer)
     , Known(orders)
-    , Link(&tile.First)
+    , Link(&first)
     , New{ segment.Left, segment.Right, segment.LeftDepth, slope, segment.Face, NoSpan }
   {
   }

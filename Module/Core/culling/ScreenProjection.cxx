@@ -1,7 +1,8 @@
 #include "Core/culling/ScreenProjection.h"
 
-#include <algorithm>
-#include <cmath>
+#include <glm/common.hpp>
+
+#include <cstring>
 
 namespace vitrine
 {
@@ -13,79 +14,73 @@ namespace
 // matrix and a point: each rounds the matrix, products and sums to floats.
 const double RoundingOfSums = 0x1p-20;
 
-}
-
-/** A coordinate of the eight corners of a box, in arrays that a compiler makes vectors of. */
-struct ScreenProjection::Corners
+/** What a matrix makes of the least and the greatest coordinates of eight boxes, axis by axis: corners are sums of three. */
+struct CornerTerms
 {
-  alignas(32) float Of[8];
+  Lanes Of[3][2][4];
 
-  Corners() = default;
-
-  /** `base` and the sums of the box's edges. */
-  Corners(double base, const glm::dvec3& edges)
+  VITRINE_INLINE CornerTerms(const glm::mat4& m, const BoxLanes& boxes)
   {
-    const float b = static_cast<float>(base);
-    const float x = static_cast<float>(edges.x);
-    const float y = static_cast<float>(edges.y);
-    const float z = static_cast<float>(edges.z);
-    const float low[4] = { b, b + x, b + y, b + x + y };
-    for (int i = 0; i < 4; ++i)
+    for (int row = 0; row < 4; ++row)
     {
-      this->Of[i] = low[i];
-      this->Of[i + 4] = low[i] + z;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Of[axis][0][row] = m[axis][row] * LoadLanes(boxes.Lows(axis));
+        this->Of[axis][1][row] = m[axis][row] * LoadLanes(boxes.Highs(axis));
+      }
+      this->Of[0][0][row] += m[3][row];
+      this->Of[0][1][row] += m[3][row];
     }
   }
 
-  void Multiply(const Corners& factors)
+  /** A coordinate of one of the eight corners. */
+  VITRINE_INLINE Lanes At(int corner, int row) const
   {
-    for (int i = 0; i < 8; ++i)
-    {
-      this->Of[i] *= factors.Of[i];
-    }
-  }
-
-  Corners Inverse() const
-  {
-    Corners inverse;
-    for (int i = 0; i < 8; ++i)
-    {
-      inverse.Of[i] = 1.0f / this->Of[i];
-    }
-    return inverse;
-  }
-
-  float Least() const
-  {
-    float least[4];
-    for (int i = 0; i < 4; ++i)
-    {
-      least[i] = this->Of[i] < this->Of[i + 4] ? this->Of[i] : this->Of[i + 4];
-    }
-    return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
-  }
-
-  float Greatest() const
-  {
-    float greatest[4];
-    for (int i = 0; i < 4; ++i)
-    {
-      greatest[i] = this->Of[i] > this->Of[i + 4] ? this->Of[i] : this->Of[i + 4];
-    }
-    return std::max(std::max(greatest[0], greatest[1]), std::max(greatest[2], greatest[3]));
-  }
-
-  /** Whether factor times this is less than `other` at all corners, by more than `slack`. */
-  bool IsBelow(float factor, const Corners& other, float slack) const
-  {
-    Corners difference = other;
-    for (int i = 0; i < 8; ++i)
-    {
-      difference.Of[i] -= factor * this->Of[i];
-    }
-    return difference.Least() > slack;
+    return this->Of[0][corner & 1][row] + this->Of[1][corner >> 1 & 1][row] +
+      this->Of[2][corner >> 2][row];
   }
 };
+
+struct Extent
+{
+  Lanes Least = AllLanes(3e38f);
+  Lanes Greatest = AllLanes(-3e38f);
+
+  VITRINE_INLINE void Add(Lanes values)
+  {
+    this->Least = LeastOf(this->Least, values);
+    this->Greatest = GreatestOf(this->Greatest, values);
+  }
+};
+
+/** Of boxes that may reach to where w is not positive: those of which all corners lie on the outer side of one plane of the frustum. */
+VITRINE_INLINE LaneMask OutsideOfPlanes(
+  const CornerTerms& corners, const ScreenMatrix& matrix, const glm::vec2& growth)
+{
+  const glm::vec2& screen = matrix.Size;
+  Extent columns, lines, depths, w, beyondColumns, beyondLines, beyondDepths;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Lanes cornerW = corners.At(corner, 3);
+    w.Add(cornerW);
+    columns.Add(corners.At(corner, 0));
+    lines.Add(corners.At(corner, 1));
+    depths.Add(corners.At(corner, 2));
+    beyondColumns.Add(corners.At(corner, 0) - screen.x * cornerW);
+    beyondLines.Add(corners.At(corner, 1) - screen.y * cornerW);
+    beyondDepths.Add(corners.At(corner, 2) - cornerW);
+  }
+  const Lanes farthest = GreatestOf(w.Greatest, -w.Least);
+  const glm::vec4& rounding = matrix.Rounding;
+  const Lanes aside = growth.x * farthest + rounding.x;
+  const Lanes above = growth.y * farthest + rounding.y;
+  return (columns.Greatest < -aside) | (lines.Greatest < -above) |
+    (depths.Greatest < AllLanes(-rounding.z)) |
+    (beyondColumns.Least > aside + screen.x * rounding.w) |
+    (beyondLines.Least > above + screen.y * rounding.w) |
+    (beyondDepths.Least > AllLanes(rounding.z + rounding.w));
+}
+}
 
 ScreenMargin ScreenMatrix::MarginFrom(float leastW) const
 {
@@ -113,6 +108,7 @@ ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, dou
       0.5 * (sums.z + sums.w), sums.w);
   this->World.Snapping = snapping;
   this->World.Size = { columns, lines };
+  this->WorldInFloats = glm::mat4(this->World.Matrix);
 }
 
 glm::dvec4 ScreenProjection::ToScreen(const glm::dvec3& point) const
@@ -126,62 +122,70 @@ ScreenRectangle ScreenProjection::Grown(const ScreenRectangle& rectangle) const
     rectangle.Bottom - this->Growth.y, rectangle.Top + this->Growth.y, rectangle.Nearest };
 }
 
+VITRINE_FOR_EACH_PROCESSOR
 ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, float coarser) const
 {
-  ScreenMatrix matrix = this->World;
-  matrix.Matrix = this->World.Matrix * toWorld;
-  matrix.Rounding *= coarser;
+  ScreenMatrix matrix;
+  matrix.Rounding = this->World.Rounding * coarser;
+  matrix.Snapping = this->World.Snapping;
+  matrix.Size = this->World.Size;
+  DoubleLanes columns[4];
+  std::memcpy(columns, &this->World.Matrix, sizeof(columns));
+  for (int i = 0; i < 4; ++i)
+  {
+    const glm::dvec4& other = toWorld[i];
+    const DoubleLanes product =
+      columns[0] * other.x + columns[1] * other.y + columns[2] * other.z + columns[3] * other.w;
+    std::memcpy(&matrix.Matrix[i], &product, sizeof(product));
+  }
   return matrix;
 }
 
-ScreenProjection::Place ScreenProjection::Project(const Box& box, ScreenRectangle& rectangle) const
+VITRINE_FOR_EACH_PROCESSOR
+void ScreenProjection::Project(const BoxLanes& boxes, RectangleLanes& rectangles) const
 {
-  const glm::dmat4& matrix = this->World.Matrix;
-  const glm::dvec4 base = this->ToScreen(box.Min);
-  const glm::dvec3 size = glm::dvec3(box.Max) - glm::dvec3(box.Min);
-  const glm::dvec4 x = matrix[0] * size.x;
-  const glm::dvec4 y = matrix[1] * size.y;
-  const glm::dvec4 z = matrix[2] * size.z;
-  const Corners w(base.w, { x.w, y.w, z.w });
-  Corners columns(base.x, { x.x, y.x, z.x });
-  Corners lines(base.y, { x.y, y.y, z.y });
-  Corners depths(base.z, { x.z, y.z, z.z });
-
-  const float leastW = w.Least();
-  if (!(leastW > this->World.Rounding.w))
+  const CornerTerms corners(this->WorldInFloats, boxes);
+  Extent columns, lines, depths;
+  Lanes leastW = AllLanes(3e38f);
+  for (int corner = 0; corner < 8; ++corner)
   {
-    return this->IsOutside(columns, lines, depths, w) ? Place::Outside : Place::Near;
+    const Lanes w = corners.At(corner, 3);
+    const Lanes inverse = 1.0f / w;
+    leastW = LeastOf(leastW, w);
+    columns.Add(corners.At(corner, 0) * inverse);
+    lines.Add(corners.At(corner, 1) * inverse);
+    depths.Add(corners.At(corner, 2) * inverse);
   }
-  const Corners inverse = w.Inverse();
-  columns.Multiply(inverse);
-  lines.Multiply(inverse);
-  depths.Multiply(inverse);
-  const ScreenMargin margin = this->World.MarginFrom(leastW);
-  rectangle = this->Grown({ columns.Least() - margin.Column, columns.Greatest() + margin.Column,
-    lines.Least() - margin.Line, lines.Greatest() + margin.Line,
-    depths.Greatest() + margin.Depth });
+  const glm::vec4& rounding = this->World.Rounding;
+  const ScreenMargin& snapping = this->World.Snapping;
   const glm::vec2& screen = this->World.Size;
-  if (rectangle.Right < 0.0f || rectangle.Left > screen.x || rectangle.Top < 0.0f ||
-    rectangle.Bottom > screen.y || rectangle.Nearest < 0.0f || depths.Least() - margin.Depth > 1.0f)
+  const Lanes inverse = 1.0f / leastW;
+  const Lanes aside =
+    snapping.Column + this->Growth.x + (rounding.x + screen.x * rounding.w) * inverse;
+  const Lanes above =
+    snapping.Line + this->Growth.y + (rounding.y + screen.y * rounding.w) * inverse;
+  const Lanes nearer = snapping.Depth + (rounding.z + rounding.w) * inverse;
+  const Lanes left = columns.Least - aside, right = columns.Greatest + aside;
+  const Lanes bottom = lines.Least - above, top = lines.Greatest + above;
+  const Lanes nearest = depths.Greatest + nearer;
+  const LaneMask isBeforeEye = leastW > AllLanes(rounding.w);
+  const LaneMask isOutside = isBeforeEye &
+    ((right < AllLanes(0.0f)) | (left > AllLanes(screen.x)) | (top < AllLanes(0.0f)) |
+      (bottom > AllLanes(screen.y)) | (nearest < AllLanes(0.0f)) |
+      (depths.Least - nearer > AllLanes(1.0f)));
+  StoreLanes(left, rectangles.Left);
+  StoreLanes(right, rectangles.Right);
+  StoreLanes(bottom, rectangles.Bottom);
+  StoreLanes(top, rectangles.Top);
+  StoreLanes(nearest, rectangles.Nearest);
+  rectangles.Outside = BitsOf(isOutside);
+  rectangles.Near = BitsOf(~(isBeforeEye & (nearest < AllLanes(1.0f)))) & ~rectangles.Outside;
+  if (rectangles.Near != 0)
   {
-    return Place::Outside;
+    const unsigned outside = BitsOf(OutsideOfPlanes(corners, this->World, this->Growth));
+    rectangles.Outside |= rectangles.Near & outside;
+    rectangles.Near &= ~outside;
   }
-  return rectangle.Nearest < 1.0f ? Place::Before : Place::Near;
-}
-
-/** Of a box that reaches to where w is not positive: whether all corners lie on the outer side of one plane of the frustum. */
-bool ScreenProjection::IsOutside(
-  const Corners& columns, const Corners& lines, const Corners& depths, const Corners& w) const
-{
-  const glm::vec2& screen = this->World.Size;
-  const float farthest = std::max(std::abs(w.Least()), std::abs(w.Greatest()));
-  glm::vec4 slack = this->World.Rounding;
-  slack.x += this->Growth.x * farthest;
-  slack.y += this->Growth.y * farthest;
-  return columns.Greatest() < -slack.x || lines.Greatest() < -slack.y ||
-    depths.Greatest() < -slack.z || w.IsBelow(screen.x, columns, slack.x + screen.x * slack.w) ||
-    w.IsBelow(screen.y, lines, slack.y + screen.y * slack.w) ||
-    w.IsBelow(1.0f, depths, slack.z + slack.w);
 }
 
 }

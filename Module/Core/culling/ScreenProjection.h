@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_PROJECTION_H
 #define VITRINE_CORE_CULLING_SCREEN_PROJECTION_H
 
-#include "Core/culling/Box.h"
+#include "Core/culling/BoxLanes.h"
 #include "Core/culling/SBuffer.h"
 
 #include <glm/mat4x4.hpp>
@@ -31,6 +31,29 @@ struct ScreenMatrix
   ScreenMargin MarginFrom(float leastW) const;
 };
 
+/** Where eight boxes are on the screen. */
+struct RectangleLanes
+{
+  float Left[LaneCount];
+  float Right[LaneCount];
+  float Bottom[LaneCount];
+  float Top[LaneCount];
+  float Nearest[LaneCount];
+  unsigned Outside; ///< a bit for each box that lies outside of what the view shows
+  unsigned
+    Near; ///< for each that reaches before the near plane, so that it has no rectangle and nothing hides it
+
+  /**
+   * Of a box that is neither Near nor Outside: the least rectangle that surely holds all that is drawn of it, and the greatest depth that
+   * it surely does not exceed.
+   */
+  ScreenRectangle At(int lane) const
+  {
+    return { this->Left[lane], this->Right[lane], this->Bottom[lane], this->Top[lane],
+      this->Nearest[lane] };
+  }
+};
+
 /**
  * How a view maps world coordinates (WC) onto the columns and lines of an s-buffer, and to reversed depth: (w - z) / 2w of clip
  * coordinates, 1 at the near plane and 0 at the far one. That is affine on the screen along a plane, in perspective and in
@@ -40,14 +63,6 @@ struct ScreenMatrix
 class ScreenProjection
 {
 public:
-  /** Where a box is. */
-  enum class Place
-  {
-    Outside, ///< of what the view shows
-    Near,    ///< it reaches before the near plane, so that it has no rectangle: nothing hides it
-    Before   ///< all of it lies behind the near plane
-  };
-
   /**
    * @param toClip    from world coordinates to OpenGL's clip coordinates, for column vectors
    * @param columns   of what is seen from left to right; the last may be a part of one
@@ -60,11 +75,8 @@ public:
   ScreenProjection(const glm::dmat4& toClip, double columns, double lines, const glm::dvec3& reach,
     const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f));
 
-  /**
-   * The least rectangle that surely holds all that is drawn of the box on the screen, and the greatest depth that it surely does
-   * not exceed. `rectangle` is written where the box is Before.
-   */
-  Place Project(const Box& box, ScreenRectangle& rectangle) const;
+  /** Where eight boxes are, which are finite; of empty ones it says anything. */
+  void Project(const BoxLanes& boxes, RectangleLanes& rectangles) const;
 
   /** A rectangle, farther by the growth. */
   ScreenRectangle Grown(const ScreenRectangle& rectangle) const;
@@ -80,12 +92,8 @@ public:
   ScreenMatrix Of(const glm::dmat4& toWorld, float coarser) const;
 
 private:
-  struct Corners;
-
-  bool IsOutside(
-    const Corners& columns, const Corners& lines, const Corners& depths, const Corners& w) const;
-
   ScreenMatrix World;
+  glm::mat4 WorldInFloats; ///< its matrix
   glm::vec2 Growth;
 };
 

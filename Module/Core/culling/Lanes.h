@@ -1,0 +1,110 @@
+#ifndef VITRINE_CORE_CULLING_LANES_H
+#define VITRINE_CORE_CULLING_LANES_H
+
+#include <cstdint>
+
+/**
+ * Before a function: it is compiled for processors with wider registers, too, and the right one is taken when the program starts. No fused
+ * products, so that all of them get the same numbers.
+ */
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
+#define VITRINE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
+#else
+#define VITRINE_FOR_EACH_PROCESSOR
+#endif
+
+/** Lanes are never handed over in registers, which differ between processors: what has them as parameters is inlined. */
+#define VITRINE_INLINE inline __attribute__((always_inline))
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // about lanes in registers
+#endif
+
+namespace vitrine
+{
+
+const int LaneCount = 8;
+
+/** Eight numbers on which all is done at once (GCC's and Clang's vectors). */
+using Lanes = float __attribute__((vector_size(4 * LaneCount)));
+
+/** What a comparison of lanes gives: all bits of a lane are 1, or 0. */
+using LaneMask = std::int32_t __attribute__((vector_size(4 * LaneCount)));
+
+/** A column of a matrix in doubles. */
+using DoubleLanes = double __attribute__((vector_size(32)));
+
+/** Begins to load what will be read soon. */
+VITRINE_INLINE void Prefetch(const void* place)
+{
+  __builtin_prefetch(place);
+}
+
+/** The same in all lanes. */
+VITRINE_INLINE Lanes AllLanes(float value)
+{
+  return Lanes{} + value;
+}
+
+/** value, value + 1, ... */
+VITRINE_INLINE Lanes LanesFrom(float value)
+{
+  return value + Lanes{ 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f };
+}
+
+/** Where either is not a number, the second one. */
+VITRINE_INLINE Lanes LeastOf(Lanes a, Lanes b)
+{
+  return a < b ? a : b;
+}
+
+/** Where either is not a number, the second one. */
+VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b)
+{
+  return a > b ? a : b;
+}
+
+VITRINE_INLINE float LeastLane(Lanes a)
+{
+  a = LeastOf(a, __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3));
+  a = LeastOf(a, __builtin_shufflevector(a, a, 2, 3, 0, 1, 6, 7, 4, 5));
+  a = LeastOf(a, __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6));
+  return a[0];
+}
+
+VITRINE_INLINE float GreatestLane(Lanes a)
+{
+  return -LeastLane(-a);
+}
+
+/** A bit for each lane, the first one the lowest. */
+VITRINE_INLINE unsigned BitsOf(LaneMask mask)
+{
+  LaneMask bits = mask & LaneMask{ 1, 2, 4, 8, 16, 32, 64, 128 };
+  bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
+  bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
+  bits |= __builtin_shufflevector(bits, bits, 1, 0, 3, 2, 5, 4, 7, 6);
+  return static_cast<unsigned>(bits[0]);
+}
+
+/** Of numbers that lie side by side; how they are aligned does not matter. */
+VITRINE_INLINE Lanes LoadLanes(const float* values)
+{
+  Lanes lanes;
+  __builtin_memcpy(&lanes, values, sizeof(lanes));
+  return lanes;
+}
+
+VITRINE_INLINE void StoreLanes(Lanes lanes, float* values)
+{
+  __builtin_memcpy(values, &lanes, sizeof(lanes));
+}
+
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
+#endif

@@ -1,0 +1,309 @@
+#include "Core/culling/LooseOctree.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+namespace vitrine
+{
+
+namespace
+{
+
+glm::vec3 CentreOf(const Box& box)
+{
+  return 0.5f * box.Min + 0.5f * box.Max;
+}
+
+int OctantOf(const glm::vec3& point, const glm::vec3& centre)
+{
+  return (point.x >= centre.x ? 1 : 0) | (point.y >= centre.y ? 2 : 0) |
+    (point.z >= centre.z ? 4 : 0);
+}
+}
+
+LooseOctree::LooseOctree(const std::vector<Box>& boxes)
+{
+  assert(boxes.size() <= LooseNode::NumberBits);
+  std::vector<Entry> entries;
+  entries.reserve(boxes.size());
+  for (std::uint32_t item = 0; item < boxes.size(); ++item)
+  {
+    if (boxes[item].IsPlaceable())
+    {
+      entries.push_back({ item, boxes[item] });
+    }
+  }
+  this->Places.resize(boxes.size());
+  if (!entries.empty())
+  {
+    this->Nodes.reserve(entries.size() / 2 + 1);
+    this->Cells.reserve(entries.size() / 2 + 1);
+    this->Fill(this->NewNode(LooseNode::None, 0), entries.data(), entries.size());
+  }
+}
+
+std::uint32_t LooseOctree::NewNode(std::uint32_t parent, int lane)
+{
+  this->Nodes.emplace_back();
+  this->Cells.emplace_back();
+  this->Cells.back().Parent = parent;
+  this->Cells.back().Lane = lane;
+  return static_cast<std::uint32_t>(this->Nodes.size() - 1);
+}
+
+/** Of an empty node. Entries are sorted into its octants. */
+void LooseOctree::Fill(std::uint32_t node, Entry* entries, std::size_t count)
+{
+  this->Cells[node].FitTo(entries, count);
+  if (count <= LaneCount)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->PutIntoLane(node, static_cast<int>(i), entries[i]);
+    }
+    return;
+  }
+  const Ends ends = this->Cells[node].Sort(entries, count);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    this->FillLane(node, lane, entries + ends[lane], ends[lane + 1] - ends[lane]);
+  }
+}
+
+/** Makes it the smallest cube around the centres of all entries. */
+void LooseOctree::Cell::FitTo(const Entry* entries, std::size_t count)
+{
+  Box centres;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const glm::vec3 centre = CentreOf(entries[i].Bounds);
+    centres.Add({ centre, centre });
+  }
+  const glm::vec3 size = centres.Max - centres.Min;
+  this->Centre = CentreOf(centres);
+  this->Half = 0.5f * std::max(size.x, std::max(size.y, size.z));
+  this->Way = count <= LaneCount ? Ways::NotAtAll : this->WayFor(entries, count, centres);
+}
+
+LooseOctree::Ways LooseOctree::Cell::WayFor(
+  const Entry* entries, std::size_t count, const Box& centres) const
+{
+  // Rounding may leave all on one side of the middle between two neighbouring numbers.
+  if (OctantOf(centres.Min, this->Centre) == OctantOf(centres.Max, this->Centre))
+  {
+    return Ways::NotAtAll;
+  }
+  const std::ptrdiff_t longOnes = std::count_if(
+    entries, entries + count, [&](const Entry& entry) { return this->IsLong(entry.Bounds); });
+  const bool differ = longOnes > 0 && longOnes < static_cast<std::ptrdiff_t>(count);
+  return differ ? Ways::BySize : Ways::ByOctant;
+}
+
+bool LooseOctree::Cell::IsLong(const Box& box) const
+{
+  const glm::vec3 size = box.Max - box.Min;
+  return std::max(size.x, std::max(size.y, size.z)) > 2.0f * this->Half;
+}
+
+/** Where lanes mean something. */
+int LooseOctree::Cell::LaneOf(const Box& box) const
+{
+  return this->Way == Ways::BySize ? (this->IsLong(box) ? 0 : 1)
+                                   : OctantOf(CentreOf(box), this->Centre);
+}
+
+/** Sorts entries by lane; returns where those of each lane begin, and end. */
+LooseOctree::Ends LooseOctree::Cell::Sort(Entry* entries, std::size_t count) const
+{
+  Ends ends{};
+  if (this->Way == Ways::NotAtAll)
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      ends[lane + 1] = count * (lane + 1) / LaneCount;
+    }
+    return ends;
+  }
+  const std::vector<Entry> before(entries, entries + count);
+  for (const Entry& entry : before)
+  {
+    ++ends[this->LaneOf(entry.Bounds) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  Ends next = ends;
+  for (const Entry& entry : before)
+  {
+    entries[next[this->LaneOf(entry.Bounds)]++] = entry;
+  }
+  return ends;
+}
+
+bool LooseOctree::Cell::Holds(const glm::vec3& point) const
+{
+  const glm::vec3 away = glm::abs(point - this->Centre);
+  return away.x <= this->Half && away.y <= this->Half && away.z <= this->Half;
+}
+
+void LooseOctree::FillLane(std::uint32_t node, int lane, Entry* entries, std::size_t count)
+{
+  if (count == 1)
+  {
+    this->PutIntoLane(node, lane, *entries);
+  }
+  else if (count > 1)
+  {
+    const std::uint32_t child = this->NewNode(node, lane);
+    this->Fill(child, entries, count);
+    this->SetEntry(node, lane, child);
+    this->Nodes[node].Boxes.Set(lane, this->Nodes[child].Boxes.Bounds());
+    this->Nodes[node].Counts[lane] = static_cast<std::uint32_t>(count);
+  }
+}
+
+void LooseOctree::SetEntry(std::uint32_t node, int lane, std::uint32_t entry)
+{
+  const bool isLong = this->Cells[node].Way == Ways::BySize && lane == 0;
+  this->Nodes[node].Entries[lane] =
+    isLong && entry != LooseNode::None ? entry | LooseNode::LongBit : entry;
+}
+
+void LooseOctree::PutIntoLane(std::uint32_t node, int lane, const Entry& entry)
+{
+  this->SetEntry(node, lane, entry.Item | LooseNode::ItemBit);
+  this->Nodes[node].Boxes.Set(lane, entry.Bounds);
+  this->Nodes[node].Counts[lane] = 1;
+  this->Places[entry.Item] = { node, lane };
+}
+
+void LooseOctree::Put(std::uint32_t item, const Box& box)
+{
+  ++this->Changes;
+  if (this->Places.size() <= item)
+  {
+    this->Places.resize(item + 1);
+  }
+  const Place place = this->Places[item];
+  const bool isHeld = place.Node != LooseNode::None;
+  if (!box.IsPlaceable())
+  {
+    if (isHeld)
+    {
+      this->Remove(place);
+      this->Places[item] = {};
+    }
+    return;
+  }
+  const Entry entry{ item, box };
+  if (isHeld && this->IsStillThere(place, entry))
+  {
+    this->Nodes[place.Node].Boxes.Set(place.Lane, box);
+    this->UpdateAbove(place.Node);
+    return;
+  }
+  if (isHeld)
+  {
+    this->Remove(place);
+  }
+  this->Insert(entry);
+}
+
+/** Whether the item of a place still belongs there. */
+bool LooseOctree::IsStillThere(const Place& place, const Entry& entry) const
+{
+  const Cell& cell = this->Cells[place.Node];
+  return cell.Way == Ways::NotAtAll ? cell.Holds(CentreOf(entry.Bounds))
+                                    : cell.LaneOf(entry.Bounds) == place.Lane;
+}
+
+void LooseOctree::Insert(const Entry& entry)
+{
+  if (this->Nodes.empty())
+  {
+    this->NewNode(LooseNode::None, 0);
+  }
+  std::uint32_t node = 0;
+  int lane = this->LaneFor(node, entry);
+  while (this->Nodes[node].Has(lane) && !this->Nodes[node].IsItem(lane))
+  {
+    node = this->Nodes[node].NodeAt(lane);
+    lane = this->LaneFor(node, entry);
+  }
+  if (!this->Nodes[node].Has(lane))
+  {
+    this->PutIntoLane(node, lane, entry);
+  }
+  else if (this->Cells[node].Way != Ways::NotAtAll || !this->Nodes[node].IsFullOfItems())
+  {
+    std::array<Entry, 2> both{ this->EntryAt(node, lane), entry };
+    this->FillLane(node, lane, both.data(), both.size());
+  }
+  else
+  {
+    this->Divide(node, entry);
+  }
+  this->UpdateAbove(node);
+}
+
+/** In which lane of a node a new entry belongs: by what lanes mean, or where the fewest are. */
+int LooseOctree::LaneFor(std::uint32_t node, const Entry& entry) const
+{
+  const Cell& cell = this->Cells[node];
+  const auto& counts = this->Nodes[node].Counts;
+  return cell.Way == Ways::NotAtAll
+    ? static_cast<int>(std::min_element(counts, counts + LaneCount) - counts)
+    : cell.LaneOf(entry.Bounds);
+}
+
+/** Of a node that has an item in each lane: finds room for one more. */
+void LooseOctree::Divide(std::uint32_t node, const Entry& entry)
+{
+  std::array<Entry, LaneCount + 1> entries;
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    entries[lane] = this->EntryAt(node, lane);
+  }
+  entries[LaneCount] = entry;
+  this->Nodes[node] = LooseNode();
+  this->Fill(node, entries.data(), entries.size());
+}
+
+LooseOctree::Entry LooseOctree::EntryAt(std::uint32_t node, int lane) const
+{
+  return { this->Nodes[node].ItemAt(lane), this->Nodes[node].Boxes.At(lane) };
+}
+
+/** Leaves the item's own place to the caller. */
+void LooseOctree::Remove(const Place& place)
+{
+  LooseNode& node = this->Nodes[place.Node];
+  node.Entries[place.Lane] = LooseNode::None;
+  node.Boxes.Set(place.Lane, Box());
+  node.Counts[place.Lane] = 0;
+  this->UpdateAbove(place.Node);
+}
+
+/** Brings boxes and counts of all nodes above up to date; what holds nothing leaves them. */
+void LooseOctree::UpdateAbove(std::uint32_t node)
+{
+  for (std::uint32_t child = node; this->Cells[child].Parent != LooseNode::None;
+       child = this->Cells[child].Parent)
+  {
+    LooseNode& parent = this->Nodes[this->Cells[child].Parent];
+    const int lane = this->Cells[child].Lane;
+    const std::uint32_t count = this->Nodes[child].Count();
+    this->SetEntry(this->Cells[child].Parent, lane, count > 0 ? child : LooseNode::None);
+    parent.Boxes.Set(lane, this->Nodes[child].Boxes.Bounds());
+    parent.Counts[lane] = count;
+  }
+}
+
+std::size_t LooseOctree::Bytes() const
+{
+  return sizeof(*this) + this->Nodes.capacity() * sizeof(LooseNode) +
+    this->Cells.capacity() * sizeof(Cell) + this->Places.capacity() * sizeof(Place);
+}
+
+}
