@@ -1,4 +1,4 @@
-// Convex faces in an s-buffer at full resolution, front to back, by the statements on their order: what each saves, and what it takes.
+// Convex faces in an s-buffer at full resolution, by the statements on their order: what each saves, and what it takes.
 // VITRINE_BENCHMARK_MESH names a file of a mesh that OpenMesh reads (STL, PLY, OBJ), which is measured then as well.
 
 #include <OpenMesh/Core/IO/MeshIO.hh> // before the type of the mesh, or no format is known
@@ -37,9 +37,10 @@ struct ScreenFaces
 
   std::vector<ScreenPoint> OnScreen; // the corners'
   std::vector<std::uint32_t> Neighbours;
-  std::vector<std::uint32_t> Sequence; // front faces, from front to back
+  std::vector<std::uint32_t> Sequence; // front faces, as stored
 
   void Project();
+  void SortFrontToBack();
   ConvexFace Face(std::uint32_t face) const
   {
     const std::size_t first = face * this->CornersPerFace;
@@ -85,6 +86,10 @@ void ScreenFaces::Project()
     }
   }
   this->Neighbours = FindFaceNeighbours(this->Points.size(), this->Corners, ends);
+}
+
+void ScreenFaces::SortFrontToBack()
+{
   const auto depthOf = [&](std::uint32_t i) { return this->Face(i).Corners[0].Depth; };
   std::stable_sort(this->Sequence.begin(), this->Sequence.end(),
     [&](std::uint32_t a, std::uint32_t b) { return depthOf(a) > depthOf(b); });
@@ -211,7 +216,7 @@ void InsertFacesInOrder(
   state.counters["by_3"] = static_cast<double>(order.Counts().ByNeighbours);
 }
 
-void RegisterScene(const std::string& scene, const Source& source)
+void RegisterSequence(const std::string& scene, const Source& source)
 {
   const auto add = [&](const std::string& name, const auto&... arguments)
   {
@@ -226,6 +231,18 @@ void RegisterScene(const std::string& scene, const Source& source)
   addInOrder("statement_2", { false, true, false });
   addInOrder("statement_3", { false, false, true });
   addInOrder("all", {});
+}
+
+void RegisterScene(const std::string& scene, const Source& source)
+{
+  RegisterSequence(scene + "/as_stored", source);
+  RegisterSequence(scene + "/front_to_back",
+    [source]
+    {
+      ScreenFaces faces = source();
+      faces.SortFrontToBack();
+      return faces;
+    });
 }
 
 const bool AreRegistered = []
