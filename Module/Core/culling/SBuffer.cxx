@@ -1,6 +1,8 @@
 #include "Core/culling/SBuffer.h"
 
+#include "Core/culling/FaceOrder.h"
 #include "Core/culling/Lanes.h"
+#include "Core/culling/SBufferInsertion.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,175 +16,12 @@ namespace
 // What stands in place of the least depth of a tile; below all depths.
 const float NotFull = -1.0f;
 
-// Pieces between a crossing and an end that are shorter are not worth a span.
-const float ShortestPiece = 1.0f / 64.0f;
-
 /** As many bits as lines, up to all lanes. */
 unsigned LowBits(int lines)
 {
   return (1u << std::min(lines, LaneCount)) - 1u;
 }
 }
-
-/** One segment on its way into one tile: goes over the list from left to right. */
-class SBuffer::Insertion
-{
-public:
-  Insertion(SBuffer& buffer, std::uint32_t& first, const Segment& segment, float slope)
-    : Buffer(buffer)
-    , Link(&first)
-    , New{ segment.Left, segment.Right, segment.LeftDepth, slope, segment.Face, NoSpan }
-  {
-  }
-
-  /** Returns whether anything changed. */
-  bool Run(float left, float right)
-  {
-    this->Left = left;
-    while (this->Left < right)
-    {
-      this->SkipTo(this->Left);
-      Span* there = this->There();
-      if (!there || there->Left >= right)
-      {
-        this->Put(right);
-      }
-      else if (there->Left > this->Left)
-      {
-        this->Put(there->Left);
-      }
-      else
-      {
-        this->Meet(*there, std::min(right, there->Right));
-      }
-    }
-    return this->IsChanged;
-  }
-
-private:
-  Span* There() const { return *this->Link == NoSpan ? nullptr : &this->Buffer.Pool[*this->Link]; }
-
-  void SkipTo(float x)
-  {
-    for (Span* there = this->There(); there && there->Right <= x; there = this->There())
-    {
-      this->Link = &there->Next;
-      this->Last = nullptr;
-    }
-  }
-
-  /** Compare with the span that covers from Left to `end`, and take what is nearer. */
-  void Meet(Span& there, float end)
-  {
-    const float left = this->New.DepthAt(this->Left) - there.DepthAt(this->Left);
-    const float right = this->New.DepthAt(end) - there.DepthAt(end);
-    this->Buffer.Counted.Comparisons += 2;
-    if (left <= 0.0f && right <= 0.0f)
-    {
-      this->Left = end;
-    }
-    else if (left >= 0.0f && right >= 0.0f)
-    {
-      this->Take(there, end);
-    }
-    else
-    {
-      this->Cross(there, end, left, right);
-    }
-  }
-
-  /** Nearer on one side of a crossing alone. */
-  void Cross(Span& there, float end, float left, float right)
-  {
-    const float crossing = this->Left + (end - this->Left) * (left / (left - right));
-    if (left > 0.0f && crossing - this->Left >= ShortestPiece)
-    {
-      this->Take(there, std::min(crossing, end));
-    }
-    else if (right > 0.0f && end - crossing >= ShortestPiece)
-    {
-      this->Left = std::max(crossing, this->Left);
-      this->Take(there, end);
-    }
-    this->Left = end;
-  }
-
-  /** Put a piece in the place of what `there` covers from Left to `end`. */
-  void Take(Span& there, float end)
-  {
-    if (there.Left < this->Left)
-    {
-      if (!this->CutBefore(there, end))
-      {
-        this->Left = end;
-        return;
-      }
-    }
-    else if (end < there.Right)
-    {
-      there.Depth = there.DepthAt(end);
-      there.Left = end;
-    }
-    else
-    {
-      const std::uint32_t gone = *this->Link;
-      *this->Link = there.Next;
-      this->Buffer.Free(gone);
-    }
-    this->Put(end);
-  }
-
-  /** Leave of `there` what lies left of Left, and right of `end` as a span of its own; the link is between them then. */
-  bool CutBefore(Span& there, float end)
-  {
-    if (end < there.Right)
-    {
-      const std::uint32_t rest = this->Buffer.Allocate();
-      if (rest == NoSpan)
-      {
-        return false;
-      }
-      Span& other = this->Buffer.Pool[rest];
-      other = there;
-      other.Depth = there.DepthAt(end);
-      other.Left = end;
-      there.Next = rest;
-    }
-    there.Right = this->Left;
-    this->Link = &there.Next;
-    this->Last = nullptr;
-    return true;
-  }
-
-  /** A piece from Left to `right`, where nothing is now; longer, if the last one ends there. */
-  void Put(float right)
-  {
-    this->IsChanged = true;
-    if (this->Last && this->Last->Right == this->Left)
-    {
-      this->Last->Right = right;
-    }
-    else if (const std::uint32_t place = this->Buffer.Allocate(); place != NoSpan)
-    {
-      this->Last = &this->Buffer.Pool[place];
-      *this->Last = this->New;
-      this->Last->Left = this->Left;
-      this->Last->Right = right;
-      this->Last->Depth = this->New.DepthAt(this->Left);
-      this->Last->Next = *this->Link;
-      *this->Link = place;
-      this->Link = &this->Last->Next;
-    }
-    this->Left = right;
-  }
-
-  SBuffer& Buffer;
-  std::uint32_t* Link;  ///< to the first span that does not lie left of Left
-  Span New;             ///< the whole segment
-  Span* Last = nullptr; ///< the piece before Link, if it is one of this segment
-  float Left = 0.0f;    ///< what lies left of it is done
-  bool IsChanged = false;
-};
 
 SBuffer::SBuffer(int columns, int lines, const SampleGrid& samples, std::size_t mostSpans)
   : ColumnCount(columns)
@@ -230,8 +69,8 @@ void SBuffer::Free(std::uint32_t span)
   this->FirstFree = span;
 }
 
-VITRINE_FOR_EACH_PROCESSOR
-void SBuffer::Insert(int line, const Segment& segment)
+template <class Orders>
+VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
 {
   assert(line >= 0 && line < this->LineCount);
   const float left = std::max(segment.Left, 0.0f);
@@ -255,12 +94,25 @@ void SBuffer::Insert(int line, const Segment& segment)
     }
     const float tileLeft = static_cast<float>(i * TileWidth);
     const float tileRight = std::min(tileLeft + TileWidth, static_cast<float>(this->ColumnCount));
-    if (Insertion(*this, this->Firsts[tile], segment, slope)
+    if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
           .Run(std::max(left, tileLeft), std::min(right, tileRight)))
     {
       this->Leasts[tile] = this->LeastDepthOf(this->Firsts[tile], tileLeft, tileRight);
     }
   }
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+void SBuffer::Insert(int line, const Segment& segment)
+{
+  NoFaceOrder none;
+  this->InsertBy(none, line, segment);
+}
+
+void SBuffer::Insert(int line, const FaceSegment& segment, FaceOrder& order)
+{
+  order.Begin(segment);
+  this->InsertBy(order, line, segment.Covered);
 }
 
 float SBuffer::LeastDepthOf(std::uint32_t first, float left, float right) const
@@ -378,6 +230,44 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
     }
   }
   return true;
+}
+
+bool SBuffer::Hides(int line, const Segment& segment, float margin) const
+{
+  const float left = std::max(segment.Left, 0.0f);
+  const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
+  if (left >= right)
+  {
+    return true;
+  }
+  const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
+  if (!(left < right) || !std::isfinite(slope))
+  {
+    return false; // not a number: it may be anywhere
+  }
+  const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
+  float covered = left;
+  for (int i = static_cast<int>(left) / TileWidth; i <= last; ++i)
+  {
+    const std::uint32_t first = this->Firsts[this->TileAt(line, i)];
+    for (std::uint32_t j = first; j != NoSpan && covered < right; j = this->Pool[j].Next)
+    {
+      const Span& span = this->Pool[j];
+      if (span.Right <= covered)
+      {
+        continue;
+      }
+      const float end = std::min(right, span.Right);
+      const auto isNearer = [&](float x)
+      { return span.DepthAt(x) > segment.LeftDepth + slope * (x - segment.Left) + margin; };
+      if (span.Left > covered || !isNearer(covered) || !isNearer(end))
+      {
+        return false;
+      }
+      covered = end;
+    }
+  }
+  return covered >= right;
 }
 
 std::vector<Span> SBuffer::SpansOf(int line) const

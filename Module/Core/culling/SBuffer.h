@@ -11,6 +11,9 @@
 namespace vitrine
 {
 
+class FaceOrder;
+struct FaceSegment;
+
 /**
  * What an occluder surely covers of a line of an s-buffer: all of the line's height from Left to Right, in columns. Depth
  * is reversed, 1 at the near plane and 0 at the far one, and linear between the ends; what is drawn is nowhere farther.
@@ -86,8 +89,14 @@ public:
   /** Keep what of `segment` is nearer than what is there. Segments without length or that are not finite are left out. */
   void Insert(int line, const Segment& segment);
 
+  /** The same, where the order of faces is known without comparing depths. */
+  void Insert(int line, const FaceSegment& segment, FaceOrder& order);
+
   /** Whether all samples in the rectangle are covered by what is nearer. Beyond the screen nothing shows. */
   bool Hides(const ScreenRectangle& rectangle) const;
+
+  /** Whether all of a segment is behind what is nearer by more than `margin`. */
+  bool Hides(int line, const Segment& segment, float margin) const;
 
   /** Whether all of a tile is covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
   bool IsCoveredBefore(int line, int tile, float depth) const
@@ -101,7 +110,11 @@ public:
   const SBufferCounts& Counts() const { return this->Counted; }
 
 private:
+  template <class Orders>
   class Insertion;
+
+  template <class Orders>
+  void InsertBy(Orders& orders, int line, const Segment& segment);
 
   /** Tiles that stand one above the other lie side by side, so that those of eight lines are looked at together. */
   std::size_t TileAt(int line, int tile) const

@@ -1,0 +1,145 @@
+// Whole walks of the hierarchical s-buffer over boxes of 12 triangles, all of one mesh, turned every way.
+
+#include "Core/culling/PartCuller.h"
+
+#include <benchmark/benchmark.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace vitrine;
+
+constexpr int Columns = 480;
+constexpr int Lines = 270;
+constexpr int PixelsPerLine = 4; // a screen of 1920x1080
+
+// From -1 to 1 along each axis.
+struct Cube
+{
+  std::vector<glm::dvec3> Points;
+  std::vector<std::uint32_t> Corners;
+
+  Cube()
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      this->Points.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    }
+    const std::uint32_t sides[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 },
+      { 2, 6, 7, 3 }, { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+    for (const auto& side : sides)
+    {
+      this->Corners.insert(
+        this->Corners.end(), { side[0], side[1], side[2], side[0], side[2], side[3] });
+    }
+  }
+};
+
+// Outside of the boxes, with all of them in view; and how far from there a wall hides them all.
+const glm::dvec3 Eye(1.9, 1.5, 2.2);
+constexpr double WallDistance = 1.3;
+
+glm::dmat4 FromEye()
+{
+  return glm::lookAt(Eye, glm::dvec3(0.5), glm::dvec3(0.0, 1.0, 0.0));
+}
+
+// Boxes all over a cube of 1, and perhaps a wall before it.
+class BoxScene : public OccluderSource
+{
+public:
+  BoxScene(std::uint32_t count, bool hasWall)
+    : Mesh(this->Model.Points, this->Model.Corners)
+  {
+    std::mt19937 random(1);
+    const auto uniform = [&] { return static_cast<float>(random() / 4294967296.0); };
+    const auto vector = [&]
+    {
+      const float x = uniform();
+      const float y = uniform();
+      return glm::vec3(x, y, uniform());
+    };
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const glm::dvec3 centre = vector();
+      const glm::dvec3 halfSize = 0.012f * (vector() + 0.3f);
+      const glm::dvec3 axis = glm::normalize(vector() - 0.5f);
+      const glm::dmat4 turned =
+        glm::rotate(glm::translate(glm::dmat4(1.0), centre), 6.28 * uniform(), axis);
+      this->Add(glm::scale(turned, halfSize));
+    }
+    if (hasWall)
+    {
+      const glm::dmat4 before =
+        glm::translate(glm::inverse(FromEye()), glm::dvec3(0.0, 0.0, -WallDistance));
+      this->Add(glm::scale(before, glm::dvec3(2.0, 2.0, 0.01)));
+    }
+  }
+
+  Occluder OccluderOf(std::uint32_t part) override { return { &this->Mesh, &this->ToWorld[part] }; }
+
+  std::vector<Box> Bounds;
+
+private:
+  void Add(const glm::dmat4& toWorld)
+  {
+    glm::dvec3 low(1e300), high(-1e300);
+    for (const glm::dvec3& point : this->Model.Points)
+    {
+      const glm::dvec3 place(toWorld * glm::dvec4(point, 1.0));
+      low = glm::min(low, place);
+      high = glm::max(high, place);
+    }
+    this->ToWorld.push_back(toWorld);
+    this->Bounds.push_back(Box::Around(low, high));
+  }
+
+  Cube Model;
+  OccluderMesh Mesh;
+  std::vector<glm::dmat4> ToWorld;
+};
+
+ScreenProjection TheView()
+{
+  const glm::dmat4 toClip = glm::perspective(glm::radians(40.0), 16.0 / 9.0, 0.5, 6.0) * FromEye();
+  const float snapping = 1.0f / 64 / PixelsPerLine;
+  return ScreenProjection(
+    toClip, Columns, Lines, glm::dvec3(1.1), { snapping, snapping, 0x1p-21f });
+}
+
+void CullBoxes(benchmark::State& state, bool hasWall)
+{
+  BoxScene scene(static_cast<std::uint32_t>(state.range(0)), hasWall);
+  const std::size_t count = scene.Bounds.size();
+  const LooseOctree tree(scene.Bounds);
+  const ScreenProjection view = TheView();
+  PartCuller culler(Columns, Lines, SampleGrid::AtCentres(PixelsPerLine));
+  std::vector<std::uint8_t> visible;
+  for (auto _ : state)
+  {
+    visible.assign(count, 1);
+    culler.Cull(tree, scene, view, true, visible);
+  }
+  std::size_t shown = 0;
+  for (const std::uint8_t isVisible : visible)
+  {
+    shown += isVisible;
+  }
+  state.counters["culled_share"] = 1.0 - static_cast<double>(shown) / static_cast<double>(count);
+  state.counters["tested"] = culler.Counts().Tested;
+  state.counters["inserted"] = culler.Counts().Inserted;
+}
+BENCHMARK_CAPTURE(CullBoxes, seen_from_outside, false)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CullBoxes, behind_a_wall, true)
+  ->RangeMultiplier(10)
+  ->Range(10000, 1000000)
+  ->Unit(benchmark::kMillisecond);
+
+}

@@ -1,0 +1,25 @@
+#ifndef VITRINE_CORE_CULLING_CONVEX_FACE_H
+#define VITRINE_CORE_CULLING_CONVEX_FACE_H
+
+#include "Core/culling/FaceNeighbours.h"
+#include "Core/culling/MeshProjection.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vitrine
+{
+
+/** A convex polygon on the screen; its corners go around in either direction. */
+struct ConvexFace
+{
+  const ScreenPoint* Corners;
+  std::size_t Count;
+  std::uint32_t Number; ///< its own among all that are inserted
+  const std::uint32_t* Neighbours =
+    nullptr; ///< the face across each side, from corner i to the next, where it is known
+};
+
+}
+
+#endif
