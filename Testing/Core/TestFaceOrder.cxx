@@ -68,7 +68,7 @@ FaceScene PairOfFaces(const Polygon& left, const Polygon& right)
 TEST(FaceOrder, OneOrderIsComparedOnce)
 {
   const FaceScene scene =
-    SceneOf({ LevelFace(1, 7, 0, 10, 0.4), UprightFace(2, 6, 0, 10, 0.5, 0.6) });
+    SceneOf({ LevelFace(0.5, 3.5, 0, 10, 0.4), UprightFace(1, 3, 0, 10, 0.5, 0.6) });
   EXPECT_EQ(OrderedScene(scene, NoStatements).Comparisons(), 20u);
   const OrderedScene result(scene, OneOrder);
   EXPECT_EQ(result.Comparisons(), 2u);
@@ -79,7 +79,7 @@ TEST(FaceOrder, OneOrderIsComparedOnce)
 
 TEST(FaceOrder, OneOrderHoldsEitherWayAround)
 {
-  const FaceScene scene = SceneOf({ LevelFace(2, 6, 0, 5, 0.6), LevelFace(1, 7, 0, 5, 0.4) });
+  const FaceScene scene = SceneOf({ LevelFace(1, 3, 0, 5, 0.6), LevelFace(0.5, 3.5, 0, 5, 0.4) });
   EXPECT_EQ(OrderedScene(scene, OneOrder).Comparisons(), 2u);
   ExpectWhatThereIs(scene);
 
@@ -96,7 +96,7 @@ TEST(FaceOrder, OneOrderHoldsEitherWayAround)
 TEST(FaceOrder, OfCrossingFacesIsComparedEachTime)
 {
   const FaceScene scene =
-    SceneOf({ UprightFace(1, 7, 0, 10, 0.2, 0.8), UprightFace(1, 7, 0, 10, 0.8, 0.2) });
+    SceneOf({ UprightFace(0.5, 3.5, 0, 10, 0.2, 0.8), UprightFace(0.5, 3.5, 0, 10, 0.8, 0.2) });
   for (const FaceOrderStatements& statements : AllStatements())
   {
     const OrderedScene result(scene, statements);
@@ -109,10 +109,10 @@ TEST(FaceOrder, OfAPairThatCrossedStaysCrossing)
 {
   // The second is behind in the tile at the left, crosses in the next, and is before in the last.
   const FaceScene scene =
-    SceneOf({ LevelFace(0, 24, 0, 6, 0.5), UprightFace(0, 24, 0, 6, 0.45, 0.55) });
+    SceneOf({ LevelFace(0, 12, 0, 6, 0.5), UprightFace(0, 12, 0, 6, 0.45, 0.55) });
   OrderedScene result(SceneOf({}), OneOrder);
   InsertFace(result.Buffer, scene.Face(0), result.Order);
-  const Polygon middle = UprightFace(8, 16, 0, 1, 0.45 + 0.1 / 3, 0.55 - 0.1 / 3);
+  const Polygon middle = UprightFace(4, 8, 0, 1, 0.45 + 0.1 / 3, 0.55 - 0.1 / 3);
   InsertFace(result.Buffer, { middle.data(), middle.size(), 1 }, result.Order); // crosses first
   InsertFace(result.Buffer, scene.Face(1), result.Order);
   EXPECT_EQ(Compare(result.Buffer, scene.Polygons).Farther, 0);
@@ -121,7 +121,7 @@ TEST(FaceOrder, OfAPairThatCrossedStaysCrossing)
 TEST(FaceOrder, OfCoplanarFacesIsNotKept)
 {
   const FaceScene scene =
-    SceneOf({ UprightFace(1, 7, 0, 10, 0.2, 0.8), UprightFace(1, 7, 0, 10, 0.2, 0.8) });
+    SceneOf({ UprightFace(0.5, 3.5, 0, 10, 0.2, 0.8), UprightFace(0.5, 3.5, 0, 10, 0.2, 0.8) });
   const OrderedScene result(scene, OneOrder);
   EXPECT_EQ(result.Comparisons(), 20u);
   EXPECT_EQ(result.Order.Counts().ByOneOrder, 0u);
