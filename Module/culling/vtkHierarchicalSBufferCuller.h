@@ -96,6 +96,7 @@ private:
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
   void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+  void KeepShown(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 
   struct State; // of each renderer
   std::unique_ptr<State> Renderers;

@@ -3,7 +3,7 @@
 
 from vtkmodules.vtkCommonCore import vtkObjectBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkCuller
+from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkCuller
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkGenericOpenGLRenderWindow,
     vtkOpenGLRenderPass,
@@ -166,6 +166,12 @@ class vtkTruthTransparencyPass(vtkTolerantTransparencyPass):
     def result(self) -> vtkImageData: ...
     @property
     def sample_count(self) -> int: ...
+
+# Up to VTK 9.2 the base is vtkCompositePolyDataMapper2, which has the same methods and is gone since.
+class vtkCulledCompositePolyDataMapper(vtkCompositePolyDataMapper):
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkCulledCompositePolyDataMapper: ...
+    def NewInstance(self) -> vtkCulledCompositePolyDataMapper: ...
 
 class vtkHierarchicalSBufferCuller(vtkCuller):
     @staticmethod
