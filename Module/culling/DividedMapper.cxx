@@ -2,6 +2,7 @@
 
 #include "culling/ClassName.h"
 #include "vtkCulledCompositePolyDataMapper.h"
+#include "vtkCulledPolyDataMapper.h"
 
 #include "vtkActor.h"
 
@@ -54,8 +55,12 @@ std::shared_ptr<const ShownParts> DividedMapper::ShownIn(
 
 DividedMapper* DividedMapperOf(vtkMapper* mapper)
 {
-  return IsOfClass(mapper, "vtkCulledCompositePolyDataMapper")
-    ? static_cast<vtkCulledCompositePolyDataMapper*>(mapper)->GetDividedMapper()
+  if (IsOfClass(mapper, "vtkCulledCompositePolyDataMapper"))
+  {
+    return static_cast<vtkCulledCompositePolyDataMapper*>(mapper)->GetDividedMapper();
+  }
+  return IsOfClass(mapper, "vtkCulledPolyDataMapper")
+    ? static_cast<vtkCulledPolyDataMapper*>(mapper)->GetDividedMapper()
     : nullptr;
 }
 

@@ -6,6 +6,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkCuller
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkGenericOpenGLRenderWindow,
+    vtkOpenGLPolyDataMapper,
     vtkOpenGLRenderPass,
     vtkRenderStepsPass,
 )
@@ -172,6 +173,11 @@ class vtkCulledCompositePolyDataMapper(vtkCompositePolyDataMapper):
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkCulledCompositePolyDataMapper: ...
     def NewInstance(self) -> vtkCulledCompositePolyDataMapper: ...
+
+class vtkCulledPolyDataMapper(vtkOpenGLPolyDataMapper):
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkCulledPolyDataMapper: ...
+    def NewInstance(self) -> vtkCulledPolyDataMapper: ...
 
 class vtkHierarchicalSBufferCuller(vtkCuller):
     @staticmethod
