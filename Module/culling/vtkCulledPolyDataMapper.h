@@ -37,14 +37,14 @@ public:
   static vtkCulledPolyDataMapper* New();
   vtkTypeMacro(vtkCulledPolyDataMapper, vtkOpenGLPolyDataMapper);
 
-  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
-
   /** For the culler: what it asks and tells. */
   vitrine::DividedMapper* GetDividedMapper();
 
 protected:
   vtkCulledPolyDataMapper();
   ~vtkCulledPolyDataMapper() override;
+
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
   vtkCulledPolyDataMapper(const vtkCulledPolyDataMapper&) = delete;
