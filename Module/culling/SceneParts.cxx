@@ -351,6 +351,12 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
   }
 }
 
+int SceneParts::CountParts(int i) const
+{
+  const Part& part = this->Parts[this->Drawn[static_cast<std::size_t>(i)]];
+  return part.Pieces.empty() ? 1 : static_cast<int>(part.Pieces.size());
+}
+
 int SceneParts::CountHidden(int i, const std::vector<std::uint8_t>& visible) const
 {
   const std::uint32_t part = this->Drawn[static_cast<std::size_t>(i)];
@@ -358,15 +364,6 @@ int SceneParts::CountHidden(int i, const std::vector<std::uint8_t>& visible) con
   return pieces.empty() ? !visible[part]
                         : static_cast<int>(std::count_if(pieces.begin(), pieces.end(),
                             [&](std::uint32_t piece) { return !visible[piece]; }));
-}
-
-bool SceneParts::Shows(int i, const std::vector<std::uint8_t>& visible) const
-{
-  const std::uint32_t part = this->Drawn[static_cast<std::size_t>(i)];
-  const std::vector<std::uint32_t>& pieces = this->Parts[part].Pieces;
-  return pieces.empty() ? visible[part] != 0
-                        : std::any_of(pieces.begin(), pieces.end(),
-                            [&](std::uint32_t piece) { return visible[piece] != 0; });
 }
 
 std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const ViewMatrices& view,

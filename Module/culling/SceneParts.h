@@ -41,11 +41,11 @@ public:
   /** Puts 1 for the parts that were in the last update, 0 for others. */
   void MarkDrawn(std::vector<std::uint8_t>& visible) const;
 
-  /** How many parts the i-th prop of the last update has that do not show. */
-  int CountHidden(int i, const std::vector<std::uint8_t>& visible) const;
+  /** How many parts the i-th prop of the last update has: at least one. */
+  int CountParts(int i) const;
 
-  /** Whether any part of that prop shows. */
-  bool Shows(int i, const std::vector<std::uint8_t>& visible) const;
+  /** How many of them do not show. */
+  int CountHidden(int i, const std::vector<std::uint8_t>& visible) const;
 
   /**
    * Tells the mapper of that prop which of its parts show.

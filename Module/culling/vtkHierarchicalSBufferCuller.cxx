@@ -97,6 +97,7 @@ double vtkHierarchicalSBufferCuller::Cull(
   this->NumberOfCulledParts = this->NumberOfTestedParts = this->NumberOfTestedNodes =
     this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
+  this->NumberOfDrawnParts = listLength;
   if (this->Culling)
   {
     this->DropHidden(renderer, propList, listLength);
@@ -150,11 +151,14 @@ void vtkHierarchicalSBufferCuller::KeepShown(
   State::CulledRenderer& known = this->Renderers->At(renderer);
   const vitrine::ViewMatrices view = vitrine::ViewMatricesOf(renderer);
   int kept = 0;
+  this->NumberOfDrawnParts = 0;
   for (int i = 0; i < listLength; ++i)
   {
+    const int parts = known.Parts.CountParts(i);
     const int hidden = known.Parts.CountHidden(i, known.Visible);
+    this->NumberOfDrawnParts += parts - hidden;
     this->NumberOfCulledParts += hidden;
-    if (known.Parts.Shows(i, known.Visible))
+    if (hidden < parts)
     {
       propList[kept++] = propList[i];
       if (hidden > 0)
@@ -172,6 +176,7 @@ void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Culling: " << (this->Culling ? "On" : "Off") << "\n";
   os << indent << "BufferLines: " << this->BufferLines << "\n";
   os << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n";
+  os << indent << "NumberOfDrawnParts: " << this->NumberOfDrawnParts << "\n";
   os << indent << "NumberOfTestedParts: " << this->NumberOfTestedParts << "\n";
   os << indent << "NumberOfCulledParts: " << this->NumberOfCulledParts << "\n";
   os << indent << "NumberOfTestedNodes: " << this->NumberOfTestedNodes << "\n";
