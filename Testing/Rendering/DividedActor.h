@@ -6,10 +6,12 @@
 
 #include "CullerScene.h"
 
+#include "vtkCellData.h"
 #include "vtkCulledCompositePolyDataMapper.h"
 #include "vtkCulledPolyDataMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <vector>
 
@@ -53,6 +55,20 @@ inline PartsOfQuads WallAndPatches()
   return parts;
 }
 
+/** A mesh of quads, each of a colour of its own. */
+inline vtkSmartPointer<vtkPolyData> ColoredMeshOf(const std::vector<Quad>& quads, TestRandom& random)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < 3 * quads.size(); ++i)
+  {
+    colors->InsertNextValue(static_cast<unsigned char>(random.Next() % 256));
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = MeshOf(quads);
+  mesh->GetCellData()->SetScalars(colors);
+  return mesh;
+}
+
 enum class Division
 {
   Blocks, ///< of a composite data set
@@ -61,12 +77,13 @@ enum class Division
 
 inline vtkSmartPointer<vtkMapper> DividedMapperOf(Division kind, const PartsOfQuads& parts)
 {
+  TestRandom random(313);
   if (kind == Division::Blocks)
   {
     vtkNew<vtkMultiBlockDataSet> blocks;
     for (const std::vector<Quad>& part : parts)
     {
-      blocks->SetBlock(blocks->GetNumberOfBlocks(), MeshOf(part));
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), ColoredMeshOf(part, random));
     }
     auto mapper = vtkSmartPointer<vtkCulledCompositePolyDataMapper>::New();
     mapper->SetInputDataObject(blocks);
@@ -78,7 +95,7 @@ inline vtkSmartPointer<vtkMapper> DividedMapperOf(Division kind, const PartsOfQu
     quads.insert(quads.end(), part.begin(), part.end());
   }
   auto mapper = vtkSmartPointer<vtkCulledPolyDataMapper>::New();
-  mapper->SetInputData(MeshOf(quads));
+  mapper->SetInputData(ColoredMeshOf(quads, random));
   return mapper;
 }
 

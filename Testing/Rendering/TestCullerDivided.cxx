@@ -33,7 +33,6 @@ protected:
   {
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(DividedMapperOf(std::get<Division>(GetParam()), parts));
-    actor->GetProperty()->SetColor(0.3, 0.7, 0.9);
     actor->GetProperty()->LightingOff();
     Scene.Renderer->AddActor(actor);
     return actor;
@@ -101,14 +100,14 @@ TEST_P(CullerDivided, ActorsThatAssembliesDrawElsewhere)
 TEST_P(CullerDivided, PartsThatCastShadows)
 {
   PartsOfQuads parts = Patches();
-  parts.push_back(Grid(-0.35, -2.0, 2.0, 2.0, 0.0, PatchCells));
+  parts.insert(parts.begin(), Grid(-0.35, -2.0, 0.85, 2.0, 0.0, PatchCells));
   parts.push_back(Grid(-3.0, -3.0, 3.0, 3.0, -0.9, PatchCells));
   this->Add(parts)->GetProperty()->LightingOn();
   vtkNew<vtkLight> light;
   light->SetPositional(true);
   light->SetConeAngle(40.0);
-  light->SetPosition(2.5, 0.5, 1.0);
-  light->SetFocalPoint(-0.2, 0.0, -0.7);
+  light->SetPosition(4.0, 0.0, 0.5); // it looks behind the wall
+  light->SetFocalPoint(-0.2, 0.0, -0.5);
   Scene.Renderer->AddLight(light);
   Scene.Renderer->UseShadowsOn();
   EXPECT_GT(Scene.ExpectSame(), 0);
@@ -234,6 +233,22 @@ TEST_P(CullerDivided, PicksAreTheSame)
   ASSERT_TRUE(picker->Pick(40.0, 40.0, 0.0, Scene.Renderer));
   EXPECT_EQ(picker->GetActor(), actor);
   EXPECT_GE(picker->GetCellId(), 0);
+}
+
+// What stands before them hides them from the eye, but not from who picks through it.
+TEST_P(CullerDivided, PicksThroughAPartThatCannotBePicked)
+{
+  const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+  wall->PickableOff();
+  const vtkSmartPointer<vtkActor> actor = this->Add(Patches());
+  Scene.Culler->CullingOff();
+  Scene.Render();
+  const Picked cells = this->SelectAll(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  ASSERT_GT(cells.at(actor).size(), 100u);
+  Scene.Culler->CullingOn();
+  Scene.Render();
+  EXPECT_GE(Scene.Culler->GetNumberOfCulledParts(), PatchCount);
+  EXPECT_EQ(this->SelectAll(vtkDataObject::FIELD_ASSOCIATION_CELLS), cells);
 }
 
 // One point spoils what the device makes of all: nothing is left out but the whole.
