@@ -1,6 +1,6 @@
 #include "culling/BlockDrawing.h"
 
-#include "culling/DividedMapper.h"
+#include "culling/BlockParts.h"
 
 #include "vtkObjectFactory.h"
 
@@ -11,7 +11,7 @@ namespace vitrine
 
 vtkStandardNewMacro(BlockDrawing);
 
-/** Hidden blocks are made invisible for as long as it takes to draw. Parts stand in the same order as blocks. */
+/** Hidden blocks are made invisible for as long as it takes to draw. */
 void BlockDrawing::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   const std::shared_ptr<const ShownParts> shown =
@@ -19,16 +19,18 @@ void BlockDrawing::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   std::vector<bool*> switchedOff;
   if (shown)
   {
-    const std::vector<MapperPart>& parts = shown->Of()->Parts;
-    std::size_t part = 0;
+    const auto& blocks = static_cast<const Blocks&>(*shown->Of());
+    auto part = blocks.ByAddress.begin();
     this->VisitBlocks(
       [&](vtkPolyData* data, bool& isVisible)
       {
-        while (part < parts.size() && std::less<vtkPolyData*>()(parts[part].Data, data))
+        while (part != blocks.ByAddress.end() &&
+          std::less<vtkPolyData*>()(blocks.Parts[*part].Data, data))
         {
           ++part;
         }
-        if (isVisible && part < parts.size() && parts[part].Data == data && !shown->Shown()[part])
+        if (isVisible && part != blocks.ByAddress.end() && blocks.Parts[*part].Data == data &&
+          !shown->Shown()[*part])
         {
           isVisible = false;
           switchedOff.push_back(&isVisible);

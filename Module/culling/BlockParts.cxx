@@ -23,13 +23,13 @@ std::shared_ptr<const MapperParts> BlockParts::PartsFor(vtkActor*)
   {
     this->Divide();
   }
-  return this->Blocks;
+  return this->Known;
 }
 
 /** Looks at each node only if what holds it has not changed: else it may be gone. */
 bool BlockParts::IsCurrent() const
 {
-  return this->Blocks && this->Mapper->GetMTime() == this->MapperTime &&
+  return this->Known && this->Mapper->GetMTime() == this->MapperTime &&
     this->Mapper->GetInputDataObject(0, 0) == this->Nodes.front().Object &&
     std::all_of(this->Nodes.begin(), this->Nodes.end(),
       [](const Node& node) { return node.Object->GetMTime() == node.Time; });
@@ -42,7 +42,7 @@ void BlockParts::Divide()
   const std::vector<Leaf> before = std::move(this->Leaves);
   this->Leaves.clear();
   this->Nodes.clear();
-  this->Blocks.reset();
+  this->Known.reset();
   if (vtkDataObject* root = this->Mapper->GetInputDataObject(0, 0))
   {
     this->Visit(root, {});
@@ -84,15 +84,16 @@ void BlockParts::AddLeaf(vtkPolyData* data, const Inherited& inherited)
 {
   if (data->GetNumberOfPoints() > 0)
   {
-    this->Leaves.push_back({ data, inherited.IsVisible,
-      inherited.IsVisible && inherited.IsOpaque && this->AreColorsOpaque(data), nullptr });
+    this->Leaves.push_back(
+      { data, static_cast<std::uint32_t>(this->Leaves.size()), inherited.IsVisible,
+        inherited.IsVisible && inherited.IsOpaque && this->AreColorsOpaque(data), nullptr });
   }
 }
 
 /** Data that several blocks share are drawn as the last of them, in older versions, or as all of them. */
 void BlockParts::MergeLeaves()
 {
-  std::sort(this->Leaves.begin(), this->Leaves.end(),
+  std::stable_sort(this->Leaves.begin(), this->Leaves.end(),
     [](const Leaf& a, const Leaf& b) { return std::less<vtkPolyData*>()(a.Data, b.Data); });
   std::size_t kept = 0;
   for (const Leaf& leaf : this->Leaves)
@@ -146,20 +147,30 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
   }
 }
 
+/** Parts stand in the order of the data set, which is the same in each run of a program; addresses are not. */
 void BlockParts::MakeParts()
 {
-  auto parts = std::make_shared<MapperParts>();
+  auto blocks = std::make_shared<Blocks>();
+  std::vector<std::pair<std::uint32_t, const Leaf*>> shown;
   for (const Leaf& leaf : this->Leaves)
   {
-    parts->IsFinite = parts->IsFinite && leaf.Geometry->IsFinite();
-    parts->Farthest = glm::max(parts->Farthest,
+    blocks->IsFinite = blocks->IsFinite && leaf.Geometry->IsFinite();
+    blocks->Farthest = glm::max(blocks->Farthest,
       glm::max(glm::abs(leaf.Geometry->Least()), glm::abs(leaf.Geometry->Greatest())));
     if (leaf.IsVisible)
     {
-      parts->Parts.push_back({ leaf.Data, leaf.Geometry, leaf.IsOpaque });
+      shown.push_back({ static_cast<std::uint32_t>(shown.size()), &leaf });
     }
   }
-  this->Blocks = std::move(parts);
+  std::sort(shown.begin(), shown.end(),
+    [](const auto& a, const auto& b) { return a.second->Place < b.second->Place; });
+  blocks->ByAddress.resize(shown.size());
+  for (const auto& [rank, leaf] : shown)
+  {
+    blocks->ByAddress[rank] = static_cast<std::uint32_t>(blocks->Parts.size());
+    blocks->Parts.push_back({ leaf->Data, leaf->Geometry, leaf->IsOpaque });
+  }
+  this->Known = std::move(blocks);
 }
 
 }

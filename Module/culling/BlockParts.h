@@ -5,6 +5,8 @@
 
 #include "vtkType.h"
 
+#include <cstdint>
+
 class vtkCompositeDataDisplayAttributes;
 class vtkCulledCompositePolyDataMapper;
 class vtkDataObject;
@@ -12,7 +14,14 @@ class vtkDataObject;
 namespace vitrine
 {
 
-/** The visible blocks of a composite mapper as parts, in ascending order of their data's addresses. */
+/** The visible blocks of a composite data set, in its order. */
+struct Blocks : MapperParts
+{
+  std::vector<std::uint32_t>
+    ByAddress; ///< the parts in ascending order of the addresses of their data
+};
+
+/** The visible blocks of a composite mapper as parts. */
 class BlockParts : public DividedMapper
 {
 public:
@@ -43,6 +52,7 @@ private:
   struct Leaf
   {
     vtkPolyData* Data;
+    std::uint32_t Place; ///< of the first block, in the order of the data set
     bool IsVisible;
     bool IsOpaque;
     std::shared_ptr<PartGeometry> Geometry;
@@ -62,7 +72,7 @@ private:
   vtkMTimeType Divisions = 0;
   std::vector<Node> Nodes;  ///< each behind what holds it
   std::vector<Leaf> Leaves; ///< in ascending order of their addresses
-  std::shared_ptr<const MapperParts> Blocks;
+  std::shared_ptr<const Blocks> Known;
 };
 
 }

@@ -56,7 +56,8 @@ inline PartsOfQuads WallAndPatches()
 }
 
 /** A mesh of quads, each of a colour of its own. */
-inline vtkSmartPointer<vtkPolyData> ColoredMeshOf(const std::vector<Quad>& quads, TestRandom& random)
+inline vtkSmartPointer<vtkPolyData> ColoredMeshOf(
+  const std::vector<Quad>& quads, TestRandom& random)
 {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
