@@ -177,7 +177,10 @@ TEST_P(CullerLeaves, CountTrianglesAsVTKDoes)
   {
     for (const bool is64Bit : { false, true })
     {
-      this->Show(WallAndPatches());
+      PartsOfQuads parts = WallAndPatches();
+      const PartsOfQuads inFront = Patches(0.3); // what stands behind the hidden ones in the buffer
+      parts.insert(parts.end(), inFront.begin(), inFront.end());
+      this->Show(parts);
       Spoil(this->Mesh, hasQuadsToo);
       is64Bit ? this->Mesh->GetPolys()->ConvertTo64BitStorage()
               : this->Mesh->GetPolys()->ConvertTo32BitStorage();
