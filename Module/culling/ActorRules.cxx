@@ -1,6 +1,7 @@
 #include "culling/ActorRules.h"
 
 #include "culling/ClassName.h"
+#include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
 
 #include "vtkActor.h"
@@ -33,6 +34,12 @@ public:
   static vtkShaderProperty* ShaderOf(vtkProp* prop) { return prop->*(&AnyProp::ShaderProperty); }
 };
 
+/** Of classes that draw polydata where their points are. */
+bool IsKnownMapper(vtkMapper* mapper)
+{
+  return IsOfClass(mapper, "vtkOpenGLPolyDataMapper") || DividedMapperOf(mapper);
+}
+
 bool HasShaderCode(vtkActor* actor)
 {
   vtkShaderProperty* shader = ShaderPropertyOf(actor);
@@ -41,7 +48,6 @@ bool HasShaderCode(vtkActor* actor)
       shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
 }
 
-/** Transfer functions draw what is unknown to them with an opacity that vtkMapper::HasTranslucentPolygonalGeometry() ignores. */
 bool AreColorsOpaque(vtkMapper* mapper)
 {
   int isOfCells = 0;
@@ -51,8 +57,15 @@ bool AreColorsOpaque(vtkMapper* mapper)
   {
     return true; // and there need not be a table
   }
-  auto* function = vtkColorTransferFunction::SafeDownCast(mapper->GetLookupTable());
-  return !function || function->GetNanOpacity() >= 1.0;
+  return IsUnknownOpaque(mapper->GetLookupTable());
+}
+
+/** Blocks of a composite mapper are looked at one by one. */
+bool IsTranslucentAsAWhole(vtkActor* actor)
+{
+  return IsOfClass(actor->GetMapper(), "vtkCulledCompositePolyDataMapper")
+    ? actor->GetForceTranslucent()
+    : actor->HasTranslucentPolygonalGeometry() != 0;
 }
 
 /** Of three components without a map to colours: no alpha. Brings the image up to date, as drawing it does. */
@@ -72,7 +85,7 @@ bool IsOpaque(vtkTexture* texture)
 vtkActor* AsHideable(vtkProp* prop)
 {
   vtkActor* actor = IsOfClass(prop, "vtkOpenGLActor") ? static_cast<vtkActor*>(prop) : nullptr;
-  if (!actor || !actor->GetMapper() || !IsOfClass(actor->GetMapper(), "vtkOpenGLPolyDataMapper"))
+  if (!actor || !actor->GetMapper() || !IsKnownMapper(actor->GetMapper()))
   {
     return nullptr;
   }
@@ -111,9 +124,15 @@ bool IsOpaqueSurface(vtkActor* actor)
   vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
   vtkProperty* back = actor->GetBackfaceProperty();
   return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
-    !actor->HasTranslucentPolygonalGeometry() && !actor->GetForceOpaque() &&
-    property->GetOpacity() >= 1.0 && !(back && back->GetOpacity() < 1.0) &&
-    !(planes && planes->GetNumberOfItems() > 0) && AreColorsOpaque(actor->GetMapper());
+    !IsTranslucentAsAWhole(actor) && !actor->GetForceOpaque() && property->GetOpacity() >= 1.0 &&
+    !(back && back->GetOpacity() < 1.0) && !(planes && planes->GetNumberOfItems() > 0) &&
+    AreColorsOpaque(actor->GetMapper());
+}
+
+bool IsUnknownOpaque(vtkScalarsToColors* table)
+{
+  auto* function = vtkColorTransferFunction::SafeDownCast(table);
+  return !function || function->GetNanOpacity() >= 1.0;
 }
 
 bool AreTexturesOpaque(vtkActor* actor)

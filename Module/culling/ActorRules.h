@@ -6,6 +6,7 @@
 class vtkActor;
 class vtkMapper;
 class vtkProp;
+class vtkScalarsToColors;
 class vtkShaderProperty;
 
 namespace vitrine
@@ -28,8 +29,14 @@ vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader);
 /** By how many pixels the actor is drawn wider than its points are; less than 0 if that is not known. */
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
 
-/** Whether the surface of the actor surely hides what lies behind it, textures aside. */
+/** Whether the surface of the actor surely hides what lies behind it, textures and colours of single blocks aside. */
 bool IsOpaqueSurface(vtkActor* actor);
+
+/**
+ * Whether a table gives what is unknown to it a colour without transparency: transfer functions have an opacity for it that
+ * vtkMapper::HasTranslucentPolygonalGeometry() ignores.
+ */
+bool IsUnknownOpaque(vtkScalarsToColors* table);
 
 /** Whether the actor has no texture that could let anything through. */
 bool AreTexturesOpaque(vtkActor* actor);

@@ -8,9 +8,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace vitrine
 {
@@ -19,6 +19,7 @@ namespace
 {
 
 const double LargestFloat = std::numeric_limits<float>::max();
+}
 
 std::vector<glm::dvec3> PointsOf(vtkPolyData* data)
 {
@@ -30,7 +31,6 @@ std::vector<glm::dvec3> PointsOf(vtkPolyData* data)
   return points;
 }
 
-/** The triangles that VTK draws polygons as: a fan around the first corner. */
 std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data)
 {
   std::vector<std::uint32_t> corners;
@@ -50,11 +50,9 @@ std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data)
   return corners;
 }
 
-/** Ghost cells may or may not be drawn. */
 bool HasGhosts(vtkPolyData* data)
 {
   return data->GetPointGhostArray() || data->GetCellGhostArray();
-}
 }
 
 PartGeometry::PartGeometry(vtkPolyData* data)
@@ -77,6 +75,18 @@ PartGeometry::PartGeometry(vtkPolyData* data)
   }
 }
 
+PartGeometry::PartGeometry(vtkPolyData* data,
+  std::shared_ptr<const std::vector<std::uint32_t>> corners, const OrderedRun& run)
+  : Data(data)
+  , Time(data->GetMTime())
+  , Low(run.Bounds.Min)
+  , High(run.Bounds.Max)
+  , Corners(std::move(corners))
+  , FirstCorner(3 * run.First)
+  , CornerCount(3 * run.Count)
+{
+}
+
 bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
 {
   if (this->LookedAt != frame && data == this->Data && data->GetMTime() == this->Time)
@@ -90,11 +100,31 @@ const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
 {
   if (!this->Mesh)
   {
-    this->Mesh = HasGhosts(data)
-      ? std::make_unique<OccluderMesh>()
-      : std::make_unique<OccluderMesh>(PointsOf(data), TrianglesOf(data));
+    this->Mesh = std::make_unique<OccluderMesh>(this->Corners ? this->MeshOfRun(data)
+        : HasGhosts(data)                                     ? OccluderMesh()
+                          : OccluderMesh(PointsOf(data), TrianglesOf(data)));
   }
   return *this->Mesh;
+}
+
+OccluderMesh PartGeometry::MeshOfRun(vtkPolyData* data) const
+{
+  const auto first = this->Corners->begin() + this->FirstCorner;
+  std::vector<std::uint32_t> used(first, first + this->CornerCount);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<glm::dvec3> points(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    data->GetPoints()->GetPoint(static_cast<vtkIdType>(used[i]), &points[i].x);
+  }
+  std::vector<std::uint32_t> corners;
+  for (auto corner = first; corner != first + this->CornerCount; ++corner)
+  {
+    corners.push_back(static_cast<std::uint32_t>(
+      std::lower_bound(used.begin(), used.end(), *corner) - used.begin()));
+  }
+  return OccluderMesh(points, corners);
 }
 
 }

@@ -2,24 +2,39 @@
 #define VITRINE_CULLING_PART_GEOMETRY_H
 
 #include "Core/culling/OccluderMesh.h"
+#include "Core/culling/OrderedRuns.h"
 
 #include "vtkType.h"
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 class vtkPolyData;
 
 namespace vitrine
 {
 
-/** What culling needs to know of a polydata; parts that show the same one share it. */
+std::vector<glm::dvec3> PointsOf(vtkPolyData* data);
+
+/** The triangles that VTK draws polygons as, three corners each: a fan around the first point. */
+std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data);
+
+/** Whether there are ghost cells or points, which may or may not be drawn. */
+bool HasGhosts(vtkPolyData* data);
+
+/** What culling needs to know of a polydata, or of some of its triangles; parts that show the same one share it. */
 class PartGeometry
 {
 public:
   /** Reads the points of `data` as it is now. */
   explicit PartGeometry(vtkPolyData* data);
+
+  /** Knows a run of the triangles of `data`, which has finite points and polygons alone. */
+  PartGeometry(vtkPolyData* data, std::shared_ptr<const std::vector<std::uint32_t>> corners,
+    const OrderedRun& run);
 
   /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. */
   bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
@@ -38,12 +53,18 @@ public:
   const OccluderMesh& Occluder(vtkPolyData* data);
 
 private:
+  OccluderMesh MeshOfRun(vtkPolyData* data) const;
+
   vtkPolyData* Data;
   vtkMTimeType Time;
   vtkMTimeType LookedAt = 0; ///< the frame in which it was found to be current
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;
+  std::shared_ptr<const std::vector<std::uint32_t>>
+    Corners; ///< of all triangles; null if it knows all of them
+  std::uint32_t FirstCorner = 0;
+  std::uint32_t CornerCount = 0;
   std::unique_ptr<OccluderMesh> Mesh;
 };
 

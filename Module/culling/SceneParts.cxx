@@ -48,7 +48,8 @@ void SceneParts::Update(vtkProp* const* props, int count)
     this->ForgetAbsent();
   }
   this->LookAnewIfOffsetsChanged();
-  std::vector<std::uint32_t> changed;
+  std::vector<std::uint32_t> moved;
+  bool hasChanged = false;
   this->Drawn.resize(static_cast<std::size_t>(count));
   this->Cursor = 0;
   for (int i = 0; i < count; ++i)
@@ -59,13 +60,13 @@ void SceneParts::Update(vtkProp* const* props, int count)
     if (!this->IsUnchanged(this->Parts[part]))
     {
       this->Look(this->Parts[part]);
-      this->BoxOf[part] = this->Parts[part].Actor ? this->Read(this->Parts[part]) : Box();
-      changed.push_back(part);
+      this->PlaceWhole(part, moved);
+      hasChanged = true;
     }
   }
-  if (!changed.empty())
+  if (hasChanged)
   {
-    this->Replant(changed);
+    this->Replant(moved);
     this->MeasureAll();
   }
 }
@@ -87,10 +88,11 @@ void SceneParts::LookAnewIfOffsetsChanged()
 void SceneParts::ForgetAbsent()
 {
   const bool isAnyAbsent = std::any_of(this->Parts.begin(), this->Parts.end(),
-    [&](const Part& part) { return part.SeenIn + LongestAbsence < this->Frame; });
+    [&](const Part& part) { return part.Prop && part.SeenIn + LongestAbsence < this->Frame; });
   if (isAnyAbsent)
   {
     this->Parts.clear();
+    this->Spare.clear();
     this->BoxOf.clear();
     this->Index.clear();
     this->Geometries.clear();
@@ -132,7 +134,8 @@ bool SceneParts::IsUnchanged(const Part& part) const
     (!part.Shader || ShaderTimeOf(part.Shader) == part.ShaderTime) &&
     part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
     part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
-    part.Geometry->IsCurrent(part.Data, this->Frame);
+    (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
+    (part.Division || part.Geometry->IsCurrent(part.Data, this->Frame));
 }
 
 /** Notes what a part is now. */
@@ -142,6 +145,8 @@ void SceneParts::Look(Part& part)
   part.Shader = ShaderPropertyOf(part.Prop);
   part.ShaderTime = part.Shader ? ShaderTimeOf(part.Shader) : 0;
   part.Actor = AsHideable(part.Prop);
+  part.Divided = nullptr;
+  part.Division.reset();
   const std::shared_ptr<PartGeometry> before =
     std::move(part.Geometry); // found again if it is still current
   if (!part.Actor)
@@ -156,6 +161,17 @@ void SceneParts::Look(Part& part)
   }
   part.MapperTime = part.Mapper->GetMTime();
   part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
+  part.Divided = DividedMapperOf(part.Mapper);
+  part.Division = part.Divided ? part.Divided->PartsFor(part.Actor) : nullptr;
+  if (!part.Division)
+  {
+    this->LookAtData(part);
+  }
+}
+
+/** Notes what the actor shows as a whole. */
+void SceneParts::LookAtData(Part& part)
+{
   part.Data = part.Mapper->GetInput();
   if (part.Data)
   {
@@ -168,14 +184,23 @@ void SceneParts::Look(Part& part)
   }
 }
 
-/** Returns the part's box: empty if it cannot be hidden. */
-Box SceneParts::Read(Part& part)
+/** Notes where the actor stands, and whether anything of it may hide. */
+void SceneParts::ReadActor(Part& part)
 {
   double elements[16];
   part.Actor->GetMatrix(elements);
   part.ToWorld = MatrixOf(elements);
+  part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
+}
+
+/**
+ * Returns the part's box: empty if it cannot be hidden.
+ * @param farthest  the largest absolute coordinates of what the device computes with, in model coordinates (MC)
+ */
+Box SceneParts::Read(Part& part, const glm::dvec3& farthest) const
+{
   part.Growth = GrowthOf(part.Actor, *part.Geometry);
-  part.MayHide = IsAffine(part.ToWorld) && part.Geometry->IsFinite() && IsOpaqueSurface(part.Actor);
+  part.MayHide = part.MayHide && part.Geometry->IsFinite();
   const glm::dvec3& least = part.Geometry->Least();
   const glm::dvec3& greatest = part.Geometry->Greatest();
   if (!part.Geometry->IsFinite() || !IsAffine(part.ToWorld) || part.Growth < 0.0f ||
@@ -185,14 +210,13 @@ Box SceneParts::Read(Part& part)
     return Box();
   }
   const glm::dvec3 middle(part.ToWorld * glm::dvec4(0.5 * (least + greatest), 1.0));
-  const glm::dvec3 largest = glm::max(glm::abs(least), glm::abs(greatest));
   glm::dvec3 half(0.0);
   part.Sums = glm::abs(glm::dvec3(part.ToWorld[3]));
   for (int axis = 0; axis < 3; ++axis)
   {
     const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
     half += direction * (0.5 * (greatest[axis] - least[axis]));
-    part.Sums += direction * largest[axis];
+    part.Sums += direction * farthest[axis];
   }
   if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
   {
@@ -200,6 +224,72 @@ Box SceneParts::Read(Part& part)
   }
   half += RoundingOfSums * part.Sums;
   return Box::Around(middle - half, middle + half);
+}
+
+/** Notes where a part is now, and that it has moved, if it has. */
+void SceneParts::Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved)
+{
+  if (!(this->BoxOf[part] == box))
+  {
+    this->BoxOf[part] = box;
+    moved.push_back(part);
+  }
+}
+
+/** Places a prop that was looked at: as one part, or as the parts that it is divided into. */
+void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved)
+{
+  this->FitPieces(whole, moved);
+  Part& part = this->Parts[whole];
+  if (part.Actor)
+  {
+    this->ReadActor(part);
+  }
+  if (!part.Actor || part.Division)
+  {
+    this->Place(whole, Box(), moved);
+  }
+  else
+  {
+    const glm::dvec3 farthest =
+      glm::max(glm::abs(part.Geometry->Least()), glm::abs(part.Geometry->Greatest()));
+    this->Place(whole, this->Read(part, farthest), moved);
+  }
+  for (std::size_t i = 0; i < part.Pieces.size(); ++i)
+  {
+    const MapperPart& divided = part.Division->Parts[i];
+    Part& piece = this->Parts[part.Pieces[i]];
+    piece.Actor = part.Actor;
+    piece.ToWorld = part.ToWorld;
+    piece.Data = divided.Data;
+    piece.Geometry = divided.Geometry;
+    piece.MayHide = part.MayHide && divided.MayHide;
+    this->Place(part.Pieces[i], this->Read(piece, part.Division->Farthest), moved);
+  }
+}
+
+/** Gives a prop as many pieces as it is divided into; none where what cannot be drawn may spoil all. */
+void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved)
+{
+  const std::shared_ptr<const MapperParts> division = this->Parts[whole].Division;
+  const std::size_t count = division && division->IsFinite ? division->Parts.size() : 0;
+  std::vector<std::uint32_t> pieces = std::move(this->Parts[whole].Pieces);
+  for (; pieces.size() > count; pieces.pop_back())
+  {
+    this->Spare.push_back(pieces.back());
+    this->Parts[pieces.back()] = Part();
+    this->Place(pieces.back(), Box(), moved);
+  }
+  for (; pieces.size() < count && !this->Spare.empty(); this->Spare.pop_back())
+  {
+    pieces.push_back(this->Spare.back());
+  }
+  for (; pieces.size() < count; this->BoxOf.emplace_back())
+  {
+    pieces.push_back(static_cast<std::uint32_t>(this->Parts.size()));
+    this->Parts.emplace_back();
+  }
+  this->Parts[whole].Pieces = std::move(pieces);
 }
 
 std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
@@ -215,14 +305,14 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
 }
 
 /** Puts the octree right. */
-void SceneParts::Replant(const std::vector<std::uint32_t>& changed)
+void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
 {
-  if ((this->Boxes.PutCount() + changed.size()) * FewOf > this->Parts.size())
+  if ((this->Boxes.PutCount() + moved.size()) * FewOf > this->Parts.size())
   {
     this->Boxes = LooseOctree(this->BoxOf);
     return;
   }
-  for (const std::uint32_t part : changed)
+  for (const std::uint32_t part : moved)
   {
     this->Boxes.Put(part, this->BoxOf[part]);
   }
@@ -250,7 +340,44 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
   for (const std::uint32_t part : this->Drawn)
   {
     visible[part] = 1;
+    for (const std::uint32_t piece : this->Parts[part].Pieces)
+    {
+      visible[piece] = 1;
+    }
   }
+}
+
+int SceneParts::CountParts(int i) const
+{
+  const Part& part = this->Parts[this->Drawn[static_cast<std::size_t>(i)]];
+  return part.Pieces.empty() ? 1 : static_cast<int>(part.Pieces.size());
+}
+
+int SceneParts::CountHidden(int i, const std::vector<std::uint8_t>& visible) const
+{
+  const std::uint32_t part = this->Drawn[static_cast<std::size_t>(i)];
+  const std::vector<std::uint32_t>& pieces = this->Parts[part].Pieces;
+  return pieces.empty() ? !visible[part]
+                        : static_cast<int>(std::count_if(pieces.begin(), pieces.end(),
+                            [&](std::uint32_t piece) { return !visible[piece]; }));
+}
+
+std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const ViewMatrices& view,
+  int i, const std::vector<std::uint8_t>& visible) const
+{
+  const Part& part = this->Parts[this->Drawn[static_cast<std::size_t>(i)]];
+  if (part.Pieces.empty())
+  {
+    return nullptr;
+  }
+  std::vector<std::uint8_t> shown;
+  for (const std::uint32_t piece : part.Pieces)
+  {
+    shown.push_back(visible[piece]);
+  }
+  auto told = std::make_shared<const ShownParts>(view, part.Actor, part.Division, std::move(shown));
+  part.Divided->Tell(renderer, part.Actor, told);
+  return told;
 }
 
 Occluder SceneParts::OccluderOf(std::uint32_t i)

@@ -3,6 +3,7 @@
 
 #include "Core/culling/LooseOctree.h"
 #include "Core/culling/PartCuller.h"
+#include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
 
 #include "vtkType.h"
@@ -24,7 +25,8 @@ namespace vitrine
 
 /**
  * The actors of a renderer as parts that hide and are hidden: their boxes in an octree, kept up to date from frame to frame by
- * the times at which they were modified.
+ * the times at which they were modified. An actor whose mapper draws parts one by one (DividedMapper.h) is as many parts, and one
+ * that has no place.
  */
 class SceneParts : public OccluderSource
 {
@@ -35,11 +37,21 @@ public:
   /** Of all boxes; what cannot be hidden is not in it. */
   const LooseOctree& Tree() const { return this->Boxes; }
 
-  /** The part that the i-th prop of the last update is. */
-  std::uint32_t PartOf(int i) const { return this->Drawn[static_cast<std::size_t>(i)]; }
-
   /** Puts 1 for the parts that were in the last update, 0 for others. */
   void MarkDrawn(std::vector<std::uint8_t>& visible) const;
+
+  /** How many parts the i-th prop of the last update has: at least one. */
+  int CountParts(int i) const;
+
+  /** How many of them do not show. */
+  int CountHidden(int i, const std::vector<std::uint8_t>& visible) const;
+
+  /**
+   * Tells the mapper of that prop which of its parts show.
+   * @return  what it is told, for as long as this is held; null if it draws all it has
+   */
+  std::shared_ptr<const ShownParts> Tell(vtkRenderer* renderer, const ViewMatrices& view, int i,
+    const std::vector<std::uint8_t>& visible) const;
 
   /** The largest absolute coordinate, in world coordinates (WC). */
   const glm::dvec3& Reach() const { return this->Farthest; }
@@ -73,6 +85,9 @@ private:
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;
+    DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
+    std::shared_ptr<const MapperParts> Division; ///< null if it does not
+    std::vector<std::uint32_t> Pieces;           ///< the parts of the division
   };
 
   void LookAnewIfOffsetsChanged();
@@ -80,14 +95,20 @@ private:
   std::uint32_t Find(vtkProp* prop);
   bool IsUnchanged(const Part& part) const;
   void Look(Part& part);
-  Box Read(Part& part);
+  void LookAtData(Part& part);
+  void ReadActor(Part& part);
+  Box Read(Part& part, const glm::dvec3& farthest) const;
+  void Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved);
+  void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
+  void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
-  void Replant(const std::vector<std::uint32_t>& changed);
+  void Replant(const std::vector<std::uint32_t>& moved);
   void MeasureAll();
 
   std::vector<Part> Parts;
   std::vector<Box> BoxOf;
   std::vector<std::uint32_t> Drawn;
+  std::vector<std::uint32_t> Spare; ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0; ///< the part behind the last one that was found

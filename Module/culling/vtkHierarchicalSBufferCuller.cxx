@@ -4,6 +4,7 @@
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
 
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -32,6 +33,31 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   std::unique_ptr<vitrine::PartCuller> Culler;
   std::array<float, 3> Shape{};
   std::vector<std::uint8_t> Visible;
+  std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
+
+  explicit CulledRenderer(vtkRenderer* renderer)
+    : Renderer(renderer)
+    , Observers{ renderer->AddObserver(vtkCommand::StartEvent, this, &CulledRenderer::TakeBack),
+      renderer->AddObserver(vtkCommand::EndEvent, this, &CulledRenderer::TakeBack) }
+  {
+  }
+
+  ~CulledRenderer()
+  {
+    for (const unsigned long observer : this->Observers)
+    {
+      if (this->Renderer)
+      {
+        this->Renderer->RemoveObserver(observer);
+      }
+    }
+  }
+
+  CulledRenderer(const CulledRenderer&) = delete;
+  CulledRenderer& operator=(const CulledRenderer&) = delete;
+
+  /** What mappers were told is true of one frame. */
+  void TakeBack() { this->Told.clear(); }
 
   vitrine::PartCuller& CullerOf(const vitrine::RendererView& view)
   {
@@ -42,6 +68,9 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
     }
     return *this->Culler;
   }
+
+private:
+  std::array<unsigned long, 2> Observers;
 };
 
 vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCuller::State::At(
@@ -51,9 +80,7 @@ vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCulle
   {
     i = i->second.Renderer ? std::next(i) : this->Of.erase(i);
   }
-  CulledRenderer& known = this->Of[renderer];
-  known.Renderer = renderer;
-  return known;
+  return this->Of.try_emplace(renderer, renderer).first->second;
 }
 
 vtkHierarchicalSBufferCuller::vtkHierarchicalSBufferCuller()
@@ -67,15 +94,15 @@ double vtkHierarchicalSBufferCuller::Cull(
   vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized)
 {
   const auto start = std::chrono::steady_clock::now();
-  const int given = listLength;
-  this->NumberOfTestedParts = this->NumberOfTestedNodes = this->NumberOfOccluders = 0;
+  this->NumberOfCulledParts = this->NumberOfTestedParts = this->NumberOfTestedNodes =
+    this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
+  this->NumberOfDrawnParts = listLength;
   if (this->Culling)
   {
     this->DropHidden(renderer, propList, listLength);
   }
   this->NumberOfDrawnProps = listLength;
-  this->NumberOfCulledParts = given - listLength;
 
   double total = 0.0;
   for (int i = 0; i < listLength; ++i)
@@ -96,6 +123,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
 {
   State::CulledRenderer& known = this->Renderers->At(renderer);
   vitrine::SceneParts& parts = known.Parts;
+  known.TakeBack();
   parts.Update(propList, listLength);
   vitrine::RendererView view;
   if (!view.Read(renderer, this->BufferLines, parts))
@@ -108,20 +136,38 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   const bool occlusion = !renderer->GetSelector();
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
 
-  int kept = 0;
-  for (int i = 0; i < listLength; ++i)
-  {
-    if (known.Visible[parts.PartOf(i)])
-    {
-      propList[kept++] = propList[i];
-    }
-  }
-  listLength = kept;
+  this->KeepShown(renderer, propList, listLength);
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
   this->NumberOfTestedNodes = static_cast<int>(culler.Counts().Nodes);
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Inserted);
   this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Comparisons);
+}
+
+/** Drops the props that have no part that shows, and tells the mappers of the others which parts of theirs do. */
+void vtkHierarchicalSBufferCuller::KeepShown(
+  vtkRenderer* renderer, vtkProp** propList, int& listLength)
+{
+  State::CulledRenderer& known = this->Renderers->At(renderer);
+  const vitrine::ViewMatrices view = vitrine::ViewMatricesOf(renderer);
+  int kept = 0;
+  this->NumberOfDrawnParts = 0;
+  for (int i = 0; i < listLength; ++i)
+  {
+    const int parts = known.Parts.CountParts(i);
+    const int hidden = known.Parts.CountHidden(i, known.Visible);
+    this->NumberOfDrawnParts += parts - hidden;
+    this->NumberOfCulledParts += hidden;
+    if (hidden < parts)
+    {
+      propList[kept++] = propList[i];
+      if (hidden > 0)
+      {
+        known.Told.push_back(known.Parts.Tell(renderer, view, i, known.Visible));
+      }
+    }
+  }
+  listLength = kept;
 }
 
 void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
@@ -130,6 +176,7 @@ void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Culling: " << (this->Culling ? "On" : "Off") << "\n";
   os << indent << "BufferLines: " << this->BufferLines << "\n";
   os << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n";
+  os << indent << "NumberOfDrawnParts: " << this->NumberOfDrawnParts << "\n";
   os << indent << "NumberOfTestedParts: " << this->NumberOfTestedParts << "\n";
   os << indent << "NumberOfCulledParts: " << this->NumberOfCulledParts << "\n";
   os << indent << "NumberOfTestedNodes: " << this->NumberOfTestedNodes << "\n";

@@ -14,8 +14,8 @@
  * pixels in it, and counts as covered only where an occluder surely covers all of them, whatever the samples.
  *
  * What hides: opaque surfaces that vtkPolyDataMapper draws from triangles and convex polygons, with no shader code of the user's, no
- * clipping planes, no texture but one of plain colours. What is hidden: all actors of that mapper, and of composite ones.
- * Everything else is left to the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of
+ * clipping planes, no texture but one of plain colours. What is hidden: all actors of that mapper. Blocks of
+ * vtkCulledCompositePolyDataMapper and pieces of vtkCulledPolyDataMapper hide and are hidden one by one. Everything else is left to the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of
  * other classes, geometry that is not finite.
  *
  * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
@@ -59,11 +59,13 @@ public:
 
   ///@{
   /**
-   * Of the last frame, or of its last renderer or eye: props that were left to be drawn; actors that were tested, and those of them that were left out; nodes of
-   * the octree that were tested; actors whose cover went into the s-buffer; spans that it was given, and comparisons of depths
-   * there; seconds that all of it took.
+   * Of the last frame, or of its last renderer or eye: props that were left to be drawn, and the parts that show of them; parts that
+   * were tested, and those that were left out; nodes of the octree that were tested; parts whose cover went into the
+   * s-buffer; spans that it was given, and comparisons of depths there; seconds that all of it took. A prop is a part, unless
+   * its mapper is vtkCulledCompositePolyDataMapper or vtkCulledPolyDataMapper.
    */
   vtkGetMacro(NumberOfDrawnProps, int);
+  vtkGetMacro(NumberOfDrawnParts, int);
   vtkGetMacro(NumberOfTestedParts, int);
   vtkGetMacro(NumberOfCulledParts, int);
   vtkGetMacro(NumberOfTestedNodes, int);
@@ -83,6 +85,7 @@ protected:
   bool Culling = true;
   int BufferLines = 270;
   int NumberOfDrawnProps = 0;
+  int NumberOfDrawnParts = 0;
   int NumberOfTestedParts = 0;
   int NumberOfCulledParts = 0;
   int NumberOfTestedNodes = 0;
@@ -96,6 +99,7 @@ private:
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
   void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+  void KeepShown(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 
   struct State; // of each renderer
   std::unique_ptr<State> Renderers;

@@ -45,6 +45,20 @@ class Cull(FileTest):
                 self.assertEqual(row["wrong_pixels"], 0)
                 self.assertGreater(row["culled_share"], 0.5 * row["ideal_share"])
 
+    def test_parts_may_be_blocks_and_runs_of_a_mesh(self):
+        as_actors, as_blocks, as_mesh = (
+            cull("demo:assembly,parts=300", "--as", form)["results"][0]
+            for form in ("actors", "blocks", "mesh")
+        )
+        self.assertEqual(as_blocks["parts"], as_actors["parts"])
+        self.assertEqual(as_blocks["ideal_share"], as_actors["ideal_share"])
+        self.assertGreater(as_blocks["culled_share"], 0.9 * as_actors["culled_share"])
+        self.assertGreater(as_mesh["parts"], 20)
+        self.assertGreater(as_mesh["culled_share"], 0.2)
+        self.assertEqual((as_mesh["ideal"], as_mesh["ideal_share"]), (None, None))
+        for row in (as_blocks, as_mesh):
+            self.assertEqual(row["wrong_pixels"], 0)
+
     def test_what_is_translucent_hides_nothing(self):
         row = cull("demo:assembly,parts=300", "--keep-opacity")["results"][0]
         self.assertEqual((row["opaque_parts"], row["ideal"], row["ideal_share"]), (0, None, None))
@@ -71,6 +85,7 @@ class Cull(FileTest):
             ("demo:assembly", "--size", "10"),
             ("demo:assembly", "--method", "magic"),
             ("demo:assembly", "--lines", "0"),
+            ("demo:assembly", "--as", "voxels"),
             (),
         ):
             with self.subTest(arguments=arguments):

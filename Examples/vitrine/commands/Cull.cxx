@@ -29,6 +29,9 @@ const std::map<std::string, PoseProjection> Projections = { { "perspective",
                                                               PoseProjection::Perspective },
   { "parallel", PoseProjection::Parallel }, { "both", PoseProjection::Both } };
 
+const std::map<std::string, SceneForm> Forms = { { "actors", SceneForm::Actors },
+  { "blocks", SceneForm::Blocks }, { "mesh", SceneForm::Mesh } };
+
 void Cull(CullOptions options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
@@ -72,6 +75,13 @@ void AddCullCommand(CLI::App& app)
   AddSizeOption(*command, options->Size);
   command->add_flag("--keep-opacity", options->KeepsOpacity,
     "draw parts as translucent as they are; all are opaque without");
+  command
+    ->add_option("--as", options->Settings.Form,
+      "draw all parts as actors, as blocks of one actor, or as one mesh, whose parts are runs of "
+      "its triangles")
+    ->type_name("actors|blocks|mesh")
+    ->transform(CLI::CheckedTransformer(Forms))
+    ->default_str("actors");
   command->add_option("--poses", options->Settings.Poses, "cameras, from outside and from within")
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))

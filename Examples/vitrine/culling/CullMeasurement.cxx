@@ -33,6 +33,13 @@ public:
     this->Renderer = renderer;
   }
 
+  /** Draw one actor in place of all. */
+  void SetActor(vtkActor* actor)
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->AddActor(actor);
+  }
+
   void SetCuller(vtkCuller* culler)
   {
     this->Renderer->GetCullers()->RemoveAllItems();
@@ -75,9 +82,16 @@ public:
     this->Cullers->SetCuller(this->Ours);
     frame.FrameMilliseconds = this->Window.Draw(camera);
     frame.CullMilliseconds = 1000.0 * this->Ours->GetCullTime();
-    frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnProps());
+    frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnParts());
     frame.WrongPixels = CountDifferent(without, this->Window.ReadPixels());
     return frame;
+  }
+
+  /** Of the last picture. */
+  std::size_t CountParts() const
+  {
+    return static_cast<std::size_t>(
+      this->Ours->GetNumberOfDrawnParts() + this->Ours->GetNumberOfCulledParts());
   }
 
   Device GetDevice() { return this->Window.GetDevice(); }
@@ -88,6 +102,10 @@ private:
     , Window(scene, std::move(cullers), settings.Size, settings.Multisamples)
   {
     this->Ours->SetBufferLines(settings.BufferLines);
+    if (settings.Form != SceneForm::Actors)
+    {
+      this->Cullers->SetActor(MakeActorOfAll(scene, settings.Form));
+    }
   }
 
   CulledMethod* Cullers; ///< of the window
@@ -102,11 +120,10 @@ CullRun MeasureCulling(
 {
   CullRun run;
   run.Name = scene.Name;
-  run.Parts = scene.Parts.size();
   run.Settings = settings;
   CullStage stage(scene, settings);
   std::optional<ItemBuffer> ideal;
-  if (settings.CountsIdeal)
+  if (settings.CountsIdeal && settings.Form != SceneForm::Mesh)
   {
     ideal.emplace(scene, settings.Size);
     run.OpaqueParts = ideal->CountParts();
@@ -126,6 +143,7 @@ CullRun MeasureCulling(
       run.Frames.back().Ideal = ideal->CountOwners(camera);
     }
   }
+  run.Parts = stage.CountParts();
   run.DrawnBy = stage.GetDevice();
   return run;
 }

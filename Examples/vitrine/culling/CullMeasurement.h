@@ -5,6 +5,7 @@
 #define VITRINE_PROGRAM_CULL_MEASUREMENT_H
 
 #include "culling/CullPoses.h"
+#include "culling/SceneForm.h"
 #include "methods/Device.h"
 #include "methods/Stage.h"
 
@@ -25,13 +26,14 @@ struct CullSettings
   std::uint64_t Seed = 1;
   std::string Method = "vtk-oit";
   int BufferLines = 270;
-  bool CountsIdeal = true;
+  bool CountsIdeal = true; ///< where parts are those of the scene
+  SceneForm Form = SceneForm::Actors;
 };
 
 /** One pose. */
 struct CullFrame
 {
-  std::size_t Drawn = 0; ///< actors that the culler left
+  std::size_t Drawn = 0; ///< parts that the culler left
   std::size_t Ideal = 0; ///< opaque parts that own a pixel
   double CullMilliseconds = 0.0;
   double FrameMilliseconds = 0.0;
@@ -42,7 +44,7 @@ struct CullFrame
 struct CullRun
 {
   std::string Name;
-  std::size_t Parts = 0;
+  std::size_t Parts = 0; ///< of a mesh, what it is cut into
   std::size_t OpaqueParts = 0;
   CullSettings Settings;
   Device DrawnBy;

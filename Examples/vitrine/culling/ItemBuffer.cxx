@@ -1,16 +1,10 @@
 #include "culling/ItemBuffer.h"
 
+#include "culling/MergedMesh.h"
 #include "methods/VTKMethods.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <set>
 
@@ -20,66 +14,18 @@ namespace program
 namespace
 {
 
-/** Collects parts into one mesh. */
-class NumberedMesh
-{
-public:
-  void Add(const Part& part, std::uint32_t number)
-  {
-    const vtkIdType first = this->Points->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < part.Geometry->GetNumberOfPoints(); ++i)
-    {
-      double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-      part.Geometry->GetPoint(i, point);
-      if (part.Transform)
-      {
-        part.Transform->MultiplyPoint(point, point);
-      }
-      this->Points->InsertNextPoint(point);
-    }
-    const auto cells = vtk::TakeSmartPointer(part.Geometry->GetPolys()->NewIterator());
-    for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-    {
-      vtkIdType count = 0;
-      const vtkIdType* corners = nullptr;
-      cells->GetCurrentCell(count, corners);
-      this->Polygons->InsertNextCell(static_cast<int>(count));
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        this->Polygons->InsertCellPoint(first + corners[i]);
-      }
-      const unsigned char color[3] = { static_cast<unsigned char>(number >> 16),
-        static_cast<unsigned char>(number >> 8), static_cast<unsigned char>(number) };
-      this->Colors->InsertNextTypedTuple(color);
-    }
-  }
-
-  vtkSmartPointer<vtkPolyData> Mesh() const
-  {
-    auto mesh = vtkSmartPointer<vtkPolyData>::New();
-    mesh->SetPoints(this->Points);
-    mesh->SetPolys(this->Polygons);
-    mesh->GetCellData()->SetScalars(this->Colors);
-    return mesh;
-  }
-
-  NumberedMesh() { this->Colors->SetNumberOfComponents(3); }
-
-private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Polygons;
-  vtkNew<vtkUnsignedCharArray> Colors;
-};
-
 /** Numbers count from 1; the background is none of them. */
 Scene NumberParts(const Scene& scene, std::size_t& count)
 {
-  NumberedMesh mesh;
+  MergedMesh mesh;
   for (const Part& part : scene.Parts)
   {
     if (!IsTranslucent(part) && part.Geometry->GetNumberOfPolys() > 0)
     {
-      mesh.Add(part, static_cast<std::uint32_t>(++count));
+      ++count;
+      mesh.Add(part,
+        { static_cast<unsigned char>(count >> 16), static_cast<unsigned char>(count >> 8),
+          static_cast<unsigned char>(count) });
     }
   }
   Scene numbered;

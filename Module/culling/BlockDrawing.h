@@ -1,0 +1,114 @@
+/**
+ * @file
+ * What draws the blocks of a vtkCulledCompositePolyDataMapper, and what differs in it between VTK's versions: up to 9.2 helpers of
+ * the mapper, from 9.3 on mappers of batches and what hands these their blocks.
+ */
+#ifndef VITRINE_CULLING_BLOCK_DRAWING_H
+#define VITRINE_CULLING_BLOCK_DRAWING_H
+
+#include "gl/VitrineOpenGL.h"
+
+#include "vtkCulledCompositePolyDataMapper.h"
+
+#include "vtkCompositeDataDisplayAttributes.h"
+
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
+
+#include "vtkCompositeMapperHelper2.h"
+
+namespace vitrine
+{
+
+/** Whether a block has colours of its own, other than a plain one. */
+inline bool HasColorsOfItsOwn(vtkCompositeDataDisplayAttributes*, vtkDataObject*)
+{
+  return false;
+}
+
+/** VTK's, without the blocks that are hidden. */
+class BlockDrawing : public vtkCompositeMapperHelper2
+{
+public:
+  static BlockDrawing* New();
+  vtkTypeMacro(BlockDrawing, vtkCompositeMapperHelper2);
+
+protected:
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+
+  vtkCulledCompositePolyDataMapper* Mapper() const
+  {
+    return static_cast<vtkCulledCompositePolyDataMapper*>(this->Parent);
+  }
+
+  /** Calls `visit` with each block's data and visibility, in ascending order of the data's addresses. */
+  template <class Visit>
+  void VisitBlocks(const Visit& visit)
+  {
+    for (const auto& block : this->Data)
+    {
+      visit(block.first, block.second->Visibility);
+    }
+  }
+};
+
+}
+
+#else
+
+#include "vtkOpenGLBatchedPolyDataMapper.h"
+#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
+
+namespace vitrine
+{
+
+/** Whether a block has colours of its own, other than a plain one. */
+inline bool HasColorsOfItsOwn(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* block)
+{
+  return attributes->HasBlockScalarVisibility(block) || attributes->HasBlockColorMode(block) ||
+    attributes->HasBlockScalarMode(block) || attributes->HasBlockArrayAccessMode(block) ||
+    attributes->HasBlockArrayComponent(block) || attributes->HasBlockArrayId(block) ||
+    attributes->HasBlockArrayName(block) || attributes->HasBlockFieldDataTupleId(block) ||
+    attributes->HasBlockLookupTable(block) || attributes->HasBlockTexture(block);
+}
+
+/** VTK's, without the blocks that are hidden. */
+class BlockDrawing : public vtkOpenGLBatchedPolyDataMapper
+{
+public:
+  static BlockDrawing* New();
+  vtkTypeMacro(BlockDrawing, vtkOpenGLBatchedPolyDataMapper);
+
+protected:
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+
+  vtkCulledCompositePolyDataMapper* Mapper() const
+  {
+    return static_cast<vtkCulledCompositePolyDataMapper*>(this->Parent);
+  }
+
+  /** Calls `visit` with each block's data and visibility, in ascending order of the data's addresses. */
+  template <class Visit>
+  void VisitBlocks(const Visit& visit)
+  {
+    for (const auto& block : this->VTKPolyDataToGLBatchElement)
+    {
+      visit(block.second->Parent.PolyData, block.second->Parent.Visibility);
+    }
+  }
+};
+
+/** Hands blocks to BlockDrawing. */
+class BlockDelegator : public vtkOpenGLCompositePolyDataMapperDelegator
+{
+public:
+  static BlockDelegator* New();
+  vtkTypeMacro(BlockDelegator, vtkOpenGLCompositePolyDataMapperDelegator);
+
+protected:
+  BlockDelegator();
+};
+
+}
+
+#endif
+#endif
