@@ -1,0 +1,19 @@
+#ifndef VITRINE_CORE_CULLING_S_BUFFER_IMAGE_H
+#define VITRINE_CORE_CULLING_S_BUFFER_IMAGE_H
+
+#include <vector>
+
+namespace vitrine
+{
+
+class SBuffer;
+
+/**
+ * An s-buffer as a picture: the reversed depth of what covers the middle of each column of each line, 0 where nothing does.
+ * @returns Columns() times Lines() depths, line after line from the bottom
+ */
+std::vector<float> DepthImage(const SBuffer& buffer);
+
+}
+
+#endif
