@@ -14,6 +14,7 @@
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 
@@ -55,10 +56,11 @@ bool AreColorsOpaque(vtkMapper* mapper)
   return !function || function->GetNanOpacity() >= 1.0;
 }
 
-/** Of three components without a map to colours: no alpha. Brings the image up to date, as drawing it does. */
+/** Of three components without a map to colours: no alpha. Brings an image that something makes up to date, as drawing it does. */
 bool IsOpaque(vtkTexture* texture)
 {
-  if (vtkAlgorithm* source = texture->GetInputAlgorithm())
+  vtkAlgorithm* source = texture->GetInputAlgorithm();
+  if (source && !vtkTrivialProducer::SafeDownCast(source))
   {
     source->Update();
   }

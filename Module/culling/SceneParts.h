@@ -82,6 +82,7 @@ private:
   void Look(Part& part);
   Box Read(Part& part);
   std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
+  void DropDeadGeometries();
   void Replant(std::vector<Octree::MovedItem>& moved, std::size_t known);
   void MeasureAll();
 

@@ -1,19 +1,12 @@
 #include "Core/culling/ScreenProjection.h"
 
+#include "Core/culling/DeviceRounding.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace vitrine
 {
-
-namespace
-{
-
-// More than what a device's roundings and ours change, as a share of the sum of all that goes into a product of a
-// matrix and a point: each rounds the matrix, products and sums to floats.
-const double RoundingOfSums = 0x1p-20;
-
-}
 
 /** A coordinate of the eight corners of a box, in arrays that a compiler makes vectors of. */
 struct ScreenProjection::Corners
