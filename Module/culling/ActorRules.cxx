@@ -2,11 +2,14 @@
 
 #include "culling/ClassName.h"
 #include "culling/PartGeometry.h"
+#include "culling/vtkHierarchicalSBufferCuller.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
@@ -105,6 +108,12 @@ float GrowthOf(vtkActor* actor, const PartGeometry& geometry)
   const bool isThin = property->GetRepresentation() != VTK_SURFACE || geometry.HasThinCells();
   return isThin ? std::max(property->GetLineWidth(), property->GetPointSize()) + BesidesWidth
                 : 0.0f;
+}
+
+bool IsNonOccluding(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return keys && keys->Get(vtkHierarchicalSBufferCuller::NON_OCCLUDING()) != 0;
 }
 
 bool IsOpaqueSurface(vtkActor* actor)

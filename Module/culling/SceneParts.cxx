@@ -284,7 +284,7 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
   Part& part = this->Parts[i];
-  if (!part.MayHide || !AreTexturesOpaque(part.Actor))
+  if (!part.MayHide || IsNonOccluding(part.Actor) || !AreTexturesOpaque(part.Actor))
   {
     return {};
   }

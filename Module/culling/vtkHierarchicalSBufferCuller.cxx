@@ -4,6 +4,7 @@
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
 
+#include "vtkInformationIntegerKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -15,6 +16,7 @@
 #include <map>
 
 vtkStandardNewMacro(vtkHierarchicalSBufferCuller);
+vtkInformationKeyMacro(vtkHierarchicalSBufferCuller, NON_OCCLUDING, Integer);
 
 /** What is kept of each renderer from frame to frame. */
 struct vtkHierarchicalSBufferCuller::State

@@ -22,6 +22,8 @@
  * rendering is being switched, and below a pass that processes images and may look beyond the view (vtkEDLShading, blurs),
  * nothing is.
  *
+ * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
+ *
  * The order of actors does not change. Culled actors build no buffers until they show.
  *
  * A. V. Boreskov: hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993.
@@ -33,6 +35,8 @@
 #include "vtkVitrineRenderingModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
+
+class vtkInformationIntegerKey;
 
 class VTKVITRINERENDERING_EXPORT vtkHierarchicalSBufferCuller : public vtkCuller
 {
@@ -56,6 +60,16 @@ public:
   vtkSetClampMacro(BufferLines, int, 1, 4096);
   vtkGetMacro(BufferLines, int);
   ///@}
+
+  /**
+   * A key of props: those with a value other than 0 are culled like others, but hide nothing. It is asked for in each frame. Each
+   * prop needs keys of its own, since passes write there:
+   *
+   *     vtkNew<vtkInformation> keys;
+   *     keys->Set(vtkHierarchicalSBufferCuller::NON_OCCLUDING(), 1);
+   *     screw->SetPropertyKeys(keys);
+   */
+  static vtkInformationIntegerKey* NON_OCCLUDING();
 
   ///@{
   /**
