@@ -1,13 +1,19 @@
 #include "vtkHierarchicalSBufferCuller.h"
 
 #include "Core/culling/PartCuller.h"
+#include "Core/culling/SBufferImage.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
 
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -34,6 +40,8 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   std::unique_ptr<vitrine::PartCuller> Culler;
   std::array<float, 3> Shape{};
   std::vector<std::uint8_t> Visible;
+  bool HasCulled = false; ///< in the last frame
+  vtkSmartPointer<vtkImageData> BufferImage;
 
   vitrine::PartCuller& CullerOf(const vitrine::RendererView& view)
   {
@@ -72,10 +80,8 @@ double vtkHierarchicalSBufferCuller::Cull(
   const int given = listLength;
   this->NumberOfTestedParts = this->NumberOfTestedNodes = this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
-  if (this->Culling)
-  {
-    this->DropHidden(renderer, propList, listLength);
-  }
+  this->Renderers->At(renderer).HasCulled =
+    this->Culling && this->DropHidden(renderer, propList, listLength);
   this->NumberOfDrawnProps = listLength;
   this->NumberOfCulledParts = given - listLength;
 
@@ -93,7 +99,8 @@ double vtkHierarchicalSBufferCuller::Cull(
   return std::max(total, 1.0); // what is shared out by it must stay finite
 }
 
-void vtkHierarchicalSBufferCuller::DropHidden(
+/** Returns false if nothing is known of the view. */
+bool vtkHierarchicalSBufferCuller::DropHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
   State::CulledRenderer& known = this->Renderers->At(renderer);
@@ -102,7 +109,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   vitrine::RendererView view;
   if (!view.Read(renderer, this->BufferLines, parts))
   {
-    return;
+    return false;
   }
   vitrine::PartCuller& culler = known.CullerOf(view);
   parts.MarkDrawn(known.Visible);
@@ -124,6 +131,27 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Inserted);
   this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Comparisons);
+  return true;
+}
+
+vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)
+{
+  const auto found = this->Renderers->Of.find(renderer);
+  if (found == this->Renderers->Of.end() || !found->second.Renderer || !found->second.HasCulled)
+  {
+    return nullptr;
+  }
+  const vitrine::SBuffer& buffer = found->second.Culler->Buffer();
+  const std::vector<float> depths = vitrine::DepthImage(buffer);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("ReversedDepth");
+  values->SetNumberOfValues(static_cast<vtkIdType>(depths.size()));
+  std::copy(depths.begin(), depths.end(), values->GetPointer(0));
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(buffer.Columns(), buffer.Lines(), 1);
+  image->GetPointData()->SetScalars(values);
+  found->second.BufferImage = image;
+  return image;
 }
 
 void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)

@@ -36,6 +36,7 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkImageData;
 class vtkInformationIntegerKey;
 
 class VTKVITRINERENDERING_EXPORT vtkHierarchicalSBufferCuller : public vtkCuller
@@ -87,6 +88,15 @@ public:
   vtkGetMacro(CullTime, double);
   ///@}
 
+  /**
+   * What a renderer's s-buffer held at the end of its last frame, of the last eye: floats named "ReversedDepth", as many as it has
+   * columns and lines, the bottom line first. 0 where nothing is sure to cover all of the place; elsewhere 1 minus the greatest
+   * depth that a z-buffer may hold there. Null where that frame was not culled, or there was none.
+   *
+   * Each call makes a new image, which the culler holds until the next one.
+   */
+  vtkImageData* GetBufferImage(vtkRenderer* renderer);
+
   double Cull(
     vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
 
@@ -109,7 +119,7 @@ private:
   vtkHierarchicalSBufferCuller(const vtkHierarchicalSBufferCuller&) = delete;
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
-  void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+  bool DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 
   struct State; // of each renderer
   std::unique_ptr<State> Renderers;
