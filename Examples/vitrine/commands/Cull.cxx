@@ -1,8 +1,10 @@
 #include "commands/Commands.h"
 
 #include "Errors.h"
+#include "OutputPicture.h"
 #include "Progress.h"
 #include "commands/Options.h"
+#include "culling/BufferPicture.h"
 #include "report/CullReport.h"
 
 #include "vtkHeadlessRenderWindow.h"
@@ -22,6 +24,7 @@ struct CullOptions
   bool KeepsOpacity = false;
   CullSettings Settings;
   bool WithoutIdeal = false;
+  std::optional<std::string> Buffer;
   std::optional<std::string> Json;
 };
 
@@ -29,12 +32,27 @@ const std::map<std::string, PoseProjection> Projections = { { "perspective",
                                                               PoseProjection::Perspective },
   { "parallel", PoseProjection::Parallel }, { "both", PoseProjection::Both } };
 
+/** Throw InputError if the picture of --buffer could not be written, or is not one. */
+void CheckBufferPath(const CullOptions& options)
+{
+  if (options.Buffer && options.Inputs.size() > 1)
+  {
+    throw InputError("--buffer", "is a picture of one INPUT, not of several");
+  }
+  if (options.Buffer)
+  {
+    CheckPicturePath(*options.Buffer);
+  }
+}
+
 void Cull(CullOptions options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckBufferPath(options);
   options.Settings.Size = ParseSize(options.Size);
   options.Settings.CountsIdeal = !options.WithoutIdeal;
+  options.Settings.ShowsBuffer = options.Buffer.has_value();
   std::vector<CullRun> runs;
   {
     Progress progress;
@@ -54,6 +72,10 @@ void Cull(CullOptions options)
             std::to_string(options.Settings.Poses));
         }));
     }
+  }
+  if (options.Buffer)
+  {
+    WritePicture(*options.Buffer, runs[0].LastPicture, SizeWithBuffer(options.Settings.Size));
   }
   WriteReport(options.Json, ToTable(runs), ToJson(runs));
   if (const std::int64_t wrong = CountWrongPixels(runs))
@@ -98,6 +120,10 @@ void AddCullCommand(CLI::App& app)
     ->capture_default_str();
   command->add_flag(
     "--without-ideal", options->WithoutIdeal, "do not count what a perfect culler would draw");
+  command
+    ->add_option("--buffer", options->Buffer,
+      "a picture of the last pose, and of what the s-buffer holds of it, the nearest brightest")
+    ->type_name("FILE.png");
   AddJsonOption(*command, options->Json);
   command->callback([options] { Cull(*options); });
 }

@@ -1,5 +1,6 @@
 #include "culling/CullMeasurement.h"
 
+#include "culling/BufferPicture.h"
 #include "culling/ItemBuffer.h"
 #include "methods/Method.h"
 
@@ -39,6 +40,7 @@ public:
     this->Renderer->AddCuller(culler);
   }
 
+  vtkRenderer* GetRenderer() { return this->Renderer; }
   MethodStatistics Statistics() const override { return this->Drawn->Statistics(); }
   std::string WhyNotRun() const override { return this->Drawn->WhyNotRun(); }
 
@@ -78,6 +80,13 @@ public:
     frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnProps());
     frame.WrongPixels = CountDifferent(without, this->Window.ReadPixels());
     return frame;
+  }
+
+  /** The last frame and its s-buffer. */
+  std::vector<std::uint8_t> PictureWithBuffer()
+  {
+    return WithBuffer(this->Window.ReadPixels(), this->Window.GetSize(),
+      this->Ours->GetBufferImage(this->Cullers->GetRenderer()));
   }
 
   Device GetDevice() { return this->Window.GetDevice(); }
@@ -125,6 +134,10 @@ CullRun MeasureCulling(
     {
       run.Frames.back().Ideal = ideal->CountOwners(camera);
     }
+  }
+  if (settings.ShowsBuffer)
+  {
+    run.LastPicture = stage.PictureWithBuffer();
   }
   run.DrawnBy = stage.GetDevice();
   return run;

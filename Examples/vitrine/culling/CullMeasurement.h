@@ -26,6 +26,7 @@ struct CullSettings
   std::string Method = "vtk-oit";
   int BufferLines = 270;
   bool CountsIdeal = true;
+  bool ShowsBuffer = false; ///< in a picture of the last pose
 };
 
 /** One pose. */
@@ -47,6 +48,8 @@ struct CullRun
   CullSettings Settings;
   Device DrawnBy;
   std::vector<CullFrame> Frames;
+  std::vector<std::uint8_t>
+    LastPicture; ///< the last pose with its s-buffer, see WithBuffer(), if it is asked for
 };
 
 /** @param progress  is told how many poses are done */
