@@ -51,6 +51,18 @@ class Cull(FileTest):
         self.assertEqual((row["opaque_parts"], row["ideal"], row["ideal_share"]), (0, None, None))
         self.assertEqual(row["wrong_pixels"], 0)
 
+    def test_some_are_opaque(self):
+        counts = []
+        for least in ("0", "0.3", "1"):
+            row = cull("demo:assembly,parts=300", "--opaque-from", least, "--method", "linked-list")[
+                "results"
+            ][0]
+            self.assertEqual(row["wrong_pixels"], 0)
+            counts.append(row["opaque_parts"])
+        self.assertEqual(counts[0], 300)
+        self.assertTrue(50 < counts[1] < 300, counts)
+        self.assertEqual(counts[2], 0)
+
     def test_poses_are_those_of_the_seed(self):
         first, again, other = (
             [pose["drawn"] for pose in cull("demo:assembly,parts=300", "--seed", seed)["results"][0]["poses"]]
@@ -103,6 +115,13 @@ class Cull(FileTest):
             ("demo:assembly", "--size", "10"),
             ("demo:assembly", "--method", "magic"),
             ("demo:assembly", "--lines", "0"),
+            ("demo:assembly", "--opaque-from", "nan"),
+            ("demo:assembly", "--opaque-from", "1.1"),
+            ("demo:assembly", "--opaque-from", "0.5", "--keep-opacity"),
+            ("demo:assembly", "--multisamples", "3"),
+            ("demo:assembly", "--poses", "1e9"),
+            ("demo:assembly", "--seed", "-1"),
+            ("demo:assembly", "--json", self.folder / "nowhere" / "cull.json"),
             ("demo:assembly", "--buffer", "picture.jpg"),
             ("demo:assembly", "--buffer", self.folder / "nowhere" / "picture.png"),
             ("demo:assembly", "demo:stack", "--buffer", self.folder / "picture.png"),

@@ -22,6 +22,7 @@ struct CullOptions
   std::vector<std::string> Inputs;
   std::string Size = "480x270";
   bool KeepsOpacity = false;
+  double OpaqueFrom = 0.0;
   CullSettings Settings;
   bool WithoutIdeal = false;
   std::optional<std::string> Buffer;
@@ -62,7 +63,7 @@ void Cull(CullOptions options)
       Scene scene = LoadInput(input);
       if (!options.KeepsOpacity)
       {
-        MakeOpaque(scene);
+        MakeOpaque(scene, options.OpaqueFrom);
       }
       scene.Name = input;
       runs.push_back(MeasureCulling(scene, options.Settings,
@@ -92,8 +93,14 @@ void AddCullCommand(CLI::App& app)
     "Draw frames with and without occlusion culling; tell what it leaves out, and what it costs");
   command->add_option("INPUT", options->Inputs, "files, or demo:NAME[,key=value...]")->required();
   AddSizeOption(*command, options->Size);
-  command->add_flag("--keep-opacity", options->KeepsOpacity,
+  CLI::Option* keep = command->add_flag("--keep-opacity", options->KeepsOpacity,
     "draw parts as translucent as they are; all are opaque without");
+  command
+    ->add_option("--opaque-from", options->OpaqueFrom,
+      "draw parts of less opacity as translucent as they are, and the rest opaque")
+    ->type_name("A")
+    ->check(NumberWithin(0.0, 1.0))
+    ->excludes(keep);
   command->add_option("--poses", options->Settings.Poses, "cameras, from outside and from within")
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))
