@@ -23,6 +23,7 @@ struct CullOptions
   std::string Size = "480x270";
   bool KeepsOpacity = false;
   double OpaqueFrom = 0.0;
+  std::string Projection = "both";
   CullSettings Settings;
   bool WithoutIdeal = false;
   std::optional<std::string> Buffer;
@@ -52,6 +53,7 @@ void Cull(CullOptions options)
   CheckJsonPath(options.Json);
   CheckBufferPath(options);
   options.Settings.Size = ParseSize(options.Size);
+  options.Settings.Projection = Projections.at(options.Projection);
   options.Settings.CountsIdeal = !options.WithoutIdeal;
   options.Settings.ShowsBuffer = options.Buffer.has_value();
   std::vector<CullRun> runs;
@@ -109,10 +111,10 @@ void AddCullCommand(CLI::App& app)
     ->type_name("S")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
-  command->add_option("--projection", options->Settings.Projection, "of the poses")
+  command->add_option("--projection", options->Projection, "of the poses")
     ->type_name("perspective|parallel|both")
-    ->transform(CLI::CheckedTransformer(Projections))
-    ->default_str("both");
+    ->check(CLI::IsMember({ "perspective", "parallel", "both" }))
+    ->capture_default_str();
   command
     ->add_option("--multisamples", options->Settings.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
