@@ -3,11 +3,14 @@
 #include "culling/ClassName.h"
 #include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
+#include "culling/vtkHierarchicalSBufferCuller.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
@@ -15,6 +18,7 @@
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 
@@ -68,10 +72,11 @@ bool IsTranslucentAsAWhole(vtkActor* actor)
     : actor->HasTranslucentPolygonalGeometry() != 0;
 }
 
-/** Of three components without a map to colours: no alpha. Brings the image up to date, as drawing it does. */
+/** Of three components without a map to colours: no alpha. Brings an image that something makes up to date, as drawing it does. */
 bool IsOpaque(vtkTexture* texture)
 {
-  if (vtkAlgorithm* source = texture->GetInputAlgorithm())
+  vtkAlgorithm* source = texture->GetInputAlgorithm();
+  if (source && !vtkTrivialProducer::SafeDownCast(source))
   {
     source->Update();
   }
@@ -116,6 +121,12 @@ float GrowthOf(vtkActor* actor, const PartGeometry& geometry)
   const bool isThin = property->GetRepresentation() != VTK_SURFACE || geometry.HasThinCells();
   return isThin ? std::max(property->GetLineWidth(), property->GetPointSize()) + BesidesWidth
                 : 0.0f;
+}
+
+bool IsNonOccluding(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return keys && keys->Get(vtkHierarchicalSBufferCuller::NON_OCCLUDING()) != 0;
 }
 
 bool IsOpaqueSurface(vtkActor* actor)

@@ -29,6 +29,9 @@ vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader);
 /** By how many pixels the actor is drawn wider than its points are; less than 0 if that is not known. */
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
 
+/** Whether the user has marked the actor with vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
+bool IsNonOccluding(vtkActor* actor);
+
 /** Whether the surface of the actor surely hides what lies behind it, textures and colours of single blocks aside. */
 bool IsOpaqueSurface(vtkActor* actor);
 

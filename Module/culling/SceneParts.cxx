@@ -1,5 +1,6 @@
 #include "culling/SceneParts.h"
 
+#include "Core/culling/DeviceRounding.h"
 #include "culling/ActorRules.h"
 #include "culling/Matrices.h"
 
@@ -13,6 +14,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vitrine
@@ -27,8 +29,8 @@ const std::size_t FewOf = 16;
 // Where parts were absent for more updates than that, all is read anew: they may be gone for good.
 const vtkMTimeType LongestAbsence = 1000;
 
-// Of what floats make of the sums that lead to world coordinates; boxes are grown by it.
-const double RoundingOfSums = 0x1p-20;
+// Geometries that are gone are dropped where there are more than so many to a part.
+const std::size_t MostGeometries = 2;
 
 // Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
 const double FarthestSum = 1e15;
@@ -68,6 +70,7 @@ void SceneParts::Update(vtkProp* const* props, int count)
   {
     this->Replant(moved);
     this->MeasureAll();
+    this->DropDeadGeometries();
   }
 }
 
@@ -222,7 +225,7 @@ Box SceneParts::Read(Part& part, const glm::dvec3& farthest) const
   {
     return Box();
   }
-  half += RoundingOfSums * part.Sums;
+  half += RoundingOfSums * part.Sums; // boxes are of doubles, a device's floats reach farther
   return Box::Around(middle - half, middle + half);
 }
 
@@ -304,6 +307,19 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
   return geometry;
 }
 
+/** Data that come and go, as those of animations do, would leave more and more entries. */
+void SceneParts::DropDeadGeometries()
+{
+  if (this->Geometries.size() <= MostGeometries * this->Parts.size())
+  {
+    return;
+  }
+  for (auto i = this->Geometries.begin(); i != this->Geometries.end();)
+  {
+    i = i->second.expired() ? this->Geometries.erase(i) : std::next(i);
+  }
+}
+
 /** Puts the octree right. */
 void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
 {
@@ -383,7 +399,7 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
   Part& part = this->Parts[i];
-  if (!part.MayHide || !AreTexturesOpaque(part.Actor))
+  if (!part.MayHide || IsNonOccluding(part.Actor) || !AreTexturesOpaque(part.Actor))
   {
     return {};
   }

@@ -102,6 +102,7 @@ private:
   void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
+  void DropDeadGeometries();
   void Replant(const std::vector<std::uint32_t>& moved);
   void MeasureAll();
 

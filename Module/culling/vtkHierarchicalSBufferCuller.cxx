@@ -1,13 +1,20 @@
 #include "vtkHierarchicalSBufferCuller.h"
 
 #include "Core/culling/PartCuller.h"
+#include "Core/culling/SBufferImage.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
 
 #include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -16,6 +23,7 @@
 #include <map>
 
 vtkStandardNewMacro(vtkHierarchicalSBufferCuller);
+vtkInformationKeyMacro(vtkHierarchicalSBufferCuller, NON_OCCLUDING, Integer);
 
 /** What is kept of each renderer from frame to frame. */
 struct vtkHierarchicalSBufferCuller::State
@@ -33,6 +41,8 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   std::unique_ptr<vitrine::PartCuller> Culler;
   std::array<float, 3> Shape{};
   std::vector<std::uint8_t> Visible;
+  bool HasCulled = false; ///< in the last frame
+  vtkSmartPointer<vtkImageData> BufferImage;
   std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
 
   explicit CulledRenderer(vtkRenderer* renderer)
@@ -98,10 +108,8 @@ double vtkHierarchicalSBufferCuller::Cull(
     this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
   this->NumberOfDrawnParts = listLength;
-  if (this->Culling)
-  {
-    this->DropHidden(renderer, propList, listLength);
-  }
+  this->Renderers->At(renderer).HasCulled =
+    this->Culling && this->DropHidden(renderer, propList, listLength);
   this->NumberOfDrawnProps = listLength;
 
   double total = 0.0;
@@ -118,7 +126,8 @@ double vtkHierarchicalSBufferCuller::Cull(
   return std::max(total, 1.0); // what is shared out by it must stay finite
 }
 
-void vtkHierarchicalSBufferCuller::DropHidden(
+/** Returns false if nothing is known of the view. */
+bool vtkHierarchicalSBufferCuller::DropHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
   State::CulledRenderer& known = this->Renderers->At(renderer);
@@ -128,7 +137,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   vitrine::RendererView view;
   if (!view.Read(renderer, this->BufferLines, parts))
   {
-    return;
+    return false;
   }
   vitrine::PartCuller& culler = known.CullerOf(view);
   parts.MarkDrawn(known.Visible);
@@ -142,6 +151,27 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Inserted);
   this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Comparisons);
+  return true;
+}
+
+vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)
+{
+  const auto found = this->Renderers->Of.find(renderer);
+  if (found == this->Renderers->Of.end() || !found->second.Renderer || !found->second.HasCulled)
+  {
+    return nullptr;
+  }
+  const vitrine::SBuffer& buffer = found->second.Culler->Buffer();
+  const std::vector<float> depths = vitrine::DepthImage(buffer);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("ReversedDepth");
+  values->SetNumberOfValues(static_cast<vtkIdType>(depths.size()));
+  std::copy(depths.begin(), depths.end(), values->GetPointer(0));
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(buffer.Columns(), buffer.Lines(), 1);
+  image->GetPointData()->SetScalars(values);
+  found->second.BufferImage = image;
+  return image;
 }
 
 /** Drops the props that have no part that shows, and tells the mappers of the others which parts of theirs do. */

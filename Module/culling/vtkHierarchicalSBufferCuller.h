@@ -22,6 +22,8 @@
  * rendering is being switched, and below a pass that processes images and may look beyond the view (vtkEDLShading, blurs),
  * nothing is.
  *
+ * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
+ *
  * The order of actors does not change. Culled actors build no buffers until they show.
  *
  * A. V. Boreskov: hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993.
@@ -33,6 +35,9 @@
 #include "vtkVitrineRenderingModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
+
+class vtkImageData;
+class vtkInformationIntegerKey;
 
 class VTKVITRINERENDERING_EXPORT vtkHierarchicalSBufferCuller : public vtkCuller
 {
@@ -57,6 +62,16 @@ public:
   vtkGetMacro(BufferLines, int);
   ///@}
 
+  /**
+   * A key of props: those with a value other than 0 are culled like others, but hide nothing. It is asked for in each frame. Each
+   * prop needs keys of its own, since passes write there:
+   *
+   *     vtkNew<vtkInformation> keys;
+   *     keys->Set(vtkHierarchicalSBufferCuller::NON_OCCLUDING(), 1);
+   *     screw->SetPropertyKeys(keys);
+   */
+  static vtkInformationIntegerKey* NON_OCCLUDING();
+
   ///@{
   /**
    * Of the last frame, or of its last renderer or eye: props that were left to be drawn, and the parts that show of them; parts that
@@ -74,6 +89,15 @@ public:
   vtkGetMacro(NumberOfComparisons, vtkTypeInt64);
   vtkGetMacro(CullTime, double);
   ///@}
+
+  /**
+   * What a renderer's s-buffer held at the end of its last frame, of the last eye: floats named "ReversedDepth", as many as it has
+   * columns and lines, the bottom line first. 0 where nothing is sure to cover all of the place; elsewhere 1 minus the greatest
+   * depth that a z-buffer may hold there. Null where that frame was not culled, or there was none.
+   *
+   * Each call makes a new image, which the culler holds until the next one.
+   */
+  vtkImageData* GetBufferImage(vtkRenderer* renderer);
 
   double Cull(
     vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
@@ -98,7 +122,7 @@ private:
   vtkHierarchicalSBufferCuller(const vtkHierarchicalSBufferCuller&) = delete;
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
-  void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+  bool DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
   void KeepShown(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 
   struct State; // of each renderer

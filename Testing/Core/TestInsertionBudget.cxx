@@ -57,11 +57,68 @@ TEST(InsertionBudget, IsSpentButNeverMoreThanThereIs)
   EXPECT_TRUE(budget.Allows(0));
 }
 
+TEST(InsertionBudget, WhatIsSpentBeyondItTheNextFramesPay)
+{
+  InsertionBudget budget;
+  budget.Begin(100);
+  budget.Begin(100);
+  const std::size_t trial = MostOf(budget);
+  budget.Spend(3 * trial + trial / 4);
+  for (const std::size_t left : { std::size_t{ 0 }, std::size_t{ 0 }, trial - trial / 4, trial })
+  {
+    budget.Begin(100);
+    EXPECT_EQ(MostOf(budget), left);
+  }
+}
+
+TEST(InsertionBudget, WhatIsHiddenPaysForWhatHidesIt)
+{
+  InsertionBudget budget;
+  budget.Begin(100);
+  budget.Begin(100);
+  const std::size_t trial = MostOf(budget);
+  budget.AddHidden(50);
+  budget.Begin(100);
+  const std::size_t worth = MostOf(budget) - trial;
+  for (int frame = 0; frame < 10; ++frame) // takes as much as it is worth
+  {
+    budget.Spend(worth + trial);
+    budget.AddHidden(50);
+    budget.Begin(100);
+    EXPECT_EQ(MostOf(budget), worth + trial);
+  }
+}
+
+// However much one try takes, and though it is known only afterwards.
+TEST(InsertionBudget, IsKeptToInTheLongRun)
+{
+  for (const std::size_t tries : { 1u, 7u, 300u })
+  {
+    InsertionBudget budget;
+    budget.Begin(40);
+    budget.Begin(40);
+    const std::size_t trial = MostOf(budget);
+    std::size_t spent = 0;
+    for (int frame = 0; frame < 1000; ++frame)
+    {
+      if (budget.Allows(trial))
+      {
+        budget.Spend(tries * trial);
+        spent += tries * trial;
+      }
+      budget.Begin(40);
+    }
+    EXPECT_LE(spent, (1000 + tries) * trial);
+    EXPECT_GE(spent, 1000 * trial - tries * trial);
+  }
+}
+
 TEST(InsertionBudget, BeginsAnewWhereManyPartsHaveCome)
 {
   InsertionBudget budget, fresh;
   budget.Begin(10);
   budget.Begin(10);
+  budget.Spend(1000000);
   budget.Begin(100);
   fresh.Begin(100);
   EXPECT_EQ(MostOf(budget), MostOf(fresh));

@@ -1,7 +1,8 @@
+import itertools
 import json
 import unittest
 
-from program import FileTest, run
+from program import FileTest, read_png, run
 
 ROW = [
     "input", "parts", "opaque_parts", "drawn", "ideal", "culled_share", "ideal_share", "cull_ms",
@@ -64,6 +65,18 @@ class Cull(FileTest):
         self.assertEqual((row["opaque_parts"], row["ideal"], row["ideal_share"]), (0, None, None))
         self.assertEqual(row["wrong_pixels"], 0)
 
+    def test_some_are_opaque(self):
+        counts = []
+        for least in ("0", "0.3", "1"):
+            row = cull("demo:assembly,parts=300", "--opaque-from", least, "--method", "linked-list")[
+                "results"
+            ][0]
+            self.assertEqual(row["wrong_pixels"], 0)
+            counts.append(row["opaque_parts"])
+        self.assertEqual(counts[0], 300)
+        self.assertTrue(50 < counts[1] < 300, counts)
+        self.assertEqual(counts[2], 0)
+
     def test_poses_are_those_of_the_seed(self):
         first, again, other = (
             [pose["drawn"] for pose in cull("demo:assembly,parts=300", "--seed", seed)["results"][0]["poses"]]
@@ -76,6 +89,37 @@ class Cull(FileTest):
         row = cull("demo:assembly,parts=300", "--without-ideal")["results"][0]
         self.assertEqual((row["ideal"], row["ideal_share"]), (None, None))
 
+    def buffer_picture(self, *arguments):
+        """Rows of pixels of the last pose, 120x67, and of what the s-buffer holds of it."""
+        path = self.folder / "buffer.png"
+        self.assert_done(run("cull", *arguments, "--size", "120x67", "--buffer", path))
+        self.assertEqual([entry.name for entry in self.folder.iterdir()], ["buffer.png"])
+        width, height, rows = read_png(path)
+        self.assertEqual((width, height), (240, 67))
+        pixels = [[tuple(row[x : x + 3]) for x in range(0, 3 * width, 3)] for row in rows]
+        return [row[:120] for row in pixels], [row[120:] for row in pixels]
+
+    def test_buffer_is_a_picture_beside_the_last_pose(self):
+        frame, buffer = self.buffer_picture("demo:assembly,parts=300", "--poses", "1")
+        greys = [grey for row in buffer for grey, *_ in row]
+        self.assertEqual([(grey, grey, grey) for grey in greys], sum(buffer, []))
+        self.assertLessEqual(set(greys), {0, *range(50, 256)})
+        self.assertEqual(max(greys), 255)
+        drawn = [pixel != frame[0][0] for row in frame for pixel in row]
+        covered = [grey > 0 for grey in greys]
+        self.assertEqual(covered, [a and b for a, b in zip(covered, drawn, strict=True)])
+        self.assertGreater(sum(covered), 0.7 * sum(drawn))
+
+    def test_buffer_of_fewer_lines_is_as_large(self):
+        _, buffer = self.buffer_picture("demo:assembly,parts=300", "--poses", "1", "--lines", "20")
+        for x, y in itertools.product(range(0, 120, 4), range(0, 64, 4)):
+            cell = {buffer[66 - y - j][x + i] for i in range(4) for j in range(4)}
+            self.assertEqual(len(cell), 1, (x, y))
+
+    def test_buffer_of_what_is_translucent_is_black(self):
+        _, buffer = self.buffer_picture("demo:spheres,layers=2", "--keep-opacity", "--poses", "1")
+        self.assertEqual(set(sum(buffer, [])), {(0, 0, 0)})
+
     def test_bad_input_is_told_in_one_line(self):
         for arguments in (
             ("nowhere.glb",),
@@ -86,6 +130,16 @@ class Cull(FileTest):
             ("demo:assembly", "--method", "magic"),
             ("demo:assembly", "--lines", "0"),
             ("demo:assembly", "--as", "voxels"),
+            ("demo:assembly", "--opaque-from", "nan"),
+            ("demo:assembly", "--opaque-from", "1.1"),
+            ("demo:assembly", "--opaque-from", "0.5", "--keep-opacity"),
+            ("demo:assembly", "--multisamples", "3"),
+            ("demo:assembly", "--poses", "1e9"),
+            ("demo:assembly", "--seed", "-1"),
+            ("demo:assembly", "--json", self.folder / "nowhere" / "cull.json"),
+            ("demo:assembly", "--buffer", "picture.jpg"),
+            ("demo:assembly", "--buffer", self.folder / "nowhere" / "picture.png"),
+            ("demo:assembly", "demo:stack", "--buffer", self.folder / "picture.png"),
             (),
         ):
             with self.subTest(arguments=arguments):

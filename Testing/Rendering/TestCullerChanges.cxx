@@ -4,6 +4,8 @@
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
 #include "vtkCullerCollection.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -134,6 +136,36 @@ TEST_P(CullerChanges, Scene14WallOfOtherData)
     [&](vtkActor*) { other->SetInputData(large); },
     [](vtkActor* wall) { DataOf(wall)->SetPolys(vtkSmartPointer<vtkCellArray>::New()); },
   });
+}
+
+// Those that hide nothing are hidden as ever. Keys tell nobody when they are changed.
+TEST_P(CullerChanges, WallThatTheUserMarks)
+{
+  const auto key = vtkHierarchicalSBufferCuller::NON_OCCLUDING();
+  vtkNew<vtkInformation> keys, others;
+  keys->Set(key, 1);
+  this->ExpectSameAfter({
+    [&](vtkActor* wall) { wall->SetPropertyKeys(keys); },
+    [&](vtkActor*) { keys->Set(key, 0); },
+    [&](vtkActor*) { keys->Set(key, -1); },
+    [&](vtkActor*) { keys->Remove(key); },
+    [&](vtkActor*) { keys->Set(key, 1); },
+    [&](vtkActor* wall) { wall->SetPropertyKeys(others); },
+    [&](vtkActor* wall) { wall->SetPropertyKeys(keys); },
+    [](vtkActor* wall) { wall->SetPropertyKeys(nullptr); },
+  });
+}
+
+TEST_P(CullerChanges, HiddenPartsThatTheUserMarks)
+{
+  Scene.AddWall();
+  for (const vtkSmartPointer<vtkActor>& box : Scene.AddHidden())
+  {
+    vtkNew<vtkInformation> keys;
+    keys->Set(vtkHierarchicalSBufferCuller::NON_OCCLUDING(), 1);
+    box->SetPropertyKeys(keys);
+  }
+  EXPECT_EQ(Scene.ExpectSame(), 63);
 }
 
 // Actors that go and come again may stand at the address of others.

@@ -230,6 +230,19 @@ TEST_P(CullerSurfaces, Scene15TextureWithAlpha)
   Scene.ExpectNothingHidden(153, 1);
 }
 
+TEST_P(CullerSurfaces, Scene15ImageThatGetsAnAlpha)
+{
+  Scene.AddHidden();
+  const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(TexturedWall());
+  const vtkSmartPointer<vtkImageData> image = Chessboard(3);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  wall->SetTexture(texture);
+  Scene.ExpectHidden(147, 1);
+  image->DeepCopy(Chessboard(4));
+  Scene.ExpectNothingHidden(148, 1);
+}
+
 TEST_P(CullerSurfaces, Scene15TextureOfAProperty)
 {
   Scene.AddHidden();

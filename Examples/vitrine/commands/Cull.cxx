@@ -1,8 +1,10 @@
 #include "commands/Commands.h"
 
 #include "Errors.h"
+#include "OutputPicture.h"
 #include "Progress.h"
 #include "commands/Options.h"
+#include "culling/BufferPicture.h"
 #include "report/CullReport.h"
 
 #include "vtkHeadlessRenderWindow.h"
@@ -20,8 +22,11 @@ struct CullOptions
   std::vector<std::string> Inputs;
   std::string Size = "480x270";
   bool KeepsOpacity = false;
+  double OpaqueFrom = 0.0;
+  std::string Projection = "both";
   CullSettings Settings;
   bool WithoutIdeal = false;
+  std::optional<std::string> Buffer;
   std::optional<std::string> Json;
 };
 
@@ -32,12 +37,28 @@ const std::map<std::string, PoseProjection> Projections = { { "perspective",
 const std::map<std::string, SceneForm> Forms = { { "actors", SceneForm::Actors },
   { "blocks", SceneForm::Blocks }, { "mesh", SceneForm::Mesh } };
 
+/** Throw InputError if the picture of --buffer could not be written, or is not one. */
+void CheckBufferPath(const CullOptions& options)
+{
+  if (options.Buffer && options.Inputs.size() > 1)
+  {
+    throw InputError("--buffer", "is a picture of one INPUT, not of several");
+  }
+  if (options.Buffer)
+  {
+    CheckPicturePath(*options.Buffer);
+  }
+}
+
 void Cull(CullOptions options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckBufferPath(options);
   options.Settings.Size = ParseSize(options.Size);
+  options.Settings.Projection = Projections.at(options.Projection);
   options.Settings.CountsIdeal = !options.WithoutIdeal;
+  options.Settings.ShowsBuffer = options.Buffer.has_value();
   std::vector<CullRun> runs;
   {
     Progress progress;
@@ -47,7 +68,7 @@ void Cull(CullOptions options)
       Scene scene = LoadInput(input);
       if (!options.KeepsOpacity)
       {
-        MakeOpaque(scene);
+        MakeOpaque(scene, options.OpaqueFrom);
       }
       scene.Name = input;
       runs.push_back(MeasureCulling(scene, options.Settings,
@@ -57,6 +78,10 @@ void Cull(CullOptions options)
             std::to_string(options.Settings.Poses));
         }));
     }
+  }
+  if (options.Buffer)
+  {
+    WritePicture(*options.Buffer, runs[0].LastPicture, SizeWithBuffer(options.Settings.Size));
   }
   WriteReport(options.Json, ToTable(runs), ToJson(runs));
   if (const std::int64_t wrong = CountWrongPixels(runs))
@@ -73,7 +98,7 @@ void AddCullCommand(CLI::App& app)
     "Draw frames with and without occlusion culling; tell what it leaves out, and what it costs");
   command->add_option("INPUT", options->Inputs, "files, or demo:NAME[,key=value...]")->required();
   AddSizeOption(*command, options->Size);
-  command->add_flag("--keep-opacity", options->KeepsOpacity,
+  CLI::Option* keep = command->add_flag("--keep-opacity", options->KeepsOpacity,
     "draw parts as translucent as they are; all are opaque without");
   command
     ->add_option("--as", options->Settings.Form,
@@ -82,6 +107,12 @@ void AddCullCommand(CLI::App& app)
     ->type_name("actors|blocks|mesh")
     ->transform(CLI::CheckedTransformer(Forms))
     ->default_str("actors");
+  command
+    ->add_option("--opaque-from", options->OpaqueFrom,
+      "draw parts of less opacity as translucent as they are, and the rest opaque")
+    ->type_name("A")
+    ->check(NumberWithin(0.0, 1.0))
+    ->excludes(keep);
   command->add_option("--poses", options->Settings.Poses, "cameras, from outside and from within")
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))
@@ -90,10 +121,10 @@ void AddCullCommand(CLI::App& app)
     ->type_name("S")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
-  command->add_option("--projection", options->Settings.Projection, "of the poses")
+  command->add_option("--projection", options->Projection, "of the poses")
     ->type_name("perspective|parallel|both")
-    ->transform(CLI::CheckedTransformer(Projections))
-    ->default_str("both");
+    ->check(CLI::IsMember({ "perspective", "parallel", "both" }))
+    ->capture_default_str();
   command
     ->add_option("--multisamples", options->Settings.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
@@ -108,6 +139,10 @@ void AddCullCommand(CLI::App& app)
     ->capture_default_str();
   command->add_flag(
     "--without-ideal", options->WithoutIdeal, "do not count what a perfect culler would draw");
+  command
+    ->add_option("--buffer", options->Buffer,
+      "a picture of the last pose, and of what the s-buffer holds of it, the nearest brightest")
+    ->type_name("FILE.png");
   AddJsonOption(*command, options->Json);
   command->callback([options] { Cull(*options); });
 }

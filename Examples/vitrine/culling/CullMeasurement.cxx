@@ -1,5 +1,6 @@
 #include "culling/CullMeasurement.h"
 
+#include "culling/BufferPicture.h"
 #include "culling/ItemBuffer.h"
 #include "methods/Method.h"
 
@@ -46,6 +47,7 @@ public:
     this->Renderer->AddCuller(culler);
   }
 
+  vtkRenderer* GetRenderer() { return this->Renderer; }
   MethodStatistics Statistics() const override { return this->Drawn->Statistics(); }
   std::string WhyNotRun() const override { return this->Drawn->WhyNotRun(); }
 
@@ -64,7 +66,7 @@ std::int64_t CountDifferent(const std::vector<std::uint8_t>& a, const std::vecto
   return different;
 }
 
-/** The two pictures of a pose. */
+/** The two pictures of a pose. Which is drawn first, at a cost for methods that get memory then, changes from pose to pose. */
 class CullStage
 {
 public:
@@ -76,14 +78,19 @@ public:
   CullFrame Measure(vtkCamera* camera)
   {
     CullFrame frame;
+    this->OursFirst = !this->OursFirst;
+    if (this->OursFirst)
+    {
+      this->DrawCulled(camera, frame);
+    }
     this->Cullers->SetCuller(this->Usual);
     frame.FrameMillisecondsWithout = this->Window.Draw(camera);
     const std::vector<std::uint8_t> without = this->Window.ReadPixels();
-    this->Cullers->SetCuller(this->Ours);
-    frame.FrameMilliseconds = this->Window.Draw(camera);
-    frame.CullMilliseconds = 1000.0 * this->Ours->GetCullTime();
-    frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnParts());
-    frame.WrongPixels = CountDifferent(without, this->Window.ReadPixels());
+    if (!this->OursFirst)
+    {
+      this->DrawCulled(camera, frame);
+    }
+    frame.WrongPixels = CountDifferent(without, this->Picture);
     return frame;
   }
 
@@ -92,6 +99,13 @@ public:
   {
     return static_cast<std::size_t>(
       this->Ours->GetNumberOfDrawnParts() + this->Ours->GetNumberOfCulledParts());
+  }
+
+  /** The last culled frame and its s-buffer. */
+  std::vector<std::uint8_t> PictureWithBuffer()
+  {
+    return WithBuffer(this->Picture, this->Window.GetSize(),
+      this->Ours->GetBufferImage(this->Cullers->GetRenderer()));
   }
 
   Device GetDevice() { return this->Window.GetDevice(); }
@@ -108,10 +122,21 @@ private:
     }
   }
 
+  void DrawCulled(vtkCamera* camera, CullFrame& frame)
+  {
+    this->Cullers->SetCuller(this->Ours);
+    frame.FrameMilliseconds = this->Window.Draw(camera);
+    frame.CullMilliseconds = 1000.0 * this->Ours->GetCullTime();
+    frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnParts());
+    this->Picture = this->Window.ReadPixels();
+  }
+
   CulledMethod* Cullers; ///< of the window
   vtkNew<vtkFrustumCoverageCuller> Usual;
   vtkNew<vtkHierarchicalSBufferCuller> Ours;
   Stage Window;
+  bool OursFirst = false;
+  std::vector<std::uint8_t> Picture; ///< with our culler
 };
 }
 
@@ -144,6 +169,10 @@ CullRun MeasureCulling(
     }
   }
   run.Parts = stage.CountParts();
+  if (settings.ShowsBuffer)
+  {
+    run.LastPicture = stage.PictureWithBuffer();
+  }
   run.DrawnBy = stage.GetDevice();
   return run;
 }

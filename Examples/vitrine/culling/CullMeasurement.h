@@ -28,6 +28,7 @@ struct CullSettings
   int BufferLines = 270;
   bool CountsIdeal = true; ///< where parts are those of the scene
   SceneForm Form = SceneForm::Actors;
+  bool ShowsBuffer = false; ///< in a picture of the last pose
 };
 
 /** One pose. */
@@ -49,6 +50,8 @@ struct CullRun
   CullSettings Settings;
   Device DrawnBy;
   std::vector<CullFrame> Frames;
+  std::vector<std::uint8_t>
+    LastPicture; ///< the last pose with its s-buffer, see WithBuffer(), if it is asked for
 };
 
 /** @param progress  is told how many poses are done */

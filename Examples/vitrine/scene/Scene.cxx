@@ -212,12 +212,15 @@ std::size_t CountMaterials(const Scene& scene)
   return materials.size();
 }
 
-void MakeOpaque(Scene& scene)
+void MakeOpaque(Scene& scene, double leastOpacity)
 {
   for (Part& part : scene.Parts)
   {
-    part.Material->SetOpacity(1.0);
-    part.ForceTranslucent = false;
+    if (part.Material->GetOpacity() >= leastOpacity)
+    {
+      part.Material->SetOpacity(1.0);
+      part.ForceTranslucent = false;
+    }
   }
 }
 

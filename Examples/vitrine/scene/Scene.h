@@ -113,8 +113,8 @@ std::size_t CountMaterials(const Scene& scene);
 /** Multiply `factor` into the opacity of every part. */
 void MultiplyOpacity(Scene& scene, double factor);
 
-/** Have every part's material be opaque. Textures and colours keep their alpha. */
-void MakeOpaque(Scene& scene);
+/** Have the material of every part that is at least so opaque be wholly so. Textures and colours keep their alpha. */
+void MakeOpaque(Scene& scene, double leastOpacity);
 
 /**
  * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and

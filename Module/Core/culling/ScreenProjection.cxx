@@ -1,5 +1,7 @@
 #include "Core/culling/ScreenProjection.h"
 
+#include "Core/culling/DeviceRounding.h"
+
 #include <glm/common.hpp>
 
 #include <cstring>
@@ -9,10 +11,6 @@ namespace vitrine
 
 namespace
 {
-
-// More than what a device's roundings and ours change, as a share of the sum of all that goes into a product of a
-// matrix and a point: each rounds the matrix, products and sums to floats.
-const double RoundingOfSums = 0x1p-20;
 
 /** What a matrix makes of the least and the greatest coordinates of eight boxes, axis by axis: corners are sums of three. */
 struct CornerTerms

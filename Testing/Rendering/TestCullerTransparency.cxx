@@ -1,0 +1,142 @@
+// Translucent parts and the culler: those behind opaque ones are left out, no exact method's picture changes by a bit.
+#include "CullerScene.h"
+#include "TestMethods.h"
+
+#include "vtkCubeSource.h"
+#include "vtkTranslucentPass.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+/** An opaque wall over the right of the view, and translucent parts on both sides of it, some of them behind it wholly. */
+class TransparentScene : public CullerScene
+{
+public:
+  static constexpr int HiddenSpheres = 12;
+  static constexpr int HiddenBoxes = 20; ///< at least, from straight ahead; opaque
+
+  explicit TransparentScene(int samples)
+    : CullerScene({ "", samples, false, 270, 97, 71 })
+  {
+    this->AddMesh(MeshOf({ Rectangle(-0.1, -2.0, 2.0, 2.0, 0.0) }));
+    this->AddHidden();
+    for (int i = 0; i < HiddenSpheres; ++i)
+    {
+      const double height = -0.6 + 0.1 * i;
+      this->AddSphere(-0.6, height, i % 2 ? 0.4 : -0.7, 0.25, this->NextTranslucent());
+      this->AddSphere(0.55, height, -0.2, 0.15, this->NextTranslucent()); // hidden
+      this->AddSphere(0.4, height, 0.3, 0.2, this->NextTranslucent());
+    }
+  }
+
+  /** A translucent box around all of it. */
+  void AddHousing()
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetXLength(5.0);
+    cube->SetYLength(5.0);
+    cube->SetZLength(2.2);
+    this->AddSource(cube, { 0.7, 0.8, 0.9, 0.3 });
+  }
+
+private:
+  Rgba NextTranslucent()
+  {
+    return { this->Values.Unit(), this->Values.Unit(), this->Values.Unit(),
+      0.2 + 0.6 * this->Values.Unit() };
+  }
+
+  TestRandom Values{ 300 };
+};
+
+class CullerTransparency : public testing::TestWithParam<Method>
+{
+protected:
+  // Draws with culling and without, and expects the same picture and the same fragments of it. Where a pixel is a group, edges of
+  // what is hidden leak through what hides it: a few pixels have less of that.
+  static void ExpectSame(TransparentScene& scene)
+  {
+    const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
+    scene.Use(pass);
+    TestRandom random(301);
+    for (int pose = 0; pose < 3; ++pose)
+    {
+      SCOPED_TRACE("pose " + std::to_string(pose) + " of seed 301");
+      scene.Culler->CullingOn();
+      const Picture culled = scene.Render();
+      const vtkTypeInt64 fragments = pass->GetFragmentCount();
+      const vtkTypeInt64 layers = pass->GetLayersMax();
+      const int leftOut = scene.Culler->GetNumberOfCulledParts();
+      EXPECT_STREQ(pass->GetFallbackReason(), "");
+      EXPECT_GE(
+        leftOut, pose == 0 ? TransparentScene::HiddenSpheres + TransparentScene::HiddenBoxes : 1);
+      scene.Culler->CullingOff();
+      EXPECT_EQ(LargestDifference(culled, scene.Render(), GetParam().HasGroups() ? 0.01 : 0.0), 0);
+      EXPECT_GT(fragments, 0);
+      EXPECT_EQ(fragments, pass->GetFragmentCount());
+      EXPECT_EQ(layers, pass->GetLayersMax());
+      scene.LookFromAnywhere(random);
+    }
+  }
+};
+
+TEST_P(CullerTransparency, PartsBehindOpaqueOnesAreLeftOut)
+{
+  for (const int samples : GetParam().Samples())
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    TransparentScene scene(samples);
+    this->ExpectSame(scene);
+  }
+}
+
+TEST_P(CullerTransparency, HousingsHideNothing)
+{
+  for (const int samples : GetParam().Samples())
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    TransparentScene scene(samples);
+    scene.AddHousing();
+    this->ExpectSame(scene);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Methods, CullerTransparency, testing::ValuesIn(AllMethods()), MethodName());
+
+// Blending in the order of the actors shows if that changes.
+TEST(CullerTransparencyOrder, OfWhatIsLeftIsKept)
+{
+  TransparentScene scene(0);
+  scene.AddHousing();
+  scene.Use(vtkSmartPointer<vtkTranslucentPass>::New());
+  EXPECT_GE(scene.ExpectSame(), TransparentScene::HiddenSpheres);
+  TestRandom random(302);
+  for (int pose = 0; pose < 3; ++pose)
+  {
+    scene.LookFromAnywhere(random);
+    EXPECT_GT(scene.ExpectSame(), 0);
+  }
+}
+
+// A part that turns translucent hides nothing any more, and one that turns opaque does, whatever was drawn before.
+TEST(CullerTransparencyOrder, PartsThatTurnTranslucentAndBack)
+{
+  TransparentScene scene(0);
+  scene.Use(AllMethods()[0].Make());
+  const vtkSmartPointer<vtkActor> lid = scene.AddWall(0.8);
+  const int all = scene.ExpectSame();
+  for (int again = 0; again < 2; ++again)
+  {
+    lid->GetProperty()->SetOpacity(0.5);
+    const int behindTheRest = scene.ExpectSame();
+    EXPECT_GE(behindTheRest, TransparentScene::HiddenSpheres);
+    EXPECT_LT(behindTheRest, all);
+    lid->GetProperty()->SetOpacity(1.0);
+    EXPECT_EQ(scene.ExpectSame(), all);
+  }
+}
+
+}
