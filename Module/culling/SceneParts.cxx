@@ -12,9 +12,11 @@
 #include "vtkTrivialProducer.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace vitrine
@@ -36,6 +38,12 @@ const std::size_t MostGeometries = 2;
 
 // Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
 const double FarthestSum = 1e15;
+
+// Boxes are put around the middle of parts that are farther from the origin than so many times their size.
+const double FarOff = 1000.0;
+
+// What doubles make of the origin on the way to the screen, as a share of it, over RoundingOfSums.
+const double RoundingOfOrigin = 0x1p-48 / RoundingOfSums;
 
 /** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
 bool IsAffine(const glm::dmat4& m)
@@ -77,6 +85,11 @@ void SceneParts::Update(vtkProp* const* props, int count)
   if (known != this->Parts.size() || hasChanged)
   {
     this->Replant(moved, known);
+    glm::dvec3 middle;
+    if (this->IsFarOff(middle))
+    {
+      this->MoveOrigin(middle);
+    }
     this->MeasureAll();
     this->DropDeadGeometries();
   }
@@ -186,6 +199,7 @@ Box SceneParts::Read(Part& part)
   double elements[16];
   part.Actor->GetMatrix(elements);
   part.ToWorld = MatrixOf(elements);
+  part.ToWorld[3] -= glm::dvec4(this->Middle, 0.0);
   part.Growth = GrowthOf(part.Actor, *part.Geometry);
   part.MayHide = IsAffine(part.ToWorld) && part.Geometry->IsFinite() && IsOpaqueSurface(part.Actor);
   const glm::dvec3& least = part.Geometry->Least();
@@ -197,9 +211,12 @@ Box SceneParts::Read(Part& part)
     return Box();
   }
   const glm::dvec3 middle(part.ToWorld * glm::dvec4(0.5 * (least + greatest), 1.0));
-  const glm::dvec3 largest = glm::max(glm::abs(least), glm::abs(greatest));
+  const bool isAboutMiddle = IsDrawnAboutMiddle(part.Mapper, *part.Geometry);
+  const glm::dvec3 largest =
+    isAboutMiddle ? 0.5 * (greatest - least) : glm::max(glm::abs(least), glm::abs(greatest));
   glm::dvec3 half(0.0);
-  part.Sums = glm::abs(glm::dvec3(part.ToWorld[3]));
+  part.Sums = glm::abs(isAboutMiddle ? middle : glm::dvec3(part.ToWorld[3])) +
+    RoundingOfOrigin * glm::abs(this->Middle);
   for (int axis = 0; axis < 3; ++axis)
   {
     const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
@@ -256,6 +273,37 @@ void SceneParts::Replant(std::vector<Octree::MovedItem>& moved, std::size_t know
   }
 }
 
+/** Whether parts are small for how far they are from the origin, as those on maps are. */
+bool SceneParts::IsFarOff(glm::dvec3& middle) const
+{
+  glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (this->BoxOf[i].IsPlaceable() && this->Parts[i].SeenIn == this->Frame)
+    {
+      least = glm::min(least, glm::dvec3(this->BoxOf[i].Min));
+      greatest = glm::max(greatest, glm::dvec3(this->BoxOf[i].Max));
+    }
+  }
+  middle = 0.5 * (least + greatest);
+  return glm::length(middle) > FarOff * glm::length(greatest - least);
+}
+
+/** Has boxes count from `middle`, which counts from the old origin. */
+void SceneParts::MoveOrigin(const glm::dvec3& middle)
+{
+  this->Middle += middle;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    Part& part = this->Parts[i];
+    const bool isThere = part.SeenIn == this->Frame;
+    this->BoxOf[i] = isThere && part.Actor ? this->Read(part) : Box();
+    part.PropTime = isThere ? part.PropTime : 0; // others are looked at when they come again
+  }
+  this->Boxes =
+    Octree(BoxArray(this->BoxOf.data(), static_cast<std::uint32_t>(this->BoxOf.size())), LeafSize);
+}
+
 void SceneParts::MeasureAll()
 {
   this->Farthest = glm::dvec3(0.0);
@@ -264,9 +312,7 @@ void SceneParts::MeasureAll()
   {
     if (this->BoxOf[i].IsPlaceable())
     {
-      this->Farthest = glm::max(this->Farthest,
-        glm::max(
-          glm::abs(glm::dvec3(this->BoxOf[i].Min)), glm::abs(glm::dvec3(this->BoxOf[i].Max))));
+      this->Farthest = glm::max(this->Farthest, this->Parts[i].Sums);
       this->Growth = std::max(this->Growth, this->Parts[i].Growth);
     }
   }

@@ -32,6 +32,9 @@ public:
   /** Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does. */
   void Update(vtkProp* const* props, int count);
 
+  /** Where boxes and occluders count from, in world coordinates (WC). */
+  const glm::dvec3& Origin() const { return this->Middle; }
+
   /** Of all boxes; what cannot be hidden has no place in it. */
   const Octree& Tree() const { return this->Boxes; }
   const std::vector<Box>& Bounds() const { return this->BoxOf; }
@@ -42,7 +45,7 @@ public:
   /** Puts 1 for the parts that were in the last update, 0 for others. */
   void MarkDrawn(std::vector<std::uint8_t>& visible) const;
 
-  /** The largest absolute coordinate, in world coordinates (WC). */
+  /** The largest sums of absolute values that lead to coordinates from the origin. */
   const glm::dvec3& Reach() const { return this->Farthest; }
 
   /** By how many pixels lines and points are drawn wider than they are. */
@@ -69,8 +72,8 @@ private:
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
     std::shared_ptr<PartGeometry> Geometry;
-    glm::dmat4 ToWorld{ 1.0 };
-    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
+    glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
+    glm::dvec3 Sums{ 0.0 };    ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;
   };
@@ -85,6 +88,8 @@ private:
   void DropDeadGeometries();
   void Replant(std::vector<Octree::MovedItem>& moved, std::size_t known);
   void MeasureAll();
+  bool IsFarOff(glm::dvec3& middle) const;
+  void MoveOrigin(const glm::dvec3& middle);
 
   std::vector<Part> Parts;
   std::vector<Box> BoxOf;
@@ -95,6 +100,7 @@ private:
   vtkMTimeType Frame = 0;   ///< counts updates
   Octree Boxes;
   int Offsets = 0; ///< of coincident topology, as they were
+  glm::dvec3 Middle{ 0.0 };
   glm::dvec3 Farthest{ 0.0 };
   float Growth = 0.0f;
 };
