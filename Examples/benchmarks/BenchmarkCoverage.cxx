@@ -70,7 +70,7 @@ OccluderMesh SpheresOf(std::int64_t triangles)
 void ProjectMesh(benchmark::State& state)
 {
   const OccluderMesh mesh = SpheresOf(state.range(0));
-  const ScreenMatrix toScreen = ViewOfCube().Of(glm::dmat4(1.0), 1.0f);
+  const ScreenMatrix toScreen = ViewOfCube().Of(glm::dmat4(1.0));
   MeshProjection projection;
   for (auto _ : state)
   {
@@ -86,7 +86,7 @@ void CoverMesh(benchmark::State& state)
 {
   const OccluderMesh mesh = SpheresOf(state.range(0));
   MeshProjection projection;
-  projection.Project(mesh, ViewOfCube().Of(glm::dmat4(1.0), 1.0f));
+  projection.Project(mesh, ViewOfCube().Of(glm::dmat4(1.0)));
   SBuffer buffer(480, 270, SampleGrid::AtCentres(4));
   Coverage coverage;
   for (auto _ : state)

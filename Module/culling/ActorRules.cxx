@@ -12,6 +12,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -20,7 +22,10 @@
 #include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine
 {
@@ -108,6 +113,19 @@ vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)
 vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader)
 {
   return std::max(shader->GetMTime(), shader->GetShaderMTime());
+}
+
+bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
+{
+  const bool isUsual = static_cast<vtkOpenGLPolyDataMapper*>(mapper)->GetVBOShiftScaleMethod() ==
+      vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE &&
+    vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled();
+  const glm::dvec3 size = geometry.Greatest() - geometry.Least();
+  const glm::dvec3 middle = 0.5 * (geometry.Greatest() + geometry.Least());
+  // VTK's limits are 1e6 and 3. Just above them it is taken not to, which is never the better case.
+  return isUsual && glm::dot(size, size) > 0.0 &&
+    (glm::dot(middle, middle) / glm::dot(size, size) > 1.001e6 ||
+      std::abs(std::log10(glm::dot(size, size))) > 3.001);
 }
 
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry)

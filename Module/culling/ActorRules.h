@@ -26,6 +26,12 @@ vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 /** When anything in it was modified. */
 vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader);
 
+/**
+ * Whether VTK gives the device coordinates from the geometry's middle, as it does by itself where that is far from the origin for
+ * the geometry's size (vtkOpenGLVertexBufferObject::UpdateShiftScale()).
+ */
+bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry);
+
 /** By how many pixels the actor is drawn wider than its points are; less than 0 if that is not known. */
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
 

@@ -14,6 +14,8 @@
 #include "vtkSSAOPass.h"
 #include "vtkToneMappingPass.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace vitrine
 {
 
@@ -92,7 +94,8 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dmat4 toView = MatrixOf(camera->GetModelViewTransformMatrix());
   const glm::dmat4 toClip =
-    MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) * toView;
+    MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) *
+    glm::translate(toView, parts.Origin());
   const ScreenMargin snapping{ SnappedPixels / pixels, SnappedPixels / pixels, SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);
   this->Known.emplace(toClip, static_cast<double>(width) / pixels,

@@ -1,8 +1,6 @@
 #include "culling/SceneParts.h"
 
-#include "Core/culling/DeviceRounding.h"
 #include "culling/ActorRules.h"
-#include "culling/Matrices.h"
 
 #include "vtkActor.h"
 #include "vtkPolyData.h"
@@ -23,23 +21,11 @@ namespace vitrine
 namespace
 {
 
-// A tree is built anew once more than one part in so many has been put into it, or moved.
-const std::size_t FewOf = 16;
-
 // Where parts were absent for more updates than that, all is read anew: they may be gone for good.
 const vtkMTimeType LongestAbsence = 1000;
 
 // Geometries that are gone are dropped where there are more than so many to a part.
 const std::size_t MostGeometries = 2;
-
-// Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
-const double FarthestSum = 1e15;
-
-/** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
-bool IsAffine(const glm::dmat4& m)
-{
-  return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
-}
 }
 
 void SceneParts::Update(vtkProp* const* props, int count)
@@ -69,6 +55,11 @@ void SceneParts::Update(vtkProp* const* props, int count)
   if (hasChanged)
   {
     this->Replant(moved);
+    glm::dvec3 middle;
+    if (this->IsFarOff(middle))
+    {
+      this->MoveOrigin(middle);
+    }
     this->MeasureAll();
     this->DropDeadGeometries();
   }
@@ -187,114 +178,6 @@ void SceneParts::LookAtData(Part& part)
   }
 }
 
-/** Notes where the actor stands, and whether anything of it may hide. */
-void SceneParts::ReadActor(Part& part)
-{
-  double elements[16];
-  part.Actor->GetMatrix(elements);
-  part.ToWorld = MatrixOf(elements);
-  part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
-}
-
-/**
- * Returns the part's box: empty if it cannot be hidden.
- * @param farthest  the largest absolute coordinates of what the device computes with, in model coordinates (MC)
- */
-Box SceneParts::Read(Part& part, const glm::dvec3& farthest) const
-{
-  part.Growth = GrowthOf(part.Actor, *part.Geometry);
-  part.MayHide = part.MayHide && part.Geometry->IsFinite();
-  const glm::dvec3& least = part.Geometry->Least();
-  const glm::dvec3& greatest = part.Geometry->Greatest();
-  if (!part.Geometry->IsFinite() || !IsAffine(part.ToWorld) || part.Growth < 0.0f ||
-    !(least.x <= greatest.x))
-  {
-    part.Growth = 0.0f;
-    return Box();
-  }
-  const glm::dvec3 middle(part.ToWorld * glm::dvec4(0.5 * (least + greatest), 1.0));
-  glm::dvec3 half(0.0);
-  part.Sums = glm::abs(glm::dvec3(part.ToWorld[3]));
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
-    half += direction * (0.5 * (greatest[axis] - least[axis]));
-    part.Sums += direction * farthest[axis];
-  }
-  if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
-  {
-    return Box();
-  }
-  half += RoundingOfSums * part.Sums; // boxes are of doubles, a device's floats reach farther
-  return Box::Around(middle - half, middle + half);
-}
-
-/** Notes where a part is now, and that it has moved, if it has. */
-void SceneParts::Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved)
-{
-  if (!(this->BoxOf[part] == box))
-  {
-    this->BoxOf[part] = box;
-    moved.push_back(part);
-  }
-}
-
-/** Places a prop that was looked at: as one part, or as the parts that it is divided into. */
-void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved)
-{
-  this->FitPieces(whole, moved);
-  Part& part = this->Parts[whole];
-  if (part.Actor)
-  {
-    this->ReadActor(part);
-  }
-  if (!part.Actor || part.Division)
-  {
-    this->Place(whole, Box(), moved);
-  }
-  else
-  {
-    const glm::dvec3 farthest =
-      glm::max(glm::abs(part.Geometry->Least()), glm::abs(part.Geometry->Greatest()));
-    this->Place(whole, this->Read(part, farthest), moved);
-  }
-  for (std::size_t i = 0; i < part.Pieces.size(); ++i)
-  {
-    const MapperPart& divided = part.Division->Parts[i];
-    Part& piece = this->Parts[part.Pieces[i]];
-    piece.Actor = part.Actor;
-    piece.ToWorld = part.ToWorld;
-    piece.Data = divided.Data;
-    piece.Geometry = divided.Geometry;
-    piece.MayHide = part.MayHide && divided.MayHide;
-    this->Place(part.Pieces[i], this->Read(piece, part.Division->Farthest), moved);
-  }
-}
-
-/** Gives a prop as many pieces as it is divided into; none where what cannot be drawn may spoil all. */
-void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved)
-{
-  const std::shared_ptr<const MapperParts> division = this->Parts[whole].Division;
-  const std::size_t count = division && division->IsFinite ? division->Parts.size() : 0;
-  std::vector<std::uint32_t> pieces = std::move(this->Parts[whole].Pieces);
-  for (; pieces.size() > count; pieces.pop_back())
-  {
-    this->Spare.push_back(pieces.back());
-    this->Parts[pieces.back()] = Part();
-    this->Place(pieces.back(), Box(), moved);
-  }
-  for (; pieces.size() < count && !this->Spare.empty(); this->Spare.pop_back())
-  {
-    pieces.push_back(this->Spare.back());
-  }
-  for (; pieces.size() < count; this->BoxOf.emplace_back())
-  {
-    pieces.push_back(static_cast<std::uint32_t>(this->Parts.size()));
-    this->Parts.emplace_back();
-  }
-  this->Parts[whole].Pieces = std::move(pieces);
-}
-
 std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
 {
   std::weak_ptr<PartGeometry>& known = this->Geometries[data];
@@ -317,36 +200,6 @@ void SceneParts::DropDeadGeometries()
   for (auto i = this->Geometries.begin(); i != this->Geometries.end();)
   {
     i = i->second.expired() ? this->Geometries.erase(i) : std::next(i);
-  }
-}
-
-/** Puts the octree right. */
-void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
-{
-  if ((this->Boxes.PutCount() + moved.size()) * FewOf > this->Parts.size())
-  {
-    this->Boxes = LooseOctree(this->BoxOf);
-    return;
-  }
-  for (const std::uint32_t part : moved)
-  {
-    this->Boxes.Put(part, this->BoxOf[part]);
-  }
-}
-
-void SceneParts::MeasureAll()
-{
-  this->Farthest = glm::dvec3(0.0);
-  this->Growth = 0.0f;
-  for (std::size_t i = 0; i < this->Parts.size(); ++i)
-  {
-    if (this->BoxOf[i].IsPlaceable())
-    {
-      this->Farthest = glm::max(this->Farthest,
-        glm::max(
-          glm::abs(glm::dvec3(this->BoxOf[i].Min)), glm::abs(glm::dvec3(this->BoxOf[i].Max))));
-      this->Growth = std::max(this->Growth, this->Parts[i].Growth);
-    }
   }
 }
 
@@ -403,9 +256,7 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   {
     return {};
   }
-  const glm::dvec3 coarser = part.Sums / this->Farthest;
-  const double most = std::max(1.0, std::max(coarser.x, std::max(coarser.y, coarser.z)));
-  return { &part.Geometry->Occluder(part.Data), &part.ToWorld, static_cast<float>(most),
+  return { &part.Geometry->Occluder(part.Data), &part.ToWorld,
     !part.Actor->GetProperty()->GetBackfaceCulling() };
 }
 

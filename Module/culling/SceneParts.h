@@ -34,6 +34,9 @@ public:
   /** Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does. */
   void Update(vtkProp* const* props, int count);
 
+  /** Where boxes and occluders count from, in world coordinates (WC). */
+  const glm::dvec3& Origin() const { return this->Middle; }
+
   /** Of all boxes; what cannot be hidden is not in it. */
   const LooseOctree& Tree() const { return this->Boxes; }
 
@@ -53,7 +56,7 @@ public:
   std::shared_ptr<const ShownParts> Tell(vtkRenderer* renderer, const ViewMatrices& view, int i,
     const std::vector<std::uint8_t>& visible) const;
 
-  /** The largest absolute coordinate, in world coordinates (WC). */
+  /** The largest sums of absolute values that lead to coordinates from the origin. */
   const glm::dvec3& Reach() const { return this->Farthest; }
 
   /** By how many pixels lines and points are drawn wider than they are. */
@@ -81,13 +84,20 @@ private:
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
     std::shared_ptr<PartGeometry> Geometry;
-    glm::dmat4 ToWorld{ 1.0 };
-    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
+    glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
+    glm::dvec3 Sums{ 0.0 };    ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
     std::vector<std::uint32_t> Pieces;           ///< the parts of the division
+  };
+
+  /** What a device computes a part's places from. */
+  struct DeviceCoordinates
+  {
+    glm::dvec3 Origin;   ///< in model coordinates (MC)
+    glm::dvec3 Farthest; ///< the largest absolute coordinates from there
   };
 
   void LookAnewIfOffsetsChanged();
@@ -97,7 +107,8 @@ private:
   void Look(Part& part);
   void LookAtData(Part& part);
   void ReadActor(Part& part);
-  Box Read(Part& part, const glm::dvec3& farthest) const;
+  static DeviceCoordinates CoordinatesOf(const Part& part);
+  Box Read(Part& part, const DeviceCoordinates& device) const;
   void Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved);
   void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);
@@ -105,6 +116,8 @@ private:
   void DropDeadGeometries();
   void Replant(const std::vector<std::uint32_t>& moved);
   void MeasureAll();
+  bool IsFarOff(glm::dvec3& middle) const;
+  void MoveOrigin(const glm::dvec3& middle);
 
   std::vector<Part> Parts;
   std::vector<Box> BoxOf;
@@ -116,6 +129,7 @@ private:
   vtkMTimeType Frame = 0;   ///< counts updates
   LooseOctree Boxes;
   int Offsets = 0; ///< of coincident topology, as they were
+  glm::dvec3 Middle{ 0.0 };
   glm::dvec3 Farthest{ 0.0 };
   float Growth = 0.0f;
 };

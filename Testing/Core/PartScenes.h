@@ -64,7 +64,7 @@ public:
     {
       return {};
     }
-    return { part.Mesh.get(), &part.ToWorld, 1.0f, part.HasBackFaces };
+    return { part.Mesh.get(), &part.ToWorld, part.HasBackFaces };
   }
 
   /** Leaves in Visible what may show. */

@@ -103,7 +103,7 @@ TEST_P(CellCoverage, IsNearThePlaneOfAWallInAnyView)
     wall.AddQuad(-side - up, side - up, side + up, up - side);
     const OccluderMesh mesh = wall.Mesh();
     MeshProjection projection;
-    projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0), 1.0f));
+    projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0)));
     projection.FindFacings();
     SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), coverage::MostTestSpans);
     Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
@@ -144,7 +144,7 @@ TEST_P(CellCoverage, OfAShellHasTheDepthOfItsNearWall)
     const OccluderMesh mesh = coverage::ShellOf(1.2, 0.1, isOpen).Mesh();
     EXPECT_TRUE(mesh.IsClosed());
     MeshProjection projection;
-    EXPECT_TRUE(projection.Project(mesh, view.Projection(2.0).Of(glm::dmat4(1.0), 1.0f)));
+    EXPECT_TRUE(projection.Project(mesh, view.Projection(2.0).Of(glm::dmat4(1.0))));
     projection.FindFacings();
     SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), coverage::MostTestSpans);
     Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);

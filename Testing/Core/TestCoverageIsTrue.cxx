@@ -92,8 +92,7 @@ struct Tally
 void Judge(const Way& way, const Subject& subject, Facing facing, Random& random, Tally& tally)
 {
   MeshProjection projection;
-  projection.Project(
-    subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0), 1.0f));
+  projection.Project(subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0)));
   projection.FindFacings();
   SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, way.Samples(), MostTestSpans);
   Inserter(way).Insert(buffer, projection, facing, 0);
@@ -211,7 +210,7 @@ TEST_P(CoverageIsTrue, OfManyMeshesInOneBuffer)
         point = place + 0.5 * point;
       }
       const OccluderMesh mesh = triangles.Mesh();
-      projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0), 1.0f));
+      projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0)));
       projection.FindFacings();
       for (const Facing facing : { Facing::Front, Facing::Back })
       {
@@ -301,8 +300,8 @@ TEST_P(CoverageIsTrue, AndMostOfIt)
       : coverage::BallOf(6 + random.Below(30), 4 + random.Below(20), 1.0, random);
     const Subject subject{ triangles.Mesh(), coverage::WholeView(40, seed % 3 == 0, random), 1.0 };
     MeshProjection projection;
-    EXPECT_TRUE(projection.Project(
-      subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0), 1.0f)));
+    EXPECT_TRUE(
+      projection.Project(subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0))));
     projection.FindFacings();
     SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, GetParam().Samples(), MostTestSpans);
     Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);

@@ -155,7 +155,7 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
     const OccluderMesh mesh = triangles.Mesh();
     MeshProjection projection;
     projection.Project(
-      mesh, view.Projection(reach).Of(toWorld, CoarserOf(toWorld, triangles.Points, reach)));
+      mesh, view.Projection(reach * CoarserOf(toWorld, triangles.Points, reach)).Of(toWorld));
     projection.FindFacings();
     std::vector<bool> counts(mesh.PointCount(), false);
     for (std::uint32_t i = 0; i < mesh.Faces().size(); ++i)

@@ -76,7 +76,7 @@ ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines, double reach)
     toClip[at / 4][at % 4] = bytes.Number();
   }
   return ScreenProjection(toClip, columns, lines, glm::dvec3(reach), { most, most, 0.1f * most })
-    .Of(glm::dmat4(1.0), 1.0f);
+    .Of(glm::dmat4(1.0));
 }
 
 /** The faces that a device may draw: behind the near plane, each point moved by up to the margin. */

@@ -169,8 +169,7 @@ private:
 
   bool Project(const Occluder& occluder)
   {
-    return this->Culler.Projected.Project(
-      *occluder.Mesh, this->View.Of(*occluder.ToWorld, occluder.Coarser));
+    return this->Culler.Projected.Project(*occluder.Mesh, this->View.Of(*occluder.ToWorld));
   }
 
   bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const

@@ -22,7 +22,6 @@ struct Occluder
 {
   const OccluderMesh* Mesh = nullptr;  ///< null if it hides nothing
   const glm::dmat4* ToWorld = nullptr; ///< from the mesh's model coordinates
-  float Coarser = 1.0f;                ///< see ScreenProjection::Of()
   bool HasBackFaces = true; ///< whether faces that go around clockwise on the screen are drawn, too
 };
 

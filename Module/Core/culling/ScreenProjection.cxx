@@ -121,10 +121,10 @@ ScreenRectangle ScreenProjection::Grown(const ScreenRectangle& rectangle) const
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, float coarser) const
+ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld) const
 {
   ScreenMatrix matrix;
-  matrix.Rounding = this->World.Rounding * coarser;
+  matrix.Rounding = this->World.Rounding;
   matrix.Snapping = this->World.Snapping;
   matrix.Size = this->World.Size;
   DoubleLanes columns[4];

@@ -67,7 +67,7 @@ public:
    * @param toClip    from world coordinates to OpenGL's clip coordinates, for column vectors
    * @param columns   of what is seen from left to right; the last may be a part of one
    * @param lines     from bottom to top
-   * @param reach     the largest absolute coordinate of what is drawn: the larger they are, the coarser a device's floats
+   * @param reach     the largest sums of absolute values that lead to coordinates of what is drawn: the larger they are, the coarser a device's floats
    * @param snapping  what a rasteriser moves edges and depths by, besides the rounding of its floats
    * @param growth    by how many columns and lines boxes reach farther on the screen, for lines and points that are drawn wider
    *                  than they are
@@ -86,10 +86,9 @@ public:
 
   /**
    * Of a part's model coordinates.
-   * @param toWorld  from model coordinates
-   * @param coarser  how many times as large as `reach` the sums are that lead from its coordinates to the world
+   * @param toWorld  from model coordinates; the sums that lead to the world from there are no larger than `reach`
    */
-  ScreenMatrix Of(const glm::dmat4& toWorld, float coarser) const;
+  ScreenMatrix Of(const glm::dmat4& toWorld) const;
 
 private:
   ScreenMatrix World;

@@ -1,0 +1,231 @@
+// Where parts are: their boxes, and the octree of them.
+
+#include "culling/SceneParts.h"
+
+#include "Core/culling/DeviceRounding.h"
+#include "culling/ActorRules.h"
+#include "culling/Matrices.h"
+
+#include "vtkActor.h"
+#include "vtkPolyDataMapper.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// A tree is built anew once more than one part in so many has been put into it, or moved.
+const std::size_t FewOf = 16;
+
+// Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
+const double FarthestSum = 1e15;
+
+// Boxes are put around the middle of parts that are farther from the origin than so many times their size.
+const double FarOff = 1000.0;
+
+// What doubles make of the origin on the way to the screen, as a share of it, over RoundingOfSums.
+const double RoundingOfOrigin = 0x1p-48 / RoundingOfSums;
+
+/** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
+bool IsAffine(const glm::dmat4& m)
+{
+  return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
+}
+}
+
+/** Notes where the actor stands, and whether anything of it may hide. */
+void SceneParts::ReadActor(Part& part)
+{
+  double elements[16];
+  part.Actor->GetMatrix(elements);
+  part.ToWorld = MatrixOf(elements);
+  part.ToWorld[3] -= glm::dvec4(this->Middle, 0.0);
+  part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
+}
+
+/** Of a part that is a prop. */
+SceneParts::DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
+{
+  const glm::dvec3& least = part.Geometry->Least();
+  const glm::dvec3& greatest = part.Geometry->Greatest();
+  if (IsDrawnAboutMiddle(part.Mapper, *part.Geometry))
+  {
+    return { 0.5 * (least + greatest), 0.5 * (greatest - least) };
+  }
+  return { glm::dvec3(0.0), glm::max(glm::abs(least), glm::abs(greatest)) };
+}
+
+/** Returns the part's box: empty if it cannot be hidden. */
+Box SceneParts::Read(Part& part, const DeviceCoordinates& device) const
+{
+  part.Growth = GrowthOf(part.Actor, *part.Geometry);
+  part.MayHide = part.MayHide && part.Geometry->IsFinite();
+  const glm::dvec3& least = part.Geometry->Least();
+  const glm::dvec3& greatest = part.Geometry->Greatest();
+  if (!part.Geometry->IsFinite() || !IsAffine(part.ToWorld) || part.Growth < 0.0f ||
+    !(least.x <= greatest.x))
+  {
+    part.Growth = 0.0f;
+    return Box();
+  }
+  const glm::dvec3 middle(part.ToWorld * glm::dvec4(0.5 * (least + greatest), 1.0));
+  glm::dvec3 half(0.0);
+  part.Sums = glm::abs(glm::dvec3(part.ToWorld * glm::dvec4(device.Origin, 1.0))) +
+    RoundingOfOrigin * glm::abs(this->Middle);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
+    half += direction * (0.5 * (greatest[axis] - least[axis]));
+    part.Sums += direction * device.Farthest[axis];
+  }
+  if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
+  {
+    return Box();
+  }
+  half += RoundingOfSums * part.Sums; // boxes are of doubles, a device's floats reach farther
+  return Box::Around(middle - half, middle + half);
+}
+
+/** Notes where a part is now, and that it has moved, if it has. */
+void SceneParts::Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved)
+{
+  if (!(this->BoxOf[part] == box))
+  {
+    this->BoxOf[part] = box;
+    moved.push_back(part);
+  }
+}
+
+/** Places a prop that was looked at: as one part, or as the parts that it is divided into. */
+void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved)
+{
+  this->FitPieces(whole, moved);
+  Part& part = this->Parts[whole];
+  if (part.Actor)
+  {
+    this->ReadActor(part);
+  }
+  if (!part.Actor || part.Division)
+  {
+    this->Place(whole, Box(), moved);
+  }
+  else
+  {
+    this->Place(whole, this->Read(part, CoordinatesOf(part)), moved);
+  }
+  for (std::size_t i = 0; i < part.Pieces.size(); ++i)
+  {
+    const MapperPart& divided = part.Division->Parts[i];
+    Part& piece = this->Parts[part.Pieces[i]];
+    piece.Actor = part.Actor;
+    piece.ToWorld = part.ToWorld;
+    piece.Data = divided.Data;
+    piece.Geometry = divided.Geometry;
+    piece.MayHide = part.MayHide && divided.MayHide;
+    this->Place(
+      part.Pieces[i], this->Read(piece, { glm::dvec3(0.0), part.Division->Farthest }), moved);
+  }
+}
+
+/** Gives a prop as many pieces as it is divided into; none where what cannot be drawn may spoil all. */
+void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved)
+{
+  const std::shared_ptr<const MapperParts> division = this->Parts[whole].Division;
+  const std::size_t count = division && division->IsFinite ? division->Parts.size() : 0;
+  std::vector<std::uint32_t> pieces = std::move(this->Parts[whole].Pieces);
+  for (; pieces.size() > count; pieces.pop_back())
+  {
+    this->Spare.push_back(pieces.back());
+    this->Parts[pieces.back()] = Part();
+    this->Place(pieces.back(), Box(), moved);
+  }
+  for (; pieces.size() < count && !this->Spare.empty(); this->Spare.pop_back())
+  {
+    pieces.push_back(this->Spare.back());
+  }
+  for (; pieces.size() < count; this->BoxOf.emplace_back())
+  {
+    pieces.push_back(static_cast<std::uint32_t>(this->Parts.size()));
+    this->Parts.emplace_back();
+  }
+  this->Parts[whole].Pieces = std::move(pieces);
+}
+
+/** Puts the octree right. */
+void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
+{
+  if ((this->Boxes.PutCount() + moved.size()) * FewOf > this->Parts.size())
+  {
+    this->Boxes = LooseOctree(this->BoxOf);
+    return;
+  }
+  for (const std::uint32_t part : moved)
+  {
+    this->Boxes.Put(part, this->BoxOf[part]);
+  }
+}
+
+/** Whether parts are small for how far they are from the origin, as those on maps are. */
+bool SceneParts::IsFarOff(glm::dvec3& middle) const
+{
+  glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (this->BoxOf[i].IsPlaceable() &&
+      (this->Parts[i].SeenIn == this->Frame || !this->Parts[i].Prop))
+    {
+      least = glm::min(least, glm::dvec3(this->BoxOf[i].Min));
+      greatest = glm::max(greatest, glm::dvec3(this->BoxOf[i].Max));
+    }
+  }
+  middle = 0.5 * (least + greatest);
+  return glm::length(middle) > FarOff * glm::length(greatest - least);
+}
+
+/** Has boxes count from `middle`, which counts from the old origin. Parts that are not there are looked at when they come again. */
+void SceneParts::MoveOrigin(const glm::dvec3& middle)
+{
+  this->Middle += middle;
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t whole = 0; whole < this->Parts.size(); ++whole)
+  {
+    if (this->Parts[whole].SeenIn == this->Frame)
+    {
+      this->PlaceWhole(whole, moved);
+    }
+    else if (this->Parts[whole].Prop)
+    {
+      this->Parts[whole].PropTime = 0;
+      this->Place(whole, Box(), moved);
+      for (const std::uint32_t piece : this->Parts[whole].Pieces)
+      {
+        this->Place(piece, Box(), moved);
+      }
+    }
+  }
+  this->Boxes = LooseOctree(this->BoxOf);
+}
+
+void SceneParts::MeasureAll()
+{
+  this->Farthest = glm::dvec3(0.0);
+  this->Growth = 0.0f;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (this->BoxOf[i].IsPlaceable())
+    {
+      this->Farthest = glm::max(this->Farthest, this->Parts[i].Sums);
+      this->Growth = std::max(this->Growth, this->Parts[i].Growth);
+    }
+  }
+}
+
+}
