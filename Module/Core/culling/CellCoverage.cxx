@@ -177,9 +177,11 @@ void CellCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
   {
     this->Deal(this->EdgePieces[i].Touched, i, this->TileEdges);
   }
-  for (int tile = this->FirstTile; tile <= this->LastTile; ++tile)
+  for (int tile = this->FirstTile; tile <= this->LastTile;)
   {
-    this->InsertCell(buffer, line, tile, part);
+    const TileRange alike{ tile, this->LastLike(tile) };
+    this->InsertCells(buffer, line, alike, part);
+    tile = alike.Last + 1;
   }
   for (std::uint32_t i = this->FaceHeads[index]; i != None; i = this->FacePieces[i].Next)
   {
@@ -207,11 +209,36 @@ void CellCoverage::Deal(
   }
 }
 
-void CellCoverage::InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t part)
+/** The last of the tiles from one on that have nothing but the same face, as those in the midst of a large one: they are one cell. */
+int CellCoverage::LastLike(int tile) const
 {
-  const std::size_t index = static_cast<std::size_t>(tile - this->FirstTile);
-  if (this->TileFaces[index] == None ||
-    buffer.IsCoveredBefore(line, tile, this->Projection->Rectangle().Nearest))
+  const auto onlyFaceOf = [&](int other)
+  {
+    const std::size_t index = static_cast<std::size_t>(other - this->FirstTile);
+    const std::uint32_t first = this->TileFaces[index];
+    const bool isAlone =
+      first != None && this->Entries[first].Next == None && this->TileEdges[index] == None;
+    return isAlone ? this->Entries[first].Piece : None;
+  };
+  const std::uint32_t face = onlyFaceOf(tile);
+  while (face != None && tile < this->LastTile && onlyFaceOf(tile + 1) == face)
+  {
+    ++tile;
+  }
+  return tile;
+}
+
+void CellCoverage::InsertCells(
+  SBuffer& buffer, int line, const TileRange& tiles, std::uint32_t part)
+{
+  const std::size_t index = static_cast<std::size_t>(tiles.First - this->FirstTile);
+  int open = tiles.First;
+  while (
+    open <= tiles.Last && buffer.IsCoveredBefore(line, open, this->Projection->Rectangle().Nearest))
+  {
+    ++open;
+  }
+  if (this->TileFaces[index] == None || open > tiles.Last)
   {
     return;
   }
@@ -225,7 +252,7 @@ void CellCoverage::InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t
     {
       ++end;
     }
-    this->InsertSheet(buffer, line, tile, first, end, part);
+    this->InsertSheet(buffer, line, tiles, first, end, part);
     first = end;
   }
 }
@@ -277,11 +304,11 @@ std::uint32_t CellCoverage::SheetOf(std::uint32_t piece)
   return piece;
 }
 
-void CellCoverage::InsertSheet(
-  SBuffer& buffer, int line, int tile, std::size_t first, std::size_t end, std::uint32_t part)
+void CellCoverage::InsertSheet(SBuffer& buffer, int line, const TileRange& tiles, std::size_t first,
+  std::size_t end, std::uint32_t part)
 {
-  const float tileLeft = static_cast<float>(tile * SBuffer::TileWidth);
-  const float tileRight = tileLeft + SBuffer::TileWidth;
+  const float tileLeft = static_cast<float>(tiles.First * SBuffer::TileWidth);
+  const float tileRight = static_cast<float>((tiles.Last + 1) * SBuffer::TileWidth);
   this->Covered.clear();
   for (std::size_t i = first; i < end; ++i)
   {
@@ -306,8 +333,8 @@ void CellCoverage::InsertSheet(
   const auto byLeft = [](const Interval& a, const Interval& b) { return a.Left < b.Left; };
   std::sort(this->Covered.begin(), this->Covered.end(), byLeft);
   std::sort(this->Open.begin(), this->Open.end(), byLeft);
-  const DepthBound bound = this->BoundSheet(line, tile, first, end);
-  const float slope = (bound.Right - bound.Left) / SBuffer::TileWidth;
+  const DepthBound bound = this->BoundSheet(line, tiles, first, end);
+  const float slope = (bound.Right - bound.Left) / (tileRight - tileLeft);
   const auto insert = [&](float left, float right)
   {
     if (left < right)
@@ -341,9 +368,11 @@ void CellCoverage::InsertSheet(
   }
 }
 
-DepthBound CellCoverage::BoundSheet(int line, int tile, std::size_t first, std::size_t end) const
+DepthBound CellCoverage::BoundSheet(
+  int line, const TileRange& tiles, std::size_t first, std::size_t end) const
 {
-  const float left = static_cast<float>(tile * SBuffer::TileWidth);
+  const float left = static_cast<float>(tiles.First * SBuffer::TileWidth);
+  const float right = static_cast<float>((tiles.Last + 1) * SBuffer::TileWidth);
   DepthBound bound{ 2.0f, 2.0f };
   for (std::size_t i = first; i < end; ++i)
   {
@@ -356,9 +385,9 @@ DepthBound CellCoverage::BoundSheet(int line, int tile, std::size_t first, std::
     const float lowest = std::min(std::min(a.Line, b.Line), c.Line) - above;
     const float highest = std::max(std::max(a.Line, b.Line), c.Line) + above;
     const DepthPlane plane(a, b, c, this->Margin, this->Margin.Column, above);
-    const DepthBound own = plane.Within(left, left + SBuffer::TileWidth,
-      std::max(static_cast<float>(line) + this->Inset, lowest),
-      std::min(static_cast<float>(line + 1) - this->Inset, highest));
+    const DepthBound own =
+      plane.Within(left, right, std::max(static_cast<float>(line) + this->Inset, lowest),
+        std::min(static_cast<float>(line + 1) - this->Inset, highest));
     bound.Left = std::min(bound.Left, own.Left);
     bound.Right = std::min(bound.Right, own.Right);
   }

@@ -44,6 +44,12 @@ private:
     float Right;
   };
 
+  struct TileRange
+  {
+    int First;
+    int Last;
+  };
+
   /** A face on a line. */
   struct FacePiece
   {
@@ -90,12 +96,13 @@ private:
   void AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, std::uint32_t right);
   void InsertLine(SBuffer& buffer, int line, std::uint32_t part);
   void Deal(const Interval& touched, std::uint32_t piece, std::vector<std::uint32_t>& heads);
-  void InsertCell(SBuffer& buffer, int line, int tile, std::uint32_t part);
+  int LastLike(int tile) const;
+  void InsertCells(SBuffer& buffer, int line, const TileRange& tiles, std::uint32_t part);
   void FindSheets(std::size_t index);
   std::uint32_t SheetOf(std::uint32_t piece);
-  void InsertSheet(
-    SBuffer& buffer, int line, int tile, std::size_t first, std::size_t end, std::uint32_t part);
-  DepthBound BoundSheet(int line, int tile, std::size_t first, std::size_t end) const;
+  void InsertSheet(SBuffer& buffer, int line, const TileRange& tiles, std::size_t first,
+    std::size_t end, std::uint32_t part);
+  DepthBound BoundSheet(int line, const TileRange& tiles, std::size_t first, std::size_t end) const;
   float Aside(float own) const { return this->Margin.Column + own; }
   float Above(float own) const { return this->Margin.Line + own - this->Inset; }
 

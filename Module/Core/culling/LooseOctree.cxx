@@ -37,6 +37,7 @@ LooseOctree::LooseOctree(const std::vector<Box>& boxes)
     }
   }
   this->Places.resize(boxes.size());
+  this->IsHeld.resize(boxes.size(), 0);
   if (!entries.empty())
   {
     this->Nodes.reserve(entries.size() / 2 + 1);
@@ -176,6 +177,7 @@ void LooseOctree::PutIntoLane(std::uint32_t node, int lane, const Entry& entry)
   this->Nodes[node].Boxes.Set(lane, entry.Bounds);
   this->Nodes[node].Counts[lane] = 1;
   this->Places[entry.Item] = { node, lane };
+  this->IsHeld[entry.Item] = 1;
 }
 
 void LooseOctree::Put(std::uint32_t item, const Box& box)
@@ -184,15 +186,16 @@ void LooseOctree::Put(std::uint32_t item, const Box& box)
   if (this->Places.size() <= item)
   {
     this->Places.resize(item + 1);
+    this->IsHeld.resize(item + 1, 0);
   }
   const Place place = this->Places[item];
-  const bool isHeld = place.Node != LooseNode::None;
+  const bool isHeld = this->Holds(item);
   if (!box.IsPlaceable())
   {
     if (isHeld)
     {
       this->Remove(place);
-      this->Places[item] = {};
+      this->IsHeld[item] = 0;
     }
     return;
   }
@@ -303,7 +306,8 @@ void LooseOctree::UpdateAbove(std::uint32_t node)
 std::size_t LooseOctree::Bytes() const
 {
   return sizeof(*this) + this->Nodes.capacity() * sizeof(LooseNode) +
-    this->Cells.capacity() * sizeof(Cell) + this->Places.capacity() * sizeof(Place);
+    this->Cells.capacity() * sizeof(Cell) + this->Places.capacity() * sizeof(Place) +
+    this->IsHeld.capacity();
 }
 
 }

@@ -89,10 +89,10 @@ public:
   }
 
   /** Whether the item stands in the tree. */
-  bool Holds(std::uint32_t item) const
-  {
-    return item < this->Places.size() && this->Places[item].Node != LooseNode::None;
-  }
+  bool Holds(std::uint32_t item) const { return item < this->IsHeld.size() && this->IsHeld[item]; }
+
+  /** The same of all items that were ever put. */
+  const std::vector<std::uint8_t>& HeldItems() const { return this->IsHeld; }
 
   /**
    * Puts an item where its box is, whether it was in the tree before or not; one without a place leaves the tree. Touches the nodes that
@@ -162,8 +162,9 @@ private:
   void UpdateAbove(std::uint32_t node);
 
   std::vector<LooseNode> Nodes;
-  std::vector<Cell> Cells;   ///< of the nodes
-  std::vector<Place> Places; ///< of the items
+  std::vector<Cell> Cells;          ///< of the nodes
+  std::vector<Place> Places;        ///< of the items
+  std::vector<std::uint8_t> IsHeld; ///< each item
   std::size_t Changes = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "Core/culling/PartCuller.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace vitrine
@@ -21,6 +22,16 @@ bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
 {
   const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
   return static_cast<float>(faces) > cells * MostFacesPerCell;
+}
+
+/** What the tree holds and does not show is not visible. By the million, so without branches. */
+void KeepShown(
+  const std::uint8_t* shows, const std::uint8_t* isHeld, std::size_t count, std::uint8_t* isVisible)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    isVisible[i] &= static_cast<std::uint8_t>(shows[i] | (isHeld[i] ^ 1));
+  }
 }
 
 // Occluders of no more get one depth.
@@ -223,16 +234,14 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   this->WasSmall.resize(visible.size(), 0);
   if (occlusion)
   {
-    this->Budget.Begin(static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 1)));
+    this->Budget.Begin(std::accumulate(visible.begin(), visible.end(), std::size_t{ 0 }));
   }
   if (!tree.IsEmpty())
   {
     Walk(*this, tree, occluders, view, occlusion, visible).VisitNode(tree.Node(0));
   }
-  for (std::uint32_t i = 0; i < visible.size(); ++i)
-  {
-    visible[i] &= static_cast<std::uint8_t>(this->Shows[i] | !tree.Holds(i));
-  }
+  const std::size_t count = std::min(tree.HeldItems().size(), visible.size());
+  KeepShown(this->Shows.data(), tree.HeldItems().data(), count, visible.data());
 }
 
 }
