@@ -87,6 +87,7 @@ void SceneParts::ForgetAbsent()
   {
     this->Parts.clear();
     this->Spare.clear();
+    this->HasPieces.clear();
     this->BoxOf.clear();
     this->Index.clear();
     this->Geometries.clear();
@@ -209,26 +210,32 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
   for (const std::uint32_t part : this->Drawn)
   {
     visible[part] = 1;
-    for (const std::uint32_t piece : this->Parts[part].Pieces)
+    if (this->HasPieces[part])
     {
-      visible[piece] = 1;
+      for (const std::uint32_t piece : this->Parts[part].Pieces)
+      {
+        visible[piece] = 1;
+      }
     }
   }
 }
 
 int SceneParts::CountParts(int i) const
 {
-  const Part& part = this->Parts[this->Drawn[static_cast<std::size_t>(i)]];
-  return part.Pieces.empty() ? 1 : static_cast<int>(part.Pieces.size());
+  const std::uint32_t part = this->Drawn[static_cast<std::size_t>(i)];
+  return this->HasPieces[part] ? static_cast<int>(this->Parts[part].Pieces.size()) : 1;
 }
 
 int SceneParts::CountHidden(int i, const std::vector<std::uint8_t>& visible) const
 {
   const std::uint32_t part = this->Drawn[static_cast<std::size_t>(i)];
+  if (!this->HasPieces[part])
+  {
+    return !visible[part];
+  }
   const std::vector<std::uint32_t>& pieces = this->Parts[part].Pieces;
-  return pieces.empty() ? !visible[part]
-                        : static_cast<int>(std::count_if(pieces.begin(), pieces.end(),
-                            [&](std::uint32_t piece) { return !visible[piece]; }));
+  return static_cast<int>(std::count_if(
+    pieces.begin(), pieces.end(), [&](std::uint32_t piece) { return !visible[piece]; }));
 }
 
 std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const ViewMatrices& view,

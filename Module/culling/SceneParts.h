@@ -70,7 +70,7 @@ private:
    * A prop, and what was known of it when it was last looked at. What pointers lead to is there as long as the times of what holds
    * them have not changed.
    */
-  struct Part
+  struct alignas(64) Part // what is read in each frame fills two cache lines
   {
     vtkProp* Prop = nullptr;
     vtkMTimeType SeenIn = 0; ///< the last update that had it
@@ -84,13 +84,13 @@ private:
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
     std::shared_ptr<PartGeometry> Geometry;
+    DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
+    std::shared_ptr<const MapperParts> Division; ///< null if it does not
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dvec3 Sums{ 0.0 };    ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;
-    DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
-    std::shared_ptr<const MapperParts> Division; ///< null if it does not
-    std::vector<std::uint32_t> Pieces;           ///< the parts of the division
+    std::vector<std::uint32_t> Pieces; ///< the parts of the division
   };
 
   /** What a device computes a part's places from. */
@@ -121,6 +121,7 @@ private:
 
   std::vector<Part> Parts;
   std::vector<Box> BoxOf;
+  std::vector<std::uint8_t> HasPieces; ///< each part
   std::vector<std::uint32_t> Drawn;
   std::vector<std::uint32_t> Spare; ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;

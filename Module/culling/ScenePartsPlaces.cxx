@@ -157,6 +157,8 @@ void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& move
     this->Parts.emplace_back();
   }
   this->Parts[whole].Pieces = std::move(pieces);
+  this->HasPieces.resize(this->Parts.size(), 0);
+  this->HasPieces[whole] = !this->Parts[whole].Pieces.empty();
 }
 
 /** Puts the octree right. */
