@@ -142,4 +142,36 @@ BENCHMARK_CAPTURE(CullBoxes, behind_a_wall, true)
   ->Range(10000, 1000000)
   ->Unit(benchmark::kMillisecond);
 
+void BuildTreeOfParts(benchmark::State& state)
+{
+  const BoxScene scene(static_cast<std::uint32_t>(state.range(0)), false);
+  std::size_t bytes = 0;
+  for (auto _ : state)
+  {
+    bytes = LooseOctree(scene.Bounds).Bytes();
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+  state.counters["bytes_per_part"] =
+    static_cast<double>(bytes) / static_cast<double>(state.range(0));
+}
+BENCHMARK(BuildTreeOfParts)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+/** By less than a part's size, or anywhere. */
+void MoveParts(benchmark::State& state, float farthest)
+{
+  BoxScene scene(100000, false);
+  LooseOctree tree(scene.Bounds);
+  std::mt19937 random(2);
+  for (auto _ : state)
+  {
+    const std::uint32_t part = static_cast<std::uint32_t>(random() % scene.Bounds.size());
+    const glm::vec3 step(farthest * static_cast<float>(random() / 4294967296.0 - 0.5));
+    scene.Bounds[part].Min += step;
+    scene.Bounds[part].Max += step;
+    tree.Put(part, scene.Bounds[part]);
+  }
+}
+BENCHMARK_CAPTURE(MoveParts, a_little, 0.002f);
+BENCHMARK_CAPTURE(MoveParts, anywhere, 1.0f);
+
 }

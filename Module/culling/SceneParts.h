@@ -86,8 +86,8 @@ private:
     std::shared_ptr<PartGeometry> Geometry;
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
-    glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
-    glm::dvec3 Sums{ 0.0 };    ///< of absolute values, that lead to world coordinates
+    glm::dmat4 ToWorld{ 1.0 };                   ///< from the origin
+    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;
     std::vector<std::uint32_t> Pieces; ///< the parts of the division
