@@ -139,6 +139,35 @@ TEST_P(CullerChanges, Scene14WallOfOtherData)
 }
 
 // Those that hide nothing are hidden as ever. Keys tell nobody when they are changed.
+// Actors that were given what a filter makes as data come before the one whose pipeline has it made anew.
+TEST_P(CullerChanges, Scene14DataOfAnothersPipeline)
+{
+  Scene.Renderer->GetCullers()->RemoveItem(0); // VTK's own, which runs all pipelines
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(0.1);
+  cube->SetYLength(0.1);
+  cube->SetZLength(0.1);
+  cube->Update();
+  vtkNew<vtkPolyDataMapper> ofData, ofPipeline;
+  ofData->SetInputData(cube->GetOutput());
+  ofPipeline->SetInputConnection(cube->GetOutputPort());
+  Scene.AddMesh(MeshOf({ Rectangle(-0.3, -0.3, 0.3, 0.3, 0.0) }));
+  for (vtkPolyDataMapper* mapper : { ofData.Get(), ofPipeline.Get() })
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(0.0, 0.0, mapper == ofData ? -0.1 : -0.3);
+    actor->GetProperty()->SetColor(mapper == ofData ? 1.0 : 0.0, 0.5, 0.5);
+    Scene.Renderer->AddActor(actor);
+  }
+  EXPECT_EQ(Scene.ExpectSame(), 2);
+  for (const double width : { 1.5, 0.1 })
+  {
+    cube->SetXLength(width);
+    EXPECT_EQ(Scene.ExpectSame() == 2, width < 1.0);
+  }
+}
+
 TEST_P(CullerChanges, WallThatTheUserMarks)
 {
   const auto key = vtkHierarchicalSBufferCuller::NON_OCCLUDING();

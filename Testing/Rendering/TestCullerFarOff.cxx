@@ -105,6 +105,15 @@ TEST_P(CullerFarOff, Scene18PointsThatVTKIsNotToMove)
   EXPECT_EQ(Scene.ExpectSame(), 0);
 }
 
+// Nor does VTK move points that come while it is told to pause.
+TEST_P(CullerFarOff, Scene18PointsThatVTKPausesToMove)
+{
+  std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
+  this->Move(parts, 1.0);
+  static_cast<vtkOpenGLPolyDataMapper*>(this->AddFarWall()->GetMapper())->SetPauseShiftScale(true);
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Settings, CullerFarOff, testing::ValuesIn(CullerSettings()), CullerSettingName);
 
