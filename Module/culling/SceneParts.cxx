@@ -161,8 +161,10 @@ void SceneParts::Look(Part& part)
     return;
   }
   part.Mapper = static_cast<vtkPolyDataMapper*>(part.Actor->GetMapper());
-  part.Producer = vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm());
-  if (!part.Producer && !part.Mapper->GetStatic())
+  const bool hasInput = part.Mapper->GetNumberOfInputConnections(0) > 0;
+  part.Producer =
+    hasInput ? vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm()) : nullptr;
+  if (hasInput && !part.Producer && !part.Mapper->GetStatic())
   {
     this->MakeData(part.Mapper);
   }

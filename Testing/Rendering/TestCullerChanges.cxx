@@ -3,7 +3,9 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
+#include "vtkCulledCompositePolyDataMapper.h"
 #include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMatrix4x4.h"
@@ -142,7 +144,6 @@ TEST_P(CullerChanges, Scene14WallOfOtherData)
 // Actors that were given what a filter makes as data come before the one whose pipeline has it made anew.
 TEST_P(CullerChanges, Scene14DataOfAnothersPipeline)
 {
-  Scene.Renderer->GetCullers()->RemoveItem(0); // VTK's own, which runs all pipelines
   vtkNew<vtkCubeSource> cube;
   cube->SetXLength(0.1);
   cube->SetYLength(0.1);
@@ -243,7 +244,6 @@ TEST_P(CullerChanges, Scene24NoPartsAndOne)
 
 TEST_P(CullerChanges, Scene24AllPartsOutOfView)
 {
-  Scene.Renderer->GetCullers()->RemoveItem(0); // VTK's own
   Scene.AddHidden();
   Scene.AddWall();
   Scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -2.0);
@@ -277,6 +277,30 @@ TEST(CullerManyParts, Scene24HundredThousand)
   }
   scene.Culler->CullingOff();
   EXPECT_EQ(CountDifferentPixels(culled, scene.Render()), 0);
+}
+
+// VTK's own culler, which leaves out some parts before, and forgets those without bounds.
+TEST_P(CullerChanges, WhatAnotherCullerHasLeft)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  Scene.AddMesh(vtkSmartPointer<vtkPolyData>::New());
+  Scene.Renderer->GetCullers()->RemoveAllItems();
+  Scene.Renderer->AddCuller(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
+  Scene.Renderer->AddCuller(Scene.Culler);
+  Scene.ExpectHidden(145);
+}
+
+// VTK draws nothing of it in silence, and so it stays.
+TEST_P(CullerChanges, MapperWithoutInput)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  vtkNew<vtkCulledCompositePolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  Scene.Renderer->AddActor(actor);
+  EXPECT_GT(Scene.ExpectSame(), 40);
 }
 
 TEST_P(CullerChanges, Scene25AbortedFrames)
