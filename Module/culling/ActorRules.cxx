@@ -21,6 +21,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
+#include "vtkVersionMacros.h"
 
 #include <glm/geometric.hpp>
 
@@ -47,6 +48,17 @@ public:
 bool IsKnownMapper(vtkMapper* mapper)
 {
   return IsOfClass(mapper, "vtkOpenGLPolyDataMapper") || DividedMapperOf(mapper);
+}
+
+/** From VTK 9.2 on, props may stand in coordinates of the room, or of the device. */
+bool StandsInWorld(vtkActor* actor)
+{
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 2
+  static_cast<void>(actor);
+  return true;
+#else
+  return actor->GetCoordinateSystem() == vtkProp3D::WORLD;
+#endif
 }
 
 bool HasShaderCode(vtkActor* actor)
@@ -99,7 +111,7 @@ vtkActor* AsHideable(vtkProp* prop)
   {
     return nullptr;
   }
-  const bool isDrawnWhereItIs = !HasShaderCode(actor) &&
+  const bool isDrawnWhereItIs = StandsInWorld(actor) && !HasShaderCode(actor) &&
     vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
     static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetNumberOfSubPieces() == 1;
   return isDrawnWhereItIs ? actor : nullptr;
@@ -117,8 +129,9 @@ vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader)
 
 bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
 {
-  const bool isUsual = static_cast<vtkOpenGLPolyDataMapper*>(mapper)->GetVBOShiftScaleMethod() ==
-      vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE &&
+  auto* drawing = static_cast<vtkOpenGLPolyDataMapper*>(mapper);
+  const bool isUsual = !drawing->GetPauseShiftScale() &&
+    drawing->GetVBOShiftScaleMethod() == vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE &&
     vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled();
   const glm::dvec3 size = geometry.Greatest() - geometry.Least();
   const glm::dvec3 middle = 0.5 * (geometry.Greatest() + geometry.Least());

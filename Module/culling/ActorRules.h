@@ -16,7 +16,8 @@ class PartGeometry;
 
 /**
  * The prop as an actor that is drawn where its polydata's points are, so that it can be hidden; null for all others: other
- * classes, other mappers, mappers that draw piece by piece, shader code of the user's, offsets of coincident topology.
+ * classes, other mappers, mappers that draw piece by piece, coordinates of the room or the device, shader code of the user's,
+ * offsets of coincident topology.
  */
 vtkActor* AsHideable(vtkProp* prop);
 

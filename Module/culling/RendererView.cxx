@@ -2,17 +2,14 @@
 
 #include "culling/ClassName.h"
 #include "culling/Matrices.h"
+#include "culling/RenderPasses.h"
 #include "culling/SceneParts.h"
 
 #include "vtkCamera.h"
-#include "vtkImageProcessingPass.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLFXAAPass.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSSAOPass.h"
-#include "vtkToneMappingPass.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -28,26 +25,13 @@ const float SnappedPixels = 1.0f / 64.0f;
 // Of reversed depth: a few steps of a depth buffer of 24 bits.
 const float SnappedDepth = 0x1p-21f;
 
-/**
- * Whether passes may look at more than what the camera sees: beside the view, as blurs do, all around it, or at the bounds of all
- * that is drawn, as vtkEDLShading does. What those do that process no images cannot be asked.
- */
-bool LooksBeyondTheView(vtkRenderPass* pass)
-{
-  auto* processing = vtkImageProcessingPass::SafeDownCast(pass);
-  return processing &&
-    (!(vtkOpenGLFXAAPass::SafeDownCast(pass) || vtkSSAOPass::SafeDownCast(pass) ||
-       vtkToneMappingPass::SafeDownCast(pass)) ||
-      LooksBeyondTheView(processing->GetDelegatePass()));
-}
-
 /** Whether VTK draws with the matrices that the camera tells now, and nothing else. */
 bool IsKnown(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   return IsOfClass(camera, "vtkOpenGLCamera") &&
     camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender() &&
-    !LooksBeyondTheView(renderer->GetPass());
+    ShowsTheViewAlone(renderer->GetPass());
 }
 
 /** Of passes that draw into targets of the window's size. Stencil masks have a larger one, and who knows what others have. */

@@ -37,6 +37,29 @@ void SceneParts::Update(vtkProp* const* props, int count)
   }
   this->LookAnewIfOffsetsChanged();
   std::vector<std::uint32_t> moved;
+  bool hasChanged = this->LookAtAll(props, count, moved);
+  if (this->HasMadeData) // which others that were looked at before may show, too
+  {
+    this->LookAtAll(props, count, moved);
+  }
+  if (hasChanged)
+  {
+    this->Replant(moved);
+    glm::dvec3 middle;
+    if (this->IsFarOff(middle))
+    {
+      this->MoveOrigin(middle);
+    }
+    this->MeasureAll();
+    this->DropDeadGeometries();
+  }
+}
+
+/** Looks at what has changed. Returns whether anything has. */
+bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved)
+{
+  ++this->Looks;
+  this->HasMadeData = false;
   bool hasChanged = false;
   this->Drawn.resize(static_cast<std::size_t>(count));
   this->Cursor = 0;
@@ -52,17 +75,7 @@ void SceneParts::Update(vtkProp* const* props, int count)
       hasChanged = true;
     }
   }
-  if (hasChanged)
-  {
-    this->Replant(moved);
-    glm::dvec3 middle;
-    if (this->IsFarOff(middle))
-    {
-      this->MoveOrigin(middle);
-    }
-    this->MeasureAll();
-    this->DropDeadGeometries();
-  }
+  return hasChanged;
 }
 
 /** What mappers offset depths by is a setting of the whole program, which no part's time tells of. */
@@ -130,7 +143,7 @@ bool SceneParts::IsUnchanged(const Part& part) const
     part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
     part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
     (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
-    (part.Division || part.Geometry->IsCurrent(part.Data, this->Frame));
+    (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
 }
 
 /** Notes what a part is now. */
@@ -149,10 +162,12 @@ void SceneParts::Look(Part& part)
     return;
   }
   part.Mapper = static_cast<vtkPolyDataMapper*>(part.Actor->GetMapper());
-  part.Producer = vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm());
-  if (!part.Producer && !part.Mapper->GetStatic())
+  const bool hasInput = part.Mapper->GetNumberOfInputConnections(0) > 0;
+  part.Producer =
+    hasInput ? vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm()) : nullptr;
+  if (hasInput && !part.Producer && !part.Mapper->GetStatic())
   {
-    part.Mapper->Update();
+    this->MakeData(part.Mapper);
   }
   part.MapperTime = part.Mapper->GetMTime();
   part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
@@ -162,6 +177,16 @@ void SceneParts::Look(Part& part)
   {
     this->LookAtData(part);
   }
+}
+
+/** Has filters make what the mapper draws, and notes if that is other data than before. */
+void SceneParts::MakeData(vtkPolyDataMapper* mapper)
+{
+  vtkDataObject* before = mapper->GetInputDataObject(0, 0);
+  const vtkMTimeType time = before ? before->GetMTime() : 0;
+  mapper->Update();
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  this->HasMadeData = this->HasMadeData || data != before || (data && data->GetMTime() != time);
 }
 
 /** Notes what the actor shows as a whole. */
@@ -183,7 +208,7 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
 {
   std::weak_ptr<PartGeometry>& known = this->Geometries[data];
   std::shared_ptr<PartGeometry> geometry = known.lock();
-  if (!geometry || !geometry->IsCurrent(data, this->Frame))
+  if (!geometry || !geometry->IsCurrent(data, this->Looks))
   {
     geometry = std::make_shared<PartGeometry>(data);
     known = geometry;
@@ -213,6 +238,22 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
     if (this->HasPieces[part])
     {
       for (const std::uint32_t piece : this->Parts[part].Pieces)
+      {
+        visible[piece] = 1;
+      }
+    }
+  }
+}
+
+void SceneParts::MarkWireframes(std::vector<std::uint8_t>& visible) const
+{
+  for (const std::uint32_t i : this->Drawn)
+  {
+    const Part& part = this->Parts[i];
+    if (part.Actor && part.Actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME)
+    {
+      visible[i] = 1;
+      for (const std::uint32_t piece : part.Pieces)
       {
         visible[piece] = 1;
       }

@@ -43,6 +43,12 @@ public:
   /** Puts 1 for the parts that were in the last update, 0 for others. */
   void MarkDrawn(std::vector<std::uint8_t>& visible) const;
 
+  /**
+   * Puts 1 for the parts of actors that are drawn as wireframes: where a renderer removes hidden lines, VTK draws lines nearer to the eye
+   * than they are.
+   */
+  void MarkWireframes(std::vector<std::uint8_t>& visible) const;
+
   /** How many parts the i-th prop of the last update has: at least one. */
   int CountParts(int i) const;
 
@@ -100,6 +106,8 @@ private:
     glm::dvec3 Farthest; ///< the largest absolute coordinates from there
   };
 
+  bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
+  void MakeData(vtkPolyDataMapper* mapper);
   void LookAnewIfOffsetsChanged();
   void ForgetAbsent();
   std::uint32_t Find(vtkProp* prop);
@@ -128,6 +136,8 @@ private:
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0; ///< the part behind the last one that was found
   vtkMTimeType Frame = 0;   ///< counts updates
+  vtkMTimeType Looks = 0;   ///< counts how often all was looked at
+  bool HasMadeData = false; ///< whether a filter has, since then
   LooseOctree Boxes;
   int Offsets = 0; ///< of coincident topology, as they were
   glm::dvec3 Middle{ 0.0 };

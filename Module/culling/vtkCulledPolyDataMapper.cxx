@@ -25,15 +25,20 @@ struct DrawnTriangles
   std::vector<GLsizei> Counts; ///< of indices
   std::vector<const void*> Starts;
 
+  /** Triangles from the first to before the end: none of a leaf of those that VTK does not draw. */
   void Add(std::uint32_t first, std::uint32_t end)
   {
+    if (first == end)
+    {
+      return;
+    }
     const std::size_t start = std::size_t{ 3 } * first * sizeof(GLuint);
     const auto count = static_cast<GLsizei>(3 * (end - first));
     if (!this->Starts.empty() && this->End == start)
     {
       this->Counts.back() += count;
     }
-    else if (count > 0)
+    else
     {
       this->Starts.push_back(reinterpret_cast<const void*>(start));
       this->Counts.push_back(count);

@@ -144,6 +144,10 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector();
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
+  if (renderer->GetUseHiddenLineRemoval())
+  {
+    parts.MarkWireframes(known.Visible);
+  }
 
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);

@@ -15,12 +15,13 @@
  *
  * What hides: opaque surfaces that vtkPolyDataMapper draws from triangles and convex polygons, with no shader code of the user's, no
  * clipping planes, no texture but one of plain colours. What is hidden: all actors of that mapper. Blocks of
- * vtkCulledCompositePolyDataMapper and pieces of vtkCulledPolyDataMapper hide and are hidden one by one. Everything else is left to the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of
- * other classes, geometry that is not finite.
+ * vtkCulledCompositePolyDataMapper and pieces of vtkCulledPolyDataMapper hide and are hidden one by one. Everything else is left to
+ * the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of other classes, actors in
+ * coordinates of the room or the device, geometry that is not finite.
  *
  * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
- * rendering is being switched, and below a pass that processes images and may look beyond the view (vtkEDLShading, blurs),
- * nothing is.
+ * rendering is being switched, below a pass that processes images and may look beyond the view (vtkEDLShading, blurs), and where
+ * passes draw no opaque parts, nothing is. Where the renderer removes hidden lines, wireframes are not.
  *
  * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
  *

@@ -3,6 +3,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
+#include "vtkCullerCollection.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -74,6 +75,7 @@ CullerScene::CullerScene(const CullerSetting& setting)
   , Setting(setting)
 {
   this->Culler->SetBufferLines(setting.BufferLines);
+  this->Renderer->GetCullers()->RemoveAllItems();
   this->Renderer->AddCuller(this->Culler);
   vtkNew<vtkCubeSource> cube;
   this->BoxMapper = vtkSmartPointer<vtkPolyDataMapper>::New();

@@ -3,7 +3,9 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
+#include "vtkCulledCompositePolyDataMapper.h"
 #include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMatrix4x4.h"
@@ -139,6 +141,34 @@ TEST_P(CullerChanges, Scene14WallOfOtherData)
 }
 
 // Those that hide nothing are hidden as ever. Keys tell nobody when they are changed.
+// Actors that were given what a filter makes as data come before the one whose pipeline has it made anew.
+TEST_P(CullerChanges, Scene14DataOfAnothersPipeline)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(0.1);
+  cube->SetYLength(0.1);
+  cube->SetZLength(0.1);
+  cube->Update();
+  vtkNew<vtkPolyDataMapper> ofData, ofPipeline;
+  ofData->SetInputData(cube->GetOutput());
+  ofPipeline->SetInputConnection(cube->GetOutputPort());
+  Scene.AddMesh(MeshOf({ Rectangle(-0.3, -0.3, 0.3, 0.3, 0.0) }));
+  for (vtkPolyDataMapper* mapper : { ofData.Get(), ofPipeline.Get() })
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(0.0, 0.0, mapper == ofData ? -0.1 : -0.3);
+    actor->GetProperty()->SetColor(mapper == ofData ? 1.0 : 0.0, 0.5, 0.5);
+    Scene.Renderer->AddActor(actor);
+  }
+  EXPECT_EQ(Scene.ExpectSame(), 2);
+  for (const double width : { 1.5, 0.1 })
+  {
+    cube->SetXLength(width);
+    EXPECT_EQ(Scene.ExpectSame() == 2, width < 1.0);
+  }
+}
+
 TEST_P(CullerChanges, WallThatTheUserMarks)
 {
   const auto key = vtkHierarchicalSBufferCuller::NON_OCCLUDING();
@@ -214,7 +244,6 @@ TEST_P(CullerChanges, Scene24NoPartsAndOne)
 
 TEST_P(CullerChanges, Scene24AllPartsOutOfView)
 {
-  Scene.Renderer->GetCullers()->RemoveItem(0); // VTK's own
   Scene.AddHidden();
   Scene.AddWall();
   Scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -2.0);
@@ -248,6 +277,30 @@ TEST(CullerManyParts, Scene24HundredThousand)
   }
   scene.Culler->CullingOff();
   EXPECT_EQ(CountDifferentPixels(culled, scene.Render()), 0);
+}
+
+// VTK's own culler, which leaves out some parts before, and forgets those without bounds.
+TEST_P(CullerChanges, WhatAnotherCullerHasLeft)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  Scene.AddMesh(vtkSmartPointer<vtkPolyData>::New());
+  Scene.Renderer->GetCullers()->RemoveAllItems();
+  Scene.Renderer->AddCuller(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
+  Scene.Renderer->AddCuller(Scene.Culler);
+  Scene.ExpectHidden(145);
+}
+
+// VTK draws nothing of it in silence, and so it stays.
+TEST_P(CullerChanges, MapperWithoutInput)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  vtkNew<vtkCulledCompositePolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  Scene.Renderer->AddActor(actor);
+  EXPECT_GT(Scene.ExpectSame(), 40);
 }
 
 TEST_P(CullerChanges, Scene25AbortedFrames)

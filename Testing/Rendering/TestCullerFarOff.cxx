@@ -81,7 +81,7 @@ TEST_P(CullerFarOff, Scene18PartsThatMissTheMove)
     Scene.Renderer->AddActor(part);
   }
   this->Move({}, 1.0); // the camera, to where those are
-  EXPECT_EQ(Scene.ExpectSame(), 0);
+  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(parts.size()));
 }
 
 // VTK draws them about their middle, unless it is told not to.
@@ -102,6 +102,15 @@ TEST_P(CullerFarOff, Scene18PointsThatVTKIsNotToMove)
   EXPECT_GT(Scene.ExpectSame(), 40);
   static_cast<vtkOpenGLPolyDataMapper*>(this->AddFarWall()->GetMapper())
     ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+}
+
+// Nor does VTK move points that come while it is told to pause.
+TEST_P(CullerFarOff, Scene18PointsThatVTKPausesToMove)
+{
+  std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
+  this->Move(parts, 1.0);
+  static_cast<vtkOpenGLPolyDataMapper*>(this->AddFarWall()->GetMapper())->SetPauseShiftScale(true);
   EXPECT_EQ(Scene.ExpectSame(), 0);
 }
 

@@ -190,6 +190,17 @@ TEST_P(CullerLeaves, CountTrianglesAsVTKDoes)
   }
 }
 
+// VTK draws nothing of triangles that are points. A leaf of them shows, behind a hidden one in the buffer and before one that shows.
+TEST_P(CullerLeaves, MayHaveNothingToDraw)
+{
+  const PartsOfQuads inFront = Patches(0.3);
+  PartsOfQuads parts = WallAndPatches();
+  parts.emplace_back(PatchCells * PatchCells, Rectangle(0.0, 0.0, 0.0, 0.0, 0.35));
+  parts.insert(parts.end(), inFront.begin(), inFront.end());
+  this->Show(parts);
+  EXPECT_EQ(this->ExpectAsVTK(), PatchCount);
+}
+
 TEST_P(CullerLeaves, ChangeBetweenFrames)
 {
   this->Show(WallAndPatches());

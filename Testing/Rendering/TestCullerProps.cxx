@@ -4,6 +4,8 @@
 #include "vtkAssembly.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkClearZPass.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCubeSource.h"
 #include "vtkEDLShading.h"
@@ -13,7 +15,9 @@
 #include "vtkImageData.h"
 #include "vtkLODProp3D.h"
 #include "vtkLight.h"
+#include "vtkLightsPass.h"
 #include "vtkLinkedListTransparencyPass.h"
+#include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkPanoramicProjectionPass.h"
 #include "vtkPiecewiseFunction.h"
@@ -21,15 +25,21 @@
 #include "vtkPolyDataMapper2D.h"
 #include "vtkPropAssembly.h"
 #include "vtkProperty2D.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSeeThroughPass.h"
+#include "vtkSequencePass.h"
 #include "vtkSobelGradientMagnitudePass.h"
 #include "vtkSphereSource.h"
 #include "vtkTextActor.h"
+#include "vtkTranslucentPass.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <utility>
 
 namespace
 {
@@ -210,6 +220,22 @@ TEST_P(CullerProps, Scene22HiddenLinesAndSmoothEdges)
   Scene.ExpectHidden(223, 2);
 }
 
+// Where hidden lines are removed, VTK draws lines nearer to the eye than they are: by as much as depth changes along a pixel of them.
+TEST_P(CullerProps, Scene22HiddenLinesThatTouchAWall)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  for (int i = 0; i < 25; ++i)
+  {
+    const double radius = 0.04 + 0.002 * i;
+    const vtkSmartPointer<vtkActor> wires = Scene.AddSphere(
+      0.3 * (i % 5) - 0.6, 0.3 * (i / 5) - 0.6, -1.001 * radius, radius, { 0.9, 0.9, 0.9, 1.0 });
+    wires->GetProperty()->SetRepresentationToWireframe();
+  }
+  Scene.Renderer->UseHiddenLineRemovalOn();
+  Scene.ExpectHidden(228, 2);
+}
+
 TEST_P(CullerProps, Scene22AmbientOcclusion)
 {
   this->AddParts();
@@ -264,6 +290,52 @@ TEST_P(CullerProps, Scene22PassesThatLookBeyondTheView)
     Scene.ExpectHidden(227, 2);
   }
   smooth->ReleaseGraphicsResources(Scene.Window);
+  Scene.Renderer->SetPass(nullptr);
+}
+
+/** Passes in the order in which they draw. */
+vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> passes)
+{
+  vtkNew<vtkRenderPassCollection> collection;
+  for (vtkRenderPass* pass : passes)
+  {
+    collection->AddItem(pass);
+  }
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(collection);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  return camera;
+}
+
+// Passes within others that look beyond the view, and those that do not draw what would hide.
+TEST_P(CullerProps, Scene22PassesWithinPasses)
+{
+  this->AddParts();
+  Scene.AddBox({ 0.7, 0.6, -3.0 }, { 0.1, 0.1, 0.1 }); // far behind the wall
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<vtkClearZPass> clear;
+  vtkNew<vtkEDLShading> shading;
+  vtkNew<vtkRenderStepsPass> steps, transparent;
+  shading->SetDelegatePass(steps);
+  transparent->SetOpaquePass(nullptr);
+  const std::pair<const char*, vtkSmartPointer<vtkRenderPass>> unsafe[] = {
+    { "EDL", InSequence({ shading }) },
+    { "translucent", InSequence({ lights, translucent }) },
+    { "steps without opaque ones", transparent },
+    { "depth that is cleared", InSequence({ lights, opaque, clear, translucent }) },
+  };
+  for (const auto& [name, pass] : unsafe)
+  {
+    SCOPED_TRACE(name);
+    Scene.Renderer->SetPass(pass);
+    Scene.ExpectNothingHidden(229, 1);
+    pass->ReleaseGraphicsResources(Scene.Window);
+  }
+  Scene.Renderer->SetPass(InSequence({ lights, opaque, translucent }));
+  Scene.ExpectHidden(229, 1);
   Scene.Renderer->SetPass(nullptr);
 }
 

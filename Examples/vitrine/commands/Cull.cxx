@@ -24,6 +24,7 @@ struct CullOptions
   bool KeepsOpacity = false;
   double OpaqueFrom = 0.0;
   std::string Projection = "both";
+  std::string Form = "actors";
   CullSettings Settings;
   bool WithoutIdeal = false;
   std::optional<std::string> Buffer;
@@ -57,6 +58,7 @@ void Cull(CullOptions options)
   CheckBufferPath(options);
   options.Settings.Size = ParseSize(options.Size);
   options.Settings.Projection = Projections.at(options.Projection);
+  options.Settings.Form = Forms.at(options.Form);
   options.Settings.CountsIdeal = !options.WithoutIdeal;
   options.Settings.ShowsBuffer = options.Buffer.has_value();
   std::vector<CullRun> runs;
@@ -101,12 +103,12 @@ void AddCullCommand(CLI::App& app)
   CLI::Option* keep = command->add_flag("--keep-opacity", options->KeepsOpacity,
     "draw parts as translucent as they are; all are opaque without");
   command
-    ->add_option("--as", options->Settings.Form,
+    ->add_option("--as", options->Form,
       "draw all parts as actors, as blocks of one actor, or as one mesh, whose parts are runs of "
       "its triangles")
     ->type_name("actors|blocks|mesh")
-    ->transform(CLI::CheckedTransformer(Forms))
-    ->default_str("actors");
+    ->check(CLI::IsMember({ "actors", "blocks", "mesh" }))
+    ->capture_default_str();
   command
     ->add_option("--opaque-from", options->OpaqueFrom,
       "draw parts of less opacity as translucent as they are, and the rest opaque")

@@ -1,0 +1,96 @@
+#include "culling/RenderPasses.h"
+
+#include "vtkCameraPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkOpenGLFXAAPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
+#include "vtkSSAOPass.h"
+#include "vtkSequencePass.h"
+#include "vtkToneMappingPass.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** The passes that a pass of VTK's hands its work to, all of which draw into one picture. */
+std::vector<vtkRenderPass*> DelegatesOf(vtkRenderPass* pass)
+{
+  std::vector<vtkRenderPass*> delegates;
+  if (auto* processing = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    delegates.push_back(processing->GetDelegatePass());
+  }
+  else if (auto* supersampling = vtkSSAAPass::SafeDownCast(pass))
+  {
+    delegates.push_back(supersampling->GetDelegatePass());
+  }
+  else if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    delegates.push_back(camera->GetDelegatePass());
+  }
+  else if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    vtkRenderPassCollection* passes = sequence->GetPasses();
+    for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
+    {
+      delegates.push_back(static_cast<vtkRenderPass*>(passes->GetItemAsObject(i)));
+    }
+  }
+  else if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    delegates = { steps->GetOpaquePass(), steps->GetTranslucentPass() };
+  }
+  delegates.erase(std::remove(delegates.begin(), delegates.end(), nullptr), delegates.end());
+  return delegates;
+}
+
+/** Of those that process images: whether they look at no more than the view, and not around it, as blurs do. */
+bool KeepsToTheView(vtkRenderPass* processing)
+{
+  return vtkOpenGLFXAAPass::SafeDownCast(processing) || vtkSSAOPass::SafeDownCast(processing) ||
+    vtkToneMappingPass::SafeDownCast(processing);
+}
+
+/**
+ * Whether a pass may look at more than what the camera sees: beside the view, as blurs do, all around it, at the bounds of all
+ * that is drawn, as vtkEDLShading does, or behind what was drawn before it.
+ */
+bool LooksBeyondTheView(vtkRenderPass* pass)
+{
+  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
+  return pass->IsA("vtkClearZPass") ||
+    (pass->IsA("vtkImageProcessingPass") && !KeepsToTheView(pass)) ||
+    (steps && steps->GetPostProcessPass() && LooksBeyondTheView(steps->GetPostProcessPass())) ||
+    std::any_of(delegates.begin(), delegates.end(), LooksBeyondTheView);
+}
+
+/** Passes that are not known are taken to do so. */
+bool DrawsOpaqueParts(vtkRenderPass* pass)
+{
+  const std::array<const char*, 8> others{ "vtkTranslucentPass",
+    "vtkOrderIndependentTranslucentPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
+    "vtkTransparencyPass", "vtkVolumetricPass", "vtkOverlayPass", "vtkLightsPass" };
+  const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
+  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  return !(steps && !steps->GetOpaquePass()) &&
+    std::none_of(
+      others.begin(), others.end(), [pass](const char* other) { return pass->IsA(other); }) &&
+    (delegates.empty() || std::any_of(delegates.begin(), delegates.end(), DrawsOpaqueParts));
+}
+}
+
+bool ShowsTheViewAlone(vtkRenderPass* pass)
+{
+  return !pass || (DrawsOpaqueParts(pass) && !LooksBeyondTheView(pass));
+}
+
+}
