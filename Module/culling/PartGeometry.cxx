@@ -61,6 +61,7 @@ PartGeometry::PartGeometry(vtkPolyData* data)
   , Low(std::numeric_limits<double>::infinity())
   , High(-std::numeric_limits<double>::infinity())
   , HasVertsOrLines(data->GetNumberOfVerts() > 0 || data->GetNumberOfLines() > 0)
+  , HasStrips(data->GetNumberOfStrips() > 0)
 {
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
@@ -103,6 +104,11 @@ const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
     this->Mesh = std::make_unique<OccluderMesh>(this->Corners ? this->MeshOfRun(data)
         : HasGhosts(data)                                     ? OccluderMesh()
                           : OccluderMesh(PointsOf(data), TrianglesOf(data)));
+    const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
+    if (hasMany && !this->HasVertsOrLines && !this->HasStrips)
+    {
+      this->BoxesOfMesh = std::make_unique<MeshBoxes>(*this->Mesh);
+    }
   }
   return *this->Mesh;
 }

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CULLING_PART_GEOMETRY_H
 #define VITRINE_CULLING_PART_GEOMETRY_H
 
+#include "Core/culling/MeshBoxes.h"
 #include "Core/culling/OccluderMesh.h"
 #include "Core/culling/OrderedRuns.h"
 
@@ -52,6 +53,9 @@ public:
   /** Its triangles and convex polygons as an occluder; built when first asked for. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data);
 
+  /** Around the faces of the occluder, once that is built; null if they are few, or if more is drawn than them. */
+  const MeshBoxes* Boxes() const { return this->BoxesOfMesh.get(); }
+
 private:
   OccluderMesh MeshOfRun(vtkPolyData* data) const;
 
@@ -61,11 +65,13 @@ private:
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;
+  bool HasStrips = false;
   std::shared_ptr<const std::vector<std::uint32_t>>
     Corners; ///< of all triangles; null if it knows all of them
   std::uint32_t FirstCorner = 0;
   std::uint32_t CornerCount = 0;
   std::unique_ptr<OccluderMesh> Mesh;
+  std::unique_ptr<MeshBoxes> BoxesOfMesh;
 };
 
 }

@@ -304,8 +304,9 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   {
     return {};
   }
-  return { &part.Geometry->Occluder(part.Data), &part.ToWorld,
-    !part.Actor->GetProperty()->GetBackfaceCulling() };
+  const OccluderMesh& mesh = part.Geometry->Occluder(part.Data);
+  return { &mesh, &part.ToWorld, !part.Actor->GetProperty()->GetBackfaceCulling(),
+    part.Geometry->Boxes() };
 }
 
 void SceneParts::Expect(std::uint32_t i) const

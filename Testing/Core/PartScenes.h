@@ -32,6 +32,10 @@ public:
   {
     Part part;
     part.Mesh = std::make_shared<OccluderMesh>(triangles.Mesh());
+    if (part.Mesh->PointCount() > vitrine::FewPointsOfAMesh)
+    {
+      part.Boxes = std::make_shared<vitrine::MeshBoxes>(*part.Mesh);
+    }
     part.ToWorld = toWorld;
     glm::dvec3 low(1e300), high(-1e300);
     for (const std::uint32_t corner : triangles.Corners)
@@ -64,7 +68,7 @@ public:
     {
       return {};
     }
-    return { part.Mesh.get(), &part.ToWorld, part.HasBackFaces };
+    return { part.Mesh.get(), &part.ToWorld, part.HasBackFaces, part.Boxes.get() };
   }
 
   /** Leaves in Visible what may show. */
@@ -81,6 +85,7 @@ public:
   struct Part
   {
     std::shared_ptr<OccluderMesh> Mesh;
+    std::shared_ptr<vitrine::MeshBoxes> Boxes; ///< of meshes of many points
     glm::dmat4 ToWorld;
     std::vector<glm::dvec3> Corners; ///< of triangles, in the world
     bool Hides = true;

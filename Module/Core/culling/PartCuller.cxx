@@ -9,9 +9,6 @@ namespace vitrine
 
 namespace
 {
-// Meshes of more points are not projected before they are known to show: their boxes decide.
-const std::size_t FewPoints = 64;
-
 // An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
 const float MostFacesPerCell = 4.0f;
 
@@ -141,7 +138,7 @@ private:
       return false;
     }
     const Occluder occluder = this->Occluders.OccluderOf(item);
-    const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPoints;
+    const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPointsOfAMesh;
     const bool wasSmall = std::exchange(this->Culler.WasSmall[item], isSmall) != 0;
     const bool isShown = isSmall ? this->ShowSmall(item, occluder, rectangle)
                                  : this->ShowLarge(item, occluder, rectangle, wasSmall);
@@ -166,7 +163,7 @@ private:
   bool ShowLarge(
     std::uint32_t item, const Occluder& occluder, const ScreenRectangle& rectangle, bool isUntested)
   {
-    if (isUntested && this->IsHidden(rectangle))
+    if ((isUntested && this->IsHidden(rectangle)) || this->AreBoxesHidden(occluder))
     {
       return false;
     }
@@ -176,6 +173,12 @@ private:
       this->InsertPart(item, occluder);
     }
     return true;
+  }
+
+  bool AreBoxesHidden(const Occluder& occluder) const
+  {
+    return occluder.Boxes &&
+      occluder.Boxes->AreHidden(this->Culler.Lines, this->View, *occluder.ToWorld);
   }
 
   bool Project(const Occluder& occluder)

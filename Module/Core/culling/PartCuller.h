@@ -4,6 +4,7 @@
 #include "Core/culling/CellCoverage.h"
 #include "Core/culling/InsertionBudget.h"
 #include "Core/culling/LooseOctree.h"
+#include "Core/culling/MeshBoxes.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OutlineCoverage.h"
 #include "Core/culling/SBuffer.h"
@@ -23,6 +24,8 @@ struct Occluder
   const OccluderMesh* Mesh = nullptr;  ///< null if it hides nothing
   const glm::dmat4* ToWorld = nullptr; ///< from the mesh's model coordinates
   bool HasBackFaces = true; ///< whether faces that go around clockwise on the screen are drawn, too
+  const MeshBoxes* Boxes =
+    nullptr; ///< around the mesh's faces; null if there are none, or if more is drawn of the part than faces
 };
 
 /** Tells what parts hide with; asked only for those that show. */

@@ -140,9 +140,10 @@ ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld) const
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-void ScreenProjection::Project(const BoxLanes& boxes, RectangleLanes& rectangles) const
+void ScreenProjection::Project(
+  const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const
 {
-  const CornerTerms corners(this->WorldInFloats, boxes);
+  const CornerTerms corners(toScreen, boxes);
   Extent columns, lines, depths;
   Lanes leastW = AllLanes(3e38f);
   for (int corner = 0; corner < 8; ++corner)

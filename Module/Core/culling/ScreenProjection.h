@@ -76,7 +76,17 @@ public:
     const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f));
 
   /** Where eight boxes are, which are finite; of empty ones it says anything. */
-  void Project(const BoxLanes& boxes, RectangleLanes& rectangles) const;
+  void Project(const BoxLanes& boxes, RectangleLanes& rectangles) const
+  {
+    this->Project(this->WorldInFloats, boxes, rectangles);
+  }
+
+  /**
+   * Where eight boxes of a part are.
+   * @param toScreen  what Of() tells of the part, moved to where the boxes count from; the sums that lead to the world from their corners
+   *                  are no larger than `reach`
+   */
+  void Project(const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const;
 
   /** A rectangle, farther by the growth. */
   ScreenRectangle Grown(const ScreenRectangle& rectangle) const;
