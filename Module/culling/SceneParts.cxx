@@ -297,8 +297,12 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   {
     return {};
   }
-  return { &part.Geometry->Occluder(part.Data), &part.ToWorld,
-    !part.Actor->GetProperty()->GetBackfaceCulling() };
+  const OccluderMesh& mesh = part.Geometry->Occluder(part.Data);
+  if (mesh.PointCount() == 0)
+  {
+    return {}; // so that its box is tested, not its points
+  }
+  return { &mesh, &part.ToWorld, !part.Actor->GetProperty()->GetBackfaceCulling() };
 }
 
 void SceneParts::Expect(std::uint32_t i) const
