@@ -305,6 +305,10 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
     return {};
   }
   const OccluderMesh& mesh = part.Geometry->Occluder(part.Data);
+  if (mesh.PointCount() == 0)
+  {
+    return {}; // so that its box is tested, not its points
+  }
   return { &mesh, &part.ToWorld, !part.Actor->GetProperty()->GetBackfaceCulling(),
     part.Geometry->Boxes() };
 }

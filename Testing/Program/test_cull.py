@@ -147,6 +147,13 @@ class Cull(FileTest):
                 self.assertEqual((result.returncode, result.stdout), (2, b""))
                 self.assertEqual(result.stderr.count(b"\n"), 1, result.stderr)
 
+    def test_what_may_be_chosen_is_told(self):
+        for option, choices in (
+            ("--as", b"{actors,blocks,mesh}"),
+            ("--projection", b"{perspective,parallel,both}"),
+        ):
+            self.assertIn(choices, run("cull", "demo:assembly", option, "other").stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

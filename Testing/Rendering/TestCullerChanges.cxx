@@ -1,6 +1,7 @@
 // What changes from frame to frame, and how many parts there are: no pixel is lost by culling.
 #include "CullerScene.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
 #include "vtkCulledCompositePolyDataMapper.h"
@@ -13,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -289,6 +291,23 @@ TEST_P(CullerChanges, WhatAnotherCullerHasLeft)
   Scene.Renderer->AddCuller(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
   Scene.Renderer->AddCuller(Scene.Culler);
   Scene.ExpectHidden(145);
+}
+
+// Ghost cells may or may not be drawn: what has some hides nothing, and is hidden, whether it was seen before or not.
+TEST_P(CullerChanges, GhostsThatWereSeen)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = MeshOf({ Rectangle(-0.2, -0.2, 0.2, 0.2, -0.3) });
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->InsertNextValue(0);
+  mesh->GetCellData()->AddArray(ghosts);
+  Scene.AddMesh(mesh);
+  const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+  for (const bool isWall : { true, false, true })
+  {
+    wall->SetVisibility(isWall);
+    EXPECT_EQ(Scene.ExpectSame(), isWall ? 1 : 0);
+  }
 }
 
 // VTK draws nothing of it in silence, and so it stays.
