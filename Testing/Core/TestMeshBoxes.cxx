@@ -200,26 +200,21 @@ TEST(MeshBoxes, OfFacesAtOnePlace)
   EXPECT_LE(boxes.Nodes().size(), 9u);
 }
 
+// So close to the edge that boxes of the first level stand over it, too.
 TEST(MeshBoxes, HideARodBehindASlantedEdgeThatItsBoxStandsOver)
 {
   for (const bool isParallel : { false, true })
   {
-    for (const bool isMirrored : { false, true })
+    for (const double mirror : { 1.0, -1.0 })
     {
       SCOPED_TRACE(isParallel);
-      SCOPED_TRACE(isMirrored);
+      SCOPED_TRACE(mirror);
       PartScene scene;
-      scene.Add(WallAboveDiagonal(2.0));
-      Triangles mesh = RodOf(64);
-      const glm::dvec3 offset(30, -20, 10); // in model coordinates
-      for (glm::dvec3& point : mesh.Points)
-      {
-        point += offset;
-      }
-      const glm::dmat4 place = glm::translate(
-        glm::scale(AlongDiagonal(8.0), glm::dvec3(1, isMirrored ? -1 : 1, 1)), -offset);
-      const std::uint32_t rod = scene.Add(mesh, place);
-      const std::uint32_t without = scene.Add(mesh, place);
+      scene.Add(WallAboveDiagonal(1.25));
+      const glm::dmat4 place =
+        glm::scale(AlongDiagonal(isParallel ? 8.0 : 16.0), glm::dvec3(1, mirror, 1));
+      const std::uint32_t rod = scene.Add(RodOf(64, 0.005), place);
+      const std::uint32_t without = scene.Add(RodOf(64, 0.005), place);
       scene.Parts[without].Boxes.reset();
       PartCuller culler(FrameColumns, FrameLines);
       scene.Cull(culler, AheadView(isParallel));
@@ -231,6 +226,7 @@ TEST(MeshBoxes, HideARodBehindASlantedEdgeThatItsBoxStandsOver)
 
 TEST(MeshBoxes, ShowAPartOfWhichOneFaceShows)
 {
+  const glm::dvec3 offset(30, -20, 10); // of the mesh, in model coordinates
   for (const double x : { -1.0, -0.4, 0.0, 0.7, 1.0 })
   {
     SCOPED_TRACE(x);
@@ -238,7 +234,11 @@ TEST(MeshBoxes, ShowAPartOfWhichOneFaceShows)
     scene.Add(WallAboveDiagonal(2.0));
     Triangles rod = RodOf(64);
     rod.Add({ x, -0.05, 0.0 }, { x, -0.4, 0.01 }, { x + 0.001, -0.4, 0.0 });
-    const std::uint32_t part = scene.Add(rod, AlongDiagonal(8.0));
+    for (glm::dvec3& point : rod.Points)
+    {
+      point += offset;
+    }
+    const std::uint32_t part = scene.Add(rod, glm::translate(AlongDiagonal(8.0), -offset));
     PartCuller culler(FrameColumns, FrameLines);
     scene.Cull(culler, AheadView(true));
     EXPECT_TRUE(scene.Visible[part]);
@@ -261,19 +261,20 @@ TEST(MeshBoxes, LieOutsideOfAViewThatTheyGoAround)
   EXPECT_FALSE(scene.Visible[part]);
 }
 
+// Behind the eye they would be in the middle of the view, and far away.
 TEST(MeshBoxes, ThatReachBeforeTheNearPlaneShow)
 {
-  PartScene scene;
-  scene.Add(WallAboveDiagonal(2.0), glm::scale(glm::dmat4(1.0), glm::dvec3(0.1)));
-  const glm::dmat4 towardsEye = glm::scale(
-    glm::rotate(glm::dmat4(1.0), M_PI / 2.0, glm::dvec3(0, 1, 0)), glm::dvec3(30.0, 1.0, 1.0));
-  const std::uint32_t through = scene.Add(RodOf(64), towardsEye);
-  const std::uint32_t behindEye =
-    scene.Add(RodOf(64), glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 20)) * towardsEye);
-  PartCuller culler(FrameColumns, FrameLines);
-  scene.Cull(culler, AheadView(false));
-  EXPECT_TRUE(scene.Visible[through]);
-  EXPECT_TRUE(scene.Visible[behindEye]);
+  vitrine::SBuffer lines(FrameColumns, FrameLines);
+  for (int line = 0; line < FrameLines; ++line)
+  {
+    lines.Insert(line, { 0.0f, FrameColumns, 0.9f, 0.9f, 1 });
+  }
+  const Triangles floor =
+    GridOf(40, 1, [](double u, double v) { return glm::dvec3(2 * u - 1, -0.3, 60 * v - 30); });
+  const MeshBoxes boxes(floor.Mesh());
+  const auto view = AheadView(false).Projection(100.0);
+  EXPECT_FALSE(boxes.AreHidden(lines, view, glm::dmat4(1.0)));
+  EXPECT_TRUE(boxes.AreHidden(lines, view, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -40))));
 }
 
 TEST(MeshBoxes, WhoseMatrixIsNoneShow)

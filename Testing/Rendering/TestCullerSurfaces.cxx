@@ -143,6 +143,37 @@ TEST_P(CullerSurfaces, Scene13PointsAndWideLines)
   Scene.ExpectHidden(131, 5);
 }
 
+// Forty quads behind the slanted edge of a wall, which the box around them stands over: hidden, unless something else is drawn of the part
+// that reaches across.
+TEST_P(CullerSurfaces, Scene13LinesVerticesAndStripsOfAPartOfManyPoints)
+{
+  Scene.AddMesh(MeshOf({ { { { -4, -4, 0 }, { 4, 4, 0 }, { 4, 14, 0 }, { -4, 14, 0 } } } }));
+  std::vector<Quad> quads;
+  for (int i = 0; i < 40; ++i)
+  {
+    const double at = -0.5 + 0.02 * i;
+    quads.push_back(Rectangle(at, at + 0.4, at + 0.02, at + 0.42, -0.05));
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = MeshOf(quads);
+  const vtkIdType across[] = { mesh->GetPoints()->InsertNextPoint(0.28, -0.08, -0.05),
+    mesh->GetPoints()->InsertNextPoint(0.3, 0.0, -0.05),
+    mesh->GetPoints()->InsertNextPoint(0.2, 0.0, -0.05) };
+  Scene.AddMesh(mesh, { 0.9, 0.2, 0.1, 1.0 });
+  Scene.ExpectHidden(132);
+
+  const auto expectSeen = [&](int size, const std::function<void(vtkCellArray*)>& set)
+  {
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(size, across);
+    set(cells);
+    Scene.ExpectNothingHidden(133);
+    set(nullptr);
+  };
+  expectSeen(1, [&](vtkCellArray* cells) { mesh->SetVerts(cells); });
+  expectSeen(2, [&](vtkCellArray* cells) { mesh->SetLines(cells); });
+  expectSeen(3, [&](vtkCellArray* cells) { mesh->SetStrips(cells); });
+}
+
 // Lines beside the view that reach from before the eye to behind it, and lines along its edges.
 TEST_P(CullerSurfaces, Scene13WideLinesBesideTheView)
 {
