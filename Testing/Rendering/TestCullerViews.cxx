@@ -147,6 +147,24 @@ TEST_P(CullerViews, Scene04EyeInsideABoxAndOnItsFaces)
   EXPECT_GT(most, 20);
 }
 
+TEST_P(CullerViews, Scene04WhatIsOutsideOfTheRoom)
+{
+  AddRoom(Scene, 3.8);
+  const auto inside = Scene.AddBox({ 0.1, 0.1, -1.0 }, { 0.3, 0.3, 0.3 });
+  const auto outside = Scene.AddHidden(-4.2);
+  this->Camera()->SetPosition(0.3, 0.2, 1.0);
+  this->Camera()->SetFocalPoint(0.1, 0.0, -3.0);
+  for (const double nearest : { -1.0, 0.001, 0.1 })
+  {
+    if (nearest > 0.0 || this->Camera()->GetParallelProjection())
+    {
+      SCOPED_TRACE(nearest);
+      this->Camera()->SetClippingRange(nearest, 8.0);
+      EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(outside.size()));
+    }
+  }
+}
+
 TEST_P(CullerViews, Scene04EyeInsideAPartOfManyFaces)
 {
   AddRoom(Scene, 6.0);
@@ -185,6 +203,30 @@ TEST_P(CullerViews, Scene05WallsAcrossTheNearPlane)
     most = std::max(most, Scene.ExpectSame());
   }
   EXPECT_GT(most, 0);
+}
+
+// A floor and a wall that begin behind the eye.
+TEST_P(CullerViews, Scene05WhatIsBehindFloorsAndWallsThatReachBehindTheEye)
+{
+  Scene.AddMesh(MeshOf({ { { { -9.0, -0.9, 9.0 }, { 9.0, -0.9, 9.0 }, { 9.0, -0.9, -9.0 },
+    { -9.0, -0.9, -9.0 } } } }));
+  Scene.AddMesh(MeshOf(
+    { { { { 1.3, -9.0, 9.0 }, { 1.3, 9.0, 9.0 }, { 1.3, 9.0, -9.0 }, { 1.3, -9.0, -9.0 } } } }));
+  int hidden = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    Scene.AddBox({ 0.1 * i, -1.1, -0.4 * i }, { 0.3, 0.1, 0.3 });
+    Scene.AddBox({ 1.5, 0.1 * i, -0.4 * i }, { 0.1, 0.3, 0.3 });
+    hidden += 2;
+  }
+  for (const double aside : { 0.0, 0.4, 0.8 })
+  {
+    SCOPED_TRACE(aside);
+    this->Camera()->SetPosition(aside, 0.1 * aside, 2.0);
+    this->Camera()->SetFocalPoint(1.0, -0.9, -3.0);
+    this->Camera()->SetClippingRange(0.01, 16.0);
+    EXPECT_EQ(Scene.ExpectSame(), hidden);
+  }
 }
 
 TEST_P(CullerViews, Scene05EyeCloseToAFace)

@@ -1,6 +1,7 @@
 #include "Core/culling/MeshProjection.h"
 
 #include "Core/culling/Lanes.h"
+#include "Core/culling/LineExtent.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -53,16 +54,46 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     GreatestLane(right) + this->DeviceMargin.Column, LeastLane(bottom) - this->DeviceMargin.Line,
     GreatestLane(top) + this->DeviceMargin.Line, GreatestLane(nearest) + this->DeviceMargin.Depth };
   this->AreAllBehindNear = room > 0 && behindAll == (1u << LaneCount) - 1u;
+  if (!this->AreAllBehindNear)
+  {
+    this->Clip(toScreen);
+  }
   return this->AreAllBehindNear;
+}
+
+/** Keep what lies behind the near plane. */
+void MeshProjection::Clip(const ScreenMatrix& toScreen)
+{
+  this->Rest.Clip(*this->Projected, toScreen);
+  for (const glm::dvec4& cut : this->Rest.Cuts())
+  {
+    this->Columns.push_back(static_cast<float>(cut.x / cut.w));
+    this->Lines.push_back(static_cast<float>(cut.y / cut.w));
+    this->Depths.push_back(static_cast<float>(cut.z / cut.w));
+  }
+  this->DeviceMargin = toScreen.MarginFrom(this->Rest.LeastW());
+  LineExtent columns, lines, depths;
+  for (const MeshFace& face : this->Rest.Faces())
+  {
+    for (const std::uint32_t corner : face)
+    {
+      columns.Add(this->Columns[corner]);
+      lines.Add(this->Lines[corner]);
+      depths.Add(this->Depths[corner]);
+    }
+  }
+  this->Around = { columns.Left - this->DeviceMargin.Column,
+    columns.Right + this->DeviceMargin.Column, lines.Left - this->DeviceMargin.Line,
+    lines.Right + this->DeviceMargin.Line, depths.Right + this->DeviceMargin.Depth };
 }
 
 void MeshProjection::FindFacings()
 {
-  const std::vector<OccluderMesh::Face>& faces = this->Projected->Faces();
+  const std::vector<MeshFace>& faces = this->Faces();
   this->Facings.resize(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    this->Facings[i] = this->FacingOf(faces[i]);
+    this->Facings[i] = this->TurnOf(faces[i]);
   }
 }
 

@@ -183,7 +183,8 @@ private:
     ++this->Culler.Counted.Inserted;
     this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
     this->InsertFaces(item, MeshProjection::Facing::Front);
-    if (occluder.HasBackFaces && !occluder.Mesh->IsClosed())
+    const bool isWhole = occluder.Mesh->IsClosed() && this->Culler.Projected.IsBehindNear();
+    if (occluder.HasBackFaces && !isWhole)
     {
       this->InsertFaces(item, MeshProjection::Facing::Back);
     }
@@ -192,7 +193,7 @@ private:
   void InsertFaces(std::uint32_t item, MeshProjection::Facing facing)
   {
     const ScreenRectangle& around = this->Culler.Projected.Rectangle();
-    const bool isOfFewCells =
+    const bool isOfFewCells = this->Culler.Projected.IsBehindNear() &&
       around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
     SBuffer& lines = this->Culler.Lines;
     MeshProjection& projected = this->Culler.Projected;
