@@ -11,6 +11,8 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <random>
 #include <vector>
@@ -36,7 +38,7 @@ public:
       points.push_back(matrix.Matrix * glm::dvec4(mesh.Origin() + place, 1.0));
       for (int k = 0; k < 4; ++k)
       {
-        points.back()[k] += this->EitherWay(matrix.Rounding[k]);
+        points.back()[k] += this->EitherWay(DevicesShare * matrix.Rounding[k]);
       }
     }
     for (const vitrine::MeshFace& face : mesh.Faces())
@@ -56,6 +58,9 @@ public:
 
 private:
   using Polygon = std::vector<glm::dvec4>;
+
+  // Of what is rounded: the rest is what our own floats round.
+  static constexpr double DevicesShare = 0.5;
 
   double EitherWay(double most)
   {

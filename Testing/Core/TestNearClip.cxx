@@ -67,6 +67,10 @@ public:
     EXPECT_FALSE(
       this->Projection.Project(mesh, FromTheOrigin(nearest).Projection(reach).Of(glm::dmat4(1.0))));
     Inserter(way).Insert(this->Buffer, this->Projection, facing, 7);
+    this->WidestMargin = this->Projection.Margin().Depth;
+    this->IsCutFarther =
+      this->Projection.ClipFarther(FromTheOrigin(nearest).Projection(reach).Of(glm::dmat4(1.0)));
+    Inserter(way).Insert(this->Buffer, this->Projection, facing, 7);
   }
 
   double Area() const { return CoveredArea(this->Buffer); }
@@ -84,23 +88,30 @@ public:
     }
   }
 
+  /** At most the plane's depth, and no less than that by more than a few of the widest margins. */
   void ExpectDepth(int line, double column, double ahead) const
+  {
+    const double depth = ReversedDepth(ahead, this->NearPlane);
+    EXPECT_LE(this->DepthAt(line, column), depth);
+    EXPECT_NEAR(this->DepthAt(line, column), depth, 3.0 * this->WidestMargin);
+  }
+
+  /** Or -1 where nothing is covered. */
+  double DepthAt(int line, double column) const
   {
     for (const Span& span : this->Buffer.SpansOf(line))
     {
       if (span.Left <= column && column < span.Right)
       {
-        const double said = span.DepthAt(static_cast<float>(column));
-        const double depth = ReversedDepth(ahead, this->NearPlane);
-        EXPECT_LE(said, depth);
-        EXPECT_NEAR(said, depth, 3.0 * this->Projection.Margin().Depth);
-        return;
+        return span.DepthAt(static_cast<float>(column));
       }
     }
-    ADD_FAILURE() << "nothing at line " << line << ", column " << column;
+    return -1.0;
   }
 
   double NearPlane;
+  double WidestMargin = 0.0;
+  bool IsCutFarther = false;
   MeshProjection Projection;
   SBuffer Buffer;
 };
@@ -204,7 +215,7 @@ TEST(NearClip, KeepsNeighbours)
     const View view = coverage::RandomView(random.Point(-0.5, 0.5), random);
     const ScreenMatrix matrix = view.Projection(2.0).Of(glm::dmat4(1.0));
     NearClip clip;
-    clip.Clip(mesh, matrix);
+    clip.Clip(mesh, matrix, 1.0);
     cut += !clip.Cuts().empty();
     const std::uint32_t firstCut = static_cast<std::uint32_t>(mesh.Coordinates(0).size());
     std::vector<std::array<int, 3>> sides(clip.Faces().size(), { 0, 0, 0 });
@@ -239,12 +250,12 @@ TEST(NearClip, KeepsNeighbours)
 TEST(NearClip, OfNoPointsOrNumbersThatAreNoneIsNothing)
 {
   NearClip clip;
-  clip.Clip(OccluderMesh(), AsItStands());
+  clip.Clip(OccluderMesh(), AsItStands(), 1.0);
   EXPECT_TRUE(clip.Faces().empty());
   EXPECT_TRUE(clip.Edges().empty());
   ScreenMatrix broken = AsItStands();
   broken.Matrix[3] = glm::dvec4(std::nan(""));
-  clip.Clip(FaceOfDepths(0.5, 1.5, 1.5), broken);
+  clip.Clip(FaceOfDepths(0.5, 1.5, 1.5), broken, 1.0);
   EXPECT_TRUE(clip.Faces().empty());
   EXPECT_TRUE(clip.Cuts().empty());
 }
@@ -281,9 +292,11 @@ TEST_P(CoverageWithin, IsKnownWhereTheNearPlaneIsCloseToTheEye)
 {
   const double nearest = 0.01;
   const Within within(GetParam(), Floor(1.0, 50.0), Facing::Front, 100.0, nearest);
-  within.ExpectFromTo(5, 0.0, WideColumns);
-  within.ExpectDepth(5, 13.0, 10.0 / (4.0 + GetParam().Inset()));
-  EXPECT_LT(within.Projection.Margin().Depth, 0.3 * ReversedDepth(2.5, nearest));
+  const double ahead = 10.0 / (1.0 + GetParam().Inset());
+  within.ExpectFromTo(8, 0.0, WideColumns);
+  within.ExpectDepth(8, 13.0, ahead);
+  EXPECT_TRUE(within.IsCutFarther);
+  EXPECT_GT(within.DepthAt(8, 13.0), 0.8 * ReversedDepth(ahead, nearest));
 }
 
 TEST_P(CoverageWithin, OfAWallBesideTheEyeIsAllUpToItsFarEnd)
@@ -348,6 +361,9 @@ TEST_P(CoverageWithin, OfRandomMeshesAroundTheEyeIsTrue)
     for (const Facing facing : { Facing::Front, Facing::Back })
     {
       SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), MostTestSpans);
+      projection.Project(mesh, matrix);
+      Inserter(GetParam()).Insert(buffer, projection, facing, 0);
+      projection.ClipFarther(matrix);
       Inserter(GetParam()).Insert(buffer, projection, facing, 0);
       covered += CoveredArea(buffer) > 0.0;
       for (const bool isMoved : { false, true, true })

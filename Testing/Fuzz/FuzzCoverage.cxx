@@ -168,6 +168,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const OccluderMesh mesh = MeshOf(bytes);
     const ScreenMatrix matrix = MatrixOf(bytes, columns, lines, ReachOf(mesh));
     projection.Project(mesh, matrix);
+    if (!projection.IsBehindNear() && bytes.Below(2) == 1)
+    {
+      projection.ClipFarther(matrix);
+    }
     projection.FindFacings();
     const bool isByCells = bytes.Below(2) == 1;
     for (const Facing facing : { Facing::Front, Facing::Back })

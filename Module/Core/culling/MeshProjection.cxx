@@ -8,6 +8,15 @@
 namespace vitrine
 {
 
+namespace
+{
+// Of w to what a device rounds in it. Where w is less, so little is known of where a face is drawn that next to nothing is hidden.
+const double LeastRatio = 2048.0;
+
+// Here what is far off is hidden, too, though the near plane is so close to the eye that depths hardly differ there.
+const double FartherRatio = 32768.0;
+}
+
 VITRINE_FOR_EACH_PROCESSOR
 bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen)
 {
@@ -56,15 +65,29 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   this->AreAllBehindNear = room > 0 && behindAll == (1u << LaneCount) - 1u;
   if (!this->AreAllBehindNear)
   {
-    this->Clip(toScreen);
+    this->Clip(toScreen, LeastRatio);
   }
   return this->AreAllBehindNear;
 }
 
-/** Keep what lies behind the near plane. */
-void MeshProjection::Clip(const ScreenMatrix& toScreen)
+bool MeshProjection::ClipFarther(const ScreenMatrix& toScreen)
 {
-  this->Rest.Clip(*this->Projected, toScreen);
+  if (this->Rest.LeastW() > FartherRatio * toScreen.Rounding.w)
+  {
+    return false;
+  }
+  this->Clip(toScreen, FartherRatio);
+  return true;
+}
+
+/** Keep what lies behind the near plane. */
+void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
+{
+  this->Rest.Clip(*this->Projected, toScreen, leastRatio);
+  for (std::vector<float>* places : { &this->Columns, &this->Lines, &this->Depths })
+  {
+    places->resize(this->Projected->Coordinates(0).size());
+  }
   for (const glm::dvec4& cut : this->Rest.Cuts())
   {
     this->Columns.push_back(static_cast<float>(cut.x / cut.w));

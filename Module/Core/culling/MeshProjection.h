@@ -40,6 +40,13 @@ public:
    */
   bool Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen);
 
+  /**
+   * Cuts a mesh that is clipped farther behind the near plane: less is left, and margins are narrower.
+   * @param toScreen  with which it was projected
+   * @returns whether anything is cut off by that
+   */
+  bool ClipFarther(const ScreenMatrix& toScreen);
+
   const OccluderMesh& Mesh() const { return *this->Projected; }
 
   /** The mesh's, or of what of it lies behind the near plane. */
@@ -92,7 +99,7 @@ private:
       (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
     return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
   }
-  void Clip(const ScreenMatrix& toScreen);
+  void Clip(const ScreenMatrix& toScreen, double leastRatio);
 
   const OccluderMesh* Projected = nullptr;
   std::vector<float> Columns, Lines, Depths; ///< of the points, those where the mesh is cut last

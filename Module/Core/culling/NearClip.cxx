@@ -7,19 +7,17 @@ namespace vitrine
 
 namespace
 {
-// Of what a device rounds in w. Where w is less, so little is known of where it draws that next to nothing is hidden.
-const double LeastWInRoundings = 2048.0;
-
 int PlaceIn(const MeshFace& face, std::uint32_t point)
 {
   return point == face[0] ? 0 : point == face[1] ? 1 : 2;
 }
 }
 
-void NearClip::Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen)
+void NearClip::Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen, double leastRatio)
 {
   this->Mesh = &mesh;
   this->ToScreen = &toScreen;
+  this->LeastRatio = leastRatio;
   this->CutPoints.clear();
   this->Triangles.clear();
   this->Sides.clear();
@@ -41,7 +39,7 @@ glm::dvec4 NearClip::OnScreen(std::uint32_t point) const
 std::array<double, 2> NearClip::DistancesOf(const glm::dvec4& onScreen) const
 {
   const glm::vec4& rounding = this->ToScreen->Rounding;
-  return { onScreen.w - LeastWInRoundings * double{ rounding.w },
+  return { onScreen.w - this->LeastRatio * double{ rounding.w },
     onScreen.w - onScreen.z - (double{ rounding.z } + double{ rounding.w }) };
 }
 

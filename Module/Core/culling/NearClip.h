@@ -18,14 +18,16 @@ namespace vitrine
  * faces, and what the cut opens is a border.
  * (I. E. Sutherland, G. W. Hodgman: Reentrant polygon clipping, Communications of the ACM 1974)
  *
- * It is cut farther behind the plane than a device may round, where w is not so small that the device's margin would be wider than what the
- * face hides. So all of what is left is drawn, as a part of a larger face.
+ * It is cut farther behind the plane than a device may round. So all of what is left is drawn, as a part of a larger face.
  */
 class NearClip
 {
 public:
-  /** @param toScreen  of the mesh's model coordinates */
-  void Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen);
+  /**
+   * @param toScreen      of the mesh's model coordinates
+   * @param leastRatio    of w to what a device rounds in it, 1 or more: what has less is cut off as well
+   */
+  void Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen, double leastRatio);
 
   /** Their points are the mesh's, and behind as many as it has coordinates those of Cuts(). */
   const std::vector<MeshFace>& Faces() const { return this->Triangles; }
@@ -60,6 +62,7 @@ private:
 
   const OccluderMesh* Mesh = nullptr;
   const ScreenMatrix* ToScreen = nullptr;
+  double LeastRatio = 1.0;
   std::vector<std::uint8_t> IsBehind;  ///< each point
   std::vector<Remainder> Remainders;   ///< of each face
   std::vector<std::uint32_t> EdgeCuts; ///< on each edge, where it is cut

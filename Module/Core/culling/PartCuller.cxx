@@ -182,6 +182,16 @@ private:
   {
     ++this->Culler.Counted.Inserted;
     this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
+    this->InsertSides(item, occluder);
+    MeshProjection& projected = this->Culler.Projected;
+    if (!projected.IsBehindNear() && projected.ClipFarther(this->View.Of(*occluder.ToWorld)))
+    {
+      this->InsertSides(item, occluder);
+    }
+  }
+
+  void InsertSides(std::uint32_t item, const Occluder& occluder)
+  {
     this->InsertFaces(item, MeshProjection::Facing::Front);
     const bool isWhole = occluder.Mesh->IsClosed() && this->Culler.Projected.IsBehindNear();
     if (occluder.HasBackFaces && !isWhole)
