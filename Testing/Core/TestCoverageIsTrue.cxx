@@ -1,6 +1,7 @@
 // Whatever the mesh and the view: what an s-buffer says is covered is covered, and nowhere farther than it says.
 
 #include "CoverageWays.h"
+#include "DeviceFaces.h"
 #include "OccluderScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@ namespace
 {
 
 using coverage::CoverageJudge;
+using coverage::DeviceFaces;
 using coverage::Facing;
 using coverage::Inserter;
 using coverage::MostTestSpans;
@@ -55,7 +57,7 @@ Subject RandomSubject(Random& random)
   return { triangles.Mesh(), coverage::RandomView(middle, random), reach };
 }
 
-/** Where a device may have the points: each moved by up to the margin, many by all of it. */
+/** Where a device may have the points of a mesh behind the near plane: each moved by up to the margin, many by all of it. */
 std::vector<glm::dvec3> Moved(const MeshProjection& projection, Random& random)
 {
   const ScreenMargin& margin = projection.Margin();
@@ -82,6 +84,28 @@ glm::dvec3 PlaceOfPoint(const OccluderMesh& mesh, std::uint32_t i)
     glm::dvec3(mesh.Coordinates(0)[i], mesh.Coordinates(1)[i], mesh.Coordinates(2)[i]);
 }
 
+/** What a device may draw. */
+std::vector<ScreenFace> DrawnBy(
+  const MeshProjection& projection, const View& view, double reach, Facing facing, Random& random)
+{
+  const OccluderMesh& mesh = projection.Mesh();
+  if (!projection.IsBehindNear())
+  {
+    return DeviceFaces(mesh, view.Projection(reach).Of(glm::dmat4(1.0)), true, random.Generator)
+      .Facing(facing);
+  }
+  const std::vector<glm::dvec3> places = Moved(projection, random);
+  return coverage::DrawnFaces(mesh, view, facing, [&](std::uint32_t i) { return places[i]; });
+}
+
+/** What is drawn without any rounding. */
+std::vector<ScreenFace> ExactlyDrawn(const Subject& subject, Facing facing, Random& random)
+{
+  return DeviceFaces(subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0)),
+    false, random.Generator)
+    .Facing(facing);
+}
+
 struct Tally
 {
   int Covered = 0;
@@ -101,17 +125,12 @@ void Judge(const Way& way, const Subject& subject, Facing facing, Random& random
     return;
   }
   ++tally.Covered;
-  std::vector<glm::dvec3> exact;
-  for (std::uint32_t i = 0; i < subject.Mesh.PointCount(); ++i)
+  const auto drawn = [&]
+  { return DrawnBy(projection, subject.Seen, subject.Reach, facing, random); };
+  for (const std::vector<ScreenFace>& faces :
+    { ExactlyDrawn(subject, facing, random), drawn(), drawn() })
   {
-    exact.emplace_back(subject.Seen.OnScreen(PlaceOfPoint(subject.Mesh, i)));
-  }
-  for (const std::vector<glm::dvec3>& places :
-    { exact, Moved(projection, random), Moved(projection, random) })
-  {
-    const CoverageJudge judge(coverage::DrawnFaces(subject.Mesh, subject.Seen, facing,
-                                [&](std::uint32_t i) { return places[i]; }),
-      way.Inset());
+    const CoverageJudge judge(faces, way.Inset());
     const std::string wrong = judge.WhatIsWrong(buffer, random.Generator, 4);
     EXPECT_EQ(wrong, "");
     tally.Wrong += !wrong.empty();
@@ -215,9 +234,7 @@ TEST_P(CoverageIsTrue, OfManyMeshesInOneBuffer)
       for (const Facing facing : { Facing::Front, Facing::Back })
       {
         inserter.Insert(buffer, projection, facing, 0);
-        const std::vector<glm::dvec3> places = Moved(projection, random);
-        const std::vector<ScreenFace> drawn = coverage::DrawnFaces(
-          mesh, view, facing, [&](std::uint32_t point) { return places[point]; });
+        const std::vector<ScreenFace> drawn = DrawnBy(projection, view, 3.0, facing, random);
         faces.insert(faces.end(), drawn.begin(), drawn.end());
       }
     }

@@ -75,7 +75,6 @@ TEST(MeshProjection, TellsWhichWayFacesGoAround)
   EXPECT_EQ(FacingOf(OneTriangle({ 1, 1, 0.5 }, { 9, 1, 0.5 }, { 1, 9, 0.5 })), Facing::Front);
   EXPECT_EQ(FacingOf(OneTriangle({ 1, 1, 0.5 }, { 1, 9, 0.5 }, { 9, 1, 0.5 })), Facing::Back);
   EXPECT_EQ(FacingOf(OneTriangle({ 1, 1, 0.5 }, { 2, 2, 0.5 }, { 3, 3, 0.2 })), Facing::Neither);
-  EXPECT_EQ(FacingOf(OneTriangle({ 1, 1, 0.5 }, { 9, 1, 1.5 }, { 1, 9, 0.5 })), Facing::Neither);
 }
 
 TEST(MeshProjection, HasARectangleWithTheMargin)
@@ -102,8 +101,8 @@ TEST(MeshProjection, HasNoneWithoutPointsOrBeforeTheNearPlaneOrTheEye)
   behindEye.Matrix = -behindEye.Matrix;
   behindEye.Matrix[3].z = -4.0;
   EXPECT_FALSE(projection.Project(mesh, behindEye));
-  projection.FindFacings();
-  EXPECT_EQ(projection.FacingOf(0), Facing::Neither);
+  EXPECT_TRUE(projection.Faces().empty());
+  EXPECT_EQ(projection.FacingOf(mesh.Faces()[0]), Facing::Neither);
 }
 
 TEST(MeshProjection, TakesTheMarginOfTheNearestPoint)
@@ -158,11 +157,14 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
       mesh, view.Projection(reach * CoarserOf(toWorld, triangles.Points, reach)).Of(toWorld));
     projection.FindFacings();
     std::vector<bool> counts(mesh.PointCount(), false);
-    for (std::uint32_t i = 0; i < mesh.Faces().size(); ++i)
+    for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
     {
-      for (const std::uint32_t corner : mesh.Faces()[i])
+      for (const std::uint32_t corner : projection.Faces()[i])
       {
-        counts[corner] = counts[corner] || projection.FacingOf(i) != Facing::Neither;
+        if (corner < mesh.PointCount() && projection.FacingOf(i) != Facing::Neither)
+        {
+          counts[corner] = true;
+        }
       }
     }
     const ScreenMargin& margin = projection.Margin();

@@ -382,3 +382,25 @@ TEST(PartCuller, DenseMeshesOfFewPointsAreHiddenAsOthersAre)
   EXPECT_TRUE(scene.Visible[before]);
   EXPECT_EQ(culler.Counts().Inserted, 1u);
 }
+
+// The eye is within a closed box, of which it sees the inside.
+TEST(PartCuller, DropsWhatIsOutsideOfABoxAroundTheEye)
+{
+  for (const bool isParallel : { false, true })
+  {
+    for (const bool hasBackFaces : { false, true })
+    {
+      SCOPED_TRACE(testing::PrintToString(std::make_pair(isParallel, hasBackFaces)));
+      PartScene scene;
+      const std::uint32_t around = scene.AddBox({ -40, -30, -35 }, { 40, 30, 9 });
+      scene.Parts[around].HasBackFaces = hasBackFaces;
+      const std::uint32_t inside = scene.AddBox({ -1, -1, -30 }, { 1, 1, -28 });
+      const std::uint32_t outside = scene.AddBox({ -4, -4, -50 }, { 4, 4, -40 });
+      PartCuller culler(FrameColumns, FrameLines);
+      scene.Cull(culler, AheadView(isParallel));
+      EXPECT_TRUE(scene.Visible[around]);
+      EXPECT_TRUE(scene.Visible[inside]);
+      EXPECT_EQ(scene.Visible[outside] != 0, !hasBackFaces);
+    }
+  }
+}

@@ -2,7 +2,7 @@
 
 #include "FuzzBytes.h"
 
-#include "../Core/CoverageJudge.h"
+#include "../Core/DeviceFaces.h"
 
 #include "Core/culling/CellCoverage.h"
 #include "Core/culling/OutlineCoverage.h"
@@ -79,35 +79,33 @@ ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines, double reach)
     .Of(glm::dmat4(1.0));
 }
 
-/** The faces that a device may draw: behind the near plane, each point moved by up to the margin. */
+/** The faces that a device may draw: each point moved by up to the margin, or cut at the near plane after what it rounds. */
 void AddDrawn(const MeshProjection& projection, const ScreenMatrix& matrix, Facing facing,
   std::mt19937& random, std::vector<ScreenFace>& faces)
 {
-  const OccluderMesh& mesh = projection.Mesh();
+  if (!projection.IsBehindNear())
+  {
+    const std::vector<ScreenFace> drawn =
+      coverage::DeviceFaces(projection.Mesh(), matrix, true, random).Facing(facing);
+    faces.insert(faces.end(), drawn.begin(), drawn.end());
+    return;
+  }
+  const ScreenMargin& margin = projection.Margin();
   const auto moved = [&random](double place, double most)
   { return place + (random() % 2 == 0 ? most : -most); };
   std::vector<glm::dvec3> places;
-  std::vector<bool> isBehindNear;
-  for (std::size_t i = 0; i < mesh.PointCount(); ++i)
+  for (std::uint32_t i = 0; i < projection.Mesh().PointCount(); ++i)
   {
-    const glm::dvec4 point = matrix.Matrix *
-      glm::dvec4(mesh.Origin() +
-          glm::dvec3(mesh.Coordinates(0)[i], mesh.Coordinates(1)[i], mesh.Coordinates(2)[i]),
-        1.0);
-    const double slack = 1e-5 * (std::abs(point.w) + std::abs(point.z)) + 1e-9;
-    isBehindNear.push_back(point.w > -slack && point.z < point.w + slack);
-    const ScreenPoint& onScreen = projection.Point(i);
-    const ScreenMargin& margin = projection.Margin();
+    const ScreenPoint onScreen = projection.Point(i);
     const double column = moved(onScreen.Column, margin.Column);
     const double line = moved(onScreen.Line, margin.Line);
     places.emplace_back(column, line, moved(onScreen.Depth, margin.Depth));
   }
-  for (const OccluderMesh::Face& face : mesh.Faces())
+  for (const OccluderMesh::Face& face : projection.Mesh().Faces())
   {
     const ScreenFace onScreen{ places[face[0]], places[face[1]], places[face[2]] };
     const double turn = coverage::TurnOf(onScreen);
-    if (isBehindNear[face[0]] && isBehindNear[face[1]] && isBehindNear[face[2]] &&
-      (facing == Facing::Front ? turn > 0.0 : turn < 0.0))
+    if (facing == Facing::Front ? turn > 0.0 : turn < 0.0)
     {
       faces.push_back(onScreen);
     }
@@ -170,6 +168,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const OccluderMesh mesh = MeshOf(bytes);
     const ScreenMatrix matrix = MatrixOf(bytes, columns, lines, ReachOf(mesh));
     projection.Project(mesh, matrix);
+    if (!projection.IsBehindNear() && bytes.Below(2) == 1)
+    {
+      projection.ClipFarther(matrix);
+    }
     projection.FindFacings();
     const bool isByCells = bytes.Below(2) == 1;
     for (const Facing facing : { Facing::Front, Facing::Back })

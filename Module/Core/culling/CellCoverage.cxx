@@ -34,7 +34,7 @@ std::size_t CellCoverage::Insert(
 /** Find the lines and tiles around all that counts; returns whether any line may be covered. */
 bool CellCoverage::FrameCells(const SBuffer& buffer)
 {
-  const std::vector<OccluderMesh::Face>& faces = this->Projection->Mesh().Faces();
+  const std::vector<OccluderMesh::Face>& faces = this->Projection->Faces();
   LineExtent columns, lines;
   for (std::uint32_t i = 0; i < faces.size(); ++i)
   {
@@ -65,7 +65,7 @@ void CellCoverage::FindFacePieces()
 {
   this->FacePieces.clear();
   this->FaceHeads.assign(static_cast<std::size_t>(this->LastLine - this->FirstLine + 1), None);
-  this->PieceOfFace.assign(this->Projection->Mesh().Faces().size(), None);
+  this->PieceOfFace.assign(this->Projection->Faces().size(), None);
   for (std::uint32_t i = 0; i < this->PieceOfFace.size(); ++i)
   {
     if (this->Projection->FacingOf(i) == this->Counted)
@@ -77,7 +77,7 @@ void CellCoverage::FindFacePieces()
 
 void CellCoverage::AddFace(std::uint32_t face)
 {
-  const OccluderMesh::Face& corners = this->Projection->Mesh().Faces()[face];
+  const OccluderMesh::Face& corners = this->Projection->Faces()[face];
   const ScreenEdge edges[3] = { { this->Projection->Point(corners[0]),
                                   this->Projection->Point(corners[1]) },
     { this->Projection->Point(corners[1]), this->Projection->Point(corners[2]) },
@@ -126,7 +126,7 @@ void CellCoverage::FindEdgePieces()
 {
   this->EdgePieces.clear();
   this->EdgeHeads.assign(static_cast<std::size_t>(this->LastLine - this->FirstLine + 1), None);
-  for (const OccluderMesh::Edge& edge : this->Projection->Mesh().Edges())
+  for (const OccluderMesh::Edge& edge : this->Projection->Edges())
   {
     const bool left = this->Projection->FacingOf(edge.Left) == this->Counted;
     const bool right =
@@ -377,7 +377,7 @@ DepthBound CellCoverage::BoundSheet(
   for (std::size_t i = first; i < end; ++i)
   {
     const FacePiece& piece = this->FacePieces[this->Shares[i].Piece];
-    const OccluderMesh::Face& face = this->Projection->Mesh().Faces()[piece.Face];
+    const OccluderMesh::Face& face = this->Projection->Faces()[piece.Face];
     const ScreenPoint a = this->Projection->Point(face[0]);
     const ScreenPoint b = this->Projection->Point(face[1]);
     const ScreenPoint c = this->Projection->Point(face[2]);

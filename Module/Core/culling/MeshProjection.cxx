@@ -1,11 +1,21 @@
 #include "Core/culling/MeshProjection.h"
 
 #include "Core/culling/Lanes.h"
+#include "Core/culling/LineExtent.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace vitrine
 {
+
+namespace
+{
+// Of w to what a device rounds in it. Where w is less, so little is known of where a face is drawn that next to nothing is hidden.
+const double LeastRatio = 2048.0;
+
+// Here what is far off is hidden, too, though the near plane is so close to the eye that depths hardly differ there.
+const double FartherRatio = 32768.0;
+}
 
 VITRINE_FOR_EACH_PROCESSOR
 bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen)
@@ -53,16 +63,60 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     GreatestLane(right) + this->DeviceMargin.Column, LeastLane(bottom) - this->DeviceMargin.Line,
     GreatestLane(top) + this->DeviceMargin.Line, GreatestLane(nearest) + this->DeviceMargin.Depth };
   this->AreAllBehindNear = room > 0 && behindAll == (1u << LaneCount) - 1u;
+  if (!this->AreAllBehindNear)
+  {
+    this->Clip(toScreen, LeastRatio);
+  }
   return this->AreAllBehindNear;
+}
+
+bool MeshProjection::ClipFarther(const ScreenMatrix& toScreen)
+{
+  if (this->Rest.LeastW() > FartherRatio * toScreen.Rounding.w)
+  {
+    return false;
+  }
+  this->Clip(toScreen, FartherRatio);
+  return true;
+}
+
+/** Keep what lies behind the near plane. */
+void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
+{
+  this->Rest.Clip(*this->Projected, toScreen, leastRatio);
+  for (std::vector<float>* places : { &this->Columns, &this->Lines, &this->Depths })
+  {
+    places->resize(this->Projected->Coordinates(0).size());
+  }
+  for (const glm::dvec4& cut : this->Rest.Cuts())
+  {
+    this->Columns.push_back(static_cast<float>(cut.x / cut.w));
+    this->Lines.push_back(static_cast<float>(cut.y / cut.w));
+    this->Depths.push_back(static_cast<float>(cut.z / cut.w));
+  }
+  this->DeviceMargin = toScreen.MarginFrom(this->Rest.LeastW());
+  LineExtent columns, lines, depths;
+  for (const MeshFace& face : this->Rest.Faces())
+  {
+    for (const std::uint32_t corner : face)
+    {
+      columns.Add(this->Columns[corner]);
+      lines.Add(this->Lines[corner]);
+      depths.Add(this->Depths[corner]);
+    }
+  }
+  this->Around = { columns.Left - this->DeviceMargin.Column,
+    columns.Right + this->DeviceMargin.Column, lines.Left - this->DeviceMargin.Line,
+    lines.Right + this->DeviceMargin.Line, depths.Right + this->DeviceMargin.Depth };
 }
 
 void MeshProjection::FindFacings()
 {
-  const std::vector<OccluderMesh::Face>& faces = this->Projected->Faces();
+  const std::vector<MeshFace>& faces = this->Faces();
   this->Facings.resize(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    this->Facings[i] = this->FacingOf(faces[i]);
+    this->Facings[i] = this->TurnOf(faces[i]);
   }
 }
 

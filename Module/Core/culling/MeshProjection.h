@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_MESH_PROJECTION_H
 #define VITRINE_CORE_CULLING_MESH_PROJECTION_H
 
+#include "Core/culling/NearClip.h"
 #include "Core/culling/OccluderMesh.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
@@ -28,40 +29,53 @@ class MeshProjection
 public:
   enum class Facing : std::uint8_t
   {
-    Neither, ///< not all of it lies behind the near plane
+    Neither, ///< it has no area, or not all of it lies behind the near plane
     Front,   ///< counter-clockwise on the screen
     Back
   };
 
   /**
    * @param toScreen  of the mesh's model coordinates
-   * @returns whether there are points and all lie behind the near plane, so that Rectangle() holds them all
+   * @returns whether there are points and all lie behind the near plane, so that Rectangle() holds them all; else it is clipped
    */
   bool Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen);
 
+  /**
+   * Cuts a mesh that is clipped farther behind the near plane: less is left, and margins are narrower.
+   * @param toScreen  with which it was projected
+   * @returns whether anything is cut off by that
+   */
+  bool ClipFarther(const ScreenMatrix& toScreen);
+
   const OccluderMesh& Mesh() const { return *this->Projected; }
+
+  /** The mesh's, or of what of it lies behind the near plane. */
+  const std::vector<MeshFace>& Faces() const
+  {
+    return this->AreAllBehindNear ? this->Projected->Faces() : this->Rest.Faces();
+  }
+  const std::vector<MeshEdge>& Edges() const
+  {
+    return this->AreAllBehindNear ? this->Projected->Edges() : this->Rest.Edges();
+  }
+
   ScreenPoint Point(std::uint32_t i) const
   {
     return { this->Columns[i], this->Lines[i], this->Depths[i] };
   }
 
-  /** Around all points, margin included. */
+  /** Around all points of faces, margin included. */
   const ScreenRectangle& Rectangle() const { return this->Around; }
 
   /** By how much a device may draw points elsewhere. */
   const ScreenMargin& Margin() const { return this->DeviceMargin; }
 
-  /** Which way a face goes around. */
+  /** Which way a face of the mesh goes around. */
   Facing FacingOf(const MeshFace& face) const
   {
-    const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
-    const float area =
-      (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
     const bool isWhole = this->AreAllBehindNear ||
       (this->IsBehindNear(face[0]) && this->IsBehindNear(face[1]) && this->IsBehindNear(face[2]));
-    return !isWhole || area == 0.0f || !(area == area) ? Facing::Neither
-      : area > 0.0f                                    ? Facing::Front
-                                                       : Facing::Back;
+    return isWhole ? this->TurnOf(face) : Facing::Neither;
   }
 
   /** Whether all points are behind the near plane. */
@@ -73,15 +87,25 @@ public:
     return (this->BehindNear[point / LaneCount] >> (point % LaneCount) & 1) != 0;
   }
 
-  /** Finds which way all faces go around. */
+  /** Finds which way all of Faces() go around. */
   void FindFacings();
   Facing FacingOf(std::uint32_t face) const { return this->Facings[face]; }
 
 private:
+  Facing TurnOf(const MeshFace& face) const
+  {
+    const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
+    const float area =
+      (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
+    return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
+  }
+  void Clip(const ScreenMatrix& toScreen, double leastRatio);
+
   const OccluderMesh* Projected = nullptr;
-  std::vector<float> Columns, Lines, Depths; ///< of the points
+  std::vector<float> Columns, Lines, Depths; ///< of the points, those where the mesh is cut last
   std::vector<std::uint8_t> BehindNear;      ///< a bit for each point
   bool AreAllBehindNear = false;
+  NearClip Rest; ///< where they are not
   ScreenRectangle Around{};
   ScreenMargin DeviceMargin;
   std::vector<Facing> Facings;

@@ -50,7 +50,7 @@ public:
   const std::vector<Edge>& Edges() const { return this->Sides; }
   const MeshFacets& Facets() const { return this->Polygons; }
 
-  /** Whether every edge has a face on both sides. What goes around such a mesh sees no back faces. */
+  /** Whether every edge has a face on both sides. Whoever is outside of such a mesh sees no back faces. */
   bool IsClosed() const { return this->HasNoBorder; }
 
   /** Memory that it takes. */

@@ -196,8 +196,19 @@ private:
   {
     ++this->Culler.Counted.Inserted;
     this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
+    this->InsertSides(item, occluder);
+    MeshProjection& projected = this->Culler.Projected;
+    if (!projected.IsBehindNear() && projected.ClipFarther(this->View.Of(*occluder.ToWorld)))
+    {
+      this->InsertSides(item, occluder);
+    }
+  }
+
+  void InsertSides(std::uint32_t item, const Occluder& occluder)
+  {
     this->InsertFaces(item, MeshProjection::Facing::Front);
-    if (occluder.HasBackFaces && !occluder.Mesh->IsClosed())
+    const bool isWhole = occluder.Mesh->IsClosed() && this->Culler.Projected.IsBehindNear();
+    if (occluder.HasBackFaces && !isWhole)
     {
       this->InsertFaces(item, MeshProjection::Facing::Back);
     }
@@ -206,7 +217,7 @@ private:
   void InsertFaces(std::uint32_t item, MeshProjection::Facing facing)
   {
     const ScreenRectangle& around = this->Culler.Projected.Rectangle();
-    const bool isOfFewCells =
+    const bool isOfFewCells = this->Culler.Projected.IsBehindNear() &&
       around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
     SBuffer& lines = this->Culler.Lines;
     MeshProjection& projected = this->Culler.Projected;
