@@ -44,7 +44,8 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     const Lanes column = (m[0].x * px + m[1].x * py + m[2].x * pz + m[3].x) * inverse;
     const Lanes line = (m[0].y * px + m[1].y * py + m[2].y * pz + m[3].y) * inverse;
     const Lanes depth = depthTimesW * inverse;
-    const LaneMask isBehind = (w > leastW) & (w - depthTimesW > leastSlack);
+    const LaneMask isFinite = column - column == line - line;
+    const LaneMask isBehind = isFinite & (w > leastW) & (w - depthTimesW > leastSlack);
     StoreLanes(column, &this->Columns[i]);
     StoreLanes(line, &this->Lines[i]);
     StoreLanes(depth, &this->Depths[i]);
@@ -52,11 +53,11 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     this->BehindNear[i / LaneCount] = static_cast<std::uint8_t>(behind);
     behindAll &= behind;
     nearestW = LeastOf(isBehind ? w : AllLanes(3e38f), nearestW);
-    left = LeastOf(left, column);
-    right = GreatestOf(right, column);
-    bottom = LeastOf(bottom, line);
-    top = GreatestOf(top, line);
-    nearest = GreatestOf(nearest, depth);
+    left = LeastOf(column, left);
+    right = GreatestOf(column, right);
+    bottom = LeastOf(line, bottom);
+    top = GreatestOf(line, top);
+    nearest = GreatestOf(depth, nearest);
   }
   this->DeviceMargin = toScreen.MarginFrom(LeastLane(nearestW));
   this->Around = { LeastLane(left) - this->DeviceMargin.Column,
