@@ -97,7 +97,8 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
     if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
           .Run(std::max(left, tileLeft), std::min(right, tileRight)))
     {
-      this->Leasts[tile] = this->LeastDepthOf(this->Firsts[tile], tileLeft, tileRight);
+      this->Leasts[tile] = this->LeastDepthOf(
+        this->Firsts[tile], this->Grid.From(tileLeft), this->Grid.UpTo(tileRight));
     }
   }
 }
@@ -223,8 +224,8 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
       i = endOfWhole;
     }
     if (i <= lastTile &&
-      !this->PartOfTilesHides(firstLine, lastLine, i, std::max(left, sideOf(i)),
-        std::min(right, sideOf(i + 1)), rectangle.Nearest))
+      !this->PartOfTilesHides(firstLine, lastLine, i, this->Grid.From(std::max(left, sideOf(i))),
+        this->Grid.UpTo(std::min(right, sideOf(i + 1))), rectangle.Nearest))
     {
       return false;
     }
