@@ -51,30 +51,29 @@ public:
   {
   }
 
-  void VisitNode(const LooseNode& node)
+  /** Visits all that may show, the nearest first. */
+  void Run()
   {
-    ++this->Culler.Counted.Nodes;
-    RectangleLanes rectangles;
-    this->View.Project(node.Boxes, rectangles);
-    int lanes[LaneCount];
-    const int count = this->OrderLanes(node, rectangles, lanes);
-    for (int i = 0; i < count; ++i)
+    std::vector<Waiting>& queue = this->Culler.Queue;
+    queue.clear();
+    this->QueueEntriesOf(this->Tree.Node(0));
+    while (!queue.empty())
     {
-      const int lane = lanes[i];
-      const bool isNear = (rectangles.Near >> lane & 1u) != 0;
-      const ScreenRectangle rectangle = isNear ? Everywhere() : rectangles.At(lane);
-      if (node.IsItem(lane))
+      std::pop_heap(queue.begin(), queue.end());
+      const Waiting next = queue.back();
+      queue.pop_back();
+      if ((next.Entry & LooseNode::ItemBit) != 0)
       {
-        const std::uint32_t item = node.ItemAt(lane);
-        this->Culler.Shows[item] = this->VisitPart(item, rectangle);
+        const std::uint32_t item = next.Entry & LooseNode::NumberBits;
+        this->Culler.Shows[item] = this->VisitPart(item, next.Rectangle);
       }
-      else if (this->IsHidden(rectangle))
+      else if (this->IsHidden(next.Rectangle))
       {
-        this->Culler.Budget.AddHidden(node.Counts[lane]);
+        this->Culler.Budget.AddHidden(next.Count);
       }
       else
       {
-        this->VisitNode(this->Tree.Node(node.NodeAt(lane)));
+        this->QueueEntriesOf(this->Tree.Node(next.Entry & LooseNode::NumberBits));
       }
     }
   }
@@ -82,11 +81,12 @@ public:
 private:
   static ScreenRectangle Everywhere() { return { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f }; }
 
-  /** Finds the lanes that are to be visited, what is long first and then from front to back; returns how many. */
-  int OrderLanes(const LooseNode& node, const RectangleLanes& rectangles, int* lanes)
+  /** What is long comes before all else: it may hide much. */
+  void QueueEntriesOf(const LooseNode& node)
   {
-    float nearest[LaneCount];
-    int count = 0;
+    ++this->Culler.Counted.Nodes;
+    RectangleLanes rectangles;
+    this->View.Project(node.Boxes, rectangles);
     for (int lane = 0; lane < LaneCount; ++lane)
     {
       if (!node.Has(lane) || (rectangles.Outside >> lane & 1u) != 0 || !this->IsWanted(node, lane))
@@ -95,16 +95,10 @@ private:
       }
       const bool isNear = (rectangles.Near >> lane & 1u) != 0;
       const float depth = node.IsLong(lane) ? 3.0f : isNear ? 2.0f : rectangles.Nearest[lane];
-      int place = count++;
-      for (; place > 0 && nearest[place - 1] < depth; --place)
-      {
-        nearest[place] = nearest[place - 1];
-        lanes[place] = lanes[place - 1];
-      }
-      nearest[place] = depth;
-      lanes[place] = lane;
+      this->Culler.Queue.push_back({ depth, isNear ? Everywhere() : rectangles.At(lane),
+        node.Entries[lane], node.Counts[lane] });
+      std::push_heap(this->Culler.Queue.begin(), this->Culler.Queue.end());
     }
-    return count;
   }
 
   bool IsWanted(const LooseNode& node, int lane)
@@ -252,7 +246,7 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   }
   if (!tree.IsEmpty())
   {
-    Walk(*this, tree, occluders, view, occlusion, visible).VisitNode(tree.Node(0));
+    Walk(*this, tree, occluders, view, occlusion, visible).Run();
   }
   const std::size_t count = std::min(tree.HeldItems().size(), visible.size());
   KeepShown(this->Shows.data(), tree.HeldItems().data(), count, visible.data());

@@ -74,12 +74,24 @@ public:
 private:
   class Walk;
 
+  /** An entry of a node on its way through the walk. */
+  struct Waiting
+  {
+    float Depth; ///< reversed: the greatest is visited first
+    ScreenRectangle Rectangle;
+    std::uint32_t Entry;
+    std::uint32_t Count; ///< of parts in it
+
+    bool operator<(const Waiting& other) const { return this->Depth < other.Depth; }
+  };
+
   SBuffer Lines;
   MeshProjection Projected;
   OutlineCoverage CoverOfFew;
   CellCoverage CoverOfMany;
   CullCounts Counted;
   InsertionBudget Budget;
+  std::vector<Waiting> Queue; ///< a heap
   std::vector<std::uint8_t> Shows;
   std::vector<std::uint8_t>
     WasSmall; ///< parts whose mesh had few points when it was last asked for
