@@ -63,7 +63,8 @@ void InsertSegments(benchmark::State& state)
 BENCHMARK(InsertSegments)->Arg(1000)->Arg(100000)->Unit(benchmark::kMicrosecond);
 
 // Of buffers with few spans and with many.
-void TestRectangles(benchmark::State& state)
+template <class IsHidden>
+void AskAtPlaces(benchmark::State& state, const IsHidden& isHidden)
 {
   SBuffer buffer(BufferColumns, BufferLines);
   Fill(buffer, RandomSegments(static_cast<std::size_t>(state.range(0))));
@@ -72,28 +73,28 @@ void TestRectangles(benchmark::State& state)
   std::size_t hidden = 0;
   for (auto _ : state)
   {
-    const LineSegment& place = places[asked++ % places.size()];
-    const float bottom = static_cast<float>(place.Line);
-    hidden += buffer.Hides({ place.Covered.Left, place.Covered.Left + 4.0f, bottom, bottom + 4.0f,
-      0.5f * place.Covered.LeftDepth });
+    hidden += isHidden(buffer, places[asked++ % places.size()]);
   }
   state.counters["hidden_share"] = static_cast<double>(hidden) / static_cast<double>(asked);
+}
+
+void TestRectangles(benchmark::State& state)
+{
+  AskAtPlaces(state,
+    [](const SBuffer& buffer, const LineSegment& place)
+    {
+      const float bottom = static_cast<float>(place.Line);
+      return buffer.Hides({ place.Covered.Left, place.Covered.Left + 4.0f, bottom, bottom + 4.0f,
+        0.5f * place.Covered.LeftDepth });
+    });
 }
 BENCHMARK(TestRectangles)->Arg(1000)->Arg(100000);
 
 void TestSegments(benchmark::State& state)
 {
-  SBuffer buffer(BufferColumns, BufferLines);
-  Fill(buffer, RandomSegments(static_cast<std::size_t>(state.range(0))));
-  const auto places = RandomSegments(4096);
-  std::size_t asked = 0;
-  std::size_t hidden = 0;
-  for (auto _ : state)
-  {
-    const LineSegment& place = places[asked++ % places.size()];
-    hidden += buffer.Hides(place.Line, place.Covered, 0.0f);
-  }
-  state.counters["hidden_share"] = static_cast<double>(hidden) / static_cast<double>(asked);
+  AskAtPlaces(state,
+    [](SBuffer& buffer, const LineSegment& place)
+    { return buffer.Hides(place.Line, place.Covered, 0.0f); });
 }
 BENCHMARK(TestSegments)->Arg(1000)->Arg(100000);
 

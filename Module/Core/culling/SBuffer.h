@@ -98,7 +98,7 @@ public:
   /** Whether all of a segment is behind what is nearer by more than `margin`. */
   bool Hides(int line, const Segment& segment, float margin) const;
 
-  /** Whether all of a tile is covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
+  /** Whether all samples of a tile are covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
   bool IsCoveredBefore(int line, int tile, float depth) const
   {
     return this->Leasts[this->TileAt(line, tile)] >= depth;
