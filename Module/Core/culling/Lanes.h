@@ -101,6 +101,19 @@ VITRINE_INLINE void StoreLanes(Lanes lanes, float* values)
   __builtin_memcpy(values, &lanes, sizeof(lanes));
 }
 
+/** The same of a column of a matrix. */
+VITRINE_INLINE DoubleLanes LoadDoubles(const double* values)
+{
+  DoubleLanes lanes;
+  __builtin_memcpy(&lanes, values, sizeof(lanes));
+  return lanes;
+}
+
+VITRINE_INLINE void StoreDoubles(DoubleLanes lanes, double* values)
+{
+  __builtin_memcpy(values, &lanes, sizeof(lanes));
+}
+
 }
 
 #if defined(__GNUC__) && !defined(__clang__)

@@ -34,6 +34,11 @@ void KeepShown(
 // Occluders of no more get one depth.
 const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
+
+// Nodes that hold so little of all parts are visited at once: the order hardly matters there, and what is near each other stays in the processor's caches.
+const std::uint32_t LeastShare = 1024;
+
+const ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 }
 
 /** Visits nodes and parts in one frame. */
@@ -54,39 +59,70 @@ public:
   /** Visits all that may show, the nearest first. */
   void Run()
   {
-    std::vector<Waiting>& queue = this->Culler.Queue;
+    std::vector<Entry>& queue = this->Culler.Queue;
     queue.clear();
+    this->FewParts = this->Tree.Node(0).Count() / LeastShare;
     this->QueueEntriesOf(this->Tree.Node(0));
     while (!queue.empty())
     {
       std::pop_heap(queue.begin(), queue.end());
-      const Waiting next = queue.back();
+      const Entry nearest = queue.back();
       queue.pop_back();
-      if ((next.Entry & LooseNode::ItemBit) != 0)
-      {
-        const std::uint32_t item = next.Entry & LooseNode::NumberBits;
-        this->Culler.Shows[item] = this->VisitPart(item, next.Rectangle);
-      }
-      else if (this->IsHidden(next.Rectangle))
-      {
-        this->Culler.Budget.AddHidden(next.Count);
-      }
-      else
-      {
-        this->QueueEntriesOf(this->Tree.Node(next.Entry & LooseNode::NumberBits));
-      }
+      this->Visit(nearest);
     }
   }
 
 private:
-  static ScreenRectangle Everywhere() { return { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f }; }
+  void Visit(const Entry& entry)
+  {
+    const std::uint32_t number = entry.Number & LooseNode::NumberBits;
+    if ((entry.Number & LooseNode::ItemBit) != 0)
+    {
+      this->Culler.Shows[number] = this->VisitPart(number, entry.Rectangle);
+    }
+    else if (this->IsHidden(entry.Rectangle))
+    {
+      this->Culler.Budget.AddHidden(entry.PartCount);
+    }
+    else if (entry.PartCount <= this->FewParts)
+    {
+      this->VisitEntriesOf(this->Tree.Node(number));
+    }
+    else
+    {
+      this->QueueEntriesOf(this->Tree.Node(number));
+    }
+  }
 
-  /** What is long comes before all else: it may hide much. */
   void QueueEntriesOf(const LooseNode& node)
+  {
+    Entry entries[LaneCount];
+    const int count = this->FindEntries(node, entries);
+    for (int i = 0; i < count; ++i)
+    {
+      this->Culler.Queue.push_back(entries[i]);
+      std::push_heap(this->Culler.Queue.begin(), this->Culler.Queue.end());
+    }
+  }
+
+  void VisitEntriesOf(const LooseNode& node)
+  {
+    Entry entries[LaneCount];
+    const int count = this->FindEntries(node, entries);
+    std::sort(entries, entries + count);
+    for (int i = count - 1; i >= 0; --i)
+    {
+      this->Visit(entries[i]);
+    }
+  }
+
+  /** Those that may lie in the view. What is long comes before all else: it may hide much. */
+  int FindEntries(const LooseNode& node, Entry (&entries)[LaneCount])
   {
     ++this->Culler.Counted.Nodes;
     RectangleLanes rectangles;
     this->View.Project(node.Boxes, rectangles);
+    int count = 0;
     for (int lane = 0; lane < LaneCount; ++lane)
     {
       if (!node.Has(lane) || (rectangles.Outside >> lane & 1u) != 0 || !this->IsWanted(node, lane))
@@ -95,10 +131,10 @@ private:
       }
       const bool isNear = (rectangles.Near >> lane & 1u) != 0;
       const float depth = node.IsLong(lane) ? 3.0f : isNear ? 2.0f : rectangles.Nearest[lane];
-      this->Culler.Queue.push_back({ depth, isNear ? Everywhere() : rectangles.At(lane),
-        node.Entries[lane], node.Counts[lane] });
-      std::push_heap(this->Culler.Queue.begin(), this->Culler.Queue.end());
+      entries[count++] = { depth, isNear ? Everywhere : rectangles.At(lane), node.Entries[lane],
+        node.Counts[lane] };
     }
+    return count;
   }
 
   bool IsWanted(const LooseNode& node, int lane)
@@ -226,6 +262,7 @@ private:
   const ScreenProjection& View;
   bool HasOcclusion;
   const std::vector<std::uint8_t>& IsDrawn;
+  std::uint32_t FewParts = 0; ///< of nodes that are not queued
 };
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)

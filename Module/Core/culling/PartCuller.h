@@ -74,15 +74,15 @@ public:
 private:
   class Walk;
 
-  /** An entry of a node on its way through the walk. */
-  struct Waiting
+  /** What a node holds, and where on the screen that is. */
+  struct Entry
   {
     float Depth; ///< reversed: the greatest is visited first
     ScreenRectangle Rectangle;
-    std::uint32_t Entry;
-    std::uint32_t Count; ///< of parts in it
+    std::uint32_t Number; ///< as nodes tell it
+    std::uint32_t PartCount;
 
-    bool operator<(const Waiting& other) const { return this->Depth < other.Depth; }
+    bool operator<(const Entry& other) const { return this->Depth < other.Depth; }
   };
 
   SBuffer Lines;
@@ -91,7 +91,7 @@ private:
   CellCoverage CoverOfMany;
   CullCounts Counted;
   InsertionBudget Budget;
-  std::vector<Waiting> Queue; ///< a heap
+  std::vector<Entry> Queue; ///< a heap
   std::vector<std::uint8_t> Shows;
   std::vector<std::uint8_t>
     WasSmall; ///< parts whose mesh had few points when it was last asked for

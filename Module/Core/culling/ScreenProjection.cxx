@@ -4,8 +4,6 @@
 
 #include <glm/common.hpp>
 
-#include <cstring>
-
 namespace vitrine
 {
 
@@ -127,14 +125,14 @@ ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld) const
   matrix.Rounding = this->World.Rounding;
   matrix.Snapping = this->World.Snapping;
   matrix.Size = this->World.Size;
-  DoubleLanes columns[4];
-  std::memcpy(columns, &this->World.Matrix, sizeof(columns));
+  const glm::dmat4& m = this->World.Matrix;
+  const DoubleLanes first = LoadDoubles(&m[0].x), second = LoadDoubles(&m[1].x),
+                    third = LoadDoubles(&m[2].x), fourth = LoadDoubles(&m[3].x);
   for (int i = 0; i < 4; ++i)
   {
     const glm::dvec4& other = toWorld[i];
-    const DoubleLanes product =
-      columns[0] * other.x + columns[1] * other.y + columns[2] * other.z + columns[3] * other.w;
-    std::memcpy(&matrix.Matrix[i], &product, sizeof(product));
+    StoreDoubles(
+      first * other.x + second * other.y + third * other.z + fourth * other.w, &matrix.Matrix[i].x);
   }
   return matrix;
 }
