@@ -190,7 +190,7 @@ TEST_P(MeshCoverage, OfAFoldedSheetIsThatOfEitherSide)
   Covered(GetParam(), sheet, Facing::Front).ExpectFromTo(9, 5.5, 30.5);
   const Covered back(GetParam(), sheet, Facing::Back);
   back.ExpectFromTo(9, 9.5, 30.5);
-  EXPECT_NEAR(back.DepthAt(9, 20.0), GetParam().IsByCells ? 0.45 : 0.3, 1e-4);
+  EXPECT_NEAR(back.DepthAt(9, 20.0), 0.45, 1e-4);
 }
 
 // Else a corner that lies in a line's middle would count for both of its edges.

@@ -16,13 +16,38 @@ const Way ByOutline{ false, 0 };
 
 }
 
-TEST(OutlineCoverage, HasTheDepthOfItsFarthestCorner)
+TEST(OutlineCoverage, HasTheDepthOfItsPlane)
 {
   Triangles small;
-  small.AddQuad({ 10, 4, 0.3 }, { 15, 4, 0.5 }, { 15, 9, 0.6 }, { 10, 9, 0.4 });
+  small.AddQuad({ 10, 4, 0.3 }, { 15, 4, 0.4 }, { 15, 9, 0.6 }, { 10, 9, 0.5 });
   const Covered covered(ByOutline, small);
-  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.3, 1e-6);
-  EXPECT_NEAR(covered.DepthAt(6, 14.5), 0.3, 1e-6);
+  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.31 + 0.04 * 2, 1e-5); // at the lower side of the line
+  EXPECT_NEAR(covered.DepthAt(6, 14.5), 0.39 + 0.04 * 2, 1e-5);
+}
+
+TEST(OutlineCoverage, HasTheDepthOfAPlaneBehindAllCorners)
+{
+  Triangles roof; // nearest along its ridge
+  roof.AddQuad({ 10, 4, 0.3 }, { 14, 4, 0.5 }, { 14, 9, 0.5 }, { 10, 9, 0.3 });
+  roof.AddQuad({ 14, 4, 0.5 }, { 18, 4, 0.4 }, { 18, 9, 0.4 }, { 14, 9, 0.5 });
+  const Covered covered(ByOutline, roof);
+  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.30625, 1e-5);
+  EXPECT_NEAR(covered.DepthAt(6, 17.99), 0.4, 1e-3);
+  EXPECT_NEAR(covered.DepthAt(6, 14.0), 0.35, 1e-4);
+}
+
+// A plane that fits the corners may be far behind some of them.
+TEST(OutlineCoverage, IsNotFartherThanItsFarthestCorner)
+{
+  Triangles sheets;
+  AddRectangle(sheets, { 10.5, 4.5 }, { 15.5, 8.5 }, 0.7);
+  AddRectangle(sheets, { 10.5, 4.5 }, { 15.5, 8.5 }, 0.4);
+  AddRectangle(sheets, { 15.5, 4.5 }, { 16.5, 8.5 }, 0.3);
+  const Covered covered(ByOutline, sheets);
+  for (const double column : { 11.0, 16.0 })
+  {
+    EXPECT_GE(covered.DepthAt(6, column), 0.3 - 1e-5) << column;
+  }
 }
 
 TEST(OutlineCoverage, HasNotTheDepthOfFacesThatDoNotCount)
@@ -33,7 +58,7 @@ TEST(OutlineCoverage, HasNotTheDepthOfFacesThatDoNotCount)
   EXPECT_NEAR(Covered(ByOutline, sheet).DepthAt(9, 12.0), 0.7, 1e-6);
 }
 
-TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionAtTheFartherDepth)
+TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionBehindBoth)
 {
   Triangles sheets;
   AddRectangle(sheets, { 2.5, 1.5 }, { 20.5, 18.5 }, 0.7);
@@ -41,7 +66,8 @@ TEST(OutlineCoverage, OfOverlappingSheetsIsTheirUnionAtTheFartherDepth)
   const Covered covered(ByOutline, sheets);
   for (const double column : { 3.0, 12.0, 16.0, 37.0 })
   {
-    EXPECT_NEAR(covered.DepthAt(9, column), 0.4, 1e-6) << column;
+    EXPECT_TRUE(covered.IsAt(9, column));
+    EXPECT_LE(covered.DepthAt(9, column), (column < 12.5 ? 0.7 : 0.4) + 1e-6) << column;
   }
 }
 

@@ -354,7 +354,7 @@ TEST(PartCuller, MeshesOfMoreFacesThanCellsHideNothing)
     SCOPED_TRACE(isDense);
     PartScene scene;
     Random random(1);
-    const int rings = isDense ? 60 : 10;
+    const int rings = isDense ? 150 : 10;
     const std::uint32_t ball = scene.Add(coverage::BallOf(2 * rings, rings, 1.0, random),
       glm::scale(
         glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -30)), glm::dvec3(5.0))); // 30 by 30 cells
@@ -374,8 +374,14 @@ TEST(PartCuller, DenseMeshesOfFewPointsAreHiddenAsOthersAre)
 {
   PartScene scene;
   scene.Add(WallAt(-20.0));
-  const std::uint32_t speck = scene.AddBox({ 0, 0, -32.1 }, { 0.1, 0.1, -32 });
-  const std::uint32_t before = scene.AddBox({ 0, 0, -12.1 }, { 0.1, 0.1, -12 });
+  Random random(1);
+  const auto addSpeck = [&](double z)
+  {
+    return scene.Add(coverage::BallOf(8, 6, 1.0, random),
+      glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, z)), glm::dvec3(0.05)));
+  };
+  const std::uint32_t speck = addSpeck(-32.0);
+  const std::uint32_t before = addSpeck(-12.0);
   PartCuller culler(FrameColumns, FrameLines);
   scene.Cull(culler, AheadView(true));
   EXPECT_FALSE(scene.Visible[speck]);

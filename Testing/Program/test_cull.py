@@ -6,9 +6,11 @@ from program import FileTest, read_png, run
 
 ROW = [
     "input", "parts", "opaque_parts", "drawn", "ideal", "culled_share", "ideal_share", "cull_ms",
-    "frame_ms", "frame_ms_without", "wrong_pixels", "poses",
+    "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels", "poses",
 ]  # fmt: skip
-POSE = ["drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "wrong_pixels"]
+POSE = [
+    "drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
+]  # fmt: skip
 SMALL = ("--size", "120x67", "--poses", "6")
 
 
@@ -36,6 +38,7 @@ class Cull(FileTest):
         for row in told["results"]:
             self.assertEqual(list(row), ROW)
             self.assertEqual([list(pose) for pose in row["poses"]], 6 * [POSE])
+            self.assertLess(0.0, row["frame_ms_ideal"])
             self.assertTrue(0.0 <= row["culled_share"] <= row["ideal_share"] <= 1.0)
 
     def test_culls_most_of_what_is_hidden_and_changes_no_pixel(self):

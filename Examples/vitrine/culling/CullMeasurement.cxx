@@ -1,6 +1,7 @@
 #include "culling/CullMeasurement.h"
 
 #include "culling/BufferPicture.h"
+#include "culling/IdealCuller.h"
 #include "culling/ItemBuffer.h"
 #include "methods/Method.h"
 
@@ -8,10 +9,13 @@
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkHierarchicalSBufferCuller.h"
 #include "vtkNew.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 
 namespace program
 {
@@ -94,6 +98,25 @@ public:
     return frame;
   }
 
+  /** The time of a frame in which some opaque parts are drawn and all that are not opaque. */
+  double DrawOnly(
+    vtkCamera* camera, const std::vector<std::size_t>& opaque, const std::vector<std::size_t>& some)
+  {
+    std::vector<vtkProp*> props;
+    vtkCollectionSimpleIterator i;
+    vtkPropCollection* const all = this->Cullers->GetRenderer()->GetViewProps();
+    for (all->InitTraversal(i); vtkProp* prop = all->GetNextProp(i);)
+    {
+      props.push_back(prop);
+    }
+    std::unordered_set<vtkProp*> kept(props.begin(), props.end());
+    std::for_each(opaque.begin(), opaque.end(), [&](std::size_t part) { kept.erase(props[part]); });
+    std::for_each(some.begin(), some.end(), [&](std::size_t part) { kept.insert(props[part]); });
+    this->Ideal->Keep(std::move(kept));
+    this->Cullers->SetCuller(this->Ideal);
+    return this->Window.Draw(camera);
+  }
+
   /** Of the last picture. */
   std::size_t CountParts() const
   {
@@ -134,10 +157,22 @@ private:
   CulledMethod* Cullers; ///< of the window
   vtkNew<vtkFrustumCoverageCuller> Usual;
   vtkNew<vtkHierarchicalSBufferCuller> Ours;
+  vtkNew<IdealCuller> Ideal;
   Stage Window;
   bool OursFirst = false;
   std::vector<std::uint8_t> Picture; ///< with our culler
 };
+
+void AddIdeal(CullRun& run, CullStage& stage, ItemBuffer& ideal, vtkCamera* camera)
+{
+  CullFrame& frame = run.Frames.back();
+  const std::vector<std::size_t> owners = ideal.FindOwners(camera);
+  frame.Ideal = owners.size();
+  if (run.HasIdealFrames)
+  {
+    frame.FrameMillisecondsIdeal = stage.DrawOnly(camera, ideal.Parts(), owners);
+  }
+}
 }
 
 CullRun MeasureCulling(
@@ -151,7 +186,8 @@ CullRun MeasureCulling(
   if (settings.CountsIdeal && settings.Form != SceneForm::Mesh)
   {
     ideal.emplace(scene, settings.Size);
-    run.OpaqueParts = ideal->CountParts();
+    run.OpaqueParts = ideal->Parts().size();
+    run.HasIdealFrames = run.OpaqueParts > 0 && settings.Form == SceneForm::Actors;
   }
   CullPoses poses(scene, settings.Projection, settings.Seed);
   for (int i = 0; i < settings.Poses; ++i)
@@ -165,7 +201,7 @@ CullRun MeasureCulling(
     run.Frames.push_back(stage.Measure(camera));
     if (ideal)
     {
-      run.Frames.back().Ideal = ideal->CountOwners(camera);
+      AddIdeal(run, stage, *ideal, camera);
     }
   }
   run.Parts = stage.CountParts();

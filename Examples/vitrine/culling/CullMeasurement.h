@@ -39,7 +39,8 @@ struct CullFrame
   double CullMilliseconds = 0.0;
   double FrameMilliseconds = 0.0;
   double FrameMillisecondsWithout = 0.0;
-  std::int64_t WrongPixels = 0; ///< that differ between the two
+  double FrameMillisecondsIdeal = 0.0; ///< by a culler that leaves the ideal parts, at no cost
+  std::int64_t WrongPixels = 0;        ///< that differ between the two
 };
 
 struct CullRun
@@ -47,6 +48,7 @@ struct CullRun
   std::string Name;
   std::size_t Parts = 0; ///< of a mesh, what it is cut into
   std::size_t OpaqueParts = 0;
+  bool HasIdealFrames = false; ///< only actors can be left out by a culler
   CullSettings Settings;
   Device DrawnBy;
   std::vector<CullFrame> Frames;

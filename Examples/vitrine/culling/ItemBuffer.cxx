@@ -15,14 +15,16 @@ namespace
 {
 
 /** Numbers count from 1; the background is none of them. */
-Scene NumberParts(const Scene& scene, std::size_t& count)
+Scene NumberParts(const Scene& scene, std::vector<std::size_t>& opaque)
 {
   MergedMesh mesh;
-  for (const Part& part : scene.Parts)
+  for (std::size_t i = 0; i < scene.Parts.size(); ++i)
   {
+    const Part& part = scene.Parts[i];
     if (!IsTranslucent(part) && part.Geometry->GetNumberOfPolys() > 0)
     {
-      ++count;
+      opaque.push_back(i);
+      const std::size_t count = opaque.size();
       mesh.Add(part,
         { static_cast<unsigned char>(count >> 16), static_cast<unsigned char>(count >> 8),
           static_cast<unsigned char>(count) });
@@ -40,25 +42,25 @@ Scene NumberParts(const Scene& scene, std::size_t& count)
 }
 
 ItemBuffer::ItemBuffer(const Scene& scene, PictureSize size)
-  : Numbered(NumberParts(scene, this->Parts))
+  : Numbered(NumberParts(scene, this->Opaque))
   , Window(this->Numbered, MakeVTKOIT(), size, 0)
 {
 }
 
-std::size_t ItemBuffer::CountOwners(vtkCamera* camera)
+std::vector<std::size_t> ItemBuffer::FindOwners(vtkCamera* camera)
 {
   this->Window.Draw(camera);
   const std::vector<std::uint8_t> pixels = this->Window.ReadPixels();
-  std::set<std::uint32_t> owners;
+  std::set<std::size_t> owners;
   for (std::size_t i = 0; i + 2 < pixels.size(); i += 3)
   {
     const std::uint32_t number = pixels[i] << 16 | pixels[i + 1] << 8 | pixels[i + 2];
-    if (number >= 1 && number <= this->Parts)
+    if (number >= 1 && number <= this->Opaque.size())
     {
-      owners.insert(number);
+      owners.insert(this->Opaque[number - 1]);
     }
   }
-  return owners.size();
+  return { owners.begin(), owners.end() };
 }
 
 }

@@ -11,6 +11,9 @@
 
 #include "vtkCamera.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace program
 {
 
@@ -20,14 +23,14 @@ public:
   /** All opaque polygons of the scene as one mesh, in colours that number the parts. */
   ItemBuffer(const Scene& scene, PictureSize size);
 
-  /** How many parts own a pixel. */
-  std::size_t CountOwners(vtkCamera* camera);
+  /** The parts that own a pixel, as they count in the scene. */
+  std::vector<std::size_t> FindOwners(vtkCamera* camera);
 
-  /** How many parts there are in it. */
-  std::size_t CountParts() const { return this->Parts; }
+  /** The parts that are in it. */
+  const std::vector<std::size_t>& Parts() const { return this->Opaque; }
 
 private:
-  std::size_t Parts = 0;
+  std::vector<std::size_t> Opaque;
   Scene Numbered;
   Stage Window;
 };

@@ -64,6 +64,11 @@ double Without(const CullFrame& frame)
   return frame.FrameMillisecondsWithout;
 }
 
+double Ideally(const CullFrame& frame)
+{
+  return frame.FrameMillisecondsIdeal;
+}
+
 /** Of all parts, the share that is not drawn. */
 double CulledShare(const CullRun& run)
 {
@@ -91,6 +96,7 @@ TextRow RowOf(const CullRun& run)
     run.OpaqueParts > 0 ? FormatCell("%.0f", Mean(run, Ideal)) : "?", Share(CulledShare(run)),
     Share(IdealShare(run)), FormatCell("%.2f", Median(Values(run, CullTimeOf))),
     FormatCell("%.2f", Median(Values(run, With))), FormatCell("%.2f", Median(Values(run, Without))),
+    run.HasIdealFrames ? FormatCell("%.2f", Median(Values(run, Ideally))) : "?",
     FormatCell("%.0f", Sum(run, Wrong)) };
 }
 
@@ -103,6 +109,7 @@ Json RunJson(const CullRun& run)
       { "ideal", run.OpaqueParts > 0 ? Json(frame.Ideal) : Json(nullptr) },
       { "cull_ms", frame.CullMilliseconds }, { "frame_ms", frame.FrameMilliseconds },
       { "frame_ms_without", frame.FrameMillisecondsWithout },
+      { "frame_ms_ideal", run.HasIdealFrames ? Json(Ideally(frame)) : Json(nullptr) },
       { "wrong_pixels", frame.WrongPixels } });
   }
   return { { "input", run.Name }, { "parts", run.Parts }, { "opaque_parts", run.OpaqueParts },
@@ -111,6 +118,7 @@ Json RunJson(const CullRun& run)
     { "culled_share", CulledShare(run) }, { "ideal_share", OrNull(IdealShare(run)) },
     { "cull_ms", Median(Values(run, CullTimeOf)) }, { "frame_ms", Median(Values(run, With)) },
     { "frame_ms_without", Median(Values(run, Without)) },
+    { "frame_ms_ideal", run.HasIdealFrames ? Json(Median(Values(run, Ideally))) : Json(nullptr) },
     { "wrong_pixels", static_cast<std::int64_t>(Sum(run, Wrong)) }, { "poses", poses } };
 }
 }
@@ -118,7 +126,7 @@ Json RunJson(const CullRun& run)
 std::string ToTable(const std::vector<CullRun>& runs)
 {
   std::vector<TextRow> rows = { { "input", "parts", "drawn", "ideal", "culled", "ideally",
-    "cull ms", "frame ms", "without", "wrong pixels" } };
+    "cull ms", "frame ms", "without", "ideally", "wrong pixels" } };
   for (const CullRun& run : runs)
   {
     rows.push_back(RowOf(run));

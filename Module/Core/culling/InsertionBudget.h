@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace vitrine
 {
 
 /**
- * How much a frame may spend on inserting occluders: as much as the parts that the last frame found hidden would have cost to
- * draw, and a little more, to find out whether it would pay again. What an occluder takes is known once it is inserted; what that
- * is more than there was left, the next frames have less, so that a try that takes long is made seldom. Work is counted in pieces
- * of faces and edges on lines, not timed, so that the same frames are culled in the same way everywhere. Once it is spent, less
- * is hidden, never too much.
+ * How much may be spent on inserting occluders: as much as the parts that were found hidden would have cost to draw, and a little
+ * more each frame, to find out whether it would pay again. What is not spent is kept, up to what all parts are worth, so that there is enough
+ * when the view jumps to where much is to be hidden. What an occluder takes is known once it is inserted; if that is more than there was, the
+ * next frames have less, so that a try that takes long is made seldom. Work is counted in pieces of faces and edges on lines, not timed, so
+ * that the same frames are culled in the same way everywhere. Once all is spent, less is hidden, never too much.
  */
 class InsertionBudget
 {
@@ -21,22 +22,21 @@ public:
   void Begin(std::size_t parts)
   {
     const bool isNew = parts > 2 * this->Parts;
-    const std::size_t earned = this->Hidden * WorthOfPart + parts * TrialOfPart + LeastTrial;
-    const std::size_t paid = std::min(this->Debt, earned);
-    this->Left = isNew ? parts * WorthOfPart : earned - paid;
-    this->Debt = isNew ? 0 : this->Debt - paid;
+    const auto most = static_cast<std::int64_t>(parts * WorthOfPart);
+    const auto earned =
+      static_cast<std::int64_t>(this->Hidden * WorthOfPart + parts * TrialOfPart + LeastTrial);
+    this->Left = isNew ? most : std::min(this->Left + earned, most);
     this->Parts = parts;
     this->Hidden = 0;
   }
 
-  bool Allows(std::size_t pieces) const { return pieces <= this->Left; }
-
-  void Spend(std::size_t pieces)
+  /** What takes next to nothing is always allowed. */
+  bool Allows(std::size_t pieces) const
   {
-    const std::size_t paid = std::min(pieces, this->Left);
-    this->Left -= paid;
-    this->Debt += pieces - paid;
+    return static_cast<std::int64_t>(pieces) <= std::max(this->Left, std::int64_t{ 0 });
   }
+
+  void Spend(std::size_t pieces) { this->Left -= static_cast<std::int64_t>(pieces); }
 
   void AddHidden(std::size_t parts) { this->Hidden += parts; }
 
@@ -48,8 +48,7 @@ private:
 
   std::size_t Parts = 0;
   std::size_t Hidden = 0;
-  std::size_t Left = 0;
-  std::size_t Debt = 0; ///< what earlier frames and this one have spent beyond what there was
+  std::int64_t Left = 0; ///< below 0 where more was spent than there was
 };
 
 }

@@ -1,6 +1,7 @@
 #include "Core/culling/OutlineCoverage.h"
 
 #include "Core/culling/LineExtent.h"
+#include "Core/culling/PlaneBelow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,7 @@ std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& proje
       }
       else if (spans.Left[lane] < spans.Right[lane])
       {
-        buffer.Insert(
-          line, { spans.Left[lane], spans.Right[lane], this->Depth, this->Depth, part });
+        this->InsertSpan(buffer, line, spans.Left[lane], spans.Right[lane], part);
       }
     }
   }
@@ -67,13 +67,13 @@ bool OutlineCoverage::FrameLines(const SBuffer& buffer)
   return this->FirstLine <= this->LastLine;
 }
 
-/** Which facets count, and how far they reach. */
+/** Which facets count, and where their corners are. */
 void OutlineCoverage::FindFacets(MeshProjection::Facing facing)
 {
   const MeshFacets& facets = this->Projection->Mesh().Facets();
   const bool areAllBehindNear = this->Projection->IsBehindNear();
   this->IsCounted.resize(facets.Count() + 1);
-  float farthest = 1.0f;
+  this->Corners.clear();
   std::uint32_t begin = 0;
   for (std::size_t i = 0; i < facets.Count(); ++i)
   {
@@ -82,13 +82,13 @@ void OutlineCoverage::FindFacets(MeshProjection::Facing facing)
       (areAllBehindNear || this->IsBehindNear(begin, end));
     for (std::uint32_t corner = counts ? begin : end; corner < end; ++corner)
     {
-      farthest = std::min(farthest, this->Projection->Point(facets.Corners()[corner]).Depth);
+      this->Corners.push_back(this->Projection->Point(facets.Corners()[corner]));
     }
     this->IsCounted[i] = counts;
     begin = end;
   }
   this->IsCounted[facets.Count()] = 0;
-  this->Depth = farthest - this->Projection->Margin().Depth;
+  this->Bound = PlaneBelow::Of(this->Corners, this->Projection->Margin());
 }
 
 /** Whether all corners of a facet are. */
@@ -195,6 +195,16 @@ void OutlineCoverage::FindSpans(int line, SpanLanes& spans) const
   StoreLanes(crossings, spans.Crossings);
 }
 
+void OutlineCoverage::InsertSpan(
+  SBuffer& buffer, int line, float left, float right, std::uint32_t part)
+{
+  const ScreenRectangle& around = this->Projection->Rectangle();
+  const float bottom = std::max(static_cast<float>(line) + this->Inset, around.Bottom);
+  const float top = std::min(static_cast<float>(line + 1) - this->Inset, around.Top);
+  const DepthBound depth = this->Bound.Within(left, right, bottom, top);
+  buffer.Insert(line, { left, right, depth.Left, depth.Right, part });
+}
+
 /** Of a line that the outline passes several times. */
 void OutlineCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
 {
@@ -223,7 +233,7 @@ void OutlineCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
   {
     if (cover > 0 && passage.Left > reached)
     {
-      buffer.Insert(line, { reached, passage.Left, this->Depth, this->Depth, part });
+      this->InsertSpan(buffer, line, reached, passage.Left, part);
     }
     cover += passage.Winding;
     reached = std::max(reached, passage.Right);

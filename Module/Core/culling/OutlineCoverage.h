@@ -3,6 +3,7 @@
 
 #include "Core/culling/Lanes.h"
 #include "Core/culling/MeshProjection.h"
+#include "Core/culling/PlaneBelow.h"
 #include "Core/culling/SBuffer.h"
 
 #include <cstdint>
@@ -77,13 +78,15 @@ private:
   void FindOutline(MeshProjection::Facing facing);
   static OutlineEdge EdgeFrom(const ScreenPoint& from, const ScreenPoint& to);
   void FindSpans(int line, SpanLanes& spans) const;
+  void InsertSpan(SBuffer& buffer, int line, float left, float right, std::uint32_t part);
   void InsertLine(SBuffer& buffer, int line, std::uint32_t part);
 
   const MeshProjection* Projection = nullptr;
   float Inset = 0.0f;               ///< how far from their sides lines have no samples
   float Aside = 0.0f, Above = 0.0f; ///< by what edges are taken wider
   int FirstLine = 0, LastLine = 0;
-  float Depth = 0.0f;
+  PlaneBelow Bound;
+  std::vector<ScreenPoint> Corners;    ///< of facets that count
   std::vector<std::uint8_t> IsCounted; ///< each facet, and 0 for none
   std::vector<MeshEdge> Ends;          ///< of the outline
   std::vector<OutlineEdge> Outline;    ///< first those that go down

@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 // An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
-const float MostFacesPerCell = 4.0f;
+const float MostFacesPerCell = 32.0f;
 
 // To project so many faces takes as long as a piece of one on a line.
 const std::size_t FacesPerPiece = 8;
@@ -18,7 +18,7 @@ const std::size_t FacesPerPiece = 8;
 bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
 {
   const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
-  return static_cast<float>(faces) > cells * MostFacesPerCell;
+  return static_cast<float>(faces) > std::max(cells, 1.0f) * MostFacesPerCell;
 }
 
 /** What the tree holds and does not show is not visible. By the million, so without branches. */
@@ -35,8 +35,8 @@ void KeepShown(
 const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
 
-// Nodes that hold so little of all parts are visited at once: the order hardly matters there, and what is near each other stays in the processor's caches.
-const std::uint32_t LeastShare = 1024;
+// Nodes of no more parts are visited at once: that takes less than to queue what is in them.
+const std::uint32_t FewParts = 16;
 
 const ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 }
@@ -61,7 +61,6 @@ public:
   {
     std::vector<Entry>& queue = this->Culler.Queue;
     queue.clear();
-    this->FewParts = this->Tree.Node(0).Count() / LeastShare;
     this->QueueEntriesOf(this->Tree.Node(0));
     while (!queue.empty())
     {
@@ -84,7 +83,7 @@ private:
     {
       this->Culler.Budget.AddHidden(entry.PartCount);
     }
-    else if (entry.PartCount <= this->FewParts)
+    else if (entry.PartCount <= FewParts)
     {
       this->VisitEntriesOf(this->Tree.Node(number));
     }
@@ -108,11 +107,11 @@ private:
   void VisitEntriesOf(const LooseNode& node)
   {
     Entry entries[LaneCount];
-    const int count = this->FindEntries(node, entries);
-    std::sort(entries, entries + count);
-    for (int i = count - 1; i >= 0; --i)
+    Entry* end = entries + this->FindEntries(node, entries);
+    for (std::make_heap(entries, end); end != entries; --end)
     {
-      this->Visit(entries[i]);
+      std::pop_heap(entries, end);
+      this->Visit(end[-1]);
     }
   }
 
@@ -262,7 +261,6 @@ private:
   const ScreenProjection& View;
   bool HasOcclusion;
   const std::vector<std::uint8_t>& IsDrawn;
-  std::uint32_t FewParts = 0; ///< of nodes that are not queued
 };
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)
