@@ -122,11 +122,6 @@ vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)
   return AnyProp::ShaderOf(prop);
 }
 
-vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader)
-{
-  return std::max(shader->GetMTime(), shader->GetShaderMTime());
-}
-
 bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
 {
   auto* drawing = static_cast<vtkOpenGLPolyDataMapper*>(mapper);

@@ -24,9 +24,6 @@ vtkActor* AsHideable(vtkProp* prop);
 /** What vtkProp::GetShaderProperty() tells, null where that would make one. */
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 
-/** When anything in it was modified. */
-vtkMTimeType ShaderTimeOf(vtkShaderProperty* shader);
-
 /**
  * Whether VTK gives the device coordinates from the geometry's middle, as it does by itself where that is far from the origin for
  * the geometry's size (vtkOpenGLVertexBufferObject::UpdateShiftScale()).

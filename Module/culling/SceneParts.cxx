@@ -139,7 +139,7 @@ bool SceneParts::IsUnchanged(const Part& part) const
     return true;
   }
   return ShaderPropertyOf(part.Prop) == part.Shader &&
-    (!part.Shader || ShaderTimeOf(part.Shader) == part.ShaderTime) &&
+    (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
     part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
     part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
     (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
@@ -151,7 +151,7 @@ void SceneParts::Look(Part& part)
 {
   part.PropTime = part.Prop->GetMTime();
   part.Shader = ShaderPropertyOf(part.Prop);
-  part.ShaderTime = part.Shader ? ShaderTimeOf(part.Shader) : 0;
+  part.ShaderTime = part.Shader ? part.Shader->GetMTime() : 0;
   part.Actor = AsHideable(part.Prop);
   part.Divided = nullptr;
   part.Division.reset();

@@ -28,12 +28,12 @@ TEST(OutlineCoverage, HasTheDepthOfItsPlane)
 TEST(OutlineCoverage, HasTheDepthOfAPlaneBehindAllCorners)
 {
   Triangles roof; // nearest along its ridge
-  roof.AddQuad({ 10, 4, 0.3 }, { 14, 4, 0.5 }, { 14, 9, 0.5 }, { 10, 9, 0.3 });
-  roof.AddQuad({ 14, 4, 0.5 }, { 18, 4, 0.4 }, { 18, 9, 0.4 }, { 14, 9, 0.5 });
-  const Covered covered(ByOutline, roof);
-  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.30625, 1e-5);
-  EXPECT_NEAR(covered.DepthAt(6, 17.99), 0.4, 1e-3);
-  EXPECT_NEAR(covered.DepthAt(6, 14.0), 0.35, 1e-4);
+  roof.AddQuad({ 10, 4, 0.3 }, { 13, 4, 0.5 }, { 13, 9, 0.5 }, { 10, 9, 0.3 });
+  roof.AddQuad({ 13, 4, 0.5 }, { 18, 4, 0.4 }, { 18, 9, 0.4 }, { 13, 9, 0.5 });
+  const Covered covered(ByOutline, roof); // slants by 1/132 a column, and begins with the roof
+  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.3 + 0.5 / 132, 1e-5);
+  EXPECT_NEAR(covered.DepthAt(6, 14.0), 0.3 + 4.0 / 132, 1e-5);
+  EXPECT_NEAR(covered.DepthAt(6, 17.5), 0.3 + 7.5 / 132, 1e-5);
 }
 
 // A plane that fits the corners may be far behind some of them.
