@@ -1,0 +1,178 @@
+// The ball's refinement: E. Persson, Practical clustered shading, SIGGRAPH 2013.
+
+#include "Core/lighting/LightScatter.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+
+float DistanceFrom(const glm::vec4& plane, const glm::vec3& point)
+{
+  return ClusterGrid::Dot(plane, glm::vec4(point, 1.0f));
+}
+
+/** Which of `count` tiles, the nearest one outside; what is no number is 0. */
+int NearestTile(float place, int count)
+{
+  return static_cast<int>(std::min(std::max(0.0f, place), static_cast<float>(count - 1)));
+}
+
+}
+
+bool BallPart::CutBy(const glm::vec4& plane)
+{
+  const float distance = DistanceFrom(plane, this->Centre);
+  if (distance >= 0.0f)
+  {
+    return true;
+  }
+  // The nearest point within the plane: what is left of the ball within it is nearest to that.
+  this->Centre -= distance * glm::vec3(plane);
+  this->Square -= distance * distance;
+  this->Radius = std::sqrt(std::max(0.0f, this->Square));
+  return this->Square >= 0.0f;
+}
+
+void LightScatter::Append(std::uint32_t light, const LightVolume& volume, ClusterRuns& runs) const
+{
+  const LightShape shape(volume);
+  if (shape.Kind == LightShape::Kinds::Everywhere)
+  {
+    runs.Add(light, 0, this->Grid.Count());
+  }
+  else if (shape.Kind != LightShape::Kinds::Nowhere)
+  {
+    this->AppendSlices(light, shape, runs);
+  }
+}
+
+void LightScatter::AppendSlices(
+  std::uint32_t light, const LightShape& shape, ClusterRuns& runs) const
+{
+  const float distance = -shape.Position.z;
+  for (int slice = 0; slice < this->Grid.Slices(); ++slice)
+  {
+    const glm::vec2 depths = this->Grid.DepthsOf(slice);
+    const float before = depths.x - distance, behind = distance - depths.y;
+    if (before > shape.Range)
+    {
+      return; // as are all slices beyond
+    }
+    const float away = std::max(0.0f, std::max(before, behind));
+    if (away > shape.Range)
+    {
+      continue;
+    }
+    BallPart part{ shape.Position, shape.Range, shape.Range * shape.Range };
+    if (away > 0.0f)
+    {
+      part.Centre.z = before > 0.0f ? -depths.x : -depths.y;
+      part.Square = std::max(0.0f, part.Square - away * away);
+      part.Radius = std::sqrt(part.Square);
+    }
+    this->AppendRows(light, shape, slice, part, runs);
+  }
+}
+
+void LightScatter::AppendRows(std::uint32_t light, const LightShape& shape, int slice,
+  const BallPart& part, ClusterRuns& runs) const
+{
+  const Range rows = this->RowsOf(part);
+  for (int row = rows.First; row <= rows.Last; ++row)
+  {
+    BallPart inRow = part;
+    if (!inRow.CutBy(this->Grid.BottomOf(row)) || !inRow.CutBy(this->Grid.TopOf(row)))
+    {
+      continue;
+    }
+    // Where sides meet at more than 90 degrees, the nearest point may lie behind the eye, where columns are the other way round.
+    const bool isInSlice = -inRow.Centre.z >= this->Grid.DepthsOf(slice).x;
+    this->AppendColumns(light, shape, slice, row, isInSlice ? inRow : part, runs);
+  }
+}
+
+void LightScatter::AppendColumns(std::uint32_t light, const LightShape& shape, int slice, int row,
+  const BallPart& part, ClusterRuns& runs) const
+{
+  const Range columns = this->ColumnsOf(part);
+  if (shape.Kind == LightShape::Kinds::Cone)
+  {
+    this->AppendCone(light, shape, slice, row, columns, runs);
+  }
+  else if (columns.First <= columns.Last)
+  {
+    runs.Add(light, this->Grid.ClusterAt(columns.First, row, slice),
+      static_cast<std::uint32_t>(columns.Last - columns.First + 1));
+  }
+}
+
+void LightScatter::AppendCone(std::uint32_t light, const LightShape& shape, int slice, int row,
+  Range columns, ClusterRuns& runs) const
+{
+  for (int column = columns.First; column <= columns.Last; ++column)
+  {
+    const std::uint32_t cluster = this->Grid.ClusterAt(column, row, slice);
+    const Box box = this->Grid.BoundsOf(cluster);
+    const glm::vec3 centre = 0.5f * (box.Min + box.Max);
+    if (shape.MayTouch(centre, glm::length(box.Max - centre)))
+    {
+      runs.Add(light, cluster, 1);
+    }
+  }
+}
+
+/** Rows that a part of a ball may touch which lies before the eye: from the one that its centre is in up and down, until it ends. */
+LightScatter::Range LightScatter::RowsOf(const BallPart& part) const
+{
+  const int count = this->Grid.Rows();
+  const int start = NearestTile(this->Grid.TileOf(part.Centre).y, count);
+  if (DistanceFrom(this->Grid.BottomOf(start), part.Centre) < -part.Radius ||
+    DistanceFrom(this->Grid.TopOf(start), part.Centre) < -part.Radius)
+  {
+    return { 0, -1 };
+  }
+  Range rows{ start, start };
+  while (
+    rows.First > 0 && DistanceFrom(this->Grid.TopOf(rows.First - 1), part.Centre) >= -part.Radius)
+  {
+    --rows.First;
+  }
+  while (rows.Last + 1 < count &&
+    DistanceFrom(this->Grid.BottomOf(rows.Last + 1), part.Centre) >= -part.Radius)
+  {
+    ++rows.Last;
+  }
+  return rows;
+}
+
+LightScatter::Range LightScatter::ColumnsOf(const BallPart& part) const
+{
+  const int count = this->Grid.Columns();
+  const int start = NearestTile(this->Grid.TileOf(part.Centre).x, count);
+  if (DistanceFrom(this->Grid.LeftOf(start), part.Centre) < -part.Radius ||
+    DistanceFrom(this->Grid.RightOf(start), part.Centre) < -part.Radius)
+  {
+    return { 0, -1 };
+  }
+  Range columns{ start, start };
+  while (columns.First > 0 &&
+    DistanceFrom(this->Grid.RightOf(columns.First - 1), part.Centre) >= -part.Radius)
+  {
+    --columns.First;
+  }
+  while (columns.Last + 1 < count &&
+    DistanceFrom(this->Grid.LeftOf(columns.Last + 1), part.Centre) >= -part.Radius)
+  {
+    ++columns.Last;
+  }
+  return columns;
+}
+
+}
