@@ -269,6 +269,50 @@ int ClusterGrid::ClusterOf(const glm::dvec3& point) const
     Clamped(tile.x, this->Tiles.x), Clamped(tile.y, this->Tiles.y), this->SliceOf(-point.z)));
 }
 
+/** Along a tile's four edges. */
+ClusterGrid::TileRays ClusterGrid::RaysAround(int column, int row) const
+{
+  TileRays rays;
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    rays[edge] = this->RayAt(edge & 1 ? this->RightEnds[column] : this->LeftEnds[column],
+      edge & 2 ? this->TopEnds[row] : this->BottomEnds[row]);
+  }
+  return rays;
+}
+
+std::vector<glm::vec4> ClusterGrid::BallsAround() const
+{
+  std::vector<glm::vec4> balls(
+    this->Count(), glm::vec4(0.0f, 0.0f, 0.0f, std::numeric_limits<float>::infinity()));
+  const int tiles = this->LeftEnds.empty() ? 0 : this->Tiles.x * this->Tiles.y;
+  for (int tile = 0; tile < tiles; ++tile)
+  {
+    const TileRays rays = this->RaysAround(tile % this->Tiles.x, tile / this->Tiles.x);
+    for (int slice = 0; slice < this->Slices(); ++slice)
+    {
+      const glm::dvec2 depths(this->Depths[slice]);
+      if (depths.x > -Infinite && depths.y < Infinite)
+      {
+        glm::dvec3 sum(0.0);
+        double square = 0.0;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          sum += rays[corner & 3].At(depths[corner >> 2]);
+        }
+        const glm::dvec3 centre = sum / 8.0;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          const glm::dvec3 away = rays[corner & 3].At(depths[corner >> 2]) - centre;
+          square = std::max(square, glm::dot(away, away));
+        }
+        balls[slice * tiles + tile] = glm::vec4(centre, RoundedUp(std::sqrt(square)));
+      }
+    }
+  }
+  return balls;
+}
+
 Box ClusterGrid::BoundsOf(std::uint32_t cluster) const
 {
   if (this->LeftEnds.empty())
@@ -279,10 +323,8 @@ Box ClusterGrid::BoundsOf(std::uint32_t cluster) const
   const int row = static_cast<int>(cluster) / this->Tiles.x % this->Tiles.y;
   const glm::dvec2 depths(this->Depths[static_cast<int>(cluster) / this->Tiles.x / this->Tiles.y]);
   glm::dvec3 low(Infinite), high(-Infinite);
-  for (int corner = 0; corner < 4; ++corner)
+  for (const Ray& ray : this->RaysAround(column, row))
   {
-    const Ray ray = this->RayAt(corner & 1 ? this->RightEnds[column] : this->LeftEnds[column],
-      corner & 2 ? this->TopEnds[row] : this->BottomEnds[row]);
     for (int axis = 0; axis < 3; ++axis)
     {
       for (int end = 0; end < 2; ++end)

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -99,12 +100,21 @@ public:
   /** Around a cluster, widened. */
   Box BoundsOf(std::uint32_t cluster) const;
 
-  /** Which column (x) and row (y) a point is in, from 0 on; what is outside is less, or more. It may be no number where the point is the eye. */
-  glm::vec2 TileOf(const glm::vec3& point) const
+  /** Around the corners of each cluster: centre and radius, widened. The last slice's are infinite. */
+  std::vector<glm::vec4> BallsAround() const;
+
+  /** Which column a point is in, from 0 on; what is outside is less, or more. It may be no number where the point is the eye. */
+  float ColumnAt(const glm::vec3& point) const
   {
     const glm::vec4 place(point, 1.0f);
-    const float inverse = 1.0f / Dot(this->Weight, place);
-    return { Dot(this->ColumnTerms, place) * inverse, Dot(this->RowTerms, place) * inverse };
+    return Dot(this->ColumnTerms, place) / Dot(this->Weight, place);
+  }
+
+  /** The same of rows. */
+  float RowAt(const glm::vec3& point) const
+  {
+    const glm::vec4 place(point, 1.0f);
+    return Dot(this->RowTerms, place) / Dot(this->Weight, place);
   }
 
   static float Dot(const glm::vec4& a, const glm::vec4& b)
@@ -117,7 +127,11 @@ private:
   {
     glm::dvec3 Origin;
     glm::dvec3 Slope; ///< by distance
+
+    glm::dvec3 At(double distance) const { return this->Origin + distance * this->Slope; }
   };
+
+  using TileRays = std::array<Ray, 4>;
 
   void MakeOneCluster();
   bool TakeDepths();
@@ -128,6 +142,7 @@ private:
   void MakeTiles(const glm::dvec2& size, double tileSize);
   glm::dvec4 SideAt(int axis, double ndc) const;
   Ray RayAt(double ndcX, double ndcY) const;
+  TileRays RaysAround(int column, int row) const;
 
   glm::dmat4 ToClip;
   bool IsParallel = false;

@@ -33,6 +33,8 @@ public:
     this->All.push_back({ light, first, count });
   }
 
+  void Clear() { this->All.clear(); }
+
   std::vector<ClusterRun>::const_iterator begin() const { return this->All.begin(); }
   std::vector<ClusterRun>::const_iterator end() const { return this->All.end(); }
 

@@ -16,56 +16,6 @@ namespace
 /** Fewer lights are not worth a thread. */
 constexpr std::size_t LightsPerThread = 2048;
 
-/** Lights that one thread looks at, one after the other. */
-class LightChunk
-{
-public:
-  /** Finds their clusters, and how many of them are in each. */
-  void Scatter(const LightScatter& scatter, const std::vector<LightVolume>& volumes,
-    std::size_t first, std::size_t last, std::uint32_t clusters)
-  {
-    for (std::size_t light = first; light < last; ++light)
-    {
-      scatter.Append(static_cast<std::uint32_t>(light), volumes[light], this->Runs);
-    }
-    this->Places.assign(clusters + std::size_t{ 1 }, 0);
-    for (const ClusterRun& run : this->Runs)
-    {
-      ++this->Places[run.First];
-      --this->Places[run.First + run.Count]; // wraps, and is undone by the sum
-    }
-    std::uint32_t count = 0;
-    for (std::uint32_t& place : this->Places)
-    {
-      place = count += place;
-    }
-  }
-
-  std::uint32_t CountIn(std::uint32_t cluster) const { return this->Places[cluster]; }
-
-  /** Where its part of a cluster's list begins. */
-  void BeginAt(std::uint32_t cluster, std::uint32_t place) { this->Places[cluster] = place; }
-
-  void Fill(const std::vector<std::uint8_t>* used, std::vector<std::uint32_t>& indices)
-  {
-    for (const ClusterRun& run : this->Runs)
-    {
-      for (std::uint32_t cluster = run.First; cluster < run.First + run.Count; ++cluster)
-      {
-        if (used == nullptr || (*used)[cluster] != 0)
-        {
-          indices[this->Places[cluster]++] = run.Light;
-        }
-      }
-    }
-  }
-
-private:
-  ClusterRuns Runs;
-  std::vector<std::uint32_t>
-    Places; ///< of each cluster: how many lights, then where the next one is put
-};
-
 /** Does something for each chunk, each in a thread of its own. */
 template <class Work>
 void ForEachChunk(std::vector<LightChunk>& chunks, const Work& work)
@@ -82,9 +32,11 @@ void ForEachChunk(std::vector<LightChunk>& chunks, const Work& work)
   }
 }
 
+}
+
 /** Gives each cluster its part of the list, and each chunk its part of that. */
-void PlaceLists(std::uint32_t clusters, const std::vector<std::uint8_t>* used,
-  std::vector<LightChunk>& chunks, LightLists& lists)
+void LightAssigner::PlaceLists(
+  std::uint32_t clusters, const std::vector<std::uint8_t>* used, LightLists& lists)
 {
   lists.Offsets.resize(clusters + std::size_t{ 1 });
   std::uint64_t sum = 0;
@@ -93,7 +45,7 @@ void PlaceLists(std::uint32_t clusters, const std::vector<std::uint8_t>* used,
     lists.Offsets[cluster] = static_cast<std::uint32_t>(sum);
     if (used == nullptr || (*used)[cluster] != 0)
     {
-      for (LightChunk& chunk : chunks)
+      for (LightChunk& chunk : this->Chunks)
       {
         const std::uint32_t count = chunk.CountIn(cluster);
         chunk.BeginAt(cluster, static_cast<std::uint32_t>(sum));
@@ -108,20 +60,43 @@ void PlaceLists(std::uint32_t clusters, const std::vector<std::uint8_t>* used,
   lists.Offsets[clusters] = static_cast<std::uint32_t>(sum);
   lists.Indices.resize(sum);
 }
+
+template <class Scatter>
+void LightAssigner::AssignBy(const Scatter& scatter, const std::vector<LightVolume>& volumes,
+  LightLists& lists, const std::vector<std::uint8_t>* used)
+{
+  const std::size_t most = std::max<std::size_t>(1, volumes.size() / LightsPerThread);
+  const std::size_t count = std::min<std::size_t>(most, std::max(1u, this->Settings.Threads));
+  this->Chunks.resize(count);
+  ForEachChunk(this->Chunks,
+    [&](LightChunk& chunk, std::size_t i)
+    {
+      scatter.Append(
+        volumes, volumes.size() * i / count, volumes.size() * (i + 1) / count, chunk.Begin());
+      chunk.Count(scatter.Count());
+    });
+  this->PlaceLists(scatter.Count(), used, lists);
+  ForEachChunk(
+    this->Chunks, [&](LightChunk& chunk, std::size_t) { chunk.Fill(used, lists.Indices); });
 }
 
-void Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
-  const std::vector<std::uint8_t>* used, const AssignmentSettings& settings)
+void LightAssigner::Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes,
+  LightLists& lists, const std::vector<std::uint8_t>* used)
 {
-  const LightScatter scatter(grid);
-  const std::size_t most = std::max<std::size_t>(1, volumes.size() / LightsPerThread);
-  std::vector<LightChunk> chunks(std::min<std::size_t>(most, std::max(1u, settings.Threads)));
-  const auto beginOf = [&](std::size_t chunk) { return volumes.size() * chunk / chunks.size(); };
-  ForEachChunk(chunks,
-    [&](LightChunk& chunk, std::size_t i)
-    { chunk.Scatter(scatter, volumes, beginOf(i), beginOf(i + 1), grid.Count()); });
-  PlaceLists(grid.Count(), used, chunks, lists);
-  ForEachChunk(chunks, [&](LightChunk& chunk, std::size_t) { chunk.Fill(used, lists.Indices); });
+  if (this->Settings.Test == LightTest::Box)
+  {
+    this->AssignBy(BoxScatter(grid, LightTest::Box), volumes, lists, used);
+  }
+  else
+  {
+    this->AssignBy(LightScatter(grid), volumes, lists, used);
+  }
+}
+
+void LightAssigner::Assign(const WorldGrid& grid, const std::vector<LightVolume>& volumes,
+  LightLists& lists, const std::vector<std::uint8_t>* used)
+{
+  this->AssignBy(BoxScatter(grid, this->Settings.Test), volumes, lists, used);
 }
 
 }

@@ -1,8 +1,11 @@
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_ASSIGNMENT_H
 #define VITRINE_CORE_LIGHTING_LIGHT_ASSIGNMENT_H
 
+#include "Core/lighting/BoxScatter.h"
 #include "Core/lighting/ClusterGrid.h"
+#include "Core/lighting/LightChunk.h"
 #include "Core/lighting/LightVolume.h"
+#include "Core/lighting/WorldGrid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,13 +35,6 @@ struct LightLists
   }
 };
 
-/** What of a light is tested against clusters. */
-enum class LightTest
-{
-  Volume, ///< its ball, or its cone
-  Box     ///< the box around it, as the paper does
-};
-
 struct AssignmentSettings
 {
   LightTest Test = LightTest::Volume;
@@ -47,12 +43,44 @@ struct AssignmentSettings
 
 /**
  * Finds the lights of each cluster. A light is in the list of each cluster that it reaches, and of some that it does not. What that costs grows
- * with the clusters that lights reach.
- * @param used  nonzero for clusters that hold something to be lit; the others' lists are empty
- * @throws std::length_error  where lists hold 2^32 numbers or more together
+ * with the clusters that lights reach. Memory is kept from one time to the next.
  */
-void Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
-  const std::vector<std::uint8_t>* used = nullptr, const AssignmentSettings& settings = {});
+class LightAssigner
+{
+public:
+  explicit LightAssigner(const AssignmentSettings& settings = {})
+    : Settings(settings)
+  {
+  }
+
+  /**
+   * @param used  nonzero for clusters that hold something to be lit; the others' lists are empty
+   * @throws std::length_error  where lists hold 2^32 numbers or more together
+   */
+  void Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
+    const std::vector<std::uint8_t>* used = nullptr);
+
+  /** The same with volumes in world coordinates. */
+  void Assign(const WorldGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
+    const std::vector<std::uint8_t>* used = nullptr);
+
+private:
+  template <class Scatter>
+  void AssignBy(const Scatter& scatter, const std::vector<LightVolume>& volumes, LightLists& lists,
+    const std::vector<std::uint8_t>* used);
+  void PlaceLists(std::uint32_t clusters, const std::vector<std::uint8_t>* used, LightLists& lists);
+
+  AssignmentSettings Settings;
+  std::vector<LightChunk> Chunks;
+};
+
+/** The same once. */
+template <class Grid>
+void Assign(const Grid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
+  const std::vector<std::uint8_t>* used = nullptr, const AssignmentSettings& settings = {})
+{
+  LightAssigner(settings).Assign(grid, volumes, lists, used);
+}
 
 }
 

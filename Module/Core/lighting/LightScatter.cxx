@@ -26,21 +26,23 @@ int NearestTile(float place, int count)
 
 }
 
-bool BallPart::CutBy(const glm::vec4& plane)
+void LightScatter::Append(const std::vector<LightVolume>& volumes, std::size_t first,
+  std::size_t last, ClusterRuns& runs) const
 {
-  const float distance = DistanceFrom(plane, this->Centre);
-  if (distance >= 0.0f)
+  for (std::size_t block = first; block < last; block += LightFilter::BlockSize)
   {
-    return true;
+    const std::size_t count = std::min(LightFilter::BlockSize, last - block);
+    std::uint64_t bits = this->Filter.MayReach(volumes.data() + block, count);
+    for (; bits != 0; bits &= bits - 1)
+    {
+      const std::size_t light = block + static_cast<std::size_t>(__builtin_ctzll(bits));
+      this->AppendLight(static_cast<std::uint32_t>(light), volumes[light], runs);
+    }
   }
-  // The nearest point within the plane: what is left of the ball within it is nearest to that.
-  this->Centre -= distance * glm::vec3(plane);
-  this->Square -= distance * distance;
-  this->Radius = std::sqrt(std::max(0.0f, this->Square));
-  return this->Square >= 0.0f;
 }
 
-void LightScatter::Append(std::uint32_t light, const LightVolume& volume, ClusterRuns& runs) const
+void LightScatter::AppendLight(
+  std::uint32_t light, const LightVolume& volume, ClusterRuns& runs) const
 {
   const LightShape shape(volume);
   if (shape.Kind == LightShape::Kinds::Everywhere)
@@ -56,21 +58,22 @@ void LightScatter::Append(std::uint32_t light, const LightVolume& volume, Cluste
 void LightScatter::AppendSlices(
   std::uint32_t light, const LightShape& shape, ClusterRuns& runs) const
 {
-  const float distance = -shape.Position.z;
+  const BallPart ball = shape.Enclosing();
+  const float distance = -ball.Centre.z;
   for (int slice = 0; slice < this->Grid.Slices(); ++slice)
   {
     const glm::vec2 depths = this->Grid.DepthsOf(slice);
     const float before = depths.x - distance, behind = distance - depths.y;
-    if (before > shape.Range)
+    if (before > ball.Radius)
     {
       return; // as are all slices beyond
     }
     const float away = std::max(0.0f, std::max(before, behind));
-    if (away > shape.Range)
+    if (away > ball.Radius)
     {
       continue;
     }
-    BallPart part{ shape.Position, shape.Range, shape.Range * shape.Range };
+    BallPart part = ball;
     if (away > 0.0f)
     {
       part.Centre.z = before > 0.0f ? -depths.x : -depths.y;
@@ -119,20 +122,25 @@ void LightScatter::AppendCone(std::uint32_t light, const LightShape& shape, int 
   for (int column = columns.First; column <= columns.Last; ++column)
   {
     const std::uint32_t cluster = this->Grid.ClusterAt(column, row, slice);
-    const Box box = this->Grid.BoundsOf(cluster);
-    const glm::vec3 centre = 0.5f * (box.Min + box.Max);
-    if (shape.MayTouch(centre, glm::length(box.Max - centre)))
+    const glm::vec4& ball = this->BallAround(cluster);
+    if (shape.MayTouch(glm::vec3(ball), ball.w))
     {
       runs.Add(light, cluster, 1);
     }
   }
 }
 
+const glm::vec4& LightScatter::BallAround(std::uint32_t cluster) const
+{
+  std::call_once(this->HasBalls, [this] { this->Balls = this->Grid.BallsAround(); });
+  return this->Balls[cluster];
+}
+
 /** Rows that a part of a ball may touch which lies before the eye: from the one that its centre is in up and down, until it ends. */
 LightScatter::Range LightScatter::RowsOf(const BallPart& part) const
 {
   const int count = this->Grid.Rows();
-  const int start = NearestTile(this->Grid.TileOf(part.Centre).y, count);
+  const int start = NearestTile(this->Grid.RowAt(part.Centre), count);
   if (DistanceFrom(this->Grid.BottomOf(start), part.Centre) < -part.Radius ||
     DistanceFrom(this->Grid.TopOf(start), part.Centre) < -part.Radius)
   {
@@ -155,7 +163,7 @@ LightScatter::Range LightScatter::RowsOf(const BallPart& part) const
 LightScatter::Range LightScatter::ColumnsOf(const BallPart& part) const
 {
   const int count = this->Grid.Columns();
-  const int start = NearestTile(this->Grid.TileOf(part.Centre).x, count);
+  const int start = NearestTile(this->Grid.ColumnAt(part.Centre), count);
   if (DistanceFrom(this->Grid.LeftOf(start), part.Centre) < -part.Radius ||
     DistanceFrom(this->Grid.RightOf(start), part.Centre) < -part.Radius)
   {

@@ -3,21 +3,16 @@
 
 #include "Core/lighting/ClusterGrid.h"
 #include "Core/lighting/ClusterRuns.h"
+#include "Core/lighting/LightFilter.h"
 #include "Core/lighting/LightVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <vector>
 
 namespace vitrine
 {
-
-/** What is left of a ball within some planes: it lies in this ball. */
-struct BallPart
-{
-  glm::vec3 Centre;
-  float Radius;
-  float Square; ///< of the radius
-
-  /** Leaves what is within one more plane; whether there is any. */
-  bool CutBy(const glm::vec4& plane);
-};
 
 /**
  * Finds the clusters that a light reaches: slices, in each of them rows, in each of them columns, where each time only that part of the ball is left
@@ -28,10 +23,15 @@ class LightScatter
 public:
   explicit LightScatter(const ClusterGrid& grid)
     : Grid(grid)
+    , Filter(grid)
   {
   }
 
-  void Append(std::uint32_t light, const LightVolume& volume, ClusterRuns& runs) const;
+  std::uint32_t Count() const { return this->Grid.Count(); }
+
+  /** Appends what lights `first` to `last` - 1 reach. */
+  void Append(const std::vector<LightVolume>& volumes, std::size_t first, std::size_t last,
+    ClusterRuns& runs) const;
 
 private:
   struct Range
@@ -40,6 +40,7 @@ private:
     int Last; ///< one less than the first where there are none
   };
 
+  void AppendLight(std::uint32_t light, const LightVolume& volume, ClusterRuns& runs) const;
   void AppendSlices(std::uint32_t light, const LightShape& shape, ClusterRuns& runs) const;
   void AppendRows(std::uint32_t light, const LightShape& shape, int slice, const BallPart& part,
     ClusterRuns& runs) const;
@@ -50,7 +51,13 @@ private:
   Range RowsOf(const BallPart& part) const;
   Range ColumnsOf(const BallPart& part) const;
 
+  /** Around a cluster's corners: centre and radius. */
+  const glm::vec4& BallAround(std::uint32_t cluster) const;
+
   const ClusterGrid& Grid;
+  const LightFilter Filter;
+  mutable std::once_flag HasBalls;
+  mutable std::vector<glm::vec4> Balls; ///< of all clusters, once a cone asks for one
 };
 
 }

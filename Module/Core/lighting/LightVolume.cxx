@@ -22,14 +22,24 @@ constexpr float Farthest = 1e18f;
 /** By how much cosines in shaders may be off. */
 constexpr double CosineSlack = 2e-6;
 
-/** By how much tests with floats may be off, as a share of a range and of a distance from the eye. */
-constexpr float RangeSlack = 1e-5f;
-constexpr float PlaceSlack = 2e-6f;
-
 float SumOf(const glm::vec3& v)
 {
   return v.x + v.y + v.z;
 }
+}
+
+bool BallPart::CutBy(const glm::vec4& plane)
+{
+  const float distance = glm::dot(glm::vec3(plane), this->Centre) + plane.w;
+  if (distance >= 0.0f)
+  {
+    return true;
+  }
+  // The nearest point within the plane: what is left of the ball is nearest to that.
+  this->Centre -= distance * glm::vec3(plane);
+  this->Square -= distance * distance;
+  this->Radius = std::sqrt(std::max(0.0f, this->Square));
+  return this->Square >= 0.0f;
 }
 
 LightShape::LightShape(const LightVolume& volume)
@@ -110,6 +120,20 @@ bool LightShape::MayTouch(const glm::vec3& centre, float radius) const
   const bool isBefore = along < -reach;
   const bool isBeyond = along > this->Range + reach;
   return !(isBeside || isBefore || isBeyond);
+}
+
+BallPart LightShape::Enclosing() const
+{
+  if (this->Kind != Kinds::Cone || this->Range > Farthest)
+  {
+    return { this->Position, this->Range, this->Range * this->Range };
+  }
+  // Of a cone of more than 45 degrees, the rim is what is farthest from its centre; of a narrower one, the apex, too.
+  const bool isWide = this->Cosine < this->Sine;
+  const float along = this->Range * (isWide ? this->Cosine : 0.5f / this->Cosine);
+  const float radius = this->Range * (isWide ? this->Sine : 0.5f / this->Cosine);
+  const float grown = radius * (1.0f + RangeSlack) + PlaceSlack * SumOf(glm::abs(this->Position));
+  return { this->Position + along * this->Axis, grown, grown * grown };
 }
 
 Box LightShape::Bounds() const

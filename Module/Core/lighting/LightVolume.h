@@ -4,11 +4,16 @@
 #include "Core/culling/Box.h"
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <limits>
 
 namespace vitrine
 {
+
+/** By how much tests with floats may be off, as a share of a range and of a distance from the eye. */
+constexpr float RangeSlack = 1e-5f;
+constexpr float PlaceSlack = 2e-6f;
 
 /** What a light reaches, in view coordinates (VC): the eye is at the origin and looks along -z. It is lit all around unless said otherwise. */
 struct LightVolume
@@ -17,6 +22,17 @@ struct LightVolume
   float Range = std::numeric_limits<float>::infinity(); ///< infinity: everywhere; 0: nowhere
   glm::vec3 Axis{ 0.0f, 0.0f, -1.0f };                  ///< of a cone, unit
   float ConeAngle = 180.0f; ///< from the axis, in degrees; from 90 on all around
+};
+
+/** What is left of a ball within some planes: it lies in this ball. */
+struct BallPart
+{
+  glm::vec3 Centre;
+  float Radius;
+  float Square; ///< of the radius
+
+  /** Leaves what is within one more plane, with a normal of 1; whether there is any. */
+  bool CutBy(const glm::vec4& plane);
 };
 
 /**
@@ -41,6 +57,9 @@ struct LightShape
 
   /** Of a cone: whether it may touch a ball. False is certain. */
   bool MayTouch(const glm::vec3& centre, float radius) const;
+
+  /** The smallest ball around what is reached; of a ball or a cone. Of an infinite range it is infinite. */
+  BallPart Enclosing() const;
 
   /** The smallest box around what is reached; of a ball or a cone. */
   Box Bounds() const;
