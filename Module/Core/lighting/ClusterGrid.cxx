@@ -81,19 +81,21 @@ ClusterGrid::ClusterGrid(
 {
   if (!this->TakeDepths())
   {
-    this->MakeOneCluster();
+    this->MakeOneCluster(std::max({ width, height, 1 }));
     return;
   }
   const glm::dvec2 size(std::max(width, 1), std::max(height, 1));
-  const double tileSize = std::max(settings.TileSize, 1);
-  this->Tiles = glm::ivec2(glm::ceil(size / tileSize));
-  this->MakeTiles(size, tileSize);
+  this->PixelsPerTile = std::max(settings.TileSize, 1);
+  this->Tiles = glm::ivec2(glm::ceil(size / static_cast<double>(this->PixelsPerTile)));
+  this->MakeTiles(size);
   this->MakeSlices(settings);
 }
 
-void ClusterGrid::MakeOneCluster()
+void ClusterGrid::MakeOneCluster(int size)
 {
+  this->PixelsPerTile = size;
   this->ToClip = glm::dmat4(0.0);
+  this->ToClip[3].w = 1.0;
   this->Ends = { -Infinite, Infinite };
   this->Depths = { glm::vec2(-Infinite, Infinite) };
   this->Lefts = this->Rights = this->Bottoms = this->Tops = { glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) };
@@ -105,9 +107,10 @@ void ClusterGrid::MakeOneCluster()
 bool ClusterGrid::TakeDepths()
 {
   const glm::dvec4 w = RowOf(this->ToClip, 3);
-  this->IsParallel = w.z == 0.0;
-  const double scale = this->IsParallel ? w.w : -w.z;
-  const bool isKnown = w.x == 0.0 && w.y == 0.0 && (this->IsParallel || w.w == 0.0) && scale > 0.0;
+  this->HasParallelRays = w.z == 0.0;
+  const double scale = this->HasParallelRays ? w.w : -w.z;
+  const bool isKnown =
+    w.x == 0.0 && w.y == 0.0 && (this->HasParallelRays || w.w == 0.0) && scale > 0.0;
   if (!IsFinite(this->ToClip) || !isKnown)
   {
     return false;
@@ -128,14 +131,14 @@ bool ClusterGrid::TakeDepths()
   }
   const double farthest = std::isfinite(far) ? far : near * FarthestRatio;
   this->Ends = { near, farthest };
-  return std::isfinite(near) && std::isfinite(farthest) && (this->IsParallel || near > 0.0);
+  return std::isfinite(near) && std::isfinite(farthest) && (this->HasParallelRays || near > 0.0);
 }
 
 void ClusterGrid::MakeSlices(const ClusterSettings& settings)
 {
   const double near = this->Near(), far = this->Far();
   const int slices = far > near ? std::max(settings.Slices, 1) : 1;
-  this->SlicesBy = this->IsParallel ? SliceLaw::Uniform : settings.Law;
+  this->SlicesBy = this->HasParallelRays ? SliceLaw::Uniform : settings.Law;
   this->Ends = { near };
   if (slices == 1)
   {
@@ -171,7 +174,7 @@ void ClusterGrid::MakeSlices(const ClusterSettings& settings)
     this->Depths.emplace_back(
       RoundedDown(least - this->SlackAt(least)), RoundedUp(greatest + this->SlackAt(greatest)));
   }
-  this->Depths.front().x = this->IsParallel ? -std::numeric_limits<float>::infinity() : 0.0f;
+  this->Depths.front().x = this->HasParallelRays ? -std::numeric_limits<float>::infinity() : 0.0f;
   this->Depths.back().y = std::numeric_limits<float>::infinity();
 }
 
@@ -202,13 +205,14 @@ void ClusterGrid::SetTerms(double x, double y)
 double ClusterGrid::SlackAt(double end) const
 {
   const double largest = std::max(std::abs(this->Near()), std::abs(this->Far()));
-  const double from = this->IsParallel ? largest : std::abs(end);
+  const double from = this->HasParallelRays ? largest : std::abs(end);
   const double ndc = this->SlicesBy == SliceLaw::NdcUniform ? NdcSlack * end / this->Near() : 0.0;
   return from * (DepthSlack + ndc);
 }
 
-void ClusterGrid::MakeTiles(const glm::dvec2& size, double tileSize)
+void ClusterGrid::MakeTiles(const glm::dvec2& size)
 {
+  const double tileSize = this->PixelsPerTile;
   this->Scale = glm::vec2(0.5 * size / tileSize);
   const glm::dvec4 w = RowOf(this->ToClip, 3);
   this->Weight = glm::vec4(w);
@@ -261,10 +265,28 @@ int ClusterGrid::SliceOf(double distance) const
   return static_cast<int>(end - this->Ends.begin()) - 1;
 }
 
-int ClusterGrid::ClusterOf(const glm::dvec3& point) const
+bool ClusterGrid::HasLevelDepths() const
+{
+  const glm::dvec4 z = RowOf(this->ToClip, 2);
+  return z.x == 0.0 && z.y == 0.0 &&
+    this->WindowDepthAt(this->Near()) < this->WindowDepthAt(this->Far());
+}
+
+double ClusterGrid::WindowDepthAt(double distance) const
+{
+  const glm::dvec4 clip = this->ToClip * glm::dvec4(0.0, 0.0, -distance, 1.0);
+  return 0.5 * clip.z / clip.w + 0.5;
+}
+
+glm::dvec2 ClusterGrid::TileOf(const glm::dvec3& point) const
 {
   const glm::dvec4 clip = this->ToClip * glm::dvec4(point, 1.0);
-  const glm::dvec2 tile = (glm::dvec2(clip) / clip.w + 1.0) * glm::dvec2(this->Scale);
+  return (glm::dvec2(clip) / clip.w + 1.0) * glm::dvec2(this->Scale);
+}
+
+int ClusterGrid::ClusterOf(const glm::dvec3& point) const
+{
+  const glm::dvec2 tile = this->TileOf(point);
   return static_cast<int>(this->ClusterAt(
     Clamped(tile.x, this->Tiles.x), Clamped(tile.y, this->Tiles.y), this->SliceOf(-point.z)));
 }

@@ -69,6 +69,9 @@ public:
   /** Which slice a distance -z is in. */
   int SliceOf(double distance) const;
 
+  int TileSize() const { return this->PixelsPerTile; }
+  bool IsParallel() const { return this->HasParallelRays; }
+
   SliceLaw Law() const { return this->SlicesBy; }
 
   /**
@@ -88,6 +91,12 @@ public:
   /** Where a slice begins, not widened; that of Slices() is where the last one ends. */
   double EndOf(int slice) const { return this->Ends[slice]; }
 
+  /** Whether window depths grow with the distance, and are the same all over the picture. */
+  bool HasLevelDepths() const;
+
+  /** From 0 at the near plane to 1 at the far one; where it is not the same all over, in the midst. */
+  double WindowDepthAt(double distance) const;
+
   /** A slice's least and greatest distance, widened. */
   glm::vec2 DepthsOf(int slice) const { return this->Depths[slice]; }
 
@@ -97,11 +106,21 @@ public:
   const glm::vec4& BottomOf(int row) const { return this->Bottoms[row]; }
   const glm::vec4& TopOf(int row) const { return this->Tops[row]; }
 
+  /** The outer sides of all clusters together: four of the picture, and the one that the eye is on. */
+  std::array<glm::vec4, 5> OuterSides() const
+  {
+    return { this->Lefts.front(), this->Rights.back(), this->Bottoms.front(), this->Tops.back(),
+      glm::vec4(0.0f, 0.0f, -1.0f, -this->Depths.front().x) };
+  }
+
   /** Around a cluster, widened. */
   Box BoundsOf(std::uint32_t cluster) const;
 
   /** Around the corners of each cluster: centre and radius, widened. The last slice's are infinite. */
   std::vector<glm::vec4> BallsAround() const;
+
+  /** In which column and row a point is, which may be outside. */
+  glm::dvec2 TileOf(const glm::dvec3& point) const;
 
   /** Which column a point is in, from 0 on; what is outside is less, or more. It may be no number where the point is the eye. */
   float ColumnAt(const glm::vec3& point) const
@@ -133,19 +152,20 @@ private:
 
   using TileRays = std::array<Ray, 4>;
 
-  void MakeOneCluster();
+  void MakeOneCluster(int size);
   bool TakeDepths();
   void MakeSlices(const ClusterSettings& settings);
   void MakeExponential(int slices);
   void SetTerms(double x, double y);
   double SlackAt(double end) const;
-  void MakeTiles(const glm::dvec2& size, double tileSize);
+  void MakeTiles(const glm::dvec2& size);
   glm::dvec4 SideAt(int axis, double ndc) const;
   Ray RayAt(double ndcX, double ndcY) const;
   TileRays RaysAround(int column, int row) const;
 
   glm::dmat4 ToClip;
-  bool IsParallel = false;
+  bool HasParallelRays = false;
+  int PixelsPerTile = 1;
   SliceLaw SlicesBy = SliceLaw::Uniform;
   glm::ivec2 Tiles{ 1 };
   glm::vec2 Scale{ 0.0f };

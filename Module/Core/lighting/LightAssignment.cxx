@@ -67,12 +67,14 @@ void LightAssigner::AssignBy(const Scatter& scatter, const std::vector<LightVolu
 {
   const std::size_t most = std::max<std::size_t>(1, volumes.size() / LightsPerThread);
   const std::size_t count = std::min<std::size_t>(most, std::max(1u, this->Settings.Threads));
+  const std::size_t blocks = (volumes.size() + LightFilter::BlockSize - 1) / LightFilter::BlockSize;
+  const auto beginOf = [&](std::size_t chunk)
+  { return std::min(volumes.size(), blocks * chunk / count * LightFilter::BlockSize); };
   this->Chunks.resize(count);
   ForEachChunk(this->Chunks,
     [&](LightChunk& chunk, std::size_t i)
     {
-      scatter.Append(
-        volumes, volumes.size() * i / count, volumes.size() * (i + 1) / count, chunk.Begin());
+      scatter.Append(volumes, beginOf(i), beginOf(i + 1), chunk.Begin());
       chunk.Count(scatter.Count());
     });
   this->PlaceLists(scatter.Count(), used, lists);
@@ -81,7 +83,7 @@ void LightAssigner::AssignBy(const Scatter& scatter, const std::vector<LightVolu
 }
 
 void LightAssigner::Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes,
-  LightLists& lists, const std::vector<std::uint8_t>* used)
+  LightLists& lists, const std::vector<std::uint8_t>* used, const LightMarks* marked)
 {
   if (this->Settings.Test == LightTest::Box)
   {
@@ -89,7 +91,7 @@ void LightAssigner::Assign(const ClusterGrid& grid, const std::vector<LightVolum
   }
   else
   {
-    this->AssignBy(LightScatter(grid), volumes, lists, used);
+    this->AssignBy(LightScatter(grid, marked), volumes, lists, used);
   }
 }
 

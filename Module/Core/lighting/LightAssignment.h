@@ -4,6 +4,7 @@
 #include "Core/lighting/BoxScatter.h"
 #include "Core/lighting/ClusterGrid.h"
 #include "Core/lighting/LightChunk.h"
+#include "Core/lighting/LightTree.h"
 #include "Core/lighting/LightVolume.h"
 #include "Core/lighting/WorldGrid.h"
 
@@ -54,11 +55,12 @@ public:
   }
 
   /**
-   * @param used  nonzero for clusters that hold something to be lit; the others' lists are empty
+   * @param used    nonzero for clusters that hold something to be lit; the others' lists are empty
+   * @param marked  the lights to be looked at, if not all: those of a LightTree that may be in view
    * @throws std::length_error  where lists hold 2^32 numbers or more together
    */
   void Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
-    const std::vector<std::uint8_t>* used = nullptr);
+    const std::vector<std::uint8_t>* used = nullptr, const LightMarks* marked = nullptr);
 
   /** The same with volumes in world coordinates. */
   void Assign(const WorldGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,

@@ -65,7 +65,7 @@ double LightFalloff::RangeAt(double threshold) const
   {
     return 0.0;
   }
-  if (!this->OnlyFalls() || !(threshold > 0.0) || !std::isfinite(this->Greatest))
+  if (!this->CanBeCut() || !(threshold > 0.0))
   {
     return Endless;
   }
@@ -84,17 +84,17 @@ double LightFalloff::RangeAt(double threshold) const
   return this->At(range) <= threshold ? range : Endless;
 }
 
+bool LightFalloff::CanBeCut() const
+{
+  return this->OnlyFalls() && std::isfinite(this->Greatest);
+}
+
 bool LightFalloff::IsDegenerate() const
 {
   const glm::vec3 a(this->Coefficients);
   const bool isFinite =
     IsFloat(this->Greatest) && std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
   return !isFinite || (a.x == 0.0f && a.y == 0.0f && a.z == 0.0f);
-}
-
-double UniformThreshold(double budget, std::size_t lights)
-{
-  return budget / static_cast<double>(std::max<std::size_t>(1, lights));
 }
 
 }

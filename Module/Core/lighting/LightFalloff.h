@@ -3,8 +3,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <cstddef>
-
 namespace vitrine
 {
 
@@ -29,6 +27,14 @@ public:
    */
   double RangeAt(double threshold) const;
 
+  /** Whether it can have a range that is not infinite. */
+  bool CanBeCut() const;
+
+  /** Whether what arrives is the same at all distances. */
+  bool IsFlat() const { return this->Coefficients.y == 0.0 && this->Coefficients.z == 0.0; }
+
+  const glm::dvec3& Attenuation() const { return this->Coefficients; }
+
   /** Whether VTK's shaders make NaN of it, in all that is lit: in its floats it is not finite, or the attenuation is all zeros. */
   bool IsDegenerate() const;
 
@@ -38,12 +44,6 @@ private:
   double Greatest;
   glm::dvec3 Coefficients;
 };
-
-/**
- * The threshold for lights that are cut where they fall to it, so that all that is cut off anywhere sums up to a budget at most: each light's
- * share is the same.
- */
-double UniformThreshold(double budget, std::size_t lights);
 
 }
 

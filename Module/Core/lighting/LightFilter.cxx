@@ -39,12 +39,6 @@ VITRINE_INLINE LaneMask OutsideOf(const glm::vec4& plane, const VolumeLanes& bal
 }
 }
 
-LightFilter::LightFilter(const ClusterGrid& grid)
-  : Sides{ grid.LeftOf(0), grid.RightOf(grid.Columns() - 1), grid.BottomOf(0),
-    grid.TopOf(grid.Rows() - 1), glm::vec4(0.0f, 0.0f, -1.0f, -grid.DepthsOf(0).x) }
-{
-}
-
 VITRINE_FOR_EACH_PROCESSOR
 std::uint64_t LightFilter::MayReach(const LightVolume* volumes, std::size_t count) const
 {

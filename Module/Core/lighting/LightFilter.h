@@ -17,13 +17,16 @@ class LightFilter
 public:
   static constexpr std::size_t BlockSize = 64;
 
-  explicit LightFilter(const ClusterGrid& grid);
+  explicit LightFilter(const ClusterGrid& grid)
+    : Sides(grid.OuterSides())
+  {
+  }
 
   /** A bit for each of up to BlockSize lights that may reach something, the first one the lowest. */
   std::uint64_t MayReach(const LightVolume* volumes, std::size_t count) const;
 
 private:
-  std::array<glm::vec4, 5> Sides; ///< four of the picture, and the one that the eye is on
+  std::array<glm::vec4, 5> Sides;
 };
 
 }

@@ -4,6 +4,7 @@
 #include "Core/lighting/ClusterGrid.h"
 #include "Core/lighting/ClusterRuns.h"
 #include "Core/lighting/LightFilter.h"
+#include "Core/lighting/LightTree.h"
 #include "Core/lighting/LightVolume.h"
 
 #include <cstddef>
@@ -21,15 +22,17 @@ namespace vitrine
 class LightScatter
 {
 public:
-  explicit LightScatter(const ClusterGrid& grid)
+  /** @param marks  the lights to be looked at; none are left out where there are no marks */
+  explicit LightScatter(const ClusterGrid& grid, const LightMarks* marks = nullptr)
     : Grid(grid)
     , Filter(grid)
+    , Marks(marks)
   {
   }
 
   std::uint32_t Count() const { return this->Grid.Count(); }
 
-  /** Appends what lights `first` to `last` - 1 reach. */
+  /** Appends what lights `first`, a multiple of 64, to `last` - 1 reach. */
   void Append(const std::vector<LightVolume>& volumes, std::size_t first, std::size_t last,
     ClusterRuns& runs) const;
 
@@ -56,6 +59,7 @@ private:
 
   const ClusterGrid& Grid;
   const LightFilter Filter;
+  const LightMarks* const Marks;
   mutable std::once_flag HasBalls;
   mutable std::vector<glm::vec4> Balls; ///< of all clusters, once a cone asks for one
 };

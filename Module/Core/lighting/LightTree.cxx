@@ -1,0 +1,118 @@
+#include "Core/lighting/LightTree.h"
+
+#include "Core/lighting/MortonOrder.h"
+
+#include <glm/matrix.hpp>
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** Which of eight boxes do not surely lie on the outer side of a plane. Empty ones do. */
+VITRINE_FOR_EACH_PROCESSOR
+unsigned WithinSides(const BoxLanes& boxes, const std::array<glm::vec4, 5>& sides)
+{
+  LaneMask isOutside = LoadLanes(boxes.Lows(0)) > LoadLanes(boxes.Highs(0));
+  for (const glm::vec4& side : sides)
+  {
+    Lanes most = AllLanes(side.w), sum = AllLanes(side.w < 0.0f ? -side.w : side.w);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Lanes product =
+        side[axis] * LoadLanes(side[axis] > 0.0f ? boxes.Highs(axis) : boxes.Lows(axis));
+      most += product;
+      sum += GreatestOf(product, -product);
+    }
+    isOutside |= most < -PlaceSlack * sum;
+  }
+  return ~BitsOf(isOutside) & 0xffu;
+}
+}
+
+std::size_t LightMarks::Count() const
+{
+  std::size_t count = 0;
+  for (const std::uint64_t word : this->Words)
+  {
+    count += static_cast<std::size_t>(__builtin_popcountll(word));
+  }
+  return count;
+}
+
+LightTree::LightTree(const std::vector<LightVolume>& volumes)
+  : Lights(volumes.size())
+{
+  std::vector<Box> boxes(volumes.size());
+  std::vector<glm::vec3> centres(volumes.size());
+  for (std::uint32_t light = 0; light < volumes.size(); ++light)
+  {
+    const LightShape shape(volumes[light]);
+    if (shape.Kind == LightShape::Kinds::Nowhere)
+    {
+      continue;
+    }
+    const Box box = shape.Kind == LightShape::Kinds::Everywhere ? Box() : shape.Bounds();
+    if (box.IsPlaceable())
+    {
+      boxes[light] = box;
+      centres[light] = 0.5f * (box.Min + box.Max);
+      this->Order.push_back(light);
+    }
+    else
+    {
+      this->Endless.push_back(light);
+    }
+  }
+  this->Order = MortonOrder(centres, std::move(this->Order));
+  this->Build(boxes);
+}
+
+/** Level after level, from the leaves up. */
+void LightTree::Build(const std::vector<Box>& boxes)
+{
+  const auto groupsOf = [](std::size_t count) { return (count + LaneCount - 1) / LaneCount; };
+  this->Levels = { 0 };
+  this->Nodes.reserve(groupsOf(this->Order.size()) * 8 / 7 + 16);
+  this->Nodes.resize(groupsOf(this->Order.size()));
+  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  {
+    this->Nodes[i / LaneCount].Set(static_cast<int>(i % LaneCount), boxes[this->Order[i]]);
+  }
+  this->Levels.push_back(this->Nodes.size());
+  std::size_t begin = 0;
+  while (this->Nodes.size() - begin > 1)
+  {
+    const std::size_t end = this->Nodes.size();
+    this->Nodes.resize(end + groupsOf(end - begin));
+    for (std::size_t i = 0; i < end - begin; ++i)
+    {
+      this->Nodes[end + i / LaneCount].Set(
+        static_cast<int>(i % LaneCount), this->Nodes[begin + i].Bounds());
+    }
+    begin = end;
+    this->Levels.push_back(this->Nodes.size());
+  }
+}
+
+LightMarks LightTree::Within(const std::array<glm::vec4, 5>& sides) const
+{
+  LightMarks marks(this->Lights);
+  this->Walk([&](std::uint32_t light) { marks.Add(light); },
+    [&](const BoxLanes& boxes) { return WithinSides(boxes, sides); });
+  return marks;
+}
+
+std::array<glm::vec4, 5> SidesBefore(
+  const std::array<glm::vec4, 5>& sides, const glm::dmat4& toView)
+{
+  std::array<glm::vec4, 5> before;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    before[i] = glm::vec4(glm::dvec4(sides[i]) * toView);
+  }
+  return before;
+}
+
+}
