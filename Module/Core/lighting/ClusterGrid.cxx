@@ -45,11 +45,11 @@ glm::dvec4 RowOf(const glm::dmat4& m, int row)
   return { m[0][row], m[1][row], m[2][row], m[3][row] };
 }
 
-/** How far along the view a point of NDC is. */
+/** How far along the view a point of NDC is. A far plane may be at infinity; a near one that is not before the eye is none. */
 double DistanceOf(const glm::dmat4& fromClip, const glm::dvec3& ndc)
 {
   const glm::dvec4 point = fromClip * glm::dvec4(ndc, 1.0);
-  return point.w > 0.0 ? -point.z / point.w : Infinite;
+  return point.w > 0.0 ? -point.z / point.w : ndc.z * Infinite;
 }
 
 /** A number from 0 to `count` - 1; what is no number is 0. */

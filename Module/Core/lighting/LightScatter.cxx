@@ -32,9 +32,11 @@ void LightScatter::Append(const std::vector<LightVolume>& volumes, std::size_t f
   for (std::size_t block = first; block < last; block += LightFilter::BlockSize)
   {
     const std::size_t count = std::min(LightFilter::BlockSize, last - block);
-    std::uint64_t bits = this->Marks != nullptr
+    const std::uint64_t marked = this->Marks != nullptr
       ? this->Marks->Block(block / LightFilter::BlockSize)
-      : this->Filter.MayReach(volumes.data() + block, count);
+      : ~std::uint64_t{ 0 };
+    std::uint64_t bits =
+      marked != 0 ? marked & this->Filter.MayReach(volumes.data() + block, count) : 0;
     for (; bits != 0; bits &= bits - 1)
     {
       const std::size_t light = block + static_cast<std::size_t>(__builtin_ctzll(bits));

@@ -26,7 +26,7 @@ WorldGrid::WorldGrid(const Box& bounds, const glm::ivec3& cells)
   {
     const float length = bounds.Max[axis] - bounds.Min[axis];
     const int count = std::max(cells[axis], 1);
-    if (length > 0.0f && std::isfinite(count / length))
+    if (length > 0.0f && std::isfinite(length) && std::isfinite(count / length))
     {
       this->Cells[axis] = count;
       this->PerLength[axis] = count / length;
