@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr double EndlessSum = std::numeric_limits<double>::infinity();
-constexpr std::size_t GroupSize = 8;
 
 /** A group is taken as a whole where it is so many times as far as it is large. */
 constexpr double FarGroup = 4.0;
@@ -101,32 +100,10 @@ ErrorBudget::ErrorBudget(
   {
     this->Lights.push_back({ positions[i], falloffs[i] });
   }
-  this->Build();
-}
-
-/** Level after level, from eight lights up. */
-void ErrorBudget::Build()
-{
-  const auto groupsOf = [](std::size_t count) { return (count + GroupSize - 1) / GroupSize; };
-  this->Levels = { 0 };
-  this->Groups.resize(groupsOf(this->Lights.size()));
-  for (std::size_t i = 0; i < this->Lights.size(); ++i)
-  {
-    this->Groups[i / GroupSize].Add(this->Lights[i]);
-  }
-  this->Levels.push_back(this->Groups.size());
-  std::size_t begin = 0;
-  while (this->Groups.size() - begin > 1)
-  {
-    const std::size_t end = this->Groups.size();
-    this->Groups.resize(end + groupsOf(end - begin));
-    for (std::size_t i = 0; i < end - begin; ++i)
-    {
-      this->Groups[end + i / GroupSize].Add(this->Groups[begin + i]);
-    }
-    begin = end;
-    this->Levels.push_back(this->Groups.size());
-  }
+  this->Shape.Build(
+    this->Groups, this->Lights.size(),
+    [&](Group& group, int, std::size_t i) { group.Add(this->Lights[i]); },
+    [](Group& group, int, const Group& child) { group.Add(child); });
 }
 
 double ErrorBudget::UniformThreshold(double budget) const
@@ -166,11 +143,6 @@ bool ErrorBudget::HoldsIn(std::vector<Box>& cells, double threshold, double budg
 
 double ErrorBudget::BoundIn(const Box& cell, double threshold, double limit) const
 {
-  struct Place
-  {
-    std::size_t Level;
-    std::size_t Number;
-  };
   if (cell.IsEmpty())
   {
     return 0.0;
@@ -180,39 +152,34 @@ double ErrorBudget::BoundIn(const Box& cell, double threshold, double limit) con
   {
     sum += this->BoundOfLight(light, cell, threshold);
   }
-  std::vector<Place> stack;
-  if (!this->Lights.empty())
-  {
-    stack.push_back({ this->Levels.size() - 2, 0 });
-  }
-  while (!stack.empty() && sum * SumSlack <= limit)
-  {
-    const Place place = stack.back();
-    stack.pop_back();
-    const Group& group = this->Groups[this->Levels[place.Level] + place.Number];
-    const double distance = LeastDistance(group.Bounds, cell);
-    if (group.IsFarFrom(distance))
+  this->Shape.Walk(
+    [&](const LinklessTree::Place& place)
     {
-      sum += std::min(group.Count * threshold, group.MostFrom(distance));
-      continue;
-    }
-    const std::size_t below = place.Level == 0
-      ? this->Lights.size()
-      : this->Levels[place.Level] - this->Levels[place.Level - 1];
-    const std::size_t first = place.Number * GroupSize, last = std::min(first + GroupSize, below);
-    for (std::size_t child = first; child < last; ++child)
-    {
-      if (place.Level == 0)
-      {
-        sum += this->BoundOfLight(this->Lights[child], cell, threshold);
-      }
-      else
-      {
-        stack.push_back({ place.Level - 1, child });
-      }
-    }
-  }
+      unsigned children = 0;
+      sum += sum <= limit ? this->BoundOfGroup(place, cell, threshold, children) : 0.0;
+      return children;
+    });
   return sum * SumSlack;
+}
+
+/** The same of a group; or nothing, and bits for its children, if those have to be looked at each by itself. */
+double ErrorBudget::BoundOfGroup(
+  const LinklessTree::Place& place, const Box& cell, double threshold, unsigned& children) const
+{
+  const Group& group = this->Groups[this->Shape.IndexOf(place)];
+  const double distance = LeastDistance(group.Bounds, cell);
+  if (group.IsFarFrom(distance))
+  {
+    return std::min(group.Count * threshold, group.MostFrom(distance));
+  }
+  const std::size_t count = this->Shape.ChildrenOf(place);
+  double sum = 0.0;
+  for (std::size_t lane = 0; place.Level == 0 && lane < count; ++lane)
+  {
+    sum += this->BoundOfLight(this->Lights[place.ChildAt(lane)], cell, threshold);
+  }
+  children = place.Level == 0 ? 0u : (1u << count) - 1;
+  return sum;
 }
 
 /** No less than what is cut off of one light, which is nothing where all of the cell is within its range. */

@@ -3,6 +3,7 @@
 
 #include "Core/culling/Box.h"
 #include "Core/lighting/LightFalloff.h"
+#include "Core/lighting/LinklessTree.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,16 +57,16 @@ private:
     bool IsFarFrom(double distance) const;
   };
 
-  void Build();
   bool HoldsIn(std::vector<Box>& cells, double threshold, double budget) const;
+  double BoundOfGroup(
+    const LinklessTree::Place& place, const Box& cell, double threshold, unsigned& children) const;
   double BoundOfLight(const Light& light, const Box& cell, double threshold) const;
 
   std::size_t CutCount = 0;
   std::vector<Light> Flat;   ///< the same at all distances
   std::vector<Light> Lights; ///< that fall off, in Morton order
-  std::vector<Group> Groups; ///< of eight lights, then of eight groups, up to the root
-  std::vector<std::size_t>
-    Levels; ///< where each level of groups begins, and where the last one ends
+  LinklessTree Shape;
+  std::vector<Group> Groups;
 };
 
 }

@@ -66,34 +66,10 @@ LightTree::LightTree(const std::vector<LightVolume>& volumes)
     }
   }
   this->Order = MortonOrder(centres, std::move(this->Order));
-  this->Build(boxes);
-}
-
-/** Level after level, from the leaves up. */
-void LightTree::Build(const std::vector<Box>& boxes)
-{
-  const auto groupsOf = [](std::size_t count) { return (count + LaneCount - 1) / LaneCount; };
-  this->Levels = { 0 };
-  this->Nodes.reserve(groupsOf(this->Order.size()) * 8 / 7 + 16);
-  this->Nodes.resize(groupsOf(this->Order.size()));
-  for (std::size_t i = 0; i < this->Order.size(); ++i)
-  {
-    this->Nodes[i / LaneCount].Set(static_cast<int>(i % LaneCount), boxes[this->Order[i]]);
-  }
-  this->Levels.push_back(this->Nodes.size());
-  std::size_t begin = 0;
-  while (this->Nodes.size() - begin > 1)
-  {
-    const std::size_t end = this->Nodes.size();
-    this->Nodes.resize(end + groupsOf(end - begin));
-    for (std::size_t i = 0; i < end - begin; ++i)
-    {
-      this->Nodes[end + i / LaneCount].Set(
-        static_cast<int>(i % LaneCount), this->Nodes[begin + i].Bounds());
-    }
-    begin = end;
-    this->Levels.push_back(this->Nodes.size());
-  }
+  this->Shape.Build(
+    this->Nodes, this->Order.size(),
+    [&](BoxLanes& node, int lane, std::size_t i) { node.Set(lane, boxes[this->Order[i]]); },
+    [](BoxLanes& node, int lane, const BoxLanes& child) { node.Set(lane, child.Bounds()); });
 }
 
 LightMarks LightTree::Within(const std::array<glm::vec4, 5>& sides) const

@@ -3,6 +3,7 @@
 
 #include "Core/culling/BoxLanes.h"
 #include "Core/lighting/LightVolume.h"
+#include "Core/lighting/LinklessTree.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -69,15 +70,14 @@ public:
   LightMarks Within(const std::array<glm::vec4, 5>& sides) const;
 
 private:
-  void Build(const std::vector<Box>& boxes);
   template <class Visit, class Test>
   void Walk(const Visit& visit, const Test& test) const;
 
   std::size_t Lights;                 ///< in all
   std::vector<std::uint32_t> Endless; ///< lights that have no box
   std::vector<std::uint32_t> Order;   ///< of the others
-  std::vector<BoxLanes> Nodes;        ///< the leaves, then the nodes above, up to the root
-  std::vector<std::size_t> Levels;    ///< where each level begins, and where the last one ends
+  LinklessTree Shape;
+  std::vector<BoxLanes> Nodes;
 };
 
 /** Planes of view coordinates (VC) in the coordinates that a matrix leads from, which is rigid. */
@@ -91,35 +91,16 @@ void LightTree::Walk(const Visit& visit, const Test& test) const
   {
     visit(light);
   }
-  if (this->Nodes.empty())
-  {
-    return;
-  }
-  struct Place
-  {
-    std::size_t Level;
-    std::size_t Number;
-  };
-  std::vector<Place> stack{ { this->Levels.size() - 2, 0 } };
-  while (!stack.empty())
-  {
-    const Place place = stack.back();
-    stack.pop_back();
-    unsigned bits = test(this->Nodes[this->Levels[place.Level] + place.Number]);
-    for (; bits != 0; bits &= bits - 1)
+  this->Shape.Walk(
+    [&](const LinklessTree::Place& place)
     {
-      const std::size_t child =
-        place.Number * LaneCount + static_cast<std::size_t>(__builtin_ctz(bits));
-      if (place.Level == 0)
+      unsigned bits = test(this->Nodes[this->Shape.IndexOf(place)]);
+      for (; place.Level == 0 && bits != 0; bits &= bits - 1)
       {
-        visit(this->Order[child]);
+        visit(this->Order[place.ChildAt(static_cast<std::size_t>(__builtin_ctz(bits)))]);
       }
-      else
-      {
-        stack.push_back({ place.Level - 1, child });
-      }
-    }
-  }
+      return bits;
+    });
 }
 
 }
