@@ -164,6 +164,21 @@ TEST(ClusterGrid, HoldsWhatShadersFindThere)
   }
 }
 
+TEST(ClusterGrid, HoldsWhatShadersFindInManySlicesOfNdc)
+{
+  // What rounding does there weighs the more the farther it is.
+  const LitView view = SquareView(1e-3, 1e3);
+  const ClusterGrid grid = GridOf(view, { 512, 20000, SliceLaw::NdcUniform });
+  std::mt19937 random(1);
+  for (int i = 0; i < 3000; ++i)
+  {
+    const int slice = 1 + static_cast<int>(random() % (grid.Slices() - 1));
+    const glm::vec3 point(0, 0, -grid.EndOf(slice) * (1 + UniformIn(random, -1e-7, 1e-7)));
+    ExpectHolds(grid, ClusterInFloats(grid, glm::mat4(view.ToClip), point), point);
+    ASSERT_FALSE(HasFailure());
+  }
+}
+
 TEST(ClusterGrid, GoesOnBeforeNearAndBeyondFarAndAside)
 {
   for (const LitView& view : AllLitViews())

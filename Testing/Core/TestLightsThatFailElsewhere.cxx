@@ -118,6 +118,28 @@ TEST(LightsThatFailElsewhere, LightsAtTheEdgeOfTheView)
   ExpectLit(view, lights);
 }
 
+TEST(LightsThatFailElsewhere, VeryWideViewsToOneSide)
+{
+  // Sides of rows that meet at more than 90 degrees: the nearest point of the upper ones to what lies below is behind the eye.
+  const double sides[][4] = { { -40, 0.2, -40, 40 }, { -0.2, 40, -40, 40 }, { -40, 40, -40, 0.2 },
+    { 10, 40, -40, 40 } };
+  std::mt19937 random(23);
+  for (const auto& side : sides)
+  {
+    const LitView view{ "one side", glm::frustum(side[0], side[1], side[2], side[3], 1.0, 50.0),
+      256, 256, 1, 50 };
+    std::vector<LightVolume> lights;
+    for (int i = 0; i < 1500; ++i)
+    {
+      const double x = UniformIn(random, -60, 60), y = UniformIn(random, -60, 60);
+      const glm::vec3 position(x, y, UniformIn(random, -3, 1));
+      lights.push_back(BallAt(position, glm::length(position) * UniformIn(random, 0.3, 1.3)));
+    }
+    const ClusterGrid grid = GridFor(view, { 16, 16 });
+    ExpectNoneMissing(view, grid, lights, ListsOf(grid, lights), random);
+  }
+}
+
 TEST(LightsThatFailElsewhere, EndlessLightsAreInAllLists)
 {
   const ClusterGrid grid = GridFor(SquareView());

@@ -18,10 +18,10 @@ namespace
 constexpr double EndlessSum = std::numeric_limits<double>::infinity();
 
 /** A group is taken as a whole where it is so many times as far as it is large. */
-constexpr double FarGroup = 4.0;
+constexpr double FarGroup = 3.0;
 
-/** Bisections, in the logarithm: a millionfold range comes down to a percent. */
-constexpr int Bisections = 11;
+/** Bisections, in the logarithm: a thousandfold range comes down to two percent. */
+constexpr int Bisections = 9;
 
 /** What rounding may take from sums and distances. */
 constexpr double SumSlack = 1.0 + 1e-9;
@@ -114,31 +114,37 @@ double ErrorBudget::UniformThreshold(double budget) const
 double ErrorBudget::CommonThreshold(double budget, const std::vector<Box>& cells) const
 {
   double holds = this->UniformThreshold(budget), fails = budget;
-  std::vector<Box> order = cells;
-  if (!(budget > 0.0) || this->HoldsIn(order, fails, budget))
-  {
-    return budget;
-  }
-  for (int i = 0; i < Bisections; ++i)
+  std::vector<Box> open = this->CellsThatExceed(cells, fails, budget);
+  for (int i = 0; i < Bisections && !open.empty(); ++i)
   {
     const double middle = std::sqrt(holds) * std::sqrt(fails);
-    (this->HoldsIn(order, middle, budget) ? holds : fails) = middle;
-  }
-  return holds;
-}
-
-/** Whether nowhere more than the budget is cut off. A cell for which that cannot be said is asked first the next time. */
-bool ErrorBudget::HoldsIn(std::vector<Box>& cells, double threshold, double budget) const
-{
-  for (Box& cell : cells)
-  {
-    if (this->BoundIn(cell, threshold, budget) > budget)
+    std::vector<Box> exceeding = this->CellsThatExceed(open, middle, budget);
+    if (exceeding.empty())
     {
-      std::swap(cell, cells.front());
-      return false;
+      holds = middle;
+    }
+    else
+    {
+      fails = middle;
+      open.swap(exceeding); // for the others, all that is tried from here on holds
     }
   }
-  return true;
+  return open.empty() ? budget : holds;
+}
+
+/** For which it cannot be said that no more than the budget is cut off. */
+std::vector<Box> ErrorBudget::CellsThatExceed(
+  const std::vector<Box>& cells, double threshold, double budget) const
+{
+  std::vector<Box> exceeding;
+  for (const Box& cell : cells)
+  {
+    if (!(this->BoundIn(cell, threshold, budget) <= budget))
+    {
+      exceeding.push_back(cell);
+    }
+  }
+  return exceeding;
 }
 
 double ErrorBudget::BoundIn(const Box& cell, double threshold, double limit) const

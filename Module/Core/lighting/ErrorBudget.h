@@ -57,7 +57,8 @@ private:
     bool IsFarFrom(double distance) const;
   };
 
-  bool HoldsIn(std::vector<Box>& cells, double threshold, double budget) const;
+  std::vector<Box> CellsThatExceed(
+    const std::vector<Box>& cells, double threshold, double budget) const;
   double BoundOfGroup(
     const LinklessTree::Place& place, const Box& cell, double threshold, unsigned& children) const;
   double BoundOfLight(const Light& light, const Box& cell, double threshold) const;
