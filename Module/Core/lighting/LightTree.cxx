@@ -4,11 +4,17 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+#include <utility>
+
 namespace vitrine
 {
 
 namespace
 {
+
+/** How many boxes are loaded at the same time. */
+constexpr std::size_t FarAhead = 16;
 
 /** Which of eight boxes do not surely lie on the outer side of a plane. Empty ones do. */
 VITRINE_FOR_EACH_PROCESSOR
@@ -45,7 +51,8 @@ LightTree::LightTree(const std::vector<LightVolume>& volumes)
   : Lights(volumes.size())
 {
   std::vector<Box> boxes(volumes.size());
-  std::vector<glm::vec3> centres(volumes.size());
+  std::vector<glm::vec3> places(volumes.size());
+  this->Order.reserve(volumes.size());
   for (std::uint32_t light = 0; light < volumes.size(); ++light)
   {
     const LightShape shape(volumes[light]);
@@ -57,7 +64,7 @@ LightTree::LightTree(const std::vector<LightVolume>& volumes)
     if (box.IsPlaceable())
     {
       boxes[light] = box;
-      centres[light] = 0.5f * (box.Min + box.Max);
+      places[light] = shape.Position;
       this->Order.push_back(light);
     }
     else
@@ -65,10 +72,14 @@ LightTree::LightTree(const std::vector<LightVolume>& volumes)
       this->Endless.push_back(light);
     }
   }
-  this->Order = MortonOrder(centres, std::move(this->Order));
+  this->Order = MortonOrder(places, std::move(this->Order));
   this->Shape.Build(
     this->Nodes, this->Order.size(),
-    [&](BoxLanes& node, int lane, std::size_t i) { node.Set(lane, boxes[this->Order[i]]); },
+    [&](BoxLanes& node, int lane, std::size_t i)
+    {
+      Prefetch(&boxes[this->Order[std::min(i + FarAhead, this->Order.size() - 1)]]);
+      node.Set(lane, boxes[this->Order[i]]);
+    },
     [](BoxLanes& node, int lane, const BoxLanes& child) { node.Set(lane, child.Bounds()); });
 }
 
