@@ -3,6 +3,7 @@
 #include "Core/lighting/LightScatter.h"
 
 #include <algorithm>
+#include <cassert>
 #include <future>
 #include <limits>
 #include <stdexcept>
@@ -65,6 +66,8 @@ template <class Scatter>
 void LightAssigner::AssignBy(const Scatter& scatter, const std::vector<LightVolume>& volumes,
   LightLists& lists, const std::vector<std::uint8_t>* used)
 {
+  assert(used == nullptr || used->size() == scatter.Count());
+  assert(volumes.size() <= std::numeric_limits<std::uint32_t>::max());
   const std::size_t most = std::max<std::size_t>(1, volumes.size() / LightsPerThread);
   const std::size_t count = std::min<std::size_t>(most, std::max(1u, this->Settings.Threads));
   const std::size_t blocks = (volumes.size() + LightFilter::BlockSize - 1) / LightFilter::BlockSize;
