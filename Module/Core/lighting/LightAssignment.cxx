@@ -1,0 +1,107 @@
+#include "Core/lighting/LightAssignment.h"
+
+#include "Core/lighting/LightScatter.h"
+
+#include <algorithm>
+#include <cassert>
+#include <future>
+#include <limits>
+#include <stdexcept>
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** Fewer lights are not worth a thread. */
+constexpr std::size_t LightsPerThread = 2048;
+
+/** Does something for each chunk, each in a thread of its own. */
+template <class Work>
+void ForEachChunk(std::vector<LightChunk>& chunks, const Work& work)
+{
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 1; i < chunks.size(); ++i)
+  {
+    others.push_back(std::async(std::launch::async, [&work, &chunks, i] { work(chunks[i], i); }));
+  }
+  work(chunks[0], 0);
+  for (std::future<void>& other : others)
+  {
+    other.get();
+  }
+}
+
+}
+
+/** Gives each cluster its part of the list, and each chunk its part of that. */
+void LightAssigner::PlaceLists(
+  std::uint32_t clusters, const std::vector<std::uint8_t>* used, LightLists& lists)
+{
+  lists.Offsets.resize(clusters + std::size_t{ 1 });
+  std::uint64_t sum = 0;
+  for (std::uint32_t cluster = 0; cluster < clusters; ++cluster)
+  {
+    lists.Offsets[cluster] = static_cast<std::uint32_t>(sum);
+    if (used == nullptr || (*used)[cluster] != 0)
+    {
+      for (LightChunk& chunk : this->Chunks)
+      {
+        const std::uint32_t count = chunk.CountIn(cluster);
+        chunk.BeginAt(cluster, static_cast<std::uint32_t>(sum));
+        sum += count;
+      }
+    }
+    if (sum > std::numeric_limits<std::uint32_t>::max())
+    {
+      throw std::length_error("the lists of lights hold 2^32 numbers or more");
+    }
+  }
+  lists.Offsets[clusters] = static_cast<std::uint32_t>(sum);
+  lists.Indices.resize(sum);
+}
+
+template <class Scatter>
+void LightAssigner::AssignBy(const Scatter& scatter, const std::vector<LightVolume>& volumes,
+  LightLists& lists, const std::vector<std::uint8_t>* used)
+{
+  assert(used == nullptr || used->size() == scatter.Count());
+  assert(volumes.size() <= std::numeric_limits<std::uint32_t>::max());
+  const std::size_t most = std::max<std::size_t>(1, volumes.size() / LightsPerThread);
+  const std::size_t count = std::min<std::size_t>(most, std::max(1u, this->Settings.Threads));
+  const std::size_t blocks = (volumes.size() + LightFilter::BlockSize - 1) / LightFilter::BlockSize;
+  const auto beginOf = [&](std::size_t chunk)
+  { return std::min(volumes.size(), blocks * chunk / count * LightFilter::BlockSize); };
+  this->Chunks.resize(count);
+  ForEachChunk(this->Chunks,
+    [&](LightChunk& chunk, std::size_t i)
+    {
+      scatter.Append(volumes, beginOf(i), beginOf(i + 1), chunk.Begin());
+      chunk.Count(scatter.Count());
+    });
+  this->PlaceLists(scatter.Count(), used, lists);
+  ForEachChunk(
+    this->Chunks, [&](LightChunk& chunk, std::size_t) { chunk.Fill(used, lists.Indices); });
+}
+
+void LightAssigner::Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes,
+  LightLists& lists, const std::vector<std::uint8_t>* used, const LightMarks* marked)
+{
+  if (this->Settings.Test == LightTest::Box)
+  {
+    this->AssignBy(BoxScatter(grid, LightTest::Box), volumes, lists, used);
+  }
+  else
+  {
+    this->AssignBy(LightScatter(grid, marked), volumes, lists, used);
+  }
+}
+
+void LightAssigner::Assign(const WorldGrid& grid, const std::vector<LightVolume>& volumes,
+  LightLists& lists, const std::vector<std::uint8_t>* used)
+{
+  this->AssignBy(BoxScatter(grid, this->Settings.Test), volumes, lists, used);
+}
+
+}

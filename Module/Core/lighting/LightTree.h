@@ -1,0 +1,108 @@
+#ifndef VITRINE_CORE_LIGHTING_LIGHT_TREE_H
+#define VITRINE_CORE_LIGHTING_LIGHT_TREE_H
+
+#include "Core/culling/BoxLanes.h"
+#include "Core/lighting/LightVolume.h"
+#include "Core/lighting/LinklessTree.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/** A bit for each light: it is looked at. */
+class LightMarks
+{
+public:
+  explicit LightMarks(std::size_t lights = 0)
+    : Words((lights + 63) / 64, 0)
+  {
+  }
+
+  void Add(std::uint32_t light) { this->Words[light / 64] |= std::uint64_t{ 1 } << light % 64; }
+  bool Has(std::uint32_t light) const { return (this->Words[light / 64] >> light % 64 & 1) != 0; }
+
+  /** Of lights 64 times `block` and on, the first one the lowest bit. */
+  std::uint64_t Block(std::size_t block) const { return this->Words[block]; }
+
+  std::size_t Count() const;
+
+private:
+  std::vector<std::uint64_t> Words;
+};
+
+/**
+ * A tree over lights in their order along a Morton curve: eight boxes side by side, eight lights in a leaf, eight nodes in a node, so that no links are
+ * needed (O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading, HPG 2012, which takes 32). It is built in linear
+ * time. Of lights that stand still it is built once, in world coordinates (WC), and asked for each view.
+ */
+class LightTree
+{
+public:
+  explicit LightTree(const std::vector<LightVolume>& volumes);
+
+  /** Calls visit(light) for each light whose volume's box touches a box, in no particular order. */
+  template <class Visit>
+  void ForEachTouching(const Box& box, const Visit& visit) const
+  {
+    this->Walk(visit,
+      [&](const BoxLanes& boxes)
+      {
+        unsigned bits = 0;
+        for (int lane = 0; lane < LaneCount; ++lane)
+        {
+          bits |= (Touches(boxes.At(lane), box) ? 1u : 0u) << lane;
+        }
+        return bits;
+      });
+  }
+
+  /**
+   * Lights that may lie within some planes; all that are not marked surely lie on the outer side of one.
+   * @param sides  as ClusterGrid::OuterSides() tells, in the coordinates of the lights
+   */
+  LightMarks Within(const std::array<glm::vec4, 5>& sides) const;
+
+private:
+  template <class Visit, class Test>
+  void Walk(const Visit& visit, const Test& test) const;
+
+  std::size_t Lights;                 ///< in all
+  std::vector<std::uint32_t> Endless; ///< lights that have no box
+  std::vector<std::uint32_t> Order;   ///< of the others
+  LinklessTree Shape;
+  std::vector<BoxLanes> Nodes;
+};
+
+/** Planes of view coordinates (VC) in the coordinates that a matrix leads from, which is rigid. */
+std::array<glm::vec4, 5> SidesBefore(
+  const std::array<glm::vec4, 5>& sides, const glm::dmat4& toView);
+
+template <class Visit, class Test>
+void LightTree::Walk(const Visit& visit, const Test& test) const
+{
+  for (const std::uint32_t light : this->Endless)
+  {
+    visit(light);
+  }
+  this->Shape.Walk(
+    [&](const LinklessTree::Place& place)
+    {
+      unsigned bits = test(this->Nodes[this->Shape.IndexOf(place)]);
+      for (; place.Level == 0 && bits != 0; bits &= bits - 1)
+      {
+        visit(this->Order[place.ChildAt(static_cast<std::size_t>(__builtin_ctz(bits)))]);
+      }
+      return bits;
+    });
+}
+
+}
+
+#endif

@@ -1,0 +1,102 @@
+#ifndef VITRINE_CORE_LIGHTING_LINKLESS_TREE_H
+#define VITRINE_CORE_LIGHTING_LINKLESS_TREE_H
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace vitrine
+{
+
+/** The shape of a tree over things in an order: eight of them to a node, eight nodes to a node, so that no links are needed. */
+class LinklessTree
+{
+public:
+  static constexpr std::size_t Width = 8;
+
+  /** A node: on level 0 those that hold things. */
+  struct Place
+  {
+    std::size_t Level;
+    std::size_t Number;
+
+    std::size_t ChildAt(std::size_t lane) const { return this->Number * Width + lane; }
+  };
+
+  /**
+   * Makes the nodes of all levels, up to the root.
+   * @param nodes     none before; the nodes of level 0, then those above
+   * @param count     of things
+   * @param putThing  putThing(node, lane, thing)
+   * @param putNode   putNode(node, lane, child)
+   */
+  template <class Node, class PutThing, class PutNode>
+  void Build(
+    std::vector<Node>& nodes, std::size_t count, const PutThing& putThing, const PutNode& putNode)
+  {
+    this->Things = count;
+    nodes.reserve(count / (Width - 1) + 16);
+    nodes.resize(NodesFor(count));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      putThing(nodes[i / Width], static_cast<int>(i % Width), i);
+    }
+    this->Begins = { 0, nodes.size() };
+    while (this->CountOn(this->Begins.size() - 2) > 1)
+    {
+      const std::size_t begin = *(this->Begins.end() - 2), end = nodes.size();
+      nodes.resize(end + NodesFor(end - begin));
+      for (std::size_t i = 0; i < end - begin; ++i)
+      {
+        putNode(nodes[end + i / Width], static_cast<int>(i % Width), nodes[begin + i]);
+      }
+      this->Begins.push_back(nodes.size());
+    }
+  }
+
+  /** Where a node stands among those of all levels. */
+  std::size_t IndexOf(const Place& place) const { return this->Begins[place.Level] + place.Number; }
+
+  /** How many children a node has. */
+  std::size_t ChildrenOf(const Place& place) const
+  {
+    const std::size_t below = place.Level == 0 ? this->Things : this->CountOn(place.Level - 1);
+    return std::min(Width, below - place.Number * Width);
+  }
+
+  /** Calls look(place) for the root, and for all children of nodes for which it returns their bits. */
+  template <class Look>
+  void Walk(const Look& look) const
+  {
+    std::vector<Place> stack;
+    if (this->Things > 0)
+    {
+      stack.push_back({ this->Begins.size() - 2, 0 });
+    }
+    while (!stack.empty())
+    {
+      const Place place = stack.back();
+      stack.pop_back();
+      for (unsigned bits = look(place); bits != 0; bits &= bits - 1)
+      {
+        stack.push_back(
+          { place.Level - 1, place.ChildAt(static_cast<std::size_t>(__builtin_ctz(bits))) });
+      }
+    }
+  }
+
+private:
+  static std::size_t NodesFor(std::size_t things) { return (things + Width - 1) / Width; }
+
+  std::size_t CountOn(std::size_t level) const
+  {
+    return this->Begins[level + 1] - this->Begins[level];
+  }
+
+  std::size_t Things = 0;
+  std::vector<std::size_t> Begins; ///< of each level, and where the last one ends
+};
+
+}
+
+#endif
