@@ -50,6 +50,17 @@ struct vtkClusteredLightsPass::Internals
   }
 };
 
+namespace
+{
+
+// What picks has no light. Of the eyes of a stereo pair, the passes within alone know which one is drawn.
+bool CanBeLit(vtkRenderer* renderer)
+{
+  return !renderer->GetSelector() && !renderer->GetRenderWindow()->GetStereoRender();
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkClusteredLightsPass::vtkClusteredLightsPass()
   : Private(new Internals)
@@ -110,7 +121,7 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
     return;
   }
   auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  if (renderer && !renderer->GetSelector() && this->TakeLights(renderer))
+  if (renderer && CanBeLit(renderer) && this->TakeLights(renderer))
   {
     this->AssignLights(renderer);
     if (this->WriteBuffers(renderer))
