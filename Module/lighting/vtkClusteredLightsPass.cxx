@@ -8,6 +8,7 @@
 #include "lighting/LightSwap.h"
 #include "lighting/MaterialGain.h"
 #include "lighting/RendererLights.h"
+#include "vtkAbstractMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
