@@ -54,10 +54,10 @@ struct vtkClusteredLightsPass::Internals
 namespace
 {
 
-// What picks has no light. Of the eyes of a stereo pair, the passes within alone know which one is drawn.
-bool CanBeLit(vtkRenderer* renderer)
+// Of the eyes of a stereo pair, the passes within alone know which one is drawn.
+bool IsViewKnown(vtkRenderer* renderer)
 {
-  return !renderer->GetSelector() && !renderer->GetRenderWindow()->GetStereoRender();
+  return !renderer->GetRenderWindow()->GetStereoRender();
 }
 
 }
@@ -122,7 +122,7 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
     return;
   }
   auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  if (renderer && CanBeLit(renderer) && this->TakeLights(renderer))
+  if (renderer && IsViewKnown(renderer) && this->TakeLights(renderer))
   {
     this->AssignLights(renderer);
     if (this->WriteBuffers(renderer))

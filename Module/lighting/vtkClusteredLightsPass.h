@@ -18,7 +18,7 @@
  * at a point change the picture by no more than that, together. A light that VTK would turn all black with (not finite, or without
  * any attenuation) is left out with a warning.
  *
- * A single headlight is drawn as VTK does, as are pictures in stereo and what is picked; volumes have their own lighting.
+ * A single headlight is drawn as VTK does, as are pictures in stereo; volumes have their own lighting.
  */
 #ifndef vtkClusteredLightsPass_h
 #define vtkClusteredLightsPass_h

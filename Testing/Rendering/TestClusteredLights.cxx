@@ -157,6 +157,29 @@ TEST(ClusteredLight, IsOffByNoMoreThanTheCutOff)
   }
 }
 
+// Each is faint where it is, and all together are not.
+TEST(ClusteredLight, IsNotCutWhereManyAddUp)
+{
+  LightScene scene(false);
+  for (int i = 0; i < 1000; ++i)
+  {
+    scene.AddLight(LightKind::Point, 6.0, 1e5);
+  }
+  const Picture exact = scene.InClusteredLight();
+  scene.Lights->SetCutOff(0.5 / 255.0);
+  EXPECT_LE(LargestDifference(exact, scene.InClusteredLight()), 1);
+}
+
+TEST(ClusteredLight, InStereoIsVTKs)
+{
+  LightScene scene(false);
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  scene.Window->SetStereoTypeToAnaglyph();
+  scene.Window->StereoRenderOn();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+}
+
 // VTK alone turns all black by each of them.
 TEST(ClusteredLight, ThatIsNoLightDarkensNothing)
 {
