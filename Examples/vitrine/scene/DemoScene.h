@@ -37,9 +37,6 @@ Scene MakeHallScene(const DemoValues& values);
 Scene MakePaperMasksScene(const DemoValues& values);
 Scene MakePaperListsScene(const DemoValues& values);
 
-/** The most lights that the hall can be asked for. */
-inline constexpr int MostHallLights = 1048576;
-
 /** The most layers that the papers' scenes can be asked for. */
 inline constexpr int MostPaperLayers = 64;
 

@@ -25,6 +25,9 @@ struct Light
   double Exponent = 1.0;   ///< of the cosine from the axis; spot lights only
 };
 
+/** The most that can be asked for. */
+inline constexpr int MostLights = 1048576;
+
 /** The most that VTK's own shaders are let draw: 64 take seconds to compile, 1,024 minutes, and more end the program. */
 inline constexpr std::size_t MostLightsOfVTK = 64;
 
