@@ -47,6 +47,7 @@ int Run(int argc, char* argv[])
   program::AddChartCommand(app);
   program::AddCullCommand(app);
   program::AddInfoCommand(app);
+  program::AddLightsCommand(app);
   program::AddPaperCommand(app);
   program::AddSortsCommand(app);
   program::AddStabilityCommand(app);

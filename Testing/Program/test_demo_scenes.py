@@ -104,6 +104,28 @@ class DemoScenes(FileTest):
                 scene = f"demo:spheres,layers={layers}"
                 self.assertEqual(info(scene)["layers"]["layers_max"], layers)
 
+    def test_the_hall_is_the_same_for_any_number_of_lights(self):
+        dark, crowded = (info(f"demo:hall,lights={lights}") for lights in (0, 1048576))
+        self.assertEqual((dark["lights"], crowded["lights"]), (0, 1048576))
+        self.assertTrue(255_000 <= dark["triangles"] <= 270_000, dark["triangles"])
+        self.assertTrue(0 < dark["translucent_parts"] < dark["parts"])
+        for key in ("parts", "translucent_parts", "triangles", "bounds", "layers"):
+            self.assertEqual(dark[key], crowded[key])
+
+    def test_the_hall_is_lit_by_its_own_lights(self):
+        one, other = (
+            self.render(f"demo:hall,lights=3,seed={seed}", "--size", "32x24")[0] for seed in "12"
+        )
+        self.assertNotEqual(one, other)
+
+    def test_more_lights_than_vtk_takes_are_refused(self):
+        path = self.folder / "picture.png"
+        refused = run("render", "demo:hall,lights=65", "-o", path)
+        self.assert_refused(refused, "demo:hall,lights=65", "65 lights", "64")
+        self.assertFalse(path.exists())
+        for setting in ("lights=-1", "lights=1048577", "lights=1.5", "lamps=1"):
+            self.assert_refused(run("info", f"demo:hall,{setting}"), setting)
+
     def test_alpha_resolution_and_seed_matter(self):
         pictures = {
             self.render(f"demo:spheres,layers=4{more}", "--size", "32x32")[0]

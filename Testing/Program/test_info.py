@@ -17,6 +17,7 @@ class Info(FileTest):
                 "triangles",
                 "lines",
                 "points",
+                "lights",
                 "materials",
                 "bounds",
                 "layers",

@@ -25,6 +25,9 @@ void AddCullCommand(CLI::App& app);
 /** `vitrine info`: what is in a scene, and what is not shown of it. */
 void AddInfoCommand(CLI::App& app);
 
+/** `vitrine lights`: many lights, mode by mode. */
+void AddLightsCommand(CLI::App& app);
+
 /** `vitrine paper`: the papers' scenes, and frame rates beside theirs. */
 void AddPaperCommand(CLI::App& app);
 

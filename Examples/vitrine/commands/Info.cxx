@@ -26,6 +26,7 @@ SceneInfo CountScene(const Scene& scene)
   SceneInfo info;
   info.Name = scene.Name;
   info.Parts = scene.Parts.size();
+  info.Lights = scene.Lights.size();
   info.Materials = CountMaterials(scene);
   info.Bounds = SceneBounds(scene);
   info.Expectation = scene.Expectation;
@@ -41,8 +42,10 @@ SceneInfo CountScene(const Scene& scene)
   return info;
 }
 
-void CountLayers(SceneInfo& info, const Scene& scene, const SceneOptions& options)
+/** Without the scene's lights, which make no layers, and of which VTK's shaders take few. */
+void CountLayers(SceneInfo& info, Scene scene, const SceneOptions& options)
 {
+  scene.Lights.clear();
   info.Size = ParseSize(options.Size);
   TruthStage truth(scene, info.Size, options.Multisamples);
   truth.Draw(PlaceCamera(scene, ChooseView(options, scene), info.Size.Aspect()));

@@ -53,6 +53,7 @@ void Append(Scene& scene, Scene&& other)
   }
   scene.Name += "+" + other.Name;
   std::move(other.Parts.begin(), other.Parts.end(), std::back_inserter(scene.Parts));
+  std::move(other.Lights.begin(), other.Lights.end(), std::back_inserter(scene.Lights));
   std::move(other.Skipped.begin(), other.Skipped.end(), std::back_inserter(scene.Skipped));
   std::move(other.Notes.begin(), other.Notes.end(), std::back_inserter(scene.Notes));
   scene.Placement.ParallelScale.reset(); // what fitted one of them does not fit all

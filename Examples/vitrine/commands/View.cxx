@@ -35,6 +35,7 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetBackground(Background, Background, Background);
     AddActors(scene, this->Renderer);
+    SetLights(scene.Lights, this->Renderer);
     this->Renderer->SetActiveCamera(PlaceCamera(scene, ChooseView(options, scene), size.Aspect()));
     this->Renderer->ResetCameraClippingRange();
     this->Label->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
@@ -115,6 +116,7 @@ void ShowScene(const ViewOptions& options)
     throw RuntimeError("view needs a display, and DISPLAY is not set; render needs none");
   }
   const Scene scene = LoadScene(options.Scene);
+  RequireFewLights(scene, MostLightsOfVTK);
   Viewer(scene, options.Scene, options.Method, tolerance).Run();
 }
 }

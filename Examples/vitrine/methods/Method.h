@@ -4,6 +4,9 @@
 #ifndef VITRINE_METHOD_H
 #define VITRINE_METHOD_H
 
+#include "scene/Lights.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -51,6 +54,9 @@ public:
    * truth with the tolerance does not judge it.
    */
   [[nodiscard]] virtual std::string SetCoincidence(const Coincidence& coincidence);
+
+  /** How many lights of a scene it draws. */
+  virtual std::size_t MostLights() const { return MostLightsOfVTK; }
 
   /** Of the last frame. */
   virtual MethodStatistics Statistics() const = 0;

@@ -56,6 +56,8 @@ Stage::~Stage()
 
 void Stage::SetScene(const Scene& scene)
 {
+  RequireFewLights(scene, this->DrawingMethod->MostLights());
+  SetLights(scene.Lights, this->Renderer);
   this->Renderer->RemoveAllViewProps();
   this->Actors = AddActors(scene, this->Renderer);
   this->ClippingRange = scene.Placement.ClippingRange;
@@ -111,6 +113,16 @@ std::vector<std::uint8_t> Stage::ReadPixels()
 Device Stage::GetDevice()
 {
   return DescribeDevice(this->Window);
+}
+
+void RequireFewLights(const Scene& scene, std::size_t most)
+{
+  if (scene.Lights.size() > most)
+  {
+    throw InputError(scene.Name,
+      "it has " + std::to_string(scene.Lights.size()) + " lights, and " + std::to_string(most) +
+        " are the most that VTK's own shaders are let draw: more take minutes to compile");
+  }
 }
 
 vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size)

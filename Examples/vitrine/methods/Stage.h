@@ -46,7 +46,7 @@ public:
   Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize size, int multisamples);
   ~Stage();
 
-  /** Draw another scene from now on; what the method and the window have built so far stays. */
+  /** Draw another scene from now on; throws InputError if it has more lights than the method draws. What the method and the window have built so far stays. */
   void SetScene(const Scene& scene);
 
   /** Draw the scene's parts in another order, a permutation of their indices. */
@@ -75,6 +75,9 @@ private:
   std::vector<vtkSmartPointer<vtkActor>> Actors; ///< in the order of the scene's parts
   std::optional<std::array<double, 2>> ClippingRange;
 };
+
+/** Throw InputError if the scene has more lights than `most`. */
+void RequireFewLights(const Scene& scene, std::size_t most);
 
 /** An 8-bit picture as numbers in [0, 1]. */
 vitrine::Image ToImage(const std::vector<std::uint8_t>& pixels, PictureSize size);

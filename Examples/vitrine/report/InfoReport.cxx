@@ -60,6 +60,10 @@ std::string ToText(const SceneInfo& info)
   {
     text << "  points      " << info.Points << "\n";
   }
+  if (info.Lights > 0)
+  {
+    text << "  lights      " << info.Lights << "\n";
+  }
   text << "  materials   " << info.Materials << "\n";
   text << "  bounds      ";
   AppendBounds(text, info.Bounds);
@@ -90,9 +94,9 @@ std::string ToJson(const SceneInfo& info)
   }
   const Json document = { { "scene", info.Name }, { "parts", info.Parts },
     { "translucent_parts", info.TranslucentParts }, { "triangles", info.Triangles },
-    { "lines", info.Lines }, { "points", info.Points }, { "materials", info.Materials },
-    { "bounds", info.Bounds }, { "layers", LayersJson(info) }, { "expected", info.Expectation },
-    { "skipped", skipped }, { "notes", info.Notes } };
+    { "lines", info.Lines }, { "points", info.Points }, { "lights", info.Lights },
+    { "materials", info.Materials }, { "bounds", info.Bounds }, { "layers", LayersJson(info) },
+    { "expected", info.Expectation }, { "skipped", skipped }, { "notes", info.Notes } };
   return JsonText(document);
 }
 

@@ -23,6 +23,7 @@ struct SceneInfo
   std::int64_t Triangles = 0;
   std::int64_t Lines = 0;
   std::int64_t Points = 0; ///< drawn as points, not corners
+  std::size_t Lights = 0;  ///< of its own
   std::size_t Materials = 0;
   std::array<double, 6> Bounds{};
   PictureSize Size{};

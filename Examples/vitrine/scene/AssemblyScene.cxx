@@ -113,19 +113,6 @@ glm::dmat4 PlaceUnit(std::size_t index, std::size_t count)
   return Shift(along, 0.0, across) * TurnY(0.5 * Pi);
 }
 
-vtkSmartPointer<vtkMatrix4x4> MatrixOf(const glm::dmat4& place)
-{
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      matrix->SetElement(row, column, place[column][row]);
-    }
-  }
-  return matrix;
-}
-
 std::vector<vtkSmartPointer<vtkProperty>> MakeProperties()
 {
   std::vector<vtkSmartPointer<vtkProperty>> properties;

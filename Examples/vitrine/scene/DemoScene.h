@@ -33,6 +33,7 @@ using DemoValues = std::map<std::string, double>;
 Scene MakeStackScene(const DemoValues& values);
 Scene MakeSpheresScene(const DemoValues& values);
 Scene MakeAssemblyScene(const DemoValues& values);
+Scene MakeHallScene(const DemoValues& values);
 Scene MakePaperMasksScene(const DemoValues& values);
 Scene MakePaperListsScene(const DemoValues& values);
 

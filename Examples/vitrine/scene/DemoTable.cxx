@@ -34,6 +34,8 @@ std::vector<Demo> UsualDemos()
     { "assembly",
       "machines in glass housings: shafts, gears, bearings, bolts, pipes, cables, boards", "",
       { { "parts", 2000, 1, 200000, true }, Seed() }, MakeAssemblyScene },
+    { "hall", "a colonnaded hall of 262,000 triangles, lit by spot lights and small lamps", "",
+      { { "lights", 64, 0, MostLights, true }, Seed() }, MakeHallScene },
     { "paper-masks",
       "384 textured triangles, a transparent model of 871,000, an opaque one of 2,256", "",
       { { "layers", 15, 0, MostPaperLayers, true }, Seed() }, MakePaperMasksScene },

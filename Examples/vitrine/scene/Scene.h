@@ -1,8 +1,10 @@
 /**
- * What is drawn: parts, each of which becomes an actor of its own, and where it is seen from.
+ * What is drawn: parts, each of which becomes an actor of its own, what lights them, and where it is seen from.
  */
 #ifndef VITRINE_SCENE_H
 #define VITRINE_SCENE_H
+
+#include "scene/Lights.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -89,6 +91,7 @@ struct Scene
 {
   std::string Name;
   std::vector<Part> Parts;
+  std::vector<Light> Lights; ///< none where VTK's headlight does
   std::vector<SkippedPart> Skipped;
   std::vector<std::string> Notes; ///< what was read otherwise than the file says
   std::string Expectation;        ///< of a generated scene: how methods do on it; may be empty
@@ -117,7 +120,7 @@ void MultiplyOpacity(Scene& scene, double factor);
 void MakeOpaque(Scene& scene, double leastOpacity);
 
 /**
- * Add the scene to a renderer: each part with an actor and a mapper of its own. Textures and
+ * Add the scene's parts to a renderer: each with an actor and a mapper of its own. Textures and
  * properties are copied, since they hold objects of a window. Returns the actors, in the order of the parts.
  */
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer);

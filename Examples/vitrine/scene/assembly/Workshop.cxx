@@ -50,6 +50,19 @@ std::string KeyOf(const std::string& kind, const std::vector<double>& sizes)
   return key.str();
 }
 
+vtkSmartPointer<vtkMatrix4x4> MatrixOf(const glm::dmat4& place)
+{
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      matrix->SetElement(row, column, place[column][row]);
+    }
+  }
+  return matrix;
+}
+
 glm::dmat4 Shift(double x, double y, double z)
 {
   return glm::translate(glm::dmat4(1.0), Point(x, y, z));

@@ -95,6 +95,9 @@ glm::dmat4 TurnY(double angle);
 glm::dmat4 TurnZ(double angle);
 ///@}
 
+/** A place for VTK. */
+vtkSmartPointer<vtkMatrix4x4> MatrixOf(const glm::dmat4& place);
+
 /** The turn that takes z to the direction `toward`. */
 glm::dmat4 PointZ(const Point& toward);
 
