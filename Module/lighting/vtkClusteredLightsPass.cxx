@@ -209,6 +209,18 @@ void vtkClusteredLightsPass::TellOfLists()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkClusteredLightsPass::GetNumberOfLightsAt(double x, double y, double z)
+{
+  const Internals& in = *this->Private;
+  if (!in.Grid)
+  {
+    return 0;
+  }
+  const int cluster = in.Grid->ClusterOf({ x, y, z });
+  return static_cast<vtkIdType>(in.Lists.CountOf(static_cast<std::uint32_t>(cluster)));
+}
+
+//------------------------------------------------------------------------------
 bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
 {
   Internals& in = *this->Private;

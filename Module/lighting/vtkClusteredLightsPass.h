@@ -87,6 +87,11 @@ public:
   vtkGetMacro(Bytes, vtkTypeInt64);
   ///@}
 
+  /**
+   * Of the last frame: how many lights a fragment at a place goes through, in view coordinates (VC).
+   */
+  vtkIdType GetNumberOfLightsAt(double x, double y, double z);
+
   ///@{
   /**
    * vtkOpenGLRenderPass: make a loop of the mappers' light.

@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "Join.h"
+#include "lighting/ClusteredLighting.h"
 #include "lighting/VTKLighting.h"
 #include "scene/Lights.h"
 
@@ -13,6 +14,9 @@ namespace program
 
 namespace
 {
+// The loop over more takes minutes a frame where there is no device.
+const std::size_t MostLightsOfReference = 4096;
+
 struct ModeEntry
 {
   std::string Name;
@@ -25,6 +29,11 @@ const std::vector<ModeEntry>& Modes()
   static const std::vector<ModeEntry> modes = {
     { "vtk", "VTK's own, which has a block of shader for each light; 64 lights at most",
       [](const LightingSettings&) { return MakeVTKLighting(); } },
+    { "loop", "VTK's formulas in a loop over all lights, for every fragment",
+      [](const LightingSettings&) { return MakeLightLoop(); } },
+    { "tiled", "the loop over the lights of a tile of the picture", MakeTiledLighting },
+    { "clustered", "the loop over the lights of a tile and a slice of depth",
+      MakeClusteredLighting },
   };
   return modes;
 }
@@ -45,7 +54,7 @@ std::unique_ptr<LightingMode> MakeLightingMode(
 
 std::string ReferenceMode(std::size_t lights)
 {
-  return lights <= MostLightsOfVTK ? "vtk" : "";
+  return lights <= MostLightsOfVTK ? "vtk" : lights <= MostLightsOfReference ? "loop" : "";
 }
 
 std::vector<std::string> ParseModeList(const std::string& list)

@@ -1,0 +1,127 @@
+#include "lighting/ClusteredLighting.h"
+
+#include "vtkCamera.h"
+#include "vtkClusteredLightsPass.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTranslucentPass.h"
+
+#include <array>
+
+namespace program
+{
+
+namespace
+{
+// Of tiles, beyond any picture.
+const int WholePicture = 4096;
+
+/** From window depths to view coordinates. */
+class Unprojection
+{
+public:
+  explicit Unprojection(vtkRenderer* renderer)
+    : Size{ renderer->GetSize()[0], renderer->GetSize()[1] }
+  {
+    this->ToView->DeepCopy(renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+      renderer->GetTiledAspectRatio(), -1, 1));
+    this->ToView->Invert();
+  }
+
+  std::array<double, 3> At(int x, int y, double depth) const
+  {
+    const double clip[4] = { (2 * x + 1.0) / this->Size[0] - 1.0,
+      (2 * y + 1.0) / this->Size[1] - 1.0, 2.0 * depth - 1.0, 1.0 };
+    double place[4];
+    this->ToView->MultiplyPoint(clip, place);
+    return { place[0] / place[3], place[1] / place[3], place[2] / place[3] };
+  }
+
+private:
+  std::array<int, 2> Size;
+  vtkNew<vtkMatrix4x4> ToView;
+};
+
+/** Translucent geometry is drawn as VTK does by itself. */
+class ClusteredLighting : public LightingMode
+{
+public:
+  explicit ClusteredLighting(const LightingSettings& settings)
+  {
+    this->Translucent->SetTranslucentPass(this->TranslucentGeometry);
+    this->Steps->SetTranslucentPass(this->Translucent);
+    this->Pass->SetDelegatePass(this->Steps);
+    this->Pass->SetTileSize(settings.TileSize);
+    this->Pass->SetNumberOfSlices(settings.Slices);
+    this->Pass->SetCutOff(settings.CutOff);
+  }
+
+  std::string WhyTooMany(std::size_t) const override { return ""; }
+
+  void Attach(vtkRenderer* renderer) override
+  {
+    this->Renderer = renderer;
+    renderer->SetPass(this->Pass);
+  }
+
+  LightingStatistics Statistics() const override
+  {
+    LightingStatistics statistics;
+    statistics.AssignmentMilliseconds = 1000.0 * this->Pass->GetAssignmentTime();
+    statistics.LightsPerClusterMean = this->Pass->GetLightsPerCluster();
+    statistics.LightsPerClusterMax = this->Pass->GetMaximumLightsPerCluster();
+    statistics.Clusters = this->Pass->GetNumberOfClusters();
+    statistics.Bytes = this->Pass->GetBytes();
+    return statistics;
+  }
+
+  std::vector<std::uint32_t> LightsOfPixels(std::size_t pixels) const override
+  {
+    const int width = this->Renderer->GetSize()[0], height = this->Renderer->GetSize()[1];
+    std::vector<float> depths(pixels);
+    this->Renderer->GetRenderWindow()->GetZbufferData(0, 0, width - 1, height - 1, depths.data());
+    const Unprojection unprojection(this->Renderer);
+    std::vector<std::uint32_t> counts(pixels, 0);
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+      if (depths[i] < 1.0f)
+      {
+        const std::array<double, 3> place = unprojection.At(x, y, depths[i]);
+        counts[i] =
+          static_cast<std::uint32_t>(this->Pass->GetNumberOfLightsAt(place[0], place[1], place[2]));
+      }
+    }
+    return counts;
+  }
+
+private:
+  vtkRenderer* Renderer = nullptr;
+  vtkNew<vtkTranslucentPass> TranslucentGeometry;
+  vtkNew<vtkOrderIndependentTranslucentPass> Translucent;
+  vtkNew<vtkRenderStepsPass> Steps;
+  vtkNew<vtkClusteredLightsPass> Pass;
+};
+}
+
+std::unique_ptr<LightingMode> MakeClusteredLighting(const LightingSettings& settings)
+{
+  return std::make_unique<ClusteredLighting>(settings);
+}
+
+std::unique_ptr<LightingMode> MakeTiledLighting(const LightingSettings& settings)
+{
+  return std::make_unique<ClusteredLighting>(
+    LightingSettings{ settings.TileSize, 1, settings.CutOff });
+}
+
+std::unique_ptr<LightingMode> MakeLightLoop()
+{
+  return std::make_unique<ClusteredLighting>(LightingSettings{ WholePicture, 1, 0.0 });
+}
+
+}
