@@ -108,7 +108,33 @@ struct VitrineCapturedFragment
   float Extent;  // of the interval within which others coincide; 0: none does
 };
 
+/** A light in view coordinates (VC), as VTK's shaders have it: four texels of a buffer texture, RGBA32F. */
+struct VitrineLight
+{
+  float Color[3];  // diffuse, times the intensity
+  float ConeAngle; // in degrees; from 90 on there is no cone
+  float Direction[3];
+  float Exponent;
+  float Position[3];
+  float Positional; // 0 or 1
+  float Attenuation[3];
+  float Unused;
+};
+#define VITRINE_LIGHT_TEXELS 4
+
+/** A cluster's list: a texel of a buffer texture, RG32UI. */
+struct VitrineLightList
+{
+  uint First; // in the lists of all clusters
+  uint Count;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(VitrineLight) == 16 * VITRINE_LIGHT_TEXELS, "texels of four floats");
+static_assert(offsetof(VitrineLight, Direction) == 16, "texels of four floats");
+static_assert(offsetof(VitrineLight, Position) == 32, "texels of four floats");
+static_assert(offsetof(VitrineLight, Attenuation) == 48, "texels of four floats");
+static_assert(sizeof(VitrineLightList) == 8, "a texel of two words");
 static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");

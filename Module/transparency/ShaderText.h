@@ -10,6 +10,8 @@ namespace shaders
 {
 extern const char* const FillProbe;
 extern const char* const FullScreenVertex;
+extern const char* const LightLoopDec;
+extern const char* const LightLoopImpl;
 extern const char* const LinkedListFillDec;
 extern const char* const LinkedListFillImpl;
 extern const char* const ListMergeRuns;

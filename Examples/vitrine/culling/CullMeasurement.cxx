@@ -79,6 +79,16 @@ public:
   {
   }
 
+  /** What VTK builds for all parts when it first draws them. */
+  void BuildBuffers(vtkCamera* camera) { this->Measure(camera); }
+
+  /** What the culler makes of parts when it first sees them. */
+  void Prepare(vtkCamera* camera)
+  {
+    CullFrame frame;
+    this->DrawCulled(camera, frame);
+  }
+
   CullFrame Measure(vtkCamera* camera)
   {
     CullFrame frame;
@@ -194,10 +204,7 @@ CullRun MeasureCulling(
   {
     progress(i);
     const vtkSmartPointer<vtkCamera> camera = poses.Next();
-    if (i == 0)
-    {
-      stage.Measure(camera); // builds buffers
-    }
+    i == 0 ? stage.BuildBuffers(camera) : stage.Prepare(camera);
     run.Frames.push_back(stage.Measure(camera));
     if (ideal)
     {

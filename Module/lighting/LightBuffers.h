@@ -1,0 +1,46 @@
+/**
+ * Lights and the lists of clusters, as buffer textures that shaders read.
+ */
+#ifndef VITRINE_LIGHT_BUFFERS_H
+#define VITRINE_LIGHT_BUFFERS_H
+
+#include "Core/lighting/LightAssignment.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/GLObjects.h"
+#include "gl/ScopedState.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLState;
+class vtkShaderProgram;
+
+namespace vitrine
+{
+
+class LightBuffers
+{
+public:
+  /** Returns an empty string, or why the driver cannot hold them. The context is current. */
+  std::string Write(const std::vector<VitrineLight>& lights, const LightLists& lists);
+  void Release();
+
+  /** Until Unbind() they have texture units of their own. */
+  void Bind(vtkOpenGLState* state);
+  void Unbind();
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /** GPU memory. */
+  std::int64_t Bytes() const;
+
+private:
+  Buffer Lights, Lists, Indices;
+  std::vector<VitrineLightList> Packed;
+  std::unique_ptr<ScopedTextureUnit> LightsUnit, ListsUnit, IndicesUnit;
+};
+
+}
+
+#endif

@@ -1,0 +1,80 @@
+#include "lighting/LightLoop.h"
+
+#include "transparency/FillShader.h"
+#include "transparency/ShaderText.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vitrine
+{
+
+namespace
+{
+const char* const Color = "uniform vec3 lightColor0;";
+const char* const Direction = "uniform vec3 lightDirectionVC0; // normalized";
+
+const std::array<const char*, 5> UniformsOfPositional = { "uniform vec3 lightPositionVC0;",
+  "uniform vec3 lightAttenuation0;", "uniform float lightConeAngle0;",
+  "uniform float lightExponent0;", "uniform int lightPositional0;" };
+
+/**
+ * Where what is written for a light begins and ends, for Phong's and for physically based shading, where there are positional lights and
+ * where there are none. Of the former, the second begins otherwise before VTK 9.5.
+ */
+struct LightText
+{
+  const char* Begin;
+  const char* End;
+};
+const std::array<LightText, 5> LightTexts = { {
+  { "    attenuation = 1.0;\n    if (lightPositional0 ", "specular += (sf * lightColor0);\n" },
+  { "  if (lightPositional0 == 0) {\n", "  Lo += radiance * (diffuse + specular) * NdL;\n" },
+  { "  L = lightPositionVC0 - vertexVC.xyz;\n",
+    "  Lo += radiance * (diffuse + specular) * NdL;\n" },
+  { "    df = max(0.0, dot(normalVCVSOutput, -lightDirectionVC0));\n",
+    "specular += (sf * lightColor0);\n" },
+  { "  L = normalize(-lightDirectionVC0);\n", "  Lo += radiance * (diffuse + specular) * NdL;\n" },
+} };
+
+std::string EncloseInLoop(std::string& shader)
+{
+  for (const LightText& text : LightTexts)
+  {
+    const std::size_t begin = shader.find(text.Begin);
+    const std::size_t end = begin == std::string::npos ? begin : shader.find(text.End, begin);
+    if (end != std::string::npos)
+    {
+      shader.insert(end + std::char_traits<char>::length(text.End), "  }\n");
+      shader.insert(begin, shaders::LightLoopImpl);
+      return {};
+    }
+  }
+  return "the shader has no text for a light that is known";
+}
+}
+
+bool IsLit(const std::string& fragmentShader)
+{
+  return fragmentShader.find(Color) != std::string::npos;
+}
+
+std::string LoopOverLights(std::string& fragmentShader)
+{
+  std::string problem = ReplaceTag(fragmentShader, Color, shaders::LightLoopDec);
+  if (problem.empty())
+  {
+    problem = ReplaceTag(fragmentShader, Direction, "");
+  }
+  const bool isPositional = fragmentShader.find(UniformsOfPositional.back()) != std::string::npos;
+  for (const char* const uniform : UniformsOfPositional)
+  {
+    if (isPositional && problem.empty())
+    {
+      problem = ReplaceTag(fragmentShader, uniform, "");
+    }
+  }
+  return problem.empty() ? EncloseInLoop(fragmentShader) : problem;
+}
+
+}

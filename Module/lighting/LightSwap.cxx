@@ -1,0 +1,93 @@
+#include "lighting/LightSwap.h"
+
+#include "lighting/RendererLights.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** Draws by another pass, in the light of a collection. */
+class InLightPass : public vtkRenderPass
+{
+public:
+  static InLightPass* New() { VTK_STANDARD_NEW_BODY(InLightPass); }
+  vtkTypeMacro(InLightPass, vtkRenderPass);
+
+  void Set(vtkRenderPass* pass, vtkLightCollection* lights)
+  {
+    this->Drawing = pass;
+    this->Lights = lights;
+  }
+
+  void Render(const vtkRenderState* s) override
+  {
+    {
+      const ScopedLights lights(s->GetRenderer(), this->Lights);
+      this->UpdateLights(s->GetRenderer());
+      this->Drawing->Render(s);
+    }
+    this->UpdateLights(s->GetRenderer());
+    this->NumberOfRenderedProps = this->Drawing->GetNumberOfRenderedProps();
+  }
+
+private:
+  vtkSmartPointer<vtkRenderPass> Drawing;
+  vtkSmartPointer<vtkLightCollection> Lights;
+};
+}
+
+vtkSmartPointer<vtkLightCollection> MakeStandIn(bool isPositional)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(isPositional);
+  auto lights = vtkSmartPointer<vtkLightCollection>::New();
+  lights->AddItem(light);
+  return lights;
+}
+
+ScopedLights::ScopedLights(vtkRenderer* renderer, vtkLightCollection* lights)
+  : Renderer(renderer)
+  , Before(LightsOf(renderer))
+  , Meanwhile(lights)
+{
+  LightsOf(this->Renderer) = this->Meanwhile;
+}
+
+ScopedLights::~ScopedLights()
+{
+  LightsOf(this->Renderer) = this->Before;
+}
+
+ScopedVolumeLights::ScopedVolumeLights(vtkRenderPass* pass, vtkLightCollection* lights)
+  : Pass(pass)
+{
+  auto* const steps = vtkRenderStepsPass::SafeDownCast(pass);
+  this->Before = steps ? steps->GetVolumetricPass() : nullptr;
+  if (this->Before)
+  {
+    vtkNew<InLightPass> inLight;
+    inLight->Set(this->Before, lights);
+    steps->SetVolumetricPass(inLight);
+  }
+}
+
+ScopedVolumeLights::~ScopedVolumeLights()
+{
+  if (this->Before)
+  {
+    static_cast<vtkRenderStepsPass*>(this->Pass)->SetVolumetricPass(this->Before);
+  }
+}
+
+}

@@ -1,0 +1,50 @@
+/**
+ * One light in place of all: VTK's mappers write their text for it, whatever the number of lights.
+ */
+#ifndef VITRINE_LIGHT_SWAP_H
+#define VITRINE_LIGHT_SWAP_H
+
+#include "vtkLightCollection.h"
+#include "vtkSmartPointer.h"
+
+class vtkRenderer;
+class vtkRenderPass;
+
+namespace vitrine
+{
+
+/** A collection of one light, positional or not. */
+vtkSmartPointer<vtkLightCollection> MakeStandIn(bool isPositional);
+
+/** A renderer has another collection of lights while this lives. */
+class ScopedLights
+{
+public:
+  ScopedLights(vtkRenderer* renderer, vtkLightCollection* lights);
+  ~ScopedLights();
+  ScopedLights(const ScopedLights&) = delete;
+  void operator=(const ScopedLights&) = delete;
+
+private:
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkLightCollection> Before;
+  vtkSmartPointer<vtkLightCollection> Meanwhile;
+};
+
+/** Volumes look up lights themselves, so what draws them in a vtkRenderStepsPass has the real ones while this lives. Other passes stay as they are. */
+class ScopedVolumeLights
+{
+public:
+  ScopedVolumeLights(vtkRenderPass* pass, vtkLightCollection* lights);
+  ~ScopedVolumeLights();
+  ScopedVolumeLights(const ScopedVolumeLights&) = delete;
+  void operator=(const ScopedVolumeLights&) = delete;
+
+private:
+  vtkRenderPass* Pass;
+  vtkSmartPointer<vtkRenderPass> Before;
+};
+
+}
+
+#endif

@@ -1,0 +1,297 @@
+#include "vtkClusteredLightsPass.h"
+
+#include "Core/lighting/ClusterGrid.h"
+#include "Core/lighting/LightAssignment.h"
+#include "culling/ViewMatrices.h"
+#include "lighting/LightBuffers.h"
+#include "lighting/LightLoop.h"
+#include "lighting/LightSwap.h"
+#include "lighting/MaterialGain.h"
+#include "lighting/RendererLights.h"
+#include "vtkAbstractMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <set>
+#include <string>
+
+vtkStandardNewMacro(vtkClusteredLightsPass);
+
+struct vtkClusteredLightsPass::Internals
+{
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  vitrine::RendererLights Lights;
+  vitrine::LightFormula Formula = vitrine::LightFormula::None;
+  vitrine::LightAssigner Assigner;
+  vitrine::LightLists Lists;
+  std::optional<vitrine::ClusterGrid> Grid;
+  glm::mat4 ToClip;
+  vitrine::LightBuffers Buffers;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< of the buffers
+  vtkMTimeType ContextTime = 0;
+  vtkSmartPointer<vtkLightCollection> Directional = vitrine::MakeStandIn(false);
+  vtkSmartPointer<vtkLightCollection> Positional = vitrine::MakeStandIn(true);
+  std::set<std::string> Reported;
+
+  bool HasContext() const
+  {
+    return this->Window && this->Window->GetContextCreationTime() == this->ContextTime;
+  }
+};
+
+namespace
+{
+
+// Of the eyes of a stereo pair, the passes within alone know which one is drawn.
+bool IsViewKnown(vtkRenderer* renderer)
+{
+  return !renderer->GetRenderWindow()->GetStereoRender();
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkClusteredLightsPass::vtkClusteredLightsPass()
+  : Private(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkClusteredLightsPass::~vtkClusteredLightsPass()
+{
+  Internals& in = *this->Private;
+  if (in.HasContext())
+  {
+    in.Window->PushContext();
+    in.Buffers.Release();
+    in.Window->PopContext();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->GetDelegatePass() << "\n";
+  os << indent << "CutOff: " << this->CutOff << "\n";
+  os << indent << "TileSize: " << this->TileSize << "\n";
+  os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
+  os << indent << "LightsPerCluster: " << this->LightsPerCluster << "\n";
+  os << indent << "MaximumLightsPerCluster: " << this->MaximumLightsPerCluster << "\n";
+  os << indent << "AssignmentTime: " << this->AssignmentTime << "\n";
+  os << indent << "Bytes: " << this->Bytes << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (this->Private->Delegate != pass)
+  {
+    this->Private->Delegate = pass;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkClusteredLightsPass::GetDelegatePass()
+{
+  return this->Private->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  if (!this->Private->Delegate)
+  {
+    vtkErrorMacro("no DelegatePass is set, so nothing is drawn");
+    return;
+  }
+  auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  if (renderer && IsViewKnown(renderer) && this->TakeLights(renderer))
+  {
+    this->AssignLights(renderer);
+    if (this->WriteBuffers(renderer))
+    {
+      this->RenderInLight(s, renderer);
+      return;
+    }
+  }
+  this->Private->Delegate->Render(s);
+  this->NumberOfRenderedProps = this->Private->Delegate->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// Whether there is anything to be done about lights.
+bool vtkClusteredLightsPass::TakeLights(vtkOpenGLRenderer* renderer)
+{
+  Internals& in = *this->Private;
+  in.Formula = vitrine::FormulaOf(vitrine::LightsOf(renderer));
+  if (in.Formula == vitrine::LightFormula::None || in.Formula == vitrine::LightFormula::Headlight)
+  {
+    return false;
+  }
+  this->UpdateLightGeometry(renderer);
+  in.Lights.Take(renderer);
+  this->NumberOfLights = static_cast<vtkIdType>(in.Lights.Packed.size());
+  if (!in.Lights.Left.empty() && in.Reported.insert(in.Lights.Left).second)
+  {
+    vtkWarningMacro(
+      "lights left out, as they would turn black what is lit (not finite, or no attenuation), by "
+      "their places in the renderer's collection: "
+      << in.Lights.Left);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::AssignLights(vtkOpenGLRenderer* renderer)
+{
+  const auto start = std::chrono::steady_clock::now();
+  Internals& in = *this->Private;
+  this->CutLights(renderer);
+  const glm::dmat4 toClip = glm::transpose(
+    glm::make_mat4(vitrine::ViewMatricesOf(renderer).data() + 16)); // VTK's are row by row
+  int width = 1, height = 1;
+  renderer->GetTiledSize(&width, &height);
+  in.Grid.emplace(toClip, width, height,
+    vitrine::ClusterSettings{
+      this->TileSize, this->NumberOfSlices, vitrine::SliceLaw::Exponential });
+  in.ToClip = glm::mat4(toClip);
+  in.Assigner.Assign(*in.Grid, in.Lights.Volumes, in.Lists);
+  this->TellOfLists();
+  this->AssignmentTime =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+//------------------------------------------------------------------------------
+// Each light that can be cut has the same share of the picture's error.
+void vtkClusteredLightsPass::CutLights(vtkOpenGLRenderer* renderer)
+{
+  vitrine::RendererLights& lights = this->Private->Lights;
+  const auto count = std::count_if(lights.Falloffs.begin(), lights.Falloffs.end(),
+    [](const vitrine::LightFalloff& falloff) { return falloff.CanBeCut(); });
+  const double share =
+    vitrine::BudgetOfLight(renderer, this->CutOff) / std::max<double>(1.0, count);
+  for (std::size_t i = 0; i < lights.Volumes.size(); ++i)
+  {
+    lights.Volumes[i].Range = static_cast<float>(lights.Falloffs[i].RangeAt(share));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::TellOfLists()
+{
+  const vitrine::LightLists& lists = this->Private->Lists;
+  const std::uint32_t count = this->Private->Grid->Count();
+  std::size_t most = 0;
+  for (std::uint32_t cluster = 0; cluster < count; ++cluster)
+  {
+    most = std::max(most, lists.CountOf(cluster));
+  }
+  this->NumberOfClusters = count;
+  this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
+  this->LightsPerCluster = static_cast<double>(lists.Indices.size()) / count;
+}
+
+//------------------------------------------------------------------------------
+bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
+{
+  Internals& in = *this->Private;
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window != in.Window || !in.HasContext())
+  {
+    this->ReleaseGraphicsResources(in.Window);
+    in.Buffers = vitrine::LightBuffers(); // the names of another context
+    in.Window = window;
+    in.ContextTime = window->GetContextCreationTime();
+  }
+  const std::string problem = in.Buffers.Write(in.Lights.Packed, in.Lists);
+  this->Bytes = in.Buffers.Bytes();
+  if (!problem.empty() && in.Reported.insert(problem).second)
+  {
+    vtkErrorMacro(<< problem << "; lights are drawn as VTK does");
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+{
+  Internals& in = *this->Private;
+  const bool isPositional = in.Formula == vitrine::LightFormula::Positional;
+  const vitrine::ScopedVolumeLights volumes(in.Delegate, vitrine::LightsOf(renderer));
+  const vitrine::ScopedLights oneLight(renderer, isPositional ? in.Positional : in.Directional);
+  this->PreRender(s);
+  in.Buffers.Bind(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState());
+  in.Delegate->Render(s);
+  in.Buffers.Unbind();
+  this->PostRender(s);
+  this->NumberOfRenderedProps = in.Delegate->GetNumberOfRenderedProps();
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+bool vtkClusteredLightsPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  const std::string problem =
+    vitrine::IsLit(fragmentShader) ? vitrine::LoopOverLights(fragmentShader) : std::string();
+  if (!problem.empty() && this->Private->Reported.insert(problem).second)
+  {
+    vtkErrorMacro(<< mapper->GetClassName() << " cannot be lit: " << problem);
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkClusteredLightsPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  if (!program->IsUniformUsed("vitrineLights"))
+  {
+    return true;
+  }
+  const vitrine::ClusterGrid& grid = *this->Private->Grid;
+  this->Private->Buffers.SetUniforms(program);
+  program->SetUniformMatrix4x4("vitrineToClip", glm::value_ptr(this->Private->ToClip));
+  const float clusters[3] = { static_cast<float>(grid.Columns()), static_cast<float>(grid.Rows()),
+    static_cast<float>(grid.Slices()) };
+  program->SetUniform3f("vitrineClusters", clusters);
+  const float scale[2] = { grid.TileScale().x, grid.TileScale().y };
+  program->SetUniform2f("vitrineTileScale", scale);
+  const float terms[3] = { grid.SliceTerms().x, grid.SliceTerms().y,
+    static_cast<float>(grid.Law()) };
+  program->SetUniform3f("vitrineSliceTerms", terms);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Private;
+  if (window && window == in.Window && in.HasContext())
+  {
+    in.Buffers.Release();
+    in.Window = nullptr;
+  }
+  if (in.Delegate && window)
+  {
+    in.Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}

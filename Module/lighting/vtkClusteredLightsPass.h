@@ -1,0 +1,129 @@
+/**
+ * @class   vtkClusteredLightsPass
+ * @brief   thousands of lights by VTK's own formulas
+ *
+ * VTK's mappers write a piece of shader for each light, so frames, and the time until there is the first one, grow with their number. With this pass
+ * they write it once, and a fragment goes through the lights that reach its cluster: a tile of the picture and a slice of depth (O. Olsson,
+ * M. Billeter, U. Assarsson: Clustered deferred and forward shading, HPG 2012). The number of lights changes no shader. Opaque
+ * geometry and translucent by whatever method are lit alike, by Phong's shading or physically based.
+ *
+ * \code
+ * vtkNew<vtkSeeThroughPass> seeThrough; // or any other pass that draws a frame
+ * vtkNew<vtkClusteredLightsPass> lights;
+ * lights->SetDelegatePass(seeThrough);
+ * renderer->SetPass(lights);
+ * \endcode
+ *
+ * Lights are the renderer's, as always. A vtkLight has no range: the CutOff gives each positional one the range beyond which all that are left out
+ * at a point change the picture by no more than that, together. A light that VTK would turn all black with (not finite, or without
+ * any attenuation) is left out with a warning.
+ *
+ * A single headlight is drawn as VTK does, as are pictures in stereo; volumes have their own lighting.
+ */
+#ifndef vtkClusteredLightsPass_h
+#define vtkClusteredLightsPass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkVitrineRenderingModule.h" // export macro
+
+#include <memory> // for the pass's internals
+#include <string> // for shader text
+
+class vtkOpenGLRenderer;
+
+class VTKVITRINERENDERING_EXPORT vtkClusteredLightsPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkClusteredLightsPass* New();
+  vtkTypeMacro(vtkClusteredLightsPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * What draws the frame.
+   */
+  void SetDelegatePass(vtkRenderPass* pass);
+  vtkRenderPass* GetDelegatePass();
+  ///@}
+
+  ///@{
+  /**
+   * The most that a channel of the picture, in [0, 1], may be off by all lights together that are left out where they give little. 0 leaves out
+   * what gives nothing. Half of 1/255.
+   */
+  vtkSetClampMacro(CutOff, double, 0.0, 1.0);
+  vtkGetMacro(CutOff, double);
+  ///@}
+
+  ///@{
+  /**
+   * Tiles are so many pixels a side. 64.
+   */
+  vtkSetClampMacro(TileSize, int, 1, 4096);
+  vtkGetMacro(TileSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Slices of depth, at most; with one, lights are assigned to tiles. 16.
+   */
+  vtkSetClampMacro(NumberOfSlices, int, 1, 1024);
+  vtkGetMacro(NumberOfSlices, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last frame: lights that are on and not left out for good, clusters, lights of a cluster on average and at most, the seconds that it took
+   * to assign them, and the GPU memory in bytes that the pass holds.
+   */
+  vtkGetMacro(NumberOfLights, vtkIdType);
+  vtkGetMacro(NumberOfClusters, vtkIdType);
+  vtkGetMacro(LightsPerCluster, double);
+  vtkGetMacro(MaximumLightsPerCluster, vtkIdType);
+  vtkGetMacro(AssignmentTime, double);
+  vtkGetMacro(Bytes, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * vtkOpenGLRenderPass: make a loop of the mappers' light.
+   */
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  ///@}
+
+protected:
+  vtkClusteredLightsPass();
+  ~vtkClusteredLightsPass() override;
+
+  double CutOff = 0.5 / 255.0;
+  int TileSize = 64;
+  int NumberOfSlices = 16;
+  vtkIdType NumberOfLights = 0;
+  vtkIdType NumberOfClusters = 0;
+  double LightsPerCluster = 0.0;
+  vtkIdType MaximumLightsPerCluster = 0;
+  double AssignmentTime = 0.0;
+  vtkTypeInt64 Bytes = 0;
+
+private:
+  vtkClusteredLightsPass(const vtkClusteredLightsPass&) = delete;
+  void operator=(const vtkClusteredLightsPass&) = delete;
+
+  bool TakeLights(vtkOpenGLRenderer* renderer);
+  void AssignLights(vtkOpenGLRenderer* renderer);
+  void CutLights(vtkOpenGLRenderer* renderer);
+  void TellOfLists();
+  bool WriteBuffers(vtkOpenGLRenderer* renderer);
+  void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
+
+  struct Internals;
+  std::unique_ptr<Internals> Private;
+};
+
+#endif

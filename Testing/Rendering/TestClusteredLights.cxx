@@ -1,0 +1,260 @@
+// Lights by cluster give VTK's picture to the bit; with a cut-off, within what it promises.
+#include "LightScene.h"
+#include "Select.h"
+#include "TestMessages.h"
+#include "vtkDataObject.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkPrefixSumTransparencyPass.h"
+#include "vtkTranslucentPass.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+
+struct LightSettings
+{
+  bool IsParallel;
+  bool IsPhysical;
+  int Multisamples;
+};
+
+std::string NameOf(const testing::TestParamInfo<LightSettings>& info)
+{
+  return std::string(info.param.IsParallel ? "Parallel" : "Perspective") +
+    (info.param.IsPhysical ? "Physical" : "Phong") +
+    (info.param.Multisamples > 0 ? "Of4Samples" : "");
+}
+
+class ClusteredLights : public testing::TestWithParam<LightSettings>
+{
+protected:
+  LightScene Scene{ GetParam().IsParallel, GetParam().IsPhysical, GetParam().Multisamples };
+
+  void ExpectAsVTK()
+  {
+    const Picture expected = this->Scene.InVTKsLight();
+    const Picture clustered = this->Scene.InClusteredLight();
+    EXPECT_EQ(LargestDifference(expected, clustered), 0);
+    this->Scene.Renderer->RemoveAllLights();
+    EXPECT_GT(LargestDifference(expected, this->Scene.InVTKsLight()), 20); // there is light
+  }
+};
+
+TEST_P(ClusteredLights, OfAllKindsAreVTKs)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    for (const LightKind kind : { LightKind::Point, LightKind::Spot, LightKind::Directional,
+           LightKind::Camera, LightKind::Headlight })
+    {
+      this->Scene.AddLight(kind, 0.3);
+    }
+  }
+  this->Scene.AddLight(LightKind::Point)->SwitchOff();
+  this->Scene.AddLight(LightKind::Spot, -0.2);
+  this->ExpectAsVTK();
+  EXPECT_EQ(this->Scene.Lights->GetNumberOfLights(), 11);
+}
+
+TEST_P(ClusteredLights, ThatAreOnlyDirectionalAreVTKs)
+{
+  this->Scene.AddLight(LightKind::Directional, 0.3);
+  this->Scene.AddLight(LightKind::Directional, 0.3);
+  this->Scene.AddLight(LightKind::Headlight, 0.3);
+  this->ExpectAsVTK();
+}
+
+INSTANTIATE_TEST_SUITE_P(Settings, ClusteredLights,
+  testing::Values(LightSettings{ true, false, 0 }, LightSettings{ false, false, 4 },
+    LightSettings{ false, true, 0 }, LightSettings{ true, true, 4 }),
+  NameOf);
+
+TEST(ClusteredLight, OfOneHeadlightOrOffOrNoneIsVTKs)
+{
+  LightScene scene;
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  const auto headlight = scene.AddLight(LightKind::Headlight);
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  headlight->SwitchOff();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  headlight->SwitchOn();
+  scene.AddLight(LightKind::Point)->SwitchOff(); // VTK takes its formula all the same
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  scene.Renderer->RemoveAllLights();
+  scene.Renderer->AutomaticLightCreationOn();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+}
+
+TEST(ClusteredLight, FallsOnWhatOtherMethodsDrawTranslucent)
+{
+  vtkNew<vtkPrefixSumTransparencyPass> prefixSum;
+  vtkNew<vtkOrderIndependentTranslucentPass> average;
+  vtkNew<vtkTranslucentPass> geometry;
+  average->SetTranslucentPass(geometry);
+  for (vtkRenderPass* const method : { static_cast<vtkRenderPass*>(prefixSum),
+         static_cast<vtkRenderPass*>(average), static_cast<vtkRenderPass*>(geometry) })
+  {
+    LightScene scene;
+    scene.Steps->SetTranslucentPass(method);
+    for (int i = 0; i < 4; ++i)
+    {
+      scene.AddLight(i % 2 == 0 ? LightKind::Point : LightKind::Spot);
+    }
+    EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  }
+}
+
+// The grid follows the clipping range and the size of the window.
+TEST(ClusteredLight, DoesNotDependOnTheGrid)
+{
+  LightScene scene(false);
+  for (int i = 0; i < 20; ++i)
+  {
+    scene.AddLight(LightKind::Spot);
+  }
+  const Picture expected = scene.InClusteredLight();
+  for (const int tile : { 1, 7, 64 })
+  {
+    for (const int slices : { 1, 5, 40 })
+    {
+      scene.Lights->SetTileSize(tile);
+      scene.Lights->SetNumberOfSlices(slices);
+      EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+    }
+  }
+  vtkCamera* const camera = scene.Renderer->GetActiveCamera();
+  for (const double near : { 0.01, 0.5, 1.5 })
+  {
+    scene.Lights->SetTileSize(16);
+    scene.Lights->SetNumberOfSlices(16);
+    camera->SetClippingRange(near, 4.0 + near);
+    EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0) << near;
+  }
+}
+
+TEST(ClusteredLight, IsOffByNoMoreThanTheCutOff)
+{
+  for (const int count : { 64, 1000 })
+  {
+    LightScene scene(false);
+    for (int i = 0; i < count; ++i)
+    {
+      scene.AddLight(LightKind::Point, 0.2, 1e5);
+    }
+    scene.AddLight(LightKind::Directional, 0.2);
+    const Picture exact = scene.InClusteredLight();
+    const double all = scene.Lights->GetLightsPerCluster();
+    EXPECT_EQ(all, count + 1);
+    scene.Lights->SetCutOff(0.5 / 255.0);
+    EXPECT_LE(LargestDifference(exact, scene.InClusteredLight()), 1); // of what is rounded
+    EXPECT_LT(scene.Lights->GetLightsPerCluster(), 0.5 * all);
+    scene.Lights->SetCutOff(1.0);
+    scene.InClusteredLight();
+    EXPECT_LT(scene.Lights->GetLightsPerCluster(), 0.1 * all);
+  }
+}
+
+// Each is faint where it is, and all together are not.
+TEST(ClusteredLight, IsNotCutWhereManyAddUp)
+{
+  LightScene scene(false);
+  for (int i = 0; i < 1000; ++i)
+  {
+    scene.AddLight(LightKind::Point, 6.0, 1e5);
+  }
+  const Picture exact = scene.InClusteredLight();
+  scene.Lights->SetCutOff(0.5 / 255.0);
+  EXPECT_LE(LargestDifference(exact, scene.InClusteredLight()), 1);
+}
+
+TEST(ClusteredLight, InStereoIsVTKs)
+{
+  LightScene scene(false);
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  scene.Window->SetStereoTypeToAnaglyph();
+  scene.Window->StereoRenderOn();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+}
+
+// VTK alone turns all black by each of them.
+TEST(ClusteredLight, ThatIsNoLightDarkensNothing)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double endless = std::numeric_limits<double>::infinity();
+  LightScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  const Picture expected = scene.InVTKsLight();
+  scene.AddLight(LightKind::Point)->SetIntensity(none);
+  scene.AddLight(LightKind::Point)->SetIntensity(endless);
+  scene.AddLight(LightKind::Spot)->SetPosition(none, 0.0, 0.0);
+  scene.AddLight(LightKind::Point)->SetAttenuationValues(0.0, 0.0, 0.0);
+  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), 2);
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("2, 3, 4, 5"), std::string::npos) << messages[0];
+  scene.InClusteredLight();
+  EXPECT_TRUE(TakeMessages().empty());
+}
+
+TEST(ClusteredLight, ComesAndGoes)
+{
+  LightScene scene;
+  for (const int count : { 1, 300, 3 })
+  {
+    scene.Renderer->RemoveAllLights();
+    for (int i = 0; i < count; ++i)
+    {
+      scene.AddLight(LightKind::Spot);
+    }
+    scene.InClusteredLight();
+    EXPECT_EQ(scene.Lights->GetNumberOfLights(), count);
+  }
+  const Picture last = scene.InClusteredLight();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), last), 0);
+  EXPECT_GT(scene.Lights->GetBytes(), 0);
+}
+
+TEST(ClusteredLight, IsItsRenderersAlone)
+{
+  LightScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0.5, 0.0, 1.0, 1.0);
+  other->SetActiveCamera(scene.Renderer->GetActiveCamera());
+  other->AddActor(scene.Parts.front());
+  scene.Window->AddRenderer(other);
+  const Picture expected = scene.InVTKsLight();
+  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+}
+
+TEST(ClusteredLight, DoesNotHinderPicking)
+{
+  LightScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.InClusteredLight();
+  const Picked picked =
+    Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46);
+  scene.Renderer->SetPass(nullptr);
+  EXPECT_EQ(picked, Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46));
+  EXPECT_GT(picked.size(), 3u);
+}
+
+TEST(ClusteredLight, NeedsWhatDraws)
+{
+  LightScene scene;
+  scene.Lights->SetDelegatePass(nullptr);
+  scene.InClusteredLight();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_FALSE(messages.empty());
+  EXPECT_NE(messages[0].find("DelegatePass"), std::string::npos);
+}
+
+}
