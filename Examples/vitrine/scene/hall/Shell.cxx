@@ -17,6 +17,7 @@ const double WindowTop = 5.0;
 const double UpperWindowFoot = 8.0;
 const double UpperWindowTop = 10.4;
 const double WallThickness = 0.5;
+const double WallFoot = -0.1; // below the joints of tiles
 
 /** A slab whose upper edges are bevelled, with its top at y = 0. */
 Mesh Tile(double width, double length)
@@ -79,8 +80,9 @@ Mesh WallOfBay()
 {
   const double end = 0.5 * Plan::BayLength;
   const double jamb = 0.5 * WindowWidth;
-  return Joined({ WallPiece(0.0, Plan::Top, -end, -jamb), WallPiece(0.0, Plan::Top, jamb, end),
-    WallPiece(0.0, WindowFoot, -jamb, jamb), WallPiece(WindowTop, UpperWindowFoot, -jamb, jamb),
+  return Joined({ WallPiece(WallFoot, Plan::Top, -end, -jamb),
+    WallPiece(WallFoot, Plan::Top, jamb, end), WallPiece(WallFoot, WindowFoot, -jamb, jamb),
+    WallPiece(WindowTop, UpperWindowFoot, -jamb, jamb),
     WallPiece(UpperWindowTop, Plan::Top, -jamb, jamb) });
 }
 
@@ -145,8 +147,8 @@ void AddEnd(HallSite& site, const glm::dmat4& side)
   site.Add("end-wall", HallMaterial::PLASTER, place,
     []
     {
-      return Transformed(Box(2.0 * Plan::HalfWidth, Plan::Top, WallThickness),
-        Shift(0.0, 0.5 * Plan::Top, -0.5 * WallThickness));
+      return Transformed(Box(2.0 * Plan::HalfWidth, Plan::Top - WallFoot, WallThickness),
+        Shift(0.0, 0.5 * (Plan::Top + WallFoot), -0.5 * WallThickness));
     });
   site.Add("rose-ring", HallMaterial::GILT, place * Shift(0.0, middle, 0.1),
     []
