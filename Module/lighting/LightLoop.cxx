@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace vitrine
 {
@@ -54,9 +55,13 @@ std::string EncloseInLoop(std::string& shader)
 }
 }
 
+// VTK declares its lights for what has no normals, too, and reads them nowhere there.
 bool IsLit(const std::string& fragmentShader)
 {
-  return fragmentShader.find(Color) != std::string::npos;
+  const std::size_t declared = fragmentShader.find(Color);
+  return declared != std::string::npos &&
+    fragmentShader.find("lightColor0", declared + std::char_traits<char>::length(Color)) !=
+    std::string::npos;
 }
 
 std::string LoopOverLights(std::string& fragmentShader)

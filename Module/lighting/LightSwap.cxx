@@ -16,6 +16,13 @@ namespace vitrine
 namespace
 {
 
+class StandIn : public vtkLightCollection
+{
+public:
+  static StandIn* New() { VTK_STANDARD_NEW_BODY(StandIn); }
+  vtkTypeMacro(StandIn, vtkLightCollection);
+};
+
 /** Draws by another pass, in the light of a collection. */
 class InLightPass : public vtkRenderPass
 {
@@ -51,15 +58,21 @@ vtkSmartPointer<vtkLightCollection> MakeStandIn(bool isPositional)
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->SetPositional(isPositional);
-  auto lights = vtkSmartPointer<vtkLightCollection>::New();
+  auto lights = vtkSmartPointer<StandIn>::New();
   lights->AddItem(light);
   return lights;
+}
+
+bool IsStandIn(vtkLightCollection* lights)
+{
+  return StandIn::SafeDownCast(lights) != nullptr;
 }
 
 ScopedLights::ScopedLights(vtkRenderer* renderer, vtkLightCollection* lights)
   : Renderer(renderer)
   , Before(LightsOf(renderer))
   , Meanwhile(lights)
+  , Count(lights->GetNumberOfItems())
 {
   LightsOf(this->Renderer) = this->Meanwhile;
 }
@@ -67,6 +80,11 @@ ScopedLights::ScopedLights(vtkRenderer* renderer, vtkLightCollection* lights)
 ScopedLights::~ScopedLights()
 {
   LightsOf(this->Renderer) = this->Before;
+  while (this->Meanwhile->GetNumberOfItems() > this->Count)
+  {
+    this->Before->AddItem(static_cast<vtkLight*>(this->Meanwhile->GetItemAsObject(this->Count)));
+    this->Meanwhile->RemoveItem(this->Count);
+  }
 }
 
 ScopedVolumeLights::ScopedVolumeLights(vtkRenderPass* pass, vtkLightCollection* lights)

@@ -16,7 +16,10 @@ namespace vitrine
 /** A collection of one light, positional or not. */
 vtkSmartPointer<vtkLightCollection> MakeStandIn(bool isPositional);
 
-/** A renderer has another collection of lights while this lives. */
+/** Whether a collection is such a one. */
+bool IsStandIn(vtkLightCollection* lights);
+
+/** A renderer has another collection of lights while this lives. Lights that are added to it meanwhile come to the renderer's own. */
 class ScopedLights
 {
 public:
@@ -29,6 +32,7 @@ private:
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkLightCollection> Before;
   vtkSmartPointer<vtkLightCollection> Meanwhile;
+  int Count; ///< of the lights in it
 };
 
 /** Volumes look up lights themselves, so what draws them in a vtkRenderStepsPass has the real ones while this lives. Other passes stay as they are. */

@@ -52,10 +52,15 @@ double BudgetOfLight(vtkRenderer* renderer, double error)
   vtkCollectionSimpleIterator i;
   for (actors->InitTraversal(i); vtkActor* actor = actors->GetNextActor(i);)
   {
-    vtkProperty* const property = actor->GetProperty();
-    budget = std::min(budget,
-      property->GetInterpolation() == VTK_PBR ? PhysicalBudget(property, error)
-                                              : PhongBudget(property, error));
+    const bool isPhysical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
+    for (vtkProperty* const side : { actor->GetProperty(), actor->GetBackfaceProperty() })
+    {
+      if (side)
+      {
+        budget =
+          std::min(budget, isPhysical ? PhysicalBudget(side, error) : PhongBudget(side, error));
+      }
+    }
   }
   return budget;
 }

@@ -99,6 +99,11 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkClusteredLightsPass::SetDelegatePass(vtkRenderPass* pass)
 {
+  if (pass == this)
+  {
+    vtkErrorMacro("a pass cannot be its own DelegatePass");
+    return;
+  }
   if (this->Private->Delegate != pass)
   {
     this->Private->Delegate = pass;
@@ -140,6 +145,10 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
 bool vtkClusteredLightsPass::TakeLights(vtkOpenGLRenderer* renderer)
 {
   Internals& in = *this->Private;
+  if (vitrine::IsStandIn(vitrine::LightsOf(renderer)))
+  {
+    return false; // within another pass of this kind, which has done it all
+  }
   in.Formula = vitrine::FormulaOf(vitrine::LightsOf(renderer));
   if (in.Formula == vitrine::LightFormula::None || in.Formula == vitrine::LightFormula::Headlight)
   {

@@ -43,7 +43,9 @@ public:
 
   ///@{
   /**
-   * What draws the frame.
+   * What draws the frame: a vtkRenderStepsPass such as vtkSeeThroughPass, by itself or within passes that process its picture. What draws for other
+   * cameras than the renderer's, or looks up lights by itself, as vtkPanoramicProjectionPass, vtkShadowMapPass and volumes within a sequence of passes
+   * of one's own do, is not lit rightly.
    */
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();

@@ -2,7 +2,11 @@
 #include "LightScene.h"
 #include "Select.h"
 #include "TestMessages.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
+#include "vtkLightCollection.h"
+#include "vtkLineSource.h"
+#include "vtkMapper.h"
 #include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkPrefixSumTransparencyPass.h"
 #include "vtkTranslucentPass.h"
@@ -245,6 +249,71 @@ TEST(ClusteredLight, DoesNotHinderPicking)
   scene.Renderer->SetPass(nullptr);
   EXPECT_EQ(picked, Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46));
   EXPECT_GT(picked.size(), 3u);
+}
+
+// Lines have no normals, and VTK declares lights for them all the same.
+TEST(ClusteredLight, LeavesWhatIsNotLitAsItIs)
+{
+  LightScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-0.9, -0.9, 0.8);
+  line->SetPoint2(0.9, 0.8, 0.8);
+  scene.AddSource(line, { 0.9, 0.1, 0.2, 1.0 });
+  scene.Parts.back()->GetProperty()->LightingOff();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+}
+
+TEST(ClusteredLight, MayPassThroughPassesOfItsKind)
+{
+  LightScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  const Picture expected = scene.InVTKsLight();
+  vtkNew<vtkClusteredLightsPass> outer;
+  outer->SetDelegatePass(scene.Lights);
+  scene.Renderer->SetPass(outer);
+  EXPECT_EQ(LargestDifference(expected, scene.Render()), 0);
+  outer->SetDelegatePass(outer);
+  EXPECT_EQ(outer->GetDelegatePass(), scene.Lights);
+  EXPECT_EQ(TakeMessages().size(), 1u);
+}
+
+TEST(ClusteredLight, ThatComesDuringAFrameStays)
+{
+  LightScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Spot);
+  vtkNew<vtkCallbackCommand> add;
+  add->SetClientData(&scene);
+  add->SetCallback([](vtkObject*, unsigned long, void* data, void*)
+    { static_cast<LightScene*>(data)->AddLight(LightKind::Point); });
+  vtkMapper* const mapper = scene.Parts.front()->GetMapper();
+  const unsigned long id = mapper->AddObserver(vtkCommand::EndEvent, add);
+  scene.InClusteredLight();
+  mapper->RemoveObserver(id);
+  const int count = scene.Renderer->GetLights()->GetNumberOfItems();
+  EXPECT_GT(count, 2);
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), count);
+}
+
+TEST(ClusteredLight, IsCutByWhatBackFacesGiveBack)
+{
+  LightScene scene;
+  for (int i = 0; i < 20; ++i)
+  {
+    scene.AddLight(LightKind::Point, 0.2, 1e3);
+  }
+  scene.Lights->SetCutOff(0.05);
+  scene.InClusteredLight();
+  const double before = scene.Lights->GetLightsPerCluster();
+  vtkNew<vtkProperty> back;
+  back->SetDiffuseColor(20.0, 20.0, 20.0);
+  scene.Parts.back()->SetBackfaceProperty(back);
+  scene.InClusteredLight();
+  EXPECT_GT(scene.Lights->GetLightsPerCluster(), before);
 }
 
 TEST(ClusteredLight, NeedsWhatDraws)
