@@ -199,14 +199,14 @@ class Plotters(unittest.TestCase):
             plotters.append(weakref.ref(plotter))
             plotter.close()
             del plotter
-            if i % 20 == 19:
+            if i % 10 == 9:
                 gc.collect()
                 sizes.append(writable_resident_bytes())
         self.assertEqual(handle.renderers, [])
         self.assertTrue(all(found.Get() is None for found in passes))
         self.assertTrue(all(found() is None for found in plotters))
         # The C library takes arenas of megabytes at times; what leaks grows in every interval.
-        growth = min(b - a for a, b in zip(sizes, sizes[1:])) / 20
+        growth = min(b - a for a, b in zip(sizes, sizes[1:])) / 10
         self.assertLess(growth, 8192, "bytes a plotter")
 
 
