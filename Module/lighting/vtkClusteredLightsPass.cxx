@@ -71,13 +71,7 @@ vtkClusteredLightsPass::vtkClusteredLightsPass()
 //------------------------------------------------------------------------------
 vtkClusteredLightsPass::~vtkClusteredLightsPass()
 {
-  Internals& in = *this->Private;
-  if (in.HasContext())
-  {
-    in.Window->PushContext();
-    in.Buffers.Release();
-    in.Window->PopContext();
-  }
+  this->LeaveWindow();
 }
 
 //------------------------------------------------------------------------------
@@ -236,8 +230,7 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (window != in.Window || !in.HasContext())
   {
-    this->ReleaseGraphicsResources(in.Window);
-    in.Buffers = vitrine::LightBuffers(); // the names of another context
+    this->LeaveWindow();
     in.Window = window;
     in.ContextTime = window->GetContextCreationTime();
   }
@@ -248,6 +241,24 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
     vtkErrorMacro(<< problem << "; lights are drawn as VTK does");
   }
   return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+// Release what is held in a context that lives, and forget it where that is gone: its names are others' then.
+void vtkClusteredLightsPass::LeaveWindow()
+{
+  Internals& in = *this->Private;
+  if (in.HasContext())
+  {
+    in.Window->PushContext();
+    if (in.Window->IsCurrent())
+    {
+      in.Buffers.Release();
+    }
+    in.Window->PopContext();
+  }
+  in.Buffers = vitrine::LightBuffers();
+  in.Window = nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -127,6 +127,7 @@ private:
   void CutLights(vtkOpenGLRenderer* renderer);
   void TellOfLists();
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
+  void LeaveWindow();
   void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
 
   struct Internals;

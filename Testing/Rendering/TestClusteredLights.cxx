@@ -239,6 +239,27 @@ TEST(ClusteredLight, IsItsRenderersAlone)
   EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
 }
 
+// What it held in the one must not be deleted in the other, where the same names are others'.
+TEST(ClusteredLight, MovesFromWindowToWindow)
+{
+  LightScene first, second;
+  Picture expected[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    LightScene& scene = i == 0 ? first : second;
+    scene.AddLight(LightKind::Point);
+    scene.AddLight(LightKind::Spot);
+    expected[i] = scene.InVTKsLight();
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    LightScene& scene = i % 2 == 0 ? first : second;
+    first.Lights->SetDelegatePass(scene.Steps);
+    scene.Renderer->SetPass(first.Lights);
+    EXPECT_EQ(LargestDifference(expected[i % 2], scene.Render()), 0);
+  }
+}
+
 TEST(ClusteredLight, DoesNotHinderPicking)
 {
   LightScene scene;
