@@ -4,11 +4,8 @@
 #include "vtkClusteredLightsPass.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTranslucentPass.h"
 
 #include <array>
 
@@ -46,15 +43,12 @@ private:
   vtkNew<vtkMatrix4x4> ToView;
 };
 
-/** Translucent geometry is drawn as VTK does by itself. */
+/** The renderer's pass, in other light. */
 class ClusteredLighting : public LightingMode
 {
 public:
   explicit ClusteredLighting(const LightingSettings& settings)
   {
-    this->Translucent->SetTranslucentPass(this->TranslucentGeometry);
-    this->Steps->SetTranslucentPass(this->Translucent);
-    this->Pass->SetDelegatePass(this->Steps);
     this->Pass->SetTileSize(settings.TileSize);
     this->Pass->SetNumberOfSlices(settings.Slices);
     this->Pass->SetCutOff(settings.CutOff);
@@ -65,6 +59,7 @@ public:
   void Attach(vtkRenderer* renderer) override
   {
     this->Renderer = renderer;
+    this->Pass->SetDelegatePass(renderer->GetPass());
     renderer->SetPass(this->Pass);
   }
 
@@ -101,9 +96,6 @@ public:
 
 private:
   vtkRenderer* Renderer = nullptr;
-  vtkNew<vtkTranslucentPass> TranslucentGeometry;
-  vtkNew<vtkOrderIndependentTranslucentPass> Translucent;
-  vtkNew<vtkRenderStepsPass> Steps;
   vtkNew<vtkClusteredLightsPass> Pass;
 };
 }

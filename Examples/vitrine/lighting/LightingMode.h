@@ -44,7 +44,7 @@ public:
   /** Why so many lights are too many; empty if they are not. Asked before anything is drawn. */
   virtual std::string WhyTooMany(std::size_t lights) const = 0;
 
-  /** Have the renderer draw its lights by this mode. */
+  /** Have the renderer draw its lights by this mode; it has a pass that draws a frame. */
   virtual void Attach(vtkRenderer* renderer) = 0;
 
   /** Of the last frame. */
