@@ -1,7 +1,7 @@
 // Lists of lights: how long they take, how long they get.
 
-#include "Core/lighting/ErrorBudget.h"
 #include "Core/lighting/LightAssignment.h"
+#include "Core/lighting/LightCut.h"
 #include "Core/lighting/LightTree.h"
 #include "Core/lighting/UsedClusters.h"
 
@@ -257,53 +257,21 @@ BENCHMARK(BuildLightTree)
   ->Range(16384, 1048576)
   ->Unit(benchmark::kMillisecond);
 
-/** Half a grey level for all that is cut: how many lights reach a point of the room. */
-void CutLights(benchmark::State& state)
+/** Half a grey level for all that is cut of spot lights and others, in a room that stands askew. */
+void CutRanges(benchmark::State& state)
 {
   const std::size_t count = static_cast<std::size_t>(state.range(0));
-  const double budget = 0.5 / 255;
+  std::vector<LightVolume> lights = LightsInARoom(count, 1.0f, 0.5f);
   // The more lights, the weaker, so that the room stays as bright as it is.
-  const glm::dvec3 attenuation(
-    1.0, 0.0, static_cast<double>(state.range(1)) * 0.01 * static_cast<double>(count));
-  std::vector<glm::vec3> positions;
-  for (const LightVolume& light : LightsInARoom(count, 1.0f, 0.0f))
-  {
-    positions.push_back(light.Position);
-  }
-  const ErrorBudget errors(
-    positions, std::vector<LightFalloff>(count, LightFalloff({ 1, 1, 1 }, 1.0, attenuation)));
-  std::vector<Box> cells;
-  for (int i = 0; i < 10 * 6 * 10; ++i)
-  {
-    const glm::vec3 low(-50 + 10 * (i % 10), -30 + 10 * (i / 10 % 6), -100 + 10 * (i / 60));
-    cells.push_back({ low, low + 10.0f });
-  }
-  double common = 0.0;
+  const std::vector<LightFalloff> falloffs(
+    count, LightFalloff({ 1, 1, 1 }, 1.0, glm::dvec3(1.0, 0.0, 0.01 * static_cast<double>(count))));
+  const LitRegion region({ { -50, -30, -100 }, { 50, 30, 0 } }, glm::dmat4(1.0));
   for (auto _ : state)
   {
-    common = errors.CommonThreshold(budget, cells);
+    vitrine::CutLights(falloffs, region, 0.5 / 255, lights);
   }
-  const auto lightsInReach = [&](double threshold)
-  {
-    const double range = LightFalloff({ 1, 1, 1 }, 1.0, attenuation).RangeAt(threshold);
-    double sum = 0.0;
-    for (int i = 0; i < 100; ++i)
-    {
-      const glm::vec3 from = positions[static_cast<std::size_t>(i) * count / 100];
-      sum += static_cast<double>(std::count_if(positions.begin(), positions.end(),
-        [&](const glm::vec3& position) { return glm::length(position - from) <= range; }));
-    }
-    return sum / 100;
-  };
-  state.counters["lights_uniform"] = lightsInReach(errors.UniformThreshold(budget));
-  state.counters["lights_common"] = lightsInReach(common);
 }
-BENCHMARK(CutLights)
-  ->Args({ 1024, 4 })
-  ->Args({ 1024, 40 })
-  ->Args({ 1024, 400 })
-  ->Args({ 16384, 40 })
-  ->Unit(benchmark::kMillisecond);
+BENCHMARK(CutRanges)->RangeMultiplier(64)->Range(16384, 1048576)->Unit(benchmark::kMillisecond);
 
 void UsedFromDepths(benchmark::State& state)
 {

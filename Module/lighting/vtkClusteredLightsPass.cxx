@@ -2,10 +2,12 @@
 
 #include "Core/lighting/ClusterGrid.h"
 #include "Core/lighting/LightAssignment.h"
+#include "Core/lighting/LightCut.h"
 #include "culling/ViewMatrices.h"
 #include "lighting/LightBuffers.h"
 #include "lighting/LightLoop.h"
 #include "lighting/LightSwap.h"
+#include "lighting/LitProps.h"
 #include "lighting/MaterialGain.h"
 #include "lighting/RendererLights.h"
 #include "vtkAbstractMapper.h"
@@ -123,7 +125,7 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
   auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
   if (renderer && IsViewKnown(renderer) && this->TakeLights(renderer))
   {
-    this->AssignLights(renderer);
+    this->AssignLights(s, renderer);
     if (this->WriteBuffers(renderer))
     {
       this->RenderInLight(s, renderer);
@@ -162,11 +164,12 @@ bool vtkClusteredLightsPass::TakeLights(vtkOpenGLRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkClusteredLightsPass::AssignLights(vtkOpenGLRenderer* renderer)
+void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer)
 {
   const auto start = std::chrono::steady_clock::now();
   Internals& in = *this->Private;
-  this->CutLights(renderer);
+  vitrine::CutLights(in.Lights.Falloffs, vitrine::LitRegionOf(s),
+    vitrine::BudgetOfLight(renderer, this->CutOff), in.Lights.Volumes);
   const glm::dmat4 toClip = glm::transpose(
     glm::make_mat4(vitrine::ViewMatricesOf(renderer).data() + 16)); // VTK's are row by row
   int width = 1, height = 1;
@@ -179,21 +182,6 @@ void vtkClusteredLightsPass::AssignLights(vtkOpenGLRenderer* renderer)
   this->TellOfLists();
   this->AssignmentTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-//------------------------------------------------------------------------------
-// Each light that can be cut has the same share of the picture's error.
-void vtkClusteredLightsPass::CutLights(vtkOpenGLRenderer* renderer)
-{
-  vitrine::RendererLights& lights = this->Private->Lights;
-  const auto count = std::count_if(lights.Falloffs.begin(), lights.Falloffs.end(),
-    [](const vitrine::LightFalloff& falloff) { return falloff.CanBeCut(); });
-  const double share =
-    vitrine::BudgetOfLight(renderer, this->CutOff) / std::max<double>(1.0, count);
-  for (std::size_t i = 0; i < lights.Volumes.size(); ++i)
-  {
-    lights.Volumes[i].Range = static_cast<float>(lights.Falloffs[i].RangeAt(share));
-  }
 }
 
 //------------------------------------------------------------------------------

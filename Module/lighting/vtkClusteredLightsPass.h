@@ -123,8 +123,7 @@ private:
   void operator=(const vtkClusteredLightsPass&) = delete;
 
   bool TakeLights(vtkOpenGLRenderer* renderer);
-  void AssignLights(vtkOpenGLRenderer* renderer);
-  void CutLights(vtkOpenGLRenderer* renderer);
+  void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
   void TellOfLists();
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
   void LeaveWindow();

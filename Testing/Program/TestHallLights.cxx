@@ -95,13 +95,13 @@ TEST(HallLights, AreMostlySpotLightsAndAllWithinTheHall)
   for (const program::Light& light : lights)
   {
     spots += light.ConeAngle < 90.0;
-    EXPECT_TRUE(light.ConeAngle == 90.0 || (light.ConeAngle >= 20.0 && light.ConeAngle <= 40.0));
+    EXPECT_TRUE(light.ConeAngle == 90.0 || (light.ConeAngle >= 15.0 && light.ConeAngle <= 35.0));
     EXPECT_LT(std::abs(light.Position[0]), Plan::HalfWidth);
     EXPECT_LT(std::abs(light.Position[2]), Plan::HalfLength);
     EXPECT_TRUE(light.Position[1] > 0.0 && light.Position[1] < Plan::Top);
     EXPECT_GT(light.Attenuation[2], 0.0);
   }
-  EXPECT_EQ(spots, 750);
+  EXPECT_EQ(spots, 997);
 }
 
 TEST(HallLights, LightPlacesByAboutAsManyAndAsBrightly)
@@ -110,7 +110,7 @@ TEST(HallLights, LightPlacesByAboutAsManyAndAsBrightly)
   {
     SCOPED_TRACE(count);
     const Lit lit = LightOf(program::MakeHallLights(count, 1), count > 10000 ? 60 : 400);
-    EXPECT_TRUE(lit.Lights > 3.0 && lit.Lights < 12.0) << lit.Lights;
-    EXPECT_TRUE(lit.Brightness > 0.5 && lit.Brightness < 0.9) << lit.Brightness;
+    EXPECT_TRUE(lit.Lights > 1.0 && lit.Lights < 2.0) << lit.Lights;
+    EXPECT_TRUE(lit.Brightness > 0.35 && lit.Brightness < 0.6) << lit.Brightness;
   }
 }

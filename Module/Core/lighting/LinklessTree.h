@@ -57,13 +57,6 @@ public:
   /** Where a node stands among those of all levels. */
   std::size_t IndexOf(const Place& place) const { return this->Begins[place.Level] + place.Number; }
 
-  /** How many children a node has. */
-  std::size_t ChildrenOf(const Place& place) const
-  {
-    const std::size_t below = place.Level == 0 ? this->Things : this->CountOn(place.Level - 1);
-    return std::min(Width, below - place.Number * Width);
-  }
-
   /** Calls look(place) for the root, and for all children of nodes for which it returns their bits. */
   template <class Look>
   void Walk(const Look& look) const
@@ -86,12 +79,12 @@ public:
   }
 
 private:
-  static std::size_t NodesFor(std::size_t things) { return (things + Width - 1) / Width; }
-
   std::size_t CountOn(std::size_t level) const
   {
     return this->Begins[level + 1] - this->Begins[level];
   }
+
+  static std::size_t NodesFor(std::size_t things) { return (things + Width - 1) / Width; }
 
   std::size_t Things = 0;
   std::vector<std::size_t> Begins; ///< of each level, and where the last one ends

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace program
 {
@@ -18,18 +19,25 @@ namespace
 using Plan = HallPlan;
 
 // Of one light, how far from what it lights it would be in metres; of N, the square root of N times less.
-const double SizeOfOne = 115.0;
+const double SizeOfOne = 70.0;
 
 enum class Kind
 {
+  SHELL,  ///< a spot light at the floor, a wall or the vault, behind which there is nothing
   COLUMN, ///< a spot light that shines up or down along a column
-  SHELL,  ///< a spot light at a floor, a wall or a vault
+  BEAM,   ///< a spot light at a gallery or a beam
   LAMP    ///< a small one that shines all around
 };
 
-/** Lights are of these kinds in turn. */
-const std::array<Kind, 8> Kinds = { Kind::COLUMN, Kind::SHELL, Kind::LAMP, Kind::COLUMN,
-  Kind::SHELL, Kind::COLUMN, Kind::SHELL, Kind::LAMP };
+/** One of eight is of these kinds in turn, until there are as many as these; all others are of the first one. */
+const std::array<Kind, 8> FarReaching = { Kind::COLUMN, Kind::LAMP, Kind::BEAM, Kind::COLUMN,
+  Kind::LAMP, Kind::BEAM, Kind::COLUMN, Kind::LAMP };
+
+Kind KindOf(std::size_t i)
+{
+  const bool isFarReaching = i % 8 == 7 && i / 8 < FarReaching.size();
+  return isFarReaching ? FarReaching[i / 8] : Kind::SHELL;
+}
 
 /** A place on a surface that is to be lit, and where the surface faces. */
 struct Spot
@@ -72,21 +80,29 @@ struct Stretch
   double Length() const { return glm::length(this->To - this->From); }
 };
 
-/** One side of the cross-section; the other is its mirror image. The vault is three chords. */
-std::vector<Stretch> CrossSection()
+/** Galleries and beams, as they are on one side of the cross-section; the other is its mirror image. */
+std::vector<Stretch> Beams()
 {
   const double nave = Plan::NaveHalfWidth;
   const double wall = Plan::HalfWidth;
   const double gallery = Plan::GalleryFloor;
-  const double springing = Plan::Springing;
-  std::vector<Stretch> stretches = {
-    { { 0.0, 0.0, 0.0 }, { wall, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } },
-    { { wall, 0.0, 0.0 }, { wall, springing, 0.0 }, { -1.0, 0.0, 0.0 } },
+  return {
     { { nave, gallery, 0.0 }, { wall, gallery, 0.0 }, { 0.0, 1.0, 0.0 } },
     { { nave, gallery - Plan::FloorThickness, 0.0 }, { wall, gallery - Plan::FloorThickness, 0.0 },
       { 0.0, -1.0, 0.0 } },
     { { nave, Plan::ColumnHeight, 0.0 }, { nave, gallery, 0.0 }, { -1.0, 0.0, 0.0 } },
-    { { nave, springing - 1.5, 0.0 }, { nave, springing, 0.0 }, { -1.0, 0.0, 0.0 } },
+    { { nave, Plan::Springing - 1.5, 0.0 }, { nave, Plan::Springing, 0.0 }, { -1.0, 0.0, 0.0 } },
+  };
+}
+
+/** What the hall ends at, likewise. The vault is three chords. */
+std::vector<Stretch> Shell()
+{
+  const double wall = Plan::HalfWidth;
+  const double springing = Plan::Springing;
+  std::vector<Stretch> stretches = {
+    { { 0.0, 0.0, 0.0 }, { wall, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } },
+    { { wall, 0.0, 0.0 }, { wall, springing, 0.0 }, { -1.0, 0.0, 0.0 } },
   };
   const int chords = 3;
   const auto onVault = [&](int i)
@@ -99,43 +115,56 @@ std::vector<Stretch> CrossSection()
   return stretches;
 }
 
-/** Deals out places on floors, walls and vaults, and at columns. */
-class HallSurfaces
+/** Deals out places along the hall on stretches of its cross-section. */
+class Stretches
 {
 public:
-  explicit HallSurfaces(Random& dice)
-    : Dice(&dice)
-    , OnShell(dice)
-    , OnColumns(dice)
-    , Stretches(CrossSection())
+  Stretches(Random& dice, std::vector<Stretch> all)
+    : On(dice)
+    , All(std::move(all))
   {
-    for (const Stretch& stretch : this->Stretches)
+    for (const Stretch& stretch : this->All)
     {
       this->Perimeter += stretch.Length();
     }
   }
 
-  Spot NextOfShell()
+  Spot Next()
   {
-    const auto [u, v] = this->OnShell.Next();
-    const bool isMirrored = u < 0.5;
+    const auto [u, v] = this->On.Next();
     double way = std::fmod(2.0 * u, 1.0) * this->Perimeter;
-    auto stretch = this->Stretches.begin();
-    while (way > stretch->Length() && stretch + 1 != this->Stretches.end())
+    auto stretch = this->All.begin();
+    while (way > stretch->Length() && stretch + 1 != this->All.end())
     {
       way -= stretch->Length();
       ++stretch;
     }
-    const double side = isMirrored ? -1.0 : 1.0;
+    const double side = u < 0.5 ? -1.0 : 1.0; // mirrored
     const Point place = stretch->From + way * glm::normalize(stretch->To - stretch->From);
     return { { side * place.x, place.y, (2.0 * v - 1.0) * Plan::HalfLength },
       { side * stretch->Normal.x, stretch->Normal.y, 0.0 } };
   }
 
-  /** On the shaft of some column. */
-  Spot NextOfColumns()
+private:
+  EvenPoints On;
+  std::vector<Stretch> All;
+  double Perimeter = 0.0;
+};
+
+/** Deals out places at columns. */
+class ColumnShafts
+{
+public:
+  explicit ColumnShafts(Random& dice)
+    : Dice(&dice)
+    , On(dice)
   {
-    const auto [u, v] = this->OnColumns.Next();
+  }
+
+  /** On the shaft of some column. */
+  Spot Next()
+  {
+    const auto [u, v] = this->On.Next();
     const auto post = static_cast<int>(u * 2.0 * (Plan::Bays + 1));
     const bool isUpper = v >= 0.6;
     const double height = isUpper ? Plan::GalleryFloor + (v - 0.6) / 0.4 * Plan::UpperColumnHeight
@@ -149,10 +178,7 @@ public:
 
 private:
   Random* Dice;
-  EvenPoints OnShell;
-  EvenPoints OnColumns;
-  std::vector<Stretch> Stretches;
-  double Perimeter = 0.0;
+  EvenPoints On;
 };
 
 std::array<double, 3> ToArray(const Point& point)
@@ -197,9 +223,9 @@ Light MakeSpot(Random& dice, const Point& position, const Point& direction, doub
   light.Position = ToArray(Inside(position));
   light.Direction = ToArray(direction);
   light.Color = ColorOf(dice, 0.1);
-  light.ConeAngle = dice.Between(20.0, 40.0);
+  light.ConeAngle = dice.Between(15.0, 35.0);
   light.Exponent = dice.Between(4.0, 16.0);
-  SetFalloff(light, dice.Between(2.0, 4.0), 0.4 * size);
+  SetFalloff(light, dice.Between(2.0, 4.0), 0.6 * size);
   return light;
 }
 
@@ -231,22 +257,27 @@ Light MakeLamp(Random& dice, const Spot& spot, double size)
 std::vector<Light> MakeHallLights(std::size_t count, std::uint64_t seed)
 {
   Random dice(seed);
-  HallSurfaces surfaces(dice);
+  Stretches shell(dice, Shell());
+  Stretches beams(dice, Beams());
+  ColumnShafts columns(dice);
   const double size = SizeOfOne / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1)));
   std::vector<Light> lights;
   lights.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    switch (Kinds[i % Kinds.size()])
+    switch (KindOf(i))
     {
-      case Kind::COLUMN:
-        lights.push_back(MakeColumnLight(dice, surfaces.NextOfColumns(), size));
-        break;
       case Kind::SHELL:
-        lights.push_back(MakeShellLight(dice, surfaces.NextOfShell(), size));
+        lights.push_back(MakeShellLight(dice, shell.Next(), size));
+        break;
+      case Kind::COLUMN:
+        lights.push_back(MakeColumnLight(dice, columns.Next(), size));
+        break;
+      case Kind::BEAM:
+        lights.push_back(MakeShellLight(dice, beams.Next(), size));
         break;
       case Kind::LAMP:
-        lights.push_back(MakeLamp(dice, surfaces.NextOfShell(), size));
+        lights.push_back(MakeLamp(dice, shell.Next(), size));
         break;
     }
   }
