@@ -129,6 +129,28 @@ struct VitrineLightList
   uint Count;
 };
 
+// The G-buffer of deferred shading: layers of four floats a pixel. The first has the place in view coordinates and what the pixel
+// shows: nothing, a surface whose colour is finished, or one to be lit by Phong's formulas or by physically based ones.
+//
+//         x y z                        w
+// place   place                        what it shows
+// normal  normal                       specular power, or roughness
+// base    diffuse colour, or albedo    factor.x, or metallic      of a finished surface: its colour
+// gloss   specular colour, or F90      factor.y, or F0
+// own     ambient colour, or emissive  factor.z, or the strength of occlusion
+//
+// The factor is what textures multiply the lit colour with.
+#define VITRINE_GBUFFER_PLACE 0
+#define VITRINE_GBUFFER_NORMAL 1
+#define VITRINE_GBUFFER_BASE 2
+#define VITRINE_GBUFFER_GLOSS 3
+#define VITRINE_GBUFFER_OWN 4
+#define VITRINE_GBUFFER_LAYERS 5
+#define VITRINE_SHOWS_NOTHING 0.0
+#define VITRINE_SHOWS_FINISHED 1.0
+#define VITRINE_SHOWS_PHONG 2.0
+#define VITRINE_SHOWS_PHYSICAL 3.0
+
 #ifdef __cplusplus
 static_assert(sizeof(VitrineLight) == 16 * VITRINE_LIGHT_TEXELS, "texels of four floats");
 static_assert(offsetof(VitrineLight, Direction) == 16, "texels of four floats");

@@ -61,26 +61,6 @@ bool StandsInWorld(vtkActor* actor)
 #endif
 }
 
-bool HasShaderCode(vtkActor* actor)
-{
-  vtkShaderProperty* shader = ShaderPropertyOf(actor);
-  return shader &&
-    (shader->GetNumberOfShaderReplacements() > 0 || shader->HasVertexShaderCode() ||
-      shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
-}
-
-bool AreColorsOpaque(vtkMapper* mapper)
-{
-  int isOfCells = 0;
-  if (!mapper->GetScalarVisibility() ||
-    !vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(), mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells))
-  {
-    return true; // and there need not be a table
-  }
-  return IsUnknownOpaque(mapper->GetLookupTable());
-}
-
 /** Blocks of a composite mapper are looked at one by one. */
 bool IsTranslucentAsAWhole(vtkActor* actor)
 {
@@ -120,6 +100,14 @@ vtkActor* AsHideable(vtkProp* prop)
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)
 {
   return AnyProp::ShaderOf(prop);
+}
+
+bool HasShaderCode(vtkActor* actor)
+{
+  vtkShaderProperty* shader = ShaderPropertyOf(actor);
+  return shader &&
+    (shader->GetNumberOfShaderReplacements() > 0 || shader->HasVertexShaderCode() ||
+      shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
 }
 
 bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
@@ -164,6 +152,18 @@ bool IsOpaqueSurface(vtkActor* actor)
     !IsTranslucentAsAWhole(actor) && !actor->GetForceOpaque() && property->GetOpacity() >= 1.0 &&
     !(back && back->GetOpacity() < 1.0) && !(planes && planes->GetNumberOfItems() > 0) &&
     AreColorsOpaque(actor->GetMapper());
+}
+
+bool AreColorsOpaque(vtkMapper* mapper)
+{
+  int isOfCells = 0;
+  if (!mapper->GetScalarVisibility() ||
+    !vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells))
+  {
+    return true; // and there need not be a table
+  }
+  return IsUnknownOpaque(mapper->GetLookupTable());
 }
 
 bool IsUnknownOpaque(vtkScalarsToColors* table)

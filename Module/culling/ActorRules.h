@@ -24,6 +24,9 @@ vtkActor* AsHideable(vtkProp* prop);
 /** What vtkProp::GetShaderProperty() tells, null where that would make one. */
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 
+/** Whether the actor's shaders have code of the user's. */
+bool HasShaderCode(vtkActor* actor);
+
 /**
  * Whether VTK gives the device coordinates from the geometry's middle, as it does by itself where that is far from the origin for
  * the geometry's size (vtkOpenGLVertexBufferObject::UpdateShiftScale()).
@@ -44,6 +47,9 @@ bool IsOpaqueSurface(vtkActor* actor);
  * vtkMapper::HasTranslucentPolygonalGeometry() ignores.
  */
 bool IsUnknownOpaque(vtkScalarsToColors* table);
+
+/** Whether a mapper's scalars get no colours with transparency that vtkMapper::HasTranslucentPolygonalGeometry() ignores. */
+bool AreColorsOpaque(vtkMapper* mapper);
 
 /** Whether the actor has no texture that could let anything through. */
 bool AreTexturesOpaque(vtkActor* actor);

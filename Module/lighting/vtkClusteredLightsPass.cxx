@@ -232,7 +232,6 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// Release what is held in a context that lives, and forget it where that is gone: its names are others' then.
 void vtkClusteredLightsPass::LeaveWindow()
 {
   Internals& in = *this->Private;
@@ -242,10 +241,12 @@ void vtkClusteredLightsPass::LeaveWindow()
     if (in.Window->IsCurrent())
     {
       in.Buffers.Release();
+      this->ReleaseMethodResources();
     }
     in.Window->PopContext();
   }
   in.Buffers = vitrine::LightBuffers();
+  this->ForgetMethodResources();
   in.Window = nullptr;
 }
 
@@ -258,11 +259,17 @@ void vtkClusteredLightsPass::RenderInLight(const vtkRenderState* s, vtkOpenGLRen
   const vitrine::ScopedLights oneLight(renderer, isPositional ? in.Positional : in.Directional);
   this->PreRender(s);
   in.Buffers.Bind(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState());
-  in.Delegate->Render(s);
+  this->RenderDelegate(s);
   in.Buffers.Unbind();
   this->PostRender(s);
   this->NumberOfRenderedProps = in.Delegate->GetNumberOfRenderedProps();
   vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::RenderDelegate(const vtkRenderState* s)
+{
+  this->Private->Delegate->Render(s);
 }
 
 //------------------------------------------------------------------------------
@@ -307,6 +314,7 @@ void vtkClusteredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
   if (window && window == in.Window && in.HasContext())
   {
     in.Buffers.Release();
+    this->ReleaseMethodResources();
     in.Window = nullptr;
   }
   if (in.Delegate && window)

@@ -108,6 +108,24 @@ protected:
   vtkClusteredLightsPass();
   ~vtkClusteredLightsPass() override;
 
+  /**
+   * Draw the frame in the stand-in's light: by the DelegatePass.
+   */
+  virtual void RenderDelegate(const vtkRenderState* s);
+
+  ///@{
+  /**
+   * Release what a subclass holds in the context that is current; forget it where that context is gone.
+   */
+  virtual void ReleaseMethodResources() {}
+  virtual void ForgetMethodResources() {}
+  ///@}
+
+  /**
+   * Release what is held in a context that lives, and forget it where that is gone: its names are others' then. Destructors of subclasses call it.
+   */
+  void LeaveWindow();
+
   double CutOff = 0.5 / 255.0;
   int TileSize = 64;
   int NumberOfSlices = 16;
@@ -126,7 +144,6 @@ private:
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
   void TellOfLists();
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
-  void LeaveWindow();
   void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
 
   struct Internals;

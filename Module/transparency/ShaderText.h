@@ -10,6 +10,13 @@ namespace shaders
 {
 extern const char* const FillProbe;
 extern const char* const FullScreenVertex;
+extern const char* const GBufferReadDec;
+extern const char* const GBufferReadPhong;
+extern const char* const GBufferReadPhysical;
+extern const char* const GBufferWriteDec;
+extern const char* const GBufferWriteFinished;
+extern const char* const GBufferWritePhong;
+extern const char* const GBufferWritePhysical;
 extern const char* const LightLoopDec;
 extern const char* const LightLoopImpl;
 extern const char* const LinkedListFillDec;

@@ -1,0 +1,2 @@
+// What shaders that write the G-buffer know of it.
+#include "SharedLayout.h"

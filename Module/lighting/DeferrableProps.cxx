@@ -1,0 +1,65 @@
+#include "lighting/DeferrableProps.h"
+
+#include "culling/ActorRules.h"
+#include "culling/ClassName.h"
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vitrine
+{
+
+namespace
+{
+
+bool HasKnownMapper(vtkActor* actor)
+{
+  static const std::array<const char*, 6> known = { "vtkOpenGLPolyDataMapper",
+    "vtkCompositePolyDataMapper2", "vtkCompositePolyDataMapper", "vtkDataSetMapper",
+    "vtkCulledPolyDataMapper", "vtkCulledCompositePolyDataMapper" };
+  return std::any_of(known.begin(), known.end(),
+    [&](const char* name) { return IsOfClass(actor->GetMapper(), name); });
+}
+
+// What has alpha is blended with what is drawn before it.
+bool HidesWhatIsBehind(vtkActor* actor)
+{
+  vtkProperty* const back = actor->GetBackfaceProperty();
+  return actor->GetProperty()->GetOpacity() >= 1.0 && !(back && back->GetOpacity() < 1.0) &&
+    !actor->GetForceOpaque() && AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper());
+}
+
+bool IsWrittenBy(vtkProp* prop, vtkRenderPass* pass)
+{
+  vtkInformation* const keys = prop->GetPropertyKeys();
+  return keys && keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 1 &&
+    keys->Get(vtkOpenGLRenderPass::RenderPasses(), 0) == pass;
+}
+
+bool IsDeferrable(vtkProp* prop, vtkRenderPass* pass)
+{
+  vtkActor* const actor =
+    IsOfClass(prop, "vtkOpenGLActor") ? static_cast<vtkActor*>(prop) : nullptr;
+  return actor && actor->GetMapper() && HasKnownMapper(actor) && !HasShaderCode(actor) &&
+    IsWrittenBy(prop, pass) && actor->HasOpaqueGeometry() && HidesWhatIsBehind(actor);
+}
+}
+
+SortedProps SortProps(const vtkRenderState* s, vtkRenderPass* pass)
+{
+  SortedProps sorted;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* const prop = s->GetPropArray()[i];
+    (IsDeferrable(prop, pass) ? sorted.Deferrable : sorted.Others).push_back(prop);
+  }
+  return sorted;
+}
+
+}

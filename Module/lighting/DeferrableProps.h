@@ -1,0 +1,28 @@
+/**
+ * Which props can be drawn into a G-buffer.
+ */
+#ifndef VITRINE_DEFERRABLE_PROPS_H
+#define VITRINE_DEFERRABLE_PROPS_H
+
+#include <vector>
+
+class vtkProp;
+class vtkRenderPass;
+class vtkRenderState;
+
+namespace vitrine
+{
+
+/** The props of a state, in their order. */
+struct SortedProps
+{
+  std::vector<vtkProp*> Deferrable; ///< opaque actors whose mappers let passes write their shaders
+  std::vector<vtkProp*> Others;
+};
+
+/** @param pass  the only one that may have a say in the shaders of those that can be deferred */
+SortedProps SortProps(const vtkRenderState* s, vtkRenderPass* pass);
+
+}
+
+#endif

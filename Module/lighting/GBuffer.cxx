@@ -1,0 +1,41 @@
+#include "lighting/GBuffer.h"
+
+#include "Shaders/SharedLayout.h"
+#include "gl/RenderTarget.h"
+#include "vtkOpenGLState.h"
+
+#include <array>
+
+namespace vitrine
+{
+
+std::string GBuffer::Allocate(const RenderTarget& target)
+{
+  return this->Layers.Allocate(
+    GL_RGBA32F, target.Width, target.Height, target.Samples, VITRINE_GBUFFER_LAYERS);
+}
+
+void GBuffer::BindForDrawing(vtkOpenGLState* state, const RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Drawing.Handle());
+  std::array<GLenum, VITRINE_GBUFFER_LAYERS> buffers{};
+  for (GLint layer = 0; layer < VITRINE_GBUFFER_LAYERS; ++layer)
+  {
+    buffers[layer] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer);
+    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, buffers[layer], this->Layers.Handle(), 0, layer);
+  }
+  glDrawBuffers(VITRINE_GBUFFER_LAYERS, buffers.data());
+  target.AttachDepth();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, VITRINE_SHOWS_NOTHING };
+  glClearBufferfv(GL_COLOR, VITRINE_GBUFFER_PLACE, nothing);
+}
+
+void GBuffer::Release()
+{
+  this->Layers.Release();
+  this->Drawing.Release();
+}
+
+}

@@ -1,0 +1,166 @@
+#include "lighting/GBufferShader.h"
+
+#include "lighting/LightLoop.h"
+#include "transparency/FillShader.h"
+#include "transparency/ShaderText.h"
+
+#include <array>
+
+namespace vitrine
+{
+
+namespace
+{
+const std::string Declarations = "//VTK::DepthPeeling::Dec";
+const std::string EndOfMain = "//VTK::DepthPeeling::Impl";
+
+/** Where what is written for lights begins and ends, and what would be the colour without them. */
+struct Lighting
+{
+  std::string Begin;
+  std::string End;
+  std::string Unlit;
+};
+
+const Lighting PhongLighting = { "  vec3 diffuse = vec3(0,0,0);\n",
+  "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);",
+  "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);" };
+const Lighting PhysicalLighting = { "  vec3 Lo = vec3(0.0);\n",
+  "gl_FragData[0] = vec4(color, opacity);", "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);" };
+
+/** What the G-buffer has no room for: image-based light, textures of occlusion, anisotropy, clear coat. */
+const std::array<const char*, 4> Unkept = { "prefilterTex", "material.r", "#define ANISOTROPY",
+  "#define CLEAR_COAT" };
+
+/** What textures do to the lit colour. */
+const std::string Textured = "gl_FragData[0] * tcolor;";
+
+bool HasUnkept(const std::string& shader)
+{
+  for (const char* const text : Unkept)
+  {
+    if (shader.find(text) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether all that comes after the light multiplies the colour.
+bool IsMultipliedAlone(const std::string& shader, std::size_t from)
+{
+  const std::string assignment = "gl_FragData[0] = ";
+  for (std::size_t at = shader.find(assignment, from); at != std::string::npos;
+       at = shader.find(assignment, at + 1))
+  {
+    if (shader.compare(at + assignment.size(), Textured.size(), Textured) != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether the light could be left out.
+bool LeaveOut(const Lighting& lighting, std::string& shader)
+{
+  const std::size_t begin = shader.find(lighting.Begin);
+  const std::size_t end =
+    begin == std::string::npos ? begin : shader.find(lighting.End, begin + lighting.Begin.size());
+  if (end == std::string::npos || HasUnkept(shader) ||
+    !IsMultipliedAlone(shader, end + lighting.End.size()))
+  {
+    return false;
+  }
+  shader.replace(begin, end + lighting.End.size() - begin, lighting.Unlit);
+  return true;
+}
+
+// Makes a variable of a uniform that is known from the G-buffer alone.
+std::string MakeVariable(std::string& shader, const std::string& declaration)
+{
+  return ReplaceTag(shader, "uniform " + declaration, declaration);
+}
+
+std::string ReadPhong(std::string& shader)
+{
+  std::string problem =
+    ReplaceTag(shader, PhongLighting.Begin, shaders::GBufferReadPhong + PhongLighting.Begin);
+  return problem.empty()
+    ? ReplaceTag(shader, EndOfMain, "gl_FragData[0].rgb = gl_FragData[0].rgb * vitrineFactor;\n")
+    : problem;
+}
+
+std::string ReadPhysical(std::string& shader)
+{
+  std::string problem;
+  for (const char* const uniform : { "float roughnessUniform;", "float metallicUniform;",
+         "vec3 edgeTintUniform;", "float baseF0Uniform;", "float aoStrengthUniform;" })
+  {
+    if (problem.empty())
+    {
+      problem = MakeVariable(shader, uniform);
+    }
+  }
+  const std::string albedo = "vec3 albedo = diffuseColor;\n";
+  if (problem.empty())
+  {
+    problem = ReplaceTag(shader, albedo, shaders::GBufferReadPhysical + albedo);
+  }
+  return problem.empty()
+    ? ReplaceTag(shader, "vec3 emissiveColor = vec3(0.0);", "vec3 emissiveColor = vitrineOwn.xyz;")
+    : problem;
+}
+}
+
+std::string WriteGBuffer(std::string& fragmentShader)
+{
+  std::string problem;
+  const char* writing = shaders::GBufferWriteFinished;
+  if (IsLit(fragmentShader))
+  {
+    if (LeaveOut(PhongLighting, fragmentShader))
+    {
+      writing = shaders::GBufferWritePhong;
+    }
+    else if (LeaveOut(PhysicalLighting, fragmentShader))
+    {
+      writing = shaders::GBufferWritePhysical;
+    }
+    else
+    {
+      problem = LoopOverLights(fragmentShader);
+    }
+  }
+  if (problem.empty())
+  {
+    problem = ReplaceTag(fragmentShader, Declarations, shaders::GBufferWriteDec);
+  }
+  return problem.empty() ? ReplaceTag(fragmentShader, EndOfMain, std::string("\n") + writing)
+                         : problem;
+}
+
+std::string ReadGBuffer(
+  std::string& vertexShader, std::string& fragmentShader, Shading shading, int samples)
+{
+  std::string problem =
+    ReplaceTag(vertexShader, "gl_Position = MCDCMatrix * vertexMC;", "gl_Position = vertexMC;");
+  if (problem.empty() && samples > 0)
+  {
+    problem = ReplaceTag(fragmentShader, "//VTK::System::Dec",
+      "//VTK::System::Dec\n#extension GL_ARB_sample_shading : require\n");
+  }
+  if (problem.empty())
+  {
+    problem = ReplaceTag(fragmentShader, Declarations,
+      "#define VITRINE_SAMPLES " + std::to_string(samples) + "\n" + shaders::GBufferReadDec);
+  }
+  if (problem.empty())
+  {
+    problem = shading == Shading::Phong ? ReadPhong(fragmentShader) : ReadPhysical(fragmentShader);
+  }
+  return problem.empty() ? LoopOverLights(fragmentShader) : problem;
+}
+
+}

@@ -1,0 +1,35 @@
+/**
+ * What VTK's mappers write for one light, cut in two: what it takes goes into the G-buffer, and is lit from there by the same formulas.
+ */
+#ifndef VITRINE_GBUFFER_SHADER_H
+#define VITRINE_GBUFFER_SHADER_H
+
+#include <string>
+
+namespace vitrine
+{
+
+/** Which of VTK's formulas light a pixel. */
+enum class Shading
+{
+  Phong,
+  Physical
+};
+
+/**
+ * Has a mapper's fragment shader write the G-buffer. What takes formulas that the G-buffer has no room for is lit there and then, by the loop over
+ * lights, and written as finished. Returns an empty string, or what is not as it should be.
+ */
+std::string WriteGBuffer(std::string& fragmentShader);
+
+/**
+ * Has the shaders of a quad, given in coordinates of the viewport, light what the G-buffer shows there. Returns an empty string, or what is not as it
+ * should be.
+ * @param samples  of the G-buffer; 0 for one that is not multisampled
+ */
+std::string ReadGBuffer(
+  std::string& vertexShader, std::string& fragmentShader, Shading shading, int samples);
+
+}
+
+#endif
