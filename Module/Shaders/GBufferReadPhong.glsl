@@ -4,11 +4,13 @@
   vec4 vitrineBase = vitrineGBufferAt(VITRINE_GBUFFER_BASE);
   vec4 vitrineGloss = vitrineGBufferAt(VITRINE_GBUFFER_GLOSS);
   vec4 vitrineOwn = vitrineGBufferAt(VITRINE_GBUFFER_OWN);
+#ifndef VITRINE_ADDS_LIGHT
   if (vitrinePlace.w == VITRINE_SHOWS_FINISHED)
   {
     gl_FragData[0] = vitrineBase;
     return;
   }
+#endif
   if (vitrinePlace.w != VITRINE_SHOWS_PHONG)
   {
     discard;

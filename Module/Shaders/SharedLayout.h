@@ -7,6 +7,7 @@
 #define VITRINE_SHARED_LAYOUT_H
 
 // Binding points of shader storage buffers, of which OpenGL 4.3 has 8. Packed lists have sums in place of links.
+#define VITRINE_BINDING_CLUSTERS 4
 #define VITRINE_BINDING_COUNTERS 4
 #define VITRINE_BINDING_NODES 5
 #define VITRINE_BINDING_LINKS 6
@@ -146,6 +147,12 @@ struct VitrineLightList
 #define VITRINE_GBUFFER_GLOSS 3
 #define VITRINE_GBUFFER_OWN 4
 #define VITRINE_GBUFFER_LAYERS 5
+
+// What light volumes add up for a pixel of it: diffuse and specular of Phong's formulas, or the radiance of physically based ones.
+#define VITRINE_LIGHT_SUM_DIFFUSE 0
+#define VITRINE_LIGHT_SUM_SPECULAR 1
+#define VITRINE_LIGHT_SUM_LAYERS 2
+
 #define VITRINE_SHOWS_NOTHING 0.0
 #define VITRINE_SHOWS_FINISHED 1.0
 #define VITRINE_SHOWS_PHONG 2.0

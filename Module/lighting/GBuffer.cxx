@@ -2,9 +2,8 @@
 
 #include "Shaders/SharedLayout.h"
 #include "gl/RenderTarget.h"
+#include "lighting/LayeredDrawing.h"
 #include "vtkOpenGLState.h"
-
-#include <array>
 
 namespace vitrine
 {
@@ -18,13 +17,7 @@ std::string GBuffer::Allocate(const RenderTarget& target)
 void GBuffer::BindForDrawing(vtkOpenGLState* state, const RenderTarget& target)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Drawing.Handle());
-  std::array<GLenum, VITRINE_GBUFFER_LAYERS> buffers{};
-  for (GLint layer = 0; layer < VITRINE_GBUFFER_LAYERS; ++layer)
-  {
-    buffers[layer] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer);
-    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, buffers[layer], this->Layers.Handle(), 0, layer);
-  }
-  glDrawBuffers(VITRINE_GBUFFER_LAYERS, buffers.data());
+  DrawIntoLayers(this->Layers, VITRINE_GBUFFER_LAYERS);
   target.AttachDepth();
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

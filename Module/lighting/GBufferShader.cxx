@@ -112,6 +112,48 @@ std::string ReadPhysical(std::string& shader)
     ? ReplaceTag(shader, "vec3 emissiveColor = vec3(0.0);", "vec3 emissiveColor = vitrineOwn.xyz;")
     : problem;
 }
+
+const std::string PositionOfVertex = "gl_Position = MCDCMatrix * vertexMC;";
+
+std::string PlaceCover(std::string& vertexShader)
+{
+  return ReplaceTag(vertexShader, PositionOfVertex, "gl_Position = vertexMC;");
+}
+
+// The third coordinate is the light's number.
+std::string PlaceLight(std::string& vertexShader)
+{
+  const std::string problem = ReplaceTag(vertexShader, PositionOfVertex,
+    "gl_Position = vec4(vertexMC.xy, 0.0, 1.0);\n  vitrineLight = int(vertexMC.z);");
+  return problem.empty()
+    ? ReplaceTag(vertexShader, "//VTK::Light::Dec", "flat out int vitrineLight;")
+    : problem;
+}
+
+std::string DeclarationsOf(const GBufferReading& reading)
+{
+  std::string text = "#define VITRINE_SAMPLES " + std::to_string(reading.Samples) + "\n";
+  if (reading.Lights == Gathering::Add)
+  {
+    text += "#define VITRINE_ADDS_LIGHT\nflat in int vitrineLight;\n";
+  }
+  text += shaders::GBufferReadDec;
+  return reading.Lights == Gathering::Sums ? text + shaders::LightSumsDec : text;
+}
+
+std::string GatherLight(std::string& shader, const GBufferReading& reading)
+{
+  const bool isPhong = reading.Formulas == Shading::Phong;
+  switch (reading.Lights)
+  {
+    case Gathering::Add:
+      return TakeOneLight(shader, isPhong ? shaders::LightAddPhong : shaders::LightAddPhysical);
+    case Gathering::Sums:
+      return TakeSums(shader, isPhong ? shaders::LightSumsPhong : shaders::LightSumsPhysical);
+    default:
+      return LoopOverLights(shader);
+  }
+}
 }
 
 std::string WriteGBuffer(std::string& fragmentShader)
@@ -142,25 +184,25 @@ std::string WriteGBuffer(std::string& fragmentShader)
 }
 
 std::string ReadGBuffer(
-  std::string& vertexShader, std::string& fragmentShader, Shading shading, int samples)
+  std::string& vertexShader, std::string& fragmentShader, const GBufferReading& reading)
 {
   std::string problem =
-    ReplaceTag(vertexShader, "gl_Position = MCDCMatrix * vertexMC;", "gl_Position = vertexMC;");
-  if (problem.empty() && samples > 0)
+    reading.Lights == Gathering::Add ? PlaceLight(vertexShader) : PlaceCover(vertexShader);
+  if (problem.empty() && reading.Samples > 0)
   {
     problem = ReplaceTag(fragmentShader, "//VTK::System::Dec",
       "//VTK::System::Dec\n#extension GL_ARB_sample_shading : require\n");
   }
   if (problem.empty())
   {
-    problem = ReplaceTag(fragmentShader, Declarations,
-      "#define VITRINE_SAMPLES " + std::to_string(samples) + "\n" + shaders::GBufferReadDec);
+    problem = ReplaceTag(fragmentShader, Declarations, DeclarationsOf(reading));
   }
   if (problem.empty())
   {
-    problem = shading == Shading::Phong ? ReadPhong(fragmentShader) : ReadPhysical(fragmentShader);
+    problem =
+      reading.Formulas == Shading::Phong ? ReadPhong(fragmentShader) : ReadPhysical(fragmentShader);
   }
-  return problem.empty() ? LoopOverLights(fragmentShader) : problem;
+  return problem.empty() ? GatherLight(fragmentShader, reading) : problem;
 }
 
 }

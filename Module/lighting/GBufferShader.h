@@ -22,13 +22,27 @@ enum class Shading
  */
 std::string WriteGBuffer(std::string& fragmentShader);
 
+/** How a pixel of the G-buffer is lit. */
+enum class Gathering
+{
+  Loop, ///< over the lights of its cluster, or tile
+  Add,  ///< light by light, each added to sums
+  Sums  ///< from these
+};
+
+struct GBufferReading
+{
+  Shading Formulas;
+  Gathering Lights;
+  int Samples; ///< of the G-buffer; 0 for one that is not multisampled
+};
+
 /**
- * Has the shaders of a quad, given in coordinates of the viewport, light what the G-buffer shows there. Returns an empty string, or what is not as it
- * should be.
- * @param samples  of the G-buffer; 0 for one that is not multisampled
+ * Has the shaders of what is given in coordinates of the viewport, and of lights where it adds them, light what the G-buffer shows there. Returns an
+ * empty string, or what is not as it should be.
  */
 std::string ReadGBuffer(
-  std::string& vertexShader, std::string& fragmentShader, Shading shading, int samples);
+  std::string& vertexShader, std::string& fragmentShader, const GBufferReading& reading);
 
 }
 

@@ -38,7 +38,16 @@ const std::array<LightText, 5> LightTexts = { {
   { "  L = normalize(-lightDirectionVC0);\n", "  Lo += radiance * (diffuse + specular) * NdL;\n" },
 } };
 
-std::string EncloseInLoop(std::string& shader)
+const char* const UnknownText = "the shader has no text for a light that is known";
+
+struct TextRange
+{
+  std::size_t Begin = 0;
+  std::size_t End = 0;
+};
+
+/** Empty where there is none that is known. */
+TextRange FindLightText(const std::string& shader)
 {
   for (const LightText& text : LightTexts)
   {
@@ -46,12 +55,42 @@ std::string EncloseInLoop(std::string& shader)
     const std::size_t end = begin == std::string::npos ? begin : shader.find(text.End, begin);
     if (end != std::string::npos)
     {
-      shader.insert(end + std::char_traits<char>::length(text.End), "  }\n");
-      shader.insert(begin, shaders::LightLoopImpl);
-      return {};
+      return { begin, end + std::char_traits<char>::length(text.End) };
     }
   }
-  return "the shader has no text for a light that is known";
+  return {};
+}
+
+/** Puts one thing before a light's text and another behind it. */
+std::string Enclose(std::string& shader, const std::string& before, const std::string& after)
+{
+  const auto [begin, end] = FindLightText(shader);
+  if (begin == end)
+  {
+    return UnknownText;
+  }
+  shader.insert(end, after);
+  shader.insert(begin, before);
+  return {};
+}
+
+// Makes variables of the uniforms of a light.
+std::string DeclareLights(std::string& shader)
+{
+  std::string problem = ReplaceTag(shader, Color, shaders::LightLoopDec);
+  if (problem.empty())
+  {
+    problem = ReplaceTag(shader, Direction, "");
+  }
+  const bool isPositional = shader.find(UniformsOfPositional.back()) != std::string::npos;
+  for (const char* const uniform : UniformsOfPositional)
+  {
+    if (isPositional && problem.empty())
+    {
+      problem = ReplaceTag(shader, uniform, "");
+    }
+  }
+  return problem;
 }
 }
 
@@ -66,20 +105,23 @@ bool IsLit(const std::string& fragmentShader)
 
 std::string LoopOverLights(std::string& fragmentShader)
 {
-  std::string problem = ReplaceTag(fragmentShader, Color, shaders::LightLoopDec);
-  if (problem.empty())
-  {
-    problem = ReplaceTag(fragmentShader, Direction, "");
-  }
-  const bool isPositional = fragmentShader.find(UniformsOfPositional.back()) != std::string::npos;
-  for (const char* const uniform : UniformsOfPositional)
-  {
-    if (isPositional && problem.empty())
-    {
-      problem = ReplaceTag(fragmentShader, uniform, "");
-    }
-  }
-  return problem.empty() ? EncloseInLoop(fragmentShader) : problem;
+  const std::string problem = DeclareLights(fragmentShader);
+  return problem.empty() ? Enclose(fragmentShader, shaders::LightLoopImpl, "  }\n") : problem;
+}
+
+std::string TakeOneLight(std::string& fragmentShader, const std::string& result)
+{
+  const std::string problem = DeclareLights(fragmentShader);
+  return problem.empty()
+    ? Enclose(fragmentShader, "  vitrineTakeLight(uint(vitrineLight));\n", result)
+    : problem;
+}
+
+std::string TakeSums(std::string& fragmentShader, const std::string& sums)
+{
+  const auto [begin, end] = FindLightText(fragmentShader);
+  fragmentShader.replace(begin, end - begin, sums);
+  return begin == end ? UnknownText : std::string();
 }
 
 }

@@ -15,6 +15,15 @@ bool IsLit(const std::string& fragmentShader);
 /** Turns a lit shader's text for its first light, which must be its only one, into the loop. Returns an empty string, or what is not as it should be. */
 std::string LoopOverLights(std::string& fragmentShader);
 
+/**
+ * Turns the same text into that of one light of many, by number, with `result` to be done with what VTK's variables hold then. The number is
+ * a vitrineLight of the shader's.
+ */
+std::string TakeOneLight(std::string& fragmentShader, const std::string& result);
+
+/** Puts `sums` in place of the same text. */
+std::string TakeSums(std::string& fragmentShader, const std::string& sums);
+
 }
 
 #endif

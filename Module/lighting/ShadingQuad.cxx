@@ -1,38 +1,21 @@
 #include "lighting/ShadingQuad.h"
 
 #include "vtkCellArray.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 
 namespace vitrine
 {
 
-namespace
+ShadingQuad::ShadingQuad(Shading shading, vtkPolyData* shape)
 {
-
-// One triangle, in coordinates of the viewport.
-vtkSmartPointer<vtkPolyData> MakeCover()
-{
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(-1.0, -1.0, 0.0);
-  points->InsertNextPoint(3.0, -1.0, 0.0);
-  points->InsertNextPoint(-1.0, 3.0, 0.0);
-  vtkNew<vtkCellArray> triangles;
-  triangles->InsertNextCell({ 0, 1, 2 });
-  auto cover = vtkSmartPointer<vtkPolyData>::New();
-  cover->SetPoints(points);
-  cover->SetPolys(triangles);
-  return cover;
-}
-}
-
-ShadingQuad::ShadingQuad(Shading shading)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeCover());
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  mapper->SetInputData(shape);
+  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   this->Actor->SetMapper(mapper);
   shading == Shading::Phong ? this->Actor->GetProperty()->SetInterpolationToPhong()
                             : this->Actor->GetProperty()->SetInterpolationToPBR();
@@ -49,6 +32,20 @@ void ShadingQuad::Draw(vtkRenderer* renderer)
 void ShadingQuad::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Actor->ReleaseGraphicsResources(window);
+}
+
+vtkSmartPointer<vtkPolyData> MakeCover()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(-1.0, -1.0, 0.0);
+  points->InsertNextPoint(3.0, -1.0, 0.0);
+  points->InsertNextPoint(-1.0, 3.0, 0.0);
+  vtkNew<vtkCellArray> triangle;
+  triangle->InsertNextCell({ 0, 1, 2 });
+  auto cover = vtkSmartPointer<vtkPolyData>::New();
+  cover->SetPoints(points);
+  cover->SetPolys(triangle);
+  return cover;
 }
 
 }

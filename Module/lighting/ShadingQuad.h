@@ -1,5 +1,5 @@
 /**
- * What covers a viewport and is lit by VTK's formulas.
+ * What is drawn over a viewport, in its coordinates, and lit by VTK's formulas.
  */
 #ifndef VITRINE_SHADING_QUAD_H
 #define VITRINE_SHADING_QUAD_H
@@ -8,7 +8,10 @@
 #include "lighting/ShaderHook.h"
 #include "vtkActor.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
+class vtkPolyData;
+class vtkPolyData;
 class vtkRenderer;
 class vtkWindow;
 
@@ -18,7 +21,7 @@ namespace vitrine
 class ShadingQuad
 {
 public:
-  explicit ShadingQuad(Shading shading);
+  ShadingQuad(Shading shading, vtkPolyData* shape);
 
   /** Draw it with what Hook makes of its shaders. */
   void Draw(vtkRenderer* renderer);
@@ -30,6 +33,9 @@ public:
 private:
   vtkNew<vtkActor> Actor;
 };
+
+/** All of the viewport. */
+vtkSmartPointer<vtkPolyData> MakeCover();
 
 }
 

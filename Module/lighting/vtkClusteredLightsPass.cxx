@@ -1,15 +1,14 @@
 #include "vtkClusteredLightsPass.h"
 
-#include "Core/lighting/ClusterGrid.h"
 #include "Core/lighting/LightAssignment.h"
 #include "Core/lighting/LightCut.h"
-#include "culling/ViewMatrices.h"
 #include "lighting/LightBuffers.h"
 #include "lighting/LightLoop.h"
 #include "lighting/LightSwap.h"
 #include "lighting/LitProps.h"
 #include "lighting/MaterialGain.h"
 #include "lighting/RendererLights.h"
+#include "lighting/ViewGrid.h"
 #include "vtkAbstractMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -18,10 +17,6 @@
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 #include "vtkWeakPointer.h"
-
-#include <glm/gtc/type_ptr.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -38,8 +33,7 @@ struct vtkClusteredLightsPass::Internals
   vitrine::LightFormula Formula = vitrine::LightFormula::None;
   vitrine::LightAssigner Assigner;
   vitrine::LightLists Lists;
-  std::optional<vitrine::ClusterGrid> Grid;
-  glm::mat4 ToClip;
+  std::optional<vitrine::ViewGrid> Grid;
   vitrine::LightBuffers Buffers;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< of the buffers
   vtkMTimeType ContextTime = 0;
@@ -170,33 +164,31 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
   Internals& in = *this->Private;
   vitrine::CutLights(in.Lights.Falloffs, vitrine::LitRegionOf(s),
     vitrine::BudgetOfLight(renderer, this->CutOff), in.Lights.Volumes);
-  const glm::dmat4 toClip = glm::transpose(
-    glm::make_mat4(vitrine::ViewMatricesOf(renderer).data() + 16)); // VTK's are row by row
-  int width = 1, height = 1;
-  renderer->GetTiledSize(&width, &height);
-  in.Grid.emplace(toClip, width, height,
-    vitrine::ClusterSettings{
-      this->TileSize, this->NumberOfSlices, vitrine::SliceLaw::Exponential });
-  in.ToClip = glm::mat4(toClip);
-  in.Assigner.Assign(*in.Grid, in.Lights.Volumes, in.Lists);
-  this->TellOfLists();
+  in.Grid.emplace(renderer, this->TileSize, this->NumberOfSlices);
+  in.Assigner.Assign(in.Grid->Clusters(), in.Lights.Volumes, in.Lists);
+  this->TellOfLists(in.Lists);
   this->AssignmentTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 //------------------------------------------------------------------------------
-void vtkClusteredLightsPass::TellOfLists()
+void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists)
 {
-  const vitrine::LightLists& lists = this->Private->Lists;
-  const std::uint32_t count = this->Private->Grid->Count();
+  const std::size_t count = lists.Offsets.size() - 1;
   std::size_t most = 0;
   for (std::uint32_t cluster = 0; cluster < count; ++cluster)
   {
     most = std::max(most, lists.CountOf(cluster));
   }
-  this->NumberOfClusters = count;
+  this->NumberOfClusters = static_cast<vtkIdType>(count);
   this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
-  this->LightsPerCluster = static_cast<double>(lists.Indices.size()) / count;
+  this->LightsPerCluster = static_cast<double>(lists.Indices.size()) / static_cast<double>(count);
+}
+
+//------------------------------------------------------------------------------
+const vitrine::RendererLights& vtkClusteredLightsPass::GetLights() const
+{
+  return this->Private->Lights;
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +199,7 @@ vtkIdType vtkClusteredLightsPass::GetNumberOfLightsAt(double x, double y, double
   {
     return 0;
   }
-  const int cluster = in.Grid->ClusterOf({ x, y, z });
+  const int cluster = in.Grid->Clusters().ClusterOf({ x, y, z });
   return static_cast<vtkIdType>(in.Lists.CountOf(static_cast<std::uint32_t>(cluster)));
 }
 
@@ -293,17 +285,8 @@ bool vtkClusteredLightsPass::SetShaderParameters(
   {
     return true;
   }
-  const vitrine::ClusterGrid& grid = *this->Private->Grid;
   this->Private->Buffers.SetUniforms(program);
-  program->SetUniformMatrix4x4("vitrineToClip", glm::value_ptr(this->Private->ToClip));
-  const float clusters[3] = { static_cast<float>(grid.Columns()), static_cast<float>(grid.Rows()),
-    static_cast<float>(grid.Slices()) };
-  program->SetUniform3f("vitrineClusters", clusters);
-  const float scale[2] = { grid.TileScale().x, grid.TileScale().y };
-  program->SetUniform2f("vitrineTileScale", scale);
-  const float terms[3] = { grid.SliceTerms().x, grid.SliceTerms().y,
-    static_cast<float>(grid.Law()) };
-  program->SetUniform3f("vitrineSliceTerms", terms);
+  this->Private->Grid->SetUniforms(program);
   return true;
 }
 

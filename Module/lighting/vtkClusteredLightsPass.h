@@ -31,6 +31,12 @@
 
 class vtkOpenGLRenderer;
 
+namespace vitrine
+{
+struct LightLists;
+struct RendererLights;
+}
+
 class VTKVITRINERENDERING_EXPORT vtkClusteredLightsPass : public vtkOpenGLRenderPass
 {
 public:
@@ -92,7 +98,7 @@ public:
   /**
    * Of the last frame: how many lights a fragment at a place goes through, in view coordinates (VC).
    */
-  vtkIdType GetNumberOfLightsAt(double x, double y, double z);
+  virtual vtkIdType GetNumberOfLightsAt(double x, double y, double z);
 
   ///@{
   /**
@@ -126,6 +132,16 @@ protected:
    */
   void LeaveWindow();
 
+  /**
+   * The lights of the current frame.
+   */
+  const vitrine::RendererLights& GetLights() const;
+
+  /**
+   * Have the statistics say what the lists of clusters hold.
+   */
+  void TellOfLists(const vitrine::LightLists& lists);
+
   double CutOff = 0.5 / 255.0;
   int TileSize = 64;
   int NumberOfSlices = 16;
@@ -142,7 +158,6 @@ private:
 
   bool TakeLights(vtkOpenGLRenderer* renderer);
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
-  void TellOfLists();
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
   void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
 

@@ -1,17 +1,13 @@
 #include "vtkDeferredLightsPass.h"
 
 #include "culling/ClassName.h"
-#include "gl/RenderTarget.h"
-#include "gl/ScopedState.h"
 #include "lighting/DeferrableProps.h"
-#include "lighting/GBuffer.h"
-#include "lighting/ShadingQuad.h"
+#include "lighting/DeferredShading.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
+#include "vtkOpaquePass.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
-#include "vtkShaderProgram.h"
+#include "vtkRenderer.h"
 
 #include <functional>
 #include <memory>
@@ -66,24 +62,11 @@ struct PartOfState : vtkRenderState
     this->SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   }
 };
-
-vtkOpenGLRenderWindow* WindowOf(const vtkRenderState* s)
-{
-  return static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
-}
 }
 
 struct vtkDeferredLightsPass::DeferredInternals
 {
-  vitrine::RenderTarget Target; ///< of the current frame
-  int Samples = -1;             ///< that shaders are written for
-  vitrine::GBuffer GBuffer;
-  std::unique_ptr<vitrine::ScopedTextureUnit> Unit; ///< of the G-buffer, while it is read
-  vtkNew<vitrine::ShaderHook> Writing;
-  bool IsWriting = false;
-  std::string WhyNot; ///< what of VTK's shaders is not as it should be
-  vitrine::ShadingQuad Phong{ vitrine::Shading::Phong };
-  vitrine::ShadingQuad Physical{ vitrine::Shading::Physical };
+  std::unique_ptr<vitrine::DeferredShading> Shading = std::make_unique<vitrine::DeferredShading>();
   std::set<std::string> Reported;
 };
 
@@ -91,24 +74,6 @@ struct vtkDeferredLightsPass::DeferredInternals
 vtkDeferredLightsPass::vtkDeferredLightsPass()
   : Deferred(new DeferredInternals)
 {
-  DeferredInternals& in = *this->Deferred;
-  in.Writing->Rewrite = [this](std::string&, std::string& fragmentShader)
-  { this->TakeProblem(vitrine::WriteGBuffer(fragmentShader)); };
-  const auto lightBy = [this](vitrine::ShadingQuad& quad, vitrine::Shading shading)
-  {
-    quad.Hook->Rewrite = [this, shading](std::string& vertexShader, std::string& fragmentShader)
-    {
-      this->TakeProblem(
-        vitrine::ReadGBuffer(vertexShader, fragmentShader, shading, this->Deferred->Samples));
-    };
-    quad.Hook->SetUniforms = [this](vtkShaderProgram* program)
-    {
-      program->SetUniformi("vitrineGBuffer", this->Deferred->Unit->Unit());
-      this->SetShaderParameters(program, nullptr, nullptr);
-    };
-  };
-  lightBy(in.Phong, vitrine::Shading::Phong);
-  lightBy(in.Physical, vitrine::Shading::Physical);
 }
 
 //------------------------------------------------------------------------------
@@ -121,6 +86,7 @@ vtkDeferredLightsPass::~vtkDeferredLightsPass()
 void vtkDeferredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Assignment: " << this->Assignment << "\n";
   os << indent << "NumberOfDeferredProps: " << this->NumberOfDeferredProps << "\n";
 }
 
@@ -158,7 +124,6 @@ int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* 
       {
         vtkErrorMacro(<< problem << "; lighting is not deferred");
       }
-      this->NumberOfDeferredProps = 0;
       forward->Render(s);
       return forward->GetNumberOfRenderedProps();
     }
@@ -172,64 +137,30 @@ int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* 
 // Returns an empty string, or why all is still to be drawn.
 std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
 {
-  DeferredInternals& in = *this->Deferred;
-  vtkOpenGLState* const state = WindowOf(s)->GetState();
-  std::string problem = in.WhyNot.empty() ? in.Target.Probe(state) : in.WhyNot;
+  vitrine::DeferredShading& shading = *this->Deferred->Shading;
+  const vitrine::DeferredGrid grid = { static_cast<vitrine::LightsBy>(this->Assignment),
+    this->TileSize, this->NumberOfSlices };
+  const std::string problem = shading.Render(s, grid, this->GetLights());
+  this->Bytes += shading.Bytes();
   if (problem.empty())
   {
-    problem = in.GBuffer.Allocate(in.Target);
+    this->NumberOfDeferredProps = shading.NumberOfRenderedProps();
+    this->AssignmentTime += shading.Lists().Seconds();
+    this->TellOfLists(shading.Lists().Lists());
   }
-  if (!problem.empty())
-  {
-    return problem;
-  }
-  this->Bytes += in.GBuffer.Bytes();
-  if (in.Samples != in.Target.Samples)
-  {
-    in.Samples = in.Target.Samples;
-    in.Phong.Hook->RewriteAgain();
-    in.Physical.Hook->RewriteAgain();
-  }
-  this->DrawGBuffer(s);
-  this->Shade(s);
-  return in.WhyNot;
+  return problem;
 }
 
 //------------------------------------------------------------------------------
-void vtkDeferredLightsPass::DrawGBuffer(const vtkRenderState* s)
+vtkIdType vtkDeferredLightsPass::GetNumberOfLightsAt(double x, double y, double z)
 {
-  DeferredInternals& in = *this->Deferred;
-  vtkOpenGLState* const state = WindowOf(s)->GetState();
-  const vitrine::ScopedTrackedState trackedState(state);
-  in.GBuffer.BindForDrawing(state, in.Target);
-  in.IsWriting = true;
-  in.Writing->Render(s);
-  in.IsWriting = false;
-  this->NumberOfDeferredProps = in.Writing->GetNumberOfRenderedProps();
-}
-
-//------------------------------------------------------------------------------
-void vtkDeferredLightsPass::Shade(const vtkRenderState* s)
-{
-  DeferredInternals& in = *this->Deferred;
-  vtkOpenGLState* const state = WindowOf(s)->GetState();
-  const vitrine::ScopedTrackedState trackedState(state);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_MULTISAMPLE);
-  const vitrine::Image2D& image = in.GBuffer.Image();
-  in.Unit = std::make_unique<vitrine::ScopedTextureUnit>(state, image.Target(), image.Handle());
-  in.Phong.Draw(s->GetRenderer());
-  in.Physical.Draw(s->GetRenderer());
-  in.Unit.reset();
-}
-
-//------------------------------------------------------------------------------
-void vtkDeferredLightsPass::TakeProblem(const std::string& problem)
-{
-  if (this->Deferred->WhyNot.empty())
+  if (this->NumberOfDeferredProps == 0)
   {
-    this->Deferred->WhyNot = problem;
+    return this->Superclass::GetNumberOfLightsAt(x, y, z);
   }
+  const vitrine::DeferredLists& lists = this->Deferred->Shading->Lists();
+  const int cluster = lists.Clusters().ClusterOf({ x, y, z });
+  return static_cast<vtkIdType>(lists.Lists().CountOf(static_cast<std::uint32_t>(cluster)));
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +168,7 @@ bool vtkDeferredLightsPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  return this->Deferred->IsWriting ||
+  return this->Deferred->Shading->IsWriting() ||
     this->Superclass::PostReplaceShaderValues(
       vertexShader, geometryShader, fragmentShader, mapper, prop);
 }
@@ -245,19 +176,18 @@ bool vtkDeferredLightsPass::PostReplaceShaderValues(std::string& vertexShader,
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::ReleaseMethodResources()
 {
-  this->Deferred->GBuffer.Release();
+  this->Deferred->Shading->Release();
 }
 
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::ForgetMethodResources()
 {
-  this->Deferred->GBuffer = vitrine::GBuffer();
+  this->Deferred->Shading = std::make_unique<vitrine::DeferredShading>();
 }
 
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Deferred->Phong.ReleaseGraphicsResources(window);
-  this->Deferred->Physical.ReleaseGraphicsResources(window);
+  this->Deferred->Shading->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -31,9 +31,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * What lights are assigned to.
+   */
+  enum Assignments
+  {
+    LIGHT_VOLUMES, ///< each to a rectangle of the picture; all are drawn, one after the other, and added up
+    TILES,         ///< between the nearest and the farthest of a tile's pixels
+    CLUSTERS ///< of tiles and slices of depth
+  };
+
+  ///@{
+  /**
+   * Of pixels of the G-buffer. What is not deferred is lit by clusters always. CLUSTERS.
+   */
+  vtkSetClampMacro(Assignment, int, LIGHT_VOLUMES, CLUSTERS);
+  vtkGetMacro(Assignment, int);
+  ///@}
+
+  /**
    * Of the last frame: props that were drawn into the G-buffer.
    */
   vtkGetMacro(NumberOfDeferredProps, int);
+
+  vtkIdType GetNumberOfLightsAt(double x, double y, double z) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -51,6 +71,7 @@ protected:
   void ReleaseMethodResources() override;
   void ForgetMethodResources() override;
 
+  int Assignment = CLUSTERS;
   int NumberOfDeferredProps = 0;
 
 private:
@@ -59,9 +80,6 @@ private:
 
   int RenderOpaque(const vtkRenderState* s, vtkRenderPass* forward);
   std::string RenderDeferred(const vtkRenderState* s);
-  void DrawGBuffer(const vtkRenderState* s);
-  void Shade(const vtkRenderState* s);
-  void TakeProblem(const std::string& problem);
 
   struct DeferredInternals;
   std::unique_ptr<DeferredInternals> Deferred;

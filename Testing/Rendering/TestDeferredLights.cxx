@@ -49,8 +49,13 @@ protected:
   void ExpectAsVTK()
   {
     const Picture expected = this->Scene.InVTKsLight();
-    EXPECT_EQ(LargestDifference(expected, this->Scene.InDeferredLight()), 0);
-    EXPECT_EQ(this->Scene.Deferred->GetNumberOfDeferredProps(), 4);
+    for (const int assignment : { vtkDeferredLightsPass::LIGHT_VOLUMES,
+           vtkDeferredLightsPass::TILES, vtkDeferredLightsPass::CLUSTERS })
+    {
+      this->Scene.Deferred->SetAssignment(assignment);
+      EXPECT_EQ(LargestDifference(expected, this->Scene.InDeferredLight()), 0) << assignment;
+      EXPECT_EQ(this->Scene.Deferred->GetNumberOfDeferredProps(), 4);
+    }
     this->Scene.Renderer->RemoveAllLights();
     EXPECT_GT(LargestDifference(expected, this->Scene.InVTKsLight()), 20); // there is light
   }

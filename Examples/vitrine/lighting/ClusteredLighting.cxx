@@ -2,10 +2,12 @@
 
 #include "vtkCamera.h"
 #include "vtkClusteredLightsPass.h"
+#include "vtkDeferredLightsPass.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 
@@ -47,7 +49,9 @@ private:
 class ClusteredLighting : public LightingMode
 {
 public:
-  explicit ClusteredLighting(const LightingSettings& settings)
+  explicit ClusteredLighting(const LightingSettings& settings,
+    vtkSmartPointer<vtkClusteredLightsPass> pass = vtkSmartPointer<vtkClusteredLightsPass>::New())
+    : Pass(pass)
   {
     this->Pass->SetTileSize(settings.TileSize);
     this->Pass->SetNumberOfSlices(settings.Slices);
@@ -96,8 +100,15 @@ public:
 
 private:
   vtkRenderer* Renderer = nullptr;
-  vtkNew<vtkClusteredLightsPass> Pass;
+  vtkSmartPointer<vtkClusteredLightsPass> Pass;
 };
+
+std::unique_ptr<LightingMode> MakeDeferred(const LightingSettings& settings, int assignment)
+{
+  auto pass = vtkSmartPointer<vtkDeferredLightsPass>::New();
+  pass->SetAssignment(assignment);
+  return std::make_unique<ClusteredLighting>(settings, pass);
+}
 }
 
 std::unique_ptr<LightingMode> MakeClusteredLighting(const LightingSettings& settings)
@@ -114,6 +125,21 @@ std::unique_ptr<LightingMode> MakeTiledLighting(const LightingSettings& settings
 std::unique_ptr<LightingMode> MakeLightLoop()
 {
   return std::make_unique<ClusteredLighting>(LightingSettings{ WholePicture, 1, 0.0 });
+}
+
+std::unique_ptr<LightingMode> MakeDeferredLighting(const LightingSettings& settings)
+{
+  return MakeDeferred(settings, vtkDeferredLightsPass::LIGHT_VOLUMES);
+}
+
+std::unique_ptr<LightingMode> MakeTiledDeferredLighting(const LightingSettings& settings)
+{
+  return MakeDeferred(settings, vtkDeferredLightsPass::TILES);
+}
+
+std::unique_ptr<LightingMode> MakeClusteredDeferredLighting(const LightingSettings& settings)
+{
+  return MakeDeferred(settings, vtkDeferredLightsPass::CLUSTERS);
 }
 
 }

@@ -1,0 +1,23 @@
+// Which cluster of a ClusterGrid a place in view coordinates is in.
+uniform mat4 vitrineToClip;   // from view coordinates
+uniform vec3 vitrineClusters; // columns, rows, slices
+uniform vec2 vitrineTileScale;
+uniform vec3 vitrineSliceTerms; // x, y of ClusterGrid::SliceTerms() and the law
+
+// Column, row and slice, with what is behind the point.
+vec3 vitrineGridAt(vec4 place)
+{
+  vec4 clip = vitrineToClip * place;
+  float x = vitrineSliceTerms.x, y = vitrineSliceTerms.y, d = -place.z;
+  float along = vitrineSliceTerms.z == 0.0 ? log(d * x) * y
+    : vitrineSliceTerms.z == 1.0           ? (d - x) * y
+                                           : x + y / d;
+  return vec3((clip.xy / clip.w + 1.0) * vitrineTileScale, along);
+}
+
+int vitrineClusterOf(vec3 at)
+{
+  vec3 cluster = floor(clamp(at, vec3(0.0), vitrineClusters - 1.0));
+  return (int(cluster.z) * int(vitrineClusters.y) + int(cluster.y)) * int(vitrineClusters.x) +
+    int(cluster.x);
+}

@@ -1,0 +1,3 @@
+// What all lights have given.
+  diffuse = vitrineLightSumAt(VITRINE_LIGHT_SUM_DIFFUSE);
+  specular = vitrineLightSumAt(VITRINE_LIGHT_SUM_SPECULAR);

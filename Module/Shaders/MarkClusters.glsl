@@ -1,0 +1,46 @@
+// Marks the clusters that hold what the G-buffer shows to be lit. Another shader may find a place a little farther on, so that the
+// next cluster is marked, too, where the place is near its side.
+#include "GBufferSample.glsl"
+#include "ClusterOf.glsl"
+
+const vec3 Slack = vec3(1e-3);
+
+layout(std430, binding = VITRINE_BINDING_CLUSTERS) buffer Marks
+{
+  uint marks[]; // nonzero for each cluster that holds something
+};
+
+void mark(vec3 at)
+{
+  int cluster = vitrineClusterOf(at);
+  if (cluster >= 0 && cluster < marks.length() && marks[cluster] == 0u)
+  {
+    marks[cluster] = 1u;
+  }
+}
+
+void markAround(vec4 place)
+{
+  vec3 at = vitrineGridAt(place);
+  vec3 first = floor(at - Slack), last = floor(at + Slack);
+  mark(first);
+  if (first != last)
+  {
+    for (int corner = 1; corner < 8; ++corner)
+    {
+      mark(vec3(corner & 1, (corner >> 1) & 1, corner >> 2) * (last - first) + first);
+    }
+  }
+}
+
+void main()
+{
+  for (int i = 0; i < max(VITRINE_SAMPLES, 1); ++i)
+  {
+    vec4 place = vitrineGBufferSample(VITRINE_GBUFFER_PLACE, i);
+    if (place.w >= VITRINE_SHOWS_PHONG)
+    {
+      markAround(vec4(place.xyz, 1.0));
+    }
+  }
+}

@@ -1,0 +1,66 @@
+#include "lighting/DeferredLists.h"
+
+#include "Core/lighting/TileLists.h"
+#include "lighting/RendererLights.h"
+
+#include <chrono>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// One list of the lights of all rectangles.
+LightLists NumberLights(const std::vector<LightRectangle>& rectangles)
+{
+  LightLists lists;
+  for (const LightRectangle& rectangle : rectangles)
+  {
+    lists.Indices.push_back(rectangle.Light);
+  }
+  lists.Offsets = { 0, static_cast<std::uint32_t>(rectangles.size()) };
+  return lists;
+}
+}
+
+std::string DeferredLists::Assign(vtkOpenGLRenderer* renderer, const DeferredGrid& grid,
+  const RendererLights& lights, const FindMarks& findMarks)
+{
+  this->Grid.emplace(renderer, grid.TileSize, grid.By == LightsBy::Volume ? 1 : grid.Slices);
+  std::vector<std::uint8_t> marks = findMarks(*this->Grid);
+  const auto start = std::chrono::steady_clock::now();
+  this->AssignTo(grid, renderer, lights, marks);
+  this->TimeTaken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return this->Buffers.Write(
+    lights.Packed, grid.By == LightsBy::Volume ? NumberLights(this->Volumes) : this->OfGrid);
+}
+
+void DeferredLists::AssignTo(const DeferredGrid& grid, vtkOpenGLRenderer* renderer,
+  const RendererLights& lights, std::vector<std::uint8_t>& marks)
+{
+  if (grid.By == LightsBy::Tile)
+  {
+    MarkBetween(this->Clusters(), marks);
+  }
+  this->Assigner.Assign(
+    this->Clusters(), lights.Volumes, this->OfGrid, marks.empty() ? nullptr : &marks);
+  if (grid.By == LightsBy::Tile)
+  {
+    this->OfGrid = JoinSlices(this->Clusters(), this->OfGrid);
+    this->Grid.emplace(renderer, grid.TileSize, 1);
+  }
+  else if (grid.By == LightsBy::Volume)
+  {
+    this->Volumes = RectanglesOf(this->Clusters(), this->OfGrid);
+    this->OfGrid = CoveredTiles(this->Clusters(), this->Volumes);
+  }
+}
+
+void DeferredLists::SetUniforms(vtkShaderProgram* program) const
+{
+  this->Buffers.SetUniforms(program);
+  this->Grid->SetUniforms(program);
+}
+
+}

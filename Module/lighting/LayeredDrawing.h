@@ -1,0 +1,28 @@
+/**
+ * Drawing into all layers of an image at once, each by a draw buffer of its number.
+ */
+#ifndef VITRINE_LAYERED_DRAWING_H
+#define VITRINE_LAYERED_DRAWING_H
+
+#include "gl/GLObjects.h"
+
+#include <vector>
+
+namespace vitrine
+{
+
+/** The framebuffer is bound for drawing. */
+inline void DrawIntoLayers(const Image2D& image, int layers)
+{
+  std::vector<GLenum> buffers;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
+    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, buffers.back(), image.Handle(), 0, layer);
+  }
+  glDrawBuffers(layers, buffers.data());
+}
+
+}
+
+#endif

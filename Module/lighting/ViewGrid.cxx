@@ -1,0 +1,58 @@
+#include "lighting/ViewGrid.h"
+
+#include "culling/ViewMatrices.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include <array>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// From view coordinates to clip coordinates.
+glm::dmat4 ToClipOf(vtkRenderer* renderer)
+{
+  return glm::transpose(
+    glm::make_mat4(ViewMatricesOf(renderer).data() + 16)); // VTK's are row by row
+}
+
+std::array<int, 2> SizeOf(vtkRenderer* renderer)
+{
+  std::array<int, 2> size = { 1, 1 };
+  renderer->GetTiledSize(&size[0], &size[1]);
+  return size;
+}
+}
+
+ViewGrid::ViewGrid(vtkOpenGLRenderer* renderer, int tileSize, int slices)
+  : ViewGrid(ToClipOf(renderer), renderer, tileSize, slices)
+{
+}
+
+ViewGrid::ViewGrid(const glm::dmat4& toClip, vtkOpenGLRenderer* renderer, int tileSize, int slices)
+  : ToClip(toClip)
+  , Grid(toClip, SizeOf(renderer)[0], SizeOf(renderer)[1],
+      ClusterSettings{ tileSize, slices, SliceLaw::Exponential })
+{
+}
+
+void ViewGrid::SetUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniformMatrix4x4("vitrineToClip", const_cast<float*>(glm::value_ptr(this->ToClip)));
+  const float clusters[3] = { static_cast<float>(this->Grid.Columns()),
+    static_cast<float>(this->Grid.Rows()), static_cast<float>(this->Grid.Slices()) };
+  program->SetUniform3f("vitrineClusters", clusters);
+  const float scale[2] = { this->Grid.TileScale().x, this->Grid.TileScale().y };
+  program->SetUniform2f("vitrineTileScale", scale);
+  const float terms[3] = { this->Grid.SliceTerms().x, this->Grid.SliceTerms().y,
+    static_cast<float>(this->Grid.Law()) };
+  program->SetUniform3f("vitrineSliceTerms", terms);
+}
+
+}
