@@ -1,8 +1,16 @@
-// Lights of deferred shading give VTK's picture to the bit.
-#include "LightScene.h"
+// Lights of deferred shading give VTK's picture to the bit; with a cut-off, within what it promises.
+#include "Core/lighting/ClusterGrid.h"
+#include "Core/lighting/UsedClusters.h"
+#include "DeferredScene.h"
 #include "TestMessages.h"
-#include "vtkDeferredLightsPass.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkPrefixSumTransparencyPass.h"
+#include "vtkTranslucentPass.h"
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 namespace
@@ -22,43 +30,10 @@ std::string NameOf(const testing::TestParamInfo<DeferredSettings>& info)
     (info.param.Multisamples > 0 ? "Of4Samples" : "");
 }
 
-struct DeferredScene : LightScene
-{
-  explicit DeferredScene(bool isParallel = true, bool isPhysical = false, int multisamples = 0)
-    : LightScene(isParallel, isPhysical, multisamples)
-  {
-    this->Deferred->SetDelegatePass(this->Steps);
-    this->Deferred->SetTileSize(16);
-    this->Deferred->SetCutOff(0.0);
-  }
-
-  Picture InDeferredLight()
-  {
-    this->Renderer->SetPass(this->Deferred);
-    return this->Render();
-  }
-
-  vtkNew<vtkDeferredLightsPass> Deferred;
-};
-
 class DeferredLights : public testing::TestWithParam<DeferredSettings>
 {
 protected:
   DeferredScene Scene{ GetParam().IsParallel, GetParam().IsPhysical, GetParam().Multisamples };
-
-  void ExpectAsVTK()
-  {
-    const Picture expected = this->Scene.InVTKsLight();
-    for (const int assignment : { vtkDeferredLightsPass::LIGHT_VOLUMES,
-           vtkDeferredLightsPass::TILES, vtkDeferredLightsPass::CLUSTERS })
-    {
-      this->Scene.Deferred->SetAssignment(assignment);
-      EXPECT_EQ(LargestDifference(expected, this->Scene.InDeferredLight()), 0) << assignment;
-      EXPECT_EQ(this->Scene.Deferred->GetNumberOfDeferredProps(), 4);
-    }
-    this->Scene.Renderer->RemoveAllLights();
-    EXPECT_GT(LargestDifference(expected, this->Scene.InVTKsLight()), 20); // there is light
-  }
 };
 
 TEST_P(DeferredLights, OfAllKindsAreVTKs)
@@ -73,8 +48,11 @@ TEST_P(DeferredLights, OfAllKindsAreVTKs)
   }
   this->Scene.AddLight(LightKind::Point)->SwitchOff();
   this->Scene.AddLight(LightKind::Spot, -0.2);
-  this->ExpectAsVTK();
+  this->Scene.ExpectAsVTK(DeferredParts);
   EXPECT_EQ(this->Scene.Deferred->GetNumberOfLights(), 11);
+  const Picture lit = this->Scene.InDeferredLight();
+  this->Scene.Renderer->RemoveAllLights();
+  EXPECT_GT(LargestDifference(lit, this->Scene.InDeferredLight()), 20); // there is light
 }
 
 TEST_P(DeferredLights, ThatAreOnlyDirectionalAreVTKs)
@@ -82,12 +60,134 @@ TEST_P(DeferredLights, ThatAreOnlyDirectionalAreVTKs)
   this->Scene.AddLight(LightKind::Directional, 0.3);
   this->Scene.AddLight(LightKind::Directional, 0.3);
   this->Scene.AddLight(LightKind::Headlight, 0.3);
-  this->ExpectAsVTK();
+  this->Scene.ExpectAsVTK(DeferredParts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Settings, DeferredLights,
   testing::Values(DeferredSettings{ true, false, 0 }, DeferredSettings{ false, false, 4 },
     DeferredSettings{ false, true, 0 }, DeferredSettings{ true, true, 4 }),
   NameOf);
+
+TEST(DeferredLight, Of32LightsIsVTKs)
+{
+  DeferredScene scene(false);
+  scene.AddLights(16);
+  scene.ExpectAsVTK(DeferredParts);
+}
+
+TEST(DeferredLight, OfSurfacesOfBothFormulasIsVTKs)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  scene.Parts[0]->GetProperty()->SetInterpolationToPBR();
+  scene.Parts[0]->GetProperty()->SetMetallic(0.7);
+  scene.Parts[0]->GetProperty()->SetEdgeTint(0.9, 0.6, 0.3);
+  scene.Parts[0]->GetProperty()->SetBaseIOR(1.8);
+  scene.Parts[2]->GetProperty()->SetInterpolationToFlat();
+  scene.Parts[4]->GetProperty()->SetInterpolationToGouraud();
+  scene.ExpectAsVTK(DeferredParts);
+}
+
+TEST(DeferredLight, LeavesWhatOtherMethodsDrawTranslucent)
+{
+  vtkNew<vtkPrefixSumTransparencyPass> prefixSum;
+  vtkNew<vtkOrderIndependentTranslucentPass> average;
+  vtkNew<vtkTranslucentPass> geometry;
+  average->SetTranslucentPass(geometry);
+  for (vtkRenderPass* const method : { static_cast<vtkRenderPass*>(prefixSum),
+         static_cast<vtkRenderPass*>(average), static_cast<vtkRenderPass*>(geometry) })
+  {
+    DeferredScene scene;
+    scene.Steps->SetTranslucentPass(method);
+    scene.AddLights(2);
+    EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+  }
+}
+
+TEST(DeferredLight, DoesNotDependOnTheGrid)
+{
+  DeferredScene scene(false);
+  scene.AddLights(6);
+  const Picture expected = scene.InDeferredLight();
+  for (const int tile : { 1, 7, 64 })
+  {
+    for (const int slices : { 1, 5, 40 })
+    {
+      for (const int assignment : DeferredAssignments)
+      {
+        scene.Deferred->SetTileSize(tile);
+        scene.Deferred->SetNumberOfSlices(slices);
+        scene.Deferred->SetAssignment(assignment);
+        EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0)
+          << tile << " " << slices << " " << assignment;
+      }
+    }
+  }
+}
+
+TEST(DeferredLight, IsOffByNoMoreThanTheCutOff)
+{
+  DeferredScene scene(false);
+  for (int i = 0; i < 300; ++i)
+  {
+    scene.AddLight(LightKind::Point, 0.2, 1e5);
+  }
+  for (const int assignment : DeferredAssignments)
+  {
+    scene.Deferred->SetAssignment(assignment);
+    scene.Deferred->SetCutOff(0.0);
+    const Picture exact = scene.InDeferredLight();
+    const double all = scene.Deferred->GetLightsPerCluster();
+    scene.Deferred->SetCutOff(0.5 / 255.0);
+    EXPECT_LE(LargestDifference(exact, scene.InDeferredLight()), 1); // of what is rounded
+    EXPECT_LT(scene.Deferred->GetLightsPerCluster(), 0.5 * all) << assignment;
+  }
+}
+
+/** The grid of a scene's frame. */
+vitrine::ClusterGrid GridOf(DeferredScene& scene)
+{
+  vtkMatrix4x4* const toClip = scene.Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    scene.Renderer->GetTiledAspectRatio(), -1, 1);
+  return { glm::transpose(glm::make_mat4(toClip->GetData())), 61, 47,
+    { scene.Deferred->GetTileSize(), scene.Deferred->GetNumberOfSlices() } };
+}
+
+// Of lights without end each is in the list of each cluster that gets one.
+TEST(DeferredLight, IsInListsOfClustersThatShowSomething)
+{
+  for (const int samples : { 0, 4 })
+  {
+    DeferredScene scene(false, false, samples);
+    scene.Renderer->RemoveActor(scene.Parts.back());
+    scene.AddLight(LightKind::Point);
+    scene.AddLight(LightKind::Directional);
+    scene.InDeferredLight();
+    const auto clusters = static_cast<double>(scene.Deferred->GetNumberOfClusters());
+    const double used = scene.Deferred->GetLightsPerCluster() * clusters / 2.0;
+    std::vector<float> depths(61 * 47);
+    scene.Window->GetZbufferData(0, 0, 60, 46, depths.data());
+    const vitrine::ClusterGrid grid = GridOf(scene);
+    vitrine::UsedClusters judge(grid);
+    judge.AddDepths(depths.data(), 61, 47);
+    EXPECT_NEAR(used, judge.Count(), samples > 0 ? 3.0 : 0.5);
+    EXPECT_LT(used, 0.3 * clusters);
+    EXPECT_GT(used, 5.0);
+  }
+}
+
+TEST(DeferredLight, CountsLightsAtPlaces)
+{
+  DeferredScene scene;
+  scene.AddLight(LightKind::Point);
+  scene.AddLight(LightKind::Directional);
+  for (const int assignment : DeferredAssignments)
+  {
+    scene.Deferred->SetAssignment(assignment);
+    scene.InDeferredLight();
+    EXPECT_EQ(scene.Deferred->GetNumberOfLightsAt(0.0, 0.9, -1.5), 2) << assignment; // on the wall
+  }
+  EXPECT_EQ(scene.Deferred->GetNumberOfLightsAt(0.0, 0.9, -0.3), 0); // before it
+}
 
 }

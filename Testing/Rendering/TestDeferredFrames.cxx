@@ -1,0 +1,238 @@
+// Windows, viewports and passes around deferred shading.
+#include "DeferredScene.h"
+#include "Select.h"
+#include "TestMessages.h"
+#include "vtkCameraPass.h"
+#include "vtkDataObject.h"
+#include "vtkGaussianBlurPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSequencePass.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+TEST(DeferredFrame, OfNoLightsOrOneHeadlightIsVTKs)
+{
+  DeferredScene scene;
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+  scene.AddLight(LightKind::Headlight);
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+}
+
+TEST(DeferredFrame, OfNothingOpaqueIsVTKs)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  scene.InDeferredLight();
+  for (const int i : { 0, 2, 4, 5 })
+  {
+    scene.Renderer->RemoveActor(scene.Parts[i]);
+  }
+  scene.ExpectAsVTK(0);
+  scene.Renderer->RemoveAllViewProps();
+  scene.ExpectAsVTK(0);
+}
+
+TEST(DeferredFrame, OfAnySizeIsVTKs)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  for (const std::array<int, 2> size : { std::array{ 61, 47 }, { 1, 1 }, { 90, 20 }, { 16, 16 } })
+  {
+    scene.Window->SetSize(size[0], size[1]);
+    scene.ExpectAsVTK(DeferredParts);
+  }
+}
+
+TEST(DeferredFrame, OfLightsThatReachNothingIsVTKs)
+{
+  DeferredScene scene(false);
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto light = scene.AddLight(LightKind::Spot);
+    light->SetPosition(0.0, 0.0, 9.0);
+    light->SetFocalPoint(0.0, 0.0, 20.0);
+  }
+  scene.ExpectAsVTK(DeferredParts);
+}
+
+TEST(DeferredFrame, InSeveralViewportsAndLayersIsVTKs)
+{
+  for (const bool isPreserved : { false, true })
+  {
+    DeferredScene scene;
+    scene.AddLights(2);
+    scene.Renderer->SetViewport(0.0, 0.0, 0.6, 1.0);
+    vtkNew<vtkRenderer> above;
+    above->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    above->SetViewport(0.3, 0.2, 1.0, 0.9);
+    above->SetLayer(1);
+    above->SetPreserveDepthBuffer(isPreserved);
+    above->AutomaticLightCreationOff();
+    above->SetLightCollection(scene.Renderer->GetLights());
+    above->AddActor(scene.Parts[2]);
+    above->AddActor(scene.Parts[5]);
+    scene.Window->SetNumberOfLayers(2);
+    scene.Window->AddRenderer(above);
+    vtkNew<vtkSeeThroughPass> steps;
+    above->SetPass(steps);
+    const Picture expected = scene.InVTKsLight();
+    vtkNew<vtkDeferredLightsPass> deferred;
+    deferred->SetDelegatePass(steps);
+    deferred->SetCutOff(0.0);
+    above->SetPass(deferred);
+    EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0) << isPreserved;
+    EXPECT_EQ(deferred->GetNumberOfDeferredProps(), 2);
+    // One pass for both.
+    scene.Deferred->SetTileSize(64);
+    above->SetPass(scene.Deferred);
+    EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0) << isPreserved;
+  }
+}
+
+TEST(DeferredFrame, OfAnotherSampleCountIsVTKs)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  for (const int samples : { 4, 0, 4 })
+  {
+    scene.Window->SetMultiSamples(samples);
+    scene.ExpectAsVTK(DeferredParts);
+  }
+}
+
+TEST(DeferredFrame, MovesFromWindowToWindow)
+{
+  DeferredScene first, second(true, false, 4);
+  Picture expected[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    DeferredScene& scene = i == 0 ? first : second;
+    scene.AddLights(1);
+    expected[i] = scene.InVTKsLight();
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    DeferredScene& scene = i % 2 == 0 ? first : second;
+    first.Deferred->SetDelegatePass(scene.Steps);
+    first.Deferred->SetAssignment(DeferredAssignments[i % 3]);
+    scene.Renderer->SetPass(first.Deferred);
+    EXPECT_EQ(LargestDifference(expected[i % 2], scene.Render()), 0);
+    EXPECT_EQ(first.Deferred->GetNumberOfDeferredProps(), DeferredParts);
+  }
+}
+
+TEST(DeferredFrame, AfterResourcesAreReleasedIsTheSame)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  for (const int assignment :
+    { vtkDeferredLightsPass::LIGHT_VOLUMES, vtkDeferredLightsPass::CLUSTERS })
+  {
+    scene.Deferred->SetAssignment(assignment);
+    const Picture expected = scene.InDeferredLight();
+    scene.Deferred->ReleaseGraphicsResources(scene.Window);
+    EXPECT_TRUE(scene.Render() == expected);
+    scene.Window->ReleaseGraphicsResources(scene.Window);
+    EXPECT_TRUE(scene.Render() == expected);
+    scene.Window->Finalize();
+    EXPECT_TRUE(scene.Render() == expected);
+    // A context of which the pass was not told that it went.
+    scene.Renderer->SetPass(nullptr);
+    scene.Window->Finalize();
+    scene.Render();
+    EXPECT_TRUE(scene.InDeferredLight() == expected);
+  }
+}
+
+TEST(DeferredFrame, TellsItsMemory)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  scene.InDeferredLight();
+  const vtkTypeInt64 surfaces = 61 * 47 * 5 * 16;
+  EXPECT_GE(scene.Deferred->GetBytes(), surfaces);
+  EXPECT_LT(scene.Deferred->GetBytes(), surfaces + 30000);
+  scene.Deferred->SetAssignment(vtkDeferredLightsPass::LIGHT_VOLUMES);
+  scene.InDeferredLight();
+  EXPECT_GE(scene.Deferred->GetBytes(), surfaces + 61 * 47 * 2 * 16);
+  scene.Deferred->SetAssignment(vtkDeferredLightsPass::TILES);
+  scene.InDeferredLight();
+  EXPECT_LT(scene.Deferred->GetBytes(), surfaces + 30000); // and gives back what it needs no more
+}
+
+TEST(DeferredFrame, DoesNotHinderPicking)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  const Picture before = scene.InDeferredLight();
+  const Picked picked =
+    Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46);
+  EXPECT_TRUE(scene.Render() == before);
+  scene.Renderer->SetPass(nullptr);
+  EXPECT_EQ(picked, Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46));
+  EXPECT_GT(picked.size(), 3u);
+}
+
+// Where the delegate does not say what its opaque pass is, or that is one of its own kind.
+TEST(DeferredFrame, OfOtherPassesIsNotDeferred)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  const Picture expected = scene.InVTKsLight();
+
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(scene.Steps);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  scene.Deferred->SetDelegatePass(sequence);
+  EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+
+  vtkNew<vtkSequencePass> opaque;
+  vtkNew<vtkRenderPassCollection> one;
+  vtkNew<vtkOpaquePass> usual;
+  one->AddItem(usual);
+  opaque->SetPasses(one);
+  scene.Steps->SetOpaquePass(opaque);
+  scene.Deferred->SetDelegatePass(scene.Steps);
+  EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+  EXPECT_EQ(scene.Steps->GetOpaquePass(), opaque);
+}
+
+TEST(DeferredFrame, PutsTheOpaquePassBack)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  vtkRenderPass* const before = scene.Steps->GetOpaquePass();
+  scene.InDeferredLight();
+  EXPECT_EQ(scene.Steps->GetOpaquePass(), before);
+}
+
+TEST(DeferredFrame, MayPassThroughPassesOfItsKind)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  const Picture expected = scene.InVTKsLight();
+  vtkNew<vtkDeferredLightsPass> outer;
+  outer->SetDelegatePass(scene.Deferred);
+  scene.Renderer->SetPass(outer);
+  EXPECT_EQ(LargestDifference(expected, scene.Render()), 0);
+}
+
+TEST(DeferredFrame, ClampsTheAssignment)
+{
+  vtkNew<vtkDeferredLightsPass> pass;
+  pass->SetAssignment(7);
+  EXPECT_EQ(pass->GetAssignment(), vtkDeferredLightsPass::CLUSTERS);
+  pass->SetAssignment(-1);
+  EXPECT_EQ(pass->GetAssignment(), vtkDeferredLightsPass::LIGHT_VOLUMES);
+}
+
+}
