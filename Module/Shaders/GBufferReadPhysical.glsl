@@ -1,4 +1,4 @@
-// A pixel's surface in place of the quad's, before VTK's physically based shading of it.
+// A pixel's surface in place of the shape's, before VTK's physically based shading of it.
   vec4 vitrinePlace = vitrineGBufferAt(VITRINE_GBUFFER_PLACE);
   vec4 vitrineNormal = vitrineGBufferAt(VITRINE_GBUFFER_NORMAL);
   vec4 vitrineBase = vitrineGBufferAt(VITRINE_GBUFFER_BASE);

@@ -1,5 +1,6 @@
 #include "lighting/DeferredShading.h"
 
+#include "gl/Capabilities.h"
 #include "lighting/LightVolumes.h"
 #include "lighting/RendererLights.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -77,6 +78,10 @@ std::string DeferredShading::Prepare(const vtkRenderState* s, LightsBy by)
 {
   std::string problem =
     this->WhyNot.empty() ? this->Target.Probe(WindowOf(s)->GetState()) : this->WhyNot;
+  if (problem.empty() && this->Target.Samples > 0)
+  {
+    problem = MissingFeatures(4, 0, {}); // samples are shaded one by one
+  }
   if (problem.empty())
   {
     problem = this->Surfaces.Allocate(this->Target);
@@ -92,9 +97,9 @@ std::string DeferredShading::Prepare(const vtkRenderState* s, LightsBy by)
   if (this->Samples != this->Target.Samples)
   {
     this->Samples = this->Target.Samples;
-    for (const auto& quad : this->Quads)
+    for (const auto& shape : this->Shapes)
     {
-      quad.second->Hook->RewriteAgain();
+      shape.second->Hook->RewriteAgain();
     }
   }
   return problem;
@@ -146,30 +151,30 @@ void DeferredShading::AddVolumes(const vtkRenderState* s)
 
 void DeferredShading::Draw(Gathering gathering, const vtkRenderState* s)
 {
-  this->QuadOf(Shading::Phong, gathering).Draw(s->GetRenderer());
+  this->ShapeOf(Shading::Phong, gathering).Draw(s->GetRenderer());
   if (HasPhysical(s))
   {
-    this->QuadOf(Shading::Physical, gathering).Draw(s->GetRenderer());
+    this->ShapeOf(Shading::Physical, gathering).Draw(s->GetRenderer());
   }
 }
 
-ShadingQuad& DeferredShading::QuadOf(Shading shading, Gathering gathering)
+LitShape& DeferredShading::ShapeOf(Shading shading, Gathering gathering)
 {
-  std::unique_ptr<ShadingQuad>& quad = this->Quads[{ shading, gathering }];
-  if (!quad)
+  std::unique_ptr<LitShape>& shape = this->Shapes[{ shading, gathering }];
+  if (!shape)
   {
-    quad = std::make_unique<ShadingQuad>(
+    shape = std::make_unique<LitShape>(
       shading, gathering == Gathering::Add ? this->Volumes.Get() : this->Cover.Get());
-    quad->Hook->Rewrite = [this, shading, gathering](
-                            std::string& vertexShader, std::string& fragmentShader)
+    shape->Hook->Rewrite = [this, shading, gathering](
+                             std::string& vertexShader, std::string& fragmentShader)
     {
       this->TakeProblem(
         ReadGBuffer(vertexShader, fragmentShader, { shading, gathering, this->Samples }));
     };
-    quad->Hook->SetUniforms = [this, gathering](vtkShaderProgram* program)
+    shape->Hook->SetUniforms = [this, gathering](vtkShaderProgram* program)
     { this->SetUniforms(program, gathering); };
   }
-  return *quad;
+  return *shape;
 }
 
 void DeferredShading::SetUniforms(vtkShaderProgram* program, Gathering gathering)
@@ -207,9 +212,9 @@ void DeferredShading::Release()
 
 void DeferredShading::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (const auto& quad : this->Quads)
+  for (const auto& shape : this->Shapes)
   {
-    quad.second->ReleaseGraphicsResources(window);
+    shape.second->ReleaseGraphicsResources(window);
   }
 }
 

@@ -9,8 +9,8 @@
 #include "lighting/DeferredLists.h"
 #include "lighting/GBuffer.h"
 #include "lighting/LightSums.h"
+#include "lighting/LitShape.h"
 #include "lighting/MarkedClusters.h"
-#include "lighting/ShadingQuad.h"
 #include "vtkPolyData.h"
 
 #include <map>
@@ -58,7 +58,7 @@ private:
   void LightBy(LightsBy by, const vtkRenderState* s);
   void AddVolumes(const vtkRenderState* s);
   void Draw(Gathering gathering, const vtkRenderState* s);
-  ShadingQuad& QuadOf(Shading shading, Gathering gathering);
+  LitShape& ShapeOf(Shading shading, Gathering gathering);
   void SetUniforms(vtkShaderProgram* program, Gathering gathering);
   void TakeProblem(const std::string& problem);
 
@@ -74,7 +74,7 @@ private:
   vtkNew<ShaderHook> Writing;
   vtkSmartPointer<vtkPolyData> Cover = MakeCover();
   vtkNew<vtkPolyData> Volumes;
-  std::map<std::pair<Shading, Gathering>, std::unique_ptr<ShadingQuad>> Quads;
+  std::map<std::pair<Shading, Gathering>, std::unique_ptr<LitShape>> Shapes;
   std::unique_ptr<ScopedTextureUnit> SurfacesUnit, SumsUnit; ///< while they are read
 };
 

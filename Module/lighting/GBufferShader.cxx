@@ -29,8 +29,8 @@ const Lighting PhysicalLighting = { "  vec3 Lo = vec3(0.0);\n",
   "gl_FragData[0] = vec4(color, opacity);", "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);" };
 
 /** What the G-buffer has no room for: image-based light, textures of occlusion, anisotropy, clear coat. */
-const std::array<const char*, 4> Unkept = { "prefilterTex", "material.r", "#define ANISOTROPY",
-  "#define CLEAR_COAT" };
+const std::array<const char*, 4> Unkept = { "prefilterTex", "material.r",
+  "specular = SpecularAnisotropic(", "coatLayer = " };
 
 /** What textures do to the lit colour. */
 const std::string Textured = "gl_FragData[0] * tcolor;";

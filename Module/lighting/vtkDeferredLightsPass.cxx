@@ -91,9 +91,21 @@ void vtkDeferredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkDeferredLightsPass::RenderDelegate(const vtkRenderState* s)
+void vtkDeferredLightsPass::Render(const vtkRenderState* s)
 {
   this->NumberOfDeferredProps = 0;
+  this->Superclass::Render(s);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkDeferredLightsPass::GetBytes()
+{
+  return this->Superclass::GetBytes() + this->Deferred->Shading->Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::RenderDelegate(const vtkRenderState* s)
+{
   auto* const steps = vtkRenderStepsPass::SafeDownCast(this->GetDelegatePass());
   const bool isKnown = steps && steps->GetOpaquePass() &&
     vitrine::IsOfClass(steps->GetOpaquePass(), "vtkOpaquePass") && !s->GetRenderer()->GetSelector();
@@ -141,7 +153,6 @@ std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
   const vitrine::DeferredGrid grid = { static_cast<vitrine::LightsBy>(this->Assignment),
     this->TileSize, this->NumberOfSlices };
   const std::string problem = shading.Render(s, grid, this->GetLights());
-  this->Bytes += shading.Bytes();
   if (problem.empty())
   {
     this->NumberOfDeferredProps = shading.NumberOfRenderedProps();

@@ -53,6 +53,8 @@ public:
    */
   vtkGetMacro(NumberOfDeferredProps, int);
 
+  void Render(const vtkRenderState* s) override;
+  vtkTypeInt64 GetBytes() override;
   vtkIdType GetNumberOfLightsAt(double x, double y, double z) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -2,15 +2,18 @@
 #include "DeferredScene.h"
 #include "Select.h"
 #include "TestMessages.h"
-#include "vtkCameraPass.h"
 #include "vtkDataObject.h"
-#include "vtkGaussianBlurPass.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderPassCollection.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkSequencePass.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
 
 #include <gtest/gtest.h>
+
+#include <map>
 
 namespace
 {
@@ -18,10 +21,16 @@ namespace
 TEST(DeferredFrame, OfNoLightsOrOneHeadlightIsVTKs)
 {
   DeferredScene scene;
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
-  scene.AddLight(LightKind::Headlight);
+  scene.AddLights(1);
+  scene.InDeferredLight();
+  scene.Renderer->RemoveAllLights();
   EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+  scene.AddLight(LightKind::Headlight);
+  const vtkTypeInt64 bytes = scene.Deferred->GetBytes();
+  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+  EXPECT_EQ(scene.Deferred->GetBytes(), bytes);
 }
 
 TEST(DeferredFrame, OfNothingOpaqueIsVTKs)
@@ -204,6 +213,37 @@ TEST(DeferredFrame, OfOtherPassesIsNotDeferred)
   EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
   EXPECT_EQ(scene.Steps->GetOpaquePass(), opaque);
+}
+
+/** Its shaders lack what is joined to them, at one of VTK's tags. */
+class MapperWithoutTag : public vtkOpenGLPolyDataMapper
+{
+public:
+  static MapperWithoutTag* New() { VTK_STANDARD_NEW_BODY(MapperWithoutTag); }
+  const char* GetClassNameInternal() const override { return "vtkOpenGLPolyDataMapper"; }
+
+protected:
+  void ReplaceShaderLight(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override
+  {
+    this->vtkOpenGLPolyDataMapper::ReplaceShaderLight(shaders, renderer, actor);
+    std::string text = shaders[vtkShader::Fragment]->GetSource();
+    vtkShaderProgram::Substitute(text, "//VTK::DepthPeeling::Impl", "");
+    shaders[vtkShader::Fragment]->SetSource(text);
+  }
+};
+
+TEST(DeferredFrame, OfShadersThatCannotBeRewrittenIsNotDeferred)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  vtkNew<MapperWithoutTag> mapper;
+  mapper->SetInputConnection(scene.Parts[2]->GetMapper()->GetInputConnection(0, 0));
+  scene.Parts[2]->SetMapper(mapper);
+  scene.ExpectAsVTK(0);
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("//VTK::DepthPeeling::Impl"), std::string::npos) << messages[0];
 }
 
 TEST(DeferredFrame, PutsTheOpaquePassBack)

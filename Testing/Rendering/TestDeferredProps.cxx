@@ -12,10 +12,11 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPlaneSource.h"
-#include "vtkPolyDataNormals.h"
+#include "vtkPolyDataTangents.h"
 #include "vtkShaderProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -201,6 +202,41 @@ const std::vector<PropKind>& Kinds()
         const auto ball = AddBall(s);
         ball->GetProperty()->SetInterpolationToPBR();
         ball->GetProperty()->SetCoatStrength(0.8);
+      } },
+    { "Anisotropic", 1,
+      [](DeferredScene& s)
+      {
+        vtkNew<vtkPlaneSource> plane;
+        plane->SetOrigin(-0.6, -0.5, 0.3);
+        plane->SetPoint1(0.7, -0.5, 0.7);
+        plane->SetPoint2(-0.6, 0.6, 0.3);
+        vtkNew<vtkTriangleFilter> triangles;
+        triangles->SetInputConnection(plane->GetOutputPort());
+        vtkNew<vtkPolyDataTangents> tangents;
+        tangents->SetInputConnection(triangles->GetOutputPort());
+        const auto plate = s.AddSource(tangents, { 0.9, 0.6, 0.3, 1.0 });
+        plate->GetProperty()->SetInterpolationToPBR();
+        plate->GetProperty()->SetAnisotropy(0.9);
+        plate->GetProperty()->SetRoughness(0.4);
+      } },
+    { "PhysicalAndTextured", 1,
+      [](DeferredScene& s)
+      {
+        const auto plate = AddPlate(s);
+        plate->GetProperty()->SetInterpolationToPBR();
+        const auto color = MakeChessboard(3), glow = MakeChessboard(3);
+        color->UseSRGBColorSpaceOn();
+        glow->UseSRGBColorSpaceOn();
+        plate->GetProperty()->SetBaseColorTexture(color);
+        plate->GetProperty()->SetEmissiveTexture(glow);
+        plate->GetProperty()->SetEmissiveFactor(0.2, 0.1, 0.3);
+      } },
+    { "OfTexturesOfRoughness", 1,
+      [](DeferredScene& s)
+      {
+        const auto plate = AddPlate(s);
+        plate->GetProperty()->SetInterpolationToPBR();
+        plate->GetProperty()->SetORMTexture(MakeChessboard(3));
       } },
     { "OccludedByHalf", 1,
       [](DeferredScene& s)

@@ -1,4 +1,4 @@
-#include "lighting/ShadingQuad.h"
+#include "lighting/LitShape.h"
 
 #include "vtkCellArray.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -11,7 +11,7 @@
 namespace vitrine
 {
 
-ShadingQuad::ShadingQuad(Shading shading, vtkPolyData* shape)
+LitShape::LitShape(Shading shading, vtkPolyData* shape)
 {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(shape);
@@ -21,7 +21,7 @@ ShadingQuad::ShadingQuad(Shading shading, vtkPolyData* shape)
                             : this->Actor->GetProperty()->SetInterpolationToPBR();
 }
 
-void ShadingQuad::Draw(vtkRenderer* renderer)
+void LitShape::Draw(vtkRenderer* renderer)
 {
   vtkRenderState state(renderer);
   vtkProp* prop = this->Actor;
@@ -29,7 +29,7 @@ void ShadingQuad::Draw(vtkRenderer* renderer)
   this->Hook->Render(&state);
 }
 
-void ShadingQuad::ReleaseGraphicsResources(vtkWindow* window)
+void LitShape::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Actor->ReleaseGraphicsResources(window);
 }

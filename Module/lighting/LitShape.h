@@ -1,8 +1,8 @@
 /**
  * What is drawn over a viewport, in its coordinates, and lit by VTK's formulas.
  */
-#ifndef VITRINE_SHADING_QUAD_H
-#define VITRINE_SHADING_QUAD_H
+#ifndef VITRINE_LIT_SHAPE_H
+#define VITRINE_LIT_SHAPE_H
 
 #include "lighting/GBufferShader.h"
 #include "lighting/ShaderHook.h"
@@ -18,10 +18,10 @@ class vtkWindow;
 namespace vitrine
 {
 
-class ShadingQuad
+class LitShape
 {
 public:
-  ShadingQuad(Shading shading, vtkPolyData* shape);
+  LitShape(Shading shading, vtkPolyData* shape);
 
   /** Draw it with what Hook makes of its shaders. */
   void Draw(vtkRenderer* renderer);
