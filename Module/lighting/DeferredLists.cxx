@@ -3,6 +3,7 @@
 #include "Core/lighting/TileLists.h"
 #include "lighting/RendererLights.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace vitrine
@@ -48,13 +49,17 @@ void DeferredLists::AssignTo(const DeferredGrid& grid, vtkOpenGLRenderer* render
   if (grid.By == LightsBy::Tile)
   {
     this->OfGrid = JoinSlices(this->Clusters(), this->OfGrid);
+    marks = JoinMarks(this->Clusters(), marks);
     this->Grid.emplace(renderer, grid.TileSize, 1);
   }
   else if (grid.By == LightsBy::Volume)
   {
     this->Volumes = RectanglesOf(this->Clusters(), this->OfGrid);
     this->OfGrid = CoveredTiles(this->Clusters(), this->Volumes);
+    marks.clear(); // all that volumes cover is gone over
   }
+  const auto unused = std::count(marks.begin(), marks.end(), 0);
+  this->Used = this->Clusters().Count() - static_cast<std::uint32_t>(unused);
 }
 
 void DeferredLists::SetUniforms(vtkShaderProgram* program) const

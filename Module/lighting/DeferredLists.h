@@ -53,6 +53,9 @@ public:
 
   void SetUniforms(vtkShaderProgram* program) const;
 
+  /** How many of them hold something; all where that is not known. */
+  std::uint32_t UsedCount() const { return this->Used; }
+
   /** That the last assignment took, without what it waited for the device. */
   double Seconds() const { return this->TimeTaken; }
 
@@ -66,6 +69,7 @@ private:
   std::optional<ViewGrid> Grid;
   LightLists OfGrid;
   std::vector<LightRectangle> Volumes;
+  std::uint32_t Used = 0;
   double TimeTaken = 0.0;
 };
 

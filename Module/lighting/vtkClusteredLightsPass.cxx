@@ -166,13 +166,13 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
     vitrine::BudgetOfLight(renderer, this->CutOff), in.Lights.Volumes);
   in.Grid.emplace(renderer, this->TileSize, this->NumberOfSlices);
   in.Assigner.Assign(in.Grid->Clusters(), in.Lights.Volumes, in.Lists);
-  this->TellOfLists(in.Lists);
+  this->TellOfLists(in.Lists, in.Grid->Clusters().Count());
   this->AssignmentTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 //------------------------------------------------------------------------------
-void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists)
+void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists, std::size_t used)
 {
   const std::size_t count = lists.Offsets.size() - 1;
   std::size_t most = 0;
@@ -182,7 +182,8 @@ void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists)
   }
   this->NumberOfClusters = static_cast<vtkIdType>(count);
   this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
-  this->LightsPerCluster = static_cast<double>(lists.Indices.size()) / static_cast<double>(count);
+  this->LightsPerCluster =
+    static_cast<double>(lists.Indices.size()) / static_cast<double>(std::max<std::size_t>(1, used));
 }
 
 //------------------------------------------------------------------------------

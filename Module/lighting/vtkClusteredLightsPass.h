@@ -26,8 +26,9 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkVitrineRenderingModule.h" // export macro
 
-#include <memory> // for the pass's internals
-#include <string> // for shader text
+#include <cstddef> // for counts
+#include <memory>  // for the pass's internals
+#include <string>  // for shader text
 
 class vtkOpenGLRenderer;
 
@@ -138,9 +139,9 @@ protected:
   const vitrine::RendererLights& GetLights() const;
 
   /**
-   * Have the statistics say what the lists of clusters hold.
+   * Have the statistics say what the lists of clusters hold, so many of which are used.
    */
-  void TellOfLists(const vitrine::LightLists& lists);
+  void TellOfLists(const vitrine::LightLists& lists, std::size_t used);
 
   double CutOff = 0.5 / 255.0;
   int TileSize = 64;

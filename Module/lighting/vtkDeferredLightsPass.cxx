@@ -88,12 +88,14 @@ void vtkDeferredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Assignment: " << this->Assignment << "\n";
   os << indent << "NumberOfDeferredProps: " << this->NumberOfDeferredProps << "\n";
+  os << indent << "NumberOfUsedClusters: " << this->NumberOfUsedClusters << "\n";
 }
 
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::Render(const vtkRenderState* s)
 {
   this->NumberOfDeferredProps = 0;
+  this->NumberOfUsedClusters = 0;
   this->Superclass::Render(s);
 }
 
@@ -157,7 +159,8 @@ std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
   {
     this->NumberOfDeferredProps = shading.NumberOfRenderedProps();
     this->AssignmentTime += shading.Lists().Seconds();
-    this->TellOfLists(shading.Lists().Lists());
+    this->NumberOfUsedClusters = shading.Lists().UsedCount();
+    this->TellOfLists(shading.Lists().Lists(), shading.Lists().UsedCount());
   }
   return problem;
 }

@@ -48,10 +48,14 @@ public:
   vtkGetMacro(Assignment, int);
   ///@}
 
+  ///@{
   /**
-   * Of the last frame: props that were drawn into the G-buffer.
+   * Of the last frame: props that were drawn into the G-buffer, and clusters, or tiles, that hold something of them to be lit; all of LIGHT_VOLUMES,
+   * and where OpenGL 4.3 is missing.
    */
   vtkGetMacro(NumberOfDeferredProps, int);
+  vtkGetMacro(NumberOfUsedClusters, vtkIdType);
+  ///@}
 
   void Render(const vtkRenderState* s) override;
   vtkTypeInt64 GetBytes() override;
@@ -75,6 +79,7 @@ protected:
 
   int Assignment = CLUSTERS;
   int NumberOfDeferredProps = 0;
+  vtkIdType NumberOfUsedClusters = 0;
 
 private:
   vtkDeferredLightsPass(const vtkDeferredLightsPass&) = delete;

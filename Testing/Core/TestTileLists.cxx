@@ -79,9 +79,11 @@ TEST(TileLists, GoFromTheFirstToTheLastClusterThatIsMarked)
   expected[grid.ClusterAt(2, 1, 3)] = 1;
   vitrine::MarkBetween(grid, marks);
   EXPECT_EQ(marks, expected);
+  EXPECT_EQ(vitrine::JoinMarks(grid, marks), (std::vector<std::uint8_t>{ 0, 1, 0, 0, 0, 1 }));
   std::vector<std::uint8_t> none;
   vitrine::MarkBetween(grid, none); // not known
   EXPECT_TRUE(none.empty());
+  EXPECT_TRUE(vitrine::JoinMarks(grid, none).empty());
 }
 
 TEST(LightRectangles, HoldAllTilesOfEachLight)

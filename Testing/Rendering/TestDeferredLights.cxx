@@ -164,7 +164,8 @@ TEST(DeferredLight, IsInListsOfClustersThatShowSomething)
     scene.AddLight(LightKind::Directional);
     scene.InDeferredLight();
     const auto clusters = static_cast<double>(scene.Deferred->GetNumberOfClusters());
-    const double used = scene.Deferred->GetLightsPerCluster() * clusters / 2.0;
+    const auto used = static_cast<double>(scene.Deferred->GetNumberOfUsedClusters());
+    EXPECT_EQ(scene.Deferred->GetLightsPerCluster(), 2.0);
     std::vector<float> depths(61 * 47);
     scene.Window->GetZbufferData(0, 0, 60, 46, depths.data());
     const vitrine::ClusterGrid grid = GridOf(scene);

@@ -75,6 +75,10 @@ public:
     statistics.LightsPerClusterMax = this->Pass->GetMaximumLightsPerCluster();
     statistics.Clusters = this->Pass->GetNumberOfClusters();
     statistics.Bytes = this->Pass->GetBytes();
+    if (auto* const deferred = vtkDeferredLightsPass::SafeDownCast(this->Pass))
+    {
+      statistics.ClustersUsed = deferred->GetNumberOfUsedClusters();
+    }
     return statistics;
   }
 

@@ -26,6 +26,17 @@ void MarkBetween(const ClusterGrid& grid, std::vector<std::uint8_t>& marks)
   }
 }
 
+std::vector<std::uint8_t> JoinMarks(const ClusterGrid& grid, const std::vector<std::uint8_t>& marks)
+{
+  const std::size_t tiles = static_cast<std::size_t>(grid.Columns()) * grid.Rows();
+  std::vector<std::uint8_t> joined(std::min(tiles, marks.size()), 0);
+  for (std::size_t cluster = 0; cluster < marks.size(); ++cluster)
+  {
+    joined[cluster % tiles] |= marks[cluster];
+  }
+  return joined;
+}
+
 LightLists JoinSlices(const ClusterGrid& grid, const LightLists& lists)
 {
   const std::uint32_t tiles = static_cast<std::uint32_t>(grid.Columns() * grid.Rows());

@@ -18,6 +18,10 @@ namespace vitrine
 /** Marks what lies between the first and the last cluster of a tile that are marked, too. */
 void MarkBetween(const ClusterGrid& grid, std::vector<std::uint8_t>& marks);
 
+/** Marks of tiles that have a marked cluster; none if there are none of clusters. */
+std::vector<std::uint8_t> JoinMarks(
+  const ClusterGrid& grid, const std::vector<std::uint8_t>& marks);
+
 /** Lists by tile of what the lists by cluster have: those of a grid of the same tiles and one slice. */
 LightLists JoinSlices(const ClusterGrid& grid, const LightLists& lists);
 
