@@ -111,6 +111,7 @@ vtkRenderPass* vtkClusteredLightsPass::GetDelegatePass()
 void vtkClusteredLightsPass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
+  this->Bytes = this->Private->Buffers.Bytes();
   if (!this->Private->Delegate)
   {
     vtkErrorMacro("no DelegatePass is set, so nothing is drawn");

@@ -97,12 +97,7 @@ void vtkDeferredLightsPass::Render(const vtkRenderState* s)
   this->NumberOfDeferredProps = 0;
   this->NumberOfUsedClusters = 0;
   this->Superclass::Render(s);
-}
-
-//------------------------------------------------------------------------------
-vtkTypeInt64 vtkDeferredLightsPass::GetBytes()
-{
-  return this->Superclass::GetBytes() + this->Deferred->Shading->Bytes();
+  this->Bytes += this->Deferred->Shading->Bytes();
 }
 
 //------------------------------------------------------------------------------

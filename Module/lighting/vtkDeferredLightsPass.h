@@ -58,7 +58,6 @@ public:
   ///@}
 
   void Render(const vtkRenderState* s) override;
-  vtkTypeInt64 GetBytes() override;
   vtkIdType GetNumberOfLightsAt(double x, double y, double z) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;

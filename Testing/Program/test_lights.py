@@ -48,6 +48,18 @@ class Lights(FileTest):
             with self.subTest(arguments=arguments):
                 self.assertEqual(lights(*arguments)["results"][0]["lights"], expected)
 
+    def test_a_g_buffer_shows_the_scene_as_vtk_does(self):
+        modes = ["deferred", "tiled-deferred", "clustered-deferred"]
+        told = lights("demo:hall,lights=8", "--modes", ",".join(modes), "--cutoff", "0")["results"]
+        self.assertEqual([row["mode"] for row in told], modes)
+        for row in told:
+            with self.subTest(mode=row["mode"]):
+                self.assertEqual((row["error"], row["reference"]), ({"max": 0.0}, "vtk"))
+                self.assertGreater(row["bytes"], 60 * 40 * 80)
+        used = [(row["clusters_used"], row["clusters"]) for row in told]
+        self.assertEqual(used[0], (1, 1))
+        self.assertLess(used[2][0], used[2][1])
+
     def test_heat_map_shows_that_vtk_looks_at_all_lights(self):
         path = self.folder / "heat.png"
         scene = ("demo:stack,layers=1", "--lights", "2")
