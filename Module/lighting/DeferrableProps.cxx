@@ -31,8 +31,8 @@ bool HasKnownMapper(vtkActor* actor)
 bool HidesWhatIsBehind(vtkActor* actor)
 {
   vtkProperty* const back = actor->GetBackfaceProperty();
-  return actor->GetProperty()->GetOpacity() >= 1.0 && !(back && back->GetOpacity() < 1.0) &&
-    !actor->GetForceOpaque() && AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper());
+  return !actor->GetForceOpaque() && !(back && back->GetOpacity() < 1.0) &&
+    AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper());
 }
 
 bool IsWrittenBy(vtkProp* prop, vtkRenderPass* pass)

@@ -210,6 +210,14 @@ void DeferredShading::Release()
   this->Lights.Buffers.Release();
 }
 
+void DeferredShading::Forget()
+{
+  this->Surfaces = GBuffer();
+  this->Sums = LightSums();
+  this->Marked = MarkedClusters();
+  this->Lights.Buffers = LightBuffers();
+}
+
 void DeferredShading::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (const auto& shape : this->Shapes)

@@ -48,6 +48,9 @@ public:
   /** The context is current. */
   void Release();
 
+  /** Where that context is gone. */
+  void Forget();
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

@@ -10,7 +10,6 @@
 #include "vtkRenderer.h"
 
 #include <functional>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -66,7 +65,7 @@ struct PartOfState : vtkRenderState
 
 struct vtkDeferredLightsPass::DeferredInternals
 {
-  std::unique_ptr<vitrine::DeferredShading> Shading = std::make_unique<vitrine::DeferredShading>();
+  vitrine::DeferredShading Shading;
   std::set<std::string> Reported;
 };
 
@@ -97,7 +96,7 @@ void vtkDeferredLightsPass::Render(const vtkRenderState* s)
   this->NumberOfDeferredProps = 0;
   this->NumberOfUsedClusters = 0;
   this->Superclass::Render(s);
-  this->Bytes += this->Deferred->Shading->Bytes();
+  this->Bytes += this->Deferred->Shading.Bytes();
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +145,7 @@ int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* 
 // Returns an empty string, or why all is still to be drawn.
 std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
 {
-  vitrine::DeferredShading& shading = *this->Deferred->Shading;
+  vitrine::DeferredShading& shading = this->Deferred->Shading;
   const vitrine::DeferredGrid grid = { static_cast<vitrine::LightsBy>(this->Assignment),
     this->TileSize, this->NumberOfSlices };
   const std::string problem = shading.Render(s, grid, this->GetLights());
@@ -167,7 +166,7 @@ vtkIdType vtkDeferredLightsPass::GetNumberOfLightsAt(double x, double y, double 
   {
     return this->Superclass::GetNumberOfLightsAt(x, y, z);
   }
-  const vitrine::DeferredLists& lists = this->Deferred->Shading->Lists();
+  const vitrine::DeferredLists& lists = this->Deferred->Shading.Lists();
   const int cluster = lists.Clusters().ClusterOf({ x, y, z });
   return static_cast<vtkIdType>(lists.Lists().CountOf(static_cast<std::uint32_t>(cluster)));
 }
@@ -177,7 +176,7 @@ bool vtkDeferredLightsPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
-  return this->Deferred->Shading->IsWriting() ||
+  return this->Deferred->Shading.IsWriting() ||
     this->Superclass::PostReplaceShaderValues(
       vertexShader, geometryShader, fragmentShader, mapper, prop);
 }
@@ -185,18 +184,18 @@ bool vtkDeferredLightsPass::PostReplaceShaderValues(std::string& vertexShader,
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::ReleaseMethodResources()
 {
-  this->Deferred->Shading->Release();
+  this->Deferred->Shading.Release();
 }
 
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::ForgetMethodResources()
 {
-  this->Deferred->Shading = std::make_unique<vitrine::DeferredShading>();
+  this->Deferred->Shading.Forget();
 }
 
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Deferred->Shading->ReleaseGraphicsResources(window);
+  this->Deferred->Shading.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -7,6 +7,7 @@
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkSequencePass.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -180,12 +181,47 @@ TEST(DeferredFrame, DoesNotHinderPicking)
   DeferredScene scene;
   scene.AddLights(1);
   const Picture before = scene.InDeferredLight();
-  const Picked picked =
-    Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46);
+  const auto pick = [&]
+  { return Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46); };
+  const Picked picked = pick();
   EXPECT_TRUE(scene.Render() == before);
   scene.Renderer->SetPass(nullptr);
-  EXPECT_EQ(picked, Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46));
+  EXPECT_EQ(picked, pick());
   EXPECT_GT(picked.size(), 3u);
+}
+
+// vtkSeeThroughPass lets the renderer draw what selectors ask for. Other delegates draw it themselves, all in one way.
+TEST(DeferredFrame, OfASelectorIsNotDeferred)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  vtkNew<vtkRenderStepsPass> steps;
+  scene.Deferred->SetDelegatePass(steps);
+  scene.InDeferredLight();
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), DeferredParts);
+  Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46);
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+}
+
+TEST(DeferredFrame, ShowsNothingOfTheLastOne)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  scene.ExpectAsVTK(DeferredParts);
+  scene.Parts.back()->VisibilityOff();
+  scene.ExpectAsVTK(DeferredParts - 1);
+}
+
+TEST(DeferredFrame, IsToldOfWhenItsWindowIsGone)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  scene.InDeferredLight();
+  const vtkIdType count = scene.Deferred->GetNumberOfLightsAt(0.0, 0.9, -1.5);
+  EXPECT_GT(count, 0);
+  scene.Window->Finalize();
+  scene.Deferred->ReleaseGraphicsResources(scene.Window);
+  EXPECT_EQ(scene.Deferred->GetNumberOfLightsAt(0.0, 0.9, -1.5), count);
 }
 
 // Where the delegate does not say what its opaque pass is, or that is one of its own kind.

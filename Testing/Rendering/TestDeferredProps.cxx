@@ -54,6 +54,10 @@ vtkSmartPointer<vtkTexture> MakeChessboard(int components)
     for (int c = 0; c < components; ++c)
     {
       texel[c] = static_cast<unsigned char>((i + i / 8) % 2 == 0 ? 255 - 20 * c : 60 + 40 * c);
+      if (c == 3)
+      {
+        texel[c] = (i + i / 8) % 2 == 0 ? 255 : 0;
+      }
     }
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
@@ -113,12 +117,22 @@ const std::vector<PropKind>& Kinds()
 {
   static const std::vector<PropKind> kinds = {
     { "Textured", 1, [](DeferredScene& s) { AddPlate(s)->SetTexture(MakeChessboard(3)); } },
-    { "TexturedWithAlpha", 0,
+    { "TexturedWithHoles", 0,
+      [](DeferredScene& s)
+      {
+        const auto texture = MakeChessboard(4);
+        texture->InterpolateOn(); // the edges of holes let something through
+        AddPlate(s)->SetTexture(texture);
+      } },
+    { "OfABackThatLetsThrough", 0,
       [](DeferredScene& s)
       {
         const auto plate = AddPlate(s);
-        plate->SetTexture(MakeChessboard(4));
-        plate->ForceOpaqueOn();
+        plate->RotateY(180.0);
+        plate->SetPosition(0.0, 0.0, 1.0);
+        vtkNew<vtkProperty> back;
+        back->SetOpacity(0.4);
+        plate->SetBackfaceProperty(back);
       } },
     { "ForcedOpaque", 0,
       [](DeferredScene& s)
