@@ -11,6 +11,7 @@
 #include "vtkSequencePass.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,40 @@ TEST(DeferredFrame, OfAnotherSampleCountIsVTKs)
   {
     scene.Window->SetMultiSamples(samples);
     scene.ExpectAsVTK(DeferredParts);
+  }
+}
+
+TEST(DeferredFrame, WithAStencilBufferIsVTKs)
+{
+  for (const int samples : { 0, 4 })
+  {
+    DeferredScene scene(true, false, samples);
+    scene.Window->SetStencilCapable(1);
+    scene.AddLights(1);
+    scene.ExpectAsVTK(DeferredParts);
+  }
+}
+
+TEST(DeferredFrame, OfATiledScreenshotIsVTKs)
+{
+  DeferredScene scene(false);
+  scene.AddLights(2);
+  const auto shoot = [&](vtkRenderPass* pass)
+  {
+    scene.Renderer->SetPass(pass);
+    vtkNew<vtkWindowToImageFilter> shot;
+    shot->SetInput(scene.Window);
+    shot->SetScale(2, 3);
+    shot->ShouldRerenderOn();
+    shot->Update();
+    const auto* const bytes = static_cast<unsigned char*>(shot->GetOutput()->GetScalarPointer());
+    return std::vector<unsigned char>(bytes, bytes + 3 * 61 * 2 * 47 * 3);
+  };
+  const std::vector<unsigned char> expected = shoot(scene.Steps);
+  for (const int assignment : DeferredAssignments)
+  {
+    scene.Deferred->SetAssignment(assignment);
+    EXPECT_TRUE(shoot(scene.Deferred) == expected) << assignment;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "vtkElevationFilter.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkLineSource.h"
+#include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -54,10 +55,6 @@ vtkSmartPointer<vtkTexture> MakeChessboard(int components)
     for (int c = 0; c < components; ++c)
     {
       texel[c] = static_cast<unsigned char>((i + i / 8) % 2 == 0 ? 255 - 20 * c : 60 + 40 * c);
-      if (c == 3)
-      {
-        texel[c] = (i + i / 8) % 2 == 0 ? 255 : 0;
-      }
     }
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
@@ -117,11 +114,16 @@ const std::vector<PropKind>& Kinds()
 {
   static const std::vector<PropKind> kinds = {
     { "Textured", 1, [](DeferredScene& s) { AddPlate(s)->SetTexture(MakeChessboard(3)); } },
-    { "TexturedWithHoles", 0,
+    { "TexturedByATableWithAlpha", 0,
       [](DeferredScene& s)
       {
-        const auto texture = MakeChessboard(4);
-        texture->InterpolateOn(); // the edges of holes let something through
+        vtkNew<vtkLookupTable> table;
+        table->SetAlphaRange(0.2, 0.9);
+        table->SetRange(0.0, 255.0);
+        table->Build();
+        const auto texture = MakeChessboard(1);
+        texture->SetLookupTable(table);
+        texture->SetColorModeToMapScalars();
         AddPlate(s)->SetTexture(texture);
       } },
     { "OfABackThatLetsThrough", 0,
