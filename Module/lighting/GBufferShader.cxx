@@ -14,19 +14,20 @@ namespace
 const std::string Declarations = "//VTK::DepthPeeling::Dec";
 const std::string EndOfMain = "//VTK::DepthPeeling::Impl";
 
-/** Where what is written for lights begins and ends, and what would be the colour without them. */
+/** Where what is written for lights begins and ends. */
 struct Lighting
 {
   std::string Begin;
   std::string End;
-  std::string Unlit;
 };
 
 const Lighting PhongLighting = { "  vec3 diffuse = vec3(0,0,0);\n",
-  "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);",
-  "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);" };
+  "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);" };
 const Lighting PhysicalLighting = { "  vec3 Lo = vec3(0.0);\n",
-  "gl_FragData[0] = vec4(color, opacity);", "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);" };
+  "gl_FragData[0] = vec4(color, opacity);" };
+
+/** What stands in its place: textures multiply it, which makes their factor of it. */
+const std::string White = "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);";
 
 /** What the G-buffer has no room for: image-based light, textures of occlusion, anisotropy, clear coat. */
 const std::array<const char*, 4> Unkept = { "prefilterTex", "material.r",
@@ -73,7 +74,7 @@ bool LeaveOut(const Lighting& lighting, std::string& shader)
   {
     return false;
   }
-  shader.replace(begin, end + lighting.End.size() - begin, lighting.Unlit);
+  shader.replace(begin, end + lighting.End.size() - begin, White);
   return true;
 }
 

@@ -3,9 +3,31 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace vitrine
 {
+
+namespace
+{
+
+/** Visits the tiles of each rectangle, light by light. */
+template <class Visit>
+void ForEachTile(
+  const ClusterGrid& grid, const std::vector<LightRectangle>& rectangles, const Visit& visit)
+{
+  for (const LightRectangle& rectangle : rectangles)
+  {
+    for (int row = rectangle.First.y; row <= rectangle.Last.y; ++row)
+    {
+      for (int column = rectangle.First.x; column <= rectangle.Last.x; ++column)
+      {
+        visit(grid.ClusterAt(column, row, 0), rectangle.Light);
+      }
+    }
+  }
+}
+}
 
 std::vector<LightRectangle> RectanglesOf(const ClusterGrid& grid, const LightLists& lists)
 {
@@ -32,24 +54,15 @@ std::vector<LightRectangle> RectanglesOf(const ClusterGrid& grid, const LightLis
 
 LightLists CoveredTiles(const ClusterGrid& grid, const std::vector<LightRectangle>& rectangles)
 {
-  std::vector<std::vector<std::uint32_t>> tiles(grid.Count());
-  for (const LightRectangle& rectangle : rectangles)
-  {
-    for (int row = rectangle.First.y; row <= rectangle.Last.y; ++row)
-    {
-      for (int column = rectangle.First.x; column <= rectangle.Last.x; ++column)
-      {
-        tiles[grid.ClusterAt(column, row, 0)].push_back(rectangle.Light);
-      }
-    }
-  }
   LightLists lists;
-  lists.Offsets = { 0 };
-  for (const std::vector<std::uint32_t>& tile : tiles)
-  {
-    lists.Indices.insert(lists.Indices.end(), tile.begin(), tile.end());
-    lists.Offsets.push_back(static_cast<std::uint32_t>(lists.Indices.size()));
-  }
+  lists.Offsets.assign(grid.Count() + 1, 0);
+  ForEachTile(
+    grid, rectangles, [&](std::uint32_t tile, std::uint32_t) { ++lists.Offsets[tile + 1]; });
+  std::partial_sum(lists.Offsets.begin(), lists.Offsets.end(), lists.Offsets.begin());
+  lists.Indices.resize(lists.Offsets.back());
+  std::vector<std::uint32_t> next(lists.Offsets.begin(), lists.Offsets.end() - 1);
+  ForEachTile(grid, rectangles,
+    [&](std::uint32_t tile, std::uint32_t light) { lists.Indices[next[tile]++] = light; });
   return lists;
 }
 
