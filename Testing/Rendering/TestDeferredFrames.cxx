@@ -2,10 +2,12 @@
 #include "DeferredScene.h"
 #include "Select.h"
 #include "TestMessages.h"
+#include "gl/VitrineOpenGL.h"
 #include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSequencePass.h"
@@ -315,6 +317,49 @@ TEST(DeferredFrame, OfShadersThatCannotBeRewrittenIsNotDeferred)
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find("//VTK::DepthPeeling::Impl"), std::string::npos) << messages[0];
+}
+
+/** What OpenGL has been set to, and what vtkOpenGLState believes of that. */
+std::vector<GLint> StateOf(vtkRenderWindow* window)
+{
+  std::vector<GLint> record;
+  vtkOpenGLState* const state = static_cast<vtkOpenGLRenderWindow*>(window)->GetState();
+  for (const GLenum capability :
+    { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_MULTISAMPLE })
+  {
+    record.push_back(glIsEnabled(capability));
+    EXPECT_EQ(state->GetEnumState(capability), glIsEnabled(capability) == GL_TRUE) << capability;
+  }
+  for (const GLenum name : { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+         GL_BLEND_DST_ALPHA, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_DRAW_FRAMEBUFFER_BINDING,
+         GL_READ_FRAMEBUFFER_BINDING, GL_DRAW_BUFFER0, GL_DRAW_BUFFER1, GL_ACTIVE_TEXTURE,
+         GL_SHADER_STORAGE_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_COPY_WRITE_BUFFER_BINDING })
+  {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    record.push_back(value);
+  }
+  GLint mask[4] = {};
+  glGetIntegerv(GL_COLOR_WRITEMASK, mask);
+  record.insert(record.end(), mask, mask + 4);
+  return record;
+}
+
+TEST(DeferredFrame, LeavesOpenGLAsVTKDoes)
+{
+  for (const int samples : { 0, 4 })
+  {
+    DeferredScene scene(true, false, samples);
+    scene.AddLights(1);
+    scene.InVTKsLight();
+    const std::vector<GLint> expected = StateOf(scene.Window);
+    for (const int assignment : DeferredAssignments)
+    {
+      scene.Deferred->SetAssignment(assignment);
+      scene.InDeferredLight();
+      EXPECT_EQ(StateOf(scene.Window), expected) << assignment;
+    }
+  }
 }
 
 TEST(DeferredFrame, PutsTheOpaquePassBack)

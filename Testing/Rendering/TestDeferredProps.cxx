@@ -4,6 +4,8 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkConeSource.h"
+#include "vtkCulledCompositePolyDataMapper.h"
+#include "vtkCulledPolyDataMapper.h"
 #include "vtkDataSetMapper.h"
 #include "vtkElevationFilter.h"
 #include "vtkGlyph3DMapper.h"
@@ -72,6 +74,7 @@ vtkSmartPointer<vtkActor> AddPlate(DeferredScene& scene)
 }
 
 // Each block of another colour; the last is translucent.
+template <class Mapper>
 void AddBlocks(DeferredScene& scene)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -83,7 +86,7 @@ void AddBlocks(DeferredScene& scene)
     sphere->Update();
     blocks->SetBlock(i, sphere->GetOutput());
   }
-  vtkNew<CompositeMapper> mapper;
+  vtkNew<Mapper> mapper;
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
   mapper->SetInputDataObject(blocks);
@@ -271,7 +274,18 @@ const std::vector<PropKind>& Kinds()
         actor->SetMapper(mapper);
         s.Renderer->AddActor(actor);
       } },
-    { "OfBlocks", 1, AddBlocks },
+    { "OfBlocks", 1, AddBlocks<CompositeMapper> },
+    { "OfCulledBlocks", 1, AddBlocks<vtkCulledCompositePolyDataMapper> },
+    { "OfCulledRuns", 1,
+      [](DeferredScene& s)
+      {
+        vtkNew<vtkSphereSource> sphere;
+        vtkNew<vtkCulledPolyDataMapper> mapper;
+        mapper->SetInputConnection(sphere->GetOutputPort());
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(mapper);
+        s.Renderer->AddActor(actor);
+      } },
     { "OfGlyphs", 0, AddGlyphs },
     { "OfShaderCode", 0,
       [](DeferredScene& s)
