@@ -11,3 +11,33 @@ vec4 vitrineGBufferAt(int layer)
 {
   return vitrineGBufferSample(layer, VITRINE_SAMPLE);
 }
+
+// What Phong's formulas take of a surface, and in the fourth components the factor.
+struct VitrineMaterialValues
+{
+  vec4 Base;
+  vec4 Gloss;
+  vec4 Own;
+  float SpecularPower;
+};
+
+uniform samplerBuffer vitrineMaterials;
+
+VitrineMaterialValues vitrineMaterialAt(int number)
+{
+  int texel = VITRINE_MATERIAL_TEXELS * number;
+  vec4 diffuse = texelFetch(vitrineMaterials, texel);
+  return VitrineMaterialValues(vec4(diffuse.xyz, 1.0),
+    vec4(texelFetch(vitrineMaterials, texel + 1).xyz, 1.0),
+    vec4(texelFetch(vitrineMaterials, texel + 2).xyz, 1.0), diffuse.w);
+}
+
+VitrineMaterialValues vitrineValuesAt(float shows, float numberOrPower)
+{
+  if (shows == VITRINE_SHOWS_MATERIAL)
+  {
+    return vitrineMaterialAt(int(numberOrPower));
+  }
+  return VitrineMaterialValues(vitrineGBufferAt(VITRINE_GBUFFER_BASE),
+    vitrineGBufferAt(VITRINE_GBUFFER_GLOSS), vitrineGBufferAt(VITRINE_GBUFFER_OWN), numberOrPower);
+}

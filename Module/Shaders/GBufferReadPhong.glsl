@@ -1,24 +1,30 @@
 // A pixel's surface in place of the shape's, before VTK's Phong shading of it.
   vec4 vitrinePlace = vitrineGBufferAt(VITRINE_GBUFFER_PLACE);
   vec4 vitrineNormal = vitrineGBufferAt(VITRINE_GBUFFER_NORMAL);
-  vec4 vitrineBase = vitrineGBufferAt(VITRINE_GBUFFER_BASE);
-  vec4 vitrineGloss = vitrineGBufferAt(VITRINE_GBUFFER_GLOSS);
-  vec4 vitrineOwn = vitrineGBufferAt(VITRINE_GBUFFER_OWN);
-#ifndef VITRINE_ADDS_LIGHT
-  if (vitrinePlace.w == VITRINE_SHOWS_FINISHED)
-  {
-    gl_FragData[0] = vitrineBase;
-    return;
-  }
-#endif
-  if (vitrinePlace.w != VITRINE_SHOWS_PHONG)
+#if defined(VITRINE_HAS_ONLY_MATERIALS)
+  if (vitrinePlace.w != VITRINE_SHOWS_MATERIAL)
   {
     discard;
   }
+  VitrineMaterialValues vitrineValues = vitrineMaterialAt(int(vitrineNormal.w));
+#else
+  VitrineMaterialValues vitrineValues = vitrineValuesAt(vitrinePlace.w, vitrineNormal.w);
+#ifndef VITRINE_ADDS_LIGHT
+  if (vitrinePlace.w == VITRINE_SHOWS_FINISHED)
+  {
+    gl_FragData[0] = vitrineValues.Base;
+    return;
+  }
+#endif
+  if (vitrinePlace.w != VITRINE_SHOWS_PHONG && vitrinePlace.w != VITRINE_SHOWS_MATERIAL)
+  {
+    discard;
+  }
+#endif
   vertexVC = vec4(vitrinePlace.xyz, 1.0);
   normalVCVSOutput = vitrineNormal.xyz;
-  specularPower = vitrineNormal.w;
-  diffuseColor = vitrineBase.xyz;
-  specularColor = vitrineGloss.xyz;
-  ambientColor = vitrineOwn.xyz;
-  vec3 vitrineFactor = vec3(vitrineBase.w, vitrineGloss.w, vitrineOwn.w);
+  specularPower = vitrineValues.SpecularPower;
+  diffuseColor = vitrineValues.Base.xyz;
+  specularColor = vitrineValues.Gloss.xyz;
+  ambientColor = vitrineValues.Own.xyz;
+  vec3 vitrineFactor = vec3(vitrineValues.Base.w, vitrineValues.Gloss.w, vitrineValues.Own.w);

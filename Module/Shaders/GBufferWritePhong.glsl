@@ -1,6 +1,7 @@
 // What VTK's Phong shading takes, in place of the light; gl_FragData[0] is what textures make of white.
-  gl_FragData[1] = vec4(normalVCVSOutput, specularPower);
+  bool vitrineHasNumber = vitrineMaterial >= 0.0;
+  gl_FragData[1] = vec4(normalVCVSOutput, vitrineHasNumber ? vitrineMaterial : specularPower);
   gl_FragData[2] = vec4(diffuseColor, gl_FragData[0].r);
   gl_FragData[3] = vec4(specularColor, gl_FragData[0].g);
   gl_FragData[4] = vec4(ambientColor, gl_FragData[0].b);
-  gl_FragData[0] = vec4(vertexVC.xyz, VITRINE_SHOWS_PHONG);
+  gl_FragData[0] = vec4(vertexVC.xyz, vitrineHasNumber ? VITRINE_SHOWS_MATERIAL : VITRINE_SHOWS_PHONG);

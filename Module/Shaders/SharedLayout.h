@@ -130,12 +130,25 @@ struct VitrineLightList
   uint Count;
 };
 
+/** A material by Phong's formulas: three texels of a buffer texture, RGBA32F. */
+struct VitrineMaterial
+{
+  float Diffuse[3];
+  float SpecularPower;
+  float Specular[3];
+  float UnusedAfterSpecular;
+  float Ambient[3];
+  float UnusedAfterAmbient;
+};
+#define VITRINE_MATERIAL_TEXELS 3
+
 // The G-buffer of deferred shading: layers of four floats a pixel. The first has the place in view coordinates and what the pixel
-// shows: nothing, a surface whose colour is finished, or one to be lit by Phong's formulas or by physically based ones.
+// shows: nothing, a surface whose colour is finished, or one to be lit by Phong's formulas or by physically based ones. Where all surfaces are of
+// one material each, lit by Phong's formulas, there are the first two layers alone.
 //
 //         x y z                        w
 // place   place                        what it shows
-// normal  normal                       specular power, or roughness
+// normal  normal                       specular power, roughness, or the number of a material
 // base    diffuse colour, or albedo    factor.x, or metallic      of a finished surface: its colour
 // gloss   specular colour, or F90      factor.y, or F0
 // own     ambient colour, or emissive  factor.z, or the strength of occlusion
@@ -147,6 +160,7 @@ struct VitrineLightList
 #define VITRINE_GBUFFER_GLOSS 3
 #define VITRINE_GBUFFER_OWN 4
 #define VITRINE_GBUFFER_LAYERS 5
+#define VITRINE_GBUFFER_LAYERS_OF_MATERIALS 2
 
 // What light volumes add up for a pixel of it: diffuse and specular of Phong's formulas, or the radiance of physically based ones.
 #define VITRINE_LIGHT_SUM_DIFFUSE 0
@@ -157,6 +171,7 @@ struct VitrineLightList
 #define VITRINE_SHOWS_FINISHED 1.0
 #define VITRINE_SHOWS_PHONG 2.0
 #define VITRINE_SHOWS_PHYSICAL 3.0
+#define VITRINE_SHOWS_MATERIAL 4.0 // to be lit by Phong's formulas
 
 #ifdef __cplusplus
 static_assert(sizeof(VitrineLight) == 16 * VITRINE_LIGHT_TEXELS, "texels of four floats");
@@ -164,6 +179,7 @@ static_assert(offsetof(VitrineLight, Direction) == 16, "texels of four floats");
 static_assert(offsetof(VitrineLight, Position) == 32, "texels of four floats");
 static_assert(offsetof(VitrineLight, Attenuation) == 48, "texels of four floats");
 static_assert(sizeof(VitrineLightList) == 8, "a texel of two words");
+static_assert(sizeof(VitrineMaterial) == 16 * VITRINE_MATERIAL_TEXELS, "texels of four floats");
 static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");

@@ -48,21 +48,27 @@ DeferredShading::DeferredShading()
 {
   this->Writing->Rewrite = [this](std::string&, std::string& fragmentShader)
   { this->TakeProblem(WriteGBuffer(fragmentShader)); };
+  this->Writing->SetUniforms = [this](vtkShaderProgram* program, vtkAbstractMapper* mapper,
+                                 vtkProp* prop) { this->SetMaterial(program, mapper, prop); };
 }
 
 std::string DeferredShading::Render(
   const vtkRenderState* s, const DeferredGrid& grid, const RendererLights& lights)
 {
-  std::string problem = this->Prepare(s, grid.By);
+  vtkOpenGLState* const state = WindowOf(s)->GetState();
+  std::string problem = this->Prepare(grid.By, state);
+  if (problem.empty())
+  {
+    problem = this->Write(s);
+  }
   if (!problem.empty())
   {
     return problem;
   }
-  this->Write(s);
-  vtkOpenGLState* const state = WindowOf(s)->GetState();
   const ScopedTrackedState trackedState(state);
   LetAllThrough(state);
   this->SurfacesUnit = UnitOf(state, this->Surfaces.Image());
+  this->Materials.Bind(state);
   problem = this->Assign(s, grid, lights);
   if (problem.empty())
   {
@@ -70,21 +76,17 @@ std::string DeferredShading::Render(
     this->LightBy(grid.By, s);
     this->Lights.Buffers.Unbind();
   }
+  this->Materials.Unbind();
   this->SurfacesUnit.reset();
   return problem.empty() ? this->WhyNot : problem;
 }
 
-std::string DeferredShading::Prepare(const vtkRenderState* s, LightsBy by)
+std::string DeferredShading::Prepare(LightsBy by, vtkOpenGLState* state)
 {
-  std::string problem =
-    this->WhyNot.empty() ? this->Target.Probe(WindowOf(s)->GetState()) : this->WhyNot;
+  std::string problem = this->WhyNot.empty() ? this->Target.Probe(state) : this->WhyNot;
   if (problem.empty() && this->Target.Samples > 0)
   {
     problem = MissingFeatures(4, 0, {}); // samples are shaded one by one
-  }
-  if (problem.empty())
-  {
-    problem = this->Surfaces.Allocate(this->Target);
   }
   if (by != LightsBy::Volume)
   {
@@ -94,25 +96,64 @@ std::string DeferredShading::Prepare(const vtkRenderState* s, LightsBy by)
   {
     problem = this->Sums.Allocate(this->Target);
   }
-  if (this->Samples != this->Target.Samples)
+  return problem;
+}
+
+// What is drawn mostly takes as many layers as in the last frame. If not, it is drawn once more: what is as near as the depth that is there passes.
+std::string DeferredShading::Write(const vtkRenderState* s)
+{
+  const bool hadOnlyMaterials = this->HasOnlyMaterials;
+  std::string problem = this->WriteLayers(
+    s, hadOnlyMaterials ? VITRINE_GBUFFER_LAYERS_OF_MATERIALS : VITRINE_GBUFFER_LAYERS);
+  if (problem.empty() && hadOnlyMaterials && !this->HasOnlyMaterials)
   {
-    this->Samples = this->Target.Samples;
+    problem = this->WriteLayers(s, VITRINE_GBUFFER_LAYERS);
+  }
+  this->KeepShapesUpToDate();
+  return problem.empty() ? this->Materials.Write() : problem;
+}
+
+std::string DeferredShading::WriteLayers(const vtkRenderState* s, int layers)
+{
+  std::string problem = this->Surfaces.Allocate(this->Target, layers);
+  if (problem.empty())
+  {
+    vtkOpenGLState* const state = WindowOf(s)->GetState();
+    const ScopedTrackedState trackedState(state);
+    this->Surfaces.BindForDrawing(state, this->Target);
+    this->HasOnlyMaterials = true;
+    this->Materials.Clear();
+    this->WritesNow = true;
+    this->Writing->Render(s);
+    this->WritesNow = false;
+    problem = this->WhyNot;
+  }
+  return problem;
+}
+
+void DeferredShading::SetMaterial(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  const bool mayHaveNumber = program->IsUniformUsed("vitrineMaterial");
+  const int number = mayHaveNumber ? this->Materials.NumberOf(mapper, prop) : -1;
+  if (mayHaveNumber)
+  {
+    program->SetUniformf("vitrineMaterial", static_cast<float>(number));
+  }
+  this->HasOnlyMaterials &= number >= 0;
+}
+
+void DeferredShading::KeepShapesUpToDate()
+{
+  const std::pair<int, bool> written(this->Target.Samples, this->HasOnlyMaterials);
+  if (this->WrittenFor != written)
+  {
+    this->WrittenFor = written;
     for (const auto& shape : this->Shapes)
     {
       shape.second->Hook->RewriteAgain();
     }
   }
-  return problem;
-}
-
-void DeferredShading::Write(const vtkRenderState* s)
-{
-  vtkOpenGLState* const state = WindowOf(s)->GetState();
-  const ScopedTrackedState trackedState(state);
-  this->Surfaces.BindForDrawing(state, this->Target);
-  this->WritesNow = true;
-  this->Writing->Render(s);
-  this->WritesNow = false;
 }
 
 std::string DeferredShading::Assign(
@@ -120,8 +161,9 @@ std::string DeferredShading::Assign(
 {
   auto* const renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
   return this->Lights.Assign(renderer, grid, lights,
-    [&](const ViewGrid& view)
-    { return this->Marked.Find(WindowOf(s), view, this->SurfacesUnit->Unit(), this->Samples); });
+    [&](const ViewGrid& view) {
+      return this->Marked.Find(WindowOf(s), view, this->SurfacesUnit->Unit(), this->Target.Samples);
+    });
 }
 
 void DeferredShading::LightBy(LightsBy by, const vtkRenderState* s)
@@ -168,11 +210,11 @@ LitShape& DeferredShading::ShapeOf(Shading shading, Gathering gathering)
     shape->Hook->Rewrite = [this, shading, gathering](
                              std::string& vertexShader, std::string& fragmentShader)
     {
-      this->TakeProblem(
-        ReadGBuffer(vertexShader, fragmentShader, { shading, gathering, this->Samples }));
+      this->TakeProblem(ReadGBuffer(vertexShader, fragmentShader,
+        { shading, gathering, this->WrittenFor.first, this->WrittenFor.second }));
     };
-    shape->Hook->SetUniforms = [this, gathering](vtkShaderProgram* program)
-    { this->SetUniforms(program, gathering); };
+    shape->Hook->SetUniforms = [this, gathering](vtkShaderProgram* program, vtkAbstractMapper*,
+                                 vtkProp*) { this->SetUniforms(program, gathering); };
   }
   return *shape;
 }
@@ -180,6 +222,7 @@ LitShape& DeferredShading::ShapeOf(Shading shading, Gathering gathering)
 void DeferredShading::SetUniforms(vtkShaderProgram* program, Gathering gathering)
 {
   program->SetUniformi("vitrineGBuffer", this->SurfacesUnit->Unit());
+  this->Materials.SetUniforms(program);
   if (gathering == Gathering::Sums)
   {
     program->SetUniformi("vitrineLightSums", this->SumsUnit->Unit());
@@ -198,13 +241,14 @@ void DeferredShading::TakeProblem(const std::string& problem)
 
 std::int64_t DeferredShading::Bytes() const
 {
-  return this->Surfaces.Bytes() + this->Sums.Bytes() + this->Marked.Bytes() +
-    this->Lights.Buffers.Bytes();
+  return this->Surfaces.Bytes() + this->Materials.Bytes() + this->Sums.Bytes() +
+    this->Marked.Bytes() + this->Lights.Buffers.Bytes();
 }
 
 void DeferredShading::Release()
 {
   this->Surfaces.Release();
+  this->Materials.Release();
   this->Sums.Release();
   this->Marked.Release();
   this->Lights.Buffers.Release();
@@ -214,6 +258,7 @@ void DeferredShading::Forget()
 {
   this->Surfaces = GBuffer();
   this->Sums = LightSums();
+  this->Materials = MaterialTable();
   this->Marked = MarkedClusters();
   this->Lights.Buffers = LightBuffers();
 }

@@ -11,6 +11,7 @@
 #include "lighting/LightSums.h"
 #include "lighting/LitShape.h"
 #include "lighting/MarkedClusters.h"
+#include "lighting/MaterialTable.h"
 #include "vtkPolyData.h"
 
 #include <map>
@@ -54,8 +55,11 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string Prepare(const vtkRenderState* s, LightsBy by);
-  void Write(const vtkRenderState* s);
+  std::string Prepare(LightsBy by, vtkOpenGLState* state);
+  std::string Write(const vtkRenderState* s);
+  std::string WriteLayers(const vtkRenderState* s, int layers);
+  void SetMaterial(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);
+  void KeepShapesUpToDate();
   std::string Assign(
     const vtkRenderState* s, const DeferredGrid& grid, const RendererLights& lights);
   void LightBy(LightsBy by, const vtkRenderState* s);
@@ -66,8 +70,9 @@ private:
   void TakeProblem(const std::string& problem);
 
   RenderTarget Target; ///< of the current frame
-  int Samples = -1;    ///< that shaders are written for
   GBuffer Surfaces;
+  MaterialTable Materials;
+  bool HasOnlyMaterials = true; ///< all that was drawn into the G-buffer
   LightSums Sums;
   MarkedClusters Marked;
   DeferredLists Lights;
@@ -77,6 +82,7 @@ private:
   vtkNew<ShaderHook> Writing;
   vtkSmartPointer<vtkPolyData> Cover = MakeCover();
   vtkNew<vtkPolyData> Volumes;
+  std::pair<int, bool> WrittenFor; ///< samples, and whether there are only materials
   std::map<std::pair<Shading, Gathering>, std::unique_ptr<LitShape>> Shapes;
   std::unique_ptr<ScopedTextureUnit> SurfacesUnit, SumsUnit; ///< while they are read
 };

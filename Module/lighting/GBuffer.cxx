@@ -8,16 +8,16 @@
 namespace vitrine
 {
 
-std::string GBuffer::Allocate(const RenderTarget& target)
+std::string GBuffer::Allocate(const RenderTarget& target, int layers)
 {
-  return this->Layers.Allocate(
-    GL_RGBA32F, target.Width, target.Height, target.Samples, VITRINE_GBUFFER_LAYERS);
+  this->Count = layers;
+  return this->Layers.Allocate(GL_RGBA32F, target.Width, target.Height, target.Samples, layers);
 }
 
 void GBuffer::BindForDrawing(vtkOpenGLState* state, const RenderTarget& target)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Drawing.Handle());
-  DrawIntoLayers(this->Layers, VITRINE_GBUFFER_LAYERS);
+  DrawIntoLayers(this->Layers, this->Count);
   target.AttachDepth();
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

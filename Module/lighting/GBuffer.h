@@ -20,7 +20,7 @@ class GBuffer
 {
 public:
   /** As large as the target, and of as many samples. Returns an empty string, or why the driver cannot hold it. */
-  std::string Allocate(const RenderTarget& target);
+  std::string Allocate(const RenderTarget& target, int layers);
 
   /**
    * Bind it for drawing, with the target's depth, and let it show nothing where the target is drawn into. Geometry is written without blending.
@@ -36,6 +36,7 @@ public:
 
 private:
   Image2D Layers;
+  int Count = 0;
   Framebuffer Drawing;
 };
 

@@ -4,6 +4,7 @@
 #include "transparency/FillShader.h"
 #include "transparency/ShaderText.h"
 
+#include <algorithm>
 #include <array>
 
 namespace vitrine
@@ -46,6 +47,36 @@ bool HasUnkept(const std::string& shader)
     }
   }
   return false;
+}
+
+/** All that is written to the values of a material, where they come from the property alone. */
+const std::array<std::string, 4> FromProperty = {
+  "diffuseColor = diffuseIntensity * diffuseColorUniform;",
+  "ambientColor = ambientIntensity * ambientColorUniform;",
+  "specularColor = specularIntensity * specularColorUniform;",
+  "specularPower = specularPowerUniform;"
+};
+
+std::size_t CountOf(const std::string& shader, const std::string& text)
+{
+  std::size_t count = 0;
+  for (std::size_t at = shader.find(text); at != std::string::npos; at = shader.find(text, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+// Whether a surface's values are the same all over.
+bool TakesMaterialFromProperty(const std::string& shader)
+{
+  return CountOf(shader, Textured) == 0 &&
+    std::all_of(FromProperty.begin(), FromProperty.end(),
+      [&](const std::string& text)
+      {
+        const std::string assigned = text.substr(0, text.find('=') + 1);
+        return CountOf(shader, text) == 1 && CountOf(shader, assigned) == 1;
+      });
 }
 
 // Whether all that comes after the light multiplies the colour.
@@ -134,6 +165,7 @@ std::string PlaceLight(std::string& vertexShader)
 std::string DeclarationsOf(const GBufferReading& reading)
 {
   std::string text = "#define VITRINE_SAMPLES " + std::to_string(reading.Samples) + "\n";
+  text += reading.HasOnlyMaterials ? "#define VITRINE_HAS_ONLY_MATERIALS\n" : "";
   if (reading.Lights == Gathering::Add)
   {
     text += "#define VITRINE_ADDS_LIGHT\nflat in int vitrineLight;\n";
@@ -161,6 +193,9 @@ std::string WriteGBuffer(std::string& fragmentShader)
 {
   std::string problem;
   const char* writing = shaders::GBufferWriteFinished;
+  const char* const material = TakesMaterialFromProperty(fragmentShader)
+    ? "uniform float vitrineMaterial;\n"
+    : "const float vitrineMaterial = -1.0;\n";
   if (IsLit(fragmentShader))
   {
     if (LeaveOut(PhongLighting, fragmentShader))
@@ -178,7 +213,8 @@ std::string WriteGBuffer(std::string& fragmentShader)
   }
   if (problem.empty())
   {
-    problem = ReplaceTag(fragmentShader, Declarations, shaders::GBufferWriteDec);
+    problem =
+      ReplaceTag(fragmentShader, Declarations, material + std::string(shaders::GBufferWriteDec));
   }
   return problem.empty() ? ReplaceTag(fragmentShader, EndOfMain, std::string("\n") + writing)
                          : problem;

@@ -17,7 +17,8 @@ enum class Shading
 };
 
 /**
- * Has a mapper's fragment shader write the G-buffer. What takes formulas that the G-buffer has no room for is lit there and then, by the loop over
+ * Has a mapper's fragment shader write the G-buffer. Where it takes a material from the property alone, it has a uniform vitrineMaterial: its number in the table
+ * of materials, or -1. What takes formulas that the G-buffer has no room for is lit there and then, by the loop over
  * lights, and written as finished. Returns an empty string, or what is not as it should be.
  */
 std::string WriteGBuffer(std::string& fragmentShader);
@@ -35,6 +36,8 @@ struct GBufferReading
   Shading Formulas;
   Gathering Lights;
   int Samples; ///< of the G-buffer; 0 for one that is not multisampled
+  bool
+    HasOnlyMaterials; ///< whether all that the G-buffer shows has its number in the table of materials
 };
 
 /**

@@ -23,11 +23,11 @@ bool ShaderHook::PostReplaceShaderValues(std::string& vertexShader, std::string&
 }
 
 bool ShaderHook::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   if (this->SetUniforms)
   {
-    this->SetUniforms(program);
+    this->SetUniforms(program, mapper, prop);
   }
   return true;
 }

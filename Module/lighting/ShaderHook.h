@@ -24,8 +24,8 @@ public:
   /** Rewrites vertex and fragment shader of a mapper. */
   std::function<void(std::string&, std::string&)> Rewrite;
 
-  /** Sets the uniforms of rewritten shaders. */
-  std::function<void(vtkShaderProgram*)> SetUniforms;
+  /** Sets the uniforms of rewritten shaders, for a mapper that is about to draw a prop. */
+  std::function<void(vtkShaderProgram*, vtkAbstractMapper*, vtkProp*)> SetUniforms;
 
   /** What Rewrite() goes by has changed. */
   void RewriteAgain() { this->Stage.Modified(); }

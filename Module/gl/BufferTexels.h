@@ -1,0 +1,54 @@
+/**
+ * Writes what shaders read as texels of a buffer texture.
+ */
+#ifndef VITRINE_BUFFER_TEXELS_H
+#define VITRINE_BUFFER_TEXELS_H
+
+#include "gl/Capabilities.h"
+#include "gl/GLObjects.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * Writes items of some texels each. The buffer grows by more than is asked for, as what changes from frame to frame does. Returns an empty string, or why there
+ * is no room.
+ * @param what  the items, as a message names them
+ */
+template <class Item>
+std::string WriteTexels(Buffer& buffer, const std::vector<Item>& items, GLenum format, int texels,
+  const std::string& what)
+{
+  const std::int64_t count = static_cast<std::int64_t>(items.size());
+  if (count * texels > LargestBufferTexture())
+  {
+    return what + " take " + std::to_string(count * texels) +
+      " texels, and the driver's largest buffer texture has " +
+      std::to_string(LargestBufferTexture());
+  }
+  const std::int64_t size = count * static_cast<std::int64_t>(sizeof(Item));
+  const std::int64_t least = texels * std::int64_t{ 16 };
+  if (buffer.Bytes() < std::max(size, least))
+  {
+    const std::int64_t roomy = std::min(
+      size + size / 4, LargestBufferTexture() * (static_cast<std::int64_t>(sizeof(Item)) / texels));
+    if (!buffer.Allocate(std::max(roomy, least), format))
+    {
+      return "the driver has no memory for " + std::to_string(size) + " bytes of " + what;
+    }
+  }
+  if (size > 0)
+  {
+    buffer.Write(0, size, items.data());
+  }
+  return {};
+}
+
+}
+
+#endif
