@@ -12,6 +12,12 @@ namespace vitrine
 namespace
 {
 
+ClusterSettings WithoutSlices(ClusterSettings settings)
+{
+  settings.Slices = 1;
+  return settings;
+}
+
 // One list of the lights of all rectangles.
 LightLists NumberLights(const std::vector<LightRectangle>& rectangles)
 {
@@ -28,7 +34,8 @@ LightLists NumberLights(const std::vector<LightRectangle>& rectangles)
 std::string DeferredLists::Assign(vtkOpenGLRenderer* renderer, const DeferredGrid& grid,
   const RendererLights& lights, const FindMarks& findMarks)
 {
-  this->Grid.emplace(renderer, grid.TileSize, grid.By == LightsBy::Volume ? 1 : grid.Slices);
+  this->Grid.emplace(
+    renderer, grid.By == LightsBy::Volume ? WithoutSlices(grid.Clusters) : grid.Clusters);
   std::vector<std::uint8_t> marks = findMarks(*this->Grid);
   const auto start = std::chrono::steady_clock::now();
   this->AssignTo(grid, renderer, lights, marks);
@@ -50,7 +57,7 @@ void DeferredLists::AssignTo(const DeferredGrid& grid, vtkOpenGLRenderer* render
   {
     this->OfGrid = JoinSlices(this->Clusters(), this->OfGrid);
     marks = JoinMarks(this->Clusters(), marks);
-    this->Grid.emplace(renderer, grid.TileSize, 1);
+    this->Grid.emplace(renderer, WithoutSlices(grid.Clusters));
   }
   else if (grid.By == LightsBy::Volume)
   {

@@ -30,8 +30,7 @@ enum class LightsBy
 struct DeferredGrid
 {
   LightsBy By = LightsBy::Cluster;
-  int TileSize = 64;
-  int Slices = 16;
+  ClusterSettings Clusters;
 };
 
 class DeferredLists

@@ -30,15 +30,15 @@ std::array<int, 2> SizeOf(vtkRenderer* renderer)
 }
 }
 
-ViewGrid::ViewGrid(vtkOpenGLRenderer* renderer, int tileSize, int slices)
-  : ViewGrid(ToClipOf(renderer), renderer, tileSize, slices)
+ViewGrid::ViewGrid(vtkOpenGLRenderer* renderer, const ClusterSettings& settings)
+  : ViewGrid(ToClipOf(renderer), renderer, settings)
 {
 }
 
-ViewGrid::ViewGrid(const glm::dmat4& toClip, vtkOpenGLRenderer* renderer, int tileSize, int slices)
+ViewGrid::ViewGrid(
+  const glm::dmat4& toClip, vtkOpenGLRenderer* renderer, const ClusterSettings& settings)
   : ToClip(toClip)
-  , Grid(toClip, SizeOf(renderer)[0], SizeOf(renderer)[1],
-      ClusterSettings{ tileSize, slices, SliceLaw::Exponential })
+  , Grid(toClip, SizeOf(renderer)[0], SizeOf(renderer)[1], settings)
 {
 }
 

@@ -17,15 +17,14 @@ namespace vitrine
 class ViewGrid
 {
 public:
-  /** @param slices  of depth, at most */
-  ViewGrid(vtkOpenGLRenderer* renderer, int tileSize, int slices);
+  ViewGrid(vtkOpenGLRenderer* renderer, const ClusterSettings& settings);
 
   const ClusterGrid& Clusters() const { return this->Grid; }
 
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
-  ViewGrid(const glm::dmat4& toClip, vtkOpenGLRenderer* renderer, int tileSize, int slices);
+  ViewGrid(const glm::dmat4& toClip, vtkOpenGLRenderer* renderer, const ClusterSettings& settings);
 
   glm::mat4 ToClip;
   ClusterGrid Grid;

@@ -78,6 +78,7 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CutOff: " << this->CutOff << "\n";
   os << indent << "TileSize: " << this->TileSize << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "SliceLaw: " << this->SliceLaw << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
   os << indent << "LightsPerCluster: " << this->LightsPerCluster << "\n";
@@ -165,7 +166,7 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
   Internals& in = *this->Private;
   vitrine::CutLights(in.Lights.Falloffs, vitrine::LitRegionOf(s),
     vitrine::BudgetOfLight(renderer, this->CutOff), in.Lights.Volumes);
-  in.Grid.emplace(renderer, this->TileSize, this->NumberOfSlices);
+  in.Grid.emplace(renderer, this->GetClusterSettings());
   in.Assigner.Assign(in.Grid->Clusters(), in.Lights.Volumes, in.Lists);
   this->TellOfLists(in.Lists, in.Grid->Clusters().Count());
   this->AssignmentTime =
@@ -185,6 +186,12 @@ void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists, std::
   this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
   this->LightsPerCluster =
     static_cast<double>(lists.Indices.size()) / static_cast<double>(std::max<std::size_t>(1, used));
+}
+
+//------------------------------------------------------------------------------
+vitrine::ClusterSettings vtkClusteredLightsPass::GetClusterSettings() const
+{
+  return { this->TileSize, this->NumberOfSlices, static_cast<vitrine::SliceLaw>(this->SliceLaw) };
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ class vtkOpenGLRenderer;
 
 namespace vitrine
 {
+struct ClusterSettings;
 struct LightLists;
 struct RendererLights;
 }
@@ -81,6 +82,24 @@ public:
    */
   vtkSetClampMacro(NumberOfSlices, int, 1, 1024);
   vtkGetMacro(NumberOfSlices, int);
+  ///@}
+
+  /**
+   * How slices follow each other in perspective.
+   */
+  enum SliceLaws
+  {
+    EXPONENTIAL, ///< each is deeper than the one before by the same factor, about as deep as tiles are high
+    UNIFORM,    ///< as deep as each other
+    NDC_UNIFORM ///< equal steps of normalised device coordinates, which are nearly all at the eye
+  };
+
+  ///@{
+  /**
+   * In parallel projection slices are uniform always. EXPONENTIAL.
+   */
+  vtkSetClampMacro(SliceLaw, int, EXPONENTIAL, NDC_UNIFORM);
+  vtkGetMacro(SliceLaw, int);
   ///@}
 
   ///@{
@@ -134,6 +153,11 @@ protected:
   void LeaveWindow();
 
   /**
+   * How the view is cut into clusters.
+   */
+  vitrine::ClusterSettings GetClusterSettings() const;
+
+  /**
    * The lights of the current frame.
    */
   const vitrine::RendererLights& GetLights() const;
@@ -146,6 +170,7 @@ protected:
   double CutOff = 0.5 / 255.0;
   int TileSize = 64;
   int NumberOfSlices = 16;
+  int SliceLaw = EXPONENTIAL;
   vtkIdType NumberOfLights = 0;
   vtkIdType NumberOfClusters = 0;
   double LightsPerCluster = 0.0;

@@ -147,7 +147,7 @@ std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
 {
   vitrine::DeferredShading& shading = this->Deferred->Shading;
   const vitrine::DeferredGrid grid = { static_cast<vitrine::LightsBy>(this->Assignment),
-    this->TileSize, this->NumberOfSlices };
+    this->GetClusterSettings() };
   const std::string problem = shading.Render(s, grid, this->GetLights());
   if (problem.empty())
   {

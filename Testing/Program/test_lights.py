@@ -25,6 +25,7 @@ class Lights(FileTest):
         self.assertEqual(
             told["settings"],
             {"width": 60, "height": 40, "frames": 2, "orbit": 30.0, "tile": 64, "slices": 16,
+             "slice_law": "exponential",
              "cutoff": 0.5 / 255},
         )  # fmt: skip
         (drawn,) = told["results"]
@@ -55,7 +56,7 @@ class Lights(FileTest):
         for row in told:
             with self.subTest(mode=row["mode"]):
                 self.assertEqual((row["error"], row["reference"]), ({"max": 0.0}, "vtk"))
-                self.assertGreater(row["bytes"], 60 * 40 * 80)
+                self.assertGreater(row["bytes"], 60 * 40 * 32)
         used = [(row["clusters_used"], row["clusters"]) for row in told]
         self.assertEqual(used[0], (1, 1))
         self.assertLess(used[2][0], used[2][1])
@@ -84,6 +85,7 @@ class Lights(FileTest):
             ("demo:hall", "--modes", ""),
             ("demo:hall", "--tile", "48"),
             ("demo:hall", "--slices", "0"),
+            ("demo:hall", "--slice-law", "cubic"),
             ("demo:hall", "--cutoff", "nan"),
             ("demo:hall", "--cutoff", "-1"),
             ("demo:hall", "--size", "10"),

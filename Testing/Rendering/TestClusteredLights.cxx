@@ -129,6 +129,14 @@ TEST(ClusteredLight, DoesNotDependOnTheGrid)
       EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
     }
   }
+  for (const int law : { vtkClusteredLightsPass::UNIFORM, vtkClusteredLightsPass::NDC_UNIFORM })
+  {
+    const double before = scene.Lights->GetLightsPerCluster();
+    scene.Lights->SetSliceLaw(law);
+    EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+    EXPECT_NE(scene.Lights->GetLightsPerCluster(), before);
+  }
+  scene.Lights->SetSliceLaw(vtkClusteredLightsPass::EXPONENTIAL);
   vtkCamera* const camera = scene.Renderer->GetActiveCamera();
   for (const double near : { 0.01, 0.5, 1.5 })
   {

@@ -105,6 +105,13 @@ void AddGridOptions(CLI::App& command, LightingSettings& settings)
     ->check(CLI::Range(1, 256))
     ->capture_default_str();
   command
+    .add_option("--slice-law", settings.SliceLaw,
+      "how deep slices are in perspective: each by the same factor more, all the same, or by steps "
+      "of device coordinates")
+    ->type_name("exponential|uniform|ndc")
+    ->check(CLI::IsMember({ "exponential", "uniform", "ndc" }))
+    ->capture_default_str();
+  command
     .add_option("--cutoff", settings.CutOff,
       "the most of a colour from 0 to 1 that a picture may lack, where lights are cut; 0 cuts none")
     ->type_name("E")

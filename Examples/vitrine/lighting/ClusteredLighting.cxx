@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <string>
 
 namespace program
 {
@@ -18,6 +19,13 @@ namespace
 {
 // Of tiles, beyond any picture.
 const int WholePicture = 4096;
+
+int SliceLawOf(const std::string& name)
+{
+  return name == "uniform" ? vtkClusteredLightsPass::UNIFORM
+    : name == "ndc"        ? vtkClusteredLightsPass::NDC_UNIFORM
+                           : vtkClusteredLightsPass::EXPONENTIAL;
+}
 
 /** From window depths to view coordinates. */
 class Unprojection
@@ -55,6 +63,7 @@ public:
   {
     this->Pass->SetTileSize(settings.TileSize);
     this->Pass->SetNumberOfSlices(settings.Slices);
+    this->Pass->SetSliceLaw(SliceLawOf(settings.SliceLaw));
     this->Pass->SetCutOff(settings.CutOff);
   }
 
@@ -123,12 +132,12 @@ std::unique_ptr<LightingMode> MakeClusteredLighting(const LightingSettings& sett
 std::unique_ptr<LightingMode> MakeTiledLighting(const LightingSettings& settings)
 {
   return std::make_unique<ClusteredLighting>(
-    LightingSettings{ settings.TileSize, 1, settings.CutOff });
+    LightingSettings{ settings.TileSize, 1, settings.SliceLaw, settings.CutOff });
 }
 
 std::unique_ptr<LightingMode> MakeLightLoop()
 {
-  return std::make_unique<ClusteredLighting>(LightingSettings{ WholePicture, 1, 0.0 });
+  return std::make_unique<ClusteredLighting>(LightingSettings{ WholePicture, 1, "uniform", 0.0 });
 }
 
 std::unique_ptr<LightingMode> MakeDeferredLighting(const LightingSettings& settings)

@@ -19,8 +19,9 @@ namespace program
 /** What modes that cut the view into clusters are told; the others take no notice. */
 struct LightingSettings
 {
-  int TileSize = 64;           ///< in pixels
-  int Slices = 16;             ///< of depth, at most
+  int TileSize = 64;                    ///< in pixels
+  int Slices = 16;                      ///< of depth, at most
+  std::string SliceLaw = "exponential"; ///< or "uniform", "ndc"
   double CutOff = 0.5 / 255.0; ///< what lights may lack of the picture, all together; 0 for nothing
 };
 

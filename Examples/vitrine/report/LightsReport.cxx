@@ -76,7 +76,8 @@ std::string ToJson(
   Json document = MeasurementHead(device);
   document["settings"] = { { "width", plan.Size.Width }, { "height", plan.Size.Height },
     { "frames", plan.Frames }, { "orbit", plan.Orbit }, { "tile", plan.Settings.TileSize },
-    { "slices", plan.Settings.Slices }, { "cutoff", plan.Settings.CutOff } };
+    { "slices", plan.Settings.Slices }, { "slice_law", plan.Settings.SliceLaw },
+    { "cutoff", plan.Settings.CutOff } };
   document["results"] = Json::array();
   for (const LightingRun& run : runs)
   {
