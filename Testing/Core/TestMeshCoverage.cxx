@@ -292,6 +292,6 @@ TEST_P(MeshCoverage, EndsAtTheNearPlane)
   const Covered covered(GetParam(), sheet);
   for (int line = 0; line < WideLines; ++line)
   {
-    covered.ExpectFromTo(line, 2.5, GetParam().IsByCells ? 20.5 + 17.0 * 0.5 / 0.51 : 20.5);
+    covered.ExpectFromTo(line, 2.5, GetParam().IsByFaces ? 20.5 + 17.0 * 0.5 / 0.51 : 20.5);
   }
 }
