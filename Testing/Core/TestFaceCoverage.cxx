@@ -1,4 +1,4 @@
-// How near what is covered cell by cell is, known without computing.
+// How near what is covered face by face is, known without computing.
 
 #include "CoveredScreen.h"
 
@@ -165,7 +165,7 @@ TEST_P(FaceCoverage, OfAShellHasTheDepthOfItsNearWall)
   }
 }
 
-TEST_P(FaceCoverage, LeavesOutCellsThatAreCoveredByWhatIsNearer)
+TEST_P(FaceCoverage, LeavesOutWhatIsCoveredByWhatIsNearer)
 {
   SBuffer buffer(
     coverage::WideColumns, coverage::WideLines, GetParam().Samples(), coverage::MostTestSpans);

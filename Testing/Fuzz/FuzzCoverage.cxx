@@ -1,4 +1,4 @@
-// Puts made-up meshes into an s-buffer, by their outline or cell by cell, by matrices that may hold anything, with all faces' exact spans as the judge.
+// Puts made-up meshes into an s-buffer, by their outline or face by face, by matrices that may hold anything, with all faces' exact spans as the judge.
 
 #include "FuzzBytes.h"
 

@@ -40,7 +40,7 @@ const float FewLines = 16.0f;
 // Nodes of no more parts are visited at once: that takes less than to queue what is in them.
 const std::uint32_t FewParts = 16;
 
-// Of what is long, and of what reaches before the near plane: all else comes behind them.
+// Of what is long, which comes first, and of what reaches before the near plane.
 const float LongDepth = 3.0f;
 const float NearDepth = 2.0f;
 
@@ -118,7 +118,7 @@ private:
     const std::uint32_t number = entry.Number & LooseNode::NumberBits;
     if ((entry.Number & LooseNode::ItemBit) != 0)
     {
-      if (entry.Depth >= NearDepth && this->QueueByFaces(entry))
+      if (entry.Depth == NearDepth && this->QueueByFaces(entry))
       {
         return;
       }
@@ -142,7 +142,7 @@ private:
     }
   }
 
-  /** Has a part of which the box says little come when its nearest face does. Returns false if it has no faces. */
+  /** Has a part whose box reaches before the near plane come when its nearest face does. Returns false if it has no faces. */
   bool QueueByFaces(const Entry& entry)
   {
     const Occluder occluder = this->HasOcclusion
@@ -199,9 +199,8 @@ private:
         continue;
       }
       const bool isNear = (rectangles.Near >> lane & 1u) != 0;
-      const float depth = node.IsLong(lane) ? LongDepth
-        : isNear                            ? NearDepth
-                                            : rectangles.Nearest[lane];
+      const bool isLong = node.IsLong(lane);
+      const float depth = isNear ? NearDepth : isLong ? LongDepth : rectangles.Nearest[lane];
       entries[count++] = { depth, isNear ? Everywhere : rectangles.At(lane), node.Entries[lane],
         node.Counts[lane] };
     }
