@@ -96,10 +96,10 @@ TEST(HiddenFaces, BehindASlantedEdgeAreFoundLineByLine)
 TEST(HiddenFaces, AreAsFarAsTheirPlane)
 {
   const SBuffer lines = CoveredRightOfDiagonal();
-  Triangles slanted; // nearer than what covers left of the edge alone, where it has nothing
-  slanted.Add({ 30, 5, 0.45 }, { 90, 5, 0.1 }, { 60, 35, 0.1 });
+  Triangles slanted; // its nearest corners lie beside the screen
+  slanted.Add({ 60, 20, 0.1 }, { 150, 15, 0.9 }, { 150, 25, 0.9 });
   EXPECT_TRUE(AreHidden(slanted, lines, PlainView()));
-  slanted.Points[0].z = 0.55;
+  slanted.Points[0].z = 0.3; // 0.54 at the side of the screen
   EXPECT_FALSE(AreHidden(slanted, lines, PlainView()));
 }
 
@@ -176,6 +176,22 @@ TEST(HiddenFaces, DoNotHideWhatIsCutAtTheNearPlaneInTheView)
   EXPECT_TRUE(scene.Visible[wall]);
   EXPECT_TRUE(scene.Visible[cut]);
   EXPECT_FALSE(scene.Visible[beside]);
+}
+
+// All that shows of it lies so near to the eye that it is cut off.
+TEST(HiddenFaces, ThatShowWhereDevicesRoundMuchAreNotHidden)
+{
+  PartScene scene;
+  Triangles floor;
+  floor.AddQuad({ -1, -0.02, 1 }, { 1, -0.02, 1 }, { 1, -0.02, -0.1 }, { -1, -0.02, -0.1 });
+  const std::uint32_t cut = scene.Add(floor);
+  scene.Add(WallAt(-20.0));
+  View view = AheadView(false);
+  view.ToClip = glm::perspective(glm::radians(60.0), 16.0 / 9.0, 1e-3, 100.0);
+  scene.AddBox({ -1000, 0, 0 }, { -999, 1, 1 }); // sums of coordinates are large
+  PartCuller culler(FrameColumns, FrameLines);
+  scene.Cull(culler, view);
+  EXPECT_TRUE(scene.Visible[cut]);
 }
 
 // What hides its upper half is farther than its nearest corner.

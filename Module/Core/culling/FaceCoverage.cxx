@@ -11,6 +11,9 @@ namespace vitrine
 namespace
 {
 
+// Edges that touch more columns have a depth of their own.
+const float ThinEdge = 0.125f;
+
 // Where so many edges touch each other, their faces have a depth for each tile.
 const std::size_t FewEdges = 4;
 }
@@ -77,13 +80,14 @@ void FaceCoverage::FindFaces()
   this->Faces.clear();
   for (std::uint32_t i = 0; i < faces.size(); ++i)
   {
-    if (this->Projection->FacingOf(i) != this->Counted)
-    {
-      continue;
-    }
     const ScreenPoint a = this->Projection->Point(faces[i][0]);
     const ScreenPoint b = this->Projection->Point(faces[i][1]);
     const ScreenPoint c = this->Projection->Point(faces[i][2]);
+    const float depths = a.Depth + b.Depth + c.Depth + this->Margin.Depth;
+    if (this->Projection->FacingOf(i) != this->Counted || !std::isfinite(depths))
+    {
+      continue;
+    }
     const float above = this->Margin.Line;
     this->Numbers[i] = static_cast<std::uint32_t>(this->Faces.size());
     this->Faces.push_back({ DepthPlane(a, b, c, this->Margin, this->Margin.Column, above),
@@ -314,7 +318,8 @@ void FaceCoverage::InsertCluster(std::size_t first, std::size_t end, const Inter
 /** Whether an edge that is alone is left to the faces on both sides, which are told the farthest depth where it touches the line. */
 bool FaceCoverage::IsPassed(const EdgePiece& edge)
 {
-  if (edge.IsOutline() || !edge.IsCrossing || !this->IsWhole(edge.Left) ||
+  const bool isThin = edge.Touched.Right - edge.Touched.Left < ThinEdge;
+  if (edge.IsOutline() || !isThin || !edge.IsCrossing || !this->IsWhole(edge.Left) ||
     !this->IsWhole(edge.Right))
   {
     return edge.IsOutline();
@@ -331,8 +336,9 @@ bool FaceCoverage::IsPassed(const EdgePiece& edge)
 bool FaceCoverage::IsWhole(std::uint32_t face) const
 {
   const FaceOnLine& onLine = this->FacesOnLine[face];
-  return onLine.Touched.IsEmpty() &&
-    std::max(onLine.Inside.Left, 0.0f) < std::min(onLine.Inside.Right, this->ColumnCount);
+  const float left = std::max(onLine.Inside.Left, 0.0f);
+  const float right = std::min(onLine.Inside.Right, this->ColumnCount);
+  return onLine.Touched.IsEmpty() && right - left > ThinEdge;
 }
 
 /** The faces beside the edges from `first` to `end` that touch a piece of a line, and what of it is open. */
