@@ -3,7 +3,7 @@
 #include "BenchmarkMeshes.h"
 
 #include "Core/culling/BoxLanes.h"
-#include "Core/culling/CellCoverage.h"
+#include "Core/culling/FaceCoverage.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OutlineCoverage.h"
 
@@ -87,6 +87,7 @@ void CoverMesh(benchmark::State& state)
   const OccluderMesh mesh = SpheresOf(state.range(0));
   MeshProjection projection;
   projection.Project(mesh, ViewOfCube().Of(glm::dmat4(1.0)));
+  projection.FindFacings();
   SBuffer buffer(480, 270, SampleGrid::AtCentres(4));
   Coverage coverage;
   for (auto _ : state)
@@ -101,6 +102,6 @@ BENCHMARK_TEMPLATE(CoverMesh, OutlineCoverage)
   ->Arg(1000)
   ->Arg(100000)
   ->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(CoverMesh, CellCoverage)->Arg(1000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_TEMPLATE(CoverMesh, FaceCoverage)->Arg(1000)->Arg(100000)->Unit(benchmark::kMicrosecond);
 
 }

@@ -105,7 +105,7 @@ const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
         : HasGhosts(data)                                     ? OccluderMesh()
                           : OccluderMesh(PointsOf(data), TrianglesOf(data)));
     const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
-    if (hasMany && !this->HasVertsOrLines && !this->HasStrips)
+    if (hasMany && this->IsOfFacesAlone())
     {
       this->BoxesOfMesh = std::make_unique<MeshBoxes>(*this->Mesh);
     }

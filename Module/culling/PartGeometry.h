@@ -50,6 +50,9 @@ public:
   /** Whether there are vertices or lines, which are drawn wider than they are. */
   bool HasThinCells() const { return this->HasVertsOrLines; }
 
+  /** Whether nothing but polygons is drawn. */
+  bool IsOfFacesAlone() const { return !this->HasVertsOrLines && !this->HasStrips; }
+
   /** Its triangles and convex polygons as an occluder; built when first asked for. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data);
 

@@ -225,16 +225,21 @@ private:
   double Inset;
 };
 
-/** Columns of all lines that spans cover. */
+/** Columns of all lines that spans cover, and those beside them where no samples are. */
 inline double CoveredArea(const vitrine::SBuffer& buffer)
 {
   double area = 0.0;
   for (int line = 0; line < buffer.Lines(); ++line)
   {
+    float end = 0.0f;
     for (const vitrine::Span& span : buffer.SpansOf(line))
     {
-      area += double{ span.Right } - double{ span.Left };
+      const bool isJoined = buffer.Samples().From(end) >= span.Left;
+      area += double{ span.Right } - double{ isJoined ? end : span.Left };
+      end = span.Right;
     }
+    const float columns = static_cast<float>(buffer.Columns());
+    area += end > 0.0f && buffer.Samples().UpTo(columns) <= end ? double{ columns } - end : 0.0;
   }
   return area;
 }

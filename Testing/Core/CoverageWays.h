@@ -1,10 +1,10 @@
 /**
- * The ways in which a mesh gets into an s-buffer: by its outline or cell by cell, with samples anywhere or at centres of pixels.
+ * The ways in which a mesh gets into an s-buffer: by its outline or face by face, with samples anywhere or at centres of pixels.
  */
 #ifndef VITRINE_TESTING_COVERAGE_WAYS_H
 #define VITRINE_TESTING_COVERAGE_WAYS_H
 
-#include "Core/culling/CellCoverage.h"
+#include "Core/culling/FaceCoverage.h"
 #include "Core/culling/OutlineCoverage.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ const std::size_t MostTestSpans = 1u << 15; // many more than are used
 
 struct Way
 {
-  bool IsByCells;
+  bool IsByFaces;
   int PixelsPerLine; ///< 0 for samples anywhere
 
   vitrine::SampleGrid Samples() const
@@ -46,16 +46,16 @@ class Inserter
 {
 public:
   explicit Inserter(const Way& way)
-    : IsByCells(way.IsByCells)
+    : IsByFaces(way.IsByFaces)
   {
   }
 
   void Insert(vitrine::SBuffer& buffer, vitrine::MeshProjection& projection, Facing facing,
     std::uint32_t part)
   {
-    if (this->IsByCells)
+    if (this->IsByFaces)
     {
-      this->Cells.Insert(buffer, projection, facing, part);
+      this->Faces.Insert(buffer, projection, facing, part);
     }
     else
     {
@@ -64,8 +64,8 @@ public:
   }
 
 private:
-  bool IsByCells;
-  vitrine::CellCoverage Cells;
+  bool IsByFaces;
+  vitrine::FaceCoverage Faces;
   vitrine::OutlineCoverage Outline;
 };
 
@@ -73,7 +73,7 @@ inline std::string NameOf(const Way& way)
 {
   const std::string samples =
     way.PixelsPerLine == 0 ? "Anywhere" : "AtCentres" + std::to_string(way.PixelsPerLine);
-  return (way.IsByCells ? "Cells" : "Outline") + samples;
+  return (way.IsByFaces ? "Faces" : "Outline") + samples;
 }
 
 inline std::string NameOfParameter(const ::testing::TestParamInfo<Way>& info)

@@ -68,7 +68,8 @@ public:
     {
       return {};
     }
-    return { part.Mesh.get(), &part.ToWorld, part.HasBackFaces, part.Boxes.get() };
+    return { part.Mesh.get(), &part.ToWorld, part.HasBackFaces, part.Boxes.get(),
+      part.IsOfFacesAlone };
   }
 
   /** Leaves in Visible what may show. */
@@ -90,6 +91,7 @@ public:
     std::vector<glm::dvec3> Corners; ///< of triangles, in the world
     bool Hides = true;
     bool HasBackFaces = true;
+    bool IsOfFacesAlone = true;
   };
 
   std::vector<Part> Parts;

@@ -17,9 +17,9 @@ using vitrine::BallPart;
 using vitrine::Box;
 using vitrine::LightShape;
 using vitrine::LightVolume;
-using Kinds = vitrine::LightShape::Kinds;
+using LightKinds = vitrine::LightShape::Kinds;
 
-Kinds KindOf(float range, float angle, const glm::vec3& axis = { 0, 0, -1 })
+LightKinds KindOf(float range, float angle, const glm::vec3& axis = { 0, 0, -1 })
 {
   return LightShape({ { 1, 2, 3 }, range, axis, angle }).Kind;
 }
@@ -51,38 +51,40 @@ glm::dvec3 PointIn(const LightVolume& cone, std::mt19937& random)
 
 TEST(LightVolume, IsWhatVTKsFormulaSays)
 {
-  EXPECT_EQ(KindOf(5, 180), Kinds::Ball);
-  EXPECT_EQ(KindOf(5, 90), Kinds::Ball);
-  EXPECT_EQ(KindOf(5, 89), Kinds::Cone);
-  EXPECT_EQ(KindOf(5, 0), Kinds::Cone);    // lights what is right before it, in a shader's rounding
-  EXPECT_EQ(KindOf(5, -30), Kinds::Cone);  // the cosine is that of 30
-  EXPECT_EQ(KindOf(5, -100), Kinds::Ball); // more than half of space
-  EXPECT_EQ(KindOf(Infinity, 180), Kinds::Everywhere);
-  EXPECT_EQ(KindOf(Infinity, 30), Kinds::Cone);
-  EXPECT_EQ(KindOf(0, 180), Kinds::Nowhere);
-  EXPECT_EQ(KindOf(-1, 180), Kinds::Nowhere);
-  EXPECT_EQ(KindOf(1e30f, 180), Kinds::Everywhere);
+  EXPECT_EQ(KindOf(5, 180), LightKinds::Ball);
+  EXPECT_EQ(KindOf(5, 90), LightKinds::Ball);
+  EXPECT_EQ(KindOf(5, 89), LightKinds::Cone);
+  EXPECT_EQ(
+    KindOf(5, 0), LightKinds::Cone); // lights what is right before it, in a shader's rounding
+  EXPECT_EQ(KindOf(5, -30), LightKinds::Cone);  // the cosine is that of 30
+  EXPECT_EQ(KindOf(5, -100), LightKinds::Ball); // more than half of space
+  EXPECT_EQ(KindOf(Infinity, 180), LightKinds::Everywhere);
+  EXPECT_EQ(KindOf(Infinity, 30), LightKinds::Cone);
+  EXPECT_EQ(KindOf(0, 180), LightKinds::Nowhere);
+  EXPECT_EQ(KindOf(-1, 180), LightKinds::Nowhere);
+  EXPECT_EQ(KindOf(1e30f, 180), LightKinds::Everywhere);
 }
 
 TEST(LightVolume, WithoutAnAxisLightsNothing)
 {
-  EXPECT_EQ(KindOf(5, 30, glm::vec3(0)), Kinds::Nowhere); // position and focal point are one
-  EXPECT_EQ(KindOf(5, -100, glm::vec3(0)), Kinds::Ball);  // 0 >= cos(100)
-  EXPECT_EQ(KindOf(5, 30, glm::vec3(NotANumber)), Kinds::Nowhere);
-  EXPECT_EQ(KindOf(5, 180, glm::vec3(NotANumber)), Kinds::Ball);
-  EXPECT_EQ(KindOf(5, 30, glm::vec3(0, 0, 0.5f)), Kinds::Nowhere); // half the cosine never suffices
-  EXPECT_EQ(KindOf(5, 80, glm::vec3(0, 0, 0.5f)), Kinds::Cone);
+  EXPECT_EQ(KindOf(5, 30, glm::vec3(0)), LightKinds::Nowhere); // position and focal point are one
+  EXPECT_EQ(KindOf(5, -100, glm::vec3(0)), LightKinds::Ball);  // 0 >= cos(100)
+  EXPECT_EQ(KindOf(5, 30, glm::vec3(NotANumber)), LightKinds::Nowhere);
+  EXPECT_EQ(KindOf(5, 180, glm::vec3(NotANumber)), LightKinds::Ball);
+  EXPECT_EQ(
+    KindOf(5, 30, glm::vec3(0, 0, 0.5f)), LightKinds::Nowhere); // half the cosine never suffices
+  EXPECT_EQ(KindOf(5, 80, glm::vec3(0, 0, 0.5f)), LightKinds::Cone);
 }
 
 TEST(LightVolume, OfNoNumberIsEverywhere)
 {
-  EXPECT_EQ(KindOf(NotANumber, 180), Kinds::Everywhere);
-  EXPECT_EQ(KindOf(5, NotANumber), Kinds::Ball);
-  EXPECT_EQ(KindOf(5, Infinity), Kinds::Ball);
+  EXPECT_EQ(KindOf(NotANumber, 180), LightKinds::Everywhere);
+  EXPECT_EQ(KindOf(5, NotANumber), LightKinds::Ball);
+  EXPECT_EQ(KindOf(5, Infinity), LightKinds::Ball);
   for (const float bad : { NotANumber, Infinity, -Infinity, 1e30f })
   {
-    EXPECT_EQ(LightShape({ { 1, bad, 3 }, 5.0f, { 0, 0, -1 }, 180 }).Kind, Kinds::Everywhere);
-    EXPECT_EQ(LightShape({ { 1, bad, 3 }, 5.0f, { 0, 0, -1 }, 30 }).Kind, Kinds::Everywhere);
+    EXPECT_EQ(LightShape({ { 1, bad, 3 }, 5.0f, { 0, 0, -1 }, 180 }).Kind, LightKinds::Everywhere);
+    EXPECT_EQ(LightShape({ { 1, bad, 3 }, 5.0f, { 0, 0, -1 }, 30 }).Kind, LightKinds::Everywhere);
   }
 }
 
@@ -93,7 +95,7 @@ TEST(LightVolume, ConesAreHeldByWhatIsAroundThem)
   {
     const LightVolume cone = RandomCone(random);
     const LightShape shape(cone);
-    ASSERT_EQ(shape.Kind, Kinds::Cone);
+    ASSERT_EQ(shape.Kind, LightKinds::Cone);
     const Box box = shape.Bounds();
     const BallPart ball = shape.Enclosing();
     const glm::vec3 direction = RandomDirection(random);

@@ -155,7 +155,7 @@ TEST_P(MeshCoverage, HasNoGapsWithinAMesh)
 TEST_P(MeshCoverage, OfSliversIsThatOfTheirUnion)
 {
   Triangles fan;
-  const int count = 3000;
+  const int count = 500;
   for (int i = 0; i < count; ++i)
   {
     const auto rim = [](int k) { return glm::dvec3(2.5 + 35.0 * k / count, 19.5, 0.5); };
@@ -164,8 +164,8 @@ TEST_P(MeshCoverage, OfSliversIsThatOfTheirUnion)
   Triangles whole;
   whole.Add({ 20, 0.5, 0.5 }, { 37.5, 19.5, 0.5 }, { 2.5, 19.5, 0.5 });
   const Covered covered(GetParam(), fan);
-  EXPECT_NEAR(covered.Area(), Covered(GetParam(), whole).Area(), 0.05);
-  EXPECT_NEAR(covered.DepthAt(9, 20.0), 0.5, 1e-4);
+  EXPECT_NEAR(covered.Area(), Covered(GetParam(), whole).Area(), 0.2); // tips of slivers
+  EXPECT_NEAR(covered.DepthAt(9, GetParam().Samples().From(21.0f)), 0.5, 1e-4);
 }
 
 TEST_P(MeshCoverage, OfWhatIsSeenFromBehindIsThatOfBackFaces)
@@ -292,6 +292,6 @@ TEST_P(MeshCoverage, EndsAtTheNearPlane)
   const Covered covered(GetParam(), sheet);
   for (int line = 0; line < WideLines; ++line)
   {
-    covered.ExpectFromTo(line, 2.5, GetParam().IsByCells ? 20.5 + 17.0 * 0.5 / 0.51 : 20.5);
+    covered.ExpectFromTo(line, 2.5, GetParam().IsByFaces ? 20.5 + 17.0 * 0.5 / 0.51 : 20.5);
   }
 }

@@ -1,4 +1,4 @@
-// How near what is covered by its outline is; what it covers is tested with cells', in TestMeshCoverage.cxx.
+// How near what is covered by its outline is; what it covers is tested with faces', in TestMeshCoverage.cxx.
 
 #include "CoveredScreen.h"
 

@@ -177,8 +177,12 @@ TEST(PartCuller, WhatReachesBeforeTheNearPlaneIsNotHidden)
   const std::uint32_t behind = scene.AddBox({ -1, -1, -32 }, { 1, 1, -30 });
   PartCuller culler(FrameColumns, FrameLines);
   scene.Cull(culler, AheadView(false));
-  EXPECT_TRUE(scene.Visible[around]);
+  EXPECT_FALSE(scene.Visible[around]) << "its faces are all behind the wall";
   EXPECT_FALSE(scene.Visible[behind]);
+  scene.Visible.assign(3, 1);
+  scene.Parts[around].IsOfFacesAlone = false;
+  scene.Cull(culler, AheadView(false));
+  EXPECT_TRUE(scene.Visible[around]);
 }
 
 TEST(PartCuller, DropsWhatIsOutside)

@@ -1,10 +1,10 @@
-// Puts made-up meshes into an s-buffer, by their outline or cell by cell, by matrices that may hold anything, with all faces' exact spans as the judge.
+// Puts made-up meshes into an s-buffer, by their outline or face by face, by matrices that may hold anything, with all faces' exact spans as the judge.
 
 #include "FuzzBytes.h"
 
 #include "../Core/DeviceFaces.h"
 
-#include "Core/culling/CellCoverage.h"
+#include "Core/culling/FaceCoverage.h"
 #include "Core/culling/OutlineCoverage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -161,7 +161,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     1 + bytes.Below(8) * 300);
   MeshProjection projection;
   OutlineCoverage outline;
-  CellCoverage cells;
+  FaceCoverage byFaces;
   std::vector<ScreenFace> faces;
   for (int i = 0; i < 4 && bytes.AreLeft(); ++i)
   {
@@ -173,13 +173,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       projection.ClipFarther(matrix);
     }
     projection.FindFacings();
-    const bool isByCells = bytes.Below(2) == 1;
+    const bool isByFaces = bytes.Below(2) == 1;
     for (const Facing facing : { Facing::Front, Facing::Back })
     {
       const std::uint32_t part = static_cast<std::uint32_t>(i);
-      if (isByCells)
+      if (isByFaces)
       {
-        cells.Insert(buffer, projection, facing, part);
+        byFaces.Insert(buffer, projection, facing, part);
       }
       else
       {

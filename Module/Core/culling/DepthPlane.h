@@ -24,6 +24,7 @@ public:
     const ScreenMargin& margin, float aside, float above)
     : Origin(a)
     , Farthest(std::min(std::min(a.Depth, b.Depth), c.Depth) - margin.Depth)
+    , Nearest(std::max(std::max(a.Depth, b.Depth), c.Depth) + margin.Depth)
   {
     const float column1 = b.Column - a.Column, line1 = b.Line - a.Line, depth1 = b.Depth - a.Depth;
     const float column2 = c.Column - a.Column, line2 = c.Line - a.Line, depth2 = c.Depth - a.Depth;
@@ -54,11 +55,22 @@ public:
     return isNearer ? bound : DepthBound{ this->Farthest, this->Farthest };
   }
 
+  /** The greatest depth between two columns and two lines: the plane's or the nearest corner's, whichever is farther. */
+  float NearestWithin(float left, float right, float bottom, float top) const
+  {
+    const float column = this->ByColumn > 0.0f ? right : left;
+    const float line = this->ByLine > 0.0f ? top : bottom;
+    const float nearest = this->Origin.Depth + (line - this->Origin.Line) * this->ByLine +
+      (column - this->Origin.Column) * this->ByColumn + this->Slack;
+    return nearest < this->Nearest ? nearest : this->Nearest; // as where it is no number
+  }
+
 private:
   static constexpr float Rounding = 0x1p-21f; ///< of a few sums and products in floats
 
   ScreenPoint Origin;
   float Farthest;
+  float Nearest;
   float ByColumn;
   float ByLine;
   float Slack;

@@ -1,9 +1,12 @@
 #include "Core/culling/MeshProjection.h"
 
+#include "Core/culling/DepthPlane.h"
 #include "Core/culling/Lanes.h"
 #include "Core/culling/LineExtent.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
 
 namespace vitrine
 {
@@ -119,6 +122,36 @@ void MeshProjection::FindFacings()
   {
     this->Facings[i] = this->TurnOf(faces[i]);
   }
+}
+
+ScreenRectangle MeshProjection::RectangleOf(const MeshFace& face) const
+{
+  const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
+  const ScreenMargin& margin = this->DeviceMargin;
+  return { std::min(std::min(a.Column, b.Column), c.Column) - margin.Column,
+    std::max(std::max(a.Column, b.Column), c.Column) + margin.Column,
+    std::min(std::min(a.Line, b.Line), c.Line) - margin.Line,
+    std::max(std::max(a.Line, b.Line), c.Line) + margin.Line,
+    std::max(std::max(a.Depth, b.Depth), c.Depth) + margin.Depth };
+}
+
+float MeshProjection::NearestOnScreen(const SBuffer& screen) const
+{
+  float nearest = -1.0f;
+  for (const MeshFace& face : this->Faces())
+  {
+    const ScreenRectangle around = this->RectangleOf(face);
+    const float left = std::max(around.Left, 0.0f), bottom = std::max(around.Bottom, 0.0f);
+    const float right = std::min(around.Right, static_cast<float>(screen.Columns()));
+    const float top = std::min(around.Top, static_cast<float>(screen.Lines()));
+    if (left < right && bottom < top)
+    {
+      const DepthPlane plane(this->Point(face[0]), this->Point(face[1]), this->Point(face[2]),
+        this->DeviceMargin, 0.0f, 0.0f);
+      nearest = std::max(nearest, plane.NearestWithin(left, right, bottom, top));
+    }
+  }
+  return std::min(nearest, 1.0f);
 }
 
 }

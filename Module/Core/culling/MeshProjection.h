@@ -91,6 +91,18 @@ public:
   void FindFacings();
   Facing FacingOf(std::uint32_t face) const { return this->Facings[face]; }
 
+  /** Has a face count no more, as facing neither way. */
+  void Drop(std::uint32_t face) { this->Facings[face] = Facing::Neither; }
+
+  /** Around a face, margin included. */
+  ScreenRectangle RectangleOf(const MeshFace& face) const;
+
+  /** Of what faces have on the screen; below all depths if that is nothing. */
+  float NearestOnScreen(const SBuffer& screen) const;
+
+  /** Whether anything may be drawn of what is cut off at the near plane. */
+  bool MayShowBeforeNear() const { return !this->AreAllBehindNear && this->Rest.MayShowBefore(); }
+
 private:
   Facing TurnOf(const MeshFace& face) const
   {

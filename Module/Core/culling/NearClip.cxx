@@ -1,6 +1,7 @@
 #include "Core/culling/NearClip.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine
 {
@@ -11,12 +12,34 @@ int PlaceIn(const MeshFace& face, std::uint32_t point)
 {
   return point == face[0] ? 0 : point == face[1] ? 1 : 2;
 }
+
+/** What of a convex face lies where a linear function is not negative. */
+template <class Distance>
+std::vector<glm::dvec4> Cut(const std::vector<glm::dvec4>& corners, const Distance& distanceOf)
+{
+  std::vector<glm::dvec4> left;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const glm::dvec4& from = corners[i];
+    const glm::dvec4& to = corners[(i + 1) % corners.size()];
+    const double start = distanceOf(from), end = distanceOf(to);
+    if (!(start < 0.0)) // no number may lie anywhere
+    {
+      left.push_back(from);
+    }
+    if ((start < 0.0) != (end < 0.0))
+    {
+      left.push_back(from + (start / (start - end)) * (to - from));
+    }
+  }
+  return left;
+}
 }
 
 void NearClip::Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen, double leastRatio)
 {
   this->Mesh = &mesh;
-  this->ToScreen = &toScreen;
+  this->ToScreen = toScreen;
   this->LeastRatio = leastRatio;
   this->CutPoints.clear();
   this->Triangles.clear();
@@ -32,13 +55,13 @@ glm::dvec4 NearClip::OnScreen(std::uint32_t point) const
 {
   const glm::dvec3 place(this->Mesh->Coordinates(0)[point], this->Mesh->Coordinates(1)[point],
     this->Mesh->Coordinates(2)[point]);
-  return this->ToScreen->Matrix * glm::dvec4(this->Mesh->Origin() + place, 1.0);
+  return this->ToScreen.Matrix * glm::dvec4(this->Mesh->Origin() + place, 1.0);
 }
 
 /** From where the mesh is cut: both are positive behind it. They are linear along an edge. */
 std::array<double, 2> NearClip::DistancesOf(const glm::dvec4& onScreen) const
 {
-  const glm::vec4& rounding = this->ToScreen->Rounding;
+  const glm::vec4& rounding = this->ToScreen.Rounding;
   return { onScreen.w - this->LeastRatio * double{ rounding.w },
     onScreen.w - onScreen.z - (double{ rounding.z } + double{ rounding.w }) };
 }
@@ -166,6 +189,57 @@ std::uint32_t NearClip::FaceAt(std::uint32_t face, std::uint32_t from) const
 {
   const Remainder& remainder = this->Remainders[face];
   return remainder.First + (remainder.CornersBehind == 2 && !this->IsBehind[from] ? 1 : 0);
+}
+
+bool NearClip::MayShowBefore() const
+{
+  const std::vector<MeshFace>& faces = this->Mesh->Faces();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (this->Remainders[i].CornersBehind < 3 && this->MayShowBefore(faces[i]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** What is cut off, but not before what a device takes for the near plane, lies on the near side of one of two planes. */
+bool NearClip::MayShowBefore(const MeshFace& face) const
+{
+  const glm::vec4& rounding = this->ToScreen.Rounding;
+  const double slack = double{ rounding.z } + double{ rounding.w };
+  const std::vector<glm::dvec4> drawn =
+    Cut({ this->OnScreen(face[0]), this->OnScreen(face[1]), this->OnScreen(face[2]) },
+      [&](const glm::dvec4& point) { return point.w - point.z + slack; });
+  for (const int i : { 0, 1 })
+  {
+    if (!this->IsOutside(
+          Cut(drawn, [&](const glm::dvec4& point) { return -this->DistancesOf(point)[i]; })))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether all corners lie beyond the same side of the view. */
+bool NearClip::IsOutside(const std::vector<glm::dvec4>& corners) const
+{
+  const glm::vec4& rounding = this->ToScreen.Rounding;
+  const ScreenMargin& snapping = this->ToScreen.Snapping;
+  const glm::dvec2 size(this->ToScreen.Size);
+  unsigned beyond = 15;
+  for (const glm::dvec4& corner : corners)
+  {
+    const double farthest = std::abs(corner.w) + rounding.w;
+    const double aside = rounding.x + farthest * snapping.Column;
+    const double above = rounding.y + farthest * snapping.Line;
+    beyond &= (corner.x < -aside ? 1u : 0u) | (corner.y < -above ? 2u : 0u) |
+      (corner.x - size.x * corner.w > aside + size.x * rounding.w ? 4u : 0u) |
+      (corner.y - size.y * corner.w > above + size.y * rounding.w ? 8u : 0u);
+  }
+  return beyond != 0;
 }
 
 }

@@ -36,6 +36,9 @@ public:
   /** Points that the mesh does not have: column, line and depth, each times w, and w. */
   const std::vector<glm::dvec4>& Cuts() const { return this->CutPoints; }
 
+  /** Whether a device may draw anything of what is cut off, within the view's sides. */
+  bool MayShowBefore() const;
+
   /** Of all points of faces. */
   float LeastW() const { return this->NearestW; }
 
@@ -57,11 +60,13 @@ private:
   void AddEdges();
   std::uint32_t AddCut(std::uint32_t behind, std::uint32_t before);
   std::uint32_t FaceAt(std::uint32_t face, std::uint32_t from) const;
+  bool MayShowBefore(const MeshFace& face) const;
+  bool IsOutside(const std::vector<glm::dvec4>& corners) const;
   glm::dvec4 OnScreen(std::uint32_t point) const;
   std::array<double, 2> DistancesOf(const glm::dvec4& onScreen) const;
 
   const OccluderMesh* Mesh = nullptr;
-  const ScreenMatrix* ToScreen = nullptr;
+  ScreenMatrix ToScreen{};
   double LeastRatio = 1.0;
   std::vector<std::uint8_t> IsBehind;  ///< each point
   std::vector<Remainder> Remainders;   ///< of each face

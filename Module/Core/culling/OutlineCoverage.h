@@ -27,7 +27,7 @@ namespace vitrine
  * go up is covered, and that is found for eight lines at a time.
  *
  * One depth stands for all of it, that of the farthest point of a face that counts: this is for occluders of few cells, and
- * CellCoverage for larger ones.
+ * FaceCoverage for larger ones.
  */
 class OutlineCoverage
 {

@@ -1,5 +1,7 @@
 #include "Core/culling/PartCuller.h"
 
+#include "Core/culling/HiddenFaces.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -38,6 +40,10 @@ const float FewLines = 16.0f;
 // Nodes of no more parts are visited at once: that takes less than to queue what is in them.
 const std::uint32_t FewParts = 16;
 
+// Of what is long, which comes first, and of what reaches before the near plane.
+const float LongDepth = 3.0f;
+const float NearDepth = 2.0f;
+
 const ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 }
 
@@ -53,6 +59,7 @@ public:
     , View(view)
     , HasOcclusion(occlusion)
     , IsDrawn(drawn)
+    , Faces(culler.Lines, view)
   {
   }
 
@@ -61,6 +68,7 @@ public:
   {
     std::vector<Entry>& queue = this->Culler.Queue;
     queue.clear();
+    this->Culler.Shown.clear();
     this->QueueEntriesOf(this->Tree.Node(0));
     while (!queue.empty())
     {
@@ -69,15 +77,56 @@ public:
       queue.pop_back();
       this->Visit(nearest);
     }
+    if (this->HasOcclusion)
+    {
+      this->LookAgain();
+    }
   }
 
 private:
+  /** Tests what was shown before all that stands in front of it had been inserted. */
+  void LookAgain()
+  {
+    for (const ShownPart& shown : this->Culler.Shown)
+    {
+      if (this->IsHidden(shown.Witness) &&
+        this->IsHiddenNow(this->Occluders.OccluderOf(shown.Part), shown.Rectangle))
+      {
+        this->Culler.Shows[shown.Part] = 0;
+        this->Culler.Budget.AddHidden(1);
+      }
+    }
+  }
+
+  bool IsHiddenNow(const Occluder& occluder, const ScreenRectangle& rectangle)
+  {
+    if (this->IsHidden(rectangle) || this->AreBoxesHidden(occluder))
+    {
+      return true;
+    }
+    if (!occluder.Mesh || !this->IsWorthItsTime(occluder, rectangle))
+    {
+      return false;
+    }
+    this->Project(occluder);
+    this->Culler.Projected.FindFacings();
+    return this->AreFacesHidden(occluder);
+  }
+
   void Visit(const Entry& entry)
   {
     const std::uint32_t number = entry.Number & LooseNode::NumberBits;
     if ((entry.Number & LooseNode::ItemBit) != 0)
     {
-      this->Culler.Shows[number] = this->VisitPart(number, entry.Rectangle);
+      if (entry.Depth == NearDepth && this->QueueByFaces(entry))
+      {
+        return;
+      }
+      if (this->VisitPart(number, entry.Rectangle))
+      {
+        this->Culler.Shows[number] = 1;
+        this->Culler.Shown.push_back({ number, entry.Rectangle, this->Witness });
+      }
     }
     else if (this->IsHidden(entry.Rectangle))
     {
@@ -93,14 +142,35 @@ private:
     }
   }
 
+  /** Has a part whose box reaches before the near plane come when its nearest face does. Returns false if it has no faces. */
+  bool QueueByFaces(const Entry& entry)
+  {
+    const Occluder occluder = this->HasOcclusion
+      ? this->Occluders.OccluderOf(entry.Number & LooseNode::NumberBits)
+      : Occluder{};
+    if (!occluder.Mesh)
+    {
+      return false;
+    }
+    this->Project(occluder);
+    const float depth = this->Culler.Projected.NearestOnScreen(this->Culler.Lines);
+    this->Push({ depth, entry.Rectangle, entry.Number, entry.PartCount });
+    return true;
+  }
+
+  void Push(const Entry& entry)
+  {
+    this->Culler.Queue.push_back(entry);
+    std::push_heap(this->Culler.Queue.begin(), this->Culler.Queue.end());
+  }
+
   void QueueEntriesOf(const LooseNode& node)
   {
     Entry entries[LaneCount];
     const int count = this->FindEntries(node, entries);
     for (int i = 0; i < count; ++i)
     {
-      this->Culler.Queue.push_back(entries[i]);
-      std::push_heap(this->Culler.Queue.begin(), this->Culler.Queue.end());
+      this->Push(entries[i]);
     }
   }
 
@@ -129,7 +199,8 @@ private:
         continue;
       }
       const bool isNear = (rectangles.Near >> lane & 1u) != 0;
-      const float depth = node.IsLong(lane) ? 3.0f : isNear ? 2.0f : rectangles.Nearest[lane];
+      const bool isLong = node.IsLong(lane);
+      const float depth = isNear ? NearDepth : isLong ? LongDepth : rectangles.Nearest[lane];
       entries[count++] = { depth, isNear ? Everywhere : rectangles.At(lane), node.Entries[lane],
         node.Counts[lane] };
     }
@@ -166,6 +237,7 @@ private:
       this->Culler.Budget.AddHidden(1);
       return false;
     }
+    this->Witness = rectangle;
     const Occluder occluder = this->Occluders.OccluderOf(item);
     const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPointsOfAMesh;
     const bool wasSmall = std::exchange(this->Culler.WasSmall[item], isSmall) != 0;
@@ -182,11 +254,7 @@ private:
     {
       return false;
     }
-    if (this->IsWorthInserting(occluder, rectangle))
-    {
-      this->InsertPart(item, occluder);
-    }
-    return true;
+    return this->ShowFaces(item, occluder, rectangle);
   }
 
   bool ShowLarge(
@@ -196,12 +264,53 @@ private:
     {
       return false;
     }
-    if (occluder.Mesh && this->IsWorthInserting(occluder, rectangle))
+    if (occluder.Mesh && this->IsWorthItsTime(occluder, rectangle))
     {
       this->Project(occluder);
-      this->InsertPart(item, occluder);
+      return this->ShowFaces(item, occluder, rectangle);
     }
     return true;
+  }
+
+  /** Of a part that is projected: whether a face of it may show. */
+  bool ShowFaces(std::uint32_t item, const Occluder& occluder, const ScreenRectangle& rectangle)
+  {
+    if (!this->IsWorthItsTime(occluder, rectangle))
+    {
+      return true;
+    }
+    this->Culler.Projected.FindFacings();
+    if (this->AreFacesHidden(occluder))
+    {
+      return false;
+    }
+    this->InsertPart(item, occluder);
+    return true;
+  }
+
+  /** Of a part that is projected, with its facings. */
+  bool AreFacesHidden(const Occluder& occluder)
+  {
+    const MeshProjection& projected = this->Culler.Projected;
+    this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
+    if (!occluder.IsOfFacesAlone || occluder.Mesh->Faces().empty())
+    {
+      return false;
+    }
+    if (!this->Faces.AreAll(projected, HiddenFaces::Sides::Front) ||
+      !this->Faces.AreAll(projected, HiddenFaces::Sides::Others))
+    {
+      this->Witness = this->Faces.Witness();
+      return false;
+    }
+    return !projected.MayShowBeforeNear();
+  }
+
+  /** Whether back faces of a part that is projected may show. */
+  bool HasBackFaces(const Occluder& occluder) const
+  {
+    const bool isWhole = occluder.Mesh->IsClosed() && this->Culler.Projected.IsBehindNear();
+    return occluder.HasBackFaces && !isWhole;
   }
 
   bool AreBoxesHidden(const Occluder& occluder) const
@@ -215,7 +324,8 @@ private:
     return this->Culler.Projected.Project(*occluder.Mesh, this->View.Of(*occluder.ToWorld));
   }
 
-  bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const
+  /** Whether its faces may be tested, and inserted. */
+  bool IsWorthItsTime(const Occluder& occluder, const ScreenRectangle& rectangle) const
   {
     const std::size_t faces = occluder.Mesh->Faces().size();
     return !IsDense(rectangle, faces) && this->Culler.Budget.Allows(faces / FacesPerPiece);
@@ -229,6 +339,7 @@ private:
     MeshProjection& projected = this->Culler.Projected;
     if (!projected.IsBehindNear() && projected.ClipFarther(this->View.Of(*occluder.ToWorld)))
     {
+      projected.FindFacings();
       this->InsertSides(item, occluder);
     }
   }
@@ -236,8 +347,7 @@ private:
   void InsertSides(std::uint32_t item, const Occluder& occluder)
   {
     this->InsertFaces(item, MeshProjection::Facing::Front);
-    const bool isWhole = occluder.Mesh->IsClosed() && this->Culler.Projected.IsBehindNear();
-    if (occluder.HasBackFaces && !isWhole)
+    if (this->HasBackFaces(occluder))
     {
       this->InsertFaces(item, MeshProjection::Facing::Back);
     }
@@ -250,9 +360,13 @@ private:
       around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
     SBuffer& lines = this->Culler.Lines;
     MeshProjection& projected = this->Culler.Projected;
-    this->Culler.Budget.Spend(isOfFewCells
-        ? this->Culler.CoverOfFew.Insert(lines, projected, facing, item)
-        : this->Culler.CoverOfMany.Insert(lines, projected, facing, item));
+    if (isOfFewCells)
+    {
+      this->Culler.Budget.Spend(this->Culler.CoverOfFew.Insert(lines, projected, facing, item));
+      return;
+    }
+    this->Faces.Drop(projected, facing);
+    this->Culler.Budget.Spend(this->Culler.CoverOfMany.Insert(lines, projected, facing, item));
   }
 
   PartCuller& Culler;
@@ -260,7 +374,9 @@ private:
   OccluderSource& Occluders;
   const ScreenProjection& View;
   bool HasOcclusion;
+  ScreenRectangle Witness{}; ///< where something of the part at hand shows
   const std::vector<std::uint8_t>& IsDrawn;
+  HiddenFaces Faces;
 };
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples)

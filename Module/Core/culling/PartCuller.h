@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_PART_CULLER_H
 #define VITRINE_CORE_CULLING_PART_CULLER_H
 
-#include "Core/culling/CellCoverage.h"
+#include "Core/culling/FaceCoverage.h"
 #include "Core/culling/InsertionBudget.h"
 #include "Core/culling/LooseOctree.h"
 #include "Core/culling/MeshBoxes.h"
@@ -26,6 +26,7 @@ struct Occluder
   bool HasBackFaces = true; ///< whether faces that go around clockwise on the screen are drawn, too
   const MeshBoxes* Boxes =
     nullptr; ///< around the mesh's faces; null if there are none, or if more is drawn of the part than faces
+  bool IsOfFacesAlone = false; ///< whether nothing else is drawn of the part than the mesh's faces
 };
 
 /** Tells what parts hide with; asked only for those that show. */
@@ -85,14 +86,23 @@ private:
     bool operator<(const Entry& other) const { return this->Depth < other.Depth; }
   };
 
+  /** What was found to show. */
+  struct ShownPart
+  {
+    std::uint32_t Part;
+    ScreenRectangle Rectangle;
+    ScreenRectangle Witness; ///< while that is not hidden, the part is not
+  };
+
   SBuffer Lines;
   MeshProjection Projected;
   OutlineCoverage CoverOfFew;
-  CellCoverage CoverOfMany;
+  FaceCoverage CoverOfMany;
   CullCounts Counted;
   InsertionBudget Budget;
   std::vector<Entry> Queue; ///< a heap
   std::vector<std::uint8_t> Shows;
+  std::vector<ShownPart> Shown; ///< in the order in which they were visited
   std::vector<std::uint8_t>
     WasSmall; ///< parts whose mesh had few points when it was last asked for
 };

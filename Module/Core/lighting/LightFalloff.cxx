@@ -12,7 +12,7 @@ namespace vitrine
 namespace
 {
 
-constexpr double Endless = std::numeric_limits<double>::infinity();
+constexpr double Unbounded = std::numeric_limits<double>::infinity();
 
 bool IsFloat(double value)
 {
@@ -48,15 +48,16 @@ double LightFalloff::MostFrom(double distance) const
   {
     return 0.0;
   }
-  const double most = this->OnlyFalls() ? this->At(distance) : Endless;
-  return most >= 0.0 ? most : Endless;
+  const double most = this->OnlyFalls() ? this->At(distance) : Unbounded;
+  return most >= 0.0 ? most : Unbounded;
 }
 
 /** Whether less arrives, or as much, the farther it is. */
 bool LightFalloff::OnlyFalls() const
 {
   const glm::dvec3& a = this->Coefficients;
-  return a.x >= 0.0 && a.y >= 0.0 && a.z >= 0.0 && a.x < Endless && a.y < Endless && a.z < Endless;
+  return a.x >= 0.0 && a.y >= 0.0 && a.z >= 0.0 && a.x < Unbounded && a.y < Unbounded &&
+    a.z < Unbounded;
 }
 
 double LightFalloff::RangeAt(double threshold) const
@@ -67,7 +68,7 @@ double LightFalloff::RangeAt(double threshold) const
   }
   if (!this->CanBeCut() || !(threshold > 0.0))
   {
-    return Endless;
+    return Unbounded;
   }
   const glm::dvec3& a = this->Coefficients;
   const double missing = this->Greatest / threshold - a.x; // of the denominator
@@ -81,7 +82,7 @@ double LightFalloff::RangeAt(double threshold) const
   {
     range *= 1.0 + 1e-15;
   }
-  return this->At(range) <= threshold ? range : Endless;
+  return this->At(range) <= threshold ? range : Unbounded;
 }
 
 bool LightFalloff::CanBeCut() const

@@ -1,4 +1,4 @@
-// How near what is covered cell by cell is, known without computing.
+// How near what is covered face by face is, known without computing.
 
 #include "CoveredScreen.h"
 
@@ -23,15 +23,15 @@ using coverage::Way;
 
 }
 
-class CellCoverage : public coverage::EachWay
+class FaceCoverage : public coverage::EachWay
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, CellCoverage,
+INSTANTIATE_TEST_SUITE_P(Ways, FaceCoverage,
   ::testing::Values(Way{ true, 0 }, Way{ true, 1 }, Way{ true, 2 }, Way{ true, 4 }),
   coverage::NameOfParameter);
 
-TEST_P(CellCoverage, OfOverlappingSheetsIsTheirUnionAtTheNearerDepth)
+TEST_P(FaceCoverage, OfOverlappingSheetsIsTheirUnionAtTheNearerDepth)
 {
   Triangles sheets;
   AddRectangle(sheets, { 2.5, 1.5 }, { 20.5, 18.5 }, 0.7);
@@ -48,7 +48,7 @@ TEST_P(CellCoverage, OfOverlappingSheetsIsTheirUnionAtTheNearerDepth)
   EXPECT_NEAR(covered.DepthAt(9, 20.6), 0.4, 1e-6);
 }
 
-TEST_P(CellCoverage, FollowsTheDepthOfAPlane)
+TEST_P(FaceCoverage, FollowsTheDepthOfAPlane)
 {
   Triangles slanted;
   slanted.AddQuad({ 0.5, -4, 0.2 }, { 39.5, -4, 0.8 }, { 39.5, 24, 0.8 }, { 0.5, 24, 0.2 });
@@ -61,7 +61,7 @@ TEST_P(CellCoverage, FollowsTheDepthOfAPlane)
   }
 }
 
-TEST_P(CellCoverage, TakesTheFarEndOfALine)
+TEST_P(FaceCoverage, TakesTheFarEndOfALine)
 {
   for (const double top : { 0.1, 0.9 })
   {
@@ -79,7 +79,7 @@ TEST_P(CellCoverage, TakesTheFarEndOfALine)
   }
 }
 
-TEST_P(CellCoverage, OfASteepFaceIsNoFartherThanItsFarthestCorner)
+TEST_P(FaceCoverage, OfASteepFaceIsNoFartherThanItsFarthestCorner)
 {
   Triangles step;
   AddRectangle(step, { 2.5, -1 }, { 10, 21 }, 0.5);
@@ -90,7 +90,7 @@ TEST_P(CellCoverage, OfASteepFaceIsNoFartherThanItsFarthestCorner)
   EXPECT_NEAR(covered.DepthAt(9, 15.5), 0.3, 1e-4);
 }
 
-TEST_P(CellCoverage, IsNearThePlaneOfAWallInAnyView)
+TEST_P(FaceCoverage, IsNearThePlaneOfAWallInAnyView)
 {
   for (unsigned seed = 1; seed <= 60; ++seed)
   {
@@ -135,7 +135,7 @@ TEST_P(CellCoverage, IsNearThePlaneOfAWallInAnyView)
 }
 
 // A box with thick walls: the far wall's inside faces the view as well.
-TEST_P(CellCoverage, OfAShellHasTheDepthOfItsNearWall)
+TEST_P(FaceCoverage, OfAShellHasTheDepthOfItsNearWall)
 {
   for (const bool isOpen : { false, true })
   {
@@ -165,7 +165,7 @@ TEST_P(CellCoverage, OfAShellHasTheDepthOfItsNearWall)
   }
 }
 
-TEST_P(CellCoverage, LeavesOutCellsThatAreCoveredByWhatIsNearer)
+TEST_P(FaceCoverage, LeavesOutWhatIsCoveredByWhatIsNearer)
 {
   SBuffer buffer(
     coverage::WideColumns, coverage::WideLines, GetParam().Samples(), coverage::MostTestSpans);

@@ -1,0 +1,129 @@
+#include "Core/culling/HiddenFaces.h"
+
+#include "Core/culling/DepthPlane.h"
+#include "Core/culling/LineExtent.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+
+namespace
+{
+bool IsOf(HiddenFaces::Sides sides, MeshProjection::Facing facing)
+{
+  return (facing == MeshProjection::Facing::Front) == (sides == HiddenFaces::Sides::Front);
+}
+}
+
+/** What a face may touch of lines. */
+class HiddenFaces::Outlined
+{
+public:
+  Outlined(const MeshProjection& projection, const MeshFace& face)
+    : Around(projection.RectangleOf(face))
+    , A(projection.Point(face[0]))
+    , B(projection.Point(face[1]))
+    , C(projection.Point(face[2]))
+    , Edges{ { A, B }, { B, C }, { C, A } }
+    , Own(std::max({ Edges[0].OwnRounding(), Edges[1].OwnRounding(), Edges[2].OwnRounding() }))
+    , Aside(projection.Margin().Column + Own)
+    , Above(projection.Margin().Line + Own)
+    , Plane(A, B, C, projection.Margin(), Aside, Above)
+  {
+  }
+
+  LineRange LinesOf(const SBuffer& buffer) const
+  {
+    return LinesBetween(
+      this->Around.Bottom - this->Own, this->Around.Top + this->Own, { 0, buffer.Lines() - 1 });
+  }
+
+  /** Around what it touches between two lines; Left exceeds Right if that is nothing. */
+  ScreenRectangle Between(float bottom, float top, float columns) const
+  {
+    LineExtent touched;
+    for (const ScreenEdge& edge : this->Edges)
+    {
+      touched.Add(edge, bottom - this->Above, top + this->Above);
+    }
+    const float left = touched.Left - this->Aside, right = touched.Right + this->Aside;
+    return { left, right, bottom, top,
+      this->Plane.NearestWithin(std::max(left, 0.0f), std::min(right, columns),
+        std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top)) };
+  }
+
+private:
+  ScreenRectangle Around;
+  ScreenPoint A, B, C;
+  ScreenEdge Edges[3];
+  float Own;
+  float Aside, Above;
+  DepthPlane Plane;
+};
+
+bool HiddenFaces::AreAll(const MeshProjection& projection, Sides sides)
+{
+  const std::vector<MeshFace>& faces = projection.Faces();
+  for (std::uint32_t i = 0; i < faces.size(); ++i)
+  {
+    if (IsOf(sides, projection.FacingOf(i)) && !this->IsHidden(projection, faces[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing) const
+{
+  const std::vector<MeshFace>& faces = projection.Faces();
+  for (std::uint32_t i = 0; i < faces.size(); ++i)
+  {
+    if (projection.FacingOf(i) == facing && this->Lines.Hides(projection.RectangleOf(faces[i])))
+    {
+      projection.Drop(i);
+    }
+  }
+}
+
+/** What is drawn wider than it is has no more than a rectangle. */
+bool HiddenFaces::IsHidden(const MeshProjection& projection, const MeshFace& face)
+{
+  const bool isWider = this->View.Grows();
+  const ScreenRectangle around = projection.RectangleOf(face);
+  this->Shown = isWider ? this->View.Grown(around) : around;
+  if (this->Lines.Hides(this->Shown))
+  {
+    return true;
+  }
+  if (isWider)
+  {
+    return false;
+  }
+  const Outlined outlined(projection, face);
+  const LineRange lines = outlined.LinesOf(this->Lines);
+  return lines.First <= lines.Last && this->IsHidden(outlined, lines);
+}
+
+/** Of what it has of some lines: half of them by half, down to one. */
+bool HiddenFaces::IsHidden(const Outlined& face, const LineRange& lines)
+{
+  const float inset = this->Lines.Samples().Inset();
+  const ScreenRectangle around = face.Between(static_cast<float>(lines.First) + inset,
+    static_cast<float>(lines.Last + 1) - inset, static_cast<float>(this->Lines.Columns()));
+  if (around.Left > around.Right || this->Lines.Hides(around))
+  {
+    return true;
+  }
+  if (lines.First == lines.Last)
+  {
+    this->Shown = around;
+    return false;
+  }
+  const int middle = lines.First + (lines.Last - lines.First) / 2;
+  return this->IsHidden(face, { lines.First, middle }) &&
+    this->IsHidden(face, { middle + 1, lines.Last });
+}
+
+}
