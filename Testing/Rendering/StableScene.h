@@ -22,8 +22,8 @@ struct Beam
 
 struct StableScene : DeferredScene
 {
-  explicit StableScene(bool isParallel = false)
-    : DeferredScene(isParallel)
+  explicit StableScene(bool isParallel = false, bool isPhysical = false)
+    : DeferredScene(isParallel, isPhysical)
   {
   }
 
@@ -55,12 +55,17 @@ struct StableScene : DeferredScene
     return light;
   }
 
+  /** Six lights at least, since VTK compiles shaders for each number: the rest shines at nothing. */
   void Shine(const std::vector<Beam>& beams)
   {
     this->Renderer->RemoveAllLights();
     for (const Beam& beam : beams)
     {
       this->AddBeam(beam);
+    }
+    for (std::size_t i = beams.size(); i < 6; ++i)
+    {
+      this->AddBeam({ { 0.0, 0.0, 9.0 }, { 0.0, 0.0, 20.0 }, 30.0 });
     }
   }
 

@@ -2,6 +2,11 @@
 #include "StableScene.h"
 #include "gl/GLObjects.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkTexture.h"
 
 #include <gtest/gtest.h>
 
@@ -169,7 +174,8 @@ TEST(StableLights, MayBeMoreThan65536)
   const std::vector<Beam> away(66000, { { 0.0, 0.0, 9.0 }, { 0.0, 0.0, 20.0 }, 30.0 });
   scene.Shine(away);
   scene.Renderer->AddLight(seen);
-  scene.ExpectFrames(expected, 0);
+  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+  EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
 }
 
 // Bevy, three.js #33749: what is round is not symmetric in perspective, the less so aside.
@@ -299,6 +305,44 @@ void HideTranslucent(DeferredScene& scene)
   {
     scene.Parts[translucent]->VisibilityOff();
   }
+}
+
+/** Gives a scene surroundings that it mirrors, small ones. */
+void AddSurroundings(vtkRenderer* renderer)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 32, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 64 * 32 * 3; ++i)
+  {
+    static_cast<unsigned char*>(image->GetScalarPointer())[i] = static_cast<unsigned char>(i / 25);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->MipmapOn();
+  texture->InterpolateOn();
+  auto* const opengl = static_cast<vtkOpenGLRenderer*>(renderer);
+  opengl->GetEnvMapLookupTable()->SetLUTSize(16);
+  opengl->GetEnvMapLookupTable()->SetLUTSamples(16);
+  opengl->GetEnvMapIrradiance()->SetIrradianceSize(8);
+  opengl->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
+  opengl->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(16);
+  opengl->UseSphericalHarmonicsOff();
+  opengl->SetEnvironmentTexture(texture);
+  opengl->UseImageBasedLightingOn();
+}
+
+// three.js #34003 dropped lights where there were surroundings.
+TEST(StableLights, MayShineWhereThereAreSurroundings)
+{
+  StableScene scene(false, true);
+  HideTranslucent(scene);
+  scene.ShineAround(20.0);
+  const Picture before = scene.InVTKsLight();
+  AddSurroundings(scene.Renderer);
+  const Picture expected = scene.InVTKsLight();
+  EXPECT_GT(LargestDifference(before, expected), 5);
+  scene.ExpectFrames(expected, 0);
 }
 
 // What a light gives that is cut in one frame and not in the next is below the cut-off.
