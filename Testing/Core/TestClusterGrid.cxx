@@ -229,6 +229,7 @@ TEST(ClusterGrid, OfNoProjectionIsAllOfSpace)
     const ClusterGrid grid(matrix, 640, 480);
     EXPECT_EQ(grid.Count(), 1u);
     EXPECT_EQ(grid.ClusterOf({ 5, 6, -7 }), 0);
+    EXPECT_EQ(grid.TileScale(), glm::vec2(0.5f)); // a tile from -1 to 1
     EXPECT_EQ(ClusterInFloats(grid, glm::mat4(1.0f), { 5, 6, -7 }), 0u);
     ExpectHolds(grid, 0, { 5, 6, 7 });
     EXPECT_EQ(grid.BoundsOf(0), Box::Everything());

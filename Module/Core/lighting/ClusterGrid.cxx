@@ -94,6 +94,7 @@ ClusterGrid::ClusterGrid(
 void ClusterGrid::MakeOneCluster(int size)
 {
   this->PixelsPerTile = size;
+  this->Scale = glm::vec2(0.5f); // one tile from -1 to 1
   this->ToClip = glm::dmat4(0.0);
   this->ToClip[3].w = 1.0;
   this->Ends = { -Infinite, Infinite };
