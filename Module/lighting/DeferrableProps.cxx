@@ -6,6 +6,7 @@
 #include "vtkInformation.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 
@@ -17,6 +18,9 @@ namespace vitrine
 
 namespace
 {
+
+/** What rounding may put a fragment aside, in pixels. */
+constexpr double BesidesHalfWidth = 1.0;
 
 bool HasKnownMapper(vtkActor* actor)
 {
@@ -35,6 +39,15 @@ bool HidesWhatIsBehind(vtkActor* actor)
     AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper());
 }
 
+// Blocks are not asked.
+bool HasThinParts(vtkActor* actor)
+{
+  vtkProperty* const property = actor->GetProperty();
+  auto* const data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() || !data ||
+    data->GetNumberOfVerts() > 0 || data->GetNumberOfLines() > 0;
+}
+
 bool IsWrittenBy(vtkProp* prop, vtkRenderPass* pass)
 {
   vtkInformation* const keys = prop->GetPropertyKeys();
@@ -49,6 +62,22 @@ bool IsDeferrable(vtkProp* prop, vtkRenderPass* pass)
   return actor && actor->GetMapper() && HasKnownMapper(actor) && !HasShaderCode(actor) &&
     IsWrittenBy(prop, pass) && actor->HasOpaqueGeometry() && HidesWhatIsBehind(actor);
 }
+}
+
+double PixelsAside(const vtkRenderState* s)
+{
+  double most = 0.0;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    auto* const actor = static_cast<vtkActor*>(s->GetPropArray()[i]);
+    if (HasThinParts(actor))
+    {
+      vtkProperty* const property = actor->GetProperty();
+      const double width = std::max(property->GetLineWidth(), property->GetPointSize());
+      most = std::max(most, 0.5 * width + BesidesHalfWidth);
+    }
+  }
+  return most;
 }
 
 SortedProps SortProps(const vtkRenderState* s, vtkRenderPass* pass)

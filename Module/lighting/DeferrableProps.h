@@ -23,6 +23,9 @@ struct SortedProps
 /** @param pass  the only one that may have a say in the shaders of those that can be deferred */
 SortedProps SortProps(const vtkRenderState* s, vtkRenderPass* pass);
 
+/** How many pixels fragments of deferrable props, which have been drawn, may be from where they are lit: those of wide lines and points are lit in their midst. */
+double PixelsAside(const vtkRenderState* s);
+
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace vitrine
 {
@@ -61,7 +62,8 @@ void DeferredLists::AssignTo(const DeferredGrid& grid, vtkOpenGLRenderer* render
   }
   else if (grid.By == LightsBy::Volume)
   {
-    this->Volumes = RectanglesOf(this->Clusters(), this->OfGrid);
+    const double tilesAside = std::ceil(grid.PixelsAside / grid.Clusters.TileSize);
+    this->Volumes = RectanglesOf(this->Clusters(), this->OfGrid, static_cast<int>(tilesAside));
     this->OfGrid = CoveredTiles(this->Clusters(), this->Volumes);
     marks.clear(); // all that volumes cover is gone over
   }

@@ -31,6 +31,7 @@ struct DeferredGrid
 {
   LightsBy By = LightsBy::Cluster;
   ClusterSettings Clusters;
+  double PixelsAside = 0.0; ///< that pixels may be from the places that they show
 };
 
 class DeferredLists

@@ -1,6 +1,7 @@
 #include "lighting/DeferredShading.h"
 
 #include "gl/Capabilities.h"
+#include "lighting/DeferrableProps.h"
 #include "lighting/LightVolumes.h"
 #include "lighting/RendererLights.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -160,7 +161,9 @@ std::string DeferredShading::Assign(
   const vtkRenderState* s, const DeferredGrid& grid, const RendererLights& lights)
 {
   auto* const renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
-  return this->Lights.Assign(renderer, grid, lights,
+  DeferredGrid asDrawn = grid;
+  asDrawn.PixelsAside = PixelsAside(s);
+  return this->Lights.Assign(renderer, asDrawn, lights,
     [&](const ViewGrid& view) {
       return this->Marked.Find(WindowOf(s), view, this->SurfacesUnit->Unit(), this->Target.Samples);
     });

@@ -10,7 +10,11 @@ namespace vitrine
 
 std::string GBuffer::Allocate(const RenderTarget& target, int layers)
 {
-  this->Count = layers;
+  if (this->Count != layers)
+  {
+    this->Drawing.Release(); // it would keep what layers there are no more
+    this->Count = layers;
+  }
   return this->Layers.Allocate(GL_RGBA32F, target.Width, target.Height, target.Samples, layers);
 }
 

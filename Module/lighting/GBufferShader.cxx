@@ -51,10 +51,9 @@ bool HasUnkept(const std::string& shader)
 
 /** All that is written to the values of a material, where they come from the property alone. */
 const std::array<std::string, 4> FromProperty = {
-  "diffuseColor = diffuseIntensity * diffuseColorUniform;",
-  "ambientColor = ambientIntensity * ambientColorUniform;",
-  "specularColor = specularIntensity * specularColorUniform;",
-  "specularPower = specularPowerUniform;"
+  "diffuseColor = diffuseIntensity * diffuseColorUniform",
+  "ambientColor = ambientIntensity * ambientColorUniform",
+  "specularColor = specularIntensity * specularColorUniform", "specularPower = specularPowerUniform"
 };
 
 std::size_t CountOf(const std::string& shader, const std::string& text)
@@ -75,7 +74,7 @@ bool TakesMaterialFromProperty(const std::string& shader)
       [&](const std::string& text)
       {
         const std::string assigned = text.substr(0, text.find('=') + 1);
-        return CountOf(shader, text) == 1 && CountOf(shader, assigned) == 1;
+        return CountOf(shader, text + ";") == 1 && CountOf(shader, assigned) == 1;
       });
 }
 

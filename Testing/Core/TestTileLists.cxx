@@ -92,7 +92,7 @@ TEST(LightRectangles, HoldAllTilesOfEachLight)
   std::vector<Numbers> lists(12);
   lists[grid.ClusterAt(0, 1, 0)] = { 3 };
   lists[grid.ClusterAt(2, 0, 1)] = { 3, 8 };
-  const std::vector<LightRectangle> rectangles = vitrine::RectanglesOf(grid, ListsOf(lists));
+  const std::vector<LightRectangle> rectangles = vitrine::RectanglesOf(grid, ListsOf(lists), 0);
   ASSERT_EQ(rectangles.size(), 2u);
   EXPECT_EQ(rectangles[0].Light, 3u);
   EXPECT_EQ(rectangles[0].First, glm::ivec2(0, 0));
@@ -100,7 +100,18 @@ TEST(LightRectangles, HoldAllTilesOfEachLight)
   EXPECT_EQ(rectangles[1].Light, 8u);
   EXPECT_EQ(rectangles[1].First, glm::ivec2(2, 0));
   EXPECT_EQ(rectangles[1].Last, glm::ivec2(2, 0));
-  EXPECT_TRUE(vitrine::RectanglesOf(grid, ListsOf(std::vector<Numbers>(12))).empty());
+  EXPECT_TRUE(vitrine::RectanglesOf(grid, ListsOf(std::vector<Numbers>(12)), 1).empty());
+}
+
+TEST(LightRectangles, HaveTilesAroundThatAreInTheGrid)
+{
+  const ClusterGrid grid = SmallGrid(2);
+  std::vector<Numbers> lists(12);
+  lists[grid.ClusterAt(2, 0, 1)] = { 5 };
+  const std::vector<LightRectangle> rectangles = vitrine::RectanglesOf(grid, ListsOf(lists), 1);
+  ASSERT_EQ(rectangles.size(), 1u);
+  EXPECT_EQ(rectangles[0].First, glm::ivec2(1, 0));
+  EXPECT_EQ(rectangles[0].Last, glm::ivec2(2, 1));
 }
 
 TEST(LightRectangles, AreInTheListsOfTilesThatTheyCover)

@@ -60,6 +60,22 @@ TEST(DeferredMaterials, MayBeJoinedByWhatHasNone)
   }
 }
 
+TEST(DeferredMaterials, AreLeftAloneBeforeTheWindowIsResized)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  const auto ball = MakeColouredBall();
+  scene.Renderer->AddActor(ball);
+  scene.InDeferredLight();
+  ball->VisibilityOff();
+  scene.InDeferredLight();
+  for (const int width : { 37, 80 })
+  {
+    scene.Window->SetSize(width, 50);
+    scene.ExpectAsVTK(DeferredParts);
+  }
+}
+
 TEST(DeferredMaterials, AreAsManyAsThereAre)
 {
   DeferredScene scene;

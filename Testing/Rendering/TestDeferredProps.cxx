@@ -21,8 +21,11 @@
 #include "vtkTexture.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVertexGlyphFilter.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace
 {
@@ -300,6 +303,44 @@ const std::vector<PropKind>& Kinds()
 class DeferredProps : public testing::TestWithParam<PropKind>
 {
 };
+
+// Lit where they are thin: a light's tiles need not be those that are drawn.
+TEST(DeferredProp, ThatIsDrawnWideIsVTKs)
+{
+  DeferredScene scene(false);
+  scene.Renderer->RemoveAllViewProps();
+  scene.Deferred->SetTileSize(4);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double x = i - 1.5, y = 0.4 * (i % 2);
+    const auto light = scene.AddLight(LightKind::Spot, 1.0, 0.0);
+    light->SetPosition(x, y, 1.0);
+    light->SetFocalPoint(x, y, 0.0);
+    light->SetConeAngle(20.0);
+  }
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-1.0, -1.0, 0.0);
+  plane->SetPoint1(1.0, -1.0, 0.0);
+  plane->SetPoint2(-1.0, 1.0, 0.0);
+  plane->SetResolution(4, 4);
+  vtkNew<vtkVertexGlyphFilter> vertices;
+  vertices->SetInputConnection(plane->GetOutputPort());
+  for (vtkAlgorithm* const source : std::array<vtkAlgorithm*, 2>{ plane, vertices })
+  {
+    const auto actor = scene.AddSource(source, { 0.9, 0.8, 0.7, 1.0 });
+    actor->GetProperty()->SetLineWidth(11.0);
+    actor->GetProperty()->SetPointSize(11.0);
+    for (const int representation : { VTK_POINTS, VTK_WIREFRAME })
+    {
+      SCOPED_TRACE(representation);
+      actor->GetProperty()->SetRepresentation(representation);
+      scene.ExpectAsVTK(1);
+    }
+    actor->GetProperty()->SetRepresentationToSurface();
+    scene.ExpectAsVTK(1);
+    scene.Renderer->RemoveActor(actor);
+  }
+}
 
 TEST_P(DeferredProps, AreVTKs)
 {

@@ -29,7 +29,8 @@ void ForEachTile(
 }
 }
 
-std::vector<LightRectangle> RectanglesOf(const ClusterGrid& grid, const LightLists& lists)
+std::vector<LightRectangle> RectanglesOf(
+  const ClusterGrid& grid, const LightLists& lists, int tilesAround)
 {
   const auto last = std::max_element(lists.Indices.begin(), lists.Indices.end());
   const std::size_t count = last == lists.Indices.end() ? 0 : std::size_t{ *last } + 1;
@@ -49,6 +50,11 @@ std::vector<LightRectangle> RectanglesOf(const ClusterGrid& grid, const LightLis
   all.erase(std::remove_if(all.begin(), all.end(),
               [](const LightRectangle& rectangle) { return rectangle.Last.x < 0; }),
     all.end());
+  for (LightRectangle& rectangle : all)
+  {
+    rectangle.First = glm::max(rectangle.First - tilesAround, 0);
+    rectangle.Last = glm::min(rectangle.Last + tilesAround, beyond - 1);
+  }
   return all;
 }
 

@@ -20,8 +20,9 @@ struct LightRectangle
   glm::ivec2 Last;
 };
 
-/** Of the lights that the lists of a grid have, ascending. */
-std::vector<LightRectangle> RectanglesOf(const ClusterGrid& grid, const LightLists& lists);
+/** Of the lights that the lists of a grid have, ascending, with so many tiles around what they reach. */
+std::vector<LightRectangle> RectanglesOf(
+  const ClusterGrid& grid, const LightLists& lists, int tilesAround);
 
 /** Lists of the tiles that rectangles cover, in a grid of one slice. */
 LightLists CoveredTiles(const ClusterGrid& grid, const std::vector<LightRectangle>& rectangles);
