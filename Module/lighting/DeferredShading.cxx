@@ -259,6 +259,7 @@ void DeferredShading::Release()
 
 void DeferredShading::Forget()
 {
+  this->WhyNot.clear();
   this->Surfaces = GBuffer();
   this->Sums = LightSums();
   this->Materials = MaterialTable();

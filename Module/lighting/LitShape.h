@@ -11,7 +11,6 @@
 #include "vtkSmartPointer.h"
 
 class vtkPolyData;
-class vtkPolyData;
 class vtkRenderer;
 class vtkWindow;
 
