@@ -2,7 +2,6 @@
 
 #include "culling/ActorRules.h"
 #include "vtkActor2D.h"
-#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -13,8 +12,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace vitrine
 {
@@ -32,20 +30,18 @@ bool IsWithinBounds(vtkProp* prop)
 {
   return vtkActor2D::SafeDownCast(prop) || AsHideable(prop);
 }
-
-bool IsFiniteBox(const double* bounds)
-{
-  return std::all_of(bounds, bounds + 6, [](double value) { return std::isfinite(value); });
-}
 }
 
-LitRegion LitRegionOf(const vtkRenderState* s)
+LitProps LitPropsOf(const vtkRenderState* s)
 {
   if (!HasOneSample(s->GetRenderer()))
   {
     return {};
   }
-  vtkBoundingBox all;
+  vtkMatrix4x4* const matrix = s->GetRenderer()->GetActiveCamera()->GetModelViewTransformMatrix();
+  const glm::dmat4 toView = glm::transpose(glm::make_mat4(matrix->GetData()));
+  Box all;
+  std::vector<Box> boxes;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp* const prop = s->GetPropArray()[i];
@@ -58,22 +54,17 @@ LitRegion LitRegionOf(const vtkRenderState* s)
     {
       continue; // nothing is drawn, or nothing in the scene's coordinates
     }
-    if (!IsFiniteBox(bounds))
+    const Box box =
+      Box::Around({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
+    const Box inView = LitRegion(box, toView).Bounds();
+    if (!inView.IsPlaceable())
     {
       return {};
     }
-    all.AddBounds(bounds);
+    all.Add(box);
+    boxes.push_back(inView);
   }
-  Box box;
-  if (all.IsValid())
-  {
-    double low[3], high[3];
-    all.GetMinPoint(low[0], low[1], low[2]);
-    all.GetMaxPoint(high[0], high[1], high[2]);
-    box = Box::Around(glm::make_vec3(low), glm::make_vec3(high));
-  }
-  vtkMatrix4x4* const toView = s->GetRenderer()->GetActiveCamera()->GetModelViewTransformMatrix();
-  return LitRegion(box, glm::transpose(glm::make_mat4(toView->GetData())));
+  return { LitRegion(all, toView), std::move(boxes) };
 }
 
 }

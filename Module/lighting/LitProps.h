@@ -4,19 +4,30 @@
 #ifndef VITRINE_LIT_PROPS_H
 #define VITRINE_LIT_PROPS_H
 
+#include "Core/culling/Box.h"
 #include "Core/lighting/LitRegion.h"
+
+#include <optional>
+#include <vector>
 
 class vtkRenderState;
 
 namespace vitrine
 {
 
+/** Props that are about to be drawn, in view coordinates (VC). */
+struct LitProps
+{
+  LitRegion Region;                      ///< around all of them
+  std::optional<std::vector<Box>> Boxes; ///< around each, if there is one around all
+};
+
 /**
- * Around all props that are about to be drawn, in view coordinates (VC); all of space where one may be drawn elsewhere than its bounds tell: other classes than actors of
+ * The region is all of space where a prop may be drawn elsewhere than its bounds tell: other classes than actors of
  * polydata, users' shader code. So it is with several samples a pixel, too, as a fragment at an edge is
  * lit where its pixel's midst would be on the face, which may be far off.
  */
-LitRegion LitRegionOf(const vtkRenderState* s);
+LitProps LitPropsOf(const vtkRenderState* s);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "Core/lighting/LightAssignment.h"
 #include "Core/lighting/LightCut.h"
+#include "Core/lighting/UsedClusters.h"
 #include "lighting/LightBuffers.h"
 #include "lighting/LightLoop.h"
 #include "lighting/LightSwap.h"
@@ -56,6 +57,20 @@ bool IsViewKnown(vtkRenderer* renderer)
   return !renderer->GetRenderWindow()->GetStereoRender();
 }
 
+vitrine::UsedClusters UsedBy(const vitrine::LitProps& lit, const vitrine::ClusterGrid& grid)
+{
+  vitrine::UsedClusters used(grid);
+  if (!lit.Boxes)
+  {
+    used.AddAll();
+    return used;
+  }
+  for (const vitrine::Box& box : *lit.Boxes)
+  {
+    used.AddBox(box);
+  }
+  return used;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -81,6 +96,7 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SliceLaw: " << this->SliceLaw << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
+  os << indent << "NumberOfUsedClusters: " << this->NumberOfUsedClusters << "\n";
   os << indent << "LightsPerCluster: " << this->LightsPerCluster << "\n";
   os << indent << "MaximumLightsPerCluster: " << this->MaximumLightsPerCluster << "\n";
   os << indent << "AssignmentTime: " << this->AssignmentTime << "\n";
@@ -164,11 +180,14 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
 {
   const auto start = std::chrono::steady_clock::now();
   Internals& in = *this->Private;
-  vitrine::CutLights(in.Lights.Falloffs, vitrine::LitRegionOf(s),
-    vitrine::BudgetOfLight(renderer, this->CutOff), in.Lights.Volumes);
+  const vitrine::LitProps lit = vitrine::LitPropsOf(s);
+  vitrine::CutLights(in.Lights.Falloffs, lit.Region, vitrine::BudgetOfLight(renderer, this->CutOff),
+    in.Lights.Volumes);
   in.Grid.emplace(renderer, this->GetClusterSettings());
-  in.Assigner.Assign(in.Grid->Clusters(), in.Lights.Volumes, in.Lists);
-  this->TellOfLists(in.Lists, in.Grid->Clusters().Count());
+  const vitrine::ClusterGrid& grid = in.Grid->Clusters();
+  const vitrine::UsedClusters used = UsedBy(lit, grid);
+  in.Assigner.Assign(grid, in.Lights.Volumes, in.Lists, &used.All());
+  this->TellOfLists(in.Lists, used.Count());
   this->AssignmentTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -183,6 +202,7 @@ void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists, std::
     most = std::max(most, lists.CountOf(cluster));
   }
   this->NumberOfClusters = static_cast<vtkIdType>(count);
+  this->NumberOfUsedClusters = static_cast<vtkIdType>(used);
   this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
   this->LightsPerCluster =
     static_cast<double>(lists.Indices.size()) / static_cast<double>(std::max<std::size_t>(1, used));

@@ -104,11 +104,12 @@ public:
 
   ///@{
   /**
-   * Of the last frame: lights that are on and not left out for good, clusters, lights of a cluster on average and at most, the seconds that it took
-   * to assign them, and the GPU memory in bytes that the pass holds.
+   * Of the last frame: lights that are on and not left out for good, clusters, those that hold something to be lit (as far as it is known what does), lights of
+   * one of these on average and at most, the seconds that it took to assign them, and the GPU memory in bytes that the pass holds.
    */
   vtkGetMacro(NumberOfLights, vtkIdType);
   vtkGetMacro(NumberOfClusters, vtkIdType);
+  vtkGetMacro(NumberOfUsedClusters, vtkIdType);
   vtkGetMacro(LightsPerCluster, double);
   vtkGetMacro(MaximumLightsPerCluster, vtkIdType);
   vtkGetMacro(AssignmentTime, double);
@@ -173,6 +174,7 @@ protected:
   int SliceLaw = EXPONENTIAL;
   vtkIdType NumberOfLights = 0;
   vtkIdType NumberOfClusters = 0;
+  vtkIdType NumberOfUsedClusters = 0;
   double LightsPerCluster = 0.0;
   vtkIdType MaximumLightsPerCluster = 0;
   double AssignmentTime = 0.0;

@@ -87,14 +87,12 @@ void vtkDeferredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Assignment: " << this->Assignment << "\n";
   os << indent << "NumberOfDeferredProps: " << this->NumberOfDeferredProps << "\n";
-  os << indent << "NumberOfUsedClusters: " << this->NumberOfUsedClusters << "\n";
 }
 
 //------------------------------------------------------------------------------
 void vtkDeferredLightsPass::Render(const vtkRenderState* s)
 {
   this->NumberOfDeferredProps = 0;
-  this->NumberOfUsedClusters = 0;
   this->Superclass::Render(s);
   this->Bytes += this->Deferred->Shading.Bytes();
 }
@@ -153,7 +151,6 @@ std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
   {
     this->NumberOfDeferredProps = shading.NumberOfRenderedProps();
     this->AssignmentTime += shading.Lists().Seconds();
-    this->NumberOfUsedClusters = shading.Lists().UsedCount();
     this->TellOfLists(shading.Lists().Lists(), shading.Lists().UsedCount());
   }
   return problem;

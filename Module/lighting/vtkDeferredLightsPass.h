@@ -50,11 +50,10 @@ public:
 
   ///@{
   /**
-   * Of the last frame: props that were drawn into the G-buffer, and clusters, or tiles, that hold something of them to be lit; all of LIGHT_VOLUMES,
+   * Of the last frame: props that were drawn into the G-buffer. If there are any, statistics of clusters are those of its pixels: used are all of LIGHT_VOLUMES,
    * and where OpenGL 4.3 is missing.
    */
   vtkGetMacro(NumberOfDeferredProps, int);
-  vtkGetMacro(NumberOfUsedClusters, vtkIdType);
   ///@}
 
   void Render(const vtkRenderState* s) override;
@@ -78,7 +77,6 @@ protected:
 
   int Assignment = CLUSTERS;
   int NumberOfDeferredProps = 0;
-  vtkIdType NumberOfUsedClusters = 0;
 
 private:
   vtkDeferredLightsPass(const vtkDeferredLightsPass&) = delete;

@@ -79,6 +79,57 @@ TEST(LitProps, EndNoLightsThatReachSamplesBeyondAFace)
   }
 }
 
+TEST(LitProps, UseTheClustersThatTheyAreIn)
+{
+  LightScene scene(false);
+  for (int i = 0; i < 9; ++i)
+  {
+    scene.AddLight(LightKind::Point);
+  }
+  for (const auto& part : scene.Parts)
+  {
+    part->SetVisibility(part == scene.Parts[0] || part == scene.Parts[1]);
+  }
+  ExpectAsVTK(scene);
+  EXPECT_GT(scene.Lights->GetNumberOfUsedClusters(), 3);
+  EXPECT_LT(scene.Lights->GetNumberOfUsedClusters(), scene.Lights->GetNumberOfClusters() / 3);
+  scene.Parts[0]->GetShaderProperty()->AddVertexShaderReplacement(
+    "//VTK::PositionVC::Impl", true, "//VTK::PositionVC::Impl\n", false);
+  ExpectAsVTK(scene); // of what is drawn nobody knows where
+  EXPECT_EQ(scene.Lights->GetNumberOfUsedClusters(), scene.Lights->GetNumberOfClusters());
+}
+
+TEST(LitProps, AreLitWhereverTheyAre)
+{
+  for (const double away : { 0.0, 1e3, 1e6 })
+  {
+    for (int frame = 0; frame < 6; ++frame)
+    {
+      LightScene scene(frame % 2 == 0);
+      scene.Lights->SetTileSize(8);
+      for (int i = 0; i < 6; ++i)
+      {
+        const auto light = scene.AddLight(i % 2 == 0 ? LightKind::Point : LightKind::Spot);
+        const double* const at = light->GetPosition();
+        light->SetPosition(at[0] + away, at[1], at[2]);
+        const double* const to = light->GetFocalPoint();
+        light->SetFocalPoint(to[0] + away, to[1], to[2]);
+      }
+      for (const auto& part : scene.Parts)
+      {
+        part->AddPosition(away, 0.0, 0.0);
+        part->RotateX(20.0 * frame);
+      }
+      vtkCamera* const camera = scene.Renderer->GetActiveCamera();
+      const double* const eye = camera->GetPosition();
+      camera->SetPosition(eye[0] + away, eye[1], eye[2] - 0.4 * frame);
+      camera->SetFocalPoint(away, 0.0, 0.0);
+      SCOPED_TRACE(std::to_string(away) + " " + std::to_string(frame));
+      ExpectAsVTK(scene);
+    }
+  }
+}
+
 TEST(LitProps, MayBeNone)
 {
   LightScene scene;

@@ -84,10 +84,7 @@ public:
     statistics.LightsPerClusterMax = this->Pass->GetMaximumLightsPerCluster();
     statistics.Clusters = this->Pass->GetNumberOfClusters();
     statistics.Bytes = this->Pass->GetBytes();
-    if (auto* const deferred = vtkDeferredLightsPass::SafeDownCast(this->Pass))
-    {
-      statistics.ClustersUsed = deferred->GetNumberOfUsedClusters();
-    }
+    statistics.ClustersUsed = this->Pass->GetNumberOfUsedClusters();
     return statistics;
   }
 

@@ -72,6 +72,25 @@ double LitRegion::ReachOf(const LightVolume& volume) const
   return shape.Kind == LightShape::Kinds::Cone ? std::min(farthest, this->WayOut(shape)) : farthest;
 }
 
+Box LitRegion::Bounds() const
+{
+  if (this->IsEmpty)
+  {
+    return {};
+  }
+  if (!this->IsBounded)
+  {
+    return Box::Everything();
+  }
+  glm::dvec3 least(this->Corners[0]), most(this->Corners[0]);
+  for (const glm::dvec3& corner : this->Corners)
+  {
+    least = glm::min(least, corner);
+    most = glm::max(most, corner);
+  }
+  return Box::Around(least - this->Slack, most + this->Slack);
+}
+
 double LitRegion::FarthestFrom(const glm::dvec3& point) const
 {
   double farthest = 0.0; // its square

@@ -34,6 +34,9 @@ public:
    */
   double ReachOf(const LightVolume& volume) const;
 
+  /** Around it in the coordinates of lights, with what shaders' floats may be off. */
+  Box Bounds() const;
+
 private:
   double FarthestFrom(const glm::dvec3& point) const;
   double WayOut(const LightShape& cone) const;

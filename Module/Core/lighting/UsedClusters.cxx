@@ -143,6 +143,11 @@ void UsedClusters::AddDepths(const float* depths, int width, int height)
   }
 }
 
+void UsedClusters::AddAll()
+{
+  std::fill(this->Marks.begin(), this->Marks.end(), std::uint8_t{ 1 });
+}
+
 void UsedClusters::AddBox(const Box& box)
 {
   if (box.IsEmpty())

@@ -30,6 +30,9 @@ public:
    */
   void AddDepths(const float* depths, int width, int height);
 
+  /** Marks all there are. */
+  void AddAll();
+
   /** Marks all that a box in view coordinates (VC) may touch; nothing if it is empty. */
   void AddBox(const Box& box);
 
