@@ -7,6 +7,7 @@
 #include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkTexture.h"
+#include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
 
@@ -198,6 +199,10 @@ TEST(StableLights, MayBeInViewsToOneSide)
 // Of an eye that is not the origin, or a screen that is turned away, VTK makes a projection that does not go along z.
 TEST(StableLights, MayBeInOffAxisViews)
 {
+  if (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION > 2)
+  {
+    GTEST_SKIP() << "from VTK 9.3 on, eye and screen stand in the world, not before the camera";
+  }
   StableScene scene;
   scene.Camera()->UseOffAxisProjectionOn();
   for (const std::array<double, 2> off : { std::array{ 0.0, 0.0 }, { 0.3, 0.0 }, { 0.3, 0.4 } })
