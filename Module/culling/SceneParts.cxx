@@ -310,7 +310,7 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
     return {}; // so that its box is tested, not its points
   }
   return { &mesh, &part.ToWorld, !part.Actor->GetProperty()->GetBackfaceCulling(),
-    part.Geometry->Boxes(), /* IsOfFacesAlone: tests of faces have lost a pixel */ false };
+    part.Geometry->Boxes(), part.Geometry->IsOfFacesAlone() };
 }
 
 void SceneParts::Expect(std::uint32_t i) const

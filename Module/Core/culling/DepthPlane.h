@@ -3,9 +3,6 @@
 
 #include "Core/culling/MeshProjection.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace vitrine
 {
 
@@ -16,32 +13,24 @@ struct DepthBound
   float Right;
 };
 
-/** A face's depth as a function of the place on the screen, and what is known of it where that is too steep. */
+/**
+ * A face's depth as a function of the place on the screen, and what is known of it where that is too steep.
+ *
+ * A device snaps corners to see what they cover. Some take depths from corners that are not snapped, so that the plane counts
+ * beside the face, too; and they round corners before, which slopes differ by. A sliver's are steep, and where rounding may take all of its area nothing is known of them.
+ */
 class DepthPlane
 {
 public:
+  /**
+   * @param margin    all that a device may move points by
+   * @param snapping  what of that it moves them by to see what they cover
+   */
   DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
-    const ScreenMargin& margin, float aside, float above)
-    : Origin(a)
-    , Farthest(std::min(std::min(a.Depth, b.Depth), c.Depth) - margin.Depth)
-    , Nearest(std::max(std::max(a.Depth, b.Depth), c.Depth) + margin.Depth)
-  {
-    const float column1 = b.Column - a.Column, line1 = b.Line - a.Line, depth1 = b.Depth - a.Depth;
-    const float column2 = c.Column - a.Column, line2 = c.Line - a.Line, depth2 = c.Depth - a.Depth;
-    const float area = column1 * line2 - column2 * line1;
-    this->ByColumn = (depth1 * line2 - depth2 * line1) / area;
-    this->ByLine = (depth2 * column1 - depth1 * column2) / area;
-    const float ownOfArea = Rounding * (std::abs(column1 * line2) + std::abs(column2 * line1));
-    const float ownByColumn = (Rounding * (std::abs(depth1 * line2) + std::abs(depth2 * line1)) +
-                                std::abs(this->ByColumn) * ownOfArea) /
-      std::abs(area);
-    const float ownByLine = (Rounding * (std::abs(depth2 * column1) + std::abs(depth1 * column2)) +
-                              std::abs(this->ByLine) * ownOfArea) /
-      std::abs(area);
-    this->Slack = margin.Depth + std::abs(this->ByColumn) * aside + std::abs(this->ByLine) * above +
-      ownByColumn * (std::max(std::abs(column1), std::abs(column2)) + SBuffer::TileWidth) +
-      ownByLine * std::max(std::abs(line1), std::abs(line2));
-  }
+    const ScreenMargin& margin, const ScreenMargin& snapping);
+
+  /** The greatest depth of all that may be drawn. */
+  float NearestOfAll() const { return this->Nearest; }
 
   /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
   DepthBound Within(float left, float right, float bottom, float top) const
@@ -66,8 +55,6 @@ public:
   }
 
 private:
-  static constexpr float Rounding = 0x1p-21f; ///< of a few sums and products in floats
-
   ScreenPoint Origin;
   float Farthest;
   float Nearest;

@@ -90,7 +90,7 @@ void FaceCoverage::FindFaces()
     }
     const float above = this->Margin.Line;
     this->Numbers[i] = static_cast<std::uint32_t>(this->Faces.size());
-    this->Faces.push_back({ DepthPlane(a, b, c, this->Margin, this->Margin.Column, above),
+    this->Faces.push_back({ DepthPlane(a, b, c, this->Margin, this->Projection->Snapping()),
       std::min(std::min(a.Line, b.Line), c.Line) - above,
       std::max(std::max(a.Line, b.Line), c.Line) + above });
   }

@@ -29,9 +29,12 @@ public:
     , Own(std::max({ Edges[0].OwnRounding(), Edges[1].OwnRounding(), Edges[2].OwnRounding() }))
     , Aside(projection.Margin().Column + Own)
     , Above(projection.Margin().Line + Own)
-    , Plane(A, B, C, projection.Margin(), Aside, Above)
+    , Plane(A, B, C, projection.Margin(), projection.Snapping())
   {
+    this->Around.Nearest = this->Plane.NearestOfAll();
   }
+
+  const ScreenRectangle& Rectangle() const { return this->Around; }
 
   LineRange LinesOf(const SBuffer& buffer) const
   {
@@ -90,9 +93,9 @@ void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing
 /** What is drawn wider than it is has no more than a rectangle. */
 bool HiddenFaces::IsHidden(const MeshProjection& projection, const MeshFace& face)
 {
+  const Outlined outlined(projection, face);
   const bool isWider = this->View.Grows();
-  const ScreenRectangle around = projection.RectangleOf(face);
-  this->Shown = isWider ? this->View.Grown(around) : around;
+  this->Shown = isWider ? this->View.Grown(outlined.Rectangle()) : outlined.Rectangle();
   if (this->Lines.Hides(this->Shown))
   {
     return true;
@@ -101,7 +104,6 @@ bool HiddenFaces::IsHidden(const MeshProjection& projection, const MeshFace& fac
   {
     return false;
   }
-  const Outlined outlined(projection, face);
   const LineRange lines = outlined.LinesOf(this->Lines);
   return lines.First <= lines.Last && this->IsHidden(outlined, lines);
 }

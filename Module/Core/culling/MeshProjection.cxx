@@ -24,6 +24,7 @@ VITRINE_FOR_EACH_PROCESSOR
 bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen)
 {
   this->Projected = &mesh;
+  this->DeviceSnapping = toScreen.Snapping;
   const float* const x = mesh.Coordinates(0).data();
   const float* const y = mesh.Coordinates(1).data();
   const float* const z = mesh.Coordinates(2).data();
@@ -147,7 +148,7 @@ float MeshProjection::NearestOnScreen(const SBuffer& screen) const
     if (left < right && bottom < top)
     {
       const DepthPlane plane(this->Point(face[0]), this->Point(face[1]), this->Point(face[2]),
-        this->DeviceMargin, 0.0f, 0.0f);
+        this->DeviceMargin, this->DeviceSnapping);
       nearest = std::max(nearest, plane.NearestWithin(left, right, bottom, top));
     }
   }

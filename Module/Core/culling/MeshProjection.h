@@ -70,6 +70,9 @@ public:
   /** By how much a device may draw points elsewhere. */
   const ScreenMargin& Margin() const { return this->DeviceMargin; }
 
+  /** What of that a rasteriser moves points by where it looks what they cover; depths stay those of the points that it did not move. */
+  const ScreenMargin& Snapping() const { return this->DeviceSnapping; }
+
   /** Which way a face of the mesh goes around. */
   Facing FacingOf(const MeshFace& face) const
   {
@@ -120,6 +123,7 @@ private:
   NearClip Rest; ///< where they are not
   ScreenRectangle Around{};
   ScreenMargin DeviceMargin;
+  ScreenMargin DeviceSnapping;
   std::vector<Facing> Facings;
 };
 
