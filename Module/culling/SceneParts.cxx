@@ -297,8 +297,10 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
   return told;
 }
 
+/** Meshes are built when they are first asked for, and images of textures brought up to date, by one thread at a time. */
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
+  const std::lock_guard<std::mutex> lock(this->Asking);
   Part& part = this->Parts[i];
   if (!part.MayHide || IsNonOccluding(part.Actor) || !AreTexturesOpaque(part.Actor))
   {

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <vector>
 
@@ -135,6 +136,7 @@ private:
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0; ///< the part behind the last one that was found
+  std::mutex Asking;        ///< for occluders
   vtkMTimeType Frame = 0;   ///< counts updates
   vtkMTimeType Looks = 0;   ///< counts how often all was looked at
   bool HasMadeData = false; ///< whether a filter has, since then

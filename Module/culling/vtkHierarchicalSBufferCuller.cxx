@@ -25,6 +25,15 @@
 vtkStandardNewMacro(vtkHierarchicalSBufferCuller);
 vtkInformationKeyMacro(vtkHierarchicalSBufferCuller, NON_OCCLUDING, Integer);
 
+namespace
+{
+// Fewer parts are not worth threads.
+const std::size_t PartsOfBands = 2048;
+
+// The screen is cut into so many bands, whatever the machine has, so that the same frames are culled alike everywhere.
+const int BandsOfMany = 4;
+}
+
 /** What is kept of each renderer from frame to frame. */
 struct vtkHierarchicalSBufferCuller::State
 {
@@ -40,6 +49,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   vitrine::SceneParts Parts;
   std::unique_ptr<vitrine::PartCuller> Culler;
   std::array<float, 3> Shape{};
+  int Bands = 0;
   std::vector<std::uint8_t> Visible;
   bool HasCulled = false; ///< in the last frame
   vtkSmartPointer<vtkImageData> BufferImage;
@@ -71,10 +81,13 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
 
   vitrine::PartCuller& CullerOf(const vitrine::RendererView& view)
   {
-    if (!this->Culler || this->Shape != view.Shape())
+    const int bands = this->Visible.size() < PartsOfBands ? 1 : BandsOfMany;
+    if (!this->Culler || this->Shape != view.Shape() || this->Bands != bands)
     {
-      this->Culler = std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines, view.Samples);
+      this->Culler =
+        std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines, view.Samples, bands);
       this->Shape = view.Shape();
+      this->Bands = bands;
     }
     return *this->Culler;
   }
@@ -139,8 +152,8 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   {
     return false;
   }
-  vitrine::PartCuller& culler = known.CullerOf(view);
   parts.MarkDrawn(known.Visible);
+  vitrine::PartCuller& culler = known.CullerOf(view);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector();
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
@@ -153,8 +166,8 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
   this->NumberOfTestedNodes = static_cast<int>(culler.Counts().Nodes);
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
-  this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Inserted);
-  this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.Buffer().Counts().Comparisons);
+  this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.BufferCounts().Inserted);
+  this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.BufferCounts().Comparisons);
   return true;
 }
 
@@ -165,14 +178,20 @@ vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer
   {
     return nullptr;
   }
-  const vitrine::SBuffer& buffer = found->second.Culler->Buffer();
-  const std::vector<float> depths = vitrine::DepthImage(buffer);
+  const vitrine::PartCuller& culler = *found->second.Culler;
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < culler.BandCount(); ++i)
+  {
+    const std::vector<float> band = vitrine::DepthImage(culler.Buffer(i));
+    depths.insert(depths.end(), band.begin(), band.end());
+  }
+  const int columns = culler.Buffer().Columns();
   vtkNew<vtkFloatArray> values;
   values->SetName("ReversedDepth");
   values->SetNumberOfValues(static_cast<vtkIdType>(depths.size()));
   std::copy(depths.begin(), depths.end(), values->GetPointer(0));
   vtkNew<vtkImageData> image;
-  image->SetDimensions(buffer.Columns(), buffer.Lines(), 1);
+  image->SetDimensions(columns, static_cast<int>(depths.size()) / columns, 1);
   image->GetPointData()->SetScalars(values);
   found->second.BufferImage = image;
   return image;

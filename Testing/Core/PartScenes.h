@@ -11,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -63,7 +64,7 @@ public:
   Occluder OccluderOf(std::uint32_t i) override
   {
     const Part& part = this->Parts[i];
-    ++this->Asked;
+    ++*this->Questions;
     if (!part.Hides)
     {
       return {};
@@ -79,7 +80,7 @@ public:
   }
   void Cull(PartCuller& culler, const View& view, const LooseOctree& tree, bool occlusion = true)
   {
-    this->Asked = 0;
+    *this->Questions = 0;
     culler.Cull(tree, *this, view.Projection(this->Reach), occlusion, this->Visible);
   }
 
@@ -98,7 +99,12 @@ public:
   std::vector<Box> Bounds;
   std::vector<std::uint8_t> Visible; ///< first which are drawn, then which may show
   double Reach = 0.0;
-  int Asked = 0;
+
+  /** How often the last frame asked for an occluder. */
+  int Asked() const { return *this->Questions; }
+
+private:
+  std::unique_ptr<std::atomic<int>> Questions = std::make_unique<std::atomic<int>>(0);
 };
 
 const int FrameColumns = 96;

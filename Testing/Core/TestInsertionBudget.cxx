@@ -71,6 +71,17 @@ TEST(InsertionBudget, GrowsByWhatIsHiddenAndByALittle)
   EXPECT_EQ(MostOf(budget), 3 * trial + all * 3 / 10);
 }
 
+TEST(InsertionBudget, OfEachBandIsAShareOfWhatIsTried)
+{
+  InsertionBudget whole, band;
+  const std::size_t trial = SpendAll(whole, 1000);
+  band.Begin(1000, 4);
+  EXPECT_EQ(MostOf(band), MostOfFirst(1000)) << "all may be in one band";
+  band.Spend(MostOf(band));
+  band.Begin(1000, 4);
+  EXPECT_EQ(4 * MostOf(band), trial);
+}
+
 TEST(InsertionBudget, IsSpentButNeverMoreThanThereIs)
 {
   InsertionBudget budget;

@@ -75,7 +75,7 @@ TEST(PartCuller, DropsWhatIsBehindAWall)
     EXPECT_EQ(std::count(scene.Visible.begin(), scene.Visible.end(), 1), 2);
     EXPECT_TRUE(scene.Visible[wall]);
     EXPECT_TRUE(scene.Visible[before]);
-    EXPECT_EQ(scene.Asked, 2);
+    EXPECT_EQ(scene.Asked(), 2);
     EXPECT_EQ(culler.Counts().Inserted, 2u);
     EXPECT_LT(culler.Counts().Tested, 103u);
   }
@@ -128,7 +128,7 @@ TEST(PartCuller, WhatIsNotDrawnNeitherHidesNorCounts)
   EXPECT_EQ(scene.Visible, (std::vector<std::uint8_t>{ 0, 1, 0 }));
   EXPECT_TRUE(scene.Visible[behind]);
   EXPECT_EQ(culler.Counts().Tested, 1u);
-  EXPECT_EQ(scene.Asked, 1);
+  EXPECT_EQ(scene.Asked(), 1);
 }
 
 TEST(PartCuller, WhatHidesNothingStaysAndHidesNothing)
@@ -194,7 +194,7 @@ TEST(PartCuller, DropsWhatIsOutside)
   PartCuller culler(FrameColumns, FrameLines);
   scene.Cull(culler, AheadView(false));
   EXPECT_EQ(scene.Visible, (std::vector<std::uint8_t>{ 0, 0, 0 }));
-  EXPECT_EQ(scene.Asked, 0);
+  EXPECT_EQ(scene.Asked(), 0);
 }
 
 TEST(PartCuller, TwoPartsInOnePlaceBothStay)
@@ -327,7 +327,7 @@ TEST(PartCuller, WithoutOcclusionDropsWhatIsOutsideAlone)
   PartCuller culler(FrameColumns, FrameLines);
   scene.Cull(culler, AheadView(false), false);
   EXPECT_EQ(scene.Visible, (std::vector<std::uint8_t>{ 1, 1, 0 }));
-  EXPECT_EQ(scene.Asked, 0);
+  EXPECT_EQ(scene.Asked(), 0);
   EXPECT_EQ(culler.Counts().Inserted, 0u);
 }
 

@@ -18,13 +18,16 @@ namespace vitrine
 class InsertionBudget
 {
 public:
-  /** A frame begins that is to draw so many parts. */
-  void Begin(std::size_t parts)
+  /**
+   * A frame begins that is to draw so many parts.
+   * @param bands  of the screen that each have a budget, and share what is tried where nothing is hidden
+   */
+  void Begin(std::size_t parts, std::size_t bands = 1)
   {
     const bool isNew = parts > 2 * this->Parts;
     const auto most = static_cast<std::int64_t>(parts * WorthOfPart);
-    const auto earned =
-      static_cast<std::int64_t>(this->Hidden * WorthOfPart + parts * TrialOfPart + LeastTrial);
+    const auto earned = static_cast<std::int64_t>(
+      this->Hidden * WorthOfPart + (parts * TrialOfPart + LeastTrial) / bands);
     this->Left = isNew ? most : std::min(this->Left + earned, most);
     this->Parts = parts;
     this->Hidden = 0;

@@ -4,6 +4,8 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+
 namespace vitrine
 {
 
@@ -105,6 +107,21 @@ ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, dou
   this->World.Snapping = snapping;
   this->World.Size = { columns, lines };
   this->WorldInFloats = glm::mat4(this->World.Matrix);
+}
+
+ScreenProjection ScreenProjection::OfLines(int first, int count) const
+{
+  ScreenProjection some = *this;
+  ScreenMatrix& world = some.World;
+  for (int column = 0; column < 4; ++column)
+  {
+    world.Matrix[column].y -= first * world.Matrix[column].w;
+  }
+  // Ours goes into another sum, and lines reach as far for a device as they did.
+  world.Rounding.y += 2.0f * static_cast<float>(first) * world.Rounding.w;
+  world.Size.y = std::min(world.Size.y - static_cast<float>(first), static_cast<float>(count));
+  some.WorldInFloats = glm::mat4(world.Matrix);
+  return some;
 }
 
 glm::dvec4 ScreenProjection::ToScreen(const glm::dvec3& point) const

@@ -88,6 +88,9 @@ public:
    */
   void Project(const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const;
 
+  /** The same view of some of its lines alone: they count from `first`. */
+  ScreenProjection OfLines(int first, int count) const;
+
   /** Whether anything reaches farther on the screen than it is. */
   bool Grows() const { return this->Growth != glm::vec2(0.0f); }
 

@@ -1,0 +1,93 @@
+#ifndef VITRINE_CORE_CULLING_BAND_CULLER_H
+#define VITRINE_CORE_CULLING_BAND_CULLER_H
+
+#include "Core/culling/FaceCoverage.h"
+#include "Core/culling/InsertionBudget.h"
+#include "Core/culling/LooseOctree.h"
+#include "Core/culling/MeshProjection.h"
+#include "Core/culling/OccluderSource.h"
+#include "Core/culling/OutlineCoverage.h"
+#include "Core/culling/SBuffer.h"
+#include "Core/culling/ScreenProjection.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/** Counts of one frame. */
+struct CullCounts
+{
+  std::uint32_t Nodes = 0;    ///< of the octree that were tested
+  std::uint32_t Tested = 0;   ///< parts
+  std::uint32_t Inserted = 0; ///< parts whose cover went into the s-buffer
+};
+
+/**
+ * The hierarchical s-buffer on a band of a screen's lines, or on all of them: walks an octree of parts from front to back, leaves out what is outside the view or hidden by what
+ * stands in the s-buffer, and puts what shows into it.
+ * (A. V. Boreskov, hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993)
+ */
+class BandCuller
+{
+public:
+  /** With an s-buffer of so many columns and lines. */
+  BandCuller(int columns, int lines, const SampleGrid& samples);
+
+  /**
+   * Finds which parts may show in the band.
+   * @param tree       of the parts' bounds, in world coordinates (WC)
+   * @param occluders  tells what the parts hide with
+   * @param view       of the band
+   * @param occlusion  false for what lies outside of the view alone
+   * @param drawn      one for each part: 1 for those that this frame draws
+   * @param bands      of the screen
+   */
+  void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
+    bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
+
+  /** One for each part: 1 for those in the tree that may show. */
+  const std::vector<std::uint8_t>& Shown() const { return this->Shows; }
+
+  const CullCounts& Counts() const { return this->Counted; }
+  const SBuffer& Buffer() const { return this->Lines; }
+
+private:
+  class Walk;
+
+  /** What a node holds, and where on the screen that is. */
+  struct Entry
+  {
+    float Depth; ///< reversed: the greatest is visited first
+    ScreenRectangle Rectangle;
+    std::uint32_t Number; ///< as nodes tell it
+    std::uint32_t PartCount;
+
+    bool operator<(const Entry& other) const { return this->Depth < other.Depth; }
+  };
+
+  /** What was found to show. */
+  struct ShownPart
+  {
+    std::uint32_t Part;
+    ScreenRectangle Rectangle;
+    ScreenRectangle Witness; ///< while that is not hidden, the part is not
+  };
+
+  SBuffer Lines;
+  MeshProjection Projected;
+  OutlineCoverage CoverOfFew;
+  FaceCoverage CoverOfMany;
+  CullCounts Counted;
+  InsertionBudget Budget;
+  std::vector<Entry> Queue; ///< a heap
+  std::vector<std::uint8_t> Shows;
+  std::vector<ShownPart> Visited; ///< in the order in which they were visited
+  std::vector<std::uint8_t>
+    WasSmall; ///< parts whose mesh had few points when it was last asked for
+};
+
+}
+
+#endif
