@@ -3,6 +3,7 @@
 #include "Core/lighting/LightAssignment.h"
 #include "Core/lighting/LightCut.h"
 #include "Core/lighting/UsedClusters.h"
+#include "gl/HeldContext.h"
 #include "lighting/LightBuffers.h"
 #include "lighting/LightLoop.h"
 #include "lighting/LightSwap.h"
@@ -17,7 +18,6 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -36,16 +36,10 @@ struct vtkClusteredLightsPass::Internals
   vitrine::LightLists Lists;
   std::optional<vitrine::ViewGrid> Grid;
   vitrine::LightBuffers Buffers;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; ///< of the buffers
-  vtkMTimeType ContextTime = 0;
+  vitrine::HeldContext Context; ///< of the buffers
   vtkSmartPointer<vtkLightCollection> Directional = vitrine::MakeStandIn(false);
   vtkSmartPointer<vtkLightCollection> Positional = vitrine::MakeStandIn(true);
   std::set<std::string> Reported;
-
-  bool HasContext() const
-  {
-    return this->Window && this->Window->GetContextCreationTime() == this->ContextTime;
-  }
 };
 
 namespace
@@ -237,11 +231,10 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
 {
   Internals& in = *this->Private;
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window != in.Window || !in.HasContext())
+  if (!in.Context.LivesIn(window))
   {
     this->LeaveWindow();
-    in.Window = window;
-    in.ContextTime = window->GetContextCreationTime();
+    in.Context.Hold(window);
   }
   const std::string problem = in.Buffers.Write(in.Lights.Packed, in.Lists);
   this->Bytes = in.Buffers.Bytes();
@@ -256,19 +249,15 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
 void vtkClusteredLightsPass::LeaveWindow()
 {
   Internals& in = *this->Private;
-  if (in.HasContext())
-  {
-    in.Window->PushContext();
-    if (in.Window->IsCurrent())
+  in.Context.Release(
+    [&](vtkOpenGLRenderWindow*)
     {
       in.Buffers.Release();
       this->ReleaseMethodResources();
-    }
-    in.Window->PopContext();
-  }
+    });
   in.Buffers = vitrine::LightBuffers();
   this->ForgetMethodResources();
-  in.Window = nullptr;
+  in.Context.LetGo();
 }
 
 //------------------------------------------------------------------------------
@@ -323,11 +312,11 @@ bool vtkClusteredLightsPass::SetShaderParameters(
 void vtkClusteredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Private;
-  if (window && window == in.Window && in.HasContext())
+  if (in.Context.LivesIn(window))
   {
     in.Buffers.Release();
     this->ReleaseMethodResources();
-    in.Window = nullptr;
+    in.Context.LetGo();
   }
   if (in.Delegate && window)
   {

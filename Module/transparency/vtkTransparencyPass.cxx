@@ -4,6 +4,7 @@
 #include "Core/StencilCounts.h"
 #include "gl/Capabilities.h"
 #include "gl/DepthCopy.h"
+#include "gl/HeldContext.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
@@ -21,7 +22,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTranslucentPass.h"
-#include "vtkWeakPointer.h"
 
 #include <memory>
 #include <set>
@@ -55,12 +55,11 @@ bool HasNoSpecularTerm(vtkProp* prop)
 
 struct vtkTransparencyPass::Internals
 {
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkMTimeType ContextTime = 0; // of Window's context
+  vitrine::HeldContext Context;
   vtkNew<vtkOrderIndependentTranslucentPass> Fallback;
   vtkNew<vtkTranslucentPass> FallbackGeometry;
   std::string FallbackReason;
-  std::string MissingFeature; // of Window's context
+  std::string MissingFeature; // of Context
   std::set<std::string> Reported;
 
   vitrine::RenderTarget Target; // of the current frame
@@ -79,12 +78,6 @@ struct vtkTransparencyPass::Internals
       this->Target.DepthSteps != target.DepthSteps ||
       this->Target.DepthIntegers != target.DepthIntegers ||
       this->Target.DepthLoss != target.DepthLoss;
-  }
-
-  // Whether the context lives in which the pass has its GL objects.
-  bool HasContext() const
-  {
-    return this->Window && this->Window->GetContextCreationTime() == this->ContextTime;
   }
 };
 
@@ -122,7 +115,7 @@ const char* vtkTransparencyPass::GetFallbackReason()
 //------------------------------------------------------------------------------
 vtkOpenGLRenderWindow* vtkTransparencyPass::GetWindow()
 {
-  return this->Private->Window;
+  return this->Private->Context.Window();
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +131,7 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
   this->Private->FallbackReason.clear();
   if (!HasTranslucentGeometry(s))
   {
-    if (this->Private->HasContext() && this->Private->Window == s->GetRenderer()->GetRenderWindow())
+    if (this->Private->Context.LivesIn(s->GetRenderer()->GetRenderWindow()))
     {
       this->RenderNothing();
     }
@@ -160,13 +153,12 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderWindow);
   Internals& in = *this->Private;
-  if (window == in.Window && in.HasContext())
+  if (in.Context.LivesIn(window))
   {
     return;
   }
   this->LeaveWindow();
-  in.Window = window;
-  in.ContextTime = window->GetContextCreationTime();
+  in.Context.Hold(window);
   in.MissingFeature = this->FindMissingFeature(window);
   in.PostDepthCoverage = vitrine::HasExtension("GL_ARB_post_depth_coverage");
   in.SoftwareRasteriser = vitrine::IsSoftwareRasteriser();
@@ -178,17 +170,8 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
 // was finalized while its renderers had other passes.
 void vtkTransparencyPass::LeaveWindow()
 {
-  Internals& in = *this->Private;
-  if (in.HasContext())
-  {
-    vtkOpenGLRenderWindow* window = in.Window;
-    window->PushContext();
-    if (window->IsCurrent())
-    {
-      this->ReleaseGraphicsResources(window);
-    }
-    window->PopContext();
-  }
+  this->Private->Context.Release(
+    [this](vtkOpenGLRenderWindow* window) { this->ReleaseGraphicsResources(window); });
   this->ForgetResources();
 }
 
@@ -199,7 +182,7 @@ void vtkTransparencyPass::ForgetResources()
   in.OpaqueDepth = vitrine::DepthCopy();
   this->ForgetMethodResources();
   this->Bytes = 0;
-  in.Window = nullptr;
+  in.Context.LetGo();
 }
 
 //------------------------------------------------------------------------------
@@ -210,7 +193,7 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   {
     return in.MissingFeature;
   }
-  vtkOpenGLState* state = in.Window->GetState();
+  vtkOpenGLState* state = in.Context.Window()->GetState();
   vitrine::RenderTarget target;
   const std::string problem = target.Probe(state);
   if (!problem.empty())
@@ -232,7 +215,7 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   const vitrine::ScopedArrayBuffer arrayBuffer;
   const vitrine::ScopedVertexArray vertexArray(0);
   vitrine::ScopedTrackedState trackedState(state);
-  vitrine::ScopedShaderProgram shaderProgram(in.Window);
+  vitrine::ScopedShaderProgram shaderProgram(in.Context.Window());
   const std::string failure = this->RenderFragments(s, target);
   in.OpaqueDepth.EndFrame();
   return failure;
@@ -261,8 +244,8 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   if (this->ShaderStage.GetMTime() > in.ProbeTime)
   {
     in.ProbeTime = this->ShaderStage.GetMTime();
-    in.CanFill = vitrine::CanCompile(in.Window, this->GetCapturingShader(false)) &&
-      vitrine::CanCompile(in.Window, this->GetCapturingShader(true));
+    in.CanFill = vitrine::CanCompile(in.Context.Window(), this->GetCapturingShader(false)) &&
+      vitrine::CanCompile(in.Context.Window(), this->GetCapturingShader(true));
   }
   if (!in.CanFill)
   {
@@ -336,11 +319,11 @@ bool vtkTransparencyPass::SetShaderParameters(
 {
   Internals& in = *this->Private;
   // Last before the draw: images, and props whose keys ask for it, would write depth and hide what comes after them.
-  in.Window->GetState()->vtkglDepthMask(GL_FALSE);
+  in.Context.Window()->GetState()->vtkglDepthMask(GL_FALSE);
   if (program->IsUniformUsed("vitrineOpaqueDepth"))
   {
     program->SetUniformi(
-      "vitrineOpaqueDepth", in.OpaqueDepth.UnitOf(in.Window->GetState(), in.Target));
+      "vitrineOpaqueDepth", in.OpaqueDepth.UnitOf(in.Context.Window()->GetState(), in.Target));
   }
   if (program->IsUniformUsed("vitrineOpaqueWidth"))
   {
@@ -368,14 +351,14 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Private;
   in.Fallback->ReleaseGraphicsResources(window);
-  if (window == in.Window && in.HasContext())
+  if (in.Context.LivesIn(window))
   {
     in.OpaqueDepth.Release();
     this->ReleaseMethodResources();
     this->Bytes = 0;
-    in.Window = nullptr;
+    in.Context.LetGo();
   }
-  else if (window == in.Window)
+  else if (window == in.Context.Window())
   {
     this->ForgetResources(); // the names are those of others
   }

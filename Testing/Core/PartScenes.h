@@ -123,6 +123,14 @@ inline View AheadView(bool isParallel)
   return view;
 }
 
+/** Leaves in the scene's Visible what may show ahead, to the lines of a frame. */
+inline vitrine::CullCounts CullAhead(PartScene& scene, bool isParallel)
+{
+  PartCuller culler(FrameColumns, FrameLines);
+  scene.Cull(culler, AheadView(isParallel));
+  return culler.Counts();
+}
+
 inline Triangles WallAt(double z)
 {
   Triangles wall;

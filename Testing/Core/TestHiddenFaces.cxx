@@ -12,6 +12,7 @@ namespace
 {
 
 using coverage::AheadView;
+using coverage::CullAhead;
 using coverage::FrameColumns;
 using coverage::FrameLines;
 using coverage::PartScene;
@@ -151,8 +152,7 @@ TEST(HiddenFaces, OfATubeAroundTheEyeBehindAnother)
     {
       scene.AddBox({ 200 + i, 0, -30 }, { 200.5 + i, 1, -29 });
     }
-    PartCuller culler(FrameColumns, FrameLines);
-    scene.Cull(culler, AheadView(false));
+    CullAhead(scene, false);
     EXPECT_FALSE(scene.Visible[outer]);
     EXPECT_TRUE(scene.Visible[inner]);
   }
@@ -171,8 +171,7 @@ TEST(HiddenFaces, DoNotHideWhatIsCutAtTheNearPlaneInTheView)
     point.y = -5.0;
   }
   const std::uint32_t beside = scene.Add(below);
-  PartCuller culler(FrameColumns, FrameLines);
-  scene.Cull(culler, AheadView(false));
+  CullAhead(scene, false);
   EXPECT_TRUE(scene.Visible[wall]);
   EXPECT_TRUE(scene.Visible[cut]);
   EXPECT_FALSE(scene.Visible[beside]);
@@ -208,12 +207,11 @@ TEST(HiddenFaces, AreLookedForAgainOnceAllStandsInTheBuffer)
     lower.AddQuad({ -8, -8, -19.5 }, { 8, -8, -19.5 }, { 8, 0.5, -19.5 }, { -8, 0.5, -19.5 });
     upper.AddQuad({ -8, -0.5, -23.5 }, { 8, -0.5, -23.5 }, { 8, 8, -23.5 }, { -8, 8, -23.5 });
     const std::uint32_t first = scene.Add(lower), last = scene.Add(upper);
-    PartCuller culler(FrameColumns, FrameLines);
-    scene.Cull(culler, AheadView(true));
+    const vitrine::CullCounts counts = CullAhead(scene, true);
     EXPECT_EQ(scene.Visible[hidden], !isOfFacesAlone);
     EXPECT_TRUE(scene.Visible[first]);
     EXPECT_TRUE(scene.Visible[last]);
-    EXPECT_EQ(culler.Counts().Inserted, 3u) << "it was shown when it came";
+    EXPECT_EQ(counts.Inserted, 3u) << "it was shown when it came";
   }
 }
 

@@ -12,6 +12,7 @@ namespace
 {
 
 using coverage::AheadView;
+using coverage::CullAhead;
 using coverage::FrameColumns;
 using coverage::FrameLines;
 using coverage::GridOf;
@@ -217,8 +218,7 @@ TEST(MeshBoxes, HideARodBehindASlantedEdgeThatItsBoxStandsOver)
       const std::uint32_t without = scene.Add(RodOf(64, 0.005), place);
       scene.Parts[without].Boxes.reset();
       scene.Parts[without].IsOfFacesAlone = false;
-      PartCuller culler(FrameColumns, FrameLines);
-      scene.Cull(culler, AheadView(isParallel));
+      CullAhead(scene, isParallel);
       EXPECT_FALSE(scene.Visible[rod]);
       EXPECT_TRUE(scene.Visible[without]);
     }
@@ -240,8 +240,7 @@ TEST(MeshBoxes, ShowAPartOfWhichOneFaceShows)
       point += offset;
     }
     const std::uint32_t part = scene.Add(rod, glm::translate(AlongDiagonal(8.0), -offset));
-    PartCuller culler(FrameColumns, FrameLines);
-    scene.Cull(culler, AheadView(true));
+    CullAhead(scene, true);
     EXPECT_TRUE(scene.Visible[part]);
   }
 }
@@ -257,8 +256,7 @@ TEST(MeshBoxes, LieOutsideOfAViewThatTheyGoAround)
       return glm::dvec3(radius * std::cos(6.3 * u), radius * std::sin(6.3 * u), -30.0);
     });
   const std::uint32_t part = scene.Add(frame);
-  PartCuller culler(FrameColumns, FrameLines);
-  scene.Cull(culler, AheadView(true));
+  CullAhead(scene, true);
   EXPECT_FALSE(scene.Visible[part]);
 }
 
@@ -287,8 +285,7 @@ TEST(MeshBoxes, WhoseMatrixIsNoneShow)
     scene.Add(WallAboveDiagonal(2.0));
     const std::uint32_t rod = scene.Add(RodOf(64), AlongDiagonal(8.0));
     scene.Parts[rod].ToWorld[element / 4][element % 4] = NotANumber;
-    PartCuller culler(FrameColumns, FrameLines);
-    scene.Cull(culler, AheadView(false));
+    CullAhead(scene, false);
     EXPECT_TRUE(scene.Visible[rod]);
   }
 }

@@ -10,11 +10,17 @@
 #include "vtkClusteredLightsPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkPrefixSumTransparencyPass.h"
 #include "vtkProperty.h"
 #include "vtkSeeThroughPass.h"
+#include "vtkTranslucentPass.h"
+
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 enum class LightKind
@@ -25,6 +31,37 @@ enum class LightKind
   Camera, ///< positional, moves with the camera
   Headlight
 };
+
+constexpr std::array<LightKind, 5> AllLightKinds = { LightKind::Point, LightKind::Spot,
+  LightKind::Directional, LightKind::Camera, LightKind::Headlight };
+
+/** How a LightScene is seen, and of which materials it is. */
+struct LightSettings
+{
+  bool IsParallel;
+  bool IsPhysical;
+  int Multisamples;
+};
+
+/** Any two settings in all their combinations. */
+constexpr std::array<LightSettings, 4> PairsOfLightSettings = { { { true, false, 0 },
+  { false, false, 4 }, { false, true, 0 }, { true, true, 4 } } };
+
+inline std::string NameOfLightSettings(const testing::TestParamInfo<LightSettings>& info)
+{
+  return std::string(info.param.IsParallel ? "Parallel" : "Perspective") +
+    (info.param.IsPhysical ? "Physical" : "Phong") +
+    (info.param.Multisamples > 0 ? "Of4Samples" : "");
+}
+
+/** Passes for translucent geometry besides that of LightScene::Steps. */
+inline std::vector<vtkSmartPointer<vtkRenderPass>> OtherTranslucentPasses()
+{
+  vtkNew<vtkOrderIndependentTranslucentPass> average;
+  vtkNew<vtkTranslucentPass> geometry;
+  average->SetTranslucentPass(geometry);
+  return { vtkNew<vtkPrefixSumTransparencyPass>(), average, geometry };
+}
 
 struct LightScene : TestScene
 {
@@ -84,6 +121,28 @@ struct LightScene : TestScene
     light->SetIntensity(strength);
     this->Renderer->AddLight(light);
     return light;
+  }
+
+  /** Two of each kind, one that is off, and one that takes light away: 11 that are on. */
+  void AddLightsOfAllKinds()
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      for (const LightKind kind : AllLightKinds)
+      {
+        this->AddLight(kind, 0.3);
+      }
+    }
+    this->AddLight(LightKind::Point)->SwitchOff();
+    this->AddLight(LightKind::Spot, -0.2);
+  }
+
+  /** Two directional ones and a headlight. */
+  void AddDirectionalLights()
+  {
+    this->AddLight(LightKind::Directional, 0.3);
+    this->AddLight(LightKind::Directional, 0.3);
+    this->AddLight(LightKind::Headlight, 0.3);
   }
 
   /** The frame as VTK lights it, with the same transparency. */

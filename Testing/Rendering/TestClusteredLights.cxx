@@ -7,9 +7,6 @@
 #include "vtkLightCollection.h"
 #include "vtkLineSource.h"
 #include "vtkMapper.h"
-#include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkPrefixSumTransparencyPass.h"
-#include "vtkTranslucentPass.h"
 
 #include <gtest/gtest.h>
 
@@ -17,20 +14,6 @@
 
 namespace
 {
-
-struct LightSettings
-{
-  bool IsParallel;
-  bool IsPhysical;
-  int Multisamples;
-};
-
-std::string NameOf(const testing::TestParamInfo<LightSettings>& info)
-{
-  return std::string(info.param.IsParallel ? "Parallel" : "Perspective") +
-    (info.param.IsPhysical ? "Physical" : "Phong") +
-    (info.param.Multisamples > 0 ? "Of4Samples" : "");
-}
 
 class ClusteredLights : public testing::TestWithParam<LightSettings>
 {
@@ -49,32 +32,19 @@ protected:
 
 TEST_P(ClusteredLights, OfAllKindsAreVTKs)
 {
-  for (int i = 0; i < 2; ++i)
-  {
-    for (const LightKind kind : { LightKind::Point, LightKind::Spot, LightKind::Directional,
-           LightKind::Camera, LightKind::Headlight })
-    {
-      this->Scene.AddLight(kind, 0.3);
-    }
-  }
-  this->Scene.AddLight(LightKind::Point)->SwitchOff();
-  this->Scene.AddLight(LightKind::Spot, -0.2);
+  this->Scene.AddLightsOfAllKinds();
   this->ExpectAsVTK();
   EXPECT_EQ(this->Scene.Lights->GetNumberOfLights(), 11);
 }
 
 TEST_P(ClusteredLights, ThatAreOnlyDirectionalAreVTKs)
 {
-  this->Scene.AddLight(LightKind::Directional, 0.3);
-  this->Scene.AddLight(LightKind::Directional, 0.3);
-  this->Scene.AddLight(LightKind::Headlight, 0.3);
+  this->Scene.AddDirectionalLights();
   this->ExpectAsVTK();
 }
 
-INSTANTIATE_TEST_SUITE_P(Settings, ClusteredLights,
-  testing::Values(LightSettings{ true, false, 0 }, LightSettings{ false, false, 4 },
-    LightSettings{ false, true, 0 }, LightSettings{ true, true, 4 }),
-  NameOf);
+INSTANTIATE_TEST_SUITE_P(
+  Settings, ClusteredLights, testing::ValuesIn(PairsOfLightSettings), NameOfLightSettings);
 
 TEST(ClusteredLight, OfOneHeadlightOrOffOrNoneIsVTKs)
 {
@@ -94,12 +64,7 @@ TEST(ClusteredLight, OfOneHeadlightOrOffOrNoneIsVTKs)
 
 TEST(ClusteredLight, FallsOnWhatOtherMethodsDrawTranslucent)
 {
-  vtkNew<vtkPrefixSumTransparencyPass> prefixSum;
-  vtkNew<vtkOrderIndependentTranslucentPass> average;
-  vtkNew<vtkTranslucentPass> geometry;
-  average->SetTranslucentPass(geometry);
-  for (vtkRenderPass* const method : { static_cast<vtkRenderPass*>(prefixSum),
-         static_cast<vtkRenderPass*>(average), static_cast<vtkRenderPass*>(geometry) })
+  for (const vtkSmartPointer<vtkRenderPass>& method : OtherTranslucentPasses())
   {
     LightScene scene;
     scene.Steps->SetTranslucentPass(method);

@@ -182,18 +182,7 @@ TEST(DeferredFrame, AfterResourcesAreReleasedIsTheSame)
     { vtkDeferredLightsPass::LIGHT_VOLUMES, vtkDeferredLightsPass::CLUSTERS })
   {
     scene.Deferred->SetAssignment(assignment);
-    const Picture expected = scene.InDeferredLight();
-    scene.Deferred->ReleaseGraphicsResources(scene.Window);
-    EXPECT_TRUE(scene.Render() == expected);
-    scene.Window->ReleaseGraphicsResources(scene.Window);
-    EXPECT_TRUE(scene.Render() == expected);
-    scene.Window->Finalize();
-    EXPECT_TRUE(scene.Render() == expected);
-    // A context of which the pass was not told that it went.
-    scene.Renderer->SetPass(nullptr);
-    scene.Window->Finalize();
-    scene.Render();
-    EXPECT_TRUE(scene.InDeferredLight() == expected);
+    scene.ExpectTheSameAfterReleases(scene.Deferred);
   }
 }
 

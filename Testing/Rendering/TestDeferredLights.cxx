@@ -4,9 +4,6 @@
 #include "DeferredScene.h"
 #include "TestMessages.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkPrefixSumTransparencyPass.h"
-#include "vtkTranslucentPass.h"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
@@ -16,21 +13,7 @@
 namespace
 {
 
-struct DeferredSettings
-{
-  bool IsParallel;
-  bool IsPhysical;
-  int Multisamples;
-};
-
-std::string NameOf(const testing::TestParamInfo<DeferredSettings>& info)
-{
-  return std::string(info.param.IsParallel ? "Parallel" : "Perspective") +
-    (info.param.IsPhysical ? "Physical" : "Phong") +
-    (info.param.Multisamples > 0 ? "Of4Samples" : "");
-}
-
-class DeferredLights : public testing::TestWithParam<DeferredSettings>
+class DeferredLights : public testing::TestWithParam<LightSettings>
 {
 protected:
   DeferredScene Scene{ GetParam().IsParallel, GetParam().IsPhysical, GetParam().Multisamples };
@@ -38,16 +21,7 @@ protected:
 
 TEST_P(DeferredLights, OfAllKindsAreVTKs)
 {
-  for (int i = 0; i < 2; ++i)
-  {
-    for (const LightKind kind : { LightKind::Point, LightKind::Spot, LightKind::Directional,
-           LightKind::Camera, LightKind::Headlight })
-    {
-      this->Scene.AddLight(kind, 0.3);
-    }
-  }
-  this->Scene.AddLight(LightKind::Point)->SwitchOff();
-  this->Scene.AddLight(LightKind::Spot, -0.2);
+  this->Scene.AddLightsOfAllKinds();
   this->Scene.ExpectAsVTK(DeferredParts);
   EXPECT_EQ(this->Scene.Deferred->GetNumberOfLights(), 11);
   const Picture lit = this->Scene.InDeferredLight();
@@ -57,16 +31,12 @@ TEST_P(DeferredLights, OfAllKindsAreVTKs)
 
 TEST_P(DeferredLights, ThatAreOnlyDirectionalAreVTKs)
 {
-  this->Scene.AddLight(LightKind::Directional, 0.3);
-  this->Scene.AddLight(LightKind::Directional, 0.3);
-  this->Scene.AddLight(LightKind::Headlight, 0.3);
+  this->Scene.AddDirectionalLights();
   this->Scene.ExpectAsVTK(DeferredParts);
 }
 
-INSTANTIATE_TEST_SUITE_P(Settings, DeferredLights,
-  testing::Values(DeferredSettings{ true, false, 0 }, DeferredSettings{ false, false, 4 },
-    DeferredSettings{ false, true, 0 }, DeferredSettings{ true, true, 4 }),
-  NameOf);
+INSTANTIATE_TEST_SUITE_P(
+  Settings, DeferredLights, testing::ValuesIn(PairsOfLightSettings), NameOfLightSettings);
 
 TEST(DeferredLight, Of32LightsIsVTKs)
 {
@@ -90,12 +60,7 @@ TEST(DeferredLight, OfSurfacesOfBothFormulasIsVTKs)
 
 TEST(DeferredLight, LeavesWhatOtherMethodsDrawTranslucent)
 {
-  vtkNew<vtkPrefixSumTransparencyPass> prefixSum;
-  vtkNew<vtkOrderIndependentTranslucentPass> average;
-  vtkNew<vtkTranslucentPass> geometry;
-  average->SetTranslucentPass(geometry);
-  for (vtkRenderPass* const method : { static_cast<vtkRenderPass*>(prefixSum),
-         static_cast<vtkRenderPass*>(average), static_cast<vtkRenderPass*>(geometry) })
+  for (const vtkSmartPointer<vtkRenderPass>& method : OtherTranslucentPasses())
   {
     DeferredScene scene;
     scene.Steps->SetTranslucentPass(method);

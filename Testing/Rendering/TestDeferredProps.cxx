@@ -76,6 +76,13 @@ vtkSmartPointer<vtkActor> AddPlate(DeferredScene& scene)
   return scene.AddSource(plane, { 1.0, 1.0, 1.0, 1.0 });
 }
 
+/** The actor's property, which VTK's formula for physical surfaces is for from now on. */
+vtkProperty* MakePhysical(vtkActor* actor)
+{
+  actor->GetProperty()->SetInterpolationToPBR();
+  return actor->GetProperty();
+}
+
 // Each block of another colour; the last is translucent.
 template <class Mapper>
 void AddBlocks(DeferredScene& scene)
@@ -218,13 +225,7 @@ const std::vector<PropKind>& Kinds()
         plane->SetNormal(-0.3, 0.4, -1.0);
         ball->GetMapper()->AddClippingPlane(plane);
       } },
-    { "WithCoat", 1,
-      [](DeferredScene& s)
-      {
-        const auto ball = AddBall(s);
-        ball->GetProperty()->SetInterpolationToPBR();
-        ball->GetProperty()->SetCoatStrength(0.8);
-      } },
+    { "WithCoat", 1, [](DeferredScene& s) { MakePhysical(AddBall(s))->SetCoatStrength(0.8); } },
     { "Anisotropic", 1,
       [](DeferredScene& s)
       {
@@ -236,37 +237,25 @@ const std::vector<PropKind>& Kinds()
         triangles->SetInputConnection(plane->GetOutputPort());
         vtkNew<vtkPolyDataTangents> tangents;
         tangents->SetInputConnection(triangles->GetOutputPort());
-        const auto plate = s.AddSource(tangents, { 0.9, 0.6, 0.3, 1.0 });
-        plate->GetProperty()->SetInterpolationToPBR();
-        plate->GetProperty()->SetAnisotropy(0.9);
-        plate->GetProperty()->SetRoughness(0.4);
+        vtkProperty* const plate = MakePhysical(s.AddSource(tangents, { 0.9, 0.6, 0.3, 1.0 }));
+        plate->SetAnisotropy(0.9);
+        plate->SetRoughness(0.4);
       } },
     { "PhysicalAndTextured", 1,
       [](DeferredScene& s)
       {
-        const auto plate = AddPlate(s);
-        plate->GetProperty()->SetInterpolationToPBR();
+        vtkProperty* const plate = MakePhysical(AddPlate(s));
         const auto color = MakeChessboard(3), glow = MakeChessboard(3);
         color->UseSRGBColorSpaceOn();
         glow->UseSRGBColorSpaceOn();
-        plate->GetProperty()->SetBaseColorTexture(color);
-        plate->GetProperty()->SetEmissiveTexture(glow);
-        plate->GetProperty()->SetEmissiveFactor(0.2, 0.1, 0.3);
+        plate->SetBaseColorTexture(color);
+        plate->SetEmissiveTexture(glow);
+        plate->SetEmissiveFactor(0.2, 0.1, 0.3);
       } },
     { "OfTexturesOfRoughness", 1,
-      [](DeferredScene& s)
-      {
-        const auto plate = AddPlate(s);
-        plate->GetProperty()->SetInterpolationToPBR();
-        plate->GetProperty()->SetORMTexture(MakeChessboard(3));
-      } },
+      [](DeferredScene& s) { MakePhysical(AddPlate(s))->SetORMTexture(MakeChessboard(3)); } },
     { "OccludedByHalf", 1,
-      [](DeferredScene& s)
-      {
-        const auto ball = AddBall(s);
-        ball->GetProperty()->SetInterpolationToPBR();
-        ball->GetProperty()->SetOcclusionStrength(0.3);
-      } },
+      [](DeferredScene& s) { MakePhysical(AddBall(s))->SetOcclusionStrength(0.3); } },
     { "OfADataSet", 1,
       [](DeferredScene& s)
       {

@@ -376,11 +376,9 @@ void ExpectKinds(int count, bool isPhysical)
 {
   DeferredScene scene(false, isPhysical);
   HideTranslucent(scene);
-  const std::array kinds = { LightKind::Point, LightKind::Spot, LightKind::Directional,
-    LightKind::Camera, LightKind::Headlight };
   for (int i = 0; i < count; ++i)
   {
-    scene.AddLight(kinds[i % kinds.size()], 3.0 / count);
+    scene.AddLight(AllLightKinds[i % AllLightKinds.size()], 3.0 / count);
   }
   const Picture expected = scene.InVTKsLight();
   EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);

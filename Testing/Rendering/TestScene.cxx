@@ -244,6 +244,24 @@ Picture TestScene::Render()
   return ReadPicture(this->Window);
 }
 
+void TestScene::ExpectTheSameAfterReleases(vtkRenderPass* pass)
+{
+  this->Renderer->SetPass(pass);
+  const Picture expected = this->Render();
+  pass->ReleaseGraphicsResources(this->Window);
+  EXPECT_TRUE(this->Render() == expected);
+  this->Window->ReleaseGraphicsResources(this->Window);
+  EXPECT_TRUE(this->Render() == expected);
+  this->Window->Finalize();
+  EXPECT_TRUE(this->Render() == expected);
+  // A context of which the pass was not told that it went.
+  this->Renderer->SetPass(nullptr);
+  this->Window->Finalize();
+  this->Render();
+  this->Renderer->SetPass(pass);
+  EXPECT_TRUE(this->Render() == expected);
+}
+
 Rgba CompositePlates(const std::vector<Rgba>& plates, const Rgba& background)
 {
   Rgba result = { 0.0, 0.0, 0.0, 0.0 };

@@ -89,6 +89,9 @@ struct TestScene
   /** Draw a frame, and catch what OpenGL complains about. */
   Picture Render();
 
+  /** Expect the same frame of a pass after each way in which it, its window or its context may be released. */
+  void ExpectTheSameAfterReleases(vtkRenderPass* pass);
+
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
 };

@@ -56,21 +56,7 @@ TEST_P(Windows, AfterTheirResourcesAreReleased)
 {
   TestScene scene(40, 30);
   scene.AddParts();
-  const vtkSmartPointer<vtkSeeThroughPass> pass = MakeSeeThrough(GetParam());
-  scene.Renderer->SetPass(pass);
-  const Picture expected = scene.Render();
-  pass->ReleaseGraphicsResources(scene.Window);
-  EXPECT_TRUE(scene.Render() == expected);
-  scene.Window->ReleaseGraphicsResources(scene.Window);
-  EXPECT_TRUE(scene.Render() == expected);
-  scene.Window->Finalize();
-  EXPECT_TRUE(scene.Render() == expected);
-  // A context of which the pass was not told that it went.
-  scene.Renderer->SetPass(nullptr);
-  scene.Window->Finalize();
-  scene.Render();
-  scene.Renderer->SetPass(pass);
-  EXPECT_TRUE(scene.Render() == expected);
+  scene.ExpectTheSameAfterReleases(MakeSeeThrough(GetParam()));
 }
 
 TEST_P(Windows, PassesGoFirstOrLast)

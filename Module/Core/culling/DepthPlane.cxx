@@ -9,8 +9,6 @@ namespace vitrine
 namespace
 {
 
-const float Rounding = 0x1p-21f; // of a few sums and products in floats
-
 const float AnyDepth = 2.0f; // more than all depths differ
 
 /** A number, and by how much it may be off. */
@@ -34,7 +32,7 @@ struct Sides
 Estimate Cross(const Sides& a, const Sides& b)
 {
   const float first = a.First * b.Second, second = a.Second * b.First;
-  const float own = Rounding * (std::abs(first) + std::abs(second));
+  const float own = RoundingOfFloats * (std::abs(first) + std::abs(second));
   return { first - second, own, own + a.Off * b.Sum() + b.Off * a.Sum() + 2.0f * a.Off * b.Off };
 }
 
@@ -49,7 +47,6 @@ Estimate Quotient(const Estimate& a, const Estimate& b)
 
 DepthPlane::DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
   const ScreenMargin& margin, const ScreenMargin& snapping)
-  : Origin(a)
 {
   const Sides columns{ b.Column - a.Column, c.Column - a.Column,
     2.0f * (margin.Column - snapping.Column) };
@@ -66,14 +63,15 @@ DepthPlane::DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenP
   const float unsteady = isKnown ? snapped(byColumn.Off, byLine.Off) : AnyDepth;
   const float beside = unsteady + snapped(std::abs(byColumn.Value), std::abs(byLine.Value));
   const float beyond = beside < AnyDepth ? beside : AnyDepth; // as where it is no number
-  this->ByColumn = byColumn.Value;
-  this->ByLine = byLine.Value;
-  this->Slack = margin.Depth + std::abs(this->ByColumn) * margin.Column +
-    std::abs(this->ByLine) * margin.Line + unsteady +
+  this->Below.Origin = a;
+  this->Below.ByColumn = byColumn.Value;
+  this->Below.ByLine = byLine.Value;
+  this->Below.Slack = margin.Depth + std::abs(byColumn.Value) * margin.Column +
+    std::abs(byLine.Value) * margin.Line + unsteady +
     byColumn.Own *
       (std::max(std::abs(columns.First), std::abs(columns.Second)) + SBuffer::TileWidth) +
     byLine.Own * std::max(std::abs(lines.First), std::abs(lines.Second));
-  this->Farthest = std::min({ a.Depth, b.Depth, c.Depth }) - margin.Depth - beyond;
+  this->Below.Farthest = std::min({ a.Depth, b.Depth, c.Depth }) - margin.Depth - beyond;
   this->Nearest = std::max({ a.Depth, b.Depth, c.Depth }) + margin.Depth + beyond;
 }
 

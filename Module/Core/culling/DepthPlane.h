@@ -2,16 +2,10 @@
 #define VITRINE_CORE_CULLING_DEPTH_PLANE_H
 
 #include "Core/culling/MeshProjection.h"
+#include "Core/culling/SlantedDepth.h"
 
 namespace vitrine
 {
-
-/** A lower bound of reversed depth in a cell of a line, linear between the cell's sides. */
-struct DepthBound
-{
-  float Left;
-  float Right;
-};
 
 /**
  * A face's depth as a function of the place on the screen, and what is known of it where that is too steep.
@@ -35,32 +29,23 @@ public:
   /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
   DepthBound Within(float left, float right, float bottom, float top) const
   {
-    const float farLine = this->ByLine > 0.0f ? bottom : top;
-    const float base =
-      this->Origin.Depth + (farLine - this->Origin.Line) * this->ByLine - this->Slack;
-    const DepthBound bound{ base + (left - this->Origin.Column) * this->ByColumn,
-      base + (right - this->Origin.Column) * this->ByColumn };
-    const bool isNearer = bound.Left + bound.Right > 2.0f * this->Farthest;
-    return isNearer ? bound : DepthBound{ this->Farthest, this->Farthest };
+    return this->Below.Within(left, right, bottom, top);
   }
 
   /** The greatest depth between two columns and two lines: the plane's or the nearest corner's, whichever is farther. */
   float NearestWithin(float left, float right, float bottom, float top) const
   {
-    const float column = this->ByColumn > 0.0f ? right : left;
-    const float line = this->ByLine > 0.0f ? top : bottom;
-    const float nearest = this->Origin.Depth + (line - this->Origin.Line) * this->ByLine +
-      (column - this->Origin.Column) * this->ByColumn + this->Slack;
+    const SlantedDepth& plane = this->Below;
+    const float column = plane.ByColumn > 0.0f ? right : left;
+    const float line = plane.ByLine > 0.0f ? top : bottom;
+    const float nearest = plane.Origin.Depth + (line - plane.Origin.Line) * plane.ByLine +
+      (column - plane.Origin.Column) * plane.ByColumn + plane.Slack;
     return nearest < this->Nearest ? nearest : this->Nearest; // as where it is no number
   }
 
 private:
-  ScreenPoint Origin;
-  float Farthest;
+  SlantedDepth Below;
   float Nearest;
-  float ByColumn;
-  float ByLine;
-  float Slack;
 };
 
 }

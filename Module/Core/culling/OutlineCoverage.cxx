@@ -88,7 +88,7 @@ void OutlineCoverage::FindFacets(MeshProjection::Facing facing)
     begin = end;
   }
   this->IsCounted[facets.Count()] = 0;
-  this->Bound = PlaneBelow::Of(this->Corners, this->Projection->Margin());
+  this->Bound = PlaneBelow(this->Corners, this->Projection->Margin());
 }
 
 /** Whether all corners of a facet are. */

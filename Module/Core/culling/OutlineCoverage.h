@@ -3,8 +3,8 @@
 
 #include "Core/culling/Lanes.h"
 #include "Core/culling/MeshProjection.h"
-#include "Core/culling/PlaneBelow.h"
 #include "Core/culling/SBuffer.h"
+#include "Core/culling/SlantedDepth.h"
 
 #include <cstdint>
 #include <vector>
@@ -85,7 +85,7 @@ private:
   float Inset = 0.0f;               ///< how far from their sides lines have no samples
   float Aside = 0.0f, Above = 0.0f; ///< by what edges are taken wider
   int FirstLine = 0, LastLine = 0;
-  PlaneBelow Bound;
+  SlantedDepth Bound;
   std::vector<ScreenPoint> Corners;    ///< of facets that count
   std::vector<std::uint8_t> IsCounted; ///< each facet, and 0 for none
   std::vector<MeshEdge> Ends;          ///< of the outline

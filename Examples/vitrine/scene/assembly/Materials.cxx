@@ -1,5 +1,7 @@
 #include "scene/assembly/Materials.h"
 
+#include "scene/Look.h"
+
 #include <array>
 
 namespace program
@@ -7,16 +9,6 @@ namespace program
 
 namespace
 {
-struct Look
-{
-  double Red;
-  double Green;
-  double Blue;
-  double Opacity;
-  double Specular;
-  double SpecularPower;
-};
-
 /** In the order of Material. */
 const std::array<Look, static_cast<std::size_t>(Material::COUNT)> Looks = { {
   { 0.55, 0.75, 0.88, 0.10, 0.6, 60.0 }, // GLASS
@@ -48,16 +40,7 @@ const std::array<Look, static_cast<std::size_t>(Material::COUNT)> Looks = { {
 
 vtkSmartPointer<vtkProperty> MakeProperty(Material material)
 {
-  const Look& look = Looks[static_cast<std::size_t>(material)];
-  auto property = vtkSmartPointer<vtkProperty>::New();
-  property->SetColor(look.Red, look.Green, look.Blue);
-  property->SetSpecularColor(1.0, 1.0, 1.0);
-  property->SetOpacity(look.Opacity);
-  property->SetAmbient(0.12);
-  property->SetDiffuse(0.88);
-  property->SetSpecular(look.Specular);
-  property->SetSpecularPower(look.SpecularPower);
-  return property;
+  return MakeProperty(Looks[static_cast<std::size_t>(material)], 0.12, 0.88);
 }
 
 }
