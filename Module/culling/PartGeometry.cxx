@@ -101,9 +101,9 @@ const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
 {
   if (!this->Mesh)
   {
-    this->Mesh = std::make_unique<OccluderMesh>(this->Corners ? this->MeshOfRun(data)
-        : HasGhosts(data)                                     ? OccluderMesh()
-                          : OccluderMesh(PointsOf(data), TrianglesOf(data)));
+    const MeshTriangles triangles =
+      this->Corners || !HasGhosts(data) ? this->TrianglesFrom(data) : MeshTriangles();
+    this->Mesh = std::make_unique<OccluderMesh>(triangles.Points, triangles.Corners);
     const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
     if (hasMany && this->IsOfFacesAlone())
     {
@@ -113,24 +113,40 @@ const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
   return *this->Mesh;
 }
 
-OccluderMesh PartGeometry::MeshOfRun(vtkPolyData* data) const
+const FacePlanes& PartGeometry::Planes(vtkPolyData* data)
+{
+  if (!this->PlanesOfFaces)
+  {
+    const MeshTriangles triangles = this->TrianglesFrom(data);
+    this->PlanesOfFaces = std::make_unique<FacePlanes>(triangles.Points, triangles.Corners);
+  }
+  return *this->PlanesOfFaces;
+}
+
+PartGeometry::MeshTriangles PartGeometry::TrianglesFrom(vtkPolyData* data) const
+{
+  return this->Corners ? this->TrianglesOfRun(data)
+                       : MeshTriangles{ PointsOf(data), TrianglesOf(data) };
+}
+
+PartGeometry::MeshTriangles PartGeometry::TrianglesOfRun(vtkPolyData* data) const
 {
   const auto first = this->Corners->begin() + this->FirstCorner;
   std::vector<std::uint32_t> used(first, first + this->CornerCount);
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<glm::dvec3> points(used.size());
+  MeshTriangles triangles;
+  triangles.Points.resize(used.size());
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    data->GetPoints()->GetPoint(static_cast<vtkIdType>(used[i]), &points[i].x);
+    data->GetPoints()->GetPoint(static_cast<vtkIdType>(used[i]), &triangles.Points[i].x);
   }
-  std::vector<std::uint32_t> corners;
   for (auto corner = first; corner != first + this->CornerCount; ++corner)
   {
-    corners.push_back(static_cast<std::uint32_t>(
+    triangles.Corners.push_back(static_cast<std::uint32_t>(
       std::lower_bound(used.begin(), used.end(), *corner) - used.begin()));
   }
-  return OccluderMesh(points, corners);
+  return triangles;
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CULLING_PART_GEOMETRY_H
 #define VITRINE_CULLING_PART_GEOMETRY_H
 
+#include "Core/culling/FacePlanes.h"
 #include "Core/culling/MeshBoxes.h"
 #include "Core/culling/OccluderMesh.h"
 #include "Core/culling/OrderedRuns.h"
@@ -53,6 +54,9 @@ public:
   /** Whether nothing but polygons is drawn. */
   bool IsOfFacesAlone() const { return !this->HasVertsOrLines && !this->HasStrips; }
 
+  /** The planes of its polygons; read when first asked for. `data` is current. */
+  const FacePlanes& Planes(vtkPolyData* data);
+
   /** Its triangles and convex polygons as an occluder; built when first asked for. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data);
 
@@ -60,7 +64,14 @@ public:
   const MeshBoxes* Boxes() const { return this->BoxesOfMesh.get(); }
 
 private:
-  OccluderMesh MeshOfRun(vtkPolyData* data) const;
+  struct MeshTriangles
+  {
+    std::vector<glm::dvec3> Points;
+    std::vector<std::uint32_t> Corners; ///< three of each
+  };
+
+  MeshTriangles TrianglesFrom(vtkPolyData* data) const;
+  MeshTriangles TrianglesOfRun(vtkPolyData* data) const;
 
   vtkPolyData* Data;
   vtkMTimeType Time;
@@ -75,6 +86,7 @@ private:
   std::uint32_t CornerCount = 0;
   std::unique_ptr<OccluderMesh> Mesh;
   std::unique_ptr<MeshBoxes> BoxesOfMesh;
+  std::unique_ptr<FacePlanes> PlanesOfFaces;
 };
 
 }

@@ -69,6 +69,14 @@ public:
   /** By how many pixels lines and points are drawn wider than they are. */
   float LargestGrowth() const { return this->Growth; }
 
+  /**
+   * Has parts show that were found hidden and have a face that the eye sees from its edge: a device may draw that at any depth.
+   * @param drawn    one for each part, 1 for those that are drawn
+   * @param visible  the same for those that may show; 1 is put for such parts within the view
+   */
+  void ShowEdgeOn(const ScreenProjection& view, const std::vector<std::uint8_t>& drawn,
+    std::vector<std::uint8_t>& visible);
+
   Occluder OccluderOf(std::uint32_t part) override;
   void Expect(std::uint32_t part) const override;
 
@@ -94,6 +102,7 @@ private:
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
     glm::dmat4 ToWorld{ 1.0 };                   ///< from the origin
+    glm::dmat4 FromWorld{ 1.0 };
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;

@@ -48,6 +48,7 @@ void SceneParts::ReadActor(Part& part)
   part.Actor->GetMatrix(elements);
   part.ToWorld = MatrixOf(elements);
   part.ToWorld[3] -= glm::dvec4(this->Middle, 0.0);
+  part.FromWorld = glm::inverse(part.ToWorld);
   part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
 }
 
@@ -127,6 +128,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     Part& piece = this->Parts[part.Pieces[i]];
     piece.Actor = part.Actor;
     piece.ToWorld = part.ToWorld;
+    piece.FromWorld = part.FromWorld;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
     piece.MayHide = part.MayHide && divided.MayHide;

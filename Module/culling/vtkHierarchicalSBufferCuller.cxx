@@ -156,7 +156,12 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   vitrine::PartCuller& culler = known.CullerOf(view);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector();
+  const std::vector<std::uint8_t> drawn = known.Visible;
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
+  if (occlusion)
+  {
+    parts.ShowEdgeOn(view.Projection(), drawn, known.Visible);
+  }
   if (renderer->GetUseHiddenLineRemoval())
   {
     parts.MarkWireframes(known.Visible);

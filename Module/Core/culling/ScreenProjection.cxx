@@ -3,6 +3,8 @@
 #include "Core/culling/DeviceRounding.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 
@@ -122,6 +124,31 @@ ScreenProjection ScreenProjection::OfLines(int first, int count) const
   world.Size.y = std::min(world.Size.y - static_cast<float>(first), static_cast<float>(count));
   some.WorldInFloats = glm::mat4(world.Matrix);
   return some;
+}
+
+/** What column, line and w are all 0 of, each times w. */
+glm::dvec4 ScreenProjection::Eye() const
+{
+  const glm::dmat4 rows = glm::transpose(this->World.Matrix);
+  const glm::dvec4 &x = rows[0], &y = rows[1], &w = rows[3];
+  const auto minorOf = [&](int i, int j, int k)
+  {
+    return x[i] * (y[j] * w[k] - y[k] * w[j]) - x[j] * (y[i] * w[k] - y[k] * w[i]) +
+      x[k] * (y[i] * w[j] - y[j] * w[i]);
+  };
+  const glm::dvec4 eye(minorOf(1, 2, 3), -minorOf(0, 2, 3), minorOf(0, 1, 3), -minorOf(0, 1, 2));
+  return eye.w != 0.0 ? eye / eye.w : eye / glm::length(eye);
+}
+
+double ScreenProjection::LargestScale() const
+{
+  const glm::dmat4 rows = glm::transpose(this->World.Matrix);
+  const glm::dvec4 w = rows[3];
+  const glm::dvec2 middle = 0.5 * glm::dvec2(this->World.Size);
+  const double across = std::max(glm::length(glm::dvec3(rows[0] - middle.x * w)),
+    glm::length(glm::dvec3(rows[1] - middle.y * w)));
+  const double ahead = glm::length(glm::dvec3(w));
+  return across / (ahead > 0.0 ? ahead : std::abs(w.w));
 }
 
 glm::dvec4 ScreenProjection::ToScreen(const glm::dvec3& point) const

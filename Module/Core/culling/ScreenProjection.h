@@ -91,6 +91,15 @@ public:
   /** The same view of some of its lines alone: they count from `first`. */
   ScreenProjection OfLines(int first, int count) const;
 
+  /** Of the eye in world coordinates, w is 1; or the direction that it looks along in parallel projection, w is 0. */
+  glm::dvec4 Eye() const;
+
+  /** How many columns or lines, whichever are more, a length of 1 has that is seen from a distance of 1, or in parallel projection. */
+  double LargestScale() const;
+
+  /** What a rasteriser moves edges and depths by. */
+  const ScreenMargin& Snapping() const { return this->World.Snapping; }
+
   /** Whether anything reaches farther on the screen than it is. */
   bool Grows() const { return this->Growth != glm::vec2(0.0f); }
 

@@ -1,0 +1,135 @@
+#include "Core/culling/FacePlanes.h"
+
+#include "Core/culling/Lanes.h"
+#include "Core/culling/Ray.h"
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// Planes of faces that follow one another are one, if they differ by less; as those do into which a polygon was cut.
+const double SamePlane = 1e-6;
+
+// Narrower faces count as so wide, of their length: what is narrower by nature seldom covers anything at all.
+const double LeastWidth = 1.0 / 64.0;
+
+// What floats round, of the sums of absolute values.
+const double Rounding = 0x1p-21;
+}
+
+/** Of a face, or of several that follow each other. */
+struct FacePlanes::Plane
+{
+  glm::dvec3 Normal{ 0.0 };
+  glm::dvec3 Place{ 0.0 };
+  double Extent = 0.0; ///< across the face; 0 for none
+
+  bool Holds(const Plane& other, double radius) const
+  {
+    return this->Extent > 0.0 && other.Extent > 0.0 &&
+      glm::length(other.Normal - this->Normal) < SamePlane &&
+      std::abs(glm::dot(this->Normal, other.Place - this->Place)) < SamePlane * radius;
+  }
+};
+
+FacePlanes::Plane FacePlanes::PlaneOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  const glm::dvec3 cross = glm::cross(b - a, c - a);
+  const double size = glm::length(cross);
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    return {};
+  }
+  const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
+  return { cross / size, a, std::max(size / longest, LeastWidth * longest) };
+}
+
+FacePlanes::FacePlanes(
+  const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners)
+{
+  glm::dvec3 least(1e300), greatest(-1e300);
+  for (const std::uint32_t corner : corners)
+  {
+    const glm::dvec3& point = points[corner];
+    least = IsFinite(point) ? glm::min(least, point) : least;
+    greatest = IsFinite(point) ? glm::max(greatest, point) : greatest;
+  }
+  this->Middle = 0.5 * least + 0.5 * greatest;
+  this->Radius = glm::length(greatest - this->Middle);
+  Plane last;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    const Plane plane = PlaneOf(points[corners[i]], points[corners[i + 1]], points[corners[i + 2]]);
+    if (last.Holds(plane, this->Radius))
+    {
+      last.Extent = std::min(last.Extent, plane.Extent);
+    }
+    else if (plane.Extent > 0.0)
+    {
+      this->Add(last);
+      last = plane;
+    }
+  }
+  this->Add(last);
+  this->Pad();
+}
+
+void FacePlanes::Add(const Plane& plane)
+{
+  if (plane.Extent > 0.0)
+  {
+    const glm::dvec3 scaled = plane.Extent * plane.Normal;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Planes[axis].push_back(static_cast<float>(scaled[axis]));
+    }
+    this->Planes[3].push_back(static_cast<float>(glm::dot(scaled, plane.Place - this->Middle)));
+    this->LargestExtent = std::max(this->LargestExtent, plane.Extent);
+  }
+}
+
+/** Fill up what is looked at eight at a time. */
+void FacePlanes::Pad()
+{
+  while (this->Planes[0].size() % LaneCount != 0)
+  {
+    for (std::vector<float>& values : this->Planes)
+    {
+      values.push_back(values.back());
+    }
+  }
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+bool FacePlanes::IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const
+{
+  const glm::dvec3 place = glm::dvec3(eye) - eye.w * this->Middle;
+  const double farthest = glm::length(place) + eye.w * this->Radius;
+  const double rounded = Rounding * farthest * this->LargestExtent;
+  const Lanes most = AllLanes(static_cast<float>(thickness * farthest * farthest + rounded));
+  const glm::vec4 from(place, -eye.w);
+  LaneMask isThin{};
+  for (std::size_t i = 0; i < this->Planes[0].size(); i += LaneCount)
+  {
+    const Lanes distance = from.x * LoadLanes(&this->Planes[0][i]) +
+      from.y * LoadLanes(&this->Planes[1][i]) + from.z * LoadLanes(&this->Planes[2][i]) +
+      from.w * LoadLanes(&this->Planes[3][i]);
+    isThin |= ~((distance > most) | (distance < -most)); // as where it is no number
+  }
+  return BitsOf(isThin) != 0;
+}
+
+std::size_t FacePlanes::Bytes() const
+{
+  return sizeof(*this) + 4 * this->Planes[0].capacity() * sizeof(float);
+}
+
+}

@@ -1,0 +1,47 @@
+// Parts with faces that are seen from their edge, whose depth on a device is unknown.
+#include "culling/SceneParts.h"
+
+#include "Core/culling/BoxLanes.h"
+#include "Core/culling/ScreenProjection.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// Of what rasterisers snap by, 1/64 pixel. Of a face that is so thin, 1/8192 pixel, they may draw depths that differ by 16 times as much as those of its corners.
+const double ThinnestFace = 0x1p-7;
+
+bool IsInView(const ScreenProjection& view, const Box& box)
+{
+  BoxLanes boxes;
+  boxes.Set(0, box);
+  RectangleLanes rectangles;
+  view.Project(boxes, rectangles);
+  return (rectangles.Outside & 1u) == 0;
+}
+}
+
+void SceneParts::ShowEdgeOn(const ScreenProjection& view, const std::vector<std::uint8_t>& drawn,
+  std::vector<std::uint8_t>& visible)
+{
+  const glm::dvec4 eye = view.Eye();
+  const double thickness = ThinnestFace *
+    static_cast<double>(std::min(view.Snapping().Column, view.Snapping().Line)) /
+    view.LargestScale();
+  for (std::size_t i = 0; i < visible.size(); ++i)
+  {
+    Part& part = this->Parts[i];
+    if (drawn[i] && !visible[i] && part.Geometry)
+    {
+      const FacePlanes& planes = part.Geometry->Planes(part.Data);
+      visible[i] =
+        planes.IsAnyEdgeOn(part.FromWorld * eye, thickness) && IsInView(view, this->BoxOf[i]);
+    }
+  }
+}
+
+}
