@@ -46,6 +46,7 @@ public:
 
   /** Of tiles, or clusters. */
   const LightLists& Lists() const { return this->OfGrid; }
+  const ViewGrid& Shown() const { return *this->Grid; }
   const ClusterGrid& Clusters() const { return this->Grid->Clusters(); }
 
   /** Of each light that reaches something, in the order in which shaders number them, where they are assigned to volumes. */

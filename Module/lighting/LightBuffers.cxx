@@ -7,6 +7,13 @@
 namespace vitrine
 {
 
+namespace
+{
+
+/** So many lights have numbers of 16 bits. */
+constexpr std::size_t MostLightsOfShortIndices = 65536;
+}
+
 std::string LightBuffers::Write(const std::vector<VitrineLight>& lights, const LightLists& lists)
 {
   this->Packed.resize(lists.Offsets.size() - 1);
@@ -20,8 +27,27 @@ std::string LightBuffers::Write(const std::vector<VitrineLight>& lights, const L
   {
     problem = WriteTexels(this->Lists, this->Packed, GL_RG32UI, 1, "lists of lights");
   }
-  return problem.empty() ? WriteTexels(this->Indices, lists.Indices, GL_R32UI, 1, "lists of lights")
-                         : problem;
+  return problem.empty() ? this->WriteIndices(lists.Indices, lights.size()) : problem;
+}
+
+// Shaders read numbers of either width by the same sampler.
+std::string LightBuffers::WriteIndices(
+  const std::vector<std::uint32_t>& indices, std::size_t lights)
+{
+  const bool areShort = lights <= MostLightsOfShortIndices;
+  const GLenum format = areShort ? GL_R16UI : GL_R32UI;
+  if (this->IndexFormat != format)
+  {
+    this->Indices.Release();
+    this->IndexFormat = format;
+  }
+  const char* const what = "lists of lights";
+  if (!areShort)
+  {
+    return WriteTexels(this->Indices, indices, format, 1, what);
+  }
+  this->ShortIndices.assign(indices.begin(), indices.end());
+  return WriteTexels(this->Indices, this->ShortIndices, format, 1, what);
 }
 
 void LightBuffers::Release()

@@ -36,8 +36,12 @@ public:
   std::int64_t Bytes() const;
 
 private:
+  std::string WriteIndices(const std::vector<std::uint32_t>& indices, std::size_t lights);
+
   Buffer Lights, Lists, Indices;
+  GLenum IndexFormat = GL_NONE;
   std::vector<VitrineLightList> Packed;
+  std::vector<std::uint16_t> ShortIndices;
   std::unique_ptr<ScopedTextureUnit> LightsUnit, ListsUnit, IndicesUnit;
 };
 

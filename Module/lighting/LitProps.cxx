@@ -41,7 +41,7 @@ LitProps LitPropsOf(const vtkRenderState* s)
   vtkMatrix4x4* const matrix = s->GetRenderer()->GetActiveCamera()->GetModelViewTransformMatrix();
   const glm::dmat4 toView = glm::transpose(glm::make_mat4(matrix->GetData()));
   Box all;
-  std::vector<Box> boxes;
+  std::vector<LitBox> boxes;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp* const prop = s->GetPropArray()[i];
@@ -62,7 +62,7 @@ LitProps LitPropsOf(const vtkRenderState* s)
       return {};
     }
     all.Add(box);
-    boxes.push_back(inView);
+    boxes.push_back({ box, inView });
   }
   return { LitRegion(all, toView), std::move(boxes) };
 }

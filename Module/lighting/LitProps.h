@@ -15,11 +15,18 @@ class vtkRenderState;
 namespace vitrine
 {
 
-/** Props that are about to be drawn, in view coordinates (VC). */
+/** Around a prop. */
+struct LitBox
+{
+  Box InWorld;
+  Box InView; ///< with what shaders' floats may be off
+};
+
+/** Props that are about to be drawn. */
 struct LitProps
 {
-  LitRegion Region;                      ///< around all of them
-  std::optional<std::vector<Box>> Boxes; ///< around each, if there is one around all
+  LitRegion Region;                         ///< around all of them, in view coordinates (VC)
+  std::optional<std::vector<LitBox>> Boxes; ///< around each, if there is one around all
 };
 
 /**

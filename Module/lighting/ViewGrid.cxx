@@ -1,6 +1,8 @@
 #include "lighting/ViewGrid.h"
 
+#include "Core/lighting/UsedClusters.h"
 #include "culling/ViewMatrices.h"
+#include "lighting/LitProps.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -28,6 +30,21 @@ std::array<int, 2> SizeOf(vtkRenderer* renderer)
   renderer->GetTiledSize(&size[0], &size[1]);
   return size;
 }
+
+UsedClusters UsedBy(const LitProps& lit, const ClusterGrid& grid)
+{
+  UsedClusters used(grid);
+  if (!lit.Boxes)
+  {
+    used.AddAll();
+    return used;
+  }
+  for (const LitBox& box : *lit.Boxes)
+  {
+    used.AddBox(box.InView);
+  }
+  return used;
+}
 }
 
 ViewGrid::ViewGrid(vtkOpenGLRenderer* renderer, const ClusterSettings& settings)
@@ -40,6 +57,14 @@ ViewGrid::ViewGrid(
   : ToClip(toClip)
   , Grid(toClip, SizeOf(renderer)[0], SizeOf(renderer)[1], settings)
 {
+}
+
+std::uint32_t ViewGrid::Assign(LightAssigner& assigner, const LitProps& lit,
+  const std::vector<LightVolume>& volumes, LightLists& lists) const
+{
+  const UsedClusters used = UsedBy(lit, this->Grid);
+  assigner.Assign(this->Grid, volumes, lists, &used.All());
+  return used.Count();
 }
 
 void ViewGrid::SetUniforms(vtkShaderProgram* program) const

@@ -5,23 +5,26 @@
 #define VITRINE_VIEW_GRID_H
 
 #include "Core/lighting/ClusterGrid.h"
+#include "lighting/LightGrid.h"
 
 #include <glm/mat4x4.hpp>
 
 class vtkOpenGLRenderer;
-class vtkShaderProgram;
 
 namespace vitrine
 {
 
-class ViewGrid
+class ViewGrid : public LightGrid
 {
 public:
   ViewGrid(vtkOpenGLRenderer* renderer, const ClusterSettings& settings);
 
   const ClusterGrid& Clusters() const { return this->Grid; }
 
-  void SetUniforms(vtkShaderProgram* program) const;
+  std::uint32_t Assign(LightAssigner& assigner, const LitProps& lit,
+    const std::vector<LightVolume>& volumes, LightLists& lists) const override;
+  int ClusterOf(const glm::dvec3& place) const override { return this->Grid.ClusterOf(place); }
+  void SetUniforms(vtkShaderProgram* program) const override;
 
 private:
   ViewGrid(const glm::dmat4& toClip, vtkOpenGLRenderer* renderer, const ClusterSettings& settings);

@@ -2,7 +2,6 @@
 
 #include "Core/lighting/LightAssignment.h"
 #include "Core/lighting/LightCut.h"
-#include "Core/lighting/UsedClusters.h"
 #include "gl/HeldContext.h"
 #include "lighting/LightBuffers.h"
 #include "lighting/LightLoop.h"
@@ -11,6 +10,7 @@
 #include "lighting/MaterialGain.h"
 #include "lighting/RendererLights.h"
 #include "lighting/ViewGrid.h"
+#include "lighting/WorldCells.h"
 #include "vtkAbstractMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -21,7 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -34,7 +34,9 @@ struct vtkClusteredLightsPass::Internals
   vitrine::LightFormula Formula = vitrine::LightFormula::None;
   vitrine::LightAssigner Assigner;
   vitrine::LightLists Lists;
-  std::optional<vitrine::ViewGrid> Grid;
+  std::unique_ptr<vitrine::LightGrid> Grid;
+  const vitrine::LightGrid* ToldGrid = nullptr; ///< what statistics are of; and its lists
+  const vitrine::LightLists* ToldLists = nullptr;
   vitrine::LightBuffers Buffers;
   vitrine::HeldContext Context; ///< of the buffers
   vtkSmartPointer<vtkLightCollection> Directional = vitrine::MakeStandIn(false);
@@ -51,19 +53,15 @@ bool IsViewKnown(vtkRenderer* renderer)
   return !renderer->GetRenderWindow()->GetStereoRender();
 }
 
-vitrine::UsedClusters UsedBy(const vitrine::LitProps& lit, const vitrine::ClusterGrid& grid)
+/** As many as a view has clusters, but no more than cells are worth their boxes. */
+std::uint32_t CellsLike(vtkRenderer* renderer, const vitrine::ClusterSettings& settings)
 {
-  vitrine::UsedClusters used(grid);
-  if (!lit.Boxes)
-  {
-    used.AddAll();
-    return used;
-  }
-  for (const vitrine::Box& box : *lit.Boxes)
-  {
-    used.AddBox(box);
-  }
-  return used;
+  constexpr double most = 1 << 20;
+  int size[2] = { 1, 1 };
+  renderer->GetTiledSize(&size[0], &size[1]);
+  const double tiles = std::ceil(static_cast<double>(size[0]) / settings.TileSize) *
+    std::ceil(static_cast<double>(size[1]) / settings.TileSize);
+  return static_cast<std::uint32_t>(std::clamp(tiles * settings.Slices, 1.0, most));
 }
 }
 
@@ -85,6 +83,7 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: " << this->GetDelegatePass() << "\n";
   os << indent << "CutOff: " << this->CutOff << "\n";
+  os << indent << "GridSpace: " << this->GridSpace << "\n";
   os << indent << "TileSize: " << this->TileSize << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
   os << indent << "SliceLaw: " << this->SliceLaw << "\n";
@@ -177,18 +176,32 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
   const vitrine::LitProps lit = vitrine::LitPropsOf(s);
   vitrine::CutLights(in.Lights.Falloffs, lit.Region, vitrine::BudgetOfLight(renderer, this->CutOff),
     in.Lights.Volumes);
-  in.Grid.emplace(renderer, this->GetClusterSettings());
-  const vitrine::ClusterGrid& grid = in.Grid->Clusters();
-  const vitrine::UsedClusters used = UsedBy(lit, grid);
-  in.Assigner.Assign(grid, in.Lights.Volumes, in.Lists, &used.All());
-  this->TellOfLists(in.Lists, used.Count());
+  this->MakeGrid(renderer, lit);
+  const std::uint32_t used = in.Grid->Assign(in.Assigner, lit, in.Lights.Volumes, in.Lists);
+  this->TellOfLists(*in.Grid, in.Lists, used);
   this->AssignmentTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 //------------------------------------------------------------------------------
-void vtkClusteredLightsPass::TellOfLists(const vitrine::LightLists& lists, std::size_t used)
+void vtkClusteredLightsPass::MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit)
 {
+  const vitrine::ClusterSettings settings = this->GetClusterSettings();
+  if (this->GridSpace == WORLD)
+  {
+    this->Private->Grid =
+      std::make_unique<vitrine::WorldCells>(renderer, lit, CellsLike(renderer, settings));
+    return;
+  }
+  this->Private->Grid = std::make_unique<vitrine::ViewGrid>(renderer, settings);
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::TellOfLists(
+  const vitrine::LightGrid& grid, const vitrine::LightLists& lists, std::size_t used)
+{
+  this->Private->ToldGrid = &grid;
+  this->Private->ToldLists = &lists;
   const std::size_t count = lists.Offsets.size() - 1;
   std::size_t most = 0;
   for (std::uint32_t cluster = 0; cluster < count; ++cluster)
@@ -218,12 +231,12 @@ const vitrine::RendererLights& vtkClusteredLightsPass::GetLights() const
 vtkIdType vtkClusteredLightsPass::GetNumberOfLightsAt(double x, double y, double z)
 {
   const Internals& in = *this->Private;
-  if (!in.Grid)
+  if (!in.ToldGrid)
   {
     return 0;
   }
-  const int cluster = in.Grid->Clusters().ClusterOf({ x, y, z });
-  return static_cast<vtkIdType>(in.Lists.CountOf(static_cast<std::uint32_t>(cluster)));
+  const int cluster = in.ToldGrid->ClusterOf({ x, y, z });
+  return static_cast<vtkIdType>(in.ToldLists->CountOf(static_cast<std::uint32_t>(cluster)));
 }
 
 //------------------------------------------------------------------------------

@@ -34,8 +34,10 @@ class vtkOpenGLRenderer;
 
 namespace vitrine
 {
+class LightGrid;
 struct ClusterSettings;
 struct LightLists;
+struct LitProps;
 struct RendererLights;
 }
 
@@ -66,6 +68,24 @@ public:
    */
   vtkSetClampMacro(CutOff, double, 0.0, 1.0);
   vtkGetMacro(CutOff, double);
+  ///@}
+
+  /**
+   * What lights are assigned to.
+   */
+  enum GridSpaces
+  {
+    VIEW, ///< clusters of the view: tiles of the picture and slices of depth
+    WORLD ///< cubes of the box around what is drawn, as many as the view would have clusters
+  };
+
+  ///@{
+  /**
+   * Cubes of the WORLD are for comparison: they are as large near the eye as far from it. Where it is not known where all is that is drawn, as with several
+   * samples a pixel, there is one cube that is all of space. VIEW.
+   */
+  vtkSetClampMacro(GridSpace, int, VIEW, WORLD);
+  vtkGetMacro(GridSpace, int);
   ///@}
 
   ///@{
@@ -119,7 +139,7 @@ public:
   /**
    * Of the last frame: how many lights a fragment at a place goes through, in view coordinates (VC).
    */
-  virtual vtkIdType GetNumberOfLightsAt(double x, double y, double z);
+  vtkIdType GetNumberOfLightsAt(double x, double y, double z);
 
   ///@{
   /**
@@ -164,11 +184,13 @@ protected:
   const vitrine::RendererLights& GetLights() const;
 
   /**
-   * Have the statistics say what the lists of clusters hold, so many of which are used.
+   * Have the statistics say what the lists of clusters hold, so many of which are used. Grid and lists stay where they are until the next frame's.
    */
-  void TellOfLists(const vitrine::LightLists& lists, std::size_t used);
+  void TellOfLists(
+    const vitrine::LightGrid& grid, const vitrine::LightLists& lists, std::size_t used);
 
   double CutOff = 0.5 / 255.0;
+  int GridSpace = VIEW;
   int TileSize = 64;
   int NumberOfSlices = 16;
   int SliceLaw = EXPONENTIAL;
@@ -186,6 +208,7 @@ private:
 
   bool TakeLights(vtkOpenGLRenderer* renderer);
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
+  void MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit);
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
   void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
 

@@ -126,10 +126,7 @@ int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* 
     const std::string problem = this->RenderDeferred(&deferrable);
     if (!problem.empty())
     {
-      if (this->Deferred->Reported.insert(problem).second)
-      {
-        vtkErrorMacro(<< problem << "; lighting is not deferred");
-      }
+      this->ReportOnce(problem + "; lighting is not deferred");
       forward->Render(s);
       return forward->GetNumberOfRenderedProps();
     }
@@ -140,9 +137,22 @@ int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* 
 }
 
 //------------------------------------------------------------------------------
+void vtkDeferredLightsPass::ReportOnce(const std::string& problem)
+{
+  if (this->Deferred->Reported.insert(problem).second)
+  {
+    vtkErrorMacro(<< problem);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Returns an empty string, or why all is still to be drawn.
 std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
 {
+  if (this->GridSpace == WORLD)
+  {
+    this->ReportOnce("a G-buffer is lit by clusters of the view, and not of the world");
+  }
   vitrine::DeferredShading& shading = this->Deferred->Shading;
   const vitrine::DeferredGrid grid = { static_cast<vitrine::LightsBy>(this->Assignment),
     this->GetClusterSettings() };
@@ -151,21 +161,10 @@ std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
   {
     this->NumberOfDeferredProps = shading.NumberOfRenderedProps();
     this->AssignmentTime += shading.Lists().Seconds();
-    this->TellOfLists(shading.Lists().Lists(), shading.Lists().UsedCount());
+    this->TellOfLists(
+      shading.Lists().Shown(), shading.Lists().Lists(), shading.Lists().UsedCount());
   }
   return problem;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDeferredLightsPass::GetNumberOfLightsAt(double x, double y, double z)
-{
-  if (this->NumberOfDeferredProps == 0)
-  {
-    return this->Superclass::GetNumberOfLightsAt(x, y, z);
-  }
-  const vitrine::DeferredLists& lists = this->Deferred->Shading.Lists();
-  const int cluster = lists.Clusters().ClusterOf({ x, y, z });
-  return static_cast<vtkIdType>(lists.Lists().CountOf(static_cast<std::uint32_t>(cluster)));
 }
 
 //------------------------------------------------------------------------------

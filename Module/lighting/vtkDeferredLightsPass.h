@@ -16,7 +16,8 @@
  * renderer->SetPass(lights);
  * \endcode
  *
- * Where surfaces of equal depth meet, those that are not deferred win.
+ * Where surfaces of equal depth meet, those that are not deferred win. The GridSpace is that of what is not deferred: with
+ * WORLD, an error says once that the G-buffer is lit by the view all the same.
  */
 #ifndef vtkDeferredLightsPass_h
 #define vtkDeferredLightsPass_h
@@ -57,7 +58,6 @@ public:
   ///@}
 
   void Render(const vtkRenderState* s) override;
-  vtkIdType GetNumberOfLightsAt(double x, double y, double z) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -83,6 +83,7 @@ private:
   void operator=(const vtkDeferredLightsPass&) = delete;
 
   int RenderOpaque(const vtkRenderState* s, vtkRenderPass* forward);
+  void ReportOnce(const std::string& problem);
   std::string RenderDeferred(const vtkRenderState* s);
 
   struct DeferredInternals;

@@ -2,6 +2,7 @@
 
 #include "Core/ShaderTuning.h"
 #include "Core/StencilCounts.h"
+#include "culling/ActorRules.h"
 #include "gl/Capabilities.h"
 #include "gl/DepthCopy.h"
 #include "gl/HeldContext.h"
@@ -20,7 +21,6 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkShaderProperty.h"
 #include "vtkTranslucentPass.h"
 
 #include <memory>
@@ -47,8 +47,7 @@ bool HasNoSpecularTerm(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor && actor->GetProperty()->GetSpecular() == 0.0 && !actor->GetBackfaceProperty() &&
-    actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
-    !actor->GetShaderProperty()->HasFragmentShaderCode();
+    !vitrine::HasShaderCode(actor);
 }
 
 }

@@ -61,6 +61,11 @@ class Lights(FileTest):
         self.assertEqual(used[0], (1, 1))
         self.assertLess(used[2][0], used[2][1])
 
+    def test_cubes_of_the_world_show_the_scene_as_vtk_does(self):
+        (row,) = lights("demo:hall,lights=8", "--modes", "world", "--cutoff", "0")["results"]
+        self.assertEqual((row["mode"], row["error"]), ("world", {"max": 0.0}))
+        self.assertGreater(row["clusters_used"], 1)
+
     def test_heat_map_shows_that_vtk_looks_at_all_lights(self):
         path = self.folder / "heat.png"
         scene = ("demo:stack,layers=1", "--lights", "2")

@@ -158,6 +158,15 @@ struct LightScene : TestScene
     return this->Render();
   }
 
+  /** By cubes of the world, in place of clusters of the view. */
+  Picture InWorldsLight()
+  {
+    this->Lights->SetGridSpace(vtkClusteredLightsPass::WORLD);
+    const Picture picture = this->InClusteredLight();
+    this->Lights->SetGridSpace(vtkClusteredLightsPass::VIEW);
+    return picture;
+  }
+
   std::vector<vtkSmartPointer<vtkActor>>
     Parts; ///< spheres, of which every other one is translucent, and the wall
   vtkNew<vtkSeeThroughPass> Steps;

@@ -85,6 +85,7 @@ struct StableScene : DeferredScene
   /** Expects a frame by each pass to be so, give or take some steps of 1/255. */
   void ExpectFrames(const Picture& expected, int tolerance)
   {
+    EXPECT_LE(LargestDifference(expected, this->InWorldsLight()), tolerance) << "world";
     EXPECT_LE(LargestDifference(expected, this->InClusteredLight()), tolerance) << "forward";
     for (const int assignment : DeferredAssignments)
     {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -25,6 +26,7 @@ protected:
     const Picture expected = this->Scene.InVTKsLight();
     const Picture clustered = this->Scene.InClusteredLight();
     EXPECT_EQ(LargestDifference(expected, clustered), 0);
+    EXPECT_EQ(LargestDifference(expected, this->Scene.InWorldsLight()), 0);
     this->Scene.Renderer->RemoveAllLights();
     EXPECT_GT(LargestDifference(expected, this->Scene.InVTKsLight()), 20); // there is light
   }
@@ -195,6 +197,23 @@ TEST(ClusteredLight, ComesAndGoes)
   const Picture last = scene.InClusteredLight();
   EXPECT_EQ(LargestDifference(scene.InVTKsLight(), last), 0);
   EXPECT_GT(scene.Lights->GetBytes(), 0);
+}
+
+// A list has 8 bytes, a light 64 and its number in a list 2; buffers have room for a quarter more.
+TEST(ClusteredLight, TakesTheBytesThatItsListsTake)
+{
+  LightScene scene(false);
+  for (int i = 0; i < 100; ++i)
+  {
+    scene.AddLight(LightKind::Spot);
+  }
+  scene.InClusteredLight();
+  const auto roomy = [](vtkTypeInt64 bytes) { return bytes + bytes / 4; };
+  const auto numbers = static_cast<vtkTypeInt64>(
+    std::lround(scene.Lights->GetLightsPerCluster() * scene.Lights->GetNumberOfUsedClusters()));
+  EXPECT_GT(numbers, 100);
+  EXPECT_EQ(scene.Lights->GetBytes(),
+    roomy(64 * 100) + roomy(8 * scene.Lights->GetNumberOfClusters()) + roomy(2 * numbers));
 }
 
 TEST(ClusteredLight, IsItsRenderersAlone)

@@ -351,6 +351,17 @@ TEST(DeferredFrame, LeavesOpenGLAsVTKDoes)
   }
 }
 
+TEST(DeferredFrame, HasNoGridOfTheWorldAndSaysSo)
+{
+  DeferredScene scene;
+  scene.AddLights(2);
+  scene.Deferred->SetGridSpace(vtkDeferredLightsPass::WORLD);
+  scene.ExpectAsVTK(DeferredParts);
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_NE(messages[0].find("not of the world"), std::string::npos) << messages[0];
+}
+
 TEST(DeferredFrame, PutsTheOpaquePassBack)
 {
   DeferredScene scene;

@@ -132,6 +132,13 @@ std::unique_ptr<LightingMode> MakeTiledLighting(const LightingSettings& settings
     LightingSettings{ settings.TileSize, 1, settings.SliceLaw, settings.CutOff });
 }
 
+std::unique_ptr<LightingMode> MakeWorldLighting(const LightingSettings& settings)
+{
+  auto pass = vtkSmartPointer<vtkClusteredLightsPass>::New();
+  pass->SetGridSpace(vtkClusteredLightsPass::WORLD);
+  return std::make_unique<ClusteredLighting>(settings, pass);
+}
+
 std::unique_ptr<LightingMode> MakeLightLoop()
 {
   return std::make_unique<ClusteredLighting>(LightingSettings{ WholePicture, 1, "uniform", 0.0 });

@@ -15,6 +15,9 @@ std::unique_ptr<LightingMode> MakeClusteredLighting(const LightingSettings& sett
 /** By tile alone. */
 std::unique_ptr<LightingMode> MakeTiledLighting(const LightingSettings& settings);
 
+/** By cubes of the world. */
+std::unique_ptr<LightingMode> MakeWorldLighting(const LightingSettings& settings);
+
 /** All that reach into the view, for every fragment. */
 std::unique_ptr<LightingMode> MakeLightLoop();
 

@@ -34,6 +34,8 @@ const std::vector<ModeEntry>& Modes()
     { "tiled", "the loop over the lights of a tile of the picture", MakeTiledLighting },
     { "clustered", "the loop over the lights of a tile and a slice of depth",
       MakeClusteredLighting },
+    { "world", "the loop over the lights of a cube of the world, for comparison",
+      MakeWorldLighting },
     { "deferred", "from a G-buffer; each light is drawn as a rectangle of the picture",
       MakeDeferredLighting },
     { "tiled-deferred", "from a G-buffer; the loop over the lights of a tile",

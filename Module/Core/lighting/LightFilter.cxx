@@ -1,6 +1,7 @@
 #include "Core/lighting/LightFilter.h"
 
 #include "Core/culling/Lanes.h"
+#include "Core/lighting/FloatSlack.h"
 
 #include <algorithm>
 

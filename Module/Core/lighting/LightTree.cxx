@@ -1,5 +1,6 @@
 #include "Core/lighting/LightTree.h"
 
+#include "Core/lighting/FloatSlack.h"
 #include "Core/lighting/MortonOrder.h"
 
 #include <glm/matrix.hpp>

@@ -3,6 +3,8 @@
 
 #include "Core/lighting/LightVolume.h"
 
+#include "Core/lighting/FloatSlack.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -18,9 +20,6 @@ namespace
 
 /** Squares of what is larger do not fit into a float. */
 constexpr float Farthest = 1e18f;
-
-/** By how much cosines in shaders may be off. */
-constexpr double CosineSlack = 2e-6;
 
 float SumOf(const glm::vec3& v)
 {

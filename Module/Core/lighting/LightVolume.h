@@ -11,10 +11,6 @@
 namespace vitrine
 {
 
-/** By how much tests with floats may be off, as a share of a range and of a distance from the eye. */
-constexpr float RangeSlack = 1e-5f;
-constexpr float PlaceSlack = 2e-6f;
-
 /** What a light reaches, in view coordinates (VC): the eye is at the origin and looks along -z. It is lit all around unless said otherwise. */
 struct LightVolume
 {

@@ -1,5 +1,7 @@
 #include "Core/lighting/LitRegion.h"
 
+#include "Core/lighting/FloatSlack.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -16,12 +18,8 @@ namespace
 
 constexpr double EndlessReach = std::numeric_limits<double>::infinity();
 
-/** What shaders' floats may be off by, as a share of the coordinates. */
-constexpr double CoordinateSlack = 5e-6;
-
-/** Rays that leave a side at a flatter angle are taken not to leave it; and what rounding may add to slopes. */
+/** Rays that leave a side at a flatter angle are taken not to leave it. */
 constexpr double LeastSlope = 1e-3;
-constexpr double SlopeSlack = 1e-6;
 
 double SizeOf(const glm::dvec3& v)
 {
@@ -51,7 +49,7 @@ LitRegion::LitRegion(const Box& box, const glm::dmat4& toView)
     this->Sides[2 * axis + 1] = { -normal, glm::dot(normal, this->Corners[0]) };
     hasSides &= glm::dot(normal, normal) > 0.5; // false for NaN
   }
-  this->Slack = CoordinateSlack * sizes / 8.0;
+  this->Slack = PlaceSlack * sizes / 8.0;
   this->IsBounded = this->IsEmpty || (std::isfinite(sizes) && hasSides);
 }
 
@@ -114,7 +112,7 @@ double LitRegion::WayOut(const LightShape& cone) const
     if (slope > LeastSlope)
     {
       const double inside = this->Slack - glm::dot(side, glm::dvec4(cone.Position, 1.0));
-      way = std::min(way, std::max(0.0, inside) / (slope - SlopeSlack));
+      way = std::min(way, std::max(0.0, inside) / (slope - CosineSlack));
     }
   }
   return way;

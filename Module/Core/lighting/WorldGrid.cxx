@@ -12,11 +12,11 @@ namespace
 
 constexpr float Endless = std::numeric_limits<float>::infinity();
 
-/** By how much cells are wider, as a share of the largest coordinate. */
+/** By how much cells are wider, as a share of the largest coordinate: what a shader's floats may be off by is a tenth of it. */
 constexpr float WorldSlack = 1e-5f;
 }
 
-WorldGrid::WorldGrid(const Box& bounds, const glm::ivec3& cells)
+WorldGrid::WorldGrid(const Box& bounds, const glm::ivec3& cells, float farthest)
   : Cells(1)
   , Low(bounds.Min)
   , PerLength(0.0f)
@@ -31,20 +31,56 @@ WorldGrid::WorldGrid(const Box& bounds, const glm::ivec3& cells)
       this->Cells[axis] = count;
       this->PerLength[axis] = count / length;
       this->Slack[axis] =
-        WorldSlack * std::max(std::abs(bounds.Min[axis]), std::abs(bounds.Max[axis]));
+        WorldSlack * std::max({ std::abs(bounds.Min[axis]), std::abs(bounds.Max[axis]), farthest });
     }
   }
 }
 
-int WorldGrid::ClusterOf(const glm::dvec3& point) const
+glm::dmat4 WorldGrid::ToUnit() const
 {
-  glm::ivec3 cell;
+  glm::dmat4 matrix(0.0);
+  matrix[3].w = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double place = (point[axis] - this->Low[axis]) * this->PerLength[axis];
-    cell[axis] = static_cast<int>(std::min(std::max(0.0, place), this->Cells[axis] - 1.0));
+    const double scale = 2.0 * this->PerLength[axis] / this->Cells[axis];
+    matrix[axis][axis] = scale;
+    matrix[3][axis] = scale > 0.0 ? -scale * this->Low[axis] - 1.0 : 0.0;
   }
-  return static_cast<int>(this->ClusterAt(cell.x, cell.y, cell.z));
+  return matrix;
+}
+
+int WorldGrid::CellAt(int axis, double coordinate) const
+{
+  const double place = (coordinate - this->Low[axis]) * this->PerLength[axis];
+  return static_cast<int>(std::min(std::max(0.0, place), this->Cells[axis] - 1.0));
+}
+
+int WorldGrid::ClusterOf(const glm::dvec3& point) const
+{
+  return static_cast<int>(
+    this->ClusterAt(this->CellAt(0, point.x), this->CellAt(1, point.y), this->CellAt(2, point.z)));
+}
+
+void WorldGrid::AddBox(const Box& box, std::vector<std::uint8_t>& marks) const
+{
+  if (box.IsEmpty())
+  {
+    return;
+  }
+  glm::ivec3 first, last;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = this->CellAt(axis, box.Min[axis] - this->Slack[axis]);
+    last[axis] = this->CellAt(axis, box.Max[axis] + this->Slack[axis]);
+  }
+  for (int slice = first.z; slice <= last.z; ++slice)
+  {
+    for (int row = first.y; row <= last.y; ++row)
+    {
+      const auto begin = marks.begin() + this->ClusterAt(0, row, slice);
+      std::fill(begin + first.x, begin + last.x + 1, std::uint8_t{ 1 });
+    }
+  }
 }
 
 Box WorldGrid::BoundsOf(std::uint32_t cluster) const
@@ -62,6 +98,34 @@ Box WorldGrid::BoundsOf(std::uint32_t cluster) const
     box.Max[axis] = isLast ? Endless : this->Low[axis] + end + this->Slack[axis];
   }
   return box;
+}
+
+glm::ivec3 CubesIn(const Box& box, std::uint32_t count)
+{
+  const glm::dvec3 lengths = glm::dvec3(box.Max) - glm::dvec3(box.Min);
+  glm::ivec3 cells(1);
+  double edge = 0.0;
+  // Where an axis turns out to be shorter than an edge, the others share the cells among them, so that edges get longer.
+  for (int round = 0; round < 3; ++round)
+  {
+    double content = 1.0;
+    int axes = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool isLong = lengths[axis] > edge && std::isfinite(lengths[axis]);
+      content *= isLong ? lengths[axis] : 1.0;
+      axes += isLong ? 1 : 0;
+    }
+    edge = axes > 0 ? std::pow(content / count, 1.0 / axes) : Endless;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (lengths[axis] > edge && std::isfinite(lengths[axis]))
+    {
+      cells[axis] = static_cast<int>(std::min<double>(std::round(lengths[axis] / edge), count));
+    }
+  }
+  return cells;
 }
 
 }

@@ -3,6 +3,7 @@
 
 #include "Core/culling/Box.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -18,8 +19,11 @@ namespace vitrine
 class WorldGrid
 {
 public:
-  /** @param bounds  finite; what has no length on an axis has one cell there */
-  WorldGrid(const Box& bounds, const glm::ivec3& cells);
+  /**
+   * @param bounds    what has no length on an axis, or no finite one, has one cell there
+   * @param farthest  that places are from the origin of the coordinates in which a shader has them
+   */
+  WorldGrid(const Box& bounds, const glm::ivec3& cells, float farthest = 0.0f);
 
   int Columns() const { return this->Cells.x; }
   int Rows() const { return this->Cells.y; }
@@ -33,21 +37,28 @@ public:
     return static_cast<std::uint32_t>((slice * this->Cells.y + row) * this->Cells.x + column);
   }
 
-  /** What a shader needs to find a point's cell: on each axis int(clamp((p - Origin) * Scale, 0, cells - 1)). */
-  glm::vec3 Origin() const { return this->Low; }
-  glm::vec3 Scale() const { return this->PerLength; }
+  /** What a shader needs to find a point's cell: with its matrix on each axis int(clamp((p + 1) / 2 * cells, 0, cells - 1)). */
+  glm::dmat4 ToUnit() const;
 
   int ClusterOf(const glm::dvec3& point) const;
 
   /** A cell, a little wider than a shader finds it. */
   Box BoundsOf(std::uint32_t cluster) const;
 
+  /** Marks the cells that a box may touch; nothing if it is empty. */
+  void AddBox(const Box& box, std::vector<std::uint8_t>& marks) const;
+
 private:
+  int CellAt(int axis, double coordinate) const;
+
   glm::ivec3 Cells;
   glm::vec3 Low;
   glm::vec3 PerLength;
   glm::vec3 Slack;
 };
+
+/** How many cells make about `count` of a box altogether, which are as good as cubes; where it is flatter than they are, there is one. */
+glm::ivec3 CubesIn(const Box& box, std::uint32_t count);
 
 }
 
