@@ -70,12 +70,13 @@ public:
   float LargestGrowth() const { return this->Growth; }
 
   /**
-   * Has parts show that were found hidden and have a face that the eye sees from its edge: a device may draw that at any depth.
+   * Has parts show that were found hidden, but not face by face, and have a face that the eye sees from its edge: a device may draw that at any depth.
+   * @param culler   that found them hidden
    * @param drawn    one for each part, 1 for those that are drawn
    * @param visible  the same for those that may show; 1 is put for such parts within the view
    */
-  void ShowEdgeOn(const ScreenProjection& view, const std::vector<std::uint8_t>& drawn,
-    std::vector<std::uint8_t>& visible);
+  void ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
+    const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible);
 
   Occluder OccluderOf(std::uint32_t part) override;
   void Expect(std::uint32_t part) const override;

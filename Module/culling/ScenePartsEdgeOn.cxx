@@ -25,21 +25,21 @@ bool IsInView(const ScreenProjection& view, const Box& box)
 }
 }
 
-void SceneParts::ShowEdgeOn(const ScreenProjection& view, const std::vector<std::uint8_t>& drawn,
-  std::vector<std::uint8_t>& visible)
+void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
+  const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
   const glm::dvec4 eye = view.Eye();
   const double thickness = ThinnestFace *
     static_cast<double>(std::min(view.Snapping().Column, view.Snapping().Line)) /
     view.LargestScale();
-  for (std::size_t i = 0; i < visible.size(); ++i)
+  for (std::uint32_t i = 0; i < visible.size(); ++i)
   {
     Part& part = this->Parts[i];
-    if (drawn[i] && !visible[i] && part.Geometry)
+    if (drawn[i] && !visible[i] && part.Geometry &&
+      part.Geometry->Planes(part.Data).IsAnyEdgeOn(part.FromWorld * eye, thickness) &&
+      IsInView(view, this->BoxOf[i]))
     {
-      const FacePlanes& planes = part.Geometry->Planes(part.Data);
-      visible[i] =
-        planes.IsAnyEdgeOn(part.FromWorld * eye, thickness) && IsInView(view, this->BoxOf[i]);
+      visible[i] = culler.HidesAllFacesOf(this->OccluderOf(i), view) ? 0 : 1;
     }
   }
 }

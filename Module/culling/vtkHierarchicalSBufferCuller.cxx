@@ -160,7 +160,7 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
   if (occlusion)
   {
-    parts.ShowEdgeOn(view.Projection(), drawn, known.Visible);
+    parts.ShowEdgeOn(culler, view.Projection(), drawn, known.Visible);
   }
   if (renderer->GetUseHiddenLineRemoval())
   {

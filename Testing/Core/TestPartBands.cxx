@@ -134,3 +134,27 @@ TEST(PartBands, FindTheSameEachTime)
   }
   EXPECT_EQ(found[0], found[1]);
 }
+
+TEST(PartBands, TellWhetherAllFacesOfAPartAreHidden)
+{
+  PartScene scene;
+  scene.AddBox({ -60, -60, -21 }, { 60, 2.0, -20 });
+  const std::uint32_t high = scene.AddBox({ -1, -30, -32 }, { 1, 10, -30 });
+  const std::uint32_t low = scene.AddBox({ 3, -30, -32 }, { 5, 1, -30 });
+  const std::uint32_t lines = scene.AddBox({ 7, -30, -32 }, { 9, 1, -30 });
+  scene.Parts[lines].IsOfFacesAlone = false;
+  for (const int count : { 1, 4 })
+  {
+    SCOPED_TRACE(count);
+    PartCuller culler = InBands(count);
+    const View view = AheadView(false);
+    scene.Visible.assign(scene.Parts.size(), 1);
+    scene.Cull(culler, view);
+    const auto hides = [&](std::uint32_t part)
+    { return culler.HidesAllFacesOf(scene.OccluderOf(part), view.Projection(scene.Reach)); };
+    EXPECT_FALSE(hides(high));
+    EXPECT_TRUE(hides(low));
+    EXPECT_FALSE(hides(lines)) << "more is drawn than faces";
+    EXPECT_FALSE(culler.HidesAllFacesOf({}, view.Projection(scene.Reach)));
+  }
+}

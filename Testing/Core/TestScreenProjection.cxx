@@ -184,3 +184,19 @@ TEST(ScreenProjection, HoldsAllOfABoxWhateverTheView)
   EXPECT_GT(before, 5000);
   EXPECT_GT(outside, 5000);
 }
+
+TEST(ScreenProjection, KnowsItsEye)
+{
+  const glm::dvec3 place(3, -4, 5), target(1, 2, 3);
+  const glm::dmat4 look = glm::lookAt(place, target, glm::dvec3(0, 1, 0));
+  const ScreenProjection perspective(
+    glm::perspective(1.0, 1.5, 0.1, 100.0) * look, 150, 100, glm::dvec3(10), {});
+  EXPECT_LT(glm::length(perspective.Eye() - glm::dvec4(place, 1.0)), 1e-9);
+  EXPECT_NEAR(perspective.LargestScale(), 50.0 / std::tan(0.5), 1e-4);
+  const ScreenProjection parallel(
+    glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.1, 100.0) * look, 150, 50, glm::dvec3(10), {});
+  const glm::dvec3 ahead = glm::normalize(target - place);
+  EXPECT_EQ(parallel.Eye().w, 0.0);
+  EXPECT_NEAR(std::abs(glm::dot(glm::dvec3(parallel.Eye()), ahead)), 1.0, 1e-9);
+  EXPECT_NEAR(parallel.LargestScale(), 25.0, 1e-4);
+}

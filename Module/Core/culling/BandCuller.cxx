@@ -374,6 +374,20 @@ BandCuller::BandCuller(int columns, int lines, const SampleGrid& samples)
 {
 }
 
+bool BandCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view)
+{
+  if (!occluder.Mesh || !occluder.IsOfFacesAlone)
+  {
+    return false;
+  }
+  this->Projected.Project(*occluder.Mesh, view.Of(*occluder.ToWorld));
+  this->Projected.FindFacings();
+  HiddenFaces faces(this->Lines, view);
+  return faces.AreAll(this->Projected, HiddenFaces::Sides::Front) &&
+    faces.AreAll(this->Projected, HiddenFaces::Sides::Others) &&
+    !this->Projected.MayShowBeforeNear();
+}
+
 void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   const ScreenProjection& view, bool occlusion, const std::vector<std::uint8_t>& drawn,
   std::size_t bands)

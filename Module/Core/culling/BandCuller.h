@@ -47,6 +47,12 @@ public:
   void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
     bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
 
+  /**
+   * Whether all faces of a part are hidden by what stands in the s-buffer now, one by one, and wherever a device draws them.
+   * @param view  of the band
+   */
+  bool HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view);
+
   /** One for each part: 1 for those in the tree that may show. */
   const std::vector<std::uint8_t>& Shown() const { return this->Shows; }
 

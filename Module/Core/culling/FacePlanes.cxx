@@ -2,6 +2,7 @@
 
 #include "Core/culling/Lanes.h"
 #include "Core/culling/Ray.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -21,8 +22,8 @@ const double SamePlane = 1e-6;
 // Narrower faces count as so wide, of their length: what is narrower by nature seldom covers anything at all.
 const double LeastWidth = 1.0 / 64.0;
 
-// What floats round, of the sums of absolute values.
-const double Rounding = 0x1p-21;
+// What floats round, of an eye's distance. Planes that it is no farther from go through it.
+const double Rounding = 0x1p-22;
 }
 
 /** Of a face, or of several that follow each other. */
@@ -86,13 +87,13 @@ void FacePlanes::Add(const Plane& plane)
 {
   if (plane.Extent > 0.0)
   {
-    const glm::dvec3 scaled = plane.Extent * plane.Normal;
-    for (int axis = 0; axis < 3; ++axis)
+    const double distance = glm::dot(plane.Normal, plane.Place - this->Middle);
+    const double values[] = { plane.Normal.x, plane.Normal.y, plane.Normal.z, distance,
+      plane.Extent };
+    for (int i = 0; i < 5; ++i)
     {
-      this->Planes[axis].push_back(static_cast<float>(scaled[axis]));
+      this->Planes[i].push_back(static_cast<float>(values[i]));
     }
-    this->Planes[3].push_back(static_cast<float>(glm::dot(scaled, plane.Place - this->Middle)));
-    this->LargestExtent = std::max(this->LargestExtent, plane.Extent);
   }
 }
 
@@ -113,23 +114,25 @@ bool FacePlanes::IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const
 {
   const glm::dvec3 place = glm::dvec3(eye) - eye.w * this->Middle;
   const double farthest = glm::length(place) + eye.w * this->Radius;
-  const double rounded = Rounding * farthest * this->LargestExtent;
-  const Lanes most = AllLanes(static_cast<float>(thickness * farthest * farthest + rounded));
+  const Lanes most = AllLanes(static_cast<float>(thickness * farthest * farthest));
+  const Lanes rounded = AllLanes(static_cast<float>(Rounding * farthest));
   const glm::vec4 from(place, -eye.w);
   LaneMask isThin{};
   for (std::size_t i = 0; i < this->Planes[0].size(); i += LaneCount)
   {
-    const Lanes distance = from.x * LoadLanes(&this->Planes[0][i]) +
+    const Lanes signedDistance = from.x * LoadLanes(&this->Planes[0][i]) +
       from.y * LoadLanes(&this->Planes[1][i]) + from.z * LoadLanes(&this->Planes[2][i]) +
       from.w * LoadLanes(&this->Planes[3][i]);
-    isThin |= ~((distance > most) | (distance < -most)); // as where it is no number
+    const Lanes distance = GreatestOf(signedDistance, -signedDistance);
+    const Lanes width = (distance - rounded) * LoadLanes(&this->Planes[4][i]);
+    isThin |= ~((width > most) | (distance <= rounded)); // as where it is no number
   }
   return BitsOf(isThin) != 0;
 }
 
 std::size_t FacePlanes::Bytes() const
 {
-  return sizeof(*this) + 4 * this->Planes[0].capacity() * sizeof(float);
+  return sizeof(*this) + 5 * this->Planes[0].capacity() * sizeof(float);
 }
 
 }

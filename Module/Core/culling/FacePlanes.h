@@ -25,7 +25,7 @@ public:
   FacePlanes(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
   /**
-   * Whether any face may be no thicker than that on the screen.
+   * Whether any face may be no thicker than that on the screen. One that the eye sees exactly from its edge is not: nothing is drawn of it.
    * @param eye        in model coordinates; w is 1 for a place, and 0 for the direction of a parallel view
    * @param thickness  per length of the screen at a distance of 1, or in a parallel view
    */
@@ -43,9 +43,8 @@ private:
 
   glm::dvec3 Middle{ 0.0 };
   double Radius = 0.0;
-  double LargestExtent = 0.0;
   std::vector<float>
-    Planes[4]; ///< unit normals and distances from the middle, times the extent across the face
+    Planes[5]; ///< unit normals, distances from the middle, and how wide the faces are
 };
 
 }

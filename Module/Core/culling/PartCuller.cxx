@@ -72,6 +72,16 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   KeepShown(this->ShownInAny().data(), tree.HeldItems().data(), count, visible.data());
 }
 
+bool PartCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view)
+{
+  return std::all_of(this->Bands.begin(), this->Bands.end(),
+    [&](Band& band)
+    {
+      const ScreenProjection ofBand = view.OfLines(band.FirstLine, band.Culler.Buffer().Lines());
+      return band.Culler.HidesAllFacesOf(occluder, ofBand);
+    });
+}
+
 /** Of each part whether a band shows it. */
 const std::vector<std::uint8_t>& PartCuller::ShownInAny()
 {
