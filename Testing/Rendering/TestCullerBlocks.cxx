@@ -146,7 +146,7 @@ TEST_P(CullerBlocks, HideEachOther)
   for (int pose = 0; pose < 3; ++pose)
   {
     Scene.LookFromAnywhere(random);
-    EXPECT_GE(this->ExpectAsVTK(), LayerSize);
+    EXPECT_GE(this->ExpectAsVTK(), 2 * LayerSize / 3) << "some are seen from their edge";
   }
 }
 

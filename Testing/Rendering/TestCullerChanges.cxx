@@ -270,7 +270,8 @@ TEST(CullerManyParts, Scene24HundredThousand)
       scene.MakeBox({ x, y, -1.5 * random.Unit() - 0.03 }, { 0.02, 0.02, 0.02 }));
   }
   const Picture culled = scene.Render();
-  EXPECT_EQ(scene.Culler->GetNumberOfDrawnProps(), 64);
+  EXPECT_GE(scene.Culler->GetNumberOfDrawnProps(), 64);
+  EXPECT_LT(scene.Culler->GetNumberOfDrawnProps(), 264) << "some are seen from their edge";
   scene.Clear();
   scene.Renderer->AddActor(wall);
   for (const vtkSmartPointer<vtkActor>& box : inFront)
