@@ -60,6 +60,7 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
 {
   ++this->Looks;
   this->HasMadeData = false;
+  this->AreOpaque.clear();
   bool hasChanged = false;
   this->Drawn.resize(static_cast<std::size_t>(count));
   this->Cursor = 0;
@@ -74,6 +75,7 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
       this->PlaceWhole(part, moved);
       hasChanged = true;
     }
+    this->LookAtTextures(this->Parts[part]);
   }
   return hasChanged;
 }
@@ -144,6 +146,15 @@ bool SceneParts::IsUnchanged(const Part& part) const
     part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
     (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
     (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
+}
+
+/** Brings their images up to date, as drawing does. */
+void SceneParts::LookAtTextures(const Part& part)
+{
+  if (part.Actor && part.HasTextures)
+  {
+    this->AreOpaque[part.Actor] = AreTexturesOpaque(part.Actor);
+  }
 }
 
 /** Notes what a part is now. */
@@ -297,12 +308,13 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
   return told;
 }
 
-/** Meshes are built when they are first asked for, and images of textures brought up to date, by one thread at a time. */
+/** Meshes are built when they are first asked for, by one thread at a time. */
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
   const std::lock_guard<std::mutex> lock(this->Asking);
   Part& part = this->Parts[i];
-  if (!part.MayHide || IsNonOccluding(part.Actor) || !AreTexturesOpaque(part.Actor))
+  if (!part.MayHide || IsNonOccluding(part.Actor) ||
+    (part.HasTextures && !this->AreOpaque.at(part.Actor)))
   {
     return {};
   }

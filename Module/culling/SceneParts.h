@@ -107,6 +107,7 @@ private:
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     float Growth = 0.0f;
     bool MayHide = false;
+    bool HasTextures = false;
     std::vector<std::uint32_t> Pieces; ///< the parts of the division
   };
 
@@ -118,6 +119,7 @@ private:
   };
 
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
+  void LookAtTextures(const Part& part);
   void MakeData(vtkPolyDataMapper* mapper);
   void LookAnewIfOffsetsChanged();
   void ForgetAbsent();
@@ -145,11 +147,12 @@ private:
   std::vector<std::uint32_t> Spare; ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
-  std::uint32_t Cursor = 0; ///< the part behind the last one that was found
-  std::mutex Asking;        ///< for occluders
-  vtkMTimeType Frame = 0;   ///< counts updates
-  vtkMTimeType Looks = 0;   ///< counts how often all was looked at
-  bool HasMadeData = false; ///< whether a filter has, since then
+  std::uint32_t Cursor = 0;                      ///< the part behind the last one that was found
+  std::unordered_map<vtkActor*, bool> AreOpaque; ///< textures of actors, in this frame
+  std::mutex Asking;                             ///< for occluders
+  vtkMTimeType Frame = 0;                        ///< counts updates
+  vtkMTimeType Looks = 0;                        ///< counts how often all was looked at
+  bool HasMadeData = false;                      ///< whether a filter has, since then
   LooseOctree Boxes;
   int Offsets = 0; ///< of coincident topology, as they were
   glm::dvec3 Middle{ 0.0 };

@@ -49,6 +49,8 @@ void SceneParts::ReadActor(Part& part)
   part.ToWorld = MatrixOf(elements);
   part.ToWorld[3] -= glm::dvec4(this->Middle, 0.0);
   part.FromWorld = glm::inverse(part.ToWorld);
+  part.HasTextures =
+    part.Actor->GetTexture() || part.Actor->GetProperty()->GetNumberOfTextures() > 0;
   part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
 }
 
@@ -129,6 +131,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.Actor = part.Actor;
     piece.ToWorld = part.ToWorld;
     piece.FromWorld = part.FromWorld;
+    piece.HasTextures = part.HasTextures;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
     piece.MayHide = part.MayHide && divided.MayHide;

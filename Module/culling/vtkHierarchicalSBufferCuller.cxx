@@ -50,6 +50,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   std::unique_ptr<vitrine::PartCuller> Culler;
   std::array<float, 3> Shape{};
   int Bands = 0;
+  std::vector<std::uint8_t> Drawn; ///< each part
   std::vector<std::uint8_t> Visible;
   bool HasCulled = false; ///< in the last frame
   vtkSmartPointer<vtkImageData> BufferImage;
@@ -156,11 +157,11 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   vitrine::PartCuller& culler = known.CullerOf(view);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector();
-  const std::vector<std::uint8_t> drawn = known.Visible;
+  known.Drawn = known.Visible;
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
   if (occlusion)
   {
-    parts.ShowEdgeOn(culler, view.Projection(), drawn, known.Visible);
+    parts.ShowEdgeOn(culler, view.Projection(), known.Drawn, known.Visible);
   }
   if (renderer->GetUseHiddenLineRemoval())
   {

@@ -55,9 +55,12 @@ std::uint32_t WorldCells::Assign(LightAssigner& assigner, const LitProps& lit,
   const std::vector<LightVolume>& volumes, LightLists& lists) const
 {
   std::vector<std::uint8_t> used(this->Grid.Count(), lit.Boxes ? 0 : 1);
-  for (const LitBox& box : lit.Boxes.value_or(std::vector<LitBox>()))
+  if (lit.Boxes)
   {
-    this->Grid.AddBox(box.InWorld, used);
+    for (const LitBox& box : *lit.Boxes)
+    {
+      this->Grid.AddBox(box.InWorld, used);
+    }
   }
   std::vector<LightVolume> inWorld;
   MoveLights(volumes, this->ToWorld, inWorld);

@@ -381,6 +381,10 @@ bool BandCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjectio
     return false;
   }
   this->Projected.Project(*occluder.Mesh, view.Of(*occluder.ToWorld));
+  if (IsDense(this->Projected.Rectangle(), occluder.Mesh->Faces().size()))
+  {
+    return true;
+  }
   this->Projected.FindFacings();
   HiddenFaces faces(this->Lines, view);
   return faces.AreAll(this->Projected, HiddenFaces::Sides::Front) &&

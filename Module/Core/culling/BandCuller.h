@@ -48,7 +48,7 @@ public:
     bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
 
   /**
-   * Whether all faces of a part are hidden by what stands in the s-buffer now, one by one, and wherever a device draws them.
+   * Whether all faces of a part that was found hidden are so by what stands in the s-buffer now, one by one, and wherever a device draws them. Very many on few cells are taken to be.
    * @param view  of the band
    */
   bool HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view);

@@ -130,9 +130,4 @@ bool FacePlanes::IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const
   return BitsOf(isThin) != 0;
 }
 
-std::size_t FacePlanes::Bytes() const
-{
-  return sizeof(*this) + 5 * this->Planes[0].capacity() * sizeof(float);
-}
-
 }

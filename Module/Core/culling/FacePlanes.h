@@ -25,14 +25,12 @@ public:
   FacePlanes(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
   /**
-   * Whether any face may be no thicker than that on the screen. One that the eye sees exactly from its edge is not: nothing is drawn of it.
+   * Whether any face may be no thicker than that on the screen. One that the eye sees from its edge as exactly as floats tell does not count: its corners
+   * mostly fall on one another where a device draws them.
    * @param eye        in model coordinates; w is 1 for a place, and 0 for the direction of a parallel view
    * @param thickness  per length of the screen at a distance of 1, or in a parallel view
    */
   bool IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const;
-
-  /** Memory that it takes. */
-  std::size_t Bytes() const;
 
 private:
   struct Plane;

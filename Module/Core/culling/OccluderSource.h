@@ -22,7 +22,7 @@ struct Occluder
   bool IsOfFacesAlone = false; ///< whether nothing else is drawn of the part than the mesh's faces
 };
 
-/** Tells what parts hide with; asked only for those that show, and by several threads at once. */
+/** Tells what parts hide with; asked for those that show, and few others, by several threads at once. */
 class OccluderSource
 {
 public:
