@@ -8,6 +8,7 @@
 
 #include "vtkActor.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
