@@ -1,30 +1,21 @@
 // What a plane says of depths, held to what a device draws that snaps the corners it covers with, and not those that it takes depths from.
-#include "OccluderScenes.h"
+#include "SnappedFaces.h"
 
 #include "Core/culling/DepthPlane.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 namespace
 {
 
+using coverage::DrawnOf;
 using coverage::Random;
 using vitrine::DepthBound;
 using vitrine::DepthPlane;
-using vitrine::ScreenMargin;
 using vitrine::ScreenPoint;
-
-using Corners = std::array<glm::dvec3, 3>; // column, line and depth
-
-const ScreenMargin Margin{ 0.017f, 0.017f, 2e-5f };
-const ScreenMargin Snapping{ 0.016f, 0.016f, 1e-5f };
+using Corners = coverage::ScreenCorners;
 
 DepthPlane PlaneOf(const Corners& corners)
 {
@@ -34,7 +25,7 @@ DepthPlane PlaneOf(const Corners& corners)
     points[i] = { static_cast<float>(corners[i].x), static_cast<float>(corners[i].y),
       static_cast<float>(corners[i].z) };
   }
-  return DepthPlane(points[0], points[1], points[2], Margin, Snapping);
+  return DepthPlane(points[0], points[1], points[2], coverage::SnappedMargin, coverage::Snapping);
 }
 
 /** Its third corner stands that far beside the middle of the side between the others. */
@@ -51,21 +42,6 @@ Corners Sliver(double width, Random& random)
   return corners;
 }
 
-glm::dvec3 Moved(const glm::dvec3& corner, double pixels, double depth, Random& random)
-{
-  return corner +
-    glm::dvec3(random.Between(-pixels, pixels), random.Between(-pixels, pixels),
-      random.Between(-depth, depth));
-}
-
-/** Depth at a place, of the plane through three points. */
-double DepthAt(const Corners& corners, const glm::dvec3& place)
-{
-  const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const glm::dvec3 offset = place - corners[0];
-  return corners[0].z - (normal.x * offset.x + normal.y * offset.y) / normal.z;
-}
-
 }
 
 TEST(DepthPlane, BoundsWhatADeviceDraws)
@@ -75,18 +51,10 @@ TEST(DepthPlane, BoundsWhatADeviceDraws)
   for (int i = 0; i < 200000; ++i)
   {
     const Corners corners = Sliver(std::pow(10.0, random.Between(-6.0, 0.5)), random);
-    Corners drawn, snapped;
-    for (int k = 0; k < 3; ++k)
-    {
-      drawn[k] = Moved(corners[k], 0.0009, 0.9e-5, random);
-      snapped[k] = Moved(drawn[k], 0.0159, 0.0, random);
-    }
-    const double u = random.Between(0, 1), v = random.Between(0, 1 - u);
-    const glm::dvec3 sample =
-      snapped[0] + u * (snapped[1] - snapped[0]) + v * (snapped[2] - snapped[0]);
-    const double depth = glm::clamp(DepthAt(drawn, sample), 0.0, 1.0);
+    const glm::dvec3 drawn = DrawnOf(corners, random);
+    const double depth = drawn.z;
     const DepthPlane plane = PlaneOf(corners);
-    const float column = static_cast<float>(sample.x), line = static_cast<float>(sample.y);
+    const float column = static_cast<float>(drawn.x), line = static_cast<float>(drawn.y);
     const DepthBound farthest =
       plane.Within(column - 0.1f, column + 0.1f, line - 0.1f, line + 0.1f);
     ASSERT_GE(depth, 0.5 * (farthest.Left + farthest.Right)) << "face " << i;

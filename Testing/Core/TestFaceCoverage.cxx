@@ -191,3 +191,32 @@ TEST_P(FaceCoverage, LeavesOutWhatIsCoveredByWhatIsNearer)
     }
   }
 }
+
+// However many faces a wall is made of, a line of it is one span.
+TEST_P(FaceCoverage, OfAFlatSheetIsOneSpanALine)
+{
+  Triangles sheet = coverage::GridOf(12, 7,
+    [](double u, double v)
+    { return glm::dvec3(2 + 36 * u, -1 + 22 * v, 0.2 + 0.3 * u + 0.1 * v); });
+  const Covered covered(GetParam(), sheet);
+  EXPECT_EQ(covered.Buffer.Counts().Inserted, static_cast<std::uint64_t>(coverage::WideLines));
+  EXPECT_NEAR(covered.DepthAt(9, 20.0), 0.2 + 0.15 + 0.1 * 10.0 / 22, 5e-3);
+}
+
+// A wall before another one of the same part, joined with it aside: where the near one's edges are the far one's depth is of no account.
+TEST_P(FaceCoverage, OfAFoldedSheetHasTheNearerDepth)
+{
+  Triangles fold;
+  fold.AddQuad({ 5, -1, 0.3 }, { 38, -1, 0.3 }, { 38, 21, 0.3 }, { 5, 21, 0.3 });
+  fold.AddQuad({ 38, -1, 0.3 }, { 39, -1, 0.8 }, { 39, 21, 0.8 }, { 38, 21, 0.3 });
+  const Covered behind(GetParam(), fold);
+  EXPECT_NEAR(behind.DepthAt(9, 20.0), 0.3, 1e-3);
+  AddRectangle(fold, { 10, -1 }, { 20, 21 }, 0.7);
+  AddRectangle(fold, { 20, -1 }, { 30, 21 }, 0.6);
+  const Covered covered(GetParam(), fold);
+  EXPECT_NEAR(covered.DepthAt(9, 15.0), 0.7, 1e-3);
+  EXPECT_NEAR(covered.DepthAt(9, 25.0), 0.6, 1e-3);
+  EXPECT_NEAR(covered.DepthAt(9, 34.0), 0.3, 1e-3);
+  EXPECT_GE(covered.DepthAt(9, 20.0), 0.3 - 1e-3) << "covered by the wall behind all the same";
+  EXPECT_LE(covered.DepthAt(9, 20.0), 0.7);
+}

@@ -249,6 +249,31 @@ TEST(NearClip, KeepsNeighbours)
   EXPECT_GT(cut, 50);
 }
 
+TEST(NearClip, KnowsWhatFacesAreLeftOf)
+{
+  for (unsigned seed = 1; seed <= 100; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const OccluderMesh mesh = coverage::RandomTriangles(random).Mesh();
+    const View view = coverage::RandomView(random.Point(-0.5, 0.5), random);
+    NearClip clip;
+    clip.Clip(mesh, view.Projection(2.0).Of(glm::dmat4(1.0)), 1.0);
+    ASSERT_EQ(clip.Sources().size(), clip.Faces().size());
+    for (std::size_t i = 0; i < clip.Faces().size(); ++i)
+    {
+      const MeshFace& source = mesh.Faces().at(clip.Sources()[i]);
+      int behind = 0;
+      for (const std::uint32_t corner : clip.Faces()[i])
+      {
+        behind += PlaceIn(source, corner) < 3;
+        EXPECT_TRUE(PlaceIn(source, corner) < 3 || corner >= mesh.Coordinates(0).size());
+      }
+      EXPECT_GE(behind, 1);
+    }
+  }
+}
+
 TEST(NearClip, OfNoPointsOrNumbersThatAreNoneIsNothing)
 {
   NearClip clip;

@@ -23,6 +23,9 @@ public:
   DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
     const ScreenMargin& margin, const ScreenMargin& snapping);
 
+  /** What nothing that may be drawn is farther than. */
+  const SlantedDepth& Bound() const { return this->Below; }
+
   /** The greatest depth of all that may be drawn. */
   float NearestOfAll() const { return this->Nearest; }
 

@@ -14,8 +14,10 @@ namespace
 // Edges that touch more columns have a depth of their own.
 const float ThinEdge = 0.125f;
 
-// Where so many edges touch each other, their faces have a depth for each tile.
+// Where so many edges touch each other, their patches have a depth for each tile.
 const std::size_t FewEdges = 4;
+
+const float NoEdgeDepth = 2.0f; // above all depths
 }
 
 std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
@@ -33,14 +35,14 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
   {
     return 0;
   }
-  this->FindFaces();
+  this->Patches.Find(projection, facing);
+  this->OnLine.assign(this->Patches.Count(), {});
+  this->Visits = 0;
   this->FindSheets();
   this->FindEdgePieces();
   for (this->Line = this->FirstLine; this->Line <= this->LastLine; ++this->Line)
   {
-    this->FindFacesOnLine();
-    this->InsertEdges();
-    this->InsertInsides();
+    this->InsertLine();
   }
   return this->EdgePieces.size() + this->Segments;
 }
@@ -48,7 +50,7 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
 /** Find the lines around all that counts; returns whether any may be covered. */
 bool FaceCoverage::FrameLines(const SBuffer& buffer)
 {
-  const std::vector<OccluderMesh::Face>& faces = this->Projection->Faces();
+  const std::vector<MeshFace>& faces = this->Projection->Faces();
   LineExtent columns, lines;
   for (std::uint32_t i = 0; i < faces.size(); ++i)
   {
@@ -72,47 +74,20 @@ bool FaceCoverage::FrameLines(const SBuffer& buffer)
   return this->FirstLine <= this->LastLine;
 }
 
-/** Those that count. */
-void FaceCoverage::FindFaces()
-{
-  const std::vector<OccluderMesh::Face>& faces = this->Projection->Faces();
-  this->Numbers.assign(faces.size(), None);
-  this->Faces.clear();
-  for (std::uint32_t i = 0; i < faces.size(); ++i)
-  {
-    const ScreenPoint a = this->Projection->Point(faces[i][0]);
-    const ScreenPoint b = this->Projection->Point(faces[i][1]);
-    const ScreenPoint c = this->Projection->Point(faces[i][2]);
-    const float depths = a.Depth + b.Depth + c.Depth + this->Margin.Depth;
-    if (this->Projection->FacingOf(i) != this->Counted || !std::isfinite(depths))
-    {
-      continue;
-    }
-    const float above = this->Margin.Line;
-    this->Numbers[i] = static_cast<std::uint32_t>(this->Faces.size());
-    this->Faces.push_back({ DepthPlane(a, b, c, this->Margin, this->Projection->Snapping()),
-      std::min(std::min(a.Line, b.Line), c.Line) - above,
-      std::max(std::max(a.Line, b.Line), c.Line) + above });
-  }
-  this->FacesOnLine.assign(this->Faces.size(), {});
-  this->Visits = 0;
-  this->Present.clear();
-}
-
-/** Join faces that have an edge in common. */
+/** Join patches that have an edge in common. */
 void FaceCoverage::FindSheets()
 {
-  this->Parents.resize(this->Faces.size());
+  this->Parents.resize(this->Patches.Count());
   for (std::uint32_t i = 0; i < this->Parents.size(); ++i)
   {
     this->Parents[i] = i;
   }
-  for (const OccluderMesh::Edge& edge : this->Projection->Edges())
+  for (const MeshEdge& edge : this->Projection->Edges())
   {
-    const std::uint32_t left = this->Numbers[edge.Left];
+    const std::uint32_t left = this->Patches.Of(edge.Left);
     const std::uint32_t right =
-      edge.Right == OccluderMesh::NoFace ? None : this->Numbers[edge.Right];
-    if (left != None && right != None)
+      edge.Right == OccluderMesh::NoFace ? None : this->Patches.Of(edge.Right);
+    if (left != right && left != None && right != None)
     {
       const std::uint32_t a = this->SheetOf(left);
       const std::uint32_t b = this->SheetOf(right);
@@ -121,27 +96,28 @@ void FaceCoverage::FindSheets()
   }
 }
 
-/** The first face of the sheet that a face is of; shortens the way there (R. E. Tarjan, 1975). */
-std::uint32_t FaceCoverage::SheetOf(std::uint32_t face)
+/** The first patch of the sheet that one is of; shortens the way there (R. E. Tarjan, 1975). */
+std::uint32_t FaceCoverage::SheetOf(std::uint32_t patch)
 {
-  while (this->Parents[face] != face)
+  while (this->Parents[patch] != patch)
   {
-    this->Parents[face] = this->Parents[this->Parents[face]];
-    face = this->Parents[face];
+    this->Parents[patch] = this->Parents[this->Parents[patch]];
+    patch = this->Parents[patch];
   }
-  return face;
+  return patch;
 }
 
+/** Edges within a patch count for nothing. */
 void FaceCoverage::FindEdgePieces()
 {
   this->EdgePieces.clear();
   this->EdgeHeads.assign(static_cast<std::size_t>(this->LastLine - this->FirstLine + 1), None);
-  for (const OccluderMesh::Edge& edge : this->Projection->Edges())
+  for (const MeshEdge& edge : this->Projection->Edges())
   {
-    const std::uint32_t left = this->Numbers[edge.Left];
+    const std::uint32_t left = this->Patches.Of(edge.Left);
     const std::uint32_t right =
-      edge.Right == OccluderMesh::NoFace ? None : this->Numbers[edge.Right];
-    if (left != None || right != None)
+      edge.Right == OccluderMesh::NoFace ? None : this->Patches.Of(edge.Right);
+    if (left != right)
     {
       this->AddEdge(edge, left, right);
     }
@@ -149,7 +125,7 @@ void FaceCoverage::FindEdgePieces()
 }
 
 /** @param left, right  of the edge as it goes */
-void FaceCoverage::AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, std::uint32_t right)
+void FaceCoverage::AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right)
 {
   const ScreenEdge onScreen(this->Projection->Point(edge.From), this->Projection->Point(edge.To));
   const float own = onScreen.OwnRounding();
@@ -175,87 +151,268 @@ void FaceCoverage::AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, s
   }
 }
 
-void FaceCoverage::FindFacesOnLine()
+/** From left to right, sheet by sheet. */
+void FaceCoverage::InsertLine()
 {
-  this->OnLine.clear();
-  this->Present.clear();
+  this->SortPieces();
+  for (std::size_t first = 0; first < this->Sorted.size();)
+  {
+    const Cluster cluster = this->ClusterFrom(first);
+    this->InsertCluster(cluster);
+    first = cluster.End;
+  }
+}
+
+void FaceCoverage::SortPieces()
+{
+  this->Sorted.clear();
   const std::size_t index = static_cast<std::size_t>(this->Line - this->FirstLine);
   for (std::uint32_t i = this->EdgeHeads[index]; i != None; i = this->EdgePieces[i].Next)
   {
     const EdgePiece& piece = this->EdgePieces[i];
-    this->AddToFace(piece.Left, piece, true);
-    this->AddToFace(piece.Right, piece, false);
-    this->OnLine.push_back({ piece.Sheet, piece.Touched.Left, &piece });
+    this->Sorted.push_back({ piece.Sheet, piece.Touched.Left, &piece });
   }
+  std::sort(this->Sorted.begin(), this->Sorted.end());
 }
 
-/** @param isOnItsRight  whether the edge is on the face's right side */
-void FaceCoverage::AddToFace(std::uint32_t face, const EdgePiece& piece, bool isOnItsRight)
+FaceCoverage::Cluster FaceCoverage::ClusterFrom(std::size_t first) const
 {
-  if (face == None)
+  Interval around = this->Sorted[first].Piece->Touched;
+  const auto isInSheet = [&](std::size_t i)
+  { return i < this->Sorted.size() && this->Sorted[i].Sheet == this->Sorted[first].Sheet; };
+  std::size_t end = first + 1;
+  for (; isInSheet(end) && this->Sorted[end].Left <= around.Right; ++end)
+  {
+    around.Right = std::max(around.Right, this->Sorted[end].Piece->Touched.Right);
+  }
+  return { first, end, around, isInSheet(end) ? this->Sorted[end].Left : around.Right };
+}
+
+FaceCoverage::PatchOnLine& FaceCoverage::OnLineOf(std::uint32_t patch)
+{
+  PatchOnLine& onLine = this->OnLine[patch];
+  if (onLine.Line != this->Line)
+  {
+    onLine = PatchOnLine{};
+    onLine.Line = this->Line;
+  }
+  return onLine;
+}
+
+void FaceCoverage::InsertCluster(const Cluster& cluster)
+{
+  if (this->IsLeftToPatches(cluster))
+  {
+    this->LeaveToPatches(*this->Sorted[cluster.First].Piece);
+    return;
+  }
+  this->InsertEdges(cluster);
+  this->PassEdges(cluster);
+}
+
+/** Whether an edge that is alone is left to the patches on both sides. */
+bool FaceCoverage::IsLeftToPatches(const Cluster& cluster)
+{
+  const EdgePiece& edge = *this->Sorted[cluster.First].Piece;
+  const bool isThin = edge.Touched.Right - edge.Touched.Left < ThinEdge;
+  if (cluster.End - cluster.First > 1 || edge.IsOutline() || !isThin || !edge.IsCrossing)
+  {
+    return false;
+  }
+  const PatchOnLine& left = this->OnLineOf(edge.Left);
+  const PatchOnLine& right = this->OnLineOf(edge.Right);
+  return left.Cover == 1 && right.Cover == 0 &&
+    edge.Touched.Left - std::max(left.Begins.Right, 0.0f) > ThinEdge &&
+    std::min(cluster.NextLeft, this->ColumnCount) - edge.Touched.Right > ThinEdge;
+}
+
+/** Both reach up to the edge, and are told the farthest depth where it touches the line. */
+void FaceCoverage::LeaveToPatches(const EdgePiece& edge)
+{
+  this->Beside = { edge.Left, edge.Right };
+  const DepthBound bound = this->BoundBeside(edge.Touched);
+  const float farthest = std::min(bound.Left, bound.Right);
+  PatchOnLine& left = this->OnLine[edge.Left];
+  this->InsertInside(edge.Left, left, { edge.Touched.Left, edge.Middle }, farthest);
+  left.Cover = 0;
+  left.Begins = { edge.Touched.Right, edge.Touched.Right };
+  left.BeginDepth = NoEdgeDepth;
+  PatchOnLine& right = this->OnLine[edge.Right];
+  right.Cover = 1;
+  right.Begins = { edge.Middle, edge.Touched.Right };
+  right.BeginDepth = farthest;
+}
+
+/** What edges touch that is covered all the same. */
+void FaceCoverage::InsertEdges(const Cluster& cluster)
+{
+  const Interval shown{ std::max(cluster.Around.Left, 0.0f),
+    std::min(cluster.Around.Right, this->ColumnCount) };
+  if (shown.IsEmpty() ||
+    (cluster.End - cluster.First == 1 && this->Sorted[cluster.First].Piece->IsOutline()))
   {
     return;
   }
-  FaceOnLine& onLine = this->FacesOnLine[face];
-  if (onLine.Line != this->Line)
+  this->SortCrossings(cluster);
+  for (float left = shown.Left; left < shown.Right;)
   {
-    onLine = { this->Line, onLine.Visit };
-    this->Present.push_back(face);
-  }
-  if (!piece.IsCrossing)
-  {
-    onLine.Touched = { std::min(onLine.Touched.Left, piece.Touched.Left),
-      std::max(onLine.Touched.Right, piece.Touched.Right) };
-  }
-  else if (isOnItsRight)
-  {
-    onLine.Middle.Right = piece.Middle;
-    onLine.Inside.Right = piece.Touched.Left;
-  }
-  else
-  {
-    onLine.Middle.Left = piece.Middle;
-    onLine.Inside.Left = piece.Touched.Right;
+    const float side = (std::floor(left / SBuffer::TileWidth) + 1.0f) * SBuffer::TileWidth;
+    const bool isWhole = cluster.End - cluster.First <= FewEdges;
+    const float right = isWhole ? shown.Right : std::min(side, shown.Right);
+    this->CrossUpTo(left);
+    this->FindBeside(cluster, { left, right });
+    this->InsertPiece({ left, right });
+    left = right;
   }
 }
 
-/** What lies between the edges of faces. */
-void FaceCoverage::InsertInsides()
+void FaceCoverage::SortCrossings(const Cluster& cluster)
 {
-  for (const std::uint32_t face : this->Present)
+  this->Crossings.clear();
+  this->Crossed = 0;
+  for (std::size_t i = cluster.First; i < cluster.End; ++i)
   {
-    const FaceOnLine& onLine = this->FacesOnLine[face];
-    const Interval& inside = onLine.Inside;
-    const Interval& touched = onLine.Touched;
-    if (touched.IsEmpty())
+    const EdgePiece& edge = *this->Sorted[i].Piece;
+    for (const std::uint32_t patch : { edge.Left, edge.Right })
     {
-      this->InsertWithEdges(face, onLine);
+      if (patch != None)
+      {
+        PatchOnLine& onLine = this->OnLineOf(patch);
+        onLine.CoverOfPiece = onLine.Cover;
+      }
     }
-    else
+    if (edge.IsCrossing)
     {
-      this->InsertInside(face, { inside.Left, std::min(inside.Right, touched.Left) });
-      this->InsertInside(face, { std::max(inside.Left, touched.Right), inside.Right });
+      this->Crossings.push_back(&edge);
     }
   }
+  std::sort(this->Crossings.begin(), this->Crossings.end(),
+    [](const EdgePiece* a, const EdgePiece* b) { return a->Middle < b->Middle; });
+}
+
+/** Finds how often patches of the cluster cover a column. */
+void FaceCoverage::CrossUpTo(float column)
+{
+  for (; this->Crossed < this->Crossings.size() && this->Crossings[this->Crossed]->Middle <= column;
+       ++this->Crossed)
+  {
+    const EdgePiece& edge = *this->Crossings[this->Crossed];
+    if (edge.Left != None)
+    {
+      --this->OnLine[edge.Left].CoverOfPiece;
+    }
+    if (edge.Right != None)
+    {
+      ++this->OnLine[edge.Right].CoverOfPiece;
+    }
+  }
+}
+
+/** The patches on both sides of edges that touch a piece of a line, and which of those are outlines. */
+void FaceCoverage::FindBeside(const Cluster& cluster, const Interval& piece)
+{
+  this->Beside.clear();
+  this->Outlines.clear();
+  ++this->Visits;
+  for (std::size_t i = cluster.First; i < cluster.End; ++i)
+  {
+    const EdgePiece& edge = *this->Sorted[i].Piece;
+    if (!(edge.Touched.Left <= piece.Right && edge.Touched.Right >= piece.Left))
+    {
+      continue;
+    }
+    if (edge.IsOutline())
+    {
+      this->Outlines.push_back(&edge);
+    }
+    for (const std::uint32_t patch : { edge.Left, edge.Right })
+    {
+      if (patch != None && this->OnLine[patch].Visit != this->Visits)
+      {
+        this->OnLine[patch].Visit = this->Visits;
+        this->Beside.push_back(patch);
+      }
+    }
+  }
+}
+
+/** Patches beside edges together cover as much everywhere, but for outlines, which come from left to right. */
+void FaceCoverage::InsertPiece(const Interval& piece)
+{
+  int cover = 0;
+  for (const std::uint32_t patch : this->Beside)
+  {
+    cover += this->OnLine[patch].CoverOfPiece;
+  }
+  if (this->Beside.empty() || (cover <= 0 && this->Outlines.empty()))
+  {
+    return;
+  }
+  const DepthBound bound = this->BoundBeside(piece);
+  const float slope = (bound.Right - bound.Left) / (piece.Right - piece.Left);
+  const auto insert = [&](float left, float right)
+  {
+    if (cover > 0 && left < right)
+    {
+      this->InsertSegment({ left, right },
+        { bound.Left + (left - piece.Left) * slope, bound.Left + (right - piece.Left) * slope });
+    }
+  };
+  float reached = piece.Left;
+  for (const EdgePiece* outline : this->Outlines)
+  {
+    insert(reached, outline->Touched.Left);
+    cover += outline->Middle > piece.Left ? outline->Turn() : 0;
+    reached = std::max(reached, outline->Touched.Right);
+  }
+  insert(reached, piece.Right);
+}
+
+/** Inserts what patches cover up to a cluster, and has what lies behind it begin. */
+void FaceCoverage::PassEdges(const Cluster& cluster)
+{
+  for (std::size_t i = cluster.First; i < cluster.End; ++i)
+  {
+    const EdgePiece& edge = *this->Sorted[i].Piece;
+    for (const std::uint32_t patch : { edge.Left, edge.Right })
+    {
+      if (patch != None)
+      {
+        this->PassEdge(patch, edge);
+      }
+    }
+  }
+}
+
+void FaceCoverage::PassEdge(std::uint32_t patch, const EdgePiece& edge)
+{
+  PatchOnLine& onLine = this->OnLineOf(patch);
+  if (onLine.Cover > 0)
+  {
+    this->InsertInside(patch, onLine, { edge.Touched.Left, edge.Touched.Left }, NoEdgeDepth);
+  }
+  const float behind = std::max(onLine.Begins.Right, edge.Touched.Right);
+  onLine.Begins = { behind, behind };
+  onLine.BeginDepth = NoEdgeDepth;
+  onLine.Cover += edge.TurnOf(patch);
 }
 
 /**
- * A face and half of what the edges beside it touch, where these are alone. The line of its depth is lowered there to what is known
- * of both faces; on its higher side from where it may be lower on, as it falls farther from there.
+ * What a patch covers between two of its edges, and halves of those that are left to it. The line of its depth is lowered there to what is known
+ * of the patches on both sides; on its higher side from where it may be lower on, as it falls farther from there.
  */
-void FaceCoverage::InsertWithEdges(std::uint32_t face, const FaceOnLine& onLine)
+void FaceCoverage::InsertInside(
+  std::uint32_t patch, const PatchOnLine& begin, const Interval& end, float endDepth)
 {
-  const bool hasLeft = onLine.LeftDepth < 2.0f, hasRight = onLine.RightDepth < 2.0f;
-  const Interval whole{ std::max(hasLeft ? onLine.Middle.Left : onLine.Inside.Left, 0.0f),
-    std::min(hasRight ? onLine.Middle.Right : onLine.Inside.Right, this->ColumnCount) };
-  const Interval inside{ std::max(onLine.Inside.Left, 0.0f),
-    std::min(onLine.Inside.Right, this->ColumnCount) };
+  const Interval whole{ std::max(begin.Begins.Left, 0.0f), std::min(end.Right, this->ColumnCount) };
+  const Interval inside{ std::max(begin.Begins.Right, 0.0f),
+    std::min(end.Left, this->ColumnCount) };
   if (inside.IsEmpty() || whole.IsEmpty())
   {
     return;
   }
-  DepthBound bound = this->BoundFace(face, whole);
-  bound = { std::min(bound.Left, onLine.LeftDepth), std::min(bound.Right, onLine.RightDepth) };
+  DepthBound bound = this->BoundOf(patch, whole);
+  bound = { std::min(bound.Left, begin.BeginDepth), std::min(bound.Right, endDepth) };
   const bool rises = bound.Left < bound.Right;
   const float left = rises ? inside.Left : whole.Left, right = rises ? whole.Right : inside.Right;
   const float slope = (bound.Right - bound.Left) / (right - left);
@@ -263,190 +420,25 @@ void FaceCoverage::InsertWithEdges(std::uint32_t face, const FaceOnLine& onLine)
     { bound.Left + (whole.Left - left) * slope, bound.Right + (whole.Right - right) * slope });
 }
 
-void FaceCoverage::InsertInside(std::uint32_t face, const Interval& inside)
+/** Of all patches beside the piece's edges. */
+DepthBound FaceCoverage::BoundBeside(const Interval& piece) const
 {
-  const Interval shown{ std::max(inside.Left, 0.0f), std::min(inside.Right, this->ColumnCount) };
-  if (!shown.IsEmpty())
+  DepthBound bound{ NoEdgeDepth, NoEdgeDepth };
+  for (const std::uint32_t patch : this->Beside)
   {
-    this->InsertSegment(shown, this->BoundFace(face, shown));
-  }
-}
-
-/** What edges touch: those of a sheet that touch each other together. */
-void FaceCoverage::InsertEdges()
-{
-  std::sort(this->OnLine.begin(), this->OnLine.end());
-  for (std::size_t first = 0; first < this->OnLine.size();)
-  {
-    Interval around = this->OnLine[first].Piece->Touched;
-    std::size_t end = first + 1;
-    while (end < this->OnLine.size() && this->OnLine[end].Sheet == this->OnLine[first].Sheet &&
-      this->OnLine[end].Left <= around.Right)
-    {
-      around.Right = std::max(around.Right, this->OnLine[end].Piece->Touched.Right);
-      ++end;
-    }
-    const Interval shown{ std::max(around.Left, 0.0f), std::min(around.Right, this->ColumnCount) };
-    if (!shown.IsEmpty())
-    {
-      this->InsertCluster(first, end, shown);
-    }
-    first = end;
-  }
-}
-
-void FaceCoverage::InsertCluster(std::size_t first, std::size_t end, const Interval& around)
-{
-  if (end - first == 1 && this->IsPassed(*this->OnLine[first].Piece))
-  {
-    return;
-  }
-  if (end - first <= FewEdges)
-  {
-    this->InsertPiece(first, end, around);
-    return;
-  }
-  for (float left = around.Left; left < around.Right;)
-  {
-    const float side = (std::floor(left / SBuffer::TileWidth) + 1.0f) * SBuffer::TileWidth;
-    const float right = std::min(side, around.Right);
-    this->InsertPiece(first, end, { left, right });
-    left = right;
-  }
-}
-
-/** Whether an edge that is alone is left to the faces on both sides, which are told the farthest depth where it touches the line. */
-bool FaceCoverage::IsPassed(const EdgePiece& edge)
-{
-  const bool isThin = edge.Touched.Right - edge.Touched.Left < ThinEdge;
-  if (edge.IsOutline() || !isThin || !edge.IsCrossing || !this->IsWhole(edge.Left) ||
-    !this->IsWhole(edge.Right))
-  {
-    return edge.IsOutline();
-  }
-  this->Beside = { edge.Left, edge.Right };
-  const DepthBound bound = this->BoundPiece(edge.Touched);
-  const float farthest = std::min(bound.Left, bound.Right);
-  this->FacesOnLine[edge.Left].RightDepth = farthest;
-  this->FacesOnLine[edge.Right].LeftDepth = farthest;
-  return true;
-}
-
-/** Whether nothing but edges that cross the line's middle touches a face on it, and something lies between them on the screen. */
-bool FaceCoverage::IsWhole(std::uint32_t face) const
-{
-  const FaceOnLine& onLine = this->FacesOnLine[face];
-  const float left = std::max(onLine.Inside.Left, 0.0f);
-  const float right = std::min(onLine.Inside.Right, this->ColumnCount);
-  return onLine.Touched.IsEmpty() && right - left > ThinEdge;
-}
-
-/** The faces beside the edges from `first` to `end` that touch a piece of a line, and what of it is open. */
-void FaceCoverage::FindBeside(std::size_t first, std::size_t end, const Interval& piece)
-{
-  this->Beside.clear();
-  this->Open.clear();
-  ++this->Visits;
-  for (std::size_t i = first; i < end; ++i)
-  {
-    const EdgePiece& edge = *this->OnLine[i].Piece;
-    if (!(edge.Touched.Left <= piece.Right && edge.Touched.Right >= piece.Left))
-    {
-      continue;
-    }
-    if (edge.IsOutline())
-    {
-      this->Open.push_back(edge.Touched);
-    }
-    for (const std::uint32_t face : { edge.Left, edge.Right })
-    {
-      if (face != None && this->FacesOnLine[face].Visit != this->Visits)
-      {
-        this->FacesOnLine[face].Visit = this->Visits;
-        this->Beside.push_back(face);
-      }
-    }
-  }
-}
-
-/** What they cover of its middle. */
-void FaceCoverage::FindCovered(const Interval& piece)
-{
-  this->Covered.clear();
-  for (const std::uint32_t face : this->Beside)
-  {
-    const Interval& middle = this->FacesOnLine[face].Middle;
-    if (!middle.IsEmpty() && middle.Left < piece.Right && middle.Right > piece.Left)
-    {
-      this->Covered.push_back(middle);
-    }
-  }
-}
-
-void FaceCoverage::InsertPiece(std::size_t first, std::size_t end, const Interval& piece)
-{
-  this->FindBeside(first, end, piece);
-  this->FindCovered(piece);
-  if (this->Covered.empty())
-  {
-    return;
-  }
-  const auto byLeft = [](const Interval& a, const Interval& b) { return a.Left < b.Left; };
-  std::sort(this->Covered.begin(), this->Covered.end(), byLeft);
-  std::sort(this->Open.begin(), this->Open.end(), byLeft);
-  const DepthBound bound = this->BoundPiece(piece);
-  const float slope = (bound.Right - bound.Left) / (piece.Right - piece.Left);
-  const auto insert = [&](float left, float right)
-  {
-    if (left < right)
-    {
-      this->InsertSegment({ left, right },
-        { bound.Left + (left - piece.Left) * slope, bound.Left + (right - piece.Left) * slope });
-    }
-  };
-
-  // What is covered and not open, from left to right.
-  std::size_t open = 0;
-  float reached = piece.Left;
-  for (std::size_t i = 0; i < this->Covered.size();)
-  {
-    float left = std::max(this->Covered[i].Left, piece.Left);
-    float right = this->Covered[i].Right;
-    for (++i; i < this->Covered.size() && this->Covered[i].Left <= right; ++i)
-    {
-      right = std::max(right, this->Covered[i].Right);
-    }
-    right = std::min(right, piece.Right);
-    left = std::max(left, reached);
-    for (; open < this->Open.size() && this->Open[open].Left < right; ++open)
-    {
-      insert(left, std::min(right, this->Open[open].Left));
-      left = std::max(left, this->Open[open].Right);
-    }
-    insert(left, right);
-    reached = std::max(left, right);
-  }
-}
-
-/** Of all faces beside the piece's edges. */
-DepthBound FaceCoverage::BoundPiece(const Interval& piece) const
-{
-  DepthBound bound{ 2.0f, 2.0f };
-  for (const std::uint32_t face : this->Beside)
-  {
-    const DepthBound own = this->BoundFace(face, piece);
+    const DepthBound own = this->BoundOf(patch, piece);
     bound.Left = std::min(bound.Left, own.Left);
     bound.Right = std::min(bound.Right, own.Right);
   }
   return bound;
 }
 
-DepthBound FaceCoverage::BoundFace(std::uint32_t number, const Interval& columns) const
+DepthBound FaceCoverage::BoundOf(std::uint32_t number, const Interval& columns) const
 {
-  const CountedFace& face = this->Faces[number];
-  return face.Plane.Within(columns.Left, columns.Right,
-    std::max(static_cast<float>(this->Line) + this->Inset, face.Bottom),
-    std::min(static_cast<float>(this->Line + 1) - this->Inset, face.Top));
+  const ScreenPatches::Patch& patch = this->Patches[number];
+  return patch.Bound.Within(columns.Left, columns.Right,
+    std::max(static_cast<float>(this->Line) + this->Inset, patch.Bottom),
+    std::min(static_cast<float>(this->Line + 1) - this->Inset, patch.Top));
 }
 
 void FaceCoverage::InsertSegment(const Interval& columns, const DepthBound& bound)

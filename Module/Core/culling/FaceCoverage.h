@@ -1,10 +1,11 @@
 #ifndef VITRINE_CORE_CULLING_FACE_COVERAGE_H
 #define VITRINE_CORE_CULLING_FACE_COVERAGE_H
 
-#include "Core/culling/DepthPlane.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SBuffer.h"
+#include "Core/culling/ScreenPatches.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,16 +13,16 @@ namespace vitrine
 {
 
 /**
- * Puts into an s-buffer what an occluder surely covers, line by line and face by face.
+ * Puts into an s-buffer what an occluder surely covers, line by line and patch by patch (ScreenPatches.h).
  *
- * Faces that are joined by edges are one sheet. Along a line, each edge touches an interval of columns, which what a rasteriser may move
- * points by widens. Between the edges of a face all of a column is covered by it, at the depth of its plane. Where edges touch, which
- * overlap mostly a little, a column is covered if its middle is covered by a face, and no edge touches it that has nothing of the sheet on its other side:
- * on the way up or down a face can be left only for its neighbour. The depth is nowhere farther there than the farthest of the planes of the
- * faces beside those edges.
+ * Edges between patches, and those with nothing on one side, touch an interval of columns on a line, which what a rasteriser may move points
+ * by widens. How often a patch covers a place, whole columns of the line included, changes at its own edges alone (the degree of a map over a
+ * point stays as it is while the image of its boundary does not pass the point). So between those all of a column is covered as often as
+ * the line's middle is, at the depth of the patch's plane. Where edges touch a column, the patches that they are between are one sheet: together they
+ * cover it as often as beside it, unless an edge touches it that has nothing on one side, at the depth of the farthest of them.
  *
  * So a line may be much thicker than faces are, without gaps at their edges; and the inside of a far wall, which belongs to
- * another sheet, does not spoil the depth of the near one.
+ * other patches, does not spoil the depth of the near one.
  * (after W. J. Bouknight: A procedure for generation of three-dimensional half-toned computer graphics presentations, CACM 1970)
  */
 class FaceCoverage
@@ -32,13 +33,13 @@ public:
    * @param projection  of the occluder, with its facings
    * @param facing      of the faces that count, Front or Back
    * @param part        what spans say whose they are
-   * @returns how many pieces of faces and edges on lines that took
+   * @returns how many pieces of patches and edges on lines that took
    */
   std::size_t Insert(SBuffer& buffer, const MeshProjection& projection,
     MeshProjection::Facing facing, std::uint32_t part);
 
 private:
-  static constexpr std::uint32_t None = 0xffffffffu;
+  static constexpr std::uint32_t None = ScreenPatches::None;
 
   /** An interval of columns. */
   struct Interval
@@ -49,41 +50,39 @@ private:
     bool IsEmpty() const { return !(this->Left < this->Right); }
   };
 
-  static constexpr Interval Empty{ 3e38f, -3e38f };
-
-  /** A face that counts. */
-  struct CountedFace
-  {
-    DepthPlane Plane;
-    float Bottom; ///< lines that it may be drawn on
-    float Top;
-  };
-
-  /** An edge on a line: between two faces that count, or at the border of one. */
+  /** An edge on a line. */
   struct EdgePiece
   {
     Interval Touched;
     float Middle;       ///< where it crosses the line's middle
-    std::uint32_t Left; ///< the face on that side, or None
+    std::uint32_t Left; ///< the patch on that side, or None
     std::uint32_t Right;
     std::uint32_t Sheet;
     bool IsCrossing; ///< the line's middle
     std::uint32_t Next;
 
     bool IsOutline() const { return this->Left == None || this->Right == None; }
+
+    /** By how much a patch, or all of a sheet, covers more on its right. */
+    int TurnOf(std::uint32_t patch) const
+    {
+      return this->IsCrossing ? (this->Right == patch) - (this->Left == patch) : 0;
+    }
+    int Turn() const { return this->IsCrossing ? (this->Right != None) - (this->Left != None) : 0; }
   };
 
-  /** A face on the line that is being inserted. */
-  struct FaceOnLine
+  /** What a patch has of the line that is being inserted, left of the edges at hand. */
+  struct PatchOnLine
   {
-    int Line = -1;            ///< the line that it was last on
-    std::uint32_t Visit = 0;  ///< the last piece that it was beside
-    Interval Middle = Empty;  ///< what it covers of the line's middle
-    Interval Inside = Empty;  ///< between the edges that cross the middle
-    Interval Touched = Empty; ///< by an edge that does not cross the middle
-    float LeftDepth =
-      2.0f; ///< what stands in for the edge on that side; above all depths if that is inserted by itself
-    float RightDepth = 2.0f;
+    int Line = -1;           ///< the line that it was last on
+    int Cover = 0;           ///< how often it covers what lies behind its last edge
+    int CoverOfPiece = 0;    ///< the same up to the piece of a cluster that is at hand
+    std::uint32_t Visit = 0; ///< the last piece that it was beside
+    Interval Begins{
+      -3e38f, -3e38f
+    }; ///< behind its last edge: in it, where that was left to patches, and behind all it touches
+    float BeginDepth =
+      2.0f; ///< what stands in for that edge; above all depths if that is inserted by itself
   };
 
   /** An edge piece, where it is sorted. */
@@ -99,26 +98,38 @@ private:
     }
   };
 
+  /** Edges of a sheet on the line that touch each other. */
+  struct Cluster
+  {
+    std::size_t First;
+    std::size_t End;
+    Interval Around;
+    float NextLeft; ///< of what comes behind it in the sheet
+  };
+
   bool FrameLines(const SBuffer& buffer);
-  void FindFaces();
   void FindSheets();
-  std::uint32_t SheetOf(std::uint32_t face);
+  std::uint32_t SheetOf(std::uint32_t patch);
   void FindEdgePieces();
-  void AddEdge(const OccluderMesh::Edge& edge, std::uint32_t left, std::uint32_t right);
-  void FindFacesOnLine();
-  void AddToFace(std::uint32_t face, const EdgePiece& piece, bool isOnItsRight);
-  void InsertInsides();
-  void InsertInside(std::uint32_t face, const Interval& inside);
-  void InsertWithEdges(std::uint32_t face, const FaceOnLine& onLine);
-  bool IsPassed(const EdgePiece& edge);
-  bool IsWhole(std::uint32_t face) const;
-  void InsertEdges();
-  void InsertCluster(std::size_t first, std::size_t end, const Interval& around);
-  void FindBeside(std::size_t first, std::size_t end, const Interval& piece);
-  void FindCovered(const Interval& piece);
-  void InsertPiece(std::size_t first, std::size_t end, const Interval& piece);
-  DepthBound BoundPiece(const Interval& piece) const;
-  DepthBound BoundFace(std::uint32_t face, const Interval& columns) const;
+  void AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right);
+  void InsertLine();
+  void SortPieces();
+  Cluster ClusterFrom(std::size_t first) const;
+  PatchOnLine& OnLineOf(std::uint32_t patch);
+  void InsertCluster(const Cluster& cluster);
+  bool IsLeftToPatches(const Cluster& cluster);
+  void LeaveToPatches(const EdgePiece& edge);
+  void InsertEdges(const Cluster& cluster);
+  void SortCrossings(const Cluster& cluster);
+  void CrossUpTo(float column);
+  void FindBeside(const Cluster& cluster, const Interval& piece);
+  void InsertPiece(const Interval& piece);
+  void PassEdges(const Cluster& cluster);
+  void PassEdge(std::uint32_t patch, const EdgePiece& edge);
+  void InsertInside(
+    std::uint32_t patch, const PatchOnLine& begin, const Interval& end, float depth);
+  DepthBound BoundBeside(const Interval& piece) const;
+  DepthBound BoundOf(std::uint32_t patch, const Interval& columns) const;
   void InsertSegment(const Interval& columns, const DepthBound& bound);
   bool IsCovered(const Interval& columns, float nearest) const;
   float Aside(float own) const { return this->Margin.Column + own; }
@@ -132,19 +143,18 @@ private:
   float Inset = 0.0f; ///< how far from their sides lines have no samples
   float ColumnCount = 0.0f;
   int FirstLine = 0, LastLine = 0;
-  int Line = 0;                       ///< that is being inserted
-  std::vector<std::uint32_t> Numbers; ///< of each face among those that count
-  std::vector<CountedFace> Faces;     ///< those that count and are on the screen
-  std::vector<std::uint32_t> Parents; ///< of those
+  int Line = 0; ///< that is being inserted
+  ScreenPatches Patches;
+  std::vector<std::uint32_t> Parents; ///< of patches
   std::vector<EdgePiece> EdgePieces;
-  std::vector<std::uint32_t> EdgeHeads; ///< of each line's pieces
-  std::vector<SortedPiece> OnLine;
-  std::vector<FaceOnLine> FacesOnLine; ///< each that counts
-  std::vector<std::uint32_t> Present;  ///< on the line
-  std::uint32_t Visits = 0;            ///< of pieces
-  std::vector<std::uint32_t> Beside;   ///< the edges of the piece at hand
-  std::vector<Interval> Covered;
-  std::vector<Interval> Open;
+  std::vector<std::uint32_t> EdgeHeads;    ///< of each line's pieces
+  std::vector<SortedPiece> Sorted;         ///< the line's
+  std::vector<PatchOnLine> OnLine;         ///< each patch
+  std::uint32_t Visits = 0;                ///< of pieces
+  std::vector<const EdgePiece*> Crossings; ///< of a cluster, by where they cross the middle
+  std::size_t Crossed = 0;                 ///< of those
+  std::vector<std::uint32_t> Beside;       ///< patches of the piece at hand
+  std::vector<const EdgePiece*> Outlines;  ///< that touch it
   std::size_t Segments = 0;
 };
 

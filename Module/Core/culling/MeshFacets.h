@@ -1,26 +1,16 @@
 #ifndef VITRINE_CORE_CULLING_MESH_FACETS_H
 #define VITRINE_CORE_CULLING_MESH_FACETS_H
 
+#include "Core/culling/FaceRegions.h"
+
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace vitrine
 {
-
-/** An edge as the face on its left goes around: counter-clockwise from `From` to `To`. */
-struct MeshEdge
-{
-  std::uint32_t From;
-  std::uint32_t To;
-  std::uint32_t Left;  ///< a face
-  std::uint32_t Right; ///< the face that goes from To to From, if there is one
-};
-
-using MeshFace = std::array<std::uint32_t, 3>;
 
 /**
  * Faces of a mesh that are joined and look into nearly the same direction, as those do into which a polygon was cut. For outlines it is
@@ -29,7 +19,7 @@ using MeshFace = std::array<std::uint32_t, 3>;
 class MeshFacets
 {
 public:
-  static constexpr std::uint32_t NoFace = 0xffffffffu;
+  static constexpr std::uint32_t NoFace = FaceRegions::NoFace;
 
   MeshFacets() = default;
 

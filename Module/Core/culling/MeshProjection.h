@@ -59,6 +59,12 @@ public:
     return this->AreAllBehindNear ? this->Projected->Edges() : this->Rest.Edges();
   }
 
+  /** The patch of the mesh that one of Faces() belongs to. */
+  std::uint32_t PatchOf(std::uint32_t face) const
+  {
+    return this->Projected->Patches()[this->AreAllBehindNear ? face : this->Rest.Sources()[face]];
+  }
+
   ScreenPoint Point(std::uint32_t i) const
   {
     return { this->Columns[i], this->Lines[i], this->Depths[i] };

@@ -43,6 +43,7 @@ void NearClip::Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen, doub
   this->LeastRatio = leastRatio;
   this->CutPoints.clear();
   this->Triangles.clear();
+  this->SourceOf.clear();
   this->Sides.clear();
   this->NearestW = 3e38f;
   this->FindPointsBehind();
@@ -145,6 +146,7 @@ void NearClip::AddFaces()
     {
       this->AddOneCorner(face, remainder, behind[0] ? 0 : behind[1] ? 1 : 2);
     }
+    this->SourceOf.resize(this->Triangles.size(), static_cast<std::uint32_t>(i));
   }
 }
 

@@ -33,6 +33,9 @@ public:
   const std::vector<MeshFace>& Faces() const { return this->Triangles; }
   const std::vector<MeshEdge>& Edges() const { return this->Sides; }
 
+  /** Of each of those faces which of the mesh's it is of. */
+  const std::vector<std::uint32_t>& Sources() const { return this->SourceOf; }
+
   /** Points that the mesh does not have: column, line and depth, each times w, and w. */
   const std::vector<glm::dvec4>& Cuts() const { return this->CutPoints; }
 
@@ -73,6 +76,7 @@ private:
   std::vector<std::uint32_t> EdgeCuts; ///< on each edge, where it is cut
   std::vector<glm::dvec4> CutPoints;
   std::vector<MeshFace> Triangles;
+  std::vector<std::uint32_t> SourceOf;
   std::vector<MeshEdge> Sides;
   float NearestW = 0.0f;
 };

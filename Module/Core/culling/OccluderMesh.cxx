@@ -15,6 +15,9 @@ namespace vitrine
 namespace
 {
 
+// Of the angle between the first face of a patch and the others: 4.4 degrees.
+const double LeastCosineOfPatch = 0.997;
+
 bool IsFinitePoint(const glm::dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
@@ -63,7 +66,7 @@ OccluderMesh::OccluderMesh(
     }
   }
   this->FindEdges();
-  this->FindFacets();
+  this->FindRegions();
 }
 
 void OccluderMesh::Weld(const std::vector<glm::dvec3>& points, std::vector<std::uint32_t>& corners)
@@ -158,7 +161,7 @@ void OccluderMesh::FindEdges()
   }
 }
 
-void OccluderMesh::FindFacets()
+void OccluderMesh::FindRegions()
 {
   std::vector<glm::vec3> points(this->Count);
   for (std::size_t i = 0; i < this->Count; ++i)
@@ -166,13 +169,14 @@ void OccluderMesh::FindFacets()
     points[i] = { this->Places[0][i], this->Places[1][i], this->Places[2][i] };
   }
   this->Polygons = MeshFacets(points, this->Triangles, this->Sides);
+  this->PatchOf = FaceRegions(points, this->Triangles, this->Sides, LeastCosineOfPatch).OfFaces();
 }
 
 std::size_t OccluderMesh::Bytes() const
 {
   return sizeof(*this) + 3 * this->Places[0].capacity() * sizeof(float) +
     this->Triangles.capacity() * sizeof(Face) + this->Sides.capacity() * sizeof(Edge) +
-    this->Polygons.Bytes();
+    this->PatchOf.capacity() * sizeof(std::uint32_t) + this->Polygons.Bytes();
 }
 
 }

@@ -50,6 +50,9 @@ public:
   const std::vector<Edge>& Edges() const { return this->Sides; }
   const MeshFacets& Facets() const { return this->Polygons; }
 
+  /** Of each face the patch that it belongs to: joined faces that look into about the same direction. */
+  const std::vector<std::uint32_t>& Patches() const { return this->PatchOf; }
+
   /** Whether every edge has a face on both sides. Whoever is outside of such a mesh sees no back faces. */
   bool IsClosed() const { return this->HasNoBorder; }
 
@@ -60,7 +63,7 @@ private:
   void Weld(const std::vector<glm::dvec3>& points, std::vector<std::uint32_t>& corners);
   void PadPoints();
   void FindEdges();
-  void FindFacets();
+  void FindRegions();
 
   glm::dvec3 Middle{ 0.0 };
   std::size_t Count = 0; ///< of points
@@ -68,6 +71,7 @@ private:
   std::vector<Face> Triangles;
   std::vector<Edge> Sides;
   MeshFacets Polygons;
+  std::vector<std::uint32_t> PatchOf;
   bool HasNoBorder = true;
 };
 
