@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace
 {
 
@@ -219,4 +221,38 @@ TEST_P(FaceCoverage, OfAFoldedSheetHasTheNearerDepth)
   EXPECT_NEAR(covered.DepthAt(9, 34.0), 0.3, 1e-3);
   EXPECT_GE(covered.DepthAt(9, 20.0), 0.3 - 1e-3) << "covered by the wall behind all the same";
   EXPECT_LE(covered.DepthAt(9, 20.0), 0.7);
+}
+
+// Faces that look into all directions and are hardly wider than what edges touch: a line of them is one cluster of edges.
+TEST_P(FaceCoverage, OfManyNarrowFacesIsAllBetweenTheirOutline)
+{
+  Triangles crumpled = coverage::GridOf(300, 30,
+    [](double u, double v)
+    {
+      const double x = 300 * u, y = 30 * v;
+      return glm::dvec3(2 + 36 * u, -1 + 22 * v, 0.5 + 0.01 * std::sin(37.0 * x * x + 11.0 * y));
+    });
+  const Covered covered(GetParam(), crumpled, Facing::Front, { 0.001f, 0.001f, 1e-6f });
+  for (int line = 0; line < coverage::WideLines; ++line)
+  {
+    for (const double column : { 2.5, 3.9, 8.1, 19.9, 20.1, 30.3, 37.5 })
+    {
+      EXPECT_GT(covered.DepthAt(line, column), 0.0) << line << ", " << column;
+    }
+    EXPECT_FALSE(covered.IsAt(line, 1.9));
+    EXPECT_FALSE(covered.IsAt(line, 38.1));
+  }
+}
+
+TEST_P(FaceCoverage, LeavesNoSlitsBesideANarrowFace)
+{
+  Triangles stairs;
+  stairs.AddQuad({ 2, -1, 0.3 }, { 15.05, -1, 0.5 }, { 15.05, 21, 0.5 }, { 2, 21, 0.3 });
+  stairs.AddQuad({ 15.05, -1, 0.5 }, { 15.13, -1, 0.4 }, { 15.13, 21, 0.4 }, { 15.05, 21, 0.5 });
+  stairs.AddQuad({ 15.13, -1, 0.4 }, { 38, -1, 0.2 }, { 38, 21, 0.2 }, { 15.13, 21, 0.4 });
+  const Covered covered(GetParam(), stairs, Facing::Front, { 0.03f, 0.03f, 1e-5f });
+  for (int line = 1; line < coverage::WideLines - 1; ++line)
+  {
+    covered.ExpectFromTo(line, 2.03, 37.97);
+  }
 }
