@@ -59,6 +59,7 @@ public:
     std::vector<Entry>& queue = this->Culler.Queue;
     queue.clear();
     this->Culler.Visited.clear();
+    this->VisitOwners();
     this->QueueEntriesOf(this->Tree.Node(0));
     while (!queue.empty())
     {
@@ -74,6 +75,52 @@ public:
   }
 
 private:
+  /** What hid much in the last frame, before what it may hide. */
+  void VisitOwners()
+  {
+    this->Culler.Owners.Begin(this->IsDrawn.size());
+    for (const LastOwners::Owner& owner : this->Culler.Owners.Owners())
+    {
+      if (this->HasOcclusion && owner.Part < this->IsDrawn.size() && this->IsDrawn[owner.Part])
+      {
+        this->VisitOwner(owner);
+      }
+    }
+  }
+
+  /** Leaves it to its turn if it has moved, or can only be tested by its box. */
+  void VisitOwner(const LastOwners::Owner& owner)
+  {
+    const Occluder occluder = this->Occluders.OccluderOf(owner.Part);
+    if (!occluder.Mesh || !occluder.IsOfFacesAlone)
+    {
+      return;
+    }
+    const bool isBehindNear = this->Project(occluder);
+    const ScreenRectangle around = this->Culler.Projected.Rectangle();
+    if (!owner.IsNear(around) || !this->IsWorthItsTime(occluder, around))
+    {
+      return;
+    }
+    this->Culler.Owners.MarkVisited(owner.Part);
+    this->Witness = isBehindNear ? this->View.Grown(around) : Everywhere;
+    const ScreenRectangle rectangle = this->Witness;
+    if (this->ShowFaces(owner.Part, occluder, around))
+    {
+      this->Show(owner.Part, rectangle);
+    }
+    else
+    {
+      this->Culler.Budget.AddHidden(1);
+    }
+  }
+
+  void Show(std::uint32_t part, const ScreenRectangle& rectangle)
+  {
+    this->Culler.Shows[part] = 1;
+    this->Culler.Visited.push_back({ part, rectangle, this->Witness });
+  }
+
   /** Tests what was shown before all that stands in front of it had been inserted. */
   void LookAgain()
   {
@@ -114,8 +161,7 @@ private:
       }
       if (this->VisitPart(number, entry.Rectangle))
       {
-        this->Culler.Shows[number] = 1;
-        this->Culler.Visited.push_back({ number, entry.Rectangle, this->Witness });
+        this->Show(number, entry.Rectangle);
       }
     }
     else if (this->IsHidden(entry.Rectangle))
@@ -207,7 +253,7 @@ private:
     const std::uint32_t item = node.ItemAt(lane);
     this->Culler.Counted.Tested += this->IsDrawn[item];
     this->Occluders.Expect(item);
-    return this->IsDrawn[item] != 0;
+    return this->IsDrawn[item] != 0 && !this->Culler.Owners.WasVisited(item);
   }
 
   bool IsHidden(const ScreenRectangle& rectangle) const
@@ -324,6 +370,7 @@ private:
   void InsertPart(std::uint32_t item, const Occluder& occluder)
   {
     ++this->Culler.Counted.Inserted;
+    this->Culler.Owners.AddInserted(item, this->Culler.Projected.Rectangle());
     this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
     this->InsertSides(item, occluder);
     MeshProjection& projected = this->Culler.Projected;
@@ -408,6 +455,7 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   if (!tree.IsEmpty())
   {
     Walk(*this, tree, occluders, view, occlusion, drawn).Run();
+    this->Owners.End(this->Lines);
   }
 }
 

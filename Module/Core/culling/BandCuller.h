@@ -3,6 +3,7 @@
 
 #include "Core/culling/FaceCoverage.h"
 #include "Core/culling/InsertionBudget.h"
+#include "Core/culling/LastOwners.h"
 #include "Core/culling/LooseOctree.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OccluderSource.h"
@@ -87,6 +88,7 @@ private:
   FaceCoverage CoverOfMany;
   CullCounts Counted;
   InsertionBudget Budget;
+  LastOwners Owners;
   std::vector<Entry> Queue; ///< a heap
   std::vector<std::uint8_t> Shows;
   std::vector<ShownPart> Visited; ///< in the order in which they were visited

@@ -107,6 +107,19 @@ public:
   /** The spans of a line, from left to right. */
   std::vector<Span> SpansOf(int line) const;
 
+  /** Does something with each span of all lines. */
+  template <class Work>
+  void ForEachSpan(const Work& work) const
+  {
+    for (const std::uint32_t first : this->Firsts)
+    {
+      for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
+      {
+        work(this->Pool[i]);
+      }
+    }
+  }
+
   const SBufferCounts& Counts() const { return this->Counted; }
 
 private:

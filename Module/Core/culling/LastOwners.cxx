@@ -1,0 +1,47 @@
+#include "Core/culling/LastOwners.h"
+
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+// Columns of lines that a part has to have.
+const float LeastColumns = 16.0f;
+
+// By so much of its width and height, and so many columns and lines, a part may have moved.
+const float MostShare = 0.25f;
+const float MostCells = 4.0f;
+}
+
+bool LastOwners::Owner::IsNear(const ScreenRectangle& now) const
+{
+  const ScreenRectangle& then = this->Rectangle;
+  const float aside = MostCells + MostShare * (then.Right - then.Left);
+  const float above = MostCells + MostShare * (then.Top - then.Bottom);
+  return std::abs(now.Left - then.Left) <= aside && std::abs(now.Right - then.Right) <= aside &&
+    std::abs(now.Bottom - then.Bottom) <= above && std::abs(now.Top - then.Top) <= above;
+}
+
+void LastOwners::Begin(std::size_t parts)
+{
+  this->Inserted.clear();
+  this->IsVisited.assign(parts, 0);
+  this->Columns.assign(parts, 0.0f);
+}
+
+void LastOwners::End(const SBuffer& lines)
+{
+  lines.ForEachSpan([&](const Span& span) { this->Columns[span.Face] += span.Right - span.Left; });
+  this->Last.clear();
+  for (const Owner& inserted : this->Inserted)
+  {
+    if (this->Columns[inserted.Part] >= LeastColumns)
+    {
+      this->Last.push_back(inserted);
+    }
+  }
+}
+
+}

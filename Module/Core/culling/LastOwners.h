@@ -1,0 +1,58 @@
+#ifndef VITRINE_CORE_CULLING_LAST_OWNERS_H
+#define VITRINE_CORE_CULLING_LAST_OWNERS_H
+
+#include "Core/culling/SBuffer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * The parts that had much of an s-buffer at the end of the last frame. They come first in the next one: tested like any other, and inserted where they show. It is an order
+ * only, never a verdict; but what they hide need not be inserted then.
+ * (after the temporal coherence of N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993)
+ */
+class LastOwners
+{
+public:
+  /** A part that was inserted, and where on the screen. */
+  struct Owner
+  {
+    std::uint32_t Part;
+    ScreenRectangle Rectangle;
+
+    /** Whether it is about there still, so that what it hid is likely to be hidden by it again. */
+    bool IsNear(const ScreenRectangle& now) const;
+  };
+
+  /** Of the last frame, in the order in which they were inserted. */
+  const std::vector<Owner>& Owners() const { return this->Last; }
+
+  /** A frame begins with so many parts. */
+  void Begin(std::size_t parts);
+
+  void AddInserted(std::uint32_t part, const ScreenRectangle& rectangle)
+  {
+    this->Inserted.push_back({ part, rectangle });
+  }
+
+  /** That a part has been visited before its turn. */
+  void MarkVisited(std::uint32_t part) { this->IsVisited[part] = 1; }
+  bool WasVisited(std::uint32_t part) const { return this->IsVisited[part] != 0; }
+
+  /** The frame ends with that in the s-buffer, whose spans say of which part they are. */
+  void End(const SBuffer& lines);
+
+private:
+  std::vector<Owner> Last;
+  std::vector<Owner> Inserted;         ///< in this frame
+  std::vector<std::uint8_t> IsVisited; ///< each part
+  std::vector<float> Columns;          ///< of each part's spans
+};
+
+}
+
+#endif

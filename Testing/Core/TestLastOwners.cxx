@@ -1,0 +1,148 @@
+// Parts that come first because they hid much in the last frame.
+#include "PartScenes.h"
+
+#include "Core/culling/LastOwners.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using coverage::AheadView;
+using coverage::FrameColumns;
+using coverage::FrameLines;
+using coverage::PartScene;
+using coverage::Random;
+using coverage::SightLines;
+using coverage::Triangles;
+using coverage::View;
+using vitrine::LastOwners;
+using vitrine::PartCuller;
+using vitrine::SBuffer;
+using vitrine::ScreenRectangle;
+
+/** A wall, and a plate behind it that comes nearer beside the view, so that it is visited first. */
+struct PlateBehindAWall
+{
+  PlateBehindAWall()
+  {
+    Triangles wall, plate;
+    wall.AddQuad({ -60, -60, -20 }, { 60, -60, -20 }, { 60, 60, -20 }, { -60, 60, -20 });
+    plate.AddQuad({ -70, -3, -5 }, { 10, -3, -60 }, { 10, 3, -60 }, { -70, 3, -5 });
+    this->Wall = this->Scene.Add(wall);
+    this->Plate = this->Scene.Add(plate);
+  }
+
+  vitrine::CullCounts Cull(PartCuller& culler, const View& view)
+  {
+    this->Scene.Visible.assign(2, 1);
+    this->Scene.Cull(culler, view);
+    return culler.Counts();
+  }
+
+  PartScene Scene;
+  std::uint32_t Wall, Plate;
+};
+
+}
+
+TEST(LastOwners, AreThoseThatHaveMuchAtTheEnd)
+{
+  SBuffer lines(40, 20);
+  const ScreenRectangle anywhere{ 0, 40, 0, 20, 0.9f };
+  LastOwners owners;
+  owners.Begin(4);
+  for (const std::uint32_t part : { 2u, 0u, 3u })
+  {
+    owners.AddInserted(part, anywhere);
+  }
+  for (int line = 0; line < 20; ++line)
+  {
+    lines.Insert(line, { 0, 30, 0.3f, 0.3f, 0 });
+    lines.Insert(line, { 0, 28, 0.5f, 0.5f, 2 });
+    lines.Insert(line, { 39, 39.5f, 0.5f, 0.5f, 3 });
+  }
+  owners.End(lines);
+  ASSERT_EQ(owners.Owners().size(), 2u);
+  EXPECT_EQ(owners.Owners()[0].Part, 2u) << "in the order of their insertion";
+  EXPECT_EQ(owners.Owners()[1].Part, 0u);
+  owners.Begin(4);
+  owners.MarkVisited(2);
+  EXPECT_TRUE(owners.WasVisited(2));
+  EXPECT_FALSE(owners.WasVisited(0));
+  owners.End(lines);
+  EXPECT_TRUE(owners.Owners().empty()) << "nothing was inserted in this frame";
+}
+
+TEST(LastOwners, AreNearWhereTheyHaveHardlyMoved)
+{
+  const LastOwners::Owner owner{ 0, { 100, 140, 50, 60, 0.5f } };
+  EXPECT_TRUE(owner.IsNear({ 110, 152, 54, 64, 0.9f }));
+  EXPECT_FALSE(owner.IsNear({ 120, 140, 50, 60, 0.5f }));
+  EXPECT_FALSE(owner.IsNear({ 100, 160, 50, 60, 0.5f }));
+  EXPECT_FALSE(owner.IsNear({ 100, 140, 30, 60, 0.5f }));
+  EXPECT_FALSE(owner.IsNear({ 100, 140, 50, 80, 0.5f }));
+  EXPECT_FALSE(owner.IsNear({ NAN, 140, 50, 60, 0.5f }));
+}
+
+TEST(LastOwners, ComeBeforeWhatTheyHide)
+{
+  PlateBehindAWall both;
+  PartCuller culler(FrameColumns, FrameLines);
+  EXPECT_EQ(both.Cull(culler, AheadView(false)).Inserted, 2u) << "the plate comes first";
+  EXPECT_FALSE(both.Scene.Visible[both.Plate]);
+  EXPECT_EQ(both.Cull(culler, AheadView(false)).Inserted, 1u);
+  EXPECT_TRUE(both.Scene.Visible[both.Wall]);
+  EXPECT_FALSE(both.Scene.Visible[both.Plate]);
+}
+
+TEST(LastOwners, AreTestedLikeAnyOther)
+{
+  PlateBehindAWall both;
+  PartCuller culler(FrameColumns, FrameLines);
+  both.Cull(culler, AheadView(false));
+  View aside = AheadView(false); // past the wall's end, from behind it
+  aside.ToClip =
+    aside.ToClip * glm::lookAt(glm::dvec3(0, 0, -40), glm::dvec3(0, 0, -100), glm::dvec3(0, 1, 0));
+  aside.Eye = glm::dvec3(0, 0, -40);
+  both.Cull(culler, aside);
+  EXPECT_FALSE(both.Scene.Visible[both.Wall]);
+  EXPECT_TRUE(both.Scene.Visible[both.Plate]);
+}
+
+// Views that move a little, and jump, in one culler.
+TEST(LastOwners, HideNothingThatIsSeenWhereTheViewMoves)
+{
+  int hidden = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    PartScene scene = coverage::HeapOf(200, random);
+    const std::vector<std::uint8_t> drawn = scene.Visible;
+    View view = coverage::ViewOfHeap(random);
+    PartCuller culler(view.Columns, view.Lines, {}, 1 + static_cast<int>(seed % 3));
+    for (int frame = 0; frame < 6; ++frame)
+    {
+      const glm::dvec3 step = (frame == 3 ? 1.0 : 0.02) * random.Point(-1, 1);
+      view.ToClip = view.ToClip * glm::translate(glm::dmat4(1.0), -step);
+      view.Eye += view.IsParallel ? glm::dvec3(0.0) : step;
+      scene.Visible = drawn;
+      scene.Cull(culler, view);
+      const SightLines sight(scene, drawn, view);
+      for (std::uint32_t i = 0; i < scene.Parts.size(); ++i)
+      {
+        if (drawn[i] && !scene.Visible[i])
+        {
+          ++hidden;
+          ASSERT_FALSE(sight.Sees(i, 10, random)) << "part " << i << " in frame " << frame;
+        }
+      }
+    }
+  }
+  EXPECT_GT(hidden, 1000);
+}
