@@ -97,12 +97,13 @@ TEST(OutlineCoverage, CoversWhatIsFarther)
   Inserter inserter(ByOutline);
   for (const double depth : { 0.2, 0.6, 0.4 })
   {
-    const OccluderMesh mesh = RectangleOf({ 3.5, 2.5 }, { 20.5, 17.5 }, depth).Mesh();
+    const OccluderMesh mesh =
+      RectangleOf({ -2, -2 }, { WideColumns + 2, WideLines + 2 }, depth).Mesh();
     MeshProjection projection;
     projection.Project(mesh, AsItStands());
     inserter.Insert(buffer, projection, coverage::Facing::Front, 0);
   }
-  for (const int line : { 3, 9, 16 })
+  for (const int line : { 0, 9, WideLines - 1 })
   {
     const std::vector<Span> spans = buffer.SpansOf(line);
     ASSERT_FALSE(spans.empty()) << line;
