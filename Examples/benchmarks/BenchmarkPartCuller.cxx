@@ -85,6 +85,13 @@ public:
 
   Occluder OccluderOf(std::uint32_t part) override { return { &this->Mesh, &this->ToWorld[part] }; }
 
+  void Expect(std::uint32_t part) const override
+  {
+    const char* const place = reinterpret_cast<const char*>(&this->ToWorld[part]);
+    Prefetch(place);
+    Prefetch(place + sizeof(glm::dmat4) - 1);
+  }
+
   std::vector<Box> Bounds;
 
 private:

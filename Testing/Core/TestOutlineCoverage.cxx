@@ -7,10 +7,17 @@
 namespace
 {
 
+using namespace vitrine;
+
 using coverage::AddRectangle;
+using coverage::AsItStands;
 using coverage::Covered;
+using coverage::Inserter;
+using coverage::RectangleOf;
 using coverage::Triangles;
 using coverage::Way;
+using coverage::WideColumns;
+using coverage::WideLines;
 
 const Way ByOutline{ false, 0 };
 
@@ -30,10 +37,10 @@ TEST(OutlineCoverage, HasTheDepthOfAPlaneBehindAllCorners)
   Triangles roof; // nearest along its ridge
   roof.AddQuad({ 10, 4, 0.3 }, { 13, 4, 0.5 }, { 13, 9, 0.5 }, { 10, 9, 0.3 });
   roof.AddQuad({ 13, 4, 0.5 }, { 18, 4, 0.4 }, { 18, 9, 0.4 }, { 13, 9, 0.5 });
-  const Covered covered(ByOutline, roof); // slants by 1/132 a column, and begins with the roof
-  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.3 + 0.5 / 132, 1e-5);
-  EXPECT_NEAR(covered.DepthAt(6, 14.0), 0.3 + 4.0 / 132, 1e-5);
-  EXPECT_NEAR(covered.DepthAt(6, 17.5), 0.3 + 7.5 / 132, 1e-5);
+  const Covered covered(ByOutline, roof); // slants by 9/980 a column, and begins with the roof
+  EXPECT_NEAR(covered.DepthAt(6, 10.5), 0.3 + 0.5 * 9 / 980, 1e-5);
+  EXPECT_NEAR(covered.DepthAt(6, 14.0), 0.3 + 4.0 * 9 / 980, 1e-5);
+  EXPECT_NEAR(covered.DepthAt(6, 17.5), 0.3 + 7.5 * 9 / 980, 1e-5);
 }
 
 // A plane that fits the corners may be far behind some of them.
@@ -82,4 +89,27 @@ TEST(OutlineCoverage, OfTwoSheetsSideBySideAreBoth)
     EXPECT_NEAR(covered.DepthAt(9, column), 0.7, 1e-6) << column;
   }
   EXPECT_FALSE(covered.IsAt(9, 17.0));
+}
+
+TEST(OutlineCoverage, CoversWhatIsFarther)
+{
+  SBuffer buffer(WideColumns, WideLines);
+  Inserter inserter(ByOutline);
+  for (const double depth : { 0.2, 0.6, 0.4 })
+  {
+    const OccluderMesh mesh =
+      RectangleOf({ -2, -2 }, { WideColumns + 2, WideLines + 2 }, depth).Mesh();
+    MeshProjection projection;
+    projection.Project(mesh, AsItStands());
+    inserter.Insert(buffer, projection, coverage::Facing::Front, 0);
+  }
+  for (const int line : { 0, 9, WideLines - 1 })
+  {
+    const std::vector<Span> spans = buffer.SpansOf(line);
+    ASSERT_FALSE(spans.empty()) << line;
+    for (const Span& span : spans)
+    {
+      EXPECT_NEAR(span.DepthAt(span.Left), 0.6, 1e-6) << line;
+    }
+  }
 }

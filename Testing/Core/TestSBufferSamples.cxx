@@ -181,3 +181,19 @@ TEST(SBufferTiles, AreCoveredOnceTheyAreFull)
   buffer.Clear();
   EXPECT_FALSE(buffer.IsCoveredBefore(0, 0, 0.1f));
 }
+
+TEST(SBufferTiles, HaveLinesThatAreOpenToWhatIsNearer)
+{
+  SBuffer buffer(12, 11);
+  buffer.Insert(1, { 0.0f, 8.0f, 0.5f, 0.5f, 0 });
+  buffer.Insert(2, { 0.0f, 12.0f, 0.7f, 0.7f, 0 });
+  buffer.Insert(9, { 0.0f, 4.0f, 0.5f, 0.5f, 0 });
+  EXPECT_EQ(buffer.OpenLines(0, 3, 1.0f, 7.0f, 0.5f), 0b1001u);
+  EXPECT_EQ(buffer.OpenLines(0, 3, 1.0f, 7.0f, 0.6f), 0b1011u);
+  EXPECT_EQ(buffer.OpenLines(0, 3, 1.0f, 9.0f, 0.4f), 0b1011u) << "another tile";
+  EXPECT_EQ(buffer.OpenLines(1, 2, 1.0f, 7.0f, 0.4f), 0u);
+  EXPECT_EQ(buffer.OpenLines(8, 10, -5.0f, 1.0f, 0.4f), 0b101u);
+  EXPECT_EQ(buffer.OpenLines(2, 10, 9.0f, 50.0f, 0.4f), 0b11111110u) << "eight at most";
+  EXPECT_EQ(buffer.OpenLines(2, 2, 0.0f, 4.0f, NotANumber), 1u);
+  EXPECT_EQ(buffer.OpenLines(1, 2, NotANumber, NotANumber, 0.4f), 1u);
+}

@@ -146,7 +146,6 @@ private:
       return false;
     }
     this->Project(occluder);
-    this->Culler.Projected.FindFacings();
     return this->AreFacesHidden(occluder);
   }
 
@@ -315,7 +314,6 @@ private:
     {
       return true;
     }
-    this->Culler.Projected.FindFacings();
     if (this->AreFacesHidden(occluder))
     {
       return false;
@@ -324,15 +322,16 @@ private:
     return true;
   }
 
-  /** Of a part that is projected, with its facings. */
+  /** Of a part that is projected. */
   bool AreFacesHidden(const Occluder& occluder)
   {
-    const MeshProjection& projected = this->Culler.Projected;
+    MeshProjection& projected = this->Culler.Projected;
     this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
     if (!occluder.IsOfFacesAlone || occluder.Mesh->Faces().empty())
     {
       return false;
     }
+    projected.FindFacings();
     if (!this->Faces.AreAll(projected, HiddenFaces::Sides::Front) ||
       !this->Faces.AreAll(projected, HiddenFaces::Sides::Others))
     {
@@ -376,28 +375,37 @@ private:
     MeshProjection& projected = this->Culler.Projected;
     if (!projected.IsBehindNear() && projected.ClipFarther(this->View.Of(*occluder.ToWorld)))
     {
-      projected.FindFacings();
       this->InsertSides(item, occluder);
     }
   }
 
   void InsertSides(std::uint32_t item, const Occluder& occluder)
   {
-    this->InsertFaces(item, MeshProjection::Facing::Front);
+    const bool areOfFewCells = this->IsOfFewCells();
+    if (!areOfFewCells)
+    {
+      this->Culler.Projected.FindFacings();
+    }
+    this->InsertFaces(item, MeshProjection::Facing::Front, areOfFewCells);
     if (this->HasBackFaces(occluder))
     {
-      this->InsertFaces(item, MeshProjection::Facing::Back);
+      this->InsertFaces(item, MeshProjection::Facing::Back, areOfFewCells);
     }
   }
 
-  void InsertFaces(std::uint32_t item, MeshProjection::Facing facing)
+  /** Whether the part that is projected covers few cells. */
+  bool IsOfFewCells() const
   {
     const ScreenRectangle& around = this->Culler.Projected.Rectangle();
-    const bool isOfFewCells = this->Culler.Projected.IsBehindNear() &&
-      around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
+    return this->Culler.Projected.IsBehindNear() && around.Right - around.Left <= FewColumns &&
+      around.Top - around.Bottom <= FewLines;
+  }
+
+  void InsertFaces(std::uint32_t item, MeshProjection::Facing facing, bool areOfFewCells)
+  {
     SBuffer& lines = this->Culler.Lines;
     MeshProjection& projected = this->Culler.Projected;
-    if (isOfFewCells)
+    if (areOfFewCells)
     {
       this->Culler.Budget.Spend(this->Culler.CoverOfFew.Insert(lines, projected, facing, item));
       return;

@@ -65,6 +65,12 @@ VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b)
   return a > b ? a : b;
 }
 
+/** Without their signs. */
+VITRINE_INLINE Lanes SizeOf(Lanes a)
+{
+  return GreatestOf(a, -a);
+}
+
 VITRINE_INLINE float LeastLane(Lanes a)
 {
   a = LeastOf(a, __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3));
@@ -76,6 +82,14 @@ VITRINE_INLINE float LeastLane(Lanes a)
 VITRINE_INLINE float GreatestLane(Lanes a)
 {
   return -LeastLane(-a);
+}
+
+VITRINE_INLINE float SumOfLanes(Lanes a)
+{
+  a += __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
+  a += __builtin_shufflevector(a, a, 2, 3, 0, 1, 6, 7, 4, 5);
+  a += __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6);
+  return a[0];
 }
 
 /** A bit for each lane, the first one the lowest. */
@@ -99,6 +113,11 @@ VITRINE_INLINE Lanes LoadLanes(const float* values)
 VITRINE_INLINE void StoreLanes(Lanes lanes, float* values)
 {
   __builtin_memcpy(values, &lanes, sizeof(lanes));
+}
+
+VITRINE_INLINE void StoreMask(LaneMask mask, std::int32_t* values)
+{
+  __builtin_memcpy(values, &mask, sizeof(mask));
 }
 
 /** The same of a column of a matrix. */

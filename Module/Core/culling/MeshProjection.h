@@ -70,6 +70,11 @@ public:
     return { this->Columns[i], this->Lines[i], this->Depths[i] };
   }
 
+  /** Where all points of the mesh are, as they lie in memory: eight at a time, as their coordinates do. */
+  const std::vector<float>& ColumnsOfPoints() const { return this->Columns; }
+  const std::vector<float>& LinesOfPoints() const { return this->Lines; }
+  const std::vector<float>& DepthsOfPoints() const { return this->Depths; }
+
   /** Around all points of faces, margin included. */
   const ScreenRectangle& Rectangle() const { return this->Around; }
 

@@ -25,23 +25,16 @@ std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& proje
   {
     return 0;
   }
-  this->FindFacets(facing);
+  if (!this->SkipCovered(buffer) || !this->FindFacets(facing))
+  {
+    return 1;
+  }
   this->FindOutline(facing);
   for (int first = this->FirstLine; first <= this->LastLine; first += LaneCount)
   {
-    SpanLanes spans;
-    this->FindSpans(first, spans);
-    for (int line = first; line <= std::min(first + LaneCount - 1, this->LastLine); ++line)
+    if (const unsigned open = this->OpenLines(buffer, first))
     {
-      const int lane = line - first;
-      if (spans.Crossings[lane] > 1.0f)
-      {
-        this->InsertLine(buffer, line, part);
-      }
-      else if (spans.Left[lane] < spans.Right[lane])
-      {
-        this->InsertSpan(buffer, line, spans.Left[lane], spans.Right[lane], part);
-      }
+      this->InsertLines(buffer, first, open, part);
     }
   }
   return this->EdgeCount + static_cast<std::size_t>(this->LastLine - this->FirstLine + 1);
@@ -67,28 +60,63 @@ bool OutlineCoverage::FrameLines(const SBuffer& buffer)
   return this->FirstLine <= this->LastLine;
 }
 
-/** Which facets count, and where their corners are. */
-void OutlineCoverage::FindFacets(MeshProjection::Facing facing)
+/** A bit for a line and each of the seven above it where something that is as near as the nearest point may not be covered. */
+unsigned OutlineCoverage::OpenLines(const SBuffer& buffer, int line) const
+{
+  const ScreenRectangle& around = this->Projection->Rectangle();
+  return buffer.OpenLines(line, this->LastLine, around.Left, around.Right, around.Nearest);
+}
+
+/** Begin with lines that are not all covered; returns whether there are any. */
+bool OutlineCoverage::SkipCovered(const SBuffer& buffer)
+{
+  while (this->FirstLine <= this->LastLine && this->OpenLines(buffer, this->FirstLine) == 0)
+  {
+    this->FirstLine += LaneCount;
+  }
+  return this->FirstLine <= this->LastLine;
+}
+
+/** Which facets count, and a plane behind their corners. Returns whether there are any. */
+bool OutlineCoverage::FindFacets(MeshProjection::Facing facing)
 {
   const MeshFacets& facets = this->Projection->Mesh().Facets();
   const bool areAllBehindNear = this->Projection->IsBehindNear();
+  const std::uint32_t* const corners = facets.Corners().data();
   this->IsCounted.resize(facets.Count() + 1);
-  this->Corners.clear();
-  std::uint32_t begin = 0;
+  this->Corners.assign(this->Projection->Mesh().Coordinates(0).size(), 0);
+  std::uint32_t begin = 0, some = MeshFacets::NoFace;
   for (std::size_t i = 0; i < facets.Count(); ++i)
   {
     const std::uint32_t end = facets.CornerEnds()[i];
     const bool counts = this->Projection->FacingOf(facets.LargestFaces()[i]) == facing &&
       (areAllBehindNear || this->IsBehindNear(begin, end));
-    for (std::uint32_t corner = counts ? begin : end; corner < end; ++corner)
+    if (counts)
     {
-      this->Corners.push_back(this->Projection->Point(facets.Corners()[corner]));
+      this->CountCorners(corners + begin, corners + end);
+      some = corners[begin];
     }
     this->IsCounted[i] = counts;
     begin = end;
   }
   this->IsCounted[facets.Count()] = 0;
-  this->Bound = PlaneBelow(this->Corners, this->Projection->Margin());
+  if (some == MeshFacets::NoFace)
+  {
+    return false;
+  }
+  this->Bound = PlaneBelow(
+    { this->Projection->ColumnsOfPoints().data(), this->Projection->LinesOfPoints().data(),
+      this->Projection->DepthsOfPoints().data(), this->Corners.data(), this->Corners.size() },
+    this->Projection->Point(some), this->Projection->Margin());
+  return true;
+}
+
+void OutlineCoverage::CountCorners(const std::uint32_t* begin, const std::uint32_t* end)
+{
+  for (const std::uint32_t* corner = begin; corner != end; ++corner)
+  {
+    this->Corners[*corner] = -1;
+  }
 }
 
 /** Whether all corners of a facet are. */
@@ -99,12 +127,21 @@ bool OutlineCoverage::IsBehindNear(std::uint32_t begin, std::uint32_t end) const
     [&](std::uint32_t corner) { return this->Projection->IsBehindNear(corner); });
 }
 
-/** Those that go down come first, those that go up behind them. What is chosen is chosen without branches, which could not be foreseen. */
 void OutlineCoverage::FindOutline(MeshProjection::Facing facing)
 {
+  this->FindEnds(facing);
+  this->Outline.resize((this->EdgeCount + LaneCount - 1) / LaneCount);
+  for (std::size_t i = 0; i < this->Outline.size(); ++i)
+  {
+    this->FindEdges(&this->Ends[i * LaneCount], this->Outline[i]);
+  }
+}
+
+/** Where the edges of the outline begin and end. What is chosen is chosen without branches, which could not be foreseen. */
+void OutlineCoverage::FindEnds(MeshProjection::Facing facing)
+{
   const std::vector<MeshEdge>& edges = this->Projection->Mesh().Facets().Edges();
-  this->Ends.resize(edges.size() + 1);
-  this->Outline.resize(std::max(this->Outline.size(), edges.size() + 1));
+  this->Ends.resize(edges.size() + LaneCount);
   // What counts lies left of an edge of the outline; of back faces, right of it.
   const std::uint8_t isBack = facing == MeshProjection::Facing::Front ? 0 : 1;
   const std::uint8_t* const isCounted = this->IsCounted.data();
@@ -113,55 +150,65 @@ void OutlineCoverage::FindOutline(MeshProjection::Facing facing)
   for (const MeshEdge& edge : edges)
   {
     const std::uint8_t left = isCounted[edge.Left];
-    const bool isForward = left != isBack;
-    ends[count].From = isForward ? edge.From : edge.To;
-    ends[count].To = isForward ? edge.To : edge.From;
+    const std::uint32_t isForward = left != isBack;
+    const std::uint32_t swapped = (edge.From ^ edge.To) & (isForward - 1u);
+    ends[count].From = edge.From ^ swapped;
+    ends[count].To = edge.To ^ swapped;
     count += left ^ isCounted[edge.Right];
   }
-  OutlineEdge* const outline = this->Outline.data();
-  std::size_t down = 0, up = count;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const OutlineEdge edge = EdgeFrom(
-      this->Projection->Point(this->Ends[i].From), this->Projection->Point(this->Ends[i].To));
-    outline[edge.Winding > 0.0f ? down : up - 1] = edge;
-    down += edge.Winding > 0.0f;
-    up -= edge.Winding < 0.0f;
-  }
-  this->DownCount = down;
+  // Up to seven more are looked at, whatever they are.
+  std::fill(ends + count, ends + count + LaneCount, MeshEdge{});
   this->EdgeCount = count;
 }
 
-OutlineCoverage::OutlineEdge OutlineCoverage::EdgeFrom(
-  const ScreenPoint& from, const ScreenPoint& to)
+VITRINE_FOR_EACH_PROCESSOR
+void OutlineCoverage::FindEdges(const MeshEdge* ends, OutlineEdges& edges) const
 {
-  const float isUp = to.Line > from.Line ? 1.0f : 0.0f;
-  const float bottom = std::min(from.Line, to.Line), top = std::max(from.Line, to.Line);
-  const float left = std::min(from.Column, to.Column), right = std::max(from.Column, to.Column);
-  const bool isHigh = top - bottom > LeastHeight;
-  const float slope = (to.Column - from.Column) / (to.Line - from.Line);
-  const float inside = isUp > 0.0f ? left : right;
-  const float low = isUp > 0.0f ? from.Column : to.Column;
-  return { bottom, top, isHigh ? low : inside, isHigh ? slope : 0.0f, left, right,
-    1.0f - 2.0f * isUp };
+  float fromColumns[LaneCount], fromLines[LaneCount], toColumns[LaneCount], toLines[LaneCount];
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const ScreenPoint from = this->Projection->Point(ends[i].From);
+    const ScreenPoint to = this->Projection->Point(ends[i].To);
+    fromColumns[i] = from.Column;
+    fromLines[i] = from.Line;
+    toColumns[i] = to.Column;
+    toLines[i] = to.Line;
+  }
+  const Lanes fromColumn = LoadLanes(fromColumns), fromLine = LoadLanes(fromLines);
+  const Lanes toColumn = LoadLanes(toColumns), toLine = LoadLanes(toLines);
+  const LaneMask isUp = toLine > fromLine;
+  const Lanes bottom = LeastOf(fromLine, toLine), top = GreatestOf(fromLine, toLine);
+  const Lanes left = LeastOf(fromColumn, toColumn), right = GreatestOf(fromColumn, toColumn);
+  const LaneMask isHigh = top - bottom > AllLanes(LeastHeight);
+  const Lanes slope = isHigh ? (toColumn - fromColumn) / (toLine - fromLine) : AllLanes(0.0f);
+  const Lanes inside = isUp ? left : right;
+  const LaneMask isRising = slope > AllLanes(0.0f), isFalling = slope < AllLanes(0.0f);
+  StoreLanes(bottom, edges.Bottom);
+  StoreLanes(top, edges.Top);
+  StoreLanes(isHigh ? (isUp ? fromColumn : toColumn) : inside, edges.Column);
+  StoreLanes(slope, edges.Slope);
+  StoreLanes(left, edges.Left);
+  StoreLanes(right, edges.Right);
+  StoreMask(~isUp, edges.IsDown);
+  StoreMask(isUp ? isFalling : isRising, edges.IsAtTop);
 }
 
 /** On a line that it crosses. */
-float OutlineCoverage::OutlineEdge::At(float line) const
+float OutlineCoverage::OutlineEdges::At(int i, float line) const
 {
-  return std::min(
-    std::max(this->Column + (line - this->Bottom) * this->Slope, this->Left), this->Right);
+  const float column = this->Column[i] + (line - this->Bottom[i]) * this->Slope[i];
+  return std::min(std::max(column, this->Left[i]), this->Right[i]);
 }
 
 /** At the top or at the bottom of what it has of lines. */
-VITRINE_INLINE Lanes OutlineCoverage::OutlineEdge::FarthestOn(
-  Lanes bottom, Lanes top, bool isAtTop) const
+VITRINE_INLINE Lanes OutlineCoverage::OutlineEdges::FarthestOn(int i, Lanes bottom, Lanes top) const
 {
-  const Lanes highest = LeastOf(top, AllLanes(this->Top));
-  const Lanes lowest = GreatestOf(bottom, AllLanes(this->Bottom));
-  const LaneMask mask = LaneMask{} - (isAtTop ? 1 : 0);
-  const Lanes column = ((mask ? highest : lowest) - this->Bottom) * this->Slope + this->Column;
-  return LeastOf(GreatestOf(column, AllLanes(this->Left)), AllLanes(this->Right));
+  const Lanes highest = LeastOf(top, AllLanes(this->Top[i]));
+  const Lanes lowest = GreatestOf(bottom, AllLanes(this->Bottom[i]));
+  const LaneMask isAtTop = LaneMask{} + this->IsAtTop[i];
+  const Lanes line = isAtTop ? highest : lowest;
+  const Lanes column = (line - this->Bottom[i]) * this->Slope[i] + this->Column[i];
+  return LeastOf(GreatestOf(column, AllLanes(this->Left[i])), AllLanes(this->Right[i]));
 }
 
 /**
@@ -173,26 +220,43 @@ void OutlineCoverage::FindSpans(int line, SpanLanes& spans) const
   const Lanes base = LanesFrom(static_cast<float>(line));
   const Lanes bottom = base - this->Above, middle = base + 0.5f, top = base + 1.0f + this->Above;
   Lanes left = AllLanes(-Nowhere), right = AllLanes(Nowhere), crossings = AllLanes(0.0f);
-  const OutlineEdge* const edges = this->Outline.data();
-  for (std::size_t i = 0; i < this->DownCount; ++i)
+  for (std::size_t edge = 0; edge < this->EdgeCount; ++edge)
   {
-    const OutlineEdge& edge = edges[i];
-    const LaneMask isTouched = (top >= edge.Bottom) & (bottom <= edge.Top);
-    const Lanes column = edge.FarthestOn(bottom, top, edge.Slope > 0.0f);
-    left = GreatestOf(left, isTouched ? column : AllLanes(-Nowhere));
-    const LaneMask isCrossed = (middle >= edge.Bottom) & (middle < edge.Top);
-    crossings += isCrossed ? AllLanes(1.0f) : AllLanes(0.0f);
-  }
-  for (std::size_t i = this->DownCount; i < this->EdgeCount; ++i)
-  {
-    const OutlineEdge& edge = edges[i];
-    const LaneMask isTouched = (top >= edge.Bottom) & (bottom <= edge.Top);
-    const Lanes column = edge.FarthestOn(bottom, top, edge.Slope < 0.0f);
-    right = LeastOf(right, isTouched ? column : AllLanes(Nowhere));
+    const OutlineEdges& edges = this->Outline[edge / LaneCount];
+    const int i = static_cast<int>(edge % LaneCount);
+    const LaneMask isTouched = (top >= edges.Bottom[i]) & (bottom <= edges.Top[i]);
+    const LaneMask isCrossed = (middle >= edges.Bottom[i]) & (middle < edges.Top[i]);
+    const LaneMask isDown = LaneMask{} + edges.IsDown[i];
+    const Lanes column = edges.FarthestOn(i, bottom, top);
+    left = GreatestOf(left, isTouched & isDown ? column : AllLanes(-Nowhere));
+    right = LeastOf(right, isTouched & ~isDown ? column : AllLanes(Nowhere));
+    crossings += isCrossed & isDown ? AllLanes(1.0f) : AllLanes(0.0f);
   }
   StoreLanes(crossings > 0.0f ? left + this->Aside : AllLanes(Nowhere), spans.Left);
   StoreLanes(right - this->Aside, spans.Right);
   StoreLanes(crossings, spans.Crossings);
+}
+
+/** Insert what is covered of a line and those above it that are open. */
+void OutlineCoverage::InsertLines(SBuffer& buffer, int first, unsigned open, std::uint32_t part)
+{
+  SpanLanes spans;
+  this->FindSpans(first, spans);
+  for (int lane = 0; open >> lane != 0; ++lane)
+  {
+    if ((open >> lane & 1u) == 0)
+    {
+      continue;
+    }
+    if (spans.Crossings[lane] > 1.0f)
+    {
+      this->InsertLine(buffer, first + lane, part);
+    }
+    else if (spans.Left[lane] < spans.Right[lane])
+    {
+      this->InsertSpan(buffer, first + lane, spans.Left[lane], spans.Right[lane], part);
+    }
+  }
 }
 
 void OutlineCoverage::InsertSpan(
@@ -212,17 +276,18 @@ void OutlineCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
   const float middle = static_cast<float>(line) + 0.5f;
   const float top = static_cast<float>(line) + 1.0f + this->Above;
   this->Passages.clear();
-  for (std::size_t i = 0; i < this->EdgeCount; ++i)
+  for (std::size_t edge = 0; edge < this->EdgeCount; ++edge)
   {
-    const OutlineEdge& edge = this->Outline[i];
-    if (edge.Bottom <= top && edge.Top >= bottom)
+    const OutlineEdges& edges = this->Outline[edge / LaneCount];
+    const int i = static_cast<int>(edge % LaneCount);
+    if (edges.Bottom[i] <= top && edges.Top[i] >= bottom)
     {
-      const bool isLevel = edge.Slope == 0.0f;
-      const float low = isLevel ? edge.Left : edge.At(std::max(edge.Bottom, bottom));
-      const float high = isLevel ? edge.Right : edge.At(std::min(edge.Top, top));
-      const bool isCrossed = edge.Bottom <= middle && middle < edge.Top;
+      const bool isLevel = edges.Slope[i] == 0.0f;
+      const float low = isLevel ? edges.Left[i] : edges.At(i, std::max(edges.Bottom[i], bottom));
+      const float high = isLevel ? edges.Right[i] : edges.At(i, std::min(edges.Top[i], top));
+      const bool isCrossed = edges.Bottom[i] <= middle && middle < edges.Top[i];
       this->Passages.push_back({ std::min(low, high) - this->Aside,
-        std::max(low, high) + this->Aside, isCrossed ? (edge.Winding > 0.0f ? 1 : -1) : 0 });
+        std::max(low, high) + this->Aside, isCrossed ? (edges.IsDown[i] ? 1 : -1) : 0 });
     }
   }
   std::sort(this->Passages.begin(), this->Passages.end(),

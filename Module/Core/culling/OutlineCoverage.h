@@ -43,17 +43,19 @@ public:
     MeshProjection::Facing facing, std::uint32_t part);
 
 private:
-  /** An edge of the outline, from its lower end to its upper one, with what is covered on the right of those that go down. */
-  struct OutlineEdge
+  /** Eight edges of the outline, each from its lower end to its upper one, with what is covered on the right of those that go down. */
+  struct OutlineEdges
   {
-    float Bottom, Top; ///< lines
-    float Column;      ///< at the bottom
-    float Slope;       ///< columns a line
-    float Left, Right; ///< columns
-    float Winding;     ///< 1 if it goes down, or is level, -1 if it goes up
+    float Bottom[LaneCount], Top[LaneCount]; ///< lines
+    float Column[LaneCount];                 ///< at the bottom
+    float Slope[LaneCount];                  ///< columns a line
+    float Left[LaneCount], Right[LaneCount]; ///< columns
+    std::int32_t IsDown[LaneCount]; ///< -1 for those that go down, or are level, 0 for others
+    std::int32_t IsAtTop
+      [LaneCount]; ///< -1 for those that reach farthest into what is covered at their top, 0 at their bottom
 
-    float At(float line) const;
-    Lanes FarthestOn(Lanes bottom, Lanes top, bool isAtTop) const;
+    float At(int i, float line) const;
+    Lanes FarthestOn(int i, Lanes bottom, Lanes top) const;
   };
 
   /** What one outline edge down and one up leave between them, and how many go down through the middles. */
@@ -73,11 +75,16 @@ private:
   };
 
   bool FrameLines(const SBuffer& buffer);
-  void FindFacets(MeshProjection::Facing facing);
+  unsigned OpenLines(const SBuffer& buffer, int line) const;
+  bool SkipCovered(const SBuffer& buffer);
+  bool FindFacets(MeshProjection::Facing facing);
+  void CountCorners(const std::uint32_t* begin, const std::uint32_t* end);
   bool IsBehindNear(std::uint32_t begin, std::uint32_t end) const;
   void FindOutline(MeshProjection::Facing facing);
-  static OutlineEdge EdgeFrom(const ScreenPoint& from, const ScreenPoint& to);
+  void FindEnds(MeshProjection::Facing facing);
+  void FindEdges(const MeshEdge* ends, OutlineEdges& edges) const;
   void FindSpans(int line, SpanLanes& spans) const;
+  void InsertLines(SBuffer& buffer, int first, unsigned open, std::uint32_t part);
   void InsertSpan(SBuffer& buffer, int line, float left, float right, std::uint32_t part);
   void InsertLine(SBuffer& buffer, int line, std::uint32_t part);
 
@@ -86,12 +93,11 @@ private:
   float Aside = 0.0f, Above = 0.0f; ///< by what edges are taken wider
   int FirstLine = 0, LastLine = 0;
   SlantedDepth Bound;
-  std::vector<ScreenPoint> Corners;    ///< of facets that count
+  std::vector<std::int32_t> Corners;   ///< each point: -1 for those of facets that count, else 0
   std::vector<std::uint8_t> IsCounted; ///< each facet, and 0 for none
   std::vector<MeshEdge> Ends;          ///< of the outline
-  std::vector<OutlineEdge> Outline;    ///< first those that go down
-  std::size_t EdgeCount = 0;           ///< as many are of this one
-  std::size_t DownCount = 0;
+  std::vector<OutlineEdges> Outline;
+  std::size_t EdgeCount = 0; ///< of this one
   std::vector<Passage> Passages;
 };
 

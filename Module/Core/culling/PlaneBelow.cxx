@@ -1,6 +1,7 @@
 #include "Core/culling/PlaneBelow.h"
 
-#include <algorithm>
+#include "Core/culling/Lanes.h"
+
 #include <cmath>
 
 namespace vitrine
@@ -11,63 +12,80 @@ namespace
 
 const float LeastWidth = 1e-3f; // of corners that are not in one row
 
-ScreenPoint MiddleOf(const std::vector<ScreenPoint>& corners)
+/** Eight corners as they lie around the origin, which those that do not count are put at. */
+struct CornerLanes
 {
-  ScreenPoint sum{ 0.0f, 0.0f, 0.0f };
-  for (const ScreenPoint& corner : corners)
-  {
-    sum.Column += corner.Column;
-    sum.Line += corner.Line;
-    sum.Depth += corner.Depth;
-  }
-  const float share = 1.0f / static_cast<float>(corners.size());
-  return { sum.Column * share, sum.Line * share, sum.Depth * share };
-}
+  LaneMask Counts;
+  Lanes X, Y, Depth;
 
-SlantedDepth BestFit(const std::vector<ScreenPoint>& corners)
-{
-  SlantedDepth plane;
-  plane.Origin = MiddleOf(corners);
-  float xx = 0.0f, xy = 0.0f, yy = 0.0f, xd = 0.0f, yd = 0.0f;
-  for (const ScreenPoint& corner : corners)
+  VITRINE_INLINE CornerLanes(const CountedPoints& points, std::size_t first, const ScreenPoint& at)
   {
-    const float x = corner.Column - plane.Origin.Column, y = corner.Line - plane.Origin.Line,
-                depth = corner.Depth - plane.Origin.Depth;
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
-    xd += x * depth;
-    yd += y * depth;
+    __builtin_memcpy(&this->Counts, points.Counts + first, sizeof(this->Counts));
+    const Lanes none = AllLanes(0.0f);
+    this->X = this->Counts ? LoadLanes(points.Columns + first) - at.Column : none;
+    this->Y = this->Counts ? LoadLanes(points.Lines + first) - at.Line : none;
+    this->Depth = this->Counts ? LoadLanes(points.Depths + first) - at.Depth : none;
   }
-  const float area = xx * yy - xy * xy;
-  const bool isWide = area > LeastWidth * xx * yy;
-  plane.ByColumn = isWide ? (xd * yy - yd * xy) / area : 0.0f;
-  plane.ByLine = isWide ? (yd * xx - xd * xy) / area : 0.0f;
+};
+
+VITRINE_INLINE SlantedDepth BestFit(const CountedPoints& corners, const ScreenPoint& origin)
+{
+  Lanes n{}, x{}, y{}, d{}, xx{}, xy{}, yy{}, xd{}, yd{};
+  for (std::size_t i = 0; i < corners.Room; i += LaneCount)
+  {
+    const CornerLanes corner(corners, i, origin);
+    n += corner.Counts ? AllLanes(1.0f) : AllLanes(0.0f);
+    x += corner.X;
+    y += corner.Y;
+    d += corner.Depth;
+    xx += corner.X * corner.X;
+    xy += corner.X * corner.Y;
+    yy += corner.Y * corner.Y;
+    xd += corner.X * corner.Depth;
+    yd += corner.Y * corner.Depth;
+  }
+  const float share = 1.0f / SumOfLanes(n);
+  const float sumX = SumOfLanes(x), sumY = SumOfLanes(y), middleDepth = SumOfLanes(d) * share;
+  const float ofXX = SumOfLanes(xx) - sumX * sumX * share;
+  const float ofXY = SumOfLanes(xy) - sumX * sumY * share;
+  const float ofYY = SumOfLanes(yy) - sumY * sumY * share;
+  const float ofXD = SumOfLanes(xd) - sumX * middleDepth;
+  const float ofYD = SumOfLanes(yd) - sumY * middleDepth;
+  const float area = ofXX * ofYY - ofXY * ofXY;
+  const bool isWide = area > LeastWidth * ofXX * ofYY;
+  SlantedDepth plane;
+  plane.Origin = origin;
+  plane.ByColumn = isWide ? (ofXD * ofYY - ofYD * ofXY) / area : 0.0f;
+  plane.ByLine = isWide ? (ofYD * ofXX - ofXD * ofXY) / area : 0.0f;
   return plane;
 }
 
-void MoveBehind(
-  const std::vector<ScreenPoint>& corners, const ScreenMargin& margin, SlantedDepth& plane)
+VITRINE_INLINE void MoveBehind(
+  const CountedPoints& corners, const ScreenMargin& margin, SlantedDepth& plane)
 {
-  float base = 2.0f, farthest = 2.0f, largest = 0.0f;
-  for (const ScreenPoint& corner : corners)
+  const ScreenPoint origin = plane.Origin;
+  Lanes base{}, farthest{}, largest{};
+  for (std::size_t i = 0; i < corners.Room; i += LaneCount)
   {
-    const float byColumn = (corner.Column - plane.Origin.Column) * plane.ByColumn;
-    const float byLine = (corner.Line - plane.Origin.Line) * plane.ByLine;
-    base = std::min(base, corner.Depth - byColumn - byLine);
-    farthest = std::min(farthest, corner.Depth);
-    largest = std::max(largest, std::abs(corner.Depth) + std::abs(byColumn) + std::abs(byLine));
+    const CornerLanes corner(corners, i, origin);
+    const Lanes byColumn = corner.X * plane.ByColumn, byLine = corner.Y * plane.ByLine;
+    base = LeastOf(base, corner.Depth - byColumn - byLine);
+    farthest = LeastOf(farthest, corner.Depth);
+    largest = GreatestOf(largest, SizeOf(corner.Depth) + SizeOf(byColumn) + SizeOf(byLine));
   }
-  plane.Farthest = farthest - margin.Depth;
-  plane.Origin.Depth = base;
+  plane.Origin.Depth = origin.Depth + LeastLane(base);
+  plane.Farthest = origin.Depth + LeastLane(farthest) - margin.Depth;
   plane.Slack = margin.Depth + std::abs(plane.ByColumn) * margin.Column +
-    std::abs(plane.ByLine) * margin.Line + RoundingOfFloats * largest;
+    std::abs(plane.ByLine) * margin.Line +
+    RoundingOfFloats * (std::abs(origin.Depth) + GreatestLane(largest));
 }
 }
 
-SlantedDepth PlaneBelow(const std::vector<ScreenPoint>& corners, const ScreenMargin& margin)
+VITRINE_FOR_EACH_PROCESSOR
+SlantedDepth PlaneBelow(
+  const CountedPoints& corners, const ScreenPoint& origin, const ScreenMargin& margin)
 {
-  SlantedDepth plane = BestFit(corners);
+  SlantedDepth plane = BestFit(corners, origin);
   MoveBehind(corners, margin, plane);
   return plane;
 }

@@ -233,6 +233,23 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
   return true;
 }
 
+VITRINE_FOR_EACH_PROCESSOR
+unsigned SBuffer::OpenLines(int line, int last, float left, float right, float depth) const
+{
+  const unsigned all = LowBits(last + 1 - line);
+  const float columns = static_cast<float>(this->ColumnCount);
+  const float start =
+    std::min(std::max(0.0f, left), columns); // the whole line where they are no numbers
+  const float end = right <= columns ? std::max(start, right) : columns;
+  const int lastTile = std::min(static_cast<int>(end) / TileWidth, this->TilesPerLine - 1);
+  unsigned open = 0;
+  for (int i = static_cast<int>(start) / TileWidth; i <= lastTile && open != all; ++i)
+  {
+    open |= all & ~BitsOf(LoadLanes(&this->Leasts[this->TileAt(line, i)]) >= AllLanes(depth));
+  }
+  return open;
+}
+
 bool SBuffer::Hides(int line, const Segment& segment, float margin) const
 {
   const float left = std::max(segment.Left, 0.0f);

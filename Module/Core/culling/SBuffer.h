@@ -104,6 +104,12 @@ public:
     return this->Leasts[this->TileAt(line, tile)] >= depth;
   }
 
+  /**
+   * A bit for each line, up to eight from `line` up to `last`, of which a tile between two columns is not known to be covered by what is at least as near as `depth`: in others
+   * nothing that is farther need be inserted.
+   */
+  unsigned OpenLines(int line, int last, float left, float right, float depth) const;
+
   /** The spans of a line, from left to right. */
   std::vector<Span> SpansOf(int line) const;
 
