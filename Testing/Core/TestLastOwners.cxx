@@ -114,6 +114,20 @@ TEST(LastOwners, AreTestedLikeAnyOther)
   EXPECT_TRUE(both.Scene.Visible[both.Plate]);
 }
 
+TEST(LastOwners, AreForgottenWhereTheyAreNoMore)
+{
+  PlateBehindAWall both;
+  PartCuller culler(FrameColumns, FrameLines);
+  both.Cull(culler, AheadView(false));
+  both.Scene.Bounds[both.Wall] = vitrine::Box(); // as of what cannot be hidden
+  EXPECT_EQ(both.Cull(culler, AheadView(false)).Inserted, 1u);
+  EXPECT_TRUE(both.Scene.Visible[both.Plate]);
+  both.Scene.Visible = { 1 };
+  both.Scene.Bounds.resize(1);
+  both.Scene.Cull(culler, AheadView(false));
+  EXPECT_EQ(culler.Counts().Inserted, 0u);
+}
+
 // Views that move a little, and jump, in one culler.
 TEST(LastOwners, HideNothingThatIsSeenWhereTheViewMoves)
 {

@@ -81,11 +81,17 @@ private:
     this->Culler.Owners.Begin(this->IsDrawn.size());
     for (const LastOwners::Owner& owner : this->Culler.Owners.Owners())
     {
-      if (this->HasOcclusion && owner.Part < this->IsDrawn.size() && this->IsDrawn[owner.Part])
+      if (this->HasOcclusion && this->IsThere(owner.Part))
       {
         this->VisitOwner(owner);
       }
     }
+  }
+
+  /** Whether a part of the last frame is one of this frame. */
+  bool IsThere(std::uint32_t part) const
+  {
+    return part < this->IsDrawn.size() && this->IsDrawn[part] != 0 && this->Tree.Holds(part);
   }
 
   /** Leaves it to its turn if it has moved, or can only be tested by its box. */
