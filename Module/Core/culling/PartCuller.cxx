@@ -46,13 +46,13 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   KeepShown(this->ShownInAny().data(), tree.HeldItems().data(), count, visible.data());
 }
 
-bool PartCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view)
+bool PartCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view)
 {
   return std::all_of(this->Bands.begin(), this->Bands.end(),
     [&](Band& band)
     {
       const ScreenProjection ofBand = view.OfLines(band.FirstLine, band.Culler.Buffer().Lines());
-      return band.Culler.HidesAllFacesOf(occluder, ofBand);
+      return band.Culler.HidesThinFacesOf(occluder, ofBand);
     });
 }
 
