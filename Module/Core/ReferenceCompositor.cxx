@@ -1,10 +1,10 @@
 #include "Core/ReferenceCompositor.h"
 
 #include "Core/CoincidentGroup.h"
+#include "Core/ForEachInThreads.h"
 
 #include <algorithm>
 #include <cstring>
-#include <future>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -19,6 +19,13 @@ namespace vitrine
 
 namespace
 {
+
+// Pixels from the first up to the end.
+struct PixelRange
+{
+  std::size_t First;
+  std::size_t End;
+};
 
 // A fragment whose numbers all have a meaning.
 struct Layer
@@ -204,7 +211,7 @@ void ReferenceCompositor::AddBatch(const CapturedFragment* fragments, std::size_
 
   // Contiguous ranges of pixels, each with about the same number of fragments.
   const std::size_t threads = std::max(2u, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> ranges;
+  std::vector<PixelRange> ranges;
   std::size_t firstPixel = 0;
   for (std::size_t thread = 1; thread <= threads; ++thread)
   {
@@ -214,15 +221,13 @@ void ReferenceCompositor::AddBatch(const CapturedFragment* fragments, std::size_
       thread == threads ? this->PixelCount : static_cast<std::size_t>(end - lists.Begin.begin());
     if (lastPixel > firstPixel)
     {
-      ranges.push_back(std::async(std::launch::async,
-        [=, &lists] { this->CompositePixels(fragments, lists, firstPixel, lastPixel); }));
+      ranges.push_back({ firstPixel, lastPixel });
       firstPixel = lastPixel;
     }
   }
-  for (std::future<void>& range : ranges)
-  {
-    range.get();
-  }
+  ForEachInThreads(ranges.size(),
+    [&](std::size_t i)
+    { this->CompositePixels(fragments, lists, ranges[i].First, ranges[i].End); });
 
   this->Fragments += count;
   for (std::size_t pixel = 0; pixel < this->PixelCount; ++pixel)

@@ -54,7 +54,7 @@ void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
       part.Geometry->Planes(part.Data).IsAnyEdgeOn(
         part.FromWorld * eye, thickness * UnevennessOf(part.ToWorld)))
     {
-      visible[i] = culler.HidesAllFacesOf(this->OccluderOf(i), view) ? 0 : 1;
+      visible[i] = culler.HidesThinFacesOf(this->OccluderOf(i), view) ? 0 : 1;
     }
   }
 }

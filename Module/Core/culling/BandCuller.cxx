@@ -435,7 +435,7 @@ BandCuller::BandCuller(int columns, int lines, const SampleGrid& samples)
 {
 }
 
-bool BandCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view)
+bool BandCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view)
 {
   if (!occluder.Mesh || !occluder.IsOfFacesAlone)
   {
@@ -446,10 +446,7 @@ bool BandCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjectio
   {
     return true;
   }
-  this->Projected.FindFacings();
-  HiddenFaces faces(this->Lines, view);
-  return faces.AreAll(this->Projected, HiddenFaces::Sides::Front) &&
-    faces.AreAll(this->Projected, HiddenFaces::Sides::Others) &&
+  return HiddenFaces(this->Lines, view).AreThinOnes(this->Projected) &&
     !this->Projected.MayShowBeforeNear();
 }
 

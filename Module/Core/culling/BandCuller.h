@@ -49,10 +49,10 @@ public:
     bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
 
   /**
-   * Whether all faces of a part that was found hidden are so by what stands in the s-buffer now, one by one, and wherever a device draws them. Very many on few cells are taken to be.
+   * Whether the thin faces of a part that was found hidden are so by what stands in the s-buffer now, one by one, and wherever a device draws them. Very many faces on few cells are taken to be.
    * @param view  of the band
    */
-  bool HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view);
+  bool HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view);
 
   /** One for each part: 1 for those in the tree that may show. */
   const std::vector<std::uint8_t>& Shown() const { return this->Shows; }

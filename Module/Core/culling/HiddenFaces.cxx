@@ -4,6 +4,7 @@
 #include "Core/culling/LineExtent.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine
 {
@@ -76,6 +77,27 @@ bool HiddenFaces::AreAll(const MeshProjection& projection, Sides sides)
     }
   }
   return true;
+}
+
+bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
+{
+  const std::vector<MeshFace>& faces = projection.Faces();
+  return std::all_of(faces.begin(), faces.end(),
+    [&](const MeshFace& face)
+    { return !IsThin(projection, face) || this->IsHidden(projection, face); });
+}
+
+/** Whether what a device moves points by may be as much as a face is thick; or nothing is known of it. */
+bool HiddenFaces::IsThin(const MeshProjection& projection, const MeshFace& face)
+{
+  const ScreenPoint a = projection.Point(face[0]), b = projection.Point(face[1]),
+                    c = projection.Point(face[2]);
+  const float columns = std::max(std::abs(b.Column - a.Column), std::abs(c.Column - a.Column));
+  const float lines = std::max(std::abs(b.Line - a.Line), std::abs(c.Line - a.Line));
+  const float area =
+    (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
+  const float moved = projection.Margin().Column * lines + projection.Margin().Line * columns;
+  return !(std::abs(area) > 2.0f * moved);
 }
 
 void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing) const

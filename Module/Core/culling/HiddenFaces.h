@@ -36,6 +36,9 @@ public:
   /** Whether all faces of a part are hidden, of which the facings are known. */
   bool AreAll(const MeshProjection& projection, Sides sides);
 
+  /** Whether all faces are hidden that a device may draw as slivers, at other depths than they have. */
+  bool AreThinOnes(const MeshProjection& projection);
+
   /** Has faces that look one way count no more if the rectangles around them are hidden. */
   void Drop(MeshProjection& projection, MeshProjection::Facing facing) const;
 
@@ -45,6 +48,7 @@ public:
 private:
   class Outlined;
 
+  static bool IsThin(const MeshProjection& projection, const MeshFace& face);
   bool IsHidden(const MeshProjection& projection, const MeshFace& face);
   bool IsHidden(const Outlined& face, const LineRange& lines);
 

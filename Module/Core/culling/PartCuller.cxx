@@ -1,9 +1,8 @@
 #include "Core/culling/PartCuller.h"
 
+#include "Core/ForEachInThreads.h"
+
 #include <algorithm>
-#include <atomic>
-#include <future>
-#include <thread>
 
 namespace vitrine
 {
@@ -18,31 +17,6 @@ void KeepShown(
   for (std::size_t i = 0; i < count; ++i)
   {
     isVisible[i] &= static_cast<std::uint8_t>(shows[i] | (isHeld[i] ^ 1));
-  }
-}
-
-/** Does something for each number below a count, in as many threads as the machine has processors. */
-template <class Work>
-void ForEachInThreads(std::size_t count, const Work& work)
-{
-  std::atomic<std::size_t> next{ 0 };
-  const auto workOn = [&]
-  {
-    for (std::size_t i = next++; i < count; i = next++)
-    {
-      work(i);
-    }
-  };
-  const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min(count, processors); ++i)
-  {
-    others.push_back(std::async(std::launch::async, workOn));
-  }
-  workOn();
-  for (std::future<void>& other : others)
-  {
-    other.get();
   }
 }
 }
@@ -72,13 +46,13 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   KeepShown(this->ShownInAny().data(), tree.HeldItems().data(), count, visible.data());
 }
 
-bool PartCuller::HidesAllFacesOf(const Occluder& occluder, const ScreenProjection& view)
+bool PartCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view)
 {
   return std::all_of(this->Bands.begin(), this->Bands.end(),
     [&](Band& band)
     {
       const ScreenProjection ofBand = view.OfLines(band.FirstLine, band.Culler.Buffer().Lines());
-      return band.Culler.HidesAllFacesOf(occluder, ofBand);
+      return band.Culler.HidesThinFacesOf(occluder, ofBand);
     });
 }
 

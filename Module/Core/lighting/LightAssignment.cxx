@@ -1,10 +1,10 @@
 #include "Core/lighting/LightAssignment.h"
 
+#include "Core/ForEachInThreads.h"
 #include "Core/lighting/LightScatter.h"
 
 #include <algorithm>
 #include <cassert>
-#include <future>
 #include <limits>
 #include <stdexcept>
 
@@ -16,23 +16,6 @@ namespace
 
 /** Fewer lights are not worth a thread. */
 constexpr std::size_t LightsPerThread = 2048;
-
-/** Does something for each chunk, each in a thread of its own. */
-template <class Work>
-void ForEachChunk(std::vector<LightChunk>& chunks, const Work& work)
-{
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < chunks.size(); ++i)
-  {
-    others.push_back(std::async(std::launch::async, [&work, &chunks, i] { work(chunks[i], i); }));
-  }
-  work(chunks[0], 0);
-  for (std::future<void>& other : others)
-  {
-    other.get();
-  }
-}
-
 }
 
 /** Gives each cluster its part of the list, and each chunk its part of that. */
@@ -74,15 +57,15 @@ void LightAssigner::AssignBy(const Scatter& scatter, const std::vector<LightVolu
   const auto beginOf = [&](std::size_t chunk)
   { return std::min(volumes.size(), blocks * chunk / count * LightFilter::BlockSize); };
   this->Chunks.resize(count);
-  ForEachChunk(this->Chunks,
-    [&](LightChunk& chunk, std::size_t i)
+  ForEachInThreads(count,
+    [&](std::size_t i)
     {
+      LightChunk& chunk = this->Chunks[i];
       scatter.Append(volumes, beginOf(i), beginOf(i + 1), chunk.Begin());
       chunk.Count(scatter.Count());
     });
   this->PlaceLists(scatter.Count(), used, lists);
-  ForEachChunk(
-    this->Chunks, [&](LightChunk& chunk, std::size_t) { chunk.Fill(used, lists.Indices); });
+  ForEachInThreads(count, [&](std::size_t i) { this->Chunks[i].Fill(used, lists.Indices); });
 }
 
 void LightAssigner::Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes,

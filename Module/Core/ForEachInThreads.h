@@ -1,0 +1,44 @@
+#ifndef VITRINE_CORE_FOR_EACH_IN_THREADS_H
+#define VITRINE_CORE_FOR_EACH_IN_THREADS_H
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * Does something for each number below a count, in as many threads as the machine has processors, of which the calling one is one. Returns once all of it is done.
+ * @param work  is called with the numbers, each once; what it throws comes out here
+ */
+template <class Work>
+void ForEachInThreads(std::size_t count, const Work& work)
+{
+  std::atomic<std::size_t> next{ 0 };
+  const auto workOn = [&]
+  {
+    for (std::size_t i = next++; i < count; i = next++)
+    {
+      work(i);
+    }
+  };
+  const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 1; i < std::min(count, processors); ++i)
+  {
+    others.push_back(std::async(std::launch::async, workOn));
+  }
+  workOn();
+  for (std::future<void>& other : others)
+  {
+    other.get();
+  }
+}
+
+}
+
+#endif
