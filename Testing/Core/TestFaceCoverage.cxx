@@ -232,7 +232,7 @@ TEST_P(FaceCoverage, OfManyNarrowFacesIsAllBetweenTheirOutline)
       const double x = 300 * u, y = 30 * v;
       return glm::dvec3(2 + 36 * u, -1 + 22 * v, 0.5 + 0.01 * std::sin(37.0 * x * x + 11.0 * y));
     });
-  const Covered covered(GetParam(), crumpled, Facing::Front, { 0.001f, 0.001f, 1e-6f });
+  const Covered covered(GetParam(), crumpled, Facing::Front, { 0.03f, 0.03f, 1e-6f });
   for (int line = 0; line < coverage::WideLines; ++line)
   {
     for (const double column : { 2.5, 3.9, 8.1, 19.9, 20.1, 30.3, 37.5 })
@@ -248,11 +248,27 @@ TEST_P(FaceCoverage, LeavesNoSlitsBesideANarrowFace)
 {
   Triangles stairs;
   stairs.AddQuad({ 2, -1, 0.3 }, { 15.05, -1, 0.5 }, { 15.05, 21, 0.5 }, { 2, 21, 0.3 });
-  stairs.AddQuad({ 15.05, -1, 0.5 }, { 15.13, -1, 0.4 }, { 15.13, 21, 0.4 }, { 15.05, 21, 0.5 });
-  stairs.AddQuad({ 15.13, -1, 0.4 }, { 38, -1, 0.2 }, { 38, 21, 0.2 }, { 15.13, 21, 0.4 });
+  stairs.AddQuad({ 15.05, -1, 0.5 }, { 15.112, -1, 0.4 }, { 15.112, 21, 0.4 }, { 15.05, 21, 0.5 });
+  stairs.AddQuad({ 15.112, -1, 0.4 }, { 38, -1, 0.2 }, { 38, 21, 0.2 }, { 15.112, 21, 0.4 });
   const Covered covered(GetParam(), stairs, Facing::Front, { 0.03f, 0.03f, 1e-5f });
   for (int line = 1; line < coverage::WideLines - 1; ++line)
   {
     covered.ExpectFromTo(line, 2.03, 37.97);
+    for (const double column : { 15.04, 15.06, 15.08, 15.1 })
+    {
+      EXPECT_GT(covered.DepthAt(line, column), 0.3) << column;
+    }
+  }
+}
+
+TEST_P(FaceCoverage, LeavesNoSlitAtTheSideOfTheScreen)
+{
+  Triangles roof;
+  roof.AddQuad({ -3, -1, 0.1 }, { 39.99, -1, 0.9 }, { 39.99, 21, 0.9 }, { -3, 21, 0.1 });
+  roof.AddQuad({ 39.99, -1, 0.9 }, { 45, -1, 0.1 }, { 45, 21, 0.1 }, { 39.99, 21, 0.9 });
+  const Covered covered(GetParam(), roof, Facing::Front, { 0.03f, 0.03f, 1e-5f });
+  for (int line = 0; line < coverage::WideLines; ++line)
+  {
+    EXPECT_TRUE(covered.IsAt(line, 39.999)) << line;
   }
 }
