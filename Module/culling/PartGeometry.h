@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -38,7 +39,7 @@ public:
   PartGeometry(vtkPolyData* data, std::shared_ptr<const std::vector<std::uint32_t>> corners,
     const OrderedRun& run);
 
-  /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. */
+  /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. Several threads may ask. */
   bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
 
   /** Of all points, in model coordinates (MC); Least exceeds Greatest if there are none. */
@@ -75,7 +76,7 @@ private:
 
   vtkPolyData* Data;
   vtkMTimeType Time;
-  vtkMTimeType LookedAt = 0; ///< the frame in which it was found to be current
+  std::atomic<vtkMTimeType> LookedAt{ 0 }; ///< the frame in which it was found to be current
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

@@ -7,6 +7,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkTimeStamp.h"
 #include "vtkTrivialProducer.h"
 
 #include <glm/common.hpp>
@@ -55,23 +56,25 @@ void SceneParts::Update(vtkProp* const* props, int count)
   }
 }
 
-/** Looks at what has changed. Returns whether anything has. */
+/** Looks at what has changed, in order. Returns whether anything has. */
 bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved)
 {
   ++this->Looks;
   this->HasMadeData = false;
   this->AreOpaque.clear();
+  this->FindAll(props, count);
+  this->FindUnchanged();
   bool hasChanged = false;
-  this->Drawn.resize(static_cast<std::size_t>(count));
-  this->Cursor = 0;
-  for (int i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
-    const std::uint32_t part = this->Find(props[i]);
-    this->Drawn[static_cast<std::size_t>(i)] = part;
-    this->Parts[part].SeenIn = this->Frame;
-    if (!this->IsUnchanged(this->Parts[part]))
+    const std::uint32_t part = this->Drawn[i];
+    if (this->AreSame[i])
     {
-      this->Look(this->Parts[part]);
+      continue;
+    }
+    if (!this->IsUnchanged(part))
+    {
+      this->Look(part);
       this->PlaceWhole(part, moved);
       hasChanged = true;
     }
@@ -96,11 +99,17 @@ void SceneParts::LookAnewIfOffsetsChanged()
 /** Begins anew, if there are parts to be forgotten. */
 void SceneParts::ForgetAbsent()
 {
-  const bool isAnyAbsent = std::any_of(this->Parts.begin(), this->Parts.end(),
-    [&](const Part& part) { return part.Prop && part.SeenIn + LongestAbsence < this->Frame; });
+  bool isAnyAbsent = false;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    isAnyAbsent =
+      isAnyAbsent || (this->PropOf[i] && this->SeenIn[i] + LongestAbsence < this->Frame);
+  }
   if (isAnyAbsent)
   {
     this->Parts.clear();
+    this->PropOf.clear();
+    this->SeenIn.clear();
     this->Spare.clear();
     this->HasPieces.clear();
     this->BoxOf.clear();
@@ -110,60 +119,28 @@ void SceneParts::ForgetAbsent()
   }
 }
 
-/** Props come in the same order from frame to frame, though some may be left out. */
-std::uint32_t SceneParts::Find(vtkProp* prop)
-{
-  if (this->Cursor < this->Parts.size() && this->Parts[this->Cursor].Prop == prop)
-  {
-    return this->Cursor++;
-  }
-  const auto [place, isNew] =
-    this->Index.try_emplace(prop, static_cast<std::uint32_t>(this->Parts.size()));
-  if (isNew)
-  {
-    this->Parts.emplace_back();
-    this->Parts.back().Prop = prop;
-    this->BoxOf.emplace_back();
-  }
-  this->Cursor = place->second + 1;
-  return place->second;
-}
-
-/** Whether a part is as it was; in the order in which what holds the next is known to be there. */
-bool SceneParts::IsUnchanged(const Part& part) const
-{
-  if (part.Prop->GetMTime() != part.PropTime)
-  {
-    return false;
-  }
-  if (!part.Actor)
-  {
-    return true;
-  }
-  return ShaderPropertyOf(part.Prop) == part.Shader &&
-    (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
-    part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
-    part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
-    (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
-    (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
-}
-
-/** Brings their images up to date, as drawing does. */
+/** Brings their images up to date, as drawing does, and notes if anything was made for that: VTK's time counts what is modified. */
 void SceneParts::LookAtTextures(const Part& part)
 {
   if (part.Actor && part.HasTextures)
   {
+    vtkTimeStamp before, after;
+    before.Modified();
     this->AreOpaque[part.Actor] = AreTexturesOpaque(part.Actor);
+    after.Modified();
+    this->HasMadeData = this->HasMadeData || after.GetMTime() != before.GetMTime() + 1;
   }
 }
 
 /** Notes what a part is now. */
-void SceneParts::Look(Part& part)
+void SceneParts::Look(std::uint32_t i)
 {
-  part.PropTime = part.Prop->GetMTime();
-  part.Shader = ShaderPropertyOf(part.Prop);
+  Part& part = this->Parts[i];
+  vtkProp* const prop = this->PropOf[i];
+  part.PropTime = prop->GetMTime();
+  part.Shader = ShaderPropertyOf(prop);
   part.ShaderTime = part.Shader ? part.Shader->GetMTime() : 0;
-  part.Actor = AsHideable(part.Prop);
+  part.Actor = AsHideable(prop);
   part.Divided = nullptr;
   part.Division.reset();
   const std::shared_ptr<PartGeometry> before =

@@ -83,13 +83,11 @@ public:
 
 private:
   /**
-   * A prop, and what was known of it when it was last looked at. What pointers lead to is there as long as the times of what holds
-   * them have not changed.
+   * What was known of a prop when it was last looked at. What pointers lead to is there as long as the times of what holds them have
+   * not changed.
    */
   struct alignas(64) Part // what is read in each frame fills two cache lines
   {
-    vtkProp* Prop = nullptr;
-    vtkMTimeType SeenIn = 0; ///< the last update that had it
     vtkMTimeType PropTime = 0;
     vtkActor* Actor = nullptr; ///< null if it cannot be hidden
     vtkShaderProperty* Shader = nullptr;
@@ -102,12 +100,12 @@ private:
     std::shared_ptr<PartGeometry> Geometry;
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
-    glm::dmat4 ToWorld{ 1.0 };                   ///< from the origin
-    glm::dmat4 FromWorld{ 1.0 };
-    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
-    float Growth = 0.0f;
-    bool MayHide = false;
     bool HasTextures = false;
+    bool MayHide = false;
+    float Growth = 0.0f;
+    glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
+    glm::dmat4 FromWorld{ 1.0 };
+    glm::dvec3 Sums{ 0.0 };            ///< of absolute values, that lead to world coordinates
     std::vector<std::uint32_t> Pieces; ///< the parts of the division
   };
 
@@ -123,9 +121,13 @@ private:
   void MakeData(vtkPolyDataMapper* mapper);
   void LookAnewIfOffsetsChanged();
   void ForgetAbsent();
+  void FindAll(vtkProp* const* props, int count);
   std::uint32_t Find(vtkProp* prop);
-  bool IsUnchanged(const Part& part) const;
-  void Look(Part& part);
+  std::uint32_t AddPart(vtkProp* prop);
+  void FindUnchanged();
+  bool IsPlain(std::uint32_t i) const;
+  bool IsUnchanged(std::uint32_t i) const;
+  void Look(std::uint32_t i);
   void LookAtData(Part& part);
   void ReadActor(Part& part);
   static DeviceCoordinates CoordinatesOf(const Part& part);
@@ -141,10 +143,13 @@ private:
   void MoveOrigin(const glm::dvec3& middle);
 
   std::vector<Part> Parts;
+  std::vector<vtkProp*> PropOf;     ///< each part; null for pieces
+  std::vector<vtkMTimeType> SeenIn; ///< of each part the last update that had it
   std::vector<Box> BoxOf;
   std::vector<std::uint8_t> HasPieces; ///< each part
-  std::vector<std::uint32_t> Drawn;
-  std::vector<std::uint32_t> Spare; ///< parts that belong to no prop
+  std::vector<std::uint32_t> Drawn;    ///< in the order of the props
+  std::vector<std::uint8_t> AreSame;   ///< of those, which are surely as they were
+  std::vector<std::uint32_t> Spare;    ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0;                      ///< the part behind the last one that was found

@@ -157,13 +157,11 @@ void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& move
   {
     pieces.push_back(this->Spare.back());
   }
-  for (; pieces.size() < count; this->BoxOf.emplace_back())
+  while (pieces.size() < count)
   {
-    pieces.push_back(static_cast<std::uint32_t>(this->Parts.size()));
-    this->Parts.emplace_back();
+    pieces.push_back(this->AddPart(nullptr));
   }
   this->Parts[whole].Pieces = std::move(pieces);
-  this->HasPieces.resize(this->Parts.size(), 0);
   this->HasPieces[whole] = !this->Parts[whole].Pieces.empty();
 }
 
@@ -187,8 +185,7 @@ bool SceneParts::IsFarOff(glm::dvec3& middle) const
   glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    if (this->BoxOf[i].IsPlaceable() &&
-      (this->Parts[i].SeenIn == this->Frame || !this->Parts[i].Prop))
+    if (this->BoxOf[i].IsPlaceable() && (this->SeenIn[i] == this->Frame || !this->PropOf[i]))
     {
       least = glm::min(least, glm::dvec3(this->BoxOf[i].Min));
       greatest = glm::max(greatest, glm::dvec3(this->BoxOf[i].Max));
@@ -205,11 +202,11 @@ void SceneParts::MoveOrigin(const glm::dvec3& middle)
   std::vector<std::uint32_t> moved;
   for (std::uint32_t whole = 0; whole < this->Parts.size(); ++whole)
   {
-    if (this->Parts[whole].SeenIn == this->Frame)
+    if (this->SeenIn[whole] == this->Frame)
     {
       this->PlaceWhole(whole, moved);
     }
-    else if (this->Parts[whole].Prop)
+    else if (this->PropOf[whole])
     {
       this->Parts[whole].PropTime = 0;
       this->Place(whole, Box(), moved);

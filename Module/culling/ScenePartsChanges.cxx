@@ -1,0 +1,117 @@
+// Which parts are as they were when they were last looked at.
+
+#include "culling/SceneParts.h"
+
+#include "Core/ForEachInThreads.h"
+#include "Core/culling/Lanes.h"
+#include "culling/ActorRules.h"
+
+#include "vtkActor.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkShaderProperty.h"
+#include "vtkTrivialProducer.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// Fewer parts are not worth threads.
+const std::size_t PartsOfThreads = 2048;
+
+// What a thread takes at a time.
+const std::size_t PartsOfChunk = 512;
+}
+
+/** Finds the parts of props, and notes that they are there. */
+void SceneParts::FindAll(vtkProp* const* props, int count)
+{
+  this->Drawn.resize(static_cast<std::size_t>(count));
+  this->Cursor = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::uint32_t part = this->Find(props[i]);
+    this->Drawn[static_cast<std::size_t>(i)] = part;
+    this->SeenIn[part] = this->Frame;
+  }
+}
+
+/** Props come in the same order from frame to frame, though some may be left out. */
+std::uint32_t SceneParts::Find(vtkProp* prop)
+{
+  if (this->Cursor < this->PropOf.size() && this->PropOf[this->Cursor] == prop)
+  {
+    return this->Cursor++;
+  }
+  const auto [place, isNew] =
+    this->Index.try_emplace(prop, static_cast<std::uint32_t>(this->Parts.size()));
+  if (isNew)
+  {
+    this->AddPart(prop);
+  }
+  this->Cursor = place->second + 1;
+  return place->second;
+}
+
+/** Of a prop, or of none. Returns its number. */
+std::uint32_t SceneParts::AddPart(vtkProp* prop)
+{
+  this->Parts.emplace_back();
+  this->PropOf.push_back(prop);
+  this->SeenIn.push_back(0);
+  this->BoxOf.emplace_back();
+  this->HasPieces.push_back(0);
+  return static_cast<std::uint32_t>(this->Parts.size() - 1);
+}
+
+/** Notes which parts are surely as they were. VTK's objects are read alone for that, by as many threads as there are. */
+void SceneParts::FindUnchanged()
+{
+  const std::size_t count = this->Drawn.size();
+  const std::size_t size = count < PartsOfThreads ? PartsOfThreads : PartsOfChunk;
+  this->AreSame.resize(count);
+  ForEachInThreads((count + size - 1) / size,
+    [&](std::size_t chunk)
+    {
+      const std::size_t end = std::min(count, (chunk + 1) * size);
+      for (std::size_t i = chunk * size; i < end; ++i)
+      {
+        const std::uint32_t part = this->Drawn[i];
+        this->AreSame[i] = this->IsPlain(part) && this->IsUnchanged(part);
+      }
+    });
+}
+
+/** Whether nothing is written by looking whether it is unchanged, and nothing else has to be done with it in each frame. */
+bool SceneParts::IsPlain(std::uint32_t i) const
+{
+  const Part& part = this->Parts[i];
+  return part.Actor && !part.Divided && !part.HasTextures;
+}
+
+/** Whether a part is as it was; in the order in which what holds the next is known to be there. */
+bool SceneParts::IsUnchanged(std::uint32_t i) const
+{
+  const Part& part = this->Parts[i];
+  vtkProp* const prop = this->PropOf[i];
+  if (prop->GetMTime() != part.PropTime)
+  {
+    return false;
+  }
+  if (!part.Actor)
+  {
+    return true;
+  }
+  return ShaderPropertyOf(prop) == part.Shader &&
+    (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
+    part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
+    part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
+    (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
+    (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
+}
+
+}
