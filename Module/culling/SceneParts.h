@@ -116,6 +116,10 @@ private:
     glm::dvec3 Farthest; ///< the largest absolute coordinates from there
   };
 
+  std::vector<std::uint32_t> FindHiddenInView(const ScreenProjection& view,
+    const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
+  std::vector<std::uint32_t> FindEdgeOn(
+    const ScreenProjection& view, const std::vector<std::uint32_t>& of) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
   void LookAtTextures(const Part& part);
   void MakeData(vtkPolyDataMapper* mapper);

@@ -2,9 +2,8 @@
 
 #include "culling/SceneParts.h"
 
-#include "Core/ForEachInThreads.h"
-#include "Core/culling/Lanes.h"
 #include "culling/ActorRules.h"
+#include "culling/PartChunks.h"
 
 #include "vtkActor.h"
 #include "vtkPolyData.h"
@@ -12,20 +11,8 @@
 #include "vtkShaderProperty.h"
 #include "vtkTrivialProducer.h"
 
-#include <algorithm>
-
 namespace vitrine
 {
-
-namespace
-{
-
-// Fewer parts are not worth threads.
-const std::size_t PartsOfThreads = 2048;
-
-// What a thread takes at a time.
-const std::size_t PartsOfChunk = 512;
-}
 
 /** Finds the parts of props, and notes that they are there. */
 void SceneParts::FindAll(vtkProp* const* props, int count)
@@ -71,19 +58,17 @@ std::uint32_t SceneParts::AddPart(vtkProp* prop)
 /** Notes which parts are surely as they were. VTK's objects are read alone for that, by as many threads as there are. */
 void SceneParts::FindUnchanged()
 {
-  const std::size_t count = this->Drawn.size();
-  const std::size_t size = count < PartsOfThreads ? PartsOfThreads : PartsOfChunk;
-  this->AreSame.resize(count);
-  ForEachInThreads((count + size - 1) / size,
-    [&](std::size_t chunk)
-    {
-      const std::size_t end = std::min(count, (chunk + 1) * size);
-      for (std::size_t i = chunk * size; i < end; ++i)
+  this->AreSame.resize(this->Drawn.size());
+  PartChunks(this->Drawn.size())
+    .ForEach(
+      [&](std::size_t, std::size_t first, std::size_t end)
       {
-        const std::uint32_t part = this->Drawn[i];
-        this->AreSame[i] = this->IsPlain(part) && this->IsUnchanged(part);
-      }
-    });
+        for (std::size_t i = first; i < end; ++i)
+        {
+          const std::uint32_t part = this->Drawn[i];
+          this->AreSame[i] = this->IsPlain(part) && this->IsUnchanged(part);
+        }
+      });
 }
 
 /** Whether nothing is written by looking whether it is unchanged, and nothing else has to be done with it in each frame. */

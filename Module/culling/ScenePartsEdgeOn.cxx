@@ -3,10 +3,14 @@
 
 #include "Core/culling/BoxLanes.h"
 #include "Core/culling/ScreenProjection.h"
+#include "culling/PartChunks.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace vitrine
 {
@@ -30,33 +34,131 @@ double UnevennessOf(const glm::dmat4& toWorld)
   return greatest / least;
 }
 
-bool IsInView(const ScreenProjection& view, const Box& box)
+/**
+ * Collects numbers below a count in threads.
+ * @param find  adds those from a first one up to an end to a list; of several chunks at a time
+ * @returns     all of them, in order
+ */
+template <class Find>
+std::vector<std::uint32_t> FindInThreads(std::size_t count, const Find& find)
 {
-  BoxLanes boxes;
-  boxes.Set(0, box);
-  RectangleLanes rectangles;
-  view.Project(boxes, rectangles);
-  return (rectangles.Outside & 1u) == 0;
+  const PartChunks chunks(count);
+  std::vector<std::vector<std::uint32_t>> ofChunks(chunks.Count());
+  chunks.ForEach([&](std::size_t chunk, std::size_t first, std::size_t end)
+    { find(first, end, ofChunks[chunk]); });
+  std::vector<std::uint32_t> found;
+  for (const std::vector<std::uint32_t>& ofChunk : ofChunks)
+  {
+    found.insert(found.end(), ofChunk.begin(), ofChunk.end());
+  }
+  return found;
 }
+
+/** Finds parts whose boxes lie in the view, eight at a time. */
+class ViewFilter
+{
+public:
+  ViewFilter(const ScreenProjection& view, std::vector<std::uint32_t>& found)
+    : View(view)
+    , Found(found)
+  {
+  }
+
+  void Add(std::uint32_t part, const Box& box)
+  {
+    this->Boxes.Set(this->Count, box);
+    this->Parts[this->Count++] = part;
+    if (this->Count == LaneCount)
+    {
+      this->Flush();
+    }
+  }
+
+  /** Looks at those that are left. */
+  void Flush()
+  {
+    RectangleLanes rectangles;
+    this->View.Project(this->Boxes, rectangles);
+    for (int lane = 0; lane < this->Count; ++lane)
+    {
+      if ((rectangles.Outside >> lane & 1u) == 0)
+      {
+        this->Found.push_back(this->Parts[lane]);
+      }
+    }
+    this->Count = 0;
+  }
+
+private:
+  const ScreenProjection& View;
+  std::vector<std::uint32_t>& Found;
+  BoxLanes Boxes;
+  std::uint32_t Parts[LaneCount];
+  int Count = 0;
+};
 }
 
 void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
+  const std::vector<std::uint32_t> hidden = this->FindHiddenInView(view, drawn, visible);
+  for (const std::uint32_t i : hidden)
+  {
+    this->Parts[i].Geometry->Planes(this->Parts[i].Data); // built here, not by several threads
+  }
+  const std::vector<std::uint32_t> edgeOn = this->FindEdgeOn(view, hidden);
+  std::vector<Occluder> occluders;
+  for (const std::uint32_t i : edgeOn)
+  {
+    occluders.push_back(this->OccluderOf(i));
+  }
+  const std::vector<std::uint8_t> hides = culler.HideThinFacesOf(occluders, view);
+  for (std::size_t i = 0; i < edgeOn.size(); ++i)
+  {
+    visible[edgeOn[i]] = hides[i] ? 0 : 1;
+  }
+}
+
+/** Parts that are drawn and were found hidden. */
+std::vector<std::uint32_t> SceneParts::FindHiddenInView(const ScreenProjection& view,
+  const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const
+{
+  return FindInThreads(visible.size(),
+    [&](std::size_t first, std::size_t end, std::vector<std::uint32_t>& found)
+    {
+      ViewFilter filter(view, found);
+      for (std::size_t i = first; i < end; ++i)
+      {
+        if (drawn[i] && !visible[i] && this->Parts[i].Geometry)
+        {
+          filter.Add(static_cast<std::uint32_t>(i), this->BoxOf[i]);
+        }
+      }
+      filter.Flush();
+    });
+}
+
+/** Of some parts those with a face that the eye sees from its edge. Their planes are known. */
+std::vector<std::uint32_t> SceneParts::FindEdgeOn(
+  const ScreenProjection& view, const std::vector<std::uint32_t>& of) const
+{
   const glm::dvec4 eye = view.Eye();
   const double thickness = ThinnestFace *
     static_cast<double>(std::min(view.Snapping().Column, view.Snapping().Line)) /
     view.LargestScale();
-  for (std::uint32_t i = 0; i < visible.size(); ++i)
-  {
-    Part& part = this->Parts[i];
-    if (drawn[i] && !visible[i] && part.Geometry && IsInView(view, this->BoxOf[i]) &&
-      part.Geometry->Planes(part.Data).IsAnyEdgeOn(
-        part.FromWorld * eye, thickness * UnevennessOf(part.ToWorld)))
+  return FindInThreads(of.size(),
+    [&](std::size_t first, std::size_t end, std::vector<std::uint32_t>& found)
     {
-      visible[i] = culler.HidesThinFacesOf(this->OccluderOf(i), view) ? 0 : 1;
-    }
-  }
+      for (std::size_t i = first; i < end; ++i)
+      {
+        const Part& part = this->Parts[of[i]];
+        if (part.Geometry->Planes(part.Data).IsAnyEdgeOn(
+              part.FromWorld * eye, thickness * UnevennessOf(part.ToWorld)))
+        {
+          found.push_back(of[i]);
+        }
+      }
+    });
 }
 
 }

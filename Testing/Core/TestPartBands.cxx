@@ -158,12 +158,20 @@ TEST(PartBands, TellWhetherThinFacesOfAPartAreHidden)
     view.Snapping = { 1.0f / 64.0f, 1.0f / 64.0f, 0.0f }; // slivers are 0.01 columns wide
     scene.Visible.assign(scene.Parts.size(), 1);
     scene.Cull(culler, view);
-    const auto hides = [&](std::uint32_t part)
-    { return culler.HidesThinFacesOf(scene.OccluderOf(part), view.Projection(scene.Reach)); };
-    EXPECT_TRUE(hides(wide)) << "it has none";
-    EXPECT_FALSE(hides(high));
-    EXPECT_TRUE(hides(low));
-    EXPECT_FALSE(hides(lines)) << "more is drawn than faces";
-    EXPECT_FALSE(culler.HidesThinFacesOf({}, view.Projection(scene.Reach)));
+    std::vector<vitrine::Occluder> asked;
+    for (const std::uint32_t part : { wide, high, low, lines })
+    {
+      asked.push_back(scene.OccluderOf(part));
+    }
+    asked.emplace_back();
+    const std::vector<std::uint8_t> hides =
+      culler.HideThinFacesOf(asked, view.Projection(scene.Reach));
+    ASSERT_EQ(hides.size(), 5u);
+    EXPECT_TRUE(hides[0]) << "it has none";
+    EXPECT_FALSE(hides[1]);
+    EXPECT_TRUE(hides[2]);
+    EXPECT_FALSE(hides[3]) << "more is drawn than faces";
+    EXPECT_FALSE(hides[4]) << "it hides nothing";
+    EXPECT_TRUE(culler.HideThinFacesOf({}, view.Projection(scene.Reach)).empty());
   }
 }

@@ -46,14 +46,27 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   KeepShown(this->ShownInAny().data(), tree.HeldItems().data(), count, visible.data());
 }
 
-bool PartCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view)
+std::vector<std::uint8_t> PartCuller::HideThinFacesOf(
+  const std::vector<Occluder>& parts, const ScreenProjection& view)
 {
-  return std::all_of(this->Bands.begin(), this->Bands.end(),
-    [&](Band& band)
+  std::vector<std::vector<std::uint8_t>> hides(this->Bands.size());
+  ForEachInThreads(this->Bands.size(),
+    [&](std::size_t i)
     {
-      const ScreenProjection ofBand = view.OfLines(band.FirstLine, band.Culler.Buffer().Lines());
-      return band.Culler.HidesThinFacesOf(occluder, ofBand);
+      BandCuller& culler = this->Bands[i].Culler;
+      const ScreenProjection ofBand =
+        view.OfLines(this->Bands[i].FirstLine, culler.Buffer().Lines());
+      for (const Occluder& part : parts)
+      {
+        hides[i].push_back(culler.HidesThinFacesOf(part, ofBand));
+      }
     });
+  for (const std::vector<std::uint8_t>& ofBand : hides)
+  {
+    std::transform(ofBand.begin(), ofBand.end(), hides[0].begin(), hides[0].begin(),
+      [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a & b); });
+  }
+  return hides[0];
 }
 
 /** Of each part whether a band shows it. */

@@ -32,8 +32,13 @@ public:
   void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
     bool occlusion, std::vector<std::uint8_t>& visible);
 
-  /** Whether the thin faces of a part that was found hidden are so one by one, and wherever a device draws them, by what the last frame left in the s-buffer. Very many on few cells are taken to be. */
-  bool HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view);
+  /**
+   * Whether the thin faces of parts that were found hidden are so one by one, and wherever a device draws them, by what the last frame left in the s-buffer. Very many on few cells
+   * are taken to be.
+   * @returns  one for each part, 1 where they are
+   */
+  std::vector<std::uint8_t> HideThinFacesOf(
+    const std::vector<Occluder>& parts, const ScreenProjection& view);
 
   /** Of all bands: what lies in several of them counts in each. */
   CullCounts Counts() const;

@@ -1,0 +1,46 @@
+#ifndef VITRINE_CULLING_PART_CHUNKS_H
+#define VITRINE_CULLING_PART_CHUNKS_H
+
+#include "Core/ForEachInThreads.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace vitrine
+{
+
+/** What is done with many parts, cut into pieces for threads. Few are one piece, and not worth a thread. */
+class PartChunks
+{
+public:
+  explicit PartChunks(std::size_t parts)
+    : Parts(parts)
+    , Size(parts < FewParts ? FewParts : PartsOfOne)
+  {
+  }
+
+  std::size_t Count() const { return (this->Parts + this->Size - 1) / this->Size; }
+
+  /** Calls `work` for each chunk, with its number, its first part and the one behind its last; several at once. */
+  template <class Work>
+  void ForEach(const Work& work) const
+  {
+    ForEachInThreads(this->Count(),
+      [&](std::size_t chunk)
+      {
+        const std::size_t first = chunk * this->Size;
+        work(chunk, first, std::min(this->Parts, first + this->Size));
+      });
+  }
+
+private:
+  static constexpr std::size_t FewParts = 2048;
+  static constexpr std::size_t PartsOfOne = 512;
+
+  std::size_t Parts;
+  std::size_t Size;
+};
+
+}
+
+#endif
