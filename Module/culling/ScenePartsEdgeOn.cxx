@@ -107,12 +107,12 @@ void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
     this->Parts[i].Geometry->Planes(this->Parts[i].Data); // built here, not by several threads
   }
   const std::vector<std::uint32_t> edgeOn = this->FindEdgeOn(view, hidden);
-  std::vector<Occluder> occluders;
+  std::vector<PartCuller::BoxedPart> parts;
   for (const std::uint32_t i : edgeOn)
   {
-    occluders.push_back(this->OccluderOf(i));
+    parts.push_back({ this->OccluderOf(i), this->BoxOf[i] });
   }
-  const std::vector<std::uint8_t> hides = culler.HideThinFacesOf(occluders, view);
+  const std::vector<std::uint8_t> hides = culler.HideThinFacesOf(parts, view);
   for (std::size_t i = 0; i < edgeOn.size(); ++i)
   {
     visible[edgeOn[i]] = hides[i] ? 0 : 1;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace
@@ -141,37 +142,48 @@ TEST(PartBands, TellWhetherThinFacesOfAPartAreHidden)
   PartScene scene;
   scene.AddBox({ -60, -60, -21 }, { 60, 2.0, -20 });
   const std::uint32_t wide = scene.AddBox({ -1, -30, -32 }, { 1, 10, -30 });
-  const auto addSliver = [&](double left, double top)
+  // Depths of a sliver differ by less than those of what stands before it.
+  const auto addSlivers = [&](double left, double top, int count)
   {
-    Triangles sliver; // its depths differ by less than those of what stands before it
-    sliver.Add({ left, -3, -31 }, { left, top, -31 }, { left + 6e-3, top, -31 });
-    return scene.Add(sliver);
+    Triangles slivers;
+    for (int i = 0; i < count; ++i)
+    {
+      slivers.Add({ left, -3, -31 }, { left, top, -31 }, { left + 6e-3, top, -31 });
+    }
+    return scene.Add(slivers);
   };
-  const std::uint32_t high = addSliver(0, 10), low = addSliver(4, 1);
+  const double centre = 1.657; // of pixels, two and a half columns from the middle of the screen
+  const std::uint32_t high = addSlivers(centre - 3e-3, 10, 1), low = addSlivers(4, 1, 1);
+  const std::uint32_t many = addSlivers(-centre - 3e-3, 10, 200),
+                      between = addSlivers(-2.65, 10, 1);
   const std::uint32_t lines = scene.AddBox({ 7, -30, -32 }, { 9, 1, -30 });
   scene.Parts[lines].IsOfFacesAlone = false;
-  for (const int count : { 1, 4 })
+  for (const auto& [count, isAtCentres] :
+    { std::pair(1, false), std::pair(4, false), std::pair(1, true), std::pair(4, true) })
   {
     SCOPED_TRACE(count);
-    PartCuller culler = InBands(count);
+    PartCuller culler(
+      FrameColumns, FrameLines, isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid(), count);
     View view = AheadView(false);
     view.Snapping = { 1.0f / 64.0f, 1.0f / 64.0f, 0.0f }; // slivers are 0.01 columns wide
     scene.Visible.assign(scene.Parts.size(), 1);
     scene.Cull(culler, view);
-    std::vector<vitrine::Occluder> asked;
-    for (const std::uint32_t part : { wide, high, low, lines })
+    std::vector<PartCuller::BoxedPart> asked;
+    for (const std::uint32_t part : { wide, high, low, lines, many, between })
     {
-      asked.push_back(scene.OccluderOf(part));
+      asked.push_back({ scene.OccluderOf(part), scene.Bounds[part] });
     }
-    asked.emplace_back();
+    asked.push_back({ {}, scene.Bounds[wide] });
     const std::vector<std::uint8_t> hides =
       culler.HideThinFacesOf(asked, view.Projection(scene.Reach));
-    ASSERT_EQ(hides.size(), 5u);
+    ASSERT_EQ(hides.size(), 7u);
     EXPECT_TRUE(hides[0]) << "it has none";
     EXPECT_FALSE(hides[1]);
     EXPECT_TRUE(hides[2]);
     EXPECT_FALSE(hides[3]) << "more is drawn than faces";
-    EXPECT_FALSE(hides[4]) << "it hides nothing";
+    EXPECT_FALSE(hides[4]) << "a sliver among many faces on few cells";
+    EXPECT_EQ(hides[5], isAtCentres) << "slivers between samples";
+    EXPECT_FALSE(hides[6]) << "it hides nothing";
     EXPECT_TRUE(culler.HideThinFacesOf({}, view.Projection(scene.Reach)).empty());
   }
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -102,4 +103,43 @@ TEST(SampleGrid, OfPlacesFarAwayOrOfNoneIsThere)
   EXPECT_EQ(grid.UpTo(-Infinity), -Infinity);
   EXPECT_TRUE(std::isnan(grid.From(NotANumber)));
   EXPECT_TRUE(std::isnan(grid.UpTo(NotANumber)));
+}
+
+TEST(SampleGrid, MayHaveSamplesWhereThereIsACentre)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> place(-20.0f, 500.0f), length(0.0f, 2.0f);
+  int without = 0;
+  for (const int pixelsPerLine : { 1, 2, 4 })
+  {
+    const SampleGrid grid = SampleGrid::AtCentres(pixelsPerLine);
+    for (int i = 0; i < 20000; ++i)
+    {
+      const float from = place(random), to = from + length(random) / pixelsPerLine;
+      const bool hasCentreOnScreen = std::max(grid.From(from), 0.0f) <= grid.UpTo(to);
+      const bool mayHaveAny = grid.MayHaveAny(from, to);
+      ASSERT_TRUE(mayHaveAny || !hasCentreOnScreen) << from << " to " << to;
+      without += !mayHaveAny;
+    }
+    for (int centre = 0; centre < 2000; ++centre)
+    {
+      const float at = (static_cast<float>(centre) + 0.5f) / static_cast<float>(pixelsPerLine);
+      ASSERT_TRUE(grid.MayHaveAny(at, at)) << at;
+    }
+  }
+  EXPECT_GT(without, 10000);
+}
+
+TEST(SampleGrid, MayHaveSamplesAnywhereAndInWhatIsNoNumber)
+{
+  EXPECT_TRUE(SampleGrid().MayHaveAny(0.1f, 0.1f));
+  const SampleGrid grid = SampleGrid::AtCentres(1);
+  EXPECT_FALSE(grid.MayHaveAny(0.1f, 0.2f));
+  EXPECT_FALSE(grid.MayHaveAny(-7.0f, -0.3f)) << "beyond the screen";
+  EXPECT_FALSE(grid.MayHaveAny(-Infinity, 0.2f));
+  EXPECT_TRUE(grid.MayHaveAny(-Infinity, 0.6f));
+  EXPECT_TRUE(grid.MayHaveAny(0.1f, Infinity));
+  EXPECT_TRUE(grid.MayHaveAny(NotANumber, 0.2f));
+  EXPECT_TRUE(grid.MayHaveAny(0.1f, NotANumber));
+  EXPECT_TRUE(grid.MayHaveAny(0.1f, 1e30f));
 }

@@ -442,10 +442,6 @@ bool BandCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjecti
     return false;
   }
   this->Projected.Project(*occluder.Mesh, view.Of(*occluder.ToWorld));
-  if (IsDense(this->Projected.Rectangle(), occluder.Mesh->Faces().size()))
-  {
-    return true;
-  }
   return HiddenFaces(this->Lines, view).AreThinOnes(this->Projected) &&
     !this->Projected.MayShowBeforeNear();
 }

@@ -49,7 +49,7 @@ public:
     bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
 
   /**
-   * Whether the thin faces of a part that was found hidden are so by what stands in the s-buffer now, one by one, and wherever a device draws them. Very many faces on few cells are taken to be.
+   * Whether the thin faces of a part that was found hidden are so by what stands in the s-buffer now, one by one, and wherever a device draws them.
    * @param view  of the band
    */
   bool HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view);

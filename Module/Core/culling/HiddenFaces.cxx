@@ -84,7 +84,10 @@ bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
   const std::vector<MeshFace>& faces = projection.Faces();
   return std::all_of(faces.begin(), faces.end(),
     [&](const MeshFace& face)
-    { return !IsThin(projection, face) || this->IsHidden(projection, face); });
+    {
+      return !this->Lines.MayHaveSamplesIn(this->View.Grown(projection.RectangleOf(face))) ||
+        !IsThin(projection, face) || this->IsHidden(projection, face);
+    });
 }
 
 /** Whether what a device moves points by may be as much as a face is thick; or nothing is known of it. */

@@ -19,6 +19,15 @@ void KeepShown(
     isVisible[i] &= static_cast<std::uint8_t>(shows[i] | (isHeld[i] ^ 1));
   }
 }
+
+bool IsOutside(const ScreenProjection& view, const Box& box)
+{
+  BoxLanes boxes;
+  boxes.Set(0, box);
+  RectangleLanes rectangles;
+  view.Project(boxes, rectangles);
+  return (rectangles.Outside & 1u) != 0;
+}
 }
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples, int bands)
@@ -47,7 +56,7 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
 }
 
 std::vector<std::uint8_t> PartCuller::HideThinFacesOf(
-  const std::vector<Occluder>& parts, const ScreenProjection& view)
+  const std::vector<BoxedPart>& parts, const ScreenProjection& view)
 {
   std::vector<std::vector<std::uint8_t>> hides(this->Bands.size());
   ForEachInThreads(this->Bands.size(),
@@ -56,9 +65,10 @@ std::vector<std::uint8_t> PartCuller::HideThinFacesOf(
       BandCuller& culler = this->Bands[i].Culler;
       const ScreenProjection ofBand =
         view.OfLines(this->Bands[i].FirstLine, culler.Buffer().Lines());
-      for (const Occluder& part : parts)
+      for (const BoxedPart& part : parts)
       {
-        hides[i].push_back(culler.HidesThinFacesOf(part, ofBand));
+        hides[i].push_back(
+          IsOutside(ofBand, part.Bounds) || culler.HidesThinFacesOf(part.Hides, ofBand));
       }
     });
   for (const std::vector<std::uint8_t>& ofBand : hides)

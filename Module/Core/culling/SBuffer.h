@@ -95,6 +95,13 @@ public:
   /** Whether all samples in the rectangle are covered by what is nearer. Beyond the screen nothing shows. */
   bool Hides(const ScreenRectangle& rectangle) const;
 
+  /** Whether there may be samples in the rectangle. */
+  bool MayHaveSamplesIn(const ScreenRectangle& rectangle) const
+  {
+    return this->Grid.MayHaveAny(rectangle.Left, rectangle.Right) &&
+      this->Grid.MayHaveAny(rectangle.Bottom, rectangle.Top);
+  }
+
   /** Whether all of a segment is behind what is nearer by more than `margin`. */
   bool Hides(int line, const Segment& segment, float margin) const;
 

@@ -39,7 +39,26 @@ public:
                                : place;
   }
 
+  /** Whether there may be samples between two places, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
+  bool MayHaveAny(float from, float to) const
+  {
+    if (this->Pixels <= 0.0f || !(from <= to && to < FarthestPlace))
+    {
+      return true;
+    }
+    return this->CountUpTo(from - NearlyThere) != this->CountUpTo(to + NearlyThere);
+  }
+
 private:
+  static constexpr float FarthestPlace = 1e6f;
+  static constexpr float NearlyThere = 0x1p-10f;
+
+  /** Of centres on the screen. */
+  int CountUpTo(float place) const
+  {
+    return place > 0.0f ? static_cast<int>(place * this->Pixels + 0.5f) : 0;
+  }
+
   explicit SampleGrid(float pixels)
     : Pixels(pixels)
   {
