@@ -4,6 +4,7 @@
 #include "culling/Matrices.h"
 #include "culling/RenderPasses.h"
 #include "culling/SceneParts.h"
+#include "gl/Capabilities.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -13,17 +14,28 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vitrine
 {
 
 namespace
 {
 
-// In pixels: rasterisers put corners on a grid of 1/256 of a pixel, and samples anywhere within one.
-const float SnappedPixels = 1.0f / 64.0f;
+// OpenGL has rasterisers put corners on a grid of at least 1/16 of a pixel; those of today tell 1/256, which is believed of finer ones, too.
+const int LeastSubpixelBits = 4;
+const int MostSubpixelBits = 8;
 
 // Of reversed depth: a few steps of a depth buffer of 24 bits.
 const float SnappedDepth = 0x1p-21f;
+
+/** By how many pixels the window's rasteriser may move corners: one step, where to the nearest one would be a half. */
+float SnappedPixelsOf(vtkRenderer* renderer)
+{
+  const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
+  return std::ldexp(1.0f, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
+}
 
 /** Whether VTK draws with the matrices that the camera tells now, and nothing else. */
 bool IsKnown(vtkRenderer* renderer)
@@ -80,7 +92,8 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   const glm::dmat4 toClip =
     MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) *
     glm::translate(toView, parts.Origin());
-  const ScreenMargin snapping{ SnappedPixels / pixels, SnappedPixels / pixels, SnappedDepth };
+  const float snapped = SnappedPixelsOf(renderer) / static_cast<float>(pixels);
+  const ScreenMargin snapping{ snapped, snapped, SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);
   this->Known.emplace(toClip, static_cast<double>(width) / pixels,
     static_cast<double>(height) / pixels, parts.Reach(), snapping, growth);

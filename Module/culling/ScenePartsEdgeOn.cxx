@@ -18,8 +18,8 @@ namespace vitrine
 namespace
 {
 
-// Of what rasterisers snap by, 1/64 pixel. Of a face that is so thin, 1/8192 pixel, they may draw depths that differ by 16 times as much as those of its corners.
-const double ThinnestFace = 0x1p-7;
+// Of what rasterisers snap by, 1/256 pixel. Of a face that is so thin, 1/8192 pixel, they may draw depths that differ by 16 times as much as those of its corners.
+const double ThinnestFace = 0x1p-5;
 
 /** How much longer a model transform makes some lengths than others, squared. */
 double UnevennessOf(const glm::dmat4& toWorld)

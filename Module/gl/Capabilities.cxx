@@ -50,6 +50,13 @@ bool IsSoftwareRasteriser()
   return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
 }
 
+int SubpixelBits()
+{
+  GLint bits = 0;
+  glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+  return bits;
+}
+
 std::int64_t LargestStorageBlock()
 {
   GLint64 size = 0;

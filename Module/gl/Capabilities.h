@@ -22,6 +22,9 @@ std::string MissingFeatures(int major, int minor, const std::vector<const char*>
 /** True on Mesa's llvmpipe and softpipe, which run shaders on the CPU. */
 bool IsSoftwareRasteriser();
 
+/** A rasteriser moves corners to steps of a pixel, of which its side has 2 to the power of that many (GL_SUBPIXEL_BITS). */
+int SubpixelBits();
+
 /** The largest shader storage block in bytes that a shader may see. */
 std::int64_t LargestStorageBlock();
 

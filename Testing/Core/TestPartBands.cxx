@@ -156,6 +156,7 @@ TEST(PartBands, TellWhetherThinFacesOfAPartAreHidden)
   const std::uint32_t high = addSlivers(centre - 3e-3, 10, 1), low = addSlivers(4, 1, 1);
   const std::uint32_t many = addSlivers(-centre - 3e-3, 10, 200),
                       between = addSlivers(-2.65, 10, 1);
+  const std::uint32_t thousands = addSlivers(-centre - 3e-3, 10, 1100);
   const std::uint32_t lines = scene.AddBox({ 7, -30, -32 }, { 9, 1, -30 });
   scene.Parts[lines].IsOfFacesAlone = false;
   for (const auto& [count, isAtCentres] :
@@ -169,21 +170,22 @@ TEST(PartBands, TellWhetherThinFacesOfAPartAreHidden)
     scene.Visible.assign(scene.Parts.size(), 1);
     scene.Cull(culler, view);
     std::vector<PartCuller::BoxedPart> asked;
-    for (const std::uint32_t part : { wide, high, low, lines, many, between })
+    for (const std::uint32_t part : { wide, high, low, lines, many, between, thousands })
     {
       asked.push_back({ scene.OccluderOf(part), scene.Bounds[part] });
     }
     asked.push_back({ {}, scene.Bounds[wide] });
     const std::vector<std::uint8_t> hides =
       culler.HideThinFacesOf(asked, view.Projection(scene.Reach));
-    ASSERT_EQ(hides.size(), 7u);
+    ASSERT_EQ(hides.size(), 8u);
     EXPECT_TRUE(hides[0]) << "it has none";
     EXPECT_FALSE(hides[1]);
     EXPECT_TRUE(hides[2]);
     EXPECT_FALSE(hides[3]) << "more is drawn than faces";
     EXPECT_FALSE(hides[4]) << "a sliver among many faces on few cells";
     EXPECT_EQ(hides[5], isAtCentres) << "slivers between samples";
-    EXPECT_FALSE(hides[6]) << "it hides nothing";
+    EXPECT_TRUE(hides[6]) << "so many are not looked at";
+    EXPECT_FALSE(hides[7]) << "it hides nothing";
     EXPECT_TRUE(culler.HideThinFacesOf({}, view.Projection(scene.Reach)).empty());
   }
 }

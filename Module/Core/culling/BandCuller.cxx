@@ -14,8 +14,12 @@ namespace
 // An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
 const float MostFacesPerCell = 32.0f;
 
+// Where a part that is dense has more faces, some of those are always so thin that nothing is known of where a device draws them.
+const std::size_t MostFacesToLookAt = 1024;
+
 // To project so many faces takes as long as a piece of one on a line.
 const std::size_t FacesPerPiece = 8;
+const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
 
 bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
 {
@@ -183,13 +187,13 @@ private:
     }
   }
 
-  /** Has a part whose box reaches before the near plane come when its nearest face does. Returns false if it has no faces. */
+  /** Has a part whose box reaches before the near plane come when its nearest face does. Returns false if it has no faces, or they are not worth their time. */
   bool QueueByFaces(const Entry& entry)
   {
     const Occluder occluder = this->HasOcclusion
       ? this->Occluders.OccluderOf(entry.Number & LooseNode::NumberBits)
       : Occluder{};
-    if (!occluder.Mesh)
+    if (!occluder.Mesh || !this->IsWorthItsTime(occluder, entry.Rectangle))
     {
       return false;
     }
@@ -360,9 +364,16 @@ private:
       occluder.Boxes->AreHidden(this->Culler.Lines, this->View, *occluder.ToWorld);
   }
 
+  /** Returns whether all of it lies behind the near plane; if not it is cut there, which takes long. */
   bool Project(const Occluder& occluder)
   {
-    return this->Culler.Projected.Project(*occluder.Mesh, this->View.Of(*occluder.ToWorld));
+    const bool isBehindNear =
+      this->Culler.Projected.Project(*occluder.Mesh, this->View.Of(*occluder.ToWorld));
+    if (!isBehindNear)
+    {
+      this->Culler.Budget.Spend(occluder.Mesh->Faces().size() / CutFacesPerPiece);
+    }
+    return isBehindNear;
   }
 
   /** Whether its faces may be tested, and inserted. */
@@ -442,6 +453,11 @@ bool BandCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjecti
     return false;
   }
   this->Projected.Project(*occluder.Mesh, view.Of(*occluder.ToWorld));
+  const std::size_t faces = occluder.Mesh->Faces().size();
+  if (faces > MostFacesToLookAt && IsDense(this->Projected.Rectangle(), faces))
+  {
+    return true;
+  }
   return HiddenFaces(this->Lines, view).AreThinOnes(this->Projected) &&
     !this->Projected.MayShowBeforeNear();
 }

@@ -9,7 +9,7 @@ namespace vitrine
 {
 
 /**
- * How much may be spent on inserting occluders: as much as the parts that were found hidden would have cost to draw, and a little
+ * How much may be spent on inserting occluders: a share of what the parts that were found hidden would have cost to draw, and a little
  * more each frame, to find out whether it would pay again. What is not spent is kept, up to what all parts are worth, so that there is enough
  * when the view jumps to where much is to be hidden. What an occluder takes is known once it is inserted; if that is more than there was, the
  * next frames have less, so that a try that takes long is made seldom. Work is counted in pieces of faces and edges on lines, not timed, so
@@ -25,7 +25,7 @@ public:
   void Begin(std::size_t parts, std::size_t bands = 1)
   {
     const bool isNew = parts > 2 * this->Parts;
-    const auto most = static_cast<std::int64_t>(parts * WorthOfPart);
+    const auto most = static_cast<std::int64_t>(parts * MostOfPart);
     const auto earned = static_cast<std::int64_t>(
       this->Hidden * WorthOfPart + (parts * TrialOfPart + LeastTrial) / bands);
     this->Left = isNew ? most : std::min(this->Left + earned, most);
@@ -44,10 +44,13 @@ public:
   void AddHidden(std::size_t parts) { this->Hidden += parts; }
 
 private:
-  // A piece takes some 0.1 microseconds, an actor of VTK 15 where it has few faces, and 30 to 900 in models of machines.
-  static constexpr std::size_t WorthOfPart = 240;
-  static constexpr std::size_t TrialOfPart = 10;
-  static constexpr std::size_t LeastTrial = 200;
+  // A piece takes some 0.1 microseconds, an actor of VTK 15 where it has few faces, and 30 to 900 in models of machines. So at most two fifths of what is
+  // saved is spent, and 2 % of what all parts take where nothing is.
+  static constexpr std::size_t WorthOfPart = 60;
+  static constexpr std::size_t MostOfPart =
+    240; ///< of a first frame, and kept for views in which much is found to be hidden
+  static constexpr std::size_t TrialOfPart = 3;
+  static constexpr std::size_t LeastTrial = 48;
 
   std::size_t Parts = 0;
   std::size_t Hidden = 0;
