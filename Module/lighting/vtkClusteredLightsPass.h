@@ -210,6 +210,7 @@ private:
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
   void MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit);
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
+  void WarnOfLongLists();
   void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
 
   struct Internals;
