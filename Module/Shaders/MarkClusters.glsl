@@ -23,13 +23,11 @@ void markAround(vec4 place)
 {
   vec3 at = vitrineGridAt(place);
   vec3 first = floor(at - Slack), last = floor(at + Slack);
-  mark(first);
-  if (first != last)
+  // A loop that ends, not a condition: llvmpipe would do what stands under that for every pixel.
+  int corners = first != last ? 8 : 1;
+  for (int corner = 0; corner < corners; ++corner)
   {
-    for (int corner = 1; corner < 8; ++corner)
-    {
-      mark(vec3(corner & 1, (corner >> 1) & 1, corner >> 2) * (last - first) + first);
-    }
+    mark(vec3(corner & 1, (corner >> 1) & 1, corner >> 2) * (last - first) + first);
   }
 }
 

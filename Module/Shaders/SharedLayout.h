@@ -109,17 +109,18 @@ struct VitrineCapturedFragment
   float Extent;  // of the interval within which others coincide; 0: none does
 };
 
-/** A light in view coordinates (VC), as VTK's shaders have it: four texels of a buffer texture, RGBA32F. */
+/** A light in view coordinates (VC), as VTK's shaders have it: four texels of a buffer texture, RGBA32F. The first two tell what it does not reach. */
 struct VitrineLight
 {
+  float Position[3];
+  float SquaredRange; // infinite where it has none; negative of a light that is not positional
+  float Direction[3];
+  float
+    LeastCosine; // of what may be within the cone, times the direction's length; 0 or less where there is no cone
   float Color[3];  // diffuse, times the intensity
   float ConeAngle; // in degrees; from 90 on there is no cone
-  float Direction[3];
-  float Exponent;
-  float Position[3];
-  float Positional; // 0 or 1
   float Attenuation[3];
-  float Unused;
+  float Exponent;
 };
 #define VITRINE_LIGHT_TEXELS 4
 
@@ -176,7 +177,7 @@ struct VitrineMaterial
 #ifdef __cplusplus
 static_assert(sizeof(VitrineLight) == 16 * VITRINE_LIGHT_TEXELS, "texels of four floats");
 static_assert(offsetof(VitrineLight, Direction) == 16, "texels of four floats");
-static_assert(offsetof(VitrineLight, Position) == 32, "texels of four floats");
+static_assert(offsetof(VitrineLight, Color) == 32, "texels of four floats");
 static_assert(offsetof(VitrineLight, Attenuation) == 48, "texels of four floats");
 static_assert(sizeof(VitrineLightList) == 8, "a texel of two words");
 static_assert(sizeof(VitrineMaterial) == 16 * VITRINE_MATERIAL_TEXELS, "texels of four floats");

@@ -106,7 +106,8 @@ bool IsLit(const std::string& fragmentShader)
 std::string LoopOverLights(std::string& fragmentShader)
 {
   const std::string problem = DeclareLights(fragmentShader);
-  return problem.empty() ? Enclose(fragmentShader, shaders::LightLoopImpl, "  }\n") : problem;
+  return problem.empty() ? Enclose(fragmentShader, shaders::LightLoopImpl, shaders::LightLoopEnd)
+                         : problem;
 }
 
 std::string TakeOneLight(std::string& fragmentShader, const std::string& result)

@@ -1,5 +1,6 @@
 #include "lighting/RendererLights.h"
 
+#include "Core/lighting/FloatSlack.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -7,12 +8,15 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkTransform.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace vitrine
 {
@@ -68,6 +72,23 @@ void Put(const From& from, float (&to)[3])
     &from[0], &from[0] + 3, to, [](double value) { return static_cast<float>(value); });
 }
 
+bool IsPositional(const VitrineLight& packed)
+{
+  return packed.SquaredRange >= 0.0f;
+}
+
+// VTK asks for the cosine of a direction of whatever length, and only where the angle is less than 90 degrees. What its floats take for within the cone is.
+float LeastCosineOf(const VitrineLight& packed)
+{
+  if (!IsPositional(packed) || !(packed.ConeAngle < 90.0f))
+  {
+    return 0.0f;
+  }
+  const double length = glm::length(glm::dvec3(glm::make_vec3(packed.Direction)));
+  const double slack = 2.0 * CosineSlack * std::max(1.0, length);
+  return static_cast<float>(std::cos(glm::radians(static_cast<double>(packed.ConeAngle))) - slack);
+}
+
 VitrineLight Pack(vtkLight* light, const Placed& placed)
 {
   VitrineLight packed{};
@@ -79,7 +100,8 @@ VitrineLight Pack(vtkLight* light, const Placed& placed)
   Put(light->GetAttenuationValues(), packed.Attenuation);
   packed.ConeAngle = static_cast<float>(light->GetConeAngle());
   packed.Exponent = static_cast<float>(light->GetExponent());
-  packed.Positional = light->GetPositional() ? 1.0f : 0.0f;
+  packed.SquaredRange = light->GetPositional() ? std::numeric_limits<float>::max() : -1.0f;
+  packed.LeastCosine = LeastCosineOf(packed);
   return packed;
 }
 
@@ -97,7 +119,7 @@ LightVolume VolumeOf(const VitrineLight& packed)
   volume.Position = glm::make_vec3(packed.Position);
   volume.Axis = glm::make_vec3(packed.Direction);
   // To go all around is the default, and what a light that is not positional does.
-  if (packed.Positional != 0.0f)
+  if (IsPositional(packed))
   {
     volume.ConeAngle = packed.ConeAngle;
   }
@@ -106,7 +128,7 @@ LightVolume VolumeOf(const VitrineLight& packed)
 
 bool IsFinite(const VitrineLight& packed)
 {
-  const float* const numbers = packed.Color;
+  const float* const numbers = packed.Position;
   return std::all_of(numbers, numbers + sizeof(packed) / sizeof(float),
     [](float number) { return std::isfinite(number); });
 }
@@ -135,6 +157,18 @@ LightFormula FormulaOf(vtkLightCollection* lights)
   return isPositional           ? LightFormula::Positional
     : count > 1 || !isHeadlight ? LightFormula::Directional
                                 : LightFormula::Headlight;
+}
+
+void RendererLights::TakeRanges()
+{
+  for (std::size_t i = 0; i < this->Packed.size(); ++i)
+  {
+    if (IsPositional(this->Packed[i]))
+    {
+      const float range = LightShape(this->Volumes[i]).Range;
+      this->Packed[i].SquaredRange = range * range;
+    }
+  }
 }
 
 void RendererLights::Take(vtkOpenGLRenderer* renderer)

@@ -44,6 +44,9 @@ struct RendererLights
 
   /** Takes them as VTK's renderer hands them to shaders, from a camera that is up to date. */
   void Take(vtkOpenGLRenderer* renderer);
+
+  /** Tells shaders the ranges of the volumes, once they are known. */
+  void TakeRanges();
 };
 
 }

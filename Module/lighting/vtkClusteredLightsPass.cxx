@@ -2,6 +2,7 @@
 
 #include "Core/lighting/LightAssignment.h"
 #include "Core/lighting/LightCut.h"
+#include "gl/Capabilities.h"
 #include "gl/HeldContext.h"
 #include "lighting/LightBuffers.h"
 #include "lighting/LightLoop.h"
@@ -176,6 +177,7 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
   const vitrine::LitProps lit = vitrine::LitPropsOf(s);
   vitrine::CutLights(in.Lights.Falloffs, lit.Region, vitrine::BudgetOfLight(renderer, this->CutOff),
     in.Lights.Volumes);
+  in.Lights.TakeRanges();
   this->MakeGrid(renderer, lit);
   const std::uint32_t used = in.Grid->Assign(in.Assigner, lit, in.Lights.Volumes, in.Lists);
   this->TellOfLists(*in.Grid, in.Lists, used);
@@ -249,6 +251,7 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
     this->LeaveWindow();
     in.Context.Hold(window);
   }
+  this->WarnOfLongLists();
   const std::string problem = in.Buffers.Write(in.Lights.Packed, in.Lists);
   this->Bytes = in.Buffers.Bytes();
   if (!problem.empty() && in.Reported.insert(problem).second)
@@ -256,6 +259,20 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
     vtkErrorMacro(<< problem << "; lights are drawn as VTK does");
   }
   return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+// Of 32 lights that all reach a pixel each takes a turn, and the 32 take nine to be found (LightLoopImpl.glsl).
+void vtkClusteredLightsPass::WarnOfLongLists()
+{
+  constexpr vtkIdType most = 50000;
+  const std::string warning = "llvmpipe ends the loops of a shader after 65,535 turns, in silence: "
+                              "where a cluster has more than 50,000 lights, some may be missing";
+  if (this->MaximumLightsPerCluster > most && vitrine::IsSoftwareRasteriser() &&
+    this->Private->Reported.insert(warning).second)
+  {
+    vtkWarningMacro(<< warning);
+  }
 }
 
 //------------------------------------------------------------------------------

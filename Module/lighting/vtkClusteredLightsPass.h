@@ -137,7 +137,7 @@ public:
   ///@}
 
   /**
-   * Of the last frame: how many lights a fragment at a place goes through, in view coordinates (VC).
+   * Of the last frame: how many lights a fragment at a place looks at, in view coordinates (VC).
    */
   vtkIdType GetNumberOfLightsAt(double x, double y, double z);
 
@@ -210,6 +210,7 @@ private:
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
   void MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit);
   bool WriteBuffers(vtkOpenGLRenderer* renderer);
+  void WarnOfLongLists();
   void RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
 
   struct Internals;

@@ -20,6 +20,7 @@ extern const char* const GBufferWritePhysical;
 extern const char* const LightAddPhong;
 extern const char* const LightAddPhysical;
 extern const char* const LightLoopDec;
+extern const char* const LightLoopEnd;
 extern const char* const LightLoopImpl;
 extern const char* const LightSumsDec;
 extern const char* const LightSumsPhong;

@@ -1,5 +1,7 @@
 // Scenes in which other implementations of clustered lighting lost lights or flickered, each as VTK draws it.
 #include "StableScene.h"
+#include "TestMessages.h"
+#include "gl/Capabilities.h"
 #include "gl/GLObjects.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderer.h"
@@ -183,6 +185,34 @@ TEST(StableLights, MayBeMoreThan65536)
     EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
     EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
     EXPECT_EQ(scene.Lights->GetNumberOfLights(), lights);
+  }
+}
+
+// llvmpipe ends the loops of a shader after so many turns, which no picture tells.
+TEST(StableLights, AreSaidToBeMissingWhereADriverEndsLoops)
+{
+  StableScene scene;
+  scene.Window->SetSize(7, 5); // every pixel goes through thousands of lights
+  scene.SetGrid(4096, 1);
+  const auto seen = scene.AddBeam({ { 0.5, 0.7, 1.0 }, { 0.0, 0.0, 0.0 }, 40.0 });
+  const Picture expected = scene.InVTKsLight();
+  scene.Renderer->RemoveAllLights();
+  for (int i = 0; i < 49999; ++i)
+  {
+    scene.AddLight(LightKind::Point, 1e-12);
+  }
+  scene.Renderer->AddLight(seen);
+  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+  EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
+  EXPECT_EQ(TakeMessages(), std::vector<std::string>());
+  scene.AddLight(LightKind::Point, 1e-12);
+  scene.InClusteredLight();
+  scene.InClusteredLight();
+  const std::vector<std::string> messages = TakeMessages();
+  ASSERT_EQ(messages.size(), vitrine::IsSoftwareRasteriser() ? 1u : 0u);
+  for (const std::string& message : messages)
+  {
+    EXPECT_NE(message.find("more than 50,000 lights"), std::string::npos) << message;
   }
 }
 

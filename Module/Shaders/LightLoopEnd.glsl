@@ -1,0 +1,4 @@
+      vitrineReaching &= vitrineReaching - 1u;
+    } while (vitrineReaching != 0u);
+    vitrineBegin += VITRINE_LIGHTS_AT_ONCE;
+  } while (vitrineBegin < vitrineEnd);
