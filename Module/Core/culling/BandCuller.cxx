@@ -72,6 +72,7 @@ public:
       queue.pop_back();
       this->Visit(nearest);
     }
+    this->Culler.Owners.End(this->Culler.Lines);
     if (this->HasOcclusion)
     {
       this->LookAgain();
@@ -131,12 +132,12 @@ private:
     this->Culler.Visited.push_back({ part, rectangle, this->Witness });
   }
 
-  /** Tests what was shown before all that stands in front of it had been inserted. */
+  /** Tests what was shown before all that stands in front of it had been inserted. What has some of the s-buffer shows. */
   void LookAgain()
   {
     for (const ShownPart& shown : this->Culler.Visited)
     {
-      if (this->IsHidden(shown.Witness) &&
+      if (!this->Culler.Owners.Owns(shown.Part) && this->IsHidden(shown.Witness) &&
         this->IsHiddenNow(this->Occluders.OccluderOf(shown.Part), shown.Rectangle))
       {
         this->Culler.Shows[shown.Part] = 0;
@@ -478,7 +479,6 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   if (!tree.IsEmpty())
   {
     Walk(*this, tree, occluders, view, occlusion, drawn).Run();
-    this->Owners.End(this->Lines);
   }
 }
 
