@@ -72,7 +72,6 @@ public:
       queue.pop_back();
       this->Visit(nearest);
     }
-    this->Culler.Owners.End(this->Culler.Lines);
     if (this->HasOcclusion)
     {
       this->LookAgain();
@@ -132,12 +131,12 @@ private:
     this->Culler.Visited.push_back({ part, rectangle, this->Witness });
   }
 
-  /** Tests what was shown before all that stands in front of it had been inserted. What has some of the s-buffer shows. */
+  /** Tests what was shown before all that stands in front of it had been inserted. */
   void LookAgain()
   {
     for (const ShownPart& shown : this->Culler.Visited)
     {
-      if (!this->Culler.Owners.Owns(shown.Part) && this->IsHidden(shown.Witness) &&
+      if (this->IsHidden(shown.Witness) &&
         this->IsHiddenNow(this->Occluders.OccluderOf(shown.Part), shown.Rectangle))
       {
         this->Culler.Shows[shown.Part] = 0;
@@ -479,6 +478,7 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   if (!tree.IsEmpty())
   {
     Walk(*this, tree, occluders, view, occlusion, drawn).Run();
+    this->Owners.End(this->Lines);
   }
 }
 

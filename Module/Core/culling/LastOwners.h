@@ -43,11 +43,8 @@ public:
   void MarkVisited(std::uint32_t part) { this->IsVisited[part] = 1; }
   bool WasVisited(std::uint32_t part) const { return this->IsVisited[part] != 0; }
 
-  /** All has been inserted: that is in the s-buffer, whose spans say of which part they are. */
+  /** The frame ends with that in the s-buffer, whose spans say of which part they are. */
   void End(const SBuffer& lines);
-
-  /** Whether a part has anything of the s-buffer in the end. */
-  bool Owns(std::uint32_t part) const { return this->Columns[part] > 0.0f; }
 
 private:
   std::vector<Owner> Last;
