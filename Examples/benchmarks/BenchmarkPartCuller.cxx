@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -46,9 +47,12 @@ struct Cube
 const glm::dvec3 Eye(1.9, 1.5, 2.2);
 constexpr double WallDistance = 1.3;
 
-glm::dmat4 FromEye()
+glm::dmat4 FromEye(double turned = 0.0)
 {
-  return glm::lookAt(Eye, glm::dvec3(0.5), glm::dvec3(0.0, 1.0, 0.0));
+  const glm::dmat4 around = glm::rotate(glm::dmat4(1.0), turned, glm::dvec3(0.0, 1.0, 0.0));
+  const glm::dvec3 middle(0.5);
+  return glm::lookAt(
+    middle + glm::dvec3(around * glm::dvec4(Eye - middle, 0.0)), middle, glm::dvec3(0.0, 1.0, 0.0));
 }
 
 // Boxes all over a cube of 1, and perhaps a wall before it.
@@ -113,37 +117,42 @@ private:
   std::vector<glm::dmat4> ToWorld;
 };
 
-ScreenProjection TheView()
+ScreenProjection TheView(double turned = 0.0)
 {
-  const glm::dmat4 toClip = glm::perspective(glm::radians(40.0), 16.0 / 9.0, 0.5, 6.0) * FromEye();
+  const glm::dmat4 toClip =
+    glm::perspective(glm::radians(40.0), 16.0 / 9.0, 0.5, 6.0) * FromEye(turned);
   const float snapping = 1.0f / 64 / PixelsPerLine;
   return ScreenProjection(
     toClip, Columns, Lines, glm::dvec3(1.1), { snapping, snapping, 0x1p-21f });
 }
 
-void CullBoxes(benchmark::State& state, bool hasWall)
+/** Seen from an eye that goes around them by so many degrees a frame. */
+void CullBoxes(benchmark::State& state, bool hasWall, double degrees = 0.0)
 {
   BoxScene scene(static_cast<std::uint32_t>(state.range(0)), hasWall);
   const std::size_t count = scene.Bounds.size();
   const LooseOctree tree(scene.Bounds);
-  const ScreenProjection view = TheView();
+  double turned = 0.0;
   PartCuller culler(Columns, Lines, SampleGrid::AtCentres(PixelsPerLine));
   std::vector<std::uint8_t> visible;
+  std::size_t shown = 0, frames = 0;
   for (auto _ : state)
   {
     visible.assign(count, 1);
-    culler.Cull(tree, scene, view, true, visible);
+    culler.Cull(tree, scene, TheView(turned), true, visible);
+    turned += glm::radians(degrees);
+    shown += std::accumulate(visible.begin(), visible.end(), std::size_t{ 0 });
+    ++frames;
   }
-  std::size_t shown = 0;
-  for (const std::uint8_t isVisible : visible)
-  {
-    shown += isVisible;
-  }
-  state.counters["culled_share"] = 1.0 - static_cast<double>(shown) / static_cast<double>(count);
+  state.counters["culled_share"] =
+    1.0 - static_cast<double>(shown) / (static_cast<double>(frames) * static_cast<double>(count));
   state.counters["tested"] = culler.Counts().Tested;
   state.counters["inserted"] = culler.Counts().Inserted;
 }
 BENCHMARK_CAPTURE(CullBoxes, seen_from_outside, false)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CullBoxes, seen_while_turning, false, 0.2)
+  ->Arg(100000)
+  ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(CullBoxes, behind_a_wall, true)
   ->RangeMultiplier(10)
   ->Range(10000, 1000000)

@@ -21,21 +21,18 @@ bool IsOf(HiddenFaces::Sides sides, MeshProjection::Facing facing)
 class HiddenFaces::Outlined
 {
 public:
-  Outlined(const MeshProjection& projection, const MeshFace& face)
-    : Around(projection.RectangleOf(face))
-    , A(projection.Point(face[0]))
-    , B(projection.Point(face[1]))
-    , C(projection.Point(face[2]))
-    , Edges{ { A, B }, { B, C }, { C, A } }
+  Outlined(const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around,
+    const DepthPlane& plane)
+    : Around(around)
+    , Edges{ { projection.Point(face[0]), projection.Point(face[1]) },
+      { projection.Point(face[1]), projection.Point(face[2]) },
+      { projection.Point(face[2]), projection.Point(face[0]) } }
     , Own(std::max({ Edges[0].OwnRounding(), Edges[1].OwnRounding(), Edges[2].OwnRounding() }))
     , Aside(projection.Margin().Column + Own)
     , Above(projection.Margin().Line + Own)
-    , Plane(A, B, C, projection.Margin(), projection.Snapping())
+    , Plane(plane)
   {
-    this->Around.Nearest = this->Plane.NearestOfAll();
   }
-
-  const ScreenRectangle& Rectangle() const { return this->Around; }
 
   LineRange LinesOf(const SBuffer& buffer) const
   {
@@ -58,12 +55,11 @@ public:
   }
 
 private:
-  ScreenRectangle Around;
-  ScreenPoint A, B, C;
+  const ScreenRectangle& Around;
   ScreenEdge Edges[3];
   float Own;
   float Aside, Above;
-  DepthPlane Plane;
+  const DepthPlane& Plane;
 };
 
 bool HiddenFaces::AreAll(const MeshProjection& projection, Sides sides)
@@ -118,9 +114,12 @@ void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing
 /** What is drawn wider than it is has no more than a rectangle. */
 bool HiddenFaces::IsHidden(const MeshProjection& projection, const MeshFace& face)
 {
-  const Outlined outlined(projection, face);
+  const DepthPlane plane(projection.Point(face[0]), projection.Point(face[1]),
+    projection.Point(face[2]), projection.Margin(), projection.Snapping());
+  ScreenRectangle around = projection.RectangleOf(face);
+  around.Nearest = plane.NearestOfAll();
   const bool isWider = this->View.Grows();
-  this->Shown = isWider ? this->View.Grown(outlined.Rectangle()) : outlined.Rectangle();
+  this->Shown = isWider ? this->View.Grown(around) : around;
   if (this->Lines.Hides(this->Shown))
   {
     return true;
@@ -129,6 +128,7 @@ bool HiddenFaces::IsHidden(const MeshProjection& projection, const MeshFace& fac
   {
     return false;
   }
+  const Outlined outlined(projection, face, around, plane);
   const LineRange lines = outlined.LinesOf(this->Lines);
   return lines.First <= lines.Last && this->IsHidden(outlined, lines);
 }
