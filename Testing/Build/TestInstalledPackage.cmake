@@ -15,6 +15,10 @@ run("${CMAKE_COMMAND}" -S "${EXAMPLE_DIR}" -B "${WORK_DIR}/example" -G "${GENERA
   "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}" -DCMAKE_BUILD_TYPE=Debug)
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/example")
 
+# Projects that link all that they asked VTK for get no less by asking for Vitrine, too.
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/libraries" -B "${WORK_DIR}/libraries" -G "${GENERATOR}"
+  "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}")
+
 # Nothing but the installed files may be needed, nor a display.
 unset(ENV{LD_LIBRARY_PATH})
 unset(ENV{DISPLAY})
