@@ -56,6 +56,12 @@ public:
     return -1.0;
   }
 
+  /** At the first sample from a column on. */
+  double DepthAtSample(int line, double column) const
+  {
+    return this->DepthAt(line, this->Buffer.Samples().From(static_cast<float>(column)));
+  }
+
   /** Expects one stretch of spans without a gap in which there are samples, or nothing where `left` equals `right`. */
   void ExpectFromTo(int line, double left, double right) const
   {

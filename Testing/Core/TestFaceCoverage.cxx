@@ -237,7 +237,7 @@ TEST_P(FaceCoverage, OfManyNarrowFacesIsAllBetweenTheirOutline)
   {
     for (const double column : { 2.5, 3.9, 8.1, 19.9, 20.1, 30.3, 37.5 })
     {
-      EXPECT_GT(covered.DepthAt(line, column), 0.0) << line << ", " << column;
+      EXPECT_GT(covered.DepthAtSample(line, column), 0.0) << line << ", " << column;
     }
     EXPECT_FALSE(covered.IsAt(line, 1.9));
     EXPECT_FALSE(covered.IsAt(line, 38.1));
@@ -256,7 +256,7 @@ TEST_P(FaceCoverage, LeavesNoSlitsBesideANarrowFace)
     covered.ExpectFromTo(line, 2.03, 37.97);
     for (const double column : { 15.04, 15.06, 15.08, 15.1 })
     {
-      EXPECT_GT(covered.DepthAt(line, column), 0.3) << column;
+      EXPECT_GT(covered.DepthAtSample(line, column), 0.3) << column;
     }
   }
 }
@@ -269,6 +269,6 @@ TEST_P(FaceCoverage, LeavesNoSlitAtTheSideOfTheScreen)
   const Covered covered(GetParam(), roof, Facing::Front, { 0.03f, 0.03f, 1e-5f });
   for (int line = 0; line < coverage::WideLines; ++line)
   {
-    EXPECT_TRUE(covered.IsAt(line, 39.999)) << line;
+    EXPECT_TRUE(covered.IsAt(line, GetParam().Samples().UpTo(39.999f))) << line;
   }
 }

@@ -103,7 +103,49 @@ TEST(SBufferSamples, OnlyCentresNeedBeCovered)
   EXPECT_FALSE(buffer.Hides({ 2.6f, 7.4f, 0.6f, 2.6f, 0.4f }));
 }
 
-TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryCentre)
+TEST(SBufferSamples, GapsBetweenCentresHideNothingLess)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
+  buffer.Insert(1, { 0.0f, 2.9f, 0.5f, 0.5f, 0 });
+  buffer.Insert(1, { 3.1f, 8.0f, 0.5f, 0.5f, 0 });
+  EXPECT_TRUE(buffer.Hides({ 2.2f, 3.8f, 1.2f, 1.8f, 0.4f })) << "part of a tile";
+  EXPECT_TRUE(buffer.IsCoveredBefore(1, 0, 0.5f)) << "a whole one";
+  buffer.Insert(2, { 0.0f, 2.45f, 0.5f, 0.5f, 0 });
+  buffer.Insert(2, { 2.55f, 8.0f, 0.5f, 0.5f, 0 });
+  EXPECT_FALSE(buffer.Hides({ 2.2f, 3.8f, 2.2f, 2.8f, 0.4f })) << "a centre lies in it";
+  EXPECT_FALSE(buffer.IsCoveredBefore(2, 0, 0.1f));
+}
+
+TEST(SBufferSamples, WhatIsFartherBetweenCentresDoesNotShow)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
+  buffer.Insert(1, { 0.0f, 8.0f, 0.2f, 0.2f, 0 });
+  buffer.Insert(1, { 0.0f, 2.9f, 0.5f, 0.5f, 0 });
+  buffer.Insert(1, { 3.1f, 8.0f, 0.5f, 0.5f, 0 });
+  ASSERT_GT(buffer.SpansOf(1).size(), 3u) << "what is farther is there";
+  EXPECT_TRUE(buffer.Hides({ 2.2f, 3.8f, 1.2f, 1.8f, 0.4f }));
+  EXPECT_TRUE(buffer.IsCoveredBefore(1, 0, 0.5f));
+}
+
+TEST(SBufferSamples, WhatSlantsCountsAsFarAsTheLastCentre)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
+  buffer.Insert(1, { 0.0f, 4.0f, 0.8f, 0.4f, 0 }); // 0.75 at the first centre, 0.45 at the last one
+  EXPECT_TRUE(buffer.IsCoveredBefore(1, 0, 0.449f));
+  EXPECT_FALSE(buffer.IsCoveredBefore(1, 0, 0.451f));
+}
+
+TEST(SBufferSamples, SegmentsBetweenCentresAreLeftOut)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
+  buffer.Insert(1, { 2.6f, 3.4f, 0.5f, 0.5f, 0 });
+  EXPECT_TRUE(buffer.SpansOf(1).empty());
+  EXPECT_EQ(buffer.Counts().Inserted, 0u);
+  buffer.Insert(1, { 2.5f, 2.51f, 0.5f, 0.5f, 0 });
+  EXPECT_TRUE(buffer.Hides({ 2.2f, 2.8f, 1.2f, 1.8f, 0.4f })) << "a centre lies on its end";
+}
+
+TEST(SBufferSamples, WhatIsHiddenIsWhatIsHiddenAtEveryCentre)
 {
   std::mt19937 random(3);
   const auto between = [&](float least, float greatest)
@@ -124,11 +166,9 @@ TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryCentre)
       const float left = between(-1.0f, 40.0f), bottom = between(-1.0f, 4.0f);
       const ScreenRectangle rectangle{ left, left + between(0.0f, 3.0f), bottom,
         bottom + between(0.0f, 1.5f), between(0.0f, 0.9f) };
-      if (buffer.Hides(rectangle))
-      {
-        ++hidden;
-        ASSERT_TRUE(AreCentresHidden(buffer, pixels, rectangle)) << round;
-      }
+      const bool isHidden = AreCentresHidden(buffer, pixels, rectangle);
+      ASSERT_EQ(buffer.Hides(rectangle), isHidden) << round;
+      hidden += isHidden;
     }
   }
   EXPECT_GT(hidden, 2000);

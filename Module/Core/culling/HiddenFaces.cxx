@@ -11,6 +11,9 @@ namespace vitrine
 
 namespace
 {
+// Pieces of lines that have samples anywhere are halved down to less.
+const float ShortestPiece = 1.0f;
+
 bool IsOf(HiddenFaces::Sides sides, MeshProjection::Facing facing)
 {
   return (facing == MeshProjection::Facing::Front) == (sides == HiddenFaces::Sides::Front);
@@ -40,18 +43,27 @@ public:
       this->Around.Bottom - this->Own, this->Around.Top + this->Own, { 0, buffer.Lines() - 1 });
   }
 
-  /** Around what it touches between two lines; Left exceeds Right if that is nothing. */
-  ScreenRectangle Between(float bottom, float top, float columns) const
+  /** Around the samples that it touches between two lines; Left exceeds Right if there are none. */
+  ScreenRectangle Between(float bottom, float top, const SBuffer& buffer) const
   {
     LineExtent touched;
     for (const ScreenEdge& edge : this->Edges)
     {
       touched.Add(edge, bottom - this->Above, top + this->Above);
     }
-    const float left = touched.Left - this->Aside, right = touched.Right + this->Aside;
-    return { left, right, bottom, top,
-      this->Plane.NearestWithin(std::max(left, 0.0f), std::min(right, columns),
-        std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top)) };
+    return this->Within(std::max(touched.Left - this->Aside, 0.0f),
+      std::min(touched.Right + this->Aside, static_cast<float>(buffer.Columns())), bottom, top,
+      buffer.Samples());
+  }
+
+  /** Around the samples of what it has in a rectangle, which it may touch all of. */
+  ScreenRectangle Within(
+    float left, float right, float bottom, float top, const SampleGrid& samples) const
+  {
+    const float first = samples.From(left), last = samples.UpTo(right);
+    return { first, last, bottom, top,
+      this->Plane.NearestWithin(
+        first, last, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top)) };
   }
 
 private:
@@ -138,19 +150,38 @@ bool HiddenFaces::IsHidden(const Outlined& face, const LineRange& lines)
 {
   const float inset = this->Lines.Samples().Inset();
   const ScreenRectangle around = face.Between(static_cast<float>(lines.First) + inset,
-    static_cast<float>(lines.Last + 1) - inset, static_cast<float>(this->Lines.Columns()));
+    static_cast<float>(lines.Last + 1) - inset, this->Lines);
+  if (lines.First == lines.Last)
+  {
+    return this->IsPieceHidden(face, around);
+  }
   if (around.Left > around.Right || this->Lines.Hides(around))
   {
     return true;
   }
-  if (lines.First == lines.Last)
-  {
-    this->Shown = around;
-    return false;
-  }
   const int middle = lines.First + (lines.Last - lines.First) / 2;
   return this->IsHidden(face, { lines.First, middle }) &&
     this->IsHidden(face, { middle + 1, lines.Last });
+}
+
+/** Of what it has of a line: half of the columns by half, down to one sample: its depth and what stands there may slant alike. */
+bool HiddenFaces::IsPieceHidden(const Outlined& face, const ScreenRectangle& piece)
+{
+  if (piece.Left > piece.Right || this->Lines.Hides(piece))
+  {
+    return true;
+  }
+  const SampleGrid& samples = this->Lines.Samples();
+  const float shortest = samples.Inset() > 0.0f ? 2.0f * samples.Inset() : ShortestPiece;
+  if (!(piece.Right - piece.Left >= shortest))
+  {
+    this->Shown = piece;
+    return false;
+  }
+  const float middle = 0.5f * (piece.Left + piece.Right);
+  return this->IsPieceHidden(
+           face, face.Within(piece.Left, middle, piece.Bottom, piece.Top, samples)) &&
+    this->IsPieceHidden(face, face.Within(middle, piece.Right, piece.Bottom, piece.Top, samples));
 }
 
 }

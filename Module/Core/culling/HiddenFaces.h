@@ -51,6 +51,7 @@ private:
   static bool IsThin(const MeshProjection& projection, const MeshFace& face);
   bool IsHidden(const MeshProjection& projection, const MeshFace& face);
   bool IsHidden(const Outlined& face, const LineRange& lines);
+  bool IsPieceHidden(const Outlined& face, const ScreenRectangle& piece);
 
   const SBuffer& Lines;
   const ScreenProjection& View;

@@ -69,6 +69,37 @@ void SBuffer::Free(std::uint32_t span)
   this->FirstFree = span;
 }
 
+/**
+ * Does something with the depths where each span of a tile has its first and its last sample between two.
+ * @param work  returns whether to go on
+ * @returns     whether all samples are covered, and the work went on to the end
+ */
+template <class Work>
+VITRINE_INLINE bool SBuffer::ForEachCovered(
+  std::uint32_t first, float left, float right, const Work& work) const
+{
+  float next = left; // the question may be of one place alone
+  for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
+  {
+    const Span& span = this->Pool[i];
+    if (span.Right < next)
+    {
+      continue; // nothing shows between samples
+    }
+    const float last = span.Right < right ? this->Grid.UpTo(span.Right) : right;
+    if (span.Left > next || !work(span.DepthAt(next), span.DepthAt(last)))
+    {
+      return false;
+    }
+    if (last >= right)
+    {
+      return true;
+    }
+    next = this->Grid.Behind(last);
+  }
+  return false;
+}
+
 template <class Orders>
 VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
 {
@@ -78,8 +109,8 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
   const float length = segment.Right - segment.Left;
   const float slope = (segment.RightDepth - segment.LeftDepth) / length;
   const float greatest = std::max(segment.LeftDepth, segment.RightDepth);
-  if (!(left < right) || !std::isfinite(length) || !std::isfinite(slope) ||
-    !std::isfinite(greatest))
+  if (!(left < right && this->Grid.From(left) <= this->Grid.UpTo(right)) ||
+    !std::isfinite(length) || !std::isfinite(slope) || !std::isfinite(greatest))
   {
     return;
   }
@@ -97,8 +128,15 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
     if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
           .Run(std::max(left, tileLeft), std::min(right, tileRight)))
     {
-      this->Leasts[tile] = this->LeastDepthOf(
-        this->Firsts[tile], this->Grid.From(tileLeft), this->Grid.UpTo(tileRight));
+      float least = 2.0f;
+      const bool isFull = this->ForEachCovered(this->Firsts[tile], this->Grid.From(tileLeft),
+        this->Grid.UpTo(tileRight),
+        [&least](float first, float last)
+        {
+          least = std::min(least, std::min(first, last));
+          return true;
+        });
+      this->Leasts[tile] = isFull ? least : NotFull;
     }
   }
 }
@@ -116,46 +154,12 @@ void SBuffer::Insert(int line, const FaceSegment& segment, FaceOrder& order)
   this->InsertBy(order, line, segment.Covered);
 }
 
-float SBuffer::LeastDepthOf(std::uint32_t first, float left, float right) const
+VITRINE_INLINE bool SBuffer::TileHides(
+  std::size_t tile, float left, float right, float nearest) const
 {
-  float covered = left;
-  float least = 2.0f;
-  for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
-  {
-    const Span& span = this->Pool[i];
-    if (span.Left > covered)
-    {
-      return NotFull;
-    }
-    covered = span.Right;
-    least = std::min(least, std::min(span.Depth, span.DepthAt(span.Right)));
-  }
-  return covered >= right ? least : NotFull;
-}
-
-bool SBuffer::TileHides(std::size_t tile, float left, float right, float nearest) const
-{
-  float covered = left; // the question may be of one place alone
-  for (std::uint32_t i = this->Firsts[tile]; i != NoSpan; i = this->Pool[i].Next)
-  {
-    const Span& span = this->Pool[i];
-    if (span.Right < covered)
-    {
-      continue;
-    }
-    const float end = std::min(right, span.Right);
-    if (span.Left > covered ||
-      !(std::min(span.DepthAt(covered), span.DepthAt(end)) > nearest)) // as is no number
-    {
-      return false;
-    }
-    covered = end;
-    if (covered >= right)
-    {
-      return true;
-    }
-  }
-  return false;
+  return this->ForEachCovered(this->Firsts[tile], left, right,
+    [nearest](float first, float last)
+    { return std::min(first, last) > nearest; }); // as is no number
 }
 
 /** A bit for each tile of a column of tiles, up to eight from `line` up to `last`, that is not known to be covered by what is nearer. */

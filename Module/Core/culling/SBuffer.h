@@ -150,7 +150,8 @@ private:
 
   std::uint32_t Allocate();
   void Free(std::uint32_t span);
-  float LeastDepthOf(std::uint32_t first, float left, float right) const;
+  template <class Work>
+  bool ForEachCovered(std::uint32_t first, float left, float right, const Work& work) const;
   unsigned OpenTiles(int line, int last, int tile, float nearest) const;
   bool PartOfTilesHides(
     int first, int last, int tile, float left, float right, float nearest) const;

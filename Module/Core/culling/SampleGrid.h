@@ -39,6 +39,9 @@ public:
                                : place;
   }
 
+  /** The sample behind another one, or the place itself where samples are anywhere. */
+  float Behind(float sample) const { return sample + 2.0f * this->Inset(); }
+
   /** Whether there may be samples between two places, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
   bool MayHaveAny(float from, float to) const
   {
