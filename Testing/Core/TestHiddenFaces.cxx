@@ -25,6 +25,7 @@ using vitrine::HiddenFaces;
 using vitrine::MeshProjection;
 using vitrine::OccluderMesh;
 using vitrine::PartCuller;
+using vitrine::SampleGrid;
 using vitrine::SBuffer;
 using vitrine::ScreenMatrix;
 using vitrine::ScreenProjection;
@@ -102,6 +103,29 @@ TEST(HiddenFaces, AreAsFarAsTheirPlane)
   EXPECT_TRUE(AreHidden(slanted, lines, PlainView()));
   slanted.Points[0].z = 0.3; // 0.54 at the side of the screen
   EXPECT_FALSE(AreHidden(slanted, lines, PlainView()));
+}
+
+TEST(HiddenFaces, ThatSlantAsWhatStandsBeforeThemDoesAreHidden)
+{
+  for (const SampleGrid& samples : { SampleGrid(), SampleGrid::AtCentres(1) })
+  {
+    SBuffer lines(FrameColumns, FrameLines, samples);
+    for (int line = 0; line < FrameLines; ++line)
+    {
+      lines.Insert(line, { 0.0f, 60.0f, 0.1f, 0.7f, 1 }); // 0.01 a column
+    }
+    const auto behind = [](double distance)
+    {
+      Triangles face;
+      face.AddQuad({ 10, 5, 0.2 - distance }, { 50, 5, 0.6 - distance }, { 50, 15, 0.6 - distance },
+        { 10, 15, 0.2 - distance });
+      return face;
+    };
+    EXPECT_TRUE(AreHidden(behind(0.02), lines, PlainView()));
+    EXPECT_FALSE(AreHidden(behind(-0.02), lines, PlainView()));
+    // One sample is tested by itself, a column where they are anywhere by its nearest end.
+    EXPECT_EQ(AreHidden(behind(0.002), lines, PlainView()), samples.Inset() > 0.0f);
+  }
 }
 
 TEST(HiddenFaces, ThatAreDrawnWiderHaveTheirRectangles)

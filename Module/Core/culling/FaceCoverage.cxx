@@ -210,6 +210,12 @@ void FaceCoverage::InsertCluster(const Cluster& cluster)
   this->PassEdges(cluster);
 }
 
+bool FaceCoverage::HasSamples(const Interval& columns) const
+{
+  const SampleGrid& samples = this->Buffer->Samples();
+  return samples.From(columns.Left) <= samples.UpTo(columns.Right);
+}
+
 /** Whether an edge that is alone is left to the patches on both sides. */
 bool FaceCoverage::IsLeftToPatches(const Cluster& cluster)
 {
@@ -248,7 +254,7 @@ void FaceCoverage::InsertEdges(const Cluster& cluster)
 {
   const Interval shown{ std::max(cluster.Around.Left, 0.0f),
     std::min(cluster.Around.Right, this->ColumnCount) };
-  if (shown.IsEmpty() ||
+  if (shown.IsEmpty() || !this->HasSamples(shown) ||
     (cluster.End - cluster.First == 1 && this->Sorted[cluster.First].Piece->IsOutline()))
   {
     return;
@@ -260,8 +266,11 @@ void FaceCoverage::InsertEdges(const Cluster& cluster)
     const bool isWhole = cluster.End - cluster.First <= FewEdges;
     const float right = isWhole ? shown.Right : std::min(side, shown.Right);
     this->CrossUpTo(left);
-    this->FindBeside(cluster, { left, right });
-    this->InsertPiece({ left, right });
+    if (this->HasSamples({ left, right }))
+    {
+      this->FindBeside(cluster, { left, right });
+      this->InsertPiece({ left, right });
+    }
     left = right;
   }
 }
@@ -407,7 +416,7 @@ void FaceCoverage::InsertInside(
   const Interval whole{ std::max(begin.Begins.Left, 0.0f), std::min(end.Right, this->ColumnCount) };
   const Interval inside{ std::max(begin.Begins.Right, 0.0f),
     std::min(end.Left, this->ColumnCount) };
-  if (inside.IsEmpty() || whole.IsEmpty())
+  if (inside.IsEmpty() || whole.IsEmpty() || !this->HasSamples(whole))
   {
     return;
   }

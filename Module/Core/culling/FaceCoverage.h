@@ -117,6 +117,7 @@ private:
   Cluster ClusterFrom(std::size_t first) const;
   PatchOnLine& OnLineOf(std::uint32_t patch);
   void InsertCluster(const Cluster& cluster);
+  bool HasSamples(const Interval& columns) const;
   bool IsLeftToPatches(const Cluster& cluster);
   void LeaveToPatches(const EdgePiece& edge);
   void InsertEdges(const Cluster& cluster);
