@@ -123,6 +123,9 @@ TEST(HiddenFaces, ThatSlantAsWhatStandsBeforeThemDoesAreHidden)
     };
     EXPECT_TRUE(AreHidden(behind(0.02), lines, PlainView()));
     EXPECT_FALSE(AreHidden(behind(-0.02), lines, PlainView()));
+    Triangles passing; // it comes to the front at column 46
+    passing.Add({ 10, 5, 0.1 }, { 50, 15, 0.61 }, { 10, 15, 0.1 });
+    EXPECT_FALSE(AreHidden(passing, lines, PlainView()));
     // One sample is tested by itself, a column where they are anywhere by its nearest end.
     EXPECT_EQ(AreHidden(behind(0.002), lines, PlainView()), samples.Inset() > 0.0f);
   }
