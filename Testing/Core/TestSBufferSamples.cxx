@@ -153,7 +153,7 @@ TEST(SBufferSamples, WhatIsHiddenIsWhatIsHiddenAtEveryCentre)
   int hidden = 0;
   for (int round = 0; round < 1500; ++round)
   {
-    const int pixels = 1 << random() % 3;
+    const int pixels = static_cast<int>(1 + random() % 8);
     SBuffer buffer = BufferOf(SampleGrid::AtCentres(pixels));
     for (int i = 0; i < 24; ++i)
     {

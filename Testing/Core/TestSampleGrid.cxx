@@ -91,6 +91,20 @@ TEST(SampleGrid, LeavesNoCentreOut)
   }
 }
 
+TEST(SampleGrid, KeepsCentresWhereTheyAre)
+{
+  for (int pixels = 1; pixels <= 16; ++pixels)
+  {
+    const SampleGrid grid = SampleGrid::AtCentres(pixels);
+    for (int i = -100; i < 4096; ++i)
+    {
+      const float centre = (static_cast<float>(i) + 0.5f) / static_cast<float>(pixels);
+      ASSERT_EQ(grid.From(centre), centre) << i << " of " << pixels;
+      ASSERT_EQ(grid.UpTo(centre), centre) << i << " of " << pixels;
+    }
+  }
+}
+
 TEST(SampleGrid, OfPlacesFarAwayOrOfNoneIsThere)
 {
   const SampleGrid grid = SampleGrid::AtCentres(2);

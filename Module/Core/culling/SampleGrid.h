@@ -25,18 +25,28 @@ public:
   /** How far from its sides a line has no samples. */
   float Inset() const { return this->Pixels > 0.0f ? 0.5f / this->Pixels : 0.0f; }
 
-  /** The first place with samples from `place` on. */
+  /** The first place with samples from `place` on; of such a place, itself. */
   float From(float place) const
   {
-    return this->Pixels > 0.0f ? (std::ceil(place * this->Pixels - 0.5f) + 0.5f) / this->Pixels
-                               : place;
+    if (!(this->Pixels > 0.0f))
+    {
+      return place;
+    }
+    const float number = std::ceil(place * this->Pixels - 0.5f);
+    const float before = (number - 0.5f) / this->Pixels; // where the product was rounded up
+    return before >= place ? before : (number + 0.5f) / this->Pixels;
   }
 
-  /** The last one up to `place`. */
+  /** The last one up to `place`; of such a place, itself. */
   float UpTo(float place) const
   {
-    return this->Pixels > 0.0f ? (std::floor(place * this->Pixels - 0.5f) + 0.5f) / this->Pixels
-                               : place;
+    if (!(this->Pixels > 0.0f))
+    {
+      return place;
+    }
+    const float number = std::floor(place * this->Pixels - 0.5f);
+    const float behind = (number + 1.5f) / this->Pixels; // where the product was rounded down
+    return behind <= place ? behind : (number + 0.5f) / this->Pixels;
   }
 
   /** The sample behind another one, or the place itself where samples are anywhere. */
