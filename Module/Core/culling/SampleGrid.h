@@ -23,7 +23,7 @@ public:
   }
 
   /** How far from its sides a line has no samples. */
-  float Inset() const { return this->Pixels > 0.0f ? 0.5f / this->Pixels : 0.0f; }
+  float Inset() const { return 0.5f * this->Width; }
 
   /** The first place with samples from `place` on; of such a place, itself. */
   float From(float place) const
@@ -33,6 +33,10 @@ public:
       return place;
     }
     const float number = std::ceil(place * this->Pixels - 0.5f);
+    if (this->IsExact)
+    {
+      return (number + 0.5f) * this->Width;
+    }
     const float before = (number - 0.5f) / this->Pixels; // where the product was rounded up
     return before >= place ? before : (number + 0.5f) / this->Pixels;
   }
@@ -45,6 +49,10 @@ public:
       return place;
     }
     const float number = std::floor(place * this->Pixels - 0.5f);
+    if (this->IsExact)
+    {
+      return (number + 0.5f) * this->Width;
+    }
     const float behind = (number + 1.5f) / this->Pixels; // where the product was rounded down
     return behind <= place ? behind : (number + 0.5f) / this->Pixels;
   }
@@ -74,10 +82,14 @@ private:
 
   explicit SampleGrid(float pixels)
     : Pixels(pixels)
+    , Width(1.0f / pixels)
+    , IsExact(std::exp2(std::round(std::log2(pixels))) == pixels)
   {
   }
 
-  float Pixels = 0.0f; ///< 0 for samples anywhere
+  float Pixels = 0.0f;  ///< 0 for samples anywhere
+  float Width = 0.0f;   ///< of a pixel
+  bool IsExact = false; ///< a power of two, by which nothing is rounded
 };
 
 }
