@@ -472,7 +472,7 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   this->WasSmall.resize(drawn.size(), 0);
   if (occlusion)
   {
-    const auto parts = std::accumulate(drawn.begin(), drawn.end(), std::size_t{ 0 });
+    const auto parts = std::accumulate(drawn.begin(), drawn.end(), std::uint32_t{ 0 });
     this->Budget.Begin(parts, bands);
   }
   if (!tree.IsEmpty())
