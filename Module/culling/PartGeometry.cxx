@@ -62,6 +62,7 @@ PartGeometry::PartGeometry(vtkPolyData* data)
   , High(-std::numeric_limits<double>::infinity())
   , HasVertsOrLines(data->GetNumberOfVerts() > 0 || data->GetNumberOfLines() > 0)
   , HasStrips(data->GetNumberOfStrips() > 0)
+  , HasGhostCells(HasGhosts(data))
 {
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
@@ -99,18 +100,19 @@ bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
 
 const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
 {
-  if (!this->Mesh)
-  {
-    const MeshTriangles triangles =
-      this->Corners || !HasGhosts(data) ? this->TrianglesFrom(data) : MeshTriangles();
-    this->Mesh = std::make_unique<OccluderMesh>(triangles.Points, triangles.Corners);
-    const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
-    if (hasMany && this->IsOfFacesAlone())
-    {
-      this->BoxesOfMesh = std::make_unique<MeshBoxes>(*this->Mesh);
-    }
-  }
+  std::call_once(this->IsMeshBuilt, [&] { this->BuildMesh(data); });
   return *this->Mesh;
+}
+
+void PartGeometry::BuildMesh(vtkPolyData* data)
+{
+  const MeshTriangles triangles = this->HasGhostCells ? MeshTriangles() : this->TrianglesFrom(data);
+  this->Mesh = std::make_unique<OccluderMesh>(triangles.Points, triangles.Corners);
+  const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
+  if (hasMany && this->IsOfFacesAlone())
+  {
+    this->BoxesOfMesh = std::make_unique<MeshBoxes>(*this->Mesh);
+  }
 }
 
 const FacePlanes& PartGeometry::Planes(vtkPolyData* data)

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 class vtkPolyData;
@@ -58,7 +59,7 @@ public:
   /** The planes of its polygons; read when first asked for. `data` is current. */
   const FacePlanes& Planes(vtkPolyData* data);
 
-  /** Its triangles and convex polygons as an occluder; built when first asked for. `data` is current. */
+  /** Its triangles and convex polygons as an occluder; built when first asked for, by whichever of several threads. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data);
 
   /** Around the faces of the occluder, once that is built; null if they are few, or if more is drawn than them. */
@@ -71,6 +72,7 @@ private:
     std::vector<std::uint32_t> Corners; ///< three of each
   };
 
+  void BuildMesh(vtkPolyData* data);
   MeshTriangles TrianglesFrom(vtkPolyData* data) const;
   MeshTriangles TrianglesOfRun(vtkPolyData* data) const;
 
@@ -81,10 +83,12 @@ private:
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;
   bool HasStrips = false;
+  bool HasGhostCells = false; ///< which may not be drawn
   std::shared_ptr<const std::vector<std::uint32_t>>
     Corners; ///< of all triangles; null if it knows all of them
   std::uint32_t FirstCorner = 0;
   std::uint32_t CornerCount = 0;
+  std::once_flag IsMeshBuilt;
   std::unique_ptr<OccluderMesh> Mesh;
   std::unique_ptr<MeshBoxes> BoxesOfMesh;
   std::unique_ptr<FacePlanes> PlanesOfFaces;

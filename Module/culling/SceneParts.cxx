@@ -285,11 +285,9 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
   return told;
 }
 
-/** Meshes are built when they are first asked for, by one thread at a time. */
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
-  const std::lock_guard<std::mutex> lock(this->Asking);
-  Part& part = this->Parts[i];
+  const Part& part = this->Parts[i];
   if (!part.MayHide || IsNonOccluding(part.Actor) ||
     (part.HasTextures && !this->AreOpaque.at(part.Actor)))
   {
@@ -300,8 +298,8 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   {
     return {}; // so that its box is tested, not its points
   }
-  return { &mesh, &part.ToWorld, !part.Actor->GetProperty()->GetBackfaceCulling(),
-    part.Geometry->Boxes(), part.Geometry->IsOfFacesAlone() };
+  return { &mesh, &part.ToWorld, part.HasBackFaces, part.Geometry->Boxes(),
+    part.Geometry->IsOfFacesAlone() };
 }
 
 void SceneParts::Expect(std::uint32_t i) const

@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <unordered_map>
 #include <vector>
 
@@ -102,6 +101,7 @@ private:
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
     bool HasTextures = false;
     bool MayHide = false;
+    bool HasBackFaces = true; ///< that are drawn
     float Growth = 0.0f;
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dmat4 FromWorld{ 1.0 };
@@ -129,6 +129,7 @@ private:
   std::uint32_t Find(vtkProp* prop);
   std::uint32_t AddPart(vtkProp* prop);
   void FindUnchanged();
+  void ExpectLook(std::uint32_t i) const;
   bool IsPlain(std::uint32_t i) const;
   bool IsUnchanged(std::uint32_t i) const;
   void Look(std::uint32_t i);
@@ -158,7 +159,6 @@ private:
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::uint32_t Cursor = 0;                      ///< the part behind the last one that was found
   std::unordered_map<vtkActor*, bool> AreOpaque; ///< textures of actors, in this frame
-  std::mutex Asking;                             ///< for occluders
   vtkMTimeType Frame = 0;                        ///< counts updates
   vtkMTimeType Looks = 0;                        ///< counts how often all was looked at
   bool HasMadeData = false;                      ///< whether a filter has, since then

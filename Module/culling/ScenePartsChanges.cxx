@@ -11,8 +11,27 @@
 #include "vtkShaderProperty.h"
 #include "vtkTrivialProducer.h"
 
+#include <algorithm>
+
 namespace vitrine
 {
+
+namespace
+{
+// So many parts are looked at while the objects of one come from memory.
+const std::size_t PartsAhead = 12;
+
+/** Begins to load the first of the lines of a cache that an object fills. */
+template <int Count>
+void PrefetchLines(const void* object)
+{
+  const std::size_t lineBytes = 64;
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    Prefetch(static_cast<const char*>(object) + i * lineBytes);
+  }
+}
+}
 
 /** Finds the parts of props, and notes that they are there. */
 void SceneParts::FindAll(vtkProp* const* props, int count)
@@ -65,10 +84,24 @@ void SceneParts::FindUnchanged()
       {
         for (std::size_t i = first; i < end; ++i)
         {
+          this->Expect(this->Drawn[std::min(i + 2 * PartsAhead, end - 1)]);
+          this->ExpectLook(this->Drawn[std::min(i + PartsAhead, end - 1)]);
           const std::uint32_t part = this->Drawn[i];
           this->AreSame[i] = this->IsPlain(part) && this->IsUnchanged(part);
         }
       });
+}
+
+/** What is read of the part and of VTK's objects to see whether it is unchanged, which lie all over memory. They need not be there any more. */
+void SceneParts::ExpectLook(std::uint32_t i) const
+{
+  const Part& part = this->Parts[i];
+  PrefetchLines<8>(part.Actor);
+  PrefetchLines<8>(part.Mapper);
+  PrefetchLines<8>(part.Data);
+  PrefetchLines<2>(part.Geometry.get());
+  PrefetchLines<1>(part.Producer);
+  PrefetchLines<1>(part.Shader);
 }
 
 /** Whether nothing is written by looking whether it is unchanged, and nothing else has to be done with it in each frame. */

@@ -53,6 +53,7 @@ void SceneParts::ReadActor(Part& part)
   part.HasTextures =
     part.Actor->GetTexture() || part.Actor->GetProperty()->GetNumberOfTextures() > 0;
   part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
+  part.HasBackFaces = !part.Actor->GetProperty()->GetBackfaceCulling();
 }
 
 /** Of a part that is a prop. */
@@ -133,6 +134,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.ToWorld = part.ToWorld;
     piece.FromWorld = part.FromWorld;
     piece.HasTextures = part.HasTextures;
+    piece.HasBackFaces = part.HasBackFaces;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
     piece.MayHide = part.MayHide && divided.MayHide;
