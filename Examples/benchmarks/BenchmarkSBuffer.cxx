@@ -94,7 +94,10 @@ void TestSegments(benchmark::State& state)
 {
   AskAtPlaces(state,
     [](SBuffer& buffer, const LineSegment& place)
-    { return buffer.Hides(place.Line, place.Covered, 0.0f); });
+    {
+      float shown;
+      return buffer.Hides(place.Line, Hideable(place.Covered), shown);
+    });
 }
 BENCHMARK(TestSegments)->Arg(1000)->Arg(100000);
 

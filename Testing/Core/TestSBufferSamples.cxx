@@ -6,11 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <vector>
 
 namespace
 {
 
+using vitrine::HideableSegment;
 using vitrine::SampleGrid;
 using vitrine::SBuffer;
 using vitrine::ScreenRectangle;
@@ -47,6 +50,30 @@ bool AreCentresHidden(const SBuffer& buffer, int pixels, const ScreenRectangle& 
     }
   }
   return true;
+}
+
+/** Whether nothing on line 1 hides a segment at a place. */
+bool IsShownAt(const SBuffer& buffer, const HideableSegment& segment, float x)
+{
+  const std::vector<vitrine::Span> spans = buffer.SpansOf(1);
+  return segment.Left <= x && x <= segment.Right &&
+    std::none_of(spans.begin(), spans.end(),
+      [&](const vitrine::Span& span)
+      { return span.Left <= x && x <= span.Right && span.DepthAt(x) > segment.NearestAt(x); });
+}
+
+/** The first centre where it shows; below 0 if it is hidden at all. */
+float FirstShown(const SBuffer& buffer, int pixels, const HideableSegment& segment)
+{
+  for (int i = 0; i < buffer.Columns() * pixels; ++i)
+  {
+    const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(pixels);
+    if (IsShownAt(buffer, segment, x))
+    {
+      return x;
+    }
+  }
+  return -1.0f;
 }
 
 }
@@ -172,6 +199,65 @@ TEST(SBufferSamples, WhatIsHiddenIsWhatIsHiddenAtEveryCentre)
     }
   }
   EXPECT_GT(hidden, 2000);
+}
+
+TEST(SBufferSamples, SegmentsAreHiddenThatAreFartherAtEveryCentre)
+{
+  std::mt19937 random(5);
+  const auto between = [&](float least, float greatest)
+  { return least + (greatest - least) * (static_cast<float>(random()) / 4294967296.0f); };
+  int hidden = 0, shown = 0;
+  for (int round = 0; round < 1500; ++round)
+  {
+    const int pixels = static_cast<int>(1 + random() % 8);
+    SBuffer buffer = BufferOf(SampleGrid::AtCentres(pixels));
+    for (int i = 0; i < 8; ++i)
+    {
+      const float left = between(-2.0f, 40.0f);
+      buffer.Insert(
+        1, { left, left + between(0.1f, 20.0f), between(0.1f, 0.9f), between(0.1f, 0.9f), 0 });
+    }
+    for (int i = 0; i < 10; ++i)
+    {
+      const float left = between(-1.0f, 40.0f);
+      const HideableSegment segment{ left, left + between(0.0f, 6.0f), left + between(0.0f, 6.0f),
+        between(0.0f, 0.6f), between(-0.04f, 0.04f), random() % 2 ? 3e38f : between(0.1f, 0.8f) };
+      float place = -1.0f;
+      const bool isHidden = buffer.Hides(1, segment, place);
+      const float found = FirstShown(buffer, pixels, segment);
+      if (isHidden)
+      {
+        ASSERT_LT(found, 0.0f) << round;
+      }
+      else if (segment.Nearest > 1.0f) // of two bounds, that of more columns may count
+      {
+        ASSERT_GE(found, 0.0f) << round;
+        ASSERT_TRUE(IsShownAt(buffer, segment, place)) << round;
+      }
+      hidden += isHidden;
+      shown += !isHidden;
+    }
+  }
+  EXPECT_GT(hidden, 1000);
+  EXPECT_GT(shown, 1000);
+}
+
+TEST(SBufferSamples, ASegmentIsAsFarAsEitherOfItsBounds)
+{
+  SBuffer buffer = BufferOf(SampleGrid::AtCentres(1));
+  buffer.Insert(1, { 0.0f, 8.0f, 0.5f, 0.5f, 0 });
+  const auto isHidden = [&](const HideableSegment& segment)
+  {
+    float shown;
+    return buffer.Hides(1, segment, shown);
+  };
+  EXPECT_TRUE(isHidden({ 1.0f, 7.0f, 1.0f, 0.49f, -0.01f, 3e38f })) << "the line";
+  EXPECT_TRUE(isHidden({ 1.0f, 7.0f, 1.0f, 0.9f, -0.01f, 0.49f })) << "the nearest";
+  EXPECT_TRUE(isHidden({ 1.0f, 7.0f, 1.0f, NotANumber, NotANumber, 0.49f }));
+  EXPECT_FALSE(isHidden({ 1.0f, 7.0f, 1.0f, 0.9f, -0.01f, 0.51f }));
+  EXPECT_FALSE(isHidden({ 1.0f, 7.0f, 1.0f, NotANumber, NotANumber, 0.51f }));
+  EXPECT_FALSE(isHidden({ 1.0f, NotANumber, 1.0f, 0.1f, 0.0f, 0.1f }));
+  EXPECT_TRUE(isHidden({ 41.0f, 43.0f, 1.0f, 0.9f, 0.0f, 3e38f })) << "beyond the screen";
 }
 
 TEST(SBufferSamples, OfNumbersThatAreNoneHidesNothing)

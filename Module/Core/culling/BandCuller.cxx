@@ -342,8 +342,7 @@ private:
       return false;
     }
     projected.FindFacings();
-    if (!this->Faces.AreAll(projected, HiddenFaces::Sides::Front) ||
-      !this->Faces.AreAll(projected, HiddenFaces::Sides::Others))
+    if (!this->Faces.AreAll(projected))
     {
       this->Witness = this->Faces.Witness();
       return false;
@@ -458,6 +457,7 @@ bool BandCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjecti
   {
     return true;
   }
+  this->Projected.FindFacings();
   return HiddenFaces(this->Lines, view).AreThinOnes(this->Projected) &&
     !this->Projected.MayShowBeforeNear();
 }

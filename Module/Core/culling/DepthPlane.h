@@ -26,24 +26,27 @@ public:
   /** What nothing that may be drawn is farther than. */
   const SlantedDepth& Bound() const { return this->Below; }
 
-  /** The greatest depth of all that may be drawn. */
-  float NearestOfAll() const { return this->Nearest; }
-
   /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
   DepthBound Within(float left, float right, float bottom, float top) const
   {
     return this->Below.Within(left, right, bottom, top);
   }
 
-  /** The greatest depth between two columns and two lines: the plane's or the nearest corner's, whichever is farther. */
-  float NearestWithin(float left, float right, float bottom, float top) const
+  /** What may be drawn between two columns and two lines, as near as it may be: as the plane or the nearest corner, whichever is farther. */
+  HideableSegment Before(float left, float right, float bottom, float top) const
   {
     const SlantedDepth& plane = this->Below;
-    const float column = plane.ByColumn > 0.0f ? right : left;
     const float line = plane.ByLine > 0.0f ? top : bottom;
-    const float nearest = plane.Origin.Depth + (line - plane.Origin.Line) * plane.ByLine +
-      (column - plane.Origin.Column) * plane.ByColumn + plane.Slack;
-    return nearest < this->Nearest ? nearest : this->Nearest; // as where it is no number
+    const float depth =
+      plane.Origin.Depth + (line - plane.Origin.Line) * plane.ByLine + plane.Slack;
+    return { left, right, plane.Origin.Column, depth, plane.ByColumn, this->Nearest };
+  }
+
+  /** The greatest depth of that. */
+  float NearestWithin(float left, float right, float bottom, float top) const
+  {
+    return this->Before(left, right, bottom, top)
+      .NearestAt(this->Below.ByColumn > 0.0f ? right : left);
   }
 
 private:

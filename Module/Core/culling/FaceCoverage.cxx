@@ -36,13 +36,21 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
     return 0;
   }
   this->Patches.Find(projection, facing);
+  this->Open.Find(buffer, this->Patches, { this->FirstLine, this->LastLine });
+  if (!this->Open.HasAny())
+  {
+    return 1;
+  }
   this->OnLine.assign(this->Patches.Count(), {});
   this->Visits = 0;
   this->FindSheets();
   this->FindEdgePieces();
   for (this->Line = this->FirstLine; this->Line <= this->LastLine; ++this->Line)
   {
-    this->InsertLine();
+    if (this->Open.IsOpen(this->Line))
+    {
+      this->InsertLine();
+    }
   }
   return this->EdgePieces.size() + this->Segments;
 }
@@ -136,6 +144,10 @@ void FaceCoverage::AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32
     { this->FirstLine, this->LastLine });
   for (int line = lines.First; line <= lines.Last; ++line)
   {
+    if (!this->Open.IsOpen(line))
+    {
+      continue;
+    }
     const float bottom = static_cast<float>(line);
     LineExtent touched;
     touched.Add(onScreen, bottom - above, bottom + 1.0f + above);

@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_FACE_COVERAGE_H
 
 #include "Core/culling/MeshProjection.h"
+#include "Core/culling/OpenLines.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenPatches.h"
 
@@ -146,6 +147,7 @@ private:
   int FirstLine = 0, LastLine = 0;
   int Line = 0; ///< that is being inserted
   ScreenPatches Patches;
+  OpenLines Open;
   std::vector<std::uint32_t> Parents; ///< of patches
   std::vector<EdgePiece> EdgePieces;
   std::vector<std::uint32_t> EdgeHeads;    ///< of each line's pieces

@@ -125,7 +125,9 @@ bool HidesFace(const SBuffer& buffer, const ConvexFace& face, float margin)
   const FaceScan scan(face, buffer.Columns(), buffer.Lines());
   for (int line = scan.Lines().First; line <= scan.Lines().Last; ++line)
   {
-    if (!buffer.Hides(line, scan.At(line).Covered, margin))
+    const Segment drawn = scan.At(line).Covered;
+    float shown;
+    if (drawn.Left < drawn.Right && !buffer.Hides(line, Hideable(drawn, margin), shown))
     {
       return false;
     }

@@ -1,6 +1,7 @@
 #include "Core/culling/HiddenFaces.h"
 
-#include "Core/culling/DepthPlane.h"
+#include "Core/culling/FaceBlock.h"
+#include "Core/culling/FaceOnLines.h"
 #include "Core/culling/LineExtent.h"
 
 #include <algorithm>
@@ -9,77 +10,36 @@
 namespace vitrine
 {
 
-namespace
+bool HiddenFaces::AreAll(const MeshProjection& projection)
 {
-// Pieces of lines that have samples anywhere are halved down to less.
-const float ShortestPiece = 1.0f;
-
-bool IsOf(HiddenFaces::Sides sides, MeshProjection::Facing facing)
-{
-  return (facing == MeshProjection::Facing::Front) == (sides == HiddenFaces::Sides::Front);
-}
-}
-
-/** What a face may touch of lines. */
-class HiddenFaces::Outlined
-{
-public:
-  Outlined(const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around,
-    const DepthPlane& plane)
-    : Around(around)
-    , Edges{ { projection.Point(face[0]), projection.Point(face[1]) },
-      { projection.Point(face[1]), projection.Point(face[2]) },
-      { projection.Point(face[2]), projection.Point(face[0]) } }
-    , Own(std::max({ Edges[0].OwnRounding(), Edges[1].OwnRounding(), Edges[2].OwnRounding() }))
-    , Aside(projection.Margin().Column + Own)
-    , Above(projection.Margin().Line + Own)
-    , Plane(plane)
+  this->Blocks.clear();
+  for (std::size_t first = 0; first < projection.Faces().size(); first += LaneCount)
   {
-  }
-
-  LineRange LinesOf(const SBuffer& buffer) const
-  {
-    return LinesBetween(
-      this->Around.Bottom - this->Own, this->Around.Top + this->Own, { 0, buffer.Lines() - 1 });
-  }
-
-  /** Around the samples that it touches between two lines; Left exceeds Right if there are none. */
-  ScreenRectangle Between(float bottom, float top, const SBuffer& buffer) const
-  {
-    LineExtent touched;
-    for (const ScreenEdge& edge : this->Edges)
+    const FaceBlock& block = this->Blocks.emplace_back(projection, first);
+    if (!this->AreHidden(projection, block, block.Facing(MeshProjection::Facing::Front)))
     {
-      touched.Add(edge, bottom - this->Above, top + this->Above);
+      return false;
     }
-    return this->Within(std::max(touched.Left - this->Aside, 0.0f),
-      std::min(touched.Right + this->Aside, static_cast<float>(buffer.Columns())), bottom, top,
-      buffer.Samples());
   }
+  return std::all_of(this->Blocks.begin(), this->Blocks.end(),
+    [&](const FaceBlock& block)
+    {
+      return this->AreHidden(
+        projection, block, block.All() & ~block.Facing(MeshProjection::Facing::Front));
+    });
+}
 
-  /** Around the samples of what it has in a rectangle, which it may touch all of. */
-  ScreenRectangle Within(
-    float left, float right, float bottom, float top, const SampleGrid& samples) const
-  {
-    const float first = samples.From(left), last = samples.UpTo(right);
-    return { first, last, bottom, top,
-      this->Plane.NearestWithin(
-        first, last, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top)) };
-  }
-
-private:
-  const ScreenRectangle& Around;
-  ScreenEdge Edges[3];
-  float Own;
-  float Aside, Above;
-  const DepthPlane& Plane;
-};
-
-bool HiddenFaces::AreAll(const MeshProjection& projection, Sides sides)
+/** Whether some faces of a block are: together, or one by one. */
+bool HiddenFaces::AreHidden(
+  const MeshProjection& projection, const FaceBlock& block, unsigned faces)
 {
-  const std::vector<MeshFace>& faces = projection.Faces();
-  for (std::uint32_t i = 0; i < faces.size(); ++i)
+  if (this->AreHiddenTogether(block, faces))
   {
-    if (IsOf(sides, projection.FacingOf(i)) && !this->IsHidden(projection, faces[i]))
+    return true;
+  }
+  for (int lane = 0; faces >> lane != 0; ++lane)
+  {
+    if ((faces >> lane & 1u) != 0 && !this->IsHidden(projection, block, lane))
     {
       return false;
     }
@@ -87,15 +47,24 @@ bool HiddenFaces::AreAll(const MeshProjection& projection, Sides sides)
   return true;
 }
 
+bool HiddenFaces::AreHiddenTogether(const FaceBlock& block, unsigned faces) const
+{
+  return faces == 0 || this->Lines.Hides(this->View.Grown(block.Around(faces)));
+}
+
 bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
 {
   const std::vector<MeshFace>& faces = projection.Faces();
-  return std::all_of(faces.begin(), faces.end(),
-    [&](const MeshFace& face)
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const ScreenRectangle around = this->View.Grown(projection.RectangleOf(faces[i]));
+    if (this->Lines.MayHaveSamplesIn(around) && IsThin(projection, faces[i]) &&
+      !this->IsHidden(projection, FaceBlock(projection, i), 0))
     {
-      return !this->Lines.MayHaveSamplesIn(this->View.Grown(projection.RectangleOf(face))) ||
-        !IsThin(projection, face) || this->IsHidden(projection, face);
-    });
+      return false;
+    }
+  }
+  return true;
 }
 
 /** Whether what a device moves points by may be as much as a face is thick; or nothing is known of it. */
@@ -124,37 +93,32 @@ void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing
 }
 
 /** What is drawn wider than it is has no more than a rectangle. */
-bool HiddenFaces::IsHidden(const MeshProjection& projection, const MeshFace& face)
+bool HiddenFaces::IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane)
 {
-  const DepthPlane plane(projection.Point(face[0]), projection.Point(face[1]),
-    projection.Point(face[2]), projection.Margin(), projection.Snapping());
-  ScreenRectangle around = projection.RectangleOf(face);
-  around.Nearest = plane.NearestOfAll();
-  const bool isWider = this->View.Grows();
-  this->Shown = isWider ? this->View.Grown(around) : around;
+  this->Shown = this->View.Grown(block.At(lane));
   if (this->Lines.Hides(this->Shown))
   {
     return true;
   }
-  if (isWider)
+  if (this->View.Grows())
   {
     return false;
   }
-  const Outlined outlined(projection, face, around, plane);
-  const LineRange lines = outlined.LinesOf(this->Lines);
-  return lines.First <= lines.Last && this->IsHidden(outlined, lines);
+  const FaceOnLines face(projection, block.Face(lane), block.At(lane));
+  const LineRange lines = face.Lines(this->Lines.Lines());
+  return lines.First <= lines.Last && this->IsHidden(face, lines);
 }
 
-/** Of what it has of some lines: half of them by half, down to one. */
-bool HiddenFaces::IsHidden(const Outlined& face, const LineRange& lines)
+/** Of what it has of some lines: half of them by half, down to few. */
+bool HiddenFaces::IsHidden(const FaceOnLines& face, const LineRange& lines)
 {
+  if (lines.Last - lines.First < LaneCount)
+  {
+    return this->AreLinesHidden(face, lines);
+  }
   const float inset = this->Lines.Samples().Inset();
   const ScreenRectangle around = face.Between(static_cast<float>(lines.First) + inset,
     static_cast<float>(lines.Last + 1) - inset, this->Lines);
-  if (lines.First == lines.Last)
-  {
-    return this->IsPieceHidden(face, around);
-  }
   if (around.Left > around.Right || this->Lines.Hides(around))
   {
     return true;
@@ -164,24 +128,29 @@ bool HiddenFaces::IsHidden(const Outlined& face, const LineRange& lines)
     this->IsHidden(face, { middle + 1, lines.Last });
 }
 
-/** Of what it has of a line: half of the columns by half, down to one sample: its depth and what stands there may slant alike. */
-bool HiddenFaces::IsPieceHidden(const Outlined& face, const ScreenRectangle& piece)
+/** Of what it has of up to eight lines, one by one: its depth and what stands there may slant alike. */
+bool HiddenFaces::AreLinesHidden(const FaceOnLines& face, const LineRange& lines)
 {
-  if (piece.Left > piece.Right || this->Lines.Hides(piece))
+  const float inset = this->Lines.Samples().Inset();
+  const FaceOnLines::ExtentLanes extents = face.Extents(lines.First, inset);
+  for (int line = lines.First; line <= lines.Last; ++line)
   {
-    return true;
+    const int lane = line - lines.First;
+    const float bottom = static_cast<float>(line) + inset;
+    const float top = static_cast<float>(line + 1) - inset;
+    if (!(extents.Left[lane] <= extents.Right[lane]))
+    {
+      continue;
+    }
+    const HideableSegment piece = face.Piece(extents.Left[lane], extents.Right[lane], bottom, top);
+    float shown;
+    if (!this->Lines.Hides(line, piece, shown))
+    {
+      this->Shown = { shown, shown, bottom, top, piece.NearestAt(shown) };
+      return false;
+    }
   }
-  const SampleGrid& samples = this->Lines.Samples();
-  const float shortest = samples.Inset() > 0.0f ? 2.0f * samples.Inset() : ShortestPiece;
-  if (!(piece.Right - piece.Left >= shortest))
-  {
-    this->Shown = piece;
-    return false;
-  }
-  const float middle = 0.5f * (piece.Left + piece.Right);
-  return this->IsPieceHidden(
-           face, face.Within(piece.Left, middle, piece.Bottom, piece.Top, samples)) &&
-    this->IsPieceHidden(face, face.Within(middle, piece.Right, piece.Bottom, piece.Top, samples));
+  return true;
 }
 
 }

@@ -1,15 +1,18 @@
 #ifndef VITRINE_CORE_CULLING_HIDDEN_FACES_H
 #define VITRINE_CORE_CULLING_HIDDEN_FACES_H
 
+#include "Core/culling/FaceBlock.h"
 #include "Core/culling/LineExtent.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
 
-#include <cstdint>
+#include <vector>
 
 namespace vitrine
 {
+
+class FaceOnLines;
 
 /**
  * Which faces of a part are hidden by what stands in an s-buffer: where the box around a part shows, and those around runs of its faces
@@ -20,12 +23,6 @@ namespace vitrine
 class HiddenFaces
 {
 public:
-  enum class Sides
-  {
-    Front, ///< faces that face the eye
-    Others
-  };
-
   /** @param view  with which parts are projected */
   HiddenFaces(const SBuffer& lines, const ScreenProjection& view)
     : Lines(lines)
@@ -33,10 +30,10 @@ public:
   {
   }
 
-  /** Whether all faces of a part are hidden, of which the facings are known. */
-  bool AreAll(const MeshProjection& projection, Sides sides);
+  /** Whether all faces of a part are hidden, of which the facings are known. Those that face the eye come first: where any shows, one of them is likely to. */
+  bool AreAll(const MeshProjection& projection);
 
-  /** Whether all faces are hidden that a device may draw as slivers, at other depths than they have. */
+  /** The same of faces that a device may draw as slivers, at other depths than they have. */
   bool AreThinOnes(const MeshProjection& projection);
 
   /** Has faces that look one way count no more if the rectangles around them are hidden. */
@@ -46,16 +43,17 @@ public:
   const ScreenRectangle& Witness() const { return this->Shown; }
 
 private:
-  class Outlined;
-
   static bool IsThin(const MeshProjection& projection, const MeshFace& face);
-  bool IsHidden(const MeshProjection& projection, const MeshFace& face);
-  bool IsHidden(const Outlined& face, const LineRange& lines);
-  bool IsPieceHidden(const Outlined& face, const ScreenRectangle& piece);
+  bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
+  bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
+  bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);
+  bool IsHidden(const FaceOnLines& face, const LineRange& lines);
+  bool AreLinesHidden(const FaceOnLines& face, const LineRange& lines);
 
   const SBuffer& Lines;
   const ScreenProjection& View;
   ScreenRectangle Shown{};
+  std::vector<FaceBlock> Blocks; ///< of the part at hand
 };
 
 }

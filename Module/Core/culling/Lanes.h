@@ -65,6 +65,16 @@ VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b)
   return a > b ? a : b;
 }
 
+VITRINE_INLINE Lanes LeastOf(Lanes a, Lanes b, Lanes c)
+{
+  return LeastOf(LeastOf(a, b), c);
+}
+
+VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b, Lanes c)
+{
+  return GreatestOf(GreatestOf(a, b), c);
+}
+
 /** Without their signs. */
 VITRINE_INLINE Lanes SizeOf(Lanes a)
 {

@@ -15,6 +15,9 @@ inline float OwnRoundingOf(float column, float line)
   return 0x1p-20f * (column + line);
 }
 
+/** Edges that are less high, in lines, may be anywhere between their ends on what they touch. */
+inline constexpr float LeastHeight = 1e-6f;
+
 /** An edge on the screen, from its lower end to its upper one: the same numbers come out for the faces on both sides. */
 class ScreenEdge
 {
@@ -32,6 +35,9 @@ public:
 
   /** Whether it goes upwards from a to b. */
   bool GoesUp() const { return this->IsUp; }
+
+  /** Not a number, or infinite, of a level edge. */
+  float ColumnsPerLine() const { return this->Slope; }
 
   bool Crosses(float line) const { return this->Low.Line <= line && line < this->High.Line; }
 

@@ -12,9 +12,6 @@ namespace vitrine
 namespace
 {
 const float Nowhere = 3e38f;
-
-// Edges that are less high, in lines, may be anywhere between their ends on what they touch.
-const float LeastHeight = 1e-6f;
 }
 
 std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,

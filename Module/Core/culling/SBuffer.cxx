@@ -70,7 +70,7 @@ void SBuffer::Free(std::uint32_t span)
 }
 
 /**
- * Does something with the depths where each span of a tile has its first and its last sample between two.
+ * Does something with each span of a tile that has samples between two, and the first and the last of those.
  * @param work  returns whether to go on
  * @returns     whether all samples are covered, and the work went on to the end
  */
@@ -87,7 +87,7 @@ VITRINE_INLINE bool SBuffer::ForEachCovered(
       continue; // nothing shows between samples
     }
     const float last = span.Right < right ? this->Grid.UpTo(span.Right) : right;
-    if (span.Left > next || !work(span.DepthAt(next), span.DepthAt(last)))
+    if (span.Left > next || !work(span, next, last))
     {
       return false;
     }
@@ -131,9 +131,9 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
       float least = 2.0f;
       const bool isFull = this->ForEachCovered(this->Firsts[tile], this->Grid.From(tileLeft),
         this->Grid.UpTo(tileRight),
-        [&least](float first, float last)
+        [&least](const Span& span, float first, float last)
         {
-          least = std::min(least, std::min(first, last));
+          least = std::min(least, std::min(span.DepthAt(first), span.DepthAt(last)));
           return true;
         });
       this->Leasts[tile] = isFull ? least : NotFull;
@@ -158,8 +158,10 @@ VITRINE_INLINE bool SBuffer::TileHides(
   std::size_t tile, float left, float right, float nearest) const
 {
   return this->ForEachCovered(this->Firsts[tile], left, right,
-    [nearest](float first, float last)
-    { return std::min(first, last) > nearest; }); // as is no number
+    [nearest](const Span& span, float first, float last)
+    {
+      return std::min(span.DepthAt(first), span.DepthAt(last)) > nearest; // as is no number
+    });
 }
 
 /** A bit for each tile of a column of tiles, up to eight from `line` up to `last`, that is not known to be covered by what is nearer. */
@@ -254,42 +256,59 @@ unsigned SBuffer::OpenLines(int line, int last, float left, float right, float d
   return open;
 }
 
-bool SBuffer::Hides(int line, const Segment& segment, float margin) const
+/** Of samples of a tile. Depths that are linear and in order at two places are so between them. */
+VITRINE_INLINE bool SBuffer::TileHides(
+  std::size_t tile, float left, float right, const HideableSegment& segment, float& shown) const
 {
-  const float left = std::max(segment.Left, 0.0f);
-  const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
-  if (left >= right)
+  const float nearest = std::max(segment.DepthAt(left), segment.DepthAt(right));
+  if (this->Leasts[tile] > std::min(nearest, segment.Nearest))
   {
     return true;
   }
-  const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
-  if (!(left < right) || !std::isfinite(slope))
+  shown = left;
+  return this->ForEachCovered(this->Firsts[tile], left, right,
+    [&](const Span& span, float first, float last)
+    {
+      const float firstDepth = span.DepthAt(first), lastDepth = span.DepthAt(last);
+      const bool isBehind = firstDepth > segment.DepthAt(first);
+      shown = isBehind ? last : first;
+      if (!(isBehind && lastDepth > segment.DepthAt(last)) &&
+        !(std::min(firstDepth, lastDepth) > segment.Nearest))
+      {
+        return false;
+      }
+      shown = this->Grid.Behind(last);
+      return true;
+    });
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+bool SBuffer::Hides(int line, const HideableSegment& segment, float& shown) const
+{
+  const float left = this->Grid.From(std::max(segment.Left, 0.0f));
+  const float right =
+    this->Grid.UpTo(std::min(segment.Right, static_cast<float>(this->ColumnCount)));
+  if (left > right)
+  {
+    return true;
+  }
+  shown = left;
+  if (!(left <= right))
   {
     return false; // not a number: it may be anywhere
   }
   const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
-  float covered = left;
   for (int i = static_cast<int>(left) / TileWidth; i <= last; ++i)
   {
-    const std::uint32_t first = this->Firsts[this->TileAt(line, i)];
-    for (std::uint32_t j = first; j != NoSpan && covered < right; j = this->Pool[j].Next)
+    const float tileLeft = static_cast<float>(i * TileWidth);
+    const float first = this->Grid.From(std::max(left, tileLeft));
+    const float end = this->Grid.UpTo(std::min(right, tileLeft + TileWidth));
+    if (first <= end && !this->TileHides(this->TileAt(line, i), first, end, segment, shown))
     {
-      const Span& span = this->Pool[j];
-      if (span.Right <= covered)
-      {
-        continue;
-      }
-      const float end = std::min(right, span.Right);
-      const auto isNearer = [&](float x)
-      { return span.DepthAt(x) > segment.LeftDepth + slope * (x - segment.Left) + margin; };
-      if (span.Left > covered || !isNearer(covered) || !isNearer(end))
-      {
-        return false;
-      }
-      covered = end;
+      return false;
     }
   }
-  return covered >= right;
+  return true;
 }
 
 std::vector<Span> SBuffer::SpansOf(int line) const

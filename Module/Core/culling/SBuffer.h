@@ -40,6 +40,35 @@ struct Span
   float DepthAt(float x) const { return this->Depth + this->Slope * (x - this->Left); }
 };
 
+/**
+ * What stands somewhere on a line and may be hidden: from Left to Right, nowhere nearer than a depth that is linear in the columns, nor than
+ * Nearest. All of that are real numbers, and depths are reversed.
+ */
+struct HideableSegment
+{
+  float Left;
+  float Right;
+  float Column; ///< where it has Depth
+  float Depth;
+  float Slope; ///< of the depth, per column
+  float Nearest;
+
+  float DepthAt(float x) const { return this->Depth + this->Slope * (x - this->Column); }
+
+  float NearestAt(float x) const
+  {
+    const float depth = this->DepthAt(x);
+    return depth < this->Nearest ? depth : this->Nearest; // as where it is no number
+  }
+};
+
+/** What is as near as a segment that is longer than nothing, and by a margin nearer. */
+inline HideableSegment Hideable(const Segment& segment, float margin = 0.0f)
+{
+  const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
+  return { segment.Left, segment.Right, segment.Left, segment.LeftDepth + margin, slope, 3e38f };
+}
+
 /** A rectangle of the screen and the nearest that may stand there. Lines and columns count from 0 and are real. */
 struct ScreenRectangle
 {
@@ -102,13 +131,22 @@ public:
       this->Grid.MayHaveAny(rectangle.Bottom, rectangle.Top);
   }
 
-  /** Whether all of a segment is behind what is nearer by more than `margin`. */
-  bool Hides(int line, const Segment& segment, float margin) const;
+  /**
+   * Whether all samples of a segment are covered by what is nearer. Beyond the screen nothing shows.
+   * @param shown  takes a column where that is not so
+   */
+  bool Hides(int line, const HideableSegment& segment, float& shown) const;
 
   /** Whether all samples of a tile are covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
   bool IsCoveredBefore(int line, int tile, float depth) const
   {
     return this->Leasts[this->TileAt(line, tile)] >= depth;
+  }
+
+  /** Of a tile on a line and on each of the seven above it: the least depth of all that covers it, or a number below all depths if it is not covered. */
+  const float* LeastDepths(int line, int tile) const
+  {
+    return &this->Leasts[this->TileAt(line, tile)];
   }
 
   /**
@@ -152,6 +190,8 @@ private:
   void Free(std::uint32_t span);
   template <class Work>
   bool ForEachCovered(std::uint32_t first, float left, float right, const Work& work) const;
+  bool TileHides(
+    std::size_t tile, float left, float right, const HideableSegment& segment, float& shown) const;
   unsigned OpenTiles(int line, int last, int tile, float nearest) const;
   bool PartOfTilesHides(
     int first, int last, int tile, float left, float right, float nearest) const;

@@ -84,11 +84,14 @@ void ScreenPatches::AddFace(const CountedFace& counted, std::uint32_t number)
     patch.Bound = counted.Bound;
   }
   ++fit.Faces;
+  const float aside = this->Projection->Margin().Column;
   const float above = this->Projection->Margin().Line;
   for (const std::uint32_t corner : face)
   {
     const ScreenPoint point = this->Projection->Point(corner);
     fit.Add(point);
+    patch.Left = std::min(patch.Left, point.Column - aside);
+    patch.Right = std::max(patch.Right, point.Column + aside);
     patch.Bottom = std::min(patch.Bottom, point.Line - above);
     patch.Top = std::max(patch.Top, point.Line + above);
   }

@@ -23,7 +23,9 @@ public:
   struct Patch
   {
     SlantedDepth Bound;
-    float Bottom = 3e38f; ///< lines that it may be drawn on
+    float Left = 3e38f; ///< columns that it may be drawn on
+    float Right = -3e38f;
+    float Bottom = 3e38f; ///< lines
     float Top = -3e38f;
   };
 

@@ -1,0 +1,96 @@
+#include "Core/culling/FaceBlock.h"
+
+#include "Core/culling/FaceSlopes.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+
+namespace
+{
+const float BeyondAll = 3e38f;
+
+/** One corner of each of eight faces. */
+struct CornerLanes
+{
+  Lanes Column, Line, Depth;
+
+  VITRINE_INLINE CornerLanes(
+    const MeshProjection& projection, const MeshFace* const* faces, int corner)
+  {
+    float columns[LaneCount], lines[LaneCount], depths[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const ScreenPoint point = projection.Point((*faces[lane])[corner]);
+      columns[lane] = point.Column;
+      lines[lane] = point.Line;
+      depths[lane] = point.Depth;
+    }
+    this->Column = LoadLanes(columns);
+    this->Line = LoadLanes(lines);
+    this->Depth = LoadLanes(depths);
+  }
+};
+
+/** Elsewhere `other`. */
+VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* place)
+{
+  StoreLanes(mask ? values : AllLanes(other), place);
+}
+}
+
+FaceBlock::FaceBlock(const MeshProjection& projection, std::size_t first)
+{
+  const std::vector<MeshFace>& all = projection.Faces();
+  for (std::size_t lane = 0; lane < LaneCount; ++lane)
+  {
+    this->Faces[lane] = &all[std::min(first + lane, all.size() - 1)];
+    if (first + lane < all.size())
+    {
+      const auto facing = projection.FacingOf(static_cast<std::uint32_t>(first + lane));
+      this->Facings[static_cast<int>(facing)] |= 1u << lane;
+    }
+  }
+  this->Find(projection);
+}
+
+/** Finds the rectangles of eight faces. */
+VITRINE_FOR_EACH_PROCESSOR
+void FaceBlock::Find(const MeshProjection& projection)
+{
+  const CornerLanes a(projection, this->Faces, 0), b(projection, this->Faces, 1),
+    c(projection, this->Faces, 2);
+  const ScreenMargin& margin = projection.Margin();
+  const ScreenMargin& snapping = projection.Snapping();
+  const ScreenMargin off = OffOf(margin, snapping);
+  const FaceSides<Lanes> columns{ b.Column - a.Column, c.Column - a.Column, off.Column };
+  const FaceSides<Lanes> lines{ b.Line - a.Line, c.Line - a.Line, off.Line };
+  const FaceSides<Lanes> depths{ b.Depth - a.Depth, c.Depth - a.Depth, off.Depth };
+  const FaceSlopes<Lanes> slopes(columns, lines, depths, snapping);
+  const Lanes nearest = GreatestOf(a.Depth, b.Depth, c.Depth) + margin.Depth + slopes.Beyond;
+  const Lanes sum = a.Column + b.Column + c.Column + a.Line + b.Line + c.Line + nearest;
+  const LaneMask isFinite = sum - sum == AllLanes(0.0f);
+  StoreWhere(
+    isFinite, LeastOf(a.Column, b.Column, c.Column) - margin.Column, -BeyondAll, this->Left);
+  StoreWhere(
+    isFinite, GreatestOf(a.Column, b.Column, c.Column) + margin.Column, BeyondAll, this->Right);
+  StoreWhere(isFinite, LeastOf(a.Line, b.Line, c.Line) - margin.Line, -BeyondAll, this->Bottom);
+  StoreWhere(isFinite, GreatestOf(a.Line, b.Line, c.Line) + margin.Line, BeyondAll, this->Top);
+  StoreWhere(isFinite, nearest, BeyondAll, this->Nearest);
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+ScreenRectangle FaceBlock::Around(unsigned faces) const
+{
+  const LaneMask bits = LaneMask{} + static_cast<std::int32_t>(faces);
+  const LaneMask isWanted = (bits & LaneMask{ 1, 2, 4, 8, 16, 32, 64, 128 }) != LaneMask{};
+  const Lanes before = AllLanes(-BeyondAll), behind = AllLanes(BeyondAll);
+  return { LeastLane(isWanted ? LoadLanes(this->Left) : behind),
+    GreatestLane(isWanted ? LoadLanes(this->Right) : before),
+    LeastLane(isWanted ? LoadLanes(this->Bottom) : behind),
+    GreatestLane(isWanted ? LoadLanes(this->Top) : before),
+    GreatestLane(isWanted ? LoadLanes(this->Nearest) : before) };
+}
+
+}
