@@ -347,7 +347,7 @@ TEST(PartCuller, MeshesOfMoreFacesThanCellsHideNothing)
     SCOPED_TRACE(isDense);
     PartScene scene;
     Random random(1);
-    const int rings = isDense ? 150 : 10;
+    const int rings = isDense ? 110 : 10;
     const std::uint32_t ball = scene.Add(coverage::BallOf(2 * rings, rings, 1.0, random),
       glm::scale(
         glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -30)), glm::dvec3(5.0))); // 30 by 30 cells

@@ -1,13 +1,9 @@
 #ifndef VITRINE_CORE_CULLING_BAND_CULLER_H
 #define VITRINE_CORE_CULLING_BAND_CULLER_H
 
-#include "Core/culling/FaceCoverage.h"
-#include "Core/culling/InsertionBudget.h"
-#include "Core/culling/LastOwners.h"
+#include "Core/culling/BandParts.h"
 #include "Core/culling/LooseOctree.h"
-#include "Core/culling/MeshProjection.h"
 #include "Core/culling/OccluderSource.h"
-#include "Core/culling/OutlineCoverage.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
 
@@ -58,7 +54,7 @@ public:
   const std::vector<std::uint8_t>& Shown() const { return this->Shows; }
 
   const CullCounts& Counts() const { return this->Counted; }
-  const SBuffer& Buffer() const { return this->Lines; }
+  const SBuffer& Buffer() const { return this->Tools.Lines; }
 
 private:
   class Walk;
@@ -82,18 +78,11 @@ private:
     ScreenRectangle Witness; ///< while that is not hidden, the part is not
   };
 
-  SBuffer Lines;
-  MeshProjection Projected;
-  OutlineCoverage CoverOfFew;
-  FaceCoverage CoverOfMany;
+  BandTools Tools;
   CullCounts Counted;
-  InsertionBudget Budget;
-  LastOwners Owners;
   std::vector<Entry> Queue; ///< a heap
   std::vector<std::uint8_t> Shows;
   std::vector<ShownPart> Visited; ///< in the order in which they were visited
-  std::vector<std::uint8_t>
-    WasSmall; ///< parts whose mesh had few points when it was last asked for
 };
 
 }

@@ -1,0 +1,237 @@
+#include "Core/culling/BandParts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+// An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
+const float MostFacesPerCell = 32.0f;
+
+// To project so many faces takes as long as a piece of one on a line.
+const std::size_t FacesPerPiece = 8;
+const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
+
+// Occluders of no more get one depth.
+const float FewColumns = 24.0f;
+const float FewLines = 16.0f;
+}
+
+bool BandParts::IsDense(const ScreenRectangle& rectangle, std::size_t faces)
+{
+  const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
+  return static_cast<float>(faces) > std::max(cells, 1.0f) * MostFacesPerCell;
+}
+
+bool BandParts::Visit(std::uint32_t part, const ScreenRectangle& rectangle)
+{
+  if (!this->Tools.WasSmall[part] && this->IsHidden(rectangle))
+  {
+    this->Tools.Budget.AddHidden(1);
+    return false;
+  }
+  this->Seen = rectangle;
+  const Occluder occluder = this->Occluders.OccluderOf(part);
+  const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPointsOfAMesh;
+  const bool wasSmall = std::exchange(this->Tools.WasSmall[part], isSmall) != 0;
+  const bool isShown = isSmall ? this->ShowSmall(part, occluder, rectangle)
+                               : this->ShowLarge(part, occluder, rectangle, wasSmall);
+  this->Tools.Budget.AddHidden(!isShown);
+  return isShown;
+}
+
+bool BandParts::ShowSmall(
+  std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle)
+{
+  const bool isBehindNear = this->Project(occluder);
+  if (isBehindNear && this->IsHidden(this->View.Grown(this->Tools.Projected.Rectangle())))
+  {
+    return false;
+  }
+  return this->ShowFaces(part, occluder, rectangle);
+}
+
+/** @param isUntested  whether the box around it has not been tested */
+bool BandParts::ShowLarge(
+  std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle, bool isUntested)
+{
+  if ((isUntested && this->IsHidden(rectangle)) || this->AreBoxesHidden(occluder))
+  {
+    return false;
+  }
+  if (occluder.Mesh && this->IsWorthItsTime(occluder, rectangle))
+  {
+    this->Project(occluder);
+    return this->ShowFaces(part, occluder, rectangle);
+  }
+  return true;
+}
+
+BandParts::OwnerVerdict BandParts::VisitOwner(
+  const LastOwners::Owner& owner, ScreenRectangle& rectangle)
+{
+  const Occluder occluder = this->Occluders.OccluderOf(owner.Part);
+  if (!occluder.Mesh || !occluder.IsOfFacesAlone)
+  {
+    return OwnerVerdict::Waits;
+  }
+  const bool isBehindNear = this->Project(occluder);
+  const ScreenRectangle around = this->Tools.Projected.Rectangle();
+  if (!owner.IsNear(around) || !this->IsWorthItsTime(occluder, around))
+  {
+    return OwnerVerdict::Waits;
+  }
+  this->Tools.Owners.MarkVisited(owner.Part);
+  rectangle = isBehindNear ? this->View.Grown(around) : Everywhere;
+  this->Seen = rectangle;
+  const bool isShown = this->ShowFaces(owner.Part, occluder, around);
+  this->Tools.Budget.AddHidden(!isShown);
+  return isShown ? OwnerVerdict::Shows : OwnerVerdict::Hidden;
+}
+
+bool BandParts::IsHiddenNow(std::uint32_t part, const ScreenRectangle& rectangle)
+{
+  const Occluder occluder = this->Occluders.OccluderOf(part);
+  if (this->IsHidden(rectangle) || this->AreBoxesHidden(occluder))
+  {
+    return true;
+  }
+  if (!occluder.Mesh || !this->IsWorthItsTime(occluder, rectangle))
+  {
+    return false;
+  }
+  this->Project(occluder);
+  return this->AreFacesHidden(occluder);
+}
+
+bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle, float& depth)
+{
+  const Occluder occluder = this->Occluders.OccluderOf(part);
+  if (!occluder.Mesh || !this->IsWorthItsTime(occluder, rectangle))
+  {
+    return false;
+  }
+  this->Project(occluder);
+  depth = this->Tools.Projected.NearestOnScreen(this->Tools.Lines);
+  return true;
+}
+
+/** Of a part that is projected: whether a face of it may show. */
+bool BandParts::ShowFaces(
+  std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle)
+{
+  if (!this->IsWorthItsTime(occluder, rectangle))
+  {
+    return true;
+  }
+  if (this->AreFacesHidden(occluder))
+  {
+    return false;
+  }
+  this->Insert(part, occluder);
+  return true;
+}
+
+/** Of a part that is projected. */
+bool BandParts::AreFacesHidden(const Occluder& occluder)
+{
+  MeshProjection& projected = this->Tools.Projected;
+  this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
+  if (!occluder.IsOfFacesAlone || occluder.Mesh->Faces().empty())
+  {
+    return false;
+  }
+  projected.FindFacings();
+  if (!this->Faces.AreAll(projected))
+  {
+    this->Seen = this->Faces.Witness();
+    return false;
+  }
+  return !projected.MayShowBeforeNear();
+}
+
+bool BandParts::AreBoxesHidden(const Occluder& occluder) const
+{
+  return occluder.Boxes &&
+    occluder.Boxes->AreHidden(this->Tools.Lines, this->View, *occluder.ToWorld);
+}
+
+/** Whether back faces of a part that is projected may show. */
+bool BandParts::HasBackFaces(const Occluder& occluder) const
+{
+  const bool isWhole = occluder.Mesh->IsClosed() && this->Tools.Projected.IsBehindNear();
+  return occluder.HasBackFaces && !isWhole;
+}
+
+/** Returns whether all of it lies behind the near plane; if not it is cut there, which takes long. */
+bool BandParts::Project(const Occluder& occluder)
+{
+  const bool isBehindNear =
+    this->Tools.Projected.Project(*occluder.Mesh, this->View.Of(*occluder.ToWorld));
+  if (!isBehindNear)
+  {
+    this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / CutFacesPerPiece);
+  }
+  return isBehindNear;
+}
+
+/** Whether its faces may be tested, and inserted. */
+bool BandParts::IsWorthItsTime(const Occluder& occluder, const ScreenRectangle& rectangle) const
+{
+  const std::size_t faces = occluder.Mesh->Faces().size();
+  return !IsDense(rectangle, faces) && this->Tools.Budget.Allows(faces / FacesPerPiece);
+}
+
+/** Puts what a part that is projected covers into the s-buffer. */
+void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
+{
+  ++this->Tools.Inserted;
+  this->Tools.Owners.AddInserted(part, this->Tools.Projected.Rectangle());
+  this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
+  this->InsertSides(part, occluder);
+  MeshProjection& projected = this->Tools.Projected;
+  if (!projected.IsBehindNear() && projected.ClipFarther(this->View.Of(*occluder.ToWorld)))
+  {
+    this->InsertSides(part, occluder);
+  }
+}
+
+void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
+{
+  const bool areOfFewCells = this->IsOfFewCells();
+  if (!areOfFewCells)
+  {
+    this->Tools.Projected.FindFacings();
+  }
+  this->InsertFaces(part, MeshProjection::Facing::Front, areOfFewCells);
+  if (this->HasBackFaces(occluder))
+  {
+    this->InsertFaces(part, MeshProjection::Facing::Back, areOfFewCells);
+  }
+}
+
+void BandParts::InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool areOfFewCells)
+{
+  SBuffer& lines = this->Tools.Lines;
+  MeshProjection& projected = this->Tools.Projected;
+  if (areOfFewCells)
+  {
+    this->Tools.Budget.Spend(this->Tools.CoverOfFew.Insert(lines, projected, facing, part));
+    return;
+  }
+  this->Faces.Drop(projected, facing);
+  this->Tools.Budget.Spend(this->Tools.CoverOfMany.Insert(lines, projected, facing, part));
+}
+
+/** Whether the part that is projected covers few cells. */
+bool BandParts::IsOfFewCells() const
+{
+  const ScreenRectangle& around = this->Tools.Projected.Rectangle();
+  return this->Tools.Projected.IsBehindNear() && around.Right - around.Left <= FewColumns &&
+    around.Top - around.Bottom <= FewLines;
+}
+
+}
