@@ -69,7 +69,8 @@ public:
   float LargestGrowth() const { return this->Growth; }
 
   /**
-   * Has parts show that were found hidden, but not face by face, and have a face that the eye sees from its edge: a device may draw that at any depth.
+   * Has parts show that were found hidden, but not face by face, and have a face that the eye sees from its edge: a device may draw that at any depth. And all wireframes:
+   * it draws lines that are seen nearly from their end beyond it, at any depth, too.
    * @param culler   that found them hidden
    * @param drawn    one for each part, 1 for those that are drawn
    * @param visible  the same for those that may show; 1 is put for such parts within the view
@@ -102,6 +103,7 @@ private:
     bool HasTextures = false;
     bool MayHide = false;
     bool HasBackFaces = true; ///< that are drawn
+    bool IsWireframe = false;
     float Growth = 0.0f;
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dmat4 FromWorld{ 1.0 };

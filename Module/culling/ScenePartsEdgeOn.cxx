@@ -101,7 +101,11 @@ private:
 void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
-  const std::vector<std::uint32_t> hidden = this->FindHiddenInView(view, drawn, visible);
+  std::vector<std::uint32_t> hidden = this->FindHiddenInView(view, drawn, visible);
+  const auto firstWireframe = std::partition(
+    hidden.begin(), hidden.end(), [this](std::uint32_t i) { return !this->Parts[i].IsWireframe; });
+  std::for_each(firstWireframe, hidden.end(), [&](std::uint32_t i) { visible[i] = 1; });
+  hidden.erase(firstWireframe, hidden.end());
   for (const std::uint32_t i : hidden)
   {
     this->Parts[i].Geometry->Planes(this->Parts[i].Data); // built here, not by several threads

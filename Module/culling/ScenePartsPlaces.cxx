@@ -54,6 +54,7 @@ void SceneParts::ReadActor(Part& part)
     part.Actor->GetTexture() || part.Actor->GetProperty()->GetNumberOfTextures() > 0;
   part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
   part.HasBackFaces = !part.Actor->GetProperty()->GetBackfaceCulling();
+  part.IsWireframe = part.Actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
 }
 
 /** Of a part that is a prop. */
@@ -135,6 +136,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.FromWorld = part.FromWorld;
     piece.HasTextures = part.HasTextures;
     piece.HasBackFaces = part.HasBackFaces;
+    piece.IsWireframe = part.IsWireframe;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
     piece.MayHide = part.MayHide && divided.MayHide;

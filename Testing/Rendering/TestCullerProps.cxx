@@ -236,6 +236,17 @@ TEST_P(CullerProps, Scene22HiddenLinesThatTouchAWall)
   Scene.ExpectHidden(228, 2);
 }
 
+// Lines that are seen nearly from their end are drawn beyond it, however near that is.
+TEST_P(CullerProps, Scene22WireframesBehindAWall)
+{
+  Scene.AddWall();
+  const vtkSmartPointer<vtkActor> wires =
+    Scene.AddSphere(0.0, 0.0, -1.0, 0.3, { 0.9, 0.9, 0.9, 1.0 });
+  Scene.ExpectHidden(235);
+  wires->GetProperty()->SetRepresentationToWireframe();
+  Scene.ExpectNothingHidden(235);
+}
+
 TEST_P(CullerProps, Scene22AmbientOcclusion)
 {
   this->AddParts();
