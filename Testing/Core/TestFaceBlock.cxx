@@ -89,7 +89,7 @@ TEST(FaceBlock, IsWhereItsFacesAre)
         const auto number = static_cast<std::uint32_t>(first + lane);
         const MeshFace& face = projection.Faces()[number];
         EXPECT_EQ(&block.Face(lane), &face);
-        EXPECT_EQ(block.Facing(projection.FacingOf(number)) >> lane & 1u, 1u);
+        EXPECT_EQ(block.Facing(projection, projection.FacingOf(number)) >> lane & 1u, 1u);
         const DepthPlane plane(projection.Point(face[0]), projection.Point(face[1]),
           projection.Point(face[2]), projection.Margin(), projection.Snapping());
         ScreenRectangle own = projection.RectangleOf(face);

@@ -8,9 +8,6 @@ namespace vitrine
 
 namespace
 {
-// Where a part that is dense has more faces, some of those are always so thin that nothing is known of where a device draws them.
-const std::size_t MostFacesToLookAt = 1024;
-
 // Nodes of no more parts are visited at once: that takes less than to queue what is in them.
 const std::uint32_t FewParts = 16;
 
@@ -239,12 +236,6 @@ bool BandCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjecti
   }
   MeshProjection& projected = this->Tools.Projected;
   projected.Project(*occluder.Mesh, view.Of(*occluder.ToWorld));
-  const std::size_t faces = occluder.Mesh->Faces().size();
-  if (faces > MostFacesToLookAt && BandParts::IsDense(projected.Rectangle(), faces))
-  {
-    return true;
-  }
-  projected.FindFacings();
   return HiddenFaces(this->Tools.Lines, view).AreThinOnes(projected) &&
     !projected.MayShowBeforeNear();
 }

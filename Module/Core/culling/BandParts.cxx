@@ -18,12 +18,13 @@ const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
 // Occluders of no more get one depth.
 const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
-}
 
-bool BandParts::IsDense(const ScreenRectangle& rectangle, std::size_t faces)
+/** Whether a part has more faces than its rectangle has room for. */
+bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
 {
   const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
   return static_cast<float>(faces) > std::max(cells, 1.0f) * MostFacesPerCell;
+}
 }
 
 bool BandParts::Visit(std::uint32_t part, const ScreenRectangle& rectangle)

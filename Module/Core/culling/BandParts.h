@@ -85,9 +85,6 @@ public:
   /** Where something of the last part that was visited shows: while that is not hidden, the part is not. */
   const ScreenRectangle& Witness() const { return this->Seen; }
 
-  /** Whether a part has more faces than its rectangle has room for. */
-  static bool IsDense(const ScreenRectangle& rectangle, std::size_t faces);
-
 private:
   bool ShowSmall(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle);
   bool ShowLarge(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle,

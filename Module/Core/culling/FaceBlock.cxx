@@ -1,8 +1,7 @@
 #include "Core/culling/FaceBlock.h"
 
+#include "Core/culling/FaceCorners.h"
 #include "Core/culling/FaceSlopes.h"
-
-#include <algorithm>
 
 namespace vitrine
 {
@@ -10,28 +9,6 @@ namespace vitrine
 namespace
 {
 const float BeyondAll = 3e38f;
-
-/** One corner of each of eight faces. */
-struct CornerLanes
-{
-  Lanes Column, Line, Depth;
-
-  VITRINE_INLINE CornerLanes(
-    const MeshProjection& projection, const MeshFace* const* faces, int corner)
-  {
-    float columns[LaneCount], lines[LaneCount], depths[LaneCount];
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      const ScreenPoint point = projection.Point((*faces[lane])[corner]);
-      columns[lane] = point.Column;
-      lines[lane] = point.Line;
-      depths[lane] = point.Depth;
-    }
-    this->Column = LoadLanes(columns);
-    this->Line = LoadLanes(lines);
-    this->Depth = LoadLanes(depths);
-  }
-};
 
 /** Elsewhere `other`. */
 VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* place)
@@ -41,25 +18,28 @@ VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* 
 }
 
 FaceBlock::FaceBlock(const MeshProjection& projection, std::size_t first)
+  : First(first)
+  , Count(FindFaces(projection, first, this->Faces))
 {
-  const std::vector<MeshFace>& all = projection.Faces();
-  for (std::size_t lane = 0; lane < LaneCount; ++lane)
-  {
-    this->Faces[lane] = &all[std::min(first + lane, all.size() - 1)];
-    if (first + lane < all.size())
-    {
-      const auto facing = projection.FacingOf(static_cast<std::uint32_t>(first + lane));
-      this->Facings[static_cast<int>(facing)] |= 1u << lane;
-    }
-  }
   this->Find(projection);
+}
+
+unsigned FaceBlock::Facing(const MeshProjection& projection, MeshProjection::Facing facing) const
+{
+  unsigned bits = 0;
+  for (int lane = 0; lane < this->Count; ++lane)
+  {
+    const auto face = static_cast<std::uint32_t>(this->First) + static_cast<std::uint32_t>(lane);
+    bits |= unsigned{ projection.FacingOf(face) == facing } << lane;
+  }
+  return bits;
 }
 
 /** Finds the rectangles of eight faces. */
 VITRINE_FOR_EACH_PROCESSOR
 void FaceBlock::Find(const MeshProjection& projection)
 {
-  const CornerLanes a(projection, this->Faces, 0), b(projection, this->Faces, 1),
+  const FaceCorners a(projection, this->Faces, 0), b(projection, this->Faces, 1),
     c(projection, this->Faces, 2);
   const ScreenMargin& margin = projection.Margin();
   const ScreenMargin& snapping = projection.Snapping();

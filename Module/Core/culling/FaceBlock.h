@@ -16,17 +16,14 @@ namespace vitrine
 class FaceBlock
 {
 public:
-  /** Of the face `first` of those that a projection has, which stay there as long as this does, and those behind it. Their facings are known. */
+  /** Of the face `first` of those that a projection has, which stay there as long as this does, and those behind it. */
   FaceBlock(const MeshProjection& projection, std::size_t first);
 
-  /** A bit for each face that looks one way. */
-  unsigned Facing(MeshProjection::Facing facing) const
-  {
-    return this->Facings[static_cast<int>(facing)];
-  }
+  /** A bit for each face that looks one way, as the projection knows of all. */
+  unsigned Facing(const MeshProjection& projection, MeshProjection::Facing facing) const;
 
   /** A bit for each face. */
-  unsigned All() const { return this->Facings[0] | this->Facings[1] | this->Facings[2]; }
+  unsigned All() const { return (1u << this->Count) - 1u; }
 
   const MeshFace& Face(int lane) const { return *this->Faces[lane]; }
 
@@ -50,7 +47,8 @@ private:
 
   float Left[LaneCount], Right[LaneCount], Bottom[LaneCount], Top[LaneCount], Nearest[LaneCount];
   const MeshFace* Faces[LaneCount];
-  unsigned Facings[3] = {};
+  std::size_t First;
+  int Count;
 };
 
 }

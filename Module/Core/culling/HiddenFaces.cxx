@@ -3,12 +3,22 @@
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
 #include "Core/culling/LineExtent.h"
+#include "Core/culling/ThinFaces.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vitrine
 {
+
+namespace
+{
+
+// Of parts of no more faces, each may be of any thickness on a device that is not surely more than nothing.
+const std::size_t MostFacesOfAnyThickness = 1024;
+
+// Of places that are up to 1.
+const float StepOfFloats = 0x1p-23f;
+}
 
 bool HiddenFaces::AreAll(const MeshProjection& projection)
 {
@@ -16,7 +26,8 @@ bool HiddenFaces::AreAll(const MeshProjection& projection)
   for (std::size_t first = 0; first < projection.Faces().size(); first += LaneCount)
   {
     const FaceBlock& block = this->Blocks.emplace_back(projection, first);
-    if (!this->AreHidden(projection, block, block.Facing(MeshProjection::Facing::Front)))
+    if (!this->AreHidden(
+          projection, block, block.Facing(projection, MeshProjection::Facing::Front)))
     {
       return false;
     }
@@ -25,7 +36,7 @@ bool HiddenFaces::AreAll(const MeshProjection& projection)
     [&](const FaceBlock& block)
     {
       return this->AreHidden(
-        projection, block, block.All() & ~block.Facing(MeshProjection::Facing::Front));
+        projection, block, block.All() & ~block.Facing(projection, MeshProjection::Facing::Front));
     });
 }
 
@@ -54,12 +65,11 @@ bool HiddenFaces::AreHiddenTogether(const FaceBlock& block, unsigned faces) cons
 
 bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
 {
-  const std::vector<MeshFace>& faces = projection.Faces();
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  const ScreenMargin margin = this->View.Grown(projection.Margin());
+  for (std::size_t first = 0; first < projection.Faces().size(); first += LaneCount)
   {
-    const ScreenRectangle around = this->View.Grown(projection.RectangleOf(faces[i]));
-    if (this->Lines.MayHaveSamplesIn(around) && IsThin(projection, faces[i]) &&
-      !this->IsHidden(projection, FaceBlock(projection, i), 0))
+    const unsigned thin = FindThinFaces(projection, first, this->Lines.Samples(), margin);
+    if (thin != 0 && !this->AreThinOnesHidden(projection, FaceBlock(projection, first), thin))
     {
       return false;
     }
@@ -67,17 +77,30 @@ bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
   return true;
 }
 
-/** Whether what a device moves points by may be as much as a face is thick; or nothing is known of it. */
-bool HiddenFaces::IsThin(const MeshProjection& projection, const MeshFace& face)
+/** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
+bool HiddenFaces::AreThinOnesHidden(
+  const MeshProjection& projection, const FaceBlock& block, unsigned faces)
 {
-  const ScreenPoint a = projection.Point(face[0]), b = projection.Point(face[1]),
-                    c = projection.Point(face[2]);
-  const float columns = std::max(std::abs(b.Column - a.Column), std::abs(c.Column - a.Column));
-  const float lines = std::max(std::abs(b.Line - a.Line), std::abs(c.Line - a.Line));
-  const float area =
-    (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
-  const float moved = projection.Margin().Column * lines + projection.Margin().Line * columns;
-  return !(std::abs(area) > 2.0f * moved);
+  if (projection.Faces().size() > MostFacesOfAnyThickness)
+  {
+    faces &= ~this->FindHiddenIfOfAStep(projection, block, faces);
+  }
+  return this->AreHidden(projection, block, faces);
+}
+
+unsigned HiddenFaces::FindHiddenIfOfAStep(
+  const MeshProjection& projection, const FaceBlock& block, unsigned faces) const
+{
+  const float step = StepOfFloats * static_cast<float>(this->Lines.Columns());
+  unsigned hidden = 0;
+  for (int lane = 0; faces >> lane != 0; ++lane)
+  {
+    ScreenRectangle around = this->View.Grown(block.At(lane));
+    around.Nearest =
+      std::min(around.Nearest, NearestOfThickness(projection, block.Face(lane), step));
+    hidden |= unsigned{ (faces >> lane & 1u) != 0 && this->Lines.Hides(around) } << lane;
+  }
+  return hidden;
 }
 
 void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing) const

@@ -43,9 +43,11 @@ public:
   const ScreenRectangle& Witness() const { return this->Shown; }
 
 private:
-  static bool IsThin(const MeshProjection& projection, const MeshFace& face);
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
+  bool AreThinOnesHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
+  unsigned FindHiddenIfOfAStep(
+    const MeshProjection& projection, const FaceBlock& block, unsigned faces) const;
   bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);
   bool IsHidden(const FaceOnLines& face, const LineRange& lines);
   bool AreLinesHidden(const FaceOnLines& face, const LineRange& lines);

@@ -124,13 +124,6 @@ public:
   /** Whether all samples in the rectangle are covered by what is nearer. Beyond the screen nothing shows. */
   bool Hides(const ScreenRectangle& rectangle) const;
 
-  /** Whether there may be samples in the rectangle. */
-  bool MayHaveSamplesIn(const ScreenRectangle& rectangle) const
-  {
-    return this->Grid.MayHaveAny(rectangle.Left, rectangle.Right) &&
-      this->Grid.MayHaveAny(rectangle.Bottom, rectangle.Top);
-  }
-
   /**
    * Whether all samples of a segment are covered by what is nearer. Beyond the screen nothing shows.
    * @param shown  takes a column where that is not so

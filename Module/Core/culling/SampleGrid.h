@@ -1,7 +1,14 @@
 #ifndef VITRINE_CORE_CULLING_SAMPLE_GRID_H
 #define VITRINE_CORE_CULLING_SAMPLE_GRID_H
 
+#include "Core/culling/Lanes.h"
+
 #include <cmath>
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // about lanes in registers
+#endif
 
 namespace vitrine
 {
@@ -60,14 +67,13 @@ public:
   /** The sample behind another one, or the place itself where samples are anywhere. */
   float Behind(float sample) const { return sample + 2.0f * this->Inset(); }
 
-  /** Whether there may be samples between two places, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
-  bool MayHaveAny(float from, float to) const
+  /** Of eight pairs of places, whether there may be samples between them, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
+  VITRINE_INLINE LaneMask MayHaveAny(Lanes from, Lanes to) const
   {
-    if (this->Pixels <= 0.0f || !(from <= to && to < FarthestPlace))
-    {
-      return true;
-    }
-    return this->CountUpTo(from - NearlyThere) != this->CountUpTo(to + NearlyThere);
+    const LaneMask areFar = ~((from <= to) & (to < AllLanes(FarthestPlace)));
+    const LaneMask differ =
+      this->CountUpTo(from - NearlyThere) != this->CountUpTo(to + NearlyThere);
+    return this->Pixels > 0.0f ? areFar | differ : ~LaneMask{};
   }
 
 private:
@@ -75,9 +81,10 @@ private:
   static constexpr float NearlyThere = 0x1p-10f;
 
   /** Of centres on the screen. */
-  int CountUpTo(float place) const
+  VITRINE_INLINE LaneMask CountUpTo(Lanes place) const
   {
-    return place > 0.0f ? static_cast<int>(place * this->Pixels + 0.5f) : 0;
+    const Lanes onScreen = GreatestOf(LeastOf(place, AllLanes(FarthestPlace)), AllLanes(0.0f));
+    return __builtin_convertvector(onScreen * this->Pixels + 0.5f, LaneMask);
   }
 
   explicit SampleGrid(float pixels)
@@ -93,5 +100,9 @@ private:
 };
 
 }
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -106,6 +106,12 @@ public:
   /** A rectangle, farther by the growth. */
   ScreenRectangle Grown(const ScreenRectangle& rectangle) const;
 
+  /** The same of a margin. */
+  ScreenMargin Grown(const ScreenMargin& margin) const
+  {
+    return { margin.Column + this->Growth.x, margin.Line + this->Growth.y, margin.Depth };
+  }
+
   /** Column, line and depth, each times w, and w. */
   glm::dvec4 ToScreen(const glm::dvec3& point) const;
 

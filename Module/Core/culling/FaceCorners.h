@@ -1,0 +1,54 @@
+#ifndef VITRINE_CORE_CULLING_FACE_CORNERS_H
+#define VITRINE_CORE_CULLING_FACE_CORNERS_H
+
+#include "Core/culling/Lanes.h"
+#include "Core/culling/MeshProjection.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * Points to the face `first` of those that a projection has and to up to seven behind it; where there are fewer, to the last one again.
+ * @returns  how many there are
+ */
+inline int FindFaces(
+  const MeshProjection& projection, std::size_t first, const MeshFace* (&faces)[LaneCount])
+{
+  const std::vector<MeshFace>& all = projection.Faces();
+  const auto count = static_cast<int>(std::min<std::size_t>(all.size() - first, LaneCount));
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    faces[lane] = &all[first] + std::min(lane, count - 1);
+  }
+  return count;
+}
+
+/** One corner of each of eight faces, on the screen. */
+struct FaceCorners
+{
+  Lanes Column, Line, Depth;
+
+  VITRINE_INLINE FaceCorners(
+    const MeshProjection& projection, const MeshFace* const* faces, int corner)
+  {
+    float columns[LaneCount], lines[LaneCount], depths[LaneCount];
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      const ScreenPoint point = projection.Point((*faces[lane])[corner]);
+      columns[lane] = point.Column;
+      lines[lane] = point.Line;
+      depths[lane] = point.Depth;
+    }
+    this->Column = LoadLanes(columns);
+    this->Line = LoadLanes(lines);
+    this->Depth = LoadLanes(depths);
+  }
+};
+
+}
+
+#endif
