@@ -11,7 +11,6 @@
 namespace
 {
 
-using vitrine::BitsOf;
 using vitrine::Lanes;
 using vitrine::LanesFrom;
 using vitrine::SampleGrid;
@@ -131,7 +130,7 @@ bool MayHaveAny(const SampleGrid& grid, float from, float to)
   Lanes froms = LanesFrom(0.1f), tos = LanesFrom(0.6f);
   froms[3] = from;
   tos[3] = to;
-  return (BitsOf(grid.MayHaveAny(froms, tos)) >> 3 & 1u) != 0;
+  return (grid.MayHaveAny(froms, tos) >> 3 & 1u) != 0;
 }
 
 }

@@ -67,13 +67,13 @@ public:
   /** The sample behind another one, or the place itself where samples are anywhere. */
   float Behind(float sample) const { return sample + 2.0f * this->Inset(); }
 
-  /** Of eight pairs of places, whether there may be samples between them, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
-  VITRINE_INLINE LaneMask MayHaveAny(Lanes from, Lanes to) const
+  /** A bit for each of eight pairs of places, whether there may be samples between them, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
+  VITRINE_INLINE unsigned MayHaveAny(const Lanes& from, const Lanes& to) const
   {
     const LaneMask areFar = ~((from <= to) & (to < AllLanes(FarthestPlace)));
     const LaneMask differ =
       this->CountUpTo(from - NearlyThere) != this->CountUpTo(to + NearlyThere);
-    return this->Pixels > 0.0f ? areFar | differ : ~LaneMask{};
+    return BitsOf(this->Pixels > 0.0f ? areFar | differ : ~LaneMask{});
   }
 
 private:

@@ -18,7 +18,7 @@ unsigned FindThinFaces(const MeshProjection& projection, std::size_t first,
   const Lanes right = GreatestOf(a.Column, b.Column, c.Column);
   const Lanes bottom = LeastOf(a.Line, b.Line, c.Line);
   const Lanes top = GreatestOf(a.Line, b.Line, c.Line);
-  const LaneMask haveSamples = samples.MayHaveAny(left - margin.Column, right + margin.Column) &
+  const unsigned haveSamples = samples.MayHaveAny(left - margin.Column, right + margin.Column) &
     samples.MayHaveAny(bottom - margin.Line, top + margin.Line);
   const Lanes area =
     (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
@@ -26,7 +26,7 @@ unsigned FindThinFaces(const MeshProjection& projection, std::size_t first,
   const Lanes mostMoved = moved.Column * (top - bottom) + moved.Line * (right - left);
   const LaneMask areThick = SizeOf(area) > 2.0f * mostMoved;
   const LaneMask areFinite = area - area == AllLanes(0.0f);
-  return BitsOf(~areFinite | (haveSamples & ~areThick)) & ((1u << count) - 1u);
+  return (BitsOf(~areFinite) | (haveSamples & ~BitsOf(areThick))) & ((1u << count) - 1u);
 }
 
 float NearestOfThickness(const MeshProjection& projection, const MeshFace& face, float thickness)
