@@ -11,8 +11,11 @@
 namespace vitrine
 {
 
+/** To begin more threads takes longer than what they save of work of a few milliseconds. */
+inline constexpr std::size_t MostThreads = 8;
+
 /**
- * Does something for each number below a count, in as many threads as the machine has processors, of which the calling one is one. Returns once all of it is done.
+ * Does something for each number below a count, in as many threads as the machine has processors, but for those beyond MostThreads, of which the calling one is one. Returns once all of it is done.
  * @param work  is called with the numbers, each once; what it throws comes out here
  */
 template <class Work>
@@ -26,7 +29,8 @@ void ForEachInThreads(std::size_t count, const Work& work)
       work(i);
     }
   };
-  const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t processors =
+    std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), MostThreads);
   std::vector<std::future<void>> others;
   for (std::size_t i = 1; i < std::min(count, processors); ++i)
   {

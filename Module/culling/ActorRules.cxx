@@ -3,6 +3,7 @@
 #include "culling/ClassName.h"
 #include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
+#include "culling/vtkCulledCompositePolyDataMapper.h"
 #include "culling/vtkHierarchicalSBufferCuller.h"
 
 #include "vtkActor.h"
@@ -12,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPlaneCollection.h"
@@ -47,7 +49,7 @@ public:
 /** Of classes that draw polydata where their points are. */
 bool IsKnownMapper(vtkMapper* mapper)
 {
-  return IsOfClass(mapper, "vtkOpenGLPolyDataMapper") || DividedMapperOf(mapper);
+  return IsExactly<vtkOpenGLPolyDataMapper>(mapper) || DividedMapperOf(mapper);
 }
 
 /** From VTK 9.2 on, props may stand in coordinates of the room, or of the device. */
@@ -64,7 +66,7 @@ bool StandsInWorld(vtkActor* actor)
 /** Blocks of a composite mapper are looked at one by one. */
 bool IsTranslucentAsAWhole(vtkActor* actor)
 {
-  return IsOfClass(actor->GetMapper(), "vtkCulledCompositePolyDataMapper")
+  return IsExactly<vtkCulledCompositePolyDataMapper>(actor->GetMapper())
     ? actor->GetForceTranslucent()
     : actor->HasTranslucentPolygonalGeometry() != 0;
 }
@@ -86,7 +88,7 @@ bool IsOpaque(vtkTexture* texture)
 
 vtkActor* AsHideable(vtkProp* prop)
 {
-  vtkActor* actor = IsOfClass(prop, "vtkOpenGLActor") ? static_cast<vtkActor*>(prop) : nullptr;
+  vtkActor* actor = IsExactly<vtkOpenGLActor>(prop) ? static_cast<vtkActor*>(prop) : nullptr;
   if (!actor || !actor->GetMapper() || !IsKnownMapper(actor->GetMapper()))
   {
     return nullptr;

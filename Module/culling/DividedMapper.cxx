@@ -55,11 +55,11 @@ std::shared_ptr<const ShownParts> DividedMapper::ShownIn(
 
 DividedMapper* DividedMapperOf(vtkMapper* mapper)
 {
-  if (IsOfClass(mapper, "vtkCulledCompositePolyDataMapper"))
+  if (IsExactly<vtkCulledCompositePolyDataMapper>(mapper))
   {
     return static_cast<vtkCulledCompositePolyDataMapper*>(mapper)->GetDividedMapper();
   }
-  return IsOfClass(mapper, "vtkCulledPolyDataMapper")
+  return IsExactly<vtkCulledPolyDataMapper>(mapper)
     ? static_cast<vtkCulledPolyDataMapper*>(mapper)->GetDividedMapper()
     : nullptr;
 }

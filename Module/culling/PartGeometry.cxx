@@ -47,7 +47,10 @@ std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data)
       corners.push_back(static_cast<std::uint32_t>(points[i + 1]));
     }
   }
-  return corners;
+  const vtkIdType points = data->GetNumberOfPoints();
+  const bool areThere = std::all_of(
+    corners.begin(), corners.end(), [points](std::uint32_t corner) { return corner < points; });
+  return areThere ? corners : std::vector<std::uint32_t>();
 }
 
 bool HasGhosts(vtkPolyData* data)

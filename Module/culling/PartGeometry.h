@@ -23,7 +23,7 @@ namespace vitrine
 
 std::vector<glm::dvec3> PointsOf(vtkPolyData* data);
 
-/** The triangles that VTK draws polygons as, three corners each: a fan around the first point. */
+/** The triangles that VTK draws polygons as, three corners each: a fan around the first point. None if a polygon has points that are not there. */
 std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data);
 
 /** Whether there are ghost cells or points, which may or may not be drawn. */

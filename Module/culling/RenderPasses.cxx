@@ -2,13 +2,10 @@
 
 #include "vtkCameraPass.h"
 #include "vtkImageProcessingPass.h"
-#include "vtkOpenGLFXAAPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
-#include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
-#include "vtkToneMappingPass.h"
 
 #include <algorithm>
 #include <array>
@@ -52,28 +49,31 @@ std::vector<vtkRenderPass*> DelegatesOf(vtkRenderPass* pass)
   return delegates;
 }
 
-/** Of those that process images: whether they look at no more than the view, and not around it, as blurs do. */
-bool KeepsToTheView(vtkRenderPass* processing)
+/** Passes of VTK's, and ours, that draw what the camera sees, and derived ones. */
+bool IsKnown(vtkRenderPass* pass)
 {
-  return vtkOpenGLFXAAPass::SafeDownCast(processing) || vtkSSAOPass::SafeDownCast(processing) ||
-    vtkToneMappingPass::SafeDownCast(processing);
+  static const std::array<const char*, 17> known{ "vtkCameraPass", "vtkClusteredLightsPass",
+    "vtkDefaultPass", "vtkDepthPeelingPass", "vtkLightsPass", "vtkOpaquePass", "vtkOpenGLFXAAPass",
+    "vtkOrderIndependentTranslucentPass", "vtkOverlayPass", "vtkRenderStepsPass", "vtkSSAAPass",
+    "vtkSSAOPass", "vtkSequencePass", "vtkToneMappingPass", "vtkTranslucentPass",
+    "vtkTransparencyPass", "vtkVolumetricPass" };
+  return std::any_of(
+    known.begin(), known.end(), [pass](const char* name) { return pass->IsA(name); });
 }
 
 /**
- * Whether a pass may look at more than what the camera sees: beside the view, as blurs do, all around it, at the bounds of all
- * that is drawn, as vtkEDLShading does, or behind what was drawn before it.
+ * Whether a pass looks at no more than what the camera sees. Others may look beside the view, as blurs do, all around it, at the bounds of all
+ * that is drawn, as vtkEDLShading does, or behind what was drawn before, as where vtkClearZPass is; and of those that are not known it is not known.
  */
-bool LooksBeyondTheView(vtkRenderPass* pass)
+bool KeepsToTheView(vtkRenderPass* pass)
 {
   auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
   const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
-  return pass->IsA("vtkClearZPass") ||
-    (pass->IsA("vtkImageProcessingPass") && !KeepsToTheView(pass)) ||
-    (steps && steps->GetPostProcessPass() && LooksBeyondTheView(steps->GetPostProcessPass())) ||
-    std::any_of(delegates.begin(), delegates.end(), LooksBeyondTheView);
+  return IsKnown(pass) &&
+    !(steps && steps->GetPostProcessPass() && !KeepsToTheView(steps->GetPostProcessPass())) &&
+    std::all_of(delegates.begin(), delegates.end(), KeepsToTheView);
 }
 
-/** Passes that are not known are taken to do so. */
 bool DrawsOpaqueParts(vtkRenderPass* pass)
 {
   const std::array<const char*, 8> others{ "vtkTranslucentPass",
@@ -90,7 +90,7 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
 
 bool ShowsTheViewAlone(vtkRenderPass* pass)
 {
-  return !pass || (DrawsOpaqueParts(pass) && !LooksBeyondTheView(pass));
+  return !pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass));
 }
 
 }

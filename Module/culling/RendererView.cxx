@@ -8,6 +8,8 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -41,7 +43,7 @@ float SnappedPixelsOf(vtkRenderer* renderer)
 bool IsKnown(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  return IsOfClass(camera, "vtkOpenGLCamera") &&
+  return IsExactly<vtkOpenGLCamera>(camera) &&
     camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender() &&
     ShowsTheViewAlone(renderer->GetPass());
 }
@@ -65,7 +67,7 @@ bool IsSampledAtCentres(vtkRenderer* renderer)
   auto* steps = vtkRenderStepsPass::SafeDownCast(renderer->GetPass());
   return !renderer->GetPass() ||
     (steps && !steps->GetPostProcessPass() && steps->GetOpaquePass() &&
-      IsOfClass(steps->GetOpaquePass(), "vtkOpaquePass") && steps->GetTranslucentPass() &&
+      IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && steps->GetTranslucentPass() &&
       IsOfWindowSize(steps->GetTranslucentPass()));
 }
 }

@@ -3,9 +3,9 @@
 #include "culling/ActorRules.h"
 
 #include "vtkActor.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTimeStamp.h"
 #include "vtkTrivialProducer.h"
@@ -23,7 +23,7 @@ namespace
 {
 
 // Where parts were absent for more updates than that, all is read anew: they may be gone for good.
-const vtkMTimeType LongestAbsence = 1000;
+const vtkMTimeType LongestAbsence = 200;
 
 // Geometries that are gone are dropped where there are more than so many to a part.
 const std::size_t MostGeometries = 2;
@@ -36,12 +36,12 @@ void SceneParts::Update(vtkProp* const* props, int count)
   {
     this->ForgetAbsent();
   }
-  this->LookAnewIfOffsetsChanged();
+  this->LookAnewIfSettingsChanged();
   std::vector<std::uint32_t> moved;
   bool hasChanged = this->LookAtAll(props, count, moved);
   if (this->HasMadeData) // which others that were looked at before may show, too
   {
-    this->LookAtAll(props, count, moved);
+    hasChanged = this->LookAtAll(props, count, moved) || hasChanged;
   }
   if (hasChanged)
   {
@@ -52,6 +52,7 @@ void SceneParts::Update(vtkProp* const* props, int count)
       this->MoveOrigin(middle);
     }
     this->MeasureAll();
+    this->Kept.clear();
     this->DropDeadGeometries();
   }
 }
@@ -83,11 +84,12 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
   return hasChanged;
 }
 
-/** What mappers offset depths by is a setting of the whole program, which no part's time tells of. */
-void SceneParts::LookAnewIfOffsetsChanged()
+/** What mappers offset depths by, and whether they move coordinates, are settings of the whole program, which no part's time tells of. */
+void SceneParts::LookAnewIfSettingsChanged()
 {
-  const int offsets = vtkMapper::GetResolveCoincidentTopology();
-  if (std::exchange(this->Offsets, offsets) != offsets)
+  const std::pair settings{ vtkMapper::GetResolveCoincidentTopology(),
+    vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() };
+  if (std::exchange(this->Settings, settings) != settings)
   {
     for (Part& part : this->Parts)
     {
@@ -96,27 +98,35 @@ void SceneParts::LookAnewIfOffsetsChanged()
   }
 }
 
-/** Begins anew, if there are parts to be forgotten. */
+/** Begins anew, if there are parts to be forgotten. What is known of the data of those that are there is kept until they were found again. */
 void SceneParts::ForgetAbsent()
 {
+  const auto isThere = [this](std::size_t i)
+  { return this->SeenIn[i] + LongestAbsence >= this->Frame; };
   bool isAnyAbsent = false;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    isAnyAbsent =
-      isAnyAbsent || (this->PropOf[i] && this->SeenIn[i] + LongestAbsence < this->Frame);
+    isAnyAbsent = isAnyAbsent || (this->PropOf[i] && !isThere(i));
   }
-  if (isAnyAbsent)
+  if (!isAnyAbsent)
   {
-    this->Parts.clear();
-    this->PropOf.clear();
-    this->SeenIn.clear();
-    this->Spare.clear();
-    this->HasPieces.clear();
-    this->BoxOf.clear();
-    this->Index.clear();
-    this->Geometries.clear();
-    this->Boxes = LooseOctree();
+    return;
   }
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (isThere(i))
+    {
+      this->Kept.push_back(std::move(this->Parts[i].Geometry));
+    }
+  }
+  this->Parts.clear();
+  this->PropOf.clear();
+  this->SeenIn.clear();
+  this->Spare.clear();
+  this->HasPieces.clear();
+  this->BoxOf.clear();
+  this->Index.clear();
+  this->Boxes = LooseOctree();
 }
 
 /** Brings their images up to date, as drawing does, and notes if anything was made for that: VTK's time counts what is modified. */
@@ -226,22 +236,6 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
     if (this->HasPieces[part])
     {
       for (const std::uint32_t piece : this->Parts[part].Pieces)
-      {
-        visible[piece] = 1;
-      }
-    }
-  }
-}
-
-void SceneParts::MarkWireframes(std::vector<std::uint8_t>& visible) const
-{
-  for (const std::uint32_t i : this->Drawn)
-  {
-    const Part& part = this->Parts[i];
-    if (part.Actor && part.Actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME)
-    {
-      visible[i] = 1;
-      for (const std::uint32_t piece : part.Pieces)
       {
         visible[piece] = 1;
       }

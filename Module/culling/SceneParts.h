@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 class vtkActor;
@@ -42,12 +43,6 @@ public:
 
   /** Puts 1 for the parts that were in the last update, 0 for others. */
   void MarkDrawn(std::vector<std::uint8_t>& visible) const;
-
-  /**
-   * Puts 1 for the parts of actors that are drawn as wireframes: where a renderer removes hidden lines, VTK draws lines nearer to the eye
-   * than they are.
-   */
-  void MarkWireframes(std::vector<std::uint8_t>& visible) const;
 
   /** How many parts the i-th prop of the last update has: at least one. */
   int CountParts(int i) const;
@@ -125,7 +120,7 @@ private:
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
   void LookAtTextures(const Part& part);
   void MakeData(vtkPolyDataMapper* mapper);
-  void LookAnewIfOffsetsChanged();
+  void LookAnewIfSettingsChanged();
   void ForgetAbsent();
   void FindAll(vtkProp* const* props, int count);
   std::uint32_t Find(vtkProp* prop);
@@ -159,13 +154,14 @@ private:
   std::vector<std::uint32_t> Spare;    ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
-  std::uint32_t Cursor = 0;                      ///< the part behind the last one that was found
-  std::unordered_map<vtkActor*, bool> AreOpaque; ///< textures of actors, in this frame
-  vtkMTimeType Frame = 0;                        ///< counts updates
-  vtkMTimeType Looks = 0;                        ///< counts how often all was looked at
-  bool HasMadeData = false;                      ///< whether a filter has, since then
+  std::vector<std::shared_ptr<PartGeometry>> Kept; ///< of parts that are found again
+  std::uint32_t Cursor = 0;                        ///< the part behind the last one that was found
+  std::unordered_map<vtkActor*, bool> AreOpaque;   ///< textures of actors, in this frame
+  vtkMTimeType Frame = 0;                          ///< counts updates
+  vtkMTimeType Looks = 0;                          ///< counts how often all was looked at
+  bool HasMadeData = false;                        ///< whether a filter has, since then
   LooseOctree Boxes;
-  int Offsets = 0; ///< of coincident topology, as they were
+  std::pair<int, vtkTypeBool> Settings{}; ///< of the whole program, as they were
   glm::dvec3 Middle{ 0.0 };
   glm::dvec3 Farthest{ 0.0 };
   float Growth = 0.0f;

@@ -6,8 +6,10 @@
 #include "culling/PartChunks.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,17 +23,27 @@ namespace
 // Of what rasterisers snap by, 1/256 pixel. Of a face that is so thin, 1/8192 pixel, they may draw depths that differ by 16 times as much as those of its corners.
 const double ThinnestFace = 0x1p-5;
 
-/** How much longer a model transform makes some lengths than others, squared. */
-double UnevennessOf(const glm::dmat4& toWorld)
+/** The longest that an axis becomes, squared. */
+double LongestAxisOf(const glm::dmat4& m)
 {
-  double least = 1e300, greatest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const glm::dvec3 length(toWorld[axis]);
-    least = std::min(least, glm::dot(length, length));
-    greatest = std::max(greatest, glm::dot(length, length));
-  }
-  return greatest / least;
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+  return std::max({ glm::dot(x, x), glm::dot(y, y), glm::dot(z, z) });
+}
+
+/** Whether axes stay at right angles, but for what doubles round. */
+bool IsOrthogonal(const glm::dmat4& m)
+{
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+  const double most = 1e-9 * LongestAxisOf(m);
+  return std::abs(glm::dot(x, y)) <= most && std::abs(glm::dot(y, z)) <= most &&
+    std::abs(glm::dot(z, x)) <= most;
+}
+
+/** How much longer a model transform may make some lengths than others, squared. No length becomes longer than the three axes together. */
+double UnevennessOf(const glm::dmat4& toWorld, const glm::dmat4& fromWorld)
+{
+  const double most = IsOrthogonal(toWorld) ? 1.0 : 9.0;
+  return most * LongestAxisOf(toWorld) * LongestAxisOf(glm::transpose(fromWorld));
 }
 
 /**
@@ -157,7 +169,7 @@ std::vector<std::uint32_t> SceneParts::FindEdgeOn(
       {
         const Part& part = this->Parts[of[i]];
         if (part.Geometry->Planes(part.Data).IsAnyEdgeOn(
-              part.FromWorld * eye, thickness * UnevennessOf(part.ToWorld)))
+              part.FromWorld * eye, thickness * UnevennessOf(part.ToWorld, part.FromWorld)))
         {
           found.push_back(of[i]);
         }

@@ -37,22 +37,47 @@ const int BandsOfMany = 4;
 /** What is kept of each renderer from frame to frame. */
 struct vtkHierarchicalSBufferCuller::State
 {
+  struct ShapedCuller;
   struct CulledRenderer;
   std::map<vtkRenderer*, CulledRenderer> Of;
 
   CulledRenderer& At(vtkRenderer* renderer);
 };
 
+/** A culler, made anew for views of another shape. */
+struct vtkHierarchicalSBufferCuller::State::ShapedCuller
+{
+  vitrine::PartCuller& For(const vitrine::RendererView& view, std::size_t parts)
+  {
+    const int bands = parts < PartsOfBands ? 1 : BandsOfMany;
+    if (!this->Culler || this->Shape != view.Shape() || this->Bands != bands)
+    {
+      this->Culler =
+        std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines, view.Samples, bands);
+      this->Shape = view.Shape();
+      this->Bands = bands;
+    }
+    return *this->Culler;
+  }
+
+  /** The last one. */
+  const vitrine::PartCuller& Last() const { return *this->Culler; }
+
+private:
+  std::unique_ptr<vitrine::PartCuller> Culler;
+  std::array<float, 3> Shape{};
+  int Bands = 0;
+};
+
 struct vtkHierarchicalSBufferCuller::State::CulledRenderer
 {
   vtkWeakPointer<vtkRenderer> Renderer;
   vitrine::SceneParts Parts;
-  std::unique_ptr<vitrine::PartCuller> Culler;
-  std::array<float, 3> Shape{};
-  int Bands = 0;
+  ShapedCuller OfFrames;
+  ShapedCuller OfSelections;       ///< so that what is known of the last frame stays
   std::vector<std::uint8_t> Drawn; ///< each part
   std::vector<std::uint8_t> Visible;
-  bool HasCulled = false; ///< in the last frame
+  bool HasCulled = false; ///< in the last frame that was no selection
   vtkSmartPointer<vtkImageData> BufferImage;
   std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
 
@@ -79,19 +104,6 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
 
   /** What mappers were told is true of one frame. */
   void TakeBack() { this->Told.clear(); }
-
-  vitrine::PartCuller& CullerOf(const vitrine::RendererView& view)
-  {
-    const int bands = this->Visible.size() < PartsOfBands ? 1 : BandsOfMany;
-    if (!this->Culler || this->Shape != view.Shape() || this->Bands != bands)
-    {
-      this->Culler =
-        std::make_unique<vitrine::PartCuller>(view.Columns, view.Lines, view.Samples, bands);
-      this->Shape = view.Shape();
-      this->Bands = bands;
-    }
-    return *this->Culler;
-  }
 
 private:
   std::array<unsigned long, 2> Observers;
@@ -122,8 +134,11 @@ double vtkHierarchicalSBufferCuller::Cull(
     this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
   this->NumberOfDrawnParts = listLength;
-  this->Renderers->At(renderer).HasCulled =
-    this->Culling && this->DropHidden(renderer, propList, listLength);
+  const bool hasCulled = this->Culling && this->DropHidden(renderer, propList, listLength);
+  if (!renderer->GetSelector())
+  {
+    this->Renderers->At(renderer).HasCulled = hasCulled;
+  }
   this->NumberOfDrawnProps = listLength;
 
   double total = 0.0;
@@ -137,7 +152,7 @@ double vtkHierarchicalSBufferCuller::Cull(
   }
   initialized = 1;
   this->CullTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return std::max(total, 1.0); // what is shared out by it must stay finite
+  return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
 }
 
 /** Returns false if nothing is known of the view. */
@@ -154,20 +169,16 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
     return false;
   }
   parts.MarkDrawn(known.Visible);
-  vitrine::PartCuller& culler = known.CullerOf(view);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector();
+  vitrine::PartCuller& culler =
+    (occlusion ? known.OfFrames : known.OfSelections).For(view, known.Visible.size());
   known.Drawn = known.Visible;
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
   if (occlusion)
   {
     parts.ShowEdgeOn(culler, view.Projection(), known.Drawn, known.Visible);
   }
-  if (renderer->GetUseHiddenLineRemoval())
-  {
-    parts.MarkWireframes(known.Visible);
-  }
-
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
   this->NumberOfTestedNodes = static_cast<int>(culler.Counts().Nodes);
@@ -184,7 +195,7 @@ vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer
   {
     return nullptr;
   }
-  const vitrine::PartCuller& culler = *found->second.Culler;
+  const vitrine::PartCuller& culler = found->second.OfFrames.Last();
   std::vector<float> depths;
   for (std::size_t i = 0; i < culler.BandCount(); ++i)
   {

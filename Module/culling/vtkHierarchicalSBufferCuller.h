@@ -11,7 +11,7 @@
  *
  * An octree of the actors' bounding boxes is walked from front to back. What lies outside of the view or wholly behind what is
  * drawn in front is left out of the frame. Cover is kept in an s-buffer of at most BufferLines lines; a line stands for all
- * pixels in it, and counts as covered only where an occluder surely covers all of them, whatever the samples.
+ * pixels in it, and counts as covered only where an occluder surely covers all of their samples.
  *
  * What hides: opaque surfaces that vtkPolyDataMapper draws from triangles and convex polygons, with no shader code of the user's, no
  * clipping planes, no texture but one of plain colours. What is hidden: all actors of that mapper. Blocks of
@@ -20,8 +20,8 @@
  * coordinates of the room or the device, geometry that is not finite.
  *
  * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
- * rendering is being switched, below a pass that processes images and may look beyond the view (vtkEDLShading, blurs), and where
- * passes draw no opaque parts, nothing is. Where the renderer removes hidden lines, wireframes are not.
+ * rendering is being switched, below a pass that may look beyond the view (vtkEDLShading, blurs) or is not known, and where
+ * passes draw no opaque parts, nothing is. Wireframes are left out only outside of the view.
  *
  * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
  *

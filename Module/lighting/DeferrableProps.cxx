@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -57,8 +58,7 @@ bool IsWrittenBy(vtkProp* prop, vtkRenderPass* pass)
 
 bool IsDeferrable(vtkProp* prop, vtkRenderPass* pass)
 {
-  vtkActor* const actor =
-    IsOfClass(prop, "vtkOpenGLActor") ? static_cast<vtkActor*>(prop) : nullptr;
+  vtkActor* const actor = IsExactly<vtkOpenGLActor>(prop) ? static_cast<vtkActor*>(prop) : nullptr;
   return actor && actor->GetMapper() && HasKnownMapper(actor) && !HasShaderCode(actor) &&
     IsWrittenBy(prop, pass) && actor->HasOpaqueGeometry() && HidesWhatIsBehind(actor);
 }

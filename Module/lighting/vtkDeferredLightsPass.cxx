@@ -102,7 +102,7 @@ void vtkDeferredLightsPass::RenderDelegate(const vtkRenderState* s)
 {
   auto* const steps = vtkRenderStepsPass::SafeDownCast(this->GetDelegatePass());
   const bool isKnown = steps && steps->GetOpaquePass() &&
-    vitrine::IsOfClass(steps->GetOpaquePass(), "vtkOpaquePass") && !s->GetRenderer()->GetSelector();
+    vitrine::IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && !s->GetRenderer()->GetSelector();
   if (!isKnown)
   {
     this->Superclass::RenderDelegate(s);

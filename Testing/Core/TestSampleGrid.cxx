@@ -11,8 +11,8 @@
 namespace
 {
 
+using vitrine::LaneCount;
 using vitrine::Lanes;
-using vitrine::LanesFrom;
 using vitrine::SampleGrid;
 
 }
@@ -127,9 +127,12 @@ namespace
 /** Of one pair of places, among others that have samples or none. */
 bool MayHaveAny(const SampleGrid& grid, float from, float to)
 {
-  Lanes froms = LanesFrom(0.1f), tos = LanesFrom(0.6f);
-  froms[3] = from;
-  tos[3] = to;
+  Lanes froms{}, tos{};
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    froms[lane] = lane == 3 ? from : static_cast<float>(lane);
+    tos[lane] = lane == 3 ? to : static_cast<float>(lane) + 0.6f;
+  }
   return (grid.MayHaveAny(froms, tos) >> 3 & 1u) != 0;
 }
 

@@ -1,5 +1,6 @@
 // The s-buffer as an image: what a frame's parts surely cover, and null where there was no such frame.
 #include "CullerScene.h"
+#include "Select.h"
 
 #include "vtkDataArray.h"
 #include "vtkEDLShading.h"
@@ -129,6 +130,15 @@ TEST_P(CullerBuffer, IsNullWithoutAFrameThatWasCulled)
   shading->ReleaseGraphicsResources(Scene.Window);
   Scene.Renderer->SetPass(nullptr);
   this->ImageOfFrame();
+}
+
+TEST_P(CullerBuffer, StaysAsItIsWhileOnePicks)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  const std::array<double, 2> before = RangeOf(this->ImageOfFrame());
+  Select(Scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 1, 1, 20, 20);
+  EXPECT_EQ(RangeOf(Scene.Culler->GetBufferImage(Scene.Renderer)), before);
 }
 
 // The left half of the window shows a wall, the right one nothing that hides.

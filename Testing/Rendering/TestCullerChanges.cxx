@@ -235,6 +235,30 @@ TEST_P(CullerChanges, Scene14PartsThatComeAndGo)
   EXPECT_GT(most, 0);
 }
 
+// What is absent for long is forgotten, and all else is numbered anew.
+TEST_P(CullerChanges, Scene14PartsThatComeAgainAfterLong)
+{
+  const std::vector<vtkSmartPointer<vtkActor>> hidden = Scene.AddHidden();
+  Scene.AddWall();
+  const int all = Scene.ExpectSame(), gone = 20;
+  EXPECT_EQ(all, 63);
+  for (int i = 0; i < gone; ++i)
+  {
+    Scene.Renderer->RemoveActor(hidden[static_cast<std::size_t>(i)]);
+  }
+  Scene.Culler->CullingOn();
+  for (int frame = 0; frame < 420; ++frame)
+  {
+    Scene.Render();
+    ASSERT_EQ(Scene.Culler->GetNumberOfCulledParts(), all - gone) << frame;
+  }
+  for (int i = 0; i < gone; ++i)
+  {
+    Scene.Renderer->AddActor(hidden[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_EQ(Scene.ExpectSame(), all);
+}
+
 TEST_P(CullerChanges, Scene24NoPartsAndOne)
 {
   EXPECT_EQ(Scene.ExpectSame(), 0);
@@ -292,6 +316,21 @@ TEST_P(CullerChanges, WhatAnotherCullerHasLeft)
   Scene.Renderer->AddCuller(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
   Scene.Renderer->AddCuller(Scene.Culler);
   Scene.ExpectHidden(145);
+}
+
+// Props share out a frame's time by the sum of their multipliers, whatever that is.
+TEST_P(CullerChanges, TimesOfAnotherCullerStay)
+{
+  const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+  for (const auto& [multiplier, total] :
+    { std::pair(0.05, 0.05), std::pair(3.0, 3.0), std::pair(0.0, 1.0) })
+  {
+    wall->SetRenderTimeMultiplier(multiplier);
+    vtkProp* props[] = { wall };
+    int count = 1, isInitialized = 1;
+    Scene.Renderer->ResetCameraClippingRange();
+    EXPECT_EQ(Scene.Culler->Cull(Scene.Renderer, props, count, isInitialized), total);
+  }
 }
 
 // Ghost cells may or may not be drawn: what has some hides nothing, and is hidden, whether it was seen before or not.

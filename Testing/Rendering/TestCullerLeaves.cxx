@@ -201,6 +201,18 @@ TEST_P(CullerLeaves, MayHaveNothingToDraw)
   EXPECT_EQ(this->ExpectAsVTK(), PatchCount);
 }
 
+// As data that are filled step by step.
+TEST_P(CullerLeaves, OfPolygonsWithoutPointsAreNone)
+{
+  this->Show(WallAndPatches());
+  vtkNew<vtkPolyData> early;
+  early->SetPolys(this->Mesh->GetPolys());
+  this->Mapper->SetInputData(early);
+  EXPECT_EQ(this->ExpectAsVTK(), 0);
+  early->SetPoints(this->Mesh->GetPoints());
+  EXPECT_EQ(this->ExpectAsVTK(), PatchCount);
+}
+
 TEST_P(CullerLeaves, ChangeBetweenFrames)
 {
   this->Show(WallAndPatches());

@@ -207,7 +207,9 @@ TEST_F(CullerOfManyParts, WhoseDataATexturesPipelineMoves)
     move.By = by;
     image->Modified();
   };
-  this->ExpectSameAfter({ [&] { moveWall(-0.6); }, [&] { moveWall(0.6); } });
+  const double beyond = 9.0; // behind the eye
+  this->ExpectSameAfter({ [&] { moveWall(-0.6); }, [&] { moveWall(0.6); },
+    [&] { MovePoints(Wall, beyond); }, [&] { moveWall(-beyond); } });
 }
 
 }

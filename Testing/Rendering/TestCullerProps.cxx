@@ -17,8 +17,10 @@
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkLinkedListTransparencyPass.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPanoramicProjectionPass.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
@@ -195,6 +197,25 @@ TEST_P(CullerProps, Scene23MapperOfPieces)
   Scene.ExpectHidden(234);
 }
 
+/** Draws nothing, and is of no name of its own. */
+class MapperOfNothing : public vtkOpenGLPolyDataMapper
+{
+public:
+  static MapperOfNothing* New() { VTK_STANDARD_NEW_BODY(MapperOfNothing); }
+  void RenderPiece(vtkRenderer*, vtkActor*) override {}
+};
+
+TEST_P(CullerProps, Scene23MapperOfAUsersThatDrawsNothing)
+{
+  const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
+  Scene.AddHidden();
+  Scene.ExpectHidden(236);
+  vtkNew<MapperOfNothing> nothing;
+  nothing->SetInputData(vtkPolyDataMapper::SafeDownCast(wall->GetMapper())->GetInput());
+  wall->SetMapper(nothing);
+  Scene.ExpectNothingHidden(236);
+}
+
 TEST_P(CullerProps, Scene22Peeling)
 {
   this->AddParts();
@@ -234,6 +255,17 @@ TEST_P(CullerProps, Scene22HiddenLinesThatTouchAWall)
   }
   Scene.Renderer->UseHiddenLineRemovalOn();
   Scene.ExpectHidden(228, 2);
+}
+
+// Without the wires, which lie beside the view, VTK draws as if no hidden lines were to be removed.
+TEST_P(CullerProps, Scene22HiddenLinesBesideTheView)
+{
+  this->AddParts();
+  Scene.AddSphere(9.0, 0.0, 0.0, 0.3, { 0.9, 0.9, 0.9, 1.0 })
+    ->GetProperty()
+    ->SetRepresentationToWireframe();
+  Scene.Renderer->UseHiddenLineRemovalOn();
+  Scene.ExpectHidden(237, 2);
 }
 
 // Lines that are seen nearly from their end are drawn beyond it, however near that is.
@@ -319,7 +351,23 @@ vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> 
   return camera;
 }
 
-// Passes within others that look beyond the view, and those that do not draw what would hide.
+/** A pass that nobody knows. */
+class PassOfAUsers : public vtkRenderPass
+{
+public:
+  static PassOfAUsers* New() { VTK_STANDARD_NEW_BODY(PassOfAUsers); }
+  vtkTypeMacro(PassOfAUsers, vtkRenderPass);
+  void Render(const vtkRenderState* s) override { this->Steps->Render(s); }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Steps->ReleaseGraphicsResources(window);
+  }
+
+private:
+  vtkNew<vtkRenderStepsPass> Steps;
+};
+
+// Passes within others that look beyond the view, those that do not draw what would hide, and those of which nothing is known.
 TEST_P(CullerProps, Scene22PassesWithinPasses)
 {
   this->AddParts();
@@ -337,6 +385,7 @@ TEST_P(CullerProps, Scene22PassesWithinPasses)
     { "translucent", InSequence({ lights, translucent }) },
     { "steps without opaque ones", transparent },
     { "depth that is cleared", InSequence({ lights, opaque, clear, translucent }) },
+    { "a user's", vtkSmartPointer<PassOfAUsers>::New() },
   };
   for (const auto& [name, pass] : unsafe)
   {

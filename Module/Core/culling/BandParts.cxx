@@ -15,7 +15,7 @@ const float MostFacesPerCell = 32.0f;
 const std::size_t FacesPerPiece = 8;
 const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
 
-// Occluders of no more get one depth.
+// Occluders of no more get one plane of depth.
 const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
 

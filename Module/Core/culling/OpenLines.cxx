@@ -15,8 +15,9 @@ VITRINE_FOR_EACH_PROCESSOR
 unsigned OpenLinesFor(const ScreenPatches::Patch& patch, const SBuffer& buffer, int line)
 {
   const SlantedDepth& plane = patch.Bound;
-  const float left = std::max(patch.Left, 0.0f);
-  const float right = std::min(patch.Right, static_cast<float>(buffer.Columns()));
+  const float columns = static_cast<float>(buffer.Columns());
+  const float left = std::min(std::max(patch.Left, 0.0f), columns);
+  const float right = std::min(patch.Right, columns);
   const Lanes base = LanesFrom(static_cast<float>(line));
   const Lanes bottom = GreatestOf(base, AllLanes(patch.Bottom));
   const Lanes top = LeastOf(base + 1.0f, AllLanes(patch.Top));

@@ -15,7 +15,7 @@ class FaceOrder;
 struct FaceSegment;
 
 /**
- * What an occluder surely covers of a line of an s-buffer: all of the line's height from Left to Right, in columns. Depth
+ * What an occluder surely covers of a line of an s-buffer: all samples of the line from Left to Right, in columns. Depth
  * is reversed, 1 at the near plane and 0 at the far one, and linear between the ends; what is drawn is nowhere farther.
  */
 struct Segment
@@ -90,7 +90,7 @@ struct SBufferCounts
 /**
  * An s-buffer: for each line of the screen the spans that are covered, sorted, each by the nearest face known there
  * (A. V. Boreskov, the hierarchical s-buffer). A line is thick: it
- * stands for all the pixels in it, and a span covers all of them. Ends of spans are real numbers, so columns set
+ * stands for all the pixels in it, and a span covers all of their samples. Ends of spans are real numbers, so columns set
  * nothing but the unit.
  *
  * Lines are cut into tiles of TileWidth columns with a list each, and the least depth of all that covers a tile, if it is
