@@ -58,17 +58,30 @@ bool IsOfWindowSize(vtkRenderPass* translucent)
       !translucent->IsA("vtkStencilMaskTransparencyPass"));
 }
 
-bool IsSampledAtCentres(vtkRenderer* renderer)
+/** Whether all that is drawn has the window's pixels. */
+bool HasPixelsOfWindow(vtkRenderer* renderer)
 {
-  if (renderer->GetRenderWindow()->GetMultiSamples() > 1)
-  {
-    return false;
-  }
   auto* steps = vtkRenderStepsPass::SafeDownCast(renderer->GetPass());
   return !renderer->GetPass() ||
     (steps && !steps->GetPostProcessPass() && steps->GetOpaquePass() &&
       IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && steps->GetTranslucentPass() &&
       IsOfWindowSize(steps->GetTranslucentPass()));
+}
+
+/** Passes may draw at the centres of pixels that have several samples. */
+SampleGrid SamplesOf(vtkRenderer* renderer, int pixelsPerLine)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (!HasPixelsOfWindow(renderer))
+  {
+    return SampleGrid();
+  }
+  if (window->GetMultiSamples() <= 1)
+  {
+    return SampleGrid::AtCentres(pixelsPerLine);
+  }
+  const int steps = window->IsCurrent() ? SampleSteps() : 0;
+  return steps > 0 ? SampleGrid::AtSteps(pixelsPerLine, steps) : SampleGrid();
 }
 }
 
@@ -87,7 +100,7 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   const int pixels = (height + mostLines - 1) / mostLines;
   this->Lines = (height + pixels - 1) / pixels;
   this->Columns = (width + pixels - 1) / pixels;
-  this->Samples = IsSampledAtCentres(renderer) ? SampleGrid::AtCentres(pixels) : SampleGrid();
+  this->Samples = SamplesOf(renderer, pixels);
 
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dmat4 toView = MatrixOf(camera->GetModelViewTransformMatrix());

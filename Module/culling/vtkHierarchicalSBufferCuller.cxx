@@ -65,7 +65,7 @@ struct vtkHierarchicalSBufferCuller::State::ShapedCuller
 
 private:
   std::unique_ptr<vitrine::PartCuller> Culler;
-  std::array<float, 3> Shape{};
+  std::array<float, 4> Shape{};
   int Bands = 0;
 };
 

@@ -2,10 +2,30 @@
 
 #include "gl/VitrineOpenGL.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace vitrine
 {
+
+namespace
+{
+
+bool AreSamplesAtSteps(int samples, float steps)
+{
+  bool areAll = true;
+  for (GLint sample = 0; sample < samples; ++sample)
+  {
+    GLfloat places[2] = { 0.0f, 0.0f };
+    glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(sample), places);
+    for (const GLfloat place : places)
+    {
+      areAll = areAll && place > 0.0f && place < 1.0f && std::floor(place * steps) == place * steps;
+    }
+  }
+  return areAll;
+}
+}
 
 bool HasExtension(const char* name)
 {
@@ -55,6 +75,20 @@ int SubpixelBits()
   GLint bits = 0;
   glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
   return bits;
+}
+
+int SampleSteps()
+{
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  for (const int steps : { 4, 8, 16 })
+  {
+    if (samples > 1 && AreSamplesAtSteps(samples, static_cast<float>(steps)))
+    {
+      return steps;
+    }
+  }
+  return 0;
 }
 
 std::int64_t LargestStorageBlock()

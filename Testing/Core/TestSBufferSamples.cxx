@@ -24,15 +24,16 @@ SBuffer BufferOf(const SampleGrid& samples)
   return SBuffer(40, 4, samples, 1u << 12);
 }
 
-/** Whether all centres in a rectangle are covered by what is nearer. */
-bool AreCentresHidden(const SBuffer& buffer, int pixels, const ScreenRectangle& rectangle)
+/** Whether all samples in a rectangle are covered by what is nearer: so many to a column and line, the first one at `offset` of the way to the next one. */
+bool AreSamplesHidden(
+  const SBuffer& buffer, int perColumn, float offset, const ScreenRectangle& rectangle)
 {
-  for (int j = 0; j < buffer.Lines() * pixels; ++j)
+  for (int j = 0; j < buffer.Lines() * perColumn; ++j)
   {
-    const float y = (static_cast<float>(j) + 0.5f) / static_cast<float>(pixels);
-    for (int i = 0; i < buffer.Columns() * pixels; ++i)
+    const float y = (static_cast<float>(j) + offset) / static_cast<float>(perColumn);
+    for (int i = 0; i < buffer.Columns() * perColumn; ++i)
     {
-      const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(pixels);
+      const float x = (static_cast<float>(i) + offset) / static_cast<float>(perColumn);
       if (rectangle.Left <= x && x <= rectangle.Right && rectangle.Bottom <= y &&
         y <= rectangle.Top)
       {
@@ -193,12 +194,47 @@ TEST(SBufferSamples, WhatIsHiddenIsWhatIsHiddenAtEveryCentre)
       const float left = between(-1.0f, 40.0f), bottom = between(-1.0f, 4.0f);
       const ScreenRectangle rectangle{ left, left + between(0.0f, 3.0f), bottom,
         bottom + between(0.0f, 1.5f), between(0.0f, 0.9f) };
-      const bool isHidden = AreCentresHidden(buffer, pixels, rectangle);
+      const bool isHidden = AreSamplesHidden(buffer, pixels, 0.5f, rectangle);
       ASSERT_EQ(buffer.Hides(rectangle), isHidden) << round;
       hidden += isHidden;
     }
   }
   EXPECT_GT(hidden, 2000);
+}
+
+// Sides of pixels count as samples, but those of lines need not be covered.
+TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryStep)
+{
+  std::mt19937 random(4);
+  const auto between = [&](float least, float greatest)
+  { return least + (greatest - least) * (static_cast<float>(random()) / 4294967296.0f); };
+  int hidden = 0, between8ths = 0;
+  for (int round = 0; round < 1500; ++round)
+  {
+    const int pixels = static_cast<int>(1 + random() % 3);
+    SBuffer buffer = BufferOf(SampleGrid::AtSteps(pixels, 8));
+    for (int i = 0; i < 24; ++i)
+    {
+      const float left = between(-2.0f, 40.0f);
+      buffer.Insert(static_cast<int>(random() % 4),
+        { left, left + between(0.1f, 20.0f), between(0.1f, 0.9f), between(0.1f, 0.9f), 0 });
+    }
+    for (int i = 0; i < 10; ++i)
+    {
+      const float left = between(-1.0f, 40.0f), bottom = between(0.0f, 3.5f);
+      const ScreenRectangle rectangle{ left, left + between(0.0f, 3.0f), bottom,
+        bottom + between(0.0f, 0.5f), between(0.0f, 0.9f) };
+      if (buffer.Hides(rectangle))
+      {
+        ASSERT_TRUE(AreSamplesHidden(buffer, 8 * pixels, 0.0f, rectangle)) << round;
+        ++hidden;
+      }
+    }
+    const ScreenRectangle narrow{ 7.01f, 7.02f, 1.0f, 2.0f, 0.99f };
+    between8ths += buffer.Hides(narrow);
+  }
+  EXPECT_GT(hidden, 1500);
+  EXPECT_EQ(between8ths, 1500) << "nothing shows between samples";
 }
 
 TEST(SBufferSamples, SegmentsAreHiddenThatAreFartherAtEveryCentre)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -14,6 +15,27 @@ namespace
 using vitrine::LaneCount;
 using vitrine::Lanes;
 using vitrine::SampleGrid;
+
+/** A grid, and where its samples are. */
+struct Kind
+{
+  SampleGrid Grid;
+  int PerColumn;
+  float Offset; ///< of the first one
+
+  double SampleAt(int i) const { return (i + double{ this->Offset }) / this->PerColumn; }
+};
+
+std::vector<Kind> AllKinds()
+{
+  std::vector<Kind> kinds;
+  for (int pixels = 1; pixels <= 16; ++pixels)
+  {
+    kinds.push_back({ SampleGrid::AtCentres(pixels), pixels, 0.5f });
+    kinds.push_back({ SampleGrid::AtSteps(pixels, 8), 8 * pixels, 0.0f });
+  }
+  return kinds;
+}
 
 }
 
@@ -28,81 +50,102 @@ TEST(SampleGrid, OfSamplesAnywhereLeavesPlacesWhereTheyAre)
   }
 }
 
-TEST(SampleGrid, IsHalfAPixelFromTheSidesOfLines)
+TEST(SampleGrid, IsAwayFromTheSidesOfLines)
 {
   EXPECT_EQ(SampleGrid::AtCentres(1).Inset(), 0.5f);
   EXPECT_EQ(SampleGrid::AtCentres(2).Inset(), 0.25f);
   EXPECT_EQ(SampleGrid::AtCentres(4).Inset(), 0.125f);
+  EXPECT_EQ(SampleGrid::AtSteps(1, 8).Inset(), 0.125f);
+  EXPECT_EQ(SampleGrid::AtSteps(2, 16).Inset(), 0.03125f);
 }
 
-TEST(SampleGrid, GoesFromAPlaceToTheNextCentreOnEitherSide)
+TEST(SampleGrid, IsAsWideAsFromOneSampleToTheNext)
 {
+  EXPECT_EQ(SampleGrid().Width(), 0.0f);
+  for (const SampleGrid& grid : { SampleGrid::AtCentres(1), SampleGrid::AtCentres(4),
+         SampleGrid::AtSteps(1, 8), SampleGrid::AtSteps(3, 4) })
+  {
+    const float sample = grid.From(7.1f);
+    EXPECT_EQ(grid.Behind(sample), sample + grid.Width());
+    EXPECT_NEAR(grid.From(sample + 1e-3f), grid.Behind(sample), 1e-5f);
+  }
+  EXPECT_EQ(SampleGrid::AtCentres(4).Width(), 0.25f);
+  EXPECT_EQ(SampleGrid::AtSteps(1, 8).Width(), 0.125f);
+}
+
+TEST(SampleGrid, GoesFromAPlaceToTheNextSampleOnEitherSide)
+{
+  const SampleGrid centres1 = SampleGrid::AtCentres(1), centres2 = SampleGrid::AtCentres(2),
+                   centres4 = SampleGrid::AtCentres(4), steps4 = SampleGrid::AtSteps(1, 4),
+                   steps16 = SampleGrid::AtSteps(2, 8);
   const struct
   {
-    int PixelsPerLine;
+    SampleGrid Grid;
     float Place, From, UpTo;
   } cases[] = {
-    { 1, 0.0f, 0.5f, -0.5f },
-    { 1, 0.5f, 0.5f, 0.5f }, // a centre is both
-    { 1, 0.51f, 1.5f, 0.5f },
-    { 1, 7.0f, 7.5f, 6.5f },
-    { 2, 0.0f, 0.25f, -0.25f },
-    { 2, 3.3f, 3.75f, 3.25f },
-    { 2, 3.75f, 3.75f, 3.75f },
-    { 4, 3.0f, 3.125f, 2.875f },
-    { 4, 3.2f, 3.375f, 3.125f },
-    { 1, -0.2f, 0.5f, -0.5f },
-    { 1, -3.5f, -3.5f, -3.5f },
-    { 1, -3.6f, -3.5f, -4.5f },
-    { 4, -0.2f, -0.125f, -0.375f },
+    { centres1, 0.0f, 0.5f, -0.5f },
+    { centres1, 0.5f, 0.5f, 0.5f }, // a centre is both
+    { centres1, 0.51f, 1.5f, 0.5f },
+    { centres1, 7.0f, 7.5f, 6.5f },
+    { centres2, 0.0f, 0.25f, -0.25f },
+    { centres2, 3.3f, 3.75f, 3.25f },
+    { centres2, 3.75f, 3.75f, 3.75f },
+    { centres4, 3.0f, 3.125f, 2.875f },
+    { centres4, 3.2f, 3.375f, 3.125f },
+    { centres1, -0.2f, 0.5f, -0.5f },
+    { centres1, -3.5f, -3.5f, -3.5f },
+    { centres1, -3.6f, -3.5f, -4.5f },
+    { centres4, -0.2f, -0.125f, -0.375f },
+    { steps4, 3.3f, 3.5f, 3.25f },
+    { steps4, 3.25f, 3.25f, 3.25f },
+    { steps4, -3.3f, -3.25f, -3.5f },
+    { steps16, 3.3f, 3.3125f, 3.25f },
   };
   for (const auto& one : cases)
   {
     SCOPED_TRACE(one.Place);
-    const SampleGrid grid = SampleGrid::AtCentres(one.PixelsPerLine);
-    EXPECT_EQ(grid.From(one.Place), one.From);
-    EXPECT_EQ(grid.UpTo(one.Place), one.UpTo);
+    EXPECT_EQ(one.Grid.From(one.Place), one.From);
+    EXPECT_EQ(one.Grid.UpTo(one.Place), one.UpTo);
   }
 }
 
-TEST(SampleGrid, LeavesNoCentreOut)
+TEST(SampleGrid, LeavesNoSampleOut)
 {
   std::mt19937 random(1);
-  for (const int pixels : { 1, 2, 3, 4, 7, 8 })
+  for (const Kind& kind : AllKinds())
   {
-    SCOPED_TRACE(pixels);
-    const SampleGrid grid = SampleGrid::AtCentres(pixels);
+    SCOPED_TRACE(kind.PerColumn);
     for (int i = 0; i < 4000; ++i)
     {
-      const double exact = (static_cast<int>(random() % 8192) - 500 + 0.5) / pixels;
-      const float centre = static_cast<float>(exact);
+      const double exact = kind.SampleAt(static_cast<int>(random() % 8192) - 500);
+      const float sample = static_cast<float>(exact);
       const float aside = std::ldexp(1.0f, -static_cast<int>(random() % 24));
-      for (const float place : { centre, centre - aside, centre + aside,
-             std::nextafter(centre, -1e9f), std::nextafter(centre, 1e9f) })
+      for (const float place : { sample, sample - aside, sample + aside,
+             std::nextafter(sample, -1e9f), std::nextafter(sample, 1e9f) })
       {
         if (double{ place } <= exact)
         {
-          EXPECT_LE(grid.From(place), centre);
+          EXPECT_LE(kind.Grid.From(place), sample);
         }
         if (double{ place } >= exact)
         {
-          EXPECT_GE(grid.UpTo(place), centre);
+          EXPECT_GE(kind.Grid.UpTo(place), sample);
         }
       }
     }
   }
 }
 
-TEST(SampleGrid, KeepsCentresWhereTheyAre)
+TEST(SampleGrid, KeepsSamplesWhereTheyAre)
 {
-  for (int pixels = 1; pixels <= 16; ++pixels)
+  for (const Kind& kind : AllKinds())
   {
-    const SampleGrid grid = SampleGrid::AtCentres(pixels);
     for (int i = -100; i < 4096; ++i)
     {
-      const float centre = (static_cast<float>(i) + 0.5f) / static_cast<float>(pixels);
-      ASSERT_EQ(grid.From(centre), centre) << i << " of " << pixels;
-      ASSERT_EQ(grid.UpTo(centre), centre) << i << " of " << pixels;
+      const float sample =
+        (static_cast<float>(i) + kind.Offset) / static_cast<float>(kind.PerColumn);
+      ASSERT_EQ(kind.Grid.From(sample), sample) << i << " of " << kind.PerColumn;
+      ASSERT_EQ(kind.Grid.UpTo(sample), sample) << i << " of " << kind.PerColumn;
     }
   }
 }
@@ -138,26 +181,26 @@ bool MayHaveAny(const SampleGrid& grid, float from, float to)
 
 }
 
-TEST(SampleGrid, MayHaveSamplesWhereThereIsACentre)
+TEST(SampleGrid, MayHaveSamplesWhereThereIsOne)
 {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> place(-20.0f, 500.0f), length(0.0f, 2.0f);
   int without = 0;
-  for (const int pixelsPerLine : { 1, 2, 4 })
+  for (const Kind& kind : AllKinds())
   {
-    const SampleGrid grid = SampleGrid::AtCentres(pixelsPerLine);
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < 3000; ++i)
     {
-      const float from = place(random), to = from + length(random) / pixelsPerLine;
-      const bool hasCentreOnScreen = std::max(grid.From(from), 0.0f) <= grid.UpTo(to);
-      const bool mayHaveAny = MayHaveAny(grid, from, to);
-      ASSERT_TRUE(mayHaveAny || !hasCentreOnScreen) << from << " to " << to;
+      const float from = place(random), to = from + length(random) / kind.PerColumn;
+      const float first = std::max(kind.Grid.From(from), 0.0f);
+      const bool hasSampleOnScreen = first > 0.0f && first <= kind.Grid.UpTo(to);
+      const bool mayHaveAny = MayHaveAny(kind.Grid, from, to);
+      ASSERT_TRUE(mayHaveAny || !hasSampleOnScreen) << from << " to " << to;
       without += !mayHaveAny;
     }
-    for (int centre = 0; centre < 2000; ++centre)
+    for (int i = 1; i < 2000; ++i)
     {
-      const float at = (static_cast<float>(centre) + 0.5f) / static_cast<float>(pixelsPerLine);
-      ASSERT_TRUE(MayHaveAny(grid, at, at)) << at;
+      const auto at = static_cast<float>(kind.SampleAt(i));
+      ASSERT_TRUE(MayHaveAny(kind.Grid, at, at)) << at;
     }
   }
   EXPECT_GT(without, 10000);

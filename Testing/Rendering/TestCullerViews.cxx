@@ -1,9 +1,13 @@
 // Where the eye is, and what the window is like: no pixel is lost by culling.
 #include "CullerScene.h"
+#include "gl/Capabilities.h"
+#include "gl/VitrineOpenGL.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
 #include "vtkWindowToImageFilter.h"
@@ -286,6 +290,52 @@ TEST_P(CullerViews, Scene26WindowsOfAnySize)
     Scene.LookFromAnywhere(random);
     const int culled = Scene.ExpectSame();
     EXPECT_TRUE(culled > 0 || size[0] * size[1] < 700) << culled;
+  }
+}
+
+// The seams of a wall of two halves lie where no sample is, most of them.
+TEST(CullerSamples, BetweenThemNothingShows)
+{
+  for (const int samples : { 0, 4 })
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    CullerScene scene({ "", samples, true, 270, 96, 54 });
+    scene.AddHidden();
+    const vtkSmartPointer<vtkActor> left = scene.AddMesh(MeshOf({ Rectangle(-3, -3, 0, 3, 0) }));
+    const vtkSmartPointer<vtkActor> right = scene.AddMesh(MeshOf({ Rectangle(0, -3, 3, 3, 0) }));
+    int closed = 0;
+    for (int seam = 0; seam < 20; ++seam)
+    {
+      const double x = 0.0037 * seam;
+      left->SetPosition(x, 0.0, 0.0);
+      right->SetPosition(x, 0.0, 0.0);
+      closed += scene.ExpectSame() == 63;
+    }
+    EXPECT_GE(closed, 10);
+  }
+}
+
+TEST(CullerSamples, LieAtStepsOfPixels)
+{
+  for (const int samples : { 0, 2, 4, 8 })
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    CullerScene scene({ "", samples, true, 270, 96, 54 });
+    scene.Render();
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(scene.Window);
+    window->MakeCurrent();
+    window->GetRenderFramebuffer()->Bind();
+    GLint has = 0;
+    glGetIntegerv(GL_SAMPLES, &has);
+    const int steps = vitrine::SampleSteps();
+    EXPECT_EQ(steps == 0, has <= 1) << "each device that is known has them there";
+    for (GLint sample = 0; sample < has && steps > 0; ++sample)
+    {
+      GLfloat place[2];
+      glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(sample), place);
+      EXPECT_EQ(std::fmod(place[0] * static_cast<float>(steps), 1.0f), 0.0f);
+      EXPECT_EQ(std::fmod(place[1] * static_cast<float>(steps), 1.0f), 0.0f);
+    }
   }
 }
 

@@ -14,8 +14,8 @@ namespace vitrine
 {
 
 /**
- * Where on the screen something can show at all, in columns and lines of an s-buffer: at the centres of pixels, or, where pixels have
- * several samples, anywhere.
+ * Where on the screen something can show at all, in columns and lines of an s-buffer: at the centres of pixels; where pixels have
+ * several samples, at whole steps across them; or anywhere.
  */
 class SampleGrid
 {
@@ -26,76 +26,93 @@ public:
   /** At the centres of pixels, of which a column and a line has so many. */
   static SampleGrid AtCentres(int pixelsPerLine)
   {
-    return SampleGrid(static_cast<float>(pixelsPerLine));
+    const auto pixels = static_cast<float>(pixelsPerLine);
+    return SampleGrid(pixels, 0.5f, 0.5f / pixels);
+  }
+
+  /** Where a pixel's side is so many steps long, at whole ones, but for the sides themselves: there is where samples and centres of pixels are that have several. */
+  static SampleGrid AtSteps(int pixelsPerLine, int stepsPerPixel)
+  {
+    const auto steps = static_cast<float>(pixelsPerLine * stepsPerPixel);
+    return SampleGrid(steps, 0.0f, 1.0f / steps);
   }
 
   /** How far from its sides a line has no samples. */
-  float Inset() const { return 0.5f * this->Width; }
+  float Inset() const { return this->FromSide; }
+
+  /** From one place with samples to the next; 0 where they are anywhere. */
+  float Width() const { return this->Step; }
 
   /** The first place with samples from `place` on; of such a place, itself. */
   float From(float place) const
   {
-    if (!(this->Pixels > 0.0f))
+    if (!(this->PerColumn > 0.0f))
     {
       return place;
     }
-    const float number = std::ceil(place * this->Pixels - 0.5f);
+    const float number = std::ceil(place * this->PerColumn - this->Offset);
     if (this->IsExact)
     {
-      return (number + 0.5f) * this->Width;
+      return (number + this->Offset) * this->Step;
     }
-    const float before = (number - 0.5f) / this->Pixels; // where the product was rounded up
-    return before >= place ? before : (number + 0.5f) / this->Pixels;
+    const float before =
+      (number - 1.0f + this->Offset) / this->PerColumn; // where the product was rounded up
+    return before >= place ? before : (number + this->Offset) / this->PerColumn;
   }
 
   /** The last one up to `place`; of such a place, itself. */
   float UpTo(float place) const
   {
-    if (!(this->Pixels > 0.0f))
+    if (!(this->PerColumn > 0.0f))
     {
       return place;
     }
-    const float number = std::floor(place * this->Pixels - 0.5f);
+    const float number = std::floor(place * this->PerColumn - this->Offset);
     if (this->IsExact)
     {
-      return (number + 0.5f) * this->Width;
+      return (number + this->Offset) * this->Step;
     }
-    const float behind = (number + 1.5f) / this->Pixels; // where the product was rounded down
-    return behind <= place ? behind : (number + 0.5f) / this->Pixels;
+    const float behind =
+      (number + 1.0f + this->Offset) / this->PerColumn; // where the product was rounded down
+    return behind <= place ? behind : (number + this->Offset) / this->PerColumn;
   }
 
-  /** The sample behind another one, or the place itself where samples are anywhere. */
-  float Behind(float sample) const { return sample + 2.0f * this->Inset(); }
+  /** The place behind another one, or that itself where samples are anywhere. */
+  float Behind(float sample) const { return sample + this->Step; }
 
-  /** A bit for each of eight pairs of places, whether there may be samples between them, of which those below 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
+  /** A bit for each of eight pairs of places, whether there may be samples between them, of which those up to 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
   VITRINE_INLINE unsigned MayHaveAny(const Lanes& from, const Lanes& to) const
   {
     const LaneMask areFar = ~((from <= to) & (to < AllLanes(FarthestPlace)));
     const LaneMask differ =
       this->CountUpTo(from - NearlyThere) != this->CountUpTo(to + NearlyThere);
-    return BitsOf(this->Pixels > 0.0f ? areFar | differ : ~LaneMask{});
+    return BitsOf(this->PerColumn > 0.0f ? areFar | differ : ~LaneMask{});
   }
 
 private:
   static constexpr float FarthestPlace = 1e6f;
   static constexpr float NearlyThere = 0x1p-10f;
 
-  /** Of centres on the screen. */
+  /** Of places on the screen. */
   VITRINE_INLINE LaneMask CountUpTo(Lanes place) const
   {
     const Lanes onScreen = GreatestOf(LeastOf(place, AllLanes(FarthestPlace)), AllLanes(0.0f));
-    return __builtin_convertvector(onScreen * this->Pixels + 0.5f, LaneMask);
+    return __builtin_convertvector(onScreen * this->PerColumn + this->Offset, LaneMask);
   }
 
-  explicit SampleGrid(float pixels)
-    : Pixels(pixels)
-    , Width(1.0f / pixels)
-    , IsExact(std::exp2(std::round(std::log2(pixels))) == pixels)
+  SampleGrid(float perColumn, float offset, float fromSide)
+    : PerColumn(perColumn)
+    , Offset(offset)
+    , Step(1.0f / perColumn)
+    , FromSide(fromSide)
+    , IsExact(std::exp2(std::round(std::log2(perColumn))) == perColumn)
   {
   }
 
-  float Pixels = 0.0f;  ///< 0 for samples anywhere
-  float Width = 0.0f;   ///< of a pixel
+  float PerColumn = 0.0f; ///< 0 for samples anywhere
+  float Offset = 0.0f;    ///< of the first one, in steps
+  float Step = 0.0f;
+  float FromSide = 0.0f;
   bool IsExact = false; ///< a power of two, by which nothing is rounded
 };
 
