@@ -27,7 +27,6 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
   this->Counted = facing;
   this->Buffer = &buffer;
   this->Part = part;
-  this->Margin = projection.Margin();
   this->Inset = buffer.Samples().Inset();
   this->ColumnCount = static_cast<float>(buffer.Columns());
   this->Segments = 0;
@@ -36,15 +35,15 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
     return 0;
   }
   this->Patches.Find(projection, facing);
-  this->Open.Find(buffer, this->Patches, { this->FirstLine, this->LastLine });
+  const LineRange lines{ this->FirstLine, this->LastLine };
+  this->Open.Find(buffer, this->Patches, lines);
   if (!this->Open.HasAny())
   {
     return 1;
   }
   this->OnLine.assign(this->Patches.Count(), {});
   this->Visits = 0;
-  this->FindSheets();
-  this->FindEdgePieces();
+  this->Edges.Find({ &projection, facing, &this->Patches, &this->Open, lines, this->Inset });
   for (this->Line = this->FirstLine; this->Line <= this->LastLine; ++this->Line)
   {
     if (this->Open.IsOpen(this->Line))
@@ -52,7 +51,7 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
       this->InsertLine();
     }
   }
-  return this->EdgePieces.size() + this->Segments;
+  return this->Edges.Count() + this->Segments;
 }
 
 /** Find the lines around all that counts; returns whether any may be covered. */
@@ -82,87 +81,6 @@ bool FaceCoverage::FrameLines(const SBuffer& buffer)
   return this->FirstLine <= this->LastLine;
 }
 
-/** Join patches that have an edge in common. */
-void FaceCoverage::FindSheets()
-{
-  this->Parents.resize(this->Patches.Count());
-  for (std::uint32_t i = 0; i < this->Parents.size(); ++i)
-  {
-    this->Parents[i] = i;
-  }
-  for (const MeshEdge& edge : this->Projection->Edges())
-  {
-    const std::uint32_t left = this->Patches.Of(edge.Left);
-    const std::uint32_t right =
-      edge.Right == OccluderMesh::NoFace ? None : this->Patches.Of(edge.Right);
-    if (left != right && left != None && right != None)
-    {
-      const std::uint32_t a = this->SheetOf(left);
-      const std::uint32_t b = this->SheetOf(right);
-      this->Parents[std::max(a, b)] = std::min(a, b);
-    }
-  }
-}
-
-/** The first patch of the sheet that one is of; shortens the way there (R. E. Tarjan, 1975). */
-std::uint32_t FaceCoverage::SheetOf(std::uint32_t patch)
-{
-  while (this->Parents[patch] != patch)
-  {
-    this->Parents[patch] = this->Parents[this->Parents[patch]];
-    patch = this->Parents[patch];
-  }
-  return patch;
-}
-
-/** Edges within a patch count for nothing. */
-void FaceCoverage::FindEdgePieces()
-{
-  this->EdgePieces.clear();
-  this->EdgeHeads.assign(static_cast<std::size_t>(this->LastLine - this->FirstLine + 1), None);
-  for (const MeshEdge& edge : this->Projection->Edges())
-  {
-    const std::uint32_t left = this->Patches.Of(edge.Left);
-    const std::uint32_t right =
-      edge.Right == OccluderMesh::NoFace ? None : this->Patches.Of(edge.Right);
-    if (left != right)
-    {
-      this->AddEdge(edge, left, right);
-    }
-  }
-}
-
-/** @param left, right  of the edge as it goes */
-void FaceCoverage::AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right)
-{
-  const ScreenEdge onScreen(this->Projection->Point(edge.From), this->Projection->Point(edge.To));
-  const float own = onScreen.OwnRounding();
-  const float above = this->Above(own), aside = this->Aside(own);
-  const bool isLeftSmaller = onScreen.GoesUp() == (this->Counted == MeshProjection::Facing::Front);
-  const std::uint32_t sheet = this->SheetOf(left != None ? left : right);
-  const LineRange lines = LinesBetween(onScreen.Bottom().Line - above, onScreen.Top().Line + above,
-    { this->FirstLine, this->LastLine });
-  for (int line = lines.First; line <= lines.Last; ++line)
-  {
-    if (!this->Open.IsOpen(line))
-    {
-      continue;
-    }
-    const float bottom = static_cast<float>(line);
-    LineExtent touched;
-    touched.Add(onScreen, bottom - above, bottom + 1.0f + above);
-    if (!touched.IsEmpty())
-    {
-      const bool isCrossing = onScreen.Crosses(bottom + 0.5f);
-      std::uint32_t& head = this->EdgeHeads[static_cast<std::size_t>(line - this->FirstLine)];
-      this->EdgePieces.push_back({ { touched.Left - aside, touched.Right + aside },
-        isCrossing ? onScreen.At(bottom + 0.5f) : 0.0f, isLeftSmaller ? left : right,
-        isLeftSmaller ? right : left, sheet, isCrossing, head });
-      head = static_cast<std::uint32_t>(this->EdgePieces.size() - 1);
-    }
-  }
-}
-
 /** From left to right, sheet by sheet. */
 void FaceCoverage::InsertLine()
 {
@@ -178,12 +96,10 @@ void FaceCoverage::InsertLine()
 void FaceCoverage::SortPieces()
 {
   this->Sorted.clear();
-  const std::size_t index = static_cast<std::size_t>(this->Line - this->FirstLine);
-  for (std::uint32_t i = this->EdgeHeads[index]; i != None; i = this->EdgePieces[i].Next)
-  {
-    const EdgePiece& piece = this->EdgePieces[i];
-    this->Sorted.push_back({ piece.Sheet, piece.Touched.Left, &piece });
-  }
+  this->Edges.ForEachOn(this->Line,
+    [this](const EdgePiece& piece) {
+      this->Sorted.push_back({ piece.Sheet, piece.Touched.Left, &piece });
+    });
   std::sort(this->Sorted.begin(), this->Sorted.end());
 }
 

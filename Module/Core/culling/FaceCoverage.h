@@ -3,6 +3,7 @@
 
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OpenLines.h"
+#include "Core/culling/PatchEdges.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenPatches.h"
 
@@ -42,35 +43,8 @@ public:
 private:
   static constexpr std::uint32_t None = ScreenPatches::None;
 
-  /** An interval of columns. */
-  struct Interval
-  {
-    float Left;
-    float Right;
-
-    bool IsEmpty() const { return !(this->Left < this->Right); }
-  };
-
-  /** An edge on a line. */
-  struct EdgePiece
-  {
-    Interval Touched;
-    float Middle;       ///< where it crosses the line's middle
-    std::uint32_t Left; ///< the patch on that side, or None
-    std::uint32_t Right;
-    std::uint32_t Sheet;
-    bool IsCrossing; ///< the line's middle
-    std::uint32_t Next;
-
-    bool IsOutline() const { return this->Left == None || this->Right == None; }
-
-    /** By how much a patch, or all of a sheet, covers more on its right. */
-    int TurnOf(std::uint32_t patch) const
-    {
-      return this->IsCrossing ? (this->Right == patch) - (this->Left == patch) : 0;
-    }
-    int Turn() const { return this->IsCrossing ? (this->Right != None) - (this->Left != None) : 0; }
-  };
+  using Interval = PatchEdges::Interval;
+  using EdgePiece = PatchEdges::Piece;
 
   /** What a patch has of the line that is being inserted, left of the edges at hand. */
   struct PatchOnLine
@@ -109,10 +83,6 @@ private:
   };
 
   bool FrameLines(const SBuffer& buffer);
-  void FindSheets();
-  std::uint32_t SheetOf(std::uint32_t patch);
-  void FindEdgePieces();
-  void AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right);
   void InsertLine();
   void SortPieces();
   Cluster ClusterFrom(std::size_t first) const;
@@ -134,23 +104,18 @@ private:
   DepthBound BoundOf(std::uint32_t patch, const Interval& columns) const;
   void InsertSegment(const Interval& columns, const DepthBound& bound);
   bool IsCovered(const Interval& columns, float nearest) const;
-  float Aside(float own) const { return this->Margin.Column + own; }
-  float Above(float own) const { return this->Margin.Line + own - this->Inset; }
 
   const MeshProjection* Projection = nullptr;
   MeshProjection::Facing Counted = MeshProjection::Facing::Front;
   SBuffer* Buffer = nullptr;
   std::uint32_t Part = 0;
-  ScreenMargin Margin;
   float Inset = 0.0f; ///< how far from their sides lines have no samples
   float ColumnCount = 0.0f;
   int FirstLine = 0, LastLine = 0;
   int Line = 0; ///< that is being inserted
   ScreenPatches Patches;
   OpenLines Open;
-  std::vector<std::uint32_t> Parents; ///< of patches
-  std::vector<EdgePiece> EdgePieces;
-  std::vector<std::uint32_t> EdgeHeads;    ///< of each line's pieces
+  PatchEdges Edges;
   std::vector<SortedPiece> Sorted;         ///< the line's
   std::vector<PatchOnLine> OnLine;         ///< each patch
   std::uint32_t Visits = 0;                ///< of pieces
