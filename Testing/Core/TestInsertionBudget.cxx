@@ -109,6 +109,20 @@ TEST(InsertionBudget, WhatIsSpentBeyondItTheNextFramesPay)
   }
 }
 
+TEST(InsertionBudget, SparesWhatIsMoreThanHalf)
+{
+  InsertionBudget budget;
+  budget.Begin(100);
+  const std::size_t half = MostOf(budget) / 2;
+  EXPECT_TRUE(budget.CanSpare(half));
+  EXPECT_FALSE(budget.CanSpare(half + 1));
+  budget.Spend(half - 10);
+  EXPECT_TRUE(budget.CanSpare(10));
+  EXPECT_FALSE(budget.CanSpare(11));
+  budget.Spend(2 * half);
+  EXPECT_FALSE(budget.CanSpare(0));
+}
+
 // However much one try takes, and though it is known only afterwards.
 TEST(InsertionBudget, IsKeptToInTheLongRun)
 {

@@ -59,6 +59,14 @@ TEST(SampleGrid, IsAwayFromTheSidesOfLines)
   EXPECT_EQ(SampleGrid::AtSteps(2, 16).Inset(), 0.03125f);
 }
 
+TEST(SampleGrid, HasOneRowOnALineOfPixelsWithOneSample)
+{
+  EXPECT_TRUE(SampleGrid::AtCentres(1).HasOneRowPerLine());
+  EXPECT_FALSE(SampleGrid::AtCentres(2).HasOneRowPerLine());
+  EXPECT_FALSE(SampleGrid::AtSteps(1, 16).HasOneRowPerLine());
+  EXPECT_FALSE(SampleGrid().HasOneRowPerLine());
+}
+
 TEST(SampleGrid, IsAsWideAsFromOneSampleToTheNext)
 {
   EXPECT_EQ(SampleGrid().Width(), 0.0f);

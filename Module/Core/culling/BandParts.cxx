@@ -8,22 +8,26 @@ namespace vitrine
 
 namespace
 {
-// An occluder with more faces to a cell of the screen takes longer than what it hides is worth.
+// A part with more faces to a cell of the screen is dense: it is worth no more than what can be spared. Where a line has several rows of samples it hides nothing, since most of so
+// small faces cover none of them all.
 const float MostFacesPerCell = 32.0f;
+
+// Whether a part of more is hidden takes longer to find out than it is worth.
+const float MostOfDensePerCell = 4096.0f;
 
 // To project so many faces takes as long as a piece of one on a line.
 const std::size_t FacesPerPiece = 8;
 const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
 
-// Occluders of no more get one plane of depth.
+// Occluders of no more get one plane of depth. Where a line has one row of samples their faces tell it better, if they are more than those of a box and there is time to spare.
 const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
+const std::size_t FewFaces = 12;
 
-/** Whether a part has more faces than its rectangle has room for. */
-bool IsDense(const ScreenRectangle& rectangle, std::size_t faces)
+float FacesPerCell(const ScreenRectangle& rectangle, std::size_t faces)
 {
   const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
-  return static_cast<float>(faces) > std::max(cells, 1.0f) * MostFacesPerCell;
+  return static_cast<float>(faces) / std::max(cells, 1.0f);
 }
 }
 
@@ -63,7 +67,7 @@ bool BandParts::ShowLarge(
   {
     return false;
   }
-  if (occluder.Mesh && this->IsWorthItsTime(occluder, rectangle))
+  if (occluder.Mesh && this->IsWorthTesting(occluder, rectangle))
   {
     this->Project(occluder);
     return this->ShowFaces(part, occluder, rectangle);
@@ -81,7 +85,7 @@ BandParts::OwnerVerdict BandParts::VisitOwner(
   }
   const bool isBehindNear = this->Project(occluder);
   const ScreenRectangle around = this->Tools.Projected.Rectangle();
-  if (!owner.IsNear(around) || !this->IsWorthItsTime(occluder, around))
+  if (!owner.IsNear(around) || !this->IsWorthInserting(occluder, around))
   {
     return OwnerVerdict::Waits;
   }
@@ -100,7 +104,7 @@ bool BandParts::IsHiddenNow(std::uint32_t part, const ScreenRectangle& rectangle
   {
     return true;
   }
-  if (!occluder.Mesh || !this->IsWorthItsTime(occluder, rectangle))
+  if (!occluder.Mesh || !this->IsWorthTesting(occluder, rectangle))
   {
     return false;
   }
@@ -111,7 +115,7 @@ bool BandParts::IsHiddenNow(std::uint32_t part, const ScreenRectangle& rectangle
 bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle, float& depth)
 {
   const Occluder occluder = this->Occluders.OccluderOf(part);
-  if (!occluder.Mesh || !this->IsWorthItsTime(occluder, rectangle))
+  if (!occluder.Mesh || !this->IsWorthInserting(occluder, rectangle))
   {
     return false;
   }
@@ -124,15 +128,14 @@ bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle
 bool BandParts::ShowFaces(
   std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle)
 {
-  if (!this->IsWorthItsTime(occluder, rectangle))
-  {
-    return true;
-  }
-  if (this->AreFacesHidden(occluder))
+  if (this->IsWorthTesting(occluder, rectangle) && this->AreFacesHidden(occluder))
   {
     return false;
   }
-  this->Insert(part, occluder);
+  if (this->IsWorthInserting(occluder, rectangle))
+  {
+    this->Insert(part, occluder);
+  }
   return true;
 }
 
@@ -179,11 +182,22 @@ bool BandParts::Project(const Occluder& occluder)
   return isBehindNear;
 }
 
-/** Whether its faces may be tested, and inserted. */
-bool BandParts::IsWorthItsTime(const Occluder& occluder, const ScreenRectangle& rectangle) const
+/** Whether its faces may be tested. */
+bool BandParts::IsWorthTesting(const Occluder& occluder, const ScreenRectangle& rectangle) const
 {
   const std::size_t faces = occluder.Mesh->Faces().size();
-  return !IsDense(rectangle, faces) && this->Tools.Budget.Allows(faces / FacesPerPiece);
+  const float perCell = FacesPerCell(rectangle, faces);
+  return perCell <= MostFacesPerCell
+    ? this->Tools.Budget.Allows(faces / FacesPerPiece)
+    : perCell <= MostOfDensePerCell && this->Tools.Budget.CanSpare(faces / FacesPerPiece);
+}
+
+/** Whether they may be inserted. */
+bool BandParts::IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const
+{
+  const bool isDense = FacesPerCell(rectangle, occluder.Mesh->Faces().size()) > MostFacesPerCell;
+  return (!isDense || this->Tools.Lines.Samples().HasOneRowPerLine()) &&
+    this->IsWorthTesting(occluder, rectangle);
 }
 
 /** Puts what a part that is projected covers into the s-buffer. */
@@ -202,23 +216,23 @@ void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 
 void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 {
-  const bool areOfFewCells = this->IsOfFewCells();
-  if (!areOfFewCells)
+  const bool isSimple = this->IsSimple(occluder);
+  if (!isSimple)
   {
     this->Tools.Projected.FindFacings();
   }
-  this->InsertFaces(part, MeshProjection::Facing::Front, areOfFewCells);
+  this->InsertFaces(part, MeshProjection::Facing::Front, isSimple);
   if (this->HasBackFaces(occluder))
   {
-    this->InsertFaces(part, MeshProjection::Facing::Back, areOfFewCells);
+    this->InsertFaces(part, MeshProjection::Facing::Back, isSimple);
   }
 }
 
-void BandParts::InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool areOfFewCells)
+void BandParts::InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple)
 {
   SBuffer& lines = this->Tools.Lines;
   MeshProjection& projected = this->Tools.Projected;
-  if (areOfFewCells)
+  if (isSimple)
   {
     this->Tools.Budget.Spend(this->Tools.CoverOfFew.Insert(lines, projected, facing, part));
     return;
@@ -227,12 +241,15 @@ void BandParts::InsertFaces(std::uint32_t part, MeshProjection::Facing facing, b
   this->Tools.Budget.Spend(this->Tools.CoverOfMany.Insert(lines, projected, facing, part));
 }
 
-/** Whether the part that is projected covers few cells. */
-bool BandParts::IsOfFewCells() const
+/** Whether one plane of depth stands for the part that is projected. */
+bool BandParts::IsSimple(const Occluder& occluder) const
 {
   const ScreenRectangle& around = this->Tools.Projected.Rectangle();
-  return this->Tools.Projected.IsBehindNear() && around.Right - around.Left <= FewColumns &&
-    around.Top - around.Bottom <= FewLines;
+  const std::size_t faces = occluder.Mesh->Faces().size();
+  const bool areFacesWorthIt = faces > FewFaces && this->Tools.Lines.Samples().HasOneRowPerLine() &&
+    this->Tools.Budget.CanSpare(faces);
+  return !areFacesWorthIt && this->Tools.Projected.IsBehindNear() &&
+    around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
 }
 
 }

@@ -94,11 +94,13 @@ private:
   bool AreBoxesHidden(const Occluder& occluder) const;
   bool HasBackFaces(const Occluder& occluder) const;
   bool Project(const Occluder& occluder);
-  bool IsWorthItsTime(const Occluder& occluder, const ScreenRectangle& rectangle) const;
+  bool IsWorthTesting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
+  bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
+  bool Allows(const Occluder& occluder, const ScreenRectangle& rectangle, float mostPerCell) const;
   void Insert(std::uint32_t part, const Occluder& occluder);
   void InsertSides(std::uint32_t part, const Occluder& occluder);
-  void InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool areOfFewCells);
-  bool IsOfFewCells() const;
+  void InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple);
+  bool IsSimple(const Occluder& occluder) const;
 
   BandTools& Tools;
   OccluderSource& Occluders;

@@ -25,10 +25,10 @@ public:
   void Begin(std::size_t parts, std::size_t bands = 1)
   {
     const bool isNew = parts > 2 * this->Parts;
-    const auto most = static_cast<std::int64_t>(parts * MostOfPart);
+    this->Most = static_cast<std::int64_t>(parts * MostOfPart);
     const auto earned = static_cast<std::int64_t>(
       this->Hidden * WorthOfPart + (parts * TrialOfPart + LeastTrial) / bands);
-    this->Left = isNew ? most : std::min(this->Left + earned, most);
+    this->Left = isNew ? this->Most : std::min(this->Left + earned, this->Most);
     this->Parts = parts;
     this->Hidden = 0;
   }
@@ -37,6 +37,12 @@ public:
   bool Allows(std::size_t pieces) const
   {
     return static_cast<std::int64_t>(pieces) <= std::max(this->Left, std::int64_t{ 0 });
+  }
+
+  /** Of what is likely to hide little for what it takes: half of the most that is kept stays for all else. */
+  bool CanSpare(std::size_t pieces) const
+  {
+    return this->Left - static_cast<std::int64_t>(pieces) >= this->Most / 2;
   }
 
   void Spend(std::size_t pieces) { this->Left -= static_cast<std::int64_t>(pieces); }
@@ -54,6 +60,7 @@ private:
 
   std::size_t Parts = 0;
   std::size_t Hidden = 0;
+  std::int64_t Most = 0; ///< that is kept
   std::int64_t Left = 0; ///< below 0 where more was spent than there was
 };
 

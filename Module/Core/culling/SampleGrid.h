@@ -40,6 +40,9 @@ public:
   /** How far from its sides a line has no samples. */
   float Inset() const { return this->FromSide; }
 
+  /** Whether all samples of a line lie in its middle. */
+  bool HasOneRowPerLine() const { return this->FromSide == 0.5f; }
+
   /** From one place with samples to the next; 0 where they are anywhere. */
   float Width() const { return this->Step; }
 
