@@ -41,12 +41,12 @@ void AddBoxesAside(PartScene& scene, int count)
   }
 }
 
-/** Of so many quads in each direction. */
+/** Of so many quads in each direction, and not so long that it comes first. */
 Triangles WallOfQuads(double z, int count)
 {
   Triangles wall;
   const auto at = [&](int i, int j)
-  { return glm::dvec3(-20.0 + 40.0 * i / count, -20.0 + 40.0 * j / count, z); };
+  { return glm::dvec3(-5.0 + 10.0 * i / count, -5.0 + 10.0 * j / count, z); };
   for (int i = 0; i < count; ++i)
   {
     for (int j = 0; j < count; ++j)
@@ -122,7 +122,7 @@ TEST(DenseParts, LeaveEnoughForOthers)
   {
     AddBall(scene, 40, { -10.0 + i % 10 * 2.0, -6.0 + i / 10 * 2.0, -20 }, 0.5); // 9 cells each
   }
-  scene.Add(WallOfQuads(-30.0, 20));
+  scene.Add(WallOfQuads(-30.0, 60));
   const std::uint32_t behind = scene.AddBox({ -1, -1, -42 }, { 1, 1, -40 });
   CullAheadAt(scene, SampleGrid::AtCentres(1));
   EXPECT_FALSE(scene.Visible[behind]);
