@@ -26,7 +26,7 @@ namespace vitrine
  * Most outlines cross a line twice, once on its way down and once up: then what lies right of all edges that go down and left of all that
  * go up is covered, and that is found for eight lines at a time.
  *
- * One plane of depth stands for all of it, behind all points of faces that count (PlaneBelow): this is for occluders of few cells, and
+ * One plane of depth stands for all of it, behind all points of faces that count (PlaneBelow): this is for occluders of few cells whose faces tell no more, and
  * FaceCoverage for larger ones.
  */
 class OutlineCoverage
