@@ -114,7 +114,8 @@ private:
   };
 
   std::vector<std::uint32_t> FindHiddenInView(const ScreenProjection& view,
-    const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
+    const SampleGrid& samples, const std::vector<std::uint8_t>& drawn,
+    const std::vector<std::uint8_t>& visible) const;
   std::vector<std::uint32_t> FindEdgeOn(
     const ScreenProjection& view, const std::vector<std::uint32_t>& of) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);

@@ -66,12 +66,14 @@ std::vector<std::uint32_t> FindInThreads(std::size_t count, const Find& find)
   return found;
 }
 
-/** Finds parts whose boxes lie in the view, eight at a time. */
+/** Finds parts whose boxes lie in the view, and may have samples, eight at a time. Where lines are drawn, the view's boxes grow by a pixel and more, so that all have. */
 class ViewFilter
 {
 public:
-  ViewFilter(const ScreenProjection& view, std::vector<std::uint32_t>& found)
+  ViewFilter(
+    const ScreenProjection& view, const SampleGrid& samples, std::vector<std::uint32_t>& found)
     : View(view)
+    , Samples(samples)
     , Found(found)
   {
   }
@@ -91,9 +93,11 @@ public:
   {
     RectangleLanes rectangles;
     this->View.Project(this->Boxes, rectangles);
+    const unsigned mayShow =
+      ~rectangles.Outside & (rectangles.Near | rectangles.MayHaveAny(this->Samples));
     for (int lane = 0; lane < this->Count; ++lane)
     {
-      if ((rectangles.Outside >> lane & 1u) == 0)
+      if ((mayShow >> lane & 1u) != 0)
       {
         this->Found.push_back(this->Parts[lane]);
       }
@@ -103,6 +107,7 @@ public:
 
 private:
   const ScreenProjection& View;
+  const SampleGrid& Samples;
   std::vector<std::uint32_t>& Found;
   BoxLanes Boxes;
   std::uint32_t Parts[LaneCount];
@@ -113,7 +118,8 @@ private:
 void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
-  std::vector<std::uint32_t> hidden = this->FindHiddenInView(view, drawn, visible);
+  std::vector<std::uint32_t> hidden =
+    this->FindHiddenInView(view, culler.Samples(), drawn, visible);
   const auto firstWireframe = std::partition(
     hidden.begin(), hidden.end(), [this](std::uint32_t i) { return !this->Parts[i].IsWireframe; });
   std::for_each(firstWireframe, hidden.end(), [&](std::uint32_t i) { visible[i] = 1; });
@@ -135,14 +141,15 @@ void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
   }
 }
 
-/** Parts that are drawn and were found hidden. */
+/** Parts that are drawn, were found hidden, and may have samples in the view. */
 std::vector<std::uint32_t> SceneParts::FindHiddenInView(const ScreenProjection& view,
-  const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const
+  const SampleGrid& samples, const std::vector<std::uint8_t>& drawn,
+  const std::vector<std::uint8_t>& visible) const
 {
   return FindInThreads(visible.size(),
     [&](std::size_t first, std::size_t end, std::vector<std::uint32_t>& found)
     {
-      ViewFilter filter(view, found);
+      ViewFilter filter(view, samples, found);
       for (std::size_t i = first; i < end; ++i)
       {
         if (drawn[i] && !visible[i] && this->Parts[i].Geometry)

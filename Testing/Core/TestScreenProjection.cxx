@@ -185,6 +185,24 @@ TEST(ScreenProjection, HoldsAllOfABoxWhateverTheView)
   EXPECT_GT(outside, 5000);
 }
 
+TEST(RectangleLanes, MayHaveAnySampleWhereItsSidesHaveSomeBetweenThem)
+{
+  vitrine::RectangleLanes rectangles = {};
+  const ScreenRectangle all[] = { { 0.2f, 0.8f, 0.2f, 0.8f, 0.0f },
+    { 0.6f, 0.8f, 0.2f, 0.8f, 0.0f }, { 0.2f, 0.8f, 0.6f, 0.8f, 0.0f },
+    { 0.6f, 9.4f, 0.6f, 9.4f, 0.0f }, { 0.6f, 1.4f, 0.6f, 1.4f, 0.0f } };
+  for (int lane = 0; lane < 5; ++lane)
+  {
+    rectangles.Left[lane] = all[lane].Left;
+    rectangles.Right[lane] = all[lane].Right;
+    rectangles.Bottom[lane] = all[lane].Bottom;
+    rectangles.Top[lane] = all[lane].Top;
+  }
+  EXPECT_EQ(rectangles.MayHaveAny(vitrine::SampleGrid::AtCentres(1)) & 31u, 0b01001u);
+  EXPECT_EQ(rectangles.MayHaveAny(vitrine::SampleGrid::AtSteps(1, 4)) & 31u, 31u);
+  EXPECT_EQ(rectangles.MayHaveAny(vitrine::SampleGrid()) & 31u, 31u);
+}
+
 TEST(ScreenProjection, KnowsItsEye)
 {
   const glm::dvec3 place(3, -4, 5), target(1, 2, 3);

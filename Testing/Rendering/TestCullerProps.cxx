@@ -279,6 +279,19 @@ TEST_P(CullerProps, Scene22WireframesBehindAWall)
   Scene.ExpectNothingHidden(235);
 }
 
+// Most of them lie between samples.
+TEST_P(CullerProps, Scene22SmallWireframesBehindAWall)
+{
+  Scene.AddWall();
+  for (int i = 0; i < 25; ++i)
+  {
+    Scene.AddSphere(0.1 * (i % 5) - 0.2, 0.1 * (i / 5) - 0.2, -1.0, 1e-3, { 0.9, 0.9, 0.9, 1.0 })
+      ->GetProperty()
+      ->SetRepresentationToWireframe();
+  }
+  Scene.ExpectNothingHidden(238);
+}
+
 TEST_P(CullerProps, Scene22AmbientOcclusion)
 {
   this->AddParts();

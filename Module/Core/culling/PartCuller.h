@@ -50,6 +50,9 @@ public:
   CullCounts Counts() const;
   SBufferCounts BufferCounts() const;
 
+  /** Where something can show. */
+  const SampleGrid& Samples() const { return this->Buffer().Samples(); }
+
   std::size_t BandCount() const { return this->Bands.size(); }
 
   /** The s-buffer of a band; they lie on each other from the bottom up. */

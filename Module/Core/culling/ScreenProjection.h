@@ -52,6 +52,13 @@ struct RectangleLanes
     return { this->Left[lane], this->Right[lane], this->Bottom[lane], this->Top[lane],
       this->Nearest[lane] };
   }
+
+  /** A bit for each box, whether there may be samples where it is drawn; of those that are Near or Outside it says anything. */
+  unsigned MayHaveAny(const SampleGrid& samples) const
+  {
+    return samples.MayHaveAny(LoadLanes(this->Left), LoadLanes(this->Right)) &
+      samples.MayHaveAny(LoadLanes(this->Bottom), LoadLanes(this->Top));
+  }
 };
 
 /**
