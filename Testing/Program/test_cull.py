@@ -139,6 +139,7 @@ class Cull(FileTest):
             ("demo:assembly", "--multisamples", "3"),
             ("demo:assembly", "--poses", "1e9"),
             ("demo:assembly", "--seed", "-1"),
+            ("demo:assembly", "--seed", "99999999999999999999"),
             ("demo:assembly", "--json", self.folder / "nowhere" / "cull.json"),
             ("demo:assembly", "--buffer", "picture.jpg"),
             ("demo:assembly", "--buffer", self.folder / "nowhere" / "picture.png"),
@@ -154,6 +155,7 @@ class Cull(FileTest):
         for option, choices in (
             ("--as", b"{actors,blocks,mesh}"),
             ("--projection", b"{perspective,parallel,both}"),
+            ("--seed", b"0 to 9007199254740991\n"),
         ):
             self.assertIn(choices, run("cull", "demo:assembly", option, "other").stderr)
 

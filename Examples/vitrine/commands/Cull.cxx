@@ -119,10 +119,7 @@ void AddCullCommand(CLI::App& app)
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
-  command->add_option("--seed", options->Settings.Seed, "of the poses")
-    ->type_name("S")
-    ->check(CLI::NonNegativeNumber)
-    ->capture_default_str();
+  AddSeedOption(*command, options->Settings.Seed, "poses");
   command->add_option("--projection", options->Projection, "of the poses")
     ->type_name("perspective|parallel|both")
     ->check(CLI::IsMember({ "perspective", "parallel", "both" }))

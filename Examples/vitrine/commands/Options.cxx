@@ -19,6 +19,9 @@ namespace
 {
 const std::string StandardOutput = "-";
 
+// What JSON's numbers hold exactly wherever they are read.
+const std::uint64_t LargestSeed = (std::uint64_t{ 1 } << 53) - 1;
+
 template <typename T>
 bool ParseNumber(const std::string& text, T& value)
 {
@@ -108,6 +111,14 @@ void AddFramesOption(CLI::App& command, int& frames)
   command.add_option("--frames", frames, "timed frames of each method")
     ->type_name("N")
     ->check(CLI::Range(1, 100000))
+    ->capture_default_str();
+}
+
+void AddSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& of)
+{
+  command.add_option("--seed", seed, "of the " + of)
+    ->type_name("S")
+    ->check(CLI::Range(std::uint64_t{ 0 }, LargestSeed))
     ->capture_default_str();
 }
 

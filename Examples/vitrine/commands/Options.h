@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ void AddSizeOption(CLI::App& command, std::string& size);
 
 /** Add --frames, whose default is what `frames` holds. */
 void AddFramesOption(CLI::App& command, int& frames);
+
+/** Add --seed, whose default is what `seed` holds. @param of  what is drawn from it */
+void AddSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& of);
 
 /** Add --opacity. */
 CLI::Option* AddOpacityOption(CLI::App& command, std::optional<double>& opacity);

@@ -118,10 +118,7 @@ void AddSortsCommand(CLI::App& app)
     ->type_name("N")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  command->add_option("--seed", options->Settings.Seed, "of the lists")
-    ->type_name("S")
-    ->check(CLI::NonNegativeNumber)
-    ->capture_default_str();
+  AddSeedOption(*command, options->Settings.Seed, "lists");
   AddJsonOption(*command, options->Json);
   command->add_option("--plot", options->Plot, "also draw the times as a picture")
     ->type_name("FILE.png");
