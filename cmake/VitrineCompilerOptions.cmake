@@ -1,5 +1,7 @@
 # Warnings and sanitizers for every target of the stand-alone build.
 add_compile_options(-Wall -Wextra)
+# Lanes are never handed over between functions that are not inlined (Core/culling/Lanes.h).
+add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-psabi>)
 if (VITRINE_SANITIZE)
   add_compile_options(-fsanitize=${VITRINE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${VITRINE_SANITIZE})

@@ -71,9 +71,6 @@ TEST(LastOwners, AreThoseThatHaveMuchAtTheEnd)
   EXPECT_EQ(owners.Owners()[0].Part, 2u) << "in the order of their insertion";
   EXPECT_EQ(owners.Owners()[1].Part, 0u);
   owners.Begin(4);
-  owners.MarkVisited(2);
-  EXPECT_TRUE(owners.WasVisited(2));
-  EXPECT_FALSE(owners.WasVisited(0));
   owners.End(lines);
   EXPECT_TRUE(owners.Owners().empty()) << "nothing was inserted in this frame";
 }

@@ -1,7 +1,6 @@
 #include "Core/culling/BandCuller.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace vitrine
 {
@@ -14,6 +13,8 @@ const std::uint32_t FewParts = 16;
 // Of what is long, which comes first, and of what reaches before the near plane.
 const float LongDepth = 3.0f;
 const float NearDepth = 2.0f;
+
+const float Nowhere = 3e38f;
 }
 
 /** Visits nodes and parts in one frame. */
@@ -21,13 +22,13 @@ class BandCuller::Walk
 {
 public:
   Walk(BandCuller& culler, const LooseOctree& tree, OccluderSource& occluders,
-    const ScreenProjection& view, bool occlusion, const std::vector<std::uint8_t>& drawn)
+    const ScreenProjection& view, bool occlusion)
     : Culler(culler)
     , Tree(tree)
     , Occluders(occluders)
     , View(view)
     , HasOcclusion(occlusion)
-    , IsDrawn(drawn)
+    , States(culler.Tools.States)
     , Parts(culler.Tools, occluders, view)
   {
   }
@@ -47,6 +48,7 @@ public:
       queue.pop_back();
       this->Visit(nearest);
     }
+    this->Culler.Tools.Owners.End(this->Culler.Tools.Lines);
     if (this->HasOcclusion)
     {
       this->LookAgain();
@@ -57,7 +59,7 @@ private:
   /** What hid much in the last frame, before what it may hide. */
   void VisitOwners()
   {
-    this->Culler.Tools.Owners.Begin(this->IsDrawn.size());
+    this->Culler.Tools.Owners.Begin(this->States.Count());
     for (const LastOwners::Owner& owner : this->Culler.Tools.Owners.Owners())
     {
       if (this->HasOcclusion && this->IsThere(owner.Part))
@@ -70,7 +72,8 @@ private:
   /** Whether a part of the last frame is one of this frame. */
   bool IsThere(std::uint32_t part) const
   {
-    return part < this->IsDrawn.size() && this->IsDrawn[part] != 0 && this->Tree.Holds(part);
+    return part < this->States.Count() && this->States.Has(part, PartStates::IsDrawn) &&
+      this->Tree.Holds(part);
   }
 
   void VisitOwner(const LastOwners::Owner& owner)
@@ -84,7 +87,7 @@ private:
 
   void Show(std::uint32_t part, const ScreenRectangle& rectangle)
   {
-    this->Culler.Shows[part] = 1;
+    this->States.Set(part, PartStates::IsShown);
     this->Culler.Visited.push_back({ part, rectangle, this->Parts.Witness() });
   }
 
@@ -93,9 +96,10 @@ private:
   {
     for (const ShownPart& shown : this->Culler.Visited)
     {
-      if (this->IsHidden(shown.Witness) && this->Parts.IsHiddenNow(shown.Part, shown.Rectangle))
+      if (!this->Culler.Tools.Owners.Shows(shown.Part) && this->IsHidden(shown.Witness) &&
+        this->Parts.IsHiddenNow(shown.Part, shown.Rectangle))
       {
-        this->Culler.Shows[shown.Part] = 0;
+        this->States.Set(shown.Part, PartStates::IsShown, false);
         this->Culler.Tools.Budget.AddHidden(1);
       }
     }
@@ -158,11 +162,31 @@ private:
   void VisitEntriesOf(const LooseNode& node)
   {
     Entry entries[LaneCount];
-    Entry* end = entries + this->FindEntries(node, entries);
-    for (std::make_heap(entries, end); end != entries; --end)
+    const int count = this->FindEntries(node, entries);
+    int order[LaneCount];
+    SortByDepth(entries, count, order);
+    for (int i = 0; i < count; ++i)
     {
-      std::pop_heap(entries, end);
-      this->Visit(end[-1]);
+      this->Visit(entries[order[i]]);
+    }
+  }
+
+  /** Without branches, which could not be foreseen. */
+  VITRINE_FOR_EACH_PROCESSOR
+  static void SortByDepth(const Entry* entries, int count, int* order)
+  {
+    float depths[LaneCount] = {};
+    for (int i = 0; i < count; ++i)
+    {
+      depths[i] = entries[i].Depth;
+    }
+    const LaneMask isEntry = LaneMask{ 0, 1, 2, 3, 4, 5, 6, 7 } < LaneMask{} + count;
+    const Lanes all = isEntry ? LoadLanes(depths) : AllLanes(-Nowhere);
+    for (int i = 0; i < count; ++i)
+    {
+      const unsigned before =
+        BitsOf(all > AllLanes(depths[i])) | (BitsOf(all == AllLanes(depths[i])) & ((1u << i) - 1u));
+      order[CountBits(before)] = i;
     }
   }
 
@@ -196,9 +220,10 @@ private:
       return true;
     }
     const std::uint32_t item = node.ItemAt(lane);
-    this->Culler.Counted.Tested += this->IsDrawn[item];
+    const std::uint8_t state = this->States[item];
+    this->Culler.Counted.Tested += state & PartStates::IsDrawn;
     this->Occluders.Expect(item);
-    return this->IsDrawn[item] != 0 && !this->Culler.Tools.Owners.WasVisited(item);
+    return (state & (PartStates::IsDrawn | PartStates::IsVisited)) == PartStates::IsDrawn;
   }
 
   bool IsHidden(const ScreenRectangle& rectangle) const
@@ -219,12 +244,12 @@ private:
   OccluderSource& Occluders;
   const ScreenProjection& View;
   bool HasOcclusion;
-  const std::vector<std::uint8_t>& IsDrawn;
+  PartStates& States;
   BandParts Parts;
 };
 
 BandCuller::BandCuller(int columns, int lines, const SampleGrid& samples)
-  : Tools{ SBuffer(columns, lines, samples) }
+  : Tools{ SBuffer::WithFewSamples(columns, lines, samples) }
 {
 }
 
@@ -247,17 +272,14 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   this->Tools.Lines.Clear();
   this->Tools.Inserted = 0;
   this->Counted = {};
-  this->Shows.assign(drawn.size(), 0);
-  this->Tools.WasSmall.resize(drawn.size(), 0);
+  const std::uint32_t parts = this->Tools.States.Begin(drawn);
   if (occlusion)
   {
-    const auto parts = std::accumulate(drawn.begin(), drawn.end(), std::uint32_t{ 0 });
     this->Tools.Budget.Begin(parts, bands);
   }
   if (!tree.IsEmpty())
   {
-    Walk(*this, tree, occluders, view, occlusion, drawn).Run();
-    this->Tools.Owners.End(this->Tools.Lines);
+    Walk(*this, tree, occluders, view, occlusion).Run();
     this->Counted.Inserted = this->Tools.Inserted;
   }
 }

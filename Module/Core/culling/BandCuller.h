@@ -50,8 +50,8 @@ public:
    */
   bool HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view);
 
-  /** One for each part: 1 for those in the tree that may show. */
-  const std::vector<std::uint8_t>& Shown() const { return this->Shows; }
+  /** Of each part; those in the tree that may show have PartStates::IsShown. */
+  const PartStates& States() const { return this->Tools.States; }
 
   const CullCounts& Counts() const { return this->Counted; }
   const SBuffer& Buffer() const { return this->Tools.Lines; }
@@ -80,8 +80,7 @@ private:
 
   BandTools Tools;
   CullCounts Counted;
-  std::vector<Entry> Queue; ///< a heap
-  std::vector<std::uint8_t> Shows;
+  std::vector<Entry> Queue;       ///< a heap
   std::vector<ShownPart> Visited; ///< in the order in which they were visited
 };
 

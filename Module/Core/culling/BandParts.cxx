@@ -1,7 +1,8 @@
 #include "Core/culling/BandParts.h"
 
+#include "Core/culling/FewFacetsCoverage.h"
+
 #include <algorithm>
-#include <utility>
 
 namespace vitrine
 {
@@ -33,7 +34,8 @@ float FacesPerCell(const ScreenRectangle& rectangle, std::size_t faces)
 
 bool BandParts::Visit(std::uint32_t part, const ScreenRectangle& rectangle)
 {
-  if (!this->Tools.WasSmall[part] && this->IsHidden(rectangle))
+  const bool wasSmall = this->Tools.States.Has(part, PartStates::WasSmall);
+  if (!wasSmall && this->IsHidden(rectangle))
   {
     this->Tools.Budget.AddHidden(1);
     return false;
@@ -41,7 +43,7 @@ bool BandParts::Visit(std::uint32_t part, const ScreenRectangle& rectangle)
   this->Seen = rectangle;
   const Occluder occluder = this->Occluders.OccluderOf(part);
   const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPointsOfAMesh;
-  const bool wasSmall = std::exchange(this->Tools.WasSmall[part], isSmall) != 0;
+  this->Tools.States.Set(part, PartStates::WasSmall, isSmall);
   const bool isShown = isSmall ? this->ShowSmall(part, occluder, rectangle)
                                : this->ShowLarge(part, occluder, rectangle, wasSmall);
   this->Tools.Budget.AddHidden(!isShown);
@@ -89,7 +91,7 @@ BandParts::OwnerVerdict BandParts::VisitOwner(
   {
     return OwnerVerdict::Waits;
   }
-  this->Tools.Owners.MarkVisited(owner.Part);
+  this->Tools.States.Set(owner.Part, PartStates::IsVisited);
   rectangle = isBehindNear ? this->View.Grown(around) : Everywhere;
   this->Seen = rectangle;
   const bool isShown = this->ShowFaces(owner.Part, occluder, around);
@@ -216,6 +218,11 @@ void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 
 void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 {
+  if (this->HasFewFacets(occluder))
+  {
+    this->InsertFewFacets(part, occluder);
+    return;
+  }
   const bool isSimple = this->IsSimple(occluder);
   if (!isSimple)
   {
@@ -225,6 +232,26 @@ void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
   if (this->HasBackFaces(occluder))
   {
     this->InsertFaces(part, MeshProjection::Facing::Back, isSimple);
+  }
+}
+
+/** Whether all facets of a part that is projected are looked at together. */
+bool BandParts::HasFewFacets(const Occluder& occluder) const
+{
+  return occluder.Mesh->Few() && this->Tools.Projected.IsBehindNear() &&
+    this->Tools.Lines.BySample();
+}
+
+void BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
+{
+  for (const MeshProjection::Facing facing :
+    { MeshProjection::Facing::Front, MeshProjection::Facing::Back })
+  {
+    if (facing == MeshProjection::Facing::Front || this->HasBackFaces(occluder))
+    {
+      this->Tools.Budget.Spend(FewFacetsCoverage::Insert(
+        this->Tools.Lines, *occluder.Mesh->Few(), this->Tools.Projected, facing, part));
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OccluderSource.h"
 #include "Core/culling/OutlineCoverage.h"
+#include "Core/culling/PartStates.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
 
@@ -28,8 +29,7 @@ struct BandTools
   InsertionBudget Budget{};
   LastOwners Owners{};
   std::uint32_t Inserted = 0; ///< parts, in this frame
-  std::vector<std::uint8_t>
-    WasSmall{}; ///< parts whose mesh had few points when it was last asked for
+  PartStates States{};
 };
 
 /** Where the box of what reaches before the near plane may be on the screen. */
@@ -99,6 +99,8 @@ private:
   bool Allows(const Occluder& occluder, const ScreenRectangle& rectangle, float mostPerCell) const;
   void Insert(std::uint32_t part, const Occluder& occluder);
   void InsertSides(std::uint32_t part, const Occluder& occluder);
+  bool HasFewFacets(const Occluder& occluder) const;
+  void InsertFewFacets(std::uint32_t part, const Occluder& occluder);
   void InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple);
   bool IsSimple(const Occluder& occluder) const;
 

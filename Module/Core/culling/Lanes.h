@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_LANES_H
 #define VITRINE_CORE_CULLING_LANES_H
 
+#include <cstddef>
 #include <cstdint>
 
 /**
@@ -16,11 +17,6 @@
 /** Lanes are never handed over in registers, which differ between processors: what has them as parameters is inlined. */
 #define VITRINE_INLINE inline __attribute__((always_inline))
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // about lanes in registers
-#endif
-
 namespace vitrine
 {
 
@@ -35,10 +31,27 @@ using LaneMask = std::int32_t __attribute__((vector_size(4 * LaneCount)));
 /** A column of a matrix in doubles. */
 using DoubleLanes = double __attribute__((vector_size(32)));
 
+const std::size_t BytesOfLine = 64; ///< of memory, that are loaded together
+
 /** Begins to load what will be read soon. */
 VITRINE_INLINE void Prefetch(const void* place)
 {
   __builtin_prefetch(place);
+}
+
+/** The same of all of something. */
+template <class Thing>
+VITRINE_INLINE void PrefetchAll(const Thing& thing)
+{
+  const char* const first = reinterpret_cast<const char*>(&thing);
+  for (std::size_t offset = 0; offset < sizeof(Thing); offset += BytesOfLine)
+  {
+    Prefetch(first + offset);
+  }
+  if (alignof(Thing) < BytesOfLine)
+  {
+    Prefetch(first + sizeof(Thing) - 1);
+  }
 }
 
 /** The same in all lanes. */
@@ -105,11 +118,52 @@ VITRINE_INLINE float SumOfLanes(Lanes a)
 /** A bit for each lane, the first one the lowest. */
 VITRINE_INLINE unsigned BitsOf(LaneMask mask)
 {
+#if defined(__SSE__)
+  using Half = float __attribute__((vector_size(16)));
+  Half halves[2];
+  __builtin_memcpy(halves, &mask, sizeof(mask));
+  return static_cast<unsigned>(
+    __builtin_ia32_movmskps(halves[0]) | __builtin_ia32_movmskps(halves[1]) << 4);
+#else
   LaneMask bits = mask & LaneMask{ 1, 2, 4, 8, 16, 32, 64, 128 };
   bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
   bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
   bits |= __builtin_shufflevector(bits, bits, 1, 0, 3, 2, 5, 4, 7, 6);
   return static_cast<unsigned>(bits[0]);
+#endif
+}
+
+/** The lanes whose bits are 1. */
+VITRINE_INLINE LaneMask LaneBits(unsigned bits)
+{
+  const LaneMask ofLanes{ 1, 2, 4, 8, 16, 32, 64, 128 };
+  return ((LaneMask{} + static_cast<std::int32_t>(bits)) & ofLanes) == ofLanes;
+}
+
+/** The number of the lowest of some bits. */
+VITRINE_INLINE int LowestBit(unsigned bits)
+{
+  return __builtin_ctz(bits);
+}
+
+VITRINE_INLINE int CountBits(unsigned bits)
+{
+  return __builtin_popcount(bits);
+}
+
+/** Of eight numbers those in the lanes that are named. */
+VITRINE_INLINE Lanes Picked(Lanes values, LaneMask lanes)
+{
+#if defined(__clang__)
+  Lanes picked;
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    picked[i] = values[lanes[i]];
+  }
+  return picked;
+#else
+  return __builtin_shuffle(values, lanes);
+#endif
 }
 
 /** Of numbers that lie side by side; how they are aligned does not matter. */
@@ -125,17 +179,33 @@ VITRINE_INLINE void StoreLanes(Lanes lanes, float* values)
   __builtin_memcpy(values, &lanes, sizeof(lanes));
 }
 
-VITRINE_INLINE void StoreMask(LaneMask mask, std::int32_t* values)
+/** The same of integers of 32 bits. */
+VITRINE_INLINE LaneMask LoadMask(const void* values)
+{
+  LaneMask mask;
+  __builtin_memcpy(&mask, values, sizeof(mask));
+  return mask;
+}
+
+VITRINE_INLINE void StoreMask(LaneMask mask, void* values)
 {
   __builtin_memcpy(values, &mask, sizeof(mask));
 }
 
-/** The same of a column of a matrix. */
+/** A column of a matrix. */
 VITRINE_INLINE DoubleLanes LoadDoubles(const double* values)
 {
   DoubleLanes lanes;
   __builtin_memcpy(&lanes, values, sizeof(lanes));
   return lanes;
+}
+
+/** Rounds them to floats. */
+VITRINE_INLINE void StoreAsFloats(DoubleLanes lanes, float* values)
+{
+  using FourFloats = float __attribute__((vector_size(16)));
+  const FourFloats floats = __builtin_convertvector(lanes, FourFloats);
+  __builtin_memcpy(values, &floats, sizeof(floats));
 }
 
 VITRINE_INLINE void StoreDoubles(DoubleLanes lanes, double* values)
@@ -144,9 +214,5 @@ VITRINE_INLINE void StoreDoubles(DoubleLanes lanes, double* values)
 }
 
 }
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
 
 #endif

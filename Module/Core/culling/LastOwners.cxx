@@ -1,5 +1,6 @@
 #include "Core/culling/LastOwners.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine
@@ -26,14 +27,19 @@ bool LastOwners::Owner::IsNear(const ScreenRectangle& now) const
 
 void LastOwners::Begin(std::size_t parts)
 {
+  for (const Owner& inserted : this->Inserted)
+  {
+    this->Columns[inserted.Part] = 0.0f; // no others have any
+  }
   this->Inserted.clear();
-  this->IsVisited.assign(parts, 0);
-  this->Columns.assign(parts, 0.0f);
+  this->Columns.resize(std::max(parts, this->Columns.size()), 0.0f);
+  this->HasSamples = false;
 }
 
 void LastOwners::End(const SBuffer& lines)
 {
-  lines.ForEachSpan([&](const Span& span) { this->Columns[span.Face] += span.Right - span.Left; });
+  lines.AddColumnsOfFaces(this->Columns);
+  this->HasSamples = lines.BySample() != nullptr;
   this->Last.clear();
   for (const Owner& inserted : this->Inserted)
   {

@@ -39,18 +39,17 @@ public:
     this->Inserted.push_back({ part, rectangle });
   }
 
-  /** That a part has been visited before its turn. */
-  void MarkVisited(std::uint32_t part) { this->IsVisited[part] = 1; }
-  bool WasVisited(std::uint32_t part) const { return this->IsVisited[part] != 0; }
+  /** Once the frame has ended: whether a part surely has samples of the s-buffer, so that it shows. A span may lie between samples. */
+  bool Shows(std::uint32_t part) const { return this->HasSamples && this->Columns[part] > 0.0f; }
 
-  /** The frame ends with that in the s-buffer, whose spans say of which part they are. */
+  /** The frame ends with that in the s-buffer, which says of which part it is. */
   void End(const SBuffer& lines);
 
 private:
   std::vector<Owner> Last;
-  std::vector<Owner> Inserted;         ///< in this frame
-  std::vector<std::uint8_t> IsVisited; ///< each part
-  std::vector<float> Columns;          ///< of each part's spans
+  std::vector<Owner> Inserted; ///< in this frame
+  std::vector<float> Columns;  ///< that each part has of lines
+  bool HasSamples = false;     ///< whether they are counted sample by sample
 };
 
 }

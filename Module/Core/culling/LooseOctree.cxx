@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <numeric>
 
 namespace vitrine
@@ -15,6 +16,39 @@ namespace
 glm::vec3 CentreOf(const Box& box)
 {
   return 0.5f * box.Min + 0.5f * box.Max;
+}
+
+// A node of leaves has room for so many. One more than a leaf has is what a leaf is divided for: octants leave more room to grow.
+const std::size_t MostOfLeaves = std::size_t{ LaneCount } * LaneCount;
+const std::size_t LeastOfLeaves = LaneCount + 2;
+
+// What has left a leaf's cell by less stays there.
+const float Beyond = 1.5f;
+
+float LengthsOf(const Box& box)
+{
+  const glm::vec3 size = box.Max - box.Min;
+  return size.x + size.y + size.z;
+}
+
+/** Of the lanes that hold something, that which grows least; the first one if none does. */
+int LaneNearest(const LooseNode& node, const Box& box)
+{
+  int nearest = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    Box both = node.Boxes.At(lane);
+    const float before = LengthsOf(both);
+    both.Add(box);
+    const float growth = LengthsOf(both) - before;
+    if (node.Has(lane) && growth < least)
+    {
+      nearest = lane;
+      least = growth;
+    }
+  }
+  return nearest;
 }
 
 int OctantOf(const glm::vec3& point, const glm::vec3& centre)
@@ -40,8 +74,8 @@ LooseOctree::LooseOctree(const std::vector<Box>& boxes)
   this->IsHeld.resize(boxes.size(), 0);
   if (!entries.empty())
   {
-    this->Nodes.reserve(entries.size() / 2 + 1);
-    this->Cells.reserve(entries.size() / 2 + 1);
+    this->Nodes.reserve(entries.size() / 4 + 1);
+    this->Cells.reserve(entries.size() / 4 + 1);
     this->Fill(this->NewNode(LooseNode::None, 0), entries.data(), entries.size());
   }
 }
@@ -100,7 +134,8 @@ LooseOctree::Ways LooseOctree::Cell::WayFor(
   const std::ptrdiff_t longOnes = std::count_if(
     entries, entries + count, [&](const Entry& entry) { return this->IsLong(entry.Bounds); });
   const bool differ = longOnes > 0 && longOnes < static_cast<std::ptrdiff_t>(count);
-  return differ ? Ways::BySize : Ways::ByOctant;
+  const bool areFew = LeastOfLeaves <= count && count <= MostOfLeaves;
+  return differ ? Ways::BySize : areFew ? Ways::ByNearness : Ways::ByOctant;
 }
 
 bool LooseOctree::Cell::IsLong(const Box& box) const
@@ -109,11 +144,41 @@ bool LooseOctree::Cell::IsLong(const Box& box) const
   return std::max(size.x, std::max(size.y, size.z)) > 2.0f * this->Half;
 }
 
-/** Where lanes mean something. */
+/** Where places have lanes. */
 int LooseOctree::Cell::LaneOf(const Box& box) const
 {
   return this->Way == Ways::BySize ? (this->IsLong(box) ? 0 : 1)
                                    : OctantOf(CentreOf(box), this->Centre);
+}
+
+/**
+ * Sorts entries into lanes of neighbours, by halves where they reach farthest.
+ * @param lanes  that have room for them
+ * @param ends   takes where the entries of each lane end
+ */
+void LooseOctree::SortByNearness(
+  Entry* entries, std::size_t count, std::size_t lanes, std::size_t* ends)
+{
+  if (lanes == 1)
+  {
+    *ends = count;
+    return;
+  }
+  Box centres;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const glm::vec3 centre = CentreOf(entries[i].Bounds);
+    centres.Add({ centre, centre });
+  }
+  const glm::vec3 size = centres.Max - centres.Min;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t half = lanes / 2, middle = count * half / lanes;
+  std::nth_element(entries, entries + middle, entries + count,
+    [axis](const Entry& a, const Entry& b)
+    { return a.Bounds.Min[axis] + a.Bounds.Max[axis] < b.Bounds.Min[axis] + b.Bounds.Max[axis]; });
+  SortByNearness(entries, middle, half, ends);
+  SortByNearness(entries + middle, count - middle, lanes - half, ends + half);
+  std::for_each(ends + half, ends + lanes, [middle](std::size_t& end) { end += middle; });
 }
 
 /** Sorts entries by lane; returns where those of each lane begin, and end. */
@@ -126,6 +191,12 @@ LooseOctree::Ends LooseOctree::Cell::Sort(Entry* entries, std::size_t count) con
     {
       ends[lane + 1] = count * (lane + 1) / LaneCount;
     }
+    return ends;
+  }
+  if (this->Way == Ways::ByNearness)
+  {
+    SortByNearness(entries, count, (count + LaneCount - 1) / LaneCount, ends.data() + 1);
+    std::fill(ends.begin() + 1 + (count + LaneCount - 1) / LaneCount, ends.end(), count);
     return ends;
   }
   const std::vector<Entry> before(entries, entries + count);
@@ -145,7 +216,8 @@ LooseOctree::Ends LooseOctree::Cell::Sort(Entry* entries, std::size_t count) con
 bool LooseOctree::Cell::Holds(const glm::vec3& point) const
 {
   const glm::vec3 away = glm::abs(point - this->Centre);
-  return away.x <= this->Half && away.y <= this->Half && away.z <= this->Half;
+  const float reach = Beyond * this->Half;
+  return away.x <= reach && away.y <= reach && away.z <= reach;
 }
 
 void LooseOctree::FillLane(std::uint32_t node, int lane, Entry* entries, std::size_t count)
@@ -217,8 +289,8 @@ void LooseOctree::Put(std::uint32_t item, const Box& box)
 bool LooseOctree::IsStillThere(const Place& place, const Entry& entry) const
 {
   const Cell& cell = this->Cells[place.Node];
-  return cell.Way == Ways::NotAtAll ? cell.Holds(CentreOf(entry.Bounds))
-                                    : cell.LaneOf(entry.Bounds) == place.Lane;
+  return cell.HasLanesForPlaces() ? cell.LaneOf(entry.Bounds) == place.Lane
+                                  : cell.Holds(CentreOf(entry.Bounds));
 }
 
 void LooseOctree::Insert(const Entry& entry)
@@ -238,7 +310,7 @@ void LooseOctree::Insert(const Entry& entry)
   {
     this->PutIntoLane(node, lane, entry);
   }
-  else if (this->Cells[node].Way != Ways::NotAtAll || !this->Nodes[node].IsFullOfItems())
+  else if (this->Cells[node].HasLanesForPlaces() || !this->Nodes[node].IsFullOfItems())
   {
     std::array<Entry, 2> both{ this->EntryAt(node, lane), entry };
     this->FillLane(node, lane, both.data(), both.size());
@@ -250,14 +322,18 @@ void LooseOctree::Insert(const Entry& entry)
   this->UpdateAbove(node);
 }
 
-/** In which lane of a node a new entry belongs: by what lanes mean, or where the fewest are. */
+/** In which lane of a node a new entry belongs: by what lanes mean, where its neighbours are, or where the fewest are. */
 int LooseOctree::LaneFor(std::uint32_t node, const Entry& entry) const
 {
   const Cell& cell = this->Cells[node];
+  if (cell.HasLanesForPlaces())
+  {
+    return cell.LaneOf(entry.Bounds);
+  }
   const auto& counts = this->Nodes[node].Counts;
-  return cell.Way == Ways::NotAtAll
-    ? static_cast<int>(std::min_element(counts, counts + LaneCount) - counts)
-    : cell.LaneOf(entry.Bounds);
+  return cell.Way == Ways::ByNearness
+    ? LaneNearest(this->Nodes[node], entry.Bounds)
+    : static_cast<int>(std::min_element(counts, counts + LaneCount) - counts);
 }
 
 /** Of a node that has an item in each lane: finds room for one more. */

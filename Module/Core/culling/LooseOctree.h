@@ -62,7 +62,8 @@ static_assert(sizeof(LooseNode) == 256, "a node fills four cache lines");
  * reach beyond its cell (T. Ulrich: Loose octrees, Game Programming Gems 1, 2000). What is longer than a cell stands apart from what is in it. Parts of an assembly are as large as the distances
  * between them: in an octree that keeps to its cells (Octree.h), each would stand in some twenty leaves.
  *
- * Items and nodes stand in one table of eight lanes, so that their boxes are tested eight at a time.
+ * Items and nodes stand in one table of eight lanes, so that their boxes are tested eight at a time. A cell of no more than 64 items is not cut into octants, most of which would have two or
+ * three, but into as few lanes of eight neighbours as it takes.
  */
 class LooseOctree
 {
@@ -79,14 +80,7 @@ public:
   const LooseNode& Node(std::uint32_t node) const { return this->Nodes[node]; }
 
   /** The node will be read soon. */
-  void Expect(std::uint32_t node) const
-  {
-    const char* const first = reinterpret_cast<const char*>(&this->Nodes[node]);
-    for (std::size_t offset = 0; offset < sizeof(LooseNode); offset += alignof(LooseNode))
-    {
-      Prefetch(first + offset);
-    }
-  }
+  void Expect(std::uint32_t node) const { PrefetchAll(this->Nodes[node]); }
 
   /** Whether the item stands in the tree. */
   bool Holds(std::uint32_t item) const { return item < this->IsHeld.size() && this->IsHeld[item]; }
@@ -126,6 +120,7 @@ private:
   {
     NotAtAll, ///< entries stand in any lane
     ByOctant,
+    ByNearness, ///< few items, in as few lanes as have room for them, each in one with its neighbours
     BySize ///< items that are longer than the cell stand in the first lane, the others in the second
   };
 
@@ -139,6 +134,10 @@ private:
     int Lane = 0; ///< of the parent's
 
     void FitTo(const Entry* entries, std::size_t count);
+    bool HasLanesForPlaces() const
+    {
+      return this->Way == Ways::ByOctant || this->Way == Ways::BySize;
+    }
     int LaneOf(const Box& box) const;
     Ends Sort(Entry* entries, std::size_t count) const;
     bool Holds(const glm::vec3& point) const;
@@ -148,6 +147,8 @@ private:
     bool IsLong(const Box& box) const;
   };
 
+  static void SortByNearness(
+    Entry* entries, std::size_t count, std::size_t lanes, std::size_t* ends);
   std::uint32_t NewNode(std::uint32_t parent, int lane);
   void Fill(std::uint32_t node, Entry* entries, std::size_t count);
   void FillLane(std::uint32_t node, int lane, Entry* entries, std::size_t count);

@@ -4,8 +4,6 @@
 #include "Core/culling/Lanes.h"
 #include "Core/culling/LineExtent.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 
 namespace vitrine
@@ -18,6 +16,29 @@ const double LeastRatio = 2048.0;
 
 // Here what is far off is hidden, too, though the near plane is so close to the eye that depths hardly differ there.
 const double FartherRatio = 32768.0;
+
+/** Columns of a matrix for points that count from a place, in floats. */
+struct MatrixFrom
+{
+  float Columns[4][4];
+
+  VITRINE_INLINE MatrixFrom(const glm::dmat4& matrix, const glm::dvec3& origin)
+  {
+    const DoubleLanes x = LoadDoubles(&matrix[0].x), y = LoadDoubles(&matrix[1].x),
+                      z = LoadDoubles(&matrix[2].x), w = LoadDoubles(&matrix[3].x);
+    StoreAsFloats(x, this->Columns[0]);
+    StoreAsFloats(y, this->Columns[1]);
+    StoreAsFloats(z, this->Columns[2]);
+    StoreAsFloats(x * origin.x + y * origin.y + z * origin.z + w, this->Columns[3]);
+  }
+
+  /** A coordinate of eight points. */
+  VITRINE_INLINE Lanes Row(int row, Lanes x, Lanes y, Lanes z) const
+  {
+    return this->Columns[0][row] * x + this->Columns[1][row] * y + this->Columns[2][row] * z +
+      this->Columns[3][row];
+  }
+};
 }
 
 VITRINE_FOR_EACH_PROCESSOR
@@ -33,7 +54,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   this->Lines.resize(room);
   this->Depths.resize(room);
   this->BehindNear.resize(room / LaneCount);
-  const glm::mat4 m(glm::translate(toScreen.Matrix, mesh.Origin()));
+  const MatrixFrom matrix(toScreen.Matrix, mesh.Origin());
   const Lanes leastW = AllLanes(toScreen.Rounding.w);
   const Lanes leastSlack = AllLanes(toScreen.Rounding.z + toScreen.Rounding.w);
   Lanes nearestW = AllLanes(3e38f), left = nearestW, right = -left, bottom = left, top = right,
@@ -42,11 +63,11 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   for (std::size_t i = 0; i < room; i += LaneCount)
   {
     const Lanes px = LoadLanes(x + i), py = LoadLanes(y + i), pz = LoadLanes(z + i);
-    const Lanes w = m[0].w * px + m[1].w * py + m[2].w * pz + m[3].w;
-    const Lanes depthTimesW = m[0].z * px + m[1].z * py + m[2].z * pz + m[3].z;
+    const Lanes w = matrix.Row(3, px, py, pz);
+    const Lanes depthTimesW = matrix.Row(2, px, py, pz);
     const Lanes inverse = 1.0f / w;
-    const Lanes column = (m[0].x * px + m[1].x * py + m[2].x * pz + m[3].x) * inverse;
-    const Lanes line = (m[0].y * px + m[1].y * py + m[2].y * pz + m[3].y) * inverse;
+    const Lanes column = matrix.Row(0, px, py, pz) * inverse;
+    const Lanes line = matrix.Row(1, px, py, pz) * inverse;
     const Lanes depth = depthTimesW * inverse;
     const LaneMask isFinite = column - column == line - line;
     const LaneMask isBehind = isFinite & (w > leastW) & (w - depthTimesW > leastSlack);

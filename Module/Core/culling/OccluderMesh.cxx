@@ -169,6 +169,7 @@ void OccluderMesh::FindRegions()
     points[i] = { this->Places[0][i], this->Places[1][i], this->Places[2][i] };
   }
   this->Polygons = MeshFacets(points, this->Triangles, this->Sides);
+  this->FewPolygons = FewFacets::Of(this->Polygons, points);
   this->PatchOf = FaceRegions(points, this->Triangles, this->Sides, LeastCosineOfPatch).OfFaces();
 }
 
@@ -176,7 +177,8 @@ std::size_t OccluderMesh::Bytes() const
 {
   return sizeof(*this) + 3 * this->Places[0].capacity() * sizeof(float) +
     this->Triangles.capacity() * sizeof(Face) + this->Sides.capacity() * sizeof(Edge) +
-    this->PatchOf.capacity() * sizeof(std::uint32_t) + this->Polygons.Bytes();
+    this->PatchOf.capacity() * sizeof(std::uint32_t) + this->Polygons.Bytes() +
+    (this->FewPolygons ? sizeof(FewFacets) : 0);
 }
 
 }

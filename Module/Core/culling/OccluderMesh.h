@@ -1,12 +1,14 @@
 #ifndef VITRINE_CORE_CULLING_OCCLUDER_MESH_H
 #define VITRINE_CORE_CULLING_OCCLUDER_MESH_H
 
+#include "Core/culling/FewFacets.h"
 #include "Core/culling/MeshFacets.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vitrine
@@ -50,6 +52,9 @@ public:
   const std::vector<Edge>& Edges() const { return this->Sides; }
   const MeshFacets& Facets() const { return this->Polygons; }
 
+  /** Its facets as they are looked at together, or null if those are not few. */
+  const FewFacets* Few() const { return this->FewPolygons.get(); }
+
   /** Of each face the patch that it belongs to: joined faces that look into about the same direction. */
   const std::vector<std::uint32_t>& Patches() const { return this->PatchOf; }
 
@@ -71,6 +76,7 @@ private:
   std::vector<Face> Triangles;
   std::vector<Edge> Sides;
   MeshFacets Polygons;
+  std::unique_ptr<const FewFacets> FewPolygons;
   std::vector<std::uint32_t> PatchOf;
   bool HasNoBorder = true;
 };

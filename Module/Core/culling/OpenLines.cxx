@@ -33,8 +33,7 @@ unsigned OpenLinesFor(const ScreenPatches::Patch& patch, const SBuffer& buffer, 
     const float nearColumn = plane.ByColumn > 0.0f ? std::min(right, tileLeft + SBuffer::TileWidth)
                                                    : std::max(left, tileLeft);
     const Lanes depth = atOrigin + (nearColumn - plane.Origin.Column) * plane.ByColumn;
-    isOpen |=
-      ~(LoadLanes(buffer.LeastDepths(line, tile)) >= GreatestOf(depth, AllLanes(plane.Farthest)));
+    isOpen |= ~(buffer.LeastDepths(line, tile) >= GreatestOf(depth, AllLanes(plane.Farthest)));
   }
   return BitsOf(isOpen & (bottom <= top));
 }

@@ -11,12 +11,13 @@ namespace
 {
 
 /** What the tree holds and does not show is not visible. By the million, so without branches. */
-void KeepShown(
-  const std::uint8_t* shows, const std::uint8_t* isHeld, std::size_t count, std::uint8_t* isVisible)
+void KeepShown(const std::uint8_t* states, const std::uint8_t* isHeld, std::size_t count,
+  std::uint8_t* isVisible)
 {
   for (std::size_t i = 0; i < count; ++i)
   {
-    isVisible[i] &= static_cast<std::uint8_t>(shows[i] | (isHeld[i] ^ 1));
+    const int isShown = (states[i] & PartStates::IsShown) != 0;
+    isVisible[i] &= static_cast<std::uint8_t>(isShown | (isHeld[i] ^ 1));
   }
 }
 
@@ -52,7 +53,7 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
       culler.Cull(tree, occluders, ofBand, occlusion, visible, this->Bands.size());
     });
   const std::size_t count = std::min(tree.HeldItems().size(), visible.size());
-  KeepShown(this->ShownInAny().data(), tree.HeldItems().data(), count, visible.data());
+  KeepShown(this->StatesInAny().data(), tree.HeldItems().data(), count, visible.data());
 }
 
 std::vector<std::uint8_t> PartCuller::HideThinFacesOf(
@@ -79,21 +80,21 @@ std::vector<std::uint8_t> PartCuller::HideThinFacesOf(
   return hides[0];
 }
 
-/** Of each part whether a band shows it. */
-const std::vector<std::uint8_t>& PartCuller::ShownInAny()
+/** Of each part what is so in a band. */
+const std::vector<std::uint8_t>& PartCuller::StatesInAny()
 {
   if (this->Bands.size() == 1)
   {
-    return this->Bands[0].Culler.Shown();
+    return this->Bands[0].Culler.States().All();
   }
-  this->Shows = this->Bands[0].Culler.Shown();
+  this->States = this->Bands[0].Culler.States().All();
   for (std::size_t i = 1; i < this->Bands.size(); ++i)
   {
-    std::transform(this->Shows.begin(), this->Shows.end(), this->Bands[i].Culler.Shown().begin(),
-      this->Shows.begin(),
+    const std::vector<std::uint8_t>& ofBand = this->Bands[i].Culler.States().All();
+    std::transform(this->States.begin(), this->States.end(), ofBand.begin(), this->States.begin(),
       [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
   }
-  return this->Shows;
+  return this->States;
 }
 
 CullCounts PartCuller::Counts() const

@@ -65,10 +65,10 @@ private:
     BandCuller Culler;
   };
 
-  const std::vector<std::uint8_t>& ShownInAny();
+  const std::vector<std::uint8_t>& StatesInAny();
 
   std::vector<Band> Bands;
-  std::vector<std::uint8_t> Shows; ///< in any of several bands
+  std::vector<std::uint8_t> States; ///< in any of several bands
 };
 
 }

@@ -11,37 +11,38 @@
 namespace vitrine
 {
 
-namespace
-{
-// What stands in place of the least depth of a tile; below all depths.
-const float NotFull = -1.0f;
-
-/** As many bits as lines, up to all lanes. */
-unsigned LowBits(int lines)
-{
-  return (1u << std::min(lines, LaneCount)) - 1u;
-}
-}
-
 SBuffer::SBuffer(int columns, int lines, const SampleGrid& samples, std::size_t mostSpans)
   : ColumnCount(columns)
   , LineCount(lines)
-  , TilesPerLine((columns + TileWidth - 1) / TileWidth)
   , Grid(samples)
-  , TileStride(static_cast<std::size_t>(lines) + LaneCount)
-  , Firsts(this->TileStride * this->TilesPerLine)
-  , Leasts(this->Firsts.size())
+  , Tiles(columns, lines)
+  , Firsts(Tiles.Count(), NoSpan)
   , MostSpans(mostSpans)
   , Pool(new Span[mostSpans])
 {
   assert(columns > 0 && lines > 0 && mostSpans < NoSpan);
-  this->Clear();
+}
+
+SBuffer SBuffer::WithFewSamples(int columns, int lines, const SampleGrid& samples)
+{
+  if (!SampleDepths::Suit(samples))
+  {
+    return SBuffer(columns, lines, samples);
+  }
+  SBuffer buffer(columns, lines, samples, 0);
+  buffer.Firsts.clear();
+  buffer.AtSamples = std::make_unique<SampleDepths>(columns, lines, samples);
+  return buffer;
 }
 
 void SBuffer::Clear()
 {
   std::fill(this->Firsts.begin(), this->Firsts.end(), NoSpan);
-  std::fill(this->Leasts.begin(), this->Leasts.end(), NotFull);
+  this->Tiles.Clear();
+  if (this->AtSamples)
+  {
+    this->AtSamples->Clear();
+  }
   this->Used = 0;
   this->FirstFree = NoSpan;
   this->Counted = {};
@@ -115,11 +116,11 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
     return;
   }
   ++this->Counted.Inserted;
-  const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
-  for (int i = static_cast<int>(left) / TileWidth; i <= last; ++i)
+  const int last = this->Tiles.TileOf(right);
+  for (int i = this->Tiles.TileOf(left); i <= last; ++i)
   {
-    const std::size_t tile = this->TileAt(line, i);
-    if (this->Leasts[tile] >= greatest)
+    const std::size_t tile = this->Tiles.At(line, i);
+    if (this->Tiles[tile] >= greatest)
     {
       continue;
     }
@@ -136,20 +137,40 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
           least = std::min(least, std::min(span.DepthAt(first), span.DepthAt(last)));
           return true;
         });
-      this->Leasts[tile] = isFull ? least : NotFull;
+      this->Tiles[tile] = isFull ? least : TileDepths::NotFull;
     }
+  }
+}
+
+/** The same where there are samples in place of spans. */
+VITRINE_INLINE void SBuffer::InsertAtSamples(int line, const Segment& segment)
+{
+  const float left = std::max(segment.Left, 0.0f);
+  const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
+  const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
+  if (left < right && std::isfinite(slope) &&
+    std::isfinite(std::max(segment.LeftDepth, segment.RightDepth)))
+  {
+    this->Insert(line, left, right, segment.Face,
+      [&](Lanes column) { return segment.LeftDepth + slope * (column - segment.Left); });
   }
 }
 
 VITRINE_FOR_EACH_PROCESSOR
 void SBuffer::Insert(int line, const Segment& segment)
 {
+  if (this->AtSamples)
+  {
+    this->InsertAtSamples(line, segment);
+    return;
+  }
   NoFaceOrder none;
   this->InsertBy(none, line, segment);
 }
 
 void SBuffer::Insert(int line, const FaceSegment& segment, FaceOrder& order)
 {
+  assert(!this->AtSamples);
   order.Begin(segment);
   this->InsertBy(order, line, segment.Covered);
 }
@@ -164,20 +185,13 @@ VITRINE_INLINE bool SBuffer::TileHides(
     });
 }
 
-/** A bit for each tile of a column of tiles, up to eight from `line` up to `last`, that is not known to be covered by what is nearer. */
-VITRINE_INLINE unsigned SBuffer::OpenTiles(int line, int last, int tile, float nearest) const
-{
-  return ~BitsOf(LoadLanes(&this->Leasts[this->TileAt(line, tile)]) > AllLanes(nearest)) &
-    LowBits(last + 1 - line);
-}
-
 VITRINE_INLINE bool SBuffer::PartOfTilesHides(
   int first, int last, int tile, float left, float right, float nearest) const
 {
   for (int line = first; line <= last; line += LaneCount)
   {
-    unsigned open = this->OpenTiles(line, last, tile, nearest);
-    for (std::size_t above = this->TileAt(line, tile); open != 0; ++above, open >>= 1)
+    unsigned open = this->Tiles.Open(line, last, tile, nearest);
+    for (std::size_t above = this->Tiles.At(line, tile); open != 0; ++above, open >>= 1)
     {
       if ((open & 1) != 0 && !this->TileHides(above, left, right, nearest))
       {
@@ -189,7 +203,7 @@ VITRINE_INLINE bool SBuffer::PartOfTilesHides(
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-bool SBuffer::Hides(const ScreenRectangle& rectangle) const
+bool SBuffer::SpansHide(const ScreenRectangle& rectangle) const
 {
   const float left = this->Grid.From(std::max(rectangle.Left, 0.0f));
   const float right =
@@ -206,8 +220,7 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
   }
   const int lastLine = std::min(static_cast<int>(top), this->LineCount - 1);
   const int firstLine = std::min(static_cast<int>(bottom), lastLine);
-  const int lastTile = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
-  const int firstTile = std::min(static_cast<int>(left) / TileWidth, lastTile);
+  const int firstTile = this->Tiles.TileOf(left), lastTile = this->Tiles.TileOf(right);
   const auto sideOf = [](int tile) { return static_cast<float>(tile * TileWidth); };
   const int firstWhole = firstTile + (left > sideOf(firstTile) + this->Grid.Inset() ? 1 : 0);
   const int endOfWhole = lastTile + (right < sideOf(lastTile + 1) - this->Grid.Inset() ? 0 : 1);
@@ -217,7 +230,7 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
   {
     for (int line = firstLine; line <= lastLine; line += LaneCount)
     {
-      if (this->OpenTiles(line, lastLine, i, rectangle.Nearest) != 0)
+      if (this->Tiles.Open(line, lastLine, i, rectangle.Nearest) != 0)
       {
         return false;
       }
@@ -242,16 +255,16 @@ bool SBuffer::Hides(const ScreenRectangle& rectangle) const
 VITRINE_FOR_EACH_PROCESSOR
 unsigned SBuffer::OpenLines(int line, int last, float left, float right, float depth) const
 {
-  const unsigned all = LowBits(last + 1 - line);
+  const unsigned all = TileDepths::LowBits(last + 1 - line);
   const float columns = static_cast<float>(this->ColumnCount);
   const float start =
     std::min(std::max(0.0f, left), columns); // the whole line where they are no numbers
   const float end = right <= columns ? std::max(start, right) : columns;
-  const int lastTile = std::min(static_cast<int>(end) / TileWidth, this->TilesPerLine - 1);
+  const int lastTile = this->Tiles.TileOf(end);
   unsigned open = 0;
-  for (int i = static_cast<int>(start) / TileWidth; i <= lastTile && open != all; ++i)
+  for (int i = this->Tiles.TileOf(start); i <= lastTile && open != all; ++i)
   {
-    open |= all & ~BitsOf(LoadLanes(&this->Leasts[this->TileAt(line, i)]) >= AllLanes(depth));
+    open |= all & ~BitsOf(this->Tiles.OfLines(line, i) >= AllLanes(depth));
   }
   return open;
 }
@@ -261,7 +274,7 @@ VITRINE_INLINE bool SBuffer::TileHides(
   std::size_t tile, float left, float right, const HideableSegment& segment, float& shown) const
 {
   const float nearest = std::max(segment.DepthAt(left), segment.DepthAt(right));
-  if (this->Leasts[tile] > std::min(nearest, segment.Nearest))
+  if (this->Tiles[tile] > std::min(nearest, segment.Nearest))
   {
     return true;
   }
@@ -297,13 +310,17 @@ bool SBuffer::Hides(int line, const HideableSegment& segment, float& shown) cons
   {
     return false; // not a number: it may be anywhere
   }
-  const int last = std::min(static_cast<int>(right) / TileWidth, this->TilesPerLine - 1);
-  for (int i = static_cast<int>(left) / TileWidth; i <= last; ++i)
+  if (this->AtSamples)
+  {
+    return this->AtSamples->Hide(line, left, right, segment, shown);
+  }
+  const int last = this->Tiles.TileOf(right);
+  for (int i = this->Tiles.TileOf(left); i <= last; ++i)
   {
     const float tileLeft = static_cast<float>(i * TileWidth);
     const float first = this->Grid.From(std::max(left, tileLeft));
     const float end = this->Grid.UpTo(std::min(right, tileLeft + TileWidth));
-    if (first <= end && !this->TileHides(this->TileAt(line, i), first, end, segment, shown))
+    if (first <= end && !this->TileHides(this->Tiles.At(line, i), first, end, segment, shown))
     {
       return false;
     }
@@ -311,19 +328,47 @@ bool SBuffer::Hides(int line, const HideableSegment& segment, float& shown) cons
   return true;
 }
 
+template <class Work>
+void SBuffer::ForEachSpan(std::uint32_t first, const Work& work) const
+{
+  for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
+  {
+    work(this->Pool[i]);
+  }
+}
+
 std::vector<Span> SBuffer::SpansOf(int line) const
 {
   assert(line >= 0 && line < this->LineCount);
   std::vector<Span> spans;
-  for (int i = 0; i < this->TilesPerLine; ++i)
+  if (this->AtSamples)
   {
-    std::uint32_t span = this->Firsts[this->TileAt(line, i)];
-    for (; span != NoSpan; span = this->Pool[span].Next)
-    {
-      spans.push_back(this->Pool[span]);
-    }
+    this->AtSamples->ForEachOn(line,
+      [&](float column, float depth, std::uint32_t face) {
+        spans.push_back({ column, column, depth, 0.0f, face, NoSpan });
+      });
+    return spans;
+  }
+  for (int i = 0; i < this->Tiles.CountPerLine(); ++i)
+  {
+    this->ForEachSpan(
+      this->Firsts[this->Tiles.At(line, i)], [&](const Span& span) { spans.push_back(span); });
   }
   return spans;
+}
+
+void SBuffer::AddColumnsOfFaces(std::vector<float>& columns) const
+{
+  if (this->AtSamples)
+  {
+    this->AtSamples->AddColumnsOfFaces(columns);
+    return;
+  }
+  for (const std::uint32_t first : this->Firsts)
+  {
+    this->ForEachSpan(
+      first, [&](const Span& span) { columns[span.Face] += span.Right - span.Left; });
+  }
 }
 
 }

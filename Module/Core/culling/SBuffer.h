@@ -1,7 +1,9 @@
 #ifndef VITRINE_CORE_S_BUFFER_H
 #define VITRINE_CORE_S_BUFFER_H
 
+#include "Core/culling/SampleDepths.h"
 #include "Core/culling/SampleGrid.h"
+#include "Core/culling/TileDepths.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -93,19 +95,23 @@ struct SBufferCounts
  * stands for all the pixels in it, and a span covers all of their samples. Ends of spans are real numbers, so columns set
  * nothing but the unit.
  *
- * Lines are cut into tiles of TileWidth columns with a list each, and the least depth of all that covers a tile, if it is
+ * Lines are cut into tiles with a list each, and the least depth of all that covers a tile, if it is
  * full. Most questions are answered by the latter.
  *
- * Spans come from a pool. Once it is used up, nothing is inserted any more: less is hidden, never too much.
+ * Spans come from a pool. Once it is used up, nothing is inserted any more: less is hidden, never too much. Where few samples are asked for, their depths stand in place of spans.
  */
 class SBuffer
 {
 public:
   static constexpr std::uint32_t NoSpan = 0xffffffffu;
-  static constexpr int TileWidth = 4;
+  static constexpr int TileWidth = TileDepths::Width;
 
   /** With that many columns and lines, both at least 1. */
-  SBuffer(int columns, int lines, const SampleGrid& samples = {}, std::size_t mostSpans = 1u << 20);
+  SBuffer(int columns, int lines, const SampleGrid& samples = {},
+    std::size_t mostSpans = DefaultMostSpans);
+
+  /** The same, with the depths of samples in place of spans if there are few. */
+  static SBuffer WithFewSamples(int columns, int lines, const SampleGrid& samples);
 
   const SampleGrid& Samples() const { return this->Grid; }
 
@@ -118,11 +124,36 @@ public:
   /** Keep what of `segment` is nearer than what is there. Segments without length or that are not finite are left out. */
   void Insert(int line, const Segment& segment);
 
-  /** The same, where the order of faces is known without comparing depths. */
+  /** The same where it has spans, and the order of faces is known without comparing depths. */
   void Insert(int line, const FaceSegment& segment, FaceOrder& order);
 
+  /** The depths of samples, if it has those in place of spans. */
+  const SampleDepths* BySample() const { return this->AtSamples.get(); }
+
+  /**
+   * Where it has those: keep what is nearer than what is there.
+   * @param left     columns of the screen, as `right`
+   * @param depthAt  depths at eight columns
+   */
+  template <class DepthAt>
+  VITRINE_INLINE void Insert(
+    int line, float left, float right, std::uint32_t face, const DepthAt& depthAt)
+  {
+    const SampleDepths::Range range = this->AtSamples->Between(left, right);
+    if (range.First <= range.Last)
+    {
+      ++this->Counted.Inserted;
+      this->Counted.Comparisons += static_cast<std::uint64_t>(
+        this->AtSamples->Insert(this->Tiles, line, range, face, depthAt));
+    }
+  }
+
   /** Whether all samples in the rectangle are covered by what is nearer. Beyond the screen nothing shows. */
-  bool Hides(const ScreenRectangle& rectangle) const;
+  bool Hides(const ScreenRectangle& rectangle) const
+  {
+    return this->AtSamples ? this->AtSamples->Hide(this->Tiles, rectangle)
+                           : this->SpansHide(rectangle);
+  }
 
   /**
    * Whether all samples of a segment are covered by what is nearer. Beyond the screen nothing shows.
@@ -133,13 +164,13 @@ public:
   /** Whether all samples of a tile are covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
   bool IsCoveredBefore(int line, int tile, float depth) const
   {
-    return this->Leasts[this->TileAt(line, tile)] >= depth;
+    return this->Tiles[this->Tiles.At(line, tile)] >= depth;
   }
 
   /** Of a tile on a line and on each of the seven above it: the least depth of all that covers it, or a number below all depths if it is not covered. */
-  const float* LeastDepths(int line, int tile) const
+  VITRINE_INLINE Lanes LeastDepths(int line, int tile) const
   {
-    return &this->Leasts[this->TileAt(line, tile)];
+    return this->Tiles.OfLines(line, tile);
   }
 
   /**
@@ -148,21 +179,11 @@ public:
    */
   unsigned OpenLines(int line, int last, float left, float right, float depth) const;
 
-  /** The spans of a line, from left to right. */
+  /** The spans of a line, from left to right; of samples in place of spans, one without length for each that is covered. */
   std::vector<Span> SpansOf(int line) const;
 
-  /** Does something with each span of all lines. */
-  template <class Work>
-  void ForEachSpan(const Work& work) const
-  {
-    for (const std::uint32_t first : this->Firsts)
-    {
-      for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
-      {
-        work(this->Pool[i]);
-      }
-    }
-  }
+  /** Adds to a number for each face how many columns of lines it has, or about so many. */
+  void AddColumnsOfFaces(std::vector<float>& columns) const;
 
   const SBufferCounts& Counts() const { return this->Counted; }
 
@@ -172,31 +193,29 @@ private:
 
   template <class Orders>
   void InsertBy(Orders& orders, int line, const Segment& segment);
+  void InsertAtSamples(int line, const Segment& segment);
 
-  /** Tiles that stand one above the other lie side by side, so that those of eight lines are looked at together. */
-  std::size_t TileAt(int line, int tile) const
-  {
-    return static_cast<std::size_t>(tile) * this->TileStride + line;
-  }
+  static constexpr std::size_t DefaultMostSpans = 1u << 20;
 
   std::uint32_t Allocate();
   void Free(std::uint32_t span);
+  bool SpansHide(const ScreenRectangle& rectangle) const;
   template <class Work>
   bool ForEachCovered(std::uint32_t first, float left, float right, const Work& work) const;
+  template <class Work>
+  void ForEachSpan(std::uint32_t first, const Work& work) const;
   bool TileHides(
     std::size_t tile, float left, float right, const HideableSegment& segment, float& shown) const;
-  unsigned OpenTiles(int line, int last, int tile, float nearest) const;
   bool PartOfTilesHides(
     int first, int last, int tile, float left, float right, float nearest) const;
   bool TileHides(std::size_t tile, float left, float right, float nearest) const;
 
   int ColumnCount;
   int LineCount;
-  int TilesPerLine;
   SampleGrid Grid;
-  std::size_t TileStride;            ///< lines, and some more that are never covered
-  std::vector<std::uint32_t> Firsts; ///< of each tile's spans
-  std::vector<float> Leasts;         ///< of each tile's depths, or NotFull
+  TileDepths Tiles;
+  std::unique_ptr<SampleDepths> AtSamples; ///< null where there are spans
+  std::vector<std::uint32_t> Firsts;       ///< of each tile's spans
   std::size_t MostSpans;
   std::unique_ptr<Span[]> Pool; ///< not written before it is used
   std::size_t Used = 0;

@@ -15,6 +15,14 @@ std::vector<float> DepthImage(const SBuffer& buffer)
   for (int line = 0; line < buffer.Lines(); ++line)
   {
     float* const depths = &image[columns * static_cast<std::size_t>(line)];
+    if (const SampleDepths* samples = buffer.BySample())
+    {
+      for (int column = 0; column < buffer.Columns(); ++column)
+      {
+        depths[column] = std::max(samples->DepthOfColumn(line, column), 0.0f);
+      }
+      continue;
+    }
     for (const Span& span : buffer.SpansOf(line))
     {
       const int last = static_cast<int>(std::floor(span.Right - 0.5f));

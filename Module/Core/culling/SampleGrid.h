@@ -5,11 +5,6 @@
 
 #include <cmath>
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi" // about lanes in registers
-#endif
-
 namespace vitrine
 {
 
@@ -46,38 +41,45 @@ public:
   /** From one place with samples to the next; 0 where they are anywhere. */
   float Width() const { return this->Step; }
 
+  /** Where samples are at centres of pixels of which a column has 1, 2, 4 or so: how many that are; else 0. */
+  int BinaryPixelsPerColumn() const
+  {
+    return this->IsExact && this->Offset > 0.0f ? static_cast<int>(this->PerColumn) : 0;
+  }
+
+  /** Where the samples of a number are: they count from 0 at the left. */
+  float Place(float number) const
+  {
+    return this->IsExact ? (number + this->Offset) * this->Step
+                         : (number + this->Offset) / this->PerColumn;
+  }
+
+  /** The number of the first place with samples from `place` on; of such a place, its own. */
+  float NumberFrom(float place) const
+  {
+    const float number = std::ceil(place * this->PerColumn - this->Offset);
+    const bool wasRoundedUp = !this->IsExact && this->Place(number - 1.0f) >= place;
+    return wasRoundedUp ? number - 1.0f : number;
+  }
+
+  /** Of the last one up to `place`. */
+  float NumberUpTo(float place) const
+  {
+    const float number = std::floor(place * this->PerColumn - this->Offset);
+    const bool wasRoundedDown = !this->IsExact && this->Place(number + 1.0f) <= place;
+    return wasRoundedDown ? number + 1.0f : number;
+  }
+
   /** The first place with samples from `place` on; of such a place, itself. */
   float From(float place) const
   {
-    if (!(this->PerColumn > 0.0f))
-    {
-      return place;
-    }
-    const float number = std::ceil(place * this->PerColumn - this->Offset);
-    if (this->IsExact)
-    {
-      return (number + this->Offset) * this->Step;
-    }
-    const float before =
-      (number - 1.0f + this->Offset) / this->PerColumn; // where the product was rounded up
-    return before >= place ? before : (number + this->Offset) / this->PerColumn;
+    return this->PerColumn > 0.0f ? this->Place(this->NumberFrom(place)) : place;
   }
 
   /** The last one up to `place`; of such a place, itself. */
   float UpTo(float place) const
   {
-    if (!(this->PerColumn > 0.0f))
-    {
-      return place;
-    }
-    const float number = std::floor(place * this->PerColumn - this->Offset);
-    if (this->IsExact)
-    {
-      return (number + this->Offset) * this->Step;
-    }
-    const float behind =
-      (number + 1.0f + this->Offset) / this->PerColumn; // where the product was rounded down
-    return behind <= place ? behind : (number + this->Offset) / this->PerColumn;
+    return this->PerColumn > 0.0f ? this->Place(this->NumberUpTo(place)) : place;
   }
 
   /** The place behind another one, or that itself where samples are anywhere. */
@@ -120,9 +122,5 @@ private:
 };
 
 }
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
 
 #endif

@@ -1,0 +1,36 @@
+#ifndef VITRINE_CORE_CULLING_FEW_FACETS_COVERAGE_H
+#define VITRINE_CORE_CULLING_FEW_FACETS_COVERAGE_H
+
+#include "Core/culling/FewFacets.h"
+#include "Core/culling/MeshProjection.h"
+#include "Core/culling/SBuffer.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vitrine
+{
+
+/**
+ * Inserts what a mesh of few facets covers into an s-buffer of samples: all facets and edges of its outline at once, and samples eight at a time.
+ *
+ * What lies to the left of all edges of an outline, by what a device may move them by, is covered: seen from there, each goes around counter-clockwise, so
+ * all together do so once at the least. Of a convex mesh, which most of so few facets are, that is all of it. There it is nowhere farther than the farthest of the
+ * facets that reach there, of each of which the plane is known; of a convex mesh that is the one that is seen.
+ */
+class FewFacetsCoverage
+{
+public:
+  /**
+   * @param projection  of a mesh that has few facets, all of it behind the near plane
+   * @param facing      of the facets that count
+   * @param part        whose they are
+   * @returns           how many pieces of facets and edges were looked at
+   */
+  static std::size_t Insert(SBuffer& buffer, const FewFacets& facets,
+    const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part);
+};
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+#ifndef VITRINE_CORE_CULLING_PART_STATES_H
+#define VITRINE_CORE_CULLING_PART_STATES_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/** What a walk knows of each part, in a byte: parts come in any order, and each look at another place in memory takes as long as some tens of steps. */
+class PartStates
+{
+public:
+  static constexpr std::uint8_t IsDrawn = 1;   ///< in this frame
+  static constexpr std::uint8_t IsVisited = 2; ///< before its turn
+  static constexpr std::uint8_t IsShown = 4;
+  static constexpr std::uint8_t WasSmall =
+    8; ///< its mesh had few points when it was last asked for
+
+  /**
+   * A frame begins, of which nothing is known but what parts are drawn.
+   * @param drawn  1 for those, 0 for others
+   * @returns      how many are
+   */
+  std::uint32_t Begin(const std::vector<std::uint8_t>& drawn)
+  {
+    static_assert(IsDrawn == 1, "as drawn parts are told");
+    this->States.resize(drawn.size(), 0);
+    std::uint8_t* const states = this->States.data();
+    const std::uint8_t* const areDrawn = drawn.data();
+    const std::size_t parts = drawn.size();
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < parts; ++i)
+    {
+      states[i] = static_cast<std::uint8_t>((states[i] & WasSmall) | areDrawn[i]);
+      count += areDrawn[i];
+    }
+    return count;
+  }
+
+  std::size_t Count() const { return this->States.size(); }
+
+  /** All bits of a part. */
+  std::uint8_t operator[](std::uint32_t part) const { return this->States[part]; }
+
+  bool Has(std::uint32_t part, std::uint8_t bit) const { return (this->States[part] & bit) != 0; }
+
+  void Set(std::uint32_t part, std::uint8_t bit, bool is = true)
+  {
+    std::uint8_t& state = this->States[part];
+    state = static_cast<std::uint8_t>(is ? state | bit : state & ~bit);
+  }
+
+  /** Of all parts. */
+  const std::vector<std::uint8_t>& All() const { return this->States; }
+
+private:
+  std::vector<std::uint8_t> States;
+};
+
+}
+
+#endif
