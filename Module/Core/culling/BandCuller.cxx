@@ -7,8 +7,8 @@ namespace vitrine
 
 namespace
 {
-// Nodes of no more parts are visited at once: that takes less than to queue what is in them.
-const std::uint32_t FewParts = 16;
+// Nodes of no more parts, which are some leaves, are visited at once: that takes less than to queue what is in them.
+const std::uint32_t FewParts = 32;
 
 // Of what is long, which comes first, and of what reaches before the near plane.
 const float LongDepth = 3.0f;

@@ -73,4 +73,22 @@ FaceOnLines::ExtentLanes FaceOnLines::Extents(int line, float inset) const
   return extents;
 }
 
+VITRINE_FOR_EACH_PROCESSOR
+HideableSegmentLanes FaceOnLines::Pieces(int line, float inset) const
+{
+  const Lanes base = LanesFrom(static_cast<float>(line));
+  const Lanes bottom = GreatestOf(base + inset, AllLanes(this->Around.Bottom));
+  const Lanes top = LeastOf(base + (1.0f - inset), AllLanes(this->Around.Top));
+  const HideableSegment first = this->Piece(0.0f, 0.0f, this->Around.Bottom, this->Around.Top);
+  const SlantedDepth& plane = this->Plane.Bound();
+  const Lanes nearLine = plane.ByLine > 0.0f ? top : bottom;
+  HideableSegmentLanes pieces;
+  StoreLanes(plane.Origin.Depth + (nearLine - plane.Origin.Line) * plane.ByLine + plane.Slack,
+    pieces.Depths);
+  pieces.Column = first.Column;
+  pieces.Slope = first.Slope;
+  pieces.Nearest = first.Nearest;
+  return pieces;
+}
+
 }

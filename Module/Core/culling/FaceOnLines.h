@@ -45,6 +45,9 @@ public:
       left, right, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top));
   }
 
+  /** The same of a line and those above it that is not nearer to their sides than `inset`, whatever columns. */
+  HideableSegmentLanes Pieces(int line, float inset) const;
+
 private:
   ScreenRectangle Around;
   ScreenEdge Edges[3];

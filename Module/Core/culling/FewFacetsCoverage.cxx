@@ -114,21 +114,33 @@ public:
   /** A bit for each that counts. */
   unsigned Bits() const { return this->Counted; }
 
-  /** On a line, at eight columns: what all that may be drawn there is no farther than; BeforeAll where that is nothing. */
-  VITRINE_INLINE Lanes At(float y, Lanes x) const
+  /** Lines come on which depths are asked for. */
+  VITRINE_INLINE void Begin(Lanes y)
+  {
+    this->Y = y;
+    for (unsigned bits = this->Steady; bits != 0; bits &= bits - 1)
+    {
+      const int i = LowestBit(bits);
+      this->OnLines[i] = this->Start[i] + this->ByY[i] * y;
+    }
+  }
+
+  /** At a column of those lines what all that may be drawn there is no farther than; BeforeAll where that is nothing. */
+  VITRINE_INLINE Lanes At(float x) const
   {
     Lanes depth = AllLanes(BeforeAll);
     for (unsigned bits = this->Steady; bits != 0; bits &= bits - 1)
     {
       const int i = LowestBit(bits);
-      depth = LeastOf(this->ByX[i] * x + (this->Start[i] + this->ByY[i] * y), depth);
+      depth = LeastOf(this->OnLines[i] + this->ByX[i] * x, depth);
     }
     for (unsigned bits = this->Counted & ~this->Steady; bits != 0; bits &= bits - 1)
     {
       const int i = LowestBit(bits);
-      const LaneMask isThere = (x >= this->Left[i]) & (x <= this->Right[i]) &
-        (AllLanes(y) >= this->Bottom[i]) & (AllLanes(y) <= this->Top[i]);
-      depth = LeastOf(isThere ? AllLanes(this->FarthestOf[i]) : AllLanes(BeforeAll), depth);
+      const bool isBeside = x < this->Left[i] || x > this->Right[i];
+      const LaneMask isThere = (this->Y >= this->Bottom[i]) & (this->Y <= this->Top[i]);
+      const float farthest = isBeside ? BeforeAll : this->FarthestOf[i];
+      depth = LeastOf(isThere ? AllLanes(farthest) : AllLanes(BeforeAll), depth);
     }
     return GreatestOf(depth, AllLanes(this->Farthest));
   }
@@ -155,6 +167,8 @@ private:
   float Start[LaneCount], ByX[LaneCount], ByY[LaneCount];
   float Left[LaneCount], Right[LaneCount], Bottom[LaneCount], Top[LaneCount];
   float FarthestOf[LaneCount];
+  Lanes Y;                  ///< of lines
+  Lanes OnLines[LaneCount]; ///< depths of steady ones there, at the first column
 };
 
 /** The edges of an outline: where each passes lines, drawn in by what a device may move it by. */
@@ -233,7 +247,7 @@ std::size_t FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
     return 0;
   }
   const PointLanes points(projection, frame);
-  const FacetPlanes planes(facets, points, projection, facing, frame);
+  FacetPlanes planes(facets, points, projection, facing, frame);
   if (planes.Bits() == 0)
   {
     return 1;
@@ -241,25 +255,21 @@ std::size_t FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
   const OutlineSides sides(facets, planes.Bits(), points, projection, facing, frame);
   for (int first = frame.Lines.First; first <= frame.Lines.Last; first += LaneCount)
   {
+    const Lanes y = LanesFrom(static_cast<float>(first - frame.Lines.First));
     Lanes left, right;
-    sides.Between(LanesFrom(static_cast<float>(first - frame.Lines.First)), left, right);
-    float lefts[LaneCount], rights[LaneCount];
-    StoreLanes(GreatestOf(left + frame.Left, AllLanes(frame.Left)), lefts);
-    StoreLanes(LeastOf(right + frame.Left, AllLanes(frame.Right)), rights);
-    const int end = std::min(frame.Lines.Last + 1 - first, LaneCount);
-    for (int i = 0; i < end; ++i)
-    {
-      if (lefts[i] <= rights[i])
+    sides.Between(y, left, right);
+    planes.Begin(y);
+    const LaneMask isThere =
+      (y <= AllLanes(frame.Height())) & (left <= right) & (left <= frame.Width()) & (right >= 0.0f);
+    left = GreatestOf(left + frame.Left, AllLanes(frame.Left));
+    right = LeastOf(right + frame.Left, AllLanes(frame.Right));
+    buffer.InsertLines(first, isThere ? left : AllLanes(Nowhere),
+      isThere ? right : AllLanes(-Nowhere), part,
+      [&](float column)
       {
-        const float y = static_cast<float>(first + i - frame.Lines.First);
-        buffer.Insert(first + i, lefts[i], rights[i], part,
-          [&](Lanes column)
-          {
-            const Lanes depth = planes.At(y, column - frame.Left);
-            return depth < BeforeAll ? depth : AllLanes(SampleDepths::NotCovered);
-          });
-      }
-    }
+        const Lanes depth = planes.At(column - frame.Left);
+        return depth < BeforeAll ? depth : AllLanes(SampleDepths::NotCovered);
+      });
   }
   return LaneCount + static_cast<std::size_t>(frame.Lines.Last - frame.Lines.First);
 }

@@ -6,6 +6,7 @@
 #include "Core/culling/ThinFaces.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace vitrine
 {
@@ -18,6 +19,8 @@ const std::size_t MostFacesOfAnyThickness = 1024;
 
 // Of places that are up to 1.
 const float StepOfFloats = 0x1p-23f;
+
+const float BeforeColumns = -3e38f;
 }
 
 bool HiddenFaces::AreAll(const MeshProjection& projection)
@@ -151,8 +154,37 @@ bool HiddenFaces::IsHidden(const FaceOnLines& face, const LineRange& lines)
     this->IsHidden(face, { middle + 1, lines.Last });
 }
 
-/** Of what it has of up to eight lines, one by one: its depth and what stands there may slant alike. */
+/** Of what it has of up to eight lines: its depth and what stands there may slant alike. */
 bool HiddenFaces::AreLinesHidden(const FaceOnLines& face, const LineRange& lines)
+{
+  return this->Lines.BySample() ? this->AreSamplesHidden(face, lines)
+                                : this->AreSpansHidden(face, lines);
+}
+
+/** All lines at once. */
+bool HiddenFaces::AreSamplesHidden(const FaceOnLines& face, const LineRange& lines)
+{
+  const float inset = this->Lines.Samples().Inset();
+  FaceOnLines::ExtentLanes extents = face.Extents(lines.First, inset);
+  std::fill(extents.Right + (lines.Last + 1 - lines.First), std::end(extents.Right), BeforeColumns);
+  const HideableSegmentLanes pieces = face.Pieces(lines.First, inset);
+  float shown;
+  const unsigned open =
+    this->Lines.BySample()->FindOpen(lines.First, extents.Left, extents.Right, pieces, shown);
+  if (open == 0)
+  {
+    return true;
+  }
+  const int lane = LowestBit(open);
+  const float line = static_cast<float>(lines.First + lane);
+  const float depth = pieces.Depths[lane] + pieces.Slope * (shown - pieces.Column);
+  this->Shown = { shown, shown, line + inset, line + 1.0f - inset,
+    depth < pieces.Nearest ? depth : pieces.Nearest };
+  return false;
+}
+
+/** One by one. */
+bool HiddenFaces::AreSpansHidden(const FaceOnLines& face, const LineRange& lines)
 {
   const float inset = this->Lines.Samples().Inset();
   const FaceOnLines::ExtentLanes extents = face.Extents(lines.First, inset);

@@ -51,6 +51,8 @@ private:
   bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);
   bool IsHidden(const FaceOnLines& face, const LineRange& lines);
   bool AreLinesHidden(const FaceOnLines& face, const LineRange& lines);
+  bool AreSamplesHidden(const FaceOnLines& face, const LineRange& lines);
+  bool AreSpansHidden(const FaceOnLines& face, const LineRange& lines);
 
   const SBuffer& Lines;
   const ScreenProjection& View;

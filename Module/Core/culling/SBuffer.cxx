@@ -143,16 +143,23 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
 }
 
 /** The same where there are samples in place of spans. */
-VITRINE_INLINE void SBuffer::InsertAtSamples(int line, const Segment& segment)
+void SBuffer::InsertAtSamples(int line, const Segment& segment)
 {
   const float left = std::max(segment.Left, 0.0f);
   const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
   const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
-  if (left < right && std::isfinite(slope) &&
-    std::isfinite(std::max(segment.LeftDepth, segment.RightDepth)))
+  if (!(left < right) || !std::isfinite(slope) ||
+    !std::isfinite(std::max(segment.LeftDepth, segment.RightDepth)))
   {
-    this->Insert(line, left, right, segment.Face,
-      [&](Lanes column) { return segment.LeftDepth + slope * (column - segment.Left); });
+    return;
+  }
+  const SampleDepths::Range range = this->AtSamples->Between(left, right);
+  if (range.First <= range.Last)
+  {
+    ++this->Counted.Inserted;
+    this->Counted.Comparisons += static_cast<std::uint64_t>(range.Last + 1 - range.First);
+    this->AtSamples->Insert(this->Tiles, line, range, segment.Face,
+      [&](float column) { return segment.LeftDepth + slope * (column - segment.Left); });
   }
 }
 

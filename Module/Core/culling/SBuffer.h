@@ -64,6 +64,15 @@ struct HideableSegment
   }
 };
 
+/** The same on eight lines, whose depths differ. */
+struct HideableSegmentLanes
+{
+  float Depths[8]; ///< at Column
+  float Column;
+  float Slope;
+  float Nearest;
+};
+
 /** What is as near as a segment that is longer than nothing, and by a margin nearer. */
 inline HideableSegment Hideable(const Segment& segment, float margin = 0.0f)
 {
@@ -131,20 +140,24 @@ public:
   const SampleDepths* BySample() const { return this->AtSamples.get(); }
 
   /**
-   * Where it has those: keep what is nearer than what is there.
-   * @param left     columns of the screen, as `right`
-   * @param depthAt  depths at eight columns
+   * Where it has those, on a line and the seven above it: keep what is nearer than what is there.
+   * @param left     columns of the screen that each line is covered between; of those that are not, beyond all others, and `right` before them
+   * @param depthAt  the depths of all lines at a column
    */
   template <class DepthAt>
-  VITRINE_INLINE void Insert(
-    int line, float left, float right, std::uint32_t face, const DepthAt& depthAt)
+  VITRINE_INLINE void InsertLines(
+    int line, Lanes left, Lanes right, std::uint32_t face, const DepthAt& depthAt)
   {
-    const SampleDepths::Range range = this->AtSamples->Between(left, right);
+    const int lines = CountBits(BitsOf(left <= right));
+    const SampleDepths::Range range = lines > 0
+      ? this->AtSamples->Between(LeastLane(left), GreatestLane(right))
+      : SampleDepths::Range{ 0, -1 };
     if (range.First <= range.Last)
     {
-      ++this->Counted.Inserted;
-      this->Counted.Comparisons += static_cast<std::uint64_t>(
-        this->AtSamples->Insert(this->Tiles, line, range, face, depthAt));
+      this->Counted.Inserted += static_cast<std::uint64_t>(lines);
+      this->Counted.Comparisons +=
+        static_cast<std::uint64_t>(lines * (range.Last + 1 - range.First));
+      this->AtSamples->InsertLines(this->Tiles, line, range, left, right, face, depthAt);
     }
   }
 

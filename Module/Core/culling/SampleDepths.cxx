@@ -14,81 +14,33 @@ const unsigned AllBits = (1u << LaneCount) - 1u;
 
 SampleDepths::SampleDepths(int columns, int lines, const SampleGrid& grid)
   : CountPerColumn(grid.BinaryPixelsPerColumn())
+  , BitsPerColumn(CountPerColumn / 2)
   , PerColumn(static_cast<float>(CountPerColumn))
   , Width(1.0f / PerColumn)
   , CountPerTile(CountPerColumn * TileDepths::Width)
   , CountPerLine(CountPerColumn * columns)
   , ColumnCount(static_cast<float>(columns))
   , LineCount(static_cast<float>(lines))
-  , Stride(CountPerLine + CountPerTile + LaneCount)
-  , Depths(static_cast<std::size_t>(Stride) * static_cast<std::size_t>(lines))
-  , Faces(Depths.size())
+  , Stride(lines + LaneCount)
 {
   assert(Suit(grid));
-  for (int i = 0; i < this->Stride; ++i)
+  const int tiles = (columns + TileDepths::Width - 1) / TileDepths::Width;
+  for (int i = 0; i < tiles * this->CountPerTile; ++i)
   {
     this->Places.push_back(grid.Place(static_cast<float>(i)));
   }
+  this->Depths.resize(this->At(tiles * this->CountPerTile, 0), BeyondScreen);
+  this->Faces.resize(this->Depths.size());
   this->Clear();
 }
 
 void SampleDepths::Clear()
 {
-  for (auto line = this->Depths.begin(); line != this->Depths.end(); line += this->Stride)
+  for (int i = 0; i < this->CountPerLine; ++i)
   {
-    std::fill(line, line + this->CountPerLine, NotCovered);
-    std::fill(line + this->CountPerLine, line + this->Stride, BehindColumns);
+    const auto first = this->Depths.begin() + static_cast<std::ptrdiff_t>(this->At(i, 0));
+    std::fill(first, first + (this->Stride - LaneCount), NotCovered);
   }
-}
-
-/** Of up to eight samples on each line. */
-VITRINE_INLINE bool SampleDepths::RowsHide(
-  const Range& lines, const Range& range, float nearest) const
-{
-  const LaneMask isAsked = AreFirst(range.Last + 1 - range.First);
-  const float* depths = &this->Depths[this->At(lines.First)] + range.First;
-  for (int line = lines.First; line <= lines.Last; ++line, depths += this->Stride)
-  {
-    if (BitsOf(isAsked & ~(LoadLanes(depths) > AllLanes(nearest))) != 0)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/** By the least depths of tiles, those first of which all is asked. */
-VITRINE_INLINE bool SampleDepths::TilesHide(
-  const TileDepths& tiles, const Range& lines, const Range& range, float nearest) const
-{
-  const int firstTile = this->TileOf(range.First), lastTile = this->TileOf(range.Last);
-  const int firstWhole = firstTile + (range.First > firstTile * this->CountPerTile ? 1 : 0);
-  const int endOfWhole = lastTile + (range.Last + 1 < (lastTile + 1) * this->CountPerTile ? 0 : 1);
-  for (int line = lines.First; line <= lines.Last; line += LaneCount)
-  {
-    for (int tile = firstWhole; tile < endOfWhole; ++tile)
-    {
-      if (tiles.Open(line, lines.Last, tile, nearest) != 0)
-      {
-        return false;
-      }
-    }
-  }
-  const int endOfFirst = std::min(firstWhole * this->CountPerTile, range.Last + 1);
-  const int startOfLast = std::max(endOfWhole * this->CountPerTile, endOfFirst);
-  for (const Range& part :
-    { Range{ range.First, endOfFirst - 1 }, Range{ startOfLast, range.Last } })
-  {
-    for (int first = part.First; first <= part.Last; first += LaneCount)
-    {
-      const Range few{ first, std::min(first + LaneCount - 1, part.Last) };
-      if (!this->RowsHide(lines, few, nearest))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 VITRINE_FOR_EACH_PROCESSOR
@@ -102,58 +54,124 @@ bool SampleDepths::Hide(const TileDepths& tiles, const ScreenRectangle& rectangl
   {
     return left > right || bottom > top; // what is no number may be anywhere
   }
-  const Range samples = this->Between(left, right);
-  const Range rows = this->Between(bottom, top);
+  const Range samples = this->Between(left, right), rows = this->Between(bottom, top);
   if (samples.First > samples.Last || rows.First > rows.Last)
   {
     return true;
   }
   const Range lines{ this->LineOf(rows.First), this->LineOf(rows.Last) };
-  return samples.Last - samples.First < LaneCount
-    ? this->RowsHide(lines, samples, rectangle.Nearest)
-    : this->TilesHide(tiles, lines, samples, rectangle.Nearest);
+  if (samples.Last - samples.First < LaneCount)
+  {
+    return this->ColumnsHide(lines, samples.First, samples.Last + 1, rectangle.Nearest);
+  }
+  const int firstTile = this->TileOf(samples.First), lastTile = this->TileOf(samples.Last);
+  const int firstWhole = firstTile + (samples.First > firstTile * this->CountPerTile ? 1 : 0);
+  const int endOfWhole =
+    lastTile + (samples.Last + 1 < (lastTile + 1) * this->CountPerTile ? 0 : 1);
+  // Where all of a tile is asked its least depth says all; such tiles are looked at first.
+  for (int tile = firstWhole; tile < endOfWhole; ++tile)
+  {
+    for (int line = lines.First; line <= lines.Last; line += LaneCount)
+    {
+      if (tiles.Open(line, lines.Last, tile, rectangle.Nearest) != 0)
+      {
+        return false;
+      }
+    }
+  }
+  const int endOfFirst = std::min(firstWhole * this->CountPerTile, samples.Last + 1);
+  const int startOfLast = std::max(endOfWhole * this->CountPerTile, endOfFirst);
+  return this->ColumnsHide(lines, samples.First, endOfFirst, rectangle.Nearest) &&
+    this->ColumnsHide(lines, startOfLast, samples.Last + 1, rectangle.Nearest);
 }
 
-VITRINE_FOR_EACH_PROCESSOR
-bool SampleDepths::Hide(
-  int line, float left, float right, const HideableSegment& segment, float& shown) const
+/** Of samples from one up to before another on some lines. */
+VITRINE_INLINE bool SampleDepths::ColumnsHide(
+  const Range& lines, int first, int end, float nearest) const
 {
-  const Range range = this->Between(left, right);
-  const float* const depths = &this->Depths[this->At(line)];
-  for (int i = range.First; i <= range.Last; i += LaneCount)
+  for (int line = lines.First; line <= lines.Last; line += LaneCount)
   {
-    const Lanes place = LoadLanes(&this->Places[static_cast<std::size_t>(i)]);
-    const Lanes depth = LoadLanes(depths + i);
-    const Lanes own = segment.Depth + segment.Slope * (place - segment.Column);
-    const LaneMask isHidden = (depth > own) | (depth > AllLanes(segment.Nearest));
-    if (const unsigned open = BitsOf(AreFirst(range.Last + 1 - i) & ~isHidden))
+    const float* depths = &this->Depths[this->At(first, line)];
+    LaneMask isOpen{};
+    for (int i = first; i < end; ++i, depths += this->Stride)
     {
-      shown = this->Places[static_cast<std::size_t>(i + LowestBit(open))];
+      isOpen |= ~(LoadLanes(depths) > AllLanes(nearest));
+    }
+    if ((BitsOf(isOpen) & TileDepths::LowBits(lines.Last + 1 - line)) != 0)
+    {
       return false;
     }
   }
   return true;
 }
 
+bool SampleDepths::Hide(
+  int line, float left, float right, const HideableSegment& segment, float& shown) const
+{
+  const Range range = this->Between(left, right);
+  for (int i = range.First; i <= range.Last; ++i)
+  {
+    const float place = this->Places[static_cast<std::size_t>(i)];
+    const float depth = this->Depths[this->At(i, line)];
+    if (!(depth > segment.DepthAt(place) || depth > segment.Nearest))
+    {
+      shown = place;
+      return false;
+    }
+  }
+  return true;
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+unsigned SampleDepths::FindOpen(int line, const float* left, const float* right,
+  const HideableSegmentLanes& segments, float& shown) const
+{
+  const Lanes lefts = LoadLanes(left), rights = LoadLanes(right);
+  const LaneMask isAsked = lefts <= rights;
+  const float first = LeastLane(isAsked ? lefts : AllLanes(this->ColumnCount));
+  const float last = GreatestLane(isAsked ? rights : AllLanes(0.0f));
+  const Range range = this->Between(std::min(std::max(first, 0.0f), this->ColumnCount),
+    std::min(std::max(last, 0.0f), this->ColumnCount));
+  const Lanes nearest = AllLanes(segments.Nearest), start = LoadLanes(segments.Depths);
+  for (int i = range.First; i <= range.Last; ++i)
+  {
+    const float place = this->Places[static_cast<std::size_t>(i)];
+    const Lanes depth = LoadLanes(&this->Depths[this->At(i, line)]);
+    const Lanes own = start + segments.Slope * (place - segments.Column);
+    const LaneMask isOpen =
+      (lefts <= place) & (rights >= place) & ~((depth > own) | (depth > nearest));
+    if (const unsigned open = BitsOf(isOpen))
+    {
+      shown = place;
+      return open;
+    }
+  }
+  return 0;
+}
+
 float SampleDepths::DepthOfColumn(int line, int column) const
 {
-  const float* const first = &this->Depths[this->At(line)] + column * this->CountPerColumn;
-  return *std::min_element(first, first + this->CountPerColumn);
+  float least = BeyondScreen;
+  for (int i = column * this->CountPerColumn; i < (column + 1) * this->CountPerColumn; ++i)
+  {
+    least = std::min(least, this->Depths[this->At(i, line)]);
+  }
+  return least;
 }
 
 VITRINE_FOR_EACH_PROCESSOR
 void SampleDepths::AddColumnsOfFaces(std::vector<float>& columns) const
 {
-  const auto stride = static_cast<std::size_t>(this->Stride);
-  for (std::size_t line = 0; line < this->Depths.size(); line += stride)
+  const int lines = this->Stride - LaneCount;
+  for (int i = 0; i < this->CountPerLine; ++i)
   {
-    for (int i = 0; i < this->CountPerLine; i += LaneCount)
+    for (int line = 0; line < lines; line += LaneCount)
     {
-      const std::size_t first = line + static_cast<std::size_t>(i);
+      const std::size_t first = this->At(i, line);
       const std::uint32_t* const faces = &this->Faces[first];
       const LaneMask isSame = LoadMask(faces) == LaneMask{} + static_cast<std::int32_t>(faces[0]);
-      const unsigned covered = BitsOf(AreFirst(this->CountPerLine - i) &
-        (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
+      const unsigned covered =
+        BitsOf(AreFirst(lines - line) & (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
       if ((covered & BitsOf(isSame)) == AllBits) // or each would wait for the one before
       {
         columns[faces[0]] += LaneCount * this->Width;

@@ -15,11 +15,12 @@ namespace vitrine
 {
 
 struct HideableSegment;
+struct HideableSegmentLanes;
 struct ScreenRectangle;
 
 /**
- * What an s-buffer keeps where lines have few places with samples: the depth of what covers each of them, and whose it is. That is all that spans tell of them; it takes a step for eight
- * of them, where a list of spans takes one for each, and none can be foreseen.
+ * What an s-buffer keeps where lines have few places with samples: the depth of what covers each of them, and whose it is. That is all that spans tell of them; it takes a step for those of eight
+ * lines, where lists of spans take one for each, and none can be foreseen.
  */
 class SampleDepths
 {
@@ -55,33 +56,59 @@ public:
   }
 
   /**
-   * Keeps what is nearer than what covers samples.
+   * Keeps what is nearer than what covers samples of a line.
    * @param tiles    takes what changes of the tiles
-   * @param depthAt  depths at eight columns
-   * @returns        how many depths were compared
+   * @param depthAt  the depth at a column
    */
   template <class DepthAt>
-  VITRINE_INLINE int Insert(
+  void Insert(
     TileDepths& tiles, int line, const Range& range, std::uint32_t face, const DepthAt& depthAt)
   {
-    float* const depths = &this->Depths[this->At(line)];
-    std::uint32_t* const faces = &this->Faces[this->At(line)];
-    unsigned changed = 0;
-    for (int i = range.First; i <= range.Last; i += LaneCount)
+    bool hasChanged = false;
+    for (int i = range.First; i <= range.Last; ++i)
     {
-      const Lanes old = LoadLanes(depths + i);
-      const Lanes depth = depthAt(LoadLanes(&this->Places[static_cast<std::size_t>(i)]));
-      const LaneMask isNearer = AreFirst(range.Last + 1 - i) & (depth > old);
-      StoreLanes(isNearer ? depth : old, depths + i);
-      StoreMask(
-        isNearer ? LaneMask{} + static_cast<std::int32_t>(face) : LoadMask(faces + i), faces + i);
-      changed |= BitsOf(isNearer);
+      const std::size_t at = this->At(i, line);
+      const float depth = depthAt(this->Places[static_cast<std::size_t>(i)]);
+      if (depth > this->Depths[at])
+      {
+        this->Depths[at] = depth;
+        this->Faces[at] = face;
+        hasChanged = true;
+      }
     }
-    if (changed != 0)
+    if (hasChanged)
+    {
+      this->UpdateTilesOf(tiles, line, range);
+    }
+  }
+
+  /**
+   * The same of a line and the seven above it, some of which may not be on the screen.
+   * @param range    around all that is covered
+   * @param left     columns that each line is covered between
+   * @param depthAt  the depths of all lines at a column
+   */
+  template <class DepthAt>
+  VITRINE_INLINE void InsertLines(TileDepths& tiles, int line, const Range& range, Lanes left,
+    Lanes right, std::uint32_t face, const DepthAt& depthAt)
+  {
+    const LaneMask faces = LaneMask{} + static_cast<std::int32_t>(face);
+    LaneMask hasChanged{};
+    for (int i = range.First; i <= range.Last; ++i)
+    {
+      const float place = this->Places[static_cast<std::size_t>(i)];
+      float* const depths = &this->Depths[this->At(i, line)];
+      std::uint32_t* const owners = &this->Faces[this->At(i, line)];
+      const Lanes old = LoadLanes(depths), depth = depthAt(place);
+      const LaneMask isNearer = (left <= place) & (right >= place) & (depth > old);
+      StoreLanes(isNearer ? depth : old, depths);
+      StoreMask(isNearer ? faces : LoadMask(owners), owners);
+      hasChanged |= isNearer;
+    }
+    if (BitsOf(hasChanged) != 0)
     {
       this->UpdateTiles(tiles, line, range);
     }
-    return range.Last + 1 - range.First;
   }
 
   /** Whether all samples in a rectangle are covered by what is nearer. Beyond the screen nothing shows. */
@@ -89,6 +116,15 @@ public:
 
   /** The same of a segment between two columns, which are places with samples. */
   bool Hide(int line, float left, float right, const HideableSegment& segment, float& shown) const;
+
+  /**
+   * The same of a segment on a line and on each of the seven above it.
+   * @param left    columns, as `right`; of lines that have none, and of those that are not on the screen, left exceeds right
+   * @param shown   takes a column where one is not hidden
+   * @returns       a bit for each line that is not hidden there; 0 if all are
+   */
+  unsigned FindOpen(int line, const float* left, const float* right,
+    const HideableSegmentLanes& segments, float& shown) const;
 
   /** The least depth of a column's samples, or NotCovered. */
   float DepthOfColumn(int line, int column) const;
@@ -102,7 +138,7 @@ public:
   {
     for (int i = 0; i < this->CountPerLine; ++i)
     {
-      const std::size_t at = this->At(line) + static_cast<std::size_t>(i);
+      const std::size_t at = this->At(i, line);
       if (this->Depths[at] != NotCovered)
       {
         work(this->Places[static_cast<std::size_t>(i)], this->Depths[at], this->Faces[at]);
@@ -112,60 +148,72 @@ public:
 
 private:
   static constexpr int MostPerColumn = 4;
-  static constexpr float BehindColumns = 3e38f; // nothing shows there
+  static constexpr float BeyondScreen = 3e38f; // nothing shows there
 
   static VITRINE_INLINE LaneMask AreFirst(int count)
   {
     return LaneMask{ 0, 1, 2, 3, 4, 5, 6, 7 } < LaneMask{} + count;
   }
 
-  std::size_t At(int line) const
+  /** Of a sample of a line. */
+  std::size_t At(int i, int line) const
   {
-    return static_cast<std::size_t>(line) * static_cast<std::size_t>(this->Stride);
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(this->Stride) +
+      static_cast<std::size_t>(line);
   }
 
-  /** Of a sample. */
-  int TileOf(int i) const
-  {
-    return static_cast<int>(this->Places[static_cast<std::size_t>(i)]) / TileDepths::Width;
-  }
+  /** Of a row of samples. */
+  int LineOf(int row) const { return row >> this->BitsPerColumn; }
 
-  VITRINE_INLINE void UpdateTiles(TileDepths& tiles, int line, const Range& range) const
+  /** Of a sample of a line. */
+  int TileOf(int i) const { return (i >> this->BitsPerColumn) / TileDepths::Width; }
+
+  /** On a line. */
+  void UpdateTilesOf(TileDepths& tiles, int line, const Range& range) const
   {
-    const int last = this->TileOf(range.Last);
-    for (int tile = this->TileOf(range.First); tile <= last; ++tile)
+    for (int tile = this->TileOf(range.First); tile <= this->TileOf(range.Last); ++tile)
     {
-      const float* const depths = &this->Depths[this->At(line)] + tile * this->CountPerTile;
-      float least = BehindColumns;
-      for (int i = 0; i < this->CountPerTile; i += TileDepths::Width)
+      float least = BeyondScreen;
+      for (int i = tile * this->CountPerTile; i < (tile + 1) * this->CountPerTile; ++i)
       {
-        least = std::min(least,
-          std::min(std::min(depths[i], depths[i + 1]), std::min(depths[i + 2], depths[i + 3])));
+        least = std::min(least, this->Depths[this->At(i, line)]);
       }
       tiles[tiles.At(line, tile)] = least;
     }
   }
 
-  /** Of a row of samples. */
-  int LineOf(int row) const
+  /** On a line and the seven above it. */
+  VITRINE_INLINE void UpdateTiles(TileDepths& tiles, int line, const Range& range) const
   {
-    return static_cast<int>((static_cast<float>(row) + 0.5f) * this->Width);
+    const int last = this->TileOf(range.Last);
+    for (int tile = this->TileOf(range.First); tile <= last; ++tile)
+    {
+      const float* depths = &this->Depths[this->At(tile * this->CountPerTile, line)];
+      Lanes least = LoadLanes(depths);
+      for (int i = 1; i < this->CountPerTile; ++i)
+      {
+        depths += this->Stride;
+        least = LeastOf(least, LoadLanes(depths));
+      }
+      StoreLanes(least, &tiles[tiles.At(line, tile)]);
+    }
   }
 
-  bool RowsHide(const Range& lines, const Range& range, float nearest) const;
-  bool TilesHide(
-    const TileDepths& tiles, const Range& lines, const Range& range, float nearest) const;
+  bool ColumnsHide(const Range& lines, int first, int end, float nearest) const;
 
   int CountPerColumn;
-  float PerColumn; ///< the same
-  float Width;     ///< of a sample, in columns
+  int BitsPerColumn; ///< 0, 1 or 2, for 1, 2 or 4
+  float PerColumn;   ///< as many
+  float Width;       ///< of a sample, in columns
   int CountPerTile;
   int CountPerLine;
   float ColumnCount;
   float LineCount;
-  int Stride; ///< from line to line: its samples, and some more behind the last column
+  int
+    Stride; ///< from a sample to the one on its right: lines, and some more that are not on the screen
   std::vector<float> Places; ///< of the samples of a line: columns
-  std::vector<float> Depths; ///< line after line
+  std::vector<float>
+    Depths; ///< those that stand one above the other lie side by side, so that eight lines are looked at together
   std::vector<std::uint32_t> Faces;
 };
 
