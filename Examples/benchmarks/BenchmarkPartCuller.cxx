@@ -19,7 +19,6 @@ using namespace vitrine;
 
 constexpr int Columns = 480;
 constexpr int Lines = 270;
-constexpr int PixelsPerLine = 1; // a screen of 1920x1080
 
 // From -1 to 1 along each axis.
 struct Cube
@@ -121,29 +120,36 @@ private:
   std::vector<Place> Places;
 };
 
-ScreenProjection TheView(double turned = 0.0)
+ScreenProjection TheView(int pixelsPerLine, double turned)
 {
   const glm::dmat4 toClip =
     glm::perspective(glm::radians(40.0), 16.0 / 9.0, 0.5, 6.0) * FromEye(turned);
-  const float snapping = 1.0f / 64 / PixelsPerLine;
+  const float snapping = 1.0f / 64 / static_cast<float>(pixelsPerLine);
   return ScreenProjection(
     toClip, Columns, Lines, glm::dvec3(1.1), { snapping, snapping, 0x1p-21f });
 }
 
-/** Seen from an eye that goes around them by so many degrees a frame. */
-void CullBoxes(benchmark::State& state, bool hasWall, double degrees = 0.0)
+/** What is drawn, and by how many degrees a frame the eye goes around it. */
+struct Course
 {
-  BoxScene scene(static_cast<std::uint32_t>(state.range(0)), hasWall);
+  int PixelsPerLine = 1; ///< of a screen of 480x270; 4 of one of 1920x1080
+  bool HasWall = false;
+  double Degrees = 0.0;
+};
+
+void CullBoxes(benchmark::State& state, const Course& course)
+{
+  BoxScene scene(static_cast<std::uint32_t>(state.range(0)), course.HasWall);
   const std::size_t count = scene.Bounds.size();
   const LooseOctree tree(scene.Bounds);
   double turned = 0.0;
-  PartCuller culler(Columns, Lines, SampleGrid::AtCentres(PixelsPerLine));
+  PartCuller culler(Columns, Lines, SampleGrid::AtCentres(course.PixelsPerLine));
   std::vector<std::uint8_t> visible;
   for (auto _ : state)
   {
     visible.assign(count, 1);
-    culler.Cull(tree, scene, TheView(turned), true, visible);
-    turned += glm::radians(degrees);
+    culler.Cull(tree, scene, TheView(course.PixelsPerLine, turned), true, visible);
+    turned += glm::radians(course.Degrees);
   }
   const auto shown = std::accumulate(visible.begin(), visible.end(), std::size_t{ 0 });
   state.counters["culled_share"] = // of the last frame
@@ -151,11 +157,16 @@ void CullBoxes(benchmark::State& state, bool hasWall, double degrees = 0.0)
   state.counters["tested"] = culler.Counts().Tested;
   state.counters["inserted"] = culler.Counts().Inserted;
 }
-BENCHMARK_CAPTURE(CullBoxes, seen_from_outside, false)->Arg(100000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(CullBoxes, seen_while_turning, false, 0.2)
+BENCHMARK_CAPTURE(CullBoxes, seen_from_outside, Course{})
   ->Arg(100000)
   ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(CullBoxes, behind_a_wall, true)
+BENCHMARK_CAPTURE(CullBoxes, seen_while_turning, Course{ 1, false, 0.2 })
+  ->Arg(100000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CullBoxes, seen_at_1920x1080, Course{ 4 })
+  ->Arg(100000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CullBoxes, behind_a_wall, Course{ 1, true })
   ->RangeMultiplier(10)
   ->Range(10000, 1000000)
   ->Unit(benchmark::kMillisecond);
