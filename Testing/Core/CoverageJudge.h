@@ -59,7 +59,7 @@ public:
   {
   }
 
-  /** What is wrong with the spans of a buffer, or nothing. */
+  /** What is wrong with the spans of a buffer, or nothing; those without length stand at one place. */
   std::string WhatIsWrong(
     const vitrine::SBuffer& buffer, std::mt19937& random, int scansPerLine) const
   {
@@ -166,6 +166,10 @@ private:
   static std::string WhatIsWrong(const vitrine::Span& span, const std::vector<Stretch>& all)
   {
     const double left = span.Left, right = span.Right;
+    if (left == right)
+    {
+      return WhatIsWrongAt(span, all, left, Hairline);
+    }
     std::vector<Stretch> stretches;
     std::vector<double> ends{ left, right };
     for (const Stretch& stretch : all)
@@ -199,24 +203,37 @@ private:
     const double inset = 0.25 * Hairline;
     for (const double x : { left + inset, 0.5 * left + 0.5 * right, right - inset })
     {
-      double nearest = -1e300;
-      for (const Stretch& stretch : stretches)
+      const std::string wrong = WhatIsWrongAt(span, stretches, x, 0.0);
+      if (!wrong.empty())
       {
-        if (stretch.Left <= x && x <= stretch.Right)
-        {
-          nearest = std::max(nearest, stretch.DepthAt(x));
-        }
+        return wrong;
       }
-      const double said = double{ span.Depth } + double{ span.Slope } * (x - double{ span.Left });
-      if (nearest == -1e300)
+    }
+    return {};
+  }
+
+  /** At one place. What ends so near to it still covers it. */
+  static std::string WhatIsWrongAt(
+    const vitrine::Span& span, const std::vector<Stretch>& stretches, double x, double beside)
+  {
+    double nearest = -1e300;
+    for (const Stretch& stretch : stretches)
+    {
+      if (stretch.Left - beside <= x && x <= stretch.Right + beside)
       {
-        return "nothing covers column " + std::to_string(x);
+        nearest =
+          std::max(nearest, stretch.DepthAt(std::min(std::max(x, stretch.Left), stretch.Right)));
       }
-      if (!(nearest >= said - DepthRounding))
-      {
-        return "at column " + std::to_string(x) + " the nearest is at " + std::to_string(nearest) +
-          ", not at " + std::to_string(said);
-      }
+    }
+    const double said = double{ span.Depth } + double{ span.Slope } * (x - double{ span.Left });
+    if (nearest == -1e300)
+    {
+      return "nothing covers column " + std::to_string(x);
+    }
+    if (!(nearest >= said - DepthRounding))
+    {
+      return "at column " + std::to_string(x) + " the nearest is at " + std::to_string(nearest) +
+        ", not at " + std::to_string(said);
     }
     return {};
   }

@@ -1,8 +1,7 @@
 // Whatever the mesh and the view: what an s-buffer says is covered is covered, and nowhere farther than it says.
 
+#include "CoverageSubjects.h"
 #include "CoverageWays.h"
-#include "DeviceFaces.h"
-#include "OccluderScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,27 +13,22 @@ namespace
 {
 
 using coverage::CoverageJudge;
-using coverage::DeviceFaces;
+using coverage::DrawnBy;
+using coverage::ExactlyDrawn;
+using coverage::FacesAsTheyStand;
 using coverage::Facing;
 using coverage::Inserter;
 using coverage::MostTestSpans;
+using coverage::PlaceOfPoint;
 using coverage::Random;
 using coverage::ScreenFace;
+using coverage::Subject;
 using coverage::Triangles;
 using coverage::View;
 using coverage::Way;
 using vitrine::MeshProjection;
 using vitrine::OccluderMesh;
 using vitrine::SBuffer;
-using vitrine::ScreenMargin;
-
-/** A mesh somewhere, and a view of it. */
-struct Subject
-{
-  OccluderMesh Mesh;
-  coverage::View Seen;
-  double Reach;
-};
 
 Subject RandomSubject(Random& random)
 {
@@ -43,67 +37,7 @@ Subject RandomSubject(Random& random)
   {
     coverage::Damage(triangles, random);
   }
-  const double size = std::pow(10.0, random.OneIn(3) ? random.Between(-2.0, 1.5) : 0.0);
-  const double offset = random.OneIn(4) ? 1000.0 : 0.0;
-  const glm::dvec3 middle = offset * random.Point(-1, 1);
-  const glm::dmat4 turn = glm::rotate(
-    glm::dmat4(1.0), random.Between(0, 6), random.Point(-1, 1) + glm::dvec3(0, 0, 1.01));
-  double reach = 0.0;
-  for (glm::dvec3& point : triangles.Points)
-  {
-    point = middle + size * glm::dvec3(turn * glm::dvec4(point, 1.0));
-    reach = std::max({ reach, std::abs(point.x), std::abs(point.y), std::abs(point.z) });
-  }
-  return { triangles.Mesh(), coverage::RandomView(middle, random), reach };
-}
-
-/** Where a device may have the points of a mesh behind the near plane: each moved by up to the margin, many by all of it. */
-std::vector<glm::dvec3> Moved(const MeshProjection& projection, Random& random)
-{
-  const ScreenMargin& margin = projection.Margin();
-  const bool isFar = random.OneIn(2);
-  const auto moved = [&](double place, double most)
-  {
-    const double share = random.Between(-1.0, 1.0);
-    return place + most * (isFar ? (share < 0.0 ? -1.0 : 1.0) : share);
-  };
-  std::vector<glm::dvec3> points;
-  for (std::uint32_t i = 0; i < projection.Mesh().PointCount(); ++i)
-  {
-    const vitrine::ScreenPoint point = projection.Point(i);
-    const double column = moved(point.Column, margin.Column);
-    const double line = moved(point.Line, margin.Line);
-    points.emplace_back(column, line, moved(point.Depth, margin.Depth));
-  }
-  return points;
-}
-
-glm::dvec3 PlaceOfPoint(const OccluderMesh& mesh, std::uint32_t i)
-{
-  return mesh.Origin() +
-    glm::dvec3(mesh.Coordinates(0)[i], mesh.Coordinates(1)[i], mesh.Coordinates(2)[i]);
-}
-
-/** What a device may draw. */
-std::vector<ScreenFace> DrawnBy(
-  const MeshProjection& projection, const View& view, double reach, Facing facing, Random& random)
-{
-  const OccluderMesh& mesh = projection.Mesh();
-  if (!projection.IsBehindNear())
-  {
-    return DeviceFaces(mesh, view.Projection(reach).Of(glm::dmat4(1.0)), true, random.Generator)
-      .Facing(facing);
-  }
-  const std::vector<glm::dvec3> places = Moved(projection, random);
-  return coverage::DrawnFaces(mesh, view, facing, [&](std::uint32_t i) { return places[i]; });
-}
-
-/** What is drawn without any rounding. */
-std::vector<ScreenFace> ExactlyDrawn(const Subject& subject, Facing facing, Random& random)
-{
-  return DeviceFaces(subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0)),
-    false, random.Generator)
-    .Facing(facing);
+  return coverage::SubjectOf(triangles, random);
 }
 
 struct Tally
@@ -152,22 +86,6 @@ double FrontArea(const Subject& subject)
 
 /** Of meshes whose points are columns, lines and depths themselves. */
 const vitrine::ScreenMatrix PlainScreen{ glm::dmat4(1.0), glm::vec4(0.0f), {}, { 40, 20 } };
-
-std::vector<ScreenFace> FacesAsTheyStand(const MeshProjection& projection)
-{
-  std::vector<ScreenFace> faces;
-  for (const OccluderMesh::Face& face : projection.Mesh().Faces())
-  {
-    ScreenFace onScreen;
-    for (int i = 0; i < 3; ++i)
-    {
-      const vitrine::ScreenPoint point = projection.Point(face[i]);
-      onScreen[i] = { point.Column, point.Line, point.Depth };
-    }
-    faces.push_back(onScreen);
-  }
-  return faces;
-}
 
 }
 

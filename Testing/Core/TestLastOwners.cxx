@@ -75,6 +75,37 @@ TEST(LastOwners, AreThoseThatHaveMuchAtTheEnd)
   EXPECT_TRUE(owners.Owners().empty()) << "nothing was inserted in this frame";
 }
 
+// A span may lie between samples.
+TEST(LastOwners, ShowSurelyWhereTheyHaveSamples)
+{
+  const ScreenRectangle anywhere{ 0, 40, 0, 20, 0.9f };
+  for (const bool isBySample : { false, true })
+  {
+    SCOPED_TRACE(isBySample);
+    const vitrine::SampleGrid samples = vitrine::SampleGrid::AtCentres(1);
+    SBuffer lines =
+      isBySample ? SBuffer::WithFewSamples(40, 20, samples) : SBuffer(40, 20, samples);
+    LastOwners owners;
+    owners.Begin(3);
+    for (const std::uint32_t part : { 0u, 1u, 2u })
+    {
+      owners.AddInserted(part, anywhere);
+    }
+    lines.Insert(3, { 5, 8, 0.3f, 0.3f, 0 });
+    lines.Insert(3, { 4, 9, 0.5f, 0.5f, 1 });
+    lines.Insert(4, { 4, 5, 0.5f, 0.5f, 2 });
+    owners.End(lines);
+    EXPECT_FALSE(owners.Shows(0)) << "it stands behind";
+    EXPECT_EQ(owners.Shows(1), isBySample);
+    EXPECT_EQ(owners.Shows(2), isBySample) << "one sample is enough";
+    owners.Begin(3);
+    EXPECT_FALSE(owners.Shows(1)) << "in this frame it has none yet";
+    lines.Clear();
+    owners.End(lines);
+    EXPECT_FALSE(owners.Shows(1));
+  }
+}
+
 TEST(LastOwners, AreNearWhereTheyHaveHardlyMoved)
 {
   const LastOwners::Owner owner{ 0, { 100, 140, 50, 60, 0.5f } };

@@ -207,3 +207,116 @@ TEST(LooseOctree, WhatIsLongStandsApartBeforeTheRest)
   EXPECT_EQ(root.Counts[1], 500u);
   EXPECT_FALSE(without.Node(0).IsLong(0));
 }
+
+TEST(LooseOctree, FewInOneCellStandInAsFewLeavesAsHaveRoom)
+{
+  for (const Kinds kind : { Kinds::Small, Kinds::Points })
+  {
+    for (std::size_t count = 10; count <= 64; ++count)
+    {
+      SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << " " << count);
+      const std::vector<Box> boxes = RandomBoxes(kind, count, static_cast<unsigned>(count));
+      const LooseOctree tree(boxes);
+      Check(tree, boxes);
+      EXPECT_EQ(NodesOf(tree), 1u + (count + 7) / 8);
+      std::vector<std::uint32_t> counts;
+      for (int lane = 0; lane < LaneCount; ++lane)
+      {
+        if (tree.Node(0).Has(lane))
+        {
+          counts.push_back(tree.Node(0).Counts[lane]);
+        }
+      }
+      EXPECT_EQ(counts.size(), (count + 7) / 8);
+      const auto ends = std::minmax_element(counts.begin(), counts.end());
+      EXPECT_LE(*ends.second, 8u);
+      EXPECT_LE(*ends.second, *ends.first + 1) << "each has as many";
+    }
+  }
+}
+
+TEST(LooseOctree, LeavesHoldNeighbours)
+{
+  // Eight heaps of eight in a row.
+  std::mt19937 random(5);
+  std::vector<Box> boxes;
+  for (int i = 0; i < 64; ++i)
+  {
+    const glm::vec3 heap(0.0f, 10.0f * static_cast<float>(i * 29 % 8), 0.0f);
+    boxes.push_back(octree_scenes::BoxAt(
+      heap + octree_scenes::RandomPoint(random, 0.0f, 1.0f), { 0.1f, 0.1f, 0.1f }));
+  }
+  const LooseOctree tree(boxes);
+  Check(tree, boxes);
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    ASSERT_TRUE(tree.Node(0).Has(lane));
+    const Box bounds = tree.Node(0).Boxes.At(lane);
+    EXPECT_LT(bounds.Max.y - bounds.Min.y, 2.0f);
+  }
+}
+
+TEST(LooseOctree, OneMoreThanALeafHoldsIsCutIntoOctants)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const std::vector<Box> boxes = RandomBoxes(Kinds::Small, 9, seed);
+    const LooseOctree tree(boxes);
+    Check(tree, boxes);
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      if (tree.Node(0).Has(lane))
+      {
+        Box centres, all;
+        for (const Box& box : boxes)
+        {
+          const glm::vec3 centre = 0.5f * box.Min + 0.5f * box.Max;
+          centres.Add({ centre, centre });
+        }
+        const glm::vec3 middle = 0.5f * centres.Min + 0.5f * centres.Max;
+        const Box there = tree.Node(0).Boxes.At(lane);
+        for (const Box& box : boxes)
+        {
+          const glm::vec3 centre = 0.5f * box.Min + 0.5f * box.Max;
+          const int octant = (centre.x >= middle.x ? 1 : 0) | (centre.y >= middle.y ? 2 : 0) |
+            (centre.z >= middle.z ? 4 : 0);
+          if (octant == lane)
+          {
+            all.Add(box);
+          }
+        }
+        EXPECT_EQ(there, all);
+      }
+    }
+  }
+}
+
+TEST(LooseOctree, FewInOneCellAreFoundWhereverTheyMove)
+{
+  for (const std::size_t count : { 10u, 33u, 64u })
+  {
+    for (unsigned seed = 1; seed <= 8; ++seed)
+    {
+      SCOPED_TRACE(testing::Message() << count << " " << seed);
+      std::mt19937 random(seed);
+      std::vector<Box> boxes = RandomBoxes(Kinds::Small, count, seed);
+      LooseOctree tree(boxes);
+      for (int i = 0; i < 300; ++i)
+      {
+        const auto item = static_cast<std::uint32_t>(random() % count);
+        const glm::vec3 size = boxes[item].Max - boxes[item].Min;
+        const glm::vec3 place = random() % 4 == 0
+          ? octree_scenes::RandomPoint(random, -3.0f, 3.0f)
+          : boxes[item].Min + octree_scenes::RandomPoint(random, -0.2f, 0.2f);
+        boxes[item] = octree_scenes::BoxAt(place, size);
+        tree.Put(item, boxes[item]);
+        if (i % 10 == 0)
+        {
+          Check(tree, boxes);
+        }
+      }
+      Check(tree, boxes);
+    }
+  }
+}

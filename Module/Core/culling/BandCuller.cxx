@@ -1,6 +1,7 @@
 #include "Core/culling/BandCuller.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace vitrine
 {
@@ -178,10 +179,10 @@ private:
     float depths[LaneCount] = {};
     for (int i = 0; i < count; ++i)
     {
+      assert(entries[i].Depth == entries[i].Depth); // what has no place on the screen is near
       depths[i] = entries[i].Depth;
     }
-    const LaneMask isEntry = LaneMask{ 0, 1, 2, 3, 4, 5, 6, 7 } < LaneMask{} + count;
-    const Lanes all = isEntry ? LoadLanes(depths) : AllLanes(-Nowhere);
+    const Lanes all = FirstLanes(count) ? LoadLanes(depths) : AllLanes(-Nowhere);
     for (int i = 0; i < count; ++i)
     {
       const unsigned before =

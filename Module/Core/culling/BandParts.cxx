@@ -218,9 +218,8 @@ void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 
 void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 {
-  if (this->HasFewFacets(occluder))
+  if (this->HasFewFacets(occluder) && this->InsertFewFacets(part, occluder))
   {
-    this->InsertFewFacets(part, occluder);
     return;
   }
   const bool isSimple = this->IsSimple(occluder);
@@ -242,17 +241,25 @@ bool BandParts::HasFewFacets(const Occluder& occluder) const
     this->Tools.Lines.BySample();
 }
 
-void BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
+/** Returns false if they do not tell what is covered. */
+bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
 {
   for (const MeshProjection::Facing facing :
     { MeshProjection::Facing::Front, MeshProjection::Facing::Back })
   {
-    if (facing == MeshProjection::Facing::Front || this->HasBackFaces(occluder))
+    if (facing == MeshProjection::Facing::Back && !this->HasBackFaces(occluder))
     {
-      this->Tools.Budget.Spend(FewFacetsCoverage::Insert(
-        this->Tools.Lines, *occluder.Mesh->Few(), this->Tools.Projected, facing, part));
+      continue;
     }
+    const std::optional<std::size_t> pieces = FewFacetsCoverage::Insert(
+      this->Tools.Lines, *occluder.Mesh->Few(), this->Tools.Projected, facing, part);
+    if (!pieces)
+    {
+      return false;
+    }
+    this->Tools.Budget.Spend(*pieces);
   }
+  return true;
 }
 
 void BandParts::InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple)

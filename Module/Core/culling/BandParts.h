@@ -100,7 +100,7 @@ private:
   void Insert(std::uint32_t part, const Occluder& occluder);
   void InsertSides(std::uint32_t part, const Occluder& occluder);
   bool HasFewFacets(const Occluder& occluder) const;
-  void InsertFewFacets(std::uint32_t part, const Occluder& occluder);
+  bool InsertFewFacets(std::uint32_t part, const Occluder& occluder);
   void InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple);
   bool IsSimple(const Occluder& occluder) const;
 

@@ -72,6 +72,22 @@ std::uint32_t LastCorner(
   return last == end ? face[0] : *last;
 }
 
+/** Of a facet of two faces the other one: the last corner, and the side of the largest face that it lies beyond. */
+MeshFace OtherFace(const MeshFace& face, std::uint32_t last, const std::vector<glm::vec3>& points)
+{
+  const glm::vec3 outwards = OutwardsOf(face, points);
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::uint32_t from = face[i], to = face[(i + 1) % 3];
+    const MeshFace beyond{ to, from, last };
+    if (last != from && last != to && glm::dot(OutwardsOf(beyond, points), outwards) > 0.0f)
+    {
+      return beyond;
+    }
+  }
+  return face;
+}
+
 std::int32_t BitOf(std::uint32_t facet, std::size_t count)
 {
   return facet < count ? std::int32_t{ 1 } << facet : 0;
@@ -93,6 +109,11 @@ std::unique_ptr<const FewFacets> FewFacets::Of(
     const std::uint32_t* const end = facets.Corners().data() + facets.CornerEnds()[i];
     const std::uint32_t all[CornerCount] = { face[0], face[1], face[2],
       LastCorner(face, corners, end) };
+    const MeshFace other = OtherFace(face, all[CornerCount - 1], points);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      few->Others[corner][i] = static_cast<std::int32_t>(other[corner]);
+    }
     for (int corner = 0; corner < CornerCount; ++corner)
     {
       few->Corners[corner][i] = static_cast<std::int32_t>(all[corner]);

@@ -27,6 +27,9 @@ struct FewFacets
   /** Points of each facet: those of its largest face, and one more, which may be one of those. Behind the last facet there are some without extent. */
   std::int32_t Corners[CornerCount][LaneCount] = {};
 
+  /** Points of each facet's other face, if it has one; else of the largest again. */
+  std::int32_t Others[3][LaneCount] = {};
+
   /** Of each edge the points, as the facet on its left goes around, and what lies on both sides: the bits of facets. Behind the last one are some that have none. */
   std::int32_t From[MostEdges] = {};
   std::int32_t To[MostEdges] = {};

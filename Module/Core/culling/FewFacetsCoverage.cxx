@@ -13,7 +13,10 @@ namespace
 {
 
 const float Nowhere = 3e38f;
-const float BeforeAll = 2.0f;     // above all depths
+const float BeforeAll = 2.0f; // above all depths
+// Columns and lines: where a shorter edge leads is rounding.
+const float ShortestEdge = 0x1p-10f;
+
 const float LeastRise = 0x1p-20f; // of an edge that is not level, in lines
 
 /** Lines, and columns of the screen, that a mesh may cover; what is looked at counts from the first ones. */
@@ -79,31 +82,35 @@ public:
     const ScreenMargin& margin = projection.Margin();
     const ScreenMargin& snapping = projection.Snapping();
     const ScreenMargin off = OffOf(margin, snapping);
-    const FaceSides<Lanes> columns{ b.X - a.X, c.X - a.X, off.Column };
-    const FaceSides<Lanes> lines{ b.Y - a.Y, c.Y - a.Y, off.Line };
-    const FaceSides<Lanes> depths{ b.Depth - a.Depth, c.Depth - a.Depth, off.Depth };
-    const Lanes turn = columns.First * lines.Second - columns.Second * lines.First;
+    const Lanes turn = (b.X - a.X) * (c.Y - a.Y) - (c.X - a.X) * (b.Y - a.Y);
     const bool isFront = facing == MeshProjection::Facing::Front;
     this->Counted = BitsOf(isFront ? turn > 0.0f : turn < 0.0f);
 
-    const FaceSlopes<Lanes> slopes(columns, lines, depths, snapping);
+    const FaceSlopes<Lanes> slopes = SlopesOf(a, b, c, off, snapping);
+    const FaceSlopes<Lanes> others = SlopesOf(PointLanes(points, facets.Others[0]),
+      PointLanes(points, facets.Others[1]), PointLanes(points, facets.Others[2]), off, snapping);
+    const Lanes unsteady = GreatestOf(slopes.Unsteady, others.Unsteady);
+    const Lanes beyond = GreatestOf(slopes.Beyond, others.Beyond);
+    const Lanes steepX = GreatestOf(SizeOf(slopes.ByColumn.Value), SizeOf(others.ByColumn.Value));
+    const Lanes steepY = GreatestOf(SizeOf(slopes.ByLine.Value), SizeOf(others.ByLine.Value));
     const Lanes byX = slopes.ByColumn.Value, byY = slopes.ByLine.Value;
-    const Lanes farX = SizeOf(a.X) + frame.Width(), farY = SizeOf(a.Y) + frame.Height();
+    const Lanes farX = SizeOf(a.X) + GreatestOf(SizeOf(d.X), AllLanes(frame.Width()));
+    const Lanes farY = SizeOf(a.Y) + GreatestOf(SizeOf(d.Y), AllLanes(frame.Height()));
     const Lanes base = a.Depth - a.X * byX - a.Y * byY;
     const Lanes bent = LeastOf(d.Depth - (base + d.X * byX + d.Y * byY), AllLanes(0.0f));
     const Lanes own = slopes.ByColumn.Own * farX + slopes.ByLine.Own * farY +
       RoundingOfFloats * (SizeOf(base) + SizeOf(a.Depth) + SizeOf(byX) * farX + SizeOf(byY) * farY);
-    const Lanes slack = margin.Depth + SizeOf(byX) * margin.Column +
-      SizeOf(byY) * (margin.Line + frame.HalfLine()) + slopes.Unsteady + own;
+    const Lanes slack = margin.Depth + steepX * margin.Column +
+      steepY * (margin.Line + frame.HalfLine()) + unsteady + own;
     const Lanes start = base + bent - slack;
-    const LaneMask isSteady = (slopes.Unsteady + own < MostUnsteady) &
-      (start + byX + byY - (start + byX + byY) == AllLanes(0.0f));
+    const LaneMask isSteady =
+      (unsteady + own < MostUnsteady) & (start + byX + byY - (start + byX + byY) == AllLanes(0.0f));
     StoreLanes(start, this->Start);
     StoreLanes(byX, this->ByX);
     StoreLanes(byY, this->ByY);
     this->Steady = this->Counted & BitsOf(isSteady);
     const Lanes farthest =
-      LeastOf(LeastOf(a.Depth, b.Depth), LeastOf(c.Depth, d.Depth)) - margin.Depth - slopes.Beyond;
+      LeastOf(LeastOf(a.Depth, b.Depth), LeastOf(c.Depth, d.Depth)) - margin.Depth - beyond;
     this->Farthest = LeastLane(LaneBits(this->Counted) ? farthest : AllLanes(BeforeAll));
     if (this->Steady != this->Counted)
     {
@@ -146,6 +153,15 @@ public:
   }
 
 private:
+  VITRINE_INLINE static FaceSlopes<Lanes> SlopesOf(const PointLanes& a, const PointLanes& b,
+    const PointLanes& c, const ScreenMargin& off, const ScreenMargin& snapping)
+  {
+    const FaceSides<Lanes> columns{ b.X - a.X, c.X - a.X, off.Column };
+    const FaceSides<Lanes> lines{ b.Y - a.Y, c.Y - a.Y, off.Line };
+    const FaceSides<Lanes> depths{ b.Depth - a.Depth, c.Depth - a.Depth, off.Depth };
+    return FaceSlopes<Lanes>(columns, lines, depths, snapping);
+  }
+
   // Of depth. Of what is known less well only the farthest corner counts.
   static constexpr float MostUnsteady = 0x1p-12f;
 
@@ -208,10 +224,14 @@ public:
       StoreLanes(isKnown ? column : AllLanes(Nowhere), this->Column + first);
       StoreLanes(isKnown ? slope : AllLanes(0.0f), this->Slope + first);
       const LaneMask isOutline = isLeft ^ isRight, isAtLeft = (across > 0.0f) | ~isKnown;
+      this->TooShort |= BitsOf(isOutline & (SizeOf(rise) + SizeOf(along) < ShortestEdge));
       this->AtLeft |= BitsOf(isOutline & isAtLeft) << first;
       this->AtRight |= BitsOf(isOutline & ~isAtLeft) << first;
     }
   }
+
+  /** Whether it tells what is covered: there is an outline, and where each of its edges leads is known. */
+  bool AreClear() const { return this->AtLeft != 0 && this->AtRight != 0 && this->TooShort == 0; }
 
   /** Columns between which eight lines are covered. */
   VITRINE_INLINE void Between(Lanes y, Lanes& left, Lanes& right) const
@@ -234,11 +254,12 @@ private:
   float Column[FewFacets::MostEdges]; ///< on the first line
   float Slope[FewFacets::MostEdges];  ///< columns a line
   unsigned AtLeft = 0, AtRight = 0;   ///< a bit for each edge
+  unsigned TooShort = 0;              ///< not 0 if any is
 };
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-std::size_t FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
+std::optional<std::size_t> FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
   const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part)
 {
   const Frame frame(buffer, projection.Rectangle());
@@ -253,8 +274,19 @@ std::size_t FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
     return 1;
   }
   const OutlineSides sides(facets, planes.Bits(), points, projection, facing, frame);
+  if (!sides.AreClear())
+  {
+    return std::nullopt;
+  }
   for (int first = frame.Lines.First; first <= frame.Lines.Last; first += LaneCount)
   {
+    const bool isCovered = frame.Lines.Last - frame.Lines.First >= LaneCount &&
+      buffer.OpenLines(
+        first, frame.Lines.Last, frame.Left, frame.Right, projection.Rectangle().Nearest) == 0;
+    if (isCovered)
+    {
+      continue;
+    }
     const Lanes y = LanesFrom(static_cast<float>(first - frame.Lines.First));
     Lanes left, right;
     sides.Between(y, left, right);
@@ -265,13 +297,13 @@ std::size_t FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
     right = LeastOf(right + frame.Left, AllLanes(frame.Right));
     buffer.InsertLines(first, isThere ? left : AllLanes(Nowhere),
       isThere ? right : AllLanes(-Nowhere), part,
-      [&](float column)
+      [&](float column) VITRINE_INLINED
       {
         const Lanes depth = planes.At(column - frame.Left);
         return depth < BeforeAll ? depth : AllLanes(SampleDepths::NotCovered);
       });
   }
-  return LaneCount + static_cast<std::size_t>(frame.Lines.Last - frame.Lines.First);
+  return std::size_t{ LaneCount } + static_cast<std::size_t>(frame.Lines.Last - frame.Lines.First);
 }
 
 }

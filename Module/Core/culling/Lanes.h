@@ -17,6 +17,9 @@
 /** Lanes are never handed over in registers, which differ between processors: what has them as parameters is inlined. */
 #define VITRINE_INLINE inline __attribute__((always_inline))
 
+/** The same of a lambda, behind its parameters. */
+#define VITRINE_INLINED __attribute__((always_inline))
+
 namespace vitrine
 {
 
@@ -149,6 +152,12 @@ VITRINE_INLINE int LowestBit(unsigned bits)
 VITRINE_INLINE int CountBits(unsigned bits)
 {
   return __builtin_popcount(bits);
+}
+
+/** So many lanes, from the first one on. */
+VITRINE_INLINE LaneMask FirstLanes(int count)
+{
+  return LaneMask{ 0, 1, 2, 3, 4, 5, 6, 7 } < LaneMask{} + count;
 }
 
 /** Of eight numbers those in the lanes that are named. */

@@ -31,7 +31,7 @@ float LengthsOf(const Box& box)
   return size.x + size.y + size.z;
 }
 
-/** Of the lanes that hold something, that which grows least; the first one if none does. */
+/** Of the lanes that hold something, that which grows least; the first one if none does. What makes lanes long is mended when the tree is built anew. */
 int LaneNearest(const LooseNode& node, const Box& box)
 {
   int nearest = 0;
@@ -195,8 +195,9 @@ LooseOctree::Ends LooseOctree::Cell::Sort(Entry* entries, std::size_t count) con
   }
   if (this->Way == Ways::ByNearness)
   {
-    SortByNearness(entries, count, (count + LaneCount - 1) / LaneCount, ends.data() + 1);
-    std::fill(ends.begin() + 1 + (count + LaneCount - 1) / LaneCount, ends.end(), count);
+    const std::size_t lanes = (count + LaneCount - 1) / LaneCount;
+    SortByNearness(entries, count, lanes, ends.data() + 1);
+    std::fill(ends.data() + 1 + lanes, ends.data() + ends.size(), count);
     return ends;
   }
   const std::vector<Entry> before(entries, entries + count);

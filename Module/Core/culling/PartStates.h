@@ -20,12 +20,12 @@ public:
 
   /**
    * A frame begins, of which nothing is known but what parts are drawn.
-   * @param drawn  1 for those, 0 for others
+   * @param drawn  0 for others
    * @returns      how many are
    */
   std::uint32_t Begin(const std::vector<std::uint8_t>& drawn)
   {
-    static_assert(IsDrawn == 1, "as drawn parts are told");
+    static_assert(IsDrawn == 1, "as a comparison tells it");
     this->States.resize(drawn.size(), 0);
     std::uint8_t* const states = this->States.data();
     const std::uint8_t* const areDrawn = drawn.data();
@@ -33,8 +33,9 @@ public:
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < parts; ++i)
     {
-      states[i] = static_cast<std::uint8_t>((states[i] & WasSmall) | areDrawn[i]);
-      count += areDrawn[i];
+      const std::uint8_t isDrawn = areDrawn[i] != 0;
+      states[i] = static_cast<std::uint8_t>((states[i] & WasSmall) | isDrawn);
+      count += isDrawn;
     }
     return count;
   }

@@ -145,10 +145,11 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
 /** The same where there are samples in place of spans. */
 void SBuffer::InsertAtSamples(int line, const Segment& segment)
 {
+  assert(line >= 0 && line < this->LineCount);
   const float left = std::max(segment.Left, 0.0f);
   const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
   const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
-  if (!(left < right) || !std::isfinite(slope) ||
+  if (!(left < right) || !std::isfinite(segment.Right - segment.Left) || !std::isfinite(slope) ||
     !std::isfinite(std::max(segment.LeftDepth, segment.RightDepth)))
   {
     return;

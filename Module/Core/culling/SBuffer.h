@@ -5,6 +5,7 @@
 #include "Core/culling/SampleGrid.h"
 #include "Core/culling/TileDepths.h"
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -67,7 +68,7 @@ struct HideableSegment
 /** The same on eight lines, whose depths differ. */
 struct HideableSegmentLanes
 {
-  float Depths[8]; ///< at Column
+  float Depths[LaneCount]; ///< at Column
   float Column;
   float Slope;
   float Nearest;
@@ -148,6 +149,7 @@ public:
   VITRINE_INLINE void InsertLines(
     int line, Lanes left, Lanes right, std::uint32_t face, const DepthAt& depthAt)
   {
+    assert(line >= 0 && line < this->LineCount);
     const int lines = CountBits(BitsOf(left <= right));
     const SampleDepths::Range range = lines > 0
       ? this->AtSamples->Between(LeastLane(left), GreatestLane(right))

@@ -171,7 +171,7 @@ void SampleDepths::AddColumnsOfFaces(std::vector<float>& columns) const
       const std::uint32_t* const faces = &this->Faces[first];
       const LaneMask isSame = LoadMask(faces) == LaneMask{} + static_cast<std::int32_t>(faces[0]);
       const unsigned covered =
-        BitsOf(AreFirst(lines - line) & (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
+        BitsOf(FirstLanes(lines - line) & (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
       if ((covered & BitsOf(isSame)) == AllBits) // or each would wait for the one before
       {
         columns[faces[0]] += LaneCount * this->Width;

@@ -6,6 +6,7 @@
 #include "Core/culling/TileDepths.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +52,7 @@ public:
   /** Of columns of the screen, or of lines: nothing is rounded in that. */
   Range Between(float left, float right) const
   {
+    assert(left >= 0.0f && right <= std::max(this->ColumnCount, this->LineCount));
     return { static_cast<int>(std::ceil(left * this->PerColumn - 0.5f)),
       static_cast<int>(std::floor(right * this->PerColumn - 0.5f)) };
   }
@@ -149,11 +151,6 @@ public:
 private:
   static constexpr int MostPerColumn = 4;
   static constexpr float BeyondScreen = 3e38f; // nothing shows there
-
-  static VITRINE_INLINE LaneMask AreFirst(int count)
-  {
-    return LaneMask{ 0, 1, 2, 3, 4, 5, 6, 7 } < LaneMask{} + count;
-  }
 
   /** Of a sample of a line. */
   std::size_t At(int i, int line) const

@@ -31,7 +31,7 @@ public:
 
   void Clear() { std::fill(this->Leasts.begin(), this->Leasts.end(), NotFull); }
 
-  /** Of all lines, and some more that are never covered. */
+  /** Of all lines, and some more behind the last one, of which it says anything. */
   std::size_t Count() const { return this->Leasts.size(); }
 
   int CountPerLine() const { return this->TilesPerLine; }
