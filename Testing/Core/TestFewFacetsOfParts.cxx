@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
@@ -147,4 +149,75 @@ TEST_P(FewFacetsOfParts, HideNothingThatIsSeenWhereTheViewMoves)
     }
   }
   EXPECT_GT(all.Hidden, 1500);
+}
+
+// Its sides are seen from their edge, but for what floats round: some may be edges of the outline, and lead anywhere.
+TEST(FewFacetsOfParts, OfABoxThatIsSeenAlongItsAxisHideWhatIsBehind)
+{
+  for (unsigned seed = 1; seed <= 200; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const glm::dmat4 turned = glm::rotate(
+      glm::dmat4(1.0), random.Between(0, 6), random.Point(-1, 1) + glm::dvec3(0, 0, 1.01));
+    View view = coverage::AheadView(true);
+    view.ToClip = view.ToClip * glm::transpose(turned);
+    view.Columns = view.Lines = 240;
+    const auto turnedBox = [&](const glm::dvec3& low, const glm::dvec3& high)
+    {
+      coverage::Triangles box = coverage::BoxBetween(low, high);
+      for (glm::dvec3& point : box.Points)
+      {
+        point = glm::dvec3(turned * glm::dvec4(point, 1.0));
+      }
+      return box;
+    };
+    PartScene scene;
+    const glm::dvec3 middle(random.Between(-4, 4), random.Between(-2, 2), -20.0);
+    scene.Add(turnedBox(middle - glm::dvec3(5, 4, 3), middle + glm::dvec3(5, 4, 3)));
+    scene.Add(turnedBox(middle - glm::dvec3(3, 3, 12), middle + glm::dvec3(3, 3, -10)));
+    PartCuller culler(view.Columns, view.Lines, SampleGrid::AtCentres(1));
+    scene.Cull(culler, view);
+    EXPECT_TRUE(scene.Visible[0]);
+    EXPECT_FALSE(scene.Visible[1]);
+  }
+}
+
+// Flat as it is, it has two facets of two faces each, bent by less than a degree; from its edge one face of each looks to the front, and so may both facets: then none has an edge to what
+// does not count.
+TEST(FewFacetsOfParts, OfAFlatTetrahedronSeenFromItsEdgeHideNothingBesideIt)
+{
+  const glm::dvec3 a(0, 0, 0.004), b(1, 0, 0), c(1, 1, 0.004), d(0, 1, 0);
+  const glm::dvec3 faces[4][3] = { { a, b, c }, { a, c, d }, { a, d, b }, { b, d, c } };
+  int fewOnes = 0;
+  for (int kind = 0; kind < 16; ++kind)
+  {
+    SCOPED_TRACE(kind);
+    coverage::Triangles flat;
+    for (const auto& face : faces)
+    {
+      flat.Add(10.0 * face[0], 10.0 * face[1], 10.0 * face[2]);
+    }
+    if ((kind & 1) != 0) // the other faces are the first and so the largest ones of theirs
+    {
+      std::rotate(flat.Corners.begin(), flat.Corners.begin() + 3, flat.Corners.end());
+    }
+    fewOnes += flat.Mesh().Few() != nullptr;
+    const double turn = 0.5 * M_PI * (kind / 2 % 4);
+    const glm::dvec3 along(std::cos(turn), std::sin(turn), 0.0);
+    const glm::dvec3 middle(5.0, 5.0, 0.0), up(-along.y, along.x, 1.0);
+    View view = coverage::AheadView(true);
+    view.ToClip = view.ToClip * glm::lookAt(middle - 50.0 * along, middle, kind < 8 ? up : -up);
+    PartScene scene;
+    scene.Add(flat);
+    for (const double side : { -1.0, 1.0 })
+    {
+      const glm::dvec3 beside = middle + 20.0 * along + side * glm::dvec3(0, 0, 2.5);
+      scene.AddBox(beside - glm::dvec3(0.5), beside + glm::dvec3(0.5));
+    }
+    PartCuller culler(view.Columns, view.Lines, SampleGrid::AtCentres(1));
+    scene.Cull(culler, view);
+    EXPECT_TRUE(scene.Visible[1] && scene.Visible[2]);
+  }
+  EXPECT_EQ(fewOnes, 16);
 }
