@@ -96,7 +96,6 @@ private:
   bool Project(const Occluder& occluder);
   bool IsWorthTesting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
   bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
-  bool Allows(const Occluder& occluder, const ScreenRectangle& rectangle, float mostPerCell) const;
   void Insert(std::uint32_t part, const Occluder& occluder);
   void InsertSides(std::uint32_t part, const Occluder& occluder);
   bool HasFewFacets(const Occluder& occluder) const;

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_DEPTH_PLANE_H
 #define VITRINE_CORE_CULLING_DEPTH_PLANE_H
 
+#include "Core/culling/Lanes.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SlantedDepth.h"
 
@@ -36,10 +37,17 @@ public:
   HideableSegment Before(float left, float right, float bottom, float top) const
   {
     const SlantedDepth& plane = this->Below;
-    const float line = plane.ByLine > 0.0f ? top : bottom;
-    const float depth =
-      plane.Origin.Depth + (line - plane.Origin.Line) * plane.ByLine + plane.Slack;
+    const float depth = this->DepthBefore(bottom, top);
     return { left, right, plane.Origin.Column, depth, plane.ByColumn, this->Nearest };
+  }
+
+  /** The depth of its plane at the column of its origin: between two lines, or between two of each of eight pairs (Lanes). */
+  template <class Number>
+  VITRINE_INLINE Number DepthBefore(const Number& bottom, const Number& top) const
+  {
+    const SlantedDepth& plane = this->Below;
+    const Number line = plane.ByLine > 0.0f ? top : bottom;
+    return plane.Origin.Depth + (line - plane.Origin.Line) * plane.ByLine + plane.Slack;
   }
 
   /** The greatest depth of that. */

@@ -80,11 +80,8 @@ HideableSegmentLanes FaceOnLines::Pieces(int line, float inset) const
   const Lanes bottom = GreatestOf(base + inset, AllLanes(this->Around.Bottom));
   const Lanes top = LeastOf(base + (1.0f - inset), AllLanes(this->Around.Top));
   const HideableSegment first = this->Piece(0.0f, 0.0f, this->Around.Bottom, this->Around.Top);
-  const SlantedDepth& plane = this->Plane.Bound();
-  const Lanes nearLine = plane.ByLine > 0.0f ? top : bottom;
   HideableSegmentLanes pieces;
-  StoreLanes(plane.Origin.Depth + (nearLine - plane.Origin.Line) * plane.ByLine + plane.Slack,
-    pieces.Depths);
+  StoreLanes(this->Plane.DepthBefore(bottom, top), pieces.Depths);
   pieces.Column = first.Column;
   pieces.Slope = first.Slope;
   pieces.Nearest = first.Nearest;

@@ -175,11 +175,10 @@ bool HiddenFaces::AreSamplesHidden(const FaceOnLines& face, const LineRange& lin
   {
     return true;
   }
-  const int lane = LowestBit(open);
-  const float line = static_cast<float>(lines.First + lane);
-  const float depth = pieces.Depths[lane] + pieces.Slope * (shown - pieces.Column);
-  this->Shown = { shown, shown, line + inset, line + 1.0f - inset,
-    depth < pieces.Nearest ? depth : pieces.Nearest };
+  const float line = static_cast<float>(lines.First + LowestBit(open));
+  const float bottom = line + inset, top = line + 1.0f - inset;
+  this->Shown = { shown, shown, bottom, top,
+    face.Piece(shown, shown, bottom, top).NearestAt(shown) };
   return false;
 }
 
