@@ -1,5 +1,7 @@
 #include "Core/culling/BandCuller.h"
 
+#include "Core/culling/BeyondAll.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -8,14 +10,13 @@ namespace vitrine
 
 namespace
 {
+
 // Nodes of no more parts, which are some leaves, are visited at once: that takes less than to queue what is in them.
 const std::uint32_t FewParts = 32;
 
 // Of what is long, which comes first, and of what reaches before the near plane.
 const float LongDepth = 3.0f;
 const float NearDepth = 2.0f;
-
-const float Nowhere = 3e38f;
 }
 
 /** Visits nodes and parts in one frame. */
@@ -182,7 +183,7 @@ private:
       assert(entries[i].Depth == entries[i].Depth); // what has no place on the screen is near
       depths[i] = entries[i].Depth;
     }
-    const Lanes all = FirstLanes(count) ? LoadLanes(depths) : AllLanes(-Nowhere);
+    const Lanes all = FirstLanes(count) ? LoadLanes(depths) : AllLanes(-BeyondAll);
     for (int i = 0; i < count; ++i)
     {
       const unsigned before =

@@ -1,5 +1,6 @@
 #include "Core/culling/FaceBlock.h"
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/FaceCorners.h"
 #include "Core/culling/FaceSlopes.h"
 
@@ -8,7 +9,6 @@ namespace vitrine
 
 namespace
 {
-const float BeyondAll = 3e38f;
 
 /** Elsewhere `other`. */
 VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* place)

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_FACE_COVERAGE_H
 #define VITRINE_CORE_CULLING_FACE_COVERAGE_H
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OpenLines.h"
 #include "Core/culling/PatchEdges.h"
@@ -54,7 +55,7 @@ private:
     int CoverOfPiece = 0;    ///< the same up to the piece of a cluster that is at hand
     std::uint32_t Visit = 0; ///< the last piece that it was beside
     Interval Begins{
-      -3e38f, -3e38f
+      -BeyondAll, -BeyondAll
     }; ///< behind its last edge: in it, where that was left to patches, and behind all it touches
     float BeginDepth =
       2.0f; ///< what stands in for that edge; above all depths if that is inserted by itself

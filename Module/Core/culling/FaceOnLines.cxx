@@ -1,5 +1,7 @@
 #include "Core/culling/FaceOnLines.h"
 
+#include "Core/culling/BeyondAll.h"
+
 #include <algorithm>
 
 namespace vitrine
@@ -7,7 +9,6 @@ namespace vitrine
 
 namespace
 {
-const float BesideAll = 3e38f; // columns
 }
 
 FaceOnLines::FaceOnLines(
@@ -51,7 +52,7 @@ FaceOnLines::ExtentLanes FaceOnLines::Extents(int line, float inset) const
 {
   const Lanes base = LanesFrom(static_cast<float>(line));
   const Lanes bottom = base + (inset - this->Above), top = base + (1.0f - inset + this->Above);
-  Lanes left = AllLanes(BesideAll), right = AllLanes(-BesideAll);
+  Lanes left = AllLanes(BeyondAll), right = AllLanes(-BeyondAll);
   for (const ScreenEdge& edge : this->Edges)
   {
     const ScreenPoint &low = edge.Bottom(), &high = edge.Top();
@@ -64,8 +65,8 @@ FaceOnLines::ExtentLanes FaceOnLines::Extents(int line, float inset) const
     const LaneMask isTouched = (top >= low.Line) & (bottom <= high.Line);
     const Lanes first = isHigh ? GreatestOf(LeastOf(lowest, highest), least) : least;
     const Lanes last = isHigh ? LeastOf(GreatestOf(lowest, highest), greatest) : greatest;
-    left = LeastOf(left, isTouched ? first : AllLanes(BesideAll));
-    right = GreatestOf(right, isTouched ? last : AllLanes(-BesideAll));
+    left = LeastOf(left, isTouched ? first : AllLanes(BeyondAll));
+    right = GreatestOf(right, isTouched ? last : AllLanes(-BeyondAll));
   }
   ExtentLanes extents;
   StoreLanes(left - this->Aside, extents.Left);

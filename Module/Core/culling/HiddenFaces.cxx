@@ -1,5 +1,6 @@
 #include "Core/culling/HiddenFaces.h"
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
 #include "Core/culling/LineExtent.h"
@@ -20,7 +21,6 @@ const std::size_t MostFacesOfAnyThickness = 1024;
 // Of places that are up to 1.
 const float StepOfFloats = 0x1p-23f;
 
-const float BeforeColumns = -3e38f;
 }
 
 bool HiddenFaces::AreAll(const MeshProjection& projection)
@@ -166,7 +166,7 @@ bool HiddenFaces::AreSamplesHidden(const FaceOnLines& face, const LineRange& lin
 {
   const float inset = this->Lines.Samples().Inset();
   FaceOnLines::ExtentLanes extents = face.Extents(lines.First, inset);
-  std::fill(extents.Right + (lines.Last + 1 - lines.First), std::end(extents.Right), BeforeColumns);
+  std::fill(extents.Right + (lines.Last + 1 - lines.First), std::end(extents.Right), -BeyondAll);
   const HideableSegmentLanes pieces = face.Pieces(lines.First, inset);
   float shown;
   const unsigned open =

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_LINE_EXTENT_H
 #define VITRINE_CORE_CULLING_LINE_EXTENT_H
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/MeshProjection.h"
 
 #include <algorithm>
@@ -66,8 +67,8 @@ private:
 /** What lies between two lines, from left to right. */
 struct LineExtent
 {
-  float Left = 3e38f;
-  float Right = -3e38f;
+  float Left = BeyondAll;
+  float Right = -BeyondAll;
 
   bool IsEmpty() const { return !(this->Left <= this->Right); }
 

@@ -1,5 +1,6 @@
 #include "Core/culling/MeshProjection.h"
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/DepthPlane.h"
 #include "Core/culling/Lanes.h"
 #include "Core/culling/LineExtent.h"
@@ -57,7 +58,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   const MatrixFrom matrix(toScreen.Matrix, mesh.Origin());
   const Lanes leastW = AllLanes(toScreen.Rounding.w);
   const Lanes leastSlack = AllLanes(toScreen.Rounding.z + toScreen.Rounding.w);
-  Lanes nearestW = AllLanes(3e38f), left = nearestW, right = -left, bottom = left, top = right,
+  Lanes nearestW = AllLanes(BeyondAll), left = nearestW, right = -left, bottom = left, top = right,
         nearest = right;
   unsigned behindAll = (1u << LaneCount) - 1u;
   for (std::size_t i = 0; i < room; i += LaneCount)
@@ -77,7 +78,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     const unsigned behind = BitsOf(isBehind);
     this->BehindNear[i / LaneCount] = static_cast<std::uint8_t>(behind);
     behindAll &= behind;
-    nearestW = LeastOf(isBehind ? w : AllLanes(3e38f), nearestW);
+    nearestW = LeastOf(isBehind ? w : AllLanes(BeyondAll), nearestW);
     left = LeastOf(column, left);
     right = GreatestOf(column, right);
     bottom = LeastOf(line, bottom);

@@ -1,5 +1,7 @@
 #include "Core/culling/NearClip.h"
 
+#include "Core/culling/BeyondAll.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +47,7 @@ void NearClip::Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen, doub
   this->Triangles.clear();
   this->SourceOf.clear();
   this->Sides.clear();
-  this->NearestW = 3e38f;
+  this->NearestW = BeyondAll;
   this->FindPointsBehind();
   this->CutEdges();
   this->AddFaces();

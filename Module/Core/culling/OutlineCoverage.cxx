@@ -1,5 +1,6 @@
 #include "Core/culling/OutlineCoverage.h"
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/LineExtent.h"
 #include "Core/culling/PlaneBelow.h"
 
@@ -11,7 +12,6 @@ namespace vitrine
 
 namespace
 {
-const float Nowhere = 3e38f;
 }
 
 std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
@@ -216,7 +216,7 @@ void OutlineCoverage::FindSpans(int line, SpanLanes& spans) const
 {
   const Lanes base = LanesFrom(static_cast<float>(line));
   const Lanes bottom = base - this->Above, middle = base + 0.5f, top = base + 1.0f + this->Above;
-  Lanes left = AllLanes(-Nowhere), right = AllLanes(Nowhere), crossings = AllLanes(0.0f);
+  Lanes left = AllLanes(-BeyondAll), right = AllLanes(BeyondAll), crossings = AllLanes(0.0f);
   for (std::size_t edge = 0; edge < this->EdgeCount; ++edge)
   {
     const OutlineEdges& edges = this->Outline[edge / LaneCount];
@@ -225,11 +225,11 @@ void OutlineCoverage::FindSpans(int line, SpanLanes& spans) const
     const LaneMask isCrossed = (middle >= edges.Bottom[i]) & (middle < edges.Top[i]);
     const LaneMask isDown = LaneMask{} + edges.IsDown[i];
     const Lanes column = edges.FarthestOn(i, bottom, top);
-    left = GreatestOf(left, isTouched & isDown ? column : AllLanes(-Nowhere));
-    right = LeastOf(right, isTouched & ~isDown ? column : AllLanes(Nowhere));
+    left = GreatestOf(left, isTouched & isDown ? column : AllLanes(-BeyondAll));
+    right = LeastOf(right, isTouched & ~isDown ? column : AllLanes(BeyondAll));
     crossings += isCrossed & isDown ? AllLanes(1.0f) : AllLanes(0.0f);
   }
-  StoreLanes(crossings > 0.0f ? left + this->Aside : AllLanes(Nowhere), spans.Left);
+  StoreLanes(crossings > 0.0f ? left + this->Aside : AllLanes(BeyondAll), spans.Left);
   StoreLanes(right - this->Aside, spans.Right);
   StoreLanes(crossings, spans.Crossings);
 }
@@ -290,7 +290,7 @@ void OutlineCoverage::InsertLine(SBuffer& buffer, int line, std::uint32_t part)
   std::sort(this->Passages.begin(), this->Passages.end(),
     [](const Passage& a, const Passage& b) { return a.Left < b.Left; });
   int cover = 0;
-  float reached = -Nowhere;
+  float reached = -BeyondAll;
   for (const Passage& passage : this->Passages)
   {
     if (cover > 0 && passage.Left > reached)

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_S_BUFFER_H
 #define VITRINE_CORE_S_BUFFER_H
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/SampleDepths.h"
 #include "Core/culling/SampleGrid.h"
 #include "Core/culling/TileDepths.h"
@@ -78,7 +79,8 @@ struct HideableSegmentLanes
 inline HideableSegment Hideable(const Segment& segment, float margin = 0.0f)
 {
   const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
-  return { segment.Left, segment.Right, segment.Left, segment.LeftDepth + margin, slope, 3e38f };
+  return { segment.Left, segment.Right, segment.Left, segment.LeftDepth + margin, slope,
+    BeyondAll };
 }
 
 /** A rectangle of the screen and the nearest that may stand there. Lines and columns count from 0 and are real. */

@@ -29,7 +29,7 @@ SampleDepths::SampleDepths(int columns, int lines, const SampleGrid& grid)
   {
     this->Places.push_back(grid.Place(static_cast<float>(i)));
   }
-  this->Depths.resize(this->At(tiles * this->CountPerTile, 0), BeyondScreen);
+  this->Depths.resize(this->At(tiles * this->CountPerTile, 0), BeyondAll);
   this->Faces.resize(this->Depths.size());
   this->Clear();
 }
@@ -151,7 +151,7 @@ unsigned SampleDepths::FindOpen(int line, const float* left, const float* right,
 
 float SampleDepths::DepthOfColumn(int line, int column) const
 {
-  float least = BeyondScreen;
+  float least = BeyondAll;
   for (int i = column * this->CountPerColumn; i < (column + 1) * this->CountPerColumn; ++i)
   {
     least = std::min(least, this->Depths[this->At(i, line)]);

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_SAMPLE_DEPTHS_H
 #define VITRINE_CORE_CULLING_SAMPLE_DEPTHS_H
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/Lanes.h"
 #include "Core/culling/SampleGrid.h"
 #include "Core/culling/TileDepths.h"
@@ -150,7 +151,6 @@ public:
 
 private:
   static constexpr int MostPerColumn = 4;
-  static constexpr float BeyondScreen = 3e38f; // nothing shows there
 
   /** Of a sample of a line. */
   std::size_t At(int i, int line) const
@@ -170,7 +170,7 @@ private:
   {
     for (int tile = this->TileOf(range.First); tile <= this->TileOf(range.Last); ++tile)
     {
-      float least = BeyondScreen;
+      float least = BeyondAll;
       for (int i = tile * this->CountPerTile; i < (tile + 1) * this->CountPerTile; ++i)
       {
         least = std::min(least, this->Depths[this->At(i, line)]);

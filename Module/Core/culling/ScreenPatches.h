@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_PATCHES_H
 #define VITRINE_CORE_CULLING_SCREEN_PATCHES_H
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SlantedDepth.h"
 
@@ -23,10 +24,10 @@ public:
   struct Patch
   {
     SlantedDepth Bound;
-    float Left = 3e38f; ///< columns that it may be drawn on
-    float Right = -3e38f;
-    float Bottom = 3e38f; ///< lines
-    float Top = -3e38f;
+    float Left = BeyondAll; ///< columns that it may be drawn on
+    float Right = -BeyondAll;
+    float Bottom = BeyondAll; ///< lines
+    float Top = -BeyondAll;
   };
 
   /**

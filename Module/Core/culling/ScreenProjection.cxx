@@ -1,5 +1,6 @@
 #include "Core/culling/ScreenProjection.h"
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/DeviceRounding.h"
 
 #include <glm/common.hpp>
@@ -43,8 +44,8 @@ struct CornerTerms
 
 struct Extent
 {
-  Lanes Least = AllLanes(3e38f);
-  Lanes Greatest = AllLanes(-3e38f);
+  Lanes Least = AllLanes(BeyondAll);
+  Lanes Greatest = AllLanes(-BeyondAll);
 
   VITRINE_INLINE void Add(Lanes values)
   {
@@ -187,7 +188,7 @@ void ScreenProjection::Project(
 {
   const CornerTerms corners(toScreen, boxes);
   Extent columns, lines, depths;
-  Lanes leastW = AllLanes(3e38f);
+  Lanes leastW = AllLanes(BeyondAll);
   for (int corner = 0; corner < 8; ++corner)
   {
     const Lanes w = corners.At(corner, 3);

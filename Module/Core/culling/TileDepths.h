@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_TILE_DEPTHS_H
 #define VITRINE_CORE_CULLING_TILE_DEPTHS_H
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/Lanes.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ public:
   static constexpr int Width = 4;
 
   /** What stands in place of the least depth of a tile that is not full; below all depths. */
-  static constexpr float NotFull = -3e38f;
+  static constexpr float NotFull = -BeyondAll;
 
   TileDepths(int columns, int lines)
     : TilesPerLine((columns + Width - 1) / Width)

@@ -1,0 +1,12 @@
+#ifndef VITRINE_CORE_CULLING_BEYOND_ALL_H
+#define VITRINE_CORE_CULLING_BEYOND_ALL_H
+
+namespace vitrine
+{
+
+/** Farther from zero than all columns, lines, depths and distances, and finite: differences of it are numbers. */
+inline constexpr float BeyondAll = 3e38f;
+
+}
+
+#endif
