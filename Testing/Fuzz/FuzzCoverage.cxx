@@ -1,8 +1,9 @@
-// Puts made-up meshes into an s-buffer, by their outline or face by face, by matrices that may hold anything, with all faces' exact spans as the judge.
+// Puts made-up meshes into an s-buffer, by their outline, face by face or, of few facets, all at once, by matrices that may hold anything, with all faces' exact spans as the judge.
 
 #include "FuzzBytes.h"
 
 #include "../Core/DeviceFaces.h"
+#include "../Core/FewFacetsScenes.h"
 
 #include "Core/culling/FaceCoverage.h"
 #include "Core/culling/OutlineCoverage.h"
@@ -31,7 +32,19 @@ glm::dvec3 PointOf(FuzzBytes& bytes)
   return { x, y, bytes.Number() };
 }
 
-OccluderMesh MeshOf(FuzzBytes& bytes)
+OccluderMesh BoxOf(FuzzBytes& bytes)
+{
+  const glm::dvec3 corner = PointOf(bytes), a = PointOf(bytes), b = PointOf(bytes);
+  return coverage::BoxOf(corner, a, b, PointOf(bytes)).Mesh();
+}
+
+OccluderMesh TetrahedronOf(FuzzBytes& bytes)
+{
+  const glm::dvec3 a = PointOf(bytes), b = PointOf(bytes), c = PointOf(bytes);
+  return coverage::TetrahedronOf(a, b, c, PointOf(bytes)).Mesh();
+}
+
+OccluderMesh SoupOf(FuzzBytes& bytes)
 {
   std::vector<glm::dvec3> points(3 + bytes.Below(MostPoints));
   for (glm::dvec3& point : points)
@@ -44,6 +57,12 @@ OccluderMesh MeshOf(FuzzBytes& bytes)
     corner = bytes.Below(static_cast<unsigned>(points.size()));
   }
   return OccluderMesh(points, corners);
+}
+
+OccluderMesh MeshOf(FuzzBytes& bytes)
+{
+  const unsigned kind = bytes.Below(4);
+  return kind == 0 ? BoxOf(bytes) : kind == 1 ? TetrahedronOf(bytes) : SoupOf(bytes);
 }
 
 /** The largest absolute coordinate. */
@@ -112,6 +131,50 @@ void AddDrawn(const MeshProjection& projection, const ScreenMatrix& matrix, Faci
   }
 }
 
+SBuffer BufferOf(FuzzBytes& bytes, int columns, int lines, unsigned pixels)
+{
+  const SampleGrid grid =
+    pixels == 0 ? SampleGrid() : SampleGrid::AtCentres(static_cast<int>(pixels));
+  const unsigned kind = bytes.Below(9);
+  return kind == 8 ? SBuffer::WithFewSamples(columns, lines, grid)
+                   : SBuffer(columns, lines, grid, 1 + kind * 300);
+}
+
+/** Inserts a side of a mesh that is projected by one of the ways there are for it. */
+void Insert(
+  SBuffer& buffer, MeshProjection& projection, Facing facing, std::uint32_t part, bool isByFaces)
+{
+  const FewFacets* const few = projection.Mesh().Few();
+  if (few != nullptr && buffer.BySample() && projection.IsBehindNear())
+  {
+    FewFacetsCoverage::Insert(buffer, *few, projection, facing, part);
+  }
+  else if (isByFaces)
+  {
+    FaceCoverage().Insert(buffer, projection, facing, part);
+  }
+  else
+  {
+    OutlineCoverage().Insert(buffer, projection, facing, part);
+  }
+}
+
+/** Whether each sample in what is said to be hidden is covered by what is nearer. */
+void RequireSamples(
+  const std::vector<Span>& spans, const SampleGrid& grid, float left, float right, float nearest)
+{
+  std::size_t covered = 0, count = 0;
+  for (float place = left; place <= right; place += grid.Width())
+  {
+    ++count;
+  }
+  for (const Span& span : spans)
+  {
+    covered += span.Left >= left && span.Left <= right && span.Depth > nearest;
+  }
+  Require(covered == count, "what is hidden has a sample that is not covered");
+}
+
 /** Whether spans leave no gap between the samples in what is said to be hidden, and are all nearer. */
 void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
 {
@@ -130,9 +193,15 @@ void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
   const int last = std::min(static_cast<int>(top), buffer.Lines() - 1);
   for (int line = static_cast<int>(bottom); left <= right && bottom <= top && line <= last; ++line)
   {
+    const std::vector<Span> spans = buffer.SpansOf(line);
+    if (buffer.BySample())
+    {
+      RequireSamples(spans, grid, left, right, rectangle.Nearest);
+      continue;
+    }
     float covered = left;
     bool isCovered = false;
-    for (const Span& span : buffer.SpansOf(line))
+    for (const Span& span : spans)
     {
       if (span.Right >= covered && span.Left <= covered && !isCovered)
       {
@@ -156,12 +225,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int lines = 1 + static_cast<int>(bytes.Below(24));
   std::mt19937 random(bytes.Byte());
   const unsigned pixels = bytes.Below(5);
-  SBuffer buffer(columns, lines,
-    pixels == 0 ? SampleGrid() : SampleGrid::AtCentres(static_cast<int>(pixels)),
-    1 + bytes.Below(8) * 300);
+  SBuffer buffer = BufferOf(bytes, columns, lines, pixels);
   MeshProjection projection;
-  OutlineCoverage outline;
-  FaceCoverage byFaces;
   std::vector<ScreenFace> faces;
   for (int i = 0; i < 4 && bytes.AreLeft(); ++i)
   {
@@ -176,15 +241,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool isByFaces = bytes.Below(2) == 1;
     for (const Facing facing : { Facing::Front, Facing::Back })
     {
-      const std::uint32_t part = static_cast<std::uint32_t>(i);
-      if (isByFaces)
-      {
-        byFaces.Insert(buffer, projection, facing, part);
-      }
-      else
-      {
-        outline.Insert(buffer, projection, facing, part);
-      }
+      Insert(buffer, projection, facing, static_cast<std::uint32_t>(i), isByFaces);
       AddDrawn(projection, matrix, facing, random, faces);
     }
   }
