@@ -3,12 +3,12 @@
 #include "culling/ClassName.h"
 #include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
+#include "culling/ScalarColors.h"
 #include "culling/vtkCulledCompositePolyDataMapper.h"
 #include "culling/vtkHierarchicalSBufferCuller.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -153,25 +153,18 @@ bool IsOpaqueSurface(vtkActor* actor)
   return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !IsTranslucentAsAWhole(actor) && !actor->GetForceOpaque() && property->GetOpacity() >= 1.0 &&
     !(back && back->GetOpacity() < 1.0) && !(planes && planes->GetNumberOfItems() > 0) &&
-    AreColorsOpaque(actor->GetMapper());
+    AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
 }
 
-bool AreColorsOpaque(vtkMapper* mapper)
+bool MayBlendAmongOpaque(vtkActor* actor)
 {
-  int isOfCells = 0;
-  if (!mapper->GetScalarVisibility() ||
-    !vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(), mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells))
-  {
-    return true; // and there need not be a table
-  }
-  return IsUnknownOpaque(mapper->GetLookupTable());
-}
-
-bool IsUnknownOpaque(vtkScalarsToColors* table)
-{
-  auto* function = vtkColorTransferFunction::SafeDownCast(table);
-  return !function || function->GetNanOpacity() >= 1.0;
+  vtkMapper* mapper = actor->GetMapper();
+  vtkProperty* back = actor->GetBackfaceProperty();
+  const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 ||
+    (back && back->GetOpacity() < 1.0) || HasShaderCode(actor) || !AreTexturesOpaque(actor) ||
+    (mapper && !AreColorsOpaque(mapper, mapper->GetInput())) ||
+    (actor->GetForceOpaque() && mapper && mapper->IsA("vtkCompositePolyDataMapper2"));
+  return mayBlend && (actor->GetForceOpaque() || !actor->HasTranslucentPolygonalGeometry());
 }
 
 bool AreTexturesOpaque(vtkActor* actor)

@@ -6,7 +6,6 @@
 class vtkActor;
 class vtkMapper;
 class vtkProp;
-class vtkScalarsToColors;
 class vtkShaderProperty;
 
 namespace vitrine
@@ -43,13 +42,10 @@ bool IsNonOccluding(vtkActor* actor);
 bool IsOpaqueSurface(vtkActor* actor);
 
 /**
- * Whether a table gives what is unknown to it a colour without transparency: transfer functions have an opacity for it that
- * vtkMapper::HasTranslucentPolygonalGeometry() ignores.
+ * Whether what VTK draws of the actor among what is opaque may be blended with what was drawn before it. It hides nothing; but since it is as near as anything for the depth test,
+ * what is drawn later behind it does not cover what shines through.
  */
-bool IsUnknownOpaque(vtkScalarsToColors* table);
-
-/** Whether a mapper's scalars get no colours with transparency that vtkMapper::HasTranslucentPolygonalGeometry() ignores. */
-bool AreColorsOpaque(vtkMapper* mapper);
+bool MayBlendAmongOpaque(vtkActor* actor);
 
 /** Whether the actor has no texture that could let anything through. */
 bool AreTexturesOpaque(vtkActor* actor);

@@ -1,13 +1,12 @@
 #include "culling/BlockParts.h"
 
-#include "culling/ActorRules.h"
 #include "culling/BlockDrawing.h"
 #include "culling/PartGeometry.h"
+#include "culling/ScalarColors.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkPolyData.h"
-#include "vtkScalarsToColors.h"
 
 #include <glm/common.hpp>
 
@@ -43,9 +42,14 @@ void BlockParts::Divide()
   this->Leaves.clear();
   this->Nodes.clear();
   this->Known.reset();
-  if (vtkDataObject* root = this->Mapper->GetInputDataObject(0, 0))
+  this->BringTables = false;
+  vtkDataObject* const root = this->Mapper->GetInputDataObject(0, 0);
+  if (root)
   {
     this->Visit(root, {});
+  }
+  if (root && !this->BringTables)
+  {
     this->MergeLeaves();
     this->FindGeometries(before);
     this->MakeParts();
@@ -84,9 +88,11 @@ void BlockParts::AddLeaf(vtkPolyData* data, const Inherited& inherited)
 {
   if (data->GetNumberOfPoints() > 0)
   {
-    this->Leaves.push_back(
-      { data, static_cast<std::uint32_t>(this->Leaves.size()), inherited.IsVisible,
-        inherited.IsVisible && inherited.IsOpaque && this->AreColorsOpaque(data), nullptr });
+    this->Leaves.push_back({ data, static_cast<std::uint32_t>(this->Leaves.size()),
+      inherited.IsVisible,
+      inherited.IsVisible && inherited.IsOpaque && AreColorsOpaque(this->Mapper, data), nullptr });
+    this->BringTables =
+      this->BringTables || BringTheirTable(this->Mapper, ScalarsOf(this->Mapper, data));
   }
 }
 
@@ -110,25 +116,6 @@ void BlockParts::MergeLeaves()
     }
   }
   this->Leaves.resize(kept);
-}
-
-/** Colours as VTK looks for them; those that are not numbers are not looked at. */
-bool BlockParts::AreColorsOpaque(vtkPolyData* data) const
-{
-  vtkMapper* mapper = this->Mapper;
-  int isOfCells = 0;
-  if (!mapper->GetScalarVisibility() ||
-    !vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells))
-  {
-    return true;
-  }
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(data, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), isOfCells);
-  vtkScalarsToColors* table = mapper->GetLookupTable();
-  table->Build();
-  return scalars && IsUnknownOpaque(table) &&
-    table->IsOpaque(scalars, mapper->GetColorMode(), mapper->GetArrayComponent());
 }
 
 /** Takes what is known of data that have not changed. */

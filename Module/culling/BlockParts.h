@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /** All actors have the same. */
+  /** All actors have the same. Null where blocks bring tables of colours. */
   std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor) override;
 
 private:
@@ -63,7 +63,6 @@ private:
   void Visit(vtkDataObject* object, Inherited inherited);
   void AddLeaf(vtkPolyData* data, const Inherited& inherited);
   void MergeLeaves();
-  bool AreColorsOpaque(vtkPolyData* data) const;
   void FindGeometries(const std::vector<Leaf>& before);
   void MakeParts();
 
@@ -72,6 +71,8 @@ private:
   vtkMTimeType Divisions = 0;
   std::vector<Node> Nodes;  ///< each behind what holds it
   std::vector<Leaf> Leaves; ///< in ascending order of their addresses
+  bool BringTables =
+    false; ///< whether blocks have tables that the mapper takes one after the other: which one it has is known when all are drawn
   std::shared_ptr<const Blocks> Known;
 };
 

@@ -3,6 +3,7 @@
 
 #include "vtkObject.h"
 
+#include <cstddef>
 #include <cstring>
 #include <typeinfo>
 
@@ -20,6 +21,15 @@ bool IsExactly(vtkObject* object)
 inline bool IsOfClass(vtkObject* object, const char* name)
 {
   return std::strcmp(object->GetClassName(), name) == 0;
+}
+
+/** The same by the name of its type, too, which ends with that of the class. */
+inline bool IsExactlyOfClass(vtkObject* object, const char* name)
+{
+  const char* const type = typeid(*object).name();
+  const std::size_t typeLength = std::strlen(type), length = std::strlen(name);
+  return IsOfClass(object, name) && typeLength >= length &&
+    std::strcmp(type + (typeLength - length), name) == 0;
 }
 
 }

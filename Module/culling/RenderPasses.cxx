@@ -1,11 +1,25 @@
 #include "culling/RenderPasses.h"
 
+#include "culling/ClassName.h"
+
 #include "vtkCameraPass.h"
+#include "vtkDefaultPass.h"
+#include "vtkDepthPeelingPass.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkImageProcessingPass.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLFXAAPass.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkOverlayPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
+#include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
+#include "vtkToneMappingPass.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVolumetricPass.h"
 
 #include <algorithm>
 #include <array>
@@ -49,16 +63,26 @@ std::vector<vtkRenderPass*> DelegatesOf(vtkRenderPass* pass)
   return delegates;
 }
 
-/** Passes of VTK's, and ours, that draw what the camera sees, and derived ones. */
+/** Whether an object is of one of these classes, and not of one derived from it. */
+template <class... Classes>
+bool IsExactlyOneOf(vtkObject* object)
+{
+  return (IsExactly<Classes>(object) || ...);
+}
+
+/** Passes of VTK's, and ours, that draw what the camera sees. Derived ones may draw otherwise. */
 bool IsKnown(vtkRenderPass* pass)
 {
-  static const std::array<const char*, 17> known{ "vtkCameraPass", "vtkClusteredLightsPass",
-    "vtkDefaultPass", "vtkDepthPeelingPass", "vtkLightsPass", "vtkOpaquePass", "vtkOpenGLFXAAPass",
-    "vtkOrderIndependentTranslucentPass", "vtkOverlayPass", "vtkRenderStepsPass", "vtkSSAAPass",
-    "vtkSSAOPass", "vtkSequencePass", "vtkToneMappingPass", "vtkTranslucentPass",
-    "vtkTransparencyPass", "vtkVolumetricPass" };
-  return std::any_of(
-    known.begin(), known.end(), [pass](const char* name) { return pass->IsA(name); });
+  const std::array<const char*, 8> ours{ "vtkClusteredLightsPass", "vtkDeferredLightsPass",
+    "vtkLinkedListTransparencyPass", "vtkPrefixSumTransparencyPass", "vtkSeeThroughPass",
+    "vtkStencilMaskTransparencyPass", "vtkStencilRoutedTransparencyPass",
+    "vtkTruthTransparencyPass" };
+  return IsExactlyOneOf<vtkCameraPass, vtkDefaultPass, vtkDepthPeelingPass, vtkDualDepthPeelingPass,
+           vtkLightsPass, vtkOpaquePass, vtkOpenGLFXAAPass, vtkOrderIndependentTranslucentPass,
+           vtkOverlayPass, vtkRenderStepsPass, vtkSSAAPass, vtkSSAOPass, vtkSequencePass,
+           vtkToneMappingPass, vtkTranslucentPass, vtkVolumetricPass>(pass) ||
+    std::any_of(
+      ours.begin(), ours.end(), [pass](const char* name) { return IsExactlyOfClass(pass, name); });
 }
 
 /**

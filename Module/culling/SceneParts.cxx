@@ -1,6 +1,7 @@
 #include "culling/SceneParts.h"
 
 #include "culling/ActorRules.h"
+#include "culling/ScalarColors.h"
 
 #include "vtkActor.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -80,6 +81,7 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
       hasChanged = true;
     }
     this->LookAtTextures(this->Parts[part]);
+    this->LookAtBlending(part);
   }
   return hasChanged;
 }
@@ -124,6 +126,7 @@ void SceneParts::ForgetAbsent()
   this->SeenIn.clear();
   this->Spare.clear();
   this->HasPieces.clear();
+  this->Blends.clear();
   this->BoxOf.clear();
   this->Index.clear();
   this->Boxes = LooseOctree();
@@ -140,6 +143,13 @@ void SceneParts::LookAtTextures(const Part& part)
     after.Modified();
     this->HasMadeData = this->HasMadeData || after.GetMTime() != before.GetMTime() + 1;
   }
+}
+
+/** Of a prop that is not surely as it was. */
+void SceneParts::LookAtBlending(std::uint32_t part)
+{
+  vtkActor* const actor = vtkActor::SafeDownCast(this->PropOf[part]);
+  this->Blends[part] = actor && MayBlendAmongOpaque(actor);
 }
 
 /** Notes what a part is now. */
@@ -169,6 +179,12 @@ void SceneParts::Look(std::uint32_t i)
   }
   part.MapperTime = part.Mapper->GetMTime();
   part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
+  if (BringTheirTable(part.Mapper, ScalarsOf(part.Mapper, part.Mapper->GetInput())))
+  {
+    part.Actor = nullptr;
+    part.PropTime = 0; // the mapper takes the table without the actor's knowing
+    return;
+  }
   part.Divided = DividedMapperOf(part.Mapper);
   part.Division = part.Divided ? part.Divided->PartsFor(part.Actor) : nullptr;
   if (!part.Division)

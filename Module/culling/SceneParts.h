@@ -73,6 +73,13 @@ public:
   void ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible);
 
+  /**
+   * Has parts show that were found hidden, but lie on the screen where something is that is blended among what is opaque: they may shine through.
+   * @param drawn, visible  as above
+   */
+  void ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
+    const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const;
+
   Occluder OccluderOf(std::uint32_t part) override;
   void Expect(std::uint32_t part) const override;
 
@@ -120,6 +127,7 @@ private:
     const ScreenProjection& view, const std::vector<std::uint32_t>& of) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
   void LookAtTextures(const Part& part);
+  void LookAtBlending(std::uint32_t part);
   void MakeData(vtkPolyDataMapper* mapper);
   void LookAnewIfSettingsChanged();
   void ForgetAbsent();
@@ -150,9 +158,10 @@ private:
   std::vector<vtkMTimeType> SeenIn; ///< of each part the last update that had it
   std::vector<Box> BoxOf;
   std::vector<std::uint8_t> HasPieces; ///< each part
-  std::vector<std::uint32_t> Drawn;    ///< in the order of the props
-  std::vector<std::uint8_t> AreSame;   ///< of those, which are surely as they were
-  std::vector<std::uint32_t> Spare;    ///< parts that belong to no prop
+  std::vector<std::uint8_t> Blends;  ///< each prop, whether it may be blended among what is opaque
+  std::vector<std::uint32_t> Drawn;  ///< in the order of the props
+  std::vector<std::uint8_t> AreSame; ///< of those, which are surely as they were
+  std::vector<std::uint32_t> Spare;  ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::vector<std::shared_ptr<PartGeometry>> Kept; ///< of parts that are found again

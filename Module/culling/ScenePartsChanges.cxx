@@ -71,6 +71,7 @@ std::uint32_t SceneParts::AddPart(vtkProp* prop)
   this->SeenIn.push_back(0);
   this->BoxOf.emplace_back();
   this->HasPieces.push_back(0);
+  this->Blends.push_back(0);
   return static_cast<std::uint32_t>(this->Parts.size() - 1);
 }
 

@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkProp.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -32,6 +33,12 @@ const std::size_t PartsOfBands = 2048;
 
 // The screen is cut into so many bands, whatever the machine has, so that the same frames are culled alike everywhere.
 const int BandsOfMany = 4;
+
+/** Whether what is drawn is blended at its edges with what was drawn before. */
+bool BlendsEdges(vtkRenderWindow* window)
+{
+  return window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
+}
 }
 
 /** What is kept of each renderer from frame to frame. */
@@ -170,13 +177,14 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   }
   parts.MarkDrawn(known.Visible);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
-  const bool occlusion = !renderer->GetSelector();
+  const bool occlusion = !renderer->GetSelector() && !BlendsEdges(renderer->GetRenderWindow());
   vitrine::PartCuller& culler =
     (occlusion ? known.OfFrames : known.OfSelections).For(view, known.Visible.size());
   known.Drawn = known.Visible;
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
   if (occlusion)
   {
+    parts.ShowBehindBlended(culler.Samples(), view.Projection(), known.Drawn, known.Visible);
     parts.ShowEdgeOn(culler, view.Projection(), known.Drawn, known.Visible);
   }
   this->KeepShown(renderer, propList, listLength);

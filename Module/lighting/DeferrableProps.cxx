@@ -2,6 +2,7 @@
 
 #include "culling/ActorRules.h"
 #include "culling/ClassName.h"
+#include "culling/ScalarColors.h"
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
@@ -37,7 +38,7 @@ bool HidesWhatIsBehind(vtkActor* actor)
 {
   vtkProperty* const back = actor->GetBackfaceProperty();
   return !actor->GetForceOpaque() && !(back && back->GetOpacity() < 1.0) &&
-    AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper());
+    AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
 }
 
 // Blocks are not asked.

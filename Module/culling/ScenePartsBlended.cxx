@@ -1,0 +1,91 @@
+// Parts that may shine through others which VTK blends among what is opaque.
+#include "culling/SceneParts.h"
+
+#include "Core/culling/BoxLanes.h"
+#include "Core/culling/ScreenProjection.h"
+
+#include "vtkActor.h"
+#include "vtkMath.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace vitrine
+{
+
+namespace
+{
+
+const ScreenRectangle AllOfTheScreen{ -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
+
+/** Of a box in the view; returns false if it lies outside. */
+bool FindRectangle(const ScreenProjection& view, const Box& box, ScreenRectangle& rectangle)
+{
+  if (!box.IsPlaceable())
+  {
+    rectangle = AllOfTheScreen;
+    return true;
+  }
+  BoxLanes boxes;
+  boxes.Set(0, box);
+  RectangleLanes rectangles;
+  view.Project(boxes, rectangles);
+  rectangle = (rectangles.Near & 1u) != 0 ? AllOfTheScreen : rectangles.At(0);
+  return (rectangles.Outside & 1u) == 0;
+}
+
+/** Or nearly so: of actors that cannot be hidden it is not known what a device rounds. */
+bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b)
+{
+  const float beside = 1.0f;
+  return a.Left <= b.Right + beside && b.Left <= a.Right + beside && a.Bottom <= b.Top + beside &&
+    b.Bottom <= a.Top + beside;
+}
+
+/** Where an actor is seen in the view, if it is. */
+void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProjection& view,
+  std::vector<ScreenRectangle>& rectangles)
+{
+  const double* const bounds = actor->GetBounds();
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return;
+  }
+  const glm::dvec3 least(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 greatest(bounds[1], bounds[3], bounds[5]);
+  ScreenRectangle rectangle;
+  if (FindRectangle(view, Box::Around(least - origin, greatest - origin), rectangle))
+  {
+    rectangles.push_back(rectangle);
+  }
+}
+}
+
+void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
+  const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const
+{
+  std::vector<ScreenRectangle> blended;
+  for (const std::uint32_t part : this->Drawn)
+  {
+    if (this->Blends[part])
+    {
+      AddRectangleOf(static_cast<vtkActor*>(this->PropOf[part]), this->Middle, view, blended);
+    }
+  }
+  if (blended.empty())
+  {
+    return;
+  }
+  for (const std::uint32_t part : this->FindHiddenInView(view, samples, drawn, visible))
+  {
+    ScreenRectangle own;
+    const bool isInView = FindRectangle(view, this->BoxOf[part], own);
+    visible[part] = isInView &&
+      std::any_of(blended.begin(), blended.end(),
+        [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle); });
+  }
+}
+
+}
