@@ -57,6 +57,18 @@ double ThinnestFrom(const Triangles& triangles, const glm::dvec3& eye)
   return least;
 }
 
+/** Nothing, of some extent: whatever else is added has the same middle then. */
+Triangles EmptyFrame()
+{
+  Triangles frame;
+  for (const double end : { -20.0, 20.0 })
+  {
+    const glm::dvec3 corner(end);
+    frame.Add(corner, corner, corner);
+  }
+  return frame;
+}
+
 }
 
 TEST(FacePlanes, OfABoxAreSeenFromTheirEdgeInSixPlanes)
@@ -106,6 +118,49 @@ TEST(FacePlanes, AreSeldomSeenFromTheirEdge)
     seen += IsSeenFrom(box, random.Point(-9, 9));
   }
   EXPECT_LT(seen, 10);
+}
+
+// A run of faces counts as one plane, and still none of them is seen from its edge unnoticed.
+TEST(FacePlanes, OfFacesThatFollowEachOtherAreSeenAsEachAlone)
+{
+  Random random(11);
+  int thin = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const glm::dvec3 a = random.Point(-5, 5), b = random.Point(-5, 5), c = random.Point(-5, 5);
+    const auto moved = [&](const glm::dvec3& point)
+    { return point + std::pow(10.0, random.Between(-7, -5)) * random.Point(-1, 1); };
+    const glm::dvec3 eye =
+      moved(a + random.Between(-9, 9) * (b - a) + random.Between(-9, 9) * (c - a));
+    Triangles run = EmptyFrame();
+    bool isThin = false;
+    for (int face = 0; face < 3; ++face)
+    {
+      Triangles alone = EmptyFrame();
+      const glm::dvec3 p = moved(a), q = moved(b), r = moved(c);
+      alone.Add(p, q, r);
+      run.Add(p, q, r);
+      isThin = isThin || IsSeenFrom(PlanesOf(alone), eye);
+    }
+    thin += isThin;
+    ASSERT_TRUE(!isThin || IsSeenFrom(PlanesOf(run), eye)) << "run " << i;
+  }
+  EXPECT_GT(thin, 1000);
+}
+
+TEST(FacePlanes, AreTheSameInWhicheverOrderFacesFollowEachOther)
+{
+  const double leans = 0.9e-6;
+  Triangles even, leaning;
+  even.Add({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 });
+  leaning.Add({ 1, 0, 0 }, { 2, 0, leans }, { 1, 1, 0 });
+  Triangles first = even, last = leaning;
+  first.Add(leaning.Points[0], leaning.Points[1], leaning.Points[2]);
+  last.Add(even.Points[0], even.Points[1], even.Points[2]);
+  const glm::dvec3 eye(-10, 0.3, 0);
+  EXPECT_TRUE(IsSeenFrom(PlanesOf(leaning), eye));
+  EXPECT_TRUE(IsSeenFrom(PlanesOf(first), eye));
+  EXPECT_TRUE(IsSeenFrom(PlanesOf(last), eye));
 }
 
 TEST(FacePlanes, AreManyInOneMesh)

@@ -223,6 +223,17 @@ TEST(FewFacets, AreNotThoseOfWhatIsNotConvex)
   EXPECT_FALSE(AreFewOf(twisted));
 }
 
+TEST(FewFacets, AreNotThoseOfFacetsThatAreCutIntoMoreThanTwoFaces)
+{
+  const glm::dvec3 a(-0.5, 0, 0), b(0.5, 0, 0), c(0, 1, 0), inside(0, 1e-5, 0);
+  Triangles fan;
+  fan.Add(inside, c, a);
+  fan.Add(inside, b, c);
+  EXPECT_TRUE(AreFewOf(fan)) << "two, and next to nothing is missing";
+  fan.Add(a, b, inside);
+  EXPECT_FALSE(AreFewOf(fan));
+}
+
 TEST(FewFacets, AreNotThoseOfMeshesThatAreTurnedInsideOut)
 {
   Triangles box = BoxMesh();

@@ -8,12 +8,7 @@
 namespace vitrine
 {
 
-/**
- * A face's depth as a function of the place on the screen, and what is known of it where that is too steep.
- *
- * A device snaps corners to see what they cover. Some take depths from corners that are not snapped, so that the plane counts
- * beside the face, too; and they round corners before, which slopes differ by. A sliver's are steep, and where rounding may take all of its area nothing is known of them.
- */
+/** A face's depth as a function of the place on the screen, and what is known of it where that is too steep (FaceSlopes.h). */
 class DepthPlane
 {
 public:

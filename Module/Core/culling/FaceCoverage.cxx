@@ -381,7 +381,7 @@ DepthBound FaceCoverage::BoundOf(std::uint32_t number, const Interval& columns) 
 void FaceCoverage::InsertSegment(const Interval& columns, const DepthBound& bound)
 {
   // A span's numbers are as coarse as its farther end.
-  const float coarse = 0x1p-21f * std::abs(bound.Right - bound.Left);
+  const float coarse = RoundingOfFloats * std::abs(bound.Right - bound.Left);
   if (!this->IsCovered(columns, std::max(bound.Left, bound.Right)))
   {
     ++this->Segments;

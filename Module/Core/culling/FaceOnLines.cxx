@@ -7,10 +7,6 @@
 namespace vitrine
 {
 
-namespace
-{
-}
-
 FaceOnLines::FaceOnLines(
   const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around)
   : Around(around)

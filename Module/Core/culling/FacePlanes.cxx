@@ -16,7 +16,7 @@ namespace vitrine
 namespace
 {
 
-// Planes of faces that follow one another are one, if they differ by less; as those do into which a polygon was cut.
+// Planes of faces that follow one another are one, if they differ by less of all distances; as those do into which a polygon was cut.
 const double SamePlane = 1e-6;
 
 // Narrower faces count as so wide, of their length: what is narrower by nature seldom covers anything at all.
@@ -32,12 +32,21 @@ struct FacePlanes::Plane
   glm::dvec3 Normal{ 0.0 };
   glm::dvec3 Place{ 0.0 };
   double Extent = 0.0; ///< across the face; 0 for none
+  double Deviation =
+    0.0; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
 
-  bool Holds(const Plane& other, double radius) const
+  /** Takes another face for one of this plane, if it is. */
+  bool Takes(const Plane& other, double radius)
   {
-    return this->Extent > 0.0 && other.Extent > 0.0 &&
-      glm::length(other.Normal - this->Normal) < SamePlane &&
-      std::abs(glm::dot(this->Normal, other.Place - this->Place)) < SamePlane * radius;
+    const double turned = glm::length(other.Normal - this->Normal);
+    const double moved = std::abs(glm::dot(this->Normal, other.Place - this->Place));
+    if (this->Extent == 0.0 || other.Extent == 0.0 || !(turned + moved / radius < SamePlane))
+    {
+      return false;
+    }
+    this->Extent = std::min(this->Extent, other.Extent);
+    this->Deviation = std::max(this->Deviation, turned + moved / radius);
+    return true;
   }
 };
 
@@ -69,11 +78,7 @@ FacePlanes::FacePlanes(
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
   {
     const Plane plane = PlaneOf(points[corners[i]], points[corners[i + 1]], points[corners[i + 2]]);
-    if (last.Holds(plane, this->Radius))
-    {
-      last.Extent = std::min(last.Extent, plane.Extent);
-    }
-    else if (plane.Extent > 0.0)
+    if (!last.Takes(plane, this->Radius) && plane.Extent > 0.0)
     {
       this->Add(last);
       last = plane;
@@ -89,8 +94,8 @@ void FacePlanes::Add(const Plane& plane)
   {
     const double distance = glm::dot(plane.Normal, plane.Place - this->Middle);
     const double values[] = { plane.Normal.x, plane.Normal.y, plane.Normal.z, distance,
-      plane.Extent };
-    for (int i = 0; i < 5; ++i)
+      plane.Extent, plane.Deviation };
+    for (int i = 0; i < 6; ++i)
     {
       this->Planes[i].push_back(static_cast<float>(values[i]));
     }
@@ -124,8 +129,9 @@ bool FacePlanes::IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const
       from.y * LoadLanes(&this->Planes[1][i]) + from.z * LoadLanes(&this->Planes[2][i]) +
       from.w * LoadLanes(&this->Planes[3][i]);
     const Lanes distance = GreatestOf(signedDistance, -signedDistance);
-    const Lanes width = (distance - rounded) * LoadLanes(&this->Planes[4][i]);
-    isThin |= ~((width > most) | (distance <= rounded)); // as where it is no number
+    const Lanes off = LoadLanes(&this->Planes[5][i]) * static_cast<float>(farthest);
+    const Lanes width = (distance - off - rounded) * LoadLanes(&this->Planes[4][i]);
+    isThin |= ~((width > most) | (distance + off <= rounded)); // as where it is no number
   }
   return BitsOf(isThin) != 0;
 }

@@ -41,8 +41,8 @@ private:
 
   glm::dvec3 Middle{ 0.0 };
   double Radius = 0.0;
-  std::vector<float>
-    Planes[5]; ///< unit normals, distances from the middle, and how wide the faces are
+  std::vector<float> Planes
+    [6]; ///< unit normals, distances from the middle, how wide the faces are, and how far off their planes
 };
 
 }

@@ -46,10 +46,7 @@ template <class Number>
 class FaceSlopes
 {
 public:
-  /**
-   * @param margin    all that a device may move points by
-   * @param snapping  what of that it moves them by to see what they cover
-   */
+  /** @param snapping  what a device moves points by to see what they cover */
   VITRINE_INLINE FaceSlopes(const FaceSides<Number>& columns, const FaceSides<Number>& lines,
     const FaceSides<Number>& depths, const ScreenMargin& snapping)
   {

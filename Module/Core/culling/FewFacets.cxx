@@ -13,6 +13,7 @@ namespace
 // Of the distance of a point, that it may lie outside by.
 const float MostOutside = 1e-3f;
 
+/** Each cut into as few faces as its corners need: two at the most. */
 bool AreFew(const MeshFacets& facets, std::size_t points)
 {
   std::uint32_t begin = 0, most = 0;
@@ -22,7 +23,8 @@ bool AreFew(const MeshFacets& facets, std::size_t points)
     begin = end;
   }
   return points <= LaneCount && facets.Count() <= LaneCount &&
-    facets.Edges().size() <= FewFacets::MostEdges && most <= FewFacets::CornerCount;
+    facets.Edges().size() <= FewFacets::MostEdges && most <= FewFacets::CornerCount &&
+    facets.FaceCount() + 2 * facets.Count() == facets.Corners().size();
 }
 
 /** Twice the area of a face, along its normal. */

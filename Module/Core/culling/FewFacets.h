@@ -20,7 +20,7 @@ struct FewFacets
   static constexpr int MostEdges = 2 * LaneCount;
   static constexpr int CornerCount = 4;
 
-  /** Null of a mesh of more, or with a facet of more corners, and of one that is neither closed and convex nor one convex facet. */
+  /** Null of a mesh of more, or with a facet of more corners or faces, and of one that is neither closed and convex nor one convex facet. */
   static std::unique_ptr<const FewFacets> Of(
     const MeshFacets& facets, const std::vector<glm::vec3>& points);
 

@@ -21,6 +21,7 @@ MeshFacets::MeshFacets(const std::vector<glm::vec3>& points, const std::vector<M
     this->Largest.push_back(faces[*std::max_element(members.begin(), members.end(),
       [&](std::uint32_t a, std::uint32_t b) { return regions.AreaOf(a) < regions.AreaOf(b); })]);
     this->AddCorners(faces, members);
+    this->FaceTotal += members.size();
   }
   const std::uint32_t count = static_cast<std::uint32_t>(this->Count());
   for (const MeshEdge& edge : edges)

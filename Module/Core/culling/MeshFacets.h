@@ -29,6 +29,9 @@ public:
 
   std::size_t Count() const { return this->Largest.size(); }
 
+  /** How many faces all facets have together. */
+  std::size_t FaceCount() const { return this->FaceTotal; }
+
   /** The largest face of each facet, which stands for how it goes around. */
   const std::vector<MeshFace>& LargestFaces() const { return this->Largest; }
 
@@ -51,6 +54,7 @@ private:
   std::vector<std::uint32_t> CornerList;
   std::vector<std::uint32_t> Ends;
   std::vector<MeshEdge> Sides;
+  std::size_t FaceTotal = 0;
 };
 
 }

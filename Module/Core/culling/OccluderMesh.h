@@ -18,7 +18,7 @@ namespace vitrine
  * The triangles of a part as an occluder: points that stand at the same place are one, and each edge knows the triangle on
  * either side, so that the outline of a view can be found.
  *
- * Triangles without extent and those with a point that is not finite are left out: a rasteriser draws neither.
+ * Triangles of which two corners are one and those with a point that is not finite are left out: a rasteriser draws neither.
  */
 class OccluderMesh
 {

@@ -10,10 +10,6 @@
 namespace vitrine
 {
 
-namespace
-{
-}
-
 std::size_t OutlineCoverage::Insert(SBuffer& buffer, const MeshProjection& projection,
   MeshProjection::Facing facing, std::uint32_t part)
 {

@@ -14,8 +14,9 @@ namespace vitrine
 {
 
 /**
- * Edges as sides of what they bound, which lies where Across * x + Along * y + Start is not negative. A level edge is taken to rise a
- * little.
+ * Edges as functions of the place that are not negative where what they bound is, Across * x + Along * y + Start (J. Pineda: A parallel algorithm for polygon rasterization, SIGGRAPH 1988),
+ * moved inwards by what a device may move them by (J. Hasselgren, T. Akenine-Moller, L. Ohlsson: Conservative rasterization, GPU Gems 2, 2005, chapter 42). A level edge is
+ * taken to rise a little.
  */
 struct HalfPlanes
 {

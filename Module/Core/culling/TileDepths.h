@@ -12,6 +12,8 @@ namespace vitrine
 {
 
 /**
+ * One level of a hierarchical z-buffer (N. Greene, M. Kass, G. Miller: Hierarchical z-buffer visibility, SIGGRAPH 1993), over spans and samples.
+ *
  * An s-buffer's lines cut into tiles of Width columns: of each the least depth of all that covers it, if it is full. Most questions are answered by that.
  * Tiles that stand one above the other lie side by side, so that those of eight lines are looked at together.
  */
