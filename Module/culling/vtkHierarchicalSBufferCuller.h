@@ -20,8 +20,9 @@
  * coordinates of the room or the device, geometry that is not finite.
  *
  * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
- * rendering is being switched, below a pass that may look beyond the view (vtkEDLShading, blurs) or is not known, and where
- * passes draw no opaque parts, nothing is. Wireframes are left out only outside of the view.
+ * rendering is being switched, below a pass that may look beyond the view (vtkEDLShading, blurs) or is of a class that is not known, derived ones included, and where
+ * passes draw no opaque parts, nothing is. Wireframes are left out only outside of the view, and so is everything in windows that smooth lines, points or polygons.
+ * Where something is on the screen that VTK blends among what is opaque (ForceOpaqueOn()), all parts are drawn.
  *
  * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
  *

@@ -29,7 +29,13 @@ def _load_vtk() -> None:
 
 _load_vtk()
 
-from . import vtkVitrineRendering as _rendering  # noqa: E402, only once VTK is known to fit
+try:  # only once VTK is known to fit
+    from . import vtkVitrineRendering as _rendering
+except ImportError as error:
+    raise ImportError(
+        f"vitrine's library is not there, or cannot be loaded: {error}. In a build tree "
+        "`cmake --build` makes it"
+    ) from error
 from .vtkVitrineRendering import *  # noqa: E402,F401,F403
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 

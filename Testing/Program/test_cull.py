@@ -144,6 +144,7 @@ class Cull(FileTest):
             ("demo:assembly", "--buffer", "picture.jpg"),
             ("demo:assembly", "--buffer", self.folder / "nowhere" / "picture.png"),
             ("demo:assembly", "demo:stack", "--buffer", self.folder / "picture.png"),
+            ("demo:assembly", "--buffer", self.folder / "a.png", "--json", self.folder / "a.png"),
             (),
         ):
             with self.subTest(arguments=arguments):

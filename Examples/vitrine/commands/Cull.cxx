@@ -9,6 +9,7 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -48,6 +49,12 @@ void CheckBufferPath(const CullOptions& options)
   if (options.Buffer)
   {
     CheckPicturePath(*options.Buffer);
+    if (options.Json &&
+      std::filesystem::weakly_canonical(*options.Json) ==
+        std::filesystem::weakly_canonical(*options.Buffer))
+    {
+      throw InputError("--buffer", "is the file of --json, too");
+    }
   }
 }
 

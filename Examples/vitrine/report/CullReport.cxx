@@ -126,7 +126,7 @@ Json RunJson(const CullRun& run)
 std::string ToTable(const std::vector<CullRun>& runs)
 {
   std::vector<TextRow> rows = { { "input", "parts", "drawn", "ideal", "culled", "ideally",
-    "cull ms", "frame ms", "without", "ideally", "wrong pixels" } };
+    "cull ms", "frame ms", "without", "ideal ms", "wrong pixels" } };
   for (const CullRun& run : runs)
   {
     rows.push_back(RowOf(run));
