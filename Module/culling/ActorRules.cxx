@@ -163,7 +163,8 @@ bool MayBlendAmongOpaque(vtkActor* actor)
   const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 ||
     (back && back->GetOpacity() < 1.0) || HasShaderCode(actor) || !AreTexturesOpaque(actor) ||
     (mapper && !AreColorsOpaque(mapper, mapper->GetInput())) ||
-    (actor->GetForceOpaque() && mapper && mapper->IsA("vtkCompositePolyDataMapper2"));
+    (actor->GetForceOpaque() && mapper &&
+      (mapper->IsA("vtkCompositePolyDataMapper2") || mapper->IsA("vtkCompositePolyDataMapper")));
   return mayBlend && (actor->GetForceOpaque() || !actor->HasTranslucentPolygonalGeometry());
 }
 

@@ -72,7 +72,7 @@ private:
   std::vector<Node> Nodes;  ///< each behind what holds it
   std::vector<Leaf> Leaves; ///< in ascending order of their addresses
   bool BringTables =
-    false; ///< whether blocks have tables that the mapper takes one after the other: which one it has is known when all are drawn
+    false; ///< whether blocks have tables of their own: which of them others get, too, is known when all are drawn
   std::shared_ptr<const Blocks> Known;
 };
 

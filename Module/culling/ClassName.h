@@ -3,8 +3,10 @@
 
 #include "vtkObject.h"
 
+#include <cctype>
 #include <cstddef>
 #include <cstring>
+#include <string>
 #include <typeinfo>
 
 namespace vitrine
@@ -23,13 +25,15 @@ inline bool IsOfClass(vtkObject* object, const char* name)
   return std::strcmp(object->GetClassName(), name) == 0;
 }
 
-/** The same by the name of its type, too, which ends with that of the class. */
-inline bool IsExactlyOfClass(vtkObject* object, const char* name)
+/** The same by the name of its type, too, which ends with that of the class, behind its length or a word. */
+inline bool IsExactlyOfClass(vtkObject* object, const std::string& name)
 {
-  const char* const type = typeid(*object).name();
-  const std::size_t typeLength = std::strlen(type), length = std::strlen(name);
-  return IsOfClass(object, name) && typeLength >= length &&
-    std::strcmp(type + (typeLength - length), name) == 0;
+  const std::string type = typeid(*object).name();
+  const std::size_t begin = type.rfind(name);
+  return IsOfClass(object, name.c_str()) && begin != std::string::npos &&
+    begin + name.size() == type.size() &&
+    (begin == 0 ||
+      !(std::isalpha(static_cast<unsigned char>(type[begin - 1])) || type[begin - 1] == '_'));
 }
 
 }

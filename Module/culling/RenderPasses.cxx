@@ -70,8 +70,8 @@ bool IsExactlyOneOf(vtkObject* object)
   return (IsExactly<Classes>(object) || ...);
 }
 
-/** Passes of VTK's, and ours, that draw what the camera sees. Derived ones may draw otherwise. */
-bool IsKnown(vtkRenderPass* pass)
+/** Passes of VTK's, and ours, that draw what the camera sees, and those that the user knows. Derived ones may draw otherwise. */
+bool IsKnown(vtkRenderPass* pass, const std::set<std::string>& known)
 {
   const std::array<const char*, 8> ours{ "vtkClusteredLightsPass", "vtkDeferredLightsPass",
     "vtkLinkedListTransparencyPass", "vtkPrefixSumTransparencyPass", "vtkSeeThroughPass",
@@ -81,21 +81,25 @@ bool IsKnown(vtkRenderPass* pass)
            vtkLightsPass, vtkOpaquePass, vtkOpenGLFXAAPass, vtkOrderIndependentTranslucentPass,
            vtkOverlayPass, vtkRenderStepsPass, vtkSSAAPass, vtkSSAOPass, vtkSequencePass,
            vtkToneMappingPass, vtkTranslucentPass, vtkVolumetricPass>(pass) ||
-    std::any_of(
-      ours.begin(), ours.end(), [pass](const char* name) { return IsExactlyOfClass(pass, name); });
+    std::any_of(ours.begin(), ours.end(),
+      [pass](const char* name) { return IsExactlyOfClass(pass, name); }) ||
+    std::any_of(known.begin(), known.end(),
+      [pass](const std::string& name) { return IsOfClass(pass, name.c_str()); });
 }
 
 /**
  * Whether a pass looks at no more than what the camera sees. Others may look beside the view, as blurs do, all around it, at the bounds of all
  * that is drawn, as vtkEDLShading does, or behind what was drawn before, as where vtkClearZPass is; and of those that are not known it is not known.
  */
-bool KeepsToTheView(vtkRenderPass* pass)
+bool KeepsToTheView(vtkRenderPass* pass, const std::set<std::string>& known)
 {
   auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
   const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
-  return IsKnown(pass) &&
-    !(steps && steps->GetPostProcessPass() && !KeepsToTheView(steps->GetPostProcessPass())) &&
-    std::all_of(delegates.begin(), delegates.end(), KeepsToTheView);
+  return IsKnown(pass, known) &&
+    !(steps && steps->GetPostProcessPass() &&
+      !KeepsToTheView(steps->GetPostProcessPass(), known)) &&
+    std::all_of(delegates.begin(), delegates.end(),
+      [&](vtkRenderPass* delegate) { return KeepsToTheView(delegate, known); });
 }
 
 bool DrawsOpaqueParts(vtkRenderPass* pass)
@@ -112,9 +116,9 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
 }
 }
 
-bool ShowsTheViewAlone(vtkRenderPass* pass)
+bool ShowsTheViewAlone(vtkRenderPass* pass, const std::set<std::string>& known)
 {
-  return !pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass));
+  return !pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known));
 }
 
 }

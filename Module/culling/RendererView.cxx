@@ -2,7 +2,6 @@
 
 #include "culling/ClassName.h"
 #include "culling/Matrices.h"
-#include "culling/RenderPasses.h"
 #include "culling/SceneParts.h"
 #include "gl/Capabilities.h"
 
@@ -44,8 +43,7 @@ bool IsKnown(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   return IsExactly<vtkOpenGLCamera>(camera) &&
-    camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender() &&
-    ShowsTheViewAlone(renderer->GetPass());
+    camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender();
 }
 
 /** Of passes that draw into targets of the window's size. Stencil masks have a larger one, and who knows what others have. */

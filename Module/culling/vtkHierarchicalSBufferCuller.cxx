@@ -2,6 +2,7 @@
 
 #include "Core/culling/PartCuller.h"
 #include "Core/culling/SBufferImage.h"
+#include "culling/RenderPasses.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
 
@@ -22,6 +23,8 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkHierarchicalSBufferCuller);
 vtkInformationKeyMacro(vtkHierarchicalSBufferCuller, NON_OCCLUDING, Integer);
@@ -47,6 +50,7 @@ struct vtkHierarchicalSBufferCuller::State
   struct ShapedCuller;
   struct CulledRenderer;
   std::map<vtkRenderer*, CulledRenderer> Of;
+  std::set<std::string> KnownPasses; ///< classes
 
   CulledRenderer& At(vtkRenderer* renderer);
 };
@@ -171,7 +175,8 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   known.TakeBack();
   parts.Update(propList, listLength);
   vitrine::RendererView view;
-  if (!view.Read(renderer, this->BufferLines, parts))
+  if (!vitrine::ShowsTheViewAlone(renderer->GetPass(), this->Renderers->KnownPasses) ||
+    !view.Read(renderer, this->BufferLines, parts))
   {
     return false;
   }
@@ -194,6 +199,17 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.BufferCounts().Inserted);
   this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.BufferCounts().Comparisons);
   return true;
+}
+
+void vtkHierarchicalSBufferCuller::AddKnownPass(const char* className)
+{
+  if (!className)
+  {
+    vtkErrorMacro("AddKnownPass() takes the name of a class");
+    return;
+  }
+  this->Renderers->KnownPasses.insert(className);
+  this->Modified();
 }
 
 vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)

@@ -74,6 +74,12 @@ public:
    */
   static vtkInformationIntegerKey* NON_OCCLUDING();
 
+  /**
+   * Says that passes of a class, which is derived from one of VTK's or Vitrine's, draw what that one draws: with its depth test, and no more than the camera sees. Below passes of
+   * other classes than theirs that are not known nothing is left out.
+   */
+  void AddKnownPass(const char* className);
+
   ///@{
   /**
    * Of the last frame, or of its last renderer or eye: props that were left to be drawn, and the parts that show of them; parts that

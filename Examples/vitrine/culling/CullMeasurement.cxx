@@ -60,6 +60,10 @@ private:
   vtkRenderer* Renderer = nullptr;
 };
 
+/** Those of VTK's that count what they draw, or are told how (methods/VTKMethods.cxx). */
+const char* const PassesOfMethods[] = { "CountingTranslucentPass", "CountingRenderStepsPass",
+  "SingleSamplePeelingPass" };
+
 std::int64_t CountDifferent(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b)
 {
   std::int64_t different = 0;
@@ -149,6 +153,10 @@ private:
     , Window(scene, std::move(cullers), settings.Size, settings.Multisamples)
   {
     this->Ours->SetBufferLines(settings.BufferLines);
+    for (const char* pass : PassesOfMethods)
+    {
+      this->Ours->AddKnownPass(pass);
+    }
     if (settings.Form != SceneForm::Actors)
     {
       this->Cullers->SetActor(MakeActorOfAll(scene, settings.Form));
