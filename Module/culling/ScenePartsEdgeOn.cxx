@@ -20,8 +20,8 @@ namespace vitrine
 namespace
 {
 
-// Of what rasterisers snap by, 1/256 pixel. Of a face that is so thin, 1/8192 pixel, they may draw depths that differ by 16 times as much as those of its corners.
-const double ThinnestFace = 0x1p-5;
+// Of what rasterisers snap by, 1/256 pixel. What they draw of a thinner face may have any depth: snapped corners lie beside it, where its plane is as steep as it is thin.
+const double ThinnestFace = 1.0;
 
 /** The longest that an axis becomes, squared. */
 double LongestAxisOf(const glm::dmat4& m)
