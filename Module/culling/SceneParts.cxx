@@ -303,6 +303,13 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   {
     return {};
   }
+  return this->ShapeOf(i);
+}
+
+/** The same of a part whatever it hides. */
+Occluder SceneParts::ShapeOf(std::uint32_t i)
+{
+  const Part& part = this->Parts[i];
   const OccluderMesh& mesh = part.Geometry->Occluder(part.Data);
   if (mesh.PointCount() == 0)
   {

@@ -120,6 +120,7 @@ private:
     glm::dvec3 Farthest; ///< the largest absolute coordinates from there
   };
 
+  Occluder ShapeOf(std::uint32_t part);
   std::vector<std::uint32_t> FindHiddenInView(const ScreenProjection& view,
     const SampleGrid& samples, const std::vector<std::uint8_t>& drawn,
     const std::vector<std::uint8_t>& visible) const;

@@ -132,7 +132,7 @@ void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
   std::vector<PartCuller::BoxedPart> parts;
   for (const std::uint32_t i : edgeOn)
   {
-    parts.push_back({ this->OccluderOf(i), this->BoxOf[i] });
+    parts.push_back({ this->ShapeOf(i), this->BoxOf[i] });
   }
   const std::vector<std::uint8_t> hides = culler.HideThinFacesOf(parts, view);
   for (std::size_t i = 0; i < edgeOn.size(); ++i)
