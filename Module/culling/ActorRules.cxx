@@ -149,19 +149,23 @@ bool IsOpaqueSurface(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
-  vtkProperty* back = actor->GetBackfaceProperty();
   return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
     !IsTranslucentAsAWhole(actor) && !actor->GetForceOpaque() && property->GetOpacity() >= 1.0 &&
-    !(back && back->GetOpacity() < 1.0) && !(planes && planes->GetNumberOfItems() > 0) &&
+    !HasTranslucentBack(actor) && !(planes && planes->GetNumberOfItems() > 0) &&
     AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
 }
 
-bool MayBlendAmongOpaque(vtkActor* actor)
+bool HasTranslucentBack(vtkActor* actor)
+{
+  vtkProperty* back = actor->GetBackfaceProperty();
+  return back && back->GetOpacity() < 1.0;
+}
+
+bool MayBlendAmongOpaque(vtkActor* actor, bool areTexturesOpaque)
 {
   vtkMapper* mapper = actor->GetMapper();
-  vtkProperty* back = actor->GetBackfaceProperty();
-  const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 ||
-    (back && back->GetOpacity() < 1.0) || HasShaderCode(actor) || !AreTexturesOpaque(actor) ||
+  const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 || HasTranslucentBack(actor) ||
+    HasShaderCode(actor) || !areTexturesOpaque ||
     (mapper && !AreColorsOpaque(mapper, mapper->GetInput())) ||
     (actor->GetForceOpaque() && mapper &&
       (mapper->IsA("vtkCompositePolyDataMapper2") || mapper->IsA("vtkCompositePolyDataMapper")));

@@ -41,11 +41,15 @@ bool IsNonOccluding(vtkActor* actor);
 /** Whether the surface of the actor surely hides what lies behind it, textures and colours of single blocks aside. */
 bool IsOpaqueSurface(vtkActor* actor);
 
+/** Whether back faces have a property of their own that is translucent. */
+bool HasTranslucentBack(vtkActor* actor);
+
 /**
  * Whether what VTK draws of the actor among what is opaque may be blended with what was drawn before it. It hides nothing; but since it is as near as anything for the depth test,
  * what is drawn later behind it does not cover what shines through.
+ * @param areTexturesOpaque  as AreTexturesOpaque() tells
  */
-bool MayBlendAmongOpaque(vtkActor* actor);
+bool MayBlendAmongOpaque(vtkActor* actor, bool areTexturesOpaque);
 
 /** Whether the actor has no texture that could let anything through. */
 bool AreTexturesOpaque(vtkActor* actor);

@@ -80,8 +80,7 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
       this->PlaceWhole(part, moved);
       hasChanged = true;
     }
-    this->LookAtTextures(this->Parts[part]);
-    this->LookAtBlending(part);
+    this->LookAtOpacity(part);
   }
   return hasChanged;
 }
@@ -132,24 +131,25 @@ void SceneParts::ForgetAbsent()
   this->Boxes = LooseOctree();
 }
 
-/** Brings their images up to date, as drawing does, and notes if anything was made for that: VTK's time counts what is modified. */
-void SceneParts::LookAtTextures(const Part& part)
-{
-  if (part.Actor && part.HasTextures)
-  {
-    vtkTimeStamp before, after;
-    before.Modified();
-    this->AreOpaque[part.Actor] = AreTexturesOpaque(part.Actor);
-    after.Modified();
-    this->HasMadeData = this->HasMadeData || after.GetMTime() != before.GetMTime() + 1;
-  }
-}
-
-/** Of a prop that is not surely as it was. */
-void SceneParts::LookAtBlending(std::uint32_t part)
+/**
+ * Of a prop that is not surely as it was: what its textures and all else let through. Brings images up to date, as drawing does, and notes if anything was made for that: VTK's time counts what
+ * is modified.
+ */
+void SceneParts::LookAtOpacity(std::uint32_t part)
 {
   vtkActor* const actor = vtkActor::SafeDownCast(this->PropOf[part]);
-  this->Blends[part] = actor && MayBlendAmongOpaque(actor);
+  this->Blends[part] = 0;
+  if (!actor)
+  {
+    return;
+  }
+  vtkTimeStamp before, after;
+  before.Modified();
+  const bool areTexturesOpaque = AreTexturesOpaque(actor);
+  after.Modified();
+  this->HasMadeData = this->HasMadeData || after.GetMTime() != before.GetMTime() + 1;
+  this->AreOpaque[actor] = areTexturesOpaque;
+  this->Blends[part] = MayBlendAmongOpaque(actor, areTexturesOpaque);
 }
 
 /** Notes what a part is now. */

@@ -127,8 +127,7 @@ private:
   std::vector<std::uint32_t> FindEdgeOn(
     const ScreenProjection& view, const std::vector<std::uint32_t>& of) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
-  void LookAtTextures(const Part& part);
-  void LookAtBlending(std::uint32_t part);
+  void LookAtOpacity(std::uint32_t part);
   void MakeData(vtkPolyDataMapper* mapper);
   void LookAnewIfSettingsChanged();
   void ForgetAbsent();

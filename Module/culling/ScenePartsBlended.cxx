@@ -18,21 +18,19 @@ namespace vitrine
 namespace
 {
 
-const ScreenRectangle AllOfTheScreen{ -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
-
 /** Of a box in the view; returns false if it lies outside. */
 bool FindRectangle(const ScreenProjection& view, const Box& box, ScreenRectangle& rectangle)
 {
   if (!box.IsPlaceable())
   {
-    rectangle = AllOfTheScreen;
+    rectangle = Everywhere;
     return true;
   }
   BoxLanes boxes;
   boxes.Set(0, box);
   RectangleLanes rectangles;
   view.Project(boxes, rectangles);
-  rectangle = (rectangles.Near & 1u) != 0 ? AllOfTheScreen : rectangles.At(0);
+  rectangle = (rectangles.Near & 1u) != 0 ? Everywhere : rectangles.At(0);
   return (rectangles.Outside & 1u) == 0;
 }
 
@@ -81,10 +79,9 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   for (const std::uint32_t part : this->FindHiddenInView(view, samples, drawn, visible))
   {
     ScreenRectangle own;
-    const bool isInView = FindRectangle(view, this->BoxOf[part], own);
-    visible[part] = isInView &&
-      std::any_of(blended.begin(), blended.end(),
-        [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle); });
+    FindRectangle(view, this->BoxOf[part], own);
+    visible[part] = std::any_of(blended.begin(), blended.end(),
+      [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle); });
   }
 }
 

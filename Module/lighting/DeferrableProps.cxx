@@ -36,9 +36,8 @@ bool HasKnownMapper(vtkActor* actor)
 // What has alpha is blended with what is drawn before it.
 bool HidesWhatIsBehind(vtkActor* actor)
 {
-  vtkProperty* const back = actor->GetBackfaceProperty();
-  return !actor->GetForceOpaque() && !(back && back->GetOpacity() < 1.0) &&
-    AreTexturesOpaque(actor) && AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
+  return !actor->GetForceOpaque() && !HasTranslucentBack(actor) && AreTexturesOpaque(actor) &&
+    AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
 }
 
 // Blocks are not asked.

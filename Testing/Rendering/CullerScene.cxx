@@ -167,6 +167,21 @@ void CullerScene::LookFromAnywhere(TestRandom& random)
   camera->SetParallelScale(between(ParallelScale, 1.1 * ParallelScale));
 }
 
+bool CullerScene::ShowsUnculled(const std::vector<vtkSmartPointer<vtkActor>>& parts)
+{
+  this->Culler->CullingOff();
+  Picture pictures[2];
+  for (const int isDrawn : { 0, 1 })
+  {
+    for (const vtkSmartPointer<vtkActor>& part : parts)
+    {
+      part->SetVisibility(isDrawn);
+    }
+    pictures[isDrawn] = this->Render();
+  }
+  return CountDifferentPixels(pictures[0], pictures[1]) > 0;
+}
+
 int CullerScene::ExpectSame()
 {
   this->Culler->CullingOn();

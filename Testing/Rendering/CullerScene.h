@@ -69,6 +69,9 @@ struct CullerScene : TestScene
   /** Look from anywhere in front. */
   void LookFromAnywhere(TestRandom& random);
 
+  /** Whether any of some parts shows from where the camera is, if nothing is culled; culling stays off. */
+  bool ShowsUnculled(const std::vector<vtkSmartPointer<vtkActor>>& parts);
+
   /** Draw with and without culling, and expect the same picture. Returns how many parts were left out. */
   int ExpectSame();
 

@@ -49,22 +49,6 @@ protected:
     return front;
   }
 
-  // Whether boxes show where nothing is culled.
-  bool AreSeen()
-  {
-    Scene.Culler->CullingOff();
-    Picture pictures[2];
-    for (const int isDrawn : { 0, 1 })
-    {
-      for (const vtkSmartPointer<vtkActor>& box : this->Boxes)
-      {
-        box->SetVisibility(isDrawn);
-      }
-      pictures[isDrawn] = Scene.Render();
-    }
-    return CountDifferentPixels(pictures[0], pictures[1]) > 0;
-  }
-
   // Of the boxes behind the wall those are drawn that lie where something is blended, and no others.
   void ExpectSomeDrawn()
   {
@@ -72,7 +56,7 @@ protected:
     const int leftOut = Scene.ExpectSame();
     EXPECT_GT(leftOut, 20);
     EXPECT_LT(leftOut, static_cast<int>(this->Boxes.size()));
-    EXPECT_TRUE(this->AreSeen());
+    EXPECT_TRUE(Scene.ShowsUnculled(this->Boxes));
     Scene.ExpectHidden(320, 2);
   }
 
@@ -80,7 +64,7 @@ protected:
   {
     Scene.LookAhead();
     EXPECT_GE(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
-    EXPECT_FALSE(this->AreSeen());
+    EXPECT_FALSE(Scene.ShowsUnculled(this->Boxes));
   }
 
   // Puts a wall between the boxes and what is blended.
@@ -268,7 +252,7 @@ TEST_P(CullerBlended, PassesDerivedFromVTKs)
     camera->SetDelegatePass(sequence);
     Scene.Renderer->SetPass(camera);
     isXRay ? Scene.ExpectNothingHidden(322, 1) : Scene.ExpectHidden(322, 1);
-    EXPECT_EQ(this->AreSeen(), isXRay);
+    EXPECT_EQ(Scene.ShowsUnculled(this->Boxes), isXRay);
     Scene.Renderer->SetPass(nullptr);
   }
 }

@@ -76,26 +76,10 @@ protected:
 
   vtkPointData* Points() { return this->Mapper->GetInput()->GetPointData(); }
 
-  // Whether the boxes show where nothing is culled.
-  bool AreSeen()
-  {
-    Scene.Culler->CullingOff();
-    Picture pictures[2];
-    for (const int isDrawn : { 0, 1 })
-    {
-      for (const vtkSmartPointer<vtkActor>& box : this->Boxes)
-      {
-        box->SetVisibility(isDrawn);
-      }
-      pictures[isDrawn] = Scene.Render();
-    }
-    return CountDifferentPixels(pictures[0], pictures[1]) > 0;
-  }
-
   void ExpectSeenThrough()
   {
     Scene.ExpectNothingHidden(310, 1);
-    EXPECT_TRUE(this->AreSeen());
+    EXPECT_TRUE(Scene.ShowsUnculled(this->Boxes));
   }
 
   // In the first frame after a change: mappers take their arrays' tables while they draw, and VTK draws otherwise from then on.
@@ -115,7 +99,7 @@ protected:
   void ExpectHidden()
   {
     Scene.ExpectHidden(311, 1);
-    EXPECT_FALSE(this->AreSeen());
+    EXPECT_FALSE(Scene.ShowsUnculled(this->Boxes));
   }
 
   // Scalars at the wall's corners that a table makes colours of.

@@ -3,7 +3,7 @@
 #include "culling/BufferPicture.h"
 #include "culling/IdealCuller.h"
 #include "culling/ItemBuffer.h"
-#include "methods/Method.h"
+#include "methods/VTKMethods.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
@@ -59,10 +59,6 @@ private:
   std::unique_ptr<Method> Drawn;
   vtkRenderer* Renderer = nullptr;
 };
-
-/** Those of VTK's that count what they draw, or are told how (methods/VTKMethods.cxx). */
-const char* const PassesOfMethods[] = { "CountingTranslucentPass", "CountingRenderStepsPass",
-  "SingleSamplePeelingPass" };
 
 std::int64_t CountDifferent(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b)
 {
@@ -153,7 +149,7 @@ private:
     , Window(scene, std::move(cullers), settings.Size, settings.Multisamples)
   {
     this->Ours->SetBufferLines(settings.BufferLines);
-    for (const char* pass : PassesOfMethods)
+    for (const char* pass : PassesOfVTKMethods())
     {
       this->Ours->AddKnownPass(pass);
     }

@@ -162,4 +162,9 @@ std::unique_ptr<Method> MakeVTKPeeling(int peels)
   return std::make_unique<PeelingMethod>(pass);
 }
 
+std::vector<const char*> PassesOfVTKMethods()
+{
+  return { "CountingTranslucentPass", "CountingRenderStepsPass", "SingleSamplePeelingPass" };
+}
+
 }

@@ -6,6 +6,8 @@
 
 #include "methods/Method.h"
 
+#include <vector>
+
 namespace program
 {
 
@@ -17,6 +19,9 @@ std::unique_ptr<Method> MakeVTKOIT();
 
 /** vtkDualDepthPeelingPass with at most that many peels, each of which takes off two layers. */
 std::unique_ptr<Method> MakeVTKPeeling(int peels);
+
+/** The classes of the passes of all of these, which draw what those of VTK's draw that they are derived from. */
+std::vector<const char*> PassesOfVTKMethods();
 
 }
 #endif

@@ -32,9 +32,6 @@ struct BandTools
   PartStates States{};
 };
 
-/** Where the box of what reaches before the near plane may be on the screen. */
-inline constexpr ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
-
 /** Tests the parts of a band in one frame against what stands in its s-buffer, and puts those that show into it. */
 class BandParts
 {

@@ -40,12 +40,13 @@ struct FacePlanes::Plane
   {
     const double turned = glm::length(other.Normal - this->Normal);
     const double moved = std::abs(glm::dot(this->Normal, other.Place - this->Place));
-    if (this->Extent == 0.0 || other.Extent == 0.0 || !(turned + moved / radius < SamePlane))
+    const double deviation = turned + moved / radius;
+    if (this->Extent == 0.0 || other.Extent == 0.0 || !(deviation < SamePlane))
     {
       return false;
     }
     this->Extent = std::min(this->Extent, other.Extent);
-    this->Deviation = std::max(this->Deviation, turned + moved / radius);
+    this->Deviation = std::max(this->Deviation, deviation);
     return true;
   }
 };

@@ -61,6 +61,9 @@ struct RectangleLanes
   }
 };
 
+/** Where the box of what reaches before the near plane may be on the screen. */
+inline constexpr ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
+
 /**
  * How a view maps world coordinates (WC) onto the columns and lines of an s-buffer, and to reversed depth: (w - z) / 2w of clip
  * coordinates, 1 at the near plane and 0 at the far one. That is affine on the screen along a plane, in perspective and in
