@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -217,6 +218,28 @@ TEST_P(CullerOccluders, Scene07SliversAtASlant)
   Scene.AddMesh(MeshOf(StripsAndSlivers()))->RotateZ(-38.7);
   Scene.AddHidden();
   Scene.ExpectSameAround(110, 5);
+}
+
+/** Right behind height 0 and seen from straight ahead: a plate that looks so thin, across the middle of the screen. */
+vtkSmartPointer<vtkPolyData> PlateSeenFromItsEdge(double thickness)
+{
+  const double low = -0.5 * thickness, high = 0.5 * thickness, near = -0.02, far = -0.52;
+  return MeshOf(
+    { { { { -0.2, low, near }, { 0.2, low, near }, { 0.2, high, far }, { -0.2, high, far } } } });
+}
+
+// A device may draw slivers of less than what it snaps by, 1/256 pixel, nearer than all of their corners.
+TEST_P(CullerOccluders, Scene07SliversRightBehindAWall)
+{
+  Scene.AddWall();
+  Scene.LookAhead();
+  for (const auto& [pixels, hidden] : { std::pair(1.0 / 1000.0, 0), std::pair(0.5, 1) })
+  {
+    const vtkSmartPointer<vtkActor> plate =
+      Scene.AddMesh(PlateSeenFromItsEdge(pixels * Scene.PixelSize()));
+    EXPECT_EQ(Scene.ExpectSame(), hidden) << pixels << " pixels";
+    Scene.Renderer->RemoveActor(plate);
+  }
 }
 
 TEST_P(CullerOccluders, Scene08PartsThatCutEachOther)
