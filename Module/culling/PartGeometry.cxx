@@ -120,11 +120,12 @@ void PartGeometry::BuildMesh(vtkPolyData* data)
 
 const FacePlanes& PartGeometry::Planes(vtkPolyData* data)
 {
-  if (!this->PlanesOfFaces)
-  {
-    const MeshTriangles triangles = this->TrianglesFrom(data);
-    this->PlanesOfFaces = std::make_unique<FacePlanes>(triangles.Points, triangles.Corners);
-  }
+  std::call_once(this->ArePlanesBuilt,
+    [&]
+    {
+      const MeshTriangles triangles = this->TrianglesFrom(data);
+      this->PlanesOfFaces = std::make_unique<FacePlanes>(triangles.Points, triangles.Corners);
+    });
   return *this->PlanesOfFaces;
 }
 

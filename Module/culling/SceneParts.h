@@ -64,7 +64,7 @@ public:
   float LargestGrowth() const { return this->Growth; }
 
   /**
-   * Has parts show that were found hidden, but not face by face, and have a face that the eye sees from its edge: a device may draw that at any depth. And all wireframes:
+   * Has parts show that were found hidden where they are, but not where a device may draw them: beside their faces, and those that the eye sees from their edge at any depth. And all wireframes:
    * it draws lines that are seen nearly from their end beyond it, at any depth, too.
    * @param culler   that found them hidden
    * @param drawn    one for each part, 1 for those that are drawn
@@ -113,6 +113,8 @@ private:
     std::vector<std::uint32_t> Pieces; ///< the parts of the division
   };
 
+  class Shapes;
+
   /** What a device computes a part's places from. */
   struct DeviceCoordinates
   {
@@ -121,11 +123,8 @@ private:
   };
 
   Occluder ShapeOf(std::uint32_t part);
-  std::vector<std::uint32_t> FindHiddenInView(const ScreenProjection& view,
-    const SampleGrid& samples, const std::vector<std::uint8_t>& drawn,
-    const std::vector<std::uint8_t>& visible) const;
-  std::vector<std::uint32_t> FindEdgeOn(
-    const ScreenProjection& view, const std::vector<std::uint32_t>& of) const;
+  std::vector<BoxedPart> FindHiddenInView(const ScreenProjection& view, const SampleGrid& samples,
+    const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
   void LookAtOpacity(std::uint32_t part);
   void MakeData(vtkPolyDataMapper* mapper);

@@ -76,11 +76,11 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   {
     return;
   }
-  for (const std::uint32_t part : this->FindHiddenInView(view, samples, drawn, visible))
+  for (const BoxedPart& part : this->FindHiddenInView(view, samples, drawn, visible))
   {
     ScreenRectangle own;
-    FindRectangle(view, this->BoxOf[part], own);
-    visible[part] = std::any_of(blended.begin(), blended.end(),
+    FindRectangle(view, part.Bounds, own);
+    visible[part.Part] = std::any_of(blended.begin(), blended.end(),
       [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle); });
   }
 }

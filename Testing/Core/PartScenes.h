@@ -6,7 +6,9 @@
 
 #include "OccluderScenes.h"
 
+#include "Core/culling/FacePlanes.h"
 #include "Core/culling/PartCuller.h"
+#include "Core/culling/ShapeSource.h"
 
 #include <glm/matrix.hpp>
 
@@ -24,8 +26,8 @@ using vitrine::LooseOctree;
 using vitrine::Occluder;
 using vitrine::PartCuller;
 
-/** Parts, their places, and what they hide with. */
-class PartScene : public vitrine::OccluderSource
+/** Parts, their places, what they hide with, and what they are whatever they hide, which is the same. */
+class PartScene : public vitrine::ShapeSource
 {
 public:
   /** @returns its number */
@@ -37,7 +39,9 @@ public:
     {
       part.Boxes = std::make_shared<vitrine::MeshBoxes>(*part.Mesh);
     }
+    part.Planes = std::make_shared<vitrine::FacePlanes>(triangles.Points, triangles.Corners);
     part.ToWorld = toWorld;
+    part.FromWorld = glm::inverse(toWorld);
     glm::dvec3 low(1e300), high(-1e300);
     for (const std::uint32_t corner : triangles.Corners)
     {
@@ -73,6 +77,12 @@ public:
       part.IsOfFacesAlone };
   }
 
+  vitrine::PartPlanes PlanesOf(std::uint32_t i) override
+  {
+    const Part& part = this->Parts[i];
+    return { part.Planes.get(), &part.ToWorld, &part.FromWorld };
+  }
+
   /** Leaves in Visible what may show. */
   void Cull(PartCuller& culler, const View& view, bool occlusion = true)
   {
@@ -88,7 +98,8 @@ public:
   {
     std::shared_ptr<OccluderMesh> Mesh;
     std::shared_ptr<vitrine::MeshBoxes> Boxes; ///< of meshes of many points
-    glm::dmat4 ToWorld;
+    std::shared_ptr<vitrine::FacePlanes> Planes;
+    glm::dmat4 ToWorld, FromWorld;
     std::vector<glm::dvec3> Corners; ///< of triangles, in the world
     bool Hides = true;
     bool HasBackFaces = true;

@@ -4,13 +4,17 @@
 
 #include "Core/culling/FacePlanes.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace
@@ -28,14 +32,22 @@ FacePlanes PlanesOf(const Triangles& triangles)
   return FacePlanes(triangles.Points, triangles.Corners);
 }
 
+/** Numbers of those that are thin. */
+std::vector<std::uint32_t> ThinTo(const FacePlanes& planes, const glm::dvec4& eye)
+{
+  std::vector<std::uint32_t> thin;
+  planes.FindThin({ eye, glm::dvec4(0.0), glm::dvec4(0.0) }, { Thickness, 0.0 }, thin);
+  return thin;
+}
+
 bool IsSeenFrom(const FacePlanes& planes, const glm::dvec3& eye)
 {
-  return planes.IsAnyEdgeOn(glm::dvec4(eye, 1.0), Thickness);
+  return !ThinTo(planes, glm::dvec4(eye, 1.0)).empty();
 }
 
 bool IsSeenAlong(const FacePlanes& planes, const glm::dvec3& direction)
 {
-  return planes.IsAnyEdgeOn(glm::dvec4(glm::normalize(direction), 0.0), Thickness);
+  return !ThinTo(planes, glm::dvec4(glm::normalize(direction), 0.0)).empty();
 }
 
 /** How thin the thinnest face of some looks, at a distance of 1. */
@@ -176,9 +188,93 @@ TEST(FacePlanes, AreManyInOneMesh)
   EXPECT_FALSE(IsSeenFrom(planes, { 33.3, 21.1, -9 }));
 }
 
+TEST(FacePlanes, NameFacesAsAMeshOfTheSameTrianglesDoes)
+{
+  Triangles triangles;
+  triangles.Add({ 1, 1, 1 }, { 1, 1, 1 }, { 2, 2, 2 });          // not in the mesh
+  triangles.Add({ 1, 1, NotANumber }, { 1, 0, 1 }, { 2, 2, 2 }); // nor this one
+  triangles.Add({ 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 });          // 0, without a plane
+  triangles.Add({ 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 });          // 1, level
+  triangles.Add({ 1, 0, 2 }, { 1, 1, 2 }, { 0, 1, 2 });          // 2, in the same plane
+  triangles.Add({ 1, 1, 1 }, { 1, 1, 1 }, { 2, 2, 2 });
+  triangles.Add({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }); // 3, upright
+  triangles.Add({ 0, 0, 5 }, { 1, 0, 5 }, { 0, 1, 5 }); // 4, level
+  const auto mesh = triangles.Mesh();
+  ASSERT_EQ(mesh.Faces().size(), 5u);
+  const FacePlanes planes = PlanesOf(triangles);
+  using Faces = std::vector<std::uint32_t>;
+  EXPECT_EQ(ThinTo(planes, { 30, 20, 2.0001, 1 }), (Faces{ 1, 2 }));
+  EXPECT_EQ(ThinTo(planes, { -0.0001, 20, 30, 1 }), Faces{ 3 });
+  EXPECT_EQ(ThinTo(planes, { 30, 20, 5.0001, 1 }), Faces{ 4 });
+  EXPECT_EQ(ThinTo(planes, { 30, 20, 17, 1 }), Faces{});
+}
+
+TEST(FacePlanes, CountAsThickerTheNearerTheyAre)
+{
+  const FacePlanes box = PlanesOf(BoxBetween({ 1, 2, 3 }, { 2, 4, 6 }));
+  const auto isThin = [&](double above, double distance)
+  {
+    std::vector<std::uint32_t> thin;
+    const glm::dvec4 eye(
+      2 + distance, 30, 6 + above * distance, 1.0); // triangles of its top are 0.89 wide
+    box.FindThin({ eye, glm::dvec4(0.0), glm::dvec4(0.0) }, { 0.0, 1e-3 }, thin);
+    return !thin.empty();
+  };
+  for (const double distance : { 100.0, 1000.0 })
+  {
+    EXPECT_TRUE(isThin(1.0e-3, distance));
+    EXPECT_FALSE(isThin(1.3e-3, distance));
+  }
+}
+
+// Of all faces that are not thin.
+TEST(FacePlanes, TellHowSteepOthersAre)
+{
+  Random random(13);
+  double closest = 1e300;
+  for (int round = 0; round < 5000; ++round)
+  {
+    Triangles triangles;
+    const std::uint32_t count = 1 + random.Below(12);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const glm::dvec3 middle = random.Point(-1, 1);
+      triangles.Add(middle + random.Point(-0.2, 0.2), middle + random.Point(-0.2, 0.2),
+        middle + random.Point(-0.2, 0.2));
+    }
+    const coverage::View view = coverage::RandomView(glm::dvec3(0.0), random);
+    const vitrine::PlaneView planes = view.Projection(2.0).OfPlanes();
+    std::vector<std::uint32_t> thin;
+    const glm::dvec2 slopes = PlanesOf(triangles).FindThin(planes, { 1e-3, 0.0 }, thin);
+    glm::dvec2 steepest(0.0);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const glm::dvec3 a = triangles.Points[triangles.Corners[3 * i]];
+      const glm::dvec3 b = triangles.Points[triangles.Corners[3 * i + 1]];
+      const glm::dvec3 c = triangles.Points[triangles.Corners[3 * i + 2]];
+      const glm::dvec3 normal = glm::cross(b - a, c - a);
+      const glm::dvec4 plane(normal, -glm::dot(normal, a));
+      if (std::find(thin.begin(), thin.end(), i) == thin.end())
+      {
+        const glm::dvec2 numerators(
+          glm::dot(plane, planes.ByColumn), glm::dot(plane, planes.ByLine));
+        steepest = glm::max(steepest, glm::abs(numerators / glm::dot(plane, planes.Eye)));
+      }
+    }
+    ASSERT_LE(steepest.x, slopes.x * 1.001) << "seed 13, round " << round;
+    ASSERT_LE(steepest.y, slopes.y * 1.001) << "seed 13, round " << round;
+    closest = steepest.x > 0.0 ? std::min(closest, slopes.x / steepest.x) : closest;
+  }
+  EXPECT_LT(closest, 1.1) << "nor much steeper";
+}
+
 TEST(FacePlanes, OfNothingAndOfFacesWithoutExtentAreNone)
 {
   EXPECT_FALSE(IsSeenFrom(FacePlanes({}, {}), { 0, 0, 0 }));
+  std::vector<std::uint32_t> thin;
+  const glm::dvec4 somewhere(1.0);
+  EXPECT_EQ(
+    FacePlanes({}, {}).FindThin({ somewhere, somewhere, somewhere }, {}, thin), glm::dvec2(0.0));
   Triangles none;
   none.Add({ 1, 1, 1 }, { 1, 1, 1 }, { 2, 2, 2 });
   none.Add({ 1, 1, NotANumber }, { 1, 0, 1 }, { 2, 2, 2 });

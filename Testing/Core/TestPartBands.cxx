@@ -137,55 +137,25 @@ TEST(PartBands, FindTheSameEachTime)
   EXPECT_EQ(found[0], found[1]);
 }
 
-TEST(PartBands, TellWhetherThinFacesOfAPartAreHidden)
+TEST(PartBands, KeepHiddenWhatNoneOfThemShowsAtASecondLook)
 {
   PartScene scene;
-  scene.AddBox({ -60, -60, -21 }, { 60, 2.0, -20 });
-  const std::uint32_t wide = scene.AddBox({ -1, -30, -32 }, { 1, 10, -30 });
-  // Depths of a sliver differ by less than those of what stands before it.
-  const auto addSlivers = [&](double left, double top, int count)
+  scene.AddBox({ -60, -60, -21 }, { 60, 2.0, -20 }); // what lies above it shows
+  const std::uint32_t high = scene.AddBox({ -1, -30, -32 }, { 1, 10, -30 });
+  const std::uint32_t low = scene.AddBox({ 3, -30, -32 }, { 5, 1, -30 });
+  const std::uint32_t outside = scene.AddBox({ 3, 30, -32 }, { 5, 31, -30 });
+  for (const int bands : { 1, 4 })
   {
-    Triangles slivers;
-    for (int i = 0; i < count; ++i)
-    {
-      slivers.Add({ left, -3, -31 }, { left, top, -31 }, { left + 6e-3, top, -31 });
-    }
-    return scene.Add(slivers);
-  };
-  const double centre = 1.657; // of pixels, two and a half columns from the middle of the screen
-  const std::uint32_t high = addSlivers(centre - 3e-3, 10, 1), low = addSlivers(4, 1, 1);
-  const std::uint32_t many = addSlivers(-centre - 3e-3, 10, 200),
-                      between = addSlivers(-2.65, 10, 1);
-  const std::uint32_t thousands = addSlivers(-centre - 3e-3, 10, 1100);
-  const std::uint32_t lines = scene.AddBox({ 7, -30, -32 }, { 9, 1, -30 });
-  scene.Parts[lines].IsOfFacesAlone = false;
-  for (const auto& [count, isAtCentres] :
-    { std::pair(1, false), std::pair(4, false), std::pair(1, true), std::pair(4, true) })
-  {
-    SCOPED_TRACE(count);
-    PartCuller culler(
-      FrameColumns, FrameLines, isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid(), count);
-    View view = AheadView(false);
-    view.Snapping = { 1.0f / 64.0f, 1.0f / 64.0f, 0.0f }; // slivers are 0.01 columns wide
+    PartCuller culler = InBands(bands);
     scene.Visible.assign(scene.Parts.size(), 1);
-    scene.Cull(culler, view);
-    std::vector<PartCuller::BoxedPart> asked;
-    for (const std::uint32_t part : { wide, high, low, lines, many, between, thousands })
+    scene.Cull(culler, AheadView(false));
+    std::vector<vitrine::BoxedPart> asked;
+    for (const std::uint32_t part : { high, low, outside })
     {
-      asked.push_back({ scene.OccluderOf(part), scene.Bounds[part] });
+      asked.push_back({ part, scene.Bounds[part] });
     }
-    asked.push_back({ {}, scene.Bounds[wide] });
-    const std::vector<std::uint8_t> hides =
-      culler.HideThinFacesOf(asked, view.Projection(scene.Reach));
-    ASSERT_EQ(hides.size(), 8u);
-    EXPECT_TRUE(hides[0]) << "it has none";
-    EXPECT_FALSE(hides[1]);
-    EXPECT_TRUE(hides[2]);
-    EXPECT_FALSE(hides[3]) << "more is drawn than faces";
-    EXPECT_FALSE(hides[4]) << "a sliver among many faces on few cells";
-    EXPECT_EQ(hides[5], isAtCentres) << "slivers between samples";
-    EXPECT_FALSE(hides[6]) << "a sliver among thousands on few cells";
-    EXPECT_FALSE(hides[7]) << "it hides nothing";
-    EXPECT_TRUE(culler.HideThinFacesOf({}, view.Projection(scene.Reach)).empty());
+    const ScreenProjection view = AheadView(false).Projection(scene.Reach);
+    EXPECT_EQ(culler.StayHidden(asked, scene, view), (std::vector<std::uint8_t>{ 0, 1, 1 }));
+    EXPECT_TRUE(culler.StayHidden({}, scene, view).empty());
   }
 }

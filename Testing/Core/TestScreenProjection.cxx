@@ -1,4 +1,5 @@
 #include "BoxPlaces.h"
+#include "OccluderScenes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -12,7 +13,9 @@ namespace
 
 using coverage::Place;
 using coverage::PlaceOf;
+using coverage::Random;
 using vitrine::Box;
+using vitrine::PlaneView;
 using vitrine::ScreenMargin;
 using vitrine::ScreenProjection;
 using vitrine::ScreenRectangle;
@@ -209,12 +212,54 @@ TEST(ScreenProjection, KnowsItsEye)
   const glm::dmat4 look = glm::lookAt(place, target, glm::dvec3(0, 1, 0));
   const ScreenProjection perspective(
     glm::perspective(1.0, 1.5, 0.1, 100.0) * look, 150, 100, glm::dvec3(10), {});
-  EXPECT_LT(glm::length(perspective.Eye() - glm::dvec4(place, 1.0)), 1e-9);
-  EXPECT_NEAR(perspective.LargestScale(), 50.0 / std::tan(0.5), 1e-4);
+  EXPECT_LT(glm::length(perspective.OfPlanes().Eye - glm::dvec4(place, 1.0)), 1e-9);
+  EXPECT_NEAR(perspective.SmallestScale(), 50.0 / std::tan(0.5), 1e-4);
   const ScreenProjection parallel(
     glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.1, 100.0) * look, 150, 50, glm::dvec3(10), {});
   const glm::dvec3 ahead = glm::normalize(target - place);
-  EXPECT_EQ(parallel.Eye().w, 0.0);
-  EXPECT_NEAR(std::abs(glm::dot(glm::dvec3(parallel.Eye()), ahead)), 1.0, 1e-9);
-  EXPECT_NEAR(parallel.LargestScale(), 25.0, 1e-4);
+  EXPECT_EQ(parallel.OfPlanes().Eye.w, 0.0);
+  EXPECT_NEAR(std::abs(glm::dot(glm::dvec3(parallel.OfPlanes().Eye), ahead)), 1.0, 1e-9);
+  EXPECT_NEAR(parallel.SmallestScale(), 12.5, 1e-4);
+}
+
+TEST(ScreenProjection, TellsHowDepthChangesAlongPlanes)
+{
+  Random random(8);
+  for (int round = 0; round < 1000; ++round)
+  {
+    const coverage::View view = coverage::RandomView(glm::dvec3(0.0), random);
+    const PlaneView planes = view.Projection(2.0).OfPlanes();
+    const glm::dvec3 normal = random.Point(-1, 1);
+    const glm::dvec4 plane(normal, random.Between(-0.5, 0.5));
+    const glm::dvec4 eye = planes.Eye;
+    const double byColumn = -glm::dot(plane, planes.ByColumn) / glm::dot(plane, eye);
+    const double byLine = -glm::dot(plane, planes.ByLine) / glm::dot(plane, eye);
+    glm::dvec3 places[3]; // of points of the plane on the screen
+    for (glm::dvec3& place : places)
+    {
+      const glm::dvec3 point = random.Point(-1, 1);
+      place = view.OnScreen(
+        point - (glm::dot(normal, point) + plane.w) / glm::dot(normal, normal) * normal);
+    }
+    for (int i = 1; i < 3; ++i)
+    {
+      const glm::dvec3 offset = places[i] - places[0];
+      const double told = offset.x * byColumn + offset.y * byLine;
+      ASSERT_NEAR(told, offset.z,
+        1e-6 * (1.0 + glm::length(offset) * (std::abs(byColumn) + std::abs(byLine))))
+        << "seed 8, round " << round;
+    }
+  }
+}
+
+TEST(ScreenProjection, TellsWhatFloatsAreOffByAtADistanceOfOne)
+{
+  for (const bool isParallel : { false, true })
+  {
+    const glm::dmat4 toClip = isParallel ? glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.1, 100.0)
+                                         : glm::perspective(1.0, 1.5, 0.1, 100.0);
+    const ScreenProjection view(toClip, 150, 100, glm::dvec3(10), { 0.1f, 0.2f, 0.0f });
+    const ScreenMargin margin = view.Of(glm::dmat4(1.0)).MarginFrom(1.0f);
+    EXPECT_NEAR(view.RoundingAtOne(), std::max(margin.Column - 0.1f, margin.Line - 0.2f), 1e-6);
+  }
 }

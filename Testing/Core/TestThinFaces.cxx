@@ -1,5 +1,4 @@
-// Faces that a device may draw as slivers: which those are, how near they may be drawn, and when they are hidden.
-#include "NonFinite.h"
+// Faces that a device may draw as slivers: how near they may be drawn, and when they are hidden.
 #include "OccluderScenes.h"
 
 #include "Core/culling/HiddenFaces.h"
@@ -17,18 +16,13 @@ namespace
 
 using coverage::Random;
 using coverage::Triangles;
-using vitrine::FindThinFaces;
 using vitrine::HiddenFaces;
-using vitrine::LaneCount;
-using vitrine::MeshFace;
 using vitrine::MeshProjection;
 using vitrine::NearestOfThickness;
 using vitrine::OccluderMesh;
-using vitrine::SampleGrid;
 using vitrine::SBuffer;
 using vitrine::ScreenMargin;
 using vitrine::ScreenMatrix;
-using vitrine::ScreenPoint;
 using vitrine::ScreenProjection;
 
 const int Columns = 40;
@@ -63,23 +57,6 @@ void AddTriangle(Triangles& to, double length, double thickness, double depths, 
     place + random.Between(0.0, 1.0) * length * along + thickness * across + depth());
 }
 
-/** The same as the lanes tell, of one face in doubles. */
-bool IsThinHere(const MeshProjection& projection, const MeshFace& face)
-{
-  glm::dvec2 place[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    const ScreenPoint point = projection.Point(face[i]);
-    place[i] = { point.Column, point.Line };
-  }
-  const glm::dvec2 b = place[1] - place[0], c = place[2] - place[0];
-  const glm::dvec2 least = glm::min(glm::min(place[0], place[1]), place[2]);
-  const glm::dvec2 greatest = glm::max(glm::max(place[0], place[1]), place[2]);
-  const double moved = projection.Margin().Column * (greatest.y - least.y) +
-    projection.Margin().Line * (greatest.x - least.x);
-  return std::abs(b.x * c.y - b.y * c.x) <= 2.0 * moved;
-}
-
 /** So many slivers at one place behind a wall, whose depths differ by so much. */
 bool AreHiddenBehindWall(int count, double depths)
 {
@@ -98,82 +75,9 @@ bool AreHiddenBehindWall(int count, double depths)
   const ScreenProjection view = PlainView();
   MeshProjection projection;
   projection.Project(mesh, view.Of(glm::dmat4(1.0)));
-  return HiddenFaces(lines, view).AreThinOnes(projection);
+  return HiddenFaces(lines, view).AreAllOfAnyThickness(projection);
 }
 
-}
-
-TEST(ThinFaces, AreThoseThatMayBeMovedByTheirThickness)
-{
-  Random random(21);
-  int thin = 0, thick = 0;
-  for (int round = 0; round < 500; ++round)
-  {
-    Triangles triangles;
-    const int count = static_cast<int>(1 + random.Below(20));
-    for (int i = 0; i < count; ++i)
-    {
-      AddTriangle(
-        triangles, random.Between(0.1, 5.0), std::exp(random.Between(-9.0, -1.0)), 0.1, random);
-    }
-    const OccluderMesh mesh = triangles.Mesh();
-    MeshProjection projection;
-    ASSERT_TRUE(projection.Project(mesh, PlainMatrix()));
-    for (int first = 0; first < count; first += LaneCount)
-    {
-      const unsigned found = FindThinFaces(
-        projection, static_cast<std::size_t>(first), SampleGrid(), projection.Margin());
-      EXPECT_EQ(found >> std::min(count - first, LaneCount), 0u) << "beyond the last one";
-      for (int lane = 0; lane < std::min(count - first, LaneCount); ++lane)
-      {
-        const bool isThin =
-          IsThinHere(projection, projection.Faces()[static_cast<std::size_t>(first + lane)]);
-        EXPECT_EQ((found >> lane & 1u) != 0, isThin) << first + lane;
-        ++(isThin ? thin : thick);
-      }
-    }
-  }
-  EXPECT_GT(thin, 500);
-  EXPECT_GT(thick, 500);
-}
-
-TEST(ThinFaces, BetweenSamplesAreNone)
-{
-  for (const auto& [column, line, isThere] :
-    { std::tuple(10.49, 8.49, true), std::tuple(10.3, 8.49, false), std::tuple(10.49, 8.3, false) })
-  {
-    Triangles triangle;
-    triangle.Add({ column, line, 0.3 }, { column + 0.02, line + 0.02, 0.3 },
-      { column + 0.02, line + 0.0201, 0.3 });
-    const OccluderMesh mesh = triangle.Mesh();
-    MeshProjection projection;
-    ASSERT_TRUE(projection.Project(mesh, PlainMatrix()));
-    const auto find = [&](const SampleGrid& samples, float margin) {
-      return FindThinFaces(projection, 0, samples, { margin, margin, 0.0f });
-    };
-    EXPECT_EQ(find(SampleGrid(), 1e-3f), 1u);
-    EXPECT_EQ(find(SampleGrid::AtCentres(1), 1e-3f) != 0, isThere) << column << " " << line;
-    EXPECT_EQ(find(SampleGrid::AtCentres(1), 0.2f), 1u) << "drawn wider";
-  }
-}
-
-TEST(ThinFaces, CountWhereACornerIsNoNumber)
-{
-  Random random(22);
-  Triangles triangles;
-  AddTriangle(triangles, 5.0, 2.0, 0.1, random);
-  const OccluderMesh mesh = triangles.Mesh();
-  for (const double value : { NotANumber, Infinity })
-  {
-    ScreenMatrix matrix = PlainMatrix();
-    matrix.Matrix[1][0] = value;
-    MeshProjection projection;
-    projection.Project(mesh, matrix);
-    if (!projection.Faces().empty())
-    {
-      EXPECT_EQ(FindThinFaces(projection, 0, SampleGrid(), projection.Margin()), 1u);
-    }
-  }
 }
 
 TEST(ThinFaces, AreNowhereNearerThanTheirThicknessTells)

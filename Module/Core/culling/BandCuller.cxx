@@ -255,16 +255,14 @@ BandCuller::BandCuller(int columns, int lines, const SampleGrid& samples)
 {
 }
 
-bool BandCuller::HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view)
+void BandCuller::LookAgain(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
+  const ScreenProjection& view, std::vector<std::uint8_t>& areHidden)
 {
-  if (!occluder.Mesh || !occluder.IsOfFacesAlone)
+  SecondLook look(this->Tools, shapes, view);
+  for (std::size_t first = 0; first < parts.size(); first += LaneCount)
   {
-    return false;
+    look.DropShown(parts, first, areHidden);
   }
-  MeshProjection& projected = this->Tools.Projected;
-  projected.Project(*occluder.Mesh, view.Of(*occluder.ToWorld));
-  return HiddenFaces(this->Tools.Lines, view).AreThinOnes(projected) &&
-    !projected.MayShowBeforeNear();
 }
 
 void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,

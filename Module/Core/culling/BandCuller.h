@@ -6,6 +6,7 @@
 #include "Core/culling/OccluderSource.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
+#include "Core/culling/SecondLook.h"
 
 #include <cstdint>
 #include <vector>
@@ -45,10 +46,13 @@ public:
     bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
 
   /**
-   * Whether the thin faces of a part that was found hidden are so by what stands in the s-buffer now, one by one, and wherever a device draws them.
-   * @param view  of the band
+   * Which parts that were found hidden are so by what stands in the s-buffer now, wherever a device draws them.
+   * @param shapes     tells what the parts are
+   * @param view       of the band
+   * @param areHidden  takes 0 for those that are not
    */
-  bool HidesThinFacesOf(const Occluder& occluder, const ScreenProjection& view);
+  void LookAgain(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
+    const ScreenProjection& view, std::vector<std::uint8_t>& areHidden);
 
   /** Of each part; those in the tree that may show have PartStates::IsShown. */
   const PartStates& States() const { return this->Tools.States; }

@@ -24,6 +24,21 @@ FaceBlock::FaceBlock(const MeshProjection& projection, std::size_t first)
   this->Find(projection);
 }
 
+FaceBlock::FaceBlock(
+  const MeshProjection& projection, const std::vector<std::uint32_t>& faces, std::size_t first)
+  : Count(FindFaces(projection, faces, first, this->Faces))
+{
+  this->Find(projection);
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+unsigned FaceBlock::MayHaveAny(const SampleGrid& samples, const glm::vec2& growth) const
+{
+  return this->All() &
+    samples.MayHaveAny(LoadLanes(this->Left) - growth.x, LoadLanes(this->Right) + growth.x) &
+    samples.MayHaveAny(LoadLanes(this->Bottom) - growth.y, LoadLanes(this->Top) + growth.y);
+}
+
 unsigned FaceBlock::Facing(const MeshProjection& projection, MeshProjection::Facing facing) const
 {
   unsigned bits = 0;

@@ -5,13 +5,17 @@
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SBuffer.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace vitrine
 {
 
 /**
- * Where up to eight faces of a mesh that follow one another are on the screen: most often close together, so that what hides one hides all of them.
+ * Where up to eight faces of a mesh are on the screen: most often close together, so that what hides one hides all of them.
  */
 class FaceBlock
 {
@@ -19,7 +23,14 @@ public:
   /** Of the face `first` of those that a projection has, which stay there as long as this does, and those behind it. */
   FaceBlock(const MeshProjection& projection, std::size_t first);
 
-  /** A bit for each face that looks one way, as the projection knows of all. */
+  /** The same of those whose numbers are in a list. */
+  FaceBlock(
+    const MeshProjection& projection, const std::vector<std::uint32_t>& faces, std::size_t first);
+
+  /** A bit for each face that may have samples, where faces are drawn farther by so much. */
+  unsigned MayHaveAny(const SampleGrid& samples, const glm::vec2& growth) const;
+
+  /** A bit for each face that looks one way, as the projection knows of all; of those that follow one another. */
   unsigned Facing(const MeshProjection& projection, MeshProjection::Facing facing) const;
 
   /** A bit for each face. */
@@ -47,7 +58,7 @@ private:
 
   float Left[LaneCount], Right[LaneCount], Bottom[LaneCount], Top[LaneCount], Nearest[LaneCount];
   const MeshFace* Faces[LaneCount];
-  std::size_t First;
+  std::size_t First = 0;
   int Count;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace vitrine
@@ -23,6 +24,19 @@ inline int FindFaces(
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     faces[lane] = &all[first] + std::min(lane, count - 1);
+  }
+  return count;
+}
+
+/** The same of those whose numbers are in a list. */
+inline int FindFaces(const MeshProjection& projection, const std::vector<std::uint32_t>& numbers,
+  std::size_t first, const MeshFace* (&faces)[LaneCount])
+{
+  const auto count = static_cast<int>(std::min<std::size_t>(numbers.size() - first, LaneCount));
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const std::size_t place = first + static_cast<std::size_t>(std::min(lane, count - 1));
+    faces[lane] = &projection.Faces()[numbers[place]];
   }
   return count;
 }

@@ -1,5 +1,6 @@
 #include "Core/culling/FacePlanes.h"
 
+#include "Core/culling/BeyondAll.h"
 #include "Core/culling/Lanes.h"
 #include "Core/culling/Ray.h"
 
@@ -24,6 +25,12 @@ const double LeastWidth = 1.0 / 64.0;
 
 // What floats round, of an eye's distance. Planes that it is no farther from go through it.
 const double Rounding = 0x1p-22;
+
+/** Whether an OccluderMesh has such a face. */
+bool IsFaceOfMesh(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  return IsFinite(a) && IsFinite(b) && IsFinite(c) && a != b && b != c && c != a;
+}
 }
 
 /** Of a face, or of several that follow each other. */
@@ -31,6 +38,7 @@ struct FacePlanes::Plane
 {
   glm::dvec3 Normal{ 0.0 };
   glm::dvec3 Place{ 0.0 };
+  std::uint32_t FirstFace = 0;
   double Extent = 0.0; ///< across the face; 0 for none
   double Deviation =
     0.0; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
@@ -60,7 +68,7 @@ FacePlanes::Plane FacePlanes::PlaneOf(const glm::dvec3& a, const glm::dvec3& b, 
     return {};
   }
   const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
-  return { cross / size, a, std::max(size / longest, LeastWidth * longest) };
+  return { cross / size, a, 0, std::max(size / longest, LeastWidth * longest) };
 }
 
 FacePlanes::FacePlanes(
@@ -76,16 +84,22 @@ FacePlanes::FacePlanes(
   this->Middle = 0.5 * least + 0.5 * greatest;
   this->Radius = glm::length(greatest - this->Middle);
   Plane last;
+  std::uint32_t faces = 0;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
   {
-    const Plane plane = PlaneOf(points[corners[i]], points[corners[i + 1]], points[corners[i + 2]]);
+    const glm::dvec3 &a = points[corners[i]], &b = points[corners[i + 1]],
+                     &c = points[corners[i + 2]];
+    Plane plane = PlaneOf(a, b, c);
+    plane.FirstFace = faces;
     if (!last.Takes(plane, this->Radius) && plane.Extent > 0.0)
     {
       this->Add(last);
       last = plane;
     }
+    faces += IsFaceOfMesh(a, b, c);
   }
   this->Add(last);
+  this->FirstFaces.push_back(faces);
   this->Pad();
 }
 
@@ -100,6 +114,7 @@ void FacePlanes::Add(const Plane& plane)
     {
       this->Planes[i].push_back(static_cast<float>(values[i]));
     }
+    this->FirstFaces.push_back(plane.FirstFace);
   }
 }
 
@@ -116,25 +131,55 @@ void FacePlanes::Pad()
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-bool FacePlanes::IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const
+glm::dvec2 FacePlanes::FindThin(
+  const PlaneView& view, const Thickness& thickness, std::vector<std::uint32_t>& thin) const
 {
-  const glm::dvec3 place = glm::dvec3(eye) - eye.w * this->Middle;
-  const double farthest = glm::length(place) + eye.w * this->Radius;
-  const Lanes most = AllLanes(static_cast<float>(thickness * farthest * farthest));
+  if (this->Planes[0].empty())
+  {
+    return glm::dvec2(0.0);
+  }
+  const glm::dvec3 place = glm::dvec3(view.Eye) - view.Eye.w * this->Middle;
+  const double farthest = glm::length(place) + view.Eye.w * this->Radius;
+  const Lanes most =
+    AllLanes(static_cast<float>((thickness.Fixed * farthest + thickness.ByNear) * farthest));
   const Lanes rounded = AllLanes(static_cast<float>(Rounding * farthest));
-  const glm::vec4 from(place, -eye.w);
-  LaneMask isThin{};
+  const glm::vec4 from(place, -view.Eye.w);
+  Lanes nearestOfOthers = AllLanes(BeyondAll);
   for (std::size_t i = 0; i < this->Planes[0].size(); i += LaneCount)
   {
-    const Lanes signedDistance = from.x * LoadLanes(&this->Planes[0][i]) +
-      from.y * LoadLanes(&this->Planes[1][i]) + from.z * LoadLanes(&this->Planes[2][i]) +
-      from.w * LoadLanes(&this->Planes[3][i]);
-    const Lanes distance = GreatestOf(signedDistance, -signedDistance);
+    const Lanes distance =
+      SizeOf(from.x * LoadLanes(&this->Planes[0][i]) + from.y * LoadLanes(&this->Planes[1][i]) +
+        from.z * LoadLanes(&this->Planes[2][i]) + from.w * LoadLanes(&this->Planes[3][i]));
     const Lanes off = LoadLanes(&this->Planes[5][i]) * static_cast<float>(farthest);
-    const Lanes width = (distance - off - rounded) * LoadLanes(&this->Planes[4][i]);
-    isThin |= ~((width > most) | (distance + off <= rounded)); // as where it is no number
+    const Lanes surely = distance - off - rounded;
+    const LaneMask isThick = surely * LoadLanes(&this->Planes[4][i]) > most;
+    const LaneMask isExact = distance + off <= rounded;
+    nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
+    this->AddFaces(i, BitsOf(~(isThick | isExact)), thin); // as where it is no number
   }
-  return BitsOf(isThin) != 0;
+  return glm::dvec2(this->FarthestFrom(view.ByColumn), this->FarthestFrom(view.ByLine)) /
+    static_cast<double>(LeastLane(nearestOfOthers));
+}
+
+/** How far a place, or a direction, is from any of the planes at most. */
+double FacePlanes::FarthestFrom(const glm::dvec4& place) const
+{
+  return glm::length(glm::dvec3(place) - place.w * this->Middle) + std::abs(place.w) * this->Radius;
+}
+
+/** Those of some of eight planes, of which there are fewer in the end. */
+void FacePlanes::AddFaces(std::size_t first, unsigned planes, std::vector<std::uint32_t>& to) const
+{
+  const std::size_t count = this->FirstFaces.size() - 1;
+  for (; planes != 0 && first + static_cast<std::size_t>(LowestBit(planes)) < count;
+       planes &= planes - 1)
+  {
+    const std::size_t plane = first + static_cast<std::size_t>(LowestBit(planes));
+    for (std::uint32_t face = this->FirstFaces[plane]; face < this->FirstFaces[plane + 1]; ++face)
+    {
+      to.push_back(face);
+    }
+  }
 }
 
 }

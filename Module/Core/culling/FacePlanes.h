@@ -1,8 +1,10 @@
 #ifndef VITRINE_CORE_CULLING_FACE_PLANES_H
 #define VITRINE_CORE_CULLING_FACE_PLANES_H
 
+#include "Core/culling/ScreenProjection.h"
+
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,25 +14,34 @@ namespace vitrine
 {
 
 /**
- * The planes of a mesh's faces, to be asked whether an eye sees one of them from its edge. What a device draws of such a face may have any depth, so that it may show in front of
- * what hides all of the mesh.
+ * The planes of a mesh's faces, to be asked which of them an eye sees from the edge. What a device draws of such a face may have any depth, so that it may show in front of
+ * what hides all of the mesh. What it draws beside another one lies in its plane, and may be nearer than its corners, too.
  */
 class FacePlanes
 {
 public:
   /**
    * @param points   model coordinates (MC)
-   * @param corners  three indices of points for each triangle; those that are not finite have no plane
+   * @param corners  three indices of points for each triangle; those that are not finite, or have no area, have no plane
    */
   FacePlanes(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
+  /** How thick a face may look to be thin: in lengths at a distance of 1, or in a parallel view. */
+  struct Thickness
+  {
+    double Fixed = 0.0;  ///< on the screen
+    double ByNear = 0.0; ///< and that, the more the nearer it is
+  };
+
   /**
-   * Whether any face may be no thicker than that on the screen. One that the eye sees from its edge as exactly as floats tell does not count: its corners
+   * Finds faces that may be no thicker than that on the screen. One that the eye sees from its edge as exactly as floats tell does not count: its corners
    * mostly fall on one another where a device draws them.
-   * @param eye        in model coordinates; w is 1 for a place, and 0 for the direction of a parallel view
-   * @param thickness  per length of the screen at a distance of 1, or in a parallel view
+   * @param view  in model coordinates
+   * @param thin  takes the numbers of such faces, and maybe of others beside them, as an OccluderMesh of the same triangles has them
+   * @returns     by how much depth may change at most along the planes of all others, from column to column and from line to line
    */
-  bool IsAnyEdgeOn(const glm::dvec4& eye, double thickness) const;
+  glm::dvec2 FindThin(
+    const PlaneView& view, const Thickness& thickness, std::vector<std::uint32_t>& thin) const;
 
 private:
   struct Plane;
@@ -38,11 +49,14 @@ private:
   static Plane PlaneOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
   void Add(const Plane& plane);
   void Pad();
+  double FarthestFrom(const glm::dvec4& place) const;
+  void AddFaces(std::size_t first, unsigned planes, std::vector<std::uint32_t>& to) const;
 
   glm::dvec3 Middle{ 0.0 };
   double Radius = 0.0;
   std::vector<float> Planes
     [6]; ///< unit normals, distances from the middle, how wide the faces are, and how far off their planes
+  std::vector<std::uint32_t> FirstFaces; ///< of each plane, and the number of all faces
 };
 
 }

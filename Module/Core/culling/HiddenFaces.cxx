@@ -66,13 +66,25 @@ bool HiddenFaces::AreHiddenTogether(const FaceBlock& block, unsigned faces) cons
   return faces == 0 || this->Lines.Hides(this->View.Grown(block.Around(faces)));
 }
 
-bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
+bool HiddenFaces::AreAllOfAnyThickness(const MeshProjection& projection)
 {
-  const ScreenMargin margin = this->View.Grown(projection.Margin());
   for (std::size_t first = 0; first < projection.Faces().size(); first += LaneCount)
   {
-    const unsigned thin = FindThinFaces(projection, first, this->Lines.Samples(), margin);
-    if (thin != 0 && !this->AreThinOnesHidden(projection, FaceBlock(projection, first), thin))
+    if (!this->AreHiddenOfAnyThickness(projection, FaceBlock(projection, first)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool HiddenFaces::AreSomeOfAnyThickness(
+  const MeshProjection& projection, const std::vector<std::uint32_t>& faces)
+{
+  for (std::size_t first = 0; first < faces.size(); first += LaneCount)
+  {
+    const FaceBlock block(projection, faces, first);
+    if (!this->AreHiddenOfAnyThickness(projection, block))
     {
       return false;
     }
@@ -81,9 +93,9 @@ bool HiddenFaces::AreThinOnes(const MeshProjection& projection)
 }
 
 /** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
-bool HiddenFaces::AreThinOnesHidden(
-  const MeshProjection& projection, const FaceBlock& block, unsigned faces)
+bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block)
 {
+  unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
   if (projection.Faces().size() > MostFacesOfAnyThickness)
   {
     faces &= ~this->FindHiddenIfOfAStep(projection, block, faces);

@@ -7,6 +7,7 @@
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace vitrine
@@ -33,8 +34,12 @@ public:
   /** Whether all faces of a part are hidden, of which the facings are known. Those that face the eye come first: where any shows, one of them is likely to. */
   bool AreAll(const MeshProjection& projection);
 
-  /** The same of faces that a device may draw as slivers, at other depths than they have. */
-  bool AreThinOnes(const MeshProjection& projection);
+  /** Whether all are, however many of them are so thin that nothing is known of their depth. */
+  bool AreAllOfAnyThickness(const MeshProjection& projection);
+
+  /** The same of some of them, whose numbers these are. */
+  bool AreSomeOfAnyThickness(
+    const MeshProjection& projection, const std::vector<std::uint32_t>& faces);
 
   /** Has faces that look one way count no more if the rectangles around them are hidden. */
   void Drop(MeshProjection& projection, MeshProjection::Facing facing) const;
@@ -45,7 +50,7 @@ public:
 private:
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
-  bool AreThinOnesHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
+  bool AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block);
   unsigned FindHiddenIfOfAStep(
     const MeshProjection& projection, const FaceBlock& block, unsigned faces) const;
   bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);

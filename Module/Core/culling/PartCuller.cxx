@@ -20,15 +20,6 @@ void KeepShown(const std::uint8_t* states, const std::uint8_t* isHeld, std::size
     isVisible[i] &= static_cast<std::uint8_t>(isShown | (isHeld[i] ^ 1));
   }
 }
-
-bool IsOutside(const ScreenProjection& view, const Box& box)
-{
-  BoxLanes boxes;
-  boxes.Set(0, box);
-  RectangleLanes rectangles;
-  view.Project(boxes, rectangles);
-  return (rectangles.Outside & 1u) != 0;
-}
 }
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples, int bands)
@@ -56,28 +47,25 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   KeepShown(this->StatesInAny().data(), tree.HeldItems().data(), count, visible.data());
 }
 
-std::vector<std::uint8_t> PartCuller::HideThinFacesOf(
-  const std::vector<BoxedPart>& parts, const ScreenProjection& view)
+std::vector<std::uint8_t> PartCuller::StayHidden(
+  const std::vector<BoxedPart>& parts, ShapeSource& shapes, const ScreenProjection& view)
 {
-  std::vector<std::vector<std::uint8_t>> hides(this->Bands.size());
+  std::vector<std::vector<std::uint8_t>> hidden(this->Bands.size());
   ForEachInThreads(this->Bands.size(),
     [&](std::size_t i)
     {
       BandCuller& culler = this->Bands[i].Culler;
       const ScreenProjection ofBand =
         view.OfLines(this->Bands[i].FirstLine, culler.Buffer().Lines());
-      for (const BoxedPart& part : parts)
-      {
-        hides[i].push_back(
-          IsOutside(ofBand, part.Bounds) || culler.HidesThinFacesOf(part.Hides, ofBand));
-      }
+      hidden[i].assign(parts.size(), 1);
+      culler.LookAgain(parts, shapes, ofBand, hidden[i]);
     });
-  for (const std::vector<std::uint8_t>& ofBand : hides)
+  for (const std::vector<std::uint8_t>& ofBand : hidden)
   {
-    std::transform(ofBand.begin(), ofBand.end(), hides[0].begin(), hides[0].begin(),
+    std::transform(ofBand.begin(), ofBand.end(), hidden[0].begin(), hidden[0].begin(),
       [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a & b); });
   }
-  return hides[0];
+  return hidden[0];
 }
 
 /** Of each part what is so in a band. */

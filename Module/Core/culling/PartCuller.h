@@ -32,19 +32,12 @@ public:
   void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
     bool occlusion, std::vector<std::uint8_t>& visible);
 
-  /** A part, and the box around it in world coordinates (WC). */
-  struct BoxedPart
-  {
-    Occluder Hides;
-    Box Bounds;
-  };
-
   /**
-   * Whether the thin faces of parts that were found hidden are so one by one, and wherever a device draws them, by what the last frame left in the s-buffer.
+   * Whether parts that the last frame found hidden are so wherever a device draws their faces, by what it left in the s-buffer.
    * @returns  one for each part, 1 where they are
    */
-  std::vector<std::uint8_t> HideThinFacesOf(
-    const std::vector<BoxedPart>& parts, const ScreenProjection& view);
+  std::vector<std::uint8_t> StayHidden(
+    const std::vector<BoxedPart>& parts, ShapeSource& shapes, const ScreenProjection& view);
 
   /** Of all bands: what lies in several of them counts in each. */
   CullCounts Counts() const;

@@ -81,6 +81,24 @@ VITRINE_INLINE LaneMask OutsideOfPlanes(
     (beyondLines.Least > above + screen.y * rounding.w) |
     (beyondDepths.Least > AllLanes(rounding.z + rounding.w));
 }
+
+/** Of what is seen from a distance of 1, or in parallel projection. */
+double WAtOne(const glm::dvec4& rowOfW)
+{
+  const double ahead = glm::length(glm::dvec3(rowOfW));
+  return ahead > 0.0 ? ahead : std::abs(rowOfW.w);
+}
+
+/** A vector that is at right angles to three others. */
+glm::dvec4 CrossOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z)
+{
+  const auto minorOf = [&](int i, int j, int k)
+  {
+    return x[i] * (y[j] * z[k] - y[k] * z[j]) - x[j] * (y[i] * z[k] - y[k] * z[i]) +
+      x[k] * (y[i] * z[j] - y[j] * z[i]);
+  };
+  return { minorOf(1, 2, 3), -minorOf(0, 2, 3), minorOf(0, 1, 3), -minorOf(0, 1, 2) };
+}
 }
 
 ScreenMargin ScreenMatrix::MarginFrom(float leastW) const
@@ -127,29 +145,33 @@ ScreenProjection ScreenProjection::OfLines(int first, int count) const
   return some;
 }
 
-/** What column, line and w are all 0 of, each times w. */
-glm::dvec4 ScreenProjection::Eye() const
+/** Planes are mapped by the inverse matrix, transposed: what they have of a coordinate on the screen is a product with where the three others are 0. */
+PlaneView ScreenProjection::OfPlanes() const
 {
   const glm::dmat4 rows = glm::transpose(this->World.Matrix);
-  const glm::dvec4 &x = rows[0], &y = rows[1], &w = rows[3];
-  const auto minorOf = [&](int i, int j, int k)
-  {
-    return x[i] * (y[j] * w[k] - y[k] * w[j]) - x[j] * (y[i] * w[k] - y[k] * w[i]) +
-      x[k] * (y[i] * w[j] - y[j] * w[i]);
-  };
-  const glm::dvec4 eye(minorOf(1, 2, 3), -minorOf(0, 2, 3), minorOf(0, 1, 3), -minorOf(0, 1, 2));
-  return eye.w != 0.0 ? eye / eye.w : eye / glm::length(eye);
+  const glm::dvec4 eye = CrossOf(rows[0], rows[1], rows[3]);
+  const double size = eye.w != 0.0 ? eye.w : glm::length(eye);
+  return { eye / size, CrossOf(rows[1], rows[2], rows[3]) / size,
+    -CrossOf(rows[0], rows[2], rows[3]) / size };
 }
 
-double ScreenProjection::LargestScale() const
+double ScreenProjection::SmallestScale() const
 {
   const glm::dmat4 rows = glm::transpose(this->World.Matrix);
   const glm::dvec4 w = rows[3];
   const glm::dvec2 middle = 0.5 * glm::dvec2(this->World.Size);
-  const double across = std::max(glm::length(glm::dvec3(rows[0] - middle.x * w)),
+  const double across = std::min(glm::length(glm::dvec3(rows[0] - middle.x * w)),
     glm::length(glm::dvec3(rows[1] - middle.y * w)));
-  const double ahead = glm::length(glm::dvec3(w));
-  return across / (ahead > 0.0 ? ahead : std::abs(w.w));
+  return across / WAtOne(w);
+}
+
+double ScreenProjection::RoundingAtOne() const
+{
+  const glm::vec4& rounding = this->World.Rounding;
+  const glm::vec2& size = this->World.Size;
+  return static_cast<double>(
+           std::max(rounding.x + size.x * rounding.w, rounding.y + size.y * rounding.w)) /
+    WAtOne(glm::transpose(this->World.Matrix)[3]);
 }
 
 glm::dvec4 ScreenProjection::ToScreen(const glm::dvec3& point) const

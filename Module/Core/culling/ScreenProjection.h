@@ -61,6 +61,17 @@ struct RectangleLanes
   }
 };
 
+/**
+ * How a view sees planes p, for which p * (x, y, z, 1) is 0 where they are: a plane's depth changes by -(p * ByColumn) / (p * Eye) from column to column, and so with lines.
+ */
+struct PlaneView
+{
+  glm::dvec4
+    Eye; ///< in world coordinates, w is 1; or the direction that it looks along in parallel projection, w is 0
+  glm::dvec4 ByColumn;
+  glm::dvec4 ByLine;
+};
+
 /** Where the box of what reaches before the near plane may be on the screen. */
 inline constexpr ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 
@@ -101,11 +112,13 @@ public:
   /** The same view of some of its lines alone: they count from `first`. */
   ScreenProjection OfLines(int first, int count) const;
 
-  /** Of the eye in world coordinates, w is 1; or the direction that it looks along in parallel projection, w is 0. */
-  glm::dvec4 Eye() const;
+  PlaneView OfPlanes() const;
 
-  /** How many columns or lines, whichever are more, a length of 1 has that is seen from a distance of 1, or in parallel projection. */
-  double LargestScale() const;
+  /** How many columns or lines, whichever are fewer, a length of 1 has that is seen from a distance of 1, or in parallel projection. */
+  double SmallestScale() const;
+
+  /** By how many of them a device's floats may be off at that distance. */
+  double RoundingAtOne() const;
 
   /** What a rasteriser moves edges and depths by. */
   const ScreenMargin& Snapping() const { return this->World.Snapping; }
@@ -116,11 +129,8 @@ public:
   /** A rectangle, farther by the growth. */
   ScreenRectangle Grown(const ScreenRectangle& rectangle) const;
 
-  /** The same of a margin. */
-  ScreenMargin Grown(const ScreenMargin& margin) const
-  {
-    return { margin.Column + this->Growth.x, margin.Line + this->Growth.y, margin.Depth };
-  }
+  /** By how many columns and lines. */
+  const glm::vec2& GrowthOnScreen() const { return this->Growth; }
 
   /** Column, line and depth, each times w, and w. */
   glm::dvec4 ToScreen(const glm::dvec3& point) const;

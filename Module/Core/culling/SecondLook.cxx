@@ -1,0 +1,122 @@
+#include "Core/culling/SecondLook.h"
+
+#include "Core/culling/BoxLanes.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats and ours may be off by together.
+const double ThinOfSnapping = 1.0 / 16.0;
+const double ThinOfRounding = 1.0 / 4.0;
+
+// Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more.
+const double SteeperOnDevice = 2.5;
+const float StepsOnDevice = 8.0f;
+
+/** The longest that an axis becomes, squared. */
+double LongestAxisOf(const glm::dmat4& m)
+{
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+  return std::max({ glm::dot(x, x), glm::dot(y, y), glm::dot(z, z) });
+}
+
+/** Whether axes stay at right angles, but for what doubles round. */
+bool IsOrthogonal(const glm::dmat4& m)
+{
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+  const double most = 1e-9 * LongestAxisOf(m);
+  return std::abs(glm::dot(x, y)) <= most && std::abs(glm::dot(y, z)) <= most &&
+    std::abs(glm::dot(z, x)) <= most;
+}
+
+/** How much longer a model transform may make some lengths than others, squared. No length becomes longer than the three axes together. */
+double UnevennessOf(const glm::dmat4& toWorld, const glm::dmat4& fromWorld)
+{
+  const double most = IsOrthogonal(toWorld) ? 1.0 : 9.0;
+  return most * LongestAxisOf(toWorld) * LongestAxisOf(glm::transpose(fromWorld));
+}
+}
+
+SecondLook::SecondLook(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view)
+  : Tools(tools)
+  , Shapes(shapes)
+  , View(view)
+  , Planes(view.OfPlanes())
+  , Snapping(view.Snapping().Column, view.Snapping().Line)
+  , Faces(tools.Lines, view)
+{
+  const double scale = view.SmallestScale();
+  this->Thinnest.Fixed = ThinOfSnapping * std::max(this->Snapping.x, this->Snapping.y) / scale;
+  this->Thinnest.ByNear = ThinOfRounding * view.RoundingAtOne() / scale;
+}
+
+void SecondLook::DropShown(
+  const std::vector<BoxedPart>& parts, std::size_t first, std::vector<std::uint8_t>& areHidden)
+{
+  const std::size_t end = std::min<std::size_t>(parts.size(), first + LaneCount);
+  BoxLanes boxes;
+  for (std::size_t i = first; i < end; ++i)
+  {
+    boxes.Set(static_cast<int>(i - first), parts[i].Bounds);
+  }
+  RectangleLanes rectangles;
+  this->View.Project(boxes, rectangles);
+  for (std::size_t i = first; i < end; ++i)
+  {
+    const auto lane = static_cast<int>(i - first);
+    if ((rectangles.Outside >> lane & 1u) == 0)
+    {
+      areHidden[i] =
+        this->IsHidden(parts[i].Part, rectangles.At(lane), (rectangles.Near >> lane & 1u) == 0);
+    }
+  }
+}
+
+/** @param around  it, if all of its box is behind the near plane */
+bool SecondLook::IsHidden(std::uint32_t part, ScreenRectangle around, bool isBehindNear)
+{
+  around.Nearest += this->FindThinFaces(part);
+  const bool isBoxHidden = isBehindNear && this->Tools.Lines.Hides(around);
+  return (isBoxHidden && this->ThinFaces.empty()) || this->AreFacesHidden(part, isBoxHidden);
+}
+
+/** Returns how much nearer than its corners are a device may draw the other faces. */
+float SecondLook::FindThinFaces(std::uint32_t part)
+{
+  const PartPlanes known = this->Shapes.PlanesOf(part);
+  const glm::dmat4& fromWorld = *known.FromWorld;
+  const PlaneView fromPart{ fromWorld * this->Planes.Eye, fromWorld * this->Planes.ByColumn,
+    fromWorld * this->Planes.ByLine };
+  const double uneven = UnevennessOf(*known.ToWorld, fromWorld);
+  this->ThinFaces.clear();
+  const glm::dvec2 slopes = known.Planes->FindThin(
+    fromPart, { this->Thinnest.Fixed * uneven, this->Thinnest.ByNear * uneven }, this->ThinFaces);
+  return static_cast<float>(SteeperOnDevice * glm::dot(slopes, this->Snapping)) +
+    StepsOnDevice * this->View.Snapping().Depth;
+}
+
+/** One by one: the thin ones, or all where the box tells nothing. */
+bool SecondLook::AreFacesHidden(std::uint32_t part, bool isBoxHidden)
+{
+  const Occluder shape = this->Shapes.OccluderOf(part);
+  if (!shape.Mesh || !shape.IsOfFacesAlone)
+  {
+    return false;
+  }
+  MeshProjection& projected = this->Tools.Projected;
+  const bool isBehindNear = projected.Project(*shape.Mesh, this->View.Of(*shape.ToWorld));
+  return isBoxHidden && isBehindNear
+    ? this->Faces.AreSomeOfAnyThickness(projected, this->ThinFaces)
+    : this->Faces.AreAllOfAnyThickness(projected) && !projected.MayShowBeforeNear();
+}
+
+}

@@ -1,0 +1,61 @@
+#ifndef VITRINE_CORE_CULLING_SECOND_LOOK_H
+#define VITRINE_CORE_CULLING_SECOND_LOOK_H
+
+#include "Core/culling/BandParts.h"
+#include "Core/culling/Box.h"
+#include "Core/culling/FacePlanes.h"
+#include "Core/culling/HiddenFaces.h"
+#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/ShapeSource.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/** A part, and the box around it in world coordinates (WC). */
+struct BoxedPart
+{
+  std::uint32_t Part;
+  Box Bounds;
+};
+
+/**
+ * Looks once more at parts of a band that were found hidden where they are: whether they are so where a device may draw them. Rasterisers snap corners to see what faces cover, so that these are
+ * drawn beside themselves, too, and be it by 1/256 pixel: there their planes may be nearer than any of their corners; and slivers may have any depth.
+ */
+class SecondLook
+{
+public:
+  /**
+   * @param tools  of the band, whose s-buffer is complete
+   * @param view   of the band
+   */
+  SecondLook(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view);
+
+  /** Puts 0 for those of up to eight parts, from `first` on, that are not hidden. */
+  void DropShown(
+    const std::vector<BoxedPart>& parts, std::size_t first, std::vector<std::uint8_t>& areHidden);
+
+private:
+  bool IsHidden(std::uint32_t part, ScreenRectangle around, bool isBehindNear);
+  float FindThinFaces(std::uint32_t part);
+  bool AreFacesHidden(std::uint32_t part, bool isBoxHidden);
+
+  BandTools& Tools;
+  ShapeSource& Shapes;
+  const ScreenProjection& View;
+  PlaneView Planes;
+  glm::dvec2 Snapping;              ///< in columns and lines
+  FacePlanes::Thickness Thinnest{}; ///< of faces of which anything is known
+  HiddenFaces Faces;
+  std::vector<std::uint32_t> ThinFaces; ///< of the part at hand
+};
+
+}
+
+#endif

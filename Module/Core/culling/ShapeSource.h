@@ -1,0 +1,32 @@
+#ifndef VITRINE_CORE_CULLING_SHAPE_SOURCE_H
+#define VITRINE_CORE_CULLING_SHAPE_SOURCE_H
+
+#include "Core/culling/FacePlanes.h"
+#include "Core/culling/OccluderSource.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+
+namespace vitrine
+{
+
+/** The planes of a part's faces, in its model coordinates. */
+struct PartPlanes
+{
+  const FacePlanes* Planes;
+  const glm::dmat4* ToWorld;
+  const glm::dmat4* FromWorld;
+};
+
+/** Tells what parts are, whatever they hide; asked by several threads at once. */
+class ShapeSource : public OccluderSource
+{
+public:
+  /** Of all that is drawn of it, be it of a mesh that OccluderOf() does not tell. */
+  virtual PartPlanes PlanesOf(std::uint32_t part) = 0;
+};
+
+}
+
+#endif

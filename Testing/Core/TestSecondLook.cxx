@@ -1,0 +1,194 @@
+// Parts that were found hidden where they are, and are drawn beside that.
+#include "PartScenes.h"
+#include "SnappedFaces.h"
+
+#include "Core/culling/SecondLook.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace
+{
+
+using coverage::AheadView;
+using coverage::FrameColumns;
+using coverage::FrameLines;
+using coverage::PartScene;
+using coverage::Random;
+using coverage::ScreenCorners;
+using coverage::Triangles;
+using coverage::View;
+using vitrine::BandTools;
+using vitrine::SampleGrid;
+using vitrine::SBuffer;
+using vitrine::ScreenProjection;
+using vitrine::SecondLook;
+
+/** An s-buffer in which something hides what is farther than a depth, up to a line. */
+BandTools WallOf(float depth, int lines = FrameLines, const SampleGrid& samples = SampleGrid())
+{
+  BandTools tools{ SBuffer(FrameColumns, FrameLines, samples) };
+  for (int line = 0; line < lines; ++line)
+  {
+    tools.Lines.Insert(line, { 0.0f, float(FrameColumns), depth, depth, 1 });
+  }
+  return tools;
+}
+
+bool StaysHidden(PartScene& scene, std::uint32_t part, BandTools& tools, const View& view)
+{
+  const ScreenProjection projection = view.Projection(scene.Reach);
+  std::vector<std::uint8_t> hidden(1, 1);
+  SecondLook(tools, scene, projection).DropShown({ { part, scene.Bounds[part] } }, 0, hidden);
+  return hidden[0] != 0;
+}
+
+double NearestOf(const PartScene& scene, std::uint32_t part, const View& view)
+{
+  double nearest = 0.0;
+  for (const glm::dvec3& corner : scene.Parts[part].Corners)
+  {
+    nearest = std::max(nearest, view.OnScreen(corner).z);
+  }
+  return nearest;
+}
+
+View SnappingView(bool isParallel, double pixels)
+{
+  View view = AheadView(isParallel);
+  view.Snapping = { static_cast<float>(pixels), static_cast<float>(pixels), 0x1p-21f };
+  return view;
+}
+
+/** Of a face, what a device may have of it at its nearest, that moves corners by half of a step. */
+double NearestDrawn(
+  const glm::dvec3* corners, const View& view, double off, double snapped, Random& random)
+{
+  ScreenCorners drawn, covering;
+  for (int i = 0; i < 3; ++i)
+  {
+    drawn[i] = coverage::Moved(glm::dvec3(view.OnScreen(corners[i])), off, 0x1p-23, random);
+    covering[i] = coverage::Moved(drawn[i], 0.5 * snapped, 0.0, random);
+  }
+  double nearest = 0.0;
+  for (const glm::dvec3& place : covering)
+  {
+    nearest = std::max(nearest, coverage::DepthAt(drawn, place));
+  }
+  return nearest;
+}
+
+/** To somewhere ahead, from where x and y are 0 nearly along the view, so that planes there are seen nearly from their edge. */
+glm::dmat4 NearlyAlong(bool isParallel, Random& random)
+{
+  const glm::dvec3 place(random.Between(-8, 8), random.Between(-4, 4), random.Between(-60, -15));
+  const auto alittle = [&]
+  { return std::pow(10.0, random.Between(-5, -0.5)) * (random.OneIn(2) ? 1.0 : -1.0); };
+  const glm::dmat4 along = isParallel
+    ? glm::translate(glm::dmat4(1.0), place)
+    : glm::inverse(glm::lookAt(place, 2.0 * place, glm::dvec3(0.0, 1.0, 0.0)));
+  return glm::rotate(
+    glm::rotate(along, alittle(), { 0.0, 1.0, 0.0 }), alittle(), { 1.0, 0.0, 0.0 });
+}
+
+}
+
+TEST(SecondLook, AsksNoFacesOfWhatLiesFarBehind)
+{
+  PartScene scene;
+  const std::uint32_t box = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
+  const View view = SnappingView(false, 1.0 / 256.0);
+  BandTools wall = WallOf(static_cast<float>(NearestOf(scene, box, view)) + 0.01f);
+  EXPECT_TRUE(StaysHidden(scene, box, wall, view));
+  EXPECT_EQ(scene.Asked(), 0);
+  BandTools nothing = WallOf(1.0f, 10);
+  EXPECT_FALSE(StaysHidden(scene, box, nothing, view));
+}
+
+// Whatever is drawn of a part that stays hidden is hidden, snapped and rounded as it may be.
+TEST(SecondLook, ShowsWhatMayBeDrawnNearerThanItIs)
+{
+  Random random(31);
+  const double snapped = 1.0 / 64.0;
+  int hidden = 0, shown = 0, nearer = 0;
+  for (int round = 0; round < 20000; ++round)
+  {
+    PartScene scene;
+    const bool isParallel = random.OneIn(2);
+    const std::uint32_t box = scene.Add(
+      coverage::BoxBetween({ 0, 0, -4 }, { 0.5, 0.7, 4 }), NearlyAlong(isParallel, random));
+    const View view = SnappingView(isParallel, snapped);
+    const double nearest = NearestOf(scene, box, view);
+    const double before = std::pow(10.0, random.Between(-6, -1));
+    const double wall = std::nextafter(static_cast<float>(nearest + before), 1.0f);
+    BandTools tools = WallOf(static_cast<float>(wall));
+    const bool isHidden = StaysHidden(scene, box, tools, view);
+    ++(isHidden ? hidden : shown);
+    const double off = 0x1p-24 * FrameColumns;
+    const std::vector<glm::dvec3>& corners = scene.Parts[box].Corners;
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+    {
+      const double drawn = NearestDrawn(&corners[i], view, off, snapped, random);
+      nearer += drawn > nearest + 1e-6;
+      ASSERT_FALSE(isHidden && drawn > wall)
+        << "seed 31, round " << round << ", drawn at " << drawn - nearest << " of " << before;
+    }
+  }
+  EXPECT_GT(hidden, 1000);
+  EXPECT_GT(shown, 1000);
+  EXPECT_GT(nearer, 1000);
+}
+
+TEST(SecondLook, AsksThinFacesOneByOne)
+{
+  // Depths of a sliver differ by less than those of what stands before it.
+  PartScene scene;
+  const auto addSlivers = [&](double left, double top, int count)
+  {
+    Triangles slivers;
+    for (int i = 0; i < count; ++i)
+    {
+      slivers.Add({ left, -3, -31 }, { left, top, -31 }, { left + 1e-4, top, -31 });
+    }
+    return scene.Add(slivers);
+  };
+  const View view = SnappingView(false, 1.0 / 64.0); // slivers are 1e-4 columns wide
+  const double centre = 1.657; // of pixels, two and a half columns from the middle of the screen
+  const std::uint32_t high = addSlivers(centre - 3e-5, 10, 1), low = addSlivers(4, 1, 1);
+  const std::uint32_t many = addSlivers(-centre - 3e-5, 10, 200),
+                      between = addSlivers(-2.65, 10, 1);
+  const std::uint32_t thousands = addSlivers(-centre - 3e-5, 10, 1100);
+  for (const bool isAtCentres : { false, true })
+  {
+    const SampleGrid samples = isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid();
+    BandTools half = WallOf(0.9f, 31, samples); // up to where y is about 2
+    EXPECT_FALSE(StaysHidden(scene, high, half, view));
+    EXPECT_FALSE(StaysHidden(scene, many, half, view));
+    EXPECT_FALSE(StaysHidden(scene, thousands, half, view));
+    EXPECT_EQ(StaysHidden(scene, between, half, view), isAtCentres) << "slivers between samples";
+    EXPECT_TRUE(StaysHidden(scene, low, half, view));
+  }
+}
+
+TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
+{
+  // A slope whose box looks out above the wall, and no face of it.
+  PartScene scene;
+  Triangles slope;
+  slope.AddQuad({ -3, 0.4, -30 }, { 3, 0.4, -30 }, { 3, 1, -60 }, { -3, 1, -60 });
+  const std::uint32_t part = scene.Add(slope);
+  const View view = SnappingView(false, 1.0 / 64.0);
+  BandTools wall = WallOf(0.9f, 28);
+  EXPECT_TRUE(StaysHidden(scene, part, wall, view));
+  EXPECT_EQ(scene.Asked(), 1);
+  scene.Parts[part].IsOfFacesAlone = false;
+  EXPECT_FALSE(StaysHidden(scene, part, wall, view)) << "more is drawn than faces";
+  scene.Parts[part].IsOfFacesAlone = true;
+  scene.Parts[part].Hides = false;
+  EXPECT_FALSE(StaysHidden(scene, part, wall, view)) << "its faces are not known";
+}
