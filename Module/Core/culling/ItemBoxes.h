@@ -31,6 +31,13 @@ public:
   }
 };
 
+/** An item and its box. */
+struct BoxedItem
+{
+  Box Extent;
+  std::uint32_t Item;
+};
+
 /** Boxes that stand in an array of the caller's, which outlives this. */
 class BoxArray : public ItemBoxes
 {

@@ -31,6 +31,10 @@ using Lanes = float __attribute__((vector_size(4 * LaneCount)));
 /** What a comparison of lanes gives: all bits of a lane are 1, or 0. */
 using LaneMask = std::int32_t __attribute__((vector_size(4 * LaneCount)));
 
+/** Four numbers, and what comparing them gives. */
+using HalfLanes = float __attribute__((vector_size(4 * LaneCount / 2)));
+using HalfMask = std::int32_t __attribute__((vector_size(4 * LaneCount / 2)));
+
 /** A column of a matrix in doubles. */
 using DoubleLanes = double __attribute__((vector_size(32)));
 
@@ -136,6 +140,20 @@ VITRINE_INLINE unsigned BitsOf(LaneMask mask)
 #endif
 }
 
+VITRINE_INLINE unsigned BitsOf(HalfMask mask)
+{
+#if defined(__SSE__)
+  HalfLanes lanes;
+  __builtin_memcpy(&lanes, &mask, sizeof(mask));
+  return static_cast<unsigned>(__builtin_ia32_movmskps(lanes));
+#else
+  HalfMask bits = mask & HalfMask{ 1, 2, 4, 8 };
+  bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+  bits |= __builtin_shufflevector(bits, bits, 1, 0, 3, 2);
+  return static_cast<unsigned>(bits[0]);
+#endif
+}
+
 /** The lanes whose bits are 1. */
 VITRINE_INLINE LaneMask LaneBits(unsigned bits)
 {
@@ -180,6 +198,16 @@ VITRINE_INLINE Lanes LoadLanes(const float* values)
 {
   Lanes lanes;
   __builtin_memcpy(&lanes, values, sizeof(lanes));
+  return lanes;
+}
+
+/** Four of the numbers that something is made of. */
+template <class Thing>
+VITRINE_INLINE HalfLanes LoadHalf(const Thing& thing, std::size_t first)
+{
+  HalfLanes lanes;
+  __builtin_memcpy(
+    &lanes, reinterpret_cast<const char*>(&thing) + first * sizeof(float), sizeof(lanes));
   return lanes;
 }
 

@@ -14,9 +14,24 @@ Octree::Octree(const ItemBoxes& boxes, std::uint32_t leafSize)
   : LargestLeaf(leafSize)
 {
   assert(leafSize >= 1);
+  std::vector<BoxedItem> items = this->ReadPlaceable(boxes);
+  if (items.empty())
+  {
+    return;
+  }
+  this->Root = OctreeCell::Around(this->Built);
+  const std::uint32_t root = this->Top.NewNodes(1);
+  OctreeBuilder(leafSize, this->Top).Build(root, this->Root, 0, std::move(items));
+  this->Top.Nodes.shrink_to_fit();
+  this->Top.Items.shrink_to_fit();
+}
+
+// Sets aside the items that have no place, and finds the box around all others.
+std::vector<BoxedItem> Octree::ReadPlaceable(const ItemBoxes& boxes)
+{
   constexpr std::uint32_t ChunkSize = 256;
-  std::vector<std::uint32_t> items;
-  items.reserve(2 * std::size_t{ boxes.Count() } + boxes.Count() / 4); // what the builder works in
+  std::vector<BoxedItem> placeable;
+  placeable.reserve(boxes.Count() + std::size_t{ boxes.Count() } / 8); // what the builder works in
   std::array<std::uint32_t, ChunkSize> chunk;
   std::array<Box, ChunkSize> boxesOfChunk;
   for (std::uint32_t begin = 0; begin < boxes.Count();)
@@ -26,24 +41,19 @@ Octree::Octree(const ItemBoxes& boxes, std::uint32_t leafSize)
     boxes.Read(chunk.data(), count, boxesOfChunk.data());
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      const bool isPlaceable = boxesOfChunk[i].IsPlaceable();
-      (isPlaceable ? items : this->Unplaced).push_back(begin + i);
-      if (isPlaceable)
+      if (boxesOfChunk[i].IsPlaceable())
       {
         this->Built.Add(boxesOfChunk[i]);
+        placeable.push_back({ boxesOfChunk[i], begin + i });
+      }
+      else
+      {
+        this->Unplaced.push_back(begin + i);
       }
     }
     begin += count;
   }
-  if (items.empty())
-  {
-    return;
-  }
-  this->Root = OctreeCell::Around(this->Built);
-  const std::uint32_t root = this->Top.NewNodes(1);
-  OctreeBuilder(boxes, leafSize, this->Top).Build(root, this->Root, 0, std::move(items));
-  this->Top.Nodes.shrink_to_fit();
-  this->Top.Items.shrink_to_fit();
+  return placeable;
 }
 
 Octree::Octree(OctreePage top, const OctreeCell& root, std::vector<std::uint32_t> unplaced,

@@ -106,6 +106,7 @@ public:
 
 private:
   struct Change;
+  std::vector<BoxedItem> ReadPlaceable(const ItemBoxes& boxes);
   void Remove(const MovedItem* removed, std::size_t count, const ItemBoxes& boxes);
   void InsertInto(const Change& change, std::uint32_t node, const OctreeCell& cell, int depth);
   void AppendToLeaf(const Change& change, std::uint32_t leaf, const OctreeCell& cell, int depth);

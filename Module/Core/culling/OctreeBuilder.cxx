@@ -1,28 +1,29 @@
 #include "Core/culling/OctreeBuilder.h"
 
+#include "Core/culling/Lanes.h"
 #include "Core/culling/Octree.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace vitrine
 {
+std::size_t CS = 12, PA = 16, FB = 16384;
 
 namespace
 {
 
-// Boxes that are asked for at once, so many that they stay in the first cache.
-constexpr std::size_t ChunkSize = 256;
-
-// A list's boxes are copied where that costs less memory than a share of this of all boxes,
-constexpr std::size_t FirstCopyShare = 4;
-// again where they lie among this many times as many,
-constexpr std::size_t NextCopyShare = 12;
-// and not where so few of them are about: 400 kB stay in the second cache.
+// A list's boxes are copied where they lie among this many times as many,
+constexpr std::size_t CopyShare = 16;
+// and not where so few of them are about: 460 kB stay in the second cache.
 constexpr std::size_t FewBoxes = 16384;
+
+// How many entries before it is looked at a box begins to be loaded.
+constexpr std::size_t Ahead = 16;
 
 // A node that would make only a few leaves is not split where these would list its items so many times over.
 constexpr std::size_t FewLeaves = 4;
@@ -72,78 +73,32 @@ struct OctantWords
 
 constexpr OctantWords WordOf;
 
-// Counts items by octant without branches: a byte of a word for each octant, added up before a byte can overflow.
-class OctantCounts
-{
-public:
-  void Add(unsigned octants)
-  {
-    this->Word += WordOf.Words[octants];
-    this->Kept += octants == 0;
-    if (++this->InWord == 255)
-    {
-      this->Flush();
-    }
-  }
-
-  void Flush()
-  {
-    for (int octant = 0; octant < 8; ++octant)
-    {
-      this->Counts[octant] += this->Word >> 8 * octant & 255;
-    }
-    this->Word = 0;
-    this->InWord = 0;
-  }
-
-  // By slot, after Flush().
-  std::array<std::size_t, OctreeNode::OwnSlot + 1> BySlot() const
-  {
-    std::array<std::size_t, OctreeNode::OwnSlot + 1> counts{};
-    std::copy(this->Counts.begin(), this->Counts.end(), counts.begin());
-    counts[OctreeNode::OwnSlot] = this->Kept;
-    return counts;
-  }
-
-private:
-  std::array<std::size_t, 8> Counts{};
-  std::uint64_t Word = 0;
-  std::size_t Kept = 0;
-  int InWord = 0;
-};
-
 }
 
 void OctreeBuilder::Build(
-  std::uint32_t node, const OctreeCell& cell, int depth, std::vector<std::uint32_t> items)
+  std::uint32_t node, const OctreeCell& cell, int depth, std::vector<BoxedItem> items)
 {
-  const Range range{ 0, items.size() };
-  this->Scratch = std::move(items);
-  this->ItemCount = range.Size();
-  this->Divide(node, cell, depth, range);
+  this->Near = { 0, items.size() };
+  this->Copies = std::move(items);
+  this->Entries.reserve(2 * this->Near.Size() + this->Near.Size() / 4); // mostly all it comes to
+  this->Entries.resize(this->Near.Size());
+  std::iota(this->Entries.begin(), this->Entries.end(), 0u);
+  this->Divide(node, cell, depth, this->Near);
 }
 
-// Calls `visit` with the number of each entry and its box.
+// Calls `visit` with the number of each entry and its item.
 template <class Visit>
-void OctreeBuilder::ForEachBox(const Range& range, Visit&& visit)
+void OctreeBuilder::ForEachItem(const Range range, Visit visit) const
 {
-  if (this->Near)
+  const BoxedItem* const near = this->Copies.data() + this->Near.Begin;
+  const std::uint32_t* const entries = this->Entries.data();
+  for (std::size_t i = range.Begin; i < range.End; ++i)
   {
-    for (std::size_t i = range.Begin; i < range.End; ++i)
+    if (i + Ahead < range.End)
     {
-      visit(i, this->Near->Boxes[this->Scratch[i]]);
+      Prefetch(near + entries[i + Ahead]);
     }
-    return;
-  }
-  std::array<Box, ChunkSize> boxes;
-  for (std::size_t begin = range.Begin; begin < range.End; begin += ChunkSize)
-  {
-    const std::size_t count = std::min(ChunkSize, range.End - begin);
-    this->Boxes.Read(this->Scratch.data() + begin, count, boxes.data());
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      visit(begin + i, boxes[i]);
-    }
+    visit(i, near[entries[i]]);
   }
 }
 
@@ -152,9 +107,9 @@ void OctreeBuilder::Divide(
 {
   if (this->IsWorthCopying(range.Size()))
   {
-    const Copies copies = this->Copy(range);
-    const Copies* const before = std::exchange(this->Near, &copies);
+    const Range before = std::exchange(this->Near, this->Copy(range));
     this->Divide(node, cell, depth, range);
+    this->Copies.resize(this->Near.Begin);
     this->Near = before;
     return;
   }
@@ -197,97 +152,128 @@ void OctreeBuilder::Divide(
     bounds.Add(this->Page.Nodes[child].Bounds);
     ++child;
   }
-  this->Scratch.resize(slots[0].Begin);
+  this->Entries.resize(slots[0].Begin);
   this->Page.Nodes[node] = { bounds, first, OctreeNode::InnerDetail(slotBits) };
 }
 
 bool OctreeBuilder::IsWorthCopying(std::size_t size) const
 {
-  if (this->Near == nullptr)
-  {
-    return size <= std::max(this->ItemCount / FirstCopyShare, FewBoxes);
-  }
-  const std::size_t about = this->Near->Boxes.size();
-  return about > FewBoxes && size <= about / NextCopyShare;
+  return this->Near.Size() > FewBoxes && size <= this->Near.Size() / CopyShare;
 }
 
-// Copies a list's boxes and replaces the list's entries by the numbers of the copies.
-OctreeBuilder::Copies OctreeBuilder::Copy(const Range& range)
+// Appends copies of a list's items and replaces its entries by the numbers of those.
+OctreeBuilder::Range OctreeBuilder::Copy(const Range& range)
 {
-  Copies copies;
-  copies.Boxes.resize(range.Size());
-  copies.Items.resize(range.Size());
-  this->ForEachBox(range,
-    [&](std::size_t i, const Box& box)
-    {
-      const std::size_t number = i - range.Begin;
-      copies.Boxes[number] = box;
-      copies.Items[number] = this->Near ? this->Near->Items[this->Scratch[i]] : this->Scratch[i];
-    });
-  for (std::size_t i = range.Begin; i < range.End; ++i)
-  {
-    this->Scratch[i] = static_cast<std::uint32_t>(i - range.Begin);
-  }
-  return copies;
+  const std::size_t first = this->Copies.size();
+  this->Copies.resize(first + range.Size());
+  BoxedItem* copy = this->Copies.data() + first;
+  this->ForEachItem(range, [copy](std::size_t, const BoxedItem& item) mutable { *copy++ = item; });
+  const auto entries = this->Entries.begin();
+  std::iota(entries + range.Begin, entries + range.End, 0u);
+  return { first, first + range.Size() };
 }
 
-// Appends to the scratch list what stands in each octant, and last what the cell keeps. Does nothing and returns false
-// where that would not separate the items.
+// Appends to the entries what stands in each octant, and last what the cell keeps. Does nothing and returns false where
+// that would not separate the items.
 bool OctreeBuilder::Scatter(const OctreeCell& cell, const Range& range, Slots& slots)
 {
-  std::vector<std::uint8_t>& octantsOf = this->Octants;
-  if (octantsOf.size() < range.Size())
+  this->FindOctants(cell, range);
+  const Counts counts = CountBySlot(this->Octants.data(), range.Size());
+  if (this->IsInVain(cell, range, counts))
   {
-    octantsOf.resize(range.Size());
+    return false;
   }
-  OctantCounts counter;
-  this->ForEachBox(range,
-    [&](std::size_t i, const Box& box)
+  slots = this->AppendSlots(counts);
+  this->FillSlots(range, slots);
+  return true;
+}
+
+void OctreeBuilder::FindOctants(const OctreeCell& cell, const Range& range)
+{
+  if (this->Octants.size() < range.Size())
+  {
+    this->Octants.resize(range.Size());
+  }
+  // The cell is copied, since the compiler takes bytes that are written to change whatever is not the lambda's own.
+  std::uint8_t* octants = this->Octants.data();
+  this->ForEachItem(range,
+    [cell, octants](std::size_t, const BoxedItem& item) mutable
+    { *octants++ = cell.OctantsFor(item.Extent); });
+}
+
+// Without branches: a byte of a word for each octant, added up before a byte can overflow.
+OctreeBuilder::Counts OctreeBuilder::CountBySlot(const std::uint8_t* octants, std::size_t count)
+{
+  constexpr std::size_t LargestByte = 255;
+  Counts counts{};
+  for (std::size_t begin = 0; begin < count; begin += LargestByte)
+  {
+    const std::size_t end = std::min(begin + LargestByte, count);
+    std::uint64_t word = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const std::uint8_t octants = cell.OctantsFor(box);
-      octantsOf[i - range.Begin] = octants;
-      counter.Add(octants);
-    });
-  counter.Flush();
-  const std::array<std::size_t, OctreeNode::OwnSlot + 1> counts = counter.BySlot();
+      word += WordOf.Words[octants[i]];
+      kept += octants[i] == 0;
+    }
+    for (int octant = 0; octant < OctreeNode::OwnSlot; ++octant)
+    {
+      counts[octant] += word >> 8 * octant & LargestByte;
+    }
+    counts[OctreeNode::OwnSlot] += kept;
+  }
+  return counts;
+}
+
+// Whether octants with so many items would not be worth having.
+bool OctreeBuilder::IsInVain(const OctreeCell& cell, const Range& range, const Counts& counts) const
+{
   const std::size_t largest = *std::max_element(counts.begin(), counts.end());
   const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t{ 0 });
   const bool isMostlyRepeated =
     sum > MostRepetition * range.Size() && range.Size() <= FewLeaves * this->LeafSize;
-  const bool isInVain = isMostlyRepeated || counts[OctreeNode::OwnSlot] == range.Size() ||
+  return isMostlyRepeated || counts[OctreeNode::OwnSlot] == range.Size() ||
     (largest == range.Size() && (!cell.IsDivisible() || this->HaveCommonPoint(range)));
-  if (isInVain)
-  {
-    return false;
-  }
+}
 
-  std::size_t end = this->Scratch.size();
-  std::array<std::size_t, OctreeNode::OwnSlot + 1> ends;
+bool OctreeBuilder::HaveCommonPoint(const Range& range) const
+{
+  Box common = Box::Everything();
+  this->ForEachItem(
+    range, [&](std::size_t, const BoxedItem& item) { common = common.ClippedTo(item.Extent); });
+  return !common.IsEmpty();
+}
+
+// Makes room for lists with so many entries.
+OctreeBuilder::Slots OctreeBuilder::AppendSlots(const Counts& counts)
+{
+  Slots slots;
+  std::size_t end = this->Entries.size();
   for (int slot = 0; slot <= OctreeNode::OwnSlot; ++slot)
   {
-    ends[slot] = end;
     slots[slot] = { end, end + counts[slot] };
     end += counts[slot];
   }
-  this->Scratch.resize(end);
-  for (std::size_t i = range.Begin; i < range.End; ++i)
-  {
-    const std::uint32_t entry = this->Scratch[i];
-    const unsigned octants = octantsOf[i - range.Begin];
-    if (octants == 0)
-    {
-      this->Scratch[ends[OctreeNode::OwnSlot]++] = entry;
-    }
-    ForEachOctant(octants, [&](int octant) { this->Scratch[ends[octant]++] = entry; });
-  }
-  return true;
+  this->Entries.resize(end);
+  return slots;
 }
 
-bool OctreeBuilder::HaveCommonPoint(const Range& range)
+void OctreeBuilder::FillSlots(const Range& range, const Slots& slots)
 {
-  Box common = Box::Everything();
-  this->ForEachBox(range, [&](std::size_t, const Box& box) { common = common.ClippedTo(box); });
-  return !common.IsEmpty();
+  Counts ends;
+  std::transform(
+    slots.begin(), slots.end(), ends.begin(), [](const Range& slot) { return slot.Begin; });
+  std::uint32_t* const entries = this->Entries.data();
+  for (std::size_t i = range.Begin; i < range.End; ++i)
+  {
+    const std::uint32_t entry = entries[i];
+    const unsigned octants = this->Octants[i - range.Begin];
+    if (octants == 0)
+    {
+      entries[ends[OctreeNode::OwnSlot]++] = entry;
+    }
+    ForEachOctant(octants, [&](int octant) { entries[ends[octant]++] = entry; });
+  }
 }
 
 void OctreeBuilder::MakeLeaf(std::uint32_t node, const OctreeCell& cell, const Range& range)
@@ -300,11 +286,11 @@ void OctreeBuilder::MakeLeaf(std::uint32_t node, const OctreeCell& cell, const R
   const std::uint32_t first = this->Page.NewList(static_cast<std::uint32_t>(range.Size()));
   Box bounds;
   std::uint32_t* item = this->Page.Items.data() + first;
-  this->ForEachBox(range,
-    [&](std::size_t i, const Box& box)
+  this->ForEachItem(range,
+    [&](std::size_t, const BoxedItem& boxed)
     {
-      bounds.Add(box.ClippedTo(cell.Extent));
-      *item++ = this->Near ? this->Near->Items[this->Scratch[i]] : this->Scratch[i];
+      bounds.Add(boxed.Extent.ClippedTo(cell.Extent));
+      *item++ = boxed.Item;
     });
   this->Page.Nodes[node] = { bounds, first, OctreeNode::LeafDetail(range.Size()) };
 }

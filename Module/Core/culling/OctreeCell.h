@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_OCTREE_CELL_H
 
 #include "Core/culling/Box.h"
+#include "Core/culling/Lanes.h"
 
 #include <glm/vec3.hpp>
 
@@ -71,14 +72,6 @@ struct OctreeCell
       point.z >= this->Extent.Min.z && point.z < this->Extent.Max.z;
   }
 
-  /** The sides of the split planes that a box has points on: bits 0 to 2 low in x, y, z, bits 3 to 5 high. */
-  unsigned SidesOf(const Box& box) const
-  {
-    return unsigned{ box.Min.x < this->Centre.x } | unsigned{ box.Min.y < this->Centre.y } << 1 |
-      unsigned{ box.Min.z < this->Centre.z } << 2 | unsigned{ box.Max.x >= this->Centre.x } << 3 |
-      unsigned{ box.Max.y >= this->Centre.y } << 4 | unsigned{ box.Max.z >= this->Centre.z } << 5;
-  }
-
   /**
    * The octants that an item is handed to, a bit each: all that its box has points in; or none, and the cell keeps it,
    * where these are several and the box is longer than the cell's edge. Small octants would hold too many such items.
@@ -95,6 +88,7 @@ struct OctantsTable
 
   constexpr OctantsTable()
   {
+    // Sides of the split planes: bits 0 to 2 low in x, y, z, bits 3 to 5 high.
     for (unsigned sides = 0; sides < 64; ++sides)
     {
       for (unsigned octant = 0; octant < 8; ++octant)
@@ -116,11 +110,17 @@ inline constexpr OctantsTable OctantsBySides;
 
 inline std::uint8_t OctreeCell::OctantsFor(const Box& box) const
 {
-  // Without branches, as it is asked of each item at each level.
-  const unsigned octants = detail::OctantsBySides.Octants[this->SidesOf(box)];
-  const float edge = 2 * this->Half;
-  const unsigned isLong = unsigned{ box.Max.x - box.Min.x > edge } |
-    unsigned{ box.Max.y - box.Min.y > edge } | unsigned{ box.Max.z - box.Min.z > edge };
+  // Without branches and on all axes at once, as it is asked of each item at each level. Lanes 0 to 2 of one half hold the
+  // low corner and lanes 1 to 3 of the other the high one; what else they hold does not matter.
+  const HalfLanes lows = LoadHalf(box, 0);
+  const HalfLanes highs = LoadHalf(box, 2);
+  const HalfLanes centre{ this->Centre.x, this->Centre.y, this->Centre.z, 0 };
+  const HalfLanes centreOfHighs{ 0, this->Centre.x, this->Centre.y, this->Centre.z };
+  const unsigned sides = (BitsOf(lows < centre) & 7u) | (BitsOf(highs >= centreOfHighs) & 14u) << 2;
+  const unsigned octants = detail::OctantsBySides.Octants[sides];
+
+  const HalfLanes size = highs - __builtin_shufflevector(lows, lows, 0, 0, 1, 2);
+  const unsigned isLong = (BitsOf(size > HalfLanes{} + 2 * this->Half) & 14u) != 0;
   const unsigned isSeveral = unsigned{ (octants & (octants - 1)) != 0 };
   return static_cast<std::uint8_t>(octants & ((isLong & isSeveral) - 1u));
 }

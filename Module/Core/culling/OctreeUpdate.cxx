@@ -25,6 +25,17 @@ bool ReachesSideOf(const Box& part, const Box& whole)
   return false;
 }
 
+std::vector<BoxedItem> WithBoxes(const std::vector<std::uint32_t>& items, const ItemBoxes& boxes)
+{
+  std::vector<BoxedItem> boxed;
+  boxed.reserve(items.size());
+  for (const std::uint32_t item : items)
+  {
+    boxed.push_back({ boxes.At(item), item });
+  }
+  return boxed;
+}
+
 }
 
 // An item on its way into the tree or out of it.
@@ -151,7 +162,8 @@ void Octree::AppendToLeaf(
   const bool isFull = items.size() > this->LargestLeaf && depth < LargestDepth;
   if (isFull)
   {
-    OctreeBuilder(change.Boxes, this->LargestLeaf, this->Top).Build(leaf, cell, depth, items);
+    OctreeBuilder(this->LargestLeaf, this->Top)
+      .Build(leaf, cell, depth, WithBoxes(items, change.Boxes));
     if (!this->Top.Nodes[leaf].IsLeaf())
     {
       return;

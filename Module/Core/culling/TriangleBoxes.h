@@ -2,8 +2,10 @@
 #define VITRINE_CORE_CULLING_TRIANGLE_BOXES_H
 
 #include "Core/culling/ItemBoxes.h"
+#include "Core/culling/Lanes.h"
 #include "Core/culling/Triangle.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <type_traits>
@@ -36,7 +38,13 @@ public:
 
   void Read(const std::uint32_t* items, std::size_t count, Box* boxes) const override
   {
-    for (std::size_t i = 0; i < count; ++i)
+    const std::size_t countOfEarly = count - std::min(count, Ahead);
+    for (std::size_t i = 0; i < countOfEarly; ++i)
+    {
+      this->PrefetchPoints(items[i + Ahead]);
+      boxes[i] = this->BoxOfItem(items[i]);
+    }
+    for (std::size_t i = countOfEarly; i < count; ++i)
     {
       boxes[i] = this->BoxOfItem(items[i]);
     }
@@ -54,6 +62,17 @@ public:
   }
 
 private:
+  // How many triangles before one its points begin to be loaded, which may lie all over memory.
+  static constexpr std::size_t Ahead = 24;
+
+  void PrefetchPoints(std::uint32_t item) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      Prefetch(this->Point(item, corner));
+    }
+  }
+
   const Coordinate* Point(std::uint32_t item, int corner) const
   {
     return this->Points +
