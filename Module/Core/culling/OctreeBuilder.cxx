@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace vitrine
 {
-std::size_t CS = 12, PA = 16, FB = 16384;
 
 namespace
 {
