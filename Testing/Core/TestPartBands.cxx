@@ -143,19 +143,21 @@ TEST(PartBands, KeepHiddenWhatNoneOfThemShowsAtASecondLook)
   scene.AddBox({ -60, -60, -21 }, { 60, 2.0, -20 }); // what lies above it shows
   const std::uint32_t high = scene.AddBox({ -1, -30, -32 }, { 1, 10, -30 });
   const std::uint32_t low = scene.AddBox({ 3, -30, -32 }, { 5, 1, -30 });
-  const std::uint32_t outside = scene.AddBox({ 3, 30, -32 }, { 5, 31, -30 });
+  const std::uint32_t aside = scene.AddBox({ 3, 30, -32 }, { 5, 31, -30 });
+  const std::uint32_t beyond =
+    scene.AddBox({ -1, 30, -152 }, { 1, 40, -150 }); // where nothing hides it
   for (const int bands : { 1, 4 })
   {
     PartCuller culler = InBands(bands);
     scene.Visible.assign(scene.Parts.size(), 1);
     scene.Cull(culler, AheadView(false));
     std::vector<vitrine::BoxedPart> asked;
-    for (const std::uint32_t part : { high, low, outside })
+    for (const std::uint32_t part : { high, low, aside, beyond })
     {
       asked.push_back({ part, scene.Bounds[part] });
     }
     const ScreenProjection view = AheadView(false).Projection(scene.Reach);
-    EXPECT_EQ(culler.StayHidden(asked, scene, view), (std::vector<std::uint8_t>{ 0, 1, 1 }));
+    EXPECT_EQ(culler.StayHidden(asked, scene, view), (std::vector<std::uint8_t>{ 0, 1, 1, 1 }));
     EXPECT_TRUE(culler.StayHidden({}, scene, view).empty());
   }
 }

@@ -175,6 +175,27 @@ TEST(SecondLook, AsksThinFacesOneByOne)
   }
 }
 
+TEST(SecondLook, AsksThinFacesBehindWhatHidesTheirBox)
+{
+  const View view = SnappingView(false, 1.0 / 64.0);
+  const double centre = 1.657; // of pixels, as above
+  for (const bool isAtCentres : { false, true })
+  {
+    BandTools wall =
+      WallOf(0.9f, FrameLines, isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid());
+    const auto staysHidden = [&](double left, double aside)
+    {
+      PartScene scene; // of a triangle that reaches away from the eye
+      Triangles away;
+      away.Add({ left, -3, -31 }, { 1.2 * left + aside, -3.6, -37.2 }, { left, 1, -31 });
+      return StaysHidden(scene, scene.Add(away), wall, view);
+    };
+    EXPECT_FALSE(staysHidden(centre, 2e-4));
+    EXPECT_EQ(staysHidden(2.65, 2e-4), isAtCentres) << "between samples";
+    EXPECT_TRUE(staysHidden(centre, 0.5)) << "it is not thin";
+  }
+}
+
 TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
 {
   // A slope whose box looks out above the wall, and no face of it.
