@@ -19,6 +19,40 @@ namespace
 {
 
 const double LargestFloat = std::numeric_limits<float>::max();
+
+/**
+ * The triangles that cells are drawn as, three corners each. None if a cell has points that are not there.
+ * @param firstOf  of the triangle of points i and i + 1 of a cell, the number of the third one
+ */
+template <class FirstOf>
+std::vector<std::uint32_t> TrianglesOfCells(
+  vtkPolyData* data, vtkCellArray* cells, const FirstOf& firstOf)
+{
+  std::vector<std::uint32_t> corners;
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    cell->GetCurrentCell(count, points);
+    for (vtkIdType i = 1; i + 1 < count; ++i)
+    {
+      corners.push_back(static_cast<std::uint32_t>(points[firstOf(i)]));
+      corners.push_back(static_cast<std::uint32_t>(points[i]));
+      corners.push_back(static_cast<std::uint32_t>(points[i + 1]));
+    }
+  }
+  const vtkIdType points = data->GetNumberOfPoints();
+  const bool areThere = std::all_of(
+    corners.begin(), corners.end(), [points](std::uint32_t corner) { return corner < points; });
+  return areThere ? corners : std::vector<std::uint32_t>();
+}
+
+/** Of strips, whichever way they go around. */
+std::vector<std::uint32_t> TrianglesOfStrips(vtkPolyData* data)
+{
+  return TrianglesOfCells(data, data->GetStrips(), [](vtkIdType i) { return i - 1; });
+}
 }
 
 std::vector<glm::dvec3> PointsOf(vtkPolyData* data)
@@ -33,24 +67,7 @@ std::vector<glm::dvec3> PointsOf(vtkPolyData* data)
 
 std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data)
 {
-  std::vector<std::uint32_t> corners;
-  const auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* points = nullptr;
-    cells->GetCurrentCell(count, points);
-    for (vtkIdType i = 1; i + 1 < count; ++i)
-    {
-      corners.push_back(static_cast<std::uint32_t>(points[0]));
-      corners.push_back(static_cast<std::uint32_t>(points[i]));
-      corners.push_back(static_cast<std::uint32_t>(points[i + 1]));
-    }
-  }
-  const vtkIdType points = data->GetNumberOfPoints();
-  const bool areThere = std::all_of(
-    corners.begin(), corners.end(), [points](std::uint32_t corner) { return corner < points; });
-  return areThere ? corners : std::vector<std::uint32_t>();
+  return TrianglesOfCells(data, data->GetPolys(), [](vtkIdType) { return vtkIdType{ 0 }; });
 }
 
 bool HasGhosts(vtkPolyData* data)
@@ -123,7 +140,10 @@ const FacePlanes& PartGeometry::Planes(vtkPolyData* data)
   std::call_once(this->ArePlanesBuilt,
     [&]
     {
-      const MeshTriangles triangles = this->TrianglesFrom(data);
+      MeshTriangles triangles = this->TrianglesFrom(data);
+      const std::vector<std::uint32_t> strips =
+        this->HasStrips ? TrianglesOfStrips(data) : std::vector<std::uint32_t>();
+      triangles.Corners.insert(triangles.Corners.end(), strips.begin(), strips.end());
       this->PlanesOfFaces = std::make_unique<FacePlanes>(triangles.Points, triangles.Corners);
     });
   return *this->PlanesOfFaces;

@@ -56,7 +56,7 @@ public:
   /** Whether nothing but polygons is drawn. */
   bool IsOfFacesAlone() const { return !this->HasVertsOrLines && !this->HasStrips; }
 
-  /** The planes of its polygons; read when first asked for, by whichever of several threads. `data` is current. */
+  /** The planes of its polygons and strips; read when first asked for, by whichever of several threads. `data` is current. */
   const FacePlanes& Planes(vtkPolyData* data);
 
   /** Its triangles and convex polygons as an occluder; built when first asked for, by whichever of several threads. `data` is current. */

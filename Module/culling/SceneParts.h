@@ -70,7 +70,7 @@ public:
    * @param drawn    one for each part, 1 for those that are drawn
    * @param visible  the same for those that may show; 1 is put for such parts within the view
    */
-  void ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
+  void LookAgain(PartCuller& culler, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible);
 
   /**

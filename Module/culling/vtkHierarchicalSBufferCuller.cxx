@@ -190,7 +190,7 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   if (occlusion)
   {
     parts.ShowBehindBlended(culler.Samples(), view.Projection(), known.Drawn, known.Visible);
-    parts.ShowEdgeOn(culler, view.Projection(), known.Drawn, known.Visible);
+    parts.LookAgain(culler, view.Projection(), known.Drawn, known.Visible);
   }
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);

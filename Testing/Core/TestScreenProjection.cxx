@@ -222,6 +222,18 @@ TEST(ScreenProjection, KnowsItsEye)
   EXPECT_NEAR(parallel.SmallestScale(), 12.5, 1e-4);
 }
 
+TEST(ScreenProjection, TellsTheSmallestScaleOfObliqueViews)
+{
+  const ScreenProjection aside(
+    glm::frustum(0.0, 2.0, 0.0, 2.0, 1.0, 100.0), 100, 100, glm::dvec3(10), {});
+  EXPECT_NEAR(aside.SmallestScale(), 50.0, 1e-4);
+  glm::dmat4 sheared = glm::ortho(-1.0, 1.0, -1.0, 1.0, 0.0, 10.0);
+  sheared[2][0] = 1.0;
+  sheared[2][1] = 1.0;
+  const ScreenProjection parallel(sheared, 100, 100, glm::dvec3(10), {});
+  EXPECT_NEAR(parallel.SmallestScale(), 50.0, 1e-4);
+}
+
 TEST(ScreenProjection, TellsHowDepthChangesAlongPlanes)
 {
   Random random(8);

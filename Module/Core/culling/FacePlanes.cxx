@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vitrine
 {
@@ -20,11 +21,10 @@ namespace
 // Planes of faces that follow one another are one, if they differ by less of all distances; as those do into which a polygon was cut.
 const double SamePlane = 1e-6;
 
-// Narrower faces count as so wide, of their length: what is narrower by nature seldom covers anything at all.
-const double LeastWidth = 1.0 / 64.0;
-
-// What floats round, of an eye's distance. Planes that it is no farther from go through it.
+// What floats round, of an eye's distance.
 const double Rounding = 0x1p-22;
+
+const double Unknown = std::numeric_limits<double>::infinity();
 
 /** Whether an OccluderMesh has such a face. */
 bool IsFaceOfMesh(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
@@ -33,15 +33,15 @@ bool IsFaceOfMesh(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 }
 }
 
-/** Of a face, or of several that follow each other. */
+/** Of a face, or of several that follow each other. Of a face without area, which may have some where a device rounds its corners, it is not known. */
 struct FacePlanes::Plane
 {
   glm::dvec3 Normal{ 0.0 };
   glm::dvec3 Place{ 0.0 };
   std::uint32_t FirstFace = 0;
-  double Extent = 0.0; ///< across the face; 0 for none
+  double Extent = 0.0; ///< across the face; 0 where the plane is not known
   double Deviation =
-    0.0; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
+    Unknown; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
 
   /** Takes another face for one of this plane, if it is. */
   bool Takes(const Plane& other, double radius)
@@ -68,7 +68,7 @@ FacePlanes::Plane FacePlanes::PlaneOf(const glm::dvec3& a, const glm::dvec3& b, 
     return {};
   }
   const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
-  return { cross / size, a, 0, std::max(size / longest, LeastWidth * longest) };
+  return { cross / size, a, 0, size / longest, 0.0 };
 }
 
 FacePlanes::FacePlanes(
@@ -83,29 +83,28 @@ FacePlanes::FacePlanes(
   }
   this->Middle = 0.5 * least + 0.5 * greatest;
   this->Radius = glm::length(greatest - this->Middle);
-  Plane last;
+  std::vector<Plane> planes;
   std::uint32_t faces = 0;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
   {
     const glm::dvec3 &a = points[corners[i]], &b = points[corners[i + 1]],
                      &c = points[corners[i + 2]];
-    Plane plane = PlaneOf(a, b, c);
-    plane.FirstFace = faces;
-    if (!last.Takes(plane, this->Radius) && plane.Extent > 0.0)
+    if (IsFaceOfMesh(a, b, c))
     {
-      this->Add(last);
-      last = plane;
+      Plane plane = PlaneOf(a, b, c);
+      plane.FirstFace = faces++;
+      if (planes.empty() || !planes.back().Takes(plane, this->Radius))
+      {
+        planes.push_back(plane);
+      }
     }
-    faces += IsFaceOfMesh(a, b, c);
   }
-  this->Add(last);
-  this->FirstFaces.push_back(faces);
-  this->Pad();
+  this->Keep(planes, faces);
 }
 
-void FacePlanes::Add(const Plane& plane)
+void FacePlanes::Keep(const std::vector<Plane>& planes, std::uint32_t faces)
 {
-  if (plane.Extent > 0.0)
+  for (const Plane& plane : planes)
   {
     const double distance = glm::dot(plane.Normal, plane.Place - this->Middle);
     const double values[] = { plane.Normal.x, plane.Normal.y, plane.Normal.z, distance,
@@ -116,6 +115,8 @@ void FacePlanes::Add(const Plane& plane)
     }
     this->FirstFaces.push_back(plane.FirstFace);
   }
+  this->FirstFaces.push_back(faces);
+  this->Pad();
 }
 
 /** Fill up what is looked at eight at a time. */
@@ -140,9 +141,10 @@ glm::dvec2 FacePlanes::FindThin(
   }
   const glm::dvec3 place = glm::dvec3(view.Eye) - view.Eye.w * this->Middle;
   const double farthest = glm::length(place) + view.Eye.w * this->Radius;
-  const Lanes most =
-    AllLanes(static_cast<float>((thickness.Fixed * farthest + thickness.ByNear) * farthest));
+  const double least = (thickness.Fixed * farthest + thickness.ByNear) * farthest;
+  const Lanes most = AllLanes(static_cast<float>(least * thickness.Unevenness));
   const Lanes rounded = AllLanes(static_cast<float>(Rounding * farthest));
+  const auto toFarthest = static_cast<float>(farthest);
   const glm::vec4 from(place, -view.Eye.w);
   Lanes nearestOfOthers = AllLanes(BeyondAll);
   for (std::size_t i = 0; i < this->Planes[0].size(); i += LaneCount)
@@ -150,12 +152,11 @@ glm::dvec2 FacePlanes::FindThin(
     const Lanes distance =
       SizeOf(from.x * LoadLanes(&this->Planes[0][i]) + from.y * LoadLanes(&this->Planes[1][i]) +
         from.z * LoadLanes(&this->Planes[2][i]) + from.w * LoadLanes(&this->Planes[3][i]));
-    const Lanes off = LoadLanes(&this->Planes[5][i]) * static_cast<float>(farthest);
+    const Lanes off = LoadLanes(&this->Planes[5][i]) * toFarthest;
     const Lanes surely = distance - off - rounded;
     const LaneMask isThick = surely * LoadLanes(&this->Planes[4][i]) > most;
-    const LaneMask isExact = distance + off <= rounded;
     nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
-    this->AddFaces(i, BitsOf(~(isThick | isExact)), thin); // as where it is no number
+    this->AddFaces(i, BitsOf(~isThick), thin); // as where it is no number
   }
   return glm::dvec2(this->FarthestFrom(view.ByColumn), this->FarthestFrom(view.ByLine)) /
     static_cast<double>(LeastLane(nearestOfOthers));

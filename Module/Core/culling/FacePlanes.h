@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_FACE_PLANES_H
 #define VITRINE_CORE_CULLING_FACE_PLANES_H
 
-#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/PlaneView.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -22,20 +22,20 @@ class FacePlanes
 public:
   /**
    * @param points   model coordinates (MC)
-   * @param corners  three indices of points for each triangle; those that are not finite, or have no area, have no plane
+   * @param corners  three indices of points for each triangle; those without three points that are finite and differ have no plane
    */
   FacePlanes(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
-  /** How thick a face may look to be thin: in lengths at a distance of 1, or in a parallel view. */
+  /** How thick a face may look to be thin: as lengths in model coordinates at a distance of 1, or in a parallel view. */
   struct Thickness
   {
-    double Fixed = 0.0;  ///< on the screen
-    double ByNear = 0.0; ///< and that, the more the nearer it is
+    double Fixed = 0.0;      ///< on the screen
+    double ByNear = 0.0;     ///< and that, the more the nearer it is
+    double Unevenness = 1.0; ///< by how much more the way to the world makes some lengths longer than others, squared
   };
 
   /**
-   * Finds faces that may be no thicker than that on the screen. One that the eye sees from its edge as exactly as floats tell does not count: its corners
-   * mostly fall on one another where a device draws them.
+   * Finds faces that may be no thicker than that on the screen.
    * @param view  in model coordinates
    * @param thin  takes the numbers of such faces, and maybe of others beside them, as an OccluderMesh of the same triangles has them
    * @returns     by how much depth may change at most along the planes of all others, from column to column and from line to line
@@ -47,7 +47,7 @@ private:
   struct Plane;
 
   static Plane PlaneOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
-  void Add(const Plane& plane);
+  void Keep(const std::vector<Plane>& planes, std::uint32_t faces);
   void Pad();
   double FarthestFrom(const glm::dvec4& place) const;
   void AddFaces(std::size_t first, unsigned planes, std::vector<std::uint32_t>& to) const;

@@ -101,7 +101,7 @@ void OctreeBuilder::ForEachItem(const Range range, Visit visit) const
 }
 
 void OctreeBuilder::Divide(
-  std::uint32_t node, const OctreeCell& cell, int depth, const Range& range)
+  std::uint32_t node, const OctreeCell& cell, int depth, Range range)
 {
   if (this->IsWorthCopying(range.Size()))
   {

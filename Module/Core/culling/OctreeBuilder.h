@@ -48,7 +48,7 @@ private:
 
   template <class Visit>
   void ForEachItem(Range range, Visit visit) const;
-  void Divide(std::uint32_t node, const OctreeCell& cell, int depth, const Range& range);
+  void Divide(std::uint32_t node, const OctreeCell& cell, int depth, Range range);
   bool IsWorthCopying(std::size_t size) const;
   Range Copy(const Range& range);
   bool Scatter(const OctreeCell& cell, const Range& range, Slots& slots);

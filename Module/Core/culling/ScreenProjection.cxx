@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine
 {
@@ -155,14 +156,21 @@ PlaneView ScreenProjection::OfPlanes() const
     -CrossOf(rows[0], rows[2], rows[3]) / size };
 }
 
+/** The smaller one of the singular values of what leads from places beside each other to columns and lines. */
 double ScreenProjection::SmallestScale() const
 {
   const glm::dmat4 rows = glm::transpose(this->World.Matrix);
-  const glm::dvec4 w = rows[3];
-  const glm::dvec2 middle = 0.5 * glm::dvec2(this->World.Size);
-  const double across = std::min(glm::length(glm::dvec3(rows[0] - middle.x * w)),
-    glm::length(glm::dvec3(rows[1] - middle.y * w)));
-  return across / WAtOne(w);
+  const glm::dvec3 w(rows[3]);
+  const double sizeOfW = glm::dot(w, w);
+  const auto across = [&](const glm::dvec4& row)
+  {
+    const glm::dvec3 all(row);
+    return sizeOfW > 0.0 ? all - glm::dot(all, w) / sizeOfW * w : all;
+  };
+  const glm::dvec3 x = across(rows[0]), y = across(rows[1]);
+  const double mean = 0.5 * (glm::dot(x, x) + glm::dot(y, y));
+  const double half = 0.5 * (glm::dot(x, x) - glm::dot(y, y)), both = glm::dot(x, y);
+  return std::sqrt(std::max(mean - std::sqrt(half * half + both * both), 0.0)) / WAtOne(rows[3]);
 }
 
 double ScreenProjection::RoundingAtOne() const

@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_SCREEN_PROJECTION_H
 
 #include "Core/culling/BoxLanes.h"
+#include "Core/culling/PlaneView.h"
 #include "Core/culling/SBuffer.h"
 
 #include <glm/mat4x4.hpp>
@@ -59,17 +60,6 @@ struct RectangleLanes
     return samples.MayHaveAny(LoadLanes(this->Left), LoadLanes(this->Right)) &
       samples.MayHaveAny(LoadLanes(this->Bottom), LoadLanes(this->Top));
   }
-};
-
-/**
- * How a view sees planes p, for which p * (x, y, z, 1) is 0 where they are: a plane's depth changes by -(p * ByColumn) / (p * Eye) from column to column, and so with lines.
- */
-struct PlaneView
-{
-  glm::dvec4
-    Eye; ///< in world coordinates, w is 1; or the direction that it looks along in parallel projection, w is 0
-  glm::dvec4 ByColumn;
-  glm::dvec4 ByLine;
 };
 
 /** Where the box of what reaches before the near plane may be on the screen. */

@@ -51,7 +51,7 @@ private:
   const ScreenProjection& View;
   PlaneView Planes;
   glm::dvec2 Snapping;              ///< in columns and lines
-  FacePlanes::Thickness Thinnest{}; ///< of faces of which anything is known
+  FacePlanes::Thickness Thinnest{}; ///< in the world, of faces of which anything is known
   HiddenFaces Faces;
   std::vector<std::uint32_t> ThinFaces; ///< of the part at hand
 };

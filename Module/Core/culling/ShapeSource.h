@@ -23,7 +23,7 @@ struct PartPlanes
 class ShapeSource : public OccluderSource
 {
 public:
-  /** Of all that is drawn of it, be it of a mesh that OccluderOf() does not tell. */
+  /** Of all faces that are drawn of it, be they of a mesh that OccluderOf() does not tell. */
   virtual PartPlanes PlanesOf(std::uint32_t part) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Parts with faces that are seen from their edge, whose depth on a device is unknown.
+// Parts that were found hidden where they are, and may be drawn elsewhere.
 #include "culling/SceneParts.h"
 
 #include "Core/culling/BoxLanes.h"
@@ -85,7 +85,7 @@ private:
   SceneParts& Parts;
 };
 
-void SceneParts::ShowEdgeOn(PartCuller& culler, const ScreenProjection& view,
+void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
   std::vector<BoxedPart> hidden = this->FindHiddenInView(view, culler.Samples(), drawn, visible);
