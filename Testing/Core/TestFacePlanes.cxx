@@ -91,7 +91,8 @@ TEST(FacePlanes, OfABoxAreSeenFromTheirEdgeInSixPlanes)
   EXPECT_FALSE(IsSeenFrom(box, { 2.01, 20, 30 }));
   EXPECT_TRUE(IsSeenFrom(box, { -50, 2.0001, 30 }));
   EXPECT_TRUE(IsSeenFrom(box, { -50, 70, 5.9999 }));
-  EXPECT_TRUE(IsSeenAlong(box, { 0, 0, -1 })) << "exactly";
+  EXPECT_FALSE(IsSeenAlong(box, { 0, 0, -1 }))
+    << "its sides have no area there, however corners are rounded";
   EXPECT_TRUE(IsSeenAlong(box, { 1, 2, 1.8e-6 }));
   EXPECT_FALSE(IsSeenAlong(box, { 1, 2, 0.1 }));
 }
@@ -206,6 +207,29 @@ TEST(FacePlanes, NameFacesAsAMeshOfTheSameTrianglesDoes)
   EXPECT_EQ(ThinTo(planes, { -0.0001, 20, 30, 1 }), (Faces{ 0, 3 }));
   EXPECT_EQ(ThinTo(planes, { 30, 20, 5.0001, 1 }), (Faces{ 0, 4 }));
   EXPECT_EQ(ThinTo(planes, { 30, 20, 17, 1 }), Faces{ 0 });
+}
+
+// Corners of such faces are at one place, or at one column or line, for whatever computes them.
+TEST(FacePlanes, HaveNoAreaInParallelViewsAlongAnAxisThatTheyAreAlignedWith)
+{
+  Triangles triangles;
+  triangles.Add({ 1, 0, 0 }, { 2, 3, 0 }, { 2, 3, 5 }); // 0, upright, with an edge along z
+  triangles.Add({ 4, 0, 0 }, { 4, 3, 1 }, { 4, 2, 5 }); // 1, where x is 4
+  triangles.Add({ 0, 6, 1 }, { 1, 6, 5 }, { 2, 6, 2 }); // 2, where y is 6
+  triangles.Add({ 5, 0, 0 }, { 6, 1, 3 }, { 8, 3, 7 }); // 3, upright
+  const FacePlanes planes = PlanesOf(triangles);
+  const auto thinTo = [&](const glm::dvec4& ahead, const glm::dvec4& across, const glm::dvec4& up)
+  {
+    std::vector<std::uint32_t> thin;
+    planes.FindThin({ ahead, across, up }, { Thickness, 0.0 }, thin);
+    return thin;
+  };
+  using Faces = std::vector<std::uint32_t>;
+  const glm::dvec4 x(1, 0, 0, 0), y(0, 1, 0, 0), z(0, 0, 1, 0);
+  EXPECT_EQ(thinTo(z, x, y), Faces{ 3 });
+  EXPECT_EQ(thinTo(-z, 0.3 * y, -2.0 * x), Faces{ 3 });
+  EXPECT_EQ(thinTo(z, x + y, y - x), (Faces{ 1, 2, 3 })) << "columns and lines are not along axes";
+  EXPECT_EQ(thinTo(z + 1e-12 * x, x, y), (Faces{ 0, 1, 2, 3 })) << "nearly along an axis";
 }
 
 TEST(FacePlanes, CountAsThickerTheNearerTheyAre)

@@ -25,6 +25,15 @@ const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
 const std::size_t FewFaces = 12;
 
+// Where devices clip what reaches farther off the screen, floats round as much as samples are away from its borders, so that nothing is drawn there.
+const float FarthestOff = 0x1p17f;
+
+bool IsClippedSurely(const ScreenRectangle& around)
+{
+  return around.Left >= -FarthestOff && around.Right <= FarthestOff &&
+    around.Bottom >= -FarthestOff && around.Top <= FarthestOff;
+}
+
 float FacesPerCell(const ScreenRectangle& rectangle, std::size_t faces)
 {
   const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
@@ -218,6 +227,10 @@ void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 
 void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 {
+  if (!IsClippedSurely(this->Tools.Projected.Rectangle()))
+  {
+    return;
+  }
   if (this->HasFewFacets(occluder) && this->InsertFewFacets(part, occluder))
   {
     return;

@@ -26,6 +26,46 @@ const double Rounding = 0x1p-22;
 
 const double Unknown = std::numeric_limits<double>::infinity();
 
+/** How corners lie along the axes, exactly: three bits for each axis that an edge lies along, and three for each that the face is at one place of. */
+std::uint8_t AlignmentOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  unsigned bits = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    const auto isAlong = [&](const glm::dvec3& from, const glm::dvec3& to)
+    { return from[next] == to[next] && from[last] == to[last]; };
+    bits |= unsigned{ isAlong(a, b) || isAlong(b, c) || isAlong(c, a) } << axis;
+    bits |= unsigned{ a[axis] == b[axis] && b[axis] == c[axis] } << (3 + axis);
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+/** The axis that a direction lies along exactly; -1 if it is none. */
+int AxisOf(const glm::dvec4& direction)
+{
+  int axis = -1;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (direction[i] != 0.0)
+    {
+      axis = axis < 0 && i < 3 ? i : 3;
+    }
+  }
+  return axis < 3 ? axis : -1;
+}
+
+/** Alignments with which a face has no area in a view, since corners of it are at one place or all at one column or line, for a device as for us: its matrix has zeros there. */
+unsigned VanishingIn(const PlaneView& view)
+{
+  const int ahead = AxisOf(view.Eye), across = AxisOf(view.ByColumn), up = AxisOf(view.ByLine);
+  if (ahead < 0)
+  {
+    return 0;
+  }
+  return 1u << ahead | (across < 0 || up < 0 ? 0u : 8u << across | 8u << up);
+}
+
 /** Whether an OccluderMesh has such a face. */
 bool IsFaceOfMesh(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
@@ -39,7 +79,8 @@ struct FacePlanes::Plane
   glm::dvec3 Normal{ 0.0 };
   glm::dvec3 Place{ 0.0 };
   std::uint32_t FirstFace = 0;
-  double Extent = 0.0; ///< across the face; 0 where the plane is not known
+  std::uint8_t Alignment = 0; ///< of all of them
+  double Extent = 0.0;        ///< across the face; 0 where the plane is not known
   double Deviation =
     Unknown; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
 
@@ -53,6 +94,7 @@ struct FacePlanes::Plane
     {
       return false;
     }
+    this->Alignment &= other.Alignment;
     this->Extent = std::min(this->Extent, other.Extent);
     this->Deviation = std::max(this->Deviation, deviation);
     return true;
@@ -68,7 +110,7 @@ FacePlanes::Plane FacePlanes::PlaneOf(const glm::dvec3& a, const glm::dvec3& b, 
     return {};
   }
   const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
-  return { cross / size, a, 0, size / longest, 0.0 };
+  return { cross / size, a, 0, AlignmentOf(a, b, c), size / longest, 0.0 };
 }
 
 FacePlanes::FacePlanes(
@@ -114,6 +156,7 @@ void FacePlanes::Keep(const std::vector<Plane>& planes, std::uint32_t faces)
       this->Planes[i].push_back(static_cast<float>(values[i]));
     }
     this->FirstFaces.push_back(plane.FirstFace);
+    this->Alignments.push_back(plane.Alignment);
   }
   this->FirstFaces.push_back(faces);
   this->Pad();
@@ -144,6 +187,7 @@ glm::dvec2 FacePlanes::FindThin(
   const double least = (thickness.Fixed * farthest + thickness.ByNear) * farthest;
   const Lanes most = AllLanes(static_cast<float>(least * thickness.Unevenness));
   const Lanes rounded = AllLanes(static_cast<float>(Rounding * farthest));
+  const unsigned vanishing = VanishingIn(view);
   const auto toFarthest = static_cast<float>(farthest);
   const glm::vec4 from(place, -view.Eye.w);
   Lanes nearestOfOthers = AllLanes(BeyondAll);
@@ -156,7 +200,7 @@ glm::dvec2 FacePlanes::FindThin(
     const Lanes surely = distance - off - rounded;
     const LaneMask isThick = surely * LoadLanes(&this->Planes[4][i]) > most;
     nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
-    this->AddFaces(i, BitsOf(~isThick), thin); // as where it is no number
+    this->AddFaces(i, BitsOf(~isThick), vanishing, thin); // as where it is no number
   }
   return glm::dvec2(this->FarthestFrom(view.ByColumn), this->FarthestFrom(view.ByLine)) /
     static_cast<double>(LeastLane(nearestOfOthers));
@@ -168,14 +212,17 @@ double FacePlanes::FarthestFrom(const glm::dvec4& place) const
   return glm::length(glm::dvec3(place) - place.w * this->Middle) + std::abs(place.w) * this->Radius;
 }
 
-/** Those of some of eight planes, of which there are fewer in the end. */
-void FacePlanes::AddFaces(std::size_t first, unsigned planes, std::vector<std::uint32_t>& to) const
+/** Those of some of eight planes, of which there are fewer in the end, but for faces that are aligned so. */
+void FacePlanes::AddFaces(
+  std::size_t first, unsigned planes, unsigned vanishing, std::vector<std::uint32_t>& to) const
 {
-  const std::size_t count = this->FirstFaces.size() - 1;
-  for (; planes != 0 && first + static_cast<std::size_t>(LowestBit(planes)) < count;
-       planes &= planes - 1)
+  for (; planes != 0; planes &= planes - 1)
   {
     const std::size_t plane = first + static_cast<std::size_t>(LowestBit(planes));
+    if (plane >= this->Alignments.size() || (this->Alignments[plane] & vanishing) != 0)
+    {
+      continue;
+    }
     for (std::uint32_t face = this->FirstFaces[plane]; face < this->FirstFaces[plane + 1]; ++face)
     {
       to.push_back(face);

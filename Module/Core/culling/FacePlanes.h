@@ -29,13 +29,14 @@ public:
   /** How thick a face may look to be thin: as lengths in model coordinates at a distance of 1, or in a parallel view. */
   struct Thickness
   {
-    double Fixed = 0.0;      ///< on the screen
-    double ByNear = 0.0;     ///< and that, the more the nearer it is
-    double Unevenness = 1.0; ///< by how much more the way to the world makes some lengths longer than others, squared
+    double Fixed = 0.0;  ///< on the screen
+    double ByNear = 0.0; ///< and that, the more the nearer it is
+    double Unevenness =
+      1.0; ///< by how much more the way to the world makes some lengths longer than others, squared
   };
 
   /**
-   * Finds faces that may be no thicker than that on the screen.
+   * Finds faces that may be no thicker than that on the screen, but for those that have no area there however corners are rounded: in parallel views along an axis.
    * @param view  in model coordinates
    * @param thin  takes the numbers of such faces, and maybe of others beside them, as an OccluderMesh of the same triangles has them
    * @returns     by how much depth may change at most along the planes of all others, from column to column and from line to line
@@ -50,13 +51,15 @@ private:
   void Keep(const std::vector<Plane>& planes, std::uint32_t faces);
   void Pad();
   double FarthestFrom(const glm::dvec4& place) const;
-  void AddFaces(std::size_t first, unsigned planes, std::vector<std::uint32_t>& to) const;
+  void AddFaces(
+    std::size_t first, unsigned planes, unsigned vanishing, std::vector<std::uint32_t>& to) const;
 
   glm::dvec3 Middle{ 0.0 };
   double Radius = 0.0;
   std::vector<float> Planes
     [6]; ///< unit normals, distances from the middle, how wide the faces are, and how far off their planes
   std::vector<std::uint32_t> FirstFaces; ///< of each plane, and the number of all faces
+  std::vector<std::uint8_t> Alignments;  ///< of the faces of each plane with axes
 };
 
 }

@@ -3,6 +3,7 @@
 #include "Core/culling/BeyondAll.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
+#include "Core/culling/FaceThickness.h"
 #include "Core/culling/LineExtent.h"
 
 #include <algorithm>
@@ -10,6 +11,17 @@
 
 namespace vitrine
 {
+
+namespace
+{
+
+// Of parts of no more faces, each may be of any thickness on a device that is not surely more than nothing.
+const std::size_t MostFacesOfAnyThickness = 1024;
+
+// Of places that are up to 1.
+const float StepOfFloats = 0x1p-23f;
+
+}
 
 bool HiddenFaces::AreAll(const MeshProjection& projection)
 {
@@ -80,11 +92,30 @@ bool HiddenFaces::AreSomeOfAnyThickness(
   return true;
 }
 
-/** Of a block those that may be drawn at samples at all. */
+/** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
 bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block)
 {
-  return this->AreHidden(
-    projection, block, block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen()));
+  unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
+  if (projection.Faces().size() > MostFacesOfAnyThickness)
+  {
+    faces &= ~this->FindHiddenIfOfAStep(projection, block, faces);
+  }
+  return this->AreHidden(projection, block, faces);
+}
+
+unsigned HiddenFaces::FindHiddenIfOfAStep(
+  const MeshProjection& projection, const FaceBlock& block, unsigned faces) const
+{
+  const float step = StepOfFloats * static_cast<float>(this->Lines.Columns());
+  unsigned hidden = 0;
+  for (int lane = 0; faces >> lane != 0; ++lane)
+  {
+    ScreenRectangle around = this->View.Grown(block.At(lane));
+    around.Nearest =
+      std::min(around.Nearest, NearestOfThickness(projection, block.Face(lane), step));
+    hidden |= unsigned{ (faces >> lane & 1u) != 0 && this->Lines.Hides(around) } << lane;
+  }
+  return hidden;
 }
 
 void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing) const

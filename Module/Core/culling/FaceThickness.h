@@ -1,0 +1,14 @@
+#ifndef VITRINE_CORE_CULLING_FACE_THICKNESS_H
+#define VITRINE_CORE_CULLING_FACE_THICKNESS_H
+
+#include "Core/culling/MeshProjection.h"
+
+namespace vitrine
+{
+
+/** How near a device may draw a face that is no thinner than that for it, in columns and lines: its depth changes by no more there than between its corners. */
+float NearestOfThickness(const MeshProjection& projection, const MeshFace& face, float thickness);
+
+}
+
+#endif
