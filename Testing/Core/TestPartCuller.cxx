@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace
@@ -95,6 +96,22 @@ TEST(PartCuller, AWallHidesBeforeWhatIsBehindIsLookedAt)
   const vitrine::CullCounts counts = CullAhead(scene, false);
   EXPECT_EQ(std::count(scene.Visible.begin(), scene.Visible.end(), 1), 3);
   EXPECT_EQ(counts.Inserted, 3u);
+}
+
+// Where devices clip it at the borders of the screen, floats round too much.
+TEST(PartCuller, WhatReachesVeryFarOffTheScreenHidesNothing)
+{
+  for (const auto& [size, hides] : { std::pair(1e4, true), std::pair(1e5, false) })
+  {
+    Triangles wall;
+    wall.AddQuad(
+      { -size, -size, -20 }, { size, -size, -20 }, { size, size, -20 }, { -size, size, -20 });
+    PartScene scene;
+    scene.Add(wall);
+    const std::uint32_t behind = scene.AddBox({ -1, -1, -32 }, { 1, 1, -30 });
+    coverage::CullAhead(scene, true);
+    EXPECT_EQ(scene.Visible[behind] == 0, hides) << size;
+  }
 }
 
 TEST(PartCuller, SeesThroughASlit)

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vitrine
 {
@@ -23,8 +22,6 @@ const double SamePlane = 1e-6;
 
 // What floats round, of an eye's distance.
 const double Rounding = 0x1p-22;
-
-const double Unknown = std::numeric_limits<double>::infinity();
 
 /** How corners lie along the axes, exactly: three bits for each axis that an edge lies along, and three for each that the face is at one place of. */
 std::uint8_t AlignmentOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
@@ -82,7 +79,7 @@ struct FacePlanes::Plane
   std::uint8_t Alignment = 0; ///< of all of them
   double Extent = 0.0;        ///< across the face; 0 where the plane is not known
   double Deviation =
-    Unknown; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
+    0.0; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
 
   /** Takes another face for one of this plane, if it is. */
   bool Takes(const Plane& other, double radius)

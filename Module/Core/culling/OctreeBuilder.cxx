@@ -100,8 +100,7 @@ void OctreeBuilder::ForEachItem(const Range range, Visit visit) const
   }
 }
 
-void OctreeBuilder::Divide(
-  std::uint32_t node, const OctreeCell& cell, int depth, Range range)
+void OctreeBuilder::Divide(std::uint32_t node, const OctreeCell& cell, int depth, Range range)
 {
   if (this->IsWorthCopying(range.Size()))
   {
