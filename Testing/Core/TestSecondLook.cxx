@@ -117,7 +117,7 @@ TEST(SecondLook, ShowsWhatMayBeDrawnNearerThanItIs)
   Random random(31);
   const double snapped = 1.0 / 64.0;
   int hidden = 0, shown = 0, nearer = 0;
-  for (int round = 0; round < 20000; ++round)
+  for (int round = 0; round < 2000; ++round)
   {
     PartScene scene;
     const bool isParallel = random.OneIn(2);
@@ -140,9 +140,9 @@ TEST(SecondLook, ShowsWhatMayBeDrawnNearerThanItIs)
         << "seed 31, round " << round << ", drawn at " << drawn - nearest << " of " << before;
     }
   }
-  EXPECT_GT(hidden, 1000);
-  EXPECT_GT(shown, 1000);
-  EXPECT_GT(nearer, 1000);
+  EXPECT_GT(hidden, 100);
+  EXPECT_GT(shown, 100);
+  EXPECT_GT(nearer, 100);
 }
 
 TEST(SecondLook, AsksThinFacesOneByOne)
@@ -203,7 +203,7 @@ TEST(SecondLook, TellsTheSameOfPartsInWhateverUnits)
   Random random(32);
   const View view = SnappingView(false, 1.0 / 4096.0); // less than floats are off by
   int hidden = 0, shown = 0, differ = 0;
-  for (int round = 0; round < 2000; ++round)
+  for (int round = 0; round < 300; ++round)
   {
     const glm::dmat4 place = NearlyAlong(false, random);
     const double before = std::pow(10.0, random.Between(-5, -1));
@@ -222,16 +222,16 @@ TEST(SecondLook, TellsTheSameOfPartsInWhateverUnits)
     differ += found != std::vector<bool>(4, found[0]);
     ++(found[0] ? hidden : shown);
   }
-  EXPECT_GT(hidden, 100);
-  EXPECT_GT(shown, 100);
-  EXPECT_LT(differ, 20); // of those at the thickness that tells
+  EXPECT_GT(hidden, 20);
+  EXPECT_GT(shown, 20);
+  EXPECT_LT(differ, 6); // of those at the thickness that tells
 }
 
 TEST(SecondLook, TellsNoMoreOfPartsThatAreFlattened)
 {
   Random random(33);
   int hidden = 0;
-  for (int round = 0; round < 2000; ++round)
+  for (int round = 0; round < 300; ++round)
   {
     const bool isParallel = random.OneIn(2);
     const View view = SnappingView(isParallel, 1.0 / 64.0);
@@ -255,7 +255,7 @@ TEST(SecondLook, TellsNoMoreOfPartsThatAreFlattened)
       ASSERT_TRUE(isHidden || !isHiddenOf({ flat, 1.0, 1.0 })) << "seed 33, round " << round;
     }
   }
-  EXPECT_GT(hidden, 100);
+  EXPECT_GT(hidden, 20);
 }
 
 TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
