@@ -23,7 +23,7 @@ const double SamePlane = 1e-6;
 // What floats round, of an eye's distance.
 const double Rounding = 0x1p-22;
 
-/** How corners lie along the axes, exactly: three bits for each axis that an edge lies along, and three for each that the face is at one place of. */
+/** How corners lie along the axes, exactly: bits 0 to 2 tell along which an edge lies, bits 3 to 5 on which the face is at one place. */
 std::uint8_t AlignmentOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
   unsigned bits = 0;

@@ -19,7 +19,7 @@ const double ThinOfSnapping = 1.0 / 16.0;
 const double ThinOfRounding = 1.0 / 4.0;
 
 // Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more. Of slivers that llvmpipe drew
-// none exceeded a fourth of it.
+// none exceeded 0.3 of it.
 const double SteeperOnDevice = 2.5;
 const float StepsOnDevice = 8.0f;
 
