@@ -53,6 +53,35 @@ std::vector<std::uint32_t> TrianglesOfStrips(vtkPolyData* data)
 {
   return TrianglesOfCells(data, data->GetStrips(), [](vtkIdType i) { return i - 1; });
 }
+
+/** Not a number if it is not there. */
+glm::dvec3 PointOf(vtkPolyData* data, vtkIdType i)
+{
+  glm::dvec3 point(std::numeric_limits<double>::quiet_NaN());
+  if (i >= 0 && i < data->GetNumberOfPoints())
+  {
+    data->GetPoints()->GetPoint(i, &point.x);
+  }
+  return point;
+}
+
+/** From one point of a cell to the next one. */
+std::vector<MeshLine> LinesOf(vtkPolyData* data)
+{
+  std::vector<MeshLine> lines;
+  const auto cell = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    cell->GetCurrentCell(count, points);
+    for (vtkIdType i = 1; i < count; ++i)
+    {
+      lines.push_back({ PointOf(data, points[i - 1]), PointOf(data, points[i]) });
+    }
+  }
+  return lines;
+}
 }
 
 std::vector<glm::dvec3> PointsOf(vtkPolyData* data)
@@ -147,6 +176,15 @@ const FacePlanes& PartGeometry::Planes(vtkPolyData* data)
       this->PlanesOfFaces = std::make_unique<FacePlanes>(triangles.Points, triangles.Corners);
     });
   return *this->PlanesOfFaces;
+}
+
+const std::vector<MeshLine>& PartGeometry::Lines(vtkPolyData* data)
+{
+  if (this->HasVertsOrLines)
+  {
+    std::call_once(this->AreLinesRead, [&] { this->LinesOfCells = LinesOf(data); });
+  }
+  return this->LinesOfCells;
 }
 
 PartGeometry::MeshTriangles PartGeometry::TrianglesFrom(vtkPolyData* data) const

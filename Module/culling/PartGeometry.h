@@ -2,6 +2,7 @@
 #define VITRINE_CULLING_PART_GEOMETRY_H
 
 #include "Core/culling/FacePlanes.h"
+#include "Core/culling/HiddenLines.h"
 #include "Core/culling/MeshBoxes.h"
 #include "Core/culling/OccluderMesh.h"
 #include "Core/culling/OrderedRuns.h"
@@ -59,6 +60,9 @@ public:
   /** The planes of its polygons and strips; read when first asked for, by whichever of several threads. `data` is current. */
   const FacePlanes& Planes(vtkPolyData* data);
 
+  /** The lines of its cells; likewise. */
+  const std::vector<MeshLine>& Lines(vtkPolyData* data);
+
   /** Its triangles and convex polygons as an occluder; built when first asked for, by whichever of several threads. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data);
 
@@ -93,6 +97,8 @@ private:
   std::unique_ptr<MeshBoxes> BoxesOfMesh;
   std::once_flag ArePlanesBuilt;
   std::unique_ptr<FacePlanes> PlanesOfFaces;
+  std::once_flag AreLinesRead;
+  std::vector<MeshLine> LinesOfCells;
 };
 
 }

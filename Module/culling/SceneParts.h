@@ -123,6 +123,7 @@ private:
   };
 
   Occluder ShapeOf(std::uint32_t part);
+  bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;
   std::vector<BoxedPart> FindHiddenInView(const ScreenProjection& view, const SampleGrid& samples,
     const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);

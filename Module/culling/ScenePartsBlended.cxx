@@ -1,7 +1,6 @@
 // Parts that may shine through others which VTK blends among what is opaque.
 #include "culling/SceneParts.h"
 
-#include "Core/culling/BoxLanes.h"
 #include "Core/culling/ScreenProjection.h"
 
 #include "vtkActor.h"
@@ -17,22 +16,6 @@ namespace vitrine
 
 namespace
 {
-
-/** Of a box in the view; returns false if it lies outside. */
-bool FindRectangle(const ScreenProjection& view, const Box& box, ScreenRectangle& rectangle)
-{
-  if (!box.IsPlaceable())
-  {
-    rectangle = Everywhere;
-    return true;
-  }
-  BoxLanes boxes;
-  boxes.Set(0, box);
-  RectangleLanes rectangles;
-  view.Project(boxes, rectangles);
-  rectangle = (rectangles.Near & 1u) != 0 ? Everywhere : rectangles.At(0);
-  return (rectangles.Outside & 1u) == 0;
-}
 
 /** Or nearly so: of actors that cannot be hidden it is not known what a device rounds. */
 bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b)
@@ -53,10 +36,9 @@ void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProje
   }
   const glm::dvec3 least(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 greatest(bounds[1], bounds[3], bounds[5]);
-  ScreenRectangle rectangle;
-  if (FindRectangle(view, Box::Around(least - origin, greatest - origin), rectangle))
+  if (const auto rectangle = view.RectangleOf(Box::Around(least - origin, greatest - origin)))
   {
-    rectangles.push_back(rectangle);
+    rectangles.push_back(*rectangle);
   }
 }
 }
@@ -78,8 +60,7 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   }
   for (const BoxedPart& part : this->FindHiddenInView(view, samples, drawn, visible))
   {
-    ScreenRectangle own;
-    FindRectangle(view, part.Bounds, own);
+    const ScreenRectangle own = view.RectangleOf(part.Bounds).value_or(Everywhere);
     visible[part.Part] = std::any_of(blended.begin(), blended.end(),
       [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle); });
   }

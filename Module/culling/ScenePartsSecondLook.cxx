@@ -81,6 +81,12 @@ public:
     return { &known.Geometry->Planes(known.Data), &known.ToWorld, &known.FromWorld };
   }
 
+  const std::vector<MeshLine>& LinesOf(std::uint32_t part) override
+  {
+    const Part& known = this->Parts.Parts[part];
+    return known.Geometry->Lines(known.Data);
+  }
+
 private:
   SceneParts& Parts;
 };
@@ -89,17 +95,24 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
   std::vector<BoxedPart> hidden = this->FindHiddenInView(view, culler.Samples(), drawn, visible);
-  const auto firstWireframe = std::partition(hidden.begin(), hidden.end(),
-    [this](const BoxedPart& part) { return !this->Parts[part.Part].IsWireframe; });
-  std::for_each(
-    firstWireframe, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = 1; });
-  hidden.erase(firstWireframe, hidden.end());
+  const auto firstShown = std::partition(hidden.begin(), hidden.end(),
+    [&](const BoxedPart& part) { return !this->MayShowAnywhere(part, view); });
+  std::for_each(firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = 1; });
+  hidden.erase(firstShown, hidden.end());
   Shapes shapes(*this);
   const std::vector<std::uint8_t> stay = culler.StayHidden(hidden, shapes, view);
   for (std::size_t i = 0; i < stay.size(); ++i)
   {
     visible[hidden[i].Part] = stay[i] ? 0 : 1;
   }
+}
+
+/** Wireframes may be nearer than is known. Lines and points are drawn beyond a viewport's border, where nothing hides them. */
+bool SceneParts::MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const
+{
+  const Part& known = this->Parts[part.Part];
+  return known.IsWireframe ||
+    (known.Growth > 0.0f && view.ReachesBeyond(view.RectangleOf(part.Bounds).value_or(Everywhere)));
 }
 
 /** Parts that are drawn, were found hidden, and may have samples in the view. */

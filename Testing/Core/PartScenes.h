@@ -83,6 +83,11 @@ public:
     return { part.Planes.get(), &part.ToWorld, &part.FromWorld };
   }
 
+  const std::vector<vitrine::MeshLine>& LinesOf(std::uint32_t i) override
+  {
+    return this->Parts[i].Lines;
+  }
+
   /** Leaves in Visible what may show. */
   void Cull(PartCuller& culler, const View& view, bool occlusion = true)
   {
@@ -101,6 +106,7 @@ public:
     std::shared_ptr<vitrine::FacePlanes> Planes;
     glm::dmat4 ToWorld, FromWorld;
     std::vector<glm::dvec3> Corners; ///< of triangles, in the world
+    std::vector<vitrine::MeshLine> Lines;
     bool Hides = true;
     bool HasBackFaces = true;
     bool IsOfFacesAlone = true;

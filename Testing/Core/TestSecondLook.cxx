@@ -275,3 +275,15 @@ TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
   scene.Parts[part].Hides = false;
   EXPECT_FALSE(StaysHidden(scene, part, wall, view)) << "its faces are not known";
 }
+
+TEST(SecondLook, AsksForLines)
+{
+  PartScene scene;
+  const std::uint32_t part = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
+  const View view = SnappingView(false, 1.0 / 64.0);
+  BandTools wall = WallOf(static_cast<float>(NearestOf(scene, part, view)) + 0.01f);
+  scene.Parts[part].Lines = { { { 0, 0, -30 }, { 1, 0, -32 } } };
+  EXPECT_TRUE(StaysHidden(scene, part, wall, view));
+  scene.Parts[part].Lines.push_back({ { 0, 0, -30 }, { 0, 0, -32 } });
+  EXPECT_FALSE(StaysHidden(scene, part, wall, view)) << "seen from its end";
+}

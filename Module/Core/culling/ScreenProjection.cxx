@@ -131,6 +131,30 @@ ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, dou
   this->WorldInFloats = glm::mat4(this->World.Matrix);
 }
 
+std::optional<ScreenRectangle> ScreenProjection::RectangleOf(const Box& box) const
+{
+  if (!box.IsPlaceable())
+  {
+    return Everywhere;
+  }
+  BoxLanes boxes;
+  boxes.Set(0, box);
+  RectangleLanes rectangles;
+  this->Project(boxes, rectangles);
+  if ((rectangles.Outside & 1u) != 0)
+  {
+    return std::nullopt;
+  }
+  return (rectangles.Near & 1u) != 0 ? Everywhere : rectangles.At(0);
+}
+
+bool ScreenProjection::ReachesBeyond(const ScreenRectangle& rectangle) const
+{
+  const glm::vec2& size = this->World.Size;
+  return !(rectangle.Left >= 0.0f && rectangle.Right <= size.x && rectangle.Bottom >= 0.0f &&
+    rectangle.Top <= size.y);
+}
+
 ScreenProjection ScreenProjection::OfLines(int first, int count) const
 {
   ScreenProjection some = *this;

@@ -9,6 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <optional>
+
 namespace vitrine
 {
 
@@ -98,6 +100,12 @@ public:
    *                  are no larger than `reach`
    */
   void Project(const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const;
+
+  /** Of a single box: Everywhere if it reaches before the near plane or has no place, and nothing if it lies outside. */
+  std::optional<ScreenRectangle> RectangleOf(const Box& box) const;
+
+  /** Whether a rectangle reaches beyond the screen. */
+  bool ReachesBeyond(const ScreenRectangle& rectangle) const;
 
   /** The same view of some of its lines alone: they count from `first`. */
   ScreenProjection OfLines(int first, int count) const;

@@ -94,7 +94,9 @@ bool SecondLook::IsHidden(std::uint32_t part, ScreenRectangle around, bool isBeh
 {
   around.Nearest += this->FindThinFaces(part);
   const bool isBoxHidden = isBehindNear && this->Tools.Lines.Hides(around);
-  return (isBoxHidden && this->ThinFaces.empty()) || this->AreFacesHidden(part, isBoxHidden);
+  const bool areFacesHidden =
+    (isBoxHidden && this->ThinFaces.empty()) || this->AreFacesHidden(part, isBoxHidden);
+  return areFacesHidden && this->AreItsLinesHidden(part);
 }
 
 /** Returns how much nearer than its corners are a device may draw the other faces. */
@@ -112,6 +114,14 @@ float SecondLook::FindThinFaces(std::uint32_t part)
   const glm::dvec2 slopes = known.Planes->FindThin(fromPart, thinnest, this->ThinFaces);
   return static_cast<float>(SteeperOnDevice * glm::dot(slopes, this->Snapping)) +
     StepsOnDevice * this->View.Snapping().Depth;
+}
+
+bool SecondLook::AreItsLinesHidden(std::uint32_t part)
+{
+  const std::vector<MeshLine>& lines = this->Shapes.LinesOf(part);
+  return lines.empty() ||
+    AreLinesHidden(lines, this->View.Of(*this->Shapes.PlanesOf(part).ToWorld),
+      this->View.GrowthOnScreen(), this->Tools.Lines);
 }
 
 /** One by one: the thin ones, or all where the box tells nothing. */

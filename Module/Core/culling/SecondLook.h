@@ -26,7 +26,7 @@ struct BoxedPart
 
 /**
  * Looks once more at parts of a band that were found hidden where they are: whether they are so where a device may draw them. Rasterisers snap corners to see what faces cover, so that these are
- * drawn beside themselves, too, and be it by 1/256 pixel: there their planes may be nearer than any of their corners; and slivers may have any depth.
+ * drawn beside themselves, too, and be it by 1/256 pixel: there their planes may be nearer than any of their corners; and slivers may have any depth. Lines are drawn beyond their ends.
  */
 class SecondLook
 {
@@ -45,6 +45,7 @@ private:
   bool IsHidden(std::uint32_t part, ScreenRectangle around, bool isBehindNear);
   float FindThinFaces(std::uint32_t part);
   bool AreFacesHidden(std::uint32_t part, bool isBoxHidden);
+  bool AreItsLinesHidden(std::uint32_t part);
 
   BandTools& Tools;
   ShapeSource& Shapes;

@@ -2,11 +2,13 @@
 #define VITRINE_CORE_CULLING_SHAPE_SOURCE_H
 
 #include "Core/culling/FacePlanes.h"
+#include "Core/culling/HiddenLines.h"
 #include "Core/culling/OccluderSource.h"
 
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace vitrine
 {
@@ -25,6 +27,9 @@ class ShapeSource : public OccluderSource
 public:
   /** Of all faces that are drawn of it, be they of a mesh that OccluderOf() does not tell. */
   virtual PartPlanes PlanesOf(std::uint32_t part) = 0;
+
+  /** The lines that are drawn of it. */
+  virtual const std::vector<MeshLine>& LinesOf(std::uint32_t part) = 0;
 };
 
 }

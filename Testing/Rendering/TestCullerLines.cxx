@@ -1,0 +1,91 @@
+// Lines and points, which are drawn where they are not: beyond their ends, and beyond a viewport's border. No pixel is lost by culling.
+#include "CullerScene.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+class CullerLines : public CullerTest
+{
+protected:
+  vtkSmartPointer<vtkActor> AddLine(const Point3& from, const Point3& to, double green)
+  {
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(from.data());
+    points->InsertNextPoint(to.data());
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1 });
+    vtkNew<vtkPolyData> line;
+    line->SetPoints(points);
+    line->SetLines(cells);
+    return Scene.AddMesh(line, { 0.9, green, 0.1, 1.0 });
+  }
+};
+
+}
+
+// They end close behind the wall, and go on through it where they are drawn beyond that.
+TEST_P(CullerLines, BehindAWallThatAreSeenFromTheirEnd)
+{
+  Scene.AddWall();
+  TestRandom random(410);
+  std::vector<vtkSmartPointer<vtkActor>> lines;
+  for (int i = 0; i < 400; ++i)
+  {
+    const double x = 1.6 * random.Unit() - 0.8, y = 1.6 * random.Unit() - 0.8;
+    const double away = Scene.Setting.IsParallel ? 1.0 : 1.1; // along the view
+    const double aside = Scene.PixelSize() * (2.0 * random.Unit() - 1.0);
+    lines.push_back(
+      this->AddLine({ x, y, -0.0005 }, { away * x + aside, away * y, -0.35 }, 0.002 * i));
+  }
+  Scene.LookAhead();
+  EXPECT_TRUE(Scene.ShowsUnculled(lines));
+  Scene.ExpectSame();
+}
+
+TEST_P(CullerLines, BehindAWallAreHiddenOtherwise)
+{
+  Scene.AddWall();
+  for (int i = 0; i < 20; ++i)
+  {
+    this->AddLine({ -0.6, 0.05 * i - 0.5, -0.1 }, { 0.6, 0.05 * i - 0.45, -0.2 }, 0.04 * i);
+  }
+  Scene.LookAhead();
+  EXPECT_EQ(Scene.ExpectSame(), 20);
+}
+
+// Nothing hides what they have beside the viewport.
+TEST_P(CullerLines, ReachBeyondAViewport)
+{
+  Scene.AddWall();
+  const double z = -0.05, top = 0.5 * Scene.PixelSize() * Scene.Setting.Height;
+  const double away = Scene.Setting.IsParallel ? 1.0 : 1.0 - z / 3.6; // from where the eye is
+  std::vector<vtkSmartPointer<vtkActor>> points;
+  for (int i = 0; i < 40; ++i)
+  {
+    const double beside = (i % 2 ? 1.0 - 0.001 * i : 0.001 * i - 1.0) * top;
+    const double x = away * beside * Scene.Setting.Width / Scene.Setting.Height;
+    const double y = 0.04 * i - 0.8;
+    points.push_back(this->AddLine({ x, y, z }, { x, y + 0.1, z }, 0.02 * i));
+    points.back()->GetProperty()->SetLineWidth(5.0f);
+    points.back()->GetProperty()->SetPointSize(7.0f);
+    points.back()->GetProperty()->SetRepresentation(i % 4 < 2 ? VTK_POINTS : VTK_SURFACE);
+  }
+  vtkNew<vtkRenderer> behind; // clears all of the window
+  behind->SetBackground(0.1, 0.2, 0.3);
+  Scene.Window->AddRenderer(behind);
+  Scene.Window->SetNumberOfLayers(2);
+  Scene.Renderer->SetLayer(1);
+  Scene.Renderer->SetViewport(0.25, 0.25, 0.75, 0.75);
+  Scene.LookAhead();
+  EXPECT_TRUE(Scene.ShowsUnculled(points) || Scene.Setting.Samples == 0) << "as llvmpipe has it";
+  Scene.ExpectSame();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerLines, testing::ValuesIn(CullerSettings()), CullerSettingName);
