@@ -88,9 +88,10 @@ void BlockParts::AddLeaf(vtkPolyData* data, const Inherited& inherited)
 {
   if (data->GetNumberOfPoints() > 0)
   {
-    this->Leaves.push_back({ data, static_cast<std::uint32_t>(this->Leaves.size()),
-      inherited.IsVisible,
-      inherited.IsVisible && inherited.IsOpaque && AreColorsOpaque(this->Mapper, data), nullptr });
+    this->Leaves.push_back(
+      { data, static_cast<std::uint32_t>(this->Leaves.size()), inherited.IsVisible,
+        inherited.IsVisible && inherited.IsOpaque && AreBlockColorsOpaque(this->Mapper, data),
+        nullptr });
     this->BringTables =
       this->BringTables || BringTheirTable(this->Mapper, ScalarsOf(this->Mapper, data));
   }

@@ -14,6 +14,7 @@
 #include "vtkOverlayPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
 #include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
@@ -116,9 +117,11 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
 }
 }
 
-bool ShowsTheViewAlone(vtkRenderPass* pass, const std::set<std::string>& known)
+bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known)
 {
-  return !pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known));
+  vtkRenderPass* pass = renderer->GetPass();
+  return !renderer->GetUseShadows() &&
+    (!pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known)));
 }
 
 }

@@ -4,17 +4,16 @@
 #include <set>
 #include <string>
 
-class vtkRenderPass;
+class vtkRenderer;
 
 namespace vitrine
 {
 
 /**
- * Whether a renderer's passes draw what opaque parts leave to be seen in the view, and nothing else, as far as they can be asked; null is
- * what a renderer does by itself.
+ * Whether a renderer, or its passes, draw what opaque parts leave to be seen in the view, and nothing else, as far as they can be asked. Shadows are of what the lights see.
  * @param known  classes of users' passes that do, too
  */
-bool ShowsTheViewAlone(vtkRenderPass* pass, const std::set<std::string>& known);
+bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known);
 
 }
 

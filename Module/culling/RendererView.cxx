@@ -3,10 +3,10 @@
 #include "culling/ClassName.h"
 #include "culling/Matrices.h"
 #include "culling/SceneParts.h"
+#include "culling/ViewMatrices.h"
 #include "gl/Capabilities.h"
 
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkRenderStepsPass.h"
@@ -100,11 +100,9 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   this->Columns = (width + pixels - 1) / pixels;
   this->Samples = SamplesOf(renderer, pixels);
 
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const glm::dmat4 toView = MatrixOf(camera->GetModelViewTransformMatrix());
-  const glm::dmat4 toClip =
-    MatrixOf(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)) *
-    glm::translate(toView, parts.Origin());
+  const ViewMatrices matrices = ViewMatricesOf(renderer);
+  const glm::dmat4 toView = MatrixOf(matrices.data());
+  const glm::dmat4 toClip = MatrixOf(matrices.data() + 16) * glm::translate(toView, parts.Origin());
   const float snapped = SnappedPixelsOf(renderer) / static_cast<float>(pixels);
   const ScreenMargin snapping{ snapped, snapped, SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);

@@ -85,4 +85,15 @@ bool AreColorsOpaque(vtkMapper* mapper, vtkDataSet* data)
     table->IsOpaque(numbers, mapper->GetColorMode(), mapper->GetArrayComponent());
 }
 
+bool AreBlockColorsOpaque(vtkMapper* mapper, vtkDataSet* block)
+{
+  if (!mapper->GetScalarVisibility() || ScalarsOf(mapper, block))
+  {
+    return AreColorsOpaque(mapper, block);
+  }
+  vtkScalarsToColors* const table = mapper->GetLookupTable();
+  table->Build();
+  return IsKnownTable(table) && table->IsOpaque();
+}
+
 }

@@ -24,6 +24,9 @@ bool BringTheirTable(vtkMapper* mapper, vtkAbstractArray* scalars);
  */
 bool AreColorsOpaque(vtkMapper* mapper, vtkDataSet* data);
 
+/** The same of a block, as composite mappers take it: for one without scalars they ask all of their table. */
+bool AreBlockColorsOpaque(vtkMapper* mapper, vtkDataSet* block);
+
 }
 
 #endif

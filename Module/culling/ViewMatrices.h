@@ -3,6 +3,7 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -11,13 +12,23 @@
 namespace vitrine
 {
 
-/** What a renderer draws with: the matrices that lead to view coordinates, and from there to clip coordinates. */
+/** What a renderer draws with: the matrices that lead to view coordinates, and from there to clip coordinates, row by row. */
 using ViewMatrices = std::array<double, 32>;
 
+/** VTK's own cameras keep them from frame to frame, until they or the renderer are told to have changed. */
 inline ViewMatrices ViewMatricesOf(vtkRenderer* renderer)
 {
   ViewMatrices matrices;
   vtkCamera* camera = renderer->GetActiveCamera();
+  if (auto* keeping = vtkOpenGLCamera::SafeDownCast(camera))
+  {
+    vtkMatrix4x4 *toView, *toClip, *both;
+    vtkMatrix3x3* ofNormals;
+    keeping->GetKeyMatrices(renderer, toView, ofNormals, toClip, both);
+    vtkMatrix4x4::Transpose(toView->GetData(), matrices.data()); // they are for OpenGL
+    vtkMatrix4x4::Transpose(toClip->GetData(), matrices.data() + 16);
+    return matrices;
+  }
   const double* toView = camera->GetModelViewTransformMatrix()->GetData();
   std::copy(toView, toView + 16, matrices.begin());
   const double* toClip =

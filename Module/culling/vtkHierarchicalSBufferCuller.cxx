@@ -23,6 +23,7 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -36,6 +37,21 @@ const std::size_t PartsOfBands = 2048;
 
 // The screen is cut into so many bands, whatever the machine has, so that the same frames are culled alike everywhere.
 const int BandsOfMany = 4;
+
+/**
+ * By what VTK shares out the time for a frame, of all props: those with levels of detail choose the same, whatever is hidden beside them.
+ * @param areSet  false to set them to 1
+ */
+double SumOfMultipliers(vtkProp* const* props, int count, bool areSet)
+{
+  if (!areSet)
+  {
+    std::for_each(props, props + count, [](vtkProp* prop) { prop->SetRenderTimeMultiplier(1.0); });
+    return count;
+  }
+  return std::accumulate(props, props + count, 0.0,
+    [](double sum, vtkProp* prop) { return sum + prop->GetRenderTimeMultiplier(); });
+}
 
 /** Whether what is drawn is blended at its edges with what was drawn before. */
 bool BlendsEdges(vtkRenderWindow* window)
@@ -145,23 +161,14 @@ double vtkHierarchicalSBufferCuller::Cull(
     this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
   this->NumberOfDrawnParts = listLength;
+  const double total = SumOfMultipliers(propList, listLength, initialized != 0);
+  initialized = 1;
   const bool hasCulled = this->Culling && this->DropHidden(renderer, propList, listLength);
   if (!renderer->GetSelector())
   {
     this->Renderers->At(renderer).HasCulled = hasCulled;
   }
   this->NumberOfDrawnProps = listLength;
-
-  double total = 0.0;
-  for (int i = 0; i < listLength; ++i)
-  {
-    if (!initialized)
-    {
-      propList[i]->SetRenderTimeMultiplier(1.0);
-    }
-    total += propList[i]->GetRenderTimeMultiplier();
-  }
-  initialized = 1;
   this->CullTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
 }
@@ -175,7 +182,7 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   known.TakeBack();
   parts.Update(propList, listLength);
   vitrine::RendererView view;
-  if (!vitrine::ShowsTheViewAlone(renderer->GetPass(), this->Renderers->KnownPasses) ||
+  if (!vitrine::ShowsTheViewAlone(renderer, this->Renderers->KnownPasses) ||
     !view.Read(renderer, this->BufferLines, parts))
   {
     return false;

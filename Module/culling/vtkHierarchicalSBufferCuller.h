@@ -20,7 +20,7 @@
  * coordinates of the room or the device, geometry that is not finite.
  *
  * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
- * rendering is being switched, below a pass that may look beyond the view (vtkEDLShading, blurs) or is of a class that is not known, derived ones included, and where
+ * rendering is being switched, with UseShadowsOn(), below a pass that may look beyond the view (vtkEDLShading, blurs) or is of a class that is not known, derived ones included, and where
  * passes draw no opaque parts, nothing is. Wireframes are left out only outside of the view, and so is everything in windows that smooth lines, points or polygons.
  * Where something is on the screen that VTK blends among what is opaque (ForceOpaqueOn()), all parts are drawn.
  *
@@ -86,7 +86,8 @@ public:
    * were tested, and those that were left out; nodes of the octree that were tested; parts whose cover went into the
    * s-buffer; spans that it was given, and comparisons of depths there; seconds that all of it took. From 2,048 parts on the
    * screen is culled in four bands of lines at a time: what lies in several counts in each. A prop is a part, unless
-   * its mapper is vtkCulledCompositePolyDataMapper or vtkCulledPolyDataMapper.
+   * its mapper is vtkCulledCompositePolyDataMapper or vtkCulledPolyDataMapper; where nothing is culled each prop counts as one. VTK asks no culler in a frame without visible
+   * props, so that all stays as it was.
    */
   vtkGetMacro(NumberOfDrawnProps, int);
   vtkGetMacro(NumberOfDrawnParts, int);

@@ -10,6 +10,7 @@
 #include "vtkCullerCollection.h"
 #include "vtkDoubleArray.h"
 #include "vtkLinkedListTransparencyPass.h"
+#include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -229,6 +230,26 @@ TEST_P(CullerBlocks, HideByWhatTheyAreSetTo)
 }
 
 // A group that is not to be seen, but for the wall in it; and translucent blocks, which are hidden like others.
+// Composite mappers ask all of their table for blocks without scalars.
+TEST_P(CullerBlocks, WithoutScalarsAreAsOpaqueAsTheTable)
+{
+  this->AddWallAndLayer();
+  vtkNew<vtkLookupTable> table;
+  table->SetAlphaRange(0.99, 1.0);
+  table->Build();
+  for (const auto& mapper :
+    { static_cast<vtkMapper*>(this->Mapper), static_cast<vtkMapper*>(this->Plain) })
+  {
+    mapper->ScalarVisibilityOn();
+    mapper->SetLookupTable(table);
+  }
+  EXPECT_EQ(this->ExpectAsVTK(), 0);
+  table->SetAlphaRange(1.0, 1.0);
+  table->ForceBuild();
+  this->Mapper->Modified();
+  EXPECT_EQ(this->ExpectAsVTK(), LayerSize);
+}
+
 TEST_P(CullerBlocks, InheritFromGroups)
 {
   this->AddWallAndLayer();

@@ -5,11 +5,16 @@
 
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
+#include "vtkCameraPass.h"
 #include "vtkCellPicker.h"
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkLight.h"
 #include "vtkPoints.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +101,7 @@ TEST_P(CullerDivided, ActorsThatAssembliesDrawElsewhere)
   EXPECT_EQ(Scene.ExpectSame(), PatchCount);
 }
 
-// What is hidden from the eye is not from the light.
+// What is hidden from the eye is not from the light: passes that draw shadows may be known to the user, who has no other parts hidden.
 TEST_P(CullerDivided, PartsThatCastShadows)
 {
   PartsOfQuads parts = Patches();
@@ -110,7 +115,17 @@ TEST_P(CullerDivided, PartsThatCastShadows)
   light->SetPosition(4.0, 0.0, 0.5); // it looks behind the wall
   light->SetFocalPoint(-0.2, 0.0, -0.5);
   Scene.Renderer->AddLight(light);
-  Scene.Renderer->UseShadowsOn();
+  vtkNew<vtkShadowMapPass> shadows;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> both;
+  both->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(both);
+  Scene.Renderer->SetPass(camera);
+  Scene.Culler->AddKnownPass("vtkShadowMapBakerPass");
+  Scene.Culler->AddKnownPass("vtkShadowMapPass");
   const Picture culled = Scene.Render();
   EXPECT_GT(Scene.Culler->GetNumberOfCulledParts(), 0);
   Scene.Culler->CullingOff();

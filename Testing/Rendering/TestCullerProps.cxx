@@ -11,6 +11,7 @@
 #include "vtkEDLShading.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkFollower.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkImageData.h"
 #include "vtkLODProp3D.h"
@@ -150,6 +151,28 @@ TEST_P(CullerProps, Scene23FollowersAndLevelsOfDetail)
   levels->SetPosition(-0.6, 0.5, 0.0);
   Scene.Renderer->AddViewProp(levels);
   Scene.ExpectHidden(231);
+}
+
+TEST_P(CullerProps, Scene23LevelsOfDetailHaveTheSameTime)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  const vtkSmartPointer<vtkActor> before = Scene.AddBox({ 0.0, 0.0, 0.3 }, { 0.2, 0.2, 0.1 });
+  vtkNew<vtkFrustumCoverageCuller> coverage;
+  for (const bool isBehindAnother : { false, true })
+  {
+    if (isBehindAnother)
+    {
+      Scene.Renderer->RemoveCuller(Scene.Culler);
+      Scene.Renderer->AddCuller(coverage);
+      Scene.Renderer->AddCuller(Scene.Culler);
+    }
+    EXPECT_GT(Scene.ExpectSame(), 0); // at last without culling
+    const double time = before->GetAllocatedRenderTime();
+    Scene.Culler->CullingOn();
+    Scene.Render();
+    EXPECT_EQ(before->GetAllocatedRenderTime(), time);
+  }
 }
 
 TEST_P(CullerProps, Scene23OverlaysAndText)
@@ -301,19 +324,20 @@ TEST_P(CullerProps, Scene22AmbientOcclusion)
   Scene.ExpectHidden(224, 2);
 }
 
-// What is hidden casts a shadow nevertheless.
+// What is hidden, or lies beside the view, casts a shadow nevertheless.
 TEST_P(CullerProps, Scene22Shadows)
 {
   this->AddParts();
   Scene.AddMesh(MeshOf({ Rectangle(-3.0, -3.0, 3.0, 3.0, -0.9) }))->GetProperty()->LightingOn();
+  Scene.AddBox({ 2.5, 0.0, 0.0 }, { 1.0, 1.0, 0.1 })->GetProperty()->LightingOn();
   vtkNew<vtkLight> light;
   light->SetPositional(true);
   light->SetConeAngle(40.0);
-  light->SetPosition(2.5, 0.5, 1.0);
+  light->SetPosition(5.5, 0.5, 2.5);
   light->SetFocalPoint(-0.2, 0.0, -0.7);
   Scene.Renderer->AddLight(light);
   Scene.Renderer->UseShadowsOn();
-  Scene.ExpectHidden(225, 2);
+  Scene.ExpectNothingHidden(225, 2);
 }
 
 // Passes that look at the bounds of all parts, or at what lies beside the view: nothing is left out.

@@ -153,6 +153,20 @@ TEST_P(CullerViews, Scene11OddCameras)
   });
 }
 
+// VTK keeps a camera's matrices until the camera tells that it has changed.
+TEST_P(CullerViews, Scene11MatricesThatChangeUntold)
+{
+  this->AddHalfWallAndHidden();
+  vtkNew<vtkMatrix4x4> moved;
+  Scene.LookAhead();
+  this->Camera()->SetModelTransformMatrix(moved);
+  EXPECT_GT(Scene.ExpectSame(), 0);
+  moved->SetElement(0, 3, -0.9);
+  EXPECT_GT(Scene.ExpectSame(), 0);
+  this->Camera()->Modified();
+  EXPECT_GT(Scene.ExpectSame(), 0);
+}
+
 TEST_P(CullerViews, Scene12ViewportsAndLayersOfOneCuller)
 {
   this->AddHalfWallAndHidden();
