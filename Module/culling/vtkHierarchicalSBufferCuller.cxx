@@ -38,17 +38,8 @@ const std::size_t PartsOfBands = 2048;
 // The screen is cut into so many bands, whatever the machine has, so that the same frames are culled alike everywhere.
 const int BandsOfMany = 4;
 
-/**
- * By what VTK shares out the time for a frame, of all props: those with levels of detail choose the same, whatever is hidden beside them.
- * @param areSet  false to set them to 1
- */
-double SumOfMultipliers(vtkProp* const* props, int count, bool areSet)
+double SumOfMultipliers(vtkProp* const* props, int count)
 {
-  if (!areSet)
-  {
-    std::for_each(props, props + count, [](vtkProp* prop) { prop->SetRenderTimeMultiplier(1.0); });
-    return count;
-  }
   return std::accumulate(props, props + count, 0.0,
     [](double sum, vtkProp* prop) { return sum + prop->GetRenderTimeMultiplier(); });
 }
@@ -161,14 +152,20 @@ double vtkHierarchicalSBufferCuller::Cull(
     this->NumberOfOccluders = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
   this->NumberOfDrawnParts = listLength;
-  const double total = SumOfMultipliers(propList, listLength, initialized != 0);
-  initialized = 1;
+  // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden beside them.
+  const double total = initialized ? SumOfMultipliers(propList, listLength) : listLength;
   const bool hasCulled = this->Culling && this->DropHidden(renderer, propList, listLength);
   if (!renderer->GetSelector())
   {
     this->Renderers->At(renderer).HasCulled = hasCulled;
   }
   this->NumberOfDrawnProps = listLength;
+  if (!initialized)
+  {
+    std::for_each(
+      propList, propList + listLength, [](vtkProp* prop) { prop->SetRenderTimeMultiplier(1.0); });
+    initialized = 1;
+  }
   this->CullTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
 }
