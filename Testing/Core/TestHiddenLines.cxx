@@ -16,7 +16,6 @@ namespace
 using coverage::AheadView;
 using coverage::FrameColumns;
 using coverage::FrameLines;
-using coverage::PartScene;
 using coverage::Random;
 using coverage::View;
 using vitrine::AreLinesHidden;

@@ -229,7 +229,6 @@ TEST_P(CullerBlocks, HideByWhatTheyAreSetTo)
   });
 }
 
-// A group that is not to be seen, but for the wall in it; and translucent blocks, which are hidden like others.
 // Composite mappers ask all of their table for blocks without scalars.
 TEST_P(CullerBlocks, WithoutScalarsAreAsOpaqueAsTheTable)
 {
@@ -250,6 +249,7 @@ TEST_P(CullerBlocks, WithoutScalarsAreAsOpaqueAsTheTable)
   EXPECT_EQ(this->ExpectAsVTK(), LayerSize);
 }
 
+// A group that is not to be seen, but for the wall in it; and translucent blocks, which are hidden like others.
 TEST_P(CullerBlocks, InheritFromGroups)
 {
   this->AddWallAndLayer();
