@@ -117,6 +117,73 @@ TEST(LastOwners, AreNearWhereTheyHaveHardlyMoved)
   EXPECT_FALSE(owner.IsNear({ NAN, 140, 50, 60, 0.5f }));
 }
 
+TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
+{
+  const ScreenRectangle there{ 10, 20, 5, 15, 0.5f }, elsewhere{ 30, 40, 5, 15, 0.5f };
+  SBuffer lines(40, 20);
+  lines.Insert(3, { 5, 8, 0.3f, 0.3f, 1 });
+  vitrine::PartStates states;
+  states.Begin({ 1, 1, 1 });
+  states.Set(0, vitrine::PartStates::IsShown);
+  states.Set(1, vitrine::PartStates::IsShown);
+  LastOwners owners;
+  const auto insertsBoth = [&]
+  {
+    owners.Begin(2);
+    owners.AddInserted(0, there);
+    owners.AddInserted(1, there);
+    owners.End(lines);
+    owners.KeepIdlers(states);
+  };
+  int frames = 0, tried = 0;
+  for (insertsBoth(); frames < 64; ++frames)
+  {
+    owners.Begin(2);
+    EXPECT_FALSE(owners.HadNothing(1, there)) << "it had three columns";
+    const bool isIdle = owners.HadNothing(0, there);
+    tried += !isIdle;
+    if (!isIdle)
+    {
+      owners.AddInserted(0, there);
+    }
+    owners.AddInserted(1, there);
+    owners.End(lines);
+    owners.KeepIdlers(states);
+  }
+  EXPECT_EQ(tried, frames / 16);
+
+  insertsBoth();
+  insertsBoth(); // one of two frames that follow each other is none in which it is tried
+  owners.Begin(2);
+  EXPECT_FALSE(owners.HadNothing(0, elsewhere)) << "it has moved";
+  owners.End(lines);
+  owners.KeepIdlers(states);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    owners.Begin(2);
+    EXPECT_FALSE(owners.HadNothing(0, there)) << "it was not met in the frame before";
+    owners.End(lines);
+    owners.KeepIdlers(states);
+  }
+}
+
+// What shows though it covers nothing is shown without being inserted, but for one of sixteen frames.
+TEST(LastOwners, AreNotInsertedInVainAgain)
+{
+  PartScene scene;
+  scene.AddBox({ -1, -1e-4, -30 }, { 1, 1e-4, -29 }); // thinner than a line
+  PartCuller culler(FrameColumns, FrameLines);
+  std::uint32_t inserted = 0;
+  for (int frame = 0; frame < 33; ++frame)
+  {
+    scene.Visible = { 1 };
+    scene.Cull(culler, AheadView(false));
+    EXPECT_TRUE(scene.Visible[0]);
+    inserted += culler.Counts().Inserted;
+  }
+  EXPECT_EQ(inserted, 3u);
+}
+
 TEST(LastOwners, ComeBeforeWhatTheyHide)
 {
   PlateBehindAWall both;

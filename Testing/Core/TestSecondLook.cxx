@@ -43,6 +43,10 @@ BandTools WallOf(float depth, int lines = FrameLines, const SampleGrid& samples 
 
 bool StaysHidden(PartScene& scene, std::uint32_t part, BandTools& tools, const View& view)
 {
+  if (tools.States.Count() == 0)
+  {
+    tools.States.Begin(scene.Visible);
+  }
   const ScreenProjection projection = view.Projection(scene.Reach);
   std::vector<std::uint8_t> hidden(1, 1);
   SecondLook(tools, scene, projection).DropShown({ { part, scene.Bounds[part] } }, 0, hidden);
@@ -109,6 +113,19 @@ TEST(SecondLook, AsksNoFacesOfWhatLiesFarBehind)
   EXPECT_EQ(scene.Asked(), 0);
   BandTools nothing = WallOf(1.0f, 10);
   EXPECT_FALSE(StaysHidden(scene, box, nothing, view));
+}
+
+TEST(SecondLook, AsksNothingOfWhatIsKnownFaceByFace)
+{
+  PartScene scene;
+  const std::uint32_t box = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
+  const View view = SnappingView(false, 1.0 / 256.0);
+  BandTools nothing = WallOf(1.0f, 10);
+  nothing.States.Begin(scene.Visible);
+  nothing.States.Set(box, vitrine::PartStates::AreFacesHidden);
+  EXPECT_TRUE(StaysHidden(scene, box, nothing, view));
+  nothing.States.Begin(scene.Visible);
+  EXPECT_FALSE(StaysHidden(scene, box, nothing, view)) << "in the next frame it is not known";
 }
 
 // Whatever is drawn of a part that stays hidden is hidden, snapped and rounded as it may be.

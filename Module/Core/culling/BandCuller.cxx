@@ -55,6 +55,7 @@ public:
     {
       this->LookAgain();
     }
+    this->Culler.Tools.Owners.KeepIdlers(this->States);
   }
 
 private:

@@ -120,7 +120,7 @@ bool BandParts::IsHiddenNow(std::uint32_t part, const ScreenRectangle& rectangle
     return false;
   }
   this->Project(occluder);
-  return this->AreFacesHidden(occluder);
+  return this->AreFacesHidden(part, occluder);
 }
 
 bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle, float& depth)
@@ -139,19 +139,20 @@ bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle
 bool BandParts::ShowFaces(
   std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle)
 {
-  if (this->IsWorthTesting(occluder, rectangle) && this->AreFacesHidden(occluder))
+  if (this->IsWorthTesting(occluder, rectangle) && this->AreFacesHidden(part, occluder))
   {
     return false;
   }
-  if (this->IsWorthInserting(occluder, rectangle))
+  if (this->IsWorthInserting(occluder, rectangle) &&
+    !this->Tools.Owners.HadNothing(part, this->Tools.Projected.Rectangle()))
   {
     this->Insert(part, occluder);
   }
   return true;
 }
 
-/** Of a part that is projected. */
-bool BandParts::AreFacesHidden(const Occluder& occluder)
+/** Of a part that is projected; notes it if they are. */
+bool BandParts::AreFacesHidden(std::uint32_t part, const Occluder& occluder)
 {
   MeshProjection& projected = this->Tools.Projected;
   this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
@@ -165,7 +166,9 @@ bool BandParts::AreFacesHidden(const Occluder& occluder)
     this->Seen = this->Faces.Witness();
     return false;
   }
-  return !projected.MayShowBeforeNear();
+  const bool areHidden = !projected.MayShowBeforeNear();
+  this->Tools.States.Set(part, PartStates::AreFacesHidden, areHidden);
+  return areHidden;
 }
 
 bool BandParts::AreBoxesHidden(const Occluder& occluder) const

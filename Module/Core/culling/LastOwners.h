@@ -1,10 +1,12 @@
 #ifndef VITRINE_CORE_CULLING_LAST_OWNERS_H
 #define VITRINE_CORE_CULLING_LAST_OWNERS_H
 
+#include "Core/culling/PartStates.h"
 #include "Core/culling/SBuffer.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace vitrine
@@ -12,7 +14,7 @@ namespace vitrine
 
 /**
  * The parts that had much of an s-buffer at the end of the last frame. They come first in the next one: tested like any other, and inserted where they show. It is an order
- * only, never a verdict; but what they hide need not be inserted then.
+ * only, never a verdict; but what they hide need not be inserted then. And those that were inserted in vain: they show, but had nothing of it in the end, and need not be inserted again.
  * (after the temporal coherence of N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993)
  */
 class LastOwners
@@ -39,14 +41,32 @@ public:
     this->Inserted.push_back({ part, rectangle });
   }
 
+  /**
+   * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is about there still. It is not so in one of every few frames, since what is around it may have changed.
+   * It is forgotten if it is not asked for.
+   */
+  bool HadNothing(std::uint32_t part, const ScreenRectangle& rectangle);
+
   /** Once the frame has ended: whether a part surely has samples of the s-buffer, so that it shows. A span may lie between samples. */
   bool Shows(std::uint32_t part) const { return this->HasSamples && this->Columns[part] > 0.0f; }
 
   /** The frame ends with that in the s-buffer, which says of which part it is. */
   void End(const SBuffer& lines);
 
+  /** Once it has ended, and all is found that is hidden. */
+  void KeepIdlers(const PartStates& states);
+
 private:
+  /** What was inserted in vain. */
+  struct Idler
+  {
+    Owner Inserted;
+    bool IsMet; ///< in this frame
+  };
+
   std::vector<Owner> Last;
+  std::unordered_map<std::uint32_t, Idler> Idlers; ///< by part
+  std::uint32_t Frame = 0;
   std::vector<Owner> Inserted; ///< in this frame
   std::vector<float> Columns;  ///< that each part has of lines
   bool HasSamples = false;     ///< whether they are counted sample by sample

@@ -17,6 +17,7 @@ public:
   static constexpr std::uint8_t IsShown = 4;
   static constexpr std::uint8_t WasSmall =
     8; ///< its mesh had few points when it was last asked for
+  static constexpr std::uint8_t AreFacesHidden = 16; ///< each by itself, wherever a device draws it
 
   /**
    * A frame begins, of which nothing is known but what parts are drawn.

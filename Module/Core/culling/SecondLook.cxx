@@ -15,11 +15,11 @@ namespace
 {
 
 // Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats and ours may be off by at the very most, of which devices have been seen to need a sixteenth.
-const double ThinOfSnapping = 1.0 / 16.0;
+const double ThinOfSnapping = 1.0 / 10.0;
 const double ThinOfRounding = 1.0 / 4.0;
 
 // Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more. Of slivers that llvmpipe drew
-// none exceeded 0.3 of it.
+// none exceeded half of it.
 const double SteeperOnDevice = 2.5;
 const float StepsOnDevice = 8.0f;
 
@@ -81,7 +81,8 @@ void SecondLook::DropShown(
   for (std::size_t i = first; i < end; ++i)
   {
     const auto lane = static_cast<int>(i - first);
-    if ((rectangles.Outside >> lane & 1u) == 0)
+    const bool isKnown = this->Tools.States.Has(parts[i].Part, PartStates::AreFacesHidden);
+    if ((rectangles.Outside >> lane & 1u) == 0 && !isKnown)
     {
       areHidden[i] =
         this->IsHidden(parts[i].Part, rectangles.At(lane), (rectangles.Near >> lane & 1u) == 0);
