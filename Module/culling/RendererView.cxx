@@ -28,14 +28,17 @@ namespace
 const int LeastSubpixelBits = 4;
 const int MostSubpixelBits = 8;
 
+// Of a step: to the nearest one it is a half; Direct3D allows a tenth more where floats become numbers of fixed point, and devices of today serve both (D3D11_FLOAT32_TO_INTEGER_TOLERANCE_IN_ULP).
+const float SnappedSteps = 0.6f;
+
 // Of reversed depth: a few steps of a depth buffer of 24 bits.
 const float SnappedDepth = 0x1p-21f;
 
-/** By how many pixels the window's rasteriser may move corners: one step, where to the nearest one would be a half. */
+/** By how many pixels the window's rasteriser may move corners. */
 float SnappedPixelsOf(vtkRenderer* renderer)
 {
   const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
-  return std::ldexp(1.0f, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
+  return std::ldexp(SnappedSteps, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
 }
 
 /** Whether VTK draws with the matrices that the camera tells now, and nothing else. */

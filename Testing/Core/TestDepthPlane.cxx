@@ -72,6 +72,80 @@ TEST(DepthPlane, BoundsWhatADeviceDraws)
   EXPECT_GT(beyond, 1000) << "so many are drawn far beyond their corners";
 }
 
+// Where a face comes near the eye, its corners there are rounded the most; far from them little of that is left.
+TEST(DepthPlane, BoundsFacesWhoseCornersAreRoundedApart)
+{
+  Random random(9);
+  int known = 0, unknown = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    vitrine::ScreenMatrix matrix{ glm::dmat4(1.0), glm::vec4(2e-5f, 2e-5f, 1e-5f, 1e-5f),
+      { 0.004f, 0.004f, 1e-6f }, { 40, 20 } };
+    std::array<glm::dvec4, 3> corners; // column, line and depth, times w, and w
+    coverage::Triangles face;
+    for (glm::dvec4& corner : corners)
+    {
+      corner.w = std::pow(10.0, random.Between(-1.5, 1.5));
+      corner = glm::dvec4(
+        corner.w * random.Between(-60, 90), corner.w * random.Between(-40, 60), 0.03, corner.w);
+    }
+    if (random.OneIn(2))
+    {
+      corners[2] = glm::mix(corners[0], corners[1], random.Between(0.1, 0.9)) +
+        glm::dvec4(random.Point(-1e-3, 1e-3), 0.0);
+    }
+    matrix.Matrix = glm::dmat4(corners[0], corners[1], corners[2], glm::dvec4(0.0));
+    face.Add({ 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 });
+    const vitrine::OccluderMesh mesh = face.Mesh();
+    vitrine::MeshProjection projection;
+    if (!projection.Project(mesh, matrix))
+    {
+      continue;
+    }
+    const vitrine::MeshFace& onScreen = projection.Faces()[0];
+    const DepthPlane plane(projection, onScreen);
+    Corners drawn;
+    for (int k = 0; k < 3; ++k)
+    {
+      glm::dvec4 corner = corners[k];
+      for (int axis = 0; axis < 4; ++axis)
+      {
+        const double most = 0.5 * matrix.Rounding[axis];
+        corner[axis] += random.OneIn(2) ? most : -most;
+      }
+      drawn[k] = glm::dvec3(corner) / corner.w;
+    }
+    const vitrine::ScreenMargin margin = projection.MarginOf(onScreen);
+    for (int k = 0; k < 3; ++k)
+    {
+      const glm::dvec3 exact = glm::dvec3(corners[k]) / corners[k].w;
+      if (exact.x >= 0.0 && exact.x <= 40.0 && exact.y >= 0.0 && exact.y <= 20.0)
+      {
+        ASSERT_LE(std::abs(drawn[k].x - exact.x), margin.Column - matrix.Snapping.Column);
+        ASSERT_LE(std::abs(drawn[k].y - exact.y), margin.Line - matrix.Snapping.Line);
+        ASSERT_LE(std::abs(drawn[k].z - exact.z), margin.Depth - matrix.Snapping.Depth);
+      }
+    }
+    for (int sample = 0; sample < 10; ++sample)
+    {
+      const double u = random.Between(0, 1), v = random.Between(0, 1 - u);
+      const glm::dvec3 covered = drawn[0] + u * (drawn[1] - drawn[0]) + v * (drawn[2] - drawn[0]) +
+        glm::dvec3(random.Between(-0.004, 0.004), random.Between(-0.004, 0.004), 0.0);
+      const double depth = glm::clamp(coverage::DepthAt(drawn, covered), 0.0, 1.0);
+      if (covered.x < 0.0 || covered.x > 40.0 || covered.y < 0.0 || covered.y > 20.0)
+      {
+        continue;
+      }
+      ASSERT_LE(depth, NearestOf(plane) + 1e-6) << "seed 9, face " << i;
+      ASSERT_GE(depth, plane.Bound().Farthest - 1e-6) << "seed 9, face " << i;
+    }
+    ASSERT_LE(margin.Column, projection.Margin().Column);
+    ++(NearestOf(plane) < 1.5f ? known : unknown);
+  }
+  EXPECT_GT(known, 5000);
+  EXPECT_GT(unknown, 500);
+}
+
 TEST(DepthPlane, OfAWideFaceIsAsNearAsItsCorners)
 {
   const Corners corners{ glm::dvec3(5, 5, 0.3), glm::dvec3(15, 5, 0.4), glm::dvec3(5, 15, 0.5) };

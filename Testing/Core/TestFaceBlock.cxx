@@ -90,8 +90,7 @@ TEST(FaceBlock, IsWhereItsFacesAre)
         const MeshFace& face = projection.Faces()[number];
         EXPECT_EQ(&block.Face(lane), &face);
         EXPECT_EQ(block.Facing(projection, projection.FacingOf(number)) >> lane & 1u, 1u);
-        const DepthPlane plane(projection.Point(face[0]), projection.Point(face[1]),
-          projection.Point(face[2]), projection.Margin(), projection.Snapping());
+        const DepthPlane plane(projection, face);
         ScreenRectangle own = projection.RectangleOf(face);
         own.Nearest = plane.Before(0.0f, 0.0f, 0.0f, 0.0f).Nearest;
         ExpectSame(block.At(lane), own);

@@ -19,6 +19,9 @@ public:
   DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
     const ScreenMargin& margin, const ScreenMargin& snapping);
 
+  /** Of a face of a mesh, whose corners a device rounds the more the nearer they are. */
+  DepthPlane(const MeshProjection& projection, const MeshFace& face);
+
   /** What nothing that may be drawn is farther than. */
   const SlantedDepth& Bound() const { return this->Below; }
 
@@ -53,6 +56,9 @@ public:
   }
 
 private:
+  DepthPlane(const ScreenPoint (&corners)[3], const float (&inversesOfW)[3],
+    const ScreenRounding& rounding, const ScreenMargin& margin, const ScreenMargin& snapping);
+
   SlantedDepth Below;
   float Nearest;
 };

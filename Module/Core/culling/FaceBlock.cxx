@@ -56,22 +56,24 @@ void FaceBlock::Find(const MeshProjection& projection)
 {
   const FaceCorners a(projection, this->Faces, 0), b(projection, this->Faces, 1),
     c(projection, this->Faces, 2);
-  const ScreenMargin& margin = projection.Margin();
+  const ScreenRounding& rounding = projection.Rounding();
   const ScreenMargin& snapping = projection.Snapping();
-  const ScreenMargin off = OffOf(margin, snapping);
-  const FaceSides<Lanes> columns{ b.Column - a.Column, c.Column - a.Column, off.Column };
-  const FaceSides<Lanes> lines{ b.Line - a.Line, c.Line - a.Line, off.Line };
-  const FaceSides<Lanes> depths{ b.Depth - a.Depth, c.Depth - a.Depth, off.Depth };
-  const FaceSlopes<Lanes> slopes(columns, lines, depths, snapping);
-  const Lanes nearest = GreatestOf(a.Depth, b.Depth, c.Depth) + margin.Depth + slopes.Beyond;
+  const FaceSlopes<Lanes> slopes(
+    { { a.Column, b.Column, c.Column }, { a.Line, b.Line, c.Line }, { a.Depth, b.Depth, c.Depth },
+      { a.InverseW, b.InverseW, c.InverseW } },
+    rounding, snapping);
+  const ScreenMargin atOne = rounding.MarginAt(1.0f, {});
+  const Lanes inverse = GreatestOf(a.InverseW, b.InverseW, c.InverseW);
+  const Lanes aside = snapping.Column + atOne.Column * inverse;
+  const Lanes above = snapping.Line + atOne.Line * inverse;
+  const Lanes nearest = GreatestOf(a.Depth, b.Depth, c.Depth) +
+    (snapping.Depth + atOne.Depth * inverse) + slopes.Beyond;
   const Lanes sum = a.Column + b.Column + c.Column + a.Line + b.Line + c.Line + nearest;
   const LaneMask isFinite = sum - sum == AllLanes(0.0f);
-  StoreWhere(
-    isFinite, LeastOf(a.Column, b.Column, c.Column) - margin.Column, -BeyondAll, this->Left);
-  StoreWhere(
-    isFinite, GreatestOf(a.Column, b.Column, c.Column) + margin.Column, BeyondAll, this->Right);
-  StoreWhere(isFinite, LeastOf(a.Line, b.Line, c.Line) - margin.Line, -BeyondAll, this->Bottom);
-  StoreWhere(isFinite, GreatestOf(a.Line, b.Line, c.Line) + margin.Line, BeyondAll, this->Top);
+  StoreWhere(isFinite, LeastOf(a.Column, b.Column, c.Column) - aside, -BeyondAll, this->Left);
+  StoreWhere(isFinite, GreatestOf(a.Column, b.Column, c.Column) + aside, BeyondAll, this->Right);
+  StoreWhere(isFinite, LeastOf(a.Line, b.Line, c.Line) - above, -BeyondAll, this->Bottom);
+  StoreWhere(isFinite, GreatestOf(a.Line, b.Line, c.Line) + above, BeyondAll, this->Top);
   StoreWhere(isFinite, nearest, BeyondAll, this->Nearest);
 }
 

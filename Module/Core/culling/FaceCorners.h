@@ -44,22 +44,25 @@ inline int FindFaces(const MeshProjection& projection, const std::vector<std::ui
 /** One corner of each of eight faces, on the screen. */
 struct FaceCorners
 {
-  Lanes Column, Line, Depth;
+  Lanes Column, Line, Depth, InverseW;
 
   VITRINE_INLINE FaceCorners(
     const MeshProjection& projection, const MeshFace* const* faces, int corner)
   {
-    float columns[LaneCount], lines[LaneCount], depths[LaneCount];
+    float columns[LaneCount], lines[LaneCount], depths[LaneCount], inverses[LaneCount];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      const ScreenPoint point = projection.Point((*faces[lane])[corner]);
+      const std::uint32_t number = (*faces[lane])[corner];
+      const ScreenPoint point = projection.Point(number);
       columns[lane] = point.Column;
       lines[lane] = point.Line;
       depths[lane] = point.Depth;
+      inverses[lane] = projection.InverseW(number);
     }
     this->Column = LoadLanes(columns);
     this->Line = LoadLanes(lines);
     this->Depth = LoadLanes(depths);
+    this->InverseW = LoadLanes(inverses);
   }
 };
 

@@ -14,10 +14,9 @@ FaceOnLines::FaceOnLines(
     { projection.Point(face[1]), projection.Point(face[2]) },
     { projection.Point(face[2]), projection.Point(face[0]) } }
   , Own(std::max({ Edges[0].OwnRounding(), Edges[1].OwnRounding(), Edges[2].OwnRounding() }))
-  , Aside(projection.Margin().Column + Own)
-  , Above(projection.Margin().Line + Own)
-  , Plane(projection.Point(face[0]), projection.Point(face[1]), projection.Point(face[2]),
-      projection.Margin(), projection.Snapping())
+  , Aside(projection.MarginOf(face).Column + Own)
+  , Above(projection.MarginOf(face).Line + Own)
+  , Plane(projection, face)
 {
 }
 

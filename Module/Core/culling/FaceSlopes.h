@@ -16,6 +16,11 @@ VITRINE_INLINE float SizeOf(float a)
   return std::abs(a);
 }
 
+VITRINE_INLINE float GreatestOf(float a, float b)
+{
+  return a > b ? a : b;
+}
+
 /** A number, and by how much it may be off. */
 template <class Number>
 struct Estimate
@@ -25,15 +30,47 @@ struct Estimate
   Number Off; ///< by a device's other corners, too
 };
 
-/** Of a face's two sides that begin at its first corner: what they have of a coordinate, and how far off a device may be in that. */
+/** A coordinate of a face's corners: what its two sides that begin at the first one have of it, and how far off a device may be in each. */
 template <class Number>
 struct FaceSides
 {
   Number First;
   Number Second;
-  float Off;
+  Number Off[3];
 
-  VITRINE_INLINE Number Sum() const { return SizeOf(this->First) + SizeOf(this->Second); }
+  /** @param inversesOfW  of the corners */
+  VITRINE_INLINE FaceSides(
+    const Number (&values)[3], const Number (&inversesOfW)[3], const CoordinateRounding& rounding)
+    : First(values[1] - values[0])
+    , Second(values[2] - values[0])
+    , Off{ OffOf(values[0], inversesOfW[0], rounding), OffOf(values[1], inversesOfW[1], rounding),
+      OffOf(values[2], inversesOfW[2], rounding) }
+  {
+  }
+
+  /** By how much its cross products change at most that another coordinate of the corners is off by so much. */
+  VITRINE_INLINE Number Times(const Number (&off)[3]) const
+  {
+    return off[0] * SizeOf(this->Second - this->First) + off[1] * SizeOf(this->Second) +
+      off[2] * SizeOf(this->First);
+  }
+
+  VITRINE_INLINE Number SumOff() const { return this->Off[0] + this->Off[1] + this->Off[2]; }
+
+private:
+  VITRINE_INLINE static Number OffOf(
+    Number value, Number inverseOfW, const CoordinateRounding& rounding)
+  {
+    return (rounding.Own + rounding.OfW * GreatestOf(SizeOf(value), Number{} + rounding.Largest)) *
+      inverseOfW;
+  }
+};
+
+/** Where a face's corners are on the screen, and 1 over their w. */
+template <class Number>
+struct FacePlaces
+{
+  Number Columns[3], Lines[3], Depths[3], InversesOfW[3];
 };
 
 /**
@@ -46,10 +83,16 @@ template <class Number>
 class FaceSlopes
 {
 public:
-  /** @param snapping  what a device moves points by to see what they cover */
-  VITRINE_INLINE FaceSlopes(const FaceSides<Number>& columns, const FaceSides<Number>& lines,
-    const FaceSides<Number>& depths, const ScreenMargin& snapping)
+  /**
+   * @param rounding  what a device's floats round of points
+   * @param snapping  what it moves them by to see what they cover
+   */
+  VITRINE_INLINE FaceSlopes(
+    const FacePlaces<Number>& places, const ScreenRounding& rounding, const ScreenMargin& snapping)
   {
+    const FaceSides<Number> columns(places.Columns, places.InversesOfW, rounding.Columns);
+    const FaceSides<Number> lines(places.Lines, places.InversesOfW, rounding.Lines);
+    const FaceSides<Number> depths(places.Depths, places.InversesOfW, rounding.Depths);
     const Estimate<Number> area = Cross(columns, lines);
     this->ByColumn = Quotient(Cross(depths, lines), area);
     this->ByLine = Quotient(Cross(columns, depths), area);
@@ -74,7 +117,7 @@ private:
   {
     const Number first = a.First * b.Second, second = a.Second * b.First;
     const Number own = RoundingOfFloats * (SizeOf(first) + SizeOf(second));
-    return { first - second, own, own + a.Off * b.Sum() + b.Off * a.Sum() + 2.0f * a.Off * b.Off };
+    return { first - second, own, own + a.Times(b.Off) + b.Times(a.Off) + a.SumOff() * b.SumOff() };
   }
 
   /** Off is negative, infinite or no number if nothing is known. */
@@ -86,13 +129,6 @@ private:
       (a.Off + SizeOf(value) * b.Off) / (size - b.Off) };
   }
 };
-
-/** How far off a device may be in the difference of two points. */
-inline ScreenMargin OffOf(const ScreenMargin& margin, const ScreenMargin& snapping)
-{
-  return { 2.0f * (margin.Column - snapping.Column), 2.0f * (margin.Line - snapping.Line),
-    2.0f * (margin.Depth - snapping.Depth) };
-}
 
 }
 

@@ -52,11 +52,10 @@ struct FacetSlopes
 
   VITRINE_INLINE FacetSlopes(const FewFacets& facets, const PointLanes& points,
     const FacetCorners& corners, const ScreenMargin& margin, const ScreenMargin& snapping)
-    : Plane(SlopesOf(corners.A, corners.B, corners.C, OffOf(margin, snapping), snapping))
+    : Plane(SlopesOf(corners.A, corners.B, corners.C, margin, snapping))
   {
-    const FaceSlopes<Lanes> others =
-      SlopesOf(PointLanes(points, facets.Others[0]), PointLanes(points, facets.Others[1]),
-        PointLanes(points, facets.Others[2]), OffOf(margin, snapping), snapping);
+    const FaceSlopes<Lanes> others = SlopesOf(PointLanes(points, facets.Others[0]),
+      PointLanes(points, facets.Others[1]), PointLanes(points, facets.Others[2]), margin, snapping);
     this->SteepX = GreatestOf(SizeOf(this->Plane.ByColumn.Value), SizeOf(others.ByColumn.Value));
     this->SteepY = GreatestOf(SizeOf(this->Plane.ByLine.Value), SizeOf(others.ByLine.Value));
     this->Unsteady = GreatestOf(this->Plane.Unsteady, others.Unsteady);
@@ -65,12 +64,12 @@ struct FacetSlopes
 
 private:
   VITRINE_INLINE static FaceSlopes<Lanes> SlopesOf(const PointLanes& a, const PointLanes& b,
-    const PointLanes& c, const ScreenMargin& off, const ScreenMargin& snapping)
+    const PointLanes& c, const ScreenMargin& margin, const ScreenMargin& snapping)
   {
-    const FaceSides<Lanes> columns{ b.X - a.X, c.X - a.X, off.Column };
-    const FaceSides<Lanes> lines{ b.Y - a.Y, c.Y - a.Y, off.Line };
-    const FaceSides<Lanes> depths{ b.Depth - a.Depth, c.Depth - a.Depth, off.Depth };
-    return FaceSlopes<Lanes>(columns, lines, depths, snapping);
+    const Lanes one = AllLanes(1.0f);
+    const FacePlaces<Lanes> places{ { a.X, b.X, c.X }, { a.Y, b.Y, c.Y },
+      { a.Depth, b.Depth, c.Depth }, { one, one, one } };
+    return FaceSlopes<Lanes>(places, ScreenRounding::Within(margin, snapping), snapping);
   }
 };
 

@@ -47,6 +47,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
 {
   this->Projected = &mesh;
   this->DeviceSnapping = toScreen.Snapping;
+  this->DeviceRounding = toScreen.RoundingOnScreen();
   const float* const x = mesh.Coordinates(0).data();
   const float* const y = mesh.Coordinates(1).data();
   const float* const z = mesh.Coordinates(2).data();
@@ -54,6 +55,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   this->Columns.resize(room);
   this->Lines.resize(room);
   this->Depths.resize(room);
+  this->Inverses.resize(room);
   this->BehindNear.resize(room / LaneCount);
   const MatrixFrom matrix(toScreen.Matrix, mesh.Origin());
   const Lanes leastW = AllLanes(toScreen.Rounding.w);
@@ -75,6 +77,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     StoreLanes(column, &this->Columns[i]);
     StoreLanes(line, &this->Lines[i]);
     StoreLanes(depth, &this->Depths[i]);
+    StoreLanes(inverse, &this->Inverses[i]);
     const unsigned behind = BitsOf(isBehind);
     this->BehindNear[i / LaneCount] = static_cast<std::uint8_t>(behind);
     behindAll &= behind;
@@ -111,7 +114,8 @@ bool MeshProjection::ClipFarther(const ScreenMatrix& toScreen)
 void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
 {
   this->Rest.Clip(*this->Projected, toScreen, leastRatio);
-  for (std::vector<float>* places : { &this->Columns, &this->Lines, &this->Depths })
+  for (std::vector<float>* places :
+    { &this->Columns, &this->Lines, &this->Depths, &this->Inverses })
   {
     places->resize(this->Projected->Coordinates(0).size());
   }
@@ -120,6 +124,7 @@ void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
     this->Columns.push_back(static_cast<float>(cut.x / cut.w));
     this->Lines.push_back(static_cast<float>(cut.y / cut.w));
     this->Depths.push_back(static_cast<float>(cut.z / cut.w));
+    this->Inverses.push_back(static_cast<float>(1.0 / cut.w));
   }
   this->DeviceMargin = toScreen.MarginFrom(this->Rest.LeastW());
   LineExtent columns, lines, depths;

@@ -6,6 +6,7 @@
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -81,6 +82,20 @@ public:
   /** By how much a device may draw points elsewhere. */
   const ScreenMargin& Margin() const { return this->DeviceMargin; }
 
+  /** The same of a face's: less where all of it is farther than the nearest point. */
+  ScreenMargin MarginOf(const MeshFace& face) const
+  {
+    const float nearest =
+      std::max({ this->Inverses[face[0]], this->Inverses[face[1]], this->Inverses[face[2]] });
+    return this->DeviceRounding.MarginAt(nearest, this->DeviceSnapping);
+  }
+
+  /** 1 over w of a point that is behind the near plane. */
+  float InverseW(std::uint32_t point) const { return this->Inverses[point]; }
+
+  /** What a device's floats round of points. */
+  const ScreenRounding& Rounding() const { return this->DeviceRounding; }
+
   /** What of that a rasteriser moves points by where it looks what they cover; depths stay those of the points that it did not move. */
   const ScreenMargin& Snapping() const { return this->DeviceSnapping; }
 
@@ -129,12 +144,14 @@ private:
 
   const OccluderMesh* Projected = nullptr;
   std::vector<float> Columns, Lines, Depths; ///< of the points, those where the mesh is cut last
+  std::vector<float> Inverses;               ///< of the same points' w
   std::vector<std::uint8_t> BehindNear;      ///< a bit for each point
   bool AreAllBehindNear = false;
   NearClip Rest; ///< where they are not
   ScreenRectangle Around{};
   ScreenMargin DeviceMargin;
   ScreenMargin DeviceSnapping;
+  ScreenRounding DeviceRounding{};
   std::vector<Facing> Facings;
 };
 

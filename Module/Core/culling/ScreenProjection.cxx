@@ -102,14 +102,6 @@ glm::dvec4 CrossOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z
 }
 }
 
-ScreenMargin ScreenMatrix::MarginFrom(float leastW) const
-{
-  const float inverse = 1.0f / leastW;
-  return { this->Snapping.Column + (this->Rounding.x + this->Size.x * this->Rounding.w) * inverse,
-    this->Snapping.Line + (this->Rounding.y + this->Size.y * this->Rounding.w) * inverse,
-    this->Snapping.Depth + (this->Rounding.z + this->Rounding.w) * inverse };
-}
-
 ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, double lines,
   const glm::dvec3& reach, const ScreenMargin& snapping, const glm::vec2& growth)
   : Growth(growth)

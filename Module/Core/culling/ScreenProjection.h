@@ -22,6 +22,38 @@ struct ScreenMargin
   float Depth = 0.0f;
 };
 
+/** What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, or of the largest that the screen has, as much as they round of w. */
+struct CoordinateRounding
+{
+  float Own;
+  float OfW;
+  float Largest;
+
+  /** On the screen, where w is 1; elsewhere as much over w. */
+  float OnScreenAtOne() const { return this->Own + this->Largest * this->OfW; }
+};
+
+/** What they round of columns, lines and depths. */
+struct ScreenRounding
+{
+  CoordinateRounding Columns, Lines, Depths;
+
+  /** Of all points as much as a margin has besides what is snapped, wherever w is 1. */
+  static ScreenRounding Within(const ScreenMargin& margin, const ScreenMargin& snapping)
+  {
+    return { { margin.Column - snapping.Column, 0.0f, 0.0f },
+      { margin.Line - snapping.Line, 0.0f, 0.0f }, { margin.Depth - snapping.Depth, 0.0f, 0.0f } };
+  }
+
+  /** Of points on the screen, and what is snapped besides. */
+  ScreenMargin MarginAt(float inverseOfW, const ScreenMargin& snapping) const
+  {
+    return { snapping.Column + this->Columns.OnScreenAtOne() * inverseOfW,
+      snapping.Line + this->Lines.OnScreenAtOne() * inverseOfW,
+      snapping.Depth + this->Depths.OnScreenAtOne() * inverseOfW };
+  }
+};
+
 /** A map to column, line and reversed depth, each times w, and w; and how far off a device may be that makes it in floats. */
 struct ScreenMatrix
 {
@@ -30,8 +62,19 @@ struct ScreenMatrix
   ScreenMargin Snapping; ///< what a rasteriser moves by besides
   glm::vec2 Size;        ///< columns and lines
 
+  /** What a device's floats round of points. */
+  ScreenRounding RoundingOnScreen() const
+  {
+    const glm::vec4& own = this->Rounding;
+    return { { own.x, own.w, this->Size.x }, { own.y, own.w, this->Size.y },
+      { own.z, own.w, 1.0f } };
+  }
+
   /** Of points on the screen for which w is at least `leastW`. */
-  ScreenMargin MarginFrom(float leastW) const;
+  ScreenMargin MarginFrom(float leastW) const
+  {
+    return this->RoundingOnScreen().MarginAt(1.0f / leastW, this->Snapping);
+  }
 };
 
 /** Where eight boxes are on the screen. */
