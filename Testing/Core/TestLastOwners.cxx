@@ -115,6 +115,10 @@ TEST(LastOwners, AreNearWhereTheyHaveHardlyMoved)
   EXPECT_FALSE(owner.IsNear({ 100, 140, 30, 60, 0.5f }));
   EXPECT_FALSE(owner.IsNear({ 100, 140, 50, 80, 0.5f }));
   EXPECT_FALSE(owner.IsNear({ NAN, 140, 50, 60, 0.5f }));
+  EXPECT_TRUE(owner.IsStill({ 101.2f, 140, 50.3f, 60, 0.9f }));
+  EXPECT_FALSE(owner.IsStill({ 101.4f, 140, 50, 60, 0.5f }));
+  EXPECT_FALSE(owner.IsStill({ 100, 140, 50, 60.5f, 0.5f }));
+  EXPECT_FALSE(owner.IsStill({ 100, 140, NAN, 60, 0.5f }));
 }
 
 TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)

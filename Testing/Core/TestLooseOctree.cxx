@@ -63,11 +63,18 @@ void Check(const LooseOctree& tree, const std::vector<Box>& boxes)
   {
     CheckNode(tree, 0, boxes, seen);
   }
+  std::vector<std::uint32_t> unplaced;
   for (std::uint32_t item = 0; item < boxes.size(); ++item)
   {
     ASSERT_EQ(seen[item], boxes[item].IsPlaceable()) << item;
     ASSERT_EQ(tree.Holds(item), boxes[item].IsPlaceable()) << item;
+    if (!boxes[item].IsPlaceable())
+    {
+      unplaced.push_back(item);
+    }
   }
+  EXPECT_EQ(tree.Unplaced(), unplaced);
+  EXPECT_EQ(tree.ItemCount(), boxes.size());
 }
 
 std::size_t NodesOf(const LooseOctree& tree, std::uint32_t node = 0)

@@ -40,7 +40,6 @@ public:
   {
     std::vector<Entry>& queue = this->Culler.Queue;
     queue.clear();
-    this->Culler.Visited.clear();
     this->VisitOwners();
     this->QueueEntriesOf(this->Tree.Node(0));
     while (!queue.empty())
@@ -256,6 +255,14 @@ BandCuller::BandCuller(int columns, int lines, const SampleGrid& samples)
 {
 }
 
+void BandCuller::AddShown(std::vector<std::uint8_t>& visible) const
+{
+  for (const ShownPart& shown : this->Visited)
+  {
+    visible[shown.Part] |= this->Tools.States.Has(shown.Part, PartStates::IsShown);
+  }
+}
+
 void BandCuller::LookAgain(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
   const ScreenProjection& view, std::vector<std::uint8_t>& areHidden)
 {
@@ -272,6 +279,7 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
 {
   this->Tools.Lines.Clear();
   this->Tools.Inserted = 0;
+  this->Visited.clear();
   this->Counted = {};
   const std::uint32_t parts = this->Tools.States.Begin(drawn);
   if (occlusion)

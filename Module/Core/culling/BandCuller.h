@@ -54,8 +54,8 @@ public:
   void LookAgain(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
     const ScreenProjection& view, std::vector<std::uint8_t>& areHidden);
 
-  /** Of each part; those in the tree that may show have PartStates::IsShown. */
-  const PartStates& States() const { return this->Tools.States; }
+  /** Puts 1 for each part in the tree that may show in the band. */
+  void AddShown(std::vector<std::uint8_t>& visible) const;
 
   const CullCounts& Counts() const { return this->Counted; }
   const SBuffer& Buffer() const { return this->Tools.Lines; }

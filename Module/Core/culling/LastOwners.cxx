@@ -19,15 +19,29 @@ const float MostCells = 4.0f;
 
 // Parts that were inserted in vain are inserted in one of so many frames, not all in the same.
 const std::uint32_t FramesOfIdlers = 16;
+
+// Those may have moved by so much: what is small and thin covers other samples then.
+const float MostShareOfIdlers = 1.0f / 32.0f;
+const float MostCellsOfIdlers = 1.0f / 16.0f;
+
+/** Whether sides are no farther from each other than by a share of what is between them and so many columns or lines. */
+bool IsWithin(const ScreenRectangle& then, const ScreenRectangle& now, float share, float cells)
+{
+  const float aside = cells + share * (then.Right - then.Left);
+  const float above = cells + share * (then.Top - then.Bottom);
+  return std::abs(now.Left - then.Left) <= aside && std::abs(now.Right - then.Right) <= aside &&
+    std::abs(now.Bottom - then.Bottom) <= above && std::abs(now.Top - then.Top) <= above;
+}
 }
 
 bool LastOwners::Owner::IsNear(const ScreenRectangle& now) const
 {
-  const ScreenRectangle& then = this->Rectangle;
-  const float aside = MostCells + MostShare * (then.Right - then.Left);
-  const float above = MostCells + MostShare * (then.Top - then.Bottom);
-  return std::abs(now.Left - then.Left) <= aside && std::abs(now.Right - then.Right) <= aside &&
-    std::abs(now.Bottom - then.Bottom) <= above && std::abs(now.Top - then.Top) <= above;
+  return IsWithin(this->Rectangle, now, MostShare, MostCells);
+}
+
+bool LastOwners::Owner::IsStill(const ScreenRectangle& now) const
+{
+  return IsWithin(this->Rectangle, now, MostShareOfIdlers, MostCellsOfIdlers);
 }
 
 void LastOwners::Begin(std::size_t parts)
@@ -45,7 +59,7 @@ void LastOwners::Begin(std::size_t parts)
 bool LastOwners::HadNothing(std::uint32_t part, const ScreenRectangle& rectangle)
 {
   const auto found = this->Idlers.find(part);
-  if (found == this->Idlers.end() || !found->second.Inserted.IsNear(rectangle) ||
+  if (found == this->Idlers.end() || !found->second.Inserted.IsStill(rectangle) ||
     (part + this->Frame) % FramesOfIdlers == 0)
   {
     return false;

@@ -28,6 +28,9 @@ public:
 
     /** Whether it is about there still, so that what it hid is likely to be hidden by it again. */
     bool IsNear(const ScreenRectangle& now) const;
+
+    /** Whether it is as good as where it was. */
+    bool IsStill(const ScreenRectangle& now) const;
   };
 
   /** Of the last frame, in the order in which they were inserted. */
@@ -42,7 +45,7 @@ public:
   }
 
   /**
-   * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is about there still. It is not so in one of every few frames, since what is around it may have changed.
+   * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is there still. It is not so in one of every few frames, since what is around it may have changed.
    * It is forgotten if it is not asked for.
    */
   bool HadNothing(std::uint32_t part, const ScreenRectangle& rectangle);

@@ -69,6 +69,10 @@ LooseOctree::LooseOctree(const std::vector<Box>& boxes)
     {
       entries.push_back({ item, boxes[item] });
     }
+    else
+    {
+      this->WithoutPlace.push_back(item);
+    }
   }
   this->Places.resize(boxes.size());
   this->IsHeld.resize(boxes.size(), 0);
@@ -253,14 +257,38 @@ void LooseOctree::PutIntoLane(std::uint32_t node, int lane, const Entry& entry)
   this->IsHeld[entry.Item] = 1;
 }
 
+void LooseOctree::AddItemsUpTo(std::uint32_t item)
+{
+  for (auto added = static_cast<std::uint32_t>(this->IsHeld.size()); added <= item; ++added)
+  {
+    this->Places.emplace_back();
+    this->IsHeld.push_back(0);
+    this->WithoutPlace.push_back(added);
+  }
+}
+
+void LooseOctree::SetHeld(std::uint32_t item, bool isHeld)
+{
+  if (this->Holds(item) == isHeld)
+  {
+    return;
+  }
+  this->IsHeld[item] = isHeld;
+  const auto place = std::lower_bound(this->WithoutPlace.begin(), this->WithoutPlace.end(), item);
+  if (isHeld)
+  {
+    this->WithoutPlace.erase(place);
+  }
+  else
+  {
+    this->WithoutPlace.insert(place, item);
+  }
+}
+
 void LooseOctree::Put(std::uint32_t item, const Box& box)
 {
   ++this->Changes;
-  if (this->Places.size() <= item)
-  {
-    this->Places.resize(item + 1);
-    this->IsHeld.resize(item + 1, 0);
-  }
+  this->AddItemsUpTo(item);
   const Place place = this->Places[item];
   const bool isHeld = this->Holds(item);
   if (!box.IsPlaceable())
@@ -268,10 +296,11 @@ void LooseOctree::Put(std::uint32_t item, const Box& box)
     if (isHeld)
     {
       this->Remove(place);
-      this->IsHeld[item] = 0;
+      this->SetHeld(item, false);
     }
     return;
   }
+  this->SetHeld(item, true);
   const Entry entry{ item, box };
   if (isHeld && this->IsStillThere(place, entry))
   {
@@ -384,7 +413,7 @@ std::size_t LooseOctree::Bytes() const
 {
   return sizeof(*this) + this->Nodes.capacity() * sizeof(LooseNode) +
     this->Cells.capacity() * sizeof(Cell) + this->Places.capacity() * sizeof(Place) +
-    this->IsHeld.capacity();
+    this->IsHeld.capacity() + this->WithoutPlace.capacity() * sizeof(std::uint32_t);
 }
 
 }

@@ -85,8 +85,11 @@ public:
   /** Whether the item stands in the tree. */
   bool Holds(std::uint32_t item) const { return item < this->IsHeld.size() && this->IsHeld[item]; }
 
-  /** The same of all items that were ever put. */
-  const std::vector<std::uint8_t>& HeldItems() const { return this->IsHeld; }
+  /** How many items were ever put. */
+  std::size_t ItemCount() const { return this->IsHeld.size(); }
+
+  /** Those of them that do not stand in the tree, in order. */
+  const std::vector<std::uint32_t>& Unplaced() const { return this->WithoutPlace; }
 
   /**
    * Puts an item where its box is, whether it was in the tree before or not; one without a place leaves the tree. Touches the nodes that
@@ -153,6 +156,8 @@ private:
   void Fill(std::uint32_t node, Entry* entries, std::size_t count);
   void FillLane(std::uint32_t node, int lane, Entry* entries, std::size_t count);
   void SetEntry(std::uint32_t node, int lane, std::uint32_t entry);
+  void AddItemsUpTo(std::uint32_t item);
+  void SetHeld(std::uint32_t item, bool isHeld);
   void PutIntoLane(std::uint32_t node, int lane, const Entry& entry);
   bool IsStillThere(const Place& place, const Entry& entry) const;
   void Insert(const Entry& entry);
@@ -166,6 +171,7 @@ private:
   std::vector<Cell> Cells;          ///< of the nodes
   std::vector<Place> Places;        ///< of the items
   std::vector<std::uint8_t> IsHeld; ///< each item
+  std::vector<std::uint32_t> WithoutPlace;
   std::size_t Changes = 0;
 };
 

@@ -7,21 +7,6 @@
 namespace vitrine
 {
 
-namespace
-{
-
-/** What the tree holds and does not show is not visible. By the million, so without branches. */
-void KeepShown(const std::uint8_t* states, const std::uint8_t* isHeld, std::size_t count,
-  std::uint8_t* isVisible)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const int isShown = (states[i] & PartStates::IsShown) != 0;
-    isVisible[i] &= static_cast<std::uint8_t>(isShown | (isHeld[i] ^ 1));
-  }
-}
-}
-
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples, int bands)
 {
   const int count = std::min(bands, lines);
@@ -43,8 +28,27 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
         view.OfLines(this->Bands[i].FirstLine, culler.Buffer().Lines());
       culler.Cull(tree, occluders, ofBand, occlusion, visible, this->Bands.size());
     });
-  const std::size_t count = std::min(tree.HeldItems().size(), visible.size());
-  KeepShown(this->StatesInAny().data(), tree.HeldItems().data(), count, visible.data());
+  this->KeepShown(tree, visible);
+}
+
+/** What the tree holds and no band shows is not visible. Parts may be a million, and few of them show, so nothing is asked of each. */
+void PartCuller::KeepShown(const LooseOctree& tree, std::vector<std::uint8_t>& visible)
+{
+  const std::size_t count = std::min(tree.ItemCount(), visible.size());
+  const std::vector<std::uint32_t>& unplaced = tree.Unplaced();
+  const auto end = std::lower_bound(unplaced.begin(), unplaced.end(), count);
+  this->Unplaced.clear();
+  std::for_each(
+    unplaced.begin(), end, [&](std::uint32_t part) { this->Unplaced.push_back(visible[part]); });
+  std::fill_n(visible.begin(), count, std::uint8_t{ 0 });
+  for (std::size_t i = 0; i < this->Unplaced.size(); ++i)
+  {
+    visible[unplaced[i]] = this->Unplaced[i];
+  }
+  for (const Band& band : this->Bands)
+  {
+    band.Culler.AddShown(visible);
+  }
 }
 
 std::vector<std::uint8_t> PartCuller::StayHidden(
@@ -66,23 +70,6 @@ std::vector<std::uint8_t> PartCuller::StayHidden(
       [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a & b); });
   }
   return hidden[0];
-}
-
-/** Of each part what is so in a band. */
-const std::vector<std::uint8_t>& PartCuller::StatesInAny()
-{
-  if (this->Bands.size() == 1)
-  {
-    return this->Bands[0].Culler.States().All();
-  }
-  this->States = this->Bands[0].Culler.States().All();
-  for (std::size_t i = 1; i < this->Bands.size(); ++i)
-  {
-    const std::vector<std::uint8_t>& ofBand = this->Bands[i].Culler.States().All();
-    std::transform(this->States.begin(), this->States.end(), ofBand.begin(), this->States.begin(),
-      [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
-  }
-  return this->States;
 }
 
 CullCounts PartCuller::Counts() const

@@ -58,10 +58,10 @@ private:
     BandCuller Culler;
   };
 
-  const std::vector<std::uint8_t>& StatesInAny();
+  void KeepShown(const LooseOctree& tree, std::vector<std::uint8_t>& visible);
 
   std::vector<Band> Bands;
-  std::vector<std::uint8_t> States; ///< in any of several bands
+  std::vector<std::uint8_t> Unplaced; ///< whether parts that have no place are visible
 };
 
 }

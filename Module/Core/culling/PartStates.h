@@ -54,9 +54,6 @@ public:
     state = static_cast<std::uint8_t>(is ? state | bit : state & ~bit);
   }
 
-  /** Of all parts. */
-  const std::vector<std::uint8_t>& All() const { return this->States; }
-
 private:
   std::vector<std::uint8_t> States;
 };
