@@ -19,8 +19,11 @@ TEST(PartStates, AreThoseThatAreDrawnOnceAFrameBegins)
   PartStates states;
   EXPECT_EQ(states.Begin({ 1, 0, 1, 1, 0 }), 3u);
   EXPECT_EQ(states.Count(), 5u);
-  EXPECT_EQ(states[0], PartStates::IsDrawn);
-  EXPECT_EQ(states[1], 0u);
+  const std::vector<std::uint8_t> expected{ 1, 0, 1, 1, 0 };
+  for (std::uint32_t part = 0; part < expected.size(); ++part)
+  {
+    EXPECT_EQ(states[part], expected[part]) << part;
+  }
   EXPECT_TRUE(states.Has(2, PartStates::IsDrawn));
   EXPECT_FALSE(states.Has(4, PartStates::IsDrawn));
 }

@@ -14,10 +14,11 @@ FaceOnLines::FaceOnLines(
     { projection.Point(face[1]), projection.Point(face[2]) },
     { projection.Point(face[2]), projection.Point(face[0]) } }
   , Own(std::max({ Edges[0].OwnRounding(), Edges[1].OwnRounding(), Edges[2].OwnRounding() }))
-  , Aside(projection.MarginOf(face).Column + Own)
-  , Above(projection.MarginOf(face).Line + Own)
   , Plane(projection, face)
 {
+  const ScreenMargin margin = projection.MarginOf(face);
+  this->Aside = margin.Column + this->Own;
+  this->Above = margin.Line + this->Own;
 }
 
 LineRange FaceOnLines::Lines(int count) const

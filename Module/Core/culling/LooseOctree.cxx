@@ -63,11 +63,13 @@ LooseOctree::LooseOctree(const std::vector<Box>& boxes)
   assert(boxes.size() <= LooseNode::NumberBits);
   std::vector<Entry> entries;
   entries.reserve(boxes.size());
+  this->IsHeld.resize(boxes.size(), 0);
   for (std::uint32_t item = 0; item < boxes.size(); ++item)
   {
     if (boxes[item].IsPlaceable())
     {
       entries.push_back({ item, boxes[item] });
+      this->IsHeld[item] = 1;
     }
     else
     {
@@ -75,7 +77,6 @@ LooseOctree::LooseOctree(const std::vector<Box>& boxes)
     }
   }
   this->Places.resize(boxes.size());
-  this->IsHeld.resize(boxes.size(), 0);
   if (!entries.empty())
   {
     this->Nodes.reserve(entries.size() / 4 + 1);
@@ -254,7 +255,6 @@ void LooseOctree::PutIntoLane(std::uint32_t node, int lane, const Entry& entry)
   this->Nodes[node].Boxes.Set(lane, entry.Bounds);
   this->Nodes[node].Counts[lane] = 1;
   this->Places[entry.Item] = { node, lane };
-  this->IsHeld[entry.Item] = 1;
 }
 
 void LooseOctree::AddItemsUpTo(std::uint32_t item)
