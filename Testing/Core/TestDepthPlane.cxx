@@ -48,6 +48,91 @@ Corners Sliver(double width, Random& random)
   return corners;
 }
 
+/** Column, line and depth, times w, and w. */
+using ClipCorners = std::array<glm::dvec4, 3>;
+
+constexpr glm::vec2 ScreenSize(40, 20);
+
+bool IsOnScreen(const glm::dvec3& point)
+{
+  return point.x >= 0.0 && point.x <= ScreenSize.x && point.y >= 0.0 && point.y <= ScreenSize.y;
+}
+
+/** Each of its corners is as far from the eye as may be, and every second face is a sliver. */
+ClipCorners FaceNearTheEye(Random& random)
+{
+  ClipCorners corners;
+  for (glm::dvec4& corner : corners)
+  {
+    const double w = std::pow(10.0, random.Between(-1.5, 1.5));
+    corner = { w * random.Between(-60, 90), w * random.Between(-40, 60), 0.03, w };
+  }
+  if (random.OneIn(2))
+  {
+    corners[2] = glm::mix(corners[0], corners[1], random.Between(0.1, 0.9)) +
+      glm::dvec4(random.Point(-1e-3, 1e-3), 0.0);
+  }
+  return corners;
+}
+
+/** Leads there from the ends of the unit vectors. */
+vitrine::ScreenMatrix MatrixTo(const ClipCorners& corners)
+{
+  return { glm::dmat4(corners[0], corners[1], corners[2], glm::dvec4(0.0)),
+    glm::vec4(2e-5f, 2e-5f, 1e-5f, 1e-5f), { 0.004f, 0.004f, 1e-6f }, ScreenSize };
+}
+
+vitrine::OccluderMesh FaceOfUnitVectors()
+{
+  coverage::Triangles face;
+  face.Add({ 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 });
+  return face.Mesh();
+}
+
+/** Where a device draws them that rounds each coordinate by half of what it may. */
+Corners Rounded(const ClipCorners& corners, const glm::vec4& rounding, Random& random)
+{
+  Corners drawn;
+  for (int i = 0; i < 3; ++i)
+  {
+    glm::dvec4 corner = corners[i];
+    for (int axis = 0; axis < 4; ++axis)
+    {
+      const double most = 0.5 * rounding[axis];
+      corner[axis] += random.OneIn(2) ? most : -most;
+    }
+    drawn[i] = glm::dvec3(corner) / corner.w;
+  }
+  return drawn;
+}
+
+/** Whether the corners on the screen are drawn as close to where they are as a margin says, without what is snapped. */
+bool AreWithin(const vitrine::ScreenMargin& margin, const vitrine::ScreenMargin& snapping,
+  const ClipCorners& corners, const Corners& drawn)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 exact = glm::dvec3(corners[i]) / corners[i].w;
+    const glm::dvec3 off = glm::abs(drawn[i] - exact);
+    if (IsOnScreen(exact) &&
+      !(off.x <= margin.Column - snapping.Column && off.y <= margin.Line - snapping.Line &&
+        off.z <= margin.Depth - snapping.Depth))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Somewhere in a face that is snapped besides. */
+glm::dvec3 CoveredOf(const Corners& face, const vitrine::ScreenMargin& snapping, Random& random)
+{
+  const double u = random.Between(0, 1), v = random.Between(0, 1 - u);
+  return face[0] + u * (face[1] - face[0]) + v * (face[2] - face[0]) +
+    glm::dvec3(random.Between(-snapping.Column, snapping.Column),
+      random.Between(-snapping.Line, snapping.Line), 0.0);
+}
+
 }
 
 TEST(DepthPlane, BoundsWhatADeviceDraws)
@@ -79,67 +164,30 @@ TEST(DepthPlane, BoundsFacesWhoseCornersAreRoundedApart)
   int known = 0, unknown = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    vitrine::ScreenMatrix matrix{ glm::dmat4(1.0), glm::vec4(2e-5f, 2e-5f, 1e-5f, 1e-5f),
-      { 0.004f, 0.004f, 1e-6f }, { 40, 20 } };
-    std::array<glm::dvec4, 3> corners; // column, line and depth, times w, and w
-    coverage::Triangles face;
-    for (glm::dvec4& corner : corners)
-    {
-      corner.w = std::pow(10.0, random.Between(-1.5, 1.5));
-      corner = glm::dvec4(
-        corner.w * random.Between(-60, 90), corner.w * random.Between(-40, 60), 0.03, corner.w);
-    }
-    if (random.OneIn(2))
-    {
-      corners[2] = glm::mix(corners[0], corners[1], random.Between(0.1, 0.9)) +
-        glm::dvec4(random.Point(-1e-3, 1e-3), 0.0);
-    }
-    matrix.Matrix = glm::dmat4(corners[0], corners[1], corners[2], glm::dvec4(0.0));
-    face.Add({ 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 });
-    const vitrine::OccluderMesh mesh = face.Mesh();
+    const ClipCorners corners = FaceNearTheEye(random);
+    const vitrine::ScreenMatrix matrix = MatrixTo(corners);
+    const vitrine::OccluderMesh mesh = FaceOfUnitVectors();
     vitrine::MeshProjection projection;
     if (!projection.Project(mesh, matrix))
     {
       continue;
     }
-    const vitrine::MeshFace& onScreen = projection.Faces()[0];
-    const DepthPlane plane(projection, onScreen);
-    Corners drawn;
-    for (int k = 0; k < 3; ++k)
-    {
-      glm::dvec4 corner = corners[k];
-      for (int axis = 0; axis < 4; ++axis)
-      {
-        const double most = 0.5 * matrix.Rounding[axis];
-        corner[axis] += random.OneIn(2) ? most : -most;
-      }
-      drawn[k] = glm::dvec3(corner) / corner.w;
-    }
-    const vitrine::ScreenMargin margin = projection.MarginOf(onScreen);
-    for (int k = 0; k < 3; ++k)
-    {
-      const glm::dvec3 exact = glm::dvec3(corners[k]) / corners[k].w;
-      if (exact.x >= 0.0 && exact.x <= 40.0 && exact.y >= 0.0 && exact.y <= 20.0)
-      {
-        ASSERT_LE(std::abs(drawn[k].x - exact.x), margin.Column - matrix.Snapping.Column);
-        ASSERT_LE(std::abs(drawn[k].y - exact.y), margin.Line - matrix.Snapping.Line);
-        ASSERT_LE(std::abs(drawn[k].z - exact.z), margin.Depth - matrix.Snapping.Depth);
-      }
-    }
+    const vitrine::MeshFace& face = projection.Faces()[0];
+    const DepthPlane plane(projection, face);
+    const Corners drawn = Rounded(corners, matrix.Rounding, random);
+    const vitrine::ScreenMargin margin = projection.MarginOf(face);
+    EXPECT_LE(margin.Column, projection.Margin().Column);
+    ASSERT_TRUE(AreWithin(margin, matrix.Snapping, corners, drawn)) << "seed 9, face " << i;
     for (int sample = 0; sample < 10; ++sample)
     {
-      const double u = random.Between(0, 1), v = random.Between(0, 1 - u);
-      const glm::dvec3 covered = drawn[0] + u * (drawn[1] - drawn[0]) + v * (drawn[2] - drawn[0]) +
-        glm::dvec3(random.Between(-0.004, 0.004), random.Between(-0.004, 0.004), 0.0);
-      const double depth = glm::clamp(coverage::DepthAt(drawn, covered), 0.0, 1.0);
-      if (covered.x < 0.0 || covered.x > 40.0 || covered.y < 0.0 || covered.y > 20.0)
+      const glm::dvec3 covered = CoveredOf(drawn, matrix.Snapping, random);
+      if (IsOnScreen(covered))
       {
-        continue;
+        const double depth = glm::clamp(coverage::DepthAt(drawn, covered), 0.0, 1.0);
+        ASSERT_LE(depth, NearestOf(plane) + 1e-6) << "seed 9, face " << i;
+        ASSERT_GE(depth, plane.Bound().Farthest - 1e-6) << "seed 9, face " << i;
       }
-      ASSERT_LE(depth, NearestOf(plane) + 1e-6) << "seed 9, face " << i;
-      ASSERT_GE(depth, plane.Bound().Farthest - 1e-6) << "seed 9, face " << i;
     }
-    ASSERT_LE(margin.Column, projection.Margin().Column);
     ++(NearestOf(plane) < 1.5f ? known : unknown);
   }
   EXPECT_GT(known, 5000);

@@ -32,14 +32,20 @@ ScreenProjection ProjectionOf(const View& view)
     { float(Snapped), float(Snapped), 0x1p-21f }, Growth);
 }
 
-/** Hides what is farther than a depth, on some lines. */
-SBuffer WallOf(float depth, int lines = FrameLines)
+/** Lets a buffer hide what is farther than a depth, on some lines, and nothing else. */
+void BuildWall(SBuffer& buffer, float depth, int lines = FrameLines)
 {
-  SBuffer buffer(FrameColumns, FrameLines);
+  buffer.Clear();
   for (int line = 0; line < lines; ++line)
   {
     buffer.Insert(line, { 0.0f, float(FrameColumns), depth, depth, 1 });
   }
+}
+
+SBuffer WallOf(float depth, int lines = FrameLines)
+{
+  SBuffer buffer(FrameColumns, FrameLines);
+  BuildWall(buffer, depth, lines);
   return buffer;
 }
 
@@ -80,6 +86,7 @@ MeshLine LineAhead(bool isParallel, Random& random)
 TEST(HiddenLines, ShowWhereTheyAreDrawnBeyondTheirEnds)
 {
   Random random(41);
+  SBuffer buffer(FrameColumns, FrameLines);
   int hidden = 0, shown = 0, beyond = 0;
   for (int round = 0; round < 20000; ++round)
   {
@@ -92,7 +99,8 @@ TEST(HiddenLines, ShowWhereTheyAreDrawnBeyondTheirEnds)
     const double before =
       std::min(0.1, random.OneIn(2) ? random.Between(1, 3) * unsnapped : random.Between(0, 0.01));
     const float wall = static_cast<float>(nearest + before);
-    const bool isHidden = IsHidden(line, view, WallOf(wall));
+    BuildWall(buffer, wall);
+    const bool isHidden = IsHidden(line, view, buffer);
     ++(isHidden ? hidden : shown);
     const double drawn = NearestDrawn(Snap(from, random), Snap(to, random));
     beyond += drawn > nearest + before;

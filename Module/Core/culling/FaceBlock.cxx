@@ -62,7 +62,7 @@ void FaceBlock::Find(const MeshProjection& projection)
     { { a.Column, b.Column, c.Column }, { a.Line, b.Line, c.Line }, { a.Depth, b.Depth, c.Depth },
       { a.InverseW, b.InverseW, c.InverseW } },
     rounding, snapping);
-  const ScreenMargin atOne = rounding.MarginAt(1.0f, {});
+  const ScreenMargin atOne = rounding.OnScreenAtOne();
   const Lanes inverse = GreatestOf(a.InverseW, b.InverseW, c.InverseW);
   const Lanes aside = snapping.Column + atOne.Column * inverse;
   const Lanes above = snapping.Line + atOne.Line * inverse;

@@ -191,10 +191,8 @@ double ScreenProjection::SmallestScale() const
 
 double ScreenProjection::RoundingAtOne() const
 {
-  const glm::vec4& rounding = this->World.Rounding;
-  const glm::vec2& size = this->World.Size;
-  return static_cast<double>(
-           std::max(rounding.x + size.x * rounding.w, rounding.y + size.y * rounding.w)) /
+  const ScreenMargin atOne = this->World.RoundingOnScreen().OnScreenAtOne();
+  return static_cast<double>(std::max(atOne.Column, atOne.Line)) /
     WAtOne(glm::transpose(this->World.Matrix)[3]);
 }
 
@@ -244,19 +242,17 @@ void ScreenProjection::Project(
     lines.Add(corners.At(corner, 1) * inverse);
     depths.Add(corners.At(corner, 2) * inverse);
   }
-  const glm::vec4& rounding = this->World.Rounding;
   const ScreenMargin& snapping = this->World.Snapping;
+  const ScreenMargin atOne = this->World.RoundingOnScreen().OnScreenAtOne();
   const glm::vec2& screen = this->World.Size;
   const Lanes inverse = 1.0f / leastW;
-  const Lanes aside =
-    snapping.Column + this->Growth.x + (rounding.x + screen.x * rounding.w) * inverse;
-  const Lanes above =
-    snapping.Line + this->Growth.y + (rounding.y + screen.y * rounding.w) * inverse;
-  const Lanes nearer = snapping.Depth + (rounding.z + rounding.w) * inverse;
+  const Lanes aside = snapping.Column + this->Growth.x + atOne.Column * inverse;
+  const Lanes above = snapping.Line + this->Growth.y + atOne.Line * inverse;
+  const Lanes nearer = snapping.Depth + atOne.Depth * inverse;
   const Lanes left = columns.Least - aside, right = columns.Greatest + aside;
   const Lanes bottom = lines.Least - above, top = lines.Greatest + above;
   const Lanes nearest = depths.Greatest + nearer;
-  const LaneMask isBeforeEye = leastW > AllLanes(rounding.w);
+  const LaneMask isBeforeEye = leastW > AllLanes(this->World.Rounding.w);
   const LaneMask isOutside = isBeforeEye &
     ((right < AllLanes(0.0f)) | (left > AllLanes(screen.x)) | (top < AllLanes(0.0f)) |
       (bottom > AllLanes(screen.y)) | (nearest < AllLanes(0.0f)) |

@@ -4,6 +4,7 @@
 #include "Core/culling/BoxLanes.h"
 #include "Core/culling/PlaneView.h"
 #include "Core/culling/SBuffer.h"
+#include "Core/culling/ScreenRounding.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -13,46 +14,6 @@
 
 namespace vitrine
 {
-
-/** By how much a device may draw something elsewhere than it is: in columns, lines, and reversed depth. */
-struct ScreenMargin
-{
-  float Column = 0.0f;
-  float Line = 0.0f;
-  float Depth = 0.0f;
-};
-
-/** What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, or of the largest that the screen has, as much as they round of w. */
-struct CoordinateRounding
-{
-  float Own;
-  float OfW;
-  float Largest;
-
-  /** On the screen, where w is 1; elsewhere as much over w. */
-  float OnScreenAtOne() const { return this->Own + this->Largest * this->OfW; }
-};
-
-/** What they round of columns, lines and depths. */
-struct ScreenRounding
-{
-  CoordinateRounding Columns, Lines, Depths;
-
-  /** Of all points as much as a margin has besides what is snapped, wherever w is 1. */
-  static ScreenRounding Within(const ScreenMargin& margin, const ScreenMargin& snapping)
-  {
-    return { { margin.Column - snapping.Column, 0.0f, 0.0f },
-      { margin.Line - snapping.Line, 0.0f, 0.0f }, { margin.Depth - snapping.Depth, 0.0f, 0.0f } };
-  }
-
-  /** Of points on the screen, and what is snapped besides. */
-  ScreenMargin MarginAt(float inverseOfW, const ScreenMargin& snapping) const
-  {
-    return { snapping.Column + this->Columns.OnScreenAtOne() * inverseOfW,
-      snapping.Line + this->Lines.OnScreenAtOne() * inverseOfW,
-      snapping.Depth + this->Depths.OnScreenAtOne() * inverseOfW };
-  }
-};
 
 /** A map to column, line and reversed depth, each times w, and w; and how far off a device may be that makes it in floats. */
 struct ScreenMatrix
