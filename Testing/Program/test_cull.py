@@ -29,7 +29,7 @@ class Cull(FileTest):
         self.assertEqual(
             told["settings"],
             {"width": 120, "height": 67, "multisamples": 0, "poses": 6, "seed": 1,
-             "method": "vtk-oit", "buffer_lines": 270},
+             "method": "vtk-oit", "buffer_lines": 270, "turn_degrees": 0.0},
         )  # fmt: skip
         self.assertEqual(
             [row["input"] for row in told["results"]],
@@ -48,6 +48,14 @@ class Cull(FileTest):
                 self.assertEqual((row["parts"], row["opaque_parts"]), (300, 300))
                 self.assertEqual(row["wrong_pixels"], 0)
                 self.assertGreater(row["culled_share"], 0.5 * row["ideal_share"])
+
+    def test_camera_may_turn_between_frames(self):
+        still, turning = (
+            cull("demo:assembly,parts=300", "--turn", degrees)["results"][0]
+            for degrees in ("0", "2.5")
+        )
+        self.assertEqual((still["wrong_pixels"], turning["wrong_pixels"]), (0, 0))
+        self.assertEqual(still["ideal"], turning["ideal"])
 
     def test_parts_may_be_blocks_and_runs_of_a_mesh(self):
         as_actors, as_blocks, as_mesh = (

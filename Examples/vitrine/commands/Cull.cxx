@@ -143,6 +143,13 @@ void AddCullCommand(CLI::App& app)
     ->type_name("N")
     ->check(CLI::Range(1, 4096))
     ->capture_default_str();
+  command
+    ->add_option("--turn", options->Settings.TurnDegrees,
+      "degrees by which the camera turns around its focal point from the frame before to the "
+      "measured one")
+    ->type_name("D")
+    ->check(NumberWithin(0.0, 360.0))
+    ->capture_default_str();
   command->add_flag(
     "--without-ideal", options->WithoutIdeal, "do not count what a perfect culler would draw");
   command

@@ -82,7 +82,7 @@ public:
   /** What VTK builds for all parts when it first draws them. */
   void BuildBuffers(vtkCamera* camera) { this->Measure(camera); }
 
-  /** What the culler makes of parts when it first sees them. */
+  /** The frame before: what the culler makes of parts when it first sees them. */
   void Prepare(vtkCamera* camera)
   {
     CullFrame frame;
@@ -177,6 +177,14 @@ private:
   std::vector<std::uint8_t> Picture; ///< with our culler
 };
 
+vtkSmartPointer<vtkCamera> Turned(vtkCamera* camera, double degrees)
+{
+  auto turned = vtkSmartPointer<vtkCamera>::New();
+  turned->DeepCopy(camera);
+  turned->Azimuth(degrees);
+  return turned;
+}
+
 void AddIdeal(CullRun& run, CullStage& stage, ItemBuffer& ideal, vtkCamera* camera)
 {
   CullFrame& frame = run.Frames.back();
@@ -208,7 +216,11 @@ CullRun MeasureCulling(
   {
     progress(i);
     const vtkSmartPointer<vtkCamera> camera = poses.Next();
-    i == 0 ? stage.BuildBuffers(camera) : stage.Prepare(camera);
+    if (i == 0)
+    {
+      stage.BuildBuffers(camera);
+    }
+    stage.Prepare(Turned(camera, settings.TurnDegrees));
     run.Frames.push_back(stage.Measure(camera));
     if (ideal)
     {

@@ -26,7 +26,8 @@ struct CullSettings
   std::uint64_t Seed = 1;
   std::string Method = "vtk-oit";
   int BufferLines = 270;
-  bool CountsIdeal = true; ///< where parts are those of the scene
+  double TurnDegrees = 0.0; ///< of the camera around its focal point since the frame before
+  bool CountsIdeal = true;  ///< where parts are those of the scene
   SceneForm Form = SceneForm::Actors;
   bool ShowsBuffer = false; ///< in a picture of the last pose
 };
