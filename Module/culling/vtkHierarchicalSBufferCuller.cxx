@@ -95,7 +95,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   ShapedCuller OfSelections;       ///< so that what is known of the last frame stays
   std::vector<std::uint8_t> Drawn; ///< each part
   std::vector<std::uint8_t> Visible;
-  bool HasCulled = false; ///< in the last frame that was no selection
+  bool HasBuffer = false; ///< of the last frame that was no selection
   vtkSmartPointer<vtkImageData> BufferImage;
   std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
 
@@ -154,10 +154,13 @@ double vtkHierarchicalSBufferCuller::Cull(
   this->NumberOfDrawnParts = listLength;
   // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden beside them.
   const double total = initialized ? SumOfMultipliers(propList, listLength) : listLength;
-  const bool hasCulled = this->Culling && this->DropHidden(renderer, propList, listLength);
   if (!renderer->GetSelector())
   {
-    this->Renderers->At(renderer).HasCulled = hasCulled;
+    this->Renderers->At(renderer).HasBuffer = false;
+  }
+  if (this->Culling)
+  {
+    this->DropHidden(renderer, propList, listLength);
   }
   this->NumberOfDrawnProps = listLength;
   if (!initialized)
@@ -170,8 +173,8 @@ double vtkHierarchicalSBufferCuller::Cull(
   return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
 }
 
-/** Returns false if nothing is known of the view. */
-bool vtkHierarchicalSBufferCuller::DropHidden(
+/** Nothing, if nothing is known of the view. */
+void vtkHierarchicalSBufferCuller::DropHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
   State::CulledRenderer& known = this->Renderers->At(renderer);
@@ -182,7 +185,7 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   if (!vitrine::ShowsTheViewAlone(renderer, this->Renderers->KnownPasses) ||
     !view.Read(renderer, this->BufferLines, parts))
   {
-    return false;
+    return;
   }
   parts.MarkDrawn(known.Visible);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
@@ -195,6 +198,7 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   {
     parts.ShowBehindBlended(culler.Samples(), view.Projection(), known.Drawn, known.Visible);
     parts.LookAgain(culler, view.Projection(), known.Drawn, known.Visible);
+    known.HasBuffer = true;
   }
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
@@ -202,7 +206,6 @@ bool vtkHierarchicalSBufferCuller::DropHidden(
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.BufferCounts().Inserted);
   this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.BufferCounts().Comparisons);
-  return true;
 }
 
 void vtkHierarchicalSBufferCuller::AddKnownPass(const char* className)
@@ -219,7 +222,7 @@ void vtkHierarchicalSBufferCuller::AddKnownPass(const char* className)
 vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)
 {
   const auto found = this->Renderers->Of.find(renderer);
-  if (found == this->Renderers->Of.end() || !found->second.Renderer || !found->second.HasCulled)
+  if (found == this->Renderers->Of.end() || !found->second.Renderer || !found->second.HasBuffer)
   {
     return nullptr;
   }

@@ -103,7 +103,7 @@ public:
   /**
    * What a renderer's s-buffer held at the end of its last frame, of the last eye: floats named "ReversedDepth", as many as it has
    * columns and lines, the bottom line first. 0 where nothing is sure to cover all of the place; elsewhere 1 minus the greatest
-   * depth that a z-buffer may hold there. Null where that frame was not culled, or there was none.
+   * depth that a z-buffer may hold there. Null where that frame was not culled, or by the view alone, or there was none.
    *
    * Each call makes a new image, which the culler holds until the next one.
    */
@@ -132,7 +132,7 @@ private:
   vtkHierarchicalSBufferCuller(const vtkHierarchicalSBufferCuller&) = delete;
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
-  bool DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+  void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
   void KeepShown(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 
   struct State; // of each renderer

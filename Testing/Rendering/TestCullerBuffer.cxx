@@ -132,6 +132,21 @@ TEST_P(CullerBuffer, IsNullWithoutAFrameThatWasCulled)
   this->ImageOfFrame();
 }
 
+// A window that smooths lines blends their edges with what is behind: its frames are culled by the view alone.
+TEST_P(CullerBuffer, IsNullWithoutAFrameInWhichPartsHide)
+{
+  Scene.AddWall();
+  vtkRenderWindow* const window = Scene.Window;
+  window->LineSmoothingOn();
+  Scene.Render();
+  EXPECT_FALSE(Scene.Culler->GetBufferImage(Scene.Renderer));
+  window->LineSmoothingOff();
+  this->ImageOfFrame();
+  window->LineSmoothingOn();
+  Scene.Render();
+  EXPECT_FALSE(Scene.Culler->GetBufferImage(Scene.Renderer));
+}
+
 TEST_P(CullerBuffer, StaysAsItIsWhileOnePicks)
 {
   Scene.AddWall();
