@@ -29,7 +29,7 @@ class Cull(FileTest):
         self.assertEqual(
             told["settings"],
             {"width": 120, "height": 67, "multisamples": 0, "poses": 6, "seed": 1,
-             "method": "vtk-oit", "buffer_lines": 270, "turn_degrees": 0.0},
+             "method": "vtk-oit", "buffer_lines": 270, "turn_degrees": 0.0, "skipped_poses": 0},
         )  # fmt: skip
         self.assertEqual(
             [row["input"] for row in told["results"]],
@@ -48,6 +48,15 @@ class Cull(FileTest):
                 self.assertEqual((row["parts"], row["opaque_parts"]), (300, 300))
                 self.assertEqual(row["wrong_pixels"], 0)
                 self.assertGreater(row["culled_share"], 0.5 * row["ideal_share"])
+
+    def test_poses_may_be_skipped(self):
+        all_poses, last = (
+            cull("demo:assembly,parts=300", *skipped)["results"][0]["poses"]
+            for skipped in ((), ("--skip", "4"))
+        )
+        ideal = [pose["ideal"] for pose in all_poses]
+        self.assertEqual([pose["ideal"] for pose in last[:2]], ideal[4:])
+        self.assertNotEqual(ideal[:2], ideal[4:])
 
     def test_camera_may_turn_between_frames(self):
         still, turning = (

@@ -126,6 +126,12 @@ void AddCullCommand(CLI::App& app)
     ->type_name("N")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
+  command
+    ->add_option("--skip", options->Settings.SkippedPoses,
+      "begin after so many poses, as to see one again, or to share out many")
+    ->type_name("N")
+    ->check(CLI::Range(0, 1000000))
+    ->capture_default_str();
   AddSeedOption(*command, options->Settings.Seed, "poses");
   command->add_option("--projection", options->Projection, "of the poses")
     ->type_name("perspective|parallel|both")

@@ -212,6 +212,10 @@ CullRun MeasureCulling(
     run.HasIdealFrames = run.OpaqueParts > 0 && settings.Form == SceneForm::Actors;
   }
   CullPoses poses(scene, settings.Projection, settings.Seed);
+  for (int i = 0; i < settings.SkippedPoses; ++i)
+  {
+    poses.Next();
+  }
   for (int i = 0; i < settings.Poses; ++i)
   {
     progress(i);

@@ -22,6 +22,7 @@ struct CullSettings
   PictureSize Size = { 480, 270 };
   int Multisamples = 0;
   int Poses = 20;
+  int SkippedPoses = 0; ///< of the row, before the first one
   PoseProjection Projection = PoseProjection::Both;
   std::uint64_t Seed = 1;
   std::string Method = "vtk-oit";

@@ -141,7 +141,8 @@ std::string ToJson(const std::vector<CullRun>& runs)
   document["settings"] = { { "width", settings.Size.Width }, { "height", settings.Size.Height },
     { "multisamples", settings.Multisamples }, { "poses", settings.Poses },
     { "seed", settings.Seed }, { "method", settings.Method },
-    { "buffer_lines", settings.BufferLines }, { "turn_degrees", settings.TurnDegrees } };
+    { "buffer_lines", settings.BufferLines }, { "turn_degrees", settings.TurnDegrees },
+    { "skipped_poses", settings.SkippedPoses } };
   document["results"] = Json::array();
   for (const CullRun& run : runs)
   {
