@@ -85,7 +85,7 @@ public:
   /** Whether the item stands in the tree. */
   bool Holds(std::uint32_t item) const { return item < this->IsHeld.size() && this->IsHeld[item]; }
 
-  /** How many items were ever put. */
+  /** One more than the largest number of an item that was ever put. */
   std::size_t ItemCount() const { return this->IsHeld.size(); }
 
   /** Those of them that do not stand in the tree, in order. */
