@@ -28,21 +28,14 @@ namespace
 const int LeastSubpixelBits = 4;
 const int MostSubpixelBits = 8;
 
-// Of a step: to the nearest one it is a half; Direct3D allows a tenth more where floats become numbers of fixed point, and devices of today serve both (D3D11_FLOAT32_TO_INTEGER_TOLERANCE_IN_ULP).
-const float SnappedSteps = 0.6f;
-
-// Direct3D has devices tell 1/256: nothing is known of those that tell less.
-const float SnappedCoarseSteps = 1.0f;
-
 // Of reversed depth: a few steps of a depth buffer of 24 bits.
 const float SnappedDepth = 0x1p-21f;
 
-/** By how many pixels the window's rasteriser may move corners. */
+/** By how many pixels the window's rasteriser may move corners: a whole step, of which it takes a half if it goes to the nearest one, and leaves the rest for what it rounds where it takes depths. */
 float SnappedPixelsOf(vtkRenderer* renderer)
 {
   const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
-  return std::ldexp(bits < MostSubpixelBits ? SnappedCoarseSteps : SnappedSteps,
-    -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
+  return std::ldexp(1.0f, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
 }
 
 /** Whether VTK draws with the matrices that the camera tells now, and nothing else. */
