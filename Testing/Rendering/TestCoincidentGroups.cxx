@@ -70,7 +70,7 @@ TEST_P(CoincidentGroups, WithoutAnyIsThePictureWithoutTheTolerance)
 {
   for (const int samples : { 0, 4 })
   {
-    for (const int layers : samples > 0 ? std::vector{ 30, 1100 } : std::vector{ 7, 65, 3000 })
+    for (const int layers : samples > 0 ? Multisampled : SingleSampled)
     {
       SCOPED_TRACE(std::to_string(layers) + " layers, samples " + std::to_string(samples));
       TestScene scene(9, 6, samples);
