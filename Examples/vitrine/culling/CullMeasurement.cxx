@@ -4,6 +4,7 @@
 #include "culling/IdealCuller.h"
 #include "culling/ItemBuffer.h"
 #include "methods/VTKMethods.h"
+#include "scene/Viewpoint.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
@@ -185,14 +186,6 @@ private:
   std::vector<std::uint8_t> Picture; ///< with our culler
 };
 
-vtkSmartPointer<vtkCamera> Turned(vtkCamera* camera, double degrees)
-{
-  auto turned = vtkSmartPointer<vtkCamera>::New();
-  turned->DeepCopy(camera);
-  turned->Azimuth(degrees);
-  return turned;
-}
-
 void AddIdeal(CullRun& run, CullStage& stage, ItemBuffer& ideal, vtkCamera* camera)
 {
   CullFrame& frame = run.Frames.back();
@@ -220,10 +213,7 @@ CullRun MeasureCulling(
     run.HasIdealFrames = run.OpaqueParts > 0 && settings.Form == SceneForm::Actors;
   }
   CullPoses poses(scene, settings.Projection, settings.Seed);
-  for (int i = 0; i < settings.SkippedPoses; ++i)
-  {
-    poses.Next();
-  }
+  poses.Skip(settings.SkippedPoses);
   for (int i = 0; i < settings.Poses; ++i)
   {
     progress(i);
@@ -232,7 +222,7 @@ CullRun MeasureCulling(
     {
       stage.BuildBuffers(camera);
     }
-    stage.Prepare(Turned(camera, settings.TurnDegrees));
+    stage.Prepare(Orbit(camera, settings.TurnDegrees));
     run.Frames.push_back(stage.Measure(camera));
     if (ideal)
     {

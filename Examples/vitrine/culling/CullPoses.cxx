@@ -57,4 +57,12 @@ vtkSmartPointer<vtkCamera> CullPoses::Next()
   return camera;
 }
 
+void CullPoses::Skip(int poses)
+{
+  for (int i = 0; i < poses; ++i)
+  {
+    this->Next();
+  }
+}
+
 }

@@ -30,6 +30,9 @@ public:
   /** The scene is seen from outside, from within, or from near by, in turns. */
   vtkSmartPointer<vtkCamera> Next();
 
+  /** Go past so many. */
+  void Skip(int poses);
+
 private:
   std::array<double, 3> Direction();
 

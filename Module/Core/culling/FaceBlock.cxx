@@ -62,18 +62,16 @@ void FaceBlock::Find(const MeshProjection& projection)
     { { a.Column, b.Column, c.Column }, { a.Line, b.Line, c.Line }, { a.Depth, b.Depth, c.Depth },
       { a.InverseW, b.InverseW, c.InverseW } },
     rounding, snapping);
-  const ScreenMargin atOne = rounding.OnScreenAtOne();
-  const Lanes inverse = GreatestOf(a.InverseW, b.InverseW, c.InverseW);
-  const Lanes aside = snapping.Column + atOne.Column * inverse;
-  const Lanes above = snapping.Line + atOne.Line * inverse;
-  const Lanes nearest = GreatestOf(a.Depth, b.Depth, c.Depth) +
-    (snapping.Depth + atOne.Depth * inverse) + slopes.Beyond;
+  const auto margin = rounding.MarginAt(GreatestOf(a.InverseW, b.InverseW, c.InverseW), snapping);
+  const Lanes nearest = GreatestOf(a.Depth, b.Depth, c.Depth) + margin.Depth + slopes.Beyond;
   const Lanes sum = a.Column + b.Column + c.Column + a.Line + b.Line + c.Line + nearest;
   const LaneMask isFinite = sum - sum == AllLanes(0.0f);
-  StoreWhere(isFinite, LeastOf(a.Column, b.Column, c.Column) - aside, -BeyondAll, this->Left);
-  StoreWhere(isFinite, GreatestOf(a.Column, b.Column, c.Column) + aside, BeyondAll, this->Right);
-  StoreWhere(isFinite, LeastOf(a.Line, b.Line, c.Line) - above, -BeyondAll, this->Bottom);
-  StoreWhere(isFinite, GreatestOf(a.Line, b.Line, c.Line) + above, BeyondAll, this->Top);
+  StoreWhere(
+    isFinite, LeastOf(a.Column, b.Column, c.Column) - margin.Column, -BeyondAll, this->Left);
+  StoreWhere(
+    isFinite, GreatestOf(a.Column, b.Column, c.Column) + margin.Column, BeyondAll, this->Right);
+  StoreWhere(isFinite, LeastOf(a.Line, b.Line, c.Line) - margin.Line, -BeyondAll, this->Bottom);
+  StoreWhere(isFinite, GreatestOf(a.Line, b.Line, c.Line) + margin.Line, BeyondAll, this->Top);
   StoreWhere(isFinite, nearest, BeyondAll, this->Nearest);
 }
 

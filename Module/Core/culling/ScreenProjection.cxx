@@ -243,20 +243,18 @@ void ScreenProjection::Project(
     depths.Add(corners.At(corner, 2) * inverse);
   }
   const ScreenMargin& snapping = this->World.Snapping;
-  const ScreenMargin atOne = this->World.RoundingOnScreen().OnScreenAtOne();
+  const ScreenMargin grown = { snapping.Column + this->Growth.x, snapping.Line + this->Growth.y,
+    snapping.Depth };
+  const auto margin = this->World.RoundingOnScreen().MarginAt(1.0f / leastW, grown);
   const glm::vec2& screen = this->World.Size;
-  const Lanes inverse = 1.0f / leastW;
-  const Lanes aside = snapping.Column + this->Growth.x + atOne.Column * inverse;
-  const Lanes above = snapping.Line + this->Growth.y + atOne.Line * inverse;
-  const Lanes nearer = snapping.Depth + atOne.Depth * inverse;
-  const Lanes left = columns.Least - aside, right = columns.Greatest + aside;
-  const Lanes bottom = lines.Least - above, top = lines.Greatest + above;
-  const Lanes nearest = depths.Greatest + nearer;
+  const Lanes left = columns.Least - margin.Column, right = columns.Greatest + margin.Column;
+  const Lanes bottom = lines.Least - margin.Line, top = lines.Greatest + margin.Line;
+  const Lanes nearest = depths.Greatest + margin.Depth;
   const LaneMask isBeforeEye = leastW > AllLanes(this->World.Rounding.w);
   const LaneMask isOutside = isBeforeEye &
     ((right < AllLanes(0.0f)) | (left > AllLanes(screen.x)) | (top < AllLanes(0.0f)) |
       (bottom > AllLanes(screen.y)) | (nearest < AllLanes(0.0f)) |
-      (depths.Least - nearer > AllLanes(1.0f)));
+      (depths.Least - margin.Depth > AllLanes(1.0f)));
   StoreLanes(left, rectangles.Left);
   StoreLanes(right, rectangles.Right);
   StoreLanes(bottom, rectangles.Bottom);

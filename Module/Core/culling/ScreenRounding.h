@@ -1,16 +1,20 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_ROUNDING_H
 #define VITRINE_CORE_CULLING_SCREEN_ROUNDING_H
 
+#include "Core/culling/Lanes.h"
+
 namespace vitrine
 {
 
-/** By how much a device may draw something elsewhere than it is: in columns, lines, and reversed depth. */
-struct ScreenMargin
+/** By how much a device may draw something elsewhere than it is: in columns, lines, and reversed depth; of one thing, or of Lanes of them. */
+template <typename Number>
+struct ScreenMarginOf
 {
-  float Column = 0.0f;
-  float Line = 0.0f;
-  float Depth = 0.0f;
+  Number Column{};
+  Number Line{};
+  Number Depth{};
 };
+using ScreenMargin = ScreenMarginOf<float>;
 
 /** What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, or of the largest that the screen has, as much as they round of w. */
 struct CoordinateRounding
@@ -43,7 +47,9 @@ struct ScreenRounding
   }
 
   /** Of points on the screen, and what is snapped besides. */
-  ScreenMargin MarginAt(float inverseOfW, const ScreenMargin& snapping) const
+  template <typename Number>
+  VITRINE_INLINE ScreenMarginOf<Number> MarginAt(
+    Number inverseOfW, const ScreenMargin& snapping) const
   {
     const ScreenMargin atOne = this->OnScreenAtOne();
     return { snapping.Column + atOne.Column * inverseOfW, snapping.Line + atOne.Line * inverseOfW,
