@@ -31,7 +31,10 @@ const int MostSubpixelBits = 8;
 // Of reversed depth: a few steps of a depth buffer of 24 bits.
 const float SnappedDepth = 0x1p-21f;
 
-/** By how many pixels the window's rasteriser may move corners: a whole step, of which it takes a half if it goes to the nearest one, and leaves the rest for what it rounds where it takes depths. */
+// What floats round of a place in the window, as a share of it, where a device takes depths from a plane that counts from the window's corner: as if it took them elsewhere.
+const float RoundingOfPlaces = 0x1p-21f;
+
+/** By how many pixels the window's rasteriser may move corners: a whole step, of which it takes a half if it goes to the nearest one. */
 float SnappedPixelsOf(vtkRenderer* renderer)
 {
   const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
@@ -103,8 +106,11 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   const ViewMatrices matrices = ViewMatricesOf(renderer);
   const glm::dmat4 toView = MatrixOf(matrices.data());
   const glm::dmat4 toClip = MatrixOf(matrices.data() + 16) * glm::translate(toView, parts.Origin());
-  const float snapped = SnappedPixelsOf(renderer) / static_cast<float>(pixels);
-  const ScreenMargin snapping{ snapped, snapped, SnappedDepth };
+  const float snapped = SnappedPixelsOf(renderer);
+  const ScreenMargin snapping{ (snapped + RoundingOfPlaces * static_cast<float>(left + width)) /
+      static_cast<float>(pixels),
+    (snapped + RoundingOfPlaces * static_cast<float>(bottom + height)) / static_cast<float>(pixels),
+    SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);
   this->Known.emplace(toClip, static_cast<double>(width) / pixels,
     static_cast<double>(height) / pixels, parts.Reach(), snapping, growth);

@@ -68,7 +68,8 @@ TEST_P(FaceCoverage, TakesTheFarEndOfALine)
   for (const double top : { 0.1, 0.9 })
   {
     Triangles slanted;
-    slanted.AddQuad({ -1, 0, 0.5 }, { 41, 0, 0.5 }, { 41, 20, top }, { -1, 20, top });
+    const double step = (top - 0.5) / 20.0, below = 0.5 - step, above = top + step;
+    slanted.AddQuad({ -1, -1, below }, { 41, -1, below }, { 41, 21, above }, { -1, 21, above });
     const Covered covered(GetParam(), slanted);
     for (int line = 1; line < 19; ++line)
     {

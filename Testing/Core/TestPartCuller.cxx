@@ -184,7 +184,7 @@ TEST(PartCuller, WhatReachesBeforeTheNearPlaneIsNotHidden)
 {
   PartScene scene;
   scene.Add(WallAt(-1.5));
-  const std::uint32_t around = scene.AddBox({ -30, -30, -50 }, { 30, 30, 30 });
+  const std::uint32_t around = scene.AddBox({ -33, -31, -50 }, { 30, 32, 30 });
   const std::uint32_t behind = scene.AddBox({ -1, -1, -32 }, { 1, 1, -30 });
   PartCuller culler(FrameColumns, FrameLines);
   scene.Cull(culler, AheadView(false));

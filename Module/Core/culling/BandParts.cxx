@@ -253,8 +253,7 @@ void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 /** Whether all facets of a part that is projected are looked at together. */
 bool BandParts::HasFewFacets(const Occluder& occluder) const
 {
-  return occluder.Mesh->Few() && this->Tools.Projected.IsBehindNear() &&
-    this->Tools.Lines.BySample();
+  return occluder.Mesh->Few() && !this->Tools.Projected.MayBeCut() && this->Tools.Lines.BySample();
 }
 
 /** Returns false if they do not tell what is covered. */
@@ -298,7 +297,7 @@ bool BandParts::IsSimple(const Occluder& occluder) const
   const std::size_t faces = occluder.Mesh->Faces().size();
   const bool areFacesWorthIt = faces > FewFaces && this->Tools.Lines.Samples().HasOneRowPerLine() &&
     this->Tools.Budget.CanSpare(faces);
-  return !areFacesWorthIt && this->Tools.Projected.IsBehindNear() &&
+  return !areFacesWorthIt && !this->Tools.Projected.MayBeCut() &&
     around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
 }
 

@@ -8,6 +8,9 @@
 namespace vitrine
 {
 
+template <class Number>
+struct FacePlaces;
+
 /** A face's depth as a function of the place on the screen, and what is known of it where that is too steep (FaceSlopes.h). */
 class DepthPlane
 {
@@ -21,6 +24,14 @@ public:
 
   /** Of a face of a mesh, whose corners a device rounds the more the nearer they are. */
   DepthPlane(const MeshProjection& projection, const MeshFace& face);
+
+  /** Has what may be drawn be off by more. */
+  void Unsettle(float depth)
+  {
+    this->Below.Slack += depth;
+    this->Below.Farthest -= depth;
+    this->Nearest += depth;
+  }
 
   /** What nothing that may be drawn is farther than. */
   const SlantedDepth& Bound() const { return this->Below; }
@@ -56,8 +67,8 @@ public:
   }
 
 private:
-  DepthPlane(const ScreenPoint (&corners)[3], const float (&inversesOfW)[3],
-    const ScreenRounding& rounding, const ScreenMargin& margin, const ScreenMargin& snapping);
+  DepthPlane(const FacePlaces<float>& places, const ScreenRounding& rounding,
+    const ScreenMargin& margin, const ScreenMargin& snapping);
 
   SlantedDepth Below;
   float Nearest;

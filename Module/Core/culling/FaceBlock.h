@@ -38,6 +38,22 @@ public:
 
   const MeshFace& Face(int lane) const { return *this->Faces[lane]; }
 
+  /** Has no face be nearer than that. */
+  void LimitNearest(float nearest)
+  {
+    StoreLanes(LeastOf(LoadLanes(this->Nearest), AllLanes(nearest)), this->Nearest);
+  }
+
+  /** Has depths of one of the faces be off by more. */
+  void Unsettle(int lane, float depth)
+  {
+    this->UnsteadyBy[lane] = depth;
+    this->Nearest[lane] += depth;
+  }
+
+  /** That. */
+  float Unsteady(int lane) const { return this->UnsteadyBy[lane]; }
+
   /**
    * Around one of the faces, margin included, and the nearest depth at which a device may draw it. It is everywhere and hidden by nothing if it is not finite.
    */
@@ -57,6 +73,7 @@ private:
   void Find(const MeshProjection& projection);
 
   float Left[LaneCount], Right[LaneCount], Bottom[LaneCount], Top[LaneCount], Nearest[LaneCount];
+  float UnsteadyBy[LaneCount] = {};
   const MeshFace* Faces[LaneCount];
   std::size_t First = 0;
   int Count;

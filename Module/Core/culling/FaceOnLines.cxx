@@ -7,6 +7,12 @@
 namespace vitrine
 {
 
+FaceOnLines::FaceOnLines(const MeshProjection& projection, const FaceBlock& block, int lane)
+  : FaceOnLines(projection, block.Face(lane), block.At(lane))
+{
+  this->Plane.Unsettle(block.Unsteady(lane));
+}
+
 FaceOnLines::FaceOnLines(
   const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around)
   : Around(around)

@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_FACE_ON_LINES_H
 
 #include "Core/culling/DepthPlane.h"
+#include "Core/culling/FaceBlock.h"
 #include "Core/culling/Lanes.h"
 #include "Core/culling/LineExtent.h"
 #include "Core/culling/MeshProjection.h"
@@ -23,11 +24,8 @@ public:
     float Right[LaneCount];
   };
 
-  /**
-   * @param around  the face, margin included
-   */
-  FaceOnLines(
-    const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around);
+  /** Of one of the faces of a block. */
+  FaceOnLines(const MeshProjection& projection, const FaceBlock& block, int lane);
 
   /** Those that it may touch, of a screen that has so many. */
   LineRange Lines(int count) const;
@@ -49,7 +47,10 @@ public:
   HideableSegmentLanes Pieces(int line, float inset) const;
 
 private:
-  ScreenRectangle Around;
+  FaceOnLines(
+    const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around);
+
+  ScreenRectangle Around; ///< the face, margin included
   ScreenEdge Edges[3];
   float Own;
   float Aside, Above;

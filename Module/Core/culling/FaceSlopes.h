@@ -55,6 +55,13 @@ struct FaceSides
       off[2] * SizeOf(this->First);
   }
 
+  /** From one corner to another at most. */
+  VITRINE_INLINE Number Largest() const
+  {
+    return GreatestOf(
+      GreatestOf(SizeOf(this->First), SizeOf(this->Second)), SizeOf(this->Second - this->First));
+  }
+
   VITRINE_INLINE Number SumOff() const { return this->Off[0] + this->Off[1] + this->Off[2]; }
 
 private:
@@ -71,6 +78,44 @@ template <class Number>
 struct FacePlaces
 {
   Number Columns[3], Lines[3], Depths[3], InversesOfW[3];
+};
+
+/** A difference of products of sides, be it twice the area of a face or what a slope has of that. */
+template <class Number>
+VITRINE_INLINE Estimate<Number> Cross(const FaceSides<Number>& a, const FaceSides<Number>& b)
+{
+  const Number first = a.First * b.Second, second = a.Second * b.First;
+  const Number own = RoundingOfFloats * (SizeOf(first) + SizeOf(second));
+  return { first - second, own, own + a.Times(b.Off) + b.Times(a.Off) + a.SumOff() * b.SumOff() };
+}
+
+/** The sides of a face on the screen. */
+template <class Number>
+struct SidesOnScreen
+{
+  FaceSides<Number> Columns, Lines, Depths;
+  Estimate<Number> Area; ///< twice, and signed
+
+  VITRINE_INLINE SidesOnScreen(const FacePlaces<Number>& places, const ScreenRounding& rounding)
+    : Columns(places.Columns, places.InversesOfW, rounding.Columns)
+    , Lines(places.Lines, places.InversesOfW, rounding.Lines)
+    , Depths(places.Depths, places.InversesOfW, rounding.Depths)
+    , Area(Cross(this->Columns, this->Lines))
+  {
+  }
+
+  /** What the area is surely more than, if that is positive. */
+  VITRINE_INLINE Number LeastArea() const { return SizeOf(this->Area.Value) - this->Area.Off; }
+
+  /**
+   * By how much of its depth a device's plane tilts: the products of which it subtracts one from another to find slopes and the area are large where a sliver is long. A product has up to four roundings by 2^-24,
+   * and there are two to each slope and to the area; each slope counts as far as the face reaches.
+   */
+  VITRINE_INLINE Number Tilt(const Number& area) const
+  {
+    return 24.0f * 0x1p-24f * this->Columns.Largest() * this->Lines.Largest() *
+      this->Depths.Largest() / area;
+  }
 };
 
 /**
@@ -90,16 +135,14 @@ public:
   VITRINE_INLINE FaceSlopes(
     const FacePlaces<Number>& places, const ScreenRounding& rounding, const ScreenMargin& snapping)
   {
-    const FaceSides<Number> columns(places.Columns, places.InversesOfW, rounding.Columns);
-    const FaceSides<Number> lines(places.Lines, places.InversesOfW, rounding.Lines);
-    const FaceSides<Number> depths(places.Depths, places.InversesOfW, rounding.Depths);
-    const Estimate<Number> area = Cross(columns, lines);
-    this->ByColumn = Quotient(Cross(depths, lines), area);
-    this->ByLine = Quotient(Cross(columns, depths), area);
+    const SidesOnScreen<Number> sides(places, rounding);
+    this->ByColumn = Quotient(Cross(sides.Depths, sides.Lines), sides.Area);
+    this->ByLine = Quotient(Cross(sides.Columns, sides.Depths), sides.Area);
     const Number anyDepth = Number{} + AnyDepth;
-    this->Unsteady = SizeOf(area.Value) > area.Off
-      ? this->ByColumn.Off * snapping.Column + this->ByLine.Off * snapping.Line
-      : anyDepth;
+    const Number leastArea = sides.LeastArea();
+    this->Unsteady = leastArea > Number{} ? this->ByColumn.Off * snapping.Column +
+        this->ByLine.Off * snapping.Line + sides.Tilt(leastArea)
+                                          : anyDepth;
     const Number beside = this->Unsteady + SizeOf(this->ByColumn.Value) * snapping.Column +
       SizeOf(this->ByLine.Value) * snapping.Line;
     this->Beyond = beside < anyDepth ? beside : anyDepth; // as where it is no number
@@ -111,14 +154,6 @@ public:
 
 private:
   static constexpr float AnyDepth = 2.0f; // more than all depths differ
-
-  VITRINE_INLINE static Estimate<Number> Cross(
-    const FaceSides<Number>& a, const FaceSides<Number>& b)
-  {
-    const Number first = a.First * b.Second, second = a.Second * b.First;
-    const Number own = RoundingOfFloats * (SizeOf(first) + SizeOf(second));
-    return { first - second, own, own + a.Times(b.Off) + b.Times(a.Off) + a.SumOff() * b.SumOff() };
-  }
 
   /** Off is negative, infinite or no number if nothing is known. */
   VITRINE_INLINE static Estimate<Number> Quotient(

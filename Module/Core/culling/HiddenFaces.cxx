@@ -36,11 +36,46 @@ bool HiddenFaces::AreAll(const MeshProjection& projection)
     }
   }
   return std::all_of(this->Blocks.begin(), this->Blocks.end(),
-    [&](const FaceBlock& block)
+           [&](const FaceBlock& block)
+           {
+             return this->AreHidden(projection, block,
+               block.All() & ~block.Facing(projection, MeshProjection::Facing::Front));
+           }) &&
+    this->AreCutFacesHidden(projection, BeyondAll);
+}
+
+/** Those that a device may cut at the view's sides, and draw nearer for that. */
+bool HiddenFaces::AreCutFacesHidden(const MeshProjection& projection, float nearest)
+{
+  this->MaybeCut.clear();
+  if (projection.MayBeCut())
+  {
+    for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
     {
-      return this->AreHidden(
-        projection, block, block.All() & ~block.Facing(projection, MeshProjection::Facing::Front));
-    });
+      if (projection.MayBeCut(i))
+      {
+        this->MaybeCut.push_back(i);
+      }
+    }
+  }
+  this->Cuts.Begin(projection);
+  for (std::size_t first = 0; first < this->MaybeCut.size(); first += LaneCount)
+  {
+    FaceBlock block(projection, this->MaybeCut, first);
+    block.LimitNearest(nearest);
+    const unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
+    for (unsigned bits = faces; bits != 0; bits &= bits - 1)
+    {
+      const int lane = LowestBit(bits);
+      block.Unsettle(
+        lane, this->Cuts.UnsteadyOf(this->MaybeCut[first + static_cast<std::size_t>(lane)]));
+    }
+    if (!this->AreHiddenIfThick(projection, block, faces))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /** Whether some faces of a block are: together, or one by one. */
@@ -75,11 +110,11 @@ bool HiddenFaces::AreAllOfAnyThickness(const MeshProjection& projection)
       return false;
     }
   }
-  return true;
+  return this->AreCutFacesHidden(projection, BeyondAll);
 }
 
 bool HiddenFaces::AreSomeOfAnyThickness(
-  const MeshProjection& projection, const std::vector<std::uint32_t>& faces)
+  const MeshProjection& projection, const std::vector<std::uint32_t>& faces, float nearest)
 {
   for (std::size_t first = 0; first < faces.size(); first += LaneCount)
   {
@@ -89,13 +124,19 @@ bool HiddenFaces::AreSomeOfAnyThickness(
       return false;
     }
   }
-  return true;
+  return this->AreCutFacesHidden(projection, nearest);
 }
 
 /** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
 bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block)
 {
-  unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
+  return this->AreHiddenIfThick(
+    projection, block, block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen()));
+}
+
+bool HiddenFaces::AreHiddenIfThick(
+  const MeshProjection& projection, const FaceBlock& block, unsigned faces)
+{
   if (projection.Faces().size() > MostFacesOfAnyThickness)
   {
     faces &= ~this->FindHiddenIfOfAStep(projection, block, faces);
@@ -142,7 +183,7 @@ bool HiddenFaces::IsHidden(const MeshProjection& projection, const FaceBlock& bl
   {
     return false;
   }
-  const FaceOnLines face(projection, block.Face(lane), block.At(lane));
+  const FaceOnLines face(projection, block, lane);
   const LineRange lines = face.Lines(this->Lines.Lines());
   return lines.First <= lines.Last && this->IsHidden(face, lines);
 }

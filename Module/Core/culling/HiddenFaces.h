@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_HIDDEN_FACES_H
 #define VITRINE_CORE_CULLING_HIDDEN_FACES_H
 
+#include "Core/culling/CutFaces.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/LineExtent.h"
 #include "Core/culling/MeshProjection.h"
@@ -37,9 +38,12 @@ public:
   /** Whether all are, however many of them are so thin that nothing is known of their depth. */
   bool AreAllOfAnyThickness(const MeshProjection& projection);
 
-  /** The same of some of them, whose numbers these are. */
+  /**
+   * The same of some of them, whose numbers these are, and of those that a device may cut.
+   * @param nearest  than which no other is nearer if it is not cut
+   */
   bool AreSomeOfAnyThickness(
-    const MeshProjection& projection, const std::vector<std::uint32_t>& faces);
+    const MeshProjection& projection, const std::vector<std::uint32_t>& faces, float nearest);
 
   /** Has faces that look one way count no more if the rectangles around them are hidden. */
   void Drop(MeshProjection& projection, MeshProjection::Facing facing) const;
@@ -48,9 +52,11 @@ public:
   const ScreenRectangle& Witness() const { return this->Shown; }
 
 private:
+  bool AreCutFacesHidden(const MeshProjection& projection, float nearest);
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
   bool AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block);
+  bool AreHiddenIfThick(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   unsigned FindHiddenIfOfAStep(
     const MeshProjection& projection, const FaceBlock& block, unsigned faces) const;
   bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);
@@ -63,6 +69,8 @@ private:
   const ScreenProjection& View;
   ScreenRectangle Shown{};
   std::vector<FaceBlock> Blocks; ///< of the part at hand
+  CutFaces Cuts;
+  std::vector<std::uint32_t> MaybeCut;
 };
 
 }

@@ -46,6 +46,7 @@ VITRINE_FOR_EACH_PROCESSOR
 bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen)
 {
   this->Projected = &mesh;
+  this->ToScreen = toScreen;
   this->DeviceSnapping = toScreen.Snapping;
   this->DeviceRounding = toScreen.RoundingOnScreen();
   const float* const x = mesh.Coordinates(0).data();
@@ -61,7 +62,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   const Lanes leastW = AllLanes(toScreen.Rounding.w);
   const Lanes leastSlack = AllLanes(toScreen.Rounding.z + toScreen.Rounding.w);
   Lanes nearestW = AllLanes(BeyondAll), left = nearestW, right = -left, bottom = left, top = right,
-        nearest = right;
+        nearest = right, farthest = left;
   unsigned behindAll = (1u << LaneCount) - 1u;
   for (std::size_t i = 0; i < room; i += LaneCount)
   {
@@ -87,11 +88,13 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     bottom = LeastOf(line, bottom);
     top = GreatestOf(line, top);
     nearest = GreatestOf(depth, nearest);
+    farthest = LeastOf(depth, farthest);
   }
   this->DeviceMargin = toScreen.MarginFrom(LeastLane(nearestW));
   this->Around = { LeastLane(left) - this->DeviceMargin.Column,
     GreatestLane(right) + this->DeviceMargin.Column, LeastLane(bottom) - this->DeviceMargin.Line,
     GreatestLane(top) + this->DeviceMargin.Line, GreatestLane(nearest) + this->DeviceMargin.Depth };
+  this->Farthest = LeastLane(farthest);
   this->AreAllBehindNear = room > 0 && behindAll == (1u << LaneCount) - 1u;
   if (!this->AreAllBehindNear)
   {
@@ -140,6 +143,7 @@ void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
   this->Around = { columns.Left - this->DeviceMargin.Column,
     columns.Right + this->DeviceMargin.Column, lines.Left - this->DeviceMargin.Line,
     lines.Right + this->DeviceMargin.Line, depths.Right + this->DeviceMargin.Depth };
+  this->Farthest = depths.Left;
 }
 
 void MeshProjection::FindFacings()
@@ -180,6 +184,33 @@ float MeshProjection::NearestOnScreen(const SBuffer& screen) const
     }
   }
   return std::min(nearest, 1.0f);
+}
+
+bool MeshProjection::MayBeCut(std::uint32_t number) const
+{
+  const MeshFace& face = this->Projected->Faces()[this->SourceOf(number)];
+  if (!(this->IsBehindNear(face[0]) && this->IsBehindNear(face[1]) && this->IsBehindNear(face[2])))
+  {
+    return true;
+  }
+  const ScreenRectangle around = this->RectangleOf(face);
+  const float farthest =
+    std::min({ this->Depths[face[0]], this->Depths[face[1]], this->Depths[face[2]] });
+  return this->ToScreen.IsInView(around) && this->ToScreen.MayBeCut(around, farthest);
+}
+
+std::array<glm::dvec4, 3> MeshProjection::CornersOnScreen(std::uint32_t number) const
+{
+  const OccluderMesh& mesh = *this->Projected;
+  std::array<glm::dvec4, 3> corners;
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::uint32_t point = mesh.Faces()[this->SourceOf(number)][i];
+    const glm::dvec3 place(
+      mesh.Coordinates(0)[point], mesh.Coordinates(1)[point], mesh.Coordinates(2)[point]);
+    corners[i] = this->ToScreen.Matrix * glm::dvec4(mesh.Origin() + place, 1.0);
+  }
+  return corners;
 }
 
 }

@@ -7,6 +7,7 @@
 #include "Core/culling/ScreenProjection.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -63,7 +64,7 @@ public:
   /** The patch of the mesh that one of Faces() belongs to. */
   std::uint32_t PatchOf(std::uint32_t face) const
   {
-    return this->Projected->Patches()[this->AreAllBehindNear ? face : this->Rest.Sources()[face]];
+    return this->Projected->Patches()[this->SourceOf(face)];
   }
 
   ScreenPoint Point(std::uint32_t i) const
@@ -123,6 +124,21 @@ public:
   /** Has a face count no more, as facing neither way. */
   void Drop(std::uint32_t face) { this->Facings[face] = Facing::Neither; }
 
+  /** Whether a device may cut faces at the sides of the view, or its near or far plane. */
+  bool MayBeCut() const
+  {
+    return !this->AreAllBehindNear || this->ToScreen.MayBeCut(this->Around, this->Farthest);
+  }
+
+  /** Whether it may cut one of Faces(): that is neither surely within the view nor surely beyond one of its sides. */
+  bool MayBeCut(std::uint32_t face) const;
+
+  /** Corners of the mesh's face that one of Faces() is of: column, line and depth, each times w, and w. */
+  std::array<glm::dvec4, 3> CornersOnScreen(std::uint32_t face) const;
+
+  /** What the mesh was projected with. */
+  const ScreenMatrix& View() const { return this->ToScreen; }
+
   /** Around a face, margin included. */
   ScreenRectangle RectangleOf(const MeshFace& face) const;
 
@@ -141,14 +157,20 @@ private:
     return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
   }
   void Clip(const ScreenMatrix& toScreen, double leastRatio);
+  std::uint32_t SourceOf(std::uint32_t face) const
+  {
+    return this->AreAllBehindNear ? face : this->Rest.Sources()[face];
+  }
 
   const OccluderMesh* Projected = nullptr;
+  ScreenMatrix ToScreen{};
   std::vector<float> Columns, Lines, Depths; ///< of the points, those where the mesh is cut last
   std::vector<float> Inverses;               ///< of the same points' w
   std::vector<std::uint8_t> BehindNear;      ///< a bit for each point
   bool AreAllBehindNear = false;
   NearClip Rest; ///< where they are not
   ScreenRectangle Around{};
+  float Farthest = 0.0f; ///< depth of all points of faces
   ScreenMargin DeviceMargin;
   ScreenMargin DeviceSnapping;
   ScreenRounding DeviceRounding{};

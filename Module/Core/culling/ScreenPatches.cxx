@@ -26,6 +26,7 @@ void ScreenPatches::Find(const MeshProjection& projection, MeshProjection::Facin
   this->Fits.clear();
   this->PatchOf.assign(projection.Faces().size(), None);
   this->NumberOf.assign(projection.Mesh().Faces().size(), None);
+  this->Cuts.Begin(projection);
   this->FindFaces(facing);
   this->FitPlanes();
 }
@@ -44,7 +45,8 @@ void ScreenPatches::FindFaces(MeshProjection::Facing facing)
     {
       continue;
     }
-    const DepthPlane plane(a, b, c, margin, this->Projection->Snapping());
+    DepthPlane plane(a, b, c, margin, this->Projection->Snapping());
+    plane.Unsettle(this->Cuts.UnsteadyOf(i));
     const float difference =
       std::max({ a.Depth, b.Depth, c.Depth }) - std::min({ a.Depth, b.Depth, c.Depth });
     const bool isKnown = plane.Bound().Slack <= difference + MostSlack * margin.Depth;

@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_SCREEN_PATCHES_H
 
 #include "Core/culling/BeyondAll.h"
+#include "Core/culling/CutFaces.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SlantedDepth.h"
 
@@ -69,6 +70,7 @@ private:
   void MoveBehind(const CountedFace& counted, Patch& patch) const;
 
   const MeshProjection* Projection = nullptr;
+  CutFaces Cuts;
   std::vector<CountedFace> Faces;
   std::vector<Patch> Patches;
   std::vector<Fit> Fits;               ///< of each patch

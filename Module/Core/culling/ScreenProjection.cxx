@@ -157,7 +157,10 @@ ScreenProjection ScreenProjection::OfLines(int first, int count) const
   }
   // Ours goes into another sum, and lines reach as far for a device as they did.
   world.Rounding.y += 2.0f * static_cast<float>(first) * world.Rounding.w;
-  world.Size.y = std::min(world.Size.y - static_cast<float>(first), static_cast<float>(count));
+  const float above = world.Size.y - static_cast<float>(first);
+  world.Size.y = std::min(above, static_cast<float>(count));
+  world.LinesBelow += static_cast<float>(first);
+  world.LinesAbove += above - world.Size.y;
   some.WorldInFloats = glm::mat4(world.Matrix);
   return some;
 }
@@ -214,6 +217,8 @@ ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld) const
   matrix.Rounding = this->World.Rounding;
   matrix.Snapping = this->World.Snapping;
   matrix.Size = this->World.Size;
+  matrix.LinesBelow = this->World.LinesBelow;
+  matrix.LinesAbove = this->World.LinesAbove;
   const glm::dmat4& m = this->World.Matrix;
   const DoubleLanes first = LoadDoubles(&m[0].x), second = LoadDoubles(&m[1].x),
                     third = LoadDoubles(&m[2].x), fourth = LoadDoubles(&m[3].x);
@@ -260,6 +265,7 @@ void ScreenProjection::Project(
   StoreLanes(bottom, rectangles.Bottom);
   StoreLanes(top, rectangles.Top);
   StoreLanes(nearest, rectangles.Nearest);
+  StoreLanes(depths.Least, rectangles.Farthest);
   rectangles.Outside = BitsOf(isOutside);
   rectangles.Near = BitsOf(~(isBeforeEye & (nearest < AllLanes(1.0f)))) & ~rectangles.Outside;
   if (rectangles.Near != 0)

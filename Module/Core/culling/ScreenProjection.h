@@ -19,9 +19,11 @@ namespace vitrine
 struct ScreenMatrix
 {
   glm::dmat4 Matrix;
-  glm::vec4 Rounding;    ///< of each of the four
-  ScreenMargin Snapping; ///< what a rasteriser moves by besides
-  glm::vec2 Size;        ///< columns and lines
+  glm::vec4 Rounding;      ///< of each of the four
+  ScreenMargin Snapping;   ///< what a rasteriser moves by besides
+  glm::vec2 Size;          ///< columns and lines
+  float LinesBelow = 0.0f; ///< that the view has besides
+  float LinesAbove = 0.0f;
 
   /** What a device's floats round of points. */
   ScreenRounding RoundingOnScreen() const
@@ -29,6 +31,20 @@ struct ScreenMatrix
     const glm::vec4& own = this->Rounding;
     return { { own.x, own.w, this->Size.x }, { own.y, own.w, this->Size.y },
       { own.z, own.w, 1.0f } };
+  }
+
+  /** Whether any of a rectangle lies between the sides of the view. */
+  bool IsInView(const ScreenRectangle& rectangle) const
+  {
+    return rectangle.Right >= 0.0f && rectangle.Left <= this->Size.x &&
+      rectangle.Top >= -this->LinesBelow && rectangle.Bottom <= this->Size.y + this->LinesAbove;
+  }
+
+  bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
+  {
+    return !(rectangle.Left >= 0.0f && rectangle.Right <= this->Size.x &&
+      rectangle.Bottom >= -this->LinesBelow && rectangle.Top <= this->Size.y + this->LinesAbove &&
+      rectangle.Nearest < 1.0f && farthest > 0.0f);
   }
 
   /** Of points on the screen for which w is at least `leastW`. */
@@ -46,7 +62,8 @@ struct RectangleLanes
   float Bottom[LaneCount];
   float Top[LaneCount];
   float Nearest[LaneCount];
-  unsigned Outside; ///< a bit for each box that lies outside of what the view shows
+  float Farthest[LaneCount]; ///< depth of its corners
+  unsigned Outside;          ///< a bit for each box that lies outside of what the view shows
   unsigned
     Near; ///< for each that reaches before the near plane, so that it has no rectangle and nothing hides it
 
@@ -110,6 +127,12 @@ public:
 
   /** Whether a rectangle reaches beyond the screen. */
   bool ReachesBeyond(const ScreenRectangle& rectangle) const;
+
+  /** Whether a device may cut what has this rectangle, and is nowhere farther: where it reaches beyond the view, of which the screen may be some lines alone, or beyond the far plane. */
+  bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
+  {
+    return this->World.MayBeCut(rectangle, farthest);
+  }
 
   /** The same view of some of its lines alone: they count from `first`. */
   ScreenProjection OfLines(int first, int count) const;

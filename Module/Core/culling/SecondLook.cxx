@@ -23,6 +23,10 @@ const double ThinOfRounding = 1.0 / 4.0;
 const double SteeperOnDevice = 2.5;
 const float StepsOnDevice = 8.0f;
 
+// And planes of faces that are long and thin tilt by so much of their depth, times how many times as wide they are on the screen as they are thick (FaceSlopes.h): of those that llvmpipe draws
+// none exceeded half of it.
+const float TiltOnDevice = 4.0f * 0x1p-24f;
+
 /** The longest that an axis becomes, squared. */
 double LongestAxisOf(const glm::dmat4& m)
 {
@@ -84,19 +88,21 @@ void SecondLook::DropShown(
     const bool isKnown = this->Tools.States.Has(parts[i].Part, PartStates::AreFacesHidden);
     if ((rectangles.Outside >> lane & 1u) == 0 && !isKnown)
     {
-      areHidden[i] =
-        this->IsHidden(parts[i].Part, rectangles.At(lane), (rectangles.Near >> lane & 1u) == 0);
+      areHidden[i] = this->IsHidden(parts[i].Part, rectangles, lane);
     }
   }
 }
 
-/** @param around  it, if all of its box is behind the near plane */
-bool SecondLook::IsHidden(std::uint32_t part, ScreenRectangle around, bool isBehindNear)
+bool SecondLook::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, int lane)
 {
-  around.Nearest += this->FindThinFaces(part);
+  ScreenRectangle around = rectangles.At(lane);
+  const bool isBehindNear = (rectangles.Near >> lane & 1u) == 0;
+  const bool mayBeCut = !isBehindNear || this->View.MayBeCut(around, rectangles.Farthest[lane]);
+  around.Nearest +=
+    this->FindThinFaces(part) + this->TiltOf(around, around.Nearest - rectangles.Farthest[lane]);
   const bool isBoxHidden = isBehindNear && this->Tools.Lines.Hides(around);
-  const bool areFacesHidden =
-    (isBoxHidden && this->ThinFaces.empty()) || this->AreFacesHidden(part, isBoxHidden);
+  const bool areFacesHidden = (isBoxHidden && this->ThinFaces.empty() && !mayBeCut) ||
+    this->AreFacesHidden(part, around, isBoxHidden);
   return areFacesHidden && this->AreItsLinesHidden(part);
 }
 
@@ -117,6 +123,14 @@ float SecondLook::FindThinFaces(std::uint32_t part)
     StepsOnDevice * this->View.Snapping().Depth;
 }
 
+/** How much nearer may the others be since the planes that a device finds tilt. */
+float SecondLook::TiltOf(const ScreenRectangle& around, float depth) const
+{
+  const float narrowest = std::min(around.Right - around.Left, around.Top - around.Bottom);
+  return TiltOnDevice * depth * narrowest /
+    static_cast<float>(ThinOfSnapping * std::max(this->Snapping.x, this->Snapping.y));
+}
+
 bool SecondLook::AreItsLinesHidden(std::uint32_t part)
 {
   const std::vector<MeshLine>& lines = this->Shapes.LinesOf(part);
@@ -126,7 +140,7 @@ bool SecondLook::AreItsLinesHidden(std::uint32_t part)
 }
 
 /** One by one: the thin ones, or all where the box tells nothing. */
-bool SecondLook::AreFacesHidden(std::uint32_t part, bool isBoxHidden)
+bool SecondLook::AreFacesHidden(std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden)
 {
   const Occluder shape = this->Shapes.OccluderOf(part);
   if (!shape.Mesh || !shape.IsOfFacesAlone)
@@ -136,7 +150,7 @@ bool SecondLook::AreFacesHidden(std::uint32_t part, bool isBoxHidden)
   MeshProjection& projected = this->Tools.Projected;
   const bool isBehindNear = projected.Project(*shape.Mesh, this->View.Of(*shape.ToWorld));
   return isBoxHidden && isBehindNear
-    ? this->Faces.AreSomeOfAnyThickness(projected, this->ThinFaces)
+    ? this->Faces.AreSomeOfAnyThickness(projected, this->ThinFaces, around.Nearest)
     : this->Faces.AreAllOfAnyThickness(projected) && !projected.MayShowBeforeNear();
 }
 

@@ -42,9 +42,10 @@ public:
     const std::vector<BoxedPart>& parts, std::size_t first, std::vector<std::uint8_t>& areHidden);
 
 private:
-  bool IsHidden(std::uint32_t part, ScreenRectangle around, bool isBehindNear);
+  bool IsHidden(std::uint32_t part, const RectangleLanes& rectangles, int lane);
   float FindThinFaces(std::uint32_t part);
-  bool AreFacesHidden(std::uint32_t part, bool isBoxHidden);
+  float TiltOf(const ScreenRectangle& around, float depth) const;
+  bool AreFacesHidden(std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden);
   bool AreItsLinesHidden(std::uint32_t part);
 
   BandTools& Tools;

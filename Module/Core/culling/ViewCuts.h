@@ -1,0 +1,85 @@
+#ifndef VITRINE_CORE_CULLING_VIEW_CUTS_H
+#define VITRINE_CORE_CULLING_VIEW_CUTS_H
+
+#include "Core/culling/OccluderMesh.h"
+#include "Core/culling/ScreenProjection.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace vitrine
+{
+
+/** A corner of what is left of a face: column, line and depth, each times w, and w. */
+struct CutCorner
+{
+  static constexpr int MostSlides = 8;
+
+  glm::dvec4 Place;
+  glm::dvec4 Slides
+    [MostSlides]{}; ///< within the face: so far this way or that it may be, where rounding has planes cut edges elsewhere
+  int SlideCount = 0;
+  bool HasMore = false;    ///< slides than are kept: nothing is known of it then
+  bool IsOneOfTwo = false; ///< as rounding decides whether it is cut off, and two are left
+  unsigned Planes = 0;     ///< that it lies in, a bit for each
+  double Reach =
+    1.0; ///< how many times what floats round of the view's width, height and depth it may be off the face; a large number if nothing is known
+
+  void AddSlide(const glm::dvec4& slide);
+
+  /** One of the slides on the screen, in columns and lines. */
+  glm::dvec2 SlideOnScreen(int i) const;
+};
+
+/**
+ * Cuts faces as devices do that have no guard band: at the sides of the view, and at its near and its far plane. Of what is left such a device draws triangles between the corners, and takes depths from those:
+ * where two corners lie close together one of the triangles is a sliver, of which the face's own plane tells nothing. Which triangles it draws is its own affair.
+ * (I. E. Sutherland, G. W. Hodgman: Reentrant polygon clipping, Communications of the ACM 1974)
+ *
+ * A corner that lies so close to where it is cut that rounding decides counts as two: it may be cut off, and leave two.
+ */
+class ViewCuts
+{
+public:
+  /** Comes to a view. */
+  void Begin(const ScreenMatrix& toScreen);
+
+  /** What is left of a face, in order around it; valid until the next call. */
+  const std::vector<CutCorner>& Cut(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c);
+
+private:
+  /** Where points are on the inner side that have a positive product. */
+  struct Plane
+  {
+    glm::dvec4 Normal;
+    double Rounding; ///< of the product
+    unsigned Bit = 0;
+  };
+
+  /** A corner, and where a plane has it. */
+  struct Sided
+  {
+    CutCorner Corner;
+    double Distance;
+    double Doubt; ///< of that
+    int Side;     ///< 1 if it is surely inside, -1 surely beyond, and 0 neither
+  };
+
+  bool AreAllInside(const Plane& plane) const;
+  void CutAt(const Plane& plane);
+  static double DoubtOf(const CutCorner& corner, const Plane& plane);
+  static CutCorner MaybeCutOf(const Sided& corner, const Sided& last, const Sided& next);
+  CutCorner CrossingOf(const Sided& from, const Sided& to, const Plane& plane) const;
+  double ReachOf(const CutCorner& corner) const;
+
+  Plane Planes[6]{};
+  glm::dvec2 Size{};              ///< of the view
+  std::vector<CutCorner> Corners; ///< of the face at hand
+  std::vector<Sided> Around;      ///< the same before a plane cuts it
+};
+
+}
+
+#endif

@@ -1,0 +1,266 @@
+// What is known of faces that a device cuts at the sides of the view, held to what one draws that cuts, rounds and snaps as llvmpipe does.
+#include "FloatDevice.h"
+#include "OccluderScenes.h"
+
+#include "Core/culling/CutFaces.h"
+#include "Core/culling/DepthPlane.h"
+#include "Core/culling/FaceBlock.h"
+#include "Core/culling/FaceOnLines.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using coverage::FloatDevice;
+using coverage::Random;
+using vitrine::DepthPlane;
+using vitrine::FaceBlock;
+using vitrine::FaceOnLines;
+using vitrine::MeshProjection;
+using vitrine::ScreenMargin;
+using vitrine::ScreenProjection;
+
+constexpr glm::dvec2 CutViewSize(480, 270);
+constexpr double CutNear = 1.0, CutFar = 100.0;
+
+/** Column, line and distance from the eye of each corner. */
+using FaceInView = std::array<glm::dvec3, 3>;
+
+double TinyLength(Random& random)
+{
+  return std::pow(10.0, random.Between(-6.0, -1.0));
+}
+
+/** Halfway between two places of the grid that corners are snapped to. */
+double HalfAStep(double place)
+{
+  return (std::floor(place * 256.0) + 0.5) / 256.0;
+}
+
+/** One corner lies just beyond the right side, so that two are left there, close together. */
+FaceInView JustBeyond(Random& random)
+{
+  const double line = random.Between(10, CutViewSize.y - 10),
+               length = std::pow(10.0, random.Between(0, 2.5));
+  const double beyond = TinyLength(random);
+  return { glm::dvec3(CutViewSize.x + beyond, HalfAStep(line) + random.Between(-1, 1) * beyond, 0),
+    glm::dvec3(CutViewSize.x - length, line + random.Between(-length, length), 0),
+    glm::dvec3(
+      CutViewSize.x - length * random.Between(0.1, 1), line + random.Between(-length, length), 0) };
+}
+
+FaceInView AcrossTheView(Random& random)
+{
+  const glm::dvec3 from(-random.Between(1, 300), random.Between(0, CutViewSize.y), 0);
+  const glm::dvec3 to(CutViewSize.x + random.Between(1, 300), random.Between(0, CutViewSize.y), 0);
+  const glm::dvec3 beside(random.Between(-1, 1), random.Between(-1, 1), 0);
+  return { from, to,
+    from + random.Between(0.1, 0.9) * (to - from) + 30.0 * TinyLength(random) * beside };
+}
+
+FaceInView AtACornerOfTheView(Random& random)
+{
+  const double length = std::pow(10.0, random.Between(0, 2.5)), off = 10.0 * TinyLength(random);
+  const glm::dvec3 corner(CutViewSize, 0);
+  return { corner + off * glm::dvec3(random.Between(-1, 1), random.Between(-1, 1), 0),
+    corner + length * glm::dvec3(random.Between(-1, 1), random.Between(-1, 1), 0),
+    corner - length * glm::dvec3(random.Between(-1, 1), random.Between(-1, 1), 0) };
+}
+
+FaceInView AnywhereInView(Random& random)
+{
+  FaceInView face;
+  for (glm::dvec3& corner : face)
+  {
+    corner = { random.Between(-200, CutViewSize.x + 200), random.Between(-200, CutViewSize.y + 200),
+      0 };
+  }
+  return face;
+}
+
+/** Long and thin, through centres of pixels. */
+FaceInView LongSliver(Random& random)
+{
+  const auto centre = [&](double size) { return std::floor(random.Between(1, size - 1)) + 0.5; };
+  const glm::dvec3 from(centre(CutViewSize.x), centre(CutViewSize.y), 0),
+    to(centre(CutViewSize.x), centre(CutViewSize.y), 0);
+  const double length = glm::length(to - from) + 1e-3;
+  const glm::dvec3 along = (to - from) / length, beside(-along.y, along.x, 0);
+  const double width = std::pow(10.0, random.Between(-3.0, -0.5));
+  return { from - along + random.Between(-0.3, 0.3) * width * beside,
+    to + along + random.Between(-0.3, 0.3) * width * beside,
+    from + along * random.Between(0, length) + width * beside };
+}
+
+struct CutKind
+{
+  const char* Name;
+  FaceInView (*Make)(Random&);
+  bool IsCutOften; ///< so that slivers are left that are drawn off the face's plane
+};
+
+void PrintTo(const CutKind& way, std::ostream* stream)
+{
+  *stream << way.Name;
+}
+
+const CutKind CutKinds[] = { { "JustBeyond", JustBeyond, true },
+  { "AcrossTheView", AcrossTheView, false }, { "AtACornerOfTheView", AtACornerOfTheView, true },
+  { "Anywhere", AnywhereInView, false }, { "LongSliver", LongSliver, false } };
+
+/** A face in a view, in floats, as VTK keeps it. */
+struct CutScene
+{
+  bool IsParallel;
+  glm::dmat4 ToClip;
+  std::vector<glm::dvec3> Points;
+
+  CutScene(FaceInView face, Random& random)
+    : IsParallel(random.OneIn(2))
+    , ToClip(this->IsParallel
+          ? glm::ortho(-CutViewSize.x / 2, CutViewSize.x / 2, -CutViewSize.y / 2, CutViewSize.y / 2,
+              CutNear, CutFar)
+          : glm::perspective(glm::radians(60.0), CutViewSize.x / CutViewSize.y, CutNear, CutFar))
+  {
+    for (glm::dvec3& corner : face)
+    {
+      corner.z = random.Between(2, 60);
+    }
+    const bool isMirrored = random.OneIn(2), isTurned = random.OneIn(2);
+    for (const glm::dvec3& corner : face)
+    {
+      const glm::dvec2 share = glm::dvec2(corner) / CutViewSize;
+      const glm::dvec2 turned = isTurned ? glm::dvec2(share.y, share.x) : share;
+      this->Points.push_back(this->PointAt(isMirrored ? 1.0 - turned : turned, corner.z));
+    }
+  }
+
+  /** @param share  of the view's width and height */
+  glm::dvec3 PointAt(const glm::dvec2& share, double ahead) const
+  {
+    const double w = this->IsParallel ? 1.0 : ahead;
+    return glm::vec3((share.x * 2 - 1) * w / this->ToClip[0][0],
+      (share.y * 2 - 1) * w / this->ToClip[1][1], -ahead);
+  }
+
+  ScreenProjection Projection() const
+  {
+    glm::dvec3 reach(0.0);
+    for (const glm::dvec3& point : this->Points)
+    {
+      reach = glm::max(reach, glm::abs(point));
+    }
+    const float ofColumns = 1.0f / 256 + 0x1p-21f * 480, ofLines = 1.0f / 256 + 0x1p-21f * 270;
+    return ScreenProjection(
+      this->ToClip, CutViewSize.x, CutViewSize.y, reach, { ofColumns, ofLines, 0x1p-21f });
+  }
+};
+
+class CutFacesOfKind : public testing::TestWithParam<CutKind>
+{
+};
+}
+
+TEST_P(CutFacesOfKind, AreNowhereElseThanIsKnown)
+{
+  Random random(11);
+  int samples = 0, farOff = 0;
+  for (int i = 0; i < 40000; ++i)
+  {
+    const CutScene scene(GetParam().Make(random), random);
+    const vitrine::OccluderMesh mesh(scene.Points, { 0, 1, 2 });
+    MeshProjection projection;
+    if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0))))
+    {
+      continue;
+    }
+    vitrine::CutFaces cuts;
+    cuts.Begin(projection);
+    FaceBlock block(projection, 0);
+    DepthPlane plane(projection, block.Face(0));
+    const float nearest = block.At(0).Nearest;
+    const FaceOnLines whole(projection, block, 0);
+    block.Unsettle(0, cuts.UnsteadyOf(0));
+    plane.Unsettle(cuts.UnsteadyOf(0));
+    const FaceOnLines face(projection, block, 0);
+    const auto nearestAt = [](const FaceOnLines& on, const glm::dvec3& drawn, float most)
+    {
+      const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
+      return std::min(on.Piece(x, x, y, y).NearestAt(x), most);
+    };
+    for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
+    {
+      const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
+      ASSERT_LE(drawn.z, nearestAt(face, drawn, block.At(0).Nearest) + 1e-7)
+        << "seed 11, face " << i;
+      ASSERT_GE(drawn.z, std::min(plane.Within(x, x, y, y).Left, 1.0f) - 1e-7)
+        << "seed 11, face " << i;
+      ++samples;
+      farOff += drawn.z > nearestAt(whole, drawn, nearest) + 1e-7;
+    }
+  }
+  EXPECT_GT(samples, 10000);
+  EXPECT_EQ(farOff > 5, GetParam().IsCutOften)
+    << farOff << " are nearer than the face is as a whole";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, CutFacesOfKind, testing::ValuesIn(CutKinds),
+  [](const testing::TestParamInfo<CutKind>& info) { return info.param.Name; });
+
+// Walls that are as far everywhere hide what is behind them wherever they are cut.
+TEST(CutFaces, OfALevelWallAreWhereItIs)
+{
+  for (const double beyond : { 0.1, 1.0, 5.0 })
+  {
+    const double x = CutViewSize.x / 2 + beyond * CutViewSize.x,
+                 y = CutViewSize.y / 2 + 1.3 * beyond * CutViewSize.y;
+    const vitrine::OccluderMesh mesh(
+      { { -x, -y, -20 }, { x, -y, -20 }, { x, y, -20 }, { -x, y, -20 } }, { 0, 1, 2, 0, 2, 3 });
+    const glm::dmat4 toClip = glm::ortho(-CutViewSize.x / 2, CutViewSize.x / 2, -CutViewSize.y / 2,
+      CutViewSize.y / 2, CutNear, CutFar);
+    const ScreenProjection view(
+      toClip, CutViewSize.x, CutViewSize.y, { x, y, 20 }, { 1.0f / 256, 1.0f / 256, 0x1p-21f });
+    MeshProjection projection;
+    ASSERT_TRUE(projection.Project(mesh, view.Of(glm::dmat4(1.0))));
+    vitrine::CutFaces cuts;
+    cuts.Begin(projection);
+    for (std::uint32_t face = 0; face < 2; ++face)
+    {
+      EXPECT_LT(cuts.UnsteadyOf(face), 0.01f) << beyond << " of the view, face " << face;
+    }
+  }
+}
+
+TEST(CutFaces, AreThoseThatReachBeyondTheView)
+{
+  const glm::dmat4 toClip = glm::ortho(
+    -CutViewSize.x / 2, CutViewSize.x / 2, -CutViewSize.y / 2, CutViewSize.y / 2, CutNear, CutFar);
+  const ScreenProjection view(toClip, CutViewSize.x, CutViewSize.y, { 1000, 1000, 200 },
+    { 1.0f / 256, 1.0f / 256, 0x1p-21f });
+  const auto mayBeCut =
+    [](const ScreenProjection& seenBy, const glm::dvec3& low, const glm::dvec3& high)
+  {
+    const vitrine::OccluderMesh mesh({ low, { high.x, low.y, low.z }, high }, { 0, 1, 2 });
+    MeshProjection projection;
+    projection.Project(mesh, seenBy.Of(glm::dmat4(1.0)));
+    return projection.MayBeCut() && projection.MayBeCut(0);
+  };
+  EXPECT_FALSE(mayBeCut(view, { -200, -100, -20 }, { 200, 100, -30 }));
+  EXPECT_TRUE(mayBeCut(view, { -250, -100, -20 }, { 200, 100, -30 })) << "left";
+  EXPECT_TRUE(mayBeCut(view, { -200, -100, -20 }, { 250, 100, -30 })) << "right";
+  EXPECT_TRUE(mayBeCut(view, { -200, -140, -20 }, { 200, 100, -30 })) << "below";
+  EXPECT_TRUE(mayBeCut(view, { -200, -100, -20 }, { 200, 140, -30 })) << "above";
+  EXPECT_TRUE(mayBeCut(view, { -200, -100, -20 }, { 200, 100, -130 })) << "beyond the far plane";
+  EXPECT_TRUE(mayBeCut(view, { -200, -100, -0.5 }, { 200, 100, -30 })) << "before the near plane";
+  EXPECT_FALSE(mayBeCut(view, { 250, -100, -20 }, { 260, 100, -30 })) << "beside the view";
+  const ScreenProjection band = view.OfLines(100, 50);
+  EXPECT_FALSE(mayBeCut(band, { -200, -100, -20 }, { 200, 100, -30 }))
+    << "no device cuts at a band";
+  EXPECT_TRUE(mayBeCut(band, { -200, -140, -20 }, { 200, 100, -30 }));
+  EXPECT_TRUE(mayBeCut(band, { -200, -100, -20 }, { 200, 140, -30 }));
+}
