@@ -22,7 +22,6 @@ using vitrine::DepthPlane;
 using vitrine::FaceBlock;
 using vitrine::FaceOnLines;
 using vitrine::MeshProjection;
-using vitrine::ScreenMargin;
 using vitrine::ScreenProjection;
 
 constexpr glm::dvec2 CutViewSize(480, 270);
@@ -104,9 +103,9 @@ struct CutKind
   bool IsCutOften; ///< so that slivers are left that are drawn off the face's plane
 };
 
-void PrintTo(const CutKind& way, std::ostream* stream)
+void PrintTo(const CutKind& kind, std::ostream* stream)
 {
-  *stream << way.Name;
+  *stream << kind.Name;
 }
 
 const CutKind CutKinds[] = { { "JustBeyond", JustBeyond, true },

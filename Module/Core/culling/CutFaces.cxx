@@ -38,7 +38,7 @@ void CutFaces::Begin(const MeshProjection& projection)
   }
   const ScreenMatrix& view = projection.View();
   const float width = view.Size.x;
-  const float height = view.LinesBelow + view.Size.y + view.LinesAbove;
+  const float height = view.Top() - view.Bottom();
   this->Cuts.Begin(view);
   this->OfCuts = { { RoundingOfCuts * width, 0.0f, 0.0f }, { RoundingOfCuts * height, 0.0f, 0.0f },
     { RoundingOfCuts, 0.0f, 0.0f } };
@@ -64,11 +64,11 @@ float CutFaces::UnsteadyOf(std::uint32_t face)
   this->FindSlopes();
   float most = 0.0f;
   this->ForEachTriangle(
-    [&](const std::array<int, 3>& corners)
+    [&](const std::array<int, 3>& triangle)
     {
-      if (!this->IsOnASide(corners))
+      if (!this->IsOnASide(triangle))
       {
-        most = std::max(most, this->UnsteadyIn(corners));
+        most = std::max(most, this->UnsteadyIn(triangle));
       }
     });
   return most;
@@ -162,7 +162,7 @@ bool CutFaces::IsOnASide(const std::array<int, 3>& corners) const
   const ScreenMatrix& view = this->Projection->View();
   const glm::dvec2 most = StepsOnASide *
     glm::dvec2(this->Projection->Snapping().Column, this->Projection->Snapping().Line);
-  const glm::dvec2 low(0.0, -view.LinesBelow), high(view.Size.x, view.Size.y + view.LinesAbove);
+  const glm::dvec2 low(0.0, view.Bottom()), high(view.Size.x, view.Top());
   glm::bvec2 isLow(true), isHigh(true);
   for (const int i : corners)
   {

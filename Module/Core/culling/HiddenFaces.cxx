@@ -47,15 +47,16 @@ bool HiddenFaces::AreAll(const MeshProjection& projection)
 /** Those that a device may cut at the view's sides, and draw nearer for that. */
 bool HiddenFaces::AreCutFacesHidden(const MeshProjection& projection, float nearest)
 {
-  this->MaybeCut.clear();
-  if (projection.MayBeCut())
+  if (!projection.MayBeCut())
   {
-    for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
+    return true;
+  }
+  this->MaybeCut.clear();
+  for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
+  {
+    if (projection.MayBeCut(i))
     {
-      if (projection.MayBeCut(i))
-      {
-        this->MaybeCut.push_back(i);
-      }
+      this->MaybeCut.push_back(i);
     }
   }
   this->Cuts.Begin(projection);

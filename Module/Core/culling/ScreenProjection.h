@@ -25,6 +25,10 @@ struct ScreenMatrix
   float LinesBelow = 0.0f; ///< that the view has besides
   float LinesAbove = 0.0f;
 
+  /** The view's lowest and highest line. */
+  float Bottom() const { return -this->LinesBelow; }
+  float Top() const { return this->Size.y + this->LinesAbove; }
+
   /** What a device's floats round of points. */
   ScreenRounding RoundingOnScreen() const
   {
@@ -37,13 +41,13 @@ struct ScreenMatrix
   bool IsInView(const ScreenRectangle& rectangle) const
   {
     return rectangle.Right >= 0.0f && rectangle.Left <= this->Size.x &&
-      rectangle.Top >= -this->LinesBelow && rectangle.Bottom <= this->Size.y + this->LinesAbove;
+      rectangle.Top >= this->Bottom() && rectangle.Bottom <= this->Top();
   }
 
   bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
     return !(rectangle.Left >= 0.0f && rectangle.Right <= this->Size.x &&
-      rectangle.Bottom >= -this->LinesBelow && rectangle.Top <= this->Size.y + this->LinesAbove &&
+      rectangle.Bottom >= this->Bottom() && rectangle.Top <= this->Top() &&
       rectangle.Nearest < 1.0f && farthest > 0.0f);
   }
 

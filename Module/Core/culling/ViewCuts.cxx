@@ -37,7 +37,7 @@ void ViewCuts::Begin(const ScreenMatrix& toScreen)
 {
   const glm::dvec4 own(toScreen.Rounding);
   const double width = toScreen.Size.x;
-  const double bottom = -toScreen.LinesBelow, top = toScreen.Size.y + toScreen.LinesAbove;
+  const double bottom = toScreen.Bottom(), top = toScreen.Top();
   const double ofColumn = own.x + width * own.w;
   const double ofLine = own.y + std::max(top, -bottom) * own.w;
   this->Size = { width, top - bottom };

@@ -1,10 +1,9 @@
 #ifndef VITRINE_CORE_CULLING_VIEW_CUTS_H
 #define VITRINE_CORE_CULLING_VIEW_CUTS_H
 
-#include "Core/culling/OccluderMesh.h"
 #include "Core/culling/ScreenProjection.h"
 
-#include <glm/vec3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <vector>
@@ -25,7 +24,7 @@ struct CutCorner
   bool IsOneOfTwo = false; ///< as rounding decides whether it is cut off, and two are left
   unsigned Planes = 0;     ///< that it lies in, a bit for each
   double Reach =
-    1.0; ///< how many times what floats round of the view's width, height and depth it may be off the face; a large number if nothing is known
+    1.0; ///< how many times what floats round of the view's width, height and depth it may be off the face
 
   void AddSlide(const glm::dvec4& slide);
 
