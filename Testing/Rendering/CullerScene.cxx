@@ -17,6 +17,26 @@ constexpr double Distance = 3.6;
 constexpr double ViewAngle = 40.0;
 constexpr double ParallelScale = 1.25;
 
+template <class Polygon>
+vtkSmartPointer<vtkPolyData> MeshOfPolygons(const std::vector<Polygon>& polygons)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const Polygon& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<int>(polygon.size()));
+    for (const Point3& point : polygon)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
+    }
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
 }
 
 std::vector<CullerSetting> CullerSettings()
@@ -29,23 +49,14 @@ std::vector<CullerSetting> CullerSettings()
   };
 }
 
+vtkSmartPointer<vtkPolyData> MeshOfTriangles(const std::vector<Triangle>& triangles)
+{
+  return MeshOfPolygons(triangles);
+}
+
 vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Quad>& quads)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (const Quad& quad : quads)
-  {
-    cells->InsertNextCell(4);
-    for (const Point3& point : quad)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
-    }
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
-  return mesh;
+  return MeshOfPolygons(quads);
 }
 
 Quad Rectangle(double x0, double y0, double x1, double y1, double z)

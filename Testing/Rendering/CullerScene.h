@@ -32,9 +32,11 @@ struct CullerSetting
 std::vector<CullerSetting> CullerSettings();
 
 using Point3 = std::array<double, 3>;
+using Triangle = std::array<Point3, 3>;
 using Quad = std::array<Point3, 4>;
 
-/** A mesh of quads, none of which shares a point with another. */
+/** A mesh of triangles or quads, none of which shares a point with another. */
+vtkSmartPointer<vtkPolyData> MeshOfTriangles(const std::vector<Triangle>& triangles);
 vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Quad>& quads);
 
 /** A rectangle in the plane of height z, facing +z. */
