@@ -163,7 +163,6 @@ struct CutScene
 class CutFacesOfKind : public testing::TestWithParam<CutKind>
 {
 };
-}
 
 TEST_P(CutFacesOfKind, AreNowhereElseThanIsKnown)
 {
@@ -184,8 +183,8 @@ TEST_P(CutFacesOfKind, AreNowhereElseThanIsKnown)
     DepthPlane plane(projection, block.Face(0));
     const float nearest = block.At(0).Nearest;
     const FaceOnLines whole(projection, block, 0);
-    block.Unsettle(0, cuts.UnsteadyOf(0));
-    plane.Unsettle(cuts.UnsteadyOf(0));
+    block.Unsettle(0, cuts.UnsteadyOf(0u));
+    plane.Unsettle(cuts.UnsteadyOf(0u));
     const FaceOnLines face(projection, block, 0);
     const auto nearestAt = [](const FaceOnLines& on, const glm::dvec3& drawn, float most)
     {
@@ -247,7 +246,7 @@ TEST(CutFaces, AreThoseThatReachBeyondTheView)
     const vitrine::OccluderMesh mesh({ low, { high.x, low.y, low.z }, high }, { 0, 1, 2 });
     MeshProjection projection;
     projection.Project(mesh, seenBy.Of(glm::dmat4(1.0)));
-    return projection.MayBeCut() && projection.MayBeCut(0);
+    return projection.MayBeCut() && projection.MayBeCut(mesh.Faces()[0]);
   };
   EXPECT_FALSE(mayBeCut(view, { -200, -100, -20 }, { 200, 100, -30 }));
   EXPECT_TRUE(mayBeCut(view, { -250, -100, -20 }, { 200, 100, -30 })) << "left";
@@ -262,4 +261,6 @@ TEST(CutFaces, AreThoseThatReachBeyondTheView)
     << "no device cuts at a band";
   EXPECT_TRUE(mayBeCut(band, { -200, -140, -20 }, { 200, 100, -30 }));
   EXPECT_TRUE(mayBeCut(band, { -200, -100, -20 }, { 200, 140, -30 }));
+}
+
 }

@@ -253,12 +253,15 @@ void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 /** Whether all facets of a part that is projected are looked at together. */
 bool BandParts::HasFewFacets(const Occluder& occluder) const
 {
-  return occluder.Mesh->Few() && !this->Tools.Projected.MayBeCut() && this->Tools.Lines.BySample();
+  return occluder.Mesh->Few() && this->Tools.Projected.IsBehindNear() &&
+    this->Tools.Lines.BySample();
 }
 
 /** Returns false if they do not tell what is covered. */
 bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
 {
+  const FewFacets& facets = *occluder.Mesh->Few();
+  this->Tools.Cuts.Begin(this->Tools.Projected);
   for (const MeshProjection::Facing facing :
     { MeshProjection::Facing::Front, MeshProjection::Facing::Back })
   {
@@ -266,8 +269,8 @@ bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
     {
       continue;
     }
-    const std::optional<std::size_t> pieces = FewFacetsCoverage::Insert(
-      this->Tools.Lines, *occluder.Mesh->Few(), this->Tools.Projected, facing, part);
+    const std::optional<std::size_t> pieces = FewFacetsCoverage::Insert(this->Tools.Lines, facets,
+      this->Tools.Projected, facing, part, this->Tools.Cuts.UnsteadyOf(facets, facing));
     if (!pieces)
     {
       return false;

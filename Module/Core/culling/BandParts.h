@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_BAND_PARTS_H
 #define VITRINE_CORE_CULLING_BAND_PARTS_H
 
+#include "Core/culling/CutFaces.h"
 #include "Core/culling/FaceCoverage.h"
 #include "Core/culling/HiddenFaces.h"
 #include "Core/culling/InsertionBudget.h"
@@ -26,6 +27,7 @@ struct BandTools
   MeshProjection Projected{};
   OutlineCoverage CoverOfFew{};
   FaceCoverage CoverOfMany{};
+  CutFaces Cuts{};
   InsertionBudget Budget{};
   LastOwners Owners{};
   std::uint32_t Inserted = 0; ///< parts, in this frame

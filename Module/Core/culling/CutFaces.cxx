@@ -21,11 +21,23 @@ const float StepOfCuts = 0x1p-25f;
 
 // Of a face of which more corners are left, as it is cut so often and so close to them, nothing is known.
 const std::size_t MostCorners = 9;
+const std::size_t MostSlides = 8; // of one
 
 // No samples are so few steps of the grid that corners are snapped to beside the view's sides.
 const double StepsOnASide = 2.0;
 
 const float AnyDepth = 2.0f; // more than all depths differ
+
+const double FarAway = 1e9; // columns and lines: more than matter anywhere
+
+/** Of three corners. */
+template <class Triangle>
+FacePlaces<float> PlacesOf(const Triangle& corners)
+{
+  const auto& [a, b, c] = corners;
+  return { { a->Column, b->Column, c->Column }, { a->Line, b->Line, c->Line },
+    { a->Depth, b->Depth, c->Depth }, { a->InverseOfW, b->InverseOfW, c->InverseOfW } };
+}
 }
 
 void CutFaces::Begin(const MeshProjection& projection)
@@ -45,154 +57,179 @@ void CutFaces::Begin(const MeshProjection& projection)
   this->Step = StepOfCuts * std::min(width, height);
 }
 
-float CutFaces::UnsteadyOf(std::uint32_t face)
+float CutFaces::UnsteadyOf(const MeshFace& face)
 {
   if (!this->MayBeCut || !this->Projection->MayBeCut(face))
   {
     return 0.0f;
   }
   const std::array<glm::dvec4, 3> corners = this->Projection->CornersOnScreen(face);
-  this->Corners = &this->Cuts.Cut(corners[0], corners[1], corners[2]);
-  if (this->Corners->empty())
+  const std::vector<CutCorner>& left = this->Cuts.Cut(corners[0], corners[1], corners[2]);
+  if (left.empty())
   {
     return 0.0f;
   }
-  if (!this->IsKnown())
+  if (!this->IsKnown(left))
   {
     return AnyDepth;
   }
+  this->FindCorners(left);
   this->FindSlopes();
   float most = 0.0f;
   this->ForEachTriangle(
-    [&](const std::array<int, 3>& triangle)
+    [&](const Triangle& corners)
     {
-      if (!this->IsOnASide(triangle))
+      const bool isOnASide = (corners[0]->Sides & corners[1]->Sides & corners[2]->Sides) != 0;
+      if (!isOnASide)
       {
-        most = std::max(most, this->UnsteadyIn(triangle));
+        most = std::max(most, this->UnsteadyIn(corners));
       }
     });
   return most;
+}
+
+FacetDepths CutFaces::UnsteadyOf(const FewFacets& facets, MeshProjection::Facing facing)
+{
+  FacetDepths unsteady{};
+  if (!this->MayBeCut)
+  {
+    return unsteady;
+  }
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const MeshFace largest = facets.Largest(i);
+    if (this->Projection->FacingOf(largest) == facing)
+    {
+      unsteady[i] = std::max(this->UnsteadyOf(largest), this->UnsteadyOf(facets.Other(i)));
+    }
+  }
+  return unsteady;
+}
+
+bool CutFaces::IsKnown(const std::vector<CutCorner>& corners) const
+{
+  return corners.size() >= 3 && corners.size() <= MostCorners &&
+    std::all_of(corners.begin(), corners.end(),
+      [&](const CutCorner& corner)
+      {
+        return corner.Slides.End - corner.Slides.First <= MostSlides &&
+          corner.Place.w > this->Projection->View().Rounding.w;
+      });
+}
+
+/** Where they are on the screen. */
+void CutFaces::FindCorners(const std::vector<CutCorner>& corners)
+{
+  this->Corners.clear();
+  this->SlidesOnScreen.clear();
+  for (const CutCorner& corner : corners)
+  {
+    const double inverse = 1.0 / corner.Place.w;
+    const glm::dvec2 place = inverse * glm::dvec2(corner.Place);
+    const std::size_t first = this->SlidesOnScreen.size();
+    const glm::dvec2 slid = this->AddSlides(corner);
+    this->Corners.push_back({ static_cast<float>(place.x), static_cast<float>(place.y),
+      static_cast<float>(inverse * corner.Place.z), static_cast<float>(inverse),
+      static_cast<float>(corner.Reach), place, { first, this->SlidesOnScreen.size() },
+      glm::length(slid), this->SidesAt(place, slid) });
+  }
+}
+
+/** Returns how far a corner slides at most by columns, and by lines. */
+glm::dvec2 CutFaces::AddSlides(const CutCorner& corner)
+{
+  glm::dvec2 all(0.0);
+  for (std::size_t i = corner.Slides.First; i < corner.Slides.End; ++i)
+  {
+    const glm::dvec4& slide = this->Cuts.Slides()[i];
+    const double nearestW = corner.Place.w - std::abs(slide.w);
+    const glm::dvec2 change =
+      glm::dvec2(slide) - glm::dvec2(corner.Place) / corner.Place.w * slide.w;
+    const glm::dvec2 onScreen = nearestW > 0.0 ? change / nearestW : glm::dvec2(FarAway);
+    this->SlidesOnScreen.push_back(onScreen);
+    all += glm::abs(onScreen);
+  }
+  return all;
+}
+
+unsigned CutFaces::SidesAt(const glm::dvec2& place, const glm::dvec2& slid) const
+{
+  const ScreenMatrix& view = this->Projection->View();
+  const ScreenMargin& snapping = this->Projection->Snapping();
+  const glm::dvec2 most = StepsOnASide * glm::dvec2(snapping.Column, snapping.Line);
+  const glm::dvec2 low = most - slid, high = glm::dvec2(view.Size.x, view.Top()) - most + slid;
+  return unsigned{ place.x < low.x } | unsigned{ place.x > high.x } << 1 |
+    unsigned{ place.y < low.y + view.Bottom() } << 2 | unsigned{ place.y > high.y } << 3;
 }
 
 /** Every three corners. */
 template <class Function>
 void CutFaces::ForEachTriangle(const Function& function) const
 {
-  const int count = static_cast<int>(this->Corners->size());
-  for (int a = 0; a < count; ++a)
+  for (auto a = this->Corners.begin(); a != this->Corners.end(); ++a)
   {
-    for (int b = a + 1; b < count; ++b)
+    for (auto b = a + 1; b != this->Corners.end(); ++b)
     {
-      for (int c = b + 1; c < count; ++c)
+      for (auto c = b + 1; c != this->Corners.end(); ++c)
       {
-        function({ a, b, c });
+        function({ &*a, &*b, &*c });
       }
     }
   }
-}
-
-bool CutFaces::IsKnown() const
-{
-  return this->Corners->size() >= 3 && this->Corners->size() <= MostCorners &&
-    std::all_of(this->Corners->begin(), this->Corners->end(),
-      [&](const CutCorner& corner)
-      { return !corner.HasMore && corner.Place.w > this->Projection->View().Rounding.w; });
-}
-
-FacePlaces<float> CutFaces::PlacesOf(const std::array<int, 3>& corners) const
-{
-  FacePlaces<float> places;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const glm::dvec4& place = this->At(corners[i]).Place;
-    places.Columns[i] = static_cast<float>(place.x / place.w);
-    places.Lines[i] = static_cast<float>(place.y / place.w);
-    places.Depths[i] = static_cast<float>(place.z / place.w);
-    places.InversesOfW[i] = static_cast<float>(1.0 / place.w);
-  }
-  return places;
 }
 
 /** Those of the largest triangle. */
 void CutFaces::FindSlopes()
 {
-  float largest = -1.0f;
+  double most = -1.0;
   this->ForEachTriangle(
-    [&](const std::array<int, 3>& corners)
+    [&](const Triangle& corners)
     {
-      const FacePlaces<float> places = this->PlacesOf(corners);
-      const ScreenRounding& rounding = this->Projection->Rounding();
-      const float area = std::abs(SidesOnScreen<float>(places, rounding).Area.Value);
-      if (area > largest)
+      const auto& [a, b, c] = corners;
+      const glm::dvec2 first = b->Place - a->Place, second = c->Place - a->Place;
+      const double area = std::abs(first.x * second.y - second.x * first.y);
+      if (area > most)
       {
-        const FaceSlopes<float> slopes(places, rounding, this->Projection->Snapping());
-        this->ByColumn = std::abs(slopes.ByColumn.Value);
-        this->ByLine = std::abs(slopes.ByLine.Value);
-        largest = area;
+        const double firstDepth = b->Depth - a->Depth, secondDepth = c->Depth - a->Depth;
+        this->ByColumn =
+          static_cast<float>(std::abs(firstDepth * second.y - secondDepth * first.y) / area);
+        this->ByLine =
+          static_cast<float>(std::abs(firstDepth * second.x - secondDepth * first.x) / area);
+        most = area;
       }
     });
 }
 
 /** By how much twice the area of a triangle may be off since its corners slide along edges. */
-double CutFaces::AreaDoubt(const std::array<int, 3>& corners) const
+double CutFaces::AreaDoubt(const Triangle& corners) const
 {
-  const auto placeOf = [&](int corner)
-  { return glm::dvec2(this->At(corner).Place) / this->At(corner).Place.w; };
   double doubt = 0.0, slidBefore = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const CutCorner& corner = this->At(corners[i]);
-    const glm::dvec2 across = placeOf(corners[(i + 2) % 3]) - placeOf(corners[(i + 1) % 3]);
-    double slid = 0.0;
-    for (int k = 0; k < corner.SlideCount; ++k)
+    const Corner& corner = *corners[i];
+    const glm::dvec2 across = corners[(i + 2) % 3]->Place - corners[(i + 1) % 3]->Place;
+    for (std::size_t k = corner.Slides.First; k < corner.Slides.End; ++k)
     {
-      const glm::dvec2 slide = corner.SlideOnScreen(k);
+      const glm::dvec2& slide = this->SlidesOnScreen[k];
       doubt += std::abs(across.x * slide.y - across.y * slide.x);
-      slid += glm::length(slide);
     }
-    doubt += slid * slidBefore;
-    slidBefore += slid;
+    doubt += corner.Slid * slidBefore;
+    slidBefore += corner.Slid;
   }
   return doubt;
 }
 
-/** Whether a triangle lies so close to one of the view's sides that it has no samples. */
-bool CutFaces::IsOnASide(const std::array<int, 3>& corners) const
-{
-  const ScreenMatrix& view = this->Projection->View();
-  const glm::dvec2 most = StepsOnASide *
-    glm::dvec2(this->Projection->Snapping().Column, this->Projection->Snapping().Line);
-  const glm::dvec2 low(0.0, view.Bottom()), high(view.Size.x, view.Top());
-  glm::bvec2 isLow(true), isHigh(true);
-  for (const int i : corners)
-  {
-    const CutCorner& corner = this->At(i);
-    const glm::dvec2 place = glm::dvec2(corner.Place) / corner.Place.w;
-    glm::dvec2 slid(0.0);
-    for (int k = 0; k < corner.SlideCount; ++k)
-    {
-      slid += glm::abs(corner.SlideOnScreen(k));
-    }
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      isLow[axis] = isLow[axis] && place[axis] + slid[axis] < low[axis] + most[axis];
-      isHigh[axis] = isHigh[axis] && place[axis] - slid[axis] > high[axis] - most[axis];
-    }
-  }
-  return glm::any(isLow) || glm::any(isHigh);
-}
-
 /** The corners lie in the face's plane, wherever it is, but for what is rounded where it is cut. */
-float CutFaces::UnsteadyIn(const std::array<int, 3>& corners) const
+float CutFaces::UnsteadyIn(const Triangle& corners) const
 {
-  FacePlaces<float> places = this->PlacesOf(corners);
+  FacePlaces<float> places = PlacesOf(corners);
   const SidesOnScreen<float> anywhere(places, this->Projection->Rounding());
   const float leastArea =
     std::max(anywhere.LeastArea() - static_cast<float>(this->AreaDoubt(corners)),
       this->Step * std::min(anywhere.Columns.Largest(), anywhere.Lines.Largest()));
   for (std::size_t i = 0; i < 3; ++i)
   {
-    places.InversesOfW[i] = static_cast<float>(this->At(corners[i]).Reach);
+    places.InversesOfW[i] = corners[i]->Reach;
   }
   const SidesOnScreen<float> sides(places, this->OfCuts);
   const float byColumn = Cross(sides.Depths, sides.Lines).Off + this->ByColumn * sides.Area.Off;

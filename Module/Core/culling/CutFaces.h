@@ -2,11 +2,13 @@
 #define VITRINE_CORE_CULLING_CUT_FACES_H
 
 #include "Core/culling/FaceSlopes.h"
+#include "Core/culling/FewFacets.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/ViewCuts.h"
 
+#include <glm/vec2.hpp>
+
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,32 +26,50 @@ public:
   void Begin(const MeshProjection& projection);
 
   /**
-   * Of depths of one of its faces, by how much they may be off in any of the triangles, none of which is thinner for a device than a step of its floats; 0 if it is not cut, and more than all depths differ if
+   * Of depths of a face of the mesh, by how much they may be off in any of the triangles, none of which is thinner for a device than a step of its floats; 0 if it is not cut, and more than all depths differ if
    * nothing is known.
    */
-  float UnsteadyOf(std::uint32_t face);
+  float UnsteadyOf(const MeshFace& face);
+
+  /** The same of one of the projection's faces. */
+  float UnsteadyOf(std::uint32_t face) { return this->UnsteadyOf(this->Projection->WholeOf(face)); }
+
+  /** The same of both faces of facets that are seen from one side; 0 of the others. */
+  FacetDepths UnsteadyOf(const FewFacets& facets, MeshProjection::Facing facing);
 
 private:
+  /** A corner of what is left of the face at hand. */
+  struct Corner
+  {
+    float Column, Line, Depth, InverseOfW;
+    float Reach; ///< as CutCorner has it
+    glm::dvec2 Place;
+    SlideRange Slides; ///< of SlidesOnScreen
+    double Slid;       ///< by all of those at most
+    unsigned
+      Sides; ///< of the view that it lies so close to that nothing beyond it has samples, a bit for each
+  };
+
+  using Triangle = std::array<const Corner*, 3>;
+
+  bool IsKnown(const std::vector<CutCorner>& corners) const;
+  void FindCorners(const std::vector<CutCorner>& corners);
+  glm::dvec2 AddSlides(const CutCorner& corner);
+  unsigned SidesAt(const glm::dvec2& place, const glm::dvec2& slid) const;
   template <class Function>
   void ForEachTriangle(const Function& function) const;
-  bool IsKnown() const;
-  const CutCorner& At(int corner) const
-  {
-    return (*this->Corners)[static_cast<std::size_t>(corner)];
-  }
-  FacePlaces<float> PlacesOf(const std::array<int, 3>& corners) const;
-  double AreaDoubt(const std::array<int, 3>& corners) const;
   void FindSlopes();
-  float UnsteadyIn(const std::array<int, 3>& corners) const;
-  bool IsOnASide(const std::array<int, 3>& corners) const;
+  double AreaDoubt(const Triangle& corners) const;
+  float UnsteadyIn(const Triangle& corners) const;
 
   const MeshProjection* Projection = nullptr;
   bool MayBeCut = false; ///< any of its faces
   ViewCuts Cuts;
-  ScreenRounding OfCuts{};                         ///< of where edges are cut
-  float Step = 0.0f;                               ///< of columns and lines
-  const std::vector<CutCorner>* Corners = nullptr; ///< of the face at hand
-  float ByColumn = 0.0f; ///< by how much its depth changes, without the sign
+  ScreenRounding OfCuts{}; ///< of where edges are cut
+  float Step = 0.0f;       ///< of columns and lines
+  std::vector<Corner> Corners;
+  std::vector<glm::dvec2> SlidesOnScreen; ///< of them, in columns and lines
+  float ByColumn = 0.0f; ///< by how much the depth of the face at hand changes, without the sign
   float ByLine = 0.0f;
 };
 

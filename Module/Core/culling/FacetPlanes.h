@@ -62,6 +62,12 @@ struct FacetSlopes
     this->Beyond = GreatestOf(this->Plane.Beyond, others.Beyond);
   }
 
+  VITRINE_INLINE void Unsettle(Lanes depth)
+  {
+    this->Unsteady += depth;
+    this->Beyond += depth;
+  }
+
 private:
   VITRINE_INLINE static FaceSlopes<Lanes> SlopesOf(const PointLanes& a, const PointLanes& b,
     const PointLanes& c, const ScreenMargin& margin, const ScreenMargin& snapping)
@@ -79,12 +85,15 @@ class FacetPlanes
 public:
   static constexpr float BeforeAll = 2.0f; ///< above all depths
 
+  /** @param unsteady  by how much more the depths of each may be off */
   VITRINE_INLINE FacetPlanes(const FewFacets& facets, const PointLanes& points,
-    const MeshProjection& projection, MeshProjection::Facing facing, const FewFacetsFrame& frame)
+    const MeshProjection& projection, MeshProjection::Facing facing, const FewFacetsFrame& frame,
+    Lanes unsteady)
   {
     const FacetCorners corners(facets, points);
     const ScreenMargin& margin = projection.Margin();
-    const FacetSlopes slopes(facets, points, corners, margin, projection.Snapping());
+    FacetSlopes slopes(facets, points, corners, margin, projection.Snapping());
+    slopes.Unsettle(unsteady);
     this->Counted = corners.Facing(facing);
     this->FindPlanes(corners, slopes, margin, frame);
     const Lanes farthest = corners.LeastOfAll(&PointLanes::Depth) - margin.Depth - slopes.Beyond;

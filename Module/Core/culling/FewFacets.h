@@ -4,12 +4,16 @@
 #include "Core/culling/Lanes.h"
 #include "Core/culling/MeshFacets.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace vitrine
 {
+
+/** A number for each of few facets. */
+using FacetDepths = std::array<float, LaneCount>;
 
 /**
  * The facets of a convex mesh of few points, such as a box, a wedge or a plate, as they are looked at together: its points fit into the lanes of one register, and
@@ -30,11 +34,21 @@ struct FewFacets
   /** Points of each facet's other face, if it has one; else of the largest again. */
   std::int32_t Others[3][LaneCount] = {};
 
+  MeshFace Largest(int facet) const { return FaceOf(this->Corners, facet); }
+  MeshFace Other(int facet) const { return FaceOf(this->Others, facet); }
+
   /** Of each edge the points, as the facet on its left goes around, and what lies on both sides: the bits of facets. Behind the last one are some that have none. */
   std::int32_t From[MostEdges] = {};
   std::int32_t To[MostEdges] = {};
   std::int32_t Left[MostEdges] = {};
   std::int32_t Right[MostEdges] = {};
+
+private:
+  static MeshFace FaceOf(const std::int32_t (*corners)[LaneCount], int facet)
+  {
+    const auto corner = [&](int i) { return static_cast<std::uint32_t>(corners[i][facet]); };
+    return { corner(0), corner(1), corner(2) };
+  }
 };
 
 }

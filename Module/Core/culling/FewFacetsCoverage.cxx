@@ -10,7 +10,8 @@ namespace vitrine
 
 VITRINE_FOR_EACH_PROCESSOR
 std::optional<std::size_t> FewFacetsCoverage::Insert(SBuffer& buffer, const FewFacets& facets,
-  const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part)
+  const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part,
+  const FacetDepths& unsteady)
 {
   const FewFacetsFrame frame(buffer, projection.Rectangle());
   if (frame.Lines.First > frame.Lines.Last)
@@ -18,7 +19,7 @@ std::optional<std::size_t> FewFacetsCoverage::Insert(SBuffer& buffer, const FewF
     return 0;
   }
   const PointLanes points(projection, frame);
-  FacetPlanes planes(facets, points, projection, facing, frame);
+  FacetPlanes planes(facets, points, projection, facing, frame, LoadLanes(unsteady.data()));
   if (planes.Bits() == 0)
   {
     return 1;

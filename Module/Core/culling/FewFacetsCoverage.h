@@ -26,11 +26,13 @@ public:
    * @param projection  of a mesh that has few facets, all of it behind the near plane
    * @param facing      of the facets that count
    * @param part        whose they are
+   * @param unsteady    by how much more than others the depths of each facet may be off, as of those that a device cuts (CutFaces)
    * @returns           how many pieces of facets and edges were looked at; none if their outline does not tell what is covered, as where sides are seen from their edge to the last bit of
    *                    floats: then nothing is inserted
    */
   static std::optional<std::size_t> Insert(SBuffer& buffer, const FewFacets& facets,
-    const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part);
+    const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part,
+    const FacetDepths& unsteady = {});
 };
 
 }

@@ -54,7 +54,7 @@ bool HiddenFaces::AreCutFacesHidden(const MeshProjection& projection, float near
   this->MaybeCut.clear();
   for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
   {
-    if (projection.MayBeCut(i))
+    if (projection.MayBeCut(projection.WholeOf(i)))
     {
       this->MaybeCut.push_back(i);
     }

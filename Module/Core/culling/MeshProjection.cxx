@@ -186,9 +186,8 @@ float MeshProjection::NearestOnScreen(const SBuffer& screen) const
   return std::min(nearest, 1.0f);
 }
 
-bool MeshProjection::MayBeCut(std::uint32_t number) const
+bool MeshProjection::MayBeCut(const MeshFace& face) const
 {
-  const MeshFace& face = this->Projected->Faces()[this->SourceOf(number)];
   if (!(this->IsBehindNear(face[0]) && this->IsBehindNear(face[1]) && this->IsBehindNear(face[2])))
   {
     return true;
@@ -199,13 +198,13 @@ bool MeshProjection::MayBeCut(std::uint32_t number) const
   return this->ToScreen.IsInView(around) && this->ToScreen.MayBeCut(around, farthest);
 }
 
-std::array<glm::dvec4, 3> MeshProjection::CornersOnScreen(std::uint32_t number) const
+std::array<glm::dvec4, 3> MeshProjection::CornersOnScreen(const MeshFace& face) const
 {
   const OccluderMesh& mesh = *this->Projected;
   std::array<glm::dvec4, 3> corners;
   for (int i = 0; i < 3; ++i)
   {
-    const std::uint32_t point = mesh.Faces()[this->SourceOf(number)][i];
+    const std::uint32_t point = face[i];
     const glm::dvec3 place(
       mesh.Coordinates(0)[point], mesh.Coordinates(1)[point], mesh.Coordinates(2)[point]);
     corners[i] = this->ToScreen.Matrix * glm::dvec4(mesh.Origin() + place, 1.0);

@@ -130,11 +130,17 @@ public:
     return !this->AreAllBehindNear || this->ToScreen.MayBeCut(this->Around, this->Farthest);
   }
 
-  /** Whether it may cut one of Faces(): that is neither surely within the view nor surely beyond one of its sides. */
-  bool MayBeCut(std::uint32_t face) const;
+  /** Whether it may cut a face of the mesh: that is neither surely within the view nor surely beyond one of its sides. */
+  bool MayBeCut(const MeshFace& face) const;
 
-  /** Corners of the mesh's face that one of Faces() is of: column, line and depth, each times w, and w. */
-  std::array<glm::dvec4, 3> CornersOnScreen(std::uint32_t face) const;
+  /** Corners of a face of the mesh: column, line and depth, each times w, and w. */
+  std::array<glm::dvec4, 3> CornersOnScreen(const MeshFace& face) const;
+
+  /** The face of the mesh that one of Faces() is of. */
+  const MeshFace& WholeOf(std::uint32_t face) const
+  {
+    return this->Projected->Faces()[this->SourceOf(face)];
+  }
 
   /** What the mesh was projected with. */
   const ScreenMatrix& View() const { return this->ToScreen; }

@@ -5,33 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace vitrine
 {
-
-namespace
-{
-
-const double FarAway = 1e9; // columns and lines: more than matter anywhere
-}
-
-void CutCorner::AddSlide(const glm::dvec4& slide)
-{
-  this->HasMore = this->HasMore || this->SlideCount == MostSlides;
-  if (!this->HasMore)
-  {
-    this->Slides[this->SlideCount++] = slide;
-  }
-}
-
-glm::dvec2 CutCorner::SlideOnScreen(int i) const
-{
-  const glm::dvec4& slide = this->Slides[i];
-  const double nearestW = this->Place.w - std::abs(slide.w);
-  const glm::dvec2 change = glm::dvec2(slide) - glm::dvec2(this->Place) / this->Place.w * slide.w;
-  return nearestW > 0.0 ? change / nearestW : glm::dvec2(FarAway);
-}
 
 void ViewCuts::Begin(const ScreenMatrix& toScreen)
 {
@@ -61,9 +37,12 @@ const std::vector<CutCorner>& ViewCuts::Cut(
   const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
 {
   this->Corners.assign({ { a }, { b }, { c } });
+  this->Slid.clear();
   for (const Plane& plane : this->Planes)
   {
-    if (!this->AreAllInside(plane))
+    const bool areAllInside = glm::dot(plane.Normal, a) > plane.Rounding &&
+      glm::dot(plane.Normal, b) > plane.Rounding && glm::dot(plane.Normal, c) > plane.Rounding;
+    if (!areAllInside)
     {
       this->CutAt(plane);
     }
@@ -71,26 +50,14 @@ const std::vector<CutCorner>& ViewCuts::Cut(
   return this->Corners;
 }
 
-bool ViewCuts::AreAllInside(const Plane& plane) const
-{
-  return std::all_of(this->Corners.begin(), this->Corners.end(),
-    [&](const CutCorner& corner)
-    { return glm::dot(plane.Normal, corner.Place) > DoubtOf(corner, plane); });
-}
-
 /** Keeps what is inside, twice what may be, and where edges lead from surely inside to surely beyond. */
 void ViewCuts::CutAt(const Plane& plane)
 {
-  this->Around.clear();
-  for (const CutCorner& corner : this->Corners)
+  if (this->FindSides(plane))
   {
-    const double distance = glm::dot(plane.Normal, corner.Place);
-    const double doubt = DoubtOf(corner, plane);
-    this->Around.push_back({ corner, distance, doubt,
-      distance > doubt      ? 1
-        : distance < -doubt ? -1
-                            : 0 });
+    return;
   }
+  this->Corners.swap(this->Uncut);
   this->Corners.clear();
   const std::size_t count = this->Around.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -99,12 +66,12 @@ void ViewCuts::CutAt(const Plane& plane)
     if (corner.Side == 0)
     {
       const Sided& last = this->Around[(i + count - 1) % count];
-      const std::size_t more = corner.Corner.IsOneOfTwo ? 1 : 2;
-      this->Corners.resize(this->Corners.size() + more, MaybeCutOf(corner, last, next));
+      const std::size_t more = corner.Corner->IsOneOfTwo ? 1 : 2;
+      this->Corners.resize(this->Corners.size() + more, this->MaybeCutOf(corner, last, next));
     }
     else if (corner.Side > 0)
     {
-      this->Corners.push_back(corner.Corner);
+      this->Corners.push_back(*corner.Corner);
     }
     if (corner.Side * next.Side < 0)
     {
@@ -113,13 +80,29 @@ void ViewCuts::CutAt(const Plane& plane)
   }
 }
 
+/** Where a plane has the corners; returns whether all of them are surely inside. */
+bool ViewCuts::FindSides(const Plane& plane)
+{
+  this->Around.clear();
+  bool areAllInside = true;
+  for (const CutCorner& corner : this->Corners)
+  {
+    const double distance = glm::dot(plane.Normal, corner.Place);
+    const double doubt = this->DoubtOf(corner, plane);
+    const int side = distance > doubt ? 1 : distance < -doubt ? -1 : 0;
+    this->Around.push_back({ &corner, distance, doubt, side });
+    areAllInside = areAllInside && side > 0;
+  }
+  return areAllInside;
+}
+
 /** By how much the distance of a corner may be off. */
-double ViewCuts::DoubtOf(const CutCorner& corner, const Plane& plane)
+double ViewCuts::DoubtOf(const CutCorner& corner, const Plane& plane) const
 {
   double doubt = plane.Rounding;
-  for (int i = 0; i < corner.SlideCount; ++i)
+  for (std::size_t i = corner.Slides.First; i < corner.Slides.End; ++i)
   {
-    doubt += std::abs(glm::dot(plane.Normal, corner.Slides[i]));
+    doubt += std::abs(glm::dot(plane.Normal, this->Slid[i]));
   }
   return doubt;
 }
@@ -127,43 +110,51 @@ double ViewCuts::DoubtOf(const CutCorner& corner, const Plane& plane)
 /** A corner that may be cut off, somewhere on the edges from there. */
 CutCorner ViewCuts::MaybeCutOf(const Sided& corner, const Sided& last, const Sided& next)
 {
-  CutCorner cut = corner.Corner;
+  CutCorner cut = *corner.Corner;
   cut.IsOneOfTwo = true;
+  cut.Slides.First = this->Slid.size();
+  this->AddSlides(*corner.Corner, 1.0);
   for (const Sided* other : { &last, &next })
   {
     const double most = 3.0 * std::max(corner.Doubt, other->Doubt);
     const double differ = std::abs(other->Distance - corner.Distance);
-    cut.AddSlide(
-      (differ > most ? most / differ : 1.0) * (other->Corner.Place - corner.Corner.Place));
+    this->Slid.push_back(
+      (differ > most ? most / differ : 1.0) * (other->Corner->Place - corner.Corner->Place));
   }
+  cut.Slides.End = this->Slid.size();
   return cut;
 }
 
 /** Where a plane cuts an edge: as much farther on or back as either end is off, and beside it as they are; where two planes meet it does so nowhere else. */
-CutCorner ViewCuts::CrossingOf(const Sided& from, const Sided& to, const Plane& plane) const
+CutCorner ViewCuts::CrossingOf(const Sided& from, const Sided& to, const Plane& plane)
 {
-  const glm::dvec4 along = to.Corner.Place - from.Corner.Place;
+  const glm::dvec4 along = to.Corner->Place - from.Corner->Place;
   const double share = from.Distance / (from.Distance - to.Distance);
   const double most = 4.0 * std::max(from.Doubt, to.Doubt);
   const double differ = std::abs(to.Distance - from.Distance);
   CutCorner cut;
-  cut.Place = from.Corner.Place + share * along;
-  cut.Reach = std::max(this->ReachOf(from.Corner), this->ReachOf(to.Corner)) / cut.Place.w;
-  cut.Planes = plane.Bit | (from.Corner.Planes & to.Corner.Planes);
+  cut.Place = from.Corner->Place + share * along;
+  cut.Reach = std::max(this->ReachOf(*from.Corner), this->ReachOf(*to.Corner)) / cut.Place.w;
+  cut.Planes = plane.Bit | (from.Corner->Planes & to.Corner->Planes);
   if (cut.Planes != plane.Bit)
   {
     return cut; // where two planes meet
   }
-  cut.AddSlide((differ > most ? most / differ : 1.0) * along);
-  cut.HasMore = from.Corner.HasMore || to.Corner.HasMore;
-  for (const auto& [end, weight] : { std::pair(&from, 1.0 - share), std::pair(&to, share) })
-  {
-    for (int i = 0; i < end->Corner.SlideCount; ++i)
-    {
-      cut.AddSlide(weight * end->Corner.Slides[i]);
-    }
-  }
+  cut.Slides.First = this->Slid.size();
+  this->Slid.push_back((differ > most ? most / differ : 1.0) * along);
+  this->AddSlides(*from.Corner, 1.0 - share);
+  this->AddSlides(*to.Corner, share);
+  cut.Slides.End = this->Slid.size();
   return cut;
+}
+
+/** Has the corner at hand slide as another does, by a share of it. */
+void ViewCuts::AddSlides(const CutCorner& of, double weight)
+{
+  for (std::size_t i = of.Slides.First; i < of.Slides.End; ++i)
+  {
+    this->Slid.push_back(weight * this->Slid[i]);
+  }
 }
 
 /** Times w: the numbers that a point between it and another is summed of are no larger. */

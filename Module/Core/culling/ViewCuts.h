@@ -6,30 +6,28 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace vitrine
 {
 
+/** Numbers of a row: from the first one up to the last but one. */
+struct SlideRange
+{
+  std::size_t First = 0;
+  std::size_t End = 0;
+};
+
 /** A corner of what is left of a face: column, line and depth, each times w, and w. */
 struct CutCorner
 {
-  static constexpr int MostSlides = 8;
-
   glm::dvec4 Place;
-  glm::dvec4 Slides
-    [MostSlides]{}; ///< within the face: so far this way or that it may be, where rounding has planes cut edges elsewhere
-  int SlideCount = 0;
-  bool HasMore = false;    ///< slides than are kept: nothing is known of it then
+  SlideRange Slides{};     ///< of ViewCuts::Slides()
   bool IsOneOfTwo = false; ///< as rounding decides whether it is cut off, and two are left
   unsigned Planes = 0;     ///< that it lies in, a bit for each
   double Reach =
     1.0; ///< how many times what floats round of the view's width, height and depth it may be off the face
-
-  void AddSlide(const glm::dvec4& slide);
-
-  /** One of the slides on the screen, in columns and lines. */
-  glm::dvec2 SlideOnScreen(int i) const;
 };
 
 /**
@@ -48,6 +46,9 @@ public:
   /** What is left of a face, in order around it; valid until the next call. */
   const std::vector<CutCorner>& Cut(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c);
 
+  /** Within the face: so far this way or that a corner may be by each, where rounding has planes cut edges elsewhere. */
+  const std::vector<glm::dvec4>& Slides() const { return this->Slid; }
+
 private:
   /** Where points are on the inner side that have a positive product. */
   struct Plane
@@ -60,23 +61,26 @@ private:
   /** A corner, and where a plane has it. */
   struct Sided
   {
-    CutCorner Corner;
+    const CutCorner* Corner;
     double Distance;
     double Doubt; ///< of that
     int Side;     ///< 1 if it is surely inside, -1 surely beyond, and 0 neither
   };
 
-  bool AreAllInside(const Plane& plane) const;
   void CutAt(const Plane& plane);
-  static double DoubtOf(const CutCorner& corner, const Plane& plane);
-  static CutCorner MaybeCutOf(const Sided& corner, const Sided& last, const Sided& next);
-  CutCorner CrossingOf(const Sided& from, const Sided& to, const Plane& plane) const;
+  bool FindSides(const Plane& plane);
+  double DoubtOf(const CutCorner& corner, const Plane& plane) const;
+  CutCorner MaybeCutOf(const Sided& corner, const Sided& last, const Sided& next);
+  CutCorner CrossingOf(const Sided& from, const Sided& to, const Plane& plane);
+  void AddSlides(const CutCorner& of, double weight);
   double ReachOf(const CutCorner& corner) const;
 
   Plane Planes[6]{};
   glm::dvec2 Size{};              ///< of the view
   std::vector<CutCorner> Corners; ///< of the face at hand
-  std::vector<Sided> Around;      ///< the same before a plane cuts it
+  std::vector<CutCorner> Uncut;   ///< the same before a plane cuts it
+  std::vector<Sided> Around;      ///< those
+  std::vector<glm::dvec4> Slid;   ///< of all corners that it had
 };
 
 }
