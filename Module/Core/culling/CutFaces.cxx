@@ -13,9 +13,6 @@ namespace vitrine
 namespace
 {
 
-// Of places in the view, where edges are cut: a device sums and multiplies seven times.
-const float RoundingOfCuts = 0x1p-21f;
-
 // No two places that it tells apart there are closer than a step of a sum of half the view's width or height.
 const float StepOfCuts = 0x1p-25f;
 
@@ -25,8 +22,6 @@ const std::size_t MostSlides = 8; // of one
 
 // No samples are so few steps of the grid that corners are snapped to beside the view's sides.
 const double StepsOnASide = 2.0;
-
-const float AnyDepth = 2.0f; // more than all depths differ
 
 const double FarAway = 1e9; // columns and lines: more than matter anywhere
 
@@ -49,12 +44,9 @@ void CutFaces::Begin(const MeshProjection& projection)
     return;
   }
   const ScreenMatrix& view = projection.View();
-  const float width = view.Size.x;
-  const float height = view.Top() - view.Bottom();
   this->Cuts.Begin(view);
-  this->OfCuts = { { RoundingOfCuts * width, 0.0f, 0.0f }, { RoundingOfCuts * height, 0.0f, 0.0f },
-    { RoundingOfCuts, 0.0f, 0.0f } };
-  this->Step = StepOfCuts * std::min(width, height);
+  this->OfCuts = RoundingOfCuts(view);
+  this->Step = StepOfCuts * std::min(view.Size.x, view.Top() - view.Bottom());
 }
 
 float CutFaces::UnsteadyOf(const MeshFace& face)

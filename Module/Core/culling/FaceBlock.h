@@ -38,6 +38,9 @@ public:
 
   const MeshFace& Face(int lane) const { return *this->Faces[lane]; }
 
+  /** To eight faces: where the block has fewer, to the last one again. */
+  const MeshFace* const* Pointers() const { return this->Faces; }
+
   /** Has no face be nearer than that. */
   void LimitNearest(float nearest)
   {

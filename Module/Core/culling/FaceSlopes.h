@@ -10,6 +10,8 @@
 namespace vitrine
 {
 
+inline constexpr float AnyDepth = 2.0f; ///< more than all depths differ
+
 /** Without its sign. */
 VITRINE_INLINE float SizeOf(float a)
 {
@@ -153,8 +155,6 @@ public:
   Number Beyond;   ///< by how much depths may exceed those of the corners
 
 private:
-  static constexpr float AnyDepth = 2.0f; // more than all depths differ
-
   /** Off is negative, infinite or no number if nothing is known. */
   VITRINE_INLINE static Estimate<Number> Quotient(
     const Estimate<Number>& a, const Estimate<Number>& b)

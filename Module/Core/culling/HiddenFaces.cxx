@@ -5,6 +5,7 @@
 #include "Core/culling/FaceOnLines.h"
 #include "Core/culling/FaceThickness.h"
 #include "Core/culling/LineExtent.h"
+#include "Core/culling/SideCuts.h"
 
 #include <algorithm>
 #include <iterator>
@@ -20,6 +21,9 @@ const std::size_t MostFacesOfAnyThickness = 1024;
 
 // Of places that are up to 1.
 const float StepOfFloats = 0x1p-23f;
+
+// Of depth. Faces that cuts leave in more doubt are looked at more closely.
+const float LittleUnsteady = 0x1p-14f;
 
 }
 
@@ -60,16 +64,19 @@ bool HiddenFaces::AreCutFacesHidden(const MeshProjection& projection, float near
     }
   }
   this->Cuts.Begin(projection);
+  const SideCuts cuts(projection);
   for (std::size_t first = 0; first < this->MaybeCut.size(); first += LaneCount)
   {
     FaceBlock block(projection, this->MaybeCut, first);
     block.LimitNearest(nearest);
     const unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
+    const FacetDepths known = faces ? cuts.UnsteadyOf(block) : FacetDepths{};
     for (unsigned bits = faces; bits != 0; bits &= bits - 1)
     {
       const int lane = LowestBit(bits);
+      const std::uint32_t face = this->MaybeCut[first + static_cast<std::size_t>(lane)];
       block.Unsettle(
-        lane, this->Cuts.UnsteadyOf(this->MaybeCut[first + static_cast<std::size_t>(lane)]));
+        lane, known[lane] < LittleUnsteady ? known[lane] : this->Cuts.UnsteadyOf(face));
     }
     if (!this->AreHiddenIfThick(projection, block, faces))
     {

@@ -20,7 +20,7 @@ glm::dvec3 CornerTowards(const Box& box, const glm::dvec3& direction)
     direction.z > 0 ? box.Max.z : box.Min.z };
 }
 
-double SizeOf(const glm::dvec3& normal, const glm::dvec3& point)
+double LargestOf(const glm::dvec3& normal, const glm::dvec3& point)
 {
   return std::abs(normal.x * point.x) + std::abs(normal.y * point.y) + std::abs(normal.z * point.z);
 }
@@ -64,7 +64,7 @@ void Shaft::AddPlane(const glm::dvec3& normal, const Box& a, const Box& b)
 {
   const glm::dvec3 ofA = CornerTowards(a, normal);
   const glm::dvec3 ofB = CornerTowards(b, normal);
-  const double rounding = RoundingShare * std::max(SizeOf(normal, ofA), SizeOf(normal, ofB));
+  const double rounding = RoundingShare * std::max(LargestOf(normal, ofA), LargestOf(normal, ofB));
   this->Planes.push_back(
     { normal, std::max(glm::dot(normal, ofA), glm::dot(normal, ofB)) + rounding });
 }
@@ -74,7 +74,7 @@ bool Shaft::MayMeet(const Box& box) const
   for (const Plane& plane : this->Planes)
   {
     const glm::dvec3 lowest = CornerTowards(box, -plane.Normal);
-    const double rounding = RoundingShare * SizeOf(plane.Normal, lowest);
+    const double rounding = RoundingShare * LargestOf(plane.Normal, lowest);
     if (glm::dot(plane.Normal, lowest) - rounding > plane.Offset)
     {
       return false;
@@ -90,7 +90,7 @@ bool Shaft::MayMeet(const glm::dvec3* points, std::size_t count) const
     bool areAllBeyond = true;
     for (std::size_t i = 0; i < count && areAllBeyond; ++i)
     {
-      const double rounding = RoundingShare * SizeOf(plane.Normal, points[i]);
+      const double rounding = RoundingShare * LargestOf(plane.Normal, points[i]);
       areAllBeyond = glm::dot(plane.Normal, points[i]) - rounding > plane.Offset;
     }
     if (areAllBeyond)

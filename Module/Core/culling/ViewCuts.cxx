@@ -9,6 +9,20 @@
 namespace vitrine
 {
 
+namespace
+{
+
+// A device sums and multiplies seven times.
+const float RoundingOfSeven = 0x1p-21f;
+}
+
+ScreenRounding RoundingOfCuts(const ScreenMatrix& view)
+{
+  return { { RoundingOfSeven * view.Size.x, 0.0f, 0.0f },
+    { RoundingOfSeven * (view.Top() - view.Bottom()), 0.0f, 0.0f },
+    { RoundingOfSeven, 0.0f, 0.0f } };
+}
+
 void ViewCuts::Begin(const ScreenMatrix& toScreen)
 {
   const glm::dvec4 own(toScreen.Rounding);

@@ -12,6 +12,9 @@
 namespace vitrine
 {
 
+/** Of places in the view, where edges are cut. */
+ScreenRounding RoundingOfCuts(const ScreenMatrix& view);
+
 /** Numbers of a row: from the first one up to the last but one. */
 struct SlideRange
 {
