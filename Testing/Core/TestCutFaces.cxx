@@ -6,6 +6,7 @@
 #include "Core/culling/DepthPlane.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
+#include "Core/culling/SideCuts.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -100,7 +101,8 @@ struct CutKind
 {
   const char* Name;
   FaceInView (*Make)(Random&);
-  bool IsCutOften; ///< so that slivers are left that are drawn off the face's plane
+  bool IsCutOften;    ///< so that slivers are left that are drawn off the face's plane
+  int LeastOfOneSide; ///< of 40,000 so many that one side cuts, and not close to a corner
 };
 
 void PrintTo(const CutKind& kind, std::ostream* stream)
@@ -108,11 +110,12 @@ void PrintTo(const CutKind& kind, std::ostream* stream)
   *stream << kind.Name;
 }
 
-const CutKind CutKinds[] = { { "JustBeyond", JustBeyond, true },
-  { "AcrossTheView", AcrossTheView, false }, { "AtACornerOfTheView", AtACornerOfTheView, true },
-  { "Anywhere", AnywhereInView, false }, { "LongSliver", LongSliver, false } };
+const CutKind CutKinds[] = { { "JustBeyond", JustBeyond, true, 1000 },
+  { "AcrossTheView", AcrossTheView, false, -1 },
+  { "AtACornerOfTheView", AtACornerOfTheView, true, -1 },
+  { "Anywhere", AnywhereInView, true, 1000 }, { "LongSliver", LongSliver, false, -1 } };
 
-/** A face in a view, in floats, as VTK keeps it. */
+/** A face in a view, in floats, as VTK keeps it; of one in three a corner lies just beyond the far plane. */
 struct CutScene
 {
   bool IsParallel;
@@ -121,15 +124,14 @@ struct CutScene
 
   CutScene(FaceInView face, Random& random)
     : IsParallel(random.OneIn(2))
-    , ToClip(this->IsParallel
-          ? glm::ortho(-CutViewSize.x / 2, CutViewSize.x / 2, -CutViewSize.y / 2, CutViewSize.y / 2,
-              CutNear, CutFar)
-          : glm::perspective(glm::radians(60.0), CutViewSize.x / CutViewSize.y, CutNear, CutFar))
   {
+    double farthest = 0.0;
     for (glm::dvec3& corner : face)
     {
       corner.z = random.Between(2, 60);
+      farthest = std::max(farthest, corner.z);
     }
+    this->SetFar(random.OneIn(3) ? farthest - TinyLength(random) : CutFar);
     const bool isMirrored = random.OneIn(2), isTurned = random.OneIn(2);
     for (const glm::dvec3& corner : face)
     {
@@ -137,6 +139,14 @@ struct CutScene
       const glm::dvec2 turned = isTurned ? glm::dvec2(share.y, share.x) : share;
       this->Points.push_back(this->PointAt(isMirrored ? 1.0 - turned : turned, corner.z));
     }
+  }
+
+  void SetFar(double far)
+  {
+    const glm::dvec2 half = 0.5 * CutViewSize;
+    this->ToClip = this->IsParallel
+      ? glm::ortho(-half.x, half.x, -half.y, half.y, CutNear, far)
+      : glm::perspective(glm::radians(60.0), half.x / half.y, CutNear, far);
   }
 
   /** @param share  of the view's width and height */
@@ -160,51 +170,91 @@ struct CutScene
   }
 };
 
+/** What a device draws of many faces of a kind. */
+struct DrawnOfKind
+{
+  int Faces = 0;   ///< of which anything is known
+  int Samples = 0; ///< of those
+  int FarOff = 0;  ///< nearer than the face is as a whole
+};
+
+/** Of a face, by how much cuts may have a device draw it elsewhere; AnyDepth if it is left out. */
+using UnsteadyOfFace = float (*)(const MeshProjection&, const FaceBlock&);
+
+float NearestAt(const FaceOnLines& face, const glm::dvec3& drawn, float most)
+{
+  const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
+  return std::min(face.Piece(x, x, y, y).NearestAt(x), most);
+}
+
+/** Expects that all that is drawn of a face is known. */
+void HoldToDevice(const CutScene& scene, UnsteadyOfFace unsteadyOf, DrawnOfKind& sum)
+{
+  const vitrine::OccluderMesh mesh(scene.Points, { 0, 1, 2 });
+  MeshProjection projection;
+  if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0))))
+  {
+    return;
+  }
+  FaceBlock block(projection, 0);
+  DepthPlane plane(projection, block.Face(0));
+  const float unsteady = unsteadyOf(projection, block);
+  if (unsteady == vitrine::AnyDepth)
+  {
+    return;
+  }
+  const float nearest = block.At(0).Nearest;
+  const FaceOnLines whole(projection, block, 0);
+  block.Unsettle(0, unsteady);
+  plane.Unsettle(unsteady);
+  const FaceOnLines face(projection, block, 0);
+  ++sum.Faces;
+  for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
+  {
+    const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
+    ASSERT_LE(drawn.z, NearestAt(face, drawn, block.At(0).Nearest) + 1e-7);
+    ASSERT_GE(drawn.z, std::min(plane.Within(x, x, y, y).Left, 1.0f) - 1e-7);
+    ++sum.Samples;
+    sum.FarOff += drawn.z > NearestAt(whole, drawn, nearest) + 1e-7;
+  }
+}
+
+DrawnOfKind DrawKind(const CutKind& kind, UnsteadyOfFace unsteadyOf)
+{
+  Random random(11);
+  DrawnOfKind sum;
+  for (int i = 0; i < 40000 && !testing::Test::HasFatalFailure(); ++i)
+  {
+    SCOPED_TRACE(testing::Message() << "seed 11, face " << i);
+    HoldToDevice(CutScene(kind.Make(random), random), unsteadyOf, sum);
+  }
+  return sum;
+}
+
 class CutFacesOfKind : public testing::TestWithParam<CutKind>
 {
 };
 
 TEST_P(CutFacesOfKind, AreNowhereElseThanIsKnown)
 {
-  Random random(11);
-  int samples = 0, farOff = 0;
-  for (int i = 0; i < 40000; ++i)
-  {
-    const CutScene scene(GetParam().Make(random), random);
-    const vitrine::OccluderMesh mesh(scene.Points, { 0, 1, 2 });
-    MeshProjection projection;
-    if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0))))
+  const DrawnOfKind drawn = DrawKind(GetParam(),
+    [](const MeshProjection& projection, const FaceBlock&)
     {
-      continue;
-    }
-    vitrine::CutFaces cuts;
-    cuts.Begin(projection);
-    FaceBlock block(projection, 0);
-    DepthPlane plane(projection, block.Face(0));
-    const float nearest = block.At(0).Nearest;
-    const FaceOnLines whole(projection, block, 0);
-    block.Unsettle(0, cuts.UnsteadyOf(0u));
-    plane.Unsettle(cuts.UnsteadyOf(0u));
-    const FaceOnLines face(projection, block, 0);
-    const auto nearestAt = [](const FaceOnLines& on, const glm::dvec3& drawn, float most)
-    {
-      const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
-      return std::min(on.Piece(x, x, y, y).NearestAt(x), most);
-    };
-    for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
-    {
-      const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
-      ASSERT_LE(drawn.z, nearestAt(face, drawn, block.At(0).Nearest) + 1e-7)
-        << "seed 11, face " << i;
-      ASSERT_GE(drawn.z, std::min(plane.Within(x, x, y, y).Left, 1.0f) - 1e-7)
-        << "seed 11, face " << i;
-      ++samples;
-      farOff += drawn.z > nearestAt(whole, drawn, nearest) + 1e-7;
-    }
-  }
-  EXPECT_GT(samples, 10000);
-  EXPECT_EQ(farOff > 5, GetParam().IsCutOften)
-    << farOff << " are nearer than the face is as a whole";
+      vitrine::CutFaces cuts;
+      cuts.Begin(projection, vitrine::SampleGrid::AtCentres(1));
+      return cuts.UnsteadyOf(0u);
+    });
+  EXPECT_GT(drawn.Samples, 10000);
+  EXPECT_EQ(drawn.FarOff > 5, GetParam().IsCutOften)
+    << drawn.FarOff << " are nearer than the face is as a whole";
+}
+
+TEST_P(CutFacesOfKind, AreKnownEightAtATimeWhereOneSideCutsThem)
+{
+  const DrawnOfKind drawn = DrawKind(GetParam(),
+    [](const MeshProjection& projection, const FaceBlock& block)
+    { return vitrine::SideCuts(projection).UnsteadyOf(block)[0]; });
+  EXPECT_GT(drawn.Faces, GetParam().LeastOfOneSide);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, CutFacesOfKind, testing::ValuesIn(CutKinds),
@@ -226,7 +276,7 @@ TEST(CutFaces, OfALevelWallAreWhereItIs)
     MeshProjection projection;
     ASSERT_TRUE(projection.Project(mesh, view.Of(glm::dmat4(1.0))));
     vitrine::CutFaces cuts;
-    cuts.Begin(projection);
+    cuts.Begin(projection, vitrine::SampleGrid::AtCentres(1));
     for (std::uint32_t face = 0; face < 2; ++face)
     {
       EXPECT_LT(cuts.UnsteadyOf(face), 0.01f) << beyond << " of the view, face " << face;

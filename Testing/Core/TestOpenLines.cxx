@@ -33,7 +33,8 @@ struct Shown
       { Columns, Lines } };
     this->Projection.Project(this->Mesh, toScreen);
     this->Projection.FindFacings();
-    this->Patches.Find(this->Projection, MeshProjection::Facing::Front);
+    this->Patches.Find(
+      this->Projection, MeshProjection::Facing::Front, vitrine::SampleGrid::AtCentres(1));
   }
 
   OccluderMesh Mesh;

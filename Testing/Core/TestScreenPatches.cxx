@@ -39,7 +39,7 @@ public:
     const ScreenMatrix toScreen{ matrix, rounding, coverage::Snapping, { 40, 20 } };
     this->Projection.Project(this->Mesh, toScreen);
     this->Projection.FindFacings();
-    this->Patches.Find(this->Projection, Facing::Front);
+    this->Patches.Find(this->Projection, Facing::Front, vitrine::SampleGrid::AtCentres(1));
   }
 
   ScreenCorners CornersOf(const MeshFace& face) const

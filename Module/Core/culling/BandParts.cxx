@@ -261,7 +261,7 @@ bool BandParts::HasFewFacets(const Occluder& occluder) const
 bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
 {
   const FewFacets& facets = *occluder.Mesh->Few();
-  this->Tools.Cuts.Begin(this->Tools.Projected);
+  this->Tools.Cuts.Begin(this->Tools.Projected, this->Tools.Lines.Samples());
   for (const MeshProjection::Facing facing :
     { MeshProjection::Facing::Front, MeshProjection::Facing::Back })
   {

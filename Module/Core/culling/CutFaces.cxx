@@ -1,5 +1,7 @@
 #include "Core/culling/CutFaces.h"
 
+#include "Core/culling/BeyondAll.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -35,7 +37,7 @@ FacePlaces<float> PlacesOf(const Triangle& corners)
 }
 }
 
-void CutFaces::Begin(const MeshProjection& projection)
+void CutFaces::Begin(const MeshProjection& projection, const SampleGrid& samples)
 {
   this->Projection = &projection;
   this->MayBeCut = projection.MayBeCut();
@@ -45,7 +47,8 @@ void CutFaces::Begin(const MeshProjection& projection)
   }
   const ScreenMatrix& view = projection.View();
   this->Cuts.Begin(view);
-  this->OfCuts = RoundingOfCuts(view);
+  this->AreSidesBare = samples.Width() > 0.0f;
+  this->OfCuts = RoundingWhereCut(view);
   this->Step = StepOfCuts * std::min(view.Size.x, view.Top() - view.Bottom());
 }
 
@@ -72,7 +75,7 @@ float CutFaces::UnsteadyOf(const MeshFace& face)
     [&](const Triangle& corners)
     {
       const bool isOnASide = (corners[0]->Sides & corners[1]->Sides & corners[2]->Sides) != 0;
-      if (!isOnASide)
+      if (!isOnASide || !this->AreSidesBare)
       {
         most = std::max(most, this->UnsteadyIn(corners));
       }
@@ -123,18 +126,22 @@ void CutFaces::FindCorners(const std::vector<CutCorner>& corners)
     this->Corners.push_back({ static_cast<float>(place.x), static_cast<float>(place.y),
       static_cast<float>(inverse * corner.Place.z), static_cast<float>(inverse),
       static_cast<float>(corner.Reach), place, { first, this->SlidesOnScreen.size() },
-      glm::length(slid), this->SidesAt(place, slid) });
+      glm::length(slid), this->SidesAt(place, slid), corner.Planes });
   }
 }
 
 /** Returns how far a corner slides at most by columns, and by lines. */
 glm::dvec2 CutFaces::AddSlides(const CutCorner& corner)
 {
+  double nearestW = corner.Place.w;
+  for (std::size_t i = corner.Slides.First; i < corner.Slides.End; ++i)
+  {
+    nearestW -= std::abs(this->Cuts.Slides()[i].w);
+  }
   glm::dvec2 all(0.0);
   for (std::size_t i = corner.Slides.First; i < corner.Slides.End; ++i)
   {
     const glm::dvec4& slide = this->Cuts.Slides()[i];
-    const double nearestW = corner.Place.w - std::abs(slide.w);
     const glm::dvec2 change =
       glm::dvec2(slide) - glm::dvec2(corner.Place) / corner.Place.w * slide.w;
     const glm::dvec2 onScreen = nearestW > 0.0 ? change / nearestW : glm::dvec2(FarAway);
@@ -173,23 +180,26 @@ void CutFaces::ForEachTriangle(const Function& function) const
 /** Those of the largest triangle. */
 void CutFaces::FindSlopes()
 {
-  double most = -1.0;
+  Triangle largest{ &this->Corners[0], &this->Corners[1], &this->Corners[2] };
+  double mostArea = -1.0;
   this->ForEachTriangle(
     [&](const Triangle& corners)
     {
       const auto& [a, b, c] = corners;
       const glm::dvec2 first = b->Place - a->Place, second = c->Place - a->Place;
       const double area = std::abs(first.x * second.y - second.x * first.y);
-      if (area > most)
+      if (area > mostArea)
       {
-        const double firstDepth = b->Depth - a->Depth, secondDepth = c->Depth - a->Depth;
-        this->ByColumn =
-          static_cast<float>(std::abs(firstDepth * second.y - secondDepth * first.y) / area);
-        this->ByLine =
-          static_cast<float>(std::abs(firstDepth * second.x - secondDepth * first.x) / area);
-        most = area;
+        mostArea = area;
+        largest = corners;
       }
     });
+  const FaceSlopes<float> slopes(
+    PlacesOf(largest), this->Projection->Rounding(), this->Projection->Snapping());
+  const auto most = [](const Estimate<float>& slope)
+  { return slope.Off >= 0.0f ? std::abs(slope.Value) + slope.Off : BeyondAll; };
+  this->ByColumn = most(slopes.ByColumn);
+  this->ByLine = most(slopes.ByLine);
 }
 
 /** By how much twice the area of a triangle may be off since its corners slide along edges. */
@@ -211,6 +221,19 @@ double CutFaces::AreaDoubt(const Triangle& corners) const
   return doubt;
 }
 
+/** What twice the area of a triangle is more than since two of its corners lie on one side of the view, a step of floats apart; 0 of others. */
+float CutFaces::LeastOnASide(const Triangle& corners) const
+{
+  const auto& [a, b, c] = corners;
+  const unsigned shared =
+    (a->Planes & b->Planes) | (b->Planes & c->Planes) | (c->Planes & a->Planes);
+  const auto [leastColumn, mostColumn] = std::minmax({ a->Column, b->Column, c->Column });
+  const auto [leastLine, mostLine] = std::minmax({ a->Line, b->Line, c->Line });
+  return (shared & ViewCuts::Sides) != 0
+    ? this->Step * std::min(mostColumn - leastColumn, mostLine - leastLine)
+    : 0.0f;
+}
+
 /** The corners lie in the face's plane, wherever it is, but for what is rounded where it is cut. */
 float CutFaces::UnsteadyIn(const Triangle& corners) const
 {
@@ -218,7 +241,7 @@ float CutFaces::UnsteadyIn(const Triangle& corners) const
   const SidesOnScreen<float> anywhere(places, this->Projection->Rounding());
   const float leastArea =
     std::max(anywhere.LeastArea() - static_cast<float>(this->AreaDoubt(corners)),
-      this->Step * std::min(anywhere.Columns.Largest(), anywhere.Lines.Largest()));
+      this->LeastOnASide(corners));
   for (std::size_t i = 0; i < 3; ++i)
   {
     places.InversesOfW[i] = corners[i]->Reach;

@@ -4,6 +4,7 @@
 #include "Core/culling/FaceSlopes.h"
 #include "Core/culling/FewFacets.h"
 #include "Core/culling/MeshProjection.h"
+#include "Core/culling/SampleGrid.h"
 #include "Core/culling/ViewCuts.h"
 
 #include <glm/vec2.hpp>
@@ -22,8 +23,11 @@ namespace vitrine
 class CutFaces
 {
 public:
-  /** Comes to a mesh that is projected, and stays so while faces of it are asked for. */
-  void Begin(const MeshProjection& projection);
+  /**
+   * Comes to a mesh that is projected, and stays so while faces of it are asked for.
+   * @param samples  where something can show
+   */
+  void Begin(const MeshProjection& projection, const SampleGrid& samples);
 
   /**
    * Of depths of a face of the mesh, by how much they may be off in any of the triangles, none of which is thinner for a device than a step of its floats; 0 if it is not cut, and more than all depths differ if
@@ -48,6 +52,7 @@ private:
     double Slid;       ///< by all of those at most
     unsigned
       Sides; ///< of the view that it lies so close to that nothing beyond it has samples, a bit for each
+    unsigned Planes; ///< as CutCorner has them
   };
 
   using Triangle = std::array<const Corner*, 3>;
@@ -60,13 +65,15 @@ private:
   void ForEachTriangle(const Function& function) const;
   void FindSlopes();
   double AreaDoubt(const Triangle& corners) const;
+  float LeastOnASide(const Triangle& corners) const;
   float UnsteadyIn(const Triangle& corners) const;
 
   const MeshProjection* Projection = nullptr;
   bool MayBeCut = false; ///< any of its faces
   ViewCuts Cuts;
-  ScreenRounding OfCuts{}; ///< of where edges are cut
-  float Step = 0.0f;       ///< of columns and lines
+  ScreenRounding OfCuts{};   ///< of where edges are cut
+  float Step = 0.0f;         ///< of columns and lines
+  bool AreSidesBare = false; ///< of samples
   std::vector<Corner> Corners;
   std::vector<glm::dvec2> SlidesOnScreen; ///< of them, in columns and lines
   float ByColumn = 0.0f; ///< by how much the depth of the face at hand changes, without the sign

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,10 +42,10 @@ public:
   /** To eight faces: where the block has fewer, to the last one again. */
   const MeshFace* const* Pointers() const { return this->Faces; }
 
-  /** Has no face be nearer than that. */
-  void LimitNearest(float nearest)
+  /** Has one of the faces be no nearer than that. */
+  void LimitNearest(int lane, float nearest)
   {
-    StoreLanes(LeastOf(LoadLanes(this->Nearest), AllLanes(nearest)), this->Nearest);
+    this->Nearest[lane] = std::min(this->Nearest[lane], nearest);
   }
 
   /** Has depths of one of the faces be off by more. */

@@ -34,7 +34,7 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
   {
     return 0;
   }
-  this->Patches.Find(projection, facing);
+  this->Patches.Find(projection, facing, buffer.Samples());
   const LineRange lines{ this->FirstLine, this->LastLine };
   this->Open.Find(buffer, this->Patches, lines);
   if (!this->Open.HasAny())
@@ -140,8 +140,7 @@ void FaceCoverage::InsertCluster(const Cluster& cluster)
 
 bool FaceCoverage::HasSamples(const Interval& columns) const
 {
-  const SampleGrid& samples = this->Buffer->Samples();
-  return samples.From(columns.Left) <= samples.UpTo(columns.Right);
+  return this->Buffer->Samples().HasAny(columns.Left, columns.Right);
 }
 
 /** Whether an edge that is alone is left to the patches on both sides. */

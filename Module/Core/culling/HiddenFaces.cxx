@@ -23,7 +23,7 @@ const std::size_t MostFacesOfAnyThickness = 1024;
 const float StepOfFloats = 0x1p-23f;
 
 // Of depth. Faces that cuts leave in more doubt are looked at more closely.
-const float LittleUnsteady = 0x1p-14f;
+const float MostUnsteady = 0x1p-14f;
 
 }
 
@@ -45,11 +45,12 @@ bool HiddenFaces::AreAll(const MeshProjection& projection)
              return this->AreHidden(projection, block,
                block.All() & ~block.Facing(projection, MeshProjection::Facing::Front));
            }) &&
-    this->AreCutFacesHidden(projection, BeyondAll);
+    this->AreCutFacesHidden(projection, {}, BeyondAll);
 }
 
 /** Those that a device may cut at the view's sides, and draw nearer for that. */
-bool HiddenFaces::AreCutFacesHidden(const MeshProjection& projection, float nearest)
+bool HiddenFaces::AreCutFacesHidden(
+  const MeshProjection& projection, const std::vector<std::uint32_t>& thin, float nearest)
 {
   if (!projection.MayBeCut())
   {
@@ -63,20 +64,22 @@ bool HiddenFaces::AreCutFacesHidden(const MeshProjection& projection, float near
       this->MaybeCut.push_back(i);
     }
   }
-  this->Cuts.Begin(projection);
+  this->Cuts.Begin(projection, this->Lines.Samples());
   const SideCuts cuts(projection);
   for (std::size_t first = 0; first < this->MaybeCut.size(); first += LaneCount)
   {
     FaceBlock block(projection, this->MaybeCut, first);
-    block.LimitNearest(nearest);
     const unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
     const FacetDepths known = faces ? cuts.UnsteadyOf(block) : FacetDepths{};
     for (unsigned bits = faces; bits != 0; bits &= bits - 1)
     {
       const int lane = LowestBit(bits);
       const std::uint32_t face = this->MaybeCut[first + static_cast<std::size_t>(lane)];
-      block.Unsettle(
-        lane, known[lane] < LittleUnsteady ? known[lane] : this->Cuts.UnsteadyOf(face));
+      if (!std::binary_search(thin.begin(), thin.end(), face))
+      {
+        block.LimitNearest(lane, nearest);
+      }
+      block.Unsettle(lane, known[lane] < MostUnsteady ? known[lane] : this->Cuts.UnsteadyOf(face));
     }
     if (!this->AreHiddenIfThick(projection, block, faces))
     {
@@ -118,7 +121,7 @@ bool HiddenFaces::AreAllOfAnyThickness(const MeshProjection& projection)
       return false;
     }
   }
-  return this->AreCutFacesHidden(projection, BeyondAll);
+  return this->AreCutFacesHidden(projection, {}, BeyondAll);
 }
 
 bool HiddenFaces::AreSomeOfAnyThickness(
@@ -132,7 +135,7 @@ bool HiddenFaces::AreSomeOfAnyThickness(
       return false;
     }
   }
-  return this->AreCutFacesHidden(projection, nearest);
+  return this->AreCutFacesHidden(projection, faces, nearest);
 }
 
 /** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
@@ -160,8 +163,8 @@ unsigned HiddenFaces::FindHiddenIfOfAStep(
   for (int lane = 0; faces >> lane != 0; ++lane)
   {
     ScreenRectangle around = this->View.Grown(block.At(lane));
-    around.Nearest =
-      std::min(around.Nearest, NearestOfThickness(projection, block.Face(lane), step));
+    around.Nearest = std::min(around.Nearest,
+      NearestOfThickness(projection, block.Face(lane), step) + block.Unsteady(lane));
     hidden |= unsigned{ (faces >> lane & 1u) != 0 && this->Lines.Hides(around) } << lane;
   }
   return hidden;

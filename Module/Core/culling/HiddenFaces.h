@@ -39,7 +39,8 @@ public:
   bool AreAllOfAnyThickness(const MeshProjection& projection);
 
   /**
-   * The same of some of them, whose numbers these are, and of those that a device may cut.
+   * The same of some of them, and of those that a device may cut.
+   * @param faces    their numbers, in order
    * @param nearest  than which no other is nearer if it is not cut
    */
   bool AreSomeOfAnyThickness(
@@ -52,7 +53,8 @@ public:
   const ScreenRectangle& Witness() const { return this->Shown; }
 
 private:
-  bool AreCutFacesHidden(const MeshProjection& projection, float nearest);
+  bool AreCutFacesHidden(
+    const MeshProjection& projection, const std::vector<std::uint32_t>& thin, float nearest);
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
   bool AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block);

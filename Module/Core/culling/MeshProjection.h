@@ -127,7 +127,8 @@ public:
   /** Whether a device may cut faces at the sides of the view, or its near or far plane. */
   bool MayBeCut() const
   {
-    return !this->AreAllBehindNear || this->ToScreen.MayBeCut(this->Around, this->Farthest);
+    return !this->AreAllBehindNear ||
+      this->ToScreen.MayBeCut(this->Around, this->Farthest, this->GreatestInverse);
   }
 
   /** Whether it may cut a face of the mesh: that is neither surely within the view nor surely beyond one of its sides. */
@@ -176,7 +177,8 @@ private:
   bool AreAllBehindNear = false;
   NearClip Rest; ///< where they are not
   ScreenRectangle Around{};
-  float Farthest = 0.0f; ///< depth of all points of faces
+  float Farthest = 0.0f;        ///< depth of all points of faces
+  float GreatestInverse = 0.0f; ///< of their w
   ScreenMargin DeviceMargin;
   ScreenMargin DeviceSnapping;
   ScreenRounding DeviceRounding{};

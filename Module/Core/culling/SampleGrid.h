@@ -82,6 +82,14 @@ public:
     return this->PerColumn > 0.0f ? this->Place(this->NumberUpTo(place)) : place;
   }
 
+  /** Whether there are any from one place to another. */
+  bool HasAny(float from, float to) const
+  {
+    return this->IsExact
+      ? std::floor(to * this->PerColumn - this->Offset) >= from * this->PerColumn - this->Offset
+      : this->From(from) <= this->UpTo(to);
+  }
+
   /** The place behind another one, or that itself where samples are anywhere. */
   float Behind(float sample) const { return sample + this->Step; }
 

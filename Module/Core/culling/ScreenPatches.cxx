@@ -18,7 +18,8 @@ const double LeastWidthOfFit = 1e-6;
 const float MostSlack = 4.0f;
 }
 
-void ScreenPatches::Find(const MeshProjection& projection, MeshProjection::Facing facing)
+void ScreenPatches::Find(
+  const MeshProjection& projection, MeshProjection::Facing facing, const SampleGrid& samples)
 {
   this->Projection = &projection;
   this->Faces.clear();
@@ -26,7 +27,7 @@ void ScreenPatches::Find(const MeshProjection& projection, MeshProjection::Facin
   this->Fits.clear();
   this->PatchOf.assign(projection.Faces().size(), None);
   this->NumberOf.assign(projection.Mesh().Faces().size(), None);
-  this->Cuts.Begin(projection);
+  this->Cuts.Begin(projection, samples);
   this->FindFaces(facing);
   this->FitPlanes();
 }

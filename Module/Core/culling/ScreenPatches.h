@@ -34,8 +34,10 @@ public:
   /**
    * @param projection  of the occluder, with its facings
    * @param facing      of the faces that count
+   * @param samples     where something can show
    */
-  void Find(const MeshProjection& projection, MeshProjection::Facing facing);
+  void Find(
+    const MeshProjection& projection, MeshProjection::Facing facing, const SampleGrid& samples);
 
   std::size_t Count() const { return this->Patches.size(); }
   const Patch& operator[](std::uint32_t patch) const { return this->Patches[patch]; }

@@ -266,6 +266,7 @@ void ScreenProjection::Project(
   StoreLanes(top, rectangles.Top);
   StoreLanes(nearest, rectangles.Nearest);
   StoreLanes(depths.Least, rectangles.Farthest);
+  StoreLanes(1.0f / leastW, rectangles.InverseOfW);
   rectangles.Outside = BitsOf(isOutside);
   rectangles.Near = BitsOf(~(isBeforeEye & (nearest < AllLanes(1.0f)))) & ~rectangles.Outside;
   if (rectangles.Near != 0)

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace vitrine
@@ -44,11 +45,19 @@ struct ScreenMatrix
       rectangle.Top >= this->Bottom() && rectangle.Bottom <= this->Top();
   }
 
-  bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
+  /**
+   * Whether what has this rectangle, and is nowhere farther, may reach beyond the view, of which the screen may be some lines alone, or its near or far plane.
+   * @param inverseOfW  of its points at most
+   */
+  bool MayBeCut(const ScreenRectangle& rectangle, float farthest, float inverseOfW) const
   {
+    // The rectangle is as wide as what is rounded of points on the screen has it.
+    const float roundedBeyond =
+      this->Rounding.w * (std::max(this->Top(), -this->Bottom()) - this->Size.y) * inverseOfW;
     return !(rectangle.Left >= 0.0f && rectangle.Right <= this->Size.x &&
-      rectangle.Bottom >= this->Bottom() && rectangle.Top <= this->Top() &&
-      rectangle.Nearest < 1.0f && farthest > 0.0f);
+      rectangle.Bottom - roundedBeyond >= this->Bottom() &&
+      rectangle.Top + roundedBeyond <= this->Top() && rectangle.Nearest < 1.0f &&
+      farthest > RoundingOfCuts);
   }
 
   /** Of points on the screen for which w is at least `leastW`. */
@@ -66,8 +75,9 @@ struct RectangleLanes
   float Bottom[LaneCount];
   float Top[LaneCount];
   float Nearest[LaneCount];
-  float Farthest[LaneCount]; ///< depth of its corners
-  unsigned Outside;          ///< a bit for each box that lies outside of what the view shows
+  float Farthest[LaneCount];   ///< depth of its corners
+  float InverseOfW[LaneCount]; ///< of its corners at most
+  unsigned Outside;            ///< a bit for each box that lies outside of what the view shows
   unsigned
     Near; ///< for each that reaches before the near plane, so that it has no rectangle and nothing hides it
 
@@ -132,10 +142,10 @@ public:
   /** Whether a rectangle reaches beyond the screen. */
   bool ReachesBeyond(const ScreenRectangle& rectangle) const;
 
-  /** Whether a device may cut what has this rectangle, and is nowhere farther: where it reaches beyond the view, of which the screen may be some lines alone, or beyond the far plane. */
-  bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
+  /** Whether a device may cut what is in one of some boxes, of which this rectangle is. */
+  bool MayBeCut(const ScreenRectangle& rectangle, const RectangleLanes& boxes, int lane) const
   {
-    return this->World.MayBeCut(rectangle, farthest);
+    return this->World.MayBeCut(rectangle, boxes.Farthest[lane], boxes.InverseOfW[lane]);
   }
 
   /** The same view of some of its lines alone: they count from `first`. */

@@ -27,6 +27,11 @@ struct CoordinateRounding
   float OnScreenAtOne() const { return this->Own + this->Largest * this->OfW; }
 };
 
+/**
+ * Of places in the view, where a device cuts edges: up to four planes one after the other, each of which has it multiply, sum and divide, and what takes it to the screen. Fifteen times 2^-24.
+ */
+inline constexpr float RoundingOfCuts = 0x1p-20f;
+
 /** What they round of columns, lines and depths. */
 struct ScreenRounding
 {

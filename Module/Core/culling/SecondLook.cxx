@@ -97,7 +97,7 @@ bool SecondLook::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, 
 {
   ScreenRectangle around = rectangles.At(lane);
   const bool isBehindNear = (rectangles.Near >> lane & 1u) == 0;
-  const bool mayBeCut = this->View.MayBeCut(around, rectangles.Farthest[lane]);
+  const bool mayBeCut = this->View.MayBeCut(around, rectangles, lane);
   around.Nearest +=
     this->FindThinFaces(part) + this->TiltOf(around, around.Nearest - rectangles.Farthest[lane]);
   const bool isBoxHidden = isBehindNear && this->Tools.Lines.Hides(around);

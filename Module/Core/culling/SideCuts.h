@@ -22,7 +22,7 @@ public:
   /** Of a mesh that is projected, and stays so while faces of it are asked for. */
   explicit SideCuts(const MeshProjection& projection)
     : Projection(projection)
-    , OfCuts(RoundingOfCuts(projection.View()))
+    , OfCuts(RoundingWhereCut(projection.View()))
   {
   }
 

@@ -9,18 +9,10 @@
 namespace vitrine
 {
 
-namespace
+ScreenRounding RoundingWhereCut(const ScreenMatrix& view)
 {
-
-// A device sums and multiplies seven times.
-const float RoundingOfSeven = 0x1p-21f;
-}
-
-ScreenRounding RoundingOfCuts(const ScreenMatrix& view)
-{
-  return { { RoundingOfSeven * view.Size.x, 0.0f, 0.0f },
-    { RoundingOfSeven * (view.Top() - view.Bottom()), 0.0f, 0.0f },
-    { RoundingOfSeven, 0.0f, 0.0f } };
+  return { { RoundingOfCuts * view.Size.x, 0.0f, 0.0f },
+    { RoundingOfCuts * (view.Top() - view.Bottom()), 0.0f, 0.0f }, { RoundingOfCuts, 0.0f, 0.0f } };
 }
 
 void ViewCuts::Begin(const ScreenMatrix& toScreen)
@@ -34,9 +26,7 @@ void ViewCuts::Begin(const ScreenMatrix& toScreen)
   const double ofDepth = own.z + own.w;
   // The near one first, so that what is left has a positive w.
   this->Planes[0] = { { 0.0, 0.0, -1.0, 1.0 }, ofDepth };
-  this->Planes[1] = {
-    { 0.0, 0.0, 1.0, 0.0 }, 0.0
-  }; // views that hold all that is drawn reach so far that rounding would have all of it in doubt
+  this->Planes[1] = { { 0.0, 0.0, 1.0, 0.0 }, 0.0 };
   this->Planes[2] = { { 1.0, 0.0, 0.0, 0.0 }, ofColumn };
   this->Planes[3] = { { -1.0, 0.0, 0.0, width }, ofColumn };
   this->Planes[4] = { { 0.0, 1.0, 0.0, -bottom }, ofLine };
@@ -52,6 +42,9 @@ const std::vector<CutCorner>& ViewCuts::Cut(
 {
   this->Corners.assign({ { a }, { b }, { c } });
   this->Slid.clear();
+  // Of the face alone: views that hold all that is drawn reach so far that rounding of anything would have all of it in doubt.
+  this->Planes[1].Rounding =
+    RoundingOfCuts * std::max({ std::abs(a.w), std::abs(b.w), std::abs(c.w) });
   for (const Plane& plane : this->Planes)
   {
     const bool areAllInside = glm::dot(plane.Normal, a) > plane.Rounding &&
@@ -80,8 +73,12 @@ void ViewCuts::CutAt(const Plane& plane)
     if (corner.Side == 0)
     {
       const Sided& last = this->Around[(i + count - 1) % count];
-      const std::size_t more = corner.Corner->IsOneOfTwo ? 1 : 2;
-      this->Corners.resize(this->Corners.size() + more, this->MaybeCutOf(corner, last, next));
+      this->Corners.push_back(this->MaybeCutOf(corner, last, next));
+      if (!corner.Corner->IsOneOfTwo)
+      {
+        this->Corners.push_back(this->Corners.back());
+        this->Corners.back().IsOneOfTwo = true;
+      }
     }
     else if (corner.Side > 0)
     {
@@ -125,7 +122,6 @@ double ViewCuts::DoubtOf(const CutCorner& corner, const Plane& plane) const
 CutCorner ViewCuts::MaybeCutOf(const Sided& corner, const Sided& last, const Sided& next)
 {
   CutCorner cut = *corner.Corner;
-  cut.IsOneOfTwo = true;
   cut.Slides.First = this->Slid.size();
   this->AddSlides(*corner.Corner, 1.0);
   for (const Sided* other : { &last, &next })
@@ -139,7 +135,7 @@ CutCorner ViewCuts::MaybeCutOf(const Sided& corner, const Sided& last, const Sid
   return cut;
 }
 
-/** Where a plane cuts an edge: as much farther on or back as either end is off, and beside it as they are; where two planes meet it does so nowhere else. */
+/** Where a plane cuts an edge: as much farther on or back as either end is off, and beside it as they are; where two sides meet it does so nowhere else. */
 CutCorner ViewCuts::CrossingOf(const Sided& from, const Sided& to, const Plane& plane)
 {
   const glm::dvec4 along = to.Corner->Place - from.Corner->Place;
@@ -150,9 +146,10 @@ CutCorner ViewCuts::CrossingOf(const Sided& from, const Sided& to, const Plane& 
   cut.Place = from.Corner->Place + share * along;
   cut.Reach = std::max(this->ReachOf(*from.Corner), this->ReachOf(*to.Corner)) / cut.Place.w;
   cut.Planes = plane.Bit | (from.Corner->Planes & to.Corner->Planes);
-  if (cut.Planes != plane.Bit)
+  const bool isWhereSidesMeet = cut.Planes != plane.Bit && (cut.Planes & ~Sides) == 0;
+  if (isWhereSidesMeet)
   {
-    return cut; // where two planes meet
+    return cut;
   }
   cut.Slides.First = this->Slid.size();
   this->Slid.push_back((differ > most ? most / differ : 1.0) * along);

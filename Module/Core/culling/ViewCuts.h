@@ -13,7 +13,7 @@ namespace vitrine
 {
 
 /** Of places in the view, where edges are cut. */
-ScreenRounding RoundingOfCuts(const ScreenMatrix& view);
+ScreenRounding RoundingWhereCut(const ScreenMatrix& view);
 
 /** Numbers of a row: from the first one up to the last but one. */
 struct SlideRange
@@ -26,9 +26,10 @@ struct SlideRange
 struct CutCorner
 {
   glm::dvec4 Place;
-  SlideRange Slides{};     ///< of ViewCuts::Slides()
-  bool IsOneOfTwo = false; ///< as rounding decides whether it is cut off, and two are left
-  unsigned Planes = 0;     ///< that it lies in, a bit for each
+  SlideRange Slides{}; ///< of ViewCuts::Slides()
+  bool IsOneOfTwo =
+    false; ///< the other of two, as rounding decides whether one is cut off and leaves two
+  unsigned Planes = 0; ///< that it lies in, a bit for each
   double Reach =
     1.0; ///< how many times what floats round of the view's width, height and depth it may be off the face
 };
@@ -43,6 +44,9 @@ struct CutCorner
 class ViewCuts
 {
 public:
+  static constexpr unsigned Sides =
+    0b111100; ///< bits of CutCorner::Planes: not the near and the far plane
+
   /** Comes to a view. */
   void Begin(const ScreenMatrix& toScreen);
 
