@@ -164,21 +164,23 @@ public:
 
   /** Returns whether the mesh has few facets and lies behind the near plane: else nothing is inserted. */
   bool Insert(const Triangles& triangles, const ScreenMargin& margin = {},
-    MeshProjection::Facing facing = MeshProjection::Facing::Front)
+    MeshProjection::Facing facing = MeshProjection::Facing::Front,
+    const vitrine::FacetDepths& unsteady = {})
   {
-    return this->InsertIn(triangles, AsItStands(margin), facing);
+    return this->InsertIn(triangles, AsItStands(margin), facing, unsteady);
   }
 
   /** The same with another matrix. */
-  bool InsertIn(
-    const Triangles& triangles, const ScreenMatrix& toScreen, MeshProjection::Facing facing)
+  bool InsertIn(const Triangles& triangles, const ScreenMatrix& toScreen,
+    MeshProjection::Facing facing, const vitrine::FacetDepths& unsteady = {})
   {
     this->Mesh = triangles.Mesh();
     if (!this->Mesh.Few() || !this->Projected.Project(this->Mesh, toScreen))
     {
       return false;
     }
-    vitrine::FewFacetsCoverage::Insert(this->Buffer, *this->Mesh.Few(), this->Projected, facing, 7);
+    vitrine::FewFacetsCoverage::Insert(
+      this->Buffer, *this->Mesh.Few(), this->Projected, facing, 7, unsteady);
     return true;
   }
 

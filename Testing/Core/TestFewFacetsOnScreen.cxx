@@ -151,6 +151,16 @@ TEST_P(FewFacetsOnScreen, AreAsNearAsTheirPlaneWhereItSlants)
 }
 
 // Of the side that is seen with it, or that rounding has seem so, the farthest corner is far behind.
+TEST_P(FewFacetsOnScreen, AreFartherByWhatIsNotKnown)
+{
+  const coverage::Triangles quad = LevelQuad({ 2, 2 }, { 38, 18 }, 0.5, 1e-3);
+  FewOnScreen known(GetParam()), unsteady(GetParam());
+  ASSERT_TRUE(known.Insert(quad));
+  ASSERT_TRUE(unsteady.Insert(quad, {}, coverage::MeshProjection::Facing::Front, { 2e-4f }));
+  const int sample = 20 * GetParam();
+  EXPECT_NEAR(unsteady.DepthAt(9, sample), known.DepthAt(9, sample) - 2e-4, 1e-6);
+}
+
 TEST_P(FewFacetsOnScreen, OfAThinPlateAreAsNearAsItsFace)
 {
   const double byColumn = 0.05 / 30, byLine = (0.03 - 4 * byColumn) / 14;

@@ -269,8 +269,13 @@ bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
     {
       continue;
     }
-    const std::optional<std::size_t> pieces = FewFacetsCoverage::Insert(this->Tools.Lines, facets,
-      this->Tools.Projected, facing, part, this->Tools.Cuts.UnsteadyOf(facets, facing));
+    const FacetDepths unsteady = this->Tools.Cuts.UnsteadyOf(facets, facing);
+    const bool areSteady = std::all_of(unsteady.begin(), unsteady.end(),
+      [](float depth) { return depth < FewFacets::MostUnsteady; });
+    const std::optional<std::size_t> pieces = areSteady
+      ? FewFacetsCoverage::Insert(
+          this->Tools.Lines, facets, this->Tools.Projected, facing, part, unsteady)
+      : std::nullopt;
     if (!pieces)
     {
       return false;

@@ -139,9 +139,6 @@ public:
   }
 
 private:
-  // Of depth. Of what is known less well only the farthest corner counts.
-  static constexpr float MostUnsteady = 0x1p-12f;
-
   /** Depths at the first column and line, and what they change by: before all that may be drawn of either triangle. */
   VITRINE_INLINE void FindPlanes(const FacetCorners& corners, const FacetSlopes& slopes,
     const ScreenMargin& margin, const FewFacetsFrame& frame)
@@ -160,7 +157,7 @@ private:
     const Lanes start = base + bent - slack;
     const Lanes sum = start + byX + byY;
     const LaneMask isSteady =
-      (slopes.Unsteady + own < MostUnsteady) & (sum - sum == AllLanes(0.0f));
+      (slopes.Unsteady + own < FewFacets::MostUnsteady) & (sum - sum == AllLanes(0.0f));
     this->Steady = this->Counted & BitsOf(isSteady);
     StoreLanes(start, this->Start);
     StoreLanes(byX, this->ByX);

@@ -23,6 +23,8 @@ struct FewFacets
 {
   static constexpr int MostEdges = 2 * LaneCount;
   static constexpr int CornerCount = 4;
+  static constexpr float MostUnsteady =
+    0x1p-12f; ///< of depth: of facets of which it is known less well only the farthest corner counts
 
   /** Null of a mesh of more, or with a facet of more corners or faces, and of one that is neither closed and convex nor one convex facet. */
   static std::unique_ptr<const FewFacets> Of(
