@@ -150,7 +150,6 @@ TEST_P(FewFacetsOnScreen, AreAsNearAsTheirPlaneWhereItSlants)
   }
 }
 
-// Of the side that is seen with it, or that rounding has seem so, the farthest corner is far behind.
 TEST_P(FewFacetsOnScreen, AreFartherByWhatIsNotKnown)
 {
   const coverage::Triangles quad = LevelQuad({ 2, 2 }, { 38, 18 }, 0.5, 1e-3);
@@ -161,6 +160,7 @@ TEST_P(FewFacetsOnScreen, AreFartherByWhatIsNotKnown)
   EXPECT_NEAR(unsteady.DepthAt(9, sample), known.DepthAt(9, sample) - 2e-4, 1e-6);
 }
 
+// Of the side that is seen with it, or that rounding has seem so, the farthest corner is far behind.
 TEST_P(FewFacetsOnScreen, OfAThinPlateAreAsNearAsItsFace)
 {
   const double byColumn = 0.05 / 30, byLine = (0.03 - 4 * byColumn) / 14;
