@@ -198,9 +198,8 @@ bool MeshProjection::MayBeCut(const MeshFace& face) const
   const ScreenRectangle around = this->RectangleOf(face);
   const float farthest =
     std::min({ this->Depths[face[0]], this->Depths[face[1]], this->Depths[face[2]] });
-  const float inverse =
-    std::max({ this->Inverses[face[0]], this->Inverses[face[1]], this->Inverses[face[2]] });
-  return this->ToScreen.IsInView(around) && this->ToScreen.MayBeCut(around, farthest, inverse);
+  return this->ToScreen.IsInView(around) &&
+    this->ToScreen.MayBeCut(around, farthest, this->InverseW(face));
 }
 
 std::array<glm::dvec4, 3> MeshProjection::CornersOnScreen(const MeshFace& face) const

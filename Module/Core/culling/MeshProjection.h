@@ -86,13 +86,17 @@ public:
   /** The same of a face's: less where all of it is farther than the nearest point. */
   ScreenMargin MarginOf(const MeshFace& face) const
   {
-    const float nearest =
-      std::max({ this->Inverses[face[0]], this->Inverses[face[1]], this->Inverses[face[2]] });
-    return this->DeviceRounding.MarginAt(nearest, this->DeviceSnapping);
+    return this->DeviceRounding.MarginAt(this->InverseW(face), this->DeviceSnapping);
   }
 
   /** 1 over w of a point that is behind the near plane. */
   float InverseW(std::uint32_t point) const { return this->Inverses[point]; }
+
+  /** The same of a face's nearest corner. */
+  float InverseW(const MeshFace& face) const
+  {
+    return std::max({ this->Inverses[face[0]], this->Inverses[face[1]], this->Inverses[face[2]] });
+  }
 
   /** What a device's floats round of points. */
   const ScreenRounding& Rounding() const { return this->DeviceRounding; }
