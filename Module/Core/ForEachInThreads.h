@@ -1,17 +1,17 @@
 #ifndef VITRINE_CORE_FOR_EACH_IN_THREADS_H
 #define VITRINE_CORE_FOR_EACH_IN_THREADS_H
 
+#include "Core/WorkerThreads.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <future>
 #include <thread>
-#include <vector>
 
 namespace vitrine
 {
 
-/** To begin more threads takes longer than what they save of work of a few milliseconds. */
+/** To wake more threads takes longer than what they save of work of a few milliseconds. */
 inline constexpr std::size_t MostThreads = 8;
 
 /**
@@ -29,18 +29,9 @@ void ForEachInThreads(std::size_t count, const Work& work)
       work(i);
     }
   };
-  const std::size_t processors =
-    std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), MostThreads);
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min(count, processors); ++i)
-  {
-    others.push_back(std::async(std::launch::async, workOn));
-  }
-  workOn();
-  for (std::future<void>& other : others)
-  {
-    other.get();
-  }
+  const std::size_t threads = std::min(
+    { count, MostThreads, std::size_t{ std::max(1u, std::thread::hardware_concurrency()) } });
+  WorkerThreads::OfProcess().Share(workOn, std::max<std::size_t>(threads, 1) - 1);
 }
 
 }
