@@ -54,6 +54,10 @@ glm::dmat4 FromEye(double turned = 0.0)
     middle + glm::dvec3(around * glm::dvec4(Eye - middle, 0.0)), middle, glm::dvec3(0.0, 1.0, 0.0));
 }
 
+const glm::dvec3 Reach(1.1); // of all boxes
+
+const vitrine::DeviceCoordinates Drawn{ glm::dvec3(0.0), glm::dvec3(1.0), Reach };
+
 // Two lines of memory.
 struct alignas(64) Place
 {
@@ -94,7 +98,7 @@ public:
 
   Occluder OccluderOf(std::uint32_t part) override
   {
-    return { &this->Mesh, &this->Places[part].ToWorld };
+    return { &this->Mesh, &this->Places[part].ToWorld, &Drawn };
   }
 
   void Expect(std::uint32_t part) const override { PrefetchAll(this->Places[part]); }
@@ -125,8 +129,7 @@ ScreenProjection TheView(int pixelsPerLine, double turned)
   const glm::dmat4 toClip =
     glm::perspective(glm::radians(40.0), 16.0 / 9.0, 0.5, 6.0) * FromEye(turned);
   const float snapping = 1.0f / 64 / static_cast<float>(pixelsPerLine);
-  return ScreenProjection(
-    toClip, Columns, Lines, glm::dvec3(1.1), { snapping, snapping, 0x1p-21f });
+  return ScreenProjection(toClip, Columns, Lines, Reach, { snapping, snapping, 0x1p-21f });
 }
 
 /** What is drawn, and by how many degrees a frame the eye goes around it. */

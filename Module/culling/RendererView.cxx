@@ -28,17 +28,20 @@ namespace
 const int LeastSubpixelBits = 4;
 const int MostSubpixelBits = 8;
 
+// Of a step of that grid: half of one to the nearest, and some to spare.
+const float SnappedSteps = 0.6f;
+
 // Of reversed depth: a few steps of a depth buffer of 24 bits.
 const float SnappedDepth = 0x1p-21f;
 
 // What floats round of a place in the window, as a share of it, where a device takes depths from a plane that counts from the window's corner: as if it took them elsewhere.
 const float RoundingOfPlaces = 0x1p-21f;
 
-/** By how many pixels the window's rasteriser may move corners: a whole step, of which it takes a half if it goes to the nearest one. */
+/** By how many pixels the window's rasteriser may move corners. */
 float SnappedPixelsOf(vtkRenderer* renderer)
 {
   const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
-  return std::ldexp(1.0f, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
+  return std::ldexp(SnappedSteps, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
 }
 
 /** Whether VTK draws with the matrices that the camera tells now, and nothing else. */
@@ -112,8 +115,9 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
     (snapped + RoundingOfPlaces * static_cast<float>(bottom + height)) / static_cast<float>(pixels),
     SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);
+  const glm::vec2 before = glm::vec2(left, bottom) / static_cast<float>(pixels);
   this->Known.emplace(toClip, static_cast<double>(width) / pixels,
-    static_cast<double>(height) / pixels, parts.Reach(), snapping, growth);
+    static_cast<double>(height) / pixels, parts.Reach(), snapping, growth, before);
   return true;
 }
 

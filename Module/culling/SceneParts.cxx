@@ -315,7 +315,7 @@ Occluder SceneParts::ShapeOf(std::uint32_t i)
   {
     return {}; // so that its box is tested, not its points
   }
-  return { &mesh, &part.ToWorld, part.HasBackFaces, part.Geometry->Boxes(),
+  return { &mesh, &part.ToWorld, &part.Drawn, part.HasBackFaces, part.Geometry->Boxes(),
     part.Geometry->IsOfFacesAlone() };
 }
 

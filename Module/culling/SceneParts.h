@@ -109,18 +109,12 @@ private:
     float Growth = 0.0f;
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dmat4 FromWorld{ 1.0 };
-    glm::dvec3 Sums{ 0.0 };            ///< of absolute values, that lead to world coordinates
+    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
+    DeviceCoordinates Drawn;
     std::vector<std::uint32_t> Pieces; ///< the parts of the division
   };
 
   class Shapes;
-
-  /** What a device computes a part's places from. */
-  struct DeviceCoordinates
-  {
-    glm::dvec3 Origin;   ///< in model coordinates (MC)
-    glm::dvec3 Farthest; ///< the largest absolute coordinates from there
-  };
 
   Occluder ShapeOf(std::uint32_t part);
   bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;
@@ -142,7 +136,7 @@ private:
   void LookAtData(Part& part);
   void ReadActor(Part& part);
   static DeviceCoordinates CoordinatesOf(const Part& part);
-  Box Read(Part& part, const DeviceCoordinates& device) const;
+  Box Read(Part& part, const DeviceCoordinates& drawn) const;
   void Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved);
   void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);

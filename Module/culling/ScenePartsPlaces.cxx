@@ -32,9 +32,6 @@ const double FarthestSum = 1e15;
 // Boxes are put around the middle of parts that are farther from the origin than so many times their size.
 const double FarOff = 1000.0;
 
-// What doubles make of the origin on the way to the screen, as a share of it, over RoundingOfSums.
-const double RoundingOfOrigin = 0x1p-48 / RoundingOfSums;
-
 /** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
 bool IsAffine(const glm::dmat4& m)
 {
@@ -58,7 +55,7 @@ void SceneParts::ReadActor(Part& part)
 }
 
 /** Of a part that is a prop. */
-SceneParts::DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
+DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
 {
   const glm::dvec3& least = part.Geometry->Least();
   const glm::dvec3& greatest = part.Geometry->Greatest();
@@ -70,7 +67,7 @@ SceneParts::DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
 }
 
 /** Returns the part's box: empty if it cannot be hidden. */
-Box SceneParts::Read(Part& part, const DeviceCoordinates& device) const
+Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
 {
   part.Growth = GrowthOf(part.Actor, *part.Geometry);
   part.MayHide = part.MayHide && part.Geometry->IsFinite();
@@ -84,14 +81,16 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& device) const
   }
   const glm::dvec3 middle(part.ToWorld * glm::dvec4(0.5 * (least + greatest), 1.0));
   glm::dvec3 half(0.0);
-  part.Sums = glm::abs(glm::dvec3(part.ToWorld * glm::dvec4(device.Origin, 1.0))) +
-    RoundingOfOrigin * glm::abs(this->Middle);
+  part.Sums = glm::abs(glm::dvec3(part.ToWorld * glm::dvec4(drawn.Origin, 1.0)));
   for (int axis = 0; axis < 3; ++axis)
   {
     const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
     half += direction * (0.5 * (greatest[axis] - least[axis]));
-    part.Sums += direction * device.Farthest[axis];
+    part.Sums += direction * drawn.Farthest[axis];
   }
+  part.Drawn = drawn;
+  part.Drawn.InWorld = part.Sums + glm::abs(this->Middle);
+  part.Sums += RoundingOfDoubles * glm::abs(this->Middle);
   if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
   {
     return Box();

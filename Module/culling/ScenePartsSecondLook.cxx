@@ -78,7 +78,7 @@ public:
   PartPlanes PlanesOf(std::uint32_t part) override
   {
     const Part& known = this->Parts.Parts[part];
-    return { &known.Geometry->Planes(known.Data), &known.ToWorld, &known.FromWorld };
+    return { &known.Geometry->Planes(known.Data), &known.ToWorld, &known.Drawn, &known.FromWorld };
   }
 
   const std::vector<MeshLine>& LinesOf(std::uint32_t part) override

@@ -293,6 +293,14 @@ inline void Damage(Triangles& triangles, Random& random)
   triangles = damaged;
 }
 
+/** Of absolute values, that lead to a point in the world. */
+inline glm::dvec3 SumsOf(const glm::dmat4& toWorld, const glm::dvec3& point)
+{
+  return glm::dvec3(glm::abs(toWorld[0]) * std::abs(point.x) +
+    glm::abs(toWorld[1]) * std::abs(point.y) + glm::abs(toWorld[2]) * std::abs(point.z) +
+    glm::abs(toWorld[3]));
+}
+
 /** A view and the lines that it is taken in. */
 struct View
 {

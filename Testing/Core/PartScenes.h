@@ -49,11 +49,12 @@ public:
       part.Corners.push_back(point);
       low = glm::min(low, point);
       high = glm::max(high, point);
+      glm::dvec3 &farthest = part.Drawn.Farthest, &inWorld = part.Drawn.InWorld;
+      farthest = glm::max(farthest, glm::abs(triangles.Points[corner]));
+      inWorld = glm::max(inWorld, SumsOf(toWorld, triangles.Points[corner]));
     }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Reach = std::max({ this->Reach, std::abs(low[axis]), std::abs(high[axis]) });
-    }
+    const glm::dvec3& sums = part.Drawn.InWorld;
+    this->Reach = std::max({ this->Reach, sums.x, sums.y, sums.z });
     this->Parts.push_back(part);
     this->Bounds.push_back(Box::Around(low, high));
     this->Visible.push_back(1);
@@ -73,14 +74,14 @@ public:
     {
       return {};
     }
-    return { part.Mesh.get(), &part.ToWorld, part.HasBackFaces, part.Boxes.get(),
+    return { part.Mesh.get(), &part.ToWorld, &part.Drawn, part.HasBackFaces, part.Boxes.get(),
       part.IsOfFacesAlone };
   }
 
   vitrine::PartPlanes PlanesOf(std::uint32_t i) override
   {
     const Part& part = this->Parts[i];
-    return { part.Planes.get(), &part.ToWorld, &part.FromWorld };
+    return { part.Planes.get(), &part.ToWorld, &part.Drawn, &part.FromWorld };
   }
 
   const std::vector<vitrine::MeshLine>& LinesOf(std::uint32_t i) override
@@ -105,6 +106,7 @@ public:
     std::shared_ptr<vitrine::MeshBoxes> Boxes; ///< of meshes of many points
     std::shared_ptr<vitrine::FacePlanes> Planes;
     glm::dmat4 ToWorld, FromWorld;
+    vitrine::DeviceCoordinates Drawn;
     std::vector<glm::dvec3> Corners; ///< of triangles, in the world
     std::vector<vitrine::MeshLine> Lines;
     bool Hides = true;

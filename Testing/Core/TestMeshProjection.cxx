@@ -39,9 +39,7 @@ float CoarserOf(const glm::dmat4& toWorld, const std::vector<glm::dvec3>& points
   double most = 1.0;
   for (const glm::dvec3& point : points)
   {
-    const glm::dvec3 sums(glm::abs(toWorld[0]) * std::abs(point.x) +
-      glm::abs(toWorld[1]) * std::abs(point.y) + glm::abs(toWorld[2]) * std::abs(point.z) +
-      glm::abs(toWorld[3]));
+    const glm::dvec3 sums = coverage::SumsOf(toWorld, point);
     most = std::max({ most, sums.x / reach, sums.y / reach, sums.z / reach });
   }
   return static_cast<float>(most);

@@ -171,16 +171,16 @@ TEST(SecondLook, AsksThinFacesOneByOne)
     Triangles slivers;
     for (int i = 0; i < count; ++i)
     {
-      slivers.Add({ left, -3, -31 }, { left, top, -31 }, { left + 1e-4, top, -31 });
+      slivers.Add({ left, -3, -31 }, { left, top, -31 }, { left + 1e-5, top, -31 });
     }
     return scene.Add(slivers);
   };
-  const View view = SnappingView(false, 1.0 / 64.0); // slivers are 1e-4 columns wide
+  const View view = SnappingView(false, 1.0 / 64.0); // slivers are 1e-5 columns wide
   const double centre = 1.657; // of pixels, two and a half columns from the middle of the screen
-  const std::uint32_t high = addSlivers(centre - 3e-5, 10, 1), low = addSlivers(4, 1, 1);
-  const std::uint32_t many = addSlivers(-centre - 3e-5, 10, 200),
+  const std::uint32_t high = addSlivers(centre - 3e-6, 10, 1), low = addSlivers(4, 1, 1);
+  const std::uint32_t many = addSlivers(-centre - 3e-6, 10, 200),
                       between = addSlivers(-2.65, 10, 1);
-  const std::uint32_t thousands = addSlivers(-centre - 3e-5, 10, 1100);
+  const std::uint32_t thousands = addSlivers(-centre - 3e-6, 10, 1100);
   for (const bool isAtCentres : { false, true })
   {
     const SampleGrid samples = isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid();
@@ -208,8 +208,8 @@ TEST(SecondLook, AsksThinFacesBehindWhatHidesTheirBox)
       away.Add({ left, -3, -31 }, { 1.2 * left + aside, -3.6, -37.2 }, { left, 1, -31 });
       return StaysHidden(scene, scene.Add(away), wall, view);
     };
-    EXPECT_FALSE(staysHidden(centre, 2e-4));
-    EXPECT_EQ(staysHidden(2.65, 2e-4), isAtCentres) << "between samples";
+    EXPECT_FALSE(staysHidden(centre, 2e-5));
+    EXPECT_EQ(staysHidden(2.65, 2e-5), isAtCentres) << "between samples";
     EXPECT_TRUE(staysHidden(centre, 0.5)) << "it is not thin";
   }
 }

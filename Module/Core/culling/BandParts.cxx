@@ -187,8 +187,8 @@ bool BandParts::HasBackFaces(const Occluder& occluder) const
 /** Returns whether all of it lies behind the near plane; if not it is cut there, which takes long. */
 bool BandParts::Project(const Occluder& occluder)
 {
-  const bool isBehindNear =
-    this->Tools.Projected.Project(*occluder.Mesh, this->View.Of(*occluder.ToWorld));
+  const bool isBehindNear = this->Tools.Projected.Project(
+    *occluder.Mesh, this->View.Of(*occluder.ToWorld, *occluder.Drawn));
   if (!isBehindNear)
   {
     this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / CutFacesPerPiece);
@@ -222,7 +222,8 @@ void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
   this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
   this->InsertSides(part, occluder);
   MeshProjection& projected = this->Tools.Projected;
-  if (!projected.IsBehindNear() && projected.ClipFarther(this->View.Of(*occluder.ToWorld)))
+  if (!projected.IsBehindNear() &&
+    projected.ClipFarther(this->View.Of(*occluder.ToWorld, *occluder.Drawn)))
   {
     this->InsertSides(part, occluder);
   }

@@ -5,6 +5,8 @@
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SlantedDepth.h"
 
+#include <algorithm>
+
 namespace vitrine
 {
 
@@ -32,6 +34,9 @@ public:
     this->Below.Farthest -= depth;
     this->Nearest += depth;
   }
+
+  /** Has nothing of it be nearer than that. */
+  void LimitNearest(float depth) { this->Nearest = std::min(this->Nearest, depth); }
 
   /** What nothing that may be drawn is farther than. */
   const SlantedDepth& Bound() const { return this->Below; }

@@ -11,6 +11,7 @@ FaceOnLines::FaceOnLines(const MeshProjection& projection, const FaceBlock& bloc
   : FaceOnLines(projection, block.Face(lane), block.At(lane))
 {
   this->Plane.Unsettle(block.Unsteady(lane));
+  this->Plane.LimitNearest(this->Around.Nearest);
 }
 
 FaceOnLines::FaceOnLines(

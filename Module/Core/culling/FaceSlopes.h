@@ -5,23 +5,10 @@
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SlantedDepth.h"
 
-#include <cmath>
-
 namespace vitrine
 {
 
 inline constexpr float AnyDepth = 2.0f; ///< more than all depths differ
-
-/** Without its sign. */
-VITRINE_INLINE float SizeOf(float a)
-{
-  return std::abs(a);
-}
-
-VITRINE_INLINE float GreatestOf(float a, float b)
-{
-  return a > b ? a : b;
-}
 
 /** A number, and by how much it may be off. */
 template <class Number>
@@ -41,12 +28,13 @@ struct FaceSides
   Number Off[3];
 
   /** @param inversesOfW  of the corners */
+  template <class Rounding>
   VITRINE_INLINE FaceSides(
-    const Number (&values)[3], const Number (&inversesOfW)[3], const CoordinateRounding& rounding)
+    const Number (&values)[3], const Number (&inversesOfW)[3], const Rounding& rounding)
     : First(values[1] - values[0])
     , Second(values[2] - values[0])
-    , Off{ OffOf(values[0], inversesOfW[0], rounding), OffOf(values[1], inversesOfW[1], rounding),
-      OffOf(values[2], inversesOfW[2], rounding) }
+    , Off{ rounding.OffAt(values[0], inversesOfW[0]), rounding.OffAt(values[1], inversesOfW[1]),
+      rounding.OffAt(values[2], inversesOfW[2]) }
   {
   }
 
@@ -65,14 +53,6 @@ struct FaceSides
   }
 
   VITRINE_INLINE Number SumOff() const { return this->Off[0] + this->Off[1] + this->Off[2]; }
-
-private:
-  VITRINE_INLINE static Number OffOf(
-    Number value, Number inverseOfW, const CoordinateRounding& rounding)
-  {
-    return (rounding.Own + rounding.OfW * GreatestOf(SizeOf(value), Number{} + rounding.Largest)) *
-      inverseOfW;
-  }
 };
 
 /** Where a face's corners are on the screen, and 1 over their w. */
@@ -98,7 +78,8 @@ struct SidesOnScreen
   FaceSides<Number> Columns, Lines, Depths;
   Estimate<Number> Area; ///< twice, and signed
 
-  VITRINE_INLINE SidesOnScreen(const FacePlaces<Number>& places, const ScreenRounding& rounding)
+  template <class Rounding>
+  VITRINE_INLINE SidesOnScreen(const FacePlaces<Number>& places, const Rounding& rounding)
     : Columns(places.Columns, places.InversesOfW, rounding.Columns)
     , Lines(places.Lines, places.InversesOfW, rounding.Lines)
     , Depths(places.Depths, places.InversesOfW, rounding.Depths)
@@ -121,7 +102,7 @@ struct SidesOnScreen
 };
 
 /**
- * How a face's depth changes from column to column and from line to line, and what is not known of that: of one face (float) or of eight (Lanes).
+ * How a face's depth changes from column to column and from line to line, and what is not known of that: of one face (float, double) or of eight (Lanes).
  *
  * A device snaps corners to see what they cover. Some take depths from corners that are not snapped, so that the plane counts
  * beside the face, too; and they round corners before, which slopes differ by. A sliver's are steep, and where rounding may take all of its area nothing is known of them.
@@ -131,11 +112,12 @@ class FaceSlopes
 {
 public:
   /**
-   * @param rounding  what a device's floats round of points
+   * @param rounding  what a device's floats round of points: ScreenRounding or DeviceScreenRounding
    * @param snapping  what it moves them by to see what they cover
    */
+  template <class Rounding>
   VITRINE_INLINE FaceSlopes(
-    const FacePlaces<Number>& places, const ScreenRounding& rounding, const ScreenMargin& snapping)
+    const FacePlaces<Number>& places, const Rounding& rounding, const ScreenMargin& snapping)
   {
     const SidesOnScreen<Number> sides(places, rounding);
     this->ByColumn = Quotient(Cross(sides.Depths, sides.Lines), sides.Area);

@@ -1,6 +1,10 @@
 #include "Core/culling/FaceThickness.h"
 
+#include "Core/culling/BeyondAll.h"
+#include "Core/culling/FaceSlopes.h"
+
 #include <algorithm>
+#include <array>
 
 namespace vitrine
 {
@@ -15,6 +19,31 @@ float NearestOfThickness(const MeshProjection& projection, const MeshFace& face,
   const ScreenMargin& snapping = projection.Snapping();
   const float beside = 2.0f * (snapping.Column + snapping.Line);
   return nearest + (nearest - farthest) / thickness * beside;
+}
+
+float NearestInDoubles(const MeshProjection& projection, const MeshFace& face)
+{
+  const ScreenMatrix& view = projection.View();
+  const std::array<glm::dvec4, 3> corners = projection.CornersOnScreen(face);
+  FacePlaces<double> places;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const glm::dvec4 place = corners[i] / corners[i].w;
+    const bool isInView = projection.IsBehindNear(face[i]) && place.x >= 0.0 &&
+      place.x <= view.Size.x && place.y >= view.Bottom() && place.y <= view.Top();
+    if (!isInView)
+    {
+      return BeyondAll;
+    }
+    places.Columns[i] = place.x;
+    places.Lines[i] = place.y;
+    places.Depths[i] = place.z;
+    places.InversesOfW[i] = 1.0 / corners[i].w;
+  }
+  const FaceSlopes<double> slopes(places, view.RoundingInView(), projection.Snapping());
+  const double* const depths = places.Depths;
+  const double nearest = std::max({ depths[0], depths[1], depths[2] }) + slopes.Beyond;
+  return static_cast<float>(nearest) + projection.MarginOf(face).Depth;
 }
 
 }

@@ -9,6 +9,12 @@ namespace vitrine
 /** How near a device may draw a face that is no thinner than that for it, in columns and lines: its depth changes by no more there than between its corners. */
 float NearestOfThickness(const MeshProjection& projection, const MeshFace& face, float thickness);
 
+/**
+ * How near a device may draw a face that lies in the view, whatever our floats round of it: of slivers these tell nothing that are known in doubles.
+ * More than any depth where nothing is known.
+ */
+float NearestInDoubles(const MeshProjection& projection, const MeshFace& face);
+
 }
 
 #endif

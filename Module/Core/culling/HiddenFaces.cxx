@@ -129,8 +129,7 @@ bool HiddenFaces::AreSomeOfAnyThickness(
 {
   for (std::size_t first = 0; first < faces.size(); first += LaneCount)
   {
-    const FaceBlock block(projection, faces, first);
-    if (!this->AreHiddenOfAnyThickness(projection, block))
+    if (!this->AreHiddenOfAnyThickness(projection, FaceBlock(projection, faces, first)))
     {
       return false;
     }
@@ -139,10 +138,18 @@ bool HiddenFaces::AreSomeOfAnyThickness(
 }
 
 /** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
-bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block)
+bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, FaceBlock block)
 {
-  return this->AreHiddenIfThick(
-    projection, block, block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen()));
+  const unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
+  for (unsigned bits = faces; bits != 0; bits &= bits - 1)
+  {
+    const int lane = LowestBit(bits);
+    if (block.At(lane).Nearest > 1.0f)
+    {
+      block.LimitNearest(lane, NearestInDoubles(projection, block.Face(lane)));
+    }
+  }
+  return this->AreHiddenIfThick(projection, block, faces);
 }
 
 bool HiddenFaces::AreHiddenIfThick(

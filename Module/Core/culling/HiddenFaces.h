@@ -57,7 +57,7 @@ private:
     const MeshProjection& projection, const std::vector<std::uint32_t>& thin, float nearest);
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
-  bool AreHiddenOfAnyThickness(const MeshProjection& projection, const FaceBlock& block);
+  bool AreHiddenOfAnyThickness(const MeshProjection& projection, FaceBlock block);
   bool AreHiddenIfThick(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   unsigned FindHiddenIfOfAStep(
     const MeshProjection& projection, const FaceBlock& block, unsigned faces) const;

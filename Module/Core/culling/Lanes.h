@@ -1,8 +1,10 @@
 #ifndef VITRINE_CORE_CULLING_LANES_H
 #define VITRINE_CORE_CULLING_LANES_H
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 /**
  * Before a function: it is compiled for processors with wider registers, too, and the right one is taken when the program starts. No fused
@@ -237,6 +239,12 @@ VITRINE_INLINE DoubleLanes LoadDoubles(const double* values)
   return lanes;
 }
 
+/** Without their signs. */
+VITRINE_INLINE DoubleLanes SizeOf(DoubleLanes a)
+{
+  return a > -a ? a : -a;
+}
+
 /** Rounds them to floats. */
 VITRINE_INLINE void StoreAsFloats(DoubleLanes lanes, float* values)
 {
@@ -248,6 +256,20 @@ VITRINE_INLINE void StoreAsFloats(DoubleLanes lanes, float* values)
 VITRINE_INLINE void StoreDoubles(DoubleLanes lanes, double* values)
 {
   __builtin_memcpy(values, &lanes, sizeof(lanes));
+}
+
+/** Without its sign: of a float or a double. */
+template <class Number>
+VITRINE_INLINE std::enable_if_t<std::is_floating_point_v<Number>, Number> SizeOf(Number a)
+{
+  return std::abs(a);
+}
+
+template <class Number>
+VITRINE_INLINE std::enable_if_t<std::is_floating_point_v<Number>, Number> GreatestOf(
+  Number a, Number b)
+{
+  return a > b ? a : b;
 }
 
 }

@@ -92,7 +92,6 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   }
   const float leastOfW = LeastLane(nearestW);
   this->DeviceMargin = toScreen.MarginFrom(leastOfW);
-  this->GreatestInverse = 1.0f / leastOfW;
   this->Around = { LeastLane(left) - this->DeviceMargin.Column,
     GreatestLane(right) + this->DeviceMargin.Column, LeastLane(bottom) - this->DeviceMargin.Line,
     GreatestLane(top) + this->DeviceMargin.Line, GreatestLane(nearest) + this->DeviceMargin.Depth };
@@ -132,7 +131,6 @@ void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
     this->Inverses.push_back(static_cast<float>(1.0 / cut.w));
   }
   this->DeviceMargin = toScreen.MarginFrom(this->Rest.LeastW());
-  this->GreatestInverse = 1.0f / this->Rest.LeastW();
   LineExtent columns, lines, depths;
   for (const MeshFace& face : this->Rest.Faces())
   {
@@ -198,8 +196,7 @@ bool MeshProjection::MayBeCut(const MeshFace& face) const
   const ScreenRectangle around = this->RectangleOf(face);
   const float farthest =
     std::min({ this->Depths[face[0]], this->Depths[face[1]], this->Depths[face[2]] });
-  return this->ToScreen.IsInView(around) &&
-    this->ToScreen.MayBeCut(around, farthest, this->InverseW(face));
+  return this->ToScreen.IsInView(around) && this->ToScreen.MayBeCut(around, farthest);
 }
 
 std::array<glm::dvec4, 3> MeshProjection::CornersOnScreen(const MeshFace& face) const

@@ -131,8 +131,7 @@ public:
   /** Whether a device may cut faces at the sides of the view, or its near or far plane. */
   bool MayBeCut() const
   {
-    return !this->AreAllBehindNear ||
-      this->ToScreen.MayBeCut(this->Around, this->Farthest, this->GreatestInverse);
+    return !this->AreAllBehindNear || this->ToScreen.MayBeCut(this->Around, this->Farthest);
   }
 
   /** Whether it may cut a face of the mesh: that is neither surely within the view nor surely beyond one of its sides. */
@@ -181,8 +180,7 @@ private:
   bool AreAllBehindNear = false;
   NearClip Rest; ///< where they are not
   ScreenRectangle Around{};
-  float Farthest = 0.0f;        ///< depth of all points of faces
-  float GreatestInverse = 0.0f; ///< of their w
+  float Farthest = 0.0f; ///< depth of all points of faces
   ScreenMargin DeviceMargin;
   ScreenMargin DeviceSnapping;
   ScreenRounding DeviceRounding{};

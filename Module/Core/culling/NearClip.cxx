@@ -230,18 +230,18 @@ bool NearClip::MayShowBefore(const MeshFace& face) const
 /** Whether all corners lie beyond the same side of the view. */
 bool NearClip::IsOutside(const std::vector<glm::dvec4>& corners) const
 {
-  const glm::vec4& rounding = this->ToScreen.Rounding;
+  const ScreenMargin rounded = this->ToScreen.RoundingOnScreen().OnScreenAtOne();
   const ScreenMargin& snapping = this->ToScreen.Snapping;
   const glm::dvec2 size(this->ToScreen.Size);
   unsigned beyond = 15;
   for (const glm::dvec4& corner : corners)
   {
-    const double farthest = std::abs(corner.w) + rounding.w;
-    const double aside = rounding.x + farthest * snapping.Column;
-    const double above = rounding.y + farthest * snapping.Line;
+    const double farthest = std::abs(corner.w) + this->ToScreen.Rounding.w;
+    const double aside = rounded.Column + farthest * snapping.Column;
+    const double above = rounded.Line + farthest * snapping.Line;
     beyond &= (corner.x < -aside ? 1u : 0u) | (corner.y < -above ? 2u : 0u) |
-      (corner.x - size.x * corner.w > aside + size.x * rounding.w ? 4u : 0u) |
-      (corner.y - size.y * corner.w > above + size.y * rounding.w ? 8u : 0u);
+      (corner.x - size.x * corner.w > aside ? 4u : 0u) |
+      (corner.y - size.y * corner.w > above ? 8u : 0u);
   }
   return beyond != 0;
 }

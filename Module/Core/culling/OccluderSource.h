@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_OCCLUDER_SOURCE_H
 #define VITRINE_CORE_CULLING_OCCLUDER_SOURCE_H
 
+#include "Core/culling/DeviceCoordinates.h"
 #include "Core/culling/MeshBoxes.h"
 #include "Core/culling/OccluderMesh.h"
 
@@ -14,8 +15,9 @@ namespace vitrine
 /** What a part hides with. */
 struct Occluder
 {
-  const OccluderMesh* Mesh = nullptr;  ///< null if it hides nothing
-  const glm::dmat4* ToWorld = nullptr; ///< from the mesh's model coordinates
+  const OccluderMesh* Mesh = nullptr;       ///< null if it hides nothing
+  const glm::dmat4* ToWorld = nullptr;      ///< from the mesh's model coordinates
+  const DeviceCoordinates* Drawn = nullptr; ///< what a device computes its places from
   bool HasBackFaces = true; ///< whether faces that go around clockwise on the screen are drawn, too
   const MeshBoxes* Boxes =
     nullptr; ///< around the mesh's faces; null if there are none, or if more is drawn of the part than faces

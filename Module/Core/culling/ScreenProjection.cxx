@@ -73,15 +73,30 @@ VITRINE_INLINE LaneMask OutsideOfPlanes(
     beyondDepths.Add(corners.At(corner, 2) - cornerW);
   }
   const Lanes farthest = GreatestOf(w.Greatest, -w.Least);
-  const glm::vec4& rounding = matrix.Rounding;
-  const Lanes aside = growth.x * farthest + rounding.x;
-  const Lanes above = growth.y * farthest + rounding.y;
+  const ScreenMargin rounded = matrix.RoundingOnScreen().OnScreenAtOne();
+  const Lanes aside = growth.x * farthest + rounded.Column;
+  const Lanes above = growth.y * farthest + rounded.Line;
   return (columns.Greatest < -aside) | (lines.Greatest < -above) |
-    (depths.Greatest < AllLanes(-rounding.z)) |
-    (beyondColumns.Least > aside + screen.x * rounding.w) |
-    (beyondLines.Least > above + screen.y * rounding.w) |
-    (beyondDepths.Least > AllLanes(rounding.z + rounding.w));
+    (depths.Greatest < AllLanes(-rounded.Depth)) | (beyondColumns.Least > aside) |
+    (beyondLines.Least > above) | (beyondDepths.Least > AllLanes(rounded.Depth));
 }
+
+/** Those of a matrix. */
+struct MatrixColumns
+{
+  DoubleLanes Of[4];
+
+  VITRINE_INLINE explicit MatrixColumns(const glm::dmat4& matrix)
+    : Of{ LoadDoubles(&matrix[0].x), LoadDoubles(&matrix[1].x), LoadDoubles(&matrix[2].x),
+      LoadDoubles(&matrix[3].x) }
+  {
+  }
+
+  VITRINE_INLINE DoubleLanes Times(const glm::dvec4& a) const
+  {
+    return this->Of[0] * a.x + this->Of[1] * a.y + this->Of[2] * a.z + this->Of[3] * a.w;
+  }
+};
 
 /** Of what is seen from a distance of 1, or in parallel projection. */
 double WAtOne(const glm::dvec4& rowOfW)
@@ -103,23 +118,23 @@ glm::dvec4 CrossOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z
 }
 
 ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, double lines,
-  const glm::dvec3& reach, const ScreenMargin& snapping, const glm::vec2& growth)
+  const glm::dvec3& reach, const ScreenMargin& snapping, const glm::vec2& growth,
+  const glm::vec2& before)
   : Growth(growth)
 {
-  const glm::dvec4 point(glm::abs(reach), 1.0);
-  glm::dvec4 sums(0.0); // of absolute values, of each clip coordinate
   for (int column = 0; column < 4; ++column)
   {
     const glm::dvec4& clip = toClip[column];
+    const glm::dvec4 size = glm::abs(clip);
     this->World.Matrix[column] = { 0.5 * columns * (clip.x + clip.w),
       0.5 * lines * (clip.y + clip.w), 0.5 * (clip.w - clip.z), clip.w };
-    sums += glm::abs(clip) * point[column];
+    this->Sizes[column] = { 0.5 * columns * (size.x + size.w), 0.5 * lines * (size.y + size.w),
+      0.5 * (size.z + size.w), size.w };
   }
-  this->World.Rounding = RoundingOfSums *
-    glm::dvec4(0.5 * columns * (sums.x + sums.w), 0.5 * lines * (sums.y + sums.w),
-      0.5 * (sums.z + sums.w), sums.w);
+  this->World.Rounding = RoundingOfSums * (this->Sizes * glm::dvec4(glm::abs(reach), 1.0));
   this->World.Snapping = snapping;
   this->World.Size = { columns, lines };
+  this->World.Before = before;
   this->WorldInFloats = glm::mat4(this->World.Matrix);
 }
 
@@ -155,8 +170,6 @@ ScreenProjection ScreenProjection::OfLines(int first, int count) const
   {
     world.Matrix[column].y -= first * world.Matrix[column].w;
   }
-  // Ours goes into another sum, and lines reach as far for a device as they did.
-  world.Rounding.y += 2.0f * static_cast<float>(first) * world.Rounding.w;
   const float above = world.Size.y - static_cast<float>(first);
   world.Size.y = std::min(above, static_cast<float>(count));
   world.LinesBelow += static_cast<float>(first);
@@ -213,22 +226,40 @@ ScreenRectangle ScreenProjection::Grown(const ScreenRectangle& rectangle) const
 VITRINE_FOR_EACH_PROCESSOR
 ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld) const
 {
-  ScreenMatrix matrix;
-  matrix.Rounding = this->World.Rounding;
-  matrix.Snapping = this->World.Snapping;
-  matrix.Size = this->World.Size;
-  matrix.LinesBelow = this->World.LinesBelow;
-  matrix.LinesAbove = this->World.LinesAbove;
-  const glm::dmat4& m = this->World.Matrix;
-  const DoubleLanes first = LoadDoubles(&m[0].x), second = LoadDoubles(&m[1].x),
-                    third = LoadDoubles(&m[2].x), fourth = LoadDoubles(&m[3].x);
+  ScreenMatrix matrix = this->World;
+  const MatrixColumns view(this->World.Matrix);
   for (int i = 0; i < 4; ++i)
   {
-    const glm::dvec4& other = toWorld[i];
-    StoreDoubles(
-      first * other.x + second * other.y + third * other.z + fourth * other.w, &matrix.Matrix[i].x);
+    StoreDoubles(view.Times(toWorld[i]), &matrix.Matrix[i].x);
   }
   return matrix;
+}
+
+ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const
+{
+  ScreenMatrix matrix = this->Of(toWorld);
+  matrix.Rounding = this->RoundingOf(matrix.Matrix, device);
+  return matrix;
+}
+
+/** Columns, lines and depths are a device's clip coordinates, from the middle of the view, and as much of w as the half of that has. */
+VITRINE_FOR_EACH_PROCESSOR
+glm::vec4 ScreenProjection::RoundingOf(
+  const glm::dmat4& toScreen, const DeviceCoordinates& device) const
+{
+  const glm::dvec4 half = this->World.HalfOfView();
+  const DoubleLanes halves = LoadDoubles(&half.x);
+  const DoubleLanes middle = halves + DoubleLanes{ 0.0, this->World.Bottom(), 0.0, 0.0 };
+  const auto clipSizeOf = [&](DoubleLanes a) { return SizeOf(a - a[3] * middle); };
+  const MatrixColumns columns(toScreen);
+  const DoubleLanes sums = clipSizeOf(columns.Times(glm::dvec4(device.Origin, 1.0))) +
+    clipSizeOf(columns.Of[0]) * device.Farthest.x + clipSizeOf(columns.Of[1]) * device.Farthest.y +
+    clipSizeOf(columns.Of[2]) * device.Farthest.z;
+  const DoubleLanes ofMatrix = MatrixColumns(this->Sizes).Times(glm::dvec4(device.InWorld, 1.0));
+  glm::vec4 rounding;
+  StoreAsFloats(
+    RoundingOfSums * (sums + sums[3] * halves + RoundingOfDoubles * ofMatrix), &rounding.x);
+  return rounding;
 }
 
 VITRINE_FOR_EACH_PROCESSOR
@@ -266,7 +297,6 @@ void ScreenProjection::Project(
   StoreLanes(top, rectangles.Top);
   StoreLanes(nearest, rectangles.Nearest);
   StoreLanes(depths.Least, rectangles.Farthest);
-  StoreLanes(1.0f / leastW, rectangles.InverseOfW);
   rectangles.Outside = BitsOf(isOutside);
   rectangles.Near = BitsOf(~(isBeforeEye & (nearest < AllLanes(1.0f)))) & ~rectangles.Outside;
   if (rectangles.Near != 0)

@@ -2,6 +2,7 @@
 #define VITRINE_CORE_CULLING_SCREEN_PROJECTION_H
 
 #include "Core/culling/BoxLanes.h"
+#include "Core/culling/DeviceCoordinates.h"
 #include "Core/culling/PlaneView.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenRounding.h"
@@ -25,17 +26,48 @@ struct ScreenMatrix
   glm::vec2 Size;          ///< columns and lines
   float LinesBelow = 0.0f; ///< that the view has besides
   float LinesAbove = 0.0f;
+  glm::vec2 Before{ 0.0f }; ///< columns and lines that the window has before the view
 
   /** The view's lowest and highest line. */
   float Bottom() const { return -this->LinesBelow; }
   float Top() const { return this->Size.y + this->LinesAbove; }
 
-  /** What a device's floats round of points. */
+  /** What a device rounds of columns and lines in the window. */
+  glm::vec2 OfPlaces() const
+  {
+    return 0x1p-24f *
+      glm::vec2(this->Before.x + this->Size.x, this->Before.y + this->Top() - this->Bottom());
+  }
+
+  /** Columns, lines and depths of the view's half. */
+  glm::dvec4 HalfOfView() const
+  {
+    return { 0.5 * this->Size.x, 0.5 * (this->Top() - this->Bottom()), 0.5, 0.0 };
+  }
+
+  /** What a device's floats round of points: lines reach as far for it as in the whole view. */
   ScreenRounding RoundingOnScreen() const
   {
     const glm::vec4& own = this->Rounding;
-    return { { own.x, own.w, this->Size.x }, { own.y, own.w, this->Size.y },
-      { own.z, own.w, 1.0f } };
+    const glm::vec2 ofPlaces = this->OfPlaces();
+    return { { own.x, own.w, this->Size.x, ofPlaces.x },
+      { own.y, own.w, this->Top() - this->Bottom(), ofPlaces.y }, { own.z, own.w, 1.0f } };
+  }
+
+  /**
+   * The same of points in the view that are found in doubles: of the twelve roundings by 2^-24 the device's six are left, and one of ours, of the point.
+   */
+  DeviceScreenRounding RoundingInView() const
+  {
+    const glm::dvec4 half = this->HalfOfView();
+    const glm::dvec4 own(this->Rounding);
+    const auto of = [&](int i, double middle, float ofPlaces)
+    {
+      return DeviceCoordinateRounding{ 7.0 / 12.0 * std::max(own[i] - half[i] * own.w, 0.0),
+        7.0 / 12.0 * own.w, middle, ofPlaces };
+    };
+    return { of(0, half.x, this->OfPlaces().x), of(1, half.y + this->Bottom(), this->OfPlaces().y),
+      of(2, half.z, 0x1p-24f) };
   }
 
   /** Whether any of a rectangle lies between the sides of the view. */
@@ -47,17 +79,12 @@ struct ScreenMatrix
 
   /**
    * Whether what has this rectangle, and is nowhere farther, may reach beyond the view, of which the screen may be some lines alone, or its near or far plane.
-   * @param inverseOfW  of its points at most
    */
-  bool MayBeCut(const ScreenRectangle& rectangle, float farthest, float inverseOfW) const
+  bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
-    // The rectangle is as wide as what is rounded of points on the screen has it.
-    const float roundedBeyond =
-      this->Rounding.w * (std::max(this->Top(), -this->Bottom()) - this->Size.y) * inverseOfW;
     return !(rectangle.Left >= 0.0f && rectangle.Right <= this->Size.x &&
-      rectangle.Bottom - roundedBeyond >= this->Bottom() &&
-      rectangle.Top + roundedBeyond <= this->Top() && rectangle.Nearest < 1.0f &&
-      farthest > RoundingOfCuts);
+      rectangle.Bottom >= this->Bottom() && rectangle.Top <= this->Top() &&
+      rectangle.Nearest < 1.0f && farthest > RoundingOfCuts);
   }
 
   /** Of points on the screen for which w is at least `leastW`. */
@@ -75,9 +102,8 @@ struct RectangleLanes
   float Bottom[LaneCount];
   float Top[LaneCount];
   float Nearest[LaneCount];
-  float Farthest[LaneCount];   ///< depth of its corners
-  float InverseOfW[LaneCount]; ///< of its corners at most
-  unsigned Outside;            ///< a bit for each box that lies outside of what the view shows
+  float Farthest[LaneCount]; ///< depth of its corners
+  unsigned Outside;          ///< a bit for each box that lies outside of what the view shows
   unsigned
     Near; ///< for each that reaches before the near plane, so that it has no rectangle and nothing hides it
 
@@ -119,9 +145,11 @@ public:
    * @param snapping  what a rasteriser moves edges and depths by, besides the rounding of its floats
    * @param growth    by how many columns and lines boxes reach farther on the screen, for lines and points that are drawn wider
    *                  than they are
+   * @param before    columns and lines that the window has before the view
    */
   ScreenProjection(const glm::dmat4& toClip, double columns, double lines, const glm::dvec3& reach,
-    const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f));
+    const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f),
+    const glm::vec2& before = glm::vec2(0.0f));
 
   /** Where eight boxes are, which are finite; of empty ones it says anything. */
   void Project(const BoxLanes& boxes, RectangleLanes& rectangles) const
@@ -142,10 +170,10 @@ public:
   /** Whether a rectangle reaches beyond the screen. */
   bool ReachesBeyond(const ScreenRectangle& rectangle) const;
 
-  /** Whether a device may cut what is in one of some boxes, of which this rectangle is. */
-  bool MayBeCut(const ScreenRectangle& rectangle, const RectangleLanes& boxes, int lane) const
+  /** Whether a device may cut what has this rectangle, and is nowhere farther. */
+  bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
-    return this->World.MayBeCut(rectangle, boxes.Farthest[lane], boxes.InverseOfW[lane]);
+    return this->World.MayBeCut(rectangle, farthest);
   }
 
   /** The same view of some of its lines alone: they count from `first`. */
@@ -180,8 +208,15 @@ public:
    */
   ScreenMatrix Of(const glm::dmat4& toWorld) const;
 
+  /** The same where more is known of what a device rounds: it multiplies by the product of the matrices that lead from a part's coordinates to the screen. */
+  ScreenMatrix Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const;
+
 private:
+  glm::vec4 RoundingOf(const glm::dmat4& toScreen, const DeviceCoordinates& device) const;
+
   ScreenMatrix World;
+  glm::dmat4
+    Sizes; ///< of what leads from the world to columns, lines, depths and w, as a device has it
   glm::mat4 WorldInFloats; ///< its matrix
   glm::vec2 Growth;
 };

@@ -16,16 +16,31 @@ struct ScreenMarginOf
 };
 using ScreenMargin = ScreenMarginOf<float>;
 
-/** What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, or of the largest that the screen has, as much as they round of w. */
+/**
+ * What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, or of the largest that the screen has, as much as they round of w. Besides, so much of
+ * a place in the window, whatever its w.
+ */
 struct CoordinateRounding
 {
   float Own;
   float OfW;
   float Largest;
+  float OfPlaces = 0.0f;
 
   /** On the screen, where w is 1; elsewhere as much over w. */
   float OnScreenAtOne() const { return this->Own + this->Largest * this->OfW; }
+
+  /** Anywhere: off the screen places are rounded by themselves, too, as is w. */
+  template <class Number>
+  VITRINE_INLINE Number OffAt(Number place, Number inverseOfW) const
+  {
+    const Number beyond = GreatestOf(SizeOf(place) - this->Largest, Number{});
+    return (this->Own + this->OfW * (this->Largest + 1.5f * beyond)) * inverseOfW + this->OfPlaces;
+  }
 };
+
+/** Of places that are quotients of w, and are taken to the screen: three times 2^-24, and one to spare. */
+inline constexpr double RoundingOfQuotients = 0x1p-22;
 
 /**
  * Of places in the view, where a device cuts edges: up to four planes one after the other, each of which has it multiply, sum and divide, and what takes it to the screen. Fifteen times 2^-24.
@@ -57,9 +72,31 @@ struct ScreenRounding
     Number inverseOfW, const ScreenMargin& snapping) const
   {
     const ScreenMargin atOne = this->OnScreenAtOne();
-    return { snapping.Column + atOne.Column * inverseOfW, snapping.Line + atOne.Line * inverseOfW,
-      snapping.Depth + atOne.Depth * inverseOfW };
+    return { snapping.Column + this->Columns.OfPlaces + atOne.Column * inverseOfW,
+      snapping.Line + this->Lines.OfPlaces + atOne.Line * inverseOfW,
+      snapping.Depth + this->Depths.OfPlaces + atOne.Depth * inverseOfW };
   }
+};
+
+/** What a device alone rounds of a coordinate of a point in the view: the farther that is from the view's middle, the more of it comes from w. */
+struct DeviceCoordinateRounding
+{
+  double OfSums, OfW; ///< times w
+  double Middle;      ///< of the view
+  double OfPlaces;    ///< in the window
+
+  double OffAt(double place, double inverseOfW) const
+  {
+    const double fromMiddle = SizeOf(place - this->Middle);
+    return (this->OfSums + this->OfW * fromMiddle) * inverseOfW + RoundingOfQuotients * fromMiddle +
+      this->OfPlaces;
+  }
+};
+
+/** Of columns, lines and depths. */
+struct DeviceScreenRounding
+{
+  DeviceCoordinateRounding Columns, Lines, Depths;
 };
 
 }

@@ -15,8 +15,8 @@ namespace
 {
 
 // Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats and ours may be off by at the very most, of which devices have been seen to need a sixteenth.
-const double ThinOfSnapping = 1.0 / 10.0;
-const double ThinOfRounding = 1.0 / 4.0;
+const double ThinOfSnapping = 1.0 / 6.0;
+const double ThinOfRounding = 1.0 / 3.0;
 
 // Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more. Of slivers that llvmpipe drew
 // none exceeded half of it.
@@ -97,7 +97,7 @@ bool SecondLook::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, 
 {
   ScreenRectangle around = rectangles.At(lane);
   const bool isBehindNear = (rectangles.Near >> lane & 1u) == 0;
-  const bool mayBeCut = this->View.MayBeCut(around, rectangles, lane);
+  const bool mayBeCut = this->View.MayBeCut(around, rectangles.Farthest[lane]);
   around.Nearest +=
     this->FindThinFaces(part) + this->TiltOf(around, around.Nearest - rectangles.Farthest[lane]);
   const bool isBoxHidden = isBehindNear && this->Tools.Lines.Hides(around);
@@ -134,9 +134,10 @@ float SecondLook::TiltOf(const ScreenRectangle& around, float depth) const
 bool SecondLook::AreItsLinesHidden(std::uint32_t part)
 {
   const std::vector<MeshLine>& lines = this->Shapes.LinesOf(part);
+  const PartPlanes known = this->Shapes.PlanesOf(part);
   return lines.empty() ||
-    AreLinesHidden(lines, this->View.Of(*this->Shapes.PlanesOf(part).ToWorld),
-      this->View.GrowthOnScreen(), this->Tools.Lines);
+    AreLinesHidden(lines, this->View.Of(*known.ToWorld, *known.Drawn), this->View.GrowthOnScreen(),
+      this->Tools.Lines);
 }
 
 /** One by one: the thin ones, or all where the box tells nothing. */
@@ -148,7 +149,8 @@ bool SecondLook::AreFacesHidden(std::uint32_t part, const ScreenRectangle& aroun
     return false;
   }
   MeshProjection& projected = this->Tools.Projected;
-  const bool isBehindNear = projected.Project(*shape.Mesh, this->View.Of(*shape.ToWorld));
+  const bool isBehindNear =
+    projected.Project(*shape.Mesh, this->View.Of(*shape.ToWorld, *shape.Drawn));
   return isBoxHidden && isBehindNear
     ? this->Faces.AreSomeOfAnyThickness(projected, this->ThinFaces, around.Nearest)
     : this->Faces.AreAllOfAnyThickness(projected) && !projected.MayShowBeforeNear();

@@ -18,6 +18,7 @@ struct PartPlanes
 {
   const FacePlanes* Planes;
   const glm::dmat4* ToWorld;
+  const DeviceCoordinates* Drawn; ///< what a device computes the part's places from
   const glm::dmat4* FromWorld;
 };
 

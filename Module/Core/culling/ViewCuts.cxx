@@ -11,26 +11,25 @@ namespace vitrine
 
 ScreenRounding RoundingWhereCut(const ScreenMatrix& view)
 {
-  return { { RoundingOfCuts * view.Size.x, 0.0f, 0.0f },
-    { RoundingOfCuts * (view.Top() - view.Bottom()), 0.0f, 0.0f }, { RoundingOfCuts, 0.0f, 0.0f } };
+  const glm::vec2 ofPlaces = view.OfPlaces();
+  return { { RoundingOfCuts * view.Size.x, 0.0f, 0.0f, ofPlaces.x },
+    { RoundingOfCuts * (view.Top() - view.Bottom()), 0.0f, 0.0f, ofPlaces.y },
+    { RoundingOfCuts, 0.0f, 0.0f } };
 }
 
 void ViewCuts::Begin(const ScreenMatrix& toScreen)
 {
-  const glm::dvec4 own(toScreen.Rounding);
+  const ScreenMargin rounded = toScreen.RoundingOnScreen().OnScreenAtOne();
   const double width = toScreen.Size.x;
   const double bottom = toScreen.Bottom(), top = toScreen.Top();
-  const double ofColumn = own.x + width * own.w;
-  const double ofLine = own.y + std::max(top, -bottom) * own.w;
   this->Size = { width, top - bottom };
-  const double ofDepth = own.z + own.w;
   // The near one first, so that what is left has a positive w.
-  this->Planes[0] = { { 0.0, 0.0, -1.0, 1.0 }, ofDepth };
+  this->Planes[0] = { { 0.0, 0.0, -1.0, 1.0 }, rounded.Depth };
   this->Planes[1] = { { 0.0, 0.0, 1.0, 0.0 }, 0.0 };
-  this->Planes[2] = { { 1.0, 0.0, 0.0, 0.0 }, ofColumn };
-  this->Planes[3] = { { -1.0, 0.0, 0.0, width }, ofColumn };
-  this->Planes[4] = { { 0.0, 1.0, 0.0, -bottom }, ofLine };
-  this->Planes[5] = { { 0.0, -1.0, 0.0, top }, ofLine };
+  this->Planes[2] = { { 1.0, 0.0, 0.0, 0.0 }, rounded.Column };
+  this->Planes[3] = { { -1.0, 0.0, 0.0, width }, rounded.Column };
+  this->Planes[4] = { { 0.0, 1.0, 0.0, -bottom }, rounded.Line };
+  this->Planes[5] = { { 0.0, -1.0, 0.0, top }, rounded.Line };
   for (unsigned i = 0; i < 6; ++i)
   {
     this->Planes[i].Bit = 1u << i;
