@@ -6,6 +6,7 @@
 #include "Core/culling/DepthPlane.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
+#include "Core/culling/FaceThickness.h"
 #include "Core/culling/SideCuts.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -157,14 +158,20 @@ struct CutScene
       (share.y * 2 - 1) * w / this->ToClip[1][1], -ahead);
   }
 
-  ScreenProjection Projection() const
+  vitrine::DeviceCoordinates Drawn() const
   {
-    glm::dvec3 reach(0.0);
+    glm::dvec3 farthest(0.0);
     for (const glm::dvec3& point : this->Points)
     {
-      reach = glm::max(reach, glm::abs(point));
+      farthest = glm::max(farthest, glm::abs(point));
     }
-    const float ofColumns = 1.0f / 256 + 0x1p-21f * 480, ofLines = 1.0f / 256 + 0x1p-21f * 270;
+    return { glm::dvec3(0.0), farthest, farthest };
+  }
+
+  ScreenProjection Projection() const
+  {
+    const glm::dvec3 reach = this->Drawn().Farthest;
+    const float ofColumns = 0.6f / 256 + 0x1p-21f * 480, ofLines = 0.6f / 256 + 0x1p-21f * 270;
     return ScreenProjection(
       this->ToClip, CutViewSize.x, CutViewSize.y, reach, { ofColumns, ofLines, 0x1p-21f });
   }
@@ -192,7 +199,7 @@ void HoldToDevice(const CutScene& scene, UnsteadyOfFace unsteadyOf, DrawnOfKind&
 {
   const vitrine::OccluderMesh mesh(scene.Points, { 0, 1, 2 });
   MeshProjection projection;
-  if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0))))
+  if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0), scene.Drawn())))
   {
     return;
   }
@@ -259,6 +266,36 @@ TEST_P(CutFacesOfKind, AreKnownEightAtATimeWhereOneSideCutsThem)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, CutFacesOfKind, testing::ValuesIn(CutKinds),
   [](const testing::TestParamInfo<CutKind>& info) { return info.param.Name; });
+
+// Of many that floats tell nothing of.
+TEST(SliversInView, AreNoNearerThanDoublesTell)
+{
+  Random random(13);
+  int samples = 0, inDoublesAlone = 0, unknown = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    SCOPED_TRACE(testing::Message() << "seed 13, face " << i);
+    const CutScene scene(LongSliver(random), random);
+    const vitrine::OccluderMesh mesh(scene.Points, { 0, 1, 2 });
+    MeshProjection projection;
+    if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0), scene.Drawn())) ||
+      projection.MayBeCut(mesh.Faces()[0]))
+    {
+      continue;
+    }
+    const float told = vitrine::NearestInDoubles(projection, mesh.Faces()[0]);
+    unknown += told > 1.0f;
+    inDoublesAlone += told < 1.0f && FaceBlock(projection, 0).At(0).Nearest > 1.0f;
+    for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
+    {
+      ASSERT_LE(drawn.z, told + 1e-7);
+      ++samples;
+    }
+  }
+  EXPECT_GT(samples, 100000);
+  EXPECT_GT(inDoublesAlone, 1000);
+  EXPECT_GT(unknown, 100) << "the thinnest";
+}
 
 // Walls that are as far everywhere hide what is behind them wherever they are cut.
 TEST(CutFaces, OfALevelWallAreWhereItIs)

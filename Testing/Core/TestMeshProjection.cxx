@@ -45,6 +45,19 @@ float CoarserOf(const glm::dmat4& toWorld, const std::vector<glm::dvec3>& points
   return static_cast<float>(most);
 }
 
+/** What a device computes points from that count from a place. */
+vitrine::DeviceCoordinates DrawnFrom(
+  const glm::dvec3& origin, const glm::dmat4& toWorld, const std::vector<glm::dvec3>& points)
+{
+  vitrine::DeviceCoordinates drawn{ origin, glm::dvec3(0.0), glm::dvec3(0.0) };
+  for (const glm::dvec3& point : points)
+  {
+    drawn.Farthest = glm::max(drawn.Farthest, glm::abs(point - origin));
+    drawn.InWorld = glm::max(drawn.InWorld, coverage::SumsOf(toWorld, point));
+  }
+  return drawn;
+}
+
 Triangles OneTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
   Triangles triangle;
@@ -80,10 +93,10 @@ TEST(MeshProjection, HasARectangleWithTheMargin)
   const OccluderMesh mesh = OneTriangle({ 1, 2, 0.5 }, { 9, 3, 0.75 }, { 4, 11, 0.25 }).Mesh();
   MeshProjection projection;
   EXPECT_TRUE(projection.Project(mesh, Plainly()));
-  EXPECT_EQ(projection.Rectangle().Left, 0.5f);
-  EXPECT_EQ(projection.Rectangle().Right, 9.5f);
-  EXPECT_EQ(projection.Rectangle().Bottom, 1.75f);
-  EXPECT_EQ(projection.Rectangle().Top, 11.25f);
+  EXPECT_NEAR(projection.Rectangle().Left, 0.5f, 1e-5f);
+  EXPECT_NEAR(projection.Rectangle().Right, 9.5f, 1e-5f);
+  EXPECT_NEAR(projection.Rectangle().Bottom, 1.75f, 1e-5f);
+  EXPECT_NEAR(projection.Rectangle().Top, 11.25f, 1e-5f);
   EXPECT_EQ(projection.Rectangle().Nearest, 0.875f);
 }
 
@@ -137,13 +150,14 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
       std::pow(10.0, random.Between(0.0, 6.0)) * random.Point(-1, 1) * (isFarInWorld ? 1.0 : 0.0);
     const glm::dvec3 model = std::pow(10.0, random.Between(0.0, 6.0)) * random.Point(-1, 1) *
       (random.OneIn(3) ? 1.0 : 0.0);
+    const bool isAboutMiddle = random.OneIn(2); // drawn
     glm::dmat4 toWorld = glm::translate(glm::dmat4(1.0), middle);
     toWorld = glm::rotate(toWorld, random.Between(0, 6), random.Point(-1, 1) + glm::dvec3(1.01));
     toWorld = glm::translate(toWorld, -model);
     double reach = 0.0;
     for (glm::dvec3& point : triangles.Points)
     {
-      point = glm::dvec3(glm::vec3(point + model)); // as they stand in a buffer
+      point = isAboutMiddle ? point + model : glm::dvec3(glm::vec3(point + model));
       const glm::dvec3 world(toWorld * glm::dvec4(point, 1.0));
       reach = std::max({ reach, std::abs(world.x), std::abs(world.y), std::abs(world.z) });
     }
@@ -151,8 +165,10 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
     view.Snapping = { 1e-6f, 1e-6f, 0x1p-21f }; // for what is rounded after the division
     const OccluderMesh mesh = triangles.Mesh();
     MeshProjection projection;
-    projection.Project(
-      mesh, view.Projection(reach * CoarserOf(toWorld, triangles.Points, reach)).Of(toWorld));
+    const vitrine::DeviceCoordinates drawn =
+      DrawnFrom(isAboutMiddle ? model : glm::dvec3(0.0), toWorld, triangles.Points);
+    projection.Project(mesh,
+      view.Projection(reach * CoarserOf(toWorld, triangles.Points, reach)).Of(toWorld, drawn));
     projection.FindFacings();
     std::vector<bool> counts(mesh.PointCount(), false);
     for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
@@ -171,7 +187,8 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
       const glm::dvec3 model = mesh.Origin() +
         glm::dvec3(mesh.Coordinates(0)[i], mesh.Coordinates(1)[i], mesh.Coordinates(2)[i]);
       const glm::dvec4 exact = view.OnScreen(glm::dvec3(toWorld * glm::dvec4(model, 1.0)));
-      const glm::dvec3 device = ByDevice(view, toWorld, model);
+      const glm::dvec3 device =
+        ByDevice(view, glm::translate(toWorld, drawn.Origin), model - drawn.Origin);
       const vitrine::ScreenPoint point = projection.Point(i);
       if (!counts[i] || !IsOnScreen(view, glm::dvec3(exact)) || !(exact.z > 0.0))
       {

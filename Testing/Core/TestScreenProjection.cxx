@@ -271,7 +271,7 @@ TEST(ScreenProjection, TellsWhatFloatsAreOffByAtADistanceOfOne)
     const glm::dmat4 toClip = isParallel ? glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.1, 100.0)
                                          : glm::perspective(1.0, 1.5, 0.1, 100.0);
     const ScreenProjection view(toClip, 150, 100, glm::dvec3(10), { 0.1f, 0.2f, 0.0f });
-    const ScreenMargin margin = view.Of(glm::dmat4(1.0)).MarginFrom(1.0f);
-    EXPECT_NEAR(view.RoundingAtOne(), std::max(margin.Column - 0.1f, margin.Line - 0.2f), 1e-6);
+    const ScreenMargin atOne = view.Of(glm::dmat4(1.0)).RoundingOnScreen().OnScreenAtOne();
+    EXPECT_NEAR(view.RoundingAtOne(), std::max(atOne.Column, atOne.Line), 1e-6);
   }
 }

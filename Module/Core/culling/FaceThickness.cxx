@@ -30,7 +30,8 @@ float NearestInDoubles(const MeshProjection& projection, const MeshFace& face)
   {
     const glm::dvec4 place = corners[i] / corners[i].w;
     const bool isInView = projection.IsBehindNear(face[i]) && place.x >= 0.0 &&
-      place.x <= view.Size.x && place.y >= view.Bottom() && place.y <= view.Top();
+      place.x <= view.Size.x && place.y >= view.Bottom() && place.y <= view.Top() &&
+      place.z > RoundingOfCuts;
     if (!isInView)
     {
       return BeyondAll;
