@@ -85,17 +85,21 @@ FaceInView AnywhereInView(Random& random)
 }
 
 /** Long and thin, through centres of pixels. */
-FaceInView LongSliver(Random& random)
+FaceInView SliverOf(double width, Random& random)
 {
   const auto centre = [&](double size) { return std::floor(random.Between(1, size - 1)) + 0.5; };
   const glm::dvec3 from(centre(CutViewSize.x), centre(CutViewSize.y), 0),
     to(centre(CutViewSize.x), centre(CutViewSize.y), 0);
   const double length = glm::length(to - from) + 1e-3;
   const glm::dvec3 along = (to - from) / length, beside(-along.y, along.x, 0);
-  const double width = std::pow(10.0, random.Between(-3.0, -0.5));
   return { from - along + random.Between(-0.3, 0.3) * width * beside,
     to + along + random.Between(-0.3, 0.3) * width * beside,
     from + along * random.Between(0, length) + width * beside };
+}
+
+FaceInView LongSliver(Random& random)
+{
+  return SliverOf(std::pow(10.0, random.Between(-3.0, -0.5)), random);
 }
 
 struct CutKind
@@ -275,7 +279,7 @@ TEST(SliversInView, AreNoNearerThanDoublesTell)
   for (int i = 0; i < 100000; ++i)
   {
     SCOPED_TRACE(testing::Message() << "seed 13, face " << i);
-    const CutScene scene(LongSliver(random), random);
+    const CutScene scene(SliverOf(std::pow(10.0, random.Between(-5.0, -1.5)), random), random);
     const vitrine::OccluderMesh mesh(scene.Points, { 0, 1, 2 });
     MeshProjection projection;
     if (!projection.Project(mesh, scene.Projection().Of(glm::dmat4(1.0), scene.Drawn())) ||
@@ -292,7 +296,7 @@ TEST(SliversInView, AreNoNearerThanDoublesTell)
       ++samples;
     }
   }
-  EXPECT_GT(samples, 100000);
+  EXPECT_GT(samples, 20000);
   EXPECT_GT(inDoublesAlone, 1000);
   EXPECT_GT(unknown, 100) << "the thinnest";
 }

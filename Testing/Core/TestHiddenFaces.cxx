@@ -95,6 +95,29 @@ TEST(HiddenFaces, BehindASlantedEdgeAreFoundLineByLine)
   EXPECT_FALSE(AreHidden(BandBeside(0.01, 0.6), lines, PlainView())) << "nearer";
 }
 
+// Floats are off by up to 1.7e-4 columns here, and corners that are found in doubles by 0.6e-4.
+TEST(HiddenFaces, AreFoundInDoublesWhereFloatsTellNothing)
+{
+  SBuffer lines(FrameColumns, FrameLines);
+  for (int line = 0; line < FrameLines; ++line)
+  {
+    lines.Insert(line, { 0.0f, FrameColumns, 0.5f, 0.5f, 1 });
+  }
+  const auto isHidden = [&](double thickness)
+  {
+    Triangles sliver;
+    sliver.Add({ 20, 10, 0.3 }, { 20, 15, 0.301 }, { 20 + thickness, 12, 0.3 });
+    const OccluderMesh mesh = sliver.Mesh();
+    const ScreenProjection view = PlainView();
+    MeshProjection projection;
+    projection.Project(mesh, view.Of(glm::dmat4(1.0)));
+    EXPECT_GT(vitrine::FaceBlock(projection, 0).At(0).Nearest, 1.0f) << "in floats";
+    return HiddenFaces(lines, view).AreAllOfAnyThickness(projection);
+  };
+  EXPECT_TRUE(isHidden(2.2e-4));
+  EXPECT_FALSE(isHidden(5e-5));
+}
+
 TEST(HiddenFaces, AreAsFarAsTheirPlane)
 {
   const SBuffer lines = CoveredRightOfDiagonal();
