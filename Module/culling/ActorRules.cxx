@@ -112,6 +112,14 @@ bool HasShaderCode(vtkActor* actor)
       shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
 }
 
+bool IsShiftKnown(vtkMapper* mapper)
+{
+  const int method = static_cast<vtkOpenGLPolyDataMapper*>(mapper)->GetVBOShiftScaleMethod();
+  return method == vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE ||
+    method == vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE ||
+    method == vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE;
+}
+
 bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
 {
   auto* drawing = static_cast<vtkOpenGLPolyDataMapper*>(mapper);

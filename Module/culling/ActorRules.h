@@ -26,6 +26,9 @@ vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 /** Whether the actor's shaders have code of the user's. */
 bool HasShaderCode(vtkActor* actor);
 
+/** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
+bool IsShiftKnown(vtkMapper* mapper);
+
 /**
  * Whether VTK gives the device coordinates from the geometry's middle, as it does by itself where that is far from the origin for
  * the geometry's size (vtkOpenGLVertexBufferObject::UpdateShiftScale()).

@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -82,15 +83,16 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
   const glm::dvec3 middle(part.ToWorld * glm::dvec4(0.5 * (least + greatest), 1.0));
   glm::dvec3 half(0.0);
   part.Sums = glm::abs(glm::dvec3(part.ToWorld * glm::dvec4(drawn.Origin, 1.0)));
+  part.Drawn = drawn;
+  part.Drawn.InWorld = glm::abs(glm::dvec3(part.ToWorld[3])) + glm::abs(this->Middle);
   for (int axis = 0; axis < 3; ++axis)
   {
     const glm::dvec3 direction = glm::abs(glm::dvec3(part.ToWorld[axis]));
     half += direction * (0.5 * (greatest[axis] - least[axis]));
     part.Sums += direction * drawn.Farthest[axis];
+    part.Drawn.InWorld += direction * (std::abs(drawn.Origin[axis]) + drawn.Farthest[axis]);
   }
-  part.Drawn = drawn;
-  part.Drawn.InWorld = part.Sums + glm::abs(this->Middle);
-  part.Sums += RoundingOfDoubles * glm::abs(this->Middle);
+  part.Sums += RoundingOfDoubles * part.Drawn.InWorld;
   if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
   {
     return Box();
@@ -124,7 +126,8 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
   }
   else
   {
-    this->Place(whole, this->Read(part, CoordinatesOf(part)), moved);
+    const bool isPlaced = IsShiftKnown(part.Mapper);
+    this->Place(whole, isPlaced ? this->Read(part, CoordinatesOf(part)) : Box(), moved);
   }
   for (std::size_t i = 0; i < part.Pieces.size(); ++i)
   {

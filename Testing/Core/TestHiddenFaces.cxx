@@ -118,6 +118,22 @@ TEST(HiddenFaces, AreFoundInDoublesWhereFloatsTellNothing)
   EXPECT_FALSE(isHidden(5e-5));
 }
 
+// Corners of what is cut there are no points of the mesh.
+TEST(HiddenFaces, ThatReachBeforeTheNearPlaneAreFoundAsFloatsTell)
+{
+  SBuffer lines(FrameColumns, FrameLines);
+  for (int line = 0; line < FrameLines; ++line)
+  {
+    lines.Insert(line, { 0.0f, FrameColumns, 0.5f, 0.5f, 1 });
+  }
+  const ScreenProjection view = PlainView();
+  const OccluderMesh tube = TubeOf(20.0, 0.3, 1.2).Mesh();
+  MeshProjection projection;
+  ASSERT_FALSE(projection.Project(tube, view.Of(glm::dmat4(1.0))));
+  ASSERT_GT(projection.Faces().size(), 24u);
+  EXPECT_FALSE(HiddenFaces(lines, view).AreAllOfAnyThickness(projection));
+}
+
 TEST(HiddenFaces, AreAsFarAsTheirPlane)
 {
   const SBuffer lines = CoveredRightOfDiagonal();

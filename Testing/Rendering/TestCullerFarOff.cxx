@@ -107,6 +107,18 @@ TEST_P(CullerFarOff, Scene18PointsThatVTKIsNotToMove)
   EXPECT_EQ(Scene.ExpectSame(), 0);
 }
 
+// It moves them by what the camera sees, so that they are always drawn.
+TEST_P(CullerFarOff, PointsThatVTKMovesWithTheCamera)
+{
+  const std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
+  const vtkSmartPointer<vtkActor> wall =
+    Scene.AddMesh(MeshOf({ Rectangle(-2.5, -2.5, 2.5, 2.5, 0.0) }));
+  EXPECT_GT(Scene.ExpectSame(), 40);
+  static_cast<vtkOpenGLPolyDataMapper*>(wall->GetMapper())
+    ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::NEAR_PLANE_SHIFT_SCALE);
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+}
+
 // Nor does VTK move points that come while it is told to pause.
 TEST_P(CullerFarOff, Scene18PointsThatVTKPausesToMove)
 {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace vitrine
 {
@@ -23,15 +24,15 @@ float NearestOfThickness(const MeshProjection& projection, const MeshFace& face,
 
 float NearestInDoubles(const MeshProjection& projection, const MeshFace& face)
 {
+  assert(projection.IsBehindNear());
   const ScreenMatrix& view = projection.View();
   const std::array<glm::dvec4, 3> corners = projection.CornersOnScreen(face);
   FacePlaces<double> places;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const glm::dvec4 place = corners[i] / corners[i].w;
-    const bool isInView = projection.IsBehindNear(face[i]) && place.x >= 0.0 &&
-      place.x <= view.Size.x && place.y >= view.Bottom() && place.y <= view.Top() &&
-      place.z > RoundingOfCuts;
+    const bool isInView = place.x >= 0.0 && place.x <= view.Size.x && place.y >= view.Bottom() &&
+      place.y <= view.Top() && place.z > RoundingOfCuts;
     if (!isInView)
     {
       return BeyondAll;

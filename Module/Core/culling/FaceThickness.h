@@ -10,7 +10,7 @@ namespace vitrine
 float NearestOfThickness(const MeshProjection& projection, const MeshFace& face, float thickness);
 
 /**
- * How near a device may draw a face that lies in the view, whatever our floats round of it: of slivers these tell nothing that are known in doubles.
+ * How near a device may draw a face that lies in the view, whatever our floats round of it: of slivers these tell nothing that are known in doubles. All of the mesh has to lie behind the near plane.
  * More than any depth where nothing is known.
  */
 float NearestInDoubles(const MeshProjection& projection, const MeshFace& face);

@@ -144,7 +144,7 @@ bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, Face
   for (unsigned bits = faces; bits != 0; bits &= bits - 1)
   {
     const int lane = LowestBit(bits);
-    if (block.At(lane).Nearest > 1.0f)
+    if (projection.IsBehindNear() && block.At(lane).Nearest > 1.0f)
     {
       block.LimitNearest(lane, NearestInDoubles(projection, block.Face(lane)));
     }

@@ -51,7 +51,8 @@ struct ScreenMatrix
     const glm::vec4& own = this->Rounding;
     const glm::vec2 ofPlaces = this->OfPlaces();
     return { { own.x, own.w, this->Size.x, ofPlaces.x },
-      { own.y, own.w, this->Top() - this->Bottom(), ofPlaces.y }, { own.z, own.w, 1.0f } };
+      { own.y, own.w, this->Top() - this->Bottom(), ofPlaces.y, this->Bottom() },
+      { own.z, own.w, 1.0f } };
   }
 
   /**

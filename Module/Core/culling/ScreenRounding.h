@@ -17,7 +17,7 @@ struct ScreenMarginOf
 using ScreenMargin = ScreenMarginOf<float>;
 
 /**
- * What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, or of the largest that the screen has, as much as they round of w. Besides, so much of
+ * What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, which on the screen is no larger than the screen is, as much as they round of w. Besides, so much of
  * a place in the window, whatever its w.
  */
 struct CoordinateRounding
@@ -26,6 +26,7 @@ struct CoordinateRounding
   float OfW;
   float Largest;
   float OfPlaces = 0.0f;
+  float Least = 0.0f; ///< that the screen has
 
   /** On the screen, where w is 1; elsewhere as much over w. */
   float OnScreenAtOne() const { return this->Own + this->Largest * this->OfW; }
@@ -34,7 +35,8 @@ struct CoordinateRounding
   template <class Number>
   VITRINE_INLINE Number OffAt(Number place, Number inverseOfW) const
   {
-    const Number beyond = GreatestOf(SizeOf(place) - this->Largest, Number{});
+    const Number fromLeast = place - this->Least;
+    const Number beyond = GreatestOf(GreatestOf(-fromLeast, fromLeast - this->Largest), Number{});
     return (this->Own + this->OfW * (this->Largest + 1.5f * beyond)) * inverseOfW + this->OfPlaces;
   }
 };

@@ -18,9 +18,9 @@ namespace
 const double ThinOfSnapping = 1.0 / 6.0;
 const double ThinOfRounding = 1.0 / 3.0;
 
-// Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more. Of slivers that llvmpipe drew
-// none exceeded half of it.
-const double SteeperOnDevice = 2.5;
+// Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more. Slivers that llvmpipe drew
+// never needed more than half of it.
+const double SteeperOnDevice = 4.2;
 const float StepsOnDevice = 8.0f;
 
 // And planes of faces that are long and thin tilt by so much of their depth, times how many times as wide they are on the screen as they are thick (FaceSlopes.h): of those that llvmpipe draws
