@@ -92,11 +92,37 @@ struct MatrixColumns
   {
   }
 
+  /** Of a product. */
+  VITRINE_INLINE MatrixColumns(const MatrixColumns& left, const glm::dmat4& right)
+    : Of{ left.Times(right[0]), left.Times(right[1]), left.Times(right[2]), left.Times(right[3]) }
+  {
+  }
+
   VITRINE_INLINE DoubleLanes Times(const glm::dvec4& a) const
   {
     return this->Of[0] * a.x + this->Of[1] * a.y + this->Of[2] * a.z + this->Of[3] * a.w;
   }
+
+  VITRINE_INLINE void Store(glm::dmat4& matrix) const
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      StoreDoubles(this->Of[i], &matrix[i].x);
+    }
+  }
 };
+
+/** What a device adds up, which multiplies by a matrix: columns, lines and depths are its clip coordinates, from the middle of the view, and as much of w as the half of that has. */
+VITRINE_INLINE DoubleLanes SumsOf(
+  const MatrixColumns& toScreen, const DeviceCoordinates& device, DoubleLanes half, double bottom)
+{
+  const DoubleLanes middle = half + DoubleLanes{ 0.0, bottom, 0.0, 0.0 };
+  const auto clipSizeOf = [&](DoubleLanes a) { return SizeOf(a - a[3] * middle); };
+  const DoubleLanes sums = clipSizeOf(toScreen.Times(glm::dvec4(device.Origin, 1.0))) +
+    clipSizeOf(toScreen.Of[0]) * device.Farthest.x +
+    clipSizeOf(toScreen.Of[1]) * device.Farthest.y + clipSizeOf(toScreen.Of[2]) * device.Farthest.z;
+  return sums + sums[3] * half;
+}
 
 /** Of what is seen from a distance of 1, or in parallel projection. */
 double WAtOne(const glm::dvec4& rowOfW)
@@ -227,39 +253,21 @@ VITRINE_FOR_EACH_PROCESSOR
 ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld) const
 {
   ScreenMatrix matrix = this->World;
-  const MatrixColumns view(this->World.Matrix);
-  for (int i = 0; i < 4; ++i)
-  {
-    StoreDoubles(view.Times(toWorld[i]), &matrix.Matrix[i].x);
-  }
+  MatrixColumns(MatrixColumns(this->World.Matrix), toWorld).Store(matrix.Matrix);
   return matrix;
 }
 
+VITRINE_FOR_EACH_PROCESSOR
 ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const
 {
-  ScreenMatrix matrix = this->Of(toWorld);
-  matrix.Rounding = this->RoundingOf(matrix.Matrix, device);
-  return matrix;
-}
-
-/** Columns, lines and depths are a device's clip coordinates, from the middle of the view, and as much of w as the half of that has. */
-VITRINE_FOR_EACH_PROCESSOR
-glm::vec4 ScreenProjection::RoundingOf(
-  const glm::dmat4& toScreen, const DeviceCoordinates& device) const
-{
+  ScreenMatrix matrix = this->World;
+  const MatrixColumns toScreen(MatrixColumns(this->World.Matrix), toWorld);
+  toScreen.Store(matrix.Matrix);
   const glm::dvec4 half = this->World.HalfOfView();
-  const DoubleLanes halves = LoadDoubles(&half.x);
-  const DoubleLanes middle = halves + DoubleLanes{ 0.0, this->World.Bottom(), 0.0, 0.0 };
-  const auto clipSizeOf = [&](DoubleLanes a) { return SizeOf(a - a[3] * middle); };
-  const MatrixColumns columns(toScreen);
-  const DoubleLanes sums = clipSizeOf(columns.Times(glm::dvec4(device.Origin, 1.0))) +
-    clipSizeOf(columns.Of[0]) * device.Farthest.x + clipSizeOf(columns.Of[1]) * device.Farthest.y +
-    clipSizeOf(columns.Of[2]) * device.Farthest.z;
-  const DoubleLanes ofMatrix = MatrixColumns(this->Sizes).Times(glm::dvec4(device.InWorld, 1.0));
-  glm::vec4 rounding;
-  StoreAsFloats(
-    RoundingOfSums * (sums + sums[3] * halves + RoundingOfDoubles * ofMatrix), &rounding.x);
-  return rounding;
+  const DoubleLanes sums = SumsOf(toScreen, device, LoadDoubles(&half.x), this->World.Bottom());
+  const DoubleLanes inDoubles = MatrixColumns(this->Sizes).Times(glm::dvec4(device.InWorld, 1.0));
+  StoreAsFloats(RoundingOfSums * (sums + RoundingOfDoubles * inDoubles), &matrix.Rounding.x);
+  return matrix;
 }
 
 VITRINE_FOR_EACH_PROCESSOR

@@ -213,8 +213,6 @@ public:
   ScreenMatrix Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const;
 
 private:
-  glm::vec4 RoundingOf(const glm::dmat4& toScreen, const DeviceCoordinates& device) const;
-
   ScreenMatrix World;
   glm::dmat4
     Sizes; ///< of what leads from the world to columns, lines, depths and w, as a device has it
