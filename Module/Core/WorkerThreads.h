@@ -13,7 +13,8 @@ namespace vitrine
 
 /**
  * Threads that wait for work from one frame to the next. A thread that is begun only then is put where the busy one is that begins it, and may
- * not run before that is done: on machines that slept between two frames most often. They wait as long as the process runs, and so must this.
+ * not run before that is done: on machines that slept between two frames most often. They wait as long as the process runs, and so must this. A process that is
+ * forked has none of them, and does all work itself, unless it was forked while they were at work: then it may wait for them forever.
  */
 class WorkerThreads
 {

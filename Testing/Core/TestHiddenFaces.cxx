@@ -53,6 +53,16 @@ SBuffer CoveredRightOfDiagonal()
   return lines;
 }
 
+SBuffer CoveredEverywhere()
+{
+  SBuffer lines(FrameColumns, FrameLines);
+  for (int line = 0; line < FrameLines; ++line)
+  {
+    lines.Insert(line, { 0.0f, FrameColumns, 0.5f, 0.5f, 1 });
+  }
+  return lines;
+}
+
 /** A band along the edge, so far beside it. */
 Triangles BandBeside(double distance, double depth)
 {
@@ -98,11 +108,7 @@ TEST(HiddenFaces, BehindASlantedEdgeAreFoundLineByLine)
 // Floats are off by up to 1.7e-4 columns here, and corners that are found in doubles by 0.6e-4.
 TEST(HiddenFaces, AreFoundInDoublesWhereFloatsTellNothing)
 {
-  SBuffer lines(FrameColumns, FrameLines);
-  for (int line = 0; line < FrameLines; ++line)
-  {
-    lines.Insert(line, { 0.0f, FrameColumns, 0.5f, 0.5f, 1 });
-  }
+  const SBuffer lines = CoveredEverywhere();
   const auto isHidden = [&](double thickness)
   {
     Triangles sliver;
@@ -121,11 +127,7 @@ TEST(HiddenFaces, AreFoundInDoublesWhereFloatsTellNothing)
 // Corners of what is cut there are no points of the mesh.
 TEST(HiddenFaces, ThatReachBeforeTheNearPlaneAreFoundAsFloatsTell)
 {
-  SBuffer lines(FrameColumns, FrameLines);
-  for (int line = 0; line < FrameLines; ++line)
-  {
-    lines.Insert(line, { 0.0f, FrameColumns, 0.5f, 0.5f, 1 });
-  }
+  const SBuffer lines = CoveredEverywhere();
   const ScreenProjection view = PlainView();
   const OccluderMesh tube = TubeOf(20.0, 0.3, 1.2).Mesh();
   MeshProjection projection;

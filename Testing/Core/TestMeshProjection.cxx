@@ -93,10 +93,12 @@ TEST(MeshProjection, HasARectangleWithTheMargin)
   const OccluderMesh mesh = OneTriangle({ 1, 2, 0.5 }, { 9, 3, 0.75 }, { 4, 11, 0.25 }).Mesh();
   MeshProjection projection;
   EXPECT_TRUE(projection.Project(mesh, Plainly()));
-  EXPECT_NEAR(projection.Rectangle().Left, 0.5f, 1e-5f);
-  EXPECT_NEAR(projection.Rectangle().Right, 9.5f, 1e-5f);
-  EXPECT_NEAR(projection.Rectangle().Bottom, 1.75f, 1e-5f);
-  EXPECT_NEAR(projection.Rectangle().Top, 11.25f, 1e-5f);
+  const float ofColumns = 40.0f * 0x1p-24f,
+              ofLines = 20.0f * 0x1p-24f; // what floats round of places
+  EXPECT_EQ(projection.Rectangle().Left, 1.0f - (0.5f + ofColumns));
+  EXPECT_EQ(projection.Rectangle().Right, 9.0f + (0.5f + ofColumns));
+  EXPECT_EQ(projection.Rectangle().Bottom, 2.0f - (0.25f + ofLines));
+  EXPECT_EQ(projection.Rectangle().Top, 11.0f + (0.25f + ofLines));
   EXPECT_EQ(projection.Rectangle().Nearest, 0.875f);
 }
 

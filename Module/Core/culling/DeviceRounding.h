@@ -11,6 +11,9 @@ namespace vitrine
  */
 inline constexpr double RoundingOfSums = 12.0 * 0x1p-24;
 
+/** What is left of that for points that are found in doubles, as a share of it: the device's six roundings, and one of ours, of the point. */
+inline constexpr double ShareOfDevice = 7.0 * 0x1p-24 / RoundingOfSums;
+
 /** What doubles make of sums that lead to a matrix, as a share of them, over RoundingOfSums. */
 inline constexpr double RoundingOfDoubles = 0x1p-47 / RoundingOfSums;
 

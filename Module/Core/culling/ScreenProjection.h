@@ -3,6 +3,7 @@
 
 #include "Core/culling/BoxLanes.h"
 #include "Core/culling/DeviceCoordinates.h"
+#include "Core/culling/DeviceRounding.h"
 #include "Core/culling/PlaneView.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenRounding.h"
@@ -56,7 +57,7 @@ struct ScreenMatrix
   }
 
   /**
-   * The same of points in the view that are found in doubles: of the twelve roundings by 2^-24 the device's six are left, and one of ours, of the point.
+   * The same of points in the view that are found in doubles.
    */
   DeviceScreenRounding RoundingInView() const
   {
@@ -64,8 +65,8 @@ struct ScreenMatrix
     const glm::dvec4 own(this->Rounding);
     const auto of = [&](int i, double middle, float ofPlaces)
     {
-      return DeviceCoordinateRounding{ 7.0 / 12.0 * std::max(own[i] - half[i] * own.w, 0.0),
-        7.0 / 12.0 * own.w, middle, ofPlaces };
+      return DeviceCoordinateRounding{ ShareOfDevice * std::max(own[i] - half[i] * own.w, 0.0),
+        ShareOfDevice * own.w, middle, ofPlaces };
     };
     return { of(0, half.x, this->OfPlaces().x), of(1, half.y + this->Bottom(), this->OfPlaces().y),
       of(2, half.z, 0x1p-24f) };
