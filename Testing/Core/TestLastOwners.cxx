@@ -153,6 +153,8 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
     owners.AddInserted(1, there);
     owners.End(lines);
     owners.KeepIdlers(states);
+    EXPECT_TRUE(states.Has(0, vitrine::PartStates::WasIdle));
+    EXPECT_FALSE(states.Has(1, vitrine::PartStates::WasIdle));
   }
   EXPECT_EQ(tried, frames / 16);
 
@@ -162,6 +164,7 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
   EXPECT_FALSE(owners.HadNothing(0, elsewhere)) << "it has moved";
   owners.End(lines);
   owners.KeepIdlers(states);
+  EXPECT_FALSE(states.Has(0, vitrine::PartStates::WasIdle)) << "it need not be looked for any more";
   for (int frame = 0; frame < 2; ++frame)
   {
     owners.Begin(2);
@@ -169,6 +172,29 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
     owners.End(lines);
     owners.KeepIdlers(states);
   }
+}
+
+// Parts may be taken away while it is known what they were inserted for.
+TEST(LastOwners, AreForgottenWithTheirStates)
+{
+  SBuffer lines(40, 20);
+  vitrine::PartStates states;
+  states.Begin({ 1, 1, 1 });
+  states.Set(2, vitrine::PartStates::IsShown);
+  LastOwners owners;
+  owners.Begin(3);
+  owners.AddInserted(2, { 10, 20, 5, 15, 0.5f });
+  owners.End(lines);
+  owners.KeepIdlers(states);
+  EXPECT_TRUE(states.Has(2, vitrine::PartStates::WasIdle));
+  states.Begin({ 1 });
+  owners.Begin(1);
+  owners.End(lines);
+  owners.KeepIdlers(states);
+  EXPECT_EQ(states.Count(), 1u);
+  states.Begin({ 1, 1, 1 });
+  EXPECT_FALSE(states.Has(2, vitrine::PartStates::WasIdle));
+  EXPECT_FALSE(owners.HadNothing(2, { 10, 20, 5, 15, 0.5f }));
 }
 
 // What shows though it covers nothing is shown without being inserted, but for one of sixteen frames.

@@ -42,19 +42,20 @@ TEST(PartStates, AreSetOneByOne)
   EXPECT_EQ(states[1], PartStates::IsDrawn | PartStates::IsVisited);
 }
 
-TEST(PartStates, KeepFromFrameToFrameWhichMeshesWereSmallAlone)
+TEST(PartStates, KeepWhatIsMeantForTheNextFrameAlone)
 {
   PartStates states;
   states.Begin({ 1, 1, 1 });
   for (const std::uint8_t bit :
-    { PartStates::IsVisited, PartStates::IsShown, PartStates::WasSmall })
+    { PartStates::IsVisited, PartStates::IsShown, PartStates::WasSmall, PartStates::WasIdle })
   {
     states.Set(0, bit);
     states.Set(1, bit);
   }
   EXPECT_EQ(states.Begin({ 1, 0, 1, 1 }), 3u);
-  EXPECT_EQ(states[0], PartStates::IsDrawn | PartStates::WasSmall);
-  EXPECT_EQ(states[1], PartStates::WasSmall);
+  const std::uint8_t kept = PartStates::WasSmall | PartStates::WasIdle;
+  EXPECT_EQ(states[0], PartStates::IsDrawn | kept);
+  EXPECT_EQ(states[1], kept);
   EXPECT_EQ(states[2], PartStates::IsDrawn);
   EXPECT_EQ(states[3], PartStates::IsDrawn) << "a new one";
   EXPECT_EQ(states.Begin({ 1 }), 1u);

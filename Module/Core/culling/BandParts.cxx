@@ -143,12 +143,18 @@ bool BandParts::ShowFaces(
   {
     return false;
   }
-  if (this->IsWorthInserting(occluder, rectangle) &&
-    !this->Tools.Owners.HadNothing(part, this->Tools.Projected.Rectangle()))
+  if (this->IsWorthInserting(occluder, rectangle) && !this->WasIdle(part))
   {
     this->Insert(part, occluder);
   }
   return true;
+}
+
+/** Of a part that is projected: whether it is where it was when it was inserted in vain. */
+bool BandParts::WasIdle(std::uint32_t part)
+{
+  return this->Tools.States.Has(part, PartStates::WasIdle) &&
+    this->Tools.Owners.HadNothing(part, this->Tools.Projected.Rectangle());
 }
 
 /** Of a part that is projected; notes it if they are. */

@@ -89,6 +89,7 @@ private:
   bool ShowLarge(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle,
     bool isUntested);
   bool ShowFaces(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle);
+  bool WasIdle(std::uint32_t part);
   bool AreFacesHidden(std::uint32_t part, const Occluder& occluder);
   bool AreBoxesHidden(const Occluder& occluder) const;
   bool HasBackFaces(const Occluder& occluder) const;

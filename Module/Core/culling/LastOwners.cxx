@@ -82,16 +82,26 @@ void LastOwners::End(const SBuffer& lines)
   }
 }
 
-void LastOwners::KeepIdlers(const PartStates& states)
+void LastOwners::KeepIdlers(PartStates& states)
 {
   for (auto i = this->Idlers.begin(); i != this->Idlers.end();)
   {
-    i = std::exchange(i->second.IsMet, false) ? std::next(i) : this->Idlers.erase(i);
+    if (std::exchange(i->second.IsMet, false))
+    {
+      ++i;
+      continue;
+    }
+    if (i->first < states.Count())
+    {
+      states.Set(i->first, PartStates::WasIdle, false);
+    }
+    i = this->Idlers.erase(i);
   }
   for (const Owner& inserted : this->Inserted)
   {
     if (this->Columns[inserted.Part] == 0.0f && states.Has(inserted.Part, PartStates::IsShown))
     {
+      states.Set(inserted.Part, PartStates::WasIdle);
       this->Idlers.insert_or_assign(inserted.Part, Idler{ inserted, false });
     }
   }

@@ -56,8 +56,8 @@ public:
   /** The frame ends with that in the s-buffer, which says of which part it is. */
   void End(const SBuffer& lines);
 
-  /** Once it has ended, and all is found that is hidden. */
-  void KeepIdlers(const PartStates& states);
+  /** Once it has ended, and all is found that is hidden. States take which parts were inserted in vain: others need not be looked for. */
+  void KeepIdlers(PartStates& states);
 
 private:
   /** What was inserted in vain. */

@@ -18,6 +18,7 @@ public:
   static constexpr std::uint8_t WasSmall =
     8; ///< its mesh had few points when it was last asked for
   static constexpr std::uint8_t AreFacesHidden = 16; ///< each by itself, wherever a device draws it
+  static constexpr std::uint8_t WasIdle = 32;        ///< inserted in vain (LastOwners)
 
   /**
    * A frame begins, of which nothing is known but what parts are drawn.
@@ -35,7 +36,7 @@ public:
     for (std::size_t i = 0; i < parts; ++i)
     {
       const std::uint8_t isDrawn = areDrawn[i] != 0;
-      states[i] = static_cast<std::uint8_t>((states[i] & WasSmall) | isDrawn);
+      states[i] = static_cast<std::uint8_t>((states[i] & (WasSmall | WasIdle)) | isDrawn);
       count += isDrawn;
     }
     return count;
