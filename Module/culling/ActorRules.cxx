@@ -153,14 +153,19 @@ bool IsNonOccluding(vtkActor* actor)
   return keys && keys->Get(vtkHierarchicalSBufferCuller::NON_OCCLUDING()) != 0;
 }
 
+bool IsOpaque(vtkActor* actor)
+{
+  return !IsTranslucentAsAWhole(actor) && actor->GetProperty()->GetOpacity() >= 1.0 &&
+    !HasTranslucentBack(actor) &&
+    AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
+}
+
 bool IsOpaqueSurface(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
   return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
-    !IsTranslucentAsAWhole(actor) && !actor->GetForceOpaque() && property->GetOpacity() >= 1.0 &&
-    !HasTranslucentBack(actor) && !(planes && planes->GetNumberOfItems() > 0) &&
-    AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
+    !actor->GetForceOpaque() && !(planes && planes->GetNumberOfItems() > 0) && IsOpaque(actor);
 }
 
 bool HasTranslucentBack(vtkActor* actor)

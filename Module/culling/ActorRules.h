@@ -41,7 +41,10 @@ float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
 /** Whether the user has marked the actor with vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
 bool IsNonOccluding(vtkActor* actor);
 
-/** Whether the surface of the actor surely hides what lies behind it, textures and colours of single blocks aside. */
+/** Whether all of the actor surely is opaque, textures and colours of single blocks aside. */
+bool IsOpaque(vtkActor* actor);
+
+/** Whether the surface of the actor surely hides what lies behind it, likewise. */
 bool IsOpaqueSurface(vtkActor* actor);
 
 /** Whether back faces have a property of their own that is translucent. */

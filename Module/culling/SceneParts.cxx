@@ -298,12 +298,14 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
   const Part& part = this->Parts[i];
-  if (!part.MayHide || IsNonOccluding(part.Actor) ||
-    (part.HasTextures && !this->AreOpaque.at(part.Actor)))
-  {
-    return {};
-  }
-  return this->ShapeOf(i);
+  const bool hides = part.MayHide && this->IsOpaque(part) && !IsNonOccluding(part.Actor);
+  return hides ? this->ShapeOf(i) : Occluder();
+}
+
+/** Of a part that is drawn in this frame. */
+bool SceneParts::IsOpaque(const Part& part) const
+{
+  return part.IsOpaque && !(part.HasTextures && !this->AreOpaque.at(part.Actor));
 }
 
 /** The same of a part whatever it hides. */

@@ -103,6 +103,7 @@ private:
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
     bool HasTextures = false;
+    bool IsOpaque = false; ///< textures aside
     bool MayHide = false;
     bool HasBackFaces = true; ///< that are drawn
     bool IsWireframe = false;
@@ -116,6 +117,7 @@ private:
 
   class Shapes;
 
+  bool IsOpaque(const Part& part) const;
   Occluder ShapeOf(std::uint32_t part);
   bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;
   std::vector<BoxedPart> FindHiddenInView(const ScreenProjection& view, const SampleGrid& samples,

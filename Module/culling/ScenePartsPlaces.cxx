@@ -50,6 +50,7 @@ void SceneParts::ReadActor(Part& part)
   part.FromWorld = glm::inverse(part.ToWorld);
   part.HasTextures =
     part.Actor->GetTexture() || part.Actor->GetProperty()->GetNumberOfTextures() > 0;
+  part.IsOpaque = vitrine::IsOpaque(part.Actor);
   part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
   part.HasBackFaces = !part.Actor->GetProperty()->GetBackfaceCulling();
   part.IsWireframe = part.Actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
@@ -141,6 +142,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.IsWireframe = part.IsWireframe;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
+    piece.IsOpaque = part.IsOpaque && divided.MayHide;
     piece.MayHide = part.MayHide && divided.MayHide;
     this->Place(
       part.Pieces[i], this->Read(piece, { glm::dvec3(0.0), part.Division->Farthest }), moved);

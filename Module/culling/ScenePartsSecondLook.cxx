@@ -68,8 +68,10 @@ private:
 class SceneParts::Shapes : public ShapeSource
 {
 public:
-  explicit Shapes(SceneParts& parts)
+  /** @param areAllAtCentres  whether all parts are drawn at the centres of the window's pixels, which have one sample each */
+  Shapes(SceneParts& parts, bool areAllAtCentres)
     : Parts(parts)
+    , AreAllAtCentres(areAllAtCentres)
   {
   }
 
@@ -87,8 +89,14 @@ public:
     return known.Geometry->Lines(known.Data);
   }
 
+  bool IsDrawnApart(std::uint32_t part) const override
+  {
+    return !this->AreAllAtCentres && !this->Parts.IsOpaque(this->Parts.Parts[part]);
+  }
+
 private:
   SceneParts& Parts;
+  bool AreAllAtCentres;
 };
 
 void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
@@ -99,7 +107,7 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
     [&](const BoxedPart& part) { return !this->MayShowAnywhere(part, view); });
   std::for_each(firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = 1; });
   hidden.erase(firstShown, hidden.end());
-  Shapes shapes(*this);
+  Shapes shapes(*this, culler.Samples().IsAtCentres());
   const std::vector<std::uint8_t> stay = culler.StayHidden(hidden, shapes, view);
   for (std::size_t i = 0; i < stay.size(); ++i)
   {

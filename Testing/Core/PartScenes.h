@@ -84,6 +84,8 @@ public:
     return { part.Planes.get(), &part.ToWorld, &part.Drawn, &part.FromWorld };
   }
 
+  bool IsDrawnApart(std::uint32_t i) const override { return this->Parts[i].IsDrawnApart; }
+
   const std::vector<vitrine::MeshLine>& LinesOf(std::uint32_t i) override
   {
     return this->Parts[i].Lines;
@@ -112,6 +114,7 @@ public:
     bool Hides = true;
     bool HasBackFaces = true;
     bool IsOfFacesAlone = true;
+    bool IsDrawnApart = false;
   };
 
   std::vector<Part> Parts;

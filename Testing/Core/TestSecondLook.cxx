@@ -293,6 +293,30 @@ TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
   EXPECT_FALSE(StaysHidden(scene, part, wall, view)) << "its faces are not known";
 }
 
+// What is translucent may be drawn at the centre of a pixel by the depth of any of its samples.
+TEST(SecondLook, AsksForWholePixelsOfWhatIsDrawnApart)
+{
+  PartScene scene;
+  const std::uint32_t part = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
+  const View view = SnappingView(false, 1.0 / 256.0);
+  double top = 0.0;
+  for (const glm::dvec3& corner : scene.Parts[part].Corners)
+  {
+    top = std::max(top, view.OnScreen(corner).y);
+  }
+  const float depth = static_cast<float>(NearestOf(scene, part, view)) + 0.01f;
+  const int lines = static_cast<int>(std::ceil(top));
+  BandTools narrow = WallOf(depth, lines), wide = WallOf(depth, lines + 1);
+  EXPECT_TRUE(StaysHidden(scene, part, narrow, view));
+  scene.Parts[part].IsDrawnApart = true;
+  EXPECT_FALSE(StaysHidden(scene, part, narrow, view)) << "less than a pixel around it hides it";
+  EXPECT_TRUE(StaysHidden(scene, part, wide, view));
+  narrow.States.Set(part, vitrine::PartStates::AreFacesHidden);
+  EXPECT_FALSE(StaysHidden(scene, part, narrow, view)) << "they are so at their own places";
+  scene.Parts[part].Lines = { { { 0, 0, -30 }, { 1, 0, -32 } } };
+  EXPECT_FALSE(StaysHidden(scene, part, wide, view)) << "lines reach farther";
+}
+
 TEST(SecondLook, AsksForLines)
 {
   PartScene scene;

@@ -106,6 +106,63 @@ TEST_P(CullerTransparency, HousingsHideNothing)
 INSTANTIATE_TEST_SUITE_P(
   Methods, CullerTransparency, testing::ValuesIn(AllMethods()), MethodName());
 
+/**
+ * What is translucent, right behind the edges of what is opaque. In windows of several samples it is drawn at the centres of pixels, by the depth of one sample each, which may be covered by nothing though the
+ * centre is.
+ */
+class EdgeScene : public CullerScene
+{
+public:
+  explicit EdgeScene(int samples)
+    : CullerScene({ "", samples, true, 270, 61, 51 })
+  {
+    this->LookAhead();
+    const double within = this->PixelSize() / 32.0;
+    this->Wall = this->AddMesh(MeshOf({ Rectangle(-0.6, -2.0, 2.0, 2.0, 0.0) }));
+    this->Behind = this->AddMesh(
+      MeshOf({ Rectangle(-0.6 + within, -2.0, 2.0, 2.0, -0.01) }), { 0.1, 0.9, 0.2, 0.5 });
+    this->AddMesh(MeshOf({ Rectangle(-0.3, -0.3, 0.3, 0.3, -0.2) }), { 0.9, 0.1, 0.2, 0.5 });
+  }
+
+  /** With edges all over a pixel. */
+  void ExpectSameBehindEdges()
+  {
+    const int steps = 16;
+    for (int i = 0; i < steps; ++i)
+    {
+      SCOPED_TRACE(i);
+      const double moved = this->PixelSize() * i / steps;
+      this->Wall->SetPosition(moved, 0.0, 0.0);
+      this->Behind->SetPosition(moved, 0.0, 0.0);
+      EXPECT_GT(this->ExpectSame(), 0);
+    }
+  }
+
+private:
+  vtkSmartPointer<vtkActor> Wall, Behind;
+};
+
+TEST_P(CullerTransparency, EdgesOfWhatHides)
+{
+  for (const int samples : GetParam().Samples())
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    EdgeScene scene(samples);
+    scene.Use(GetParam().Make());
+    scene.ExpectSameBehindEdges();
+  }
+}
+
+TEST(CullerTransparencyEdges, OfWhatHidesAsVTKDraws)
+{
+  for (const int samples : { 0, 2, 4, 8 })
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    EdgeScene scene(samples);
+    scene.ExpectSameBehindEdges();
+  }
+}
+
 // Blending in the order of the actors shows if that changes.
 TEST(CullerTransparencyOrder, OfWhatIsLeftIsKept)
 {

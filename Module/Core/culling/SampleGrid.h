@@ -35,6 +35,9 @@ public:
   /** How far from its sides a line has no samples. */
   float Inset() const { return this->FromSide; }
 
+  /** Whether all that is drawn has one sample a pixel. */
+  bool IsAtCentres() const { return this->Offset > 0.0f; }
+
   /** Whether all samples of a line lie in its middle. */
   bool HasOneRowPerLine() const { return this->FromSide == 0.5f; }
 

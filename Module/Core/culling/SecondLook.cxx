@@ -27,6 +27,9 @@ const float StepsOnDevice = 8.0f;
 // none exceeded half of it.
 const float TiltOnDevice = 4.0f * 0x1p-24f;
 
+// No pixel is larger, in columns and lines.
+const float WholePixel = 1.0f;
+
 /** The longest that an axis becomes, squared. */
 double LongestAxisOf(const glm::dmat4& m)
 {
@@ -85,7 +88,8 @@ void SecondLook::DropShown(
   for (std::size_t i = first; i < end; ++i)
   {
     const auto lane = static_cast<int>(i - first);
-    const bool isKnown = this->Tools.States.Has(parts[i].Part, PartStates::AreFacesHidden);
+    const bool isKnown = this->Tools.States.Has(parts[i].Part, PartStates::AreFacesHidden) &&
+      !this->Shapes.IsDrawnApart(parts[i].Part);
     if ((rectangles.Outside >> lane & 1u) == 0 && !isKnown)
     {
       areHidden[i] = this->IsHidden(parts[i].Part, rectangles, lane);
@@ -100,6 +104,10 @@ bool SecondLook::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, 
   const bool mayBeCut = this->View.MayBeCut(around, rectangles.Farthest[lane]);
   around.Nearest +=
     this->FindThinFaces(part) + this->TiltOf(around, around.Nearest - rectangles.Farthest[lane]);
+  if (this->Shapes.IsDrawnApart(part))
+  {
+    return isBehindNear && !mayBeCut && this->IsHiddenApart(part, around);
+  }
   const bool isBoxHidden = isBehindNear && this->Tools.Lines.Hides(around);
   const bool areFacesHidden = (isBoxHidden && this->ThinFaces.empty() && !mayBeCut) ||
     this->AreFacesHidden(part, around, isBoxHidden);
@@ -138,6 +146,17 @@ bool SecondLook::AreItsLinesHidden(std::uint32_t part)
   return lines.empty() ||
     AreLinesHidden(lines, this->View.Of(*known.ToWorld, *known.Drawn), this->View.GrowthOnScreen(),
       this->Tools.Lines);
+}
+
+/** Of a part that is drawn at another place of a pixel than those that may hide it: whether they do so all over the pixels that it touches. */
+bool SecondLook::IsHiddenApart(std::uint32_t part, ScreenRectangle around) const
+{
+  around.Left -= WholePixel;
+  around.Right += WholePixel;
+  around.Bottom -= WholePixel;
+  around.Top += WholePixel;
+  return this->ThinFaces.empty() && this->Shapes.LinesOf(part).empty() &&
+    this->Tools.Lines.Hides(around);
 }
 
 /** One by one: the thin ones, or all where the box tells nothing. */

@@ -45,6 +45,7 @@ private:
   bool IsHidden(std::uint32_t part, const RectangleLanes& rectangles, int lane);
   float FindThinFaces(std::uint32_t part);
   float TiltOf(const ScreenRectangle& around, float depth) const;
+  bool IsHiddenApart(std::uint32_t part, ScreenRectangle around) const;
   bool AreFacesHidden(std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden);
   bool AreItsLinesHidden(std::uint32_t part);
 

@@ -29,6 +29,12 @@ public:
   /** Of all faces that are drawn of it, be they of a mesh that OccluderOf() does not tell. */
   virtual PartPlanes PlanesOf(std::uint32_t part) = 0;
 
+  /**
+   * Whether a device draws the part at one place of a pixel, and holds it to the depth of others at another: as passes do that blend what is translucent at the centres of pixels that
+   * have several samples, by the depth of any one of those.
+   */
+  virtual bool IsDrawnApart(std::uint32_t part) const = 0;
+
   /** The lines that are drawn of it. */
   virtual const std::vector<MeshLine>& LinesOf(std::uint32_t part) = 0;
 };
