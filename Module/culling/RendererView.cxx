@@ -72,20 +72,42 @@ bool HasPixelsOfWindow(vtkRenderer* renderer)
       IsOfWindowSize(steps->GetTranslucentPass()));
 }
 
-/** Passes may draw at the centres of pixels that have several samples. */
-SampleGrid SamplesOf(vtkRenderer* renderer, int pixelsPerLine)
+/** How large lines and columns of an s-buffer are, and where samples lie in them. */
+struct LineScale
+{
+  double Pixels; ///< of a line
+  SampleGrid Samples;
+};
+
+/** Where a pixel is cut into so many cells across: how many of them a line has, to have no more than so many lines in all. No line has parts of several pixels. */
+int CellsPerLine(int cells, int mostLines, int height)
+{
+  int ofLine = 1;
+  while (ofLine < cells && height * cells > mostLines * ofLine)
+  {
+    ofLine *= 2;
+  }
+  return ofLine < cells ? ofLine : cells * ((height + mostLines - 1) / mostLines);
+}
+
+/** Passes may draw at the centres of pixels that have several samples; what that means for what is hidden SecondLook knows. */
+LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  if (!HasPixelsOfWindow(renderer))
+  const int pixels = (height + mostLines - 1) / mostLines;
+  const bool hasPixels = HasPixelsOfWindow(renderer);
+  if (hasPixels && window->GetMultiSamples() <= 1)
   {
-    return SampleGrid();
+    return { static_cast<double>(pixels), SampleGrid::AtCentres(pixels) };
   }
-  if (window->GetMultiSamples() <= 1)
+  const int cells = hasPixels && window->IsCurrent() ? SampleCells() : 0;
+  if (cells == 0)
   {
-    return SampleGrid::AtCentres(pixelsPerLine);
+    return { static_cast<double>(pixels), SampleGrid() };
   }
-  const int steps = window->IsCurrent() ? SampleSteps() : 0;
-  return steps > 0 ? SampleGrid::AtSteps(pixelsPerLine, steps) : SampleGrid();
+  const int ofLine = CellsPerLine(cells, mostLines, height);
+  return { static_cast<double>(ofLine) / cells,
+    SampleGrid::InCells(ofLine, std::max(cells / ofLine, 1)) };
 }
 }
 
@@ -101,23 +123,23 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   {
     return false;
   }
-  const int pixels = (height + mostLines - 1) / mostLines;
-  this->Lines = (height + pixels - 1) / pixels;
-  this->Columns = (width + pixels - 1) / pixels;
-  this->Samples = SamplesOf(renderer, pixels);
+  const LineScale scale = ScaleOf(renderer, mostLines, height);
+  this->Lines = static_cast<int>(std::ceil(height / scale.Pixels));
+  this->Columns = static_cast<int>(std::ceil(width / scale.Pixels));
+  this->Samples = scale.Samples;
 
   const ViewMatrices matrices = ViewMatricesOf(renderer);
   const glm::dmat4 toView = MatrixOf(matrices.data());
   const glm::dmat4 toClip = MatrixOf(matrices.data() + 16) * glm::translate(toView, parts.Origin());
   const float snapped = SnappedPixelsOf(renderer);
+  const auto pixels = static_cast<float>(scale.Pixels);
   const ScreenMargin snapping{ (snapped + RoundingOfPlaces * static_cast<float>(left + width)) /
-      static_cast<float>(pixels),
-    (snapped + RoundingOfPlaces * static_cast<float>(bottom + height)) / static_cast<float>(pixels),
-    SnappedDepth };
+      pixels,
+    (snapped + RoundingOfPlaces * static_cast<float>(bottom + height)) / pixels, SnappedDepth };
   const glm::vec2 growth(parts.LargestGrowth() / pixels);
-  const glm::vec2 before = glm::vec2(left, bottom) / static_cast<float>(pixels);
-  this->Known.emplace(toClip, static_cast<double>(width) / pixels,
-    static_cast<double>(height) / pixels, parts.Reach(), snapping, growth, before);
+  const glm::vec2 before = glm::vec2(left, bottom) / pixels;
+  this->Known.emplace(
+    toClip, width / scale.Pixels, height / scale.Pixels, parts.Reach(), snapping, growth, before);
   return true;
 }
 

@@ -107,7 +107,7 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
     [&](const BoxedPart& part) { return !this->MayShowAnywhere(part, view); });
   std::for_each(firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = 1; });
   hidden.erase(firstShown, hidden.end());
-  Shapes shapes(*this, culler.Samples().IsAtCentres());
+  Shapes shapes(*this, culler.Samples().HasOneSamplePerPixel());
   const std::vector<std::uint8_t> stay = culler.StayHidden(hidden, shapes, view);
   for (std::size_t i = 0; i < stay.size(); ++i)
   {

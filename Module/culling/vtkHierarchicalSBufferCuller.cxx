@@ -1,5 +1,6 @@
 #include "vtkHierarchicalSBufferCuller.h"
 
+#include "Core/culling/LinesThatPay.h"
 #include "Core/culling/PartCuller.h"
 #include "Core/culling/SBufferImage.h"
 #include "culling/RenderPasses.h"
@@ -149,7 +150,7 @@ double vtkHierarchicalSBufferCuller::Cull(
 {
   const auto start = std::chrono::steady_clock::now();
   this->NumberOfCulledParts = this->NumberOfTestedParts = this->NumberOfTestedNodes =
-    this->NumberOfOccluders = 0;
+    this->NumberOfOccluders = this->NumberOfBufferLines = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
   this->NumberOfDrawnParts = listLength;
   // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden beside them.
@@ -181,13 +182,15 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   vitrine::SceneParts& parts = known.Parts;
   known.TakeBack();
   parts.Update(propList, listLength);
+  parts.MarkDrawn(known.Visible);
+  const int lines =
+    this->BufferLines > 0 ? this->BufferLines : vitrine::LinesThatPay(known.Visible.size());
   vitrine::RendererView view;
   if (!vitrine::ShowsTheViewAlone(renderer, this->Renderers->KnownPasses) ||
-    !view.Read(renderer, this->BufferLines, parts))
+    !view.Read(renderer, lines, parts))
   {
     return;
   }
-  parts.MarkDrawn(known.Visible);
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector() && !BlendsEdges(renderer->GetRenderWindow());
   vitrine::PartCuller& culler =
@@ -201,6 +204,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     known.HasBuffer = true;
   }
   this->KeepShown(renderer, propList, listLength);
+  this->NumberOfBufferLines = culler.LineCount();
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
   this->NumberOfTestedNodes = static_cast<int>(culler.Counts().Nodes);
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
@@ -276,6 +280,7 @@ void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Culling: " << (this->Culling ? "On" : "Off") << "\n";
   os << indent << "BufferLines: " << this->BufferLines << "\n";
+  os << indent << "NumberOfBufferLines: " << this->NumberOfBufferLines << "\n";
   os << indent << "NumberOfDrawnProps: " << this->NumberOfDrawnProps << "\n";
   os << indent << "NumberOfDrawnParts: " << this->NumberOfDrawnParts << "\n";
   os << indent << "NumberOfTestedParts: " << this->NumberOfTestedParts << "\n";

@@ -2,6 +2,7 @@
 
 #include "gl/VitrineOpenGL.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -11,20 +12,21 @@ namespace vitrine
 namespace
 {
 
-bool AreSamplesAtSteps(int samples, float steps)
+/** Where samples of the current framebuffer lie in a pixel, from 0 to 1, across and upwards. */
+std::vector<float> PlacesOfSamples()
 {
-  bool areAll = true;
-  for (GLint sample = 0; sample < samples; ++sample)
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  std::vector<float> places;
+  for (GLint sample = 0; sample < samples && samples > 1; ++sample)
   {
-    GLfloat places[2] = { 0.0f, 0.0f };
-    glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(sample), places);
-    for (const GLfloat place : places)
-    {
-      areAll = areAll && place > 0.0f && place < 1.0f && std::floor(place * steps) == place * steps;
-    }
+    GLfloat place[2] = { 0.0f, 0.0f };
+    glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(sample), place);
+    places.insert(places.end(), { place[0], place[1] });
   }
-  return areAll;
+  return places;
 }
+
 }
 
 bool HasExtension(const char* name)
@@ -77,15 +79,20 @@ int SubpixelBits()
   return bits;
 }
 
-int SampleSteps()
+int SampleCells()
 {
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  for (const int steps : { 4, 8, 16 })
+  const std::vector<float> places = PlacesOfSamples();
+  for (const int cells : { 2, 4, 8 })
   {
-    if (samples > 1 && AreSamplesAtSteps(samples, static_cast<float>(steps)))
+    const bool areInMiddles = std::all_of(places.begin(), places.end(),
+      [&](float place)
+      {
+        const float cell = place * static_cast<float>(cells);
+        return std::floor(cell) + 0.5f == cell;
+      });
+    if (areInMiddles && !places.empty())
     {
-      return steps;
+      return cells;
     }
   }
   return 0;

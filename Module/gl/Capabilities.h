@@ -25,11 +25,11 @@ bool IsSoftwareRasteriser();
 /** A rasteriser moves corners to steps of a pixel, of which its side has 2 to the power of that many (GL_SUBPIXEL_BITS). */
 int SubpixelBits();
 
+
 /**
- * How many steps a pixel's side has, 4, 8 or 16, so that all samples of the current framebuffer, and its centre, lie at whole ones, and none on a side; 0 if they do not, or if pixels
- * have one sample.
+ * Into how many cells, 2, 4 or 8, a pixel's side is cut, so that all samples of the current framebuffer lie in the middles of such cells; 0 if they do not, or if pixels have one sample.
  */
-int SampleSteps();
+int SampleCells();
 
 /** The largest shader storage block in bytes that a shader may see. */
 std::int64_t LargestStorageBlock();

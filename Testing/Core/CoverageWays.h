@@ -24,23 +24,16 @@ const std::size_t MostTestSpans = 1u << 15; // many more than are used
 struct Way
 {
   bool IsByFaces;
-  int PixelsPerLine;     ///< 0 for samples anywhere
-  int StepsPerPixel = 0; ///< 0 for samples at centres
+  int PixelsPerLine; ///< 0 for samples anywhere
 
   vitrine::SampleGrid Samples() const
   {
     return this->PixelsPerLine == 0 ? vitrine::SampleGrid()
-      : this->StepsPerPixel == 0
-      ? vitrine::SampleGrid::AtCentres(this->PixelsPerLine)
-      : vitrine::SampleGrid::AtSteps(this->PixelsPerLine, this->StepsPerPixel);
+                                    : vitrine::SampleGrid::AtCentres(this->PixelsPerLine);
   }
 
   /** From a line's lower side to the lowest samples in it. */
-  double Inset() const
-  {
-    const double ofPixel = this->StepsPerPixel == 0 ? 0.5 : 1.0 / this->StepsPerPixel;
-    return this->PixelsPerLine == 0 ? 0.0 : ofPixel / this->PixelsPerLine;
-  }
+  double Inset() const { return this->PixelsPerLine == 0 ? 0.0 : 0.5 / this->PixelsPerLine; }
 
   /** Whether all samples of a line lie between. */
   bool IsBetween(int line, double low, double high) const
@@ -78,10 +71,8 @@ private:
 
 inline std::string NameOf(const Way& way)
 {
-  const std::string samples = way.PixelsPerLine == 0 ? "Anywhere"
-    : way.StepsPerPixel == 0
-    ? "AtCentres" + std::to_string(way.PixelsPerLine)
-    : "AtSteps" + std::to_string(way.PixelsPerLine) + "By" + std::to_string(way.StepsPerPixel);
+  const std::string samples =
+    way.PixelsPerLine == 0 ? "Anywhere" : "AtCentres" + std::to_string(way.PixelsPerLine);
   return (way.IsByFaces ? "Faces" : "Outline") + samples;
 }
 
@@ -96,9 +87,8 @@ inline void PrintTo(const Way& way, std::ostream* out)
   *out << NameOf(way);
 }
 
-const Way AllWays[] = { { false, 0 }, { false, 1 }, { false, 2 }, { false, 4 }, { true, 0 },
-  { true, 1 }, { true, 2 }, { true, 4 }, { false, 1, 8 }, { true, 1, 8 }, { false, 2, 4 },
-  { true, 2, 16 } };
+const Way AllWays[] = { { false, 0 }, { false, 1 }, { false, 2 }, { false, 4 }, { false, 8 },
+  { true, 0 }, { true, 1 }, { true, 2 }, { true, 4 }, { true, 8 }, { true, 32 } };
 
 /** Tests of every way. */
 class EachWay : public ::testing::TestWithParam<Way>

@@ -417,3 +417,23 @@ TEST(PartCuller, DropsWhatIsOutsideOfABoxAroundTheEye)
     }
   }
 }
+
+// A pixel that is cut into lines lies in one band.
+TEST(PartCuller, CutsBandsBetweenPixels)
+{
+  for (const int pixels : { 1, 2, 3, 7, 75, 270 })
+  {
+    SCOPED_TRACE(pixels);
+    const PartCuller culler(10, 4 * pixels, vitrine::SampleGrid::InCells(1, 4), 4);
+    int lines = 0;
+    for (std::size_t i = 0; i < culler.BandCount(); ++i)
+    {
+      EXPECT_GT(culler.Buffer(i).Lines(), 0);
+      EXPECT_EQ(culler.Buffer(i).Lines() % 4, 0);
+      lines += culler.Buffer(i).Lines();
+    }
+    EXPECT_EQ(lines, 4 * pixels);
+    EXPECT_EQ(culler.LineCount(), lines);
+    EXPECT_EQ(culler.BandCount(), static_cast<std::size_t>(std::min(pixels, 4)));
+  }
+}

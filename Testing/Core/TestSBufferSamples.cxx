@@ -202,41 +202,6 @@ TEST(SBufferSamples, WhatIsHiddenIsWhatIsHiddenAtEveryCentre)
   EXPECT_GT(hidden, 2000);
 }
 
-// Sides of pixels count as samples, but those of lines need not be covered.
-TEST(SBufferSamples, WhatIsHiddenIsHiddenAtEveryStep)
-{
-  std::mt19937 random(4);
-  const auto between = [&](float least, float greatest)
-  { return least + (greatest - least) * (static_cast<float>(random()) / 4294967296.0f); };
-  int hidden = 0, between8ths = 0;
-  for (int round = 0; round < 1500; ++round)
-  {
-    const int pixels = static_cast<int>(1 + random() % 3);
-    SBuffer buffer = BufferOf(SampleGrid::AtSteps(pixels, 8));
-    for (int i = 0; i < 24; ++i)
-    {
-      const float left = between(-2.0f, 40.0f);
-      buffer.Insert(static_cast<int>(random() % 4),
-        { left, left + between(0.1f, 20.0f), between(0.1f, 0.9f), between(0.1f, 0.9f), 0 });
-    }
-    for (int i = 0; i < 10; ++i)
-    {
-      const float left = between(-1.0f, 40.0f), bottom = between(0.0f, 3.5f);
-      const ScreenRectangle rectangle{ left, left + between(0.0f, 3.0f), bottom,
-        bottom + between(0.0f, 0.5f), between(0.0f, 0.9f) };
-      if (buffer.Hides(rectangle))
-      {
-        ASSERT_TRUE(AreSamplesHidden(buffer, 8 * pixels, 0.0f, rectangle)) << round;
-        ++hidden;
-      }
-    }
-    const ScreenRectangle narrow{ 7.01f, 7.02f, 1.0f, 2.0f, 0.99f };
-    between8ths += buffer.Hides(narrow);
-  }
-  EXPECT_GT(hidden, 1500);
-  EXPECT_EQ(between8ths, 1500) << "nothing shows between samples";
-}
-
 TEST(SBufferSamples, SegmentsAreHiddenThatAreFartherAtEveryCentre)
 {
   std::mt19937 random(5);

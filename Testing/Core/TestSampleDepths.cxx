@@ -106,11 +106,8 @@ TEST(SampleDepths, StandInPlaceOfSpansWhereALineHasFewPlacesWithSamples)
   {
     EXPECT_FALSE(IsBySample(SampleGrid::AtCentres(pixels))) << pixels;
   }
-  for (const int pixels : { 1, 2 })
-  {
-    EXPECT_FALSE(IsBySample(SampleGrid::AtSteps(pixels, 4)));
-    EXPECT_FALSE(IsBySample(SampleGrid::AtSteps(pixels, 8)));
-  }
+  EXPECT_TRUE(IsBySample(SampleGrid::InCells(1, 4)));
+  EXPECT_FALSE(IsBySample(SampleGrid::InCells(8, 1)));
   EXPECT_FALSE(IsBySample({}));
   EXPECT_EQ(SBuffer(9, 5, SampleGrid::AtCentres(1)).BySample(), nullptr) << "not asked for";
 }

@@ -32,7 +32,7 @@ std::vector<Kind> AllKinds()
   for (int pixels = 1; pixels <= 16; ++pixels)
   {
     kinds.push_back({ SampleGrid::AtCentres(pixels), pixels, 0.5f });
-    kinds.push_back({ SampleGrid::AtSteps(pixels, 8), 8 * pixels, 0.0f });
+    kinds.push_back({ SampleGrid::InCells(pixels, 2), pixels, 0.5f });
   }
   return kinds;
 }
@@ -55,15 +55,27 @@ TEST(SampleGrid, IsAwayFromTheSidesOfLines)
   EXPECT_EQ(SampleGrid::AtCentres(1).Inset(), 0.5f);
   EXPECT_EQ(SampleGrid::AtCentres(2).Inset(), 0.25f);
   EXPECT_EQ(SampleGrid::AtCentres(4).Inset(), 0.125f);
-  EXPECT_EQ(SampleGrid::AtSteps(1, 8).Inset(), 0.125f);
-  EXPECT_EQ(SampleGrid::AtSteps(2, 16).Inset(), 0.03125f);
+}
+
+TEST(SampleGrid, OfCellsIsThatOfSmallerPixels)
+{
+  const SampleGrid thin = SampleGrid::InCells(1, 4), thick = SampleGrid::InCells(8, 1);
+  EXPECT_TRUE(thin.HasOneRowPerLine());
+  EXPECT_EQ(thin.LinesPerPixel(), 4);
+  EXPECT_EQ(thin.BinaryPixelsPerColumn(), 1);
+  EXPECT_EQ(thick.Inset(), 0.0625f);
+  EXPECT_EQ(thick.LinesPerPixel(), 1);
+  EXPECT_FALSE(thin.HasOneSamplePerPixel() || thick.HasOneSamplePerPixel());
+  EXPECT_TRUE(SampleGrid::AtCentres(1).HasOneSamplePerPixel());
+  EXPECT_TRUE(SampleGrid::AtCentres(3).HasOneSamplePerPixel());
+  EXPECT_FALSE(SampleGrid().HasOneSamplePerPixel()) << "who knows";
 }
 
 TEST(SampleGrid, HasOneRowOnALineOfPixelsWithOneSample)
 {
   EXPECT_TRUE(SampleGrid::AtCentres(1).HasOneRowPerLine());
   EXPECT_FALSE(SampleGrid::AtCentres(2).HasOneRowPerLine());
-  EXPECT_FALSE(SampleGrid::AtSteps(1, 16).HasOneRowPerLine());
+  EXPECT_FALSE(SampleGrid::InCells(16, 1).HasOneRowPerLine());
   EXPECT_FALSE(SampleGrid().HasOneRowPerLine());
 }
 
@@ -71,21 +83,20 @@ TEST(SampleGrid, IsAsWideAsFromOneSampleToTheNext)
 {
   EXPECT_EQ(SampleGrid().Width(), 0.0f);
   for (const SampleGrid& grid : { SampleGrid::AtCentres(1), SampleGrid::AtCentres(4),
-         SampleGrid::AtSteps(1, 8), SampleGrid::AtSteps(3, 4) })
+         SampleGrid::InCells(8, 1), SampleGrid::AtCentres(3) })
   {
     const float sample = grid.From(7.1f);
     EXPECT_EQ(grid.Behind(sample), sample + grid.Width());
     EXPECT_NEAR(grid.From(sample + 1e-3f), grid.Behind(sample), 1e-5f);
   }
   EXPECT_EQ(SampleGrid::AtCentres(4).Width(), 0.25f);
-  EXPECT_EQ(SampleGrid::AtSteps(1, 8).Width(), 0.125f);
+  EXPECT_EQ(SampleGrid::InCells(8, 1).Width(), 0.125f);
 }
 
 TEST(SampleGrid, GoesFromAPlaceToTheNextSampleOnEitherSide)
 {
   const SampleGrid centres1 = SampleGrid::AtCentres(1), centres2 = SampleGrid::AtCentres(2),
-                   centres4 = SampleGrid::AtCentres(4), steps4 = SampleGrid::AtSteps(1, 4),
-                   steps16 = SampleGrid::AtSteps(2, 8);
+                   centres4 = SampleGrid::AtCentres(4);
   const struct
   {
     SampleGrid Grid;
@@ -104,10 +115,6 @@ TEST(SampleGrid, GoesFromAPlaceToTheNextSampleOnEitherSide)
     { centres1, -3.5f, -3.5f, -3.5f },
     { centres1, -3.6f, -3.5f, -4.5f },
     { centres4, -0.2f, -0.125f, -0.375f },
-    { steps4, 3.3f, 3.5f, 3.25f },
-    { steps4, 3.25f, 3.25f, 3.25f },
-    { steps4, -3.3f, -3.25f, -3.5f },
-    { steps16, 3.3f, 3.3125f, 3.25f },
   };
   for (const auto& one : cases)
   {

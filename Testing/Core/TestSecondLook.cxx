@@ -305,16 +305,22 @@ TEST(SecondLook, AsksForWholePixelsOfWhatIsDrawnApart)
     top = std::max(top, view.OnScreen(corner).y);
   }
   const float depth = static_cast<float>(NearestOf(scene, part, view)) + 0.01f;
-  const int lines = static_cast<int>(std::ceil(top));
-  BandTools narrow = WallOf(depth, lines), wide = WallOf(depth, lines + 1);
-  EXPECT_TRUE(StaysHidden(scene, part, narrow, view));
-  scene.Parts[part].IsDrawnApart = true;
-  EXPECT_FALSE(StaysHidden(scene, part, narrow, view)) << "less than a pixel around it hides it";
-  EXPECT_TRUE(StaysHidden(scene, part, wide, view));
-  narrow.States.Set(part, vitrine::PartStates::AreFacesHidden);
-  EXPECT_FALSE(StaysHidden(scene, part, narrow, view)) << "they are so at their own places";
-  scene.Parts[part].Lines = { { { 0, 0, -30 }, { 1, 0, -32 } } };
-  EXPECT_FALSE(StaysHidden(scene, part, wide, view)) << "lines reach farther";
+  for (const SampleGrid& samples : { SampleGrid(), SampleGrid::InCells(1, 4) })
+  {
+    const int lines = static_cast<int>(std::ceil(top));
+    BandTools narrow = WallOf(depth, lines + samples.LinesPerPixel() - 1, samples);
+    BandTools wide = WallOf(depth, lines + samples.LinesPerPixel(), samples);
+    scene.Parts[part].IsDrawnApart = false;
+    scene.Parts[part].Lines.clear();
+    EXPECT_TRUE(StaysHidden(scene, part, narrow, view));
+    scene.Parts[part].IsDrawnApart = true;
+    EXPECT_FALSE(StaysHidden(scene, part, narrow, view)) << "less than a pixel around it hides it";
+    EXPECT_TRUE(StaysHidden(scene, part, wide, view));
+    narrow.States.Set(part, vitrine::PartStates::AreFacesHidden);
+    EXPECT_FALSE(StaysHidden(scene, part, narrow, view)) << "they are so at their own places";
+    scene.Parts[part].Lines = { { { 0, 0, -30 }, { 1, 0, -32 } } };
+    EXPECT_FALSE(StaysHidden(scene, part, wide, view)) << "lines reach farther";
+  }
 }
 
 TEST(SecondLook, AsksForLines)

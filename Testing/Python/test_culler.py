@@ -138,7 +138,7 @@ class Culler(unittest.TestCase):
 
     def test_misuse(self):
         culler = vtkHierarchicalSBufferCuller()
-        for lines, kept in ((0, 1), (-5, 1), (4097, 4096), (100000, 4096)):
+        for lines, kept in ((0, 0), (-5, 0), (4097, 4096), (100000, 4096)):
             culler.SetBufferLines(lines)
             self.assertEqual(culler.GetBufferLines(), kept)
         for wrong in (1, "renderer", vtkRenderWindow()):

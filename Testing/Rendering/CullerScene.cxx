@@ -167,6 +167,13 @@ void CullerScene::LookAhead()
   camera->SetClippingRange(1.0, 8.0);
 }
 
+void CullerScene::PutSampleInMiddle()
+{
+  const double halves = this->Setting.Samples > 0 ? 2.0 / 8.0 : 0.0; // of a pixel
+  this->Renderer->GetActiveCamera()->SetWindowCenter(
+    halves / this->Setting.Width, halves / this->Setting.Height);
+}
+
 void CullerScene::LookFromAnywhere(TestRandom& random)
 {
   const auto between = [&](double low, double high) { return low + (high - low) * random.Unit(); };

@@ -68,6 +68,9 @@ struct CullerScene : TestScene
   /** Look from straight ahead. */
   void LookAhead();
 
+  /** Look so that something in the middle of the screen has a sample, where pixels have several, too: those of 4 lie an eighth of a pixel beside its centre. */
+  void PutSampleInMiddle();
+
   /** Look from anywhere in front. */
   void LookFromAnywhere(TestRandom& random);
 

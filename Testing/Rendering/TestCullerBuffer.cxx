@@ -27,14 +27,26 @@ protected:
     Scene.Render();
     const vtkSmartPointer<vtkImageData> image = Scene.Culler->GetBufferImage(Scene.Renderer);
     EXPECT_TRUE(image);
-    const int pixels =
-      (Scene.Setting.Height + Scene.Setting.BufferLines - 1) / Scene.Setting.BufferLines;
-    EXPECT_EQ(image->GetDimensions()[0], (Scene.Setting.Width + pixels - 1) / pixels);
-    EXPECT_EQ(image->GetDimensions()[1], (Scene.Setting.Height + pixels - 1) / pixels);
+    EXPECT_EQ(image->GetDimensions()[0], this->CountCells(Scene.Setting.Width));
+    EXPECT_EQ(image->GetDimensions()[1], this->CountCells(Scene.Setting.Height));
+    EXPECT_EQ(Scene.Culler->GetNumberOfBufferLines(), image->GetDimensions()[1]);
     EXPECT_EQ(image->GetDimensions()[2], 1);
     EXPECT_EQ(image->GetScalarType(), VTK_FLOAT);
     EXPECT_STREQ(image->GetPointData()->GetScalars()->GetName(), "ReversedDepth");
     return image;
+  }
+
+  /** Columns or lines of so many pixels, of which each is cut into up to four if it has four samples. */
+  static int CountCells(int pixels)
+  {
+    const CullerSetting& setting = GetParam();
+    const int perCell = (setting.Height + setting.BufferLines - 1) / setting.BufferLines;
+    int ofPixel = 1;
+    while (ofPixel < setting.Samples && 2 * ofPixel * setting.Height <= setting.BufferLines)
+    {
+      ofPixel *= 2;
+    }
+    return ofPixel * ((pixels + perCell - 1) / perCell);
   }
 
   /** Reversed, of what is so far in front of the camera. */

@@ -196,6 +196,7 @@ TEST_P(CullerLeaves, MayHaveNothingToDraw)
   const PartsOfQuads inFront = Patches(0.3);
   PartsOfQuads parts = WallAndPatches();
   parts.emplace_back(PatchCells * PatchCells, Rectangle(0.0, 0.0, 0.0, 0.0, 0.35));
+  Scene.PutSampleInMiddle();
   parts.insert(parts.end(), inFront.begin(), inFront.end());
   this->Show(parts);
   EXPECT_EQ(this->ExpectAsVTK(), PatchCount);

@@ -233,6 +233,7 @@ TEST_P(CullerOccluders, Scene07SliversRightBehindAWall)
 {
   Scene.AddWall();
   Scene.LookAhead();
+  Scene.PutSampleInMiddle();
   for (const auto& [pixels, hidden] : { std::pair(1.0 / 1000.0, 0), std::pair(0.5, 1) })
   {
     const vtkSmartPointer<vtkActor> plate =

@@ -333,26 +333,30 @@ TEST(CullerSamples, BetweenThemNothingShows)
   }
 }
 
-TEST(CullerSamples, LieAtStepsOfPixels)
+TEST(CullerSamples, LieInCellsOfPixels)
 {
   for (const int samples : { 0, 2, 4, 8 })
   {
     SCOPED_TRACE(std::to_string(samples) + " samples");
     CullerScene scene({ "", samples, true, 270, 96, 54 });
+    scene.AddWall();
     scene.Render();
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(scene.Window);
     window->MakeCurrent();
     window->GetRenderFramebuffer()->Bind();
     GLint has = 0;
     glGetIntegerv(GL_SAMPLES, &has);
-    const int steps = vitrine::SampleSteps();
-    EXPECT_EQ(steps == 0, has <= 1) << "each device that is known has them there";
-    for (GLint sample = 0; sample < has && steps > 0; ++sample)
+    const int cells = vitrine::SampleCells();
+    EXPECT_EQ(cells == 0, has <= 1) << "each device that is known has up to 8 there";
+    EXPECT_EQ(scene.Culler->GetNumberOfBufferLines(), 54 * std::min(std::max(cells, 1), 4));
+    for (GLint sample = 0; sample < has && cells > 0; ++sample)
     {
       GLfloat place[2];
       glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(sample), place);
-      EXPECT_EQ(std::fmod(place[0] * static_cast<float>(steps), 1.0f), 0.0f);
-      EXPECT_EQ(std::fmod(place[1] * static_cast<float>(steps), 1.0f), 0.0f);
+      for (const float across : place)
+      {
+        EXPECT_EQ(std::fmod(across * static_cast<float>(cells), 1.0f), 0.5f);
+      }
     }
   }
 }

@@ -71,12 +71,13 @@ std::vector<std::uint8_t> WithBuffer(
   const BufferShades shades(buffer);
   const int lines = buffer->GetDimensions()[1];
   const int pixels = (size.Height + lines - 1) / lines; // to a column and to a line
+  const int ofPixel = std::max(lines / size.Height, 1); // columns, and lines
   for (int y = 0; y < size.Height; ++y)
   {
     for (int x = 0; x < size.Width; ++x)
     {
       std::fill_n(picture.begin() + static_cast<std::ptrdiff_t>((2 * y + 1) * row) + 3 * x, 3,
-        shades.At(x / pixels, y / pixels));
+        shades.At(ofPixel * x / pixels, ofPixel * y / pixels));
     }
   }
   return picture;

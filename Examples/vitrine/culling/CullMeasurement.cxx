@@ -173,6 +173,7 @@ private:
     this->Cullers->SetCuller(this->Ours);
     frame.FrameMilliseconds = this->Window.Draw(camera);
     frame.CullMilliseconds = 1000.0 * this->Ours->GetCullTime();
+    frame.Lines = this->Ours->GetNumberOfBufferLines();
     frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnParts());
     this->Picture = this->Window.ReadPixels();
   }

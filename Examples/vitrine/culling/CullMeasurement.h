@@ -26,7 +26,7 @@ struct CullSettings
   PoseProjection Projection = PoseProjection::Both;
   std::uint64_t Seed = 1;
   std::string Method = "vtk-oit";
-  int BufferLines = 270;
+  int BufferLines = 0;      ///< at most; 0 for as many as pay
   double TurnDegrees = 0.0; ///< of the camera around its focal point since the frame before
   bool CountsIdeal = true;  ///< where parts are those of the scene
   SceneForm Form = SceneForm::Actors;
@@ -36,6 +36,7 @@ struct CullSettings
 /** One pose. */
 struct CullFrame
 {
+  int Lines = 0;         ///< of the s-buffer
   std::size_t Drawn = 0; ///< parts that the culler left
   std::size_t Ideal = 0; ///< opaque parts that own a pixel
   double CullMilliseconds = 0.0;

@@ -105,7 +105,7 @@ Json RunJson(const CullRun& run)
   Json poses = Json::array();
   for (const CullFrame& frame : run.Frames)
   {
-    poses.push_back({ { "drawn", frame.Drawn },
+    poses.push_back({ { "lines", frame.Lines }, { "drawn", frame.Drawn },
       { "ideal", run.OpaqueParts > 0 ? Json(frame.Ideal) : Json(nullptr) },
       { "cull_ms", frame.CullMilliseconds }, { "frame_ms", frame.FrameMilliseconds },
       { "frame_ms_without", frame.FrameMillisecondsWithout },

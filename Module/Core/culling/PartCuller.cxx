@@ -9,10 +9,13 @@ namespace vitrine
 
 PartCuller::PartCuller(int columns, int lines, const SampleGrid& samples, int bands)
 {
-  const int count = std::min(bands, lines);
+  const int ofPixel = samples.LinesPerPixel();
+  const int pixels = (lines + ofPixel - 1) / ofPixel;
+  const int count = std::min(bands, pixels);
   for (int i = 0; i < count; ++i)
   {
-    const int first = i * lines / count, end = (i + 1) * lines / count;
+    const int first = ofPixel * (i * pixels / count);
+    const int end = std::min(ofPixel * ((i + 1) * pixels / count), lines);
     this->Bands.push_back({ first, BandCuller(columns, end - first, samples) });
   }
 }
@@ -70,6 +73,12 @@ std::vector<std::uint8_t> PartCuller::StayHidden(
       [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a & b); });
   }
   return hidden[0];
+}
+
+int PartCuller::LineCount() const
+{
+  const Band& last = this->Bands.back();
+  return last.FirstLine + last.Culler.Buffer().Lines();
 }
 
 CullCounts PartCuller::Counts() const

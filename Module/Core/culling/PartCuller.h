@@ -19,7 +19,7 @@ namespace vitrine
 class PartCuller
 {
 public:
-  /** With an s-buffer of so many columns and lines, cut into so many bands, or fewer if those would have no lines. */
+  /** With an s-buffer of so many columns and lines, cut between pixels into so many bands, or fewer if those would have no lines. */
   PartCuller(int columns, int lines, const SampleGrid& samples = {}, int bands = 1);
 
   /**
@@ -45,6 +45,9 @@ public:
 
   /** Where something can show. */
   const SampleGrid& Samples() const { return this->Buffer().Samples(); }
+
+  /** Of all bands. */
+  int LineCount() const;
 
   std::size_t BandCount() const { return this->Bands.size(); }
 

@@ -10,7 +10,7 @@ namespace vitrine
 
 /**
  * Where on the screen something can show at all, in columns and lines of an s-buffer: at the centres of pixels; where pixels have
- * several samples, at whole steps across them; or anywhere.
+ * several samples, in the middles of cells that they are cut into; or anywhere.
  */
 class SampleGrid
 {
@@ -19,24 +19,25 @@ public:
   SampleGrid() = default;
 
   /** At the centres of pixels, of which a column and a line has so many. */
-  static SampleGrid AtCentres(int pixelsPerLine)
+  static SampleGrid AtCentres(int pixelsPerLine) { return SampleGrid(pixelsPerLine, 1, true); }
+
+  /**
+   * In the middles of cells that pixels are cut into, side by side and one above the other, of which a column and a line has so many: there samples of pixels are that have several.
+   * @param linesPerPixel  into how many lines a pixel is cut; 1 where they are as large as one, or larger
+   */
+  static SampleGrid InCells(int cellsPerLine, int linesPerPixel)
   {
-    const auto pixels = static_cast<float>(pixelsPerLine);
-    return SampleGrid(pixels, 0.5f, 0.5f / pixels);
+    return SampleGrid(cellsPerLine, linesPerPixel, false);
   }
 
-  /** Where a pixel's side is so many steps long, at whole ones, but for the sides themselves: there is where samples and centres of pixels are that have several. */
-  static SampleGrid AtSteps(int pixelsPerLine, int stepsPerPixel)
-  {
-    const auto steps = static_cast<float>(pixelsPerLine * stepsPerPixel);
-    return SampleGrid(steps, 0.0f, 1.0f / steps);
-  }
+  /** Into how many lines and columns a pixel is cut. */
+  int LinesPerPixel() const { return this->LinesOfPixel; }
+
+  /** Whether all that is drawn has one sample a pixel. */
+  bool HasOneSamplePerPixel() const { return this->HasOneSample; }
 
   /** How far from its sides a line has no samples. */
   float Inset() const { return this->FromSide; }
-
-  /** Whether all that is drawn has one sample a pixel. */
-  bool IsAtCentres() const { return this->Offset > 0.0f; }
 
   /** Whether all samples of a line lie in its middle. */
   bool HasOneRowPerLine() const { return this->FromSide == 0.5f; }
@@ -44,23 +45,22 @@ public:
   /** From one place with samples to the next; 0 where they are anywhere. */
   float Width() const { return this->Step; }
 
-  /** Where samples are at centres of pixels of which a column has 1, 2, 4 or so: how many that are; else 0. */
+  /** Where samples are at centres of pixels, or of cells, of which a column has 1, 2, 4 or so: how many that are; else 0. */
   int BinaryPixelsPerColumn() const
   {
-    return this->IsExact && this->Offset > 0.0f ? static_cast<int>(this->PerColumn) : 0;
+    return this->IsExact ? static_cast<int>(this->PerColumn) : 0;
   }
 
   /** Where the samples of a number are: they count from 0 at the left. */
   float Place(float number) const
   {
-    return this->IsExact ? (number + this->Offset) * this->Step
-                         : (number + this->Offset) / this->PerColumn;
+    return this->IsExact ? (number + Offset) * this->Step : (number + Offset) / this->PerColumn;
   }
 
   /** The number of the first place with samples from `place` on; of such a place, its own. */
   float NumberFrom(float place) const
   {
-    const float number = std::ceil(place * this->PerColumn - this->Offset);
+    const float number = std::ceil(place * this->PerColumn - Offset);
     const bool wasRoundedUp = !this->IsExact && this->Place(number - 1.0f) >= place;
     return wasRoundedUp ? number - 1.0f : number;
   }
@@ -68,7 +68,7 @@ public:
   /** Of the last one up to `place`. */
   float NumberUpTo(float place) const
   {
-    const float number = std::floor(place * this->PerColumn - this->Offset);
+    const float number = std::floor(place * this->PerColumn - Offset);
     const bool wasRoundedDown = !this->IsExact && this->Place(number + 1.0f) <= place;
     return wasRoundedDown ? number + 1.0f : number;
   }
@@ -89,7 +89,7 @@ public:
   bool HasAny(float from, float to) const
   {
     return this->IsExact
-      ? std::floor(to * this->PerColumn - this->Offset) >= from * this->PerColumn - this->Offset
+      ? std::floor(to * this->PerColumn - Offset) >= from * this->PerColumn - Offset
       : this->From(from) <= this->UpTo(to);
   }
 
@@ -108,27 +108,30 @@ public:
 private:
   static constexpr float FarthestPlace = 1e6f;
   static constexpr float NearlyThere = 0x1p-10f;
+  static constexpr float Offset = 0.5f; ///< of the first sample, in steps
 
   /** Of places on the screen. */
   VITRINE_INLINE LaneMask CountUpTo(Lanes place) const
   {
     const Lanes onScreen = GreatestOf(LeastOf(place, AllLanes(FarthestPlace)), AllLanes(0.0f));
-    return __builtin_convertvector(onScreen * this->PerColumn + this->Offset, LaneMask);
+    return __builtin_convertvector(onScreen * this->PerColumn + Offset, LaneMask);
   }
 
-  SampleGrid(float perColumn, float offset, float fromSide)
-    : PerColumn(perColumn)
-    , Offset(offset)
-    , Step(1.0f / perColumn)
-    , FromSide(fromSide)
-    , IsExact(std::exp2(std::round(std::log2(perColumn))) == perColumn)
+  SampleGrid(int perColumn, int linesPerPixel, bool hasOneSample)
+    : PerColumn(static_cast<float>(perColumn))
+    , Step(1.0f / this->PerColumn)
+    , FromSide(0.5f / this->PerColumn)
+    , LinesOfPixel(linesPerPixel)
+    , HasOneSample(hasOneSample)
+    , IsExact(std::exp2(std::round(std::log2(this->PerColumn))) == this->PerColumn)
   {
   }
 
   float PerColumn = 0.0f; ///< 0 for samples anywhere
-  float Offset = 0.0f;    ///< of the first one, in steps
   float Step = 0.0f;
   float FromSide = 0.0f;
+  int LinesOfPixel = 1;
+  bool HasOneSample = false;
   bool IsExact = false; ///< a power of two, by which nothing is rounded
 };
 

@@ -27,9 +27,6 @@ const float StepsOnDevice = 8.0f;
 // none exceeded half of it.
 const float TiltOnDevice = 4.0f * 0x1p-24f;
 
-// No pixel is larger, in columns and lines.
-const float WholePixel = 1.0f;
-
 /** The longest that an axis becomes, squared. */
 double LongestAxisOf(const glm::dmat4& m)
 {
@@ -151,10 +148,11 @@ bool SecondLook::AreItsLinesHidden(std::uint32_t part)
 /** Of a part that is drawn at another place of a pixel than those that may hide it: whether they do so all over the pixels that it touches. */
 bool SecondLook::IsHiddenApart(std::uint32_t part, ScreenRectangle around) const
 {
-  around.Left -= WholePixel;
-  around.Right += WholePixel;
-  around.Bottom -= WholePixel;
-  around.Top += WholePixel;
+  const auto pixel = static_cast<float>(this->Tools.Lines.Samples().LinesPerPixel());
+  around.Left -= pixel;
+  around.Right += pixel;
+  around.Bottom -= pixel;
+  around.Top += pixel;
   return this->ThinFaces.empty() && this->Shapes.LinesOf(part).empty() &&
     this->Tools.Lines.Hides(around);
 }
