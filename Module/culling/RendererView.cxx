@@ -62,11 +62,12 @@ bool IsOfWindowSize(vtkRenderPass* translucent)
       !translucent->IsA("vtkStencilMaskTransparencyPass"));
 }
 
-/** Whether all that is drawn has the window's pixels. */
+/** Whether all that is opaque is drawn at the samples of the window's pixels. Ambient occlusion is found in a target of one sample a pixel. */
 bool HasPixelsOfWindow(vtkRenderer* renderer)
 {
   auto* steps = vtkRenderStepsPass::SafeDownCast(renderer->GetPass());
-  return !renderer->GetPass() ||
+  const bool hasOneSample = renderer->GetRenderWindow()->GetMultiSamples() <= 1;
+  return (!renderer->GetPass() && (hasOneSample || !renderer->GetUseSSAO())) ||
     (steps && !steps->GetPostProcessPass() && steps->GetOpaquePass() &&
       IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && steps->GetTranslucentPass() &&
       IsOfWindowSize(steps->GetTranslucentPass()));
@@ -90,7 +91,7 @@ int CellsPerLine(int cells, int mostLines, int height)
   return ofLine < cells ? ofLine : cells * ((height + mostLines - 1) / mostLines);
 }
 
-/** Passes may draw at the centres of pixels that have several samples; what that means for what is hidden SecondLook knows. */
+/** Passes may draw what is translucent at the centres of pixels that have several samples; what that means for what is hidden SecondLook knows. */
 LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
@@ -106,8 +107,7 @@ LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
     return { static_cast<double>(pixels), SampleGrid() };
   }
   const int ofLine = CellsPerLine(cells, mostLines, height);
-  return { static_cast<double>(ofLine) / cells,
-    SampleGrid::InCells(ofLine, std::max(cells / ofLine, 1)) };
+  return { static_cast<double>(ofLine) / cells, SampleGrid::InCells(ofLine, cells) };
 }
 }
 

@@ -29,10 +29,10 @@ public:
   bool Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts);
 
   /** What an s-buffer for the view differs by from others. */
-  std::array<float, 4> Shape() const
+  std::array<float, 5> Shape() const
   {
     return { static_cast<float>(this->Columns), static_cast<float>(this->Lines),
-      this->Samples.Inset(), this->Samples.Width() };
+      this->Samples.Inset(), this->Samples.Width(), this->Samples.PixelSize() };
   }
 
   const ScreenProjection& Projection() const { return *this->Known; }

@@ -118,6 +118,7 @@ private:
   class Shapes;
 
   bool IsOpaque(const Part& part) const;
+  bool IsDrawnApart(const Part& part, const SampleGrid& samples) const;
   Occluder ShapeOf(std::uint32_t part);
   bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;
   std::vector<BoxedPart> FindHiddenInView(const ScreenProjection& view, const SampleGrid& samples,

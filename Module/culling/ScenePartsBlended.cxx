@@ -5,6 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkMath.h"
+#include "vtkProperty.h"
 
 #include <glm/vec3.hpp>
 
@@ -17,18 +18,24 @@ namespace vitrine
 namespace
 {
 
-/** Or nearly so: of actors that cannot be hidden it is not known what a device rounds. */
-bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b)
+bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b, float beside)
 {
-  const float beside = 1.0f;
   return a.Left <= b.Right + beside && b.Left <= a.Right + beside && a.Bottom <= b.Top + beside &&
     b.Bottom <= a.Top + beside;
 }
 
-/** Where an actor is seen in the view, if it is. */
-void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProjection& view,
-  std::vector<ScreenRectangle>& rectangles)
+/** By how many pixels more than its points an actor may be drawn; of those that cannot be hidden it is not known what a device rounds. */
+float GrowthOf(vtkActor* actor)
 {
+  vtkProperty* property = actor->GetProperty();
+  return 1.0f + std::max(property->GetPointSize(), property->GetLineWidth());
+}
+
+/** Where an actor is seen in the view, if it is; and how far beside that. */
+void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProjection& view,
+  std::vector<ScreenRectangle>& rectangles, float& beside)
+{
+  beside = std::max(beside, GrowthOf(actor));
   const double* const bounds = actor->GetBounds();
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
@@ -47,22 +54,25 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const
 {
   std::vector<ScreenRectangle> blended;
+  float pixels = 0.0f;
   for (const std::uint32_t part : this->Drawn)
   {
     if (this->Blends[part])
     {
-      AddRectangleOf(static_cast<vtkActor*>(this->PropOf[part]), this->Middle, view, blended);
+      AddRectangleOf(
+        static_cast<vtkActor*>(this->PropOf[part]), this->Middle, view, blended, pixels);
     }
   }
   if (blended.empty())
   {
     return;
   }
+  const float beside = pixels * samples.PixelSize();
   for (const BoxedPart& part : this->FindHiddenInView(view, samples, drawn, visible))
   {
     const ScreenRectangle own = view.RectangleOf(part.Bounds).value_or(Everywhere);
     visible[part.Part] = std::any_of(blended.begin(), blended.end(),
-      [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle); });
+      [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle, beside); });
   }
 }
 

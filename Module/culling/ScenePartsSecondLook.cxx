@@ -16,7 +16,7 @@ namespace vitrine
 namespace
 {
 
-/** Finds parts whose boxes lie in the view, and may have samples, eight at a time. Where lines are drawn, the view's boxes grow by a pixel and more, so that all have. */
+/** Finds parts whose boxes lie in the view, and may have samples, eight at a time. Where lines are drawn, the view's boxes grow by a pixel and more, so that all have; what is drawn elsewhere than at samples has, too. */
 class ViewFilter
 {
 public:
@@ -27,9 +27,10 @@ public:
   {
   }
 
-  void Add(const BoxedPart& part)
+  void Add(const BoxedPart& part, bool isDrawnApart)
   {
     this->Boxes.Set(this->Count, part.Bounds);
+    this->Apart |= unsigned{ isDrawnApart } << this->Count;
     this->Parts[this->Count++] = part;
     if (this->Count == LaneCount)
     {
@@ -43,7 +44,7 @@ public:
     RectangleLanes rectangles;
     this->View.Project(this->Boxes, rectangles);
     const unsigned mayShow =
-      ~rectangles.Outside & (rectangles.Near | rectangles.MayHaveAny(this->Samples));
+      ~rectangles.Outside & (rectangles.Near | rectangles.MayHaveAny(this->Samples) | this->Apart);
     for (int lane = 0; lane < this->Count; ++lane)
     {
       if ((mayShow >> lane & 1u) != 0)
@@ -52,6 +53,7 @@ public:
       }
     }
     this->Count = 0;
+    this->Apart = 0;
   }
 
 private:
@@ -61,6 +63,7 @@ private:
   BoxLanes Boxes;
   BoxedPart Parts[LaneCount];
   int Count = 0;
+  unsigned Apart = 0; ///< a bit for each that is drawn apart from what hides it (ShapeSource)
 };
 }
 
@@ -68,10 +71,9 @@ private:
 class SceneParts::Shapes : public ShapeSource
 {
 public:
-  /** @param areAllAtCentres  whether all parts are drawn at the centres of the window's pixels, which have one sample each */
-  Shapes(SceneParts& parts, bool areAllAtCentres)
+  Shapes(SceneParts& parts, const SampleGrid& samples)
     : Parts(parts)
-    , AreAllAtCentres(areAllAtCentres)
+    , Samples(samples)
   {
   }
 
@@ -91,12 +93,12 @@ public:
 
   bool IsDrawnApart(std::uint32_t part) const override
   {
-    return !this->AreAllAtCentres && !this->Parts.IsOpaque(this->Parts.Parts[part]);
+    return this->Parts.IsDrawnApart(this->Parts.Parts[part], this->Samples);
   }
 
 private:
   SceneParts& Parts;
-  bool AreAllAtCentres;
+  const SampleGrid& Samples;
 };
 
 void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
@@ -107,7 +109,7 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
     [&](const BoxedPart& part) { return !this->MayShowAnywhere(part, view); });
   std::for_each(firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = 1; });
   hidden.erase(firstShown, hidden.end());
-  Shapes shapes(*this, culler.Samples().HasOneSamplePerPixel());
+  Shapes shapes(*this, culler.Samples());
   const std::vector<std::uint8_t> stay = culler.StayHidden(hidden, shapes, view);
   for (std::size_t i = 0; i < stay.size(); ++i)
   {
@@ -121,6 +123,12 @@ bool SceneParts::MayShowAnywhere(const BoxedPart& part, const ScreenProjection& 
   const Part& known = this->Parts[part.Part];
   return known.IsWireframe ||
     (known.Growth > 0.0f && view.ReachesBeyond(view.RectangleOf(part.Bounds).value_or(Everywhere)));
+}
+
+/** Whether passes may draw it at the centres of pixels that have several samples, or of other pixels than the window's. */
+bool SceneParts::IsDrawnApart(const Part& part, const SampleGrid& samples) const
+{
+  return !samples.HasOneSamplePerPixel() && !this->IsOpaque(part);
 }
 
 /** Parts that are drawn, were found hidden, and may have samples in the view. */
@@ -138,7 +146,8 @@ std::vector<BoxedPart> SceneParts::FindHiddenInView(const ScreenProjection& view
       {
         if (drawn[i] && !visible[i] && this->Parts[i].Geometry)
         {
-          filter.Add({ static_cast<std::uint32_t>(i), this->BoxOf[i] });
+          filter.Add({ static_cast<std::uint32_t>(i), this->BoxOf[i] },
+            this->IsDrawnApart(this->Parts[i], samples));
         }
       }
       filter.Flush();

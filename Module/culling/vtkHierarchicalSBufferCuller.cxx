@@ -45,6 +45,14 @@ double SumOfMultipliers(vtkProp* const* props, int count)
     [](double sum, vtkProp* prop) { return sum + prop->GetRenderTimeMultiplier(); });
 }
 
+/** Pixels across by pixels upwards. */
+double AspectOf(vtkRenderer* renderer)
+{
+  int width = 0, height = 0;
+  renderer->GetTiledSize(&width, &height);
+  return width > 0 && height > 0 ? static_cast<double>(width) / height : 1.0;
+}
+
 /** Whether what is drawn is blended at its edges with what was drawn before. */
 bool BlendsEdges(vtkRenderWindow* window)
 {
@@ -84,7 +92,7 @@ struct vtkHierarchicalSBufferCuller::State::ShapedCuller
 
 private:
   std::unique_ptr<vitrine::PartCuller> Culler;
-  std::array<float, 4> Shape{};
+  std::array<float, 5> Shape{};
   int Bands = 0;
 };
 
@@ -183,8 +191,9 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   known.TakeBack();
   parts.Update(propList, listLength);
   parts.MarkDrawn(known.Visible);
-  const int lines =
-    this->BufferLines > 0 ? this->BufferLines : vitrine::LinesThatPay(known.Visible.size());
+  const int lines = this->BufferLines > 0
+    ? this->BufferLines
+    : vitrine::LinesThatPay(known.Visible.size(), AspectOf(renderer));
   vitrine::RendererView view;
   if (!vitrine::ShowsTheViewAlone(renderer, this->Renderers->KnownPasses) ||
     !view.Read(renderer, lines, parts))

@@ -75,7 +75,7 @@ public:
   static vtkInformationIntegerKey* NON_OCCLUDING();
 
   /**
-   * Says that passes of a class, which is derived from one of VTK's or Vitrine's, draw what that one draws: with its depth test, and no more than the camera sees. Below passes of
+   * Says that passes of a class, which is derived from one of VTK's or Vitrine's, draw what that one draws: with its depth test, no more than the camera sees, and into pixels no larger than the window's. Below passes of
    * other classes than theirs that are not known nothing is left out.
    */
   void AddKnownPass(const char* className);

@@ -25,7 +25,6 @@ bool IsSoftwareRasteriser();
 /** A rasteriser moves corners to steps of a pixel, of which its side has 2 to the power of that many (GL_SUBPIXEL_BITS). */
 int SubpixelBits();
 
-
 /**
  * Into how many cells, 2, 4 or 8, a pixel's side is cut, so that all samples of the current framebuffer lie in the middles of such cells; 0 if they do not, or if pixels have one sample.
  */

@@ -88,7 +88,7 @@ inline void PrintTo(const Way& way, std::ostream* out)
 }
 
 const Way AllWays[] = { { false, 0 }, { false, 1 }, { false, 2 }, { false, 4 }, { false, 8 },
-  { true, 0 }, { true, 1 }, { true, 2 }, { true, 4 }, { true, 8 }, { true, 32 } };
+  { true, 0 }, { true, 1 }, { true, 2 }, { true, 4 }, { true, 8 }, { true, 24 } };
 
 /** Tests of every way. */
 class EachWay : public ::testing::TestWithParam<Way>

@@ -107,7 +107,7 @@ TEST(SampleDepths, StandInPlaceOfSpansWhereALineHasFewPlacesWithSamples)
     EXPECT_FALSE(IsBySample(SampleGrid::AtCentres(pixels))) << pixels;
   }
   EXPECT_TRUE(IsBySample(SampleGrid::InCells(1, 4)));
-  EXPECT_FALSE(IsBySample(SampleGrid::InCells(8, 1)));
+  EXPECT_FALSE(IsBySample(SampleGrid::InCells(8, 8)));
   EXPECT_FALSE(IsBySample({}));
   EXPECT_EQ(SBuffer(9, 5, SampleGrid::AtCentres(1)).BySample(), nullptr) << "not asked for";
 }

@@ -29,7 +29,7 @@ struct Kind
 std::vector<Kind> AllKinds()
 {
   std::vector<Kind> kinds;
-  for (int pixels = 1; pixels <= 16; ++pixels)
+  for (int pixels = 1; pixels <= 24; ++pixels)
   {
     kinds.push_back({ SampleGrid::AtCentres(pixels), pixels, 0.5f });
     kinds.push_back({ SampleGrid::InCells(pixels, 2), pixels, 0.5f });
@@ -59,9 +59,13 @@ TEST(SampleGrid, IsAwayFromTheSidesOfLines)
 
 TEST(SampleGrid, OfCellsIsThatOfSmallerPixels)
 {
-  const SampleGrid thin = SampleGrid::InCells(1, 4), thick = SampleGrid::InCells(8, 1);
+  const SampleGrid thin = SampleGrid::InCells(1, 4), thick = SampleGrid::InCells(8, 4);
   EXPECT_TRUE(thin.HasOneRowPerLine());
   EXPECT_EQ(thin.LinesPerPixel(), 4);
+  EXPECT_EQ(thin.PixelSize(), 4.0f);
+  EXPECT_EQ(thick.PixelSize(), 0.5f);
+  EXPECT_EQ(SampleGrid::AtCentres(4).PixelSize(), 0.25f);
+  EXPECT_EQ(SampleGrid().PixelSize(), 1.0f);
   EXPECT_EQ(thin.BinaryPixelsPerColumn(), 1);
   EXPECT_EQ(thick.Inset(), 0.0625f);
   EXPECT_EQ(thick.LinesPerPixel(), 1);
@@ -75,7 +79,7 @@ TEST(SampleGrid, HasOneRowOnALineOfPixelsWithOneSample)
 {
   EXPECT_TRUE(SampleGrid::AtCentres(1).HasOneRowPerLine());
   EXPECT_FALSE(SampleGrid::AtCentres(2).HasOneRowPerLine());
-  EXPECT_FALSE(SampleGrid::InCells(16, 1).HasOneRowPerLine());
+  EXPECT_FALSE(SampleGrid::InCells(16, 4).HasOneRowPerLine());
   EXPECT_FALSE(SampleGrid().HasOneRowPerLine());
 }
 
@@ -83,14 +87,14 @@ TEST(SampleGrid, IsAsWideAsFromOneSampleToTheNext)
 {
   EXPECT_EQ(SampleGrid().Width(), 0.0f);
   for (const SampleGrid& grid : { SampleGrid::AtCentres(1), SampleGrid::AtCentres(4),
-         SampleGrid::InCells(8, 1), SampleGrid::AtCentres(3) })
+         SampleGrid::InCells(8, 4), SampleGrid::AtCentres(3) })
   {
     const float sample = grid.From(7.1f);
     EXPECT_EQ(grid.Behind(sample), sample + grid.Width());
     EXPECT_NEAR(grid.From(sample + 1e-3f), grid.Behind(sample), 1e-5f);
   }
   EXPECT_EQ(SampleGrid::AtCentres(4).Width(), 0.25f);
-  EXPECT_EQ(SampleGrid::InCells(8, 1).Width(), 0.125f);
+  EXPECT_EQ(SampleGrid::InCells(8, 4).Width(), 0.125f);
 }
 
 TEST(SampleGrid, GoesFromAPlaceToTheNextSampleOnEitherSide)

@@ -9,7 +9,7 @@ ROW = [
     "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels", "poses",
 ]  # fmt: skip
 POSE = [
-    "drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
+    "lines", "drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
 ]  # fmt: skip
 SMALL = ("--size", "120x67", "--poses", "6")
 
@@ -29,7 +29,7 @@ class Cull(FileTest):
         self.assertEqual(
             told["settings"],
             {"width": 120, "height": 67, "multisamples": 0, "poses": 6, "seed": 1,
-             "method": "vtk-oit", "buffer_lines": 270, "turn_degrees": 0.0, "skipped_poses": 0},
+             "method": "vtk-oit", "buffer_lines": 0, "turn_degrees": 0.0, "skipped_poses": 0},
         )  # fmt: skip
         self.assertEqual(
             [row["input"] for row in told["results"]],
@@ -154,7 +154,7 @@ class Cull(FileTest):
             ("demo:assembly", "--projection", "fisheye"),
             ("demo:assembly", "--size", "10"),
             ("demo:assembly", "--method", "magic"),
-            ("demo:assembly", "--lines", "0"),
+            ("demo:assembly", "--lines", "-1"),
             ("demo:assembly", "--as", "voxels"),
             ("demo:assembly", "--opaque-from", "nan"),
             ("demo:assembly", "--opaque-from", "1.1"),

@@ -3,6 +3,7 @@
 #include "CullerScene.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkCameraPass.h"
+#include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCubeSource.h"
@@ -16,6 +17,7 @@
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
@@ -95,6 +97,39 @@ TEST_P(CullerBlended, WhatIsForcedAndCannotBeHidden)
   mapper->SetInputData(static_cast<vtkPolyDataMapper*>(front->GetMapper())->GetInput());
   front->SetMapper(mapper);
   this->ExpectShinesThrough(front);
+}
+
+// Points are drawn as squares of pixels, of which boxes tell nothing. A bar right beside the point's middle, as high as the points are, is hidden by a wall but for those.
+TEST_P(CullerBlended, PointsThatCannotBeHidden)
+{
+  for (const float size : { 1.0f, 9.0f })
+  {
+    SCOPED_TRACE(size);
+    Scene.Clear();
+    Scene.LookAhead();
+    const double pixel = Scene.PixelSize();
+    const double from = 0.3 * size * pixel, to = 0.45 * size * pixel;
+    Scene.AddMesh(MeshOf({ Rectangle(from, -0.4 * size * pixel, to, 0.4 * size * pixel, -0.01) }),
+      { 1, 0, 0, 1 });
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, 0.0, 0.01);
+    vtkNew<vtkCellArray> verts;
+    verts->InsertNextCell({ 0 });
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetVerts(verts);
+    vtkNew<vtkDataSetMapper> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor> blended;
+    blended->SetMapper(mapper);
+    blended->ForceOpaqueOn();
+    blended->GetProperty()->SetOpacity(0.5);
+    blended->GetProperty()->LightingOff();
+    blended->GetProperty()->SetPointSize(size);
+    Scene.Renderer->AddActor(blended);
+    Scene.AddWall();
+    Scene.ExpectSame();
+  }
 }
 
 // VTK draws it after all that is opaque, behind which it hides nothing.

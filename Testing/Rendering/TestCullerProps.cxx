@@ -324,6 +324,26 @@ TEST_P(CullerProps, Scene22AmbientOcclusion)
   Scene.ExpectHidden(224, 2);
 }
 
+// It is found at the centres of pixels, which lie between samples where those have several.
+TEST_P(CullerProps, Scene22AmbientOcclusionOfWhatIsThin)
+{
+  Scene.Renderer->UseSSAOOn();
+  Scene.Renderer->SetSSAORadius(0.3);
+  Scene.Renderer->SetSSAOBias(0.01);
+  Scene.LookAhead();
+  const double pixel = Scene.PixelSize();
+  Scene.AddMesh(MeshOf({ Rectangle(-2.0, -2.0, 2.0, 2.0, -0.5) }));
+  const vtkSmartPointer<vtkActor> bar = Scene.AddMesh(
+    MeshOf({ Rectangle(-0.06 * pixel, -0.3, 0.06 * pixel, 0.3, 0.0) }), { 0.1, 0.9, 0.2, 1.0 });
+  const int steps = 8;
+  for (int i = 0; i < steps; ++i)
+  {
+    SCOPED_TRACE(i);
+    bar->SetPosition(pixel * i / steps, 0.0, 0.0);
+    Scene.ExpectSame();
+  }
+}
+
 // What is hidden, or lies beside the view, casts a shadow nevertheless.
 TEST_P(CullerProps, Scene22Shadows)
 {

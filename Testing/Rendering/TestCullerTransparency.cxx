@@ -153,6 +153,53 @@ TEST_P(CullerTransparency, EdgesOfWhatHides)
   }
 }
 
+// The centre of a pixel that has several samples lies between them.
+TEST(CullerTransparencyEdges, NothingHidesWhatIsThin)
+{
+  for (const int samples : { 0, 2, 4, 8 })
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    CullerScene scene({ "", samples, true, 270, 31, 41 });
+    scene.LookAhead();
+    const double pixel = scene.PixelSize();
+    const Rgba color{ 0.1, 0.9, 0.2, 0.5 };
+    const vtkSmartPointer<vtkActor> upright =
+      scene.AddMesh(MeshOf({ Rectangle(-0.06 * pixel, -0.3, 0.06 * pixel, 0.3, 0.0) }), color);
+    const vtkSmartPointer<vtkActor> level =
+      scene.AddMesh(MeshOf({ Rectangle(-0.3, -0.06 * pixel, 0.3, 0.06 * pixel, 0.1) }), color);
+    const int steps = 16;
+    for (int i = 0; i < steps; ++i)
+    {
+      SCOPED_TRACE(i);
+      upright->SetPosition(pixel * i / steps, 0.0, 0.0);
+      level->SetPosition(0.0, pixel * i / steps, 0.0);
+      scene.ExpectSame();
+    }
+  }
+}
+
+// As many cells stand for pixels of one sample and for fewer of several.
+TEST(CullerTransparencyEdges, OfWindowsThatGetSeveralSamples)
+{
+  CullerScene scene({ "", 0, true, 270, 160, 160 });
+  scene.LookAhead();
+  scene.AddMesh(MeshOf({ Rectangle(-2.0, -2.0, 2.0, 2.0, 0.0) }));
+  scene.Render();
+  EXPECT_EQ(scene.Culler->GetNumberOfBufferLines(), 160);
+  scene.Clear();
+  scene.Setting.Samples = 4;
+  scene.Setting.Width = scene.Setting.Height = 40;
+  scene.Window->SetMultiSamples(4);
+  scene.Window->SetSize(40, 40);
+  const double pixel = scene.PixelSize();
+  scene.AddMesh(MeshOf({ Rectangle(0.45 * pixel, -2.0, 2.0, 2.0, 0.0) }));
+  scene.AddMesh(MeshOf({ Rectangle(0.47 * pixel, -2.0, 2.0, 2.0, -0.01) }), { 0.1, 0.9, 0.2, 0.5 });
+  scene.ExpectSame();
+  scene.Culler->CullingOn();
+  scene.Render();
+  EXPECT_EQ(scene.Culler->GetNumberOfBufferLines(), 160);
+}
+
 TEST(CullerTransparencyEdges, OfWhatHidesAsVTKDraws)
 {
   for (const int samples : { 0, 2, 4, 8 })

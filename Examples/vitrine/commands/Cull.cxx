@@ -145,7 +145,9 @@ void AddCullCommand(CLI::App& app)
   command->add_option("--method", options->Settings.Method, "that draws what is translucent")
     ->type_name("M")
     ->capture_default_str();
-  command->add_option("--lines", options->Settings.BufferLines, "of the s-buffer at most; 0 for as many as pay")
+  command
+    ->add_option(
+      "--lines", options->Settings.BufferLines, "of the s-buffer at most; 0 for as many as pay")
     ->type_name("N")
     ->check(CLI::Range(0, 4096))
     ->capture_default_str();

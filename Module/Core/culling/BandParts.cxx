@@ -25,13 +25,15 @@ const float FewColumns = 24.0f;
 const float FewLines = 16.0f;
 const std::size_t FewFaces = 12;
 
-// Where devices clip what reaches farther off the screen, floats round as much as samples are away from its borders, so that nothing is drawn there.
+// Where devices clip what reaches farther off the screen, floats round as much as samples are away from its borders, so that nothing is drawn there. Of samples half a line away.
 const float FarthestOff = 0x1p17f;
 
-bool IsClippedSurely(const ScreenRectangle& around)
+bool IsClippedSurely(const ScreenRectangle& around, const SampleGrid& samples)
 {
-  return around.Left >= -FarthestOff && around.Right <= FarthestOff &&
-    around.Bottom >= -FarthestOff && around.Top <= FarthestOff;
+  const float inset = samples.Inset();
+  const float farthest = inset > 0.0f ? 2.0f * inset * FarthestOff : FarthestOff;
+  return around.Left >= -farthest && around.Right <= farthest && around.Bottom >= -farthest &&
+    around.Top <= farthest;
 }
 
 float FacesPerCell(const ScreenRectangle& rectangle, std::size_t faces)
@@ -237,7 +239,7 @@ void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 
 void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
 {
-  if (!IsClippedSurely(this->Tools.Projected.Rectangle()))
+  if (!IsClippedSurely(this->Tools.Projected.Rectangle(), this->Tools.Lines.Samples()))
   {
     return;
   }

@@ -47,7 +47,8 @@ void CutFaces::Begin(const MeshProjection& projection, const SampleGrid& samples
   }
   const ScreenMatrix& view = projection.View();
   this->Cuts.Begin(view);
-  this->AreSidesBare = samples.Width() > 0.0f;
+  const ScreenMargin& snapping = projection.Snapping();
+  this->AreSidesBare = samples.Inset() > StepsOnASide * std::max(snapping.Column, snapping.Line);
   this->OfCuts = RoundingWhereCut(view);
   this->Step = StepOfCuts * std::min(view.Size.x, view.Top() - view.Bottom());
 }

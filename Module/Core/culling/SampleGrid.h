@@ -23,15 +23,18 @@ public:
 
   /**
    * In the middles of cells that pixels are cut into, side by side and one above the other, of which a column and a line has so many: there samples of pixels are that have several.
-   * @param linesPerPixel  into how many lines a pixel is cut; 1 where they are as large as one, or larger
+   * @param cellsPerPixel  into how many a pixel is cut across; so many that lines are parts of pixels, or of whole ones
    */
-  static SampleGrid InCells(int cellsPerLine, int linesPerPixel)
+  static SampleGrid InCells(int cellsPerLine, int cellsPerPixel)
   {
-    return SampleGrid(cellsPerLine, linesPerPixel, false);
+    return SampleGrid(cellsPerLine, cellsPerPixel, false);
   }
 
-  /** Into how many lines and columns a pixel is cut. */
-  int LinesPerPixel() const { return this->LinesOfPixel; }
+  /** How many lines or columns a pixel is wide: a part of one where those are of several pixels. Where samples are anywhere it is taken to be no more than one. */
+  float PixelSize() const { return this->SizeOfPixel; }
+
+  /** Into how many lines and columns a pixel is cut: 1 where they are of whole pixels. */
+  int LinesPerPixel() const { return static_cast<int>(std::ceil(this->SizeOfPixel)); }
 
   /** Whether all that is drawn has one sample a pixel. */
   bool HasOneSamplePerPixel() const { return this->HasOneSample; }
@@ -117,11 +120,11 @@ private:
     return __builtin_convertvector(onScreen * this->PerColumn + Offset, LaneMask);
   }
 
-  SampleGrid(int perColumn, int linesPerPixel, bool hasOneSample)
+  SampleGrid(int perColumn, int perPixel, bool hasOneSample)
     : PerColumn(static_cast<float>(perColumn))
     , Step(1.0f / this->PerColumn)
     , FromSide(0.5f / this->PerColumn)
-    , LinesOfPixel(linesPerPixel)
+    , SizeOfPixel(static_cast<float>(perPixel) / this->PerColumn)
     , HasOneSample(hasOneSample)
     , IsExact(std::exp2(std::round(std::log2(this->PerColumn))) == this->PerColumn)
   {
@@ -130,7 +133,7 @@ private:
   float PerColumn = 0.0f; ///< 0 for samples anywhere
   float Step = 0.0f;
   float FromSide = 0.0f;
-  int LinesOfPixel = 1;
+  float SizeOfPixel = 1.0f;
   bool HasOneSample = false;
   bool IsExact = false; ///< a power of two, by which nothing is rounded
 };
