@@ -19,6 +19,6 @@ TEST(LinesThatPay, AreFewerInViewsThatAreManyTimesAsWideAsHigh)
   EXPECT_EQ(LinesThatPay(100000, 16.0 / 9.0), 1080);
   EXPECT_EQ(LinesThatPay(100000, 0.1), 1080);
   EXPECT_EQ(LinesThatPay(100, 4.0), 270);
-  EXPECT_EQ(LinesThatPay(100000, 3840.0 / 135.0), 383);
+  EXPECT_EQ(LinesThatPay(100000, 3840.0 / 135.0), 384);
   EXPECT_EQ(LinesThatPay(100, 4096.0), 32);
 }
