@@ -80,6 +80,12 @@ struct LineScale
   SampleGrid Samples;
 };
 
+/** How many pixels a line has, to have no more than so many lines in all. */
+int PixelsPerLine(int mostLines, int height)
+{
+  return (height + mostLines - 1) / mostLines;
+}
+
 /** Where a pixel is cut into so many cells across: how many of them a line has, to have no more than so many lines in all. No line has parts of several pixels. */
 int CellsPerLine(int cells, int mostLines, int height)
 {
@@ -88,14 +94,14 @@ int CellsPerLine(int cells, int mostLines, int height)
   {
     ofLine *= 2;
   }
-  return ofLine < cells ? ofLine : cells * ((height + mostLines - 1) / mostLines);
+  return ofLine < cells ? ofLine : cells * PixelsPerLine(mostLines, height);
 }
 
 /** Passes may draw what is translucent at the centres of pixels that have several samples; what that means for what is hidden SecondLook knows. */
 LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  const int pixels = (height + mostLines - 1) / mostLines;
+  const int pixels = PixelsPerLine(mostLines, height);
   const bool hasPixels = HasPixelsOfWindow(renderer);
   if (hasPixels && window->GetMultiSamples() <= 1)
   {
