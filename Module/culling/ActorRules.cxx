@@ -1,7 +1,7 @@
 #include "culling/ActorRules.h"
 
 #include "culling/ClassName.h"
-#include "culling/DividedMapper.h"
+#include "culling/DrawingMapper.h"
 #include "culling/PartGeometry.h"
 #include "culling/ScalarColors.h"
 #include "culling/vtkCulledCompositePolyDataMapper.h"
@@ -46,12 +46,6 @@ public:
   static vtkShaderProperty* ShaderOf(vtkProp* prop) { return prop->*(&AnyProp::ShaderProperty); }
 };
 
-/** Of classes that draw polydata where their points are. */
-bool IsKnownMapper(vtkMapper* mapper)
-{
-  return IsExactly<vtkOpenGLPolyDataMapper>(mapper) || DividedMapperOf(mapper);
-}
-
 /** From VTK 9.2 on, props may stand in coordinates of the room, or of the device. */
 bool StandsInWorld(vtkActor* actor)
 {
@@ -93,10 +87,15 @@ vtkActor* AsHideable(vtkProp* prop)
   {
     return nullptr;
   }
-  const bool isDrawnWhereItIs = StandsInWorld(actor) && !HasShaderCode(actor) &&
-    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
-    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetNumberOfSubPieces() == 1;
-  return isDrawnWhereItIs ? actor : nullptr;
+  return StandsInWorld(actor) && !HasShaderCode(actor) ? actor : nullptr;
+}
+
+bool MayBeBehindOthers(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  return vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    !property->GetEdgeVisibility() && !property->GetVertexVisibility() &&
+    !property->GetRenderPointsAsSpheres() && !property->GetRenderLinesAsTubes();
 }
 
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)
@@ -112,7 +111,7 @@ bool HasShaderCode(vtkActor* actor)
       shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
 }
 
-bool IsShiftKnown(vtkMapper* mapper)
+bool IsShiftKnown(vtkPolyDataMapper* mapper)
 {
   const int method = static_cast<vtkOpenGLPolyDataMapper*>(mapper)->GetVBOShiftScaleMethod();
   return method == vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE ||
@@ -120,7 +119,7 @@ bool IsShiftKnown(vtkMapper* mapper)
     method == vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE;
 }
 
-bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
+bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry)
 {
   auto* drawing = static_cast<vtkOpenGLPolyDataMapper*>(mapper);
   const bool isUsual = !drawing->GetPauseShiftScale() &&
@@ -136,15 +135,15 @@ bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry)
 
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry)
 {
+  const bool isThin =
+    actor->GetProperty()->GetRepresentation() != VTK_SURFACE || geometry.HasThinCells();
+  return isThin ? MostGrowthOf(actor) : 0.0f;
+}
+
+float MostGrowthOf(vtkActor* actor)
+{
   vtkProperty* property = actor->GetProperty();
-  if (property->GetEdgeVisibility() || property->GetVertexVisibility() ||
-    property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes())
-  {
-    return -1.0f;
-  }
-  const bool isThin = property->GetRepresentation() != VTK_SURFACE || geometry.HasThinCells();
-  return isThin ? std::max(property->GetLineWidth(), property->GetPointSize()) + BesidesWidth
-                : 0.0f;
+  return std::max(property->GetLineWidth(), property->GetPointSize()) + BesidesWidth;
 }
 
 bool IsNonOccluding(vtkActor* actor)

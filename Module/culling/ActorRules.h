@@ -4,7 +4,7 @@
 #include "vtkType.h"
 
 class vtkActor;
-class vtkMapper;
+class vtkPolyDataMapper;
 class vtkProp;
 class vtkShaderProperty;
 
@@ -14,11 +14,15 @@ namespace vitrine
 class PartGeometry;
 
 /**
- * The prop as an actor that is drawn where its polydata's points are, so that it can be hidden; null for all others: other
- * classes, other mappers, mappers that draw piece by piece, coordinates of the room or the device, shader code of the user's,
- * offsets of coincident topology.
+ * The prop as an actor that is drawn where its data's points are, so that it can be hidden; null for all others: other
+ * classes, other mappers, coordinates of the room or the device, shader code of the user's.
  */
 vtkActor* AsHideable(vtkProp* prop);
+
+/**
+ * Whether others may hide the actor, and not the view alone: not where depths are offset for what is coincident, nor with edges, vertices, spheres or tubes, which have depths of their own.
+ */
+bool MayBeBehindOthers(vtkActor* actor);
 
 /** What vtkProp::GetShaderProperty() tells, null where that would make one. */
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
@@ -27,16 +31,19 @@ vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 bool HasShaderCode(vtkActor* actor);
 
 /** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
-bool IsShiftKnown(vtkMapper* mapper);
+bool IsShiftKnown(vtkPolyDataMapper* mapper);
 
 /**
  * Whether VTK gives the device coordinates from the geometry's middle, as it does by itself where that is far from the origin for
  * the geometry's size (vtkOpenGLVertexBufferObject::UpdateShiftScale()).
  */
-bool IsDrawnAboutMiddle(vtkMapper* mapper, const PartGeometry& geometry);
+bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry);
 
-/** By how many pixels the actor is drawn wider than its points are; less than 0 if that is not known. */
+/** By how many pixels an actor that may be behind others is drawn wider than its points are. */
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
+
+/** By how many pixels any actor is at most. */
+float MostGrowthOf(vtkActor* actor);
 
 /** Whether the user has marked the actor with vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
 bool IsNonOccluding(vtkActor* actor);

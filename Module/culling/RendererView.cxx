@@ -142,10 +142,14 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   const ScreenMargin snapping{ (snapped + RoundingOfPlaces * static_cast<float>(left + width)) /
       pixels,
     (snapped + RoundingOfPlaces * static_cast<float>(bottom + height)) / pixels, SnappedDepth };
-  const glm::vec2 growth(parts.LargestGrowth() / pixels);
   const glm::vec2 before = glm::vec2(left, bottom) / pixels;
-  this->Known.emplace(
-    toClip, width / scale.Pixels, height / scale.Pixels, parts.Reach(), snapping, growth, before);
+  const auto projectionOf = [&](const SceneParts::Extremes& all)
+  {
+    return ScreenProjection(toClip, width / scale.Pixels, height / scale.Pixels, all.Reach,
+      snapping, glm::vec2(all.Growth / pixels), before);
+  };
+  this->Known.emplace(projectionOf(parts.OfHideable()));
+  this->KnownOfViewAlone.emplace(projectionOf(parts.OfViewAlone()));
   return true;
 }
 

@@ -37,8 +37,12 @@ public:
 
   const ScreenProjection& Projection() const { return *this->Known; }
 
+  /** The same for parts that the view alone hides, which may be drawn wider. */
+  const ScreenProjection& ProjectionOfViewAlone() const { return *this->KnownOfViewAlone; }
+
 private:
   std::optional<ScreenProjection> Known;
+  std::optional<ScreenProjection> KnownOfViewAlone;
 };
 
 }

@@ -1,9 +1,11 @@
 #include "culling/SceneParts.h"
 
 #include "culling/ActorRules.h"
+#include "culling/DrawingMapper.h"
 #include "culling/ScalarColors.h"
 
 #include "vtkActor.h"
+#include "vtkDataSetMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -169,23 +171,20 @@ void SceneParts::Look(std::uint32_t i)
   {
     return;
   }
-  part.Mapper = static_cast<vtkPolyDataMapper*>(part.Actor->GetMapper());
-  const bool hasInput = part.Mapper->GetNumberOfInputConnections(0) > 0;
-  part.Producer =
-    hasInput ? vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm()) : nullptr;
-  if (hasInput && !part.Producer && !part.Mapper->GetStatic())
+  if (!this->LookAtMapper(part))
   {
-    this->MakeData(part.Mapper);
+    part.Actor = nullptr;
+    part.PropTime = 0; // there may be one without the actor's knowing
+    return;
   }
-  part.MapperTime = part.Mapper->GetMTime();
-  part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
-  if (BringTheirTable(part.Mapper, ScalarsOf(part.Mapper, part.Mapper->GetInput())))
+  vtkMapper* const mapper = part.Actor->GetMapper();
+  if (BringTheirTable(mapper, ScalarsOf(mapper, mapper->GetInput())))
   {
     part.Actor = nullptr;
     part.PropTime = 0; // the mapper takes the table without the actor's knowing
     return;
   }
-  part.Divided = DividedMapperOf(part.Mapper);
+  part.Divided = MayBeBehindOthers(part.Actor) ? DividedMapperOf(part.Mapper) : nullptr;
   part.Division = part.Divided ? part.Divided->PartsFor(part.Actor) : nullptr;
   if (!part.Division)
   {
@@ -193,9 +192,39 @@ void SceneParts::Look(std::uint32_t i)
   }
 }
 
-/** Has filters make what the mapper draws, and notes if that is other data than before. */
-void SceneParts::MakeData(vtkPolyDataMapper* mapper)
+/** Notes by what the actor is drawn, whose data are made then. Returns false if that is not known. */
+bool SceneParts::LookAtMapper(Part& part)
 {
+  part.SurfaceMapper = SurfaceMapperOf(part.Actor);
+  if (part.SurfaceMapper)
+  {
+    this->MakeData(part.SurfaceMapper);
+  }
+  part.SurfaceMapperTime = part.SurfaceMapper ? part.SurfaceMapper->GetMTime() : 0;
+  part.Mapper = DrawingMapperOf(part.Actor);
+  if (!part.Mapper)
+  {
+    return false;
+  }
+  const bool hasInput = part.Mapper->GetNumberOfInputConnections(0) > 0;
+  part.Producer =
+    hasInput ? vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm()) : nullptr;
+  if (!part.Producer)
+  {
+    this->MakeData(part.Mapper);
+  }
+  part.MapperTime = part.Mapper->GetMTime();
+  part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
+  return true;
+}
+
+/** Has filters make what the mapper draws, and notes if that is other data than before. */
+void SceneParts::MakeData(vtkMapper* mapper)
+{
+  if (mapper->GetStatic() || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
   vtkDataObject* before = mapper->GetInputDataObject(0, 0);
   const vtkMTimeType time = before ? before->GetMTime() : 0;
   mapper->Update();

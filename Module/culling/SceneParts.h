@@ -15,6 +15,8 @@
 #include <vector>
 
 class vtkActor;
+class vtkDataSetMapper;
+class vtkMapper;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkProp;
@@ -38,7 +40,7 @@ public:
   /** Where boxes and occluders count from, in world coordinates (WC). */
   const glm::dvec3& Origin() const { return this->Middle; }
 
-  /** Of all boxes; what cannot be hidden is not in it. */
+  /** Of all boxes of what others may hide. */
   const LooseOctree& Tree() const { return this->Boxes; }
 
   /** Puts 1 for the parts that were in the last update, 0 for others. */
@@ -57,11 +59,22 @@ public:
   std::shared_ptr<const ShownParts> Tell(vtkRenderer* renderer, const ViewMatrices& view, int i,
     const std::vector<std::uint8_t>& visible) const;
 
-  /** The largest sums of absolute values that lead to coordinates from the origin. */
-  const glm::dvec3& Reach() const { return this->Farthest; }
+  /** What many parts have of something at most. */
+  struct Extremes
+  {
+    glm::dvec3 Reach{ 0.0 }; ///< sums of absolute values that lead to coordinates from the origin
+    float Growth = 0.0f;     ///< by how many pixels lines and points are drawn wider than they are
+  };
 
-  /** By how many pixels lines and points are drawn wider than they are. */
-  float LargestGrowth() const { return this->Growth; }
+  /** Of those that others may hide, and of those that the view alone does. */
+  const Extremes& OfHideable() const { return this->ExtremesOfHideable; }
+  const Extremes& OfViewAlone() const { return this->ExtremesOfViewAlone; }
+
+  /** How many parts others do not hide, but the view does. */
+  std::size_t CountOfViewAlone() const { return this->ViewAlone.size(); }
+
+  /** Puts 0 for those of them that lie outside of the view. */
+  void DropOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const;
 
   /**
    * Has parts show that were found hidden where they are, but not where a device may draw them: beside their faces, and those that the eye sees from their edge at any depth. And all wireframes:
@@ -94,8 +107,10 @@ private:
     vtkActor* Actor = nullptr; ///< null if it cannot be hidden
     vtkShaderProperty* Shader = nullptr;
     vtkMTimeType ShaderTime = 0;
-    vtkPolyDataMapper* Mapper = nullptr;
+    vtkPolyDataMapper* Mapper = nullptr; ///< that draws (DrawingMapper.h)
     vtkMTimeType MapperTime = 0;
+    vtkDataSetMapper* SurfaceMapper = nullptr; ///< that has it draw, if one does
+    vtkMTimeType SurfaceMapperTime = 0;
     vtkTrivialProducer* Producer = nullptr; ///< of the data; null if something makes them
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
@@ -107,12 +122,14 @@ private:
     bool MayHide = false;
     bool HasBackFaces = true; ///< that are drawn
     bool IsWireframe = false;
+    bool IsOfViewAlone = false; ///< whether others do not hide it, but the view does
     float Growth = 0.0f;
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dmat4 FromWorld{ 1.0 };
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     DeviceCoordinates Drawn;
     std::vector<std::uint32_t> Pieces; ///< the parts of the division
+    Box InView;                        ///< its box if it is of the view alone
   };
 
   class Shapes;
@@ -125,7 +142,7 @@ private:
     const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
   void LookAtOpacity(std::uint32_t part);
-  void MakeData(vtkPolyDataMapper* mapper);
+  void MakeData(vtkMapper* mapper);
   void LookAnewIfSettingsChanged();
   void ForgetAbsent();
   void FindAll(vtkProp* const* props, int count);
@@ -136,10 +153,12 @@ private:
   bool IsPlain(std::uint32_t i) const;
   bool IsUnchanged(std::uint32_t i) const;
   void Look(std::uint32_t i);
+  bool LookAtMapper(Part& part);
   void LookAtData(Part& part);
   void ReadActor(Part& part);
   static DeviceCoordinates CoordinatesOf(const Part& part);
   Box Read(Part& part, const DeviceCoordinates& drawn) const;
+  const Box& BoxInWorld(std::size_t part) const;
   void Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved);
   void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);
@@ -170,8 +189,9 @@ private:
   LooseOctree Boxes;
   std::pair<int, vtkTypeBool> Settings{}; ///< of the whole program, as they were
   glm::dvec3 Middle{ 0.0 };
-  glm::dvec3 Farthest{ 0.0 };
-  float Growth = 0.0f;
+  Extremes ExtremesOfHideable;
+  Extremes ExtremesOfViewAlone;
+  std::vector<BoxedPart> ViewAlone; ///< parts of the view alone
 };
 
 }

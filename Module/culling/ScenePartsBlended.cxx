@@ -2,10 +2,10 @@
 #include "culling/SceneParts.h"
 
 #include "Core/culling/ScreenProjection.h"
+#include "culling/ActorRules.h"
 
 #include "vtkActor.h"
 #include "vtkMath.h"
-#include "vtkProperty.h"
 
 #include <glm/vec3.hpp>
 
@@ -24,18 +24,12 @@ bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b, float beside)
     b.Bottom <= a.Top + beside;
 }
 
-/** By how many pixels more than its points an actor may be drawn; of those that cannot be hidden it is not known what a device rounds. */
-float GrowthOf(vtkActor* actor)
-{
-  vtkProperty* property = actor->GetProperty();
-  return 1.0f + std::max(property->GetPointSize(), property->GetLineWidth());
-}
-
 /** Where an actor is seen in the view, if it is; and how far beside that. */
 void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProjection& view,
   std::vector<ScreenRectangle>& rectangles, float& beside)
 {
-  beside = std::max(beside, GrowthOf(actor));
+  beside = std::max(beside,
+    MostGrowthOf(actor)); // of those that cannot be hidden it is not known what a device rounds
   const double* const bounds = actor->GetBounds();
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {

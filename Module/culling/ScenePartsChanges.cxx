@@ -6,6 +6,7 @@
 #include "culling/PartChunks.h"
 
 #include "vtkActor.h"
+#include "vtkDataSetMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkShaderProperty.h"
@@ -127,6 +128,7 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
   }
   return ShaderPropertyOf(prop) == part.Shader &&
     (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
+    (!part.SurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
     part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
     part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
     (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&

@@ -71,12 +71,13 @@ DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
 /** Returns the part's box: empty if it cannot be hidden. */
 Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
 {
-  part.Growth = GrowthOf(part.Actor, *part.Geometry);
+  part.IsOfViewAlone = !MayBeBehindOthers(part.Actor);
+  part.Growth =
+    part.IsOfViewAlone ? MostGrowthOf(part.Actor) : GrowthOf(part.Actor, *part.Geometry);
   part.MayHide = part.MayHide && part.Geometry->IsFinite();
   const glm::dvec3& least = part.Geometry->Least();
   const glm::dvec3& greatest = part.Geometry->Greatest();
-  if (!part.Geometry->IsFinite() || !IsAffine(part.ToWorld) || part.Growth < 0.0f ||
-    !(least.x <= greatest.x))
+  if (!part.Geometry->IsFinite() || !IsAffine(part.ToWorld) || !(least.x <= greatest.x))
   {
     part.Growth = 0.0f;
     return Box();
@@ -105,9 +106,12 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
 /** Notes where a part is now, and that it has moved, if it has. */
 void SceneParts::Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved)
 {
-  if (!(this->BoxOf[part] == box))
+  const bool isOfViewAlone = this->Parts[part].IsOfViewAlone;
+  const Box hideable = isOfViewAlone ? Box() : box;
+  this->Parts[part].InView = isOfViewAlone ? box : Box();
+  if (!(this->BoxOf[part] == hideable))
   {
-    this->BoxOf[part] = box;
+    this->BoxOf[part] = hideable;
     moved.push_back(part);
   }
 }
@@ -187,16 +191,23 @@ void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
   }
 }
 
+/** Empty if it may be anywhere. */
+const Box& SceneParts::BoxInWorld(std::size_t part) const
+{
+  return this->Parts[part].IsOfViewAlone ? this->Parts[part].InView : this->BoxOf[part];
+}
+
 /** Whether parts are small for how far they are from the origin, as those on maps are. */
 bool SceneParts::IsFarOff(glm::dvec3& middle) const
 {
   glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    if (this->BoxOf[i].IsPlaceable() && (this->SeenIn[i] == this->Frame || !this->PropOf[i]))
+    const Box& box = this->BoxInWorld(i);
+    if (box.IsPlaceable() && (this->SeenIn[i] == this->Frame || !this->PropOf[i]))
     {
-      least = glm::min(least, glm::dvec3(this->BoxOf[i].Min));
-      greatest = glm::max(greatest, glm::dvec3(this->BoxOf[i].Max));
+      least = glm::min(least, glm::dvec3(box.Min));
+      greatest = glm::max(greatest, glm::dvec3(box.Max));
     }
   }
   middle = 0.5 * (least + greatest);
@@ -229,14 +240,21 @@ void SceneParts::MoveOrigin(const glm::dvec3& middle)
 
 void SceneParts::MeasureAll()
 {
-  this->Farthest = glm::dvec3(0.0);
-  this->Growth = 0.0f;
+  this->ExtremesOfHideable = this->ExtremesOfViewAlone = Extremes();
+  this->ViewAlone.clear();
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    if (this->BoxOf[i].IsPlaceable())
+    const Part& part = this->Parts[i];
+    if (!this->BoxInWorld(i).IsPlaceable())
     {
-      this->Farthest = glm::max(this->Farthest, this->Parts[i].Sums);
-      this->Growth = std::max(this->Growth, this->Parts[i].Growth);
+      continue;
+    }
+    Extremes& all = part.IsOfViewAlone ? this->ExtremesOfViewAlone : this->ExtremesOfHideable;
+    all.Reach = glm::max(all.Reach, part.Sums);
+    all.Growth = std::max(all.Growth, part.Growth);
+    if (part.IsOfViewAlone)
+    {
+      this->ViewAlone.push_back({ static_cast<std::uint32_t>(i), part.InView });
     }
   }
 }

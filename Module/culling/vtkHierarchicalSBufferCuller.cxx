@@ -212,9 +212,10 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     parts.LookAgain(culler, view.Projection(), known.Drawn, known.Visible);
     known.HasBuffer = true;
   }
+  parts.DropOutside(view.ProjectionOfViewAlone(), known.Visible);
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();
-  this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested);
+  this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested + parts.CountOfViewAlone());
   this->NumberOfTestedNodes = static_cast<int>(culler.Counts().Nodes);
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.BufferCounts().Inserted);

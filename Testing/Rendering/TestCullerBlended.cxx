@@ -8,7 +8,6 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCubeSource.h"
 #include "vtkCulledCompositePolyDataMapper.h"
-#include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkLightsPass.h"
 #include "vtkLinkedListTransparencyPass.h"
@@ -85,6 +84,13 @@ protected:
   std::vector<vtkSmartPointer<vtkActor>> Boxes;
 };
 
+// That changes nothing, so that it is drawn as it is; but the culler does not know that.
+void AddShaderCode(vtkActor* actor)
+{
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Color::Impl", true, "//VTK::Color::Impl\n", false);
+}
+
 TEST_P(CullerBlended, WhatIsForcedToBeOpaque)
 {
   this->ExpectShinesThrough(this->AddForced());
@@ -93,9 +99,7 @@ TEST_P(CullerBlended, WhatIsForcedToBeOpaque)
 TEST_P(CullerBlended, WhatIsForcedAndCannotBeHidden)
 {
   const vtkSmartPointer<vtkActor> front = this->AddForced();
-  vtkNew<vtkDataSetMapper> mapper;
-  mapper->SetInputData(static_cast<vtkPolyDataMapper*>(front->GetMapper())->GetInput());
-  front->SetMapper(mapper);
+  AddShaderCode(front);
   this->ExpectShinesThrough(front);
 }
 
@@ -118,15 +122,10 @@ TEST_P(CullerBlended, PointsThatCannotBeHidden)
     vtkNew<vtkPolyData> mesh;
     mesh->SetPoints(points);
     mesh->SetVerts(verts);
-    vtkNew<vtkDataSetMapper> mapper;
-    mapper->SetInputData(mesh);
-    vtkNew<vtkActor> blended;
-    blended->SetMapper(mapper);
+    const vtkSmartPointer<vtkActor> blended = Scene.AddMesh(mesh, { 0.5, 0.5, 0.5, 0.5 });
+    AddShaderCode(blended);
     blended->ForceOpaqueOn();
-    blended->GetProperty()->SetOpacity(0.5);
-    blended->GetProperty()->LightingOff();
     blended->GetProperty()->SetPointSize(size);
-    Scene.Renderer->AddActor(blended);
     Scene.AddWall();
     Scene.ExpectSame();
   }

@@ -1,0 +1,66 @@
+#include "culling/DrawingMapper.h"
+
+#include "culling/ClassName.h"
+#include "culling/DividedMapper.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** Whether the mapper within draws what the other one has now: polydata themselves, of others what a filter makes of them. */
+bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
+{
+  vtkDataSet* const input = mapper->GetInput();
+  if (!input || within->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  if (input->GetDataObjectType() == VTK_POLY_DATA)
+  {
+    return within->GetInputConnection(0, 0) == mapper->GetInputConnection(0, 0);
+  }
+  vtkAlgorithm* const filter = within->GetInputAlgorithm();
+  return filter->GetNumberOfInputPorts() > 0 && filter->GetNumberOfInputConnections(0) > 0 &&
+    filter->GetInputDataObject(0, 0) == input;
+}
+
+/** Null if it is to change. */
+vtkPolyDataMapper* MapperWithin(vtkDataSetMapper* mapper)
+{
+  vtkPolyDataMapper* const within = mapper->GetPolyDataMapper();
+  const bool isCurrent =
+    within && IsExactly<vtkOpenGLPolyDataMapper>(within) && HasItsInput(mapper, within);
+  return isCurrent ? within : nullptr;
+}
+}
+
+bool IsKnownMapper(vtkMapper* mapper)
+{
+  return IsExactly<vtkOpenGLPolyDataMapper>(mapper) || IsExactly<vtkDataSetMapper>(mapper) ||
+    DividedMapperOf(mapper);
+}
+
+vtkDataSetMapper* SurfaceMapperOf(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  return IsExactly<vtkDataSetMapper>(mapper) ? static_cast<vtkDataSetMapper*>(mapper) : nullptr;
+}
+
+vtkPolyDataMapper* DrawingMapperOf(vtkActor* actor)
+{
+  vtkDataSetMapper* const ofSurface = SurfaceMapperOf(actor);
+  vtkPolyDataMapper* const drawing =
+    ofSurface ? MapperWithin(ofSurface) : static_cast<vtkPolyDataMapper*>(actor->GetMapper());
+  return drawing && drawing->GetNumberOfSubPieces() == 1 ? drawing : nullptr;
+}
+
+}

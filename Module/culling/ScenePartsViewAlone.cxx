@@ -1,0 +1,38 @@
+// Parts that others do not hide: they are left out where they lie outside of the view.
+#include "culling/SceneParts.h"
+
+#include "Core/culling/BoxLanes.h"
+#include "Core/culling/ScreenProjection.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+void SceneParts::DropOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const
+{
+  BoxLanes boxes;
+  RectangleLanes rectangles;
+  for (std::size_t first = 0; first < this->ViewAlone.size(); first += LaneCount)
+  {
+    const auto count =
+      static_cast<int>(std::min<std::size_t>(this->ViewAlone.size() - first, LaneCount));
+    for (int lane = 0; lane < count; ++lane)
+    {
+      boxes.Set(lane, this->ViewAlone[first + static_cast<std::size_t>(lane)].Bounds);
+    }
+    view.Project(boxes, rectangles);
+    for (int lane = 0; lane < count; ++lane)
+    {
+      if ((rectangles.Outside >> lane & 1u) != 0)
+      {
+        visible[this->ViewAlone[first + static_cast<std::size_t>(lane)].Part] = 0;
+      }
+    }
+  }
+}
+
+}
