@@ -92,6 +92,11 @@ void CheckWritable(const std::string& path)
   }
 }
 
+bool AreSame(const std::string& path, const std::string& other)
+{
+  return Resolve(path) == Resolve(other);
+}
+
 void MakeFolder(const std::string& path)
 {
   std::error_code error;

@@ -13,6 +13,9 @@ namespace program
 /** Throw InputError if `path` is empty or a folder, lies in none, or may not be written. */
 void CheckWritable(const std::string& path);
 
+/** Whether two paths lead to the same place. */
+bool AreSame(const std::string& path, const std::string& other);
+
 /** Make a folder, in one that is there, unless it is there already. Throws InputError. */
 void MakeFolder(const std::string& path);
 

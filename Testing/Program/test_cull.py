@@ -29,7 +29,8 @@ class Cull(FileTest):
         self.assertEqual(
             told["settings"],
             {"width": 120, "height": 67, "multisamples": 0, "poses": 6, "seed": 1,
-             "method": "vtk-oit", "buffer_lines": 0, "turn_degrees": 0.0, "skipped_poses": 0},
+             "method": "vtk-oit", "buffer_lines": 0, "turn_degrees": 0.0, "skipped_poses": 0,
+             "projection": "both", "as": "actors", "opaque_from": 0.0, "samples": 1},
         )  # fmt: skip
         self.assertEqual(
             [row["input"] for row in told["results"]],
@@ -174,6 +175,32 @@ class Cull(FileTest):
                 result = run("cull", *arguments)
                 self.assertEqual((result.returncode, result.stdout), (2, b""))
                 self.assertEqual(result.stderr.count(b"\n"), 1, result.stderr)
+
+    def test_no_input_is_written_over(self):
+        model = self.folder / "model.png"
+        model.write_bytes(b"v 0 0 0\n")
+        link = self.folder / "link.png"
+        link.symlink_to(model)
+        for arguments in (
+            ("cull", model, "--json", model),
+            ("cull", model, "--json", link),
+            ("cull", model, "--buffer", model),
+            ("compare", model, "--json", model),
+            ("info", model, "--json", model),
+            ("lights", model, "--json", model),
+            ("lights", model, "--heat-map", model),
+            ("render", model, "-o", model),
+            ("stability", model, "--json", model),
+        ):
+            with self.subTest(arguments=arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(b"would be written, but is an INPUT", result.stderr)
+                self.assertEqual(model.read_bytes(), b"v 0 0 0\n")
+
+    def test_ideal_is_counted_far_from_the_origin_too(self):
+        row = cull("demo:large-coordinates", "--seed", "3")["results"][0]
+        self.assertLess(1, row["ideal"])
 
     def test_what_may_be_chosen_is_told(self):
         for option, choices in (

@@ -254,5 +254,25 @@ class Examples(unittest.TestCase):
                 self.assertRegex(done.stdout, r"linked-list\s.* [01]\.0")
 
 
+class Culler(unittest.TestCase):
+    def tearDown(self):
+        pyvista.close_all()
+
+    def test_leaves_out_meshes_and_grids_behind_others(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+        plotter.add_mesh(pyvista.Cube(x_length=4.0, y_length=4.0, z_length=4.0))
+        for x in (-0.5, 0.0, 0.5):
+            plotter.add_mesh(pyvista.Sphere(radius=0.2, center=(x, 0.0, 0.0)), color="tomato")
+        plotter.add_mesh(pyvista.ImageData(dimensions=(3, 3, 3), origin=(-1.0, -1.0, 0.5)))
+        culler = vitrine.vtkHierarchicalSBufferCuller()
+        plotter.renderer.GetCullers().RemoveAllItems()
+        plotter.renderer.AddCuller(culler)
+        picture_of(plotter)
+        culled = picture_of(plotter)
+        self.assertEqual(culler.GetNumberOfCulledParts(), 4)
+        culler.CullingOff()
+        numpy.testing.assert_array_equal(culled, picture_of(plotter))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -42,6 +42,7 @@ void Compare(const CompareOptions& options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckIsNoInput(options.Json, options.Scene.Inputs);
   ComparisonSettings settings;
   settings.Methods = ParseMethodList(options.Methods);
   settings.Size = ParseSize(options.Scene.Size);

@@ -1,6 +1,7 @@
 #include "commands/Commands.h"
 
 #include "Errors.h"
+#include "OutputFile.h"
 #include "OutputPicture.h"
 #include "Progress.h"
 #include "commands/Options.h"
@@ -9,8 +10,6 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
-#include <filesystem>
-#include <map>
 #include <memory>
 
 namespace program
@@ -32,13 +31,6 @@ struct CullOptions
   std::optional<std::string> Json;
 };
 
-const std::map<std::string, PoseProjection> Projections = { { "perspective",
-                                                              PoseProjection::Perspective },
-  { "parallel", PoseProjection::Parallel }, { "both", PoseProjection::Both } };
-
-const std::map<std::string, SceneForm> Forms = { { "actors", SceneForm::Actors },
-  { "blocks", SceneForm::Blocks }, { "mesh", SceneForm::Mesh } };
-
 /** Throw InputError if the picture of --buffer could not be written, or is not one. */
 void CheckBufferPath(const CullOptions& options)
 {
@@ -49,9 +41,8 @@ void CheckBufferPath(const CullOptions& options)
   if (options.Buffer)
   {
     CheckPicturePath(*options.Buffer);
-    if (options.Json &&
-      std::filesystem::weakly_canonical(*options.Json) ==
-        std::filesystem::weakly_canonical(*options.Buffer))
+    CheckIsNoInput(options.Buffer, options.Inputs);
+    if (options.Json && AreSame(*options.Json, *options.Buffer))
     {
       throw InputError("--buffer", "is the file of --json, too");
     }
@@ -62,10 +53,15 @@ void Cull(CullOptions options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckIsNoInput(options.Json, options.Inputs);
   CheckBufferPath(options);
   options.Settings.Size = ParseSize(options.Size);
-  options.Settings.Projection = Projections.at(options.Projection);
-  options.Settings.Form = Forms.at(options.Form);
+  options.Settings.Projection = NamesOfProjections().at(options.Projection);
+  options.Settings.Form = NamesOfForms().at(options.Form);
+  if (!options.KeepsOpacity)
+  {
+    options.Settings.OpaqueFrom = options.OpaqueFrom;
+  }
   options.Settings.CountsIdeal = !options.WithoutIdeal;
   options.Settings.ShowsBuffer = options.Buffer.has_value();
   std::vector<CullRun> runs;
@@ -75,9 +71,9 @@ void Cull(CullOptions options)
     {
       progress.Show(input + ": reading");
       Scene scene = LoadInput(input);
-      if (!options.KeepsOpacity)
+      if (options.Settings.OpaqueFrom)
       {
-        MakeOpaque(scene, options.OpaqueFrom);
+        MakeOpaque(scene, *options.Settings.OpaqueFrom);
       }
       scene.Name = input;
       runs.push_back(MeasureCulling(scene, options.Settings,
@@ -153,8 +149,9 @@ void AddCullCommand(CLI::App& app)
     ->capture_default_str();
   command
     ->add_option("--turn", options->Settings.TurnDegrees,
-      "degrees by which the camera turns around its focal point from the frame before to the "
-      "measured one")
+      "degrees, 0 to 360, by which the camera turns around its focal point from the frame before "
+      "to "
+      "the measured one")
     ->type_name("D")
     ->check(NumberWithin(0.0, 360.0))
     ->capture_default_str();

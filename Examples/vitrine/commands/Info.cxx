@@ -57,6 +57,7 @@ void Info(const InfoOptions& options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckIsNoInput(options.Json, options.Scene.Inputs);
   Progress progress;
   progress.Show("reading the scene");
   const Scene scene = LoadScene(options.Scene);

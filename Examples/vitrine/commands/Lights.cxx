@@ -41,6 +41,7 @@ void CheckHeatMapPath(const LightsOptions& options)
   if (options.HeatMap)
   {
     CheckPicturePath(*options.HeatMap);
+    CheckIsNoInput(options.HeatMap, options.Inputs);
   }
 }
 
@@ -77,6 +78,7 @@ void MeasureLights(LightsOptions options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckIsNoInput(options.Json, options.Inputs);
   CheckHeatMapPath(options);
   options.Plan.Modes = ParseModeList(options.Modes);
   options.Plan.Size = ParseSize(options.Size);

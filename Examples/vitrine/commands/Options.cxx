@@ -171,6 +171,18 @@ void CheckJsonPath(const std::optional<std::string>& file)
   }
 }
 
+void CheckIsNoInput(
+  const std::optional<std::string>& written, const std::vector<std::string>& inputs)
+{
+  const bool isInput = written &&
+    std::any_of(inputs.begin(), inputs.end(),
+      [&](const std::string& input) { return AreSame(*written, input); });
+  if (isInput)
+  {
+    throw InputError(*written, "would be written, but is an INPUT");
+  }
+}
+
 void PrintText(const std::optional<std::string>& file, const std::string& text)
 {
   if (file != StandardOutput)

@@ -54,6 +54,10 @@ void AddJsonOption(CLI::App& command, std::optional<std::string>& file);
 /** Throw InputError if --json names a file that could not be written. */
 void CheckJsonPath(const std::optional<std::string>& file);
 
+/** Throw InputError if what would be written, if anything, is one of the files that are read. */
+void CheckIsNoInput(
+  const std::optional<std::string>& written, const std::vector<std::string>& inputs);
+
 /** Print `text`, unless --json is what goes to stdout. Throws RuntimeError if it cannot be written. */
 void PrintText(const std::optional<std::string>& file, const std::string& text);
 

@@ -28,6 +28,7 @@ void Render(const RenderOptions& options)
   vtkHeadlessRenderWindow::InstallOverride();
   Progress progress;
   CheckPicturePath(options.Output);
+  CheckIsNoInput(options.Output, options.Scene.Inputs);
   const PictureSize size = ParseSize(options.Scene.Size);
   std::unique_ptr<Method> method = MakeMethod(options.Method);
   const std::string problem = method->SetCoincidence(ParseCoincidence(options.Coincidence));

@@ -111,6 +111,7 @@ void Stability(const StabilityOptions& options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
+  CheckIsNoInput(options.Json, options.Inputs);
   StabilityResult result;
   result.Settings = ToSettings(options);
   Progress progress;

@@ -151,6 +151,7 @@ public:
   }
 
   Device GetDevice() { return this->Window.GetDevice(); }
+  int GetSamples() { return this->Window.GetSamples(); }
 
 private:
   CullStage(const Scene& scene, const CullSettings& settings, std::unique_ptr<CulledMethod> cullers)
@@ -236,6 +237,7 @@ CullRun MeasureCulling(
     run.LastPicture = stage.PictureWithBuffer();
   }
   run.DrawnBy = stage.GetDevice();
+  run.Samples = stage.GetSamples();
   return run;
 }
 

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,10 @@ struct CullSettings
   PoseProjection Projection = PoseProjection::Both;
   std::uint64_t Seed = 1;
   std::string Method = "vtk-oit";
-  int BufferLines = 0;      ///< at most; 0 for as many as pay
-  double TurnDegrees = 0.0; ///< of the camera around its focal point since the frame before
-  bool CountsIdeal = true;  ///< where parts are those of the scene
+  int BufferLines = 0;              ///< at most; 0 for as many as pay
+  double TurnDegrees = 0.0;         ///< of the camera around its focal point since the frame before
+  std::optional<double> OpaqueFrom; ///< parts of no less opacity were made opaque, if any were
+  bool CountsIdeal = true;          ///< where parts are those of the scene
   SceneForm Form = SceneForm::Actors;
   bool ShowsBuffer = false; ///< in a picture of the last pose
 };
@@ -51,6 +53,7 @@ struct CullRun
   std::string Name;
   std::size_t Parts = 0; ///< of a mesh, what it is cut into
   std::size_t OpaqueParts = 0;
+  int Samples = 1;             ///< of a pixel: what the device has of those that were asked for
   bool HasIdealFrames = false; ///< only actors can be left out by a culler
   CullSettings Settings;
   Device DrawnBy;

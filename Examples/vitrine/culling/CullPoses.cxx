@@ -5,6 +5,14 @@
 namespace program
 {
 
+const std::map<std::string, PoseProjection>& NamesOfProjections()
+{
+  static const std::map<std::string, PoseProjection> names = { { "perspective",
+                                                                 PoseProjection::Perspective },
+    { "parallel", PoseProjection::Parallel }, { "both", PoseProjection::Both } };
+  return names;
+}
+
 CullPoses::CullPoses(const Scene& scene, PoseProjection projection, std::uint64_t seed)
   : Bounds(SceneBounds(scene))
   , Radius(0.5 *

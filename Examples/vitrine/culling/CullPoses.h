@@ -10,6 +10,9 @@
 #include "vtkCamera.h"
 #include "vtkSmartPointer.h"
 
+#include <map>
+#include <string>
+
 namespace program
 {
 
@@ -20,6 +23,9 @@ enum class PoseProjection
   Parallel,
   Both ///< in turns
 };
+
+/** As --projection and JSON call them. */
+const std::map<std::string, PoseProjection>& NamesOfProjections();
 
 /** The next of an endless row of poses, the same for the same seed. */
 class CullPoses

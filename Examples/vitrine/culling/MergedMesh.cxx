@@ -8,6 +8,7 @@ namespace program
 
 MergedMesh::MergedMesh()
 {
+  this->Points->SetDataTypeToDouble(); // so that parts far from the origin stay where they are
   this->Colors->SetNumberOfComponents(3);
 }
 

@@ -51,6 +51,13 @@ vtkSmartPointer<vtkMapper> MapMesh(const Scene& scene)
 }
 }
 
+const std::map<std::string, SceneForm>& NamesOfForms()
+{
+  static const std::map<std::string, SceneForm> names = { { "actors", SceneForm::Actors },
+    { "blocks", SceneForm::Blocks }, { "mesh", SceneForm::Mesh } };
+  return names;
+}
+
 vtkSmartPointer<vtkActor> MakeActorOfAll(const Scene& scene, SceneForm form)
 {
   auto actor = vtkSmartPointer<vtkActor>::New();

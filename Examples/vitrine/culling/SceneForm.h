@@ -6,6 +6,9 @@
 
 #include "scene/Scene.h"
 
+#include <map>
+#include <string>
+
 namespace program
 {
 
@@ -15,6 +18,9 @@ enum class SceneForm
   Blocks, ///< of one actor's composite data set
   Mesh    ///< of one actor, in which parts follow one another
 };
+
+/** As --as and JSON call them. */
+const std::map<std::string, SceneForm>& NamesOfForms();
 
 /** One opaque actor of all polygons of a scene, in the colours of their parts, as blocks or as a mesh. */
 vtkSmartPointer<vtkActor> MakeActorOfAll(const Scene& scene, SceneForm form);

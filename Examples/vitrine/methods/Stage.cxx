@@ -115,6 +115,11 @@ Device Stage::GetDevice()
   return DescribeDevice(this->Window);
 }
 
+int Stage::GetSamples()
+{
+  return std::max(this->Window->GetMultiSamples(), 1);
+}
+
 void RequireFewLights(const Scene& scene, std::size_t most)
 {
   if (scene.Lights.size() > most)

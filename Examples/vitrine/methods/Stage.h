@@ -67,6 +67,9 @@ public:
   PictureSize GetSize() const { return this->Size; }
   Device GetDevice();
 
+  /** Of a pixel of the last frame: as many as the device has of those that were asked for. */
+  int GetSamples();
+
 private:
   std::unique_ptr<Method> DrawingMethod;
   PictureSize Size;

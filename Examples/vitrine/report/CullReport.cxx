@@ -4,8 +4,11 @@
 #include "report/Json.h"
 #include "report/TextTable.h"
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace program
 {
@@ -67,6 +70,14 @@ double Without(const CullFrame& frame)
 double Ideally(const CullFrame& frame)
 {
   return frame.FrameMillisecondsIdeal;
+}
+
+template <class Value>
+std::string NameOf(const std::map<std::string, Value>& names, Value value)
+{
+  return std::find_if(
+    names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; })
+    ->first;
 }
 
 /** Of all parts, the share that is not drawn. */
@@ -142,7 +153,10 @@ std::string ToJson(const std::vector<CullRun>& runs)
     { "multisamples", settings.Multisamples }, { "poses", settings.Poses },
     { "seed", settings.Seed }, { "method", settings.Method },
     { "buffer_lines", settings.BufferLines }, { "turn_degrees", settings.TurnDegrees },
-    { "skipped_poses", settings.SkippedPoses } };
+    { "skipped_poses", settings.SkippedPoses },
+    { "projection", NameOf(NamesOfProjections(), settings.Projection) },
+    { "as", NameOf(NamesOfForms(), settings.Form) }, { "opaque_from", OrNull(settings.OpaqueFrom) },
+    { "samples", runs.front().Samples } };
   document["results"] = Json::array();
   for (const CullRun& run : runs)
   {
