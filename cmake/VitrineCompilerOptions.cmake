@@ -3,7 +3,9 @@ add_compile_options(-Wall -Wextra)
 # Lanes are never handed over between functions that are not inlined (Core/culling/Lanes.h).
 add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-psabi>)
 if (VITRINE_SANITIZE)
-  add_compile_options(-fsanitize=${VITRINE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # What the address sanitizer finds as well would take a fifth of the time to compile.
+  add_compile_options(-fsanitize=${VITRINE_SANITIZE} -fno-sanitize=null,object-size,vptr -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${VITRINE_SANITIZE})
 endif ()
 

@@ -11,7 +11,8 @@ foreach (entry CMakeLists.txt LICENSE Module Testing cmake vtk.module)
 endforeach ()
 
 run("${CMAKE_COMMAND}" -S "${WORK_DIR}/source" -B "${WORK_DIR}/build" -G "${GENERATOR}"
-  "-DVTK_DIR=${VTK_DIR}" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0)
+  "-DVTK_DIR=${VTK_DIR}" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
+  -DCMAKE_UNITY_BUILD=ON)
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 
 file(GLOB_RECURSE libraries "${WORK_DIR}/build/libvtkVitrineRendering*.so")

@@ -228,7 +228,7 @@ TEST_P(FewFacetsCoverage, IsTrueOfNearlyLevelEdges)
 TEST_P(FewFacetsCoverage, IsTrueOfBentFacets)
 {
   int covered = 0;
-  for (unsigned seed = 1; seed <= 3000 && !HasFailure(); ++seed)
+  for (unsigned seed = 1; seed <= 1000 && !HasFailure(); ++seed)
   {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -242,7 +242,7 @@ TEST_P(FewFacetsCoverage, IsTrueOfBentFacets)
     quad.AddQuad(corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1));
     covered += JudgeOnScreen(quad, RandomMargin(random), FewFacing::Front, random);
   }
-  EXPECT_GT(covered, 700);
+  EXPECT_GT(covered, 200);
 }
 
 TEST_P(FewFacetsCoverage, IsTrueOfWhatIsHugeOrHasNoPlace)
