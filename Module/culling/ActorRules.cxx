@@ -9,6 +9,7 @@
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
+#include "vtkDataSetMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -57,6 +58,19 @@ bool StandsInWorld(vtkActor* actor)
 #endif
 }
 
+/** In pixels, of lines or points. */
+float WidthOf(vtkActor* actor)
+{
+  return std::max(actor->GetProperty()->GetLineWidth(), actor->GetProperty()->GetPointSize());
+}
+
+/** Whether a vtkDataSetMapper may have the mapper within colour by other arrays than it tells: that one never learns which of a data set's own arrays. */
+bool MayColorByOthers(vtkMapper* mapper)
+{
+  return mapper && IsExactly<vtkDataSetMapper>(mapper) && mapper->GetScalarVisibility() &&
+    mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA;
+}
+
 /** Blocks of a composite mapper are looked at one by one. */
 bool IsTranslucentAsAWhole(vtkActor* actor)
 {
@@ -90,10 +104,10 @@ vtkActor* AsHideable(vtkProp* prop)
   return StandsInWorld(actor) && !HasShaderCode(actor) ? actor : nullptr;
 }
 
-bool MayBeBehindOthers(vtkActor* actor)
+bool MayBeBehindOthers(vtkActor* actor, vtkMapper* drawing)
 {
   vtkProperty* property = actor->GetProperty();
-  return vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+  return vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF && !drawing->GetSelection() &&
     !property->GetEdgeVisibility() && !property->GetVertexVisibility() &&
     !property->GetRenderPointsAsSpheres() && !property->GetRenderLinesAsTubes();
 }
@@ -137,13 +151,15 @@ float GrowthOf(vtkActor* actor, const PartGeometry& geometry)
 {
   const bool isThin =
     actor->GetProperty()->GetRepresentation() != VTK_SURFACE || geometry.HasThinCells();
-  return isThin ? MostGrowthOf(actor) : 0.0f;
+  return isThin ? WidthOf(actor) + BesidesWidth : 0.0f;
 }
 
 float MostGrowthOf(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
-  return std::max(property->GetLineWidth(), property->GetPointSize()) + BesidesWidth;
+  return BesidesWidth +
+    std::max(
+      { WidthOf(actor), property->GetSelectionLineWidth(), property->GetSelectionPointSize() });
 }
 
 bool IsNonOccluding(vtkActor* actor)
@@ -155,7 +171,7 @@ bool IsNonOccluding(vtkActor* actor)
 bool IsOpaque(vtkActor* actor)
 {
   return !IsTranslucentAsAWhole(actor) && actor->GetProperty()->GetOpacity() >= 1.0 &&
-    !HasTranslucentBack(actor) &&
+    !HasTranslucentBack(actor) && !MayColorByOthers(actor->GetMapper()) &&
     AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
 }
 
@@ -177,7 +193,7 @@ bool MayBlendAmongOpaque(vtkActor* actor, bool areTexturesOpaque)
 {
   vtkMapper* mapper = actor->GetMapper();
   const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 || HasTranslucentBack(actor) ||
-    HasShaderCode(actor) || !areTexturesOpaque ||
+    HasShaderCode(actor) || !areTexturesOpaque || MayColorByOthers(mapper) ||
     (mapper && !AreColorsOpaque(mapper, mapper->GetInput())) ||
     (actor->GetForceOpaque() && mapper &&
       (mapper->IsA("vtkCompositePolyDataMapper2") || mapper->IsA("vtkCompositePolyDataMapper")));

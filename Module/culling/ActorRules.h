@@ -4,6 +4,7 @@
 #include "vtkType.h"
 
 class vtkActor;
+class vtkMapper;
 class vtkPolyDataMapper;
 class vtkProp;
 class vtkShaderProperty;
@@ -14,15 +15,16 @@ namespace vitrine
 class PartGeometry;
 
 /**
- * The prop as an actor that is drawn where its data's points are, so that it can be hidden; null for all others: other
+ * The prop as an actor that is drawn where its data's points are, so that others or the view can hide it; null for all others: other
  * classes, other mappers, coordinates of the room or the device, shader code of the user's.
  */
 vtkActor* AsHideable(vtkProp* prop);
 
 /**
- * Whether others may hide the actor, and not the view alone: not where depths are offset for what is coincident, nor with edges, vertices, spheres or tubes, which have depths of their own.
+ * Whether others may hide the actor, and not the view alone: not where depths are offset for what is coincident, nor with edges, vertices, spheres, tubes or a selection, which have depths of their own.
+ * @param drawing  the mapper that draws it
  */
-bool MayBeBehindOthers(vtkActor* actor);
+bool MayBeBehindOthers(vtkActor* actor, vtkMapper* drawing);
 
 /** What vtkProp::GetShaderProperty() tells, null where that would make one. */
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);

@@ -16,7 +16,17 @@ namespace vitrine
 namespace
 {
 
-/** Whether the mapper within draws what the other one has now: polydata themselves, of others what a filter makes of them. */
+/** Has access to a member of all of them, whose class is another one in later releases of VTK. */
+class AnyDataSetMapper : public vtkDataSetMapper
+{
+public:
+  static const void* ExtractorOf(vtkDataSetMapper* mapper)
+  {
+    return mapper->*(&AnyDataSetMapper::GeometryExtractor);
+  }
+};
+
+/** Whether the mapper within draws what the other one has now: polydata themselves, of others what its own filter makes of them. */
 bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
 {
   vtkDataSet* const input = mapper->GetInput();
@@ -29,8 +39,8 @@ bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
     return within->GetInputConnection(0, 0) == mapper->GetInputConnection(0, 0);
   }
   vtkAlgorithm* const filter = within->GetInputAlgorithm();
-  return filter->GetNumberOfInputPorts() > 0 && filter->GetNumberOfInputConnections(0) > 0 &&
-    filter->GetInputDataObject(0, 0) == input;
+  return dynamic_cast<void*>(filter) == AnyDataSetMapper::ExtractorOf(mapper) &&
+    filter->GetNumberOfInputConnections(0) > 0 && filter->GetInputDataObject(0, 0) == input;
 }
 
 /** Null if it is to change. */

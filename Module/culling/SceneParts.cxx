@@ -131,6 +131,7 @@ void SceneParts::ForgetAbsent()
   this->BoxOf.clear();
   this->Index.clear();
   this->Boxes = LooseOctree();
+  this->ViewAlone.clear();
 }
 
 /**
@@ -184,7 +185,8 @@ void SceneParts::Look(std::uint32_t i)
     part.PropTime = 0; // the mapper takes the table without the actor's knowing
     return;
   }
-  part.Divided = MayBeBehindOthers(part.Actor) ? DividedMapperOf(part.Mapper) : nullptr;
+  part.IsOfViewAlone = !MayBeBehindOthers(part.Actor, part.Mapper);
+  part.Divided = part.IsOfViewAlone ? nullptr : DividedMapperOf(part.Mapper);
   part.Division = part.Divided ? part.Divided->PartsFor(part.Actor) : nullptr;
   if (!part.Division)
   {
@@ -196,10 +198,6 @@ void SceneParts::Look(std::uint32_t i)
 bool SceneParts::LookAtMapper(Part& part)
 {
   part.SurfaceMapper = SurfaceMapperOf(part.Actor);
-  if (part.SurfaceMapper)
-  {
-    this->MakeData(part.SurfaceMapper);
-  }
   part.SurfaceMapperTime = part.SurfaceMapper ? part.SurfaceMapper->GetMTime() : 0;
   part.Mapper = DrawingMapperOf(part.Actor);
   if (!part.Mapper)
@@ -215,6 +213,12 @@ bool SceneParts::LookAtMapper(Part& part)
   }
   part.MapperTime = part.Mapper->GetMTime();
   part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
+  const bool hasFilter = part.SurfaceMapper && !part.Producer &&
+    part.SurfaceMapper->GetInput()->GetDataObjectType() != VTK_POLY_DATA;
+  part.Input = hasFilter ? part.SurfaceMapper->GetInput() : nullptr;
+  part.InputTime = hasFilter ? part.Input->GetMTime() : 0;
+  part.Filter = hasFilter ? part.Mapper->GetInputAlgorithm() : nullptr;
+  part.FilterTime = hasFilter ? part.Filter->GetMTime() : 0;
   return true;
 }
 

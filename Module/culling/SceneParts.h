@@ -15,6 +15,8 @@
 #include <vector>
 
 class vtkActor;
+class vtkAlgorithm;
+class vtkDataSet;
 class vtkDataSetMapper;
 class vtkMapper;
 class vtkPolyData;
@@ -111,6 +113,10 @@ private:
     vtkMTimeType MapperTime = 0;
     vtkDataSetMapper* SurfaceMapper = nullptr; ///< that has it draw, if one does
     vtkMTimeType SurfaceMapperTime = 0;
+    vtkDataSet* Input = nullptr; ///< of that one, if its own filter makes a surface of it
+    vtkMTimeType InputTime = 0;
+    vtkAlgorithm* Filter = nullptr;
+    vtkMTimeType FilterTime = 0;
     vtkTrivialProducer* Producer = nullptr; ///< of the data; null if something makes them
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
@@ -152,6 +158,7 @@ private:
   void ExpectLook(std::uint32_t i) const;
   bool IsPlain(std::uint32_t i) const;
   bool IsUnchanged(std::uint32_t i) const;
+  static bool AreDataMadeAlready(const Part& part);
   void Look(std::uint32_t i);
   bool LookAtMapper(Part& part);
   void LookAtData(Part& part);

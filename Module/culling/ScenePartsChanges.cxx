@@ -6,6 +6,7 @@
 #include "culling/PartChunks.h"
 
 #include "vtkActor.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -100,6 +101,12 @@ void SceneParts::ExpectLook(std::uint32_t i) const
   const Part& part = this->Parts[i];
   PrefetchLines<8>(part.Actor);
   PrefetchLines<8>(part.Mapper);
+  if (part.SurfaceMapper)
+  {
+    PrefetchLines<8>(part.SurfaceMapper);
+    PrefetchLines<8>(part.Input);
+    PrefetchLines<2>(part.Filter);
+  }
   PrefetchLines<8>(part.Data);
   PrefetchLines<2>(part.Geometry.get());
   PrefetchLines<1>(part.Producer);
@@ -111,6 +118,17 @@ bool SceneParts::IsPlain(std::uint32_t i) const
 {
   const Part& part = this->Parts[i];
   return part.Actor && !part.Divided && !part.HasTextures;
+}
+
+/** Whether no filter could make other data: not where the data stand by themselves, nor where a vtkDataSetMapper's own filter has made a surface of what is its input as it is now. */
+bool SceneParts::AreDataMadeAlready(const Part& part)
+{
+  if (part.Producer)
+  {
+    return part.Producer->vtkObject::GetMTime() == part.ProducerTime;
+  }
+  return part.Input && part.SurfaceMapper->GetInput() == part.Input &&
+    part.Input->GetMTime() == part.InputTime && part.Filter->GetMTime() == part.FilterTime;
 }
 
 /** Whether a part is as it was; in the order in which what holds the next is known to be there. */
@@ -129,8 +147,7 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
   return ShaderPropertyOf(prop) == part.Shader &&
     (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
     (!part.SurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
-    part.Mapper->GetMTime() == part.MapperTime && part.Producer &&
-    part.Producer->vtkObject::GetMTime() == part.ProducerTime &&
+    part.Mapper->GetMTime() == part.MapperTime && AreDataMadeAlready(part) &&
     (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
     (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
 }

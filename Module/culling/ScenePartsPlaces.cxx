@@ -71,7 +71,6 @@ DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
 /** Returns the part's box: empty if it cannot be hidden. */
 Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
 {
-  part.IsOfViewAlone = !MayBeBehindOthers(part.Actor);
   part.Growth =
     part.IsOfViewAlone ? MostGrowthOf(part.Actor) : GrowthOf(part.Actor, *part.Geometry);
   part.MayHide = part.MayHide && part.Geometry->IsFinite();
@@ -144,6 +143,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.HasTextures = part.HasTextures;
     piece.HasBackFaces = part.HasBackFaces;
     piece.IsWireframe = part.IsWireframe;
+    piece.IsOfViewAlone = part.IsOfViewAlone;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
     piece.IsOpaque = part.IsOpaque && divided.MayHide;

@@ -2,6 +2,7 @@
 #include "CullerScene.h"
 #include "vtkAppendFilter.h"
 #include "vtkCubeSource.h"
+#include "vtkCutter.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -170,6 +171,75 @@ TEST_P(CullerDataSets, ChangesCountAtOnce)
       EXPECT_TRUE(Scene.ShowsUnculled(this->Boxes));
     }
   }
+}
+
+// A filter of the user's makes a surface of the same grid as the mapper is given then.
+TEST_P(CullerDataSets, InPlaceOfWhatAFilterMadeOfThem)
+{
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(9, 2, 2);
+  grid->SetOrigin(-1.2, -0.2, -0.6);
+  grid->SetSpacing(0.3, 0.4, 0.1);
+  Scene.AddMesh(MeshOf({ Rectangle(-0.3, -2.5, 0.3, 2.5, 0.0) }));
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, -0.55);
+  plane->SetNormal(1.0, 0.0, 1.0);
+  vtkNew<vtkCutter> cutter;
+  cutter->SetInputData(grid);
+  cutter->SetCutFunction(plane);
+  const vtkSmartPointer<vtkActor> actor = Scene.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputConnection(cutter->GetOutputPort());
+  actor->SetMapper(mapper);
+  Scene.ExpectSame();
+  EXPECT_EQ(Scene.ExpectSame(), 1);
+  mapper->SetInputData(grid);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_EQ(Scene.ExpectSame(), 0) << "it reaches beyond the wall";
+  }
+}
+
+// The mapper that draws is told of arrays of points and cells alone.
+TEST_P(CullerDataSets, ColoredByFieldData)
+{
+  this->AddWallAndHidden(false);
+  Scene.Renderer->RemoveActor(this->Wall);
+  Scene.AddMesh(MeshOf({ Rectangle(-2.0, -2.0, 2.0, 2.0, -0.9) }));
+  Scene.Renderer->AddActor(this->Wall); // drawn last, so that what is there shines through
+  const vtkSmartPointer<vtkPolyData> data = WallFrom(-2.5);
+  data->GetFieldData()->AddArray(ColorsOf(data, "glass", 90));
+  data->GetFieldData()->AddArray(ColorsOf(data, "opaque", 255));
+  data->GetPointData()->AddArray(ColorsOf(data, "glass", 90));
+  this->Mapper->SetInputData(data);
+  this->Mapper->SetScalarModeToUsePointFieldData();
+  this->Mapper->SelectColorArray("glass");
+  Scene.ExpectSame();
+  this->Mapper->SetScalarModeToUseFieldData();
+  this->Mapper->SelectColorArray("opaque");
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    Scene.ExpectSame();
+  }
+}
+
+// Drawing runs no filters before a grid, so neither does the culler: what they would make anew is not drawn yet.
+TEST_P(CullerDataSets, OfFiltersThatDrawingDoesNotRun)
+{
+  this->AddWallAndHidden(false);
+  vtkNew<vtkCubeSource> source;
+  vtkNew<vtkAppendFilter> grid;
+  grid->SetInputConnection(source->GetOutputPort());
+  grid->Update();
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputConnection(grid->GetOutputPort());
+  this->Boxes[0]->SetMapper(mapper);
+  Scene.ExpectSame();
+  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  source->SetZLength(40.0);
+  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  grid->Update();
+  EXPECT_LT(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
 }
 
 TEST_P(CullerDataSets, WhatIsHiddenComesForward)

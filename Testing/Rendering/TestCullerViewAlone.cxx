@@ -2,9 +2,12 @@
 #include "CullerScene.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkShaderProperty.h"
 
 #include <gtest/gtest.h>
@@ -165,6 +168,29 @@ TEST_P(CullerViewAlone, TubesReachIntoTheViewFromBesideIt)
   const vtkSmartPointer<vtkActor> near = tubeAbove(8.0);
   EXPECT_EQ(Scene.ExpectSame(), 1);
   EXPECT_TRUE(Scene.ShowsUnculled({ near }));
+}
+
+// VTK draws it nearer than the rest, and wider.
+TEST_P(CullerViewAlone, IsSelected)
+{
+  Scene.AddWall(-0.35);
+  const vtkSmartPointer<vtkPolyData> mesh = MeshOf({ Rectangle(-0.3, -0.3, 0.3, 0.3, -0.351) });
+  const vtkSmartPointer<vtkActor> part = Scene.AddMesh(mesh);
+  EXPECT_EQ(Scene.ExpectSame(), 1);
+  vtkNew<vtkIdTypeArray> chosen;
+  chosen->InsertNextValue(0);
+  chosen->InsertNextValue(2);
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(vtkSelectionNode::POINT);
+  node->SetSelectionList(chosen);
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  part->GetMapper()->SetSelection(selection);
+  part->GetProperty()->SetSelectionPointSize(15.0f);
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  part->SetPosition(50.0, 0.0, 0.0);
+  EXPECT_EQ(Scene.ExpectSame(), 1);
 }
 
 // Of whom it is not known where they are drawn.
