@@ -198,6 +198,7 @@ void SceneParts::Look(std::uint32_t i)
 bool SceneParts::LookAtMapper(Part& part)
 {
   part.SurfaceMapper = SurfaceMapperOf(part.Actor);
+  part.HasSurfaceMapper = part.SurfaceMapper != nullptr;
   part.SurfaceMapperTime = part.SurfaceMapper ? part.SurfaceMapper->GetMTime() : 0;
   part.Mapper = DrawingMapperOf(part.Actor);
   if (!part.Mapper)

@@ -111,12 +111,6 @@ private:
     vtkMTimeType ShaderTime = 0;
     vtkPolyDataMapper* Mapper = nullptr; ///< that draws (DrawingMapper.h)
     vtkMTimeType MapperTime = 0;
-    vtkDataSetMapper* SurfaceMapper = nullptr; ///< that has it draw, if one does
-    vtkMTimeType SurfaceMapperTime = 0;
-    vtkDataSet* Input = nullptr; ///< of that one, if its own filter makes a surface of it
-    vtkMTimeType InputTime = 0;
-    vtkAlgorithm* Filter = nullptr;
-    vtkMTimeType FilterTime = 0;
     vtkTrivialProducer* Producer = nullptr; ///< of the data; null if something makes them
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
@@ -129,13 +123,20 @@ private:
     bool HasBackFaces = true; ///< that are drawn
     bool IsWireframe = false;
     bool IsOfViewAlone = false; ///< whether others do not hide it, but the view does
+    bool HasSurfaceMapper = false;
     float Growth = 0.0f;
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dmat4 FromWorld{ 1.0 };
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     DeviceCoordinates Drawn;
-    std::vector<std::uint32_t> Pieces; ///< the parts of the division
-    Box InView;                        ///< its box if it is of the view alone
+    std::vector<std::uint32_t> Pieces;         ///< the parts of the division
+    Box InView;                                ///< its box if it is of the view alone
+    vtkDataSetMapper* SurfaceMapper = nullptr; ///< that has the other mapper draw, if one does
+    vtkMTimeType SurfaceMapperTime = 0;
+    vtkDataSet* Input = nullptr; ///< of that one, if its own filter makes a surface of it
+    vtkMTimeType InputTime = 0;
+    vtkAlgorithm* Filter = nullptr;
+    vtkMTimeType FilterTime = 0;
   };
 
   class Shapes;

@@ -101,7 +101,7 @@ void SceneParts::ExpectLook(std::uint32_t i) const
   const Part& part = this->Parts[i];
   PrefetchLines<8>(part.Actor);
   PrefetchLines<8>(part.Mapper);
-  if (part.SurfaceMapper)
+  if (part.HasSurfaceMapper)
   {
     PrefetchLines<8>(part.SurfaceMapper);
     PrefetchLines<8>(part.Input);
@@ -146,7 +146,7 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
   }
   return ShaderPropertyOf(prop) == part.Shader &&
     (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
-    (!part.SurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
+    (!part.HasSurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
     part.Mapper->GetMTime() == part.MapperTime && AreDataMadeAlready(part) &&
     (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
     (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
