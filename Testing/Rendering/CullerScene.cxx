@@ -148,6 +148,20 @@ vtkSmartPointer<vtkActor> CullerScene::AddMesh(vtkPolyData* mesh, const Rgba& co
   return actor;
 }
 
+vtkSmartPointer<vtkActor> CullerScene::AddLine(
+  const Point3& from, const Point3& to, const Rgba& color)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(from.data());
+  points->InsertNextPoint(to.data());
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetLines(lines);
+  return this->AddMesh(mesh, color);
+}
+
 /** A colour that is neither a wall's nor the background's. */
 std::array<double, 3> CullerScene::NextColor()
 {

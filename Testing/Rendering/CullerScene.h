@@ -62,6 +62,10 @@ struct CullerScene : TestScene
 
   vtkSmartPointer<vtkActor> AddMesh(vtkPolyData* mesh, const Rgba& color = { 0.5, 0.5, 0.5, 1.0 });
 
+  /** An unlit line of one cell. */
+  vtkSmartPointer<vtkActor> AddLine(
+    const Point3& from, const Point3& to, const Rgba& color = { 0.5, 0.5, 0.5, 1.0 });
+
   /** Take all props out. */
   void Clear();
 

@@ -15,15 +15,7 @@ class CullerLines : public CullerTest
 protected:
   vtkSmartPointer<vtkActor> AddLine(const Point3& from, const Point3& to, double green)
   {
-    vtkNew<vtkPoints> points;
-    points->InsertNextPoint(from.data());
-    points->InsertNextPoint(to.data());
-    vtkNew<vtkCellArray> cells;
-    cells->InsertNextCell({ 0, 1 });
-    vtkNew<vtkPolyData> line;
-    line->SetPoints(points);
-    line->SetLines(cells);
-    return Scene.AddMesh(line, { 0.9, green, 0.1, 1.0 });
+    return Scene.AddLine(from, to, { 0.9, green, 0.1, 1.0 });
   }
 };
 

@@ -1,10 +1,8 @@
 // What others cannot hide is left out where it lies outside of the view, as VTK's own culler does, and nowhere else.
 #include "CullerScene.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMapper.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -80,19 +78,6 @@ protected:
     }
     return boxes;
   }
-
-  vtkSmartPointer<vtkActor> AddLine(const Point3& from, const Point3& to)
-  {
-    vtkNew<vtkPoints> points;
-    points->InsertNextPoint(from.data());
-    points->InsertNextPoint(to.data());
-    vtkNew<vtkCellArray> lines;
-    lines->InsertNextCell({ 0, 1 });
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetLines(lines);
-    return Scene.AddMesh(mesh);
-  }
 };
 
 TEST_P(CullerViewAlone, LiesOutside)
@@ -159,7 +144,7 @@ TEST_P(CullerViewAlone, TubesReachIntoTheViewFromBesideIt)
   const auto tubeAbove = [&](double pixels)
   {
     const vtkSmartPointer<vtkActor> tube =
-      AddLine({ -0.3, half + pixels * pixel, 0.0 }, { 0.3, half + pixels * pixel, 0.0 });
+      Scene.AddLine({ -0.3, half + pixels * pixel, 0.0 }, { 0.3, half + pixels * pixel, 0.0 });
     tube->GetProperty()->RenderLinesAsTubesOn();
     tube->GetProperty()->SetLineWidth(20.0f);
     return tube;

@@ -150,8 +150,7 @@ void AddCullCommand(CLI::App& app)
   command
     ->add_option("--turn", options->Settings.TurnDegrees,
       "degrees, 0 to 360, by which the camera turns around its focal point from the frame before "
-      "to "
-      "the measured one")
+      "to the measured one")
     ->type_name("D")
     ->check(NumberWithin(0.0, 360.0))
     ->capture_default_str();
