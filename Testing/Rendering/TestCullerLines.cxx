@@ -1,10 +1,6 @@
 // Lines and points, which are drawn where they are not: beyond their ends, and beyond a viewport's border. No pixel is lost by culling.
 #include "CullerScene.h"
 
-#include "vtkCellArray.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-
 #include <gtest/gtest.h>
 
 namespace
