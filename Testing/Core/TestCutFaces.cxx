@@ -6,7 +6,6 @@
 #include "Core/culling/DepthPlane.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
-#include "Core/culling/FaceThickness.h"
 #include "Core/culling/SideCuts.h"
 
 #include <glm/gtc/matrix_transform.hpp>

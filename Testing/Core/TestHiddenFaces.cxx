@@ -124,6 +124,32 @@ TEST(HiddenFaces, AreFoundInDoublesWhereFloatsTellNothing)
   EXPECT_FALSE(isHidden(5e-5));
 }
 
+// In a picture of 100,000 parts such a sliver of a gear of 2,448 faces was drawn before what hides all of the gear.
+TEST(HiddenFaces, OfWhichNothingIsKnownShowHoweverManyThereAre)
+{
+  const SBuffer lines = CoveredEverywhere();
+  const ScreenProjection view = PlainView();
+  for (const int count : { 1, 8, 1024, 5000 })
+  {
+    SCOPED_TRACE(count);
+    Triangles faces;
+    for (int i = 1; i < count; ++i)
+    {
+      faces.Add({ 10, 5, 0.3 }, { 14, 5, 0.3 }, { 10, 8, 0.3 });
+    }
+    const auto areHidden = [&]
+    {
+      const OccluderMesh mesh = faces.Mesh();
+      MeshProjection projection;
+      projection.Project(mesh, view.Of(glm::dmat4(1.0)));
+      return HiddenFaces(lines, view).AreAllOfAnyThickness(projection);
+    };
+    EXPECT_TRUE(areHidden());
+    faces.Add({ 20, 10, 0.3 }, { 20 + 1e-6, 12, 0.3 - 1e-6 }, { 20 - 1e-6, 12, 0.3 });
+    EXPECT_FALSE(areHidden());
+  }
+}
+
 // Corners of what is cut there are no points of the mesh.
 TEST(HiddenFaces, ThatReachBeforeTheNearPlaneAreFoundAsFloatsTell)
 {

@@ -3,9 +3,9 @@
 #include "Core/culling/BeyondAll.h"
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
-#include "Core/culling/FaceThickness.h"
 #include "Core/culling/LineExtent.h"
 #include "Core/culling/SideCuts.h"
+#include "Core/culling/SliverDepth.h"
 
 #include <algorithm>
 #include <iterator>
@@ -15,12 +15,6 @@ namespace vitrine
 
 namespace
 {
-
-// Of parts of no more faces, each may be of any thickness on a device that is not surely more than nothing.
-const std::size_t MostFacesOfAnyThickness = 1024;
-
-// Of places that are up to 1.
-const float StepOfFloats = 0x1p-23f;
 
 // Of depth. Faces that cuts leave in more doubt are looked at more closely.
 const float MostUnsteady = 0x1p-14f;
@@ -81,7 +75,7 @@ bool HiddenFaces::AreCutFacesHidden(
       }
       block.Unsettle(lane, known[lane] < MostUnsteady ? known[lane] : this->Cuts.UnsteadyOf(face));
     }
-    if (!this->AreHiddenIfThick(projection, block, faces))
+    if (!this->AreHidden(projection, block, faces))
     {
       return false;
     }
@@ -137,7 +131,7 @@ bool HiddenFaces::AreSomeOfAnyThickness(
   return this->AreCutFacesHidden(projection, faces, nearest);
 }
 
-/** Of parts of many faces some are always so thin that nothing is known of their depth: those count as no thinner than a step of a device's floats. */
+/** Slivers of which floats tell nothing are found in doubles. */
 bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, FaceBlock block)
 {
   const unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
@@ -149,32 +143,7 @@ bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, Face
       block.LimitNearest(lane, NearestInDoubles(projection, block.Face(lane)));
     }
   }
-  return this->AreHiddenIfThick(projection, block, faces);
-}
-
-bool HiddenFaces::AreHiddenIfThick(
-  const MeshProjection& projection, const FaceBlock& block, unsigned faces)
-{
-  if (projection.Faces().size() > MostFacesOfAnyThickness)
-  {
-    faces &= ~this->FindHiddenIfOfAStep(projection, block, faces);
-  }
   return this->AreHidden(projection, block, faces);
-}
-
-unsigned HiddenFaces::FindHiddenIfOfAStep(
-  const MeshProjection& projection, const FaceBlock& block, unsigned faces) const
-{
-  const float step = StepOfFloats * static_cast<float>(this->Lines.Columns());
-  unsigned hidden = 0;
-  for (int lane = 0; faces >> lane != 0; ++lane)
-  {
-    ScreenRectangle around = this->View.Grown(block.At(lane));
-    around.Nearest = std::min(around.Nearest,
-      NearestOfThickness(projection, block.Face(lane), step) + block.Unsteady(lane));
-    hidden |= unsigned{ (faces >> lane & 1u) != 0 && this->Lines.Hides(around) } << lane;
-  }
-  return hidden;
 }
 
 void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing) const

@@ -58,9 +58,6 @@ private:
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
   bool AreHiddenOfAnyThickness(const MeshProjection& projection, FaceBlock block);
-  bool AreHiddenIfThick(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
-  unsigned FindHiddenIfOfAStep(
-    const MeshProjection& projection, const FaceBlock& block, unsigned faces) const;
   bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);
   bool IsHidden(const FaceOnLines& face, const LineRange& lines);
   bool AreLinesHidden(const FaceOnLines& face, const LineRange& lines);

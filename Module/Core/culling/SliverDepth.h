@@ -1,13 +1,10 @@
-#ifndef VITRINE_CORE_CULLING_FACE_THICKNESS_H
-#define VITRINE_CORE_CULLING_FACE_THICKNESS_H
+#ifndef VITRINE_CORE_CULLING_SLIVER_DEPTH_H
+#define VITRINE_CORE_CULLING_SLIVER_DEPTH_H
 
 #include "Core/culling/MeshProjection.h"
 
 namespace vitrine
 {
-
-/** How near a device may draw a face that is no thinner than that for it, in columns and lines: its depth changes by no more there than between its corners. */
-float NearestOfThickness(const MeshProjection& projection, const MeshFace& face, float thickness);
 
 /**
  * How near a device may draw a face that lies in the view, whatever our floats round of it: of slivers these tell nothing that are known in doubles. All of the mesh has to lie behind the near plane.
