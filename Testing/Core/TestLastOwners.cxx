@@ -22,6 +22,7 @@ using coverage::Triangles;
 using coverage::View;
 using vitrine::LastOwners;
 using vitrine::PartCuller;
+using vitrine::PartStates;
 using vitrine::SBuffer;
 using vitrine::ScreenRectangle;
 
@@ -54,24 +55,26 @@ TEST(LastOwners, AreThoseThatHaveMuchAtTheEnd)
 {
   SBuffer lines(40, 20);
   const ScreenRectangle anywhere{ 0, 40, 0, 20, 0.9f };
+  PartStates states;
+  states.Begin({ 1, 1, 1, 1 });
   LastOwners owners;
   owners.Begin(4);
-  for (const std::uint32_t part : { 2u, 0u, 3u })
-  {
-    owners.AddInserted(part, anywhere);
-  }
+  const std::uint32_t second = owners.AddInserted(2, anywhere);
+  const std::uint32_t first = owners.AddInserted(0, anywhere);
+  const std::uint32_t third = owners.AddInserted(3, anywhere);
   for (int line = 0; line < 20; ++line)
   {
-    lines.Insert(line, { 0, 30, 0.3f, 0.3f, 0 });
-    lines.Insert(line, { 0, 28, 0.5f, 0.5f, 2 });
-    lines.Insert(line, { 39, 39.5f, 0.5f, 0.5f, 3 });
+    lines.Insert(line, { 0, 30, 0.3f, 0.3f, first });
+    lines.Insert(line, { 0, 28, 0.5f, 0.5f, second });
+    lines.Insert(line, { 39, 39.5f, 0.5f, 0.5f, third });
   }
-  owners.End(lines);
+  owners.End(lines, states);
   ASSERT_EQ(owners.Owners().size(), 2u);
   EXPECT_EQ(owners.Owners()[0].Part, 2u) << "in the order of their insertion";
   EXPECT_EQ(owners.Owners()[1].Part, 0u);
   owners.Begin(4);
-  owners.End(lines);
+  lines.Clear();
+  owners.End(lines, states);
   EXPECT_TRUE(owners.Owners().empty()) << "nothing was inserted in this frame";
 }
 
@@ -85,24 +88,29 @@ TEST(LastOwners, ShowSurelyWhereTheyHaveSamples)
     const vitrine::SampleGrid samples = vitrine::SampleGrid::AtCentres(1);
     SBuffer lines =
       isBySample ? SBuffer::WithFewSamples(40, 20, samples) : SBuffer(40, 20, samples);
+    PartStates states;
     LastOwners owners;
-    owners.Begin(3);
-    for (const std::uint32_t part : { 0u, 1u, 2u })
-    {
-      owners.AddInserted(part, anywhere);
-    }
-    lines.Insert(3, { 5, 8, 0.3f, 0.3f, 0 });
-    lines.Insert(3, { 4, 9, 0.5f, 0.5f, 1 });
-    lines.Insert(4, { 4, 5, 0.5f, 0.5f, 2 });
-    owners.End(lines);
-    EXPECT_FALSE(owners.Shows(0)) << "it stands behind";
-    EXPECT_EQ(owners.Shows(1), isBySample);
-    EXPECT_EQ(owners.Shows(2), isBySample) << "one sample is enough";
-    owners.Begin(3);
-    EXPECT_FALSE(owners.Shows(1)) << "in this frame it has none yet";
+    states.Begin({ 1, 1, 1, 1 });
+    owners.Begin(4);
+    const std::uint32_t behind = owners.AddInserted(3, anywhere);
+    const std::uint32_t before = owners.AddInserted(1, anywhere);
+    const std::uint32_t beside = owners.AddInserted(2, anywhere);
+    lines.Insert(3, { 5, 8, 0.3f, 0.3f, behind });
+    lines.Insert(3, { 4, 9, 0.5f, 0.5f, before });
+    lines.Insert(4, { 4, 5, 0.5f, 0.5f, beside });
+    owners.End(lines, states);
+    EXPECT_FALSE(states.Has(3, PartStates::HasSamples)) << "it stands behind";
+    EXPECT_EQ(states.Has(1, PartStates::HasSamples), isBySample);
+    EXPECT_EQ(states.Has(2, PartStates::HasSamples), isBySample) << "one sample is enough";
+    states.Begin({ 1, 1, 1, 1 });
+    owners.Begin(4);
+    EXPECT_FALSE(states.Has(1, PartStates::HasSamples)) << "in this frame it has none yet";
+    EXPECT_EQ(states.Has(1, PartStates::HadSamples), isBySample);
     lines.Clear();
-    owners.End(lines);
-    EXPECT_FALSE(owners.Shows(1));
+    owners.End(lines, states);
+    EXPECT_FALSE(states.Has(1, PartStates::HasSamples));
+    states.Begin({ 1, 1, 1, 1 });
+    EXPECT_FALSE(states.Has(1, PartStates::HadSamples)) << "that was in the frame before";
   }
 }
 
@@ -125,19 +133,23 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
 {
   const ScreenRectangle there{ 10, 20, 5, 15, 0.5f }, elsewhere{ 30, 40, 5, 15, 0.5f };
   SBuffer lines(40, 20);
-  lines.Insert(3, { 5, 8, 0.3f, 0.3f, 1 });
-  vitrine::PartStates states;
+  PartStates states;
   states.Begin({ 1, 1, 1 });
-  states.Set(0, vitrine::PartStates::IsShown);
-  states.Set(1, vitrine::PartStates::IsShown);
+  states.Set(0, PartStates::IsShown);
+  states.Set(1, PartStates::IsShown);
   LastOwners owners;
+  const auto insertsSecond = [&]
+  {
+    lines.Insert(3, { 5, 8, 0.3f, 0.3f, owners.AddInserted(1, there) });
+    owners.End(lines, states);
+    owners.KeepIdlers(states);
+    lines.Clear();
+  };
   const auto insertsBoth = [&]
   {
     owners.Begin(2);
     owners.AddInserted(0, there);
-    owners.AddInserted(1, there);
-    owners.End(lines);
-    owners.KeepIdlers(states);
+    insertsSecond();
   };
   int frames = 0, tried = 0;
   for (insertsBoth(); frames < 64; ++frames)
@@ -150,11 +162,9 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
     {
       owners.AddInserted(0, there);
     }
-    owners.AddInserted(1, there);
-    owners.End(lines);
-    owners.KeepIdlers(states);
-    EXPECT_TRUE(states.Has(0, vitrine::PartStates::WasIdle));
-    EXPECT_FALSE(states.Has(1, vitrine::PartStates::WasIdle));
+    insertsSecond();
+    EXPECT_TRUE(states.Has(0, PartStates::WasIdle));
+    EXPECT_FALSE(states.Has(1, PartStates::WasIdle));
   }
   EXPECT_EQ(tried, frames / 16);
 
@@ -162,14 +172,14 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
   insertsBoth(); // one of two frames that follow each other is none in which it is tried
   owners.Begin(2);
   EXPECT_FALSE(owners.HadNothing(0, elsewhere)) << "it has moved";
-  owners.End(lines);
+  owners.End(lines, states);
   owners.KeepIdlers(states);
-  EXPECT_FALSE(states.Has(0, vitrine::PartStates::WasIdle)) << "it need not be looked for any more";
+  EXPECT_FALSE(states.Has(0, PartStates::WasIdle)) << "it need not be looked for any more";
   for (int frame = 0; frame < 2; ++frame)
   {
     owners.Begin(2);
     EXPECT_FALSE(owners.HadNothing(0, there)) << "it was not met in the frame before";
-    owners.End(lines);
+    owners.End(lines, states);
     owners.KeepIdlers(states);
   }
 }
@@ -178,22 +188,22 @@ TEST(LastOwners, HadNothingUntilTheyAreTriedAgain)
 TEST(LastOwners, AreForgottenWithTheirStates)
 {
   SBuffer lines(40, 20);
-  vitrine::PartStates states;
+  PartStates states;
   states.Begin({ 1, 1, 1 });
-  states.Set(2, vitrine::PartStates::IsShown);
+  states.Set(2, PartStates::IsShown);
   LastOwners owners;
   owners.Begin(3);
   owners.AddInserted(2, { 10, 20, 5, 15, 0.5f });
-  owners.End(lines);
+  owners.End(lines, states);
   owners.KeepIdlers(states);
-  EXPECT_TRUE(states.Has(2, vitrine::PartStates::WasIdle));
+  EXPECT_TRUE(states.Has(2, PartStates::WasIdle));
   states.Begin({ 1 });
   owners.Begin(1);
-  owners.End(lines);
+  owners.End(lines, states);
   owners.KeepIdlers(states);
   EXPECT_EQ(states.Count(), 1u);
   states.Begin({ 1, 1, 1 });
-  EXPECT_FALSE(states.Has(2, vitrine::PartStates::WasIdle));
+  EXPECT_FALSE(states.Has(2, PartStates::WasIdle));
   EXPECT_FALSE(owners.HadNothing(2, { 10, 20, 5, 15, 0.5f }));
 }
 
@@ -237,6 +247,50 @@ TEST(LastOwners, AreTestedLikeAnyOther)
   both.Cull(culler, aside);
   EXPECT_FALSE(both.Scene.Visible[both.Wall]);
   EXPECT_TRUE(both.Scene.Visible[both.Plate]);
+}
+
+// What had samples is inserted before it is tested.
+TEST(LastOwners, AreTestedWhereTheyInsertNoSamples)
+{
+  PartScene scene;
+  Triangles wall;
+  wall.AddQuad({ -60, -60, -20 }, { 60, -60, -20 }, { 60, 60, -20 }, { -60, 60, -20 });
+  const std::uint32_t box = scene.AddBox({ -2, -2, -32 }, { 2, 2, -30 });
+  const std::uint32_t before = scene.Add(wall);
+  PartCuller culler(FrameColumns, FrameLines, vitrine::SampleGrid::AtCentres(1));
+  scene.Visible = { 1, 0 };
+  scene.Cull(culler, AheadView(false));
+  EXPECT_TRUE(scene.Visible[box]);
+  EXPECT_EQ(culler.Counts().Inserted, 1u);
+  scene.Visible = { 1, 1 };
+  scene.Cull(culler, AheadView(false));
+  EXPECT_TRUE(scene.Visible[before]);
+  EXPECT_FALSE(scene.Visible[box]);
+  EXPECT_EQ(culler.Counts().Inserted, 2u) << "it was inserted in vain, once";
+  scene.Visible = { 1, 1 };
+  scene.Cull(culler, AheadView(false));
+  EXPECT_FALSE(scene.Visible[box]);
+  EXPECT_EQ(culler.Counts().Inserted, 1u) << "it had no samples any more";
+}
+
+// Where only a device's rounding may have it reach a row of samples it shows, and has none.
+TEST(LastOwners, AreInsertedOnceThoughTheyShowBesideSamples)
+{
+  PartScene scene;
+  scene.AddBox({ -2, -0.15, -32 }, { 2, 0.15, -30 });
+  PartCuller culler(FrameColumns, FrameLines, vitrine::SampleGrid::AtCentres(1));
+  View view = AheadView(true);
+  int shown = 0;
+  for (int frame = 0; frame < 1000; ++frame)
+  {
+    view.ToClip = view.ToClip * glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.001, 0.0));
+    scene.Visible = { 1 };
+    scene.Cull(culler, view);
+    shown += scene.Visible[0];
+    ASSERT_LE(culler.Counts().Inserted, 1u) << "in frame " << frame;
+  }
+  EXPECT_GT(shown, 800);
+  EXPECT_LT(shown, 1000);
 }
 
 TEST(LastOwners, AreForgottenWhereTheyAreNoMore)

@@ -14,6 +14,7 @@ namespace
 
 using octree_scenes::AllKinds;
 using octree_scenes::Kinds;
+using vitrine::BitsOf;
 using vitrine::Box;
 using vitrine::LaneCount;
 using vitrine::LooseNode;
@@ -207,12 +208,12 @@ TEST(LooseOctree, WhatIsLongStandsApartBeforeTheRest)
   const LooseOctree tree(boxes);
   Check(tree, boxes);
   const LooseNode& root = tree.Node(0);
-  EXPECT_TRUE(root.IsLong(0));
+  EXPECT_TRUE(BitsOf(root.AreLong()) & 1u);
   EXPECT_TRUE(root.IsItem(0));
   EXPECT_EQ(root.ItemAt(0), 500u);
-  EXPECT_FALSE(root.IsLong(1));
+  EXPECT_FALSE(BitsOf(root.AreLong()) & 2u);
   EXPECT_EQ(root.Counts[1], 500u);
-  EXPECT_FALSE(without.Node(0).IsLong(0));
+  EXPECT_FALSE(BitsOf(without.Node(0).AreLong()) & 1u);
 }
 
 TEST(LooseOctree, FewInOneCellStandInAsFewLeavesAsHaveRoom)

@@ -49,7 +49,7 @@ public:
       queue.pop_back();
       this->Visit(nearest);
     }
-    this->Culler.Tools.Owners.End(this->Culler.Tools.Lines);
+    this->Culler.Tools.Owners.End(this->Culler.Tools.Lines, this->States);
     if (this->HasOcclusion)
     {
       this->LookAgain();
@@ -98,7 +98,7 @@ private:
   {
     for (const ShownPart& shown : this->Culler.Visited)
     {
-      if (!this->Culler.Tools.Owners.Shows(shown.Part) && this->IsHidden(shown.Witness) &&
+      if (!this->States.Has(shown.Part, PartStates::HasSamples) && this->IsHidden(shown.Witness) &&
         this->Parts.IsHiddenNow(shown.Part, shown.Rectangle))
       {
         this->States.Set(shown.Part, PartStates::IsShown, false);
@@ -153,65 +153,80 @@ private:
 
   void QueueEntriesOf(const LooseNode& node)
   {
-    Entry entries[LaneCount];
-    const int count = this->FindEntries(node, entries);
-    for (int i = 0; i < count; ++i)
+    FoundEntries found;
+    this->FindEntries(node, found);
+    for (unsigned bits = found.Wanted; bits != 0; bits &= bits - 1)
     {
-      this->Push(entries[i]);
+      this->Push(EntryAt(node, found, LowestBit(bits)));
     }
   }
 
   void VisitEntriesOf(const LooseNode& node)
   {
-    Entry entries[LaneCount];
-    const int count = this->FindEntries(node, entries);
+    FoundEntries found;
+    this->FindEntries(node, found);
     int order[LaneCount];
-    SortByDepth(entries, count, order);
+    const int count = SortByDepth(found, order);
     for (int i = 0; i < count; ++i)
     {
-      this->Visit(entries[order[i]]);
+      this->Visit(EntryAt(node, found, order[i]));
     }
   }
 
-  /** Without branches, which could not be foreseen. */
-  VITRINE_FOR_EACH_PROCESSOR
-  static void SortByDepth(const Entry* entries, int count, int* order)
+  /** Where what a node holds is on the screen. */
+  struct FoundEntries
   {
-    float depths[LaneCount] = {};
-    for (int i = 0; i < count; ++i)
-    {
-      assert(entries[i].Depth == entries[i].Depth); // what has no place on the screen is near
-      depths[i] = entries[i].Depth;
-    }
-    const Lanes all = FirstLanes(count) ? LoadLanes(depths) : AllLanes(-BeyondAll);
-    for (int i = 0; i < count; ++i)
-    {
-      const unsigned before =
-        BitsOf(all > AllLanes(depths[i])) | (BitsOf(all == AllLanes(depths[i])) & ((1u << i) - 1u));
-      order[CountBits(before)] = i;
-    }
+    RectangleLanes Rectangles;
+    float Depths[LaneCount]; ///< as entries have them
+    unsigned Wanted;         ///< a bit for each that is visited
+  };
+
+  static Entry EntryAt(const LooseNode& node, const FoundEntries& found, int lane)
+  {
+    const bool isNear = (found.Rectangles.Near >> lane & 1u) != 0;
+    return { found.Depths[lane], isNear ? Everywhere : found.Rectangles.At(lane),
+      node.Entries[lane], node.Counts[lane] };
   }
 
-  /** Those that may lie in the view. What is long comes before all else: it may hide much. */
-  int FindEntries(const LooseNode& node, Entry (&entries)[LaneCount])
+  /** Numbers of those that are wanted, the nearest first; returns how many. Without branches, which could not be foreseen. */
+  VITRINE_FOR_EACH_PROCESSOR
+  static int SortByDepth(const FoundEntries& found, int* order)
+  {
+    const Lanes all = LoadLanes(found.Depths);
+    for (unsigned bits = found.Wanted; bits != 0; bits &= bits - 1)
+    {
+      const int i = LowestBit(bits);
+      assert(found.Depths[i] == found.Depths[i]); // what has no place on the screen is near
+      const Lanes own = AllLanes(found.Depths[i]);
+      const unsigned before = BitsOf(all > own) | (BitsOf(all == own) & ((1u << i) - 1u));
+      order[CountBits(before & found.Wanted)] = i;
+    }
+    return CountBits(found.Wanted);
+  }
+
+  /** Those that may lie in the view. */
+  void FindEntries(const LooseNode& node, FoundEntries& found)
   {
     ++this->Culler.Counted.Nodes;
-    RectangleLanes rectangles;
-    this->View.Project(node.Boxes, rectangles);
-    int count = 0;
-    for (int lane = 0; lane < LaneCount; ++lane)
+    this->View.Project(node.Boxes, found.Rectangles);
+    const unsigned inView = FindDepths(node, found.Rectangles, found.Depths);
+    found.Wanted = 0;
+    for (unsigned bits = inView; bits != 0; bits &= bits - 1)
     {
-      if (!node.Has(lane) || (rectangles.Outside >> lane & 1u) != 0 || !this->IsWanted(node, lane))
-      {
-        continue;
-      }
-      const bool isNear = (rectangles.Near >> lane & 1u) != 0;
-      const bool isLong = node.IsLong(lane);
-      const float depth = isNear ? NearDepth : isLong ? LongDepth : rectangles.Nearest[lane];
-      entries[count++] = { depth, isNear ? Everywhere : rectangles.At(lane), node.Entries[lane],
-        node.Counts[lane] };
+      const int lane = LowestBit(bits);
+      found.Wanted |= static_cast<unsigned>(this->IsWanted(node, lane)) << lane;
     }
-    return count;
+  }
+
+  /** What is long comes before all else: it may hide much. Returns a bit for each entry that may lie in the view. */
+  VITRINE_FOR_EACH_PROCESSOR
+  static unsigned FindDepths(
+    const LooseNode& node, const RectangleLanes& rectangles, float (&depths)[LaneCount])
+  {
+    const Lanes nearest = LoadLanes(rectangles.Nearest);
+    const Lanes depth = node.AreLong() ? AllLanes(LongDepth) : nearest;
+    StoreLanes(LaneBits(rectangles.Near) ? AllLanes(NearDepth) : depth, depths);
+    return BitsOf(node.AreThere()) & ~rectangles.Outside;
   }
 
   bool IsWanted(const LooseNode& node, int lane)

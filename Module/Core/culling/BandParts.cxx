@@ -65,11 +65,17 @@ bool BandParts::ShowSmall(
   std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle)
 {
   const bool isBehindNear = this->Project(occluder);
+  const bool isInserted = isBehindNear && this->Tools.States.Has(part, PartStates::HadSamples) &&
+    this->IsWorthInserting(occluder, rectangle);
+  if (isInserted && this->InsertsSamples(part, occluder))
+  {
+    return true;
+  }
   if (isBehindNear && this->IsHidden(this->View.Grown(this->Tools.Projected.Rectangle())))
   {
     return false;
   }
-  return this->ShowFaces(part, occluder, rectangle);
+  return this->ShowFaces(part, occluder, rectangle, isInserted);
 }
 
 /** @param isUntested  whether the box around it has not been tested */
@@ -83,7 +89,7 @@ bool BandParts::ShowLarge(
   if (occluder.Mesh && this->IsWorthTesting(occluder, rectangle))
   {
     this->Project(occluder);
-    return this->ShowFaces(part, occluder, rectangle);
+    return this->ShowFaces(part, occluder, rectangle, false);
   }
   return true;
 }
@@ -105,7 +111,7 @@ BandParts::OwnerVerdict BandParts::VisitOwner(
   this->Tools.States.Set(owner.Part, PartStates::IsVisited);
   rectangle = isBehindNear ? this->View.Grown(around) : Everywhere;
   this->Seen = rectangle;
-  const bool isShown = this->ShowFaces(owner.Part, occluder, around);
+  const bool isShown = this->ShowFaces(owner.Part, occluder, around, false);
   this->Tools.Budget.AddHidden(!isShown);
   return isShown ? OwnerVerdict::Shows : OwnerVerdict::Hidden;
 }
@@ -139,17 +145,25 @@ bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle
 
 /** Of a part that is projected: whether a face of it may show. */
 bool BandParts::ShowFaces(
-  std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle)
+  std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle, bool isInserted)
 {
   if (this->IsWorthTesting(occluder, rectangle) && this->AreFacesHidden(part, occluder))
   {
     return false;
   }
-  if (this->IsWorthInserting(occluder, rectangle) && !this->WasIdle(part))
+  if (!isInserted && this->IsWorthInserting(occluder, rectangle) && !this->WasIdle(part))
   {
     this->Insert(part, occluder);
   }
   return true;
+}
+
+/** Puts a part that is projected into the s-buffer. Returns whether it has samples there now: then it shows, and need not be tested. */
+bool BandParts::InsertsSamples(std::uint32_t part, const Occluder& occluder)
+{
+  const std::uint64_t changed = this->Tools.Lines.Counts().Changed;
+  this->Insert(part, occluder);
+  return this->Tools.Lines.Counts().Changed != changed;
 }
 
 /** Of a part that is projected: whether it is where it was when it was inserted in vain. */
@@ -226,24 +240,25 @@ bool BandParts::IsWorthInserting(const Occluder& occluder, const ScreenRectangle
 void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 {
   ++this->Tools.Inserted;
-  this->Tools.Owners.AddInserted(part, this->Tools.Projected.Rectangle());
+  const std::uint32_t number =
+    this->Tools.Owners.AddInserted(part, this->Tools.Projected.Rectangle());
   this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);
-  this->InsertSides(part, occluder);
+  this->InsertSides(number, occluder);
   MeshProjection& projected = this->Tools.Projected;
   if (!projected.IsBehindNear() &&
     projected.ClipFarther(this->View.Of(*occluder.ToWorld, *occluder.Drawn)))
   {
-    this->InsertSides(part, occluder);
+    this->InsertSides(number, occluder);
   }
 }
 
-void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
+void BandParts::InsertSides(std::uint32_t number, const Occluder& occluder)
 {
   if (!IsClippedSurely(this->Tools.Projected.Rectangle(), this->Tools.Lines.Samples()))
   {
     return;
   }
-  if (this->HasFewFacets(occluder) && this->InsertFewFacets(part, occluder))
+  if (this->HasFewFacets(occluder) && this->InsertFewFacets(number, occluder))
   {
     return;
   }
@@ -252,10 +267,10 @@ void BandParts::InsertSides(std::uint32_t part, const Occluder& occluder)
   {
     this->Tools.Projected.FindFacings();
   }
-  this->InsertFaces(part, MeshProjection::Facing::Front, isSimple);
+  this->InsertFaces(number, MeshProjection::Facing::Front, isSimple);
   if (this->HasBackFaces(occluder))
   {
-    this->InsertFaces(part, MeshProjection::Facing::Back, isSimple);
+    this->InsertFaces(number, MeshProjection::Facing::Back, isSimple);
   }
 }
 
@@ -267,7 +282,7 @@ bool BandParts::HasFewFacets(const Occluder& occluder) const
 }
 
 /** Returns false if they do not tell what is covered. */
-bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
+bool BandParts::InsertFewFacets(std::uint32_t number, const Occluder& occluder)
 {
   const FewFacets& facets = *occluder.Mesh->Few();
   this->Tools.Cuts.Begin(this->Tools.Projected, this->Tools.Lines.Samples());
@@ -283,7 +298,7 @@ bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
       [](float depth) { return depth < FewFacets::MostUnsteady; });
     const std::optional<std::size_t> pieces = areSteady
       ? FewFacetsCoverage::Insert(
-          this->Tools.Lines, facets, this->Tools.Projected, facing, part, unsteady)
+          this->Tools.Lines, facets, this->Tools.Projected, facing, number, unsteady)
       : std::nullopt;
     if (!pieces)
     {
@@ -294,17 +309,17 @@ bool BandParts::InsertFewFacets(std::uint32_t part, const Occluder& occluder)
   return true;
 }
 
-void BandParts::InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple)
+void BandParts::InsertFaces(std::uint32_t number, MeshProjection::Facing facing, bool isSimple)
 {
   SBuffer& lines = this->Tools.Lines;
   MeshProjection& projected = this->Tools.Projected;
   if (isSimple)
   {
-    this->Tools.Budget.Spend(this->Tools.CoverOfFew.Insert(lines, projected, facing, part));
+    this->Tools.Budget.Spend(this->Tools.CoverOfFew.Insert(lines, projected, facing, number));
     return;
   }
   this->Faces.Drop(projected, facing);
-  this->Tools.Budget.Spend(this->Tools.CoverOfMany.Insert(lines, projected, facing, part));
+  this->Tools.Budget.Spend(this->Tools.CoverOfMany.Insert(lines, projected, facing, number));
 }
 
 /** Whether one plane of depth stands for the part that is projected. */

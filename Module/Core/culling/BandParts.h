@@ -88,7 +88,9 @@ private:
   bool ShowSmall(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle);
   bool ShowLarge(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle,
     bool isUntested);
-  bool ShowFaces(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle);
+  bool ShowFaces(std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle,
+    bool isInserted);
+  bool InsertsSamples(std::uint32_t part, const Occluder& occluder);
   bool WasIdle(std::uint32_t part);
   bool AreFacesHidden(std::uint32_t part, const Occluder& occluder);
   bool AreBoxesHidden(const Occluder& occluder) const;
@@ -97,10 +99,10 @@ private:
   bool IsWorthTesting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
   bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
   void Insert(std::uint32_t part, const Occluder& occluder);
-  void InsertSides(std::uint32_t part, const Occluder& occluder);
+  void InsertSides(std::uint32_t number, const Occluder& occluder);
   bool HasFewFacets(const Occluder& occluder) const;
-  bool InsertFewFacets(std::uint32_t part, const Occluder& occluder);
-  void InsertFaces(std::uint32_t part, MeshProjection::Facing facing, bool isSimple);
+  bool InsertFewFacets(std::uint32_t number, const Occluder& occluder);
+  void InsertFaces(std::uint32_t number, MeshProjection::Facing facing, bool isSimple);
   bool IsSimple(const Occluder& occluder) const;
 
   BandTools& Tools;

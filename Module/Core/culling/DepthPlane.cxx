@@ -29,7 +29,7 @@ DepthPlane::DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenP
   const ScreenMargin& margin, const ScreenMargin& snapping)
   : DepthPlane({ { a.Column, b.Column, c.Column }, { a.Line, b.Line, c.Line },
                  { a.Depth, b.Depth, c.Depth }, { 1.0f, 1.0f, 1.0f } },
-      ScreenRounding::Within(margin, snapping), margin, snapping)
+      UniformScreenRounding(margin, snapping), margin, snapping)
 {
 }
 
@@ -39,7 +39,8 @@ DepthPlane::DepthPlane(const MeshProjection& projection, const MeshFace& face)
 {
 }
 
-DepthPlane::DepthPlane(const FacePlaces<float>& places, const ScreenRounding& rounding,
+template <class Rounding>
+DepthPlane::DepthPlane(const FacePlaces<float>& places, const Rounding& rounding,
   const ScreenMargin& margin, const ScreenMargin& snapping)
 {
   const FaceSlopes<float> slopes(places, rounding, snapping);

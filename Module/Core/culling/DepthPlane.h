@@ -72,8 +72,9 @@ public:
   }
 
 private:
-  DepthPlane(const FacePlaces<float>& places, const ScreenRounding& rounding,
-    const ScreenMargin& margin, const ScreenMargin& snapping);
+  template <class Rounding>
+  DepthPlane(const FacePlaces<float>& places, const Rounding& rounding, const ScreenMargin& margin,
+    const ScreenMargin& snapping);
 
   SlantedDepth Below;
   float Nearest;

@@ -75,7 +75,7 @@ private:
     const Lanes one = AllLanes(1.0f);
     const FacePlaces<Lanes> places{ { a.X, b.X, c.X }, { a.Y, b.Y, c.Y },
       { a.Depth, b.Depth, c.Depth }, { one, one, one } };
-    return FaceSlopes<Lanes>(places, ScreenRounding::Within(margin, snapping), snapping);
+    return FaceSlopes<Lanes>(places, UniformScreenRounding(margin, snapping), snapping);
   }
 };
 

@@ -100,7 +100,7 @@ VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b, Lanes c)
 /** Without their signs. */
 VITRINE_INLINE Lanes SizeOf(Lanes a)
 {
-  return GreatestOf(a, -a);
+  return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(a) & 0x7fffffff);
 }
 
 VITRINE_INLINE float LeastLane(Lanes a)

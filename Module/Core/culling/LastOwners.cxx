@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 namespace vitrine
 {
@@ -46,63 +44,75 @@ bool LastOwners::Owner::IsStill(const ScreenRectangle& now) const
 
 void LastOwners::Begin(std::size_t parts)
 {
-  for (const Owner& inserted : this->Inserted)
-  {
-    this->Columns[inserted.Part] = 0.0f; // no others have any
-  }
   this->Inserted.clear();
-  this->Columns.resize(std::max(parts, this->Columns.size()), 0.0f);
-  this->HasSamples = false;
+  this->IdlerOf.resize(std::max(parts, this->IdlerOf.size()), 0);
   ++this->Frame;
+}
+
+LastOwners::Idler* LastOwners::FindIdler(std::uint32_t part)
+{
+  const std::uint32_t number = this->IdlerOf[part];
+  const bool isOne = number < this->Idlers.size() && this->Idlers[number].Inserted.Part == part;
+  return isOne ? &this->Idlers[number] : nullptr;
+}
+
+void LastOwners::AddIdler(const Owner& inserted)
+{
+  this->IdlerOf[inserted.Part] = static_cast<std::uint32_t>(this->Idlers.size());
+  this->Idlers.push_back({ inserted, false });
 }
 
 bool LastOwners::HadNothing(std::uint32_t part, const ScreenRectangle& rectangle)
 {
-  const auto found = this->Idlers.find(part);
-  if (found == this->Idlers.end() || !found->second.Inserted.IsStill(rectangle) ||
-    (part + this->Frame) % FramesOfIdlers == 0)
+  Idler* const idler = this->FindIdler(part);
+  if (!idler || !idler->Inserted.IsStill(rectangle) || (part + this->Frame) % FramesOfIdlers == 0)
   {
     return false;
   }
-  found->second.IsMet = true;
+  idler->IsMet = true;
   return true;
 }
 
-void LastOwners::End(const SBuffer& lines)
+void LastOwners::End(const SBuffer& lines, PartStates& states)
 {
+  this->Columns.assign(this->Inserted.size(), 0.0f);
   lines.AddColumnsOfFaces(this->Columns);
-  this->HasSamples = lines.BySample() != nullptr;
   this->Last.clear();
-  for (const Owner& inserted : this->Inserted)
+  for (std::size_t i = 0; i < this->Inserted.size(); ++i)
   {
-    if (this->Columns[inserted.Part] >= LeastColumns)
+    if (this->Columns[i] >= LeastColumns)
     {
-      this->Last.push_back(inserted);
+      this->Last.push_back(this->Inserted[i]);
+    }
+    if (this->Columns[i] > 0.0f && lines.BySample())
+    {
+      states.Set(this->Inserted[i].Part, PartStates::HasSamples);
     }
   }
 }
 
 void LastOwners::KeepIdlers(PartStates& states)
 {
-  for (auto i = this->Idlers.begin(); i != this->Idlers.end();)
+  this->Before.swap(this->Idlers);
+  this->Idlers.clear();
+  for (const Idler& idler : this->Before)
   {
-    if (std::exchange(i->second.IsMet, false))
+    if (idler.IsMet)
     {
-      ++i;
-      continue;
+      this->AddIdler(idler.Inserted);
     }
-    if (i->first < states.Count())
+    else if (idler.Inserted.Part < states.Count())
     {
-      states.Set(i->first, PartStates::WasIdle, false);
+      states.Set(idler.Inserted.Part, PartStates::WasIdle, false);
     }
-    i = this->Idlers.erase(i);
   }
-  for (const Owner& inserted : this->Inserted)
+  for (std::size_t i = 0; i < this->Inserted.size(); ++i)
   {
-    if (this->Columns[inserted.Part] == 0.0f && states.Has(inserted.Part, PartStates::IsShown))
+    const Owner& inserted = this->Inserted[i];
+    if (this->Columns[i] == 0.0f && states.Has(inserted.Part, PartStates::IsShown))
     {
       states.Set(inserted.Part, PartStates::WasIdle);
-      this->Idlers.insert_or_assign(inserted.Part, Idler{ inserted, false });
+      this->AddIdler(inserted);
     }
   }
 }

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace vitrine
@@ -39,9 +38,11 @@ public:
   /** A frame begins with so many parts. */
   void Begin(std::size_t parts);
 
-  void AddInserted(std::uint32_t part, const ScreenRectangle& rectangle)
+  /** Returns the number by which the s-buffer knows it in this frame. */
+  std::uint32_t AddInserted(std::uint32_t part, const ScreenRectangle& rectangle)
   {
     this->Inserted.push_back({ part, rectangle });
+    return static_cast<std::uint32_t>(this->Inserted.size() - 1);
   }
 
   /**
@@ -50,11 +51,11 @@ public:
    */
   bool HadNothing(std::uint32_t part, const ScreenRectangle& rectangle);
 
-  /** Once the frame has ended: whether a part surely has samples of the s-buffer, so that it shows. A span may lie between samples. */
-  bool Shows(std::uint32_t part) const { return this->HasSamples && this->Columns[part] > 0.0f; }
-
-  /** The frame ends with that in the s-buffer, which says of which part it is. */
-  void End(const SBuffer& lines);
+  /**
+   * The frame ends with that in the s-buffer.
+   * @param states  take which parts surely have samples of it, so that they show: a span may lie between samples
+   */
+  void End(const SBuffer& lines, PartStates& states);
 
   /** Once it has ended, and all is found that is hidden. States take which parts were inserted in vain: others need not be looked for. */
   void KeepIdlers(PartStates& states);
@@ -67,12 +68,17 @@ private:
     bool IsMet; ///< in this frame
   };
 
+  /** Null if it is none. */
+  Idler* FindIdler(std::uint32_t part);
+  void AddIdler(const Owner& inserted);
+
   std::vector<Owner> Last;
-  std::unordered_map<std::uint32_t, Idler> Idlers; ///< by part
+  std::vector<Idler> Idlers;
+  std::vector<Idler> Before;          ///< those of the last frame, while they are looked through
+  std::vector<std::uint32_t> IdlerOf; ///< for each part which it is, if it is one
   std::uint32_t Frame = 0;
   std::vector<Owner> Inserted; ///< in this frame
-  std::vector<float> Columns;  ///< that each part has of lines
-  bool HasSamples = false;     ///< whether they are counted sample by sample
+  std::vector<float> Columns;  ///< that each of those has of lines in the end
 };
 
 }

@@ -27,7 +27,15 @@ struct alignas(64) LooseNode
   bool Has(int lane) const { return this->Entries[lane] != None; }
   bool IsItem(int lane) const { return (this->Entries[lane] & ItemBit) != 0; }
 
-  bool IsLong(int lane) const { return (this->Entries[lane] & LongBit) != 0; }
+  /** The lanes that have an entry, and those of which it is long. */
+  VITRINE_INLINE LaneMask AreThere() const
+  {
+    return LoadMask(this->Entries) != static_cast<std::int32_t>(None);
+  }
+  VITRINE_INLINE LaneMask AreLong() const
+  {
+    return (LoadMask(this->Entries) & static_cast<std::int32_t>(LongBit)) != 0;
+  }
 
   std::uint32_t ItemAt(int lane) const { return this->Entries[lane] & NumberBits; }
   std::uint32_t NodeAt(int lane) const { return this->Entries[lane] & NumberBits; }

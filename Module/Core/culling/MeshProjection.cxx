@@ -53,11 +53,10 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   const float* const y = mesh.Coordinates(1).data();
   const float* const z = mesh.Coordinates(2).data();
   const std::size_t room = mesh.Coordinates(0).size();
-  this->Columns.resize(room);
-  this->Lines.resize(room);
-  this->Depths.resize(room);
-  this->Inverses.resize(room);
-  this->BehindNear.resize(room / LaneCount);
+  if (this->Columns.size() != room)
+  {
+    this->MakeRoom(room);
+  }
   const MatrixFrom matrix(toScreen.Matrix, mesh.Origin());
   const Lanes leastW = AllLanes(toScreen.Rounding.w);
   const Lanes leastSlack = AllLanes(toScreen.Rounding.z + toScreen.Rounding.w);
@@ -104,6 +103,17 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   return this->AreAllBehindNear;
 }
 
+/** For points of the mesh alone. */
+void MeshProjection::MakeRoom(std::size_t points)
+{
+  for (std::vector<float>* places :
+    { &this->Columns, &this->Lines, &this->Depths, &this->Inverses })
+  {
+    places->resize(points);
+  }
+  this->BehindNear.resize(points / LaneCount);
+}
+
 bool MeshProjection::ClipFarther(const ScreenMatrix& toScreen)
 {
   if (this->Rest.LeastW() > FartherRatio * toScreen.Rounding.w)
@@ -118,11 +128,7 @@ bool MeshProjection::ClipFarther(const ScreenMatrix& toScreen)
 void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
 {
   this->Rest.Clip(*this->Projected, toScreen, leastRatio);
-  for (std::vector<float>* places :
-    { &this->Columns, &this->Lines, &this->Depths, &this->Inverses })
-  {
-    places->resize(this->Projected->Coordinates(0).size());
-  }
+  this->MakeRoom(this->Projected->Coordinates(0).size());
   for (const glm::dvec4& cut : this->Rest.Cuts())
   {
     this->Columns.push_back(static_cast<float>(cut.x / cut.w));

@@ -166,6 +166,7 @@ private:
       (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
     return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
   }
+  void MakeRoom(std::size_t points);
   void Clip(const ScreenMatrix& toScreen, double leastRatio);
   std::uint32_t SourceOf(std::uint32_t face) const
   {

@@ -19,6 +19,8 @@ public:
     8; ///< its mesh had few points when it was last asked for
   static constexpr std::uint8_t AreFacesHidden = 16; ///< each by itself, wherever a device draws it
   static constexpr std::uint8_t WasIdle = 32;        ///< inserted in vain (LastOwners)
+  static constexpr std::uint8_t HasSamples = 64;  ///< of the s-buffer, now that the frame has ended
+  static constexpr std::uint8_t HadSamples = 128; ///< the same of the last frame
 
   /**
    * A frame begins, of which nothing is known but what parts are drawn.
@@ -28,6 +30,7 @@ public:
   std::uint32_t Begin(const std::vector<std::uint8_t>& drawn)
   {
     static_assert(IsDrawn == 1, "as a comparison tells it");
+    static_assert(HadSamples == HasSamples << 1, "as it is shifted");
     this->States.resize(drawn.size(), 0);
     std::uint8_t* const states = this->States.data();
     const std::uint8_t* const areDrawn = drawn.data();
@@ -36,7 +39,8 @@ public:
     for (std::size_t i = 0; i < parts; ++i)
     {
       const std::uint8_t isDrawn = areDrawn[i] != 0;
-      states[i] = static_cast<std::uint8_t>((states[i] & (WasSmall | WasIdle)) | isDrawn);
+      const int had = (states[i] & HasSamples) << 1;
+      states[i] = static_cast<std::uint8_t>((states[i] & (WasSmall | WasIdle)) | had | isDrawn);
       count += isDrawn;
     }
     return count;

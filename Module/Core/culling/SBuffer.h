@@ -98,7 +98,8 @@ struct SBufferCounts
 {
   std::uint64_t Inserted = 0;    ///< segments
   std::uint64_t Comparisons = 0; ///< of two depths at one place
-  std::uint64_t Refused = 0;     ///< pieces of segments for which there was no span left
+  std::uint64_t Changed = 0; ///< of what was inserted on eight lines at once, what had samples then
+  std::uint64_t Refused = 0; ///< pieces of segments for which there was no span left
 };
 
 /**
@@ -161,7 +162,8 @@ public:
       this->Counted.Inserted += static_cast<std::uint64_t>(lines);
       this->Counted.Comparisons +=
         static_cast<std::uint64_t>(lines * (range.Last + 1 - range.First));
-      this->AtSamples->InsertLines(this->Tiles, line, range, left, right, face, depthAt);
+      this->Counted.Changed +=
+        this->AtSamples->InsertLines(this->Tiles, line, range, left, right, face, depthAt);
     }
   }
 

@@ -92,12 +92,13 @@ VITRINE_INLINE bool SampleDepths::ColumnsHide(
   for (int line = lines.First; line <= lines.Last; line += LaneCount)
   {
     const float* depths = &this->Depths[this->At(first, line)];
-    LaneMask isOpen{};
+    Lanes least = AllLanes(BeyondAll);
     for (int i = first; i < end; ++i, depths += this->Stride)
     {
-      isOpen |= ~(LoadLanes(depths) > AllLanes(nearest));
+      least = LeastOf(LoadLanes(depths), least);
     }
-    if ((BitsOf(isOpen) & TileDepths::LowBits(lines.Last + 1 - line)) != 0)
+    const unsigned open = ~BitsOf(least > AllLanes(nearest));
+    if ((open & TileDepths::LowBits(lines.Last + 1 - line)) != 0)
     {
       return false;
     }

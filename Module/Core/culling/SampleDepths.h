@@ -90,9 +90,10 @@ public:
    * @param range    around all that is covered
    * @param left     columns that each line is covered between
    * @param depthAt  the depths of all lines at a column
+   * @returns        whether anything was kept
    */
   template <class DepthAt>
-  VITRINE_INLINE void InsertLines(TileDepths& tiles, int line, const Range& range, Lanes left,
+  VITRINE_INLINE bool InsertLines(TileDepths& tiles, int line, const Range& range, Lanes left,
     Lanes right, std::uint32_t face, const DepthAt& depthAt)
   {
     const LaneMask faces = LaneMask{} + static_cast<std::int32_t>(face);
@@ -108,10 +109,12 @@ public:
       StoreMask(isNearer ? faces : LoadMask(owners), owners);
       hasChanged |= isNearer;
     }
-    if (BitsOf(hasChanged) != 0)
+    const bool isKept = BitsOf(hasChanged) != 0;
+    if (isKept)
     {
       this->UpdateTiles(tiles, line, range);
     }
+    return isKept;
   }
 
   /** Whether all samples in a rectangle are covered by what is nearer. Beyond the screen nothing shows. */

@@ -54,13 +54,6 @@ struct ScreenRounding
 {
   CoordinateRounding Columns, Lines, Depths;
 
-  /** Of all points as much as a margin has besides what is snapped, wherever w is 1. */
-  static ScreenRounding Within(const ScreenMargin& margin, const ScreenMargin& snapping)
-  {
-    return { { margin.Column - snapping.Column, 0.0f, 0.0f },
-      { margin.Line - snapping.Line, 0.0f, 0.0f }, { margin.Depth - snapping.Depth, 0.0f, 0.0f } };
-  }
-
   /** On the screen, where w is 1; elsewhere as much over w. */
   ScreenMargin OnScreenAtOne() const
   {
@@ -77,6 +70,32 @@ struct ScreenRounding
     return { snapping.Column + this->Columns.OfPlaces + atOne.Column * inverseOfW,
       snapping.Line + this->Lines.OfPlaces + atOne.Line * inverseOfW,
       snapping.Depth + this->Depths.OfPlaces + atOne.Depth * inverseOfW };
+  }
+};
+
+/** So much of a coordinate, wherever a point is. */
+struct UniformRounding
+{
+  float Off;
+
+  template <class Number>
+  VITRINE_INLINE Number OffAt(Number, Number) const
+  {
+    return Number{} + this->Off;
+  }
+};
+
+/** Of columns, lines and depths. */
+struct UniformScreenRounding
+{
+  UniformRounding Columns, Lines, Depths;
+
+  /** What a margin has besides what is snapped. */
+  UniformScreenRounding(const ScreenMargin& margin, const ScreenMargin& snapping)
+    : Columns{ margin.Column - snapping.Column }
+    , Lines{ margin.Line - snapping.Line }
+    , Depths{ margin.Depth - snapping.Depth }
+  {
   }
 };
 
