@@ -5,7 +5,6 @@
 #include "Core/culling/BoxLanes.h"
 #include "Core/culling/FaceCoverage.h"
 #include "Core/culling/MeshProjection.h"
-#include "Core/culling/OutlineCoverage.h"
 
 #include <benchmark/benchmark.h>
 
@@ -81,7 +80,6 @@ void ProjectMesh(benchmark::State& state)
 BENCHMARK(ProjectMesh)->Arg(1000)->Arg(100000)->Unit(benchmark::kMicrosecond);
 
 // Into an empty s-buffer each time.
-template <class Coverage>
 void CoverMesh(benchmark::State& state)
 {
   const OccluderMesh mesh = SpheresOf(state.range(0));
@@ -89,7 +87,7 @@ void CoverMesh(benchmark::State& state)
   projection.Project(mesh, ViewOfCube().Of(glm::dmat4(1.0)));
   projection.FindFacings();
   SBuffer buffer(480, 270, SampleGrid::AtCentres(4));
-  Coverage coverage;
+  FaceCoverage coverage;
   for (auto _ : state)
   {
     buffer.Clear();
@@ -98,10 +96,6 @@ void CoverMesh(benchmark::State& state)
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(mesh.Faces().size()));
   state.counters["segments"] = static_cast<double>(buffer.Counts().Inserted);
 }
-BENCHMARK_TEMPLATE(CoverMesh, OutlineCoverage)
-  ->Arg(1000)
-  ->Arg(100000)
-  ->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(CoverMesh, FaceCoverage)->Arg(1000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(CoverMesh)->Arg(1000)->Arg(100000)->Unit(benchmark::kMicrosecond);
 
 }

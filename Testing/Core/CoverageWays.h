@@ -1,11 +1,10 @@
 /**
- * The ways in which a mesh gets into an s-buffer: by its outline or face by face, with samples anywhere or at centres of pixels.
+ * Where samples of an s-buffer are that meshes get into: anywhere or at centres of pixels.
  */
 #ifndef VITRINE_TESTING_COVERAGE_WAYS_H
 #define VITRINE_TESTING_COVERAGE_WAYS_H
 
 #include "Core/culling/FaceCoverage.h"
-#include "Core/culling/OutlineCoverage.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +22,6 @@ const std::size_t MostTestSpans = 1u << 15; // many more than are used
 
 struct Way
 {
-  bool IsByFaces;
   int PixelsPerLine; ///< 0 for samples anywhere
 
   vitrine::SampleGrid Samples() const
@@ -42,38 +40,9 @@ struct Way
   }
 };
 
-class Inserter
-{
-public:
-  explicit Inserter(const Way& way)
-    : IsByFaces(way.IsByFaces)
-  {
-  }
-
-  void Insert(vitrine::SBuffer& buffer, vitrine::MeshProjection& projection, Facing facing,
-    std::uint32_t part)
-  {
-    if (this->IsByFaces)
-    {
-      this->Faces.Insert(buffer, projection, facing, part);
-    }
-    else
-    {
-      this->Outline.Insert(buffer, projection, facing, part);
-    }
-  }
-
-private:
-  bool IsByFaces;
-  vitrine::FaceCoverage Faces;
-  vitrine::OutlineCoverage Outline;
-};
-
 inline std::string NameOf(const Way& way)
 {
-  const std::string samples =
-    way.PixelsPerLine == 0 ? "Anywhere" : "AtCentres" + std::to_string(way.PixelsPerLine);
-  return (way.IsByFaces ? "Faces" : "Outline") + samples;
+  return way.PixelsPerLine == 0 ? "Anywhere" : "AtCentres" + std::to_string(way.PixelsPerLine);
 }
 
 inline std::string NameOfParameter(const ::testing::TestParamInfo<Way>& info)
@@ -87,8 +56,7 @@ inline void PrintTo(const Way& way, std::ostream* out)
   *out << NameOf(way);
 }
 
-const Way AllWays[] = { { false, 0 }, { false, 1 }, { false, 2 }, { false, 4 }, { false, 8 },
-  { true, 0 }, { true, 1 }, { true, 2 }, { true, 4 }, { true, 8 }, { true, 24 } };
+const Way AllWays[] = { { 0 }, { 1 }, { 2 }, { 4 }, { 8 }, { 24 } };
 
 /** Tests of every way. */
 class EachWay : public ::testing::TestWithParam<Way>

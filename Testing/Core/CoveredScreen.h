@@ -36,7 +36,7 @@ public:
     MeshProjection projection;
     projection.Project(mesh, AsItStands(margin));
     projection.FindFacings();
-    Inserter(way).Insert(this->Buffer, projection, facing, 7);
+    vitrine::FaceCoverage().Insert(this->Buffer, projection, facing, 7);
   }
 
   double Area() const { return CoveredArea(this->Buffer); }

@@ -17,7 +17,6 @@ using coverage::DrawnBy;
 using coverage::ExactlyDrawn;
 using coverage::FacesAsTheyStand;
 using coverage::Facing;
-using coverage::Inserter;
 using coverage::MostTestSpans;
 using coverage::PlaceOfPoint;
 using coverage::Random;
@@ -53,7 +52,7 @@ void Judge(const Way& way, const Subject& subject, Facing facing, Random& random
   projection.Project(subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0)));
   projection.FindFacings();
   SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, way.Samples(), MostTestSpans);
-  Inserter(way).Insert(buffer, projection, facing, 0);
+  vitrine::FaceCoverage().Insert(buffer, projection, facing, 0);
   if (coverage::CoveredArea(buffer) == 0.0)
   {
     return;
@@ -135,7 +134,7 @@ TEST_P(CoverageIsTrue, OfManyMeshesInOneBuffer)
     Random random(seed);
     const View view = coverage::RandomView(glm::dvec3(0.0), random);
     SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), MostTestSpans);
-    Inserter inserter(GetParam());
+    vitrine::FaceCoverage inserter;
     MeshProjection projection;
     std::vector<ScreenFace> faces;
     for (int i = 0; i < 12; ++i)
@@ -186,7 +185,7 @@ TEST_P(CoverageIsTrue, OfLongSlimFaces)
     projection.Project(mesh, PlainScreen);
     projection.FindFacings();
     SBuffer buffer(40, 20, GetParam().Samples(), MostTestSpans);
-    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
+    vitrine::FaceCoverage().Insert(buffer, projection, Facing::Front, 0);
     covered += coverage::CoveredArea(buffer) > 0.0;
     const CoverageJudge judge(FacesAsTheyStand(projection), GetParam().Inset());
     ASSERT_EQ(judge.WhatIsWrong(buffer, random.Generator, 4), "");
@@ -216,7 +215,7 @@ TEST_P(CoverageIsTrue, OfFlatFacesBesideSteepOnes)
     projection.FindFacings();
     SBuffer buffer(40, 20, GetParam().Samples(), MostTestSpans);
     const Facing facing = isLeft ? Facing::Front : Facing::Back;
-    Inserter(GetParam()).Insert(buffer, projection, facing, 0);
+    vitrine::FaceCoverage().Insert(buffer, projection, facing, 0);
     ASSERT_GT(coverage::CoveredArea(buffer), 0.0);
     const CoverageJudge judge(FacesAsTheyStand(projection), GetParam().Inset());
     ASSERT_EQ(judge.WhatIsWrong(buffer, random.Generator, 1), "");
@@ -239,7 +238,7 @@ TEST_P(CoverageIsTrue, AndMostOfIt)
       projection.Project(subject.Mesh, subject.Seen.Projection(subject.Reach).Of(glm::dmat4(1.0))));
     projection.FindFacings();
     SBuffer buffer(subject.Seen.Columns, subject.Seen.Lines, GetParam().Samples(), MostTestSpans);
-    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
+    vitrine::FaceCoverage().Insert(buffer, projection, Facing::Front, 0);
     const double area = FrontArea(subject);
     EXPECT_GT(area, 700.0);
     EXPECT_GT(coverage::CoveredArea(buffer), 0.85 * area);

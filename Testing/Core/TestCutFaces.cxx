@@ -7,6 +7,7 @@
 #include "Core/culling/FaceBlock.h"
 #include "Core/culling/FaceOnLines.h"
 #include "Core/culling/SideCuts.h"
+#include "Core/culling/SliverDepth.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

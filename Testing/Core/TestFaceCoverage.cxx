@@ -14,7 +14,6 @@ namespace
 using coverage::AddRectangle;
 using coverage::Covered;
 using coverage::Facing;
-using coverage::Inserter;
 using coverage::MeshProjection;
 using coverage::OccluderMesh;
 using coverage::Random;
@@ -30,8 +29,7 @@ class FaceCoverage : public coverage::EachWay
 };
 
 INSTANTIATE_TEST_SUITE_P(Ways, FaceCoverage,
-  ::testing::Values(Way{ true, 0 }, Way{ true, 1 }, Way{ true, 2 }, Way{ true, 4 }),
-  coverage::NameOfParameter);
+  ::testing::Values(Way{ 0 }, Way{ 1 }, Way{ 2 }, Way{ 4 }), coverage::NameOfParameter);
 
 TEST_P(FaceCoverage, OfOverlappingSheetsIsTheirUnionAtTheNearerDepth)
 {
@@ -109,8 +107,8 @@ TEST_P(FaceCoverage, IsNearThePlaneOfAWallInAnyView)
     projection.Project(mesh, view.Projection(3.0).Of(glm::dmat4(1.0)));
     projection.FindFacings();
     SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), coverage::MostTestSpans);
-    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
-    Inserter(GetParam()).Insert(buffer, projection, Facing::Back, 0);
+    vitrine::FaceCoverage().Insert(buffer, projection, Facing::Front, 0);
+    vitrine::FaceCoverage().Insert(buffer, projection, Facing::Back, 0);
     // Depths of the wall's corners differ by more than those of a line's lower and upper side.
     double least = 1.0, greatest = 0.0;
     for (std::uint32_t i = 0; i < mesh.PointCount(); ++i)
@@ -150,7 +148,7 @@ TEST_P(FaceCoverage, OfAShellHasTheDepthOfItsNearWall)
     EXPECT_TRUE(projection.Project(mesh, view.Projection(2.0).Of(glm::dmat4(1.0))));
     projection.FindFacings();
     SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), coverage::MostTestSpans);
-    Inserter(GetParam()).Insert(buffer, projection, Facing::Front, 0);
+    vitrine::FaceCoverage().Insert(buffer, projection, Facing::Front, 0);
     const vitrine::ScreenProjection toScreen = view.Projection(2.0);
     vitrine::ScreenRectangle inside;
     const glm::dvec3 half(0.7, 0.7, 0.05);
@@ -172,7 +170,7 @@ TEST_P(FaceCoverage, LeavesOutWhatIsCoveredByWhatIsNearer)
 {
   SBuffer buffer(
     coverage::WideColumns, coverage::WideLines, GetParam().Samples(), coverage::MostTestSpans);
-  Inserter inserter(GetParam());
+  vitrine::FaceCoverage inserter;
   std::uint64_t inserted = 0;
   for (const double depth : { 0.5, 0.3, 0.7, 0.5 })
   {

@@ -14,7 +14,6 @@ using coverage::AddRectangle;
 using coverage::AsItStands;
 using coverage::Covered;
 using coverage::Facing;
-using coverage::Inserter;
 using coverage::MeshProjection;
 using coverage::OccluderMesh;
 using coverage::RectangleOf;
@@ -275,7 +274,7 @@ TEST_P(MeshCoverage, OfNumbersThatAreNoneIsNothing)
       MeshProjection projection;
       projection.Project(mesh, matrix);
       projection.FindFacings();
-      Inserter inserter(GetParam());
+      vitrine::FaceCoverage inserter;
       inserter.Insert(buffer, projection, Facing::Front, 0);
       inserter.Insert(buffer, projection, Facing::Back, 0);
       EXPECT_EQ(coverage::CoveredArea(buffer), 0.0) << bad << " " << i;
@@ -292,6 +291,6 @@ TEST_P(MeshCoverage, EndsAtTheNearPlane)
   const Covered covered(GetParam(), sheet);
   for (int line = 0; line < WideLines; ++line)
   {
-    covered.ExpectFromTo(line, 2.5, GetParam().IsByFaces ? 20.5 + 17.0 * 0.5 / 0.51 : 20.5);
+    covered.ExpectFromTo(line, 2.5, 20.5 + 17.0 * 0.5 / 0.51);
   }
 }

@@ -18,7 +18,6 @@ using coverage::AsItStands;
 using coverage::CoveredArea;
 using coverage::DeviceFaces;
 using coverage::Facing;
-using coverage::Inserter;
 using coverage::MostTestSpans;
 using coverage::Random;
 using coverage::SBuffer;
@@ -67,12 +66,12 @@ public:
     EXPECT_FALSE(
       this->Projection.Project(mesh, FromTheOrigin(nearest).Projection(reach).Of(glm::dmat4(1.0))));
     this->Projection.FindFacings();
-    Inserter(way).Insert(this->Buffer, this->Projection, facing, 7);
+    vitrine::FaceCoverage().Insert(this->Buffer, this->Projection, facing, 7);
     this->WidestMargin = this->Projection.Margin().Depth;
     this->IsCutFarther =
       this->Projection.ClipFarther(FromTheOrigin(nearest).Projection(reach).Of(glm::dmat4(1.0)));
     this->Projection.FindFacings();
-    Inserter(way).Insert(this->Buffer, this->Projection, facing, 7);
+    vitrine::FaceCoverage().Insert(this->Buffer, this->Projection, facing, 7);
   }
 
   double Area() const { return CoveredArea(this->Buffer); }
@@ -292,8 +291,7 @@ class CoverageWithin : public coverage::EachWay
 };
 
 INSTANTIATE_TEST_SUITE_P(Ways, CoverageWithin,
-  ::testing::Values(Way{ true, 0 }, Way{ true, 1 }, Way{ true, 2 }, Way{ true, 4 }),
-  coverage::NameOfParameter);
+  ::testing::Values(Way{ 0 }, Way{ 1 }, Way{ 2 }, Way{ 4 }), coverage::NameOfParameter);
 
 TEST_P(CoverageWithin, OfAFloorUnderTheEyeIsAllBelowItsFarEnd)
 {
@@ -390,10 +388,10 @@ TEST_P(CoverageWithin, OfRandomMeshesAroundTheEyeIsTrue)
       SBuffer buffer(view.Columns, view.Lines, GetParam().Samples(), MostTestSpans);
       projection.Project(mesh, matrix);
       projection.FindFacings();
-      Inserter(GetParam()).Insert(buffer, projection, facing, 0);
+      vitrine::FaceCoverage().Insert(buffer, projection, facing, 0);
       projection.ClipFarther(matrix);
       projection.FindFacings();
-      Inserter(GetParam()).Insert(buffer, projection, facing, 0);
+      vitrine::FaceCoverage().Insert(buffer, projection, facing, 0);
       covered += CoveredArea(buffer) > 0.0;
       for (const bool isMoved : { false, true, true })
       {

@@ -6,7 +6,6 @@
 #include "../Core/FewFacetsScenes.h"
 
 #include "Core/culling/FaceCoverage.h"
-#include "Core/culling/OutlineCoverage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -141,21 +140,16 @@ SBuffer BufferOf(FuzzBytes& bytes, int columns, int lines, unsigned pixels)
 }
 
 /** Inserts a side of a mesh that is projected by one of the ways there are for it. */
-void Insert(
-  SBuffer& buffer, MeshProjection& projection, Facing facing, std::uint32_t part, bool isByFaces)
+void Insert(SBuffer& buffer, MeshProjection& projection, Facing facing, std::uint32_t part)
 {
   const FewFacets* const few = projection.Mesh().Few();
   if (few != nullptr && buffer.BySample() && projection.IsBehindNear())
   {
     FewFacetsCoverage::Insert(buffer, *few, projection, facing, part);
   }
-  else if (isByFaces)
-  {
-    FaceCoverage().Insert(buffer, projection, facing, part);
-  }
   else
   {
-    OutlineCoverage().Insert(buffer, projection, facing, part);
+    FaceCoverage().Insert(buffer, projection, facing, part);
   }
 }
 
@@ -238,10 +232,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       projection.ClipFarther(matrix);
     }
     projection.FindFacings();
-    const bool isByFaces = bytes.Below(2) == 1;
     for (const Facing facing : { Facing::Front, Facing::Back })
     {
-      Insert(buffer, projection, facing, static_cast<std::uint32_t>(i), isByFaces);
+      Insert(buffer, projection, facing, static_cast<std::uint32_t>(i));
       AddDrawn(projection, matrix, facing, random, faces);
     }
   }

@@ -20,11 +20,6 @@ const float MostOfDensePerCell = 4096.0f;
 const std::size_t FacesPerPiece = 8;
 const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
 
-// Occluders of no more get one plane of depth. Where a line has one row of samples their faces tell it better, if they are more than those of a box and there is time to spare.
-const float FewColumns = 24.0f;
-const float FewLines = 16.0f;
-const std::size_t FewFaces = 12;
-
 // Where devices clip what reaches farther off the screen, floats round as much as samples are away from its borders, so that nothing is drawn there. Of samples half a line away.
 const float FarthestOff = 0x1p17f;
 
@@ -262,15 +257,11 @@ void BandParts::InsertSides(std::uint32_t number, const Occluder& occluder)
   {
     return;
   }
-  const bool isSimple = this->IsSimple(occluder);
-  if (!isSimple)
-  {
-    this->Tools.Projected.FindFacings();
-  }
-  this->InsertFaces(number, MeshProjection::Facing::Front, isSimple);
+  this->Tools.Projected.FindFacings();
+  this->InsertFaces(number, MeshProjection::Facing::Front);
   if (this->HasBackFaces(occluder))
   {
-    this->InsertFaces(number, MeshProjection::Facing::Back, isSimple);
+    this->InsertFaces(number, MeshProjection::Facing::Back);
   }
 }
 
@@ -309,28 +300,11 @@ bool BandParts::InsertFewFacets(std::uint32_t number, const Occluder& occluder)
   return true;
 }
 
-void BandParts::InsertFaces(std::uint32_t number, MeshProjection::Facing facing, bool isSimple)
+void BandParts::InsertFaces(std::uint32_t number, MeshProjection::Facing facing)
 {
-  SBuffer& lines = this->Tools.Lines;
   MeshProjection& projected = this->Tools.Projected;
-  if (isSimple)
-  {
-    this->Tools.Budget.Spend(this->Tools.CoverOfFew.Insert(lines, projected, facing, number));
-    return;
-  }
   this->Faces.Drop(projected, facing);
-  this->Tools.Budget.Spend(this->Tools.CoverOfMany.Insert(lines, projected, facing, number));
-}
-
-/** Whether one plane of depth stands for the part that is projected. */
-bool BandParts::IsSimple(const Occluder& occluder) const
-{
-  const ScreenRectangle& around = this->Tools.Projected.Rectangle();
-  const std::size_t faces = occluder.Mesh->Faces().size();
-  const bool areFacesWorthIt = faces > FewFaces && this->Tools.Lines.Samples().HasOneRowPerLine() &&
-    this->Tools.Budget.CanSpare(faces);
-  return !areFacesWorthIt && !this->Tools.Projected.MayBeCut() &&
-    around.Right - around.Left <= FewColumns && around.Top - around.Bottom <= FewLines;
+  this->Tools.Budget.Spend(this->Tools.Cover.Insert(this->Tools.Lines, projected, facing, number));
 }
 
 }

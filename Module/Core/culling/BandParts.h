@@ -8,7 +8,6 @@
 #include "Core/culling/LastOwners.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/OccluderSource.h"
-#include "Core/culling/OutlineCoverage.h"
 #include "Core/culling/PartStates.h"
 #include "Core/culling/SBuffer.h"
 #include "Core/culling/ScreenProjection.h"
@@ -25,8 +24,7 @@ struct BandTools
 {
   SBuffer Lines;
   MeshProjection Projected{};
-  OutlineCoverage CoverOfFew{};
-  FaceCoverage CoverOfMany{};
+  FaceCoverage Cover{};
   CutFaces Cuts{};
   InsertionBudget Budget{};
   LastOwners Owners{};
@@ -102,8 +100,7 @@ private:
   void InsertSides(std::uint32_t number, const Occluder& occluder);
   bool HasFewFacets(const Occluder& occluder) const;
   bool InsertFewFacets(std::uint32_t number, const Occluder& occluder);
-  void InsertFaces(std::uint32_t number, MeshProjection::Facing facing, bool isSimple);
-  bool IsSimple(const Occluder& occluder) const;
+  void InsertFaces(std::uint32_t number, MeshProjection::Facing facing);
 
   BandTools& Tools;
   OccluderSource& Occluders;

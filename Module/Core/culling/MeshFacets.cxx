@@ -49,11 +49,4 @@ void MeshFacets::AddCorners(
   this->Ends.push_back(static_cast<std::uint32_t>(this->CornerList.size()));
 }
 
-std::size_t MeshFacets::Bytes() const
-{
-  return this->Largest.capacity() * sizeof(MeshFace) +
-    (this->CornerList.capacity() + this->Ends.capacity()) * sizeof(std::uint32_t) +
-    this->Sides.capacity() * sizeof(MeshEdge);
-}
-
 }

@@ -44,9 +44,6 @@ public:
   /** Between different facets; Right is Count() where nothing is joined. */
   const std::vector<MeshEdge>& Edges() const { return this->Sides; }
 
-  /** Memory that it takes, itself aside. */
-  std::size_t Bytes() const;
-
 private:
   void AddCorners(const std::vector<MeshFace>& faces, const std::vector<std::uint32_t>& taken);
 

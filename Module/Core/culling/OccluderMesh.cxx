@@ -168,8 +168,10 @@ void OccluderMesh::FindRegions()
   {
     points[i] = { this->Places[0][i], this->Places[1][i], this->Places[2][i] };
   }
-  this->Polygons = MeshFacets(points, this->Triangles, this->Sides);
-  this->FewPolygons = FewFacets::Of(this->Polygons, points);
+  if (points.size() <= LaneCount)
+  {
+    this->FewPolygons = FewFacets::Of(MeshFacets(points, this->Triangles, this->Sides), points);
+  }
   this->PatchOf = FaceRegions(points, this->Triangles, this->Sides, LeastCosineOfPatch).OfFaces();
 }
 
@@ -177,8 +179,7 @@ std::size_t OccluderMesh::Bytes() const
 {
   return sizeof(*this) + 3 * this->Places[0].capacity() * sizeof(float) +
     this->Triangles.capacity() * sizeof(Face) + this->Sides.capacity() * sizeof(Edge) +
-    this->PatchOf.capacity() * sizeof(std::uint32_t) + this->Polygons.Bytes() +
-    (this->FewPolygons ? sizeof(FewFacets) : 0);
+    this->PatchOf.capacity() * sizeof(std::uint32_t) + (this->FewPolygons ? sizeof(FewFacets) : 0);
 }
 
 }

@@ -50,7 +50,6 @@ public:
 
   const std::vector<Face>& Faces() const { return this->Triangles; }
   const std::vector<Edge>& Edges() const { return this->Sides; }
-  const MeshFacets& Facets() const { return this->Polygons; }
 
   /** Its facets as they are looked at together, or null if those are not few. */
   const FewFacets* Few() const { return this->FewPolygons.get(); }
@@ -75,7 +74,6 @@ private:
   std::vector<float> Places[3];
   std::vector<Face> Triangles;
   std::vector<Edge> Sides;
-  MeshFacets Polygons;
   std::unique_ptr<const FewFacets> FewPolygons;
   std::vector<std::uint32_t> PatchOf;
   bool HasNoBorder = true;
