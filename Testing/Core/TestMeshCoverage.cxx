@@ -283,6 +283,23 @@ TEST_P(MeshCoverage, OfNumbersThatAreNoneIsNothing)
 }
 
 // By outlines no face counts of which a part is before.
+// The corner is one of two sides that go the same way, and counts for one.
+TEST_P(MeshCoverage, IsOpenBesideACornerInTheMiddleOfALine)
+{
+  Triangles arms; // two, on a base
+  arms.AddQuad({ 5, 2, 0.5 }, { 10, 2, 0.5 }, { 10, 5, 0.5 }, { 5, 5, 0.5 });
+  arms.AddQuad({ 10, 2, 0.5 }, { 30, 2, 0.5 }, { 30, 5, 0.5 }, { 10, 5, 0.5 });
+  arms.AddQuad({ 30, 2, 0.5 }, { 35, 2, 0.5 }, { 35, 5, 0.5 }, { 30, 5, 0.5 });
+  arms.AddQuad({ 30, 5, 0.5 }, { 35, 5, 0.5 }, { 35, 16, 0.5 }, { 30, 16, 0.5 });
+  arms.Add({ 5, 5, 0.5 }, { 10, 5, 0.5 }, { 7, 10.5, 0.5 });
+  arms.Add({ 10, 5, 0.5 }, { 10, 16, 0.5 }, { 7, 10.5, 0.5 });
+  arms.Add({ 7, 10.5, 0.5 }, { 10, 16, 0.5 }, { 5, 16, 0.5 });
+  const Covered covered(GetParam(), arms);
+  EXPECT_TRUE(covered.Buffer.Hides({ 8, 9, 10, 11, 0.49f }));
+  EXPECT_FALSE(covered.Buffer.Hides({ 14, 26, 10, 11, 0.49f }));
+  EXPECT_TRUE(covered.Buffer.Hides({ 31, 34, 10, 11, 0.49f }));
+}
+
 TEST_P(MeshCoverage, EndsAtTheNearPlane)
 {
   Triangles sheet;
