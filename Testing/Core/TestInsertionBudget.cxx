@@ -123,6 +123,20 @@ TEST(InsertionBudget, SparesWhatIsMoreThanHalf)
   EXPECT_FALSE(budget.CanSpare(0));
 }
 
+TEST(InsertionBudget, KeepsAnEighthForWhatCoversMuch)
+{
+  InsertionBudget budget;
+  budget.Begin(100);
+  const std::size_t most = MostOf(budget), eighth = most / 8;
+  EXPECT_TRUE(budget.AllowsSmall(most - eighth));
+  EXPECT_FALSE(budget.AllowsSmall(most - eighth + 1));
+  budget.Spend(most - eighth + 1);
+  EXPECT_FALSE(budget.AllowsSmall(1));
+  EXPECT_TRUE(budget.Allows(eighth - 1));
+  budget.Spend(most);
+  EXPECT_TRUE(budget.AllowsSmall(0)) << "what takes next to nothing";
+}
+
 // However much one try takes, and though it is known only afterwards.
 TEST(InsertionBudget, IsKeptToInTheLongRun)
 {

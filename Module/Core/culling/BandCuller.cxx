@@ -1,7 +1,5 @@
 #include "Core/culling/BandCuller.h"
 
-#include "Core/culling/BeyondAll.h"
-
 #include <algorithm>
 #include <cassert>
 
@@ -293,7 +291,6 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   std::size_t bands)
 {
   this->Tools.Lines.Clear();
-  this->Tools.Inserted = 0;
   this->Visited.clear();
   this->Counted = {};
   const std::uint32_t parts = this->Tools.States.Begin(drawn);
@@ -304,7 +301,7 @@ void BandCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   if (!tree.IsEmpty())
   {
     Walk(*this, tree, occluders, view, occlusion).Run();
-    this->Counted.Inserted = this->Tools.Inserted;
+    this->Counted.Inserted = this->Tools.Owners.InsertedCount();
   }
 }
 

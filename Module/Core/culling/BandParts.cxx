@@ -16,6 +16,9 @@ const float MostFacesPerCell = 32.0f;
 // Whether a part of more is hidden takes longer to find out than it is worth.
 const float MostOfDensePerCell = 4096.0f;
 
+// What may cover such a share of the screen is worth all that may be spent.
+const float MuchOfScreen = 1.0f / 64.0f;
+
 // To project so many faces takes as long as a piece of one on a line.
 const std::size_t FacesPerPiece = 8;
 const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
@@ -31,10 +34,14 @@ bool IsClippedSurely(const ScreenRectangle& around, const SampleGrid& samples)
     around.Top <= farthest;
 }
 
+float CellsOf(const ScreenRectangle& rectangle)
+{
+  return (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
+}
+
 float FacesPerCell(const ScreenRectangle& rectangle, std::size_t faces)
 {
-  const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
-  return static_cast<float>(faces) / std::max(cells, 1.0f);
+  return static_cast<float>(faces) / std::max(CellsOf(rectangle), 1.0f);
 }
 }
 
@@ -223,18 +230,26 @@ bool BandParts::IsWorthTesting(const Occluder& occluder, const ScreenRectangle& 
     : perCell <= MostOfDensePerCell && this->Tools.Budget.CanSpare(faces / FacesPerPiece);
 }
 
+/** Whether what is in it may cover much of the screen. */
+bool BandParts::IsLarge(const ScreenRectangle& rectangle) const
+{
+  const SBuffer& lines = this->Tools.Lines;
+  return CellsOf(rectangle) >= MuchOfScreen * static_cast<float>(lines.Columns() * lines.Lines());
+}
+
 /** Whether they may be inserted. */
 bool BandParts::IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const
 {
-  const bool isDense = FacesPerCell(rectangle, occluder.Mesh->Faces().size()) > MostFacesPerCell;
+  const std::size_t faces = occluder.Mesh->Faces().size();
+  const bool isDense = FacesPerCell(rectangle, faces) > MostFacesPerCell;
   return (!isDense || this->Tools.Lines.Samples().HasOneRowPerLine()) &&
+    (this->Tools.Budget.AllowsSmall(faces / FacesPerPiece) || this->IsLarge(rectangle)) &&
     this->IsWorthTesting(occluder, rectangle);
 }
 
 /** Puts what a part that is projected covers into the s-buffer. */
 void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 {
-  ++this->Tools.Inserted;
   const std::uint32_t number =
     this->Tools.Owners.AddInserted(part, this->Tools.Projected.Rectangle());
   this->Tools.Budget.Spend(occluder.Mesh->Faces().size() / FacesPerPiece);

@@ -28,7 +28,6 @@ struct BandTools
   CutFaces Cuts{};
   InsertionBudget Budget{};
   LastOwners Owners{};
-  std::uint32_t Inserted = 0; ///< parts, in this frame
   PartStates States{};
 };
 
@@ -94,6 +93,7 @@ private:
   bool AreBoxesHidden(const Occluder& occluder) const;
   bool HasBackFaces(const Occluder& occluder) const;
   bool Project(const Occluder& occluder);
+  bool IsLarge(const ScreenRectangle& rectangle) const;
   bool IsWorthTesting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
   bool IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const;
   void Insert(std::uint32_t part, const Occluder& occluder);

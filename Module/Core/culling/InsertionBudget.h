@@ -39,6 +39,12 @@ public:
     return static_cast<std::int64_t>(pieces) <= std::max(this->Left, std::int64_t{ 0 });
   }
 
+  /** Of what covers little of the screen: some stays for what covers much of it, though that comes later. */
+  bool AllowsSmall(std::size_t pieces) const
+  {
+    return pieces == 0 || this->Left - static_cast<std::int64_t>(pieces) >= this->Most / 8;
+  }
+
   /** Of what is likely to hide little for what it takes: half of the most that is kept stays for all else. */
   bool CanSpare(std::size_t pieces) const
   {

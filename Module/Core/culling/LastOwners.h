@@ -45,6 +45,9 @@ public:
     return static_cast<std::uint32_t>(this->Inserted.size() - 1);
   }
 
+  /** Parts, in this frame. */
+  std::uint32_t InsertedCount() const { return static_cast<std::uint32_t>(this->Inserted.size()); }
+
   /**
    * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is there still. It is not so in one of every few frames, since what is around it may have changed.
    * It is forgotten if it is not asked for.

@@ -21,8 +21,6 @@ class MeshFacets
 public:
   static constexpr std::uint32_t NoFace = FaceRegions::NoFace;
 
-  MeshFacets() = default;
-
   /** @param edges  of all faces; Right is NoFace where nothing is joined */
   MeshFacets(const std::vector<glm::vec3>& points, const std::vector<MeshFace>& faces,
     const std::vector<MeshEdge>& edges);
