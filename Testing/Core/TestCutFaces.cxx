@@ -207,7 +207,7 @@ void HoldToDevice(const CutScene& scene, UnsteadyOfFace unsteadyOf, DrawnOfKind&
   {
     return;
   }
-  FaceBlock block(projection, 0);
+  FaceBlock block(projection, { 0 }, 0);
   DepthPlane plane(projection, block.Face(0));
   const float unsteady = unsteadyOf(projection, block);
   if (unsteady == vitrine::AnyDepth)
@@ -289,7 +289,7 @@ TEST(SliversInView, AreNoNearerThanDoublesTell)
     }
     const float told = vitrine::NearestInDoubles(projection, mesh.Faces()[0]);
     unknown += told > 1.0f;
-    inDoublesAlone += told < 1.0f && FaceBlock(projection, 0).At(0).Nearest > 1.0f;
+    inDoublesAlone += told < 1.0f && FaceBlock(projection, { 0 }, 0).At(0).Nearest > 1.0f;
     for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
     {
       ASSERT_LE(drawn.z, told + 1e-7);

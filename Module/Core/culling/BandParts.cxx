@@ -184,7 +184,6 @@ bool BandParts::AreFacesHidden(std::uint32_t part, const Occluder& occluder)
   {
     return false;
   }
-  projected.FindFacings();
   if (!this->Faces.AreAll(projected))
   {
     this->Seen = this->Faces.Witness();

@@ -222,8 +222,11 @@ double CutFaces::AreaDoubt(const Triangle& corners) const
   return doubt;
 }
 
-/** What twice the area of a triangle is more than since two of its corners lie on one side of the view, a step of floats apart; 0 of others. */
-float CutFaces::LeastOnASide(const Triangle& corners) const
+/**
+ * What twice the area of a triangle is more than since two of its corners lie on one side of the view, a step of floats apart, and the third one surely beside it; 0 of others.
+ * @param off  by how much columns and lines of all corners together may differ from where they are rounded to
+ */
+float CutFaces::LeastOnASide(const Triangle& corners, float off) const
 {
   const auto& [a, b, c] = corners;
   const unsigned shared =
@@ -231,7 +234,7 @@ float CutFaces::LeastOnASide(const Triangle& corners) const
   const auto [leastColumn, mostColumn] = std::minmax({ a->Column, b->Column, c->Column });
   const auto [leastLine, mostLine] = std::minmax({ a->Line, b->Line, c->Line });
   return (shared & ViewCuts::Sides) != 0
-    ? this->Step * std::min(mostColumn - leastColumn, mostLine - leastLine)
+    ? this->Step * std::max(std::min(mostColumn - leastColumn, mostLine - leastLine) - off, 0.0f)
     : 0.0f;
 }
 
@@ -240,9 +243,11 @@ float CutFaces::UnsteadyIn(const Triangle& corners) const
 {
   FacePlaces<float> places = PlacesOf(corners);
   const SidesOnScreen<float> anywhere(places, this->Projection->Rounding());
+  const auto slid = static_cast<float>(corners[0]->Slid + corners[1]->Slid + corners[2]->Slid);
+  const float off = anywhere.Columns.SumOff() + anywhere.Lines.SumOff() + slid;
   const float leastArea =
     std::max(anywhere.LeastArea() - static_cast<float>(this->AreaDoubt(corners)),
-      this->LeastOnASide(corners));
+      this->LeastOnASide(corners, off));
   for (std::size_t i = 0; i < 3; ++i)
   {
     places.InversesOfW[i] = corners[i]->Reach;
@@ -251,9 +256,9 @@ float CutFaces::UnsteadyIn(const Triangle& corners) const
   const float byColumn = Cross(sides.Depths, sides.Lines).Off + this->ByColumn * sides.Area.Off;
   const float byLine = Cross(sides.Columns, sides.Depths).Off + this->ByLine * sides.Area.Off;
   const ScreenMargin& snapping = this->Projection->Snapping();
-  const float off =
+  const float unsteady =
     (byColumn * snapping.Column + byLine * snapping.Line) / leastArea + sides.Tilt(leastArea);
-  return off < AnyDepth ? off : AnyDepth; // as where it is no number
+  return unsteady < AnyDepth ? unsteady : AnyDepth; // as where it is no number
 }
 
 }

@@ -65,7 +65,7 @@ private:
   void ForEachTriangle(const Function& function) const;
   void FindSlopes();
   double AreaDoubt(const Triangle& corners) const;
-  float LeastOnASide(const Triangle& corners) const;
+  float LeastOnASide(const Triangle& corners, float off) const;
   float UnsteadyIn(const Triangle& corners) const;
 
   const MeshProjection* Projection = nullptr;

@@ -17,37 +17,11 @@ VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* 
 }
 }
 
-FaceBlock::FaceBlock(const MeshProjection& projection, std::size_t first)
-  : First(first)
-  , Count(FindFaces(projection, first, this->Faces))
-{
-  this->Find(projection);
-}
-
 FaceBlock::FaceBlock(
   const MeshProjection& projection, const std::vector<std::uint32_t>& faces, std::size_t first)
   : Count(FindFaces(projection, faces, first, this->Faces))
 {
   this->Find(projection);
-}
-
-VITRINE_FOR_EACH_PROCESSOR
-unsigned FaceBlock::MayHaveAny(const SampleGrid& samples, const glm::vec2& growth) const
-{
-  return this->All() &
-    samples.MayHaveAny(LoadLanes(this->Left) - growth.x, LoadLanes(this->Right) + growth.x) &
-    samples.MayHaveAny(LoadLanes(this->Bottom) - growth.y, LoadLanes(this->Top) + growth.y);
-}
-
-unsigned FaceBlock::Facing(const MeshProjection& projection, MeshProjection::Facing facing) const
-{
-  unsigned bits = 0;
-  for (int lane = 0; lane < this->Count; ++lane)
-  {
-    const auto face = static_cast<std::uint32_t>(this->First) + static_cast<std::uint32_t>(lane);
-    bits |= unsigned{ projection.FacingOf(face) == facing } << lane;
-  }
-  return bits;
 }
 
 /** Finds the rectangles of eight faces. */
@@ -73,6 +47,14 @@ void FaceBlock::Find(const MeshProjection& projection)
   StoreWhere(isFinite, LeastOf(a.Line, b.Line, c.Line) - margin.Line, -BeyondAll, this->Bottom);
   StoreWhere(isFinite, GreatestOf(a.Line, b.Line, c.Line) + margin.Line, BeyondAll, this->Top);
   StoreWhere(isFinite, nearest, BeyondAll, this->Nearest);
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+unsigned FaceBlock::MayHaveAny(const SampleGrid& samples, const glm::vec2& growth) const
+{
+  return this->All() &
+    samples.MayHaveAny(LoadLanes(this->Left) - growth.x, LoadLanes(this->Right) + growth.x) &
+    samples.MayHaveAny(LoadLanes(this->Bottom) - growth.y, LoadLanes(this->Top) + growth.y);
 }
 
 VITRINE_FOR_EACH_PROCESSOR

@@ -21,18 +21,16 @@ namespace vitrine
 class FaceBlock
 {
 public:
-  /** Of the face `first` of those that a projection has, which stay there as long as this does, and those behind it. */
-  FaceBlock(const MeshProjection& projection, std::size_t first);
-
-  /** The same of those whose numbers are in a list. */
+  /**
+   * @param projection  has the faces, which stay there as long as this does
+   * @param faces       the numbers of some
+   * @param first       of those it takes this one, and up to seven behind it
+   */
   FaceBlock(
     const MeshProjection& projection, const std::vector<std::uint32_t>& faces, std::size_t first);
 
   /** A bit for each face that may have samples, where faces are drawn farther by so much. */
   unsigned MayHaveAny(const SampleGrid& samples, const glm::vec2& growth) const;
-
-  /** A bit for each face that looks one way, as the projection knows of all; of those that follow one another. */
-  unsigned Facing(const MeshProjection& projection, MeshProjection::Facing facing) const;
 
   /** A bit for each face. */
   unsigned All() const { return (1u << this->Count) - 1u; }
@@ -79,7 +77,6 @@ private:
   float Left[LaneCount], Right[LaneCount], Bottom[LaneCount], Top[LaneCount], Nearest[LaneCount];
   float UnsteadyBy[LaneCount] = {};
   const MeshFace* Faces[LaneCount];
-  std::size_t First = 0;
   int Count;
 };
 

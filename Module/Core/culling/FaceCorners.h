@@ -13,22 +13,9 @@ namespace vitrine
 {
 
 /**
- * Points to the face `first` of those that a projection has and to up to seven behind it; where there are fewer, to the last one again.
+ * Points to the face `first` of those whose numbers are in a list and to up to seven behind it; where there are fewer, to the last one again.
  * @returns  how many there are
  */
-inline int FindFaces(
-  const MeshProjection& projection, std::size_t first, const MeshFace* (&faces)[LaneCount])
-{
-  const std::vector<MeshFace>& all = projection.Faces();
-  const auto count = static_cast<int>(std::min<std::size_t>(all.size() - first, LaneCount));
-  for (int lane = 0; lane < LaneCount; ++lane)
-  {
-    faces[lane] = &all[first] + std::min(lane, count - 1);
-  }
-  return count;
-}
-
-/** The same of those whose numbers are in a list. */
 inline int FindFaces(const MeshProjection& projection, const std::vector<std::uint32_t>& numbers,
   std::size_t first, const MeshFace* (&faces)[LaneCount])
 {

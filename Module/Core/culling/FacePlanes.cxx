@@ -20,6 +20,9 @@ namespace
 // Planes of faces that follow one another are one, if they differ by less of all distances; as those do into which a polygon was cut.
 const double SamePlane = 1e-6;
 
+// So many are looked at before their faces are listed.
+const std::size_t PlanesAtOnce = 64 * LaneCount;
+
 // What floats round, of an eye's distance.
 const double Rounding = 0x1p-22;
 
@@ -188,16 +191,27 @@ glm::dvec2 FacePlanes::FindThin(
   const auto toFarthest = static_cast<float>(farthest);
   const glm::vec4 from(place, -view.Eye.w);
   Lanes nearestOfOthers = AllLanes(BeyondAll);
-  for (std::size_t i = 0; i < this->Planes[0].size(); i += LaneCount)
+  const float *const normalX = this->Planes[0].data(), *const normalY = this->Planes[1].data(),
+                     *const normalZ = this->Planes[2].data(),
+                     *const middle = this->Planes[3].data(), *const extent = this->Planes[4].data(),
+                     *const deviation = this->Planes[5].data();
+  const std::size_t planes = this->Alignments.size();
+  for (std::size_t first = 0; first < planes; first += PlanesAtOnce)
   {
-    const Lanes distance =
-      SizeOf(from.x * LoadLanes(&this->Planes[0][i]) + from.y * LoadLanes(&this->Planes[1][i]) +
-        from.z * LoadLanes(&this->Planes[2][i]) + from.w * LoadLanes(&this->Planes[3][i]));
-    const Lanes off = LoadLanes(&this->Planes[5][i]) * toFarthest;
-    const Lanes surely = distance - off - rounded;
-    const LaneMask isThick = surely * LoadLanes(&this->Planes[4][i]) > most;
-    nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
-    this->AddFaces(i, BitsOf(~isThick), vanishing, thin); // as where it is no number
+    const std::size_t end = std::min(first + PlanesAtOnce, planes);
+    std::uint8_t areThin[PlanesAtOnce / LaneCount];
+    for (std::size_t i = first; i < end; i += LaneCount)
+    {
+      const Lanes distance =
+        SizeOf(from.x * LoadLanes(normalX + i) + from.y * LoadLanes(normalY + i) +
+          from.z * LoadLanes(normalZ + i) + from.w * LoadLanes(middle + i));
+      const Lanes surely = distance - LoadLanes(deviation + i) * toFarthest - rounded;
+      const LaneMask isThick = surely * LoadLanes(extent + i) > most;
+      nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
+      areThin[(i - first) / LaneCount] =
+        static_cast<std::uint8_t>(BitsOf(~isThick)); // as where it is no number
+    }
+    this->AddFaces(first, end, areThin, vanishing, thin);
   }
   return glm::dvec2(this->FarthestFrom(view.ByColumn), this->FarthestFrom(view.ByLine)) /
     static_cast<double>(LeastLane(nearestOfOthers));
@@ -209,22 +223,29 @@ double FacePlanes::FarthestFrom(const glm::dvec4& place) const
   return glm::length(glm::dvec3(place) - place.w * this->Middle) + std::abs(place.w) * this->Radius;
 }
 
-/** Those of some of eight planes, of which there are fewer in the end, but for faces that are aligned so. */
-void FacePlanes::AddFaces(
-  std::size_t first, unsigned planes, unsigned vanishing, std::vector<std::uint32_t>& to) const
+/** Those of some planes, of which there is a bit for each from one up to before another, but for faces that are aligned so. */
+void FacePlanes::AddFaces(std::size_t first, std::size_t end, const std::uint8_t* planes,
+  unsigned vanishing, std::vector<std::uint32_t>& to) const
 {
-  for (; planes != 0; planes &= planes - 1)
+  const std::size_t before = to.size();
+  to.resize(before + this->FirstFaces[end] - this->FirstFaces[first]);
+  std::uint32_t* next = to.data() + before;
+  for (std::size_t i = first; i < end; i += LaneCount)
   {
-    const std::size_t plane = first + static_cast<std::size_t>(LowestBit(planes));
-    if (plane >= this->Alignments.size() || (this->Alignments[plane] & vanishing) != 0)
+    const auto left = static_cast<int>(std::min<std::size_t>(end - i, LaneCount));
+    unsigned bits = planes[(i - first) / LaneCount] & ((1u << left) - 1u);
+    for (; bits != 0; bits &= bits - 1)
     {
-      continue;
-    }
-    for (std::uint32_t face = this->FirstFaces[plane]; face < this->FirstFaces[plane + 1]; ++face)
-    {
-      to.push_back(face);
+      const std::size_t plane = i + static_cast<std::size_t>(LowestBit(bits));
+      const bool isVanishing = (this->Alignments[plane] & vanishing) != 0;
+      const std::uint32_t endOfFaces = isVanishing ? 0 : this->FirstFaces[plane + 1];
+      for (std::uint32_t face = this->FirstFaces[plane]; face < endOfFaces; ++face)
+      {
+        *next++ = face;
+      }
     }
   }
+  to.resize(static_cast<std::size_t>(next - to.data()));
 }
 
 }

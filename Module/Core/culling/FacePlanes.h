@@ -51,8 +51,8 @@ private:
   void Keep(const std::vector<Plane>& planes, std::uint32_t faces);
   void Pad();
   double FarthestFrom(const glm::dvec4& place) const;
-  void AddFaces(
-    std::size_t first, unsigned planes, unsigned vanishing, std::vector<std::uint32_t>& to) const;
+  void AddFaces(std::size_t first, std::size_t end, const std::uint8_t* planes, unsigned vanishing,
+    std::vector<std::uint32_t>& to) const;
 
   glm::dvec3 Middle{ 0.0 };
   double Radius = 0.0;

@@ -19,27 +19,53 @@ namespace
 // Of depth. Faces that cuts leave in more doubt are looked at more closely.
 const float MostUnsteady = 0x1p-14f;
 
+// Of these it is found which may have samples before any is tested: most parts that show are found to by their first faces.
+const std::size_t FacesAtOnce = 64;
+
 }
 
 bool HiddenFaces::AreAll(const MeshProjection& projection)
 {
-  this->Blocks.clear();
-  for (std::size_t first = 0; first < projection.Faces().size(); first += LaneCount)
+  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+  return this->AreFrontsHidden(projection) && this->AreAllHidden(projection, this->Others) &&
+    this->AreCutFacesHidden(projection, {}, BeyondAll);
+}
+
+/** Whether those are that face the eye; finds the others that may have samples. */
+bool HiddenFaces::AreFrontsHidden(const MeshProjection& projection)
+{
+  const std::vector<MeshFace>& faces = projection.Faces();
+  this->Others.clear();
+  for (std::size_t first = 0; first < faces.size(); first += FacesAtOnce)
   {
-    const FaceBlock& block = this->Blocks.emplace_back(projection, first);
-    if (!this->AreHidden(
-          projection, block, block.Facing(projection, MeshProjection::Facing::Front)))
+    this->Sampled.clear();
+    this->Fronts.clear();
+    this->WithSamples.Add(first, std::min(first + FacesAtOnce, faces.size()), this->Sampled);
+    for (const std::uint32_t face : this->Sampled)
+    {
+      const bool isFront = projection.TurnOf(faces[face]) == MeshProjection::Facing::Front;
+      (isFront ? this->Fronts : this->Others).push_back(face);
+    }
+    if (!this->AreAllHidden(projection, this->Fronts))
     {
       return false;
     }
   }
-  return std::all_of(this->Blocks.begin(), this->Blocks.end(),
-           [&](const FaceBlock& block)
-           {
-             return this->AreHidden(projection, block,
-               block.All() & ~block.Facing(projection, MeshProjection::Facing::Front));
-           }) &&
-    this->AreCutFacesHidden(projection, {}, BeyondAll);
+  return true;
+}
+
+bool HiddenFaces::AreAllHidden(
+  const MeshProjection& projection, const std::vector<std::uint32_t>& faces)
+{
+  for (std::size_t first = 0; first < faces.size(); first += LaneCount)
+  {
+    const FaceBlock block(projection, faces, first);
+    if (!this->AreHidden(projection, block, block.All()))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /** Those that a device may cut at the view's sides, and draw nearer for that. */
@@ -108,27 +134,33 @@ bool HiddenFaces::AreHiddenTogether(const FaceBlock& block, unsigned faces) cons
 
 bool HiddenFaces::AreAllOfAnyThickness(const MeshProjection& projection)
 {
-  for (std::size_t first = 0; first < projection.Faces().size(); first += LaneCount)
-  {
-    if (!this->AreHiddenOfAnyThickness(projection, FaceBlock(projection, first)))
-    {
-      return false;
-    }
-  }
-  return this->AreCutFacesHidden(projection, {}, BeyondAll);
+  this->Sampled.clear();
+  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+  this->WithSamples.Add(0, projection.Faces().size(), this->Sampled);
+  return this->AreSampledHiddenOfAnyThickness(projection) &&
+    this->AreCutFacesHidden(projection, {}, BeyondAll);
 }
 
 bool HiddenFaces::AreSomeOfAnyThickness(
   const MeshProjection& projection, const std::vector<std::uint32_t>& faces, float nearest)
 {
-  for (std::size_t first = 0; first < faces.size(); first += LaneCount)
+  this->Sampled.clear();
+  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+  this->WithSamples.Add(faces, this->Sampled);
+  return this->AreSampledHiddenOfAnyThickness(projection) &&
+    this->AreCutFacesHidden(projection, faces, nearest);
+}
+
+bool HiddenFaces::AreSampledHiddenOfAnyThickness(const MeshProjection& projection)
+{
+  for (std::size_t first = 0; first < this->Sampled.size(); first += LaneCount)
   {
-    if (!this->AreHiddenOfAnyThickness(projection, FaceBlock(projection, faces, first)))
+    if (!this->AreHiddenOfAnyThickness(projection, FaceBlock(projection, this->Sampled, first)))
     {
       return false;
     }
   }
-  return this->AreCutFacesHidden(projection, faces, nearest);
+  return true;
 }
 
 /** Slivers of which floats tell nothing are found in doubles. */

@@ -6,6 +6,7 @@
 #include "Core/culling/LineExtent.h"
 #include "Core/culling/MeshProjection.h"
 #include "Core/culling/SBuffer.h"
+#include "Core/culling/SampledFaces.h"
 #include "Core/culling/ScreenProjection.h"
 
 #include <cstdint>
@@ -32,7 +33,7 @@ public:
   {
   }
 
-  /** Whether all faces of a part are hidden, of which the facings are known. Those that face the eye come first: where any shows, one of them is likely to. */
+  /** Whether all faces of a part are hidden. Those that face the eye come first: where any shows, one of them is likely to. */
   bool AreAll(const MeshProjection& projection);
 
   /** Whether all are, however many of them are so thin that nothing is known of their depth. */
@@ -55,8 +56,11 @@ public:
 private:
   bool AreCutFacesHidden(
     const MeshProjection& projection, const std::vector<std::uint32_t>& thin, float nearest);
+  bool AreFrontsHidden(const MeshProjection& projection);
+  bool AreAllHidden(const MeshProjection& projection, const std::vector<std::uint32_t>& faces);
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);
   bool AreHiddenTogether(const FaceBlock& block, unsigned faces) const;
+  bool AreSampledHiddenOfAnyThickness(const MeshProjection& projection);
   bool AreHiddenOfAnyThickness(const MeshProjection& projection, FaceBlock block);
   bool IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane);
   bool IsHidden(const FaceOnLines& face, const LineRange& lines);
@@ -67,7 +71,8 @@ private:
   const SBuffer& Lines;
   const ScreenProjection& View;
   ScreenRectangle Shown{};
-  std::vector<FaceBlock> Blocks; ///< of the part at hand
+  SampledFaces WithSamples;
+  std::vector<std::uint32_t> Sampled, Fronts, Others; ///< faces of the part at hand
   CutFaces Cuts;
   std::vector<std::uint32_t> MaybeCut;
 };

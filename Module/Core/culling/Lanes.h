@@ -231,6 +231,20 @@ VITRINE_INLINE void StoreMask(LaneMask mask, void* values)
   __builtin_memcpy(values, &mask, sizeof(mask));
 }
 
+/** Of integers of 32 bits the first of all four, the second of all four, and so on. */
+VITRINE_INLINE void StoreInterleaved(LaneMask a, LaneMask b, LaneMask c, LaneMask d, void* values)
+{
+  const LaneMask lowA = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+  const LaneMask lowC = __builtin_shufflevector(c, d, 0, 8, 1, 9, 2, 10, 3, 11);
+  const LaneMask highA = __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+  const LaneMask highC = __builtin_shufflevector(c, d, 4, 12, 5, 13, 6, 14, 7, 15);
+  const LaneMask all[] = { __builtin_shufflevector(lowA, lowC, 0, 1, 8, 9, 2, 3, 10, 11),
+    __builtin_shufflevector(lowA, lowC, 4, 5, 12, 13, 6, 7, 14, 15),
+    __builtin_shufflevector(highA, highC, 0, 1, 8, 9, 2, 3, 10, 11),
+    __builtin_shufflevector(highA, highC, 4, 5, 12, 13, 6, 7, 14, 15) };
+  __builtin_memcpy(values, all, sizeof(all));
+}
+
 /** A column of a matrix. */
 VITRINE_INLINE DoubleLanes LoadDoubles(const double* values)
 {

@@ -104,6 +104,15 @@ public:
   /** What of that a rasteriser moves points by where it looks what they cover; depths stay those of the points that it did not move. */
   const ScreenMargin& Snapping() const { return this->DeviceSnapping; }
 
+  /** Which way one of Faces() goes around. */
+  Facing TurnOf(const MeshFace& face) const
+  {
+    const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
+    const float area =
+      (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
+    return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
+  }
+
   /** Which way a face of the mesh goes around. */
   Facing FacingOf(const MeshFace& face) const
   {
@@ -159,13 +168,6 @@ public:
   bool MayShowBeforeNear() const { return !this->AreAllBehindNear && this->Rest.MayShowBefore(); }
 
 private:
-  Facing TurnOf(const MeshFace& face) const
-  {
-    const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
-    const float area =
-      (b.Column - a.Column) * (c.Line - a.Line) - (c.Column - a.Column) * (b.Line - a.Line);
-    return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
-  }
   void MakeRoom(std::size_t points);
   void Clip(const ScreenMatrix& toScreen, double leastRatio);
   std::uint32_t SourceOf(std::uint32_t face) const

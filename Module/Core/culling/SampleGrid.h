@@ -4,9 +4,17 @@
 #include "Core/culling/Lanes.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace vitrine
 {
+
+/** Numbers of samples up to eight places. */
+struct SampleCounts
+{
+  LaneMask Least, Most;
+};
 
 /**
  * Where on the screen something can show at all, in columns and lines of an s-buffer: at the centres of pixels; where pixels have
@@ -99,13 +107,21 @@ public:
   /** The place behind another one, or that itself where samples are anywhere. */
   float Behind(float sample) const { return sample + this->Step; }
 
-  /** A bit for each of eight pairs of places, whether there may be samples between them, of which those up to 0 are not on the screen. Says yes where that is nearly so, and of what is no number. */
+  /** How many places with samples there are up to each of eight pairs of places, but for those up to 0, which are not on the screen: as few as it may be and as many. Far apart where that is not known. */
+  VITRINE_INLINE SampleCounts CountUpTo(const Lanes& from, const Lanes& to) const
+  {
+    const LaneMask isKnown = (from <= to) & (to < AllLanes(FarthestPlace)) &
+      (this->PerColumn > 0.0f ? ~LaneMask{} : LaneMask{});
+    const LaneMask most = LaneMask{} + std::numeric_limits<std::int32_t>::max();
+    return { isKnown & this->CountUpTo(from - NearlyThere),
+      isKnown ? this->CountUpTo(to + NearlyThere) : most };
+  }
+
+  /** A bit for each of eight pairs of places, whether there may be samples between them. Says yes where that is nearly so, and of what is no number. */
   VITRINE_INLINE unsigned MayHaveAny(const Lanes& from, const Lanes& to) const
   {
-    const LaneMask areFar = ~((from <= to) & (to < AllLanes(FarthestPlace)));
-    const LaneMask differ =
-      this->CountUpTo(from - NearlyThere) != this->CountUpTo(to + NearlyThere);
-    return BitsOf(this->PerColumn > 0.0f ? areFar | differ : ~LaneMask{});
+    const SampleCounts counts = this->CountUpTo(from, to);
+    return BitsOf(counts.Least != counts.Most);
   }
 
 private:

@@ -14,18 +14,17 @@ namespace vitrine
 namespace
 {
 
-// Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats and ours may be off by at the very most, of which devices have been seen to need a sixteenth.
-const double ThinOfSnapping = 1.0 / 6.0;
-const double ThinOfRounding = 1.0 / 3.0;
+// Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats round of a column or a line. Corners that those round move by the root of 2 of that at most, so that of four
+// times as much less than three are lost, and what it snaps by is left.
+const double ThinOfSnapping = 1.0;
+const double ThinOfRounding = 4.0;
 
-// Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: corners that are rounded as much turn them by no more. Slivers that llvmpipe drew
-// never needed more than half of it.
+// Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: 4 / (4 - 2 * the root of 2), and what it rounds of depths.
 const double SteeperOnDevice = 4.2;
 const float StepsOnDevice = 8.0f;
 
-// And planes of faces that are long and thin tilt by so much of their depth, times how many times as wide they are on the screen as they are thick (FaceSlopes.h): of those that llvmpipe draws
-// none exceeded half of it.
-const float TiltOnDevice = 4.0f * 0x1p-24f;
+// And planes of faces that are long and thin tilt by so much of their depth, times how many times as wide they are on the screen as they are thick: what a device rounds of products (FaceSlopes.h).
+const float TiltOnDevice = 24.0f * 0x1p-24f;
 
 /** The longest that an axis becomes, squared. */
 double LongestAxisOf(const glm::dmat4& m)

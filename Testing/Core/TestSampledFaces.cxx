@@ -1,0 +1,190 @@
+// Which faces may have samples, held to a look at each sample.
+#include "NonFinite.h"
+#include "OccluderScenes.h"
+
+#include "Core/culling/SampledFaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using coverage::Random;
+using coverage::Triangles;
+using vitrine::MeshFace;
+using vitrine::MeshProjection;
+using vitrine::OccluderMesh;
+using vitrine::SampledFaces;
+using vitrine::SampleGrid;
+using vitrine::ScreenMatrix;
+
+const glm::vec2 NoGrowth(0.0f);
+
+// Within so much of a sample either answer will do.
+const double Nearly = 1.0 / 512.0;
+
+/** Columns, lines and depths are those of the points. */
+ScreenMatrix PlainMatrix()
+{
+  return { glm::dmat4(1.0), glm::vec4(1e-5f, 1e-5f, 1e-6f, 0.0f), { 1e-3f, 1e-3f, 1e-6f },
+    { 40, 20 } };
+}
+
+/** Small faces on and beside a screen of 40 columns and 20 lines. */
+Triangles SmallFaces(int count, Random& random)
+{
+  Triangles faces;
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3 middle =
+      glm::dvec3(44.0, 24.0, 1.0) * random.Point(0.0, 1.0) - glm::dvec3(2.0, 2.0, 0.0);
+    const auto corner = [&]()
+    { return middle + glm::dvec3(0.7, 0.7, 0.0) * random.Point(-1.0, 1.0); };
+    const glm::dvec3 a = corner(), b = corner(), c = corner();
+    faces.Add(a, b, c);
+  }
+  return faces;
+}
+
+/** Whether a place from one to another that lies on the screen has samples, of which a column has so many. */
+bool HasAny(double from, double to, int perColumn)
+{
+  return std::floor(to * perColumn - 0.5) >= std::ceil(std::max(from, 0.0) * perColumn - 0.5);
+}
+
+/** The same of a face that reaches so much farther than its corners. */
+bool HasAny(const MeshProjection& projection, const MeshFace& face, double farther, int perColumn)
+{
+  double low[2] = { 1e300, 1e300 }, high[2] = { -1e300, -1e300 };
+  for (const std::uint32_t corner : face)
+  {
+    const double place[2] = { projection.Point(corner).Column, projection.Point(corner).Line };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      low[axis] = std::min(low[axis], place[axis] - farther);
+      high[axis] = std::max(high[axis], place[axis] + farther);
+    }
+  }
+  return HasAny(low[0], high[0], perColumn) && HasAny(low[1], high[1], perColumn);
+}
+
+std::vector<std::uint32_t> AllSampled(
+  const MeshProjection& projection, const SampleGrid& grid, const glm::vec2& growth = NoGrowth)
+{
+  SampledFaces sampled;
+  sampled.Begin(projection, grid, growth);
+  std::vector<std::uint32_t> found;
+  sampled.Add(0, projection.Faces().size(), found);
+  return found;
+}
+
+}
+
+TEST(SampledFaces, AreThoseThatTouchColumnsAndLinesOfSamples)
+{
+  Random random(31);
+  int none = 0, some = 0;
+  for (const int perColumn : { 1, 2, 3, 4 })
+  {
+    for (const double growth : { 0.0, 0.25 })
+    {
+      const OccluderMesh mesh = SmallFaces(2000, random).Mesh();
+      MeshProjection projection;
+      ASSERT_TRUE(projection.Project(mesh, PlainMatrix()));
+      const std::vector<std::uint32_t> found =
+        AllSampled(projection, SampleGrid::AtCentres(perColumn), glm::vec2(growth));
+      ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
+      const double farther = growth + double{ projection.Margin().Column };
+      for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
+      {
+        const MeshFace& face = projection.Faces()[i];
+        const bool isFound = std::binary_search(found.begin(), found.end(), i);
+        EXPECT_TRUE(isFound || !HasAny(projection, face, farther, perColumn)) << i;
+        EXPECT_TRUE(!isFound || HasAny(projection, face, farther + Nearly, perColumn)) << i;
+        ++(isFound ? some : none);
+      }
+    }
+  }
+  EXPECT_GT(none, 2000);
+  EXPECT_GT(some, 2000);
+}
+
+TEST(SampledFaces, OfAListAreInItsOrder)
+{
+  Random random(32);
+  const OccluderMesh mesh = SmallFaces(100, random).Mesh();
+  MeshProjection projection;
+  ASSERT_TRUE(projection.Project(mesh, PlainMatrix()));
+  const SampleGrid grid = SampleGrid::AtCentres(1);
+  SampledFaces sampled;
+  sampled.Begin(projection, grid, NoGrowth);
+  std::vector<std::uint32_t> backwards, found;
+  for (std::uint32_t i = 0; i < 50; ++i)
+  {
+    backwards.push_back(49 - i);
+  }
+  sampled.Add(backwards, found);
+  std::reverse(found.begin(), found.end());
+  std::vector<std::uint32_t> first;
+  sampled.Add(0, 50, first);
+  EXPECT_EQ(found, first);
+  sampled.Add(50, 100, first);
+  EXPECT_EQ(first, AllSampled(projection, grid)) << "what was found is kept";
+}
+
+TEST(SampledFaces, AreAllWhereSamplesMayBeAnywhere)
+{
+  Random random(33);
+  const OccluderMesh mesh = SmallFaces(20, random).Mesh();
+  MeshProjection projection;
+  ASSERT_TRUE(projection.Project(mesh, PlainMatrix()));
+  EXPECT_EQ(AllSampled(projection, SampleGrid()).size(), 20u);
+}
+
+TEST(SampledFaces, AreThoseThatHaveNoPlaceOrReachFarOff)
+{
+  Random random(34);
+  for (int element = 0; element < 16; ++element)
+  {
+    for (const float value : { NotANumber, Infinity, -Infinity, 1e30f })
+    {
+      const OccluderMesh mesh = SmallFaces(12, random).Mesh();
+      ScreenMatrix matrix = PlainMatrix();
+      matrix.Matrix[element / 4][element % 4] = value;
+      MeshProjection projection;
+      projection.Project(mesh, matrix);
+      const std::vector<std::uint32_t> found = AllSampled(projection, SampleGrid::AtCentres(1));
+      for (std::uint32_t i = 0; i < projection.Faces().size(); ++i)
+      {
+        const MeshFace& face = projection.Faces()[i];
+        const bool isPlaced = std::all_of(face.begin(), face.end(),
+          [&](std::uint32_t corner)
+          {
+            return std::isfinite(projection.Point(corner).Column) &&
+              std::isfinite(projection.Point(corner).Line);
+          });
+        EXPECT_TRUE(isPlaced || std::binary_search(found.begin(), found.end(), i)) << element;
+      }
+    }
+  }
+}
+
+// One object serves mesh after mesh.
+TEST(SampledFaces, OfASmallerMeshKnowNothingOfALargerOne)
+{
+  Random random(35);
+  const OccluderMesh large = SmallFaces(100, random).Mesh(), small = SmallFaces(10, random).Mesh();
+  MeshProjection projection;
+  SampledFaces sampled;
+  ASSERT_TRUE(projection.Project(large, PlainMatrix()));
+  sampled.Begin(projection, SampleGrid::AtCentres(1), NoGrowth);
+  ASSERT_TRUE(projection.Project(small, PlainMatrix()));
+  sampled.Begin(projection, SampleGrid::AtCentres(1), NoGrowth);
+  std::vector<std::uint32_t> found;
+  sampled.Add(0, 10, found);
+  EXPECT_EQ(found, AllSampled(projection, SampleGrid::AtCentres(1)));
+}
