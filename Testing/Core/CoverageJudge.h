@@ -111,7 +111,7 @@ public:
 private:
   // Doubles of a face's two neighbours at one edge are the same; what lies between is their rounding.
   static constexpr double Hairline = 1e-9;
-  // A span tells its depth in floats.
+  // A span tells its depth in floats; so much of it, where it is more than 1.
   static constexpr double DepthRounding = 1e-7;
 
   /** From the line's lowest samples to its highest: at both ends, at random heights, and beside corners of faces. */
@@ -230,7 +230,7 @@ private:
     {
       return "nothing covers column " + std::to_string(x);
     }
-    if (!(nearest >= said - DepthRounding))
+    if (!(nearest >= said - DepthRounding * std::max(1.0, std::abs(said))))
     {
       return "at column " + std::to_string(x) + " the nearest is at " + std::to_string(nearest) +
         ", not at " + std::to_string(said);

@@ -3,9 +3,12 @@
 #include "OccluderScenes.h"
 
 #include "Core/culling/FacePlanes.h"
+#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/SecondLook.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -289,6 +292,121 @@ TEST(FacePlanes, TellHowSteepOthersAre)
     closest = steepest.x > 0.0 ? std::min(closest, slopes.x / steepest.x) : closest;
   }
   EXPECT_LT(closest, 1.1) << "nor much steeper";
+}
+
+// As many planes as are looked at together, and some more and less.
+TEST(FacePlanes, OfManyAreAllFoundInOrder)
+{
+  for (const std::uint32_t count : { 1u, 511u, 512u, 513u, 1100u })
+  {
+    Triangles fan;
+    std::vector<std::uint32_t> expected;
+    double steepest = 0.0;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const bool isThin = i % 100 == 0 || i + 1 == count;
+      const double lean = isThin ? 0.0 : 2.0 + (i + 2 == count ? -1.0 : 0.001 * i);
+      fan.Add({ 0, 0, 0 }, { lean, 1, 4 }, { lean, -1, 4 });
+      steepest = lean > 0.0 ? std::max(steepest, 4.0 / lean) : steepest;
+      if (isThin)
+      {
+        expected.push_back(i);
+      }
+    }
+    const vitrine::PlaneView along{ { 0, 0, 1, 0 }, { 1, 0, 0, 0 }, { 1e-3, 1, 0, 0 } };
+    std::vector<std::uint32_t> thin;
+    const glm::dvec2 slopes = PlanesOf(fan).FindThin(along, { Thickness, 0.0 }, thin);
+    EXPECT_EQ(thin, expected) << count;
+    EXPECT_GE(slopes.x, 0.24 * steepest) << count;
+  }
+}
+
+// Third corners are as far from the line of the others as is just not thin.
+TEST(FacePlanes, OfFacesThatAreNotThinRoundingLeavesWhatSnappingTakes)
+{
+  using vitrine::SecondLook;
+  Random random(7);
+  const double columns = 480.0, lines = 270.0;
+  int faces = 0;
+  double steepest = 0.0;
+  for (int round = 0; round < 3000; ++round)
+  {
+    const glm::dmat4 toClip =
+      glm::perspective(random.Between(0.4, 1.7), columns / lines, 0.01, 200.0);
+    const vitrine::ScreenMargin snapping{ 0.6f / 256.0f, 0.6f / 256.0f, 0x1p-21f };
+    const vitrine::ScreenProjection view(
+      toClip, columns, lines, glm::dvec3(std::pow(10.0, random.Between(0.0, 3.5))), snapping);
+    const double rounding = view.RoundingAtOne(), scale = view.SmallestScale();
+    const double snapped = double{ snapping.Column };
+    const FacePlanes::Thickness thinnest{ SecondLook::ThinOfSnapping * snapped / scale,
+      SecondLook::ThinOfRounding * rounding / scale };
+    const glm::dmat4 fromClip = glm::inverse(toClip);
+    const auto place = [&]()
+    {
+      const glm::dvec4 ahead =
+        fromClip * glm::dvec4(random.Between(-1, 1), random.Between(-1, 1), 0.9, 1.0);
+      return glm::dvec3(ahead) / ahead.w * std::pow(10.0, random.Between(-1, 2)) /
+        (-ahead.z / ahead.w);
+    };
+    const glm::dvec3 a = place(), b = place(), between = glm::mix(a, b, random.Between(-0.2, 1.2));
+    const glm::dvec3 aside = glm::length(b - a) * random.Point(-1, 1);
+    const vitrine::PlaneView planes = view.OfPlanes();
+    glm::dvec2 slopes(0.0);
+    const auto isThin = [&](double share)
+    {
+      Triangles face;
+      face.Add(a, b, between + share * aside);
+      std::vector<std::uint32_t> thin;
+      slopes = PlanesOf(face).FindThin(planes, thinnest, thin);
+      return !thin.empty();
+    };
+    double low = 1e-9, high = 10.0;
+    for (int i = 0; i < 40; ++i)
+    {
+      const double middle = std::sqrt(low * high);
+      (isThin(middle) ? low : high) = middle;
+    }
+    if (isThin(high))
+    {
+      continue;
+    }
+    const glm::dvec3 corners[] = { a, b, between + high * aside };
+    glm::dvec3 onScreen[3];
+    double off[3];
+    bool isOnScreen = true;
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec4 there = view.ToScreen(corners[i]);
+      onScreen[i] = glm::dvec3(there) / there.w;
+      off[i] = rounding / there.w;
+      isOnScreen = isOnScreen && there.w > 0.0 && onScreen[i].x >= 0.0 &&
+        onScreen[i].x <= columns && onScreen[i].y >= 0.0 && onScreen[i].y <= lines;
+    }
+    faces += isOnScreen;
+    for (unsigned way = 0; isOnScreen && way < 64; ++way)
+    {
+      glm::dvec3 drawn[3];
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        const unsigned bits = way >> 2 * i;
+        drawn[i] = onScreen[i] +
+          off[i] * glm::dvec3((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, 0.0);
+      }
+      const glm::dvec3 first = drawn[1] - drawn[0], second = drawn[2] - drawn[0];
+      const double area = first.x * second.y - second.x * first.y;
+      const double longest = std::max({ glm::length(glm::dvec2(first)),
+        glm::length(glm::dvec2(second)), glm::length(glm::dvec2(second - first)) });
+      ASSERT_GE(std::abs(area) / longest, snapped) << "seed 7, round " << round;
+      const double byColumn = (first.z * second.y - second.z * first.y) / area;
+      const double byLine = (first.x * second.z - second.x * first.z) / area;
+      const double beside = std::abs(byColumn) + std::abs(byLine);
+      const double most = SecondLook::SteeperOnDevice * (slopes.x + slopes.y);
+      ASSERT_LE(beside, most) << "seed 7, round " << round;
+      steepest = std::max(steepest, beside / most);
+    }
+  }
+  EXPECT_GT(faces, 100);
+  EXPECT_GT(steepest, 0.3) << "nor much less";
 }
 
 TEST(FacePlanes, OfNothingAndOfFacesWithoutExtentAreNone)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -321,6 +322,50 @@ TEST(SecondLook, AsksForWholePixelsOfWhatIsDrawnApart)
     scene.Parts[part].Lines = { { { 0, 0, -30 }, { 1, 0, -32 } } };
     EXPECT_FALSE(StaysHidden(scene, part, wide, view)) << "lines reach farther";
   }
+}
+
+// Of round parts some face is seen nearly from its edge.
+TEST(SecondLook, AsksThinFacesOneByOneOfWhatIsDrawnApart)
+{
+  Random random(5);
+  const Triangles pipe = coverage::GridOf(48, 1,
+    [](double u, double v)
+    {
+      const double angle = glm::two_pi<double>() * u;
+      return glm::dvec3(0.6 * std::cos(angle), 0.6 * std::sin(angle), 2.0 * v - 1.0);
+    });
+  const View view = SnappingView(false, 0.6 / 256.0);
+  BandTools whole = WallOf(1.0f, FrameLines, SampleGrid::InCells(1, 4));
+  BandTools half = WallOf(1.0f, FrameLines / 2, SampleGrid::InCells(1, 4));
+  int behindWhole = 0, behindHalf = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    PartScene scene;
+    const glm::dvec3 place(
+      random.Between(-4, 4), random.Between(-10, 10), random.Between(-40, -20));
+    const std::uint32_t part = scene.Add(pipe,
+      glm::rotate(glm::translate(glm::dmat4(1.0), place), random.Between(0, 6.28),
+        glm::normalize(random.Point(-1, 1))));
+    scene.Parts[part].IsDrawnApart = true;
+    behindWhole += StaysHidden(scene, part, whole, view);
+    behindHalf += StaysHidden(scene, part, half, view);
+  }
+  EXPECT_GT(behindWhole, 390);
+  EXPECT_GT(behindHalf, 100);
+  EXPECT_LT(behindHalf, 300);
+}
+
+TEST(SecondLook, ShowsThinFacesOfWhatIsDrawnApart)
+{
+  PartScene scene;
+  Triangles edgeOn;
+  edgeOn.Add({ 0, -3, -31 }, { 0, 3, -31 }, { 0, 0, -33 });
+  const std::uint32_t part = scene.Add(edgeOn);
+  scene.Parts[part].IsDrawnApart = true;
+  const View view = SnappingView(false, 1.0 / 64.0);
+  const float nearest = static_cast<float>(NearestOf(scene, part, view));
+  BandTools close = WallOf(nearest + 1e-3f, FrameLines, SampleGrid::InCells(1, 4));
+  EXPECT_FALSE(StaysHidden(scene, part, close, view)) << "its depth may be any";
 }
 
 TEST(SecondLook, AsksForLines)

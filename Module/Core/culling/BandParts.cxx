@@ -16,7 +16,7 @@ const float MostFacesPerCell = 32.0f;
 // Whether a part of more is hidden takes longer to find out than it is worth.
 const float MostOfDensePerCell = 4096.0f;
 
-// What may cover such a share of the screen is worth all that may be spent.
+// What may cover such a share of the band's screen is worth all that may be spent.
 const float MuchOfScreen = 1.0f / 64.0f;
 
 // To project so many faces takes as long as a piece of one on a line.
@@ -34,14 +34,10 @@ bool IsClippedSurely(const ScreenRectangle& around, const SampleGrid& samples)
     around.Top <= farthest;
 }
 
-float CellsOf(const ScreenRectangle& rectangle)
-{
-  return (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
-}
-
 float FacesPerCell(const ScreenRectangle& rectangle, std::size_t faces)
 {
-  return static_cast<float>(faces) / std::max(CellsOf(rectangle), 1.0f);
+  const float cells = (rectangle.Right - rectangle.Left) * (rectangle.Top - rectangle.Bottom);
+  return static_cast<float>(faces) / std::max(cells, 1.0f);
 }
 }
 
@@ -232,8 +228,11 @@ bool BandParts::IsWorthTesting(const Occluder& occluder, const ScreenRectangle& 
 /** Whether what is in it may cover much of the screen. */
 bool BandParts::IsLarge(const ScreenRectangle& rectangle) const
 {
-  const SBuffer& lines = this->Tools.Lines;
-  return CellsOf(rectangle) >= MuchOfScreen * static_cast<float>(lines.Columns() * lines.Lines());
+  const auto columns = static_cast<float>(this->Tools.Lines.Columns());
+  const auto lines = static_cast<float>(this->Tools.Lines.Lines());
+  const float across = std::min(rectangle.Right, columns) - std::max(rectangle.Left, 0.0f);
+  const float up = std::min(rectangle.Top, lines) - std::max(rectangle.Bottom, 0.0f);
+  return across > 0.0f && across * up >= MuchOfScreen * columns * lines;
 }
 
 /** Whether they may be inserted. */

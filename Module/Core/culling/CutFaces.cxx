@@ -234,7 +234,7 @@ float CutFaces::LeastOnASide(const Triangle& corners, float off) const
   const auto [leastColumn, mostColumn] = std::minmax({ a->Column, b->Column, c->Column });
   const auto [leastLine, mostLine] = std::minmax({ a->Line, b->Line, c->Line });
   return (shared & ViewCuts::Sides) != 0
-    ? this->Step * std::max(std::min(mostColumn - leastColumn, mostLine - leastLine) - off, 0.0f)
+    ? this->Step * std::max(0.0f, std::min(mostColumn - leastColumn, mostLine - leastLine) - off)
     : 0.0f;
 }
 

@@ -227,6 +227,11 @@ double FacePlanes::FarthestFrom(const glm::dvec4& place) const
 void FacePlanes::AddFaces(std::size_t first, std::size_t end, const std::uint8_t* planes,
   unsigned vanishing, std::vector<std::uint32_t>& to) const
 {
+  const std::uint8_t* const endOfPlanes = planes + (end - first + LaneCount - 1) / LaneCount;
+  if (std::all_of(planes, endOfPlanes, [](std::uint8_t bits) { return bits == 0; }))
+  {
+    return;
+  }
   const std::size_t before = to.size();
   to.resize(before + this->FirstFaces[end] - this->FirstFaces[first]);
   std::uint32_t* next = to.data() + before;

@@ -145,8 +145,11 @@ bool HiddenFaces::AreSomeOfAnyThickness(
   const MeshProjection& projection, const std::vector<std::uint32_t>& faces, float nearest)
 {
   this->Sampled.clear();
-  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
-  this->WithSamples.Add(faces, this->Sampled);
+  if (!faces.empty())
+  {
+    this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+    this->WithSamples.Add(faces, this->Sampled);
+  }
   return this->AreSampledHiddenOfAnyThickness(projection) &&
     this->AreCutFacesHidden(projection, faces, nearest);
 }

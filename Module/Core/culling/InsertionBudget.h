@@ -39,7 +39,7 @@ public:
     return static_cast<std::int64_t>(pieces) <= std::max(this->Left, std::int64_t{ 0 });
   }
 
-  /** Of what covers little of the screen: some stays for what covers much of it, though that comes later. */
+  /** Of what covers little of the screen: an eighth of the most that is kept stays for what covers much of it, though that comes later. So what takes more than the rest is never worth it. */
   bool AllowsSmall(std::size_t pieces) const
   {
     return pieces == 0 || this->Left - static_cast<std::int64_t>(pieces) >= this->Most / 8;

@@ -16,7 +16,11 @@ unsigned OpenLinesFor(const ScreenPatches::Patch& patch, const SBuffer& buffer, 
 {
   const SlantedDepth& plane = patch.Bound;
   const float columns = static_cast<float>(buffer.Columns());
-  const float left = std::min(std::max(patch.Left, 0.0f), columns);
+  if (!(patch.Left <= columns && patch.Right >= 0.0f))
+  {
+    return 0;
+  }
+  const float left = std::max(patch.Left, 0.0f);
   const float right = std::min(patch.Right, columns);
   const Lanes base = LanesFrom(static_cast<float>(line));
   const Lanes bottom = GreatestOf(base, AllLanes(patch.Bottom));

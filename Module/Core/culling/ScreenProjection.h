@@ -181,6 +181,14 @@ public:
   /** The same view of some of its lines alone: they count from `first`. */
   ScreenProjection OfLines(int first, int count) const;
 
+  /** The same view, of which boxes reach farther on the screen by so many more columns and lines. */
+  ScreenProjection GrownBy(const glm::vec2& growth) const
+  {
+    ScreenProjection grown = *this;
+    grown.Growth += growth;
+    return grown;
+  }
+
   PlaneView OfPlanes() const;
 
   /** How many columns or lines, whichever are fewer, a length of 1 has that is seen from a distance of 1, or in parallel projection. */

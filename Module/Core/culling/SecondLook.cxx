@@ -14,13 +14,7 @@ namespace vitrine
 namespace
 {
 
-// Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats round of a column or a line. Corners that those round move by the root of 2 of that at most, so that of four
-// times as much less than three are lost, and what it snaps by is left.
-const double ThinOfSnapping = 1.0;
-const double ThinOfRounding = 4.0;
-
-// Planes of faces that are no thinner are so much steeper for a device at most, but for some steps of its depths: 4 / (4 - 2 * the root of 2), and what it rounds of depths.
-const double SteeperOnDevice = 4.2;
+// In steps of a device's depths, how much it may have of planes besides.
 const float StepsOnDevice = 8.0f;
 
 // And planes of faces that are long and thin tilt by so much of their depth, times how many times as wide they are on the screen as they are thick: what a device rounds of products (FaceSlopes.h).
@@ -64,6 +58,8 @@ SecondLook::SecondLook(BandTools& tools, ShapeSource& shapes, const ScreenProjec
   , Planes(view.OfPlanes())
   , Snapping(view.Snapping().Column, view.Snapping().Line)
   , Faces(tools.Lines, view)
+  , ApartView(view.GrownBy(glm::vec2(tools.Lines.Samples().LinesPerPixel())))
+  , FacesApart(tools.Lines, this->ApartView)
 {
   const double scale = view.SmallestScale();
   this->Thinnest.Fixed = ThinOfSnapping * std::max(this->Snapping.x, this->Snapping.y) / scale;
@@ -145,31 +141,39 @@ bool SecondLook::AreItsLinesHidden(std::uint32_t part)
 }
 
 /** Of a part that is drawn at another place of a pixel than those that may hide it: whether they do so all over the pixels that it touches. */
-bool SecondLook::IsHiddenApart(std::uint32_t part, ScreenRectangle around) const
+bool SecondLook::IsHiddenApart(std::uint32_t part, const ScreenRectangle& around)
 {
-  const auto pixel = static_cast<float>(this->Tools.Lines.Samples().LinesPerPixel());
-  around.Left -= pixel;
-  around.Right += pixel;
-  around.Bottom -= pixel;
-  around.Top += pixel;
-  return this->ThinFaces.empty() && this->Shapes.LinesOf(part).empty() &&
-    this->Tools.Lines.Hides(around);
+  return this->Shapes.LinesOf(part).empty() &&
+    this->Tools.Lines.Hides(this->ApartView.Grown(around)) &&
+    (this->ThinFaces.empty() ||
+      (this->Project(part) && this->Tools.Projected.IsBehindNear() &&
+        this->FacesApart.AreSomeOfAnyThickness(
+          this->Tools.Projected, this->ThinFaces, around.Nearest)));
 }
 
 /** One by one: the thin ones, or all where the box tells nothing. */
 bool SecondLook::AreFacesHidden(std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden)
+{
+  if (!this->Project(part))
+  {
+    return false;
+  }
+  const MeshProjection& projected = this->Tools.Projected;
+  return isBoxHidden && projected.IsBehindNear()
+    ? this->Faces.AreSomeOfAnyThickness(projected, this->ThinFaces, around.Nearest)
+    : this->Faces.AreAllOfAnyThickness(projected) && !projected.MayShowBeforeNear();
+}
+
+/** Returns false of a part that is not one of faces alone. */
+bool SecondLook::Project(std::uint32_t part)
 {
   const Occluder shape = this->Shapes.OccluderOf(part);
   if (!shape.Mesh || !shape.IsOfFacesAlone)
   {
     return false;
   }
-  MeshProjection& projected = this->Tools.Projected;
-  const bool isBehindNear =
-    projected.Project(*shape.Mesh, this->View.Of(*shape.ToWorld, *shape.Drawn));
-  return isBoxHidden && isBehindNear
-    ? this->Faces.AreSomeOfAnyThickness(projected, this->ThinFaces, around.Nearest)
-    : this->Faces.AreAllOfAnyThickness(projected) && !projected.MayShowBeforeNear();
+  this->Tools.Projected.Project(*shape.Mesh, this->View.Of(*shape.ToWorld, *shape.Drawn));
+  return true;
 }
 
 }
