@@ -129,9 +129,10 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
     {
       ++known;
     }
-    const bool isKnown = known != before.end() && known->Data == leaf.Data &&
-      known->Geometry->IsCurrent(leaf.Data, this->Divisions);
-    leaf.Geometry = isKnown ? known->Geometry : std::make_shared<PartGeometry>(leaf.Data);
+    const bool isKnown = known != before.end() && known->Data == leaf.Data;
+    leaf.Geometry = isKnown && known->Geometry->IsCurrent(leaf.Data, this->Divisions)
+      ? known->Geometry
+      : std::make_shared<PartGeometry>(leaf.Data, isKnown ? known->Geometry.get() : nullptr);
   }
 }
 

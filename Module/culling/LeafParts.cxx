@@ -120,8 +120,14 @@ std::shared_ptr<const MapperParts> LeafParts::PartsFor(vtkActor* actor)
   }
   if (data != this->Data || data->GetMTime() != this->Time)
   {
+    this->History = data == this->Data ? this->History.Changed() : ReadingHistory();
     this->Data = data;
     this->Time = data->GetMTime();
+    this->Runs.reset();
+  }
+  if (!this->History.IsRead() && this->History.AreWorthReading())
+  {
+    this->History.MarkRead();
     this->Runs = HasPolygonsAlone(data) ? LeavesOf(data) : nullptr;
   }
   return this->Runs;

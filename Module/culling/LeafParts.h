@@ -2,6 +2,7 @@
 #define VITRINE_CULLING_LEAF_PARTS_H
 
 #include "culling/DividedMapper.h"
+#include "culling/ReadingHistory.h"
 
 #include "vtkType.h"
 
@@ -40,6 +41,7 @@ private:
   vtkPolyDataMapper* Mapper;
   vtkPolyData* Data = nullptr;
   vtkMTimeType Time = 0;
+  ReadingHistory History; ///< of its triangles
   std::shared_ptr<const Leaves> Runs;
 };
 

@@ -1,8 +1,10 @@
 #include "culling/PartGeometry.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -104,25 +106,43 @@ bool HasGhosts(vtkPolyData* data)
   return data->GetPointGhostArray() || data->GetCellGhostArray();
 }
 
-PartGeometry::PartGeometry(vtkPolyData* data)
+PartGeometry::PartGeometry(vtkPolyData* data, const PartGeometry* before)
   : Data(data)
   , Time(data->GetMTime())
+  , History(before ? before->History.Changed() : ReadingHistory())
   , Low(std::numeric_limits<double>::infinity())
   , High(-std::numeric_limits<double>::infinity())
   , HasVertsOrLines(data->GetNumberOfVerts() > 0 || data->GetNumberOfLines() > 0)
   , HasStrips(data->GetNumberOfStrips() > 0)
   , HasGhostCells(HasGhosts(data))
 {
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  if (data->GetNumberOfPoints() > 0)
   {
-    double point[3];
-    data->GetPoints()->GetPoint(i, point);
-    for (int axis = 0; axis < 3; ++axis)
+    this->ReadPoints(data);
+  }
+}
+
+/** Where they lie, each by itself as the array has them. */
+void PartGeometry::ReadPoints(vtkPolyData* data)
+{
+  const auto read = [this](auto* array)
+  {
+    for (const auto point : vtk::DataArrayTupleRange<3>(array))
     {
-      this->Low[axis] = std::min(this->Low[axis], point[axis]);
-      this->High[axis] = std::max(this->High[axis], point[axis]);
-      this->AreAllFinite = this->AreAllFinite && std::abs(point[axis]) <= LargestFloat;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double coordinate = point[axis];
+        this->Low[axis] = std::min(this->Low[axis], coordinate);
+        this->High[axis] = std::max(this->High[axis], coordinate);
+        this->AreAllFinite = this->AreAllFinite && std::abs(coordinate) <= LargestFloat;
+      }
     }
+  };
+  vtkDataArray* const points = data->GetPoints()->GetData();
+  using Dispatcher = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
+  if (!Dispatcher::Execute(points, read))
+  {
+    read(points);
   }
 }
 
@@ -149,12 +169,18 @@ bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
 
 const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
 {
+  if (this->IsRestless())
+  {
+    static const OccluderMesh nothing({}, {});
+    return nothing;
+  }
   std::call_once(this->IsMeshBuilt, [&] { this->BuildMesh(data); });
   return *this->Mesh;
 }
 
 void PartGeometry::BuildMesh(vtkPolyData* data)
 {
+  this->History.MarkRead();
   const MeshTriangles triangles = this->HasGhostCells ? MeshTriangles() : this->TrianglesFrom(data);
   this->Mesh = std::make_unique<OccluderMesh>(triangles.Points, triangles.Corners);
   const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
@@ -169,6 +195,7 @@ const FacePlanes& PartGeometry::Planes(vtkPolyData* data)
   std::call_once(this->ArePlanesBuilt,
     [&]
     {
+      this->History.MarkRead();
       MeshTriangles triangles = this->TrianglesFrom(data);
       const std::vector<std::uint32_t> strips =
         this->HasStrips ? TrianglesOfStrips(data) : std::vector<std::uint32_t>();

@@ -6,6 +6,7 @@
 #include "Core/culling/MeshBoxes.h"
 #include "Core/culling/OccluderMesh.h"
 #include "Core/culling/OrderedRuns.h"
+#include "culling/ReadingHistory.h"
 
 #include "vtkType.h"
 
@@ -34,8 +35,11 @@ bool HasGhosts(vtkPolyData* data);
 class PartGeometry
 {
 public:
-  /** Reads the points of `data` as it is now. */
-  explicit PartGeometry(vtkPolyData* data);
+  /**
+   * Reads the points of `data` as it is now.
+   * @param before  of the same data before they changed, if that is known
+   */
+  explicit PartGeometry(vtkPolyData* data, const PartGeometry* before = nullptr);
 
   /** Knows a run of the triangles of `data`, which has finite points and polygons alone. */
   PartGeometry(vtkPolyData* data, std::shared_ptr<const std::vector<std::uint32_t>> corners,
@@ -43,6 +47,9 @@ public:
 
   /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. Several threads may ask. */
   bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
+
+  /** Whether its data change so often that its faces are not read: then Occluder() has none, and Planes() are not to be asked for. Several threads may ask. */
+  bool IsRestless() { return !this->History.AreWorthReading(); }
 
   /** Of all points, in model coordinates (MC); Least exceeds Greatest if there are none. */
   const glm::dvec3& Least() const { return this->Low; }
@@ -76,6 +83,7 @@ private:
     std::vector<std::uint32_t> Corners; ///< three of each
   };
 
+  void ReadPoints(vtkPolyData* data);
   void BuildMesh(vtkPolyData* data);
   MeshTriangles TrianglesFrom(vtkPolyData* data) const;
   MeshTriangles TrianglesOfRun(vtkPolyData* data) const;
@@ -83,6 +91,7 @@ private:
   vtkPolyData* Data;
   vtkMTimeType Time;
   std::atomic<vtkMTimeType> LookedAt{ 0 }; ///< the frame in which it was found to be current
+  ReadingHistory History;                  ///< of its faces
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

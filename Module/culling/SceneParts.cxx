@@ -258,7 +258,7 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
   std::shared_ptr<PartGeometry> geometry = known.lock();
   if (!geometry || !geometry->IsCurrent(data, this->Looks))
   {
-    geometry = std::make_shared<PartGeometry>(data);
+    geometry = std::make_shared<PartGeometry>(data, geometry.get());
     known = geometry;
   }
   return geometry;

@@ -117,11 +117,11 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
   }
 }
 
-/** Wireframes may be nearer than is known. Lines and points are drawn beyond a viewport's border, where nothing hides them. */
+/** Wireframes may be nearer than is known; of what changes all the time it is not known how near it is. Lines and points are drawn beyond a viewport's border, where nothing hides them. */
 bool SceneParts::MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const
 {
   const Part& known = this->Parts[part.Part];
-  return known.IsWireframe ||
+  return known.IsWireframe || known.Geometry->IsRestless() ||
     (known.Growth > 0.0f && view.ReachesBeyond(view.RectangleOf(part.Bounds).value_or(Everywhere)));
 }
 

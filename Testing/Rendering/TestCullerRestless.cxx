@@ -1,0 +1,80 @@
+// Parts whose data change in each frame: they are drawn as they are, and not read again and again.
+#include "CullerScene.h"
+#include "DividedActor.h"
+
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace
+{
+
+const int Boxes = 60;       // so that their wall is worth its time
+const int MostFrames = 300; // of calm, until data are read again
+
+class CullerRestless : public CullerTest
+{
+protected:
+  CullerRestless()
+  {
+    for (int i = 0; i < Boxes; ++i)
+    {
+      Scene.AddBox({ 0.2 * (i % 10) - 1.0, 0.2 * (i / 10) - 0.5, -1.0 }, { 0.1, 0.1, 0.1 });
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> Wall = MeshOf(Grid(-2.5, -2.5, 2.5, 2.5, 0.0, PatchCells));
+};
+
+TEST_P(CullerRestless, HideNothingUntilTheyStayAsTheyAre)
+{
+  Scene.AddMesh(this->Wall);
+  EXPECT_EQ(Scene.ExpectSame(), Boxes);
+  Scene.Culler->CullingOn();
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Wall->Modified();
+    Scene.Render();
+    EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), Boxes) << "it changes now and then";
+  }
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    this->Wall->Modified();
+    Scene.Render();
+  }
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  Scene.Culler->CullingOn();
+  int frames = 0;
+  while (frames < MostFrames && Scene.Culler->GetNumberOfCulledParts() < Boxes)
+  {
+    Scene.Render();
+    ++frames;
+  }
+  EXPECT_GT(frames, 20);
+  EXPECT_EQ(Scene.ExpectSame(), Boxes);
+  this->Wall->Modified();
+  EXPECT_EQ(Scene.ExpectSame(), 0) << "it begins to move again";
+}
+
+TEST_P(CullerRestless, AreHiddenByNothing)
+{
+  Scene.AddWall(0.5);
+  const auto patch = MeshOf(Grid(-0.2, -0.2, 0.2, 0.2, 0.3, PatchCells));
+  Scene.AddMesh(patch);
+  EXPECT_EQ(Scene.ExpectSame(), Boxes + 1);
+  for (int frame = 0; frame < 12; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    patch->GetPoints()->SetPoint(0, -0.2 - 0.01 * frame, -0.2, 0.3 - 0.01 * frame);
+    patch->GetPoints()->Modified();
+    EXPECT_GE(Scene.ExpectSame(), Boxes);
+  }
+  EXPECT_EQ(Scene.ExpectSame(), Boxes);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerRestless, testing::ValuesIn(CullerSettings()), CullerSettingName);
+}
