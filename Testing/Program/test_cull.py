@@ -92,6 +92,11 @@ class Cull(FileTest):
         self.assertEqual((row["opaque_parts"], row["ideal"], row["ideal_share"]), (0, None, None))
         self.assertEqual(row["wrong_pixels"], 0)
 
+    def test_of_points_that_are_not_finite_no_ideal_is_known(self):
+        row = cull("demo:non-finite")["results"][0]
+        self.assertEqual((row["opaque_parts"], row["ideal"], row["ideal_share"]), (0, None, None))
+        self.assertEqual(row["wrong_pixels"], 0)
+
     def test_some_are_opaque(self):
         counts = []
         for least in ("0", "0.3", "1"):
@@ -160,6 +165,8 @@ class Cull(FileTest):
             ("demo:assembly", "--opaque-from", "nan"),
             ("demo:assembly", "--opaque-from", "1.1"),
             ("demo:assembly", "--opaque-from", "0.5", "--keep-opacity"),
+            ("demo:assembly", "--opaque-from", "0.5", "--as", "mesh"),
+            ("demo:assembly", "--keep-opacity", "--as", "blocks"),
             ("demo:assembly", "--multisamples", "3"),
             ("demo:assembly", "--poses", "1e9"),
             ("demo:assembly", "--seed", "-1"),

@@ -22,7 +22,7 @@ struct CullOptions
   std::vector<std::string> Inputs;
   std::string Size = "480x270";
   bool KeepsOpacity = false;
-  double OpaqueFrom = 0.0;
+  std::optional<double> OpaqueFrom;
   std::string Projection = "both";
   std::string Form = "actors";
   CullSettings Settings;
@@ -49,6 +49,16 @@ void CheckBufferPath(const CullOptions& options)
   }
 }
 
+/** Throw InputError if parts should stay translucent that are drawn as one actor. */
+void CheckOpacity(const CullOptions& options)
+{
+  if (options.Settings.Form != SceneForm::Actors && (options.KeepsOpacity || options.OpaqueFrom))
+  {
+    throw InputError(options.KeepsOpacity ? "--keep-opacity" : "--opaque-from",
+      "is for parts that are drawn as actors: as " + options.Form + " all are opaque");
+  }
+}
+
 void Cull(CullOptions options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
@@ -58,9 +68,10 @@ void Cull(CullOptions options)
   options.Settings.Size = ParseSize(options.Size);
   options.Settings.Projection = NamesOfProjections().at(options.Projection);
   options.Settings.Form = NamesOfForms().at(options.Form);
+  CheckOpacity(options);
   if (!options.KeepsOpacity)
   {
-    options.Settings.OpaqueFrom = options.OpaqueFrom;
+    options.Settings.OpaqueFrom = options.OpaqueFrom.value_or(0.0);
   }
   options.Settings.CountsIdeal = !options.WithoutIdeal;
   options.Settings.ShowsBuffer = options.Buffer.has_value();
