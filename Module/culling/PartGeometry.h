@@ -9,6 +9,7 @@
 #include "culling/ReadingHistory.h"
 
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <glm/vec3.hpp>
 
@@ -92,6 +93,8 @@ private:
   vtkMTimeType Time;
   std::atomic<vtkMTimeType> LookedAt{ 0 }; ///< the frame in which it was found to be current
   ReadingHistory History;                  ///< of its faces
+  vtkWeakPointer<vtkPolyData>
+    Living; ///< null once the data are gone: others may come to be at the same address
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

@@ -220,12 +220,12 @@ TEST(SecondLook, TellsTheSameOfPartsInWhateverUnits)
 {
   Random random(32);
   const View view = SnappingView(false, 1.0 / 4096.0); // less than floats are off by
-  int hidden = 0, shown = 0, differ = 0;
+  int hidden = 0, shown = 0, differ = 0, asked = 0, askedDiffer = 0;
   for (int round = 0; round < 300; ++round)
   {
     const glm::dmat4 place = NearlyAlong(false, random);
     const double before = std::pow(10.0, random.Between(-5, -1));
-    std::vector<bool> found;
+    std::vector<bool> found, askFaces;
     for (const double scale : { 1.0, 1e-3, 1e3, -1.0 })
     {
       PartScene scene;
@@ -236,13 +236,19 @@ TEST(SecondLook, TellsTheSameOfPartsInWhateverUnits)
       BandTools wall = WallOf(static_cast<float>(NearestOf(scene, box, view) + before));
       scene.Reach = 100.0;
       found.push_back(StaysHidden(scene, box, wall, view));
+      askFaces.push_back(scene.Asked() > 0);
     }
     differ += found != std::vector<bool>(4, found[0]);
+    askedDiffer += askFaces != std::vector<bool>(4, askFaces[0]);
+    asked += askFaces[0];
     ++(found[0] ? hidden : shown);
   }
   EXPECT_GT(hidden, 20);
   EXPECT_GT(shown, 20);
   EXPECT_LT(differ, 6); // of those at the thickness that tells
+  EXPECT_GT(asked, 20);
+  EXPECT_LT(asked, 280);
+  EXPECT_LT(askedDiffer, 6);
 }
 
 TEST(SecondLook, TellsNoMoreOfPartsThatAreFlattened)

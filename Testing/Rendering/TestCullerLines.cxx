@@ -29,7 +29,7 @@ TEST_P(CullerLines, BehindAWallThatAreSeenFromTheirEnd)
     const double away = Scene.Setting.IsParallel ? 1.0 : 1.1; // along the view
     const double aside = Scene.PixelSize() * (2.0 * random.Unit() - 1.0);
     lines.push_back(
-      this->AddLine({ x, y, -0.0005 }, { away * x + aside, away * y, -0.35 }, 0.002 * i));
+      this->AddLine({ x, y, -0.002 }, { away * x + aside, away * y, -0.35 }, 0.002 * i));
   }
   Scene.LookAhead();
   EXPECT_TRUE(Scene.ShowsUnculled(lines));
