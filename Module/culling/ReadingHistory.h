@@ -51,9 +51,9 @@ public:
   void MarkRead() { this->HasBeenRead = true; }
 
 private:
-  static constexpr int MostReadings = 8;
-  static constexpr int LooksOfCalm = 256;
-  static constexpr int LooksToForget = 2048;
+  static constexpr int MostReadings = 8;     ///< at once
+  static constexpr int LooksOfCalm = 256;    ///< until they are read again after those
+  static constexpr int LooksToForget = 2048; ///< without a change, of which they begin anew
 
   int ReadBefore = 0;                     ///< and changed soon after
   std::atomic<int> Looks{ 0 };            ///< since they changed, if they ever did

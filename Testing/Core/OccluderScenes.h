@@ -90,6 +90,13 @@ Triangles GridOf(int columns, int lines, const Place& place)
   return grid;
 }
 
+/** Columns, lines and depths are those of the points. */
+inline vitrine::ScreenMatrix PlainMatrix()
+{
+  return { glm::dmat4(1.0), glm::vec4(1e-5f, 1e-5f, 1e-6f, 0.0f), { 1e-3f, 1e-3f, 1e-6f },
+    { 40, 20 } };
+}
+
 inline Triangles BoxBetween(const glm::dvec3& low, const glm::dvec3& high)
 {
   const auto corner = [&](int i)

@@ -15,6 +15,7 @@
 namespace
 {
 
+using coverage::PlainMatrix;
 using coverage::Random;
 using coverage::Triangles;
 using vitrine::DepthPlane;
@@ -27,13 +28,6 @@ using vitrine::ScreenMatrix;
 using vitrine::ScreenRectangle;
 
 const unsigned AllFaces = (1u << LaneCount) - 1u;
-
-/** Columns, lines and depths are those of the points. */
-ScreenMatrix PlainMatrix()
-{
-  return { glm::dmat4(1.0), glm::vec4(1e-5f, 1e-5f, 1e-6f, 0.0f), { 1e-3f, 1e-3f, 1e-6f },
-    { 40, 20 } };
-}
 
 /** Some faces of any shape, and some as thin as slivers. */
 Triangles RandomFaces(int count, Random& random)

@@ -282,7 +282,6 @@ TEST_P(MeshCoverage, OfNumbersThatAreNoneIsNothing)
   }
 }
 
-// By outlines no face counts of which a part is before.
 // The corner is one of two sides that go the same way, and counts for one.
 TEST_P(MeshCoverage, IsOpenBesideACornerInTheMiddleOfALine)
 {

@@ -16,6 +16,7 @@
 namespace
 {
 
+using coverage::PlainMatrix;
 using coverage::Random;
 using coverage::Triangles;
 using vitrine::MeshFace;
@@ -29,13 +30,6 @@ const glm::vec2 NoGrowth(0.0f);
 
 // Within so much of a sample either answer will do.
 const double Nearly = 1.0 / 512.0;
-
-/** Columns, lines and depths are those of the points. */
-ScreenMatrix PlainMatrix()
-{
-  return { glm::dmat4(1.0), glm::vec4(1e-5f, 1e-5f, 1e-6f, 0.0f), { 1e-3f, 1e-3f, 1e-6f },
-    { 40, 20 } };
-}
 
 /** Small faces on and beside a screen of 40 columns and 20 lines. */
 Triangles SmallFaces(int count, Random& random)

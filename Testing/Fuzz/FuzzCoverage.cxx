@@ -1,4 +1,4 @@
-// Puts made-up meshes into an s-buffer, by their outline, face by face or, of few facets, all at once, by matrices that may hold anything, with all faces' exact spans as the judge.
+// Puts made-up meshes into an s-buffer, face by face or, of few facets, all at once, by matrices that may hold anything, with all faces' exact spans as the judge.
 
 #include "FuzzBytes.h"
 

@@ -2,11 +2,11 @@
 
 #include "culling/MergedMesh.h"
 #include "methods/VTKMethods.h"
+#include "scene/files/GeometryCheck.h"
 
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
-#include <cmath>
 #include <set>
 
 namespace program
@@ -14,20 +14,6 @@ namespace program
 
 namespace
 {
-
-bool AreAllFinite(vtkPolyData* mesh)
-{
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    mesh->GetPoint(i, point);
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 /** Numbers count from 1; the background is none of them. None has one where a point is not finite, which spoils what is drawn of all that share a buffer with it. */
 Scene NumberParts(const Scene& scene, std::vector<std::size_t>& opaque)
@@ -45,18 +31,17 @@ Scene NumberParts(const Scene& scene, std::vector<std::size_t>& opaque)
           static_cast<unsigned char>(count) });
     }
   }
-  const vtkSmartPointer<vtkPolyData> all = mesh.Mesh();
-  if (!AreAllFinite(all))
+  Scene numbered;
+  numbered.Placement = scene.Placement;
+  Part all;
+  all.Geometry = mesh.Mesh();
+  all.Material = vtkSmartPointer<vtkProperty>::New();
+  all.Material->LightingOff();
+  if (!HasFinitePoints(all.Geometry))
   {
     opaque.clear();
   }
-  Scene numbered;
-  numbered.Placement = scene.Placement;
-  Part part;
-  part.Geometry = all;
-  part.Material = vtkSmartPointer<vtkProperty>::New();
-  part.Material->LightingOff();
-  numbered.Parts.push_back(part);
+  numbered.Parts.push_back(all);
   return numbered;
 }
 }

@@ -26,9 +26,15 @@ const std::size_t FacesAtOnce = 64;
 
 bool HiddenFaces::AreAll(const MeshProjection& projection)
 {
-  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+  this->BeginSampling(projection);
   return this->AreFrontsHidden(projection) && this->AreAllHidden(projection, this->Others) &&
     this->AreCutFacesHidden(projection, {}, BeyondAll);
+}
+
+void HiddenFaces::BeginSampling(const MeshProjection& projection)
+{
+  this->Sampled.clear();
+  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
 }
 
 /** Whether those are that face the eye; finds the others that may have samples. */
@@ -134,8 +140,7 @@ bool HiddenFaces::AreHiddenTogether(const FaceBlock& block, unsigned faces) cons
 
 bool HiddenFaces::AreAllOfAnyThickness(const MeshProjection& projection)
 {
-  this->Sampled.clear();
-  this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+  this->BeginSampling(projection);
   this->WithSamples.Add(0, projection.Faces().size(), this->Sampled);
   return this->AreSampledHiddenOfAnyThickness(projection) &&
     this->AreCutFacesHidden(projection, {}, BeyondAll);
@@ -147,7 +152,7 @@ bool HiddenFaces::AreSomeOfAnyThickness(
   this->Sampled.clear();
   if (!faces.empty())
   {
-    this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
+    this->BeginSampling(projection);
     this->WithSamples.Add(faces, this->Sampled);
   }
   return this->AreSampledHiddenOfAnyThickness(projection) &&

@@ -56,6 +56,7 @@ public:
 private:
   bool AreCutFacesHidden(
     const MeshProjection& projection, const std::vector<std::uint32_t>& thin, float nearest);
+  void BeginSampling(const MeshProjection& projection);
   bool AreFrontsHidden(const MeshProjection& projection);
   bool AreAllHidden(const MeshProjection& projection, const std::vector<std::uint32_t>& faces);
   bool AreHidden(const MeshProjection& projection, const FaceBlock& block, unsigned faces);

@@ -27,20 +27,6 @@ bool AllFinite(const T* values, vtkIdType count)
   return true;
 }
 
-bool HasFinitePoints(vtkPoints* points)
-{
-  const vtkIdType count = 3 * points->GetNumberOfPoints();
-  switch (points->GetDataType())
-  {
-    case VTK_FLOAT:
-      return AllFinite(static_cast<const float*>(points->GetVoidPointer(0)), count);
-    case VTK_DOUBLE:
-      return AllFinite(static_cast<const double*>(points->GetVoidPointer(0)), count);
-    default:
-      return true; // integers
-  }
-}
-
 /** Checks a cell array in its 32-bit or 64-bit storage. */
 struct CornerCheck
 {
@@ -95,7 +81,7 @@ std::string FindGeometryProblem(vtkPolyData* geometry)
       return "has cells whose corners are not among its " + std::to_string(pointCount) + " points";
     }
   }
-  if (pointCount > 0 && !HasFinitePoints(geometry->GetPoints()))
+  if (!HasFinitePoints(geometry))
   {
     return "has coordinates that are not finite numbers";
   }
@@ -108,6 +94,21 @@ std::string FindGeometryProblem(vtkPolyData* geometry)
     return "has more or fewer values at its cells than cells";
   }
   return "";
+}
+
+bool HasFinitePoints(vtkPolyData* geometry)
+{
+  vtkPoints* const points = geometry->GetPoints();
+  const vtkIdType count = 3 * geometry->GetNumberOfPoints();
+  switch (count > 0 ? points->GetDataType() : VTK_VOID)
+  {
+    case VTK_FLOAT:
+      return AllFinite(static_cast<const float*>(points->GetVoidPointer(0)), count);
+    case VTK_DOUBLE:
+      return AllFinite(static_cast<const double*>(points->GetVoidPointer(0)), count);
+    default:
+      return true; // integers, or none
+  }
 }
 
 bool HasDrawableCells(vtkPolyData* geometry)

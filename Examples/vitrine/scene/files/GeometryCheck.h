@@ -17,6 +17,9 @@ namespace program
  */
 std::string FindGeometryProblem(vtkPolyData* geometry);
 
+/** True if no coordinate of its points is infinite or not a number. */
+bool HasFinitePoints(vtkPolyData* geometry);
+
 /** True if VTK draws something of it: triangles, lines or points. */
 bool HasDrawableCells(vtkPolyData* geometry);
 
