@@ -325,6 +325,29 @@ TEST(CutFaces, OfALevelWallAreWhereItIs)
   }
 }
 
+// Two corners that are left of it lie on the side of the view; a third one that lies as close to that as places are rounded may leave a triangle without area.
+TEST(CutFaces, AreNotKnownWhereAllCornersMayLieOnASide)
+{
+  const auto unsteadyWithin = [](double inside)
+  {
+    const glm::dvec2 half = 0.5 * CutViewSize;
+    const glm::dmat4 toClip = glm::ortho(-half.x, half.x, -half.y, half.y, CutNear, CutFar);
+    const double step = 0.6 / 256;
+    const ScreenProjection view(
+      toClip, CutViewSize.x, CutViewSize.y, { 240, 135, 20 }, { 0.6f / 256, 0.6f / 256, 0x1p-21f });
+    const vitrine::OccluderMesh mesh({ { half.x - inside * step, 0, -20 },
+                                       { half.x + 0.3 * step, 4, -20 }, { half.x - 3, 2, -20 } },
+      { 0, 1, 2 });
+    MeshProjection projection;
+    projection.Project(mesh, view.Of(glm::dmat4(1.0)));
+    vitrine::CutFaces cuts;
+    cuts.Begin(projection, vitrine::SampleGrid::AtCentres(1));
+    return cuts.UnsteadyOf(0u);
+  };
+  EXPECT_EQ(unsteadyWithin(2.1), vitrine::AnyDepth);
+  EXPECT_LT(unsteadyWithin(200.0), 0.1f);
+}
+
 TEST(CutFaces, AreThoseThatReachBeyondTheView)
 {
   const glm::dmat4 toClip = glm::ortho(

@@ -53,16 +53,18 @@ TEST_P(CullerLines, ReachBeyondAViewport)
   Scene.AddWall();
   const double z = -0.05, top = 0.5 * Scene.PixelSize() * Scene.Setting.Height;
   const double away = Scene.Setting.IsParallel ? 1.0 : 1.0 - z / 3.6; // from where the eye is
-  std::vector<vtkSmartPointer<vtkActor>> points;
+  std::vector<vtkSmartPointer<vtkActor>> drawn;
   for (int i = 0; i < 40; ++i)
   {
     const double beside = (i % 2 ? 1.0 - 0.001 * i : 0.001 * i - 1.0) * top;
     const double x = away * beside * Scene.Setting.Width / Scene.Setting.Height;
     const double y = 0.04 * i - 0.8;
-    points.push_back(this->AddLine({ x, y, z }, { x, y + 0.1, z }, 0.02 * i));
-    points.back()->GetProperty()->SetLineWidth(5.0f);
-    points.back()->GetProperty()->SetPointSize(7.0f);
-    points.back()->GetProperty()->SetRepresentation(i % 4 < 2 ? VTK_POINTS : VTK_SURFACE);
+    const bool isOfPoints = i % 4 < 2;
+    drawn.push_back(isOfPoints ? Scene.AddBox({ x, y, z }, { 0.002, 0.05, 0.002 })
+                               : this->AddLine({ x, y, z }, { x, y + 0.1, z }, 0.02 * i));
+    drawn.back()->GetProperty()->SetLineWidth(5.0f);
+    drawn.back()->GetProperty()->SetPointSize(7.0f);
+    drawn.back()->GetProperty()->SetRepresentation(isOfPoints ? VTK_POINTS : VTK_SURFACE);
   }
   vtkNew<vtkRenderer> behind; // clears all of the window
   behind->SetBackground(0.1, 0.2, 0.3);
@@ -71,8 +73,8 @@ TEST_P(CullerLines, ReachBeyondAViewport)
   Scene.Renderer->SetLayer(1);
   Scene.Renderer->SetViewport(0.25, 0.25, 0.75, 0.75);
   Scene.LookAhead();
-  EXPECT_TRUE(Scene.ShowsUnculled(points) || Scene.Setting.Samples == 0) << "as llvmpipe has it";
-  Scene.ExpectSame();
+  EXPECT_TRUE(Scene.ShowsUnculled(drawn) || Scene.Setting.Samples == 0) << "as llvmpipe has it";
+  EXPECT_EQ(Scene.ExpectSame(), 0) << "as devices may draw points there that llvmpipe does not";
 }
 
 INSTANTIATE_TEST_SUITE_P(
