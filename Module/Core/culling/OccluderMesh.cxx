@@ -31,11 +31,11 @@ struct Side
   std::uint32_t Face;
   bool IsForward; ///< the face goes from Least to Greatest
 
+  /** Of sides of one Least. */
   bool IsBefore(const Side& other) const
   {
-    return this->Least != other.Least    ? this->Least < other.Least
-      : this->Greatest != other.Greatest ? this->Greatest < other.Greatest
-                                         : this->Face < other.Face;
+    return this->Greatest != other.Greatest ? this->Greatest < other.Greatest
+                                            : this->Face < other.Face;
   }
   bool JoinsWith(const Side& other) const
   {
@@ -47,6 +47,37 @@ struct Side
     return this->Least == other.Least && this->Greatest == other.Greatest;
   }
 };
+
+template <class Work>
+void ForEachSide(const std::vector<MeshFace>& faces, const Work& work)
+{
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::uint32_t from = faces[f][i], to = faces[f][(i + 1) % 3];
+      work(Side{ std::min(from, to), std::max(from, to), f, from < to });
+    }
+  }
+}
+
+/** The sides of all faces, those between the same points side by side: counted by the first of their points, of which there are few to each. */
+std::vector<Side> SortedSides(const std::vector<MeshFace>& faces, std::size_t points)
+{
+  std::vector<std::size_t> ends(points + 1, 0);
+  ForEachSide(faces, [&](const Side& side) { ++ends[side.Least + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Side> sides(3 * faces.size());
+  ForEachSide(faces, [&](const Side& side) { sides[ends[side.Least]++] = side; });
+  auto first = sides.begin();
+  for (std::size_t point = 0; point < points; ++point)
+  {
+    const auto end = sides.begin() + static_cast<std::ptrdiff_t>(ends[point]);
+    std::sort(first, end, [](const Side& a, const Side& b) { return a.IsBefore(b); });
+    first = end;
+  }
+  return sides;
+}
 }
 
 OccluderMesh::OccluderMesh(
@@ -125,20 +156,7 @@ void OccluderMesh::PadPoints()
 
 void OccluderMesh::FindEdges()
 {
-  std::vector<Side> sides;
-  sides.reserve(this->Triangles.size() * 3);
-  for (std::uint32_t f = 0; f < this->Triangles.size(); ++f)
-  {
-    const Face& face = this->Triangles[f];
-    for (int i = 0; i < 3; ++i)
-    {
-      const std::uint32_t from = face[i];
-      const std::uint32_t to = face[(i + 1) % 3];
-      sides.push_back({ std::min(from, to), std::max(from, to), f, from < to });
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.IsBefore(b); });
-
+  const std::vector<Side> sides = SortedSides(this->Triangles, this->Count);
   for (std::size_t i = 0; i < sides.size();)
   {
     std::size_t end = i + 1;
