@@ -87,7 +87,7 @@ void AddChartCommand(CLI::App& app)
     ->type_name("WxH");
   command->add_option("--frames", options->Frames, "timed frames of each method")
     ->type_name("N")
-    ->check(CLI::Range(1, 100000));
+    ->check(WholeNumberWithin(1, 100000));
   command->footer(
     "A run that was stopped goes on by the same command.\nMethods:\n" + DescribeMethods());
   command->callback([options] { Chart(*options); });

@@ -131,13 +131,13 @@ void AddCullCommand(CLI::App& app)
     ->excludes(keep);
   command->add_option("--poses", options->Settings.Poses, "cameras, from outside and from within")
     ->type_name("N")
-    ->check(CLI::Range(1, 1000000))
+    ->check(WholeNumberWithin(1, 1000000))
     ->capture_default_str();
   command
     ->add_option("--skip", options->Settings.SkippedPoses,
       "begin after so many poses, as to see one again, or to share out many")
     ->type_name("N")
-    ->check(CLI::Range(0, 1000000))
+    ->check(WholeNumberWithin(0, 1000000))
     ->capture_default_str();
   AddSeedOption(*command, options->Settings.Seed, "poses");
   command->add_option("--projection", options->Projection, "of the poses")
@@ -156,7 +156,7 @@ void AddCullCommand(CLI::App& app)
     ->add_option(
       "--lines", options->Settings.BufferLines, "of the s-buffer at most; 0 for as many as pay")
     ->type_name("N")
-    ->check(CLI::Range(0, 4096))
+    ->check(WholeNumberWithin(0, 4096))
     ->capture_default_str();
   command
     ->add_option("--turn", options->Settings.TurnDegrees,

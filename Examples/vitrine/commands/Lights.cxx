@@ -104,7 +104,7 @@ void AddGridOptions(CLI::App& command, LightingSettings& settings)
     ->capture_default_str();
   command.add_option("--slices", settings.Slices, "of the depth, at most")
     ->type_name("N")
-    ->check(CLI::Range(1, 256))
+    ->check(WholeNumberWithin(1, 256))
     ->capture_default_str();
   command
     .add_option("--slice-law", settings.SliceLaw,
@@ -132,7 +132,7 @@ void AddLightsCommand(CLI::App& app)
     ->add_option("--lights", options->Lights,
       "strew so many through the scene, in place of its own; 64 where it has none")
     ->type_name("N")
-    ->check(CLI::Range(1, MostLights));
+    ->check(WholeNumberWithin(1, MostLights));
   command->add_option("--modes", options->Modes, "ways of drawing them, by name")
     ->type_name("M,...")
     ->capture_default_str();

@@ -47,6 +47,21 @@ std::vector<double> ParseNumbers(const std::string& text)
   return numbers;
 }
 
+template <typename T>
+CLI::Validator Within(const std::string& kind, T low, T high)
+{
+  std::ostringstream range;
+  range << kind << " from " << low << " to " << high;
+  return CLI::Validator(
+    [low, high, range = range.str()](const std::string& text)
+    {
+      T number{};
+      const bool isWithin = ParseNumber(text, number) && number >= low && number <= high;
+      return isWithin ? "" : "'" + text + "' is not " + range;
+    },
+    "");
+}
+
 void Append(Scene& scene, Scene&& other)
 {
   if (scene.Parts.empty() && scene.Skipped.empty())
@@ -87,16 +102,12 @@ void PrintAdvice(const LoadedInput& input)
 
 CLI::Validator NumberWithin(double low, double high)
 {
-  std::ostringstream range;
-  range << "a number from " << low << " to " << high;
-  return CLI::Validator(
-    [low, high, range = range.str()](const std::string& text)
-    {
-      double number = 0.0;
-      const bool isWithin = ParseNumber(text, number) && number >= low && number <= high;
-      return isWithin ? "" : "'" + text + "' is not " + range;
-    },
-    "");
+  return Within("a number", low, high);
+}
+
+CLI::Validator WholeNumberWithin(std::uint64_t low, std::uint64_t high)
+{
+  return Within("a whole number", low, high);
 }
 
 void AddSizeOption(CLI::App& command, std::string& size)
@@ -110,7 +121,7 @@ void AddFramesOption(CLI::App& command, int& frames)
 {
   command.add_option("--frames", frames, "timed frames of each method")
     ->type_name("N")
-    ->check(CLI::Range(1, 100000))
+    ->check(WholeNumberWithin(1, 100000))
     ->capture_default_str();
 }
 
@@ -118,7 +129,7 @@ void AddSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& of
 {
   command.add_option("--seed", seed, "of the " + of)
     ->type_name("S")
-    ->check(CLI::Range(std::uint64_t{ 0 }, LargestSeed))
+    ->check(WholeNumberWithin(0, LargestSeed))
     ->capture_default_str();
 }
 

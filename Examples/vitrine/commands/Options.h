@@ -29,6 +29,7 @@ struct SceneOptions
 
 /** Accepts numbers of the range; CLI11's own Range accepts NaN too. */
 CLI::Validator NumberWithin(double low, double high);
+CLI::Validator WholeNumberWithin(std::uint64_t low, std::uint64_t high);
 
 /** Add --size, whose default is what `size` holds. */
 void AddSizeOption(CLI::App& command, std::string& size);

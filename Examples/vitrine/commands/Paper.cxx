@@ -104,7 +104,7 @@ void AddPaperCommand(CLI::App& app)
     ->type_name("N,N,...")
     ->delimiter(',')
     ->allow_extra_args(false)
-    ->check(CLI::Range(1, MostPaperLayers));
+    ->check(WholeNumberWithin(1, MostPaperLayers));
   AddJsonOption(*command, options->Json);
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Paper(*options); });

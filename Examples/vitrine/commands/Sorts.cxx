@@ -112,11 +112,11 @@ void AddSortsCommand(CLI::App& app)
     ->capture_default_str();
   command->add_option("--lists", options->Settings.Lists, "lists of random length")
     ->type_name("N")
-    ->check(CLI::Range(1, 1 << 20))
+    ->check(WholeNumberWithin(1, 1 << 20))
     ->capture_default_str();
   command->add_option("--rounds", options->Settings.Rounds, "timed draws of each sort")
     ->type_name("N")
-    ->check(CLI::Range(1, 1000))
+    ->check(WholeNumberWithin(1, 1000))
     ->capture_default_str();
   AddSeedOption(*command, options->Settings.Seed, "lists");
   AddJsonOption(*command, options->Json);
