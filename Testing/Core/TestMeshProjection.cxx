@@ -209,3 +209,34 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
   EXPECT_GT(tested, 5000);
   EXPECT_GT(used, 0.02);
 }
+
+// Corners where a mesh is cut stand behind its points, so that there may be as many of all as the next mesh has points. Sanitizers notice what lies beyond.
+TEST(MeshProjection, HasRoomForAMeshAfterAnotherOneThatWasCut)
+{
+  const auto facesOf = [](int count, double depth)
+  {
+    Triangles faces;
+    for (int i = 0; i < count; ++i)
+    {
+      faces.Add({ i, 0, depth }, { i + 1, 0, 0.5 }, { i, 1 + i, 0.25 });
+    }
+    return faces.Mesh();
+  };
+  for (int before = 1; before <= 12; ++before)
+  {
+    for (int count = 1; count <= 12; ++count)
+    {
+      SCOPED_TRACE(testing::Message() << count << " faces after " << before);
+      const OccluderMesh cut = facesOf(before, 1.5), mesh = facesOf(count, 0.75);
+      MeshProjection projection, fresh;
+      ASSERT_FALSE(projection.Project(cut, Plainly()));
+      ASSERT_TRUE(projection.Project(mesh, Plainly()));
+      ASSERT_TRUE(fresh.Project(mesh, Plainly()));
+      for (std::uint32_t i = 0; i < mesh.PointCount(); ++i)
+      {
+        EXPECT_TRUE(projection.IsBehindNear(i));
+        EXPECT_EQ(projection.Point(i).Depth, fresh.Point(i).Depth);
+      }
+    }
+  }
+}
