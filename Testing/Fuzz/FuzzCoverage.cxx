@@ -169,7 +169,7 @@ void RequireSamples(
   Require(covered == count, "what is hidden has a sample that is not covered");
 }
 
-/** Whether spans leave no gap between the samples in what is said to be hidden, and are all nearer. */
+/** Whether spans leave out no sample in what is said to be hidden, and are nearer at all of them. */
 void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
 {
   const float start = bytes.Below(256) * buffer.Columns() / 256.0f;
@@ -193,17 +193,17 @@ void AskWhatIsHidden(SBuffer& buffer, FuzzBytes& bytes)
       RequireSamples(spans, grid, left, right, rectangle.Nearest);
       continue;
     }
-    float covered = left;
+    float next = left; // between samples nothing shows
     bool isCovered = false;
     for (const Span& span : spans)
     {
-      if (span.Right >= covered && span.Left <= covered && !isCovered)
+      if (span.Right >= next && span.Left <= next && !isCovered)
       {
-        const float end = std::min(right, span.Right);
-        Require(span.DepthAt(covered) > rectangle.Nearest && span.DepthAt(end) > rectangle.Nearest,
+        const float end = std::min(right, grid.UpTo(span.Right));
+        Require(span.DepthAt(next) > rectangle.Nearest && span.DepthAt(end) > rectangle.Nearest,
           "what is hidden is nearer than what hides it");
-        covered = end;
-        isCovered = covered >= right;
+        isCovered = end >= right;
+        next = grid.Behind(end);
       }
     }
     Require(isCovered, "what is hidden is not covered");
