@@ -53,11 +53,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   const float* const y = mesh.Coordinates(1).data();
   const float* const z = mesh.Coordinates(2).data();
   const std::size_t room = mesh.Coordinates(0).size();
-  // Corners where the mesh before was cut stand behind its points.
-  if (this->Columns.size() != room || this->BehindNear.size() != room / LaneCount)
-  {
-    this->MakeRoom(room);
-  }
+  this->MakeRoom(room);
   const MatrixFrom matrix(toScreen.Matrix, mesh.Origin());
   const Lanes leastW = AllLanes(toScreen.Rounding.w);
   const Lanes leastSlack = AllLanes(toScreen.Rounding.z + toScreen.Rounding.w);
