@@ -276,6 +276,27 @@ TEST(MeshBoxes, ThatReachBeforeTheNearPlaneShow)
   EXPECT_TRUE(boxes.AreHidden(lines, view, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -40))));
 }
 
+// Elements of a matrix that are infinite, as coordinates are next to nothing.
+TEST(MeshBoxes, OfMoreThanFloatsHoldShow)
+{
+  for (const double size : { 1e-36, 1e-37, 1e-38, 1e-39, 1e-40 })
+  {
+    for (const double turn : { 0.0, 45.0, 225.0 })
+    {
+      SCOPED_TRACE(testing::Message() << size << " turned by " << turn);
+      PartScene scene;
+      const std::uint32_t part = scene.Add(
+        GridOf(12, 12,
+          [size](double u, double v) { return size * glm::dvec3(12 * u - 6, 12 * v - 6, 0); }),
+        glm::scale(glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -30)),
+                     glm::radians(turn), glm::dvec3(0, 0, 1)),
+          glm::dvec3(1.0 / size)));
+      CullAhead(scene, true);
+      EXPECT_TRUE(scene.Visible[part]);
+    }
+  }
+}
+
 TEST(MeshBoxes, WhoseMatrixIsNoneShow)
 {
   for (int element = 0; element < 16; ++element)

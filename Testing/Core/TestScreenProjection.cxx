@@ -138,6 +138,35 @@ TEST(ScreenProjection, InAViewThatIsNoneIsNear)
   EXPECT_EQ(PlaceOf(broken, { { -1, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
 }
 
+/** Products with the matrix of a view that is turned around where it looks; they add up to no number at some corners, and to others at the rest. */
+TEST(ScreenProjection, OfMoreThanFloatsHoldIsNear)
+{
+  for (int turn = 0; turn < 360; turn += 15)
+  {
+    const glm::dmat4 turned =
+      glm::rotate(glm::dmat4(1.0), glm::radians(double(turn)), glm::dvec3(0.0, 0.0, 1.0));
+    for (const double zoom : { 1e30, 1e34, 1e36, 1e37, 1e38, 1e39 })
+    {
+      SCOPED_TRACE(testing::Message() << "turned by " << turn << ", zoom " << zoom);
+      const Box filling = { { -6, -6, -30 }, { 6, 6, -20 } };
+      const glm::dmat4 parallel =
+        glm::ortho(-16.0 / zoom, 16.0 / zoom, -9.0 / zoom, 9.0 / zoom, 1.0, 100.0) * turned;
+      ScreenRectangle rectangle;
+      const ScreenProjection zoomed(parallel, Columns, Lines, Reach, NoSnapping);
+      const Place place = PlaceOf(zoomed, filling, rectangle);
+      EXPECT_NE(place, Place::Outside);
+      for (int i = 0; i < 8 && place == Place::Before; ++i)
+      {
+        ExpectToHold(rectangle, OnScreen(parallel, CornerOf(filling, i)));
+      }
+      const Box aroundEye = { { -6, -6, -30 }, { 6, 6, 5 } };
+      const glm::dmat4 larger = glm::scale(Perspective() * turned, glm::dvec3(zoom));
+      const ScreenProjection large(larger, Columns, Lines, Reach, NoSnapping);
+      EXPECT_EQ(PlaceOf(large, aroundEye, rectangle), Place::Near);
+    }
+  }
+}
+
 TEST(ScreenProjection, HoldsAllOfABoxWhateverTheView)
 {
   int before = 0;

@@ -69,7 +69,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     const Lanes column = matrix.Row(0, px, py, pz) * inverse;
     const Lanes line = matrix.Row(1, px, py, pz) * inverse;
     const Lanes depth = depthTimesW * inverse;
-    const LaneMask isFinite = column - column == line - line;
+    const LaneMask isFinite = column - column == (line - line) + (depth - depth);
     const LaneMask isBehind = isFinite & (w > leastW) & (w - depthTimesW > leastSlack);
     StoreLanes(column, &this->Columns[i]);
     StoreLanes(line, &this->Lines[i]);

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,7 @@ struct CornerTerms
   }
 };
 
+/** Of a coordinate of all corners, those left out that are not numbers. */
 struct Extent
 {
   Lanes Least = AllLanes(BeyondAll);
@@ -50,10 +52,37 @@ struct Extent
 
   VITRINE_INLINE void Add(Lanes values)
   {
-    this->Least = LeastOf(this->Least, values);
-    this->Greatest = GreatestOf(this->Greatest, values);
+    this->Least = LeastOf(values, this->Least);
+    this->Greatest = GreatestOf(values, this->Greatest);
   }
 };
+
+// A view of no larger terms than that adds up to what floats hold, though boxes of cells were a hundred times as far off as what is in them.
+const float LargestOfTerms = 1e36f;
+
+/**
+ * Whether coordinates of all corners are finite: else extents tell nothing. Where sums of three infinite terms are not numbers at some corners, they are infinite at others, or numbers at none. Floats
+ * do not hold how wide an extent is then.
+ */
+template <class... Extents>
+VITRINE_INLINE LaneMask AreFinite(const Extents&... extents)
+{
+  const Lanes widths = ((extents.Greatest - extents.Least) + ...);
+  return widths - widths == AllLanes(0.0f);
+}
+
+VITRINE_INLINE LaneMask AreFinite(const CornerTerms& corners)
+{
+  Extent columns, lines, depths, w;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    columns.Add(corners.At(corner, 0));
+    lines.Add(corners.At(corner, 1));
+    depths.Add(corners.At(corner, 2));
+    w.Add(corners.At(corner, 3));
+  }
+  return AreFinite(columns, lines, depths, w);
+}
 
 /** Of boxes that may reach to where w is not positive: those of which all corners lie on the outer side of one plane of the frustum. */
 VITRINE_INLINE LaneMask OutsideOfPlanes(
@@ -76,9 +105,20 @@ VITRINE_INLINE LaneMask OutsideOfPlanes(
   const ScreenMargin rounded = matrix.RoundingOnScreen().OnScreenAtOne();
   const Lanes aside = growth.x * farthest + rounded.Column;
   const Lanes above = growth.y * farthest + rounded.Line;
-  return (columns.Greatest < -aside) | (lines.Greatest < -above) |
-    (depths.Greatest < AllLanes(-rounded.Depth)) | (beyondColumns.Least > aside) |
-    (beyondLines.Least > above) | (beyondDepths.Least > AllLanes(rounded.Depth));
+  const LaneMask areFinite =
+    AreFinite(w, columns, lines, depths, beyondColumns, beyondLines, beyondDepths);
+  return areFinite &
+    ((columns.Greatest < -aside) | (lines.Greatest < -above) |
+      (depths.Greatest < AllLanes(-rounded.Depth)) | (beyondColumns.Least > aside) |
+      (beyondLines.Least > above) | (beyondDepths.Least > AllLanes(rounded.Depth)));
+}
+
+/** Whether no element is larger than terms are: else it may be infinite, though what it is multiplied by is small. */
+bool AreTerms(const glm::mat4& matrix)
+{
+  const float* const elements = &matrix[0].x;
+  const Lanes first = SizeOf(LoadLanes(elements)), second = SizeOf(LoadLanes(elements + LaneCount));
+  return BitsOf(GreatestOf(first, second) <= AllLanes(LargestOfTerms)) == (1u << LaneCount) - 1u;
 }
 
 /** Those of a matrix. */
@@ -157,11 +197,20 @@ ScreenProjection::ScreenProjection(const glm::dmat4& toClip, double columns, dou
     this->Sizes[column] = { 0.5 * columns * (size.x + size.w), 0.5 * lines * (size.y + size.w),
       0.5 * (size.z + size.w), size.w };
   }
-  this->World.Rounding = RoundingOfSums * (this->Sizes * glm::dvec4(glm::abs(reach), 1.0));
+  const glm::dvec3 farthest = glm::abs(reach);
+  this->World.Rounding = RoundingOfSums * (this->Sizes * glm::dvec4(farthest, 1.0));
+  const glm::dvec4 terms = this->Sizes * glm::dvec4(glm::max(farthest, 1.0), 1.0);
+  this->MayOverflow = !glm::all(glm::lessThanEqual(terms, glm::dvec4(LargestOfTerms)));
   this->World.Snapping = snapping;
   this->World.Size = { columns, lines };
   this->World.Before = before;
   this->WorldInFloats = glm::mat4(this->World.Matrix);
+}
+
+void ScreenProjection::Project(
+  const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const
+{
+  this->Project(toScreen, boxes, this->MayOverflow || !AreTerms(toScreen), rectangles);
 }
 
 std::optional<ScreenRectangle> ScreenProjection::RectangleOf(const Box& box) const
@@ -173,7 +222,7 @@ std::optional<ScreenRectangle> ScreenProjection::RectangleOf(const Box& box) con
   BoxLanes boxes;
   boxes.Set(0, box);
   RectangleLanes rectangles;
-  this->Project(boxes, rectangles);
+  this->Project(this->WorldInFloats, boxes, true, rectangles);
   if ((rectangles.Outside & 1u) != 0)
   {
     return std::nullopt;
@@ -271,8 +320,8 @@ ScreenMatrix ScreenProjection::Of(const glm::dmat4& toWorld, const DeviceCoordin
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-void ScreenProjection::Project(
-  const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const
+void ScreenProjection::Project(const glm::mat4& toScreen, const BoxLanes& boxes, bool mayOverflow,
+  RectangleLanes& rectangles) const
 {
   const CornerTerms corners(toScreen, boxes);
   Extent columns, lines, depths;
@@ -294,7 +343,11 @@ void ScreenProjection::Project(
   const Lanes left = columns.Least - margin.Column, right = columns.Greatest + margin.Column;
   const Lanes bottom = lines.Least - margin.Line, top = lines.Greatest + margin.Line;
   const Lanes nearest = depths.Greatest + margin.Depth;
-  const LaneMask isBeforeEye = leastW > AllLanes(this->World.Rounding.w);
+  LaneMask isBeforeEye = leastW > AllLanes(this->World.Rounding.w);
+  if (mayOverflow)
+  {
+    isBeforeEye &= AreFinite(corners);
+  }
   const LaneMask isOutside = isBeforeEye &
     ((right < AllLanes(0.0f)) | (left > AllLanes(screen.x)) | (top < AllLanes(0.0f)) |
       (bottom > AllLanes(screen.y)) | (nearest < AllLanes(0.0f)) |

@@ -153,10 +153,10 @@ public:
     const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f),
     const glm::vec2& before = glm::vec2(0.0f));
 
-  /** Where eight boxes are, which are finite; of empty ones it says anything. */
+  /** Where eight boxes are, which are finite and no farther than `reach`; of empty ones it says anything. */
   void Project(const BoxLanes& boxes, RectangleLanes& rectangles) const
   {
-    this->Project(this->WorldInFloats, boxes, rectangles);
+    this->Project(this->WorldInFloats, boxes, this->MayOverflow, rectangles);
   }
 
   /**
@@ -166,7 +166,7 @@ public:
    */
   void Project(const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const;
 
-  /** Of a single box: Everywhere if it reaches before the near plane or has no place, and nothing if it lies outside. */
+  /** Of a single box, however far: Everywhere if it reaches before the near plane or has no place, and nothing if it lies outside. */
   std::optional<ScreenRectangle> RectangleOf(const Box& box) const;
 
   /** Whether a rectangle reaches beyond the screen. */
@@ -222,11 +222,16 @@ public:
   ScreenMatrix Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const;
 
 private:
+  void Project(const glm::mat4& toScreen, const BoxLanes& boxes, bool mayOverflow,
+    RectangleLanes& rectangles) const;
+
   ScreenMatrix World;
   glm::dmat4
     Sizes; ///< of what leads from the world to columns, lines, depths and w, as a device has it
   glm::mat4 WorldInFloats; ///< its matrix
   glm::vec2 Growth;
+  bool
+    MayOverflow; ///< whether coordinates of boxes within reach may add up to more than floats hold
 };
 
 }
