@@ -67,7 +67,7 @@ float WidthOf(vtkActor* actor)
 /** Whether a vtkDataSetMapper may have the mapper within colour by other arrays than it tells: that one never learns which of a data set's own arrays. */
 bool MayColorByOthers(vtkMapper* mapper)
 {
-  return mapper && IsExactly<vtkDataSetMapper>(mapper) && mapper->GetScalarVisibility() &&
+  return IsExactly<vtkDataSetMapper>(mapper) && mapper->GetScalarVisibility() &&
     mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA;
 }
 
@@ -171,8 +171,7 @@ bool IsNonOccluding(vtkActor* actor)
 bool IsOpaque(vtkActor* actor)
 {
   return !IsTranslucentAsAWhole(actor) && actor->GetProperty()->GetOpacity() >= 1.0 &&
-    !HasTranslucentBack(actor) && !MayColorByOthers(actor->GetMapper()) &&
-    AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
+    !HasTranslucentBack(actor) && !MayHaveTranslucentColors(actor->GetMapper());
 }
 
 bool IsOpaqueSurface(vtkActor* actor)
@@ -183,21 +182,15 @@ bool IsOpaqueSurface(vtkActor* actor)
     !actor->GetForceOpaque() && !(planes && planes->GetNumberOfItems() > 0) && IsOpaque(actor);
 }
 
+bool MayHaveTranslucentColors(vtkMapper* mapper)
+{
+  return MayColorByOthers(mapper) || !AreColorsOpaque(mapper, mapper->GetInput());
+}
+
 bool HasTranslucentBack(vtkActor* actor)
 {
   vtkProperty* back = actor->GetBackfaceProperty();
   return back && back->GetOpacity() < 1.0;
-}
-
-bool MayBlendAmongOpaque(vtkActor* actor, bool areTexturesOpaque)
-{
-  vtkMapper* mapper = actor->GetMapper();
-  const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 || HasTranslucentBack(actor) ||
-    HasShaderCode(actor) || !areTexturesOpaque || MayColorByOthers(mapper) ||
-    (mapper && !AreColorsOpaque(mapper, mapper->GetInput())) ||
-    (actor->GetForceOpaque() && mapper &&
-      (mapper->IsA("vtkCompositePolyDataMapper2") || mapper->IsA("vtkCompositePolyDataMapper")));
-  return mayBlend && (actor->GetForceOpaque() || !actor->HasTranslucentPolygonalGeometry());
 }
 
 bool AreTexturesOpaque(vtkActor* actor)

@@ -59,12 +59,8 @@ bool IsOpaqueSurface(vtkActor* actor);
 /** Whether back faces have a property of their own that is translucent. */
 bool HasTranslucentBack(vtkActor* actor);
 
-/**
- * Whether what VTK draws of the actor among what is opaque may be blended with what was drawn before it. It hides nothing; but since it is as near as anything for the depth test,
- * what is drawn later behind it does not cover what shines through.
- * @param areTexturesOpaque  as AreTexturesOpaque() tells
- */
-bool MayBlendAmongOpaque(vtkActor* actor, bool areTexturesOpaque);
+/** Whether a mapper may take colours from its data that let anything through. */
+bool MayHaveTranslucentColors(vtkMapper* mapper);
 
 /** Whether the actor has no texture that could let anything through. */
 bool AreTexturesOpaque(vtkActor* actor);

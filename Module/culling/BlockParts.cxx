@@ -16,7 +16,7 @@
 namespace vitrine
 {
 
-std::shared_ptr<const MapperParts> BlockParts::PartsFor(vtkActor*)
+std::shared_ptr<const MapperParts> BlockParts::PartsFor(vtkActor*, vtkMTimeType)
 {
   if (!this->IsCurrent())
   {
@@ -132,7 +132,8 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
     const bool isKnown = known != before.end() && known->Data == leaf.Data;
     leaf.Geometry = isKnown && known->Geometry->IsCurrent(leaf.Data, this->Divisions)
       ? known->Geometry
-      : std::make_shared<PartGeometry>(leaf.Data, isKnown ? known->Geometry.get() : nullptr);
+      : std::make_shared<PartGeometry>(leaf.Data,
+          isKnown && known->Geometry->WasOf(leaf.Data) ? known->Geometry.get() : nullptr);
   }
 }
 

@@ -31,7 +31,7 @@ public:
   }
 
   /** All actors have the same. Null where blocks bring tables of colours. */
-  std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor) override;
+  std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) override;
 
 private:
   /** A block, or a group of them, and its time when it was looked at. */

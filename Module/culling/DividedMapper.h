@@ -3,6 +3,8 @@
 
 #include "culling/ViewMatrices.h"
 
+#include "vtkType.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -73,8 +75,11 @@ class DividedMapper
 public:
   virtual ~DividedMapper() = default;
 
-  /** The parts as they are now: the same ones as long as nothing has changed. Null for an actor that is drawn as a whole. */
-  virtual std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor) = 0;
+  /**
+   * The parts as they are now: the same ones as long as nothing has changed. Null for an actor that is drawn as a whole.
+   * @param frame  in which that is asked, of all that ask for those of an actor
+   */
+  virtual std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) = 0;
 
   /** Says what shows of an actor in a renderer, as long as somebody holds it. */
   void Tell(vtkRenderer* renderer, vtkActor* actor, const std::shared_ptr<const ShownParts>& shown);

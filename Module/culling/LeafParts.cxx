@@ -111,7 +111,7 @@ std::shared_ptr<const Leaves> LeavesOf(vtkPolyData* data)
 }
 }
 
-std::shared_ptr<const MapperParts> LeafParts::PartsFor(vtkActor* actor)
+std::shared_ptr<const MapperParts> LeafParts::PartsFor(vtkActor* actor, vtkMTimeType frame)
 {
   vtkPolyData* data = this->Mapper->GetInput();
   if (!data || !IsPlainSurface(actor, this->Mapper))
@@ -120,12 +120,12 @@ std::shared_ptr<const MapperParts> LeafParts::PartsFor(vtkActor* actor)
   }
   if (data != this->Data || data->GetMTime() != this->Time)
   {
-    this->History = data == this->Data ? this->History.Changed() : ReadingHistory();
+    this->History = this->History.Changed();
     this->Data = data;
     this->Time = data->GetMTime();
     this->Runs.reset();
   }
-  if (!this->History.IsRead() && this->History.AreWorthReading())
+  if (!this->History.IsRead() && this->History.AreWorthReading(frame))
   {
     this->History.MarkRead();
     this->Runs = HasPolygonsAlone(data) ? LeavesOf(data) : nullptr;

@@ -32,14 +32,14 @@ public:
   }
 
   /** Surfaces alone are divided, where the polydata has finite points, nothing but polygons, and enough of them. */
-  std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor) override;
+  std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) override;
 
   /** The leaves of the last division. */
   const std::shared_ptr<const Leaves>& Known() const { return this->Runs; }
 
 private:
   vtkPolyDataMapper* Mapper;
-  vtkPolyData* Data = nullptr;
+  vtkPolyData* Data = nullptr; ///< which may be gone
   vtkMTimeType Time = 0;
   ReadingHistory History; ///< of its triangles
   std::shared_ptr<const Leaves> Runs;

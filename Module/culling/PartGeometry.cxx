@@ -109,7 +109,7 @@ bool HasGhosts(vtkPolyData* data)
 PartGeometry::PartGeometry(vtkPolyData* data, const PartGeometry* before)
   : Data(data)
   , Time(data->GetMTime())
-  , History(before && before->Living == data ? before->History.Changed() : ReadingHistory())
+  , History(before ? before->History.Changed() : ReadingHistory())
   , Living(data)
   , Low(std::numeric_limits<double>::infinity())
   , High(-std::numeric_limits<double>::infinity())
@@ -159,6 +159,11 @@ PartGeometry::PartGeometry(vtkPolyData* data,
 {
 }
 
+bool PartGeometry::WasOf(vtkPolyData* data) const
+{
+  return this->Living == data;
+}
+
 bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
 {
   if (this->LookedAt != frame && data == this->Data && data->GetMTime() == this->Time)
@@ -168,9 +173,9 @@ bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
   return data == this->Data && this->LookedAt == frame;
 }
 
-const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data)
+const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data, vtkMTimeType frame)
 {
-  if (this->IsRestless())
+  if (this->IsRestless(frame))
   {
     static const OccluderMesh nothing({}, {});
     return nothing;

@@ -38,7 +38,7 @@ class PartGeometry
 public:
   /**
    * Reads the points of `data` as it is now.
-   * @param before  of the same data before they changed, if that is known
+   * @param before  what was shown in place of it, if that is known: these data before they changed, or others
    */
   explicit PartGeometry(vtkPolyData* data, const PartGeometry* before = nullptr);
 
@@ -46,11 +46,14 @@ public:
   PartGeometry(vtkPolyData* data, std::shared_ptr<const std::vector<std::uint32_t>> corners,
     const OrderedRun& run);
 
+  /** Whether it was of `data`, as they are now or before they changed: others may have come to be at the address of data that are gone. */
+  bool WasOf(vtkPolyData* data) const;
+
   /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. Several threads may ask. */
   bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
 
-  /** Whether its data change so often that its faces are not read: then Occluder() has none, and Planes() are not to be asked for. Several threads may ask. */
-  bool IsRestless() { return !this->History.AreWorthReading(); }
+  /** Whether its data change so often that its faces are not read in a frame: then Occluder() has none, and Planes() are not to be asked for. Several threads may ask. */
+  bool IsRestless(vtkMTimeType frame) { return !this->History.AreWorthReading(frame); }
 
   /** Of all points, in model coordinates (MC); Least exceeds Greatest if there are none. */
   const glm::dvec3& Least() const { return this->Low; }
@@ -72,7 +75,7 @@ public:
   const std::vector<MeshLine>& Lines(vtkPolyData* data);
 
   /** Its triangles and convex polygons as an occluder; built when first asked for, by whichever of several threads. `data` is current. */
-  const OccluderMesh& Occluder(vtkPolyData* data);
+  const OccluderMesh& Occluder(vtkPolyData* data, vtkMTimeType frame);
 
   /** Around the faces of the occluder, once that is built; null if they are few, or if more is drawn than them. */
   const MeshBoxes* Boxes() const { return this->BoxesOfMesh.get(); }
@@ -93,8 +96,7 @@ private:
   vtkMTimeType Time;
   std::atomic<vtkMTimeType> LookedAt{ 0 }; ///< the frame in which it was found to be current
   ReadingHistory History;                  ///< of its faces
-  vtkWeakPointer<vtkPolyData>
-    Living; ///< null once the data are gone: others may come to be at the same address
+  vtkWeakPointer<vtkPolyData> Living;      ///< the data; null once they are gone
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

@@ -1,6 +1,8 @@
 #ifndef VITRINE_CULLING_READING_HISTORY_H
 #define VITRINE_CULLING_READING_HISTORY_H
 
+#include "vtkType.h"
+
 #include <atomic>
 
 namespace vitrine
@@ -19,7 +21,7 @@ public:
   ReadingHistory Changed() const
   {
     ReadingHistory changed;
-    changed.ReadBefore = this->Looks < LooksToForget ? this->ReadBefore + this->HasBeenRead : 0;
+    changed.ReadBefore = this->Frames < FramesToForget ? this->ReadBefore + this->HasBeenRead : 0;
     return changed;
   }
 
@@ -28,22 +30,21 @@ public:
   ReadingHistory& operator=(const ReadingHistory& other)
   {
     this->ReadBefore = other.ReadBefore;
-    this->Looks = other.Looks.load();
+    this->Frames = other.Frames.load();
+    this->LastFrame = other.LastFrame.load();
     this->HasBeenRead = other.HasBeenRead.load();
     return *this;
   }
 
-  /** They are looked at, from once to some times in a frame. */
-  bool AreWorthReading()
+  /** @param frame  in which that is asked: it counts once, whoever shares the data */
+  bool AreWorthReading(vtkMTimeType frame)
   {
     if (this->ReadBefore == 0)
     {
       return true; // nothing is written where nothing has ever changed
     }
-    const int looks =
-      this->Looks.load(std::memory_order_relaxed) + 1; // some of several threads may get lost
-    this->Looks.store(looks, std::memory_order_relaxed);
-    return this->HasBeenRead || this->ReadBefore < MostReadings || looks >= LooksOfCalm;
+    this->Count(frame);
+    return this->HasBeenRead || this->ReadBefore < MostReadings || this->Frames >= FramesOfCalm;
   }
 
   /** Since they changed. */
@@ -51,13 +52,23 @@ public:
   void MarkRead() { this->HasBeenRead = true; }
 
 private:
-  static constexpr int MostReadings = 8;     ///< at once
-  static constexpr int LooksOfCalm = 256;    ///< until they are read again after those
-  static constexpr int LooksToForget = 2048; ///< without a change, of which they begin anew
+  void Count(vtkMTimeType frame)
+  {
+    if (this->LastFrame != frame && this->LastFrame.exchange(frame) != frame &&
+      this->Frames < FramesToForget)
+    {
+      ++this->Frames;
+    }
+  }
 
-  int ReadBefore = 0;                     ///< and changed soon after
-  std::atomic<int> Looks{ 0 };            ///< since they changed, if they ever did
-  std::atomic<bool> HasBeenRead{ false }; ///< since then
+  static constexpr int MostReadings = 8;   ///< one after the other, each of them soon in vain
+  static constexpr int FramesOfCalm = 100; ///< without a change, before data are read after so many
+  static constexpr int FramesToForget = 800; ///< without a change, before readings count from none
+
+  int ReadBefore = 0;                       ///< and changed soon after
+  std::atomic<int> Frames{ 0 };             ///< in which they were asked for since they changed
+  std::atomic<vtkMTimeType> LastFrame{ 0 }; ///< of those
+  std::atomic<bool> HasBeenRead{ false };   ///< since then
 };
 
 }

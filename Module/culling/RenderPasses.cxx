@@ -115,12 +115,18 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
       others.begin(), others.end(), [pass](const char* other) { return pass->IsA(other); }) &&
     (delegates.empty() || std::any_of(delegates.begin(), delegates.end(), DrawsOpaqueParts));
 }
+
+/** Where hidden lines are removed, and there is any wireframe, in view or not, VTK leaves ambient occlusion out. */
+bool HasNoOcclusionWhereWiresAre(vtkRenderer* renderer)
+{
+  return renderer->GetUseHiddenLineRemoval() && renderer->GetUseSSAO();
+}
 }
 
 bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known)
 {
   vtkRenderPass* pass = renderer->GetPass();
-  return !renderer->GetUseShadows() &&
+  return !renderer->GetUseShadows() && !HasNoOcclusionWhereWiresAre(renderer) &&
     (!pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known)));
 }
 

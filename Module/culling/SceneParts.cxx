@@ -141,9 +141,9 @@ void SceneParts::ForgetAbsent()
 void SceneParts::LookAtOpacity(std::uint32_t part)
 {
   vtkActor* const actor = vtkActor::SafeDownCast(this->PropOf[part]);
-  this->Blends[part] = 0;
   if (!actor)
   {
+    this->Blends[part] = BlendingOf(this->PropOf[part]);
     return;
   }
   vtkTimeStamp before, after;
@@ -152,7 +152,7 @@ void SceneParts::LookAtOpacity(std::uint32_t part)
   after.Modified();
   this->HasMadeData = this->HasMadeData || after.GetMTime() != before.GetMTime() + 1;
   this->AreOpaque[actor] = areTexturesOpaque;
-  this->Blends[part] = MayBlendAmongOpaque(actor, areTexturesOpaque);
+  this->Blends[part] = BlendingOf(actor, areTexturesOpaque);
 }
 
 /** Notes what a part is now. */
@@ -164,6 +164,7 @@ void SceneParts::Look(std::uint32_t i)
   part.Shader = ShaderPropertyOf(prop);
   part.ShaderTime = part.Shader ? part.Shader->GetMTime() : 0;
   part.Actor = AsHideable(prop);
+  const vtkMapper* const mapperBefore = part.Mapper;
   part.Divided = nullptr;
   part.Division.reset();
   const std::shared_ptr<PartGeometry> before =
@@ -187,10 +188,10 @@ void SceneParts::Look(std::uint32_t i)
   }
   part.IsOfViewAlone = !MayBeBehindOthers(part.Actor, part.Mapper);
   part.Divided = part.IsOfViewAlone ? nullptr : DividedMapperOf(part.Mapper);
-  part.Division = part.Divided ? part.Divided->PartsFor(part.Actor) : nullptr;
+  part.Division = part.Divided ? part.Divided->PartsFor(part.Actor, this->Looks) : nullptr;
   if (!part.Division)
   {
-    this->LookAtData(part);
+    this->LookAtData(part, part.Mapper == mapperBefore ? before.get() : nullptr);
   }
 }
 
@@ -237,13 +238,13 @@ void SceneParts::MakeData(vtkMapper* mapper)
   this->HasMadeData = this->HasMadeData || data != before || (data && data->GetMTime() != time);
 }
 
-/** Notes what the actor shows as a whole. */
-void SceneParts::LookAtData(Part& part)
+/** Notes what the actor shows as a whole. `before` is what its mapper has drawn, if that is known. */
+void SceneParts::LookAtData(Part& part, const PartGeometry* before)
 {
   part.Data = part.Mapper->GetInput();
   if (part.Data)
   {
-    part.Geometry = this->GeometryOf(part.Data);
+    part.Geometry = this->GeometryOf(part.Data, before);
   }
   else
   {
@@ -252,13 +253,15 @@ void SceneParts::LookAtData(Part& part)
   }
 }
 
-std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data)
+/** @param before  what a mapper has drawn in place of them, if that is known: data that others take the place of in each frame are not read in each */
+std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data, const PartGeometry* before)
 {
   std::weak_ptr<PartGeometry>& known = this->Geometries[data];
   std::shared_ptr<PartGeometry> geometry = known.lock();
   if (!geometry || !geometry->IsCurrent(data, this->Looks))
   {
-    geometry = std::make_shared<PartGeometry>(data, geometry.get());
+    geometry = std::make_shared<PartGeometry>(
+      data, geometry && geometry->WasOf(data) ? geometry.get() : before);
     known = geometry;
   }
   return geometry;
@@ -346,7 +349,7 @@ bool SceneParts::IsOpaque(const Part& part) const
 Occluder SceneParts::ShapeOf(std::uint32_t i)
 {
   const Part& part = this->Parts[i];
-  const OccluderMesh& mesh = part.Geometry->Occluder(part.Data);
+  const OccluderMesh& mesh = part.Geometry->Occluder(part.Data, this->Looks);
   if (mesh.PointCount() == 0)
   {
     return {}; // so that its box is tested, not its points

@@ -3,6 +3,7 @@
 
 #include "Core/culling/LooseOctree.h"
 #include "Core/culling/PartCuller.h"
+#include "culling/BlendedProps.h"
 #include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
 
@@ -88,6 +89,9 @@ public:
   void LookAgain(PartCuller& culler, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible);
 
+  /** Whether something is drawn that is blended among what is opaque, of which it is not known where it is: then all parts in the view may show. */
+  bool BlendsAnywhere() const;
+
   /**
    * Has parts show that were found hidden, but lie on the screen where something is that is blended among what is opaque: they may shine through.
    * @param drawn, visible  as above
@@ -162,7 +166,7 @@ private:
   static bool AreDataMadeAlready(const Part& part);
   void Look(std::uint32_t i);
   bool LookAtMapper(Part& part);
-  void LookAtData(Part& part);
+  void LookAtData(Part& part, const PartGeometry* before);
   void ReadActor(Part& part);
   static DeviceCoordinates CoordinatesOf(const Part& part);
   Box Read(Part& part, const DeviceCoordinates& drawn) const;
@@ -170,7 +174,7 @@ private:
   void Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved);
   void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);
-  std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data);
+  std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data, const PartGeometry* before);
   void DropDeadGeometries();
   void Replant(const std::vector<std::uint32_t>& moved);
   void MeasureAll();
@@ -182,10 +186,10 @@ private:
   std::vector<vtkMTimeType> SeenIn; ///< of each part the last update that had it
   std::vector<Box> BoxOf;
   std::vector<std::uint8_t> HasPieces; ///< each part
-  std::vector<std::uint8_t> Blends;  ///< each prop, whether it may be blended among what is opaque
-  std::vector<std::uint32_t> Drawn;  ///< in the order of the props
-  std::vector<std::uint8_t> AreSame; ///< of those, which are surely as they were
-  std::vector<std::uint32_t> Spare;  ///< parts that belong to no prop
+  std::vector<Blending> Blends;        ///< each prop
+  std::vector<std::uint32_t> Drawn;    ///< in the order of the props
+  std::vector<std::uint8_t> AreSame;   ///< of those, which are surely as they were
+  std::vector<std::uint32_t> Spare;    ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
   std::vector<std::shared_ptr<PartGeometry>> Kept; ///< of parts that are found again

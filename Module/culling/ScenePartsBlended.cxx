@@ -2,14 +2,14 @@
 #include "culling/SceneParts.h"
 
 #include "Core/culling/ScreenProjection.h"
-#include "culling/ActorRules.h"
 
-#include "vtkActor.h"
 #include "vtkMath.h"
+#include "vtkProp.h"
 
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace vitrine
@@ -24,13 +24,11 @@ bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b, float beside)
     b.Bottom <= a.Top + beside;
 }
 
-/** Where an actor is seen in the view, if it is; and how far beside that. */
-void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProjection& view,
-  std::vector<ScreenRectangle>& rectangles, float& beside)
+/** Where a prop is seen in the view, if it is. */
+void AddRectangleOf(vtkProp* prop, const glm::dvec3& origin, const ScreenProjection& view,
+  std::vector<ScreenRectangle>& rectangles)
 {
-  beside = std::max(beside,
-    MostGrowthOf(actor)); // of those that cannot be hidden it is not known what a device rounds
-  const double* const bounds = actor->GetBounds();
+  const double* const bounds = prop->GetBounds();
   if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
   {
     return;
@@ -44,6 +42,12 @@ void AddRectangleOf(vtkActor* actor, const glm::dvec3& origin, const ScreenProje
 }
 }
 
+bool SceneParts::BlendsAnywhere() const
+{
+  return std::any_of(this->Drawn.begin(), this->Drawn.end(),
+    [&](std::uint32_t part) { return std::isinf(this->Blends[part].Beside); });
+}
+
 void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const
 {
@@ -51,10 +55,10 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   float pixels = 0.0f;
   for (const std::uint32_t part : this->Drawn)
   {
-    if (this->Blends[part])
+    if (this->Blends[part].MayBlend)
     {
-      AddRectangleOf(
-        static_cast<vtkActor*>(this->PropOf[part]), this->Middle, view, blended, pixels);
+      pixels = std::max(pixels, this->Blends[part].Beside);
+      AddRectangleOf(this->PropOf[part], this->Middle, view, blended);
     }
   }
   if (blended.empty())

@@ -73,7 +73,7 @@ std::uint32_t SceneParts::AddPart(vtkProp* prop)
   this->SeenIn.push_back(0);
   this->BoxOf.emplace_back();
   this->HasPieces.push_back(0);
-  this->Blends.push_back(0);
+  this->Blends.emplace_back();
   return static_cast<std::uint32_t>(this->Parts.size() - 1);
 }
 
@@ -148,7 +148,7 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
     (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
     (!part.HasSurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
     part.Mapper->GetMTime() == part.MapperTime && AreDataMadeAlready(part) &&
-    (!part.Divided || part.Divided->PartsFor(part.Actor) == part.Division) &&
+    (!part.Divided || part.Divided->PartsFor(part.Actor, this->Looks) == part.Division) &&
     (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
 }
 

@@ -121,7 +121,7 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
 bool SceneParts::MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const
 {
   const Part& known = this->Parts[part.Part];
-  return known.IsWireframe || known.Geometry->IsRestless() ||
+  return known.IsWireframe || known.Geometry->IsRestless(this->Looks) ||
     (known.Growth > 0.0f && view.ReachesBeyond(view.RectangleOf(part.Bounds).value_or(Everywhere)));
 }
 

@@ -8,6 +8,7 @@
 #include "culling/SceneParts.h"
 
 #include "vtkCommand.h"
+#include "vtkCullerCollection.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformationIntegerKey.h"
@@ -67,6 +68,7 @@ struct vtkHierarchicalSBufferCuller::State
   struct CulledRenderer;
   std::map<vtkRenderer*, CulledRenderer> Of;
   std::set<std::string> KnownPasses; ///< classes
+  vtkHierarchicalSBufferCuller* Owner = nullptr;
 
   CulledRenderer& At(vtkRenderer* renderer);
 };
@@ -108,9 +110,10 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   vtkSmartPointer<vtkImageData> BufferImage;
   std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
 
-  explicit CulledRenderer(vtkRenderer* renderer)
+  CulledRenderer(vtkRenderer* renderer, vtkHierarchicalSBufferCuller* owner)
     : Renderer(renderer)
-    , Observers{ renderer->AddObserver(vtkCommand::StartEvent, this, &CulledRenderer::TakeBack),
+    , Owner(owner)
+    , Observers{ renderer->AddObserver(vtkCommand::StartEvent, this, &CulledRenderer::Begin),
       renderer->AddObserver(vtkCommand::EndEvent, this, &CulledRenderer::TakeBack) }
   {
   }
@@ -129,10 +132,22 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   CulledRenderer(const CulledRenderer&) = delete;
   CulledRenderer& operator=(const CulledRenderer&) = delete;
 
+  /** VTK asks no cullers where nothing is visible. */
+  void Begin()
+  {
+    this->TakeBack();
+    if (this->Renderer->GetCullers()->IsItemPresent(this->Owner))
+    {
+      this->HasBuffer = this->HasBuffer && this->Renderer->GetSelector();
+      this->Owner->ForgetFrame();
+    }
+  }
+
   /** What mappers were told is true of one frame. */
   void TakeBack() { this->Told.clear(); }
 
 private:
+  vtkHierarchicalSBufferCuller* Owner;
   std::array<unsigned long, 2> Observers;
 };
 
@@ -143,23 +158,32 @@ vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCulle
   {
     i = i->second.Renderer ? std::next(i) : this->Of.erase(i);
   }
-  return this->Of.try_emplace(renderer, renderer).first->second;
+  return this->Of.try_emplace(renderer, renderer, this->Owner).first->second;
 }
 
 vtkHierarchicalSBufferCuller::vtkHierarchicalSBufferCuller()
   : Renderers(std::make_unique<State>())
 {
+  this->Renderers->Owner = this;
 }
 
 vtkHierarchicalSBufferCuller::~vtkHierarchicalSBufferCuller() = default;
+
+/** What it tells of the last one. */
+void vtkHierarchicalSBufferCuller::ForgetFrame()
+{
+  this->NumberOfDrawnProps = this->NumberOfDrawnParts = this->NumberOfCulledParts =
+    this->NumberOfTestedParts = this->NumberOfTestedNodes = this->NumberOfOccluders =
+      this->NumberOfBufferLines = 0;
+  this->NumberOfSpans = this->NumberOfComparisons = 0;
+  this->CullTime = 0.0;
+}
 
 double vtkHierarchicalSBufferCuller::Cull(
   vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized)
 {
   const auto start = std::chrono::steady_clock::now();
-  this->NumberOfCulledParts = this->NumberOfTestedParts = this->NumberOfTestedNodes =
-    this->NumberOfOccluders = this->NumberOfBufferLines = 0;
-  this->NumberOfSpans = this->NumberOfComparisons = 0;
+  this->ForgetFrame();
   this->NumberOfDrawnParts = listLength;
   // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden beside them.
   const double total = initialized ? SumOfMultipliers(propList, listLength) : listLength;
@@ -201,7 +225,8 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     return;
   }
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
-  const bool occlusion = !renderer->GetSelector() && !BlendsEdges(renderer->GetRenderWindow());
+  const bool occlusion = !renderer->GetSelector() && !BlendsEdges(renderer->GetRenderWindow()) &&
+    !parts.BlendsAnywhere();
   vitrine::PartCuller& culler =
     (occlusion ? known.OfFrames : known.OfSelections).For(view, known.Visible.size());
   known.Drawn = known.Visible;

@@ -134,6 +134,7 @@ private:
   vtkHierarchicalSBufferCuller(const vtkHierarchicalSBufferCuller&) = delete;
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
+  void ForgetFrame();
   void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
   void KeepShown(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 

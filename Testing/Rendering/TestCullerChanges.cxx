@@ -116,11 +116,6 @@ TEST_P(CullerChanges, Scene14WallOfOtherData)
 {
   const vtkSmartPointer<vtkPolyData> small = MeshOf({ Rectangle(-0.2, -0.2, 0.2, 0.2, 0.0) });
   const vtkSmartPointer<vtkPolyData> large = MeshOf({ Rectangle(-2.2, -2.2, 2.2, 2.2, 0.0) });
-  vtkNew<vtkPolyDataMapper> other;
-  other->SetInputData(small);
-  vtkNew<vtkCubeSource> cube;
-  cube->SetXLength(0.3);
-  cube->SetYLength(5.0);
   const auto mapperOf = [](vtkActor* wall)
   { return static_cast<vtkPolyDataMapper*>(wall->GetMapper()); };
   this->ExpectSameAfter({
@@ -134,10 +129,22 @@ TEST_P(CullerChanges, Scene14WallOfOtherData)
       DataOf(wall)->SetPolys(nullptr),
         DataOf(wall)->DeepCopy(MeshOf({ Rectangle(-2, -2, 2, 2, 0) }));
     },
-    [&](vtkActor* wall) { mapperOf(wall)->SetInputConnection(cube->GetOutputPort()); },
+  });
+}
+
+TEST_P(CullerChanges, Scene14WallOfAnotherMapper)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(0.3);
+  cube->SetYLength(5.0);
+  vtkNew<vtkPolyDataMapper> ofCube, other;
+  ofCube->SetInputConnection(cube->GetOutputPort());
+  other->SetInputData(MeshOf({ Rectangle(-0.2, -0.2, 0.2, 0.2, 0.0) }));
+  this->ExpectSameAfter({
+    [&](vtkActor* wall) { wall->SetMapper(ofCube); },
     [&](vtkActor*) { cube->SetXLength(5.0); }, // the pipeline alone tells of it
     [&](vtkActor* wall) { wall->SetMapper(other); },
-    [&](vtkActor*) { other->SetInputData(large); },
+    [&](vtkActor*) { other->SetInputData(MeshOf({ Rectangle(-2.2, -2.2, 2.2, 2.2, 0.0) })); },
     [](vtkActor* wall) { DataOf(wall)->SetPolys(vtkSmartPointer<vtkCellArray>::New()); },
   });
 }
@@ -266,6 +273,26 @@ TEST_P(CullerChanges, Scene24NoPartsAndOne)
   EXPECT_EQ(Scene.ExpectSame(), 0);
   wall->VisibilityOff();
   EXPECT_EQ(Scene.ExpectSame(), 0);
+}
+
+// VTK asks no cullers then.
+TEST_P(CullerChanges, Scene24NoPartsAreTold)
+{
+  Scene.AddHidden();
+  Scene.AddWall();
+  EXPECT_GT(Scene.ExpectSame(), 60);
+  Scene.Culler->CullingOn();
+  Scene.Render();
+  EXPECT_NE(Scene.Culler->GetBufferImage(Scene.Renderer), nullptr);
+  Scene.Clear();
+  Scene.Render();
+  EXPECT_EQ(Scene.Culler->GetNumberOfDrawnProps(), 0);
+  EXPECT_EQ(Scene.Culler->GetNumberOfDrawnParts(), 0);
+  EXPECT_EQ(Scene.Culler->GetNumberOfTestedParts(), 0);
+  EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), 0);
+  EXPECT_EQ(Scene.Culler->GetNumberOfOccluders(), 0);
+  EXPECT_EQ(Scene.Culler->GetCullTime(), 0.0);
+  EXPECT_EQ(Scene.Culler->GetBufferImage(Scene.Renderer), nullptr);
 }
 
 TEST_P(CullerChanges, Scene24AllPartsOutOfView)

@@ -145,7 +145,8 @@ TEST_P(CullerOccluders, Scene03OpeningAtTheEdgeOfTheView)
       const double x1 = side == 1 ? right - opening : 3.0;
       const double y0 = side == 2 ? -top + opening : -3.0;
       const double y1 = side == 3 ? top - opening : 3.0;
-      auto* mapper = static_cast<vtkPolyDataMapper*>(wall->GetMapper());
+      vtkNew<vtkPolyDataMapper> mapper; // one that is given other data all the time hides nothing
+      wall->SetMapper(mapper);
       mapper->SetInputData(MeshOf({ Rectangle(x0, y0, x1, y1, 0.0) }));
       EXPECT_GE(Scene.ExpectSame(), 20);
       mapper->SetInputData(MeshOf({ Rectangle(x0, -3.0, x1, top - opening, 0.0),

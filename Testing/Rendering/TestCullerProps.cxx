@@ -291,6 +291,18 @@ TEST_P(CullerProps, Scene22HiddenLinesBesideTheView)
   Scene.ExpectHidden(237, 2);
 }
 
+// Where there are wires, be it beside the view, VTK leaves ambient occlusion out.
+TEST_P(CullerProps, Scene22HiddenLinesAndAmbientOcclusion)
+{
+  this->AddParts();
+  Scene.AddSphere(9.0, 0.0, 0.0, 0.3, { 0.9, 0.9, 0.9, 1.0 })
+    ->GetProperty()
+    ->SetRepresentationToWireframe();
+  Scene.Renderer->UseSSAOOn();
+  Scene.Renderer->UseHiddenLineRemovalOn();
+  Scene.ExpectNothingHidden(238, 2);
+}
+
 // Lines that are seen nearly from their end are drawn beyond it, however near that is.
 TEST_P(CullerProps, Scene22WireframesBehindAWall)
 {

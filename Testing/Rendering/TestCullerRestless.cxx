@@ -75,6 +75,39 @@ TEST_P(CullerRestless, AreHiddenByNothing)
   EXPECT_EQ(Scene.ExpectSame(), Boxes);
 }
 
+// However many parts share them.
+TEST_P(CullerRestless, SharedByManyParts)
+{
+  for (int i = 0; i < 300; ++i)
+  {
+    Scene.AddMesh(this->Wall)->SetPosition(0.0, 0.0, 0.001 * i);
+  }
+  for (int frame = 0; frame < 30; ++frame)
+  {
+    this->Wall->Modified();
+    Scene.Render();
+  }
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+}
+
+// Other data in each frame.
+TEST_P(CullerRestless, Exchanged)
+{
+  const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(this->Wall);
+  auto* mapper = static_cast<vtkPolyDataMapper*>(wall->GetMapper());
+  for (int frame = 0; frame < 30; ++frame)
+  {
+    vtkNew<vtkPolyData> other;
+    other->DeepCopy(this->Wall);
+    mapper->SetInputData(other);
+    Scene.Render();
+    EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), frame < 8 ? Boxes : 0);
+  }
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  Scene.AddMesh(this->Wall);
+  EXPECT_GE(Scene.ExpectSame(), Boxes) << "of another part nothing is known";
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Settings, CullerRestless, testing::ValuesIn(CullerSettings()), CullerSettingName);
 }
