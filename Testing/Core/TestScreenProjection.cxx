@@ -141,6 +141,7 @@ TEST(ScreenProjection, InAViewThatIsNoneIsNear)
 /** Products with the matrix of a view that is turned around where it looks; they add up to no number at some corners, and to others at the rest. */
 TEST(ScreenProjection, OfMoreThanFloatsHoldIsNear)
 {
+  const glm::dvec3 middles[] = { { 0, 0, -25 }, { 40, 40, -25 }, { -40, 30, -25 } };
   for (int turn = 0; turn < 360; turn += 15)
   {
     const glm::dmat4 turned =
@@ -148,16 +149,20 @@ TEST(ScreenProjection, OfMoreThanFloatsHoldIsNear)
     for (const double zoom : { 1e30, 1e34, 1e36, 1e37, 1e38, 1e39 })
     {
       SCOPED_TRACE(testing::Message() << "turned by " << turn << ", zoom " << zoom);
-      const Box filling = { { -6, -6, -30 }, { 6, 6, -20 } };
-      const glm::dmat4 parallel =
-        glm::ortho(-16.0 / zoom, 16.0 / zoom, -9.0 / zoom, 9.0 / zoom, 1.0, 100.0) * turned;
       ScreenRectangle rectangle;
-      const ScreenProjection zoomed(parallel, Columns, Lines, Reach, NoSnapping);
-      const Place place = PlaceOf(zoomed, filling, rectangle);
-      EXPECT_NE(place, Place::Outside);
-      for (int i = 0; i < 8 && place == Place::Before; ++i)
+      for (const glm::dvec3& middle : middles)
       {
-        ExpectToHold(rectangle, OnScreen(parallel, CornerOf(filling, i)));
+        const Box filling = Box::Around(middle - 6.0, middle + 6.0);
+        const glm::dmat4 parallel =
+          glm::ortho(-16.0 / zoom, 16.0 / zoom, -9.0 / zoom, 9.0 / zoom, 1.0, 100.0) * turned *
+          glm::translate(glm::dmat4(1.0), glm::dvec3(-middle.x, -middle.y, 0.0));
+        const ScreenProjection zoomed(parallel, Columns, Lines, 3.0 * Reach, NoSnapping);
+        const Place place = PlaceOf(zoomed, filling, rectangle);
+        EXPECT_NE(place, Place::Outside);
+        for (int i = 0; i < 8 && place == Place::Before; ++i)
+        {
+          ExpectToHold(rectangle, OnScreen(parallel, CornerOf(filling, i)));
+        }
       }
       const Box aroundEye = { { -6, -6, -30 }, { 6, 6, 5 } };
       const glm::dmat4 larger = glm::scale(Perspective() * turned, glm::dvec3(zoom));
