@@ -64,7 +64,8 @@ void ForEachSide(const std::vector<MeshFace>& faces, const Work& work)
 /** The sides of all faces, those between the same points side by side: counted by the first of their points, of which there are few to each. */
 std::vector<Side> SortedSides(const std::vector<MeshFace>& faces, std::size_t points)
 {
-  std::vector<std::size_t> ends(points + 1, 0);
+  std::vector<std::size_t> ends(
+    points + 1, 0); // of each point's sides; where they begin, until they are put there
   ForEachSide(faces, [&](const Side& side) { ++ends[side.Least + 1]; });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<Side> sides(3 * faces.size());
