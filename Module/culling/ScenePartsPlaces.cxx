@@ -147,7 +147,7 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
     piece.IsOpaque = part.IsOpaque && divided.MayHide;
-    piece.MayHide = part.MayHide && divided.MayHide;
+    piece.MayHide = part.MayHide;
     this->Place(
       part.Pieces[i], this->Read(piece, { glm::dvec3(0.0), part.Division->Farthest }), moved);
   }

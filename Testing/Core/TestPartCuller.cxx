@@ -99,6 +99,23 @@ TEST(PartCuller, AWallHidesBeforeWhatIsBehindIsLookedAt)
 }
 
 // Where devices clip it at the borders of the screen, floats round too much.
+// Nodes that reach in front of it hold others that do not.
+TEST(PartCuller, ALongWallComesBeforeNodesThatReachInFrontOfIt)
+{
+  Random random(7);
+  PartScene scene;
+  scene.Add(WallAt(-30));
+  std::uint32_t inFront = 0;
+  for (int i = 0; i < 400; ++i)
+  {
+    const glm::dvec3 low(random.Between(-12, 12), random.Between(-7, 7), random.Between(-45, -29));
+    scene.AddBox(low, low + 0.2);
+    inFront += low.z + 0.2 > -30.0;
+  }
+  const vitrine::CullCounts counts = CullAhead(scene, false);
+  EXPECT_LE(counts.Inserted, inFront + 1);
+}
+
 TEST(PartCuller, WhatReachesVeryFarOffTheScreenHidesNothing)
 {
   for (const auto& [size, hides] : { std::pair(1e4, true), std::pair(1e5, false) })
