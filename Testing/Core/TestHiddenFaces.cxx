@@ -274,12 +274,12 @@ TEST(HiddenFaces, ThatShowWhereDevicesRoundMuchAreNotHidden)
 {
   PartScene scene;
   Triangles floor;
-  floor.AddQuad({ -1, -0.02, 1 }, { 1, -0.02, 1 }, { 1, -0.02, -0.1 }, { -1, -0.02, -0.1 });
-  const std::uint32_t cut = scene.Add(floor);
+  floor.AddQuad({ -1, -0.02, 1001 }, { 1, -0.02, 1001 }, { 1, -0.02, 999.9 }, { -1, -0.02, 999.9 });
+  const glm::dmat4 back = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -1000));
+  const std::uint32_t cut = scene.Add(floor, back); // sums of coordinates are large
   scene.Add(WallAt(-20.0));
   View view = AheadView(false);
   view.ToClip = glm::perspective(glm::radians(60.0), 16.0 / 9.0, 1e-3, 100.0);
-  scene.AddBox({ -1000, 0, 0 }, { -999, 1, 1 }); // sums of coordinates are large
   PartCuller culler(FrameColumns, FrameLines);
   scene.Cull(culler, view);
   EXPECT_TRUE(scene.Visible[cut]);
