@@ -116,6 +116,15 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
     (delegates.empty() || std::any_of(delegates.begin(), delegates.end(), DrawsOpaqueParts));
 }
 
+bool HasAmbientOcclusion(vtkRenderPass* pass)
+{
+  const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
+  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  return pass->IsA("vtkSSAOPass") ||
+    (steps && steps->GetPostProcessPass() && HasAmbientOcclusion(steps->GetPostProcessPass())) ||
+    std::any_of(delegates.begin(), delegates.end(), HasAmbientOcclusion);
+}
+
 /** Where hidden lines are removed, and there is any wireframe, in view or not, VTK leaves ambient occlusion out. */
 bool HasNoOcclusionWhereWiresAre(vtkRenderer* renderer)
 {
@@ -128,6 +137,12 @@ bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known
   vtkRenderPass* pass = renderer->GetPass();
   return !renderer->GetUseShadows() && !HasNoOcclusionWhereWiresAre(renderer) &&
     (!pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known)));
+}
+
+bool FindsAmbientOcclusion(vtkRenderer* renderer)
+{
+  return renderer->GetUseSSAO() ||
+    (renderer->GetPass() && HasAmbientOcclusion(renderer->GetPass()));
 }
 
 }

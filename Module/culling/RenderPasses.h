@@ -15,6 +15,12 @@ namespace vitrine
  */
 bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known);
 
+/**
+ * Whether it finds ambient occlusion (vtkSSAOPass): places and normals are blended into targets of their own. Where what is in front has none, or they are not numbers, as of faces that are shaded flat and
+ * seen from their edge, those of what it hides stay.
+ */
+bool FindsAmbientOcclusion(vtkRenderer* renderer);
+
 }
 
 #endif

@@ -62,12 +62,11 @@ bool IsOfWindowSize(vtkRenderPass* translucent)
       !translucent->IsA("vtkStencilMaskTransparencyPass"));
 }
 
-/** Whether all that is opaque is drawn at the samples of the window's pixels. Ambient occlusion is found in a target of one sample a pixel. */
+/** Whether all that is opaque is drawn at the samples of the window's pixels. */
 bool HasPixelsOfWindow(vtkRenderer* renderer)
 {
   auto* steps = vtkRenderStepsPass::SafeDownCast(renderer->GetPass());
-  const bool hasOneSample = renderer->GetRenderWindow()->GetMultiSamples() <= 1;
-  return (!renderer->GetPass() && (hasOneSample || !renderer->GetUseSSAO())) ||
+  return !renderer->GetPass() ||
     (steps && !steps->GetPostProcessPass() && steps->GetOpaquePass() &&
       IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && steps->GetTranslucentPass() &&
       IsOfWindowSize(steps->GetTranslucentPass()));

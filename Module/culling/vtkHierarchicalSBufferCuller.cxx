@@ -226,7 +226,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   }
   // A selector draws several times, and may want what lies behind a part that cannot be picked.
   const bool occlusion = !renderer->GetSelector() && !BlendsEdges(renderer->GetRenderWindow()) &&
-    !parts.BlendsAnywhere();
+    !parts.BlendsAnywhere() && !vitrine::FindsAmbientOcclusion(renderer);
   vitrine::PartCuller& culler =
     (occlusion ? known.OfFrames : known.OfSelections).For(view, known.Visible.size());
   known.Drawn = known.Visible;

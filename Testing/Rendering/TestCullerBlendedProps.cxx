@@ -2,7 +2,6 @@
 #include "CullerScene.h"
 
 #include "vtkAssembly.h"
-#include "vtkAxesActor.h"
 #include "vtkCellArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
@@ -113,16 +112,6 @@ TEST_P(CullerBlendedProps, AssembliesThatChange)
   EXPECT_LT(Scene.ExpectSame(), this->All());
   part->VisibilityOff();
   EXPECT_GE(Scene.ExpectSame(), this->All());
-}
-
-TEST_P(CullerBlendedProps, PropsThatTellTheirActors)
-{
-  vtkNew<vtkAxesActor> axes;
-  axes->SetTotalLength(0.3, 0.3, 0.3);
-  axes->AxisLabelsOff();
-  EXPECT_GE(this->HiddenBehind(axes), this->All());
-  axes->GetXAxisShaftProperty()->SetOpacity(0.5); // drawn when all that is opaque is there
-  EXPECT_GE(this->HiddenBehind(axes), this->All());
 }
 
 TEST_P(CullerBlendedProps, ImagesThatAreForced)

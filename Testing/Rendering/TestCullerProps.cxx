@@ -333,7 +333,27 @@ TEST_P(CullerProps, Scene22AmbientOcclusion)
   Scene.Renderer->UseSSAOOn();
   Scene.Renderer->SetSSAORadius(0.3);
   Scene.Renderer->SetSSAOBias(0.01);
+  Scene.ExpectNothingHidden(224, 2);
+  Scene.Renderer->UseSSAOOff();
   Scene.ExpectHidden(224, 2);
+}
+
+// Where a wall in front has no normals, those of what it hides are what ambient occlusion is found by.
+TEST_P(CullerProps, Scene22AmbientOcclusionThroughAnUnlitWall)
+{
+  for (int i = 0; i < 25; ++i)
+  {
+    const vtkSmartPointer<vtkActor> sphere =
+      Scene.AddSphere(0.3 * (i % 5) - 0.6, 0.3 * (i / 5) - 0.6, -0.2, 0.12, { 0.9, 0.9, 0.9, 1.0 });
+    sphere->GetProperty()->LightingOn();
+    sphere->GetProperty()->SetInterpolationToFlat();
+  }
+  Scene.AddWall();
+  Scene.ExpectHidden(239, 2);
+  Scene.Renderer->SetSSAORadius(0.3);
+  Scene.Renderer->SetSSAOBias(0.01);
+  Scene.Renderer->UseSSAOOn();
+  Scene.ExpectNothingHidden(239, 2);
 }
 
 // It is found at the centres of pixels, which lie between samples where those have several.
