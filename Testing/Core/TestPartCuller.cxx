@@ -98,7 +98,6 @@ TEST(PartCuller, AWallHidesBeforeWhatIsBehindIsLookedAt)
   EXPECT_EQ(counts.Inserted, 3u);
 }
 
-// Where devices clip it at the borders of the screen, floats round too much.
 // Nodes that reach in front of it hold others that do not.
 TEST(PartCuller, ALongWallComesBeforeNodesThatReachInFrontOfIt)
 {
@@ -116,6 +115,7 @@ TEST(PartCuller, ALongWallComesBeforeNodesThatReachInFrontOfIt)
   EXPECT_LE(counts.Inserted, inFront + 1);
 }
 
+// Where devices clip it at the borders of the screen, floats round too much.
 TEST(PartCuller, WhatReachesVeryFarOffTheScreenHidesNothing)
 {
   for (const auto& [size, hides] : { std::pair(1e4, true), std::pair(1e5, false) })

@@ -28,6 +28,14 @@ int Read(ReadingHistory& history, vtkMTimeType& frame, int frames, int parts, bo
   return readings;
 }
 
+// Of data that change until they are read no more.
+ReadingHistory ReadUntilRestless(vtkMTimeType& frame)
+{
+  ReadingHistory history;
+  EXPECT_EQ(Read(history, frame, 30, 3, true), 8);
+  return history;
+}
+
 TEST(ReadingHistory, IsTheSameForManyPartsAsForOne)
 {
   for (const int parts : { 1, 2, 400, 100000 })
@@ -41,9 +49,8 @@ TEST(ReadingHistory, IsTheSameForManyPartsAsForOne)
 
 TEST(ReadingHistory, ReadsAgainAfterAHundredFramesOfCalm)
 {
-  ReadingHistory history;
   vtkMTimeType frame = 0;
-  EXPECT_EQ(Read(history, frame, 30, 3, true), 8);
+  ReadingHistory history = ReadUntilRestless(frame);
   EXPECT_EQ(Read(history, frame, 98, 3, false), 0);
   EXPECT_EQ(Read(history, frame, 1, 3, false), 1);
   EXPECT_EQ(Read(history, frame, 500, 3, false), 0);
@@ -52,9 +59,8 @@ TEST(ReadingHistory, ReadsAgainAfterAHundredFramesOfCalm)
 
 TEST(ReadingHistory, ForgetsAfterLongCalm)
 {
-  ReadingHistory history;
   vtkMTimeType frame = 0;
-  EXPECT_EQ(Read(history, frame, 30, 3, true), 8);
+  ReadingHistory history = ReadUntilRestless(frame);
   EXPECT_EQ(Read(history, frame, 2000, 3, false), 1);
   EXPECT_EQ(Read(history, frame, 30, 3, true), 8);
 }
