@@ -71,17 +71,26 @@ VITRINE_INLINE LaneMask AreFinite(const Extents&... extents)
   return widths - widths == AllLanes(0.0f);
 }
 
-VITRINE_INLINE LaneMask AreFinite(const CornerTerms& corners)
+/** Of columns, lines and depths, each times w, and of w. */
+struct CornerExtents
 {
-  Extent columns, lines, depths, w;
-  for (int corner = 0; corner < 8; ++corner)
+  Extent Columns, Lines, Depths, W;
+
+  VITRINE_INLINE explicit CornerExtents(const CornerTerms& corners)
   {
-    columns.Add(corners.At(corner, 0));
-    lines.Add(corners.At(corner, 1));
-    depths.Add(corners.At(corner, 2));
-    w.Add(corners.At(corner, 3));
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->Columns.Add(corners.At(corner, 0));
+      this->Lines.Add(corners.At(corner, 1));
+      this->Depths.Add(corners.At(corner, 2));
+      this->W.Add(corners.At(corner, 3));
+    }
   }
-  return AreFinite(columns, lines, depths, w);
+};
+
+VITRINE_INLINE LaneMask AreFinite(const CornerExtents& all)
+{
+  return AreFinite(all.Columns, all.Lines, all.Depths, all.W);
 }
 
 /** Of boxes that may reach to where w is not positive: those of which all corners lie on the outer side of one plane of the frustum. */
@@ -89,27 +98,23 @@ VITRINE_INLINE LaneMask OutsideOfPlanes(
   const CornerTerms& corners, const ScreenMatrix& matrix, const glm::vec2& growth)
 {
   const glm::vec2& screen = matrix.Size;
-  Extent columns, lines, depths, w, beyondColumns, beyondLines, beyondDepths;
+  const CornerExtents all(corners);
+  Extent beyondColumns, beyondLines, beyondDepths;
   for (int corner = 0; corner < 8; ++corner)
   {
     const Lanes cornerW = corners.At(corner, 3);
-    w.Add(cornerW);
-    columns.Add(corners.At(corner, 0));
-    lines.Add(corners.At(corner, 1));
-    depths.Add(corners.At(corner, 2));
     beyondColumns.Add(corners.At(corner, 0) - screen.x * cornerW);
     beyondLines.Add(corners.At(corner, 1) - screen.y * cornerW);
     beyondDepths.Add(corners.At(corner, 2) - cornerW);
   }
-  const Lanes farthest = GreatestOf(w.Greatest, -w.Least);
+  const Lanes farthest = GreatestOf(all.W.Greatest, -all.W.Least);
   const ScreenMargin rounded = matrix.RoundingOnScreen().OnScreenAtOne();
   const Lanes aside = growth.x * farthest + rounded.Column;
   const Lanes above = growth.y * farthest + rounded.Line;
-  const LaneMask areFinite =
-    AreFinite(w, columns, lines, depths, beyondColumns, beyondLines, beyondDepths);
+  const LaneMask areFinite = AreFinite(all) & AreFinite(beyondColumns, beyondLines, beyondDepths);
   return areFinite &
-    ((columns.Greatest < -aside) | (lines.Greatest < -above) |
-      (depths.Greatest < AllLanes(-rounded.Depth)) | (beyondColumns.Least > aside) |
+    ((all.Columns.Greatest < -aside) | (all.Lines.Greatest < -above) |
+      (all.Depths.Greatest < AllLanes(-rounded.Depth)) | (beyondColumns.Least > aside) |
       (beyondLines.Least > above) | (beyondDepths.Least > AllLanes(rounded.Depth)));
 }
 
@@ -346,7 +351,7 @@ void ScreenProjection::Project(const glm::mat4& toScreen, const BoxLanes& boxes,
   LaneMask isBeforeEye = leastW > AllLanes(this->World.Rounding.w);
   if (mayOverflow)
   {
-    isBeforeEye &= AreFinite(corners);
+    isBeforeEye &= AreFinite(CornerExtents(corners));
   }
   const LaneMask isOutside = isBeforeEye &
     ((right < AllLanes(0.0f)) | (left > AllLanes(screen.x)) | (top < AllLanes(0.0f)) |
