@@ -24,6 +24,7 @@ using coverage::ViewOfHeap;
 using coverage::WallAt;
 using vitrine::Box;
 using vitrine::PartCuller;
+using vitrine::SampleGrid;
 
 }
 
@@ -118,16 +119,26 @@ TEST(PartCuller, ALongWallComesBeforeNodesThatReachInFrontOfIt)
 // Where devices clip it at the borders of the screen, floats round too much.
 TEST(PartCuller, WhatReachesVeryFarOffTheScreenHidesNothing)
 {
-  for (const auto& [size, hides] : { std::pair(1e4, true), std::pair(1e5, false) })
+  struct Wall
+  {
+    SampleGrid Samples;
+    double Size;
+    bool Hides;
+  };
+  for (const Wall& of : { Wall{ SampleGrid::AtCentres(1), 1e4, true },
+         Wall{ SampleGrid::AtCentres(1), 1e5, false }, // as cuts there tell depths too badly
+         Wall{ SampleGrid::InCells(32, 8), 1e3, true },
+         Wall{ SampleGrid::InCells(32, 8), 4e3, false } }) // as samples there are close to the side
   {
     Triangles wall;
-    wall.AddQuad(
-      { -size, -size, -20 }, { size, -size, -20 }, { size, size, -20 }, { -size, size, -20 });
+    wall.AddQuad({ -of.Size, -of.Size, -20 }, { of.Size, -of.Size, -20 }, { of.Size, of.Size, -20 },
+      { -of.Size, of.Size, -20 });
     PartScene scene;
     scene.Add(wall);
     const std::uint32_t behind = scene.AddBox({ -1, -1, -32 }, { 1, 1, -30 });
-    coverage::CullAhead(scene, true);
-    EXPECT_EQ(scene.Visible[behind] == 0, hides) << size;
+    PartCuller culler(FrameColumns, FrameLines, of.Samples);
+    scene.Cull(culler, AheadView(true));
+    EXPECT_EQ(scene.Visible[behind] == 0, of.Hides) << of.Size << ", " << of.Samples.Inset();
   }
 }
 
