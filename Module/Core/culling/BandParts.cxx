@@ -50,6 +50,10 @@ bool BandParts::Visit(std::uint32_t part, const ScreenRectangle& rectangle)
     return false;
   }
   this->Seen = rectangle;
+  if (this->Tools.States.Has(part, PartStates::WasIdle))
+  {
+    this->Tools.Owners.Expect(part);
+  }
   const Occluder occluder = this->Occluders.OccluderOf(part);
   const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPointsOfAMesh;
   this->Tools.States.Set(part, PartStates::WasSmall, isSmall);

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_LAST_OWNERS_H
 #define VITRINE_CORE_CULLING_LAST_OWNERS_H
 
+#include "Core/culling/Lanes.h"
 #include "Core/culling/PartStates.h"
 #include "Core/culling/SBuffer.h"
 
@@ -47,6 +48,9 @@ public:
 
   /** Parts, in this frame. */
   std::uint32_t InsertedCount() const { return static_cast<std::uint32_t>(this->Inserted.size()); }
+
+  /** Whether a part that was inserted in vain is still will be asked for soon. */
+  void Expect(std::uint32_t part) const { Prefetch(&this->IdlerOf[part]); }
 
   /**
    * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is there still. It is not so in one of every few frames, since what is around it may have changed.
