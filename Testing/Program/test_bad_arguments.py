@@ -145,6 +145,11 @@ class BadArguments(ProgramTest):
             with self.subTest(scene=scene):
                 self.assert_refused(run("info", scene), scene, " from ", " to ")
 
+    def test_a_key_is_set_once(self):
+        for setting in ("layers=3,layers=3", "layers=3,seed=2,layers=4"):
+            with self.subTest(setting=setting):
+                self.assert_refused(run("info", f"demo:stack,{setting}"), "layers is set twice")
+
     def test_output_that_cannot_be_written(self):
         with scratch_folder() as folder:
             (folder / "folder.png").mkdir()

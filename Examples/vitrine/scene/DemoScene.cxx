@@ -94,7 +94,10 @@ void SetValue(
   {
     if (key.Name == name && equals != std::string::npos)
     {
-      values[name] = ParseValue(input, key, setting.substr(equals + 1));
+      if (!values.emplace(name, ParseValue(input, key, setting.substr(equals + 1))).second)
+      {
+        throw InputError(input, name + " is set twice");
+      }
       return;
     }
   }
@@ -121,13 +124,13 @@ Scene MakeDemoScene(const std::string& input)
   const std::vector<std::string> pieces = SplitInput(input);
   const Demo& demo = FindDemo(input, pieces.front());
   DemoValues values;
-  for (const DemoKey& key : demo.Keys)
-  {
-    values[key.Name] = key.Default;
-  }
   for (std::size_t i = 1; i < pieces.size(); ++i)
   {
     SetValue(input, demo, pieces[i], values);
+  }
+  for (const DemoKey& key : demo.Keys)
+  {
+    values.emplace(key.Name, key.Default); // unless it is set
   }
   Scene scene = demo.Make(values);
   scene.Name = input;
