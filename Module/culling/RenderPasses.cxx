@@ -116,13 +116,15 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
     (delegates.empty() || std::any_of(delegates.begin(), delegates.end(), DrawsOpaqueParts));
 }
 
-bool HasAmbientOcclusion(vtkRenderPass* pass)
+/** Whether it is of a class, or one of those is that it hands its work to. */
+bool Has(vtkRenderPass* pass, const char* className)
 {
   const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
   auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
-  return pass->IsA("vtkSSAOPass") ||
-    (steps && steps->GetPostProcessPass() && HasAmbientOcclusion(steps->GetPostProcessPass())) ||
-    std::any_of(delegates.begin(), delegates.end(), HasAmbientOcclusion);
+  return pass->IsA(className) ||
+    (steps && steps->GetPostProcessPass() && Has(steps->GetPostProcessPass(), className)) ||
+    std::any_of(delegates.begin(), delegates.end(),
+      [&](vtkRenderPass* delegate) { return Has(delegate, className); });
 }
 
 /** Where hidden lines are removed, and there is any wireframe, in view or not, VTK leaves ambient occlusion out. */
@@ -141,8 +143,13 @@ bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known
 
 bool FindsAmbientOcclusion(vtkRenderer* renderer)
 {
-  return renderer->GetUseSSAO() ||
-    (renderer->GetPass() && HasAmbientOcclusion(renderer->GetPass()));
+  return renderer->GetUseSSAO() || (renderer->GetPass() && Has(renderer->GetPass(), "vtkSSAOPass"));
+}
+
+bool PeelsDepth(vtkRenderer* renderer)
+{
+  return renderer->GetUseDepthPeeling() ||
+    (renderer->GetPass() && Has(renderer->GetPass(), "vtkDepthPeelingPass"));
 }
 
 }

@@ -21,6 +21,11 @@ bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known
  */
 bool FindsAmbientOcclusion(vtkRenderer* renderer);
 
+/**
+ * Whether it peels what is translucent (vtkDepthPeelingPass): the alpha of the picture and how volumes are drawn depend on whether there is any, seen or not.
+ */
+bool PeelsDepth(vtkRenderer* renderer);
+
 }
 
 #endif

@@ -285,13 +285,19 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
   visible.assign(this->Parts.size(), 0);
   for (const std::uint32_t part : this->Drawn)
   {
-    visible[part] = 1;
-    if (this->HasPieces[part])
+    this->Mark(part, visible);
+  }
+}
+
+/** A prop's part, with all of its pieces. */
+void SceneParts::Mark(std::uint32_t part, std::vector<std::uint8_t>& visible) const
+{
+  visible[part] = 1;
+  if (this->HasPieces[part])
+  {
+    for (const std::uint32_t piece : this->Parts[part].Pieces)
     {
-      for (const std::uint32_t piece : this->Parts[part].Pieces)
-      {
-        visible[piece] = 1;
-      }
+      visible[piece] = 1;
     }
   }
 }

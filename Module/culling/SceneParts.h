@@ -99,6 +99,12 @@ public:
   void ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const;
 
+  /**
+   * Has one prop that is translucent show, if there are any and all of them would be left out.
+   * @param visible  as above; 1 is put for the parts of that prop
+   */
+  void KeepOneTranslucent(std::vector<std::uint8_t>& visible) const;
+
   Occluder OccluderOf(std::uint32_t part) override;
   void Expect(std::uint32_t part) const override;
 
@@ -146,6 +152,8 @@ private:
   class Shapes;
 
   bool IsOpaque(const Part& part) const;
+  bool MayBeTranslucent(std::uint32_t part) const;
+  void Mark(std::uint32_t part, std::vector<std::uint8_t>& visible) const;
   bool IsDrawnApart(const Part& part, const SampleGrid& samples) const;
   Occluder ShapeOf(std::uint32_t part);
   bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;

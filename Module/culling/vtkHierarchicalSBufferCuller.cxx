@@ -238,6 +238,10 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     known.HasBuffer = true;
   }
   parts.DropOutside(view.ProjectionOfViewAlone(), known.Visible);
+  if (vitrine::PeelsDepth(renderer))
+  {
+    parts.KeepOneTranslucent(known.Visible);
+  }
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested + parts.CountOfViewAlone());

@@ -1,0 +1,183 @@
+// Depth peeling draws other things, too, where nothing is translucent: so one part that is stays, though it is hidden or beside the view.
+#include "CullerScene.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkCameraPass.h"
+#include "vtkCellArray.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkLightsPass.h"
+#include "vtkOpaquePass.h"
+#include "vtkOverlayPass.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+
+class CullerPeeling : public CullerTest
+{
+protected:
+  CullerPeeling()
+  {
+    Scene.Window->AlphaBitPlanesOn();
+    Scene.Renderer->UseDepthPeelingOn();
+    Scene.AddMesh(MeshOf({ Rectangle(-0.8, -0.8, 0.8, 0.8, 0.0) }));
+    Scene.LookAhead();
+  }
+
+  vtkSmartPointer<vtkActor> AddTranslucent(const Point3& middle)
+  {
+    const vtkSmartPointer<vtkActor> box = Scene.AddBox(middle, { 0.2, 0.2, 0.2 });
+    box->GetProperty()->SetOpacity(0.5);
+    return box;
+  }
+
+  // Over a corner of the wall, and of what is beside it.
+  void AddOverlay()
+  {
+    vtkNew<vtkPoints> points;
+    const double right = 0.4 * GetParam().Width, top = 0.4 * GetParam().Height;
+    for (const Point3& corner :
+      { Point3{ 0, 0, 0 }, Point3{ right, 0, 0 }, Point3{ right, top, 0 }, Point3{ 0, top, 0 } })
+    {
+      points->InsertNextPoint(corner.data());
+    }
+    vtkNew<vtkCellArray> quads;
+    quads->InsertNextCell({ 0, 1, 2, 3 });
+    vtkNew<vtkPolyData> plate;
+    plate->SetPoints(points);
+    plate->SetPolys(quads);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(plate);
+    vtkNew<vtkActor2D> overlay;
+    overlay->SetMapper(mapper);
+    overlay->GetProperty()->SetOpacity(0.5);
+    Scene.Renderer->AddActor2D(overlay);
+  }
+
+  void AddVolume()
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(10, 10, 10);
+    image->SetSpacing(0.15, 0.15, 0.06);
+    image->SetOrigin(-0.7, -0.7, 0.1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (int i = 0; i < 1000; ++i)
+    {
+      voxels[i] = static_cast<unsigned char>(i * 97 % 256);
+    }
+    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+    mapper->SetInputData(image);
+    mapper->AutoAdjustSampleDistancesOff(); // by time
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(0.0, 0.1, 0.1, 0.9);
+    color->AddRGBPoint(255.0, 0.9, 0.9, 0.1);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 0.0);
+    opacity->AddPoint(255.0, 0.2);
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(mapper);
+    volume->GetProperty()->SetColor(color);
+    volume->GetProperty()->SetScalarOpacity(opacity);
+    Scene.Renderer->UseDepthPeelingForVolumesOn();
+    Scene.Renderer->AddVolume(volume);
+  }
+
+  // Expects that of some translucent parts, hidden and beside the view, all but one are left out; and all of them while another one shows.
+  void ExpectOneKept()
+  {
+    for (const double beside : { 0.0, 9.0 })
+    {
+      SCOPED_TRACE(beside);
+      const std::vector<vtkSmartPointer<vtkActor>> parts{ this->AddTranslucent(
+                                                            { beside, 0.0, -0.4 }),
+        this->AddTranslucent({ beside, 0.3, -0.4 }), this->AddTranslucent({ beside, -0.3, -0.4 }) };
+      EXPECT_EQ(Scene.ExpectSame(), 2);
+      const vtkSmartPointer<vtkActor> before = this->AddTranslucent({ 0.5, 0.5, 0.4 });
+      EXPECT_EQ(Scene.ExpectSame(), 3);
+      Scene.Renderer->RemoveActor(before);
+      for (const vtkSmartPointer<vtkActor>& part : parts)
+      {
+        Scene.Renderer->RemoveActor(part);
+      }
+    }
+  }
+};
+
+TEST_P(CullerPeeling, OneTranslucentPartStays)
+{
+  this->ExpectOneKept();
+}
+
+TEST_P(CullerPeeling, OneStaysBelowOverlays)
+{
+  this->AddOverlay();
+  this->ExpectOneKept();
+}
+
+TEST_P(CullerPeeling, OneStaysBesideVolumes)
+{
+  this->AddVolume();
+  this->ExpectOneKept();
+}
+
+TEST_P(CullerPeeling, OneStaysBelowAPassThatPeels)
+{
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<vtkDualDepthPeelingPass> peeling;
+  peeling->SetTranslucentPass(translucent);
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(vtkNew<vtkLightsPass>());
+  passes->AddItem(vtkNew<vtkOpaquePass>());
+  passes->AddItem(peeling);
+  passes->AddItem(vtkNew<vtkOverlayPass>());
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  Scene.Renderer->SetPass(camera);
+  Scene.Renderer->UseDepthPeelingOff();
+  this->AddOverlay();
+  this->ExpectOneKept();
+}
+
+TEST_P(CullerPeeling, WithoutPeelingNoneStays)
+{
+  Scene.Renderer->UseDepthPeelingOff();
+  this->AddTranslucent({ 0.0, 0.0, -0.4 });
+  EXPECT_EQ(Scene.ExpectSame(), 1);
+}
+
+// VTK's peeling copies depths from windows of several samples to textures of another format, which OpenGL refuses.
+std::vector<CullerSetting> OfOneSample()
+{
+  std::vector<CullerSetting> settings = CullerSettings();
+  settings.erase(std::remove_if(settings.begin(), settings.end(),
+                   [](const CullerSetting& setting) { return setting.Samples > 0; }),
+    settings.end());
+  return settings;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerPeeling, testing::ValuesIn(OfOneSample()), CullerSettingName);
+
+}
