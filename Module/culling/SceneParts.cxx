@@ -25,9 +25,6 @@ namespace vitrine
 namespace
 {
 
-// Where parts were absent for more updates than that, all is read anew: they may be gone for good.
-const vtkMTimeType LongestAbsence = 200;
-
 // Geometries that are gone are dropped where there are more than so many to a part.
 const std::size_t MostGeometries = 2;
 }
@@ -35,10 +32,7 @@ const std::size_t MostGeometries = 2;
 void SceneParts::Update(vtkProp* const* props, int count)
 {
   ++this->Frame;
-  if (this->Frame % LongestAbsence == 0)
-  {
-    this->ForgetAbsent();
-  }
+  this->ForgetAbsent();
   this->LookAnewIfSettingsChanged();
   std::vector<std::uint32_t> moved;
   bool hasChanged = this->LookAtAll(props, count, moved);
@@ -101,39 +95,6 @@ void SceneParts::LookAnewIfSettingsChanged()
   }
 }
 
-/** Begins anew, if there are parts to be forgotten. What is known of the data of those that are there is kept until they were found again. */
-void SceneParts::ForgetAbsent()
-{
-  const auto isThere = [this](std::size_t i)
-  { return this->SeenIn[i] + LongestAbsence >= this->Frame; };
-  bool isAnyAbsent = false;
-  for (std::size_t i = 0; i < this->Parts.size(); ++i)
-  {
-    isAnyAbsent = isAnyAbsent || (this->PropOf[i] && !isThere(i));
-  }
-  if (!isAnyAbsent)
-  {
-    return;
-  }
-  for (std::size_t i = 0; i < this->Parts.size(); ++i)
-  {
-    if (isThere(i))
-    {
-      this->Kept.push_back(std::move(this->Parts[i].Geometry));
-    }
-  }
-  this->Parts.clear();
-  this->PropOf.clear();
-  this->SeenIn.clear();
-  this->Spare.clear();
-  this->HasPieces.clear();
-  this->Blends.clear();
-  this->BoxOf.clear();
-  this->Index.clear();
-  this->Boxes = LooseOctree();
-  this->ViewAlone.clear();
-}
-
 /**
  * Of a prop that is not surely as it was: what its textures and all else let through. Brings images up to date, as drawing does, and notes if anything was made for that: VTK's time counts what
  * is modified.
@@ -160,6 +121,7 @@ void SceneParts::Look(std::uint32_t i)
 {
   Part& part = this->Parts[i];
   vtkProp* const prop = this->PropOf[i];
+  this->Living[i] = prop;
   part.PropTime = prop->GetMTime();
   part.Shader = ShaderPropertyOf(prop);
   part.ShaderTime = part.Shader ? part.Shader->GetMTime() : 0;

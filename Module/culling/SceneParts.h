@@ -8,6 +8,7 @@
 #include "culling/PartGeometry.h"
 
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <cstdint>
 #include <memory>
@@ -39,6 +40,9 @@ class SceneParts : public OccluderSource
 public:
   /** Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does. */
   void Update(vtkProp* const* props, int count);
+
+  /** Lets go of what is known of props that are gone. Of those that are not drawn for a while it is kept, as they may come again. */
+  void DropGone();
 
   /** Where boxes and occluders count from, in world coordinates (WC). */
   const glm::dvec3& Origin() const { return this->Middle; }
@@ -164,6 +168,7 @@ private:
   void MakeData(vtkMapper* mapper);
   void LookAnewIfSettingsChanged();
   void ForgetAbsent();
+  void ForgetGone(std::uint32_t part, std::vector<std::uint32_t>& moved);
   void FindAll(vtkProp* const* props, int count);
   std::uint32_t Find(vtkProp* prop);
   std::uint32_t AddPart(vtkProp* prop);
@@ -190,8 +195,9 @@ private:
   void MoveOrigin(const glm::dvec3& middle);
 
   std::vector<Part> Parts;
-  std::vector<vtkProp*> PropOf;     ///< each part; null for pieces
-  std::vector<vtkMTimeType> SeenIn; ///< of each part the last update that had it
+  std::vector<vtkProp*> PropOf;                ///< each part; null for pieces
+  std::vector<vtkWeakPointer<vtkProp>> Living; ///< the same; null once they are gone
+  std::vector<vtkMTimeType> SeenIn;            ///< of each part the last update that had it
   std::vector<Box> BoxOf;
   std::vector<std::uint8_t> HasPieces; ///< each part
   std::vector<Blending> Blends;        ///< each prop

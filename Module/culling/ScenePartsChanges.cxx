@@ -70,6 +70,7 @@ std::uint32_t SceneParts::AddPart(vtkProp* prop)
 {
   this->Parts.emplace_back();
   this->PropOf.push_back(prop);
+  this->Living.emplace_back();
   this->SeenIn.push_back(0);
   this->BoxOf.emplace_back();
   this->HasPieces.push_back(0);

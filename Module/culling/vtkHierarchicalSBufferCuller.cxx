@@ -136,6 +136,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   void Begin()
   {
     this->TakeBack();
+    this->Parts.DropGone();
     if (this->Renderer->GetCullers()->IsItemPresent(this->Owner))
     {
       this->HasBuffer = this->HasBuffer && this->Renderer->GetSelector();

@@ -1,0 +1,82 @@
+// What is kept of props that are gone, and of those that were not drawn for long.
+#include "culling/SceneParts.h"
+
+#include "vtkProp.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+// Where parts were absent for more updates than that, all is read anew: they may be gone for good.
+const vtkMTimeType LongestAbsence = 200;
+}
+
+/** Once in a while: begins anew, if there are parts to be forgotten. What is known of the data of those that are there is kept until they were found again. */
+void SceneParts::ForgetAbsent()
+{
+  if (this->Frame % LongestAbsence != 0)
+  {
+    return;
+  }
+  const auto isThere = [this](std::size_t i)
+  { return this->SeenIn[i] + LongestAbsence >= this->Frame; };
+  bool isAnyAbsent = false;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    isAnyAbsent = isAnyAbsent || (this->PropOf[i] && !isThere(i));
+  }
+  if (!isAnyAbsent)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (isThere(i))
+    {
+      this->Kept.push_back(std::move(this->Parts[i].Geometry));
+    }
+  }
+  this->Parts.clear();
+  this->PropOf.clear();
+  this->Living.clear();
+  this->SeenIn.clear();
+  this->Spare.clear();
+  this->HasPieces.clear();
+  this->Blends.clear();
+  this->BoxOf.clear();
+  this->Index.clear();
+  this->Boxes = LooseOctree();
+  this->ViewAlone.clear();
+}
+
+void SceneParts::DropGone()
+{
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < this->Parts.size(); ++i)
+  {
+    const Part& part = this->Parts[i];
+    if (this->PropOf[i] && !this->Living[i] && (part.Geometry || part.Division))
+    {
+      this->ForgetGone(i, moved);
+    }
+  }
+  if (!moved.empty())
+  {
+    this->Replant(moved);
+  }
+}
+
+/** All but that it has a number: another prop may come to be at its address. */
+void SceneParts::ForgetGone(std::uint32_t part, std::vector<std::uint32_t>& moved)
+{
+  this->Parts[part].Division.reset();
+  this->FitPieces(part, moved);
+  this->Parts[part] = Part();
+  this->Place(part, Box(), moved);
+}
+
+}
