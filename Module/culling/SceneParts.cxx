@@ -66,17 +66,17 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
     const std::uint32_t part = this->Drawn[i];
-    if (this->AreSame[i])
-    {
-      continue;
-    }
-    if (!this->IsUnchanged(part))
+    const bool isSame = this->AreSame[i] || this->IsUnchanged(part);
+    if (!isSame)
     {
       this->Look(part);
       this->PlaceWhole(part, moved);
       hasChanged = true;
     }
-    this->LookAtOpacity(part);
+    if (!isSame || !this->IsPlain(part))
+    {
+      this->LookAtOpacity(part);
+    }
   }
   return hasChanged;
 }
@@ -171,9 +171,11 @@ bool SceneParts::LookAtMapper(Part& part)
   const bool hasInput = part.Mapper->GetNumberOfInputConnections(0) > 0;
   part.Producer =
     hasInput ? vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm()) : nullptr;
+  part.Pipeline = PipelineState();
   if (!part.Producer)
   {
     this->MakeData(part.Mapper);
+    part.Pipeline = PipelineState(part.Mapper);
   }
   part.MapperTime = part.Mapper->GetMTime();
   part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
@@ -186,7 +188,10 @@ bool SceneParts::LookAtMapper(Part& part)
   return true;
 }
 
-/** Has filters make what the mapper draws, and notes if that is other data than before. */
+/**
+ * Has filters make what the mapper draws, and notes if that is other data than before. First as the mapper asks for it, then as drawing does: what was requested of a filter by others, as another time,
+ * a mapper's own update does not come to, where it has nothing new.
+ */
 void SceneParts::MakeData(vtkMapper* mapper)
 {
   if (mapper->GetStatic() || mapper->GetNumberOfInputConnections(0) == 0)
@@ -196,6 +201,7 @@ void SceneParts::MakeData(vtkMapper* mapper)
   vtkDataObject* before = mapper->GetInputDataObject(0, 0);
   const vtkMTimeType time = before ? before->GetMTime() : 0;
   mapper->Update();
+  mapper->GetInputAlgorithm()->Update();
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
   this->HasMadeData = this->HasMadeData || data != before || (data && data->GetMTime() != time);
 }

@@ -6,6 +6,7 @@
 #include "culling/BlendedProps.h"
 #include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
+#include "culling/PipelineState.h"
 
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
@@ -125,7 +126,8 @@ private:
     vtkMTimeType ShaderTime = 0;
     vtkPolyDataMapper* Mapper = nullptr; ///< that draws (DrawingMapper.h)
     vtkMTimeType MapperTime = 0;
-    vtkTrivialProducer* Producer = nullptr; ///< of the data; null if something makes them
+    vtkTrivialProducer* Producer =
+      nullptr; ///< of the data; null if something makes them (Pipeline)
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
     std::shared_ptr<PartGeometry> Geometry;
@@ -151,6 +153,7 @@ private:
     vtkMTimeType InputTime = 0;
     vtkAlgorithm* Filter = nullptr;
     vtkMTimeType FilterTime = 0;
+    PipelineState Pipeline;
   };
 
   class Shapes;
@@ -175,6 +178,7 @@ private:
   void FindUnchanged();
   void ExpectLook(std::uint32_t i) const;
   bool IsPlain(std::uint32_t i) const;
+  bool HasPipeline(std::uint32_t i) const;
   bool IsUnchanged(std::uint32_t i) const;
   static bool AreDataMadeAlready(const Part& part);
   void Look(std::uint32_t i);

@@ -91,7 +91,8 @@ void SceneParts::FindUnchanged()
           this->Expect(this->Drawn[std::min(i + 2 * PartsAhead, end - 1)]);
           this->ExpectLook(this->Drawn[std::min(i + PartsAhead, end - 1)]);
           const std::uint32_t part = this->Drawn[i];
-          this->AreSame[i] = this->IsPlain(part) && this->IsUnchanged(part);
+          this->AreSame[i] =
+            this->IsPlain(part) && !this->HasPipeline(part) && this->IsUnchanged(part);
         }
       });
 }
@@ -114,22 +115,35 @@ void SceneParts::ExpectLook(std::uint32_t i) const
   PrefetchLines<1>(part.Shader);
 }
 
-/** Whether nothing is written by looking whether it is unchanged, and nothing else has to be done with it in each frame. */
+/** Whether nothing else has to be done with it in each frame than to look whether it is unchanged. */
 bool SceneParts::IsPlain(std::uint32_t i) const
 {
   const Part& part = this->Parts[i];
   return part.Actor && !part.Divided && !part.HasTextures;
 }
 
-/** Whether no filter could make other data: not where the data stand by themselves, nor where a vtkDataSetMapper's own filter has made a surface of what is its input as it is now. */
+/** Whether filters make its data, so that one thread alone can look whether it is unchanged. */
+bool SceneParts::HasPipeline(std::uint32_t i) const
+{
+  return !this->Parts[i].Producer && !this->Parts[i].Input;
+}
+
+/**
+ * Whether no filter would make other data: not where the data stand by themselves, nor where a vtkDataSetMapper's own filter has made a surface of what is its input as it is now, nor where all filters
+ * are as they were.
+ */
 bool SceneParts::AreDataMadeAlready(const Part& part)
 {
   if (part.Producer)
   {
     return part.Producer->vtkObject::GetMTime() == part.ProducerTime;
   }
-  return part.Input && part.SurfaceMapper->GetInput() == part.Input &&
-    part.Input->GetMTime() == part.InputTime && part.Filter->GetMTime() == part.FilterTime;
+  if (part.Input)
+  {
+    return part.SurfaceMapper->GetInput() == part.Input &&
+      part.Input->GetMTime() == part.InputTime && part.Filter->GetMTime() == part.FilterTime;
+  }
+  return part.Pipeline.IsCurrent();
 }
 
 /** Whether a part is as it was; in the order in which what holds the next is known to be there. */
