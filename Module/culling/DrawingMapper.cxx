@@ -43,6 +43,12 @@ bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
     filter->GetNumberOfInputConnections(0) > 0 && filter->GetInputDataObject(0, 0) == input;
 }
 
+/** Others that share a filter with it may have that make other pieces while the frame is drawn. */
+bool IsOfOnePiece(vtkPolyDataMapper* mapper)
+{
+  return mapper->GetNumberOfPieces() == 1 && mapper->GetNumberOfSubPieces() == 1;
+}
+
 /** Null if it is to change. */
 vtkPolyDataMapper* MapperWithin(vtkDataSetMapper* mapper)
 {
@@ -70,7 +76,7 @@ vtkPolyDataMapper* DrawingMapperOf(vtkActor* actor)
   vtkDataSetMapper* const ofSurface = SurfaceMapperOf(actor);
   vtkPolyDataMapper* const drawing =
     ofSurface ? MapperWithin(ofSurface) : static_cast<vtkPolyDataMapper*>(actor->GetMapper());
-  return drawing && drawing->GetNumberOfSubPieces() == 1 ? drawing : nullptr;
+  return drawing && IsOfOnePiece(drawing) ? drawing : nullptr;
 }
 
 }

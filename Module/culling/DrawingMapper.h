@@ -17,7 +17,7 @@ vtkDataSetMapper* SurfaceMapperOf(vtkActor* actor);
 
 /**
  * The mapper that draws an actor of a known mapper: that one itself, or the one that a vtkDataSetMapper has for it. That one gets the other's input whenever it
- * draws, so it is null where it has another one still, as before the first frame; and where pieces are drawn one by one.
+ * draws, so it is null where it has another one still, as before the first frame; and where it draws one of several pieces, or each of them.
  */
 vtkPolyDataMapper* DrawingMapperOf(vtkActor* actor);
 

@@ -3,36 +3,58 @@
 #include "vtkAlgorithm.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 namespace vitrine
 {
 
-PipelineState::PipelineState(vtkAlgorithm* consumer)
+namespace
 {
-  if (consumer->GetNumberOfInputConnections(0) == 0)
-  {
-    return;
-  }
-  vtkAlgorithm* const producer = consumer->GetInputAlgorithm(0, 0, this->Port);
-  this->Producer = vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive());
-  this->Requests = consumer->GetInputInformation(0, 0);
+// Drawing updates the first output, whichever the mapper is connected to.
+const int DrawnPort = 0;
+
+/** As vtkPolyDataMapper::Render() does, for mappers of one piece and no more. */
+void RequestPieces(vtkPolyDataMapper* mapper, vtkInformation* requests)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  requests->Set(Pipeline::UPDATE_PIECE_NUMBER(), mapper->GetPiece());
+  requests->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), mapper->GetNumberOfPieces());
+  requests->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), mapper->GetGhostLevel());
+}
+}
+
+PipelineState::PipelineState(vtkPolyDataMapper* mapper)
+{
+  int port = DrawnPort;
+  vtkAlgorithm* const producer = mapper->GetInputAlgorithm(0, 0, port);
+  producer->UpdateInformation();
+  this->Requests = mapper->GetInputInformation(0, 0);
+  RequestPieces(mapper, this->Requests);
+  vtkExecutive* const executive = producer->GetExecutive();
+  // VTK tries again each time to make what it could not, though nothing has changed.
+  const bool isMade = executive->Update(DrawnPort) != 0;
   this->RequestsTime = this->Requests->GetMTime();
-  this->Time = this->Producer ? this->FindTime() : 0;
+  auto* const known = vtkDemandDrivenPipeline::SafeDownCast(executive);
+  this->Producer = isMade && port == DrawnPort ? known : nullptr;
+  if (this->Producer && !this->FindTime(this->Time))
+  {
+    this->Producer = nullptr;
+  }
 }
 
-bool PipelineState::IsCurrent() const
-{
-  return this->Producer && this->Requests->GetMTime() == this->RequestsTime &&
-    this->FindTime() == this->Time;
-}
-
-/** The latest one of all that the data are made of, as the pipeline itself finds it. */
-vtkMTimeType PipelineState::FindTime() const
+bool PipelineState::IsCurrent(vtkPolyDataMapper* mapper) const
 {
   vtkMTimeType time = 0;
-  this->Producer->ComputePipelineMTime(nullptr, this->Producer->GetInputInformation(),
-    this->Producer->GetOutputInformation(), this->Port, &time);
-  return time;
+  return this->Producer && mapper->GetInputInformation(0, 0) == this->Requests &&
+    this->Requests->GetMTime() == this->RequestsTime && this->FindTime(time) && time == this->Time;
+}
+
+/** The latest one of all that the data are made of, as the pipeline itself finds it. Returns false if it cannot. */
+bool PipelineState::FindTime(vtkMTimeType& time) const
+{
+  return this->Producer->ComputePipelineMTime(nullptr, this->Producer->GetInputInformation(),
+           this->Producer->GetOutputInformation(), DrawnPort, &time) != 0;
 }
 
 }

@@ -3,16 +3,16 @@
 
 #include "vtkType.h"
 
-class vtkAlgorithm;
 class vtkDemandDrivenPipeline;
 class vtkInformation;
+class vtkPolyDataMapper;
 
 namespace vitrine
 {
 
 /**
- * Tells whether to update a pipeline once more would make anything, which takes far longer to find out by updating it. VTK has a filter run if the pipeline's time is later than its data, or if
- * other data are requested than those are (vtkStreamingDemandDrivenPipeline::NeedToExecuteData); so it does not where none of what that depends on has changed.
+ * Tells whether to update a mapper's pipeline once more would make anything, which takes far longer to find out by updating it. VTK has a filter run if the pipeline's time is later than its data, or if
+ * other data are requested than those are (vtkStreamingDemandDrivenPipeline::NeedToExecuteData); so it does not where it ran, and none of that has changed.
  */
 class PipelineState
 {
@@ -20,17 +20,16 @@ public:
   /** Of nothing: what would be made is not known. */
   PipelineState() = default;
 
-  /** Of what the first connection of an algorithm has for it, once that was updated. */
-  explicit PipelineState(vtkAlgorithm* consumer);
+  /** Updates what a mapper is connected to, as drawing does: with its requests for pieces, and with those that others have left, as for a time. */
+  explicit PipelineState(vtkPolyDataMapper* mapper);
 
-  /** Whether nothing would be made. The algorithm has to be connected as it was. One thread at a time: pipelines keep their time. */
-  bool IsCurrent() const;
+  /** Whether nothing would be made. One thread at a time: pipelines keep their time. */
+  bool IsCurrent(vtkPolyDataMapper* mapper) const;
 
 private:
-  vtkMTimeType FindTime() const;
+  bool FindTime(vtkMTimeType& time) const;
 
-  vtkDemandDrivenPipeline* Producer = nullptr; ///< null if that is not known
-  int Port = 0;                                ///< of it
+  vtkDemandDrivenPipeline* Producer = nullptr; ///< null if that is not known; `Requests` hold it
   vtkMTimeType Time = 0;                       ///< of the pipeline
   vtkInformation* Requests = nullptr;          ///< for data, and what they are
   vtkMTimeType RequestsTime = 0;

@@ -172,10 +172,9 @@ bool SceneParts::LookAtMapper(Part& part)
   part.Producer =
     hasInput ? vtkTrivialProducer::SafeDownCast(part.Mapper->GetInputAlgorithm()) : nullptr;
   part.Pipeline = PipelineState();
-  if (!part.Producer)
+  if (!part.Producer && hasInput && !part.Mapper->GetStatic())
   {
-    this->MakeData(part.Mapper);
-    part.Pipeline = PipelineState(part.Mapper);
+    this->MakeData(part);
   }
   part.MapperTime = part.Mapper->GetMTime();
   part.ProducerTime = part.Producer ? part.Producer->vtkObject::GetMTime() : 0;
@@ -188,21 +187,13 @@ bool SceneParts::LookAtMapper(Part& part)
   return true;
 }
 
-/**
- * Has filters make what the mapper draws, and notes if that is other data than before. First as the mapper asks for it, then as drawing does: what was requested of a filter by others, as another time,
- * a mapper's own update does not come to, where it has nothing new.
- */
-void SceneParts::MakeData(vtkMapper* mapper)
+/** Has filters make what the mapper draws, and notes if that is other data than before. */
+void SceneParts::MakeData(Part& part)
 {
-  if (mapper->GetStatic() || mapper->GetNumberOfInputConnections(0) == 0)
-  {
-    return;
-  }
-  vtkDataObject* before = mapper->GetInputDataObject(0, 0);
+  vtkDataObject* before = part.Mapper->GetInputDataObject(0, 0);
   const vtkMTimeType time = before ? before->GetMTime() : 0;
-  mapper->Update();
-  mapper->GetInputAlgorithm()->Update();
-  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  part.Pipeline = PipelineState(part.Mapper);
+  vtkDataObject* data = part.Mapper->GetInputDataObject(0, 0);
   this->HasMadeData = this->HasMadeData || data != before || (data && data->GetMTime() != time);
 }
 

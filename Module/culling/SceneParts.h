@@ -168,7 +168,7 @@ private:
     const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
   bool LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved);
   void LookAtOpacity(std::uint32_t part);
-  void MakeData(vtkMapper* mapper);
+  void MakeData(Part& part);
   void LookAnewIfSettingsChanged();
   void ForgetAbsent();
   void ForgetGone(std::uint32_t part, std::vector<std::uint32_t>& moved);

@@ -130,7 +130,7 @@ bool SceneParts::HasPipeline(std::uint32_t i) const
 
 /**
  * Whether no filter would make other data: not where the data stand by themselves, nor where a vtkDataSetMapper's own filter has made a surface of what is its input as it is now, nor where all filters
- * are as they were.
+ * are as they were, nor for a mapper that draws what is there.
  */
 bool SceneParts::AreDataMadeAlready(const Part& part)
 {
@@ -143,7 +143,8 @@ bool SceneParts::AreDataMadeAlready(const Part& part)
     return part.SurfaceMapper->GetInput() == part.Input &&
       part.Input->GetMTime() == part.InputTime && part.Filter->GetMTime() == part.FilterTime;
   }
-  return part.Pipeline.IsCurrent();
+  return part.Mapper->GetStatic() ? part.Mapper->GetInput() == part.Data
+                                  : part.Pipeline.IsCurrent(part.Mapper);
 }
 
 /** Whether a part is as it was; in the order in which what holds the next is known to be there. */

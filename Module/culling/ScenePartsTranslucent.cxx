@@ -33,11 +33,11 @@ void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
   }
 }
 
-/** Of a prop: it takes VTK longer to find out than it takes to see that many surely are not. */
+/** Of a prop: it takes VTK longer to find out than it takes to see that many surely are not. Whether blocks are is known of each by itself. */
 bool SceneParts::MayBeTranslucent(std::uint32_t part) const
 {
   const Part& known = this->Parts[part];
-  return !(known.Actor && this->IsOpaque(known));
+  return !known.Actor || known.Divided || !this->IsOpaque(known);
 }
 
 }

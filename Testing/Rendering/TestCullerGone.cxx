@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,34 @@ TEST_P(CullerGone, OthersComeInTheirPlace)
       EXPECT_EQ(Scene.ExpectSame(), isBefore ? boxes : boxes + PatchCount);
     }
   }
+}
+
+// What cannot be hidden has no place: not that of what was hidden at its address either.
+TEST_P(CullerGone, WhatCannotBeHiddenComesInTheirPlace)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  Scene.LookAhead();
+  const void* address = nullptr;
+  for (int tries = 0; tries < 100; ++tries)
+  {
+    vtkSmartPointer<vtkActor> gone = Scene.AddBox({ 0.0, 0.0, -0.6 }, { 0.1, 0.1, 0.1 });
+    const int hidden = Scene.ExpectSame();
+    address = gone;
+    Scene.Renderer->RemoveActor(gone);
+    gone = nullptr;
+    const vtkSmartPointer<vtkActor> next = Scene.MakeBox({ 0.0, 0.0, 0.5 }, { 0.3, 0.3, 0.1 });
+    next->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true, "//VTK::Light::Impl\n  fragOutput0.r = 1.0;\n", false);
+    Scene.Renderer->AddActor(next);
+    EXPECT_LT(Scene.ExpectSame(), hidden); // others may shine through it
+    Scene.Renderer->RemoveActor(next);
+    if (next == address)
+    {
+      return;
+    }
+  }
+  FAIL() << "no actor has come to be at the address of one that is gone";
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,11 +1,13 @@
 // Depth peeling draws other things, too, where nothing is translucent: so one part that is stays, though it is hidden or beside the view.
 #include "CullerScene.h"
+#include "DividedActor.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCameraPass.h"
 #include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
@@ -158,6 +160,23 @@ TEST_P(CullerPeeling, OneStaysBelowAPassThatPeels)
   Scene.Renderer->UseDepthPeelingOff();
   this->AddOverlay();
   this->ExpectOneKept();
+}
+
+// Of blocks of an actor that is opaque as a whole.
+TEST_P(CullerPeeling, ABlockStays)
+{
+  this->AddOverlay();
+  vtkNew<vtkActor> actor;
+  const vtkSmartPointer<vtkMapper> mapper = DividedMapperOf(Division::Blocks,
+    { { Rectangle(-0.3, -0.3, 0.0, 0.3, -0.4) }, { Rectangle(0.1, -0.3, 0.4, 0.3, -0.4) } });
+  auto* const composite = static_cast<vtkCulledCompositePolyDataMapper*>(mapper.Get());
+  composite->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
+  composite->SetBlockOpacity(2, 0.5);
+  actor->SetMapper(mapper);
+  Scene.Renderer->AddActor(actor);
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  const vtkSmartPointer<vtkActor> before = this->AddTranslucent({ 0.5, 0.5, 0.4 });
+  EXPECT_EQ(Scene.ExpectSame(), 2);
 }
 
 TEST_P(CullerPeeling, WithoutPeelingNoneStays)

@@ -1,5 +1,6 @@
 // Whether a pipeline would make other data is known without updating it.
 #include "CullerScene.h"
+#include "TestMessages.h"
 #include "culling/PipelineState.h"
 
 #include "vtkActor.h"
@@ -7,6 +8,7 @@
 #include "vtkClipClosedSurface.h"
 #include "vtkCubeSource.h"
 #include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -19,6 +21,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShrinkPolyData.h"
+#include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
@@ -87,18 +90,33 @@ struct Pipeline
 // Expects that what changes is noticed, and that nothing is once that was updated.
 void ExpectNoticed(vtkPolyDataMapper* mapper, const std::function<void()>& change)
 {
-  mapper->Update();
-  PipelineState state(mapper);
+  const PipelineState state(mapper);
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_TRUE(state.IsCurrent());
+    EXPECT_TRUE(state.IsCurrent(mapper));
     mapper->Update();
   }
   change();
-  EXPECT_FALSE(state.IsCurrent());
+  EXPECT_FALSE(state.IsCurrent(mapper));
   mapper->Update();
-  EXPECT_FALSE(state.IsCurrent());
-  EXPECT_TRUE(PipelineState(mapper).IsCurrent());
+  EXPECT_FALSE(state.IsCurrent(mapper));
+  EXPECT_TRUE(PipelineState(mapper).IsCurrent(mapper));
+}
+
+// So that it is not asked for in each frame.
+TEST(PipelineState, StaysWhatItIsWhileFramesAreDrawn)
+{
+  Pipeline all;
+  TestScene scene;
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(all.Mapper);
+  scene.Renderer->AddActor(actor);
+  const PipelineState state(all.Mapper);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_TRUE(state.IsCurrent(all.Mapper));
+    scene.Render();
+  }
 }
 
 TEST(PipelineState, NoticesWhatChangesUpstream)
@@ -148,11 +166,56 @@ TEST(PipelineState, NoticesRequests)
   ExpectNoticed(mapper, [&] { wall->UpdateTimeStep(0.0); });
 }
 
-TEST(PipelineState, IsNotKnownWithoutAPipeline)
+/** A sphere, once it may be made, of which it tells nobody; and a second output. */
+class LateSphere : public vtkSphereSource
 {
-  EXPECT_FALSE(PipelineState().IsCurrent());
+public:
+  static LateSphere* New();
+  vtkTypeMacro(LateSphere, vtkSphereSource);
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    const bool isRefused =
+      !this->IsThere && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT());
+    return isRefused ? 0 : this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+
+  bool IsThere = true;
+
+protected:
+  LateSphere() { this->SetNumberOfOutputPorts(2); }
+};
+
+vtkStandardNewMacro(LateSphere);
+
+TEST(PipelineState, IsNotKnownOfWhatCannotBeMade)
+{
+  vtkNew<LateSphere> sphere;
+  vtkNew<vtkShrinkPolyData> shrunk;
+  shrunk->SetInputConnection(sphere->GetOutputPort());
   vtkNew<vtkPolyDataMapper> mapper;
-  EXPECT_FALSE(PipelineState(mapper).IsCurrent());
+  mapper->SetInputConnection(shrunk->GetOutputPort());
+  EXPECT_TRUE(PipelineState(mapper).IsCurrent(mapper));
+  sphere->IsThere = false;
+  sphere->Modified();
+  EXPECT_FALSE(PipelineState(mapper).IsCurrent(mapper));
+  EXPECT_FALSE(TakeMessages().empty());
+}
+
+TEST(PipelineState, IsNotKnownOfOtherOutputsThanAreDrawn)
+{
+  vtkNew<LateSphere> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort(1));
+  EXPECT_FALSE(PipelineState(mapper).IsCurrent(mapper));
+}
+
+TEST(PipelineState, IsNotKnownOfOthers)
+{
+  Pipeline all, others;
+  EXPECT_FALSE(PipelineState().IsCurrent(all.Mapper));
+  EXPECT_FALSE(PipelineState(all.Mapper).IsCurrent(others.Mapper));
 }
 
 using CullerPipelines = CullerTest;
@@ -209,7 +272,101 @@ TEST_P(CullerPipelines, OfAWallAtAnotherTime)
   }
 }
 
+// Nothing but its pipeline tells of a part that is hidden.
+TEST_P(CullerPipelines, BringHiddenPartsToTheFront)
+{
+  Scene.AddWall();
+  Scene.AddHidden();
+  Pipeline all;
+  all.Source->SetCenter(0.0, 0.0, -0.5);
+  all.Shrunk->SetShrinkFactor(0.5);
+  vtkNew<vtkActor> part;
+  part->SetMapper(all.Mapper);
+  Scene.Renderer->AddActor(part);
+  Scene.LookAhead();
+  const int hidden = Scene.ExpectSame();
+  EXPECT_GT(hidden, 40);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    const bool isInFront = frame % 2 == 0;
+    all.Transform->Translate(0.0, 0.0, isInFront ? 1.0 : -1.0);
+    EXPECT_EQ(Scene.ExpectSame(), isInFront ? hidden - 1 : hidden);
+  }
+}
+
+TEST_P(CullerPipelines, ThatCouldNotBeRun)
+{
+  Scene.AddWall();
+  vtkNew<LateSphere> sphere;
+  sphere->SetCenter(0.0, 0.0, -0.5);
+  sphere->SetRadius(0.1);
+  vtkNew<vtkShrinkPolyData> shrunk;
+  shrunk->SetInputConnection(sphere->GetOutputPort());
+  const vtkSmartPointer<vtkActor> part = Scene.AddSource(shrunk, { 0.9, 0.3, 0.1, 1.0 });
+  Scene.LookAhead();
+  EXPECT_EQ(Scene.ExpectSame(), 1);
+  sphere->IsThere = false;
+  sphere->SetCenter(0.0, 0.0, 0.5);
+  EXPECT_EQ(Scene.ExpectSame(), 1); // what there was before is drawn
+  sphere->IsThere = true;
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  TakeMessages();
+}
+
+// A filter makes anew what each mapper draws of it: all, or the half of a sphere that is above or below.
+class CullerPieces : public CullerPipelines
+{
+protected:
+  CullerPieces()
+  {
+    this->Sphere->SetRadius(0.6);
+    this->Sphere->SetThetaResolution(32);
+    this->Sphere->SetPhiResolution(32);
+    Scene.AddHidden();
+  }
+
+  vtkSmartPointer<vtkActor> AddSphere(double x, int pieces, int piece)
+  {
+    const vtkSmartPointer<vtkActor> actor = Scene.AddSource(this->Sphere, { 0.9, 0.3, 0.1, 1.0 });
+    actor->SetPosition(x, 0.0, 0.2);
+    auto* const mapper = static_cast<vtkPolyDataMapper*>(actor->GetMapper());
+    mapper->SetNumberOfPieces(pieces);
+    mapper->SetPiece(piece);
+    return actor;
+  }
+
+  void ExpectSameWhileItStays()
+  {
+    Scene.LookAhead();
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      SCOPED_TRACE(frame);
+      Scene.ExpectSame();
+    }
+  }
+
+  vtkNew<vtkSphereSource> Sphere;
+};
+
+TEST_P(CullerPieces, OfWhichTheOtherIsHidden)
+{
+  Scene.AddMesh(MeshOf({ Rectangle(-2.0, -2.0, 2.0, 0.0, 0.9) }));
+  this->AddSphere(0.0, 1, 0);
+  this->AddSphere(0.9, 2, 1)->SetPosition(0.9, 0.6, 0.2);
+  this->ExpectSameWhileItStays();
+}
+
+TEST_P(CullerPieces, OfWhichAllWouldHide)
+{
+  this->AddSphere(0.0, 2, 0);
+  this->AddSphere(9.0, 1, 0);
+  this->ExpectSameWhileItStays();
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Settings, CullerPipelines, testing::ValuesIn(CullerSettings()), CullerSettingName);
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, CullerPieces, testing::ValuesIn(CullerSettings()), CullerSettingName);
 
 }
