@@ -248,16 +248,17 @@ TEST(MeshBoxes, ShowAPartOfWhichOneFaceShows)
 // From one side of the view to the other, around it.
 TEST(MeshBoxes, LieOutsideOfAViewThatTheyGoAround)
 {
-  PartScene scene;
   const Triangles frame = GridOf(200, 1,
     [](double u, double v)
     {
       const double radius = v > 0.5 ? 41.0 : 40.0;
       return glm::dvec3(radius * std::cos(6.3 * u), radius * std::sin(6.3 * u), -30.0);
     });
-  const std::uint32_t part = scene.Add(frame);
-  CullAhead(scene, true);
-  EXPECT_FALSE(scene.Visible[part]);
+  const vitrine::SBuffer lines(FrameColumns, FrameLines); // that hides nothing
+  const MeshBoxes boxes(frame.Mesh());
+  const auto view = AheadView(true).Projection(100.0);
+  EXPECT_TRUE(boxes.AreHidden(lines, view, glm::dmat4(1.0)));
+  EXPECT_FALSE(boxes.AreHidden(lines, view, glm::scale(glm::dmat4(1.0), glm::dvec3(0.3, 0.3, 1))));
 }
 
 // Behind the eye they would be in the middle of the view, and far away.
