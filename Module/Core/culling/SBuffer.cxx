@@ -37,15 +37,29 @@ SBuffer SBuffer::WithFewSamples(int columns, int lines, const SampleGrid& sample
 
 void SBuffer::Clear()
 {
-  std::fill(this->Firsts.begin(), this->Firsts.end(), NoSpan);
-  this->Tiles.Clear();
-  if (this->AtSamples)
+  for (int tile = 0; tile < this->Tiles.CountPerLine(); ++tile)
   {
-    this->AtSamples->Clear();
+    if (this->Tiles.IsTouched(tile))
+    {
+      this->Clear(tile);
+    }
   }
   this->Used = 0;
   this->FirstFree = NoSpan;
   this->Counted = {};
+}
+
+/** A tile of all lines. */
+void SBuffer::Clear(int tile)
+{
+  const auto first = this->Firsts.begin() + static_cast<std::ptrdiff_t>(this->Tiles.At(0, tile));
+  const auto end = this->Firsts.begin() + static_cast<std::ptrdiff_t>(this->Tiles.At(0, tile + 1));
+  std::fill(first, end, NoSpan);
+  this->Tiles.Clear(tile);
+  if (this->AtSamples)
+  {
+    this->AtSamples->Clear(tile);
+  }
 }
 
 std::uint32_t SBuffer::Allocate()
@@ -124,6 +138,7 @@ VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& s
     {
       continue;
     }
+    this->Tiles.Touch(i);
     const float tileLeft = static_cast<float>(i * TileWidth);
     const float tileRight = std::min(tileLeft + TileWidth, static_cast<float>(this->ColumnCount));
     if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
@@ -369,7 +384,7 @@ void SBuffer::AddColumnsOfFaces(std::vector<float>& columns) const
 {
   if (this->AtSamples)
   {
-    this->AtSamples->AddColumnsOfFaces(columns);
+    this->AtSamples->AddColumnsOfFaces(this->Tiles, columns);
     return;
   }
   for (const std::uint32_t first : this->Firsts)

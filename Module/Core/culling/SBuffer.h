@@ -216,6 +216,7 @@ private:
 
   static constexpr std::size_t DefaultMostSpans = 1u << 20;
 
+  void Clear(int tile);
   std::uint32_t Allocate();
   void Free(std::uint32_t span);
   bool SpansHide(const ScreenRectangle& rectangle) const;

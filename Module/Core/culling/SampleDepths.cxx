@@ -31,12 +31,15 @@ SampleDepths::SampleDepths(int columns, int lines, const SampleGrid& grid)
   }
   this->Depths.resize(this->At(tiles * this->CountPerTile, 0), BeyondAll);
   this->Faces.resize(this->Depths.size());
-  this->Clear();
+  for (int tile = 0; tile < tiles; ++tile)
+  {
+    this->Clear(tile);
+  }
 }
 
-void SampleDepths::Clear()
+void SampleDepths::Clear(int tile)
 {
-  for (int i = 0; i < this->CountPerLine; ++i)
+  for (int i = tile * this->CountPerTile; i < this->EndOf(tile); ++i)
   {
     const auto first = this->Depths.begin() + static_cast<std::ptrdiff_t>(this->At(i, 0));
     std::fill(first, first + (this->Stride - LaneCount), NotCovered);
@@ -161,27 +164,37 @@ float SampleDepths::DepthOfColumn(int line, int column) const
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-void SampleDepths::AddColumnsOfFaces(std::vector<float>& columns) const
+void SampleDepths::AddColumnsOfFaces(const TileDepths& tiles, std::vector<float>& columns) const
+{
+  for (int tile = 0; tile < tiles.CountPerLine(); ++tile)
+  {
+    const int end = tiles.IsTouched(tile) ? this->EndOf(tile) : 0;
+    for (int i = tile * this->CountPerTile; i < end; ++i)
+    {
+      this->AddColumnsOfFaces(i, columns);
+    }
+  }
+}
+
+/** Of a sample of each line. */
+VITRINE_INLINE void SampleDepths::AddColumnsOfFaces(int sample, std::vector<float>& columns) const
 {
   const int lines = this->Stride - LaneCount;
-  for (int i = 0; i < this->CountPerLine; ++i)
+  for (int line = 0; line < lines; line += LaneCount)
   {
-    for (int line = 0; line < lines; line += LaneCount)
+    const std::size_t first = this->At(sample, line);
+    const std::uint32_t* const faces = &this->Faces[first];
+    const LaneMask isSame = LoadMask(faces) == LaneMask{} + static_cast<std::int32_t>(faces[0]);
+    const unsigned covered =
+      BitsOf(FirstLanes(lines - line) & (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
+    if ((covered & BitsOf(isSame)) == AllBits) // or each would wait for the one before
     {
-      const std::size_t first = this->At(i, line);
-      const std::uint32_t* const faces = &this->Faces[first];
-      const LaneMask isSame = LoadMask(faces) == LaneMask{} + static_cast<std::int32_t>(faces[0]);
-      const unsigned covered =
-        BitsOf(FirstLanes(lines - line) & (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
-      if ((covered & BitsOf(isSame)) == AllBits) // or each would wait for the one before
-      {
-        columns[faces[0]] += LaneCount * this->Width;
-        continue;
-      }
-      for (unsigned bits = covered; bits != 0; bits &= bits - 1)
-      {
-        columns[faces[LowestBit(bits)]] += this->Width;
-      }
+      columns[faces[0]] += LaneCount * this->Width;
+      continue;
+    }
+    for (unsigned bits = covered; bits != 0; bits &= bits - 1)
+    {
+      columns[faces[LowestBit(bits)]] += this->Width;
     }
   }
 }

@@ -40,8 +40,8 @@ public:
   /** Of samples that it suits. */
   SampleDepths(int columns, int lines, const SampleGrid& grid);
 
-  /** Nothing is covered. */
-  void Clear();
+  /** Nothing is covered of a tile of all lines. */
+  void Clear(int tile);
 
   /** The samples of a line that lie between two columns: none where First exceeds Last. */
   struct Range
@@ -135,8 +135,8 @@ public:
   /** The least depth of a column's samples, or NotCovered. */
   float DepthOfColumn(int line, int column) const;
 
-  /** Adds to a number for each face how many columns it has. */
-  void AddColumnsOfFaces(std::vector<float>& columns) const;
+  /** Adds to a number for each face how many columns it has in tiles that were touched. */
+  void AddColumnsOfFaces(const TileDepths& tiles, std::vector<float>& columns) const;
 
   /** Does something with each sample of a line that is covered: with its column, its depth, and whose it is. */
   template <class Work>
@@ -168,6 +168,14 @@ private:
   /** Of a sample of a line. */
   int TileOf(int i) const { return (i >> this->BitsPerColumn) / TileDepths::Width; }
 
+  void AddColumnsOfFaces(int sample, std::vector<float>& columns) const;
+
+  /** The sample behind the last one of a tile. */
+  int EndOf(int tile) const
+  {
+    return std::min((tile + 1) * this->CountPerTile, this->CountPerLine);
+  }
+
   /** On a line. */
   void UpdateTilesOf(TileDepths& tiles, int line, const Range& range) const
   {
@@ -179,6 +187,7 @@ private:
         least = std::min(least, this->Depths[this->At(i, line)]);
       }
       tiles[tiles.At(line, tile)] = least;
+      tiles.Touch(tile);
     }
   }
 
@@ -196,6 +205,7 @@ private:
         least = LeastOf(least, LoadLanes(depths));
       }
       StoreLanes(least, &tiles[tiles.At(line, tile)]);
+      tiles.Touch(tile);
     }
   }
 

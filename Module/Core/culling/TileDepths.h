@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace vitrine
@@ -29,10 +30,23 @@ public:
     : TilesPerLine((columns + Width - 1) / Width)
     , Stride(static_cast<std::size_t>(lines) + LaneCount)
     , Leasts(this->Stride * static_cast<std::size_t>(this->TilesPerLine), NotFull)
+    , AreTouched(static_cast<std::size_t>(this->TilesPerLine), 0)
   {
   }
 
-  void Clear() { std::fill(this->Leasts.begin(), this->Leasts.end(), NotFull); }
+  /** Something is kept in a tile of some line: so that what nothing was kept in need not be cleared. */
+  void Touch(int tile) { this->AreTouched[static_cast<std::size_t>(tile)] = 1; }
+
+  /** Whether something was, since that tile was cleared. */
+  bool IsTouched(int tile) const { return this->AreTouched[static_cast<std::size_t>(tile)] != 0; }
+
+  /** A tile of all lines. */
+  void Clear(int tile)
+  {
+    const auto first = this->Leasts.begin() + static_cast<std::ptrdiff_t>(this->At(0, tile));
+    std::fill(first, first + static_cast<std::ptrdiff_t>(this->Stride), NotFull);
+    this->AreTouched[static_cast<std::size_t>(tile)] = 0;
+  }
 
   /** Of all lines, and some more behind the last one, of which it says anything. */
   std::size_t Count() const { return this->Leasts.size(); }
@@ -72,6 +86,7 @@ private:
   int TilesPerLine;
   std::size_t Stride;
   std::vector<float> Leasts;
+  std::vector<std::uint8_t> AreTouched; ///< each tile of a line
 };
 
 }
