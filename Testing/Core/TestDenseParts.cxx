@@ -118,11 +118,11 @@ TEST(DenseParts, OfFewCellsHideByTheirFaces)
 TEST(DenseParts, LeaveEnoughForOthers)
 {
   PartScene scene;
-  for (int i = 0; i < 60; ++i)
+  for (int i = 0; i < 20; ++i)
   {
     AddBall(scene, 40, { -10.0 + i % 10 * 2.0, -6.0 + i / 10 * 2.0, -20 }, 0.5); // 9 cells each
   }
-  scene.Add(WallOfQuads(-30.0, 118)); // takes more than what small parts leave, and is not dense
+  scene.Add(WallOfQuads(-30.0, 60)); // takes more than what small parts leave, and is not dense
   const std::uint32_t behind = scene.AddBox({ -1, -1, -42 }, { 1, 1, -40 });
   CullAheadAt(scene, SampleGrid::AtCentres(1));
   EXPECT_FALSE(scene.Visible[behind]);
