@@ -1,20 +1,18 @@
 // Depth peeling draws other things, too, where nothing is translucent: so one part that is stays, though it is hidden or beside the view.
 #include "CullerScene.h"
 #include "DividedActor.h"
+#include "TestVolume.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCameraPass.h"
 #include "vtkCellArray.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkGPUVolumeRayCastMapper.h"
-#include "vtkImageData.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkOverlayPass.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -23,8 +21,6 @@
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -77,31 +73,12 @@ protected:
 
   void AddVolume()
   {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(10, 10, 10);
-    image->SetSpacing(0.15, 0.15, 0.06);
-    image->SetOrigin(-0.7, -0.7, 0.1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (int i = 0; i < 1000; ++i)
-    {
-      voxels[i] = static_cast<unsigned char>(i * 97 % 256);
-    }
     vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-    mapper->SetInputData(image);
     mapper->AutoAdjustSampleDistancesOff(); // by time
-    vtkNew<vtkColorTransferFunction> color;
-    color->AddRGBPoint(0.0, 0.1, 0.1, 0.9);
-    color->AddRGBPoint(255.0, 0.9, 0.9, 0.1);
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(0.0, 0.0);
-    opacity->AddPoint(255.0, 0.2);
-    vtkNew<vtkVolume> volume;
-    volume->SetMapper(mapper);
-    volume->GetProperty()->SetColor(color);
-    volume->GetProperty()->SetScalarOpacity(opacity);
+    const vtkSmartPointer<vtkImageData> voxels =
+      VoxelsOf(10, { 0.15, 0.15, 0.06 }, { -0.7, -0.7, 0.1 }, [](int i) { return i * 97 % 256; });
     Scene.Renderer->UseDepthPeelingForVolumesOn();
-    Scene.Renderer->AddVolume(volume);
+    Scene.Renderer->AddVolume(VolumeOf(voxels, mapper, 0.2));
   }
 
   // Expects that of some translucent parts, hidden and beside the view, all but one are left out; and all of them while another one shows.

@@ -1,12 +1,12 @@
 // Props that the culler does not treat, and VTK's passes: all is drawn as it is without culling.
 #include "CullerScene.h"
+#include "TestVolume.h"
 #include "vtkActor2D.h"
 #include "vtkAssembly.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkClearZPass.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkCubeSource.h"
 #include "vtkEDLShading.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
@@ -23,7 +23,6 @@
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPanoramicProjectionPass.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkPropAssembly.h"
@@ -36,8 +35,6 @@
 #include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkTranslucentPass.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -76,30 +73,11 @@ vtkSmartPointer<vtkPolyDataMapper> MapperOf(vtkAlgorithm* source)
 
 vtkSmartPointer<vtkVolume> MakeVolume()
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(10, 10, 10);
-  image->SetSpacing(0.09, 0.09, 0.09);
-  image->SetOrigin(-0.7, -0.4, -0.4);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (int i = 0; i < 1000; ++i)
-  {
-    voxels[i] = static_cast<unsigned char>(i % 10 * 25);
-  }
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  mapper->SetInputData(image);
   mapper->AutoAdjustSampleDistancesOff(); // by time
-  vtkNew<vtkColorTransferFunction> color;
-  color->AddRGBPoint(0.0, 0.1, 0.1, 0.9);
-  color->AddRGBPoint(255.0, 0.9, 0.9, 0.1);
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.2);
-  auto volume = vtkSmartPointer<vtkVolume>::New();
-  volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(color);
-  volume->GetProperty()->SetScalarOpacity(opacity);
-  return volume;
+  const vtkSmartPointer<vtkImageData> voxels =
+    VoxelsOf(10, { 0.09, 0.09, 0.09 }, { -0.7, -0.4, -0.4 }, [](int i) { return i % 10 * 25; });
+  return VolumeOf(voxels, mapper, 0.2);
 }
 
 TEST_P(CullerProps, Scene23PartsOfProps)

@@ -1,16 +1,12 @@
 // Volumes beside translucent geometry are drawn as VTK draws them, after it and over it.
 #include "TestMethods.h"
 #include "TestScene.h"
+#include "TestVolume.h"
 #include "vtkActor.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
-#include "vtkImageData.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkTranslucentPass.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
 
@@ -19,27 +15,9 @@ namespace
 
 void AddVolume(TestScene& scene, vtkVolumeMapper* mapper)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(12, 12, 12);
-  image->SetSpacing(0.08, 0.08, 0.08);
-  image->SetOrigin(-0.4, -0.4, -0.4);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (int i = 0; i < 12 * 12 * 12; ++i)
-  {
-    voxels[i] = static_cast<unsigned char>(i % 12 * 20);
-  }
-  mapper->SetInputDataObject(image);
-  vtkNew<vtkColorTransferFunction> color;
-  color->AddRGBPoint(0.0, 0.1, 0.1, 0.9);
-  color->AddRGBPoint(255.0, 0.9, 0.9, 0.1);
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.1);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(color);
-  volume->GetProperty()->SetScalarOpacity(opacity);
+  const vtkSmartPointer<vtkImageData> voxels =
+    VoxelsOf(12, { 0.08, 0.08, 0.08 }, { -0.4, -0.4, -0.4 }, [](int i) { return i % 12 * 20; });
+  const vtkSmartPointer<vtkVolume> volume = VolumeOf(voxels, mapper, 0.1);
   volume->GetProperty()->SetScalarOpacityUnitDistance(0.1);
   scene.Renderer->AddVolume(volume);
 }
