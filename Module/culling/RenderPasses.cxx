@@ -64,6 +64,18 @@ std::vector<vtkRenderPass*> DelegatesOf(vtkRenderPass* pass)
   return delegates;
 }
 
+/** The same, and the one that works on that picture then. */
+std::vector<vtkRenderPass*> PassesBelow(vtkRenderPass* pass)
+{
+  std::vector<vtkRenderPass*> passes = DelegatesOf(pass);
+  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  if (steps && steps->GetPostProcessPass())
+  {
+    passes.push_back(steps->GetPostProcessPass());
+  }
+  return passes;
+}
+
 /** Whether an object is of one of these classes, and not of one derived from it. */
 template <class... Classes>
 bool IsExactlyOneOf(vtkObject* object)
@@ -94,13 +106,10 @@ bool IsKnown(vtkRenderPass* pass, const std::set<std::string>& known)
  */
 bool KeepsToTheView(vtkRenderPass* pass, const std::set<std::string>& known)
 {
-  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
-  const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
+  const std::vector<vtkRenderPass*> below = PassesBelow(pass);
   return IsKnown(pass, known) &&
-    !(steps && steps->GetPostProcessPass() &&
-      !KeepsToTheView(steps->GetPostProcessPass(), known)) &&
-    std::all_of(delegates.begin(), delegates.end(),
-      [&](vtkRenderPass* delegate) { return KeepsToTheView(delegate, known); });
+    std::all_of(
+      below.begin(), below.end(), [&](vtkRenderPass* one) { return KeepsToTheView(one, known); });
 }
 
 bool DrawsOpaqueParts(vtkRenderPass* pass)
@@ -116,15 +125,13 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
     (delegates.empty() || std::any_of(delegates.begin(), delegates.end(), DrawsOpaqueParts));
 }
 
-/** Whether it is of a class, or one of those is that it hands its work to. */
+/** Whether it is of a class, or one of those below it is. */
 bool Has(vtkRenderPass* pass, const char* className)
 {
-  const std::vector<vtkRenderPass*> delegates = DelegatesOf(pass);
-  auto* steps = vtkRenderStepsPass::SafeDownCast(pass);
+  const std::vector<vtkRenderPass*> below = PassesBelow(pass);
   return pass->IsA(className) ||
-    (steps && steps->GetPostProcessPass() && Has(steps->GetPostProcessPass(), className)) ||
-    std::any_of(delegates.begin(), delegates.end(),
-      [&](vtkRenderPass* delegate) { return Has(delegate, className); });
+    std::any_of(
+      below.begin(), below.end(), [&](vtkRenderPass* one) { return Has(one, className); });
 }
 
 /** Where hidden lines are removed, and there is any wireframe, in view or not, VTK leaves ambient occlusion out. */
