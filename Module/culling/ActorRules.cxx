@@ -3,12 +3,14 @@
 #include "culling/ClassName.h"
 #include "culling/DrawingMapper.h"
 #include "culling/PartGeometry.h"
+#include "culling/PipelineState.h"
 #include "culling/ScalarColors.h"
 #include "culling/vtkCulledCompositePolyDataMapper.h"
 #include "culling/vtkHierarchicalSBufferCuller.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -17,13 +19,13 @@
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
-#include "vtkTrivialProducer.h"
 #include "vtkVersionMacros.h"
 
 #include <glm/geometric.hpp>
@@ -46,6 +48,26 @@ class AnyProp : public vtkProp
 public:
   static vtkShaderProperty* ShaderOf(vtkProp* prop) { return prop->*(&AnyProp::ShaderProperty); }
 };
+
+/** Has access to what all of them do. */
+class AnyTexture : public vtkTexture
+{
+public:
+  /** Of an image, those of its arrays that are drawn. */
+  static vtkDataArray* ColorsOf(vtkTexture* texture, vtkDataObject* image)
+  {
+    using ArrayOf = vtkDataArray* (vtkAlgorithm::*)(int, vtkDataObject*);
+    return (texture->*static_cast<ArrayOf>(&AnyTexture::GetInputArrayToProcess))(0, image);
+  }
+};
+
+/** That draws what a vtkDataSetMapper, or another one by itself, is to; null if there is none. */
+vtkMapper* InnermostMapperOf(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  vtkDataSetMapper* const ofSurface = mapper ? SurfaceMapperOf(actor) : nullptr;
+  return ofSurface ? ofSurface->GetPolyDataMapper() : mapper;
+}
 
 /** From VTK 9.2 on, props may stand in coordinates of the room, or of the device. */
 bool StandsInWorld(vtkActor* actor)
@@ -71,6 +93,13 @@ bool MayColorByOthers(vtkMapper* mapper)
     mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA;
 }
 
+/** Whether a device was given its points about the origin, whatever the mapper is told since. */
+bool HasUnshiftedPoints(vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkOpenGLVertexBufferObject* points = mapper->GetVBOs()->GetVBO("vertexMC");
+  return points && points->GetUploadTime() > 0 && !points->GetCoordShiftAndScaleEnabled();
+}
+
 /** Blocks of a composite mapper are looked at one by one. */
 bool IsTranslucentAsAWhole(vtkActor* actor)
 {
@@ -79,18 +108,30 @@ bool IsTranslucentAsAWhole(vtkActor* actor)
     : actor->HasTranslucentPolygonalGeometry() != 0;
 }
 
-/** Of three components without a map to colours: no alpha. Brings an image that something makes up to date, as drawing it does. */
+/** Of three components without a map to colours: no alpha. */
 bool IsOpaque(vtkTexture* texture)
 {
-  vtkAlgorithm* source = texture->GetInputAlgorithm();
-  if (source && !vtkTrivialProducer::SafeDownCast(source))
+  vtkImageData* image = IsInputMade(texture) ? texture->GetInput() : nullptr;
+  vtkDataArray* colors = image ? AnyTexture::ColorsOf(texture, image) : nullptr;
+  return colors && colors->GetNumberOfComponents() == 3 &&
+    colors->GetDataType() == VTK_UNSIGNED_CHAR && texture->GetColorMode() == VTK_COLOR_MODE_DEFAULT;
+}
+
+/** Its own, and those of its property. */
+template <class Rule>
+bool IsTrueOfTextures(vtkActor* actor, const Rule& rule)
+{
+  if (actor->GetTexture() && !rule(actor->GetTexture()))
   {
-    source->Update();
+    return false;
   }
-  vtkImageData* image = texture->GetInput();
-  return image && image->GetNumberOfScalarComponents() == 3 &&
-    image->GetScalarType() == VTK_UNSIGNED_CHAR &&
-    texture->GetColorMode() == VTK_COLOR_MODE_DEFAULT;
+  if (actor->GetProperty()->GetNumberOfTextures() == 0)
+  {
+    return true;
+  }
+  const auto& textures = actor->GetProperty()->GetAllTextures();
+  return std::all_of(
+    textures.begin(), textures.end(), [&](const auto& texture) { return rule(texture.second); });
 }
 }
 
@@ -120,9 +161,15 @@ vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)
 bool HasShaderCode(vtkActor* actor)
 {
   vtkShaderProperty* shader = ShaderPropertyOf(actor);
-  return shader &&
-    (shader->GetNumberOfShaderReplacements() > 0 || shader->HasVertexShaderCode() ||
-      shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode());
+  return MaySetUniforms(InnermostMapperOf(actor)) ||
+    (shader &&
+      (shader->GetNumberOfShaderReplacements() > 0 || shader->HasVertexShaderCode() ||
+        shader->HasFragmentShaderCode() || shader->HasGeometryShaderCode()));
+}
+
+bool MaySetUniforms(vtkMapper* mapper)
+{
+  return mapper && mapper->HasObserver(vtkCommand::UpdateShaderEvent);
 }
 
 bool IsShiftKnown(vtkPolyDataMapper* mapper)
@@ -144,7 +191,8 @@ bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry)
   // VTK's limits are 1e6 and 3. Just above them it is taken not to, which is never the better case.
   return isUsual && glm::dot(size, size) > 0.0 &&
     (glm::dot(middle, middle) / glm::dot(size, size) > 1.001e6 ||
-      std::abs(std::log10(glm::dot(size, size))) > 3.001);
+      std::abs(std::log10(glm::dot(size, size))) > 3.001) &&
+    !HasUnshiftedPoints(drawing);
 }
 
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry)
@@ -193,19 +241,14 @@ bool HasTranslucentBack(vtkActor* actor)
   return back && back->GetOpacity() < 1.0;
 }
 
+bool AreTexturesMade(vtkActor* actor)
+{
+  return IsTrueOfTextures(actor, [](vtkTexture* texture) { return IsInputMade(texture); });
+}
+
 bool AreTexturesOpaque(vtkActor* actor)
 {
-  if (actor->GetTexture() && !IsOpaque(actor->GetTexture()))
-  {
-    return false;
-  }
-  if (actor->GetProperty()->GetNumberOfTextures() == 0)
-  {
-    return true;
-  }
-  const auto& textures = actor->GetProperty()->GetAllTextures();
-  return std::all_of(
-    textures.begin(), textures.end(), [](const auto& texture) { return IsOpaque(texture.second); });
+  return IsTrueOfTextures(actor, [](vtkTexture* texture) { return IsOpaque(texture); });
 }
 
 }

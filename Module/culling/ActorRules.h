@@ -29,8 +29,11 @@ bool MayBeBehindOthers(vtkActor* actor, vtkMapper* drawing);
 /** What vtkProp::GetShaderProperty() tells, null where that would make one. */
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 
-/** Whether the actor's shaders have code of the user's. */
+/** Whether the actor's shaders have code of the user's, or uniforms. */
 bool HasShaderCode(vtkActor* actor);
+
+/** Whether somebody is told when the mapper that draws sets uniforms, who may set others then. No time tells of that. */
+bool MaySetUniforms(vtkMapper* mapper);
 
 /** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
 bool IsShiftKnown(vtkPolyDataMapper* mapper);
@@ -62,7 +65,10 @@ bool HasTranslucentBack(vtkActor* actor);
 /** Whether a mapper may take colours from its data that let anything through. */
 bool MayHaveTranslucentColors(vtkMapper* mapper);
 
-/** Whether the actor has no texture that could let anything through. */
+/** Whether drawing the actor makes no image of its textures anew. Makes none. */
+bool AreTexturesMade(vtkActor* actor);
+
+/** Whether the actor has no texture that could let anything through, one whose image is yet to be made among them. */
 bool AreTexturesOpaque(vtkActor* actor);
 
 }

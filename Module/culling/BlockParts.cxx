@@ -1,5 +1,6 @@
 #include "culling/BlockParts.h"
 
+#include "culling/ActorRules.h"
 #include "culling/BlockDrawing.h"
 #include "culling/PartGeometry.h"
 #include "culling/ScalarColors.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace vitrine
 {
@@ -130,23 +132,44 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
       ++known;
     }
     const bool isKnown = known != before.end() && known->Data == leaf.Data;
-    leaf.Geometry = isKnown && known->Geometry->IsCurrent(leaf.Data, this->Divisions)
+    // A device is given the points of all blocks once one of them was modified in any way.
+    leaf.Geometry = isKnown && known->Geometry->IsUntouched(leaf.Data, this->Divisions)
       ? known->Geometry
       : std::make_shared<PartGeometry>(leaf.Data,
           isKnown && known->Geometry->WasOf(leaf.Data) ? known->Geometry.get() : nullptr);
   }
 }
 
+/** Of all blocks, from the origin; and by way of the middle of a block that VTK would draw about its middle, which is where all of them count from if it comes first. */
+glm::dvec3 BlockParts::FarthestCoordinates() const
+{
+  glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
+  for (const Leaf& leaf : this->Leaves)
+  {
+    least = glm::min(least, leaf.Geometry->Least());
+    greatest = glm::max(greatest, leaf.Geometry->Greatest());
+  }
+  glm::dvec3 farthest = glm::max(glm::abs(least), glm::abs(greatest));
+  for (const Leaf& leaf : this->Leaves)
+  {
+    if (IsDrawnAboutMiddle(this->Mapper, *leaf.Geometry))
+    {
+      const glm::dvec3 middle = 0.5 * (leaf.Geometry->Least() + leaf.Geometry->Greatest());
+      farthest = glm::max(farthest, glm::abs(middle) + glm::max(greatest - middle, middle - least));
+    }
+  }
+  return farthest;
+}
+
 /** Parts stand in the order of the data set, which is the same in each run of a program; addresses are not. */
 void BlockParts::MakeParts()
 {
   auto blocks = std::make_shared<Blocks>();
+  blocks->Farthest = this->FarthestCoordinates();
   std::vector<std::pair<std::uint32_t, const Leaf*>> shown;
   for (const Leaf& leaf : this->Leaves)
   {
     blocks->IsFinite = blocks->IsFinite && leaf.Geometry->IsFinite();
-    blocks->Farthest = glm::max(blocks->Farthest,
-      glm::max(glm::abs(leaf.Geometry->Least()), glm::abs(leaf.Geometry->Greatest())));
     if (leaf.IsVisible)
     {
       shown.push_back({ static_cast<std::uint32_t>(shown.size()), &leaf });

@@ -64,6 +64,7 @@ private:
   void AddLeaf(vtkPolyData* data, const Inherited& inherited);
   void MergeLeaves();
   void FindGeometries(const std::vector<Leaf>& before);
+  glm::dvec3 FarthestCoordinates() const;
   void MakeParts();
 
   vtkCulledCompositePolyDataMapper* Mapper;

@@ -111,6 +111,24 @@ std::shared_ptr<const Leaves> LeavesOf(vtkPolyData* data)
 }
 }
 
+/** Of other data, or such as have changed. */
+void LeafParts::LookAt(vtkPolyData* data)
+{
+  const ShapeTimes times = ShapeTimesOf(data);
+  if (data != this->Data || times != this->Times)
+  {
+    this->History = this->History.Changed();
+    this->Runs.reset();
+  }
+  else if (this->Runs)
+  {
+    this->Runs = std::make_shared<const Leaves>(*this->Runs); // colours may be others
+  }
+  this->Data = data;
+  this->Time = data->GetMTime();
+  this->Times = times;
+}
+
 std::shared_ptr<const MapperParts> LeafParts::PartsFor(vtkActor* actor, vtkMTimeType frame)
 {
   vtkPolyData* data = this->Mapper->GetInput();
@@ -120,10 +138,7 @@ std::shared_ptr<const MapperParts> LeafParts::PartsFor(vtkActor* actor, vtkMTime
   }
   if (data != this->Data || data->GetMTime() != this->Time)
   {
-    this->History = this->History.Changed();
-    this->Data = data;
-    this->Time = data->GetMTime();
-    this->Runs.reset();
+    this->LookAt(data);
   }
   if (!this->History.IsRead() && this->History.AreWorthReading(frame))
   {

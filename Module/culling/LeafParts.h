@@ -2,6 +2,7 @@
 #define VITRINE_CULLING_LEAF_PARTS_H
 
 #include "culling/DividedMapper.h"
+#include "culling/PartGeometry.h"
 #include "culling/ReadingHistory.h"
 
 #include "vtkType.h"
@@ -38,9 +39,12 @@ public:
   const std::shared_ptr<const Leaves>& Known() const { return this->Runs; }
 
 private:
+  void LookAt(vtkPolyData* data);
+
   vtkPolyDataMapper* Mapper;
   vtkPolyData* Data = nullptr; ///< which may be gone
   vtkMTimeType Time = 0;
+  ShapeTimes Times{};
   ReadingHistory History; ///< of its triangles
   std::shared_ptr<const Leaves> Runs;
 };

@@ -106,8 +106,18 @@ bool HasGhosts(vtkPolyData* data)
   return data->GetPointGhostArray() || data->GetCellGhostArray();
 }
 
+ShapeTimes ShapeTimesOf(vtkPolyData* data)
+{
+  const auto timeOf = [](vtkObject* object) { return object ? object->GetMTime() : 0; };
+  return { timeOf(data->GetPoints() ? data->GetPoints()->GetData() : nullptr),
+    timeOf(data->GetVerts()), timeOf(data->GetLines()), timeOf(data->GetPolys()),
+    timeOf(data->GetStrips()), timeOf(data->GetPointGhostArray()),
+    timeOf(data->GetCellGhostArray()) };
+}
+
 PartGeometry::PartGeometry(vtkPolyData* data, const PartGeometry* before)
   : Data(data)
+  , Times(ShapeTimesOf(data))
   , Time(data->GetMTime())
   , History(before ? before->History.Changed() : ReadingHistory())
   , Living(data)
@@ -150,6 +160,7 @@ void PartGeometry::ReadPoints(vtkPolyData* data)
 PartGeometry::PartGeometry(vtkPolyData* data,
   std::shared_ptr<const std::vector<std::uint32_t>> corners, const OrderedRun& run)
   : Data(data)
+  , Times(ShapeTimesOf(data))
   , Time(data->GetMTime())
   , Low(run.Bounds.Min)
   , High(run.Bounds.Max)
@@ -166,11 +177,31 @@ bool PartGeometry::WasOf(vtkPolyData* data) const
 
 bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
 {
-  if (this->LookedAt != frame && data == this->Data && data->GetMTime() == this->Time)
+  this->LookAt(data, frame);
+  return data == this->Data && !this->IsOutdated;
+}
+
+bool PartGeometry::IsUntouched(vtkPolyData* data, vtkMTimeType frame)
+{
+  this->LookAt(data, frame);
+  return data == this->Data && this->TouchedIn != frame;
+}
+
+/** Whoever finds the new time finds what else was noted, too: that comes before it. */
+void PartGeometry::LookAt(vtkPolyData* data, vtkMTimeType frame)
+{
+  if (data != this->Data || this->LookedAt == frame)
   {
-    this->LookedAt = frame;
+    return;
   }
-  return data == this->Data && this->LookedAt == frame;
+  const vtkMTimeType time = data->GetMTime();
+  if (time != this->Time)
+  {
+    this->TouchedIn = frame;
+    this->IsOutdated = this->IsOutdated || ShapeTimesOf(data) != this->Times;
+    this->Time = time;
+  }
+  this->LookedAt = frame;
 }
 
 const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data, vtkMTimeType frame)

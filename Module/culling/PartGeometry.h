@@ -13,6 +13,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -32,6 +33,10 @@ std::vector<std::uint32_t> TrianglesOf(vtkPolyData* data);
 /** Whether there are ghost cells or points, which may or may not be drawn. */
 bool HasGhosts(vtkPolyData* data);
 
+/** When points, each kind of cells, and ghosts were modified, or others came in their place. As VTK's buffers, which alone are drawn, these tell nothing of a polydata that was modified in any other way. */
+using ShapeTimes = std::array<vtkMTimeType, 7>;
+ShapeTimes ShapeTimesOf(vtkPolyData* data);
+
 /** What culling needs to know of a polydata, or of some of its triangles; parts that show the same one share it. */
 class PartGeometry
 {
@@ -49,8 +54,14 @@ public:
   /** Whether it was of `data`, as they are now or before they changed: others may have come to be at the address of data that are gone. */
   bool WasOf(vtkPolyData* data) const;
 
-  /** Whether it is of `data` as it is now; looked at once a frame, whoever shares it. Several threads may ask. */
+  /**
+   * Whether it is of what `data` has drawn now: the points and cells that a device has, which it is given when those themselves were modified. Looked at once a frame, whoever shares it.
+   * Several threads may ask.
+   */
   bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
+
+  /** Whether nothing else of `data` was modified in a frame either; likewise. */
+  bool IsUntouched(vtkPolyData* data, vtkMTimeType frame);
 
   /** Whether its data change so often that its faces are not read in a frame: then Occluder() has none, and Planes() are not to be asked for. Several threads may ask. */
   bool IsRestless(vtkMTimeType frame) { return !this->History.AreWorthReading(frame); }
@@ -87,16 +98,20 @@ private:
     std::vector<std::uint32_t> Corners; ///< three of each
   };
 
+  void LookAt(vtkPolyData* data, vtkMTimeType frame);
   void ReadPoints(vtkPolyData* data);
   void BuildMesh(vtkPolyData* data);
   MeshTriangles TrianglesFrom(vtkPolyData* data) const;
   MeshTriangles TrianglesOfRun(vtkPolyData* data) const;
 
   vtkPolyData* Data;
-  vtkMTimeType Time;
-  std::atomic<vtkMTimeType> LookedAt{ 0 }; ///< the frame in which it was found to be current
-  ReadingHistory History;                  ///< of its faces
-  vtkWeakPointer<vtkPolyData> Living;      ///< the data; null once they are gone
+  ShapeTimes Times;
+  std::atomic<vtkMTimeType> Time;           ///< of all of the data
+  std::atomic<vtkMTimeType> LookedAt{ 0 };  ///< the last frame in which it was
+  std::atomic<vtkMTimeType> TouchedIn{ 0 }; ///< the last frame in which they were modified
+  std::atomic<bool> IsOutdated{ false };    ///< whether their points or cells were
+  ReadingHistory History;                   ///< of its faces
+  vtkWeakPointer<vtkPolyData> Living;       ///< the data; null once they are gone
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

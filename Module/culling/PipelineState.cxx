@@ -1,10 +1,12 @@
 #include "culling/PipelineState.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 
 namespace vitrine
 {
@@ -22,6 +24,13 @@ void RequestPieces(vtkPolyDataMapper* mapper, vtkInformation* requests)
   requests->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), mapper->GetNumberOfPieces());
   requests->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), mapper->GetGhostLevel());
 }
+
+/** The latest one of all that the data are made of, as the pipeline itself finds it. Returns false if it cannot. */
+bool FindTime(vtkDemandDrivenPipeline* producer, vtkMTimeType& time)
+{
+  return producer->ComputePipelineMTime(nullptr, producer->GetInputInformation(),
+           producer->GetOutputInformation(), DrawnPort, &time) != 0;
+}
 }
 
 PipelineState::PipelineState(vtkPolyDataMapper* mapper)
@@ -37,7 +46,7 @@ PipelineState::PipelineState(vtkPolyDataMapper* mapper)
   this->RequestsTime = this->Requests->GetMTime();
   auto* const known = vtkDemandDrivenPipeline::SafeDownCast(executive);
   this->Producer = isMade && port == DrawnPort ? known : nullptr;
-  if (this->Producer && !this->FindTime(this->Time))
+  if (this->Producer && !FindTime(this->Producer, this->Time))
   {
     this->Producer = nullptr;
   }
@@ -47,14 +56,26 @@ bool PipelineState::IsCurrent(vtkPolyDataMapper* mapper) const
 {
   vtkMTimeType time = 0;
   return this->Producer && mapper->GetInputInformation(0, 0) == this->Requests &&
-    this->Requests->GetMTime() == this->RequestsTime && this->FindTime(time) && time == this->Time;
+    this->Requests->GetMTime() == this->RequestsTime && FindTime(this->Producer, time) &&
+    time == this->Time;
 }
 
-/** The latest one of all that the data are made of, as the pipeline itself finds it. Returns false if it cannot. */
-bool PipelineState::FindTime(vtkMTimeType& time) const
+bool IsInputMade(vtkAlgorithm* consumer)
 {
-  return this->Producer->ComputePipelineMTime(nullptr, this->Producer->GetInputInformation(),
-           this->Producer->GetOutputInformation(), DrawnPort, &time) != 0;
+  if (consumer->GetNumberOfInputConnections(0) == 0 ||
+    vtkTrivialProducer::SafeDownCast(consumer->GetInputAlgorithm()))
+  {
+    return true;
+  }
+  int port = DrawnPort;
+  auto* const producer =
+    vtkDemandDrivenPipeline::SafeDownCast(consumer->GetInputAlgorithm(0, 0, port)->GetExecutive());
+  vtkDataObject* const data = consumer->GetInputDataObject(0, 0);
+  const bool hasTime =
+    consumer->GetInputInformation(0, 0)->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+  vtkMTimeType time = 0;
+  return producer && data && port == DrawnPort && !hasTime && !data->GetDataReleased() &&
+    FindTime(producer, time) && time < data->GetUpdateTime();
 }
 
 }

@@ -3,6 +3,7 @@
 
 #include "vtkType.h"
 
+class vtkAlgorithm;
 class vtkDemandDrivenPipeline;
 class vtkInformation;
 class vtkPolyDataMapper;
@@ -27,13 +28,14 @@ public:
   bool IsCurrent(vtkPolyDataMapper* mapper) const;
 
 private:
-  bool FindTime(vtkMTimeType& time) const;
-
   vtkDemandDrivenPipeline* Producer = nullptr; ///< null if that is not known; `Requests` hold it
   vtkMTimeType Time = 0;                       ///< of the pipeline
   vtkInformation* Requests = nullptr;          ///< for data, and what they are
   vtkMTimeType RequestsTime = 0;
 };
+
+/** Whether what an algorithm's first input is connected to, if anything, has made all of its data already, so that to update it makes nothing. Updates nothing. */
+bool IsInputMade(vtkAlgorithm* consumer);
 
 }
 

@@ -2,12 +2,15 @@
 
 #include "culling/ClassName.h"
 
+#include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkDepthPeelingPass.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOrderIndependentTranslucentPass.h"
@@ -134,6 +137,22 @@ bool Has(vtkRenderPass* pass, const char* className)
       below.begin(), below.end(), [&](vtkRenderPass* one) { return Has(one, className); });
 }
 
+/** A copy of the camera, by which passes that process images draw, may lack some of its settings, as a projection that is given as a matrix. */
+bool IsDrawnByAnotherCamera(vtkRenderer* renderer, vtkRenderPass* pass)
+{
+  if (!Has(pass, "vtkImageProcessingPass"))
+  {
+    return false;
+  }
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  vtkNew<vtkCamera> copy;
+  copy->DeepCopy(camera);
+  const double aspect = renderer->GetTiledAspectRatio();
+  const auto* own = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  const auto* copied = copy->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  return !std::equal(own->GetData(), own->GetData() + 16, copied->GetData());
+}
+
 /** Where hidden lines are removed, and there is any wireframe, in view or not, VTK leaves ambient occlusion out. */
 bool HasNoOcclusionWhereWiresAre(vtkRenderer* renderer)
 {
@@ -145,7 +164,9 @@ bool ShowsTheViewAlone(vtkRenderer* renderer, const std::set<std::string>& known
 {
   vtkRenderPass* pass = renderer->GetPass();
   return !renderer->GetUseShadows() && !HasNoOcclusionWhereWiresAre(renderer) &&
-    (!pass || (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known)));
+    (!pass ||
+      (DrawsOpaqueParts(pass) && KeepsToTheView(pass, known) &&
+        !IsDrawnByAnotherCamera(renderer, pass)));
 }
 
 bool FindsAmbientOcclusion(vtkRenderer* renderer)
@@ -157,6 +178,11 @@ bool PeelsDepth(vtkRenderer* renderer)
 {
   return renderer->GetUseDepthPeeling() ||
     (renderer->GetPass() && Has(renderer->GetPass(), "vtkDepthPeelingPass"));
+}
+
+bool FiltersWhereAnyIsDrawn(vtkRenderer* renderer)
+{
+  return !renderer->GetPass() && (renderer->GetUseFXAA() || renderer->GetUseSSAO());
 }
 
 }

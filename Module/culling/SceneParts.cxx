@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkShaderProperty.h"
-#include "vtkTimeStamp.h"
 #include "vtkTrivialProducer.h"
 
 #include <glm/common.hpp>
@@ -29,7 +28,7 @@ namespace
 const std::size_t MostGeometries = 2;
 }
 
-void SceneParts::Update(vtkProp* const* props, int count)
+bool SceneParts::Update(vtkProp* const* props, int count)
 {
   ++this->Frame;
   this->ForgetAbsent();
@@ -52,9 +51,10 @@ void SceneParts::Update(vtkProp* const* props, int count)
     this->Kept.clear();
     this->DropDeadGeometries();
   }
+  return !this->HasImagesToMake;
 }
 
-/** Looks at what has changed, in order. Returns whether anything has. */
+/** Looks at what has changed, in order. Returns whether anything was looked at. */
 bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved)
 {
   ++this->Looks;
@@ -62,6 +62,11 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
   this->AreOpaque.clear();
   this->FindAll(props, count);
   this->FindUnchanged();
+  this->HasImagesToMake = !this->AreImagesMade();
+  if (this->HasImagesToMake)
+  {
+    return false;
+  }
   bool hasChanged = false;
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
@@ -95,10 +100,7 @@ void SceneParts::LookAnewIfSettingsChanged()
   }
 }
 
-/**
- * Of a prop that is not surely as it was: what its textures and all else let through. Brings images up to date, as drawing does, and notes if anything was made for that: VTK's time counts what
- * is modified.
- */
+/** Of a prop that is not surely as it was: what its textures and all else let through. */
 void SceneParts::LookAtOpacity(std::uint32_t part)
 {
   vtkActor* const actor = vtkActor::SafeDownCast(this->PropOf[part]);
@@ -107,11 +109,7 @@ void SceneParts::LookAtOpacity(std::uint32_t part)
     this->Blends[part] = BlendingOf(this->PropOf[part]);
     return;
   }
-  vtkTimeStamp before, after;
-  before.Modified();
   const bool areTexturesOpaque = AreTexturesOpaque(actor);
-  after.Modified();
-  this->HasMadeData = this->HasMadeData || after.GetMTime() != before.GetMTime() + 1;
   this->AreOpaque[actor] = areTexturesOpaque;
   this->Blends[part] = BlendingOf(actor, areTexturesOpaque);
 }

@@ -39,8 +39,11 @@ namespace vitrine
 class SceneParts : public OccluderSource
 {
 public:
-  /** Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does. */
-  void Update(vtkProp* const* props, int count);
+  /**
+   * Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does.
+   * @return  false where drawing makes images of textures, so that nothing is known of what it draws
+   */
+  bool Update(vtkProp* const* props, int count);
 
   /** Lets go of what is known of props that are gone. Of those that are not drawn for a while it is kept, as they may come again. */
   void DropGone();
@@ -104,11 +107,17 @@ public:
   void ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const;
 
+  /** Whether there are props that are always drawn, which may draw more where anything is translucent. */
+  bool HasOthersThanParts() const;
+
   /**
    * Has one prop that is translucent show, if there are any and all of them would be left out.
    * @param visible  as above; 1 is put for the parts of that prop
    */
   void KeepOneTranslucent(std::vector<std::uint8_t>& visible) const;
+
+  /** Likewise has one prop show, of whatever kind. */
+  void KeepOne(std::vector<std::uint8_t>& visible) const;
 
   Occluder OccluderOf(std::uint32_t part) override;
   void Expect(std::uint32_t part) const override;
@@ -159,10 +168,12 @@ private:
   class Shapes;
 
   bool IsOpaque(const Part& part) const;
+  bool Shows(std::size_t i, const std::vector<std::uint8_t>& visible) const;
   bool MayBeTranslucent(std::uint32_t part) const;
   void Mark(std::uint32_t part, std::vector<std::uint8_t>& visible) const;
   bool IsDrawnApart(const Part& part, const SampleGrid& samples) const;
   Occluder ShapeOf(std::uint32_t part);
+  bool BlendsSomewhere() const;
   bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;
   std::vector<BoxedPart> FindHiddenInView(const ScreenProjection& view, const SampleGrid& samples,
     const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
@@ -176,6 +187,7 @@ private:
   std::uint32_t Find(vtkProp* prop);
   std::uint32_t AddPart(vtkProp* prop);
   void FindUnchanged();
+  bool AreImagesMade() const;
   void ExpectLook(std::uint32_t i) const;
   bool IsPlain(std::uint32_t i) const;
   bool HasPipeline(std::uint32_t i) const;
@@ -216,6 +228,7 @@ private:
   vtkMTimeType Frame = 0;                          ///< counts updates
   vtkMTimeType Looks = 0;                          ///< counts how often all was looked at
   bool HasMadeData = false;                        ///< whether a filter has, since then
+  bool HasImagesToMake = false;                    ///< whether drawing has, for textures
   LooseOctree Boxes;
   std::pair<int, vtkTypeBool> Settings{}; ///< of the whole program, as they were
   glm::dvec3 Middle{ 0.0 };

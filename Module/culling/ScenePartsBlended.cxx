@@ -24,12 +24,17 @@ bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b, float beside)
     b.Bottom <= a.Top + beside;
 }
 
-/** Where a prop is seen in the view, if it is. */
+/** Where a prop is seen in the view, if it is: anywhere if it has no bounds. */
 void AddRectangleOf(vtkProp* prop, const glm::dvec3& origin, const ScreenProjection& view,
   std::vector<ScreenRectangle>& rectangles)
 {
   const double* const bounds = prop->GetBounds();
-  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  if (!bounds)
+  {
+    rectangles.push_back(Everywhere);
+    return;
+  }
+  if (!vtkMath::AreBoundsInitialized(bounds))
   {
     return;
   }
@@ -48,9 +53,22 @@ bool SceneParts::BlendsAnywhere() const
     [&](std::uint32_t part) { return std::isinf(this->Blends[part].Beside); });
 }
 
+bool SceneParts::BlendsSomewhere() const
+{
+  return std::any_of(this->Drawn.begin(), this->Drawn.end(),
+    [&](std::uint32_t part) { return this->Blends[part].MayBlend; });
+}
+
 void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const
 {
+  const std::vector<BoxedPart> hidden = this->BlendsSomewhere()
+    ? this->FindHiddenInView(view, samples, drawn, visible)
+    : std::vector<BoxedPart>();
+  if (hidden.empty())
+  {
+    return; // bounds take long: pipelines are updated for them
+  }
   std::vector<ScreenRectangle> blended;
   float pixels = 0.0f;
   for (const std::uint32_t part : this->Drawn)
@@ -61,12 +79,8 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
       AddRectangleOf(this->PropOf[part], this->Middle, view, blended);
     }
   }
-  if (blended.empty())
-  {
-    return;
-  }
   const float beside = pixels * samples.PixelSize();
-  for (const BoxedPart& part : this->FindHiddenInView(view, samples, drawn, visible))
+  for (const BoxedPart& part : hidden)
   {
     const ScreenRectangle own = view.RectangleOf(part.Bounds).value_or(Everywhere);
     visible[part.Part] = std::any_of(blended.begin(), blended.end(),

@@ -97,6 +97,24 @@ void SceneParts::FindUnchanged()
       });
 }
 
+/**
+ * Whether drawing makes no images of textures. Whatever is made along with those may be anything, and VTK makes them as it draws one actor after another; so what is drawn with them, or of what was
+ * there before, only drawing all of them tells.
+ */
+bool SceneParts::AreImagesMade() const
+{
+  for (std::size_t i = 0; i < this->Drawn.size(); ++i)
+  {
+    vtkActor* const actor =
+      this->AreSame[i] ? nullptr : vtkActor::SafeDownCast(this->PropOf[this->Drawn[i]]);
+    if (actor && !AreTexturesMade(actor))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** What is read of the part and of VTK's objects to see whether it is unchanged, which lie all over memory. They need not be there any more. */
 void SceneParts::ExpectLook(std::uint32_t i) const
 {
@@ -163,9 +181,10 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
   return ShaderPropertyOf(prop) == part.Shader &&
     (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
     (!part.HasSurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
-    part.Mapper->GetMTime() == part.MapperTime && AreDataMadeAlready(part) &&
+    part.Mapper->GetMTime() == part.MapperTime && !MaySetUniforms(part.Mapper) &&
+    AreDataMadeAlready(part) &&
     (!part.Divided || part.Divided->PartsFor(part.Actor, this->Looks) == part.Division) &&
-    (part.Division || part.Geometry->IsCurrent(part.Data, this->Looks));
+    (part.Division || part.Geometry->IsUntouched(part.Data, this->Looks));
 }
 
 }

@@ -207,14 +207,17 @@ double vtkHierarchicalSBufferCuller::Cull(
   return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
 }
 
-/** Nothing, if nothing is known of the view. */
+/** Nothing, if nothing is known of the view, or of what is drawn. */
 void vtkHierarchicalSBufferCuller::DropHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
   State::CulledRenderer& known = this->Renderers->At(renderer);
   vitrine::SceneParts& parts = known.Parts;
   known.TakeBack();
-  parts.Update(propList, listLength);
+  if (!parts.Update(propList, listLength))
+  {
+    return;
+  }
   parts.MarkDrawn(known.Visible);
   const int lines = this->BufferLines > 0
     ? this->BufferLines
@@ -239,9 +242,13 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     known.HasBuffer = true;
   }
   parts.DropOutside(view.ProjectionOfViewAlone(), known.Visible);
-  if (vitrine::PeelsDepth(renderer))
+  if (vitrine::PeelsDepth(renderer) || parts.HasOthersThanParts())
   {
     parts.KeepOneTranslucent(known.Visible);
+  }
+  if (vitrine::FiltersWhereAnyIsDrawn(renderer))
+  {
+    parts.KeepOne(known.Visible);
   }
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();

@@ -225,6 +225,16 @@ TEST(SampleGrid, MayHaveSamplesWhereThereIsOne)
   EXPECT_GT(without, 10000);
 }
 
+// So many that integers would not hold their numbers.
+TEST(SampleGrid, MayHaveSamplesFarOffWhereLinesAreThick)
+{
+  const SampleGrid grid = SampleGrid::AtCentres(10000);
+  for (const float from : { 10.0f, 1e5f, 2.1e5f, 5e5f, 1e6f, 1e9f })
+  {
+    EXPECT_TRUE(MayHaveAny(grid, from, 1.01f * from)) << from;
+  }
+}
+
 TEST(SampleGrid, MayHaveSamplesAnywhereAndInWhatIsNoNumber)
 {
   EXPECT_TRUE(MayHaveAny(SampleGrid(), 0.1f, 0.1f));

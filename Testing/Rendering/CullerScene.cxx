@@ -49,6 +49,15 @@ std::vector<CullerSetting> CullerSettings()
   };
 }
 
+std::vector<CullerSetting> CullerSettingsOfOneSample()
+{
+  std::vector<CullerSetting> settings = CullerSettings();
+  settings.erase(std::remove_if(settings.begin(), settings.end(),
+                   [](const CullerSetting& setting) { return setting.Samples > 0; }),
+    settings.end());
+  return settings;
+}
+
 vtkSmartPointer<vtkPolyData> MeshOfTriangles(const std::vector<Triangle>& triangles)
 {
   return MeshOfPolygons(triangles);

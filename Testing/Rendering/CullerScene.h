@@ -30,6 +30,7 @@ struct CullerSetting
 
 /** Each projection with one sample and with four; with lines of a pixel each and with thick ones. */
 std::vector<CullerSetting> CullerSettings();
+std::vector<CullerSetting> CullerSettingsOfOneSample();
 
 using Point3 = std::array<double, 3>;
 using Triangle = std::array<Point3, 3>;

@@ -2,16 +2,24 @@
 #include "CullerScene.h"
 
 #include "vtkAssembly.h"
+#include "vtkBillboardTextActor3D.h"
 #include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageSlice.h"
 #include "vtkImageSliceMapper.h"
+#include "vtkLabeledContourMapper.h"
+#include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProp3DFollower.h"
 #include "vtkPropAssembly.h"
+#include "vtkSkybox.h"
+#include "vtkTextActor3D.h"
+#include "vtkTexture.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +67,12 @@ protected:
     const int hidden = this->HiddenBehind(front);
     EXPECT_GT(hidden, 20);
     EXPECT_LT(hidden, this->All());
+    EXPECT_TRUE(this->ShowsThrough);
+  }
+
+  void ExpectShinesThroughAnywhere(vtkProp* front)
+  {
+    EXPECT_EQ(this->HiddenBehind(front), 0);
     EXPECT_TRUE(this->ShowsThrough);
   }
 
@@ -132,6 +146,77 @@ TEST_P(CullerBlendedProps, SlicesWithTheirBackground)
   this->ExpectShinesThrough(slice);
   mapper->BorderOn();
   EXPECT_EQ(this->HiddenBehind(slice), 0);
+}
+
+// Texts look at the eye, or hang from others: where they are is not known.
+TEST_P(CullerBlendedProps, TextsThatAreForced)
+{
+  vtkNew<vtkTextActor3D> text;
+  text->SetInput("text");
+  text->SetScale(0.02);
+  text->SetPosition(-0.4, -0.1, 0.4);
+  EXPECT_GE(this->HiddenBehind(text), this->All());
+  text->ForceOpaqueOn();
+  this->ExpectShinesThroughAnywhere(text);
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(text);
+  this->ExpectShinesThroughAnywhere(assembly);
+  vtkNew<vtkProp3DFollower> follower;
+  follower->SetProp3D(text);
+  follower->SetCamera(Scene.Renderer->GetActiveCamera());
+  this->ExpectShinesThroughAnywhere(follower);
+  vtkNew<vtkBillboardTextActor3D> sign;
+  sign->SetInput("sign");
+  sign->SetPosition(-0.1, -0.1, 0.4);
+  Scene.Renderer->AddViewProp(sign); // what the text is like is known once it was drawn
+  Scene.Render();
+  Scene.Renderer->RemoveViewProp(sign);
+  EXPECT_GE(this->HiddenBehind(sign), this->All());
+  sign->ForceOpaqueOn();
+  this->ExpectShinesThroughAnywhere(sign);
+}
+
+TEST_P(CullerBlendedProps, LabelsOfContours)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkFloatArray> heights;
+  lines->InsertNextCell(40);
+  for (int i = 0; i < 40; ++i)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(-0.7 + 0.035 * i, 0.0, 0.4));
+    heights->InsertNextValue(8.0f);
+  }
+  vtkNew<vtkPolyData> contour;
+  contour->SetPoints(points);
+  contour->SetLines(lines);
+  contour->GetPointData()->SetScalars(heights);
+  vtkNew<vtkLabeledContourMapper> mapper;
+  mapper->SetInputData(contour);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  Scene.Window->StencilCapableOn(); // so that VTK does not complain
+  this->ExpectShinesThroughAnywhere(actor);
+}
+
+TEST_P(CullerBlendedProps, FloorBelowTheSky)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(180.0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkSkybox> sky;
+  sky->SetProjection(vtkSkybox::Floor);
+  sky->SetFloorPlane(0.0f, 0.0f, 1.0f, -0.4f);
+  sky->SetFloorRight(1.0f, 0.0f, 0.0f);
+  sky->SetTexture(texture);
+  Scene.Renderer->AddActor(sky);
+  Scene.AddWall();
+  Scene.ExpectNothingHidden(341);
+  sky->SetProjection(vtkSkybox::Sphere);
+  Scene.ExpectHidden(342);
 }
 
 // Splats are wider than the box around their points tells.

@@ -2,6 +2,8 @@
 #include "CompositeMapper.h"
 #include "CullerScene.h"
 #include "Select.h"
+#include "culling/DividedMapper.h"
+#include "culling/PartGeometry.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
@@ -323,6 +325,23 @@ TEST_P(CullerBlocks, ChangeBetweenFrames)
     [&] { this->Mapper->SetInputDataObject(small); }, // a mesh and no blocks
     [&] { this->Mapper->SetInputDataObject(this->Root); },
   });
+}
+
+// A device may draw all of them about the middle of one that is small and far off: so they are as far from there, which is as far from the origin, as sums of absolute values go.
+TEST(CullerBlocksFarOff, CountFromTheMiddleOfASmallOne)
+{
+  const double away = 4000.0;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const auto farthestAlong = [&]
+  {
+    vtkNew<vtkCulledCompositePolyDataMapper> mapper;
+    mapper->SetInputDataObject(blocks);
+    return vitrine::DividedMapperOf(mapper)->PartsFor(nullptr, 1)->Farthest.x;
+  };
+  blocks->SetBlock(0, MeshOf({ Rectangle(-away, -1.0, 0.0, 1.0, 0.0) }));
+  EXPECT_EQ(farthestAlong(), away);
+  blocks->SetBlock(1, MeshOf({ Rectangle(away - 1.0, -1.0, away, 1.0, 0.0) }));
+  EXPECT_GE(farthestAlong(), 3.0 * away - 2.0);
 }
 
 TEST_P(CullerBlocks, BelongToActorsThatShareTheirMapper)

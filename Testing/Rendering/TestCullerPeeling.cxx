@@ -14,6 +14,7 @@
 #include "vtkOpaquePass.h"
 #include "vtkOverlayPass.h"
 #include "vtkPoints.h"
+#include "vtkPolarAxesActor.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
@@ -156,6 +157,18 @@ TEST_P(CullerPeeling, ABlockStays)
   EXPECT_EQ(Scene.ExpectSame(), 2);
 }
 
+// The axes draw themselves once more where VTK draws what is translucent.
+TEST_P(CullerPeeling, OneStaysBesideOtherProps)
+{
+  Scene.Renderer->UseDepthPeelingOff();
+  vtkNew<vtkPolarAxesActor> axes;
+  axes->SetCamera(Scene.Renderer->GetActiveCamera());
+  axes->SetBounds(-0.6, 0.6, -0.6, 0.6, 0.3, 0.4);
+  Scene.Renderer->AddViewProp(axes);
+  Scene.Render(); // which puts them in order
+  this->ExpectOneKept();
+}
+
 TEST_P(CullerPeeling, WithoutPeelingNoneStays)
 {
   Scene.Renderer->UseDepthPeelingOff();
@@ -164,16 +177,7 @@ TEST_P(CullerPeeling, WithoutPeelingNoneStays)
 }
 
 // VTK's peeling copies depths from windows of several samples to textures of another format, which OpenGL refuses.
-std::vector<CullerSetting> OfOneSample()
-{
-  std::vector<CullerSetting> settings = CullerSettings();
-  settings.erase(std::remove_if(settings.begin(), settings.end(),
-                   [](const CullerSetting& setting) { return setting.Samples > 0; }),
-    settings.end());
-  return settings;
-}
-
 INSTANTIATE_TEST_SUITE_P(
-  Settings, CullerPeeling, testing::ValuesIn(OfOneSample()), CullerSettingName);
+  Settings, CullerPeeling, testing::ValuesIn(CullerSettingsOfOneSample()), CullerSettingName);
 
 }

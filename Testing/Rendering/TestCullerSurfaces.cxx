@@ -8,7 +8,6 @@
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkImageAppendComponents.h"
 #include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
@@ -244,21 +243,6 @@ TEST_P(CullerSurfaces, Scene15TranslucentBackOfAWall)
       wall->SetBackfaceProperty(back);
       wall->SetScale(-1.0, 1.0, 1.0); // turns its back
     });
-}
-
-TEST_P(CullerSurfaces, Scene15TextureWithAlpha)
-{
-  Scene.AddHidden();
-  const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(TexturedWall());
-  vtkNew<vtkImageAppendComponents> image;
-  image->AddInputData(Chessboard(3));
-  vtkNew<vtkTexture> texture;
-  texture->SetInputConnection(image->GetOutputPort());
-  wall->SetTexture(texture);
-  Scene.ExpectHidden(152, 1);
-  // The image has an alpha from now on, which the texture learns when it is drawn.
-  image->AddInputData(Chessboard(1));
-  Scene.ExpectNothingHidden(153, 1);
 }
 
 TEST_P(CullerSurfaces, Scene15ImageThatGetsAnAlpha)

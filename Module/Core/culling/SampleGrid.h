@@ -3,6 +3,7 @@
 
 #include "Core/culling/Lanes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -110,7 +111,7 @@ public:
   /** How many places with samples there are up to each of eight pairs of places, but for those up to 0, which are not on the screen: as few as it may be and as many. Far apart where that is not known. */
   VITRINE_INLINE SampleCounts CountUpTo(const Lanes& from, const Lanes& to) const
   {
-    const LaneMask isKnown = (from <= to) & (to < AllLanes(FarthestPlace)) &
+    const LaneMask isKnown = (from <= to) & (to < AllLanes(this->FarthestPlace)) &
       (this->PerColumn > 0.0f ? ~LaneMask{} : LaneMask{});
     const LaneMask most = LaneMask{} + std::numeric_limits<std::int32_t>::max();
     return { isKnown & this->CountUpTo(from - NearlyThere),
@@ -125,19 +126,22 @@ public:
   }
 
 private:
-  static constexpr float FarthestPlace = 1e6f;
+  static constexpr float MostColumns = 1e6f;
+  static constexpr float MostSamples = 0x1p30f; ///< that integers hold
   static constexpr float NearlyThere = 0x1p-10f;
   static constexpr float Offset = 0.5f; ///< of the first sample, in steps
 
   /** Of places on the screen. */
   VITRINE_INLINE LaneMask CountUpTo(Lanes place) const
   {
-    const Lanes onScreen = GreatestOf(LeastOf(place, AllLanes(FarthestPlace)), AllLanes(0.0f));
+    const Lanes onScreen =
+      GreatestOf(LeastOf(place, AllLanes(this->FarthestPlace)), AllLanes(0.0f));
     return __builtin_convertvector(onScreen * this->PerColumn + Offset, LaneMask);
   }
 
   SampleGrid(int perColumn, int perPixel, bool hasOneSample)
     : PerColumn(static_cast<float>(perColumn))
+    , FarthestPlace(std::min(MostColumns, MostSamples / this->PerColumn))
     , Step(1.0f / this->PerColumn)
     , FromSide(0.5f / this->PerColumn)
     , SizeOfPixel(static_cast<float>(perPixel) / this->PerColumn)
@@ -146,7 +150,8 @@ private:
   {
   }
 
-  float PerColumn = 0.0f; ///< 0 for samples anywhere
+  float PerColumn = 0.0f;            ///< 0 for samples anywhere
+  float FarthestPlace = MostColumns; ///< up to which samples are counted
   float Step = 0.0f;
   float FromSide = 0.0f;
   float SizeOfPixel = 1.0f;

@@ -1,13 +1,20 @@
-// Whether any of what is translucent is drawn.
+// What is kept so that VTK draws as it does where nothing is left out.
 #include "culling/SceneParts.h"
 
 #include "vtkProp.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
 namespace vitrine
 {
+
+bool SceneParts::HasOthersThanParts() const
+{
+  return std::any_of(this->Drawn.begin(), this->Drawn.end(),
+    [&](std::uint32_t part) { return !this->Parts[part].Actor; });
+}
 
 void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
 {
@@ -15,8 +22,7 @@ void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
     const std::uint32_t part = this->Drawn[i];
-    const int number = static_cast<int>(i);
-    const bool shows = this->CountHidden(number, visible) < this->CountParts(number);
+    const bool shows = this->Shows(i, visible);
     if ((shows || !leftOut) && this->MayBeTranslucent(part) &&
       this->PropOf[part]->HasTranslucentPolygonalGeometry())
     {
@@ -31,6 +37,25 @@ void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
   {
     this->Mark(*leftOut, visible);
   }
+}
+
+void SceneParts::KeepOne(std::vector<std::uint8_t>& visible) const
+{
+  for (std::size_t i = 0; i < this->Drawn.size(); ++i)
+  {
+    if (this->Shows(i, visible))
+    {
+      return;
+    }
+  }
+  this->Mark(this->Drawn.front(), visible);
+}
+
+/** Whether any of the i-th prop does. */
+bool SceneParts::Shows(std::size_t i, const std::vector<std::uint8_t>& visible) const
+{
+  const int number = static_cast<int>(i);
+  return this->CountHidden(number, visible) < this->CountParts(number);
 }
 
 /** Of a prop: it takes VTK longer to find out than it takes to see that many surely are not. Whether blocks are is known of each by itself. */
