@@ -34,10 +34,10 @@ bool SceneParts::Update(vtkProp* const* props, int count)
   this->ForgetAbsent();
   this->LookAnewIfSettingsChanged();
   std::vector<std::uint32_t> moved;
-  bool hasChanged = this->LookAtAll(props, count, moved);
+  const bool hasChanged = this->LookAtAll(props, count, moved);
   if (this->HasMadeData) // which others that were looked at before may show, too
   {
-    hasChanged = this->LookAtAll(props, count, moved) || hasChanged;
+    this->LookAtAll(props, count, moved);
   }
   if (hasChanged)
   {

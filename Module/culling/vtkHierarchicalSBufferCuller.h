@@ -21,7 +21,8 @@
  *
  * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
  * rendering is being switched, with UseShadowsOn(), below a pass that may look beyond the view (vtkEDLShading, blurs) or is of a class that is not known, derived ones included, and where
- * passes draw no opaque parts, nothing is. Wireframes are left out only outside of the view, and so is everything in windows that smooth lines, points or polygons.
+ * passes draw no opaque parts, nothing is, nor in frames in which drawing makes images of textures. Wireframes are left out only outside of the view, and so is everything in windows that smooth lines, points or polygons, and with ambient
+ * occlusion (UseSSAOOn()).
  * Where something is on the screen that VTK blends among what is opaque (ForceOpaqueOn()), all parts are drawn.
  *
  * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
@@ -86,8 +87,8 @@ public:
    * were tested, and those that were left out; nodes of the octree that were tested; parts whose cover went into the
    * s-buffer; spans that it was given, and comparisons of depths there; seconds that all of it took. From 2,048 parts on the
    * screen is culled in four bands of lines at a time: what lies in several counts in each. A prop is a part, unless
-   * its mapper is vtkCulledCompositePolyDataMapper or vtkCulledPolyDataMapper; where nothing is culled each prop counts as one. VTK asks no culler in a frame without visible
-   * props, so that all stays as it was.
+   * its mapper is vtkCulledCompositePolyDataMapper or vtkCulledPolyDataMapper; where nothing is culled each prop counts as one. In a frame without visible
+   * props all of them are 0.
    */
   vtkGetMacro(NumberOfBufferLines, int);
   vtkGetMacro(NumberOfDrawnProps, int);

@@ -105,6 +105,7 @@ TEST_P(CullerUntold, ColorsThatChangeInPlace)
   const auto mesh = MeshOf({ Rectangle(-WallSize, -WallSize, WallSize, WallSize, 0.0) });
   mesh->GetCellData()->SetScalars(ColorsOf(mesh, 3));
   Scene.AddMesh(mesh);
+  Scene.ExpectSame(); // for VTK to make a table of colours
   EXPECT_GT(Scene.ExpectSame(), 40);
   mesh->GetCellData()->SetScalars(ColorsOf(mesh, 4));
   Scene.ExpectNothingHidden(373, 1);
@@ -115,6 +116,7 @@ TEST_P(CullerUntold, ColorsOfLeavesThatChangeInPlace)
   const vtkSmartPointer<vtkMapper> mapper = DividedMapperOf(Division::Leaves, WallAndPatches());
   vtkPolyData* const mesh = static_cast<vtkPolyDataMapper*>(mapper.Get())->GetInput();
   Scene.AddMesh(mesh)->SetMapper(mapper);
+  Scene.ExpectSame();
   EXPECT_EQ(Scene.ExpectSame(), PatchCount);
   mesh->GetCellData()->SetScalars(ColorsOf(mesh, 4));
   EXPECT_EQ(Scene.ExpectSame(), 0);
