@@ -38,7 +38,6 @@ bool BlockParts::IsCurrent() const
 
 void BlockParts::Divide()
 {
-  ++this->Divisions;
   this->MapperTime = this->Mapper->GetMTime();
   const std::vector<Leaf> before = std::move(this->Leaves);
   this->Leaves.clear();
@@ -90,10 +89,10 @@ void BlockParts::AddLeaf(vtkPolyData* data, const Inherited& inherited)
 {
   if (data->GetNumberOfPoints() > 0)
   {
-    this->Leaves.push_back(
-      { data, static_cast<std::uint32_t>(this->Leaves.size()), inherited.IsVisible,
-        inherited.IsVisible && inherited.IsOpaque && AreBlockColorsOpaque(this->Mapper, data),
-        nullptr });
+    this->Leaves.push_back({ data, data->GetMTime(),
+      static_cast<std::uint32_t>(this->Leaves.size()), inherited.IsVisible,
+      inherited.IsVisible && inherited.IsOpaque && AreBlockColorsOpaque(this->Mapper, data),
+      nullptr });
     this->BringTables =
       this->BringTables || BringTheirTable(this->Mapper, ScalarsOf(this->Mapper, data));
   }
@@ -133,7 +132,7 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
     }
     const bool isKnown = known != before.end() && known->Data == leaf.Data;
     // A device is given the points of all blocks once one of them was modified in any way.
-    leaf.Geometry = isKnown && known->Geometry->IsUntouched(leaf.Data, this->Divisions)
+    leaf.Geometry = isKnown && known->Time == leaf.Time
       ? known->Geometry
       : std::make_shared<PartGeometry>(leaf.Data,
           isKnown && known->Geometry->WasOf(leaf.Data) ? known->Geometry.get() : nullptr);

@@ -52,6 +52,7 @@ private:
   struct Leaf
   {
     vtkPolyData* Data;
+    vtkMTimeType Time;
     std::uint32_t Place; ///< of the first block, in the order of the data set
     bool IsVisible;
     bool IsOpaque;
@@ -69,7 +70,6 @@ private:
 
   vtkCulledCompositePolyDataMapper* Mapper;
   vtkMTimeType MapperTime = 0;
-  vtkMTimeType Divisions = 0;
   std::vector<Node> Nodes;  ///< each behind what holds it
   std::vector<Leaf> Leaves; ///< in ascending order of their addresses
   bool BringTables =

@@ -181,13 +181,13 @@ bool PartGeometry::IsCurrent(vtkPolyData* data, vtkMTimeType frame)
   return data == this->Data && !this->IsOutdated;
 }
 
-bool PartGeometry::IsUntouched(vtkPolyData* data, vtkMTimeType frame)
+vtkMTimeType PartGeometry::TimeOf(vtkPolyData* data, vtkMTimeType frame)
 {
   this->LookAt(data, frame);
-  return data == this->Data && this->TouchedIn != frame;
+  return data == this->Data ? this->Time.load() : 0;
 }
 
-/** Whoever finds the new time finds what else was noted, too: that comes before it. */
+/** Whoever finds the new time finds whether points and cells are others, too: that comes before it. */
 void PartGeometry::LookAt(vtkPolyData* data, vtkMTimeType frame)
 {
   if (data != this->Data || this->LookedAt == frame)
@@ -197,7 +197,6 @@ void PartGeometry::LookAt(vtkPolyData* data, vtkMTimeType frame)
   const vtkMTimeType time = data->GetMTime();
   if (time != this->Time)
   {
-    this->TouchedIn = frame;
     this->IsOutdated = this->IsOutdated || ShapeTimesOf(data) != this->Times;
     this->Time = time;
   }

@@ -60,8 +60,8 @@ public:
    */
   bool IsCurrent(vtkPolyData* data, vtkMTimeType frame);
 
-  /** Whether nothing else of `data` was modified in a frame either; likewise. */
-  bool IsUntouched(vtkPolyData* data, vtkMTimeType frame);
+  /** When `data`, if it is of those, was modified in any way; likewise. */
+  vtkMTimeType TimeOf(vtkPolyData* data, vtkMTimeType frame);
 
   /** Whether its data change so often that its faces are not read in a frame: then Occluder() has none, and Planes() are not to be asked for. Several threads may ask. */
   bool IsRestless(vtkMTimeType frame) { return !this->History.AreWorthReading(frame); }
@@ -106,12 +106,11 @@ private:
 
   vtkPolyData* Data;
   ShapeTimes Times;
-  std::atomic<vtkMTimeType> Time;           ///< of all of the data
-  std::atomic<vtkMTimeType> LookedAt{ 0 };  ///< the last frame in which it was
-  std::atomic<vtkMTimeType> TouchedIn{ 0 }; ///< the last frame in which they were modified
-  std::atomic<bool> IsOutdated{ false };    ///< whether their points or cells were
-  ReadingHistory History;                   ///< of its faces
-  vtkWeakPointer<vtkPolyData> Living;       ///< the data; null once they are gone
+  std::atomic<vtkMTimeType> Time;          ///< of all of the data
+  std::atomic<vtkMTimeType> LookedAt{ 0 }; ///< the last frame in which it was
+  std::atomic<bool> IsOutdated{ false };   ///< whether their points or cells were modified
+  ReadingHistory History;                  ///< of its faces
+  vtkWeakPointer<vtkPolyData> Living;      ///< the data; null once they are gone
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
   bool HasVertsOrLines = false;

@@ -202,6 +202,7 @@ void SceneParts::LookAtData(Part& part, const PartGeometry* before)
   if (part.Data)
   {
     part.Geometry = this->GeometryOf(part.Data, before);
+    part.DataTime = part.Geometry->TimeOf(part.Data, this->Looks);
   }
   else
   {

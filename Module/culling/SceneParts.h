@@ -139,6 +139,7 @@ private:
       nullptr; ///< of the data; null if something makes them (Pipeline)
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
+    vtkMTimeType DataTime = 0;
     std::shared_ptr<PartGeometry> Geometry;
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
     std::shared_ptr<const MapperParts> Division; ///< null if it does not
@@ -149,11 +150,11 @@ private:
     bool IsWireframe = false;
     bool IsOfViewAlone = false; ///< whether others do not hide it, but the view does
     bool HasSurfaceMapper = false;
-    float Growth = 0.0f;
     glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
     glm::dmat4 FromWorld{ 1.0 };
     glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
     DeviceCoordinates Drawn;
+    float Growth = 0.0f;
     std::vector<std::uint32_t> Pieces;         ///< the parts of the division
     Box InView;                                ///< its box if it is of the view alone
     vtkDataSetMapper* SurfaceMapper = nullptr; ///< that has the other mapper draw, if one does

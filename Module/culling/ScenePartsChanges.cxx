@@ -184,7 +184,7 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
     part.Mapper->GetMTime() == part.MapperTime && !MaySetUniforms(part.Mapper) &&
     AreDataMadeAlready(part) &&
     (!part.Divided || part.Divided->PartsFor(part.Actor, this->Looks) == part.Division) &&
-    (part.Division || part.Geometry->IsUntouched(part.Data, this->Looks));
+    (part.Division || part.Geometry->TimeOf(part.Data, this->Looks) == part.DataTime);
 }
 
 }

@@ -206,6 +206,44 @@ TEST_P(CullerUntold, ImagesThatGetAnAlpha)
   EXPECT_GT(expectSame(), 40);
 }
 
+// What changes in such a frame is noticed in the next one.
+TEST_P(CullerUntold, PointsThatAreMovedWhileImagesAreMade)
+{
+  const auto mesh = TexturedWall();
+  Scene.AddHidden();
+  Scene.AddMesh(mesh);
+  vtkNew<vtkImageAppendComponents> image;
+  image->AddInputData(ImageOf(3, 200.0));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputConnection(image->GetOutputPort());
+  Scene.AddMesh(MeshOf({ Rectangle(-0.1, -0.1, 0.1, 0.1, 0.3) }))->SetTexture(texture);
+  Scene.Render();
+  const int all = Scene.ExpectSame();
+  EXPECT_GT(all, 40);
+  MovePoints(mesh, WallSize);
+  mesh->GetPoints()->Modified();
+  image->Modified();
+  Scene.Culler->CullingOn();
+  Scene.Render();
+  EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), 0);
+  EXPECT_LT(Scene.ExpectSame(), all);
+}
+
+TEST_P(CullerUntold, PointsThatAreMovedWhileOneOfTwoIsNotThere)
+{
+  Scene.AddHidden();
+  const auto mesh = MeshOf({ Rectangle(-WallSize, -WallSize, WallSize, WallSize, 0.0) });
+  const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(mesh);
+  Scene.AddMesh(mesh)->SetPosition(0.0, 0.0, -3.0);
+  const int all = Scene.ExpectSame();
+  wall->VisibilityOff();
+  MovePoints(mesh, WallSize);
+  mesh->GetPoints()->Modified();
+  Scene.ExpectSame();
+  wall->VisibilityOn();
+  EXPECT_LT(Scene.ExpectSame(), all);
+}
+
 // VTK asks an image's scalars whether it is translucent, and draws another one of its arrays.
 TEST_P(CullerUntold, ImagesOfWhichAnotherArrayIsDrawn)
 {
