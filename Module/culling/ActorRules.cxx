@@ -180,19 +180,23 @@ bool IsShiftKnown(vtkPolyDataMapper* mapper)
     method == vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE;
 }
 
+bool IsSmallOrFarOff(const PartGeometry& geometry)
+{
+  const glm::dvec3 size = geometry.Greatest() - geometry.Least();
+  const glm::dvec3 middle = 0.5 * (geometry.Greatest() + geometry.Least());
+  // VTK's limits are 1e6 and 3. Just above them it is taken not to, which is never the better case.
+  return glm::dot(size, size) > 0.0 &&
+    (glm::dot(middle, middle) / glm::dot(size, size) > 1.001e6 ||
+      std::abs(std::log10(glm::dot(size, size))) > 3.001);
+}
+
 bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry)
 {
   auto* drawing = static_cast<vtkOpenGLPolyDataMapper*>(mapper);
   const bool isUsual = !drawing->GetPauseShiftScale() &&
     drawing->GetVBOShiftScaleMethod() == vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE &&
     vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled();
-  const glm::dvec3 size = geometry.Greatest() - geometry.Least();
-  const glm::dvec3 middle = 0.5 * (geometry.Greatest() + geometry.Least());
-  // VTK's limits are 1e6 and 3. Just above them it is taken not to, which is never the better case.
-  return isUsual && glm::dot(size, size) > 0.0 &&
-    (glm::dot(middle, middle) / glm::dot(size, size) > 1.001e6 ||
-      std::abs(std::log10(glm::dot(size, size))) > 3.001) &&
-    !HasUnshiftedPoints(drawing);
+  return isUsual && IsSmallOrFarOff(geometry) && !HasUnshiftedPoints(drawing);
 }
 
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry)

@@ -38,10 +38,10 @@ bool MaySetUniforms(vtkMapper* mapper);
 /** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
 bool IsShiftKnown(vtkPolyDataMapper* mapper);
 
-/**
- * Whether VTK gives the device coordinates from the geometry's middle, as it does by itself where that is far from the origin for
- * the geometry's size (vtkOpenGLVertexBufferObject::UpdateShiftScale()).
- */
+/** Whether it is far from the origin for its size, or so small or large, that VTK by itself gives a device coordinates from its middle (vtkOpenGLVertexBufferObject::UpdateShiftScale()). */
+bool IsSmallOrFarOff(const PartGeometry& geometry);
+
+/** Whether VTK gives the device coordinates from the geometry's middle: of those it does so by itself, unless the mapper is told otherwise. */
 bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry);
 
 /** By how many pixels an actor that may be behind others is drawn wider than its points are. */

@@ -139,7 +139,7 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
   }
 }
 
-/** Of all blocks, from the origin; and by way of the middle of a block that VTK would draw about its middle, which is where all of them count from if it comes first. */
+/** Of all blocks, from the origin; and by way of the middle of a block that VTK may draw about its middle, which is where all of them count from if it comes first. */
 glm::dvec3 BlockParts::FarthestCoordinates() const
 {
   glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
@@ -151,7 +151,7 @@ glm::dvec3 BlockParts::FarthestCoordinates() const
   glm::dvec3 farthest = glm::max(glm::abs(least), glm::abs(greatest));
   for (const Leaf& leaf : this->Leaves)
   {
-    if (IsDrawnAboutMiddle(this->Mapper, *leaf.Geometry))
+    if (IsSmallOrFarOff(*leaf.Geometry))
     {
       const glm::dvec3 middle = 0.5 * (leaf.Geometry->Least() + leaf.Geometry->Greatest());
       farthest = glm::max(farthest, glm::abs(middle) + glm::max(greatest - middle, middle - least));
