@@ -3,7 +3,6 @@
 
 #include "vtkProp.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -12,8 +11,15 @@ namespace vitrine
 
 bool SceneParts::HasOthersThanParts() const
 {
-  return std::any_of(this->Drawn.begin(), this->Drawn.end(),
-    [&](std::uint32_t part) { return !this->Parts[part].Actor; });
+  for (std::size_t i = 0; i < this->Drawn.size(); ++i)
+  {
+    if (!this->AreSame[i] &&
+      !this->Parts[this->Drawn[i]].Actor) // what surely is the same is a part
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
