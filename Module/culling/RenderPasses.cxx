@@ -180,9 +180,10 @@ bool PeelsDepth(vtkRenderer* renderer)
     (renderer->GetPass() && Has(renderer->GetPass(), "vtkDepthPeelingPass"));
 }
 
-bool FiltersWhereAnyIsDrawn(vtkRenderer* renderer)
+bool DoesMoreWhereAnyIsDrawn(vtkRenderer* renderer)
 {
-  return !renderer->GetPass() && (renderer->GetUseFXAA() || renderer->GetUseSSAO());
+  return !renderer->GetPass() &&
+    (renderer->GetUseFXAA() || renderer->GetUseSSAO() || renderer->GetBackingStore());
 }
 
 }

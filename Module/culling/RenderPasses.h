@@ -26,8 +26,8 @@ bool FindsAmbientOcclusion(vtkRenderer* renderer);
  */
 bool PeelsDepth(vtkRenderer* renderer);
 
-/** Whether it works on the whole picture, whatever was drawn there before, in frames in which it draws a prop, seen or not. */
-bool FiltersWhereAnyIsDrawn(vtkRenderer* renderer);
+/** Whether it works on the whole picture, whatever was drawn there before, or keeps it, in frames in which it draws a prop, seen or not. */
+bool DoesMoreWhereAnyIsDrawn(vtkRenderer* renderer);
 
 }
 

@@ -246,7 +246,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   {
     parts.KeepOneTranslucent(known.Visible);
   }
-  if (vitrine::FiltersWhereAnyIsDrawn(renderer))
+  if (vitrine::DoesMoreWhereAnyIsDrawn(renderer))
   {
     parts.KeepOne(known.Visible);
   }

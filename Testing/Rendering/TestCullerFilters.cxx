@@ -38,6 +38,8 @@ TEST_P(CullerFilters, WorkWhereAllIsBesideTheView)
   EXPECT_EQ(Scene.ExpectSame(), all - 1);
   Scene.Renderer->UseFXAAOff();
   EXPECT_EQ(Scene.ExpectSame(), all);
+  Scene.Renderer->BackingStoreOn();
+  EXPECT_EQ(Scene.ExpectSame(), all - 1);
 }
 
 TEST_P(CullerFilters, WorkWhereSomethingShows)
