@@ -54,7 +54,10 @@ void SceneParts::KeepOne(std::vector<std::uint8_t>& visible) const
       return;
     }
   }
-  this->Mark(this->Drawn.front(), visible);
+  if (!this->Drawn.empty())
+  {
+    this->Mark(this->Drawn.front(), visible);
+  }
 }
 
 /** Whether any of the i-th prop does. */

@@ -1,6 +1,7 @@
 // What works on the whole picture once the parts are drawn: no pixel is lost by culling.
 #include "CullerScene.h"
 #include "vtkCamera.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkRenderStepsPass.h"
@@ -40,6 +41,20 @@ TEST_P(CullerFilters, WorkWhereAllIsBesideTheView)
   EXPECT_EQ(Scene.ExpectSame(), all);
   Scene.Renderer->BackingStoreOn();
   EXPECT_EQ(Scene.ExpectSame(), all - 1);
+}
+
+// VTK's own culler, say, which stands before unless it is taken out.
+TEST_P(CullerFilters, MayBeLeftWithNothingByAnotherCuller)
+{
+  this->LookAway();
+  Scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -50.0); // far off: it asks spheres
+  Scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -60.0);
+  Scene.Renderer->RemoveCuller(Scene.Culler);
+  Scene.Renderer->AddCuller(vtkNew<vtkFrustumCoverageCuller>());
+  Scene.Renderer->AddCuller(Scene.Culler);
+  Scene.Renderer->UseFXAAOn();
+  EXPECT_EQ(Scene.ExpectSame(), 0);
+  EXPECT_EQ(Scene.Culler->GetNumberOfDrawnProps(), 0);
 }
 
 TEST_P(CullerFilters, WorkWhereSomethingShows)
