@@ -59,6 +59,20 @@ bool BlendsEdges(vtkRenderWindow* window)
 {
   return window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
 }
+
+/** Has VTK draw the rest as it does where nothing is left out. */
+void KeepWhatOthersNeed(
+  vtkRenderer* renderer, const vitrine::SceneParts& parts, std::vector<std::uint8_t>& visible)
+{
+  if (vitrine::PeelsDepth(renderer) || parts.HasOthersThanParts())
+  {
+    parts.KeepOneTranslucent(visible);
+  }
+  if (vitrine::DoesMoreWhereAnyIsDrawn(renderer))
+  {
+    parts.KeepOne(visible);
+  }
+}
 }
 
 /** What is kept of each renderer from frame to frame. */
@@ -242,14 +256,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     known.HasBuffer = true;
   }
   parts.DropOutside(view.ProjectionOfViewAlone(), known.Visible);
-  if (vitrine::PeelsDepth(renderer) || parts.HasOthersThanParts())
-  {
-    parts.KeepOneTranslucent(known.Visible);
-  }
-  if (vitrine::DoesMoreWhereAnyIsDrawn(renderer))
-  {
-    parts.KeepOne(known.Visible);
-  }
+  KeepWhatOthersNeed(renderer, parts, known.Visible);
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested + parts.CountOfViewAlone());

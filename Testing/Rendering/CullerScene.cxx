@@ -4,6 +4,9 @@
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkCullerCollection.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -66,6 +69,39 @@ vtkSmartPointer<vtkPolyData> MeshOfTriangles(const std::vector<Triangle>& triang
 vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Quad>& quads)
 {
   return MeshOfPolygons(quads);
+}
+
+vtkSmartPointer<vtkPolyData> TexturedWall()
+{
+  const vtkSmartPointer<vtkPolyData> wall = MeshOf({ Rectangle(-2.5, -2.5, 2.5, 2.5, 0.0) });
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (const double u : { 0.0, 1.0, 1.0, 0.0 })
+  {
+    coordinates->InsertNextTuple2(u, coordinates->GetNumberOfTuples() / 2);
+  }
+  wall->GetPointData()->SetTCoords(coordinates);
+  return wall;
+}
+
+vtkSmartPointer<vtkImageData> PlainImage(int components, double value)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  image->GetPointData()->GetScalars()->Fill(value);
+  return image;
+}
+
+void MovePointsInPlace(vtkPolyData* mesh, const Point3& by)
+{
+  vtkPoints* const points = mesh->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    points->SetPoint(i, point[0] + by[0], point[1] + by[1], point[2] + by[2]);
+  }
 }
 
 Quad Rectangle(double x0, double y0, double x1, double y1, double z)

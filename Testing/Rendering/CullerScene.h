@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkMapper;
 class vtkPolyData;
 
@@ -42,6 +43,15 @@ vtkSmartPointer<vtkPolyData> MeshOf(const std::vector<Quad>& quads);
 
 /** A rectangle in the plane of height z, facing +z. */
 Quad Rectangle(double x0, double y0, double x1, double y1, double z);
+
+/** A wall at height 0 that is wider than the view, with coordinates of a texture. */
+vtkSmartPointer<vtkPolyData> TexturedWall();
+
+/** Of 2 x 2 pixels of bytes, all of which are the same value. */
+vtkSmartPointer<vtkImageData> PlainImage(int components, double value);
+
+/** Moves points in place, of which nobody is told. */
+void MovePointsInPlace(vtkPolyData* mesh, const Point3& by);
 
 /** The wall from -1.5 to 1.5 at height 0 that is left of slits so wide, each at a slant of its own. */
 std::vector<Quad> StripsBetweenSlits(double width, std::uint64_t seed);

@@ -201,12 +201,8 @@ TEST_P(CullerBlendedProps, LabelsOfContours)
 
 TEST_P(CullerBlendedProps, FloorBelowTheSky)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 2, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  image->GetPointData()->GetScalars()->Fill(180.0);
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
+  texture->SetInputData(PlainImage(3, 180.0));
   vtkNew<vtkSkybox> sky;
   sky->SetProjection(vtkSkybox::Floor);
   sky->SetFloorPlane(0.0f, 0.0f, 1.0f, -0.4f);

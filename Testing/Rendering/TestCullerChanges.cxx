@@ -54,14 +54,8 @@ vtkPolyData* DataOf(vtkActor* actor)
 
 void MovePoints(vtkActor* actor, double x)
 {
-  vtkPoints* points = DataOf(actor)->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    points->GetPoint(i, point);
-    points->SetPoint(i, point[0] + x, point[1], point[2]);
-  }
-  points->Modified();
+  MovePointsInPlace(DataOf(actor), { x, 0.0, 0.0 });
+  DataOf(actor)->GetPoints()->Modified();
 }
 
 TEST_P(CullerChanges, Scene14WallThatTeleports)

@@ -78,14 +78,8 @@ protected:
 
   static void MovePoints(vtkActor* actor, double z)
   {
-    vtkPoints* points = DataOf(actor)->GetPoints();
-    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-    {
-      double point[3];
-      points->GetPoint(i, point);
-      points->SetPoint(i, point[0], point[1], point[2] + z);
-    }
-    points->Modified();
+    MovePointsInPlace(DataOf(actor), { 0.0, 0.0, z });
+    DataOf(actor)->GetPoints()->Modified();
   }
 
   CullerScene Scene{ { "ManyParts", 0, false, 270, 96, 54 } };
@@ -192,12 +186,8 @@ TEST_F(CullerOfManyParts, WhoseDataATexturesPipelineMoves)
   atEnd->SetClientData(&move);
   atEnd->SetCallback(
     [](vtkObject*, unsigned long, void* data, void*) { static_cast<Move*>(data)->Do(); });
-  vtkNew<vtkImageData> pixels;
-  pixels->SetDimensions(2, 2, 1);
-  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  pixels->GetPointData()->GetScalars()->Fill(200.0);
   vtkNew<vtkImageAppendComponents> image;
-  image->SetInputData(pixels);
+  image->SetInputData(PlainImage(3, 200.0));
   image->AddObserver(vtkCommand::EndEvent, atEnd);
   vtkNew<vtkTexture> texture;
   texture->SetInputConnection(image->GetOutputPort());

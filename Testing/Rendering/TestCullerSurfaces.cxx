@@ -66,20 +66,6 @@ vtkSmartPointer<vtkImageData> Chessboard(int components)
   return image;
 }
 
-// The wall, with coordinates of a texture.
-vtkSmartPointer<vtkPolyData> TexturedWall()
-{
-  const vtkSmartPointer<vtkPolyData> wall = MeshOf({ Rectangle(-2.5, -2.5, 2.5, 2.5, 0.0) });
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(2);
-  for (const double u : { 0.0, 1.0, 1.0, 0.0 })
-  {
-    coordinates->InsertNextTuple2(u, coordinates->GetNumberOfTuples() / 2);
-  }
-  wall->GetPointData()->SetTCoords(coordinates);
-  return wall;
-}
-
 // Scalars at the wall's corners.
 void SetScalars(vtkActor* wall, const std::vector<double>& values, vtkScalarsToColors* colors)
 {

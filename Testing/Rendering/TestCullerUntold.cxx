@@ -3,7 +3,6 @@
 #include "DividedActor.h"
 #include "vtkCommand.h"
 #include "vtkCulledPolyDataMapper.h"
-#include "vtkFloatArray.h"
 #include "vtkImageAppendComponents.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -28,45 +27,13 @@ class CullerUntold : public CullerTest
 {
 };
 
-void MovePoints(vtkPolyData* mesh, double x)
-{
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    mesh->GetPoint(i, point);
-    mesh->GetPoints()->SetPoint(i, point[0] + x, point[1], point[2]);
-  }
-}
-
-vtkSmartPointer<vtkPolyData> TexturedWall()
-{
-  auto wall = MeshOf({ Rectangle(-WallSize, -WallSize, WallSize, WallSize, 0.0) });
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(2);
-  for (const double u : { 0.0, 1.0, 1.0, 0.0 })
-  {
-    coordinates->InsertNextTuple2(u, coordinates->GetNumberOfTuples() / 2);
-  }
-  wall->GetPointData()->SetTCoords(coordinates);
-  return wall;
-}
-
-vtkSmartPointer<vtkImageData> ImageOf(int components, double value)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(2, 2, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
-  image->GetPointData()->GetScalars()->Fill(value);
-  return image;
-}
-
 TEST_P(CullerUntold, PointsThatAreMovedInPlace)
 {
   Scene.AddHidden();
   const auto mesh = MeshOf({ Rectangle(-WallSize, -WallSize, WallSize, WallSize, 0.0) });
   Scene.AddMesh(mesh);
   const int all = Scene.ExpectSame();
-  MovePoints(mesh, WallSize);
+  MovePointsInPlace(mesh, { WallSize, 0.0, 0.0 });
   mesh->Modified();
   EXPECT_EQ(Scene.ExpectSame(), all) << "a device has them where they were";
   mesh->GetPoints()->Modified();
@@ -84,7 +51,7 @@ TEST_P(CullerUntold, PointsOfLeavesThatAreMovedInPlace)
   Scene.Culler->CullingOn();
   Scene.Render();
   const int all = Scene.ExpectSame();
-  MovePoints(mesh, WallSize);
+  MovePointsInPlace(mesh, { WallSize, 0.0, 0.0 });
   mesh->Modified();
   EXPECT_EQ(Scene.ExpectSame(), all);
 }
@@ -137,7 +104,7 @@ TEST_P(CullerUntold, PointsOfBlocksThatAreMovedInPlace)
   EXPECT_GT(all, 40);
   auto* blocks = static_cast<vtkMultiBlockDataSet*>(mapper->GetInputDataObject(0, 0));
   auto* left = static_cast<vtkPolyData*>(blocks->GetBlock(0));
-  MovePoints(left, -0.5 * WallSize);
+  MovePointsInPlace(left, { -0.5 * WallSize, 0.0, 0.0 });
   left->Modified();
   EXPECT_LT(Scene.ExpectSame(), all);
 }
@@ -148,11 +115,7 @@ TEST_P(CullerUntold, WaysToMovePointsThatComeLate)
   const double away = 3e7;
   const std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
   auto mesh = MeshOf({ Rectangle(-WallSize, -WallSize, WallSize, WallSize, 0.0) });
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->DeepCopy(mesh->GetPoints());
-  mesh->SetPoints(points);
-  MovePoints(mesh, away);
+  MovePointsInPlace(mesh, { away, 0.0, 0.0 });
   const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(mesh);
   wall->SetPosition(-away, 0.0, 0.0);
   auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(wall->GetMapper());
@@ -173,7 +136,7 @@ TEST_P(CullerUntold, ImagesThatGetAnAlpha)
     {
       this->Scene.Culler->SetCulling(isCulled);
       this->Scene.AddHidden();
-      this->Image->AddInputData(ImageOf(3, 200.0));
+      this->Image->AddInputData(PlainImage(3, 200.0));
       vtkNew<vtkTexture> texture;
       texture->SetInputConnection(this->Image->GetOutputPort());
       this->Wall->SetTexture(texture);
@@ -192,14 +155,14 @@ TEST_P(CullerUntold, ImagesThatGetAnAlpha)
   EXPECT_GT(expectSame(), 40);
   for (World* world : { &culled, &whole })
   {
-    world->Image->AddInputData(ImageOf(1, 90.0));
+    world->Image->AddInputData(PlainImage(1, 90.0));
   }
   EXPECT_EQ(expectSame(), 0);
   EXPECT_EQ(expectSame(), 0) << "it is translucent";
   for (World* world : { &culled, &whole })
   {
     world->Image->RemoveAllInputs();
-    world->Image->AddInputData(ImageOf(3, 100.0));
+    world->Image->AddInputData(PlainImage(3, 100.0));
     world->Wall->Modified(); // to be asked once more whether it hides anything
   }
   EXPECT_EQ(expectSame(), 0);
@@ -213,14 +176,14 @@ TEST_P(CullerUntold, PointsThatAreMovedWhileImagesAreMade)
   Scene.AddHidden();
   Scene.AddMesh(mesh);
   vtkNew<vtkImageAppendComponents> image;
-  image->AddInputData(ImageOf(3, 200.0));
+  image->AddInputData(PlainImage(3, 200.0));
   vtkNew<vtkTexture> texture;
   texture->SetInputConnection(image->GetOutputPort());
   Scene.AddMesh(MeshOf({ Rectangle(-0.1, -0.1, 0.1, 0.1, 0.3) }))->SetTexture(texture);
   Scene.Render();
   const int all = Scene.ExpectSame();
   EXPECT_GT(all, 40);
-  MovePoints(mesh, WallSize);
+  MovePointsInPlace(mesh, { WallSize, 0.0, 0.0 });
   mesh->GetPoints()->Modified();
   image->Modified();
   Scene.Culler->CullingOn();
@@ -237,7 +200,7 @@ TEST_P(CullerUntold, PointsThatAreMovedWhileOneOfTwoIsNotThere)
   Scene.AddMesh(mesh)->SetPosition(0.0, 0.0, -3.0);
   const int all = Scene.ExpectSame();
   wall->VisibilityOff();
-  MovePoints(mesh, WallSize);
+  MovePointsInPlace(mesh, { WallSize, 0.0, 0.0 });
   mesh->GetPoints()->Modified();
   Scene.ExpectSame();
   wall->VisibilityOn();
@@ -248,8 +211,8 @@ TEST_P(CullerUntold, PointsThatAreMovedWhileOneOfTwoIsNotThere)
 TEST_P(CullerUntold, ImagesOfWhichAnotherArrayIsDrawn)
 {
   Scene.AddHidden();
-  const vtkSmartPointer<vtkImageData> image = ImageOf(3, 200.0);
-  const vtkSmartPointer<vtkDataArray> other = ImageOf(4, 90.0)->GetPointData()->GetScalars();
+  const vtkSmartPointer<vtkImageData> image = PlainImage(3, 200.0);
+  const vtkSmartPointer<vtkDataArray> other = PlainImage(4, 90.0)->GetPointData()->GetScalars();
   other->SetName("other");
   image->GetPointData()->AddArray(other);
   vtkNew<vtkTexture> texture;
