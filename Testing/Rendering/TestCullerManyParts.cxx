@@ -5,7 +5,6 @@
 #include "vtkImageAppendComponents.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
