@@ -1,6 +1,6 @@
 # Warnings and sanitizers for every target of the stand-alone build.
 add_compile_options(-Wall -Wextra)
-# Lanes are never handed over between functions that are not inlined (Core/culling/Lanes.h).
+# Lanes are never handed over between functions that are not inlined (Core/geometry/Lanes.h).
 add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-psabi>)
 if (VITRINE_SANITIZE)
   # What the address sanitizer finds as well would take a fifth of the time to compile.

@@ -2,9 +2,9 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "Core/culling/BoxLanes.h"
-#include "Core/culling/FaceCoverage.h"
-#include "Core/culling/MeshProjection.h"
+#include "Core/culling/cover/FaceCoverage.h"
+#include "Core/culling/screen/MeshProjection.h"
+#include "Core/geometry/BoxLanes.h"
 
 #include <benchmark/benchmark.h>
 

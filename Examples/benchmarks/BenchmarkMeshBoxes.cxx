@@ -2,7 +2,7 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "Core/culling/MeshBoxes.h"
+#include "Core/culling/mesh/MeshBoxes.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 #ifndef VITRINE_EXAMPLES_BENCHMARK_MESHES_H
 #define VITRINE_EXAMPLES_BENCHMARK_MESHES_H
 
-#include "Core/culling/TriangleBoxes.h"
+#include "Core/octree/TriangleBoxes.h"
 
 #include <cstdint>
 #include <vector>

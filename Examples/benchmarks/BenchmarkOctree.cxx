@@ -2,8 +2,8 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "Core/culling/OctreeStore.h"
-#include "Core/culling/OctreeWalk.h"
+#include "Core/octree/OctreeStore.h"
+#include "Core/octree/OctreeWalk.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,10 +2,10 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "Core/culling/CollidingPairs.h"
-#include "Core/culling/MutualVisibility.h"
-#include "Core/culling/OctreeQueries.h"
-#include "Core/culling/Triangle.h"
+#include "Core/octree/CollidingPairs.h"
+#include "Core/octree/MutualVisibility.h"
+#include "Core/octree/OctreeQueries.h"
+#include "Core/octree/Triangle.h"
 
 #include <benchmark/benchmark.h>
 

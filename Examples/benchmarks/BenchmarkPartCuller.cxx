@@ -1,6 +1,6 @@
 // Whole walks of the hierarchical s-buffer over boxes of 12 triangles, all of one mesh, turned every way.
 
-#include "Core/culling/PartCuller.h"
+#include "Core/culling/walk/PartCuller.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 // Spans in an s-buffer: putting them in, and asking what they hide.
 
-#include "Core/culling/SBuffer.h"
+#include "Core/culling/buffer/SBuffer.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 #include "Core/ListSortProgram.h"
 
-#include "Core/SortingNetwork.h"
+#include "Core/lists/SortingNetwork.h"
 
 namespace vitrine
 {

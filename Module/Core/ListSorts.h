@@ -6,7 +6,7 @@
 #ifndef VITRINE_CORE_LIST_SORTS_H
 #define VITRINE_CORE_LIST_SORTS_H
 
-#include "Core/SortingNetwork.h"
+#include "Core/lists/SortingNetwork.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Compositing with a tolerance: fragments are intervals of depth, sorted by their near ends. Those whose intervals meet, by
 // themselves or through others between them, are a group: it depends on the intervals alone, not on which fragment noise puts
-// first. A group is composited as the mean over all orders of its fragments (Core/CoincidentGroup), one fragment as ever.
+// first. A group is composited as the mean over all orders of its fragments (Core/lists/CoincidentGroup), one fragment as ever.
 //
 // Give each fragment a random time in [0, 1], and let the earlier be the nearer: the mean weight of fragment i is
 //

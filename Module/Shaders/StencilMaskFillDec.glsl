@@ -1,7 +1,7 @@
 // Stencil masks, filling: declarations for the fragment shaders of VTK's mappers. GLSL 1.50, no extensions.
 //
 // S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011. The larger target's pixels shade what their pixel's centre sees
-// (Core/ShaderInputs), so that all of a group agree with each other and with the truth.
+// (Core/shader/ShaderInputs), so that all of a group agree with each other and with the truth.
 //
 // VITRINE_GROUP ivec2(w, h)  pixels of the larger target that take the layers of one pixel
 uniform ivec2 vitrineFirstPixel; // of the target, where the first group is

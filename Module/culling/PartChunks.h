@@ -1,7 +1,7 @@
 #ifndef VITRINE_CULLING_PART_CHUNKS_H
 #define VITRINE_CULLING_PART_CHUNKS_H
 
-#include "Core/ForEachInThreads.h"
+#include "Core/threads/ForEachInThreads.h"
 
 #include <algorithm>
 #include <cstddef>

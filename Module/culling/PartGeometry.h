@@ -1,11 +1,11 @@
 #ifndef VITRINE_CULLING_PART_GEOMETRY_H
 #define VITRINE_CULLING_PART_GEOMETRY_H
 
-#include "Core/culling/FacePlanes.h"
-#include "Core/culling/HiddenLines.h"
-#include "Core/culling/MeshBoxes.h"
-#include "Core/culling/OccluderMesh.h"
-#include "Core/culling/OrderedRuns.h"
+#include "Core/culling/hidden/HiddenLines.h"
+#include "Core/culling/mesh/MeshBoxes.h"
+#include "Core/culling/mesh/OccluderMesh.h"
+#include "Core/culling/mesh/OrderedRuns.h"
+#include "Core/culling/steady/FacePlanes.h"
 #include "culling/ReadingHistory.h"
 
 #include "vtkType.h"

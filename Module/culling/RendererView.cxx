@@ -1,10 +1,10 @@
 #include "culling/RendererView.h"
 
-#include "culling/ClassName.h"
-#include "culling/Matrices.h"
 #include "culling/SceneParts.h"
-#include "culling/ViewMatrices.h"
 #include "gl/Capabilities.h"
+#include "scene/ClassName.h"
+#include "scene/Matrices.h"
+#include "scene/ViewMatrices.h"
 
 #include "vtkCamera.h"
 #include "vtkOpaquePass.h"

@@ -1,8 +1,8 @@
 #ifndef VITRINE_CULLING_RENDERER_VIEW_H
 #define VITRINE_CULLING_RENDERER_VIEW_H
 
-#include "Core/culling/SampleGrid.h"
-#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/screen/ScreenProjection.h"
+#include "Core/geometry/SampleGrid.h"
 
 #include <array>
 #include <optional>

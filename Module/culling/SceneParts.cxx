@@ -1,8 +1,8 @@
 #include "culling/SceneParts.h"
 
-#include "culling/ActorRules.h"
-#include "culling/DrawingMapper.h"
-#include "culling/ScalarColors.h"
+#include "scene/ActorRules.h"
+#include "scene/DrawingMapper.h"
+#include "scene/ScalarColors.h"
 
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"

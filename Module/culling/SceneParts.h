@@ -1,12 +1,12 @@
 #ifndef VITRINE_CULLING_SCENE_PARTS_H
 #define VITRINE_CULLING_SCENE_PARTS_H
 
-#include "Core/culling/LooseOctree.h"
-#include "Core/culling/PartCuller.h"
-#include "culling/BlendedProps.h"
-#include "culling/DividedMapper.h"
+#include "Core/culling/walk/LooseOctree.h"
+#include "Core/culling/walk/PartCuller.h"
 #include "culling/PartGeometry.h"
-#include "culling/PipelineState.h"
+#include "culling/mappers/DividedMapper.h"
+#include "scene/BlendedProps.h"
+#include "scene/PipelineState.h"
 
 #include "vtkType.h"
 #include "vtkWeakPointer.h"

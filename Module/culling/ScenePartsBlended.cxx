@@ -1,7 +1,7 @@
 // Parts that may shine through others which VTK blends among what is opaque.
 #include "culling/SceneParts.h"
 
-#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/screen/ScreenProjection.h"
 
 #include "vtkMath.h"
 #include "vtkProp.h"

@@ -2,8 +2,8 @@
 
 #include "culling/SceneParts.h"
 
-#include "culling/ActorRules.h"
 #include "culling/PartChunks.h"
+#include "scene/ActorRules.h"
 
 #include "vtkActor.h"
 #include "vtkDataSet.h"

@@ -2,9 +2,9 @@
 
 #include "culling/SceneParts.h"
 
-#include "Core/culling/DeviceRounding.h"
-#include "culling/ActorRules.h"
-#include "culling/Matrices.h"
+#include "Core/culling/screen/DeviceRounding.h"
+#include "scene/ActorRules.h"
+#include "scene/Matrices.h"
 
 #include "vtkActor.h"
 #include "vtkPolyDataMapper.h"

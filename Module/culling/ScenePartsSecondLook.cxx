@@ -1,8 +1,8 @@
 // Parts that were found hidden where they are, and may be drawn elsewhere.
 #include "culling/SceneParts.h"
 
-#include "Core/culling/BoxLanes.h"
-#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/screen/ScreenProjection.h"
+#include "Core/geometry/BoxLanes.h"
 #include "culling/PartChunks.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Parts that others do not hide: they are left out where they lie outside of the view.
 #include "culling/SceneParts.h"
 
-#include "Core/culling/BoxLanes.h"
-#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/screen/ScreenProjection.h"
+#include "Core/geometry/BoxLanes.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,11 +1,11 @@
 #include "vtkHierarchicalSBufferCuller.h"
 
-#include "Core/culling/LinesThatPay.h"
-#include "Core/culling/PartCuller.h"
-#include "Core/culling/SBufferImage.h"
-#include "culling/RenderPasses.h"
+#include "Core/culling/buffer/LinesThatPay.h"
+#include "Core/culling/buffer/SBufferImage.h"
+#include "Core/culling/walk/PartCuller.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
+#include "scene/RenderPasses.h"
 
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"

@@ -1,6 +1,6 @@
 #include "gl/ComputeProgram.h"
 
-#include "Core/Rounding.h"
+#include "Core/geometry/Rounding.h"
 #include "gl/ProgramCache.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"

@@ -4,7 +4,7 @@
 #ifndef VITRINE_FULL_SCREEN_DRAW_H
 #define VITRINE_FULL_SCREEN_DRAW_H
 
-#include "Core/PixelRegion.h"
+#include "Core/geometry/PixelRegion.h"
 #include "gl/VitrineOpenGL.h"
 
 class vtkOpenGLState;

@@ -4,7 +4,7 @@
 #ifndef VITRINE_RENDER_TARGET_H
 #define VITRINE_RENDER_TARGET_H
 
-#include "Core/PixelRegion.h"
+#include "Core/geometry/PixelRegion.h"
 #include "gl/AttachedImage.h"
 #include "gl/VitrineOpenGL.h"
 

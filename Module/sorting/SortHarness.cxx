@@ -1,6 +1,6 @@
 #include "sorting/SortHarness.h"
 
-#include "Core/Rounding.h"
+#include "Core/geometry/Rounding.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/Capabilities.h"
 #include "gl/FullScreenDraw.h"
@@ -8,8 +8,8 @@
 #include "gl/MemoryBarriers.h"
 #include "gl/ProgramCache.h"
 #include "gl/ScopedState.h"
+#include "shader/ShaderText.h"
 #include "sorting/SortSources.h"
-#include "transparency/ShaderText.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"

@@ -1,8 +1,8 @@
 #include "sorting/SortSources.h"
 
 #include "Core/ListSortProgram.h"
-#include "transparency/FillShader.h"
-#include "transparency/ShaderText.h"
+#include "shader/ShaderText.h"
+#include "transparency/common/FillShader.h"
 
 #include <cassert>
 

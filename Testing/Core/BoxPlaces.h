@@ -4,7 +4,7 @@
 #ifndef VITRINE_TESTING_BOX_PLACES_H
 #define VITRINE_TESTING_BOX_PLACES_H
 
-#include "Core/culling/ScreenProjection.h"
+#include "Core/culling/screen/ScreenProjection.h"
 
 #include <gtest/gtest.h>
 

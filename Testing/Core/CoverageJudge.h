@@ -4,7 +4,7 @@
 #ifndef VITRINE_TESTING_COVERAGE_JUDGE_H
 #define VITRINE_TESTING_COVERAGE_JUDGE_H
 
-#include "Core/culling/SBuffer.h"
+#include "Core/culling/buffer/SBuffer.h"
 
 #include <glm/vec3.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef VITRINE_TESTING_COVERAGE_WAYS_H
 #define VITRINE_TESTING_COVERAGE_WAYS_H
 
-#include "Core/culling/FaceCoverage.h"
+#include "Core/culling/cover/FaceCoverage.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "CoverageJudge.h"
 
-#include "Core/culling/MeshProjection.h"
+#include "Core/culling/screen/MeshProjection.h"
 
 #include <glm/vec4.hpp>
 

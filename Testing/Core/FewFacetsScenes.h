@@ -6,7 +6,7 @@
 
 #include "OccluderScenes.h"
 
-#include "Core/culling/FewFacetsCoverage.h"
+#include "Core/culling/cover/FewFacetsCoverage.h"
 
 #include <cmath>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 #ifndef VITRINE_TESTING_CORE_OCTREE_SCENES_H
 #define VITRINE_TESTING_CORE_OCTREE_SCENES_H
 
-#include "Core/culling/OctreeWalk.h"
+#include "Core/octree/OctreeWalk.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 
 #include "OccluderScenes.h"
 
-#include "Core/culling/FacePlanes.h"
-#include "Core/culling/PartCuller.h"
-#include "Core/culling/ShapeSource.h"
+#include "Core/culling/steady/FacePlanes.h"
+#include "Core/culling/walk/PartCuller.h"
+#include "Core/culling/walk/ShapeSource.h"
 
 #include <glm/matrix.hpp>
 

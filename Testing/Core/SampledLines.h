@@ -6,7 +6,7 @@
 
 #include "NonFinite.h"
 
-#include "Core/culling/SBuffer.h"
+#include "Core/culling/buffer/SBuffer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Fragments without an order: the mean over all their orders, and which fragments of a sample are such.
-#include "Core/CoincidentGroup.h"
-#include "Core/ReferenceCompositor.h"
+#include "Core/lists/CoincidentGroup.h"
+#include "Core/lists/ReferenceCompositor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "OctreeScenes.h"
 
-#include "Core/culling/CollidingPairs.h"
-#include "Core/culling/Triangle.h"
-#include "Core/culling/TriangleBoxes.h"
+#include "Core/octree/CollidingPairs.h"
+#include "Core/octree/Triangle.h"
+#include "Core/octree/TriangleBoxes.h"
 
 #include <gtest/gtest.h>
 

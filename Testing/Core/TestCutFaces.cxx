@@ -2,12 +2,12 @@
 #include "FloatDevice.h"
 #include "OccluderScenes.h"
 
-#include "Core/culling/CutFaces.h"
-#include "Core/culling/DepthPlane.h"
-#include "Core/culling/FaceBlock.h"
-#include "Core/culling/FaceOnLines.h"
-#include "Core/culling/SideCuts.h"
-#include "Core/culling/SliverDepth.h"
+#include "Core/culling/hidden/FaceOnLines.h"
+#include "Core/culling/steady/CutFaces.h"
+#include "Core/culling/steady/DepthPlane.h"
+#include "Core/culling/steady/FaceBlock.h"
+#include "Core/culling/steady/SideCuts.h"
+#include "Core/culling/steady/SliverDepth.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "PartScenes.h"
 
-#include "Core/culling/PartCuller.h"
+#include "Core/culling/walk/PartCuller.h"
 
 #include <gtest/gtest.h>
 

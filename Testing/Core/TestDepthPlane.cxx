@@ -1,7 +1,7 @@
 // What a plane says of depths, held to what a device draws that snaps the corners it covers with, and not those that it takes depths from.
 #include "SnappedFaces.h"
 
-#include "Core/culling/DepthPlane.h"
+#include "Core/culling/steady/DepthPlane.h"
 
 #include <gtest/gtest.h>
 

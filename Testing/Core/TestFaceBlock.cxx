@@ -2,8 +2,8 @@
 #include "NonFinite.h"
 #include "OccluderScenes.h"
 
-#include "Core/culling/DepthPlane.h"
-#include "Core/culling/FaceBlock.h"
+#include "Core/culling/steady/DepthPlane.h"
+#include "Core/culling/steady/FaceBlock.h"
 
 #include <gtest/gtest.h>
 

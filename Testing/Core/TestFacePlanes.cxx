@@ -2,9 +2,9 @@
 #include "NonFinite.h"
 #include "OccluderScenes.h"
 
-#include "Core/culling/FacePlanes.h"
-#include "Core/culling/ScreenProjection.h"
-#include "Core/culling/SecondLook.h"
+#include "Core/culling/screen/ScreenProjection.h"
+#include "Core/culling/steady/FacePlanes.h"
+#include "Core/culling/walk/SecondLook.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // How steep faces are on the screen, held to those that have a corner where a device may round it to.
 #include "OccluderScenes.h"
 
-#include "Core/culling/FaceSlopes.h"
+#include "Core/culling/steady/FaceSlopes.h"
 
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What is done in threads: each piece once, and all of it when that returns.
-#include "Core/ForEachInThreads.h"
+#include "Core/threads/ForEachInThreads.h"
 
 #include <gtest/gtest.h>
 

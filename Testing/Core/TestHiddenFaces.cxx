@@ -2,7 +2,7 @@
 #include "NonFinite.h"
 #include "PartScenes.h"
 
-#include "Core/culling/HiddenFaces.h"
+#include "Core/culling/hidden/HiddenFaces.h"
 
 #include <gtest/gtest.h>
 

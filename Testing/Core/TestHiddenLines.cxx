@@ -1,7 +1,7 @@
 // Lines, which a device draws beyond their ends.
 #include "PartScenes.h"
 
-#include "Core/culling/HiddenLines.h"
+#include "Core/culling/hidden/HiddenLines.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "Core/culling/InsertionBudget.h"
+#include "Core/culling/walk/InsertionBudget.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Parts that come first because they hid much in the last frame.
 #include "PartScenes.h"
 
-#include "Core/culling/LastOwners.h"
+#include "Core/culling/walk/LastOwners.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

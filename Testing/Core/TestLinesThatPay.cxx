@@ -1,4 +1,4 @@
-#include "Core/culling/LinesThatPay.h"
+#include "Core/culling/buffer/LinesThatPay.h"
 
 #include <gtest/gtest.h>
 

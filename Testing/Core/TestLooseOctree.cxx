@@ -1,6 +1,6 @@
 // That each item stands once where its box is, whatever is put, moved and taken out.
 
-#include "Core/culling/LooseOctree.h"
+#include "Core/culling/walk/LooseOctree.h"
 
 #include "NonFinite.h"
 #include "OctreeScenes.h"

@@ -2,7 +2,7 @@
 
 #include "OccluderScenes.h"
 
-#include "Core/culling/MeshFacets.h"
+#include "Core/culling/mesh/MeshFacets.h"
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "OctreeScenes.h"
 
-#include "Core/culling/MutualVisibility.h"
-#include "Core/culling/Shaft.h"
-#include "Core/culling/TriangleBoxes.h"
+#include "Core/octree/MutualVisibility.h"
+#include "Core/octree/Shaft.h"
+#include "Core/octree/TriangleBoxes.h"
 
 #include <gtest/gtest.h>
 

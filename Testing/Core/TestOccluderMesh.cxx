@@ -1,6 +1,6 @@
 #include "NonFinite.h"
 
-#include "Core/culling/OccluderMesh.h"
+#include "Core/culling/mesh/OccluderMesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "NonFinite.h"
 #include "OctreeScenes.h"
 
-#include "Core/culling/ItemMarks.h"
-#include "Core/culling/Octree.h"
-#include "Core/culling/OctreeWalk.h"
-#include "Core/culling/TriangleBoxes.h"
+#include "Core/octree/ItemMarks.h"
+#include "Core/octree/Octree.h"
+#include "Core/octree/OctreeWalk.h"
+#include "Core/octree/TriangleBoxes.h"
 
 #include <gtest/gtest.h>
 

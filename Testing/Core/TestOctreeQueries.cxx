@@ -1,8 +1,8 @@
 #include "NonFinite.h"
 #include "OctreeScenes.h"
 
-#include "Core/culling/OctreeQueries.h"
-#include "Core/culling/TriangleBoxes.h"
+#include "Core/octree/OctreeQueries.h"
+#include "Core/octree/TriangleBoxes.h"
 
 #include <gtest/gtest.h>
 

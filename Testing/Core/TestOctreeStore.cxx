@@ -1,7 +1,7 @@
 #include "OctreeScenes.h"
 
-#include "Core/culling/OctreeQueries.h"
-#include "Core/culling/OctreeStore.h"
+#include "Core/octree/OctreeQueries.h"
+#include "Core/octree/OctreeStore.h"
 
 #include <gtest/gtest.h>
 

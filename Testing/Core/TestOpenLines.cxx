@@ -1,7 +1,7 @@
 // Lines on which patches may cover something, held to a look at each place.
 #include "OccluderScenes.h"
 
-#include "Core/culling/OpenLines.h"
+#include "Core/culling/cover/OpenLines.h"
 
 #include <gtest/gtest.h>
 

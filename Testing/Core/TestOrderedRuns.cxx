@@ -1,5 +1,5 @@
 // Runs of items: they hold all items in their order, and lie where the items do.
-#include "Core/culling/OrderedRuns.h"
+#include "Core/culling/mesh/OrderedRuns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Bands of a screen that are culled by themselves, at the same time.
 #include "PartScenes.h"
 
-#include "Core/culling/PartCuller.h"
+#include "Core/culling/walk/PartCuller.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What is known of parts from frame to frame.
 
-#include "Core/culling/PartStates.h"
+#include "Core/culling/walk/PartStates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/PixelBlocks.h"
+#include "Core/lists/PixelBlocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/PoolSizing.h"
+#include "Core/lists/PoolSizing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/ReferenceCompositor.h"
+#include "Core/lists/ReferenceCompositor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The generated parts of the resolve shaders, read back and carried out on numbers.
-#include "Core/ResolveProgram.h"
+#include "Core/lists/ResolveProgram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "NonFinite.h"
 
-#include "Core/culling/SBuffer.h"
+#include "Core/culling/buffer/SBuffer.h"
 
 #include <gtest/gtest.h>
 

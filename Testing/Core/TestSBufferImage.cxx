@@ -1,7 +1,7 @@
 // An s-buffer as a picture.
 
-#include "Core/culling/SBuffer.h"
-#include "Core/culling/SBufferImage.h"
+#include "Core/culling/buffer/SBuffer.h"
+#include "Core/culling/buffer/SBufferImage.h"
 
 #include <gtest/gtest.h>
 

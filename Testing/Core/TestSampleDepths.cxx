@@ -2,7 +2,7 @@
 
 #include "SampledLines.h"
 
-#include "Core/culling/SBufferImage.h"
+#include "Core/culling/buffer/SBufferImage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "NonFinite.h"
 
-#include "Core/culling/SampleGrid.h"
+#include "Core/geometry/SampleGrid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/ScreenBands.h"
+#include "Core/lists/ScreenBands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Planes behind patches of faces, held to what a device draws of these.
 #include "SnappedFaces.h"
 
-#include "Core/culling/ScreenPatches.h"
+#include "Core/culling/cover/ScreenPatches.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "PartScenes.h"
 #include "SnappedFaces.h"
 
-#include "Core/culling/SecondLook.h"
+#include "Core/culling/walk/SecondLook.h"
 
 #include <gtest/gtest.h>
 

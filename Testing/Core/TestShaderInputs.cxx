@@ -1,7 +1,7 @@
 // Fragment shaders that see their inputs somewhere else.
 #include "Contains.h"
 
-#include "Core/ShaderInputs.h"
+#include "Core/shader/ShaderInputs.h"
 
 #include <gtest/gtest.h>
 

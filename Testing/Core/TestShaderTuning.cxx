@@ -1,7 +1,7 @@
 // Rewriting of VTK's shaders: what moves, what stays, and what is left alone.
 #include "Contains.h"
 
-#include "Core/ShaderTuning.h"
+#include "Core/shader/ShaderTuning.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/SortingNetwork.h"
+#include "Core/lists/SortingNetwork.h"
 
 #include <gtest/gtest.h>
 

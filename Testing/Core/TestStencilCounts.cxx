@@ -1,5 +1,5 @@
 // Where the pixels lie that have so many fragments.
-#include "Core/StencilCounts.h"
+#include "Core/lists/StencilCounts.h"
 
 #include <gtest/gtest.h>
 

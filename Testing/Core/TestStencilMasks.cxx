@@ -1,6 +1,6 @@
 // Groups, the values that their stencil begins with, and what is counted by what is left.
-#include "Core/StencilCounts.h"
-#include "Core/StencilMasks.h"
+#include "Core/lists/StencilCounts.h"
+#include "Core/lists/StencilMasks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which fragment of a pixel's sequence each sample takes in each pass, by the stencil as OpenGL runs it.
-#include "Core/StencilRouting.h"
+#include "Core/lists/StencilRouting.h"
 
 #include <gtest/gtest.h>
 

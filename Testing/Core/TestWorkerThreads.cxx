@@ -1,5 +1,5 @@
 // Work that threads share: by whom it is done, and until when.
-#include "Core/WorkerThreads.h"
+#include "Core/threads/WorkerThreads.h"
 
 #include <gtest/gtest.h>
 

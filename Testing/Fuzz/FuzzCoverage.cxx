@@ -5,7 +5,7 @@
 #include "../Core/DeviceFaces.h"
 #include "../Core/FewFacetsScenes.h"
 
-#include "Core/culling/FaceCoverage.h"
+#include "Core/culling/cover/FaceCoverage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -2,9 +2,9 @@
 
 #include "FuzzBytes.h"
 
-#include "Core/culling/CollidingPairs.h"
-#include "Core/culling/ItemMarks.h"
-#include "Core/culling/OctreeQueries.h"
+#include "Core/octree/CollidingPairs.h"
+#include "Core/octree/ItemMarks.h"
+#include "Core/octree/OctreeQueries.h"
 
 #include <algorithm>
 #include <cmath>

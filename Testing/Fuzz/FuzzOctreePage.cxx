@@ -3,8 +3,8 @@
 
 #include "FuzzBytes.h"
 
-#include "Core/culling/OctreeFile.h"
-#include "Core/culling/OctreeWalk.h"
+#include "Core/octree/OctreeFile.h"
+#include "Core/octree/OctreeWalk.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include "TestGroups.h"
 #include "TestMessages.h"
 #include "gl/RenderTarget.h"
-#include "transparency/CoincidenceTolerance.h"
+#include "transparency/common/CoincidenceTolerance.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkShaderProperty.h"

@@ -2,8 +2,8 @@
 #include "CompositeMapper.h"
 #include "CullerScene.h"
 #include "Select.h"
-#include "culling/DividedMapper.h"
 #include "culling/PartGeometry.h"
+#include "culling/mappers/DividedMapper.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"

@@ -1,6 +1,6 @@
 #include "TestGroups.h"
 
-#include "Core/CoincidentGroup.h"
+#include "Core/lists/CoincidentGroup.h"
 #include "vtkTolerantTransparencyPass.h"
 
 #include <algorithm>

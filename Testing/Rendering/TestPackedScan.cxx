@@ -5,8 +5,8 @@
 #include "gl/MemoryBarriers.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
-#include "transparency/ListHeads.h"
-#include "transparency/PackedScan.h"
+#include "transparency/abuffer/ListHeads.h"
+#include "transparency/abuffer/PackedScan.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 

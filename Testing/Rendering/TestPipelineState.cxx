@@ -1,7 +1,7 @@
 // Whether a pipeline would make other data is known without updating it.
 #include "CullerScene.h"
 #include "TestMessages.h"
-#include "culling/PipelineState.h"
+#include "scene/PipelineState.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"

@@ -1,6 +1,6 @@
 // What stencil routing asks of a driver, and drivers that are otherwise than Mesa's llvmpipe, which tests the stencil of one
 // sample for all of a pixel where multisampling is off.
-#include "Core/StencilRouting.h"
+#include "Core/lists/StencilRouting.h"
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"

@@ -2,7 +2,7 @@
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
-#include "transparency/FillShader.h"
+#include "transparency/common/FillShader.h"
 #include "vtkActor.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkObjectFactory.h"

@@ -28,7 +28,7 @@ namespace
 constexpr int Width = 61;
 constexpr int Height = 47;
 
-// What Core/ShaderTuning changes in shaders shows in no picture: one lit layer under every kind of light.
+// What Core/shader/ShaderTuning changes in shaders shows in no picture: one lit layer under every kind of light.
 TEST(Lighting, OfOneLayerIsVTKs)
 {
   const std::function<void(TestScene&)> lights[] = {

@@ -1,5 +1,5 @@
 // What stencil routing does that other methods of the family do not: samples and passes, the stencil's reach, refusals.
-#include "Core/StencilRouting.h"
+#include "Core/lists/StencilRouting.h"
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"

@@ -2,7 +2,7 @@
 #define VITRINE_CORE_CULLING_CONVEX_FACE_H
 
 #include "Core/culling/FaceNeighbours.h"
-#include "Core/culling/MeshProjection.h"
+#include "Core/culling/screen/MeshProjection.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #define VITRINE_CORE_CULLING_FACE_ORDER_H
 
 #include "Core/culling/ConvexFace.h"
-#include "Core/culling/SBuffer.h"
+#include "Core/culling/buffer/SBuffer.h"
 
 #include <cstdint>
 #include <vector>

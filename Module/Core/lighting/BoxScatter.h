@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_LIGHTING_BOX_SCATTER_H
 #define VITRINE_CORE_LIGHTING_BOX_SCATTER_H
 
-#include "Core/culling/Box.h"
+#include "Core/geometry/Box.h"
 #include "Core/lighting/ClusterRuns.h"
 #include "Core/lighting/LightVolume.h"
 

@@ -1,7 +1,7 @@
 #include "Core/lighting/LightAssignment.h"
 
-#include "Core/ForEachInThreads.h"
 #include "Core/lighting/LightScatter.h"
+#include "Core/threads/ForEachInThreads.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #include "Core/lighting/LightFilter.h"
 
-#include "Core/culling/Lanes.h"
+#include "Core/geometry/Lanes.h"
 #include "Core/lighting/FloatSlack.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_TREE_H
 #define VITRINE_CORE_LIGHTING_LIGHT_TREE_H
 
-#include "Core/culling/BoxLanes.h"
+#include "Core/geometry/BoxLanes.h"
 #include "Core/lighting/LightVolume.h"
 #include "Core/lighting/LinklessTree.h"
 

@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_VOLUME_H
 #define VITRINE_CORE_LIGHTING_LIGHT_VOLUME_H
 
-#include "Core/culling/Box.h"
+#include "Core/geometry/Box.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

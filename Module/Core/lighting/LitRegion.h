@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_LIGHTING_LIT_REGION_H
 #define VITRINE_CORE_LIGHTING_LIT_REGION_H
 
-#include "Core/culling/Box.h"
+#include "Core/geometry/Box.h"
 #include "Core/lighting/LightVolume.h"
 
 #include <glm/mat4x4.hpp>

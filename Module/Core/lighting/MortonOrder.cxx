@@ -2,7 +2,7 @@
 
 #include "Core/lighting/MortonOrder.h"
 
-#include "Core/culling/Box.h"
+#include "Core/geometry/Box.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #ifndef VITRINE_CORE_LIGHTING_WORLD_GRID_H
 #define VITRINE_CORE_LIGHTING_WORLD_GRID_H
 
-#include "Core/culling/Box.h"
+#include "Core/geometry/Box.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

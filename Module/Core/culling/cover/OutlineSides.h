@@ -1,0 +1,122 @@
+#ifndef VITRINE_CORE_CULLING_OUTLINE_SIDES_H
+#define VITRINE_CORE_CULLING_OUTLINE_SIDES_H
+
+#include "Core/culling/cover/FewFacetsFrame.h"
+#include "Core/culling/mesh/FewFacets.h"
+#include "Core/culling/screen/MeshProjection.h"
+#include "Core/geometry/BeyondAll.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace vitrine
+{
+
+/**
+ * Edges as functions of the place that are not negative where what they bound is, Across * x + Along * y + Start (J. Pineda: A parallel algorithm for polygon rasterization, SIGGRAPH 1988),
+ * moved inwards by what a device may move them by (J. Hasselgren, T. Akenine-Moller, L. Ohlsson: Conservative rasterization, GPU Gems 2, 2005, chapter 42). A level edge is
+ * taken to rise a little.
+ */
+struct HalfPlanes
+{
+  Lanes Across, Along, Start;
+  Lanes Length; ///< in columns and lines together
+
+  static constexpr float LeastRise = 0x1p-20f; ///< of an edge that is not level, in lines
+
+  /** @param moved  how far a device may move edges, in columns and lines */
+  VITRINE_INLINE HalfPlanes(const PointLanes& from, const PointLanes& to, LaneMask isForward,
+    const ScreenMargin& moved, const FewFacetsFrame& frame)
+  {
+    const Lanes rise = isForward ? from.Y - to.Y : to.Y - from.Y;
+    const LaneMask isLevel = SizeOf(rise) < LeastRise;
+    this->Across = isLevel ? AllLanes(LeastRise) : rise;
+    this->Along = isForward ? to.X - from.X : from.X - to.X;
+    this->Length = SizeOf(rise) + SizeOf(this->Along);
+    const Lanes farX = SizeOf(from.X) + frame.Width(), farY = SizeOf(from.Y) + frame.Height();
+    const Lanes rounding =
+      RoundingOfFloats * (SizeOf(this->Across) * farX + SizeOf(this->Along) * farY);
+    const Lanes raised = isLevel ? 2.0f * LeastRise * farX : AllLanes(0.0f);
+    this->Start = -(rise * from.X + this->Along * from.Y) -
+      (SizeOf(this->Across) * moved.Column + SizeOf(this->Along) * moved.Line) - rounding - raised;
+  }
+};
+
+/** The edges of an outline: where each passes lines, drawn in by what a device may move it by. */
+class OutlineSides
+{
+public:
+  VITRINE_INLINE OutlineSides(const FewFacets& facets, unsigned counted, const PointLanes& points,
+    const MeshProjection& projection, MeshProjection::Facing facing, const FewFacetsFrame& frame)
+  {
+    const ScreenMargin moved = MarginOf(projection, frame);
+    const bool isFront = facing == MeshProjection::Facing::Front;
+    const LaneMask isCounted = LaneMask{} + static_cast<std::int32_t>(counted);
+    for (int first = 0; first < FewFacets::MostEdges; first += LaneCount)
+    {
+      const LaneMask isLeft = (LoadMask(facets.Left + first) & isCounted) != 0;
+      const LaneMask isRight = (LoadMask(facets.Right + first) & isCounted) != 0;
+      const PointLanes from(points, facets.From + first), to(points, facets.To + first);
+      this->Put(
+        HalfPlanes(from, to, isFront ? isLeft : isRight, moved, frame), isLeft ^ isRight, first);
+    }
+  }
+
+  /** Whether it tells what is covered: there is an outline, and where each of its edges leads is known. */
+  bool AreClear() const { return this->AtLeft != 0 && this->AtRight != 0 && this->TooShort == 0; }
+
+  /** Columns between which eight lines are covered. */
+  VITRINE_INLINE void Between(Lanes y, Lanes& left, Lanes& right) const
+  {
+    left = AllLanes(-BeyondAll);
+    right = AllLanes(BeyondAll);
+    for (unsigned bits = this->AtLeft; bits != 0; bits &= bits - 1)
+    {
+      const int i = LowestBit(bits);
+      left = GreatestOf(this->Slope[i] * y + this->Column[i], left);
+    }
+    for (unsigned bits = this->AtRight; bits != 0; bits &= bits - 1)
+    {
+      const int i = LowestBit(bits);
+      right = LeastOf(this->Slope[i] * y + this->Column[i], right);
+    }
+  }
+
+private:
+  /** What a device may move outlines by, with the way from a line's middle to its farthest samples. */
+  VITRINE_INLINE static ScreenMargin MarginOf(
+    const MeshProjection& projection, const FewFacetsFrame& frame)
+  {
+    const ScreenRectangle& around = projection.Rectangle();
+    const float own = OwnRoundingOf(std::max(std::abs(around.Left), std::abs(around.Right)),
+      std::max(std::abs(around.Bottom), std::abs(around.Top)));
+    const ScreenMargin& margin = projection.Margin();
+    return { margin.Column + own, margin.Line + own + frame.HalfLine(), margin.Depth };
+  }
+
+  /** Puts down the columns at which eight edges, from the first of them on, pass lines, if they are of the outline. */
+  VITRINE_INLINE void Put(const HalfPlanes& edges, LaneMask isOutline, int first)
+  {
+    const Lanes column = edges.Start / -edges.Across, slope = edges.Along / -edges.Across;
+    const LaneMask isKnown = column + slope - (column + slope) == AllLanes(0.0f);
+    StoreLanes(isKnown ? column : AllLanes(BeyondAll), this->Column + first);
+    StoreLanes(isKnown ? slope : AllLanes(0.0f), this->Slope + first);
+    const LaneMask isAtLeft = (edges.Across > 0.0f) | ~isKnown;
+    this->TooShort |= BitsOf(isOutline & (edges.Length < ShortestEdge));
+    this->AtLeft |= BitsOf(isOutline & isAtLeft) << first;
+    this->AtRight |= BitsOf(isOutline & ~isAtLeft) << first;
+  }
+
+  // Columns and lines: where a shorter edge leads is rounding.
+  static constexpr float ShortestEdge = 0x1p-10f;
+
+  float Column[FewFacets::MostEdges]; ///< on the first line
+  float Slope[FewFacets::MostEdges];  ///< columns a line
+  unsigned AtLeft = 0, AtRight = 0;   ///< a bit for each edge
+  unsigned TooShort = 0;              ///< not 0 if any is
+};
+
+}
+
+#endif

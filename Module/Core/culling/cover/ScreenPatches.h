@@ -1,0 +1,85 @@
+#ifndef VITRINE_CORE_CULLING_SCREEN_PATCHES_H
+#define VITRINE_CORE_CULLING_SCREEN_PATCHES_H
+
+#include "Core/culling/screen/MeshProjection.h"
+#include "Core/culling/steady/CutFaces.h"
+#include "Core/culling/steady/SlantedDepth.h"
+#include "Core/geometry/BeyondAll.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * The faces of an occluder that count in a view, and look into about the same direction, as patches: a plane of depth stands for each that lies behind all of its
+ * faces, near them. A face of which the depth is known so badly that it would spoil that of the others is a patch of its own.
+ */
+class ScreenPatches
+{
+public:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  struct Patch
+  {
+    SlantedDepth Bound;
+    float Left = BeyondAll; ///< columns that it may be drawn on
+    float Right = -BeyondAll;
+    float Bottom = BeyondAll; ///< lines
+    float Top = -BeyondAll;
+  };
+
+  /**
+   * @param projection  of the occluder, with its facings
+   * @param facing      of the faces that count
+   * @param samples     where something can show
+   */
+  void Find(
+    const MeshProjection& projection, MeshProjection::Facing facing, const SampleGrid& samples);
+
+  std::size_t Count() const { return this->Patches.size(); }
+  const Patch& operator[](std::uint32_t patch) const { return this->Patches[patch]; }
+
+  /** The patch of a face; None if it does not count. */
+  std::uint32_t Of(std::uint32_t face) const { return this->PatchOf[face]; }
+
+private:
+  struct CountedFace
+  {
+    std::uint32_t Face;
+    SlantedDepth Bound;
+  };
+
+  /** Sums over the corners of a patch's faces, from the first of these. */
+  struct Fit
+  {
+    ScreenPoint Origin{};
+    int Faces = 0;
+    double Columns = 0.0, Lines = 0.0, Depths = 0.0;
+    double ColumnColumns = 0.0, ColumnLines = 0.0, LineLines = 0.0;
+    double ColumnDepths = 0.0, LineDepths = 0.0;
+
+    void Add(const ScreenPoint& point);
+    SlantedDepth BestPlane() const;
+  };
+
+  void FindFaces(MeshProjection::Facing facing);
+  std::uint32_t NumberFor(std::uint32_t face, bool isAlone);
+  void AddFace(const CountedFace& counted, std::uint32_t patch);
+  void FitPlanes();
+  void MoveBehind(const CountedFace& counted, Patch& patch) const;
+
+  const MeshProjection* Projection = nullptr;
+  CutFaces Cuts;
+  std::vector<CountedFace> Faces;
+  std::vector<Patch> Patches;
+  std::vector<Fit> Fits;               ///< of each patch
+  std::vector<std::uint32_t> PatchOf;  ///< each face
+  std::vector<std::uint32_t> NumberOf; ///< of each patch of the mesh
+};
+
+}
+
+#endif

@@ -1,0 +1,120 @@
+#ifndef VITRINE_CORE_CULLING_LINE_EXTENT_H
+#define VITRINE_CORE_CULLING_LINE_EXTENT_H
+
+#include "Core/culling/screen/MeshProjection.h"
+#include "Core/geometry/BeyondAll.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+/** What our own sums in floats may be off on an edge that reaches no farther from 0. */
+inline float OwnRoundingOf(float column, float line)
+{
+  return 0x1p-20f * (column + line);
+}
+
+/** Edges that are less high, in lines, may be anywhere between their ends on what they touch. */
+inline constexpr float LeastHeight = 1e-6f;
+
+/** An edge on the screen, from its lower end to its upper one: the same numbers come out for the faces on both sides. */
+class ScreenEdge
+{
+public:
+  ScreenEdge(const ScreenPoint& a, const ScreenPoint& b)
+    : IsUp(a.Line < b.Line)
+    , Low(this->IsUp ? a : b)
+    , High(this->IsUp ? b : a)
+    , Slope((this->High.Column - this->Low.Column) / (this->High.Line - this->Low.Line))
+  {
+  }
+
+  const ScreenPoint& Bottom() const { return this->Low; }
+  const ScreenPoint& Top() const { return this->High; }
+
+  /** Whether it goes upwards from a to b. */
+  bool GoesUp() const { return this->IsUp; }
+
+  /** Not a number, or infinite, of a level edge. */
+  float ColumnsPerLine() const { return this->Slope; }
+
+  bool Crosses(float line) const { return this->Low.Line <= line && line < this->High.Line; }
+
+  /** Where it is on a line that it crosses. */
+  float At(float line) const
+  {
+    const float column = this->Low.Column + (line - this->Low.Line) * this->Slope;
+    return std::min(std::max(column, std::min(this->Low.Column, this->High.Column)),
+      std::max(this->Low.Column, this->High.Column));
+  }
+
+  /** What our own sums in floats may be off. */
+  float OwnRounding() const
+  {
+    return OwnRoundingOf(std::max(std::abs(this->Low.Column), std::abs(this->High.Column)),
+      std::max(std::abs(this->Low.Line), std::abs(this->High.Line)));
+  }
+
+private:
+  bool IsUp;
+  ScreenPoint Low;
+  ScreenPoint High;
+  float Slope; ///< not a number, or infinite, of a level edge, which crosses no line
+};
+
+/** What lies between two lines, from left to right. */
+struct LineExtent
+{
+  float Left = BeyondAll;
+  float Right = -BeyondAll;
+
+  bool IsEmpty() const { return !(this->Left <= this->Right); }
+
+  void Add(float column)
+  {
+    this->Left = std::min(this->Left, column);
+    this->Right = std::max(this->Right, column);
+  }
+
+  /** The part of an edge that lies between. */
+  void Add(const ScreenEdge& edge, float bottom, float top)
+  {
+    if (edge.Bottom().Line > top || edge.Top().Line < bottom)
+    {
+      return;
+    }
+    this->Add(edge.Bottom().Line >= bottom ? edge.Bottom().Column : edge.At(bottom));
+    this->Add(edge.Top().Line <= top ? edge.Top().Column : edge.At(top));
+  }
+};
+
+/** The largest integer that is no more than a number, kept between two. */
+inline int FloorWithin(float value, int least, int greatest)
+{
+  return static_cast<int>(
+    std::min(std::max(std::floor(value), static_cast<float>(least)), static_cast<float>(greatest)));
+}
+
+/** Lines one after the other; none where First exceeds Last. */
+struct LineRange
+{
+  int First = 0;
+  int Last = -1;
+};
+
+/** Those of `lines` that what reaches from `bottom` to `top` touches. Numbers that are none touch nothing. */
+inline LineRange LinesBetween(float bottom, float top, const LineRange& lines)
+{
+  if (!(bottom <= static_cast<float>(lines.Last + 1) && top >= static_cast<float>(lines.First)))
+  {
+    return {};
+  }
+  return { FloorWithin(bottom, lines.First, lines.Last),
+    FloorWithin(top, lines.First, lines.Last) };
+}
+
+}
+
+#endif

@@ -1,0 +1,146 @@
+#include "Core/culling/steady/SideCuts.h"
+
+#include "Core/culling/steady/FaceCorners.h"
+
+namespace vitrine
+{
+
+namespace
+{
+
+// Corners are so many times as far away from where faces are cut as a device's floats may have them elsewhere: so shares of edges are off by a sixth at most, and products of two by less than half.
+const float LeastAway = 8.0f;
+const float LeastOfShares = 0.5f;
+
+VITRINE_INLINE Lanes LeastIn(const Lanes (&a)[3])
+{
+  return LeastOf(a[0], a[1], a[2]);
+}
+
+VITRINE_INLINE Lanes GreatestIn(const Lanes (&a)[3])
+{
+  return GreatestOf(a[0], a[1], a[2]);
+}
+
+/** How far inwards corners are from the one side of the view that faces reach beyond. */
+struct CornersFromSide
+{
+  Lanes A, B, C;
+  LaneMask AreKnown; ///< as one side cuts the face, and no corner is close to it
+
+  VITRINE_INLINE CornersFromSide(
+    const FacePlaces<Lanes>& places, const ScreenMarginOf<Lanes>& margin, const ScreenMatrix& view)
+  {
+    const Lanes left = LeastIn(places.Columns) - margin.Column;
+    const Lanes right = view.Size.x - GreatestIn(places.Columns) - margin.Column;
+    const Lanes bottom = LeastIn(places.Lines) - margin.Line - view.Bottom();
+    const Lanes top = view.Top() - GreatestIn(places.Lines) - margin.Line;
+    const LaneMask isLeft = left < 0.0f, isRight = right < 0.0f, isBelow = bottom < 0.0f,
+                   isAbove = top < 0.0f;
+    const auto distanceOf = [&](int i) VITRINE_INLINED
+    {
+      const Lanes column = places.Columns[i], line = places.Lines[i];
+      return isLeft ? column
+        : isRight   ? view.Size.x - column
+        : isBelow   ? line - view.Bottom()
+                    : view.Top() - line;
+    };
+    this->A = distanceOf(0);
+    this->B = distanceOf(1);
+    this->C = distanceOf(2);
+    const Lanes leastAway = LeastAway * (isLeft | isRight ? margin.Column : margin.Line);
+    const Lanes away = LeastOf(SizeOf(this->A), SizeOf(this->B), SizeOf(this->C));
+    const LaneMask isInDepth = (GreatestIn(places.Depths) + margin.Depth < 1.0f) &
+      (LeastIn(places.Depths) - margin.Depth > 0.0f);
+    const LaneMask isOneSide = isLeft + isRight + isBelow + isAbove == -1;
+    const LaneMask isAcross =
+      (LeastOf(this->A, this->B, this->C) < 0.0f) & (GreatestOf(this->A, this->B, this->C) > 0.0f);
+    this->AreKnown = isOneSide & isInDepth & isAcross & (away > leastAway);
+  }
+
+  /** The least triangle of the corners that are left, as a share of the face. One corner lies on another side than both others. */
+  VITRINE_INLINE Lanes LeastShare() const
+  {
+    const LaneMask isB = (this->B > 0.0f) != (this->A > 0.0f);
+    const LaneMask isC = (this->C > 0.0f) != (this->A > 0.0f);
+    const LaneMask isA = isB & isC;
+    const Lanes alone = isA ? this->A : isB ? this->B : this->C;
+    const Lanes first = isA ? this->B : this->A;
+    const Lanes second = isA ? this->C : isB ? this->C : this->B;
+    const Lanes ofFirst = SizeOf(alone) / (SizeOf(alone) + SizeOf(first));
+    const Lanes ofSecond = SizeOf(alone) / (SizeOf(alone) + SizeOf(second));
+    return alone > 0.0f ? ofFirst * ofSecond
+                        : LeastOf(ofSecond * (1.0f - ofFirst), ofFirst * (1.0f - ofSecond));
+  }
+};
+
+/** Of places of which all corners are rounded as much as times `inverseOfW`. */
+VITRINE_INLINE SidesOnScreen<Lanes> SidesOf(
+  FacePlaces<Lanes> places, const Lanes& inverseOfW, const ScreenRounding& rounding)
+{
+  for (Lanes& ofCorner : places.InversesOfW)
+  {
+    ofCorner = inverseOfW;
+  }
+  return SidesOnScreen<Lanes>(places, rounding);
+}
+
+/** By how much cross products of sides between any places within a face may be off. */
+VITRINE_INLINE Lanes MostOff(const FaceSides<Lanes>& a, const FaceSides<Lanes>& b)
+{
+  const Lanes largestA = a.Largest(), largestB = b.Largest();
+  return 2.0f * RoundingOfFloats * largestA * largestB + largestA * b.SumOff() +
+    largestB * a.SumOff() + a.SumOff() * b.SumOff();
+}
+
+/** As CutCorner has it, of wherever edges are cut. */
+VITRINE_INLINE Lanes ReachOf(const FacePlaces<Lanes>& places, const ScreenMatrix& view)
+{
+  const float height = view.Top() - view.Bottom();
+  Lanes farthest = AllLanes(0.0f);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Lanes times = GreatestOf(
+      AllLanes(1.0f), SizeOf(places.Columns[i]) / view.Size.x, SizeOf(places.Lines[i]) / height);
+    farthest = GreatestOf(farthest, times / places.InversesOfW[i]);
+  }
+  return farthest * GreatestIn(places.InversesOfW);
+}
+}
+
+VITRINE_FOR_EACH_PROCESSOR
+std::array<float, LaneCount> SideCuts::UnsteadyOf(const FaceBlock& faces) const
+{
+  std::array<float, LaneCount> told;
+  told.fill(AnyDepth);
+  if (!this->Projection.IsBehindNear()) // some may be pieces of faces
+  {
+    return told;
+  }
+  const FaceCorners a(this->Projection, faces.Pointers(), 0),
+    b(this->Projection, faces.Pointers(), 1), c(this->Projection, faces.Pointers(), 2);
+  const FacePlaces<Lanes> places{ { a.Column, b.Column, c.Column }, { a.Line, b.Line, c.Line },
+    { a.Depth, b.Depth, c.Depth }, { a.InverseW, b.InverseW, c.InverseW } };
+  const ScreenMatrix& view = this->Projection.View();
+  const ScreenRounding& rounding = this->Projection.Rounding();
+  const ScreenMargin& snapping = this->Projection.Snapping();
+  const Lanes inverseOfW = GreatestIn(places.InversesOfW);
+  const CornersFromSide corners(places, rounding.MarginAt(inverseOfW, {}), view);
+  const SidesOnScreen<Lanes> anywhere = SidesOf(places, inverseOfW, rounding);
+  const Lanes leastArea = LeastOfShares * corners.LeastShare() * SizeOf(anywhere.Area.Value) -
+    MostOff(anywhere.Columns, anywhere.Lines);
+  const SidesOnScreen<Lanes> cut = SidesOf(places, ReachOf(places, view), this->OfCuts);
+  const FaceSlopes<Lanes> slopes(places, rounding, snapping);
+  const Lanes byColumn = SizeOf(slopes.ByColumn.Value) + slopes.ByColumn.Off;
+  const Lanes byLine = SizeOf(slopes.ByLine.Value) + slopes.ByLine.Off;
+  const Lanes ofArea = MostOff(cut.Columns, cut.Lines);
+  const Lanes off = (MostOff(cut.Depths, cut.Lines) + byColumn * ofArea) * snapping.Column +
+    (MostOff(cut.Columns, cut.Depths) + byLine * ofArea) * snapping.Line;
+  const Lanes unsteady = off / leastArea + cut.Tilt(leastArea);
+  const LaneMask isKnown = corners.AreKnown & (leastArea > 0.0f) & (slopes.ByColumn.Off >= 0.0f) &
+    (slopes.ByLine.Off >= 0.0f) & (unsteady < AnyDepth);
+  StoreLanes(isKnown ? unsteady : AllLanes(AnyDepth), told.data());
+  return told;
+}
+
+}

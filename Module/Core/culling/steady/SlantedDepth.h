@@ -1,0 +1,42 @@
+#ifndef VITRINE_CORE_CULLING_SLANTED_DEPTH_H
+#define VITRINE_CORE_CULLING_SLANTED_DEPTH_H
+
+#include "Core/culling/screen/MeshProjection.h"
+
+namespace vitrine
+{
+
+inline constexpr float RoundingOfFloats = 0x1p-21f; ///< of a few sums and products in floats
+
+/** A lower bound of reversed depth in a cell of a line, linear between the cell's sides. */
+struct DepthBound
+{
+  float Left;
+  float Right;
+};
+
+/** What lies nowhere farther than a plane of reversed depth, give or take the slack, nor farther than a corner. */
+struct SlantedDepth
+{
+  ScreenPoint Origin{}; ///< where the plane passes
+  float ByColumn = 0.0f;
+  float ByLine = 0.0f;
+  float Slack = 0.0f;
+  float Farthest = 0.0f;
+
+  /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
+  DepthBound Within(float left, float right, float bottom, float top) const
+  {
+    const float farLine = this->ByLine > 0.0f ? bottom : top;
+    const float base =
+      this->Origin.Depth + (farLine - this->Origin.Line) * this->ByLine - this->Slack;
+    const DepthBound bound{ base + (left - this->Origin.Column) * this->ByColumn,
+      base + (right - this->Origin.Column) * this->ByColumn };
+    const bool isNearer = bound.Left + bound.Right > 2.0f * this->Farthest;
+    return isNearer ? bound : DepthBound{ this->Farthest, this->Farthest };
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,329 @@
+#include "Core/lists/ReferenceCompositor.h"
+
+#include "Core/lists/CoincidentGroup.h"
+#include "Core/threads/ForEachInThreads.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+
+// Pixels from the first up to the end.
+struct PixelRange
+{
+  std::size_t First;
+  std::size_t End;
+};
+
+// A fragment whose numbers all have a meaning.
+struct Layer
+{
+  float Depth;
+  std::uint64_t Packed;
+  float A;
+  float B;
+  float G;
+  float R;
+  std::uint32_t Coverage;
+  float Extent;
+
+  bool IsInFrontOf(const Layer& other) const
+  {
+    return std::tie(this->Depth, this->Packed, this->A, this->B, this->G, this->R) <
+      std::tie(other.Depth, other.Packed, other.A, other.B, other.G, other.R);
+  }
+
+  bool HasLesserColor(const Layer& other) const
+  {
+    return std::tie(this->Packed, this->A, this->B, this->G, this->R) <
+      std::tie(other.Packed, other.A, other.B, other.G, other.R);
+  }
+
+  // Where its interval ends; before all others if it has none, so that nothing meets it.
+  float FarEnd() const
+  {
+    return this->Extent > 0.0f ? this->Depth + this->Extent
+                               : -std::numeric_limits<float>::infinity();
+  }
+};
+
+// A number in [0, 65504] as a 16-bit float without sign: 5 bits of exponent, 11 of mantissa, rounded. `exponent`
+// is the biased exponent of IEEE's single precision that code 0 begins at.
+std::uint64_t Packed16(float value, std::int64_t exponent)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  const std::int64_t code = ((std::int64_t(bits) + 0x800) >> 12) - (exponent << 11);
+  return static_cast<std::uint64_t>(std::clamp<std::int64_t>(code, 0, 0xffff));
+}
+
+// Colours order by what can be told apart in storage, alpha first. The last bits of a float are noise of the
+// rasteriser's interpolation: an alpha that is the same all over a part differs in them from pixel to pixel.
+std::uint64_t PackedColor(const Layer& layer, TargetRange range)
+{
+  const std::int64_t unitExponent = 96;
+  const std::int64_t colorExponent = range == TargetRange::Unit ? unitExponent : 111;
+  return Packed16(layer.A, unitExponent) << 48 | Packed16(layer.B, colorExponent) << 32 |
+    Packed16(layer.G, colorExponent) << 16 | Packed16(layer.R, colorExponent);
+}
+
+// NaN, for which no comparison holds, becomes 0.
+float Clamped(float value, float largest)
+{
+  return value > 0.0f ? std::min(value, largest) : 0.0f;
+}
+
+Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
+{
+  const float largest = range == TargetRange::Unit ? 1.0f : std::numeric_limits<float>::infinity();
+  const bool hasDepth = fragment.Depth == fragment.Depth;
+  Layer layer = { hasDepth ? fragment.Depth : 0.0f, 0, Clamped(fragment.Rgba[3], 1.0f),
+    Clamped(fragment.Rgba[2], largest), Clamped(fragment.Rgba[1], largest),
+    Clamped(fragment.Rgba[0], largest), fragment.Coverage, fragment.Extent };
+  layer.Packed = PackedColor(layer, range);
+  return layer;
+}
+
+// Light on its way through the layers of a sample, from the front.
+struct Ray
+{
+  double Sum[3] = { 0.0, 0.0, 0.0 };
+  double Transmittance = 1.0;
+
+  void Pass(const Layer& layer)
+  {
+    const double weight = this->Transmittance * layer.A;
+    // What has no weight adds nothing, even if its colour is infinite.
+    if (weight == 0.0)
+    {
+      return;
+    }
+    this->Sum[0] += weight * layer.R;
+    this->Sum[1] += weight * layer.G;
+    this->Sum[2] += weight * layer.B;
+    this->Transmittance *= 1.0 - layer.A;
+  }
+
+  // Layers that coincide.
+  void Pass(const CoincidentGroup& group)
+  {
+    group.AddColor(this->Transmittance, this->Sum);
+    this->Transmittance *= group.Transmittance();
+  }
+};
+
+// Those from `first` on that coincide, up to the one that is returned. Layers are in the order of their near ends.
+std::size_t EndOfGroup(const std::vector<Layer>& layers, std::size_t first)
+{
+  float farEnd = layers[first].FarEnd();
+  std::size_t end = first + 1;
+  while (end < layers.size() && layers[end].Depth <= farEnd)
+  {
+    farEnd = std::max(farEnd, layers[end].FarEnd());
+    ++end;
+  }
+  return end;
+}
+
+// Layers of one group come in any order; a fixed one makes the sum the same to the last bit.
+CoincidentGroup MakeGroup(std::vector<Layer> layers)
+{
+  std::sort(layers.begin(), layers.end(),
+    [](const Layer& a, const Layer& b) { return a.HasLesserColor(b); });
+  CoincidentGroup group;
+  for (const Layer& layer : layers)
+  {
+    const double rgb[3] = { layer.R, layer.G, layer.B };
+    group.Add(layer.A, rgb);
+  }
+  return group;
+}
+
+// Composites layers, front to back, over what `rgba` holds.
+void CompositeSample(const std::vector<Layer>& layers, double* rgba)
+{
+  Ray ray;
+  for (std::size_t first = 0, end = 0; first < layers.size(); first = end)
+  {
+    end = EndOfGroup(layers, first);
+    if (end == first + 1)
+    {
+      ray.Pass(layers[first]);
+    }
+    else
+    {
+      ray.Pass(MakeGroup({ layers.begin() + first, layers.begin() + end }));
+    }
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const double behind = ray.Transmittance == 0.0 ? 0.0 : ray.Transmittance * rgba[channel];
+    rgba[channel] = ray.Sum[channel] + behind;
+  }
+  rgba[3] = (1.0 - ray.Transmittance) + ray.Transmittance * rgba[3];
+}
+}
+
+// The fragments of pixel p are those at Order[Begin[p]] to Order[Begin[p + 1] - 1].
+struct ReferenceCompositor::PixelLists
+{
+  std::vector<std::size_t> Begin;
+  std::vector<std::uint32_t> Order;
+
+  std::size_t Length(std::size_t pixel) const
+  {
+    return this->Begin[pixel + 1] - this->Begin[pixel];
+  }
+};
+
+ReferenceCompositor::ReferenceCompositor(
+  int width, int height, int samples, TargetRange range, std::vector<double> backdrop)
+  : PixelCount(static_cast<std::size_t>(std::max(width, 0)) * std::max(height, 0))
+  , SamplesPerPixel(std::max(samples, 0))
+  , Range(range)
+  , Picture(std::move(backdrop))
+  , IsComposited(this->PixelCount)
+{
+  if (width < 0 || height < 0 || samples < 1 || samples > 32 ||
+    this->Picture.size() != this->PixelCount * this->SamplesPerPixel * 4)
+  {
+    throw std::invalid_argument("backdrop of " + std::to_string(this->Picture.size()) +
+      " values does not match a picture of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels of " + std::to_string(samples) + " samples");
+  }
+}
+
+void ReferenceCompositor::AddBatch(const CapturedFragment* fragments, std::size_t count)
+{
+  const PixelLists lists = this->SortByPixel(fragments, count);
+
+  // Contiguous ranges of pixels, each with about the same number of fragments.
+  const std::size_t threads = std::max(2u, std::thread::hardware_concurrency());
+  std::vector<PixelRange> ranges;
+  std::size_t firstPixel = 0;
+  for (std::size_t thread = 1; thread <= threads; ++thread)
+  {
+    const std::size_t share = count / threads * thread + count % threads * thread / threads;
+    const auto end = std::lower_bound(lists.Begin.begin(), lists.Begin.end() - 1, share);
+    const std::size_t lastPixel =
+      thread == threads ? this->PixelCount : static_cast<std::size_t>(end - lists.Begin.begin());
+    if (lastPixel > firstPixel)
+    {
+      ranges.push_back({ firstPixel, lastPixel });
+      firstPixel = lastPixel;
+    }
+  }
+  ForEachInThreads(ranges.size(),
+    [&](std::size_t i)
+    { this->CompositePixels(fragments, lists, ranges[i].First, ranges[i].End); });
+
+  this->Fragments += count;
+  for (std::size_t pixel = 0; pixel < this->PixelCount; ++pixel)
+  {
+    if (lists.Length(pixel) > 0)
+    {
+      this->IsComposited[pixel] = true;
+      ++this->CoveredPixels;
+      this->DeepestPixel = std::max<std::uint64_t>(this->DeepestPixel, lists.Length(pixel));
+    }
+  }
+}
+
+ReferenceCompositor::PixelLists ReferenceCompositor::SortByPixel(
+  const CapturedFragment* fragments, std::size_t count) const
+{
+  if (count > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::invalid_argument("a batch holds at most 2^32 - 1 fragments");
+  }
+  PixelLists lists{ std::vector<std::size_t>(this->PixelCount + 1),
+    std::vector<std::uint32_t>(count) };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint32_t pixel = fragments[i].Pixel;
+    if (pixel >= this->PixelCount || this->IsComposited[pixel])
+    {
+      throw std::invalid_argument("pixel " + std::to_string(pixel) +
+        (pixel < this->PixelCount ? " was in an earlier batch" : " lies outside the picture"));
+    }
+    ++lists.Begin[pixel + 1];
+  }
+  std::partial_sum(lists.Begin.begin(), lists.Begin.end(), lists.Begin.begin());
+
+  std::vector<std::size_t> next(lists.Begin.begin(), lists.Begin.end() - 1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    lists.Order[next[fragments[i].Pixel]++] = static_cast<std::uint32_t>(i);
+  }
+  return lists;
+}
+
+void ReferenceCompositor::CompositePixels(const CapturedFragment* fragments,
+  const PixelLists& lists, std::size_t firstPixel, std::size_t lastPixel)
+{
+  std::vector<Layer> layers;
+  std::vector<Layer> covering;
+  for (std::size_t pixel = firstPixel; pixel < lastPixel; ++pixel)
+  {
+    if (lists.Length(pixel) == 0)
+    {
+      continue;
+    }
+    layers.clear();
+    for (std::size_t i = lists.Begin[pixel]; i < lists.Begin[pixel + 1]; ++i)
+    {
+      layers.push_back(MakeLayer(fragments[lists.Order[i]], this->Range));
+    }
+    std::sort(layers.begin(), layers.end(),
+      [](const Layer& a, const Layer& b) { return a.IsInFrontOf(b); });
+    for (std::size_t sample = 0; sample < this->SamplesPerPixel; ++sample)
+    {
+      covering.clear();
+      std::copy_if(layers.begin(), layers.end(), std::back_inserter(covering),
+        [=](const Layer& layer) { return (layer.Coverage >> sample & 1u) != 0; });
+      CompositeSample(covering, &this->Picture[(pixel * this->SamplesPerPixel + sample) * 4]);
+    }
+  }
+}
+
+std::vector<double> ReferenceCompositor::Resolve() const
+{
+  std::vector<double> resolved(this->PixelCount * 4);
+  for (std::size_t pixel = 0; pixel < this->PixelCount; ++pixel)
+  {
+    for (std::size_t sample = 0; sample < this->SamplesPerPixel; ++sample)
+    {
+      for (std::size_t channel = 0; channel < 4; ++channel)
+      {
+        resolved[pixel * 4 + channel] +=
+          this->Picture[(pixel * this->SamplesPerPixel + sample) * 4 + channel];
+      }
+    }
+    for (std::size_t channel = 0; channel < 4; ++channel)
+    {
+      resolved[pixel * 4 + channel] /= static_cast<double>(this->SamplesPerPixel);
+    }
+  }
+  return resolved;
+}
+
+double ReferenceCompositor::LayersMean() const
+{
+  return this->CoveredPixels == 0
+    ? 0.0
+    : static_cast<double>(this->Fragments) / static_cast<double>(this->CoveredPixels);
+}
+
+}

@@ -1,0 +1,73 @@
+#ifndef VITRINE_CORE_CULLING_OCTREE_BUILDER_H
+#define VITRINE_CORE_CULLING_OCTREE_BUILDER_H
+
+#include "Core/octree/ItemBoxes.h"
+#include "Core/octree/OctreeCell.h"
+#include "Core/octree/OctreePage.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * Divides lists of items into nodes of a page, from the top down. What takes time is to fetch boxes that lie far apart in
+ * memory, so those of a list are copied side by side whenever it has become a fraction of what they lie among. Building
+ * takes, beside the tree, some 40 bytes per item.
+ */
+class OctreeBuilder
+{
+public:
+  OctreeBuilder(std::uint32_t leafSize, OctreePage& page)
+    : LeafSize(leafSize)
+    , Page(page)
+  {
+  }
+
+  /**
+   * Makes a node, whatever it was, the root of a subtree.
+   * @param items  placeable ones that have points in the cell, none twice; room for an eighth more saves a copy
+   */
+  void Build(std::uint32_t node, const OctreeCell& cell, int depth, std::vector<BoxedItem> items);
+
+private:
+  // A list on a stack of lists.
+  struct Range
+  {
+    std::size_t Begin;
+    std::size_t End;
+
+    std::size_t Size() const { return this->End - this->Begin; }
+  };
+
+  using Counts = std::array<std::size_t, OctreeNode::OwnSlot + 1>;
+  using Slots = std::array<Range, OctreeNode::OwnSlot + 1>;
+
+  template <class Visit>
+  void ForEachItem(Range range, Visit visit) const;
+  void Divide(std::uint32_t node, const OctreeCell& cell, int depth, Range range);
+  bool IsWorthCopying(std::size_t size) const;
+  Range Copy(const Range& range);
+  bool Scatter(const OctreeCell& cell, const Range& range, Slots& slots);
+  void FindOctants(const OctreeCell& cell, const Range& range);
+  static Counts CountBySlot(const std::uint8_t* octants, std::size_t count);
+  bool IsInVain(const OctreeCell& cell, const Range& range, const Counts& counts) const;
+  bool HaveCommonPoint(const Range& range) const;
+  Slots AppendSlots(const Counts& counts);
+  void FillSlots(const Range& range, const Slots& slots);
+  void MakeLeaf(std::uint32_t node, const OctreeCell& cell, const Range& range);
+
+  std::uint32_t LeafSize;
+  OctreePage& Page;
+  std::vector<BoxedItem> Copies;      // a stack of lists
+  Range Near{};                       // the last of them
+  std::vector<std::uint32_t> Entries; // a stack of lists of numbers in it
+  std::vector<std::uint8_t> Octants;  // of each entry of the list that is being divided
+};
+
+}
+
+#endif

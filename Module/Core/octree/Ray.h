@@ -1,0 +1,76 @@
+#ifndef VITRINE_CORE_CULLING_RAY_H
+#define VITRINE_CORE_CULLING_RAY_H
+
+#include "Core/geometry/Box.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine
+{
+
+/** Whether none of a point's numbers is infinite or NaN, which times 0 are NaN. */
+inline bool IsFinite(const glm::dvec3& point)
+{
+  return point.x * 0 + point.y * 0 + point.z * 0 == 0;
+}
+
+/** The points Origin + t Direction with 0 <= t <= Furthest. One with a number that is not finite has none. */
+struct Ray
+{
+  glm::dvec3 Origin{ 0.0 };
+  glm::dvec3 Direction{ 0.0 };
+  double Furthest = std::numeric_limits<double>::infinity();
+
+  bool IsFinite() const
+  {
+    return vitrine::IsFinite(this->Origin) && vitrine::IsFinite(this->Direction);
+  }
+};
+
+/** An interval of t along a ray, empty if Enter > Leave. */
+struct RayRange
+{
+  double Enter = std::numeric_limits<double>::infinity();
+  double Leave = -std::numeric_limits<double>::infinity();
+
+  bool IsEmpty() const { return !(this->Enter <= this->Leave); }
+};
+
+/**
+ * Where a finite ray lies in a box. Each step is monotone in the box's sides, rounding included. So a box around another is
+ * met wherever the other is, and of a box cut in two a half is met wherever the whole is.
+ */
+inline RayRange RangeInBox(const Ray& ray, const Box& box)
+{
+  if (box.IsEmpty())
+  {
+    return {};
+  }
+  RayRange range{ 0.0, ray.Furthest };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double origin = ray.Origin[axis];
+    const double direction = ray.Direction[axis];
+    if (direction == 0)
+    {
+      if (origin < box.Min[axis] || origin > box.Max[axis])
+      {
+        return {};
+      }
+      continue;
+    }
+    const double low = (box.Min[axis] - origin) / direction;
+    const double high = (box.Max[axis] - origin) / direction;
+    range.Enter = std::max(range.Enter, direction > 0 ? low : high);
+    range.Leave = std::min(range.Leave, direction > 0 ? high : low);
+  }
+  return range;
+}
+
+}
+
+#endif

@@ -1,0 +1,41 @@
+/**
+ * What is drawn over a viewport, in its coordinates, and lit by VTK's formulas.
+ */
+#ifndef VITRINE_LIT_SHAPE_H
+#define VITRINE_LIT_SHAPE_H
+
+#include "lighting/deferred/GBufferShader.h"
+#include "shader/ShaderHook.h"
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+class vtkRenderer;
+class vtkWindow;
+
+namespace vitrine
+{
+
+class LitShape
+{
+public:
+  LitShape(Shading shading, vtkPolyData* shape);
+
+  /** Draw it with what Hook makes of its shaders. */
+  void Draw(vtkRenderer* renderer);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  vtkNew<ShaderHook> Hook;
+
+private:
+  vtkNew<vtkActor> Actor;
+};
+
+/** All of the viewport. */
+vtkSmartPointer<vtkPolyData> MakeCover();
+
+}
+
+#endif

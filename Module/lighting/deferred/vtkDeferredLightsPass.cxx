@@ -1,0 +1,197 @@
+#include "vtkDeferredLightsPass.h"
+
+#include "lighting/deferred/DeferrableProps.h"
+#include "lighting/deferred/DeferredShading.h"
+#include "scene/ClassName.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkDeferredLightsPass);
+
+namespace
+{
+
+/** In place of a vtkRenderStepsPass's pass for opaque geometry. */
+class OpaqueStep : public vtkRenderPass
+{
+public:
+  static OpaqueStep* New() { VTK_STANDARD_NEW_BODY(OpaqueStep); }
+  vtkTypeMacro(OpaqueStep, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override { this->NumberOfRenderedProps = this->Draw(s); }
+
+  std::function<int(const vtkRenderState*)> Draw;
+};
+
+/** A vtkRenderStepsPass has another pass for opaque geometry while this lives. */
+class ScopedOpaquePass
+{
+public:
+  ScopedOpaquePass(vtkRenderStepsPass* steps, vtkRenderPass* pass)
+    : Steps(steps)
+    , Before(steps->GetOpaquePass())
+  {
+    this->Steps->SetOpaquePass(pass);
+  }
+  ~ScopedOpaquePass() { this->Steps->SetOpaquePass(this->Before); }
+  ScopedOpaquePass(const ScopedOpaquePass&) = delete;
+  void operator=(const ScopedOpaquePass&) = delete;
+
+private:
+  vtkRenderStepsPass* Steps;
+  vtkSmartPointer<vtkRenderPass> Before;
+};
+
+/** What a state has, of some of its props. */
+struct PartOfState : vtkRenderState
+{
+  PartOfState(const vtkRenderState* s, std::vector<vtkProp*>& props)
+    : vtkRenderState(s->GetRenderer())
+  {
+    this->SetFrameBuffer(s->GetFrameBuffer());
+    this->SetRequiredKeys(s->GetRequiredKeys());
+    this->SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  }
+};
+}
+
+struct vtkDeferredLightsPass::DeferredInternals
+{
+  vitrine::DeferredShading Shading;
+  std::set<std::string> Reported;
+};
+
+//------------------------------------------------------------------------------
+vtkDeferredLightsPass::vtkDeferredLightsPass()
+  : Deferred(new DeferredInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkDeferredLightsPass::~vtkDeferredLightsPass()
+{
+  this->LeaveWindow();
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Assignment: " << this->Assignment << "\n";
+  os << indent << "NumberOfDeferredProps: " << this->NumberOfDeferredProps << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfDeferredProps = 0;
+  this->Superclass::Render(s);
+  this->Bytes += this->Deferred->Shading.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::RenderDelegate(const vtkRenderState* s)
+{
+  auto* const steps = vtkRenderStepsPass::SafeDownCast(this->GetDelegatePass());
+  const bool isKnown = steps && steps->GetOpaquePass() &&
+    vitrine::IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && !s->GetRenderer()->GetSelector();
+  if (!isKnown)
+  {
+    this->Superclass::RenderDelegate(s);
+    return;
+  }
+  vtkNew<OpaqueStep> step;
+  step->Draw = [this, forward = steps->GetOpaquePass()](const vtkRenderState* state)
+  { return this->RenderOpaque(state, forward); };
+  const ScopedOpaquePass opaque(steps, step);
+  this->Superclass::RenderDelegate(s);
+}
+
+//------------------------------------------------------------------------------
+// Returns how many props were drawn.
+int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* forward)
+{
+  vitrine::SortedProps props = vitrine::SortProps(s, this);
+  if (!props.Deferrable.empty())
+  {
+    const PartOfState deferrable(s, props.Deferrable);
+    const std::string problem = this->RenderDeferred(&deferrable);
+    if (!problem.empty())
+    {
+      this->ReportOnce(problem + "; lighting is not deferred");
+      forward->Render(s);
+      return forward->GetNumberOfRenderedProps();
+    }
+  }
+  const PartOfState others(s, props.Others);
+  forward->Render(&others);
+  return this->NumberOfDeferredProps + forward->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::ReportOnce(const std::string& problem)
+{
+  if (this->Deferred->Reported.insert(problem).second)
+  {
+    vtkErrorMacro(<< problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns an empty string, or why all is still to be drawn.
+std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
+{
+  if (this->GridSpace == WORLD)
+  {
+    this->ReportOnce("a G-buffer is lit by clusters of the view, and not of the world");
+  }
+  vitrine::DeferredShading& shading = this->Deferred->Shading;
+  const vitrine::DeferredGrid grid = { static_cast<vitrine::LightsBy>(this->Assignment),
+    this->GetClusterSettings() };
+  const std::string problem = shading.Render(s, grid, this->GetLights());
+  if (problem.empty())
+  {
+    this->NumberOfDeferredProps = shading.NumberOfRenderedProps();
+    this->AssignmentTime += shading.Lists().Seconds();
+    this->TellOfLists(
+      shading.Lists().Shown(), shading.Lists().Lists(), shading.Lists().UsedCount());
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDeferredLightsPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
+{
+  return this->Deferred->Shading.IsWriting() ||
+    this->Superclass::PostReplaceShaderValues(
+      vertexShader, geometryShader, fragmentShader, mapper, prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::ReleaseMethodResources()
+{
+  this->Deferred->Shading.Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::ForgetMethodResources()
+{
+  this->Deferred->Shading.Forget();
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Deferred->Shading.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,68 @@
+#include "lighting/forward/MaterialGain.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkMath.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+// What physically based shading raises its sum to the power of 1 / Gamma for.
+const double Gamma = 2.2;
+
+/** Colours of scalars and textures are taken to be 1 at most. */
+double GreatestOf(const double* color)
+{
+  return std::max({ 1.0, color[0], color[1], color[2] });
+}
+
+double PhongBudget(vtkProperty* property, double error)
+{
+  const double gain = property->GetDiffuse() * GreatestOf(property->GetDiffuseColor()) +
+    property->GetSpecular() * GreatestOf(property->GetSpecularColor());
+  return gain > 0.0 ? error / gain : error;
+}
+
+double PhysicalBudget(vtkProperty* property, double error)
+{
+  const bool isPlain = property->GetAnisotropy() == 0.0 && property->GetCoatStrength() == 0.0 &&
+    property->GetNumberOfTextures() == 0;
+  const double roughness = property->GetRoughness() * property->GetRoughness();
+  if (!isPlain || !(roughness > 0.0))
+  {
+    return 0.0;
+  }
+  const double diffuse = GreatestOf(property->GetDiffuseColor()) / vtkMath::Pi();
+  const double specular = 0.5 / (vtkMath::Pi() * roughness * roughness * roughness);
+  return std::pow(error, Gamma) / (diffuse + specular);
+}
+}
+
+double BudgetOfLight(vtkRenderer* renderer, double error)
+{
+  double budget = error;
+  vtkActorCollection* const actors = renderer->GetActors();
+  vtkCollectionSimpleIterator i;
+  for (actors->InitTraversal(i); vtkActor* actor = actors->GetNextActor(i);)
+  {
+    const bool isPhysical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
+    for (vtkProperty* const side : { actor->GetProperty(), actor->GetBackfaceProperty() })
+    {
+      if (side)
+      {
+        budget =
+          std::min(budget, isPhysical ? PhysicalBudget(side, error) : PhongBudget(side, error));
+      }
+    }
+  }
+  return budget;
+}
+
+}

@@ -1,0 +1,35 @@
+/**
+ * The light grid that stands in the world.
+ */
+#ifndef VITRINE_WORLD_CELLS_H
+#define VITRINE_WORLD_CELLS_H
+
+#include "Core/lighting/WorldGrid.h"
+#include "lighting/forward/LightGrid.h"
+
+#include <glm/mat4x4.hpp>
+
+class vtkOpenGLRenderer;
+
+namespace vitrine
+{
+
+class WorldCells : public LightGrid
+{
+public:
+  /** About `count` cubes of the box around what is lit; where it is not known what is, one that is all of space. */
+  WorldCells(vtkOpenGLRenderer* renderer, const LitProps& lit, std::uint32_t count);
+
+  std::uint32_t Assign(LightAssigner& assigner, const LitProps& lit,
+    const std::vector<LightVolume>& volumes, LightLists& lists) const override;
+  int ClusterOf(const glm::dvec3& place) const override;
+  void SetUniforms(vtkShaderProgram* program) const override;
+
+private:
+  glm::dmat4 ToWorld; ///< from view coordinates
+  WorldGrid Grid;
+};
+
+}
+
+#endif

@@ -1,0 +1,356 @@
+#include "vtkClusteredLightsPass.h"
+
+#include "Core/lighting/LightAssignment.h"
+#include "Core/lighting/LightCut.h"
+#include "gl/Capabilities.h"
+#include "gl/HeldContext.h"
+#include "lighting/forward/LightBuffers.h"
+#include "lighting/forward/LightLoop.h"
+#include "lighting/forward/LightSwap.h"
+#include "lighting/forward/MaterialGain.h"
+#include "lighting/forward/RendererLights.h"
+#include "lighting/forward/ViewGrid.h"
+#include "lighting/forward/WorldCells.h"
+#include "scene/LitProps.h"
+#include "vtkAbstractMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <string>
+
+vtkStandardNewMacro(vtkClusteredLightsPass);
+
+struct vtkClusteredLightsPass::Internals
+{
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  vitrine::RendererLights Lights;
+  vitrine::LightFormula Formula = vitrine::LightFormula::None;
+  vitrine::LightAssigner Assigner;
+  vitrine::LightLists Lists;
+  std::unique_ptr<vitrine::LightGrid> Grid;
+  const vitrine::LightGrid* ToldGrid = nullptr; ///< what statistics are of; and its lists
+  const vitrine::LightLists* ToldLists = nullptr;
+  vitrine::LightBuffers Buffers;
+  vitrine::HeldContext Context; ///< of the buffers
+  vtkSmartPointer<vtkLightCollection> Directional = vitrine::MakeStandIn(false);
+  vtkSmartPointer<vtkLightCollection> Positional = vitrine::MakeStandIn(true);
+  std::set<std::string> Reported;
+};
+
+namespace
+{
+
+// Of the eyes of a stereo pair, the passes within alone know which one is drawn.
+bool IsViewKnown(vtkRenderer* renderer)
+{
+  return !renderer->GetRenderWindow()->GetStereoRender();
+}
+
+/** As many as a view has clusters, but no more than cells are worth their boxes. */
+std::uint32_t CellsLike(vtkRenderer* renderer, const vitrine::ClusterSettings& settings)
+{
+  constexpr double most = 1 << 20;
+  int size[2] = { 1, 1 };
+  renderer->GetTiledSize(&size[0], &size[1]);
+  const double tiles = std::ceil(static_cast<double>(size[0]) / settings.TileSize) *
+    std::ceil(static_cast<double>(size[1]) / settings.TileSize);
+  return static_cast<std::uint32_t>(std::clamp(tiles * settings.Slices, 1.0, most));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkClusteredLightsPass::vtkClusteredLightsPass()
+  : Private(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkClusteredLightsPass::~vtkClusteredLightsPass()
+{
+  this->LeaveWindow();
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: " << this->GetDelegatePass() << "\n";
+  os << indent << "CutOff: " << this->CutOff << "\n";
+  os << indent << "GridSpace: " << this->GridSpace << "\n";
+  os << indent << "TileSize: " << this->TileSize << "\n";
+  os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "SliceLaw: " << this->SliceLaw << "\n";
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
+  os << indent << "NumberOfUsedClusters: " << this->NumberOfUsedClusters << "\n";
+  os << indent << "LightsPerCluster: " << this->LightsPerCluster << "\n";
+  os << indent << "MaximumLightsPerCluster: " << this->MaximumLightsPerCluster << "\n";
+  os << indent << "AssignmentTime: " << this->AssignmentTime << "\n";
+  os << indent << "Bytes: " << this->Bytes << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (pass == this)
+  {
+    vtkErrorMacro("a pass cannot be its own DelegatePass");
+    return;
+  }
+  if (this->Private->Delegate != pass)
+  {
+    this->Private->Delegate = pass;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkClusteredLightsPass::GetDelegatePass()
+{
+  return this->Private->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  this->Bytes = this->Private->Buffers.Bytes();
+  if (!this->Private->Delegate)
+  {
+    vtkErrorMacro("no DelegatePass is set, so nothing is drawn");
+    return;
+  }
+  auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  if (renderer && IsViewKnown(renderer) && this->TakeLights(renderer))
+  {
+    this->AssignLights(s, renderer);
+    if (this->WriteBuffers(renderer))
+    {
+      this->RenderInLight(s, renderer);
+      return;
+    }
+  }
+  this->Private->Delegate->Render(s);
+  this->NumberOfRenderedProps = this->Private->Delegate->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// Whether there is anything to be done about lights.
+bool vtkClusteredLightsPass::TakeLights(vtkOpenGLRenderer* renderer)
+{
+  Internals& in = *this->Private;
+  if (vitrine::IsStandIn(vitrine::LightsOf(renderer)))
+  {
+    return false; // within another pass of this kind, which has done it all
+  }
+  in.Formula = vitrine::FormulaOf(vitrine::LightsOf(renderer));
+  if (in.Formula == vitrine::LightFormula::None || in.Formula == vitrine::LightFormula::Headlight)
+  {
+    return false;
+  }
+  this->UpdateLightGeometry(renderer);
+  in.Lights.Take(renderer);
+  this->NumberOfLights = static_cast<vtkIdType>(in.Lights.Packed.size());
+  if (!in.Lights.Left.empty() && in.Reported.insert(in.Lights.Left).second)
+  {
+    vtkWarningMacro(
+      "lights left out, as they would turn black what is lit (not finite, or no attenuation), by "
+      "their places in the renderer's collection: "
+      << in.Lights.Left);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+{
+  const auto start = std::chrono::steady_clock::now();
+  Internals& in = *this->Private;
+  const vitrine::LitProps lit = vitrine::LitPropsOf(s);
+  vitrine::CutLights(in.Lights.Falloffs, lit.Region, vitrine::BudgetOfLight(renderer, this->CutOff),
+    in.Lights.Volumes);
+  in.Lights.TakeRanges();
+  this->MakeGrid(renderer, lit);
+  const std::uint32_t used = in.Grid->Assign(in.Assigner, lit, in.Lights.Volumes, in.Lists);
+  this->TellOfLists(*in.Grid, in.Lists, used);
+  this->AssignmentTime =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit)
+{
+  const vitrine::ClusterSettings settings = this->GetClusterSettings();
+  if (this->GridSpace == WORLD)
+  {
+    this->Private->Grid =
+      std::make_unique<vitrine::WorldCells>(renderer, lit, CellsLike(renderer, settings));
+    return;
+  }
+  this->Private->Grid = std::make_unique<vitrine::ViewGrid>(renderer, settings);
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::TellOfLists(
+  const vitrine::LightGrid& grid, const vitrine::LightLists& lists, std::size_t used)
+{
+  this->Private->ToldGrid = &grid;
+  this->Private->ToldLists = &lists;
+  const std::size_t count = lists.Offsets.size() - 1;
+  std::size_t most = 0;
+  for (std::uint32_t cluster = 0; cluster < count; ++cluster)
+  {
+    most = std::max(most, lists.CountOf(cluster));
+  }
+  this->NumberOfClusters = static_cast<vtkIdType>(count);
+  this->NumberOfUsedClusters = static_cast<vtkIdType>(used);
+  this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
+  this->LightsPerCluster =
+    static_cast<double>(lists.Indices.size()) / static_cast<double>(std::max<std::size_t>(1, used));
+}
+
+//------------------------------------------------------------------------------
+vitrine::ClusterSettings vtkClusteredLightsPass::GetClusterSettings() const
+{
+  return { this->TileSize, this->NumberOfSlices, static_cast<vitrine::SliceLaw>(this->SliceLaw) };
+}
+
+//------------------------------------------------------------------------------
+const vitrine::RendererLights& vtkClusteredLightsPass::GetLights() const
+{
+  return this->Private->Lights;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkClusteredLightsPass::GetNumberOfLightsAt(double x, double y, double z)
+{
+  const Internals& in = *this->Private;
+  if (!in.ToldGrid)
+  {
+    return 0;
+  }
+  const int cluster = in.ToldGrid->ClusterOf({ x, y, z });
+  return static_cast<vtkIdType>(in.ToldLists->CountOf(static_cast<std::uint32_t>(cluster)));
+}
+
+//------------------------------------------------------------------------------
+bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
+{
+  Internals& in = *this->Private;
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!in.Context.LivesIn(window))
+  {
+    this->LeaveWindow();
+    in.Context.Hold(window);
+  }
+  this->WarnOfLongLists();
+  const std::string problem = in.Buffers.Write(in.Lights.Packed, in.Lists);
+  this->Bytes = in.Buffers.Bytes();
+  if (!problem.empty() && in.Reported.insert(problem).second)
+  {
+    vtkErrorMacro(<< problem << "; lights are drawn as VTK does");
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+// Of 32 lights that all reach a pixel each takes a turn, and the 32 take nine to be found (LightLoopImpl.glsl).
+void vtkClusteredLightsPass::WarnOfLongLists()
+{
+  constexpr vtkIdType most = 50000;
+  const std::string warning = "llvmpipe ends the loops of a shader after 65,535 turns, in silence: "
+                              "where a cluster has more than 50,000 lights, some may be missing";
+  if (this->MaximumLightsPerCluster > most && vitrine::IsSoftwareRasteriser() &&
+    this->Private->Reported.insert(warning).second)
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::LeaveWindow()
+{
+  Internals& in = *this->Private;
+  in.Context.Release(
+    [&](vtkOpenGLRenderWindow*)
+    {
+      in.Buffers.Release();
+      this->ReleaseMethodResources();
+    });
+  in.Buffers = vitrine::LightBuffers();
+  this->ForgetMethodResources();
+  in.Context.LetGo();
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::RenderInLight(const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+{
+  Internals& in = *this->Private;
+  const bool isPositional = in.Formula == vitrine::LightFormula::Positional;
+  const vitrine::ScopedVolumeLights volumes(in.Delegate, vitrine::LightsOf(renderer));
+  const vitrine::ScopedLights oneLight(renderer, isPositional ? in.Positional : in.Directional);
+  this->PreRender(s);
+  in.Buffers.Bind(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState());
+  this->RenderDelegate(s);
+  in.Buffers.Unbind();
+  this->PostRender(s);
+  this->NumberOfRenderedProps = in.Delegate->GetNumberOfRenderedProps();
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::RenderDelegate(const vtkRenderState* s)
+{
+  this->Private->Delegate->Render(s);
+}
+
+//------------------------------------------------------------------------------
+bool vtkClusteredLightsPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  const std::string problem =
+    vitrine::IsLit(fragmentShader) ? vitrine::LoopOverLights(fragmentShader) : std::string();
+  if (!problem.empty() && this->Private->Reported.insert(problem).second)
+  {
+    vtkErrorMacro(<< mapper->GetClassName() << " cannot be lit: " << problem);
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkClusteredLightsPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  if (!program->IsUniformUsed("vitrineLights"))
+  {
+    return true;
+  }
+  this->Private->Buffers.SetUniforms(program);
+  this->Private->Grid->SetUniforms(program);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Private;
+  if (in.Context.LivesIn(window))
+  {
+    in.Buffers.Release();
+    this->ReleaseMethodResources();
+    in.Context.LetGo();
+  }
+  if (in.Delegate && window)
+  {
+    in.Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,82 @@
+#include "scene/DrawingMapper.h"
+
+#include "culling/mappers/DividedMapper.h"
+#include "scene/ClassName.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetMapper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** Has access to a member of all of them, whose class is another one in later releases of VTK. */
+class AnyDataSetMapper : public vtkDataSetMapper
+{
+public:
+  static const void* ExtractorOf(vtkDataSetMapper* mapper)
+  {
+    return mapper->*(&AnyDataSetMapper::GeometryExtractor);
+  }
+};
+
+/** Whether the mapper within draws what the other one has now: polydata themselves, of others what its own filter makes of them. */
+bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
+{
+  vtkDataSet* const input = mapper->GetInput();
+  if (!input || within->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  if (input->GetDataObjectType() == VTK_POLY_DATA)
+  {
+    return within->GetInputConnection(0, 0) == mapper->GetInputConnection(0, 0);
+  }
+  vtkAlgorithm* const filter = within->GetInputAlgorithm();
+  return dynamic_cast<void*>(filter) == AnyDataSetMapper::ExtractorOf(mapper) &&
+    filter->GetNumberOfInputConnections(0) > 0 && filter->GetInputDataObject(0, 0) == input;
+}
+
+/** Others that share a filter with it may have that make other pieces while the frame is drawn. */
+bool IsOfOnePiece(vtkPolyDataMapper* mapper)
+{
+  return mapper->GetNumberOfPieces() == 1 && mapper->GetNumberOfSubPieces() == 1;
+}
+
+/** Null if it is to change. */
+vtkPolyDataMapper* MapperWithin(vtkDataSetMapper* mapper)
+{
+  vtkPolyDataMapper* const within = mapper->GetPolyDataMapper();
+  const bool isCurrent =
+    within && IsExactly<vtkOpenGLPolyDataMapper>(within) && HasItsInput(mapper, within);
+  return isCurrent ? within : nullptr;
+}
+}
+
+bool IsKnownMapper(vtkMapper* mapper)
+{
+  return IsExactly<vtkOpenGLPolyDataMapper>(mapper) || IsExactly<vtkDataSetMapper>(mapper) ||
+    DividedMapperOf(mapper);
+}
+
+vtkDataSetMapper* SurfaceMapperOf(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  return IsExactly<vtkDataSetMapper>(mapper) ? static_cast<vtkDataSetMapper*>(mapper) : nullptr;
+}
+
+vtkPolyDataMapper* DrawingMapperOf(vtkActor* actor)
+{
+  vtkDataSetMapper* const ofSurface = SurfaceMapperOf(actor);
+  vtkPolyDataMapper* const drawing =
+    ofSurface ? MapperWithin(ofSurface) : static_cast<vtkPolyDataMapper*>(actor->GetMapper());
+  return drawing && IsOfOnePiece(drawing) ? drawing : nullptr;
+}
+
+}

@@ -1,0 +1,102 @@
+#include "transparency/abuffer/ListHeads.h"
+
+#include "Core/geometry/Rounding.h"
+#include "gl/FullScreenDraw.h"
+#include "gl/MemoryBarriers.h"
+#include "gl/ScopedState.h"
+#include "vtkOpenGLState.h"
+
+namespace vitrine
+{
+namespace
+{
+
+// Rows of first and of second words in turn become rows of pairs.
+std::vector<std::uint32_t> Interleaved(const std::vector<std::uint32_t>& words, std::size_t width)
+{
+  std::vector<std::uint32_t> pairs(words.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::size_t row = i / width;
+    pairs[row / 2 * 2 * width + i % width * 2 + row % 2] = words[i];
+  }
+  return pairs;
+}
+
+}
+
+std::string ListHeads::Prepare(
+  vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple)
+{
+  this->Fetched = framebufferFetch;
+  this->Width = RoundedUp(target.Width, multiple);
+  this->Height = RoundedUp(target.Height, multiple);
+  // For image atomics, which have one value a texel, each row is two: of first words, and of second ones.
+  std::string problem = framebufferFetch
+    ? this->Heads.Allocate(GL_RG32UI, this->Width, this->Height, 0)
+    : this->Heads.Allocate(GL_R32UI, this->Width, 2 * this->Height, 0);
+  if (problem.empty())
+  {
+    this->Attach(state, target);
+  }
+  return problem;
+}
+
+// Images may be new ones under old names, the target's too, so they are attached anew each frame.
+void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads.Handle(), 0);
+
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+    this->Fetched ? GLuint(this->Heads.Handle()) : 0u, 0);
+  target.AttachDepth();
+  // Location 0 is the colour that the mappers' shaders write themselves. Not through vtkOpenGLState: of the buffers
+  // after the first it knows those of other framebuffers.
+  const GLenum buffers[2] = { GL_NONE,
+    this->Fetched ? GLenum(GL_COLOR_ATTACHMENT0) : GLenum(GL_NONE) };
+  glDrawBuffers(2, buffers);
+}
+
+void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r, GLuint first)
+{
+  const int rows = this->Fetched ? 1 : 2;
+  BarrierBeforeFramebufferAccess();
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const GLuint empty[4] = { first, 0u, 0u, 0u };
+  glClearBufferuiv(GL_COLOR, 0, empty);
+}
+
+void ListHeads::BindForWriting(vtkOpenGLState* state, const PixelRegion& r)
+{
+  const int rows = this->Fetched ? 1 : 2;
+  BarrierBeforeFramebufferAccess();
+  BindForFullScreenDraw(state, this->WriteTarget.Handle(), this->Width, rows * this->Height,
+    { r.X, rows * r.Y, r.Width, rows * r.Height });
+}
+
+std::vector<std::uint32_t> ListHeads::Read(vtkOpenGLState* state)
+{
+  const auto width = static_cast<std::size_t>(this->Width);
+  std::vector<std::uint32_t> words(2 * width * this->Height);
+  const ScopedPixelTransfer pixelTransfer;
+  BarrierBeforeFramebufferAccess();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->WriteTarget.Handle());
+  glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
+    this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
+  return this->Fetched ? words : Interleaved(words, width);
+}
+
+void ListHeads::Release()
+{
+  this->Heads.Release();
+  this->FillTarget.Release();
+  this->WriteTarget.Release();
+}
+
+}

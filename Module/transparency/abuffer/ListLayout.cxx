@@ -1,0 +1,56 @@
+#include "transparency/abuffer/ListLayout.h"
+
+#include <cstdint>
+
+namespace vitrine
+{
+
+const char* ListLayout::ColorDefine() const
+{
+  switch (this->Colors)
+  {
+    case NodeColors::HalfFloat:
+      return "VITRINE_HALF_FLOAT";
+    case NodeColors::Compact:
+      return "VITRINE_COMPACT_NODES";
+    case NodeColors::EightBit:
+      break;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> ListLayout::Defines() const
+{
+  std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(this->Samples),
+    "VITRINE_PAGE_SIZE " + std::to_string(this->PageSize) };
+  if (this->Packed)
+  {
+    defines.emplace_back("VITRINE_PACKED_LISTS");
+  }
+  if (const char* colors = this->ColorDefine())
+  {
+    defines.emplace_back(colors);
+  }
+  if (this->FixedPoint)
+  {
+    defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
+  }
+  if (this->Coincidence)
+  {
+    defines.emplace_back("VITRINE_COINCIDENCE");
+  }
+  if (this->FramebufferFetch)
+  {
+    defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
+  }
+  return defines;
+}
+
+int ListLayout::NodeBytes() const
+{
+  const bool hasExtra = this->Samples > 0 || this->Coincidence;
+  const int words = 1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (hasExtra ? 1 : 0);
+  return words * static_cast<int>(sizeof(std::uint32_t));
+}
+
+}

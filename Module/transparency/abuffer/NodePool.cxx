@@ -1,0 +1,251 @@
+#include "transparency/abuffer/NodePool.h"
+
+#include "Core/geometry/Rounding.h"
+#include "gl/Capabilities.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+namespace
+{
+
+constexpr std::int64_t Interleave = std::int64_t(1) << VITRINE_INTERLEAVE_SHIFT;
+constexpr std::int64_t LinkBytes = sizeof(uint);
+
+std::int64_t RoundDown(std::int64_t value, std::int64_t granule)
+{
+  return value / granule * granule;
+}
+
+// Pages of one node lie one after the other, those of several in interleaved groups.
+std::int64_t Granule(int shift)
+{
+  return shift == 0 ? 1 : Interleave;
+}
+
+}
+
+std::int64_t PoolBytes(std::int64_t pages, int pageSize, int nodeBytes)
+{
+  return pages * (std::int64_t(pageSize) * nodeBytes + LinkBytes);
+}
+
+void NodePool::SetLayout(int nodeBytes, bool pages)
+{
+  if (nodeBytes == this->BytesPerNode && pages == this->HasPages)
+  {
+    return;
+  }
+  this->Release();
+  this->BytesPerNode = nodeBytes;
+  this->HasPages = pages;
+  this->Shift = pages ? 2 : 0;
+}
+
+void NodePool::SetLimit(std::int64_t bytes)
+{
+  if (bytes != this->Limit)
+  {
+    this->Limit = bytes;
+    this->Memory = Unlimited;
+  }
+  const int shift = std::min(this->Shift, this->LargestShift(1));
+  const bool isOther = shift != this->Shift;
+  this->UseShift(shift);
+  if (isOther || this->Pages > this->LimitPages())
+  {
+    this->Allocate(this->SizedPages());
+  }
+}
+
+std::string NodePool::DescribeLimit() const
+{
+  const std::int64_t bytes = this->LimitPages() * this->PageBytes();
+  const bool byLimit = this->Limit > 0 && this->Limit < bytes + this->PageBytes();
+  return byLimit ? "its limit is " + std::to_string(this->Limit) + " bytes"
+                 : "the driver has memory for " + std::to_string(bytes) + " bytes";
+}
+
+// The pool must be allocated anew after a change.
+void NodePool::UseShift(int shift)
+{
+  this->Shift = shift;
+  this->Sizing.SetLimit(static_cast<std::uint64_t>(this->LimitPages() * this->PageBytes()));
+}
+
+std::int64_t NodePool::LimitPages() const
+{
+  return this->LimitPages(this->Shift);
+}
+
+std::int64_t NodePool::LimitPages(int shift) const
+{
+  const std::int64_t pageBytes = (std::int64_t(1) << shift) * this->BytesPerNode;
+  const std::int64_t bytes = this->Limit > 0 ? std::min(this->Limit, this->Memory) : this->Memory;
+  const std::int64_t pages = std::min({ LargestStorageBlock() / pageBytes,
+    LargestBufferTexture() >> shift, bytes / (pageBytes + LinkBytes) });
+  return RoundDown(pages, Granule(shift));
+}
+
+// The largest pages of which a pixel of so many layers finds enough.
+int NodePool::LargestShift(std::int64_t layers) const
+{
+  int shift = MaximumPageShift;
+  while (
+    shift > 0 && (this->LimitPages(shift) << shift) < RoundedUp(layers, std::int64_t(1) << shift))
+  {
+    --shift;
+  }
+  return shift;
+}
+
+std::int64_t NodePool::PagesOf(const FragmentStatistics& statistics) const
+{
+  return statistics.Pages[this->Shift];
+}
+
+std::int64_t NodePool::BytesOf(const FragmentStatistics& statistics) const
+{
+  return this->PagesOf(statistics) * this->PageBytes();
+}
+
+bool NodePool::Holds(const FragmentStatistics& needed) const
+{
+  return this->PagesOf(needed) <= this->Pages;
+}
+
+// What does not fit is drawn again, so its pages may have another size then. Where the driver has no memory for the
+// pool, it may have without a reserve, or else for half of it.
+FragmentStore::FitType NodePool::Fit(const FragmentStatistics& needed)
+{
+  if (this->Holds(needed))
+  {
+    return FragmentStore::FITS;
+  }
+  bool allocated = false;
+  std::int64_t wanted = 0;
+  do
+  {
+    this->UseShift(this->PreferredShift(needed));
+    this->Sizing.Grow(static_cast<std::uint64_t>(this->BytesOf(needed)));
+    const std::int64_t least = RoundedUp(this->PagesOf(needed), Granule(this->Shift));
+    wanted = std::min(std::max(this->SizedPages(), least), this->LimitPages());
+    allocated = this->Allocate(wanted);
+    if (!allocated)
+    {
+      this->NoteShortage((wanted > least ? least : wanted / 2) * this->PageBytes());
+    }
+  } while (!allocated && wanted > 0);
+  return this->Holds(needed) ? FragmentStore::GREW : FragmentStore::TOO_LARGE;
+}
+
+// Whole pages in what the sizing policy allows.
+std::int64_t NodePool::SizedPages() const
+{
+  const auto capacity = static_cast<std::int64_t>(this->Sizing.Capacity());
+  return std::min(
+    RoundDown(capacity / this->PageBytes(), Granule(this->Shift)), this->LimitPages());
+}
+
+void NodePool::EndFrame(const FragmentStatistics& used)
+{
+  this->ForgetOldShortage();
+  const bool resized = this->Sizing.EndFrame(static_cast<std::uint64_t>(this->BytesOf(used)));
+  const int shift = this->SettledShift(used);
+  if (shift != this->Shift)
+  {
+    this->UseShift(shift);
+    this->Sizing.Grow(static_cast<std::uint64_t>(this->BytesOf(used)));
+    this->Allocate(this->SizedPages());
+  }
+  else if (resized)
+  {
+    this->Allocate(this->SizedPages());
+  }
+}
+
+// The largest pages whose unused nodes cost no more than the links they save: larger pages mean fewer
+// allocations and links, but the newest page of each pixel is partly empty. Where the limit forbids them, those that
+// take the least memory.
+int NodePool::PreferredShift(const FragmentStatistics& used) const
+{
+  if (!this->HasPages || used.Fragments == 0)
+  {
+    return this->Shift;
+  }
+  const std::int64_t plainBytes = PoolBytes(used.Fragments, 1, this->BytesPerNode);
+  std::int64_t leastBytes = plainBytes;
+  int cheapest = 0;
+  for (int shift = this->LargestShift(used.LayersMax); shift > 0; --shift)
+  {
+    const std::int64_t bytes = PoolBytes(used.Pages[shift], 1 << shift, this->BytesPerNode);
+    // Stay with the current size a little longer than another is taken up, lest a frame in between swings.
+    const double tolerance = shift == this->Shift ? 1.10 : 1.05;
+    if (static_cast<double>(bytes) <= tolerance * static_cast<double>(plainBytes) &&
+      used.Pages[shift] <= this->LimitPages(shift))
+    {
+      return shift;
+    }
+    cheapest = bytes < leastBytes ? shift : cheapest;
+    leastBytes = std::min(leastBytes, bytes);
+  }
+  return cheapest;
+}
+
+// The page size for the next frame: another one after as many frames of one mind as shrinking takes, since frames of
+// several viewports or a moving camera may differ in turn.
+int NodePool::SettledShift(const FragmentStatistics& used)
+{
+  const int preferred = this->PreferredShift(used);
+  const bool isProposedAgain = preferred != this->Shift && preferred == this->ProposedShift;
+  this->ProposalFrames = isProposedAgain ? this->ProposalFrames + 1 : 1;
+  this->ProposedShift = preferred;
+  return this->ProposalFrames < PoolSizing::Window ? this->Shift : preferred;
+}
+
+void NodePool::NoteShortage(std::int64_t bytes)
+{
+  this->Memory = bytes;
+  this->ShortageFrames = 0;
+}
+
+// Others may have given memory back by now.
+void NodePool::ForgetOldShortage()
+{
+  if (this->Memory != Unlimited && ++this->ShortageFrames >= PoolSizing::Window)
+  {
+    this->Memory = Unlimited;
+  }
+}
+
+// Returns false if the driver has no memory for so many pages: the pool is empty then.
+bool NodePool::Allocate(std::int64_t pages)
+{
+  const std::int64_t rounded = std::max(RoundedUp(pages, Granule(this->Shift)), Interleave);
+  const std::int64_t nodeBytes = rounded * this->PageSize() * this->BytesPerNode;
+  if (rounded == this->Pages && nodeBytes == this->Nodes.Bytes())
+  {
+    return true;
+  }
+  const bool allocated = this->Nodes.Allocate(nodeBytes, NodeFormat(this->BytesPerNode)) &&
+    this->Links.Allocate(rounded * LinkBytes, GL_R32UI);
+  if (!allocated)
+  {
+    this->Nodes.Release();
+    this->Links.Release();
+  }
+  this->Pages = allocated ? rounded : 0;
+  return allocated;
+}
+
+void NodePool::Release()
+{
+  this->Nodes.Release();
+  this->Links.Release();
+  this->Pages = 0;
+  this->Memory = Unlimited;
+  this->Sizing = PoolSizing();
+}
+
+}

@@ -1,0 +1,269 @@
+#include "transparency/abuffer/PackedListStore.h"
+
+#include "Core/lists/PoolSizing.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/Capabilities.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace vitrine
+{
+namespace
+{
+
+constexpr int PageSize = 8; // pieces in which lists are read
+constexpr std::int64_t LeastNodes = 16;
+constexpr int ReserveShare =
+  8; // a share more for what is expected, lest each frame asks for a little more
+
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::BeginFrame(
+  vtkOpenGLState* state, const RenderTarget& target, std::int64_t limit, ListLayout& layout)
+{
+  layout.Packed = true;
+  layout.PageSize = PageSize;
+  const bool isSame = layout.NodeBytes() == this->BytesPerNode && limit == this->Limit &&
+    layout.FramebufferFetch == this->ListsOfPixels.AreFetched();
+  if (!isSame)
+  {
+    this->Nodes.Release();
+    this->LastFrame = {};
+    this->Memory = 0;
+  }
+  if (target.Width != this->TargetWidth || target.Height != this->TargetHeight)
+  {
+    this->LastFrame = {}; // images may be new ones
+  }
+  this->ForgetOldShortage();
+  this->TargetWidth = target.Width;
+  this->TargetHeight = target.Height;
+  this->BytesPerNode = layout.NodeBytes();
+  this->Limit = limit;
+  this->Blocks = BlocksOf(target.Region, VITRINE_BLOCK_SIZE);
+  this->Start = this->Predicts && this->LastFrame == this->Blocks ? PREDICTED : COUNTING;
+  this->HasCountsOfBands = false;
+  const BlockRange all = BlocksOf({ 0, 0, target.Width, target.Height }, VITRINE_BLOCK_SIZE);
+  const std::string problem =
+    this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, VITRINE_BLOCK_SIZE);
+  return problem.empty() ? this->LongestLists.Allocate(GL_R32UI, all.Count[0], all.Count[1], 0)
+                         : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::BeginFill(
+  vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout)
+{
+  this->Region = region;
+  this->Blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
+  const std::string problem = this->Place(window, layout);
+  this->Start = this->HasCountsOfBands ? COUNTED : COUNTING;
+  if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
+  {
+    this->Memory = 0; // to be asked again
+    return "the driver has no memory for the smallest buffer of fragments";
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  const auto capacity = static_cast<std::uint32_t>(this->Capacity());
+  switch (this->Start)
+  {
+    case COUNTED:
+      return this->Scan.PlaceCounted(window, layout, this->ListsOfPixels, this->Region, capacity);
+    case PREDICTED:
+      return this->PlacePredicted(window, layout);
+    case COUNTING:
+      this->ClearHeads(window);
+      break;
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Where the buffer may not have so much room, the frame is counted first, as if nothing were to be expected.
+std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  const auto place = [&]
+  {
+    return this->Scan.PlacePredicted(window, layout, this->ListsOfPixels,
+      this->LongestLists.Handle(), this->Blocks, static_cast<std::uint32_t>(this->Capacity()));
+  };
+  std::string problem = place();
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const std::int64_t room = this->Scan.ReadTotal();
+  if (room > this->Capacity())
+  {
+    if (!this->ReserveMoreThan(room))
+    {
+      this->ClearHeads(window);
+      return {};
+    }
+    problem = place();
+  }
+  this->RoomNodes = room;
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+// Heads without room: the fill only counts.
+void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
+{
+  this->ListsOfPixels.Clear(window->GetState(), PixelsOf(this->Blocks, VITRINE_BLOCK_SIZE), 0u);
+}
+
+//------------------------------------------------------------------------------
+FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
+{
+  if (needed.LayersMax >= VITRINE_LARGEST_COUNT)
+  {
+    return TOO_DEEP;
+  }
+  if (needed.ShortPixels == 0)
+  {
+    return FITS;
+  }
+  if (needed.Fragments > this->LimitNodes() || !this->Reserve(needed.Fragments))
+  {
+    this->ReserveAll();
+    this->Start = COUNTED; // band by band, by the counts that are there
+    this->HasCountsOfBands = true;
+    return TOO_LARGE;
+  }
+  this->RoomNodes = std::max(this->RoomNodes, needed.Fragments);
+  this->Start = COUNTED;
+  return GREW;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t PackedListStore::LimitNodes() const
+{
+  std::int64_t bytes = std::min(
+    LargestStorageBlock(), LargestBufferTexture() * static_cast<std::int64_t>(this->BytesPerNode));
+  for (const std::int64_t bound : { this->Limit, this->Memory })
+  {
+    bytes = bound > 0 ? std::min(bytes, bound) : bytes;
+  }
+  return std::max(bytes / this->BytesPerNode, LeastNodes);
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::DescribeLimit() const
+{
+  const std::int64_t bytes = this->LimitNodes() * this->BytesPerNode;
+  const bool byLimit = this->Limit > 0 && this->Limit < bytes + this->BytesPerNode;
+  return byLimit ? "its limit is " + std::to_string(this->Limit) + " bytes"
+                 : "the driver has memory for " + std::to_string(bytes) + " bytes";
+}
+
+//------------------------------------------------------------------------------
+// Returns false if the driver has no memory for so many nodes.
+bool PackedListStore::Reserve(std::int64_t nodes)
+{
+  if (nodes <= this->Capacity())
+  {
+    return true;
+  }
+  const std::int64_t bytes = nodes * this->BytesPerNode;
+  const bool allocated = this->Nodes.Allocate(bytes, NodeFormat(this->BytesPerNode));
+  if (!allocated)
+  {
+    this->Memory = bytes - 1;
+    this->ShortageFrames = 0;
+  }
+  return allocated;
+}
+
+//------------------------------------------------------------------------------
+// So many nodes, and a share more where the limit and the driver have it.
+bool PackedListStore::ReserveMoreThan(std::int64_t nodes)
+{
+  return nodes <= this->LimitNodes() &&
+    (this->Reserve(std::min(nodes + nodes / ReserveShare, this->LimitNodes())) ||
+      this->Reserve(nodes));
+}
+
+//------------------------------------------------------------------------------
+// As many nodes as the limit allows; of what the driver refuses, half.
+void PackedListStore::ReserveAll()
+{
+  while (this->LimitNodes() > LeastNodes && !this->Reserve(this->LimitNodes()))
+  {
+    this->Memory /= 2;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Others may have given memory back by now.
+void PackedListStore::ForgetOldShortage()
+{
+  if (this->Memory > 0 && ++this->ShortageFrames >= PoolSizing::Window)
+  {
+    this->Memory = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> PackedListStore::ReadCounts(vtkOpenGLState* state)
+{
+  const std::vector<std::uint32_t> heads = this->ListsOfPixels.Read(state);
+  const auto rowLength = static_cast<std::size_t>(this->ListsOfPixels.RowLength());
+  std::vector<std::uint32_t> counts;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(this->TargetHeight); ++y)
+  {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(this->TargetWidth); ++x)
+    {
+      counts.push_back(heads[2 * (y * rowLength + x) + 1] >> VITRINE_COUNT_SHIFT);
+    }
+  }
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::EndFrame(const FragmentStatistics& used, int bands)
+{
+  this->LastFrame = used.Fragments > 0 && bands == 1 ? this->Blocks : BlockRange();
+  this->ShrinkIfLongOversized();
+  this->RoomNodes = 0;
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::ShrinkIfLongOversized()
+{
+  const bool isOversized = this->RoomNodes + this->RoomNodes / 3 < this->Capacity();
+  this->OversizedFrames = isOversized ? this->OversizedFrames + 1 : 0;
+  if (this->OversizedFrames >= PoolSizing::Window)
+  {
+    this->Nodes.Allocate(
+      std::max(this->RoomNodes, LeastNodes) * this->BytesPerNode, NodeFormat(this->BytesPerNode));
+    this->OversizedFrames = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t PackedListStore::OtherBytes() const
+{
+  return this->ListsOfPixels.Image().Bytes() + this->LongestLists.Bytes() + this->Scan.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void PackedListStore::Release()
+{
+  this->FragmentStore::Release();
+  this->Nodes.Release();
+  this->LongestLists.Release();
+  this->Scan.Release();
+  this->LastFrame = {};
+  this->Memory = 0;
+}
+
+}

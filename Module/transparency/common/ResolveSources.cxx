@@ -1,0 +1,102 @@
+#include "transparency/common/ResolveSources.h"
+
+#include "Core/lists/ResolveProgram.h"
+#include "Shaders/SharedLayout.h"
+#include "shader/ShaderText.h"
+#include "transparency/common/FillShader.h"
+
+#include <cassert>
+#include <vector>
+
+namespace vitrine
+{
+namespace
+{
+
+struct TagText
+{
+  const char* Tag;
+  std::string Text;
+};
+
+// The tags are in our own shaders, so a missing one is an error in the program.
+std::string Filled(std::string source, const std::vector<TagText>& texts)
+{
+  for (const TagText& text : texts)
+  {
+    const std::string problem =
+      ReplaceTag(source, std::string("//Vitrine::") + text.Tag, text.Text);
+    assert(problem.empty());
+    (void)problem;
+  }
+  return source;
+}
+
+// A resolve of any number of fragments, in blocks of `block`.
+std::string ResolveLong(const char* source, int block)
+{
+  const LongResolveText text = UnrollLongResolve(block);
+  return Filled(source,
+    { { "Declare", text.Declare }, { "ClearNearest", text.ClearNearest },
+      { "LoadBlock", text.LoadBlock }, { "SortBlock", text.SortBlock },
+      { "MergeBlock", text.MergeBlock }, { "Blend", text.Blend }, { "CountSame", text.CountSame },
+      { "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";" } });
+}
+
+// A resolve of lists of up to `size` nodes, by one network.
+std::string Resolve(const char* source, int size, int pageSize)
+{
+  const ResolveText text = UnrollResolve(size, pageSize);
+  return Filled(source,
+    { { "Declare", text.Declare }, { "Load", text.Load }, { "Sort", text.Sort },
+      { "OrderTies", text.OrderTies }, { "Blend", text.Blend } });
+}
+
+}
+
+std::string NetworkSource(int size, int pageSize)
+{
+  return Resolve(shaders::ListResolve, size, pageSize);
+}
+
+std::string StencilMaskSource(int layers)
+{
+  return Resolve(shaders::StencilMaskResolve, layers, layers);
+}
+
+std::string SortRunsSource(int size, int pageSize)
+{
+  const SortRunsText text = UnrollSortRuns(size, pageSize);
+  return Filled(shaders::ListSortRuns,
+    { { "Declare", text.Declare }, { "Load", text.Load }, { "Sort", text.Sort },
+      { "Store", text.Store } });
+}
+
+std::string SortLongRunsSource(int block, int pageSize)
+{
+  const SortLongRunsText text = UnrollSortLongRuns(block, pageSize);
+  return Filled(shaders::ListSortLongRuns,
+    { { "Declare", text.Declare }, { "ClearNearest", text.ClearNearest }, { "Load", text.Load },
+      { "Sort", text.Sort }, { "Merge", text.Merge }, { "Store", text.Store },
+      { "StoreNearest", text.StoreNearest } });
+}
+
+std::string MergeRunsSource(int runs)
+{
+  const MergeRunsText text = UnrollMergeRuns(runs, VITRINE_RUN_GROUP);
+  return Filled(shaders::ListMergeRuns,
+    { { "Declare", text.Declare }, { "FindNearest", text.FindNearest },
+      { "PutBack", text.PutBack } });
+}
+
+std::string RoutedNetworkSource(int size)
+{
+  return Resolve(shaders::StencilRoutedResolve, size, size);
+}
+
+std::string RoutedBlocksSource(int block)
+{
+  return ResolveLong(shaders::StencilRoutedResolveLong, block);
+}
+
+}

@@ -1,0 +1,377 @@
+#include "vtkTransparencyPass.h"
+
+#include "Core/lists/StencilCounts.h"
+#include "Core/shader/ShaderTuning.h"
+#include "gl/Capabilities.h"
+#include "gl/DepthCopy.h"
+#include "gl/HeldContext.h"
+#include "gl/ProgramCache.h"
+#include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
+#include "scene/ActorRules.h"
+#include "transparency/common/FillShader.h"
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkProp.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTranslucentPass.h"
+
+#include <memory>
+#include <set>
+
+namespace
+{
+
+bool HasTranslucentGeometry(const vtkRenderState* s)
+{
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    if (s->GetPropArray()[i]->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether the specular term of the prop is zero for sure, so that its pow() need not be computed. VTK
+// rebuilds the shader when the property changes.
+bool HasNoSpecularTerm(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetProperty()->GetSpecular() == 0.0 && !actor->GetBackfaceProperty() &&
+    !vitrine::HasShaderCode(actor);
+}
+
+}
+
+struct vtkTransparencyPass::Internals
+{
+  vitrine::HeldContext Context;
+  vtkNew<vtkOrderIndependentTranslucentPass> Fallback;
+  vtkNew<vtkTranslucentPass> FallbackGeometry;
+  std::string FallbackReason;
+  std::string MissingFeature; // of Context
+  std::set<std::string> Reported;
+
+  vitrine::RenderTarget Target; // of the current frame
+  vitrine::PixelRegion Region;  // that is being drawn
+  bool PostDepthCoverage = false;
+  bool SoftwareRasteriser = false;
+  vtkMTimeType ProbeTime = 0; // when CanFill was found
+  bool CanFill = true;
+
+  vitrine::DepthCopy OpaqueDepth;
+
+  // What of the target the mappers' shaders depend on.
+  bool ChangesShaders(const vitrine::RenderTarget& target) const
+  {
+    return this->Target.Samples != target.Samples || this->Target.FixedPoint != target.FixedPoint ||
+      this->Target.DepthSteps != target.DepthSteps ||
+      this->Target.DepthIntegers != target.DepthIntegers ||
+      this->Target.DepthLoss != target.DepthLoss;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkTransparencyPass::vtkTransparencyPass()
+  : Private(new Internals)
+{
+  this->Private->Fallback->SetTranslucentPass(this->Private->FallbackGeometry);
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyPass::~vtkTransparencyPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MethodName: " << this->GetMethodName() << "\n";
+  os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
+  os << indent << "FragmentCount: " << this->FragmentCount << "\n";
+  os << indent << "LostFragmentCount: " << this->LostFragmentCount << "\n";
+  os << indent << "SaturatedPixelCount: " << this->SaturatedPixelCount << "\n";
+  os << indent << "LayersMax: " << this->LayersMax << "\n";
+  os << indent << "LayersMean: " << this->LayersMean << "\n";
+  os << indent << "GeometryPasses: " << this->GeometryPasses << "\n";
+  os << indent << "Bytes: " << this->Bytes << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTransparencyPass::GetFallbackReason()
+{
+  return this->Private->FallbackReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLRenderWindow* vtkTransparencyPass::GetWindow()
+{
+  return this->Private->Context.Window();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  this->FragmentCount = 0;
+  this->LostFragmentCount = 0;
+  this->SaturatedPixelCount = 0;
+  this->LayersMax = 0;
+  this->LayersMean = 0.0;
+  this->GeometryPasses = 0;
+  this->Private->FallbackReason.clear();
+  if (!HasTranslucentGeometry(s))
+  {
+    if (this->Private->Context.LivesIn(s->GetRenderer()->GetRenderWindow()))
+    {
+      this->RenderNothing();
+    }
+    return;
+  }
+
+  vtkOpenGLClearErrorMacro();
+  this->UseWindow(s->GetRenderer()->GetRenderWindow());
+  const std::string problem = this->RenderExactly(s);
+  if (!problem.empty())
+  {
+    this->RenderFallback(s, problem);
+  }
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderWindow);
+  Internals& in = *this->Private;
+  if (in.Context.LivesIn(window))
+  {
+    return;
+  }
+  this->LeaveWindow();
+  in.Context.Hold(window);
+  in.MissingFeature = this->FindMissingFeature(window);
+  in.PostDepthCoverage = vitrine::HasExtension("GL_ARB_post_depth_coverage");
+  in.SoftwareRasteriser = vitrine::IsSoftwareRasteriser();
+  this->ShaderStage.Modified();
+}
+
+//------------------------------------------------------------------------------
+// Release what is held in a context that lives; forget it where that is gone without a word, as when the window
+// was finalized while its renderers had other passes.
+void vtkTransparencyPass::LeaveWindow()
+{
+  this->Private->Context.Release(
+    [this](vtkOpenGLRenderWindow* window) { this->ReleaseGraphicsResources(window); });
+  this->ForgetResources();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ForgetResources()
+{
+  Internals& in = *this->Private;
+  in.OpaqueDepth = vitrine::DepthCopy();
+  this->ForgetMethodResources();
+  this->Bytes = 0;
+  in.Context.LetGo();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  if (!in.MissingFeature.empty())
+  {
+    return in.MissingFeature;
+  }
+  vtkOpenGLState* state = in.Context.Window()->GetState();
+  vitrine::RenderTarget target;
+  const std::string problem = target.Probe(state);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (target.Region.IsEmpty())
+  {
+    return {};
+  }
+  if (in.ChangesShaders(target))
+  {
+    this->ShaderStage.Modified();
+  }
+  in.Target = target;
+
+  // It goes when trackedState has bound the target again.
+  const vitrine::ScopedFirstDrawBuffer drawBuffer;
+  const vitrine::ScopedArrayBuffer arrayBuffer;
+  const vitrine::ScopedVertexArray vertexArray(0);
+  vitrine::ScopedTrackedState trackedState(state);
+  vitrine::ScopedShaderProgram shaderProgram(in.Context.Window());
+  const std::string failure = this->RenderFragments(s, target);
+  in.OpaqueDepth.EndFrame();
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::string& reason)
+{
+  Internals& in = *this->Private;
+  in.FallbackReason = reason;
+  if (in.Reported.insert(reason).second)
+  {
+    vtkErrorMacro(<< this->GetMethodName() << " cannot draw here: " << reason
+                  << ". Translucent geometry is drawn as VTK does by itself, which is not exact.");
+  }
+  in.Fallback->Render(s);
+  this->NumberOfRenderedProps = in.Fallback->GetNumberOfRenderedProps();
+  this->GeometryPasses += 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::DrawTranslucentGeometry(
+  const vtkRenderState* s, const vitrine::PixelRegion& region)
+{
+  Internals& in = *this->Private;
+  if (this->ShaderStage.GetMTime() > in.ProbeTime)
+  {
+    in.ProbeTime = this->ShaderStage.GetMTime();
+    in.CanFill = vitrine::CanCompile(in.Context.Window(), this->GetCapturingShader(false)) &&
+      vitrine::CanCompile(in.Context.Window(), this->GetCapturingShader(true));
+  }
+  if (!in.CanFill)
+  {
+    return vitrine::ProgramFailure;
+  }
+  in.Region = region;
+  this->PreRender(s);
+  int rendered = 0;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    rendered += s->GetPropArray()[i]->RenderTranslucentPolygonalGeometry(s->GetRenderer());
+  }
+  this->PostRender(s);
+  this->NumberOfRenderedProps = rendered;
+  this->GeometryPasses += 1;
+  return in.OpaqueDepth.Problem();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::TakeCounts(const vitrine::StencilCounts& counts)
+{
+  this->FragmentCount = counts.Fragments;
+  this->LostFragmentCount = counts.Lost;
+  this->SaturatedPixelCount = counts.Saturated;
+  this->LayersMax = counts.LayersMax;
+  this->LayersMean = counts.Covered > 0
+    ? static_cast<double>(counts.Fragments) / static_cast<double>(counts.Covered)
+    : 0.0;
+}
+
+//------------------------------------------------------------------------------
+vitrine::FillShader vtkTransparencyPass::GetCapturingShader(bool writesDepth)
+{
+  vitrine::FillShader fill = this->GetFillShader();
+  vitrine::AddCapture(fill, this->Private->Target, this->Private->PostDepthCoverage, writesDepth);
+  return fill;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  Internals& in = *this->Private;
+  const bool writesDepth = vitrine::WritesDepth(fragmentShader);
+  const std::string problem =
+    vitrine::JoinFillShader(this->GetCapturingShader(writesDepth), fragmentShader);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< this->GetMethodName() << ": fragments of "
+                  << (prop ? prop->GetClassName() : "a prop") << " cannot be stored: " << problem
+                  << ". It is not drawn.");
+    // What the shader would write in place of fragments is no list.
+    fragmentShader = "//VTK::System::Dec\nvoid main()\n{\n  discard;\n}\n";
+    return true;
+  }
+
+  if (prop && HasNoSpecularTerm(prop))
+  {
+    vitrine::DropSpecularPower(fragmentShader);
+  }
+  if (in.SoftwareRasteriser && geometryShader.empty())
+  {
+    vitrine::PassUniformsAsFlatVaryings(vertexShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Private;
+  // Last before the draw: images, and props whose keys ask for it, would write depth and hide what comes after them.
+  in.Context.Window()->GetState()->vtkglDepthMask(GL_FALSE);
+  if (program->IsUniformUsed("vitrineOpaqueDepth"))
+  {
+    program->SetUniformi(
+      "vitrineOpaqueDepth", in.OpaqueDepth.UnitOf(in.Context.Window()->GetState(), in.Target));
+  }
+  if (program->IsUniformUsed("vitrineOpaqueWidth"))
+  {
+    program->SetUniformi("vitrineOpaqueWidth", in.Target.Width);
+  }
+  if (program->IsUniformUsed("vitrineRegionFirst"))
+  {
+    const int first[2] = { in.Region.X, in.Region.Y };
+    const int end[2] = { in.Region.X + in.Region.Width, in.Region.Y + in.Region.Height };
+    program->SetUniform2i("vitrineRegionFirst", first);
+    program->SetUniform2i("vitrineRegionEnd", end);
+  }
+  this->SetFillParameters(program);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTransparencyPass::GetShaderStageMTime()
+{
+  return this->ShaderStage.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Private;
+  in.Fallback->ReleaseGraphicsResources(window);
+  if (in.Context.LivesIn(window))
+  {
+    in.OpaqueDepth.Release();
+    this->ReleaseMethodResources();
+    this->Bytes = 0;
+    in.Context.LetGo();
+  }
+  else if (window == in.Context.Window())
+  {
+    this->ForgetResources(); // the names are those of others
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTransparencyPass::GetSharedBytes()
+{
+  return this->Private->OpaqueDepth.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ReleaseBeforeDestruction()
+{
+  this->LeaveWindow();
+}

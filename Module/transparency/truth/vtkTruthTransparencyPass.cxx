@@ -1,0 +1,422 @@
+#include "vtkTruthTransparencyPass.h"
+
+#include "Core/lists/ReferenceCompositor.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/BackdropCopy.h"
+#include "gl/Capabilities.h"
+#include "gl/FullScreenDraw.h"
+#include "gl/GLObjects.h"
+#include "gl/MemoryBarriers.h"
+#include "gl/ProgramCache.h"
+#include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
+#include "shader/ShaderText.h"
+#include "transparency/common/CoincidenceTolerance.h"
+#include "transparency/common/FillExtensions.h"
+#include "transparency/common/FillShader.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
+#include <vector>
+
+vtkStandardNewMacro(vtkTruthTransparencyPass);
+
+namespace
+{
+
+// The GPU writes what Core reads.
+static_assert(
+  sizeof(vitrine::CapturedFragment) == sizeof(vitrine::VitrineCapturedFragment), "layout");
+static_assert(
+  offsetof(vitrine::CapturedFragment, Rgba) == offsetof(vitrine::VitrineCapturedFragment, Red),
+  "layout");
+static_assert(offsetof(vitrine::CapturedFragment, Coverage) ==
+    offsetof(vitrine::VitrineCapturedFragment, Coverage),
+  "layout");
+static_assert(
+  offsetof(vitrine::CapturedFragment, Extent) == offsetof(vitrine::VitrineCapturedFragment, Extent),
+  "layout");
+
+constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
+
+std::vector<vitrine::PixelRegion> Split(const vitrine::PixelRegion& region, int parts)
+{
+  // Rows while there are several, then columns.
+  const bool byRows = region.Height > 1;
+  const int length = byRows ? region.Height : region.Width;
+  parts = std::min(parts, length);
+  std::vector<vitrine::PixelRegion> strips;
+  for (int i = 0; i < parts; ++i)
+  {
+    const int first = static_cast<int>(std::int64_t(length) * i / parts);
+    const int end = static_cast<int>(std::int64_t(length) * (i + 1) / parts);
+    vitrine::PixelRegion strip = region;
+    (byRows ? strip.Y : strip.X) += first;
+    (byRows ? strip.Height : strip.Width) = end - first;
+    strips.push_back(strip);
+  }
+  return strips;
+}
+
+}
+
+struct vtkTruthTransparencyPass::Internals
+{
+  vitrine::Buffer Counter;
+  vitrine::Buffer Fragments;
+  vitrine::Framebuffer FillFramebuffer;
+  vitrine::BackdropCopy Backdrop;
+  vitrine::Image2D Picture; // RGBA32F: one sample of each pixel
+  vitrine::Framebuffer PictureFramebuffer;
+  vitrine::EmptyVertexArray VertexArray;
+  vitrine::ProgramCache Programs;
+  vtkSmartPointer<vtkImageData> Result;
+  int TargetWidth = 0;
+
+  std::size_t Capacity() const
+  {
+    return static_cast<std::size_t>(this->Fragments.Bytes()) / sizeof(vitrine::CapturedFragment);
+  }
+  std::string PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  void AttachTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  vtkShaderProgram* ReadyRead(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
+  vtkShaderProgram* ReadyWrite(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
+  void DrawSample(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
+    const vitrine::Image2D& source, int sample);
+  std::vector<double> ReadBackdrop(
+    vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
+  void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
+    const std::vector<double>& picture);
+  std::uint64_t ReadCounter();
+  std::vector<vitrine::CapturedFragment> ReadFragments(std::size_t count);
+};
+
+//------------------------------------------------------------------------------
+// Returns an empty string, or why the driver cannot hold what the target takes.
+std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
+  vtkOpenGLState* state, const vitrine::RenderTarget& target)
+{
+  this->TargetWidth = target.Width;
+  const auto record = static_cast<std::int64_t>(sizeof(vitrine::CapturedFragment));
+  const std::int64_t bytes = std::min(vitrine::LargestStorageBlock(), MaximumCaptureBytes);
+  if ((this->Counter.Handle() == 0 &&
+        !this->Counter.Allocate(sizeof(vitrine::VitrineCaptureCounters))) ||
+    (this->Fragments.Handle() == 0 && !this->Fragments.Allocate(bytes / record * record)))
+  {
+    return "the driver has no memory for " + std::to_string(bytes) + " bytes of fragments";
+  }
+  std::string problem = this->Picture.Allocate(GL_RGBA32F, target.Width, target.Height, 0);
+  if (problem.empty())
+  {
+    problem = this->Backdrop.Copy(state, target);
+  }
+  if (problem.empty())
+  {
+    this->AttachTargets(state, target);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::Internals::AttachTargets(
+  vtkOpenGLState* state, const vitrine::RenderTarget& target)
+{
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
+  target.AttachDepth();
+  const GLenum none = GL_NONE;
+  glDrawBuffers(1, &none);
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyRead(
+  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
+{
+  return this->Programs.Ready(window, "read",
+    { "VITRINE_SAMPLES " + std::to_string(target.Samples) }, vitrine::shaders::FullScreenVertex,
+    [] { return vitrine::shaders::TruthRead; });
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyWrite(
+  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
+{
+  return this->Programs.Ready(window, "write",
+    { "VITRINE_SAMPLES " + std::to_string(target.Samples) }, vitrine::shaders::FullScreenVertex,
+    [] { return vitrine::shaders::TruthWrite; });
+}
+
+//------------------------------------------------------------------------------
+// Draw one fragment of the program, which is bound, for each pixel: to be called after BindForFullScreenDraw().
+void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* window,
+  vtkShaderProgram* program, const vitrine::Image2D& source, int sample)
+{
+  vtkOpenGLState* state = window->GetState();
+  const vitrine::ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
+  program->SetUniformi("source", unit.Unit());
+  if (program->IsUniformUsed("sampleNumber"))
+  {
+    program->SetUniformi("sampleNumber", sample);
+  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+//------------------------------------------------------------------------------
+// The colours of the target, a pixel's samples side by side.
+std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
+  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
+{
+  vtkOpenGLState* state = window->GetState();
+  const int samples = std::max(target.Samples, 1);
+  const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
+  std::vector<float> plane(4 * pixels);
+  std::vector<double> backdrop(plane.size() * samples);
+  const vitrine::ScopedPixelTransfer pixelTransfer;
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  vitrine::BindForFullScreenDraw(
+    state, this->PictureFramebuffer.Handle(), target.Width, target.Height);
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    this->DrawSample(window, this->ReadyRead(window, target), this->Backdrop.Image(), sample);
+    glReadPixels(0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      std::copy_n(&plane[4 * i], 4, &backdrop[4 * (i * samples + sample)]);
+    }
+  }
+  return backdrop;
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* window,
+  const vitrine::RenderTarget& target, const std::vector<double>& picture)
+{
+  vtkOpenGLState* state = window->GetState();
+  const int samples = std::max(target.Samples, 1);
+  const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
+  std::vector<float> plane(4 * pixels);
+  const vitrine::ScopedPixelTransfer pixelTransfer;
+  vitrine::BindForFullScreenDraw(
+    state, target.Framebuffer, target.Width, target.Height, target.Region);
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      std::copy_n(&picture[4 * (i * samples + sample)], 4, &plane[4 * i]);
+    }
+    {
+      const vitrine::ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->Picture.Handle());
+      glTexSubImage2D(
+        GL_TEXTURE_2D, 0, 0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
+    }
+    this->DrawSample(window, this->ReadyWrite(window, target), this->Picture, sample);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Fragments captured, those that found no room included.
+std::uint64_t vtkTruthTransparencyPass::Internals::ReadCounter()
+{
+  vitrine::VitrineCaptureCounters counters = {};
+  vitrine::BarrierBeforeReadingBuffers();
+  this->Counter.Read(0, sizeof(counters), &counters);
+  return counters.Fragments + (std::uint64_t(counters.Wraps) << 32);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vitrine::CapturedFragment> vtkTruthTransparencyPass::Internals::ReadFragments(
+  std::size_t count)
+{
+  std::vector<vitrine::CapturedFragment> fragments(count);
+  this->Fragments.Read(
+    0, static_cast<std::int64_t>(count * sizeof(vitrine::CapturedFragment)), fragments.data());
+  return fragments;
+}
+
+//------------------------------------------------------------------------------
+vtkTruthTransparencyPass::vtkTruthTransparencyPass()
+  : Private(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTruthTransparencyPass::~vtkTruthTransparencyPass()
+{
+  this->ReleaseBeforeDestruction();
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTruthTransparencyPass::GetResult()
+{
+  return this->Private->Result;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTruthTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
+{
+  return vitrine::MissingFeatures(4, 3, vitrine::FillExtensions());
+}
+
+//------------------------------------------------------------------------------
+vitrine::FillShader vtkTruthTransparencyPass::GetFillShader()
+{
+  vitrine::FillShader fill;
+  const std::vector<const char*>& extensions = vitrine::FillExtensions();
+  fill.Extensions.assign(extensions.begin(), extensions.end());
+  fill.Declarations = vitrine::shaders::TruthFillDec;
+  fill.Implementation = vitrine::shaders::TruthFillImpl;
+  this->GetTolerance().AddTo(fill);
+  return fill;
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::SetFillParameters(vtkShaderProgram* program)
+{
+  program->SetUniformi("vitrineTargetWidth", this->Private->TargetWidth);
+  this->GetTolerance().SetUniforms(program);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTruthTransparencyPass::RenderFragments(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Internals& in = *this->Private;
+  vtkOpenGLRenderWindow* window = this->GetWindow();
+  if (!in.ReadyRead(window, target) || !in.ReadyWrite(window, target))
+  {
+    return vitrine::ProgramFailure;
+  }
+  std::string problem = this->GetTolerance().FindProblemIn(target);
+  if (problem.empty())
+  {
+    problem = in.PrepareTargets(window->GetState(), target);
+  }
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  vitrine::ReferenceCompositor compositor(target.Width, target.Height, std::max(target.Samples, 1),
+    target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
+    in.ReadBackdrop(window, target));
+
+  this->SampleCount = 0;
+  problem = this->Capture(s, target, target.Region, compositor);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  in.WritePicture(window, target, compositor.Samples());
+  this->KeepResult(target, compositor);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::RenderNothing()
+{
+  this->Private->Result = nullptr;
+  this->SampleCount = 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+  vitrine::ReferenceCompositor& compositor)
+{
+  Internals& in = *this->Private;
+  const vitrine::VitrineCaptureCounters zero = {};
+  in.Counter.Write(0, sizeof(zero), &zero);
+  vitrine::BarrierBeforeFilling();
+  target.BindForFill(this->GetWindow()->GetState(), in.FillFramebuffer.Handle(), region);
+  {
+    const vitrine::ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, in.Counter.Handle());
+    const vitrine::ScopedStorageBuffer fragments(VITRINE_BINDING_CAPTURE, in.Fragments.Handle());
+    const std::string problem = this->DrawTranslucentGeometry(s, region);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+
+  const std::uint64_t count = in.ReadCounter();
+  if (count <= in.Capacity())
+  {
+    const std::vector<vitrine::CapturedFragment> fragments = in.ReadFragments(count);
+    for (const vitrine::CapturedFragment& f : fragments)
+    {
+      this->SampleCount += static_cast<vtkTypeInt64>(std::bitset<32>(f.Coverage).count());
+    }
+    compositor.AddBatch(fragments.data(), fragments.size());
+    return {};
+  }
+  if (region.Width == 1 && region.Height == 1)
+  {
+    return "one pixel alone has " + std::to_string(count) + " fragments, more than " +
+      std::to_string(in.Capacity());
+  }
+  // A margin over the mean, since strips differ.
+  const auto parts = static_cast<int>(count * 5 / 4 / in.Capacity() + 1);
+  for (const vitrine::PixelRegion& strip : Split(region, parts))
+  {
+    const std::string problem = this->Capture(s, target, strip, compositor);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::KeepResult(
+  const vitrine::RenderTarget& target, const vitrine::ReferenceCompositor& compositor)
+{
+  Internals& in = *this->Private;
+  const vitrine::PixelRegion& r = target.Region;
+  const std::vector<double> picture = compositor.Resolve();
+  in.Result = vtkSmartPointer<vtkImageData>::New();
+  in.Result->SetDimensions(r.Width, r.Height, 1);
+  in.Result->AllocateScalars(VTK_FLOAT, 4);
+  auto* out = static_cast<float*>(in.Result->GetScalarPointer());
+  for (int y = r.Y; y < r.Y + r.Height; ++y)
+  {
+    const auto* row = picture.data() + std::size_t(4) * (std::size_t(y) * target.Width + r.X);
+    out = std::copy(row, row + std::size_t(4) * r.Width, out);
+  }
+
+  this->FragmentCount = static_cast<vtkTypeInt64>(compositor.FragmentCount());
+  this->LayersMax = static_cast<vtkTypeInt64>(compositor.LayersMax());
+  this->LayersMean = compositor.LayersMean();
+  this->Bytes = in.Fragments.Bytes() + in.Counter.Bytes() + in.Picture.Bytes() +
+    in.Backdrop.Image().Bytes() + this->GetSharedBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::ReleaseMethodResources()
+{
+  Internals& in = *this->Private;
+  in.Counter.Release();
+  in.Fragments.Release();
+  in.FillFramebuffer.Release();
+  in.Backdrop.Release();
+  in.Picture.Release();
+  in.PictureFramebuffer.Release();
+  in.VertexArray.Release();
+  in.Programs.Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkTruthTransparencyPass::ForgetMethodResources()
+{
+  this->Private.reset(new Internals);
+}
