@@ -3,8 +3,8 @@
  *
  * GLSL reads this file by #include (cmake/ComposeShader.cmake), C++ as a header.
  */
-#ifndef VITRINE_SHARED_LAYOUT_H
-#define VITRINE_SHARED_LAYOUT_H
+#ifndef VITRINE_SHADERS_SHARED_LAYOUT_H
+#define VITRINE_SHADERS_SHARED_LAYOUT_H
 
 // Binding points of shader storage buffers, of which OpenGL 4.3 has 8. Packed lists have sums in place of links.
 #define VITRINE_BINDING_CLUSTERS 4

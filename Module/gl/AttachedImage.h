@@ -1,8 +1,8 @@
 /**
  * An image attached to a framebuffer: a texture's level or face of a cube, or a renderbuffer.
  */
-#ifndef VITRINE_ATTACHED_IMAGE_H
-#define VITRINE_ATTACHED_IMAGE_H
+#ifndef VITRINE_GL_ATTACHED_IMAGE_H
+#define VITRINE_GL_ATTACHED_IMAGE_H
 
 #include "gl/VitrineOpenGL.h"
 

@@ -1,8 +1,8 @@
 /**
  * A copy of what stands in a render target, for a resolve to read while it writes the target.
  */
-#ifndef VITRINE_BACKDROP_COPY_H
-#define VITRINE_BACKDROP_COPY_H
+#ifndef VITRINE_GL_BACKDROP_COPY_H
+#define VITRINE_GL_BACKDROP_COPY_H
 
 #include "gl/GLObjects.h"
 

@@ -1,8 +1,8 @@
 /**
  * Writes what shaders read as texels of a buffer texture.
  */
-#ifndef VITRINE_BUFFER_TEXELS_H
-#define VITRINE_BUFFER_TEXELS_H
+#ifndef VITRINE_GL_BUFFER_TEXELS_H
+#define VITRINE_GL_BUFFER_TEXELS_H
 
 #include "gl/Capabilities.h"
 #include "gl/GLObjects.h"

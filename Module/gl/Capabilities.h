@@ -1,8 +1,8 @@
 /**
  * What the current context offers.
  */
-#ifndef VITRINE_CAPABILITIES_H
-#define VITRINE_CAPABILITIES_H
+#ifndef VITRINE_GL_CAPABILITIES_H
+#define VITRINE_GL_CAPABILITIES_H
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 /**
  * A compute shader, which VTK's shader programs do not have.
  */
-#ifndef VITRINE_COMPUTE_PROGRAM_H
-#define VITRINE_COMPUTE_PROGRAM_H
+#ifndef VITRINE_GL_COMPUTE_PROGRAM_H
+#define VITRINE_GL_COMPUTE_PROGRAM_H
 
 #include "gl/GLObjects.h"
 

@@ -1,8 +1,8 @@
 /**
  * A copy of a render target's depth for shaders to read, made in the frames in which one asks for it.
  */
-#ifndef VITRINE_DEPTH_COPY_H
-#define VITRINE_DEPTH_COPY_H
+#ifndef VITRINE_GL_DEPTH_COPY_H
+#define VITRINE_GL_DEPTH_COPY_H
 
 #include "gl/GLObjects.h"
 #include "gl/ScopedState.h"

@@ -1,8 +1,8 @@
 /**
  * The state of draws that compute pixels and are no geometry: each fragment is written as its shader has it.
  */
-#ifndef VITRINE_FULL_SCREEN_DRAW_H
-#define VITRINE_FULL_SCREEN_DRAW_H
+#ifndef VITRINE_GL_FULL_SCREEN_DRAW_H
+#define VITRINE_GL_FULL_SCREEN_DRAW_H
 
 #include "Core/geometry/PixelRegion.h"
 #include "gl/VitrineOpenGL.h"

@@ -4,8 +4,8 @@
  * They belong to the context that is current at their first use; Release() needs that context current, and
  * their destructors free nothing, since no context need be current by then. They move and do not copy.
  */
-#ifndef VITRINE_GL_OBJECTS_H
-#define VITRINE_GL_OBJECTS_H
+#ifndef VITRINE_GL_GL_OBJECTS_H
+#define VITRINE_GL_GL_OBJECTS_H
 
 #include "gl/VitrineOpenGL.h"
 

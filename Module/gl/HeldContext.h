@@ -1,8 +1,8 @@
 /**
  * The context in which a pass has its GL objects.
  */
-#ifndef VITRINE_HELD_CONTEXT_H
-#define VITRINE_HELD_CONTEXT_H
+#ifndef VITRINE_GL_HELD_CONTEXT_H
+#define VITRINE_GL_HELD_CONTEXT_H
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"

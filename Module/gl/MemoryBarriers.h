@@ -16,8 +16,8 @@
  *
  * llvmpipe draws one thing after the other: there, no picture shows a barrier that is missing. TestMemoryBarriers looks at the calls.
  */
-#ifndef VITRINE_MEMORY_BARRIERS_H
-#define VITRINE_MEMORY_BARRIERS_H
+#ifndef VITRINE_GL_MEMORY_BARRIERS_H
+#define VITRINE_GL_MEMORY_BARRIERS_H
 
 #include "gl/VitrineOpenGL.h"
 

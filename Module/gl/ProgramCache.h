@@ -1,8 +1,8 @@
 /**
  * A pass's own shader programs, compiled at first use and kept by name.
  */
-#ifndef VITRINE_PROGRAM_CACHE_H
-#define VITRINE_PROGRAM_CACHE_H
+#ifndef VITRINE_GL_PROGRAM_CACHE_H
+#define VITRINE_GL_PROGRAM_CACHE_H
 
 #include "vtkSmartPointer.h"
 

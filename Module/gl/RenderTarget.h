@@ -1,8 +1,8 @@
 /**
  * What a render pass draws into: the framebuffer bound when the pass begins, whatever VTK made it of.
  */
-#ifndef VITRINE_RENDER_TARGET_H
-#define VITRINE_RENDER_TARGET_H
+#ifndef VITRINE_GL_RENDER_TARGET_H
+#define VITRINE_GL_RENDER_TARGET_H
 
 #include "Core/geometry/PixelRegion.h"
 #include "gl/AttachedImage.h"

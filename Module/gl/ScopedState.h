@@ -1,8 +1,8 @@
 /**
  * Scoped keepers of GL state: each reads what is there when it is made and puts that back when it goes.
  */
-#ifndef VITRINE_SCOPED_STATE_H
-#define VITRINE_SCOPED_STATE_H
+#ifndef VITRINE_GL_SCOPED_STATE_H
+#define VITRINE_GL_SCOPED_STATE_H
 
 #include "gl/VitrineOpenGL.h"
 #include "vtkOpenGLState.h"

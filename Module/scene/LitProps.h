@@ -1,8 +1,8 @@
 /**
  * Where all is that lights shine on.
  */
-#ifndef VITRINE_LIT_PROPS_H
-#define VITRINE_LIT_PROPS_H
+#ifndef VITRINE_SCENE_LIT_PROPS_H
+#define VITRINE_SCENE_LIT_PROPS_H
 
 #include "Core/geometry/Box.h"
 #include "Core/lighting/LitRegion.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CULLING_VIEW_MATRICES_H
-#define VITRINE_CULLING_VIEW_MATRICES_H
+#ifndef VITRINE_SCENE_VIEW_MATRICES_H
+#define VITRINE_SCENE_VIEW_MATRICES_H
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

@@ -1,8 +1,8 @@
 /**
  * Lets functions have a say in the shaders of opaque props that are drawn by it.
  */
-#ifndef VITRINE_SHADER_HOOK_H
-#define VITRINE_SHADER_HOOK_H
+#ifndef VITRINE_SHADER_SHADER_HOOK_H
+#define VITRINE_SHADER_SHADER_HOOK_H
 
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"

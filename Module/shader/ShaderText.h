@@ -1,8 +1,8 @@
 /**
  * The shaders of Module/Shaders as composed at build time (cmake/ComposeShader.cmake).
  */
-#ifndef VITRINE_SHADER_TEXT_H
-#define VITRINE_SHADER_TEXT_H
+#ifndef VITRINE_SHADER_SHADER_TEXT_H
+#define VITRINE_SHADER_SHADER_TEXT_H
 
 namespace vitrine
 {

@@ -1,8 +1,8 @@
 /**
  * Many short lists sorted on the device, one in each pixel, by any of the sorts that are measured against each other.
  */
-#ifndef VITRINE_SORT_HARNESS_H
-#define VITRINE_SORT_HARNESS_H
+#ifndef VITRINE_SORTING_SORT_HARNESS_H
+#define VITRINE_SORTING_SORT_HARNESS_H
 
 #include "Core/ListChecksum.h"
 #include "Core/ListSorts.h"

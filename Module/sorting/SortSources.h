@@ -1,8 +1,8 @@
 /**
  * The fragment shaders that sort short lists, with their unrolled parts filled in.
  */
-#ifndef VITRINE_SORT_SOURCES_H
-#define VITRINE_SORT_SOURCES_H
+#ifndef VITRINE_SORTING_SORT_SOURCES_H
+#define VITRINE_SORTING_SORT_SOURCES_H
 
 #include "Core/ListSorts.h"
 

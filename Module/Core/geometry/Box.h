@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_BOX_H
-#define VITRINE_CORE_CULLING_BOX_H
+#ifndef VITRINE_CORE_GEOMETRY_BOX_H
+#define VITRINE_CORE_GEOMETRY_BOX_H
 
 #include <glm/vec3.hpp>
 

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_BOX_LANES_H
-#define VITRINE_CORE_CULLING_BOX_LANES_H
+#ifndef VITRINE_CORE_GEOMETRY_BOX_LANES_H
+#define VITRINE_CORE_GEOMETRY_BOX_LANES_H
 
 #include "Core/geometry/Box.h"
 #include "Core/geometry/Lanes.h"

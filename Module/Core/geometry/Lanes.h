@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_LANES_H
-#define VITRINE_CORE_CULLING_LANES_H
+#ifndef VITRINE_CORE_GEOMETRY_LANES_H
+#define VITRINE_CORE_GEOMETRY_LANES_H
 
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 /**
  * Division that rounds up.
  */
-#ifndef VITRINE_CORE_ROUNDING_H
-#define VITRINE_CORE_ROUNDING_H
+#ifndef VITRINE_CORE_GEOMETRY_ROUNDING_H
+#define VITRINE_CORE_GEOMETRY_ROUNDING_H
 
 namespace vitrine
 {

@@ -1,8 +1,8 @@
 /**
  * Square blocks of pixels, in which a picture is taken row by row.
  */
-#ifndef VITRINE_CORE_PIXEL_BLOCKS_H
-#define VITRINE_CORE_PIXEL_BLOCKS_H
+#ifndef VITRINE_CORE_LISTS_PIXEL_BLOCKS_H
+#define VITRINE_CORE_LISTS_PIXEL_BLOCKS_H
 
 #include "Core/geometry/PixelRegion.h"
 

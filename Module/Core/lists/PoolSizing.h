@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_POOL_SIZING_H
-#define VITRINE_CORE_POOL_SIZING_H
+#ifndef VITRINE_CORE_LISTS_POOL_SIZING_H
+#define VITRINE_CORE_LISTS_POOL_SIZING_H
 
 #include <cstdint>
 #include <limits>

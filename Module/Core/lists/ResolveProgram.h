@@ -1,8 +1,8 @@
 /**
  * The generated parts of the shaders that resolve lists of fragments: unrolled over named registers.
  */
-#ifndef VITRINE_RESOLVE_PROGRAM_H
-#define VITRINE_RESOLVE_PROGRAM_H
+#ifndef VITRINE_CORE_LISTS_RESOLVE_PROGRAM_H
+#define VITRINE_CORE_LISTS_RESOLVE_PROGRAM_H
 
 #include <string>
 

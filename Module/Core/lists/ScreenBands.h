@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_SCREEN_BANDS_H
-#define VITRINE_CORE_SCREEN_BANDS_H
+#ifndef VITRINE_CORE_LISTS_SCREEN_BANDS_H
+#define VITRINE_CORE_LISTS_SCREEN_BANDS_H
 
 #include "Core/geometry/PixelRegion.h"
 

@@ -1,8 +1,8 @@
 /**
  * What a stencil tells of a frame in which every fragment decremented it, down to 0 at most.
  */
-#ifndef VITRINE_STENCIL_COUNTS_H
-#define VITRINE_STENCIL_COUNTS_H
+#ifndef VITRINE_CORE_LISTS_STENCIL_COUNTS_H
+#define VITRINE_CORE_LISTS_STENCIL_COUNTS_H
 
 #include "Core/geometry/PixelRegion.h"
 

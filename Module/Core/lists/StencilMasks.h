@@ -6,8 +6,8 @@
  * the first would pass again. Here all numbers are shifted up by 256 - N, which the test compares with, and the
  * decrement ends at 0: no fragment passes twice, and what is left tells how many there were.
  */
-#ifndef VITRINE_STENCIL_MASKS_H
-#define VITRINE_STENCIL_MASKS_H
+#ifndef VITRINE_CORE_LISTS_STENCIL_MASKS_H
+#define VITRINE_CORE_LISTS_STENCIL_MASKS_H
 
 #include <cstdint>
 #include <optional>

@@ -9,8 +9,8 @@
  * passes twice, and what is left tells how many there were. Sample 0, by which drivers mostly stand for a pixel, begins
  * highest and takes the last fragment of a pass, so that it counts farthest.
  */
-#ifndef VITRINE_STENCIL_ROUTING_H
-#define VITRINE_STENCIL_ROUTING_H
+#ifndef VITRINE_CORE_LISTS_STENCIL_ROUTING_H
+#define VITRINE_CORE_LISTS_STENCIL_ROUTING_H
 
 #include <vector>
 

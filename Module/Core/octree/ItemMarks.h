@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_ITEM_MARKS_H
-#define VITRINE_CORE_CULLING_ITEM_MARKS_H
+#ifndef VITRINE_CORE_OCTREE_ITEM_MARKS_H
+#define VITRINE_CORE_OCTREE_ITEM_MARKS_H
 
 #include <algorithm>
 #include <cstdint>

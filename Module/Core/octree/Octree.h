@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OCTREE_H
-#define VITRINE_CORE_CULLING_OCTREE_H
+#ifndef VITRINE_CORE_OCTREE_OCTREE_H
+#define VITRINE_CORE_OCTREE_OCTREE_H
 
 #include "Core/octree/ItemBoxes.h"
 #include "Core/octree/OctreeCell.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OCTREE_BUILDER_H
-#define VITRINE_CORE_CULLING_OCTREE_BUILDER_H
+#ifndef VITRINE_CORE_OCTREE_OCTREE_BUILDER_H
+#define VITRINE_CORE_OCTREE_OCTREE_BUILDER_H
 
 #include "Core/octree/ItemBoxes.h"
 #include "Core/octree/OctreeCell.h"

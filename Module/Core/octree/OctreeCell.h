@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OCTREE_CELL_H
-#define VITRINE_CORE_CULLING_OCTREE_CELL_H
+#ifndef VITRINE_CORE_OCTREE_OCTREE_CELL_H
+#define VITRINE_CORE_OCTREE_OCTREE_CELL_H
 
 #include "Core/geometry/Box.h"
 #include "Core/geometry/Lanes.h"

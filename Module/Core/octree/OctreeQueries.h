@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OCTREE_QUERIES_H
-#define VITRINE_CORE_CULLING_OCTREE_QUERIES_H
+#ifndef VITRINE_CORE_OCTREE_OCTREE_QUERIES_H
+#define VITRINE_CORE_OCTREE_OCTREE_QUERIES_H
 
 #include "Core/octree/OctreeWalk.h"
 #include "Core/octree/Ray.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_RAY_H
-#define VITRINE_CORE_CULLING_RAY_H
+#ifndef VITRINE_CORE_OCTREE_RAY_H
+#define VITRINE_CORE_OCTREE_RAY_H
 
 #include "Core/geometry/Box.h"
 

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SHAFT_H
-#define VITRINE_CORE_CULLING_SHAFT_H
+#ifndef VITRINE_CORE_OCTREE_SHAFT_H
+#define VITRINE_CORE_OCTREE_SHAFT_H
 
 #include "Core/geometry/Box.h"
 

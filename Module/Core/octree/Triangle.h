@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_TRIANGLE_H
-#define VITRINE_CORE_CULLING_TRIANGLE_H
+#ifndef VITRINE_CORE_OCTREE_TRIANGLE_H
+#define VITRINE_CORE_OCTREE_TRIANGLE_H
 
 #include "Core/geometry/Box.h"
 #include "Core/octree/Ray.h"

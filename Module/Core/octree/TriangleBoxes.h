@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_TRIANGLE_BOXES_H
-#define VITRINE_CORE_CULLING_TRIANGLE_BOXES_H
+#ifndef VITRINE_CORE_OCTREE_TRIANGLE_BOXES_H
+#define VITRINE_CORE_OCTREE_TRIANGLE_BOXES_H
 
 #include "Core/geometry/Lanes.h"
 #include "Core/octree/ItemBoxes.h"

@@ -1,8 +1,8 @@
 /**
  * The declarations at global scope of a shader as VTK writes it: statements that begin and end on one line.
  */
-#ifndef VITRINE_SHADER_DECLARATIONS_H
-#define VITRINE_SHADER_DECLARATIONS_H
+#ifndef VITRINE_CORE_SHADER_SHADER_DECLARATIONS_H
+#define VITRINE_CORE_SHADER_SHADER_DECLARATIONS_H
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 /**
  * Rewriting of a mapper's fragment shader that has it shade another place than its pixel's centre.
  */
-#ifndef VITRINE_SHADER_INPUTS_H
-#define VITRINE_SHADER_INPUTS_H
+#ifndef VITRINE_CORE_SHADER_SHADER_INPUTS_H
+#define VITRINE_CORE_SHADER_SHADER_INPUTS_H
 
 #include <string>
 

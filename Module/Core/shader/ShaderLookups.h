@@ -2,8 +2,8 @@
  * Rewriting of texture lookups in a shader that sees its inputs moved (Core/shader/ShaderInputs). There, fragments that see the same
  * place differ in nothing, so that derivatives are to be taken of the inputs as they come.
  */
-#ifndef VITRINE_SHADER_LOOKUPS_H
-#define VITRINE_SHADER_LOOKUPS_H
+#ifndef VITRINE_CORE_SHADER_SHADER_LOOKUPS_H
+#define VITRINE_CORE_SHADER_SHADER_LOOKUPS_H
 
 #include <set>
 #include <string>

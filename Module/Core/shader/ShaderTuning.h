@@ -1,8 +1,8 @@
 /**
  * Rewriting of a mapper's shaders that makes them faster and changes no result.
  */
-#ifndef VITRINE_SHADER_TUNING_H
-#define VITRINE_SHADER_TUNING_H
+#ifndef VITRINE_CORE_SHADER_SHADER_TUNING_H
+#define VITRINE_CORE_SHADER_SHADER_TUNING_H
 
 #include <string>
 

@@ -1,8 +1,8 @@
 /**
  * The words of a shader's text.
  */
-#ifndef VITRINE_SHADER_WORDS_H
-#define VITRINE_SHADER_WORDS_H
+#ifndef VITRINE_CORE_SHADER_SHADER_WORDS_H
+#define VITRINE_CORE_SHADER_SHADER_WORDS_H
 
 #include <set>
 #include <string>

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_WORKER_THREADS_H
-#define VITRINE_CORE_WORKER_THREADS_H
+#ifndef VITRINE_CORE_THREADS_WORKER_THREADS_H
+#define VITRINE_CORE_THREADS_WORKER_THREADS_H
 
 #include <condition_variable>
 #include <cstddef>

@@ -3,8 +3,8 @@
  * What draws the blocks of a vtkCulledCompositePolyDataMapper, and what differs in it between VTK's versions: up to 9.2 helpers of
  * the mapper, from 9.3 on mappers of batches and what hands these their blocks.
  */
-#ifndef VITRINE_CULLING_BLOCK_DRAWING_H
-#define VITRINE_CULLING_BLOCK_DRAWING_H
+#ifndef VITRINE_CULLING_MAPPERS_BLOCK_DRAWING_H
+#define VITRINE_CULLING_MAPPERS_BLOCK_DRAWING_H
 
 #include "gl/VitrineOpenGL.h"
 

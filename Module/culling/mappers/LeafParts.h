@@ -1,5 +1,5 @@
-#ifndef VITRINE_CULLING_LEAF_PARTS_H
-#define VITRINE_CULLING_LEAF_PARTS_H
+#ifndef VITRINE_CULLING_MAPPERS_LEAF_PARTS_H
+#define VITRINE_CULLING_MAPPERS_LEAF_PARTS_H
 
 #include "culling/PartGeometry.h"
 #include "culling/ReadingHistory.h"

@@ -1,8 +1,8 @@
 /**
  * Which props can be drawn into a G-buffer.
  */
-#ifndef VITRINE_DEFERRABLE_PROPS_H
-#define VITRINE_DEFERRABLE_PROPS_H
+#ifndef VITRINE_LIGHTING_DEFERRED_DEFERRABLE_PROPS_H
+#define VITRINE_LIGHTING_DEFERRED_DEFERRABLE_PROPS_H
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 /**
  * The lights that the pixels of a G-buffer go through.
  */
-#ifndef VITRINE_DEFERRED_LISTS_H
-#define VITRINE_DEFERRED_LISTS_H
+#ifndef VITRINE_LIGHTING_DEFERRED_DEFERRED_LISTS_H
+#define VITRINE_LIGHTING_DEFERRED_DEFERRED_LISTS_H
 
 #include "Core/lighting/LightRectangles.h"
 #include "lighting/forward/LightBuffers.h"

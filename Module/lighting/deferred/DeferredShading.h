@@ -1,8 +1,8 @@
 /**
  * Draws opaque props into a G-buffer and lights them from there.
  */
-#ifndef VITRINE_DEFERRED_SHADING_H
-#define VITRINE_DEFERRED_SHADING_H
+#ifndef VITRINE_LIGHTING_DEFERRED_DEFERRED_SHADING_H
+#define VITRINE_LIGHTING_DEFERRED_DEFERRED_SHADING_H
 
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"

@@ -1,8 +1,8 @@
 /**
  * The G-buffer of deferred shading: what the pixels of a target show, as SharedLayout.h lays it out.
  */
-#ifndef VITRINE_GBUFFER_H
-#define VITRINE_GBUFFER_H
+#ifndef VITRINE_LIGHTING_DEFERRED_G_BUFFER_H
+#define VITRINE_LIGHTING_DEFERRED_G_BUFFER_H
 
 #include "gl/GLObjects.h"
 

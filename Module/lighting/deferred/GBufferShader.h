@@ -1,8 +1,8 @@
 /**
  * What VTK's mappers write for one light, cut in two: what it takes goes into the G-buffer, and is lit from there by the same formulas.
  */
-#ifndef VITRINE_GBUFFER_SHADER_H
-#define VITRINE_GBUFFER_SHADER_H
+#ifndef VITRINE_LIGHTING_DEFERRED_G_BUFFER_SHADER_H
+#define VITRINE_LIGHTING_DEFERRED_G_BUFFER_SHADER_H
 
 #include <string>
 

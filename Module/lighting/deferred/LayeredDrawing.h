@@ -1,8 +1,8 @@
 /**
  * Drawing into all layers of an image at once, each by a draw buffer of its number.
  */
-#ifndef VITRINE_LAYERED_DRAWING_H
-#define VITRINE_LAYERED_DRAWING_H
+#ifndef VITRINE_LIGHTING_DEFERRED_LAYERED_DRAWING_H
+#define VITRINE_LIGHTING_DEFERRED_LAYERED_DRAWING_H
 
 #include "gl/GLObjects.h"
 

@@ -1,8 +1,8 @@
 /**
  * What light volumes add up, pixel by pixel, as SharedLayout.h lays it out.
  */
-#ifndef VITRINE_LIGHT_SUMS_H
-#define VITRINE_LIGHT_SUMS_H
+#ifndef VITRINE_LIGHTING_DEFERRED_LIGHT_SUMS_H
+#define VITRINE_LIGHTING_DEFERRED_LIGHT_SUMS_H
 
 #include "gl/GLObjects.h"
 

@@ -1,8 +1,8 @@
 /**
  * Light volumes as classic deferred shading has them, each a rectangle of the picture that the light reaches nothing outside of.
  */
-#ifndef VITRINE_LIGHT_VOLUMES_H
-#define VITRINE_LIGHT_VOLUMES_H
+#ifndef VITRINE_LIGHTING_DEFERRED_LIGHT_VOLUMES_H
+#define VITRINE_LIGHTING_DEFERRED_LIGHT_VOLUMES_H
 
 #include "Core/lighting/LightRectangles.h"
 

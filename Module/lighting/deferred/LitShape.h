@@ -1,8 +1,8 @@
 /**
  * What is drawn over a viewport, in its coordinates, and lit by VTK's formulas.
  */
-#ifndef VITRINE_LIT_SHAPE_H
-#define VITRINE_LIT_SHAPE_H
+#ifndef VITRINE_LIGHTING_DEFERRED_LIT_SHAPE_H
+#define VITRINE_LIGHTING_DEFERRED_LIT_SHAPE_H
 
 #include "lighting/deferred/GBufferShader.h"
 #include "shader/ShaderHook.h"

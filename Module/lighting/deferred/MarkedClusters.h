@@ -1,8 +1,8 @@
 /**
  * Which clusters hold something of what a G-buffer shows to be lit.
  */
-#ifndef VITRINE_MARKED_CLUSTERS_H
-#define VITRINE_MARKED_CLUSTERS_H
+#ifndef VITRINE_LIGHTING_DEFERRED_MARKED_CLUSTERS_H
+#define VITRINE_LIGHTING_DEFERRED_MARKED_CLUSTERS_H
 
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"

@@ -1,8 +1,8 @@
 /**
  * The materials of surfaces that are the same all over, so that pixels of the G-buffer have their numbers in place of their values.
  */
-#ifndef VITRINE_MATERIAL_TABLE_H
-#define VITRINE_MATERIAL_TABLE_H
+#ifndef VITRINE_LIGHTING_DEFERRED_MATERIAL_TABLE_H
+#define VITRINE_LIGHTING_DEFERRED_MATERIAL_TABLE_H
 
 #include "Shaders/SharedLayout.h"
 #include "gl/GLObjects.h"

@@ -1,8 +1,8 @@
 /**
  * Lights and the lists of clusters, as buffer textures that shaders read.
  */
-#ifndef VITRINE_LIGHT_BUFFERS_H
-#define VITRINE_LIGHT_BUFFERS_H
+#ifndef VITRINE_LIGHTING_FORWARD_LIGHT_BUFFERS_H
+#define VITRINE_LIGHTING_FORWARD_LIGHT_BUFFERS_H
 
 #include "Core/lighting/LightAssignment.h"
 #include "Shaders/SharedLayout.h"

@@ -1,8 +1,8 @@
 /**
  * What lights are assigned to: cells of space, as shaders have them (ClusterOf.glsl).
  */
-#ifndef VITRINE_LIGHT_GRID_H
-#define VITRINE_LIGHT_GRID_H
+#ifndef VITRINE_LIGHTING_FORWARD_LIGHT_GRID_H
+#define VITRINE_LIGHTING_FORWARD_LIGHT_GRID_H
 
 #include "Core/lighting/LightAssignment.h"
 

@@ -1,8 +1,8 @@
 /**
  * What VTK's mappers write for one light, turned into a loop over the lights of a cluster, so that the formulas are VTK's own.
  */
-#ifndef VITRINE_LIGHT_LOOP_H
-#define VITRINE_LIGHT_LOOP_H
+#ifndef VITRINE_LIGHTING_FORWARD_LIGHT_LOOP_H
+#define VITRINE_LIGHTING_FORWARD_LIGHT_LOOP_H
 
 #include <string>
 

@@ -1,8 +1,8 @@
 /**
  * One light in place of all: VTK's mappers write their text for it, whatever the number of lights.
  */
-#ifndef VITRINE_LIGHT_SWAP_H
-#define VITRINE_LIGHT_SWAP_H
+#ifndef VITRINE_LIGHTING_FORWARD_LIGHT_SWAP_H
+#define VITRINE_LIGHTING_FORWARD_LIGHT_SWAP_H
 
 #include "vtkLightCollection.h"
 #include "vtkSmartPointer.h"

@@ -1,8 +1,8 @@
 /**
  * How much of what lights give reaches the picture.
  */
-#ifndef VITRINE_MATERIAL_GAIN_H
-#define VITRINE_MATERIAL_GAIN_H
+#ifndef VITRINE_LIGHTING_FORWARD_MATERIAL_GAIN_H
+#define VITRINE_LIGHTING_FORWARD_MATERIAL_GAIN_H
 
 class vtkRenderer;
 

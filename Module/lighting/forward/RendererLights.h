@@ -1,8 +1,8 @@
 /**
  * A renderer's lights, as shaders and the light grid have them.
  */
-#ifndef VITRINE_RENDERER_LIGHTS_H
-#define VITRINE_RENDERER_LIGHTS_H
+#ifndef VITRINE_LIGHTING_FORWARD_RENDERER_LIGHTS_H
+#define VITRINE_LIGHTING_FORWARD_RENDERER_LIGHTS_H
 
 #include "Core/lighting/LightFalloff.h"
 #include "Core/lighting/LightVolume.h"

@@ -1,8 +1,8 @@
 /**
  * The light grid of what a renderer's camera shows, as shaders have it (ClusterOf.glsl).
  */
-#ifndef VITRINE_VIEW_GRID_H
-#define VITRINE_VIEW_GRID_H
+#ifndef VITRINE_LIGHTING_FORWARD_VIEW_GRID_H
+#define VITRINE_LIGHTING_FORWARD_VIEW_GRID_H
 
 #include "Core/lighting/ClusterGrid.h"
 #include "lighting/forward/LightGrid.h"

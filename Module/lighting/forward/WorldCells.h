@@ -1,8 +1,8 @@
 /**
  * The light grid that stands in the world.
  */
-#ifndef VITRINE_WORLD_CELLS_H
-#define VITRINE_WORLD_CELLS_H
+#ifndef VITRINE_LIGHTING_FORWARD_WORLD_CELLS_H
+#define VITRINE_LIGHTING_FORWARD_WORLD_CELLS_H
 
 #include "Core/lighting/WorldGrid.h"
 #include "lighting/forward/LightGrid.h"

@@ -1,8 +1,8 @@
 /**
  * What a frame counts on the device: how many fragments there are, and in how long lists.
  */
-#ifndef VITRINE_FRAGMENT_COUNTERS_H
-#define VITRINE_FRAGMENT_COUNTERS_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_COUNTERS_H
+#define VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_COUNTERS_H
 
 #include "Shaders/SharedLayout.h"
 #include "gl/GLObjects.h"

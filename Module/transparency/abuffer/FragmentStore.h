@@ -1,8 +1,8 @@
 /**
  * Where the fragments of a frame lie on the device until they are resolved: a list for each pixel.
  */
-#ifndef VITRINE_FRAGMENT_STORE_H
-#define VITRINE_FRAGMENT_STORE_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_STORE_H
+#define VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_STORE_H
 
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"

@@ -1,8 +1,8 @@
 /**
  * Fragments in linked lists: pages of a pool that shaders allocate, an image of heads.
  */
-#ifndef VITRINE_LINKED_LIST_STORE_H
-#define VITRINE_LINKED_LIST_STORE_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_LINKED_LIST_STORE_H
+#define VITRINE_TRANSPARENCY_ABUFFER_LINKED_LIST_STORE_H
 
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/abuffer/NodePool.h"

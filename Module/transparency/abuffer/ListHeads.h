@@ -3,8 +3,8 @@
  * Linked lists: the newest page, and the number of fragments. Packed lists: where the room begins, and fragments and
  * room in one word.
  */
-#ifndef VITRINE_LIST_HEADS_H
-#define VITRINE_LIST_HEADS_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_HEADS_H
+#define VITRINE_TRANSPARENCY_ABUFFER_LIST_HEADS_H
 
 #include "gl/GLObjects.h"
 #include "gl/RenderTarget.h"

@@ -1,8 +1,8 @@
 /**
  * How lists of fragments are laid out: what shaders are compiled for.
  */
-#ifndef VITRINE_LIST_LAYOUT_H
-#define VITRINE_LIST_LAYOUT_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_LAYOUT_H
+#define VITRINE_TRANSPARENCY_ABUFFER_LIST_LAYOUT_H
 
 #include <string>
 #include <vector>

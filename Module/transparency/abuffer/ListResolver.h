@@ -1,8 +1,8 @@
 /**
  * The second half of the methods that store lists: what those hold becomes a picture.
  */
-#ifndef VITRINE_LIST_RESOLVER_H
-#define VITRINE_LIST_RESOLVER_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_RESOLVER_H
+#define VITRINE_TRANSPARENCY_ABUFFER_LIST_RESOLVER_H
 
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"

@@ -1,8 +1,8 @@
 /**
  * The memory of the linked lists: pages of nodes, and their links.
  */
-#ifndef VITRINE_NODE_POOL_H
-#define VITRINE_NODE_POOL_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_NODE_POOL_H
+#define VITRINE_TRANSPARENCY_ABUFFER_NODE_POOL_H
 
 #include "Core/lists/PoolSizing.h"
 #include "gl/GLObjects.h"

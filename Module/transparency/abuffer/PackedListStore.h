@@ -2,8 +2,8 @@
  * Fragments in packed lists: one buffer, in which each pixel has room for as many fragments as were counted, or as the
  * last frame lets expect.
  */
-#ifndef VITRINE_PACKED_LIST_STORE_H
-#define VITRINE_PACKED_LIST_STORE_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_PACKED_LIST_STORE_H
+#define VITRINE_TRANSPARENCY_ABUFFER_PACKED_LIST_STORE_H
 
 #include "Core/lists/PixelBlocks.h"
 #include "transparency/abuffer/FragmentStore.h"

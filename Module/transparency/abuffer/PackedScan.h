@@ -4,8 +4,8 @@
  * M. Harris, S. Sengupta, J. D. Owens: Parallel Prefix Sum (Scan) with CUDA, GPU Gems 3, 2007, for scans block by block;
  * the sums of VITRINE_SCAN_FANOUT values are one invocation's work, so that no invocation waits for another.
  */
-#ifndef VITRINE_PACKED_SCAN_H
-#define VITRINE_PACKED_SCAN_H
+#ifndef VITRINE_TRANSPARENCY_ABUFFER_PACKED_SCAN_H
+#define VITRINE_TRANSPARENCY_ABUFFER_PACKED_SCAN_H
 
 #include "Core/lists/PixelBlocks.h"
 #include "gl/ComputeProgram.h"

@@ -1,8 +1,8 @@
 /**
  * The tolerance within which fragments coincide, as methods share it (Shaders/Coincidence.glsl).
  */
-#ifndef VITRINE_COINCIDENCE_TOLERANCE_H
-#define VITRINE_COINCIDENCE_TOLERANCE_H
+#ifndef VITRINE_TRANSPARENCY_COMMON_COINCIDENCE_TOLERANCE_H
+#define VITRINE_TRANSPARENCY_COMMON_COINCIDENCE_TOLERANCE_H
 
 #include <string>
 

@@ -1,8 +1,8 @@
 /**
  * What the declarations that are joined to mappers' shaders need of the driver, where fragments go to buffers.
  */
-#ifndef VITRINE_FILL_EXTENSIONS_H
-#define VITRINE_FILL_EXTENSIONS_H
+#ifndef VITRINE_TRANSPARENCY_COMMON_FILL_EXTENSIONS_H
+#define VITRINE_TRANSPARENCY_COMMON_FILL_EXTENSIONS_H
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 /**
  * How a method's storing of fragments is joined to the shaders of VTK's mappers.
  */
-#ifndef VITRINE_FILL_SHADER_H
-#define VITRINE_FILL_SHADER_H
+#ifndef VITRINE_TRANSPARENCY_COMMON_FILL_SHADER_H
+#define VITRINE_TRANSPARENCY_COMMON_FILL_SHADER_H
 
 #include "Core/shader/ShaderInputs.h"
 

@@ -1,8 +1,8 @@
 /**
  * The fragment shaders that resolve lists, with their unrolled parts filled in.
  */
-#ifndef VITRINE_RESOLVE_SOURCES_H
-#define VITRINE_RESOLVE_SOURCES_H
+#ifndef VITRINE_TRANSPARENCY_COMMON_RESOLVE_SOURCES_H
+#define VITRINE_TRANSPARENCY_COMMON_RESOLVE_SOURCES_H
 
 #include <string>
 

@@ -1,8 +1,8 @@
 /**
  * The second half of the stencil masks: what the groups hold becomes a picture, whose defects are marked and repaired.
  */
-#ifndef VITRINE_MASK_RESOLVER_H
-#define VITRINE_MASK_RESOLVER_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_MASK_RESOLVER_H
+#define VITRINE_TRANSPARENCY_STENCIL_MASK_RESOLVER_H
 
 #include "Core/lists/StencilMasks.h"
 #include "gl/GLObjects.h"

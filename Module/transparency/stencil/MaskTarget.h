@@ -2,8 +2,8 @@
  * The larger target of the stencil masks: a group of pixels for each pixel of a render target's region, with colours,
  * depths and the stencil that lets one fragment through to each.
  */
-#ifndef VITRINE_MASK_TARGET_H
-#define VITRINE_MASK_TARGET_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_MASK_TARGET_H
+#define VITRINE_TRANSPARENCY_STENCIL_MASK_TARGET_H
 
 #include "Core/geometry/PixelRegion.h"
 #include "Core/lists/StencilMasks.h"

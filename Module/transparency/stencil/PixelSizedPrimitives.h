@@ -1,8 +1,8 @@
 /**
  * Translucent geometry whose size counts in pixels, which a larger target would draw thinner.
  */
-#ifndef VITRINE_PIXEL_SIZED_PRIMITIVES_H
-#define VITRINE_PIXEL_SIZED_PRIMITIVES_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_PIXEL_SIZED_PRIMITIVES_H
+#define VITRINE_TRANSPARENCY_STENCIL_PIXEL_SIZED_PRIMITIVES_H
 
 #include <string>
 

@@ -2,8 +2,8 @@
  * The images that stencil routing draws into: of each geometry pass a layer of colours and of depths, and the stencil of one
  * pass. Where a pass takes several fragments of a pixel, each has a sample.
  */
-#ifndef VITRINE_ROUTED_IMAGES_H
-#define VITRINE_ROUTED_IMAGES_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTED_IMAGES_H
+#define VITRINE_TRANSPARENCY_STENCIL_ROUTED_IMAGES_H
 
 #include "gl/GLObjects.h"
 

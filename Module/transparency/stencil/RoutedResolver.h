@@ -1,8 +1,8 @@
 /**
  * The second half of stencil routing: what the samples hold becomes a picture.
  */
-#ifndef VITRINE_ROUTED_RESOLVER_H
-#define VITRINE_ROUTED_RESOLVER_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTED_RESOLVER_H
+#define VITRINE_TRANSPARENCY_STENCIL_ROUTED_RESOLVER_H
 
 #include "Core/lists/StencilCounts.h"
 #include "gl/GLObjects.h"

@@ -3,8 +3,8 @@
  * each fragment that the pass takes of a pixel, with colours, depths and the stencil that lets it through. How many layers
  * there are is a policy: Core/lists/PoolSizing.
  */
-#ifndef VITRINE_ROUTED_TARGET_H
-#define VITRINE_ROUTED_TARGET_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTED_TARGET_H
+#define VITRINE_TRANSPARENCY_STENCIL_ROUTED_TARGET_H
 
 #include "Core/geometry/PixelRegion.h"
 #include "Core/lists/PoolSizing.h"

@@ -7,8 +7,8 @@
  * in framebuffer objects. What is asked here is what the driver does, not who it is: a few fragments are drawn into one
  * pixel, by triangles whose edges lie beside its centre, and the samples are read as a resolve reads them.
  */
-#ifndef VITRINE_ROUTING_PROBE_H
-#define VITRINE_ROUTING_PROBE_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTING_PROBE_H
+#define VITRINE_TRANSPARENCY_STENCIL_ROUTING_PROBE_H
 
 #include "Core/lists/StencilRouting.h"
 #include "gl/GLObjects.h"

@@ -1,8 +1,8 @@
 /**
  * What the samples of a multisampled stencil begin with, and how it lets fragments through to them.
  */
-#ifndef VITRINE_SAMPLE_ROUTING_H
-#define VITRINE_SAMPLE_ROUTING_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_SAMPLE_ROUTING_H
+#define VITRINE_TRANSPARENCY_STENCIL_SAMPLE_ROUTING_H
 
 #include "Core/lists/StencilRouting.h"
 #include "gl/GLObjects.h"

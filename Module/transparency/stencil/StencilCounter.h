@@ -1,8 +1,8 @@
 /**
  * Counting by a stencil that every fragment decrements: it is read back, counted, and the counts become an image.
  */
-#ifndef VITRINE_STENCIL_COUNTER_H
-#define VITRINE_STENCIL_COUNTER_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_STENCIL_COUNTER_H
+#define VITRINE_TRANSPARENCY_STENCIL_STENCIL_COUNTER_H
 
 #include "Core/geometry/PixelRegion.h"
 #include "Core/lists/StencilCounts.h"

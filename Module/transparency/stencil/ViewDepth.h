@@ -1,8 +1,8 @@
 /**
  * From window depth to depth in view space.
  */
-#ifndef VITRINE_VIEW_DEPTH_H
-#define VITRINE_VIEW_DEPTH_H
+#ifndef VITRINE_TRANSPARENCY_STENCIL_VIEW_DEPTH_H
+#define VITRINE_TRANSPARENCY_STENCIL_VIEW_DEPTH_H
 
 class vtkCamera;
 

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_S_BUFFER_H
-#define VITRINE_CORE_S_BUFFER_H
+#ifndef VITRINE_CORE_CULLING_BUFFER_S_BUFFER_H
+#define VITRINE_CORE_CULLING_BUFFER_S_BUFFER_H
 
 #include "Core/culling/buffer/SampleDepths.h"
 #include "Core/culling/buffer/TileDepths.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SAMPLE_DEPTHS_H
-#define VITRINE_CORE_CULLING_SAMPLE_DEPTHS_H
+#ifndef VITRINE_CORE_CULLING_BUFFER_SAMPLE_DEPTHS_H
+#define VITRINE_CORE_CULLING_BUFFER_SAMPLE_DEPTHS_H
 
 #include "Core/culling/buffer/TileDepths.h"
 #include "Core/geometry/BeyondAll.h"

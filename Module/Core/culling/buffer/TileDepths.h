@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_TILE_DEPTHS_H
-#define VITRINE_CORE_CULLING_TILE_DEPTHS_H
+#ifndef VITRINE_CORE_CULLING_BUFFER_TILE_DEPTHS_H
+#define VITRINE_CORE_CULLING_BUFFER_TILE_DEPTHS_H
 
 #include "Core/geometry/BeyondAll.h"
 #include "Core/geometry/Lanes.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_FACE_COVERAGE_H
-#define VITRINE_CORE_CULLING_FACE_COVERAGE_H
+#ifndef VITRINE_CORE_CULLING_COVER_FACE_COVERAGE_H
+#define VITRINE_CORE_CULLING_COVER_FACE_COVERAGE_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/cover/OpenLines.h"

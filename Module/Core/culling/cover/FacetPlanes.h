@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_FACET_PLANES_H
-#define VITRINE_CORE_CULLING_FACET_PLANES_H
+#ifndef VITRINE_CORE_CULLING_COVER_FACET_PLANES_H
+#define VITRINE_CORE_CULLING_COVER_FACET_PLANES_H
 
 #include "Core/culling/cover/FewFacetsFrame.h"
 #include "Core/culling/mesh/FewFacets.h"

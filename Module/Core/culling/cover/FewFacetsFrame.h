@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_FEW_FACETS_FRAME_H
-#define VITRINE_CORE_CULLING_FEW_FACETS_FRAME_H
+#ifndef VITRINE_CORE_CULLING_COVER_FEW_FACETS_FRAME_H
+#define VITRINE_CORE_CULLING_COVER_FEW_FACETS_FRAME_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/LineExtent.h"

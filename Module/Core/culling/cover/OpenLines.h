@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OPEN_LINES_H
-#define VITRINE_CORE_CULLING_OPEN_LINES_H
+#ifndef VITRINE_CORE_CULLING_COVER_OPEN_LINES_H
+#define VITRINE_CORE_CULLING_COVER_OPEN_LINES_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/cover/ScreenPatches.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OUTLINE_SIDES_H
-#define VITRINE_CORE_CULLING_OUTLINE_SIDES_H
+#ifndef VITRINE_CORE_CULLING_COVER_OUTLINE_SIDES_H
+#define VITRINE_CORE_CULLING_COVER_OUTLINE_SIDES_H
 
 #include "Core/culling/cover/FewFacetsFrame.h"
 #include "Core/culling/mesh/FewFacets.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_PATCH_EDGES_H
-#define VITRINE_CORE_CULLING_PATCH_EDGES_H
+#ifndef VITRINE_CORE_CULLING_COVER_PATCH_EDGES_H
+#define VITRINE_CORE_CULLING_COVER_PATCH_EDGES_H
 
 #include "Core/culling/cover/OpenLines.h"
 #include "Core/culling/cover/ScreenPatches.h"

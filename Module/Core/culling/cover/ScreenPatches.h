@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SCREEN_PATCHES_H
-#define VITRINE_CORE_CULLING_SCREEN_PATCHES_H
+#ifndef VITRINE_CORE_CULLING_COVER_SCREEN_PATCHES_H
+#define VITRINE_CORE_CULLING_COVER_SCREEN_PATCHES_H
 
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/culling/steady/CutFaces.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_HIDDEN_FACES_H
-#define VITRINE_CORE_CULLING_HIDDEN_FACES_H
+#ifndef VITRINE_CORE_CULLING_HIDDEN_HIDDEN_FACES_H
+#define VITRINE_CORE_CULLING_HIDDEN_HIDDEN_FACES_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/hidden/SampledFaces.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SAMPLED_FACES_H
-#define VITRINE_CORE_CULLING_SAMPLED_FACES_H
+#ifndef VITRINE_CORE_CULLING_HIDDEN_SAMPLED_FACES_H
+#define VITRINE_CORE_CULLING_HIDDEN_SAMPLED_FACES_H
 
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/geometry/Lanes.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_FEW_FACETS_H
-#define VITRINE_CORE_CULLING_FEW_FACETS_H
+#ifndef VITRINE_CORE_CULLING_MESH_FEW_FACETS_H
+#define VITRINE_CORE_CULLING_MESH_FEW_FACETS_H
 
 #include "Core/culling/mesh/MeshFacets.h"
 #include "Core/geometry/Lanes.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OCCLUDER_MESH_H
-#define VITRINE_CORE_CULLING_OCCLUDER_MESH_H
+#ifndef VITRINE_CORE_CULLING_MESH_OCCLUDER_MESH_H
+#define VITRINE_CORE_CULLING_MESH_OCCLUDER_MESH_H
 
 #include "Core/culling/mesh/FewFacets.h"
 #include "Core/culling/mesh/MeshFacets.h"

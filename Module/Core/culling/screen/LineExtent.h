@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_LINE_EXTENT_H
-#define VITRINE_CORE_CULLING_LINE_EXTENT_H
+#ifndef VITRINE_CORE_CULLING_SCREEN_LINE_EXTENT_H
+#define VITRINE_CORE_CULLING_SCREEN_LINE_EXTENT_H
 
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/geometry/BeyondAll.h"

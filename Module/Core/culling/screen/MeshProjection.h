@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_MESH_PROJECTION_H
-#define VITRINE_CORE_CULLING_MESH_PROJECTION_H
+#ifndef VITRINE_CORE_CULLING_SCREEN_MESH_PROJECTION_H
+#define VITRINE_CORE_CULLING_SCREEN_MESH_PROJECTION_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/mesh/OccluderMesh.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_NEAR_CLIP_H
-#define VITRINE_CORE_CULLING_NEAR_CLIP_H
+#ifndef VITRINE_CORE_CULLING_SCREEN_NEAR_CLIP_H
+#define VITRINE_CORE_CULLING_SCREEN_NEAR_CLIP_H
 
 #include "Core/culling/mesh/OccluderMesh.h"
 #include "Core/culling/screen/ScreenProjection.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SCREEN_PROJECTION_H
-#define VITRINE_CORE_CULLING_SCREEN_PROJECTION_H
+#ifndef VITRINE_CORE_CULLING_SCREEN_SCREEN_PROJECTION_H
+#define VITRINE_CORE_CULLING_SCREEN_SCREEN_PROJECTION_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/DeviceCoordinates.h"

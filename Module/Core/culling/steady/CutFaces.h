@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_CUT_FACES_H
-#define VITRINE_CORE_CULLING_CUT_FACES_H
+#ifndef VITRINE_CORE_CULLING_STEADY_CUT_FACES_H
+#define VITRINE_CORE_CULLING_STEADY_CUT_FACES_H
 
 #include "Core/culling/mesh/FewFacets.h"
 #include "Core/culling/screen/MeshProjection.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_DEPTH_PLANE_H
-#define VITRINE_CORE_CULLING_DEPTH_PLANE_H
+#ifndef VITRINE_CORE_CULLING_STEADY_DEPTH_PLANE_H
+#define VITRINE_CORE_CULLING_STEADY_DEPTH_PLANE_H
 
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/culling/steady/SlantedDepth.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_FACE_BLOCK_H
-#define VITRINE_CORE_CULLING_FACE_BLOCK_H
+#ifndef VITRINE_CORE_CULLING_STEADY_FACE_BLOCK_H
+#define VITRINE_CORE_CULLING_STEADY_FACE_BLOCK_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/MeshProjection.h"

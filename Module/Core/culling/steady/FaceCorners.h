@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_FACE_CORNERS_H
-#define VITRINE_CORE_CULLING_FACE_CORNERS_H
+#ifndef VITRINE_CORE_CULLING_STEADY_FACE_CORNERS_H
+#define VITRINE_CORE_CULLING_STEADY_FACE_CORNERS_H
 
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/geometry/Lanes.h"

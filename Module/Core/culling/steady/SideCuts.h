@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SIDE_CUTS_H
-#define VITRINE_CORE_CULLING_SIDE_CUTS_H
+#ifndef VITRINE_CORE_CULLING_STEADY_SIDE_CUTS_H
+#define VITRINE_CORE_CULLING_STEADY_SIDE_CUTS_H
 
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/culling/steady/FaceBlock.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_BAND_PARTS_H
-#define VITRINE_CORE_CULLING_BAND_PARTS_H
+#ifndef VITRINE_CORE_CULLING_WALK_BAND_PARTS_H
+#define VITRINE_CORE_CULLING_WALK_BAND_PARTS_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/cover/FaceCoverage.h"

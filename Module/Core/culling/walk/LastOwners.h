@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_LAST_OWNERS_H
-#define VITRINE_CORE_CULLING_LAST_OWNERS_H
+#ifndef VITRINE_CORE_CULLING_WALK_LAST_OWNERS_H
+#define VITRINE_CORE_CULLING_WALK_LAST_OWNERS_H
 
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/walk/PartStates.h"

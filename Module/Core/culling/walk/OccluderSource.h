@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_OCCLUDER_SOURCE_H
-#define VITRINE_CORE_CULLING_OCCLUDER_SOURCE_H
+#ifndef VITRINE_CORE_CULLING_WALK_OCCLUDER_SOURCE_H
+#define VITRINE_CORE_CULLING_WALK_OCCLUDER_SOURCE_H
 
 #include "Core/culling/mesh/MeshBoxes.h"
 #include "Core/culling/mesh/OccluderMesh.h"

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SECOND_LOOK_H
-#define VITRINE_CORE_CULLING_SECOND_LOOK_H
+#ifndef VITRINE_CORE_CULLING_WALK_SECOND_LOOK_H
+#define VITRINE_CORE_CULLING_WALK_SECOND_LOOK_H
 
 #include "Core/culling/hidden/HiddenFaces.h"
 #include "Core/culling/screen/ScreenProjection.h"

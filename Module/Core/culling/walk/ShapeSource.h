@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_SHAPE_SOURCE_H
-#define VITRINE_CORE_CULLING_SHAPE_SOURCE_H
+#ifndef VITRINE_CORE_CULLING_WALK_SHAPE_SOURCE_H
+#define VITRINE_CORE_CULLING_WALK_SHAPE_SOURCE_H
 
 #include "Core/culling/hidden/HiddenLines.h"
 #include "Core/culling/steady/FacePlanes.h"
