@@ -3,9 +3,9 @@
 
 #include "Core/culling/walk/LooseOctree.h"
 #include "Core/culling/walk/PartCuller.h"
+#include "culling/BlendedProps.h"
 #include "culling/PartGeometry.h"
 #include "culling/mappers/DividedMapper.h"
-#include "scene/BlendedProps.h"
 #include "scene/PipelineState.h"
 
 #include "vtkType.h"

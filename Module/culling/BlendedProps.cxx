@@ -1,4 +1,4 @@
-#include "scene/BlendedProps.h"
+#include "culling/BlendedProps.h"
 
 #include "scene/ActorRules.h"
 #include "scene/ClassName.h"
