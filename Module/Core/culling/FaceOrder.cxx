@@ -32,6 +32,14 @@ FaceOrder::Order Opposite(FaceOrder::Order order)
   return order == Order::Nearer ? Order::Farther : order == Order::Farther ? Order::Nearer : order;
 }
 
+SpanOrder ToSpanOrder(FaceOrder::Order order)
+{
+  using Order = FaceOrder::Order;
+  return order == Order::Nearer ? SpanOrder::Nearer
+    : order == Order::Farther   ? SpanOrder::Farther
+                                : SpanOrder::NotKnown;
+}
+
 bool IsOneOrder(FaceOrder::Order order)
 {
   return order == FaceOrder::Order::Nearer || order == FaceOrder::Order::Farther;
@@ -57,14 +65,14 @@ void FaceOrder::Begin(const FaceSegment& segment)
   this->Last.Known = Order::NotKnown;
 }
 
-FaceOrder::Order FaceOrder::Of(const Span& there, float left, float right)
+SpanOrder FaceOrder::Of(const Span& there, float left, float right)
 {
   const Order order = this->Derive(there, left, right);
   if (this->Statements.SharedEnds)
   {
     this->Last = { right, there.DepthAt(right), there.Face, order };
   }
-  return order;
+  return ToSpanOrder(order);
 }
 
 /** By the statements in use. */

@@ -2,7 +2,7 @@
 #define VITRINE_CORE_CULLING_FACE_ORDER_H
 
 #include "Core/culling/ConvexFace.h"
-#include "Core/culling/buffer/SBuffer.h"
+#include "Core/culling/buffer/SBufferInsertion.h"
 
 #include <cstdint>
 #include <vector>
@@ -68,8 +68,8 @@ public:
   /** What is asked for next is of this segment. */
   void Begin(const FaceSegment& segment);
 
-  /** Of the segment towards a span that covers from `left` to `right`: Nearer, Farther, or else NotKnown. */
-  Order Of(const Span& there, float left, float right);
+  /** Of the segment towards a span that covers from `left` to `right`. */
+  SpanOrder Of(const Span& there, float left, float right);
 
   /** By how much the segment is nearer than the span at both places. */
   void Learn(

@@ -113,7 +113,11 @@ void InsertFace(SBuffer& buffer, const ConvexFace& face)
 void InsertFace(SBuffer& buffer, const ConvexFace& face, FaceOrder& order)
 {
   InsertLines(buffer, face,
-    [&](int line, const FaceSegment& segment) { buffer.Insert(line, segment, order); });
+    [&](int line, const FaceSegment& segment)
+    {
+      order.Begin(segment);
+      buffer.InsertBy(order, line, segment.Covered);
+    });
 }
 
 bool HidesFace(const SBuffer& buffer, const ConvexFace& face, float margin)

@@ -1,6 +1,5 @@
 #include "Core/culling/buffer/SBuffer.h"
 
-#include "Core/culling/FaceOrder.h"
 #include "Core/culling/buffer/SBufferInsertion.h"
 #include "Core/geometry/Lanes.h"
 
@@ -84,80 +83,7 @@ void SBuffer::Free(std::uint32_t span)
   this->FirstFree = span;
 }
 
-/**
- * Does something with each span of a tile that has samples between two, and the first and the last of those.
- * @param work  returns whether to go on
- * @returns     whether all samples are covered, and the work went on to the end
- */
-template <class Work>
-VITRINE_INLINE bool SBuffer::ForEachCovered(
-  std::uint32_t first, float left, float right, const Work& work) const
-{
-  float next = left; // the question may be of one place alone
-  for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
-  {
-    const Span& span = this->Pool[i];
-    if (span.Right < next)
-    {
-      continue; // nothing shows between samples
-    }
-    const float last = span.Right < right ? this->Grid.UpTo(span.Right) : right;
-    if (span.Left > next || !work(span, next, last))
-    {
-      return false;
-    }
-    if (last >= right)
-    {
-      return true;
-    }
-    next = this->Grid.Behind(last);
-  }
-  return false;
-}
-
-template <class Orders>
-VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
-{
-  assert(line >= 0 && line < this->LineCount);
-  const float left = std::max(segment.Left, 0.0f);
-  const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
-  const float length = segment.Right - segment.Left;
-  const float slope = (segment.RightDepth - segment.LeftDepth) / length;
-  const float greatest = std::max(segment.LeftDepth, segment.RightDepth);
-  if (!(left < right && this->Grid.From(left) <= this->Grid.UpTo(right)) ||
-    !std::isfinite(length) || !std::isfinite(slope) || !std::isfinite(greatest))
-  {
-    return;
-  }
-  ++this->Counted.Inserted;
-  const int last = this->Tiles.TileOf(right);
-  for (int i = this->Tiles.TileOf(left); i <= last; ++i)
-  {
-    const std::size_t tile = this->Tiles.At(line, i);
-    if (this->Tiles[tile] >= greatest)
-    {
-      continue;
-    }
-    this->Tiles.Touch(i);
-    const float tileLeft = static_cast<float>(i * TileWidth);
-    const float tileRight = std::min(tileLeft + TileWidth, static_cast<float>(this->ColumnCount));
-    if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
-          .Run(std::max(left, tileLeft), std::min(right, tileRight)))
-    {
-      float least = 2.0f;
-      const bool isFull = this->ForEachCovered(this->Firsts[tile], this->Grid.From(tileLeft),
-        this->Grid.UpTo(tileRight),
-        [&least](const Span& span, float first, float last)
-        {
-          least = std::min(least, std::min(span.DepthAt(first), span.DepthAt(last)));
-          return true;
-        });
-      this->Tiles[tile] = isFull ? least : TileDepths::NotFull;
-    }
-  }
-}
-
-/** The same where there are samples in place of spans. */
+/** Where there are samples in place of spans. */
 void SBuffer::InsertAtSamples(int line, const Segment& segment)
 {
   assert(line >= 0 && line < this->LineCount);
@@ -187,15 +113,8 @@ void SBuffer::Insert(int line, const Segment& segment)
     this->InsertAtSamples(line, segment);
     return;
   }
-  NoFaceOrder none;
+  NoOrders none;
   this->InsertBy(none, line, segment);
-}
-
-void SBuffer::Insert(int line, const FaceSegment& segment, FaceOrder& order)
-{
-  assert(!this->AtSamples);
-  order.Begin(segment);
-  this->InsertBy(order, line, segment.Covered);
 }
 
 VITRINE_INLINE bool SBuffer::TileHides(

@@ -15,9 +15,6 @@
 namespace vitrine
 {
 
-class FaceOrder;
-struct FaceSegment;
-
 /**
  * What an occluder surely covers of a line of an s-buffer: all samples of the line from Left to Right, in columns. Depth
  * is reversed, 1 at the near plane and 0 at the far one, and linear between the ends; what is drawn is nowhere farther.
@@ -137,8 +134,9 @@ public:
   /** Keep what of `segment` is nearer than what is there. Segments without length or that are not finite are left out. */
   void Insert(int line, const Segment& segment);
 
-  /** The same where it has spans, and the order of faces is known without comparing depths. */
-  void Insert(int line, const FaceSegment& segment, FaceOrder& order);
+  /** The same where it has spans, by what is known of their order without comparing depths (SBufferInsertion.h). */
+  template <class Orders>
+  void InsertBy(Orders& orders, int line, const Segment& segment);
 
   /** The depths of samples, if it has those in place of spans. */
   const SampleDepths* BySample() const { return this->AtSamples.get(); }
@@ -210,8 +208,6 @@ private:
   template <class Orders>
   class Insertion;
 
-  template <class Orders>
-  void InsertBy(Orders& orders, int line, const Segment& segment);
   void InsertAtSamples(int line, const Segment& segment);
 
   static constexpr std::size_t DefaultMostSpans = 1u << 20;

@@ -1,24 +1,36 @@
 #ifndef VITRINE_CORE_CULLING_BUFFER_S_BUFFER_INSERTION_H
 #define VITRINE_CORE_CULLING_BUFFER_S_BUFFER_INSERTION_H
 
-#include "Core/culling/FaceOrder.h"
 #include "Core/culling/buffer/SBuffer.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 namespace vitrine
 {
 
-/** Of segments of which no order is known. */
-struct NoFaceOrder
+/** What is known of a segment towards a span that is there, before their depths are compared. */
+enum class SpanOrder : std::uint8_t
 {
-  static FaceOrder::Order Of(const Span&, float, float) { return FaceOrder::Order::NotKnown; }
+  NotKnown,
+  Nearer,
+  Farther
+};
+
+/** Of segments of which no order is known: depths are compared each time. */
+struct NoOrders
+{
+  /** Of the segment towards a span that covers from one column to another. */
+  static SpanOrder Of(const Span&, float, float) { return SpanOrder::NotKnown; }
+
+  /** Is told the segment's slope, the span, the two columns, and by how much the segment is nearer there. */
   static void Learn(float, const Span&, float, float, float, float) {}
 };
 
 /**
  * One segment on its way into one tile: goes over the list from left to right.
- * @tparam Orders  FaceOrder or NoFaceOrder, which are asked before two depths are compared
+ * @tparam Orders  has what NoOrders has
  */
 template <class Orders>
 class SBuffer::Insertion
@@ -77,10 +89,10 @@ private:
   {
     switch (this->Known.Of(there, this->Left, end))
     {
-      case FaceOrder::Order::Nearer:
+      case SpanOrder::Nearer:
         this->Take(there, end);
         break;
-      case FaceOrder::Order::Farther:
+      case SpanOrder::Farther:
         this->Left = end;
         break;
       default:
@@ -202,6 +214,79 @@ private:
   float Left = 0.0f;    ///< what lies left of it is done
   bool IsChanged = false;
 };
+
+/**
+ * Does something with each span of a tile that has samples between two, and the first and the last of those.
+ * @param work  returns whether to go on
+ * @returns     whether all samples are covered, and the work went on to the end
+ */
+template <class Work>
+VITRINE_INLINE bool SBuffer::ForEachCovered(
+  std::uint32_t first, float left, float right, const Work& work) const
+{
+  float next = left; // the question may be of one place alone
+  for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
+  {
+    const Span& span = this->Pool[i];
+    if (span.Right < next)
+    {
+      continue; // nothing shows between samples
+    }
+    const float last = span.Right < right ? this->Grid.UpTo(span.Right) : right;
+    if (span.Left > next || !work(span, next, last))
+    {
+      return false;
+    }
+    if (last >= right)
+    {
+      return true;
+    }
+    next = this->Grid.Behind(last);
+  }
+  return false;
+}
+
+template <class Orders>
+VITRINE_INLINE void SBuffer::InsertBy(Orders& orders, int line, const Segment& segment)
+{
+  assert(!this->AtSamples && line >= 0 && line < this->LineCount);
+  const float left = std::max(segment.Left, 0.0f);
+  const float right = std::min(segment.Right, static_cast<float>(this->ColumnCount));
+  const float length = segment.Right - segment.Left;
+  const float slope = (segment.RightDepth - segment.LeftDepth) / length;
+  const float greatest = std::max(segment.LeftDepth, segment.RightDepth);
+  if (!(left < right && this->Grid.From(left) <= this->Grid.UpTo(right)) ||
+    !std::isfinite(length) || !std::isfinite(slope) || !std::isfinite(greatest))
+  {
+    return;
+  }
+  ++this->Counted.Inserted;
+  const int last = this->Tiles.TileOf(right);
+  for (int i = this->Tiles.TileOf(left); i <= last; ++i)
+  {
+    const std::size_t tile = this->Tiles.At(line, i);
+    if (this->Tiles[tile] >= greatest)
+    {
+      continue;
+    }
+    this->Tiles.Touch(i);
+    const float tileLeft = static_cast<float>(i * TileWidth);
+    const float tileRight = std::min(tileLeft + TileWidth, static_cast<float>(this->ColumnCount));
+    if (Insertion<Orders>(*this, orders, this->Firsts[tile], segment, slope)
+          .Run(std::max(left, tileLeft), std::min(right, tileRight)))
+    {
+      float least = 2.0f;
+      const bool isFull = this->ForEachCovered(this->Firsts[tile], this->Grid.From(tileLeft),
+        this->Grid.UpTo(tileRight),
+        [&least](const Span& span, float first, float last)
+        {
+          least = std::min(least, std::min(span.DepthAt(first), span.DepthAt(last)));
+          return true;
+        });
+      this->Tiles[tile] = isFull ? least : TileDepths::NotFull;
+    }
+  }
+}
 
 }
 
