@@ -1,7 +1,9 @@
 # Compose one GLSL file: replace each #include "file" by that file, once, with #line directives that keep
 # the driver's messages pointing at the author's line, and encode the result as a C++ string.
 #
-#   cmake -DINPUT=x.glsl -DOUTPUT=x.glsl.cxx -DSYMBOL=x -DINCLUDE_DIR=Shaders -P ComposeShader.cmake
+#   cmake -DINPUT=x.glsl -DOUTPUT=x.glsl.cxx -DSYMBOL=x -DFOLDERS=Shaders -P ComposeShader.cmake
+#
+# Files are looked for in FOLDERS, in order.
 #
 # In `#line LINE STRING`, STRING numbers the files of one shader in the order of their inclusion; the
 # legend at the head of the composed text says which is which. An unknown include is an error.
@@ -15,15 +17,21 @@ function (vitrine_compose file)
   if (NOT known EQUAL -1)
     return ()
   endif ()
-  if (NOT EXISTS "${INCLUDE_DIR}/${file}")
-    message(FATAL_ERROR "${INPUT}: cannot include ${file}")
+  unset(path)
+  foreach (folder IN LISTS FOLDERS)
+    if (NOT DEFINED path AND EXISTS "${folder}/${file}")
+      set(path "${folder}/${file}")
+    endif ()
+  endforeach ()
+  if (NOT DEFINED path)
+    message(FATAL_ERROR "${INPUT}: there is no file ${file} in ${FOLDERS}")
   endif ()
   list(LENGTH vitrine_files number)
   math(EXPR number "${number} + 1")
   list(APPEND vitrine_files "${file}")
   set(vitrine_files "${vitrine_files}" PARENT_SCOPE)
 
-  file(READ "${INCLUDE_DIR}/${file}" content)
+  file(READ "${path}" content)
   # Keep what CMake lists would eat.
   string(REPLACE "\\" "@BS@" content "${content}")
   string(REPLACE ";" "\\;" content "${content}")
@@ -47,8 +55,7 @@ function (vitrine_compose file)
   set(vitrine_files "${vitrine_files}" PARENT_SCOPE)
 endfunction ()
 
-get_filename_component(name "${INPUT}" NAME)
-vitrine_compose("${name}")
+vitrine_compose("${INPUT}")
 
 set(legend "// composed from:")
 set(number 0)
@@ -63,7 +70,7 @@ string(REPLACE "\\;" ";" vitrine_text "${vitrine_text}")
 string(REPLACE "@BS@" "\\" vitrine_text "${vitrine_text}")
 
 # A raw string literal may hold 64 KiB at most in portable compilers; shaders stay far below.
-file(WRITE "${OUTPUT}.new" "// Written by ComposeShader.cmake from ${name}.
+file(WRITE "${OUTPUT}.new" "// Written by ComposeShader.cmake from ${INPUT}.
 namespace vitrine
 {
 namespace shaders
