@@ -6,7 +6,7 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "Core/culling/FaceScan.h"
+#include "study/faces/FaceScan.h"
 
 #include <benchmark/benchmark.h>
 

@@ -45,13 +45,6 @@
 #define VITRINE_RUN_GROUP 8
 #define VITRINE_MAX_RUNS 32
 
-// Sorts that are measured against each other (SortHarness.glsl): lists to a row of pixels, and the odd constants of
-// a list's checksum (Core/ListChecksum).
-#define VITRINE_SORT_ROW 256
-#define VITRINE_CHECKSUM_FACTOR 0x9e3779b1u
-#define VITRINE_CHECKSUM_KEY 0x85ebca6bu
-#define VITRINE_CHECKSUM_PAYLOAD 0xc2b2ae35u
-
 // With a tolerance for coincidence a word holds what covers and how far: a fragment's samples in the low half, and in the
 // high half that of the 32-bit float that is the extent of its interval of depths.
 #define VITRINE_COVERAGE_MASK 0xffffu

@@ -6,7 +6,7 @@
 
 #include "OccluderScenes.h"
 
-#include "Core/culling/FaceScan.h"
+#include "study/faces/FaceScan.h"
 
 #include <algorithm>
 #include <array>

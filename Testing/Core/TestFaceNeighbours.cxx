@@ -1,6 +1,6 @@
 // Which face is across each side of a mesh's faces.
 
-#include "Core/culling/FaceNeighbours.h"
+#include "study/faces/FaceNeighbours.h"
 
 #include <gtest/gtest.h>
 

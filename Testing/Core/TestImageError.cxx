@@ -1,9 +1,9 @@
 #include "NonFinite.h"
 
-#include "Core/Flip.h"
-#include "Core/ImageError.h"
-#include "Core/StructuralSimilarity.h"
 #include "ImagePairs.h"
+#include "study/image/Flip.h"
+#include "study/image/ImageError.h"
+#include "study/image/StructuralSimilarity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The measures against PyPI's flip-evaluator and scikit-image, which image_error_figures.py asks.
-#include "Core/ImageError.h"
 #include "ImagePairs.h"
+#include "study/image/ImageError.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The checksum tells lists apart, but not the order among equal keys.
-#include "Core/ListChecksum.h"
+#include "study/sorts/ListChecksum.h"
 
 #include <gtest/gtest.h>
 

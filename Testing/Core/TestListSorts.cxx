@@ -1,5 +1,5 @@
 // The sorts as sequences of comparators: proved, counted, and their gaps.
-#include "Core/ListSorts.h"
+#include "study/sorts/ListSorts.h"
 
 #include <gtest/gtest.h>
 

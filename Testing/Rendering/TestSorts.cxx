@@ -1,9 +1,9 @@
 // Every sort of every size on the device, against std::sort: keys in order, each with its own payload.
-#include "Shaders/SharedLayout.h"
 #include "TestMessages.h"
 #include "TestScene.h"
 #include "gl/Capabilities.h"
-#include "sorting/SortHarness.h"
+#include "study/shaders/SortLayout.h"
+#include "study/sorts/SortHarness.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindow.h"

@@ -4,10 +4,10 @@
 #ifndef VITRINE_COMPARISON_H
 #define VITRINE_COMPARISON_H
 
-#include "Core/ImageError.h"
 #include "Progress.h"
 #include "methods/Stage.h"
 #include "scene/Scene.h"
+#include "study/image/ImageError.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,10 +4,10 @@
 #ifndef VITRINE_STAGE_H
 #define VITRINE_STAGE_H
 
-#include "Core/Image.h"
 #include "methods/Device.h"
 #include "methods/Method.h"
 #include "scene/Scene.h"
+#include "study/image/Image.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"

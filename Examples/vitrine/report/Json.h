@@ -4,9 +4,9 @@
 #ifndef VITRINE_PROGRAM_JSON_H
 #define VITRINE_PROGRAM_JSON_H
 
-#include "Core/ImageError.h"
 #include "methods/Device.h"
 #include "methods/Method.h"
+#include "study/image/ImageError.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "Median.h"
 #include "Progress.h"
 #include "scene/Random.h"
-#include "sorting/SortHarness.h"
+#include "study/sorts/SortHarness.h"
 
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkNew.h"

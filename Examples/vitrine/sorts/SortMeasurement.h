@@ -4,8 +4,8 @@
 #ifndef VITRINE_SORT_MEASUREMENT_H
 #define VITRINE_SORT_MEASUREMENT_H
 
-#include "Core/ListSorts.h"
 #include "methods/Device.h"
+#include "study/sorts/ListSorts.h"
 
 #include <cstdint>
 #include <string>

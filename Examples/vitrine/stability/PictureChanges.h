@@ -4,8 +4,8 @@
 #ifndef VITRINE_PICTURE_CHANGES_H
 #define VITRINE_PICTURE_CHANGES_H
 
-#include "Core/Image.h"
 #include "stability/Stability.h"
+#include "study/image/Image.h"
 
 #include <vector>
 

@@ -4,9 +4,9 @@
 #ifndef VITRINE_STABILITY_H
 #define VITRINE_STABILITY_H
 
-#include "Core/ImageError.h"
 #include "methods/Device.h"
 #include "methods/Stage.h"
+#include "study/image/ImageError.h"
 
 #include <cstdint>
 #include <functional>

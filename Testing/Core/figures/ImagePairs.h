@@ -1,7 +1,7 @@
 #ifndef VITRINE_TESTING_IMAGE_PAIRS_H
 #define VITRINE_TESTING_IMAGE_PAIRS_H
 
-#include "Core/Image.h"
+#include "study/image/Image.h"
 
 #include <string>
 #include <vector>

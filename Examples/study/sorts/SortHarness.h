@@ -1,12 +1,11 @@
 /**
  * Many short lists sorted on the device, one in each pixel, by any of the sorts that are measured against each other.
  */
-#ifndef VITRINE_SORTING_SORT_HARNESS_H
-#define VITRINE_SORTING_SORT_HARNESS_H
+#ifndef VITRINE_STUDY_SORTS_SORT_HARNESS_H
+#define VITRINE_STUDY_SORTS_SORT_HARNESS_H
 
-#include "Core/ListChecksum.h"
-#include "Core/ListSorts.h"
-#include "vtkVitrineRenderingModule.h" // export macro
+#include "study/sorts/ListChecksum.h"
+#include "study/sorts/ListSorts.h"
 
 #include <array>
 #include <cstdint>
@@ -23,7 +22,7 @@ namespace vitrine
 /**
  * Sorts in fragment shaders, since that is where a transparency method's resolve sorts: one draw, 256 pixels to a row.
  */
-class VTKVITRINERENDERING_EXPORT SortHarness
+class SortHarness
 {
 public:
   /** The window has a context, and outlives the harness. */

@@ -1,9 +1,9 @@
 // Z. Wang, A. C. Bovik, H. R. Sheikh and E. P. Simoncelli: Image quality assessment: from error
 // visibility to structural similarity. IEEE Transactions on Image Processing 13(4), 2004.
 
-#include "Core/StructuralSimilarity.h"
+#include "study/image/StructuralSimilarity.h"
 
-#include "Core/SeparableFilter.h"
+#include "study/image/SeparableFilter.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
-#include "Core/ImageError.h"
+#include "study/image/ImageError.h"
 
-#include "Core/Flip.h"
-#include "Core/StructuralSimilarity.h"
+#include "study/image/Flip.h"
+#include "study/image/StructuralSimilarity.h"
 
 #include <algorithm>
 #include <cmath>

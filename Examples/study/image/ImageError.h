@@ -1,7 +1,7 @@
-#ifndef VITRINE_CORE_IMAGE_ERROR_H
-#define VITRINE_CORE_IMAGE_ERROR_H
+#ifndef VITRINE_STUDY_IMAGE_IMAGE_ERROR_H
+#define VITRINE_STUDY_IMAGE_IMAGE_ERROR_H
 
-#include "Core/Image.h"
+#include "study/image/Image.h"
 
 namespace vitrine
 {

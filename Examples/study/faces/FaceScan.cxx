@@ -1,4 +1,4 @@
-#include "Core/culling/FaceScan.h"
+#include "study/faces/FaceScan.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_IMAGE_H
-#define VITRINE_CORE_IMAGE_H
+#ifndef VITRINE_STUDY_IMAGE_IMAGE_H
+#define VITRINE_STUDY_IMAGE_IMAGE_H
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "Core/SeparableFilter.h"
+#include "study/image/SeparableFilter.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
-#include "Core/ListChecksum.h"
+#include "study/sorts/ListChecksum.h"
 
-#include "Shaders/SharedLayout.h"
+#include "study/shaders/SortLayout.h"
 
 #include <cassert>
 

@@ -1,7 +1,7 @@
-#include "sorting/SortSources.h"
+#include "study/sorts/SortSources.h"
 
-#include "Core/ListSortProgram.h"
-#include "shader/ShaderText.h"
+#include "sorts/SortShaders.h"
+#include "study/sorts/ListSortProgram.h"
 #include "transparency/common/FillShader.h"
 
 #include <cassert>

@@ -1,8 +1,8 @@
-#ifndef VITRINE_CORE_CULLING_CONVEX_FACE_H
-#define VITRINE_CORE_CULLING_CONVEX_FACE_H
+#ifndef VITRINE_STUDY_FACES_CONVEX_FACE_H
+#define VITRINE_STUDY_FACES_CONVEX_FACE_H
 
-#include "Core/culling/FaceNeighbours.h"
 #include "Core/culling/screen/MeshProjection.h"
+#include "study/faces/FaceNeighbours.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "Core/culling/FaceNeighbours.h"
+#include "study/faces/FaceNeighbours.h"
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 

@@ -1,7 +1,7 @@
-#ifndef VITRINE_CORE_STRUCTURAL_SIMILARITY_H
-#define VITRINE_CORE_STRUCTURAL_SIMILARITY_H
+#ifndef VITRINE_STUDY_IMAGE_STRUCTURAL_SIMILARITY_H
+#define VITRINE_STUDY_IMAGE_STRUCTURAL_SIMILARITY_H
 
-#include "Core/Image.h"
+#include "study/image/Image.h"
 
 namespace vitrine
 {

@@ -1,10 +1,10 @@
 /**
  * The fragment shaders that sort short lists, with their unrolled parts filled in.
  */
-#ifndef VITRINE_SORTING_SORT_SOURCES_H
-#define VITRINE_SORTING_SORT_SOURCES_H
+#ifndef VITRINE_STUDY_SORTS_SORT_SOURCES_H
+#define VITRINE_STUDY_SORTS_SORT_SOURCES_H
 
-#include "Core/ListSorts.h"
+#include "study/sorts/ListSorts.h"
 
 #include <optional>
 #include <string>

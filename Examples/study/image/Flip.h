@@ -1,8 +1,8 @@
-#ifndef VITRINE_CORE_FLIP_H
-#define VITRINE_CORE_FLIP_H
+#ifndef VITRINE_STUDY_IMAGE_FLIP_H
+#define VITRINE_STUDY_IMAGE_FLIP_H
 
-#include "Core/Image.h"
-#include "Core/SeparableFilter.h"
+#include "study/image/Image.h"
+#include "study/image/SeparableFilter.h"
 
 namespace vitrine
 {

@@ -1,6 +1,6 @@
 // Sorts many short lists, one in each pixel: loads the pixel's list into an array of its own, sorts it by depth, and
 // reads it in order. Each Sort*.glsl defines the sort; this file gives all of them one shape, one way in and one way
-// out: with VITRINE_SORT_STORE the list itself, else its checksum (Core/ListChecksum), which takes far less time.
+// out: with VITRINE_SORT_STORE the list itself, else its checksum (study/sorts/ListChecksum), which takes far less time.
 //
 // To be timed, a list is sorted several times, each time anew from what was loaded and with other bits of its keys
 // flipped, so that they come in another order: loading takes longer than a small network.
@@ -8,6 +8,7 @@
 // The lists are interleaved, so that neighbouring pixels read and write neighbouring words: element i of list l stands
 // at i * listCount + l. Behind its end a list is filled up with NO_KEY.
 #include "SharedLayout.h"
+#include "SortLayout.h"
 #include "Registers.glsl"
 
 uniform usamplerBuffer lists;   // key, payload

@@ -1,8 +1,8 @@
 /**
  * Lists of keys with payloads, and a checksum of them in order that does not depend on the order among equal keys.
  */
-#ifndef VITRINE_CORE_LIST_CHECKSUM_H
-#define VITRINE_CORE_LIST_CHECKSUM_H
+#ifndef VITRINE_STUDY_SORTS_LIST_CHECKSUM_H
+#define VITRINE_STUDY_SORTS_LIST_CHECKSUM_H
 
 #include <array>
 #include <cstdint>

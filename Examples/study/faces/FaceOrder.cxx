@@ -1,4 +1,4 @@
-#include "Core/culling/FaceOrder.h"
+#include "study/faces/FaceOrder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
  *
  * The shaders Sort*.glsl carry these out on the device. Here they are counted and proved.
  */
-#ifndef VITRINE_CORE_LIST_SORTS_H
-#define VITRINE_CORE_LIST_SORTS_H
+#ifndef VITRINE_STUDY_SORTS_LIST_SORTS_H
+#define VITRINE_STUDY_SORTS_LIST_SORTS_H
 
 #include "Core/lists/SortingNetwork.h"
 

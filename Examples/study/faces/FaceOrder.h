@@ -1,8 +1,8 @@
-#ifndef VITRINE_CORE_CULLING_FACE_ORDER_H
-#define VITRINE_CORE_CULLING_FACE_ORDER_H
+#ifndef VITRINE_STUDY_FACES_FACE_ORDER_H
+#define VITRINE_STUDY_FACES_FACE_ORDER_H
 
-#include "Core/culling/ConvexFace.h"
 #include "Core/culling/buffer/SBufferInsertion.h"
+#include "study/faces/ConvexFace.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 /**
  * The generated parts of the shaders that sort short lists (SortHarness.glsl), unrolled over constant indices.
  */
-#ifndef VITRINE_CORE_LIST_SORT_PROGRAM_H
-#define VITRINE_CORE_LIST_SORT_PROGRAM_H
+#ifndef VITRINE_STUDY_SORTS_LIST_SORT_PROGRAM_H
+#define VITRINE_STUDY_SORTS_LIST_SORT_PROGRAM_H
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "sorting/SortHarness.h"
+#include "study/sorts/SortHarness.h"
 
 #include "Core/geometry/Rounding.h"
 #include "Shaders/SharedLayout.h"
@@ -9,7 +9,8 @@
 #include "gl/ProgramCache.h"
 #include "gl/ScopedState.h"
 #include "shader/ShaderText.h"
-#include "sorting/SortSources.h"
+#include "study/shaders/SortLayout.h"
+#include "study/sorts/SortSources.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"

@@ -1,4 +1,4 @@
-#include "Core/ListSorts.h"
+#include "study/sorts/ListSorts.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 // difference evaluator for alternating images. Proceedings of the ACM on Computer Graphics and
 // Interactive Techniques 3(2) (HPG 2020).
 
-#include "Core/Flip.h"
+#include "study/image/Flip.h"
 
 #include <glm/glm.hpp>
 

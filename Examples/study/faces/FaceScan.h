@@ -1,12 +1,12 @@
-#ifndef VITRINE_CORE_CULLING_FACE_SCAN_H
-#define VITRINE_CORE_CULLING_FACE_SCAN_H
+#ifndef VITRINE_STUDY_FACES_FACE_SCAN_H
+#define VITRINE_STUDY_FACES_FACE_SCAN_H
 
-#include "Core/culling/ConvexFace.h"
-#include "Core/culling/FaceOrder.h"
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/LineExtent.h"
 #include "Core/culling/screen/ScreenProjection.h"
 #include "Core/geometry/Box.h"
+#include "study/faces/ConvexFace.h"
+#include "study/faces/FaceOrder.h"
 
 namespace vitrine
 {

@@ -1,4 +1,4 @@
-#include "Core/ListSortProgram.h"
+#include "study/sorts/ListSortProgram.h"
 
 #include "Core/lists/SortingNetwork.h"
 
