@@ -1,6 +1,6 @@
 // Where boxes and meshes are on the screen, and what meshes surely cover of it.
 
-#include "BenchmarkMeshes.h"
+#include "study/faces/BenchmarkMeshes.h"
 
 #include "Core/culling/cover/FaceCoverage.h"
 #include "Core/culling/screen/MeshProjection.h"

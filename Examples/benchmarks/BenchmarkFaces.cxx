@@ -4,20 +4,16 @@
 #include <OpenMesh/Core/IO/MeshIO.hh> // before the type of the mesh, or no format is known
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "BenchmarkMeshes.h"
-
+#include "study/faces/FaceNeighbours.h"
 #include "study/faces/FaceScan.h"
+#include "study/faces/ScreenFaces.h"
 
 #include <benchmark/benchmark.h>
 
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <numeric>
-#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -28,125 +24,22 @@ using namespace vitrine;
 constexpr int ScreenColumns = 960;
 constexpr int ScreenLines = 540;
 
-// Faces of equally many corners, on the screen.
-struct ScreenFaces
+// With neighbours, in view.
+ScreenFaces OnScreen(ScreenFaces faces)
 {
-  std::vector<glm::dvec3> Points;
-  std::vector<std::uint32_t> Corners; // of one face after the other, counter-clockwise from outside
-  std::size_t CornersPerFace = 3;
-
-  std::vector<ScreenPoint> OnScreen; // the corners'
-  std::vector<std::uint32_t> Neighbours;
-  std::vector<std::uint32_t> Sequence; // front faces, as stored
-
-  void Project();
-  void SortFrontToBack();
-  ConvexFace Face(std::uint32_t face) const
-  {
-    const std::size_t first = face * this->CornersPerFace;
-    return { &this->OnScreen[first], this->CornersPerFace, face, &this->Neighbours[first] };
-  }
-};
-
-// From outside, with all of the points in view.
-void ScreenFaces::Project()
-{
-  glm::dvec3 low(1e300), high(-1e300);
-  for (const glm::dvec3& point : this->Points)
-  {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  const glm::dvec3 middle = 0.5 * (low + high);
-  const double radius = 0.5 * glm::length(high - low);
-  const glm::dmat4 look =
-    glm::lookAt(middle + radius * glm::dvec3(1.4, 1.0, 1.7), middle, glm::dvec3(0.0, 1.0, 0.0));
-  const ScreenProjection view(
-    glm::perspective(glm::radians(40.0), 16.0 / 9.0, radius, 6 * radius) * look, ScreenColumns,
-    ScreenLines, glm::max(glm::abs(low), glm::abs(high)), {});
-  for (const std::uint32_t corner : this->Corners)
-  {
-    const glm::dvec4 place = view.ToScreen(this->Points[corner]);
-    this->OnScreen.push_back({ static_cast<float>(place.x / place.w),
-      static_cast<float>(place.y / place.w), static_cast<float>(place.z / place.w) });
-  }
-
-  const std::uint32_t count =
-    static_cast<std::uint32_t>(this->Corners.size() / this->CornersPerFace);
-  std::vector<std::uint32_t> ends(count);
-  for (std::uint32_t i = 0; i < count; ++i)
-  {
-    ends[i] = static_cast<std::uint32_t>((i + 1) * this->CornersPerFace);
-    const ScreenPoint* p = this->Face(i).Corners;
-    const float turn = (p[1].Column - p[0].Column) * (p[2].Line - p[0].Line) -
-      (p[2].Column - p[0].Column) * (p[1].Line - p[0].Line);
-    if (turn > 0.0f)
-    {
-      this->Sequence.push_back(i);
-    }
-  }
-  this->Neighbours = FindFaceNeighbours(this->Points.size(), this->Corners, ends);
+  faces.Project(ScreenColumns, ScreenLines);
+  faces.Neighbours = FindFaceNeighbours(faces.Points.size(), faces.Corners, faces.Ends());
+  return faces;
 }
 
-void ScreenFaces::SortFrontToBack()
-{
-  const auto depthOf = [&](std::uint32_t i) { return this->Face(i).Corners[0].Depth; };
-  std::stable_sort(this->Sequence.begin(), this->Sequence.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return depthOf(a) > depthOf(b); });
-}
-
-// A heap of turned boxes, with faces of four corners; they cross each other here and there.
 ScreenFaces Boxes()
 {
-  std::mt19937 random(1);
-  const auto uniform = [&] { return random() / 4294967296.0; };
-  const auto vector = [&]
-  {
-    const double x = uniform();
-    const double y = uniform();
-    return glm::dvec3(x, y, uniform());
-  };
-  ScreenFaces faces;
-  faces.CornersPerFace = 4;
-  for (std::uint32_t i = 0; i < 4000; ++i)
-  {
-    const glm::dvec3 centre = vector();
-    const glm::dvec3 halfSize = 0.03 * (vector() + 0.3);
-    const glm::dvec3 axis = glm::normalize(vector() - 0.5);
-    const glm::dmat4 toWorld = glm::scale(
-      glm::rotate(glm::translate(glm::dmat4(1.0), centre), 6.28 * uniform(), axis), halfSize);
-    for (int j = 0; j < 8; ++j)
-    {
-      faces.Points.emplace_back(
-        toWorld * glm::dvec4(j & 1 ? 1 : -1, j & 2 ? 1 : -1, j & 4 ? 1 : -1, 1));
-    }
-    for (const std::uint32_t corner :
-      { 0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6 })
-    {
-      faces.Corners.push_back(8 * i + corner);
-    }
-  }
-  faces.Project();
-  return faces;
+  return OnScreen(TurnedBoxes());
 }
 
-// Sixteen spheres, some of which cross.
 ScreenFaces Spheres()
 {
-  const BenchmarkMesh mesh(BenchmarkMesh::Kinds::Spheres, 20000);
-  ScreenFaces faces;
-  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
-  {
-    faces.Points.emplace_back(mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2]);
-  }
-  faces.Corners = mesh.Corners;
-  // These go around clockwise from outside.
-  for (std::size_t i = 0; i < faces.Corners.size(); i += 3)
-  {
-    std::swap(faces.Corners[i], faces.Corners[i + 1]);
-  }
-  faces.Project();
-  return faces;
+  return OnScreen(CrossingSpheres());
 }
 
 ScreenFaces Model(const std::string& file)
@@ -170,8 +63,7 @@ ScreenFaces Model(const std::string& file)
       faces.Corners.push_back(static_cast<std::uint32_t>(vertex.idx()));
     }
   }
-  faces.Project();
-  return faces;
+  return OnScreen(std::move(faces));
 }
 
 using Source = std::function<ScreenFaces()>;

@@ -1,6 +1,6 @@
 // Boxes around the faces of a sphere: what it takes to build them, and to find that all are hidden, or that one shows.
 
-#include "BenchmarkMeshes.h"
+#include "study/faces/BenchmarkMeshes.h"
 
 #include "Core/culling/mesh/MeshBoxes.h"
 

@@ -1,6 +1,6 @@
 // Building, walking, changing and storing an octree.
 
-#include "BenchmarkMeshes.h"
+#include "study/faces/BenchmarkMeshes.h"
 
 #include "Core/octree/OctreeStore.h"
 #include "Core/octree/OctreeWalk.h"

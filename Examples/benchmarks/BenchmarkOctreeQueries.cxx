@@ -1,6 +1,6 @@
 // Questions to an octree of a million triangles.
 
-#include "BenchmarkMeshes.h"
+#include "study/faces/BenchmarkMeshes.h"
 
 #include "Core/octree/CollidingPairs.h"
 #include "Core/octree/MutualVisibility.h"

@@ -138,15 +138,61 @@ class Paper(FileTest):
             with self.subTest(table=table):
                 self.assertEqual(told, list(shares.values()))
 
-    def test_both_tables_in_text(self):
+    def faces(self, *arguments):
+        result = run("paper", "faces", "--size", "960x540", *arguments, "--json", "-")
+        self.assert_done(result)
+        return json.loads(result.stdout)
+
+    def test_statements_save_comparisons_of_faces(self):
+        told = self.faces("--frames", "2")
+        self.assertEqual(list(told), ["vitrine", "build", "device", "faces"])
+        self.assertEqual(
+            list(dict.fromkeys((row["faces"], row["sequence"], row["count"]) for row in told["faces"])),
+            [
+                ("boxes", "as-stored", 11886),
+                ("boxes", "front-to-back", 11886),
+                ("spheres", "as-stored", 8972),
+                ("spheres", "front-to-back", 8972),
+            ],
+        )
+        ways = ["compared", "none", "1", "2", "3", "all"]
+        for first in range(0, 24, 6):
+            rows = dict(zip(ways, told["faces"][first : first + 6]))
+            with self.subTest(faces=rows["all"]["faces"], sequence=rows["all"]["sequence"]):
+                self.check_statements(rows)
+
+    def check_statements(self, rows):
+        self.assertEqual([row["statements"] for row in rows.values()], list(rows))
+        compared = rows["compared"]["comparisons"]
+        for row in rows.values():
+            self.assertEqual((row["width"], row["height"]), (960, 540))
+            self.assertAlmostEqual(row["saved"], 1 - row["comparisons"] / compared)
+            self.assertEqual(row["insert_ms"]["rounds"], 2)
+        for name in ("compared", "none"):
+            self.assertEqual((rows[name]["saved"], rows[name]["lookups"]), (0, 0))
+        for name in ("1", "2", "3"):
+            self.assertGreater(rows[name]["saved"], 0.05)
+            self.assertLess(rows[name]["saved"], rows["all"]["saved"])
+        self.assertEqual(rows["1"]["end_checks"], 0)
+        self.assertEqual(rows["2"]["lookups"], 0)
+        self.assertGreater(rows["2"]["end_checks"], 0)
+        self.assertGreater(rows["3"]["lookups"], 0)
+        self.assertTrue(0.8 < rows["all"]["saved"] < 0.98)
+
+    def test_faces_know_neither_methods_nor_layers(self):
+        for arguments in (["--methods", "blend"], ["--layers", "8"]):
+            self.assert_refused(run("paper", "faces", *arguments), arguments[0])
+
+    def test_all_tables_in_text(self):
         path = self.folder / "paper.json"
         result = run(
             "paper", "--layers", "1", "--methods", "blend", "--frames", "1", *SIZE, "--json", path
         )
         self.assert_done(result)
-        for word in (b"demo:paper-masks", b"demo:paper-lists", b"Mpixel/s", b"share of blend"):
+        for word in (b"demo:paper-masks", b"demo:paper-lists", b"Mpixel/s", b"share of blend", b"Order of faces"):
             self.assertIn(word, result.stdout)
-        self.assertEqual(len(json.loads(path.read_text())["results"]), 2)
+        told = json.loads(path.read_text())
+        self.assertEqual((len(told["results"]), len(told["faces"])), (2, 24))
 
     def test_a_method_that_cannot_run_is_a_row_that_says_why(self):
         result = run(

@@ -1,8 +1,10 @@
 #include "commands/Commands.h"
 
 #include "Errors.h"
+#include "chart/ChartMeasurement.h"
 #include "commands/Options.h"
 #include "commands/PaperTables.h"
+#include "faces/FaceOrders.h"
 #include "report/PaperReport.h"
 #include "scene/DemoScene.h"
 
@@ -16,6 +18,7 @@ namespace program
 
 namespace
 {
+const std::string FacesTable = "faces";
 const double OrbitDegrees = 6.0; // all along it the scenes have the layers that they are asked for
 
 struct PaperOptions
@@ -62,17 +65,40 @@ PaperResult MeasureTable(const PaperTable& table, const PaperOptions& options)
   return result;
 }
 
+/** Throws InputError if an option is given that the order of faces knows nothing of. */
+void CheckFacesOptions(const PaperOptions& options)
+{
+  if (options.Table != FacesTable)
+  {
+    return;
+  }
+  if (options.Methods)
+  {
+    throw InputError("--methods", "faces are inserted by statements, not drawn by methods");
+  }
+  if (!options.Layers.empty())
+  {
+    throw InputError("--layers", "faces have no number of layers");
+  }
+}
+
 void Paper(const PaperOptions& options)
 {
   vtkHeadlessRenderWindow::InstallOverride();
   CheckJsonPath(options.Json);
-  std::vector<PaperResult> results;
+  CheckFacesOptions(options);
+  PaperResults results;
+  results.GL = FindDevice();
   for (const PaperTable& table : PaperTables())
   {
     if (options.Table.empty() || options.Table == table.Name)
     {
-      results.push_back(MeasureTable(table, options));
+      results.Tables.push_back(MeasureTable(table, options));
     }
+  }
+  if (options.Table.empty() || options.Table == FacesTable)
+  {
+    results.Faces = MeasureFaceOrders(ParseSize(options.Size), options.Frames);
   }
   WriteReport(options.Json, ToText(results), ToJson(results));
 }
@@ -84,6 +110,7 @@ std::vector<std::string> TableNames()
   {
     names.push_back(table.Name);
   }
+  names.push_back(FacesTable);
   return names;
 }
 }
@@ -91,9 +118,10 @@ std::vector<std::string> TableNames()
 void AddPaperCommand(CLI::App& app)
 {
   auto options = std::make_shared<PaperOptions>();
-  CLI::App* command = app.add_subcommand(
-    "paper", "Draw the papers' scenes; print frame rates beside the papers' as shares of blend's");
-  command->add_option("TABLE", options->Table, "masks or lists; both without")
+  CLI::App* command = app.add_subcommand("paper",
+    "Measure the papers' scenes: frame rates as shares of blend's, and what the order of faces "
+    "saves");
+  command->add_option("TABLE", options->Table, "masks, lists or faces; all without")
     ->check(CLI::IsMember(TableNames()));
   AddSizeOption(*command, options->Size);
   AddFramesOption(*command, options->Frames);

@@ -1,6 +1,7 @@
 #include "report/PaperReport.h"
 
 #include "report/ComparisonJson.h"
+#include "report/FaceOrderReport.h"
 #include "report/TextTable.h"
 
 #include <algorithm>
@@ -84,19 +85,8 @@ Json ToJsonRow(const PaperTable& table, const PaperStep& step, const MethodResul
   }
   return row;
 }
-}
 
-std::string ToText(const std::vector<PaperResult>& results)
-{
-  std::string text;
-  for (const PaperResult& result : results)
-  {
-    text += (text.empty() ? "" : "\n") + ToText(result);
-  }
-  return text;
-}
-
-std::string ToJson(const std::vector<PaperResult>& results)
+Json ToJsonRows(const std::vector<PaperResult>& results)
 {
   Json rows = Json::array();
   for (const PaperResult& result : results)
@@ -109,7 +99,37 @@ std::string ToJson(const std::vector<PaperResult>& results)
       }
     }
   }
-  return ToJsonDocument(results.front().Steps.front().Comparison, rows);
+  return rows;
+}
+}
+
+std::string ToText(const PaperResults& results)
+{
+  std::string text;
+  for (const PaperResult& result : results.Tables)
+  {
+    text += (text.empty() ? "" : "\n") + ToText(result);
+  }
+  if (results.Faces)
+  {
+    text += (text.empty() ? "" : "\n") + ToText(*results.Faces);
+  }
+  return text;
+}
+
+std::string ToJson(const PaperResults& results)
+{
+  Json document = MeasurementHead(results.GL);
+  if (!results.Tables.empty())
+  {
+    document["settings"] = ToJson(results.Tables.front().Steps.front().Comparison.Settings);
+    document["results"] = ToJsonRows(results.Tables);
+  }
+  if (results.Faces)
+  {
+    document["faces"] = ToJsonRows(*results.Faces);
+  }
+  return JsonText(document);
 }
 
 }

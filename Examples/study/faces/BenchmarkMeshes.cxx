@@ -1,4 +1,4 @@
-#include "BenchmarkMeshes.h"
+#include "study/faces/BenchmarkMeshes.h"
 
 #include <cmath>
 #include <random>
