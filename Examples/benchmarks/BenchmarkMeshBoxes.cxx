@@ -2,6 +2,7 @@
 
 #include "study/faces/BenchmarkMeshes.h"
 
+#include "Core/culling/hidden/BoxesHidden.h"
 #include "Core/culling/mesh/MeshBoxes.h"
 
 #include <benchmark/benchmark.h>
@@ -57,7 +58,7 @@ void TestMeshBoxes(benchmark::State& state, bool isHidden)
   bool areHidden = false;
   for (auto _ : state)
   {
-    areHidden = boxes.AreHidden(lines, view, toWorld);
+    areHidden = AreBoxesHidden(boxes, lines, view, toWorld);
     benchmark::DoNotOptimize(areHidden);
   }
   if (areHidden != isHidden)

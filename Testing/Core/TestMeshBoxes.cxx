@@ -2,6 +2,8 @@
 #include "NonFinite.h"
 #include "PartScenes.h"
 
+#include "Core/culling/hidden/BoxesHidden.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -183,8 +185,8 @@ TEST(MeshBoxes, OfNothingHideNothing)
 {
   vitrine::SBuffer lines(FrameColumns, FrameLines);
   const auto view = AheadView(false).Projection(100.0);
-  EXPECT_FALSE(MeshBoxes().AreHidden(lines, view, glm::dmat4(1.0)));
-  EXPECT_FALSE(MeshBoxes(OccluderMesh()).AreHidden(lines, view, glm::dmat4(1.0)));
+  EXPECT_FALSE(AreBoxesHidden(MeshBoxes(), lines, view, glm::dmat4(1.0)));
+  EXPECT_FALSE(AreBoxesHidden(MeshBoxes(OccluderMesh()), lines, view, glm::dmat4(1.0)));
 }
 
 // All centres are at one place: any halves do.
@@ -257,8 +259,9 @@ TEST(MeshBoxes, LieOutsideOfAViewThatTheyGoAround)
   const vitrine::SBuffer lines(FrameColumns, FrameLines); // that hides nothing
   const MeshBoxes boxes(frame.Mesh());
   const auto view = AheadView(true).Projection(100.0);
-  EXPECT_TRUE(boxes.AreHidden(lines, view, glm::dmat4(1.0)));
-  EXPECT_FALSE(boxes.AreHidden(lines, view, glm::scale(glm::dmat4(1.0), glm::dvec3(0.3, 0.3, 1))));
+  EXPECT_TRUE(AreBoxesHidden(boxes, lines, view, glm::dmat4(1.0)));
+  EXPECT_FALSE(
+    AreBoxesHidden(boxes, lines, view, glm::scale(glm::dmat4(1.0), glm::dvec3(0.3, 0.3, 1))));
 }
 
 // Behind the eye they would be in the middle of the view, and far away.
@@ -273,8 +276,9 @@ TEST(MeshBoxes, ThatReachBeforeTheNearPlaneShow)
     GridOf(40, 1, [](double u, double v) { return glm::dvec3(2 * u - 1, -0.3, 60 * v - 30); });
   const MeshBoxes boxes(floor.Mesh());
   const auto view = AheadView(false).Projection(100.0);
-  EXPECT_FALSE(boxes.AreHidden(lines, view, glm::dmat4(1.0)));
-  EXPECT_TRUE(boxes.AreHidden(lines, view, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -40))));
+  EXPECT_FALSE(AreBoxesHidden(boxes, lines, view, glm::dmat4(1.0)));
+  EXPECT_TRUE(
+    AreBoxesHidden(boxes, lines, view, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -40))));
 }
 
 // Elements of a matrix that are infinite, as coordinates are next to nothing.

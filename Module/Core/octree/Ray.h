@@ -2,6 +2,7 @@
 #define VITRINE_CORE_OCTREE_RAY_H
 
 #include "Core/geometry/Box.h"
+#include "Core/geometry/Finite.h"
 
 #include <glm/vec3.hpp>
 
@@ -11,12 +12,6 @@
 
 namespace vitrine
 {
-
-/** Whether none of a point's numbers is infinite or NaN, which times 0 are NaN. */
-inline bool IsFinite(const glm::dvec3& point)
-{
-  return point.x * 0 + point.y * 0 + point.z * 0 == 0;
-}
 
 /** The points Origin + t Direction with 0 <= t <= Furthest. One with a number that is not finite has none. */
 struct Ray

@@ -5,6 +5,7 @@
 #include "Core/culling/buffer/TileDepths.h"
 #include "Core/geometry/BeyondAll.h"
 #include "Core/geometry/SampleGrid.h"
+#include "Core/geometry/ScreenRectangle.h"
 
 #include <cassert>
 #include <cstddef>
@@ -79,16 +80,6 @@ inline HideableSegment Hideable(const Segment& segment, float margin = 0.0f)
   return { segment.Left, segment.Right, segment.Left, segment.LeftDepth + margin, slope,
     BeyondAll };
 }
-
-/** A rectangle of the screen and the nearest that may stand there. Lines and columns count from 0 and are real. */
-struct ScreenRectangle
-{
-  float Left;
-  float Right;
-  float Bottom;
-  float Top;
-  float Nearest; ///< the greatest reversed depth
-};
 
 /** Counts since Clear(). */
 struct SBufferCounts

@@ -2,6 +2,7 @@
 
 #include "Core/culling/hidden/FaceOnLines.h"
 #include "Core/culling/screen/LineExtent.h"
+#include "Core/culling/steady/DepthPlane.h"
 #include "Core/culling/steady/FaceBlock.h"
 #include "Core/culling/steady/SideCuts.h"
 #include "Core/culling/steady/SliverDepth.h"
@@ -285,6 +286,25 @@ bool HiddenFaces::AreSpansHidden(const FaceOnLines& face, const LineRange& lines
     }
   }
   return true;
+}
+
+float NearestOnScreen(const MeshProjection& mesh, int columns, int lines)
+{
+  float nearest = -1.0f;
+  for (const MeshFace& face : mesh.Faces())
+  {
+    const ScreenRectangle around = mesh.RectangleOf(face);
+    const float left = std::max(around.Left, 0.0f), bottom = std::max(around.Bottom, 0.0f);
+    const float right = std::min(around.Right, static_cast<float>(columns));
+    const float top = std::min(around.Top, static_cast<float>(lines));
+    if (left < right && bottom < top)
+    {
+      const DepthPlane plane(mesh.Point(face[0]), mesh.Point(face[1]), mesh.Point(face[2]),
+        mesh.Margin(), mesh.Snapping());
+      nearest = std::max(nearest, plane.NearestWithin(left, right, bottom, top));
+    }
+  }
+  return std::min(nearest, 1.0f);
 }
 
 }

@@ -78,6 +78,12 @@ private:
   std::vector<std::uint32_t> MaybeCut;
 };
 
+/**
+ * The greatest reversed depth of what the faces of a mesh have on a screen of so many columns and lines; below all depths if
+ * that is nothing.
+ */
+float NearestOnScreen(const MeshProjection& mesh, int columns, int lines);
+
 }
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_HIDDEN_HIDDEN_LINES_H
 #define VITRINE_CORE_CULLING_HIDDEN_HIDDEN_LINES_H
 
+#include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/ScreenProjection.h"
 
 #include <glm/vec3.hpp>

@@ -1,7 +1,5 @@
 #include "Core/culling/mesh/MeshBoxes.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -141,41 +139,12 @@ private:
 };
 
 MeshBoxes::MeshBoxes(const OccluderMesh& mesh)
-  : Origin(mesh.Origin())
+  : MeshOrigin(mesh.Origin())
 {
   if (!mesh.Faces().empty())
   {
     Builder(mesh, this->Tree).Build();
   }
-}
-
-bool MeshBoxes::AreHidden(
-  const SBuffer& lines, const ScreenProjection& view, const glm::dmat4& toWorld) const
-{
-  const glm::mat4 toScreen(glm::translate(view.Of(toWorld).Matrix, this->Origin));
-  return !this->Tree.empty() && this->AreHidden(this->Tree[0], lines, view, toScreen);
-}
-
-bool MeshBoxes::AreHidden(const Node& node, const SBuffer& lines, const ScreenProjection& view,
-  const glm::mat4& toScreen) const
-{
-  RectangleLanes rectangles;
-  view.Project(toScreen, node.Boxes, rectangles);
-  for (int lane = 0; lane < node.Count; ++lane)
-  {
-    const bool isOutside = (rectangles.Outside >> lane & 1u) != 0;
-    const bool isNear = (rectangles.Near >> lane & 1u) != 0;
-    if (isOutside || (!isNear && lines.Hides(rectangles.At(lane))))
-    {
-      continue;
-    }
-    if (node.Nodes[lane] == NoNode ||
-      !this->AreHidden(this->Tree[node.Nodes[lane]], lines, view, toScreen))
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 }

@@ -1,12 +1,9 @@
 #ifndef VITRINE_CORE_CULLING_MESH_MESH_BOXES_H
 #define VITRINE_CORE_CULLING_MESH_MESH_BOXES_H
 
-#include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/mesh/OccluderMesh.h"
-#include "Core/culling/screen/ScreenProjection.h"
 #include "Core/geometry/BoxLanes.h"
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -43,16 +40,11 @@ public:
 
   explicit MeshBoxes(const OccluderMesh& mesh);
 
-  /** The root, if there are faces, is the first one. Boxes count from the origin of the mesh. */
-  const std::vector<Node>& Nodes() const { return this->Tree; }
+  /** Where boxes count from, in model coordinates (MC). */
+  const glm::dvec3& Origin() const { return this->MeshOrigin; }
 
-  /**
-   * Whether there are boxes, and all lie outside of the view or are hidden: then no face shows. Looks into boxes that show, until one shows
-   * that has none in it.
-   * @param toWorld  of the mesh's model coordinates; the sums that lead to the world from there are no larger than the view's reach
-   */
-  bool AreHidden(
-    const SBuffer& lines, const ScreenProjection& view, const glm::dmat4& toWorld) const;
+  /** The root, if there are faces, is the first one. */
+  const std::vector<Node>& Nodes() const { return this->Tree; }
 
   /** Memory that it takes. */
   std::size_t Bytes() const { return sizeof(*this) + this->Tree.capacity() * sizeof(Node); }
@@ -60,10 +52,7 @@ public:
 private:
   class Builder;
 
-  bool AreHidden(const Node& node, const SBuffer& lines, const ScreenProjection& view,
-    const glm::mat4& toScreen) const;
-
-  glm::dvec3 Origin{ 0.0 };
+  glm::dvec3 MeshOrigin{ 0.0 };
   std::vector<Node> Tree;
 };
 

@@ -1,5 +1,6 @@
 #include "Core/culling/mesh/OccluderMesh.h"
 
+#include "Core/geometry/Finite.h"
 #include "Core/geometry/Lanes.h"
 
 #include <glm/common.hpp>
@@ -17,11 +18,6 @@ namespace
 
 // Of the angle between the first face of a patch and the others: 4.4 degrees.
 const double LeastCosineOfPatch = 0.997;
-
-bool IsFinitePoint(const glm::dvec3& point)
-{
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
 
 /** One side of a face, under the name that it has from either side. */
 struct Side
@@ -90,8 +86,8 @@ OccluderMesh::OccluderMesh(
   for (std::size_t i = 0; i + 2 < welded.size(); i += 3)
   {
     const Face face{ welded[i], welded[i + 1], welded[i + 2] };
-    const bool isDrawn = IsFinitePoint(points[corners[i]]) &&
-      IsFinitePoint(points[corners[i + 1]]) && IsFinitePoint(points[corners[i + 2]]);
+    const bool isDrawn = IsFinite(points[corners[i]]) && IsFinite(points[corners[i + 1]]) &&
+      IsFinite(points[corners[i + 2]]);
     if (isDrawn && face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
     {
       this->Triangles.push_back(face);
@@ -105,8 +101,8 @@ void OccluderMesh::Weld(const std::vector<glm::dvec3>& points, std::vector<std::
 {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
-  order.erase(std::remove_if(order.begin(), order.end(),
-                [&](std::uint32_t i) { return !IsFinitePoint(points[i]); }),
+  order.erase(std::remove_if(
+                order.begin(), order.end(), [&](std::uint32_t i) { return !IsFinite(points[i]); }),
     order.end());
   const auto key = [&](std::uint32_t i) {
     return std::array<double, 3>{ points[i].x, points[i].y, points[i].z };

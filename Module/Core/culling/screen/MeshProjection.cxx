@@ -1,7 +1,6 @@
 #include "Core/culling/screen/MeshProjection.h"
 
 #include "Core/culling/screen/LineExtent.h"
-#include "Core/culling/steady/DepthPlane.h"
 #include "Core/geometry/BeyondAll.h"
 #include "Core/geometry/Lanes.h"
 
@@ -169,25 +168,6 @@ ScreenRectangle MeshProjection::RectangleOf(const MeshFace& face) const
     std::min(std::min(a.Line, b.Line), c.Line) - margin.Line,
     std::max(std::max(a.Line, b.Line), c.Line) + margin.Line,
     std::max(std::max(a.Depth, b.Depth), c.Depth) + margin.Depth };
-}
-
-float MeshProjection::NearestOnScreen(const SBuffer& screen) const
-{
-  float nearest = -1.0f;
-  for (const MeshFace& face : this->Faces())
-  {
-    const ScreenRectangle around = this->RectangleOf(face);
-    const float left = std::max(around.Left, 0.0f), bottom = std::max(around.Bottom, 0.0f);
-    const float right = std::min(around.Right, static_cast<float>(screen.Columns()));
-    const float top = std::min(around.Top, static_cast<float>(screen.Lines()));
-    if (left < right && bottom < top)
-    {
-      const DepthPlane plane(this->Point(face[0]), this->Point(face[1]), this->Point(face[2]),
-        this->DeviceMargin, this->DeviceSnapping);
-      nearest = std::max(nearest, plane.NearestWithin(left, right, bottom, top));
-    }
-  }
-  return std::min(nearest, 1.0f);
 }
 
 bool MeshProjection::MayBeCut(const MeshFace& face) const

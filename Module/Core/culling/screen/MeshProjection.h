@@ -1,10 +1,10 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_MESH_PROJECTION_H
 #define VITRINE_CORE_CULLING_SCREEN_MESH_PROJECTION_H
 
-#include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/mesh/OccluderMesh.h"
 #include "Core/culling/screen/NearClip.h"
 #include "Core/culling/screen/ScreenProjection.h"
+#include "Core/geometry/ScreenRectangle.h"
 
 #include <algorithm>
 #include <array>
@@ -160,9 +160,6 @@ public:
 
   /** Around a face, margin included. */
   ScreenRectangle RectangleOf(const MeshFace& face) const;
-
-  /** Of what faces have on the screen; below all depths if that is nothing. */
-  float NearestOnScreen(const SBuffer& screen) const;
 
   /** Whether anything may be drawn of what is cut off at the near plane. */
   bool MayShowBeforeNear() const { return !this->AreAllBehindNear && this->Rest.MayShowBefore(); }

@@ -1,12 +1,13 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_SCREEN_PROJECTION_H
 #define VITRINE_CORE_CULLING_SCREEN_SCREEN_PROJECTION_H
 
-#include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/DeviceCoordinates.h"
 #include "Core/culling/screen/DeviceRounding.h"
 #include "Core/culling/screen/PlaneView.h"
 #include "Core/culling/screen/ScreenRounding.h"
 #include "Core/geometry/BoxLanes.h"
+#include "Core/geometry/SampleGrid.h"
+#include "Core/geometry/ScreenRectangle.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_STEADY_DEPTH_PLANE_H
 #define VITRINE_CORE_CULLING_STEADY_DEPTH_PLANE_H
 
+#include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/culling/steady/SlantedDepth.h"
 #include "Core/geometry/Lanes.h"

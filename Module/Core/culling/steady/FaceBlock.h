@@ -1,9 +1,9 @@
 #ifndef VITRINE_CORE_CULLING_STEADY_FACE_BLOCK_H
 #define VITRINE_CORE_CULLING_STEADY_FACE_BLOCK_H
 
-#include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/geometry/Lanes.h"
+#include "Core/geometry/ScreenRectangle.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,8 +1,8 @@
 #include "Core/culling/steady/FacePlanes.h"
 
 #include "Core/geometry/BeyondAll.h"
+#include "Core/geometry/Finite.h"
 #include "Core/geometry/Lanes.h"
-#include "Core/octree/Ray.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,7 @@
 #include "Core/culling/walk/BandParts.h"
 
 #include "Core/culling/cover/FewFacetsCoverage.h"
+#include "Core/culling/hidden/BoxesHidden.h"
 
 #include <algorithm>
 
@@ -141,7 +142,8 @@ bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle
     return false;
   }
   this->Project(occluder);
-  depth = this->Tools.Projected.NearestOnScreen(this->Tools.Lines);
+  depth =
+    NearestOnScreen(this->Tools.Projected, this->Tools.Lines.Columns(), this->Tools.Lines.Lines());
   return true;
 }
 
@@ -197,7 +199,7 @@ bool BandParts::AreFacesHidden(std::uint32_t part, const Occluder& occluder)
 bool BandParts::AreBoxesHidden(const Occluder& occluder) const
 {
   return occluder.Boxes &&
-    occluder.Boxes->AreHidden(this->Tools.Lines, this->View, *occluder.ToWorld);
+    vitrine::AreBoxesHidden(*occluder.Boxes, this->Tools.Lines, this->View, *occluder.ToWorld);
 }
 
 /** Whether back faces of a part that is projected may show. */
