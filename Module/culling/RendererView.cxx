@@ -4,12 +4,11 @@
 #include "gl/Capabilities.h"
 #include "scene/ClassName.h"
 #include "scene/Matrices.h"
+#include "scene/PassTraits.h"
 #include "scene/ViewMatrices.h"
 
 #include "vtkCamera.h"
-#include "vtkOpaquePass.h"
 #include "vtkOpenGLCamera.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -50,26 +49,6 @@ bool IsKnown(vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   return IsExactly<vtkOpenGLCamera>(camera) &&
     camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender();
-}
-
-/** Of passes that draw into targets of the window's size. Stencil masks have a larger one, and who knows what others have. */
-bool IsOfWindowSize(vtkRenderPass* translucent)
-{
-  return translucent->IsA("vtkTranslucentPass") ||
-    translucent->IsA("vtkOrderIndependentTranslucentPass") ||
-    translucent->IsA("vtkDualDepthPeelingPass") ||
-    (translucent->IsA("vtkTransparencyPass") &&
-      !translucent->IsA("vtkStencilMaskTransparencyPass"));
-}
-
-/** Whether all that is opaque is drawn at the samples of the window's pixels. */
-bool HasPixelsOfWindow(vtkRenderer* renderer)
-{
-  auto* steps = vtkRenderStepsPass::SafeDownCast(renderer->GetPass());
-  return !renderer->GetPass() ||
-    (steps && !steps->GetPostProcessPass() && steps->GetOpaquePass() &&
-      IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && steps->GetTranslucentPass() &&
-      IsOfWindowSize(steps->GetTranslucentPass()));
 }
 
 /** How large lines and columns of an s-buffer are, and where samples lie in them. */

@@ -5,7 +5,7 @@
 #include "Core/culling/walk/PartCuller.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
-#include "scene/RenderPasses.h"
+#include "scene/PassTraits.h"
 
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
@@ -237,7 +237,7 @@ void vtkHierarchicalSBufferCuller::DropHidden(
     ? this->BufferLines
     : vitrine::LinesThatPay(known.Visible.size(), AspectOf(renderer));
   vitrine::RendererView view;
-  if (!vitrine::ShowsTheViewAlone(renderer, this->Renderers->KnownPasses) ||
+  if (!vitrine::FindBeyondView(renderer, this->Renderers->KnownPasses).empty() ||
     !view.Read(renderer, lines, parts))
   {
     return;

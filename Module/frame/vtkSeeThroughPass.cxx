@@ -1,19 +1,51 @@
 #include "vtkSeeThroughPass.h"
 
+#include "frame/ChainEdit.h"
+#include "frame/RendererFlags.h"
 #include "gl/VitrineOpenGL.h"
+#include "scene/PassTraits.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkClusteredLightsPass.h"
+#include "vtkCommand.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
-#include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkSmartPointer.h"
+#include "vtkTransparencyPass.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <map>
+#include <string>
 
 vtkStandardNewMacro(vtkSeeThroughPass);
+
+namespace
+{
+
+vitrine::PassTraits TraitsOfFrame(vtkRenderPass* pass)
+{
+  auto* const frame = static_cast<vtkSeeThroughPass*>(pass);
+  vitrine::PassTraits traits;
+  traits.HasWindowPixels = true;
+  traits.Delegates = { frame->GetEffectsPass(), frame->GetLightingPass(),
+    frame->GetTranslucentPass(), frame->GetPostProcessPass() };
+  if (!frame->GetEffectsPass())
+  {
+    traits.Delegates.push_back(frame->GetOpaquePass());
+  }
+  return traits;
+}
+}
+
+vitrinePassTraitsMacro(vtkSeeThroughPass, TraitsOfFrame);
 
 namespace
 {
@@ -26,6 +58,23 @@ void RenderForSelector(vtkRenderer* renderer)
   renderer->SetPass(nullptr);
   renderer->DeviceRender();
   renderer->SetPass(pass);
+}
+
+/** Tells the camera whether the window draws in stereo, which no pass of VTK does. */
+void TellCameraOfStereo(vtkRenderer* renderer)
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || !renderer->IsActiveCameraCreated() ||
+    renderer->GetActiveCamera()->GetStereo() == window->GetStereoRender())
+  {
+    return;
+  }
+  window->MakeCurrent();
+  vtkOpenGLState* const state = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  renderer->GetActiveCamera()->Render(renderer);
 }
 
 // vtkCameraPass never tells the camera that the window is in stereo, so both eyes would see the same. The camera
@@ -56,9 +105,51 @@ public:
   }
 };
 
+/** Keeps a pass alive as long as a renderer is observed, and tells it when a frame starts. */
+class FrameObserver : public vtkCommand
+{
+public:
+  static FrameObserver* New() { return new FrameObserver; }
+  void Execute(vtkObject* renderer, unsigned long, void*) override
+  {
+    this->StartFrame(static_cast<vtkRenderer*>(renderer));
+  }
+
+  vtkSmartPointer<vtkSeeThroughPass> Pass;
+  std::function<void(vtkRenderer*)> StartFrame;
+};
+
+/** Passes that stay on renderers, the last one attached of each. */
+std::map<vtkRenderer*, vtkWeakPointer<vtkSeeThroughPass>>& AttachedPasses()
+{
+  static std::map<vtkRenderer*, vtkWeakPointer<vtkSeeThroughPass>> passes;
+  return passes;
 }
 
+/** The pass within which others are nested that were attached later. */
+vtkSeeThroughPass* InnermostOf(vtkSeeThroughPass* pass)
+{
+  auto* const inner = vtkSeeThroughPass::SafeDownCast(pass->GetEffectsPass());
+  return inner ? InnermostOf(inner) : pass;
+}
+}
+
+struct vtkSeeThroughPass::Internals
+{
+  vtkSmartPointer<vtkClusteredLightsPass> Lighting;
+  vtkSmartPointer<vtkRenderPass> Effects;
+  vitrine::RendererFlags Flags;
+  std::string FallbackReason; ///< of the frame, not of its method
+  std::string SetAsideReason;
+  std::string Text;                     ///< that GetFallbackReason() returned
+  vtkWeakPointer<vtkRenderer> Renderer; ///< that this pass stays on
+  unsigned long Observer = 0;           ///< of its frames
+  bool IsLit = false; ///< The LightingPass draws, and has this pass draw the steps.
+};
+
+//------------------------------------------------------------------------------
 vtkSeeThroughPass::vtkSeeThroughPass()
+  : Private(new Internals)
 {
   vtkNew<EyeCameraPass> camera;
   camera->SetDelegatePass(this->SequencePass);
@@ -67,15 +158,274 @@ vtkSeeThroughPass::vtkSeeThroughPass()
   this->SetTranslucentPass(linkedList);
 }
 
+//------------------------------------------------------------------------------
 vtkSeeThroughPass::~vtkSeeThroughPass() = default;
 
-void vtkSeeThroughPass::Render(const vtkRenderState* s)
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::PrintSelf(ostream& os, vtkIndent indent)
 {
-  vtkRenderer* renderer = s->GetRenderer();
-  if (renderer->GetSelector())
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LightingPass: " << this->GetLightingPass() << "\n";
+  os << indent << "EffectsPass: " << this->GetEffectsPass() << "\n";
+  os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
+  os << indent << "SetAsideReason: " << this->GetSetAsideReason() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::SetLightingPass(vtkClusteredLightsPass* lights)
+{
+  if (this->Private->Lighting != lights)
   {
-    RenderForSelector(renderer);
+    this->Private->Lighting = lights;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkClusteredLightsPass* vtkSeeThroughPass::GetLightingPass()
+{
+  return this->Private->Lighting;
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::SetEffectsPass(vtkRenderPass* chain)
+{
+  if (chain && !vitrine::AllPasses(chain, [this](vtkRenderPass* pass) { return pass != this; }))
+  {
+    vtkErrorMacro(
+      "SetEffectsPass() was given a chain of passes that contains this pass; it is ignored");
     return;
   }
-  this->Superclass::Render(s);
+  Internals& in = *this->Private;
+  if (in.Effects == chain)
+  {
+    return;
+  }
+  in.Effects = chain;
+  in.SetAsideReason.clear();
+  vtkNew<vtkSequencePass> step; // any will do
+  if (chain && !vitrine::ChainEdit(chain).PutTranslucentStep(step))
+  {
+    in.SetAsideReason = std::string(chain->GetClassName()) +
+      " is set aside: no step for translucent geometry is known in it";
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkSeeThroughPass::GetEffectsPass()
+{
+  return this->Private->Effects;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSeeThroughPass::GetFallbackReason()
+{
+  Internals& in = *this->Private;
+  auto* const method = vtkTransparencyPass::SafeDownCast(this->TranslucentPass);
+  in.Text = in.FallbackReason.empty() && method ? method->GetFallbackReason() : in.FallbackReason;
+  return in.Text.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSeeThroughPass::GetSetAsideReason()
+{
+  return this->Private->SetAsideReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::Attach(vtkRenderer* renderer)
+{
+  this->Detach();
+  if (!renderer)
+  {
+    vtkErrorMacro("Attach() takes a renderer");
+    return;
+  }
+  Internals& in = *this->Private;
+  vtkNew<FrameObserver> observer;
+  observer->Pass = this;
+  observer->StartFrame = [this](vtkRenderer* started) { this->StartFrame(started); };
+  in.Observer = renderer->AddObserver(vtkCommand::StartEvent, observer);
+  in.Renderer = renderer;
+  AttachedPasses()[renderer] = this;
+  this->SetEffectsPass(renderer->GetPass());
+  renderer->SetPass(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::Detach()
+{
+  Internals& in = *this->Private;
+  vtkRenderer* const renderer = in.Renderer;
+  if (!renderer)
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkSeeThroughPass> alive =
+    this; // the observer may be the last that holds it
+  const vtkSmartPointer<vtkRenderPass> effects = in.Effects;
+  in.Renderer = nullptr;
+  vtkSeeThroughPass* outer = GetAttached(renderer);
+  if (outer == this)
+  {
+    AttachedPasses().erase(renderer);
+    if (auto* const inner = vtkSeeThroughPass::SafeDownCast(effects))
+    {
+      if (inner->Private->Renderer == renderer)
+      {
+        AttachedPasses()[renderer] = inner;
+      }
+    }
+  }
+  while (outer && outer->GetEffectsPass() != this)
+  {
+    outer = vtkSeeThroughPass::SafeDownCast(outer->GetEffectsPass());
+  }
+  if (outer)
+  {
+    outer->SetEffectsPass(effects);
+  }
+  if (renderer->GetPass() == this)
+  {
+    renderer->SetPass(effects);
+  }
+  this->SetEffectsPass(nullptr);
+  renderer->RemoveObserver(in.Observer);
+}
+
+//------------------------------------------------------------------------------
+vtkSeeThroughPass* vtkSeeThroughPass::GetAttached(vtkRenderer* renderer)
+{
+  const auto found = AttachedPasses().find(renderer);
+  if (found == AttachedPasses().end())
+  {
+    return nullptr;
+  }
+  // A renderer that is gone leaves its address to others.
+  vtkSeeThroughPass* const pass = found->second;
+  return pass && pass->Private->Renderer == renderer ? pass : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Takes in the pass that the renderer was given since its last frame.
+void vtkSeeThroughPass::StartFrame(vtkRenderer* renderer)
+{
+  vtkRenderPass* const given = renderer->GetPass();
+  if (this == GetAttached(renderer) && !vtkSeeThroughPass::SafeDownCast(given))
+  {
+    InnermostOf(this)->SetEffectsPass(given);
+    renderer->SetPass(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::Render(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  if (in.IsLit)
+  {
+    this->RenderSteps(s);
+    return;
+  }
+  if (s->GetRenderer()->GetSelector())
+  {
+    RenderForSelector(s->GetRenderer());
+    return;
+  }
+  in.FallbackReason.clear();
+  if (!in.Effects || !this->RenderChain(s))
+  {
+    this->RenderOwnFrame(s);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns false, and draws nothing, where the chain has no place for the translucent step.
+bool vtkSeeThroughPass::RenderChain(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  vitrine::ChainEdit chain(in.Effects);
+  vtkNew<vtkSequencePass> nothing;
+  if (!chain.PutTranslucentStep(this->TranslucentPass ? this->TranslucentPass : nothing.Get()))
+  {
+    return false;
+  }
+  if (in.Lighting)
+  {
+    chain.PutLights(in.Lighting);
+  }
+  TellCameraOfStereo(s->GetRenderer());
+  chain.Root()->Render(s);
+  this->NumberOfRenderedProps = chain.Root()->GetNumberOfRenderedProps();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::RenderOwnFrame(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  if (!in.Lighting)
+  {
+    this->RenderSteps(s);
+    return;
+  }
+  in.IsLit = true;
+  in.Lighting->SetDelegatePass(this);
+  in.Lighting->Render(s);
+  in.Lighting->SetDelegatePass(nullptr);
+  in.IsLit = false;
+}
+
+//------------------------------------------------------------------------------
+// As vtkOpenGLRenderer::UpdateGeometry(), and as vtkRenderStepsPass::Render() where no flag of the renderer is on.
+void vtkSeeThroughPass::RenderSteps(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  const bool peelsVolumes = renderer && vitrine::RendererFlags::PeelsVolumes(renderer, s);
+  if (peelsVolumes)
+  {
+    in.FallbackReason =
+      "UseDepthPeelingForVolumes is on, so VTK peels translucent geometry and volumes together";
+  }
+  vtkRenderPassCollection* const passes = this->SequencePass->GetPasses();
+  passes->RemoveAllItems();
+  for (vtkRenderPass* const step : { this->LightsPass,
+         renderer ? in.Flags.OpaqueStep(renderer, this->OpaquePass) : this->OpaquePass,
+         peelsVolumes ? in.Flags.PeelingStep() : this->TranslucentPass,
+         renderer ? in.Flags.SmoothingStep(renderer) : nullptr,
+         peelsVolumes ? nullptr : this->VolumetricPass, this->OverlayPass })
+  {
+    if (step)
+    {
+      passes->AddItem(step);
+    }
+  }
+  this->NumberOfRenderedProps = 0;
+  for (vtkRenderPass* const pass :
+    { static_cast<vtkRenderPass*>(this->CameraPass), this->PostProcessPass })
+  {
+    if (pass)
+    {
+      pass->Render(s);
+      this->NumberOfRenderedProps += pass->GetNumberOfRenderedProps();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Private;
+  in.Flags.ReleaseGraphicsResources(window);
+  for (vtkRenderPass* const pass :
+    { static_cast<vtkRenderPass*>(in.Lighting.Get()), in.Effects.Get() })
+  {
+    if (pass)
+    {
+      pass->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
 }

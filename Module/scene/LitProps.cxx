@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -30,41 +31,70 @@ bool IsWithinBounds(vtkProp* prop)
 {
   return vtkActor2D::SafeDownCast(prop) || AsHideable(prop);
 }
+
+/** Nothing where nothing of it is drawn, or nothing in the scene's coordinates. */
+std::optional<Box> BoxAround(vtkProp* prop)
+{
+  const double* const bounds = prop->GetBounds();
+  if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return std::nullopt;
+  }
+  return Box::Around({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
+}
+
+/** Around all visible props of a renderer, whether a culler leaves them out or not; nothing where that is not known. */
+std::optional<Box> BoxAroundVisible(vtkRenderer* renderer)
+{
+  Box all;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator i;
+  for (props->InitTraversal(i); vtkProp* prop = props->GetNextProp(i);)
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    if (!IsWithinBounds(prop))
+    {
+      return std::nullopt;
+    }
+    if (const std::optional<Box> box = BoxAround(prop))
+    {
+      all.Add(*box);
+    }
+  }
+  return all;
+}
 }
 
 LitProps LitPropsOf(const vtkRenderState* s)
 {
-  if (!HasOneSample(s->GetRenderer()))
+  vtkRenderer* const renderer = s->GetRenderer();
+  const std::optional<Box> visible =
+    HasOneSample(renderer) ? BoxAroundVisible(renderer) : std::nullopt;
+  if (!visible)
   {
     return {};
   }
-  vtkMatrix4x4* const matrix = s->GetRenderer()->GetActiveCamera()->GetModelViewTransformMatrix();
+  vtkMatrix4x4* const matrix = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   const glm::dmat4 toView = glm::transpose(glm::make_mat4(matrix->GetData()));
-  Box all;
   std::vector<LitBox> boxes;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
-    vtkProp* const prop = s->GetPropArray()[i];
-    if (!IsWithinBounds(prop))
+    const std::optional<Box> box = BoxAround(s->GetPropArray()[i]);
+    if (!box)
     {
-      return {};
+      continue;
     }
-    const double* const bounds = prop->GetBounds();
-    if (!bounds || !vtkMath::AreBoundsInitialized(bounds))
-    {
-      continue; // nothing is drawn, or nothing in the scene's coordinates
-    }
-    const Box box =
-      Box::Around({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
-    const Box inView = LitRegion(box, toView).Bounds();
+    const Box inView = LitRegion(*box, toView).Bounds();
     if (!inView.IsPlaceable())
     {
-      return {};
+      return { LitRegion(*visible, toView), std::nullopt };
     }
-    all.Add(box);
-    boxes.push_back({ box, inView });
+    boxes.push_back({ *box, inView });
   }
-  return { LitRegion(all, toView), std::move(boxes) };
+  return { LitRegion(*visible, toView), std::move(boxes) };
 }
 
 }

@@ -1,5 +1,5 @@
 /**
- * Where all is that lights shine on.
+ * Where everything is that lights shine on.
  */
 #ifndef VITRINE_SCENE_LIT_PROPS_H
 #define VITRINE_SCENE_LIT_PROPS_H
@@ -15,24 +15,29 @@ class vtkRenderState;
 namespace vitrine
 {
 
-/** Around a prop. */
+/** The box around a prop. */
 struct LitBox
 {
-  Box InWorld;
-  Box InView; ///< with what shaders' floats may be off
+  Box InWorld; ///< in world coordinates (WC)
+  Box InView;  ///< in view coordinates (VC), wider by the rounding of shaders' floats
 };
 
-/** Props that are about to be drawn. */
+/** The props of a frame. */
 struct LitProps
 {
-  LitRegion Region;                         ///< around all of them, in view coordinates (VC)
-  std::optional<std::vector<LitBox>> Boxes; ///< around each, if there is one around all
+  /** Around all visible props of the renderer, in view coordinates (VC). It does not depend on cullers. */
+  LitRegion Region;
+
+  /** Around each prop that is about to be drawn; nothing where that is not known. */
+  std::optional<std::vector<LitBox>> Boxes;
 };
 
 /**
- * The region is all of space where a prop may be drawn elsewhere than its bounds tell: other classes than actors of
- * polydata, users' shader code. So it is with several samples a pixel, too, as a fragment at an edge is
- * lit where its pixel's midst would be on the face, which may be far off.
+ * Finds the props of a frame.
+ *
+ * The region is all of space if any prop may be drawn outside its bounds: a class other than actors of polydata, or
+ * shader code of users. It is all of space with several samples a pixel as well: a fragment at an edge is lit where
+ * the centre of its pixel would be on the face, which may be far away.
  */
 LitProps LitPropsOf(const vtkRenderState* s);
 

@@ -8,13 +8,16 @@ import numbers
 import operator
 import warnings
 import weakref
-from typing import Any, Iterable, Mapping, SupportsIndex
+from typing import Any, Callable, Iterable, Mapping, SupportsIndex
 
 from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from .vtkVitrineRendering import (
     vtkABufferTransparencyPass,
+    vtkClusteredLightsPass,
+    vtkDeferredLightsPass,
+    vtkHierarchicalSBufferCuller,
     vtkLinkedListTransparencyPass,
     vtkPrefixSumTransparencyPass,
     vtkSeeThroughPass,
@@ -30,6 +33,10 @@ METHODS: dict[str, Any] = {
     "stencil-routed": vtkStencilRoutedTransparencyPass,
     "truth": vtkTruthTransparencyPass,
 }
+_LIGHTS: dict[str, Any] = {
+    "clustered": vtkClusteredLightsPass,
+    "deferred": vtkDeferredLightsPass,
+}
 _COLOR_STORAGES = {
     "half-float": vtkABufferTransparencyPass.HALF_FLOAT,
     "8-bit": vtkABufferTransparencyPass.EIGHT_BIT,
@@ -41,15 +48,20 @@ def see_through(
     target: Any,
     method: str = "linked-list",
     *,
+    lights: str | bool | None = None,
+    cull: bool = False,
     color_storage: str | None = None,
     memory_limit: SupportsIndex | None = None,
     coincidence: float | tuple[float, float] | None = None,
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
-    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter; of the latter two all renderers that they have now.
+    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. Of the latter two all renderers are taken, and those
+        that are added later.
     method: "linked-list", "prefix-sum", "stencil-routed" for drivers without OpenGL 4.3, or "truth", the slow
         yardstick, composited in float64 on the CPU.
+    lights: "clustered" or True, or "deferred", for scenes with many lights. None leaves lighting to VTK's mappers.
+    cull: whether parts that others hide are left out (vtkHierarchicalSBufferCuller), in place of the renderer's cullers.
     color_storage: of the first two methods: "half-float", the default; "compact", which takes two thirds of the memory and
         is faster, and exact to 8-bit pictures; or "8-bit", which rounds each fragment.
     memory_limit: of the first two methods: the largest number of bytes that its fragments may take on the device, for
@@ -58,11 +70,12 @@ def see_through(
         do, and are composited without an order, in steps of 2^-24 of the window's depth; or a pair of that and a share of the
         fragment's slope of depth per pixel. It takes 4 bytes more a fragment. None is no tolerance.
 
-    Returns a handle: remove() puts back the passes that were there before, and so does leaving a `with`.
-    A target that is see-through already takes the new method until then.
+    Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and the
+    like), and whether they are switched on before or later: the method takes the place of the step that draws what is
+    translucent. Warns where a pass has no such step, and is set aside until remove().
 
-    Warns where another pass is set aside (PyVista's SSAO, shadows, depth of field, SSAA and the like are passes): the
-    effect is gone until remove(). Switching one on or off later takes Vitrine's pass away: call see_through() again.
+    Returns a handle: remove() puts back what was there before, and so does leaving a `with`.
+    A target that is see-through already takes the new method until then.
 
     Raises TypeError for another kind of target, ValueError for an unknown method or option, RuntimeError
     for a plotter that is closed.
@@ -77,64 +90,49 @@ def see_through(
     True
     """
     renderers = _renderers_of(target)
-    passes = [_make_pass(method, color_storage, memory_limit, coincidence) for _ in renderers]
-    for name in sorted({_foreign_pass(renderer) for renderer in renderers} - {""}):
-        warnings.warn(f"see_through() sets {name} aside until remove()", stacklevel=2)
-    return SeeThrough(method, renderers, passes, _plotter_of(target))
+
+    def make() -> vtkSeeThroughPass:
+        return _make_pass(method, lights, color_storage, memory_limit, coincidence)
+
+    make()  # wrong options raise before anything is changed
+    _boolean("cull", cull)
+    handle = SeeThrough(method, target, make, cull)
+    for renderer in renderers:
+        handle._frames.take(renderer)
+    for reason in sorted(handle._frames.set_aside()):
+        warnings.warn(f"see_through(): {reason}, until remove()", stacklevel=2)
+    handle._render()
+    return handle
 
 
 class SeeThrough:
     """The handle that see_through() returns. It keeps neither renderers nor windows alive."""
 
-    _alive: weakref.WeakSet[SeeThrough] = weakref.WeakSet()
-
     def __init__(
-        self,
-        method: str,
-        renderers: list[vtkRenderer],
-        passes: list[vtkSeeThroughPass],
-        plotter: Any = None,
+        self, method: str, target: Any, make: Callable[[], vtkSeeThroughPass], cull: bool
     ) -> None:
         self.method = method
+        plotter = _plotter_of(target)
         self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
-        self._places: list[_Place] = []
-        for renderer, see_through_pass in zip(renderers, passes):
-            place = _Place(_weak(renderer), _weak(see_through_pass), renderer.GetPass())
-            self._places.append(place)
-            renderer.SetPass(see_through_pass)
-        SeeThrough._alive.add(self)
-        self._render()
+        self._frames = _Frames(make, cull)
+        self._frames.watch(target)
 
     @property
     def renderers(self) -> list[vtkRenderer]:
         """The renderers that still live."""
-        return [place.renderer.Get() for place in self._places if place.renderer.Get() is not None]
+        return self._frames.renderers()
 
     def stats(self) -> Stats:
         """What stats() tells of these renderers."""
         return _combined(self.renderers)
 
     def remove(self) -> None:
-        """Put back the passes that were there before. Renderers that were given others since keep them.
+        """Put back the passes and cullers that were there before. Renderers that were given others since keep them.
 
         Handles of one target may be removed in any order. A plotter on show is drawn at once.
         """
-        places, self._places = self._places, []
-        for place in places:
-            renderer, ours = place.renderer.Get(), place.ours.Get()
-            if renderer is None or ours is None:
-                continue
-            if renderer.GetPass() is ours:
-                renderer.SetPass(place.before)
-            for later in SeeThrough._alive:
-                later._forget(ours, place.before)
-        if places:
+        if self._frames.remove():
             self._render()
-
-    def _forget(self, removed: vtkSeeThroughPass, before: Any) -> None:
-        for place in self._places:
-            if place.before is removed:
-                place.before = before
 
     def _render(self) -> None:
         """Draw the plotter, which does nothing before it is shown, and must not once it is closed."""
@@ -149,28 +147,109 @@ class SeeThrough:
         self.remove()
 
     def __repr__(self) -> str:
-        if not self._places:
+        if self._frames.removed:
             return f"<SeeThrough {self.method}, removed>"
         count = len(self.renderers)
         return f"<SeeThrough {self.method}, {count} renderer{'s' if count != 1 else ''}>"
 
 
+class _Frames:
+    """The renderers of a handle. What observes the window holds this, and this holds neither window nor renderers."""
+
+    def __init__(self, make: Callable[[], vtkSeeThroughPass], cull: bool) -> None:
+        self.removed = False
+        self._make = make
+        self._cull = cull
+        self._places: list[_Place] = []
+        self._all: Callable[[], Iterable[vtkRenderer]] = tuple
+        self._window: Any = None
+        self._observer = 0
+
+    def watch(self, target: Any) -> None:
+        """Take renderers that are added to a window or a plotter, each before its first frame."""
+        plotter = _plotter_of(target)
+        window = plotter.render_window if plotter is not None else target
+        if not isinstance(window, vtkRenderWindow):
+            return
+        held = weakref.ref(plotter) if plotter is not None else _weak(window).Get
+        self._all = lambda: _renderers_of(held()) if held() is not None else ()
+        self._window = _weak(window)
+        self._observer = window.AddObserver("StartEvent", self._take_new)
+
+    def _take_new(self, *_: object) -> None:
+        known = self.renderers()
+        for renderer in self._all():
+            if renderer not in known:
+                self.take(renderer)
+
+    def take(self, renderer: vtkRenderer) -> None:
+        """Have a renderer draw by a pass of its own, and cull."""
+        ours = self._make()
+        ours.Attach(renderer)
+        cullers = None
+        if self._cull:
+            collection: Any = renderer.GetCullers()
+            cullers = list(collection)
+            collection.RemoveAllItems()
+            renderer.AddCuller(vtkHierarchicalSBufferCuller())
+        self._places.append(_Place(_weak(renderer), _weak(ours), cullers))
+
+    def renderers(self) -> list[vtkRenderer]:
+        return [place.renderer.Get() for place in self._places if place.renderer.Get() is not None]
+
+    def set_aside(self) -> set[str]:
+        """Why passes of the renderers are left out."""
+        alive = (place.ours.Get() for place in self._places)
+        return {ours.GetSetAsideReason() for ours in alive if ours is not None} - {""}
+
+    def remove(self) -> bool:
+        """Put everything back. Returns whether there was anything to put back."""
+        if self.removed:
+            return False
+        self.removed = True
+        places, self._places = self._places, []
+        window = self._window.Get() if self._window is not None else None
+        if window is not None:
+            window.RemoveObserver(self._observer)
+        for place in places:
+            place.put_back()
+        return True
+
+
 @dataclasses.dataclass
 class _Place:
-    """A renderer, the pass that a handle gave it, and the one it had before."""
+    """A renderer, the pass that a handle gave it, and the cullers that it had before where they were replaced."""
 
     renderer: Any
     ours: Any
-    before: Any
+    cullers: list[Any] | None
+
+    def put_back(self) -> None:
+        renderer, ours = self.renderer.Get(), self.ours.Get()
+        if ours is not None:
+            ours.Detach()
+        if renderer is None or self.cullers is None:
+            return
+        collection = renderer.GetCullers()
+        there = list(collection)
+        if len(there) == 1 and isinstance(there[0], vtkHierarchicalSBufferCuller):
+            collection.RemoveAllItems()
+            for culler in self.cullers:
+                renderer.AddCuller(culler)
 
 
 @dataclasses.dataclass(frozen=True)
 class Stats:
     """The last frame of the renderers of a target.
 
-    fragments, and bytes that the methods hold on the device, are sums; layers_max is the largest number of fragments
-    in a pixel, layers_mean the mean over pixels that have any; geometry_passes is how often the geometry was
-    drawn, the largest of all renderers. fallback_reason says why VTK's own way was taken, and is empty where it was not.
+    fragments, bytes, lights and parts are sums over renderers; bytes is what the method holds on the device.
+    layers_max is the largest number of fragments in a pixel, layers_mean the mean over pixels that have any.
+    geometry_passes is how often the geometry was drawn, the largest of all renderers.
+
+    fallback_reason says why VTK's own way was taken in place of the method, lights_reason why lights were lit by VTK's
+    mappers, and set_aside which passes of the renderer are left out and why. Each is empty where there is nothing to say.
+
+    lights counts the lights that were lit by clusters. drawn_parts and culled_parts are of the culler, 0 without one.
     """
 
     method: str
@@ -180,6 +259,11 @@ class Stats:
     geometry_passes: int
     bytes: int
     fallback_reason: str
+    lights: int = 0
+    lights_reason: str = ""
+    drawn_parts: int = 0
+    culled_parts: int = 0
+    set_aside: str = ""
 
 
 def stats(target: Any) -> Stats:
@@ -192,40 +276,66 @@ def stats(target: Any) -> Stats:
 
 def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
     renderers = list(renderers)
-    passes = [found for found in map(_transparency_pass, renderers) if found is not None]
-    if not passes:
-        others = ", ".join(sorted({_foreign_pass(renderer) for renderer in renderers} - {""}))
-        held = f" (the pass that is set is {others})" if others else ""
+    frames = [frame for frame in map(_frame_of, renderers) if _method_of(frame) is not None]
+    if not frames:
+        passes = {renderer.GetPass().GetClassName() for renderer in renderers if renderer.GetPass()}
+        held = f" (the pass that is set is {', '.join(sorted(passes))})" if passes else ""
         raise ValueError(f"nothing here is see-through: call vitrine.see_through() first{held}")
-    fragments = sum(found.GetFragmentCount() for found in passes)
+    methods = [_method_of(frame) for frame in frames]
+    lights = [light for light in map(_lights_of, frames) if light is not None]
+    cullers = [culler for renderer in renderers for culler in _cullers_of(renderer)]
+    fragments = sum(found.GetFragmentCount() for found in methods)
     pixels = sum(
         found.GetFragmentCount() / found.GetLayersMean()
-        for found in passes
+        for found in methods
         if found.GetLayersMean() > 0
     )
     return Stats(
-        method=", ".join(sorted({found.GetMethodName() for found in passes})),
+        method=", ".join(sorted({found.GetMethodName() for found in methods})),
         fragments=fragments,
-        layers_max=max(found.GetLayersMax() for found in passes),
+        layers_max=max(found.GetLayersMax() for found in methods),
         layers_mean=fragments / pixels if pixels else 0.0,
-        geometry_passes=max(found.GetGeometryPasses() for found in passes),
-        bytes=sum(found.GetBytes() for found in passes),
-        fallback_reason="; ".join(sorted({found.GetFallbackReason() for found in passes} - {""})),
+        geometry_passes=max(found.GetGeometryPasses() for found in methods),
+        bytes=sum(found.GetBytes() for found in methods),
+        fallback_reason=_reasons(frame.GetFallbackReason() for frame in frames),
+        lights=sum(light.GetNumberOfLights() for light in lights),
+        lights_reason=_reasons(light.GetFallbackReason() for light in lights),
+        drawn_parts=sum(culler.GetNumberOfDrawnParts() for culler in cullers),
+        culled_parts=sum(culler.GetNumberOfCulledParts() for culler in cullers),
+        set_aside=_reasons(frame.GetSetAsideReason() for frame in frames),
     )
 
 
-def _transparency_pass(renderer: vtkRenderer) -> Any:
-    whole = renderer.GetPass()
-    if isinstance(whole, vtkSeeThroughPass):
-        transparency = whole.GetTranslucentPass()
-        return transparency if isinstance(transparency, vtkTransparencyPass) else None
-    return None
+def _reasons(texts: Iterable[str]) -> str:
+    return "; ".join(sorted(set(texts) - {""}))
 
 
-def _foreign_pass(renderer: vtkRenderer) -> str:
-    """The class of a pass that is not Vitrine's, or ""."""
-    there = renderer.GetPass()
-    return "" if there is None or isinstance(there, vtkSeeThroughPass) else there.GetClassName()
+def _frame_of(renderer: vtkRenderer) -> vtkSeeThroughPass | None:
+    """The pass that draws the renderer exactly: the one that is set, or else within it, or that will be set again."""
+    found = _first_below(renderer.GetPass(), vtkSeeThroughPass)
+    return found or vtkSeeThroughPass.GetAttached(renderer)
+
+
+def _first_below(render_pass: Any, kind: type) -> Any:
+    """The first of a chain of delegates that is of a class, or None."""
+    while render_pass is not None and not isinstance(render_pass, kind):
+        get_delegate = getattr(render_pass, "GetDelegatePass", None)
+        render_pass = get_delegate() if get_delegate else None
+    return render_pass
+
+
+def _method_of(frame: vtkSeeThroughPass | None) -> Any:
+    transparency = frame.GetTranslucentPass() if frame is not None else None
+    return transparency if isinstance(transparency, vtkTransparencyPass) else None
+
+
+def _lights_of(frame: vtkSeeThroughPass) -> Any:
+    return frame.GetLightingPass() or _first_below(frame.GetEffectsPass(), vtkClusteredLightsPass)
+
+
+def _cullers_of(renderer: vtkRenderer) -> list[Any]:
+    collection: Any = renderer.GetCullers()
+    return [culler for culler in collection if isinstance(culler, vtkHierarchicalSBufferCuller)]
 
 
 def _is_plotter(target: Any) -> bool:
@@ -258,6 +368,7 @@ def _renderers_of(target: Any) -> list[vtkRenderer]:
 
 def _make_pass(
     method: str,
+    lights: str | bool | None,
     color_storage: str | None,
     memory_limit: SupportsIndex | None,
     coincidence: float | tuple[float, float] | None,
@@ -276,7 +387,14 @@ def _make_pass(
         transparency.SetCoincidenceSlope(slope)
     whole = vtkSeeThroughPass()
     whole.SetTranslucentPass(transparency)
+    if lights is not None and lights is not False:
+        whole.SetLightingPass(_known("lights", "clustered" if lights is True else lights, _LIGHTS)())
     return whole
+
+
+def _boolean(argument: str, value: Any) -> None:
+    if not isinstance(value, bool):
+        raise TypeError(f"{argument} is True or False, not {value!r}")
 
 
 def _known(argument: str, value: Any, values: Mapping[str, Any]) -> Any:

@@ -9,8 +9,13 @@ import weakref
 
 import numpy
 from scenes import cone_renderer, pixels, plate, plates_renderer, rendered, run_python, window_with
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
-from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkTranslucentPass
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkClearRGBPass,
+    vtkGaussianBlurPass,
+    vtkRenderStepsPass,
+    vtkTranslucentPass,
+)
 
 import vitrine
 import vitrine._see_through
@@ -27,6 +32,13 @@ def drawn(renderer, **arguments):
     window = window_with(renderer, **arguments)
     window.Render()
     return window
+
+
+def half_plate(z, opacity):
+    """A white plate over the left half of the view, whose edge a blur can be seen at."""
+    actor = plate(z, (1, 1, 1), opacity)
+    actor.SetPosition(-2, 0, 0)
+    return actor
 
 
 class Plotter:
@@ -192,10 +204,9 @@ class Undoing(unittest.TestCase):
         renderer = vtkRenderer()
         handle = vitrine.see_through(renderer)
         ours = vitrine._see_through._weak(renderer.GetPass())
-        renderer.SetPass(None)
+        handle.remove()
         gc.collect()
         self.assertIsNone(ours.Get())
-        handle.remove()
 
     def test_exit_is_quiet(self):
         for tail in ("", "raise SystemExit(0)", "del window", "del renderer, handle"):
@@ -236,6 +247,106 @@ class Plotters(unittest.TestCase):
         gc.collect()
         self.assertIsNone(reference())
         handle.remove()
+
+
+class Effects(unittest.TestCase):
+    """Passes and flags of the renderer, switched on before or later."""
+
+    def blurred(self, renderer):
+        blur = vtkGaussianBlurPass()
+        blur.SetDelegatePass(vtkRenderStepsPass())
+        renderer.SetPass(blur)
+        return blur
+
+    def test_passes_that_are_there_stay(self):
+        renderer = plates_renderer(half_plate(0.0, 0.5), background=(0.2, 0.4, 0.6))
+        window = drawn(renderer)
+        sharp = pixels(window)
+        blur = self.blurred(renderer)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            handle = vitrine.see_through(renderer)
+        window.Render()
+        self.assertGreater(abs(pixels(window).astype(int) - sharp).max(), 10)
+        self.assertEqual(vitrine.stats(renderer).fallback_reason, "")
+        self.assertGreater(vitrine.stats(renderer).fragments, 0)
+        handle.remove()
+        self.assertIs(renderer.GetPass(), blur)
+        blur.ReleaseGraphicsResources(window)
+
+    def test_passes_that_are_set_later_stay(self):
+        renderer = plates_renderer(half_plate(0.0, 0.5))
+        window = window_with(renderer)
+        handle = vitrine.see_through(window)
+        window.Render()
+        blur = self.blurred(renderer)
+        self.assertEqual(vitrine.stats(renderer).method, "linked-list")
+        window.Render()
+        self.assertIs(renderer.GetPass().GetEffectsPass(), blur)
+        self.assertGreater(vitrine.stats(window).fragments, 0)
+        blur.ReleaseGraphicsResources(window)
+        renderer.SetPass(None)
+        window.Render()
+        self.assertGreater(vitrine.stats(window).fragments, 0)
+        handle.remove()
+        self.assertIsNone(renderer.GetPass())
+
+    def test_renderers_that_are_added_later_are_taken(self):
+        window = window_with(plates(2))
+        handle = vitrine.see_through(window)
+        window.Render()
+        later = plates(3)
+        later.SetViewport(0.5, 0, 1, 1)
+        window.AddRenderer(later)
+        window.Render()
+        self.assertEqual(len(handle.renderers), 2)
+        self.assertEqual(vitrine.stats(later).layers_max, 3)
+        handle.remove()
+        self.assertIsNone(later.GetPass())
+
+    def test_lights_of_ours_stay(self):
+        renderer = plates(2)
+        lights = vitrine.vtkClusteredLightsPass()
+        lights.SetDelegatePass(vitrine.vtkSeeThroughPass())
+        renderer.SetPass(lights)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            handle = vitrine.see_through(renderer, "prefix-sum")
+        drawn(renderer)
+        self.assertEqual(vitrine.stats(renderer).method, "prefix-sum")
+        self.assertIs(renderer.GetPass().GetEffectsPass(), lights)
+        handle.remove()
+        self.assertIs(renderer.GetPass(), lights)
+        self.assertEqual(vitrine.stats(renderer).method, "linked-list")
+
+    def test_cull_replaces_the_cullers_until_remove(self):
+        renderer = plates(2)
+        before = list(renderer.GetCullers())
+        handle = vitrine.see_through(renderer, cull=True)
+        kinds = [type(culler).__name__ for culler in renderer.GetCullers()]
+        self.assertEqual(kinds, ["vtkHierarchicalSBufferCuller"])
+        drawn(renderer)
+        self.assertEqual(vitrine.stats(renderer).drawn_parts, 2)
+        handle.remove()
+        self.assertEqual(list(renderer.GetCullers()), before)
+
+    def test_lights_are_counted(self):
+        renderer = plates(2)
+        for x in range(3):
+            light = vtkLight()
+            light.SetPositional(True)
+            light.SetPosition(x, 0, 5)
+            light.SetLightTypeToSceneLight()
+            renderer.AddLight(light)
+        for kind in (True, "clustered", "deferred"):
+            with vitrine.see_through(renderer, lights=kind):
+                drawn(renderer)
+                told = vitrine.stats(renderer)
+                self.assertEqual((told.lights, told.lights_reason), (3, ""))
+        renderer.UseShadowsOn()
+        with vitrine.see_through(renderer, lights=True):
+            drawn(renderer)
+            self.assertIn("shadow", vitrine.stats(renderer).lights_reason)
 
 
 class Figures(unittest.TestCase):
@@ -318,6 +429,8 @@ class Misuse(unittest.TestCase):
                 "coincidence is no option of stencil-routed",
                 lambda: vitrine.see_through(renderer, "stencil-routed", coincidence=1),
             ),
+            (ValueError, "known are clustered", lambda: vitrine.see_through(renderer, lights="many")),
+            (TypeError, "cull is True or False", lambda: vitrine.see_through(renderer, cull=1)),
             (ValueError, "no renderer", lambda: vitrine.see_through(vtkRenderWindow())),
             (ValueError, "see_through", lambda: vitrine.stats(renderer)),
             (TypeError, "int", lambda: vitrine.stats(3)),
@@ -328,10 +441,11 @@ class Misuse(unittest.TestCase):
 
     def test_warning_names_the_pass_and_the_line(self):
         renderer = plates(2)
-        renderer.SetPass(vtkRenderStepsPass())
-        with self.assertWarnsRegex(UserWarning, "sets vtkRenderStepsPass aside") as caught:
-            vitrine.see_through(renderer)
+        renderer.SetPass(vtkClearRGBPass())  # no step for translucent geometry is known in it
+        with self.assertWarnsRegex(UserWarning, "vtkClearRGBPass is set aside") as caught:
+            handle = vitrine.see_through(renderer)
         self.assertEqual(caught.filename, __file__)
+        self.assertIn("vtkClearRGBPass", handle.stats().set_aside)
 
     def test_stats_of_other_passes_raise(self):
         renderer = plates(2)

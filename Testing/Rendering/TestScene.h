@@ -31,6 +31,7 @@ struct Picture
 
   Rgba At(int x, int y) const;
   bool operator==(const Picture& other) const { return this->Bytes == other.Bytes; }
+  bool operator!=(const Picture& other) const { return !(*this == other); }
 };
 
 Picture ReadPicture(vtkRenderWindow* window);

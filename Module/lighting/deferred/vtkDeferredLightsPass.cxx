@@ -3,6 +3,7 @@
 #include "lighting/deferred/DeferrableProps.h"
 #include "lighting/deferred/DeferredShading.h"
 #include "scene/ClassName.h"
+#include "scene/PassTraits.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkRenderState.h"
@@ -15,6 +16,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkDeferredLightsPass);
+vitrinePassTraitsMacro(vtkDeferredLightsPass, vitrine::LightsTraits<vtkDeferredLightsPass>);
 
 namespace
 {

@@ -12,6 +12,7 @@
 #include "lighting/forward/ViewGrid.h"
 #include "lighting/forward/WorldCells.h"
 #include "scene/LitProps.h"
+#include "scene/PassTraits.h"
 #include "vtkAbstractMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -27,6 +28,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkClusteredLightsPass);
+vitrinePassTraitsMacro(vtkClusteredLightsPass, vitrine::LightsTraits<vtkClusteredLightsPass>);
 
 struct vtkClusteredLightsPass::Internals
 {
@@ -43,16 +45,11 @@ struct vtkClusteredLightsPass::Internals
   vtkSmartPointer<vtkLightCollection> Directional = vitrine::MakeStandIn(false);
   vtkSmartPointer<vtkLightCollection> Positional = vitrine::MakeStandIn(true);
   std::set<std::string> Reported;
+  std::string FallbackReason;
 };
 
 namespace
 {
-
-// Of the eyes of a stereo pair, the passes within alone know which one is drawn.
-bool IsViewKnown(vtkRenderer* renderer)
-{
-  return !renderer->GetRenderWindow()->GetStereoRender();
-}
 
 /** As many as a view has clusters, but no more than cells are worth their boxes. */
 std::uint32_t CellsLike(vtkRenderer* renderer, const vitrine::ClusterSettings& settings)
@@ -95,6 +92,7 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLightsPerCluster: " << this->MaximumLightsPerCluster << "\n";
   os << indent << "AssignmentTime: " << this->AssignmentTime << "\n";
   os << indent << "Bytes: " << this->Bytes << "\n";
+  os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -121,15 +119,18 @@ vtkRenderPass* vtkClusteredLightsPass::GetDelegatePass()
 //------------------------------------------------------------------------------
 void vtkClusteredLightsPass::Render(const vtkRenderState* s)
 {
+  Internals& in = *this->Private;
   this->NumberOfRenderedProps = 0;
-  this->Bytes = this->Private->Buffers.Bytes();
-  if (!this->Private->Delegate)
+  this->Bytes = in.Buffers.Bytes();
+  in.FallbackReason.clear();
+  if (!in.Delegate)
   {
     vtkErrorMacro("no DelegatePass is set, so nothing is drawn");
     return;
   }
-  auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  if (renderer && IsViewKnown(renderer) && this->TakeLights(renderer))
+  in.FallbackReason = this->FindHindrance(s->GetRenderer());
+  auto* const renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
+  if (in.FallbackReason.empty() && this->TakeLights(renderer))
   {
     this->AssignLights(s, renderer);
     if (this->WriteBuffers(renderer))
@@ -138,8 +139,34 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
       return;
     }
   }
-  this->Private->Delegate->Render(s);
-  this->NumberOfRenderedProps = this->Private->Delegate->GetNumberOfRenderedProps();
+  in.Delegate->Render(s);
+  this->NumberOfRenderedProps = in.Delegate->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// Why lights cannot be assigned to clusters in this frame; empty if they can.
+std::string vtkClusteredLightsPass::FindHindrance(vtkRenderer* renderer)
+{
+  if (!vtkOpenGLRenderer::SafeDownCast(renderer))
+  {
+    return "the renderer is not one of OpenGL";
+  }
+  if (renderer->GetRenderWindow()->GetStereoRender())
+  {
+    // Which eye is drawn the passes within alone know.
+    return "the window draws in stereo, whose eyes have views of their own";
+  }
+  if (vitrine::DrawsShadows(renderer))
+  {
+    return "VTK's shadow maps need the text that VTK's mappers write for each light";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+const char* vtkClusteredLightsPass::GetFallbackReason()
+{
+  return this->Private->FallbackReason.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -254,6 +281,7 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
   this->WarnOfLongLists();
   const std::string problem = in.Buffers.Write(in.Lights.Packed, in.Lists);
   this->Bytes = in.Buffers.Bytes();
+  in.FallbackReason = problem;
   if (!problem.empty() && in.Reported.insert(problem).second)
   {
     vtkErrorMacro(<< problem << "; lights are drawn as VTK does");

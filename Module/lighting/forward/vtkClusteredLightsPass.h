@@ -31,6 +31,7 @@
 #include <string>  // for shader text
 
 class vtkOpenGLRenderer;
+class vtkRenderer;
 
 namespace vitrine
 {
@@ -69,6 +70,12 @@ public:
   vtkSetClampMacro(CutOff, double, 0.0, 1.0);
   vtkGetMacro(CutOff, double);
   ///@}
+
+  /**
+   * Why the last frame was lit by VTK's mappers and not by clusters; empty if it was lit by clusters, or if there was
+   * nothing to do: no light is on, or a single headlight alone.
+   */
+  const char* GetFallbackReason();
 
   /**
    * What lights are assigned to.
@@ -206,6 +213,7 @@ private:
   vtkClusteredLightsPass(const vtkClusteredLightsPass&) = delete;
   void operator=(const vtkClusteredLightsPass&) = delete;
 
+  std::string FindHindrance(vtkRenderer* renderer);
   bool TakeLights(vtkOpenGLRenderer* renderer);
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
   void MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit);

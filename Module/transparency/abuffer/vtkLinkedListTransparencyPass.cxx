@@ -1,11 +1,13 @@
 #include "vtkLinkedListTransparencyPass.h"
 
+#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/LinkedListStore.h"
 #include "transparency/common/FillShader.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkLinkedListTransparencyPass);
+vitrinePassTraitsMacro(vtkLinkedListTransparencyPass, vitrine::TranslucentTraits);
 
 //------------------------------------------------------------------------------
 vtkLinkedListTransparencyPass::~vtkLinkedListTransparencyPass()

@@ -1,11 +1,13 @@
 #include "vtkPrefixSumTransparencyPass.h"
 
+#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/PackedListStore.h"
 #include "transparency/common/FillShader.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPrefixSumTransparencyPass);
+vitrinePassTraitsMacro(vtkPrefixSumTransparencyPass, vitrine::TranslucentTraits);
 
 //------------------------------------------------------------------------------
 vtkPrefixSumTransparencyPass::~vtkPrefixSumTransparencyPass()

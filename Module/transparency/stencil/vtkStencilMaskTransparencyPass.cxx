@@ -5,6 +5,7 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/stencil/MaskResolver.h"
@@ -19,6 +20,7 @@
 #include "vtkShaderProgram.h"
 
 vtkStandardNewMacro(vtkStencilMaskTransparencyPass);
+vitrinePassTraitsMacro(vtkStencilMaskTransparencyPass, vitrine::TranslucentTraitsOfOwnTarget);
 
 struct vtkStencilMaskTransparencyPass::Internals
 {

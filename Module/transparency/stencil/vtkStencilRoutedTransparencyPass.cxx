@@ -6,6 +6,7 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/stencil/RoutedResolver.h"
@@ -28,6 +29,7 @@ constexpr int AutomaticSamples[] = { 8, 4, 2, 1 };
 }
 
 vtkStandardNewMacro(vtkStencilRoutedTransparencyPass);
+vitrinePassTraitsMacro(vtkStencilRoutedTransparencyPass, vitrine::TranslucentTraits);
 
 struct vtkStencilRoutedTransparencyPass::Internals
 {

@@ -10,6 +10,7 @@
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/CoincidenceTolerance.h"
 #include "transparency/common/FillExtensions.h"
@@ -28,6 +29,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkTruthTransparencyPass);
+vitrinePassTraitsMacro(vtkTruthTransparencyPass, vitrine::TranslucentTraits);
 
 namespace
 {

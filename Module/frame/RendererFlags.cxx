@@ -1,0 +1,103 @@
+#include "frame/RendererFlags.h"
+
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderState.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+
+#include <functional>
+
+namespace vitrine
+{
+
+/** A pass that calls a function. */
+class RendererFlags::Step : public vtkRenderPass
+{
+public:
+  static Step* New() { VTK_STANDARD_NEW_BODY(Step); }
+  vtkTypeMacro(Step, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->NumberOfRenderedProps = 0;
+    this->Draw(s, static_cast<vtkOpenGLRenderer*>(s->GetRenderer()));
+  }
+
+  std::function<void(const vtkRenderState*, vtkOpenGLRenderer*)> Draw;
+};
+
+RendererFlags::RendererFlags()
+{
+  this->Shadowed->Draw = [this](const vtkRenderState* s, vtkOpenGLRenderer*)
+  {
+    this->Shadows->GetShadowMapBakerPass()->Render(s);
+    this->Shadows->Render(s);
+  };
+  this->Opaque->Draw = [](const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+  { renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer()); };
+  this->Smoothed->Draw = [this](const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+  {
+    if (s->GetPropArrayCount() > 0) // as VTK does
+    {
+      this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
+      this->Smoothing->Execute(renderer);
+    }
+  };
+  this->Peeled->Draw = [](const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+  { renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer()); };
+}
+
+RendererFlags::~RendererFlags() = default;
+
+vtkRenderPass* RendererFlags::OpaqueStep(vtkOpenGLRenderer* renderer, vtkRenderPass* plain)
+{
+  if (renderer->GetUseShadows())
+  {
+    return this->Shadowed;
+  }
+  const bool isByRenderer = renderer->GetUseSSAO() || renderer->GetUseHiddenLineRemoval();
+  return isByRenderer ? this->Opaque.Get() : plain;
+}
+
+vtkRenderPass* RendererFlags::SmoothingStep(vtkOpenGLRenderer* renderer)
+{
+  return renderer->GetUseFXAA() ? this->Smoothed.Get() : nullptr;
+}
+
+vtkRenderPass* RendererFlags::PeelingStep()
+{
+  return this->Peeled;
+}
+
+bool RendererFlags::PeelsVolumes(vtkOpenGLRenderer* renderer, const vtkRenderState* s)
+{
+  if (!renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes() ||
+    renderer->GetUseShadows())
+  {
+    return false;
+  }
+  bool hasTranslucent = false;
+  vtkNew<vtkPropCollection> volumes;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* const prop = s->GetPropArray()[i];
+    prop->GetVolumes(volumes);
+    hasTranslucent = hasTranslucent || prop->HasTranslucentPolygonalGeometry();
+  }
+  return hasTranslucent && volumes->GetNumberOfItems() > 0;
+}
+
+void RendererFlags::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Shadows->GetShadowMapBakerPass()->ReleaseGraphicsResources(window);
+  this->Shadows->ReleaseGraphicsResources(window);
+  this->Smoothing->ReleaseGraphicsResources();
+}
+
+}
