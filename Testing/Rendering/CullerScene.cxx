@@ -244,6 +244,15 @@ void CullerScene::LookFromAnywhere(TestRandom& random)
   camera->SetParallelScale(between(ParallelScale, 1.1 * ParallelScale));
 }
 
+Picture CullerScene::Render()
+{
+  if (this->Culler->GetCulling())
+  {
+    this->Culler->Forget();
+  }
+  return this->TestScene::Render();
+}
+
 bool CullerScene::ShowsUnculled(const std::vector<vtkSmartPointer<vtkActor>>& parts)
 {
   this->Culler->CullingOff();
@@ -256,7 +265,13 @@ bool CullerScene::ShowsUnculled(const std::vector<vtkSmartPointer<vtkActor>>& pa
     }
     pictures[isDrawn] = this->Render();
   }
-  return CountDifferentPixels(pictures[0], pictures[1]) > 0;
+  return !(pictures[0] == pictures[1]);
+}
+
+void CullerScene::ExpectSamePictures(const Picture& culled, const Picture& plain)
+{
+  EXPECT_TRUE(Matches(culled, plain, 0, 0.0, { "culled", "plain" }))
+    << this->Culler->DescribeLeftOut(FirstDifference(culled, plain));
 }
 
 int CullerScene::ExpectSame()
@@ -264,8 +279,9 @@ int CullerScene::ExpectSame()
   this->Culler->CullingOn();
   const Picture culled = this->Render();
   const int leftOut = this->Culler->GetNumberOfCulledParts();
+  EXPECT_TRUE(leftOut == 0 || this->Culler->HasLeftOut()) << leftOut << " parts are only counted";
   this->Culler->CullingOff();
-  EXPECT_EQ(CountDifferentPixels(culled, this->Render()), 0);
+  this->ExpectSamePictures(culled, this->Render());
   return leftOut;
 }
 
@@ -299,20 +315,6 @@ double CullerScene::PixelSize() const
   const double half =
     this->Setting.IsParallel ? ParallelScale : Distance * std::tan(ViewAngle * 3.14159265 / 360.0);
   return 2.0 * half / this->Setting.Height;
-}
-
-int CountDifferentPixels(const Picture& a, const Picture& b)
-{
-  if (a.Bytes.size() != b.Bytes.size())
-  {
-    return -1;
-  }
-  int different = 0;
-  for (std::size_t i = 0; i < a.Bytes.size(); i += 4)
-  {
-    different += !std::equal(&a.Bytes[i], &a.Bytes[i] + 4, &b.Bytes[i]);
-  }
-  return different;
 }
 
 void PrintTo(const CullerSetting& setting, std::ostream* os)

@@ -46,7 +46,7 @@ struct DeferredScene : LightScene
     for (const int assignment : DeferredAssignments)
     {
       this->Deferred->SetAssignment(assignment);
-      EXPECT_EQ(LargestDifference(expected, this->InDeferredLight()), 0) << assignment;
+      EXPECT_TRUE(Matches(this->InDeferredLight(), expected)) << assignment;
       EXPECT_EQ(this->Deferred->GetNumberOfDeferredProps(), deferred) << assignment;
     }
   }

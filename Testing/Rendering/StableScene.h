@@ -85,12 +85,12 @@ struct StableScene : DeferredScene
   /** Expects a frame by each pass to be so, give or take some steps of 1/255. */
   void ExpectFrames(const Picture& expected, int tolerance)
   {
-    EXPECT_LE(LargestDifference(expected, this->InWorldsLight()), tolerance) << "world";
-    EXPECT_LE(LargestDifference(expected, this->InClusteredLight()), tolerance) << "forward";
+    EXPECT_TRUE(Matches(this->InWorldsLight(), expected, tolerance)) << "world";
+    EXPECT_TRUE(Matches(this->InClusteredLight(), expected, tolerance)) << "forward";
     for (const int assignment : DeferredAssignments)
     {
       this->Deferred->SetAssignment(assignment);
-      EXPECT_LE(LargestDifference(expected, this->InDeferredLight()), tolerance) << assignment;
+      EXPECT_TRUE(Matches(this->InDeferredLight(), expected, tolerance)) << assignment;
     }
   }
 

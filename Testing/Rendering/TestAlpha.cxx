@@ -99,7 +99,7 @@ TEST_P(Alpha, OverAGradedBackground)
   scene.Use(blending);
   const Picture expected = scene.Render();
   scene.Use(GetParam().Make());
-  EXPECT_LE(LargestDifference(scene.Render(), expected, GetParam().EdgeShare), 1);
+  EXPECT_TRUE(Matches(scene.Render(), expected, 1, GetParam().EdgeShare));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Alpha, testing::ValuesIn(AllMethods()), MethodName());

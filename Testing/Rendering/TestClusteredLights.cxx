@@ -25,8 +25,8 @@ protected:
   {
     const Picture expected = this->Scene.InVTKsLight();
     const Picture clustered = this->Scene.InClusteredLight();
-    EXPECT_EQ(LargestDifference(expected, clustered), 0);
-    EXPECT_EQ(LargestDifference(expected, this->Scene.InWorldsLight()), 0);
+    EXPECT_TRUE(Matches(clustered, expected));
+    EXPECT_TRUE(Matches(this->Scene.InWorldsLight(), expected));
     this->Scene.Renderer->RemoveAllLights();
     EXPECT_GT(LargestDifference(expected, this->Scene.InVTKsLight()), 20); // there is light
   }
@@ -51,17 +51,17 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ClusteredLight, OfOneHeadlightOrOffOrNoneIsVTKs)
 {
   LightScene scene;
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
   const auto headlight = scene.AddLight(LightKind::Headlight);
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
   headlight->SwitchOff();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
   headlight->SwitchOn();
   scene.AddLight(LightKind::Point)->SwitchOff(); // VTK takes its formula all the same
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
   scene.Renderer->RemoveAllLights();
   scene.Renderer->AutomaticLightCreationOn();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
 }
 
 TEST(ClusteredLight, FallsOnWhatOtherMethodsDrawTranslucent)
@@ -74,7 +74,7 @@ TEST(ClusteredLight, FallsOnWhatOtherMethodsDrawTranslucent)
     {
       scene.AddLight(i % 2 == 0 ? LightKind::Point : LightKind::Spot);
     }
-    EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+    EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
   }
 }
 
@@ -93,14 +93,14 @@ TEST(ClusteredLight, DoesNotDependOnTheGrid)
     {
       scene.Lights->SetTileSize(tile);
       scene.Lights->SetNumberOfSlices(slices);
-      EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+      EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
     }
   }
   for (const int law : { vtkClusteredLightsPass::UNIFORM, vtkClusteredLightsPass::NDC_UNIFORM })
   {
     const double before = scene.Lights->GetLightsPerCluster();
     scene.Lights->SetSliceLaw(law);
-    EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+    EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
     EXPECT_NE(scene.Lights->GetLightsPerCluster(), before);
   }
   scene.Lights->SetSliceLaw(vtkClusteredLightsPass::EXPONENTIAL);
@@ -110,7 +110,7 @@ TEST(ClusteredLight, DoesNotDependOnTheGrid)
     scene.Lights->SetTileSize(16);
     scene.Lights->SetNumberOfSlices(16);
     camera->SetClippingRange(near, 4.0 + near);
-    EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0) << near;
+    EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight())) << near;
   }
 }
 
@@ -128,7 +128,7 @@ TEST(ClusteredLight, IsOffByNoMoreThanTheCutOff)
     const double all = scene.Lights->GetLightsPerCluster();
     EXPECT_EQ(all, count + 1);
     scene.Lights->SetCutOff(0.5 / 255.0);
-    EXPECT_LE(LargestDifference(exact, scene.InClusteredLight()), 1); // of what is rounded
+    EXPECT_TRUE(Matches(scene.InClusteredLight(), exact, 1)); // of what is rounded
     EXPECT_LT(scene.Lights->GetLightsPerCluster(), 0.5 * all);
     scene.Lights->SetCutOff(1.0);
     scene.InClusteredLight();
@@ -146,7 +146,7 @@ TEST(ClusteredLight, IsNotCutWhereManyAddUp)
   }
   const Picture exact = scene.InClusteredLight();
   scene.Lights->SetCutOff(0.5 / 255.0);
-  EXPECT_LE(LargestDifference(exact, scene.InClusteredLight()), 1);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), exact, 1));
 }
 
 TEST(ClusteredLight, InStereoIsVTKs)
@@ -156,7 +156,7 @@ TEST(ClusteredLight, InStereoIsVTKs)
   scene.AddLight(LightKind::Spot);
   scene.Window->SetStereoTypeToAnaglyph();
   scene.Window->StereoRenderOn();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
 }
 
 // VTK alone turns all black by each of them.
@@ -172,7 +172,7 @@ TEST(ClusteredLight, ThatIsNoLightDarkensNothing)
   scene.AddLight(LightKind::Point)->SetIntensity(endless);
   scene.AddLight(LightKind::Spot)->SetPosition(none, 0.0, 0.0);
   scene.AddLight(LightKind::Point)->SetAttenuationValues(0.0, 0.0, 0.0);
-  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
   EXPECT_EQ(scene.Lights->GetNumberOfLights(), 2);
   const std::vector<std::string> messages = TakeMessages();
   ASSERT_EQ(messages.size(), 1u);
@@ -195,7 +195,7 @@ TEST(ClusteredLight, ComesAndGoes)
     EXPECT_EQ(scene.Lights->GetNumberOfLights(), count);
   }
   const Picture last = scene.InClusteredLight();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), last), 0);
+  EXPECT_TRUE(Matches(last, scene.InVTKsLight()));
   EXPECT_GT(scene.Lights->GetBytes(), 0);
 }
 
@@ -228,7 +228,7 @@ TEST(ClusteredLight, IsItsRenderersAlone)
   other->AddActor(scene.Parts.front());
   scene.Window->AddRenderer(other);
   const Picture expected = scene.InVTKsLight();
-  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
 }
 
 // What it held in the one must not be deleted in the other, where the same names are others'.
@@ -248,7 +248,7 @@ TEST(ClusteredLight, MovesFromWindowToWindow)
     LightScene& scene = i % 2 == 0 ? first : second;
     first.Lights->SetDelegatePass(scene.Steps);
     scene.Renderer->SetPass(first.Lights);
-    EXPECT_EQ(LargestDifference(expected[i % 2], scene.Render()), 0);
+    EXPECT_TRUE(Matches(scene.Render(), expected[i % 2]));
   }
 }
 
@@ -275,7 +275,7 @@ TEST(ClusteredLight, LeavesWhatIsNotLitAsItIs)
   line->SetPoint2(0.9, 0.8, 0.8);
   scene.AddSource(line, { 0.9, 0.1, 0.2, 1.0 });
   scene.Parts.back()->GetProperty()->LightingOff();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
 }
 
 TEST(ClusteredLight, MayPassThroughPassesOfItsKind)
@@ -287,7 +287,7 @@ TEST(ClusteredLight, MayPassThroughPassesOfItsKind)
   vtkNew<vtkClusteredLightsPass> outer;
   outer->SetDelegatePass(scene.Lights);
   scene.Renderer->SetPass(outer);
-  EXPECT_EQ(LargestDifference(expected, scene.Render()), 0);
+  EXPECT_TRUE(Matches(scene.Render(), expected));
   outer->SetDelegatePass(outer);
   EXPECT_EQ(outer->GetDelegatePass(), scene.Lights);
   EXPECT_EQ(TakeMessages().size(), 1u);
@@ -308,7 +308,7 @@ TEST(ClusteredLight, ThatComesDuringAFrameStays)
   mapper->RemoveObserver(id);
   const int count = scene.Renderer->GetLights()->GetNumberOfItems();
   EXPECT_GT(count, 2);
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), scene.InVTKsLight()));
   EXPECT_EQ(scene.Lights->GetNumberOfLights(), count);
 }
 

@@ -56,7 +56,7 @@ TEST_P(Coincidence, PairsAreTheMeanOfBothOrdersToTheByte)
       scene.AddPlate(0.3 + noise * Reach, Blue);
       pictures.push_back(scene.Render());
       ExpectColor(UniformColor(pictures.back()), MeanOfBothOrders(), GetParam().Tolerance);
-      EXPECT_TRUE(pictures.back() == pictures.front()) << "noise " << noise;
+      EXPECT_TRUE(Matches(pictures.back(), pictures.front())) << "noise " << noise;
     }
   }
 }
@@ -71,7 +71,7 @@ TEST_P(Coincidence, EndsBeyondTheTolerance)
     scene.Use(MakeTolerant(GetParam()));
     const Picture picture = scene.Render();
     scene.Use(GetParam().Make());
-    EXPECT_TRUE(picture == scene.Render());
+    EXPECT_TRUE(Matches(picture, scene.Render()));
   }
 }
 
@@ -151,7 +151,7 @@ TEST_P(Coincidence, ByTheSlopeGroupsTiltedFaces)
     scene.Use(MakeTolerant(GetParam(), 0.0, 0.0005));
     EXPECT_FALSE(scene.Render() == pictures.back());
   }
-  EXPECT_TRUE(pictures[0] == pictures[1]);
+  EXPECT_TRUE(Matches(pictures[0], pictures[1]));
 }
 
 // A flat plate cuts through a tilted one, whose depth changes along one axis alone: they coincide as many pixels to either
@@ -219,7 +219,7 @@ TEST_P(Coincidence, TakesTheSlopeOfWrittenDepths)
     scene.Use(MakeTolerant(GetParam(), 1.0, 0.0005));
     EXPECT_FALSE(scene.Render() == pictures.back());
   }
-  EXPECT_TRUE(pictures[0] == pictures[1]);
+  EXPECT_TRUE(Matches(pictures[0], pictures[1]));
 }
 
 // Impostors, one plane, of which a shader throws away what is outside of a circle: along its rim slopes may be anything, and

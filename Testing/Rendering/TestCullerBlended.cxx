@@ -127,7 +127,10 @@ TEST_P(CullerBlended, PointsThatCannotBeHidden)
     blended->ForceOpaqueOn();
     blended->GetProperty()->SetPointSize(size);
     Scene.AddWall();
-    Scene.ExpectSame();
+    // The bar by the smaller point lies between the centres of pixels, where one sample does not see it.
+    EXPECT_EQ(Scene.ExpectSame(), size < 2.0f && Scene.Setting.Samples == 0 ? 1 : 0);
+    blended->VisibilityOff();
+    EXPECT_EQ(Scene.ExpectSame(), 1) << "nothing but the point lets the bar shine through the wall";
   }
 }
 

@@ -52,7 +52,7 @@ protected:
     Scene.LookAhead();
     const int hidden = Scene.ExpectSame();
     this->ShowsThrough = Scene.ShowsUnculled(this->Boxes);
-    Scene.ExpectSameAround(340);
+    EXPECT_EQ(Scene.ExpectSameAround(340) > 0, hidden > 0) << "as from straight ahead";
     front->VisibilityOff();
     Scene.LookAhead();
     EXPECT_GE(Scene.ExpectSame(), this->All());

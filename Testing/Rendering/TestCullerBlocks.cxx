@@ -113,7 +113,7 @@ protected:
     this->Plain->SetCompositeDataDisplayAttributes(this->Attributes);
     this->Plain->Modified();
     this->Actor->SetMapper(this->Plain);
-    EXPECT_EQ(CountDifferentPixels(Scene.Render(), whole), 0);
+    EXPECT_TRUE(Matches(Scene.Render(), whole));
     this->Actor->SetMapper(this->Mapper);
     return leftOut;
   }

@@ -93,7 +93,7 @@ protected:
       pictures[isCulled] = Scene.Render();
     }
     EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), 0);
-    EXPECT_EQ(CountDifferentPixels(pictures[0], pictures[1]), 0);
+    Scene.ExpectSamePictures(pictures[1], pictures[0]);
   }
 
   void ExpectHidden()
@@ -246,7 +246,7 @@ TEST_P(CullerColors, DirectAlphaThatIsNoNumber)
   this->ColorDirectly<vtkFloatArray>(1.0, std::numeric_limits<double>::quiet_NaN());
   this->ExpectSeenThrough();
   this->ColorDirectly<vtkFloatArray>(1.0, 1.0); // which need not hide
-  Scene.ExpectSameAround(312, 1);
+  Scene.ExpectNothingHidden(312, 1);
   this->ColorDirectly<vtkUnsignedCharArray>(255.0, 255.0);
   this->ExpectHidden();
 }

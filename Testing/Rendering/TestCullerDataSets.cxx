@@ -75,9 +75,11 @@ protected:
     this->Mapper = GiveMapper(
       this->Wall, isGrid ? static_cast<vtkDataSet*>(GridOf(data)) : static_cast<vtkDataSet*>(data));
     this->Boxes = Scene.AddHidden();
-    Scene.ExpectSame();
-    ASSERT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+    EXPECT_EQ(Scene.ExpectSame(), 0) << "the wall has no mapper that draws before it is drawn";
+    ASSERT_EQ(Scene.ExpectSame(), this->All());
   }
+
+  int All() const { return static_cast<int>(this->Boxes.size()); }
 
   vtkSmartPointer<vtkActor> Wall;
   vtkSmartPointer<vtkDataSetMapper> Mapper;
@@ -97,7 +99,7 @@ TEST_P(CullerDataSets, HideAndAreHidden)
       GiveMapper(box, isGrid ? static_cast<vtkDataSet*>(GridOf(data)) : data);
     }
     EXPECT_EQ(Scene.ExpectSame(), 0); // they have no mapper that draws before they are drawn
-    EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+    EXPECT_EQ(Scene.ExpectSame(), this->All());
     Scene.ExpectHidden(411);
   }
 }
@@ -112,8 +114,8 @@ TEST_P(CullerDataSets, OfImagesAreHidden)
   image->SetSpacing(0.2, 0.2, 0.1);
   const vtkSmartPointer<vtkActor> picture = Scene.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
   GiveMapper(picture, image);
-  Scene.ExpectSame();
-  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()) + 1);
+  EXPECT_EQ(Scene.ExpectSame(), this->All()) << "the picture was not drawn yet";
+  EXPECT_EQ(Scene.ExpectSame(), this->All() + 1);
 }
 
 // The mapper that draws learns of all this only when it draws.
@@ -140,8 +142,8 @@ TEST_P(CullerDataSets, ChangesCountAtOnce)
         this->Mapper->SetInputData(meshOf(colored));
         this->Mapper->SetScalarModeToUsePointFieldData();
         this->Mapper->SelectColorArray("opaque");
-        Scene.ExpectSame();
-        Scene.ExpectSame();
+        EXPECT_EQ(Scene.ExpectSame(), 0) << "these data were not drawn yet";
+        EXPECT_EQ(Scene.ExpectSame(), this->All());
         this->Mapper->SelectColorArray("glass");
       },
       [&]
@@ -155,8 +157,8 @@ TEST_P(CullerDataSets, ChangesCountAtOnce)
         values->SetNumberOfValues(this->Mapper->GetInput()->GetNumberOfPoints());
         values->FillValue(0.5f);
         this->Mapper->GetInput()->GetPointData()->SetScalars(values);
-        Scene.ExpectSame();
-        Scene.ExpectSame();
+        EXPECT_EQ(Scene.ExpectSame(), this->All());
+        EXPECT_EQ(Scene.ExpectSame(), this->All());
         this->Mapper->SetLookupTable(faint);
       },
     };
@@ -166,8 +168,8 @@ TEST_P(CullerDataSets, ChangesCountAtOnce)
       Scene.Clear();
       this->AddWallAndHidden(isGrid);
       changes[i]();
-      Scene.ExpectSame();
-      Scene.ExpectSame();
+      EXPECT_EQ(Scene.ExpectSame(), 0) << "what was changed was not drawn yet";
+      EXPECT_LT(Scene.ExpectSame(), this->All());
       EXPECT_TRUE(Scene.ShowsUnculled(this->Boxes));
     }
   }
@@ -191,7 +193,7 @@ TEST_P(CullerDataSets, InPlaceOfWhatAFilterMadeOfThem)
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputConnection(cutter->GetOutputPort());
   actor->SetMapper(mapper);
-  Scene.ExpectSame();
+  EXPECT_EQ(Scene.ExpectSame(), 0) << "it was not drawn yet";
   EXPECT_EQ(Scene.ExpectSame(), 1);
   mapper->SetInputData(grid);
   for (int frame = 0; frame < 3; ++frame)
@@ -214,12 +216,12 @@ TEST_P(CullerDataSets, ColoredByFieldData)
   this->Mapper->SetInputData(data);
   this->Mapper->SetScalarModeToUsePointFieldData();
   this->Mapper->SelectColorArray("glass");
-  Scene.ExpectSame();
+  EXPECT_EQ(Scene.ExpectSame(), 0) << "it is translucent";
   this->Mapper->SetScalarModeToUseFieldData();
   this->Mapper->SelectColorArray("opaque");
   for (int frame = 0; frame < 3; ++frame)
   {
-    Scene.ExpectSame();
+    EXPECT_EQ(Scene.ExpectSame(), 0) << "whether field data are opaque is not known";
   }
 }
 
@@ -234,12 +236,12 @@ TEST_P(CullerDataSets, OfFiltersThatDrawingDoesNotRun)
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputConnection(grid->GetOutputPort());
   this->Boxes[0]->SetMapper(mapper);
-  Scene.ExpectSame();
-  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_EQ(Scene.ExpectSame(), this->All() - 1) << "one was not drawn by this mapper yet";
+  EXPECT_EQ(Scene.ExpectSame(), this->All());
   source->SetZLength(40.0);
-  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_EQ(Scene.ExpectSame(), this->All());
   grid->Update();
-  EXPECT_LT(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_LT(Scene.ExpectSame(), this->All());
 }
 
 TEST_P(CullerDataSets, WhatIsHiddenComesForward)
@@ -249,13 +251,12 @@ TEST_P(CullerDataSets, WhatIsHiddenComesForward)
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
   this->Boxes[0]->SetMapper(mapper);
-  Scene.ExpectSame();
-  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_EQ(Scene.ExpectSame(), this->All() - 1) << "one was not drawn by this mapper yet";
+  EXPECT_EQ(Scene.ExpectSame(), this->All());
   source->SetZLength(40.0);
-  EXPECT_LT(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_LT(Scene.ExpectSame(), this->All());
   source->SetZLength(1.0);
-  Scene.ExpectSame();
-  EXPECT_EQ(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_EQ(Scene.ExpectSame(), this->All());
   vtkPolyData* const data = DataOf(this->Boxes[1]);
   vtkNew<vtkPolyData> nearer;
   nearer->DeepCopy(data);
@@ -265,7 +266,7 @@ TEST_P(CullerDataSets, WhatIsHiddenComesForward)
     nearer->GetPoints()->SetPoint(i, point[0], point[1], point[2] + 20.0);
   }
   mapper->SetInputData(nearer);
-  EXPECT_LT(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+  EXPECT_LT(Scene.ExpectSame(), this->All());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,4 +1,4 @@
-// Scene 18, coordinates of a map that come and go: what VTK draws exactly is culled, and nothing else is lost.
+// Coordinates of a map that come and go: what VTK draws exactly is culled, and nothing else is lost.
 #include "CullerScene.h"
 #include "vtkCamera.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -48,7 +48,7 @@ protected:
   }
 };
 
-TEST_P(CullerFarOff, Scene18MapThatComesAndGoes)
+TEST_P(CullerFarOff, MapThatComesAndGoes)
 {
   std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
   parts.push_back(Scene.AddWall());
@@ -63,7 +63,7 @@ TEST_P(CullerFarOff, Scene18MapThatComesAndGoes)
 }
 
 // Some are not in the scene while all others move to where boxes count from another place, and come again as they were.
-TEST_P(CullerFarOff, Scene18PartsThatMissTheMove)
+TEST_P(CullerFarOff, PartsThatMissTheMove)
 {
   std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
   this->Move(parts, 1.0);
@@ -85,7 +85,7 @@ TEST_P(CullerFarOff, Scene18PartsThatMissTheMove)
 }
 
 // VTK draws them about their middle, unless it is told not to.
-TEST_P(CullerFarOff, Scene18PointsThatAreFarOff)
+TEST_P(CullerFarOff, PointsThatAreFarOff)
 {
   const std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
   this->Move(parts, 1.0);
@@ -94,7 +94,7 @@ TEST_P(CullerFarOff, Scene18PointsThatAreFarOff)
 }
 
 // Floats could draw them anywhere, so that they hide nothing for sure; others do as before.
-TEST_P(CullerFarOff, Scene18PointsThatVTKIsNotToMove)
+TEST_P(CullerFarOff, PointsThatVTKIsNotToMove)
 {
   std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
   parts.push_back(Scene.AddWall());
@@ -126,7 +126,7 @@ TEST_P(CullerFarOff, PointsThatVTKMovesWithTheCamera)
 }
 
 // Nor does VTK move points that come while it is told to pause.
-TEST_P(CullerFarOff, Scene18PointsThatVTKPausesToMove)
+TEST_P(CullerFarOff, PointsThatVTKPausesToMove)
 {
   std::vector<vtkSmartPointer<vtkActor>> parts = Scene.AddHidden();
   this->Move(parts, 1.0);

@@ -1,4 +1,4 @@
-// What the culler takes for a cover, and what lies behind it: no pixel is lost. Scenes have the numbers of a list of scenes in which cullers fail.
+// What the culler takes for a cover, and what lies behind it: no pixel is lost.
 #include "CullerScene.h"
 #include "vtkCellArray.h"
 #include "vtkCylinderSource.h"
@@ -77,7 +77,7 @@ std::vector<vtkSmartPointer<vtkMatrix4x4>> OddMatrices()
   };
 }
 
-TEST_P(CullerOccluders, Scene01SlitsOfOneMesh)
+TEST_P(CullerOccluders, SlitsOfOneMesh)
 {
   const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(MeshOf({}));
   Scene.AddHidden();
@@ -90,7 +90,7 @@ TEST_P(CullerOccluders, Scene01SlitsOfOneMesh)
   }
 }
 
-TEST_P(CullerOccluders, Scene01SlitsBetweenActors)
+TEST_P(CullerOccluders, SlitsBetweenActors)
 {
   for (const Quad& strip : StripsBetweenSlits(0.3 * Scene.PixelSize(), 2))
   {
@@ -100,7 +100,7 @@ TEST_P(CullerOccluders, Scene01SlitsBetweenActors)
   Scene.ExpectHidden(102, 6);
 }
 
-TEST_P(CullerOccluders, Scene02MeshOfWires)
+TEST_P(CullerOccluders, MeshOfWires)
 {
   for (const double size : { 1.2, 0.7, 0.3 })
   {
@@ -112,14 +112,16 @@ TEST_P(CullerOccluders, Scene02MeshOfWires)
     {
       Scene.ExpectNothingHidden(103, 2);
     }
-    else // wires may cover all centres of pixels of a part
+    else // wires may cover all centres of pixels of a part, and surely do where holes are small
     {
-      Scene.ExpectSameAround(103, 2);
+      EXPECT_GE(Scene.ExpectSameAround(103, 2), size < 1.0 ? 20 : 0);
     }
+    Scene.AddWall(0.1);
+    EXPECT_GT(Scene.ExpectSame(), 60) << "a wall in front of the wires hides all";
   }
 }
 
-TEST_P(CullerOccluders, Scene02MeshOfWiresBesideAPlate)
+TEST_P(CullerOccluders, MeshOfWiresBesideAPlate)
 {
   Scene.AddMesh(MeshOf(WireMesh(0.1, 0.4 * Scene.PixelSize(), Scene.PixelSize())));
   Scene.AddMesh(MeshOf({ Rectangle(0.1, -1.2, 1.2, 1.2, 0.0) }));
@@ -128,7 +130,7 @@ TEST_P(CullerOccluders, Scene02MeshOfWiresBesideAPlate)
 }
 
 // A part as wide as the view, seen through an opening in a corner or at an edge of the viewport alone.
-TEST_P(CullerOccluders, Scene03OpeningAtTheEdgeOfTheView)
+TEST_P(CullerOccluders, OpeningAtTheEdgeOfTheView)
 {
   const double top = 0.5 * Scene.PixelSize() * Scene.Setting.Height;
   const double right = top * Scene.Setting.Width / Scene.Setting.Height;
@@ -156,7 +158,7 @@ TEST_P(CullerOccluders, Scene03OpeningAtTheEdgeOfTheView)
   }
 }
 
-TEST_P(CullerOccluders, Scene06PlatesThatTouchAndCoincide)
+TEST_P(CullerOccluders, PlatesThatTouchAndCoincide)
 {
   // Four plates that touch make a wall; over it another one that coincides.
   for (const double x : { -1.5, 0.0 })
@@ -177,7 +179,7 @@ TEST_P(CullerOccluders, Scene06PlatesThatTouchAndCoincide)
   Scene.ExpectHidden(106, 5);
 }
 
-TEST_P(CullerOccluders, Scene07CornersThatAreNoCorners)
+TEST_P(CullerOccluders, CornersThatAreNoCorners)
 {
   const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(MeshOf(RowsOfUnlikeCuts(3)));
   Scene.AddHidden();
@@ -206,7 +208,7 @@ std::vector<Quad> StripsAndSlivers()
   return strips;
 }
 
-TEST_P(CullerOccluders, Scene07Slivers)
+TEST_P(CullerOccluders, Slivers)
 {
   Scene.AddMesh(MeshOf(StripsAndSlivers()));
   Scene.AddHidden();
@@ -214,11 +216,11 @@ TEST_P(CullerOccluders, Scene07Slivers)
 }
 
 // What a device draws of slivers at a slant has any depth, so little of such a wall hides.
-TEST_P(CullerOccluders, Scene07SliversAtASlant)
+TEST_P(CullerOccluders, SliversAtASlant)
 {
   Scene.AddMesh(MeshOf(StripsAndSlivers()))->RotateZ(-38.7);
   Scene.AddHidden();
-  Scene.ExpectSameAround(110, 5);
+  Scene.ExpectHidden(110, 5);
 }
 
 /** Right behind height 0 and seen from straight ahead: a plate that looks so thin, across the middle of the screen. */
@@ -230,7 +232,7 @@ vtkSmartPointer<vtkPolyData> PlateSeenFromItsEdge(double thickness)
 }
 
 // A device may draw slivers of less than what it snaps by, 1/256 pixel, nearer than all of their corners.
-TEST_P(CullerOccluders, Scene07SliversRightBehindAWall)
+TEST_P(CullerOccluders, SliversRightBehindAWall)
 {
   Scene.AddWall();
   Scene.LookAhead();
@@ -244,7 +246,7 @@ TEST_P(CullerOccluders, Scene07SliversRightBehindAWall)
   }
 }
 
-TEST_P(CullerOccluders, Scene08PartsThatCutEachOther)
+TEST_P(CullerOccluders, PartsThatCutEachOther)
 {
   TestRandom random(5);
   for (int i = 0; i < 40; ++i)
@@ -258,7 +260,7 @@ TEST_P(CullerOccluders, Scene08PartsThatCutEachOther)
   Scene.ExpectHidden(111, 5);
 }
 
-TEST_P(CullerOccluders, Scene08EachPartBehindTheNext)
+TEST_P(CullerOccluders, EachPartBehindTheNext)
 {
   for (int i = 0; i < 3; ++i) // beams that lie on each other in a circle
   {
@@ -271,7 +273,7 @@ TEST_P(CullerOccluders, Scene08EachPartBehindTheNext)
   Scene.ExpectHidden(112, 5);
 }
 
-TEST_P(CullerOccluders, Scene08ShaftInAHole)
+TEST_P(CullerOccluders, ShaftInAHole)
 {
   for (int i = 0; i < 12; ++i)
   {
@@ -289,17 +291,10 @@ TEST_P(CullerOccluders, Scene08ShaftInAHole)
     }
   }
   Scene.AddHidden(-0.7);
-  if (Scene.Setting.BufferLines >= Scene.Setting.Height)
-  {
-    Scene.ExpectHidden(113, 5);
-  }
-  else // thick lines are no match for small shafts
-  {
-    Scene.ExpectSameAround(113, 5);
-  }
+  Scene.ExpectHidden(113, 5);
 }
 
-TEST_P(CullerOccluders, Scene09PointsThatAreNoNumbers)
+TEST_P(CullerOccluders, PointsThatAreNoNumbers)
 {
   for (const double odd : { NaN, Infinity, -Infinity, 1e30, 1e38, 1e300 })
   {
@@ -313,11 +308,11 @@ TEST_P(CullerOccluders, Scene09PointsThatAreNoNumbers)
     Scene.AddHidden();
     Scene.ExpectHidden(114, 2);
     wall->VisibilityOff();
-    Scene.ExpectSameAround(115, 2);
+    Scene.ExpectNothingHidden(115, 2); // one such point spoils what a device makes of the mesh
   }
 }
 
-TEST_P(CullerOccluders, Scene09PartsOfNothing)
+TEST_P(CullerOccluders, PartsOfNothing)
 {
   for (const bool hasWall : { false, true })
   {
@@ -337,7 +332,7 @@ TEST_P(CullerOccluders, Scene09PartsOfNothing)
   }
 }
 
-TEST_P(CullerOccluders, Scene10OddMatricesOfTheWall)
+TEST_P(CullerOccluders, OddMatricesOfTheWall)
 {
   const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
   Scene.AddHidden();
@@ -359,7 +354,7 @@ TEST_P(CullerOccluders, Scene10OddMatricesOfTheWall)
   }
 }
 
-TEST_P(CullerOccluders, Scene10OddMatricesOfWhatIsHidden)
+TEST_P(CullerOccluders, OddMatricesOfWhatIsHidden)
 {
   Scene.AddMesh(MeshOf({ Rectangle(-0.5, -2.0, 2.0, 2.0, 0.0) }));
   const std::vector<vtkSmartPointer<vtkActor>> boxes = Scene.AddHidden();
@@ -374,7 +369,7 @@ TEST_P(CullerOccluders, Scene10OddMatricesOfWhatIsHidden)
 }
 
 // What is culled of a wall, a mirrored one and a box is what the screen shows going around clockwise.
-TEST_P(CullerOccluders, Scene10FacesThatAreLeftOut)
+TEST_P(CullerOccluders, FacesThatAreLeftOut)
 {
   for (const bool isMirrored : { false, true })
   {

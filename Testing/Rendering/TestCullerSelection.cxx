@@ -1,4 +1,4 @@
-// Scene 21: what lies below the pointer is the same with and without culling, as often as one asks.
+// What lies below the pointer is the same with and without culling, as often as one asks.
 #include "CullerScene.h"
 #include "Select.h"
 
@@ -53,14 +53,14 @@ protected:
   }
 };
 
-TEST_P(CullerSelection, Scene21WhatShows)
+TEST_P(CullerSelection, WhatShows)
 {
   Scene.AddMesh(MeshOf({ Rectangle(-0.35, -2.0, 2.0, 2.0, 0.0) }));
   Scene.AddHidden();
   this->ExpectSamePicks(20);
 }
 
-TEST_P(CullerSelection, Scene21ThroughAPartThatCannotBePicked)
+TEST_P(CullerSelection, ThroughAPartThatCannotBePicked)
 {
   const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
   Scene.AddHidden();
@@ -68,7 +68,7 @@ TEST_P(CullerSelection, Scene21ThroughAPartThatCannotBePicked)
   this->ExpectSamePicks(60);
 }
 
-TEST_P(CullerSelection, Scene21ByAFrustum)
+TEST_P(CullerSelection, ByAFrustum)
 {
   Scene.AddWall();
   Scene.AddHidden();

@@ -93,7 +93,7 @@ void AddLines(vtkPolyData* mesh, const std::vector<std::array<Point3, 2>>& lines
   mesh->SetLines(cells);
 }
 
-TEST_P(CullerSurfaces, Scene13PartsOfLessThanAPixel)
+TEST_P(CullerSurfaces, PartsOfLessThanAPixel)
 {
   Scene.AddMesh(MeshOf(StripsBetweenSlits(0.2 * Scene.PixelSize(), 11)));
   TestRandom random(12);
@@ -107,7 +107,7 @@ TEST_P(CullerSurfaces, Scene13PartsOfLessThanAPixel)
   Scene.ExpectHidden(130);
 }
 
-TEST_P(CullerSurfaces, Scene13PointsAndWideLines)
+TEST_P(CullerSurfaces, PointsAndWideLines)
 {
   // They reach out from behind the edges of the plate by their width alone.
   Scene.AddMesh(MeshOf({ Rectangle(-1.05, -1.05, 1.05, 1.05, 0.0) }));
@@ -130,7 +130,7 @@ TEST_P(CullerSurfaces, Scene13PointsAndWideLines)
 
 // Forty quads behind the slanted edge of a wall, which the box around them stands over: hidden, unless something else is drawn of the part
 // that reaches across.
-TEST_P(CullerSurfaces, Scene13LinesVerticesAndStripsOfAPartOfManyPoints)
+TEST_P(CullerSurfaces, LinesVerticesAndStripsOfAPartOfManyPoints)
 {
   Scene.AddMesh(MeshOf({ { { { -4, -4, 0 }, { 4, 4, 0 }, { 4, 14, 0 }, { -4, 14, 0 } } } }));
   std::vector<Quad> quads;
@@ -160,7 +160,7 @@ TEST_P(CullerSurfaces, Scene13LinesVerticesAndStripsOfAPartOfManyPoints)
 }
 
 // Lines beside the view that reach from before the eye to behind it, and lines along its edges.
-TEST_P(CullerSurfaces, Scene13WideLinesBesideTheView)
+TEST_P(CullerSurfaces, WideLinesBesideTheView)
 {
   Scene.AddWall(-1.0);
   Scene.AddHidden(-1.2);
@@ -193,7 +193,7 @@ TEST_P(CullerSurfaces, Scene13WideLinesBesideTheView)
   EXPECT_GT(Scene.ExpectSame(), 0);
 }
 
-TEST_P(CullerSurfaces, Scene13Glyphs)
+TEST_P(CullerSurfaces, Glyphs)
 {
   Scene.AddMesh(MeshOf({ Rectangle(-0.4, -2.0, 2.0, 2.0, 0.0) }));
   vtkNew<vtkPolyData> places;
@@ -212,14 +212,14 @@ TEST_P(CullerSurfaces, Scene13Glyphs)
   Scene.ExpectHidden(133);
 }
 
-TEST_P(CullerSurfaces, Scene15TranslucentWall)
+TEST_P(CullerSurfaces, TranslucentWall)
 {
   this->ExpectSeenThrough([](vtkActor* wall) { wall->GetProperty()->SetOpacity(0.99); });
   Scene.Clear();
   this->ExpectSeenThrough([](vtkActor* wall) { wall->ForceTranslucentOn(); });
 }
 
-TEST_P(CullerSurfaces, Scene15TranslucentBackOfAWall)
+TEST_P(CullerSurfaces, TranslucentBackOfAWall)
 {
   this->ExpectSeenThrough(
     [](vtkActor* wall)
@@ -231,7 +231,7 @@ TEST_P(CullerSurfaces, Scene15TranslucentBackOfAWall)
     });
 }
 
-TEST_P(CullerSurfaces, Scene15ImageThatGetsAnAlpha)
+TEST_P(CullerSurfaces, ImageThatGetsAnAlpha)
 {
   Scene.AddHidden();
   const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(TexturedWall());
@@ -244,7 +244,7 @@ TEST_P(CullerSurfaces, Scene15ImageThatGetsAnAlpha)
   Scene.ExpectNothingHidden(148, 1);
 }
 
-TEST_P(CullerSurfaces, Scene15TextureOfAProperty)
+TEST_P(CullerSurfaces, TextureOfAProperty)
 {
   Scene.AddHidden();
   const vtkSmartPointer<vtkActor> wall = Scene.AddMesh(TexturedWall());
@@ -255,7 +255,7 @@ TEST_P(CullerSurfaces, Scene15TextureOfAProperty)
   Scene.ExpectNothingHidden(154);
 }
 
-TEST_P(CullerSurfaces, Scene15LookupTableWithAlpha)
+TEST_P(CullerSurfaces, LookupTableWithAlpha)
 {
   vtkNew<vtkLookupTable> table;
   this->ExpectSeenThrough(
@@ -269,7 +269,7 @@ TEST_P(CullerSurfaces, Scene15LookupTableWithAlpha)
 }
 
 // VTK takes the wall for opaque, and blends it nevertheless.
-TEST_P(CullerSurfaces, Scene15TranslucentColorOfWhatIsUnknown)
+TEST_P(CullerSurfaces, TranslucentColorOfWhatIsUnknown)
 {
   vtkNew<vtkColorTransferFunction> colors;
   colors->AddRGBPoint(0.0, 0.2, 0.2, 0.4);
@@ -281,7 +281,7 @@ TEST_P(CullerSurfaces, Scene15TranslucentColorOfWhatIsUnknown)
     });
 }
 
-TEST_P(CullerSurfaces, Scene15ColorsWithAlpha)
+TEST_P(CullerSurfaces, ColorsWithAlpha)
 {
   this->ExpectSeenThrough(
     [](vtkActor* wall)
@@ -299,7 +299,7 @@ TEST_P(CullerSurfaces, Scene15ColorsWithAlpha)
     });
 }
 
-TEST_P(CullerSurfaces, Scene15BlocksOfUnlikeOpacity)
+TEST_P(CullerSurfaces, BlocksOfUnlikeOpacity)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, MeshOf({ Rectangle(-2.0, -2.0, 0.1, 2.0, 0.0) }));
@@ -320,14 +320,14 @@ TEST_P(CullerSurfaces, Scene15BlocksOfUnlikeOpacity)
   Scene.ExpectNothingHidden(157);
 }
 
-TEST_P(CullerSurfaces, Scene16ClippingPlanes)
+TEST_P(CullerSurfaces, ClippingPlanes)
 {
   vtkNew<vtkPlane> plane;
   plane->SetNormal(0.7, 0.5, 0.0);
   this->ExpectSeenThrough([&](vtkActor* wall) { wall->GetMapper()->AddClippingPlane(plane); });
 }
 
-TEST_P(CullerSurfaces, Scene16ShadersThatDiscard)
+TEST_P(CullerSurfaces, ShadersThatDiscard)
 {
   this->ExpectSeenThrough(
     [](vtkActor* wall)
@@ -337,7 +337,7 @@ TEST_P(CullerSurfaces, Scene16ShadersThatDiscard)
     });
 }
 
-TEST_P(CullerSurfaces, Scene17WiresAndPoints)
+TEST_P(CullerSurfaces, WiresAndPoints)
 {
   this->ExpectSeenThrough(
     [](vtkActor* wall) { wall->GetProperty()->SetRepresentationToWireframe(); });
@@ -346,7 +346,7 @@ TEST_P(CullerSurfaces, Scene17WiresAndPoints)
 }
 
 // Surfaces with their edges may be drawn a little behind where they are, so that the edges stand out.
-TEST_P(CullerSurfaces, Scene17EdgesOfSurfaces)
+TEST_P(CullerSurfaces, EdgesOfSurfaces)
 {
   const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
   wall->GetProperty()->EdgeVisibilityOn();
@@ -359,7 +359,7 @@ TEST_P(CullerSurfaces, Scene17EdgesOfSurfaces)
   }
   Scene.ExpectNothingHidden(158, 1);
   Scene.AddMesh(MeshOf({ Rectangle(-2.0, -2.0, 2.0, 2.0, 0.3) }));
-  Scene.ExpectSameAround(158, 2);
+  EXPECT_GE(Scene.ExpectSameAround(158, 2), 9); // all of the strips
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -73,7 +73,8 @@ protected:
       EXPECT_GE(
         leftOut, pose == 0 ? TransparentScene::HiddenSpheres + TransparentScene::HiddenBoxes : 1);
       scene.Culler->CullingOff();
-      EXPECT_EQ(LargestDifference(culled, scene.Render(), GetParam().HasGroups() ? 0.01 : 0.0), 0);
+      const double besides = GetParam().HasGroups() ? 0.01 : 0.0;
+      EXPECT_TRUE(Matches(culled, scene.Render(), 0, besides, { "culled", "plain" }));
       EXPECT_GT(fragments, 0);
       EXPECT_EQ(fragments, pass->GetFragmentCount());
       EXPECT_EQ(layers, pass->GetLayersMax());
@@ -173,7 +174,8 @@ TEST(CullerTransparencyEdges, NothingHidesWhatIsThin)
       SCOPED_TRACE(i);
       upright->SetPosition(pixel * i / steps, 0.0, 0.0);
       level->SetPosition(0.0, pixel * i / steps, 0.0);
-      scene.ExpectSame();
+      // Where pixels have one sample, both miss it in all steps but the first.
+      EXPECT_EQ(scene.ExpectSame(), samples == 0 && i > 0 ? 2 : 0);
     }
   }
 }
@@ -192,9 +194,12 @@ TEST(CullerTransparencyEdges, OfWindowsThatGetSeveralSamples)
   scene.Window->SetMultiSamples(4);
   scene.Window->SetSize(40, 40);
   const double pixel = scene.PixelSize();
-  scene.AddMesh(MeshOf({ Rectangle(0.45 * pixel, -2.0, 2.0, 2.0, 0.0) }));
+  const vtkSmartPointer<vtkActor> wall =
+    scene.AddMesh(MeshOf({ Rectangle(0.45 * pixel, -2.0, 2.0, 2.0, 0.0) }));
   scene.AddMesh(MeshOf({ Rectangle(0.47 * pixel, -2.0, 2.0, 2.0, -0.01) }), { 0.1, 0.9, 0.2, 0.5 });
-  scene.ExpectSame();
+  EXPECT_EQ(scene.ExpectSame(), 0) << "a pixel's centre may be seen beside the wall";
+  wall->SetPosition(-pixel, 0.0, 0.0);
+  EXPECT_EQ(scene.ExpectSame(), 1);
   scene.Culler->CullingOn();
   scene.Render();
   EXPECT_EQ(scene.Culler->GetNumberOfBufferLines(), 160);

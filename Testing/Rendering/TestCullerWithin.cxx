@@ -36,7 +36,7 @@ std::vector<Point3> EyesAt(const Point3& middle, const Point3& half)
   return eyes;
 }
 
-TEST_P(CullerWithin, Scene04EyeInsideABoxAndOnItsFaces)
+TEST_P(CullerWithin, EyeInsideABoxAndOnItsFaces)
 {
   AddRoom(Scene, 6.0);
   const Point3 middle{ 0.1, -0.2, 1.5 }, size{ 0.6, 0.5, 0.4 };
@@ -59,7 +59,7 @@ TEST_P(CullerWithin, Scene04EyeInsideABoxAndOnItsFaces)
   EXPECT_GT(most, 20);
 }
 
-TEST_P(CullerWithin, Scene04WhatIsOutsideOfTheRoom)
+TEST_P(CullerWithin, WhatIsOutsideOfTheRoom)
 {
   AddRoom(Scene, 3.8);
   const auto inside = Scene.AddBox({ 0.1, 0.1, -1.0 }, { 0.3, 0.3, 0.3 });
@@ -80,7 +80,7 @@ TEST_P(CullerWithin, Scene04WhatIsOutsideOfTheRoom)
   }
 }
 
-TEST_P(CullerWithin, Scene04EyeInsideAPartOfManyFaces)
+TEST_P(CullerWithin, EyeInsideAPartOfManyFaces)
 {
   AddRoom(Scene, 6.0);
   for (int i = 0; i < 3; ++i)
@@ -101,7 +101,7 @@ TEST_P(CullerWithin, Scene04EyeInsideAPartOfManyFaces)
   EXPECT_GT(most, 0);
 }
 
-TEST_P(CullerWithin, Scene05WallsAcrossTheNearPlane)
+TEST_P(CullerWithin, WallsAcrossTheNearPlane)
 {
   Scene.AddMesh(MeshOf({ Rectangle(-0.3, -2.0, 2.0, 2.0, -0.1) }));
   const vtkSmartPointer<vtkActor> wall = Scene.AddWall(0.05);
@@ -121,7 +121,7 @@ TEST_P(CullerWithin, Scene05WallsAcrossTheNearPlane)
 }
 
 // A floor and a wall that begin behind the eye.
-TEST_P(CullerWithin, Scene05WhatIsBehindFloorsAndWallsThatReachBehindTheEye)
+TEST_P(CullerWithin, WhatIsBehindFloorsAndWallsThatReachBehindTheEye)
 {
   Scene.AddMesh(MeshOf({ { { { -9.0, -0.9, 9.0 }, { 9.0, -0.9, 9.0 }, { 9.0, -0.9, -9.0 },
     { -9.0, -0.9, -9.0 } } } }));
@@ -146,7 +146,7 @@ TEST_P(CullerWithin, Scene05WhatIsBehindFloorsAndWallsThatReachBehindTheEye)
   EXPECT_GT(most, hidden / 2);
 }
 
-TEST_P(CullerWithin, Scene05EyeCloseToAFace)
+TEST_P(CullerWithin, EyeCloseToAFace)
 {
   Scene.AddWall();
   Scene.AddHidden();

@@ -28,11 +28,11 @@ TEST(DeferredFrame, OfNoLightsOrOneHeadlightIsVTKs)
   scene.AddLights(1);
   scene.InDeferredLight();
   scene.Renderer->RemoveAllLights();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InDeferredLight(), scene.InVTKsLight()));
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
   scene.AddLight(LightKind::Headlight);
   const vtkTypeInt64 bytes = scene.Deferred->GetBytes();
-  EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InDeferredLight(), scene.InVTKsLight()));
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
   EXPECT_EQ(scene.Deferred->GetBytes(), bytes);
 }
@@ -99,12 +99,12 @@ TEST(DeferredFrame, InSeveralViewportsAndLayersIsVTKs)
     deferred->SetDelegatePass(steps);
     deferred->SetCutOff(0.0);
     above->SetPass(deferred);
-    EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0) << isPreserved;
+    EXPECT_TRUE(Matches(scene.InDeferredLight(), expected)) << isPreserved;
     EXPECT_EQ(deferred->GetNumberOfDeferredProps(), 2);
     // One pass for both.
     scene.Deferred->SetTileSize(64);
     above->SetPass(scene.Deferred);
-    EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0) << isPreserved;
+    EXPECT_TRUE(Matches(scene.InDeferredLight(), expected)) << isPreserved;
   }
 }
 
@@ -142,14 +142,13 @@ TEST(DeferredFrame, OfATiledScreenshotIsVTKs)
     shot->SetScale(2, 3);
     shot->ShouldRerenderOn();
     shot->Update();
-    const auto* const bytes = static_cast<unsigned char*>(shot->GetOutput()->GetScalarPointer());
-    return std::vector<unsigned char>(bytes, bytes + 3 * 61 * 2 * 47 * 3);
+    return ToPicture(shot->GetOutput());
   };
-  const std::vector<unsigned char> expected = shoot(scene.Steps);
+  const Picture expected = shoot(scene.Steps);
   for (const int assignment : DeferredAssignments)
   {
     scene.Deferred->SetAssignment(assignment);
-    EXPECT_TRUE(shoot(scene.Deferred) == expected) << assignment;
+    EXPECT_TRUE(Matches(shoot(scene.Deferred), expected)) << assignment;
   }
 }
 
@@ -169,7 +168,7 @@ TEST(DeferredFrame, MovesFromWindowToWindow)
     first.Deferred->SetDelegatePass(scene.Steps);
     first.Deferred->SetAssignment(DeferredAssignments[i % 3]);
     scene.Renderer->SetPass(first.Deferred);
-    EXPECT_EQ(LargestDifference(expected[i % 2], scene.Render()), 0);
+    EXPECT_TRUE(Matches(scene.Render(), expected[i % 2]));
     EXPECT_EQ(first.Deferred->GetNumberOfDeferredProps(), DeferredParts);
   }
 }
@@ -210,7 +209,7 @@ TEST(DeferredFrame, DoesNotHinderPicking)
   const auto pick = [&]
   { return Select(scene.Renderer, vtkDataObject::FIELD_ASSOCIATION_CELLS, 0, 0, 60, 46); };
   const Picked picked = pick();
-  EXPECT_TRUE(scene.Render() == before);
+  EXPECT_TRUE(Matches(scene.Render(), before));
   scene.Renderer->SetPass(nullptr);
   EXPECT_EQ(picked, pick());
   EXPECT_GT(picked.size(), 3u);
@@ -262,7 +261,7 @@ TEST(DeferredFrame, OfOtherPassesIsNotDeferred)
   vtkNew<vtkSequencePass> sequence;
   sequence->SetPasses(passes);
   scene.Deferred->SetDelegatePass(sequence);
-  EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InDeferredLight(), expected));
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
 
   vtkNew<vtkSequencePass> opaque;
@@ -272,7 +271,7 @@ TEST(DeferredFrame, OfOtherPassesIsNotDeferred)
   opaque->SetPasses(one);
   scene.Steps->SetOpaquePass(opaque);
   scene.Deferred->SetDelegatePass(scene.Steps);
-  EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InDeferredLight(), expected));
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
   EXPECT_EQ(scene.Steps->GetOpaquePass(), opaque);
 }
@@ -379,7 +378,7 @@ TEST(DeferredFrame, MayPassThroughPassesOfItsKind)
   vtkNew<vtkDeferredLightsPass> outer;
   outer->SetDelegatePass(scene.Deferred);
   scene.Renderer->SetPass(outer);
-  EXPECT_EQ(LargestDifference(expected, scene.Render()), 0);
+  EXPECT_TRUE(Matches(scene.Render(), expected));
 }
 
 TEST(DeferredFrame, ClampsTheAssignment)

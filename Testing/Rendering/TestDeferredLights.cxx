@@ -65,7 +65,7 @@ TEST(DeferredLight, LeavesWhatOtherMethodsDrawTranslucent)
     DeferredScene scene;
     scene.Steps->SetTranslucentPass(method);
     scene.AddLights(2);
-    EXPECT_EQ(LargestDifference(scene.InVTKsLight(), scene.InDeferredLight()), 0);
+    EXPECT_TRUE(Matches(scene.InDeferredLight(), scene.InVTKsLight()));
   }
 }
 
@@ -83,7 +83,7 @@ TEST(DeferredLight, DoesNotDependOnTheGrid)
         scene.Deferred->SetTileSize(tile);
         scene.Deferred->SetNumberOfSlices(slices);
         scene.Deferred->SetAssignment(assignment);
-        EXPECT_EQ(LargestDifference(expected, scene.InDeferredLight()), 0)
+        EXPECT_TRUE(Matches(scene.InDeferredLight(), expected))
           << tile << " " << slices << " " << assignment;
       }
     }
@@ -104,7 +104,7 @@ TEST(DeferredLight, IsOffByNoMoreThanTheCutOff)
     const Picture exact = scene.InDeferredLight();
     const double all = scene.Deferred->GetLightsPerCluster();
     scene.Deferred->SetCutOff(0.5 / 255.0);
-    EXPECT_LE(LargestDifference(exact, scene.InDeferredLight()), 1); // of what is rounded
+    EXPECT_TRUE(Matches(scene.InDeferredLight(), exact, 1)); // of what is rounded
     EXPECT_LT(scene.Deferred->GetLightsPerCluster(), 0.5 * all) << assignment;
   }
 }

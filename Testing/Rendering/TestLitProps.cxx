@@ -21,7 +21,7 @@ void AimSpot(LightScene& scene, const std::array<double, 3>& from, const std::ar
 void ExpectAsVTK(LightScene& scene)
 {
   const Picture expected = scene.InVTKsLight();
-  EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+  EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
 }
 
 /** The wall, seen from just above its plane: at its far edge a pixel is as wide as the way there. */

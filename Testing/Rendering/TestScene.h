@@ -4,6 +4,7 @@
 #ifndef VITRINE_TEST_SCENE_H
 #define VITRINE_TEST_SCENE_H
 
+#include "TestPicture.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -17,33 +18,8 @@ class vtkActor;
 class vtkAlgorithm;
 class vtkRenderPass;
 
-using Rgba = std::array<double, 4>;
-
 /** What stands behind everything: colours that 8 bits hold exactly, and none of it opaque. */
 constexpr Rgba TestBackground = { 0.2, 0.6, 0.4, 0.0 };
-
-/** The bytes of a window, RGBA, row 0 at the bottom. */
-struct Picture
-{
-  int Width = 0;
-  int Height = 0;
-  std::vector<unsigned char> Bytes;
-
-  Rgba At(int x, int y) const;
-  bool operator==(const Picture& other) const { return this->Bytes == other.Bytes; }
-  bool operator!=(const Picture& other) const { return !(*this == other); }
-};
-
-Picture ReadPicture(vtkRenderWindow* window);
-
-/** The colour of the pixels, if they all have the same; else expects so and fails. */
-Rgba UniformColor(const Picture& picture);
-
-/**
- * The largest difference of any colour channel, in steps of 1/255. The `besides` share of the pixels, those that differ most,
- * is left out.
- */
-int LargestDifference(const Picture& a, const Picture& b, double besides = 0.0);
 
 /** A headless window with one renderer, parallel projection over [-1, 1] in both directions, looking along -z. */
 struct TestScene

@@ -27,8 +27,8 @@ TEST_P(Windows, TwoAtOnce)
   EXPECT_FALSE(first == second);
   for (int frame = 0; frame < 4; ++frame)
   {
-    EXPECT_TRUE(a.Render() == first);
-    EXPECT_TRUE(b.Render() == second);
+    EXPECT_TRUE(Matches(a.Render(), first));
+    EXPECT_TRUE(Matches(b.Render(), second));
   }
 }
 
@@ -47,8 +47,8 @@ TEST_P(Windows, OnePassInTwoByTurns)
   b.Renderer->SetPass(shared);
   for (int frame = 0; frame < 3; ++frame)
   {
-    EXPECT_TRUE(a.Render() == first);
-    EXPECT_TRUE(b.Render() == second);
+    EXPECT_TRUE(Matches(a.Render(), first));
+    EXPECT_TRUE(Matches(b.Render(), second));
   }
 }
 
@@ -69,16 +69,16 @@ TEST_P(Windows, PassesGoFirstOrLast)
     scene.Renderer->SetPass(survivor);
     expected = scene.Render();
     scene.Renderer->SetPass(MakeSeeThrough(GetParam()));
-    EXPECT_TRUE(scene.Render() == expected);
+    EXPECT_TRUE(Matches(scene.Render(), expected));
     scene.Renderer->SetPass(nullptr);
     scene.Render();
     scene.Renderer->SetPass(MakeSeeThrough(GetParam()));
-    EXPECT_TRUE(scene.Render() == expected);
+    EXPECT_TRUE(Matches(scene.Render(), expected));
   }
   TestScene scene(40, 30);
   scene.AddParts();
   scene.Renderer->SetPass(survivor);
-  EXPECT_TRUE(scene.Render() == expected);
+  EXPECT_TRUE(Matches(scene.Render(), expected));
   scene.Renderer->SetPass(nullptr);
   survivor = nullptr;
   scene.Render();
@@ -97,11 +97,11 @@ TEST_P(Windows, WithPassesToggledEveryFrame)
   for (int frame = 0; frame < 4; ++frame)
   {
     scene.Renderer->SetPass(nullptr);
-    EXPECT_TRUE(scene.Render() == plain);
+    EXPECT_TRUE(Matches(scene.Render(), plain));
     scene.Renderer->SetPass(pass);
-    EXPECT_TRUE(scene.Render() == expected);
+    EXPECT_TRUE(Matches(scene.Render(), expected));
     scene.Renderer->SetPass(other);
-    EXPECT_LE(LargestDifference(scene.Render(), expected, GetParam().EdgeShare), 2);
+    EXPECT_TRUE(Matches(scene.Render(), expected, 2, GetParam().EdgeShare));
   }
 }
 
@@ -154,7 +154,10 @@ TEST_P(Windows, ComeAndGo)
     {
       first = picture;
     }
-    EXPECT_TRUE(cycle % 2 == 1 || picture == first);
+    if (cycle % 2 == 0)
+    {
+      EXPECT_TRUE(Matches(picture, first)) << "cycle " << cycle;
+    }
   }
 }
 

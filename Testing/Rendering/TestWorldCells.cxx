@@ -30,7 +30,7 @@ TEST(WorldCells, HoldTheLightsThatReachThem)
   {
     SCOPED_TRACE(tile);
     scene.Lights->SetTileSize(tile);
-    EXPECT_EQ(LargestDifference(expected, scene.InClusteredLight()), 0);
+    EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
     EXPECT_EQ(lightsAt(-1.0, 0.0, -0.5), 1);
     EXPECT_EQ(lightsAt(1.0, 0.0, -0.5), 1);
     EXPECT_EQ(lightsAt(0.0, 2.9, -0.5), 0);
