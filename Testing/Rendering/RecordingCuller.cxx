@@ -1,6 +1,6 @@
 #include "RecordingCuller.h"
 
-#include "culling/DividedMapper.h"
+#include "culling/mappers/DividedMapper.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
