@@ -1,7 +1,23 @@
 """A real browser without a window, for pages on disk."""
 
 from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.chrome import service
+from selenium.webdriver.common import utils
+
+
+class Service(service.Service):
+    """
+    The driver by its address. Selenium asks for it by the name localhost, which a root without /etc/hosts does not know.
+    """
+
+    HOST = "127.0.0.1"
+
+    @property
+    def service_url(self):
+        return f"http://{self.HOST}:{self.port}"
+
+    def is_connectable(self):
+        return utils.is_connectable(self.port, self.HOST)
 
 
 def open_browser(width=1280, height=1000, is_dark=False):
@@ -10,6 +26,8 @@ def open_browser(width=1280, height=1000, is_dark=False):
     options.binary_location = "/usr/bin/chromium"
     for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"):
         options.add_argument(argument)
+    # Without it the driver asks for the browser by the name localhost.
+    options.add_argument("--remote-debugging-pipe")
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     browser = webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
     browser.execute_cdp_cmd(

@@ -5,7 +5,10 @@ The chart's page in a browser. Where VITRINE_SCREENSHOTS names a folder, picture
 import base64
 import os
 import pathlib
+import socket
+import tempfile
 import unittest
+import unittest.mock
 
 from browser import open_browser, open_page, whole_page_png
 from charts import METHODS, read_document, resumed_chart
@@ -13,6 +16,25 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
+
+
+class Browser(unittest.TestCase):
+    def test_opens_without_the_name_localhost(self):
+        """What Selenium asks for is seen here. What the driver asks for is not: there only a root without the name tells."""
+        find = socket.getaddrinfo
+
+        def find_by_address(host, *arguments, **named):
+            if host == "localhost":
+                raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+            return find(host, *arguments, **named)
+
+        with unittest.mock.patch("socket.getaddrinfo", find_by_address):
+            browser = open_browser()
+            self.addCleanup(browser.quit)
+            page = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()), "page.html")
+            page.write_text("<title>A page</title>", encoding="utf-8")
+            open_page(browser, page)
+            self.assertEqual(browser.title, "A page")
 
 
 class ChartPage(unittest.TestCase):
