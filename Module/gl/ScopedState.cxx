@@ -5,6 +5,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -110,7 +111,8 @@ void ScopedStencil::PutBack(GLenum which, const Face& face)
     static_cast<GLenum>(face.DepthFail), static_cast<GLenum>(face.Pass));
 }
 
-ScopedFirstDrawBuffer::ScopedFirstDrawBuffer()
+ScopedFirstDrawBuffer::ScopedFirstDrawBuffer(vtkOpenGLState* state)
+  : State(state)
 {
   GLint count = 0;
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
@@ -120,13 +122,40 @@ ScopedFirstDrawBuffer::ScopedFirstDrawBuffer()
     glGetIntegerv(GL_DRAW_BUFFER0 + static_cast<GLenum>(i), &buffer);
     this->Previous.push_back(static_cast<GLenum>(buffer));
   }
-  // Not through vtkOpenGLState: of the buffers after the first it knows those of other framebuffers.
-  glDrawBuffers(1, this->Previous.data());
+  if (this->HasOthers())
+  {
+    this->Confine();
+  }
 }
 
 ScopedFirstDrawBuffer::~ScopedFirstDrawBuffer()
 {
-  glDrawBuffers(static_cast<GLsizei>(this->Previous.size()), this->Previous.data());
+  if (this->Changed)
+  {
+    this->Set(this->Previous);
+  }
+}
+
+bool ScopedFirstDrawBuffer::HasOthers() const
+{
+  return std::any_of(this->Previous.begin() + 1, this->Previous.end(),
+    [](GLenum buffer) { return buffer != GL_NONE; });
+}
+
+void ScopedFirstDrawBuffer::Confine()
+{
+  std::vector<GLenum> first(this->Previous.size(), GL_NONE);
+  first[0] = this->Previous[0];
+  this->Set(first);
+  this->Changed = true;
+}
+
+// vtkOpenGLState leaves out what it takes for set, and of the buffers after the first it knows those of other framebuffers.
+void ScopedFirstDrawBuffer::Set(std::vector<GLenum> buffers)
+{
+  const auto count = static_cast<GLsizei>(buffers.size());
+  this->State->vtkglDrawBuffers(static_cast<unsigned int>(count), buffers.data());
+  glDrawBuffers(count, buffers.data());
 }
 
 ScopedReadBuffer::ScopedReadBuffer(vtkOpenGLState* state, GLenum buffer)

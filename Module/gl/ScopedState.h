@@ -82,13 +82,23 @@ private:
 class ScopedFirstDrawBuffer
 {
 public:
-  ScopedFirstDrawBuffer();
+  explicit ScopedFirstDrawBuffer(vtkOpenGLState* state);
   ~ScopedFirstDrawBuffer();
   ScopedFirstDrawBuffer(const ScopedFirstDrawBuffer&) = delete;
   void operator=(const ScopedFirstDrawBuffer&) = delete;
 
+  /** Whether there are others. */
+  bool HasOthers() const;
+
+  /** Confine drawing to the first again, after somebody else has set the draw buffers of the same framebuffer. */
+  void Confine();
+
 private:
+  void Set(std::vector<GLenum> buffers);
+
+  vtkOpenGLState* State;
   std::vector<GLenum> Previous;
+  bool Changed = false;
 };
 
 /** The read buffer of the framebuffer that is bound for reading, and must be so again when the keeper goes. */

@@ -1,10 +1,12 @@
 #include "vtkTransparencyPass.h"
 
 #include "Core/lists/StencilCounts.h"
+#include "Core/shader/ShaderOutputs.h"
 #include "Core/shader/ShaderTuning.h"
 #include "gl/Capabilities.h"
 #include "gl/DepthCopy.h"
 #include "gl/HeldContext.h"
+#include "gl/OuterPasses.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
@@ -69,6 +71,7 @@ struct vtkTransparencyPass::Internals
   bool CanFill = true;
 
   vitrine::DepthCopy OpaqueDepth;
+  vitrine::OuterPasses Outer;
 
   // What of the target the mappers' shaders depend on.
   bool ChangesShaders(const vitrine::RenderTarget& target) const
@@ -139,10 +142,14 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
 
   vtkOpenGLClearErrorMacro();
   this->UseWindow(s->GetRenderer()->GetRenderWindow());
-  const std::string problem = this->RenderExactly(s);
-  if (!problem.empty())
   {
-    this->RenderFallback(s, problem);
+    const vitrine::OuterPasses::Scope outer(
+      this->Private->Outer, s, this->Private->Context.Window()->GetState());
+    const std::string problem = this->RenderExactly(s);
+    if (!problem.empty())
+    {
+      this->RenderFallback(s, problem);
+    }
   }
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
@@ -209,8 +216,6 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   }
   in.Target = target;
 
-  // It goes when trackedState has bound the target again.
-  const vitrine::ScopedFirstDrawBuffer drawBuffer;
   const vitrine::ScopedArrayBuffer arrayBuffer;
   const vitrine::ScopedVertexArray vertexArray(0);
   vitrine::ScopedTrackedState trackedState(state);
@@ -289,8 +294,16 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
 {
   Internals& in = *this->Private;
   const bool writesDepth = vitrine::WritesDepth(fragmentShader);
-  const std::string problem =
-    vitrine::JoinFillShader(this->GetCapturingShader(writesDepth), fragmentShader);
+  int dropped = 0;
+  std::string problem = vitrine::DropFurtherOutputs(fragmentShader, dropped);
+  if (dropped > 0)
+  {
+    in.Outer.ExpectFurtherOutputs();
+  }
+  if (problem.empty())
+  {
+    problem = vitrine::JoinFillShader(this->GetCapturingShader(writesDepth), fragmentShader);
+  }
   if (!problem.empty())
   {
     vtkErrorMacro(<< this->GetMethodName() << ": fragments of "

@@ -10,6 +10,9 @@
  * any viewport, layer or framebuffer that VTK sets up. Fragments behind the opaque depth are hidden. What
  * comes out is premultiplied by alpha and composited over what is there.
  *
+ * Of several draw buffers it draws into the first. Passes around it that add outputs to the mappers' shaders, as
+ * vtkSSAOPass does, get none of translucent geometry.
+ *
  * Where the driver lacks what the method needs, the pass says so once and draws as VTK does by itself
  * (vtkOrderIndependentTranslucentPass); GetFallbackReason() tells why.
  *

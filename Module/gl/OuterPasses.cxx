@@ -1,0 +1,160 @@
+#include "gl/OuterPasses.h"
+
+#include "gl/ScopedState.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+
+#include <optional>
+
+namespace vitrine
+{
+namespace
+{
+
+GLuint BoundForDrawing()
+{
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  return static_cast<GLuint>(framebuffer);
+}
+
+}
+
+// What the two passes around the outer ones have in common.
+struct OuterPasses::Target
+{
+  vtkOpenGLState* State = nullptr;
+  GLuint Framebuffer = 0; // that outer passes count on
+  GLuint Drawn = 0;       // that was bound when they were about to be asked
+  std::optional<ScopedFirstDrawBuffer> DrawBuffers;
+  bool HasFurtherOutputs = false;
+
+  // Whether outer passes may set draw buffers. Binding framebuffers for each draw is not for nothing.
+  bool IsTouched() const { return this->HasFurtherOutputs || this->DrawBuffers->HasOthers(); }
+};
+
+// The first of a prop's passes. They have a say in shaders in their order, and these two have none.
+class OuterPasses::Enter : public vtkOpenGLRenderPass
+{
+public:
+  static Enter* New() { VTK_STANDARD_NEW_BODY(Enter); }
+  vtkTypeMacro(Enter, vtkOpenGLRenderPass);
+  void Render(const vtkRenderState*) override {}
+
+  bool SetShaderParameters(
+    vtkShaderProgram*, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*) override
+  {
+    Target& target = *this->Common;
+    if (target.IsTouched())
+    {
+      target.Drawn = BoundForDrawing();
+      target.State->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+    }
+    return true;
+  }
+
+  const std::shared_ptr<Target> Common = std::make_shared<Target>();
+};
+
+// The last of the outer passes.
+class OuterPasses::Leave : public vtkOpenGLRenderPass
+{
+public:
+  static Leave* New() { VTK_STANDARD_NEW_BODY(Leave); }
+  vtkTypeMacro(Leave, vtkOpenGLRenderPass);
+  void Render(const vtkRenderState*) override {}
+
+  bool SetShaderParameters(
+    vtkShaderProgram*, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*) override
+  {
+    Target& target = *this->Common;
+    if (target.IsTouched())
+    {
+      target.DrawBuffers->Confine();
+      target.State->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Drawn);
+    }
+    return true;
+  }
+
+  std::shared_ptr<Target> Common;
+};
+
+OuterPasses::OuterPasses()
+  : First(vtkSmartPointer<Enter>::New())
+  , Last(vtkSmartPointer<Leave>::New())
+{
+  this->Last->Common = this->First->Common;
+}
+
+OuterPasses::~OuterPasses() = default;
+
+void OuterPasses::ExpectFurtherOutputs()
+{
+  this->First->Common->HasFurtherOutputs = true;
+}
+
+OuterPasses::Scope::Scope(OuterPasses& passes, const vtkRenderState* s, vtkOpenGLState* state)
+  : Passes(passes)
+{
+  Target& target = *this->Passes.First->Common;
+  target.Framebuffer = BoundForDrawing();
+  if (target.Framebuffer != 0)
+  {
+    target.State = state;
+    target.DrawBuffers.emplace(state);
+    this->Passes.Surround(s);
+  }
+}
+
+OuterPasses::Scope::~Scope()
+{
+  this->Passes.Restore();
+  this->Passes.First->Common->DrawBuffers.reset();
+}
+
+// Props may share what they are told.
+void OuterPasses::Surround(const vtkRenderState* s)
+{
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkInformation* const info = s->GetPropArray()[i]->GetPropertyKeys();
+    if (!info || info->Length(key) == 0 || info->Get(key, 0) == this->First)
+    {
+      continue;
+    }
+    PassList outer;
+    for (int pass = 0; pass < info->Length(key); ++pass)
+    {
+      outer.emplace_back(info->Get(key, pass));
+    }
+    info->Remove(key);
+    info->Append(key, this->First);
+    for (const auto& pass : outer)
+    {
+      info->Append(key, pass);
+    }
+    info->Append(key, this->Last);
+    this->Lists.emplace_back(info, outer);
+  }
+}
+
+void OuterPasses::Restore()
+{
+  vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+  for (const auto& [info, outer] : this->Lists)
+  {
+    info->Remove(key);
+    for (const auto& pass : outer)
+    {
+      info->Append(key, pass);
+    }
+  }
+  this->Lists.clear();
+}
+
+}
