@@ -1,5 +1,8 @@
-// Writes one sample of each pixel of the yardstick's picture into the target.
+// Writes one sample of each pixel of the yardstick's picture into the target. The region is cut out here and not by the scissor
+// test, along whose edges llvmpipe loses samples of some pixels and draws samples of others outside.
 uniform sampler2D source;
+uniform ivec2 regionFirst;
+uniform ivec2 regionEnd;
 #if VITRINE_SAMPLES > 0
 uniform int sampleNumber;
 #endif
@@ -8,11 +11,16 @@ layout(location = 0) out vec4 outColor;
 
 void main()
 {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (any(lessThan(pixel, regionFirst)) || any(greaterThanEqual(pixel, regionEnd)))
+  {
+    discard;
+  }
 #if VITRINE_SAMPLES > 0
   if (gl_SampleID != sampleNumber)
   {
     discard;
   }
 #endif
-  outColor = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
+  outColor = texelFetch(source, pixel, 0);
 }

@@ -78,6 +78,82 @@ TEST_P(Viewports, SeveralViewports)
   }
 }
 
+// A white window in four viewports, whose corner is at `x` and `y` of the window; one of them has plates and a pass.
+struct FourViewports : TestScene
+{
+  FourViewports(double x, double y, int samples)
+    : TestScene(40, 30, samples)
+  {
+    this->Window->RemoveRenderer(this->Renderer);
+    const double places[4][4] = { { 0.0, 0.0, x, y }, { x, 0.0, 1.0, y }, { 0.0, y, x, 1.0 },
+      { x, y, 1.0, 1.0 } };
+    for (const auto& place : places)
+    {
+      const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+      renderer->SetViewport(place[0], place[1], place[2], place[3]);
+      renderer->SetBackground(1.0, 1.0, 1.0);
+      renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
+      this->Window->AddRenderer(renderer);
+      this->Viewports.push_back(renderer);
+    }
+  }
+
+  /** Whether the viewport has the pixel. */
+  bool Has(int viewport, int x, int y) const
+  {
+    int width = 0;
+    int height = 0;
+    int left = 0;
+    int bottom = 0;
+    this->Viewports[viewport]->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+    return x >= left && x < left + width && y >= bottom && y < bottom + height;
+  }
+
+  std::vector<vtkSmartPointer<vtkRenderer>> Viewports;
+};
+
+// Wherever they meet: all samples of all pixels of a viewport are drawn, and none of others.
+TEST_P(Viewports, EndWhereOthersBegin)
+{
+  const std::vector<Rgba> plates = RandomPlates(3, 0.4, 1);
+  const Rgba expected = CompositePlates(plates, { 1.0, 1.0, 1.0, 0.0 });
+  std::vector<int> counts = GetParam().Samples();
+  if (counts.size() > 1)
+  {
+    counts.insert(counts.end(), { 2, 8 });
+  }
+  for (const int samples : counts)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const int viewport = i % 2 == 0 ? 0 : 3;
+      const bool isOdd = i > 1;
+      SCOPED_TRACE(std::to_string(samples) + " samples, viewport " + std::to_string(viewport) +
+        (isOdd ? " of odd size" : ""));
+      FourViewports scene(isOdd ? 0.375 + 1e-9 : 0.5, isOdd ? 0.3 + 1e-9 : 0.5, samples);
+      AddPlatesTo(scene.Viewports[viewport], plates);
+      scene.Viewports[viewport]->SetPass(MakeSeeThrough(GetParam()));
+      const Picture picture = scene.Render();
+      int wrong = 0;
+      for (int y = 0; y < picture.Height; ++y)
+      {
+        for (int x = 0; x < picture.Width; ++x)
+        {
+          const Rgba color = picture.At(x, y);
+          const bool isInside = scene.Has(viewport, x, y);
+          for (int c = 0; c < 3; ++c)
+          {
+            wrong += isInside
+              ? std::abs(color[c] - expected[c]) * 255.0 > GetParam().Tolerance + 0.5
+              : color[c] != 1.0;
+          }
+        }
+      }
+      EXPECT_EQ(wrong, 0);
+    }
+  }
+}
+
 // Each eye sees the picture that it sees without a pass.
 TEST_P(Viewports, InStereo)
 {

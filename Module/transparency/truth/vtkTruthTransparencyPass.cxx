@@ -209,8 +209,7 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
   const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
   std::vector<float> plane(4 * pixels);
   const vitrine::ScopedPixelTransfer pixelTransfer;
-  vitrine::BindForFullScreenDraw(
-    state, target.Framebuffer, target.Width, target.Height, target.Region);
+  vitrine::BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
   {
     for (std::size_t i = 0; i < pixels; ++i)
@@ -222,7 +221,13 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
       glTexSubImage2D(
         GL_TEXTURE_2D, 0, 0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
     }
-    this->DrawSample(window, this->ReadyWrite(window, target), this->Picture, sample);
+    vtkShaderProgram* const program = this->ReadyWrite(window, target);
+    const vitrine::PixelRegion& r = target.Region;
+    const int first[2] = { r.X, r.Y };
+    const int end[2] = { r.X + r.Width, r.Y + r.Height };
+    program->SetUniform2i("regionFirst", first);
+    program->SetUniform2i("regionEnd", end);
+    this->DrawSample(window, program, this->Picture, sample);
   }
 }
 
