@@ -5,6 +5,7 @@ namespace vitrine
 
 void HeldContext::Hold(vtkOpenGLRenderWindow* window)
 {
+  window->MakeCurrent(); // Release() may have left that of another window, see there
   this->Holder = window;
   this->CreationTime = window->GetContextCreationTime();
 }
@@ -20,6 +21,7 @@ void HeldContext::Release(const std::function<void(vtkOpenGLRenderWindow*)>& rel
   {
     return;
   }
+  // vtkEGLRenderWindow has no memory of what was current before.
   vtkOpenGLRenderWindow* const window = this->Holder; // `release` may let go
   window->PushContext();
   if (window->IsCurrent())

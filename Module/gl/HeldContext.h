@@ -16,7 +16,9 @@ namespace vitrine
 class HeldContext
 {
 public:
+  /** Hold the context of `window`, which is current from here on. */
   void Hold(vtkOpenGLRenderWindow* window);
+
   void LetGo() { this->Holder = nullptr; }
 
   /** The window, if there is one yet; its context may be gone. */
@@ -30,7 +32,10 @@ public:
     return this->Holder.GetPointer() == window && this->Lives();
   }
 
-  /** Calls `release` with the window where its context lives and can be made current. */
+  /**
+   * Calls `release` with the window where its context lives and can be made current. With windows that do not give way it
+   * stays so: whoever goes on in another window calls Hold(), or makes that one current.
+   */
   void Release(const std::function<void(vtkOpenGLRenderWindow*)>& release) const;
 
 private:

@@ -3,6 +3,8 @@
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkActor.h"
+#include "vtkHeadlessRenderWindow.h"
+#include "vtkObjectFactory.h"
 #include "vtkSeeThroughPass.h"
 
 #include <gtest/gtest.h>
@@ -49,6 +51,47 @@ TEST_P(Windows, OnePassInTwoByTurns)
   {
     EXPECT_TRUE(Matches(a.Render(), first));
     EXPECT_TRUE(Matches(b.Render(), second));
+  }
+}
+
+// As vtkEGLRenderWindow of VTK 9.6 is: it does not make current again what was so before, and says of itself always that it is.
+class ForgetfulWindow : public vtkHeadlessRenderWindow
+{
+public:
+  static ForgetfulWindow* New();
+  vtkTypeMacro(ForgetfulWindow, vtkHeadlessRenderWindow);
+  void PushContext() override { this->MakeCurrent(); }
+  void PopContext() override {}
+  bool IsCurrent() override { return true; }
+};
+vtkStandardNewMacro(ForgetfulWindow);
+
+TEST_P(Windows, OnePassInTwoThatDoNotGiveWay)
+{
+  TestScene scenes[] = { TestScene(40, 30), TestScene(61, 47) };
+  const vtkSmartPointer<vtkSeeThroughPass> shared = MakeSeeThrough(GetParam());
+  vtkNew<ForgetfulWindow> windows[2];
+  Picture expected[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    scenes[i].AddParts();
+    scenes[i].Renderer->SetPass(MakeSeeThrough(GetParam()));
+    expected[i] = scenes[i].Render();
+    scenes[i].Window->RemoveRenderer(scenes[i].Renderer);
+    windows[i]->SetMultiSamples(0);
+    windows[i]->SetSize(scenes[i].Window->GetSize());
+    windows[i]->AddRenderer(scenes[i].Renderer);
+    scenes[i].Renderer->SetPass(shared);
+  }
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      windows[i]->Render();
+      EXPECT_TRUE(ReadPicture(windows[i]) == expected[i]);
+      EXPECT_STREQ(
+        vtkTransparencyPass::SafeDownCast(shared->GetTranslucentPass())->GetFallbackReason(), "");
+    }
   }
 }
 
