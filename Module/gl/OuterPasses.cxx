@@ -8,6 +8,7 @@
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 
+#include <memory>
 #include <optional>
 
 namespace vitrine

@@ -82,7 +82,7 @@ TEST_P(CullerLights, AreTheSameWithAnyCuller)
     const Picture plain = Scene.Render();
     vtkNew<vtkFrustumCoverageCuller> frustum;
     Scene.Renderer->AddCuller(frustum);
-    EXPECT_EQ(CountDifferentPixels(plain, Scene.Render()), 0) << "VTK's culler changes the light";
+    EXPECT_TRUE(Matches(Scene.Render(), plain)) << "VTK's culler changes the light";
     Scene.Renderer->RemoveCuller(frustum);
     lights->ReleaseGraphicsResources(Scene.Window);
     Scene.Renderer->SetPass(nullptr);
@@ -122,10 +122,7 @@ TEST_P(CullerLights, FindAmbientOcclusionBelowThem)
   vtkNew<vtkClusteredLightsPass> lights;
   lights->SetDelegatePass(occlusion);
   Scene.Renderer->SetPass(lights);
-  Scene.Culler->CullingOn();
-  Scene.Render();
-  EXPECT_EQ(Scene.Culler->GetNumberOfCulledParts(), 10);
-  Scene.ExpectSame();
+  EXPECT_EQ(Scene.ExpectSame(), 10);
   lights->ReleaseGraphicsResources(Scene.Window);
   Scene.Renderer->SetPass(nullptr);
 }
