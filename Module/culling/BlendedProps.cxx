@@ -1,5 +1,6 @@
 #include "culling/BlendedProps.h"
 
+#include "culling/PartRules.h"
 #include "scene/ActorRules.h"
 #include "scene/ClassName.h"
 #include "scene/DrawingMapper.h"

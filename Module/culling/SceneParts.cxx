@@ -1,5 +1,6 @@
 #include "culling/SceneParts.h"
 
+#include "culling/PartRules.h"
 #include "scene/ActorRules.h"
 #include "scene/DrawingMapper.h"
 #include "scene/ScalarColors.h"

@@ -3,7 +3,7 @@
 #include "culling/SceneParts.h"
 
 #include "Core/culling/screen/DeviceRounding.h"
-#include "scene/ActorRules.h"
+#include "culling/PartRules.h"
 #include "scene/Matrices.h"
 
 #include "vtkActor.h"

@@ -1,6 +1,5 @@
 #include "scene/DrawingMapper.h"
 
-#include "culling/mappers/DividedMapper.h"
 #include "scene/ClassName.h"
 
 #include "vtkActor.h"
@@ -10,11 +9,18 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
+
 namespace vitrine
 {
 
 namespace
 {
+
+/** This module's own mappers, which draw parts of polydata where their points are. They know this folder, so it has only their names. */
+constexpr std::array<const char*, 2> OwnMappers = { "vtkCulledCompositePolyDataMapper",
+  "vtkCulledPolyDataMapper" };
 
 /** Has access to a member of all of them, whose class is another one in later releases of VTK. */
 class AnyDataSetMapper : public vtkDataSetMapper
@@ -62,7 +68,8 @@ vtkPolyDataMapper* MapperWithin(vtkDataSetMapper* mapper)
 bool IsKnownMapper(vtkMapper* mapper)
 {
   return IsExactly<vtkOpenGLPolyDataMapper>(mapper) || IsExactly<vtkDataSetMapper>(mapper) ||
-    DividedMapperOf(mapper);
+    std::any_of(OwnMappers.begin(), OwnMappers.end(),
+      [mapper](const char* name) { return IsExactlyOfClass(mapper, name); });
 }
 
 vtkDataSetMapper* SurfaceMapperOf(vtkActor* actor)

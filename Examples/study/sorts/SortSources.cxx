@@ -1,8 +1,8 @@
 #include "study/sorts/SortSources.h"
 
+#include "shader/ShaderTags.h"
 #include "sorts/SortShaders.h"
 #include "study/sorts/ListSortProgram.h"
-#include "transparency/common/FillShader.h"
 
 #include <cassert>
 

@@ -1,8 +1,8 @@
 #include "culling/mappers/BlockParts.h"
 
 #include "culling/PartGeometry.h"
+#include "culling/PartRules.h"
 #include "culling/mappers/BlockDrawing.h"
-#include "scene/ActorRules.h"
 #include "scene/ScalarColors.h"
 
 #include "vtkDataObjectTree.h"

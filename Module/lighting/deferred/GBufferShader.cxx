@@ -1,45 +1,24 @@
 #include "lighting/deferred/GBufferShader.h"
 
 #include "lighting/forward/LightLoop.h"
+#include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
-#include "transparency/common/FillShader.h"
+#include "shader/VTKText.h"
 
 #include <algorithm>
-#include <array>
 
 namespace vitrine
 {
 
 namespace
 {
-const std::string Declarations = "//VTK::DepthPeeling::Dec";
-const std::string EndOfMain = "//VTK::DepthPeeling::Impl";
-
-/** Where what is written for lights begins and ends. */
-struct Lighting
-{
-  std::string Begin;
-  std::string End;
-};
-
-const Lighting PhongLighting = { "  vec3 diffuse = vec3(0,0,0);\n",
-  "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);" };
-const Lighting PhysicalLighting = { "  vec3 Lo = vec3(0.0);\n",
-  "gl_FragData[0] = vec4(color, opacity);" };
-
 /** What stands in its place: textures multiply it, which makes their factor of it. */
 const std::string White = "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);";
 
-/** What the G-buffer has no room for: image-based light, textures of occlusion, anisotropy, clear coat. */
-const std::array<const char*, 4> Unkept = { "prefilterTex", "material.r",
-  "specular = SpecularAnisotropic(", "coatLayer = " };
-
-/** What textures do to the lit colour. */
-const std::string Textured = "gl_FragData[0] * tcolor;";
-
+// What the G-buffer has no room for.
 bool HasUnkept(const std::string& shader)
 {
-  for (const char* const text : Unkept)
+  for (const std::string& text : vtktext::BesidesPlainLight)
   {
     if (shader.find(text) != std::string::npos)
     {
@@ -48,13 +27,6 @@ bool HasUnkept(const std::string& shader)
   }
   return false;
 }
-
-/** All that is written to the values of a material, where they come from the property alone. */
-const std::array<std::string, 4> FromProperty = {
-  "diffuseColor = diffuseIntensity * diffuseColorUniform",
-  "ambientColor = ambientIntensity * ambientColorUniform",
-  "specularColor = specularIntensity * specularColorUniform", "specularPower = specularPowerUniform"
-};
 
 std::size_t CountOf(const std::string& shader, const std::string& text)
 {
@@ -69,8 +41,8 @@ std::size_t CountOf(const std::string& shader, const std::string& text)
 // Whether a surface's values are the same all over.
 bool TakesMaterialFromProperty(const std::string& shader)
 {
-  return CountOf(shader, Textured) == 0 &&
-    std::all_of(FromProperty.begin(), FromProperty.end(),
+  return CountOf(shader, vtktext::Textured) == 0 &&
+    std::all_of(vtktext::MaterialFromProperty.begin(), vtktext::MaterialFromProperty.end(),
       [&](const std::string& text)
       {
         const std::string assigned = text.substr(0, text.find('=') + 1);
@@ -81,11 +53,11 @@ bool TakesMaterialFromProperty(const std::string& shader)
 // Whether all that comes after the light multiplies the colour.
 bool IsMultipliedAlone(const std::string& shader, std::size_t from)
 {
-  const std::string assignment = "gl_FragData[0] = ";
-  for (std::size_t at = shader.find(assignment, from); at != std::string::npos;
-       at = shader.find(assignment, at + 1))
+  for (std::size_t at = shader.find(vtktext::AssignColor, from); at != std::string::npos;
+       at = shader.find(vtktext::AssignColor, at + 1))
   {
-    if (shader.compare(at + assignment.size(), Textured.size(), Textured) != 0)
+    if (shader.compare(
+          at + vtktext::AssignColor.size(), vtktext::Textured.size(), vtktext::Textured) != 0)
     {
       return false;
     }
@@ -94,7 +66,7 @@ bool IsMultipliedAlone(const std::string& shader, std::size_t from)
 }
 
 // Whether the light could be left out.
-bool LeaveOut(const Lighting& lighting, std::string& shader)
+bool LeaveOut(const vtktext::Piece& lighting, std::string& shader)
 {
   const std::size_t begin = shader.find(lighting.Begin);
   const std::size_t end =
@@ -116,49 +88,44 @@ std::string MakeVariable(std::string& shader, const std::string& declaration)
 
 std::string ReadPhong(std::string& shader)
 {
-  std::string problem =
-    ReplaceTag(shader, PhongLighting.Begin, shaders::GBufferReadPhong + PhongLighting.Begin);
-  return problem.empty()
-    ? ReplaceTag(shader, EndOfMain, "gl_FragData[0].rgb = gl_FragData[0].rgb * vitrineFactor;\n")
-    : problem;
+  std::string problem = ReplaceTag(
+    shader, vtktext::PhongLighting.Begin, shaders::GBufferReadPhong + vtktext::PhongLighting.Begin);
+  return problem.empty() ? ReplaceTag(shader, vtktext::DepthPeelingImpl,
+                             "gl_FragData[0].rgb = gl_FragData[0].rgb * vitrineFactor;\n")
+                         : problem;
 }
 
 std::string ReadPhysical(std::string& shader)
 {
   std::string problem;
-  for (const char* const uniform : { "float roughnessUniform;", "float metallicUniform;",
-         "vec3 edgeTintUniform;", "float baseF0Uniform;", "float aoStrengthUniform;" })
+  for (const std::string& uniform : vtktext::PhysicalUniforms)
   {
     if (problem.empty())
     {
       problem = MakeVariable(shader, uniform);
     }
   }
-  const std::string albedo = "vec3 albedo = diffuseColor;\n";
   if (problem.empty())
   {
-    problem = ReplaceTag(shader, albedo, shaders::GBufferReadPhysical + albedo);
+    problem = ReplaceTag(shader, vtktext::Albedo, shaders::GBufferReadPhysical + vtktext::Albedo);
   }
   return problem.empty()
-    ? ReplaceTag(shader, "vec3 emissiveColor = vec3(0.0);", "vec3 emissiveColor = vitrineOwn.xyz;")
+    ? ReplaceTag(shader, vtktext::NoEmission, "vec3 emissiveColor = vitrineOwn.xyz;")
     : problem;
 }
 
-const std::string PositionOfVertex = "gl_Position = MCDCMatrix * vertexMC;";
-
 std::string PlaceCover(std::string& vertexShader)
 {
-  return ReplaceTag(vertexShader, PositionOfVertex, "gl_Position = vertexMC;");
+  return ReplaceTag(vertexShader, vtktext::Position, "gl_Position = vertexMC;");
 }
 
 // The third coordinate is the light's number.
 std::string PlaceLight(std::string& vertexShader)
 {
-  const std::string problem = ReplaceTag(vertexShader, PositionOfVertex,
+  const std::string problem = ReplaceTag(vertexShader, vtktext::Position,
     "gl_Position = vec4(vertexMC.xy, 0.0, 1.0);\n  vitrineLight = int(vertexMC.z);");
-  return problem.empty()
-    ? ReplaceTag(vertexShader, "//VTK::Light::Dec", "flat out int vitrineLight;")
-    : problem;
+  return problem.empty() ? ReplaceTag(vertexShader, vtktext::LightDec, "flat out int vitrineLight;")
+                         : problem;
 }
 
 std::string DeclarationsOf(const GBufferReading& reading)
@@ -197,11 +164,11 @@ std::string WriteGBuffer(std::string& fragmentShader)
     : "const float vitrineMaterial = -1.0;\n";
   if (IsLit(fragmentShader))
   {
-    if (LeaveOut(PhongLighting, fragmentShader))
+    if (LeaveOut(vtktext::PhongLighting, fragmentShader))
     {
       writing = shaders::GBufferWritePhong;
     }
-    else if (LeaveOut(PhysicalLighting, fragmentShader))
+    else if (LeaveOut(vtktext::PhysicalLighting, fragmentShader))
     {
       writing = shaders::GBufferWritePhysical;
     }
@@ -212,11 +179,12 @@ std::string WriteGBuffer(std::string& fragmentShader)
   }
   if (problem.empty())
   {
-    problem =
-      ReplaceTag(fragmentShader, Declarations, material + std::string(shaders::GBufferWriteDec));
+    problem = ReplaceTag(
+      fragmentShader, vtktext::DepthPeelingDec, material + std::string(shaders::GBufferWriteDec));
   }
-  return problem.empty() ? ReplaceTag(fragmentShader, EndOfMain, std::string("\n") + writing)
-                         : problem;
+  return problem.empty()
+    ? ReplaceTag(fragmentShader, vtktext::DepthPeelingImpl, std::string("\n") + writing)
+    : problem;
 }
 
 std::string ReadGBuffer(
@@ -226,12 +194,12 @@ std::string ReadGBuffer(
     reading.Lights == Gathering::Add ? PlaceLight(vertexShader) : PlaceCover(vertexShader);
   if (problem.empty() && reading.Samples > 0)
   {
-    problem = ReplaceTag(fragmentShader, "//VTK::System::Dec",
-      "//VTK::System::Dec\n#extension GL_ARB_sample_shading : require\n");
+    problem = ReplaceTag(fragmentShader, vtktext::SystemDec,
+      vtktext::SystemDec + "\n#extension GL_ARB_sample_shading : require\n");
   }
   if (problem.empty())
   {
-    problem = ReplaceTag(fragmentShader, Declarations, DeclarationsOf(reading));
+    problem = ReplaceTag(fragmentShader, vtktext::DepthPeelingDec, DeclarationsOf(reading));
   }
   if (problem.empty())
   {

@@ -2,7 +2,9 @@
 
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
+#include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
+#include "shader/VTKText.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 
@@ -63,48 +65,35 @@ void AddCapture(
 
 bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill)
 {
-  const std::string version = "//VTK::System::Dec\n"; // goes before all else
+  const std::string version = vtktext::SystemDec + "\n"; // goes before all else
   const std::string vertex = version + shaders::FullScreenVertex;
   std::string fragment = version + shaders::FillProbe;
   return JoinFillShader(fill, fragment).empty() &&
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }
 
-std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text)
-{
-  const std::size_t at = source.find(tag);
-  if (at == std::string::npos)
-  {
-    return "the shader has no tag " + tag;
-  }
-  source.replace(at, tag.size(), text);
-  return source.find(tag, at + text.size()) == std::string::npos
-    ? std::string()
-    : "the shader has the tag " + tag + " more than once";
-}
-
 std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
 {
   // #extension lines may stand only before every declaration, that is at VTK's first tag, which VTK
   // itself replaces afterwards by #version.
-  std::string extensions = "//VTK::System::Dec\n";
+  std::string extensions = vtktext::SystemDec + "\n";
   for (const std::string& extension : fill.Extensions)
   {
     extensions += "#extension " + extension + " : require\n";
   }
-  std::string problem = ReplaceTag(fragmentShader, "//VTK::System::Dec", extensions);
+  std::string problem = ReplaceTag(fragmentShader, vtktext::SystemDec, extensions);
   if (problem.empty())
   {
     problem = ReplaceTag(
-      fragmentShader, "//VTK::DepthPeeling::Dec", DefineLines(fill.Defines) + fill.Declarations);
+      fragmentShader, vtktext::DepthPeelingDec, DefineLines(fill.Defines) + fill.Declarations);
   }
   if (problem.empty() && !fill.UniformFlow.empty())
   {
-    problem = ReplaceTag(fragmentShader, "//VTK::UniformFlow::Impl", fill.UniformFlow);
+    problem = ReplaceTag(fragmentShader, vtktext::UniformFlowImpl, fill.UniformFlow);
   }
   if (problem.empty())
   {
-    problem = ReplaceTag(fragmentShader, "//VTK::DepthPeeling::Impl", "\n" + fill.Implementation);
+    problem = ReplaceTag(fragmentShader, vtktext::DepthPeelingImpl, "\n" + fill.Implementation);
   }
   if (problem.empty() && fill.Inputs)
   {

@@ -46,8 +46,5 @@ bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill);
  */
 std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader);
 
-/** Replace `tag`, which must be there exactly once. Returns an empty string, or what is wrong. */
-std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text);
-
 }
 #endif

@@ -2,8 +2,8 @@
 
 #include "Core/lists/ResolveProgram.h"
 #include "Shaders/SharedLayout.h"
+#include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
-#include "transparency/common/FillShader.h"
 
 #include <cassert>
 #include <vector>

@@ -1,0 +1,48 @@
+/**
+ * Which actors hide what, and where a device draws them: what the culler asks of actors, beside the facts of scene/ActorRules.
+ */
+#ifndef VITRINE_CULLING_PART_RULES_H
+#define VITRINE_CULLING_PART_RULES_H
+
+class vtkActor;
+class vtkMapper;
+class vtkPolyDataMapper;
+
+namespace vitrine
+{
+
+class PartGeometry;
+
+/**
+ * Whether others may hide the actor, and not the view alone: not where depths are offset for what is coincident, nor with edges, vertices, spheres, tubes or a selection, which have depths of their own.
+ * @param drawing  the mapper that draws it
+ */
+bool MayBeBehindOthers(vtkActor* actor, vtkMapper* drawing);
+
+/** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
+bool IsShiftKnown(vtkPolyDataMapper* mapper);
+
+/** Whether it is far from the origin for its size, or so small or large, that VTK by itself gives a device coordinates from its middle (vtkOpenGLVertexBufferObject::UpdateShiftScale()). */
+bool IsSmallOrFarOff(const PartGeometry& geometry);
+
+/** Whether VTK gives the device coordinates from the geometry's middle: of those it does so by itself, unless the mapper is told otherwise. */
+bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry);
+
+/** By how many pixels an actor that may be behind others is drawn wider than its points are. */
+float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
+
+/** By how many pixels any actor is at most. */
+float MostGrowthOf(vtkActor* actor);
+
+/** Whether the user has marked the actor with vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
+bool IsNonOccluding(vtkActor* actor);
+
+/** Whether all of the actor surely is opaque, textures and colours of single blocks aside. */
+bool IsOpaque(vtkActor* actor);
+
+/** Whether the surface of the actor surely hides what lies behind it, likewise. */
+bool IsOpaqueSurface(vtkActor* actor);
+
+}
+
+#endif

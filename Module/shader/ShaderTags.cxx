@@ -1,0 +1,19 @@
+#include "shader/ShaderTags.h"
+
+namespace vitrine
+{
+
+std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text)
+{
+  const std::size_t at = source.find(tag);
+  if (at == std::string::npos)
+  {
+    return "the shader has no tag " + tag;
+  }
+  source.replace(at, tag.size(), text);
+  return source.find(tag, at + text.size()) == std::string::npos
+    ? std::string()
+    : "the shader has the tag " + tag + " more than once";
+}
+
+}
