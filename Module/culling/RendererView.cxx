@@ -23,19 +23,6 @@ namespace vitrine
 namespace
 {
 
-// OpenGL has rasterisers put corners on a grid of at least 1/16 of a pixel; those of today tell 1/256, which is believed of finer ones, too.
-const int LeastSubpixelBits = 4;
-const int MostSubpixelBits = 8;
-
-// Of a step of that grid: half of one to the nearest, and some to spare.
-const float SnappedSteps = 0.6f;
-
-// Of reversed depth: a few steps of a depth buffer of 24 bits.
-const float SnappedDepth = 0x1p-21f;
-
-// What floats round of a place in the window, as a share of it, where a device takes depths from a plane that counts from the window's corner: as if it took them elsewhere.
-const float RoundingOfPlaces = 0x1p-21f;
-
 /** By how many pixels the window's rasteriser may move corners. */
 float SnappedPixelsOf(vtkRenderer* renderer)
 {

@@ -2,7 +2,7 @@
 
 #include "culling/SceneParts.h"
 
-#include "Core/culling/screen/DeviceRounding.h"
+#include "Core/culling/screen/DeviceModel.h"
 #include "culling/PartRules.h"
 #include "scene/Matrices.h"
 

@@ -2,6 +2,7 @@
 #include "NonFinite.h"
 #include "OccluderScenes.h"
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/screen/ScreenProjection.h"
 #include "Core/culling/steady/FacePlanes.h"
 #include "Core/culling/walk/SecondLook.h"
@@ -324,7 +325,6 @@ TEST(FacePlanes, OfManyAreAllFoundInOrder)
 // Third corners are as far from the line of the others as is just not thin.
 TEST(FacePlanes, OfFacesThatAreNotThinRoundingLeavesWhatSnappingTakes)
 {
-  using vitrine::SecondLook;
   Random random(7);
   const double columns = 480.0, lines = 270.0;
   int faces = 0;
@@ -338,8 +338,8 @@ TEST(FacePlanes, OfFacesThatAreNotThinRoundingLeavesWhatSnappingTakes)
       toClip, columns, lines, glm::dvec3(std::pow(10.0, random.Between(0.0, 3.5))), snapping);
     const double rounding = view.RoundingAtOne(), scale = view.SmallestScale();
     const double snapped = double{ snapping.Column };
-    const FacePlanes::Thickness thinnest{ SecondLook::ThinOfSnapping * snapped / scale,
-      SecondLook::ThinOfRounding * rounding / scale };
+    const FacePlanes::Thickness thinnest{ vitrine::ThinOfSnapping * snapped / scale,
+      vitrine::ThinOfRounding * rounding / scale };
     const glm::dmat4 fromClip = glm::inverse(toClip);
     const auto place = [&]()
     {
@@ -400,7 +400,7 @@ TEST(FacePlanes, OfFacesThatAreNotThinRoundingLeavesWhatSnappingTakes)
       const double byColumn = (first.z * second.y - second.z * first.y) / area;
       const double byLine = (first.x * second.z - second.x * first.z) / area;
       const double beside = std::abs(byColumn) + std::abs(byLine);
-      const double most = SecondLook::SteeperOnDevice * (slopes.x + slopes.y);
+      const double most = vitrine::SteeperOnDevice * (slopes.x + slopes.y);
       ASSERT_LE(beside, most) << "seed 7, round " << round;
       steepest = std::max(steepest, beside / most);
     }

@@ -1,5 +1,7 @@
 #include "Core/culling/hidden/HiddenLines.h"
 
+#include "Core/culling/screen/DeviceModel.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -13,12 +15,6 @@ namespace vitrine
 
 namespace
 {
-
-// Of lines that are shorter on the screen, by what their ends may be off, nothing is known: those ends may lie side by side.
-const double ShortestByMargin = 16.0;
-
-// So much steeper are depths at most along others, whose ends are off.
-const double SteeperByMargin = 1.25;
 
 /** What an end may be drawn at. */
 struct ScreenEnd

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_LINE_EXTENT_H
 #define VITRINE_CORE_CULLING_SCREEN_LINE_EXTENT_H
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/geometry/BeyondAll.h"
 
@@ -13,7 +14,7 @@ namespace vitrine
 /** What our own sums in floats may be off on an edge that reaches no farther from 0. */
 inline float OwnRoundingOf(float column, float line)
 {
-  return 0x1p-20f * (column + line);
+  return RoundingOnEdges * (column + line);
 }
 
 /** Edges that are less high, in lines, may be anywhere between their ends on what they touch. */

@@ -1,5 +1,6 @@
 #include "Core/culling/screen/MeshProjection.h"
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/screen/LineExtent.h"
 #include "Core/geometry/BeyondAll.h"
 #include "Core/geometry/Lanes.h"
@@ -11,12 +12,6 @@ namespace vitrine
 
 namespace
 {
-// Of w to what a device rounds in it. Where w is less, so little is known of where a face is drawn that next to nothing is hidden.
-const double LeastRatio = 2048.0;
-
-// Here what is far off is hidden, too, though the near plane is so close to the eye that depths hardly differ there.
-const double FartherRatio = 32768.0;
-
 /** Columns of a matrix for points that count from a place, in floats. */
 struct MatrixFrom
 {

@@ -1,6 +1,6 @@
 #include "Core/culling/screen/ScreenProjection.h"
 
-#include "Core/culling/screen/DeviceRounding.h"
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/geometry/BeyondAll.h"
 
 #include <glm/common.hpp>

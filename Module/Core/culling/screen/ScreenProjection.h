@@ -2,7 +2,7 @@
 #define VITRINE_CORE_CULLING_SCREEN_SCREEN_PROJECTION_H
 
 #include "Core/culling/screen/DeviceCoordinates.h"
-#include "Core/culling/screen/DeviceRounding.h"
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/screen/PlaneView.h"
 #include "Core/culling/screen/ScreenRounding.h"
 #include "Core/geometry/BoxLanes.h"
@@ -37,7 +37,7 @@ struct ScreenMatrix
   /** What a device rounds of columns and lines in the window. */
   glm::vec2 OfPlaces() const
   {
-    return 0x1p-24f *
+    return RoundingOfFloat *
       glm::vec2(this->Before.x + this->Size.x, this->Before.y + this->Top() - this->Bottom());
   }
 
@@ -70,7 +70,7 @@ struct ScreenMatrix
         ShareOfDevice * own.w, middle, ofPlaces };
     };
     return { of(0, half.x, this->OfPlaces().x), of(1, half.y + this->Bottom(), this->OfPlaces().y),
-      of(2, half.z, 0x1p-24f) };
+      of(2, half.z, RoundingOfFloat) };
   }
 
   /** Whether any of a rectangle lies between the sides of the view. */

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_SCREEN_SCREEN_ROUNDING_H
 #define VITRINE_CORE_CULLING_SCREEN_SCREEN_ROUNDING_H
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/geometry/Lanes.h"
 
 namespace vitrine
@@ -40,14 +41,6 @@ struct CoordinateRounding
     return (this->Own + this->OfW * (this->Largest + 1.5f * beyond)) * inverseOfW + this->OfPlaces;
   }
 };
-
-/** Of places that are quotients of w, and are taken to the screen: three times 2^-24, and one to spare. */
-inline constexpr double RoundingOfQuotients = 0x1p-22;
-
-/**
- * Of places in the view, where a device cuts edges: up to four planes one after the other, each of which has it multiply, sum and divide, and what takes it to the screen. Fifteen times 2^-24.
- */
-inline constexpr float RoundingOfCuts = 0x1p-20f;
 
 /** What they round of columns, lines and depths. */
 struct ScreenRounding

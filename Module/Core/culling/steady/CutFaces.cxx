@@ -1,5 +1,6 @@
 #include "Core/culling/steady/CutFaces.h"
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/geometry/BeyondAll.h"
 
 #include <glm/common.hpp>
@@ -15,15 +16,9 @@ namespace vitrine
 namespace
 {
 
-// No two places that it tells apart there are closer than a step of a sum of half the view's width or height.
-const float StepOfCuts = 0x1p-25f;
-
 // Of a face of which more corners are left, as it is cut so often and so close to them, nothing is known.
 const std::size_t MostCorners = 9;
 const std::size_t MostSlides = 8; // of one
-
-// No samples are so few steps of the grid that corners are snapped to beside the view's sides.
-const double StepsOnASide = 2.0;
 
 const double FarAway = 1e9; // columns and lines: more than matter anywhere
 

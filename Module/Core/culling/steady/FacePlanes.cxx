@@ -1,5 +1,6 @@
 #include "Core/culling/steady/FacePlanes.h"
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/geometry/BeyondAll.h"
 #include "Core/geometry/Finite.h"
 #include "Core/geometry/Lanes.h"
@@ -22,9 +23,6 @@ const double SamePlane = 1e-6;
 
 // So many are looked at before their faces are listed.
 const std::size_t PlanesAtOnce = 64 * LaneCount;
-
-// What floats round, of an eye's distance.
-const double Rounding = 0x1p-22;
 
 /** How corners lie along the axes, exactly: bits 0 to 2 tell along which an edge lies, bits 3 to 5 on which the face is at one place. */
 std::uint8_t AlignmentOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
@@ -186,7 +184,7 @@ glm::dvec2 FacePlanes::FindThin(
   const double farthest = glm::length(place) + view.Eye.w * this->Radius;
   const double least = (thickness.Fixed * farthest + thickness.ByNear) * farthest;
   const Lanes most = AllLanes(static_cast<float>(least * thickness.Unevenness));
-  const Lanes rounded = AllLanes(static_cast<float>(Rounding * farthest));
+  const Lanes rounded = AllLanes(static_cast<float>(RoundingOfDistances * farthest));
   const unsigned vanishing = VanishingIn(view);
   const auto toFarthest = static_cast<float>(farthest);
   const glm::vec4 from(place, -view.Eye.w);

@@ -1,6 +1,7 @@
 #ifndef VITRINE_CORE_CULLING_STEADY_FACE_SLOPES_H
 #define VITRINE_CORE_CULLING_STEADY_FACE_SLOPES_H
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/screen/MeshProjection.h"
 #include "Core/culling/steady/SlantedDepth.h"
 #include "Core/geometry/Lanes.h"
@@ -91,12 +92,12 @@ struct SidesOnScreen
   VITRINE_INLINE Number LeastArea() const { return SizeOf(this->Area.Value) - this->Area.Off; }
 
   /**
-   * By how much of its depth a device's plane tilts: the products of which it subtracts one from another to find slopes and the area are large where a sliver is long. A product has up to four roundings by 2^-24,
-   * and there are two to each slope and to the area; each slope counts as far as the face reaches.
+   * By how much of its depth a device's plane tilts: the products of which it subtracts one from another to find slopes and the area
+   * are large where a sliver is long. Each slope counts as far as the face reaches.
    */
   VITRINE_INLINE Number Tilt(const Number& area) const
   {
-    return 24.0f * 0x1p-24f * this->Columns.Largest() * this->Lines.Largest() *
+    return RoundingOfTilt * this->Columns.Largest() * this->Lines.Largest() *
       this->Depths.Largest() / area;
   }
 };

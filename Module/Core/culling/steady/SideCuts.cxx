@@ -1,5 +1,6 @@
 #include "Core/culling/steady/SideCuts.h"
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/steady/FaceCorners.h"
 
 namespace vitrine
@@ -7,10 +8,6 @@ namespace vitrine
 
 namespace
 {
-
-// Corners are so many times as far away from where faces are cut as a device's floats may have them elsewhere: so shares of edges are off by a sixth at most, and products of two by less than half.
-const float LeastAway = 8.0f;
-const float LeastOfShares = 0.5f;
 
 VITRINE_INLINE Lanes LeastIn(const Lanes (&a)[3])
 {

@@ -6,8 +6,6 @@
 namespace vitrine
 {
 
-inline constexpr float RoundingOfFloats = 0x1p-21f; ///< of a few sums and products in floats
-
 /** A lower bound of reversed depth in a cell of a line, linear between the cell's sides. */
 struct DepthBound
 {

@@ -2,6 +2,7 @@
 
 #include "Core/culling/cover/FewFacetsCoverage.h"
 #include "Core/culling/hidden/BoxesHidden.h"
+#include "Core/culling/screen/DeviceModel.h"
 
 #include <algorithm>
 
@@ -24,9 +25,7 @@ const float MuchOfScreen = 1.0f / 64.0f;
 const std::size_t FacesPerPiece = 8;
 const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
 
-// Where devices clip what reaches farther off the screen, floats round as much as samples are away from its borders, so that nothing is drawn there. Of samples half a line away.
-const float FarthestOff = 0x1p17f;
-
+/** Whether a device has no corners so far off the screen that its floats lose the samples beside the borders. */
 bool IsClippedSurely(const ScreenRectangle& around, const SampleGrid& samples)
 {
   const float inset = samples.Inset();

@@ -1,5 +1,6 @@
 #include "Core/culling/walk/SecondLook.h"
 
+#include "Core/culling/screen/DeviceModel.h"
 #include "Core/geometry/BoxLanes.h"
 
 #include <glm/geometric.hpp>
@@ -13,12 +14,6 @@ namespace vitrine
 
 namespace
 {
-
-// In steps of a device's depths, how much it may have of planes besides.
-const float StepsOnDevice = 8.0f;
-
-// And planes of faces that are long and thin tilt by so much of their depth, times how many times as wide they are on the screen as they are thick: what a device rounds of products (FaceSlopes.h).
-const float TiltOnDevice = 24.0f * 0x1p-24f;
 
 /** The longest that an axis becomes, squared. */
 double LongestAxisOf(const glm::dmat4& m)
@@ -127,7 +122,7 @@ float SecondLook::FindThinFaces(std::uint32_t part)
 float SecondLook::TiltOf(const ScreenRectangle& around, float depth) const
 {
   const float narrowest = std::min(around.Right - around.Left, around.Top - around.Bottom);
-  return TiltOnDevice * depth * narrowest /
+  return RoundingOfTilt * depth * narrowest /
     static_cast<float>(ThinOfSnapping * std::max(this->Snapping.x, this->Snapping.y));
 }
 

@@ -32,17 +32,6 @@ class SecondLook
 {
 public:
   /**
-   * Of thinner faces nothing is known: as shares of what a device snaps by, and of what its floats round of a column or a line. Corners that those round move by the root of 2 of that at most, each by its own distance:
-   * across the face that takes less than three of four times as much as at its farthest corner, so that what a device snaps by is left. (Whatever is affine on the screen and no more than that at the corners changes by less than
-   * twice as much over the face's width.)
-   */
-  static constexpr double ThinOfSnapping = 1.0;
-  static constexpr double ThinOfRounding = 4.0;
-
-  /** Planes of faces that are no thinner are so much steeper for a device at most: 4 / (4 - 2 * the root of 2) times, which is 3.41, and some to spare. */
-  static constexpr double SteeperOnDevice = 4.2;
-
-  /**
    * @param tools  of the band, whose s-buffer is complete
    * @param view   of the band
    */
