@@ -1,29 +1,23 @@
 #include "culling/BlendedProps.h"
 
 #include "culling/PartRules.h"
+#include "culling/PropPolicy.h"
 #include "scene/ActorRules.h"
-#include "scene/ClassName.h"
-#include "scene/DrawingMapper.h"
-#include "scene/ScalarColors.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkFlagpoleLabel.h"
-#include "vtkImageMapper3D.h"
 #include "vtkImageSlice.h"
-#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkProp3DCollection.h"
 #include "vtkProp3DFollower.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkSkybox.h"
 #include "vtkTextActor3D.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace vitrine
@@ -34,59 +28,23 @@ namespace
 
 const float Anywhere = std::numeric_limits<float>::infinity();
 
-bool IsComposite(vtkMapper* mapper)
+/** By the rules for props, if it is drawn among what is opaque. */
+Blending BlendingByRules(const PropFacts& facts)
 {
-  return mapper->IsA("vtkCompositePolyDataMapper2") || mapper->IsA("vtkCompositePolyDataMapper");
-}
-
-/** Others may draw balls or splats around points, or anything. */
-bool KeepsToItsBounds(vtkMapper* mapper)
-{
-  return IsKnownMapper(mapper) || IsComposite(mapper) ||
-    IsExactlyOfClass(mapper, "vtkOpenGLGlyph3DMapper");
-}
-
-/**
- * Mappers whose colours VTK knows to be opaque, and that blend all the same: blocks that are forced, splats, which fade, and those that draw what they like among what is opaque, as labels of contours, or
- * edges of graphs.
- */
-bool BlendsByItself(vtkActor* actor, vtkMapper* mapper)
-{
-  const std::array<const char*, 4> others{ "vtkPolyDataMapper", "vtkDataSetMapper",
-    "vtkGlyph3DMapper", "vtkMoleculeMapper" };
-  return (actor->GetForceOpaque() && IsComposite(mapper)) ||
-    mapper->IsA("vtkPointGaussianMapper") ||
-    std::none_of(
-      others.begin(), others.end(), [mapper](const char* other) { return mapper->IsA(other); });
-}
-
-/** Its floor fades towards the horizon; all else of it is as far away as nothing. */
-Blending BlendingOfSky(vtkSkybox* sky)
-{
-  const bool isFloor = sky->GetProjection() == vtkSkybox::Floor;
-  return { isFloor, isFloor ? Anywhere : 0.0f };
-}
-
-/** Whether there is any text, which is an image with an alpha, among what is opaque. Where it is is not known: of those that look at the eye nobody but VTK must ask, since that turns them. */
-template <class Text>
-Blending BlendingOfText(Text* text)
-{
-  const char* const input = text->GetInput();
-  const bool isAnywhere = input && *input && !text->HasTranslucentPolygonalGeometry();
-  return { isAnywhere, isAnywhere ? Anywhere : 0.0f };
-}
-
-/** VTK's images have alpha, and fade where they end. */
-Blending BlendingOfImage(vtkImageSlice* image)
-{
-  vtkImageMapper3D* mapper = image->GetMapper();
-  if (!mapper || image->HasTranslucentPolygonalGeometry())
+  const PropRow* const why = FindPropRow(PropStage::Blending, facts);
+  if (!why)
   {
     return {};
   }
-  const bool isWider =
-    mapper->GetBackground() || mapper->GetBorder() || image->IsA("vtkImageStack");
-  return { true, isWider ? Anywhere : 0.0f };
+  const PropRow* const anywhere = FindPropRow(PropStage::Beside, facts);
+  return anywhere ? Blending{ anywhere, Anywhere } : Blending{ why, 0.0f };
+}
+
+/** Whether it is not made of other props that it tells. */
+bool IsWhole(vtkProp* prop)
+{
+  return vtkTextActor3D::SafeDownCast(prop) || vtkBillboardTextActor3D::SafeDownCast(prop) ||
+    vtkImageSlice::SafeDownCast(prop);
 }
 
 Blending BlendingOfAll(vtkPropCollection* parts)
@@ -97,7 +55,10 @@ Blending BlendingOfAll(vtkPropCollection* parts)
   while (vtkProp* part = parts->GetNextProp(place))
   {
     const Blending one = BlendingOf(part);
-    all = { all.MayBlend || one.MayBlend, std::max(all.Beside, one.Beside) };
+    if (one.Why && (!all.Why || one.Beside > all.Beside))
+    {
+      all = one;
+    }
   }
   return all;
 }
@@ -126,23 +87,20 @@ Blending BlendingOfParts(vtkProp* prop)
 
 Blending BlendingOf(vtkActor* actor, bool areTexturesOpaque)
 {
-  if (auto* label = vtkFlagpoleLabel::SafeDownCast(actor))
+  PropFacts facts;
+  facts.Prop = actor;
+  if (vtkFlagpoleLabel::SafeDownCast(actor) || vtkSkybox::SafeDownCast(actor))
   {
-    return BlendingOfText(label);
+    return BlendingByRules(facts);
   }
-  if (auto* sky = vtkSkybox::SafeDownCast(actor))
-  {
-    return BlendingOfSky(sky);
-  }
-  vtkMapper* mapper = actor->GetMapper();
-  const bool mayBlend = actor->GetProperty()->GetOpacity() < 1.0 || HasTranslucentBack(actor) ||
-    HasShaderCode(actor) || !areTexturesOpaque ||
-    (mapper && (MayHaveTranslucentColors(mapper) || BlendsByItself(actor, mapper)));
-  if (!mayBlend || (!actor->GetForceOpaque() && actor->HasTranslucentPolygonalGeometry()))
+  facts.Actor = actor;
+  facts.AreTexturesOpaque = areTexturesOpaque;
+  const Blending blending = BlendingByRules(facts);
+  if (!blending.Why || (!actor->GetForceOpaque() && actor->HasTranslucentPolygonalGeometry()))
   {
     return {};
   }
-  return { true, !mapper || KeepsToItsBounds(mapper) ? MostGrowthOf(actor) : Anywhere };
+  return { blending.Why, std::max(blending.Beside, MostGrowthOf(actor)) };
 }
 
 Blending BlendingOf(vtkProp* prop)
@@ -151,23 +109,14 @@ Blending BlendingOf(vtkProp* prop)
   {
     return {};
   }
-  if (auto* text = vtkTextActor3D::SafeDownCast(prop))
-  {
-    return BlendingOfText(text);
-  }
-  if (auto* text = vtkBillboardTextActor3D::SafeDownCast(prop))
-  {
-    return BlendingOfText(text);
-  }
   if (auto* actor = vtkActor::SafeDownCast(prop))
   {
     return BlendingOf(actor, AreTexturesOpaque(actor));
   }
-  if (auto* image = vtkImageSlice::SafeDownCast(prop))
-  {
-    return BlendingOfImage(image);
-  }
-  return BlendingOfParts(prop);
+  PropFacts facts;
+  facts.Prop = prop;
+  const Blending blending = BlendingByRules(facts);
+  return blending.Why || IsWhole(prop) ? blending : BlendingOfParts(prop);
 }
 
 }

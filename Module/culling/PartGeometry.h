@@ -88,6 +88,9 @@ public:
   /** Its triangles and convex polygons as an occluder; built when first asked for, by whichever of several threads. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data, vtkMTimeType frame);
 
+  /** Whether the occluder is built, and has no faces. */
+  bool HasNoOccluder() const { return this->Mesh && this->Mesh->PointCount() == 0; }
+
   /** Around the faces of the occluder, once that is built; null if they are few, or if more is drawn than them. */
   const MeshBoxes* Boxes() const { return this->BoxesOfMesh.get(); }
 

@@ -1,20 +1,14 @@
 #include "culling/PartRules.h"
 
 #include "culling/PartGeometry.h"
-#include "culling/mappers/vtkCulledCompositePolyDataMapper.h"
 #include "culling/vtkHierarchicalSBufferCuller.h"
-#include "scene/ActorRules.h"
-#include "scene/ClassName.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
-#include "vtkPlaneCollection.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
@@ -44,22 +38,6 @@ bool HasUnshiftedPoints(vtkOpenGLPolyDataMapper* mapper)
   vtkOpenGLVertexBufferObject* points = mapper->GetVBOs()->GetVBO("vertexMC");
   return points && points->GetUploadTime() > 0 && !points->GetCoordShiftAndScaleEnabled();
 }
-
-/** Blocks of a composite mapper are looked at one by one. */
-bool IsTranslucentAsAWhole(vtkActor* actor)
-{
-  return IsExactly<vtkCulledCompositePolyDataMapper>(actor->GetMapper())
-    ? actor->GetForceTranslucent()
-    : actor->HasTranslucentPolygonalGeometry() != 0;
-}
-}
-
-bool MayBeBehindOthers(vtkActor* actor, vtkMapper* drawing)
-{
-  vtkProperty* property = actor->GetProperty();
-  return vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF && !drawing->GetSelection() &&
-    !property->GetEdgeVisibility() && !property->GetVertexVisibility() &&
-    !property->GetRenderPointsAsSpheres() && !property->GetRenderLinesAsTubes();
 }
 
 bool IsShiftKnown(vtkPolyDataMapper* mapper)
@@ -110,18 +88,9 @@ bool IsNonOccluding(vtkActor* actor)
   return keys && keys->Get(vtkHierarchicalSBufferCuller::NON_OCCLUDING()) != 0;
 }
 
-bool IsOpaque(vtkActor* actor)
+bool IsWireframe(vtkActor* actor)
 {
-  return !IsTranslucentAsAWhole(actor) && actor->GetProperty()->GetOpacity() >= 1.0 &&
-    !HasTranslucentBack(actor) && !MayHaveTranslucentColors(actor->GetMapper());
-}
-
-bool IsOpaqueSurface(vtkActor* actor)
-{
-  vtkProperty* property = actor->GetProperty();
-  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
-  return property->GetRepresentation() == VTK_SURFACE && !property->GetFrontfaceCulling() &&
-    !actor->GetForceOpaque() && !(planes && planes->GetNumberOfItems() > 0) && IsOpaque(actor);
+  return actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
 }
 
 }

@@ -1,23 +1,16 @@
 /**
- * Which actors hide what, and where a device draws them: what the culler asks of actors, beside the facts of scene/ActorRules.
+ * Where a device draws actors: what the culler asks of them, beside the facts of scene/ActorRules and the rules of PropPolicy.
  */
 #ifndef VITRINE_CULLING_PART_RULES_H
 #define VITRINE_CULLING_PART_RULES_H
 
 class vtkActor;
-class vtkMapper;
 class vtkPolyDataMapper;
 
 namespace vitrine
 {
 
 class PartGeometry;
-
-/**
- * Whether others may hide the actor, and not the view alone: not where depths are offset for what is coincident, nor with edges, vertices, spheres, tubes or a selection, which have depths of their own.
- * @param drawing  the mapper that draws it
- */
-bool MayBeBehindOthers(vtkActor* actor, vtkMapper* drawing);
 
 /** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
 bool IsShiftKnown(vtkPolyDataMapper* mapper);
@@ -37,11 +30,8 @@ float MostGrowthOf(vtkActor* actor);
 /** Whether the user has marked the actor with vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
 bool IsNonOccluding(vtkActor* actor);
 
-/** Whether all of the actor surely is opaque, textures and colours of single blocks aside. */
-bool IsOpaque(vtkActor* actor);
-
-/** Whether the surface of the actor surely hides what lies behind it, likewise. */
-bool IsOpaqueSurface(vtkActor* actor);
+/** Whether the actor is drawn as the edges of its faces. */
+bool IsWireframe(vtkActor* actor);
 
 }
 

@@ -2,13 +2,10 @@
 
 #include "culling/SceneParts.h"
 #include "gl/Capabilities.h"
-#include "scene/ClassName.h"
 #include "scene/Matrices.h"
 #include "scene/PassTraits.h"
 #include "scene/ViewMatrices.h"
 
-#include "vtkCamera.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -28,14 +25,6 @@ float SnappedPixelsOf(vtkRenderer* renderer)
 {
   const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
   return std::ldexp(SnappedSteps, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
-}
-
-/** Whether VTK draws with the matrices that the camera tells now, and nothing else. */
-bool IsKnown(vtkRenderer* renderer)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  return IsExactly<vtkOpenGLCamera>(camera) &&
-    camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender();
 }
 
 /** How large lines and columns of an s-buffer are, and where samples lie in them. */
@@ -82,18 +71,10 @@ LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
 }
 }
 
-bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts)
+void RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts)
 {
-  if (!renderer->IsActiveCameraCreated() || !IsKnown(renderer))
-  {
-    return false;
-  }
   int width = 0, height = 0, left = 0, bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  if (width < 1 || height < 1)
-  {
-    return false;
-  }
   const LineScale scale = ScaleOf(renderer, mostLines, height);
   this->Lines = static_cast<int>(std::ceil(height / scale.Pixels));
   this->Columns = static_cast<int>(std::ceil(width / scale.Pixels));
@@ -115,7 +96,6 @@ bool RendererView::Read(vtkRenderer* renderer, int mostLines, const SceneParts& 
   };
   this->Known.emplace(projectionOf(parts.OfHideable()));
   this->KnownOfViewAlone.emplace(projectionOf(parts.OfViewAlone()));
-  return true;
 }
 
 }

@@ -23,10 +23,10 @@ public:
   SampleGrid Samples;
 
   /**
+   * Reads the view of a renderer that has pixels, and a camera of VTK's own class.
    * @param mostLines  of the s-buffer
-   * @returns false if it is not known what the renderer will show
    */
-  bool Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts);
+  void Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts);
 
   /** What an s-buffer for the view differs by from others. */
   std::array<float, 5> Shape() const

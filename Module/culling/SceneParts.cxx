@@ -1,9 +1,9 @@
 #include "culling/SceneParts.h"
 
 #include "culling/PartRules.h"
+#include "culling/PropPolicy.h"
 #include "scene/ActorRules.h"
 #include "scene/DrawingMapper.h"
-#include "scene/ScalarColors.h"
 
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
@@ -124,7 +124,10 @@ void SceneParts::Look(std::uint32_t i)
   part.PropTime = prop->GetMTime();
   part.Shader = ShaderPropertyOf(prop);
   part.ShaderTime = part.Shader ? part.Shader->GetMTime() : 0;
-  part.Actor = AsHideable(prop);
+  PropFacts facts;
+  facts.Prop = prop;
+  part.AlwaysDrawnBy = FindPropRow(PropStage::Class, facts);
+  part.Actor = part.AlwaysDrawnBy ? nullptr : static_cast<vtkActor*>(prop);
   const vtkMapper* const mapperBefore = part.Mapper;
   part.Divided = nullptr;
   part.Division.reset();
@@ -134,20 +137,16 @@ void SceneParts::Look(std::uint32_t i)
   {
     return;
   }
-  if (!this->LookAtMapper(part))
+  this->LookAtMapper(part);
+  part.AlwaysDrawnBy = FindPropRow(PropStage::Mapper, FactsOf(part));
+  if (part.AlwaysDrawnBy)
   {
     part.Actor = nullptr;
-    part.PropTime = 0; // there may be one without the actor's knowing
+    part.PropTime = 0; // that may change without the actor's knowing
     return;
   }
-  vtkMapper* const mapper = part.Actor->GetMapper();
-  if (BringTheirTable(mapper, ScalarsOf(mapper, mapper->GetInput())))
-  {
-    part.Actor = nullptr;
-    part.PropTime = 0; // the mapper takes the table without the actor's knowing
-    return;
-  }
-  part.IsOfViewAlone = !MayBeBehindOthers(part.Actor, part.Mapper);
+  part.ViewAloneBy = FindPropRow(PropStage::Depths, FactsOf(part));
+  part.IsOfViewAlone = part.ViewAloneBy != nullptr;
   part.Divided = part.IsOfViewAlone ? nullptr : DividedMapperOf(part.Mapper);
   part.Division = part.Divided ? part.Divided->PartsFor(part.Actor, this->Looks) : nullptr;
   if (!part.Division)
@@ -156,8 +155,8 @@ void SceneParts::Look(std::uint32_t i)
   }
 }
 
-/** Notes by what the actor is drawn, whose data are made then. Returns false if that is not known. */
-bool SceneParts::LookAtMapper(Part& part)
+/** Notes by what the actor is drawn, if that is known. Its data are made then. */
+void SceneParts::LookAtMapper(Part& part)
 {
   part.SurfaceMapper = SurfaceMapperOf(part.Actor);
   part.HasSurfaceMapper = part.SurfaceMapper != nullptr;
@@ -165,7 +164,7 @@ bool SceneParts::LookAtMapper(Part& part)
   part.Mapper = DrawingMapperOf(part.Actor);
   if (!part.Mapper)
   {
-    return false;
+    return;
   }
   const bool hasInput = part.Mapper->GetNumberOfInputConnections(0) > 0;
   part.Producer =
@@ -183,7 +182,20 @@ bool SceneParts::LookAtMapper(Part& part)
   part.InputTime = hasFilter ? part.Input->GetMTime() : 0;
   part.Filter = hasFilter ? part.Mapper->GetInputAlgorithm() : nullptr;
   part.FilterTime = hasFilter ? part.Filter->GetMTime() : 0;
-  return true;
+}
+
+PropFacts SceneParts::FactsOf(const Part& part) const
+{
+  PropFacts facts;
+  facts.Prop = part.Actor;
+  facts.Actor = part.Actor;
+  facts.Mapper = part.Mapper;
+  facts.Division = part.Division.get();
+  facts.Geometry = part.Geometry.get();
+  facts.ToWorld = &part.ToWorld;
+  facts.Sums = &part.Sums;
+  facts.Frame = this->Looks;
+  return facts;
 }
 
 /** Has filters make what the mapper draws, and notes if that is other data than before. */
@@ -200,7 +212,8 @@ void SceneParts::MakeData(Part& part)
 void SceneParts::LookAtData(Part& part, const PartGeometry* before)
 {
   part.Data = part.Mapper->GetInput();
-  if (part.Data)
+  part.AlwaysDrawnBy = FindPropRow(PropStage::Data, FactsOf(part));
+  if (!part.AlwaysDrawnBy)
   {
     part.Geometry = this->GeometryOf(part.Data, before);
     part.DataTime = part.Geometry->TimeOf(part.Data, this->Looks);
@@ -249,14 +262,15 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
 }
 
 /** A prop's part, with all of its pieces. */
-void SceneParts::Mark(std::uint32_t part, std::vector<std::uint8_t>& visible) const
+void SceneParts::Mark(
+  std::uint32_t part, std::vector<std::uint8_t>& visible, std::uint8_t value) const
 {
-  visible[part] = 1;
+  visible[part] = value;
   if (this->HasPieces[part])
   {
     for (const std::uint32_t piece : this->Parts[part].Pieces)
     {
-      visible[piece] = 1;
+      visible[piece] = value;
     }
   }
 }
@@ -290,7 +304,7 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
   std::vector<std::uint8_t> shown;
   for (const std::uint32_t piece : part.Pieces)
   {
-    shown.push_back(visible[piece]);
+    shown.push_back(visible[piece] != IsLeftOut);
   }
   auto told = std::make_shared<const ShownParts>(view, part.Actor, part.Division, std::move(shown));
   part.Divided->Tell(renderer, part.Actor, told);

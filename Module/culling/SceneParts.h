@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,6 +32,10 @@ class vtkTrivialProducer;
 namespace vitrine
 {
 
+class RendererView;
+struct CullingDecision;
+struct PropFacts;
+
 /**
  * The actors of a renderer as parts that hide and are hidden: their boxes in an octree, kept up to date from frame to frame by
  * the times at which they were modified. An actor whose mapper draws parts one by one (DividedMapper.h) is as many parts, and one
@@ -39,6 +44,16 @@ namespace vitrine
 class SceneParts : public OccluderSource
 {
 public:
+  /** Why a part is drawn, as a byte of each part. */
+  enum Showing : std::uint8_t
+  {
+    IsLeftOut = 0,
+    MayShow = 1,     ///< It is in the view, and was not found hidden.
+    MayShineThrough, ///< It was, but lies behind something that is blended.
+    MayBeElsewhere,  ///< It was, but a device may draw it beside its place.
+    FirstKept        ///< Others need it: this and the row of KeepRows().
+  };
+
   /**
    * Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does.
    * @return  false where drawing makes images of textures, so that nothing is known of what it draws
@@ -100,6 +115,12 @@ public:
   /** Whether something is drawn that is blended among what is opaque, of which it is not known where it is: then all parts in the view may show. */
   bool BlendsAnywhere() const;
 
+  /** Whether something is drawn that is blended among what is opaque. */
+  bool BlendsSomewhere() const;
+
+  /** What that is: its class. Of several, one that blends anywhere. */
+  std::string DescribeBlended() const;
+
   /**
    * Has parts show that were found hidden, but lie on the screen where something is that is blended among what is opaque: they may shine through.
    * @param drawn, visible  as above
@@ -112,12 +133,23 @@ public:
 
   /**
    * Has one prop that is translucent show, if there are any and all of them would be left out.
-   * @param visible  as above; 1 is put for the parts of that prop
+   * @param visible  as above; `reason` is put for the parts of that prop
    */
-  void KeepOneTranslucent(std::vector<std::uint8_t>& visible) const;
+  void KeepOneTranslucent(std::vector<std::uint8_t>& visible, std::uint8_t reason) const;
 
   /** Likewise has one prop show, of whatever kind. */
-  void KeepOne(std::vector<std::uint8_t>& visible) const;
+  void KeepOne(std::vector<std::uint8_t>& visible, std::uint8_t reason) const;
+
+  /** What became of a prop in a frame. */
+  struct Fate
+  {
+    const RendererView& View;
+    const std::vector<std::uint8_t>& Visible; ///< at the end of the frame, as Showing
+    const CullingDecision& Decision;
+  };
+
+  /** Why a prop was drawn in the frame of the last update, or that it was not, in words. */
+  std::string Explain(vtkProp* prop, const Fate& fate) const;
 
   Occluder OccluderOf(std::uint32_t part) override;
   void Expect(std::uint32_t part) const override;
@@ -164,17 +196,25 @@ private:
     vtkAlgorithm* Filter = nullptr;
     vtkMTimeType FilterTime = 0;
     PipelineState Pipeline;
+    const PropRow* AlwaysDrawnBy = nullptr; ///< the rule by which it is; null if it may be left out
+    const PropRow* ViewAloneBy = nullptr;   ///< if IsOfViewAlone, the rule by which it is
+    const PropRow* HidesNothingBy =
+      nullptr; ///< a rule by which it hides nothing, whatever the frame
   };
 
   class Shapes;
 
+  PropFacts FactsOf(const Part& part) const;
+  std::string ExplainShown(vtkProp* prop, std::uint32_t part, const Fate& fate) const;
+  const PropRow* FindHidesNothing(const Part& part) const;
+  bool IsOutside(std::uint32_t part, const RendererView& view) const;
   bool IsOpaque(const Part& part) const;
   bool Shows(std::size_t i, const std::vector<std::uint8_t>& visible) const;
   bool MayBeTranslucent(std::uint32_t part) const;
-  void Mark(std::uint32_t part, std::vector<std::uint8_t>& visible) const;
+  void Mark(
+    std::uint32_t part, std::vector<std::uint8_t>& visible, std::uint8_t value = MayShow) const;
   bool IsDrawnApart(const Part& part, const SampleGrid& samples) const;
   Occluder ShapeOf(std::uint32_t part);
-  bool BlendsSomewhere() const;
   bool MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const;
   std::vector<BoxedPart> FindHiddenInView(const ScreenProjection& view, const SampleGrid& samples,
     const std::vector<std::uint8_t>& drawn, const std::vector<std::uint8_t>& visible) const;
@@ -195,7 +235,7 @@ private:
   bool IsUnchanged(std::uint32_t i) const;
   static bool AreDataMadeAlready(const Part& part);
   void Look(std::uint32_t i);
-  bool LookAtMapper(Part& part);
+  void LookAtMapper(Part& part);
   void LookAtData(Part& part, const PartGeometry* before);
   void ReadActor(Part& part);
   static DeviceCoordinates CoordinatesOf(const Part& part);

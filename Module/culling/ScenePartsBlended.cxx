@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace vitrine
@@ -56,15 +57,29 @@ bool SceneParts::BlendsAnywhere() const
 bool SceneParts::BlendsSomewhere() const
 {
   return std::any_of(this->Drawn.begin(), this->Drawn.end(),
-    [&](std::uint32_t part) { return this->Blends[part].MayBlend; });
+    [&](std::uint32_t part) { return this->Blends[part].Why != nullptr; });
+}
+
+std::string SceneParts::DescribeBlended() const
+{
+  const Blending* found = nullptr;
+  std::string description;
+  for (const std::uint32_t part : this->Drawn)
+  {
+    const Blending& blends = this->Blends[part];
+    if (blends.Why && (!found || blends.Beside > found->Beside))
+    {
+      found = &blends;
+      description = std::string(this->PropOf[part]->GetClassName()) + ": " + blends.Why->Condition;
+    }
+  }
+  return description;
 }
 
 void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const
 {
-  const std::vector<BoxedPart> hidden = this->BlendsSomewhere()
-    ? this->FindHiddenInView(view, samples, drawn, visible)
-    : std::vector<BoxedPart>();
+  const std::vector<BoxedPart> hidden = this->FindHiddenInView(view, samples, drawn, visible);
   if (hidden.empty())
   {
     return; // bounds take long: pipelines are updated for them
@@ -73,7 +88,7 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   float pixels = 0.0f;
   for (const std::uint32_t part : this->Drawn)
   {
-    if (this->Blends[part].MayBlend)
+    if (this->Blends[part].Why)
     {
       pixels = std::max(pixels, this->Blends[part].Beside);
       AddRectangleOf(this->PropOf[part], this->Middle, view, blended);
@@ -83,8 +98,11 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   for (const BoxedPart& part : hidden)
   {
     const ScreenRectangle own = view.RectangleOf(part.Bounds).value_or(Everywhere);
-    visible[part.Part] = std::any_of(blended.begin(), blended.end(),
-      [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle, beside); });
+    if (std::any_of(blended.begin(), blended.end(),
+          [&](const ScreenRectangle& rectangle) { return Overlap(own, rectangle, beside); }))
+    {
+      visible[part.Part] = MayShineThrough;
+    }
   }
 }
 

@@ -22,7 +22,7 @@ bool SceneParts::HasOthersThanParts() const
   return false;
 }
 
-void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
+void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible, std::uint8_t reason) const
 {
   std::optional<std::uint32_t> leftOut;
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
@@ -41,11 +41,11 @@ void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible) const
   }
   if (leftOut)
   {
-    this->Mark(*leftOut, visible);
+    this->Mark(*leftOut, visible, reason);
   }
 }
 
-void SceneParts::KeepOne(std::vector<std::uint8_t>& visible) const
+void SceneParts::KeepOne(std::vector<std::uint8_t>& visible, std::uint8_t reason) const
 {
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
@@ -56,7 +56,7 @@ void SceneParts::KeepOne(std::vector<std::uint8_t>& visible) const
   }
   if (!this->Drawn.empty())
   {
-    this->Mark(this->Drawn.front(), visible);
+    this->Mark(this->Drawn.front(), visible, reason);
   }
 }
 

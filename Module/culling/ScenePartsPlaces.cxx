@@ -4,6 +4,7 @@
 
 #include "Core/culling/screen/DeviceModel.h"
 #include "culling/PartRules.h"
+#include "culling/PropPolicy.h"
 #include "scene/Matrices.h"
 
 #include "vtkActor.h"
@@ -27,17 +28,8 @@ namespace
 // A tree is built anew once more than one part in so many has been put into it, or moved.
 const std::size_t FewOf = 16;
 
-// Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
-const double FarthestSum = 1e15;
-
 // Boxes are put around the middle of parts that are farther from the origin than so many times their size.
 const double FarOff = 1000.0;
-
-/** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
-bool IsAffine(const glm::dmat4& m)
-{
-  return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
-}
 }
 
 /** Notes where the actor stands, and whether anything of it may hide. */
@@ -50,10 +42,16 @@ void SceneParts::ReadActor(Part& part)
   part.FromWorld = glm::inverse(part.ToWorld);
   part.HasTextures =
     part.Actor->GetTexture() || part.Actor->GetProperty()->GetNumberOfTextures() > 0;
-  part.IsOpaque = vitrine::IsOpaque(part.Actor);
-  part.MayHide = IsAffine(part.ToWorld) && IsOpaqueSurface(part.Actor);
+  const PropFacts facts = FactsOf(part);
+  part.HidesNothingBy = FindPropRow(PropStage::Opacity, facts);
+  part.IsOpaque = !part.HidesNothingBy;
+  if (part.IsOpaque)
+  {
+    part.HidesNothingBy = FindPropRow(PropStage::Surface, facts);
+  }
+  part.MayHide = !part.HidesNothingBy && IsAffine(part.ToWorld);
   part.HasBackFaces = !part.Actor->GetProperty()->GetBackfaceCulling();
-  part.IsWireframe = part.Actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME;
+  part.IsWireframe = vitrine::IsWireframe(part.Actor);
 }
 
 /** Of a part that is a prop. */
@@ -76,7 +74,8 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
   part.MayHide = part.MayHide && part.Geometry->IsFinite();
   const glm::dvec3& least = part.Geometry->Least();
   const glm::dvec3& greatest = part.Geometry->Greatest();
-  if (!part.Geometry->IsFinite() || !IsAffine(part.ToWorld) || !(least.x <= greatest.x))
+  part.AlwaysDrawnBy = FindPropRow(PropStage::Place, FactsOf(part));
+  if (part.AlwaysDrawnBy)
   {
     part.Growth = 0.0f;
     return Box();
@@ -94,7 +93,8 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
     part.Drawn.InWorld += direction * (std::abs(drawn.Origin[axis]) + drawn.Farthest[axis]);
   }
   part.Sums += RoundingOfDoubles * part.Drawn.InWorld;
-  if (!(std::max(part.Sums.x, std::max(part.Sums.y, part.Sums.z)) <= FarthestSum))
+  part.AlwaysDrawnBy = FindPropRow(PropStage::Distance, FactsOf(part));
+  if (part.AlwaysDrawnBy)
   {
     return Box();
   }
@@ -126,12 +126,13 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
   }
   if (!part.Actor || part.Division)
   {
+    part.AlwaysDrawnBy =
+      part.Actor ? FindPropRow(PropStage::Division, FactsOf(part)) : part.AlwaysDrawnBy;
     this->Place(whole, Box(), moved);
   }
   else
   {
-    const bool isPlaced = IsShiftKnown(part.Mapper);
-    this->Place(whole, isPlaced ? this->Read(part, CoordinatesOf(part)) : Box(), moved);
+    this->Place(whole, this->Read(part, CoordinatesOf(part)), moved);
   }
   for (std::size_t i = 0; i < part.Pieces.size(); ++i)
   {
@@ -146,8 +147,12 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
     piece.IsOfViewAlone = part.IsOfViewAlone;
     piece.Data = divided.Data;
     piece.Geometry = divided.Geometry;
-    piece.IsOpaque = part.IsOpaque && divided.MayHide;
+    PropFacts facts;
+    facts.Piece = &divided;
+    const PropRow* const ofPiece = FindPropRow(PropStage::Part, facts);
+    piece.IsOpaque = part.IsOpaque && !ofPiece;
     piece.MayHide = part.MayHide;
+    piece.HidesNothingBy = part.HidesNothingBy ? part.HidesNothingBy : ofPiece;
     this->Place(
       part.Pieces[i], this->Read(piece, { glm::dvec3(0.0), part.Division->Farthest }), moved);
   }

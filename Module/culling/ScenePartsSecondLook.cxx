@@ -107,13 +107,14 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
   std::vector<BoxedPart> hidden = this->FindHiddenInView(view, culler.Samples(), drawn, visible);
   const auto firstShown = std::partition(hidden.begin(), hidden.end(),
     [&](const BoxedPart& part) { return !this->MayShowAnywhere(part, view); });
-  std::for_each(firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = 1; });
+  std::for_each(
+    firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = MayBeElsewhere; });
   hidden.erase(firstShown, hidden.end());
   Shapes shapes(*this, culler.Samples());
   const std::vector<std::uint8_t> stay = culler.StayHidden(hidden, shapes, view);
   for (std::size_t i = 0; i < stay.size(); ++i)
   {
-    visible[hidden[i].Part] = stay[i] ? 0 : 1;
+    visible[hidden[i].Part] = stay[i] ? IsLeftOut : MayBeElsewhere;
   }
 }
 

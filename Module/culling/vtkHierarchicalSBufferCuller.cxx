@@ -3,9 +3,9 @@
 #include "Core/culling/buffer/LinesThatPay.h"
 #include "Core/culling/buffer/SBufferImage.h"
 #include "Core/culling/walk/PartCuller.h"
+#include "culling/CullingPolicy.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
-#include "scene/PassTraits.h"
 
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
@@ -54,23 +54,23 @@ double AspectOf(vtkRenderer* renderer)
   return width > 0 && height > 0 ? static_cast<double>(width) / height : 1.0;
 }
 
-/** Whether what is drawn is blended at its edges with what was drawn before. */
-bool BlendsEdges(vtkRenderWindow* window)
-{
-  return window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
-}
-
 /** Has VTK draw the rest as it does where nothing is left out. */
-void KeepWhatOthersNeed(
-  vtkRenderer* renderer, const vitrine::SceneParts& parts, std::vector<std::uint8_t>& visible)
+void KeepWhatOthersNeed(const vitrine::FrameFacts& facts, std::vector<std::uint8_t>& visible)
 {
-  if (vitrine::PeelsDepth(renderer) || parts.HasOthersThanParts())
+  bool isTranslucentKept = false;
+  std::uint8_t reason = vitrine::SceneParts::FirstKept;
+  for (const vitrine::KeepRow& row : vitrine::KeepRows())
   {
-    parts.KeepOneTranslucent(visible);
-  }
-  if (vitrine::DoesMoreWhereAnyIsDrawn(renderer))
-  {
-    parts.KeepOne(visible);
+    if (!row.IsForTranslucent && row.Applies(facts))
+    {
+      facts.Parts.KeepOne(visible, reason);
+    }
+    else if (row.IsForTranslucent && !isTranslucentKept && row.Applies(facts))
+    {
+      facts.Parts.KeepOneTranslucent(visible, reason);
+      isTranslucentKept = true;
+    }
+    ++reason;
   }
 }
 }
@@ -83,8 +83,14 @@ struct vtkHierarchicalSBufferCuller::State
   std::map<vtkRenderer*, CulledRenderer> Of;
   std::set<std::string> KnownPasses; ///< classes
   vtkHierarchicalSBufferCuller* Owner = nullptr;
+  vitrine::CullingDecision Decision{ vitrine::CullingMode::Off,
+    "no frame has been drawn yet" }; ///< of the last frame
+  vtkWeakPointer<vtkRenderer>
+    Last;                 ///< the renderer of the last frame; null if it had no visible props
+  std::string PropReason; ///< that was told last
 
   CulledRenderer& At(vtkRenderer* renderer);
+  std::string Explain(vtkProp* prop);
 };
 
 /** A culler, made anew for views of another shape. */
@@ -120,7 +126,8 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   ShapedCuller OfSelections;       ///< so that what is known of the last frame stays
   std::vector<std::uint8_t> Drawn; ///< each part
   std::vector<std::uint8_t> Visible;
-  bool HasBuffer = false; ///< of the last frame that was no selection
+  vitrine::RendererView View; ///< of the last frame that something was left out of
+  bool HasBuffer = false;     ///< of the last frame that was no selection
   vtkSmartPointer<vtkImageData> BufferImage;
   std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
 
@@ -176,6 +183,23 @@ vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCulle
   return this->Of.try_emplace(renderer, renderer, this->Owner).first->second;
 }
 
+/** Why a prop was drawn in the last frame, or that it was not. */
+std::string vtkHierarchicalSBufferCuller::State::Explain(vtkProp* prop)
+{
+  if (!prop || !this->Last)
+  {
+    return "not drawn: " + (prop ? this->Decision.Reason : std::string("there is no prop"));
+  }
+  if (this->Decision.Mode == vitrine::CullingMode::Off)
+  {
+    return this->Last->HasViewProp(prop) && prop->GetVisibility()
+      ? "drawn, as nothing is left out of the frame: " + this->Decision.Reason
+      : "not drawn: it is not among the visible props of the last frame";
+  }
+  const CulledRenderer& known = this->At(this->Last);
+  return known.Parts.Explain(prop, { known.View, known.Visible, this->Decision });
+}
+
 vtkHierarchicalSBufferCuller::vtkHierarchicalSBufferCuller()
   : Renderers(std::make_unique<State>())
 {
@@ -192,6 +216,8 @@ void vtkHierarchicalSBufferCuller::ForgetFrame()
       this->NumberOfBufferLines = 0;
   this->NumberOfSpans = this->NumberOfComparisons = 0;
   this->CullTime = 0.0;
+  this->Renderers->Last = nullptr;
+  this->Renderers->Decision = { vitrine::CullingMode::Off, "no prop is visible" };
 }
 
 double vtkHierarchicalSBufferCuller::Cull(
@@ -206,10 +232,7 @@ double vtkHierarchicalSBufferCuller::Cull(
   {
     this->Renderers->At(renderer).HasBuffer = false;
   }
-  if (this->Culling)
-  {
-    this->DropHidden(renderer, propList, listLength);
-  }
+  this->DropHidden(renderer, propList, listLength);
   this->NumberOfDrawnProps = listLength;
   if (!initialized)
   {
@@ -221,14 +244,20 @@ double vtkHierarchicalSBufferCuller::Cull(
   return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
 }
 
-/** Nothing, if nothing is known of the view, or of what is drawn. */
+/** Decides what may be left out, leaves it out, and keeps what VTK needs to draw the rest as it does with all. */
 void vtkHierarchicalSBufferCuller::DropHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
   State::CulledRenderer& known = this->Renderers->At(renderer);
   vitrine::SceneParts& parts = known.Parts;
   known.TakeBack();
-  if (!parts.Update(propList, listLength))
+  const bool areImagesMade = !this->Culling || parts.Update(propList, listLength);
+  const vitrine::FrameFacts facts{ renderer, this->Renderers->KnownPasses, parts, this->Culling,
+    areImagesMade };
+  this->Renderers->Last = renderer;
+  this->Renderers->Decision = vitrine::DecideFrame(facts);
+  const vitrine::CullingMode mode = this->Renderers->Decision.Mode;
+  if (mode == vitrine::CullingMode::Off)
   {
     return;
   }
@@ -236,27 +265,24 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   const int lines = this->BufferLines > 0
     ? this->BufferLines
     : vitrine::LinesThatPay(known.Visible.size(), AspectOf(renderer));
-  vitrine::RendererView view;
-  if (!vitrine::FindBeyondView(renderer, this->Renderers->KnownPasses).empty() ||
-    !view.Read(renderer, lines, parts))
-  {
-    return;
-  }
-  // A selector draws several times, and may want what lies behind a part that cannot be picked.
-  const bool occlusion = !renderer->GetSelector() && !BlendsEdges(renderer->GetRenderWindow()) &&
-    !parts.BlendsAnywhere() && !vitrine::FindsAmbientOcclusion(renderer);
+  vitrine::RendererView& view = known.View;
+  view.Read(renderer, lines, parts);
+  const bool occlusion = mode != vitrine::CullingMode::ViewOnly;
   vitrine::PartCuller& culler =
     (occlusion ? known.OfFrames : known.OfSelections).For(view, known.Visible.size());
   known.Drawn = known.Visible;
   culler.Cull(parts.Tree(), parts, view.Projection(), occlusion, known.Visible);
-  if (occlusion)
+  if (mode == vitrine::CullingMode::AroundBlended)
   {
     parts.ShowBehindBlended(culler.Samples(), view.Projection(), known.Drawn, known.Visible);
+  }
+  if (occlusion)
+  {
     parts.LookAgain(culler, view.Projection(), known.Drawn, known.Visible);
     known.HasBuffer = true;
   }
   parts.DropOutside(view.ProjectionOfViewAlone(), known.Visible);
-  KeepWhatOthersNeed(renderer, parts, known.Visible);
+  KeepWhatOthersNeed(facts, known.Visible);
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();
   this->NumberOfTestedParts = static_cast<int>(culler.Counts().Tested + parts.CountOfViewAlone());
@@ -275,6 +301,27 @@ void vtkHierarchicalSBufferCuller::AddKnownPass(const char* className)
   }
   this->Renderers->KnownPasses.insert(className);
   this->Modified();
+}
+
+int vtkHierarchicalSBufferCuller::GetCullingMode()
+{
+  return static_cast<int>(this->Renderers->Decision.Mode);
+}
+
+const char* vtkHierarchicalSBufferCuller::GetCullingModeAsString()
+{
+  return vitrine::NameOf(this->Renderers->Decision.Mode);
+}
+
+const char* vtkHierarchicalSBufferCuller::GetReason()
+{
+  return this->Renderers->Decision.Reason.c_str();
+}
+
+const char* vtkHierarchicalSBufferCuller::GetReason(vtkProp* prop)
+{
+  this->Renderers->PropReason = this->Renderers->Explain(prop);
+  return this->Renderers->PropReason.c_str();
 }
 
 vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)
@@ -344,4 +391,6 @@ void vtkHierarchicalSBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSpans: " << this->NumberOfSpans << "\n";
   os << indent << "NumberOfComparisons: " << this->NumberOfComparisons << "\n";
   os << indent << "CullTime: " << this->CullTime << "\n";
+  os << indent << "CullingMode: " << this->GetCullingModeAsString() << "\n";
+  os << indent << "Reason: " << this->GetReason() << "\n";
 }

@@ -81,6 +81,38 @@ public:
    */
   void AddKnownPass(const char* className);
 
+  /** What may be left out of a frame: each mode leaves out more than the ones before it. */
+  enum CullingModes
+  {
+    OFF,       ///< Nothing is left out.
+    VIEW_ONLY, ///< Only what lies outside of the view is left out.
+    AROUND_BLENDED, ///< What is hidden is left out, too, unless it may shine through a prop that VTK blends.
+    OCCLUSION ///< All that lies outside of the view or is hidden is left out.
+  };
+
+  ///@{
+  /**
+   * Get what was left out of the last frame: one of CullingModes, or its name, as "view only". Where the culler serves several
+   * renderers, it is that of the renderer that was drawn last. OFF before the first frame, and in frames without visible props.
+   */
+  int GetCullingMode();
+  const char* GetCullingModeAsString();
+  ///@}
+
+  /**
+   * Get why the mode of the last frame was not OCCLUSION. Empty if it was. The string is the culler's, and is good until the
+   * next frame. docs/culling.md lists all reasons.
+   */
+  const char* GetReason();
+
+  /**
+   * Get why a prop was drawn in the last frame, or that it was left out: "visible", "left out: hidden by others",
+   * "left out: outside of the view", or a text that begins with "always drawn: ", "drawn: ", "drawn, as ", or "not drawn: ".
+   * "visible; hides nothing: " is followed by the reason for which others are not hidden by it. It is found out when it is asked
+   * for; the string is the culler's, and is good until the next call.
+   */
+  const char* GetReason(vtkProp* prop);
+
   ///@{
   /**
    * Of the last frame, or of its last renderer or eye: lines of the s-buffer; props that were left to be drawn, and the parts that show of them; parts that

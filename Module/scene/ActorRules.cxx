@@ -55,6 +55,12 @@ vtkMapper* InnermostMapperOf(vtkActor* actor)
   return ofSurface ? ofSurface->GetPolyDataMapper() : mapper;
 }
 
+/** Of a prop that is an actor; may be null. */
+vtkMapper* MapperOf(vtkProp* prop)
+{
+  return static_cast<vtkActor*>(prop)->GetMapper();
+}
+
 /** From VTK 9.2 on, props may stand in coordinates of the room, or of the device. */
 bool StandsInWorld(vtkActor* actor)
 {
@@ -100,14 +106,33 @@ bool IsTrueOfTextures(vtkActor* actor, const Rule& rule)
 }
 }
 
+const std::vector<DrawnElsewhereRow>& DrawnElsewhereRows()
+{
+  static const std::vector<DrawnElsewhereRow> rows = {
+    { "its class is not vtkOpenGLActor itself", "where it is drawn is not known",
+      [](vtkProp* prop) { return !IsExactly<vtkOpenGLActor>(prop); },
+      [](vtkProp* prop) { return std::string(prop->GetClassName()); } },
+    { "it has no mapper", "there is nothing to be hidden",
+      [](vtkProp* prop) { return !MapperOf(prop); } },
+    { "the class of its mapper is not known", "where it draws is not known",
+      [](vtkProp* prop) { return !IsKnownMapper(MapperOf(prop)); },
+      [](vtkProp* prop) { return std::string(MapperOf(prop)->GetClassName()); } },
+    { "it stands in coordinates of the room or of the device (SetCoordinateSystem)",
+      "where that is is not known",
+      [](vtkProp* prop) { return !StandsInWorld(static_cast<vtkActor*>(prop)); } },
+    { "its shaders have code of the user's, or its mapper an observer of UpdateShaderEvent",
+      "they may move or fade it",
+      [](vtkProp* prop) { return HasShaderCode(static_cast<vtkActor*>(prop)); } },
+  };
+  return rows;
+}
+
 vtkActor* AsHideable(vtkProp* prop)
 {
-  vtkActor* actor = IsExactly<vtkOpenGLActor>(prop) ? static_cast<vtkActor*>(prop) : nullptr;
-  if (!actor || !actor->GetMapper() || !IsKnownMapper(actor->GetMapper()))
-  {
-    return nullptr;
-  }
-  return StandsInWorld(actor) && !HasShaderCode(actor) ? actor : nullptr;
+  const std::vector<DrawnElsewhereRow>& rows = DrawnElsewhereRows();
+  const bool isElsewhere = std::any_of(
+    rows.begin(), rows.end(), [prop](const DrawnElsewhereRow& row) { return row.Applies(prop); });
+  return isElsewhere ? nullptr : static_cast<vtkActor*>(prop);
 }
 
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop)

@@ -1,6 +1,9 @@
 #ifndef VITRINE_SCENE_ACTOR_RULES_H
 #define VITRINE_SCENE_ACTOR_RULES_H
 
+#include <string>
+#include <vector>
+
 class vtkActor;
 class vtkMapper;
 class vtkProp;
@@ -9,10 +12,19 @@ class vtkShaderProperty;
 namespace vitrine
 {
 
-/**
- * The prop as an actor that is drawn where its data's points are, so that others or the view can hide it; null for all others: other
- * classes, other mappers, coordinates of the room or the device, shader code of the user's.
- */
+/** A reason for which a prop may be drawn elsewhere than where its data's points are. It is asked only where no row above it applies. */
+struct DrawnElsewhereRow
+{
+  const char* Condition; ///< where it applies, as a clause
+  const char* Why;       ///< as a clause
+  bool (*Applies)(vtkProp*);
+  std::string (*Detail)(vtkProp*) = nullptr; ///< the class that is not known
+};
+
+/** All of them. */
+const std::vector<DrawnElsewhereRow>& DrawnElsewhereRows();
+
+/** The prop as an actor, if no row of DrawnElsewhereRows() applies to it, so that others or the view can hide it; null otherwise. */
 vtkActor* AsHideable(vtkProp* prop);
 
 /** What vtkProp::GetShaderProperty() tells, null where that would make one. */

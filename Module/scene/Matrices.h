@@ -27,6 +27,12 @@ inline glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
   return MatrixOf(matrix->GetData());
 }
 
+/** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
+inline bool IsAffine(const glm::dmat4& m)
+{
+  return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
+}
+
 }
 
 #endif

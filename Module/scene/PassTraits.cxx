@@ -192,22 +192,6 @@ PassTraits FindOfVTK(vtkRenderPass* pass)
   return { IsNotKnown, Opaque, !Translucent, !OfWindow, !Picture };
 }
 
-/** A copy of the camera, by which passes that process images draw, may lack settings, as an explicit projection. */
-bool IsDrawnByAnotherCamera(vtkRenderer* renderer, vtkRenderPass* pass)
-{
-  if (!HasPass(pass, "vtkImageProcessingPass"))
-  {
-    return false;
-  }
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  vtkNew<vtkCamera> copy;
-  copy->DeepCopy(camera);
-  const double aspect = renderer->GetTiledAspectRatio();
-  const auto* own = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
-  const auto* copied = copy->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
-  return !std::equal(own->GetData(), own->GetData() + 16, copied->GetData());
-}
-
 void AddWithDelegates(vtkRenderPass* pass, Passes& all)
 {
   if (std::find(all.begin(), all.end(), pass) ==
@@ -227,21 +211,6 @@ Passes WithDelegates(vtkRenderPass* pass)
   Passes all;
   AddWithDelegates(pass, all);
   return all;
-}
-
-std::string FindBeyondView(vtkRenderPass* root, const std::set<std::string>& known)
-{
-  for (vtkRenderPass* const pass : WithDelegates(root))
-  {
-    const std::string beyond = TraitsOf(pass).Beyond;
-    const bool isUsers = std::any_of(known.begin(), known.end(),
-      [pass](const std::string& name) { return IsOfClass(pass, name.c_str()); });
-    if (!beyond.empty() && !isUsers)
-    {
-      return std::string(pass->GetClassName()) + " " + beyond;
-    }
-  }
-  return {};
 }
 }
 
@@ -289,33 +258,35 @@ bool DrawsOpaqueParts(vtkRenderPass* pass)
   return !AllPasses(pass, [](vtkRenderPass* one) { return !TraitsOf(one).DrawsOpaque; });
 }
 
-std::string FindBeyondView(vtkRenderer* renderer, const std::set<std::string>& known)
+std::string FindPassBeyondView(vtkRenderer* renderer, const std::set<std::string>& known)
 {
-  if (renderer->GetUseShadows())
+  vtkRenderPass* const root = renderer->GetPass();
+  for (vtkRenderPass* const pass : root ? WithDelegates(root) : Passes())
   {
-    return "the renderer draws shadows of what the lights see (UseShadows)";
+    const std::string beyond = TraitsOf(pass).Beyond;
+    const bool isUsers = std::any_of(known.begin(), known.end(),
+      [pass](const std::string& name) { return IsOfClass(pass, name.c_str()); });
+    if (!beyond.empty() && !isUsers)
+    {
+      return std::string(pass->GetClassName()) + " " + beyond;
+    }
   }
-  if (renderer->GetUseHiddenLineRemoval() && renderer->GetUseSSAO())
+  return {};
+}
+
+bool IsDrawnByAnotherCamera(vtkRenderer* renderer)
+{
+  if (!renderer->GetPass() || !HasPass(renderer->GetPass(), "vtkImageProcessingPass"))
   {
-    // Where there is any wireframe, in view or not, VTK leaves ambient occlusion out.
-    return "hidden line removal with ambient occlusion (UseHiddenLineRemoval, UseSSAO)";
+    return false;
   }
-  vtkRenderPass* const pass = renderer->GetPass();
-  if (!pass)
-  {
-    return {};
-  }
-  std::string beyond = FindBeyondView(pass, known);
-  if (beyond.empty() && !DrawsOpaqueParts(pass))
-  {
-    beyond = "the renderer's passes draw nothing opaque";
-  }
-  if (beyond.empty() && IsDrawnByAnotherCamera(renderer, pass))
-  {
-    beyond =
-      "passes that process the picture draw by a copy of the camera, which lacks its projection";
-  }
-  return beyond;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  vtkNew<vtkCamera> copy;
+  copy->DeepCopy(camera);
+  const double aspect = renderer->GetTiledAspectRatio();
+  const auto* own = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  const auto* copied = copy->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  return !std::equal(own->GetData(), own->GetData() + 16, copied->GetData());
 }
 
 bool HasPixelsOfWindow(vtkRenderer* renderer)

@@ -72,11 +72,17 @@ bool AllPasses(vtkRenderPass* pass, const std::function<bool(vtkRenderPass*)>& t
 bool DrawsOpaqueParts(vtkRenderPass* pass);
 
 /**
- * Why the picture of a renderer depends on more than what the camera sees, or why that is not known. Empty if it does
- * not.
+ * Which pass of a renderer has a picture that depends on more than what the camera sees, and why, or that its class is
+ * not known: "vtkEDLShading depends on the bounds of all props". Empty if there is none.
  * @param known  classes of passes of users, whose pictures do not
  */
-std::string FindBeyondView(vtkRenderer* renderer, const std::set<std::string>& known);
+std::string FindPassBeyondView(vtkRenderer* renderer, const std::set<std::string>& known);
+
+/**
+ * Whether passes that process the picture draw by a copy of the camera (vtkImageProcessingPass) that lacks a setting of
+ * it, as an explicit projection.
+ */
+bool IsDrawnByAnotherCamera(vtkRenderer* renderer);
 
 /** Whether all that is opaque is drawn at the samples of the window's pixels. */
 bool HasPixelsOfWindow(vtkRenderer* renderer);
