@@ -49,6 +49,7 @@ int Run(int argc, char* argv[])
   program::AddInfoCommand(app);
   program::AddLightsCommand(app);
   program::AddPaperCommand(app);
+  program::AddReportCommand(app);
   program::AddSortsCommand(app);
   program::AddStabilityCommand(app);
   program::AddViewCommand(app);

@@ -3,8 +3,9 @@
     import vitrine
     vitrine.see_through(plotter)  # or a vtkRenderer, or a vtkRenderWindow
     vitrine.stats(plotter)
+    print(vitrine.report())
 
-see_through() and stats(), and all classes of the VTK module Vitrine::Rendering, beside VTK's own of the package
+see_through(), stats() and report(), and all classes of the VTK module Vitrine::Rendering, beside VTK's own of the package
 vtkmodules.
 """
 
@@ -37,7 +38,8 @@ except ImportError as error:
         "`cmake --build` makes it"
     ) from error
 from .vtkVitrineRendering import *  # noqa: E402,F401,F403
+from ._report import report  # noqa: E402
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
-__all__ += ["SeeThrough", "Stats", "__version__", "see_through", "stats"]
+__all__ += ["SeeThrough", "Stats", "__version__", "report", "see_through", "stats"]

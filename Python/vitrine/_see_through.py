@@ -27,9 +27,16 @@ from .vtkVitrineRendering import (
     vtkTruthTransparencyPass,
 )
 
-METHODS: dict[str, Any] = {
+def _counting_prefix_sum() -> vtkPrefixSumTransparencyPass:
+    counting = vtkPrefixSumTransparencyPass()
+    counting.PredictionOff()
+    return counting
+
+
+METHODS: dict[str, Callable[[], Any]] = {
     "linked-list": vtkLinkedListTransparencyPass,
-    "prefix-sum": vtkPrefixSumTransparencyPass,
+    "prefix-sum": _counting_prefix_sum,
+    "prefix-sum-predicted": vtkPrefixSumTransparencyPass,
     "stencil-routed": vtkStencilRoutedTransparencyPass,
     "truth": vtkTruthTransparencyPass,
 }
@@ -58,15 +65,16 @@ def see_through(
 
     target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. Of the latter two all renderers are taken, and those
         that are added later.
-    method: "linked-list", "prefix-sum", "stencil-routed" for drivers without OpenGL 4.3, or "truth", the slow
+    method: "linked-list"; "prefix-sum", which counts fragments first, or "prefix-sum-predicted", which needs one pass over
+        the geometry where the last frame tells; "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow
         yardstick, composited in float64 on the CPU.
     lights: "clustered" or True, or "deferred", for scenes with many lights. None leaves lighting to VTK's mappers.
     cull: whether parts that others hide are left out (vtkHierarchicalSBufferCuller), in place of the renderer's cullers.
-    color_storage: of the first two methods: "half-float", the default; "compact", which takes two thirds of the memory and
+    color_storage: of linked lists and prefix sums: "half-float", the default; "compact", which takes two thirds of the memory and
         is faster, and exact to 8-bit pictures; or "8-bit", which rounds each fragment.
-    memory_limit: of the first two methods: the largest number of bytes that its fragments may take on the device, for
+    memory_limit: of linked lists and prefix sums: the largest number of bytes that its fragments may take on the device, for
         each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
-    coincidence: of the first two methods and truth: the tolerance within which fragments coincide, as those of mating faces
+    coincidence: of linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those of mating faces
         do, and are composited without an order, in steps of 2^-24 of the window's depth; or a pair of that and a share of the
         fragment's slope of depth per pixel. It takes 4 bytes more a fragment. None is no tolerance.
 
@@ -427,7 +435,7 @@ def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
 
 
 def _only_of(kind: type, method: str, option: str) -> None:
-    if not issubclass(METHODS[method], kind):
+    if not isinstance(METHODS[method](), kind):
         raise ValueError(f"{option} is no option of {method}")
 
 

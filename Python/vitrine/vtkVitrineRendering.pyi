@@ -1,15 +1,27 @@
 # What each class adds to its base; Testing/Python/test_stub.py holds it to the compiled module.
 # As in VTK's own stubs, objects that may be null are not marked. Properties are there with VTK 9.4 and later.
 
-from vtkmodules.vtkCommonCore import vtkInformationIntegerKey, vtkObjectBase
+from vtkmodules.vtkCommonCore import vtkInformationIntegerKey, vtkObject, vtkObjectBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper, vtkCuller, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkCompositePolyDataMapper,
+    vtkCuller,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkGenericOpenGLRenderWindow,
     vtkOpenGLPolyDataMapper,
     vtkOpenGLRenderPass,
     vtkRenderStepsPass,
 )
+
+class vtkDeviceReport(vtkObject):
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkDeviceReport: ...
+    def NewInstance(self) -> vtkDeviceReport: ...
+    @staticmethod
+    def Describe(window: vtkRenderWindow) -> str: ...
 
 class vtkSeeThroughPass(vtkRenderStepsPass):
     @staticmethod

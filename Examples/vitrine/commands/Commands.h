@@ -31,6 +31,9 @@ void AddLightsCommand(CLI::App& app);
 /** `vitrine paper`: the papers' scenes, and frame rates beside theirs. */
 void AddPaperCommand(CLI::App& app);
 
+/** `vitrine report`: the device, and what each method does there, for a bug report. */
+void AddReportCommand(CLI::App& app);
+
 /** `vitrine sorts`: the sorts of short lists side by side, on the device. */
 void AddSortsCommand(CLI::App& app);
 

@@ -39,7 +39,13 @@ public:
   vtkBooleanMacro(Prediction, bool);
   ///@}
 
-  const char* GetMethodName() override { return "prefix-sum"; }
+  /**
+   * "prefix-sum-predicted", or "prefix-sum" with PredictionOff().
+   */
+  const char* GetMethodName() override
+  {
+    return this->Prediction ? "prefix-sum-predicted" : "prefix-sum";
+  }
 
 protected:
   vtkPrefixSumTransparencyPass() = default;

@@ -1,0 +1,31 @@
+#include "Version.h"
+#include "commands/Commands.h"
+#include "vtkDeviceReport.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+
+#include <iostream>
+
+namespace program
+{
+
+namespace
+{
+
+void Report()
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(true);
+  std::cout << "Vitrine: " << Version << "\n" << vtkDeviceReport::Describe(window);
+}
+}
+
+void AddReportCommand(CLI::App& app)
+{
+  app
+    .add_subcommand(
+      "report", "Tell what OpenGL and VTK are here, and what each method does with them")
+    ->callback(Report);
+}
+
+}

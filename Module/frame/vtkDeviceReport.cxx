@@ -1,0 +1,172 @@
+#include "vtkDeviceReport.h"
+
+#include "gl/Capabilities.h"
+#include "gl/VitrineOpenGL.h"
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDeferredLightsPass.h"
+#include "vtkLight.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPrefixSumTransparencyPass.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSeeThroughPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkStencilMaskTransparencyPass.h"
+#include "vtkStencilRoutedTransparencyPass.h"
+#include "vtkTruthTransparencyPass.h"
+#include "vtkVersion.h"
+
+#include <sstream>
+#include <string>
+#include <utility>
+
+vtkStandardNewMacro(vtkDeviceReport);
+
+namespace
+{
+
+/** Two translucent plates before an opaque one, in two lights. */
+struct Trial
+{
+  explicit Trial(vtkRenderWindow* window)
+    : Window(window)
+  {
+    this->AddPlate(-1.0, 1.0);
+    this->AddPlate(0.0, 0.5);
+    this->AddPlate(1.0, 0.5);
+    this->Renderer->AutomaticLightCreationOff();
+    for (const double x : { -2.0, 2.0 })
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetPositional(true);
+      light->SetPosition(x, 0.0, 4.0);
+      this->Renderer->AddLight(light);
+    }
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->ResetCamera();
+  }
+
+  ~Trial() { this->Window->RemoveRenderer(this->Renderer); }
+
+  Trial(const Trial&) = delete;
+  void operator=(const Trial&) = delete;
+
+  /** Draws by a pass, and lets go of what it holds. */
+  void Draw(vtkSeeThroughPass* frame)
+  {
+    this->Renderer->SetPass(frame);
+    this->Window->Render();
+    frame->ReleaseGraphicsResources(this->Window);
+    this->Renderer->SetPass(nullptr);
+  }
+
+  vtkRenderWindow* Window;
+  vtkNew<vtkRenderer> Renderer;
+
+private:
+  void AddPlate(double z, double opacity)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> faces;
+    faces->InsertNextCell(4);
+    for (const auto& [x, y] : { std::pair{ -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } })
+    {
+      faces->InsertCellPoint(points->InsertNextPoint(x, y, z));
+    }
+    vtkNew<vtkPolyData> plate;
+    plate->SetPoints(points);
+    plate->SetPolys(faces);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(plate);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(opacity);
+    this->Renderer->AddActor(actor);
+  }
+};
+
+std::string TextOf(unsigned int name)
+{
+  const auto* const text = reinterpret_cast<const char*>(glGetString(name));
+  return text ? text : "?";
+}
+
+void DescribeDevice(vtkRenderWindow* window, std::ostream& os)
+{
+  os << "OpenGL: " << TextOf(GL_RENDERER) << ", " << TextOf(GL_VENDOR) << ", " << TextOf(GL_VERSION)
+     << ", GLSL " << TextOf(GL_SHADING_LANGUAGE_VERSION) << "\n";
+  os << "window: " << window->GetClassName() << ", " << window->GetMultiSamples()
+     << " samples a pixel, " << vitrine::SubpixelBits() << " subpixel bits\n";
+  os << "extensions:";
+  for (const char* const name : { "GL_EXT_shader_framebuffer_fetch",
+         "GL_ARB_fragment_shader_interlock", "GL_ARB_post_depth_coverage", "GL_ARB_clip_control" })
+  {
+    os << " " << name << (vitrine::HasExtension(name) ? " yes," : " no,");
+  }
+  os << " storage blocks of " << vitrine::LargestStorageBlock() << " bytes\n";
+}
+
+void DescribeMethods(Trial& trial, std::ostream& os)
+{
+  const vtkSmartPointer<vtkTransparencyPass> methods[] = {
+    vtkSmartPointer<vtkLinkedListTransparencyPass>::New(),
+    vtkSmartPointer<vtkPrefixSumTransparencyPass>::New(),
+    vtkSmartPointer<vtkStencilMaskTransparencyPass>::New(),
+    vtkSmartPointer<vtkStencilRoutedTransparencyPass>::New(),
+    vtkSmartPointer<vtkTruthTransparencyPass>::New(),
+  };
+  for (const auto& method : methods)
+  {
+    vtkNew<vtkSeeThroughPass> frame;
+    frame->SetTranslucentPass(method);
+    trial.Draw(frame);
+    const std::string reason = frame->GetFallbackReason();
+    os << "method " << method->GetMethodName() << ": "
+       << (reason.empty() ? "works" : "VTK's blending in its place: " + reason) << "\n";
+  }
+}
+
+void DescribeLights(Trial& trial, std::ostream& os)
+{
+  const std::pair<const char*, vtkSmartPointer<vtkClusteredLightsPass>> passes[] = {
+    { "clustered", vtkSmartPointer<vtkClusteredLightsPass>::New() },
+    { "deferred", vtkSmartPointer<vtkDeferredLightsPass>::New() },
+  };
+  for (const auto& [name, lights] : passes)
+  {
+    vtkNew<vtkSeeThroughPass> frame;
+    frame->SetLightingPass(lights);
+    trial.Draw(frame);
+    const std::string reason = lights->GetFallbackReason();
+    os << "lights " << name << ": "
+       << (reason.empty() ? "works" : "VTK's mappers in its place: " + reason) << "\n";
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDeviceReport::Describe(vtkRenderWindow* window)
+{
+  std::ostringstream os;
+  os << "VTK: " << vtkVersion::GetVTKVersion() << "\n";
+  window->SetSize(64, 48);
+  Trial trial(window);
+  window->Render();
+  if (!vtkOpenGLRenderWindow::SafeDownCast(window) || !glGetString(GL_VERSION))
+  {
+    os << "OpenGL: none in a " << window->GetClassName() << "\n";
+    return os.str();
+  }
+  DescribeDevice(window, os);
+  DescribeMethods(trial, os);
+  DescribeLights(trial, os);
+  return os.str();
+}
