@@ -3,6 +3,7 @@
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFXAAFilter.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
@@ -34,8 +35,9 @@ public:
 
 RendererFlags::RendererFlags()
 {
-  this->Shadowed->Draw = [this](const vtkRenderState* s, vtkOpenGLRenderer*)
+  this->Shadowed->Draw = [this](const vtkRenderState* s, vtkOpenGLRenderer* renderer)
   {
+    this->Enter(renderer);
     this->Shadows->GetShadowMapBakerPass()->Render(s);
     this->Shadows->Render(s);
   };
@@ -45,6 +47,7 @@ RendererFlags::RendererFlags()
   {
     if (s->GetPropArrayCount() > 0) // as VTK does
     {
+      this->Enter(renderer);
       this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
       this->Smoothing->Execute(renderer);
     }
@@ -53,7 +56,27 @@ RendererFlags::RendererFlags()
   { renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer()); };
 }
 
-RendererFlags::~RendererFlags() = default;
+RendererFlags::~RendererFlags()
+{
+  this->Leave();
+}
+
+/** Goes on in the window of a renderer, whose context is current. */
+void RendererFlags::Enter(vtkOpenGLRenderer* renderer)
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->Context.LivesIn(window))
+  {
+    this->Leave();
+    this->Context.Hold(window);
+  }
+}
+
+void RendererFlags::Leave()
+{
+  this->Context.Release(
+    [this](vtkOpenGLRenderWindow* window) { this->ReleaseGraphicsResources(window); });
+}
 
 vtkRenderPass* RendererFlags::OpaqueStep(vtkOpenGLRenderer* renderer, vtkRenderPass* plain)
 {
@@ -98,6 +121,7 @@ void RendererFlags::ReleaseGraphicsResources(vtkWindow* window)
   this->Shadows->GetShadowMapBakerPass()->ReleaseGraphicsResources(window);
   this->Shadows->ReleaseGraphicsResources(window);
   this->Smoothing->ReleaseGraphicsResources();
+  this->Context.LetGo();
 }
 
 }

@@ -5,6 +5,7 @@
 #ifndef VITRINE_FRAME_RENDERER_FLAGS_H
 #define VITRINE_FRAME_RENDERER_FLAGS_H
 
+#include "gl/HeldContext.h"
 #include "vtkNew.h"
 
 class vtkOpenGLFXAAFilter;
@@ -41,6 +42,10 @@ public:
 
 private:
   class Step;
+  void Enter(vtkOpenGLRenderer* renderer);
+  void Leave();
+
+  HeldContext Context; ///< of what shadows and smoothing hold
   vtkNew<vtkShadowMapPass> Shadows;
   vtkNew<vtkOpenGLFXAAFilter> Smoothing;
   vtkNew<Step> Shadowed;

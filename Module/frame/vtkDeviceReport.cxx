@@ -32,6 +32,19 @@ vtkStandardNewMacro(vtkDeviceReport);
 namespace
 {
 
+/** Keeps VTK's messages from the output while it lives: what they say is in the report. */
+class ScopedSilence
+{
+public:
+  ScopedSilence() { vtkObject::GlobalWarningDisplayOff(); }
+  ~ScopedSilence() { vtkObject::SetGlobalWarningDisplay(this->Before); }
+  ScopedSilence(const ScopedSilence&) = delete;
+  void operator=(const ScopedSilence&) = delete;
+
+private:
+  int Before = vtkObject::GetGlobalWarningDisplay();
+};
+
 /** Two translucent plates before an opaque one, in two lights. */
 struct Trial
 {
@@ -157,6 +170,7 @@ std::string vtkDeviceReport::Describe(vtkRenderWindow* window)
 {
   std::ostringstream os;
   os << "VTK: " << vtkVersion::GetVTKVersion() << "\n";
+  const ScopedSilence silence;
   window->SetSize(64, 48);
   Trial trial(window);
   window->Render();

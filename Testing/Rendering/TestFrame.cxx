@@ -331,3 +331,25 @@ TEST(Frame, IsLitByItsLightingPass)
   EXPECT_NE(std::string(lights->GetFallbackReason()).find("shadow maps"), std::string::npos);
   EXPECT_STREQ(frame->GetFallbackReason(), "");
 }
+
+// What effects hold is released with the frame, while its window lives; VTK complains where it is not.
+TEST(Frame, ReleasesWhatEffectsHold)
+{
+  FrameScene scene;
+  vtkNew<vtkLight> spot;
+  spot->SetLightTypeToSceneLight();
+  spot->SetPositional(true);
+  spot->SetPosition(2.0, 1.5, 3.0);
+  scene.Renderer->AddLight(spot);
+  scene.Renderer->UseShadowsOn();
+  scene.Renderer->UseFXAAOn();
+  {
+    vtkNew<vtkSeeThroughPass> frame;
+    scene.Renderer->SetPass(frame);
+    scene.Render();
+    scene.Renderer->SetPass(nullptr);
+  }
+  scene.Renderer->UseShadowsOff();
+  scene.Renderer->UseFXAAOff();
+  scene.Render();
+}

@@ -1,6 +1,7 @@
 #include "Version.h"
 #include "commands/Commands.h"
 #include "vtkDeviceReport.h"
+#include "vtkHeadlessRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
@@ -14,6 +15,7 @@ namespace
 
 void Report()
 {
+  vtkHeadlessRenderWindow::InstallOverride();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
   std::cout << "Vitrine: " << Version << "\n" << vtkDeviceReport::Describe(window);

@@ -1,0 +1,48 @@
+"""Effects of VTK's beside each feature: every cell is right, and docs/effects.md says what it is."""
+
+import pathlib
+import re
+import unittest
+
+import matrix
+from vtkmodules.vtkCommonCore import vtkVersion
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "effects.md"
+IS_OF_PAGE = vtkVersion.GetVTKMajorVersion() == 9 and vtkVersion.GetVTKMinorVersion() == 1
+
+
+def rows_of_page():
+    """Cells of the page's table by effect, with the reasons that their numbers stand for."""
+    text = PAGE.read_text(encoding="utf-8")
+    reasons = dict(re.findall(r"^(\d+)\. (.+)$", text, re.M))
+    rows = {}
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == len(matrix.COLUMNS) + 1:
+            rows[cells[0]] = [
+                re.sub(r" \[(\d+)\]$", lambda mark: f": {reasons[mark[1]]}", cell)
+                for cell in cells[1:]
+            ]
+    return rows
+
+
+class Effects(unittest.TestCase):
+    maxDiff = None
+
+
+def check(effect):
+    def test(self):
+        row = matrix.Row(effect)
+        cells = [str(cell) for cell in row.cells()]
+        for column, cell in zip(matrix.COLUMNS, cells):
+            self.assertFalse(cell.startswith("WRONG"), f"{column}: {cell}")
+        if effect.changes:
+            self.assertTrue(row.changes_the_picture(), "the effect has no effect here")
+        if IS_OF_PAGE:
+            self.assertEqual(rows_of_page().get(effect.name), cells, "see matrix.py --update")
+
+    return test
+
+
+for each in matrix.EFFECTS:
+    setattr(Effects, "test_" + re.sub(r"\W+", "_", each.name), check(each))
