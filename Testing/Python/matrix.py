@@ -354,6 +354,7 @@ class Effect:
     apply: Callable[[Scene], None]
     tolerance: int = 1
     changes: bool = True  # the picture of an opaque scene
+    one_stage: bool = False  # VTK draws it otherwise in each window, as it reads memory that nobody has set
 
 
 EFFECTS = (
@@ -364,7 +365,7 @@ EFFECTS = (
     Effect("SSAO, pass", around(vtkSSAOPass, Radius=0.5, Bias=0.01), 2),
     Effect("EDL", around(vtkEDLShading), 2),
     Effect("tone mapping", around(vtkToneMappingPass), 2),
-    Effect("depth of field", around(vtkDepthOfFieldPass), 2),
+    Effect("depth of field", around(vtkDepthOfFieldPass), 2, one_stage=True),
     Effect("shadows, flag", flag("UseShadows")),
     Effect("shadows, pass", shadow_pass),
     Effect("hidden lines, flag", lambda s: (wireframe(s), flag("UseHiddenLineRemoval")(s))[0]),
@@ -396,50 +397,61 @@ def release(render_pass, window):
     render_pass.ReleaseGraphicsResources(window)
 
 
-class Drawing:
-    """A scene with an effect, drawn by features that are switched on."""
+class Stage:
+    """A scene with an effect, in a window."""
 
-    def __init__(self, effect, *, glass, method=None, lights=None, cull=False):
-        scene = Scene()
-        renderer = scene.renderer
-        # VTK 9.1's depth of field is black where the pass is set before the renderer has a window.
-        window = window_with(renderer, size=SIZE)
-        effect.apply(scene)
-        for prop in scene.glass:
-            prop.SetVisibility(glass)
-        if scene.layer is not None:
-            list(scene.layer.GetActors())[1].SetVisibility(glass)
-        window.SetMultiSamples(scene.samples)
-        if scene.layer is not None:
-            window.SetNumberOfLayers(2)
-            window.AddRenderer(scene.layer)
-        scene.on_window(window)
-        chain = renderer.GetPass()
-        renderer.GetCullers().RemoveAllItems()
-        self.culler = vitrine.vtkHierarchicalSBufferCuller() if cull else None
+    def __init__(self, effect):
+        self.scene = Scene()
+        self.window = window_with(self.scene.renderer, size=SIZE)
+        effect.apply(self.scene)
+        self.window.SetMultiSamples(self.scene.samples)
+        if self.scene.layer is not None:
+            self.window.SetNumberOfLayers(2)
+            self.window.AddRenderer(self.scene.layer)
+        self.scene.on_window(self.window)
+        self.chain = self.scene.renderer.GetPass()
+        self.scene.renderer.GetCullers().RemoveAllItems()
+
+    def show_glass(self, shown):
+        for prop in self.scene.glass:
+            prop.SetVisibility(shown)
+        if self.scene.layer is not None:
+            list(self.scene.layer.GetActors())[1].SetVisibility(shown)
+
+    def picture(self):
+        for _ in range(3):  # VTK 9.1's depth of field is black until the window was read once
+            self.window.Render()
+            pixels(self.window)
+        self.window.Render()
+        return self.scene.take(self.window, self.scene.renderer)
+
+    def end(self):
+        if self.chain is not None:
+            release(self.chain, self.window)
+        self.scene.renderer.SetPass(None)
+        self.window.Finalize()
+
+
+class Drawing:
+    """What a stage shows with features that are switched on, and what they say."""
+
+    def __init__(self, stage, *, glass, method=None, lights=None, cull=False):
+        renderer = stage.scene.renderer
+        stage.show_glass(glass)
+        culler = vitrine.vtkHierarchicalSBufferCuller() if cull else None
         if cull:
-            renderer.AddCuller(self.culler)
-        handle = vitrine.see_through(window, method, lights=lights) if method else None
-        for light in self.lights_passes(renderer):
-            light.SetCutOff(0.0)
-        window.Render()
-        window.Render()
-        self.picture = scene.take(window, renderer)
+            renderer.AddCuller(culler)
+        handle = vitrine.see_through(stage.window, method, lights=lights) if method else None
+        if lights:
+            renderer.GetPass().GetLightingPass().SetCutOff(0.0)
+        self.picture = stage.picture()
         self.stats = handle.stats() if handle else None
-        self.mode = self.culler.GetCullingModeAsString() if cull else ""
-        self.culling_reason = self.culler.GetReason() if cull else ""
+        self.mode = culler.GetCullingModeAsString() if cull else ""
+        self.culling_reason = culler.GetReason() if cull else ""
         if handle:
             handle.remove()
-        for render_pass in [chain] if chain is not None else []:
-            release(render_pass, window)
-        renderer.SetPass(None)
-        window.Finalize()
-
-    @staticmethod
-    def lights_passes(renderer):
-        frame = renderer.GetPass()
-        found = frame.GetLightingPass() if isinstance(frame, vitrine.vtkSeeThroughPass) else None
-        return [found] if found is not None else []
+        if cull:
+            renderer.RemoveCuller(culler)
 
 
 def difference(one, other):
@@ -466,10 +478,19 @@ class Row:
 
     def __init__(self, effect):
         self.effect = effect
+        self.shared = Stage(effect) if effect.one_stage else None
 
     @functools.cache
     def drawing(self, **features):
-        return Drawing(self.effect, **features)
+        stage = self.shared or Stage(self.effect)
+        drawing = Drawing(stage, **features)
+        if stage is not self.shared:
+            stage.end()
+        return drawing
+
+    def end(self):
+        if self.shared is not None:
+            self.shared.end()
 
     def wrong(self, what, one, other, tolerance=0):
         """A cell that says what differs, or None."""
@@ -516,7 +537,7 @@ class Row:
 
     @staticmethod
     def culled(drawing):
-        kind = {"Off": "off", "ViewOnly": "view only"}.get(drawing.mode, "same")
+        kind = drawing.mode if drawing.mode in ("off", "view only") else "same"
         return Cell(kind, drawing.culling_reason if kind != "same" else "")
 
     def all_three(self):
@@ -535,7 +556,7 @@ class Row:
         return (self.transparency(), self.lights(), self.culler(), self.all_three())
 
     def changes_the_picture(self):
-        bare = Drawing(Effect("nothing", lambda scene: None), glass=False)
+        bare = Row(Effect("nothing", lambda scene: None)).drawing(glass=False)
         return difference(bare.picture, self.drawing(glass=False).picture)[1] != 0
 
 
@@ -546,12 +567,13 @@ def table(names=()):
     for effect in EFFECTS:
         if names and effect.name not in names:
             continue
-        cells = []
-        for cell in Row(effect).cells():
+        row, cells = Row(effect), []
+        for cell in row.cells():
             mark = ""
             if cell.reason:
                 mark = f" [{reasons.setdefault(cell.reason, len(reasons) + 1)}]"
             cells.append(cell.kind + mark)
+        row.end()
         lines.append(f"| {effect.name} | " + " | ".join(cells) + " |")
     lines.append("")
     lines += [f"{number}. {reason}" for reason, number in reasons.items()]

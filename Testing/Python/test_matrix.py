@@ -33,6 +33,7 @@ class Effects(unittest.TestCase):
 def check(effect):
     def test(self):
         row = matrix.Row(effect)
+        self.addCleanup(row.end)
         cells = [str(cell) for cell in row.cells()]
         for column, cell in zip(matrix.COLUMNS, cells):
             self.assertFalse(cell.startswith("WRONG"), f"{column}: {cell}")
