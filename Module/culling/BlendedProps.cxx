@@ -1,7 +1,6 @@
 #include "culling/BlendedProps.h"
 
 #include "culling/PartRules.h"
-#include "culling/PropPolicy.h"
 #include "scene/ActorRules.h"
 
 #include "vtkActor.h"
@@ -37,7 +36,13 @@ Blending BlendingByRules(const PropFacts& facts)
     return {};
   }
   const PropRow* const anywhere = FindPropRow(PropStage::Beside, facts);
-  return anywhere ? Blending{ anywhere, Anywhere } : Blending{ why, 0.0f };
+  return { NumberOf(why), NumberOf(anywhere), anywhere ? Anywhere : 0.0f };
+}
+
+/** Whether VTK draws the actor among what is opaque. */
+bool IsAmongOpaque(vtkActor* actor)
+{
+  return actor->GetForceOpaque() || !actor->HasTranslucentPolygonalGeometry();
 }
 
 /** Whether it is not made of other props that it tells. */
@@ -55,7 +60,7 @@ Blending BlendingOfAll(vtkPropCollection* parts)
   while (vtkProp* part = parts->GetNextProp(place))
   {
     const Blending one = BlendingOf(part);
-    if (one.Why && (!all.Why || one.Beside > all.Beside))
+    if (all.IsLessThan(one))
     {
       all = one;
     }
@@ -95,12 +100,13 @@ Blending BlendingOf(vtkActor* actor, bool areTexturesOpaque)
   }
   facts.Actor = actor;
   facts.AreTexturesOpaque = areTexturesOpaque;
-  const Blending blending = BlendingByRules(facts);
-  if (!blending.Why || (!actor->GetForceOpaque() && actor->HasTranslucentPolygonalGeometry()))
+  Blending blending = BlendingByRules(facts);
+  if (!blending.MayBlend() || !IsAmongOpaque(actor))
   {
     return {};
   }
-  return { blending.Why, std::max(blending.Beside, MostGrowthOf(actor)) };
+  blending.Beside = std::max(blending.Beside, MostGrowthOf(actor));
+  return blending;
 }
 
 Blending BlendingOf(vtkProp* prop)
@@ -116,7 +122,7 @@ Blending BlendingOf(vtkProp* prop)
   PropFacts facts;
   facts.Prop = prop;
   const Blending blending = BlendingByRules(facts);
-  return blending.Why || IsWhole(prop) ? blending : BlendingOfParts(prop);
+  return blending.MayBlend() || IsWhole(prop) ? blending : BlendingOfParts(prop);
 }
 
 }

@@ -123,6 +123,7 @@ PartGeometry::PartGeometry(vtkPolyData* data, const PartGeometry* before)
   , Living(data)
   , Low(std::numeric_limits<double>::infinity())
   , High(-std::numeric_limits<double>::infinity())
+  , HasPolygons(data->GetNumberOfPolys() > 0)
   , HasVertsOrLines(data->GetNumberOfVerts() > 0 || data->GetNumberOfLines() > 0)
   , HasStrips(data->GetNumberOfStrips() > 0)
   , HasGhostCells(HasGhosts(data))
@@ -217,7 +218,8 @@ const OccluderMesh& PartGeometry::Occluder(vtkPolyData* data, vtkMTimeType frame
 void PartGeometry::BuildMesh(vtkPolyData* data)
 {
   this->History.MarkRead();
-  const MeshTriangles triangles = this->HasGhostCells ? MeshTriangles() : this->TrianglesFrom(data);
+  const MeshTriangles triangles =
+    this->HasSurePolygons() ? this->TrianglesFrom(data) : MeshTriangles();
   this->Mesh = std::make_unique<OccluderMesh>(triangles.Points, triangles.Corners);
   const bool hasMany = this->Mesh->PointCount() > FewPointsOfAMesh;
   if (hasMany && this->IsOfFacesAlone())

@@ -76,6 +76,9 @@ public:
   /** Whether there are vertices or lines, which are drawn wider than they are. */
   bool HasThinCells() const { return this->HasVertsOrLines; }
 
+  /** Whether there are polygons, all of which are sure to be drawn. Otherwise Occluder() has none. */
+  bool HasSurePolygons() const { return this->HasPolygons && !this->HasGhostCells; }
+
   /** Whether nothing but polygons is drawn. */
   bool IsOfFacesAlone() const { return !this->HasVertsOrLines && !this->HasStrips; }
 
@@ -87,9 +90,6 @@ public:
 
   /** Its triangles and convex polygons as an occluder; built when first asked for, by whichever of several threads. `data` is current. */
   const OccluderMesh& Occluder(vtkPolyData* data, vtkMTimeType frame);
-
-  /** Whether the occluder is built, and has no faces. */
-  bool HasNoOccluder() const { return this->Mesh && this->Mesh->PointCount() == 0; }
 
   /** Around the faces of the occluder, once that is built; null if they are few, or if more is drawn than them. */
   const MeshBoxes* Boxes() const { return this->BoxesOfMesh.get(); }
@@ -116,6 +116,7 @@ private:
   vtkWeakPointer<vtkPolyData> Living;      ///< the data; null once they are gone
   glm::dvec3 Low, High;
   bool AreAllFinite = true;
+  bool HasPolygons = true;
   bool HasVertsOrLines = false;
   bool HasStrips = false;
   bool HasGhostCells = false; ///< which may not be drawn

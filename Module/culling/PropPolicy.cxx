@@ -32,7 +32,8 @@ namespace vitrine
 namespace
 {
 
-// Of the sums that lead to world coordinates: farther away, their products with a view's matrix may be more than floats hold.
+// Of the sums that lead to world coordinates. Farther away, their products with a view's matrix may be more than floats
+// hold.
 const double FarthestSum = 1e15;
 
 bool IsComposite(vtkMapper* mapper)
@@ -47,7 +48,10 @@ bool KeepsToItsBounds(vtkMapper* mapper)
     IsExactlyOfClass(mapper, "vtkOpenGLGlyph3DMapper");
 }
 
-/** Mappers whose colours VTK knows to be opaque, and that blend all the same: splats, which fade, and those that draw what they like among what is opaque, as labels of contours, or edges of graphs. */
+/**
+ * Mappers whose colours VTK knows to be opaque, and that blend all the same: splats, which fade, and those that draw
+ * what they like among what is opaque, as labels of contours, or edges of graphs.
+ */
 bool BlendsByItself(vtkMapper* mapper)
 {
   const std::array<const char*, 4> others{ "vtkPolyDataMapper", "vtkDataSetMapper",
@@ -89,7 +93,10 @@ bool IsOpaqueText(vtkProp* prop)
   return input && *input && !text->HasTranslucentPolygonalGeometry();
 }
 
-/** Whether there is any text, which is an image with an alpha, among what is opaque. Where it is is not known: of those that look at the eye nobody but VTK must ask, since that turns them. */
+/**
+ * Whether there is any text, which is an image with an alpha, among what is opaque. Where it is is not known: of those
+ * that look at the eye nobody but VTK must ask, since that turns them.
+ */
 bool IsOpaqueText(vtkProp* prop)
 {
   return IsOpaqueText<vtkTextActor3D>(prop) || IsOpaqueText<vtkBillboardTextActor3D>(prop) ||
@@ -225,23 +232,23 @@ std::vector<PropRow> MakeRows()
     { PropStage::Frame, PropEffect::HidesNothing, "it is marked by NON_OCCLUDING()",
       "the user says so", [](Facts facts) { return IsNonOccluding(facts.Actor); } },
     { PropStage::Frame, PropEffect::HidesNothing,
-      "none of its faces hides: it has lines, points, strips, ghost cells or concave polygons "
-      "alone",
-      "they are not read",
-      [](Facts facts) { return facts.Geometry && facts.Geometry->HasNoOccluder(); } },
+      "it has no polygons, or has ghost cells or points", "nothing else is sure to cover anything",
+      [](Facts facts) { return facts.Geometry && !facts.Geometry->HasSurePolygons(); } },
     { PropStage::Hidden, PropEffect::ViewAlone, "its representation is a wireframe",
       "lines go on beyond their ends, at any depth",
       [](Facts facts) { return IsWireframe(facts.Actor); } },
     { PropStage::Hidden, PropEffect::ViewAlone, "its data change in most frames",
       "to read them takes longer than to draw them",
       [](Facts facts) { return facts.Geometry->IsRestless(facts.Frame); } },
-    { PropStage::Blending, PropEffect::Blends, "it is a text (ForceOpaqueOn)",
+    { PropStage::Blending, PropEffect::Blends,
+      "it is a text that VTK draws among what is opaque (ForceOpaqueOn)",
       "a text is an image with an alpha",
       [](Facts facts) { return !facts.Actor && IsOpaqueText(facts.Prop); } },
     { PropStage::Blending, PropEffect::Blends, "it is the floor below a vtkSkybox",
       "it fades towards the horizon",
       [](Facts facts) { return !facts.Actor && IsFloorBelowSky(facts.Prop); } },
-    { PropStage::Blending, PropEffect::Blends, "it is an image (vtkImageSlice, vtkImageActor)",
+    { PropStage::Blending, PropEffect::Blends,
+      "it is an image that VTK draws among what is opaque (vtkImageSlice, vtkImageActor)",
       "images have an alpha, and fade where they end",
       [](Facts facts) { return !facts.Actor && IsOpaqueImage(facts.Prop); } },
     { PropStage::Blending, PropEffect::Blends,
@@ -277,19 +284,18 @@ std::vector<PropRow> MakeRows()
         return facts.Actor && facts.Actor->GetMapper() && BlendsByItself(facts.Actor->GetMapper());
       },
       MapperOf },
-    { PropStage::Beside, PropEffect::BlendsAnywhere, "it is such a text",
+    { PropStage::Beside, PropEffect::BlendsAnywhere, "it blends, and is a text",
       "it turns towards the eye",
       [](Facts facts) { return !facts.Actor && IsOpaqueText(facts.Prop); } },
-    { PropStage::Beside, PropEffect::BlendsAnywhere, "it is such a floor",
-      "it is as wide as the sky",
+    { PropStage::Beside, PropEffect::BlendsAnywhere,
+      "it blends, and is the floor below a vtkSkybox", "it is as wide as the sky",
       [](Facts facts) { return !facts.Actor && IsFloorBelowSky(facts.Prop); } },
     { PropStage::Beside, PropEffect::BlendsAnywhere,
-      "it is such an image, and has a border or background, or is a vtkImageStack",
+      "it blends, and is an image with a border or background, or a vtkImageStack",
       "it is wider than its bounds",
       [](Facts facts) { return !facts.Actor && IsWiderThanItsBounds(facts.Prop); } },
     { PropStage::Beside, PropEffect::BlendsAnywhere,
-      "any of these applies to an actor whose mapper's class is not known",
-      "it may draw beside its bounds",
+      "it blends, and the class of its mapper is not known", "it may draw beside its bounds",
       [](Facts facts) {
         return facts.Actor && facts.Actor->GetMapper() &&
           !KeepsToItsBounds(facts.Actor->GetMapper());
@@ -340,6 +346,11 @@ const std::vector<PropRow>& PropRows()
 {
   static const std::vector<PropRow> rows = MakeRows();
   return rows;
+}
+
+std::uint8_t NumberOf(const PropRow* row)
+{
+  return row ? static_cast<std::uint8_t>(row - PropRows().data()) : NoPropRow;
 }
 
 const PropRow* FindPropRow(PropStage stage, const PropFacts& facts)

@@ -12,6 +12,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -40,7 +41,7 @@ enum class PropEffect
 /** What the effect is, as a clause: "it is always drawn". */
 const char* EffectOf(PropEffect effect);
 
-/** When a rule is asked: as soon as what it looks at is known of a prop, and its rules of earlier stages do not apply. */
+/** When a rule is asked: as soon as what it looks at is known of a prop. No rule of an earlier stage applies then. */
 enum class PropStage
 {
   Class,    ///< by the prop alone
@@ -89,6 +90,12 @@ struct PropRow
 
 /** All rules for props. */
 const std::vector<PropRow>& PropRows();
+
+/** Stands for no rule where one is told by its number. */
+constexpr std::uint8_t NoPropRow = 255;
+
+/** The rule's place in PropRows(); NoPropRow of null. */
+std::uint8_t NumberOf(const PropRow* row);
 
 /** The first rule of a stage that applies; null if none does. */
 const PropRow* FindPropRow(PropStage stage, const PropFacts& facts);

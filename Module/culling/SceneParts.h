@@ -118,7 +118,7 @@ public:
   /** Whether something is drawn that is blended among what is opaque. */
   bool BlendsSomewhere() const;
 
-  /** What that is: its class. Of several, one that blends anywhere. */
+  /** What that is: its class and the reason; of several, of one that has most of the screen drawn. There is one. */
   std::string DescribeBlended() const;
 
   /**

@@ -2,6 +2,7 @@
 #include "culling/SceneParts.h"
 
 #include "Core/culling/screen/ScreenProjection.h"
+#include "culling/PropPolicy.h"
 
 #include "vtkMath.h"
 #include "vtkProp.h"
@@ -57,23 +58,17 @@ bool SceneParts::BlendsAnywhere() const
 bool SceneParts::BlendsSomewhere() const
 {
   return std::any_of(this->Drawn.begin(), this->Drawn.end(),
-    [&](std::uint32_t part) { return this->Blends[part].Why != nullptr; });
+    [&](std::uint32_t part) { return this->Blends[part].MayBlend(); });
 }
 
 std::string SceneParts::DescribeBlended() const
 {
-  const Blending* found = nullptr;
-  std::string description;
-  for (const std::uint32_t part : this->Drawn)
-  {
-    const Blending& blends = this->Blends[part];
-    if (blends.Why && (!found || blends.Beside > found->Beside))
-    {
-      found = &blends;
-      description = std::string(this->PropOf[part]->GetClassName()) + ": " + blends.Why->Condition;
-    }
-  }
-  return description;
+  const auto found = std::max_element(this->Drawn.begin(), this->Drawn.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return this->Blends[a].IsLessThan(this->Blends[b]); });
+  const Blending& blends = this->Blends[*found];
+  const std::vector<PropRow>& rows = PropRows();
+  return std::string(this->PropOf[*found]->GetClassName()) + ": " + rows[blends.Why].Condition +
+    (blends.Anywhere == NoPropRow ? "" : std::string("; ") + rows[blends.Anywhere].Why);
 }
 
 void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
@@ -88,7 +83,7 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   float pixels = 0.0f;
   for (const std::uint32_t part : this->Drawn)
   {
-    if (this->Blends[part].Why)
+    if (this->Blends[part].MayBlend())
     {
       pixels = std::max(pixels, this->Blends[part].Beside);
       AddRectangleOf(this->PropOf[part], this->Middle, view, blended);

@@ -3,6 +3,7 @@
 #include "Core/culling/buffer/LinesThatPay.h"
 #include "Core/culling/buffer/SBufferImage.h"
 #include "Core/culling/walk/PartCuller.h"
+#include "culling/CullingLimits.h"
 #include "culling/CullingPolicy.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
@@ -226,7 +227,8 @@ double vtkHierarchicalSBufferCuller::Cull(
   const auto start = std::chrono::steady_clock::now();
   this->ForgetFrame();
   this->NumberOfDrawnParts = listLength;
-  // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden beside them.
+  // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden
+  // beside them.
   const double total = initialized ? SumOfMultipliers(propList, listLength) : listLength;
   if (!renderer->GetSelector())
   {
@@ -322,6 +324,11 @@ const char* vtkHierarchicalSBufferCuller::GetReason(vtkProp* prop)
 {
   this->Renderers->PropReason = this->Renderers->Explain(prop);
   return this->Renderers->PropReason.c_str();
+}
+
+std::string vtkHierarchicalSBufferCuller::DescribeLimits()
+{
+  return vitrine::LimitsAsMarkdown();
 }
 
 vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)

@@ -2,34 +2,27 @@
  * @class   vtkHierarchicalSBufferCuller
  * @brief   leaves out the actors that others hide, without changing a pixel
  *
- * Added to a renderer like any other culler. It leaves out what lies outside of the view, too, so that VTK's own need not
- * stand before it, which takes longer:
+ * It is added to a renderer like any other culler. It leaves out what lies outside of the view, too, so that VTK's own
+ * need not stand before it, which takes longer:
  *
  *     vtkNew<vtkHierarchicalSBufferCuller> culler;
  *     renderer->GetCullers()->RemoveAllItems();
  *     renderer->AddCuller(culler);
  *
- * An octree of the actors' bounding boxes is walked from front to back. What lies outside of the view or wholly behind what is
- * drawn in front is left out of the frame. Cover is kept in an s-buffer; a line stands for all
- * pixels in it, and counts as covered only where an occluder surely covers all of their samples.
+ * An octree of the actors' bounding boxes is walked from front to back. What lies outside of the view or wholly behind
+ * what is drawn in front is left out of the frame. Cover is kept in an s-buffer. A line of it stands for all pixels in
+ * it, and counts as covered only where an occluder surely covers all of their samples.
  *
- * What hides: opaque surfaces that vtkPolyDataMapper draws from triangles and convex polygons, with no shader code of the user's, no
- * clipping planes, no texture but one of plain colours. What is hidden: all actors of that mapper. Blocks of
- * vtkCulledCompositePolyDataMapper and pieces of vtkCulledPolyDataMapper hide and are hidden one by one. Everything else is left to
- * the renderer as it is: 2D actors, volumes, assemblies, followers, levels of detail, mappers of other classes, actors in
- * coordinates of the room or the device, geometry that is not finite.
+ * Opaque surfaces that vtkPolyDataMapper draws hide others. Actors of that mapper are hidden, and so are blocks of
+ * vtkCulledCompositePolyDataMapper and pieces of vtkCulledPolyDataMapper, one by one. All other props are drawn as
+ * always. GetCullingMode() and GetReason() tell what keeps the culler from leaving out all that is hidden, and
+ * GetReason(prop) why a prop is drawn. docs/culling.md lists all that they may tell.
  *
- * While a selector renders, only what lies outside of the view is left out. In a view of a camera of another class, while stereo
- * rendering is being switched, with UseShadowsOn(), below a pass that may look beyond the view (vtkEDLShading, blurs) or is of a class that is not known, derived ones included, and where
- * passes draw no opaque parts, nothing is, nor in frames in which drawing makes images of textures. Wireframes are left out only outside of the view, and so is everything in windows that smooth lines, points or polygons, and with ambient
- * occlusion (UseSSAOOn()).
- * Where something is on the screen that VTK blends among what is opaque (ForceOpaqueOn()), all parts are drawn.
+ * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the
+ * same. The order of actors does not change. Culled actors build no buffers until they show.
  *
- * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the same.
- *
- * The order of actors does not change. Culled actors build no buffers until they show.
- *
- * A. V. Boreskov: hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993.
+ * A. V. Boreskov: hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH
+ * 1993.
  */
 #ifndef vtkHierarchicalSBufferCuller_h
 #define vtkHierarchicalSBufferCuller_h
@@ -38,6 +31,7 @@
 #include "vtkVitrineRenderingModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for texts
 
 class vtkImageData;
 class vtkInformationIntegerKey;
@@ -50,7 +44,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whether anything is left out. On by default. */
+  /** Set/Get whether anything is left out. Default is on. */
   vtkSetMacro(Culling, bool);
   vtkGetMacro(Culling, bool);
   vtkBooleanMacro(Culling, bool);
@@ -58,16 +52,17 @@ public:
 
   ///@{
   /**
-   * How many lines the s-buffer has at most, up to 4096. A viewport of fewer pixels has a line for each, or several if pixels have several samples. More lines hide more, and take longer: they pay
-   * where there are many parts. So 0, the default, stands for 270 lines, 540 from 16,384 parts on, and 1,080 from twice as many on.
+   * Set/Get how many lines the s-buffer has at most, 0 to 4096. A viewport of fewer pixels has a line for each, or
+   * several if pixels have several samples. More lines hide more, and take longer: they pay where there are many parts.
+   * Default is 0, which stands for 270 lines, 540 from 16,384 parts on, and 1,080 from twice as many on.
    */
   vtkSetClampMacro(BufferLines, int, 0, 4096);
   vtkGetMacro(BufferLines, int);
   ///@}
 
   /**
-   * A key of props: those with a value other than 0 are culled like others, but hide nothing. It is asked for in each frame. Each
-   * prop needs keys of its own, since passes write there:
+   * A key of props: those with a value other than 0 are culled like others, but hide nothing. It is asked for in each
+   * frame. Each prop needs keys of its own, since passes write there:
    *
    *     vtkNew<vtkInformation> keys;
    *     keys->Set(vtkHierarchicalSBufferCuller::NON_OCCLUDING(), 1);
@@ -76,8 +71,9 @@ public:
   static vtkInformationIntegerKey* NON_OCCLUDING();
 
   /**
-   * Says that passes of a class, which is derived from one of VTK's or Vitrine's, draw what that one draws: with its depth test, no more than the camera sees, and into pixels no larger than the window's. Below passes of
-   * other classes than theirs that are not known nothing is left out.
+   * Say that passes of a class, which is derived from one of VTK's or Vitrine's, draw what that one draws: with its
+   * depth test, no more than the camera sees, and into pixels no larger than the window's. Nothing is left out below
+   * passes of other classes that are not known.
    */
   void AddKnownPass(const char* className);
 
@@ -86,58 +82,81 @@ public:
   {
     OFF,       ///< Nothing is left out.
     VIEW_ONLY, ///< Only what lies outside of the view is left out.
-    AROUND_BLENDED, ///< What is hidden is left out, too, unless it may shine through a prop that VTK blends.
+    AROUND_BLENDED, ///< Hidden parts are left out, too, unless they may shine through a prop that is blended.
     OCCLUSION ///< All that lies outside of the view or is hidden is left out.
   };
 
   ///@{
   /**
-   * Get what was left out of the last frame: one of CullingModes, or its name, as "view only". Where the culler serves several
-   * renderers, it is that of the renderer that was drawn last. OFF before the first frame, and in frames without visible props.
+   * Get what was left out of the last frame: one of CullingModes, or its name, as "view only". Where the culler serves
+   * several renderers, it is that of the renderer that was drawn last. OFF before the first frame, and in frames
+   * without visible props.
    */
   int GetCullingMode();
   const char* GetCullingModeAsString();
   ///@}
 
   /**
-   * Get why the mode of the last frame was not OCCLUSION. Empty if it was. The string is the culler's, and is good until the
-   * next frame. docs/culling.md lists all reasons.
+   * Get why the mode of the last frame was not OCCLUSION. Empty if it was. The string is the culler's, and is good
+   * until the next frame.
    */
   const char* GetReason();
 
   /**
-   * Get why a prop was drawn in the last frame, or that it was left out: "visible", "left out: hidden by others",
-   * "left out: outside of the view", or a text that begins with "always drawn: ", "drawn: ", "drawn, as ", or "not drawn: ".
-   * "visible; hides nothing: " is followed by the reason for which others are not hidden by it. It is found out when it is asked
-   * for; the string is the culler's, and is good until the next call.
+   * Get why a prop was drawn in the last frame, or that it was left out: "visible", "left out: hidden by others", "left
+   * out: outside of the view", or a text that begins with "always drawn: ", "drawn: ", "drawn, as ", or "not drawn: ".
+   * "visible; hides nothing: " is followed by the reason for which others are not hidden by it. It is found out when it
+   * is asked for. The string is the culler's, and is good until the next call.
    */
   const char* GetReason(vtkProp* prop);
 
-  ///@{
-  /**
-   * Of the last frame, or of its last renderer or eye: lines of the s-buffer; props that were left to be drawn, and the parts that show of them; parts that
-   * were tested, and those that were left out; nodes of the octree that were tested; parts whose cover went into the
-   * s-buffer; spans that it was given, and comparisons of depths there; seconds that all of it took. From 2,048 parts on the
-   * screen is culled in four bands of lines at a time: what lies in several counts in each. A prop is a part, unless
-   * its mapper is vtkCulledCompositePolyDataMapper or vtkCulledPolyDataMapper; where nothing is culled each prop counts as one. In a frame without visible
-   * props all of them are 0.
-   */
-  vtkGetMacro(NumberOfBufferLines, int);
-  vtkGetMacro(NumberOfDrawnProps, int);
-  vtkGetMacro(NumberOfDrawnParts, int);
-  vtkGetMacro(NumberOfTestedParts, int);
-  vtkGetMacro(NumberOfCulledParts, int);
-  vtkGetMacro(NumberOfTestedNodes, int);
-  vtkGetMacro(NumberOfOccluders, int);
-  vtkGetMacro(NumberOfSpans, vtkTypeInt64);
-  vtkGetMacro(NumberOfComparisons, vtkTypeInt64);
-  vtkGetMacro(CullTime, double);
-  ///@}
+  /** Get all reasons as tables of Markdown: where each applies, what it has the culler do, and why. */
+  static std::string DescribeLimits();
 
   /**
-   * What a renderer's s-buffer held at the end of its last frame, of the last eye: floats named "ReversedDepth", as many as it has
-   * columns and lines, the bottom line first. 0 where nothing is sure to cover all of the place; elsewhere 1 minus the greatest
-   * depth that a z-buffer may hold there. Null where that frame was not culled, or by the view alone, or there was none.
+   * Get how many lines the s-buffer of the last frame had. As all counts below it is that of the last renderer, or eye;
+   * it is 0 in frames without visible props.
+   */
+  vtkGetMacro(NumberOfBufferLines, int);
+
+  /** Get how many props were left to be drawn. */
+  vtkGetMacro(NumberOfDrawnProps, int);
+
+  /**
+   * Get how many parts of them were left. A prop is one part, unless its mapper is vtkCulledCompositePolyDataMapper or
+   * vtkCulledPolyDataMapper, and unless nothing is culled.
+   */
+  vtkGetMacro(NumberOfDrawnParts, int);
+
+  /**
+   * Get how many parts were tested. From 2,048 parts on the screen is culled in four bands of lines at a time: what
+   * lies in several counts in each, as it does in the counts below.
+   */
+  vtkGetMacro(NumberOfTestedParts, int);
+
+  /** Get how many parts were left out. Each counts once. */
+  vtkGetMacro(NumberOfCulledParts, int);
+
+  /** Get how many nodes of the octree were tested. */
+  vtkGetMacro(NumberOfTestedNodes, int);
+
+  /** Get how many parts were put into the s-buffer. */
+  vtkGetMacro(NumberOfOccluders, int);
+
+  /** Get how many spans the s-buffer was given. */
+  vtkGetMacro(NumberOfSpans, vtkTypeInt64);
+
+  /** Get how many comparisons of depths that took. */
+  vtkGetMacro(NumberOfComparisons, vtkTypeInt64);
+
+  /** Get the time that the culler took, in seconds. */
+  vtkGetMacro(CullTime, double);
+
+  /**
+   * Get what a renderer's s-buffer held at the end of its last frame, of the last eye: floats named "ReversedDepth", as
+   * many as it has columns and lines, the bottom line first. 0 where nothing is sure to cover all of the place;
+   * elsewhere 1 minus the greatest depth that a z-buffer may hold there. Null where that frame was not culled, or by
+   * the view alone, or where there was none.
    *
    * Each call makes a new image, which the culler holds until the next one.
    */

@@ -1,15 +1,16 @@
 import itertools
 import json
+import pathlib
 import unittest
 
 from program import FileTest, read_png, run
 
 ROW = [
     "input", "parts", "opaque_parts", "drawn", "ideal", "culled_share", "ideal_share", "cull_ms",
-    "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels", "poses",
+    "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels", "props", "poses",
 ]  # fmt: skip
 POSE = [
-    "lines", "drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
+    "mode", "reason", "lines", "drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
 ]  # fmt: skip
 SMALL = ("--size", "120x67", "--poses", "6")
 
@@ -49,6 +50,29 @@ class Cull(FileTest):
                 self.assertEqual((row["parts"], row["opaque_parts"]), (300, 300))
                 self.assertEqual(row["wrong_pixels"], 0)
                 self.assertGreater(row["culled_share"], 0.5 * row["ideal_share"])
+
+    def test_says_why_props_are_drawn(self):
+        (row,) = cull("demo:assembly,parts=300")["results"]
+        counts = {each["reason"]: each["per_frame"] for each in row["props"]}
+        self.assertEqual(list(counts.values()), sorted(counts.values(), reverse=True))
+        self.assertAlmostEqual(sum(counts.values()), 300)
+        left_out = sum(count for reason, count in counts.items() if reason.startswith("left out: "))
+        self.assertAlmostEqual(300 - left_out, row["drawn"])
+        self.assertGreater(counts["left out: hidden by others"], 50)
+        self.assertEqual({(pose["mode"], pose["reason"]) for pose in row["poses"]}, {("occlusion", "")})
+
+    def test_text_says_why(self):
+        told = run("cull", "demo:impostors", "--without-ideal", "--keep-opacity", *SMALL)
+        self.assert_done(told)
+        self.assertRegex(told.stdout.decode(), r"\n  6 frames: \w+")
+        self.assertRegex(told.stdout.decode(), r"\n  \d+\.\d props a frame: \w+")
+
+    def test_docs_have_all_limits(self):
+        told = run("cull", "--limits")
+        self.assert_done(told)
+        docs = (pathlib.Path(__file__).parents[2] / "docs" / "culling.md").read_text()
+        begin, end = (f"<!-- vitrine cull --limits: {mark} -->\n" for mark in ("begin", "end"))
+        self.assertEqual(docs.split(begin)[1].split(end)[0], told.stdout.decode())
 
     def test_poses_may_be_skipped(self):
         all_poses, last = (

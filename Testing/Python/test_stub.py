@@ -46,7 +46,7 @@ def member(cls, name):
         return method(cls, name)
     if inspect.isgetsetdescriptor(value):
         access, getter = re.match(r"(\S+), calls (\w+)", value.__doc__).groups()
-        return f"{access} {method(cls, getter).split('-> ')[1]}"
+        return f"{access} {method(cls, getter).split('-> ')[-1]}"
     return f"constant {type(value).__name__}"
 
 
@@ -72,12 +72,16 @@ def stub_member(node):
     if decorators == ["property"]:
         return node.name, f"read-only {ast.unparse(node.returns)}"
     text = signature(node)
+    decorators = [decorator for decorator in decorators if decorator != "overload"]
     fits = text.startswith("(self") != (decorators == ["staticmethod"])
     return node.name, text if fits else f"{text}, decorated by {decorators}"
 
 
 def stub_members(node):
-    members = dict(stub_member(child) for child in node.body)
+    members = {}
+    for name, text in map(stub_member, node.body):
+        overloads = [*members[name].split(" or "), text] if name in members else [text]
+        members[name] = " or ".join(sorted(overloads))
     if HAS_PROPERTIES:
         return members
     return {name: text for name, text in members.items() if not text.startswith("read-")}

@@ -28,7 +28,7 @@ std::vector<int> HiddenParts(vtkRenderer* renderer, vtkProp* prop)
   std::vector<int> hidden;
   vtkActor* const actor = vtkActor::SafeDownCast(prop);
   vitrine::DividedMapper* const mapper =
-    actor ? vitrine::DividedMapperOf(actor->GetMapper()) : nullptr;
+    actor && actor->GetMapper() ? vitrine::DividedMapperOf(actor->GetMapper()) : nullptr;
   const auto shown = mapper ? mapper->ShownIn(renderer, actor) : nullptr;
   for (std::size_t i = 0; shown && i < shown->Shown().size(); ++i)
   {

@@ -9,7 +9,9 @@
 #include "report/CullReport.h"
 
 #include "vtkHeadlessRenderWindow.h"
+#include "vtkHierarchicalSBufferCuller.h"
 
+#include <iostream>
 #include <memory>
 
 namespace program
@@ -57,6 +59,13 @@ void CheckOpacity(const CullOptions& options)
     throw InputError(options.KeepsOpacity ? "--keep-opacity" : "--opaque-from",
       "is for parts that are drawn as actors: as " + options.Form + " all are opaque");
   }
+}
+
+/** In place of all else, so that no INPUT is needed. */
+void PrintLimits()
+{
+  std::cout << vtkHierarchicalSBufferCuller::DescribeLimits();
+  throw CLI::Success();
 }
 
 void Cull(CullOptions options)
@@ -171,6 +180,8 @@ void AddCullCommand(CLI::App& app)
     ->add_option("--buffer", options->Buffer,
       "a picture of the last pose, and of what the s-buffer holds of it, the nearest brightest")
     ->type_name("FILE.png");
+  command->add_flag_callback("--limits", PrintLimits,
+    "print as Markdown what the culler leaves alone, and why, and nothing else");
   AddJsonOption(*command, options->Json);
   command->callback([options] { Cull(*options); });
 }

@@ -99,6 +99,7 @@ public:
     if (this->OursFirst)
     {
       this->DrawCulled(camera, frame);
+      frame.Props = this->ReasonsOfProps();
     }
     this->Cullers->SetCuller(this->Usual);
     frame.FrameMillisecondsWithout = this->Window.Draw(camera);
@@ -106,6 +107,7 @@ public:
     if (!this->OursFirst)
     {
       this->DrawCulled(camera, frame);
+      frame.Props = this->ReasonsOfProps();
     }
     frame.WrongPixels = CountDifferent(without, this->Picture);
     if (frame.WrongPixels > 0) // VTK's own culler may have left out what shows
@@ -176,7 +178,22 @@ private:
     frame.CullMilliseconds = 1000.0 * this->Ours->GetCullTime();
     frame.Lines = this->Ours->GetNumberOfBufferLines();
     frame.Drawn = static_cast<std::size_t>(this->Ours->GetNumberOfDrawnParts());
+    frame.Mode = this->Ours->GetCullingModeAsString();
+    frame.Reason = this->Ours->GetReason();
     this->Picture = this->Window.ReadPixels();
+  }
+
+  /** Of the last culled frame. */
+  PropReasons ReasonsOfProps()
+  {
+    PropReasons reasons;
+    vtkCollectionSimpleIterator i;
+    vtkPropCollection* const all = this->Cullers->GetRenderer()->GetViewProps();
+    for (all->InitTraversal(i); vtkProp* prop = all->GetNextProp(i);)
+    {
+      ++reasons[this->Ours->GetReason(prop)];
+    }
+    return reasons;
   }
 
   CulledMethod* Cullers; ///< of the window

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,9 +36,15 @@ struct CullSettings
   bool ShowsBuffer = false; ///< in a picture of the last pose
 };
 
+/** How many props each reason of vtkHierarchicalSBufferCuller::GetReason(prop) is told of. */
+using PropReasons = std::map<std::string, std::size_t>;
+
 /** One pose. */
 struct CullFrame
 {
+  std::string Mode;      ///< of the culler: "occlusion", "view only", ...
+  std::string Reason;    ///< why it is no better; empty if it is "occlusion"
+  PropReasons Props;     ///< of all props
   int Lines = 0;         ///< of the s-buffer
   std::size_t Drawn = 0; ///< parts that the culler left
   std::size_t Ideal = 0; ///< opaque parts that own a pixel

@@ -69,6 +69,8 @@ public:
 
   std::string WhyTooMany(std::size_t) const override { return ""; }
 
+  std::string WhyNotRun() const override { return this->Pass->GetFallbackReason(); }
+
   void Attach(vtkRenderer* renderer) override
   {
     this->Renderer = renderer;

@@ -9,6 +9,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace program
 {
@@ -111,12 +113,52 @@ TextRow RowOf(const CullRun& run)
     FormatCell("%.0f", Sum(run, Wrong)) };
 }
 
+using Counts = std::map<std::string, std::size_t>;
+
+std::vector<std::pair<std::string, std::size_t>> MostFrequentFirst(const Counts& counts)
+{
+  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(
+    sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  return sorted;
+}
+
+/** Of props in all frames. */
+Counts ReasonsOf(const CullRun& run)
+{
+  Counts reasons;
+  for (const CullFrame& frame : run.Frames)
+  {
+    for (const auto& [reason, count] : frame.Props)
+    {
+      reasons[reason] += count;
+    }
+  }
+  return reasons;
+}
+
+double PerFrame(const CullRun& run, std::size_t count)
+{
+  return static_cast<double>(count) / static_cast<double>(run.Frames.size());
+}
+
+Json PropsJson(const CullRun& run)
+{
+  Json props = Json::array();
+  for (const auto& [reason, count] : MostFrequentFirst(ReasonsOf(run)))
+  {
+    props.push_back({ { "reason", reason }, { "per_frame", PerFrame(run, count) } });
+  }
+  return props;
+}
+
 Json RunJson(const CullRun& run)
 {
   Json poses = Json::array();
   for (const CullFrame& frame : run.Frames)
   {
-    poses.push_back({ { "lines", frame.Lines }, { "drawn", frame.Drawn },
+    poses.push_back({ { "mode", frame.Mode }, { "reason", frame.Reason }, { "lines", frame.Lines },
+      { "drawn", frame.Drawn },
       { "ideal", run.OpaqueParts > 0 ? Json(frame.Ideal) : Json(nullptr) },
       { "cull_ms", frame.CullMilliseconds }, { "frame_ms", frame.FrameMilliseconds },
       { "frame_ms_without", frame.FrameMillisecondsWithout },
@@ -130,7 +172,28 @@ Json RunJson(const CullRun& run)
     { "cull_ms", Median(Values(run, CullTimeOf)) }, { "frame_ms", Median(Values(run, With)) },
     { "frame_ms_without", Median(Values(run, Without)) },
     { "frame_ms_ideal", run.HasIdealFrames ? Json(Median(Values(run, Ideally))) : Json(nullptr) },
-    { "wrong_pixels", static_cast<std::int64_t>(Sum(run, Wrong)) }, { "poses", poses } };
+    { "wrong_pixels", static_cast<std::int64_t>(Sum(run, Wrong)) }, { "props", PropsJson(run) },
+    { "poses", poses } };
+}
+
+/** Modes and reasons of frames, and of props. */
+std::string ReasonsText(const CullRun& run)
+{
+  std::map<std::string, std::size_t> frames;
+  for (const CullFrame& frame : run.Frames)
+  {
+    ++frames[frame.Reason.empty() ? frame.Mode : frame.Mode + ": " + frame.Reason];
+  }
+  std::string text = "\n" + run.Name + "\n";
+  for (const auto& [mode, count] : MostFrequentFirst(frames))
+  {
+    text += "  " + std::to_string(count) + " frames: " + mode + "\n";
+  }
+  for (const auto& [reason, count] : MostFrequentFirst(ReasonsOf(run)))
+  {
+    text += "  " + FormatCell("%.1f", PerFrame(run, count)) + " props a frame: " + reason + "\n";
+  }
+  return text;
 }
 }
 
@@ -142,7 +205,12 @@ std::string ToTable(const std::vector<CullRun>& runs)
   {
     rows.push_back(RowOf(run));
   }
-  return runs.front().DrawnBy.Renderer + "\n\n" + AlignColumns(rows);
+  std::string text = runs.front().DrawnBy.Renderer + "\n\n" + AlignColumns(rows);
+  for (const CullRun& run : runs)
+  {
+    text += ReasonsText(run);
+  }
+  return text;
 }
 
 std::string ToJson(const std::vector<CullRun>& runs)
