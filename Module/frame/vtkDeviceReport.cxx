@@ -6,21 +6,17 @@
 #include "vtkCellArray.h"
 #include "vtkDeferredLightsPass.h"
 #include "vtkLight.h"
-#include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPrefixSumTransparencyPass.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkSmartPointer.h"
-#include "vtkStencilMaskTransparencyPass.h"
-#include "vtkStencilRoutedTransparencyPass.h"
-#include "vtkTruthTransparencyPass.h"
+#include "vtkTransparencyPass.h"
 #include "vtkVersion.h"
 
 #include <sstream>
@@ -129,20 +125,15 @@ void DescribeDevice(vtkRenderWindow* window, std::ostream& os)
 
 void DescribeMethods(Trial& trial, std::ostream& os)
 {
-  const vtkSmartPointer<vtkTransparencyPass> methods[] = {
-    vtkSmartPointer<vtkLinkedListTransparencyPass>::New(),
-    vtkSmartPointer<vtkPrefixSumTransparencyPass>::New(),
-    vtkSmartPointer<vtkStencilMaskTransparencyPass>::New(),
-    vtkSmartPointer<vtkStencilRoutedTransparencyPass>::New(),
-    vtkSmartPointer<vtkTruthTransparencyPass>::New(),
-  };
-  for (const auto& method : methods)
+  std::istringstream names(vtkTransparencyPass::GetMethods());
+  for (std::string name; std::getline(names, name, ',');)
   {
+    const auto method = vtk::TakeSmartPointer(vtkTransparencyPass::NewMethod(name));
     vtkNew<vtkSeeThroughPass> frame;
     frame->SetTranslucentPass(method);
     trial.Draw(frame);
     const std::string reason = frame->GetFallbackReason();
-    os << "method " << method->GetMethodName() << ": "
+    os << "method " << name << ": "
        << (reason.empty() ? "works" : "VTK's blending in its place: " + reason) << "\n";
   }
 }

@@ -18,28 +18,12 @@ from .vtkVitrineRendering import (
     vtkClusteredLightsPass,
     vtkDeferredLightsPass,
     vtkHierarchicalSBufferCuller,
-    vtkLinkedListTransparencyPass,
-    vtkPrefixSumTransparencyPass,
     vtkSeeThroughPass,
-    vtkStencilRoutedTransparencyPass,
     vtkTolerantTransparencyPass,
     vtkTransparencyPass,
-    vtkTruthTransparencyPass,
 )
 
-def _counting_prefix_sum() -> vtkPrefixSumTransparencyPass:
-    counting = vtkPrefixSumTransparencyPass()
-    counting.PredictionOff()
-    return counting
-
-
-METHODS: dict[str, Callable[[], Any]] = {
-    "linked-list": vtkLinkedListTransparencyPass,
-    "prefix-sum": _counting_prefix_sum,
-    "prefix-sum-predicted": vtkPrefixSumTransparencyPass,
-    "stencil-routed": vtkStencilRoutedTransparencyPass,
-    "truth": vtkTruthTransparencyPass,
-}
+METHODS: tuple[str, ...] = tuple(vtkTransparencyPass.GetExactMethods().split(","))
 _LIGHTS: dict[str, Any] = {
     "clustered": vtkClusteredLightsPass,
     "deferred": vtkDeferredLightsPass,
@@ -381,7 +365,7 @@ def _make_pass(
     memory_limit: SupportsIndex | None,
     coincidence: float | tuple[float, float] | None,
 ) -> vtkSeeThroughPass:
-    transparency = _known("method", method, METHODS)()
+    transparency = _new_method(method)
     if color_storage is not None:
         _only_of(vtkABufferTransparencyPass, method, "color_storage")
         transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
@@ -403,6 +387,12 @@ def _make_pass(
 def _boolean(argument: str, value: Any) -> None:
     if not isinstance(value, bool):
         raise TypeError(f"{argument} is True or False, not {value!r}")
+
+
+def _new_method(name: str) -> Any:
+    if name not in METHODS:
+        raise ValueError(f"unknown method {name!r}: known are {', '.join(METHODS)}")
+    return vtkTransparencyPass.NewMethod(name)
 
 
 def _known(argument: str, value: Any, values: Mapping[str, Any]) -> Any:
@@ -435,7 +425,7 @@ def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
 
 
 def _only_of(kind: type, method: str, option: str) -> None:
-    if not isinstance(METHODS[method](), kind):
+    if not isinstance(_new_method(method), kind):
         raise ValueError(f"{option} is no option of {method}")
 
 

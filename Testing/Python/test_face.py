@@ -349,6 +349,28 @@ class Effects(unittest.TestCase):
             self.assertIn("shadow", vitrine.stats(renderer).lights_reason)
 
 
+class Report(unittest.TestCase):
+    def test_says_what_each_method_does_here(self):
+        text = vitrine.report()
+        for line in ("Vitrine: ", "VTK: ", "OpenGL: ", "method linked-list: works", "lights clustered: works"):
+            self.assertIn(line, text)
+        self.assertNotIn("last frame", text)
+
+    def test_has_the_last_frame_of_a_target(self):
+        renderer = plates(2)
+        handle = vitrine.see_through(renderer)
+        drawn(renderer)
+        self.assertIn("last frame: method='linked-list'", vitrine.report(renderer))
+        handle.remove()
+        with self.assertRaisesRegex(ValueError, "see_through"):
+            vitrine.report(renderer)
+
+    def test_says_what_is_missing(self):
+        done = run_python("import vitrine; print(vitrine.report())", MESA_GL_VERSION_OVERRIDE="3.3")
+        self.assertIn("VTK's blending in its place: OpenGL 4.3 is needed", done.stdout, done.stderr)
+        self.assertEqual(done.stderr, "")
+
+
 class Figures(unittest.TestCase):
     def test_tell_of_the_last_frame(self):
         window = window_with(plates(7))

@@ -1,13 +1,14 @@
 #include "vtkLinkedListTransparencyPass.h"
 
-#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/LinkedListStore.h"
 #include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkLinkedListTransparencyPass);
-vitrinePassTraitsMacro(vtkLinkedListTransparencyPass, vitrine::TranslucentTraits);
+vitrineTransparencyMethodMacro(
+  vtkLinkedListTransparencyPass, "linked-list", true, vitrine::TranslucentTraits);
 
 //------------------------------------------------------------------------------
 vtkLinkedListTransparencyPass::~vtkLinkedListTransparencyPass()

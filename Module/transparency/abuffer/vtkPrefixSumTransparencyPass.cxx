@@ -1,13 +1,26 @@
 #include "vtkPrefixSumTransparencyPass.h"
 
-#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/PackedListStore.h"
 #include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPrefixSumTransparencyPass);
-vitrinePassTraitsMacro(vtkPrefixSumTransparencyPass, vitrine::TranslucentTraits);
+vitrineTransparencyMethodMacro(
+  vtkPrefixSumTransparencyPass, "prefix-sum-predicted", true, vitrine::TranslucentTraits);
+
+namespace
+{
+vtkTransparencyPass* NewCounting()
+{
+  auto* const pass = vtkPrefixSumTransparencyPass::New();
+  pass->PredictionOff();
+  return pass;
+}
+
+const vitrine::MethodStatement Counting("prefix-sum", true, NewCounting);
+}
 
 //------------------------------------------------------------------------------
 vtkPrefixSumTransparencyPass::~vtkPrefixSumTransparencyPass()

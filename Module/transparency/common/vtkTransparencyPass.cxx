@@ -12,6 +12,7 @@
 #include "gl/ScopedState.h"
 #include "scene/ActorRules.h"
 #include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkOpenGLError.h"
@@ -52,6 +53,44 @@ bool HasNoSpecularTerm(vtkProp* prop)
     !vitrine::HasShaderCode(actor);
 }
 
+}
+
+std::map<std::string, vitrine::TransparencyMethod>& vitrine::TransparencyMethods()
+{
+  static std::map<std::string, TransparencyMethod> methods;
+  return methods;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetMethods()
+{
+  std::string names;
+  for (const auto& [name, method] : vitrine::TransparencyMethods())
+  {
+    names += (names.empty() ? "" : ",") + name;
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetExactMethods()
+{
+  std::string names;
+  for (const auto& [name, method] : vitrine::TransparencyMethods())
+  {
+    if (method.IsExact)
+    {
+      names += (names.empty() ? "" : ",") + name;
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+vtkTransparencyPass* vtkTransparencyPass::NewMethod(const std::string& name)
+{
+  const auto found = vitrine::TransparencyMethods().find(name);
+  return found == vitrine::TransparencyMethods().end() ? nullptr : found->second.New();
 }
 
 struct vtkTransparencyPass::Internals

@@ -62,6 +62,20 @@ public:
    */
   virtual const char* GetMethodName() = 0;
 
+  ///@{
+  /**
+   * The names of all methods, and of those that are exact, in alphabetical order with commas between them.
+   */
+  static std::string GetMethods();
+  static std::string GetExactMethods();
+  ///@}
+
+  /**
+   * A new pass of the method of that name, which is the caller's; null if there is no such method.
+   */
+  VTK_NEWINSTANCE
+  static vtkTransparencyPass* NewMethod(const std::string& name);
+
   /**
    * Why the last frame was drawn as VTK does by itself; empty if it was not.
    */

@@ -5,9 +5,9 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
-#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
 #include "transparency/stencil/MaskResolver.h"
 #include "transparency/stencil/MaskTarget.h"
 #include "transparency/stencil/PixelSizedPrimitives.h"
@@ -20,7 +20,8 @@
 #include "vtkShaderProgram.h"
 
 vtkStandardNewMacro(vtkStencilMaskTransparencyPass);
-vitrinePassTraitsMacro(vtkStencilMaskTransparencyPass, vitrine::TranslucentTraitsOfOwnTarget);
+vitrineTransparencyMethodMacro(
+  vtkStencilMaskTransparencyPass, "stencil-mask-8", false, vitrine::TranslucentTraitsOfOwnTarget);
 
 struct vtkStencilMaskTransparencyPass::Internals
 {

@@ -6,9 +6,9 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
-#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
 #include "transparency/stencil/RoutedResolver.h"
 #include "transparency/stencil/RoutedTarget.h"
 #include "transparency/stencil/RoutingProbe.h"
@@ -29,7 +29,8 @@ constexpr int AutomaticSamples[] = { 8, 4, 2, 1 };
 }
 
 vtkStandardNewMacro(vtkStencilRoutedTransparencyPass);
-vitrinePassTraitsMacro(vtkStencilRoutedTransparencyPass, vitrine::TranslucentTraits);
+vitrineTransparencyMethodMacro(
+  vtkStencilRoutedTransparencyPass, "stencil-routed", true, vitrine::TranslucentTraits);
 
 struct vtkStencilRoutedTransparencyPass::Internals
 {

@@ -10,11 +10,11 @@
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
-#include "scene/PassTraits.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/CoincidenceTolerance.h"
 #include "transparency/common/FillExtensions.h"
 #include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,7 +29,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkTruthTransparencyPass);
-vitrinePassTraitsMacro(vtkTruthTransparencyPass, vitrine::TranslucentTraits);
+vitrineTransparencyMethodMacro(vtkTruthTransparencyPass, "truth", true, vitrine::TranslucentTraits);
 
 namespace
 {
