@@ -9,6 +9,7 @@ import re
 import tempfile
 import time
 import unittest
+import warnings
 import weakref
 
 import numpy
@@ -159,26 +160,33 @@ class Plotters(unittest.TestCase):
         self.assertLessEqual(abs(sent["linked-list"] - sent["truth"]).max(), 8)
         self.assertGreater(abs(sent["linked-list"] - sent[None]).max(), 30)
 
-    def test_with_another_pass_are_warned_and_get_it_back(self):
+    def test_with_another_pass_keep_it(self):
         plotter = shells()
         plotter.enable_ssao()
-        with self.assertWarnsRegex(UserWarning, "vtkSSAOPass aside"):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
             handle = vitrine.see_through(plotter)
+        plotter.screenshot(None, return_img=True)
         self.assertIs(type(plotter.renderer.GetPass()), vitrine.vtkSeeThroughPass)
+        self.assertIs(type(plotter.renderer.GetPass().GetEffectsPass()), vtkSSAOPass)
+        self.assertGreater(vitrine.stats(plotter).fragments, 0)
+        self.assertEqual(vitrine.stats(plotter).fallback_reason, "")
         handle.remove()
         self.assertIs(type(plotter.renderer.GetPass()), vtkSSAOPass)
 
-    def test_lose_our_pass_where_another_is_switched_on_or_off(self):
+    def test_stay_see_through_where_another_is_switched_on_or_off(self):
         plotter = shells()
-        vitrine.see_through(plotter)
+        handle = vitrine.see_through(plotter)
         plotter.enable_ssao()
-        self.assertIs(type(plotter.renderer.GetPass()), vtkSSAOPass)
-        with self.assertWarns(UserWarning):
-            vitrine.see_through(plotter)
+        plotter.screenshot(None, return_img=True)
+        self.assertIs(type(plotter.renderer.GetPass().GetEffectsPass()), vtkSSAOPass)
+        self.assertGreater(vitrine.stats(plotter).fragments, 0)
         plotter.disable_ssao()
+        plotter.screenshot(None, return_img=True)
+        self.assertIsNone(plotter.renderer.GetPass().GetEffectsPass())
+        self.assertGreater(vitrine.stats(plotter).fragments, 0)
+        handle.remove()
         self.assertIsNone(plotter.renderer.GetPass())
-        with self.assertRaisesRegex(ValueError, "see_through"):
-            vitrine.stats(plotter)
         self.assert_exact(plotter)
 
     def test_two_at_a_time_draw_the_same(self):
