@@ -238,6 +238,29 @@ TEST(DeviceModel, SnappingToTheNearestMovesByHalfAStep)
   worst.ExpectWithin(0.75);
 }
 
+TEST(DeviceModel, ProductsOfSidesRoundByTheirSums)
+{
+  Random random(Seed);
+  Worst worst;
+  for (int i = 0; i < Tries; ++i)
+  {
+    std::array<double, 4> exact;
+    std::array<float, 4> sides;
+    for (int j = 0; j < 4; ++j)
+    {
+      const auto from = static_cast<float>(random.Between(0.0, 500.0));
+      const auto to = static_cast<float>(random.Between(0.0, 500.0));
+      exact[j] = double{ to } - from;
+      sides[j] = to - from;
+    }
+    const double first = exact[0] * exact[3], second = exact[1] * exact[2];
+    const float inFloats = sides[0] * sides[3] - sides[1] * sides[2];
+    worst.Add(inFloats - (first - second),
+      vitrine::RoundingOfFloats * (std::abs(first) + std::abs(second)));
+  }
+  worst.ExpectWithin(0.2);
+}
+
 TEST(DeviceModel, DistancesFromPlanesRoundByHowFarTheEyeIs)
 {
   Random random(Seed);

@@ -58,7 +58,7 @@ inline constexpr double RoundingOfQuotients = 0x1p-22;
 
 /**
  * Least w of what hides, over what a device rounds of it. Nearer to the eye so little is known of where a face is
- * drawn that it hides next to nothing.
+ * drawn that it hides next to nothing: this saves time, and no test notices another number.
  */
 inline constexpr double LeastRatio = 2048.0;
 
@@ -184,13 +184,13 @@ inline constexpr double SteeperByMargin = 1.25;
 
 /**
  * What a few sums and products in floats round, as a share of all terms: eight times 2^-24. Held by
- * CoverageIsTrue.OfLongSlimFaces.
+ * DeviceModel.ProductsOfSidesRoundByTheirSums.
  */
 inline constexpr float RoundingOfFloats = 0x1p-21f;
 
 /**
  * What sums in floats round of a place on an edge, as a share of the column and the line farthest from 0 on it:
- * sixteen times 2^-24. Held by CoverageIsTrue.OfRandomMeshesInRandomViews.
+ * sixteen times 2^-24. Held by CoverageIsTrue.OfRandomMeshesInRandomViews and OfLongSlimFaces.
  */
 inline constexpr float RoundingOnEdges = 0x1p-20f;
 
