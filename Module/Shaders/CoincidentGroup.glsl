@@ -11,6 +11,8 @@
 // scaled to the sum that they must have. Where alphas sum to more than GROUP_DENSE, all that matters lies near t = 0, where
 // weights are as alphas: the colour is their weighted mean, and floats need not hold the integrands, which vanish.
 // With any number of any alphas the error is below a third of 1/255.
+//
+// VITRINE_ADDITIVE: a colour that is added has no alpha, and the weight without one: the integral of the product over all.
 // Two fragments come out the same to the bit in either order, more of them but for the rounding of sums.
 #define GROUP_SPLIT 0.125
 #define GROUP_DENSE 224.0
@@ -36,6 +38,9 @@ precise float groupAlphas;  // their sum
 precise vec3 groupMean;     // of colours, weighted with alphas
 precise float groupThrough; // product of all (1 - alpha)
 precise float groupOpacity; // 1 - groupThrough, to the last bit of the faintest
+#ifdef VITRINE_ADDITIVE
+precise vec3 groupAdded;    // sum of colours that are added
+#endif
 
 float nearEnd(Fragment f)
 {
@@ -64,6 +69,13 @@ void addToNodes(precise inout GroupNodes n, vec4 t, vec4 c)
 
 void addToSums(vec4 c)
 {
+#ifdef VITRINE_ADDITIVE
+  if (c.a == 0.0)
+  {
+    groupAdded += c.rgb;
+    return;
+  }
+#endif
   addToNodes(groupBelow, groupNodes * GROUP_SPLIT, c);
   addToNodes(groupAbove, groupNodes * (1.0 - GROUP_SPLIT) + GROUP_SPLIT, c);
   groupAlphas += c.a;
@@ -89,6 +101,9 @@ void addToGroup(Fragment f)
       groupMean = vec3(0.0);
       groupThrough = 1.0;
       groupOpacity = 0.0;
+#ifdef VITRINE_ADDITIVE
+      groupAdded = vec3(0.0);
+#endif
       addToSums(groupFirst);
     }
     addToSums(c);
@@ -107,8 +122,14 @@ vec3 colorOfGroup()
 {
   precise vec4 sum = vec4(integral(groupBelow.red, groupAbove.red), integral(groupBelow.green, groupAbove.green),
     integral(groupBelow.blue, groupAbove.blue), integral(groupBelow.alpha, groupAbove.alpha));
-  precise vec3 scaled = sum.a > 0.0 ? sum.rgb * (groupOpacity / sum.a) : vec3(0.0);
-  return groupAlphas > GROUP_DENSE ? groupOpacity * groupMean : scaled;
+  precise float scale = sum.a > 0.0 ? groupOpacity / sum.a : 0.0;
+  precise vec3 scaled = scale * sum.rgb;
+  precise vec3 seen = groupAlphas > GROUP_DENSE ? groupOpacity * groupMean : scaled;
+#ifdef VITRINE_ADDITIVE
+  precise float through = integral(groupBelow.through, groupAbove.through) * (sum.a > 0.0 ? scale : 1.0);
+  seen += groupAdded * (groupAlphas > GROUP_DENSE ? groupOpacity / groupAlphas : through);
+#endif
+  return seen;
 }
 
 // Composite the group, and begin another.

@@ -5,6 +5,8 @@
 // a 64th of a 24-bit depth buffer's. Alpha has 8 bits of mantissa below 16 exponents: its rounding, which layers add up,
 // stays below a quarter of 1/255 in a stack of any number of equal ones. A colour is one of 406 levels, whose cubes just
 // fit: its rounding stays below a third.
+//
+// VITRINE_ADDITIVE: alpha 0 is that of a colour that is added. What has another alpha, which is kept as 0, is kept as black.
 
 // From here on depths are taken by their bits, before by steps; the largest is one less than a register's without a
 // fragment.
@@ -39,6 +41,9 @@ uvec2 vitrinePackNode(float z, vec4 c)
   uint alpha = (floatBitsToUint(c.a + VITRINE_ALPHA_OFFSET) - (VITRINE_ALPHA_BASE - 0x4000u)) >> 15;
   ivec3 q = ivec3(min(c.rgb, 1.0) * float(VITRINE_COLOR_LEVELS - 1) + 0.5);
   int colors = (q.b * VITRINE_COLOR_LEVELS + q.g) * VITRINE_COLOR_LEVELS + q.r;
+#ifdef VITRINE_ADDITIVE
+  colors = c.a > 0.0 && alpha == 0u ? 0 : colors;
+#endif
   return uvec2((vitrineCompactDepth(z) << 6) | (alpha >> 6), (alpha << 26) | uint(colors));
 }
 

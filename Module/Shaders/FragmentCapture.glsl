@@ -5,6 +5,8 @@
 // VITRINE_SAMPLES n            samples of the target, 0 if it is single-sampled
 // VITRINE_POST_DEPTH_COVERAGE  gl_SampleMaskIn tells the samples that pass the depth test
 // VITRINE_FIXED_POINT_TARGET   the target clamps colours to [0, 1] before it blends
+// VITRINE_ADDITIVE             some mappers' fragments are added to what is behind them, and hide nothing of it
+// VITRINE_LEAST_ALPHA a        alphas below may be stored as 0; by default none but 0 itself
 // VITRINE_OPAQUE_DEPTH_STEPS s steps of a depth buffer of at most 24 bits, else 0.0
 // VITRINE_OPAQUE_INTEGERS      the depth buffer has more bits, and comes as integers of 32
 // VITRINE_OPAQUE_DEPTH_LOSS l  what any other depth buffer may lose when it is sampled
@@ -100,10 +102,26 @@ float vitrineColorComponent(float c)
 #endif
 }
 
+#ifdef VITRINE_ADDITIVE
+uniform int vitrineAdds; // whether this mapper's fragments are
+#ifndef VITRINE_LEAST_ALPHA
+#define VITRINE_LEAST_ALPHA 0.0
+#endif
+
+// An alpha of 0 says that the colour is premultiplied and added. So others of that alpha have no colour.
+vec4 vitrineAddedOrSeen(vec4 c)
+{
+  return vitrineAdds != 0 ? vec4(c.a * c.rgb, 0.0) : vec4(c.a > VITRINE_LEAST_ALPHA ? c.rgb : vec3(0.0), c.a);
+}
+#else
+#define vitrineAddedOrSeen(c) c
+#endif
+
 vec4 vitrineColor(vec4 c)
 {
-  return vec4(vitrineColorComponent(c.r), vitrineColorComponent(c.g), vitrineColorComponent(c.b),
+  vec4 clamped = vec4(vitrineColorComponent(c.r), vitrineColorComponent(c.g), vitrineColorComponent(c.b),
     c.a > 0.0 ? min(c.a, 1.0) : 0.0);
+  return vitrineAddedOrSeen(clamped);
 }
 
 // Window depth in [0, 1]; floats that are not negative order as their bits do.

@@ -4,8 +4,16 @@
 // bits of exponent, 11 of mantissa, half the rounding error of IEEE's half float. What lies below
 // the smallest exponent counts as 0. Else: RGBA8 in one word.
 //
+// VITRINE_ADDITIVE: alpha 0 is that of a colour that is added. What has another alpha, which is kept as 0, is kept as nothing.
+//
 // Shifts and integer additions take the place of packHalf2x16 and its kin, which software rasterisers run
 // several times slower and which round as each driver likes.
+#ifdef VITRINE_ADDITIVE
+#define VITRINE_IS_LOST(alpha, code) (alpha > 0.0 && code == 0)
+#else
+#define VITRINE_IS_LOST(alpha, code) false
+#endif
+
 #ifdef VITRINE_HALF_FLOAT
 
 // Exponents (IEEE single, biased by 127) that the 16-bit exponent 0 stands for. Alpha and clamped colours are
@@ -30,8 +38,10 @@ float vitrineUnpack16(uint packed16, uint exponent)
 
 uvec2 vitrinePackColor(vec4 c)
 {
-  return uvec2(vitrinePack16(c.r, VITRINE_COLOR_EXPONENT) | (vitrinePack16(c.g, VITRINE_COLOR_EXPONENT) << 16),
-    vitrinePack16(c.b, VITRINE_COLOR_EXPONENT) | (vitrinePack16(c.a, VITRINE_UNIT_EXPONENT) << 16));
+  uint alpha = vitrinePack16(c.a, VITRINE_UNIT_EXPONENT);
+  uvec2 colors = uvec2(vitrinePack16(c.r, VITRINE_COLOR_EXPONENT) | (vitrinePack16(c.g, VITRINE_COLOR_EXPONENT) << 16),
+    vitrinePack16(c.b, VITRINE_COLOR_EXPONENT) | (alpha << 16));
+  return VITRINE_IS_LOST(c.a, int(alpha)) ? uvec2(0u) : colors;
 }
 
 vec4 vitrineUnpackColor(uvec2 p)
@@ -46,7 +56,7 @@ vec4 vitrineUnpackColor(uvec2 p)
 uint vitrinePackColor(vec4 c)
 {
   ivec4 q = ivec4(min(c, 1.0) * 255.0 + 0.5);
-  return uint(q.r | (q.g << 8) | (q.b << 16) | (q.a << 24));
+  return VITRINE_IS_LOST(c.a, q.a) ? 0u : uint(q.r | (q.g << 8) | (q.b << 16) | (q.a << 24));
 }
 
 vec4 vitrineUnpackColor(uint p)

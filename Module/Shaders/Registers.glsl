@@ -213,11 +213,18 @@ bool sameFragment(Fragment a, Fragment b)
     EXCHANGE_COLOR(a, b, s) \
   }
 
+// VITRINE_ADDITIVE: a colour of alpha 0 is premultiplied, and added to what lies behind it.
+#ifdef VITRINE_ADDITIVE
+#define COLOR_WEIGHT(c) (c.a > 0.0 ? c.a : 1.0)
+#else
+#define COLOR_WEIGHT(c) c.a
+#endif
+
 // Composite front to back: `color` is premultiplied, `transmittance` what still shows behind. Both are precise,
 // so that every program composites the same list to the same bits.
 #define BLEND_COLOR(c) \
   { \
-    color += transmittance * c.a * c.rgb; \
+    color += transmittance * COLOR_WEIGHT(c) * c.rgb; \
     transmittance -= transmittance * c.a; \
   }
 

@@ -89,10 +89,13 @@ struct VitrineCaptureCounters
   uint Wraps;     // how often it passed 2^32
 };
 
+/** The bit of a captured fragment's pixel that says that the fragment is added to what is behind it, and hides nothing of it. */
+#define VITRINE_ADDED_FRAGMENT 0x80000000u
+
 /** A fragment as the yardstick captures it: non-premultiplied colour, window depth; std430, 32 bytes. */
 struct VitrineCapturedFragment
 {
-  uint Pixel; // y * width of the target + x
+  uint Pixel; // y * width of the target + x, with VITRINE_ADDED_FRAGMENT or without
   float Depth;
   float Red;
   float Green;

@@ -9,8 +9,11 @@
     }
     if (vitrineAt < uint(vitrineCapture.length()))
     {
-      vitrineCapture[vitrineAt].Pixel =
-        uint(int(gl_FragCoord.y) * vitrineTargetWidth + int(gl_FragCoord.x));
+      uint vitrinePixel = uint(int(gl_FragCoord.y) * vitrineTargetWidth + int(gl_FragCoord.x));
+#ifdef VITRINE_ADDITIVE
+      vitrinePixel |= vitrineAdds != 0 ? VITRINE_ADDED_FRAGMENT : 0u;
+#endif
+      vitrineCapture[vitrineAt].Pixel = vitrinePixel;
       vitrineCapture[vitrineAt].Depth = vitrineZ;
       vitrineCapture[vitrineAt].Red = gl_FragData[0].r;
       vitrineCapture[vitrineAt].Green = gl_FragData[0].g;

@@ -173,6 +173,20 @@ TEST(CoincidentGroup, OneOpaqueAmongManyIsTheClosedForm)
   }
 }
 
+// The same for light: it is seen as that is, and hides nothing.
+TEST(CoincidentGroup, LightAmongManyIsTheClosedForm)
+{
+  for (const int others : { 0, 1, 7, 500 })
+  {
+    const double a = 0.3;
+    CoincidentGroup group = MakeGroup(std::vector<Layer>(others, { Black, a }));
+    group.AddLight(White.data());
+    const double expected = (1.0 - std::pow(1.0 - a, others + 1)) / ((others + 1) * a);
+    EXPECT_NEAR(ColorOf(group)[0], expected, 1e-11) << others;
+    EXPECT_NEAR(group.Transmittance(), std::pow(1.0 - a, others), 1e-13) << others;
+  }
+}
+
 TEST(CoincidentGroup, WhatHasNoWeightAddsNothing)
 {
   const double inf = std::numeric_limits<double>::infinity();

@@ -211,6 +211,47 @@ TEST(ReferenceCompositor, AgreesWithCompositingBackToFront)
   ExpectNear(color, expected, 1e-14);
 }
 
+CapturedFragment Added(CapturedFragment fragment)
+{
+  fragment.Pixel |= CapturedFragment::Added;
+  return fragment;
+}
+
+TEST(ReferenceCompositor, WhatIsAddedIsSeenThroughWhatIsInFrontAndHidesNothing)
+{
+  const Rgba backdrop{ 0.25, 0.5, 0.75, 0.5 };
+  const CapturedFragment plate = Fragment(0.5f, 1, 0, 0, 0.75f);
+  const CapturedFragment light = Fragment(0.25f, 0.5f, 0.25f, 0, 0.5f);
+  ExpectNear(CompositePixel({ Added(light) }, backdrop), { 0.5, 0.625, 0.75, 0.5 }, 0);
+  const Rgba inFront{ 0.25 + 0.75 + 0.25 * 0.25, 0.125 + 0.25 * 0.5, 0.25 * 0.75, 0.875 };
+  ExpectNear(CompositePixel({ plate, Added(light) }, backdrop), inFront, 0);
+  CapturedFragment behind = Added(light);
+  behind.Depth = 0.75f;
+  const Rgba through{ 0.75 + 0.25 * 0.5, 0.25 * 0.625, 0.25 * 0.75, 0.875 };
+  ExpectNear(CompositePixel({ behind, plate }, backdrop), through, 0);
+}
+
+// As one without alpha: in front of those of its depth. And many in one pixel, in any order.
+TEST(ReferenceCompositor, WhatIsAddedIsInFrontOfWhatHasItsDepth)
+{
+  const Rgba black{ 0, 0, 0, 1 };
+  const CapturedFragment plate = Fragment(0.5f, 0, 1, 0, 0.5f);
+  const CapturedFragment light = Added(Fragment(0.5f, 1, 0, 0, 0.5f));
+  const Rgba expected{ 1.0, 0.5, 0, 1 };
+  ExpectNear(CompositePixel({ plate, light, light }, black), expected, 0);
+  ExpectNear(CompositePixel({ light, plate, light }, black), expected, 0);
+}
+
+TEST(ReferenceCompositor, WhatIsAddedWithoutAlphaAddsNothing)
+{
+  const Rgba black{ 0, 0, 0, 1 };
+  for (const float alpha : { 0.0f, nan, -1.0f })
+  {
+    const CapturedFragment light = Added(Fragment(0.5f, inf, 1, nan, alpha));
+    ExpectNear(CompositePixel({ light }, black, TargetRange::NonNegative), black, 0);
+  }
+}
+
 TEST(ReferenceCompositor, NumbersWithoutMeaningCountAsZeroOrAreClamped)
 {
   const Rgba black{ 0, 0, 0, 1 };

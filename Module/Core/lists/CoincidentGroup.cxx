@@ -14,7 +14,7 @@ double Times(double weight, double value)
 
 }
 
-void CoincidentGroup::Add(double alpha, const double rgb[3])
+void CoincidentGroup::Add(double alpha, double weight, const double rgb[3])
 {
   const std::size_t count = this->Behind.size() + 1; // with this fragment
   const auto k = static_cast<double>(count);
@@ -29,7 +29,7 @@ void CoincidentGroup::Add(double alpha, const double rgb[3])
     {
       const double before = i > 0 ? this->Behind[i - 1].Rgb[c] : 0.0;
       this->Behind[i].Rgb[c] = Times((k - 1.0 - m) / k, this->Behind[i].Rgb[c]) +
-        Times(m / k * stays, before) + Times(alpha / k * this->Through[i], rgb[c]);
+        Times(m / k * stays, before) + Times(weight / k * this->Through[i], rgb[c]);
     }
   }
   for (std::size_t i = count; i > 0; --i)

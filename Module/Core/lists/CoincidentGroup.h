@@ -25,7 +25,10 @@ class CoincidentGroup
 {
 public:
   /** Add a fragment: alpha in [0, 1], colour not premultiplied, which may be infinite. */
-  void Add(double alpha, const double rgb[3]);
+  void Add(double alpha, const double rgb[3]) { this->Add(alpha, alpha, rgb); }
+
+  /** Add a fragment that is added to what is behind it, and hides nothing of it: its colour, premultiplied. */
+  void AddLight(const double rgb[3]) { this->Add(0.0, 1.0, rgb); }
 
   /** Add the mean colour of the group, premultiplied, times `factor`, to `sum`. What has no weight adds nothing. */
   void AddColor(double factor, double sum[3]) const;
@@ -38,6 +41,9 @@ private:
   {
     double Rgb[3];
   };
+
+  void Add(double alpha, double weight, const double rgb[3]);
+
   /** By m: mean transmittance of m random fragments of the group. */
   std::vector<double> Through{ 1.0 };
   /** By m: mean of one random fragment's premultiplied colour behind m random others. */

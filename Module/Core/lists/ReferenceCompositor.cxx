@@ -38,6 +38,10 @@ struct Layer
   float R;
   std::uint32_t Coverage;
   float Extent;
+  bool IsAdded; // its colour is premultiplied, and A is 0
+
+  // The share of its colour that is seen where nothing is in front.
+  double Weight() const { return this->IsAdded ? 1.0 : this->A; }
 
   bool IsInFrontOf(const Layer& other) const
   {
@@ -85,13 +89,33 @@ float Clamped(float value, float largest)
   return value > 0.0f ? std::min(value, largest) : 0.0f;
 }
 
+std::uint32_t PixelOf(const CapturedFragment& fragment)
+{
+  return fragment.Pixel & ~CapturedFragment::Added;
+}
+
+// What has no alpha adds nothing, even if its colour is infinite.
+void Premultiply(Layer& layer)
+{
+  for (float* const color : { &layer.R, &layer.G, &layer.B })
+  {
+    *color = layer.A > 0.0f ? layer.A * *color : 0.0f;
+  }
+  layer.A = 0.0f;
+}
+
 Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
 {
   const float largest = range == TargetRange::Unit ? 1.0f : std::numeric_limits<float>::infinity();
   const bool hasDepth = fragment.Depth == fragment.Depth;
   Layer layer = { hasDepth ? fragment.Depth : 0.0f, 0, Clamped(fragment.Rgba[3], 1.0f),
     Clamped(fragment.Rgba[2], largest), Clamped(fragment.Rgba[1], largest),
-    Clamped(fragment.Rgba[0], largest), fragment.Coverage, fragment.Extent };
+    Clamped(fragment.Rgba[0], largest), fragment.Coverage, fragment.Extent,
+    (fragment.Pixel & CapturedFragment::Added) != 0 };
+  if (layer.IsAdded)
+  {
+    Premultiply(layer);
+  }
   layer.Packed = PackedColor(layer, range);
   return layer;
 }
@@ -104,7 +128,7 @@ struct Ray
 
   void Pass(const Layer& layer)
   {
-    const double weight = this->Transmittance * layer.A;
+    const double weight = this->Transmittance * layer.Weight();
     // What has no weight adds nothing, even if its colour is infinite.
     if (weight == 0.0)
     {
@@ -146,7 +170,7 @@ CoincidentGroup MakeGroup(std::vector<Layer> layers)
   for (const Layer& layer : layers)
   {
     const double rgb[3] = { layer.R, layer.G, layer.B };
-    group.Add(layer.A, rgb);
+    layer.IsAdded ? group.AddLight(rgb) : group.Add(layer.A, rgb);
   }
   return group;
 }
@@ -252,7 +276,7 @@ ReferenceCompositor::PixelLists ReferenceCompositor::SortByPixel(
     std::vector<std::uint32_t>(count) };
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::uint32_t pixel = fragments[i].Pixel;
+    const std::uint32_t pixel = PixelOf(fragments[i]);
     if (pixel >= this->PixelCount || this->IsComposited[pixel])
     {
       throw std::invalid_argument("pixel " + std::to_string(pixel) +
@@ -265,7 +289,7 @@ ReferenceCompositor::PixelLists ReferenceCompositor::SortByPixel(
   std::vector<std::size_t> next(lists.Begin.begin(), lists.Begin.end() - 1);
   for (std::size_t i = 0; i < count; ++i)
   {
-    lists.Order[next[fragments[i].Pixel]++] = static_cast<std::uint32_t>(i);
+    lists.Order[next[PixelOf(fragments[i])]++] = static_cast<std::uint32_t>(i);
   }
   return lists;
 }

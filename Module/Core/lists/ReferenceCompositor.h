@@ -11,7 +11,10 @@ namespace vitrine
 /** A translucent fragment as the truth method captures it: 32 bytes, the layout of its GPU buffer. */
 struct CapturedFragment
 {
-  std::uint32_t Pixel; ///< y * width + x, row 0 at the bottom
+  /** The bit of Pixel that says that the fragment is added to what is behind it, and hides nothing of it. */
+  static constexpr std::uint32_t Added = 1u << 31;
+
+  std::uint32_t Pixel; ///< y * width + x, row 0 at the bottom; with Added or without
   float Depth;   ///< window depth in [0, 1], 0 nearest; with an extent the near end of an interval
   float Rgba[4]; ///< not premultiplied
   std::uint32_t Coverage; ///< bit s: covers sample s (1 where pixels have one sample)
@@ -37,8 +40,10 @@ enum class TargetRange
  *     rgb = sum of T_(i-1) alpha_i rgb_i + T_n backdrop.rgb
  *     a   = (1 - T_n) + T_n backdrop.a
  *
+ * A fragment that is added counts in rgb as the others do, and with an alpha of 0 in all T.
+ *
  * Fragments of equal depth are ordered by packed colour, ascending: (a, b, g, r) as floats of 16 bits, then as they
- * are; so the result does not depend on the order of arrival, to the last bit. NaN counts as 0 in depth and in colour; alpha is clamped to
+ * are, those that are added by premultiplied colour and an alpha of 0; so the result does not depend on the order of arrival, to the last bit. NaN counts as 0 in depth and in colour; alpha is clamped to
  * [0, 1], colours to the range of the target; -0 equals 0. Coverage of samples that the picture does
  * not have is ignored.
  *

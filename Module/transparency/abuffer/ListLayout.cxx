@@ -35,6 +35,10 @@ std::vector<std::string> ListLayout::Defines() const
   {
     defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
   }
+  if (this->Additive)
+  {
+    defines.emplace_back("VITRINE_ADDITIVE");
+  }
   if (this->Coincidence)
   {
     defines.emplace_back("VITRINE_COINCIDENCE");

@@ -24,6 +24,7 @@ struct ListLayout
   NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
   bool FramebufferFetch = false;
+  bool Additive = false;    ///< some fragments are added to what is behind them
   bool Coincidence = false; ///< depths are intervals: with a tolerance
   int Samples = 0;
   int PageSize = 1;

@@ -195,6 +195,7 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
 {
   Internals& in = *this->Private;
   const vitrine::CoincidenceTolerance tolerance = this->GetTolerance();
+  in.Layout.Additive = this->HasAdditiveFragments();
   in.Layout.Coincidence = tolerance.IsOn();
   in.Layout.FixedPoint = target.FixedPoint;
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);

@@ -33,6 +33,12 @@ bool WritesDepth(const std::string& fragmentShader)
   return false;
 }
 
+// Half a step and a little more; the least float of full precision.
+const char* LeastAlphaDefine(bool halfFloat)
+{
+  return halfFloat ? "VITRINE_LEAST_ALPHA exp2(-14.0)" : "VITRINE_LEAST_ALPHA (1.0 / 508.0)";
+}
+
 void AddCapture(
   FillShader& fill, const RenderTarget& target, bool postDepthCoverage, bool writesDepth)
 {

@@ -31,6 +31,9 @@ struct FillShader
 /** True if the mapper's fragment shader computes a depth of its own. */
 bool WritesDepth(const std::string& fragmentShader);
 
+/** The define that tells FragmentCapture.glsl which alphas images of 16-bit floats, or of 8 bits, may keep as 0. */
+const char* LeastAlphaDefine(bool halfFloat);
+
 /** Add what FragmentCapture.glsl asks for, as `target` and the mapper's fragment shader decide. */
 void AddCapture(
   FillShader& fill, const RenderTarget& target, bool postDepthCoverage, bool writesDepth);

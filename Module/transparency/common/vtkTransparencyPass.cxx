@@ -44,6 +44,17 @@ bool HasTranslucentGeometry(const vtkRenderState* s)
   return false;
 }
 
+// What is said where it is not known yet that fragments are added. The frame is drawn again then.
+const char* const AdditiveFragments = "fragments are added to what is behind them";
+
+// Whether what is drawn with this blend function is added to what is there.
+bool Adds(vtkOpenGLState* state)
+{
+  int function[4]; // of colours: source, destination; of alpha: the same
+  state->GetBlendFuncState(function);
+  return function[0] == GL_SRC_ALPHA && function[1] == GL_ONE;
+}
+
 // Whether the specular term of the prop is zero for sure, so that its pow() need not be computed. VTK
 // rebuilds the shader when the property changes.
 bool HasNoSpecularTerm(vtkProp* prop)
@@ -106,6 +117,8 @@ struct vtkTransparencyPass::Internals
   vitrine::PixelRegion Region;  // that is being drawn
   bool PostDepthCoverage = false;
   bool SoftwareRasteriser = false;
+  bool IsAdditive = false;    // shaders are for fragments that are added, too
+  bool HasAdded = false;      // in the current frame
   vtkMTimeType ProbeTime = 0; // when CanFill was found
   bool CanFill = true;
 
@@ -259,7 +272,14 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   const vitrine::ScopedVertexArray vertexArray(0);
   vitrine::ScopedTrackedState trackedState(state);
   vitrine::ScopedShaderProgram shaderProgram(in.Context.Window());
-  const std::string failure = this->RenderFragments(s, target);
+  in.HasAdded = false;
+  std::string failure = this->RenderFragments(s, target);
+  if (in.HasAdded != in.IsAdditive)
+  {
+    in.IsAdditive = in.HasAdded;
+    this->ShaderStage.Modified();
+    failure = in.IsAdditive ? this->RenderFragments(s, target) : failure;
+  }
   in.OpaqueDepth.EndFrame();
   return failure;
 }
@@ -295,6 +315,9 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
     return vitrine::ProgramFailure;
   }
   in.Region = region;
+  // Who draws with another function says so.
+  in.Context.Window()->GetState()->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->PreRender(s);
   int rendered = 0;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -304,7 +327,13 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   this->PostRender(s);
   this->NumberOfRenderedProps = rendered;
   this->GeometryPasses += 1;
-  return in.OpaqueDepth.Problem();
+  return in.HasAdded && !in.IsAdditive ? AdditiveFragments : in.OpaqueDepth.Problem();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::HasAdditiveFragments()
+{
+  return this->Private->IsAdditive;
 }
 
 //------------------------------------------------------------------------------
@@ -323,6 +352,10 @@ void vtkTransparencyPass::TakeCounts(const vitrine::StencilCounts& counts)
 vitrine::FillShader vtkTransparencyPass::GetCapturingShader(bool writesDepth)
 {
   vitrine::FillShader fill = this->GetFillShader();
+  if (this->Private->IsAdditive)
+  {
+    fill.Defines.emplace_back("VITRINE_ADDITIVE");
+  }
   vitrine::AddCapture(fill, this->Private->Target, this->Private->PostDepthCoverage, writesDepth);
   return fill;
 }
@@ -371,6 +404,12 @@ bool vtkTransparencyPass::SetShaderParameters(
   Internals& in = *this->Private;
   // Last before the draw: images, and props whose keys ask for it, would write depth and hide what comes after them.
   in.Context.Window()->GetState()->vtkglDepthMask(GL_FALSE);
+  const bool adds = Adds(in.Context.Window()->GetState());
+  in.HasAdded = in.HasAdded || adds;
+  if (program->IsUniformUsed("vitrineAdds"))
+  {
+    program->SetUniformi("vitrineAdds", adds ? 1 : 0);
+  }
   if (program->IsUniformUsed("vitrineOpaqueDepth"))
   {
     program->SetUniformi(

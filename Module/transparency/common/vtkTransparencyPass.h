@@ -13,6 +13,9 @@
  * Of several draw buffers it draws into the first. Passes around it that add outputs to the mappers' shaders, as
  * vtkSSAOPass does, get none of translucent geometry.
  *
+ * What a mapper blends by GL_SRC_ALPHA, GL_ONE is added to what is behind it and hides nothing of it, as emissive splats
+ * (vtkPointGaussianMapper) are.
+ *
  * Where the driver lacks what the method needs, the pass says so once and draws as VTK does by itself
  * (vtkOrderIndependentTranslucentPass); GetFallbackReason() tells why.
  *
@@ -173,6 +176,11 @@ protected:
    * Returns an empty string, or why fragments are missing.
    */
   std::string DrawTranslucentGeometry(const vtkRenderState* s, const vitrine::PixelRegion& region);
+
+  /**
+   * Whether fragments of some props are added to what is behind them and hide nothing of it, as emissive splats are.
+   */
+  bool HasAdditiveFragments();
 
   /**
    * Take the frame's statistics from what a stencil counted.

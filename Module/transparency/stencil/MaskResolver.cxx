@@ -120,6 +120,10 @@ vtkShaderProgram* MaskResolver::ReadyResolve(
   {
     defines.emplace_back("VITRINE_KEEP_LAYERS");
   }
+  if (this->IsAdditive)
+  {
+    defines.emplace_back("VITRINE_ADDITIVE");
+  }
   return this->Programs.Ready(window, "resolve", defines, shaders::FullScreenVertex,
     [&] { return StencilMaskSource(group.Layers()); });
 }

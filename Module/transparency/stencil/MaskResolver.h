@@ -49,6 +49,9 @@ public:
   bool Resolve(vtkOpenGLRenderWindow* window, const MaskGroup& group, const MaskTarget& masks,
     const Image2D& backdrop, const RenderTarget& target, const MaskRepair& repair);
 
+  /** Tell whether some fragments are added to what is behind them. */
+  void SetAdditive(bool additive) { this->IsAdditive = additive; }
+
   /** Whether the driver could not compile one of the shaders. */
   bool HasFailed() const { return this->Programs.HasFailed(); }
 
@@ -70,6 +73,7 @@ private:
   Image2D LayerErrors; // R8, in quarters
   Framebuffer LayerTarget;
   Framebuffer ErrorTarget;
+  bool IsAdditive = false;
   EmptyVertexArray VertexArray;
   ProgramCache Programs{ GLSL150 };
 };

@@ -92,8 +92,12 @@ bool RoutedResolver::Resolve(vtkOpenGLRenderWindow* window, const RoutedTarget& 
 vtkShaderProgram* RoutedResolver::Ready(
   vtkOpenGLRenderWindow* window, const RoutedTarget& fragments, int bin)
 {
-  const std::vector<std::string> defines = { "VITRINE_SAMPLES 0",
+  std::vector<std::string> defines = { "VITRINE_SAMPLES 0",
     "VITRINE_ROUTED_SAMPLES " + std::to_string(fragments.Route().SamplesPerPass()) };
+  if (this->IsAdditive)
+  {
+    defines.emplace_back("VITRINE_ADDITIVE");
+  }
   return this->Programs.Ready(window, "resolve " + std::to_string(BinLimits[bin]), defines,
     shaders::FullScreenVertex,
     [bin] {

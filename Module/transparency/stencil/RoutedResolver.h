@@ -28,6 +28,9 @@ public:
   bool Resolve(vtkOpenGLRenderWindow* window, const RoutedTarget& fragments,
     const CountedRegions& counts, int layers, const Image2D& backdrop, const RenderTarget& target);
 
+  /** Tell whether some fragments are added to what is behind them. */
+  void SetAdditive(bool additive) { this->IsAdditive = additive; }
+
   /** Whether a program did not compile. */
   bool HasFailed() const { return this->Programs.HasFailed(); }
 
@@ -36,6 +39,7 @@ public:
 private:
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const RoutedTarget& fragments, int bin);
 
+  bool IsAdditive = false;
   EmptyVertexArray VertexArray;
   ProgramCache Programs{ GLSL150 };
 };

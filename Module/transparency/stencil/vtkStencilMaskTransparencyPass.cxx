@@ -114,6 +114,7 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;
   fill.Defines.push_back(vitrine::GroupDefine(this->Private->Group));
+  fill.Defines.emplace_back(vitrine::LeastAlphaDefine(/* halfFloat= */ false));
   fill.Declarations = vitrine::shaders::StencilMaskFillDec;
   fill.Implementation = vitrine::shaders::StencilFillImpl;
   fill.Inputs = { "VITRINE_TO_CENTRE", "vec2(VITRINE_GROUP)", "vitrineCentreDepth" };
@@ -179,6 +180,7 @@ std::string vtkStencilMaskTransparencyPass::PrepareFrame(
   }
   vtkOpenGLState* state = this->GetWindow()->GetState();
   in.Group = *vitrine::FindMaskGroup(this->NumberOfLayers);
+  in.Resolver.SetAdditive(this->HasAdditiveFragments());
   in.Depth = vitrine::ViewDepth(s->GetRenderer()->GetActiveCamera());
   in.Repair.Shown = this->ShowMarks ? vitrine::MaskRepair::MARKS
     : this->Filter                  ? vitrine::MaskRepair::REPAIRED

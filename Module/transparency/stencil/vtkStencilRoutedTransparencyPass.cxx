@@ -117,6 +117,7 @@ void vtkStencilRoutedTransparencyPass::SetColorStorage(int storage)
   if (storage != this->ColorStorage)
   {
     this->ColorStorage = storage;
+    this->ShaderStage.Modified();
     this->Modified();
   }
 }
@@ -131,6 +132,7 @@ std::string vtkStencilRoutedTransparencyPass::FindMissingFeature(vtkOpenGLRender
 vitrine::FillShader vtkStencilRoutedTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;
+  fill.Defines.emplace_back(vitrine::LeastAlphaDefine(this->ColorStorage == HALF_FLOAT));
   fill.Declarations = vitrine::shaders::StencilRoutedFillDec;
   fill.Implementation = vitrine::shaders::StencilFillImpl;
   return fill;
@@ -191,6 +193,7 @@ std::string vtkStencilRoutedTransparencyPass::PrepareFrame(const vitrine::Render
   {
     return problem;
   }
+  in.Resolver.SetAdditive(this->HasAdditiveFragments());
   const vitrine::StencilRoute route(samples);
   in.KeptLayers = samples * std::min(this->MaximumNumberOfPasses, route.MostPasses());
   vtkOpenGLState* state = this->GetWindow()->GetState();

@@ -47,6 +47,8 @@ static_assert(
   offsetof(vitrine::CapturedFragment, Extent) == offsetof(vitrine::VitrineCapturedFragment, Extent),
   "layout");
 
+static_assert(vitrine::CapturedFragment::Added == VITRINE_ADDED_FRAGMENT, "layout");
+
 constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
 
 std::vector<vitrine::PixelRegion> Split(const vitrine::PixelRegion& region, int parts)
