@@ -11,9 +11,9 @@
 // scaled to the sum that they must have. Where alphas sum to more than GROUP_DENSE, all that matters lies near t = 0, where
 // weights are as alphas: the colour is their weighted mean, and floats need not hold the integrands, which vanish.
 // With any number of any alphas the error is below a third of 1/255.
+// Two fragments come out the same to the bit in either order, more of them but for the rounding of sums.
 //
 // VITRINE_ADDITIVE: a colour that is added has no alpha, and the weight without one: the integral of the product over all.
-// Two fragments come out the same to the bit in either order, more of them but for the rounding of sums.
 #define GROUP_SPLIT 0.125
 #define GROUP_DENSE 224.0
 const vec4 groupNodes = vec4(0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629);
@@ -122,11 +122,11 @@ vec3 colorOfGroup()
 {
   precise vec4 sum = vec4(integral(groupBelow.red, groupAbove.red), integral(groupBelow.green, groupAbove.green),
     integral(groupBelow.blue, groupAbove.blue), integral(groupBelow.alpha, groupAbove.alpha));
-  precise float scale = sum.a > 0.0 ? groupOpacity / sum.a : 0.0;
-  precise vec3 scaled = scale * sum.rgb;
+  precise vec3 scaled = sum.a > 0.0 ? sum.rgb * (groupOpacity / sum.a) : vec3(0.0);
   precise vec3 seen = groupAlphas > GROUP_DENSE ? groupOpacity * groupMean : scaled;
 #ifdef VITRINE_ADDITIVE
-  precise float through = integral(groupBelow.through, groupAbove.through) * (sum.a > 0.0 ? scale : 1.0);
+  precise float through =
+    integral(groupBelow.through, groupAbove.through) * (sum.a > 0.0 ? groupOpacity / sum.a : 1.0);
   seen += groupAdded * (groupAlphas > GROUP_DENSE ? groupOpacity / groupAlphas : through);
 #endif
   return seen;
