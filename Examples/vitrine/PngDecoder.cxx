@@ -11,7 +11,7 @@ namespace
 const unsigned LargestSide = 16384;
 }
 
-RgbPicture DecodePng(const std::string& bytes)
+PngPicture DecodePng(const std::string& bytes, PngChannels channels)
 {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -21,8 +21,8 @@ RgbPicture DecodePng(const std::string& bytes)
     png_image_free(&image);
     return {};
   }
-  image.format = PNG_FORMAT_RGB;
-  RgbPicture picture;
+  image.format = channels == PngChannels::Rgb ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+  PngPicture picture;
   picture.Width = static_cast<int>(image.width);
   picture.Height = static_cast<int>(image.height);
   picture.Pixels.resize(PNG_IMAGE_SIZE(image));

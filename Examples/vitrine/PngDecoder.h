@@ -11,15 +11,21 @@
 namespace program
 {
 
-struct RgbPicture
+struct PngPicture
 {
-  std::vector<std::uint8_t> Pixels; ///< 8-bit RGB, rows from the bottom
+  std::vector<std::uint8_t> Pixels; ///< 8-bit channels, rows from the bottom
   int Width = 0;
   int Height = 0;
 };
 
+enum class PngChannels
+{
+  Rgb,
+  Rgba ///< with an alpha of 255 where the PNG has none
+};
+
 /** The picture in the bytes; without pixels if they are no whole PNG of at most 16384 pixels a side. */
-RgbPicture DecodePng(const std::string& bytes);
+PngPicture DecodePng(const std::string& bytes, PngChannels channels = PngChannels::Rgb);
 
 }
 #endif

@@ -46,6 +46,7 @@ int Run(int argc, char* argv[])
   program::AddCompareCommand(app);
   program::AddChartCommand(app);
   program::AddCullCommand(app);
+  program::AddDiffCommand(app);
   program::AddInfoCommand(app);
   program::AddLightsCommand(app);
   program::AddPaperCommand(app);

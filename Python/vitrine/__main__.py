@@ -1,4 +1,6 @@
-"""The program vitrine, as a wheel holds it: python -m vitrine, or vitrine on PATH."""
+"""The program vitrine: python -m vitrine, or vitrine on PATH where a wheel is installed."""
+
+from __future__ import annotations
 
 import importlib.util
 import os
@@ -6,20 +8,39 @@ import pathlib
 import sys
 
 
-def _library_path() -> str:
-    """The folder of VTK's libraries, which need not lie beside this package, before those of the environment."""
+def program() -> pathlib.Path:
+    """The program's file: in this package, as in a wheel, or in bin of the prefix or build tree around the package.
+
+    Raises FileNotFoundError where there is none.
+    """
+    package = pathlib.Path(__file__).resolve().parent
+    places = [package / "bin/vitrine"]
+    # Elsewhere bin may have the script that runs this file.
+    if package.parts[-4:-1] == ("lib", "python3", "dist-packages"):
+        places.append(package.parents[3] / "bin/vitrine")
+    for place in places:
+        if place.is_file():
+            return place
+    raise FileNotFoundError(
+        f"this installation has the package without the program ({' or '.join(map(str, places))})"
+    )
+
+
+def environment() -> dict[str, str]:
+    """The variables that the program needs: its libraries' folder need not lie beside this package."""
     vtk = importlib.util.find_spec("vtkmodules")
     folders = list(vtk.submodule_search_locations or []) if vtk else []
-    return ":".join(filter(None, [*folders, os.environ.get("LD_LIBRARY_PATH")]))
+    path = ":".join(filter(None, [*folders, os.environ.get("LD_LIBRARY_PATH")]))
+    return {**os.environ, "LD_LIBRARY_PATH": path}
 
 
 def main() -> None:
     """Become the program, with this process's arguments."""
-    program = pathlib.Path(__file__).parent / "bin" / "vitrine"
-    if not program.is_file():
-        sys.exit(f"vitrine: this installation has the package without the program ({program})")
-    environment = {**os.environ, "LD_LIBRARY_PATH": _library_path()}
-    os.execve(program, ["vitrine", *sys.argv[1:]], environment)
+    try:
+        file = program()
+    except FileNotFoundError as error:
+        sys.exit(f"vitrine: {error}")
+    os.execve(file, ["vitrine", *sys.argv[1:]], environment())
 
 
 if __name__ == "__main__":

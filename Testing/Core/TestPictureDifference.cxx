@@ -58,10 +58,14 @@ TEST(PictureDifference, NamesTheFirstPixelsFromTheTopLeft)
   const vitrine::PictureDifference difference =
     vitrine::FindDifference(ViewOf(other), ViewOf(grey), 0);
   ASSERT_EQ(difference.First.size(), 2u);
-  EXPECT_EQ(vitrine::DescribeDifference(difference, 6, "got", "expected"),
+  EXPECT_EQ(vitrine::DescribeDifference(difference, "got", "expected"),
     "2 of 6 pixels differ, and the largest difference is 10/255\n"
     "  pixel 0, 0 from the top left: got 100 90 100 100, expected 100 100 100 100\n"
     "  pixel 1, 1 from the top left: got 100 100 100 97, expected 100 100 100 100");
+  EXPECT_EQ(vitrine::DescribeDifference(
+              vitrine::FindDifference(ViewOf(other), ViewOf(grey), 9), "got", "expected"),
+    "1 of 6 pixels differ by more than 9/255, and the largest difference is 10/255\n"
+    "  pixel 0, 0 from the top left: got 100 90 100 100, expected 100 100 100 100");
 }
 
 TEST(PictureDifference, NamesFiveAtMost)
@@ -71,6 +75,16 @@ TEST(PictureDifference, NamesFiveAtMost)
     vitrine::FindDifference(ViewOf(black), ViewOf(grey), 0);
   EXPECT_EQ(difference.DifferentPixels, 6u);
   EXPECT_EQ(difference.First.size(), 5u);
+}
+
+TEST(PictureDifference, CountsPixelsOfAShare)
+{
+  vitrine::PictureDifference difference;
+  difference.Pixels = 100;
+  EXPECT_EQ(difference.PixelsOfShare(0.0), 0u);
+  EXPECT_EQ(difference.PixelsOfShare(0.009), 0u);
+  EXPECT_EQ(difference.PixelsOfShare(0.29), 29u); // 28.999... as doubles have it
+  EXPECT_EQ(difference.PixelsOfShare(1.0), 100u);
 }
 
 TEST(PictureDifference, IsDrawnSoThatOneStepIsSeen)

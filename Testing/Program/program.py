@@ -61,6 +61,17 @@ def scratch_folder():
         yield pathlib.Path(folder)
 
 
+def png(rows, alpha=False):
+    """The bytes of a PNG of rows from the top, of tuples of 8-bit RGB or RGBA."""
+    raw = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 6 if alpha else 2, 0, 0, 0)
+    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(raw)), (b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        for kind, body in chunks
+    )
+
+
 def paeth(left, up, corner):
     estimate = left + up - corner
     distances = [abs(estimate - left), abs(estimate - up), abs(estimate - corner)]

@@ -4,24 +4,15 @@ import os
 import struct
 import subprocess
 import unittest
-import zlib
 
-from program import FileTest, read_png, run
+from program import FileTest, png, read_png, run
 
 BACKGROUND = 242  # 0.95 of 255, as VTK rounds it
 
 
 def white_pixel():
     """A PNG of one white, opaque pixel."""
-    chunks = (
-        (b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 6, 0, 0, 0)),
-        (b"IDAT", zlib.compress(b"\0" + b"\xff" * 4)),
-        (b"IEND", b""),
-    )
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-        for kind, body in chunks
-    )
+    return png([[(255, 255, 255, 255)]], alpha=True)
 
 
 def data_uri(kind, data):

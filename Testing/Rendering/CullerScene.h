@@ -99,8 +99,8 @@ struct CullerScene : TestScene
   void ExpectSamePictures(const Picture& culled, const Picture& plain);
 
   /**
-   * Draw with and without culling, and expect the same picture; culling stays off. Returns how many parts were left out, which a
-   * test must look at: a culler that leaves out nothing draws the same picture, too.
+   * Draw with and without culling, and expect the same picture; culling stays off. Returns how many parts were left
+   * out, which a test must look at: a culler that leaves out nothing draws the same picture, too.
    */
   [[nodiscard]] int ExpectSame();
 

@@ -29,8 +29,8 @@ public:
   bool HasLeftOut() const { return !this->LeftOut.empty(); }
 
   /**
-   * A line for each prop that was left out, as a whole or in parts, and whose bounds may cover a pixel of the window, and the
-   * indices of the others. Props that are gone are left out.
+   * A line for each prop that was left out, as a whole or in parts, and whose bounds may cover a pixel of the window,
+   * and the indices of the others. Props that are gone since then are not told.
    */
   std::string DescribeLeftOut(const std::optional<PixelPlace>& pixel) const;
 

@@ -267,6 +267,9 @@ TEST_P(CullerChanges, NoPartsAndOne)
   EXPECT_EQ(Scene.ExpectSame(), 0);
   wall->VisibilityOff();
   EXPECT_EQ(Scene.ExpectSame(), 0);
+  wall->VisibilityOn();
+  Scene.AddHidden();
+  EXPECT_EQ(Scene.ExpectSame(), 63);
 }
 
 // VTK asks no cullers then.

@@ -80,6 +80,16 @@ protected:
   {
     Scene.ExpectNothingHidden(310, 1);
     EXPECT_TRUE(Scene.ShowsUnculled(this->Boxes));
+    this->ExpectHiddenByALid();
+  }
+
+  // Whatever the wall's colours are, a plain one before it hides all.
+  void ExpectHiddenByALid()
+  {
+    const vtkSmartPointer<vtkActor> lid = Scene.AddWall(0.5);
+    Scene.LookAhead();
+    EXPECT_GE(Scene.ExpectSame(), static_cast<int>(this->Boxes.size()));
+    Scene.Renderer->RemoveActor(lid);
   }
 
   // In the first frame after a change: mappers take their arrays' tables while they draw, and VTK draws otherwise from then on.

@@ -300,6 +300,8 @@ TEST_P(CullerDivided, PointsThatAreNoNumbers)
     EXPECT_EQ(Scene.ExpectSame(), 0);
     Scene.Renderer->RemoveActor(actor);
   }
+  this->Add(WallAndPatches());
+  EXPECT_EQ(Scene.ExpectSame(), PatchCount);
 }
 
 // Coordinates of the whole are what the device's floats are coarse by, far as the parts may lie from each other.

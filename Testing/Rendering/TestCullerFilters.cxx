@@ -50,11 +50,14 @@ TEST_P(CullerFilters, MayBeLeftWithNothingByAnotherCuller)
   Scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -50.0); // far off: it asks spheres
   Scene.Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, -60.0);
   Scene.Renderer->RemoveCuller(Scene.Culler);
-  Scene.Renderer->AddCuller(vtkNew<vtkFrustumCoverageCuller>());
+  vtkNew<vtkFrustumCoverageCuller> before;
+  Scene.Renderer->AddCuller(before);
   Scene.Renderer->AddCuller(Scene.Culler);
   Scene.Renderer->UseFXAAOn();
   EXPECT_EQ(Scene.ExpectSame(), 0);
   EXPECT_EQ(Scene.Culler->GetNumberOfDrawnProps(), 0);
+  Scene.Renderer->RemoveCuller(before);
+  EXPECT_GT(Scene.ExpectSame(), 0) << "without it there is something left to leave out";
 }
 
 TEST_P(CullerFilters, WorkWhereSomethingShows)

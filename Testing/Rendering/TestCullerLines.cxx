@@ -34,6 +34,8 @@ TEST_P(CullerLines, BehindAWallThatAreSeenFromTheirEnd)
   Scene.LookAhead();
   EXPECT_TRUE(Scene.ShowsUnculled(lines));
   EXPECT_EQ(Scene.ExpectSame(), 0) << "each may be drawn through the wall";
+  Scene.AddHidden();
+  EXPECT_EQ(Scene.ExpectSame(), 63) << "boxes are not";
 }
 
 TEST_P(CullerLines, BehindAWallAreHiddenOtherwise)
@@ -75,6 +77,8 @@ TEST_P(CullerLines, ReachBeyondAViewport)
   Scene.LookAhead();
   EXPECT_TRUE(Scene.ShowsUnculled(drawn) || Scene.Setting.Samples == 0) << "as llvmpipe has it";
   EXPECT_EQ(Scene.ExpectSame(), 0) << "as devices may draw points there that llvmpipe does not";
+  Scene.AddHidden();
+  EXPECT_EQ(Scene.ExpectSame(), 63) << "boxes do not";
 }
 
 INSTANTIATE_TEST_SUITE_P(

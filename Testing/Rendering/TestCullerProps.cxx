@@ -279,6 +279,8 @@ TEST_P(CullerProps, HiddenLinesAndAmbientOcclusion)
   Scene.Renderer->UseSSAOOn();
   Scene.Renderer->UseHiddenLineRemovalOn();
   Scene.ExpectNothingHidden(238, 2);
+  Scene.Renderer->UseSSAOOff();
+  Scene.ExpectHidden(238, 1);
 }
 
 // Lines that are seen nearly from their end are drawn beyond it, however near that is.
@@ -303,6 +305,8 @@ TEST_P(CullerProps, SmallWireframesBehindAWall)
       ->SetRepresentationToWireframe();
   }
   Scene.ExpectNothingHidden(238);
+  Scene.AddHidden();
+  Scene.ExpectHidden(241, 1);
 }
 
 TEST_P(CullerProps, AmbientOcclusion)
@@ -371,6 +375,8 @@ TEST_P(CullerProps, Shadows)
   Scene.Renderer->AddLight(light);
   Scene.Renderer->UseShadowsOn();
   Scene.ExpectNothingHidden(225, 2);
+  Scene.Renderer->UseShadowsOff();
+  Scene.ExpectHidden(225, 1);
 }
 
 // Passes that look at the bounds of all parts, or at what lies beside the view: nothing is left out.
@@ -404,6 +410,7 @@ TEST_P(CullerProps, PassesThatLookBeyondTheView)
   }
   smooth->ReleaseGraphicsResources(Scene.Window);
   Scene.Renderer->SetPass(nullptr);
+  Scene.ExpectHidden(227, 1);
 }
 
 /** Passes in the order in which they draw. */

@@ -253,6 +253,8 @@ TEST_P(CullerSurfaces, TextureOfAProperty)
   texture->UseSRGBColorSpaceOn();
   wall->GetProperty()->SetTexture("albedoTex", texture);
   Scene.ExpectNothingHidden(154);
+  Scene.AddWall(0.5);
+  Scene.ExpectHidden(154, 1);
 }
 
 TEST_P(CullerSurfaces, LookupTableWithAlpha)

@@ -194,12 +194,11 @@ TEST(CullerTransparencyEdges, OfWindowsThatGetSeveralSamples)
   scene.Window->SetMultiSamples(4);
   scene.Window->SetSize(40, 40);
   const double pixel = scene.PixelSize();
-  const vtkSmartPointer<vtkActor> wall =
-    scene.AddMesh(MeshOf({ Rectangle(0.45 * pixel, -2.0, 2.0, 2.0, 0.0) }));
+  scene.AddMesh(MeshOf({ Rectangle(0.45 * pixel, -2.0, 2.0, 2.0, 0.0) }));
   scene.AddMesh(MeshOf({ Rectangle(0.47 * pixel, -2.0, 2.0, 2.0, -0.01) }), { 0.1, 0.9, 0.2, 0.5 });
   EXPECT_EQ(scene.ExpectSame(), 0) << "a pixel's centre may be seen beside the wall";
-  wall->SetPosition(-pixel, 0.0, 0.0);
-  EXPECT_EQ(scene.ExpectSame(), 1);
+  scene.AddHidden();
+  EXPECT_GT(scene.ExpectSame(), 20) << "of boxes, half of which lie well behind the wall";
   scene.Culler->CullingOn();
   scene.Render();
   EXPECT_EQ(scene.Culler->GetNumberOfBufferLines(), 160);

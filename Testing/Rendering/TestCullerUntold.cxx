@@ -125,6 +125,8 @@ TEST_P(CullerUntold, WaysToMovePointsThatComeLate)
   Scene.Render();
   mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::AUTO_SHIFT_SCALE);
   EXPECT_EQ(Scene.ExpectSame(), 0);
+  Scene.AddWall(0.5);
+  EXPECT_GE(Scene.ExpectSame(), static_cast<int>(parts.size()));
 }
 
 // It draws what it has, and makes the next image as it does: the one frame that shows both is the same, too.

@@ -114,8 +114,10 @@ TEST_P(CullerViewAlone, LiesBeforeOthers)
   ForEachLook(
     [&](const Look& look)
     {
-      look.Give(Scene.AddWall());
+      const vtkSmartPointer<vtkActor> wall = Scene.AddWall();
       Scene.AddHidden();
+      Scene.ExpectHidden(404, 0);
+      look.Give(wall);
       Scene.ExpectNothingHidden(404);
     });
 }

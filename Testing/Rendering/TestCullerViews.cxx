@@ -257,6 +257,8 @@ TEST_P(CullerViews, FarAndNear)
   // In perspective, where a line has several pixels, the wall hides nothing at such ranges since faces count that a device may cut.
   const bool hasThickLines = GetParam().BufferLines < GetParam().Height;
   EXPECT_GE(most, hasThickLines && !GetParam().IsParallel ? 0 : 1);
+  Scene.LookAhead();
+  EXPECT_GT(Scene.ExpectSame(), 40) << "at a range that is usual";
 }
 
 // Each eye is culled by itself. There is no headset here: two eyes of a window are the nearest to it.

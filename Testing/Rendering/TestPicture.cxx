@@ -166,17 +166,16 @@ testing::AssertionResult Matches(const Picture& test, const Picture& reference, 
     return testing::AssertionFailure() << names.Test << " has " << SizeOf(test) << " pixels, "
                                        << names.Reference << " " << SizeOf(reference);
   }
-  const std::size_t pixels = ViewOf(test).PixelCount();
   const vitrine::PictureDifference difference =
     vitrine::FindDifference(ViewOf(test), ViewOf(reference), tolerance);
-  const auto allowed = static_cast<std::size_t>(besides * static_cast<double>(pixels));
+  const std::size_t allowed = difference.PixelsOfShare(besides);
   if (difference.DifferentPixels <= allowed)
   {
     return testing::AssertionSuccess();
   }
   return testing::AssertionFailure()
-    << vitrine::DescribeDifference(difference, pixels, names.Test, names.Reference) << "\n"
-    << "tolerance: " << tolerance << "/255, and " << allowed << " pixels beyond it\n"
+    << vitrine::DescribeDifference(difference, names.Test, names.Reference) << "\n"
+    << (allowed > 0 ? "as many may differ as " + std::to_string(allowed) + "\n" : "")
     << WritePictures(test, reference, tolerance, names);
 }
 

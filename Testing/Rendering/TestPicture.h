@@ -51,10 +51,11 @@ struct PictureNames
  *
  *     EXPECT_TRUE(Matches(scene.Render(), expected));
  *
- * A failure tells how many pixels differ, and the coordinates and values of the first ones. It writes both pictures and
- * their difference as PNG files, and names them. They go to a folder for each test, below Testing/Pictures of the build tree, or
- * below the folder that the environment variable VITRINE_TEST_OUTPUT names. The first failure of a test empties its folder.
- * Only the first three failures of a test write files. The files have no alpha; the message has it.
+ * A failure tells how many pixels differ, and the coordinates and values of the first ones. It writes both pictures
+ * and their difference as PNG files, and names them. They go to a folder for each test, below Testing/Pictures of the
+ * build tree, or below the folder that the environment variable VITRINE_TEST_OUTPUT names. The first failure of a test
+ * empties its folder. Only the first three failures of a test write files. The files have no alpha; the message has
+ * it.
  */
 testing::AssertionResult Matches(const Picture& test, const Picture& reference, int tolerance = 0,
   double besides = 0.0, const PictureNames& names = {});

@@ -268,7 +268,9 @@ TEST_P(CullerPipelines, OfAWallAtAnotherTime)
     const bool isAside = frame / 2 % 2 == 1;
     maker->GetOutputInformation(0)->Set(
       vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), isAside ? 1.0 : 0.0);
-    EXPECT_LE(Scene.ExpectSame(), isAside ? 40 : 1000);
+    const int leftOut = Scene.ExpectSame();
+    EXPECT_LE(leftOut, isAside ? 40 : 1000);
+    EXPECT_TRUE(frame > 0 || leftOut > 40) << leftOut << ", soon it changes too often to be read";
   }
 }
 

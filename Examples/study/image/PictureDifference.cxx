@@ -13,6 +13,9 @@ namespace
 
 constexpr std::size_t mostPixelsNamed = 5;
 
+// Of a pixel. A share such as 0.29 is a little less than 29/100 as a double, and still is 29 of 100 pixels.
+constexpr double roundingOfShares = 1e-6;
+
 void RequireEqualShapes(const PictureView& test, const PictureView& reference)
 {
   assert(test.Width == reference.Width && test.Height == reference.Height);
@@ -72,11 +75,18 @@ std::string Join(const std::vector<std::uint8_t>& channels)
 
 }
 
+std::size_t PictureDifference::PixelsOfShare(double share) const
+{
+  return static_cast<std::size_t>(share * static_cast<double>(this->Pixels) + roundingOfShares);
+}
+
 PictureDifference FindDifference(
   const PictureView& test, const PictureView& reference, int tolerance)
 {
   RequireEqualShapes(test, reference);
   PictureDifference difference;
+  difference.Tolerance = tolerance;
+  difference.Pixels = test.PixelCount();
   for (int y = 0; y < test.Height; ++y)
   {
     for (int x = 0; x < test.Width; ++x)
@@ -93,12 +103,15 @@ PictureDifference FindDifference(
   return difference;
 }
 
-std::string DescribeDifference(const PictureDifference& difference, std::size_t pixelCount,
-  const std::string& test, const std::string& reference)
+std::string DescribeDifference(
+  const PictureDifference& difference, const std::string& test, const std::string& reference)
 {
+  const std::string byMoreThan = difference.Tolerance > 0
+    ? " by more than " + std::to_string(difference.Tolerance) + "/255"
+    : "";
   std::string text = std::to_string(difference.DifferentPixels) + " of " +
-    std::to_string(pixelCount) + " pixels differ, and the largest difference is " +
-    std::to_string(difference.Largest) + "/255";
+    std::to_string(difference.Pixels) + " pixels differ" + byMoreThan +
+    ", and the largest difference is " + std::to_string(difference.Largest) + "/255";
   for (const DifferentPixel& pixel : difference.First)
   {
     text += "\n  pixel " + std::to_string(pixel.X) + ", " + std::to_string(pixel.Y) +

@@ -22,6 +22,9 @@ void AddChartCommand(CLI::App& app);
 /** `vitrine cull`: frames with and without occlusion culling. */
 void AddCullCommand(CLI::App& app);
 
+/** `vitrine diff`: a picture beside its baselines. */
+void AddDiffCommand(CLI::App& app);
+
 /** `vitrine info`: what is in a scene, and what is not shown of it. */
 void AddInfoCommand(CLI::App& app);
 

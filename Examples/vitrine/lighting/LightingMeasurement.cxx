@@ -1,6 +1,6 @@
 #include "lighting/LightingMeasurement.h"
 
-#include "lighting/HeatMap.h"
+#include "report/HeatMap.h"
 #include "scene/Viewpoint.h"
 
 #include <algorithm>

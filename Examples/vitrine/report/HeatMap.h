@@ -1,5 +1,5 @@
 /**
- * Numbers of lights to look at.
+ * Numbers to look at, one for each pixel.
  */
 #ifndef VITRINE_HEAT_MAP_H
 #define VITRINE_HEAT_MAP_H
@@ -15,6 +15,9 @@ namespace program
  * its square root, so that few differ visibly.
  */
 std::vector<std::uint8_t> HeatMap(const std::vector<std::uint32_t>& counts);
+
+/** The same for shares from 0 to 1, in even steps: black for 0, and white for 1. */
+std::vector<std::uint8_t> HeatMapOfShares(const std::vector<double>& shares);
 
 }
 #endif

@@ -1,4 +1,4 @@
-#include "lighting/HeatMap.h"
+#include "report/HeatMap.h"
 
 #include <algorithm>
 #include <array>
@@ -32,15 +32,24 @@ std::array<std::uint8_t, 3> HeatOf(double share)
 
 std::vector<std::uint8_t> HeatMap(const std::vector<std::uint32_t>& counts)
 {
-  const std::uint32_t greatest =
-    counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
-  std::vector<std::uint8_t> picture;
-  picture.reserve(3 * counts.size());
+  const double greatest = counts.empty() ? 0.0 : *std::max_element(counts.begin(), counts.end());
+  std::vector<double> shares;
+  shares.reserve(counts.size());
   for (const std::uint32_t count : counts)
   {
-    const std::array<std::uint8_t, 3> heat = count == 0
-      ? std::array<std::uint8_t, 3>{}
-      : HeatOf(std::sqrt(static_cast<double>(count) / greatest));
+    shares.push_back(count == 0 ? 0.0 : std::sqrt(count / greatest));
+  }
+  return HeatMapOfShares(shares);
+}
+
+std::vector<std::uint8_t> HeatMapOfShares(const std::vector<double>& shares)
+{
+  std::vector<std::uint8_t> picture;
+  picture.reserve(3 * shares.size());
+  for (const double share : shares)
+  {
+    const std::array<std::uint8_t, 3> heat =
+      share == 0.0 ? std::array<std::uint8_t, 3>{} : HeatOf(share);
     picture.insert(picture.end(), heat.begin(), heat.end());
   }
   return picture;
