@@ -783,8 +783,8 @@ TEST(CullerReasons, OfProps)
     for (const PropCase& each : cases)
     {
       const std::vector<vitrine::PropRow> rows = RowsOf(each.Stage);
-      count += each.Stage == row.Stage &&
-        std::string(FindRow(rows, each.Condition)->Condition) == row.Condition;
+      const vitrine::PropRow* const found = FindRow(rows, each.Condition);
+      count += found && each.Stage == row.Stage && std::string(found->Condition) == row.Condition;
     }
     EXPECT_EQ(count, 1) << "cases of: " << row.Condition;
   }
