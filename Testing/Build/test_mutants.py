@@ -60,7 +60,7 @@ class Table(unittest.TestCase):
         self.assertEqual(len(rows), len(table))
         for row, entry in zip(rows, table.values()):
             cells = re.fullmatch(r"\| (.*) \| `(.*?)` \| (.*) \|", row).groups()
-            tests = ", ".join(f"`{test}`" for test in entry.noticed_by)
+            tests = ", ".join(f"`{test}`" for test in entry.tests)
             self.assertEqual(cells, (entry.broken, entry.file, tests))
         text = (ROOT / "docs/testing.md").read_text(encoding="utf-8")
         self.assertIn("scripts/mutants --table", text)
@@ -101,6 +101,13 @@ class Tests(unittest.TestCase):
                 "Methods/ExactStack.IsTheClosedForm/LinkedList": False,
                 "ScreenBands.CutsRows": False,
             },
+        )
+
+    def test_survive_each_where_no_instance_failed(self):
+        selected = {"ExactStack.IsTheClosedForm", "StencilRouted.IsTruthAtEdges", "ScreenBands.CutsRows"}
+        self.assertEqual(
+            mutants.survivors_of(selected | {"Other.HasNotRun"}, mutants.tests_in(OUTPUT)),
+            ["Other.HasNotRun", "StencilRouted.IsTruthAtEdges"],
         )
 
     def test_are_named_once_with_how_many_failed(self):

@@ -103,6 +103,8 @@ TEST_P(CullerRestless, SharedByManyParts)
     Scene.Render();
   }
   EXPECT_EQ(Scene.ExpectSame(), 0);
+  Scene.AddWall(0.6);
+  EXPECT_GE(Scene.ExpectSame(), Boxes) << "behind a wall of other data";
 }
 
 // Other data in each frame.

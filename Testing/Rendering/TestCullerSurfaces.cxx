@@ -253,7 +253,8 @@ TEST_P(CullerSurfaces, TextureOfAProperty)
   texture->UseSRGBColorSpaceOn();
   wall->GetProperty()->SetTexture("albedoTex", texture);
   Scene.ExpectNothingHidden(154);
-  Scene.AddWall(0.5);
+  wall->VisibilityOff();
+  Scene.AddWall();
   Scene.ExpectHidden(154, 1);
 }
 
