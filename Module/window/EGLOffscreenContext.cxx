@@ -64,6 +64,7 @@ struct Candidate
 {
   std::string Platform;
   EGLDisplay Display;
+  int Device = -1;
 };
 
 // The displays that need no window system come first, so that a DISPLAY in the environment, which may
@@ -74,8 +75,8 @@ std::vector<Candidate> ListCandidates(int firstDevice)
   const std::vector<EGLDeviceEXT> devices = QueryDevices();
   for (size_t i = static_cast<size_t>(std::max(firstDevice, 0)); i < devices.size(); ++i)
   {
-    candidates.push_back(
-      { "device:" + std::to_string(i), GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i]) });
+    candidates.push_back({ "device:" + std::to_string(i),
+      GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i]), static_cast<int>(i) });
   }
   if (HasClientExtension("EGL_MESA_platform_surfaceless"))
   {
@@ -126,7 +127,7 @@ std::unique_ptr<EGLOffscreenContext> EGLOffscreenContext::Create(
   for (const Candidate& candidate : ListCandidates(firstDevice))
   {
     std::unique_ptr<EGLOffscreenContext> context(
-      new EGLOffscreenContext(candidate.Display, candidate.Platform));
+      new EGLOffscreenContext(candidate.Display, candidate.Platform, candidate.Device));
     std::string failure;
     if (context->Initialize(failure))
     {
@@ -142,8 +143,9 @@ int EGLOffscreenContext::CountDevices()
   return static_cast<int>(QueryDevices().size());
 }
 
-EGLOffscreenContext::EGLOffscreenContext(void* display, const std::string& platform)
+EGLOffscreenContext::EGLOffscreenContext(void* display, const std::string& platform, int device)
   : Platform(platform)
+  , Device(device)
   , Display(display)
 {
 }

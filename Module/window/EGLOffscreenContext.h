@@ -90,16 +90,22 @@ public:
   const std::string& GetPlatform() const { return this->Platform; }
 
   /**
+   * The number of the EGL device that was taken, -1 of the other platforms.
+   */
+  int GetDevice() const { return this->Device; }
+
+  /**
    * The EGLContext and the EGLDisplay.
    */
   void* GetContext() const { return this->Context; }
   void* GetDisplay() const { return this->Display; }
 
 private:
-  EGLOffscreenContext(void* display, const std::string& platform);
+  EGLOffscreenContext(void* display, const std::string& platform, int device);
   bool Initialize(std::string& failure);
 
   std::string Platform;
+  int Device;
   void* Display;           // EGLDisplay
   void* Surface = nullptr; // EGLSurface, EGL_NO_SURFACE without pixel buffers
   void* Context = nullptr; // EGLContext

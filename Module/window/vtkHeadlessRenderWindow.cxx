@@ -11,6 +11,14 @@
 #include "vtkWeakPointer.h"
 #include "window/EGLOffscreenContext.h"
 
+#if __has_include("vtkEGLRenderWindow.h") // where VTK is built with EGL
+#include "vtkEGLRenderWindow.h"
+#define VITRINE_VTK_HAS_EGL 1
+#else
+#define VITRINE_VTK_HAS_EGL 0
+#endif
+
+#include <set>
 #include <string>
 #include <vector>
 
@@ -115,6 +123,34 @@ private:
   std::vector<Override> Silenced;
 };
 vtkStandardNewMacro(HeadlessWindowFactory);
+
+#if VITRINE_VTK_HAS_EGL
+/**
+ * One of VTK's own windows that has a display and nothing else. The last of them to leave a display terminates it, and with it
+ * the contexts that others have there.
+ */
+class DisplayKeeper : public vtkEGLRenderWindow
+{
+public:
+  static DisplayKeeper* New() { VTK_STANDARD_NEW_BODY(DisplayKeeper); }
+  vtkTypeMacro(DisplayKeeper, vtkEGLRenderWindow);
+  void Keep(int device) { this->SetDeviceAsDisplay(device); }
+};
+
+/**
+ * Have the display of an EGL device stay until the process ends: its keeper is never deleted.
+ */
+void KeepDisplay(int device)
+{
+  static std::set<int> kept;
+  if (device >= 0 && kept.insert(device).second)
+  {
+    DisplayKeeper::New()->Keep(device);
+  }
+}
+#else
+void KeepDisplay(int) {}
+#endif
 
 #if VITRINE_GL_LOADER_IS_GLEW
 /**
@@ -221,6 +257,7 @@ bool vtkHeadlessRenderWindow::CreateContext()
     vtkErrorMacro("No EGL platform gives an OpenGL context (" << failures << ").");
     return false;
   }
+  KeepDisplay(this->Context->GetDevice());
   if (this->Size[0] <= 0 || this->Size[1] <= 0)
   {
     this->SetSize(300, 300); // VTK's own default

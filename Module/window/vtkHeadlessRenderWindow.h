@@ -21,6 +21,8 @@
  * each of them answered. From then on rendering does nothing and reading pixels returns VTK_ERROR, until
  * Finalize() lets the window try again.
  *
+ * VTK's own windows by EGL, where VTK has them, may come and go beside it: the display that they share stays.
+ *
  * @warning
  * A process uses either this window or VTK's X window in a given thread: GLX does not give way to EGL
  * there.

@@ -5,6 +5,7 @@ import resource
 import unittest
 
 import numpy
+from vtkmodules import vtkRenderingOpenGL2
 from vtkmodules.vtkCommonCore import VTK_ERROR, vtkFloatArray, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
@@ -25,6 +26,7 @@ from scenes import (
 from vitrine import vtkHeadlessRenderWindow
 
 BACKGROUND = [0, 0, 255]
+EGL_WINDOW = getattr(vtkRenderingOpenGL2, "vtkEGLRenderWindow", None)  # VTK's own by EGL
 ORDINARY_WINDOW = type(vtkRenderWindow())  # before any override
 ORDINARY_INTERACTOR = type(vtkRenderWindowInteractor())
 
@@ -263,6 +265,72 @@ class Window(unittest.TestCase):
 
         settled = cycle(10)
         self.assertLess(cycle(40) - settled, 8 * 1024)  # KiB
+
+
+@unittest.skipUnless(EGL_WINDOW, "VTK has no windows by EGL")
+class BesideVTKsOwn(unittest.TestCase):
+    """In interpreters of their own: what VTK's windows do to a display they do to all of a process."""
+
+    PROGRAM = """
+import gc
+from scenes import cone_renderer, pixels, window_with
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkEGLRenderWindow
+def vtks_own(cls=vtkEGLRenderWindow):
+    window = cls()
+    window.SetOffScreenRendering(1)
+    window.SetSize(64, 48)
+    window.AddRenderer(cone_renderer())
+    window.Render()
+    return window
+def headless():
+    window = window_with(cone_renderer())
+    window.Render()
+    return window
+def expect_cone(window):
+    picture = pixels(window)
+    assert (picture[0, 0, :3] == [0, 0, 255]).all(), picture[0, 0]
+    assert picture[24, 32, 0] > 128, picture[24, 32]
+def expect_another(window):
+    window.GetRenderers().GetFirstRenderer().SetBackground(0, 1, 0)
+    window.Render()
+    assert (pixels(window)[0, 0, :3] == [0, 255, 0]).all(), pixels(window)[0, 0]
+%s
+print("survived")
+"""
+
+    def assert_survives(self, program):
+        result = run_python(self.PROGRAM % program)
+        self.assertEqual((result.returncode, result.stdout), (0, "survived\n"), result.stderr)
+        self.assertEqual([line for line in result.stderr.splitlines() if "ERR|" in line], [])
+
+    def test_keeps_its_picture_and_draws_when_the_last_of_them_ends(self):
+        self.assert_survives(
+            "window = headless(); own = vtks_own(); own.Finalize(); del own; gc.collect()\n"
+            "expect_cone(window); expect_another(window)"
+        )
+
+    def test_does_so_where_they_came_first(self):
+        self.assert_survives(
+            "own = vtks_own(); window = headless(); own.Finalize(); del own; gc.collect()\n"
+            "expect_cone(window); expect_another(window)"
+        )
+
+    def test_does_so_while_vtk_looks_for_a_kind_of_window(self):
+        self.assert_survives(
+            "window = headless(); own = vtks_own(vtkRenderWindow)\n"
+            "expect_cone(window); expect_cone(own); expect_another(window); expect_another(own)"
+        )
+
+    def test_does_so_when_all_come_and_go(self):
+        self.assert_survives(
+            "windows = [headless() for _ in range(3)]\n"
+            "for _ in range(3):\n"
+            "    own = [vtks_own(), vtks_own()]; expect_cone(own[1]); del own; gc.collect()\n"
+            "    windows[0].Finalize()\n"
+            "    for window in windows:\n"
+            "        expect_another(window)"
+        )
 
 
 class WithoutEGL(unittest.TestCase):
