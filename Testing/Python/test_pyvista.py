@@ -251,6 +251,16 @@ class Documentation(unittest.TestCase):
         self.assertGreater(int(fragments), 0)
 
 
+    def test_of_readme_runs(self):
+        text = pathlib.Path(EXAMPLES.parents[1], "README.md").read_text()
+        program = "".join(re.findall("```python\n(.*?)```", text, re.DOTALL))
+        before = "import pyvista\npyvista.global_theme.auto_close = False\n"
+        after = "print(vitrine.stats(plotter).layers_max)"
+        done = run_python(before + program + after, PYVISTA_OFF_SCREEN="true")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreaterEqual(int(done.stdout), 4)
+
+
 class Examples(unittest.TestCase):
     def test_draw_their_pictures(self):
         for name in ("pyvista_assembly", "pyvista_isosurfaces"):
