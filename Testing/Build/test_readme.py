@@ -18,6 +18,7 @@ NOT_RUN = {
     "scripts/demo": "it asks for packages of Debian; test_demo_scenes.py runs what it draws",
     "scripts/test": "it is what runs this test",
     "cmake --preset release && cmake --build --preset release": "it makes the tree of this test",
+    "vitrine diff got.png baseline.png": "it takes two pictures; test_diff.py runs it",
     "vitrine view assembly.glb": "it takes a display; test_view.py runs what does not",
     "vitrine chart assembly.glb --opacity 0.3 --out chart": "it takes long; test_chart.py runs less",
     "vitrine stability": "it takes long; test_stability.py runs it in parts",
