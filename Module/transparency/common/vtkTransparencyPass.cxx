@@ -72,29 +72,35 @@ std::map<std::string, vitrine::TransparencyMethod>& vitrine::TransparencyMethods
   return methods;
 }
 
-//------------------------------------------------------------------------------
-std::string vtkTransparencyPass::GetMethods()
+namespace
 {
-  std::string names;
-  for (const auto& [name, method] : vitrine::TransparencyMethods())
-  {
-    names += (names.empty() ? "" : ",") + name;
-  }
-  return names;
-}
 
-//------------------------------------------------------------------------------
-std::string vtkTransparencyPass::GetExactMethods()
+/** The names of the methods for which `test` holds, with commas between them. */
+template <class Test>
+std::string NamesOf(const Test& test)
 {
   std::string names;
   for (const auto& [name, method] : vitrine::TransparencyMethods())
   {
-    if (method.IsExact)
+    if (test(method))
     {
       names += (names.empty() ? "" : ",") + name;
     }
   }
   return names;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetMethods()
+{
+  return NamesOf([](const vitrine::TransparencyMethod&) { return true; });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetExactMethods()
+{
+  return NamesOf([](const vitrine::TransparencyMethod& method) { return method.IsExact; });
 }
 
 //------------------------------------------------------------------------------
