@@ -35,6 +35,9 @@
 #include "vtkVolumetricPass.h"
 
 #include <algorithm>
+#include <mutex>
+#include <typeindex>
+#include <unordered_map>
 #include <utility>
 
 namespace vitrine
@@ -152,44 +155,76 @@ std::vector<std::pair<std::string, PassStatement::Function>>& Statements()
 
 const char* const IsNotKnown = "is of a class that is not known";
 
-PassTraits FindStated(vtkRenderPass* pass, bool& isStated)
+/** Where the traits of all passes of one C++ type come from. */
+struct Origin
 {
-  PassTraits derived;
-  isStated = false;
+  PassStatement::Function Stated = nullptr; ///< null where no class of Vitrine has stated them
+  const Row* OfVTK = nullptr; ///< null where VTK's table does not have the class either
+  bool IsExact = false;       ///< It is that class, and not one derived from it.
+};
+
+Origin FindStated(vtkRenderPass* pass)
+{
+  Origin derived;
   for (const auto& [name, traits] : Statements())
   {
     if (IsExactlyOfClass(pass, name))
     {
-      isStated = true;
-      return traits(pass);
+      return { traits, nullptr, true };
     }
-    if (!isStated && pass->IsA(name.c_str()))
+    if (!derived.Stated && pass->IsA(name.c_str()))
     {
-      isStated = true;
-      derived = traits(pass);
-      derived.Beyond = IsNotKnown;
+      derived.Stated = traits;
     }
   }
   return derived;
 }
 
-PassTraits FindOfVTK(vtkRenderPass* pass)
+Origin FindOrigin(vtkRenderPass* pass)
 {
+  const Origin stated = FindStated(pass);
+  if (stated.Stated)
+  {
+    return stated;
+  }
   for (const Row& row : RowsOfVTK())
   {
     if (row.IsOf(pass))
     {
-      PassTraits traits = row.Traits;
-      traits.Delegates = row.Delegates(pass);
-      if (!row.IsExactly(pass))
-      {
-        traits.Beyond = IsNotKnown;
-      }
-      return traits;
+      return { nullptr, &row, row.IsExactly(pass) };
     }
   }
-  // It may draw anything.
-  return { IsNotKnown, Opaque, !Translucent, !OfWindow, !Picture };
+  return {};
+}
+
+/** Looks the origin up once for each type: names of classes are compared, and a frame asks many times. */
+Origin OriginOf(vtkRenderPass* pass)
+{
+  static std::mutex access;
+  static std::unordered_map<std::type_index, Origin> known;
+  const std::lock_guard<std::mutex> lock(access);
+  const auto [entry, isNew] = known.try_emplace(typeid(*pass));
+  if (isNew)
+  {
+    entry->second = FindOrigin(pass);
+  }
+  return entry->second;
+}
+
+PassTraits FindTraits(vtkRenderPass* pass, const Origin& origin)
+{
+  if (origin.Stated)
+  {
+    return origin.Stated(pass);
+  }
+  if (!origin.OfVTK)
+  {
+    // It may draw anything.
+    return { IsNotKnown, Opaque, !Translucent, !OfWindow, !Picture };
+  }
+  PassTraits traits = origin.OfVTK->Traits;
+  traits.Delegates = origin.OfVTK->Delegates(pass);
+  return traits;
 }
 
 void AddWithDelegates(vtkRenderPass* pass, Passes& all)
@@ -231,11 +266,11 @@ PassTraits TranslucentTraitsOfOwnTarget(vtkRenderPass*)
 
 PassTraits TraitsOf(vtkRenderPass* pass)
 {
-  bool isStated = false;
-  PassTraits traits = FindStated(pass, isStated);
-  if (!isStated)
+  const Origin origin = OriginOf(pass);
+  PassTraits traits = FindTraits(pass, origin);
+  if (!origin.IsExact)
   {
-    traits = FindOfVTK(pass);
+    traits.Beyond = IsNotKnown;
   }
   Passes& delegates = traits.Delegates;
   delegates.erase(std::remove(delegates.begin(), delegates.end(), nullptr), delegates.end());

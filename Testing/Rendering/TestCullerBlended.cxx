@@ -1,8 +1,8 @@
 // What VTK blends among what is opaque lets shine through what was drawn before it, whatever stands between both.
 #include "CompositeMapper.h"
 #include "CullerScene.h"
+#include "TestPasses.h"
 #include "gl/VitrineOpenGL.h"
-#include "vtkCameraPass.h"
 #include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -12,15 +12,12 @@
 #include "vtkLightsPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
-#include "vtkSequencePass.h"
 #include "vtkShaderProperty.h"
 
 #include <gtest/gtest.h>
@@ -280,14 +277,7 @@ TEST_P(CullerBlended, PassesDerivedFromVTKs)
   };
   for (const auto& [opaque, isXRay] : passes)
   {
-    vtkNew<vtkRenderPassCollection> collection;
-    collection->AddItem(vtkSmartPointer<vtkLightsPass>::New());
-    collection->AddItem(opaque);
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(collection);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    Scene.Renderer->SetPass(camera);
+    Scene.Renderer->SetPass(ByCamera(InSequence({ vtkNew<vtkLightsPass>(), opaque })));
     isXRay ? Scene.ExpectNothingHidden(322, 1) : Scene.ExpectHidden(322, 1);
     EXPECT_EQ(Scene.ShowsUnculled(this->Boxes), isXRay);
     Scene.Renderer->SetPass(nullptr);

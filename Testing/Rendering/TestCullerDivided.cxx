@@ -2,17 +2,15 @@
 #include "CullerScene.h"
 #include "DividedActor.h"
 #include "Select.h"
+#include "TestPasses.h"
 
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkCellPicker.h"
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkLight.h"
 #include "vtkPoints.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 
@@ -116,14 +114,7 @@ TEST_P(CullerDivided, PartsThatCastShadows)
   light->SetFocalPoint(-0.2, 0.0, -0.5);
   Scene.Renderer->AddLight(light);
   vtkNew<vtkShadowMapPass> shadows;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(shadows->GetShadowMapBakerPass());
-  passes->AddItem(shadows);
-  vtkNew<vtkSequencePass> both;
-  both->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(both);
-  Scene.Renderer->SetPass(camera);
+  Scene.Renderer->SetPass(ByCamera(InSequence({ shadows->GetShadowMapBakerPass(), shadows })));
   Scene.Culler->AddKnownPass("vtkShadowMapBakerPass");
   Scene.Culler->AddKnownPass("vtkShadowMapPass");
   const Picture culled = Scene.Render();

@@ -1,10 +1,10 @@
 // The culler below passes for many lights: neither it nor any other culler changes what is lit, or how.
 #include "CullerScene.h"
+#include "TestPasses.h"
 #include "vtkDeferredLightsPass.h"
 #include "vtkEDLShading.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkLight.h"
-#include "vtkObjectFactory.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSeeThroughPass.h"
@@ -13,22 +13,6 @@
 
 namespace
 {
-
-/** A pass that nobody knows. */
-class UnknownPass : public vtkRenderPass
-{
-public:
-  static UnknownPass* New() { VTK_STANDARD_NEW_BODY(UnknownPass); }
-  vtkTypeMacro(UnknownPass, vtkRenderPass);
-  void Render(const vtkRenderState* s) override { this->Steps->Render(s); }
-  void ReleaseGraphicsResources(vtkWindow* window) override
-  {
-    this->Steps->ReleaseGraphicsResources(window);
-  }
-
-private:
-  vtkNew<vtkRenderStepsPass> Steps;
-};
 
 class CullerLights : public CullerTest
 {

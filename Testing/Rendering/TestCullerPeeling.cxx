@@ -1,11 +1,11 @@
 // Depth peeling draws other things, too, where nothing is translucent: so one part that is stays, though it is hidden or beside the view.
 #include "CullerScene.h"
 #include "DividedActor.h"
+#include "TestPasses.h"
 #include "TestVolume.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
-#include "vtkCameraPass.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDualDepthPeelingPass.h"
@@ -19,8 +19,6 @@
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
 
 #include <gtest/gtest.h>
@@ -125,16 +123,8 @@ TEST_P(CullerPeeling, OneStaysBelowAPassThatPeels)
   vtkNew<vtkTranslucentPass> translucent;
   vtkNew<vtkDualDepthPeelingPass> peeling;
   peeling->SetTranslucentPass(translucent);
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(vtkNew<vtkLightsPass>());
-  passes->AddItem(vtkNew<vtkOpaquePass>());
-  passes->AddItem(peeling);
-  passes->AddItem(vtkNew<vtkOverlayPass>());
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  Scene.Renderer->SetPass(camera);
+  Scene.Renderer->SetPass(ByCamera(InSequence(
+    { vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(), peeling, vtkNew<vtkOverlayPass>() })));
   Scene.Renderer->UseDepthPeelingOff();
   this->AddOverlay();
   this->ExpectOneKept();

@@ -1,11 +1,11 @@
 // Props that the culler does not treat, and VTK's passes: all is drawn as it is without culling.
 #include "CullerScene.h"
+#include "TestPasses.h"
 #include "TestVolume.h"
 #include "vtkActor2D.h"
 #include "vtkAssembly.h"
 #include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkClearZPass.h"
 #include "vtkCubeSource.h"
 #include "vtkEDLShading.h"
@@ -18,7 +18,6 @@
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkLinkedListTransparencyPass.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -27,10 +26,8 @@
 #include "vtkPolyDataMapper2D.h"
 #include "vtkPropAssembly.h"
 #include "vtkProperty2D.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSeeThroughPass.h"
-#include "vtkSequencePass.h"
 #include "vtkSobelGradientMagnitudePass.h"
 #include "vtkSphereSource.h"
 #include "vtkTextActor.h"
@@ -413,37 +410,6 @@ TEST_P(CullerProps, PassesThatLookBeyondTheView)
   Scene.ExpectHidden(227, 1);
 }
 
-/** Passes in the order in which they draw. */
-vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> passes)
-{
-  vtkNew<vtkRenderPassCollection> collection;
-  for (vtkRenderPass* pass : passes)
-  {
-    collection->AddItem(pass);
-  }
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(collection);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  return camera;
-}
-
-/** A pass that nobody knows. */
-class PassOfAUsers : public vtkRenderPass
-{
-public:
-  static PassOfAUsers* New() { VTK_STANDARD_NEW_BODY(PassOfAUsers); }
-  vtkTypeMacro(PassOfAUsers, vtkRenderPass);
-  void Render(const vtkRenderState* s) override { this->Steps->Render(s); }
-  void ReleaseGraphicsResources(vtkWindow* window) override
-  {
-    this->Steps->ReleaseGraphicsResources(window);
-  }
-
-private:
-  vtkNew<vtkRenderStepsPass> Steps;
-};
-
 // Passes within others that look beyond the view, those that do not draw what would hide, and those of which nothing is known.
 TEST_P(CullerProps, PassesWithinPasses)
 {
@@ -458,11 +424,11 @@ TEST_P(CullerProps, PassesWithinPasses)
   shading->SetDelegatePass(steps);
   transparent->SetOpaquePass(nullptr);
   const std::pair<const char*, vtkSmartPointer<vtkRenderPass>> unsafe[] = {
-    { "EDL", InSequence({ shading }) },
-    { "translucent", InSequence({ lights, translucent }) },
+    { "EDL", ByCamera(InSequence({ shading })) },
+    { "translucent", ByCamera(InSequence({ lights, translucent })) },
     { "steps without opaque ones", transparent },
-    { "depth that is cleared", InSequence({ lights, opaque, clear, translucent }) },
-    { "a user's", vtkSmartPointer<PassOfAUsers>::New() },
+    { "depth that is cleared", ByCamera(InSequence({ lights, opaque, clear, translucent })) },
+    { "a user's", vtkSmartPointer<UnknownPass>::New() },
   };
   for (const auto& [name, pass] : unsafe)
   {
@@ -471,7 +437,7 @@ TEST_P(CullerProps, PassesWithinPasses)
     Scene.ExpectNothingHidden(229, 1);
     pass->ReleaseGraphicsResources(Scene.Window);
   }
-  Scene.Renderer->SetPass(InSequence({ lights, opaque, translucent }));
+  Scene.Renderer->SetPass(ByCamera(InSequence({ lights, opaque, translucent })));
   Scene.ExpectHidden(229, 1);
   Scene.Renderer->SetPass(nullptr);
 }

@@ -2,15 +2,13 @@
 #include "DeferredScene.h"
 #include "Select.h"
 #include "TestMessages.h"
+#include "TestPasses.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkDataObject.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLState.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
-#include "vtkSequencePass.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkWindowToImageFilter.h"
@@ -256,19 +254,11 @@ TEST(DeferredFrame, OfOtherPassesIsNotDeferred)
   scene.AddLights(2);
   const Picture expected = scene.InVTKsLight();
 
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(scene.Steps);
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  scene.Deferred->SetDelegatePass(sequence);
+  scene.Deferred->SetDelegatePass(InSequence({ scene.Steps }));
   EXPECT_TRUE(Matches(scene.InDeferredLight(), expected));
   EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
 
-  vtkNew<vtkSequencePass> opaque;
-  vtkNew<vtkRenderPassCollection> one;
-  vtkNew<vtkOpaquePass> usual;
-  one->AddItem(usual);
-  opaque->SetPasses(one);
+  const auto opaque = InSequence({ vtkNew<vtkOpaquePass>() });
   scene.Steps->SetOpaquePass(opaque);
   scene.Deferred->SetDelegatePass(scene.Steps);
   EXPECT_TRUE(Matches(scene.InDeferredLight(), expected));

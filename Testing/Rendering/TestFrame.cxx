@@ -1,25 +1,25 @@
 // vtkSeeThroughPass as the frame: effects of the renderer stay, whether flags or passes, and stay where they were.
+#include "TestPasses.h"
 #include "TestScene.h"
+#include "TestVolume.h"
+
 #include "vtkActor.h"
-#include "vtkCameraPass.h"
 #include "vtkClearRGBPass.h"
 #include "vtkClusteredLightsPass.h"
 #include "vtkCommand.h"
 #include "vtkDefaultPass.h"
 #include "vtkEDLShading.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkSeeThroughPass.h"
-#include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkToneMappingPass.h"
@@ -65,25 +65,6 @@ struct FrameScene : TestScene
 
   std::vector<vtkSmartPointer<vtkActor>> Glass;
 };
-
-vtkSmartPointer<vtkSequencePass> InSequence(std::initializer_list<vtkRenderPass*> passes)
-{
-  vtkNew<vtkRenderPassCollection> collection;
-  for (vtkRenderPass* const pass : passes)
-  {
-    collection->AddItem(pass);
-  }
-  auto sequence = vtkSmartPointer<vtkSequencePass>::New();
-  sequence->SetPasses(collection);
-  return sequence;
-}
-
-vtkSmartPointer<vtkRenderPass> ByCamera(vtkRenderPass* pass)
-{
-  auto camera = vtkSmartPointer<vtkCameraPass>::New();
-  camera->SetDelegatePass(pass);
-  return camera;
-}
 
 template <class Class>
 vtkSmartPointer<Class> Around(vtkRenderPass* pass)
@@ -235,6 +216,29 @@ TEST(Frame, DrawsFlagsOfTheRendererAsVTK)
     scene.ShowGlass(false);
     set(scene.Renderer, false);
   }
+}
+
+// VTK peels glass and volumes together. The frame lets it, and says so.
+TEST(Frame, LeavesVolumesToPeelingWhereVTKPeelsThem)
+{
+  FrameScene scene;
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff(); // by time
+  scene.Renderer->AddVolume(VolumeOf(
+    VoxelsOf(10, { 0.15, 0.15, 0.15 }, { -0.7, -0.7, -0.4 }, [](int i) { return i * 97 % 256; }),
+    mapper, 0.2));
+  scene.Window->AlphaBitPlanesOn();
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+  const Picture plain = scene.Render();
+  vtkNew<vtkSeeThroughPass> frame;
+  scene.Renderer->SetPass(frame);
+  EXPECT_TRUE(Matches(scene.Render(), plain));
+  EXPECT_NE(
+    std::string(frame->GetFallbackReason()).find("UseDepthPeelingForVolumes"), std::string::npos);
+  scene.Renderer->UseDepthPeelingForVolumesOff();
+  EXPECT_NE(scene.Render(), plain) << "peeling has no effect here";
+  EXPECT_STREQ(frame->GetFallbackReason(), "");
 }
 
 TEST(Frame, TakesInPassesThatAreSetLater)

@@ -2,24 +2,21 @@
 // and others of their kind.
 #include "TestMessages.h"
 #include "TestMethods.h"
+#include "TestPasses.h"
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
 #include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkCubeSource.h"
 #include "vtkInformation.h"
 #include "vtkLightsPass.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLState.h"
 #include "vtkOverlayPass.h"
-#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSeeThroughPass.h"
-#include "vtkSequencePass.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTruthTransparencyPass.h"
@@ -52,20 +49,8 @@ vtkSmartPointer<vtkRenderPass> Steps(vtkRenderPass* translucent)
 
 vtkSmartPointer<vtkRenderPass> Sequence(vtkRenderPass* translucent)
 {
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(vtkNew<vtkLightsPass>());
-  passes->AddItem(vtkNew<vtkOpaquePass>());
-  passes->AddItem(translucent);
-  passes->AddItem(vtkNew<vtkOverlayPass>());
-  vtkNew<vtkSequencePass> sequence;
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  auto outer = vtkSmartPointer<vtkSequencePass>::New();
-  vtkNew<vtkRenderPassCollection> outerPasses;
-  outerPasses->AddItem(camera);
-  outer->SetPasses(outerPasses);
-  return outer;
+  return InSequence({ ByCamera(InSequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(),
+    translucent, vtkNew<vtkOverlayPass>() })) });
 }
 
 struct Delegate
@@ -334,13 +319,8 @@ struct MarkedScene : TestScene
   explicit MarkedScene(vtkRenderPass* translucent)
     : TestScene(16, 16)
   {
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(vtkNew<vtkLightsPass>());
-    passes->AddItem(vtkNew<vtkOpaquePass>());
-    passes->AddItem(translucent);
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    this->Marking->Delegate = sequence;
+    this->Marking->Delegate =
+      InSequence({ vtkNew<vtkLightsPass>(), vtkNew<vtkOpaquePass>(), translucent });
     this->Renderer->SetPass(this->Marking);
     this->Rectangle = this->AddRectangle(-2.0, -2.0, 0.0, 2.0, -0.5, White);
   }
