@@ -1,6 +1,4 @@
-/**
- * What a frame counts on the device: how many fragments there are, and in how long lists.
- */
+/** Counters that a frame's shaders keep on the device: numbers of fragments, pixels and pages. */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_COUNTERS_H
 #define VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_COUNTERS_H
 
@@ -12,7 +10,7 @@
 namespace vitrine
 {
 
-/** What a frame, or a part of it, asked for. */
+/** What the fragments of a frame, or of a part of it, take. */
 struct FragmentStatistics
 {
   static constexpr int MaximumPageShift = 3;
@@ -20,18 +18,19 @@ struct FragmentStatistics
   std::int64_t Fragments = 0;
   std::int64_t LayersMax = 0;
   std::int64_t CoveredPixels = 0;
-  std::int64_t ShortPixels = 0; ///< packed lists: pixels with more fragments than room
+  std::int64_t ShortPixels = 0; ///< Pixels of packed lists that have more fragments than room.
   std::uint32_t TileBins = 0;
-  std::int64_t Pages[MaximumPageShift + 1] = {}; ///< pages needed at 1, 2, 4 and 8 nodes a page
+  /** Pages needed with 1, 2, 4 and 8 nodes per page. */
+  std::int64_t Pages[MaximumPageShift + 1] = {};
 };
 
 class FragmentCounters
 {
 public:
-  /** Zero them. Returns false if the driver has no memory for them. */
+  /** Set all counters to zero. Returns false if the driver has no memory for them. */
   bool Reset();
 
-  /** Waits for the device. */
+  /** Read the counters back. Waits for the device. */
   FragmentStatistics Read() const;
 
   GLuint Handle() const { return this->Counters.Handle(); }

@@ -1,6 +1,4 @@
-/**
- * Where the fragments of a frame lie on the device until they are resolved: a list for each pixel.
- */
+/** Interface of the stores that keep a frame's fragments on the device, a list for each pixel, until the resolve. */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_STORE_H
 #define VITRINE_TRANSPARENCY_ABUFFER_FRAGMENT_STORE_H
 
@@ -22,14 +20,14 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
-/** The format of a texel that holds a node of so many bytes: 8, 12 or 16. */
+/** Returns the texel format that holds a node of 8, 12 or 16 bytes. */
 inline GLenum NodeFormat(int nodeBytes)
 {
   assert(nodeBytes == 8 || nodeBytes == 12 || nodeBytes == 16);
   return nodeBytes == 8 ? GL_RG32UI : nodeBytes == 12 ? GL_RGB32UI : GL_RGBA32UI;
 }
 
-/** The storage buffers that a fill writes, bound while the keeper lives; 0 for those that it has not. */
+/** Binds the storage buffers that a fill writes while the object lives. Pass 0 for a buffer that the store lacks. */
 class ScopedFillBuffers
 {
 public:
@@ -52,53 +50,59 @@ public:
   virtual ~FragmentStore() = default;
 
   /**
-   * Begin a frame: sets what the store decides of `layout`, whose other members are given, and bounds the nodes to
-   * `limit` bytes, 0 for no bound but the driver's. Changes the framebuffer binding. Returns an empty string, or why
-   * the driver cannot.
+   * Begin a frame. Sets the members of `layout` that the store decides; the others are input.
+   * `limit` bounds the bytes of the nodes; with 0, only the driver bounds them. Changes the framebuffer binding.
+   * Returns an error message, empty on success.
    */
   virtual std::string BeginFrame(
     vtkOpenGLState* state, const RenderTarget& target, std::int64_t limit, ListLayout& layout) = 0;
 
   /**
-   * Empty the lists of `region`, so that they can be filled. May change `layout`'s page size. Returns an empty string,
-   * or why the driver cannot.
+   * Empty the lists of `region`, so that they can be filled. May change the page size in `layout`. Returns an error
+   * message, empty on success.
    */
   virtual std::string BeginFill(
     vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout) = 0;
 
-  /** The uniforms of the fill shader. */
+  /** Set the store's uniforms of the fill shader. */
   virtual void SetFillUniforms(vtkShaderProgram* program) const = 0;
 
-  /** Whether the driver could not compile one of the store's own shaders: it is of no use then. */
+  /** Returns true if the driver could not compile one of the store's own shaders. The store is unusable then. */
   virtual bool HasFailed() const { return false; }
 
   enum FitType
   {
-    FITS,      ///< what was drawn is in the store
-    GREW,      ///< it was not, but there is room now: draw it again
-    TOO_LARGE, ///< the limit, or the driver, forbids it; the store is as large as they allow
-    TOO_DEEP   ///< a pixel has more fragments than the store can count
+    FITS, ///< All drawn fragments are in the store.
+    GREW, ///< Fragments are missing, but there is room now: draw again.
+    /** The limit or the driver forbids enough room. The store is as large as they allow. */
+    TOO_LARGE,
+    TOO_DEEP ///< A pixel has more fragments than the store can count.
   };
 
-  /** Whether what the last fill counted is in the store; if not, make room for it. */
+  /** Check whether the store holds all fragments that the last fill counted. If not, make room for them. */
   virtual FitType Fit(const FragmentStatistics& needed) = 0;
 
-  /** Units that the store may hold, of UnitNodes() nodes and UnitBytes() bytes each, after TOO_LARGE. */
+  /**
+   * After TOO_LARGE: the number of units that the store may hold. A unit has UnitNodes() nodes and UnitBytes() bytes.
+   */
   virtual std::int64_t CapacityUnits() const = 0;
   virtual int UnitNodes() const = 0;
   virtual std::int64_t UnitBytes() const = 0;
 
-  /** What bounds the store: "its limit is N bytes", or what the driver has memory for. */
+  /** Returns what bounds the store: "its limit is N bytes", or for how much the driver has memory. */
   virtual std::string DescribeLimit() const = 0;
 
-  /** Fragments that the last fill counted in each pixel, row by row from the bottom; waits for the device. */
+  /**
+   * Read the number of fragments that the last fill counted in each pixel, by rows from the bottom. Waits for the
+   * device.
+   */
   virtual std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state) = 0;
 
-  /** After a finished frame in so many bands, or one without fragments. */
+  /** End a finished frame that took `bands` bands. A frame without fragments counts too. */
   virtual void EndFrame(const FragmentStatistics& used, int bands) = 0;
 
   ///@{
-  /** GL names; 0 for what a store has not. */
+  /** GL names. They are 0 for objects that the store lacks. */
   virtual GLuint NodeBuffer() const = 0;
   virtual GLuint NodeTexture() const = 0;
   virtual GLuint LinkBuffer() const { return 0; }
@@ -110,7 +114,7 @@ public:
   ListHeads& Heads() { return this->ListsOfPixels; }
   FragmentStatistics ReadCounters() const { return this->Counters.Read(); }
 
-  /** Bytes of the nodes and what links them, and of all else that the store holds. */
+  /** Bytes of the nodes and their links, and bytes of everything else that the store holds. */
   virtual std::int64_t NodeBytes() const = 0;
   virtual std::int64_t OtherBytes() const { return this->ListsOfPixels.Image().Bytes(); }
 

@@ -1,6 +1,4 @@
-/**
- * Fragments in linked lists: pages of a pool that shaders allocate, an image of heads.
- */
+/** Store of linked lists: shaders allocate pages from a node pool, and an image holds the heads. */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_LINKED_LIST_STORE_H
 #define VITRINE_TRANSPARENCY_ABUFFER_LINKED_LIST_STORE_H
 

@@ -1,7 +1,8 @@
 /**
- * The heads of lists: an image of two words for each pixel, and the framebuffers in which it is cleared and filled.
- * Linked lists: the newest page, and the number of fragments. Packed lists: where the room begins, and fragments and
- * room in one word.
+ * The heads of the lists, two words for each pixel, and the framebuffers in which they are cleared and filled.
+ *
+ * A head of a linked list holds the newest page and the number of fragments. A head of a packed list holds the start of
+ * the pixel's room, and one word with both fragments and room.
  */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_HEADS_H
 #define VITRINE_TRANSPARENCY_ABUFFER_LIST_HEADS_H
@@ -22,30 +23,32 @@ class ListHeads
 {
 public:
   /**
-   * Make room for the target's pixels, with width and height rounded up to a `multiple`, in an attachment that
-   * shaders fetch from or an image for atomics. Changes the framebuffer binding. Returns an empty string, or why the driver cannot.
+   * Make room for the target's pixels. Width and height are rounded up to a multiple of `multiple`. With
+   * `framebufferFetch` the heads are an attachment that shaders fetch from, else an image for atomics. Changes the
+   * framebuffer binding. Returns an error message, empty on success.
    */
   std::string Prepare(
     vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple = 1);
 
   /**
-   * Set the heads of a region to `first` and 0. Changes the framebuffer binding, scissor box and colour mask.
+   * Set the two words of each head in `region` to `first` and 0. Changes the framebuffer binding, scissor box and
+   * colour mask.
    */
   void Clear(vtkOpenGLState* state, const PixelRegion& region, GLuint first);
 
   /**
-   * Set the state to draw a region's heads: of uvec2 in an attachment that shaders fetch from, else rows of first and
-   * of second words in turn.
+   * Set the state for a draw that writes the heads of `region`. With framebuffer fetch a texel is a uvec2. Else rows of
+   * first words and rows of second words alternate.
    */
   void BindForWriting(vtkOpenGLState* state, const PixelRegion& region);
 
-  /** All heads, two words a pixel, row by row from the bottom; waits for the device. */
+  /** Read all heads, two words per pixel, by rows from the bottom. Waits for the device. */
   std::vector<std::uint32_t> Read(vtkOpenGLState* state);
 
-  /** To draw the lists' fragments into: it has the target's depth. */
+  /** The framebuffer into which fragments are filled. It has the target's depth. */
   GLuint FillFramebuffer() { return this->FillTarget.Handle(); }
 
-  /** Pixels in a row, those by which it was rounded up included. */
+  /** Pixels in a row, including those added by rounding up. */
   int RowLength() const { return this->Width; }
 
   bool AreFetched() const { return this->Fetched; }
@@ -61,8 +64,8 @@ private:
   int Width = 0;
   int Height = 0;
   Image2D Heads;
-  Framebuffer FillTarget;  // opaque depth, and the heads where shaders fetch them
-  Framebuffer WriteTarget; // the heads
+  Framebuffer FillTarget;  // Opaque depth, and the heads if shaders fetch them.
+  Framebuffer WriteTarget; // The heads alone.
 };
 
 }

@@ -1,6 +1,4 @@
-/**
- * How lists of fragments are laid out: what shaders are compiled for.
- */
+/** The layout of fragment lists. Shaders are compiled for it. */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_LAYOUT_H
 #define VITRINE_TRANSPARENCY_ABUFFER_LIST_LAYOUT_H
 
@@ -10,26 +8,26 @@
 namespace vitrine
 {
 
-/** How nodes keep colours. */
+/** Formats of a node's colour. */
 enum class NodeColors
 {
-  HalfFloat, ///< four 16-bit floats
-  EightBit,  ///< RGBA8
-  Compact    ///< with the depth in two words: for fixed-point targets
+  HalfFloat, ///< Four 16-bit floats.
+  EightBit,  ///< RGBA8.
+  Compact    ///< Colour and depth together in two words, for fixed-point targets only.
 };
 
 struct ListLayout
 {
-  bool Packed = false; ///< successive nodes of a packed buffer; else linked pages of a pool
+  bool Packed = false; ///< Lists are consecutive nodes of one buffer, not linked pages of a pool.
   NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
   bool FramebufferFetch = false;
-  bool Additive = false;    ///< some fragments are added to what is behind them
-  bool Coincidence = false; ///< depths are intervals: with a tolerance
+  bool Additive = false;    ///< Some fragments are added to what is behind them.
+  bool Coincidence = false; ///< Depths are intervals, since there is a coincidence tolerance.
   int Samples = 0;
   int PageSize = 1;
 
-  /** What names the kind of colours in shaders; null for 8 bits. */
+  /** The define that selects the colour format in shaders. It is null for 8 bits. */
   const char* ColorDefine() const;
 
   /** The shaders' defines for this layout. */

@@ -1,6 +1,4 @@
-/**
- * The second half of the methods that store lists: what those hold becomes a picture.
- */
+/** The resolve pass of the A-buffer methods: sorts and composites the lists of a FragmentStore. */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_RESOLVER_H
 #define VITRINE_TRANSPARENCY_ABUFFER_LIST_RESOLVER_H
 
@@ -26,32 +24,30 @@ class ListResolver
 {
 public:
   /**
-   * Make room for the tiles of the target, before the rest. Changes the framebuffer binding. Returns an empty
-   * string, or why the driver cannot.
+   * Make room for the tiles of the target. Call this before all else. Changes the framebuffer binding. Returns an error
+   * message, empty on success.
    */
   std::string PrepareTiles(vtkOpenGLState* state, const RenderTarget& target);
 
-  /**
-   * Count what the lists in `region` need into the store's counters, and each tile's longest list.
-   */
+  /** Find each tile's longest list, and add what the lists in `region` need to the store's counters. */
   void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
     const RenderTarget& target, const PixelRegion& region);
 
   /**
-   * Empty, or why a list of `longest` fragments cannot be resolved here: llvmpipe ends the loops of a shader after 65,535
-   * rounds, in silence, and the merge of long runs takes two and more for each fragment.
+   * Returns why a list of `longest` fragments cannot be resolved here, or an empty string. llvmpipe silently ends a
+   * shader's loops after 65,535 rounds, and the merge of long runs takes at least two rounds per fragment.
    */
   static std::string FindProblemOfLength(std::int64_t longest);
 
   /**
-   * Sort and composite the lists of `region` over the backdrop, into the target. `tileBins` are the bins that
+   * Sort the lists of `region` and composite them over the backdrop into the target. `tileBins` are the bins that
    * Classify() found. Returns false, with nothing drawn, if a shader does not compile.
    */
   bool Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
     const Image2D& backdrop, const RenderTarget& target, const PixelRegion& region,
     std::uint32_t tileBins);
 
-  /** Whether a shader did not compile, so that nothing was drawn by it. */
+  /** Returns true if a shader did not compile. Nothing was drawn by it. */
   bool HasFailed() const { return this->Programs.HasFailed(); }
 
   std::int64_t Bytes() const { return this->TileMax.Bytes(); }
@@ -59,7 +55,7 @@ public:
   void Release();
 
 private:
-  // One draw: the program of a bin, for lists longer than `Longer` and no longer than the bin allows.
+  // One draw: the program of a bin, for lists longer than `Longer` and no longer than the bin's limit.
   struct BinDraw
   {
     int Bin;
@@ -74,7 +70,7 @@ private:
 
   Image2D TileMax;
   Framebuffer TileFramebuffer;
-  Framebuffer SortFramebuffer; // without images
+  Framebuffer SortFramebuffer; // Has no images.
   EmptyVertexArray VertexArray;
   ProgramCache Programs;
 };

@@ -1,6 +1,4 @@
-/**
- * The memory of the linked lists: pages of nodes, and their links.
- */
+/** The memory of the linked lists: pages of nodes, and their links. */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_NODE_POOL_H
 #define VITRINE_TRANSPARENCY_ABUFFER_NODE_POOL_H
 
@@ -15,7 +13,7 @@
 namespace vitrine
 {
 
-/** Bytes that `pages` pages of `pageSize` nodes take, links included. */
+/** Bytes of `pages` pages of `pageSize` nodes, including links. */
 std::int64_t PoolBytes(std::int64_t pages, int pageSize, int nodeBytes);
 
 class NodePool
@@ -24,16 +22,16 @@ public:
   static constexpr int MaximumPageShift = FragmentStatistics::MaximumPageShift;
   static constexpr std::int64_t Unlimited = std::numeric_limits<std::int64_t>::max();
 
-  /** Node size in bytes (8, 12 or 16) and whether pages may hold several nodes. */
+  /** Set the size of a node in bytes (8, 12 or 16), and whether a page may hold several nodes. */
   void SetLayout(int nodeBytes, bool pages);
 
   /**
-   * Bound the pool to `bytes`, 0 for no bound, and to what one shader storage block and one buffer texture may hold.
-   * It holds 16 pages of one node at least.
+   * Bound the pool to `bytes`, or to nothing with 0. One shader storage block and one buffer texture bound it as well.
+   * The pool holds at least 16 pages of one node.
    */
   void SetLimit(std::int64_t bytes);
 
-  /** What bounds the pool: "its limit is N bytes", or what the driver has memory for. */
+  /** Returns what bounds the pool: "its limit is N bytes", or for how much the driver has memory. */
   std::string DescribeLimit() const;
 
   int PageShift() const { return this->Shift; }
@@ -43,25 +41,25 @@ public:
   std::int64_t PageBytes() const { return PoolBytes(1, this->PageSize(), this->BytesPerNode); }
   std::int64_t Bytes() const { return this->Nodes.Bytes() + this->Links.Bytes(); }
 
-  /** Whether what a frame, or a part of it, counted is in the pool. */
+  /** Returns true if the pool holds all that a frame, or a part of it, counted. */
   bool Holds(const FragmentStatistics& needed) const;
 
   /**
-   * Whether what a frame counted is in the pool; if not, make room as far as the limit and the driver's memory allow,
-   * in pages of a size that suits the frame.
+   * Check whether the pool holds all that a frame counted. If not, choose a page size that suits the frame, and grow as
+   * far as the limit and the driver's memory allow.
    */
   FragmentStore::FitType Fit(const FragmentStatistics& needed);
 
   /**
-   * After a finished frame, or one without fragments: shrink where the pool has long been too large, and take up
-   * another page size where frames have long preferred it.
+   * End a finished frame, or one without fragments. Shrinks a pool that was too large for long. Takes another page size
+   * if frames have preferred it for long.
    */
   void EndFrame(const FragmentStatistics& used);
 
-  /** The most pages that the limit allows at the current page size. */
+  /** The largest number of pages that the limit allows at the current page size. */
   std::int64_t LimitPages() const;
 
-  /** See that there is a pool, if only the smallest. Returns false if the driver has no memory for it. */
+  /** Allocate the smallest pool if there is none. Returns false if the driver has no memory for it. */
   bool Ensure() { return this->Pages > 0 || this->Allocate(0); }
 
   GLuint NodeBuffer() const { return this->Nodes.Handle(); }
@@ -87,12 +85,13 @@ private:
   int BytesPerNode = 0;
   bool HasPages = false;
   int Shift = 0;
-  int ProposedShift = 0;  // what the last frame preferred
-  int ProposalFrames = 0; // that have preferred it in a row to the one in use
+  int ProposedShift = 0;  // The page shift that the last frame preferred.
+  int ProposalFrames = 0; // Frames in a row that preferred ProposedShift to Shift.
   std::int64_t Limit = 0;
-  std::int64_t Memory = Unlimited; // bytes for which the driver has had memory
-  int ShortageFrames = 0;          // since it had none for more
-  std::int64_t Pages = 0;          // allocated
+  // Bound in bytes after the driver refused more, else Unlimited.
+  std::int64_t Memory = Unlimited;
+  int ShortageFrames = 0; // Frames since the driver last refused memory.
+  std::int64_t Pages = 0; // Number of allocated pages.
   PoolSizing Sizing;
   Buffer Nodes;
   Buffer Links;

@@ -1,6 +1,6 @@
 /**
- * Fragments in packed lists: one buffer, in which each pixel has room for as many fragments as were counted, or as the
- * last frame lets expect.
+ * Store of packed lists: one buffer, in which each pixel has room for its fragments. The room is counted in this frame,
+ * or predicted from the last one.
  */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_PACKED_LIST_STORE_H
 #define VITRINE_TRANSPARENCY_ABUFFER_PACKED_LIST_STORE_H
@@ -15,7 +15,7 @@ namespace vitrine
 class PackedListStore : public FragmentStore
 {
 public:
-  /** Whether a frame begins with the room that the last one lets expect, in place of counting first. */
+  /** Set whether a frame begins with predicted room. Else it begins by counting. */
   void SetPrediction(bool on) { this->Predicts = on; }
 
   std::string BeginFrame(vtkOpenGLState* state, const RenderTarget& target, std::int64_t limit,
@@ -42,9 +42,9 @@ private:
   // How the next fill begins.
   enum StartType
   {
-    COUNTING,  // without room: it only counts
-    COUNTED,   // with room for what the last fill counted
-    PREDICTED, // with room for what the last frame lets expect
+    COUNTING,  // Without room: the fill only counts.
+    COUNTED,   // With room for all that the last fill counted.
+    PREDICTED, // With room predicted from the last frame.
   };
 
   std::int64_t LimitNodes() const;
@@ -64,18 +64,19 @@ private:
   int TargetHeight = 0;
   int BytesPerNode = 8;
   std::int64_t Limit = 0;
-  std::int64_t Memory =
-    0; // bytes for which the driver may have memory, since it refused more; 0: any
-  int ShortageFrames = 0;     // since it did
-  std::int64_t RoomNodes = 0; // the most that a fill of this frame had room for
+  // Bytes for which the driver may have memory, known since it refused more. 0 means unknown.
+  std::int64_t Memory = 0;
+  int ShortageFrames = 0;     // Frames since the driver last refused memory.
+  std::int64_t RoomNodes = 0; // The largest room that a fill of this frame had.
   StartType Start = COUNTING;
-  bool HasCountsOfBands = false; // of all pixels, after a fill that did not fit
-  PixelRegion Region;            // of the last fill
-  BlockRange Blocks;             // of it
-  BlockRange LastFrame;          // whose longest lists are known; empty if none are
-  int OversizedFrames = 0;       // in a row that used much less than there is
+  // A fill of all pixels did not fit, so its counts place the bands.
+  bool HasCountsOfBands = false;
+  PixelRegion Region;      // Region of the last fill.
+  BlockRange Blocks;       // Blocks of the last fill.
+  BlockRange LastFrame;    // Blocks whose longest lists are known from the last frame, or empty.
+  int OversizedFrames = 0; // Frames in a row that used much less than the capacity.
   Buffer Nodes;
-  Image2D LongestLists; // of each block
+  Image2D LongestLists; // The longest list of each block.
   PackedScan Scan;
 };
 

@@ -1,8 +1,8 @@
 /**
- * Where the lists of a packed buffer begin and end: prefix sums over the picture, in compute shaders.
+ * Finds where the lists of a packed buffer begin, by prefix sums in compute shaders.
  *
- * M. Harris, S. Sengupta, J. D. Owens: Parallel Prefix Sum (Scan) with CUDA, GPU Gems 3, 2007, for scans block by block;
- * the sums of VITRINE_SCAN_FANOUT values are one invocation's work, so that no invocation waits for another.
+ * The scan goes block by block: M. Harris, S. Sengupta, J. D. Owens: Parallel Prefix Sum (Scan) with CUDA, GPU Gems 3,
+ * 2007. Here one invocation adds VITRINE_SCAN_FANOUT values, so that no invocation waits for another.
  */
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_PACKED_SCAN_H
 #define VITRINE_TRANSPARENCY_ABUFFER_PACKED_SCAN_H
@@ -30,23 +30,27 @@ public:
   PackedScan();
 
   /**
-   * Give each pixel of `region` room for as many fragments as its head counted in the last fill, and none beyond
-   * `capacity` nodes. Other pixels keep their counts. Returns an empty string, or why the driver cannot.
+   * Give each pixel of `region` room for the fragments that its head counted in the last fill. No room lies beyond
+   * `capacity` nodes. Other pixels keep their counts. Returns an error message, empty on success.
    */
   std::string PlaceCounted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
     const ListHeads& heads, const PixelRegion& region, std::uint32_t capacity);
 
   /**
-   * The same, for as many fragments as the image `longestLists` says of the pixel's block and its neighbours. Changes
-   * the state of full-screen draws.
+   * Give each pixel of `blocks` room for the longest list of its block and the neighbouring blocks, as stored in the
+   * image `longestLists`. No room lies beyond `capacity` nodes. Changes the state that full-screen draws set. Returns
+   * an error message, empty on success.
    */
   std::string PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout,
     ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity);
 
-  /** Nodes for which the last call asked, those beyond the capacity included; 2^32 - 1 for more. Waits for the device. */
+  /**
+   * Read the number of nodes that the last call asked for, including those beyond the capacity. It saturates at
+   * UINT32_MAX. Waits for the device.
+   */
   std::uint32_t ReadTotal() const;
 
-  /** Whether the driver could not compile one of the shaders. */
+  /** Returns true if the driver could not compile one of the shaders. */
   bool HasFailed() const;
 
   std::int64_t Bytes() const { return this->Sums.Bytes(); }
@@ -56,7 +60,7 @@ public:
 private:
   struct Level
   {
-    int Offset; // in the buffer, in values
+    int Offset; // Position in Sums, in values.
     int Count;
   };
 
@@ -68,8 +72,8 @@ private:
   bool ScanSums(vtkOpenGLRenderWindow* window);
   bool RunOverLevel(ComputeProgram& program, vtkOpenGLRenderWindow* window, std::size_t level);
 
-  std::vector<Level> Levels; // from the blocks' sums to that of all
-  int OfBlocks = 0;          // in the buffer: a value of each block that is kept beside its sum
+  std::vector<Level> Levels; // From the sums of the blocks to the sum of all.
+  int OfBlocks = 0; // Position in Sums of each block's second value, the room of one pixel.
   Buffer Sums;
   ComputeProgram Counts;
   ComputeProgram Prediction;

@@ -1,6 +1,4 @@
-/**
- * The tolerance within which fragments coincide, as methods share it (Shaders/Coincidence.glsl).
- */
+/** The tolerance within which fragments coincide (Shaders/Coincidence.glsl). */
 #ifndef VITRINE_TRANSPARENCY_COMMON_COINCIDENCE_TOLERANCE_H
 #define VITRINE_TRANSPARENCY_COMMON_COINCIDENCE_TOLERANCE_H
 
@@ -16,18 +14,18 @@ struct RenderTarget;
 
 struct CoincidenceTolerance
 {
-  double Steps = 0.0; ///< of 2^-24 of the window's depth
-  double Slope = 0.0; ///< times the larger change of depth to a neighbouring pixel
+  double Steps = 0.0; ///< In units of 2^-24 of the window depth range.
+  double Slope = 0.0; ///< Factor of the larger depth difference to a neighbouring pixel.
 
   bool IsOn() const { return this->Steps > 0.0 || this->Slope > 0.0; }
 
-  /** Why there is no such tolerance; empty if there is. */
+  /** Returns why the values are invalid, or an empty string. */
   std::string FindProblem() const;
 
-  /** Why it cannot be had in the target; empty if it can. */
+  /** Returns why the tolerance cannot be applied in `target`, or an empty string. */
   std::string FindProblemIn(const RenderTarget& target) const;
 
-  /** What of the storing of a fragment it changes. */
+  /** Add the tolerance's define and slope code to `fill`. */
   void AddTo(FillShader& fill) const;
 
   void SetUniforms(vtkShaderProgram* program) const;

@@ -1,6 +1,4 @@
-/**
- * What the declarations that are joined to mappers' shaders need of the driver, where fragments go to buffers.
- */
+/** The GLSL extensions that a mapper's shader needs to store fragments in buffers. */
 #ifndef VITRINE_TRANSPARENCY_COMMON_FILL_EXTENSIONS_H
 #define VITRINE_TRANSPARENCY_COMMON_FILL_EXTENSIONS_H
 
@@ -10,8 +8,8 @@ namespace vitrine
 {
 
 /**
- * Extensions of GLSL 1.50, in which VTK writes mappers' shaders, that storing a fragment in a buffer takes
- * (Shaders/FragmentCapture.glsl, LinkedListFillDec.glsl, TruthFillDec.glsl).
+ * The extensions of GLSL 1.50 that storing a fragment in a buffer requires (Shaders/FragmentCapture.glsl,
+ * LinkedListFillDec.glsl, TruthFillDec.glsl). VTK writes its mappers' shaders in GLSL 1.50.
  */
 inline const std::vector<const char*>& FillExtensions()
 {

@@ -1,6 +1,4 @@
-/**
- * How a method's storing of fragments is joined to the shaders of VTK's mappers.
- */
+/** Joins a method's code that stores fragments to the shaders of VTK's mappers. */
 #ifndef VITRINE_TRANSPARENCY_COMMON_FILL_SHADER_H
 #define VITRINE_TRANSPARENCY_COMMON_FILL_SHADER_H
 
@@ -17,36 +15,37 @@ namespace vitrine
 
 struct RenderTarget;
 
-/** What a method adds to a mapper's fragment shader. */
+/** The text that a method adds to a mapper's fragment shader. */
 struct FillShader
 {
-  std::vector<std::string> Extensions; ///< required beside those of FragmentCapture.glsl
-  std::vector<std::string> Defines;    ///< "NAME value"
-  std::string Declarations;            ///< at global scope
-  std::string UniformFlow;             ///< at the beginning of main(), as what takes derivatives
-  std::string Implementation;          ///< at the end of main(); the colour is gl_FragData[0]
-  std::optional<InputPlace> Inputs;    ///< where inputs are seen; none: where they are
+  std::vector<std::string> Extensions; ///< Required in addition to those of FragmentCapture.glsl.
+  std::vector<std::string> Defines;    ///< "NAME value".
+  std::string Declarations;            ///< Inserted at global scope.
+  std::string UniformFlow; ///< Inserted at the beginning of main(), where derivatives are defined.
+  std::string Implementation; ///< Inserted at the end of main(). The colour is gl_FragData[0].
+  std::optional<InputPlace> Inputs; ///< Where the shader evaluates its inputs, if not in place.
 };
 
-/** True if the mapper's fragment shader computes a depth of its own. */
+/** Returns true if the mapper's fragment shader assigns gl_FragDepth. */
 bool WritesDepth(const std::string& fragmentShader);
 
-/** The define that tells FragmentCapture.glsl which alphas images of 16-bit floats, or of 8 bits, may keep as 0. */
+/**
+ * Returns the define of the alpha up to which an image of 16-bit floats, or of 8 bits, may store 0.
+ * FragmentCapture.glsl uses it.
+ */
 const char* LeastAlphaDefine(bool halfFloat);
 
-/** Add what FragmentCapture.glsl asks for, as `target` and the mapper's fragment shader decide. */
+/** Add the defines and extensions that FragmentCapture.glsl needs for `target` and the mapper's fragment shader. */
 void AddCapture(
   FillShader& fill, const RenderTarget& target, bool postDepthCoverage, bool writesDepth);
 
 /**
- * Whether the driver compiles what is joined to mappers' shaders: a mapper of VTK 9.1 does not survive that its
- * shader does not compile. VTK's current program changes.
+ * Returns true if the driver compiles `fill`. A mapper of VTK 9.1 crashes if its shader does not compile, so this is
+ * tried first. Changes VTK's current program.
  */
 bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill);
 
-/**
- * Join `fill` to a mapper's fragment shader at VTK's tags. Returns an empty string, or which tag is missing.
- */
+/** Join `fill` to a mapper's fragment shader at VTK's tags. Returns an empty string, or which tag is missing. */
 std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader);
 
 }

@@ -1,6 +1,4 @@
-/**
- * The methods for translucent geometry, by name. Each states itself in the source of its class.
- */
+/** Table of the transparency methods by name. Each method registers itself in the source file of its class. */
 #ifndef VITRINE_TRANSPARENCY_COMMON_METHOD_TABLE_H
 #define VITRINE_TRANSPARENCY_COMMON_METHOD_TABLE_H
 
@@ -16,14 +14,14 @@ namespace vitrine
 
 struct TransparencyMethod
 {
-  bool IsExact; ///< for any number of layers that it does not refuse
+  bool IsExact; ///< It is exact for every number of layers that it does not refuse.
   vtkTransparencyPass* (*New)();
 };
 
-/** In the order of their names. */
+/** The methods, sorted by name. */
 std::map<std::string, TransparencyMethod>& TransparencyMethods();
 
-/** States a method, once, at file scope. */
+/** Registers a method. Define one at file scope. */
 struct MethodStatement
 {
   MethodStatement(const char* name, bool isExact, vtkTransparencyPass* (*create)())
@@ -34,7 +32,7 @@ struct MethodStatement
 
 }
 
-/** States a class and the method that its objects are as they are made, at file scope. */
+/** Registers, at file scope, the traits of a pass class and the method that its new objects implement. */
 #define vitrineTransparencyMethodMacro(thisClass, name, isExact, traits)                           \
   vitrinePassTraitsMacro(thisClass, traits);                                                       \
   static const vitrine::MethodStatement thisClass##Method(                                         \

@@ -1,6 +1,4 @@
-/**
- * The fragment shaders that resolve lists, with their unrolled parts filled in.
- */
+/** The fragment shaders that resolve lists, with their unrolled parts filled in. */
 #ifndef VITRINE_TRANSPARENCY_COMMON_RESOLVE_SOURCES_H
 #define VITRINE_TRANSPARENCY_COMMON_RESOLVE_SOURCES_H
 
@@ -9,13 +7,13 @@
 namespace vitrine
 {
 
-/** ListResolve.glsl for lists of up to `size` nodes, by one network. */
+/** ListResolve.glsl for lists of up to `size` nodes, sorted by one network. */
 std::string NetworkSource(int size, int pageSize);
 
 /** StencilMaskResolve.glsl for groups of `layers` pixels. */
 std::string StencilMaskSource(int layers);
 
-/** StencilRoutedResolve.glsl for pixels of up to `size` fragments, by one network. */
+/** StencilRoutedResolve.glsl for pixels of up to `size` fragments, sorted by one network. */
 std::string RoutedNetworkSource(int size);
 
 /** StencilRoutedResolveLong.glsl for pixels of any number of fragments, in blocks of `block`. */

@@ -1,6 +1,4 @@
-/**
- * Translucent geometry whose size counts in pixels, which a larger target would draw thinner.
- */
+/** Finds translucent geometry whose size is given in pixels. An enlarged target would draw it thinner. */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_PIXEL_SIZED_PRIMITIVES_H
 #define VITRINE_TRANSPARENCY_STENCIL_PIXEL_SIZED_PRIMITIVES_H
 
@@ -11,7 +9,10 @@ class vtkRenderState;
 namespace vitrine
 {
 
-/** Why the state's translucent props cannot be drawn into a larger target: lines or points. Empty if they can. */
+/**
+ * Returns why the state's translucent props cannot be drawn into an enlarged target (lines or points), or an empty
+ * string.
+ */
 std::string FindPixelSizedPrimitives(const vtkRenderState* s);
 
 }

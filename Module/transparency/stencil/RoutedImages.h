@@ -1,6 +1,6 @@
 /**
- * The images that stencil routing draws into: of each geometry pass a layer of colours and of depths, and the stencil of one
- * pass. Where a pass takes several fragments of a pixel, each has a sample.
+ * The images that stencil routing draws into. Each geometry pass has a layer of colours and one of depths, and all
+ * passes share one stencil. In a pass that takes several fragments per pixel, each fragment has a sample.
  */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTED_IMAGES_H
 #define VITRINE_TRANSPARENCY_STENCIL_ROUTED_IMAGES_H
@@ -23,19 +23,19 @@ public:
     int Width = 0;
     int Height = 0;
     int Samples = 1;
-    bool HalfFloat = true; // colours; else 8 bits a channel
+    bool HalfFloat = true; // Colours are 16-bit floats, else 8 bits per channel.
   };
 
   /**
-   * Make them, where they are others: contents are undefined then. The framebuffer is bound for drawing, with pass 0. Returns
-   * an empty string, or why the driver cannot.
+   * Reallocate the images if anything differs; their contents are undefined then. Binds the framebuffer with pass 0 for
+   * drawing. Returns an error message, empty on success.
    */
   std::string Allocate(vtkOpenGLState* state, const Format& format, int passes);
 
-  /** Bind the framebuffer for drawing, with the layer of a pass. */
+  /** Bind the framebuffer for drawing, with the layer of `pass`. */
   void Attach(vtkOpenGLState* state, int pass);
 
-  /** With the layer that was attached last. */
+  /** The framebuffer with the layer that was attached last. */
   Framebuffer& Target() { return this->FillTarget; }
 
   const Image2D& Colors() const { return this->ColorImages; }
@@ -44,9 +44,9 @@ public:
   void Release();
 
 private:
-  Image2D ColorImages;  // RGBA16F or RGBA8
-  Image2D DepthImages;  // R32F, of the window
-  Image2D StencilImage; // of one pass
+  Image2D ColorImages;  // RGBA16F or RGBA8.
+  Image2D DepthImages;  // R32F: window depth.
+  Image2D StencilImage; // The stencil of the current pass.
   Framebuffer FillTarget;
 };
 

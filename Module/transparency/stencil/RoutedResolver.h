@@ -1,6 +1,4 @@
-/**
- * The second half of stencil routing: what the samples hold becomes a picture.
- */
+/** The resolve pass of stencil routing: sorts and composites the fragments that samples hold. */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTED_RESOLVER_H
 #define VITRINE_TRANSPARENCY_STENCIL_ROUTED_RESOLVER_H
 
@@ -21,17 +19,16 @@ class RoutedResolver
 {
 public:
   /**
-   * Sort and composite `layers` fragments of each pixel, as far as it has as many, over the backdrop, into the target.
-   * `counts` are those of the pixels of the target's region. Returns false, with nothing drawn, if a shader does not
-   * compile.
+   * Sort up to `layers` fragments of each pixel and composite them over the backdrop into the target. `counts` has the
+   * fragments of the pixels of the target's region. Returns false, with nothing drawn, if a shader does not compile.
    */
   bool Resolve(vtkOpenGLRenderWindow* window, const RoutedTarget& fragments,
     const CountedRegions& counts, int layers, const Image2D& backdrop, const RenderTarget& target);
 
-  /** Tell whether some fragments are added to what is behind them. */
+  /** Set whether some fragments are added to what is behind them. */
   void SetAdditive(bool additive) { this->IsAdditive = additive; }
 
-  /** Whether a program did not compile. */
+  /** Returns true if a program did not compile. */
   bool HasFailed() const { return this->Programs.HasFailed(); }
 
   void Release();

@@ -1,7 +1,7 @@
 /**
- * Where stencil routing keeps fragments: for each geometry pass of a frame a layer of images, and in that a sample for
- * each fragment that the pass takes of a pixel, with colours, depths and the stencil that lets it through. How many layers
- * there are is a policy: Core/lists/PoolSizing.
+ * Keeps the fragments of stencil routing. Each geometry pass of a frame has a layer of images with colours and depths.
+ * A layer has a sample for each fragment that the pass takes from a pixel. The stencil lets that fragment through.
+ * Core/lists/PoolSizing decides how many layers are allocated.
  */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTED_TARGET_H
 #define VITRINE_TRANSPARENCY_STENCIL_ROUTED_TARGET_H
@@ -28,35 +28,35 @@ class RoutedTarget
 {
 public:
   /**
-   * Make room for one pass over the target's region at least. Changes the framebuffer bindings. Returns an empty string,
-   * or why the driver cannot.
+   * Make room for at least one pass over the target's region. Changes the framebuffer bindings. Returns an error
+   * message, empty on success.
    */
   std::string Prepare(
     vtkOpenGLState* state, const RenderTarget& target, const StencilRoute& route, bool halfFloat);
 
-  /** The passes that there is room for, none when an allocation failed. */
+  /** The number of passes that there is room for. It is 0 after a failed allocation. */
   int Passes() const { return this->PassCount; }
 
   /**
-   * Make room for so many passes, and a reserve if the driver has memory for it. What earlier passes stored is lost. Returns
-   * an empty string, or why the driver cannot: then nothing is held.
+   * Make room for `passes` passes, and for a reserve if the driver has memory for it. The contents of earlier passes
+   * are lost. Returns an error message, empty on success. After a failure no images are held.
    */
   std::string Grow(vtkOpenGLState* state, int passes);
 
   /**
-   * Bind the layer of a pass for drawing and set the state to rasterise `region` into it, the stencil test included. Returns
-   * false if a shader does not compile.
+   * Bind the layer of `pass` for drawing, and set the state to rasterise `region` into it, including the stencil test.
+   * Returns false if a shader does not compile.
    */
   bool BeginPass(vtkOpenGLRenderWindow* window, const RenderTarget& target, SampleRouting& routing,
     int pass, const PixelRegion& region);
 
   /**
-   * What the stencil tells after the first pass, where `layers` fragments of each pixel are kept, and, in Counter(), of each
-   * pixel of the target's region; waits for the device.
+   * Count fragments by the stencil after the first pass, with `layers` fragments of each pixel kept. Counter() then has
+   * the fragments of each pixel of the target's region. Waits for the device.
    */
   StencilCounts Count(vtkOpenGLState* state, int layers);
 
-  /** A frame that took so many passes is done: if all have taken fewer for long, the next one has less room. */
+  /** End a frame that took `passes` passes. If all frames took fewer passes for long, the next frame gets less room. */
   void EndFrame(int passes);
 
   const StencilRoute& Route() const { return this->Routed; }
@@ -72,10 +72,10 @@ private:
   std::int64_t FragmentsPerPass() const;
 
   StencilRoute Routed;
-  PixelRegion Region; // of the target; pixels are where they are there
+  PixelRegion Region; // The target's region. Pixels keep their coordinates of the target.
   bool HalfFloat = true;
   int PassCount = 0;
-  PoolSizing Sizing; // in fragments
+  PoolSizing Sizing; // Counts in fragments.
   RoutedImages Images;
   StencilCounter Fragments;
 };

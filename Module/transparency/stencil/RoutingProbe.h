@@ -1,11 +1,13 @@
 /**
- * Whether the driver routes fragments into samples as stencil routing needs it.
+ * Finds out whether the driver routes fragments into samples as stencil routing needs it.
  *
- * Where multisampling is off, a fragment covers all samples of its pixel or none, as the pixel's centre does, and OpenGL lets
- * a driver test the stencil of the centermost sample for all (OpenGL 3.2, Additional Multisample Fragment Operations). Mesa's
- * llvmpipe does so, and then no more than one fragment of a pass can be routed. Other drivers are said to go on multisampling
- * in framebuffer objects. What is asked here is what the driver does, not who it is: a few fragments are drawn into one
- * pixel, by triangles whose edges lie beside its centre, and the samples are read as a resolve reads them.
+ * With multisampling off, a fragment covers either all samples of its pixel or none, as it covers the pixel's centre.
+ * OpenGL lets a driver test the stencil of the centermost sample for all samples (OpenGL 3.2, Additional Multisample
+ * Fragment Operations). Mesa's llvmpipe does so, and then only one fragment per pass can be routed. Other drivers are
+ * said to go on multisampling in framebuffer objects.
+ *
+ * The probe tests what the driver does, not which driver it is. It draws a few fragments into one pixel, by triangles
+ * whose edges lie beside its centre, and reads the samples as a resolve does.
  */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_ROUTING_PROBE_H
 #define VITRINE_TRANSPARENCY_STENCIL_ROUTING_PROBE_H
@@ -30,9 +32,9 @@ class RoutingProbe
 {
 public:
   /**
-   * Why the driver cannot route fragments into so many samples a pass, of images with colours of half floats or of 8 bits;
-   * empty if it can. Draws when it is asked for the first time. Changes state that ScopedTrackedState, ScopedStencil and
-   * ScopedSampleMask keep.
+   * Returns why the driver cannot route fragments into `samples` samples per pass, or an empty string. Colours are half
+   * floats, or 8 bits. The first call for each combination draws. It changes state that ScopedTrackedState,
+   * ScopedStencil and ScopedSampleMask keep.
    */
   const std::string& FindObstacle(
     vtkOpenGLRenderWindow* window, SampleRouting& routing, int samples, bool halfFloat);
@@ -46,7 +48,7 @@ private:
   std::string Judge(
     vtkOpenGLRenderWindow* window, const StencilRoute& route, const RoutedImages& images);
 
-  std::map<std::pair<int, bool>, std::string> Obstacles; // by samples and half floats
+  std::map<std::pair<int, bool>, std::string> Obstacles; // By number of samples and half floats.
   EmptyVertexArray VertexArray;
   ProgramCache Programs{ GLSL150 };
 };

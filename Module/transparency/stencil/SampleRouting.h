@@ -1,6 +1,4 @@
-/**
- * What the samples of a multisampled stencil begin with, and how it lets fragments through to them.
- */
+/** Start values of a multisampled stencil, and the stencil test that lets one fragment through to each sample. */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_SAMPLE_ROUTING_H
 #define VITRINE_TRANSPARENCY_STENCIL_SAMPLE_ROUTING_H
 
@@ -18,9 +16,9 @@ class SampleRouting
 {
 public:
   /**
-   * Write what the stencil of each sample begins with into the framebuffer that is bound for drawing, within the scissor
-   * box. It is the state of BindForFullScreenDraw() before and after, but for the stencil test, multisampling and the masks,
-   * which ScopedStencil and ScopedTrackedState keep. Returns false if a shader does not compile.
+   * Write the start value of each sample's stencil into the framebuffer bound for drawing, within the scissor box. The
+   * state before and after is that of BindForFullScreenDraw(), but for the stencil test, multisampling and the masks.
+   * ScopedStencil and ScopedTrackedState keep these. Returns false if a shader does not compile.
    */
   bool WriteStart(vtkOpenGLRenderWindow* window, const StencilRoute& route);
 
@@ -32,7 +30,8 @@ private:
 };
 
 /**
- * Draw as pass `pass` does: without multisampling, what is equal in the stencil passes, and every fragment counts.
+ * Set the state to draw pass `pass`: without multisampling, where the stencil equals the reference value, and with
+ * every fragment counted by the stencil.
  */
 void RouteFragments(vtkOpenGLState* state, const StencilRoute& route, int pass);
 

@@ -1,5 +1,6 @@
 /**
- * Counting by a stencil that every fragment decrements: it is read back, counted, and the counts become an image.
+ * Counts fragments by a stencil that every fragment decrements. The stencil is read back, and the counts become an
+ * image.
  */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_STENCIL_COUNTER_H
 #define VITRINE_TRANSPARENCY_STENCIL_STENCIL_COUNTER_H
@@ -20,35 +21,35 @@ namespace vitrine
 class StencilCounter
 {
 public:
-  /** The format of stencils that it counts by. A stencil alone need not be supported, so there is a depth too. */
+  /** The format of the counted stencils. A driver need not support a stencil without a depth. */
   static constexpr GLenum StencilFormat = GL_DEPTH24_STENCIL8;
 
   /**
-   * Make room for counts of `width` x `height` pixels. Changes the framebuffer bindings. Returns an empty string, or why
-   * the driver cannot.
+   * Make room for counts of `width` x `height` pixels. Changes the framebuffer bindings. Returns an error message,
+   * empty on success.
    */
   std::string Prepare(vtkOpenGLState* state, int width, int height);
 
-  /** Stencils begin with other values from now on. */
+  /** Forget the start values, since stencils begin with others from now on. */
   void ForgetStart() { this->StartValues.clear(); }
 
   /**
-   * Note what the stencil of `source` begins with, unless that is known. `region` of it goes to as many pixels as there are
-   * counts: of several samples or pixels for one the driver takes one, always the same.
+   * Note the start values of the stencil of `source`, unless they are known. `region` of it is scaled to the size of
+   * the counts. From several samples or pixels the driver takes one, always the same.
    */
   void NoteStart(vtkOpenGLState* state, Framebuffer& source, const PixelRegion& region);
 
   /**
-   * Count by what the same stencil ends with, where `layers` fragments of each pixel are kept; waits for the device.
+   * Count by the final values of the same stencil, with `layers` fragments of each pixel kept. Waits for the device.
    * Changes the framebuffer bindings.
    */
   StencilCounts Count(
     vtkOpenGLState* state, Framebuffer& source, const PixelRegion& region, int layers);
 
-  /** Fragments of each pixel, row by row from the bottom, 255 at most. */
+  /** Fragments of each pixel, by rows from the bottom. They saturate at 255. */
   const std::vector<std::uint8_t>& Values() const { return this->Counted; }
 
-  /** R8: the same, over 255. Shaders of OpenGL 3.2 cannot read a stencil. */
+  /** R8: the counts divided by 255. Shaders of OpenGL 3.2 cannot read a stencil. */
   const Image2D& Image() const { return this->CountImage; }
 
   std::int64_t Bytes() const { return this->StencilCopy.Bytes() + this->CountImage.Bytes(); }
@@ -67,7 +68,7 @@ private:
   std::vector<std::uint8_t> Counted;
 };
 
-/** Attach the stencil `image` alone to `framebuffer`, which is bound for drawing and reading. */
+/** Attach `image`, a stencil, as the only image of `framebuffer`, and bind that for drawing and reading. */
 void AttachStencilAlone(vtkOpenGLState* state, Framebuffer& framebuffer, const Image2D& image);
 
 }

@@ -1,6 +1,4 @@
-/**
- * From window depth to depth in view space.
- */
+/** Conversion from window depth to depth in view space. */
 #ifndef VITRINE_TRANSPARENCY_STENCIL_VIEW_DEPTH_H
 #define VITRINE_TRANSPARENCY_STENCIL_VIEW_DEPTH_H
 
@@ -16,7 +14,7 @@ struct ViewDepth
 
   ViewDepth() = default;
 
-  /** Of the camera's projection, whatever it is made of. */
+  /** Derive the coefficients from the camera's projection, which may be any. */
   explicit ViewDepth(vtkCamera* camera);
 };
 
