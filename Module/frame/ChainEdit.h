@@ -1,6 +1,4 @@
-/**
- * Vitrine's steps within a chain of passes that somebody else has put together.
- */
+/** Inserts Vitrine's steps into a chain of render passes of the application. */
 #ifndef VITRINE_FRAME_CHAIN_EDIT_H
 #define VITRINE_FRAME_CHAIN_EDIT_H
 
@@ -18,8 +16,8 @@ namespace vitrine
 {
 
 /**
- * Changes a chain of passes while it lives. The destructor puts the chain back as it was, so that whoever owns the
- * chain finds it untouched between frames.
+ * Changes a chain of passes while it lives. The destructor restores the chain, so the application finds it unchanged
+ * between frames.
  */
 class ChainEdit
 {
@@ -30,13 +28,13 @@ public:
   void operator=(const ChainEdit&) = delete;
 
   /**
-   * Has `step` draw what is translucent, in place of the pass of the chain that does, and after all passes that draw
-   * opaque geometry. A chain that draws opaque geometry alone, as one with shadows often does, draws the step as well
-   * then. Returns false, and changes nothing, if the chain has no place for it.
+   * Make `step` draw the translucent geometry. It replaces the chain's translucent pass, and comes after all passes
+   * that draw opaque geometry. It is added to a chain that draws only opaque geometry, as chains with shadows often do.
+   * Returns false if the chain has no place for it, and changes nothing then.
    */
   bool PutTranslucentStep(vtkRenderPass* step);
 
-  /** Has `lights` light what the chain draws, below all passes that process a picture. */
+  /** Make `lights` light what the chain draws. It goes below all passes that process a picture. */
   void PutLights(vtkClusteredLightsPass* lights);
 
   /** The pass that draws the chain. */
@@ -51,7 +49,8 @@ private:
   void SetPasses(vtkSequencePass* sequence, const Passes& passes);
 
   vtkSmartPointer<vtkRenderPass> RootPass;
-  std::vector<std::function<void()>> Undo; ///< in the order of what they undo
+  /** Functions in the order of the changes that they undo. */
+  std::vector<std::function<void()>> Undo;
 };
 
 }

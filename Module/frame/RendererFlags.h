@@ -1,6 +1,6 @@
 /**
- * Effects that a renderer switches on by flags, as steps of a frame. VTK itself draws them only where the renderer has no
- * pass (vtkOpenGLRenderer::UpdateGeometry()); a frame that is a pass has to draw them by itself.
+ * Effects that flags of a renderer switch on, as steps of a frame. VTK draws them only if the renderer has no pass
+ * (vtkOpenGLRenderer::UpdateGeometry()), so a frame that is a pass draws them itself.
  */
 #ifndef VITRINE_FRAME_RENDERER_FLAGS_H
 #define VITRINE_FRAME_RENDERER_FLAGS_H
@@ -26,16 +26,19 @@ public:
   RendererFlags(const RendererFlags&) = delete;
   void operator=(const RendererFlags&) = delete;
 
-  /** The step for opaque geometry, with shadows, ambient occlusion and without hidden lines; `plain` if none is on. */
+  /**
+   * Returns the step for opaque geometry with shadows, ambient occlusion or hidden-line removal. Returns `plain` if
+   * none of them is on.
+   */
   vtkRenderPass* OpaqueStep(vtkOpenGLRenderer* renderer, vtkRenderPass* plain);
 
-  /** The step that smooths what is drawn before volumes; null if that is off. */
+  /** Returns the step that smooths the picture before volumes are drawn, or null if smoothing is off. */
   vtkRenderPass* SmoothingStep(vtkOpenGLRenderer* renderer);
 
-  /** The step that peels translucent geometry and volumes together. */
+  /** Returns the step that peels translucent geometry and volumes together. */
   vtkRenderPass* PeelingStep();
 
-  /** Whether VTK would peel translucent geometry and volumes together, and there are both. */
+  /** Returns true if VTK would peel translucent geometry and volumes together, and the frame has both. */
   static bool PeelsVolumes(vtkOpenGLRenderer* renderer, const vtkRenderState* s);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -45,7 +48,7 @@ private:
   void Enter(vtkOpenGLRenderer* renderer);
   void Leave();
 
-  HeldContext Context; ///< of what shadows and smoothing hold
+  HeldContext Context; ///< Context of Shadows and Smoothing.
   vtkNew<vtkShadowMapPass> Shadows;
   vtkNew<vtkOpenGLFXAAFilter> Smoothing;
   vtkNew<Step> Shadowed;

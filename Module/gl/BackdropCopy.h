@@ -1,6 +1,4 @@
-/**
- * A copy of what stands in a render target, for a resolve to read while it writes the target.
- */
+/** A copy of a render target's colours, which a resolve reads while it writes the target. */
 #ifndef VITRINE_GL_BACKDROP_COPY_H
 #define VITRINE_GL_BACKDROP_COPY_H
 
@@ -19,8 +17,8 @@ class BackdropCopy
 {
 public:
   /**
-   * Copy the colours of the target's region, sample by sample. Changes the framebuffer bindings. Returns an empty
-   * string, or why the driver cannot hold a copy.
+   * Copy the colours of the target's region, sample by sample. Changes the framebuffer bindings. Returns an error
+   * message if the driver cannot hold the copy, else an empty string.
    */
   std::string Copy(vtkOpenGLState* state, const RenderTarget& target);
 
@@ -29,7 +27,7 @@ public:
 
   void Release();
 
-  /** The copy: the target's size, samples and format. */
+  /** The copy. It has the target's size, samples and format. */
   const Image2D& Image() const { return this->Colors; }
 
 private:

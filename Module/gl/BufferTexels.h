@@ -1,6 +1,4 @@
-/**
- * Writes what shaders read as texels of a buffer texture.
- */
+/** Writes items into a buffer texture. */
 #ifndef VITRINE_GL_BUFFER_TEXELS_H
 #define VITRINE_GL_BUFFER_TEXELS_H
 
@@ -16,9 +14,10 @@ namespace vitrine
 {
 
 /**
- * Writes items of some texels each. The buffer grows by more than is asked for, as what changes from frame to frame does. Returns an empty string, or why there
- * is no room.
- * @param what  the items, as a message names them
+ * Writes `items`, each of which takes `texels` texels. A buffer that is too small is reallocated with a quarter more
+ * than needed, so that it need not grow every frame. Returns an error message if there is no room, else an empty
+ * string.
+ * @param what  the items, as the error message names them
  */
 template <class Item>
 std::string WriteTexels(Buffer& buffer, const std::vector<Item>& items, GLenum format, int texels,

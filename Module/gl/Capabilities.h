@@ -1,6 +1,4 @@
-/**
- * What the current context offers.
- */
+/** Queries of what the current context offers. */
 #ifndef VITRINE_GL_CAPABILITIES_H
 #define VITRINE_GL_CAPABILITIES_H
 
@@ -11,29 +9,31 @@
 namespace vitrine
 {
 
-/** True if the current context names the extension ("GL_ARB_..."). */
+/** Returns true if the current context has the extension ("GL_ARB_..."). */
 bool HasExtension(const char* name);
 
 /**
- * What the current context lacks of OpenGL `major`.`minor` and the named extensions, in words; empty if nothing.
+ * Returns, in words, what the current context lacks of OpenGL `major`.`minor` and the extensions. The result is empty
+ * if it lacks nothing.
  */
 std::string MissingFeatures(int major, int minor, const std::vector<const char*>& extensions);
 
-/** True on Mesa's llvmpipe and softpipe, which run shaders on the CPU. */
+/** Returns true on Mesa's llvmpipe and softpipe, which run shaders on the CPU. */
 bool IsSoftwareRasteriser();
 
-/** A rasteriser moves corners to steps of a pixel, of which its side has 2 to the power of that many (GL_SUBPIXEL_BITS). */
+/** Returns GL_SUBPIXEL_BITS: the rasteriser snaps vertices to 2^-bits of a pixel. */
 int SubpixelBits();
 
 /**
- * Into how many cells, 2, 4 or 8, a pixel's side is cut, so that all samples of the current framebuffer lie in the middles of such cells; 0 if they do not, or if pixels have one sample.
+ * Returns the smallest n of 2, 4 and 8 for which all samples lie in the centres of n x n cells of a pixel. The samples
+ * are those of the current framebuffer. Returns 0 if there is no such n, or if pixels have one sample.
  */
 int SampleCells();
 
-/** The largest shader storage block in bytes that a shader may see. */
+/** Returns the size in bytes of the largest shader storage block. */
 std::int64_t LargestStorageBlock();
 
-/** The most texels that a buffer texture may have. */
+/** Returns the largest number of texels of a buffer texture. */
 std::int64_t LargestBufferTexture();
 
 }

@@ -1,6 +1,4 @@
-/**
- * A compute shader, which VTK's shader programs do not have.
- */
+/** A compute shader. VTK's shader programs have none. */
 #ifndef VITRINE_GL_COMPUTE_PROGRAM_H
 #define VITRINE_GL_COMPUTE_PROGRAM_H
 
@@ -17,26 +15,30 @@ namespace vitrine
 class ComputeProgram
 {
 public:
-  /** GLSL 4.30 without #version and defines. */
+  /** Takes GLSL 4.30 without #version and defines. */
   explicit ComputeProgram(const char* source)
     : Source(source)
   {
   }
 
   /**
-   * Bind the program, compiled at first use and again when `defines` ("NAME value") are others. Returns false where
-   * the driver cannot compile it, which is tried once and reported. VTK's shader cache has no program bound then.
+   * Bind the program. It is compiled at first use, and again if `defines` ("NAME value") differ. Returns false if the
+   * driver cannot compile it. A failure is reported, and not tried again. Unbinds the current program of VTK's shader
+   * cache.
    */
   bool Use(vtkOpenGLRenderWindow* window, const std::vector<std::string>& defines);
 
   ///@{
-  /** Set a uniform of the bound program; one that the driver has left out is none. */
+  /** Set a uniform of the bound program. A uniform that the driver optimised away is ignored. */
   void Set(const char* name, int value) const;
   void Set(const char* name, unsigned int value) const;
   void Set(const char* name, const int (&value)[2]) const;
   ///@}
 
-  /** Run an invocation for each of `count` items, in groups of `groupSize`, and maybe some more. */
+  /**
+   * Run at least one invocation for each of `count` items, in groups of `groupSize`. There may be more invocations than
+   * items.
+   */
   static void DispatchFor(std::int64_t count, int groupSize);
 
   bool HasFailed() const { return this->Failed; }

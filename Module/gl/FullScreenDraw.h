@@ -1,6 +1,4 @@
-/**
- * The state of draws that compute pixels and are no geometry: each fragment is written as its shader has it.
- */
+/** The state of draws that compute pixels: each fragment is written as its shader outputs it. */
 #ifndef VITRINE_GL_FULL_SCREEN_DRAW_H
 #define VITRINE_GL_FULL_SCREEN_DRAW_H
 
@@ -13,14 +11,14 @@ namespace vitrine
 {
 
 /**
- * Bind `framebuffer`, whose images have `width` x `height` pixels, for drawing and let every fragment within
- * `region` through unchanged: no test but the scissor test, no blending, all channels, no culling. ScopedTrackedState
- * puts back what this changes.
+ * Bind `framebuffer`, of `width` x `height` pixels, for drawing. Let every fragment within `region` through unchanged:
+ * no test but the scissor test, no blending, all colour channels, no culling. ScopedTrackedState restores the state
+ * that this changes.
  */
 void BindForFullScreenDraw(
   vtkOpenGLState* state, GLuint framebuffer, int width, int height, const PixelRegion& region);
 
-/** The same for the whole framebuffer, without the scissor test. */
+/** Bind the whole framebuffer for drawing in the same state, without the scissor test. */
 void BindForFullScreenDraw(vtkOpenGLState* state, GLuint framebuffer, int width, int height);
 
 }

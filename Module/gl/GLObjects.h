@@ -1,8 +1,8 @@
 /**
- * The few GL objects that the passes hold: an image to render into, a buffer, each with its size in bytes.
+ * The GL objects that passes hold: images to render into and buffers, with their size in bytes, and a few more.
  *
- * They belong to the context that is current at their first use; Release() needs that context current, and
- * their destructors free nothing, since no context need be current by then. They move and do not copy.
+ * An object belongs to the context that is current at its first use, and Release() needs that context current.
+ * Destructors free nothing, since there may be no current context by then. Objects can be moved, not copied.
  */
 #ifndef VITRINE_GL_GL_OBJECTS_H
 #define VITRINE_GL_GL_OBJECTS_H
@@ -16,7 +16,7 @@
 namespace vitrine
 {
 
-/** The name of a GL object, which one owner has: what it is moved from holds no name. */
+/** The name of a GL object, with one owner. A moved-from owner holds no name. */
 class ObjectName
 {
 public:
@@ -38,13 +38,14 @@ private:
   GLuint Name = 0;
 };
 
-/** A 2D texture or an array of them, single- or multisampled, sampled by texelFetch only. */
+/** A 2D texture or an array of them, single- or multisampled. Shaders sample it by texelFetch only. */
 class Image2D
 {
 public:
   /**
-   * (Re)allocate where anything differs; contents are undefined and the name is a new one then. Returns an empty
-   * string, or why the driver cannot hold such an image: there is none then. Any `layers` but 0 make an array.
+   * Reallocate the image if any parameter differs. Then its contents are undefined, and its name is new. With `layers`
+   * other than 0 it is an array. Returns an error message if the driver cannot hold such an image; there is no image
+   * then.
    */
   std::string Allocate(GLenum internalFormat, int width, int height, int samples, int layers = 0);
   void Release();
@@ -64,12 +65,12 @@ private:
   int Layers = 0;
 };
 
-/** A buffer, and a buffer texture over it if a texel format is given. */
+/** A buffer. If a texel format is given, it has a buffer texture. */
 class Buffer
 {
 public:
   /**
-   * Reallocate to `size` bytes; contents are undefined. Returns false if the driver has no memory for it: there is
+   * Reallocate to `size` bytes. The contents are undefined. Returns false if the driver has no memory for it; there is
    * no buffer then.
    */
   bool Allocate(std::int64_t size, GLenum texelFormat = GL_NONE);
@@ -77,7 +78,7 @@ public:
 
   void Write(std::int64_t offset, std::int64_t size, const void* data);
 
-  /** Waits for the device. */
+  /** Read bytes back. Waits for the device. */
   void Read(std::int64_t offset, std::int64_t size, void* data) const;
 
   GLuint Handle() const { return this->Name; }
@@ -92,7 +93,7 @@ private:
   std::int64_t Size = 0;
 };
 
-/** A framebuffer object made on demand. */
+/** A framebuffer object that is made on demand. */
 class Framebuffer
 {
 public:
@@ -103,7 +104,7 @@ private:
   ObjectName Name;
 };
 
-/** A vertex array without attributes, for draws that make their vertices from gl_VertexID. */
+/** A vertex array without attributes, for draws that compute their vertices from gl_VertexID. */
 class EmptyVertexArray
 {
 public:

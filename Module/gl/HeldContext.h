@@ -1,6 +1,4 @@
-/**
- * The context in which a pass has its GL objects.
- */
+/** The context in which a pass has its GL objects. */
 #ifndef VITRINE_GL_HELD_CONTEXT_H
 #define VITRINE_GL_HELD_CONTEXT_H
 
@@ -12,29 +10,33 @@
 namespace vitrine
 {
 
-/** A window makes a context anew after it was finalized: names of the one before are those of others then. */
+/**
+ * Identifies a window's context by its creation time. After a window was finalized it makes a new context, in which the
+ * old names of objects belong to others.
+ */
 class HeldContext
 {
 public:
-  /** Hold the context of `window`, which is current from here on. */
+  /** Hold the context of `window`, and make it current. */
   void Hold(vtkOpenGLRenderWindow* window);
 
   void LetGo() { this->Holder = nullptr; }
 
-  /** The window, if there is one yet; its context may be gone. */
+  /** The window, if it still exists. Its context may be gone. */
   vtkOpenGLRenderWindow* Window() const { return this->Holder; }
 
   bool Lives() const;
 
-  /** Whether it is this window's and lives. */
+  /** Returns true if the held context lives and belongs to `window`. */
   bool LivesIn(const vtkWindow* window) const
   {
     return this->Holder.GetPointer() == window && this->Lives();
   }
 
   /**
-   * Calls `release` with the window where its context lives and can be made current. With windows that do not give way it
-   * stays so: whoever goes on in another window calls Hold(), or makes that one current.
+   * Make the context current and call `release` with the window. Does nothing if the context is gone or cannot be made
+   * current. Then restores the former context; a window that cannot (vtkEGLRenderWindow) leaves its own current.
+   * A caller that goes on in another window calls Hold(), or makes that window current.
    */
   void Release(const std::function<void(vtkOpenGLRenderWindow*)>& release) const;
 

@@ -1,6 +1,4 @@
-/**
- * The render passes around one that draws props into framebuffers of its own.
- */
+/** Serves the render passes around a pass that draws props into its own framebuffers. */
 #ifndef VITRINE_OUTER_PASSES_H
 #define VITRINE_OUTER_PASSES_H
 
@@ -19,9 +17,9 @@ namespace vitrine
 {
 
 /**
- * VTK's mappers ask all render passes of a prop to set what they need before each draw. A pass may set the draw buffers of its own
- * framebuffer then, as vtkSSAOPass does, which takes for granted that this framebuffer is bound. Within a Scope it is bound at
- * that time, and the one that is drawn into is bound again before the draw.
+ * Before each draw, VTK's mappers let all render passes of a prop set their uniforms and state. There a pass may set
+ * the draw buffers of its own framebuffer, as vtkSSAOPass does, which assumes that this framebuffer is bound. Within a
+ * Scope it is bound at that time. The framebuffer that is drawn into is bound again before the draw.
  */
 class OuterPasses
 {
@@ -31,12 +29,16 @@ public:
   OuterPasses(const OuterPasses&) = delete;
   void operator=(const OuterPasses&) = delete;
 
-  /** Shaders of mappers have outputs beside the colour: a pass around counts on its draw buffers, even if the target has one. */
+  /**
+   * Tell that shaders of mappers have outputs beside the colour. An outer pass then relies on its draw buffers, even if
+   * the target has only one.
+   */
   void ExpectFurtherOutputs();
 
   /**
-   * For as long as it lives, outer passes have the framebuffer that is bound for drawing when it is made, if it is not the
-   * window's. Its draw buffers, but for the first, are GL_NONE until the end, when they are what they were.
+   * While a Scope lives, outer passes see the framebuffer that was bound for drawing at its construction. Its draw
+   * buffers after the first are GL_NONE until the destructor restores them. A Scope does nothing if the window's own
+   * framebuffer is bound.
    */
   class Scope
   {

@@ -1,6 +1,4 @@
-/**
- * A pass's own shader programs, compiled at first use and kept by name.
- */
+/** A pass's own shader programs, compiled at first use and kept by name. */
 #ifndef VITRINE_GL_PROGRAM_CACHE_H
 #define VITRINE_GL_PROGRAM_CACHE_H
 
@@ -17,10 +15,10 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
-/** The reason that a pass gives where a program of its own does not compile. */
+/** The reason that a pass gives if one of its own programs does not compile. */
 inline constexpr const char* ProgramFailure = "the driver cannot compile a shader of the method";
 
-/** The first line of a program's shaders. VTK's first tag stands for the version that mappers' shaders have, 1.50. */
+/** First line of a program's shaders. VTK replaces its first tag by the GLSL version of mappers' shaders, 1.50. */
 inline constexpr const char* GLSL430 = "#version 430 core\n";
 inline constexpr const char* GLSL150 = "//VTK::System::Dec\n";
 
@@ -33,18 +31,18 @@ public:
   }
 
   /**
-   * Bind the program of this name and these defines; `fragment` makes its fragment shader, without #version
-   * and defines, when it is wanted for the first time. Returns null where the driver cannot
-   * compile it, which is tried once; VTK has said why then.
+   * Bind the program of this name and these defines. At its first use `fragment` returns its fragment shader, without
+   * #version and defines. Returns null if the driver cannot compile it. VTK then reports why, and it is not tried
+   * again.
    */
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& name,
     const std::vector<std::string>& defines, const char* vertex,
     const std::function<std::string()>& fragment);
 
-  /** Whether the program of this name and these defines was compiled already. */
+  /** Returns true if the program of this name and these defines is compiled already. */
   bool Has(const std::string& name, const std::vector<std::string>& defines) const;
 
-  /** Whether a program did not compile. */
+  /** Returns true if a program did not compile. */
   bool HasFailed() const { return this->Failed; }
 
   void Release()
@@ -59,7 +57,7 @@ private:
   std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs;
 };
 
-/** `#define` lines for all of `defines` ("NAME value"). */
+/** Returns `#define` lines for all of `defines` ("NAME value"). */
 std::string DefineLines(const std::vector<std::string>& defines);
 
 }

@@ -1,6 +1,4 @@
-/**
- * What a render pass draws into: the framebuffer bound when the pass begins, whatever VTK made it of.
- */
+/** The framebuffer that is bound when a render pass begins. The pass draws into it. */
 #ifndef VITRINE_GL_RENDER_TARGET_H
 #define VITRINE_GL_RENDER_TARGET_H
 
@@ -15,9 +13,7 @@ class vtkOpenGLState;
 namespace vitrine
 {
 
-/**
- * The draw framebuffer as it is: its images, size, samples and the region to draw.
- */
+/** The properties of a draw framebuffer: its images, size, samples and the region to draw. */
 struct RenderTarget
 {
   GLuint Framebuffer = 0;
@@ -27,30 +23,28 @@ struct RenderTarget
   bool DepthHasStencil = false;
   int Width = 0;
   int Height = 0;
-  int Samples = 0;         // 0: single-sampled
-  bool FixedPoint = true;  // colours are normalised fixed point, not float
-  double DepthSteps = 0.0; // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0
-  bool DepthIntegers =
-    false; // single-sampled fixed-point depth of more bits, which is copied as integers of 32
-  double DepthLoss =
-    0.0; // how far sampled depth may be off where multisampled depth is of more bits, else 0
+  int Samples = 0;         // Samples of a pixel, 0 if single-sampled.
+  bool FixedPoint = true;  // Colours are normalised fixed point, not float.
+  double DepthSteps = 0.0; // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0.
+  // The depth is single-sampled fixed point of more than 24 bits. It is copied as 32-bit integers.
+  bool DepthIntegers = false;
+  // Largest error of depth read by samplers if multisampled fixed-point depth has more than 24 bits, else 0.
+  double DepthLoss = 0.0;
   PixelRegion Viewport;
-  PixelRegion Region; // scissor box within the target, or the viewport where the test is off
+  // The scissor box cut to the target, or the viewport if the scissor test is off.
+  PixelRegion Region;
 
-  /**
-   * Read the bound draw framebuffer. Returns an empty string, or why a pass cannot draw into it. Changes
-   * no state.
-   */
+  /** Read the bound draw framebuffer. Returns why a pass cannot draw into it, or an empty string. Changes no state. */
   std::string Probe(vtkOpenGLState* state);
 
   /**
    * Bind `framebuffer`, which has this target's depth, and set the state to rasterise translucent geometry into
-   * `region`: tested against the opaque depth, which stays, and without blending. Where the target is multisampled
-   * the shaders cut out the region (FragmentCapture.glsl).
+   * `region`. Fragments are tested against the opaque depth, which is not written. There is no blending. In a
+   * multisampled target the shaders cut out the region (FragmentCapture.glsl).
    */
   void BindForFill(vtkOpenGLState* state, GLuint framebuffer, const PixelRegion& region) const;
 
-  /** Attach this target's depth to the framebuffer bound for drawing, so that its tests see opaque depth. */
+  /** Attach this target's depth to the framebuffer bound for drawing, so that the depth test uses the opaque depth. */
   void AttachDepth() const;
 };
 

@@ -1,6 +1,4 @@
-/**
- * Scoped keepers of GL state: each reads what is there when it is made and puts that back when it goes.
- */
+/** Scoped keepers of GL state. A constructor reads the current state, and the destructor restores it. */
 #ifndef VITRINE_GL_SCOPED_STATE_H
 #define VITRINE_GL_SCOPED_STATE_H
 
@@ -16,12 +14,12 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
-/** The query that tells which texture is bound to `target` of the active unit. */
+/** Returns the query for the texture bound to `target` of the active unit. */
 GLenum TextureBindingQuery(GLenum target);
 
 /**
- * What vtkOpenGLState tracks and a pass changes: masks, tests, blending, viewport, scissor, framebuffer
- * bindings. Changes go through vtkOpenGLState, so its cache stays true.
+ * Keeps the state that vtkOpenGLState tracks and passes change: masks, tests, blending, viewport, scissor box,
+ * framebuffer bindings. Changes go through vtkOpenGLState, so its cache stays valid.
  */
 class ScopedTrackedState
 {
@@ -48,7 +46,7 @@ private:
   vtkOpenGLState::ScopedglActiveTexture ActiveTexture;
 };
 
-/** Function, operations and mask of the stencil test, of both faces. */
+/** Keeps function, operations and mask of the stencil test, for both faces. */
 class ScopedStencil
 {
 public:
@@ -76,8 +74,8 @@ private:
 };
 
 /**
- * The draw buffers of the bound framebuffer: what is drawn goes to the first alone, so that the others keep what they
- * have. The same framebuffer must be bound when the keeper goes.
+ * Confines drawing to the first draw buffer of the bound framebuffer, so that the other buffers keep their contents.
+ * The same framebuffer must be bound when the object is destroyed.
  */
 class ScopedFirstDrawBuffer
 {
@@ -87,10 +85,10 @@ public:
   ScopedFirstDrawBuffer(const ScopedFirstDrawBuffer&) = delete;
   void operator=(const ScopedFirstDrawBuffer&) = delete;
 
-  /** Whether there are others. */
+  /** Returns true if there are other draw buffers. */
   bool HasOthers() const;
 
-  /** Confine drawing to the first again, after somebody else has set the draw buffers of the same framebuffer. */
+  /** Confine drawing to the first draw buffer again, after other code set the draw buffers of the same framebuffer. */
   void Confine();
 
 private:
@@ -101,7 +99,10 @@ private:
   bool Changed = false;
 };
 
-/** The read buffer of the framebuffer that is bound for reading, and must be so again when the keeper goes. */
+/**
+ * Keeps the read buffer of the framebuffer bound for reading. The same framebuffer must be bound when the object is
+ * destroyed.
+ */
 class ScopedReadBuffer
 {
 public:
@@ -115,7 +116,10 @@ private:
   GLint Previous = 0;
 };
 
-/** Pixels go to and come from client memory, tightly packed, whatever is bound and set for their transfer. */
+/**
+ * Makes pixel transfers use client memory with OpenGL's default layout (rows aligned to 4 bytes). Keeps the previous
+ * settings and buffer bindings.
+ */
 class ScopedPixelTransfer
 {
 public:
@@ -131,7 +135,7 @@ private:
   GLint PreviousUnpack = 0;
 };
 
-/** The buffer bound for vertex attributes, which VTK's mappers leave changed. */
+/** Keeps the buffer bound for vertex attributes, which VTK's mappers leave changed. */
 class ScopedArrayBuffer
 {
 public:
@@ -145,8 +149,8 @@ private:
 };
 
 /**
- * The samples that drawing is confined to, which VTK does not track: all of them, until one is chosen, whatever their mask,
- * coverage or the alpha of fragments says.
+ * Keeps the state that confines drawing to some samples, which VTK does not track. Until DrawInto() chooses a sample,
+ * all samples are drawn: sample mask, sample coverage and alpha-to-coverage are off.
  */
 class ScopedSampleMask
 {
@@ -165,7 +169,7 @@ private:
   GLint Previous = 0;
 };
 
-/** The bound vertex array, which VTK does not track. */
+/** Binds a vertex array and keeps the previous one. VTK does not track it. */
 class ScopedVertexArray
 {
 public:
@@ -178,7 +182,7 @@ private:
   GLint Previous = 0;
 };
 
-/** The shader program that VTK's shader cache has bound. */
+/** Keeps the program that VTK's shader cache has bound. */
 class ScopedShaderProgram
 {
 public:
@@ -192,7 +196,7 @@ private:
   vtkSmartPointer<vtkShaderProgram> Previous;
 };
 
-/** An indexed shader storage binding, and the generic one that setting it changes too. */
+/** Binds a shader storage buffer to an index. Keeps that binding and the generic one, which it changes too. */
 class ScopedStorageBuffer
 {
 public:
@@ -209,7 +213,7 @@ private:
   GLint PreviousGeneric = 0;
 };
 
-/** The binding of an image unit to level 0 of a texture of unsigned integers, read and written. */
+/** Binds level 0 of a texture of unsigned integers to an image unit, for reading and writing. */
 class ScopedImage
 {
 public:
@@ -229,8 +233,8 @@ private:
 };
 
 /**
- * A texture unit of VTK's unit manager with a texture bound to it; unbound and given back at the end.
- * Unit() is -1 when the driver's units are used up.
+ * Allocates a unit of VTK's texture unit manager and binds a texture to it. The destructor restores the previous
+ * binding and frees the unit. Unit() is -1 if the driver's units are used up.
  */
 class ScopedTextureUnit
 {

@@ -1,10 +1,10 @@
 /**
  * @file
- * OpenGL's declarations and entry points, from whichever loader VTK itself uses: GLEW up to VTK 9.3,
- * glad from 9.4 on. Include this in source files, before any other OpenGL or EGL header, and never in
- * a header that VTK's wrappers read.
+ * OpenGL's declarations and entry points, from the loader that VTK itself uses: GLEW up to VTK 9.3, glad from 9.4 on.
+ * Include this in source files before any other OpenGL or EGL header. Do not include it in a header that VTK's wrappers
+ * read.
  *
- * VITRINE_GL_LOADER_IS_GLEW is 1 where the loader is GLEW, else 0.
+ * VITRINE_GL_LOADER_IS_GLEW is 1 if the loader is GLEW, else 0.
  */
 #ifndef VitrineOpenGL_h
 #define VitrineOpenGL_h

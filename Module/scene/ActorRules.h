@@ -1,3 +1,4 @@
+/** Rules about props: whether they are drawn at their data's points, and whether they are opaque. */
 #ifndef VITRINE_SCENE_ACTOR_RULES_H
 #define VITRINE_SCENE_ACTOR_RULES_H
 
@@ -12,40 +13,53 @@ class vtkShaderProperty;
 namespace vitrine
 {
 
-/** A reason for which a prop may be drawn elsewhere than where its data's points are. It is asked only where no row above it applies. */
+/**
+ * A reason why a prop may be drawn elsewhere than at its data's points. It is tested only if no earlier row applies.
+ */
 struct DrawnElsewhereRow
 {
-  const char* Condition; ///< where it applies, as a clause
-  const char* Why;       ///< as a clause
+  const char* Condition; ///< When it applies, as a clause.
+  const char* Why;       ///< Why it matters, as a clause.
   bool (*Applies)(vtkProp*);
-  std::string (*Detail)(vtkProp*) = nullptr; ///< the class that is not known
+  std::string (*Detail)(vtkProp*) = nullptr; ///< The unknown class.
 };
 
-/** All of them. */
+/** All such reasons, in the order in which they are tested. */
 const std::vector<DrawnElsewhereRow>& DrawnElsewhereRows();
 
-/** The prop as an actor, if no row of DrawnElsewhereRows() applies to it, so that others or the view can hide it; null otherwise. */
+/**
+ * Returns the prop as an actor if no row of DrawnElsewhereRows() applies, so that other props or the
+ * view can hide it. Else returns null.
+ */
 vtkActor* AsHideable(vtkProp* prop);
 
-/** What vtkProp::GetShaderProperty() tells, null where that would make one. */
+/** Returns the result of vtkProp::GetShaderProperty(), or null if that would create one. */
 vtkShaderProperty* ShaderPropertyOf(vtkProp* prop);
 
-/** Whether the actor's shaders have code of the user's, or uniforms. */
+/** Returns true if the actor's shaders have code of the user, or if an observer of its mapper may set uniforms. */
 bool HasShaderCode(vtkActor* actor);
 
-/** Whether somebody is told when the mapper that draws sets uniforms, who may set others then. No time tells of that. */
+/**
+ * Returns true if the drawing mapper has an observer of UpdateShaderEvent, which may set uniforms. No modification time
+ * tells of them.
+ */
 bool MaySetUniforms(vtkMapper* mapper);
 
-/** Whether back faces have a property of their own that is translucent. */
+/** Returns true if back faces have their own property, and it is translucent. */
 bool HasTranslucentBack(vtkActor* actor);
 
-/** Whether a mapper may take colours from its data that let anything through. */
+/** Returns true if the mapper may take translucent colours from its data. */
 bool MayHaveTranslucentColors(vtkMapper* mapper);
 
-/** Whether drawing the actor makes no image of its textures anew. Makes none. */
+/**
+ * Returns true if the images of all textures of the actor are made, so that drawing executes no pipeline for them.
+ * Executes none itself.
+ */
 bool AreTexturesMade(vtkActor* actor);
 
-/** Whether the actor has no texture that could let anything through, one whose image is yet to be made among them. */
+/**
+ * Returns true if all textures of the actor are known to be opaque. A texture whose image is not made yet is not known.
+ */
 bool AreTexturesOpaque(vtkActor* actor);
 
 }

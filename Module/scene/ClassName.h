@@ -1,3 +1,4 @@
+/** Tests whether an object is of exactly one class. */
 #ifndef VITRINE_SCENE_CLASS_NAME_H
 #define VITRINE_SCENE_CLASS_NAME_H
 
@@ -12,20 +13,29 @@
 namespace vitrine
 {
 
-/** Whether an object is of this class, and of none derived from it, which might draw otherwise, whatever name it tells. */
+/**
+ * Returns true if the object is of exactly this class, whatever name it returns. A derived class might draw in another
+ * way.
+ */
 template <class Class>
 bool IsExactly(vtkObject* object)
 {
   return typeid(*object) == typeid(Class);
 }
 
-/** The same of a class that not each release of VTK has: by the name that the object tells, which those derived may have from it. */
+/**
+ * Returns true if GetClassName() of the object is `name`. It serves classes that some releases of VTK lack. A derived
+ * class may return the same name.
+ */
 inline bool IsOfClass(vtkObject* object, const char* name)
 {
   return std::strcmp(object->GetClassName(), name) == 0;
 }
 
-/** The same by the name of its type, too, which ends with that of the class, behind its length or a word. */
+/**
+ * Returns true if both GetClassName() and the type's name match. The type's name ends with `name`, after a length or a
+ * word.
+ */
 inline bool IsExactlyOfClass(vtkObject* object, const std::string& name)
 {
   const std::string type = typeid(*object).name();

@@ -1,3 +1,4 @@
+/** Finds the mapper that draws an actor. */
 #ifndef VITRINE_SCENE_DRAWING_MAPPER_H
 #define VITRINE_SCENE_DRAWING_MAPPER_H
 
@@ -9,15 +10,20 @@ class vtkPolyDataMapper;
 namespace vitrine
 {
 
-/** Whether a mapper is of a class that draws polydata where its points are, or has such a one do so. */
+/** Returns true if the mapper is of a class that draws polydata at its points, or delegates to such a mapper. */
 bool IsKnownMapper(vtkMapper* mapper);
 
-/** The actor's mapper if it has another one draw the surface of its data; null for all others. */
+/**
+ * Returns the actor's mapper if it is a vtkDataSetMapper, which has another mapper draw the surface of its data. Else
+ * returns null.
+ */
 vtkDataSetMapper* SurfaceMapperOf(vtkActor* actor);
 
 /**
- * The mapper that draws an actor of a known mapper: that one itself, or the one that a vtkDataSetMapper has for it. That one gets the other's input whenever it
- * draws, so it is null where it has another one still, as before the first frame; and where it draws one of several pieces, or each of them.
+ * Returns the mapper that draws an actor of a known mapper: the actor's mapper itself, or the internal mapper of a
+ * vtkDataSetMapper.
+ * The result is null if the internal mapper does not have the current input yet. It gets it when the actor is drawn, so
+ * it lacks it before the first frame. The result is also null if the mapper has several pieces or sub-pieces.
  */
 vtkPolyDataMapper* DrawingMapperOf(vtkActor* actor);
 

@@ -1,6 +1,4 @@
-/**
- * Where everything is that lights shine on.
- */
+/** Boxes around the props that lights shine on. */
 #ifndef VITRINE_SCENE_LIT_PROPS_H
 #define VITRINE_SCENE_LIT_PROPS_H
 
@@ -18,26 +16,26 @@ namespace vitrine
 /** The box around a prop. */
 struct LitBox
 {
-  Box InWorld; ///< in world coordinates (WC)
-  Box InView;  ///< in view coordinates (VC), wider by the rounding of shaders' floats
+  Box InWorld; ///< In world coordinates (WC).
+  Box InView;  ///< In view coordinates (VC), enlarged by the rounding of shaders' floats.
 };
 
 /** The props of a frame. */
 struct LitProps
 {
-  /** Around all visible props of the renderer, in view coordinates (VC). It does not depend on cullers. */
+  /** Region around all visible props of the renderer, in view coordinates (VC). It does not depend on cullers. */
   LitRegion Region;
 
-  /** Around each prop that is about to be drawn; nothing where that is not known. */
+  /** Boxes around the props that are about to be drawn. They are absent if the box of one prop is not known. */
   std::optional<std::vector<LitBox>> Boxes;
 };
 
 /**
  * Finds the props of a frame.
  *
- * The region is all of space if any prop may be drawn outside its bounds: a class other than actors of polydata, or
- * shader code of users. It is all of space with several samples a pixel as well: a fragment at an edge is lit where
- * the centre of its pixel would be on the face, which may be far away.
+ * The region is all of space if a prop may be drawn outside its bounds: a class other than actors of polydata, or
+ * shader code of users. It is all of space with several samples per pixel as well. A fragment at an edge is lit at the
+ * point where the face's plane meets the pixel's centre, and that may be far away.
  */
 LitProps LitPropsOf(const vtkRenderState* s);
 

@@ -1,3 +1,4 @@
+/** Conversion of VTK's matrices to GLM. */
 #ifndef VITRINE_SCENE_MATRICES_H
 #define VITRINE_SCENE_MATRICES_H
 
@@ -8,7 +9,7 @@
 namespace vitrine
 {
 
-/** VTK's matrices are kept row by row, GLM's column by column. Both multiply column vectors. */
+/** Convert a matrix of VTK, stored by rows, to GLM, which stores by columns. Both multiply column vectors. */
 inline glm::dmat4 MatrixOf(const double elements[16])
 {
   glm::dmat4 matrix;
@@ -27,7 +28,7 @@ inline glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
   return MatrixOf(matrix->GetData());
 }
 
-/** Whether the matrix keeps parallels parallel, as all but those of users' making do. */
+/** Returns true if the matrix keeps parallels parallel. Only matrices of users may not. */
 inline bool IsAffine(const glm::dmat4& m)
 {
   return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;

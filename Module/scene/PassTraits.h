@@ -1,8 +1,9 @@
 /**
- * Facts about a renderer's tree of render passes: what the culler, the lights and the frame have to know of each pass.
+ * Facts about the render passes of a renderer, for the culler, the lights and the frame.
  *
- * A pass of Vitrine states its own traits in its own source, by a PassStatement. Passes of VTK stand in one table
- * (PassTraits.cxx). Nothing is known of any other class, and so nothing of one that is derived from a known one.
+ * A pass of Vitrine states its traits in its own source file, by a PassStatement. VTK's passes are in one table
+ * (PassTraits.cxx). Other classes are not known. A class derived from a known one is not known either, but is taken to
+ * have its delegates.
  */
 #ifndef VITRINE_SCENE_PASS_TRAITS_H
 #define VITRINE_SCENE_PASS_TRAITS_H
@@ -18,23 +19,23 @@ class vtkRenderer;
 namespace vitrine
 {
 
-/** What a pass does by itself, in frames in which it hands the rest to its delegates. */
+/** What a pass does itself, besides the work of its delegates. */
 struct PassTraits
 {
-  /** Why the picture depends on more than what the camera sees, as a clause; empty if it does not. */
+  /** Why the picture depends on more than the camera sees, as a clause. It is empty if it does not. */
   std::string Beyond;
 
   bool DrawsOpaque = false;      ///< It draws opaque geometry.
   bool DrawsTranslucent = false; ///< It draws translucent polygonal geometry, and nothing else.
-  bool HasWindowPixels =
-    false; ///< It draws at the samples of the window's pixels, and not into a target of its own.
-  bool ProcessesPicture =
-    false; ///< It draws by its delegate into a target, and works on that picture.
+  /** It draws at the samples of the window's pixels, not into a target of its own. */
+  bool HasWindowPixels = false;
+  /** Its delegate draws into a target, and it processes that picture. */
+  bool ProcessesPicture = false;
 
-  std::vector<vtkRenderPass*> Delegates{}; ///< Passes that it hands work to, in their order.
+  std::vector<vtkRenderPass*> Delegates{}; ///< Passes that it hands work to, in order.
 };
 
-/** States the traits of passes of exactly one class. It is made once, at file scope, in the source of that class. */
+/** States the traits of passes of exactly one class. Define one at file scope in the source of that class. */
 class PassStatement
 {
 public:
@@ -46,63 +47,63 @@ public:
 #define vitrinePassTraitsMacro(thisClass, function)                                                \
   static const vitrine::PassStatement thisClass##Traits(#thisClass, function)
 
-/** A method for translucent geometry whose fragments are those of the window's pixels. */
+/** Traits of a transparency method whose fragments are those of the window's pixels. */
 PassTraits TranslucentTraits(vtkRenderPass*);
 
-/** A method for translucent geometry that draws into a target of another size. */
+/** Traits of a transparency method that draws into a target of another size. */
 PassTraits TranslucentTraitsOfOwnTarget(vtkRenderPass*);
 
-/** A pass that lights what its delegate draws, into the pixels of that one. */
+/** Traits of a pass that lights what its delegate draws, into the delegate's pixels. */
 template <class Class>
 PassTraits LightsTraits(vtkRenderPass* pass)
 {
   return { "", false, false, true, false, { static_cast<Class*>(pass)->GetDelegatePass() } };
 }
 
-/** The traits of a pass; `Beyond` says so where its class is not known. */
+/** Returns the traits of a pass. `Beyond` says so if its class is not known. */
 PassTraits TraitsOf(vtkRenderPass* pass);
 
-/** Whether `pass`, or a pass below it, is of a class or derived from it. */
+/** Returns true if `pass`, or a pass below it, is of class `className` or derived from it. */
 bool HasPass(vtkRenderPass* pass, const char* className);
 
-/** Whether `test` holds for `pass` and all passes below it. */
+/** Returns true if `test` holds for `pass` and all passes below it. */
 bool AllPasses(vtkRenderPass* pass, const std::function<bool(vtkRenderPass*)>& test);
 
-/** Whether `pass`, or a pass below it, draws opaque geometry. */
+/** Returns true if `pass`, or a pass below it, draws opaque geometry. */
 bool DrawsOpaqueParts(vtkRenderPass* pass);
 
 /**
- * Which pass of a renderer has a picture that depends on more than what the camera sees, and why, or that its class is
- * not known: "vtkEDLShading depends on the bounds of all props". Empty if there is none.
- * @param known  classes of passes of users, whose pictures do not
+ * Finds a pass of the renderer whose picture depends on more than the camera sees, or whose class is not known. Returns
+ * its class and the reason, as in "vtkEDLShading depends on the bounds of all props", or an empty string.
+ * @param known  the user's pass classes whose pictures depend only on what the camera sees
  */
 std::string FindPassBeyondView(vtkRenderer* renderer, const std::set<std::string>& known);
 
 /**
- * Whether passes that process the picture draw by a copy of the camera (vtkImageProcessingPass) that lacks a setting of
- * it, as an explicit projection.
+ * Returns true if a pass that processes the picture (vtkImageProcessingPass) draws by a copy of the camera that lacks
+ * one of its settings, such as an explicit projection.
  */
 bool IsDrawnByAnotherCamera(vtkRenderer* renderer);
 
-/** Whether all that is opaque is drawn at the samples of the window's pixels. */
+/** Returns true if all opaque geometry is drawn at the samples of the window's pixels. */
 bool HasPixelsOfWindow(vtkRenderer* renderer);
 
 /**
- * Whether the renderer finds ambient occlusion (vtkSSAOPass). Positions and normals are then blended into targets of
- * their own, and those of a hidden face stay where the face in front has none.
+ * Returns true if the renderer computes ambient occlusion (vtkSSAOPass). Positions and normals are then blended into
+ * extra targets. Where the front face writes none, those of a hidden face remain.
  */
 bool FindsAmbientOcclusion(vtkRenderer* renderer);
 
 /**
- * Whether the renderer peels translucent geometry (vtkDepthPeelingPass). The alpha of the picture, and how volumes are
- * drawn, then depend on whether there is any, seen or not.
+ * Returns true if the renderer peels translucent geometry (vtkDepthPeelingPass). The picture's alpha and the drawing of
+ * volumes then depend on whether there is translucent geometry, visible or not.
  */
 bool PeelsDepth(vtkRenderer* renderer);
 
-/** Whether the renderer does more in frames in which it draws any prop: it smooths or keeps the whole picture then. */
+/** Returns true if drawing any prop makes the renderer smooth or store the whole picture. */
 bool DoesMoreWhereAnyIsDrawn(vtkRenderer* renderer);
 
-/** Whether the renderer draws shadow maps, by its own flag or by a pass. */
+/** Returns true if the renderer draws shadow maps, by its flag or by a pass. */
 bool DrawsShadows(vtkRenderer* renderer);
 
 }

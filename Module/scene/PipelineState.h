@@ -1,3 +1,4 @@
+/** Tells whether an update of a VTK pipeline would execute anything. */
 #ifndef VITRINE_SCENE_PIPELINE_STATE_H
 #define VITRINE_SCENE_PIPELINE_STATE_H
 
@@ -12,29 +13,42 @@ namespace vitrine
 {
 
 /**
- * Tells whether to update a mapper's pipeline once more would make anything, which takes far longer to find out by updating it. VTK has a filter run if the pipeline's time is later than its data, or if
- * other data are requested than those are (vtkStreamingDemandDrivenPipeline::NeedToExecuteData); so it does not where it ran, and none of that has changed.
+ * Remembers the state of a mapper's pipeline, and tells whether another update would execute a filter. Asking is far
+ * cheaper than updating.
+ *
+ * VTK executes a filter if the pipeline's time is later than its data, or if other data are requested than it has
+ * (vtkStreamingDemandDrivenPipeline::NeedToExecuteData). So it executes none if it has run and neither changed since.
  */
 class PipelineState
 {
 public:
-  /** Of nothing: what would be made is not known. */
+  /** Makes the state of no pipeline. IsCurrent() returns false. */
   PipelineState() = default;
 
-  /** Updates what a mapper is connected to, as drawing does: with its requests for pieces, and with those that others have left, as for a time. */
+  /**
+   * Updates the pipeline of a mapper as drawing does: with its requests for pieces, and with requests that others left,
+   * as for a time.
+   */
   explicit PipelineState(vtkPolyDataMapper* mapper);
 
-  /** Whether nothing would be made. One thread at a time: pipelines keep their time. */
+  /**
+   * Returns true if an update would execute nothing. Call it from one thread at a time, since pipelines store their
+   * time.
+   */
   bool IsCurrent(vtkPolyDataMapper* mapper) const;
 
 private:
-  vtkDemandDrivenPipeline* Producer = nullptr; ///< null if that is not known; `Requests` hold it
-  vtkMTimeType Time = 0;                       ///< of the pipeline
-  vtkInformation* Requests = nullptr;          ///< for data, and what they are
+  /** Null if it is not known. `Requests` keeps it alive. */
+  vtkDemandDrivenPipeline* Producer = nullptr;
+  vtkMTimeType Time = 0;              ///< Modification time of the pipeline.
+  vtkInformation* Requests = nullptr; ///< Requests for the data, and the data.
   vtkMTimeType RequestsTime = 0;
 };
 
-/** Whether what an algorithm's first input is connected to, if anything, has made all of its data already, so that to update it makes nothing. Updates nothing. */
+/**
+ * Returns true if updating the first input of `consumer` would execute nothing, or if there is no input. Updates
+ * nothing itself.
+ */
 bool IsInputMade(vtkAlgorithm* consumer);
 
 }

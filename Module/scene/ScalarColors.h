@@ -1,3 +1,4 @@
+/** Tells whether the colours that a mapper gives its data are opaque. */
 #ifndef VITRINE_SCENE_SCALAR_COLORS_H
 #define VITRINE_SCENE_SCALAR_COLORS_H
 
@@ -8,23 +9,27 @@ class vtkMapper;
 namespace vitrine
 {
 
-/** The scalars that a mapper colours data by; null if it does not, or has none. */
+/** Returns the scalars by which the mapper colours `data`. Returns null if it colours by none, or if there are none. */
 vtkAbstractArray* ScalarsOf(vtkMapper* mapper, vtkDataSet* data);
 
 /**
- * Whether scalars bring a table of colours that is not the mapper's, which takes it for its own while it draws them (vtkMapper::MapScalars()). Before that VTK asks the
- * mapper's old one what is translucent.
+ * Returns true if the scalars have their own lookup table, which the mapper adopts while it draws them
+ * (vtkMapper::MapScalars()). Before that, VTK asks the mapper's old table what is translucent.
  * @param scalars  may be null
  */
 bool BringTheirTable(vtkMapper* mapper, vtkAbstractArray* scalars);
 
 /**
- * Whether no colour that a mapper gives the scalars of data has any transparency, or it gives them none. VTK's own answer,
- * vtkMapper::HasTranslucentPolygonalGeometry(), leaves out colours of what is unknown and of single values, tables that arrays bring, and alphas that are no numbers.
+ * Returns true if all colours that the mapper gives the scalars of `data` are opaque, or if it gives none.
+ * VTK's own vtkMapper::HasTranslucentPolygonalGeometry() ignores colours of NaN and of annotated values, tables of
+ * arrays, and alphas that are NaN.
  */
 bool AreColorsOpaque(vtkMapper* mapper, vtkDataSet* data);
 
-/** The same of a block, as composite mappers take it: for one without scalars they ask all of their table. */
+/**
+ * Returns true if all colours of a block are opaque, as composite mappers colour it. If the block has no scalars, the
+ * mapper's whole table must be opaque.
+ */
 bool AreBlockColorsOpaque(vtkMapper* mapper, vtkDataSet* block);
 
 }

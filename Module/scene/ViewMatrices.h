@@ -1,3 +1,4 @@
+/** The matrices with which a renderer draws. */
 #ifndef VITRINE_SCENE_VIEW_MATRICES_H
 #define VITRINE_SCENE_VIEW_MATRICES_H
 
@@ -12,10 +13,13 @@
 namespace vitrine
 {
 
-/** What a renderer draws with: the matrices that lead to view coordinates, and from there to clip coordinates, row by row. */
+/** The matrices from world to view coordinates and from view to clip coordinates, both by rows. */
 using ViewMatrices = std::array<double, 32>;
 
-/** VTK's own cameras keep them from frame to frame, until they or the renderer are told to have changed. */
+/**
+ * Returns the matrices that a renderer draws with. VTK's own cameras cache them until the camera or the renderer is
+ * modified.
+ */
 inline ViewMatrices ViewMatricesOf(vtkRenderer* renderer)
 {
   ViewMatrices matrices;
@@ -25,7 +29,8 @@ inline ViewMatrices ViewMatricesOf(vtkRenderer* renderer)
     vtkMatrix4x4 *toView, *toClip, *both;
     vtkMatrix3x3* ofNormals;
     keeping->GetKeyMatrices(renderer, toView, ofNormals, toClip, both);
-    vtkMatrix4x4::Transpose(toView->GetData(), matrices.data()); // they are for OpenGL
+    // GetKeyMatrices() returns them transposed, for OpenGL.
+    vtkMatrix4x4::Transpose(toView->GetData(), matrices.data());
     vtkMatrix4x4::Transpose(toClip->GetData(), matrices.data() + 16);
     return matrices;
   }

@@ -1,6 +1,4 @@
-/**
- * Lets functions have a say in the shaders of opaque props that are drawn by it.
- */
+/** A render pass that lets functions rewrite the shaders of the opaque props that it draws. */
 #ifndef VITRINE_SHADER_SHADER_HOOK_H
 #define VITRINE_SHADER_SHADER_HOOK_H
 
@@ -21,13 +19,13 @@ public:
   static ShaderHook* New();
   vtkTypeMacro(ShaderHook, vtkOpenGLRenderPass);
 
-  /** Rewrites vertex and fragment shader of a mapper. */
+  /** Rewrites the vertex and the fragment shader of a mapper. */
   std::function<void(std::string&, std::string&)> Rewrite;
 
-  /** Sets the uniforms of rewritten shaders, for a mapper that is about to draw a prop. */
+  /** Sets the uniforms of rewritten shaders, before a mapper draws a prop. */
   std::function<void(vtkShaderProgram*, vtkAbstractMapper*, vtkProp*)> SetUniforms;
 
-  /** What Rewrite() goes by has changed. */
+  /** Call this if the inputs of Rewrite() have changed. */
   void RewriteAgain() { this->Stage.Modified(); }
 
   void Render(const vtkRenderState* s) override;

@@ -1,3 +1,4 @@
+/** Replaces tags and other text in shaders. */
 #ifndef VITRINE_SHADER_SHADER_TAGS_H
 #define VITRINE_SHADER_SHADER_TAGS_H
 
@@ -7,8 +8,8 @@ namespace vitrine
 {
 
 /**
- * Replace `tag`, or any other text of a shader, which must be there exactly once. Returns an empty string, or what is wrong: then the
- * shader must not be used.
+ * Replace `tag`, or any other text that must occur in the shader exactly once. Returns an error message, empty on
+ * success. After an error the shader must not be used.
  */
 std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text);
 

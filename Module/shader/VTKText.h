@@ -1,9 +1,9 @@
 /**
- * VTK's own text in the shaders of its mappers that is looked for: all of it stands here.
+ * All text of VTK's mapper shaders that Vitrine looks for.
  *
- * Tags are what VTK itself replaces. Lines are what it writes (vtkOpenGLPolyDataMapper::ReplaceShader...()). They are the same in VTK 9.1, 9.3, 9.6
- * and 9.7 but where a comment says otherwise; the tests draw by them with 9.1 and 9.6. Where one is missing, VTK has changed, and
- * whoever looks for it has to do without: ReplaceTag() says so.
+ * Tags are what VTK itself replaces. Lines are what VTK writes (vtkOpenGLPolyDataMapper::ReplaceShader...()). They are
+ * the same in VTK 9.1, 9.3, 9.6 and 9.7 unless a comment says otherwise. The tests draw with 9.1 and 9.6. If a text is
+ * missing, VTK has changed, and its user must do without: ReplaceTag() reports it.
  */
 #ifndef VITRINE_SHADER_VTK_TEXT_H
 #define VITRINE_SHADER_VTK_TEXT_H
@@ -16,7 +16,7 @@ namespace vitrine
 namespace vtktext
 {
 
-/** Where a piece of a shader begins and ends, both inclusive. */
+/** The first and the last text of a piece of a shader, both inclusive. */
 struct Piece
 {
   std::string Begin;
@@ -25,13 +25,14 @@ struct Piece
 
 // ---- Tags ----
 
-inline const std::string SystemDec =
-  "//VTK::System::Dec"; ///< before all else; #version replaces it
+/** It comes before everything else. VTK replaces it by #version. */
+inline const std::string SystemDec = "//VTK::System::Dec";
 inline const std::string LightDec = "//VTK::Light::Dec";
 inline const std::string DepthPeelingDec = "//VTK::DepthPeeling::Dec";
-inline const std::string UniformFlowImpl =
-  "//VTK::UniformFlow::Impl"; ///< at the beginning of main()
-inline const std::string DepthPeelingImpl = "//VTK::DepthPeeling::Impl"; ///< at the end of main()
+/** It is at the beginning of main(). */
+inline const std::string UniformFlowImpl = "//VTK::UniformFlow::Impl";
+/** It is at the end of main(). */
+inline const std::string DepthPeelingImpl = "//VTK::DepthPeeling::Impl";
 
 // ---- Vertex shaders ----
 
@@ -42,13 +43,13 @@ inline const std::string Position = "gl_Position = MCDCMatrix * vertexMC;";
 inline const std::string LightColor = "uniform vec3 lightColor0;";
 inline const std::string LightDirection = "uniform vec3 lightDirectionVC0; // normalized";
 
-/** What shaders have besides where any light is positional. */
+/** Further declarations if any light is positional. */
 inline const std::array<std::string, 5> UniformsOfPositionalLight = {
   "uniform vec3 lightPositionVC0;", "uniform vec3 lightAttenuation0;",
   "uniform float lightConeAngle0;", "uniform float lightExponent0;", "uniform int lightPositional0;"
 };
 
-/** What is written for a light: the first one of these that is there. */
+/** The text that VTK writes for a light. The first of these that occurs is meant. */
 inline const std::array<Piece, 5> LightTexts = { {
   // Positional lights: Phong's shading, then physically based shading from 9.5 on and before.
   { "    attenuation = 1.0;\n    if (lightPositional0 ", "specular += (sf * lightColor0);\n" },
@@ -68,26 +69,26 @@ inline const Piece PhongLighting = { "  vec3 diffuse = vec3(0,0,0);\n",
 inline const Piece PhysicalLighting = { "  vec3 Lo = vec3(0.0);\n",
   "gl_FragData[0] = vec4(color, opacity);" };
 
-/** What all is put into at the end. */
+/** The final assignment of the colour. */
 inline const std::string AssignColor = "gl_FragData[0] = ";
 
-/** What textures do to the lit colour, behind AssignColor. */
+/** The expression that applies textures to the lit colour, after AssignColor. */
 inline const std::string Textured = "gl_FragData[0] * tcolor;";
 
-/** Image-based light, textures of occlusion, anisotropy, clear coat. */
+/** Text of image-based light, occlusion textures, anisotropy and clear coat. */
 inline const std::array<std::string, 4> BesidesPlainLight = { "prefilterTex", "material.r",
   "specular = SpecularAnisotropic(", "coatLayer = " };
 
 // ---- Materials ----
 
-/** All that is written to the values of a material, but for a semicolon, where they come from the property alone. */
+/** Assignments to the values of a material, without the semicolon, if they come from the property alone. */
 inline const std::array<std::string, 4> MaterialFromProperty = {
   "diffuseColor = diffuseIntensity * diffuseColorUniform",
   "ambientColor = ambientIntensity * ambientColorUniform",
   "specularColor = specularIntensity * specularColorUniform", "specularPower = specularPowerUniform"
 };
 
-/** Declarations behind the word uniform, of physically based shading. */
+/** Uniforms of physically based shading, after the word uniform. */
 inline const std::array<std::string, 5> PhysicalUniforms = { "float roughnessUniform;",
   "float metallicUniform;", "vec3 edgeTintUniform;", "float baseF0Uniform;",
   "float aoStrengthUniform;" };

@@ -11,52 +11,45 @@
 namespace vitrine
 {
 /**
- * Owns one EGL context and, where the platform has pixel buffers, the 1x1 one it is made current with:
- * what is drawn goes to framebuffer objects, but drivers and VTK ask the default framebuffer for its
- * formats. Where there are none, the context is made current without a surface.
+ * Owns one EGL context and, if the platform has pixel buffers, a 1x1 pixel buffer.
  *
- * A context belongs to the thread that made it current last. Displays are shared within the process and
- * are not terminated.
+ * The context is made current with the pixel buffer, or else without a surface. All drawing goes to framebuffer
+ * objects, but drivers and VTK query the formats of the default framebuffer.
+ *
+ * A context belongs to the thread that made it current last. This class terminates no display, since the process shares
+ * them.
  */
 class EGLOffscreenContext
 {
 public:
   /**
-   * Try the EGL devices from `firstDevice` on, then Mesa's surfaceless platform, then the default
-   * display, and on each OpenGL 4.6 down to 3.2 in its core profile. The first context to be made
-   * current wins, and is current upon return.
+   * Try the EGL devices from `firstDevice` on, then Mesa's surfaceless platform, then the default display. On each, try
+   * core profiles of OpenGL from 4.6 down to 3.2. The first context that can be made current is returned, and is
+   * current.
    *
-   * Where none does, return null and say in `failures` why not, a clause for each platform.
+   * Returns null if there is none. `failures` then says why, a clause for each platform.
    */
   static std::unique_ptr<EGLOffscreenContext> Create(int firstDevice, std::string& failures);
 
-  /**
-   * The number of EGL devices, 0 where EGL cannot enumerate them.
-   */
+  /** Returns the number of EGL devices, or 0 if EGL cannot enumerate them. */
   static int CountDevices();
 
-  /**
-   * Release the context from this thread, if it is current here, and destroy it.
-   */
+  /** Release the context from this thread, if it is current here, and destroy it. */
   ~EGLOffscreenContext();
 
   EGLOffscreenContext(const EGLOffscreenContext&) = delete;
   EGLOffscreenContext& operator=(const EGLOffscreenContext&) = delete;
 
   /**
-   * Make the context current in the calling thread. False where EGL refuses, as it does when the context
-   * is current in another thread; GetLastError() says why.
+   * Make the context current in the calling thread. Returns false if EGL refuses, for example since the context is
+   * current in another thread. GetLastError() tells the reason.
    */
   bool MakeCurrent() const;
 
-  /**
-   * Whether the context is current in the calling thread.
-   */
+  /** Returns true if the context is current in the calling thread. */
   bool IsCurrent() const;
 
-  /**
-   * What is current in a thread: the context, of whichever owner, with its display and its surfaces.
-   */
+  /** The context that is current in a thread, whoever owns it, with its display and surfaces. */
   struct Binding
   {
     void* Display;
@@ -66,37 +59,24 @@ public:
   };
 
   ///@{
-  /**
-   * Take down and put back what is current in the calling thread. Nothing being current is put back by
-   * leaving things as they are.
-   */
+  /** Get and restore what is current in the calling thread. If nothing was current, Bind() changes nothing. */
   static Binding GetBinding();
   static void Bind(const Binding& binding);
   ///@}
 
-  /**
-   * The name of EGL's last error in this thread, such as EGL_BAD_ACCESS.
-   */
+  /** Returns the name of EGL's last error in this thread, such as EGL_BAD_ACCESS. */
   static std::string GetLastError();
 
-  /**
-   * The entry point of an OpenGL function, null where there is none of this name.
-   */
+  /** Returns the entry point of an OpenGL function, or null if there is none of this name. */
   static void (*GetProcAddress(const char* name))();
 
-  /**
-   * The platform that was taken: "device:N", "surfaceless" or "default".
-   */
+  /** Returns the platform in use: "device:N", "surfaceless" or "default". */
   const std::string& GetPlatform() const { return this->Platform; }
 
-  /**
-   * The number of the EGL device that was taken, -1 of the other platforms.
-   */
+  /** Returns the number of the EGL device in use, or -1 on other platforms. */
   int GetDevice() const { return this->Device; }
 
-  /**
-   * The EGLContext and the EGLDisplay.
-   */
+  /** Get the EGLContext and the EGLDisplay. */
   void* GetContext() const { return this->Context; }
   void* GetDisplay() const { return this->Display; }
 
@@ -106,9 +86,9 @@ private:
 
   std::string Platform;
   int Device;
-  void* Display;           // EGLDisplay
-  void* Surface = nullptr; // EGLSurface, EGL_NO_SURFACE without pixel buffers
-  void* Context = nullptr; // EGLContext
+  void* Display;           // The EGLDisplay.
+  void* Surface = nullptr; // The EGLSurface, or EGL_NO_SURFACE without pixel buffers.
+  void* Context = nullptr; // The EGLContext.
 };
 }
 

@@ -1,7 +1,7 @@
 /**
  * @file
- * EGL's declarations and entry points, from whichever loader VTK itself uses: VTK's glad, which opens the machine's
- * EGL when it is asked to, from VTK 9.4 on; before, EGL itself, which is linked. Include this in source files only.
+ * EGL's declarations and entry points, from the loader that VTK itself uses. From VTK 9.4 on that is VTK's glad, which
+ * opens the machine's EGL on demand. Before, EGL itself is linked. Include this in source files only.
  */
 #ifndef VitrineEGL_h
 #define VitrineEGL_h
@@ -12,7 +12,10 @@
 
 namespace vitrine
 {
-/** Whether EGL is on this machine, with what it offers for `display`: EGL_NO_DISPLAY for what needs none. */
+/**
+ * Returns true if EGL is on this machine. Loads its entry points for `display`; EGL_NO_DISPLAY loads those that need no
+ * display.
+ */
 inline bool LoadEGL(EGLDisplay display)
 {
   return gladLoaderLoadEGL(display) != 0;
