@@ -30,7 +30,7 @@ namespace
 
 using PassPointer = vtkSmartPointer<vtkRenderPass>;
 
-/** Sets the only delegate of a pass; returns false if the pass is of a class that has none, or several. */
+/** Sets the only delegate of a pass. Returns false if passes of its class have none or several. */
 bool SetDelegate(vtkRenderPass* pass, vtkRenderPass* delegate)
 {
   if (auto* const processing = vtkImageProcessingPass::SafeDownCast(pass))
@@ -83,14 +83,14 @@ std::vector<PassPointer> PassesOf(vtkSequencePass* sequence)
   return { delegates.begin(), delegates.end() };
 }
 
-/** A pass, and the one that hands drawing to it; null where that is the root. */
+/** A pass and its parent, which hands drawing to it. The root has a null parent. */
 struct Place
 {
   vtkRenderPass* Parent;
   vtkRenderPass* Pass;
 };
 
-/** The only pass that `pass` hands all drawing to; null if there is none, or are several. */
+/** Returns the only pass to which `pass` hands all drawing, or null if there is none or if there are several. */
 vtkRenderPass* OnlyDelegateOf(vtkRenderPass* pass)
 {
   const bool handsOver = !vtkRenderStepsPass::SafeDownCast(pass) && !pass->IsA("vtkShadowMapPass");
@@ -98,7 +98,7 @@ vtkRenderPass* OnlyDelegateOf(vtkRenderPass* pass)
   return handsOver && delegates.size() == 1 ? delegates.front() : nullptr;
 }
 
-/** The pass that draws the scene, below those that process its picture, set the camera or the lights. */
+/** Finds the pass that draws the scene, below the passes that process its picture or set the camera or the lights. */
 Place DrawingPlaceOf(vtkRenderPass* root)
 {
   Place place{ nullptr, root };
@@ -109,7 +109,7 @@ Place DrawingPlaceOf(vtkRenderPass* root)
   return place;
 }
 
-/** Behind the last pass that draws opaque geometry; 0 if none does. */
+/** Returns the index behind the last pass that draws opaque geometry, or 0 if there is none. */
 std::size_t EndOfOpaque(const std::vector<PassPointer>& passes)
 {
   std::size_t end = passes.size();
@@ -213,7 +213,7 @@ bool ChainEdit::PutIntoSequence(vtkRenderPass* step, vtkSequencePass* sequence)
   const Passes before = PassesOf(sequence);
   for (std::size_t i = 0; i < before.size() && !isPlaced; ++i)
   {
-    // What is opaque and drawn later would cover it.
+    // Opaque geometry that is drawn later would cover the translucent step.
     isTooEarly = i + 1 < end;
     isPlaced = this->PutInPlace(isTooEarly ? nothing.Get() : step, before[i], sequence);
   }

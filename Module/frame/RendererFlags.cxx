@@ -45,7 +45,7 @@ RendererFlags::RendererFlags()
   { renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer()); };
   this->Smoothed->Draw = [this](const vtkRenderState* s, vtkOpenGLRenderer* renderer)
   {
-    if (s->GetPropArrayCount() > 0) // as VTK does
+    if (s->GetPropArrayCount() > 0) // VTK tests this too.
     {
       this->Enter(renderer);
       this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
@@ -61,7 +61,7 @@ RendererFlags::~RendererFlags()
   this->Leave();
 }
 
-/** Goes on in the window of a renderer, whose context is current. */
+/** Switches to the window of `renderer`, whose context is current. */
 void RendererFlags::Enter(vtkOpenGLRenderer* renderer)
 {
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

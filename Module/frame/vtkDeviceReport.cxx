@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkDeviceReport);
 namespace
 {
 
-/** Keeps VTK's messages from the output while it lives: what they say is in the report. */
+/** Suppresses VTK's messages while it lives. The report contains what they say. */
 class ScopedSilence
 {
 public:
@@ -41,7 +41,7 @@ private:
   int Before = vtkObject::GetGlobalWarningDisplay();
 };
 
-/** Two translucent plates before an opaque one, in two lights. */
+/** A scene of two translucent plates in front of an opaque one, with two lights. */
 struct Trial
 {
   explicit Trial(vtkRenderWindow* window)
@@ -68,7 +68,7 @@ struct Trial
   Trial(const Trial&) = delete;
   void operator=(const Trial&) = delete;
 
-  /** Draws by a pass, and lets go of what it holds. */
+  /** Draws by a pass, and releases the pass's resources. */
   void Draw(vtkSeeThroughPass* frame)
   {
     this->Renderer->SetPass(frame);

@@ -50,8 +50,8 @@ vitrinePassTraitsMacro(vtkSeeThroughPass, TraitsOfFrame);
 namespace
 {
 
-// A hardware selector is served by the renderer itself, but only where no pass is set: with a pass the
-// renderer leaves all drawing to it, and no pass of VTK's knows of selectors.
+// A renderer serves a hardware selector itself, but only if no pass is set. With a pass it leaves all drawing to the
+// pass, and no pass of VTK serves selectors.
 void RenderForSelector(vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkRenderPass> pass = renderer->GetPass();
@@ -60,7 +60,7 @@ void RenderForSelector(vtkRenderer* renderer)
   renderer->SetPass(pass);
 }
 
-/** Tells the camera whether the window draws in stereo, which no pass of VTK does. */
+/** Tells the camera whether the window draws in stereo. No pass of VTK does so. */
 void TellCameraOfStereo(vtkRenderer* renderer)
 {
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -77,8 +77,8 @@ void TellCameraOfStereo(vtkRenderer* renderer)
   renderer->GetActiveCamera()->Render(renderer);
 }
 
-// vtkCameraPass never tells the camera that the window is in stereo, so both eyes would see the same. The camera
-// learns it where a renderer without a pass updates it; that also sets the viewport and clears.
+// vtkCameraPass does not tell the camera that the window is in stereo, so both eyes would see the same picture. A
+// renderer without a pass tells it when it updates the camera; that also sets the viewport and clears.
 class EyeCameraPass : public vtkCameraPass
 {
 public:
@@ -105,7 +105,7 @@ public:
   }
 };
 
-/** Keeps a pass alive as long as a renderer is observed, and tells it when a frame starts. */
+/** Keeps a pass alive while a renderer is observed, and tells it when a frame starts. */
 class FrameObserver : public vtkCommand
 {
 public:
@@ -119,14 +119,16 @@ public:
   std::function<void(vtkRenderer*)> StartFrame;
 };
 
-/** Passes that stay on renderers, the last one attached of each. */
+/** Passes that are attached to renderers: the last one attached to each renderer. */
 std::map<vtkRenderer*, vtkWeakPointer<vtkSeeThroughPass>>& AttachedPasses()
 {
   static std::map<vtkRenderer*, vtkWeakPointer<vtkSeeThroughPass>> passes;
   return passes;
 }
 
-/** The pass within which others are nested that were attached later. */
+/**
+ * Returns the innermost of nested passes. A pass that is attached later contains the earlier one as its EffectsPass.
+ */
 vtkSeeThroughPass* InnermostOf(vtkSeeThroughPass* pass)
 {
   auto* const inner = vtkSeeThroughPass::SafeDownCast(pass->GetEffectsPass());
@@ -139,12 +141,12 @@ struct vtkSeeThroughPass::Internals
   vtkSmartPointer<vtkClusteredLightsPass> Lighting;
   vtkSmartPointer<vtkRenderPass> Effects;
   vitrine::RendererFlags Flags;
-  std::string FallbackReason; ///< of the frame, not of its method
+  std::string FallbackReason; ///< Reason of the frame, not of its method.
   std::string SetAsideReason;
-  std::string Text;                     ///< that GetFallbackReason() returned
-  vtkWeakPointer<vtkRenderer> Renderer; ///< that this pass stays on
-  unsigned long Observer = 0;           ///< of its frames
-  bool IsLit = false; ///< The LightingPass draws, and has this pass draw the steps.
+  std::string Text;                     ///< Buffer of the text that GetFallbackReason() returned.
+  vtkWeakPointer<vtkRenderer> Renderer; ///< The renderer to which this pass is attached.
+  unsigned long Observer = 0;           ///< Observer of the renderer's frames.
+  bool IsLit = false; ///< The LightingPass draws, and calls this pass to draw the steps.
 };
 
 //------------------------------------------------------------------------------
@@ -203,7 +205,7 @@ void vtkSeeThroughPass::SetEffectsPass(vtkRenderPass* chain)
   }
   in.Effects = chain;
   in.SetAsideReason.clear();
-  vtkNew<vtkSequencePass> step; // any will do
+  vtkNew<vtkSequencePass> step; // Any pass serves as the step here.
   if (chain && !vitrine::ChainEdit(chain).PutTranslucentStep(step))
   {
     in.SetAsideReason = std::string(chain->GetClassName()) +
@@ -262,8 +264,8 @@ void vtkSeeThroughPass::Detach()
   {
     return;
   }
-  const vtkSmartPointer<vtkSeeThroughPass> alive =
-    this; // the observer may be the last that holds it
+  // The observer may hold the last reference to this pass.
+  const vtkSmartPointer<vtkSeeThroughPass> alive = this;
   const vtkSmartPointer<vtkRenderPass> effects = in.Effects;
   in.Renderer = nullptr;
   vtkSeeThroughPass* outer = GetAttached(renderer);
@@ -302,13 +304,13 @@ vtkSeeThroughPass* vtkSeeThroughPass::GetAttached(vtkRenderer* renderer)
   {
     return nullptr;
   }
-  // A renderer that is gone leaves its address to others.
+  // The address of a deleted renderer may belong to another one.
   vtkSeeThroughPass* const pass = found->second;
   return pass && pass->Private->Renderer == renderer ? pass : nullptr;
 }
 
 //------------------------------------------------------------------------------
-// Takes in the pass that the renderer was given since its last frame.
+// Takes in the pass that the application set on the renderer since its last frame.
 void vtkSeeThroughPass::StartFrame(vtkRenderer* renderer)
 {
   vtkRenderPass* const given = renderer->GetPass();
@@ -341,7 +343,7 @@ void vtkSeeThroughPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-// Returns false, and draws nothing, where the chain has no place for the translucent step.
+// Returns false, and draws nothing, if the chain has no place for the translucent step.
 bool vtkSeeThroughPass::RenderChain(const vtkRenderState* s)
 {
   Internals& in = *this->Private;
@@ -378,7 +380,7 @@ void vtkSeeThroughPass::RenderOwnFrame(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-// As vtkOpenGLRenderer::UpdateGeometry(), and as vtkRenderStepsPass::Render() where no flag of the renderer is on.
+// Follows vtkOpenGLRenderer::UpdateGeometry(). Without flags of the renderer it equals vtkRenderStepsPass::Render().
 void vtkSeeThroughPass::RenderSteps(const vtkRenderState* s)
 {
   Internals& in = *this->Private;

@@ -25,7 +25,7 @@ GLenum BindingQuery(GLenum textureTarget)
   }
 }
 
-// The target of glBindTexture() for a texture that is attached as `textureTarget`.
+// Returns the target of glBindTexture() for a texture that is attached as `textureTarget`.
 GLenum BindingTarget(GLenum textureTarget)
 {
   return textureTarget == GL_TEXTURE_2D || textureTarget == GL_TEXTURE_2D_MULTISAMPLE
@@ -33,7 +33,7 @@ GLenum BindingTarget(GLenum textureTarget)
     : GL_TEXTURE_CUBE_MAP;
 }
 
-// Size and internal format as the texture has it. Returns false if its target is another one, as of layers.
+// Reads size and internal format of a texture. Returns false if the texture has another target, such as an array.
 bool DescribeTexture(AttachedImage& image)
 {
   GLint previous = 0;
@@ -54,7 +54,7 @@ bool DescribeTexture(AttachedImage& image)
   }
   else
   {
-    glGetError(); // the target did not fit
+    glGetError(); // The texture has another target.
   }
   glBindTexture(BindingTarget(image.TextureTarget), static_cast<GLuint>(previous));
   return isBound;
@@ -73,7 +73,7 @@ void DescribeRenderbuffer(AttachedImage& image)
   glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(previous));
 }
 
-// The sized format of as many bits in place of an unsized one, of which no immutable image can be made.
+// Returns the sized format with as many bits as an unsized one. Immutable storage requires a sized format.
 GLenum SizedDepthFormat(const AttachedImage& image)
 {
   if (image.StencilBits > 0)

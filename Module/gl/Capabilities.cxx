@@ -12,7 +12,7 @@ namespace vitrine
 namespace
 {
 
-/** Where samples of the current framebuffer lie in a pixel, from 0 to 1, across and upwards. */
+/** Returns the positions of the current framebuffer's samples in a pixel, as x and y in turn from 0 to 1. */
 std::vector<float> PlacesOfSamples()
 {
   GLint samples = 0;

@@ -21,7 +21,7 @@ bool ComputeProgram::Use(vtkOpenGLRenderWindow* window, const std::vector<std::s
   if (this->Name == 0 && !this->Failed)
   {
     this->Compile("#version 430 core\n" + lines + this->Source);
-    this->Defines = lines; // of one that failed, too: it is not tried again
+    this->Defines = lines; // Set even if it failed, so that it is not tried again.
   }
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(this->Name);
@@ -63,7 +63,7 @@ void ComputeProgram::Set(const char* name, const int (&value)[2]) const
 
 void ComputeProgram::DispatchFor(std::int64_t count, int groupSize)
 {
-  constexpr std::int64_t most = 65535; // groups along an axis that OpenGL guarantees
+  constexpr std::int64_t most = 65535; // OpenGL guarantees so many groups along an axis.
   const std::int64_t groups = DividedUp<std::int64_t>(count, groupSize);
   const std::int64_t rows = DividedUp<std::int64_t>(groups, most);
   glDispatchCompute(static_cast<GLuint>(std::min(groups, most)),

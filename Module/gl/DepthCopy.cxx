@@ -15,7 +15,7 @@ void BlitDepth(vtkOpenGLState* state, const PixelRegion& r)
     r.Y + r.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
-// From the framebuffer bound for reading to where these pixels are in a buffer of rows of `width` pixels.
+// Copies the depth of the framebuffer bound for reading to the same pixels of a buffer with rows of `width` pixels.
 void ReadDepth(const PixelRegion& r, int width, GLuint buffer)
 {
   const ScopedPixelTransfer pixelTransfer;

@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-// Bits a texel of what is allocated, as the driver has it. The texture is bound to `target`.
+// Returns the bits per texel that the driver allocated for the texture bound to `target`.
 std::int64_t BitsPerTexel(GLenum target)
 {
   const GLenum sizes[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
@@ -31,7 +31,8 @@ struct TransferFormat
   GLenum Type;
 };
 
-// With which glTexImage2D() takes no pixels for an image of this format: glTexStorage2D() is above OpenGL 3.2.
+// Returns the transfer format with which glTexImage2D() accepts null pixels for this internal format. glTexStorage2D()
+// is not in OpenGL 3.2.
 TransferFormat AnyTransferFormat(GLenum internalFormat)
 {
   switch (internalFormat)
@@ -60,8 +61,8 @@ GLint BoundTexture(GLenum target)
   return name;
 }
 
-// Whether OpenGL has an error on record, which it then has no more. Bounded, since without a current context a driver
-// may have one for ever.
+// Returns true if OpenGL had an error on record, and clears it. The loop is bounded, since a driver may return errors
+// forever if no context is current.
 bool TakeError()
 {
   constexpr int most = 16;
@@ -73,7 +74,7 @@ bool TakeError()
   return errors > 0;
 }
 
-// An error on record must neither be taken for that of an allocation, nor be lost.
+// An earlier error must neither be mistaken for one of the allocation, nor be lost.
 void ReportEarlierErrors()
 {
   if (TakeError())
@@ -183,7 +184,7 @@ void Image2D::AllocateTexture()
   }
   else
   {
-    const ScopedPixelTransfer pixelTransfer; // a bound buffer would be read
+    const ScopedPixelTransfer pixelTransfer; // A bound unpack buffer would be read.
     const TransferFormat none = AnyTransferFormat(this->InternalFormat);
     const auto format = static_cast<GLint>(this->InternalFormat);
     if (this->Layers > 0)

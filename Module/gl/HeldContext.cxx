@@ -5,7 +5,7 @@ namespace vitrine
 
 void HeldContext::Hold(vtkOpenGLRenderWindow* window)
 {
-  window->MakeCurrent(); // Release() may have left that of another window, see there
+  window->MakeCurrent(); // Release() may have left another window's context current.
   this->Holder = window;
   this->CreationTime = window->GetContextCreationTime();
 }
@@ -21,8 +21,8 @@ void HeldContext::Release(const std::function<void(vtkOpenGLRenderWindow*)>& rel
   {
     return;
   }
-  // vtkEGLRenderWindow has no memory of what was current before.
-  vtkOpenGLRenderWindow* const window = this->Holder; // `release` may let go
+  // vtkEGLRenderWindow does not remember which context was current before.
+  vtkOpenGLRenderWindow* const window = this->Holder; // `release` may reset Holder.
   window->PushContext();
   if (window->IsCurrent())
   {

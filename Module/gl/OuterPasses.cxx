@@ -25,20 +25,20 @@ GLuint BoundForDrawing()
 
 }
 
-// What the two passes around the outer ones have in common.
+// Data that Enter and Leave share.
 struct OuterPasses::Target
 {
   vtkOpenGLState* State = nullptr;
-  GLuint Framebuffer = 0; // that outer passes count on
-  GLuint Drawn = 0;       // that was bound when they were about to be asked
+  GLuint Framebuffer = 0; // The framebuffer on which outer passes rely.
+  GLuint Drawn = 0;       // The framebuffer bound when outer passes were about to be called.
   std::optional<ScopedFirstDrawBuffer> DrawBuffers;
   bool HasFurtherOutputs = false;
 
-  // Whether outer passes may set draw buffers. Binding framebuffers for each draw is not for nothing.
+  // Returns true if outer passes may set draw buffers. Otherwise the binding of framebuffers for each draw is saved.
   bool IsTouched() const { return this->HasFurtherOutputs || this->DrawBuffers->HasOthers(); }
 };
 
-// The first of a prop's passes. They have a say in shaders in their order, and these two have none.
+// Comes first among a prop's passes. Passes change shaders in this order; Enter and Leave change none.
 class OuterPasses::Enter : public vtkOpenGLRenderPass
 {
 public:
@@ -61,7 +61,7 @@ public:
   const std::shared_ptr<Target> Common = std::make_shared<Target>();
 };
 
-// The last of the outer passes.
+// Comes after the outer passes.
 class OuterPasses::Leave : public vtkOpenGLRenderPass
 {
 public:
@@ -117,7 +117,7 @@ OuterPasses::Scope::~Scope()
   this->Passes.First->Common->DrawBuffers.reset();
 }
 
-// Props may share what they are told.
+// Several props may share the same property keys.
 void OuterPasses::Surround(const vtkRenderState* s)
 {
   vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();

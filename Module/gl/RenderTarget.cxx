@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-// Where drawing lands: the scissor box if it is on, else the viewport, cut to the target.
+// Returns the drawn region: the scissor box if the test is on, else the viewport, cut to the target.
 PixelRegion DrawnRegion(vtkOpenGLState* state, int width, int height)
 {
   int box[4];

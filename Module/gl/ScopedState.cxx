@@ -20,14 +20,14 @@ struct PixelSetting
   GLint Default;
 };
 
-// How pixels lie in memory, and how they do by OpenGL's defaults.
+// Settings of pixel transfers, and OpenGL's defaults.
 const PixelSetting PixelSettings[] = { { GL_PACK_SWAP_BYTES, 0 }, { GL_PACK_LSB_FIRST, 0 },
   { GL_PACK_ROW_LENGTH, 0 }, { GL_PACK_SKIP_ROWS, 0 }, { GL_PACK_SKIP_PIXELS, 0 },
   { GL_PACK_ALIGNMENT, 4 }, { GL_UNPACK_SWAP_BYTES, 0 }, { GL_UNPACK_LSB_FIRST, 0 },
   { GL_UNPACK_ROW_LENGTH, 0 }, { GL_UNPACK_SKIP_ROWS, 0 }, { GL_UNPACK_SKIP_PIXELS, 0 },
   { GL_UNPACK_ALIGNMENT, 4 } };
 
-// What confines multisampled drawing to some samples.
+// Capabilities that confine multisampled drawing to some samples.
 const GLenum SampleCapabilities[] = { GL_SAMPLE_MASK, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_COVERAGE };
 
@@ -150,7 +150,8 @@ void ScopedFirstDrawBuffer::Confine()
   this->Changed = true;
 }
 
-// vtkOpenGLState leaves out what it takes for set, and of the buffers after the first it knows those of other framebuffers.
+// vtkOpenGLState skips calls that it considers redundant, and its cache of the buffers after the first may be that of
+// another framebuffer. So OpenGL is called as well.
 void ScopedFirstDrawBuffer::Set(std::vector<GLenum> buffers)
 {
   const auto count = static_cast<GLsizei>(buffers.size());
@@ -201,7 +202,7 @@ ScopedArrayBuffer::ScopedArrayBuffer()
 
 ScopedArrayBuffer::~ScopedArrayBuffer()
 {
-  // A mapper that builds its buffers anew may have deleted it.
+  // A mapper that rebuilds its buffers may have deleted this one.
   const auto previous = static_cast<GLuint>(this->Previous);
   glBindBuffer(GL_ARRAY_BUFFER, glIsBuffer(previous) ? previous : 0);
 }

@@ -28,18 +28,18 @@ namespace vitrine
 namespace
 {
 
-/** Has access to a member of all props. */
+/** Gives access to a protected member of all props. */
 class AnyProp : public vtkProp
 {
 public:
   static vtkShaderProperty* ShaderOf(vtkProp* prop) { return prop->*(&AnyProp::ShaderProperty); }
 };
 
-/** Has access to what all of them do. */
+/** Gives access to a protected function of all textures. */
 class AnyTexture : public vtkTexture
 {
 public:
-  /** Of an image, those of its arrays that are drawn. */
+  /** Returns the array of an image that the texture draws. */
   static vtkDataArray* ColorsOf(vtkTexture* texture, vtkDataObject* image)
   {
     using ArrayOf = vtkDataArray* (vtkAlgorithm::*)(int, vtkDataObject*);
@@ -47,7 +47,9 @@ public:
   }
 };
 
-/** That draws what a vtkDataSetMapper, or another one by itself, is to; null if there is none. */
+/**
+ * Returns the mapper that draws: the internal mapper of a vtkDataSetMapper, or the actor's own mapper. It may be null.
+ */
 vtkMapper* InnermostMapperOf(vtkActor* actor)
 {
   vtkMapper* const mapper = actor->GetMapper();
@@ -55,13 +57,15 @@ vtkMapper* InnermostMapperOf(vtkActor* actor)
   return ofSurface ? ofSurface->GetPolyDataMapper() : mapper;
 }
 
-/** Of a prop that is an actor; may be null. */
+/** Returns the mapper of a prop that is an actor. It may be null. */
 vtkMapper* MapperOf(vtkProp* prop)
 {
   return static_cast<vtkActor*>(prop)->GetMapper();
 }
 
-/** From VTK 9.2 on, props may stand in coordinates of the room, or of the device. */
+/**
+ * Returns true if the actor is in world coordinates. From VTK 9.2 on, props may be in physical or device coordinates.
+ */
 bool StandsInWorld(vtkActor* actor)
 {
 #if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 2
@@ -72,14 +76,17 @@ bool StandsInWorld(vtkActor* actor)
 #endif
 }
 
-/** Whether a vtkDataSetMapper may have the mapper within colour by other arrays than it tells: that one never learns which of a data set's own arrays. */
+/**
+ * Returns true if the internal mapper of a vtkDataSetMapper may colour by another array. It never learns which of the
+ * data set's field arrays to use.
+ */
 bool MayColorByOthers(vtkMapper* mapper)
 {
   return IsExactly<vtkDataSetMapper>(mapper) && mapper->GetScalarVisibility() &&
     mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA;
 }
 
-/** Of three components without a map to colours: no alpha. */
+/** Returns true if the texture has three components that are colours, so no alpha. */
 bool IsOpaque(vtkTexture* texture)
 {
   vtkImageData* image = IsInputMade(texture) ? texture->GetInput() : nullptr;
@@ -88,7 +95,7 @@ bool IsOpaque(vtkTexture* texture)
     colors->GetDataType() == VTK_UNSIGNED_CHAR && texture->GetColorMode() == VTK_COLOR_MODE_DEFAULT;
 }
 
-/** Its own, and those of its property. */
+/** Returns true if `rule` holds for the actor's own texture and for those of its property. */
 template <class Rule>
 bool IsTrueOfTextures(vtkActor* actor, const Rule& rule)
 {

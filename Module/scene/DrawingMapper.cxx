@@ -18,11 +18,14 @@ namespace vitrine
 namespace
 {
 
-/** This module's own mappers, which draw parts of polydata where their points are. They know this folder, so it has only their names. */
+/**
+ * This module's own mappers, which draw parts of polydata at their points. They include this folder, so it knows only
+ * their names.
+ */
 constexpr std::array<const char*, 2> OwnMappers = { "vtkCulledCompositePolyDataMapper",
   "vtkCulledPolyDataMapper" };
 
-/** Has access to a member of all of them, whose class is another one in later releases of VTK. */
+/** Gives access to a protected member of vtkDataSetMapper. The member's class differs between releases of VTK. */
 class AnyDataSetMapper : public vtkDataSetMapper
 {
 public:
@@ -32,7 +35,10 @@ public:
   }
 };
 
-/** Whether the mapper within draws what the other one has now: polydata themselves, of others what its own filter makes of them. */
+/**
+ * Returns true if the internal mapper draws the current input of `mapper`. Polydata are drawn directly. Other data go
+ * through the geometry filter of `mapper`.
+ */
 bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
 {
   vtkDataSet* const input = mapper->GetInput();
@@ -49,13 +55,16 @@ bool HasItsInput(vtkDataSetMapper* mapper, vtkPolyDataMapper* within)
     filter->GetNumberOfInputConnections(0) > 0 && filter->GetInputDataObject(0, 0) == input;
 }
 
-/** Others that share a filter with it may have that make other pieces while the frame is drawn. */
+/**
+ * Returns true if the mapper has one piece. With more, other users of the same filter may make it produce other pieces
+ * while the frame is drawn.
+ */
 bool IsOfOnePiece(vtkPolyDataMapper* mapper)
 {
   return mapper->GetNumberOfPieces() == 1 && mapper->GetNumberOfSubPieces() == 1;
 }
 
-/** Null if it is to change. */
+/** Returns the internal mapper, or null if it is about to change. */
 vtkPolyDataMapper* MapperWithin(vtkDataSetMapper* mapper)
 {
   vtkPolyDataMapper* const within = mapper->GetPolyDataMapper();

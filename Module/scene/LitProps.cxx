@@ -26,13 +26,13 @@ bool HasOneSample(vtkRenderer* renderer)
   return renderer->GetRenderWindow()->GetMultiSamples() <= 1;
 }
 
-/** Lights shine on nothing of it, or it is drawn within its bounds. */
+/** Returns true if lights do not shine on the prop, or if it is drawn within its bounds. */
 bool IsWithinBounds(vtkProp* prop)
 {
   return vtkActor2D::SafeDownCast(prop) || AsHideable(prop);
 }
 
-/** Nothing where nothing of it is drawn, or nothing in the scene's coordinates. */
+/** Returns the prop's bounds. They are absent if nothing of it is drawn, or nothing in world coordinates. */
 std::optional<Box> BoxAround(vtkProp* prop)
 {
   const double* const bounds = prop->GetBounds();
@@ -43,7 +43,10 @@ std::optional<Box> BoxAround(vtkProp* prop)
   return Box::Around({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
 }
 
-/** Around all visible props of a renderer, whether a culler leaves them out or not; nothing where that is not known. */
+/**
+ * Returns the box around all visible props of a renderer, including culled ones. It is absent if a prop may be drawn
+ * outside its bounds.
+ */
 std::optional<Box> BoxAroundVisible(vtkRenderer* renderer)
 {
   Box all;

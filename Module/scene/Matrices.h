@@ -28,7 +28,7 @@ inline glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
   return MatrixOf(matrix->GetData());
 }
 
-/** Returns true if the matrix keeps parallels parallel. Only matrices of users may not. */
+/** Returns true if the matrix keeps parallels parallel. Only matrices set by users may fail this. */
 inline bool IsAffine(const glm::dmat4& m)
 {
   return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;

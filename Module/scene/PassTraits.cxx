@@ -70,12 +70,12 @@ Passes PassesOf(vtkSequencePass* sequence)
   return passes;
 }
 
-/** What passes of one of VTK's classes do. Passes of classes that are derived from it are taken to have its delegates. */
+/** Traits of a class of VTK's passes. Passes of derived classes are taken to have its delegates. */
 struct Row
 {
-  bool (*IsOf)(vtkRenderPass*); ///< It is of this class, or derived from it.
+  bool (*IsOf)(vtkRenderPass*); ///< Tests for this class and derived ones.
   bool (*IsExactly)(vtkRenderPass*);
-  PassTraits Traits; ///< without delegates
+  PassTraits Traits; ///< Its Delegates are empty.
   Passes (*Delegates)(vtkRenderPass*);
 };
 
@@ -91,14 +91,14 @@ Row RowOf(PassTraits traits, Passes (*delegates)(vtkRenderPass*) = NoDelegates)
     [](vtkRenderPass* pass) { return IsExactly<Class>(pass); }, std::move(traits), delegates };
 }
 
-/** A pass that works on a picture of its delegate's. */
+/** A pass that processes the picture of its delegate. */
 template <class Class>
 Row Processing(const char* beyond = "")
 {
   return RowOf<Class>({ beyond, !Opaque, !Translucent, !OfWindow, Picture }, DelegateOf<Class>);
 }
 
-/** Classes that are derived from others stand before them. */
+/** The rows for VTK's classes. Derived classes come before their base classes. */
 const std::vector<Row>& RowsOfVTK()
 {
   const auto one = [](bool opaque, bool translucent) {
@@ -146,7 +146,7 @@ const std::vector<Row>& RowsOfVTK()
   return rows;
 }
 
-/** What the classes of Vitrine's passes have stated. */
+/** The traits that Vitrine's passes have stated, by class name. */
 std::vector<std::pair<std::string, PassStatement::Function>>& Statements()
 {
   static std::vector<std::pair<std::string, PassStatement::Function>> statements;
@@ -219,7 +219,7 @@ PassTraits FindTraits(vtkRenderPass* pass, const Origin& origin)
   }
   if (!origin.OfVTK)
   {
-    // It may draw anything.
+    // An unknown pass may draw anything.
     return { IsNotKnown, Opaque, !Translucent, !OfWindow, !Picture };
   }
   PassTraits traits = origin.OfVTK->Traits;
@@ -229,8 +229,8 @@ PassTraits FindTraits(vtkRenderPass* pass, const Origin& origin)
 
 void AddWithDelegates(vtkRenderPass* pass, Passes& all)
 {
-  if (std::find(all.begin(), all.end(), pass) ==
-    all.end()) // while a frame is drawn, chains may be closed
+  // Chains may be cyclic while a frame is drawn.
+  if (std::find(all.begin(), all.end(), pass) == all.end())
   {
     all.push_back(pass);
     for (vtkRenderPass* const below : TraitsOf(pass).Delegates)
@@ -240,7 +240,7 @@ void AddWithDelegates(vtkRenderPass* pass, Passes& all)
   }
 }
 
-/** A pass and all passes below it. */
+/** Returns a pass and all passes below it. */
 Passes WithDelegates(vtkRenderPass* pass)
 {
   Passes all;

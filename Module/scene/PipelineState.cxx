@@ -13,10 +13,10 @@ namespace vitrine
 
 namespace
 {
-// Drawing updates the first output, whichever the mapper is connected to.
+// Drawing updates output 0, whichever output the mapper is connected to.
 const int DrawnPort = 0;
 
-/** As vtkPolyDataMapper::Render() does, for mappers of one piece and no more. */
+/** Sets the requests of vtkPolyDataMapper::Render(), for mappers of one piece. */
 void RequestPieces(vtkPolyDataMapper* mapper, vtkInformation* requests)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -25,7 +25,7 @@ void RequestPieces(vtkPolyDataMapper* mapper, vtkInformation* requests)
   requests->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), mapper->GetGhostLevel());
 }
 
-/** The latest one of all that the data are made of, as the pipeline itself finds it. Returns false if it cannot. */
+/** Finds the latest modification time in the pipeline, as the pipeline itself does. Returns false if it cannot. */
 bool FindTime(vtkDemandDrivenPipeline* producer, vtkMTimeType& time)
 {
   return producer->ComputePipelineMTime(nullptr, producer->GetInputInformation(),
@@ -41,7 +41,7 @@ PipelineState::PipelineState(vtkPolyDataMapper* mapper)
   this->Requests = mapper->GetInputInformation(0, 0);
   RequestPieces(mapper, this->Requests);
   vtkExecutive* const executive = producer->GetExecutive();
-  // VTK tries again each time to make what it could not, though nothing has changed.
+  // VTK retries failed data in each update, even if nothing has changed.
   const bool isMade = executive->Update(DrawnPort) != 0;
   this->RequestsTime = this->Requests->GetMTime();
   auto* const known = vtkDemandDrivenPipeline::SafeDownCast(executive);

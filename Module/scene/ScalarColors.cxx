@@ -16,14 +16,14 @@ namespace vitrine
 namespace
 {
 
-/** Of classes whose colours are known. Others may have any. */
+/** Returns true if the table's class is known. Tables of other classes may return any colours. */
 bool IsKnownTable(vtkScalarsToColors* table)
 {
   return IsExactly<vtkLookupTable>(table) || IsExactly<vtkColorTransferFunction>(table) ||
     IsExactly<vtkDiscretizableColorTransferFunction>(table);
 }
 
-/** Whether scalars may be colours themselves, with an alpha that is not looked at as such, or is no number. */
+/** Returns true if the scalars may be colours with an alpha that the opacity test ignores, or that may be NaN. */
 bool MayHaveOtherAlphas(vtkMapper* mapper, vtkScalarsToColors* table, vtkDataArray* scalars)
 {
   const int components = scalars->GetNumberOfComponents();
@@ -35,7 +35,7 @@ bool MayHaveOtherAlphas(vtkMapper* mapper, vtkScalarsToColors* table, vtkDataArr
       (mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS && !areNumbers));
 }
 
-/** Whether the colours for what is unknown to a transfer function, and for values that have one each, are opaque. */
+/** Returns true if the colours for NaN and for annotated values are opaque. */
 bool AreSingleColorsOpaque(vtkScalarsToColors* table)
 {
   auto* function = vtkColorTransferFunction::SafeDownCast(table);
@@ -71,7 +71,7 @@ bool AreColorsOpaque(vtkMapper* mapper, vtkDataSet* data)
   vtkAbstractArray* const scalars = ScalarsOf(mapper, data);
   if (!scalars)
   {
-    return true; // and there need not be a table
+    return true; // A mapper without scalars need not have a table.
   }
   vtkScalarsToColors* const table = mapper->GetLookupTable();
   auto* const numbers = vtkDataArray::SafeDownCast(scalars);

@@ -51,18 +51,18 @@ inline const std::array<std::string, 5> UniformsOfPositionalLight = {
 
 /** The text that VTK writes for a light. The first of these that occurs is meant. */
 inline const std::array<Piece, 5> LightTexts = { {
-  // Positional lights: Phong's shading, then physically based shading from 9.5 on and before.
+  // With positional lights: Phong shading, physically based shading of VTK 9.5 and later, the same before 9.5.
   { "    attenuation = 1.0;\n    if (lightPositional0 ", "specular += (sf * lightColor0);\n" },
   { "  if (lightPositional0 == 0) {\n", "  Lo += radiance * (diffuse + specular) * NdL;\n" },
   { "  L = lightPositionVC0 - vertexVC.xyz;\n",
     "  Lo += radiance * (diffuse + specular) * NdL;\n" },
-  // Directional lights alone: Phong's shading, then physically based shading.
+  // With directional lights only: Phong shading, physically based shading.
   { "    df = max(0.0, dot(normalVCVSOutput, -lightDirectionVC0));\n",
     "specular += (sf * lightColor0);\n" },
   { "  L = normalize(-lightDirectionVC0);\n", "  Lo += radiance * (diffuse + specular) * NdL;\n" },
 } };
 
-// ---- The lit colour: all that is written for lights ----
+// ---- The lit colour: the text that VTK writes for all lights ----
 
 inline const Piece PhongLighting = { "  vec3 diffuse = vec3(0,0,0);\n",
   "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);" };

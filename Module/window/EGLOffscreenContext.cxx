@@ -16,7 +16,7 @@ bool HasEGL()
   return has;
 }
 
-// Whether a list of extensions, separated by blanks, has the one of this very name.
+/** Returns true if a list of extensions, separated by spaces, contains exactly this name. */
 bool HasExtension(const char* extensions, const std::string& name)
 {
   std::istringstream words(extensions ? extensions : "");
@@ -67,8 +67,8 @@ struct Candidate
   int Device = -1;
 };
 
-// The displays that need no window system come first, so that a DISPLAY in the environment, which may
-// be stale or of another machine, changes nothing.
+// Displays without a window system come first, so that DISPLAY in the environment has no effect. It may be stale or
+// name another machine.
 std::vector<Candidate> ListCandidates(int firstDevice)
 {
   std::vector<Candidate> candidates;
@@ -218,7 +218,7 @@ EGLOffscreenContext::~EGLOffscreenContext()
 
 bool EGLOffscreenContext::MakeCurrent() const
 {
-  // The bound API is a state of the thread, and another library may have changed it.
+  // The bound API is state of the thread, and another library may have changed it.
   return eglBindAPI(EGL_OPENGL_API) &&
     eglMakeCurrent(this->Display, this->Surface, this->Surface, this->Context);
 }

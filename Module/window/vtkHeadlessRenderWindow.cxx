@@ -1,4 +1,4 @@
-#include "gl/VitrineOpenGL.h" // before everything else, as VTK asks for
+#include "gl/VitrineOpenGL.h" // Must come first, as VTK requires.
 
 #include "vtkHeadlessRenderWindow.h"
 
@@ -11,7 +11,7 @@
 #include "vtkWeakPointer.h"
 #include "window/EGLOffscreenContext.h"
 
-#if __has_include("vtkEGLRenderWindow.h") // where VTK is built with EGL
+#if __has_include("vtkEGLRenderWindow.h") // VTK is built with EGL.
 #include "vtkEGLRenderWindow.h"
 #define VITRINE_VTK_HAS_EGL 1
 #else
@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#ifndef VTK_FUTURE_CONST // a macro of VTK 9.3 and later
+#ifndef VTK_FUTURE_CONST // A macro of VTK 9.3 and later.
 #define VTK_FUTURE_CONST
 #endif
 
@@ -32,10 +32,11 @@ const char* const WindowClass = "vtkRenderWindow";
 const char* const InteractorClass = "vtkRenderWindowInteractor";
 
 /**
- * Has vtkRenderWindow::New() give a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an
- * interactor that needs no display either. VTK asks the factories in the order of their registration and
- * takes the first answer, hence the ones before this one are kept quiet about these classes, and speak
- * again with Restore().
+ * Makes vtkRenderWindow::New() return a vtkHeadlessRenderWindow, and vtkRenderWindowInteractor::New() an interactor
+ * without a display.
+ *
+ * VTK asks the factories in the order of their registration, and takes the first answer. So the earlier factories are
+ * disabled for these classes; Restore() enables them again.
  */
 class HeadlessWindowFactory : public vtkObjectFactory
 {
@@ -48,9 +49,7 @@ public:
     return "Vitrine: render windows without a display";
   }
 
-  /**
-   * The registered one, or null.
-   */
+  /** Returns the registered factory, or null. */
   static HeadlessWindowFactory* Find()
   {
     vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
@@ -107,7 +106,7 @@ protected:
 private:
   struct Override
   {
-    // Weak, since a factory from a shared library has to be gone when its library is closed.
+    // A weak pointer is used since the factory of a shared library must be deleted before the library is closed.
     vtkWeakPointer<vtkObjectFactory> Factory;
     std::string Class;
     std::string Subclass;
@@ -126,8 +125,8 @@ vtkStandardNewMacro(HeadlessWindowFactory);
 
 #if VITRINE_VTK_HAS_EGL
 /**
- * One of VTK's own windows that has a display and nothing else. The last of them to leave a display terminates it, and with it
- * the contexts that others have there.
+ * A window of VTK that only holds a display. VTK counts its windows of a display. The last one terminates the display,
+ * and with it all contexts that others have there.
  */
 class DisplayKeeper : public vtkEGLRenderWindow
 {
@@ -137,9 +136,7 @@ public:
   void Keep(int device) { this->SetDeviceAsDisplay(device); }
 };
 
-/**
- * Have the display of an EGL device stay until the process ends: its keeper is never deleted.
- */
+/** Keep the display of an EGL device alive until the process ends. Its keeper is never deleted. */
 void KeepDisplay(int device)
 {
   static std::set<int> kept;
@@ -154,10 +151,10 @@ void KeepDisplay(int) {}
 
 #if VITRINE_GL_LOADER_IS_GLEW
 /**
- * Load the entry points of the current context. Where GLEW is built for GLX, glewInit() loads all of
- * OpenGL, whose entry points are the same under EGL, and then fails for want of an X display.
+ * Load the entry points of the current context. A GLEW built for GLX loads all of OpenGL in glewInit(), and then fails
+ * as there is no X display. The entry points are the same under EGL.
  *
- * Returns "" or what went wrong.
+ * Returns an error message, empty on success.
  */
 std::string LoadWithGLEW()
 {
@@ -193,11 +190,11 @@ vtkStandardNewMacro(vtkHeadlessRenderWindow);
 vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
   : Pushed(new ContextStack)
 {
-  // There is no framebuffer on a screen to copy the picture to.
+  // There is no framebuffer on a screen to which the picture could be copied.
   this->FrameBlitMode = NoBlit;
   this->OwnContext = 1;
   this->SetOffScreenRendering(1);
-  // Has the superclass refuse to read or write pixels while there is no context.
+  // Makes the superclass refuse to read or write pixels while there is no context.
   this->ReadyForRendering = false;
 #if !VITRINE_GL_LOADER_IS_GLEW
   this->SetOpenGLSymbolLoader([](void*, const char* name)
@@ -208,7 +205,7 @@ vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
 
 vtkHeadlessRenderWindow::~vtkHeadlessRenderWindow()
 {
-  // The superclass' destructor finalizes too, too late for this class' context.
+  // The superclass's destructor finalizes too, but too late for this class's context.
   this->Finalize();
 }
 
@@ -260,7 +257,7 @@ bool vtkHeadlessRenderWindow::CreateContext()
   KeepDisplay(this->Context->GetDevice());
   if (this->Size[0] <= 0 || this->Size[1] <= 0)
   {
-    this->SetSize(300, 300); // VTK's own default
+    this->SetSize(300, 300); // VTK's own default.
   }
   this->SetMapped(1);
   return true;
@@ -272,7 +269,7 @@ void vtkHeadlessRenderWindow::Initialize()
   {
     return;
   }
-  // ReleaseGraphicsResources() leaves the context, without VTK's state for it.
+  // ReleaseGraphicsResources() keeps the context, but not VTK's state for it.
   if (!this->Initialized)
   {
     this->MakeCurrent();
@@ -285,7 +282,7 @@ void vtkHeadlessRenderWindow::Finalize()
 {
   if (this->Context)
   {
-    // The superclass pushes and pops the context. If it was current before, it ceases to be so here.
+    // The superclass pushes and pops the context. It is not current afterwards, even if it was before.
     this->ReleaseGraphicsResources(this);
     this->Context.reset();
     this->SetMapped(0);

@@ -20,7 +20,7 @@ std::string LinkedListStore::BeginFill(
   vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout)
 {
   layout.PageSize = this->Pool.PageSize();
-  // Where heads are set by atomics they hold the page's number plus one.
+  // Heads set by atomics hold the page's number plus one.
   this->ListsOfPixels.Clear(window->GetState(), region, layout.FramebufferFetch ? VITRINE_END : 0u);
   return this->Counters.Reset() && this->Pool.Ensure()
     ? std::string()

@@ -11,7 +11,7 @@ namespace vitrine
 namespace
 {
 
-// Rows of first and of second words in turn become rows of pairs.
+// Turns alternating rows of first words and second words into rows of pairs.
 std::vector<std::uint32_t> Interleaved(const std::vector<std::uint32_t>& words, std::size_t width)
 {
   std::vector<std::uint32_t> pairs(words.size());
@@ -31,7 +31,8 @@ std::string ListHeads::Prepare(
   this->Fetched = framebufferFetch;
   this->Width = RoundedUp(target.Width, multiple);
   this->Height = RoundedUp(target.Height, multiple);
-  // For image atomics, which have one value a texel, each row is two: of first words, and of second ones.
+  // Image atomics need one value per texel, so each row of pixels has two rows of texels: first words, then second
+  // words.
   std::string problem = framebufferFetch
     ? this->Heads.Allocate(GL_RG32UI, this->Width, this->Height, 0)
     : this->Heads.Allocate(GL_R32UI, this->Width, 2 * this->Height, 0);
@@ -42,7 +43,7 @@ std::string ListHeads::Prepare(
   return problem;
 }
 
-// Images may be new ones under old names, the target's too, so they are attached anew each frame.
+// Images are attached anew each frame, since new images may have old names. That holds for the target's images too.
 void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
@@ -53,8 +54,8 @@ void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
     this->Fetched ? GLuint(this->Heads.Handle()) : 0u, 0);
   target.AttachDepth();
-  // Location 0 is the colour that the mappers' shaders write themselves. Not through vtkOpenGLState: of the buffers
-  // after the first it knows those of other framebuffers.
+  // The mappers' shaders themselves write a colour to location 0. This call bypasses vtkOpenGLState, whose cache of the
+  // buffers after the first may be that of another framebuffer.
   const GLenum buffers[2] = { GL_NONE,
     this->Fetched ? GLenum(GL_COLOR_ATTACHMENT0) : GLenum(GL_NONE) };
   glDrawBuffers(2, buffers);

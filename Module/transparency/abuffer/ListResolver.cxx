@@ -22,15 +22,16 @@ namespace vitrine
 namespace
 {
 
-// Bin b holds the tiles whose longest list is at most this, and longer than that of bin b - 1. The last bin
-// is without bound.
+// Bin b holds the tiles whose longest list exceeds the limit of bin b - 1, but not this limit. The last bin is
+// unbounded.
 constexpr std::array<int, 7> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
   VITRINE_RUN_SIZE* VITRINE_RUN_GROUP, VITRINE_RUN_SIZE* VITRINE_MAX_RUNS,
   std::numeric_limits<int>::max() };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
 constexpr int LongRunsBin = BinCount - 1;
 
-// Measured: lists of 30,000 were whole, and those of 31,000 were not; with a tolerance, 20,000 and 24,576.
+// As measured, lists of 30,000 fragments were complete and lists of 31,000 were not. With a coincidence tolerance, the
+// figures are 20,000 and 24,576.
 constexpr std::int64_t LongestOfSoftware = 20000;
 
 bool IsMergeOfRuns(int bin)
@@ -38,7 +39,7 @@ bool IsMergeOfRuns(int bin)
   return BinLimits[bin] > VITRINE_LONGEST_NETWORK;
 }
 
-// The most nodes that are sorted in registers in a bin's lists. Longer lists have longer runs.
+// The most nodes of a bin's lists that are sorted in registers. Longer lists have longer runs.
 int NodesAtOnce(int bin)
 {
   return std::min(BinLimits[bin], VITRINE_RUN_SIZE * VITRINE_MAX_RUNS);
@@ -71,7 +72,7 @@ BlockRange TilesOf(const PixelRegion& region)
   return BlocksOf(region, VITRINE_TILE_SIZE);
 }
 
-// What both passes read: heads, nodes, links.
+// Textures that both the sort pass and the resolve pass read: heads, nodes and links.
 class ScopedListTextures
 {
 public:
@@ -207,8 +208,8 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
 }
 
 //------------------------------------------------------------------------------
-// A framebuffer without images, of one sample: the shader runs once for each pixel, even along the diagonals of
-// tiles, where both triangles cover samples of a multisampled pixel.
+// Binds a framebuffer without images. With one sample per pixel the shader runs once per pixel. In a multisampled
+// framebuffer it would run twice along the diagonals of tiles, where both triangles cover samples of a pixel.
 void ListResolver::BindForSort(vtkOpenGLState* state, const RenderTarget& target)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->SortFramebuffer.Handle());
@@ -224,9 +225,8 @@ bool ListResolver::ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout
 }
 
 //------------------------------------------------------------------------------
-// Large networks take a driver seconds to compile. So a frame compiles one program at most: that of its longest
-// lists, or else of the longest that has none yet. Shorter lists without a program of their own go with the
-// next longer ones, whose network sorts them to the same bit.
+// A driver takes seconds to compile a large network. So a frame compiles at most one program: that of the longest lists
+// which lack one. Other bins without a program are drawn with the next larger network, which sorts to the same bits.
 std::vector<ListResolver::BinDraw> ListResolver::PlanDraws(
   const ListLayout& layout, std::uint32_t tileBins) const
 {

@@ -18,7 +18,7 @@ std::int64_t RoundDown(std::int64_t value, std::int64_t granule)
   return value / granule * granule;
 }
 
-// Pages of one node lie one after the other, those of several in interleaved groups.
+// Pages of one node are consecutive. Pages of several nodes are stored in interleaved groups.
 std::int64_t Granule(int shift)
 {
   return shift == 0 ? 1 : Interleave;
@@ -67,7 +67,7 @@ std::string NodePool::DescribeLimit() const
                  : "the driver has memory for " + std::to_string(bytes) + " bytes";
 }
 
-// The pool must be allocated anew after a change.
+// After a change of the shift, the caller must allocate the pool anew.
 void NodePool::UseShift(int shift)
 {
   this->Shift = shift;
@@ -88,7 +88,7 @@ std::int64_t NodePool::LimitPages(int shift) const
   return RoundDown(pages, Granule(shift));
 }
 
-// The largest pages of which a pixel of so many layers finds enough.
+// Returns the shift of the largest pages of which the limit allows enough for a pixel of `layers` layers.
 int NodePool::LargestShift(std::int64_t layers) const
 {
   int shift = MaximumPageShift;
@@ -115,8 +115,8 @@ bool NodePool::Holds(const FragmentStatistics& needed) const
   return this->PagesOf(needed) <= this->Pages;
 }
 
-// What does not fit is drawn again, so its pages may have another size then. Where the driver has no memory for the
-// pool, it may have without a reserve, or else for half of it.
+// Fragments that do not fit are drawn again, so their pages may have another size. If the driver refuses the pool, it
+// is asked for one without a reserve, and then for half as much each time.
 FragmentStore::FitType NodePool::Fit(const FragmentStatistics& needed)
 {
   if (this->Holds(needed))
@@ -140,7 +140,7 @@ FragmentStore::FitType NodePool::Fit(const FragmentStatistics& needed)
   return this->Holds(needed) ? FragmentStore::GREW : FragmentStore::TOO_LARGE;
 }
 
-// Whole pages in what the sizing policy allows.
+// Returns the number of whole pages that the sizing policy allows.
 std::int64_t NodePool::SizedPages() const
 {
   const auto capacity = static_cast<std::int64_t>(this->Sizing.Capacity());
@@ -165,9 +165,9 @@ void NodePool::EndFrame(const FragmentStatistics& used)
   }
 }
 
-// The largest pages whose unused nodes cost no more than the links they save: larger pages mean fewer
-// allocations and links, but the newest page of each pixel is partly empty. Where the limit forbids them, those that
-// take the least memory.
+// Larger pages mean fewer allocations and links, but the newest page of each pixel is partly empty. So this prefers the
+// largest pages whose unused nodes cost no more than the saved links. If the limit forbids them, it prefers the pages
+// that take the least memory.
 int NodePool::PreferredShift(const FragmentStatistics& used) const
 {
   if (!this->HasPages || used.Fragments == 0)
@@ -180,7 +180,7 @@ int NodePool::PreferredShift(const FragmentStatistics& used) const
   for (int shift = this->LargestShift(used.LayersMax); shift > 0; --shift)
   {
     const std::int64_t bytes = PoolBytes(used.Pages[shift], 1 << shift, this->BytesPerNode);
-    // Stay with the current size a little longer than another is taken up, lest a frame in between swings.
+    // The current size is kept a little longer than another one is adopted, so that frames in between do not oscillate.
     const double tolerance = shift == this->Shift ? 1.10 : 1.05;
     if (static_cast<double>(bytes) <= tolerance * static_cast<double>(plainBytes) &&
       used.Pages[shift] <= this->LimitPages(shift))
@@ -193,8 +193,8 @@ int NodePool::PreferredShift(const FragmentStatistics& used) const
   return cheapest;
 }
 
-// The page size for the next frame: another one after as many frames of one mind as shrinking takes, since frames of
-// several viewports or a moving camera may differ in turn.
+// Returns the page size for the next frame. Another size is adopted after PoolSizing::Window frames that prefer it,
+// since frames of several viewports or of a moving camera may alternate.
 int NodePool::SettledShift(const FragmentStatistics& used)
 {
   const int preferred = this->PreferredShift(used);
@@ -210,7 +210,7 @@ void NodePool::NoteShortage(std::int64_t bytes)
   this->ShortageFrames = 0;
 }
 
-// Others may have given memory back by now.
+// Other users may have released memory meanwhile.
 void NodePool::ForgetOldShortage()
 {
   if (this->Memory != Unlimited && ++this->ShortageFrames >= PoolSizing::Window)
@@ -219,7 +219,7 @@ void NodePool::ForgetOldShortage()
   }
 }
 
-// Returns false if the driver has no memory for so many pages: the pool is empty then.
+// Returns false if the driver has no memory for so many pages. The pool is empty then.
 bool NodePool::Allocate(std::int64_t pages)
 {
   const std::int64_t rounded = std::max(RoundedUp(pages, Granule(this->Shift)), Interleave);

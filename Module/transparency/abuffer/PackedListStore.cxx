@@ -13,10 +13,10 @@ namespace vitrine
 namespace
 {
 
-constexpr int PageSize = 8; // pieces in which lists are read
+constexpr int PageSize = 8; // Lists are read in pieces of this many nodes.
 constexpr std::int64_t LeastNodes = 16;
-constexpr int ReserveShare =
-  8; // a share more for what is expected, lest each frame asks for a little more
+// Predicted room is enlarged by 1/ReserveShare, so that not every frame asks for a little more.
+constexpr int ReserveShare = 8;
 
 }
 
@@ -36,7 +36,7 @@ std::string PackedListStore::BeginFrame(
   }
   if (target.Width != this->TargetWidth || target.Height != this->TargetHeight)
   {
-    this->LastFrame = {}; // images may be new ones
+    this->LastFrame = {}; // The image of longest lists may be a new one.
   }
   this->ForgetOldShortage();
   this->TargetWidth = target.Width;
@@ -63,7 +63,7 @@ std::string PackedListStore::BeginFill(
   this->Start = this->HasCountsOfBands ? COUNTED : COUNTING;
   if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
   {
-    this->Memory = 0; // to be asked again
+    this->Memory = 0; // Ask again in the next frame.
     return "the driver has no memory for the smallest buffer of fragments";
   }
   return problem;
@@ -87,7 +87,7 @@ std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayo
 }
 
 //------------------------------------------------------------------------------
-// Where the buffer may not have so much room, the frame is counted first, as if nothing were to be expected.
+// If the buffer cannot have so much room, the frame is counted first, as without a prediction.
 std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout)
 {
   const auto place = [&]
@@ -115,7 +115,7 @@ std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const
 }
 
 //------------------------------------------------------------------------------
-// Heads without room: the fill only counts.
+// Gives no head any room, so that the fill only counts.
 void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
 {
   this->ListsOfPixels.Clear(window->GetState(), PixelsOf(this->Blocks, VITRINE_BLOCK_SIZE), 0u);
@@ -135,7 +135,7 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
   if (needed.Fragments > this->LimitNodes() || !this->Reserve(needed.Fragments))
   {
     this->ReserveAll();
-    this->Start = COUNTED; // band by band, by the counts that are there
+    this->Start = COUNTED; // The bands are placed by the present counts.
     this->HasCountsOfBands = true;
     return TOO_LARGE;
   }
@@ -184,7 +184,7 @@ bool PackedListStore::Reserve(std::int64_t nodes)
 }
 
 //------------------------------------------------------------------------------
-// So many nodes, and a share more where the limit and the driver have it.
+// Reserves more than `nodes` if the limit and the driver allow it, else exactly `nodes`.
 bool PackedListStore::ReserveMoreThan(std::int64_t nodes)
 {
   return nodes <= this->LimitNodes() &&
@@ -193,7 +193,7 @@ bool PackedListStore::ReserveMoreThan(std::int64_t nodes)
 }
 
 //------------------------------------------------------------------------------
-// As many nodes as the limit allows; of what the driver refuses, half.
+// Reserves as many nodes as the limit allows. If the driver refuses, half as many are tried.
 void PackedListStore::ReserveAll()
 {
   while (this->LimitNodes() > LeastNodes && !this->Reserve(this->LimitNodes()))
@@ -203,7 +203,7 @@ void PackedListStore::ReserveAll()
 }
 
 //------------------------------------------------------------------------------
-// Others may have given memory back by now.
+// Other users may have released memory meanwhile.
 void PackedListStore::ForgetOldShortage()
 {
   if (this->Memory > 0 && ++this->ShortageFrames >= PoolSizing::Window)

@@ -15,9 +15,9 @@ namespace vitrine
 namespace
 {
 
-constexpr int GroupSize = 64; // of the shaders (ScanBlocks.glsl)
+constexpr int GroupSize = 64; // Invocations of a group (ScanBlocks.glsl).
 
-// What shaders that read or write heads are compiled for.
+// Defines of the shaders that read or write heads.
 std::vector<std::string> HeadDefines(const ListLayout& layout)
 {
   return layout.FramebufferFetch ? std::vector<std::string>{ "VITRINE_FRAMEBUFFER_FETCH" }
@@ -72,7 +72,7 @@ std::string PackedScan::PlacePredicted(vtkOpenGLRenderWindow* window, const List
 }
 
 //------------------------------------------------------------------------------
-// The buffer: all levels one after the other, then the blocks' other values.
+// The buffer holds all levels one after the other, then the second values of the blocks.
 std::string PackedScan::Prepare(const BlockRange& blocks)
 {
   this->Levels = { { 0, blocks.Size() } };
@@ -128,13 +128,15 @@ bool PackedScan::DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& 
   program->SetUniform2i("blockFirst", blocks.First);
   program->SetUniform2i("blockCount", blocks.Count);
   program->SetUniformi("ofBlocks", this->OfBlocks);
-  program->SetUniformi("capacity", static_cast<int>(capacity)); // VTK sets no unsigned ones
+  // vtkShaderProgram has no unsigned uniforms.
+  program->SetUniformi("capacity", static_cast<int>(capacity));
   glDrawArrays(GL_TRIANGLES, 0, 3);
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Sums of sums up to that of all, which stays, and down again as the places where each begins.
+// Adds up sums level by level to the total, which stays. Then replaces the sums, from top to bottom, by start
+// positions.
 bool PackedScan::ScanSums(vtkOpenGLRenderWindow* window)
 {
   const std::size_t top = this->Levels.size() - 1;

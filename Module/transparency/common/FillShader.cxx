@@ -15,7 +15,7 @@ namespace vitrine
 
 bool WritesDepth(const std::string& fragmentShader)
 {
-  // VTK's templates name gl_FragDepth in a comment too; only an assignment counts.
+  // VTK's templates name gl_FragDepth in a comment too. Only an assignment counts.
   for (std::size_t at = fragmentShader.find("gl_FragDepth"); at != std::string::npos;
        at = fragmentShader.find("gl_FragDepth", at + 1))
   {
@@ -33,7 +33,7 @@ bool WritesDepth(const std::string& fragmentShader)
   return false;
 }
 
-// Half a step and a little more; the least float of full precision.
+// For 8 bits it is slightly more than half a step, for 16-bit floats the smallest normal number.
 const char* LeastAlphaDefine(bool halfFloat)
 {
   return halfFloat ? "VITRINE_LEAST_ALPHA exp2(-14.0)" : "VITRINE_LEAST_ALPHA (1.0 / 508.0)";
@@ -71,7 +71,7 @@ void AddCapture(
 
 bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill)
 {
-  const std::string version = vtktext::SystemDec + "\n"; // goes before all else
+  const std::string version = vtktext::SystemDec + "\n"; // VTK replaces it by #version.
   const std::string vertex = version + shaders::FullScreenVertex;
   std::string fragment = version + shaders::FillProbe;
   return JoinFillShader(fill, fragment).empty() &&
@@ -80,8 +80,8 @@ bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill)
 
 std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader)
 {
-  // #extension lines may stand only before every declaration, that is at VTK's first tag, which VTK
-  // itself replaces afterwards by #version.
+  // A line with #extension must precede all declarations. So it goes to VTK's first tag, which VTK later replaces by
+  // #version.
   std::string extensions = vtktext::SystemDec + "\n";
   for (const std::string& extension : fill.Extensions)
   {

@@ -19,7 +19,7 @@ struct TagText
   std::string Text;
 };
 
-// The tags are in our own shaders, so a missing one is an error in the program.
+// The tags are in Vitrine's own shaders, so a missing tag is a programming error.
 std::string Filled(std::string source, const std::vector<TagText>& texts)
 {
   for (const TagText& text : texts)
@@ -32,7 +32,7 @@ std::string Filled(std::string source, const std::vector<TagText>& texts)
   return source;
 }
 
-// A resolve of any number of fragments, in blocks of `block`.
+// Fills in a resolve of any number of fragments, in blocks of `block`.
 std::string ResolveLong(const char* source, int block)
 {
   const LongResolveText text = UnrollLongResolve(block);
@@ -43,7 +43,7 @@ std::string ResolveLong(const char* source, int block)
       { "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";" } });
 }
 
-// A resolve of lists of up to `size` nodes, by one network.
+// Fills in a resolve of lists of up to `size` nodes, sorted by one network.
 std::string Resolve(const char* source, int size, int pageSize)
 {
   const ResolveText text = UnrollResolve(size, pageSize);

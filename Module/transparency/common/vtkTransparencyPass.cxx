@@ -44,19 +44,19 @@ bool HasTranslucentGeometry(const vtkRenderState* s)
   return false;
 }
 
-// What is said where it is not known yet that fragments are added. The frame is drawn again then.
+// Ends a frame in which additive fragments appeared unexpectedly. The frame is drawn again then.
 const char* const AdditiveFragments = "fragments are added to what is behind them";
 
-// Whether what is drawn with this blend function is added to what is there.
+// Returns true if the current blend function adds to what is behind.
 bool Adds(vtkOpenGLState* state)
 {
-  int function[4]; // of colours: source, destination; of alpha: the same
+  int function[4]; // Source and destination factors, first of colours, then of alpha.
   state->GetBlendFuncState(function);
   return function[0] == GL_SRC_ALPHA && function[1] == GL_ONE;
 }
 
-// Whether the specular term of the prop is zero for sure, so that its pow() need not be computed. VTK
-// rebuilds the shader when the property changes.
+// Returns true if the prop's specular term is certainly zero, so that its pow() need not be computed. VTK rebuilds the
+// shader when the property changes.
 bool HasNoSpecularTerm(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -75,7 +75,7 @@ std::map<std::string, vitrine::TransparencyMethod>& vitrine::TransparencyMethods
 namespace
 {
 
-/** The names of the methods for which `test` holds, with commas between them. */
+/** Returns the names of the methods for which `test` holds, separated by commas. */
 template <class Test>
 std::string NamesOf(const Test& test)
 {
@@ -116,22 +116,22 @@ struct vtkTransparencyPass::Internals
   vtkNew<vtkOrderIndependentTranslucentPass> Fallback;
   vtkNew<vtkTranslucentPass> FallbackGeometry;
   std::string FallbackReason;
-  std::string MissingFeature; // of Context
+  std::string MissingFeature; // Missing in Context.
   std::set<std::string> Reported;
 
-  vitrine::RenderTarget Target; // of the current frame
-  vitrine::PixelRegion Region;  // that is being drawn
+  vitrine::RenderTarget Target; // Target of the current frame.
+  vitrine::PixelRegion Region;  // Region that is being drawn.
   bool PostDepthCoverage = false;
   bool SoftwareRasteriser = false;
-  bool IsAdditive = false;    // shaders are for fragments that are added, too
-  bool HasAdded = false;      // in the current frame
-  vtkMTimeType ProbeTime = 0; // when CanFill was found
+  bool IsAdditive = false;    // The shaders support additive fragments.
+  bool HasAdded = false;      // The current frame has additive fragments.
+  vtkMTimeType ProbeTime = 0; // When CanFill was determined.
   bool CanFill = true;
 
   vitrine::DepthCopy OpaqueDepth;
   vitrine::OuterPasses Outer;
 
-  // What of the target the mappers' shaders depend on.
+  // Returns true if the target differs in a property on which the mappers' shaders depend.
   bool ChangesShaders(const vitrine::RenderTarget& target) const
   {
     return this->Target.Samples != target.Samples || this->Target.FixedPoint != target.FixedPoint ||
@@ -230,8 +230,8 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
 }
 
 //------------------------------------------------------------------------------
-// Release what is held in a context that lives; forget it where that is gone without a word, as when the window
-// was finalized while its renderers had other passes.
+// Releases resources if their context lives, and forgets them otherwise. A context may vanish without notice, for
+// example if the window was finalized while its renderers had other passes.
 void vtkTransparencyPass::LeaveWindow()
 {
   this->Private->Context.Release(
@@ -321,7 +321,7 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
     return vitrine::ProgramFailure;
   }
   in.Region = region;
-  // Who draws with another function says so.
+  // A mapper that draws with another blend function sets it itself.
   in.Context.Window()->GetState()->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->PreRender(s);
@@ -387,7 +387,7 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
     vtkErrorMacro(<< this->GetMethodName() << ": fragments of "
                   << (prop ? prop->GetClassName() : "a prop") << " cannot be stored: " << problem
                   << ". It is not drawn.");
-    // What the shader would write in place of fragments is no list.
+    // What the shader would write in place of a fragment is not a valid list.
     fragmentShader = "//VTK::System::Dec\nvoid main()\n{\n  discard;\n}\n";
     return true;
   }
@@ -408,7 +408,8 @@ bool vtkTransparencyPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   Internals& in = *this->Private;
-  // Last before the draw: images, and props whose keys ask for it, would write depth and hide what comes after them.
+  // This comes last before the draw. Images, and props whose keys ask for it, would otherwise write depth and hide
+  // later fragments.
   in.Context.Window()->GetState()->vtkglDepthMask(GL_FALSE);
   const bool adds = Adds(in.Context.Window()->GetState());
   in.HasAdded = in.HasAdded || adds;
@@ -456,7 +457,7 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
   }
   else if (window == in.Context.Window())
   {
-    this->ForgetResources(); // the names are those of others
+    this->ForgetResources(); // The names belong to other objects now.
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

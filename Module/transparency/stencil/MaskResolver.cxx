@@ -26,7 +26,7 @@ void SetPixel(vtkShaderProgram* program, const char* name, int x, int y)
   program->SetUniform2i(name, pixel);
 }
 
-// The groups' images, for the resolve.
+// Binds the images of the groups for the resolve.
 class ScopedGroupTextures
 {
 public:
@@ -128,7 +128,7 @@ vtkShaderProgram* MaskResolver::ReadyResolve(
     [&] { return StencilMaskSource(group.Layers()); });
 }
 
-// Composite the groups into layers that the repair reads.
+// Composites the groups into the layers that the repair reads.
 bool MaskResolver::Composite(vtkOpenGLRenderWindow* window, const MaskGroup& group,
   const MaskTarget& masks, const RenderTarget& target)
 {

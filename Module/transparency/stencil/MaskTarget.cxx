@@ -13,13 +13,13 @@ namespace vitrine
 namespace
 {
 
-// The strip of start values is so many groups high: the stencil is reset by a few copies, and the strip stays small.
+// Height of the strip of start values, in groups. A few copies of it reset the stencil, and it takes little memory.
 constexpr int StripGroups = 32;
 
-// A place without a fragment. 16-bit floats have no number so large: there it is infinite.
+// Depth of a place without a fragment. It exceeds the range of 16-bit floats, and becomes infinite there.
 constexpr float NoDepth = std::numeric_limits<float>::max();
 
-// Rasterisation at a group's scale: no larger viewport than the driver's.
+// The target is rasterised at the scale of a group, so the viewport may exceed the driver's largest.
 std::string CheckViewport(const PixelRegion& viewport, const MaskGroup& group)
 {
   GLint largest[2] = { 0, 0 };
@@ -88,7 +88,7 @@ std::string MaskTarget::Allocate(const PixelRegion& region, const MaskGroup& gro
   return problem;
 }
 
-// Images may be new ones under old names, so they are attached anew each frame.
+// Images are attached anew each frame, since new images may have old names.
 void MaskTarget::Attach(vtkOpenGLState* state)
 {
   AttachStencilAlone(state, this->StartSource, this->StartValues);
@@ -120,7 +120,8 @@ std::string MaskTarget::WriteStartValues()
     for (int x = 0; x < width; ++x)
     {
       const int inGroup = y % this->Group.Height * this->Group.Width + x % this->Group.Width;
-      texels.push_back(group[static_cast<std::size_t>(inGroup)]); // stencil lies in the low bits
+      // The stencil is in the low bits.
+      texels.push_back(group[static_cast<std::size_t>(inGroup)]);
     }
   }
   const ScopedPixelTransfer pixelTransfer;
@@ -153,7 +154,7 @@ void MaskTarget::BeginFill(vtkOpenGLState* state, const RenderTarget& target)
   state->vtkglStencilOp(GL_DECR, GL_DECR, GL_DECR);
 }
 
-// The strip of start values, copied from the bottom to the top.
+// Copies the strip of start values repeatedly, from the bottom to the top.
 void MaskTarget::ResetStencil(vtkOpenGLState* state)
 {
   const int width = this->Width * this->Group.Width;

@@ -48,14 +48,15 @@ bool HasLinesOrPointsAt(vtkMapper* mapper, int port)
   return false;
 }
 
-// Some mappers draw something else in the place of points and lines, of a size in the scene.
+// Some mappers draw spheres, sticks or glyphs in place of points and lines. Their size is given in scene units.
 bool DrawsLinesOrPoints(vtkMapper* mapper)
 {
   if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
   {
     return false;
   }
-  const int drawn = mapper->IsA("vtkGlyph3DMapper") ? 1 : 0; // a glyph, in place of each point
+  // Port 1 has the glyph that is drawn at each point.
+  const int drawn = mapper->IsA("vtkGlyph3DMapper") ? 1 : 0;
   return mapper->GetNumberOfInputPorts() > drawn && HasLinesOrPointsAt(mapper, drawn);
 }
 

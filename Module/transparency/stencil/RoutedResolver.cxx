@@ -18,21 +18,22 @@ namespace vitrine
 namespace
 {
 
-// Bin b has the pixels with at most so many fragments and more than bin b - 1. The last bin is resolved in blocks.
+// Bin b has the pixels with more fragments than the limit of bin b - 1, but not more than this limit. The last bin is
+// resolved in blocks.
 constexpr std::array<int, 5> BinLimits = { 4, 8, 16, 32, CountedRegions::LargestCount };
 constexpr int BinCount = static_cast<int>(BinLimits.size());
 constexpr int BlocksBin = BinCount - 1;
 constexpr int BlockSize = 16;
 
-// The pixels of a bin, and where they are.
+// The draw of a bin, and the region that holds its pixels.
 struct BinDraw
 {
   int Bin;
-  int Range[2]; // more fragments than the first, up to the second
+  int Range[2]; // More fragments than the first number, at most the second.
   PixelRegion Region;
 };
 
-// Pixels with more fragments than are kept fall into the bin of those that are.
+// A pixel with more fragments than are kept falls into the bin of the kept number.
 std::vector<BinDraw> PlanDraws(
   const CountedRegions& counts, int layers, const PixelRegion& targetRegion)
 {

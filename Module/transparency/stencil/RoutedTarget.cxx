@@ -37,7 +37,7 @@ std::string RoutedTarget::Grow(vtkOpenGLState* state, int passes)
   std::string problem = this->Allocate(state, wanted);
   if (!problem.empty() && wanted > passes)
   {
-    this->Sizing.SetLimit(needed); // no reserve is asked for again
+    this->Sizing.SetLimit(needed); // Do not ask for a reserve again.
     problem = this->Allocate(state, passes);
   }
   if (!problem.empty())
@@ -53,7 +53,8 @@ std::int64_t RoutedTarget::FragmentsPerPass() const
   return std::int64_t(r.X + r.Width) * (r.Y + r.Height) * this->Routed.SamplesPerPass();
 }
 
-// The images begin where the target does, so that all is rasterised as there, to the last bit; they end with the region.
+// The images begin at the target's origin, so that rasterisation matches it to the last bit. They end where the region
+// ends.
 std::string RoutedTarget::Allocate(vtkOpenGLState* state, int passes)
 {
   const PixelRegion& r = this->Region;
@@ -106,7 +107,7 @@ void RoutedTarget::Release()
   this->Fragments.Release();
 }
 
-// The next frame begins anew: what there was no memory for is not asked for again before it is needed.
+// Resets the sizing too. So memory that the driver refused is not asked for again before it is needed.
 void RoutedTarget::ReleaseImages()
 {
   this->Images.Release();

@@ -17,11 +17,12 @@ namespace vitrine
 namespace
 {
 
-// How far edges are from the pixel's centre, whose pixel is 2 wide: an eighth of a pixel, near enough that there are samples
-// beyond it, and a multiple of what drivers tell apart.
+// Distance of edges from the pixel's centre, in coordinates in which a pixel is 2 wide. It is an eighth of a pixel:
+// small enough that samples lie beyond it, and a multiple of the drivers' subpixel steps.
 constexpr float NearCentre = 0.25f;
 
-// Of fragments that do not cover the pixel's centre. Those that do are numbered from 0; what is cleared has 255.
+// Number of fragments that do not cover the pixel's centre. Those that cover it are numbered from 0. Cleared samples
+// have 255.
 constexpr int StrayNumber = 64;
 
 GLint MostSamples()
@@ -33,7 +34,7 @@ GLint MostSamples()
   return *std::min_element(samples, samples + 3);
 }
 
-// A fragment of everything on one side of an edge; side 1 is the left one.
+// Draws a fragment that covers everything on one side of an edge. Side 1 is the left one.
 void DrawUpTo(vtkShaderProgram* program, float edge, float side, int number)
 {
   program->SetUniformf("edge", edge);
@@ -105,8 +106,9 @@ std::string RoutingProbe::Probe(
   return problem;
 }
 
-// As many fragments as there are samples, and one more. Before each, one that ends short of the pixel's centre on either side
-// would get, where coverage is a sample's, to what lets the next one through.
+// Draws one fragment more than there are samples. Before each of them, two stray fragments end short of the pixel's
+// centre, on either side. If the driver tests coverage per sample, these get into the samples meant for the next
+// fragment.
 bool RoutingProbe::DrawFragments(vtkOpenGLRenderWindow* window, const StencilRoute& route)
 {
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
@@ -129,8 +131,8 @@ bool RoutingProbe::DrawFragments(vtkOpenGLRenderWindow* window, const StencilRou
   return true;
 }
 
-// What the samples hold, read as a resolve reads them. The fragments' own colours tell, not a query of how many samples passed:
-// an application's query may be running.
+// Reads the samples as a resolve does. The fragments' own colours tell the verdict. A query of passed samples is
+// avoided, since the application may have one running.
 std::string RoutingProbe::Judge(
   vtkOpenGLRenderWindow* window, const StencilRoute& route, const RoutedImages& images)
 {

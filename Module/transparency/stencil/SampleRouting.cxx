@@ -8,7 +8,7 @@
 namespace vitrine
 {
 
-// A driver may make more samples than it was asked for: those begin with 0, which lets nothing through.
+// A driver may allocate more samples than requested. The extra samples start with 0, which lets nothing through.
 bool SampleRouting::WriteStart(vtkOpenGLRenderWindow* window, const StencilRoute& route)
 {
   vtkOpenGLState* state = window->GetState();

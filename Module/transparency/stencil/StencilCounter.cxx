@@ -73,7 +73,7 @@ void StencilCounter::Release()
   this->StartValues.clear();
 }
 
-// Framebuffers without colours are complete in OpenGL 3.2 if they neither draw nor read any.
+// In OpenGL 3.2 a framebuffer without colour images is complete only if its draw and read buffers are GL_NONE.
 void AttachStencilAlone(vtkOpenGLState* state, Framebuffer& framebuffer, const Image2D& image)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.Handle());

@@ -6,13 +6,14 @@
 namespace vitrine
 {
 
-// A projection takes the view depth v to the window depth (p v + q) / (r v + s). With v = near + d (far - near), where the
-// window depth is 0 at d = 0 and 1 at d = 1, that is d w1 / (w0 + d (w1 - w0)) for clip coordinates w0 and w1
-// of the near and the far plane; and d = w0 z / (w1 - z (w1 - w0)).
+// A projection maps the view depth v to the window depth z = (p v + q) / (r v + s). Let v = near + d (far - near), with
+// z = 0 at d = 0 and z = 1 at d = 1.
+// Then z = d w1 / (w0 + d (w1 - w0)), where w0 and w1 are the clip coordinates w of the near and the far plane.
+// Its inverse is d = w0 z / (w1 - z (w1 - w0)).
 ViewDepth::ViewDepth(vtkCamera* camera)
 {
   const vtkMatrix4x4* m = camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0);
-  // w of the planes in which z is -w and w.
+  // Clip coordinate w of a plane with normalised device depth `ndc`: -1 is near, 1 is far.
   const auto wOfPlane = [m](double ndc)
   {
     const double z = (m->GetElement(2, 3) - ndc * m->GetElement(3, 3)) /

@@ -29,7 +29,7 @@ struct vtkStencilMaskTransparencyPass::Internals
   vitrine::MaskTarget Masks;
   vitrine::BackdropCopy Backdrop;
   vitrine::MaskResolver Resolver;
-  vitrine::ViewDepth Depth; // of the frame
+  vitrine::ViewDepth Depth; // Depth conversion of the current frame.
   vitrine::MaskRepair Repair;
   int FirstPixel[2] = { 0, 0 };
 };
@@ -120,7 +120,7 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
   fill.Inputs = { "VITRINE_TO_CENTRE", "vec2(VITRINE_GROUP)", "vitrineCentreDepth" };
   if (vitrine::IsSoftwareRasteriser())
   {
-    // With anisotropic filters, which textures have by default, they ignore gradients.
+    // With anisotropic filters, which textures have by default, llvmpipe and softpipe ignore gradients.
     fill.Inputs->TextureGrad = "vitrineTextureGrad";
   }
   return fill;
@@ -132,7 +132,7 @@ void vtkStencilMaskTransparencyPass::SetFillParameters(vtkShaderProgram* program
   Internals& in = *this->Private;
   program->SetUniform2i("vitrineFirstPixel", in.FirstPixel);
   program->SetUniform3f("vitrineViewDepth", in.Depth.Coefficients);
-  // Props may have changed it, and here it is what stores the fragment.
+  // Props may have changed this state, by which fragments are stored.
   vtkOpenGLState* state = this->GetWindow()->GetState();
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);

@@ -23,7 +23,7 @@
 namespace
 {
 
-// What SamplesPerPass 0 stands for: the first that the driver routes.
+// For SamplesPerPass 0, the first of these that the driver routes is taken.
 constexpr int AutomaticSamples[] = { 8, 4, 2, 1 };
 
 }
@@ -39,9 +39,9 @@ struct vtkStencilRoutedTransparencyPass::Internals
   vitrine::RoutedTarget Fragments;
   vitrine::BackdropCopy Backdrop;
   vitrine::RoutedResolver Resolver;
-  vitrine::CountedRegions Counts; // of the frame
-  int KeptLayers = 0;             // of a pixel
-  int Passes = 0;                 // that hold them
+  vitrine::CountedRegions Counts; // Fragments of each pixel in the current frame.
+  int KeptLayers = 0;             // Fragments that are kept of a pixel.
+  int Passes = 0;                 // Geometry passes that hold them.
 };
 
 //------------------------------------------------------------------------------
@@ -141,7 +141,7 @@ vitrine::FillShader vtkStencilRoutedTransparencyPass::GetFillShader()
 //------------------------------------------------------------------------------
 void vtkStencilRoutedTransparencyPass::SetFillParameters(vtkShaderProgram*)
 {
-  // Props may have changed it, and here it is what stores the fragment.
+  // Props may have changed this state, by which fragments are stored.
   vtkOpenGLState* state = this->GetWindow()->GetState();
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -206,7 +206,8 @@ std::string vtkStencilRoutedTransparencyPass::PrepareFrame(const vitrine::Render
 }
 
 //------------------------------------------------------------------------------
-// Those that are set, or the most that the driver routes. Returns an empty string, or why it does not.
+// Chooses the requested samples per pass, or the most that the driver routes. Returns why it cannot route the requested
+// number, or an empty string.
 std::string vtkStencilRoutedTransparencyPass::ChooseSamples(int& samples)
 {
   Internals& in = *this->Private;
@@ -258,7 +259,7 @@ std::string vtkStencilRoutedTransparencyPass::Fill(
 }
 
 //------------------------------------------------------------------------------
-// Draw the geometry and take the fragments of one pass.
+// Draws the geometry and stores the fragments of one pass.
 std::string vtkStencilRoutedTransparencyPass::FillPass(const vtkRenderState* s,
   const vitrine::RenderTarget& target, int pass, const vitrine::PixelRegion& region)
 {

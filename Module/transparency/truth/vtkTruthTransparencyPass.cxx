@@ -34,7 +34,7 @@ vitrineTransparencyMethodMacro(vtkTruthTransparencyPass, "truth", true, vitrine:
 namespace
 {
 
-// The GPU writes what Core reads.
+// The GPU writes these structures, and Core reads them.
 static_assert(
   sizeof(vitrine::CapturedFragment) == sizeof(vitrine::VitrineCapturedFragment), "layout");
 static_assert(
@@ -53,7 +53,7 @@ constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
 
 std::vector<vitrine::PixelRegion> Split(const vitrine::PixelRegion& region, int parts)
 {
-  // Rows while there are several, then columns.
+  // Split by rows while there are several, then by columns.
   const bool byRows = region.Height > 1;
   const int length = byRows ? region.Height : region.Width;
   parts = std::min(parts, length);
@@ -78,7 +78,7 @@ struct vtkTruthTransparencyPass::Internals
   vitrine::Buffer Fragments;
   vitrine::Framebuffer FillFramebuffer;
   vitrine::BackdropCopy Backdrop;
-  vitrine::Image2D Picture; // RGBA32F: one sample of each pixel
+  vitrine::Image2D Picture; // RGBA32F: one sample of each pixel.
   vitrine::Framebuffer PictureFramebuffer;
   vitrine::EmptyVertexArray VertexArray;
   vitrine::ProgramCache Programs;
@@ -104,7 +104,7 @@ struct vtkTruthTransparencyPass::Internals
 };
 
 //------------------------------------------------------------------------------
-// Returns an empty string, or why the driver cannot hold what the target takes.
+// Returns an error message if the driver cannot hold the images and buffers, else an empty string.
 std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
   vtkOpenGLState* state, const vitrine::RenderTarget& target)
 {
@@ -161,7 +161,7 @@ vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyWrite(
 }
 
 //------------------------------------------------------------------------------
-// Draw one fragment of the program, which is bound, for each pixel: to be called after BindForFullScreenDraw().
+// Runs the bound program once for each pixel. Call BindForFullScreenDraw() before.
 void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* window,
   vtkShaderProgram* program, const vitrine::Image2D& source, int sample)
 {
@@ -177,7 +177,7 @@ void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* wind
 }
 
 //------------------------------------------------------------------------------
-// The colours of the target, a pixel's samples side by side.
+// Returns the colours of the target. The samples of a pixel are adjacent.
 std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
   vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
 {
@@ -234,7 +234,7 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
 }
 
 //------------------------------------------------------------------------------
-// Fragments captured, those that found no room included.
+// Returns the number of captured fragments, including those that found no room.
 std::uint64_t vtkTruthTransparencyPass::Internals::ReadCounter()
 {
   vitrine::VitrineCaptureCounters counters = {};
@@ -373,7 +373,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
     return "one pixel alone has " + std::to_string(count) + " fragments, more than " +
       std::to_string(in.Capacity());
   }
-  // A margin over the mean, since strips differ.
+  // Strips differ, so this adds a margin to the mean.
   const auto parts = static_cast<int>(count * 5 / 4 / in.Capacity() + 1);
   for (const vitrine::PixelRegion& strip : Split(region, parts))
   {
