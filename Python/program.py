@@ -1,5 +1,5 @@
 #!python
-"""The program vitrine on PATH: vitrine/__main__.py, without importing the package, which would load all of VTK first."""
+"""The program vitrine on PATH. It runs vitrine/__main__.py without the package, which would load all of VTK."""
 
 import importlib.util
 import runpy

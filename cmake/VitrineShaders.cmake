@@ -34,7 +34,8 @@ function (vitrine_compose_shaders out_sources)
   string(MAKE_C_IDENTIFIER "VITRINE_${arg_HEADER}" guard)
   string(TOUPPER "${guard}" guard)
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_HEADER}" CONTENT "\
-// Written by vitrine_compose_shaders() from the list of shaders in CMakeLists.txt: their text, as composed at build time.
+// The text of the shaders, composed at build time. vitrine_compose_shaders() writes this file from the list of
+// shaders in CMakeLists.txt.
 #ifndef @guard@
 #define @guard@
 

@@ -86,7 +86,10 @@ BENCHMARK_CAPTURE(AssignLights, large_cones, 20.0f, 1.0f)
   ->UseRealTime()
   ->Unit(benchmark::kMillisecond);
 
-/** Of all entries of lists, those of lights that reach one of a cluster's points, which stand in a lattice: the least that lists have to hold. */
+/**
+ * Returns the number of list entries whose light reaches one of a lattice of points of the cluster. Lists have to hold
+ * at least these.
+ */
 std::size_t PairsThatTouch(
   const ClusterGrid& grid, const std::vector<LightVolume>& lights, const LightLists& lists)
 {

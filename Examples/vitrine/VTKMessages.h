@@ -22,7 +22,7 @@ public:
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
-  /** Show errors and warnings after all, but for those that have one of the reasons in them, which is told otherwise. */
+  /** Show all other errors and warnings after all. Those that contain one of the reasons are reported elsewhere. */
   void ShowAllBut(const std::vector<std::string>& reasons);
 
   const std::vector<std::string>& Errors() const { return this->ErrorLines; }

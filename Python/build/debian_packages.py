@@ -79,7 +79,7 @@ def _configuration(folder):
 
 
 class Suite:
-    """A suite of Debian, such as "forky", with its `security` updates or without; `folder` holds what apt knows of it."""
+    """A suite of Debian, such as "forky", with or without its `security` updates. `folder` holds apt's data of it."""
 
     def __init__(self, name, folder, security=False):
         self.folder = pathlib.Path(folder)

@@ -5,8 +5,8 @@
     vitrine.stats(plotter)
     print(vitrine.report())
 
-see_through(), stats() and report(), and all classes of the VTK module Vitrine::Rendering, beside VTK's own of the package
-vtkmodules.
+The package has see_through(), stats() and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own
+classes are in the package vtkmodules.
 """
 
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION

@@ -47,24 +47,25 @@ def see_through(
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
-    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. Of the latter two all renderers are taken, and those
-        that are added later.
-    method: "linked-list"; "prefix-sum", which counts fragments first, or "prefix-sum-predicted", which needs one pass over
-        the geometry where the last frame tells; "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow
-        yardstick, composited in float64 on the CPU.
-    lights: "clustered" or True, or "deferred", for scenes with many lights. None leaves lighting to VTK's mappers.
-    cull: whether parts that others hide are left out (vtkHierarchicalSBufferCuller), in place of the renderer's cullers.
-    color_storage: of linked lists and prefix sums: "half-float", the default; "compact", which takes two thirds of the memory and
-        is faster, and exact to 8-bit pictures; or "8-bit", which rounds each fragment.
-    memory_limit: of linked lists and prefix sums: the largest number of bytes that its fragments may take on the device, for
-        each renderer. Frames that need more are drawn in bands, and stay exact. None is no limit.
-    coincidence: of linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those of mating faces
-        do, and are composited without an order, in steps of 2^-24 of the window's depth; or a pair of that and a share of the
-        fragment's slope of depth per pixel. It takes 4 bytes more a fragment. None is no tolerance.
+    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
+        renderers, including those that are added later.
+    method: "linked-list", the default; "prefix-sum", which counts fragments first; "prefix-sum-predicted", which
+        needs only one pass over the geometry if the last frame predicts enough room; "stencil-routed" for drivers
+        without OpenGL 4.3; or "truth", the slow reference, composited in float64 on the CPU.
+    lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the lighting.
+    cull: whether hidden parts are left out (vtkHierarchicalSBufferCuller, which replaces the renderer's cullers).
+    color_storage: for linked lists and prefix sums. "half-float" is the default. "compact" takes two thirds of the
+        memory, is faster, and exact to 8-bit pictures. "8-bit" rounds each fragment.
+    memory_limit: for linked lists and prefix sums: the largest number of bytes that fragments may take on the device,
+        for each renderer. Frames that need more are drawn in bands, and stay exact. None means no limit.
+    coincidence: for linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those of
+        mating faces do. They are composited without an order. The unit is 2^-24 of the window's depth range. A pair
+        adds a share of the fragment's slope of depth per pixel. A fragment takes 4 bytes more. None means no
+        tolerance.
 
-    Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and the
-    like), and whether they are switched on before or later: the method takes the place of the step that draws what is
-    translucent. Warns where a pass has no such step, and is set aside until remove().
+    Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and
+    the like), and whether they are switched on before or later. The method replaces the step that draws translucent
+    geometry. A pass without such a step is set aside until remove(), with a warning.
 
     Returns a handle: remove() puts back what was there before, and so does leaving a `with`.
     A target that is see-through already takes the new method until then.
@@ -238,8 +239,8 @@ class Stats:
     layers_max is the largest number of fragments in a pixel, layers_mean the mean over pixels that have any.
     geometry_passes is how often the geometry was drawn, the largest of all renderers.
 
-    fallback_reason says why VTK's own way was taken in place of the method, lights_reason why lights were lit by VTK's
-    mappers, and set_aside which passes of the renderer are left out and why. Each is empty where there is nothing to say.
+    fallback_reason says why VTK's own way replaced the method. lights_reason says why VTK's mappers did the lighting.
+    set_aside says which passes of the renderer are left out, and why. Each is empty if there is nothing to say.
 
     lights counts the lights that were lit by clusters. drawn_parts and culled_parts are of the culler, 0 without one.
     """

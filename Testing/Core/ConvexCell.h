@@ -1,6 +1,8 @@
 /**
- * How far convex cells are from points, by projections onto their sides in turn (R. L. Dykstra: An algorithm for restricted least squares regression,
- * JASA 78, 1983), which shares nothing with how lights are assigned.
+ * Finds the distance of convex cells from points by projections onto their sides in turn. It shares no code with the
+ * assignment of lights.
+ *
+ * R. L. Dykstra: An algorithm for restricted least squares regression, JASA 78, 1983.
  */
 #ifndef VITRINE_CONVEX_CELL_H
 #define VITRINE_CONVEX_CELL_H

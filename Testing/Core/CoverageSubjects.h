@@ -42,7 +42,10 @@ inline Subject SubjectOf(Triangles triangles, Random& random)
   return { triangles.Mesh(), RandomView(middle, random), reach };
 }
 
-/** Where a device may have the points of a mesh behind the near plane: each moved by up to the margin, many by all of it. */
+/**
+ * Returns possible places of a mesh's points on a device, for points behind the near plane. Each is moved by up to the
+ * margin, and half of the meshes by all of it.
+ */
 inline std::vector<glm::dvec3> MovedPoints(const MeshProjection& projection, Random& random)
 {
   const ScreenMargin& margin = projection.Margin();

@@ -1,6 +1,9 @@
 /**
- * A device that does all in floats, as llvmpipe does: it cuts faces at the planes of the view, one after the other and from the nearer end of an edge, snaps corners to a grid of 1/256 pixel to see which centres of pixels
- * they cover, and takes depths from planes through the corners that it has not snapped, which count from the first column and line.
+ * A device that computes in floats, as llvmpipe does.
+ *
+ * It cuts faces at the planes of the view, one after the other and from the nearer end of an edge. It snaps corners to
+ * a grid of 1/256 pixel to find the covered pixel centres. Depths come from planes through the corners before snapping,
+ * relative to the first column and line.
  */
 #ifndef VITRINE_TESTING_FLOAT_DEVICE_H
 #define VITRINE_TESTING_FLOAT_DEVICE_H

@@ -111,7 +111,7 @@ inline Triangles BoxBetween(const glm::dvec3& low, const glm::dvec3& high)
   return box;
 }
 
-/** A hollow cube of so many units to either side of the origin, its walls so thick; if it is open, without the one towards x. */
+/** Returns a hollow cube from -half to half whose walls have the given thickness. An open one lacks the wall at +x. */
 inline Triangles ShellOf(double half, double thickness, bool isOpen)
 {
   const double inner = half - thickness;
@@ -138,7 +138,10 @@ inline Triangles ShellOf(double half, double thickness, bool isOpen)
   return shell;
 }
 
-/** Closed, and convex where the radii are equal. Points around are taken from a table, so that they are the same where it ends. */
+/**
+ * Returns a closed mesh, which is convex if all radii are equal. The points of a ring come from a table, so that its
+ * two ends match exactly.
+ */
 inline Triangles BallOf(int around, int rings, double leastRadius, Random& random)
 {
   std::vector<glm::dvec3> points;

@@ -1,4 +1,5 @@
-// What is known of faces that a device cuts at the sides of the view, held to what one draws that cuts, rounds and snaps as llvmpipe does.
+// Tests what is known of faces that a device cuts at the sides of the view, against a device that cuts, rounds and
+// snaps as llvmpipe does.
 #include "FloatDevice.h"
 #include "OccluderScenes.h"
 
@@ -325,7 +326,8 @@ TEST(CutFaces, OfALevelWallAreWhereItIs)
   }
 }
 
-// Two corners that are left of it lie on the side of the view; a third one that lies as close to that as places are rounded may leave a triangle without area.
+// Cutting off a corner leaves two new corners on the side of the view. If a third one is as close to the side as places
+// are rounded, a triangle without area may remain.
 TEST(CutFaces, AreNotKnownWhereAllCornersMayLieOnASide)
 {
   const auto unsteadyWithin = [](double inside)

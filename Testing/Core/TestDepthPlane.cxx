@@ -1,4 +1,5 @@
-// What a plane says of depths, held to what a device draws that snaps the corners it covers with, and not those that it takes depths from.
+// Tests the depths of a plane against a device that snaps the corners for coverage, but takes depths from the unsnapped
+// corners.
 #include "SnappedFaces.h"
 
 #include "Core/culling/steady/DepthPlane.h"

@@ -1,5 +1,5 @@
-// The constants of the device's model against floats that do what each of them stands for: none is too small, and none is so large
-// that it stands for something else.
+// Tests each constant of the device model against the float operations that it stands for. None may be too small, or so
+// large that it stands for something else.
 #include "OccluderScenes.h"
 
 #include "Core/culling/screen/DeviceModel.h"

@@ -204,7 +204,8 @@ TEST_P(FaceCoverage, OfAFlatSheetIsOneSpanALine)
   EXPECT_NEAR(covered.DepthAt(9, 20.0), 0.2 + 0.15 + 0.1 * 10.0 / 22, 5e-3);
 }
 
-// A wall before another one of the same part, joined with it aside: where the near one's edges are the far one's depth is of no account.
+// A near wall stands before a far wall of the same part and is joined with it at the side. Where the near wall has
+// edges, the far wall's depth does not count.
 TEST_P(FaceCoverage, OfAFoldedSheetHasTheNearerDepth)
 {
   Triangles fold;
@@ -222,7 +223,8 @@ TEST_P(FaceCoverage, OfAFoldedSheetHasTheNearerDepth)
   EXPECT_LE(covered.DepthAt(9, 20.0), 0.7);
 }
 
-// Faces that look into all directions and are hardly wider than what edges touch: a line of them is one cluster of edges.
+// The faces look into all directions, and are hardly wider than what their edges touch. A line of them is one cluster
+// of edges.
 TEST_P(FaceCoverage, OfManyNarrowFacesIsAllBetweenTheirOutline)
 {
   Triangles crumpled = coverage::GridOf(300, 30,

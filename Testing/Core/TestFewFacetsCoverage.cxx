@@ -1,4 +1,5 @@
-// Whatever the convex mesh and the view: what an s-buffer of samples says is covered is covered, and nowhere farther than it says.
+// For any convex mesh and view, what an s-buffer of samples reports as covered is covered, and nowhere farther than
+// reported.
 
 #include "CoverageSubjects.h"
 #include "FewFacetsScenes.h"

@@ -183,8 +183,8 @@ TEST(FewFacetsOfParts, OfABoxThatIsSeenAlongItsAxisHideWhatIsBehind)
   }
 }
 
-// Flat as it is, it has two facets of two faces each, bent by less than a degree; from its edge one face of each looks to the front, and so may both facets: then none has an edge to what
-// does not count.
+// The flat tetrahedron has two facets of two faces each, bent by less than a degree. Seen from its edge, one face of
+// each facet looks to the front, so both facets may. Then no facet has an edge to one that does not count.
 TEST(FewFacetsOfParts, OfAFlatTetrahedronSeenFromItsEdgeHideNothingBesideIt)
 {
   const glm::dvec3 a(0, 0, 0.004), b(1, 0, 0), c(1, 1, 0.004), d(0, 1, 0);

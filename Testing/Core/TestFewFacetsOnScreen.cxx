@@ -1,4 +1,5 @@
-// How much of convex meshes of few facets is covered, and how near that is. Points are columns, lines and reversed depths themselves.
+// Tests how much of convex meshes of few facets is covered, and how near. Points are given as columns, lines and
+// reversed depths.
 
 #include "FewFacetsScenes.h"
 

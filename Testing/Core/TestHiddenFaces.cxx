@@ -1,4 +1,5 @@
-// Parts whose boxes show and whose faces are all hidden: before the eye, around it, and found to be so at the end of a walk.
+// Tests parts whose boxes show and whose faces are all hidden: before the eye, around it, and found hidden at the end
+// of a walk.
 #include "NonFinite.h"
 #include "PartScenes.h"
 

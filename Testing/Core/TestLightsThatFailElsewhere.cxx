@@ -120,7 +120,8 @@ TEST(LightsThatFailElsewhere, LightsAtTheEdgeOfTheView)
 
 TEST(LightsThatFailElsewhere, VeryWideViewsToOneSide)
 {
-  // Sides of rows that meet at more than 90 degrees: the nearest point of the upper ones to what lies below is behind the eye.
+  // The sides of rows meet at more than 90 degrees. So the nearest point of the upper ones to what lies below is behind
+  // the eye.
   const double sides[][4] = { { -40, 0.2, -40, 40 }, { -0.2, 40, -40, 40 }, { -40, 40, -40, 0.2 },
     { 10, 40, -40, 40 } };
   std::mt19937 random(23);

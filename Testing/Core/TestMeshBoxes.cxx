@@ -100,7 +100,10 @@ glm::dmat4 AlongDiagonal(double half)
   return glm::scale(glm::rotate(away, M_PI / 4.0, glm::dvec3(0, 0, 1)), glm::dvec3(half));
 }
 
-/** Meshes of many points within -10 .. 10, some flat, some mirrored, some without a few of their faces, and a few walls. */
+/**
+ * Returns meshes of many points within -10 .. 10. Some are flat, some mirrored, some lack a few faces, and there are a
+ * few walls.
+ */
 PartScene HeapOfLarge(int count, Random& random)
 {
   PartScene scene;
@@ -316,7 +319,8 @@ TEST(MeshBoxes, WhoseMatrixIsNoneShow)
   }
 }
 
-// A rod whose edge is level with the wall's is hidden where it is drawn lower by more than what a device, or a line's width, may move it.
+// A rod whose edge is level with the wall's is hidden if it is drawn lower by more than a device, or a line's width,
+// may move it.
 TEST(MeshBoxes, AreAsWideAsWhatIsDrawn)
 {
   const double pixel = 20.0 / FrameLines * 0.9;

@@ -210,7 +210,8 @@ TEST(MeshProjection, HasPointsWhereADeviceHasThemWithinTheMargin)
   EXPECT_GT(used, 0.02);
 }
 
-// Corners where a mesh is cut stand behind its points, so that there may be as many of all as the next mesh has points. Sanitizers notice what lies beyond.
+// The corners where a mesh is cut are stored behind its points. So all of them may be as many as the points of the next
+// mesh. Sanitizers notice accesses beyond.
 TEST(MeshProjection, HasRoomForAMeshAfterAnotherOneThatWasCut)
 {
   const auto facesOf = [](int count, double depth)

@@ -199,7 +199,7 @@ TEST(NearClip, HasARectangleAroundWhatIsLeft)
   EXPECT_NEAR(projection.Rectangle().Nearest, 1.125, 1e-4);
 }
 
-// Each side of each face belongs to one edge, whose faces go through it in opposite directions; and only a cut opens any.
+// Each side of each face belongs to one edge, whose faces go through it in opposite directions. Only a cut opens edges.
 TEST(NearClip, KeepsNeighbours)
 {
   int cut = 0;

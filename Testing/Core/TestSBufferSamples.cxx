@@ -24,7 +24,10 @@ SBuffer BufferOf(const SampleGrid& samples)
   return SBuffer(40, 4, samples, 1u << 12);
 }
 
-/** Whether all samples in a rectangle are covered by what is nearer: so many to a column and line, the first one at `offset` of the way to the next one. */
+/**
+ * Returns true if nearer spans cover all samples in a rectangle. There are `perColumn` samples per column and per line.
+ * The first one is at `offset` of the spacing.
+ */
 bool AreSamplesHidden(
   const SBuffer& buffer, int perColumn, float offset, const ScreenRectangle& rectangle)
 {

@@ -26,7 +26,7 @@ using vitrine::ScreenPatches;
 
 using Facing = MeshProjection::Facing;
 
-/** A mesh on a screen, and its patches. Without a matrix its points are columns, lines and reversed depths themselves. */
+/** A mesh on a screen, and its patches. Without a matrix its points are given as columns, lines and reversed depths. */
 class Shown
 {
 public:

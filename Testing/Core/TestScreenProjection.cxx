@@ -138,7 +138,10 @@ TEST(ScreenProjection, InAViewThatIsNoneIsNear)
   EXPECT_EQ(PlaceOf(broken, { { -1, -1, -5 }, { 1, 1, -3 } }, rectangle), Place::Near);
 }
 
-/** Products with the matrix of a view that is turned around where it looks; they add up to no number at some corners, and to others at the rest. */
+/**
+ * Multiplies by the matrix of a view that is turned about its direction. The products add up to NaN at some corners,
+ * and to numbers at the others.
+ */
 TEST(ScreenProjection, OfMoreThanFloatsHoldIsNear)
 {
   const glm::dvec3 middles[] = { { 0, 0, -25 }, { 40, 40, -25 }, { -40, 30, -25 } };

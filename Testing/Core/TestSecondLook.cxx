@@ -89,7 +89,10 @@ double NearestDrawn(
   return nearest;
 }
 
-/** To somewhere ahead, from where x and y are 0 nearly along the view, so that planes there are seen nearly from their edge. */
+/**
+ * Returns a transform to a place ahead and nearly along the view from x = y = 0, so that planes there are seen nearly
+ * edge-on.
+ */
 glm::dmat4 NearlyAlong(bool isParallel, Random& random)
 {
   const glm::dvec3 place(random.Between(-8, 8), random.Between(-4, 4), random.Between(-60, -15));

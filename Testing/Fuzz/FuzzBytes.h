@@ -36,7 +36,10 @@ public:
     return (limit > 256 ? low | unsigned{ this->Byte() } << 8 : low) % limit;
   }
 
-  /** Mostly one of a few dozen, so that numbers are equal often; else any pattern of bits, NaN and infinity included. */
+  /**
+   * Returns mostly one of a few dozen numbers, so that numbers are often equal. Else it returns any bit pattern,
+   * including NaN and infinity.
+   */
   float Number()
   {
     const std::uint8_t kind = this->Byte();

@@ -1,4 +1,5 @@
-// Puts made-up meshes into an s-buffer, face by face or, of few facets, all at once, by matrices that may hold anything, with all faces' exact spans as the judge.
+// Puts random meshes into an s-buffer, face by face or, if they have few facets, all at once. The matrices may hold
+// anything. The exact spans of all faces are the judge.
 
 #include "FuzzBytes.h"
 
@@ -97,7 +98,10 @@ ScreenMatrix MatrixOf(FuzzBytes& bytes, int columns, int lines, double reach)
     .Of(glm::dmat4(1.0));
 }
 
-/** The faces that a device may draw: each point moved by up to the margin, or cut at the near plane after what it rounds. */
+/**
+ * Adds the faces that a device may draw. Each point is moved by up to the margin, or cut at the near plane after
+ * rounding.
+ */
 void AddDrawn(const MeshProjection& projection, const ScreenMatrix& matrix, Facing facing,
   std::mt19937& random, std::vector<ScreenFace>& faces)
 {

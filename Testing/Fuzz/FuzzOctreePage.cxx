@@ -1,5 +1,5 @@
-// Takes bytes for a page of an octree that was read from disk. What passes the check is walked: the walk has to end and to
-// stay within the page, which the address sanitizer judges.
+// Takes bytes for a page of an octree read from disk. A page that passes the check is walked. The walk has to end and
+// to stay within the page, which the address sanitizer checks.
 
 #include "FuzzBytes.h"
 

@@ -1,4 +1,5 @@
-// Culls made-up parts of all sizes for several frames with one culler, by cameras among them: what is seen of a part by a line of sight, or at a centre of a pixel, has to be left.
+// Culls random parts of all sizes for several frames with one culler, by cameras among the parts. A part that a line of
+// sight or a pixel centre sees must not be culled.
 
 #include "FuzzBytes.h"
 

@@ -1,5 +1,5 @@
-// Puts made-up convex faces into an s-buffer, by the statements on their order or without, with all faces at all lines' middles as the
-// judge, and asks whether others show.
+// Puts random convex faces into an s-buffer, with or without statements on their order, and asks whether others show.
+// All faces at the middles of all lines are the judge.
 
 #include "FuzzBytes.h"
 

@@ -7,7 +7,7 @@ from selenium.webdriver.common import utils
 
 class Service(service.Service):
     """
-    The driver by its address. Selenium asks for it by the name localhost, which a root without /etc/hosts does not know.
+    The driver, reached by its address. Selenium uses the name localhost, which is unknown in a root without /etc/hosts.
     """
 
     HOST = "127.0.0.1"

@@ -36,7 +36,7 @@ def results_there(folder):
 
 
 def stop_when(process, is_enough, signal):
-    """Send a signal to a program as soon as is_enough(); it must not have ended before. What it said is in process.said."""
+    """Send a signal to a program as soon as is_enough(). It must still run then. process.said has its output."""
     while not is_enough():
         try:
             process.wait(timeout=0.02)
@@ -60,8 +60,8 @@ def start_chart(folder, *arguments):
 @functools.cache
 def resumed_chart():
     """
-    A chart that was stopped on its way and gone on with, one for all tests of a process: its folder, what was there when it was
-    stopped (files, document), and how both runs ended.
+    A chart that was stopped and continued, one for all tests of a process. It has the folder, its contents when the
+    run was stopped (files, document), and how both runs ended.
     """
     scratch = tempfile.TemporaryDirectory()
     folder = pathlib.Path(scratch.name) / "chart"

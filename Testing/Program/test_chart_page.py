@@ -20,7 +20,7 @@ from selenium.webdriver.support.ui import Select, WebDriverWait
 
 class Browser(unittest.TestCase):
     def test_opens_without_the_name_localhost(self):
-        """What Selenium asks for is seen here. What the driver asks for is not: there only a root without the name tells."""
+        """This sees Selenium's look-ups of names. The driver's show only in a root without the name localhost."""
         find = socket.getaddrinfo
 
         def find_by_address(host, *arguments, **named):

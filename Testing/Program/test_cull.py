@@ -10,7 +10,8 @@ ROW = [
     "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels", "props", "poses",
 ]  # fmt: skip
 POSE = [
-    "mode", "reason", "lines", "drawn", "ideal", "cull_ms", "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
+    "mode", "reason", "lines", "drawn", "ideal", "cull_ms",
+    "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels",
 ]  # fmt: skip
 SMALL = ("--size", "120x67", "--poses", "6")
 

@@ -4,7 +4,7 @@
     python3 matrix.py --update    writes the table into docs/effects.md
 
 A scene has opaque parts, glass, and a few lights, drawn in small windows. Each cell is one of
-    exact      opaque scenes are VTK's with that effect, to the last bit; glass is as the same chain around truth draws it
+    exact      opaque scenes are VTK's with that effect, to the last bit; glass is as the same chain around truth draws
     same       lights, or the culler: the picture is VTK's, to the last bit
     view only  the culler leaves out what lies outside of the view, and nothing else; the picture is VTK's
     off        it does nothing, and says why; the picture is VTK's

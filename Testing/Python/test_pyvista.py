@@ -54,7 +54,10 @@ def quadrants(picture):
 
 
 def writable_resident_bytes():
-    """Without executable pages: Mesa leaves 4 KiB of those behind for each vertex layout a context has drawn, with any pass."""
+    """
+    Count resident bytes of writable pages. Mesa leaves 4 KiB of executable pages for each vertex layout that a context
+    has drawn, with any pass.
+    """
     total, counts = 0, False
     for line in pathlib.Path("/proc/self/smaps").read_text().splitlines():
         if re.match("[0-9a-f]+-[0-9a-f]+ ", line):
@@ -65,7 +68,10 @@ def writable_resident_bytes():
 
 
 def sent_by(application, window):
-    """The JPEG of the window as it is now: an application encodes in threads, and sends older pictures until it has done so."""
+    """
+    Return the JPEG of the window as it is now. An application encodes in threads, and sends older pictures until it is
+    done.
+    """
     application.InvalidateCache(window)
     jpeg = application.StillRender(window, 95)
     patience = time.monotonic() + 60

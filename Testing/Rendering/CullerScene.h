@@ -83,7 +83,10 @@ struct CullerScene : TestScene
   /** Look from straight ahead. */
   void LookAhead();
 
-  /** Look so that something in the middle of the screen has a sample, where pixels have several, too: those of 4 lie an eighth of a pixel beside its centre. */
+  /**
+   * Look so that a sample is in the middle of the screen even with several samples per pixel. With 4, the samples lie
+   * an eighth of a pixel beside the pixel's centre.
+   */
   void PutSampleInMiddle();
 
   /** Look from anywhere in front. */

@@ -154,8 +154,8 @@ TEST_P(Coincidence, ByTheSlopeGroupsTiltedFaces)
   EXPECT_TRUE(Matches(pictures[0], pictures[1]));
 }
 
-// A flat plate cuts through a tilted one, whose depth changes along one axis alone: they coincide as many pixels to either
-// side of the cut as the tolerance has slopes.
+// A flat plate cuts through a tilted one, whose depth changes along one axis only. They coincide on either side of the
+// cut, over as many pixels as the tolerance has slopes.
 TEST_P(Coincidence, ReachesAsManyPixelsAsSlopesToEitherSide)
 {
   const Rgba tiltedFirst = CompositePlates({ Red, Blue }, TestBackground);
@@ -222,8 +222,8 @@ TEST_P(Coincidence, TakesTheSlopeOfWrittenDepths)
   EXPECT_TRUE(Matches(pictures[0], pictures[1]));
 }
 
-// Impostors, one plane, of which a shader throws away what is outside of a circle: along its rim slopes may be anything, and
-// so either order or none is right.
+// One plane consists of impostors, whose shader discards fragments outside of a circle. Along its rim slopes may be
+// anything, so either order, or none, is right.
 TEST_P(Coincidence, TakesTheSlopeOfDepthsThatAreNotThrownAway)
 {
   const int width = 40;

@@ -86,8 +86,8 @@ TEST_P(CoincidentGroups, WithoutAnyIsThePictureWithoutTheTolerance)
   }
 }
 
-// Of opaque fragments each is the nearest as often as any other, however many there are: more than floats can tell what is
-// seen behind, and than one run or block sorts. Truth takes a time that grows with the square of the group.
+// Each opaque fragment of a group is the nearest one equally often. There are so many that floats cannot tell what is
+// seen behind, and more than one run or block sorts. The time of truth grows with the square of the group.
 TEST_P(CoincidentGroups, OfAnyNumberOfOpaqueOnesAreTheirMean)
 {
   const Rgba red = { 1.0, 0.0, 0.4, 1.0 };

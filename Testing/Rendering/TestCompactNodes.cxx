@@ -13,7 +13,8 @@
 namespace
 {
 
-// Alphas that lie just below one that compact nodes have: kept as that one, they leave the picture's own rounding alone.
+// These alphas lie just below one that compact nodes can store. Stored as that one, they only leave the rounding of the
+// picture.
 TEST(CompactNodes, KeepTheNearestAlpha)
 {
   TestScene scene(4, 4);
@@ -38,8 +39,8 @@ TEST(CompactNodes, KeepTheNearestAlpha)
   }
 }
 
-// Two faces near the near plane that part from a common edge to a last bit of a float: a tenth of a step of a 24-bit depth
-// buffer in the middle. Whichever is in front, their colours would order them the other way in one of both draws.
+// Two faces near the near plane diverge from a common edge to a last bit of a float. In the middle that is a tenth of a
+// step of a 24-bit depth buffer. In one of both draws, their colours would order them wrongly.
 TEST(CompactNodes, OrderNearDepthsToTheBit)
 {
   const Rgba colors[] = { { 0.9, 0.1, 0.1, 0.5 }, { 0.1, 0.1, 0.9, 0.6 } };

@@ -100,7 +100,8 @@ TEST_P(CullerBlended, WhatIsForcedAndCannotBeHidden)
   this->ExpectShinesThrough(front);
 }
 
-// Points are drawn as squares of pixels, of which boxes tell nothing. A bar right beside the point's middle, as high as the points are, is hidden by a wall but for those.
+// Points are drawn as squares of pixels, which boxes do not contain. Beside the point's middle is a bar as high as the
+// points. The wall hides the bar except where the point is blended over it.
 TEST_P(CullerBlended, PointsThatCannotBeHidden)
 {
   for (const float size : { 1.0f, 9.0f })

@@ -44,7 +44,8 @@ protected:
     return plate;
   }
 
-  // Puts a wall between the boxes and a prop that is drawn after them and before it. Returns how many parts are left out behind it.
+  // Puts a wall between the boxes and a prop. The prop is drawn after the boxes and before the wall. Returns how many
+  // parts behind the wall are culled.
   int HiddenBehind(vtkProp* front)
   {
     Scene.Renderer->AddViewProp(front);

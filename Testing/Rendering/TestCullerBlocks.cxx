@@ -1,4 +1,5 @@
-// Blocks of a composite mapper that hide each other: no pixel is lost, and none differs from what VTK's own mapper draws.
+// Tests blocks of a composite mapper that hide each other. The picture must equal that of VTK's own mapper in every
+// pixel.
 #include "CompositeMapper.h"
 #include "CullerScene.h"
 #include "Select.h"
@@ -327,7 +328,8 @@ TEST_P(CullerBlocks, ChangeBetweenFrames)
   });
 }
 
-// A device may draw all of them about the middle of one that is small and far off: so they are as far from there, which is as far from the origin, as sums of absolute values go.
+// A device may draw all blocks relative to the middle of a small one that is far off. By sums of absolute values, other
+// blocks are as far from there as it is from the origin.
 TEST(CullerBlocksFarOff, CountFromTheMiddleOfASmallOne)
 {
   const double away = 4000.0;

@@ -197,8 +197,8 @@ TEST_P(CullerBuffer, IsOfTheRendererThatIsAskedFor)
   EXPECT_EQ(RangeOf(left), before);
 }
 
-// With lines of a pixel each the middle of a column is a pixel's centre, where a z-buffer holds nothing that is farther. What VTK
-// reads of multisampled ones is not those.
+// With lines of one pixel, the middle of a column is a pixel centre, where a z-buffer holds no greater depth. Depths
+// that VTK reads of multisampled buffers are not at pixel centres.
 TEST(CullerBufferDepths, AreNowhereNearerThanTheZBuffer)
 {
   for (const bool isParallel : { false, true })

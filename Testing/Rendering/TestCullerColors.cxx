@@ -93,7 +93,8 @@ protected:
     Scene.Renderer->RemoveActor(plain);
   }
 
-  // In the first frame after a change: mappers take their arrays' tables while they draw, and VTK draws otherwise from then on.
+  // Tests the first frame after a change. Mappers adopt the lookup tables of their arrays while they draw, and VTK
+  // draws differently from then on.
   void ExpectNothingHiddenAtFirst(const std::function<void()>& change)
   {
     Picture pictures[2];

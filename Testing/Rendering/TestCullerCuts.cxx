@@ -1,5 +1,5 @@
-// Faces that a device cuts at the view's planes: where little is cut off, slivers are among what is left, and llvmpipe draws some of those nearer than a wall that stands before all of the face.
-// Culling loses no pixel of them.
+// Tests faces that a device cuts at the view's planes. If little is cut off, slivers may remain. llvmpipe draws some of
+// them nearer than a wall that stands before the whole face. Culling must lose no pixel of them.
 #include "CullerScene.h"
 
 #include "vtkCamera.h"

@@ -99,7 +99,8 @@ TEST_P(CullerDivided, ActorsThatAssembliesDrawElsewhere)
   EXPECT_EQ(Scene.ExpectSame(), PatchCount);
 }
 
-// What is hidden from the eye is not from the light: passes that draw shadows may be known to the user, who has no other parts hidden.
+// Parts that the eye does not see may be seen by the light. The user may declare passes with shadows as known. The
+// shadows must be the same then.
 TEST_P(CullerDivided, PartsThatCastShadows)
 {
   PartsOfQuads parts = Patches();

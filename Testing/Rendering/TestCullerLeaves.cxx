@@ -190,7 +190,8 @@ TEST_P(CullerLeaves, CountTrianglesAsVTKDoes)
   }
 }
 
-// VTK draws nothing of triangles that are points. A leaf of them shows, behind a hidden one in the buffer and before one that shows.
+// VTK draws nothing of triangles that are points. A leaf of them is visible. In the buffer it comes after a hidden leaf
+// and before a visible one.
 TEST_P(CullerLeaves, MayHaveNothingToDraw)
 {
   const PartsOfQuads inFront = Patches(0.3);

@@ -1,4 +1,4 @@
-// Lines and points, which are drawn where they are not: beyond their ends, and beyond a viewport's border. No pixel is lost by culling.
+// Tests lines and points, which are drawn beyond their ends and beyond a viewport's border. Culling must lose no pixel.
 #include "CullerScene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Scenes of so many parts that several threads look at them: what changes from frame to frame is noticed, and no pixel is lost by culling.
+// Tests scenes of so many parts that several threads process them. Changes between frames must be noticed, and culling
+// must lose no pixel.
 #include "CullerScene.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -18,7 +19,10 @@
 namespace
 {
 
-/** A wall that covers all, in the middle of the order of very many small parts behind it, which share their data by twos. */
+/**
+ * A scene with a wall that covers everything, and very many small parts behind it. The wall is in the middle of their
+ * order. Each two parts share their data.
+ */
 class CullerOfManyParts : public testing::Test
 {
 protected:
@@ -165,7 +169,8 @@ TEST_F(CullerOfManyParts, ThatComeAndGoAndComeTwice)
   }
 }
 
-// The image is made while parts are drawn, which moves the points of others: nothing is left out of that frame, and the next one is as ever.
+// The texture's image is made while parts are drawn, and that moves points of other parts. So nothing is culled in that
+// frame, and the next frame is culled as usual.
 TEST_F(CullerOfManyParts, WhoseDataATexturesPipelineMoves)
 {
   struct Move

@@ -1,4 +1,5 @@
-// Depth peeling draws other things, too, where nothing is translucent: so one part that is stays, though it is hidden or beside the view.
+// Depth peeling draws other things too if nothing is translucent. So one translucent part must stay, even if it is
+// hidden or beside the view.
 #include "CullerScene.h"
 #include "DividedActor.h"
 #include "TestPasses.h"
@@ -80,7 +81,8 @@ protected:
     Scene.Renderer->AddVolume(VolumeOf(voxels, mapper, 0.2));
   }
 
-  // Expects that of some translucent parts, hidden and beside the view, all but one are left out; and all of them while another one shows.
+  // Expects that all but one of some translucent parts, hidden or beside the view, are culled. While another
+  // translucent part is visible, all of them are culled.
   void ExpectOneKept()
   {
     for (const double beside : { 0.0, 9.0 })

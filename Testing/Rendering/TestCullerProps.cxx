@@ -239,7 +239,8 @@ TEST_P(CullerProps, HiddenLinesAndSmoothEdges)
   Scene.ExpectHidden(223, 2);
 }
 
-// Where hidden lines are removed, VTK draws lines nearer to the eye than they are: by as much as depth changes along a pixel of them.
+// With hidden-line removal VTK draws lines nearer to the eye than they are, by the change of depth along one pixel of
+// them.
 TEST_P(CullerProps, HiddenLinesThatTouchAWall)
 {
   Scene.AddWall();
@@ -410,7 +411,8 @@ TEST_P(CullerProps, PassesThatLookBeyondTheView)
   Scene.ExpectHidden(227, 1);
 }
 
-// Passes within others that look beyond the view, those that do not draw what would hide, and those of which nothing is known.
+// Tests nested passes that look beyond the view, passes that do not draw what would hide other parts, and unknown
+// passes.
 TEST_P(CullerProps, PassesWithinPasses)
 {
   this->AddParts();

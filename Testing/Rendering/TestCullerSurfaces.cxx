@@ -128,8 +128,8 @@ TEST_P(CullerSurfaces, PointsAndWideLines)
   Scene.ExpectHidden(131, 5);
 }
 
-// Forty quads behind the slanted edge of a wall, which the box around them stands over: hidden, unless something else is drawn of the part
-// that reaches across.
+// Forty quads stand behind the slanted edge of a wall, and the box around them reaches beyond the edge. They are
+// hidden, unless something else is drawn of the part that reaches beyond it.
 TEST_P(CullerSurfaces, LinesVerticesAndStripsOfAPartOfManyPoints)
 {
   Scene.AddMesh(MeshOf({ { { { -4, -4, 0 }, { 4, 4, 0 }, { 4, 14, 0 }, { -4, 14, 0 } } } }));

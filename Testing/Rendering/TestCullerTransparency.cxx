@@ -10,7 +10,10 @@
 namespace
 {
 
-/** An opaque wall over the right of the view, and translucent parts on both sides of it, some of them behind it wholly. */
+/**
+ * A scene with an opaque wall in the right half of the view, and translucent parts on both sides of it. Some are wholly
+ * behind it.
+ */
 class TransparentScene : public CullerScene
 {
 public:
@@ -54,8 +57,8 @@ private:
 class CullerTransparency : public testing::TestWithParam<Method>
 {
 protected:
-  // Draws with culling and without, and expects the same picture and the same fragments of it. Where a pixel is a group, edges of
-  // what is hidden leak through what hides it: a few pixels have less of that.
+  // Draws with culling and without, and expects the same picture and the same fragments. If a pixel is a group of
+  // pixels, edges of hidden parts leak through the parts that hide them. So a few pixels may have less of that.
   static void ExpectSame(TransparentScene& scene)
   {
     const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
@@ -108,8 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
   Methods, CullerTransparency, testing::ValuesIn(AllMethods()), MethodName());
 
 /**
- * What is translucent, right behind the edges of what is opaque. In windows of several samples it is drawn at the centres of pixels, by the depth of one sample each, which may be covered by nothing though the
- * centre is.
+ * A scene with translucent parts right behind the edges of opaque parts.
+ *
+ * In windows of several samples, translucent parts are drawn at pixel centres, by the depth of one sample each. That
+ * sample may be uncovered although the centre is covered.
  */
 class EdgeScene : public CullerScene
 {

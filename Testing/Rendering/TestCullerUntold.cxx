@@ -1,4 +1,5 @@
-// What a device draws, where that is not what stands in VTK's objects: it is given points when they themselves were modified, images of textures while it draws, and uniforms by whoever asks to be told.
+// Tests what a device draws if that differs from the state of VTK's objects. It gets points only when they themselves
+// were modified, images of textures while it draws, and uniforms from observers.
 #include "CullerScene.h"
 #include "DividedActor.h"
 #include "vtkCommand.h"
@@ -110,7 +111,8 @@ TEST_P(CullerUntold, PointsOfBlocksThatAreMovedInPlace)
   EXPECT_LT(Scene.ExpectSame(), all);
 }
 
-// Where a device draws points about the origin that are far off from it is hardly known, and stays so where VTK is asked later to have it draw them about their middle.
+// If a device draws far points about the origin, their places are hardly known. That remains so if VTK is asked later
+// to draw them about their middle.
 TEST_P(CullerUntold, WaysToMovePointsThatComeLate)
 {
   const double away = 3e7;

@@ -254,7 +254,8 @@ TEST_P(CullerViews, FarAndNear)
       most = std::max(most, Scene.ExpectSame());
     }
   }
-  // In perspective, where a line has several pixels, the wall hides nothing at such ranges since faces count that a device may cut.
+  // In perspective with several pixels per line, the wall hides nothing at such ranges, since faces count that a device
+  // may cut.
   const bool hasThickLines = GetParam().BufferLines < GetParam().Height;
   EXPECT_GE(most, hasThickLines && !GetParam().IsParallel ? 0 : 1);
   Scene.LookAhead();

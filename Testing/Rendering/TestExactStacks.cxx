@@ -71,9 +71,9 @@ TEST_P(ExactStack, Of4000Layers)
   EXPECT_EQ(pass->GetFragmentCount(), 4000 * 3 * 2);
 }
 
-// Lists so long that the work on each must not grow with their square: drivers end the loops of a shader after a number
-// of rounds, llvmpipe after 65,535 in all. Layers, of one depth or apart, are so faint that together they take a fifth of a
-// step, and a plate shows behind them.
+// Lists are so long that the work on each must not grow with their square. Drivers end the loops of a shader after a
+// number of rounds, llvmpipe after 65,535 in all. Layers, of one depth or apart, are so faint that together they take a
+// fifth of a step, and a plate shows behind them.
 TEST_P(ExactStack, SeesThroughAnyNumberOfFaintLayers)
 {
   TestScene scene(2, 1);

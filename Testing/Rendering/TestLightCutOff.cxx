@@ -1,4 +1,5 @@
-// With the default cut-off no channel of a picture, before it is rounded, is off by more than half of 1/255, however many lights there are.
+// With the default cut-off, no channel of the unrounded picture is off by more than half of 1/255, for any number of
+// lights.
 #include "DeferredScene.h"
 #include "vtkFramebufferPass.h"
 #include "vtkPixelBufferObject.h"
@@ -103,7 +104,10 @@ protected:
 
   CutScene Scene = CutScene(GetParam());
 
-  /** Physically based shading raises sums to the power of 1 / 2.2, so that little light shows: it has to fade away sooner. */
+  /**
+   * Physically based shading raises sums to the power of 1 / 2.2, which makes little light visible. So the light has to
+   * fade sooner.
+   */
   const double Steeper = GetParam() ? 1e4 : 1.0;
 };
 

@@ -89,7 +89,7 @@ TEST(StableLights, MayReachFarBeyondAFarPlaneNearBy)
   scene.ExpectStable();
 }
 
-// Filament #5318, s&box #4620. VTK moves a near plane that is not before the eye, unless the projection is the user's own.
+// Filament #5318, s&box #4620. VTK moves a near plane that is not before the eye, unless the user set the projection.
 TEST(StableLights, MayBeSeenByParallelRaysFromBehindTheEye)
 {
   StableScene scene(true);
@@ -146,7 +146,8 @@ TEST(StableLights, MayGraze)
   scene.ExpectStable();
 }
 
-// Filament #7493 lost lights beyond 256, Bevy #3915 all of them at 256; three.js #33406 has room for 64. All but the last are too faint to change VTK's picture of that one.
+// Filament #7493 lost lights beyond 256, and Bevy #3915 lost all of them at 256. three.js #33406 has room for 64. All
+// lights but the last are too faint to change VTK's picture of that one.
 TEST(StableLights, AreAllThereWhereManyAreInOneCluster)
 {
   StableScene scene;

@@ -102,8 +102,8 @@ struct Lookup
   int Coordinates = 2;
 
   /**
-   * The share of the channels that may be off. llvmpipe's anisotropic filter takes one level, and not between two: where that
-   * changes, the least difference of gradients shows.
+   * The share of the channels that may be off. llvmpipe's anisotropic filter takes one level and does not interpolate
+   * between two. Where the level changes, the smallest difference of gradients shows.
    */
   double Besides = 0.02;
 };

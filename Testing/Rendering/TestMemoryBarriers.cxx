@@ -1,5 +1,5 @@
-// Which barriers stand between what a frame writes and what looks at it (gl/MemoryBarriers.h). llvmpipe draws one thing after
-// the other, so no picture shows a barrier that is missing: here the calls themselves are recorded on their way to the driver.
+// Tests the barriers between a frame's writes and the later accesses (gl/MemoryBarriers.h). llvmpipe runs draws one
+// after the other, so no picture shows a missing barrier. Therefore the calls are recorded on their way to the driver.
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "gl/VitrineOpenGL.h"
@@ -22,9 +22,9 @@ namespace
 
 constexpr int Size = 16;
 
-// While it lives, writes down what writes and what needs to have been written, a letter each: C clears an image, S runs a
-// compute shader, G draws geometry, T draws tiles, R reads a buffer; and barriers, by the uses that they come before:
-// f framebuffers, F fills, l lists, s scans, r reads.
+// While it lives, records writes, reads and barriers, a letter each. C clears an image, S runs a compute shader, G
+// draws geometry, T draws tiles, R reads a buffer. Barriers are named by the uses that they precede: f framebuffers, F
+// fills, l lists, s scans, r reads.
 class CallRecord
 {
 public:

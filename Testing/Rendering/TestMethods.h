@@ -122,7 +122,8 @@ Picture ExpectTruth(
   TestScene& scene, vtkTransparencyPass* pass, double tolerance, double besides = 0.0);
 
 /**
- * The same for a new pass of every method of ExactMethods() and RoutedMethods(), each within its tolerance times `slack`.
+ * Call ExpectTruth() with a new pass of every method of ExactMethods() and RoutedMethods(), each within its tolerance
+ * times `slack`.
  */
 void ExpectAllAreTruth(TestScene& scene, double slack = 1.0);
 

@@ -1,5 +1,5 @@
-// Passes around the translucent one that add outputs to the mappers' shaders, and draw into several images: ambient occlusion,
-// and others of their kind.
+// Tests passes around the translucent one that add outputs to the mappers' shaders and draw into several images, such
+// as ambient occlusion.
 #include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestPasses.h"

@@ -1,5 +1,5 @@
-// What stencil routing asks of a driver, and drivers that are otherwise than Mesa's llvmpipe, which tests the stencil of one
-// sample for all of a pixel where multisampling is off.
+// Tests what stencil routing requires of a driver, with drivers that differ from Mesa's llvmpipe. With multisampling
+// off, llvmpipe tests the stencil of one sample for all samples of a pixel.
 #include "Core/lists/StencilRouting.h"
 #include "TestMessages.h"
 #include "TestMethods.h"
@@ -19,11 +19,10 @@ namespace
 constexpr int Width = 20;
 constexpr int Height = 18;
 
-// A driver that goes on multisampling where it is switched off, and so tests the stencil of each sample. A loader has no
-// pointers for OpenGL's oldest functions, so others that come last before a draw switch it on again.
-//
-// Whole pixels: what the probe draws covers the pixel if it covers its centre. With geometry that covers whole pixels, it is
-// then as on a driver that tests the stencil of each sample and has the coverage of the centre.
+// A driver that goes on multisampling after it is switched off, and so tests the stencil of each sample. A loader has
+// no pointers for OpenGL's oldest functions. So other functions, which come last before a draw, switch it on again.
+// With whole pixels, what the probe draws covers the pixel if it covers its centre. With geometry that covers whole
+// pixels, that equals a driver which tests the stencil of each sample with the coverage of the centre.
 class MultisamplingDriver
 {
 public:

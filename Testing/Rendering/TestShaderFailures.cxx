@@ -115,7 +115,8 @@ struct LongLists
   int Layers;
 };
 
-// Shaders of the resolve are the same for all methods that store every fragment, but for how they read linked and packed lists.
+// The resolve shaders are the same for all methods that store every fragment, except for reading linked or packed
+// lists.
 const std::vector<Method> ListMethods = MethodsThat([](const Method& method)
   { return method.Name == "LinkedListHalfFloat" || method.Name == "PrefixSumPredicted"; });
 

@@ -1,5 +1,5 @@
-// What props' settings and their targets must not change: light, depth that images or keys ask to be written, and colours
-// beyond 1.
+// Tests that props' settings and their targets do not change light, depth that images or keys ask to be written, and
+// colours beyond 1.
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "vtkActor.h"

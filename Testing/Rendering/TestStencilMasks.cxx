@@ -204,8 +204,8 @@ TEST(StencilMaskFilter, MarksTheOutline)
   EXPECT_GE(marked, 20);
 }
 
-// A pixel unlike all around it, by what each test of neighbours looks at: sums of depths 0.25, parity 0.75, colour 0.5 of
-// 1.5 at most.
+// One pixel differs from all around it in what each test of neighbours checks. A failed test adds 0.25 for sums of
+// depths, 0.75 for parity and 0.5 for colour. The maximum is 1.5.
 TEST(StencilMaskFilter, MarksByDepthParityAndColor)
 {
   const struct

@@ -44,7 +44,8 @@ void AddShellsLinesAndPoints(TestScene& scene)
   points->SetPointSize(5.0);
 }
 
-// For every number of samples a pass. A driver that has not as many, or does not test them one by one, is refused by name.
+// Runs for each number of samples per pass. A driver that lacks so many, or does not test them one by one, must be
+// refused by name.
 class StencilRouted : public testing::TestWithParam<int>
 {
 protected:

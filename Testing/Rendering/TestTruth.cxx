@@ -203,8 +203,8 @@ TEST_P(Truth, CountsWritersOfDepthAsAnOcclusionQueryDoes)
   }
 }
 
-// The same where depths differ by a few steps of the depth buffer. Some drivers lose one or two when they sample it; none of
-// 32 bits without samples, where depths differ by one step of floats.
+// Shaders write depths that differ by a few steps of the depth buffer. Some drivers lose one or two steps when they
+// sample it. None is lost of 32 bits without samples, where depths differ by one float step.
 TEST_P(Truth, CountsWritersOfDepthToAFewSteps)
 {
   for (const bool stencil : { false, true })

@@ -54,7 +54,8 @@ TEST_P(Windows, OnePassInTwoByTurns)
   }
 }
 
-// As vtkEGLRenderWindow of VTK 9.6 is: it does not make current again what was so before, and says of itself always that it is.
+// Behaves like vtkEGLRenderWindow of VTK 9.6: it does not restore the previous current context, and always claims to be
+// current.
 class ForgetfulWindow : public vtkHeadlessRenderWindow
 {
 public:

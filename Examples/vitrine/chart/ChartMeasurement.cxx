@@ -17,7 +17,7 @@ namespace program
 
 namespace
 {
-/** From frame to frame, as where a user turns a model: methods that predict from the frame before do so well or badly by it. */
+/** Rotation per frame, as if a user turned a model. It affects methods that predict from the previous frame. */
 const double DegreesAFrame = 3.75;
 
 /** In names of pictures: truth in float64, rounded once. What the method `truth` draws into a window is another. */
@@ -178,8 +178,8 @@ void MeasureGrowth(
 }
 
 /**
- * What grows is timed in units of its first step, so all of it has to be of one run: another finds the machine busier or
- * less so.
+ * Growth is timed in units of its first step, so all steps must be of one run. In another run the machine may be busier
+ * or less busy.
  */
 void DropUnfinishedGrowth(const ChartPlan& plan, ChartRecord& record)
 {

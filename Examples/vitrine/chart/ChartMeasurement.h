@@ -23,8 +23,8 @@ void MeasureSteps(const ChartPlan& plan, ChartRecord& record, Progress& progress
 void MeasureFailures(const ChartPlan& plan, ChartRecord& record, Progress& progress);
 
 /**
- * Add the results of a comparison, which is step `number` of the part "scenes", and its pictures: rows as `compare` has, and in
- * each "part", "step", "picture" and "truth_picture".
+ * Add the results and pictures of a comparison, which is step `number` of the part "scenes". The rows are those of
+ * `compare`, with "part", "step", "picture" and "truth_picture" in each.
  */
 void RecordScene(const ComparisonResult& comparison, int number, ChartRecord& record);
 

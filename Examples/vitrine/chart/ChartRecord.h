@@ -1,6 +1,6 @@
 /**
- * The measurements of a chart as they stand in a folder, so that a run can be stopped and go on: chart.json and the pictures
- * that it names.
+ * The measurements of a chart in a folder: chart.json and the pictures that it names. A run can be stopped and
+ * continued.
  */
 #ifndef VITRINE_CHART_RECORD_H
 #define VITRINE_CHART_RECORD_H
@@ -26,15 +26,18 @@ class ChartRecord
 {
 public:
   /**
-   * Begin anew; `head` holds what all of it is measured with ({"vitrine", "build", "device", "settings"}). The folder is made if it is not
-   * there, and no other run can have it meanwhile. Throws InputError if it cannot be, if one of its files may not be written to, or if it holds a chart.json of something
-   * else, or one that was measured with another head, or a page, a plot or pictures without any; the message names `folderOption`, by which users name a folder.
+   * Begin a new record. `head` states what all of it is measured with ({"vitrine", "build", "device", "settings"}).
+   *
+   * The folder is created if needed, and locked against other runs. Throws InputError if that fails, or if one of its
+   * files is not writable. Throws it as well if the folder holds a chart.json of other content or with another head, or
+   * a page, a plot or pictures without chart.json. The message names `folderOption`, the option by which users name a
+   * folder.
    */
   ChartRecord(const std::string& folder, const Json& head, const std::string& folderOption);
 
   /**
-   * Take up what stands in the folder. Returns what was found, in a sentence; empty if nothing was. Throws InputError for rows that
-   * are not of a chart.
+   * Continue from the contents of the folder. Returns a sentence about what was found, empty if nothing was. Throws
+   * InputError for rows that are not of a chart.
    */
   std::string GoOn();
 

@@ -17,7 +17,10 @@ std::string PicturePath(const std::string& name);
 /** Whether a row of "results" has what is read from it: what compare tells, a part, and a step from 0. */
 bool IsChartResult(const Json& row);
 
-/** Whether a row of "failures" has what is read from it: what stability tells, and pictures unless the method was refused. */
+/**
+ * Returns true if a row of "failures" has the values that are read from it. Pictures may be missing if the method was
+ * refused.
+ */
 bool IsChartCell(const Json& row);
 
 }

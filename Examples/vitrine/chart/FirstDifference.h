@@ -12,8 +12,9 @@ namespace program
 {
 
 /**
- * The first value that differs: "NAME.KEY.0 was 9 and is 3", where `name` is what the documents are. Long values are cut. Where
- * the size or the time of a file differs, "FILE has changed". Empty if they are alike.
+ * Returns the first value that differs, as in "NAME.KEY.0 was 9 and is 3". `name` names the documents. Long values are
+ * cut. If the size or the time of a file differs, the text is "FILE has changed". It is empty if the documents are
+ * alike.
  */
 std::string FirstDifference(const std::string& name, const Json& before, const Json& now);
 

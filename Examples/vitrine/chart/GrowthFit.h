@@ -28,9 +28,11 @@ struct GrowthFit
 };
 
 /**
- * Fit the upper half, on a logarithmic axis, of the range of x, where what does not grow weighs least; all of the range if
- * fewer than three points lie there. Points that are not above 0 in both have no logarithm and are left out. Nothing if fewer
- * than three points remain, or all have the same x.
+ * Fit a power law to the upper half of the range of x on a logarithmic axis, where constant terms weigh least. If fewer
+ * than three points lie there, fit the whole range.
+ *
+ * Points that are not positive in both coordinates have no logarithm and are left out. Returns nothing if fewer than
+ * three points remain, or if all have the same x.
  */
 std::optional<GrowthFit> FitGrowth(const std::vector<GrowthPoint>& points);
 

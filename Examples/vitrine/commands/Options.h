@@ -62,7 +62,10 @@ void CheckIsNoInput(
 /** Print `text`, unless --json is what goes to stdout. Throws RuntimeError if it cannot be written. */
 void PrintText(const std::optional<std::string>& file, const std::string& text);
 
-/** Write `json` where --json says, if that is a file which WriteReport() will replace. Throws InputError if it cannot be written. */
+/**
+ * Write `json` to the file of --json, if that is a file which WriteReport() will replace. Throws InputError if it
+ * cannot be written.
+ */
 void WriteUnfinished(const std::optional<std::string>& file, const std::string& json);
 
 /** Print `text`, and write `json` where --json says. Throws InputError or RuntimeError if they cannot be written. */

@@ -15,8 +15,9 @@ namespace program
 {
 
 /**
- * A frame, 8-bit RGB from the bottom, and to its right what vtkHierarchicalSBufferCuller::GetBufferImage() holds of it in the same
- * size: the nearest white, the farthest dark grey, black where nothing is covered. All is black without an image.
+ * Returns a frame, 8-bit RGB from the bottom, with the image of vtkHierarchicalSBufferCuller::GetBufferImage() in the
+ * same size to its right. The nearest depth is white, the farthest dark grey, and uncovered pixels are black. Without
+ * an image the right side is black.
  */
 std::vector<std::uint8_t> WithBuffer(
   const std::vector<std::uint8_t>& frame, PictureSize size, vtkImageData* buffer);

@@ -73,7 +73,10 @@ std::int64_t CountDifferent(const std::vector<std::uint8_t>& a, const std::vecto
   return different;
 }
 
-/** The two pictures of a pose. Which is drawn first, at a cost for methods that get memory then, changes from pose to pose. */
+/**
+ * The two pictures of a pose. The order of drawing alternates from pose to pose, since the first drawing costs more for
+ * methods that allocate memory then.
+ */
 class CullStage
 {
 public:

@@ -15,7 +15,10 @@ namespace program
 namespace
 {
 
-/** Numbers count from 1; the background is none of them. None has one where a point is not finite, which spoils what is drawn of all that share a buffer with it. */
+/**
+ * Gives opaque parts numbers from 1; the background has none. If a point is not finite, no part gets a number, since
+ * such a point spoils the drawing of all parts in the same buffer.
+ */
 Scene NumberParts(const Scene& scene, std::vector<std::size_t>& opaque)
 {
   MergedMesh mesh;

@@ -1,7 +1,8 @@
 /**
- * Which opaque parts a perfect culler would draw: those that own a pixel.
+ * Finds the opaque parts that a perfect culler would draw: those that own a pixel.
  *
- * H. Weghorst, G. Hooper, D. P. Greenberg: Improved computational methods for ray tracing, ACM TOG 3(1), 1984 (item buffer).
+ * H. Weghorst, G. Hooper, D. P. Greenberg: Improved computational methods for ray tracing, ACM TOG 3(1), 1984 (item
+ * buffer).
  */
 #ifndef VITRINE_PROGRAM_ITEM_BUFFER_H
 #define VITRINE_PROGRAM_ITEM_BUFFER_H

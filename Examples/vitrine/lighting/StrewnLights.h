@@ -13,8 +13,9 @@ namespace program
 {
 
 /**
- * Light the scene by `count` lights all over its bounds, spot lights and lamps in turn, in place of its own. They reach less
- * far the more there are, so that a place is lit by about as many. Throws InputError where the scene has no bounds.
+ * Replace the scene's lights by `count` lights all over its bounds, spot lights and lamps in turn. The more lights
+ * there are, the less far they reach, so that about as many light each place. Throws InputError if the scene has no
+ * bounds.
  */
 void StrewLights(Scene& scene, std::size_t count, std::uint64_t seed);
 

@@ -50,8 +50,8 @@ public:
   virtual void Attach(vtkRenderer* renderer) = 0;
 
   /**
-   * Have fragments coincide. Returns why the method cannot, empty if it can: what it draws then is not what is asked for, and
-   * truth with the tolerance does not judge it.
+   * Set the coincidence tolerance. Returns why the method cannot have one, or an empty string. A method without it does
+   * not draw what was asked for, and truth with the tolerance does not judge it.
    */
   [[nodiscard]] virtual std::string SetCoincidence(const Coincidence& coincidence);
 

@@ -46,7 +46,10 @@ public:
   Stage(const Scene& scene, std::unique_ptr<Method> method, PictureSize size, int multisamples);
   ~Stage();
 
-  /** Draw another scene from now on; throws InputError if it has more lights than the method draws. What the method and the window have built so far stays. */
+  /**
+   * Draw another scene from now on. Everything that the method and the window have built so far stays. Throws
+   * InputError if the scene has more lights than the method draws.
+   */
   void SetScene(const Scene& scene);
 
   /** Draw the scene's parts in another order, a permutation of their indices. */

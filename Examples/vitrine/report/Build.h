@@ -10,9 +10,8 @@ namespace program
 {
 
 /**
- * {"vtk": its version, "program", "library": hashes of the files that run}, which differ between builds of one version: figures
- * of another build are not this one's. The
- * files are read once a run.
+ * Returns {"vtk": its version, "program", "library": hashes of the files that run}. The hashes differ between builds of
+ * one version, since figures of another build are not comparable. The files are read once per run.
  */
 Json BuildJson();
 

@@ -12,8 +12,8 @@ namespace program
 {
 
 /**
- * Complete chart.json with what follows from the measurements, and write the plots and the page. Returns the page's path. Throws
- * InputError if a file cannot be written, or a picture is missing.
+ * Complete chart.json with the results of the measurements, and write the plots and the page. Returns the page's path.
+ * Throws InputError if a file cannot be written, or if a picture is missing.
  */
 std::string WriteChart(ChartRecord& record);
 

@@ -12,8 +12,8 @@ namespace program
 {
 
 /**
- * One HTML file that needs nothing else: style, scripts, the record's document and its pictures are in it, of which large ones
- * are scaled down. Throws InputError if a picture that the document names is missing.
+ * Returns one self-contained HTML file with style, scripts, the record's document and its pictures. Large pictures are
+ * scaled down. Throws InputError if a picture that the document names is missing.
  */
 std::string MakeChartPage(const ChartRecord& record);
 

@@ -10,8 +10,8 @@ namespace program
 {
 
 /**
- * Write error.png, the largest error against frame time with its Pareto front, one plot for each scene, and growth.png, if anything
- * grew, into the record's folder. The record is summarised.
+ * Write error.png into the record's folder, and growth.png if anything grew. error.png plots the largest error against
+ * frame time with its Pareto front, one plot for each scene. The record must be summarised.
  */
 void PlotChart(const ChartRecord& record);
 

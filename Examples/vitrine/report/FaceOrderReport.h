@@ -16,8 +16,8 @@ namespace program
 std::string ToText(const FaceOrderComparison& comparison);
 
 /**
- * Rows: {"faces", "sequence", "count", "width", "height", "statements", "comparisons", "saved", "lookups", "end_checks",
- * "insert_ms"}; "skipped" stands in place of what comes after "statements" where that could not be measured.
+ * Returns rows of {"faces", "sequence", "count", "width", "height", "statements", "comparisons", "saved", "lookups",
+ * "end_checks", "insert_ms"}. If the values after "statements" could not be measured, "skipped" replaces them.
  */
 Json ToJsonRows(const FaceOrderComparison& comparison);
 

@@ -11,8 +11,8 @@ namespace program
 {
 
 /**
- * 8-bit RGB for each count: black for none, and from blue by green, yellow and red to white for the greatest, in steps of
- * its square root, so that few differ visibly.
+ * Returns 8-bit RGB for each count: black for 0, then from blue over green, yellow and red to white for the greatest.
+ * The scale is the square root of the count, so that small counts differ visibly.
  */
 std::vector<std::uint8_t> HeatMap(const std::vector<std::uint32_t>& counts);
 

@@ -16,7 +16,10 @@ struct PagePicture
   int Shrink = 1;  ///< each of its pixels is the mean of a square with so many on a side
 };
 
-/** Read a PNG. One that is larger than a page can show is scaled down. Throws InputError if the file is missing, a link or no whole PNG. */
+/**
+ * Read a PNG. One that is larger than a page can show is scaled down. Throws InputError if the file is missing, a link,
+ * or not a complete PNG.
+ */
 PagePicture ReadPagePicture(const std::string& path);
 
 }

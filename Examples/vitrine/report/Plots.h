@@ -64,8 +64,8 @@ struct Plot
 };
 
 /**
- * An axis of decimal logarithms from a little below `low` to a little above `high`, both above 0, with ticks at powers of ten, and
- * at 2 and 5 times these where it is short.
+ * Returns an axis of decimal logarithms from a little below `low` to a little above `high`, both positive. Ticks are at
+ * powers of ten. A short axis also has them at 2 and 5 times these.
  */
 PlotAxis LogarithmicAxis(const std::string& title, double low, double high);
 

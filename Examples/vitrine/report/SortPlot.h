@@ -11,7 +11,9 @@
 namespace program
 {
 
-/** Draw time by storage, and time by the longest list in one storage, and write both as one PNG, whole or not at all. */
+/**
+ * Plot time by storage, and time by the longest list in one storage. Write both as one PNG, completely or not at all.
+ */
 void PlotSorts(const SortComparison& comparison, const std::string& path);
 
 }

@@ -46,7 +46,10 @@ TextRow ToCells(const StabilityCell& cell)
     ChangedCell(cell.Turn), cell.Verdict };
 }
 
-/** What verdicts do not tell: refusals and larger errors in other windows, why they have no truth, and what VTK said. */
+/**
+ * Returns what verdicts do not tell: refusals and larger errors in other windows, why these have no truth, and VTK's
+ * messages.
+ */
 std::string Remarks(const StabilityCell& cell)
 {
   std::string lines;

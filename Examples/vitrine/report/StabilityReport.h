@@ -33,7 +33,10 @@ std::string WorstTable(const StabilityResult& result);
 /** One cell, without its pictures; {"scene", "method", "width", "height", "skipped", ...} if it could not run. */
 Json ToJsonRow(const StabilityCell& cell);
 
-/** What is drawn: {"name", "input", "opacity", "expected", "zoom_before", "width", "height", "heavy"} of each; the size is null without one of its own. */
+/**
+ * Returns {"name", "input", "opacity", "expected", "zoom_before", "width", "height", "heavy"} for each scene. Width and
+ * height are null if the scene has no size of its own.
+ */
 Json ScenesJson(const std::vector<StabilityScene>& scenes);
 
 /** {"vitrine", "build", "device", "settings", "scenes", "results"}. */

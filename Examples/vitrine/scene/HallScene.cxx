@@ -1,6 +1,6 @@
 /**
- * demo:hall: a colonnaded hall of two storeys under a coffered vault, for many lights. The hall is the same for any number
- * of lights, and about as bright.
+ * demo:hall: a colonnaded hall of two storeys under a coffered vault, for many lights. The hall is the same for any
+ * number of lights, and about as bright.
  */
 #include "scene/DemoScene.h"
 #include "scene/hall/HallLights.h"

@@ -28,7 +28,10 @@ struct Light
 /** The most that can be asked for. */
 inline constexpr int MostLights = 1048576;
 
-/** The most that VTK's own shaders are let draw: 64 take seconds to compile, 1,024 minutes, and more end the program. */
+/**
+ * The most lights that VTK's own shaders may draw. 64 take seconds to compile, 1,024 take minutes, and more end the
+ * program.
+ */
 inline constexpr std::size_t MostLightsOfVTK = 64;
 
 /** Have the renderer be lit by these alone; by the headlight that VTK makes if there are none. */

@@ -11,7 +11,10 @@ namespace program
 
 struct Scene;
 
-/** What to do about a scene in which nothing is translucent, in a sentence; empty if something is, or if it has no parts. */
+/**
+ * Returns a sentence of advice if nothing in the scene is translucent. It is empty if something is, or if the scene has
+ * no parts.
+ */
 std::string OpacityAdvice(const Scene& scene);
 
 }

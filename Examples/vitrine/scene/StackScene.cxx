@@ -1,14 +1,13 @@
 /**
  * demo:stack: parallel plates whose composite is known in closed form.
  *
- * Plate i of N, counted from the front, has the colour of three numbers that Random(seed) gives one
- * after the other, as 8-bit values, and is unlit. Actors come in shuffled order. What a pixel must
- * be is
+ * Plate i of N, counted from the front, is unlit. Its colour is the next three numbers of Random(seed), as 8-bit
+ * values. Actors come in shuffled order. The exact value of a pixel is
  *
  *     sum over i of (1 - alpha)^i alpha colour_i  +  (1 - alpha)^N background
  *
- * With `actors` that is not 0 the shuffled plates are dealt to so many: VTK takes longer for a thousand actors than for a
- * thousand plates, in each pass of a method that has many.
+ * If `actors` is not 0, the shuffled plates are dealt to so many actors. VTK takes longer for a thousand actors than
+ * for a thousand plates, in each pass of a method that has many passes.
  */
 #include "scene/DemoScene.h"
 #include "scene/Plates.h"

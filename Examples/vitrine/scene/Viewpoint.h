@@ -19,8 +19,8 @@ namespace program
 vtkSmartPointer<vtkCamera> PlaceCamera(const Scene& scene, const View& view, double aspect);
 
 /**
- * Have everything appear `factor` times as large in the picture. (vtkCamera::Zoom divides the angle of view, which beyond half
- * a turn shows nothing.)
+ * Make everything appear `factor` times as large in the picture. vtkCamera::Zoom divides the angle of view instead, and
+ * shows nothing for angles beyond 180 degrees.
  */
 void Magnify(vtkCamera* camera, double factor);
 

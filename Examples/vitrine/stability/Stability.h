@@ -132,8 +132,8 @@ struct StabilitySettings
 };
 
 /**
- * Fewer frames of each kind, and scenes for a quick run only. Motion has a step in each quarter of a pixel and of a turn; see
- * PlanShifts() and PlanTurns().
+ * Reduce the settings to a quick run: fewer frames of each kind, and fewer scenes. Motion then has one step in each
+ * quarter of a pixel and of a turn; see PlanShifts() and PlanTurns().
  */
 void MakeQuick(StabilitySettings& settings);
 

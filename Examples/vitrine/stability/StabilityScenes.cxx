@@ -12,7 +12,10 @@ namespace
 const char* const Alphas[] = { "0", "0.00392156862745098", "0.01", "0.5", "0.99", "1" };
 const char* const AlphaNames[] = { "0", "1-255", "0.01", "0.5", "0.99", "1" };
 
-/** Of deep stacks, of which each pixel is alike: methods that draw all layers for each take seconds a frame in larger ones. */
+/**
+ * Size of deep stacks, whose pixels are all alike. Methods that draw all layers for each pixel take seconds per frame
+ * in larger pictures.
+ */
 const PictureSize SizeOfDeepStacks = { 16, 16 };
 
 /**

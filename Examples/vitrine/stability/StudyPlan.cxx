@@ -41,8 +41,8 @@ int FindChange(int begin, int end, const DoesChange& doesChange)
 }
 
 /**
- * Steps in one run if there are as many as go through `whole`, else in runs of one step, each in its share of it: it begins at
- * `findBegin(run, begin, end)` of the share. Places are told in units of `stepsOfAPlace`.
+ * Plan all steps in one run if they go through `whole`, else in runs of one step. Each run has its share of `whole`,
+ * and begins at `findBegin(run, begin, end)` of the share. Places are in units of `stepsOfAPlace`.
  */
 MotionPlan PlanMotion(int steps, int whole, double stepsOfAPlace,
   const std::function<int(int run, int begin, int end)>& findBegin)

@@ -12,8 +12,8 @@ namespace program
 {
 
 /**
- * Orders in which to draw so many parts, each a permutation of their indices: all of them where there are `count` at most,
- * else `count` random ones, which are the same in each run.
+ * Returns orders in which to draw `parts` parts, each a permutation of their indices. These are all orders if there are
+ * at most `count`, else `count` random ones, which are the same in each run.
  */
 std::vector<std::vector<std::size_t>> PlanOrders(std::size_t parts, int count);
 
@@ -31,16 +31,17 @@ double InPixels(int steps);
 using DoesChange = std::function<bool(int a, int b)>;
 
 /**
- * So many steps of 1/100 pixel: in one run if they go through a whole pixel. Fewer would all lie near one place, where edges
- * of a scene may cross no middle of a pixel. They are runs of one step then: the first from the scene's own view, each of the
- * others in its share of the pixel, over a step that changes the picture, which is found by halving; if the picture is the same
- * at both ends of the share, the run begins there.
+ * Plan `steps` steps of 1/100 pixel. If they go through a whole pixel, they form one run.
+ *
+ * Fewer steps would all lie near one place, where edges of a scene may cross no pixel centre. So they are runs of one
+ * step. The first begins at the scene's own view. Each other run begins in its share of the pixel, at a step that
+ * changes the picture, found by bisection. If the picture is the same at both ends of the share, the run begins there.
  */
 MotionPlan PlanShifts(int steps, const DoesChange& doesChange);
 
 /**
- * So many steps of a degree: in one run if they go all the way round. Fewer are runs of one step, spread evenly over the turn,
- * since a scene may fail where no step from its own view leads.
+ * Plan `steps` steps of one degree. If they go all the way round, they form one run. Fewer are runs of one step, spread
+ * evenly over the turn, since a scene may fail far from its own view.
  */
 MotionPlan PlanTurns(int steps);
 

@@ -46,7 +46,10 @@ struct Spot
   Point Normal;
 };
 
-/** Points that fill a square evenly, however many (R2 of M. Roberts: The unreasonable effectiveness of quasirandom sequences, 2018), shifted by a seed. */
+/**
+ * Points that fill a square evenly for any number of points, shifted by a seed (R2 of M. Roberts: The unreasonable
+ * effectiveness of quasirandom sequences, 2018).
+ */
 class EvenPoints
 {
 public:

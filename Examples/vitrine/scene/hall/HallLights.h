@@ -14,9 +14,11 @@ namespace program
 {
 
 /**
- * So many lights near the hall's surfaces: spot lights that shine out of it, at the floor, walls and the vault, but that one of the first eight, and
- * of the second, and so on up to 64, shines along a column, at a gallery, or is a lamp that shines all around. The more there are, the less far each reaches,
- * so that a place is lit by about as many, and as brightly.
+ * Returns `count` lights near the hall's surfaces. They are spot lights that shine at the floor, walls and the vault.
+ * Of the first 64, one in each eight shines along a column or at a gallery instead, or is a lamp that shines all
+ * around.
+ *
+ * The more lights there are, the less far each reaches, so that about as many light each place, and about as brightly.
  */
 std::vector<Light> MakeHallLights(std::size_t count, std::uint64_t seed);
 
