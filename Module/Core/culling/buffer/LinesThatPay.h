@@ -9,8 +9,8 @@ namespace vitrine
 {
 
 /**
- * How many lines an s-buffer has at most for a scene of so many parts. Finer lines hide more, and take longer; the more parts there are, the smaller they are on the screen, and the more there is to be saved
- * (docs/benchmarks.md).
+ * Returns the number of lines an s-buffer should have at most for a scene of `parts` parts. Finer lines hide more and
+ * cost more. They pay off for many parts, which are smaller on the screen (docs/benchmarks.md).
  */
 inline int LinesThatPay(std::size_t parts)
 {
@@ -18,7 +18,10 @@ inline int LinesThatPay(std::size_t parts)
   return parts < some ? 270 : parts < 2 * some ? 540 : 1080;
 }
 
-/** The same of a view that is so many times as wide as it is high: wide ones have fewer, so that there are no more columns and lines than some millions. */
+/**
+ * Returns the same limit for a view whose width is `aspect` times its height. Wide views get fewer lines, so that
+ * columns times lines do not exceed 2^22.
+ */
 inline int LinesThatPay(std::size_t parts, double aspect)
 {
   const double mostPlaces = 1u << 22;

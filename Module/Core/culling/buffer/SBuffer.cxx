@@ -48,7 +48,7 @@ void SBuffer::Clear()
   this->Counted = {};
 }
 
-/** A tile of all lines. */
+/** Clears one tile of all lines. */
 void SBuffer::Clear(int tile)
 {
   const auto first = this->Firsts.begin() + static_cast<std::ptrdiff_t>(this->Tiles.At(0, tile));
@@ -83,7 +83,7 @@ void SBuffer::Free(std::uint32_t span)
   this->FirstFree = span;
 }
 
-/** Where there are samples in place of spans. */
+/** Inserts a segment into sample depths, which replace spans. */
 void SBuffer::InsertAtSamples(int line, const Segment& segment)
 {
   assert(line >= 0 && line < this->LineCount);
@@ -123,7 +123,7 @@ VITRINE_INLINE bool SBuffer::TileHides(
   return this->ForEachCovered(this->Firsts[tile], left, right,
     [nearest](const Span& span, float first, float last)
     {
-      return std::min(span.DepthAt(first), span.DepthAt(last)) > nearest; // as is no number
+      return std::min(span.DepthAt(first), span.DepthAt(last)) > nearest; // NaN hides nothing.
     });
 }
 
@@ -158,7 +158,7 @@ bool SBuffer::SpansHide(const ScreenRectangle& rectangle) const
   }
   if (!(left <= right && bottom <= top))
   {
-    return false; // not a number: it may be anywhere
+    return false; // NaN may be anywhere.
   }
   const int lastLine = std::min(static_cast<int>(top), this->LineCount - 1);
   const int firstLine = std::min(static_cast<int>(bottom), lastLine);
@@ -167,7 +167,7 @@ bool SBuffer::SpansHide(const ScreenRectangle& rectangle) const
   const int firstWhole = firstTile + (left > sideOf(firstTile) + this->Grid.Inset() ? 1 : 0);
   const int endOfWhole = lastTile + (right < sideOf(lastTile + 1) - this->Grid.Inset() ? 0 : 1);
 
-  // Where all of a tile is in question its least depth says all; such tiles are looked at first.
+  // The least depth of a tile decides for a whole tile, so whole tiles are tested first.
   for (int i = firstWhole; i < endOfWhole; ++i)
   {
     for (int line = firstLine; line <= lastLine; line += LaneCount)
@@ -199,8 +199,8 @@ unsigned SBuffer::OpenLines(int line, int last, float left, float right, float d
 {
   const unsigned all = TileDepths::LowBits(last + 1 - line);
   const float columns = static_cast<float>(this->ColumnCount);
-  const float start =
-    std::min(std::max(0.0f, left), columns); // the whole line where they are no numbers
+  // NaN selects the whole line.
+  const float start = std::min(std::max(0.0f, left), columns);
   const float end = right <= columns ? std::max(start, right) : columns;
   const int lastTile = this->Tiles.TileOf(end);
   unsigned open = 0;
@@ -211,7 +211,7 @@ unsigned SBuffer::OpenLines(int line, int last, float left, float right, float d
   return open;
 }
 
-/** Of samples of a tile. Depths that are linear and in order at two places are so between them. */
+/** Tests the samples of one tile. It suffices to compare at both ends, because both depths are linear. */
 VITRINE_INLINE bool SBuffer::TileHides(
   std::size_t tile, float left, float right, const HideableSegment& segment, float& shown) const
 {
@@ -250,7 +250,7 @@ bool SBuffer::Hides(int line, const HideableSegment& segment, float& shown) cons
   shown = left;
   if (!(left <= right))
   {
-    return false; // not a number: it may be anywhere
+    return false; // NaN may be anywhere.
   }
   if (this->AtSamples)
   {

@@ -1,3 +1,18 @@
+/**
+ * The s-buffer of occlusion culling: each line of the screen holds a sorted list of spans.
+ *
+ * One line in x against reversed depth (1 is near, 0 is far), and the insertion of a segment C:
+ *
+ *         before                               after Insert(line, C)
+ *     1 |                                  1 |
+ *       |    AAAAAAAA                        |    AAAAAAAA
+ *       |        CCCCCCCCCCCCCCC             |            CCCCCCCCCCC
+ *       |                  BBBBBBBBBBBB      |                       BBBBBBB
+ *     0 +--------------------------------> x +--------------------------------> x
+ *
+ * C stays hidden behind A, fills the gap, and replaces the part of B that it covers. Segments that cross in depth are
+ * cut at the crossing.
+ */
 #ifndef VITRINE_CORE_CULLING_BUFFER_S_BUFFER_H
 #define VITRINE_CORE_CULLING_BUFFER_S_BUFFER_H
 
@@ -17,8 +32,9 @@ namespace vitrine
 {
 
 /**
- * What an occluder surely covers of a line of an s-buffer: all samples of the line from Left to Right, in columns. Depth
- * is reversed, 1 at the near plane and 0 at the far one, and linear between the ends; what is drawn is nowhere farther.
+ * A part of an occluder on one line of an s-buffer. It covers all samples of the line from Left to Right, in columns.
+ * Depth is reversed (1 at the near plane, 0 at the far plane) and linear between the ends. The drawn surface is nowhere
+ * farther than this depth.
  */
 struct Segment
 {
@@ -26,33 +42,33 @@ struct Segment
   float Right;
   float LeftDepth;
   float RightDepth;
-  std::uint32_t Face; ///< whose it is, any number of the caller's
+  std::uint32_t Face; ///< The face that the segment belongs to. The caller chooses the numbers.
 };
 
-/** A part of a line, and what covers it. */
+/** A covered interval of a line. */
 struct Span
 {
   float Left;
   float Right;
-  float Depth; ///< reversed, at Left
-  float Slope; ///< of the depth, per column
+  float Depth; ///< Reversed depth at Left.
+  float Slope; ///< Change of depth per column.
   std::uint32_t Face;
-  std::uint32_t Next; ///< the next one to the right in the same tile, or NoSpan
+  std::uint32_t Next; ///< The next span to the right in the same tile, or NoSpan.
 
   float DepthAt(float x) const { return this->Depth + this->Slope * (x - this->Left); }
 };
 
 /**
- * What stands somewhere on a line and may be hidden: from Left to Right, nowhere nearer than a depth that is linear in the columns, nor than
- * Nearest. All of that are real numbers, and depths are reversed.
+ * A candidate for being hidden on one line, from Left to Right. It is nowhere nearer than DepthAt(x), which is linear
+ * in the column x, and nowhere nearer than Nearest. Depths are reversed; all numbers are real.
  */
 struct HideableSegment
 {
   float Left;
   float Right;
-  float Column; ///< where it has Depth
+  float Column; ///< The column at which the depth is Depth.
   float Depth;
-  float Slope; ///< of the depth, per column
+  float Slope; ///< Change of depth per column.
   float Nearest;
 
   float DepthAt(float x) const { return this->Depth + this->Slope * (x - this->Column); }
@@ -60,20 +76,20 @@ struct HideableSegment
   float NearestAt(float x) const
   {
     const float depth = this->DepthAt(x);
-    return depth < this->Nearest ? depth : this->Nearest; // as where it is no number
+    return depth < this->Nearest ? depth : this->Nearest; // This also replaces NaN.
   }
 };
 
-/** The same on eight lines, whose depths differ. */
+/** A HideableSegment on each of eight lines, which differ in depth only. */
 struct HideableSegmentLanes
 {
-  float Depths[LaneCount]; ///< at Column
+  float Depths[LaneCount]; ///< Depths at Column.
   float Column;
   float Slope;
   float Nearest;
 };
 
-/** What is as near as a segment that is longer than nothing, and by a margin nearer. */
+/** Returns a segment as a candidate for being hidden, nearer by `margin`. The segment's length must not be 0. */
 inline HideableSegment Hideable(const Segment& segment, float margin = 0.0f)
 {
   const float slope = (segment.RightDepth - segment.LeftDepth) / (segment.Right - segment.Left);
@@ -81,25 +97,25 @@ inline HideableSegment Hideable(const Segment& segment, float margin = 0.0f)
     BeyondAll };
 }
 
-/** Counts since Clear(). */
+/** Counters since Clear(). */
 struct SBufferCounts
 {
-  std::uint64_t Inserted = 0;    ///< segments
-  std::uint64_t Comparisons = 0; ///< of two depths at one place
-  std::uint64_t Changed = 0; ///< of what was inserted on eight lines at once, what had samples then
-  std::uint64_t Refused = 0; ///< pieces of segments for which there was no span left
+  std::uint64_t Inserted = 0;    ///< Inserted segments.
+  std::uint64_t Comparisons = 0; ///< Comparisons of two depths at one place.
+  std::uint64_t Changed = 0;     ///< Calls of InsertLines() that changed a sample.
+  std::uint64_t Refused = 0;     ///< Pieces of segments that found the span pool exhausted.
 };
 
 /**
- * An s-buffer: for each line of the screen the spans that are covered, sorted, each by the nearest face known there
- * (A. V. Boreskov, the hierarchical s-buffer). A line is thick: it
- * stands for all the pixels in it, and a span covers all of their samples. Ends of spans are real numbers, so columns set
- * nothing but the unit.
+ * An s-buffer. Each line of the screen is a sorted list of covered spans, and each span keeps the nearest known face
+ * (A. V. Boreskov, the hierarchical s-buffer). A line stands for all pixels in it, and a span covers all their samples.
+ * Ends of spans are real numbers, so the number of columns only sets the unit.
  *
- * Lines are cut into tiles with a list each, and the least depth of all that covers a tile, if it is
- * full. Most questions are answered by the latter.
+ * Lines are cut into tiles. Each tile has its own list, and the least depth of its cover if it is full. The least depth
+ * answers most queries.
  *
- * Spans come from a pool. Once it is used up, nothing is inserted any more: less is hidden, never too much. Where few samples are asked for, their depths stand in place of spans.
+ * Spans come from a pool. Once the pool is exhausted, insertions are dropped. So the buffer hides less, never too much.
+ * If there are few samples per line, their depths replace the spans (SampleDepths).
  */
 class SBuffer
 {
@@ -107,11 +123,11 @@ public:
   static constexpr std::uint32_t NoSpan = 0xffffffffu;
   static constexpr int TileWidth = TileDepths::Width;
 
-  /** With that many columns and lines, both at least 1. */
+  /** Creates an empty buffer. Both `columns` and `lines` must be at least 1. */
   SBuffer(int columns, int lines, const SampleGrid& samples = {},
     std::size_t mostSpans = DefaultMostSpans);
 
-  /** The same, with the depths of samples in place of spans if there are few. */
+  /** Creates an empty buffer that keeps sample depths if SampleDepths::Suit(samples), else spans. */
   static SBuffer WithFewSamples(int columns, int lines, const SampleGrid& samples);
 
   const SampleGrid& Samples() const { return this->Grid; }
@@ -119,23 +135,30 @@ public:
   int Columns() const { return this->ColumnCount; }
   int Lines() const { return this->LineCount; }
 
-  /** Nothing is covered. */
+  /** Uncovers everything and resets the counters. */
   void Clear();
 
-  /** Keep what of `segment` is nearer than what is there. Segments without length or that are not finite are left out. */
+  /**
+   * Inserts a segment and keeps the parts that are nearer than the stored spans. Segments that have no length or are
+   * not finite are ignored.
+   */
   void Insert(int line, const Segment& segment);
 
-  /** The same where it has spans, by what is known of their order without comparing depths (SBufferInsertion.h). */
+  /**
+   * Inserts like Insert(), but uses known depth orders to avoid comparisons (SBufferInsertion.h). The buffer must hold
+   * spans.
+   */
   template <class Orders>
   void InsertBy(Orders& orders, int line, const Segment& segment);
 
-  /** The depths of samples, if it has those in place of spans. */
+  /** Returns the sample depths, or null if the buffer holds spans. */
   const SampleDepths* BySample() const { return this->AtSamples.get(); }
 
   /**
-   * Where it has those, on a line and the seven above it: keep what is nearer than what is there.
-   * @param left     columns of the screen that each line is covered between; of those that are not, beyond all others, and `right` before them
-   * @param depthAt  the depths of all lines at a column
+   * Inserts a surface on `line` and the seven lines above it. The buffer must hold sample depths.
+   * @param left     first covered column of each line, on the screen; BeyondAll on lines that are not covered
+   * @param right    last covered column of each line; below all columns on lines that are not covered
+   * @param depthAt  returns the depths of all eight lines at a column
    */
   template <class DepthAt>
   VITRINE_INLINE void InsertLines(
@@ -156,7 +179,7 @@ public:
     }
   }
 
-  /** Whether all samples in the rectangle are covered by what is nearer. Beyond the screen nothing shows. */
+  /** Returns true if nearer surfaces cover all samples in the rectangle. Parts beyond the screen count as hidden. */
   bool Hides(const ScreenRectangle& rectangle) const
   {
     return this->AtSamples ? this->AtSamples->Hide(this->Tiles, rectangle)
@@ -164,33 +187,42 @@ public:
   }
 
   /**
-   * Whether all samples of a segment are covered by what is nearer. Beyond the screen nothing shows.
-   * @param shown  takes a column where that is not so
+   * Returns true if nearer surfaces cover all samples of a segment. Parts beyond the screen count as hidden.
+   * @param shown  receives a column where the segment is visible, if the result is false
    */
   bool Hides(int line, const HideableSegment& segment, float& shown) const;
 
-  /** Whether all samples of a tile are covered by what is at least as near as `depth`, so that nothing that is farther need be inserted. */
+  /**
+   * Returns true if surfaces at `depth` or nearer cover all samples of a tile. Farther surfaces need no insertion
+   * there.
+   */
   bool IsCoveredBefore(int line, int tile, float depth) const
   {
     return this->Tiles[this->Tiles.At(line, tile)] >= depth;
   }
 
-  /** Of a tile on a line and on each of the seven above it: the least depth of all that covers it, or a number below all depths if it is not covered. */
+  /**
+   * Returns the least depth of a tile's cover for `line` and the seven lines above it. It is below all depths if the
+   * tile is not full.
+   */
   VITRINE_INLINE Lanes LeastDepths(int line, int tile) const
   {
     return this->Tiles.OfLines(line, tile);
   }
 
   /**
-   * A bit for each line, up to eight from `line` up to `last`, of which a tile between two columns is not known to be covered by what is at least as near as `depth`: in others
-   * nothing that is farther need be inserted.
+   * Returns a bit for each line from `line` to `last`, at most eight. The bit is 1 if a tile between the columns `left`
+   * and `right` may be uncovered at `depth` or nearer. On the other lines, farther surfaces need no insertion.
    */
   unsigned OpenLines(int line, int last, float left, float right, float depth) const;
 
-  /** The spans of a line, from left to right; of samples in place of spans, one without length for each that is covered. */
+  /** Returns the spans of a line from left to right. Sample depths are returned as spans of length 0. */
   std::vector<Span> SpansOf(int line) const;
 
-  /** Adds to a number for each face how many columns of lines it has, or about so many. */
+  /**
+   * Adds to columns[face] the number of columns that the face covers, summed over all lines. With sample depths the
+   * number is approximate.
+   */
   void AddColumnsOfFaces(std::vector<float>& columns) const;
 
   const SBufferCounts& Counts() const { return this->Counted; }
@@ -221,10 +253,10 @@ private:
   int LineCount;
   SampleGrid Grid;
   TileDepths Tiles;
-  std::unique_ptr<SampleDepths> AtSamples; ///< null where there are spans
-  std::vector<std::uint32_t> Firsts;       ///< of each tile's spans
+  std::unique_ptr<SampleDepths> AtSamples; ///< Null if the buffer holds spans.
+  std::vector<std::uint32_t> Firsts;       ///< The first span of each tile.
   std::size_t MostSpans;
-  std::unique_ptr<Span[]> Pool; ///< not written before it is used
+  std::unique_ptr<Span[]> Pool; ///< Left uninitialised until a span is allocated.
   std::size_t Used = 0;
   std::uint32_t FirstFree = NoSpan;
   SBufferCounts Counted;

@@ -28,7 +28,7 @@ std::vector<float> DepthImage(const SBuffer& buffer)
       const int last = static_cast<int>(std::floor(span.Right - 0.5f));
       for (int column = static_cast<int>(std::ceil(span.Left - 0.5f)); column <= last; ++column)
       {
-        // Two spans have an end in common.
+        // Neighbouring spans share an end.
         const float depth = span.DepthAt(static_cast<float>(column) + 0.5f);
         depths[column] = std::max(depths[column], depth);
       }

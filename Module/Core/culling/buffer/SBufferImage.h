@@ -9,8 +9,9 @@ namespace vitrine
 class SBuffer;
 
 /**
- * An s-buffer as a picture: the reversed depth of what covers the middle of each column of each line, 0 where nothing does. Of an s-buffer of samples, the least of those in the column.
- * @returns Columns() times Lines() depths, line after line from the bottom
+ * Returns an s-buffer as an image: the reversed depth of the cover at the centre of each column of each line, 0 where
+ * nothing covers it. With sample depths it is the least depth of the column's samples.
+ * @returns  Columns() times Lines() depths, line by line from the bottom
  */
 std::vector<float> DepthImage(const SBuffer& buffer);
 

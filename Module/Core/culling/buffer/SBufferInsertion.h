@@ -10,7 +10,7 @@
 namespace vitrine
 {
 
-/** What is known of a segment towards a span that is there, before their depths are compared. */
+/** The depth order of a segment relative to a stored span, as far as known without comparing depths. */
 enum class SpanOrder : std::uint8_t
 {
   NotKnown,
@@ -18,19 +18,22 @@ enum class SpanOrder : std::uint8_t
   Farther
 };
 
-/** Of segments of which no order is known: depths are compared each time. */
+/** The order policy that knows nothing: depths are always compared. */
 struct NoOrders
 {
-  /** Of the segment towards a span that covers from one column to another. */
+  /** Returns the order of the segment relative to a span between two columns. */
   static SpanOrder Of(const Span&, float, float) { return SpanOrder::NotKnown; }
 
-  /** Is told the segment's slope, the span, the two columns, and by how much the segment is nearer there. */
+  /**
+   * Receives the result of a comparison: the segment's slope, the span, the two columns, and the segment's depth minus
+   * the span's at each of them.
+   */
   static void Learn(float, const Span&, float, float, float, float) {}
 };
 
 /**
- * One segment on its way into one tile: goes over the list from left to right.
- * @tparam Orders  has what NoOrders has
+ * The insertion of one segment into one tile. It walks the span list from left to right.
+ * @tparam Orders  an order policy with the interface of NoOrders
  */
 template <class Orders>
 class SBuffer::Insertion
@@ -45,7 +48,7 @@ public:
   {
   }
 
-  /** Returns whether anything changed. */
+  /** Inserts the segment between two columns. Returns true if the list changed. */
   bool Run(float left, float right)
   {
     this->Left = left;
@@ -70,7 +73,7 @@ public:
   }
 
 private:
-  // Pieces between a crossing and an end that are shorter are not worth a span.
+  // Shorter pieces between a crossing and an end are dropped. They are not worth a span.
   static constexpr float ShortestPiece = 1.0f / 64.0f;
 
   Span* There() const { return *this->Link == NoSpan ? nullptr : &this->Buffer.Pool[*this->Link]; }
@@ -84,7 +87,7 @@ private:
     }
   }
 
-  /** Take what is nearer of the segment and the span that covers from Left to `end`. */
+  /** Keeps the nearer of the segment and the span between Left and `end`. */
   void Meet(Span& there, float end)
   {
     switch (this->Known.Of(there, this->Left, end))
@@ -121,7 +124,7 @@ private:
     }
   }
 
-  /** Nearer on one side of a crossing alone. */
+  /** Handles a crossing: the segment is nearer on one side only. */
   void Cross(Span& there, float end, float left, float right)
   {
     const float crossing = this->Left + (end - this->Left) * (left / (left - right));
@@ -137,7 +140,7 @@ private:
     this->Left = end;
   }
 
-  /** Put a piece in the place of what `there` covers from Left to `end`. */
+  /** Replaces `there` between Left and `end` by a piece of the segment. */
   void Take(Span& there, float end)
   {
     if (there.Left < this->Left)
@@ -162,7 +165,10 @@ private:
     this->Put(end);
   }
 
-  /** Leave of `there` what lies left of Left, and right of `end` as a span of its own; the link is between them then. */
+  /**
+   * Cuts the interval from Left to `end` out of `there`. A remainder on the right becomes a new span. Afterwards Link points
+   * between both parts. Returns false if the pool is exhausted.
+   */
   bool CutBefore(Span& there, float end)
   {
     if (end < there.Right)
@@ -184,7 +190,7 @@ private:
     return true;
   }
 
-  /** A piece from Left to `right`, where nothing is now; longer, if the last one ends there. */
+  /** Puts a piece from Left to `right` into a gap. It extends the last piece if that ends at Left. */
   void Put(float right)
   {
     this->IsChanged = true;
@@ -208,29 +214,30 @@ private:
 
   SBuffer& Buffer;
   Orders& Known;
-  std::uint32_t* Link;  ///< to the first span that does not lie left of Left
-  Span New;             ///< the whole segment
-  Span* Last = nullptr; ///< the piece before Link, if it is one of this segment
-  float Left = 0.0f;    ///< what lies left of it is done
+  std::uint32_t* Link;  ///< The link to the first span that does not lie left of Left.
+  Span New;             ///< The whole segment.
+  Span* Last = nullptr; ///< The piece before Link, if it belongs to this segment.
+  float Left = 0.0f;    ///< Everything left of this column is done.
   bool IsChanged = false;
 };
 
 /**
- * Does something with each span of a tile that has samples between two, and the first and the last of those.
- * @param work  returns whether to go on
- * @returns     whether all samples are covered, and the work went on to the end
+ * Calls work(span, first, last) for each span of a tile that covers samples between `left` and `right`. Here `first`
+ * and `last` are the first and the last of the covered samples.
+ * @param work  returns true to continue
+ * @returns     true if the spans cover all samples and `work` always returned true
  */
 template <class Work>
 VITRINE_INLINE bool SBuffer::ForEachCovered(
   std::uint32_t first, float left, float right, const Work& work) const
 {
-  float next = left; // the question may be of one place alone
+  float next = left; // A query of one sample has left == right.
   for (std::uint32_t i = first; i != NoSpan; i = this->Pool[i].Next)
   {
     const Span& span = this->Pool[i];
     if (span.Right < next)
     {
-      continue; // nothing shows between samples
+      continue; // The span ends before the next sample.
     }
     const float last = span.Right < right ? this->Grid.UpTo(span.Right) : right;
     if (span.Left > next || !work(span, next, last))

@@ -55,7 +55,7 @@ bool SampleDepths::Hide(const TileDepths& tiles, const ScreenRectangle& rectangl
   const float top = std::min(rectangle.Top, this->LineCount);
   if (!(left <= right && bottom <= top))
   {
-    return left > right || bottom > top; // what is no number may be anywhere
+    return left > right || bottom > top; // NaN may be anywhere.
   }
   const Range samples = this->Between(left, right), rows = this->Between(bottom, top);
   if (samples.First > samples.Last || rows.First > rows.Last)
@@ -71,7 +71,7 @@ bool SampleDepths::Hide(const TileDepths& tiles, const ScreenRectangle& rectangl
   const int firstWhole = firstTile + (samples.First > firstTile * this->CountPerTile ? 1 : 0);
   const int endOfWhole =
     lastTile + (samples.Last + 1 < (lastTile + 1) * this->CountPerTile ? 0 : 1);
-  // Where all of a tile is asked its least depth says all; such tiles are looked at first.
+  // The least depth of a tile decides for a whole tile, so whole tiles are tested first.
   for (int tile = firstWhole; tile < endOfWhole; ++tile)
   {
     for (int line = lines.First; line <= lines.Last; line += LaneCount)
@@ -88,7 +88,7 @@ bool SampleDepths::Hide(const TileDepths& tiles, const ScreenRectangle& rectangl
     this->ColumnsHide(lines, startOfLast, samples.Last + 1, rectangle.Nearest);
 }
 
-/** Of samples from one up to before another on some lines. */
+/** Returns true if samples `first` to `end` - 1 of all `lines` are covered nearer than `nearest`. */
 VITRINE_INLINE bool SampleDepths::ColumnsHide(
   const Range& lines, int first, int end, float nearest) const
 {
@@ -176,7 +176,7 @@ void SampleDepths::AddColumnsOfFaces(const TileDepths& tiles, std::vector<float>
   }
 }
 
-/** Of a sample of each line. */
+/** Adds the columns of one sample of all lines. */
 VITRINE_INLINE void SampleDepths::AddColumnsOfFaces(int sample, std::vector<float>& columns) const
 {
   const int lines = this->Stride - LaneCount;
@@ -187,7 +187,7 @@ VITRINE_INLINE void SampleDepths::AddColumnsOfFaces(int sample, std::vector<floa
     const LaneMask isSame = LoadMask(faces) == LaneMask{} + static_cast<std::int32_t>(faces[0]);
     const unsigned covered =
       BitsOf(FirstLanes(lines - line) & (LoadLanes(&this->Depths[first]) > AllLanes(NotCovered)));
-    if ((covered & BitsOf(isSame)) == AllBits) // or each would wait for the one before
+    if ((covered & BitsOf(isSame)) == AllBits) // One addition replaces eight dependent ones.
     {
       columns[faces[0]] += LaneCount * this->Width;
       continue;

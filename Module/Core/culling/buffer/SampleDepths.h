@@ -21,36 +21,39 @@ struct HideableSegmentLanes;
 struct ScreenRectangle;
 
 /**
- * What an s-buffer keeps where lines have few places with samples: the depth of what covers each of them, and whose it is. That is all that spans tell of them; it takes a step for those of eight
- * lines, where lists of spans take one for each, and none can be foreseen.
+ * The content of an s-buffer whose lines have few samples: the depth and the face that cover each sample. Spans would
+ * tell no more. Eight lines are processed in one step, without the unpredictable branches of span lists.
  */
 class SampleDepths
 {
 public:
-  /** What stands where nothing covers a sample; below all depths. */
+  /** The depth of an uncovered sample. It is below all depths. */
   static constexpr float NotCovered = TileDepths::NotFull;
 
-  /** Whether samples are few enough that this takes less than spans do. */
+  /** Returns true if samples are few enough for sample depths to be faster than spans. */
   static bool Suit(const SampleGrid& grid)
   {
     const int perColumn = grid.BinaryPixelsPerColumn();
     return perColumn > 0 && perColumn <= MostPerColumn;
   }
 
-  /** Of samples that it suits. */
+  /** Creates uncovered samples. Suit(grid) must be true. */
   SampleDepths(int columns, int lines, const SampleGrid& grid);
 
-  /** Nothing is covered of a tile of all lines. */
+  /** Uncovers a tile of all lines. */
   void Clear(int tile);
 
-  /** The samples of a line that lie between two columns: none where First exceeds Last. */
+  /** Samples of a line, both ends included. The range is empty if First exceeds Last. */
   struct Range
   {
     int First;
     int Last;
   };
 
-  /** Of columns of the screen, or of lines: nothing is rounded in that. */
+  /**
+   * Returns the samples between two columns of the screen, or the sample rows between two lines. The computation is
+   * exact.
+   */
   Range Between(float left, float right) const
   {
     assert(left >= 0.0f && right <= std::max(this->ColumnCount, this->LineCount));
@@ -59,9 +62,9 @@ public:
   }
 
   /**
-   * Keeps what is nearer than what covers samples of a line.
-   * @param tiles    takes what changes of the tiles
-   * @param depthAt  the depth at a column
+   * Keeps the nearer depth at each sample of a range on one line.
+   * @param tiles    receives the new least depths
+   * @param depthAt  returns the depth at a column
    */
   template <class DepthAt>
   void Insert(
@@ -86,11 +89,12 @@ public:
   }
 
   /**
-   * The same of a line and the seven above it, some of which may not be on the screen.
-   * @param range    around all that is covered
-   * @param left     columns that each line is covered between
-   * @param depthAt  the depths of all lines at a column
-   * @returns        whether anything was kept
+   * Keeps the nearer depth on `line` and the seven lines above it. Lines above the screen are ignored.
+   * @param range    contains the covered samples of all lines
+   * @param left     first covered column of each line
+   * @param right    last covered column of each line
+   * @param depthAt  returns the depths of all eight lines at a column
+   * @returns        true if a sample changed
    */
   template <class DepthAt>
   VITRINE_INLINE bool InsertLines(TileDepths& tiles, int line, const Range& range, Lanes left,
@@ -117,28 +121,33 @@ public:
     return isKept;
   }
 
-  /** Whether all samples in a rectangle are covered by what is nearer. Beyond the screen nothing shows. */
+  /** Returns true if nearer surfaces cover all samples in a rectangle. Parts beyond the screen count as hidden. */
   bool Hide(const TileDepths& tiles, const ScreenRectangle& rectangle) const;
 
-  /** The same of a segment between two columns, which are places with samples. */
+  /**
+   * Returns true if nearer surfaces cover all samples of a segment between two columns. Both columns are places of
+   * samples.
+   * @param shown  receives a column where the segment is visible, if the result is false
+   */
   bool Hide(int line, float left, float right, const HideableSegment& segment, float& shown) const;
 
   /**
-   * The same of a segment on a line and on each of the seven above it.
-   * @param left    columns, as `right`; of lines that have none, and of those that are not on the screen, left exceeds right
-   * @param shown   takes a column where one is not hidden
-   * @returns       a bit for each line that is not hidden there; 0 if all are
+   * Looks for a visible sample of segments on `line` and the seven lines above it.
+   * @param left   first column of each line; it exceeds `right` on lines without a segment or above the screen
+   * @param right  last column of each line
+   * @param shown  receives a column where a segment is visible, if there is one
+   * @returns      a bit for each line that is visible at that column; 0 if all segments are hidden
    */
   unsigned FindOpen(int line, const float* left, const float* right,
     const HideableSegmentLanes& segments, float& shown) const;
 
-  /** The least depth of a column's samples, or NotCovered. */
+  /** Returns the least depth of a column's samples, or NotCovered. */
   float DepthOfColumn(int line, int column) const;
 
-  /** Adds to a number for each face how many columns it has in tiles that were touched. */
+  /** Adds to columns[face] the number of columns that the face covers in touched tiles, summed over all lines. */
   void AddColumnsOfFaces(const TileDepths& tiles, std::vector<float>& columns) const;
 
-  /** Does something with each sample of a line that is covered: with its column, its depth, and whose it is. */
+  /** Calls work(column, depth, face) for each covered sample of a line. */
   template <class Work>
   void ForEachOn(int line, const Work& work) const
   {
@@ -155,28 +164,28 @@ public:
 private:
   static constexpr int MostPerColumn = 4;
 
-  /** Of a sample of a line. */
+  /** Returns the index of sample `i` of a line. */
   std::size_t At(int i, int line) const
   {
     return static_cast<std::size_t>(i) * static_cast<std::size_t>(this->Stride) +
       static_cast<std::size_t>(line);
   }
 
-  /** Of a row of samples. */
+  /** Returns the line that a row of samples lies in. */
   int LineOf(int row) const { return row >> this->BitsPerColumn; }
 
-  /** Of a sample of a line. */
+  /** Returns the tile that sample `i` of a line lies in. */
   int TileOf(int i) const { return (i >> this->BitsPerColumn) / TileDepths::Width; }
 
   void AddColumnsOfFaces(int sample, std::vector<float>& columns) const;
 
-  /** The sample behind the last one of a tile. */
+  /** Returns the first sample behind a tile. */
   int EndOf(int tile) const
   {
     return std::min((tile + 1) * this->CountPerTile, this->CountPerLine);
   }
 
-  /** On a line. */
+  /** Updates the least depths of the tiles of one line. */
   void UpdateTilesOf(TileDepths& tiles, int line, const Range& range) const
   {
     for (int tile = this->TileOf(range.First); tile <= this->TileOf(range.Last); ++tile)
@@ -191,7 +200,7 @@ private:
     }
   }
 
-  /** On a line and the seven above it. */
+  /** Updates the least depths of the tiles of `line` and the seven lines above it. */
   VITRINE_INLINE void UpdateTiles(TileDepths& tiles, int line, const Range& range) const
   {
     const int last = this->TileOf(range.Last);
@@ -212,18 +221,18 @@ private:
   bool ColumnsHide(const Range& lines, int first, int end, float nearest) const;
 
   int CountPerColumn;
-  int BitsPerColumn; ///< 0, 1 or 2, for 1, 2 or 4
-  float PerColumn;   ///< as many
-  float Width;       ///< of a sample, in columns
+  int BitsPerColumn; ///< The base-2 logarithm of CountPerColumn.
+  float PerColumn;   ///< CountPerColumn as a float.
+  float Width;       ///< Width of a sample in columns.
   int CountPerTile;
   int CountPerLine;
   float ColumnCount;
   float LineCount;
   int
-    Stride; ///< from a sample to the one on its right: lines, and some more that are not on the screen
-  std::vector<float> Places; ///< of the samples of a line: columns
+    Stride; ///< Distance in memory between horizontal neighbours: the number of lines and LaneCount of padding.
+  std::vector<float> Places; ///< Columns of the samples of a line.
   std::vector<float>
-    Depths; ///< those that stand one above the other lie side by side, so that eight lines are looked at together
+    Depths; ///< Depths, column-major: vertical neighbours are adjacent, so that eight lines load at once.
   std::vector<std::uint32_t> Faces;
 };
 

@@ -13,17 +13,18 @@ namespace vitrine
 {
 
 /**
- * One level of a hierarchical z-buffer (N. Greene, M. Kass, G. Miller: Hierarchical z-buffer visibility, SIGGRAPH 1993), over spans and samples.
+ * One level of a hierarchical z-buffer over spans or samples (N. Greene, M. Kass, G. Miller: Hierarchical z-buffer
+ * visibility, SIGGRAPH 1993).
  *
- * An s-buffer's lines cut into tiles of Width columns: of each the least depth of all that covers it, if it is full. Most questions are answered by that.
- * Tiles that stand one above the other lie side by side, so that those of eight lines are looked at together.
+ * The lines of an s-buffer are cut into tiles of Width columns. Each full tile has the least depth of its cover, which
+ * answers most queries. Vertical neighbours are adjacent in memory, so that eight lines are processed at once.
  */
 class TileDepths
 {
 public:
   static constexpr int Width = 4;
 
-  /** What stands in place of the least depth of a tile that is not full; below all depths. */
+  /** The least depth of a tile that is not full. It is below all depths. */
   static constexpr float NotFull = -BeyondAll;
 
   TileDepths(int columns, int lines)
@@ -34,13 +35,13 @@ public:
   {
   }
 
-  /** Something is kept in a tile of some line: so that what nothing was kept in need not be cleared. */
+  /** Marks a tile of all lines as written, so that clearing can skip the others. */
   void Touch(int tile) { this->AreTouched[static_cast<std::size_t>(tile)] = 1; }
 
-  /** Whether something was, since that tile was cleared. */
+  /** Returns true if the tile was touched since it was last cleared. */
   bool IsTouched(int tile) const { return this->AreTouched[static_cast<std::size_t>(tile)] != 0; }
 
-  /** A tile of all lines. */
+  /** Marks a tile of all lines as not full and untouched. */
   void Clear(int tile)
   {
     const auto first = this->Leasts.begin() + static_cast<std::ptrdiff_t>(this->At(0, tile));
@@ -48,7 +49,7 @@ public:
     this->AreTouched[static_cast<std::size_t>(tile)] = 0;
   }
 
-  /** Of all lines, and some more behind the last one, of which it says anything. */
+  /** Returns the number of stored tiles. It includes LaneCount padding lines, whose values have no meaning. */
   std::size_t Count() const { return this->Leasts.size(); }
 
   int CountPerLine() const { return this->TilesPerLine; }
@@ -58,7 +59,7 @@ public:
     return static_cast<std::size_t>(tile) * this->Stride + static_cast<std::size_t>(line);
   }
 
-  /** The tile that a column lies in, from 0 on. */
+  /** Returns the tile that contains a column. The column must not be negative. */
   int TileOf(float column) const
   {
     return std::min(static_cast<int>(column) / Width, this->TilesPerLine - 1);
@@ -67,26 +68,29 @@ public:
   float& operator[](std::size_t tile) { return this->Leasts[tile]; }
   float operator[](std::size_t tile) const { return this->Leasts[tile]; }
 
-  /** Of the same tile of eight lines. */
+  /** Returns the least depths of the same tile of eight lines. */
   VITRINE_INLINE Lanes OfLines(int line, int tile) const
   {
     return LoadLanes(&this->Leasts[this->At(line, tile)]);
   }
 
-  /** A bit for each line, up to eight from `line` up to `last`, of which a tile is not known to be covered by what is nearer. */
+  /**
+   * Returns a bit for each line from `line` to `last`, at most eight. The bit is 1 if the tile may be uncovered at
+   * depths nearer than `nearest`.
+   */
   VITRINE_INLINE unsigned Open(int line, int last, int tile, float nearest) const
   {
     return ~BitsOf(this->OfLines(line, tile) > AllLanes(nearest)) & LowBits(last + 1 - line);
   }
 
-  /** As many bits as lines, up to all lanes. */
+  /** Returns a mask of the lowest min(lines, LaneCount) bits. */
   static unsigned LowBits(int lines) { return (1u << std::min(lines, LaneCount)) - 1u; }
 
 private:
   int TilesPerLine;
   std::size_t Stride;
   std::vector<float> Leasts;
-  std::vector<std::uint8_t> AreTouched; ///< each tile of a line
+  std::vector<std::uint8_t> AreTouched; ///< One flag per tile of a line, for all lines.
 };
 
 }

@@ -27,7 +27,8 @@ FaceRegions::FaceRegions(const std::vector<glm::vec3>& points, const std::vector
     this->Normals.push_back(NormalOf(face, points));
   }
   this->FindNeighbours(edges);
-  for (const bool hasExtent : { true, false }) // a face without any looks into no direction
+  for (const bool hasExtent :
+    { true, false }) // Faces without area have no direction and only join existing regions.
   {
     for (std::uint32_t face = 0; face < faces.size(); ++face)
     {
@@ -56,7 +57,7 @@ void FaceRegions::FindNeighbours(const std::vector<MeshEdge>& edges)
   }
 }
 
-/** The region that begins with a face. */
+/** Grows the region that begins with the face `first`. */
 void FaceRegions::Grow(std::uint32_t first)
 {
   const auto region = static_cast<std::uint32_t>(this->Count());

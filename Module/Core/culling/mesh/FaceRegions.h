@@ -11,20 +11,20 @@
 namespace vitrine
 {
 
-/** An edge as the face on its left goes around: counter-clockwise from `From` to `To`. */
+/** An edge in the direction of the face on its left: counter-clockwise from `From` to `To`. */
 struct MeshEdge
 {
   std::uint32_t From;
   std::uint32_t To;
-  std::uint32_t Left;  ///< a face
-  std::uint32_t Right; ///< the face that goes from To to From, if there is one
+  std::uint32_t Left;  ///< The index of a face.
+  std::uint32_t Right; ///< The face that goes from To to From, or NoFace.
 };
 
 using MeshFace = std::array<std::uint32_t, 3>;
 
 /**
- * Faces of a mesh that are joined and look into nearly the direction of the first of them. Those without extent look into none: they belong to
- * whatever they are joined with.
+ * Partition of a mesh into regions: connected faces whose normals are close to the normal of the region's first face. A
+ * face without area has no normal and joins any neighbouring region.
  */
 class FaceRegions
 {
@@ -32,21 +32,21 @@ public:
   static constexpr std::uint32_t NoFace = 0xffffffffu;
 
   /**
-   * @param edges        of all faces; Right is NoFace where nothing is joined
-   * @param leastCosine  of the angle between the first face of a region and the others
+   * @param edges        the edges of all faces; Right is NoFace on a border
+   * @param leastCosine  least cosine of the angle between a region's first face and its other faces
    */
   FaceRegions(const std::vector<glm::vec3>& points, const std::vector<MeshFace>& faces,
     const std::vector<MeshEdge>& edges, double leastCosine);
 
   std::size_t Count() const { return this->Ends.size(); }
 
-  /** The region of each face. */
+  /** Returns the region of each face. */
   const std::vector<std::uint32_t>& OfFaces() const { return this->RegionOf; }
 
-  /** The faces of a region. */
+  /** Returns the faces of a region. */
   std::vector<std::uint32_t> FacesOf(std::size_t region) const;
 
-  /** Twice that of a face. */
+  /** Returns twice the area of a face. */
   double AreaOf(std::uint32_t face) const;
 
 private:
@@ -56,10 +56,10 @@ private:
 
   double LeastCosine;
   std::vector<std::array<std::uint32_t, 3>> Neighbours;
-  std::vector<glm::dvec3> Normals; ///< as long as twice the area
+  std::vector<glm::dvec3> Normals; ///< Normals whose length is twice the area.
   std::vector<std::uint32_t> RegionOf;
-  std::vector<std::uint32_t> Members; ///< region after region
-  std::vector<std::uint32_t> Ends;    ///< of regions among those
+  std::vector<std::uint32_t> Members; ///< The faces, region by region.
+  std::vector<std::uint32_t> Ends;    ///< The end of each region in Members.
 };
 
 }

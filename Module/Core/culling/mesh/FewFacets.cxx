@@ -10,10 +10,13 @@ namespace vitrine
 namespace
 {
 
-// Of the distance of a point, that it may lie outside by.
+// A point may lie outside of a plane by this share of its distance from a point in the plane.
 const float MostOutside = 1e-3f;
 
-/** Each cut into as few faces as its corners need: two at the most. */
+/**
+ * Returns true if the mesh is small enough for FewFacets. Each facet must have two faces fewer than corners, so at most
+ * two faces.
+ */
 bool AreFew(const MeshFacets& facets, std::size_t points)
 {
   std::uint32_t begin = 0, most = 0;
@@ -27,13 +30,13 @@ bool AreFew(const MeshFacets& facets, std::size_t points)
     facets.FaceCount() + 2 * facets.Count() == facets.Corners().size();
 }
 
-/** Twice the area of a face, along its normal. */
+/** Returns the outward normal of a face. Its length is twice the area. */
 glm::vec3 OutwardsOf(const MeshFace& face, const std::vector<glm::vec3>& points)
 {
   return glm::cross(points[face[1]] - points[face[0]], points[face[2]] - points[face[0]]);
 }
 
-/** Whether no point lies farther out than a plane, by more than a little. */
+/** Returns true if no point lies outside of a plane by more than the tolerance. */
 bool AreWithin(
   const std::vector<glm::vec3>& points, const glm::vec3& place, const glm::vec3& outwards)
 {
@@ -45,7 +48,10 @@ bool AreWithin(
     });
 }
 
-/** Of what is not, less would be covered. */
+/**
+ * Returns true for a closed convex mesh and for a single convex facet. Other meshes cover less than their facets
+ * suggest.
+ */
 bool IsConvex(const MeshFacets& facets, const std::vector<glm::vec3>& points)
 {
   const bool isOne = facets.Count() == 1;
@@ -64,7 +70,7 @@ bool IsConvex(const MeshFacets& facets, const std::vector<glm::vec3>& points)
       std::all_of(facets.LargestFaces().begin(), facets.LargestFaces().end(), isWithinFacet);
 }
 
-/** The corner of a facet that its largest face has not, or one of those. */
+/** Returns a corner of the facet that its largest face lacks, or one of that face's corners if there is none. */
 std::uint32_t LastCorner(
   const MeshFace& face, const std::uint32_t* corners, const std::uint32_t* end)
 {
@@ -74,7 +80,10 @@ std::uint32_t LastCorner(
   return last == end ? face[0] : *last;
 }
 
-/** Of a facet of two faces the other one: the last corner, and the side of the largest face that it lies beyond. */
+/**
+ * Returns the other face of a facet of two faces: the last corner with the side of the largest face that it lies
+ * beyond. Returns the largest face if there is no other.
+ */
 MeshFace OtherFace(const MeshFace& face, std::uint32_t last, const std::vector<glm::vec3>& points)
 {
   const glm::vec3 outwards = OutwardsOf(face, points);

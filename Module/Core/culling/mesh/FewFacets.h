@@ -12,34 +12,43 @@
 namespace vitrine
 {
 
-/** A number for each of few facets. */
+/** One number per facet. */
 using FacetDepths = std::array<float, LaneCount>;
 
 /**
- * The facets of a convex mesh of few points, such as a box, a wedge or a plate, as they are looked at together: its points fit into the lanes of one register, and
- * so do a number for each of its facets, and in two of them one for each of its edges.
+ * The facets of a small convex mesh, such as a box, a wedge or a plate, prepared for vector registers. One register
+ * holds a number for each point or each facet. Two registers hold a number for each edge.
  */
 struct FewFacets
 {
   static constexpr int MostEdges = 2 * LaneCount;
   static constexpr int CornerCount = 4;
-  static constexpr float MostUnsteady =
-    0x1p-12f; ///< of depth: of facets of which it is known less well only the farthest corner counts
+  /** Largest depth uncertainty of a facet's plane. A facet with more uses the depth of its farthest corner instead. */
+  static constexpr float MostUnsteady = 0x1p-12f;
 
-  /** Null of a mesh of more, or with a facet of more corners or faces, and of one that is neither closed and convex nor one convex facet. */
+  /**
+   * Returns null if the mesh has too many points, facets or edges, or a facet with too many corners or faces. Also
+   * returns null if the mesh is neither closed and convex nor a single convex facet.
+   */
   static std::unique_ptr<const FewFacets> Of(
     const MeshFacets& facets, const std::vector<glm::vec3>& points);
 
-  /** Points of each facet: those of its largest face, and one more, which may be one of those. Behind the last facet there are some without extent. */
+  /**
+   * Corners of each facet: those of its largest face and a fourth one, which may repeat one of them. Padding facets
+   * have no extent.
+   */
   std::int32_t Corners[CornerCount][LaneCount] = {};
 
-  /** Points of each facet's other face, if it has one; else of the largest again. */
+  /** Corners of each facet's second face. If there is none, the largest face is repeated. */
   std::int32_t Others[3][LaneCount] = {};
 
   MeshFace Largest(int facet) const { return FaceOf(this->Corners, facet); }
   MeshFace Other(int facet) const { return FaceOf(this->Others, facet); }
 
-  /** Of each edge the points, as the facet on its left goes around, and what lies on both sides: the bits of facets. Behind the last one are some that have none. */
+  /**
+   * Points of each edge, in the direction of the facet on its left, and bit masks of the facets on both sides. Padding
+   * edges have no facets.
+   */
   std::int32_t From[MostEdges] = {};
   std::int32_t To[MostEdges] = {};
   std::int32_t Left[MostEdges] = {};

@@ -10,10 +10,10 @@ namespace vitrine
 namespace
 {
 
-// Fewer faces are not divided between boxes: to test one takes as long as to project so many points.
+// Fewer faces are not divided between boxes: testing a box takes as long as projecting this many points.
 const std::size_t LeastFacesOfABox = 8;
 
-// A box with no more faces has no boxes in it.
+// A box with at most this many faces gets no child boxes.
 const std::size_t FewFaces = 4 * LeastFacesOfABox;
 
 int LongestAxis(const Box& box)
@@ -23,7 +23,7 @@ int LongestAxis(const Box& box)
 }
 }
 
-/** Divides the faces of a mesh between boxes. */
+/** Builds the tree of boxes over the faces of a mesh. */
 class MeshBoxes::Builder
 {
 public:
@@ -62,7 +62,7 @@ public:
 private:
   using Ends = std::array<std::size_t, LaneCount + 1>;
 
-  /** Of some of the faces; returns which of them are in each of its boxes. */
+  /** Adds a node for a range of faces. Returns the ends of the ranges in its boxes. */
   Ends AddNode(std::size_t first, std::size_t end)
   {
     Node node;
@@ -81,7 +81,7 @@ private:
     return ends;
   }
 
-  /** Halves each of `count` runs of faces that is long enough; returns how many runs there are then. */
+  /** Halves each of `count` ranges of faces that is long enough. Returns the new number of ranges. */
   int HalveAll(Ends& ends, int count)
   {
     const Ends before = ends;
@@ -133,8 +133,8 @@ private:
     return box;
   }
 
-  std::vector<std::uint32_t> Order; ///< of faces
-  std::vector<Box> Boxes;           ///< of faces
+  std::vector<std::uint32_t> Order; ///< Order of the faces.
+  std::vector<Box> Boxes;           ///< Boxes of the faces.
   std::vector<Node>& Tree;
 };
 

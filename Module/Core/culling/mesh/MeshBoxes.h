@@ -13,40 +13,41 @@
 namespace vitrine
 {
 
-/** Meshes of more points are not projected before they are known to show: their boxes decide. */
+/** Meshes with more points are tested by their boxes first. They are projected only if a box is visible. */
 constexpr std::size_t FewPointsOfAMesh = 64;
 
 /**
- * Two levels of boxes around the faces of a mesh, eight of up to eight: what tells that a mesh of many points is hidden where one
- * box around it shows. A node halves its faces three times at the median of their centres, on the axis on which those reach farthest.
- * (J. Goldsmith, J. Salmon: Automatic creation of object hierarchies for ray tracing, IEEE CG&A 7(5), 1987; at medians: I. Wald: On fast
- * construction of SAH-based bounding volume hierarchies, 2007)
+ * A bounding volume hierarchy of two levels over the faces of a mesh, with up to eight boxes per node. It finds large
+ * meshes hidden even if their single bounding box is visible. A node halves its faces three times at the median of
+ * their centres, on the axis with the largest extent of the centres. (J. Goldsmith, J. Salmon: Automatic creation of
+ * object hierarchies for ray tracing, IEEE CG&A 7(5), 1987; for medians, I. Wald: On fast construction of SAH-based
+ * bounding volume hierarchies, 2007)
  */
 class MeshBoxes
 {
 public:
   static constexpr std::uint32_t NoNode = 0xffffffffu;
 
-  /** Up to eight boxes, side by side. */
+  /** A node of up to eight boxes. */
   struct Node
   {
     BoxLanes Boxes;
     int Count = 0;
-    std::uint32_t Nodes[LaneCount]; ///< what is in each box, or NoNode
+    std::uint32_t Nodes[LaneCount]; ///< The child node of each box, or NoNode.
   };
 
-  /** Boxes around nothing. */
+  /** Creates a tree without boxes. */
   MeshBoxes() = default;
 
   explicit MeshBoxes(const OccluderMesh& mesh);
 
-  /** Where boxes count from, in model coordinates (MC). */
+  /** Returns the origin of the boxes in model coordinates (MC). */
   const glm::dvec3& Origin() const { return this->MeshOrigin; }
 
-  /** The root, if there are faces, is the first one. */
+  /** Returns the nodes. The first one is the root; there is none if the mesh has no faces. */
   const std::vector<Node>& Nodes() const { return this->Tree; }
 
-  /** Memory that it takes. */
+  /** Returns the memory use in bytes. */
   std::size_t Bytes() const { return sizeof(*this) + this->Tree.capacity() * sizeof(Node); }
 
 private:

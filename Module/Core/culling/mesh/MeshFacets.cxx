@@ -7,7 +7,7 @@ namespace vitrine
 
 namespace
 {
-// Of the angle between faces of a facet: 0.8 degrees.
+// Least cosine of the angle between faces of a facet, which is 0.8 degrees at most.
 const double LeastCosine = 0.9999;
 }
 

@@ -13,33 +13,33 @@ namespace vitrine
 {
 
 /**
- * Faces of a mesh that are joined and look into nearly the same direction, as those do into which a polygon was cut. For outlines it is
- * enough to know of each facet which way it goes around: an outline of whichever faces is one.
+ * The facets of a mesh: connected faces with nearly the same normal, such as the triangles of a polygon. Outlines need
+ * only the winding of each facet, because an outline of any set of faces is valid.
  */
 class MeshFacets
 {
 public:
   static constexpr std::uint32_t NoFace = FaceRegions::NoFace;
 
-  /** @param edges  of all faces; Right is NoFace where nothing is joined */
+  /** @param edges  the edges of all faces; Right is NoFace on a border */
   MeshFacets(const std::vector<glm::vec3>& points, const std::vector<MeshFace>& faces,
     const std::vector<MeshEdge>& edges);
 
   std::size_t Count() const { return this->Largest.size(); }
 
-  /** How many faces all facets have together. */
+  /** Returns the number of faces in all facets. */
   std::size_t FaceCount() const { return this->FaceTotal; }
 
-  /** The largest face of each facet, which stands for how it goes around. */
+  /** Returns the largest face of each facet. Its winding represents the facet. */
   const std::vector<MeshFace>& LargestFaces() const { return this->Largest; }
 
-  /** The corners of each facet's faces, each once, facet after facet. */
+  /** Returns the distinct corners of each facet, facet by facet. */
   const std::vector<std::uint32_t>& Corners() const { return this->CornerList; }
 
-  /** Where the corners of a facet end; those of the next one begin there. */
+  /** Returns the end of each facet's corners in Corners(). The next facet begins there. */
   const std::vector<std::uint32_t>& CornerEnds() const { return this->Ends; }
 
-  /** Between different facets; Right is Count() where nothing is joined. */
+  /** Returns the edges between different facets. Right is Count() on a border. */
   const std::vector<MeshEdge>& Edges() const { return this->Sides; }
 
 private:

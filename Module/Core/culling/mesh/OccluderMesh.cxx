@@ -16,18 +16,18 @@ namespace vitrine
 namespace
 {
 
-// Of the angle between the first face of a patch and the others: 4.4 degrees.
+// Least cosine of the angle between the first face of a patch and the others, which is 4.4 degrees at most.
 const double LeastCosineOfPatch = 0.997;
 
-/** One side of a face, under the name that it has from either side. */
+/** A side of a face. Its end points are sorted, so both adjacent faces give it the same name. */
 struct Side
 {
   std::uint32_t Least;
   std::uint32_t Greatest;
   std::uint32_t Face;
-  bool IsForward; ///< the face goes from Least to Greatest
+  bool IsForward; ///< True if the face goes from Least to Greatest.
 
-  /** Of sides of one Least. */
+  /** Compares sides with the same Least. */
   bool IsBefore(const Side& other) const
   {
     return this->Greatest != other.Greatest ? this->Greatest < other.Greatest
@@ -57,11 +57,14 @@ void ForEachSide(const std::vector<MeshFace>& faces, const Work& work)
   }
 }
 
-/** The sides of all faces, those between the same points side by side: counted by the first of their points, of which there are few to each. */
+/**
+ * Returns the sides of all faces, with sides between the same points adjacent. A counting sort by the first point
+ * precedes the comparison, since each point has few sides.
+ */
 std::vector<Side> SortedSides(const std::vector<MeshFace>& faces, std::size_t points)
 {
-  std::vector<std::size_t> ends(
-    points + 1, 0); // of each point's sides; where they begin, until they are put there
+  // Starts of the ranges of sides per point. They become the ends once the sides are placed.
+  std::vector<std::size_t> ends(points + 1, 0);
   ForEachSide(faces, [&](const Side& side) { ++ends[side.Least + 1]; });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<Side> sides(3 * faces.size());
@@ -161,8 +164,8 @@ void OccluderMesh::FindEdges()
     {
       ++end;
     }
-    // Two faces that go through it in opposite directions are joined. Where there are more, none is: which of them
-    // continue each other depends on the view.
+    // Two faces with opposite directions along the edge are joined. With more faces none are joined, because the view
+    // decides which of them continue each other.
     const bool isJoined = end == i + 2 && sides[i].JoinsWith(sides[i + 1]);
     for (std::size_t k = i; k < (isJoined ? i + 1 : end); ++k)
     {

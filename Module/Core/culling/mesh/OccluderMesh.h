@@ -15,10 +15,11 @@ namespace vitrine
 {
 
 /**
- * The triangles of a part as an occluder: points that stand at the same place are one, and each edge knows the triangle on
- * either side, so that the outline of a view can be found.
+ * The triangles of a part as an occluder. Points at the same place are merged, and each edge knows the triangles on
+ * both sides, so that outlines can be found.
  *
- * Triangles of which two corners are one and those with a point that is not finite are left out: a rasteriser draws neither.
+ * Triangles with coincident corners or with a point that is not finite are dropped, because rasterisers do not draw
+ * them.
  */
 class OccluderMesh
 {
@@ -28,39 +29,42 @@ public:
   using Edge = MeshEdge;
   using Face = MeshFace;
 
-  /** A mesh of nothing. */
+  /** Creates an empty mesh. */
   OccluderMesh() = default;
 
   /**
-   * @param points   model coordinates (MC)
-   * @param corners  three indices of points for each triangle
+   * @param points   positions in model coordinates (MC)
+   * @param corners  three point indices per triangle
    */
   OccluderMesh(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
   std::size_t PointCount() const { return this->Count; }
 
-  /** What Coordinates() count from: the middle of the mesh, in model coordinates, so that floats are fine enough. */
+  /**
+   * Returns the origin of Coordinates(): the middle of the mesh in model coordinates (MC). Relative floats are precise
+   * enough.
+   */
   const glm::dvec3& Origin() const { return this->Middle; }
 
   /**
-   * Coordinates of the points from the origin, one array an axis: they are projected eight at a time, and the last one is there again as
-   * often as that takes.
+   * Returns the coordinates of all points on one axis, relative to Origin(). The array is padded to a multiple of
+   * LaneCount by copies of the last point, since eight points are projected at once.
    */
   const std::vector<float>& Coordinates(int axis) const { return this->Places[axis]; }
 
   const std::vector<Face>& Faces() const { return this->Triangles; }
   const std::vector<Edge>& Edges() const { return this->Sides; }
 
-  /** Its facets as they are looked at together, or null if those are not few. */
+  /** Returns the facets prepared for vector registers, or null if the mesh has too many (FewFacets). */
   const FewFacets* Few() const { return this->FewPolygons.get(); }
 
-  /** Of each face the patch that it belongs to: joined faces that look into about the same direction. */
+  /** Returns the patch of each face. A patch is a set of connected faces with similar normals. */
   const std::vector<std::uint32_t>& Patches() const { return this->PatchOf; }
 
-  /** Whether every edge has a face on both sides. Whoever is outside of such a mesh sees no back faces. */
+  /** Returns true if every edge has a face on both sides. A viewer outside of such a mesh sees no back faces. */
   bool IsClosed() const { return this->HasNoBorder; }
 
-  /** Memory that it takes. */
+  /** Returns the memory use in bytes. */
   std::size_t Bytes() const;
 
 private:
@@ -70,7 +74,7 @@ private:
   void FindRegions();
 
   glm::dvec3 Middle{ 0.0 };
-  std::size_t Count = 0; ///< of points
+  std::size_t Count = 0; ///< Number of points.
   std::vector<float> Places[3];
   std::vector<Face> Triangles;
   std::vector<Edge> Sides;

@@ -8,10 +8,10 @@ namespace vitrine
 namespace
 {
 
-// What it takes to test a run and to draw it, beside its items.
+// Cost of testing and drawing a run besides its items, in items.
 const double ItemsPerRun = 256.0;
 
-// A run is not cut closer to its end than one in so many of its items, so that all are cut in few steps.
+// A cut keeps at least one in this many of the items on each side. So the depth of the recursion stays small.
 const std::uint32_t ShareOfEnds = 32;
 
 double HalfSurface(const Box& box)
@@ -25,7 +25,7 @@ double CostOf(const Box& box, std::uint32_t items)
   return HalfSurface(box) * (items + ItemsPerRun);
 }
 
-/** Cuts runs as long as it pays. */
+/** Cuts runs recursively while it pays. */
 class Cutter
 {
 public:
@@ -54,7 +54,7 @@ private:
     this->Cut(middle, end);
   }
 
-  /** The first item behind the cut; `end` where none pays. Leaves the box of all items in Around. */
+  /** Returns the first item behind the best cut, or `end` if no cut pays. Stores the box of all items in Around. */
   std::uint32_t BestCut(std::uint32_t first, std::uint32_t end)
   {
     const std::uint32_t count = end - first;
@@ -104,7 +104,7 @@ private:
   }
 
   const std::vector<Box>& Boxes;
-  std::vector<double> CostBehind; ///< of each item and all that follow in its run
+  std::vector<double> CostBehind; ///< Cost of each item together with all later items of its run.
   std::vector<OrderedRun> Runs;
   Box Around;
 };

@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Items that follow one another, and the box around them. */
+/** Consecutive items and the box around them. */
 struct OrderedRun
 {
   std::uint32_t First;
@@ -17,18 +17,22 @@ struct OrderedRun
   Box Bounds;
 };
 
-/** A run is cut until it has no more items, and as long as that pays; no cut makes one of less than the least. */
+/**
+ * Bounds of the size of runs. Longer runs are always cut, shorter ones only if it pays. A cut leaves at least
+ * LeastItemsOfARun items on each side.
+ */
 constexpr std::uint32_t MostItemsOfARun = 4096;
 constexpr std::uint32_t LeastItemsOfARun = 256;
 
 /**
- * Cuts a list of items into runs that lie close together, and leaves their order as it is: meshes of assemblies are lists of parts,
- * and a mesh that is drawn in another order may show another one of two faces at the same place.
+ * Cuts a list of items into compact runs without changing their order. Meshes of assemblies are lists of parts. Drawing
+ * a mesh in another order might show another of two coincident faces.
  *
- * A run is cut in two where items times surface of their box, added up over both, is least: that is what is drawn of it, on average over
- * all views. (J. D. MacDonald, K. S. Booth: Heuristics for ray tracing using space subdivision, The Visual Computer 6, 1990)
+ * A cut minimises the sum of items times surface of the box over both runs. This estimates the drawn items, averaged
+ * over all views. (J. D. MacDonald, K. S. Booth: Heuristics for ray tracing using space subdivision, The Visual
+ * Computer 6, 1990)
  *
- * @param boxes  of the items, none of them empty or infinite
+ * @param boxes  the boxes of the items; none may be empty or infinite
  */
 std::vector<OrderedRun> CutIntoRuns(const std::vector<Box>& boxes);
 

@@ -6,14 +6,14 @@
 namespace vitrine
 {
 
-/** What a device computes a part's places from: the farther they reach, the more its floats round. */
+/** The magnitude of the numbers from which a device computes a part's places. Larger numbers round more. */
 struct DeviceCoordinates
 {
-  glm::dvec3 Origin{ 0.0 };   ///< in model coordinates (MC)
-  glm::dvec3 Farthest{ 0.0 }; ///< the largest absolute coordinates from there
+  glm::dvec3 Origin{ 0.0 };   ///< Origin of the device's coordinates, in model coordinates (MC).
+  glm::dvec3 Farthest{ 0.0 }; ///< Largest absolute coordinates relative to Origin.
   glm::dvec3 InWorld{
     0.0
-  }; ///< the largest sums of absolute values that lead to world coordinates (WC), which are of doubles
+  }; ///< Largest sums of absolute terms that lead to world coordinates (WC). These are computed in doubles.
 };
 
 }

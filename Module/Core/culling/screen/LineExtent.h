@@ -11,16 +11,19 @@
 namespace vitrine
 {
 
-/** What our own sums in floats may be off on an edge that reaches no farther from 0. */
+/**
+ * Returns the rounding of the culler's own float sums on an edge that reaches no farther than `column` and `line` from
+ * 0.
+ */
 inline float OwnRoundingOf(float column, float line)
 {
   return RoundingOnEdges * (column + line);
 }
 
-/** Edges that are less high, in lines, may be anywhere between their ends on what they touch. */
+/** Least height of an edge in lines. Lower edges count as lying anywhere between their ends on the lines they touch. */
 inline constexpr float LeastHeight = 1e-6f;
 
-/** An edge on the screen, from its lower end to its upper one: the same numbers come out for the faces on both sides. */
+/** An edge on the screen from its lower to its upper end. The faces on both sides get the same numbers. */
 class ScreenEdge
 {
 public:
@@ -35,15 +38,15 @@ public:
   const ScreenPoint& Bottom() const { return this->Low; }
   const ScreenPoint& Top() const { return this->High; }
 
-  /** Whether it goes upwards from a to b. */
+  /** Returns true if the edge goes upwards from a to b. */
   bool GoesUp() const { return this->IsUp; }
 
-  /** Not a number, or infinite, of a level edge. */
+  /** Returns the slope in columns per line. It is NaN or infinite for a horizontal edge. */
   float ColumnsPerLine() const { return this->Slope; }
 
   bool Crosses(float line) const { return this->Low.Line <= line && line < this->High.Line; }
 
-  /** Where it is on a line that it crosses. */
+  /** Returns the column on a line that the edge crosses. */
   float At(float line) const
   {
     const float column = this->Low.Column + (line - this->Low.Line) * this->Slope;
@@ -51,7 +54,7 @@ public:
       std::max(this->Low.Column, this->High.Column));
   }
 
-  /** What our own sums in floats may be off. */
+  /** Returns the rounding of the culler's own float sums. */
   float OwnRounding() const
   {
     return OwnRoundingOf(std::max(std::abs(this->Low.Column), std::abs(this->High.Column)),
@@ -62,10 +65,10 @@ private:
   bool IsUp;
   ScreenPoint Low;
   ScreenPoint High;
-  float Slope; ///< not a number, or infinite, of a level edge, which crosses no line
+  float Slope; ///< It is NaN or infinite for a horizontal edge, which crosses no line.
 };
 
-/** What lies between two lines, from left to right. */
+/** The columns covered between two lines, from left to right. */
 struct LineExtent
 {
   float Left = BeyondAll;
@@ -79,7 +82,7 @@ struct LineExtent
     this->Right = std::max(this->Right, column);
   }
 
-  /** The part of an edge that lies between. */
+  /** Adds the part of an edge between the lines `bottom` and `top`. */
   void Add(const ScreenEdge& edge, float bottom, float top)
   {
     if (edge.Bottom().Line > top || edge.Top().Line < bottom)
@@ -91,21 +94,21 @@ struct LineExtent
   }
 };
 
-/** The largest integer that is no more than a number, kept between two. */
+/** Returns the floor of a number, clamped to a range. */
 inline int FloorWithin(float value, int least, int greatest)
 {
   return static_cast<int>(
     std::min(std::max(std::floor(value), static_cast<float>(least)), static_cast<float>(greatest)));
 }
 
-/** Lines one after the other; none where First exceeds Last. */
+/** Consecutive lines. The range is empty if First exceeds Last. */
 struct LineRange
 {
   int First = 0;
   int Last = -1;
 };
 
-/** Those of `lines` that what reaches from `bottom` to `top` touches. Numbers that are none touch nothing. */
+/** Returns those of `lines` that the interval from `bottom` to `top` touches. NaN touches none. */
 inline LineRange LinesBetween(float bottom, float top, const LineRange& lines)
 {
   if (!(bottom <= static_cast<float>(lines.Last + 1) && top >= static_cast<float>(lines.First)))

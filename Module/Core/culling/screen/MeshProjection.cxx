@@ -12,7 +12,7 @@ namespace vitrine
 
 namespace
 {
-/** Columns of a matrix for points that count from a place, in floats. */
+/** A matrix in floats, stored by columns, for points relative to an origin. */
 struct MatrixFrom
 {
   float Columns[4][4];
@@ -27,7 +27,7 @@ struct MatrixFrom
     StoreAsFloats(x * origin.x + y * origin.y + z * origin.z + w, this->Columns[3]);
   }
 
-  /** A coordinate of eight points. */
+  /** Returns one coordinate of eight points. */
   VITRINE_INLINE Lanes Row(int row, Lanes x, Lanes y, Lanes z) const
   {
     return this->Columns[0][row] * x + this->Columns[1][row] * y + this->Columns[2][row] * z +
@@ -94,7 +94,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
   return this->AreAllBehindNear;
 }
 
-/** For points of the mesh alone. */
+/** Resizes the arrays to the points of the mesh, without cuts. */
 void MeshProjection::MakeRoom(std::size_t points)
 {
   for (std::vector<float>* places :
@@ -115,7 +115,7 @@ bool MeshProjection::ClipFarther(const ScreenMatrix& toScreen)
   return true;
 }
 
-/** Keep what lies behind the near plane. */
+/** Clips the mesh and keeps the part behind the near plane. */
 void MeshProjection::Clip(const ScreenMatrix& toScreen, double leastRatio)
 {
   this->Rest.Clip(*this->Projected, toScreen, leastRatio);

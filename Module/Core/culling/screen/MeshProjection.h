@@ -23,35 +23,36 @@ struct ScreenPoint
 };
 
 /**
- * The points of a mesh on the screen, and which way its faces go around there. One object serves mesh after mesh, so that a
- * walk asks for no memory.
+ * The points of a mesh on the screen, and the winding of its faces there. Reusing one object for all meshes avoids
+ * allocations during a walk.
  */
 class MeshProjection
 {
 public:
   enum class Facing : std::uint8_t
   {
-    Neither, ///< it has no area, or not all of it lies behind the near plane
-    Front,   ///< counter-clockwise on the screen
+    Neither, ///< The face has no area, or part of it is not behind the near plane.
+    Front,   ///< The face is counter-clockwise on the screen.
     Back
   };
 
   /**
-   * @param toScreen  of the mesh's model coordinates
-   * @returns whether there are points and all lie behind the near plane, so that Rectangle() holds them all; else it is clipped
+   * Projects a mesh. If some points are not behind the near plane, the mesh is clipped.
+   * @param toScreen  the map from the mesh's model coordinates (MC) to the screen
+   * @returns         true if there are points and all lie behind the near plane; then Rectangle() contains them all
    */
   bool Project(const OccluderMesh& mesh, const ScreenMatrix& toScreen);
 
   /**
-   * Cuts a mesh that is clipped farther behind the near plane: less is left, and margins are narrower.
-   * @param toScreen  with which it was projected
-   * @returns whether anything is cut off by that
+   * Cuts a clipped mesh farther behind the near plane. Less is left of the mesh, and margins are narrower.
+   * @param toScreen  the map that the mesh was projected with
+   * @returns         true if this cuts off anything
    */
   bool ClipFarther(const ScreenMatrix& toScreen);
 
   const OccluderMesh& Mesh() const { return *this->Projected; }
 
-  /** The mesh's, or of what of it lies behind the near plane. */
+  /** Returns the faces of the mesh, or of its part behind the near plane. */
   const std::vector<MeshFace>& Faces() const
   {
     return this->AreAllBehindNear ? this->Projected->Faces() : this->Rest.Faces();
@@ -61,7 +62,7 @@ public:
     return this->AreAllBehindNear ? this->Projected->Edges() : this->Rest.Edges();
   }
 
-  /** The patch of the mesh that one of Faces() belongs to. */
+  /** Returns the mesh's patch that one of Faces() belongs to. */
   std::uint32_t PatchOf(std::uint32_t face) const
   {
     return this->Projected->Patches()[this->SourceOf(face)];
@@ -72,39 +73,45 @@ public:
     return { this->Columns[i], this->Lines[i], this->Depths[i] };
   }
 
-  /** Where all points of the mesh are, as they lie in memory: eight at a time, as their coordinates do. */
+  /** Return the places of all points in the order of OccluderMesh::Coordinates(), padding included. */
   const std::vector<float>& ColumnsOfPoints() const { return this->Columns; }
   const std::vector<float>& LinesOfPoints() const { return this->Lines; }
   const std::vector<float>& DepthsOfPoints() const { return this->Depths; }
 
-  /** Around all points of faces, margin included. */
+  /** Returns the rectangle around all points of faces, including the margin. */
   const ScreenRectangle& Rectangle() const { return this->Around; }
 
-  /** By how much a device may draw points elsewhere. */
+  /** Returns the largest distance between a point and the place where a device may draw it. */
   const ScreenMargin& Margin() const { return this->DeviceMargin; }
 
-  /** The same of a face's: less where all of it is farther than the nearest point. */
+  /**
+   * Returns the device margin of one face. It is smaller than Margin() if the face is farther away than the mesh's
+   * nearest point.
+   */
   ScreenMargin MarginOf(const MeshFace& face) const
   {
     return this->DeviceRounding.MarginAt(this->InverseW(face), this->DeviceSnapping);
   }
 
-  /** 1 over w of a point that is behind the near plane. */
+  /** Returns 1/w of a point, which must be behind the near plane. */
   float InverseW(std::uint32_t point) const { return this->Inverses[point]; }
 
-  /** The same of a face's nearest corner. */
+  /** Returns 1/w of a face's nearest corner. */
   float InverseW(const MeshFace& face) const
   {
     return std::max({ this->Inverses[face[0]], this->Inverses[face[1]], this->Inverses[face[2]] });
   }
 
-  /** What a device's floats round of points. */
+  /** Returns the float rounding of points on the device. */
   const ScreenRounding& Rounding() const { return this->DeviceRounding; }
 
-  /** What of that a rasteriser moves points by where it looks what they cover; depths stay those of the points that it did not move. */
+  /**
+   * Returns the part of Margin() by which a rasteriser moves points for coverage. Depths remain those of the points
+   * that are not moved.
+   */
   const ScreenMargin& Snapping() const { return this->DeviceSnapping; }
 
-  /** Which way one of Faces() goes around. */
+  /** Returns the winding of one of Faces(). */
   Facing TurnOf(const MeshFace& face) const
   {
     const ScreenPoint a = this->Point(face[0]), b = this->Point(face[1]), c = this->Point(face[2]);
@@ -113,7 +120,7 @@ public:
     return area > 0.0f ? Facing::Front : area < 0.0f ? Facing::Back : Facing::Neither;
   }
 
-  /** Which way a face of the mesh goes around. */
+  /** Returns the winding of a face of the mesh. */
   Facing FacingOf(const MeshFace& face) const
   {
     const bool isWhole = this->AreAllBehindNear ||
@@ -121,47 +128,50 @@ public:
     return isWhole ? this->TurnOf(face) : Facing::Neither;
   }
 
-  /** Whether all points are behind the near plane. */
+  /** Returns true if all points are behind the near plane. */
   bool IsBehindNear() const { return this->AreAllBehindNear; }
 
-  /** Whether a point, which may be before the near plane, is not. */
+  /** Returns true if a point of the mesh is behind the near plane. */
   bool IsBehindNear(std::uint32_t point) const
   {
     return (this->BehindNear[point / LaneCount] >> (point % LaneCount) & 1) != 0;
   }
 
-  /** Finds which way all of Faces() go around. */
+  /** Finds the windings of all Faces(). */
   void FindFacings();
   Facing FacingOf(std::uint32_t face) const { return this->Facings[face]; }
 
   /** Has a face count no more, as facing neither way. */
   void Drop(std::uint32_t face) { this->Facings[face] = Facing::Neither; }
 
-  /** Whether a device may cut faces at the sides of the view, or its near or far plane. */
+  /** Returns true if a device may clip faces at the sides, the near plane or the far plane of the view. */
   bool MayBeCut() const
   {
     return !this->AreAllBehindNear || this->ToScreen.MayBeCut(this->Around, this->Farthest);
   }
 
-  /** Whether it may cut a face of the mesh: that is neither surely within the view nor surely beyond one of its sides. */
+  /**
+   * Returns true if a device may clip a face of the mesh. That is a face neither surely inside the view nor surely
+   * beyond one of its sides.
+   */
   bool MayBeCut(const MeshFace& face) const;
 
-  /** Corners of a face of the mesh: column, line and depth, each times w, and w. */
+  /** Returns the homogeneous screen coordinates of a face of the mesh: column, line and depth, each times w, and w. */
   std::array<glm::dvec4, 3> CornersOnScreen(const MeshFace& face) const;
 
-  /** The face of the mesh that one of Faces() is of. */
+  /** Returns the face of the mesh that one of Faces() is a part of. */
   const MeshFace& WholeOf(std::uint32_t face) const
   {
     return this->Projected->Faces()[this->SourceOf(face)];
   }
 
-  /** What the mesh was projected with. */
+  /** Returns the map that the mesh was projected with. */
   const ScreenMatrix& View() const { return this->ToScreen; }
 
-  /** Around a face, margin included. */
+  /** Returns the rectangle around a face, including the margin. */
   ScreenRectangle RectangleOf(const MeshFace& face) const;
 
-  /** Whether anything may be drawn of what is cut off at the near plane. */
+  /** Returns true if a device may draw anything of the part that is cut off at the near plane. */
   bool MayShowBeforeNear() const { return !this->AreAllBehindNear && this->Rest.MayShowBefore(); }
 
 private:
@@ -174,13 +184,14 @@ private:
 
   const OccluderMesh* Projected = nullptr;
   ScreenMatrix ToScreen{};
-  std::vector<float> Columns, Lines, Depths; ///< of the points, those where the mesh is cut last
-  std::vector<float> Inverses;               ///< of the same points' w
-  std::vector<std::uint8_t> BehindNear;      ///< a bit for each point
+  std::vector<float> Columns, Lines,
+    Depths;                    ///< Places of the mesh's points, followed by those of the cuts.
+  std::vector<float> Inverses; ///< 1/w of these points.
+  std::vector<std::uint8_t> BehindNear; ///< One bit per point.
   bool AreAllBehindNear = false;
-  NearClip Rest; ///< where they are not
+  NearClip Rest; ///< The part of the mesh behind the near plane, if not all of it is.
   ScreenRectangle Around{};
-  float Farthest = 0.0f; ///< depth of all points of faces
+  float Farthest = 0.0f; ///< Least reversed depth of all points of faces.
   ScreenMargin DeviceMargin;
   ScreenMargin DeviceSnapping;
   ScreenRounding DeviceRounding{};

@@ -15,7 +15,7 @@ int PlaceIn(const MeshFace& face, std::uint32_t point)
   return point == face[0] ? 0 : point == face[1] ? 1 : 2;
 }
 
-/** What of a convex face lies where a linear function is not negative. */
+/** Returns the part of a convex polygon where a linear function is not negative. */
 template <class Distance>
 std::vector<glm::dvec4> Cut(const std::vector<glm::dvec4>& corners, const Distance& distanceOf)
 {
@@ -25,7 +25,7 @@ std::vector<glm::dvec4> Cut(const std::vector<glm::dvec4>& corners, const Distan
     const glm::dvec4& from = corners[i];
     const glm::dvec4& to = corners[(i + 1) % corners.size()];
     const double start = distanceOf(from), end = distanceOf(to);
-    if (!(start < 0.0)) // no number may lie anywhere
+    if (!(start < 0.0)) // NaN may lie anywhere.
     {
       left.push_back(from);
     }
@@ -61,7 +61,7 @@ glm::dvec4 NearClip::OnScreen(std::uint32_t point) const
   return this->ToScreen.Matrix * glm::dvec4(this->Mesh->Origin() + place, 1.0);
 }
 
-/** From where the mesh is cut: both are positive behind it. They are linear along an edge. */
+/** Returns the distances from the two cutting planes. Both are positive behind the cut, and linear along an edge. */
 std::array<double, 2> NearClip::DistancesOf(const glm::dvec4& onScreen) const
 {
   const glm::vec4& rounding = this->ToScreen.Rounding;
@@ -107,7 +107,7 @@ void NearClip::CutEdges()
   }
 }
 
-/** The point up to which an edge is behind. */
+/** Adds the point where an edge is cut. Returns its index. */
 std::uint32_t NearClip::AddCut(std::uint32_t behind, std::uint32_t before)
 {
   const glm::dvec4 from = this->OnScreen(behind), to = this->OnScreen(before);
@@ -160,7 +160,7 @@ void NearClip::AddOneCorner(const MeshFace& face, const Remainder& remainder, in
   this->Sides.push_back({ next, last, remainder.First, OccluderMesh::NoFace });
 }
 
-/** A quad: the first triangle has the side that is not cut, the second one the border. */
+/** Adds the two triangles of a quad. The first has the uncut side, the second has the border. */
 void NearClip::AddTwoCorners(const MeshFace& face, const Remainder& remainder, int before)
 {
   const std::uint32_t a = face[(before + 1) % 3], b = face[(before + 2) % 3];
@@ -188,7 +188,10 @@ void NearClip::AddEdges()
   }
 }
 
-/** Which face of what is left of one has its side that begins at a corner: the second one of a quad where that corner is before. */
+/**
+ * Returns which remaining face of `face` has the side that begins at the corner `from`. It is the second triangle of a
+ * quad if that corner is in front.
+ */
 std::uint32_t NearClip::FaceAt(std::uint32_t face, std::uint32_t from) const
 {
   const Remainder& remainder = this->Remainders[face];
@@ -208,7 +211,10 @@ bool NearClip::MayShowBefore() const
   return false;
 }
 
-/** What is cut off, but not before what a device takes for the near plane, lies on the near side of one of two planes. */
+/**
+ * Returns true if a device may draw any of the cut-off part of a face. That part is not before the device's near plane
+ * and lies on the near side of one of the two cutting planes.
+ */
 bool NearClip::MayShowBefore(const MeshFace& face) const
 {
   const glm::vec4& rounding = this->ToScreen.Rounding;
@@ -227,7 +233,7 @@ bool NearClip::MayShowBefore(const MeshFace& face) const
   return false;
 }
 
-/** Whether all corners lie beyond the same side of the view. */
+/** Returns true if all corners lie beyond the same side of the view. */
 bool NearClip::IsOutside(const std::vector<glm::dvec4>& corners) const
 {
   const ScreenMargin rounded = this->ToScreen.RoundingOnScreen().OnScreenAtOne();

@@ -14,45 +14,50 @@ namespace vitrine
 {
 
 /**
- * What of a mesh lies behind the near plane, as a mesh: a point on an edge that is cut is one for the faces on both sides, edges keep their
- * faces, and what the cut opens is a border.
- * (I. E. Sutherland, G. W. Hodgman: Reentrant polygon clipping, Communications of the ACM 1974)
+ * The part of a mesh behind the near plane, as a mesh. The faces on both sides of a cut edge share the cut point, edges
+ * keep their faces, and the cut opens a border. (I. E. Sutherland, G. W. Hodgman: Reentrant polygon clipping,
+ * Communications of the ACM 1974)
  *
- * It is cut farther behind the plane than a device may round. So all of what is left is drawn, as a part of a larger face.
+ * The cut lies farther behind the plane than a device may round. So everything that is left is drawn, as a part of a
+ * larger face.
  */
 class NearClip
 {
 public:
   /**
-   * @param toScreen      of the mesh's model coordinates
-   * @param leastRatio    of w to what a device rounds in it, 1 or more: what has less is cut off as well
+   * Clips a mesh.
+   * @param toScreen    the map from the mesh's model coordinates (MC) to the screen
+   * @param leastRatio  least ratio of w to the device's rounding of w, at least 1; points with less are cut off as well
    */
   void Clip(const OccluderMesh& mesh, const ScreenMatrix& toScreen, double leastRatio);
 
-  /** Their points are the mesh's, and behind as many as it has coordinates those of Cuts(). */
+  /**
+   * Return the remaining faces and edges. Point indices below the size of the mesh's Coordinates() are points of the
+   * mesh; the others are Cuts().
+   */
   const std::vector<MeshFace>& Faces() const { return this->Triangles; }
   const std::vector<MeshEdge>& Edges() const { return this->Sides; }
 
-  /** Of each of those faces which of the mesh's it is of. */
+  /** Returns the face of the mesh that each of Faces() is a part of. */
   const std::vector<std::uint32_t>& Sources() const { return this->SourceOf; }
 
-  /** Points that the mesh does not have: column, line and depth, each times w, and w. */
+  /** Returns the cut points in homogeneous screen coordinates: column, line and depth, each times w, and w. */
   const std::vector<glm::dvec4>& Cuts() const { return this->CutPoints; }
 
-  /** Whether a device may draw anything of what is cut off, within the view's sides. */
+  /** Returns true if a device may draw anything of the part that is cut off, within the sides of the view. */
   bool MayShowBefore() const;
 
-  /** Of all points of faces. */
+  /** Returns the least w of all points of faces. */
   float LeastW() const { return this->NearestW; }
 
 private:
-  /** What is left of a face: faces one after the other, by how many of its corners are behind. */
+  /** The consecutive faces that remain of a face. Their number follows from the number of corners behind the cut. */
   struct Remainder
   {
     std::uint32_t First;
     std::uint32_t CornersBehind;
     std::array<std::uint32_t, 3>
-      Cuts; ///< on the sides that begin at its corners, where those are cut
+      Cuts; ///< The cuts on the sides that begin at each corner, where these are cut.
   };
 
   void FindPointsBehind();
@@ -71,9 +76,9 @@ private:
   const OccluderMesh* Mesh = nullptr;
   ScreenMatrix ToScreen{};
   double LeastRatio = 1.0;
-  std::vector<std::uint8_t> IsBehind;  ///< each point
-  std::vector<Remainder> Remainders;   ///< of each face
-  std::vector<std::uint32_t> EdgeCuts; ///< on each edge, where it is cut
+  std::vector<std::uint8_t> IsBehind;  ///< One flag per point.
+  std::vector<Remainder> Remainders;   ///< One entry per face of the mesh.
+  std::vector<std::uint32_t> EdgeCuts; ///< The cut on each edge that is cut.
   std::vector<glm::dvec4> CutPoints;
   std::vector<MeshFace> Triangles;
   std::vector<std::uint32_t> SourceOf;

@@ -7,12 +7,13 @@ namespace vitrine
 {
 
 /**
- * How a view sees planes p, for which p * (x, y, z, 1) is 0 where they are: a plane's depth changes by -(p * ByColumn) / (p * Eye) from column to column, and so with lines.
+ * How a view sees planes p, whose points satisfy p * (x, y, z, 1) = 0. The depth of a plane changes by -(p * ByColumn)
+ * / (p * Eye) per column, and likewise per line.
  */
 struct PlaneView
 {
-  glm::dvec4
-    Eye; ///< in world coordinates, w is 1; or the direction that it looks along in parallel projection, w is 0
+  /** The eye in world coordinates (WC), with w = 1. In parallel projection it is the viewing direction, with w = 0. */
+  glm::dvec4 Eye;
   glm::dvec4 ByColumn;
   glm::dvec4 ByLine;
 };

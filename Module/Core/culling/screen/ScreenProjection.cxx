@@ -17,7 +17,9 @@ namespace vitrine
 namespace
 {
 
-/** What a matrix makes of the least and the greatest coordinates of eight boxes, axis by axis: corners are sums of three. */
+/**
+ * Products of a matrix with the least and greatest coordinates of eight boxes, per axis. Each corner is a sum of three.
+ */
 struct CornerTerms
 {
   Lanes Of[3][2][4];
@@ -36,7 +38,7 @@ struct CornerTerms
     }
   }
 
-  /** A coordinate of one of the eight corners. */
+  /** Returns one coordinate of one of the eight corners. */
   VITRINE_INLINE Lanes At(int corner, int row) const
   {
     return this->Of[0][corner & 1][row] + this->Of[1][corner >> 1 & 1][row] +
@@ -44,7 +46,7 @@ struct CornerTerms
   }
 };
 
-/** Of a coordinate of all corners, those left out that are not numbers. */
+/** Extent of a coordinate over all corners. NaN is ignored. */
 struct Extent
 {
   Lanes Least = AllLanes(BeyondAll);
@@ -57,12 +59,14 @@ struct Extent
   }
 };
 
-// A view of no larger terms than that adds up to what floats hold, though boxes of cells were a hundred times as far off as what is in them.
+// A view whose terms do not exceed this cannot overflow floats, even if cells' boxes were a hundred times as far off as
+// their contents.
 const float LargestOfTerms = 1e36f;
 
 /**
- * Whether coordinates of all corners are finite: else extents tell nothing. Where sums of three infinite terms are not numbers at some corners, they are infinite at others, or numbers at none. Floats
- * do not hold how wide an extent is then.
+ * Returns true in lanes where all corner coordinates are finite. Other extents have no meaning. A sum of three infinite
+ * terms that is NaN at some corners is infinite at others, or it is NaN at all corners. The width of such an extent
+ * overflows.
  */
 template <class... Extents>
 VITRINE_INLINE LaneMask AreFinite(const Extents&... extents)
@@ -71,7 +75,7 @@ VITRINE_INLINE LaneMask AreFinite(const Extents&... extents)
   return widths - widths == AllLanes(0.0f);
 }
 
-/** Of columns, lines and depths, each times w, and of w. */
+/** Extents of column, line and depth, each times w, and of w. */
 struct CornerExtents
 {
   Extent Columns, Lines, Depths, W;
@@ -93,7 +97,9 @@ VITRINE_INLINE LaneMask AreFinite(const CornerExtents& all)
   return AreFinite(all.Columns, all.Lines, all.Depths, all.W);
 }
 
-/** Of boxes that may reach to where w is not positive: those of which all corners lie on the outer side of one plane of the frustum. */
+/**
+ * Returns the boxes whose corners all lie beyond one plane of the frustum. It serves boxes that may reach to w <= 0.
+ */
 VITRINE_INLINE LaneMask OutsideOfPlanes(
   const CornerTerms& corners, const ScreenMatrix& matrix, const glm::vec2& growth)
 {
@@ -118,7 +124,10 @@ VITRINE_INLINE LaneMask OutsideOfPlanes(
       (beyondLines.Least > above) | (beyondDepths.Least > AllLanes(rounded.Depth)));
 }
 
-/** Whether no element is larger than terms are: else it may be infinite, though what it is multiplied by is small. */
+/**
+ * Returns true if no element exceeds LargestOfTerms. A larger one may be infinite although it is multiplied by a small
+ * number.
+ */
 bool AreTerms(const glm::mat4& matrix)
 {
   const float* const elements = &matrix[0].x;
@@ -126,7 +135,7 @@ bool AreTerms(const glm::mat4& matrix)
   return BitsOf(GreatestOf(first, second) <= AllLanes(LargestOfTerms)) == (1u << LaneCount) - 1u;
 }
 
-/** Those of a matrix. */
+/** The columns of a matrix. */
 struct MatrixColumns
 {
   DoubleLanes Of[4];
@@ -137,7 +146,7 @@ struct MatrixColumns
   {
   }
 
-  /** Of a product. */
+  /** Creates the columns of a product. */
   VITRINE_INLINE MatrixColumns(const MatrixColumns& left, const glm::dmat4& right)
     : Of{ left.Times(right[0]), left.Times(right[1]), left.Times(right[2]), left.Times(right[3]) }
   {
@@ -157,7 +166,10 @@ struct MatrixColumns
   }
 };
 
-/** What a device adds up, which multiplies by a matrix: columns, lines and depths are its clip coordinates, from the middle of the view, and as much of w as the half of that has. */
+/**
+ * Returns the absolute sums of a device that multiplies by a matrix. For columns, lines and depths they are its clip
+ * coordinates, relative to the middle of the view, plus half of the view's size times w.
+ */
 VITRINE_INLINE DoubleLanes SumsOf(
   const MatrixColumns& toScreen, const DeviceCoordinates& device, DoubleLanes half, double bottom)
 {
@@ -169,14 +181,14 @@ VITRINE_INLINE DoubleLanes SumsOf(
   return sums + sums[3] * half;
 }
 
-/** Of what is seen from a distance of 1, or in parallel projection. */
+/** Returns w at a distance of 1 from the eye. In parallel projection it is the w of all points. */
 double WAtOne(const glm::dvec4& rowOfW)
 {
   const double ahead = glm::length(glm::dvec3(rowOfW));
   return ahead > 0.0 ? ahead : std::abs(rowOfW.w);
 }
 
-/** A vector that is at right angles to three others. */
+/** Returns a vector at right angles to three others. */
 glm::dvec4 CrossOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z)
 {
   const auto minorOf = [&](int i, int j, int k)
@@ -258,7 +270,10 @@ ScreenProjection ScreenProjection::OfLines(int first, int count) const
   return some;
 }
 
-/** Planes are mapped by the inverse matrix, transposed: what they have of a coordinate on the screen is a product with where the three others are 0. */
+/**
+ * Planes map by the transpose of the inverse matrix. A plane's coefficient of one screen coordinate is its product with
+ * the point where the three other coordinates are 0.
+ */
 PlaneView ScreenProjection::OfPlanes() const
 {
   const glm::dmat4 rows = glm::transpose(this->World.Matrix);
@@ -268,7 +283,7 @@ PlaneView ScreenProjection::OfPlanes() const
     -CrossOf(rows[0], rows[2], rows[3]) / size };
 }
 
-/** The smaller one of the singular values of what leads from places beside each other to columns and lines. */
+/** This is the smaller singular value of the map from a plane across the viewing direction to columns and lines. */
 double ScreenProjection::SmallestScale() const
 {
   const glm::dmat4 rows = glm::transpose(this->World.Matrix);

@@ -19,35 +19,38 @@
 namespace vitrine
 {
 
-/** A map to column, line and reversed depth, each times w, and w; and how far off a device may be that makes it in floats. */
+/**
+ * A matrix to homogeneous screen coordinates, and the error of a device that applies it in floats. The coordinates are
+ * column, line and reversed depth, each times w, and w.
+ */
 struct ScreenMatrix
 {
   glm::dmat4 Matrix;
-  glm::vec4 Rounding;      ///< of each of the four
-  ScreenMargin Snapping;   ///< what a rasteriser moves by besides
-  glm::vec2 Size;          ///< columns and lines
-  float LinesBelow = 0.0f; ///< that the view has besides
+  glm::vec4 Rounding;      ///< Rounding of each of the four coordinates.
+  ScreenMargin Snapping;   ///< Additional movement by the rasteriser.
+  glm::vec2 Size;          ///< Numbers of columns and lines.
+  float LinesBelow = 0.0f; ///< Lines of the view below the screen.
   float LinesAbove = 0.0f;
-  glm::vec2 Before{ 0.0f }; ///< columns and lines that the window has before the view
+  glm::vec2 Before{ 0.0f }; ///< Columns and lines of the window before the view.
 
-  /** The view's lowest and highest line. */
+  /** Return the lowest and the highest line of the view. */
   float Bottom() const { return -this->LinesBelow; }
   float Top() const { return this->Size.y + this->LinesAbove; }
 
-  /** What a device rounds of columns and lines in the window. */
+  /** Returns the device's rounding of columns and lines in the window. */
   glm::vec2 OfPlaces() const
   {
     return RoundingOfFloat *
       glm::vec2(this->Before.x + this->Size.x, this->Before.y + this->Top() - this->Bottom());
   }
 
-  /** Columns, lines and depths of the view's half. */
+  /** Returns half of the view's size in columns, lines and depths. */
   glm::dvec4 HalfOfView() const
   {
     return { 0.5 * this->Size.x, 0.5 * (this->Top() - this->Bottom()), 0.5, 0.0 };
   }
 
-  /** What a device's floats round of points: lines reach as far for it as in the whole view. */
+  /** Returns the float rounding of points on the device. Lines count as reaching through the whole view. */
   ScreenRounding RoundingOnScreen() const
   {
     const glm::vec4& own = this->Rounding;
@@ -57,9 +60,7 @@ struct ScreenMatrix
       { own.z, own.w, 1.0f } };
   }
 
-  /**
-   * The same of points in the view that are found in doubles.
-   */
+  /** Returns the device's rounding of points in the view, for a culler that computes them in doubles. */
   DeviceScreenRounding RoundingInView() const
   {
     const glm::dvec4 half = this->HalfOfView();
@@ -73,7 +74,7 @@ struct ScreenMatrix
       of(2, half.z, RoundingOfFloat) };
   }
 
-  /** Whether any of a rectangle lies between the sides of the view. */
+  /** Returns true if a part of the rectangle lies between the sides of the view. */
   bool IsInView(const ScreenRectangle& rectangle) const
   {
     return rectangle.Right >= 0.0f && rectangle.Left <= this->Size.x &&
@@ -81,7 +82,8 @@ struct ScreenMatrix
   }
 
   /**
-   * Whether what has this rectangle, and is nowhere farther, may reach beyond the view, of which the screen may be some lines alone, or its near or far plane.
+   * Returns true if a thing in this rectangle, no farther than `farthest`, may reach beyond the view's sides, near
+   * plane or far plane. The screen may be only some lines of the view.
    */
   bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
@@ -90,14 +92,14 @@ struct ScreenMatrix
       rectangle.Nearest < 1.0f && farthest > RoundingOfCuts);
   }
 
-  /** Of points on the screen for which w is at least `leastW`. */
+  /** Returns the margin of points on the screen whose w is at least `leastW`. */
   ScreenMargin MarginFrom(float leastW) const
   {
     return this->RoundingOnScreen().MarginAt(1.0f / leastW, this->Snapping);
   }
 };
 
-/** Where eight boxes are on the screen. */
+/** The rectangles of eight boxes on the screen. */
 struct RectangleLanes
 {
   float Left[LaneCount];
@@ -105,14 +107,14 @@ struct RectangleLanes
   float Bottom[LaneCount];
   float Top[LaneCount];
   float Nearest[LaneCount];
-  float Farthest[LaneCount]; ///< depth of its corners
-  unsigned Outside;          ///< a bit for each box that lies outside of what the view shows
+  float Farthest[LaneCount]; ///< Least reversed depth of the corners.
+  unsigned Outside;          ///< A bit for each box that lies outside of the view.
   unsigned
-    Near; ///< for each that reaches before the near plane, so that it has no rectangle and nothing hides it
+    Near; ///< A bit for each box that reaches in front of the near plane. It has no rectangle, and nothing hides it.
 
   /**
-   * Of a box that is neither Near nor Outside: the least rectangle that surely holds all that is drawn of it, and the greatest depth that
-   * it surely does not exceed.
+   * Returns the rectangle of a box that is neither Near nor Outside. It surely contains everything that is drawn of the
+   * box, and the box is surely not nearer than its depth.
    */
   ScreenRectangle At(int lane) const
   {
@@ -120,7 +122,10 @@ struct RectangleLanes
       this->Nearest[lane] };
   }
 
-  /** A bit for each box, whether there may be samples where it is drawn; of those that are Near or Outside it says anything. */
+  /**
+   * Returns a bit for each box that may have samples where it is drawn. The bits of Near and Outside boxes have no
+   * meaning.
+   */
   unsigned MayHaveAny(const SampleGrid& samples) const
   {
     return samples.MayHaveAny(LoadLanes(this->Left), LoadLanes(this->Right)) &
@@ -128,61 +133,64 @@ struct RectangleLanes
   }
 };
 
-/** Where the box of what reaches before the near plane may be on the screen. */
+/** The rectangle of a box that reaches in front of the near plane and may be anywhere on the screen. */
 inline constexpr ScreenRectangle Everywhere = { -1e30f, 1e30f, -1e30f, 1e30f, 1.0f };
 
 /**
- * How a view maps world coordinates (WC) onto the columns and lines of an s-buffer, and to reversed depth: (w - z) / 2w of clip
- * coordinates, 1 at the near plane and 0 at the far one. That is affine on the screen along a plane, in perspective and in
- * parallel projection alike, and floats have as many bits near the far plane as near the near one. (E. Lapidous,
- * G. Jiao: Optimal depth buffer for low-cost graphics hardware, Graphics Hardware 1999)
+ * Maps world coordinates (WC) to columns and lines of an s-buffer and to reversed depth. Reversed depth is (w - z) / 2w
+ * of clip coordinates, 1 at the near plane and 0 at the far plane. It is affine on the screen along a plane, in
+ * perspective and in parallel projection. Floats have as many bits near the far plane as near the near plane. (E.
+ * Lapidous, G. Jiao: Optimal depth buffer for low-cost graphics hardware, Graphics Hardware 1999)
  */
 class ScreenProjection
 {
 public:
   /**
-   * @param toClip    from world coordinates to OpenGL's clip coordinates, for column vectors
-   * @param columns   of what is seen from left to right; the last may be a part of one
-   * @param lines     from bottom to top
-   * @param reach     the largest sums of absolute values that lead to coordinates of what is drawn: the larger they are, the coarser a device's floats
-   * @param snapping  what a rasteriser moves edges and depths by, besides the rounding of its floats
-   * @param growth    by how many columns and lines boxes reach farther on the screen, for lines and points that are drawn wider
-   *                  than they are
-   * @param before    columns and lines that the window has before the view
+   * @param toClip    from world coordinates (WC) to OpenGL's clip coordinates, for column vectors
+   * @param columns   number of columns from left to right; the last may be partial
+   * @param lines     number of lines from bottom to top
+   * @param reach     largest sums of absolute terms that lead to drawn world coordinates; a device's floats are coarser
+   *                  for larger sums
+   * @param snapping  movement of edges and depths by a rasteriser, in addition to float rounding
+   * @param growth    columns and lines by which boxes grow on the screen, for wide lines and points
+   * @param before    columns and lines of the window before the view
    */
   ScreenProjection(const glm::dmat4& toClip, double columns, double lines, const glm::dvec3& reach,
     const ScreenMargin& snapping, const glm::vec2& growth = glm::vec2(0.0f),
     const glm::vec2& before = glm::vec2(0.0f));
 
-  /** Where eight boxes are, which are finite and no farther than `reach`; of empty ones it says anything. */
+  /** Projects eight boxes. They must be finite and within `reach`. The results of empty boxes have no meaning. */
   void Project(const BoxLanes& boxes, RectangleLanes& rectangles) const
   {
     this->Project(this->WorldInFloats, boxes, this->MayOverflow, rectangles);
   }
 
   /**
-   * Where eight boxes of a part are.
-   * @param toScreen  what Of() tells of the part, moved to where the boxes count from; the sums that lead to the world from their corners
-   *                  are no larger than `reach`
+   * Projects eight boxes of a part.
+   * @param toScreen  the result of Of() for the part, translated to the origin of the boxes; the sums of absolute terms
+   *                  that lead to world coordinates of the corners must not exceed `reach`
    */
   void Project(const glm::mat4& toScreen, const BoxLanes& boxes, RectangleLanes& rectangles) const;
 
-  /** Of a single box, however far: Everywhere if it reaches before the near plane or has no place, and nothing if it lies outside. */
+  /**
+   * Projects a single box at any distance. Returns Everywhere if the box reaches in front of the near plane or has no
+   * place, and nothing if it lies outside.
+   */
   std::optional<ScreenRectangle> RectangleOf(const Box& box) const;
 
-  /** Whether a rectangle reaches beyond the screen. */
+  /** Returns true if a rectangle reaches beyond the screen. */
   bool ReachesBeyond(const ScreenRectangle& rectangle) const;
 
-  /** Whether a device may cut what has this rectangle, and is nowhere farther. */
+  /** Returns true if a device may clip a thing in this rectangle that is no farther than `farthest`. */
   bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
     return this->World.MayBeCut(rectangle, farthest);
   }
 
-  /** The same view of some of its lines alone: they count from `first`. */
+  /** Returns the view of some of the lines. Lines count from `first`. */
   ScreenProjection OfLines(int first, int count) const;
 
-  /** The same view, of which boxes reach farther on the screen by so many more columns and lines. */
+  /** Returns the view with boxes that grow on the screen by so many more columns and lines. */
   ScreenProjection GrownBy(const glm::vec2& growth) const
   {
     ScreenProjection grown = *this;
@@ -192,34 +200,40 @@ public:
 
   PlaneView OfPlanes() const;
 
-  /** How many columns or lines, whichever are fewer, a length of 1 has that is seen from a distance of 1, or in parallel projection. */
+  /**
+   * Returns the number of columns or lines, whichever are fewer, of a unit length at a distance of 1. In parallel
+   * projection the distance does not matter.
+   */
   double SmallestScale() const;
 
-  /** By how many of them a device's floats may be off at that distance. */
+  /** Returns the float error of a device at that distance, in columns or lines, whichever are more. */
   double RoundingAtOne() const;
 
-  /** What a rasteriser moves edges and depths by. */
+  /** Returns the movement of edges and depths by a rasteriser. */
   const ScreenMargin& Snapping() const { return this->World.Snapping; }
 
-  /** Whether anything reaches farther on the screen than it is. */
+  /** Returns true if boxes grow on the screen. */
   bool Grows() const { return this->Growth != glm::vec2(0.0f); }
 
-  /** A rectangle, farther by the growth. */
+  /** Returns a rectangle enlarged by the growth. */
   ScreenRectangle Grown(const ScreenRectangle& rectangle) const;
 
-  /** By how many columns and lines. */
+  /** Returns the growth in columns and lines. */
   const glm::vec2& GrowthOnScreen() const { return this->Growth; }
 
-  /** Column, line and depth, each times w, and w. */
+  /** Returns the homogeneous screen coordinates of a point in WC: column, line and depth, each times w, and w. */
   glm::dvec4 ToScreen(const glm::dvec3& point) const;
 
   /**
-   * Of a part's model coordinates.
-   * @param toWorld  from model coordinates; the sums that lead to the world from there are no larger than `reach`
+   * Returns the map from a part's model coordinates (MC) to the screen.
+   * @param toWorld  from model coordinates to WC; the sums of absolute terms must not exceed `reach`
    */
   ScreenMatrix Of(const glm::dmat4& toWorld) const;
 
-  /** The same where more is known of what a device rounds: it multiplies by the product of the matrices that lead from a part's coordinates to the screen. */
+  /**
+   * Returns the same map with tighter rounding. The device must multiply by one matrix from the part's coordinates to
+   * the screen.
+   */
   ScreenMatrix Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const;
 
 private:
@@ -228,11 +242,10 @@ private:
 
   ScreenMatrix World;
   glm::dmat4
-    Sizes; ///< of what leads from the world to columns, lines, depths and w, as a device has it
-  glm::mat4 WorldInFloats; ///< its matrix
+    Sizes; ///< Absolute terms from WC to columns, lines, depths and w, as a device sums them.
+  glm::mat4 WorldInFloats; ///< World.Matrix in floats.
   glm::vec2 Growth;
-  bool
-    MayOverflow; ///< whether coordinates of boxes within reach may add up to more than floats hold
+  bool MayOverflow; ///< True if box coordinates within reach may overflow floats.
 };
 
 }

@@ -7,7 +7,10 @@
 namespace vitrine
 {
 
-/** By how much a device may draw something elsewhere than it is: in columns, lines, and reversed depth; of one thing, or of Lanes of them. */
+/**
+ * Bounds of how far a device may draw a thing from its true place: in columns, lines and reversed depth. They are for
+ * one thing, or for Lanes of things.
+ */
 template <typename Number>
 struct ScreenMarginOf
 {
@@ -18,8 +21,8 @@ struct ScreenMarginOf
 using ScreenMargin = ScreenMarginOf<float>;
 
 /**
- * What a device's floats round of a coordinate of a point, times its w: so much, and of the coordinate, which on the screen is no larger than the screen is, as much as they round of w. Besides, so much of
- * a place in the window, whatever its w.
+ * Float rounding of one coordinate of a point on the device, times w. It is Own plus OfW times the coordinate, which is
+ * at most Largest on the screen. OfPlaces is added in the window, whatever w is.
  */
 struct CoordinateRounding
 {
@@ -27,12 +30,15 @@ struct CoordinateRounding
   float OfW;
   float Largest;
   float OfPlaces = 0.0f;
-  float Least = 0.0f; ///< that the screen has
+  float Least = 0.0f; ///< Least coordinate of the screen.
 
-  /** On the screen, where w is 1; elsewhere as much over w. */
+  /** Returns the rounding on the screen for w = 1. It is proportional to 1/w. */
   float OnScreenAtOne() const { return this->Own + this->Largest * this->OfW; }
 
-  /** Anywhere: off the screen places are rounded by themselves, too, as is w. */
+  /**
+   * Returns the rounding at any place. Off the screen, the rounding of w and of the place itself grows with the
+   * distance.
+   */
   template <class Number>
   VITRINE_INLINE Number OffAt(Number place, Number inverseOfW) const
   {
@@ -42,19 +48,19 @@ struct CoordinateRounding
   }
 };
 
-/** What they round of columns, lines and depths. */
+/** The rounding of columns, lines and depths. */
 struct ScreenRounding
 {
   CoordinateRounding Columns, Lines, Depths;
 
-  /** On the screen, where w is 1; elsewhere as much over w. */
+  /** Returns the rounding on the screen for w = 1. It is proportional to 1/w. */
   ScreenMargin OnScreenAtOne() const
   {
     return { this->Columns.OnScreenAtOne(), this->Lines.OnScreenAtOne(),
       this->Depths.OnScreenAtOne() };
   }
 
-  /** Of points on the screen, and what is snapped besides. */
+  /** Returns the margin of points on the screen: rounding and snapping. */
   template <typename Number>
   VITRINE_INLINE ScreenMarginOf<Number> MarginAt(
     Number inverseOfW, const ScreenMargin& snapping) const
@@ -66,7 +72,7 @@ struct ScreenRounding
   }
 };
 
-/** So much of a coordinate, wherever a point is. */
+/** A rounding that is the same for all points. */
 struct UniformRounding
 {
   float Off;
@@ -78,12 +84,12 @@ struct UniformRounding
   }
 };
 
-/** Of columns, lines and depths. */
+/** The same rounding of all points in columns, lines and depths. */
 struct UniformScreenRounding
 {
   UniformRounding Columns, Lines, Depths;
 
-  /** What a margin has besides what is snapped. */
+  /** Takes the part of a margin that is not snapping. */
   UniformScreenRounding(const ScreenMargin& margin, const ScreenMargin& snapping)
     : Columns{ margin.Column - snapping.Column }
     , Lines{ margin.Line - snapping.Line }
@@ -92,12 +98,15 @@ struct UniformScreenRounding
   }
 };
 
-/** What a device alone rounds of a coordinate of a point in the view: the farther that is from the view's middle, the more of it comes from w. */
+/**
+ * Rounding of one coordinate by the device alone, for points in the view. The share of w grows with the distance from
+ * the view's middle.
+ */
 struct DeviceCoordinateRounding
 {
-  double OfSums, OfW; ///< times w
-  double Middle;      ///< of the view
-  double OfPlaces;    ///< in the window
+  double OfSums, OfW; ///< These are multiplied by 1/w.
+  double Middle;      ///< Middle of the view.
+  double OfPlaces;    ///< Rounding in the window.
 
   double OffAt(double place, double inverseOfW) const
   {
@@ -107,7 +116,7 @@ struct DeviceCoordinateRounding
   }
 };
 
-/** Of columns, lines and depths. */
+/** The rounding by the device alone in columns, lines and depths. */
 struct DeviceScreenRounding
 {
   DeviceCoordinateRounding Columns, Lines, Depths;
