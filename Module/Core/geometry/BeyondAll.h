@@ -4,7 +4,7 @@
 namespace vitrine
 {
 
-/** Farther from zero than all columns, lines, depths and distances, and finite: differences of it are numbers. */
+/** A number farther from zero than all columns, lines, depths and distances. Its differences from them are finite. */
 inline constexpr float BeyondAll = 3e38f;
 
 }

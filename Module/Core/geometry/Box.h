@@ -11,22 +11,24 @@ namespace vitrine
 {
 
 /**
- * A closed axis-aligned box: the points p with Min <= p <= Max on each axis. Where a Min exceeds its Max, or either is
- * NaN, there are none, and the box is empty; VTK's uninitialised bounds (1, -1) are such a box.
+ * A closed axis-aligned box: the points p with Min <= p <= Max on each axis. The box is empty if a Min exceeds its Max
+ * or either is NaN. VTK's uninitialised bounds (1, -1) are such a box.
  */
 struct Box
 {
   glm::vec3 Min{ std::numeric_limits<float>::infinity() };
   glm::vec3 Max{ -std::numeric_limits<float>::infinity() };
 
-  /** All of space. */
+  /** Returns a box of all points. */
   static Box Everything()
   {
     return { glm::vec3(-std::numeric_limits<float>::infinity()),
       glm::vec3(std::numeric_limits<float>::infinity()) };
   }
 
-  /** The smallest box of floats around a box of doubles. What no float can hold is infinite, NaN stays NaN. */
+  /**
+   * Returns the smallest box of floats around a box of doubles. Values beyond floats become infinite, NaN stays NaN.
+   */
   static Box Around(const glm::dvec3& min, const glm::dvec3& max)
   {
     Box box;
@@ -52,16 +54,16 @@ struct Box
       this->Min.x <= this->Max.x && this->Min.y <= this->Max.y && this->Min.z <= this->Max.z);
   }
 
-  /** Whether it can be put into a cell: neither empty nor infinite anywhere. */
+  /** Returns true if the box can be put into a cell: it is neither empty nor infinite on any side. */
   bool IsPlaceable() const
   {
-    // A finite number times 0 is 0; infinity and NaN times 0 are NaN.
+    // A finite number times 0 is 0. Infinity and NaN times 0 are NaN.
     const float zero = this->Min.x * 0 + this->Min.y * 0 + this->Min.z * 0 + this->Max.x * 0 +
       this->Max.y * 0 + this->Max.z * 0;
     return zero == 0 && !this->IsEmpty();
   }
 
-  /** Grows to hold another box; an empty one made of NaN changes nothing. */
+  /** Grows to contain another box. An empty box made of NaN changes nothing. */
   void Add(const Box& other)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -71,7 +73,7 @@ struct Box
     }
   }
 
-  /** The points in both; `other` holds no NaN. */
+  /** Returns the intersection with `other`, which must not contain NaN. */
   Box ClippedTo(const Box& other) const
   {
     Box box;
@@ -90,14 +92,14 @@ struct Box
 };
 static_assert(sizeof(Box) == 24, "boxes are read by the million");
 
-/** Whether the boxes have a point in common. */
+/** Returns true if the boxes share a point. */
 inline bool Touches(const Box& a, const Box& b)
 {
   return a.Min.x <= b.Max.x && b.Min.x <= a.Max.x && a.Min.y <= b.Max.y && b.Min.y <= a.Max.y &&
     a.Min.z <= b.Max.z && b.Min.z <= a.Max.z && !a.IsEmpty() && !b.IsEmpty();
 }
 
-/** Whether `inner` is not empty and all its points lie in `outer`. */
+/** Returns true if `inner` is not empty and lies in `outer`. */
 inline bool Contains(const Box& outer, const Box& inner)
 {
   return outer.Min.x <= inner.Min.x && inner.Max.x <= outer.Max.x && outer.Min.y <= inner.Min.y &&

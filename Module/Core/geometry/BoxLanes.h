@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Eight boxes, as those are read that are looked at together. They begin empty. */
+/** Eight boxes in the layout for vector registers. They are empty at first. */
 class BoxLanes
 {
 public:
@@ -36,7 +36,7 @@ public:
       { this->High[0][lane], this->High[1][lane], this->High[2][lane] } };
   }
 
-  /** Around all of them. */
+  /** Returns the box around all eight. */
   Box Bounds() const
   {
     Box bounds;
@@ -47,7 +47,7 @@ public:
     return bounds;
   }
 
-  /** Of all of them on one axis. */
+  /** Return the low or the high sides of all boxes on one axis. */
   const float* Lows(int axis) const { return this->Low[axis]; }
   const float* Highs(int axis) const { return this->High[axis]; }
 

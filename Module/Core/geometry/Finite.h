@@ -6,7 +6,7 @@
 namespace vitrine
 {
 
-/** Whether none of a point's numbers is infinite or NaN, which times 0 are NaN. */
+/** Returns true if no coordinate is infinite or NaN. Both times 0 are NaN. */
 inline bool IsFinite(const glm::dvec3& point)
 {
   return point.x * 0 + point.y * 0 + point.z * 0 == 0;

@@ -7,8 +7,8 @@
 #include <type_traits>
 
 /**
- * Before a function: it is compiled for processors with wider registers, too, and the right one is taken when the program starts. No fused
- * products, so that all of them get the same numbers.
+ * Precedes a function that is also compiled for wider registers. The program picks the right version when it starts. No
+ * version fuses products, so all of them give the same numbers.
  */
 #if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
 #define VITRINE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
@@ -16,10 +16,13 @@
 #define VITRINE_FOR_EACH_PROCESSOR
 #endif
 
-/** Lanes are never handed over in registers, which differ between processors: what has them as parameters is inlined. */
+/**
+ * Forces inlining. Functions with parameters of lanes need it, because registers differ between processors and cannot
+ * pass lanes.
+ */
 #define VITRINE_INLINE inline __attribute__((always_inline))
 
-/** The same of a lambda, behind its parameters. */
+/** Forces inlining of a lambda. It stands behind the parameters. */
 #define VITRINE_INLINED __attribute__((always_inline))
 
 namespace vitrine
@@ -27,28 +30,28 @@ namespace vitrine
 
 const int LaneCount = 8;
 
-/** Eight numbers on which all is done at once (GCC's and Clang's vectors). */
+/** A vector of eight floats (the vector extension of GCC and Clang). */
 using Lanes = float __attribute__((vector_size(4 * LaneCount)));
 
-/** What a comparison of lanes gives: all bits of a lane are 1, or 0. */
+/** The result of a comparison of lanes: all bits of a lane are 1 or 0. */
 using LaneMask = std::int32_t __attribute__((vector_size(4 * LaneCount)));
 
-/** Four numbers, and what comparing them gives. */
+/** A vector of four floats, and the result of a comparison of two. */
 using HalfLanes = float __attribute__((vector_size(4 * LaneCount / 2)));
 using HalfMask = std::int32_t __attribute__((vector_size(4 * LaneCount / 2)));
 
-/** A column of a matrix in doubles. */
+/** A vector of four doubles, such as a column of a matrix. */
 using DoubleLanes = double __attribute__((vector_size(32)));
 
-const std::size_t BytesOfLine = 64; ///< of memory, that are loaded together
+const std::size_t BytesOfLine = 64; ///< Size of a cache line in bytes.
 
-/** Begins to load what will be read soon. */
+/** Prefetches the cache line at an address. */
 VITRINE_INLINE void Prefetch(const void* place)
 {
   __builtin_prefetch(place);
 }
 
-/** The same of all of something. */
+/** Prefetches all cache lines of an object. */
 template <class Thing>
 VITRINE_INLINE void PrefetchAll(const Thing& thing)
 {
@@ -63,25 +66,25 @@ VITRINE_INLINE void PrefetchAll(const Thing& thing)
   }
 }
 
-/** The same in all lanes. */
+/** Returns the value in all lanes. */
 VITRINE_INLINE Lanes AllLanes(float value)
 {
   return Lanes{} + value;
 }
 
-/** value, value + 1, ... */
+/** Returns value, value + 1, and so on. */
 VITRINE_INLINE Lanes LanesFrom(float value)
 {
   return value + Lanes{ 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f };
 }
 
-/** Where either is not a number, the second one. */
+/** Returns the minimum per lane, and b if either is NaN. */
 VITRINE_INLINE Lanes LeastOf(Lanes a, Lanes b)
 {
   return a < b ? a : b;
 }
 
-/** Where either is not a number, the second one. */
+/** Returns the maximum per lane, and b if either is NaN. */
 VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b)
 {
   return a > b ? a : b;
@@ -97,7 +100,7 @@ VITRINE_INLINE Lanes GreatestOf(Lanes a, Lanes b, Lanes c)
   return GreatestOf(GreatestOf(a, b), c);
 }
 
-/** Without their signs. */
+/** Returns the absolute values. */
 VITRINE_INLINE Lanes SizeOf(Lanes a)
 {
   return reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(a) & 0x7fffffff);
@@ -124,7 +127,7 @@ VITRINE_INLINE float SumOfLanes(Lanes a)
   return a[0];
 }
 
-/** A bit for each lane, the first one the lowest. */
+/** Returns a bit for each lane. The first lane has the lowest bit. */
 VITRINE_INLINE unsigned BitsOf(LaneMask mask)
 {
 #if defined(__SSE__)
@@ -156,14 +159,14 @@ VITRINE_INLINE unsigned BitsOf(HalfMask mask)
 #endif
 }
 
-/** The lanes whose bits are 1. */
+/** Returns the mask of the lanes whose bits are 1. */
 VITRINE_INLINE LaneMask LaneBits(unsigned bits)
 {
   const LaneMask ofLanes{ 1, 2, 4, 8, 16, 32, 64, 128 };
   return ((LaneMask{} + static_cast<std::int32_t>(bits)) & ofLanes) == ofLanes;
 }
 
-/** The number of the lowest of some bits. */
+/** Returns the index of the lowest 1 bit. The argument must not be 0. */
 VITRINE_INLINE int LowestBit(unsigned bits)
 {
   return __builtin_ctz(bits);
@@ -174,13 +177,13 @@ VITRINE_INLINE int CountBits(unsigned bits)
   return __builtin_popcount(bits);
 }
 
-/** So many lanes, from the first one on. */
+/** Returns the mask of the first `count` lanes. */
 VITRINE_INLINE LaneMask FirstLanes(int count)
 {
   return LaneMask{ 0, 1, 2, 3, 4, 5, 6, 7 } < LaneMask{} + count;
 }
 
-/** Of eight numbers those in the lanes that are named. */
+/** Returns values[lanes[i]] in each lane i. */
 VITRINE_INLINE Lanes Picked(Lanes values, LaneMask lanes)
 {
 #if defined(__clang__)
@@ -195,7 +198,7 @@ VITRINE_INLINE Lanes Picked(Lanes values, LaneMask lanes)
 #endif
 }
 
-/** Of numbers that lie side by side; how they are aligned does not matter. */
+/** Loads eight consecutive floats. They need no alignment. */
 VITRINE_INLINE Lanes LoadLanes(const float* values)
 {
   Lanes lanes;
@@ -203,7 +206,7 @@ VITRINE_INLINE Lanes LoadLanes(const float* values)
   return lanes;
 }
 
-/** Four of the numbers that something is made of. */
+/** Loads four consecutive floats of an object, from the float `first` on. */
 template <class Thing>
 VITRINE_INLINE HalfLanes LoadHalf(const Thing& thing, std::size_t first)
 {
@@ -218,7 +221,7 @@ VITRINE_INLINE void StoreLanes(Lanes lanes, float* values)
   __builtin_memcpy(values, &lanes, sizeof(lanes));
 }
 
-/** The same of integers of 32 bits. */
+/** Loads eight consecutive 32-bit integers. They need no alignment. */
 VITRINE_INLINE LaneMask LoadMask(const void* values)
 {
   LaneMask mask;
@@ -231,7 +234,7 @@ VITRINE_INLINE void StoreMask(LaneMask mask, void* values)
   __builtin_memcpy(values, &mask, sizeof(mask));
 }
 
-/** Of integers of 32 bits the first of all four, the second of all four, and so on. */
+/** Stores 32-bit integers interleaved: the first lanes of a, b, c and d, then the second ones, and so on. */
 VITRINE_INLINE void StoreInterleaved(LaneMask a, LaneMask b, LaneMask c, LaneMask d, void* values)
 {
   const LaneMask lowA = __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
@@ -245,7 +248,7 @@ VITRINE_INLINE void StoreInterleaved(LaneMask a, LaneMask b, LaneMask c, LaneMas
   __builtin_memcpy(values, all, sizeof(all));
 }
 
-/** A column of a matrix. */
+/** Loads a column of a matrix. */
 VITRINE_INLINE DoubleLanes LoadDoubles(const double* values)
 {
   DoubleLanes lanes;
@@ -253,13 +256,13 @@ VITRINE_INLINE DoubleLanes LoadDoubles(const double* values)
   return lanes;
 }
 
-/** Without their signs. */
+/** Returns the absolute values. */
 VITRINE_INLINE DoubleLanes SizeOf(DoubleLanes a)
 {
   return a > -a ? a : -a;
 }
 
-/** Rounds them to floats. */
+/** Rounds doubles to floats and stores them. */
 VITRINE_INLINE void StoreAsFloats(DoubleLanes lanes, float* values)
 {
   using FourFloats = float __attribute__((vector_size(16)));
@@ -272,7 +275,7 @@ VITRINE_INLINE void StoreDoubles(DoubleLanes lanes, double* values)
   __builtin_memcpy(values, &lanes, sizeof(lanes));
 }
 
-/** Without its sign: of a float or a double. */
+/** Returns the absolute value of a float or a double. */
 template <class Number>
 VITRINE_INLINE std::enable_if_t<std::is_floating_point_v<Number>, Number> SizeOf(Number a)
 {

@@ -5,8 +5,8 @@ namespace vitrine
 {
 
 /**
- * A rectangle of pixels in window coordinates (DC), origin at the bottom left: X to X + Width - 1 by Y to
- * Y + Height - 1.
+ * A rectangle of pixels in window coordinates (DC). It spans X to X + Width - 1 and Y to Y + Height - 1; the origin is
+ * at the bottom left.
  */
 struct PixelRegion
 {

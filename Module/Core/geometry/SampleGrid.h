@@ -11,65 +11,69 @@
 namespace vitrine
 {
 
-/** Numbers of samples up to eight places. */
+/** Lower and upper bounds of numbers of samples in eight lanes. */
 struct SampleCounts
 {
   LaneMask Least, Most;
 };
 
 /**
- * Where on the screen something can show at all, in columns and lines of an s-buffer: at the centres of pixels; where pixels have
- * several samples, in the middles of cells that they are cut into; or anywhere.
+ * The places of samples on the screen, in columns and lines of an s-buffer. Samples lie at pixel centres, at the
+ * centres of cells that divide the pixels (multisampling), or anywhere.
  */
 class SampleGrid
 {
 public:
-  /** Anywhere. */
+  /** Creates a grid whose samples may lie anywhere. */
   SampleGrid() = default;
 
-  /** At the centres of pixels, of which a column and a line has so many. */
+  /** Creates a grid of samples at pixel centres, with `pixelsPerLine` pixels per column and per line. */
   static SampleGrid AtCentres(int pixelsPerLine) { return SampleGrid(pixelsPerLine, 1, true); }
 
   /**
-   * In the middles of cells that pixels are cut into, side by side and one above the other, of which a column and a line has so many: there samples of pixels are that have several.
-   * @param cellsPerPixel  into how many a pixel is cut across; so many that lines are parts of pixels, or of whole ones
+   * Creates a grid of samples at the centres of cells, for pixels with several samples. Each column and line has
+   * `cellsPerLine` cells.
+   * @param cellsPerPixel  cells across a pixel; lines must be parts of pixels or consist of whole pixels
    */
   static SampleGrid InCells(int cellsPerLine, int cellsPerPixel)
   {
     return SampleGrid(cellsPerLine, cellsPerPixel, false);
   }
 
-  /** How many lines or columns a pixel is wide: a part of one where those are of several pixels. Where samples are anywhere it is taken to be no more than one. */
+  /**
+   * Returns the width of a pixel in lines or columns. It is a fraction if these have several pixels, and 1 if samples
+   * are anywhere.
+   */
   float PixelSize() const { return this->SizeOfPixel; }
 
-  /** Into how many lines and columns a pixel is cut: 1 where they are of whole pixels. */
+  /** Returns the number of lines and columns that a pixel is cut into. It is 1 if lines consist of whole pixels. */
   int LinesPerPixel() const { return static_cast<int>(std::ceil(this->SizeOfPixel)); }
 
-  /** Whether all that is drawn has one sample a pixel. */
+  /** Returns true if everything has one sample per pixel. */
   bool HasOneSamplePerPixel() const { return this->HasOneSample; }
 
-  /** How far from its sides a line has no samples. */
+  /** Returns the distance between a line's side and its nearest samples. */
   float Inset() const { return this->FromSide; }
 
-  /** Whether all samples of a line lie in its middle. */
+  /** Returns true if all samples of a line lie in its middle. */
   bool HasOneRowPerLine() const { return this->FromSide == 0.5f; }
 
-  /** From one place with samples to the next; 0 where they are anywhere. */
+  /** Returns the distance between neighbouring samples. It is 0 if samples are anywhere. */
   float Width() const { return this->Step; }
 
-  /** Where samples are at centres of pixels, or of cells, of which a column has 1, 2, 4 or so: how many that are; else 0. */
+  /** Returns the number of samples across a column if that is a power of two, else 0. */
   int BinaryPixelsPerColumn() const
   {
     return this->IsExact ? static_cast<int>(this->PerColumn) : 0;
   }
 
-  /** Where the samples of a number are: they count from 0 at the left. */
+  /** Returns the place of a sample by its number. Numbers count from 0 at the left. */
   float Place(float number) const
   {
     return this->IsExact ? (number + Offset) * this->Step : (number + Offset) / this->PerColumn;
   }
 
-  /** The number of the first place with samples from `place` on; of such a place, its own. */
+  /** Returns the number of the first sample at or after `place`. */
   float NumberFrom(float place) const
   {
     const float number = std::ceil(place * this->PerColumn - Offset);
@@ -77,7 +81,7 @@ public:
     return wasRoundedUp ? number - 1.0f : number;
   }
 
-  /** Of the last one up to `place`. */
+  /** Returns the number of the last sample at or before `place`. */
   float NumberUpTo(float place) const
   {
     const float number = std::floor(place * this->PerColumn - Offset);
@@ -85,19 +89,19 @@ public:
     return wasRoundedDown ? number + 1.0f : number;
   }
 
-  /** The first place with samples from `place` on; of such a place, itself. */
+  /** Returns the place of the first sample at or after `place`. */
   float From(float place) const
   {
     return this->PerColumn > 0.0f ? this->Place(this->NumberFrom(place)) : place;
   }
 
-  /** The last one up to `place`; of such a place, itself. */
+  /** Returns the place of the last sample at or before `place`. */
   float UpTo(float place) const
   {
     return this->PerColumn > 0.0f ? this->Place(this->NumberUpTo(place)) : place;
   }
 
-  /** Whether there are any from one place to another. */
+  /** Returns true if there are samples between two places. */
   bool HasAny(float from, float to) const
   {
     return this->IsExact
@@ -105,10 +109,13 @@ public:
       : this->From(from) <= this->UpTo(to);
   }
 
-  /** The place behind another one, or that itself where samples are anywhere. */
+  /** Returns the place of the next sample. If samples are anywhere, it is the same place. */
   float Behind(float sample) const { return sample + this->Step; }
 
-  /** How many places with samples there are up to each of eight pairs of places, but for those up to 0, which are not on the screen: as few as it may be and as many. Far apart where that is not known. */
+  /**
+   * Returns bounds of the number of samples up to each of eight pairs of places. Samples at places up to 0 are off the
+   * screen and do not count. The bounds are 0 and the largest integer if the number is unknown.
+   */
   VITRINE_INLINE SampleCounts CountUpTo(const Lanes& from, const Lanes& to) const
   {
     const LaneMask isKnown = (from <= to) & (to < AllLanes(this->FarthestPlace)) &
@@ -118,7 +125,10 @@ public:
       isKnown ? this->CountUpTo(to + NearlyThere) : most };
   }
 
-  /** A bit for each of eight pairs of places, whether there may be samples between them. Says yes where that is nearly so, and of what is no number. */
+  /**
+   * Returns a bit for each of eight pairs of places that may have samples in between. The bit is also 1 if samples are
+   * very near, and for NaN.
+   */
   VITRINE_INLINE unsigned MayHaveAny(const Lanes& from, const Lanes& to) const
   {
     const SampleCounts counts = this->CountUpTo(from, to);
@@ -127,11 +137,12 @@ public:
 
 private:
   static constexpr float MostColumns = 1e6f;
-  static constexpr float MostSamples = 0x1p30f; ///< that integers hold
+  /** Largest number of samples that integers hold with room to spare. */
+  static constexpr float MostSamples = 0x1p30f;
   static constexpr float NearlyThere = 0x1p-10f;
-  static constexpr float Offset = 0.5f; ///< of the first sample, in steps
+  static constexpr float Offset = 0.5f; ///< Place of the first sample in steps.
 
-  /** Of places on the screen. */
+  /** Returns the number of samples up to places on the screen. */
   VITRINE_INLINE LaneMask CountUpTo(Lanes place) const
   {
     const Lanes onScreen =
@@ -150,13 +161,13 @@ private:
   {
   }
 
-  float PerColumn = 0.0f;            ///< 0 for samples anywhere
-  float FarthestPlace = MostColumns; ///< up to which samples are counted
+  float PerColumn = 0.0f;            ///< It is 0 if samples are anywhere.
+  float FarthestPlace = MostColumns; ///< Samples are counted up to this place.
   float Step = 0.0f;
   float FromSide = 0.0f;
   float SizeOfPixel = 1.0f;
   bool HasOneSample = false;
-  bool IsExact = false; ///< a power of two, by which nothing is rounded
+  bool IsExact = false; ///< True if PerColumn is a power of two, so that products do not round.
 };
 
 }

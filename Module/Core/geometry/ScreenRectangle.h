@@ -4,14 +4,17 @@
 namespace vitrine
 {
 
-/** A rectangle of the screen and the nearest that may stand there. Lines and columns count from 0 and are real. */
+/**
+ * A rectangle of the screen, and the nearest depth that may occur in it. Lines and columns are real numbers that count
+ * from 0.
+ */
 struct ScreenRectangle
 {
   float Left;
   float Right;
   float Bottom;
   float Top;
-  float Nearest; ///< the greatest reversed depth
+  float Nearest; ///< The greatest reversed depth.
 };
 
 }

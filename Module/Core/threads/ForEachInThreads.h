@@ -11,10 +11,16 @@
 namespace vitrine
 {
 
-/** To wake more threads takes longer than what they save of work of a few milliseconds. */
+/**
+ * Largest number of threads for one piece of work. For work of a few milliseconds, waking more threads takes longer
+ * than they save.
+ */
 inline constexpr std::size_t MostThreads = 8;
 
-/** How many threads are worth waking for so many pieces of work, the calling one among them. The machine is asked once: that takes as long as to cull ten parts. */
+/**
+ * Returns how many threads are worth waking for `count` pieces of work, including the calling thread. The number of
+ * processors is read once, because reading it takes as long as culling ten parts.
+ */
 inline std::size_t ThreadsFor(std::size_t count)
 {
   static const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
@@ -22,8 +28,10 @@ inline std::size_t ThreadsFor(std::size_t count)
 }
 
 /**
- * Does something for each number below a count, in as many threads as the machine has processors, but for those beyond MostThreads, of which the calling one is one. Returns once all of it is done.
- * @param work  is called with the numbers, each once; what it throws comes out here
+ * Calls work(i) for each i below `count`, in as many threads as ThreadsFor() says. The calling thread is one of them.
+ * Returns when all calls have returned.
+ * @param work  is called once for each number
+ * @throws      what a call throws
  */
 template <class Work>
 void ForEachInThreads(std::size_t count, const Work& work)

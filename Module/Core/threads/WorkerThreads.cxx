@@ -33,7 +33,7 @@ void WorkerThreads::Share(const std::function<void()>& work, std::size_t helpers
   }
 }
 
-/** Has at least so many threads wait, or as many as there may be. */
+/** Starts threads until there are `count`, or as many as the system permits. */
 void WorkerThreads::Begin(std::size_t count)
 {
   try
@@ -45,11 +45,11 @@ void WorkerThreads::Begin(std::size_t count)
   }
   catch (const std::system_error&)
   {
-    // The others do all of it.
+    // The existing threads do all the work.
   }
 }
 
-/** What a thread does as long as the process runs. */
+/** The loop of a thread, which runs as long as the process. */
 void WorkerThreads::Help()
 {
   std::unique_lock<std::mutex> lock(this->Lock);

@@ -12,20 +12,23 @@ namespace vitrine
 {
 
 /**
- * Threads that wait for work from one frame to the next. A thread that is begun only then is put where the busy one is that begins it, and may
- * not run before that is done: on machines that slept between two frames most often. They wait as long as the process runs, and so must this. A process that is
- * forked has none of them, and does all work itself, unless it was forked while they were at work: then it may wait for them forever.
+ * Threads that wait for work from one frame to the next. A new thread would start on the processor of the busy thread
+ * that creates it, and might not run before that is done. This happened most on machines that slept between two frames.
+ *
+ * The threads and this object live as long as the process. A forked process has none of the threads and does all work
+ * itself. If it was forked while they were at work, it may wait for them forever.
  */
 class WorkerThreads
 {
 public:
-  /** Those that all work of this process may share. */
+  /** Returns the threads that the whole process shares. */
   static WorkerThreads& OfProcess();
 
   /**
-   * Calls some work in this thread and, at the same time, in others, and returns once all calls have. May be called within work, and by several threads.
-   * @param helpers  how many others at most: those that come while this one is at it
-   * @throws what one of the calls throws
+   * Calls `work` in this thread and at the same time in others. Returns when all calls have returned. It may be called
+   * within `work`, and by several threads.
+   * @param helpers  largest number of other threads; only those that come before this thread is done take part
+   * @throws         what one of the calls throws
    */
   void Share(const std::function<void()>& work, std::size_t helpers);
 
@@ -33,7 +36,7 @@ private:
   struct Task
   {
     const std::function<void()>& Work;
-    std::size_t Wanted; ///< helpers that have not come
+    std::size_t Wanted; ///< Helpers that have not come yet.
     std::size_t Running = 0;
     std::exception_ptr Thrown = nullptr;
   };
@@ -44,8 +47,8 @@ private:
 
   std::mutex Lock;
   std::condition_variable HasTasks, HasReturned;
-  std::vector<Task*> Tasks; ///< that want helpers
-  std::size_t Begun = 0;    ///< threads
+  std::vector<Task*> Tasks; ///< Tasks that want helpers.
+  std::size_t Begun = 0;    ///< Number of started threads.
 };
 
 }
