@@ -11,7 +11,7 @@ namespace vitrine
 namespace
 {
 
-// A node on the way down, with its cell. Holds the page that the node stands in.
+// A node on the way down, with its cell. It keeps the page of the node in memory.
 struct Place
 {
   const OctreePage* Page;
@@ -25,7 +25,7 @@ Place RootOf(const Octree& tree)
   return { &tree.TopPage(), &tree.TopPage().Nodes[0], tree.RootCell(), nullptr };
 }
 
-// The node itself where it is in memory, else the root of the page that it stands for.
+// Returns the node itself if it is in memory, else the root of the page that it stands for.
 Place Loaded(const Octree& tree, const Place& place)
 {
   if (place.Node->Kind() != OctreeNode::Kinds::Stored)
@@ -51,11 +51,12 @@ void ForEachChild(const Place& place, Visit&& visit)
   }
 }
 
-// Goes down two trees at once, wherever the boxes of their nodes touch.
+// Descends two trees at once, wherever the boxes of their nodes touch.
 //
-// An item stands in several leaves, and a pair of items may meet in several pairs of leaves. It counts in one: where
-// either leaf's cell has the lowest corner of what the items' boxes share. Each point is in one octant of a cell, and an
-// item that has the point in its box is in that octant, or in the list of items that the cell keeps.
+// An item stands in several leaves, so two items may meet in several pairs of leaves. The pair counts in one of them:
+// both leaves' cells must contain the lowest corner of the intersection of the items' boxes. Each point is in one
+// octant of a cell. An item whose box contains the point is in that octant, or in the list of items that the cell
+// keeps.
 class PairSearch
 {
 public:
@@ -79,7 +80,7 @@ public:
   }
 
 private:
-  // Items without a place against all of the other tree, and the rest of this one against the other's.
+  // Tests unplaced items of each tree against the other tree. Pairs of two unplaced items count once.
   void SearchUnplaced()
   {
     for (const std::uint32_t item : this->First.UnplacedItems())
@@ -160,7 +161,7 @@ private:
     std::vector<std::uint32_t> Items;
     std::vector<Box> Boxes;
 
-    // Reads those that touch a box.
+    // Reads the items whose boxes touch `near`.
     void Read(const Place& leaf, const ItemBoxes& boxes, const Box& near)
     {
       const std::uint32_t* items = leaf.Page->ItemsOf(*leaf.Node);

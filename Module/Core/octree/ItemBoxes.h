@@ -10,8 +10,8 @@ namespace vitrine
 {
 
 /**
- * Tells the bounding boxes of items, which are numbered from 0: of triangles, of parts. An octree asks again whenever it
- * needs one and keeps none, so that the boxes of triangles need not be stored.
+ * Provides the bounding boxes of items, such as triangles or parts, which are numbered from 0. An octree keeps no boxes
+ * and asks whenever it needs one, so boxes of triangles need not be stored.
  */
 class ItemBoxes
 {
@@ -20,7 +20,7 @@ public:
 
   virtual std::uint32_t Count() const = 0;
 
-  /** Writes the boxes of `count` items; where an item has a NaN, so has its box. */
+  /** Writes the boxes of `count` items. The box of an item with NaN must contain NaN. */
   virtual void Read(const std::uint32_t* items, std::size_t count, Box* boxes) const = 0;
 
   Box At(std::uint32_t item) const
@@ -38,7 +38,7 @@ struct BoxedItem
   std::uint32_t Item;
 };
 
-/** Boxes that stand in an array of the caller's, which outlives this. */
+/** Boxes in an array of the caller, which must outlive this object. */
 class BoxArray : public ItemBoxes
 {
 public:

@@ -8,7 +8,10 @@
 namespace vitrine
 {
 
-/** Tells which items were seen since Clear(), as an octree's walk comes by some more than once. Clearing touches no item. */
+/**
+ * Marks items that were seen since Clear(), because an octree's walk meets some items several times. Clearing takes
+ * constant time.
+ */
 class ItemMarks
 {
 public:
@@ -17,7 +20,7 @@ public:
   {
   }
 
-  /** Forgets all marks. */
+  /** Removes all marks. */
   void Clear()
   {
     if (++this->Stamp == 0)
@@ -27,7 +30,7 @@ public:
     }
   }
 
-  /** Marks an item. @return whether it had no mark */
+  /** Marks an item. Returns true if it had no mark. */
   bool Mark(std::uint32_t item)
   {
     const bool isNew = this->Stamps[item] != this->Stamp;

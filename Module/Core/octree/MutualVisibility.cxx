@@ -65,7 +65,7 @@ private:
   std::unordered_set<std::uint32_t> Seen;
 };
 
-// Which of some things are joined. (R. E. Tarjan: Efficiency of a good but not linear set union algorithm, 1975)
+// A union-find structure. (R. E. Tarjan: Efficiency of a good but not linear set union algorithm, 1975)
 class Groups
 {
 public:
@@ -94,7 +94,7 @@ using Corner = std::array<double, 3>;
 
 struct Edge
 {
-  Corner From; // the lesser of its ends
+  Corner From; // The lesser one of the ends.
   Corner To;
   std::size_t Triangle;
 
@@ -127,7 +127,7 @@ std::vector<Edge> SortedEdges(const std::vector<Triangle>& triangles)
   return edges;
 }
 
-// False only if the triangle and the box are apart, by a gap larger than rounding.
+// Returns false only if the triangle and the box are apart by a gap larger than rounding.
 bool MayTouch(const Triangle& triangle, const Box& box)
 {
   const glm::dvec3 centre = 0.5 * (glm::dvec3(box.Min) + glm::dvec3(box.Max));
@@ -161,8 +161,8 @@ bool MayTouch(const Triangle& triangle, const Box& box)
   return !areApart;
 }
 
-// On which side of the plane through three points a fourth is: -1 or 1, and 0 where rounding may decide. (J. R. Shewchuk:
-// Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997, for the bound)
+// Returns the side of a plane through three points that a fourth point is on: -1 or 1, or 0 if rounding may decide. (J.
+// R. Shewchuk: Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997, for the bound)
 int SideOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& point)
 {
   const glm::dvec3 ap = a - point;
@@ -171,8 +171,8 @@ int SideOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const 
   const double volume = glm::dot(ap, glm::cross(bp, cp));
   const glm::dvec3 sizes(std::abs(bp.y * cp.z) + std::abs(bp.z * cp.y),
     std::abs(bp.z * cp.x) + std::abs(bp.x * cp.z), std::abs(bp.x * cp.y) + std::abs(bp.y * cp.x));
-  const double rounding =
-    1e-14 * glm::dot(glm::abs(ap), sizes) + 1e-290; // the latter for underflow
+  // The constant 1e-290 covers underflow.
+  const double rounding = 1e-14 * glm::dot(glm::abs(ap), sizes) + 1e-290;
   return volume > rounding ? 1 : volume < -rounding ? -1 : 0;
 }
 
@@ -183,7 +183,8 @@ enum class Crossings
   Unknown
 };
 
-// Whether a segment crosses a triangle; unknown if it may touch an edge, or an end the triangle's plane.
+// Returns whether a segment crosses a triangle. The result is Unknown if the segment may touch an edge, or if an end
+// may touch the triangle's plane.
 Crossings CrossingOf(const glm::dvec3& from, const glm::dvec3& to, const Triangle& triangle)
 {
   int least = 1;
@@ -219,7 +220,7 @@ Crossings CrossingsOf(
   return isOdd ? Crossings::Odd : Crossings::Even;
 }
 
-// A point in the box, a different one for each number.
+// Returns a point in the box that differs for each number.
 glm::dvec3 PointIn(const Box& box, int number)
 {
   const glm::dvec3 share(
@@ -227,7 +228,7 @@ glm::dvec3 PointIn(const Box& box, int number)
   return glm::dvec3(box.Min) + share * (glm::dvec3(box.Max) - glm::dvec3(box.Min));
 }
 
-// Whether some segment is known to cross the surface an odd number of times.
+// Returns true if some segment is known to cross the surface an odd number of times.
 bool IsCrossedOddly(const std::vector<Triangle>& surface, const Box& a, const Box& b)
 {
   constexpr int segments = 6;
@@ -242,13 +243,14 @@ bool IsCrossedOddly(const std::vector<Triangle>& surface, const Box& a, const Bo
   return false;
 }
 
-// The surfaces without end in the shaft that stay clear of both boxes.
+// Returns the surfaces that have no border in the shaft and stay clear of both boxes.
 std::vector<std::vector<Triangle>> ClosedSurfaces(
   const std::vector<Triangle>& triangles, const Shaft& shaft, const Box& a, const Box& b)
 {
   Groups groups(triangles.size());
   const std::vector<Edge> edges = SortedEdges(triangles);
-  std::vector<bool> isOpen(triangles.size(), false); // has an end in the shaft, or touches a box
+  // True for triangles with a border in the shaft, and later for the root of each open group.
+  std::vector<bool> isOpen(triangles.size(), false);
   for (std::size_t begin = 0; begin < edges.size();)
   {
     std::size_t end = begin;

@@ -12,24 +12,27 @@
 namespace vitrine
 {
 
-/** Tells the triangle of an item; none if it blocks no view, as a translucent one. Either side of a triangle blocks. */
+/**
+ * Returns the triangle of an item, or nothing if the item blocks no view, such as a translucent one. Both sides of a
+ * triangle block.
+ */
 using BlockerOf = std::function<std::optional<Triangle>(std::uint32_t)>;
 
 /**
- * Whether two boxes may see each other: false only if every segment from a point of one to a point of the other meets a
- * triangle. Touching boxes, and boxes that are empty or not finite, may see each other.
+ * Returns false only if every segment from a point of one box to a point of the other meets a triangle. Boxes that
+ * touch, are empty or are not finite may see each other.
  *
- * The answer is false where a surface closes off the space between the boxes. Triangles belong to one surface where
- * they share edges, corner by corner of equal coordinates. A surface which, as far as it lies in that space, has no edge
- * of an odd number of triangles, and which stays clear of both boxes, is crossed by all segments an even number of times
- * or by all an odd number of times: it takes a passage over an edge or an end to change that. So a segment that crosses it
- * an odd number of times stands for all. (P. Alexandroff, H. Hopf: Topologie, 1935, on the intersection number modulo 2)
+ * The result is false if a surface separates the boxes in the space between them. Triangles that share edges, with
+ * equal coordinates of corners, form a surface. The surface must have no edge of an odd number of triangles in that
+ * space, and must stay clear of both boxes. Then all segments cross it an even number of times, or all an odd number of
+ * times: a change would take a passage over an edge or an end. So a segment that crosses it an odd number of times
+ * represents all. (P. Alexandroff, H. Hopf: Topologie, 1935, on the intersection number modulo 2)
  *
- * So a wall of thousands of triangles blocks as one of two does, bent or plane. Not noticed, and answered by true: what
- * is blocked only by several surfaces together, by one that runs through a box, or by one with cracks.
+ * So a wall of thousands of triangles, bent or plane, blocks like one of two triangles. The result is true if only
+ * several surfaces together block the view, or one that runs through a box or has cracks.
  *
- * @param mostTriangles  that are looked at; where there are more between the boxes, they may see each other
- * @throws std::runtime_error if a page of the tree is on disk and cannot be read
+ * @param mostTriangles  largest number of triangles to test; if there are more between the boxes, the result is true
+ * @throws               std::runtime_error if a page of the tree is on disk and cannot be read
  */
 bool MaySeeEachOther(const Octree& tree, const BlockerOf& blocker, const Box& a, const Box& b,
   std::size_t mostTriangles = 100000);

@@ -26,12 +26,13 @@ Octree::Octree(const ItemBoxes& boxes, std::uint32_t leafSize)
   this->Top.Items.shrink_to_fit();
 }
 
-// Sets aside the items that have no place, and finds the box around all others.
+// Separates the unplaced items and finds the box around all others.
 std::vector<BoxedItem> Octree::ReadPlaceable(const ItemBoxes& boxes)
 {
   constexpr std::uint32_t ChunkSize = 256;
   std::vector<BoxedItem> placeable;
-  placeable.reserve(boxes.Count() + std::size_t{ boxes.Count() } / 8); // what the builder works in
+  // The additional eighth is the builder's working space.
+  placeable.reserve(boxes.Count() + std::size_t{ boxes.Count() } / 8);
   std::array<std::uint32_t, ChunkSize> chunk;
   std::array<Box, ChunkSize> boxesOfChunk;
   for (std::uint32_t begin = 0; begin < boxes.Count();)

@@ -15,15 +15,15 @@ namespace vitrine
 namespace
 {
 
-// A list's boxes are copied where they lie among this many times as many,
+// The boxes of a list are copied if the list lies among at least this many times as many boxes.
 constexpr std::size_t CopyShare = 16;
-// and not where so few of them are about: 460 kB stay in the second cache.
+// Boxes are not copied from so few, because 460 kB stay in the second-level cache.
 constexpr std::size_t FewBoxes = 16384;
 
-// How many entries before it is looked at a box begins to be loaded.
+// Prefetch distance of boxes, in entries.
 constexpr std::size_t Ahead = 16;
 
-// A node that would make only a few leaves is not split where these would list its items so many times over.
+// A node that makes only a few leaves is not split if these would list its items so many times over.
 constexpr std::size_t FewLeaves = 4;
 constexpr double MostRepetition = 2.5;
 
@@ -42,7 +42,7 @@ struct LowestBits
 
 constexpr LowestBits LowestBitOf;
 
-// Calls `visit` with each octant that has its bit set; mostly there is one.
+// Calls `visit` with each octant whose bit is set. Mostly there is one.
 template <class Visit>
 void ForEachOctant(unsigned octants, Visit&& visit)
 {
@@ -52,7 +52,7 @@ void ForEachOctant(unsigned octants, Visit&& visit)
   }
 }
 
-// For each set of octants a word with a byte for each octant: 1 if it is in the set, else 0.
+// A word per set of octants, with one byte per octant: 1 if it is in the set, else 0.
 struct OctantWords
 {
   std::uint64_t Words[256] = {};
@@ -78,7 +78,7 @@ void OctreeBuilder::Build(
 {
   this->Near = { 0, items.size() };
   this->Copies = std::move(items);
-  this->Entries.reserve(2 * this->Near.Size() + this->Near.Size() / 4); // mostly all it comes to
+  this->Entries.reserve(2 * this->Near.Size() + this->Near.Size() / 4); // This mostly suffices.
   this->Entries.resize(this->Near.Size());
   std::iota(this->Entries.begin(), this->Entries.end(), 0u);
   this->Divide(node, cell, depth, this->Near);
@@ -158,7 +158,7 @@ bool OctreeBuilder::IsWorthCopying(std::size_t size) const
   return this->Near.Size() > FewBoxes && size <= this->Near.Size() / CopyShare;
 }
 
-// Appends copies of a list's items and replaces its entries by the numbers of those.
+// Appends copies of a list's items and redirects its entries to them.
 OctreeBuilder::Range OctreeBuilder::Copy(const Range& range)
 {
   const std::size_t first = this->Copies.size();
@@ -170,8 +170,8 @@ OctreeBuilder::Range OctreeBuilder::Copy(const Range& range)
   return { first, first + range.Size() };
 }
 
-// Appends to the entries what stands in each octant, and last what the cell keeps. Does nothing and returns false where
-// that would not separate the items.
+// Appends the entries of each octant, and last those that the cell keeps. Returns false without a change if that would
+// not separate the items.
 bool OctreeBuilder::Scatter(const OctreeCell& cell, const Range& range, Slots& slots)
 {
   this->FindOctants(cell, range);
@@ -191,14 +191,14 @@ void OctreeBuilder::FindOctants(const OctreeCell& cell, const Range& range)
   {
     this->Octants.resize(range.Size());
   }
-  // The cell is copied, since the compiler takes bytes that are written to change whatever is not the lambda's own.
+  // The lambda has its own copy of the cell, because the compiler must assume that written bytes change anything else.
   std::uint8_t* octants = this->Octants.data();
   this->ForEachItem(range,
     [cell, octants](std::size_t, const BoxedItem& item) mutable
     { *octants++ = cell.OctantsFor(item.Extent); });
 }
 
-// Without branches: a byte of a word for each octant, added up before a byte can overflow.
+// This avoids branches: each octant has a byte of a word, which is added up before a byte can overflow.
 OctreeBuilder::Counts OctreeBuilder::CountBySlot(const std::uint8_t* octants, std::size_t count)
 {
   constexpr std::size_t LargestByte = 255;
@@ -222,7 +222,7 @@ OctreeBuilder::Counts OctreeBuilder::CountBySlot(const std::uint8_t* octants, st
   return counts;
 }
 
-// Whether octants with so many items would not be worth having.
+// Returns true if octants with these counts are not worth having.
 bool OctreeBuilder::IsInVain(const OctreeCell& cell, const Range& range, const Counts& counts) const
 {
   const std::size_t largest = *std::max_element(counts.begin(), counts.end());
@@ -241,7 +241,7 @@ bool OctreeBuilder::HaveCommonPoint(const Range& range) const
   return !common.IsEmpty();
 }
 
-// Makes room for lists with so many entries.
+// Makes room for lists of these lengths.
 OctreeBuilder::Slots OctreeBuilder::AppendSlots(const Counts& counts)
 {
   Slots slots;

@@ -14,9 +14,9 @@ namespace vitrine
 {
 
 /**
- * Divides lists of items into nodes of a page, from the top down. What takes time is to fetch boxes that lie far apart in
- * memory, so those of a list are copied side by side whenever it has become a fraction of what they lie among. Building
- * takes, beside the tree, some 40 bytes per item.
+ * Divides lists of items into nodes of a page, from the top down. Most time goes into fetching boxes that lie far apart
+ * in memory. So the boxes of a list are copied side by side once the list is a small fraction of those it lies among.
+ * Beside the tree, building takes about 40 bytes per item.
  */
 class OctreeBuilder
 {
@@ -28,13 +28,13 @@ public:
   }
 
   /**
-   * Makes a node, whatever it was, the root of a subtree.
-   * @param items  placeable ones that have points in the cell, none twice; room for an eighth more saves a copy
+   * Makes a node the root of a subtree, whatever it was before.
+   * @param items  distinct placeable items that share points with the cell; spare capacity of an eighth saves a copy
    */
   void Build(std::uint32_t node, const OctreeCell& cell, int depth, std::vector<BoxedItem> items);
 
 private:
-  // A list on a stack of lists.
+  // A list in a stack of lists.
   struct Range
   {
     std::size_t Begin;
@@ -62,10 +62,10 @@ private:
 
   std::uint32_t LeafSize;
   OctreePage& Page;
-  std::vector<BoxedItem> Copies;      // a stack of lists
-  Range Near{};                       // the last of them
-  std::vector<std::uint32_t> Entries; // a stack of lists of numbers in it
-  std::vector<std::uint8_t> Octants;  // of each entry of the list that is being divided
+  std::vector<BoxedItem> Copies;      // A stack of lists.
+  Range Near{};                       // The last list of Copies.
+  std::vector<std::uint32_t> Entries; // A stack of lists of indices into Near.
+  std::vector<std::uint8_t> Octants; // The octants of each entry of the list that is being divided.
 };
 
 }

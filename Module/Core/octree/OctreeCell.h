@@ -14,25 +14,25 @@ namespace vitrine
 {
 
 /**
- * The part of space that a node of an octree stands for. Cells are not stored: each follows from its parent's. An octant's
- * number has bit 0 set where x is high, bit 1 for y and bit 2 for z; a point in the plane between belongs to the high side.
- * So each point of space lies in exactly one octant, and the outermost cells have no outer end.
+ * The part of space that a node of an octree stands for. Cells are not stored, because each follows from its parent's.
+ * An octant's number has bit 0 set where x is high, bit 1 for y and bit 2 for z. A point in a split plane belongs to
+ * the high side. So each point lies in exactly one octant, and the outermost cells are unbounded.
  */
 struct OctreeCell
 {
-  Box Extent = Box::Everything(); ///< its points and those on its high sides
-  glm::vec3 Centre{
-    0.0f
-  }; ///< where it is split; infinite on axes that it is too small for, where all is low
-  float Half = 1.0f; ///< half of an edge; for outermost cells, of the part around the centre
+  Box Extent = Box::Everything(); ///< The cell's points and those on its high sides.
+  /** The point where the cell is split. It is infinite on axes that are too small to split, where everything is low. */
+  glm::vec3 Centre{ 0.0f };
+  /** Half of an edge. For outermost cells, it is that of the part around the centre. */
+  float Half = 1.0f;
 
-  /** The cell of a root: all of space, its centre that of a placeable box. */
+  /** Returns the cell of a root: all of space, split at the centre of a placeable box. */
   static OctreeCell Around(const Box& box)
   {
     OctreeCell cell;
     cell.Centre = 0.5f * box.Min + 0.5f * box.Max;
     const glm::vec3 half = 0.5f * box.Max - 0.5f * box.Min;
-    // A root around a single point gets some size too, so that others have room beside it.
+    // A root around a single point gets some size too, so that other items have room beside it.
     const float least = 1e-3f *
       std::max(
         { std::abs(cell.Centre.x), std::abs(cell.Centre.y), std::abs(cell.Centre.z), 1e-3f });
@@ -57,14 +57,14 @@ struct OctreeCell
     return cell;
   }
 
-  /** Whether the cell is larger than what floats can tell apart. */
+  /** Returns true if floats can split the cell on some axis. */
   bool IsDivisible() const
   {
     return std::min({ this->Centre.x, this->Centre.y, this->Centre.z }) <
       std::numeric_limits<float>::infinity();
   }
 
-  /** Whether a point is in this cell and in no other beside it. The point is finite. */
+  /** Returns true if a point, which must be finite, is in this cell and not in one beside it. */
   bool Has(const glm::vec3& point) const
   {
     return point.x >= this->Extent.Min.x && point.x < this->Extent.Max.x &&
@@ -73,8 +73,9 @@ struct OctreeCell
   }
 
   /**
-   * The octants that an item is handed to, a bit each: all that its box has points in; or none, and the cell keeps it,
-   * where these are several and the box is longer than the cell's edge. Small octants would hold too many such items.
+   * Returns the octants that an item is handed to, one bit each: all that share points with its box. Returns 0, and the
+   * cell keeps the item, if there are several and the box is longer than the cell's edge. Small octants would hold too
+   * many such items.
    */
   std::uint8_t OctantsFor(const Box& box) const;
 };
@@ -88,7 +89,7 @@ struct OctantsTable
 
   constexpr OctantsTable()
   {
-    // Sides of the split planes: bits 0 to 2 low in x, y, z, bits 3 to 5 high.
+    // Bits 0 to 2 are low sides of the split planes in x, y, z; bits 3 to 5 are high sides.
     for (unsigned sides = 0; sides < 64; ++sides)
     {
       for (unsigned octant = 0; octant < 8; ++octant)
@@ -110,8 +111,8 @@ inline constexpr OctantsTable OctantsBySides;
 
 inline std::uint8_t OctreeCell::OctantsFor(const Box& box) const
 {
-  // Without branches and on all axes at once, as it is asked of each item at each level. Lanes 0 to 2 of one half hold the
-  // low corner and lanes 1 to 3 of the other the high one; what else they hold does not matter.
+  // This is asked of each item at each level, so it avoids branches and handles all axes at once. Lanes 0 to 2 of one
+  // half hold the low corner. Lanes 1 to 3 of the other hold the high corner. The remaining lanes do not matter.
   const HalfLanes lows = LoadHalf(box, 0);
   const HalfLanes highs = LoadHalf(box, 2);
   const HalfLanes centre{ this->Centre.x, this->Centre.y, this->Centre.z, 0 };

@@ -14,7 +14,7 @@ namespace vitrine
 namespace
 {
 
-// What the file begins with. Behind it stand the places of the pages, the unplaced items, and the pages.
+// The beginning of the file. It is followed by the places of the pages, the unplaced items, and the pages.
 struct Header
 {
   char Magic[8] = { 'V', 'i', 't', 'r', 'O', 'c', 't', '1' };
@@ -24,7 +24,8 @@ struct Header
   std::uint32_t LeafSize = 0;
   float Centre[3] = {};
   float Half = 0;
-  std::uint64_t Checksum = 0; // of all up to the first page, this number taken as 0
+  // Checksum of everything before the first page, with this number as 0.
+  std::uint64_t Checksum = 0;
 };
 static_assert(sizeof(Header) == 48 && sizeof(OctreeFile::PagePlace) == 24, "without padding");
 static_assert(std::is_trivially_copyable_v<OctreeNode>, "nodes are read and written as they are");

@@ -14,23 +14,22 @@ namespace vitrine
 {
 
 /**
- * Writes a tree into a file of its own, as pages: subtrees cut off where they are small enough, and the top of the tree,
- * which holds what remains. The file is complete or not there: it is written beside itself first. It is read by
- * machines of the same byte order.
- *
- * @param tree       one that is wholly in memory
- * @param pageBytes  how large the pages are at most, the top and leaves larger than that aside
- * @throws std::runtime_error if the file cannot be written
+ * Writes a tree into a file of pages: subtrees that are small enough, and the remaining top of the tree. The file is
+ * written under another name first, so it is complete or not there. Only machines of the same byte order can read it.
+ * @param tree       a tree that is wholly in memory
+ * @param pageBytes  largest size of pages in bytes; the top, and leaves that are larger, may exceed it
+ * @throws           std::runtime_error if the file cannot be written
  */
 void WriteOctreeFile(const Octree& tree, const std::filesystem::path& file, std::size_t pageBytes);
 
-/** A file of WriteOctreeFile(). What is read from it is checked, so that no file makes a walk go astray. */
+/** A file of WriteOctreeFile(). All that is read is checked, so that no file can lead a walk astray. */
 class OctreeFile
 {
 public:
   /**
-   * @param itemCount  how many items there are; a file that knows of more is refused
-   * @throws std::runtime_error if the file is missing, truncated, damaged or something else
+   * Opens a file and reads its header.
+   * @param itemCount  number of items; a file that refers to more is refused
+   * @throws           std::runtime_error if the file is missing, truncated, damaged or something else
    */
   OctreeFile(const std::filesystem::path& file, std::uint32_t itemCount);
 
@@ -38,29 +37,32 @@ public:
   std::uint32_t LeafSize() const { return this->LargestLeaf; }
   const std::vector<std::uint32_t>& Unplaced() const { return this->UnplacedItems; }
 
-  /** Memory that a page takes. */
+  /** Returns the memory use of a page in bytes. */
   std::size_t BytesOf(std::uint32_t page) const;
 
-  /** Pages there are; page 0 is the top of the tree. */
+  /** Returns the number of pages. Page 0 is the top of the tree. */
   std::uint32_t PageCount() const { return static_cast<std::uint32_t>(this->Pages.size()); }
 
-  /** Safe to be called by several threads. @throws std::runtime_error if the file is truncated or damaged */
+  /**
+   * Reads a page. Several threads may call this.
+   * @throws  std::runtime_error if the file is truncated or damaged
+   */
   OctreePage Read(std::uint32_t page) const;
 
   /**
-   * Whether a walk through a page comes to an end and finds only nodes, lists and items that are there.
-   * @param isTop  whether it is the top of a tree, which alone may be empty and may stand on other pages
+   * Returns true if a walk through a page ends and meets only existing nodes, lists and items.
+   * @param isTop  true for the top of a tree; only the top may be empty and refer to other pages
    */
   static bool IsSound(
     const OctreePage& page, bool isTop, std::uint32_t itemCount, std::uint32_t pageCount);
 
-  /** Where a page lies in the file. */
+  /** The place of a page in the file. */
   struct PagePlace
   {
     std::uint64_t Offset;
-    std::uint64_t Checksum; // of its nodes and lists
+    std::uint64_t Checksum; // Checksum of the page's nodes and lists.
     std::uint32_t Nodes;
-    std::uint32_t Items; // numbers in its lists, the rooms of the lists among them
+    std::uint32_t Items; // Numbers in the page's lists, including the rooms of the lists.
   };
 
 private:

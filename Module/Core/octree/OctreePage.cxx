@@ -61,8 +61,8 @@ void OctreePage::FreeNodes(std::uint32_t first, std::uint32_t count)
 std::uint32_t OctreePage::NewList(std::uint32_t room)
 {
   assert(room >= 1);
-  std::vector<std::uint32_t>& free =
-    this->FreeLists[CeilingOfLogarithm(room)]; // no list in it has less
+  // All lists in it have enough room.
+  std::vector<std::uint32_t>& free = this->FreeLists[CeilingOfLogarithm(room)];
   if (room <= OctreeNode::LargestCount && !free.empty())
   {
     const std::uint32_t first = free.back();

@@ -14,9 +14,9 @@ namespace vitrine
 {
 
 /**
- * A node of an octree. It is a leaf, which holds a range of items; or inner, with children that stand side by side: one for
- * each octant that holds anything, in ascending order, and behind them perhaps a leaf with the items that are too long to be
- * handed to octants; or stored, which stands for the root of another page.
+ * A node of an octree. A leaf holds a range of items. An inner node has consecutive children: one for each octant that
+ * holds anything, in ascending order, and perhaps a last leaf with the items that are too long for octants. A stored
+ * node stands for the root of another page.
  */
 struct OctreeNode
 {
@@ -28,13 +28,17 @@ struct OctreeNode
   };
 
   static constexpr std::uint32_t LargestCount = (1u << 30) - 1;
-  static constexpr int OwnSlot = 8; ///< slots 0 to 7 are the octants'
+  /** The slot of the leaf with long items. Slots 0 to 7 belong to the octants. */
+  static constexpr int OwnSlot = 8;
 
-  Box Bounds; ///< the tightest around the parts of its items that lie in its cell
-  std::uint32_t First =
-    0; ///< leaf: of its items; inner: of its children; stored: number of the page
-  std::uint32_t Detail =
-    0; ///< two bits of kind; leaf: how many items; inner: a bit for each slot that has a child
+  Box Bounds; ///< The tightest box around the parts of its items that lie in its cell.
+  /** First item of a leaf, first child of an inner node, or page number of a stored node. */
+  std::uint32_t First = 0;
+  /**
+   * Kind in the two highest bits. The rest is the number of a leaf's items, or a bit for each slot of an inner node
+   * with a child.
+   */
+  std::uint32_t Detail = 0;
 
   static std::uint32_t LeafDetail(std::size_t count)
   {
@@ -47,14 +51,14 @@ struct OctreeNode
   Kinds Kind() const { return static_cast<Kinds>(this->Detail >> 30); }
   bool IsLeaf() const { return this->Detail >> 30 == 0; }
 
-  /** Items of a leaf. */
+  /** Returns the number of items of a leaf. */
   std::uint32_t Count() const
   {
     assert(this->IsLeaf());
     return this->Detail;
   }
 
-  /** The slots of an inner node that have a child, a bit each. */
+  /** Returns the slots of an inner node that have a child, one bit each. */
   std::uint32_t Slots() const
   {
     assert(this->Kind() == Kinds::Inner);
@@ -63,14 +67,14 @@ struct OctreeNode
   bool HasChild(int slot) const { return (this->Slots() >> slot & 1) != 0; }
   std::uint32_t ChildCount() const { return CountBelow(OwnSlot + 1); }
 
-  /** The number of the child in a slot that has one. */
+  /** Returns the index of the child in a slot, which must have one. */
   std::uint32_t Child(int slot) const
   {
     assert(this->HasChild(slot));
     return this->First + this->CountBelow(slot);
   }
 
-  /** How many of the slots before this one have a child. */
+  /** Returns the number of slots before this one that have a child. */
   std::uint32_t CountBelow(int slot) const;
 };
 static_assert(sizeof(OctreeNode) == 32, "two nodes fill a cache line");
@@ -101,9 +105,8 @@ inline std::uint32_t OctreeNode::CountBelow(int slot) const
 }
 
 /**
- * Nodes and lists of items in two flat arrays: a whole octree, or a subtree of one. Node 0 is the root; there is none where
- * nothing is held. Blocks of nodes and lists of items that were given back are handed out again. Before each list stands
- * one number, how many items it has room for.
+ * Nodes and lists of items in two flat arrays: a whole octree or a subtree. Node 0 is the root; an empty page has no
+ * nodes. Freed blocks of nodes and freed lists are reused. The number before each list is its capacity.
  */
 class OctreePage
 {
@@ -111,11 +114,17 @@ public:
   std::vector<OctreeNode> Nodes;
   std::vector<std::uint32_t> Items;
 
-  /** A block of nodes side by side. @throws std::length_error if they cannot be numbered in 32 bits */
+  /**
+   * Returns a block of consecutive nodes.
+   * @throws  std::length_error if they cannot be numbered in 32 bits
+   */
   std::uint32_t NewNodes(std::uint32_t count);
   void FreeNodes(std::uint32_t first, std::uint32_t count);
 
-  /** A list with room for so many items. @throws std::length_error if they cannot be numbered in 32 bits */
+  /**
+   * Returns a list with room for so many items.
+   * @throws  std::length_error if they cannot be numbered in 32 bits
+   */
   std::uint32_t NewList(std::uint32_t room);
   void FreeList(std::uint32_t first);
 
@@ -127,24 +136,25 @@ public:
   }
   std::uint32_t* ItemsOf(const OctreeNode& leaf) { return this->Items.data() + leaf.First; }
 
-  /** Memory that it takes. */
+  /** Returns the memory use in bytes. */
   std::size_t Bytes() const;
 
 private:
-  std::array<std::vector<std::uint32_t>, OctreeNode::OwnSlot + 2> FreeBlocks; // by count
-  std::array<std::vector<std::uint32_t>, 32>
-    FreeLists; // by the logarithm of the room, rounded down
+  // Blocks by node count.
+  std::array<std::vector<std::uint32_t>, OctreeNode::OwnSlot + 2> FreeBlocks;
+  // Lists by the logarithm of their room, rounded down.
+  std::array<std::vector<std::uint32_t>, 32> FreeLists;
 };
 
-/** Where the pages of an octree are that are not in memory all the time. */
+/** Source of the pages of an octree that are not always in memory. */
 class OctreePages
 {
 public:
   virtual ~OctreePages() = default;
 
   /**
-   * The page, which stays in memory at least as long as somebody holds the pointer. Safe to be called by several threads.
-   * @throws std::runtime_error if it cannot be read
+   * Returns a page. It stays in memory at least as long as somebody holds the pointer. Several threads may call this.
+   * @throws  std::runtime_error if the page cannot be read
    */
   virtual std::shared_ptr<const OctreePage> Load(std::uint32_t page) = 0;
 };

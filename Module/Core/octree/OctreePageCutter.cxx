@@ -8,7 +8,7 @@ namespace vitrine
 namespace
 {
 
-// A page for less than this share of a full one is not worth being read from disk.
+// A page smaller than this share of a full one is not worth a read from disk.
 constexpr std::size_t LeastShare = 64;
 
 }

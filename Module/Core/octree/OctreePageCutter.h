@@ -11,13 +11,13 @@
 namespace vitrine
 {
 
-/** Takes a tree apart into pages for a file: the first has the nodes above all others' roots. */
+/** Cuts a tree into pages for a file. The first page has the nodes above the roots of all others. */
 class OctreePageCutter
 {
 public:
   /**
-   * @param whole      the nodes and lists of the tree, all in memory; must outlive the cutter
-   * @param pageBytes  that no page but the first exceeds, unless a leaf alone does
+   * @param whole      nodes and lists of the tree, all in memory; must outlive the cutter
+   * @param pageBytes  largest size of a page in bytes; the first page, and single leaves, may exceed it
    */
   OctreePageCutter(const OctreePage& whole, std::size_t pageBytes);
 
@@ -30,14 +30,14 @@ private:
   void Cut(std::uint32_t number);
   void Copy(std::uint32_t from, OctreePage& page, std::uint32_t to, bool isTop) const;
 
-  /** The page that begins with a node, 0 if none does. */
+  /** Returns the page that begins with a node, or 0 if none does. */
   std::uint32_t PageOf(std::uint32_t node) const;
 
   const OctreePage& Whole;
   std::size_t PageBytes;
-  std::vector<std::uint64_t> BytesBelow;                    ///< by node, itself included
-  std::vector<std::uint32_t> Roots;                         ///< by page
-  std::unordered_map<std::uint32_t, std::uint32_t> Numbers; ///< of the pages, by root
+  std::vector<std::uint64_t> BytesBelow; ///< Bytes below each node, including the node.
+  std::vector<std::uint32_t> Roots;      ///< Root of each page.
+  std::unordered_map<std::uint32_t, std::uint32_t> Numbers; ///< Page number of each root.
 };
 
 }

@@ -8,7 +8,7 @@ namespace vitrine
 namespace
 {
 
-// Collects the items of which `isFound` holds for the box, below nodes of which `mayHold` does.
+// Collects the items whose boxes satisfy `isFound`, below nodes whose boxes satisfy `mayHold`.
 template <class MayHold, class IsFound>
 class Collector
 {

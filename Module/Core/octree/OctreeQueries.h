@@ -13,22 +13,24 @@
 #include <optional>
 #include <vector>
 
-// Questions to an octree. Each has the answer that asking every item has, to the last bit: what is monotone in a box's
-// sides, rounding included, holds for a node wherever it holds for an item below. `boxes` are those that the tree was
-// built with. An item whose box is empty or has a NaN is never found; one with an infinite box is, where the box lies.
-// All throw std::runtime_error where a page of the tree is on disk and cannot be read.
+// Queries of an octree. Each has the same result as a test of every item, to the last bit: tests are monotone in a
+// box's sides, rounding included. So a test that holds for an item holds for all nodes above. `boxes` must be those
+// that the tree was built with. An item with an empty box or NaN is never found. An item with an infinite box is found
+// where the box lies. All throw std::runtime_error if a page of the tree is on disk and cannot be read.
 
 namespace vitrine
 {
 
-/** The points no farther from a centre than a radius. With a NaN, an infinite centre or a negative radius, none. */
+/**
+ * The points no farther from a centre than a radius. There are none for NaN, an infinite centre or a negative radius.
+ */
 struct Sphere
 {
   glm::dvec3 Centre{ 0.0 };
   double Radius = 0.0;
 };
 
-/** How far a point is from a box that is not empty. */
+/** Returns the distance between a point and a box, which must not be empty. */
 inline double DistanceTo(const Box& box, const glm::dvec3& point)
 {
   double sum = 0;
@@ -41,53 +43,55 @@ inline double DistanceTo(const Box& box, const glm::dvec3& point)
   return std::sqrt(sum);
 }
 
-/** Items whose boxes have a point in common with a box, in ascending order. */
+/** Returns the items whose boxes share a point with a box, in ascending order. */
 std::vector<std::uint32_t> ItemsTouching(
   const Octree& tree, const ItemBoxes& boxes, const Box& box);
 
-/** Items whose boxes lie in a box, in ascending order. */
+/** Returns the items whose boxes lie in a box, in ascending order. */
 std::vector<std::uint32_t> ItemsWithin(const Octree& tree, const ItemBoxes& boxes, const Box& box);
 
-/** Items whose boxes have a point in common with a sphere, in ascending order. */
+/** Returns the items whose boxes share a point with a sphere, in ascending order. */
 std::vector<std::uint32_t> ItemsTouching(
   const Octree& tree, const ItemBoxes& boxes, const Sphere& sphere);
 
-/** Items whose boxes lie in a sphere, in ascending order. */
+/** Returns the items whose boxes lie in a sphere, in ascending order. */
 std::vector<std::uint32_t> ItemsWithin(
   const Octree& tree, const ItemBoxes& boxes, const Sphere& sphere);
 
-/** Items whose boxes a ray meets, in ascending order. */
+/** Returns the items whose boxes a ray meets, in ascending order. */
 std::vector<std::uint32_t> ItemsAlong(const Octree& tree, const ItemBoxes& boxes, const Ray& ray);
 
-/** What was found first or nearest. */
+/** The first or the nearest item. */
 struct FoundItem
 {
   std::uint32_t Item;
-  double Distance; ///< of a hit, in lengths of the ray's direction
+  double Distance; ///< Distance of the item. For a ray, it is in lengths of the ray's direction.
 };
 
 /**
- * The item that a ray hits first, of equally far ones the lowest number.
+ * Returns the item that a ray hits first. The lowest number wins among equal distances.
  *
- * @param hit  `std::optional<double> hit(std::uint32_t item)`: how far along the ray it is met. Asked only for items whose
- *             boxes the ray meets. A distance outside of the ray's range in the box, as by rounding, counts as the
- *             range's end; one that is NaN, infinite, negative or beyond the ray's end is no hit.
+ * @param hit  `std::optional<double> hit(std::uint32_t item)`: returns the distance along the ray to an item, whose box
+ *             the ray meets. A distance outside of the ray's range in the box, as by rounding, is clamped to that
+ *             range. NaN, infinite and negative distances and those beyond the ray's end are no hits.
  */
 template <class Hit>
 std::optional<FoundItem> FirstHit(
   const Octree& tree, const ItemBoxes& boxes, const Ray& ray, Hit&& hit);
 
 /**
- * The item nearest to a point, of equally near ones the lowest number. None for a point that is not finite.
+ * Returns the item nearest to a point. The lowest number wins among equal distances. Returns nothing if the point is
+ * not finite.
  *
- * @param distance  `double distance(std::uint32_t item)`: from the point to the item. One smaller than that to the item's
- *                  box counts as that to the box; an item whose distance is NaN or infinite is left out.
+ * @param distance  `double distance(std::uint32_t item)`: returns the distance from the point to the item. A distance
+ *                  smaller than that to the item's box counts as the latter. Items with a NaN or infinite distance are
+ *                  ignored.
  */
 template <class Distance>
 std::optional<FoundItem> NearestItem(
   const Octree& tree, const ItemBoxes& boxes, const glm::dvec3& point, Distance&& distance);
 
-/** As above, by the distances to the items' boxes. */
+/** Returns the item whose box is nearest to a point. */
 std::optional<FoundItem> NearestItem(
   const Octree& tree, const ItemBoxes& boxes, const glm::dvec3& point);
 
@@ -99,7 +103,8 @@ template <class Lowest, class Exact>
 class NearestSearch
 {
 public:
-  // `lowest` tells a box's distance, infinite or NaN where it is out of reach, and `exact` an item's from that and itself.
+  // `lowest` returns the distance of a box, infinite or NaN if out of reach. `exact` returns that of an item, given its
+  // number, box and lowest distance.
   NearestSearch(const ItemBoxes& boxes, Lowest& lowest, Exact& exact)
     : Boxes(boxes)
     , LowestOf(lowest)

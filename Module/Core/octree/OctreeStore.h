@@ -15,9 +15,9 @@ namespace vitrine
 {
 
 /**
- * Octrees whose subtrees are on disk. A page is read when a walk first enters it; where the pages in memory would exceed a
- * budget, those that were not needed for longest are dropped. The tree gives the same answers as the one that was
- * written. Items' boxes are not stored: they are asked for as ever, say of arrays that are files mapped into memory.
+ * Octrees whose subtrees are on disk. A page is read when a walk first enters it. If the pages in memory would exceed a
+ * budget, the least recently used are dropped. The tree gives the same results as the one that was written. Items'
+ * boxes are not stored; they may come from arrays that are memory-mapped files.
  */
 class OctreeStore : public OctreePages
 {
@@ -25,37 +25,36 @@ public:
   static constexpr std::size_t DefaultPageBytes = 256 * 1024;
 
   /**
-   * Writes a tree, which is wholly in memory, into a folder that exists.
-   * @throws std::runtime_error if it cannot be written
+   * Writes a tree, which must be wholly in memory, into an existing folder.
+   * @throws  std::runtime_error if it cannot be written
    */
   static void Write(const Octree& tree, const std::filesystem::path& folder,
     std::size_t pageBytes = DefaultPageBytes);
 
   /**
-   * The tree that was written into a folder.
-   *
-   * @param budget     bytes that pages may take in memory, its top aside, which stays. A page that a walk is in stays until
-   *                   the walk leaves it.
-   * @param itemCount  how many items there are now; a tree that knows of more is refused
-   * @throws std::runtime_error if there is none, or it is truncated or damaged
+   * Opens the tree that was written into a folder.
+   * @param budget     bytes of memory for pages, without the top, which stays; a page that a walk is in stays until the
+   *                   walk leaves it
+   * @param itemCount  current number of items; a tree that refers to more is refused
+   * @throws           std::runtime_error if there is no tree, or it is truncated or damaged
    */
   static Octree Open(
     const std::filesystem::path& folder, std::size_t budget, std::uint32_t itemCount);
 
   OctreeStore(const std::filesystem::path& folder, std::size_t budget, std::uint32_t itemCount);
 
-  /** The tree of a store, which it keeps alive. */
+  /** Returns the tree of a store. The tree keeps the store alive. */
   static Octree TreeOf(const std::shared_ptr<OctreeStore>& store);
 
   std::shared_ptr<const OctreePage> Load(std::uint32_t page) override;
 
-  /** Bytes of the pages that are in memory, the top aside. */
+  /** Returns the bytes of the pages in memory, without the top. */
   std::size_t ResidentBytes() const;
 
-  /** Pages read so far, the top aside. */
+  /** Returns the number of pages read so far, without the top. */
   std::uint64_t ReadCount() const;
 
-  /** Bytes of all pages, the top aside. */
+  /** Returns the bytes of all pages, without the top. */
   std::size_t TotalBytes() const;
 
 private:
@@ -69,7 +68,7 @@ private:
   OctreeFile File;
   std::size_t Budget;
   mutable std::mutex Access;
-  std::list<Resident> Residents; // the one needed last is the first
+  std::list<Resident> Residents; // The most recently used page is first.
   std::unordered_map<std::uint32_t, std::list<Resident>::iterator> ByPage;
   std::size_t Bytes = 0;
   std::uint64_t Reads = 0;

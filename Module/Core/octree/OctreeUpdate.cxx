@@ -1,4 +1,4 @@
-// What changes an Octree after it was built.
+// Changes of an Octree after it was built.
 
 #include "Core/octree/Octree.h"
 #include "Core/octree/OctreeBuilder.h"
@@ -12,7 +12,7 @@ namespace vitrine
 namespace
 {
 
-// Whether shrinking `part`, which lies in `whole`, may shrink `whole`.
+// Returns true if shrinking `part`, which lies in `whole`, may shrink `whole`.
 bool ReachesSideOf(const Box& part, const Box& whole)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -42,7 +42,7 @@ std::vector<BoxedItem> WithBoxes(const std::vector<std::uint32_t>& items, const 
 struct Octree::Change
 {
   std::uint32_t Item;
-  Box Place; // where it is put or was found
+  Box Place; // The box where the item is put or was found.
   const ItemBoxes& Boxes;
 };
 
@@ -92,7 +92,7 @@ void Octree::Remove(const MovedItem* removed, std::size_t count, const ItemBoxes
     this->Strays -= !Contains(this->Built, change.Place);
     this->EraseFrom(change, 0, this->Root);
   }
-  // Only now that the leaves hold none of these may their items' boxes be asked for.
+  // Boxes of items may be read only now that no leaf holds a removed item.
   for (std::size_t i = 0; i < count; ++i)
   {
     if (removed[i].Before.IsPlaceable())
@@ -137,7 +137,7 @@ void Octree::InsertInto(const Change& change, std::uint32_t node, const OctreeCe
       this->AddChild(node, slot);
     }
     const std::uint32_t child = this->Top.Nodes[node].Child(slot);
-    // The list of long items is as deep as a leaf may be: it cannot be split.
+    // The list of long items has the largest depth of a leaf, so it is never split.
     this->InsertInto(
       change, child, isKept ? cell : cell.Octant(slot), isKept ? LargestDepth : depth + 1);
   }
@@ -154,7 +154,7 @@ void Octree::AppendToLeaf(
     this->Top.Nodes[leaf].Detail = OctreeNode::LeafDetail(count + 1);
     return;
   }
-  // Whether the leaf can be split is tried each time that its list has to grow, so that trying costs no more than growing.
+  // A split is tried each time the list has to grow, so trying costs no more than growing.
   std::vector<std::uint32_t> items(
     this->Top.Items.begin() + list, this->Top.Items.begin() + list + count);
   items.push_back(change.Item);
@@ -193,7 +193,7 @@ void Octree::AddChild(std::uint32_t node, int slot)
   this->Top.Nodes[node].Detail = OctreeNode::InnerDetail(parent.Slots() | 1u << slot);
 }
 
-// Takes the item out of its leaves and leaves all else as it is.
+// Removes the item from its leaves and changes nothing else.
 void Octree::EraseFrom(const Change& change, std::uint32_t node, const OctreeCell& cell)
 {
   OctreeNode& parent = this->Top.Nodes[node];
@@ -220,7 +220,7 @@ void Octree::EraseFrom(const Change& change, std::uint32_t node, const OctreeCel
   }
 }
 
-// Drops leaves that have become empty, tightens boxes and merges nodes, wherever the item was.
+// Drops empty leaves, tightens boxes and merges nodes wherever the item was.
 void Octree::Refit(const Change& change, std::uint32_t node, const OctreeCell& cell)
 {
   if (this->Top.Nodes[node].IsLeaf())
@@ -233,7 +233,7 @@ void Octree::Refit(const Change& change, std::uint32_t node, const OctreeCell& c
   const std::uint32_t slots = isKept ? 1u << OctreeNode::OwnSlot : octants;
   for (int slot = 0; slot <= OctreeNode::OwnSlot; ++slot)
   {
-    // The refit after another item may have dropped the child, or all of them.
+    // The refit after another item may have dropped this child, or all children.
     const OctreeNode& parent = this->Top.Nodes[node];
     if (parent.IsLeaf() || (slots >> slot & 1) == 0 || !parent.HasChild(slot))
     {
@@ -277,7 +277,7 @@ void Octree::RefitLeaf(const Change& change, OctreeNode& leaf, const OctreeCell&
   leaf.Bounds = bounds;
 }
 
-// Takes the empty leaf of a slot from an inner node, which becomes an empty leaf if it has no other child.
+// Removes the empty leaf of a slot from an inner node. The node becomes an empty leaf if it has no other child.
 void Octree::DropChild(std::uint32_t node, int slot)
 {
   const OctreeNode parent = this->Top.Nodes[node];
@@ -300,7 +300,7 @@ void Octree::DropChild(std::uint32_t node, int slot)
   this->Top.Nodes[node].Detail = OctreeNode::InnerDetail(parent.Slots() & ~(1u << slot));
 }
 
-// Makes a node a leaf again whose children are leaves with so few items that it does not soon have to be split anew.
+// Turns a node into a leaf if its children are leaves with so few items that a new split is not near.
 void Octree::MergeChildren(std::uint32_t node)
 {
   const OctreeNode parent = this->Top.Nodes[node];

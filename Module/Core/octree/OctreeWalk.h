@@ -8,7 +8,10 @@
 namespace vitrine
 {
 
-/** The order of a perspective view: in each cell the eye's octant first, and none before one that may hide it. */
+/**
+ * The order of a perspective view. In each cell the eye's octant comes first, and no octant precedes one that may hide
+ * it.
+ */
 class OrderFromEye
 {
 public:
@@ -43,22 +46,22 @@ private:
 };
 
 /**
- * Walks a tree from front to back. In a cell the items come first that are too long for its octants, then octant after
- * octant: the plane between two of them has the earlier one on the viewer's side, so that nothing in the later one's cell
- * can hide anything in the earlier one's. A number that is not finite in the order still makes a walk of the whole tree.
+ * Walks a tree from front to back. In a cell, the items that are too long for octants come first, then octant after
+ * octant. The earlier one of two octants is on the viewer's side of the plane between them, so nothing in the later
+ * cell can hide anything in the earlier one. If a number of the order is not finite, the whole tree is still walked.
  *
- * Pages on disk are loaded when they are entered and held while the walk is in them.
+ * Pages on disk are loaded when they are entered, and held while the walk is in them.
  *
- * @param order    OrderFromEye, OrderAlong, or what has their NearestOctant()
- * @param visitor  `bool Enter(const OctreeNode& node)`: whether to go on into a node, whose Bounds hold all that is below;
- *                 `void Visit(const OctreeNode& leaf, const std::uint32_t* items, std::uint32_t count)`: the items of a
- *                 leaf that was entered. An item comes again with each leaf that it stands in.
- * @throws std::runtime_error if a page cannot be read
+ * @param order    OrderFromEye, OrderAlong, or an object with their NearestOctant()
+ * @param visitor  `bool Enter(const OctreeNode& node)`: returns true to enter a node, whose Bounds contain everything
+ *                 below; `void Visit(const OctreeNode& leaf, const std::uint32_t* items, std::uint32_t count)`:
+ *                 receives the items of an entered leaf. An item comes once for each leaf that it stands in.
+ * @throws         std::runtime_error if a page cannot be read
  */
 template <class Order, class Visitor>
 void WalkFrontToBack(const Octree& tree, const Order& order, Visitor& visitor);
 
-/** The parts of WalkFrontToBack(). */
+/** The steps of WalkFrontToBack(). */
 template <class Order, class Visitor>
 class OctreeWalker
 {

@@ -13,7 +13,7 @@
 namespace vitrine
 {
 
-/** The points Origin + t Direction with 0 <= t <= Furthest. One with a number that is not finite has none. */
+/** The points Origin + t Direction with 0 <= t <= Furthest. A ray with a number that is not finite has no points. */
 struct Ray
 {
   glm::dvec3 Origin{ 0.0 };
@@ -26,7 +26,7 @@ struct Ray
   }
 };
 
-/** An interval of t along a ray, empty if Enter > Leave. */
+/** An interval of t along a ray. It is empty if Enter > Leave. */
 struct RayRange
 {
   double Enter = std::numeric_limits<double>::infinity();
@@ -36,8 +36,8 @@ struct RayRange
 };
 
 /**
- * Where a finite ray lies in a box. Each step is monotone in the box's sides, rounding included. So a box around another is
- * met wherever the other is, and of a box cut in two a half is met wherever the whole is.
+ * Returns the part of a finite ray that lies in a box. Each step is monotone in the box's sides, rounding included. So
+ * a ray that meets a box also meets every box around it, and meets at least one half of the box if it is cut in two.
  */
 inline RayRange RangeInBox(const Ray& ray, const Box& box)
 {

@@ -11,7 +11,7 @@ namespace vitrine
 namespace
 {
 
-// Sums of three products are exact to a few units in the last place of the largest sum of their sizes.
+// Sums of three products are exact to a few ulps of the largest sum of their absolute values.
 constexpr double RoundingShare = 1e-14;
 
 glm::dvec3 CornerTowards(const Box& box, const glm::dvec3& direction)
@@ -37,8 +37,8 @@ Shaft::Shaft(const Box& a, const Box& b)
       normal[axis] = sign;
       this->AddPlane(normal, a, b);
     }
-    // Seen along the axis the boxes are rectangles. A line through the same corner of both bounds them if they lie on one
-    // side of it: if its normal points into the corner's quadrant.
+    // Seen along the axis, the boxes are rectangles. A line through the same corner of both bounds them if both lie on
+    // one side of it. That is so if its normal points into the corner's quadrant.
     const int across = (axis + 1) % 3;
     const int up = (axis + 2) % 3;
     for (int corner = 0; corner < 4; ++corner)

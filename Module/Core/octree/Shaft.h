@@ -12,23 +12,23 @@ namespace vitrine
 {
 
 /**
- * The space between two boxes, which are placeable: all segments from a point of one to a point of the other. It is
- * bounded by the sides of the box around both and by planes along an axis through an edge of each. (E. Haines, J. Wallace:
- * Shaft culling for efficient ray-traced radiosity, 1991)
+ * The space between two placeable boxes: all segments from a point of one to a point of the other. Its bounds are the
+ * sides of the box around both, and planes along an axis through an edge of each. (E. Haines, J. Wallace: Shaft culling
+ * for efficient ray-traced radiosity, 1991)
  */
 class Shaft
 {
 public:
   Shaft(const Box& a, const Box& b);
 
-  /** False only if none of the box is in the shaft. */
+  /** Returns false only if no part of the box is in the shaft. */
   bool MayMeet(const Box& box) const;
 
-  /** False only if none of the convex hull of some points is in the shaft. */
+  /** Returns false only if no part of the convex hull of the points is in the shaft. */
   bool MayMeet(const glm::dvec3* points, std::size_t count) const;
 
 private:
-  // The shaft is where Normal x <= Offset, which has room for rounding.
+  // The shaft satisfies Normal x <= Offset. Offset has room for rounding.
   struct Plane
   {
     glm::dvec3 Normal;

@@ -61,7 +61,7 @@ bool TrianglesMeet(const Triangle& a, const Triangle& b)
   {
     return false;
   }
-  // Relative to a corner, so that rounding depends on the size of the triangles and not on where they are.
+  // Relative coordinates make rounding depend on the size of the triangles and not on their place.
   Triangle nearA;
   Triangle nearB;
   for (int corner = 0; corner < 3; ++corner)

@@ -12,23 +12,23 @@
 namespace vitrine
 {
 
-/** Three corners. */
+/** The three corners of a triangle. */
 using Triangle = std::array<glm::dvec3, 3>;
 
-/** The smallest box of floats around it. A coordinate that is not finite makes all of the box NaN. */
+/** Returns the smallest box of floats around a triangle. All of the box is NaN if a coordinate is not finite. */
 Box BoxOf(const Triangle& triangle);
 
 /**
- * How far along the ray the triangle is met, in lengths of the ray's direction; none if it is not, if the ray lies in its
- * plane, or if a number is not finite. Either side of the triangle counts. (T. Moeller, B. Trumbore: Fast, minimum
- * storage ray/triangle intersection, Journal of Graphics Tools 2(1), 1997)
+ * Returns the distance along the ray to the triangle, in lengths of the ray's direction. Returns nothing if the ray
+ * misses it or lies in its plane, or if a number is not finite. Both sides of the triangle count. (T. Moeller, B.
+ * Trumbore: Fast, minimum storage ray/triangle intersection, Journal of Graphics Tools 2(1), 1997)
  */
 std::optional<double> RayMeets(const Ray& ray, const Triangle& triangle);
 
 /**
- * Whether two triangles have a point in common, by the theorem of separating axes: of convex sets that have none, the
- * shadows on some axis have none, and for triangles that axis is a normal, a cross product of two edges, or one of a
- * normal and an edge. Rounding blurs it by a few units in the last place. False where a number is not finite.
+ * Returns true if two triangles share a point. It uses the separating axis theorem: disjoint convex sets have disjoint
+ * projections onto some axis. For triangles that axis is a normal, a cross product of two edges, or one of a normal and
+ * an edge. Rounding blurs the result by a few ulps. The result is false if a number is not finite.
  */
 bool TrianglesMeet(const Triangle& a, const Triangle& b);
 

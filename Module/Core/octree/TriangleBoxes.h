@@ -14,10 +14,10 @@ namespace vitrine
 {
 
 /**
- * The triangles of a mesh as items, over arrays of the caller's that outlive this.
+ * The triangles of a mesh as items. The caller's arrays must outlive this object.
  *
  * @tparam Coordinate  float or double
- * @tparam Index       integer
+ * @tparam Index       an integer type
  */
 template <class Coordinate, class Index>
 class TriangleBoxes : public ItemBoxes
@@ -25,7 +25,7 @@ class TriangleBoxes : public ItemBoxes
 public:
   /**
    * @param points   x, y, z of each point
-   * @param corners  three numbers of points for each triangle
+   * @param corners  three point indices per triangle
    */
   TriangleBoxes(const Coordinate* points, const Index* corners, std::uint32_t count)
     : Points(points)
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // How many triangles before one its points begin to be loaded, which may lie all over memory.
+  // Prefetch distance of points, in triangles. The points may lie anywhere in memory.
   static constexpr std::size_t Ahead = 24;
 
   void PrefetchPoints(std::uint32_t item) const
@@ -91,7 +91,7 @@ private:
       const float* b = this->Point(item, 1);
       const float* c = this->Point(item, 2);
       Box box;
-      float zero = 0; // stays 0 while all is finite, else NaN
+      float zero = 0; // It stays 0 while everything is finite; otherwise it becomes NaN.
       for (int axis = 0; axis < 3; ++axis)
       {
         box.Min[axis] = std::min(std::min(a[axis], b[axis]), c[axis]);
