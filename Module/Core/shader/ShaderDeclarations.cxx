@@ -27,7 +27,7 @@ std::vector<std::string> SplitStatements(const std::string& line, const std::str
   return statements;
 }
 
-// Every mapper's shaders come through here, so no regular expressions.
+// This parses every mapper's shaders, so it avoids slow regular expressions.
 std::optional<ShaderDeclaration> ParseDeclaration(
   const std::string& statement, const std::string& keyword)
 {

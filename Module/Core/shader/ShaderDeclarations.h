@@ -1,6 +1,4 @@
-/**
- * The declarations at global scope of a shader as VTK writes it: statements that begin and end on one line.
- */
+/** Declarations at global scope of a shader as VTK writes it. Each statement begins and ends on one line. */
 #ifndef VITRINE_CORE_SHADER_SHADER_DECLARATIONS_H
 #define VITRINE_CORE_SHADER_SHADER_DECLARATIONS_H
 
@@ -15,16 +13,19 @@ struct ShaderDeclaration
 {
   std::string Type;
   std::string Name;
-  bool Alone; ///< one name, and no array
+  bool Alone; ///< True if the statement declares a single name that is no array.
 };
 
 /**
- * A line in which `keyword` stands, cut behind each semicolon, since VTK declares several variables in one. Comments
- * stay in one piece, and so do other lines.
+ * Splits a line that contains `keyword` behind each semicolon, because VTK declares several variables per line.
+ * Comments and other lines stay whole.
  */
 std::vector<std::string> SplitStatements(const std::string& line, const std::string& keyword);
 
-/** What a statement declares that begins with `keyword`, as "uniform" or "in"; none if it is something else. */
+/**
+ * Returns the declaration of a statement that begins with `keyword`, such as "uniform" or "in". Returns nothing for
+ * other statements.
+ */
 std::optional<ShaderDeclaration> ParseDeclaration(
   const std::string& statement, const std::string& keyword);
 

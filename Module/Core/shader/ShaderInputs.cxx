@@ -20,7 +20,7 @@ bool IsInterpolated(const ShaderDeclaration& input)
   return input.Alone && types.count(input.Type) > 0;
 }
 
-// The variables of which the shader takes derivatives: moved, they would have the same value all over a group.
+// Returns the variables that the shader differentiates. Moved, they would have the same value all over a group.
 std::set<std::string> DifferentiatedVariables(const std::string& shader)
 {
   static const std::string call = "dFdx(";
@@ -33,10 +33,11 @@ std::set<std::string> DifferentiatedVariables(const std::string& shader)
   return names;
 }
 
-// Whether it is among `names` by itself or, as vertexVC for vertexVCVSOutput, by the name that VTK has for it in main().
+// Returns true if `names` contains the input's name, or the name that VTK uses in main(), such as vertexVC for
+// vertexVCVSOutput.
 bool IsNamed(const ShaderDeclaration& input, const std::set<std::string>& names)
 {
-  static const std::string suffix = "VSOutput"; // or GSOutput
+  static const std::string suffix = "VSOutput"; // GSOutput has the same length.
   const std::size_t stem = input.Name.size() - std::min(suffix.size(), input.Name.size());
   return names.count(input.Name) > 0 || names.count(input.Name.substr(0, stem)) > 0;
 }
@@ -58,7 +59,7 @@ std::vector<ShaderDeclaration> Declarations(const std::string& shader, const std
   return declarations;
 }
 
-// The interpolated inputs of which the shader takes no derivatives.
+// Returns the interpolated inputs that the shader does not differentiate.
 std::vector<ShaderDeclaration> MovedInputs(
   const std::string& declarations, const std::set<std::string>& fixed)
 {
@@ -117,7 +118,7 @@ std::string MoveInputs(std::string& fragmentShader, const InputPlace& place)
     KeepDerivatives(fragmentShader.substr(body + 1), lookups, place.PixelSize);
   std::string variables;
   std::string moves = Move("gl_FragCoord.z", place.Depth);
-  std::string names; // that main() knows the moved inputs by
+  std::string names; // The #defines by which main() refers to the moved inputs.
   for (const ShaderDeclaration& input : inputs)
   {
     const std::string moved = "vitrineMoved_" + input.Name;

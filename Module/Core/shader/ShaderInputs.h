@@ -1,6 +1,4 @@
-/**
- * Rewriting of a mapper's fragment shader that has it shade another place than its pixel's centre.
- */
+/** Rewrites a mapper's fragment shader so that it shades another place than its pixel's centre. */
 #ifndef VITRINE_CORE_SHADER_SHADER_INPUTS_H
 #define VITRINE_CORE_SHADER_SHADER_INPUTS_H
 
@@ -9,23 +7,25 @@
 namespace vitrine
 {
 
-/** Where a shader is to see its inputs. Expressions of GLSL. */
+/** The place where a shader sees its inputs, as GLSL expressions. */
 struct InputPlace
 {
-  std::string Offset;    ///< vec2: so many pixels of the target away
-  std::string PixelSize; ///< vec2: the pixels of the target that see the same
-  std::string Depth;     ///< the global variable that takes the depth there
+  std::string Offset;    ///< A vec2: the distance of the place in pixels of the target.
+  std::string PixelSize; ///< A vec2: the number of target pixels that see the same place, per axis.
+  std::string Depth;     ///< The global variable that receives the depth at the place.
 
-  /** The function that looks textures up as this does, declared before main(). */
+  /** The function that replaces textureGrad(). It must be declared before main(). */
   std::string TextureGrad = "textureGrad";
 };
 
 /**
- * Have the shader see each of its interpolated inputs (float and vectors; no arrays, none that are flat) as it is `place.Offset`
- * pixels away, along its slope in the picture, which for depth is exact and for the rest all but exact. Inputs
- * of which the shader takes derivatives by dFdx() stay as they are. Textures that main() looks up by moved inputs are seen at the level of detail of
- * pixels of size `place.PixelSize`, see Core/shader/ShaderLookups. `place.Depth` is declared before main().
- * Sources are GLSL as VTK writes it: one declaration a line. Returns an empty string, or what is wrong.
+ * Makes a shader see its interpolated inputs at a place `place.Offset` pixels away. It applies to float and vector
+ * inputs that are no arrays and not flat. They follow their slope in the picture, which is exact for depth and nearly
+ * exact otherwise. Inputs that the shader differentiates by dFdx() stay unchanged.
+ *
+ * Textures that main() looks up by moved inputs use the level of detail of pixels of size `place.PixelSize`
+ * (ShaderLookups.h). `place.Depth` is declared before main(). The source must be GLSL as VTK writes it, with one
+ * declaration per line. Returns an empty string, or an error message.
  */
 std::string MoveInputs(std::string& fragmentShader, const InputPlace& place);
 

@@ -14,12 +14,12 @@ struct Call
 {
   std::string Function;
   std::vector<std::string> Arguments;
-  std::size_t Begin;    // of the name
-  std::size_t Contents; // behind the opening parenthesis
-  std::size_t End;      // behind the closing one
+  std::size_t Begin;    // Position of the name.
+  std::size_t Contents; // Position behind the opening parenthesis.
+  std::size_t End;      // Position behind the closing parenthesis.
 };
 
-// VTK knows texture() by older names, too.
+// VTK also defines texture() under older names.
 bool IsLookup(const std::string& function)
 {
   static const std::set<std::string> names = { "texture", "texture1D", "texture2D", "texture3D" };
@@ -34,7 +34,7 @@ std::string Trimmed(const std::string& text)
                                     : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-// Reads the arguments up to the closing parenthesis; false if there is none.
+// Reads the arguments up to the closing parenthesis. Returns false if there is none.
 bool ReadArguments(const std::string& bare, Call& call)
 {
   int depth = 0;
@@ -96,7 +96,7 @@ public:
     std::size_t done = 0;
     for (std::optional<Call> call = FindCall(bare, 0); call; call = FindCall(bare, done))
     {
-      // What the preprocessor chooses from is not known here.
+      // A call that contains preprocessor lines stays, because the choice of the preprocessor is unknown here.
       const bool isWhole =
         code.substr(call->Begin, call->End - call->Begin).find('#') == std::string::npos;
       const std::string mended = isWhole ? this->Mended(*call) : std::string();
@@ -107,7 +107,7 @@ public:
   }
 
 private:
-  // What stands for the call; empty if it stays.
+  // Returns the replacement of a call, or an empty string if the call stays.
   std::string Mended(const Call& call) const
   {
     const bool isLookup = IsLookup(call.Function);

@@ -1,6 +1,6 @@
 /**
- * Rewriting of texture lookups in a shader that sees its inputs moved (Core/shader/ShaderInputs). There, fragments that see the same
- * place differ in nothing, so that derivatives are to be taken of the inputs as they come.
+ * Rewrites texture lookups in a shader that sees its inputs moved (ShaderInputs.h). There, fragments that see the same
+ * place do not differ, so derivatives must be those of the unmoved inputs.
  */
 #ifndef VITRINE_CORE_SHADER_SHADER_LOOKUPS_H
 #define VITRINE_CORE_SHADER_SHADER_LOOKUPS_H
@@ -11,25 +11,30 @@
 namespace vitrine
 {
 
-/** What lookups are made with. */
+/** The names that lookups use. */
 struct LookupNames
 {
-  std::set<std::string> Inputs;   ///< that the shader sees moved
-  std::set<std::string> Samplers; ///< whose gradients have as many components as their coordinates
+  std::set<std::string> Inputs; ///< Inputs that the shader sees moved.
+  /** Samplers whose gradients have as many components as their coordinates. */
+  std::set<std::string> Samplers;
 
-  /** The same inputs, not moved, are named so with this before it. */
+  /** The prefix of the unmoved inputs' names. */
   std::string Unmoved;
 
-  std::string TextureGrad; ///< textureGrad() or what stands for it
+  std::string TextureGrad; ///< The name of textureGrad() or its replacement.
 };
 
-/** Whether gradients have as many components as coordinates, as for "sampler2D". Shadows and arrays have fewer. Integers are none. */
+/**
+ * Returns true if gradients have as many components as coordinates, as for "sampler2D". Shadow and array samplers have
+ * fewer. Integer samplers are excluded.
+ */
 bool HasPlainGradients(const std::string& samplerType);
 
 /**
- * The code of a function in which each texture() by moved inputs is textureGrad() by their gradients, and each fwidth() of
- * moved inputs is theirs, both of a pixel. `pixelSize` is an expression of GLSL, a vec2: the steps between fragments that a pixel is wide and
- * high. Lookups with samplers that are not named stay as they are, and so do comments and the preprocessor's lines.
+ * Rewrites the code of a function. Each texture() by moved inputs becomes textureGrad() with the gradients of the
+ * unmoved inputs per pixel. Each fwidth() of moved inputs becomes that of the unmoved ones. Lookups with samplers that
+ * are not named, comments and preprocessor lines stay unchanged.
+ * @param pixelSize  a GLSL expression of type vec2: the width and height of a pixel in steps between fragments
  */
 std::string KeepDerivatives(
   const std::string& code, const LookupNames& names, const std::string& pixelSize);

@@ -11,12 +11,12 @@ namespace vitrine
 namespace
 {
 
-// VTK declares here what stands for gl_FragData.
+// VTK declares the replacement of gl_FragData here.
 const std::string DeclarationsTag = "//VTK::Output::Dec";
 
-using Range = std::pair<std::size_t, std::size_t>; // begin and end
+using Range = std::pair<std::size_t, std::size_t>; // Begin and end of a range of text.
 
-// The numbers after 0 that gl_FragData is used with, each use of which becomes a variable of that number.
+// Replaces each use of gl_FragData with a number above 0 by a variable of that number. Returns the numbers.
 std::set<std::string> RenameFurtherData(std::string& shader, const std::string& variable)
 {
   static const std::string data = "gl_FragData[";
@@ -35,7 +35,7 @@ std::set<std::string> RenameFurtherData(std::string& shader, const std::string& 
   return numbers;
 }
 
-// The qualifier `out` that begins at `at`, and the layout that stands before it in the statement that begins at `statement`.
+// Returns the qualifier `out` at `at`, and the layout before it in the statement that begins at `statement`.
 std::vector<Range> Qualifiers(const std::string& code, std::size_t statement, std::size_t at)
 {
   std::vector<Range> ranges;
@@ -48,7 +48,7 @@ std::vector<Range> Qualifiers(const std::string& code, std::size_t statement, st
   return ranges;
 }
 
-// What makes outputs of variables at global scope, in order.
+// Returns the qualifiers that make outputs of variables at global scope, in order.
 std::vector<Range> OutputQualifiers(const std::string& code, int& outputs)
 {
   std::vector<Range> ranges;

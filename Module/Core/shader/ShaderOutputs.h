@@ -1,6 +1,4 @@
-/**
- * Rewriting of a mapper's fragment shader that has it write its colour alone.
- */
+/** Rewrites a mapper's fragment shader so that it writes only its colour. */
 #ifndef VITRINE_CORE_SHADER_SHADER_OUTPUTS_H
 #define VITRINE_CORE_SHADER_SHADER_OUTPUTS_H
 
@@ -10,9 +8,10 @@ namespace vitrine
 {
 
 /**
- * Make plain variables of all outputs but gl_FragData[0]: of gl_FragData[1] and on, and of what is declared as `out` at global
- * scope. The shader may go on writing and reading them. Sources are GLSL as VTK writes it, before its shader cache has them.
- * `dropped` takes the number of outputs. Returns an empty string, or what is wrong; the shader is unchanged then.
+ * Turns all outputs but gl_FragData[0] into plain variables: gl_FragData[1] and later, and variables declared as `out`
+ * at global scope. The shader may still write and read them. The source must be GLSL as VTK writes it, before the
+ * shader cache. `dropped` receives the number of these outputs. Returns an empty string, or an error message; then the
+ * shader is unchanged.
  */
 std::string DropFurtherOutputs(std::string& fragmentShader, int& dropped);
 

@@ -11,8 +11,8 @@ namespace vitrine
 namespace
 {
 
-// OpenGL 4.3 guarantees 60 varying components at least, that is 15 vectors; software rasterisers, for which this
-// is, have 32 vectors, and VTK's own varyings take up to 8 of them.
+// Largest number of varyings. OpenGL 4.3 guarantees 60 components, which are 15 vectors. Software rasterisers, the
+// purpose of this, have 32 vectors, of which VTK's own varyings take up to 8.
 constexpr int MaximumMoved = 24;
 
 bool IsScalarOrVector(const std::string& type)
@@ -46,7 +46,7 @@ std::set<std::string> DeclaredUniforms(const std::string& shader)
   return names;
 }
 
-// The parenthesis that closes the one at `open`.
+// Returns the position of the parenthesis that closes the one at `open`.
 std::size_t ClosingParenthesis(const std::string& text, std::size_t open)
 {
   int depth = 0;

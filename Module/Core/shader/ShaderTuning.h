@@ -1,6 +1,4 @@
-/**
- * Rewriting of a mapper's shaders that makes them faster and changes no result.
- */
+/** Rewrites a mapper's shaders for speed, without changing results. */
 #ifndef VITRINE_CORE_SHADER_SHADER_TUNING_H
 #define VITRINE_CORE_SHADER_SHADER_TUNING_H
 
@@ -10,18 +8,17 @@ namespace vitrine
 {
 
 /**
- * Move the scalar and vector uniforms of a fragment shader to its vertex shader and hand them on as flat
- * varyings. A software rasteriser gathers uniforms lane by lane for each fragment, but loads a flat varying
- * once for a triangle. Uniform arrays, matrices and samplers stay. Both sources are GLSL as VTK writes it: one
- * declaration a line. Only valid without a geometry or tessellation shader between the two.
- *
- * Returns how many uniforms moved.
+ * Moves the scalar and vector uniforms of a fragment shader to its vertex shader, which passes them on as flat
+ * varyings. A software rasteriser gathers uniforms lane by lane for each fragment, but loads a flat varying once per
+ * triangle. Uniform arrays, matrices and samplers stay. Both sources must be GLSL as VTK writes it, with one
+ * declaration per line. There must be no geometry or tessellation shader between the two.
+ * @returns  the number of moved uniforms
  */
 int PassUniformsAsFlatVaryings(std::string& vertexShader, std::string& fragmentShader);
 
 /**
- * Drop the pow() of VTK's specular term from a fragment shader in which that term is multiplied by zero.
- * Returns whether there was one.
+ * Removes the pow() of VTK's specular term from a fragment shader that multiplies this term by zero. Returns true if
+ * there was one.
  */
 bool DropSpecularPower(std::string& fragmentShader);
 

@@ -8,7 +8,7 @@ namespace vitrine
 namespace
 {
 
-// The end of what must not be read as code and begins at `begin`, which is `begin` itself if it is code.
+// Returns the end of a comment or preprocessor line that begins at `begin`. Returns `begin` if code begins there.
 std::size_t EndOfComment(const std::string& text, std::size_t begin)
 {
   std::size_t end = begin;

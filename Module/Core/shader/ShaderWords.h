@@ -1,6 +1,4 @@
-/**
- * The words of a shader's text.
- */
+/** Words of a shader's source. */
 #ifndef VITRINE_CORE_SHADER_SHADER_WORDS_H
 #define VITRINE_CORE_SHADER_SHADER_WORDS_H
 
@@ -10,20 +8,22 @@
 namespace vitrine
 {
 
-/** Whether names consist of such characters. */
+/** Returns true if names may contain the character. */
 bool IsWordCharacter(char c);
 
-/** The text with blanks in place of comments and of lines for the preprocessor. Each line stays where it is. */
+/**
+ * Returns the source with blanks in place of comments and preprocessor lines. Line numbers and offsets stay the same.
+ */
 std::string BlankComments(const std::string& text);
 
-/** The text with `prefix` before each of `words`, but where it is a member's name, as in a.word. */
+/** Returns the text with `prefix` before each of `words`, except names of members, as in a.word. */
 std::string PrefixWords(
   const std::string& text, const std::set<std::string>& words, const std::string& prefix);
 
-/** The end of the word that begins at `begin`, which is `begin` itself if there is none. */
+/** Returns the end of the word that begins at `begin`. Returns `begin` if there is none. */
 std::size_t EndOfWord(const std::string& text, std::size_t begin);
 
-/** Where the next word from `from` on begins that is no member's name; npos if there is none. */
+/** Returns the begin of the next word at or after `from` that is not a member's name. Returns npos if there is none. */
 std::size_t FindWord(const std::string& text, std::size_t from);
 
 }
