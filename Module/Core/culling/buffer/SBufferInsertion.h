@@ -166,8 +166,8 @@ private:
   }
 
   /**
-   * Cuts the interval from Left to `end` out of `there`. A remainder on the right becomes a new span. Afterwards Link points
-   * between both parts. Returns false if the pool is exhausted.
+   * Cuts the interval from Left to `end` out of `there`. A remainder on the right becomes a new span. Afterwards Link
+   * points between both parts. Returns false if the pool is exhausted.
    */
   bool CutBefore(Span& there, float end)
   {

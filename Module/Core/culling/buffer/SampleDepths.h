@@ -228,11 +228,11 @@ private:
   int CountPerLine;
   float ColumnCount;
   float LineCount;
-  int
-    Stride; ///< Distance in memory between horizontal neighbours: the number of lines and LaneCount of padding.
+  /** Distance in memory between horizontal neighbours: the number of lines and LaneCount of padding. */
+  int Stride;
   std::vector<float> Places; ///< Columns of the samples of a line.
-  std::vector<float>
-    Depths; ///< Depths, column-major: vertical neighbours are adjacent, so that eight lines load at once.
+  /** Depths, column-major: vertical neighbours are adjacent, so that eight lines load at once. */
+  std::vector<float> Depths;
   std::vector<std::uint32_t> Faces;
 };
 

@@ -11,9 +11,8 @@ struct DeviceCoordinates
 {
   glm::dvec3 Origin{ 0.0 };   ///< Origin of the device's coordinates, in model coordinates (MC).
   glm::dvec3 Farthest{ 0.0 }; ///< Largest absolute coordinates relative to Origin.
-  glm::dvec3 InWorld{
-    0.0
-  }; ///< Largest sums of absolute terms that lead to world coordinates (WC). These are computed in doubles.
+  /** Largest sums of absolute terms that lead to world coordinates (WC). These are computed in doubles. */
+  glm::dvec3 InWorld{ 0.0 };
 };
 
 }

@@ -56,8 +56,8 @@ private:
   {
     std::uint32_t First;
     std::uint32_t CornersBehind;
-    std::array<std::uint32_t, 3>
-      Cuts; ///< The cuts on the sides that begin at each corner, where these are cut.
+    /** The cuts on the sides that begin at each corner, where these are cut. */
+    std::array<std::uint32_t, 3> Cuts;
   };
 
   void FindPointsBehind();

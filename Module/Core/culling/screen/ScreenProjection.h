@@ -109,8 +109,8 @@ struct RectangleLanes
   float Nearest[LaneCount];
   float Farthest[LaneCount]; ///< Least reversed depth of the corners.
   unsigned Outside;          ///< A bit for each box that lies outside of the view.
-  unsigned
-    Near; ///< A bit for each box that reaches in front of the near plane. It has no rectangle, and nothing hides it.
+  /** A bit for each box that reaches in front of the near plane. It has no rectangle, and nothing hides it. */
+  unsigned Near;
 
   /**
    * Returns the rectangle of a box that is neither Near nor Outside. It surely contains everything that is drawn of the
@@ -241,8 +241,8 @@ private:
     RectangleLanes& rectangles) const;
 
   ScreenMatrix World;
-  glm::dmat4
-    Sizes; ///< Absolute terms from WC to columns, lines, depths and w, as a device sums them.
+  /** Absolute terms from WC to columns, lines, depths and w, as a device sums them. */
+  glm::dmat4 Sizes;
   glm::mat4 WorldInFloats; ///< World.Matrix in floats.
   glm::vec2 Growth;
   bool MayOverflow; ///< True if box coordinates within reach may overflow floats.
