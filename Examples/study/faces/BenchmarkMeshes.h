@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-/** A mesh of about so many triangles, the same on every machine. */
+/** A mesh of about `triangleCount` triangles. It is the same on every machine. */
 struct BenchmarkMesh
 {
   enum class Kinds
   {
-    Spheres,  ///< sixteen overlapping spheres, each row after row, as tessellators write them
-    Shuffled, ///< the same with triangles in random order
-    Soup      ///< small triangles without a neighbour, scattered in a cube in random order
+    Spheres,  ///< Sixteen overlapping spheres, row by row, as tessellators write them.
+    Shuffled, ///< The same spheres with triangles in random order.
+    Soup      ///< Small triangles without neighbours, scattered in a cube in random order.
   };
 
   BenchmarkMesh(Kinds kind, std::uint32_t triangleCount);

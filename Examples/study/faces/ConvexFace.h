@@ -10,14 +10,14 @@
 namespace vitrine
 {
 
-/** A convex polygon on the screen; its corners go around in either direction. */
+/** A convex polygon on the screen. Its corners go around in either direction. */
 struct ConvexFace
 {
   const ScreenPoint* Corners;
   std::size_t Count;
-  std::uint32_t Number; ///< its own among all that are inserted
-  const std::uint32_t* Neighbours =
-    nullptr; ///< the face across each side, from corner i to the next, where it is known
+  std::uint32_t Number; ///< Number of the face among all inserted faces.
+  /** The face across each side, from corner i to the next, or null if unknown. */
+  const std::uint32_t* Neighbours = nullptr;
 };
 
 }

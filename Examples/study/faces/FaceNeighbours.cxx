@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-// OpenMesh writes a line to its error stream for each face that it refuses.
+// Silences OpenMesh, which writes a line to its error stream for each face that it refuses.
 class QuietOpenMesh
 {
 public:
@@ -33,7 +33,7 @@ private:
   bool WasEnabled;
 };
 
-// The surface of a mesh, face by face as far as it is one.
+// The surface of a mesh, built face by face from the faces that fit.
 class MeshSurface
 {
 public:
@@ -59,7 +59,7 @@ public:
 
   bool Has(std::uint32_t face) const { return this->Handles[face].is_valid(); }
 
-  /** The face on the other side of what one that it has goes through from `from` to `to`. */
+  /** Returns the face across the side from `from` to `to` of a face on the surface. */
   std::uint32_t Across(std::uint32_t from, std::uint32_t to) const
   {
     const OpenMesh::HalfedgeHandle side =
@@ -92,8 +92,8 @@ private:
   }
 
   OpenMesh::PolyMesh_ArrayKernelT<> Surface;
-  std::vector<OpenMesh::FaceHandle> Handles; ///< of the mesh's faces
-  std::vector<std::uint32_t> Numbers;        ///< in the mesh, of the surface's faces
+  std::vector<OpenMesh::FaceHandle> Handles; ///< Handle of each face of the mesh.
+  std::vector<std::uint32_t> Numbers;        ///< Number in the mesh of each face of the surface.
 };
 
 }

@@ -8,17 +8,17 @@
 namespace vitrine
 {
 
-/** What is across a side that has no other face. */
+/** The neighbour across a side that has no other face. */
 constexpr std::uint32_t NoNeighbour = 0xffffffffu;
 
 /**
- * Which face is across each side of a mesh's faces, by OpenMesh. Faces that do not make a surface with those before them (a third one
- * at a side, one that goes around the other way, one with fewer than three corners or a corner twice or that there is not)
- * have no neighbours.
- * @param points   how many there are
- * @param corners  points of one face after the other
- * @param ends     where in `corners` each face ends
- * @returns for each of `corners` the face across the side that goes from there to the face's next corner, or NoNeighbour
+ * Finds the face across each side of a mesh's faces with OpenMesh. A face has no neighbours if it forms no surface with
+ * the earlier faces: it is a third face at a side, or its winding is opposite. The same holds for a face with fewer
+ * than three corners, with a repeated corner, or with a corner that does not exist.
+ * @param points   number of points
+ * @param corners  point indices, face by face
+ * @param ends     end of each face in `corners`
+ * @returns        for each of `corners`, the face across the side from there to the face's next corner, or NoNeighbour
  */
 std::vector<std::uint32_t> FindFaceNeighbours(std::size_t points,
   const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& ends);

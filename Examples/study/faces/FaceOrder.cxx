@@ -9,10 +9,11 @@ namespace vitrine
 namespace
 {
 
-constexpr unsigned TableBits = 12; // more pairs save few comparisons more
+// A larger table saves few more comparisons.
+constexpr unsigned TableBits = 12;
 constexpr std::uint64_t NoPair = ~std::uint64_t{ 0 };
 
-// What sums in floats may be off: of a depth, and of a column whose error the slope turns into one of depth.
+// Rounding of float sums: of a depth, and of a column, whose error the slope turns into one of depth.
 constexpr float DepthRounding = 0x1p-20f;
 constexpr float ColumnRounding = 0x1p-21f;
 
@@ -75,7 +76,7 @@ SpanOrder FaceOrder::Of(const Span& there, float left, float right)
   return ToSpanOrder(order);
 }
 
-/** By the statements in use. */
+/** Derives the order by the statements in use. */
 FaceOrder::Order FaceOrder::Derive(const Span& there, float left, float right)
 {
   if (this->Statements.OneOrder || this->Statements.Neighbours)
@@ -106,7 +107,7 @@ FaceOrder::Order FaceOrder::Derive(const Span& there, float left, float right)
   return Order::NotKnown;
 }
 
-/** What is there passes the side that the segment shares with a neighbour: it has that one's order. */
+/** The span crosses the side that the segment shares with a neighbour, so it has the neighbour's order. */
 FaceOrder::Order FaceOrder::OfNeighbours(std::uint32_t there, float left, float right)
 {
   if (!this->Statements.Neighbours)
@@ -125,7 +126,7 @@ FaceOrder::Order FaceOrder::OfNeighbours(std::uint32_t there, float left, float 
   return order;
 }
 
-/** Where a span goes on at the depth at which the last one ended, it has that one's order. */
+/** A span that continues at the depth where the last one ended has that one's order. */
 FaceOrder::Order FaceOrder::OfSharedEnd(const Span& there, float left)
 {
   if (!this->Statements.SharedEnds || !IsOneOrder(this->Last.Known) || this->Last.Column != left)
@@ -149,7 +150,7 @@ void FaceOrder::Learn(
   const float rightNoise = NoiseAt(right, slopes);
   const bool isNearer = leftNearer > leftNoise || rightNearer > rightNoise;
   const bool isFarther = leftNearer < -leftNoise || rightNearer < -rightNoise;
-  if (isNearer || isFarther) // or else they touch, if not more
+  if (isNearer || isFarther) // Otherwise they touch at least.
   {
     const Order order = !isFarther ? Order::Nearer : !isNearer ? Order::Farther : Order::Crossing;
     this->Last.Known = std::abs(rightNearer) > rightNoise ? order : Order::NotKnown;
@@ -157,10 +158,10 @@ void FaceOrder::Learn(
   }
 }
 
-/** Where a pair is kept, if it is. */
+/** Returns the table entry of a pair. It may hold another pair. */
 FaceOrder::Entry& FaceOrder::EntryOf(std::uint64_t pair)
 {
-  // D. E. Knuth's multiplicative hashing: the upper bits of a product by the golden ratio.
+  // This is Knuth's multiplicative hashing: the upper bits of a product with the golden ratio.
   return this->Table[pair * 0x9e3779b97f4a7c15u >> (64 - TableBits)];
 }
 
@@ -180,7 +181,7 @@ FaceOrder::Order FaceOrder::Recall(std::uint32_t face, std::uint32_t there)
   return face < there ? entry.OfLower : Opposite(entry.OfLower);
 }
 
-/** Of the segment's face. */
+/** Stores the order of the segment's face relative to the face `there`. */
 void FaceOrder::Remember(std::uint32_t there, Order order)
 {
   if (!this->Statements.OneOrder && !this->Statements.Neighbours)

@@ -10,7 +10,7 @@
 namespace vitrine
 {
 
-/** What a face covers of the middle of a line, and which faces are across the sides that it ends at. */
+/** The part of a line's middle that a face covers, and the faces across the sides where it ends. */
 struct FaceSegment
 {
   Segment Covered{};
@@ -18,60 +18,61 @@ struct FaceSegment
   std::uint32_t RightNeighbour = NoNeighbour;
 };
 
-/** Which of the statements a FaceOrder goes by. */
+/** Selects the statements that a FaceOrder uses. */
 struct FaceOrderStatements
 {
-  bool OneOrder = true; ///< 1: two faces have one order wherever they overlap
-  bool SharedEnds =
-    true; ///< 2: spans that share an end have one order towards a third that passes there
-  bool Neighbours = true; ///< 3: so have faces that share a side
+  bool OneOrder = true; ///< Statement 1: two faces have one order wherever they overlap.
+  /** Statement 2: spans that share an end have one order relative to a third face that passes there. */
+  bool SharedEnds = true;
+  bool Neighbours = true; ///< Statement 3: so do faces that share a side.
 };
 
-/** Counts since Forget(). */
+/** Counters since Forget(). */
 struct FaceOrderCounts
 {
-  std::uint64_t Lookups = 0;      ///< of pairs of faces
-  std::uint64_t EndChecks = 0;    ///< whether two spans share an end
-  std::uint64_t ByOneOrder = 0;   ///< overlaps that were decided by statement 1
-  std::uint64_t BySharedEnds = 0; ///< by statement 2
-  std::uint64_t ByNeighbours = 0; ///< by statement 3
+  std::uint64_t Lookups = 0;      ///< Lookups of pairs of faces.
+  std::uint64_t EndChecks = 0;    ///< Tests of whether two spans share an end.
+  std::uint64_t ByOneOrder = 0;   ///< Overlaps decided by statement 1.
+  std::uint64_t BySharedEnds = 0; ///< Overlaps decided by statement 2.
+  std::uint64_t ByNeighbours = 0; ///< Overlaps decided by statement 3.
 };
 
 /**
- * Knows which of two faces is in front, so that an s-buffer need not compare their depths. (A. V. Boreskov, the hierarchical
- * s-buffer, statements 1 to 3)
+ * Knows which of two faces is in front, so that an s-buffer need not compare their depths. (A. V. Boreskov, the
+ * hierarchical s-buffer, statements 1 to 3)
  *
- * The statements hold for flat convex faces that do not cross, for one eye. Of a pair that is seen to cross this is kept, and
- * depths are compared each time. Statements 2 and 3 take it besides that no third face touches what two have in common.
- * Where faces do cross or touch, what an s-buffer holds may be farther than what is there, but never nearer: it is one of
- * the two faces in any case. So this is for insertions; the verdict on what is hidden compares depths.
+ * The statements hold for flat convex faces that do not cross, for one eye. A pair that is seen to cross is remembered
+ * as such, and its depths are compared each time. Statements 2 and 3 also assume that no third face touches what two
+ * faces share. If faces do cross or touch, an s-buffer may hold a depth farther than the true one. It never holds a
+ * nearer one, because the depth is that of one of the two faces. So use this for insertions only, and compare depths to
+ * decide what is hidden.
  *
- * Orders are kept in a table of fixed size, in which a pair may take the place of another.
+ * Orders are kept in a table of fixed size, in which a pair may replace another.
  */
 class FaceOrder
 {
 public:
-  /** Of a face that is inserted towards one that is there. */
+  /** The order of an inserted face relative to a stored one. */
   enum class Order : std::uint8_t
   {
     NotKnown,
     Nearer,
     Farther,
-    Crossing ///< each in a place of its own
+    Crossing ///< Each face is nearer in some place.
   };
 
   explicit FaceOrder(const FaceOrderStatements& statements = {});
 
-  /** Nothing is known: the eye or the faces are others. */
+  /** Forgets all orders, for another eye or other faces. */
   void Forget();
 
-  /** What is asked for next is of this segment. */
+  /** Sets the segment that the next calls refer to. */
   void Begin(const FaceSegment& segment);
 
-  /** Of the segment towards a span that covers from `left` to `right`. */
+  /** Returns the order of the segment relative to a span between the columns `left` and `right`. */
   SpanOrder Of(const Span& there, float left, float right);
 
-  /** By how much the segment is nearer than the span at both places. */
+  /** Stores a comparison: the segment's depth minus the span's at both columns. */
   void Learn(
     float slope, const Span& there, float left, float right, float leftNearer, float rightNearer);
 
@@ -81,14 +82,14 @@ private:
   struct Entry
   {
     std::uint64_t Pair;
-    Order OfLower; ///< of the face with the lower number towards the other
+    Order OfLower; ///< Order of the face with the lower number relative to the other.
   };
 
-  /** Where the last overlap ended. */
+  /** The end of the last overlap. */
   struct OverlapEnd
   {
     float Column;
-    float Depth; ///< of what was there
+    float Depth; ///< Depth of the stored span.
     std::uint32_t Face;
     Order Known;
   };

@@ -31,7 +31,7 @@ LineRange LinesOf(const ConvexFace& face, int lines)
   return LinesBetween(low->Line, high->Line, { 0, lines - 1 });
 }
 
-// Inserts by any way to insert a line's segment.
+// Inserts a face with a function that inserts the segment of a line.
 template <class Insertion>
 void InsertLines(const SBuffer& buffer, const ConvexFace& face, const Insertion& insert)
 {
@@ -44,14 +44,14 @@ void InsertLines(const SBuffer& buffer, const ConvexFace& face, const Insertion&
 
 }
 
-/** Where a side passes a line's middle. */
+/** The place where a side crosses the middle of a line. */
 struct FaceScan::Crossing
 {
   double Column;
   double Depth;
-  std::uint32_t Neighbour = NoNeighbour; ///< across the side
+  std::uint32_t Neighbour = NoNeighbour; ///< The face across the side.
 
-  /** What covers from here to `end` at `column`, which is no side's. */
+  /** Returns the point at `column` on the covered interval from here to `end`. It belongs to no side. */
   Crossing Within(const Crossing& end, double column) const
   {
     const double share = (column - this->Column) / (end.Column - this->Column);
@@ -66,7 +66,10 @@ FaceScan::FaceScan(const ConvexFace& face, int columns, int lines)
 {
 }
 
-/** The same for the faces on both sides; nowhere of a side that does not pass. */
+/**
+ * Returns the crossing of a side with a line's middle; faces on both sides get the same one. The column is NaN if the
+ * side does not cross it.
+ */
 FaceScan::Crossing FaceScan::CrossingOf(std::size_t side, double middle) const
 {
   const ScreenPoint& from = this->Face.Corners[side];
@@ -142,14 +145,14 @@ bool HidesFace(const SBuffer& buffer, const ConvexFace& face, float margin)
 bool HidesBox(const SBuffer& buffer, const ScreenProjection& projection, const Box& box,
   const glm::dvec3& sight, bool isParallel, float margin)
 {
-  std::array<ScreenPoint, 8> corners; // bit k of their numbers: at the upper end of axis k
+  std::array<ScreenPoint, 8> corners; // Bit k of an index selects the upper end of axis k.
   for (int i = 0; i < 8; ++i)
   {
     const glm::dvec4 place = projection.ToScreen({ i & 1 ? box.Max.x : box.Min.x,
       i & 2 ? box.Max.y : box.Min.y, i & 4 ? box.Max.z : box.Min.z });
     if (!(place.w > 0.0))
     {
-      return false; // behind the eye
+      return false; // The corner is behind the eye.
     }
     corners[i] = { static_cast<float>(place.x / place.w), static_cast<float>(place.y / place.w),
       static_cast<float>(place.z / place.w) };

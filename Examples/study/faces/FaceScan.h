@@ -12,20 +12,21 @@ namespace vitrine
 {
 
 /**
- * A convex face line by line, at the lines' middles: at the screen's own resolution, where a line is one of pixels, that is all that
- * is drawn of it. (A. V. Boreskov, the hierarchical s-buffer)
+ * The scan conversion of a convex face at the middles of lines. If a line is one of pixels, this is all that is drawn
+ * of the face. (A. V. Boreskov, the hierarchical s-buffer)
  *
- * Faces that share a side end at the same places and depths there. Faces with a corner that is not finite cover nothing.
+ * Faces that share a side end at the same places and depths there. A face with a corner that is not finite covers
+ * nothing.
  */
 class FaceScan
 {
 public:
   FaceScan(const ConvexFace& face, int columns, int lines);
 
-  /** Those that it may cover. */
+  /** Returns the lines that the face may cover. */
   const LineRange& Lines() const { return this->Range; }
 
-  /** What it covers of a line's middle on the screen; without length where that is nothing. */
+  /** Returns the covered part of a line's middle on the screen. Its length is 0 if nothing is covered. */
   FaceSegment At(int line) const;
 
 private:
@@ -38,20 +39,24 @@ private:
   LineRange Range;
 };
 
-/** Puts a face into an s-buffer. */
+/** Inserts a face into an s-buffer. */
 void InsertFace(SBuffer& buffer, const ConvexFace& face);
 
-/** The same, by what is known of the order of faces. */
+/** Inserts a face into an s-buffer, using and extending the known orders of faces. */
 void InsertFace(SBuffer& buffer, const ConvexFace& face, FaceOrder& order);
 
-/** Whether all of a face is behind what is nearer by more than `margin`. One with a corner that is not finite is not. */
+/**
+ * Returns true if all of a face is hidden by surfaces that are nearer by more than `margin`. A face with a corner that
+ * is not finite is not hidden.
+ */
 bool HidesFace(const SBuffer& buffer, const ConvexFace& face, float margin);
 
 /**
- * Whether the faces of a box that look towards the eye are behind what is nearer by more than `margin`: then all of the box
- * is. A box around the eye, or that reaches behind it or before the near plane, is not.
- * @param sight       the eye, or, of a parallel view, its direction, in world coordinates
- * @param isParallel  which of the two it is
+ * Returns true if the box's faces towards the eye are hidden by surfaces that are nearer by more than `margin`. Then
+ * all of the box is hidden. A box around the eye, or one that reaches behind the eye or in front of the near plane, is
+ * not hidden.
+ * @param sight       the eye, or the direction of a parallel view, in world coordinates (WC)
+ * @param isParallel  true if `sight` is a direction
  */
 bool HidesBox(const SBuffer& buffer, const ScreenProjection& projection, const Box& box,
   const glm::dvec3& sight, bool isParallel, float margin);

@@ -106,7 +106,7 @@ ScreenFaces CrossingSpheres()
     faces.Points.emplace_back(mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2]);
   }
   faces.Corners = mesh.Corners;
-  // These go around clockwise from outside.
+  // The spheres' faces are clockwise from outside.
   for (std::size_t i = 0; i < faces.Corners.size(); i += 3)
   {
     std::swap(faces.Corners[i], faces.Corners[i + 1]);

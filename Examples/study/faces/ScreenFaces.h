@@ -12,26 +12,28 @@
 namespace vitrine
 {
 
-/** Faces of equally many corners as they stand on the screen, and the order in which they are inserted into an s-buffer. */
+/** Faces with equally many corners on the screen, and the order of their insertion into an s-buffer. */
 struct ScreenFaces
 {
   std::vector<glm::dvec3> Points;
-  std::vector<std::uint32_t>
-    Corners; ///< of one face after the other, counter-clockwise from outside
+  /** Corners face by face, counter-clockwise from outside. */
+  std::vector<std::uint32_t> Corners;
   std::size_t CornersPerFace = 3;
 
-  std::vector<ScreenPoint> OnScreen; ///< one for each of Corners
-  std::vector<std::uint32_t>
-    Neighbours;                        ///< the face across each side; empty where that is not known
-  std::vector<std::uint32_t> Sequence; ///< the faces that look towards the eye
+  std::vector<ScreenPoint> OnScreen; ///< One screen point for each of Corners.
+  /** The face across each side; empty if unknown. */
+  std::vector<std::uint32_t> Neighbours;
+  std::vector<std::uint32_t> Sequence; ///< The faces that look towards the eye.
 
-  /** Views the points from outside, so that all of them are on the screen. The sequence is the order of Corners then. */
+  /**
+   * Projects the points from an eye outside, so that all are on the screen. The sequence becomes the order of Corners.
+   */
   void Project(int columns, int lines);
 
-  /** Orders the sequence by the depth of each face's first corner. */
+  /** Sorts the sequence by the depth of each face's first corner, nearest first. */
   void SortFrontToBack();
 
-  /** Where in Corners each face ends. */
+  /** Returns the end of each face in Corners. */
   std::vector<std::uint32_t> Ends() const;
 
   ConvexFace Face(std::uint32_t face) const
@@ -42,10 +44,10 @@ struct ScreenFaces
   }
 };
 
-/** A heap of 4000 turned boxes, with faces of four corners; they cross each other here and there. */
+/** Returns a heap of 4000 rotated boxes, with faces of four corners. Some boxes cross. */
 ScreenFaces TurnedBoxes();
 
-/** Sixteen spheres of 20,000 triangles in all; some of them cross. */
+/** Returns sixteen spheres with 20,000 triangles in all. Some spheres cross. */
 ScreenFaces CrossingSpheres();
 
 }

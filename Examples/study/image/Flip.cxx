@@ -19,12 +19,12 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// A monitor as far away as it is wide.
+// The monitor is as far away as it is wide.
 constexpr double pixelsPerDegree = 3840.0 * pi / 180.0;
 
 using Planes = std::array<Plane, 3>;
 
-// Linear sRGB to CIE XYZ under D65, from the chromaticities of the primaries; rows X, Y, Z.
+// The matrix from linear sRGB to CIE XYZ under D65, from the chromaticities of the primaries. Its rows are X, Y and Z.
 constexpr double toXyz[3][3] = {
   { 10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0 },
   { 2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0 },
@@ -42,8 +42,8 @@ double LinearFromSrgb(double value)
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-// Colours of one pixel in the spaces the metric passes through. XYZ is relative to the white of the
-// display, so white is (1, 1, 1).
+// Conversions of a pixel's colour between the spaces of the metric. XYZ is relative to the white of the display, so
+// white is (1, 1, 1).
 class ColorSpaces
 {
 public:
@@ -68,7 +68,7 @@ public:
     return { y + yCxCz.y / 500.0, y, y - yCxCz.z / 200.0 };
   }
 
-  // CIELAB, with the chroma scaled by lightness: the Hunt effect.
+  // Returns CIELAB with the chroma scaled by lightness (the Hunt effect).
   glm::dvec3 HuntLabFromLinear(const glm::dvec3& rgb) const
   {
     const glm::dvec3 xyz = this->RelativeXyzFromLinear(rgb);
@@ -112,14 +112,14 @@ Planes OpponentPlanes(const Image& image, const ColorSpaces& spaces)
   return planes;
 }
 
-// A term a sqrt(pi / b) exp(-pi^2 x^2 / b) of a contrast sensitivity function, x in degrees.
+// A term a sqrt(pi / b) exp(-pi^2 x^2 / b) of a contrast sensitivity function, with x in degrees.
 struct SensitivityTerm
 {
   double A;
   double B;
 };
 
-// Achromatic, red-green, blue-yellow.
+// Terms of the achromatic, red-green and blue-yellow channels.
 const std::vector<SensitivityTerm> sensitivities[3] = { { { 1.0, 0.0047 } }, { { 1.0, 0.0053 } },
   { { 34.1, 0.04 }, { 13.5, 0.025 } } };
 constexpr double widestTerm = 0.04;
@@ -129,8 +129,8 @@ double StandardDeviation(const SensitivityTerm& term)
   return std::sqrt(term.B / (2.0 * pi * pi)) * pixelsPerDegree;
 }
 
-// The weight of the term's unit-sum Gaussian within the sum of terms: the term's own sum over the
-// pixels of the kernel, which is a product of the sums along x and y.
+// Returns the weight of the term's unit-sum Gaussian in the sum of terms. It is the term's own sum over the pixels of
+// the kernel, which is the product of the sums along x and y.
 double TermWeight(const SensitivityTerm& term, int radius)
 {
   double sum = 0.0;
@@ -142,7 +142,7 @@ double TermWeight(const SensitivityTerm& term, int radius)
   return term.A * std::sqrt(pi / term.B) * sum * sum;
 }
 
-// Spatial filtering: removes what the observer cannot see at this distance.
+// The spatial filter removes what the observer cannot see at this distance.
 Plane FilterBySensitivity(const Plane& plane, const std::vector<SensitivityTerm>& terms)
 {
   const int radius = static_cast<int>(std::ceil(3.0 * StandardDeviation({ 1.0, widestTerm })));
@@ -182,13 +182,13 @@ std::vector<glm::dvec3> PerceivedColors(const Planes& opponent, const ColorSpace
   return colors;
 }
 
-// The HyAB distance, which suits large differences better than the Euclidean one.
+// Returns the HyAB distance, which suits large differences better than the Euclidean distance.
 double Distance(const glm::dvec3& a, const glm::dvec3& b)
 {
   return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
 }
 
-// Error redistribution: maps distances to [0, 1] and compresses the large ones.
+// The error redistribution maps distances to [0, 1] and compresses large ones.
 class ErrorRemap
 {
 public:
@@ -214,7 +214,7 @@ private:
   double Largest;
 };
 
-// Scales the positive weights to sum to 1, the negative ones to -1.
+// Scales the positive weights to a sum of 1 and the negative ones to a sum of -1.
 void NormalizeSigns(Kernel& kernel)
 {
   double positive = 0.0;
@@ -229,7 +229,7 @@ void NormalizeSigns(Kernel& kernel)
   }
 }
 
-// Feature detection: how strongly edges and points stand out, from derivatives of a Gaussian.
+// Strengths of edges and points, from derivatives of a Gaussian (feature detection).
 struct Features
 {
   std::vector<double> Edges;

@@ -8,9 +8,9 @@ namespace vitrine
 {
 
 /**
- * The difference that an observer sees when alternating between two pictures of the same size, pixel
- * by pixel: 0 for none, 1 for the largest. LDR-FLIP of Andersson and others, 2020, for its default
- * observer, 0.7 m from a monitor 0.7 m wide with 3840 pixels: 67.02 pixels per degree.
+ * Returns the LDR-FLIP error of each pixel: the difference that an observer sees when alternating between two pictures
+ * of the same size (Andersson and others, 2020). The range is 0 (none) to 1 (largest). The default observer is 0.7 m
+ * from a monitor 0.7 m wide with 3840 pixels, which is 67.02 pixels per degree.
  */
 Plane FlipErrorMap(const Image& test, const Image& reference);
 

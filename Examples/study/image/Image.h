@@ -6,12 +6,12 @@
 namespace vitrine
 {
 
-/** A picture as shown: sRGB, values in [0, 1]. */
+/** A picture as displayed: sRGB values in [0, 1]. */
 struct Image
 {
   int Width = 0;
   int Height = 0;
-  /** Height * Width triples of red, green and blue; rows from the bottom. */
+  /** Height * Width triples of red, green and blue. Rows start at the bottom. */
   std::vector<float> Rgb;
 };
 

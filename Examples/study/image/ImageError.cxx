@@ -44,8 +44,7 @@ bool HasNaN(const Image& image, std::size_t pixel)
   return std::any_of(rgb, rgb + 3, [](float value) { return std::isnan(value); });
 }
 
-// Both pictures as a display shows them. Returns the pixels that were NaN, which become as
-// different as pixels can be.
+// Clamps both pictures as a display does. Returns the pixels with NaN, which become as different as possible.
 std::vector<std::size_t> MakeShowable(Image& test, Image& reference)
 {
   std::vector<std::size_t> broken;

@@ -13,7 +13,8 @@ namespace
 
 constexpr std::size_t mostPixelsNamed = 5;
 
-// Of a pixel. A share such as 0.29 is a little less than 29/100 as a double, and still is 29 of 100 pixels.
+// Rounding allowance, in pixels. A share such as 0.29 is slightly less than 29/100 as a double, but still means 29 of
+// 100 pixels.
 constexpr double roundingOfShares = 1e-6;
 
 void RequireEqualShapes(const PictureView& test, const PictureView& reference)
@@ -41,7 +42,7 @@ std::vector<std::uint8_t> ChannelsOf(const PictureView& picture, std::size_t pix
   return { picture.At(pixel), picture.At(pixel) + picture.Channels };
 }
 
-/** A quarter of the mean of the colours. */
+/** Returns a quarter of the mean of the colours. */
 std::uint8_t DarkGrey(const PictureView& picture, std::size_t pixel)
 {
   const int colors = std::min(picture.Channels, 3);

@@ -10,68 +10,68 @@ namespace vitrine
 {
 
 /**
- * A picture of bytes that somebody else holds: Height rows of Width pixels of Channels bytes. The first row is the
- * bottom one.
+ * A view of a picture in somebody else's memory: Height rows of Width pixels of Channels bytes. The first row is at the
+ * bottom.
  */
 struct PictureView
 {
   int Width;
   int Height;
-  int Channels; ///< from 1 to 4
+  int Channels; ///< The range is 1 to 4.
   const std::uint8_t* Bytes;
 
   std::size_t PixelCount() const { return static_cast<std::size_t>(this->Width) * this->Height; }
 
-  /** The bytes of a pixel. Pixels are counted in the order of the bytes. */
+  /** Returns the bytes of a pixel. Pixels are counted in the order of the bytes. */
   const std::uint8_t* At(std::size_t pixel) const { return this->Bytes + pixel * this->Channels; }
 };
 
-/** A pixel that differs. Its coordinates are counted from the top left corner, from 0 on, as viewers of pictures do. */
+/** A pixel that differs. Its coordinates count from 0 at the top left corner, as in picture viewers. */
 struct DifferentPixel
 {
   int X;
   int Y;
-  std::vector<std::uint8_t> Test;      ///< its channels in one picture
-  std::vector<std::uint8_t> Reference; ///< the same in the other picture
+  std::vector<std::uint8_t> Test;      ///< Channels in one picture.
+  std::vector<std::uint8_t> Reference; ///< Channels in the other picture.
 };
 
 /**
- * How two pictures of bytes differ. Differences are in steps of 1/255. The difference of a pixel is the largest of its
+ * The difference between two pictures of bytes, in steps of 1/255. The difference of a pixel is the largest of its
  * channels.
  */
 struct PictureDifference
 {
-  int Tolerance = 0;               ///< the largest difference that counts as none
-  std::size_t Pixels = 0;          ///< of the picture
-  int Largest = 0;                 ///< the largest difference of any pixel
-  std::size_t DifferentPixels = 0; ///< the number of pixels that differ by more than the tolerance
-  std::vector<DifferentPixel> First; ///< up to 5 of them, row by row from the top
+  int Tolerance = 0;               ///< Largest difference that is tolerated.
+  std::size_t Pixels = 0;          ///< Number of pixels in the picture.
+  int Largest = 0;                 ///< Largest difference of any pixel.
+  std::size_t DifferentPixels = 0; ///< Number of pixels whose difference exceeds the tolerance.
+  /** The first of these pixels, at most 5, row by row from the top. */
+  std::vector<DifferentPixel> First;
 
-  /** The largest number of different pixels that is a share, from 0 to 1, of all pixels. */
+  /** Returns the largest number of pixels that is a share (0 to 1) of all pixels or less. */
   std::size_t PixelsOfShare(double share) const;
 };
 
 /**
  * Compares two pictures of the same width, height and number of channels.
  *
- * @param tolerance  the largest difference that counts as none, in steps of 1/255
+ * @param tolerance  largest difference that is tolerated, in steps of 1/255
  */
 PictureDifference FindDifference(
   const PictureView& test, const PictureView& reference, int tolerance);
 
 /**
- * A sentence on the difference, and a line for each of its first pixels. They do not end with a line break.
+ * Returns a sentence on the difference, and a line for each of its first pixels. The text has no line break at the end.
  *
- * @param test       what the first picture is called, as in "got"
- * @param reference  what the second picture is called, as in "expected"
+ * @param test       name of the first picture, as in "got"
+ * @param reference  name of the second picture, as in "expected"
  */
 std::string DescribeDifference(
   const PictureDifference& difference, const std::string& test, const std::string& reference);
 
 /**
- * Draws the difference as 8-bit RGB, in the rows of the pictures. A pixel that differs by more than the tolerance is
- * red, and the more yellow the more it differs. One that differs by less is blue. The rest is the reference in dark
- * grey.
+ * Draws the difference as 8-bit RGB, in the order of the pictures' rows. Pixels beyond the tolerance are red, and more
+ * yellow the more they differ. Smaller differences are blue. The remaining pixels show the reference in dark grey.
  */
 std::vector<std::uint8_t> DrawDifference(
   const PictureView& test, const PictureView& reference, int tolerance);

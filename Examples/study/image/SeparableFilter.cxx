@@ -11,7 +11,7 @@ namespace vitrine
 namespace
 {
 
-// The position inside [0, size) whose value stands for one beyond the border.
+// Returns the position in [0, size) that represents a position beyond the border.
 int Inside(int position, int size, Border border)
 {
   if (border == Border::Repeat)
@@ -23,7 +23,7 @@ int Inside(int position, int size, Border border)
   return phase < size ? phase : period - 1 - phase;
 }
 
-// sum += weight * values, over `count` numbers.
+// Adds weight * values to sum, for `count` numbers.
 void Accumulate(double weight, const double* values, int count, double* sum)
 {
   for (int i = 0; i < count; ++i)

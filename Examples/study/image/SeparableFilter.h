@@ -14,22 +14,22 @@ struct Plane
   std::vector<double> Values;
 };
 
-/** How a plane goes on beyond its border. */
+/** The continuation of a plane beyond its border. */
 enum class Border
 {
-  Repeat, ///< aaa|abcd|ddd
-  Mirror  ///< cba|abcd|dcb
+  Repeat, ///< A row abcd continues as aaa|abcd|ddd.
+  Mirror  ///< A row abcd continues as cba|abcd|dcb.
 };
 
-/** Weights at -r, ..., 0, ..., r; an odd number of them. */
+/** Weights at -r, ..., 0, ..., r. Their number is odd. */
 using Kernel = std::vector<double>;
 
-/** The Gaussian of standard deviation sigma, in pixels, at -radius to radius; its sum is 1. */
+/** Returns the Gaussian with standard deviation sigma (in pixels) at -radius to radius. Its sum is 1. */
 Kernel GaussianKernel(double sigma, int radius);
 
 /**
- * Correlates each row with one kernel and each column of the outcome with another. A plane may be
- * smaller than the kernels, and empty.
+ * Correlates each row with one kernel, then each column of the result with the other. A plane may be smaller than the
+ * kernels, or empty.
  */
 Plane Filter(const Plane& plane, const Kernel& alongX, const Kernel& alongY, Border border);
 

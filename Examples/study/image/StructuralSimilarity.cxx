@@ -18,7 +18,7 @@ namespace
 constexpr int windowRadius = 5;
 constexpr int windowSize = 2 * windowRadius + 1;
 constexpr double windowSigma = 1.5;
-constexpr double c1 = 0.01 * 0.01; // (K1 L)^2 and (K2 L)^2 with L = 1
+constexpr double c1 = 0.01 * 0.01; // c1 and c2 are (K1 L)^2 and (K2 L)^2 with L = 1.
 constexpr double c2 = 0.03 * 0.03;
 
 Plane Channel(const Image& image, int channel)

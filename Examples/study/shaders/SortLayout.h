@@ -1,10 +1,8 @@
-/**
- * What C++ and GLSL share of the sorts that are measured against each other (SortHarness.glsl).
- */
+/** Constants that C++ and GLSL share for the measured sorts (SortHarness.glsl). */
 #ifndef VITRINE_STUDY_SHADERS_SORT_LAYOUT_H
 #define VITRINE_STUDY_SHADERS_SORT_LAYOUT_H
 
-// Lists to a row of pixels.
+// Number of lists per row of pixels.
 #define VITRINE_SORT_ROW 256
 
 // The odd constants of a list's checksum (study/sorts/ListChecksum).

@@ -1,6 +1,4 @@
-/**
- * The generated parts of the shaders that sort short lists (SortHarness.glsl), unrolled over constant indices.
- */
+/** Generates the parts of the list sort shaders (SortHarness.glsl) that are unrolled over constant indices. */
 #ifndef VITRINE_STUDY_SORTS_LIST_SORT_PROGRAM_H
 #define VITRINE_STUDY_SORTS_LIST_SORT_PROGRAM_H
 
@@ -9,7 +7,7 @@
 namespace vitrine
 {
 
-/** Text for the tags of SortHarness.glsl and SortNetwork.glsl. */
+/** Texts for the tags of SortHarness.glsl and SortNetwork.glsl. */
 struct ListSortText
 {
   std::string Load;
@@ -18,7 +16,7 @@ struct ListSortText
   std::string Store;
 };
 
-/** For lists in storage for `capacity` elements. */
+/** Returns the texts for lists in storage for `capacity` elements. */
 ListSortText UnrollListSort(int capacity);
 
 }

@@ -24,7 +24,7 @@ std::int64_t ComparatorCount(const SortingNetwork& network)
   return static_cast<std::int64_t>(network.Comparators.size());
 }
 
-// Each element is compared with those before it, from the last on, up to the first that is not larger.
+// Each element is compared with its predecessors, from the last one down to the first that is not larger.
 std::int64_t CountInsertionComparisons(std::vector<std::uint32_t> keys)
 {
   std::int64_t count = 0;

@@ -33,7 +33,7 @@ std::int64_t BytesOf(std::size_t elements)
   return static_cast<std::int64_t>(elements * sizeof(SortElement));
 }
 
-// The milliseconds that `work` takes on the device.
+// Returns the milliseconds that `work` takes on the device.
 template <class Work>
 double Time(const Work& work)
 {
@@ -63,11 +63,11 @@ struct SortHarness::Private
 
   vtkOpenGLRenderWindow* Window;
   int Capacity = 0;
-  std::vector<std::uint32_t> Lengths; // of whole rows of lists
-  std::size_t ListCount = 0;          // without those that fill up the last row
+  std::vector<std::uint32_t> Lengths; // List lengths, padded to whole rows of lists.
+  std::size_t ListCount = 0;          // Number of lists without the padding of the last row.
   Buffer Lists;
   Buffer LengthBuffer;
-  Buffer Sorted; // as the lists, once they are asked for
+  Buffer Sorted; // The sorted lists, in the layout of Lists. It is allocated once they are read.
   Image2D Checksums;
   Framebuffer Target;
   EmptyVertexArray VertexArray;

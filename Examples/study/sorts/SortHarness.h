@@ -1,6 +1,4 @@
-/**
- * Many short lists sorted on the device, one in each pixel, by any of the sorts that are measured against each other.
- */
+/** Sorts many short lists on the device, one per pixel, by any of the measured sorts. */
 #ifndef VITRINE_STUDY_SORTS_SORT_HARNESS_H
 #define VITRINE_STUDY_SORTS_SORT_HARNESS_H
 
@@ -20,46 +18,50 @@ namespace vitrine
 {
 
 /**
- * Sorts in fragment shaders, since that is where a transparency method's resolve sorts: one draw, 256 pixels to a row.
+ * Sorts lists in fragment shaders, because the resolve pass of a transparency method sorts there. It takes one draw
+ * with 256 pixels per row.
  */
 class SortHarness
 {
 public:
-  /** The window has a context, and outlives the harness. */
+  /** Creates a harness. The window must have a context and outlive the harness. */
   explicit SortHarness(vtkOpenGLRenderWindow* window);
   ~SortHarness();
   SortHarness(const SortHarness&) = delete;
   void operator=(const SortHarness&) = delete;
 
-  /** What the window's context lacks for this, in words; empty if nothing. Nothing else may be called then. */
+  /**
+   * Returns a description of what the window's context lacks, or an empty string. If it lacks anything, no other method
+   * may be called.
+   */
   std::string FindMissingFeature() const;
 
   /**
-   * Bring the lists to the device, each into storage for `capacity` elements. Returns an empty string, or why they
-   * cannot be sorted: there are none then.
+   * Uploads the lists, each into storage for `capacity` elements. Returns an empty string, or the reason why they
+   * cannot be sorted; then there are no lists.
    *
-   * @param lists     at least one; none longer than `capacity`, no key 0xffffffff, which marks an unused element
+   * @param lists     at least one list; none longer than `capacity`; no key 0xffffffff, which marks unused elements
    * @param capacity  a power of two from 2 to LargestProvableNetwork
    */
   std::string SetLists(const std::vector<SortList>& lists, int capacity);
 
   /**
-   * Sort all lists, always from what SetLists() brought, and keep a checksum of each. Returns the wall time of the
-   * draw in milliseconds, finished on the device, or nothing where the driver cannot compile the shader, which VTK
-   * has reported then. The first call of a sort compiles it.
+   * Sorts all lists as uploaded by SetLists(), and keeps a checksum of each. Returns the wall time of the draw in
+   * milliseconds, until the device is done. Returns nothing if the driver cannot compile the shader; VTK has reported
+   * that then. The first call of a sort compiles it.
    *
-   * @param repeats  times that each list is loaded once and sorted, with its keys in another order each time, where
-   *                 time matters; checksums and lists are of the plain lists only with 1
+   * @param repeats  number of times that each list is sorted after one load, with its keys in another order each time,
+   *                 for timing; checksums and lists are those of the plain lists only with 1
    */
   std::optional<double> Sort(ListSort sort, int repeats = 1);
 
-  /** The same without a sort: the floor under the time of Sort(). */
+  /** Draws without a sort. Its time is the lower bound of the time of Sort(). */
   std::optional<double> Copy(int repeats = 1);
 
-  /** ListChecksum() of each list as the last Sort() or Copy() left it. */
+  /** Returns ListChecksum() of each list after the last Sort() or Copy(). */
   std::vector<std::array<std::uint32_t, 2>> ReadChecksums();
 
-  /** Sort all lists and bring them back; nothing where the driver cannot compile the shader. */
+  /** Sorts all lists and downloads them. Returns nothing if the driver cannot compile the shader. */
   std::optional<std::vector<SortList>> SortAndRead(ListSort sort);
 
 private:

@@ -33,7 +33,7 @@ const char* ShaderOf(std::optional<ListSort> sort)
   return "";
 }
 
-// The tags are in our own shaders, so a missing one is an error in the program.
+// The tags are in the project's own shaders, so a missing one is a programming error.
 void Fill(std::string& source, const std::string& tag, const std::string& text)
 {
   const std::string problem = ReplaceTag(source, tag, text);

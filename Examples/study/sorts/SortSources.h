@@ -1,6 +1,4 @@
-/**
- * The fragment shaders that sort short lists, with their unrolled parts filled in.
- */
+/** The fragment shaders that sort short lists, with their unrolled parts filled in. */
 #ifndef VITRINE_STUDY_SORTS_SORT_SOURCES_H
 #define VITRINE_STUDY_SORTS_SORT_SOURCES_H
 
@@ -13,10 +11,10 @@
 namespace vitrine
 {
 
-/** Sort*.glsl of the sort, or SortNothing.glsl, for storage of `capacity` elements. */
+/** Returns Sort*.glsl of the sort, or SortNothing.glsl, for storage of `capacity` elements. */
 std::string SortSource(std::optional<ListSort> sort, int capacity);
 
-/** The defines that go with it. */
+/** Returns the defines that SortSource() needs. */
 std::vector<std::string> SortDefines(int capacity);
 
 }
