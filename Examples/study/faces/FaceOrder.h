@@ -24,7 +24,8 @@ struct FaceOrderStatements
   bool OneOrder = true; ///< Statement 1: two faces have one order wherever they overlap.
   /** Statement 2: spans that share an end have one order relative to a third face that passes there. */
   bool SharedEnds = true;
-  bool Neighbours = true; ///< Statement 3: so do faces that share a side.
+  /** Statement 3: faces that share a side have one order relative to a third face that passes there. */
+  bool Neighbours = true;
 };
 
 /** Counters since Forget(). */

@@ -1,6 +1,6 @@
-// P. Andersson, J. Nilsson, T. Akenine-Moeller, M. Oskarsson, K. Astroem and M. D. Fairchild: FLIP: a
-// difference evaluator for alternating images. Proceedings of the ACM on Computer Graphics and
-// Interactive Techniques 3(2) (HPG 2020).
+// Computes the FLIP error of each pixel. (P. Andersson, J. Nilsson, T. Akenine-Moeller, M. Oskarsson, K. Astroem and M.
+// D. Fairchild: FLIP: a difference evaluator for alternating images. Proceedings of the ACM on Computer Graphics and
+// Interactive Techniques 3(2) (HPG 2020))
 
 #include "study/image/Flip.h"
 

@@ -1,5 +1,5 @@
-// Z. Wang, A. C. Bovik, H. R. Sheikh and E. P. Simoncelli: Image quality assessment: from error
-// visibility to structural similarity. IEEE Transactions on Image Processing 13(4), 2004.
+// Computes the mean structural similarity. (Z. Wang, A. C. Bovik, H. R. Sheikh and E. P. Simoncelli: Image quality
+// assessment: from error visibility to structural similarity. IEEE Transactions on Image Processing 13(4), 2004)
 
 #include "study/image/StructuralSimilarity.h"
 

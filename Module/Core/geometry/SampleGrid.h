@@ -113,8 +113,9 @@ public:
   float Behind(float sample) const { return sample + this->Step; }
 
   /**
-   * Returns bounds of the number of samples up to each of eight pairs of places. Samples at places up to 0 are off the
-   * screen and do not count. The bounds are 0 and the largest integer if the number is unknown.
+   * Returns bounds of numbers of samples in eight lanes. Least counts the samples up to `from` and Most those up to
+   * `to`, each with a tolerance. Samples at places up to 0 are off the screen and do not count. The bounds are 0 and
+   * the largest integer if the number is unknown.
    */
   VITRINE_INLINE SampleCounts CountUpTo(const Lanes& from, const Lanes& to) const
   {
@@ -161,7 +162,7 @@ private:
   {
   }
 
-  float PerColumn = 0.0f;            ///< It is 0 if samples are anywhere.
+  float PerColumn = 0.0f;            ///< Samples per column, or 0 if samples are anywhere.
   float FarthestPlace = MostColumns; ///< Samples are counted up to this place.
   float Step = 0.0f;
   float FromSide = 0.0f;

@@ -14,7 +14,10 @@ namespace vitrine
 /** An item of one tree and an item of another or of the same tree. */
 using ItemPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/** Returns true if a pair counts, whose boxes touch. An example is TrianglesMeet() for triangles of different parts. */
+/**
+ * Returns true if a pair of items with touching boxes counts. An example is TrianglesMeet() for triangles of different
+ * parts.
+ */
 using PairTest = std::function<bool(std::uint32_t, std::uint32_t)>;
 
 /**

@@ -16,6 +16,7 @@ class OctreePageCutter
 {
 public:
   /**
+   * Finds where to cut a tree.
    * @param whole      nodes and lists of the tree, all in memory; must outlive the cutter
    * @param pageBytes  largest size of a page in bytes; the first page, and single leaves, may exceed it
    */

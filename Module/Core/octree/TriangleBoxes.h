@@ -24,6 +24,7 @@ class TriangleBoxes : public ItemBoxes
 {
 public:
   /**
+   * Creates the view of `count` triangles.
    * @param points   x, y, z of each point
    * @param corners  three point indices per triangle
    */

@@ -12,8 +12,9 @@ namespace vitrine
 {
 
 /**
- * Threads that wait for work from one frame to the next. A new thread would start on the processor of the busy thread
- * that creates it, and might not run before that is done. This happened most on machines that slept between two frames.
+ * Threads that wait for work from one frame to the next. A thread started on demand would begin on the processor of the
+ * busy thread that creates it, and might not run before that is done. This happened most on machines that slept between
+ * two frames.
  *
  * The threads and this object live as long as the process. A forked process has none of the threads and does all work
  * itself. If it was forked while they were at work, it may wait for them forever.

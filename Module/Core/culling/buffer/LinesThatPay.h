@@ -19,8 +19,8 @@ inline int LinesThatPay(std::size_t parts)
 }
 
 /**
- * Returns the same limit for a view whose width is `aspect` times its height. Wide views get fewer lines, so that
- * columns times lines do not exceed 2^22.
+ * Returns the largest number of lines for a view whose width is `aspect` times its height. Wide views get fewer lines,
+ * so that columns times lines do not exceed 2^22.
  */
 inline int LinesThatPay(std::size_t parts, double aspect)
 {

@@ -80,7 +80,7 @@ struct HideableSegment
   }
 };
 
-/** A HideableSegment on each of eight lines, which differ in depth only. */
+/** Hideable segments on eight lines. All but their depths and ends are equal. */
 struct HideableSegmentLanes
 {
   float Depths[LaneCount]; ///< Depths at Column.
@@ -211,8 +211,8 @@ public:
   }
 
   /**
-   * Returns a bit for each line from `line` to `last`, at most eight. The bit is 1 if a tile between the columns `left`
-   * and `right` may be uncovered at `depth` or nearer. On the other lines, farther surfaces need no insertion.
+   * Returns a bit for each line from `line` to `last`, at most eight. The bit is 0 if all tiles between the columns
+   * `left` and `right` are known to be covered at `depth` or nearer. Farther surfaces need no insertion on such a line.
    */
   unsigned OpenLines(int line, int last, float left, float right, float depth) const;
 

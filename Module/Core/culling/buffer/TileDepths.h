@@ -75,8 +75,8 @@ public:
   }
 
   /**
-   * Returns a bit for each line from `line` to `last`, at most eight. The bit is 1 if the tile may be uncovered at
-   * depths nearer than `nearest`.
+   * Returns a bit for each line from `line` to `last`, at most eight. The bit is 1 unless the tile is known to be
+   * covered by surfaces nearer than `nearest`.
    */
   VITRINE_INLINE unsigned Open(int line, int last, int tile, float nearest) const
   {

@@ -32,6 +32,7 @@ public:
   static constexpr std::uint32_t NoFace = 0xffffffffu;
 
   /**
+   * Finds the regions of a mesh.
    * @param edges        the edges of all faces; Right is NoFace on a border
    * @param leastCosine  least cosine of the angle between a region's first face and its other faces
    */

@@ -21,7 +21,10 @@ class MeshFacets
 public:
   static constexpr std::uint32_t NoFace = FaceRegions::NoFace;
 
-  /** @param edges  the edges of all faces; Right is NoFace on a border */
+  /**
+   * Finds the facets of a mesh.
+   * @param edges  the edges of all faces; Right is NoFace on a border
+   */
   MeshFacets(const std::vector<glm::vec3>& points, const std::vector<MeshFace>& faces,
     const std::vector<MeshEdge>& edges);
 

@@ -58,8 +58,8 @@ void ForEachSide(const std::vector<MeshFace>& faces, const Work& work)
 }
 
 /**
- * Returns the sides of all faces, with sides between the same points adjacent. A counting sort by the first point
- * precedes the comparison, since each point has few sides.
+ * Returns the sides of all faces, with sides between the same points adjacent. A counting sort by the first point comes
+ * first. Few sides per point remain to be sorted by comparison.
  */
 std::vector<Side> SortedSides(const std::vector<MeshFace>& faces, std::size_t points)
 {

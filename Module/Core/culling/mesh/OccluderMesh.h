@@ -33,6 +33,7 @@ public:
   OccluderMesh() = default;
 
   /**
+   * Creates a mesh from triangles.
    * @param points   positions in model coordinates (MC)
    * @param corners  three point indices per triangle
    */

@@ -116,8 +116,8 @@ inline constexpr float RoundingOfCuts = 0x1p-20f;
 inline constexpr float StepOfCuts = 0x1p-25f;
 
 /**
- * Distance from the view's sides, in snapping steps, that is free of samples. So faces that are moved there cover none.
- * No test depends on a smaller value.
+ * A strip of this many snapping movements beside the view's sides must be free of samples. Then faces that are moved
+ * there cover none. No test depends on a smaller value.
  */
 inline constexpr double StepsOnASide = 2.0;
 

@@ -65,7 +65,8 @@ private:
   bool IsUp;
   ScreenPoint Low;
   ScreenPoint High;
-  float Slope; ///< It is NaN or infinite for a horizontal edge, which crosses no line.
+  /** Columns per line. It is NaN or infinite for a horizontal edge, which crosses no line. */
+  float Slope;
 };
 
 /** The columns covered between two lines, from left to right. */

@@ -26,10 +26,11 @@ namespace vitrine
 struct ScreenMatrix
 {
   glm::dmat4 Matrix;
-  glm::vec4 Rounding;      ///< Rounding of each of the four coordinates.
-  ScreenMargin Snapping;   ///< Additional movement by the rasteriser.
-  glm::vec2 Size;          ///< Numbers of columns and lines.
-  float LinesBelow = 0.0f; ///< Lines of the view below the screen.
+  glm::vec4 Rounding;    ///< Rounding of each of the four coordinates.
+  ScreenMargin Snapping; ///< Additional movement by the rasteriser.
+  glm::vec2 Size;        ///< Numbers of columns and lines.
+  /** Lines of the view below and above the screen. */
+  float LinesBelow = 0.0f;
   float LinesAbove = 0.0f;
   glm::vec2 Before{ 0.0f }; ///< Columns and lines of the window before the view.
 
@@ -82,8 +83,8 @@ struct ScreenMatrix
   }
 
   /**
-   * Returns true if a thing in this rectangle, no farther than `farthest`, may reach beyond the view's sides, near
-   * plane or far plane. The screen may be only some lines of the view.
+   * Returns true if an object in this rectangle may reach beyond the sides, the near plane or the far plane of the
+   * view. `farthest` is the object's least reversed depth. The screen may be only some lines of the view.
    */
   bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
@@ -146,6 +147,7 @@ class ScreenProjection
 {
 public:
   /**
+   * Creates the projection of a view.
    * @param toClip    from world coordinates (WC) to OpenGL's clip coordinates, for column vectors
    * @param columns   number of columns from left to right; the last may be partial
    * @param lines     number of lines from bottom to top
@@ -181,7 +183,7 @@ public:
   /** Returns true if a rectangle reaches beyond the screen. */
   bool ReachesBeyond(const ScreenRectangle& rectangle) const;
 
-  /** Returns true if a device may clip a thing in this rectangle that is no farther than `farthest`. */
+  /** Returns true if a device may clip an object in this rectangle. `farthest` is the object's least reversed depth. */
   bool MayBeCut(const ScreenRectangle& rectangle, float farthest) const
   {
     return this->World.MayBeCut(rectangle, farthest);
@@ -206,7 +208,7 @@ public:
    */
   double SmallestScale() const;
 
-  /** Returns the float error of a device at that distance, in columns or lines, whichever are more. */
+  /** Returns the float error of a device at a distance of 1, in columns or lines, whichever are more. */
   double RoundingAtOne() const;
 
   /** Returns the movement of edges and depths by a rasteriser. */
@@ -231,8 +233,8 @@ public:
   ScreenMatrix Of(const glm::dmat4& toWorld) const;
 
   /**
-   * Returns the same map with tighter rounding. The device must multiply by one matrix from the part's coordinates to
-   * the screen.
+   * Returns the map from a part's model coordinates (MC) to the screen, with tighter bounds of the rounding. The device
+   * must multiply by one matrix from the part's coordinates to the screen.
    */
   ScreenMatrix Of(const glm::dmat4& toWorld, const DeviceCoordinates& device) const;
 
