@@ -101,7 +101,7 @@ public:
     return { &this->Mesh, &this->Places[part].ToWorld, &Drawn };
   }
 
-  void Expect(std::uint32_t part) const override { PrefetchAll(this->Places[part]); }
+  void PrefetchOccluder(std::uint32_t part) const override { PrefetchAll(this->Places[part]); }
 
   std::vector<Box> Bounds;
 
@@ -200,7 +200,7 @@ void MoveParts(benchmark::State& state, float farthest)
     const glm::vec3 step(farthest * static_cast<float>(random() / 4294967296.0 - 0.5));
     scene.Bounds[part].Min += step;
     scene.Bounds[part].Max += step;
-    tree.Put(part, scene.Bounds[part]);
+    tree.SetBox(part, scene.Bounds[part]);
   }
 }
 BENCHMARK_CAPTURE(MoveParts, a_little, 0.002f);

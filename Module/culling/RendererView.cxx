@@ -51,7 +51,7 @@ int CellsPerLine(int cells, int mostLines, int height)
   return ofLine < cells ? ofLine : cells * PixelsPerLine(mostLines, height);
 }
 
-/** Passes may draw what is translucent at the centres of pixels that have several samples; what that means for what is hidden SecondLook knows. */
+/** Passes may draw what is translucent at the centres of pixels that have several samples; what that means for what is hidden HiddenVerifier knows. */
 LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();

@@ -50,7 +50,7 @@ bool SceneParts::Update(vtkProp* const* props, int count)
     }
     this->MeasureAll();
     this->Kept.clear();
-    this->DropDeadGeometries();
+    this->ForgetDeadGeometries();
   }
   return !this->HasImagesToMake;
 }
@@ -240,7 +240,7 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data, const Pa
 }
 
 /** Data that come and go, as those of animations do, would leave more and more entries. */
-void SceneParts::DropDeadGeometries()
+void SceneParts::ForgetDeadGeometries()
 {
   if (this->Geometries.size() <= MostGeometries * this->Parts.size())
   {
@@ -293,8 +293,8 @@ int SceneParts::CountHidden(int i, const std::vector<std::uint8_t>& visible) con
     pieces.begin(), pieces.end(), [&](std::uint32_t piece) { return !visible[piece]; }));
 }
 
-std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const ViewMatrices& view,
-  int i, const std::vector<std::uint8_t>& visible) const
+std::shared_ptr<const ShownParts> SceneParts::TellMapper(vtkRenderer* renderer,
+  const ViewMatrices& view, int i, const std::vector<std::uint8_t>& visible) const
 {
   const Part& part = this->Parts[this->Drawn[static_cast<std::size_t>(i)]];
   if (part.Pieces.empty())
@@ -307,7 +307,7 @@ std::shared_ptr<const ShownParts> SceneParts::Tell(vtkRenderer* renderer, const 
     shown.push_back(visible[piece] != IsLeftOut);
   }
   auto told = std::make_shared<const ShownParts>(view, part.Actor, part.Division, std::move(shown));
-  part.Divided->Tell(renderer, part.Actor, told);
+  part.Divided->SetShown(renderer, part.Actor, told);
   return told;
 }
 
@@ -337,7 +337,7 @@ Occluder SceneParts::ShapeOf(std::uint32_t i)
     part.Geometry->IsOfFacesAlone() };
 }
 
-void SceneParts::Expect(std::uint32_t i) const
+void SceneParts::PrefetchOccluder(std::uint32_t i) const
 {
   Prefetch(&this->Parts[i]);
   Prefetch(&this->Parts[i].ToWorld);

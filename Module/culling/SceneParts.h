@@ -61,7 +61,7 @@ public:
   bool Update(vtkProp* const* props, int count);
 
   /** Lets go of what is known of props that are gone. Of those that are not drawn for a while it is kept, as they may come again. */
-  void DropGone();
+  void ForgetRemoved();
 
   /** Where boxes and occluders count from, in world coordinates (WC). */
   const glm::dvec3& Origin() const { return this->Middle; }
@@ -82,8 +82,8 @@ public:
    * Tells the mapper of that prop which of its parts show.
    * @return  what it is told, for as long as this is held; null if it draws all it has
    */
-  std::shared_ptr<const ShownParts> Tell(vtkRenderer* renderer, const ViewMatrices& view, int i,
-    const std::vector<std::uint8_t>& visible) const;
+  std::shared_ptr<const ShownParts> TellMapper(vtkRenderer* renderer, const ViewMatrices& view,
+    int i, const std::vector<std::uint8_t>& visible) const;
 
   /** What many parts have of something at most. */
   struct Extremes
@@ -100,7 +100,7 @@ public:
   std::size_t CountOfViewAlone() const { return this->ViewAlone.size(); }
 
   /** Puts 0 for those of them that lie outside of the view. */
-  void DropOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const;
+  void CullOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const;
 
   /**
    * Has parts show that were found hidden where they are, but not where a device may draw them: beside their faces, and those that the eye sees from their edge at any depth. And all wireframes:
@@ -109,7 +109,7 @@ public:
    * @param drawn    one for each part, 1 for those that are drawn
    * @param visible  the same for those that may show; 1 is put for such parts within the view
    */
-  void LookAgain(PartCuller& culler, const ScreenProjection& view,
+  void VerifyHidden(PartCuller& culler, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible);
 
   /** Whether something is drawn that is blended among what is opaque, of which it is not known where it is: then all parts in the view may show. */
@@ -152,7 +152,7 @@ public:
   std::string Explain(vtkProp* prop, const Fate& fate) const;
 
   Occluder OccluderOf(std::uint32_t part) override;
-  void Expect(std::uint32_t part) const override;
+  void PrefetchOccluder(std::uint32_t part) const override;
 
 private:
   /**
@@ -223,13 +223,13 @@ private:
   void MakeData(Part& part);
   void LookAnewIfSettingsChanged();
   void ForgetAbsent();
-  void ForgetGone(std::uint32_t part, std::vector<std::uint32_t>& moved);
+  void ForgetPart(std::uint32_t part, std::vector<std::uint32_t>& moved);
   void FindAll(vtkProp* const* props, int count);
   std::uint32_t Find(vtkProp* prop);
   std::uint32_t AddPart(vtkProp* prop);
   void FindUnchanged();
   bool AreImagesMade() const;
-  void ExpectLook(std::uint32_t i) const;
+  void PrefetchObjects(std::uint32_t i) const;
   bool IsPlain(std::uint32_t i) const;
   bool HasPipeline(std::uint32_t i) const;
   bool IsUnchanged(std::uint32_t i) const;
@@ -245,7 +245,7 @@ private:
   void PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   void FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved);
   std::shared_ptr<PartGeometry> GeometryOf(vtkPolyData* data, const PartGeometry* before);
-  void DropDeadGeometries();
+  void ForgetDeadGeometries();
   void Replant(const std::vector<std::uint32_t>& moved);
   void MeasureAll();
   bool IsFarOff(glm::dvec3& middle) const;

@@ -88,8 +88,8 @@ void SceneParts::FindUnchanged()
       {
         for (std::size_t i = first; i < end; ++i)
         {
-          this->Expect(this->Drawn[std::min(i + 2 * PartsAhead, end - 1)]);
-          this->ExpectLook(this->Drawn[std::min(i + PartsAhead, end - 1)]);
+          this->PrefetchOccluder(this->Drawn[std::min(i + 2 * PartsAhead, end - 1)]);
+          this->PrefetchObjects(this->Drawn[std::min(i + PartsAhead, end - 1)]);
           const std::uint32_t part = this->Drawn[i];
           this->AreSame[i] =
             this->IsPlain(part) && !this->HasPipeline(part) && this->IsUnchanged(part);
@@ -116,7 +116,7 @@ bool SceneParts::AreImagesMade() const
 }
 
 /** What is read of the part and of VTK's objects to see whether it is unchanged, which lie all over memory. They need not be there any more. */
-void SceneParts::ExpectLook(std::uint32_t i) const
+void SceneParts::PrefetchObjects(std::uint32_t i) const
 {
   const Part& part = this->Parts[i];
   PrefetchLines<8>(part.Actor);

@@ -53,7 +53,7 @@ void SceneParts::ForgetAbsent()
   this->ViewAlone.clear();
 }
 
-void SceneParts::DropGone()
+void SceneParts::ForgetRemoved()
 {
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < this->Parts.size(); ++i)
@@ -61,7 +61,7 @@ void SceneParts::DropGone()
     const Part& part = this->Parts[i];
     if (this->PropOf[i] && !this->Living[i] && (part.Geometry || part.Division))
     {
-      this->ForgetGone(i, moved);
+      this->ForgetPart(i, moved);
     }
   }
   if (!moved.empty())
@@ -71,7 +71,7 @@ void SceneParts::DropGone()
 }
 
 /** All but that it has a number: another prop may come to be at its address. */
-void SceneParts::ForgetGone(std::uint32_t part, std::vector<std::uint32_t>& moved)
+void SceneParts::ForgetPart(std::uint32_t part, std::vector<std::uint32_t>& moved)
 {
   this->Parts[part].Division.reset();
   this->FitPieces(part, moved);

@@ -185,14 +185,14 @@ void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& move
 /** Puts the octree right. */
 void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
 {
-  if ((this->Boxes.PutCount() + moved.size()) * FewOf > this->Parts.size())
+  if ((this->Boxes.ChangeCount() + moved.size()) * FewOf > this->Parts.size())
   {
     this->Boxes = LooseOctree(this->BoxOf);
     return;
   }
   for (const std::uint32_t part : moved)
   {
-    this->Boxes.Put(part, this->BoxOf[part]);
+    this->Boxes.SetBox(part, this->BoxOf[part]);
   }
 }
 

@@ -12,7 +12,7 @@
 namespace vitrine
 {
 
-void SceneParts::DropOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const
+void SceneParts::CullOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const
 {
   BoxLanes boxes;
   RectangleLanes rectangles;

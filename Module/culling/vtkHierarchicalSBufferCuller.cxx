@@ -81,7 +81,7 @@ struct vtkHierarchicalSBufferCuller::State
 {
   struct ShapedCuller;
   struct CulledRenderer;
-  std::map<vtkRenderer*, CulledRenderer> Of;
+  std::map<vtkRenderer*, CulledRenderer> ByRenderer;
   std::set<std::string> KnownPasses; ///< classes
   vtkHierarchicalSBufferCuller* Owner = nullptr;
   vitrine::CullingDecision Decision{ vitrine::CullingMode::Off,
@@ -90,7 +90,7 @@ struct vtkHierarchicalSBufferCuller::State
     Last;                 ///< the renderer of the last frame; null if it had no visible props
   std::string PropReason; ///< that was told last
 
-  CulledRenderer& At(vtkRenderer* renderer);
+  CulledRenderer& FindOrAdd(vtkRenderer* renderer);
   std::string Explain(vtkProp* prop);
 };
 
@@ -158,7 +158,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   void Begin()
   {
     this->TakeBack();
-    this->Parts.DropGone();
+    this->Parts.ForgetRemoved();
     if (this->Renderer->GetCullers()->IsItemPresent(this->Owner))
     {
       this->HasBuffer = this->HasBuffer && this->Renderer->GetSelector();
@@ -174,14 +174,14 @@ private:
   std::array<unsigned long, 2> Observers;
 };
 
-vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCuller::State::At(
+vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCuller::State::FindOrAdd(
   vtkRenderer* renderer)
 {
-  for (auto i = this->Of.begin(); i != this->Of.end();)
+  for (auto i = this->ByRenderer.begin(); i != this->ByRenderer.end();)
   {
-    i = i->second.Renderer ? std::next(i) : this->Of.erase(i);
+    i = i->second.Renderer ? std::next(i) : this->ByRenderer.erase(i);
   }
-  return this->Of.try_emplace(renderer, renderer, this->Owner).first->second;
+  return this->ByRenderer.try_emplace(renderer, renderer, this->Owner).first->second;
 }
 
 /** Why a prop was drawn in the last frame, or that it was not. */
@@ -197,7 +197,7 @@ std::string vtkHierarchicalSBufferCuller::State::Explain(vtkProp* prop)
       ? "drawn, as nothing is left out of the frame: " + this->Decision.Reason
       : "not drawn: it is not among the visible props of the last frame";
   }
-  const CulledRenderer& known = this->At(this->Last);
+  const CulledRenderer& known = this->FindOrAdd(this->Last);
   return known.Parts.Explain(prop, { known.View, known.Visible, this->Decision });
 }
 
@@ -232,9 +232,9 @@ double vtkHierarchicalSBufferCuller::Cull(
   const double total = initialized ? SumOfMultipliers(propList, listLength) : listLength;
   if (!renderer->GetSelector())
   {
-    this->Renderers->At(renderer).HasBuffer = false;
+    this->Renderers->FindOrAdd(renderer).HasBuffer = false;
   }
-  this->DropHidden(renderer, propList, listLength);
+  this->CullHidden(renderer, propList, listLength);
   this->NumberOfDrawnProps = listLength;
   if (!initialized)
   {
@@ -247,10 +247,10 @@ double vtkHierarchicalSBufferCuller::Cull(
 }
 
 /** Decides what may be left out, leaves it out, and keeps what VTK needs to draw the rest as it does with all. */
-void vtkHierarchicalSBufferCuller::DropHidden(
+void vtkHierarchicalSBufferCuller::CullHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
-  State::CulledRenderer& known = this->Renderers->At(renderer);
+  State::CulledRenderer& known = this->Renderers->FindOrAdd(renderer);
   vitrine::SceneParts& parts = known.Parts;
   known.TakeBack();
   const bool areImagesMade = !this->Culling || parts.Update(propList, listLength);
@@ -280,10 +280,10 @@ void vtkHierarchicalSBufferCuller::DropHidden(
   }
   if (occlusion)
   {
-    parts.LookAgain(culler, view.Projection(), known.Drawn, known.Visible);
+    parts.VerifyHidden(culler, view.Projection(), known.Drawn, known.Visible);
     known.HasBuffer = true;
   }
-  parts.DropOutside(view.ProjectionOfViewAlone(), known.Visible);
+  parts.CullOutside(view.ProjectionOfViewAlone(), known.Visible);
   KeepWhatOthersNeed(facts, known.Visible);
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();
@@ -333,8 +333,9 @@ std::string vtkHierarchicalSBufferCuller::DescribeLimits()
 
 vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer)
 {
-  const auto found = this->Renderers->Of.find(renderer);
-  if (found == this->Renderers->Of.end() || !found->second.Renderer || !found->second.HasBuffer)
+  const auto found = this->Renderers->ByRenderer.find(renderer);
+  if (found == this->Renderers->ByRenderer.end() || !found->second.Renderer ||
+    !found->second.HasBuffer)
   {
     return nullptr;
   }
@@ -361,7 +362,7 @@ vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer
 void vtkHierarchicalSBufferCuller::KeepShown(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
-  State::CulledRenderer& known = this->Renderers->At(renderer);
+  State::CulledRenderer& known = this->Renderers->FindOrAdd(renderer);
   const vitrine::ViewMatrices view = vitrine::ViewMatricesOf(renderer);
   int kept = 0;
   this->NumberOfDrawnParts = 0;
@@ -376,7 +377,7 @@ void vtkHierarchicalSBufferCuller::KeepShown(
       propList[kept++] = propList[i];
       if (hidden > 0)
       {
-        known.Told.push_back(known.Parts.Tell(renderer, view, i, known.Visible));
+        known.Told.push_back(known.Parts.TellMapper(renderer, view, i, known.Visible));
       }
     }
   }

@@ -187,7 +187,7 @@ private:
   void operator=(const vtkHierarchicalSBufferCuller&) = delete;
 
   void ForgetFrame();
-  void DropHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
+  void CullHidden(vtkRenderer* renderer, vtkProp** propList, int& listLength);
   void KeepShown(vtkRenderer* renderer, vtkProp** propList, int& listLength);
 
   struct State; // of each renderer

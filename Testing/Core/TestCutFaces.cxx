@@ -215,7 +215,7 @@ void HoldToDevice(const CutScene& scene, UnsteadyOfFace unsteadyOf, DrawnOfKind&
   {
     return;
   }
-  const float nearest = block.At(0).Nearest;
+  const float nearest = block.RectangleOf(0).Nearest;
   const FaceOnLines whole(projection, block, 0);
   block.Unsettle(0, unsteady);
   plane.Unsettle(unsteady);
@@ -224,8 +224,8 @@ void HoldToDevice(const CutScene& scene, UnsteadyOfFace unsteadyOf, DrawnOfKind&
   for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
   {
     const auto x = static_cast<float>(drawn.x), y = static_cast<float>(drawn.y);
-    ASSERT_LE(drawn.z, NearestAt(face, drawn, block.At(0).Nearest) + 1e-7);
-    ASSERT_GE(drawn.z, std::min(plane.Within(x, x, y, y).Left, 1.0f) - 1e-7);
+    ASSERT_LE(drawn.z, NearestAt(face, drawn, block.RectangleOf(0).Nearest) + 1e-7);
+    ASSERT_GE(drawn.z, std::min(plane.BoundIn(x, x, y, y).Left, 1.0f) - 1e-7);
     ++sum.Samples;
     sum.FarOff += drawn.z > NearestAt(whole, drawn, nearest) + 1e-7;
   }
@@ -290,7 +290,7 @@ TEST(SliversInView, AreNoNearerThanDoublesTell)
     }
     const float told = vitrine::NearestInDoubles(projection, mesh.Faces()[0]);
     unknown += told > 1.0f;
-    inDoublesAlone += told < 1.0f && FaceBlock(projection, { 0 }, 0).At(0).Nearest > 1.0f;
+    inDoublesAlone += told < 1.0f && FaceBlock(projection, { 0 }, 0).RectangleOf(0).Nearest > 1.0f;
     for (const glm::dvec3& drawn : FloatDevice(scene.ToClip, CutViewSize).Draw(scene.Points))
     {
       ASSERT_LE(drawn.z, told + 1e-7);

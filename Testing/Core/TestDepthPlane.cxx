@@ -32,7 +32,7 @@ DepthPlane PlaneOf(const Corners& corners)
 /** Of all that may be drawn. */
 float NearestOf(const DepthPlane& plane)
 {
-  return plane.Before(0.0f, 0.0f, 0.0f, 0.0f).Nearest;
+  return plane.NearestSegment(0.0f, 0.0f, 0.0f, 0.0f).Nearest;
 }
 
 /** Its third corner stands that far beside the middle of the side between the others. */
@@ -148,9 +148,9 @@ TEST(DepthPlane, BoundsWhatADeviceDraws)
     const DepthPlane plane = PlaneOf(corners);
     const float column = static_cast<float>(drawn.x), line = static_cast<float>(drawn.y);
     const DepthBound farthest =
-      plane.Within(column - 0.1f, column + 0.1f, line - 0.1f, line + 0.1f);
+      plane.BoundIn(column - 0.1f, column + 0.1f, line - 0.1f, line + 0.1f);
     ASSERT_GE(depth, 0.5 * (farthest.Left + farthest.Right)) << "face " << i;
-    ASSERT_LE(depth, plane.NearestWithin(column - 0.1f, column + 0.1f, line - 0.1f, line + 0.1f))
+    ASSERT_LE(depth, plane.NearestIn(column - 0.1f, column + 0.1f, line - 0.1f, line + 0.1f))
       << "face " << i;
     ASSERT_LE(depth, NearestOf(plane)) << "face " << i;
     beyond += depth > 0.51 || depth < 0.29;
@@ -206,5 +206,5 @@ TEST(DepthPlane, OfASliverHasAnyDepth)
   const Corners corners{ glm::dvec3(5, 5, 0.3), glm::dvec3(5, 15, 0.4),
     glm::dvec3(5.001, 10, 0.4) };
   EXPECT_GT(NearestOf(PlaneOf(corners)), 1.0);
-  EXPECT_LT(PlaneOf(corners).Within(4.9f, 5.1f, 9.9f, 10.1f).Left, 0.0);
+  EXPECT_LT(PlaneOf(corners).BoundIn(4.9f, 5.1f, 9.9f, 10.1f).Left, 0.0);
 }

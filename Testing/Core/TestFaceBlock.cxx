@@ -85,11 +85,11 @@ TEST(FaceBlock, IsWhereItsFacesAre)
         EXPECT_EQ(&block.Face(lane), &face);
         const DepthPlane plane(projection, face);
         ScreenRectangle own = projection.RectangleOf(face);
-        own.Nearest = plane.Before(0.0f, 0.0f, 0.0f, 0.0f).Nearest;
-        ExpectSame(block.At(lane), own);
+        own.Nearest = plane.NearestSegment(0.0f, 0.0f, 0.0f, 0.0f).Nearest;
+        ExpectSame(block.RectangleOf(lane), own);
         around = (some >> lane & 1u) != 0 ? Union(around, own) : around;
       }
-      ExpectSame(block.Around(some), around);
+      ExpectSame(block.RectangleAround(some), around);
     }
   }
 }
@@ -109,7 +109,7 @@ TEST(FaceBlock, WithACornerThatIsNoNumberIsHiddenByNothing)
       continue;
     }
     const FaceBlock block(projection, { 0, 1, 2, 3, 4, 5, 6, 7 }, 0);
-    const ScreenRectangle around = block.Around(block.All());
+    const ScreenRectangle around = block.RectangleAround(block.All());
     EXPECT_LT(around.Left, -1e38f) << element;
     EXPECT_GT(around.Right, 1e38f) << element;
     EXPECT_LT(around.Bottom, -1e38f) << element;

@@ -5,7 +5,7 @@
 #include "Core/culling/screen/DeviceModel.h"
 #include "Core/culling/screen/ScreenProjection.h"
 #include "Core/culling/steady/FacePlanes.h"
-#include "Core/culling/walk/SecondLook.h"
+#include "Core/culling/walk/HiddenVerifier.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -118,7 +118,7 @@ TEST(HiddenFaces, AreFoundInDoublesWhereFloatsTellNothing)
     const ScreenProjection view = PlainView();
     MeshProjection projection;
     projection.Project(mesh, view.Of(glm::dmat4(1.0)));
-    EXPECT_GT(vitrine::FaceBlock(projection, { 0 }, 0).At(0).Nearest, 1.0f) << "in floats";
+    EXPECT_GT(vitrine::FaceBlock(projection, { 0 }, 0).RectangleOf(0).Nearest, 1.0f) << "in floats";
     return HiddenFaces(lines, view).AreAllOfAnyThickness(projection);
   };
   EXPECT_TRUE(isHidden(2.2e-4));

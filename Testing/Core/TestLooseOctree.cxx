@@ -124,8 +124,8 @@ TEST(LooseOctree, HoldsWhatIsPutMovedAndTakenOut)
           : random() % static_cast<std::uint32_t>(boxes.size());
         boxes.resize(std::max<std::size_t>(boxes.size(), item + 1));
         boxes[item] = random() % 8 == 0 ? Box() : places[random() % places.size()];
-        tree.Put(item, boxes[item]);
-        EXPECT_EQ(tree.PutCount(), i + 1);
+        tree.SetBox(item, boxes[item]);
+        EXPECT_EQ(tree.ChangeCount(), i + 1);
         if (i % 20 == 0)
         {
           Check(tree, boxes);
@@ -144,11 +144,11 @@ TEST(LooseOctree, IsEmptyOnceAllIsTakenOut)
   {
     EXPECT_FALSE(tree.IsEmpty());
     boxes[item] = Box();
-    tree.Put(item, Box());
+    tree.SetBox(item, Box());
   }
   EXPECT_TRUE(tree.IsEmpty());
   boxes[7] = octree_scenes::BoxAt({ 1, 2, 3 }, { 1, 1, 1 });
-  tree.Put(7, boxes[7]);
+  tree.SetBox(7, boxes[7]);
   Check(tree, boxes);
 }
 
@@ -174,7 +174,7 @@ TEST(LooseOctree, KeepsNeighboursTogether)
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
   {
     const std::uint32_t item = i * 1597 % 4096;
-    grown.Put(item, boxes[item]);
+    grown.SetBox(item, boxes[item]);
   }
   Check(grown, boxes);
   EXPECT_LT(NodesOf(grown), 2u * 585u);
@@ -188,7 +188,7 @@ TEST(LooseOctree, LeavesAnItemWhereItIsWhileItsCentreStaysInTheCell)
   for (Box& box : boxes)
   {
     box.Max += glm::vec3(1e-7f);
-    tree.Put(static_cast<std::uint32_t>(&box - boxes.data()), box);
+    tree.SetBox(static_cast<std::uint32_t>(&box - boxes.data()), box);
   }
   Check(tree, boxes);
   EXPECT_EQ(NodesOf(tree), nodes);
@@ -318,7 +318,7 @@ TEST(LooseOctree, FewInOneCellAreFoundWhereverTheyMove)
           ? octree_scenes::RandomPoint(random, -3.0f, 3.0f)
           : boxes[item].Min + octree_scenes::RandomPoint(random, -0.2f, 0.2f);
         boxes[item] = octree_scenes::BoxAt(place, size);
-        tree.Put(item, boxes[item]);
+        tree.SetBox(item, boxes[item]);
         if (i % 10 == 0)
         {
           Check(tree, boxes);

@@ -147,7 +147,7 @@ TEST(OpenLines, AreAllWhereAnythingCouldBeInserted)
         for (float x = std::max(patch.Left, 0.0f); bottom < top && x < std::min(patch.Right, 40.0f);
              x += 0.25f)
         {
-          const vitrine::DepthBound bound = patch.Bound.Within(x, x, bottom, top);
+          const vitrine::DepthBound bound = patch.Bound.BoundIn(x, x, bottom, top);
           EXPECT_TRUE(buffer.IsCoveredBefore(
             line, static_cast<int>(x) / SBuffer::TileWidth, bound.Left - 1e-6f))
             << round;

@@ -137,7 +137,7 @@ TEST(PartBands, FindTheSameEachTime)
   EXPECT_EQ(found[0], found[1]);
 }
 
-TEST(PartBands, KeepHiddenWhatNoneOfThemShowsAtASecondLook)
+TEST(PartBands, KeepHiddenWhatNoneOfThemShowsWhenVerified)
 {
   PartScene scene;
   scene.AddBox({ -60, -60, -21 }, { 60, 2.0, -20 }); // what lies above it shows
@@ -157,7 +157,7 @@ TEST(PartBands, KeepHiddenWhatNoneOfThemShowsAtASecondLook)
       asked.push_back({ part, scene.Bounds[part] });
     }
     const ScreenProjection view = AheadView(false).Projection(scene.Reach);
-    EXPECT_EQ(culler.StayHidden(asked, scene, view), (std::vector<std::uint8_t>{ 0, 1, 1, 1 }));
-    EXPECT_TRUE(culler.StayHidden({}, scene, view).empty());
+    EXPECT_EQ(culler.VerifyHidden(asked, scene, view), (std::vector<std::uint8_t>{ 0, 1, 1, 1 }));
+    EXPECT_TRUE(culler.VerifyHidden({}, scene, view).empty());
   }
 }

@@ -56,7 +56,7 @@ public:
   DepthBound BoundAt(std::uint32_t patch, double column, double line) const
   {
     const float x = static_cast<float>(column), y = static_cast<float>(line);
-    return this->Patches[patch].Bound.Within(x - 0.05f, x + 0.05f, y - 0.05f, y + 0.05f);
+    return this->Patches[patch].Bound.BoundIn(x - 0.05f, x + 0.05f, y - 0.05f, y + 0.05f);
   }
 
   OccluderMesh Mesh;
@@ -90,7 +90,7 @@ TEST(ScreenPatches, LieBehindWhatADeviceDraws)
     several += shown.Patches.Count() < shown.Mesh.Faces().size() / 2;
     for (std::uint32_t i = 0; i < shown.Mesh.Faces().size(); ++i)
     {
-      const std::uint32_t patch = shown.Patches.Of(i);
+      const std::uint32_t patch = shown.Patches.IndexOf(i);
       if (patch == ScreenPatches::None) // without area
       {
         continue;
@@ -117,8 +117,8 @@ TEST(ScreenPatches, OfABoxAreItsSides)
   for (std::uint32_t i = 0; i < shown.Mesh.Faces().size(); ++i)
   {
     const bool counts = shown.Projection.FacingOf(i) == Facing::Front;
-    EXPECT_EQ(shown.Patches.Of(i) != ScreenPatches::None, counts);
-    patches.insert(shown.Patches.Of(i));
+    EXPECT_EQ(shown.Patches.IndexOf(i) != ScreenPatches::None, counts);
+    patches.insert(shown.Patches.IndexOf(i));
   }
   EXPECT_EQ(patches.size(), 4u) << "three, and none";
 }
@@ -144,8 +144,8 @@ TEST(ScreenPatches, AreNotSpoiledBySlivers)
   wall.Add({ 30, 15, 0.5 }, { 30, 5, 0.5 }, { 30.001, 10, 0.5 });
   wall.Add({ 5, 5, 0.5 }, { 5, 15, 0.5 }, { 4.999, 10, 0.500002 });
   const Shown shown(wall);
-  const std::uint32_t patch = shown.Patches.Of(0);
-  EXPECT_EQ(shown.Patches.Of(1), patch);
+  const std::uint32_t patch = shown.Patches.IndexOf(0);
+  EXPECT_EQ(shown.Patches.IndexOf(1), patch);
   EXPECT_NEAR(shown.BoundAt(patch, 18.0, 10.0).Left, 0.5, 1e-3);
   EXPECT_GT(shown.Patches.Count(), 1u);
 }

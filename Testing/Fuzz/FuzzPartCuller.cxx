@@ -86,7 +86,7 @@ void CullFrame(PartScene& scene, PartCuller& culler, const View& view, unsigned 
       hidden.push_back({ part, scene.Bounds[part] });
     }
   }
-  culler.StayHidden(hidden, scene, view.Projection(scene.Reach)); // for what sanitizers find
+  culler.VerifyHidden(hidden, scene, view.Projection(scene.Reach)); // for what sanitizers find
   const coverage::SightLines sight(scene, drawn, view);
   coverage::Random random(5);
   for (const vitrine::BoxedPart& part : hidden)

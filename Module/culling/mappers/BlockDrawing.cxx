@@ -19,7 +19,7 @@ void BlockDrawing::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   std::vector<bool*> switchedOff;
   if (shown)
   {
-    const auto& blocks = static_cast<const Blocks&>(*shown->Of());
+    const auto& blocks = static_cast<const Blocks&>(*shown->Division());
     auto part = blocks.ByAddress.begin();
     this->VisitBlocks(
       [&](vtkPolyData* data, bool& isVisible)

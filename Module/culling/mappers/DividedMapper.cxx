@@ -25,7 +25,7 @@ bool ShownParts::IsOf(vtkRenderer* renderer, vtkActor* actor) const
   return toWorld == this->ToWorld && ViewMatricesOf(renderer) == this->View;
 }
 
-void DividedMapper::Tell(
+void DividedMapper::SetShown(
   vtkRenderer* renderer, vtkActor* actor, const std::shared_ptr<const ShownParts>& shown)
 {
   this->Told[{ renderer, actor }] = shown;

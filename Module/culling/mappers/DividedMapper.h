@@ -56,7 +56,7 @@ public:
    */
   bool IsOf(vtkRenderer* renderer, vtkActor* actor) const;
 
-  const std::shared_ptr<const MapperParts>& Of() const { return this->Parts; }
+  const std::shared_ptr<const MapperParts>& Division() const { return this->Parts; }
   const std::vector<std::uint8_t>& Shown() const { return this->IsShown; }
 
 private:
@@ -82,7 +82,8 @@ public:
   virtual std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) = 0;
 
   /** Says what shows of an actor in a renderer, as long as somebody holds it. */
-  void Tell(vtkRenderer* renderer, vtkActor* actor, const std::shared_ptr<const ShownParts>& shown);
+  void SetShown(
+    vtkRenderer* renderer, vtkActor* actor, const std::shared_ptr<const ShownParts>& shown);
 
   /** What to draw of an actor; null for all of it, which is what selectors need. */
   std::shared_ptr<const ShownParts> ShownIn(vtkRenderer* renderer, vtkActor* actor) const;

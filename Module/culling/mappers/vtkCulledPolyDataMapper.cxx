@@ -99,7 +99,7 @@ vitrine::DividedMapper* vtkCulledPolyDataMapper::GetDividedMapper()
 void vtkCulledPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   const std::shared_ptr<const vitrine::ShownParts> shown = this->Leaves->ShownIn(renderer, actor);
-  const bool isOfLeaves = shown && shown->Of() == this->Leaves->Known() &&
+  const bool isOfLeaves = shown && shown->Division() == this->Leaves->Known() &&
     FirstsIn(*this->Leaves->Known(), this->Primitives[PrimitiveTris].IBO->IndexCount);
   if (isOfLeaves)
   {

@@ -372,7 +372,7 @@ DepthBound FaceCoverage::BoundBeside(const Interval& piece) const
 DepthBound FaceCoverage::BoundOf(std::uint32_t number, const Interval& columns) const
 {
   const ScreenPatches::Patch& patch = this->Patches[number];
-  return patch.Bound.Within(columns.Left, columns.Right,
+  return patch.Bound.BoundIn(columns.Left, columns.Right,
     std::max(static_cast<float>(this->Line) + this->Inset, patch.Bottom),
     std::min(static_cast<float>(this->Line + 1) - this->Inset, patch.Top));
 }

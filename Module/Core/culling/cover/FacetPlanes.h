@@ -119,7 +119,7 @@ public:
   }
 
   /** At a column of those lines what all that may be drawn there is no farther than; BeforeAll where that is nothing. */
-  VITRINE_INLINE Lanes At(float x) const
+  VITRINE_INLINE Lanes DepthsAt(float x) const
   {
     Lanes depth = AllLanes(BeforeAll);
     for (unsigned bits = this->Steady; bits != 0; bits &= bits - 1)

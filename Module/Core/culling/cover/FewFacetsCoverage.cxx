@@ -40,7 +40,7 @@ std::optional<std::size_t> FewFacetsCoverage::Insert(SBuffer& buffer, const FewF
     }
     const Lanes y = LanesFrom(static_cast<float>(first - frame.Lines.First));
     Lanes left, right;
-    sides.Between(y, left, right);
+    sides.FindColumns(y, left, right);
     planes.Begin(y);
     const LaneMask isThere =
       (y <= AllLanes(frame.Height())) & (left <= right) & (left <= frame.Width()) & (right >= 0.0f);
@@ -50,7 +50,7 @@ std::optional<std::size_t> FewFacetsCoverage::Insert(SBuffer& buffer, const FewF
       isThere ? right : AllLanes(-BeyondAll), part,
       [&](float column) VITRINE_INLINED
       {
-        const Lanes depth = planes.At(column - frame.Left);
+        const Lanes depth = planes.DepthsAt(column - frame.Left);
         return depth < FacetPlanes::BeforeAll ? depth : AllLanes(SampleDepths::NotCovered);
       });
   }

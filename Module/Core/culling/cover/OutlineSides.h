@@ -58,7 +58,7 @@ public:
       const LaneMask isLeft = (LoadMask(facets.Left + first) & isCounted) != 0;
       const LaneMask isRight = (LoadMask(facets.Right + first) & isCounted) != 0;
       const PointLanes from(points, facets.From + first), to(points, facets.To + first);
-      this->Put(
+      this->SetEdges(
         HalfPlanes(from, to, isFront ? isLeft : isRight, moved, frame), isLeft ^ isRight, first);
     }
   }
@@ -67,7 +67,7 @@ public:
   bool AreClear() const { return this->AtLeft != 0 && this->AtRight != 0 && this->TooShort == 0; }
 
   /** Columns between which eight lines are covered. */
-  VITRINE_INLINE void Between(Lanes y, Lanes& left, Lanes& right) const
+  VITRINE_INLINE void FindColumns(Lanes y, Lanes& left, Lanes& right) const
   {
     left = AllLanes(-BeyondAll);
     right = AllLanes(BeyondAll);
@@ -96,7 +96,7 @@ private:
   }
 
   /** Puts down the columns at which eight edges, from the first of them on, pass lines, if they are of the outline. */
-  VITRINE_INLINE void Put(const HalfPlanes& edges, LaneMask isOutline, int first)
+  VITRINE_INLINE void SetEdges(const HalfPlanes& edges, LaneMask isOutline, int first)
   {
     const Lanes column = edges.Start / -edges.Across, slope = edges.Along / -edges.Across;
     const LaneMask isKnown = column + slope - (column + slope) == AllLanes(0.0f);

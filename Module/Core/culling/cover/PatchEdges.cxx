@@ -7,7 +7,7 @@ namespace vitrine
 
 void PatchEdges::Find(const Subject& subject)
 {
-  this->Of = subject;
+  this->Current = subject;
   this->FindSheets();
   this->Pieces.clear();
   this->Heads.assign(this->IndexOf(subject.Lines.Last) + 1, None);
@@ -19,11 +19,11 @@ void PatchEdges::Find(const Subject& subject)
 template <class Work>
 void PatchEdges::ForEachEdge(const Work& work) const
 {
-  for (const MeshEdge& edge : this->Of.Projection->Edges())
+  for (const MeshEdge& edge : this->Current.Projection->Edges())
   {
-    const std::uint32_t left = this->Of.Patches->Of(edge.Left);
+    const std::uint32_t left = this->Current.Patches->IndexOf(edge.Left);
     const std::uint32_t right =
-      edge.Right == OccluderMesh::NoFace ? None : this->Of.Patches->Of(edge.Right);
+      edge.Right == OccluderMesh::NoFace ? None : this->Current.Patches->IndexOf(edge.Right);
     if (left != right)
     {
       work(edge, left, right);
@@ -33,7 +33,7 @@ void PatchEdges::ForEachEdge(const Work& work) const
 
 void PatchEdges::FindSheets()
 {
-  this->Parents.resize(this->Of.Patches->Count());
+  this->Parents.resize(this->Current.Patches->Count());
   for (std::uint32_t i = 0; i < this->Parents.size(); ++i)
   {
     this->Parents[i] = i;
@@ -64,19 +64,19 @@ std::uint32_t PatchEdges::SheetOf(std::uint32_t patch)
 /** @param left, right  of the edge as it goes */
 void PatchEdges::AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right)
 {
-  const MeshProjection& projection = *this->Of.Projection;
+  const MeshProjection& projection = *this->Current.Projection;
   const ScreenEdge onScreen(projection.Point(edge.From), projection.Point(edge.To));
   const float own = onScreen.OwnRounding();
-  const float above = projection.Margin().Line + own - this->Of.Inset;
+  const float above = projection.Margin().Line + own - this->Current.Inset;
   const float aside = projection.Margin().Column + own;
   const bool isLeftSmaller =
-    onScreen.GoesUp() == (this->Of.Facing == MeshProjection::Facing::Front);
+    onScreen.GoesUp() == (this->Current.Facing == MeshProjection::Facing::Front);
   const std::uint32_t sheet = this->SheetOf(left != None ? left : right);
   const LineRange lines =
-    LinesBetween(onScreen.Bottom().Line - above, onScreen.Top().Line + above, this->Of.Lines);
+    LinesBetween(onScreen.Bottom().Line - above, onScreen.Top().Line + above, this->Current.Lines);
   for (int line = lines.First; line <= lines.Last; ++line)
   {
-    if (!this->Of.Open->IsOpen(line))
+    if (!this->Current.Open->IsOpen(line))
     {
       continue;
     }

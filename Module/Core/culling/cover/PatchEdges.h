@@ -83,10 +83,10 @@ private:
   void AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right);
   std::size_t IndexOf(int line) const
   {
-    return static_cast<std::size_t>(line - this->Of.Lines.First);
+    return static_cast<std::size_t>(line - this->Current.Lines.First);
   }
 
-  Subject Of{};
+  Subject Current{};
   std::vector<std::uint32_t> Parents; ///< of patches
   std::vector<Piece> Pieces;
   std::vector<std::uint32_t> Heads; ///< of each line's pieces

@@ -43,7 +43,7 @@ public:
   const Patch& operator[](std::uint32_t patch) const { return this->Patches[patch]; }
 
   /** The patch of a face; None if it does not count. */
-  std::uint32_t Of(std::uint32_t face) const { return this->PatchOf[face]; }
+  std::uint32_t IndexOf(std::uint32_t face) const { return this->PatchOf[face]; }
 
 private:
   struct CountedFace

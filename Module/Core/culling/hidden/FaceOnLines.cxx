@@ -8,7 +8,7 @@ namespace vitrine
 {
 
 FaceOnLines::FaceOnLines(const MeshProjection& projection, const FaceBlock& block, int lane)
-  : FaceOnLines(projection, block.Face(lane), block.At(lane))
+  : FaceOnLines(projection, block.Face(lane), block.RectangleOf(lane))
 {
   this->Plane.Unsettle(block.Unsteady(lane));
   this->Plane.LimitNearest(this->Around.Nearest);
@@ -34,7 +34,7 @@ LineRange FaceOnLines::Lines(int count) const
     this->Around.Bottom - this->Own, this->Around.Top + this->Own, { 0, count - 1 });
 }
 
-ScreenRectangle FaceOnLines::Between(float bottom, float top, const SBuffer& buffer) const
+ScreenRectangle FaceOnLines::RectangleBetween(float bottom, float top, const SBuffer& buffer) const
 {
   LineExtent touched;
   for (const ScreenEdge& edge : this->Edges)
@@ -46,7 +46,7 @@ ScreenRectangle FaceOnLines::Between(float bottom, float top, const SBuffer& buf
   const float right =
     samples.UpTo(std::min(touched.Right + this->Aside, static_cast<float>(buffer.Columns())));
   return { left, right, bottom, top,
-    this->Plane.NearestWithin(
+    this->Plane.NearestIn(
       left, right, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top)) };
 }
 
@@ -85,7 +85,7 @@ HideableSegmentLanes FaceOnLines::Pieces(int line, float inset) const
   const Lanes top = LeastOf(base + (1.0f - inset), AllLanes(this->Around.Top));
   const HideableSegment first = this->Piece(0.0f, 0.0f, this->Around.Bottom, this->Around.Top);
   HideableSegmentLanes pieces;
-  StoreLanes(this->Plane.DepthBefore(bottom, top), pieces.Depths);
+  StoreLanes(this->Plane.NearDepthsAtOrigin(bottom, top), pieces.Depths);
   pieces.Column = first.Column;
   pieces.Slope = first.Slope;
   pieces.Nearest = first.Nearest;

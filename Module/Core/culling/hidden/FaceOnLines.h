@@ -31,7 +31,7 @@ public:
   LineRange Lines(int count) const;
 
   /** Around the samples that it touches between two places on lines; Left exceeds Right if there are none. */
-  ScreenRectangle Between(float bottom, float top, const SBuffer& buffer) const;
+  ScreenRectangle RectangleBetween(float bottom, float top, const SBuffer& buffer) const;
 
   /** What it touches of a line and of those above it that is not nearer to their sides than `inset`. */
   ExtentLanes Extents(int line, float inset) const;
@@ -39,7 +39,7 @@ public:
   /** What it has between two columns and two places on lines, which it may touch all of. */
   HideableSegment Piece(float left, float right, float bottom, float top) const
   {
-    return this->Plane.Before(
+    return this->Plane.NearestSegment(
       left, right, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top));
   }
 

@@ -136,7 +136,7 @@ bool HiddenFaces::AreHidden(
 
 bool HiddenFaces::AreHiddenTogether(const FaceBlock& block, unsigned faces) const
 {
-  return faces == 0 || this->Lines.Hides(this->View.Grown(block.Around(faces)));
+  return faces == 0 || this->Lines.Hides(this->View.Grown(block.RectangleAround(faces)));
 }
 
 bool HiddenFaces::AreAllOfAnyThickness(const MeshProjection& projection)
@@ -179,7 +179,7 @@ bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, Face
   for (unsigned bits = faces; bits != 0; bits &= bits - 1)
   {
     const int lane = LowestBit(bits);
-    if (projection.IsBehindNear() && block.At(lane).Nearest > 1.0f)
+    if (projection.IsBehindNear() && block.RectangleOf(lane).Nearest > 1.0f)
     {
       block.LimitNearest(lane, NearestInDoubles(projection, block.Face(lane)));
     }
@@ -187,14 +187,14 @@ bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, Face
   return this->AreHidden(projection, block, faces);
 }
 
-void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing) const
+void HiddenFaces::ExcludeHidden(MeshProjection& projection, MeshProjection::Facing facing) const
 {
   const std::vector<MeshFace>& faces = projection.Faces();
   for (std::uint32_t i = 0; i < faces.size(); ++i)
   {
     if (projection.FacingOf(i) == facing && this->Lines.Hides(projection.RectangleOf(faces[i])))
     {
-      projection.Drop(i);
+      projection.Exclude(i);
     }
   }
 }
@@ -202,7 +202,7 @@ void HiddenFaces::Drop(MeshProjection& projection, MeshProjection::Facing facing
 /** What is drawn wider than it is has no more than a rectangle. */
 bool HiddenFaces::IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane)
 {
-  this->Shown = this->View.Grown(block.At(lane));
+  this->Shown = this->View.Grown(block.RectangleOf(lane));
   if (this->Lines.Hides(this->Shown))
   {
     return true;
@@ -224,7 +224,7 @@ bool HiddenFaces::IsHidden(const FaceOnLines& face, const LineRange& lines)
     return this->AreLinesHidden(face, lines);
   }
   const float inset = this->Lines.Samples().Inset();
-  const ScreenRectangle around = face.Between(static_cast<float>(lines.First) + inset,
+  const ScreenRectangle around = face.RectangleBetween(static_cast<float>(lines.First) + inset,
     static_cast<float>(lines.Last + 1) - inset, this->Lines);
   if (around.Left > around.Right || this->Lines.Hides(around))
   {
@@ -301,7 +301,7 @@ float NearestOnScreen(const MeshProjection& mesh, int columns, int lines)
     {
       const DepthPlane plane(mesh.Point(face[0]), mesh.Point(face[1]), mesh.Point(face[2]),
         mesh.Margin(), mesh.Snapping());
-      nearest = std::max(nearest, plane.NearestWithin(left, right, bottom, top));
+      nearest = std::max(nearest, plane.NearestIn(left, right, bottom, top));
     }
   }
   return std::min(nearest, 1.0f);

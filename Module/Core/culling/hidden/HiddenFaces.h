@@ -48,7 +48,7 @@ public:
     const MeshProjection& projection, const std::vector<std::uint32_t>& faces, float nearest);
 
   /** Has faces that look one way count no more if the rectangles around them are hidden. */
-  void Drop(MeshProjection& projection, MeshProjection::Facing facing) const;
+  void ExcludeHidden(MeshProjection& projection, MeshProjection::Facing facing) const;
 
   /** Where something was found that may show: as long as that is not hidden, the part is not. */
   const ScreenRectangle& Witness() const { return this->Shown; }

@@ -142,7 +142,7 @@ public:
   Facing FacingOf(std::uint32_t face) const { return this->Facings[face]; }
 
   /** Has a face count no more, as facing neither way. */
-  void Drop(std::uint32_t face) { this->Facings[face] = Facing::Neither; }
+  void Exclude(std::uint32_t face) { this->Facings[face] = Facing::Neither; }
 
   /** Returns true if a device may clip faces at the sides, the near plane or the far plane of the view. */
   bool MayBeCut() const

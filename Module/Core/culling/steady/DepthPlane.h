@@ -43,22 +43,22 @@ public:
   const SlantedDepth& Bound() const { return this->Below; }
 
   /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
-  DepthBound Within(float left, float right, float bottom, float top) const
+  DepthBound BoundIn(float left, float right, float bottom, float top) const
   {
-    return this->Below.Within(left, right, bottom, top);
+    return this->Below.BoundIn(left, right, bottom, top);
   }
 
   /** What may be drawn between two columns and two lines, as near as it may be: as the plane or the nearest corner, whichever is farther. */
-  HideableSegment Before(float left, float right, float bottom, float top) const
+  HideableSegment NearestSegment(float left, float right, float bottom, float top) const
   {
     const SlantedDepth& plane = this->Below;
-    const float depth = this->DepthBefore(bottom, top);
+    const float depth = this->NearDepthsAtOrigin(bottom, top);
     return { left, right, plane.Origin.Column, depth, plane.ByColumn, this->Nearest };
   }
 
   /** The depth of its plane at the column of its origin: between two lines, or between two of each of eight pairs (Lanes). */
   template <class Number>
-  VITRINE_INLINE Number DepthBefore(const Number& bottom, const Number& top) const
+  VITRINE_INLINE Number NearDepthsAtOrigin(const Number& bottom, const Number& top) const
   {
     const SlantedDepth& plane = this->Below;
     const Number line = plane.ByLine > 0.0f ? top : bottom;
@@ -66,9 +66,9 @@ public:
   }
 
   /** The greatest depth of that. */
-  float NearestWithin(float left, float right, float bottom, float top) const
+  float NearestIn(float left, float right, float bottom, float top) const
   {
-    return this->Before(left, right, bottom, top)
+    return this->NearestSegment(left, right, bottom, top)
       .NearestAt(this->Below.ByColumn > 0.0f ? right : left);
   }
 

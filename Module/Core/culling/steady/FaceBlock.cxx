@@ -58,7 +58,7 @@ unsigned FaceBlock::MayHaveAny(const SampleGrid& samples, const glm::vec2& growt
 }
 
 VITRINE_FOR_EACH_PROCESSOR
-ScreenRectangle FaceBlock::Around(unsigned faces) const
+ScreenRectangle FaceBlock::RectangleAround(unsigned faces) const
 {
   const LaneMask bits = LaneMask{} + static_cast<std::int32_t>(faces);
   const LaneMask isWanted = (bits & LaneMask{ 1, 2, 4, 8, 16, 32, 64, 128 }) != LaneMask{};

@@ -59,7 +59,7 @@ public:
   /**
    * Around one of the faces, margin included, and the nearest depth at which a device may draw it. It is everywhere and hidden by nothing if it is not finite.
    */
-  ScreenRectangle At(int lane) const
+  ScreenRectangle RectangleOf(int lane) const
   {
     return { this->Left[lane], this->Right[lane], this->Bottom[lane], this->Top[lane],
       this->Nearest[lane] };
@@ -69,7 +69,7 @@ public:
    * Around all of some of them, and nowhere if there are none.
    * @param faces  a bit for each
    */
-  ScreenRectangle Around(unsigned faces) const;
+  ScreenRectangle RectangleAround(unsigned faces) const;
 
 private:
   void Find(const MeshProjection& projection);

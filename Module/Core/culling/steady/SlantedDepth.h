@@ -23,7 +23,7 @@ struct SlantedDepth
   float Farthest = 0.0f;
 
   /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
-  DepthBound Within(float left, float right, float bottom, float top) const
+  DepthBound BoundIn(float left, float right, float bottom, float top) const
   {
     const float farLine = this->ByLine > 0.0f ? bottom : top;
     const float base =

@@ -50,7 +50,7 @@ public:
     this->Culler.Tools.Owners.End(this->Culler.Tools.Lines, this->States);
     if (this->HasOcclusion)
     {
-      this->LookAgain();
+      this->RetestShown();
     }
     this->Culler.Tools.Owners.KeepIdlers(this->States);
   }
@@ -92,7 +92,7 @@ private:
   }
 
   /** Tests what was shown before all that stands in front of it had been inserted. */
-  void LookAgain()
+  void RetestShown()
   {
     for (const ShownPart& shown : this->Culler.Visited)
     {
@@ -231,13 +231,13 @@ private:
   {
     if (!node.IsItem(lane))
     {
-      this->Tree.Expect(node.NodeAt(lane));
+      this->Tree.PrefetchNode(node.NodeAt(lane));
       return true;
     }
     const std::uint32_t item = node.ItemAt(lane);
     const std::uint8_t state = this->States[item];
     this->Culler.Counted.Tested += state & PartStates::IsDrawn;
-    this->Occluders.Expect(item);
+    this->Occluders.PrefetchOccluder(item);
     return (state & (PartStates::IsDrawn | PartStates::IsVisited)) == PartStates::IsDrawn;
   }
 
@@ -276,13 +276,13 @@ void BandCuller::AddShown(std::vector<std::uint8_t>& visible) const
   }
 }
 
-void BandCuller::LookAgain(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
+void BandCuller::VerifyHidden(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
   const ScreenProjection& view, std::vector<std::uint8_t>& areHidden)
 {
-  SecondLook look(this->Tools, shapes, view);
+  HiddenVerifier verifier(this->Tools, shapes, view);
   for (std::size_t first = 0; first < parts.size(); first += LaneCount)
   {
-    look.DropShown(parts, first, areHidden);
+    verifier.Verify(parts, first, areHidden);
   }
 }
 

@@ -4,9 +4,9 @@
 #include "Core/culling/buffer/SBuffer.h"
 #include "Core/culling/screen/ScreenProjection.h"
 #include "Core/culling/walk/BandParts.h"
+#include "Core/culling/walk/HiddenVerifier.h"
 #include "Core/culling/walk/LooseOctree.h"
 #include "Core/culling/walk/OccluderSource.h"
-#include "Core/culling/walk/SecondLook.h"
 
 #include <cstdint>
 #include <vector>
@@ -51,7 +51,7 @@ public:
    * @param view       of the band
    * @param areHidden  takes 0 for those that are not
    */
-  void LookAgain(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
+  void VerifyHidden(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
     const ScreenProjection& view, std::vector<std::uint8_t>& areHidden);
 
   /** Puts 1 for each part in the tree that may show in the band. */

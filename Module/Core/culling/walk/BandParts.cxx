@@ -52,7 +52,7 @@ bool BandParts::Visit(std::uint32_t part, const ScreenRectangle& rectangle)
   this->Seen = rectangle;
   if (this->Tools.States.Has(part, PartStates::WasIdle))
   {
-    this->Tools.Owners.Expect(part);
+    this->Tools.Owners.PrefetchIdler(part);
   }
   const Occluder occluder = this->Occluders.OccluderOf(part);
   const bool isSmall = occluder.Mesh && occluder.Mesh->PointCount() <= FewPointsOfAMesh;
@@ -321,7 +321,7 @@ bool BandParts::InsertFewFacets(std::uint32_t number, const Occluder& occluder)
 void BandParts::InsertFaces(std::uint32_t number, MeshProjection::Facing facing)
 {
   MeshProjection& projected = this->Tools.Projected;
-  this->Faces.Drop(projected, facing);
+  this->Faces.ExcludeHidden(projected, facing);
   this->Tools.Budget.Spend(this->Tools.Cover.Insert(this->Tools.Lines, projected, facing, number));
 }
 

@@ -50,7 +50,7 @@ public:
   std::uint32_t InsertedCount() const { return static_cast<std::uint32_t>(this->Inserted.size()); }
 
   /** Whether a part that was inserted in vain is still will be asked for soon. */
-  void Expect(std::uint32_t part) const { Prefetch(&this->IdlerOf[part]); }
+  void PrefetchIdler(std::uint32_t part) const { Prefetch(&this->IdlerOf[part]); }
 
   /**
    * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is there still. It is not so in one of every few frames, since what is around it may have changed.

@@ -285,7 +285,7 @@ void LooseOctree::SetHeld(std::uint32_t item, bool isHeld)
   }
 }
 
-void LooseOctree::Put(std::uint32_t item, const Box& box)
+void LooseOctree::SetBox(std::uint32_t item, const Box& box)
 {
   ++this->Changes;
   this->AddItemsUpTo(item);

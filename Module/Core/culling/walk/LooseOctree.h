@@ -88,7 +88,7 @@ public:
   const LooseNode& Node(std::uint32_t node) const { return this->Nodes[node]; }
 
   /** The node will be read soon. */
-  void Expect(std::uint32_t node) const { PrefetchAll(this->Nodes[node]); }
+  void PrefetchNode(std::uint32_t node) const { PrefetchAll(this->Nodes[node]); }
 
   /** Whether the item stands in the tree. */
   bool Holds(std::uint32_t item) const { return item < this->IsHeld.size() && this->IsHeld[item]; }
@@ -103,10 +103,10 @@ public:
    * Puts an item where its box is, whether it was in the tree before or not; one without a place leaves the tree. Touches the nodes that
    * the item is and was in.
    */
-  void Put(std::uint32_t item, const Box& box);
+  void SetBox(std::uint32_t item, const Box& box);
 
   /** How many items were put since the tree was built: where they are many, it is better built anew. */
-  std::size_t PutCount() const { return this->Changes; }
+  std::size_t ChangeCount() const { return this->Changes; }
 
   /** Memory that it takes. */
   std::size_t Bytes() const;

@@ -32,7 +32,7 @@ public:
   virtual Occluder OccluderOf(std::uint32_t part) = 0;
 
   /** The part may be asked for soon: a hint for those that keep what they tell far apart in memory. */
-  virtual void Expect(std::uint32_t part) const { static_cast<void>(part); }
+  virtual void PrefetchOccluder(std::uint32_t part) const { static_cast<void>(part); }
 };
 
 }

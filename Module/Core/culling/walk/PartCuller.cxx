@@ -54,7 +54,7 @@ void PartCuller::KeepShown(const LooseOctree& tree, std::vector<std::uint8_t>& v
   }
 }
 
-std::vector<std::uint8_t> PartCuller::StayHidden(
+std::vector<std::uint8_t> PartCuller::VerifyHidden(
   const std::vector<BoxedPart>& parts, ShapeSource& shapes, const ScreenProjection& view)
 {
   std::vector<std::vector<std::uint8_t>> hidden(this->Bands.size());
@@ -65,7 +65,7 @@ std::vector<std::uint8_t> PartCuller::StayHidden(
       const ScreenProjection ofBand =
         view.OfLines(this->Bands[i].FirstLine, culler.Buffer().Lines());
       hidden[i].assign(parts.size(), 1);
-      culler.LookAgain(parts, shapes, ofBand, hidden[i]);
+      culler.VerifyHidden(parts, shapes, ofBand, hidden[i]);
     });
   for (const std::vector<std::uint8_t>& ofBand : hidden)
   {

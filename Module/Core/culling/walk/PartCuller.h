@@ -36,7 +36,7 @@ public:
    * Whether parts that the last frame found hidden are so wherever a device draws their faces, by what it left in the s-buffer.
    * @returns  one for each part, 1 where they are
    */
-  std::vector<std::uint8_t> StayHidden(
+  std::vector<std::uint8_t> VerifyHidden(
     const std::vector<BoxedPart>& parts, ShapeSource& shapes, const ScreenProjection& view);
 
   /** Of all bands: what lies in several of them counts in each. */

@@ -1,4 +1,4 @@
-#include "Core/culling/walk/SecondLook.h"
+#include "Core/culling/walk/HiddenVerifier.h"
 
 #include "Core/culling/screen/DeviceModel.h"
 #include "Core/geometry/BoxLanes.h"
@@ -46,7 +46,7 @@ struct Stretch
 };
 }
 
-SecondLook::SecondLook(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view)
+HiddenVerifier::HiddenVerifier(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view)
   : Tools(tools)
   , Shapes(shapes)
   , View(view)
@@ -61,7 +61,7 @@ SecondLook::SecondLook(BandTools& tools, ShapeSource& shapes, const ScreenProjec
   this->Thinnest.ByNear = ThinOfRounding * view.RoundingAtOne() / scale;
 }
 
-void SecondLook::DropShown(
+void HiddenVerifier::Verify(
   const std::vector<BoxedPart>& parts, std::size_t first, std::vector<std::uint8_t>& areHidden)
 {
   const std::size_t end = std::min<std::size_t>(parts.size(), first + LaneCount);
@@ -84,7 +84,7 @@ void SecondLook::DropShown(
   }
 }
 
-bool SecondLook::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, int lane)
+bool HiddenVerifier::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, int lane)
 {
   ScreenRectangle around = rectangles.At(lane);
   const bool isBehindNear = (rectangles.Near >> lane & 1u) == 0;
@@ -102,7 +102,7 @@ bool SecondLook::IsHidden(std::uint32_t part, const RectangleLanes& rectangles, 
 }
 
 /** Returns how much nearer than its corners are a device may draw the other faces. */
-float SecondLook::FindThinFaces(std::uint32_t part)
+float HiddenVerifier::FindThinFaces(std::uint32_t part)
 {
   const PartPlanes known = this->Shapes.PlanesOf(part);
   const glm::dmat4& fromWorld = *known.FromWorld;
@@ -119,14 +119,14 @@ float SecondLook::FindThinFaces(std::uint32_t part)
 }
 
 /** How much nearer may the others be since the planes that a device finds tilt. */
-float SecondLook::TiltOf(const ScreenRectangle& around, float depth) const
+float HiddenVerifier::TiltOf(const ScreenRectangle& around, float depth) const
 {
   const float narrowest = std::min(around.Right - around.Left, around.Top - around.Bottom);
   return RoundingOfTilt * depth * narrowest /
     static_cast<float>(ThinOfSnapping * std::max(this->Snapping.x, this->Snapping.y));
 }
 
-bool SecondLook::AreItsLinesHidden(std::uint32_t part)
+bool HiddenVerifier::AreItsLinesHidden(std::uint32_t part)
 {
   const std::vector<MeshLine>& lines = this->Shapes.LinesOf(part);
   const PartPlanes known = this->Shapes.PlanesOf(part);
@@ -136,7 +136,7 @@ bool SecondLook::AreItsLinesHidden(std::uint32_t part)
 }
 
 /** Of a part that is drawn at another place of a pixel than those that may hide it: whether they do so all over the pixels that it touches. */
-bool SecondLook::IsHiddenApart(std::uint32_t part, const ScreenRectangle& around)
+bool HiddenVerifier::IsHiddenApart(std::uint32_t part, const ScreenRectangle& around)
 {
   return this->Shapes.LinesOf(part).empty() &&
     this->Tools.Lines.Hides(this->ApartView.Grown(around)) &&
@@ -147,7 +147,8 @@ bool SecondLook::IsHiddenApart(std::uint32_t part, const ScreenRectangle& around
 }
 
 /** One by one: the thin ones, or all where the box tells nothing. */
-bool SecondLook::AreFacesHidden(std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden)
+bool HiddenVerifier::AreFacesHidden(
+  std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden)
 {
   if (!this->Project(part))
   {
@@ -160,7 +161,7 @@ bool SecondLook::AreFacesHidden(std::uint32_t part, const ScreenRectangle& aroun
 }
 
 /** Returns false of a part that is not one of faces alone. */
-bool SecondLook::Project(std::uint32_t part)
+bool HiddenVerifier::Project(std::uint32_t part)
 {
   const Occluder shape = this->Shapes.OccluderOf(part);
   if (!shape.Mesh || !shape.IsOfFacesAlone)

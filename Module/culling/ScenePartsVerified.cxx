@@ -101,7 +101,7 @@ private:
   const SampleGrid& Samples;
 };
 
-void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
+void SceneParts::VerifyHidden(PartCuller& culler, const ScreenProjection& view,
   const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible)
 {
   std::vector<BoxedPart> hidden = this->FindHiddenInView(view, culler.Samples(), drawn, visible);
@@ -111,7 +111,7 @@ void SceneParts::LookAgain(PartCuller& culler, const ScreenProjection& view,
     firstShown, hidden.end(), [&](const BoxedPart& part) { visible[part.Part] = MayBeElsewhere; });
   hidden.erase(firstShown, hidden.end());
   Shapes shapes(*this, culler.Samples());
-  const std::vector<std::uint8_t> stay = culler.StayHidden(hidden, shapes, view);
+  const std::vector<std::uint8_t> stay = culler.VerifyHidden(hidden, shapes, view);
   for (std::size_t i = 0; i < stay.size(); ++i)
   {
     visible[hidden[i].Part] = stay[i] ? IsLeftOut : MayBeElsewhere;

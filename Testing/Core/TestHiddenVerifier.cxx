@@ -2,7 +2,7 @@
 #include "PartScenes.h"
 #include "SnappedFaces.h"
 
-#include "Core/culling/walk/SecondLook.h"
+#include "Core/culling/walk/HiddenVerifier.h"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +26,10 @@ using coverage::ScreenCorners;
 using coverage::Triangles;
 using coverage::View;
 using vitrine::BandTools;
+using vitrine::HiddenVerifier;
 using vitrine::SampleGrid;
 using vitrine::SBuffer;
 using vitrine::ScreenProjection;
-using vitrine::SecondLook;
 
 /** An s-buffer in which something hides what is farther than a depth, up to a line. */
 BandTools WallOf(float depth, int lines = FrameLines, const SampleGrid& samples = SampleGrid())
@@ -50,7 +50,7 @@ bool StaysHidden(PartScene& scene, std::uint32_t part, BandTools& tools, const V
   }
   const ScreenProjection projection = view.Projection(scene.Reach);
   std::vector<std::uint8_t> hidden(1, 1);
-  SecondLook(tools, scene, projection).DropShown({ { part, scene.Bounds[part] } }, 0, hidden);
+  HiddenVerifier(tools, scene, projection).Verify({ { part, scene.Bounds[part] } }, 0, hidden);
   return hidden[0] != 0;
 }
 
@@ -107,7 +107,7 @@ glm::dmat4 NearlyAlong(bool isParallel, Random& random)
 
 }
 
-TEST(SecondLook, AsksNoFacesOfWhatLiesFarBehind)
+TEST(HiddenVerifier, AsksNoFacesOfWhatLiesFarBehind)
 {
   PartScene scene;
   const std::uint32_t box = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
@@ -119,7 +119,7 @@ TEST(SecondLook, AsksNoFacesOfWhatLiesFarBehind)
   EXPECT_FALSE(StaysHidden(scene, box, nothing, view));
 }
 
-TEST(SecondLook, AsksNothingOfWhatIsKnownFaceByFace)
+TEST(HiddenVerifier, AsksNothingOfWhatIsKnownFaceByFace)
 {
   PartScene scene;
   const std::uint32_t box = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
@@ -133,7 +133,7 @@ TEST(SecondLook, AsksNothingOfWhatIsKnownFaceByFace)
 }
 
 // Whatever is drawn of a part that stays hidden is hidden, snapped and rounded as it may be.
-TEST(SecondLook, ShowsWhatMayBeDrawnNearerThanItIs)
+TEST(HiddenVerifier, ShowsWhatMayBeDrawnNearerThanItIs)
 {
   Random random(31);
   const double snapped = 1.0 / 64.0;
@@ -166,7 +166,7 @@ TEST(SecondLook, ShowsWhatMayBeDrawnNearerThanItIs)
   EXPECT_GT(nearer, 100);
 }
 
-TEST(SecondLook, AsksThinFacesOneByOne)
+TEST(HiddenVerifier, AsksThinFacesOneByOne)
 {
   // Depths of a sliver differ by less than those of what stands before it.
   PartScene scene;
@@ -197,7 +197,7 @@ TEST(SecondLook, AsksThinFacesOneByOne)
   }
 }
 
-TEST(SecondLook, AsksThinFacesBehindWhatHidesTheirBox)
+TEST(HiddenVerifier, AsksThinFacesBehindWhatHidesTheirBox)
 {
   const View view = SnappingView(false, 1.0 / 64.0);
   const double centre = 1.657; // of pixels, as above
@@ -219,7 +219,7 @@ TEST(SecondLook, AsksThinFacesBehindWhatHidesTheirBox)
 }
 
 // Places in the world are the same, so what a device draws is, too, but for what is rounded.
-TEST(SecondLook, TellsTheSameOfPartsInWhateverUnits)
+TEST(HiddenVerifier, TellsTheSameOfPartsInWhateverUnits)
 {
   Random random(32);
   const View view = SnappingView(false, 1.0 / 4096.0); // less than floats are off by
@@ -254,7 +254,7 @@ TEST(SecondLook, TellsTheSameOfPartsInWhateverUnits)
   EXPECT_LT(askedDiffer, 6);
 }
 
-TEST(SecondLook, TellsNoMoreOfPartsThatAreFlattened)
+TEST(HiddenVerifier, TellsNoMoreOfPartsThatAreFlattened)
 {
   Random random(33);
   int hidden = 0;
@@ -285,7 +285,7 @@ TEST(SecondLook, TellsNoMoreOfPartsThatAreFlattened)
   EXPECT_GT(hidden, 20);
 }
 
-TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
+TEST(HiddenVerifier, AsksAllFacesWhereTheBoxShows)
 {
   // A slope whose box looks out above the wall, and no face of it.
   PartScene scene;
@@ -304,7 +304,7 @@ TEST(SecondLook, AsksAllFacesWhereTheBoxShows)
 }
 
 // What is translucent may be drawn at the centre of a pixel by the depth of any of its samples.
-TEST(SecondLook, AsksForWholePixelsOfWhatIsDrawnApart)
+TEST(HiddenVerifier, AsksForWholePixelsOfWhatIsDrawnApart)
 {
   PartScene scene;
   const std::uint32_t part = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
@@ -334,7 +334,7 @@ TEST(SecondLook, AsksForWholePixelsOfWhatIsDrawnApart)
 }
 
 // Of round parts some face is seen nearly from its edge.
-TEST(SecondLook, AsksThinFacesOneByOneOfWhatIsDrawnApart)
+TEST(HiddenVerifier, AsksThinFacesOneByOneOfWhatIsDrawnApart)
 {
   Random random(5);
   const Triangles pipe = coverage::GridOf(48, 1,
@@ -364,7 +364,7 @@ TEST(SecondLook, AsksThinFacesOneByOneOfWhatIsDrawnApart)
   EXPECT_LT(behindHalf, 300);
 }
 
-TEST(SecondLook, ShowsThinFacesOfWhatIsDrawnApart)
+TEST(HiddenVerifier, ShowsThinFacesOfWhatIsDrawnApart)
 {
   PartScene scene;
   Triangles edgeOn;
@@ -377,7 +377,7 @@ TEST(SecondLook, ShowsThinFacesOfWhatIsDrawnApart)
   EXPECT_FALSE(StaysHidden(scene, part, close, view)) << "its depth may be any";
 }
 
-TEST(SecondLook, AsksForLines)
+TEST(HiddenVerifier, AsksForLines)
 {
   PartScene scene;
   const std::uint32_t part = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });

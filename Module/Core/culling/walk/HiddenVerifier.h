@@ -1,5 +1,5 @@
-#ifndef VITRINE_CORE_CULLING_WALK_SECOND_LOOK_H
-#define VITRINE_CORE_CULLING_WALK_SECOND_LOOK_H
+#ifndef VITRINE_CORE_CULLING_WALK_HIDDEN_VERIFIER_H
+#define VITRINE_CORE_CULLING_WALK_HIDDEN_VERIFIER_H
 
 #include "Core/culling/hidden/HiddenFaces.h"
 #include "Core/culling/screen/ScreenProjection.h"
@@ -28,17 +28,17 @@ struct BoxedPart
  * Looks once more at parts of a band that were found hidden where they are: whether they are so where a device may draw them. Rasterisers snap corners to see what faces cover, so that these are
  * drawn beside themselves, too, and be it by 1/256 pixel: there their planes may be nearer than any of their corners; and slivers may have any depth. Lines are drawn beyond their ends.
  */
-class SecondLook
+class HiddenVerifier
 {
 public:
   /**
    * @param tools  of the band, whose s-buffer is complete
    * @param view   of the band
    */
-  SecondLook(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view);
+  HiddenVerifier(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view);
 
   /** Puts 0 for those of up to eight parts, from `first` on, that are not hidden. */
-  void DropShown(
+  void Verify(
     const std::vector<BoxedPart>& parts, std::size_t first, std::vector<std::uint8_t>& areHidden);
 
 private:
