@@ -9,15 +9,17 @@ namespace vitrine
 namespace
 {
 
-// Nodes of no more parts, which are some leaves, are visited at once: that takes less than to queue what is in them.
+// Nodes of up to so many parts, which are some leaves, are visited at once. That takes less time than to queue their
+// entries.
 const std::uint32_t FewParts = 32;
 
-// Of what is long, which comes first, and of what reaches before the near plane.
+// Depths in the queue of long entries, which come first, and of entries that reach before the near plane. They are
+// greater than all depths.
 const float LongDepth = 3.0f;
 const float NearDepth = 2.0f;
 }
 
-/** Visits nodes and parts in one frame. */
+/** Walks over the nodes and parts of one frame. */
 class BandCuller::Walk
 {
 public:
@@ -33,7 +35,7 @@ public:
   {
   }
 
-  /** Visits all that may show, the nearest first. */
+  /** Visits all entries that may show, the nearest first. */
   void Run()
   {
     std::vector<Entry>& queue = this->Culler.Queue;
@@ -56,7 +58,7 @@ public:
   }
 
 private:
-  /** What hid much in the last frame, before what it may hide. */
+  /** Visits the owners of the last frame, before the parts that they may hide. */
   void VisitOwners()
   {
     this->Culler.Tools.Owners.Begin(this->States.Count());
@@ -69,7 +71,7 @@ private:
     }
   }
 
-  /** Whether a part of the last frame is one of this frame. */
+  /** Returns true if a part of the last frame is drawn in this one. */
   bool IsThere(std::uint32_t part) const
   {
     return part < this->States.Count() && this->States.Has(part, PartStates::IsDrawn) &&
@@ -91,7 +93,7 @@ private:
     this->Culler.Visited.push_back({ part, rectangle, this->Parts.Witness() });
   }
 
-  /** Tests what was shown before all that stands in front of it had been inserted. */
+  /** Tests the parts that show again: each was tested before all parts in front of it were inserted. */
   void RetestShown()
   {
     for (const ShownPart& shown : this->Culler.Visited)
@@ -130,7 +132,10 @@ private:
     }
   }
 
-  /** Has a part whose box reaches before the near plane come when its nearest face does. Returns false if it has no faces, or they are not worth their time. */
+  /**
+   * Queues a part whose box reaches before the near plane by its nearest face. Returns false if the part has no faces,
+   * or if the budget does not allow to project them.
+   */
   bool QueueByFaces(const Entry& entry)
   {
     const std::uint32_t part = entry.Number & LooseNode::NumberBits;
@@ -171,12 +176,12 @@ private:
     }
   }
 
-  /** Where what a node holds is on the screen. */
+  /** The entries of a node on the screen. */
   struct FoundEntries
   {
     RectangleLanes Rectangles;
-    float Depths[LaneCount]; ///< as entries have them
-    unsigned Wanted;         ///< a bit for each that is visited
+    float Depths[LaneCount]; ///< as Entry::Depth
+    unsigned Wanted;         ///< a bit for each entry that is to be visited
   };
 
   static Entry EntryAt(const LooseNode& node, const FoundEntries& found, int lane)
@@ -186,7 +191,10 @@ private:
       node.Entries[lane], node.Counts[lane] };
   }
 
-  /** Numbers of those that are wanted, the nearest first; returns how many. Without branches, which could not be foreseen. */
+  /**
+   * Writes the lanes of the wanted entries to `order`, the nearest first. Returns their number. It has no branches,
+   * since they could not be predicted.
+   */
   VITRINE_FOR_EACH_PROCESSOR
   static int SortByDepth(const FoundEntries& found, int* order)
   {
@@ -194,7 +202,8 @@ private:
     for (unsigned bits = found.Wanted; bits != 0; bits &= bits - 1)
     {
       const int i = LowestBit(bits);
-      assert(found.Depths[i] == found.Depths[i]); // what has no place on the screen is near
+      assert(
+        found.Depths[i] == found.Depths[i]); // an entry without a place on the screen has NearDepth
       const Lanes own = AllLanes(found.Depths[i]);
       const unsigned before = BitsOf(all > own) | (BitsOf(all == own) & ((1u << i) - 1u));
       order[CountBits(before & found.Wanted)] = i;
@@ -202,7 +211,7 @@ private:
     return CountBits(found.Wanted);
   }
 
-  /** Those that may lie in the view. */
+  /** Finds the entries that may lie in the view and are to be visited. */
   void FindEntries(const LooseNode& node, FoundEntries& found)
   {
     ++this->Culler.Counted.Nodes;
@@ -216,7 +225,10 @@ private:
     }
   }
 
-  /** What is long comes before all else: it may hide much. Returns a bit for each entry that may lie in the view. */
+  /**
+   * Finds the queue depths of the entries. Long ones come first, as they may hide much. Returns a bit for each entry
+   * that may lie in the view.
+   */
   VITRINE_FOR_EACH_PROCESSOR
   static unsigned FindDepths(
     const LooseNode& node, const RectangleLanes& rectangles, float (&depths)[LaneCount])

@@ -14,47 +14,51 @@
 namespace vitrine
 {
 
-/** Counts of one frame. */
+/** Counts of one band in one frame. */
 struct CullCounts
 {
-  std::uint32_t Nodes = 0;    ///< of the octree that were tested
-  std::uint32_t Tested = 0;   ///< parts
-  std::uint32_t Inserted = 0; ///< parts whose cover went into the s-buffer
+  std::uint32_t Nodes = 0;    ///< nodes of the octree whose entries were tested
+  std::uint32_t Tested = 0;   ///< parts of this frame that were tested
+  std::uint32_t Inserted = 0; ///< parts that were inserted into the s-buffer
 };
 
 /**
- * The hierarchical s-buffer on a band of a screen's lines, or on all of them: walks an octree of parts from front to back, leaves out what is outside the view or hidden by what
- * stands in the s-buffer, and puts what shows into it.
- * (A. V. Boreskov, hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993)
+ * Occlusion culling in one band of the screen: all lines of an s-buffer, or a run of them. It walks an octree of parts
+ * from front to back. It leaves out parts that lie outside of the view or are hidden by the s-buffer, and inserts the
+ * others as occluders.
+ * (A. V. Boreskov, hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH
+ * 1993)
  */
 class BandCuller
 {
 public:
-  /** With an s-buffer of so many columns and lines. */
+  /** Makes an s-buffer with this number of columns and lines. */
   BandCuller(int columns, int lines, const SampleGrid& samples);
 
   /**
-   * Finds which parts may show in the band.
-   * @param tree       of the parts' bounds, in world coordinates (WC)
-   * @param occluders  tells what the parts hide with
-   * @param view       of the band
-   * @param occlusion  false for what lies outside of the view alone
-   * @param drawn      one for each part: 1 for those that this frame draws
-   * @param bands      of the screen
+   * Finds which parts may show in the band. AddShown() returns them.
+   * @param tree       the boxes of the parts, in world coordinates (WC)
+   * @param occluders  returns the meshes that the parts hide others with
+   * @param view       the view, of the lines of this band
+   * @param occlusion  false to leave out only parts outside of the view
+   * @param drawn      one byte per part: 1 if this frame draws it
+   * @param bands      number of bands of the screen, which share a part of the budget
    */
   void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
     bool occlusion, const std::vector<std::uint8_t>& drawn, std::size_t bands);
 
   /**
-   * Which parts that were found hidden are so by what stands in the s-buffer now, wherever a device draws them.
-   * @param shapes     tells what the parts are
-   * @param view       of the band
-   * @param areHidden  takes 0 for those that are not
+   * Tests again whether parts are hidden, now wherever a device may draw them. Cull() has to come first: it fills the
+   * s-buffer.
+   * @param parts      parts that Cull() found hidden
+   * @param shapes     returns the geometry of the parts
+   * @param view       the view, of the lines of this band
+   * @param areHidden  one byte per entry of `parts`; becomes 0 for parts that may show in this band
    */
   void VerifyHidden(const std::vector<BoxedPart>& parts, ShapeSource& shapes,
     const ScreenProjection& view, std::vector<std::uint8_t>& areHidden);
 
-  /** Puts 1 for each part in the tree that may show in the band. */
+  /** Sets the bytes of the parts that may show in the band to 1. Other bytes are not changed. */
   void AddShown(std::vector<std::uint8_t>& visible) const;
 
   const CullCounts& Counts() const { return this->Counted; }
@@ -63,29 +67,30 @@ public:
 private:
   class Walk;
 
-  /** What a node holds, and where on the screen that is. */
+  /** An entry of a node, and its place on the screen. */
   struct Entry
   {
-    float Depth; ///< reversed: the greatest is visited first
+    float Depth; ///< reversed; the entry with the greatest depth is visited first
     ScreenRectangle Rectangle;
-    std::uint32_t Number; ///< as nodes tell it
+    std::uint32_t Number; ///< as LooseNode::Entries has it, with its flag bits
     std::uint32_t PartCount;
 
     bool operator<(const Entry& other) const { return this->Depth < other.Depth; }
   };
 
-  /** What was found to show. */
+  /** A part that may show. */
   struct ShownPart
   {
     std::uint32_t Part;
     ScreenRectangle Rectangle;
-    ScreenRectangle Witness; ///< while that is not hidden, the part is not
+    ScreenRectangle
+      Witness; ///< a place where the part may show; as long as this is not hidden, the part is not
   };
 
   BandTools Tools;
   CullCounts Counted;
-  std::vector<Entry> Queue;       ///< a heap
-  std::vector<ShownPart> Visited; ///< in the order in which they were visited
+  std::vector<Entry> Queue;       ///< a heap, the nearest entry first
+  std::vector<ShownPart> Visited; ///< parts that were found to show, in the order of their visits
 };
 
 }

@@ -11,21 +11,24 @@ namespace vitrine
 
 namespace
 {
-// A part with more faces to a cell of the screen is dense: it is worth no more than what can be spared. Where a line has several rows of samples it hides nothing, since most of so
-// small faces cover none of them all.
+// A part with more faces than this per cell of the screen is dense. It is tested only if the budget can spare it. With
+// several rows of samples per line it is not inserted: most of its small faces cover no row completely.
 const float MostFacesPerCell = 32.0f;
 
-// Whether a part of more is hidden takes longer to find out than it is worth.
+// A part with more faces per cell is never tested: the test takes longer than it is worth.
 const float MostOfDensePerCell = 4096.0f;
 
-// What may cover such a share of the band's screen is worth all that may be spent.
+// A part that may cover this share of the screen of the band may use the whole budget.
 const float MuchOfScreen = 1.0f / 64.0f;
 
-// To project so many faces takes as long as a piece of one on a line.
+// The projection of so many faces takes as long as one piece of a face on a line.
 const std::size_t FacesPerPiece = 8;
-const std::size_t CutFacesPerPiece = 2; // the same, and cut at the near plane
+const std::size_t CutFacesPerPiece = 2; // if the faces are clipped at the near plane, too
 
-/** Whether a device has no corners so far off the screen that its floats lose the samples beside the borders. */
+/**
+ * Returns true if no corner lies far off the screen. There the floats of a device would lose the samples next to the
+ * borders.
+ */
 bool IsClippedSurely(const ScreenRectangle& around, const SampleGrid& samples)
 {
   const float inset = samples.Inset();
@@ -80,7 +83,7 @@ bool BandParts::ShowSmall(
   return this->ShowFaces(part, occluder, rectangle, isInserted);
 }
 
-/** @param isUntested  whether the box around it has not been tested */
+/** @param isUntested  true if the box of the part was not tested */
 bool BandParts::ShowLarge(
   std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle, bool isUntested)
 {
@@ -146,7 +149,10 @@ bool BandParts::FindNearest(std::uint32_t part, const ScreenRectangle& rectangle
   return true;
 }
 
-/** Of a part that is projected: whether a face of it may show. */
+/**
+ * Returns true if a face of the projected part may show. Inserts the part then, unless it is inserted already or the
+ * budget forbids it.
+ */
 bool BandParts::ShowFaces(
   std::uint32_t part, const Occluder& occluder, const ScreenRectangle& rectangle, bool isInserted)
 {
@@ -161,7 +167,10 @@ bool BandParts::ShowFaces(
   return true;
 }
 
-/** Puts a part that is projected into the s-buffer. Returns whether it has samples there now: then it shows, and need not be tested. */
+/**
+ * Inserts the projected part. Returns true if it owns samples of the s-buffer now. Then it shows, and need not be
+ * tested.
+ */
 bool BandParts::InsertsSamples(std::uint32_t part, const Occluder& occluder)
 {
   const std::uint64_t changed = this->Tools.Lines.Counts().Changed;
@@ -169,14 +178,14 @@ bool BandParts::InsertsSamples(std::uint32_t part, const Occluder& occluder)
   return this->Tools.Lines.Counts().Changed != changed;
 }
 
-/** Of a part that is projected: whether it is where it was when it was inserted in vain. */
+/** Returns true if the projected part was inserted in vain before, and has not moved since. */
 bool BandParts::WasIdle(std::uint32_t part)
 {
   return this->Tools.States.Has(part, PartStates::WasIdle) &&
     this->Tools.Owners.HadNothing(part, this->Tools.Projected.Rectangle());
 }
 
-/** Of a part that is projected; notes it if they are. */
+/** Returns true if all faces of the projected part are hidden. Sets PartStates::AreFacesHidden. */
 bool BandParts::AreFacesHidden(std::uint32_t part, const Occluder& occluder)
 {
   MeshProjection& projected = this->Tools.Projected;
@@ -201,14 +210,16 @@ bool BandParts::AreBoxesHidden(const Occluder& occluder) const
     vitrine::AreBoxesHidden(*occluder.Boxes, this->Tools.Lines, this->View, *occluder.ToWorld);
 }
 
-/** Whether back faces of a part that is projected may show. */
+/** Returns true if back faces of the projected part may show. */
 bool BandParts::HasBackFaces(const Occluder& occluder) const
 {
   const bool isWhole = occluder.Mesh->IsClosed() && this->Tools.Projected.IsBehindNear();
   return occluder.HasBackFaces && !isWhole;
 }
 
-/** Returns whether all of it lies behind the near plane; if not it is cut there, which takes long. */
+/**
+ * Projects a part. Returns false if it is not all behind the near plane. Then it is clipped there, which costs more.
+ */
 bool BandParts::Project(const Occluder& occluder)
 {
   const bool isBehindNear = this->Tools.Projected.Project(
@@ -220,7 +231,7 @@ bool BandParts::Project(const Occluder& occluder)
   return isBehindNear;
 }
 
-/** Whether its faces may be tested. */
+/** Returns true if the budget allows to test the faces. */
 bool BandParts::IsWorthTesting(const Occluder& occluder, const ScreenRectangle& rectangle) const
 {
   const std::size_t faces = occluder.Mesh->Faces().size();
@@ -230,7 +241,7 @@ bool BandParts::IsWorthTesting(const Occluder& occluder, const ScreenRectangle& 
     : perCell <= MostOfDensePerCell && this->Tools.Budget.CanSpare(faces / FacesPerPiece);
 }
 
-/** Whether what is in it may cover much of the screen. */
+/** Returns true if a part with this rectangle may cover much of the screen. */
 bool BandParts::IsLarge(const ScreenRectangle& rectangle) const
 {
   const auto columns = static_cast<float>(this->Tools.Lines.Columns());
@@ -240,7 +251,7 @@ bool BandParts::IsLarge(const ScreenRectangle& rectangle) const
   return across > 0.0f && across * up >= MuchOfScreen * columns * lines;
 }
 
-/** Whether they may be inserted. */
+/** Returns true if the budget allows to insert the faces. */
 bool BandParts::IsWorthInserting(const Occluder& occluder, const ScreenRectangle& rectangle) const
 {
   const std::size_t faces = occluder.Mesh->Faces().size();
@@ -250,7 +261,10 @@ bool BandParts::IsWorthInserting(const Occluder& occluder, const ScreenRectangle
     this->IsWorthTesting(occluder, rectangle);
 }
 
-/** Puts what a part that is projected covers into the s-buffer. */
+/**
+ * Inserts what the projected part covers into the s-buffer. A part that reaches before the near plane is inserted
+ * twice: clipped there, and clipped farther behind, where margins are narrower.
+ */
 void BandParts::Insert(std::uint32_t part, const Occluder& occluder)
 {
   const std::uint32_t number =
@@ -283,14 +297,14 @@ void BandParts::InsertSides(std::uint32_t number, const Occluder& occluder)
   }
 }
 
-/** Whether all facets of a part that is projected are looked at together. */
+/** Returns true if the facets of the projected part can be inserted all at once. */
 bool BandParts::HasFewFacets(const Occluder& occluder) const
 {
   return occluder.Mesh->Few() && this->Tools.Projected.IsBehindNear() &&
     this->Tools.Lines.BySample();
 }
 
-/** Returns false if they do not tell what is covered. */
+/** Inserts all facets at once. Returns false if they do not tell what is covered. */
 bool BandParts::InsertFewFacets(std::uint32_t number, const Occluder& occluder)
 {
   const FewFacets& facets = *occluder.Mesh->Few();

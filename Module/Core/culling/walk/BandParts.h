@@ -19,7 +19,7 @@
 namespace vitrine
 {
 
-/** What the parts of a band are tested with; it is kept from frame to frame. */
+/** The data structures of one band. They are kept from frame to frame, so that no memory is allocated. */
 struct BandTools
 {
   SBuffer Lines;
@@ -31,14 +31,14 @@ struct BandTools
   PartStates States{};
 };
 
-/** Tests the parts of a band in one frame against what stands in its s-buffer, and puts those that show into it. */
+/** Tests the parts of one band in one frame against its s-buffer, and inserts parts that show. */
 class BandParts
 {
 public:
   /**
-   * @param tools      of the band
-   * @param occluders  tells what the parts hide with
-   * @param view       of the band
+   * @param tools      the data structures of the band
+   * @param occluders  returns the meshes that the parts hide others with
+   * @param view       the view, of the lines of this band
    */
   BandParts(BandTools& tools, OccluderSource& occluders, const ScreenProjection& view)
     : Tools(tools)
@@ -54,31 +54,35 @@ public:
   }
 
   /**
-   * Whether a part may show. Its box is not tested if its points are, which are as quickly projected.
-   * @param rectangle  around it
+   * Visits a part: returns true if it may show, and inserts it if the budget allows. The box of a small mesh is not
+   * tested, because its points are projected as quickly.
+   * @param rectangle  the rectangle of the box
    */
   bool Visit(std::uint32_t part, const ScreenRectangle& rectangle);
 
   enum class OwnerVerdict
   {
-    Waits, ///< for its turn: it has moved, or can only be tested by its box
+    Waits, ///< The part has its turn later: it has moved, can only be tested by its box, or is not worth inserting.
     Hidden,
     Shows
   };
 
   /**
    * Visits an owner of the last frame before its turn.
-   * @param rectangle  takes where it is, unless it waits
+   * @param rectangle  is set to the place of the part, unless the part waits
    */
   OwnerVerdict VisitOwner(const LastOwners::Owner& owner, ScreenRectangle& rectangle);
 
-  /** Of a part that was shown, whether what has been inserted since then hides it. */
+  /** Returns true if a part that was found to show is hidden by what was inserted since then. */
   bool IsHiddenNow(std::uint32_t part, const ScreenRectangle& rectangle);
 
-  /** How near the faces of a part are on the screen; returns false if it has none, or they are not worth their time. */
+  /**
+   * Finds the greatest reversed depth of the faces of a part on the screen. Returns false if the part has no faces, or
+   * if the budget does not allow to project them.
+   */
   bool FindNearest(std::uint32_t part, const ScreenRectangle& rectangle, float& depth);
 
-  /** Where something of the last part that was visited shows: while that is not hidden, the part is not. */
+  /** A place where the last visited part may show. As long as this is not hidden, the part is not. */
   const ScreenRectangle& Witness() const { return this->Seen; }
 
 private:

@@ -15,14 +15,14 @@ namespace vitrine
 namespace
 {
 
-/** The longest that an axis becomes, squared. */
+/** Returns the square of the length of the longest axis. */
 double LongestAxisOf(const glm::dmat4& m)
 {
   const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
   return std::max({ glm::dot(x, x), glm::dot(y, y), glm::dot(z, z) });
 }
 
-/** Whether axes stay at right angles, but for what doubles round. */
+/** Returns true if the axes stay at right angles, up to the rounding of doubles. */
 bool IsOrthogonal(const glm::dmat4& m)
 {
   const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
@@ -31,7 +31,10 @@ bool IsOrthogonal(const glm::dmat4& m)
     std::abs(glm::dot(z, x)) <= most;
 }
 
-/** A transform of lengths to and from the world: by how much it makes them longer at most. No length becomes longer than the three axes together. */
+/**
+ * The greatest factors by which lengths grow on the way to the world and back. No length grows by more than all three
+ * axes together.
+ */
 struct Stretch
 {
   double ToWorld;
@@ -101,7 +104,10 @@ bool HiddenVerifier::IsHidden(std::uint32_t part, const RectangleLanes& rectangl
   return areFacesHidden && this->AreItsLinesHidden(part);
 }
 
-/** Returns how much nearer than its corners are a device may draw the other faces. */
+/**
+ * Finds the faces of a part that are too thin to have a known depth. Returns by how much a device may draw the other
+ * faces nearer than their corners.
+ */
 float HiddenVerifier::FindThinFaces(std::uint32_t part)
 {
   const PartPlanes known = this->Shapes.PlanesOf(part);
@@ -118,7 +124,7 @@ float HiddenVerifier::FindThinFaces(std::uint32_t part)
     StepsOnDevice * this->View.Snapping().Depth;
 }
 
-/** How much nearer may the others be since the planes that a device finds tilt. */
+/** Returns by how much the other faces may be nearer because a device rounds their planes. */
 float HiddenVerifier::TiltOf(const ScreenRectangle& around, float depth) const
 {
   const float narrowest = std::min(around.Right - around.Left, around.Top - around.Bottom);
@@ -135,7 +141,10 @@ bool HiddenVerifier::AreItsLinesHidden(std::uint32_t part)
       this->Tools.Lines);
 }
 
-/** Of a part that is drawn at another place of a pixel than those that may hide it: whether they do so all over the pixels that it touches. */
+/**
+ * Verifies a part that is drawn at another place of a pixel than its occluders (ShapeSource::IsDrawnApart). They have
+ * to hide it all over the pixels that it touches.
+ */
 bool HiddenVerifier::IsHiddenApart(std::uint32_t part, const ScreenRectangle& around)
 {
   return this->Shapes.LinesOf(part).empty() &&
@@ -146,7 +155,7 @@ bool HiddenVerifier::IsHiddenApart(std::uint32_t part, const ScreenRectangle& ar
           this->Tools.Projected, this->ThinFaces, around.Nearest)));
 }
 
-/** One by one: the thin ones, or all where the box tells nothing. */
+/** Verifies faces one by one: the thin ones, or all of them if the box may show. */
 bool HiddenVerifier::AreFacesHidden(
   std::uint32_t part, const ScreenRectangle& around, bool isBoxHidden)
 {
@@ -160,7 +169,7 @@ bool HiddenVerifier::AreFacesHidden(
     : this->Faces.AreAllOfAnyThickness(projected) && !projected.MayShowBeforeNear();
 }
 
-/** Returns false of a part that is not one of faces alone. */
+/** Projects a part. Returns false if more than faces is drawn of it, or if it has no mesh. */
 bool HiddenVerifier::Project(std::uint32_t part)
 {
   const Occluder shape = this->Shapes.OccluderOf(part);

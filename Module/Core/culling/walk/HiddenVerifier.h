@@ -17,7 +17,7 @@
 namespace vitrine
 {
 
-/** A part, and the box around it in world coordinates (WC). */
+/** A part, and its box in world coordinates (WC). */
 struct BoxedPart
 {
   std::uint32_t Part;
@@ -25,19 +25,22 @@ struct BoxedPart
 };
 
 /**
- * Looks once more at parts of a band that were found hidden where they are: whether they are so where a device may draw them. Rasterisers snap corners to see what faces cover, so that these are
- * drawn beside themselves, too, and be it by 1/256 pixel: there their planes may be nearer than any of their corners; and slivers may have any depth. Lines are drawn beyond their ends.
+ * Verifies that parts of a band are hidden wherever a device may draw them. BandParts has found them hidden at their
+ * exact place.
+ *
+ * A rasteriser snaps corners to a grid, so it draws faces beside their place, if only by 1/256 pixel. There the plane
+ * of a face may be nearer than any of its corners. A sliver may have any depth, and lines are drawn beyond their ends.
  */
 class HiddenVerifier
 {
 public:
   /**
-   * @param tools  of the band, whose s-buffer is complete
-   * @param view   of the band
+   * @param tools  the data structures of the band, whose s-buffer is complete
+   * @param view   the view, of the lines of this band
    */
   HiddenVerifier(BandTools& tools, ShapeSource& shapes, const ScreenProjection& view);
 
-  /** Puts 0 for those of up to eight parts, from `first` on, that are not hidden. */
+  /** Verifies up to eight parts, from index `first` on. Sets `areHidden` to 0 for those that may show. */
   void Verify(
     const std::vector<BoxedPart>& parts, std::size_t first, std::vector<std::uint8_t>& areHidden);
 
@@ -54,12 +57,13 @@ private:
   ShapeSource& Shapes;
   const ScreenProjection& View;
   PlaneView Planes;
-  glm::dvec2 Snapping;              ///< in columns and lines
-  FacePlanes::Thickness Thinnest{}; ///< in the world, of faces of which anything is known
+  glm::dvec2 Snapping; ///< how far a device snaps corners, in columns and lines
+  FacePlanes::Thickness
+    Thinnest{}; ///< thinner faces have no known depth; in units of the world (WC)
   HiddenFaces Faces;
-  ScreenProjection ApartView; ///< in which all reaches farther by a pixel
+  ScreenProjection ApartView; ///< the view with all rectangles grown by a pixel
   HiddenFaces FacesApart;
-  std::vector<std::uint32_t> ThinFaces; ///< of the part at hand
+  std::vector<std::uint32_t> ThinFaces; ///< thin faces of the current part
 };
 
 }

@@ -8,21 +8,21 @@ namespace vitrine
 
 namespace
 {
-// Columns of lines that a part has to have.
+// An owner has at least so many columns of lines.
 const float LeastColumns = 16.0f;
 
-// By so much of its width and height, and so many columns and lines, a part may have moved.
+// An owner may have moved by this share of its width and height, and by this number of columns and lines.
 const float MostShare = 0.25f;
 const float MostCells = 4.0f;
 
-// Parts that were inserted in vain are inserted in one of so many frames, not all in the same.
+// An idler is inserted in one of so many frames. Not all idlers have the same frame.
 const std::uint32_t FramesOfIdlers = 16;
 
-// Those may have moved by so much: what is small and thin covers other samples then.
+// An idler may have moved by less: a small or thin part covers other samples then.
 const float MostShareOfIdlers = 1.0f / 32.0f;
 const float MostCellsOfIdlers = 1.0f / 16.0f;
 
-/** Whether sides are no farther from each other than by a share of what is between them and so many columns or lines. */
+/** Returns true if each side has moved by no more than `share` of the size plus `cells` columns or lines. */
 bool IsWithin(const ScreenRectangle& then, const ScreenRectangle& now, float share, float cells)
 {
   const float aside = cells + share * (then.Right - then.Left);

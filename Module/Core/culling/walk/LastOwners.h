@@ -13,79 +13,89 @@ namespace vitrine
 {
 
 /**
- * The parts that had much of an s-buffer at the end of the last frame. They come first in the next one: tested like any other, and inserted where they show. It is an order
- * only, never a verdict; but what they hide need not be inserted then. And those that were inserted in vain: they show, but had nothing of it in the end, and need not be inserted again.
+ * The parts that owned much of the s-buffer at the end of the last frame. They come first in the next frame, where they
+ * are tested like any other part and inserted if they show. This changes the order only, never the result of a test.
+ * What they hide need not be inserted.
+ *
+ * The class knows idlers, too: parts that were inserted in vain, since they own nothing of the s-buffer at the end of
+ * the frame. They show, but need not be inserted again.
  * (after the temporal coherence of N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH 1993)
  */
 class LastOwners
 {
 public:
-  /** A part that was inserted, and where on the screen. */
+  /** A part that was inserted, and its place on the screen. */
   struct Owner
   {
     std::uint32_t Part;
     ScreenRectangle Rectangle;
 
-    /** Whether it is about there still, so that what it hid is likely to be hidden by it again. */
+    /** Returns true if the part is near its old place, so that it is likely to hide the same parts again. */
     bool IsNear(const ScreenRectangle& now) const;
 
-    /** Whether it is as good as where it was. */
+    /** Returns true if the part has hardly moved. */
     bool IsStill(const ScreenRectangle& now) const;
   };
 
-  /** Of the last frame, in the order in which they were inserted. */
+  /** The owners of the last frame, in the order of their insertion. */
   const std::vector<Owner>& Owners() const { return this->Last; }
 
-  /** A frame begins with so many parts. */
+  /** Begins a frame with this number of parts. */
   void Begin(std::size_t parts);
 
-  /** Returns the number by which the s-buffer knows it in this frame. */
+  /** Notes that a part is inserted. Returns the number that stands for it in the s-buffer in this frame. */
   std::uint32_t AddInserted(std::uint32_t part, const ScreenRectangle& rectangle)
   {
     this->Inserted.push_back({ part, rectangle });
     return static_cast<std::uint32_t>(this->Inserted.size() - 1);
   }
 
-  /** Parts, in this frame. */
+  /** The number of parts that were inserted in this frame. */
   std::uint32_t InsertedCount() const { return static_cast<std::uint32_t>(this->Inserted.size()); }
 
-  /** Whether a part that was inserted in vain is still will be asked for soon. */
+  /** A hint that HadNothing() will be called for the part soon. */
   void PrefetchIdler(std::uint32_t part) const { Prefetch(&this->IdlerOf[part]); }
 
   /**
-   * Whether a part had nothing of the s-buffer in the end when it was last inserted, and is there still. It is not so in one of every few frames, since what is around it may have changed.
-   * It is forgotten if it is not asked for.
+   * Returns true if the part owned nothing of the s-buffer when it was last inserted, and is still there. Returns false
+   * in one of every 16 frames, since other parts may have changed. An idler that is not asked for in a frame is
+   * forgotten.
    */
   bool HadNothing(std::uint32_t part, const ScreenRectangle& rectangle);
 
   /**
-   * The frame ends with that in the s-buffer.
-   * @param states  take which parts surely have samples of it, so that they show: a span may lie between samples
+   * Ends the frame.
+   * @param lines   the s-buffer at the end of the frame
+   * @param states  gets HasSamples for the parts that surely own samples, so that they show. This needs an s-buffer of
+   *                samples: a span may lie between samples.
    */
   void End(const SBuffer& lines, PartStates& states);
 
-  /** Once it has ended, and all is found that is hidden. States take which parts were inserted in vain: others need not be looked for. */
+  /**
+   * Keeps the idlers of this frame for the next one. End() and all tests have to come first. The states get WasIdle for
+   * these parts, so that no other part is looked up.
+   */
   void KeepIdlers(PartStates& states);
 
 private:
-  /** What was inserted in vain. */
+  /** A part that was inserted in vain. */
   struct Idler
   {
     Owner Inserted;
-    bool IsMet; ///< in this frame
+    bool IsMet; ///< HadNothing() returned true for it in this frame
   };
 
-  /** Null if it is none. */
+  /** Returns null if the part is no idler. */
   Idler* FindIdler(std::uint32_t part);
   void AddIdler(const Owner& inserted);
 
   std::vector<Owner> Last;
   std::vector<Idler> Idlers;
-  std::vector<Idler> Before;          ///< those of the last frame, while they are looked through
-  std::vector<std::uint32_t> IdlerOf; ///< for each part which it is, if it is one
+  std::vector<Idler> Before;          ///< the idlers of the last frame, while KeepIdlers() runs
+  std::vector<std::uint32_t> IdlerOf; ///< for each part its index in Idlers, if it is one
   std::uint32_t Frame = 0;
-  std::vector<Owner> Inserted; ///< in this frame
-  std::vector<float> Columns;  ///< that each of those has of lines in the end
+  std::vector<Owner> Inserted; ///< parts that were inserted in this frame
+  std::vector<float> Columns;  ///< for each of them the columns of lines that it owns at the end
 };
 
 }

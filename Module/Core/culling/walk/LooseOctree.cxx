@@ -18,11 +18,12 @@ glm::vec3 CentreOf(const Box& box)
   return 0.5f * box.Min + 0.5f * box.Max;
 }
 
-// A node of leaves has room for so many. One more than a leaf has is what a leaf is divided for: octants leave more room to grow.
+// A node whose lanes are leaves has room for 64 items. From 10 items on a node is divided by nearness. A leaf that is
+// divided for its ninth item gets octants, which leave more room to grow.
 const std::size_t MostOfLeaves = std::size_t{ LaneCount } * LaneCount;
 const std::size_t LeastOfLeaves = LaneCount + 2;
 
-// What has left a leaf's cell by less stays there.
+// An item stays in a leaf while its centre is within this multiple of the half size of the cell.
 const float Beyond = 1.5f;
 
 float LengthsOf(const Box& box)
@@ -31,7 +32,10 @@ float LengthsOf(const Box& box)
   return size.x + size.y + size.z;
 }
 
-/** Of the lanes that hold something, that which grows least; the first one if none does. What makes lanes long is mended when the tree is built anew. */
+/**
+ * Returns the lane whose box grows least by another box, among lanes that hold something. Returns lane 0 if no lane
+ * does. Lanes that become long are mended when the tree is built anew.
+ */
 int LaneNearest(const LooseNode& node, const Box& box)
 {
   int nearest = 0;
@@ -94,7 +98,7 @@ std::uint32_t LooseOctree::NewNode(std::uint32_t parent, int lane)
   return static_cast<std::uint32_t>(this->Nodes.size() - 1);
 }
 
-/** Of an empty node. Entries are sorted into its octants. */
+/** Fills an empty node with entries, which are reordered. Makes child nodes as needed. */
 void LooseOctree::Fill(std::uint32_t node, Entry* entries, std::size_t count)
 {
   this->Cells[node].FitTo(entries, count);
@@ -113,7 +117,7 @@ void LooseOctree::Fill(std::uint32_t node, Entry* entries, std::size_t count)
   }
 }
 
-/** Makes it the smallest cube around the centres of all entries. */
+/** Makes the cell the smallest cube around the centres of all entries. */
 void LooseOctree::Cell::FitTo(const Entry* entries, std::size_t count)
 {
   Box centres;
@@ -131,7 +135,7 @@ void LooseOctree::Cell::FitTo(const Entry* entries, std::size_t count)
 LooseOctree::Ways LooseOctree::Cell::WayFor(
   const Entry* entries, std::size_t count, const Box& centres) const
 {
-  // Rounding may leave all on one side of the middle between two neighbouring numbers.
+  // If the extent is one step of floats, rounding may leave all centres on one side of the middle.
   if (OctantOf(centres.Min, this->Centre) == OctantOf(centres.Max, this->Centre))
   {
     return Ways::NotAtAll;
@@ -149,7 +153,7 @@ bool LooseOctree::Cell::IsLong(const Box& box) const
   return std::max(size.x, std::max(size.y, size.z)) > 2.0f * this->Half;
 }
 
-/** Where places have lanes. */
+/** Returns the lane of a box, if lanes stand for octants or sizes. */
 int LooseOctree::Cell::LaneOf(const Box& box) const
 {
   return this->Way == Ways::BySize ? (this->IsLong(box) ? 0 : 1)
@@ -157,9 +161,9 @@ int LooseOctree::Cell::LaneOf(const Box& box) const
 }
 
 /**
- * Sorts entries into lanes of neighbours, by halves where they reach farthest.
- * @param lanes  that have room for them
- * @param ends   takes where the entries of each lane end
+ * Sorts entries into lanes of neighbours. It halves them along the axis on which their centres reach farthest.
+ * @param lanes  number of lanes to fill
+ * @param ends   is set to the end of the entries of each lane
  */
 void LooseOctree::SortByNearness(
   Entry* entries, std::size_t count, std::size_t lanes, std::size_t* ends)
@@ -186,7 +190,7 @@ void LooseOctree::SortByNearness(
   std::for_each(ends + half, ends + lanes, [middle](std::size_t& end) { end += middle; });
 }
 
-/** Sorts entries by lane; returns where those of each lane begin, and end. */
+/** Sorts entries by lane. Returns where the entries of each lane begin, and where the last one ends. */
 LooseOctree::Ends LooseOctree::Cell::Sort(Entry* entries, std::size_t count) const
 {
   Ends ends{};
@@ -315,7 +319,7 @@ void LooseOctree::SetBox(std::uint32_t item, const Box& box)
   this->Insert(entry);
 }
 
-/** Whether the item of a place still belongs there. */
+/** Returns true if the item may stay at its place. */
 bool LooseOctree::IsStillThere(const Place& place, const Entry& entry) const
 {
   const Cell& cell = this->Cells[place.Node];
@@ -352,7 +356,7 @@ void LooseOctree::Insert(const Entry& entry)
   this->UpdateAbove(node);
 }
 
-/** In which lane of a node a new entry belongs: by what lanes mean, where its neighbours are, or where the fewest are. */
+/** Returns the lane for a new entry: by the meaning of lanes, by nearness, or the lane with the fewest items. */
 int LooseOctree::LaneFor(std::uint32_t node, const Entry& entry) const
 {
   const Cell& cell = this->Cells[node];
@@ -366,7 +370,7 @@ int LooseOctree::LaneFor(std::uint32_t node, const Entry& entry) const
     : static_cast<int>(std::min_element(counts, counts + LaneCount) - counts);
 }
 
-/** Of a node that has an item in each lane: finds room for one more. */
+/** Makes room for one more item in a node that has an item in each lane. */
 void LooseOctree::Divide(std::uint32_t node, const Entry& entry)
 {
   std::array<Entry, LaneCount + 1> entries;
@@ -384,7 +388,7 @@ LooseOctree::Entry LooseOctree::EntryAt(std::uint32_t node, int lane) const
   return { this->Nodes[node].ItemAt(lane), this->Nodes[node].Boxes.At(lane) };
 }
 
-/** Leaves the item's own place to the caller. */
+/** Removes an item from its node. The caller updates Places. */
 void LooseOctree::Remove(const Place& place)
 {
   LooseNode& node = this->Nodes[place.Node];
@@ -394,7 +398,7 @@ void LooseOctree::Remove(const Place& place)
   this->UpdateAbove(place.Node);
 }
 
-/** Brings boxes and counts of all nodes above up to date; what holds nothing leaves them. */
+/** Updates the boxes and counts of all nodes above. An empty node leaves its parent. */
 void LooseOctree::UpdateAbove(std::uint32_t node)
 {
   for (std::uint32_t child = node; this->Cells[child].Parent != LooseNode::None;

@@ -11,23 +11,25 @@
 namespace vitrine
 {
 
-/** A node of a loose octree: up to eight entries, items or nodes, with their boxes side by side. */
+/**
+ * A node of a loose octree. It has up to eight entries, each an item or a child node, with their boxes side by side.
+ */
 struct alignas(64) LooseNode
 {
   static constexpr std::uint32_t None = 0xffffffffu;
   static constexpr std::uint32_t ItemBit = 1u << 31;
-  static constexpr std::uint32_t LongBit = 1u
-    << 30; ///< of what is longer than the cell: it may hide all the rest
+  /** Flag of an entry that is longer than the cell of its node. It may hide all the rest. */
+  static constexpr std::uint32_t LongBit = 1u << 30;
   static constexpr std::uint32_t NumberBits = LongBit - 1;
 
   BoxLanes Boxes;
   std::uint32_t Entries[LaneCount] = { None, None, None, None, None, None, None, None };
-  std::uint32_t Counts[LaneCount] = {}; ///< of items in each entry
+  std::uint32_t Counts[LaneCount] = {}; ///< number of items in each entry
 
   bool Has(int lane) const { return this->Entries[lane] != None; }
   bool IsItem(int lane) const { return (this->Entries[lane] & ItemBit) != 0; }
 
-  /** The lanes that have an entry, and those of which it is long. */
+  /** Masks of the lanes that have an entry, and of the lanes that have a long one. */
   VITRINE_INLINE LaneMask AreThere() const
   {
     return LoadMask(this->Entries) != static_cast<std::int32_t>(None);
@@ -66,49 +68,55 @@ struct alignas(64) LooseNode
 static_assert(sizeof(LooseNode) == 256, "a node fills four cache lines");
 
 /**
- * An octree in which each item stands once, in the cell that the centre of its box lies in; a node's box holds all of its items and may
- * reach beyond its cell (T. Ulrich: Loose octrees, Game Programming Gems 1, 2000). What is longer than a cell stands apart from what is in it. Parts of an assembly are as large as the distances
- * between them: in an octree that keeps to its cells (Octree.h), each would stand in some twenty leaves.
+ * An octree in which each item stands once, in the cell that contains the centre of its box. The box of a node holds
+ * all of its items and may reach beyond its cell (T. Ulrich: Loose octrees, Game Programming Gems 1, 2000). Items that
+ * are longer than a cell stand apart from the others in it.
  *
- * Items and nodes stand in one table of eight lanes, so that their boxes are tested eight at a time. A cell of no more than 64 items is not cut into octants, most of which would have two or
- * three, but into as few lanes of eight neighbours as it takes.
+ * Parts of an assembly are as large as the distances between them. In an octree of disjoint cells (Octree.h) each part
+ * would stand in some twenty leaves.
+ *
+ * Items and nodes stand in one table of eight lanes, so that their boxes are tested eight at a time. A cell of up to 64
+ * items is not cut into octants, most of which would hold two or three items. It is cut into as few lanes of eight
+ * neighbours as possible.
  */
 class LooseOctree
 {
 public:
-  /** A tree of nothing. */
+  /** Makes an empty tree. */
   LooseOctree() = default;
 
-  /** Of items 0, 1, ... Those whose boxes are empty or not finite have no place in the tree. */
+  /** Makes a tree of the items 0, 1, ... with these boxes. Items with empty or infinite boxes are not in the tree. */
   explicit LooseOctree(const std::vector<Box>& boxes);
 
   bool IsEmpty() const { return this->Nodes.empty() || this->Nodes[0].Count() == 0; }
 
-  /** The root, if there is one, is node 0. */
+  /** Returns a node. Node 0 is the root, if there is one. */
   const LooseNode& Node(std::uint32_t node) const { return this->Nodes[node]; }
 
-  /** The node will be read soon. */
+  /** A hint that the node will be read soon. */
   void PrefetchNode(std::uint32_t node) const { PrefetchAll(this->Nodes[node]); }
 
-  /** Whether the item stands in the tree. */
+  /** Returns true if the item is in the tree. */
   bool Holds(std::uint32_t item) const { return item < this->IsHeld.size() && this->IsHeld[item]; }
 
-  /** One more than the largest number of an item that was ever put. */
+  /** One more than the largest number of an item that was ever given. */
   std::size_t ItemCount() const { return this->IsHeld.size(); }
 
-  /** Those of them that do not stand in the tree, in order. */
+  /** The items that are not in the tree, in ascending order. */
   const std::vector<std::uint32_t>& Unplaced() const { return this->WithoutPlace; }
 
   /**
-   * Puts an item where its box is, whether it was in the tree before or not; one without a place leaves the tree. Touches the nodes that
-   * the item is and was in.
+   * Moves an item to a box, or adds it. An item with an empty or infinite box leaves the tree. Only the nodes above its
+   * old and new place change.
    */
   void SetBox(std::uint32_t item, const Box& box);
 
-  /** How many items were put since the tree was built: where they are many, it is better built anew. */
+  /**
+   * The number of calls of SetBox() since the tree was built. After many of them it is better to build the tree anew.
+   */
   std::size_t ChangeCount() const { return this->Changes; }
 
-  /** Memory that it takes. */
+  /** The memory that the tree takes, in bytes. */
   std::size_t Bytes() const;
 
 private:
@@ -126,23 +134,23 @@ private:
 
   using Ends = std::array<std::size_t, LaneCount + 1>;
 
-  /** How a node divides what is in it. */
+  /** How the lanes of a node divide its entries. */
   enum class Ways
   {
-    NotAtAll, ///< entries stand in any lane
+    NotAtAll, ///< Entries stand in any lane.
     ByOctant,
-    ByNearness, ///< few items, in as few lanes as have room for them, each in one with its neighbours
-    BySize ///< items that are longer than the cell stand in the first lane, the others in the second
+    ByNearness, ///< Few items stand in as few lanes as hold them, each with its neighbours.
+    BySize ///< Items that are longer than the cell stand in the first lane, the others in the second.
   };
 
-  /** The cube that a node's centres lay in when it was filled. */
+  /** The smallest cube around the centres of the boxes in a node when it was filled. */
   struct Cell
   {
     glm::vec3 Centre{ 0.0f };
     float Half = 0.0f;
     Ways Way = Ways::NotAtAll;
     std::uint32_t Parent = LooseNode::None;
-    int Lane = 0; ///< of the parent's
+    int Lane = 0; ///< lane in the parent
 
     void FitTo(const Entry* entries, std::size_t count);
     bool HasLanesForPlaces() const
@@ -176,9 +184,9 @@ private:
   void UpdateAbove(std::uint32_t node);
 
   std::vector<LooseNode> Nodes;
-  std::vector<Cell> Cells;          ///< of the nodes
-  std::vector<Place> Places;        ///< of the items
-  std::vector<std::uint8_t> IsHeld; ///< each item
+  std::vector<Cell> Cells;          ///< the cell of each node
+  std::vector<Place> Places;        ///< the place of each item
+  std::vector<std::uint8_t> IsHeld; ///< 1 for each item that is in the tree
   std::vector<std::uint32_t> WithoutPlace;
   std::size_t Changes = 0;
 };

@@ -12,26 +12,31 @@
 namespace vitrine
 {
 
-/** What a part hides with. */
+/** The mesh by which a part hides others. */
 struct Occluder
 {
-  const OccluderMesh* Mesh = nullptr;       ///< null if it hides nothing
-  const glm::dmat4* ToWorld = nullptr;      ///< from the mesh's model coordinates
-  const DeviceCoordinates* Drawn = nullptr; ///< what a device computes its places from
-  bool HasBackFaces = true; ///< whether faces that go around clockwise on the screen are drawn, too
-  const MeshBoxes* Boxes =
-    nullptr; ///< around the mesh's faces; null if there are none, or if more is drawn of the part than faces
-  bool IsOfFacesAlone = false; ///< whether nothing else is drawn of the part than the mesh's faces
+  const OccluderMesh* Mesh = nullptr;       ///< null if the part hides nothing
+  const glm::dmat4* ToWorld = nullptr;      ///< from model (MC) to world coordinates (WC)
+  const DeviceCoordinates* Drawn = nullptr; ///< the coordinates that a device reads
+  /** True if faces that are clockwise on the screen are drawn, too. */
+  bool HasBackFaces = true;
+  /** Boxes around the faces of the mesh. Null if there are none, or if more than the faces is drawn of the part. */
+  const MeshBoxes* Boxes = nullptr;
+  /** True if nothing but the faces of the mesh is drawn of the part. */
+  bool IsOfFacesAlone = false;
 };
 
-/** Tells what parts hide with; asked for those that show, and few others, by several threads at once. */
+/** Returns the occluders of parts. It is asked for parts that show and few others, by several threads at a time. */
 class OccluderSource
 {
 public:
   virtual ~OccluderSource() = default;
   virtual Occluder OccluderOf(std::uint32_t part) = 0;
 
-  /** The part may be asked for soon: a hint for those that keep what they tell far apart in memory. */
+  /**
+   * A hint that OccluderOf() may be called for the part soon. Sources that keep their data far apart in memory prefetch
+   * it.
+   */
   virtual void PrefetchOccluder(std::uint32_t part) const { static_cast<void>(part); }
 };
 

@@ -34,7 +34,10 @@ void PartCuller::Cull(const LooseOctree& tree, OccluderSource& occluders,
   this->KeepShown(tree, visible);
 }
 
-/** What the tree holds and no band shows is not visible. Parts may be a million, and few of them show, so nothing is asked of each. */
+/**
+ * Sets the bytes of all parts: a part in the tree is visible if a band shows it. There may be a million parts, few of
+ * which show, so no work is done for each of them.
+ */
 void PartCuller::KeepShown(const LooseOctree& tree, std::vector<std::uint8_t>& visible)
 {
   const std::size_t count = std::min(tree.ItemCount(), visible.size());

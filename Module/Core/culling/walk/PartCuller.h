@@ -11,47 +11,54 @@ namespace vitrine
 {
 
 /**
- * Finds which parts may show: in each band of the screen's lines by itself, several at a time.
+ * Finds which parts may show. The lines of the screen are cut into bands, each of which is culled on its own, several
+ * at a time.
  *
- * What hides a part in a band has nothing to do with other bands, so a part is hidden where none shows it. What is found depends on the number of bands, in what is left of a budget
- * alone, and not on that of threads.
+ * Other bands do not influence what hides a part in a band, so a part is hidden if no band shows it. The result depends
+ * on the number of bands, by the budget left in each, and not on the number of threads.
  */
 class PartCuller
 {
 public:
-  /** With an s-buffer of so many columns and lines, cut between pixels into so many bands, or fewer if those would have no lines. */
+  /**
+   * Makes an s-buffer with this number of columns and lines. It is cut between pixels into `bands` bands, or into fewer
+   * if some would have no line.
+   */
   PartCuller(int columns, int lines, const SampleGrid& samples = {}, int bands = 1);
 
   /**
    * Finds which parts may show.
-   * @param tree       of the parts' bounds, in world coordinates (WC); parts that are not in it stay as they are
-   * @param occluders  tells what the parts hide with; with several bands it is asked by several threads at once
-   * @param occlusion  false for what lies outside of the view alone
-   * @param visible    one for each part; on input 1 for those that this frame draws. 0 is put for what surely does not show
+   * @param tree       the boxes of the parts, in world coordinates (WC); bytes of parts that are not in it are kept
+   * @param occluders  returns the meshes that the parts hide others with; several threads ask it at a time
+   * @param occlusion  false to leave out only parts outside of the view
+   * @param visible    one byte per part; on input 1 for the parts that this frame draws. It becomes 0 for the parts
+   *                   that surely do not show.
    */
   void Cull(const LooseOctree& tree, OccluderSource& occluders, const ScreenProjection& view,
     bool occlusion, std::vector<std::uint8_t>& visible);
 
   /**
-   * Whether parts that the last frame found hidden are so wherever a device draws their faces, by what it left in the s-buffer.
-   * @returns  one for each part, 1 where they are
+   * Tests again whether parts are hidden, now wherever a device may draw them. Cull() has to come first: its s-buffer
+   * is used.
+   * @param parts  parts that Cull() found hidden
+   * @returns      one byte per entry of `parts`, 1 if it is hidden
    */
   std::vector<std::uint8_t> VerifyHidden(
     const std::vector<BoxedPart>& parts, ShapeSource& shapes, const ScreenProjection& view);
 
-  /** Of all bands: what lies in several of them counts in each. */
+  /** Sums over all bands. A part or node that lies in several bands counts in each. */
   CullCounts Counts() const;
   SBufferCounts BufferCounts() const;
 
-  /** Where something can show. */
+  /** The sample positions. */
   const SampleGrid& Samples() const { return this->Buffer().Samples(); }
 
-  /** Of all bands. */
+  /** The number of lines of all bands together. */
   int LineCount() const;
 
   std::size_t BandCount() const { return this->Bands.size(); }
 
-  /** The s-buffer of a band; they lie on each other from the bottom up. */
+  /** The s-buffer of a band. Band 0 is the lowest. */
   const SBuffer& Buffer(std::size_t band = 0) const { return this->Bands[band].Culler.Buffer(); }
 
 private:
@@ -64,7 +71,7 @@ private:
   void KeepShown(const LooseOctree& tree, std::vector<std::uint8_t>& visible);
 
   std::vector<Band> Bands;
-  std::vector<std::uint8_t> Unplaced; ///< whether parts that have no place are visible
+  std::vector<std::uint8_t> Unplaced; ///< the bytes of the parts that are not in the tree
 };
 
 }

@@ -8,24 +8,30 @@
 namespace vitrine
 {
 
-/** What a walk knows of each part, in a byte: parts come in any order, and each look at another place in memory takes as long as some tens of steps. */
+/**
+ * What a walk knows of each part, in one byte. Parts come in any order, and each access to another place in memory
+ * takes as long as some tens of steps.
+ */
 class PartStates
 {
 public:
-  static constexpr std::uint8_t IsDrawn = 1;   ///< in this frame
-  static constexpr std::uint8_t IsVisited = 2; ///< before its turn
+  static constexpr std::uint8_t IsDrawn = 1;   ///< the frame draws the part
+  static constexpr std::uint8_t IsVisited = 2; ///< the part was visited before its turn
   static constexpr std::uint8_t IsShown = 4;
-  static constexpr std::uint8_t WasSmall =
-    8; ///< its mesh had few points when it was last asked for
-  static constexpr std::uint8_t AreFacesHidden = 16; ///< each by itself, wherever a device draws it
-  static constexpr std::uint8_t WasIdle = 32;        ///< inserted in vain (LastOwners)
-  static constexpr std::uint8_t HasSamples = 64;  ///< of the s-buffer, now that the frame has ended
-  static constexpr std::uint8_t HadSamples = 128; ///< the same of the last frame
+  /** The mesh of the part had few points when it was last asked for. */
+  static constexpr std::uint8_t WasSmall = 8;
+  static constexpr std::uint8_t AreFacesHidden =
+    16; ///< all faces were found hidden one by one, wherever a device draws them
+  static constexpr std::uint8_t WasIdle = 32; ///< the part was inserted in vain (LastOwners)
+  static constexpr std::uint8_t HasSamples =
+    64; ///< the part owns samples of the s-buffer at the end of the frame
+  static constexpr std::uint8_t HadSamples =
+    128; ///< the part owned samples at the end of the last frame
 
   /**
-   * A frame begins, of which nothing is known but what parts are drawn.
-   * @param drawn  0 for others
-   * @returns      how many are
+   * Begins a frame. Of each part only IsDrawn, HadSamples, WasSmall and WasIdle are known then.
+   * @param drawn  0 for parts that the frame does not draw
+   * @returns      the number of parts that the frame draws
    */
   std::uint32_t Begin(const std::vector<std::uint8_t>& drawn)
   {
@@ -48,7 +54,7 @@ public:
 
   std::size_t Count() const { return this->States.size(); }
 
-  /** All bits of a part. */
+  /** Returns all bits of a part. */
   std::uint8_t operator[](std::uint32_t part) const { return this->States[part]; }
 
   bool Has(std::uint32_t part, std::uint8_t bit) const { return (this->States[part] & bit) != 0; }

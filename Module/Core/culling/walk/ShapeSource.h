@@ -13,29 +13,31 @@
 namespace vitrine
 {
 
-/** The planes of a part's faces, in its model coordinates. */
+/** The planes of the faces of a part, in model coordinates (MC). */
 struct PartPlanes
 {
   const FacePlanes* Planes;
   const glm::dmat4* ToWorld;
-  const DeviceCoordinates* Drawn; ///< what a device computes the part's places from
+  const DeviceCoordinates*
+    Drawn; ///< the coordinates from which a device computes the places of the points
   const glm::dmat4* FromWorld;
 };
 
-/** Tells what parts are, whatever they hide; asked by several threads at once. */
+/** Returns the geometry of parts, whether they hide others or not. It is asked by several threads at a time. */
 class ShapeSource : public OccluderSource
 {
 public:
-  /** Of all faces that are drawn of it, be they of a mesh that OccluderOf() does not tell. */
+  /** Returns the planes of all faces that are drawn of the part, even if OccluderOf() returns no mesh. */
   virtual PartPlanes PlanesOf(std::uint32_t part) = 0;
 
   /**
-   * Whether a device draws the part at one place of a pixel, and holds it to the depth of others at another: as passes do that blend what is translucent at the centres of pixels that
-   * have several samples, by the depth of any one of those.
+   * Returns true if a device draws the part at one place of a pixel but tests it against the depth at another one.
+   * Passes do so that blend translucent parts at the centres of pixels with several samples, against the depth of any
+   * sample.
    */
   virtual bool IsDrawnApart(std::uint32_t part) const = 0;
 
-  /** The lines that are drawn of it. */
+  /** Returns the lines that are drawn of the part. */
   virtual const std::vector<MeshLine>& LinesOf(std::uint32_t part) = 0;
 };
 
