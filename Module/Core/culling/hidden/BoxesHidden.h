@@ -11,9 +11,10 @@ namespace vitrine
 {
 
 /**
- * Whether there are boxes, and all lie outside of the view or are hidden: then no face of their mesh shows. Looks into boxes that
- * show, until one shows that has none in it.
- * @param toWorld  of the mesh's model coordinates; the sums that lead to the world from there are no larger than the view's reach
+ * Returns true if there are boxes and all of them lie outside of the view or are hidden. Then no face of the mesh
+ * shows. Descends into boxes that show, until it finds one without children.
+ * @param toWorld  from model (MC) to world coordinates (WC); the sums that lead to world coordinates must not exceed
+ *                 the reach of the view
  */
 bool AreBoxesHidden(const MeshBoxes& boxes, const SBuffer& lines, const ScreenProjection& view,
   const glm::dmat4& toWorld);

@@ -13,44 +13,50 @@
 namespace vitrine
 {
 
-/** What a face may touch of lines, wherever a device draws it, and how near it may be there. */
+/** The columns that a face may touch on lines, wherever a device draws it, and how near it may be there. */
 class FaceOnLines
 {
 public:
-  /** From where to where it reaches on each of eight lines; Left exceeds Right where it touches none of one. */
+  /** The columns that the face touches on each of eight lines. Left exceeds Right on lines that it does not touch. */
   struct ExtentLanes
   {
     float Left[LaneCount];
     float Right[LaneCount];
   };
 
-  /** Of one of the faces of a block. */
+  /** Prepares one face of a block. */
   FaceOnLines(const MeshProjection& projection, const FaceBlock& block, int lane);
 
-  /** Those that it may touch, of a screen that has so many. */
+  /** Returns the lines that the face may touch, of a screen with `count` lines. */
   LineRange Lines(int count) const;
 
-  /** Around the samples that it touches between two places on lines; Left exceeds Right if there are none. */
+  /**
+   * Returns the rectangle around the samples that the face touches between two places on lines. Left exceeds Right if
+   * there are none.
+   */
   ScreenRectangle RectangleBetween(float bottom, float top, const SBuffer& buffer) const;
 
-  /** What it touches of a line and of those above it that is not nearer to their sides than `inset`. */
+  /**
+   * Returns the columns that the face touches on a line and on the seven above it. Places nearer than `inset` to the
+   * sides of a line do not count.
+   */
   ExtentLanes Extents(int line, float inset) const;
 
-  /** What it has between two columns and two places on lines, which it may touch all of. */
+  /** Returns the segment between two columns and two places on lines, as if the face touched all of it. */
   HideableSegment Piece(float left, float right, float bottom, float top) const
   {
     return this->Plane.NearestSegment(
       left, right, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top));
   }
 
-  /** The same of a line and those above it that is not nearer to their sides than `inset`, whatever columns. */
+  /** The same for a line and the seven above it, without limits of columns. */
   HideableSegmentLanes Pieces(int line, float inset) const;
 
 private:
   FaceOnLines(
     const MeshProjection& projection, const MeshFace& face, const ScreenRectangle& around);
 
-  ScreenRectangle Around; ///< the face, margin included
+  ScreenRectangle Around; ///< the rectangle of the face, margin included
   ScreenEdge Edges[3];
   float Own;
   float Aside, Above;

@@ -17,10 +17,10 @@ namespace vitrine
 namespace
 {
 
-// Of depth. Faces that cuts leave in more doubt are looked at more closely.
+// A bound of depth. If SideCuts leaves more doubt about a face, CutFaces looks at it more closely.
 const float MostUnsteady = 0x1p-14f;
 
-// Of these it is found which may have samples before any is tested: most parts that show are found to by their first faces.
+// The number of faces that are searched for samples at once. Most parts that show are found to by their first faces.
 const std::size_t FacesAtOnce = 64;
 
 }
@@ -38,7 +38,7 @@ void HiddenFaces::BeginSampling(const MeshProjection& projection)
   this->WithSamples.Begin(projection, this->Lines.Samples(), this->View.GrowthOnScreen());
 }
 
-/** Whether those are that face the eye; finds the others that may have samples. */
+/** Returns true if all front faces are hidden. Finds the other faces that may have samples. */
 bool HiddenFaces::AreFrontsHidden(const MeshProjection& projection)
 {
   const std::vector<MeshFace>& faces = projection.Faces();
@@ -75,7 +75,9 @@ bool HiddenFaces::AreAllHidden(
   return true;
 }
 
-/** Those that a device may cut at the view's sides, and draw nearer for that. */
+/**
+ * Returns true if all faces are hidden that a device may cut at the sides of the view, and may draw nearer for that.
+ */
 bool HiddenFaces::AreCutFacesHidden(
   const MeshProjection& projection, const std::vector<std::uint32_t>& thin, float nearest)
 {
@@ -116,7 +118,7 @@ bool HiddenFaces::AreCutFacesHidden(
   return true;
 }
 
-/** Whether some faces of a block are: together, or one by one. */
+/** Returns true if some faces of a block are hidden. Tests them together first, then one by one. */
 bool HiddenFaces::AreHidden(
   const MeshProjection& projection, const FaceBlock& block, unsigned faces)
 {
@@ -172,7 +174,10 @@ bool HiddenFaces::AreSampledHiddenOfAnyThickness(const MeshProjection& projectio
   return true;
 }
 
-/** Slivers of which floats tell nothing are found in doubles. */
+/**
+ * Returns true if the faces of a block are hidden. Slivers of which floats tell nothing get depths that are found in
+ * doubles.
+ */
 bool HiddenFaces::AreHiddenOfAnyThickness(const MeshProjection& projection, FaceBlock block)
 {
   const unsigned faces = block.MayHaveAny(this->Lines.Samples(), this->View.GrowthOnScreen());
@@ -199,7 +204,7 @@ void HiddenFaces::ExcludeHidden(MeshProjection& projection, MeshProjection::Faci
   }
 }
 
-/** What is drawn wider than it is has no more than a rectangle. */
+/** Returns true if a face is hidden. A face that is drawn wider than it is can only be tested by its rectangle. */
 bool HiddenFaces::IsHidden(const MeshProjection& projection, const FaceBlock& block, int lane)
 {
   this->Shown = this->View.Grown(block.RectangleOf(lane));
@@ -216,7 +221,7 @@ bool HiddenFaces::IsHidden(const MeshProjection& projection, const FaceBlock& bl
   return lines.First <= lines.Last && this->IsHidden(face, lines);
 }
 
-/** Of what it has of some lines: half of them by half, down to few. */
+/** Returns true if a face is hidden on some lines. Halves them, down to at most eight. */
 bool HiddenFaces::IsHidden(const FaceOnLines& face, const LineRange& lines)
 {
   if (lines.Last - lines.First < LaneCount)
@@ -235,14 +240,16 @@ bool HiddenFaces::IsHidden(const FaceOnLines& face, const LineRange& lines)
     this->IsHidden(face, { middle + 1, lines.Last });
 }
 
-/** Of what it has of up to eight lines: its depth and what stands there may slant alike. */
+/**
+ * Returns true if a face is hidden on up to eight lines. Compares depths that may slant, as those in the s-buffer do.
+ */
 bool HiddenFaces::AreLinesHidden(const FaceOnLines& face, const LineRange& lines)
 {
   return this->Lines.BySample() ? this->AreSamplesHidden(face, lines)
                                 : this->AreSpansHidden(face, lines);
 }
 
-/** All lines at once. */
+/** Tests all lines at once, in an s-buffer of samples. */
 bool HiddenFaces::AreSamplesHidden(const FaceOnLines& face, const LineRange& lines)
 {
   const float inset = this->Lines.Samples().Inset();
@@ -263,7 +270,7 @@ bool HiddenFaces::AreSamplesHidden(const FaceOnLines& face, const LineRange& lin
   return false;
 }
 
-/** One by one. */
+/** Tests lines one by one, in an s-buffer of spans. */
 bool HiddenFaces::AreSpansHidden(const FaceOnLines& face, const LineRange& lines)
 {
   const float inset = this->Lines.Samples().Inset();

@@ -18,39 +18,46 @@ namespace vitrine
 class FaceOnLines;
 
 /**
- * Which faces of a part are hidden by what stands in an s-buffer: where the box around a part shows, and those around runs of its faces
- * do, all of its faces may be hidden still. A face is tested by the rectangle around it, and where that shows by the rectangles around what it has
- * of one half of its lines and the other, down to single ones.
+ * Tests whether the faces of a part are hidden by an s-buffer. They may all be hidden even if the box of the part and
+ * the boxes of runs of faces show.
+ *
+ * A face is tested by its rectangle. If that shows, the rectangles of its lower and its upper half are tested, and so
+ * on down to single lines.
  * (after J. E. Warnock: A hidden surface algorithm for computer generated halftone pictures, 1969)
  */
 class HiddenFaces
 {
 public:
-  /** @param view  with which parts are projected */
+  /** @param view  the view of the projections */
   HiddenFaces(const SBuffer& lines, const ScreenProjection& view)
     : Lines(lines)
     , View(view)
   {
   }
 
-  /** Whether all faces of a part are hidden. Those that face the eye come first: where any shows, one of them is likely to. */
+  /**
+   * Returns true if all faces are hidden. Front faces are tested first: if any face shows, one of them is likely to.
+   */
   bool AreAll(const MeshProjection& projection);
 
-  /** Whether all are, however many of them are so thin that nothing is known of their depth. */
+  /**
+   * The same if many faces may be slivers, of whose depth floats tell nothing. Such slivers are tested by depths that
+   * are found in doubles.
+   */
   bool AreAllOfAnyThickness(const MeshProjection& projection);
 
   /**
-   * The same of some of them, and of those that a device may cut.
-   * @param faces    their numbers, in order
-   * @param nearest  than which no other is nearer if it is not cut
+   * The same for some faces, and for all faces that a device may cut at the sides of the view.
+   * @param faces    numbers of faces, in ascending order
+   * @param nearest  no other face is nearer than this depth, unless it is cut
    */
   bool AreSomeOfAnyThickness(
     const MeshProjection& projection, const std::vector<std::uint32_t>& faces, float nearest);
 
-  /** Has faces that look one way count no more if the rectangles around them are hidden. */
+  /** Excludes faces of one facing from the projection if their rectangles are hidden, so that they are not inserted. */
   void ExcludeHidden(MeshProjection& projection, MeshProjection::Facing facing) const;
 
-  /** Where something was found that may show: as long as that is not hidden, the part is not. */
+  /** A place where a face may show. As long as this is not hidden, the part is not. */
   const ScreenRectangle& Witness() const { return this->Shown; }
 
 private:
@@ -73,14 +80,14 @@ private:
   const ScreenProjection& View;
   ScreenRectangle Shown{};
   SampledFaces WithSamples;
-  std::vector<std::uint32_t> Sampled, Fronts, Others; ///< faces of the part at hand
+  std::vector<std::uint32_t> Sampled, Fronts, Others; ///< numbers of faces of the current part
   CutFaces Cuts;
   std::vector<std::uint32_t> MaybeCut;
 };
 
 /**
- * The greatest reversed depth of what the faces of a mesh have on a screen of so many columns and lines; below all depths if
- * that is nothing.
+ * Returns the greatest reversed depth of the faces of a mesh on a screen with this number of columns and lines. Returns
+ * -1 if no face lies on the screen.
  */
 float NearestOnScreen(const MeshProjection& mesh, int columns, int lines);
 

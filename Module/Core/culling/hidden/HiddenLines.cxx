@@ -16,7 +16,7 @@ namespace vitrine
 namespace
 {
 
-/** What an end may be drawn at. */
+/** An end of a line on the screen. */
 struct ScreenEnd
 {
   glm::dvec2 Place; ///< column and line
@@ -29,7 +29,10 @@ struct ScreenEnd
   }
 };
 
-/** What two ends have between them, and what is drawn of that beyond them and beside; its depth is no number, or more than any, of a line that nothing is known of. */
+/**
+ * Returns the rectangle of a line, with all that is drawn beyond its ends and beside it. If its depth is not known,
+ * Nearest is infinite or no number.
+ */
 ScreenRectangle Around(
   const ScreenEnd& a, const ScreenEnd& b, const ScreenMargin& margin, const glm::dvec2& growth)
 {

@@ -11,7 +11,7 @@
 namespace vitrine
 {
 
-/** A line that is drawn of a part: its ends, in model coordinates (MC). */
+/** A line that is drawn of a part, by its ends in model coordinates (MC). */
 struct MeshLine
 {
   glm::dvec3 From;
@@ -19,10 +19,11 @@ struct MeshLine
 };
 
 /**
- * Whether all lines are hidden wherever a device draws them. They are drawn wider than they are, and beyond their ends, too: there their depth goes on as it does between them, so that it may be
- * nearer than either. Of lines that are seen from their end nothing is known.
- * @param toScreen  of their model coordinates
- * @param growth    by how many columns and lines of the screen they may be drawn beside themselves
+ * Returns true if all lines are hidden wherever a device draws them. A device draws lines wider than they are, and
+ * beyond their ends. There the depth goes on as it does between the ends, so it may be nearer than either. Returns
+ * false if a line is seen from its end, as its depth is not known then.
+ * @param toScreen  from model coordinates (MC) to the screen
+ * @param growth    by how many columns and lines a line may be drawn beside itself
  */
 bool AreLinesHidden(const std::vector<MeshLine>& lines, const ScreenMatrix& toScreen,
   const glm::vec2& growth, const SBuffer& buffer);

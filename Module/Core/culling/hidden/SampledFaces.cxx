@@ -20,7 +20,7 @@ void SampledFaces::Begin(
     const std::size_t first = std::min(i, columns.size() - LaneCount);
     const Lanes column = LoadLanes(&columns[first]), line = LoadLanes(&lines[first]);
     const Lanes unknown =
-      (column - column) + (line - line); // 0, or no number where either is not finite
+      (column - column) + (line - line); // 0, or no number if either is not finite
     const Lanes left = column + unknown - across, bottom = line + unknown - up;
     const SampleCounts ofColumns = samples.CountUpTo(left, column + across);
     const SampleCounts ofLines = samples.CountUpTo(bottom, line + up);
@@ -55,7 +55,10 @@ void SampledFaces::Add(
   }
 }
 
-/** Whether more samples come before the farthest of its corners than before the nearest one, both ways. */
+/**
+ * Returns true if more samples come before the farthest corner than before the nearest one, both in columns and in
+ * lines.
+ */
 VITRINE_INLINE bool SampledFaces::MayHaveAny(const MeshFace& face) const
 {
   const HalfMask a = this->Points[face[0]].All, b = this->Points[face[1]].All,

@@ -15,26 +15,32 @@ namespace vitrine
 {
 
 /**
- * Which faces of a mesh on the screen may have samples: of parts of many faces most lie between them, and nothing is drawn of those. Between which columns and lines of samples each
- * point is, wherever a device draws it, is found once for all of its faces; then a face takes three looks.
+ * Finds the faces of a mesh that may have samples. Most faces of a part with many faces lie between samples, so that
+ * nothing is drawn of them.
+ *
+ * The columns and lines of samples before each point are counted once, wherever a device draws the point. Then a face
+ * takes three look-ups.
  */
 class SampledFaces
 {
 public:
   /**
-   * @param projection  stays as it is as long as faces are asked for
-   * @param growth      by which faces are drawn wider
+   * @param projection  must not change while faces are added
+   * @param growth      by how many columns and lines faces are drawn wider
    */
   void Begin(const MeshProjection& projection, const SampleGrid& samples, const glm::vec2& growth);
 
-  /** Adds the numbers of those to a list that may have samples, of all faces from `first` up to before `end`. */
+  /** Appends the faces that may have samples to a list, among the faces from `first` up to before `end`. */
   void Add(std::size_t first, std::size_t end, std::vector<std::uint32_t>& to) const;
 
-  /** The same of faces whose numbers are in a list. */
+  /** The same for faces whose numbers are in a list. */
   void Add(const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& to) const;
 
 private:
-  /** How many columns and lines of samples come before a point, each followed by the negative of how many do if it is drawn as far beyond it as it may be. */
+  /**
+   * Four counts: the columns of samples before the leftmost place of a point, the negative of the number before its
+   * rightmost place, and the same for lines.
+   */
   struct Counts
   {
     HalfMask All;
