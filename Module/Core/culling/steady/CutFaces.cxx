@@ -16,13 +16,13 @@ namespace vitrine
 namespace
 {
 
-// Of a face of which more corners are left, as it is cut so often and so close to them, nothing is known.
+// If more corners are left of a face, nothing is known of it: it is cut too often and too close to its corners.
 const std::size_t MostCorners = 9;
-const std::size_t MostSlides = 8; // of one
+const std::size_t MostSlides = 8; // of one corner
 
-const double FarAway = 1e9; // columns and lines: more than matter anywhere
+const double FarAway = 1e9; // columns and lines: farther than anything that matters
 
-/** Of three corners. */
+/** Returns the places of three corners. */
 template <class Triangle>
 FacePlaces<float> PlacesOf(const Triangle& corners)
 {
@@ -108,7 +108,7 @@ bool CutFaces::IsKnown(const std::vector<CutCorner>& corners) const
       });
 }
 
-/** Where they are on the screen. */
+/** Finds the corners on the screen. */
 void CutFaces::FindCorners(const std::vector<CutCorner>& corners)
 {
   this->Corners.clear();
@@ -126,7 +126,7 @@ void CutFaces::FindCorners(const std::vector<CutCorner>& corners)
   }
 }
 
-/** Returns how far a corner slides at most by columns, and by lines. */
+/** Adds the slides of a corner on the screen. Returns how far it slides at most, in columns and in lines. */
 glm::dvec2 CutFaces::AddSlides(const CutCorner& corner)
 {
   double nearestW = corner.Place.w;
@@ -157,7 +157,7 @@ unsigned CutFaces::SidesAt(const glm::dvec2& place, const glm::dvec2& slid) cons
     unsigned{ place.y < low.y + view.Bottom() } << 2 | unsigned{ place.y > high.y } << 3;
 }
 
-/** Every three corners. */
+/** Calls a function with every triangle of corners. */
 template <class Function>
 void CutFaces::ForEachTriangle(const Function& function) const
 {
@@ -173,7 +173,7 @@ void CutFaces::ForEachTriangle(const Function& function) const
   }
 }
 
-/** Those of the largest triangle. */
+/** Finds the slopes of the largest triangle. */
 void CutFaces::FindSlopes()
 {
   Triangle largest{ &this->Corners[0], &this->Corners[1], &this->Corners[2] };
@@ -198,7 +198,7 @@ void CutFaces::FindSlopes()
   this->ByLine = most(slopes.ByLine);
 }
 
-/** By how much twice the area of a triangle may be off since its corners slide along edges. */
+/** Returns by how much twice the area of a triangle may be off because its corners slide along edges. */
 double CutFaces::AreaDoubt(const Triangle& corners) const
 {
   double doubt = 0.0, slidBefore = 0.0;
@@ -218,8 +218,10 @@ double CutFaces::AreaDoubt(const Triangle& corners) const
 }
 
 /**
- * What twice the area of a triangle is more than since two of its corners lie on one side of the view, a step of floats apart, and the third one surely beside it; 0 of others.
- * @param off  by how much columns and lines of all corners together may differ from where they are rounded to
+ * Returns a lower bound of twice the area of a triangle with two corners on one side of the view. A device tells these
+ * two apart by at least a step of floats, and the third corner is surely beside the side. Returns 0 for other
+ * triangles.
+ * @param off  bound of what rounding moves columns and lines of all corners, in sum
  */
 float CutFaces::LeastOnASide(const Triangle& corners, float off) const
 {
@@ -233,7 +235,10 @@ float CutFaces::LeastOnASide(const Triangle& corners, float off) const
     : 0.0f;
 }
 
-/** The corners lie in the face's plane, wherever it is, but for what is rounded where it is cut. */
+/**
+ * Returns by how much depths may be off in one triangle. Its corners lie in the plane of the face, wherever that is, up
+ * to rounding where it is cut.
+ */
 float CutFaces::UnsteadyIn(const Triangle& corners) const
 {
   FacePlaces<float> places = PlacesOf(corners);
@@ -253,7 +258,7 @@ float CutFaces::UnsteadyIn(const Triangle& corners) const
   const ScreenMargin& snapping = this->Projection->Snapping();
   const float unsteady =
     (byColumn * snapping.Column + byLine * snapping.Line) / leastArea + sides.Tilt(leastArea);
-  return unsteady < AnyDepth ? unsteady : AnyDepth; // as where it is no number
+  return unsteady < AnyDepth ? unsteady : AnyDepth; // also if it is no number
 }
 
 }

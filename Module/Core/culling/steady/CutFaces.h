@@ -17,42 +17,48 @@ namespace vitrine
 {
 
 /**
- * How far off a face's plane a device may draw it that cuts it at the sides of the view. Of what is left it draws triangles of the corners, whichever it likes, and takes depths from those. They lie in the face's plane
- * but for what is rounded where edges are cut: where two corners are close together, a triangle is a sliver that turns far for that, and is drawn beside itself.
+ * Bounds how far from the plane of a face a device may draw it if it cuts the face at the sides of the view. The device
+ * draws what is left as triangles of the corners, in any triangulation, and takes depths from those.
+ *
+ * The corners lie in the plane of the face, up to rounding where edges are cut. If two corners are close together, a
+ * triangle is a sliver. Then this rounding tilts it much, and the device draws it beside its place.
  */
 class CutFaces
 {
 public:
   /**
-   * Comes to a mesh that is projected, and stays so while faces of it are asked for.
-   * @param samples  where something can show
+   * Takes a projected mesh. The projection must not change while its faces are asked for.
+   * @param samples  the sample positions
    */
   void Begin(const MeshProjection& projection, const SampleGrid& samples);
 
   /**
-   * Of depths of a face of the mesh, by how much they may be off in any of the triangles, none of which is thinner for a device than a step of its floats; 0 if it is not cut, and more than all depths differ if
-   * nothing is known.
+   * Returns by how much the depths of a face of the mesh may be off, in any triangulation of what is left. Returns 0 if
+   * the face is not cut, and AnyDepth if nothing is known. Triangles that are thinner for a device than a step of its
+   * floats do not count.
    */
   float UnsteadyOf(const MeshFace& face);
 
-  /** The same of one of the projection's faces. */
+  /** The same for a face of the projection, by its number. */
   float UnsteadyOf(std::uint32_t face) { return this->UnsteadyOf(this->Projection->WholeOf(face)); }
 
-  /** The same of both faces of facets that are seen from one side; 0 of the others. */
+  /**
+   * The same for facets that are seen from one side, as the maximum over both of their faces. It is 0 for other facets.
+   */
   FacetDepths UnsteadyOf(const FewFacets& facets, MeshProjection::Facing facing);
 
 private:
-  /** A corner of what is left of the face at hand. */
+  /** A corner of what is left of the current face, on the screen. */
   struct Corner
   {
     float Column, Line, Depth, InverseOfW;
-    float Reach; ///< as CutCorner has it
+    float Reach; ///< as CutCorner::Reach
     glm::dvec2 Place;
-    SlideRange Slides; ///< of SlidesOnScreen
-    double Slid;       ///< by all of those at most
-    unsigned
-      Sides; ///< of the view that it lies so close to that nothing beyond it has samples, a bit for each
-    unsigned Planes; ///< as CutCorner has them
+    SlideRange Slides; ///< range in SlidesOnScreen
+    double Slid;       ///< the length of all slides together
+    /** A bit for each side of the view that the corner lies close to: nothing beyond the corner has samples. */
+    unsigned Sides;
+    unsigned Planes; ///< as CutCorner::Planes
   };
 
   using Triangle = std::array<const Corner*, 3>;
@@ -69,14 +75,14 @@ private:
   float UnsteadyIn(const Triangle& corners) const;
 
   const MeshProjection* Projection = nullptr;
-  bool MayBeCut = false; ///< any of its faces
+  bool MayBeCut = false; ///< a device may cut some face of the mesh
   ViewCuts Cuts;
-  ScreenRounding OfCuts{};   ///< of where edges are cut
-  float Step = 0.0f;         ///< of columns and lines
-  bool AreSidesBare = false; ///< of samples
+  ScreenRounding OfCuts{};   ///< rounding of places where edges are cut
+  float Step = 0.0f;         ///< the step of floats, in columns and lines
+  bool AreSidesBare = false; ///< no samples lie close to the sides of the view
   std::vector<Corner> Corners;
-  std::vector<glm::dvec2> SlidesOnScreen; ///< of them, in columns and lines
-  float ByColumn = 0.0f; ///< by how much the depth of the face at hand changes, without the sign
+  std::vector<glm::dvec2> SlidesOnScreen; ///< slides of the corners, in columns and lines
+  float ByColumn = 0.0f; ///< the greatest slopes of depth of the current face, without sign
   float ByLine = 0.0f;
 };
 

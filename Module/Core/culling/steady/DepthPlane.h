@@ -14,21 +14,24 @@ namespace vitrine
 template <class Number>
 struct FacePlaces;
 
-/** A face's depth as a function of the place on the screen, and what is known of it where that is too steep (FaceSlopes.h). */
+/**
+ * The depth of a face as a function of the place on the screen, with bounds for what a device may draw. Where the face
+ * is too steep only the depths of its corners count (FaceSlopes.h).
+ */
 class DepthPlane
 {
 public:
   /**
-   * @param margin    all that a device may move points by
-   * @param snapping  what of that it moves them by to see what they cover
+   * @param margin    how far a device may move points, in all
+   * @param snapping  the part of the margin by which it moves points to find what they cover
    */
   DepthPlane(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
     const ScreenMargin& margin, const ScreenMargin& snapping);
 
-  /** Of a face of a mesh, whose corners a device rounds the more the nearer they are. */
+  /** Makes the plane of a face of a mesh. A device rounds its corners the more the nearer they are. */
   DepthPlane(const MeshProjection& projection, const MeshFace& face);
 
-  /** Has what may be drawn be off by more. */
+  /** Lets the depths be off by `depth` more. */
   void Unsettle(float depth)
   {
     this->Below.Slack += depth;
@@ -36,19 +39,22 @@ public:
     this->Nearest += depth;
   }
 
-  /** Has nothing of it be nearer than that. */
+  /** Lets no depth be nearer than `depth`. */
   void LimitNearest(float depth) { this->Nearest = std::min(this->Nearest, depth); }
 
-  /** What nothing that may be drawn is farther than. */
+  /** A bound of depth that nothing that may be drawn is farther than. */
   const SlantedDepth& Bound() const { return this->Below; }
 
-  /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
+  /** Returns that bound between two columns and two lines: the plane or the farthest corner, whichever is nearer. */
   DepthBound BoundIn(float left, float right, float bottom, float top) const
   {
     return this->Below.BoundIn(left, right, bottom, top);
   }
 
-  /** What may be drawn between two columns and two lines, as near as it may be: as the plane or the nearest corner, whichever is farther. */
+  /**
+   * Returns a segment that nothing drawn between two columns and two lines is nearer than: the plane or the nearest
+   * corner, whichever is farther.
+   */
   HideableSegment NearestSegment(float left, float right, float bottom, float top) const
   {
     const SlantedDepth& plane = this->Below;
@@ -56,7 +62,10 @@ public:
     return { left, right, plane.Origin.Column, depth, plane.ByColumn, this->Nearest };
   }
 
-  /** The depth of its plane at the column of its origin: between two lines, or between two of each of eight pairs (Lanes). */
+  /**
+   * Returns the greatest depth of the plane between two lines, at the column of its origin. It works on one pair of
+   * lines or on eight (Lanes).
+   */
   template <class Number>
   VITRINE_INLINE Number NearDepthsAtOrigin(const Number& bottom, const Number& top) const
   {
@@ -65,7 +74,7 @@ public:
     return plane.Origin.Depth + (line - plane.Origin.Line) * plane.ByLine + plane.Slack;
   }
 
-  /** The greatest depth of that. */
+  /** Returns the greatest depth between two columns and two lines. */
   float NearestIn(float left, float right, float bottom, float top) const
   {
     return this->NearestSegment(left, right, bottom, top)

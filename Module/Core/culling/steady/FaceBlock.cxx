@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-/** Elsewhere `other`. */
+/** Stores `values` where the mask is set, and `other` elsewhere. */
 VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* place)
 {
   StoreLanes(mask ? values : AllLanes(other), place);

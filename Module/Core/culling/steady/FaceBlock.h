@@ -16,48 +16,53 @@ namespace vitrine
 {
 
 /**
- * Where up to eight faces of a mesh are on the screen: most often close together, so that what hides one hides all of them.
+ * The rectangles of up to eight faces of a mesh. Most often the faces are close together, so that what hides one hides
+ * all.
  */
 class FaceBlock
 {
 public:
   /**
-   * @param projection  has the faces, which stay there as long as this does
-   * @param faces       the numbers of some
-   * @param first       of those it takes this one, and up to seven behind it
+   * @param projection  must outlive the block
+   * @param faces       numbers of faces
+   * @param first       index of the first face of the block; up to seven more follow
    */
   FaceBlock(
     const MeshProjection& projection, const std::vector<std::uint32_t>& faces, std::size_t first);
 
-  /** A bit for each face that may have samples, where faces are drawn farther by so much. */
+  /**
+   * Returns a bit for each face that may have samples.
+   * @param growth  by how many columns and lines faces are drawn wider
+   */
   unsigned MayHaveAny(const SampleGrid& samples, const glm::vec2& growth) const;
 
-  /** A bit for each face. */
+  /** Returns a bit for each face of the block. */
   unsigned All() const { return (1u << this->Count) - 1u; }
 
   const MeshFace& Face(int lane) const { return *this->Faces[lane]; }
 
-  /** To eight faces: where the block has fewer, to the last one again. */
+  /** Pointers to eight faces. If the block has fewer, the last one is repeated. */
   const MeshFace* const* Pointers() const { return this->Faces; }
 
-  /** Has one of the faces be no nearer than that. */
+  /** Lets one face be no nearer than `nearest`. */
   void LimitNearest(int lane, float nearest)
   {
     this->Nearest[lane] = std::min(this->Nearest[lane], nearest);
   }
 
-  /** Has depths of one of the faces be off by more. */
+  /** Lets the depths of one face be off by `depth` more. */
   void Unsettle(int lane, float depth)
   {
     this->UnsteadyBy[lane] = depth;
     this->Nearest[lane] += depth;
   }
 
-  /** That. */
+  /** Returns the depth that was given to Unsettle(), or 0. */
   float Unsteady(int lane) const { return this->UnsteadyBy[lane]; }
 
   /**
-   * Around one of the faces, margin included, and the nearest depth at which a device may draw it. It is everywhere and hidden by nothing if it is not finite.
+   * Returns the rectangle of one face, margin included, and the nearest depth at which a device may draw it. A face
+   * that is not finite may be everywhere, and nothing hides it.
    */
   ScreenRectangle RectangleOf(int lane) const
   {
@@ -66,8 +71,8 @@ public:
   }
 
   /**
-   * Around all of some of them, and nowhere if there are none.
-   * @param faces  a bit for each
+   * Returns the rectangle around some faces. It is empty if there are none.
+   * @param faces  a bit for each face
    */
   ScreenRectangle RectangleAround(unsigned faces) const;
 

@@ -13,8 +13,9 @@ namespace vitrine
 {
 
 /**
- * Points to the face `first` of those whose numbers are in a list and to up to seven behind it; where there are fewer, to the last one again.
- * @returns  how many there are
+ * Sets pointers to up to eight faces whose numbers are in a list, from index `first` on. If there are fewer, the last
+ * one is repeated.
+ * @returns  the number of faces
  */
 inline int FindFaces(const MeshProjection& projection, const std::vector<std::uint32_t>& numbers,
   std::size_t first, const MeshFace* (&faces)[LaneCount])

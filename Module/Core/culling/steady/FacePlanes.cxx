@@ -18,13 +18,17 @@ namespace vitrine
 namespace
 {
 
-// Planes of faces that follow one another are one, if they differ by less of all distances; as those do into which a polygon was cut.
+// The planes of consecutive faces are one if they differ by less than this share of all distances. So a polygon that
+// was cut into faces has one plane.
 const double SamePlane = 1e-6;
 
-// So many are looked at before their faces are listed.
+// The number of planes that are tested before the faces of thin ones are listed.
 const std::size_t PlanesAtOnce = 64 * LaneCount;
 
-/** How corners lie along the axes, exactly: bits 0 to 2 tell along which an edge lies, bits 3 to 5 on which the face is at one place. */
+/**
+ * Returns how a face is aligned with the axes, exactly. Bits 0 to 2 tell along which axes an edge lies. Bits 3 to 5
+ * tell on which axes all corners have one coordinate.
+ */
 std::uint8_t AlignmentOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
   unsigned bits = 0;
@@ -39,7 +43,7 @@ std::uint8_t AlignmentOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dv
   return static_cast<std::uint8_t>(bits);
 }
 
-/** The axis that a direction lies along exactly; -1 if it is none. */
+/** Returns the axis that a direction lies along exactly, or -1. */
 int AxisOf(const glm::dvec4& direction)
 {
   int axis = -1;
@@ -53,7 +57,10 @@ int AxisOf(const glm::dvec4& direction)
   return axis < 3 ? axis : -1;
 }
 
-/** Alignments with which a face has no area in a view, since corners of it are at one place or all at one column or line, for a device as for us: its matrix has zeros there. */
+/**
+ * Returns the alignments with which a face has no area in a view: some of its corners coincide, or all lie on one
+ * column or line. That holds for a device as for us, since the matrix has zeros there.
+ */
 unsigned VanishingIn(const PlaneView& view)
 {
   const int ahead = AxisOf(view.Eye), across = AxisOf(view.ByColumn), up = AxisOf(view.ByLine);
@@ -64,25 +71,31 @@ unsigned VanishingIn(const PlaneView& view)
   return 1u << ahead | (across < 0 || up < 0 ? 0u : 8u << across | 8u << up);
 }
 
-/** Whether an OccluderMesh has such a face. */
+/** Returns true if an OccluderMesh keeps such a face. */
 bool IsFaceOfMesh(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
   return IsFinite(a) && IsFinite(b) && IsFinite(c) && a != b && b != c && c != a;
 }
 }
 
-/** Of a face, or of several that follow each other. Of a face without area, which may have some where a device rounds its corners, it is not known. */
+/**
+ * The plane of a face or of several consecutive ones. The plane of a face without area is not known: the face may have
+ * area where a device rounds its corners.
+ */
 struct FacePlanes::Plane
 {
   glm::dvec3 Normal{ 0.0 };
   glm::dvec3 Place{ 0.0 };
   std::uint32_t FirstFace = 0;
-  std::uint8_t Alignment = 0; ///< of all of them
-  double Extent = 0.0;        ///< across the face; 0 where the plane is not known
-  double Deviation =
-    0.0; ///< of the others' distances from an eye, as a share of how far it is from the farthest point
+  std::uint8_t Alignment = 0; ///< common alignment of all of its faces
+  double Extent = 0.0;        ///< width across the narrowest face; 0 if the plane is not known
+  /**
+   * Bound of the error in the distances of the other faces from an eye, as a share of the distance from the eye to the
+   * farthest point.
+   */
+  double Deviation = 0.0;
 
-  /** Takes another face for one of this plane, if it is. */
+  /** Takes another face into this plane if it lies there. Returns true then. */
   bool Takes(const Plane& other, double radius)
   {
     const double turned = glm::length(other.Normal - this->Normal);
@@ -160,7 +173,7 @@ void FacePlanes::Keep(const std::vector<Plane>& planes, std::uint32_t faces)
   this->Pad();
 }
 
-/** Fill up what is looked at eight at a time. */
+/** Pads the arrays to a multiple of eight. */
 void FacePlanes::Pad()
 {
   while (this->Planes[0].size() % LaneCount != 0)
@@ -207,7 +220,7 @@ glm::dvec2 FacePlanes::FindThin(
       const LaneMask isThick = surely * LoadLanes(extent + i) > most;
       nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
       areThin[(i - first) / LaneCount] =
-        static_cast<std::uint8_t>(BitsOf(~isThick)); // as where it is no number
+        static_cast<std::uint8_t>(BitsOf(~isThick)); // also if it is no number
     }
     this->AddFaces(first, end, areThin, vanishing, thin);
   }
@@ -215,13 +228,17 @@ glm::dvec2 FacePlanes::FindThin(
     static_cast<double>(LeastLane(nearestOfOthers));
 }
 
-/** How far a place, or a direction, is from any of the planes at most. */
+/** Returns the greatest distance of a place, or of a direction, from any of the planes. */
 double FacePlanes::FarthestFrom(const glm::dvec4& place) const
 {
   return glm::length(glm::dvec3(place) - place.w * this->Middle) + std::abs(place.w) * this->Radius;
 }
 
-/** Those of some planes, of which there is a bit for each from one up to before another, but for faces that are aligned so. */
+/**
+ * Adds the faces of some planes from `first` up to before `end`.
+ * @param planes     a bit for each plane whose faces are added
+ * @param vanishing  planes with any of these alignments are left out
+ */
 void FacePlanes::AddFaces(std::size_t first, std::size_t end, const std::uint8_t* planes,
   unsigned vanishing, std::vector<std::uint32_t>& to) const
 {

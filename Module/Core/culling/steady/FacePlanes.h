@@ -14,32 +14,39 @@ namespace vitrine
 {
 
 /**
- * The planes of a mesh's faces, to be asked which of them an eye sees from the edge. What a device draws of such a face may have any depth, so that it may show in front of
- * what hides all of the mesh. What it draws beside another one lies in its plane, and may be nearer than its corners, too.
+ * The planes of the faces of a mesh. It finds the faces that an eye sees from their edge. What a device draws of such a
+ * face may have any depth, so it may show in front of an occluder of the whole mesh. What a device draws beside another
+ * face lies in the plane of that face. It may be nearer than the corners, too.
  */
 class FacePlanes
 {
 public:
   /**
-   * @param points   model coordinates (MC)
-   * @param corners  three indices of points for each triangle; those without three points that are finite and differ have no plane
+   * @param points   in model coordinates (MC)
+   * @param corners  three indices of points per triangle; a triangle without three finite and different points has no
+   *                 plane
    */
   FacePlanes(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
-  /** How thick a face may look to be thin: as lengths in model coordinates at a distance of 1, or in a parallel view. */
+  /**
+   * The thickness on the screen up to which a face is thin. It is a length in model coordinates (MC) at a distance of
+   * 1, or in a parallel view.
+   */
   struct Thickness
   {
-    double Fixed = 0.0;  ///< on the screen
-    double ByNear = 0.0; ///< and that, the more the nearer it is
-    double Unevenness =
-      1.0; ///< by how much more the way to the world makes some lengths longer than others, squared
+    double Fixed = 0.0;  ///< the part that is the same at all distances
+    double ByNear = 0.0; ///< the part that grows as the face is nearer
+    /** Squared ratio of the greatest to the least factor by which lengths grow on the way to world coordinates. */
+    double Unevenness = 1.0;
   };
 
   /**
-   * Finds faces that may be no thicker than that on the screen, but for those that have no area there however corners are rounded: in parallel views along an axis.
-   * @param view  in model coordinates
-   * @param thin  takes the numbers of such faces, and maybe of others beside them, as an OccluderMesh of the same triangles has them
-   * @returns     by how much depth may change at most along the planes of all others, from column to column and from line to line
+   * Finds the faces that may be thin on the screen. Leaves out faces without any area there however a device rounds
+   * their corners, as in parallel views along an axis.
+   * @param view  in model coordinates (MC)
+   * @param thin  gets the numbers of thin faces, and maybe of others, counted as in an OccluderMesh of the same
+   *              triangles
+   * @returns     the greatest change of depth along the planes of all other faces, per column and per line
    */
   glm::dvec2 FindThin(
     const PlaneView& view, const Thickness& thickness, std::vector<std::uint32_t>& thin) const;
@@ -56,10 +63,10 @@ private:
 
   glm::dvec3 Middle{ 0.0 };
   double Radius = 0.0;
-  std::vector<float> Planes
-    [6]; ///< unit normals, distances from the middle, how wide the faces are, and how far off their planes
-  std::vector<std::uint32_t> FirstFaces; ///< of each plane, and the number of all faces
-  std::vector<std::uint8_t> Alignments;  ///< of the faces of each plane with axes
+  /** Unit normals, distances from the middle, widths of the faces, and how far faces are off their plane. */
+  std::vector<float> Planes[6];
+  std::vector<std::uint32_t> FirstFaces; ///< the first face of each plane, and the number of faces
+  std::vector<std::uint8_t> Alignments;  ///< how the faces of each plane are aligned with the axes
 };
 
 }

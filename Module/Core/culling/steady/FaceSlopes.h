@@ -9,18 +9,21 @@
 namespace vitrine
 {
 
-inline constexpr float AnyDepth = 2.0f; ///< more than all depths differ
+inline constexpr float AnyDepth = 2.0f; ///< more than the difference of any two depths
 
-/** A number, and by how much it may be off. */
+/** A number with bounds of its error. */
 template <class Number>
 struct Estimate
 {
   Number Value;
-  Number Own; ///< by our sums in floats
-  Number Off; ///< by a device's other corners, too
+  Number Own; ///< error by the floats of the culler
+  Number Off; ///< error by other corners of a device as well
 };
 
-/** A coordinate of a face's corners: what its two sides that begin at the first one have of it, and how far off a device may be in each. */
+/**
+ * One coordinate of the corners of a face: its differences along the two sides from the first corner, and the error
+ * bound of each corner on a device.
+ */
 template <class Number>
 struct FaceSides
 {
@@ -28,7 +31,7 @@ struct FaceSides
   Number Second;
   Number Off[3];
 
-  /** @param inversesOfW  of the corners */
+  /** @param inversesOfW  1 / w of the corners */
   template <class Rounding>
   VITRINE_INLINE FaceSides(
     const Number (&values)[3], const Number (&inversesOfW)[3], const Rounding& rounding)
@@ -39,14 +42,17 @@ struct FaceSides
   {
   }
 
-  /** By how much its cross products change at most that another coordinate of the corners is off by so much. */
+  /**
+   * Returns the bound by which its cross products with another coordinate change if that is off by `off` at the
+   * corners.
+   */
   VITRINE_INLINE Number Times(const Number (&off)[3]) const
   {
     return off[0] * SizeOf(this->Second - this->First) + off[1] * SizeOf(this->Second) +
       off[2] * SizeOf(this->First);
   }
 
-  /** From one corner to another at most. */
+  /** Returns the greatest difference between two corners. */
   VITRINE_INLINE Number Largest() const
   {
     return GreatestOf(
@@ -56,14 +62,14 @@ struct FaceSides
   VITRINE_INLINE Number SumOff() const { return this->Off[0] + this->Off[1] + this->Off[2]; }
 };
 
-/** Where a face's corners are on the screen, and 1 over their w. */
+/** The corners of a face on the screen, and 1 / w of each. */
 template <class Number>
 struct FacePlaces
 {
   Number Columns[3], Lines[3], Depths[3], InversesOfW[3];
 };
 
-/** A difference of products of sides, be it twice the area of a face or what a slope has of that. */
+/** Returns the cross product of sides: twice the area of a face, or the numerator of a slope. */
 template <class Number>
 VITRINE_INLINE Estimate<Number> Cross(const FaceSides<Number>& a, const FaceSides<Number>& b)
 {
@@ -77,7 +83,7 @@ template <class Number>
 struct SidesOnScreen
 {
   FaceSides<Number> Columns, Lines, Depths;
-  Estimate<Number> Area; ///< twice, and signed
+  Estimate<Number> Area; ///< twice the signed area
 
   template <class Rounding>
   VITRINE_INLINE SidesOnScreen(const FacePlaces<Number>& places, const Rounding& rounding)
@@ -88,12 +94,12 @@ struct SidesOnScreen
   {
   }
 
-  /** What the area is surely more than, if that is positive. */
+  /** Returns a lower bound of the absolute area, if it is positive. */
   VITRINE_INLINE Number LeastArea() const { return SizeOf(this->Area.Value) - this->Area.Off; }
 
   /**
-   * By how much of its depth a device's plane tilts: the products of which it subtracts one from another to find slopes and the area
-   * are large where a sliver is long. Each slope counts as far as the face reaches.
+   * Returns by how much the plane that a device computes may tilt. It finds slopes and area as differences of products,
+   * which are large for a long sliver. Each slope counts as far as the face reaches.
    */
   VITRINE_INLINE Number Tilt(const Number& area) const
   {
@@ -103,18 +109,20 @@ struct SidesOnScreen
 };
 
 /**
- * How a face's depth changes from column to column and from line to line, and what is not known of that: of one face (float, double) or of eight (Lanes).
+ * How the depth of a face changes from column to column and from line to line, with error bounds. It works on one face
+ * (float, double) or on eight (Lanes).
  *
- * A device snaps corners to see what they cover. Some take depths from corners that are not snapped, so that the plane counts
- * beside the face, too; and they round corners before, which slopes differ by. A sliver's are steep, and where rounding may take all of its area nothing is known of them.
+ * A device snaps corners to find what they cover. Some devices take depths from corners that are not snapped, so that
+ * the plane counts beside the face, too. They round these corners, which changes the slopes. The slopes of a sliver are
+ * steep. If rounding may take all of its area, nothing is known of them.
  */
 template <class Number>
 class FaceSlopes
 {
 public:
   /**
-   * @param rounding  what a device's floats round of points: ScreenRounding or DeviceScreenRounding
-   * @param snapping  what it moves them by to see what they cover
+   * @param rounding  what the floats of a device round of points: ScreenRounding or DeviceScreenRounding
+   * @param snapping  how far a device moves points to find what they cover
    */
   template <class Rounding>
   VITRINE_INLINE FaceSlopes(
@@ -130,15 +138,15 @@ public:
                                           : anyDepth;
     const Number beside = this->Unsteady + SizeOf(this->ByColumn.Value) * snapping.Column +
       SizeOf(this->ByLine.Value) * snapping.Line;
-    this->Beyond = beside < anyDepth ? beside : anyDepth; // as where it is no number
+    this->Beyond = beside < anyDepth ? beside : anyDepth; // also if it is no number
   }
 
   Estimate<Number> ByColumn, ByLine;
-  Number Unsteady; ///< what depths may be off by, that slopes are not known better
-  Number Beyond;   ///< by how much depths may exceed those of the corners
+  Number Unsteady; ///< error of depths, as slopes are not known better
+  Number Beyond;   ///< how far depths may exceed those of the corners
 
 private:
-  /** Off is negative, infinite or no number if nothing is known. */
+  /** Returns a quotient. Off is negative, infinite or no number if nothing is known. */
   VITRINE_INLINE static Estimate<Number> Quotient(
     const Estimate<Number>& a, const Estimate<Number>& b)
   {

@@ -19,11 +19,11 @@ VITRINE_INLINE Lanes GreatestIn(const Lanes (&a)[3])
   return GreatestOf(a[0], a[1], a[2]);
 }
 
-/** How far inwards corners are from the one side of the view that faces reach beyond. */
+/** The distances of the corners from the one side of the view that faces reach beyond, positive inwards. */
 struct CornersFromSide
 {
   Lanes A, B, C;
-  LaneMask AreKnown; ///< as one side cuts the face, and no corner is close to it
+  LaneMask AreKnown; ///< one side cuts the face, and no corner is close to it
 
   VITRINE_INLINE CornersFromSide(
     const FacePlaces<Lanes>& places, const ScreenMarginOf<Lanes>& margin, const ScreenMatrix& view)
@@ -55,7 +55,10 @@ struct CornersFromSide
     this->AreKnown = isOneSide & isInDepth & isAcross & (away > leastAway);
   }
 
-  /** The least triangle of the corners that are left, as a share of the face. One corner lies on another side than both others. */
+  /**
+   * Returns the area of the smallest triangle of what is left, as a share of the face. One corner lies on one side of
+   * the cut, and two on the other.
+   */
   VITRINE_INLINE Lanes LeastShare() const
   {
     const LaneMask isB = (this->B > 0.0f) != (this->A > 0.0f);
@@ -71,7 +74,7 @@ struct CornersFromSide
   }
 };
 
-/** Of places of which all corners are rounded as much as times `inverseOfW`. */
+/** Returns the sides of faces, with the rounding of `inverseOfW` for all corners. */
 VITRINE_INLINE SidesOnScreen<Lanes> SidesOf(
   FacePlaces<Lanes> places, const Lanes& inverseOfW, const ScreenRounding& rounding)
 {
@@ -82,7 +85,7 @@ VITRINE_INLINE SidesOnScreen<Lanes> SidesOf(
   return SidesOnScreen<Lanes>(places, rounding);
 }
 
-/** By how much cross products of sides between any places within a face may be off. */
+/** Returns the error bound of cross products of sides between any places within a face. */
 VITRINE_INLINE Lanes MostOff(const FaceSides<Lanes>& a, const FaceSides<Lanes>& b)
 {
   const Lanes largestA = a.Largest(), largestB = b.Largest();
@@ -90,7 +93,7 @@ VITRINE_INLINE Lanes MostOff(const FaceSides<Lanes>& a, const FaceSides<Lanes>& 
     largestB * a.SumOff() + a.SumOff() * b.SumOff();
 }
 
-/** As CutCorner has it, of wherever edges are cut. */
+/** Returns CutCorner::Reach for any place where edges are cut. */
 VITRINE_INLINE Lanes ReachOf(const FacePlaces<Lanes>& places, const ScreenMatrix& view)
 {
   const float height = view.Top() - view.Bottom();
@@ -110,7 +113,7 @@ std::array<float, LaneCount> SideCuts::UnsteadyOf(const FaceBlock& faces) const
 {
   std::array<float, LaneCount> told;
   told.fill(AnyDepth);
-  if (!this->Projection.IsBehindNear()) // some may be pieces of faces
+  if (!this->Projection.IsBehindNear()) // otherwise some may be pieces of faces
   {
     return told;
   }

@@ -13,20 +13,26 @@ namespace vitrine
 {
 
 /**
- * How far off their planes a device may draw faces that one side of the view cuts, eight at a time: what CutFaces finds of each, or more, in a fraction of the time. What is left of such a face has four corners
- * or three, and each triangle of those a share of its area, which where the side cuts two of its edges tells.
+ * Bounds how far from their planes a device may draw faces that one side of the view cuts, eight at a time. It finds
+ * what CutFaces finds, or more, in a fraction of the time.
+ *
+ * A face that is cut so has three or four corners left. The side cuts two edges, and the two cuts tell the share of the
+ * area of each triangle of these corners.
  */
 class SideCuts
 {
 public:
-  /** Of a mesh that is projected, and stays so while faces of it are asked for. */
+  /** Takes a projected mesh. The projection must not change while its faces are asked for. */
   explicit SideCuts(const MeshProjection& projection)
     : Projection(projection)
     , OfCuts(RoundingWhereCut(projection.View()))
   {
   }
 
-  /** Of each face of a block; AnyDepth where this does not tell it: of those that are cut elsewhere, too, and those with a corner close to the side. */
+  /**
+   * Returns the bound of each face of a block. It is AnyDepth for faces that are cut elsewhere as well, and for faces
+   * with a corner close to the side.
+   */
   std::array<float, LaneCount> UnsteadyOf(const FaceBlock& faces) const;
 
 private:

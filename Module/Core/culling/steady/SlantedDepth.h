@@ -6,23 +6,26 @@
 namespace vitrine
 {
 
-/** A lower bound of reversed depth in a cell of a line, linear between the cell's sides. */
+/** A lower bound of reversed depth in a cell of a line, linear between the sides of the cell. */
 struct DepthBound
 {
   float Left;
   float Right;
 };
 
-/** What lies nowhere farther than a plane of reversed depth, give or take the slack, nor farther than a corner. */
+/** A lower bound of reversed depth: a plane minus a slack, or the farthest corner, whichever is nearer. */
 struct SlantedDepth
 {
-  ScreenPoint Origin{}; ///< where the plane passes
+  ScreenPoint Origin{}; ///< a point of the plane
   float ByColumn = 0.0f;
   float ByLine = 0.0f;
   float Slack = 0.0f;
   float Farthest = 0.0f;
 
-  /** Of what lies between two columns and two lines: the plane's or the farthest corner's, whichever is nearer. */
+  /**
+   * Returns the bound between two columns and two lines: that of the plane or of the farthest corner, whichever is
+   * nearer.
+   */
   DepthBound BoundIn(float left, float right, float bottom, float top) const
   {
     const float farLine = this->ByLine > 0.0f ? bottom : top;

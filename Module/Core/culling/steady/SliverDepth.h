@@ -7,8 +7,9 @@ namespace vitrine
 {
 
 /**
- * How near a device may draw a face that lies in the view, whatever our floats round of it: of slivers these tell nothing that are known in doubles. All of the mesh has to lie behind the near plane.
- * More than any depth where nothing is known.
+ * Returns the nearest depth at which a device may draw a face in the view, found in doubles. Floats tell nothing of
+ * slivers. All of the mesh has to lie behind the near plane. Returns more than any depth if the face is not in the
+ * view, or if nothing is known.
  */
 float NearestInDoubles(const MeshProjection& projection, const MeshFace& face);
 

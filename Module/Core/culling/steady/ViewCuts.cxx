@@ -23,7 +23,7 @@ void ViewCuts::Begin(const ScreenMatrix& toScreen)
   const double width = toScreen.Size.x;
   const double bottom = toScreen.Bottom(), top = toScreen.Top();
   this->Size = { width, top - bottom };
-  // The near one first, so that what is left has a positive w.
+  // The near plane comes first, so that what is left has a positive w.
   this->Planes[0] = { { 0.0, 0.0, -1.0, 1.0 }, rounded.Depth };
   this->Planes[1] = { { 0.0, 0.0, 1.0, 0.0 }, 0.0 };
   this->Planes[2] = { { 1.0, 0.0, 0.0, 0.0 }, rounded.Column };
@@ -41,7 +41,8 @@ const std::vector<CutCorner>& ViewCuts::Cut(
 {
   this->Corners.assign({ { a }, { b }, { c } });
   this->Slid.clear();
-  // Of the face alone: views that hold all that is drawn reach so far that rounding of anything would have all of it in doubt.
+  // The rounding is that of this face alone. In views that hold all that is drawn, the far plane is so far away that a
+  // rounding for all points would put every face in doubt.
   this->Planes[1].Rounding =
     RoundingOfCuts * std::max({ std::abs(a.w), std::abs(b.w), std::abs(c.w) });
   for (const Plane& plane : this->Planes)
@@ -56,7 +57,10 @@ const std::vector<CutCorner>& ViewCuts::Cut(
   return this->Corners;
 }
 
-/** Keeps what is inside, twice what may be, and where edges lead from surely inside to surely beyond. */
+/**
+ * Cuts the face at a plane: keeps corners that are inside, doubles those that may be, and adds crossings of edges from
+ * surely inside to surely beyond.
+ */
 void ViewCuts::CutAt(const Plane& plane)
 {
   if (this->FindSides(plane))
@@ -90,7 +94,7 @@ void ViewCuts::CutAt(const Plane& plane)
   }
 }
 
-/** Where a plane has the corners; returns whether all of them are surely inside. */
+/** Finds the side of each corner. Returns true if all of them are surely inside. */
 bool ViewCuts::FindSides(const Plane& plane)
 {
   this->Around.clear();
@@ -106,7 +110,7 @@ bool ViewCuts::FindSides(const Plane& plane)
   return areAllInside;
 }
 
-/** By how much the distance of a corner may be off. */
+/** Returns the error bound of the distance of a corner. */
 double ViewCuts::DoubtOf(const CutCorner& corner, const Plane& plane) const
 {
   double doubt = plane.Rounding;
@@ -117,7 +121,7 @@ double ViewCuts::DoubtOf(const CutCorner& corner, const Plane& plane) const
   return doubt;
 }
 
-/** A corner that may be cut off, somewhere on the edges from there. */
+/** Returns a corner that may be cut off: it may lie on either of its edges, close by. */
 CutCorner ViewCuts::MaybeCutOf(const Sided& corner, const Sided& last, const Sided& next)
 {
   CutCorner cut = *corner.Corner;
@@ -134,7 +138,10 @@ CutCorner ViewCuts::MaybeCutOf(const Sided& corner, const Sided& last, const Sid
   return cut;
 }
 
-/** Where a plane cuts an edge: as much farther on or back as either end is off, and beside it as they are; where two sides meet it does so nowhere else. */
+/**
+ * Returns the crossing of an edge and a plane. It slides along the edge as far as either end is off, and beside it as
+ * the ends do. If two sides of the view meet there, it does not slide.
+ */
 CutCorner ViewCuts::CrossingOf(const Sided& from, const Sided& to, const Plane& plane)
 {
   const glm::dvec4 along = to.Corner->Place - from.Corner->Place;
@@ -158,7 +165,7 @@ CutCorner ViewCuts::CrossingOf(const Sided& from, const Sided& to, const Plane& 
   return cut;
 }
 
-/** Has the corner at hand slide as another does, by a share of it. */
+/** Adds the slides of another corner to the current one, times a weight. */
 void ViewCuts::AddSlides(const CutCorner& of, double weight)
 {
   for (std::size_t i = of.Slides.First; i < of.Slides.End; ++i)
@@ -167,7 +174,7 @@ void ViewCuts::AddSlides(const CutCorner& of, double weight)
   }
 }
 
-/** Times w: the numbers that a point between it and another is summed of are no larger. */
+/** Returns the reach of a corner, times w. The terms of the sums that lead to a point on its edges are no larger. */
 double ViewCuts::ReachOf(const CutCorner& corner) const
 {
   const glm::dvec2 times = glm::abs(glm::dvec2(corner.Place)) / this->Size;

@@ -12,66 +12,70 @@
 namespace vitrine
 {
 
-/** Of places in the view, where edges are cut. */
+/** Returns what a device rounds of places where it cuts edges. */
 ScreenRounding RoundingWhereCut(const ScreenMatrix& view);
 
-/** Numbers of a row: from the first one up to the last but one. */
+/** A range of indices, from First up to before End. */
 struct SlideRange
 {
   std::size_t First = 0;
   std::size_t End = 0;
 };
 
-/** A corner of what is left of a face: column, line and depth, each times w, and w. */
+/** A corner of what is left of a face. Its place is column, line and depth, each times w, and w. */
 struct CutCorner
 {
   glm::dvec4 Place;
-  SlideRange Slides{}; ///< of ViewCuts::Slides()
-  bool IsOneOfTwo =
-    false; ///< the other of two, as rounding decides whether one is cut off and leaves two
-  unsigned Planes = 0; ///< that it lies in, a bit for each
-  double Reach =
-    1.0; ///< how many times what floats round of the view's width, height and depth it may be off the face
+  SlideRange Slides{}; ///< range in ViewCuts::Slides()
+  /** True for the second corner of two. Rounding decides whether a corner is cut off, which leaves two. */
+  bool IsOneOfTwo = false;
+  unsigned Planes = 0; ///< a bit for each plane of the view that it lies in
+  /** How far it may be off the face, in units of what floats round of the width, height and depth of the view. */
+  double Reach = 1.0;
 };
 
 /**
- * Cuts faces as devices do that have no guard band: at the sides of the view, and at its near and its far plane. Of what is left such a device draws triangles between the corners, and takes depths from those:
- * where two corners lie close together one of the triangles is a sliver, of which the face's own plane tells nothing. Which triangles it draws is its own affair.
+ * Cuts faces as devices without a guard band do: at the sides of the view, and at its near and far plane. Such a device
+ * draws triangles between the corners that are left, and takes depths from those. Which triangles it draws is not
+ * known. If two corners lie close together, one triangle is a sliver, and the plane of the face tells nothing of it.
  * (I. E. Sutherland, G. W. Hodgman: Reentrant polygon clipping, Communications of the ACM 1974)
  *
- * A corner that lies so close to where it is cut that rounding decides counts as two: it may be cut off, and leave two.
+ * If a corner lies so close to a cut that rounding decides whether it is cut off, it counts as two corners.
  */
 class ViewCuts
 {
 public:
-  static constexpr unsigned Sides =
-    0b111100; ///< bits of CutCorner::Planes: not the near and the far plane
+  /** Bits of the sides in CutCorner::Planes, without the near and the far plane. */
+  static constexpr unsigned Sides = 0b111100;
 
-  /** Comes to a view. */
+  /** Takes a view. */
   void Begin(const ScreenMatrix& toScreen);
 
-  /** What is left of a face, in order around it; valid until the next call. */
+  /** Returns the corners of what is left of a face, in their order around it. They are valid until the next call. */
   const std::vector<CutCorner>& Cut(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c);
 
-  /** Within the face: so far this way or that a corner may be by each, where rounding has planes cut edges elsewhere. */
+  /**
+   * Vectors within the face by which corners may slide either way, because rounding moves the places where planes cut
+   * edges.
+   */
   const std::vector<glm::dvec4>& Slides() const { return this->Slid; }
 
 private:
-  /** Where points are on the inner side that have a positive product. */
+  /** A plane of the view. Points on its inner side have a positive product with the normal. */
   struct Plane
   {
     glm::dvec4 Normal;
-    double Rounding; ///< of the product
+    double Rounding; ///< error bound of the product
     unsigned Bit = 0;
   };
 
-  /** A corner, and where a plane has it. */
+  /** A corner, and its side of a plane. */
   struct Sided
   {
     const CutCorner* Corner;
     double Distance;
-    double Doubt; ///< of that
-    int Side;     ///< 1 if it is surely inside, -1 surely beyond, and 0 neither
+    double Doubt; ///< error bound of Distance
+    int Side;     ///< 1 if it is surely inside, -1 if it is surely beyond, and 0 if neither is sure
   };
 
   void CutAt(const Plane& plane);
@@ -83,11 +87,11 @@ private:
   double ReachOf(const CutCorner& corner) const;
 
   Plane Planes[6]{};
-  glm::dvec2 Size{};              ///< of the view
-  std::vector<CutCorner> Corners; ///< of the face at hand
-  std::vector<CutCorner> Uncut;   ///< the same before a plane cuts it
-  std::vector<Sided> Around;      ///< those
-  std::vector<glm::dvec4> Slid;   ///< of all corners that it had
+  glm::dvec2 Size{};              ///< the columns and lines of the view
+  std::vector<CutCorner> Corners; ///< corners of the current face
+  std::vector<CutCorner> Uncut;   ///< the corners before a plane cuts them
+  std::vector<Sided> Around;      ///< the same, with their sides of the plane
+  std::vector<glm::dvec4> Slid;   ///< slides of all corners of the current face
 };
 
 }
