@@ -11,10 +11,10 @@ namespace vitrine
 namespace
 {
 
-// Edges that touch more columns have a depth of their own.
+// An edge that touches more columns has a depth of its own.
 const float ThinEdge = 0.125f;
 
-// Where so many edges touch each other, their patches have a depth for each tile.
+// If more edges than this touch each other, their patches have a depth for each tile.
 const std::size_t FewEdges = 4;
 
 const float NoEdgeDepth = 2.0f; // above all depths
@@ -54,7 +54,7 @@ std::size_t FaceCoverage::Insert(SBuffer& buffer, const MeshProjection& projecti
   return this->Edges.Count() + this->Segments;
 }
 
-/** Find the lines around all that counts; returns whether any may be covered. */
+/** Finds the lines around all faces that count. Returns true if any line may be covered. */
 bool FaceCoverage::FrameLines(const SBuffer& buffer)
 {
   const std::vector<MeshFace>& faces = this->Projection->Faces();
@@ -81,7 +81,7 @@ bool FaceCoverage::FrameLines(const SBuffer& buffer)
   return this->FirstLine <= this->LastLine;
 }
 
-/** From left to right, sheet by sheet. */
+/** Inserts the current line, sheet by sheet, each from left to right. */
 void FaceCoverage::InsertLine()
 {
   this->SortPieces();
@@ -143,7 +143,7 @@ bool FaceCoverage::HasSamples(const Interval& columns) const
   return this->Buffer->Samples().HasAny(columns.Left, columns.Right);
 }
 
-/** Whether an edge that is alone is left to the patches on both sides. */
+/** Returns true if the cluster is a single edge that is left to the patches on both sides. */
 bool FaceCoverage::IsLeftToPatches(const Cluster& cluster)
 {
   const EdgePiece& edge = *this->Sorted[cluster.First].Piece;
@@ -159,7 +159,7 @@ bool FaceCoverage::IsLeftToPatches(const Cluster& cluster)
     std::min(cluster.NextLeft, this->ColumnCount) - edge.Touched.Right > ThinEdge;
 }
 
-/** Both reach up to the edge, and are told the farthest depth where it touches the line. */
+/** Lets both patches reach up to the edge. Where the edge touches the line, both get the depth of the farther one. */
 void FaceCoverage::LeaveToPatches(const EdgePiece& edge)
 {
   this->Beside = { edge.Left, edge.Right };
@@ -176,7 +176,7 @@ void FaceCoverage::LeaveToPatches(const EdgePiece& edge)
   right.BeginDepth = farthest;
 }
 
-/** What edges touch that is covered all the same. */
+/** Inserts the columns that edges touch and that are covered all the same. */
 void FaceCoverage::InsertEdges(const Cluster& cluster)
 {
   const Interval shown{ std::max(cluster.Around.Left, 0.0f),
@@ -244,7 +244,7 @@ void FaceCoverage::CrossUpTo(float column)
   }
 }
 
-/** The patches on both sides of edges that touch a piece of a line, and which of those are outlines. */
+/** Finds the patches on both sides of the edges that touch a piece of a line, and which of the edges are outlines. */
 void FaceCoverage::FindBeside(const Cluster& cluster, const Interval& piece)
 {
   this->Beside.clear();
@@ -272,7 +272,10 @@ void FaceCoverage::FindBeside(const Cluster& cluster, const Interval& piece)
   }
 }
 
-/** Patches beside edges together cover as much everywhere, but for outlines, which come from left to right. */
+/**
+ * Inserts a piece. Patches beside its edges together cover it equally often everywhere, but for outlines, which come
+ * from left to right.
+ */
 void FaceCoverage::InsertPiece(const Interval& piece)
 {
   int cover = 0;
@@ -304,7 +307,7 @@ void FaceCoverage::InsertPiece(const Interval& piece)
   insert(reached, piece.Right);
 }
 
-/** Inserts what patches cover up to a cluster, and has what lies behind it begin. */
+/** Inserts what patches cover up to a cluster, and starts what follows behind it. */
 void FaceCoverage::PassEdges(const Cluster& cluster)
 {
   for (std::size_t i = cluster.First; i < cluster.End; ++i)
@@ -334,8 +337,9 @@ void FaceCoverage::PassEdge(std::uint32_t patch, const EdgePiece& edge)
 }
 
 /**
- * What a patch covers between two of its edges, and halves of those that are left to it. The line of its depth is lowered there to what is known
- * of the patches on both sides; on its higher side from where it may be lower on, as it falls farther from there.
+ * Inserts what a patch covers between two of its edges, with the halves of edges that are left to it. The line of its
+ * depth is lowered at both ends to what is known of the patches on both sides. The lower depth counts at the inner end
+ * of its edge, since the line falls farther beyond. The higher depth counts at the outer end.
  */
 void FaceCoverage::InsertInside(
   std::uint32_t patch, const PatchOnLine& begin, const Interval& end, float endDepth)
@@ -356,7 +360,7 @@ void FaceCoverage::InsertInside(
     { bound.Left + (whole.Left - left) * slope, bound.Right + (whole.Right - right) * slope });
 }
 
-/** Of all patches beside the piece's edges. */
+/** Returns the bound of all patches beside the edges of the piece. */
 DepthBound FaceCoverage::BoundBeside(const Interval& piece) const
 {
   DepthBound bound{ NoEdgeDepth, NoEdgeDepth };
@@ -379,7 +383,7 @@ DepthBound FaceCoverage::BoundOf(std::uint32_t number, const Interval& columns) 
 
 void FaceCoverage::InsertSegment(const Interval& columns, const DepthBound& bound)
 {
-  // A span's numbers are as coarse as its farther end.
+  // The floats of a span are as coarse as its farther end.
   const float coarse = RoundingOfFloats * std::abs(bound.Right - bound.Left);
   if (!this->IsCovered(columns, std::max(bound.Left, bound.Right)))
   {
@@ -389,7 +393,7 @@ void FaceCoverage::InsertSegment(const Interval& columns, const DepthBound& boun
   }
 }
 
-/** Whether all tiles are covered by what is at least as near. */
+/** Returns true if all tiles are covered by depths that are at least as near. */
 bool FaceCoverage::IsCovered(const Interval& columns, float nearest) const
 {
   const int lastTile = (this->Buffer->Columns() - 1) / SBuffer::TileWidth;

@@ -16,27 +16,33 @@ namespace vitrine
 {
 
 /**
- * Puts into an s-buffer what an occluder surely covers, line by line and patch by patch (ScreenPatches.h).
+ * Inserts what an occluder surely covers into an s-buffer, line by line and patch by patch (ScreenPatches.h).
  *
- * Edges between patches, and those with nothing on one side, touch an interval of columns on a line, which what a rasteriser may move points
- * by widens. How often a patch covers a place, whole columns of the line included, changes at its own edges alone (the degree of a map over a
- * point stays as it is while the image of its boundary does not pass the point). So between those all of a column is covered as often as
- * the line's middle is, at the depth of the patch's plane. Where edges touch a column, the patches that they are between are one sheet: together they
- * cover it as often as beside it, unless an edge touches it that has nothing on one side, at the depth of the farthest of them.
+ * On a line, an edge between patches or an outline edge, with nothing on one side, touches an interval of columns. The
+ * interval is widened by what a rasteriser may move points by. Consider how often a patch covers a column of the line,
+ * at its full height. That number changes only where edges of the patch touch the line. (The degree of a map over a
+ * point is constant while the image of its boundary does not pass the point.)
  *
- * So a line may be much thicker than faces are, without gaps at their edges; and the inside of a far wall, which belongs to
- * other patches, does not spoil the depth of the near one.
- * (after W. J. Bouknight: A procedure for generation of three-dimensional half-toned computer graphics presentations, CACM 1970)
+ * Between the edges, a whole column is covered as often as the middle of the line is, at the depth of the plane of the
+ * patch. Where edges touch a column, the patches on both sides of them are one sheet. Together they cover the column as
+ * often as the columns beside it, at the depth of the farthest of them. That does not hold where an outline edge
+ * touches the column.
+ *
+ * So a line may be much thicker than faces are, without gaps at their edges. The inside of a far wall belongs to other
+ * patches, so it does not spoil the depth of the near wall.
+ * (after W. J. Bouknight: A procedure for generation of three-dimensional half-toned computer graphics presentations,
+ * CACM 1970)
  */
 class FaceCoverage
 {
 public:
   /**
-   * @param buffer      takes what is covered
-   * @param projection  of the occluder, with its facings
-   * @param facing      of the faces that count, Front or Back
-   * @param part        what spans say whose they are
-   * @returns how many pieces of patches and edges on lines that took
+   * Inserts the faces of one facing.
+   * @param buffer      gets what is covered
+   * @param projection  the projected occluder, with its facings
+   * @param facing      the faces that count, Front or Back
+   * @param part        the number of the part, which spans keep
+   * @returns  the number of pieces of patches and edges on lines, as a cost
    */
   std::size_t Insert(SBuffer& buffer, const MeshProjection& projection,
     MeshProjection::Facing facing, std::uint32_t part);
@@ -47,21 +53,26 @@ private:
   using Interval = PatchEdges::Interval;
   using EdgePiece = PatchEdges::Piece;
 
-  /** What a patch has of the line that is being inserted, left of the edges at hand. */
+  /** The state of a patch on the current line, left of the current edges. */
   struct PatchOnLine
   {
-    int Line = -1;           ///< the line that it was last on
-    int Cover = 0;           ///< how often it covers what lies behind its last edge
-    int CoverOfPiece = 0;    ///< the same up to the piece of a cluster that is at hand
-    std::uint32_t Visit = 0; ///< the last piece that it was beside
-    Interval Begins{
-      -BeyondAll, -BeyondAll
-    }; ///< behind its last edge: in it, where that was left to patches, and behind all it touches
-    float BeginDepth =
-      2.0f; ///< what stands in for that edge; above all depths if that is inserted by itself
+    int Line = -1;           ///< the last line that the patch was on
+    int Cover = 0;           ///< how often the patch covers what follows its last edge
+    int CoverOfPiece = 0;    ///< the same at the current piece of a cluster
+    std::uint32_t Visit = 0; ///< the last piece that the patch was beside
+    /**
+     * Where the patch goes on behind its last edge. Left lies within the edge if the edge was left to the patches.
+     * Right lies behind all columns that the edge touches.
+     */
+    Interval Begins{ -BeyondAll, -BeyondAll };
+    /**
+     * The depth of the half of that edge that is left to the patch. It is above all depths if the edge is inserted by
+     * itself.
+     */
+    float BeginDepth = 2.0f;
   };
 
-  /** An edge piece, where it is sorted. */
+  /** An edge piece with its sort key. */
   struct SortedPiece
   {
     std::uint32_t Sheet;
@@ -74,13 +85,13 @@ private:
     }
   };
 
-  /** Edges of a sheet on the line that touch each other. */
+  /** Edges of one sheet on the line that touch each other, as a range of Sorted. */
   struct Cluster
   {
     std::size_t First;
     std::size_t End;
     Interval Around;
-    float NextLeft; ///< of what comes behind it in the sheet
+    float NextLeft; ///< the left end of the next edge of the sheet, or the right end of the cluster
   };
 
   bool FrameLines(const SBuffer& buffer);
@@ -110,20 +121,20 @@ private:
   MeshProjection::Facing Counted = MeshProjection::Facing::Front;
   SBuffer* Buffer = nullptr;
   std::uint32_t Part = 0;
-  float Inset = 0.0f; ///< how far from their sides lines have no samples
+  float Inset = 0.0f; ///< samples are at least this far from the sides of a line
   float ColumnCount = 0.0f;
   int FirstLine = 0, LastLine = 0;
-  int Line = 0; ///< that is being inserted
+  int Line = 0; ///< the current line
   ScreenPatches Patches;
   OpenLines Open;
   PatchEdges Edges;
-  std::vector<SortedPiece> Sorted;         ///< the line's
-  std::vector<PatchOnLine> OnLine;         ///< each patch
-  std::uint32_t Visits = 0;                ///< of pieces
-  std::vector<const EdgePiece*> Crossings; ///< of a cluster, by where they cross the middle
-  std::size_t Crossed = 0;                 ///< of those
-  std::vector<std::uint32_t> Beside;       ///< patches of the piece at hand
-  std::vector<const EdgePiece*> Outlines;  ///< that touch it
+  std::vector<SortedPiece> Sorted;         ///< edge pieces of the current line
+  std::vector<PatchOnLine> OnLine;         ///< for each patch
+  std::uint32_t Visits = 0;                ///< number of pieces so far
+  std::vector<const EdgePiece*> Crossings; ///< edges of the current cluster, sorted by Middle
+  std::size_t Crossed = 0;                 ///< the number of these edges left of the current piece
+  std::vector<std::uint32_t> Beside;       ///< patches beside edges that touch the current piece
+  std::vector<const EdgePiece*> Outlines;  ///< outline edges that touch the current piece
   std::size_t Segments = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** The corners of facets, one lane each: of triangles the fourth is one of the others. */
+/** The corners of facets, one facet per lane. The fourth corner of a triangle is one of the others. */
 struct FacetCorners
 {
   PointLanes A, B, C, D;
@@ -22,7 +22,7 @@ struct FacetCorners
   {
   }
 
-  /** A bit for each facet that is seen from this side. */
+  /** Returns a bit for each facet that is seen from this side. */
   VITRINE_INLINE unsigned Facing(MeshProjection::Facing facing) const
   {
     const Lanes turn = (this->B.X - this->A.X) * (this->C.Y - this->A.Y) -
@@ -43,11 +43,14 @@ struct FacetCorners
   }
 };
 
-/** How the depths of facets change: by the plane of one triangle of each, and at the most in either. What is unknown of them as in FaceSlopes. */
+/**
+ * The slopes of depth of facets: the plane of one triangle of each, and the steepest slopes of both triangles. The
+ * error bounds are as in FaceSlopes.
+ */
 struct FacetSlopes
 {
   FaceSlopes<Lanes> Plane;
-  Lanes SteepX, SteepY; ///< greatest change of depth a column and a line
+  Lanes SteepX, SteepY; ///< the greatest change of depth per column and per line
   Lanes Unsteady, Beyond;
 
   VITRINE_INLINE FacetSlopes(const FewFacets& facets, const PointLanes& points,
@@ -79,13 +82,13 @@ private:
   }
 };
 
-/** How far facets may be. Of slivers little is known of that, but where they are. */
+/** Bounds the depth of facets. Of slivers little more is known than where they are. */
 class FacetPlanes
 {
 public:
   static constexpr float BeforeAll = 2.0f; ///< above all depths
 
-  /** @param unsteady  by how much more the depths of each may be off */
+  /** @param unsteady  by how much more the depths of each facet may be off */
   VITRINE_INLINE FacetPlanes(const FewFacets& facets, const PointLanes& points,
     const MeshProjection& projection, MeshProjection::Facing facing, const FewFacetsFrame& frame,
     Lanes unsteady)
@@ -104,10 +107,10 @@ public:
     }
   }
 
-  /** A bit for each that counts. */
+  /** Returns a bit for each facet that counts. */
   unsigned Bits() const { return this->Counted; }
 
-  /** Lines come on which depths are asked for. */
+  /** Sets eight lines, for DepthsAt(). */
   VITRINE_INLINE void Begin(Lanes y)
   {
     this->Y = y;
@@ -118,7 +121,10 @@ public:
     }
   }
 
-  /** At a column of those lines what all that may be drawn there is no farther than; BeforeAll where that is nothing. */
+  /**
+   * Returns a depth for each line at a column, which nothing that is drawn there is farther than. It is BeforeAll if
+   * nothing is drawn.
+   */
   VITRINE_INLINE Lanes DepthsAt(float x) const
   {
     Lanes depth = AllLanes(BeforeAll);
@@ -139,7 +145,10 @@ public:
   }
 
 private:
-  /** Depths at the first column and line, and what they change by: before all that may be drawn of either triangle. */
+  /**
+   * Finds the depth at the first column and line, and the slopes. They lie behind all that may be drawn of either
+   * triangle.
+   */
   VITRINE_INLINE void FindPlanes(const FacetCorners& corners, const FacetSlopes& slopes,
     const ScreenMargin& margin, const FewFacetsFrame& frame)
   {
@@ -164,7 +173,7 @@ private:
     StoreLanes(byY, this->ByY);
   }
 
-  /** Columns and lines around all that a device may draw of each, and a depth that is behind none of it. */
+  /** Finds the columns and lines around all that a device may draw of each facet, and a depth behind all of it. */
   VITRINE_INLINE void FindPlaces(const FacetCorners& corners, Lanes farthest,
     const ScreenMargin& margin, const FewFacetsFrame& frame)
   {
@@ -178,13 +187,13 @@ private:
     StoreLanes(farthest, this->FarthestOf);
   }
 
-  unsigned Counted, Steady; ///< a bit for each
-  float Farthest;           ///< of all
+  unsigned Counted, Steady; ///< a bit for each facet
+  float Farthest;           ///< the farthest depth of all facets
   float Start[LaneCount], ByX[LaneCount], ByY[LaneCount];
   float Left[LaneCount], Right[LaneCount], Bottom[LaneCount], Top[LaneCount];
   float FarthestOf[LaneCount];
-  Lanes Y;                  ///< of lines
-  Lanes OnLines[LaneCount]; ///< depths of steady ones there, at the first column
+  Lanes Y;                  ///< the current lines
+  Lanes OnLines[LaneCount]; ///< the depths of steady facets on these lines, at the first column
 };
 
 }

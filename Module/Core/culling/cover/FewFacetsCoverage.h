@@ -13,22 +13,28 @@ namespace vitrine
 {
 
 /**
- * Inserts what a mesh of few facets covers into an s-buffer of samples: all facets and edges of its outline at once, and samples eight at a time.
+ * Inserts what a mesh of few facets covers into an s-buffer of samples. It handles all facets and all edges of the
+ * outline at once, and eight samples at a time.
  *
- * What lies inside of all edges of an outline is covered: seen from there each edge goes around counter-clockwise, so all together do so once at the least. That is how often triangles go around
- * it, signs counted, so one that faces the eye does. Where it also lies off all that edges pass over while a device moves their ends, that stays so. Of a convex mesh that is all of it.
- * There it is nowhere farther than the farthest of the facets that reach there, of each of which the plane is known; of a convex mesh that is the one that is seen.
+ * A place inside of all outline edges is covered. Seen from there each edge turns counter-clockwise, so all edges
+ * together turn around it at least once. The triangles turn around it as often, counted with signs, so at least one
+ * that faces the eye covers it. This stays so while a device moves the ends of edges, if the place is off all that the
+ * edges sweep. For a convex mesh, this is all that it covers.
+ *
+ * The depth at the place is no farther than the farthest facet that reaches there. The planes of these facets are
+ * known. For a convex mesh this facet is the one that is seen.
  */
 class FewFacetsCoverage
 {
 public:
   /**
-   * @param projection  of a mesh that has few facets, all of it behind the near plane
-   * @param facing      of the facets that count
-   * @param part        whose they are
-   * @param unsteady    by how much more than others the depths of each facet may be off, as of those that a device cuts (CutFaces)
-   * @returns           how many pieces of facets and edges were looked at; none if their outline does not tell what is covered, as where sides are seen from their edge to the last bit of
-   *                    floats: then nothing is inserted
+   * Inserts the facets of one facing.
+   * @param projection  the projection of a mesh of few facets, all of it behind the near plane
+   * @param facing      the facets that count
+   * @param part        the number of the part, which samples keep
+   * @param unsteady    by how much more the depths of each facet may be off, if a device cuts it (CutFaces)
+   * @returns           the number of pieces of facets and edges, as a cost. Returns nothing if the outline does not
+   *                    tell what is covered, as for sides that are exactly edge-on in floats. Then nothing is inserted.
    */
   static std::optional<std::size_t> Insert(SBuffer& buffer, const FewFacets& facets,
     const MeshProjection& projection, MeshProjection::Facing facing, std::uint32_t part,

@@ -13,12 +13,12 @@
 namespace vitrine
 {
 
-/** Lines, and columns of the screen, that a mesh may cover; what is looked at counts from the first ones. */
+/** The lines and columns of the screen that a mesh may cover. Places in it count from the first of them. */
 struct FewFacetsFrame
 {
   LineRange Lines;
   float Left, Right;
-  float Inset; ///< from a line's sides to samples
+  float Inset; ///< from the sides of a line to its samples
 
   VITRINE_INLINE FewFacetsFrame(const SBuffer& buffer, const ScreenRectangle& around)
     : Left(std::max(around.Left, 0.0f))
@@ -34,17 +34,17 @@ struct FewFacetsFrame
     }
   }
 
-  /** The middle of the first line. */
+  /** Returns the middle of the first line. */
   float FirstMiddle() const { return static_cast<float>(this->Lines.First) + 0.5f; }
 
   float Width() const { return this->Right - this->Left; }
   float Height() const { return static_cast<float>(this->Lines.Last - this->Lines.First); }
 
-  /** From a line's middle to the farthest samples in it. */
+  /** Returns the distance from the middle of a line to its farthest samples. */
   float HalfLine() const { return 0.5f - this->Inset; }
 };
 
-/** The points of a mesh as they lie around the first column and the middle of the first line of a frame. */
+/** The points of a mesh, relative to the first column and the middle of the first line of a frame. */
 struct PointLanes
 {
   Lanes X, Y, Depth;

@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-/** A bit for a line and each of the seven above it on which a patch may cover something. */
+/** Returns a bit for a line and each of the seven above it on which a patch may cover something new. */
 VITRINE_FOR_EACH_PROCESSOR
 unsigned OpenLinesFor(const ScreenPatches::Patch& patch, const SBuffer& buffer, int line)
 {

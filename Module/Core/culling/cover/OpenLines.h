@@ -12,16 +12,17 @@ namespace vitrine
 {
 
 /**
- * Lines of an s-buffer on which some patches may cover something: on others all tiles that they reach are covered by what is at least as near as any of them is there. To
- * find that takes a few steps for eight lines, to look for what they cover some hundreds for each.
+ * Finds the lines of an s-buffer on which patches may cover something new. On other lines, all tiles that patches reach
+ * are covered by depths at least as near as any patch there. This test takes a few steps for eight lines. To find what
+ * patches cover takes some hundred steps for each line.
  */
 class OpenLines
 {
 public:
-  /** Of some lines. */
+  /** Finds the open lines among `lines`. */
   void Find(const SBuffer& buffer, const ScreenPatches& patches, const LineRange& lines);
 
-  /** Of those lines. */
+  /** Returns true if one of these lines is open. */
   bool IsOpen(int line) const
   {
     return this->AreOpen[static_cast<std::size_t>(line - this->First)] != 0;
@@ -32,7 +33,7 @@ public:
 private:
   int First = 0;
   bool HasOpen = false;
-  std::vector<std::uint8_t> AreOpen; ///< each line
+  std::vector<std::uint8_t> AreOpen; ///< 1 for each open line
 };
 
 }

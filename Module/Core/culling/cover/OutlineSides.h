@@ -14,16 +14,18 @@ namespace vitrine
 {
 
 /**
- * Edges as functions of the place that are not negative where what they bound is, Across * x + Along * y + Start (J. Pineda: A parallel algorithm for polygon rasterization, SIGGRAPH 1988),
- * moved inwards by what a device may move them by (J. Hasselgren, T. Akenine-Moller, L. Ohlsson: Conservative rasterization, GPU Gems 2, 2005, chapter 42). A level edge is
- * taken to rise a little.
+ * Edges as half-planes: Across * x + Along * y + Start is not negative inside (J. Pineda: A parallel algorithm for
+ * polygon rasterization, SIGGRAPH 1988). They are moved inwards as far as a device may move them (J. Hasselgren, T.
+ * Akenine-Moller, L. Ohlsson: Conservative rasterization, GPU Gems 2, 2005, chapter 42). A level edge is taken to rise
+ * a little.
  */
 struct HalfPlanes
 {
   Lanes Across, Along, Start;
-  Lanes Length; ///< in columns and lines together
+  Lanes Length; ///< length of an edge: columns plus lines
 
-  static constexpr float LeastRise = 0x1p-20f; ///< of an edge that is not level, in lines
+  /** The least rise of an edge that is not level, in lines. */
+  static constexpr float LeastRise = 0x1p-20f;
 
   /** @param moved  how far a device may move edges, in columns and lines */
   VITRINE_INLINE HalfPlanes(const PointLanes& from, const PointLanes& to, LaneMask isForward,
@@ -43,7 +45,7 @@ struct HalfPlanes
   }
 };
 
-/** The edges of an outline: where each passes lines, drawn in by what a device may move it by. */
+/** The edges of an outline. It tells where each edge passes lines, moved inwards as far as a device may move it. */
 class OutlineSides
 {
 public:
@@ -63,10 +65,10 @@ public:
     }
   }
 
-  /** Whether it tells what is covered: there is an outline, and where each of its edges leads is known. */
+  /** Returns true if it tells what is covered: there is an outline, and the direction of each edge is known. */
   bool AreClear() const { return this->AtLeft != 0 && this->AtRight != 0 && this->TooShort == 0; }
 
-  /** Columns between which eight lines are covered. */
+  /** Finds the columns between which eight lines are covered. */
   VITRINE_INLINE void FindColumns(Lanes y, Lanes& left, Lanes& right) const
   {
     left = AllLanes(-BeyondAll);
@@ -84,7 +86,7 @@ public:
   }
 
 private:
-  /** What a device may move outlines by, with the way from a line's middle to its farthest samples. */
+  /** Returns how far a device may move outlines, plus the way from the middle of a line to its farthest samples. */
   VITRINE_INLINE static ScreenMargin MarginOf(
     const MeshProjection& projection, const FewFacetsFrame& frame)
   {
@@ -95,7 +97,7 @@ private:
     return { margin.Column + own, margin.Line + own + frame.HalfLine(), margin.Depth };
   }
 
-  /** Puts down the columns at which eight edges, from the first of them on, pass lines, if they are of the outline. */
+  /** Stores where eight edges from index `first` on pass lines, if they belong to the outline. */
   VITRINE_INLINE void SetEdges(const HalfPlanes& edges, LaneMask isOutline, int first)
   {
     const Lanes column = edges.Start / -edges.Across, slope = edges.Along / -edges.Across;
@@ -108,13 +110,13 @@ private:
     this->AtRight |= BitsOf(isOutline & ~isAtLeft) << first;
   }
 
-  // Columns and lines: where a shorter edge leads is rounding.
+  // The length of an edge in columns plus lines. The direction of a shorter edge is lost in rounding.
   static constexpr float ShortestEdge = 0x1p-10f;
 
-  float Column[FewFacets::MostEdges]; ///< on the first line
-  float Slope[FewFacets::MostEdges];  ///< columns a line
+  float Column[FewFacets::MostEdges]; ///< column on the first line
+  float Slope[FewFacets::MostEdges];  ///< columns per line
   unsigned AtLeft = 0, AtRight = 0;   ///< a bit for each edge
-  unsigned TooShort = 0;              ///< not 0 if any is
+  unsigned TooShort = 0;              ///< not 0 if any edge is too short
 };
 
 }

@@ -15,7 +15,7 @@ void PatchEdges::Find(const Subject& subject)
     { this->AddEdge(edge, left, right); });
 }
 
-/** With the patches on both sides. Edges within a patch count for nothing. */
+/** Calls `work` with each edge and the patches on both sides. Edges within a patch do not count. */
 template <class Work>
 void PatchEdges::ForEachEdge(const Work& work) const
 {
@@ -50,7 +50,7 @@ void PatchEdges::FindSheets()
     });
 }
 
-/** The first patch of the sheet that one is of; shortens the way there (R. E. Tarjan, 1975). */
+/** Returns the first patch of the sheet that a patch belongs to. Halves the path to it (R. E. Tarjan, 1975). */
 std::uint32_t PatchEdges::SheetOf(std::uint32_t patch)
 {
   while (this->Parents[patch] != patch)
@@ -61,7 +61,7 @@ std::uint32_t PatchEdges::SheetOf(std::uint32_t patch)
   return patch;
 }
 
-/** @param left, right  of the edge as it goes */
+/** @param left, right  the patches on both sides in the direction of the edge */
 void PatchEdges::AddEdge(const MeshEdge& edge, std::uint32_t left, std::uint32_t right)
 {
   const MeshProjection& projection = *this->Current.Projection;

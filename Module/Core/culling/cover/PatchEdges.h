@@ -13,7 +13,10 @@
 namespace vitrine
 {
 
-/** Edges between patches of an occluder, and those with nothing on one side, as they touch lines. Patches that have an edge in common are of one sheet. */
+/**
+ * The edges between patches of an occluder, and its outline edges with nothing on one side, cut into pieces per line.
+ * Patches with a common edge belong to one sheet.
+ */
 class PatchEdges
 {
 public:
@@ -28,20 +31,20 @@ public:
     bool IsEmpty() const { return !(this->Left < this->Right); }
   };
 
-  /** An edge on a line. */
+  /** A piece of an edge on a line. */
   struct Piece
   {
-    Interval Touched;   ///< what it may touch, wherever a device draws it
-    float Middle;       ///< where it crosses the line's middle
-    std::uint32_t Left; ///< the patch on that side, or None
+    Interval Touched;   ///< the columns that it may touch, wherever a device draws it
+    float Middle;       ///< the column where it crosses the middle of the line
+    std::uint32_t Left; ///< the patch on its left, or None
     std::uint32_t Right;
     std::uint32_t Sheet;
-    bool IsCrossing;    ///< the line's middle
-    std::uint32_t Next; ///< on the line
+    bool IsCrossing;    ///< it crosses the middle of the line
+    std::uint32_t Next; ///< the next piece on the line
 
     bool IsOutline() const { return this->Left == None || this->Right == None; }
 
-    /** By how much a patch, or all of a sheet, covers more on its right. */
+    /** Returns the change from left to right of how often a patch, or the whole sheet, covers the line. */
     int TurnOf(std::uint32_t patch) const
     {
       return this->IsCrossing ? (this->Right == patch) - (this->Left == patch) : 0;
@@ -49,23 +52,23 @@ public:
     int Turn() const { return this->IsCrossing ? (this->Right != None) - (this->Left != None) : 0; }
   };
 
-  /** What edges are found of. */
+  /** The input of Find(). */
   struct Subject
   {
-    const MeshProjection* Projection; ///< of the occluder, with its facings
-    MeshProjection::Facing Facing;    ///< of the faces that count
-    const ScreenPatches* Patches;     ///< of those
-    const OpenLines* Open;            ///< lines, of which others are left out
+    const MeshProjection* Projection; ///< the projected occluder, with its facings
+    MeshProjection::Facing Facing;    ///< the facing of the faces that count
+    const ScreenPatches* Patches;     ///< the patches of these faces
+    const OpenLines* Open;            ///< open lines; others are left out
     LineRange Lines;
-    float Inset; ///< how far from their sides lines have no samples
+    float Inset; ///< samples are at least this far from the sides of a line
   };
 
   void Find(const Subject& subject);
 
-  /** Of pieces. */
+  /** Returns the number of pieces. */
   std::size_t Count() const { return this->Pieces.size(); }
 
-  /** Does something with each piece on a line, in any order. */
+  /** Calls `work` with each piece on a line, in any order. */
   template <class Work>
   void ForEachOn(int line, const Work& work) const
   {
@@ -87,9 +90,9 @@ private:
   }
 
   Subject Current{};
-  std::vector<std::uint32_t> Parents; ///< of patches
+  std::vector<std::uint32_t> Parents; ///< of each patch the parent in the forest of sheets
   std::vector<Piece> Pieces;
-  std::vector<std::uint32_t> Heads; ///< of each line's pieces
+  std::vector<std::uint32_t> Heads; ///< of each line the first piece
 };
 
 }

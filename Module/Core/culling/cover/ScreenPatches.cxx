@@ -11,10 +11,10 @@ namespace vitrine
 namespace
 {
 
-// Of corners that are not in one row.
+// The least width of a set of corners, relative to its length, for a plane to be fitted. Corners in a row have none.
 const double LeastWidthOfFit = 1e-6;
 
-// A face stands alone if its depth is known by no more than it has from corner to corner, and so many times what a device may be off by in any.
+// A face stands alone if the error of its depth exceeds its extent in depth plus this multiple of the margin of depth.
 const float MostSlack = 4.0f;
 }
 
@@ -57,7 +57,7 @@ void ScreenPatches::FindFaces(MeshProjection::Facing facing)
   }
 }
 
-/** The patch of a face, a new one if it is the first or stands alone. */
+/** Returns the patch of a face. Makes a new one if the face is the first or stands alone. */
 std::uint32_t ScreenPatches::NumberFor(std::uint32_t face, bool isAlone)
 {
   std::uint32_t& known = this->NumberOf[this->Projection->PatchOf(face)];
@@ -115,7 +115,7 @@ void ScreenPatches::Fit::Add(const ScreenPoint& point)
   this->LineDepths += line * depth;
 }
 
-/** By least squares, in front of all depths. */
+/** Returns the plane that fits best by least squares, in front of all depths. */
 SlantedDepth ScreenPatches::Fit::BestPlane() const
 {
   const double share = 1.0 / (3.0 * this->Faces);
@@ -136,7 +136,7 @@ SlantedDepth ScreenPatches::Fit::BestPlane() const
   return plane;
 }
 
-/** The planes of patches of several faces; a face that is alone has its own. */
+/** Finds the planes of patches of several faces. A face that is alone has its own plane. */
 void ScreenPatches::FitPlanes()
 {
   for (std::size_t i = 0; i < this->Patches.size(); ++i)
@@ -157,8 +157,8 @@ void ScreenPatches::FitPlanes()
 }
 
 /**
- * Moves a patch's plane behind a face: beside the face a device may follow the face's own plane, so the slack of both counts, as if what they are away
- * from each other grew by both slopes.
+ * Moves the plane of a patch behind a face. Beside the face a device may follow the own plane of the face. So the slack
+ * of both planes counts, as if the distance between them grew by both slopes.
  */
 void ScreenPatches::MoveBehind(const CountedFace& counted, Patch& patch) const
 {

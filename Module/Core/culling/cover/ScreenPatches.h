@@ -14,8 +14,9 @@ namespace vitrine
 {
 
 /**
- * The faces of an occluder that count in a view, and look into about the same direction, as patches: a plane of depth stands for each that lies behind all of its
- * faces, near them. A face of which the depth is known so badly that it would spoil that of the others is a patch of its own.
+ * The faces of an occluder that count in a view, in patches of faces with about the same direction. A plane of depth
+ * stands for each patch. It lies behind all faces of the patch, close to them. A face whose depth is hardly known would
+ * spoil the plane, so it is a patch of its own.
  */
 class ScreenPatches
 {
@@ -25,16 +26,17 @@ public:
   struct Patch
   {
     SlantedDepth Bound;
-    float Left = BeyondAll; ///< columns that it may be drawn on
+    float Left = BeyondAll; ///< columns that the patch may be drawn on
     float Right = -BeyondAll;
-    float Bottom = BeyondAll; ///< lines
+    float Bottom = BeyondAll; ///< lines that the patch may be drawn on
     float Top = -BeyondAll;
   };
 
   /**
-   * @param projection  of the occluder, with its facings
-   * @param facing      of the faces that count
-   * @param samples     where something can show
+   * Finds the patches of a projected mesh.
+   * @param projection  the projected occluder, with its facings
+   * @param facing      the faces that count
+   * @param samples     the sample positions
    */
   void Find(
     const MeshProjection& projection, MeshProjection::Facing facing, const SampleGrid& samples);
@@ -42,7 +44,7 @@ public:
   std::size_t Count() const { return this->Patches.size(); }
   const Patch& operator[](std::uint32_t patch) const { return this->Patches[patch]; }
 
-  /** The patch of a face; None if it does not count. */
+  /** Returns the index of the patch of a face, or None if the face does not count. */
   std::uint32_t IndexOf(std::uint32_t face) const { return this->PatchOf[face]; }
 
 private:
@@ -52,7 +54,7 @@ private:
     SlantedDepth Bound;
   };
 
-  /** Sums over the corners of a patch's faces, from the first of these. */
+  /** Sums over the corners of the faces of a patch, relative to the first corner. */
   struct Fit
   {
     ScreenPoint Origin{};
@@ -75,9 +77,9 @@ private:
   CutFaces Cuts;
   std::vector<CountedFace> Faces;
   std::vector<Patch> Patches;
-  std::vector<Fit> Fits;               ///< of each patch
-  std::vector<std::uint32_t> PatchOf;  ///< each face
-  std::vector<std::uint32_t> NumberOf; ///< of each patch of the mesh
+  std::vector<Fit> Fits;               ///< for each patch
+  std::vector<std::uint32_t> PatchOf;  ///< for each face its patch, or None
+  std::vector<std::uint32_t> NumberOf; ///< for each patch of the mesh its patch here, or None
 };
 
 }
