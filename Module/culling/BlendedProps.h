@@ -12,31 +12,37 @@ namespace vitrine
 {
 
 /**
- * Whether what VTK draws of a prop among what is opaque may be blended with what was drawn before it. It hides nothing; but
- * since it is as near as anything for the depth test, what is drawn later behind it does not cover what shines through.
+ * Describes whether VTK may blend an opaque prop with what was drawn before it. Such a prop hides nothing. But it
+ * writes its depth like others. So props behind it that are drawn later do not cover what shines through it.
  */
 struct Blending
 {
-  std::uint8_t Why =
-    NoPropRow; ///< the rule by which it may, of PropRows(); NoPropRow if it does not
-  std::uint8_t Anywhere =
-    NoPropRow; ///< the rule by which it is not known where; NoPropRow if it is
-  float Beside =
-    0.0f; ///< how many pixels beside its bounds may be drawn, too; infinite if that is not known
+  /** Index in PropRows() of the rule by which it blends, or NoPropRow if it does not. */
+  std::uint8_t Why = NoPropRow;
+  /** Index in PropRows() of the rule by which its place is not known, or NoPropRow if it is. */
+  std::uint8_t Anywhere = NoPropRow;
+  /** The distance in pixels outside of its bounds at which it may draw. It is infinite if that is not known. */
+  float Beside = 0.0f;
 
   bool MayBlend() const { return this->Why != NoPropRow; }
 
-  /** Whether the other one has more of the screen drawn. */
+  /** Returns true if the other prop lets more of the screen be drawn. */
   bool IsLessThan(const Blending& other) const
   {
     return this->MayBlend() ? this->Beside < other.Beside && other.MayBlend() : other.MayBlend();
   }
 };
 
-/** @param areTexturesOpaque  as AreTexturesOpaque() tells of the actor */
+/**
+ * Describes an actor.
+ * @param areTexturesOpaque  the result of AreTexturesOpaque() for the actor
+ */
 Blending BlendingOf(vtkActor* actor, bool areTexturesOpaque);
 
-/** Of any prop: an actor, an image, or what is made of such; others are taken to blend nothing among what is opaque. */
+/**
+ * Describes any prop: an actor, an image, or one that consists of these. Other props are taken not to blend in the
+ * opaque pass.
+ */
 Blending BlendingOf(vtkProp* prop);
 
 }

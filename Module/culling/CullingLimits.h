@@ -6,7 +6,7 @@
 namespace vitrine
 {
 
-/** All rules of CullingPolicy.h and PropPolicy.h as tables of Markdown, under a heading each. */
+/** Returns all rules of CullingPolicy.h and PropPolicy.h as Markdown tables, each under a heading. */
 std::string LimitsAsMarkdown();
 
 }

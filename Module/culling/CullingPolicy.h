@@ -1,7 +1,7 @@
 /**
- * The rules of the culler for a frame, as a table: what keeps it from leaving out all that is hidden, and why.
+ * The rules of the culler for a frame, as a table: what keeps it from leaving out all hidden parts, and why.
  *
- * The rules for single props stand in PropPolicy.h.
+ * The rules for single props are in PropPolicy.h.
  */
 #ifndef VITRINE_CULLING_CULLING_POLICY_H
 #define VITRINE_CULLING_CULLING_POLICY_H
@@ -17,68 +17,69 @@ namespace vitrine
 
 class SceneParts;
 
-/** What may be left out of a frame: each mode leaves out more than the ones before it. */
+/** What may be left out of a frame. Each mode leaves out more than the ones before it. */
 enum class CullingMode
 {
   Off,           ///< Nothing is left out.
   ViewOnly,      ///< Parts outside of the view are left out.
-  AroundBlended, ///< Hidden parts are, too, but for those that may shine through what is blended.
+  AroundBlended, ///< Hidden parts are left out, too, unless they may shine through a blended prop.
   Occlusion      ///< All parts that are outside of the view or hidden are left out.
 };
 
-/** The mode in words, as "view only". */
+/** Returns the name of the mode, as "view only". */
 const char* NameOf(CullingMode mode);
 
-/** What the mode does, as a clause: "only what lies outside of the view is left out". */
+/** Returns the effect of the mode as a clause, as "only what lies outside of the view is left out". */
 const char* EffectOf(CullingMode mode);
 
-/** What is left out of a frame. */
+/** The mode of a frame, and its reason. */
 struct CullingDecision
 {
   CullingMode Mode = CullingMode::Occlusion;
-  std::string Reason; ///< why it is not Occlusion; empty if it is
+  std::string Reason; ///< why the mode is not Occlusion; empty if it is
 };
 
-/** What is known of a frame before anything is left out. */
+/** What the rules for a frame look at. */
 struct FrameFacts
 {
   vtkRenderer* Renderer;
-  const std::set<std::string>& KnownPasses; ///< classes that users have named
-  const SceneParts& Parts;                  ///< up to date where AreImagesMade
+  const std::set<std::string>& KnownPasses; ///< classes of passes that the user has named
+  const SceneParts& Parts;                  ///< up to date if AreImagesMade
   bool IsSwitchedOn;                        ///< vtkHierarchicalSBufferCuller::GetCulling()
-  bool AreImagesMade;                       ///< as SceneParts::Update() says
+  bool AreImagesMade;                       ///< what SceneParts::Update() returned
 };
 
-/** A rule for frames. It is asked only where no row above it applies. */
+/** A rule for frames. It is asked only if no row above it applies. */
 struct FrameRow
 {
-  CullingMode Mode;      ///< at most
-  const char* Condition; ///< where it applies, as a clause
-  const char* Why;       ///< as a clause
+  CullingMode Mode;      ///< the mode may not exceed this one
+  const char* Condition; ///< where the rule applies, as a clause
+  const char* Why;       ///< the reason, as a clause
   bool (*Applies)(const FrameFacts&);
-  std::string (*Detail)(const FrameFacts&) = nullptr; ///< what it is that applies, as a class
+  /** Returns the name of the class that the rule found. */
+  std::string (*Detail)(const FrameFacts&) = nullptr;
 };
 
-/** All rules for frames, those that leave out least first. */
+/** Returns all rules for frames. Those that leave out least come first. */
 const std::vector<FrameRow>& FrameRows();
 
-/** The first row that applies decides. */
+/** Decides what may be left out of a frame. The first row that applies decides. */
 CullingDecision DecideFrame(const FrameFacts& facts);
 
-/** A rule for what is drawn besides, so that VTK draws the rest as it does where nothing is left out. */
+/** A rule for a prop that is drawn though it is hidden, so that VTK draws the rest as if nothing was left out. */
 struct KeepRow
 {
-  const char* Kept; ///< "one translucent prop" or "one prop"
+  const char* Kept; ///< what is kept: "one translucent prop" or "one prop"
   const char* Condition;
   const char* Why;
-  bool IsForTranslucent; ///< It keeps a prop that is translucent, and not just any.
+  bool IsForTranslucent; ///< The rule keeps a translucent prop. Otherwise it keeps any prop.
   bool (*Applies)(const FrameFacts&);
 };
 
-/** All of them, in the order in which they are applied. */
+/** Returns all rules of this kind, in the order in which they are applied. */
 const std::vector<KeepRow>& KeepRows();
 
-/** A rule in words: "condition (detail): why". */
+/** Returns a rule in words: "condition (detail): why". */
 std::string Sentence(const char* condition, const std::string& detail, const char* why);
 
 }

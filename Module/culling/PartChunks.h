@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** What is done with many parts, cut into pieces for threads. Few are one piece, and not worth a thread. */
+/** Cuts many parts into chunks for threads. Few parts are one chunk: they are not worth a thread. */
 class PartChunks
 {
 public:
@@ -21,7 +21,10 @@ public:
 
   std::size_t Count() const { return (this->Parts + this->Size - 1) / this->Size; }
 
-  /** Calls `work` for each chunk, with its number, its first part and the one behind its last; several at once. */
+  /**
+   * Calls `work` for each chunk, in several threads at a time. Its arguments are the number of the chunk, the index of
+   * its first part, and the index behind its last part.
+   */
   template <class Work>
   void ForEach(const Work& work) const
   {

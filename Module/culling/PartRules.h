@@ -1,5 +1,6 @@
 /**
- * Where a device draws actors: what the culler asks of them, beside the facts of scene/ActorRules and the rules of PropPolicy.
+ * Where a device draws actors. These questions of the culler are neither facts of scene/ActorRules nor rules of
+ * PropPolicy.
  */
 #ifndef VITRINE_CULLING_PART_RULES_H
 #define VITRINE_CULLING_PART_RULES_H
@@ -12,25 +13,35 @@ namespace vitrine
 
 class PartGeometry;
 
-/** Whether it is known from where VTK has the device's coordinates count: not where users tell it to, or cameras. */
+/**
+ * Returns true if the origin of the coordinates of a device is known. It is not known if the user or the camera sets
+ * it.
+ */
 bool IsShiftKnown(vtkPolyDataMapper* mapper);
 
-/** Whether it is far from the origin for its size, or so small or large, that VTK by itself gives a device coordinates from its middle (vtkOpenGLVertexBufferObject::UpdateShiftScale()). */
+/**
+ * Returns true if VTK by itself would give a device coordinates relative to the middle of the geometry. VTK does so if
+ * the geometry is far from the origin for its size, very small, or very large
+ * (vtkOpenGLVertexBufferObject::UpdateShiftScale()).
+ */
 bool IsSmallOrFarOff(const PartGeometry& geometry);
 
-/** Whether VTK gives the device coordinates from the geometry's middle: of those it does so by itself, unless the mapper is told otherwise. */
+/**
+ * Returns true if VTK gives a device coordinates relative to the middle of the geometry. That is so if
+ * IsSmallOrFarOff() and the mapper has its usual settings.
+ */
 bool IsDrawnAboutMiddle(vtkPolyDataMapper* mapper, const PartGeometry& geometry);
 
-/** By how many pixels an actor that may be behind others is drawn wider than its points are. */
+/** Returns by how many pixels an actor is drawn wider than its points are. The actor may be hidden by others. */
 float GrowthOf(vtkActor* actor, const PartGeometry& geometry);
 
-/** By how many pixels any actor is at most. */
+/** Returns the most pixels by which an actor may be drawn wider, with all that VTK draws of it. */
 float MostGrowthOf(vtkActor* actor);
 
-/** Whether the user has marked the actor with vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
+/** Returns true if the user has marked the actor by vtkHierarchicalSBufferCuller::NON_OCCLUDING(). */
 bool IsNonOccluding(vtkActor* actor);
 
-/** Whether the actor is drawn as the edges of its faces. */
+/** Returns true if the actor is drawn as the edges of its faces. */
 bool IsWireframe(vtkActor* actor);
 
 }

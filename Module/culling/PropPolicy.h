@@ -1,8 +1,8 @@
 /**
- * The rules of the culler for props, as a table: which hide nothing, which only the view hides, which are always drawn,
- * and why. SceneParts asks them as it reads props.
+ * The rules of the culler for props, as a table: which props hide nothing, which only the view hides, which are always
+ * drawn, and why. SceneParts asks them as it reads props.
  *
- * The rules for frames stand in CullingPolicy.h.
+ * The rules for frames are in CullingPolicy.h.
  */
 #ifndef VITRINE_CULLING_PROP_POLICY_H
 #define VITRINE_CULLING_PROP_POLICY_H
@@ -28,53 +28,53 @@ class PartGeometry;
 struct MapperPart;
 struct MapperParts;
 
-/** What a rule does. Props of all rules hide nothing. */
+/** The effect of a rule. A prop to which any rule applies hides nothing. */
 enum class PropEffect
 {
   AlwaysDrawn,
-  ViewAlone,     ///< It is left out where it lies outside of the view, and nowhere else.
-  HidesNothing,  ///< It may be hidden.
-  Blends,        ///< What lies behind it is drawn, since it may shine through.
-  BlendsAnywhere ///< All in the view is drawn, since it may shine through.
+  ViewAlone,     ///< It is left out only if it lies outside of the view.
+  HidesNothing,  ///< It hides nothing, but may be hidden.
+  Blends,        ///< Parts behind it are drawn, since they may shine through.
+  BlendsAnywhere ///< All parts in the view are drawn, since they may shine through.
 };
 
-/** What the effect is, as a clause: "it is always drawn". */
+/** Returns the effect as a clause, as "it is always drawn, and hides nothing". */
 const char* EffectOf(PropEffect effect);
 
-/** When a rule is asked: as soon as what it looks at is known of a prop. No rule of an earlier stage applies then. */
+/** When a rule is asked: as soon as the facts that it looks at are known. No rule of an earlier stage applies then. */
 enum class PropStage
 {
-  Class,    ///< by the prop alone
-  Mapper,   ///< by the mapper that draws
-  Depths,   ///< by the mapper that draws, too
-  Division, ///< by the parts that its mapper draws one by one
-  Data,     ///< by the data
-  Place,    ///< by points and matrix, of each part
-  Distance, ///< by sums of coordinates, of each part
-  Opacity,  ///< by settings of an actor
-  Surface,  ///< by settings of an actor
-  Part,     ///< by a part that its mapper draws
-  Hidden,   ///< of what was found hidden
-  Frame,    ///< in each frame in which it could hide anything
-  Blending, ///< of a prop that VTK draws among what is opaque
-  Beside,   ///< of one that is blended
+  Class,    ///< needs the prop alone
+  Mapper,   ///< needs the mapper that draws
+  Depths,   ///< needs the mapper that draws; about depths
+  Division, ///< needs the parts that the mapper draws one by one
+  Data,     ///< needs the data
+  Place,    ///< needs points and matrix of a part
+  Distance, ///< needs PropFacts::Sums of a part
+  Opacity,  ///< needs settings of an actor: what lets light through
+  Surface,  ///< needs settings of an actor: how its surface is drawn
+  Part,     ///< needs a part that the mapper draws
+  Hidden,   ///< for a part that was found hidden
+  Frame,    ///< asked in each frame in which the part could hide others
+  Blending, ///< for a prop that VTK draws in its opaque pass
+  Beside,   ///< for a prop that is blended: where it may draw
   Count
 };
 
-/** What is known of a prop. What a stage does not look at may be null. */
+/** What the rules for props look at. Facts that a stage does not need may be null. */
 struct PropFacts
 {
   vtkProp* Prop = nullptr;
-  vtkActor* Actor =
-    nullptr; ///< null as well if it blends otherwise than by its mapper, as texts do
-  vtkPolyDataMapper* Mapper = nullptr; ///< that draws (scene/DrawingMapper.h)
+  /** Null, too, for a prop that is blended by other means than its mapper, as texts are. */
+  vtkActor* Actor = nullptr;
+  vtkPolyDataMapper* Mapper = nullptr; ///< the mapper that draws (scene/DrawingMapper.h)
   const MapperParts* Division = nullptr;
   const MapperPart* Piece = nullptr;
   PartGeometry* Geometry = nullptr;
   bool AreTexturesOpaque = true;
-  const glm::dmat4* ToWorld = nullptr; ///< from the data's coordinates
-  const glm::dvec3* Sums = nullptr;    ///< of absolute values that lead to world coordinates
-  vtkMTimeType Frame = 0;              ///< as PartGeometry counts them
+  const glm::dmat4* ToWorld = nullptr; ///< from model (MC) to world coordinates (WC)
+  const glm::dvec3* Sums = nullptr;    ///< sums of absolute values that lead to world coordinates
+  vtkMTimeType Frame = 0;              ///< the frame that PartGeometry gets
 };
 
 /** A rule for props. */
@@ -82,25 +82,25 @@ struct PropRow
 {
   PropStage Stage;
   PropEffect Effect;
-  const char* Condition; ///< where it applies, as a clause
-  const char* Why;       ///< as a clause
+  const char* Condition; ///< where the rule applies, as a clause
+  const char* Why;       ///< the reason, as a clause
   std::function<bool(const PropFacts&)> Applies;
-  std::string (*Detail)(vtkProp*) = nullptr; ///< what it is that applies, as a class
+  std::string (*Detail)(vtkProp*) = nullptr; ///< returns the name of the class that the rule found
 };
 
-/** All rules for props. */
+/** Returns all rules for props. */
 const std::vector<PropRow>& PropRows();
 
-/** Stands for no rule where one is told by its number. */
+/** The index that stands for no rule. */
 constexpr std::uint8_t NoPropRow = 255;
 
-/** The rule's place in PropRows(); NoPropRow of null. */
+/** Returns the index of a rule in PropRows(), or NoPropRow for null. */
 std::uint8_t NumberOf(const PropRow* row);
 
-/** The first rule of a stage that applies; null if none does. */
+/** Returns the first rule of a stage that applies, or null. */
 const PropRow* FindPropRow(PropStage stage, const PropFacts& facts);
 
-/** The rule in words, of a prop: "its class is not known (vtkVolume): where it is drawn is not known". */
+/** Returns the rule in words, for a prop: "its class is not known (vtkVolume): where it is drawn is not known". */
 std::string Explain(const PropRow& row, vtkProp* prop);
 
 }

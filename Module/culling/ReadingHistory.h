@@ -9,15 +9,17 @@ namespace vitrine
 {
 
 /**
- * Whether data are worth reading, which takes two or three times as long as drawing them: not if they have been read several times and changed soon after, until they have stayed as they are for a while. Several threads may ask.
+ * Decides whether data are worth reading, which takes two or three times as long as to draw them. Data that were read
+ * several times, and changed soon after each time, are not read until they have not changed for a while. Several
+ * threads may call this.
  */
 class ReadingHistory
 {
 public:
-  /** Of data that have not been read. */
+  /** Makes the history of data that were never read. */
   ReadingHistory() = default;
 
-  /** Once they have changed. */
+  /** Returns the history after the data have changed. */
   ReadingHistory Changed() const
   {
     ReadingHistory changed;
@@ -36,18 +38,21 @@ public:
     return *this;
   }
 
-  /** @param frame  in which that is asked: it counts once, whoever shares the data */
+  /**
+   * Returns true if the data are worth reading.
+   * @param frame  the current frame, which counts once, however many callers share the data
+   */
   bool AreWorthReading(vtkMTimeType frame)
   {
     if (this->ReadBefore == 0)
     {
-      return true; // nothing is written where nothing has ever changed
+      return true; // nothing is written while the data have never changed
     }
     this->Count(frame);
     return this->HasBeenRead || this->ReadBefore < MostReadings || this->Frames >= FramesOfCalm;
   }
 
-  /** Since they changed. */
+  /** Returns true if the data were read since they changed. */
   bool IsRead() const { return this->HasBeenRead; }
   void MarkRead() { this->HasBeenRead = true; }
 
@@ -61,14 +66,16 @@ private:
     }
   }
 
-  static constexpr int MostReadings = 8;   ///< one after the other, each of them soon in vain
-  static constexpr int FramesOfCalm = 100; ///< without a change, before data are read after so many
-  static constexpr int FramesToForget = 800; ///< without a change, before readings count from none
+  static constexpr int MostReadings = 8; ///< the most readings in a row that were soon in vain
+  /** Frames without a change, after which such data are read again. */
+  static constexpr int FramesOfCalm = 100;
+  /** Frames without a change, after which ReadBefore starts at 0. */
+  static constexpr int FramesToForget = 800;
 
-  int ReadBefore = 0;                       ///< and changed soon after
-  std::atomic<int> Frames{ 0 };             ///< in which they were asked for since they changed
-  std::atomic<vtkMTimeType> LastFrame{ 0 }; ///< of those
-  std::atomic<bool> HasBeenRead{ false };   ///< since then
+  int ReadBefore = 0;           ///< readings soon after which the data changed
+  std::atomic<int> Frames{ 0 }; ///< frames since the change in which the data were asked for
+  std::atomic<vtkMTimeType> LastFrame{ 0 }; ///< the last of these frames
+  std::atomic<bool> HasBeenRead{ false };   ///< the data were read since the change
 };
 
 }

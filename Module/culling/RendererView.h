@@ -14,21 +14,23 @@ namespace vitrine
 
 class SceneParts;
 
-/** What a renderer is about to show: of its eye, viewport and tile, as its mappers will draw it. */
+/**
+ * The view that a renderer is about to draw: its camera, viewport and tile, as the mappers of the renderer use them.
+ */
 class RendererView
 {
 public:
-  int Columns = 0; ///< of the s-buffer
+  int Columns = 0; ///< columns of the s-buffer
   int Lines = 0;
   SampleGrid Samples;
 
   /**
-   * Reads the view of a renderer that has pixels, and a camera of VTK's own class.
-   * @param mostLines  of the s-buffer
+   * Reads the view of a renderer. It needs a viewport with pixels, and a camera of the class of VTK.
+   * @param mostLines  the most lines that the s-buffer may have
    */
   void Read(vtkRenderer* renderer, int mostLines, const SceneParts& parts);
 
-  /** What an s-buffer for the view differs by from others. */
+  /** Returns the values that two views must share to share an s-buffer. */
   std::array<float, 5> Shape() const
   {
     return { static_cast<float>(this->Columns), static_cast<float>(this->Lines),
@@ -37,7 +39,7 @@ public:
 
   const ScreenProjection& Projection() const { return *this->Known; }
 
-  /** The same for parts that the view alone hides, which may be drawn wider. */
+  /** The projection for parts that only the view hides. These may be drawn wider. */
   const ScreenProjection& ProjectionOfViewAlone() const { return *this->KnownOfViewAlone; }
 
 private:

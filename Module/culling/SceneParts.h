@@ -37,118 +37,130 @@ struct CullingDecision;
 struct PropFacts;
 
 /**
- * The actors of a renderer as parts that hide and are hidden: their boxes in an octree, kept up to date from frame to frame by
- * the times at which they were modified. An actor whose mapper draws parts one by one (DividedMapper.h) is as many parts, and one
- * that has no place.
+ * The actors of a renderer as parts that hide others and are hidden. It keeps the boxes of the parts in an octree, and
+ * updates them from frame to frame by modification times. An actor whose mapper draws parts one by one
+ * (DividedMapper.h) is as many parts, and one more that has no place.
  */
 class SceneParts : public OccluderSource
 {
 public:
-  /** Why a part is drawn, as a byte of each part. */
+  /** Why a part is drawn, as one byte per part. 0 means that it is left out. */
   enum Showing : std::uint8_t
   {
     IsLeftOut = 0,
     MayShow = 1,     ///< It is in the view, and was not found hidden.
-    MayShineThrough, ///< It was, but lies behind something that is blended.
-    MayBeElsewhere,  ///< It was, but a device may draw it beside its place.
-    FirstKept        ///< Others need it: this and the row of KeepRows().
+    MayShineThrough, ///< It was found hidden, but lies behind a blended prop.
+    MayBeElsewhere,  ///< It was found hidden, but a device may draw it beside its place.
+    FirstKept ///< VTK needs it: the value for the first row of KeepRows(). Values of other rows follow.
   };
 
   /**
-   * Brings everything up to date with what is about to be drawn. Updates the mappers' pipelines, as drawing does.
-   * @return  false where drawing makes images of textures, so that nothing is known of what it draws
+   * Updates everything for the props that are about to be drawn. Updates the pipelines of mappers, as drawing does.
+   * @return  false if drawing makes images of textures; then nothing is known of what it draws
    */
   bool Update(vtkProp* const* props, int count);
 
-  /** Lets go of what is known of props that are gone. Of those that are not drawn for a while it is kept, as they may come again. */
+  /**
+   * Forgets what is known of props that are deleted. What is known of props that are not drawn for a while is kept, as
+   * they may come again.
+   */
   void ForgetRemoved();
 
-  /** Where boxes and occluders count from, in world coordinates (WC). */
+  /** Returns the origin of all boxes and occluders, in world coordinates (WC). */
   const glm::dvec3& Origin() const { return this->Middle; }
 
-  /** Of all boxes of what others may hide. */
+  /** Returns the octree of the boxes of all parts that others may hide. */
   const LooseOctree& Tree() const { return this->Boxes; }
 
-  /** Puts 1 for the parts that were in the last update, 0 for others. */
+  /** Sets a byte per part: 1 if it was in the last update, else 0. */
   void MarkDrawn(std::vector<std::uint8_t>& visible) const;
 
-  /** How many parts the i-th prop of the last update has: at least one. */
+  /** Returns the number of parts of the i-th prop of the last update. It is at least 1. */
   int CountParts(int i) const;
 
-  /** How many of them do not show. */
+  /** Returns the number of these parts that do not show. */
   int CountHidden(int i, const std::vector<std::uint8_t>& visible) const;
 
   /**
-   * Tells the mapper of that prop which of its parts show.
-   * @return  what it is told, for as long as this is held; null if it draws all it has
+   * Tells the mapper of the i-th prop which of its parts show.
+   * @return  what the mapper was told, which holds as long as the caller keeps it; null if the prop is drawn as a whole
    */
   std::shared_ptr<const ShownParts> TellMapper(vtkRenderer* renderer, const ViewMatrices& view,
     int i, const std::vector<std::uint8_t>& visible) const;
 
-  /** What many parts have of something at most. */
+  /** The greatest values of some quantities over many parts. */
   struct Extremes
   {
-    glm::dvec3 Reach{ 0.0 }; ///< sums of absolute values that lead to coordinates from the origin
-    float Growth = 0.0f;     ///< by how many pixels lines and points are drawn wider than they are
+    glm::dvec3 Reach{ 0.0 }; ///< sums of absolute values that lead to coordinates from Origin()
+    float Growth = 0.0f;     ///< pixels by which lines and points are drawn wider than they are
   };
 
-  /** Of those that others may hide, and of those that the view alone does. */
+  /** Returns the extremes of the parts that others may hide, and of the parts that only the view hides. */
   const Extremes& OfHideable() const { return this->ExtremesOfHideable; }
   const Extremes& OfViewAlone() const { return this->ExtremesOfViewAlone; }
 
-  /** How many parts others do not hide, but the view does. */
+  /** Returns the number of parts that only the view hides. */
   std::size_t CountOfViewAlone() const { return this->ViewAlone.size(); }
 
-  /** Puts 0 for those of them that lie outside of the view. */
+  /** Sets the bytes of these parts to 0 if they lie outside of the view. */
   void CullOutside(const ScreenProjection& view, std::vector<std::uint8_t>& visible) const;
 
   /**
-   * Has parts show that were found hidden where they are, but not where a device may draw them: beside their faces, and those that the eye sees from their edge at any depth. And all wireframes:
-   * it draws lines that are seen nearly from their end beyond it, at any depth, too.
-   * @param culler   that found them hidden
-   * @param drawn    one for each part, 1 for those that are drawn
-   * @param visible  the same for those that may show; 1 is put for such parts within the view
+   * Lets parts show that were found hidden at their place, but not wherever a device may draw them. A device draws
+   * faces beside their place, and faces that are seen from their edge at any depth. All wireframes in the view show,
+   * too: a line that is seen nearly from its end is drawn beyond it, at any depth.
+   * @param culler   the culler that found the parts hidden
+   * @param drawn    one byte per part, 1 if this frame draws it
+   * @param visible  one byte per part; becomes MayBeElsewhere for such parts
    */
   void VerifyHidden(PartCuller& culler, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible);
 
-  /** Whether something is drawn that is blended among what is opaque, of which it is not known where it is: then all parts in the view may show. */
+  /**
+   * Returns true if a prop is blended in the opaque pass at a place that is not known. Then all parts in the view may
+   * show.
+   */
   bool BlendsAnywhere() const;
 
-  /** Whether something is drawn that is blended among what is opaque. */
+  /** Returns true if a prop is blended in the opaque pass. */
   bool BlendsSomewhere() const;
 
-  /** What that is: its class and the reason; of several, of one that has most of the screen drawn. There is one. */
+  /**
+   * Returns the class of such a prop, and the reason. Of several props, it is one that lets most of the screen be
+   * drawn. There must be one.
+   */
   std::string DescribeBlended() const;
 
   /**
-   * Has parts show that were found hidden, but lie on the screen where something is that is blended among what is opaque: they may shine through.
-   * @param drawn, visible  as above
+   * Lets parts show that were found hidden, but overlap a prop on the screen that is blended in the opaque pass. They
+   * may shine through.
+   * @param drawn    one byte per part, 1 if this frame draws it
+   * @param visible  one byte per part; becomes MayShineThrough for such parts
    */
   void ShowBehindBlended(const SampleGrid& samples, const ScreenProjection& view,
     const std::vector<std::uint8_t>& drawn, std::vector<std::uint8_t>& visible) const;
 
-  /** Whether there are props that are always drawn, which may draw more where anything is translucent. */
+  /** Returns true if there are props that are always drawn. They may draw more if any prop is translucent. */
   bool HasOthersThanParts() const;
 
   /**
-   * Has one prop that is translucent show, if there are any and all of them would be left out.
-   * @param visible  as above; `reason` is put for the parts of that prop
+   * Lets one translucent prop show, if there are any and all of them would be left out.
+   * @param visible  one byte per part; becomes `reason` for the parts of that prop
    */
   void KeepOneTranslucent(std::vector<std::uint8_t>& visible, std::uint8_t reason) const;
 
-  /** Likewise has one prop show, of whatever kind. */
+  /** Lets one prop of any kind show, if all would be left out. */
   void KeepOne(std::vector<std::uint8_t>& visible, std::uint8_t reason) const;
 
-  /** What became of a prop in a frame. */
+  /** The data of a frame by which Explain() finds what became of a prop. */
   struct Fate
   {
     const RendererView& View;
-    const std::vector<std::uint8_t>& Visible; ///< at the end of the frame, as Showing
+    const std::vector<std::uint8_t>& Visible; ///< as Showing, at the end of the frame
     const CullingDecision& Decision;
   };
 
-  /** Why a prop was drawn in the frame of the last update, or that it was not, in words. */
+  /** Returns in words why a prop was drawn in the frame of the last update, or that it was not. */
   std::string Explain(vtkProp* prop, const Fate& fate) const;
 
   Occluder OccluderOf(std::uint32_t part) override;
@@ -156,50 +168,54 @@ public:
 
 private:
   /**
-   * What was known of a prop when it was last looked at. What pointers lead to is there as long as the times of what holds them have
-   * not changed.
+   * What was known of a prop, or of a piece of one, when it was last looked at. The objects behind pointers exist as
+   * long as the times of their holders have not changed.
    */
-  struct alignas(64) Part // what is read in each frame fills two cache lines
+  struct alignas(64) Part // the members that are read in each frame fill two cache lines
   {
     vtkMTimeType PropTime = 0;
     vtkActor* Actor = nullptr; ///< null if it cannot be hidden
     vtkShaderProperty* Shader = nullptr;
     vtkMTimeType ShaderTime = 0;
-    vtkPolyDataMapper* Mapper = nullptr; ///< that draws (DrawingMapper.h)
+    vtkPolyDataMapper* Mapper = nullptr; ///< the mapper that draws (DrawingMapper.h)
     vtkMTimeType MapperTime = 0;
-    vtkTrivialProducer* Producer =
-      nullptr; ///< of the data; null if something makes them (Pipeline)
+    /** The producer of the data. Null if filters make them (Pipeline). */
+    vtkTrivialProducer* Producer = nullptr;
     vtkMTimeType ProducerTime = 0;
     vtkPolyData* Data = nullptr;
     vtkMTimeType DataTime = 0;
     std::shared_ptr<PartGeometry> Geometry;
     DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
-    std::shared_ptr<const MapperParts> Division; ///< null if it does not
+    std::shared_ptr<const MapperParts> Division; ///< null if it does not draw them so
     bool HasTextures = false;
     bool IsOpaque = false; ///< textures aside
     bool MayHide = false;
-    bool HasBackFaces = true; ///< that are drawn
+    bool HasBackFaces = true; ///< back faces are drawn
     bool IsWireframe = false;
-    bool IsOfViewAlone = false; ///< whether others do not hide it, but the view does
+    bool IsOfViewAlone = false; ///< only the view hides it
     bool HasSurfaceMapper = false;
-    glm::dmat4 ToWorld{ 1.0 }; ///< from the origin
+    /** From model coordinates (MC) to world coordinates (WC) relative to Origin(). */
+    glm::dmat4 ToWorld{ 1.0 };
     glm::dmat4 FromWorld{ 1.0 };
-    glm::dvec3 Sums{ 0.0 }; ///< of absolute values, that lead to world coordinates
+    glm::dvec3 Sums{ 0.0 }; ///< sums of absolute values that lead to world coordinates
     DeviceCoordinates Drawn;
     float Growth = 0.0f;
-    std::vector<std::uint32_t> Pieces;         ///< the parts of the division
-    Box InView;                                ///< its box if it is of the view alone
-    vtkDataSetMapper* SurfaceMapper = nullptr; ///< that has the other mapper draw, if one does
+    std::vector<std::uint32_t> Pieces; ///< the parts of the division
+    Box InView;                        ///< its box, if only the view hides it
+    /** The mapper that uses Mapper to draw, if there is one. */
+    vtkDataSetMapper* SurfaceMapper = nullptr;
     vtkMTimeType SurfaceMapperTime = 0;
-    vtkDataSet* Input = nullptr; ///< of that one, if its own filter makes a surface of it
+    /** The input of SurfaceMapper, if its own filter makes a surface of it. */
+    vtkDataSet* Input = nullptr;
     vtkMTimeType InputTime = 0;
     vtkAlgorithm* Filter = nullptr;
     vtkMTimeType FilterTime = 0;
     PipelineState Pipeline;
-    const PropRow* AlwaysDrawnBy = nullptr; ///< the rule by which it is; null if it may be left out
-    const PropRow* ViewAloneBy = nullptr;   ///< if IsOfViewAlone, the rule by which it is
-    const PropRow* HidesNothingBy =
-      nullptr; ///< a rule by which it hides nothing, whatever the frame
+    /** The rule by which it is always drawn. Null if it may be left out. */
+    const PropRow* AlwaysDrawnBy = nullptr;
+    const PropRow* ViewAloneBy = nullptr; ///< the rule for IsOfViewAlone; null if that is false
+    /** A rule by which it hides nothing in any frame; null if there is none. */
+    const PropRow* HidesNothingBy = nullptr;
   };
 
   class Shapes;
@@ -252,30 +268,30 @@ private:
   void MoveOrigin(const glm::dvec3& middle);
 
   std::vector<Part> Parts;
-  std::vector<vtkProp*> PropOf;                ///< each part; null for pieces
-  std::vector<vtkWeakPointer<vtkProp>> Living; ///< the same; null once they are gone
-  std::vector<vtkMTimeType> SeenIn;            ///< of each part the last update that had it
+  std::vector<vtkProp*> PropOf;                ///< the prop of each part; null for pieces
+  std::vector<vtkWeakPointer<vtkProp>> Living; ///< the same; null after it is deleted
+  std::vector<vtkMTimeType> SeenIn;            ///< for each part the last update that had it
   std::vector<Box> BoxOf;
-  std::vector<std::uint8_t> HasPieces; ///< each part
-  std::vector<Blending> Blends;        ///< each prop
-  std::vector<std::uint32_t> Drawn;    ///< in the order of the props
-  std::vector<std::uint8_t> AreSame;   ///< of those, which are surely as they were
-  std::vector<std::uint32_t> Spare;    ///< parts that belong to no prop
+  std::vector<std::uint8_t> HasPieces; ///< 1 for each part that has pieces
+  std::vector<Blending> Blends;        ///< for each part that is a prop
+  std::vector<std::uint32_t> Drawn; ///< the parts of props of this frame, in the order of the props
+  std::vector<std::uint8_t> AreSame; ///< 1 for each of these that surely is unchanged
+  std::vector<std::uint32_t> Spare;  ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
-  std::vector<std::shared_ptr<PartGeometry>> Kept; ///< of parts that are found again
-  std::uint32_t Cursor = 0;                        ///< the part behind the last one that was found
-  std::unordered_map<vtkActor*, bool> AreOpaque;   ///< textures of actors, in this frame
-  vtkMTimeType Frame = 0;                          ///< counts updates
-  vtkMTimeType Looks = 0;                          ///< counts how often all was looked at
-  bool HasMadeData = false;                        ///< whether a filter has, since then
-  bool HasImagesToMake = false;                    ///< whether drawing has, for textures
+  std::vector<std::shared_ptr<PartGeometry>> Kept; ///< to be found again
+  std::uint32_t Cursor = 0;                        ///< the part after the last one that was found
+  std::unordered_map<vtkActor*, bool> AreOpaque;   ///< textures of actors, this frame
+  vtkMTimeType Frame = 0;                          ///< number of updates
+  vtkMTimeType Looks = 0;       ///< the number of times that all parts were looked at
+  bool HasMadeData = false;     ///< a filter has made data since all parts were last looked at
+  bool HasImagesToMake = false; ///< drawing has images of textures to make
   LooseOctree Boxes;
-  std::pair<int, vtkTypeBool> Settings{}; ///< of the whole program, as they were
+  std::pair<int, vtkTypeBool> Settings{}; ///< settings of the whole program at the last update
   glm::dvec3 Middle{ 0.0 };
   Extremes ExtremesOfHideable;
   Extremes ExtremesOfViewAlone;
-  std::vector<BoxedPart> ViewAlone; ///< parts of the view alone
+  std::vector<BoxedPart> ViewAlone; ///< parts that only the view hides
 };
 
 }
