@@ -27,7 +27,7 @@ namespace
 
 const float Anywhere = std::numeric_limits<float>::infinity();
 
-/** By the rules for props, if it is drawn among what is opaque. */
+/** Returns the blending by the rules for props, if the prop is drawn in the opaque pass. */
 Blending BlendingByRules(const PropFacts& facts)
 {
   const PropRow* const why = FindPropRow(PropStage::Blending, facts);
@@ -39,13 +39,13 @@ Blending BlendingByRules(const PropFacts& facts)
   return { NumberOf(why), NumberOf(anywhere), anywhere ? Anywhere : 0.0f };
 }
 
-/** Whether VTK draws the actor among what is opaque. */
+/** Returns true if VTK draws the actor in its opaque pass. */
 bool IsAmongOpaque(vtkActor* actor)
 {
   return actor->GetForceOpaque() || !actor->HasTranslucentPolygonalGeometry();
 }
 
-/** Whether it is not made of other props that it tells. */
+/** Returns true if the prop does not consist of other props that can be asked for. */
 bool IsWhole(vtkProp* prop)
 {
   return vtkTextActor3D::SafeDownCast(prop) || vtkBillboardTextActor3D::SafeDownCast(prop) ||
@@ -68,7 +68,7 @@ Blending BlendingOfAll(vtkPropCollection* parts)
   return all;
 }
 
-/** Of what tells which parts or actors it is made of. */
+/** Returns the blending of a prop that consists of parts or actors. */
 Blending BlendingOfParts(vtkProp* prop)
 {
   if (auto* follower = vtkProp3DFollower::SafeDownCast(prop))

@@ -11,7 +11,7 @@ namespace vitrine
 namespace
 {
 
-/** The head of a table of three columns, under a heading. */
+/** Returns the head of a table of three columns, under a heading. */
 std::string Head(const std::string& heading, const std::string& condition)
 {
   return "### " + heading + "\n\n| " + condition + " | effect | why |\n| --- | --- | --- |\n";

@@ -23,8 +23,9 @@ namespace
 const double LargestFloat = std::numeric_limits<float>::max();
 
 /**
- * The triangles that cells are drawn as, three corners each. None if a cell has points that are not there.
- * @param firstOf  of the triangle of points i and i + 1 of a cell, the number of the third one
+ * Returns the triangles that cells are drawn as, three corners each. Returns none if a cell has a point that does not
+ * exist.
+ * @param firstOf  returns the place in the cell of the third point of the triangle with points i and i + 1
  */
 template <class FirstOf>
 std::vector<std::uint32_t> TrianglesOfCells(
@@ -50,13 +51,13 @@ std::vector<std::uint32_t> TrianglesOfCells(
   return areThere ? corners : std::vector<std::uint32_t>();
 }
 
-/** Of strips, whichever way they go around. */
+/** Returns the triangles of strips. Their orientation alternates. */
 std::vector<std::uint32_t> TrianglesOfStrips(vtkPolyData* data)
 {
   return TrianglesOfCells(data, data->GetStrips(), [](vtkIdType i) { return i - 1; });
 }
 
-/** Not a number if it is not there. */
+/** Returns a point, or no number if it does not exist. */
 glm::dvec3 PointOf(vtkPolyData* data, vtkIdType i)
 {
   glm::dvec3 point(std::numeric_limits<double>::quiet_NaN());
@@ -67,7 +68,7 @@ glm::dvec3 PointOf(vtkPolyData* data, vtkIdType i)
   return point;
 }
 
-/** From one point of a cell to the next one. */
+/** Returns the lines of cells, from each point to the next one. */
 std::vector<MeshLine> LinesOf(vtkPolyData* data)
 {
   std::vector<MeshLine> lines;
@@ -134,7 +135,7 @@ PartGeometry::PartGeometry(vtkPolyData* data, const PartGeometry* before)
   }
 }
 
-/** Where they lie, each by itself as the array has them. */
+/** Finds the box of the points, and whether floats can hold them. Reads them in the type of their array. */
 void PartGeometry::ReadPoints(vtkPolyData* data)
 {
   const auto read = [this](auto* array)
@@ -188,7 +189,10 @@ vtkMTimeType PartGeometry::TimeOf(vtkPolyData* data, vtkMTimeType frame)
   return data == this->Data ? this->Time.load() : 0;
 }
 
-/** Whoever finds the new time finds whether points and cells are others, too: that comes before it. */
+/**
+ * Looks at the data once a frame. The time is written last: a thread that finds the new time finds IsOutdated up to
+ * date, too.
+ */
 void PartGeometry::LookAt(vtkPolyData* data, vtkMTimeType frame)
 {
   if (data != this->Data || this->LookedAt == frame)

@@ -23,16 +23,16 @@ namespace vitrine
 namespace
 {
 
-// What antialiased and snapped lines and points touch beyond their width.
+// How far antialiased and snapped lines and points reach beyond their width, in pixels.
 const float BesidesWidth = 1.5f;
 
-/** In pixels, of lines or points. */
+/** Returns the width of lines or points in pixels. */
 float WidthOf(vtkActor* actor)
 {
   return std::max(actor->GetProperty()->GetLineWidth(), actor->GetProperty()->GetPointSize());
 }
 
-/** Whether a device was given its points about the origin, whatever the mapper is told since. */
+/** Returns true if a device has points relative to the origin, whatever the mapper was told since. */
 bool HasUnshiftedPoints(vtkOpenGLPolyDataMapper* mapper)
 {
   vtkOpenGLVertexBufferObject* points = mapper->GetVBOs()->GetVBO("vertexMC");
@@ -52,7 +52,7 @@ bool IsSmallOrFarOff(const PartGeometry& geometry)
 {
   const glm::dvec3 size = geometry.Greatest() - geometry.Least();
   const glm::dvec3 middle = 0.5 * (geometry.Greatest() + geometry.Least());
-  // VTK's limits are 1e6 and 3. Just above them it is taken not to, which is never the better case.
+  // The limits of VTK are 1e6 and 3. Between these and ours VTK is taken not to shift, which is never the better case.
   return glm::dot(size, size) > 0.0 &&
     (glm::dot(middle, middle) / glm::dot(size, size) > 1.001e6 ||
       std::abs(std::log10(glm::dot(size, size))) > 3.001);

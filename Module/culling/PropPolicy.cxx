@@ -32,8 +32,7 @@ namespace vitrine
 namespace
 {
 
-// Of the sums that lead to world coordinates. Farther away, their products with a view's matrix may be more than floats
-// hold.
+// The largest sum that leads to world coordinates. Products of larger ones with the matrix of a view may exceed floats.
 const double FarthestSum = 1e15;
 
 bool IsComposite(vtkMapper* mapper)
@@ -41,7 +40,10 @@ bool IsComposite(vtkMapper* mapper)
   return mapper->IsA("vtkCompositePolyDataMapper2") || mapper->IsA("vtkCompositePolyDataMapper");
 }
 
-/** Others may draw balls or splats around points, or anything. */
+/**
+ * Returns true if the mapper draws within the bounds of its data. Other mappers may draw balls or splats around points,
+ * or anything.
+ */
 bool KeepsToItsBounds(vtkMapper* mapper)
 {
   return IsKnownMapper(mapper) || IsComposite(mapper) ||
@@ -49,8 +51,8 @@ bool KeepsToItsBounds(vtkMapper* mapper)
 }
 
 /**
- * Mappers whose colours VTK knows to be opaque, and that blend all the same: splats, which fade, and those that draw
- * what they like among what is opaque, as labels of contours, or edges of graphs.
+ * Returns true for mappers that blend though VTK takes their colours to be opaque. These are splats, which fade. Others
+ * draw what they like in the opaque pass, as labels of contours, or edges of graphs.
  */
 bool BlendsByItself(vtkMapper* mapper)
 {
@@ -61,7 +63,7 @@ bool BlendsByItself(vtkMapper* mapper)
       others.begin(), others.end(), [mapper](const char* other) { return mapper->IsA(other); });
 }
 
-/** Blocks of a composite mapper are looked at one by one. */
+/** Returns true if VTK draws the whole actor as translucent. Blocks of a composite mapper are looked at one by one. */
 bool IsTranslucentAsAWhole(vtkActor* actor)
 {
   return IsExactly<vtkCulledCompositePolyDataMapper>(actor->GetMapper())
@@ -94,8 +96,8 @@ bool IsOpaqueText(vtkProp* prop)
 }
 
 /**
- * Whether there is any text, which is an image with an alpha, among what is opaque. Where it is is not known: of those
- * that look at the eye nobody but VTK must ask, since that turns them.
+ * Returns true if there is any text in the opaque pass. A text is an image with an alpha. Its place is not known:
+ * nobody but VTK must ask texts that look at the eye for it, since that turns them.
  */
 bool IsOpaqueText(vtkProp* prop)
 {
@@ -103,14 +105,17 @@ bool IsOpaqueText(vtkProp* prop)
     IsOpaqueText<vtkFlagpoleLabel>(prop);
 }
 
-/** It fades towards the horizon; all else of a sky is as far away as nothing. */
+/**
+ * Returns true for the floor of a sky, which fades towards the horizon. All else of a sky is at the far plane, behind
+ * everything.
+ */
 bool IsFloorBelowSky(vtkProp* prop)
 {
   auto* const sky = vtkSkybox::SafeDownCast(prop);
   return sky && sky->GetProjection() == vtkSkybox::Floor;
 }
 
-/** VTK's images have alpha, and fade where they end. */
+/** Returns true for an image in the opaque pass. Images of VTK have alpha, and fade where they end. */
 bool IsOpaqueImage(vtkProp* prop)
 {
   auto* const image = vtkImageSlice::SafeDownCast(prop);
@@ -308,7 +313,7 @@ std::vector<PropRow> MakeRows()
 
 using StageRows = std::vector<const PropRow*>;
 
-/** Of each stage, so that none is looked at in vain. */
+/** Returns the rules of a stage, so that no other rule is looked at. */
 const StageRows& RowsOf(PropStage stage)
 {
   static const std::vector<StageRows> rowsOfStages = []

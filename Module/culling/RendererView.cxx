@@ -20,27 +20,30 @@ namespace vitrine
 namespace
 {
 
-/** By how many pixels the window's rasteriser may move corners. */
+/** Returns by how many pixels the rasteriser of the window may move corners. */
 float SnappedPixelsOf(vtkRenderer* renderer)
 {
   const int bits = renderer->GetRenderWindow()->IsCurrent() ? SubpixelBits() : LeastSubpixelBits;
   return std::ldexp(SnappedSteps, -std::clamp(bits, LeastSubpixelBits, MostSubpixelBits));
 }
 
-/** How large lines and columns of an s-buffer are, and where samples lie in them. */
+/** The size of lines and columns of an s-buffer, and the sample positions in them. */
 struct LineScale
 {
-  double Pixels; ///< of a line
+  double Pixels; ///< pixels per line, and per column
   SampleGrid Samples;
 };
 
-/** How many pixels a line has, to have no more than so many lines in all. */
+/** Returns the pixels per line for which there are at most `mostLines` lines. */
 int PixelsPerLine(int mostLines, int height)
 {
   return (height + mostLines - 1) / mostLines;
 }
 
-/** Where a pixel is cut into so many cells across: how many of them a line has, to have no more than so many lines in all. No line has parts of several pixels. */
+/**
+ * Returns the cells per line for which there are at most `mostLines` lines, if each pixel is cut into `cells` cells
+ * across. No line holds parts of several pixels.
+ */
 int CellsPerLine(int cells, int mostLines, int height)
 {
   int ofLine = 1;
@@ -51,7 +54,10 @@ int CellsPerLine(int cells, int mostLines, int height)
   return ofLine < cells ? ofLine : cells * PixelsPerLine(mostLines, height);
 }
 
-/** Passes may draw what is translucent at the centres of pixels that have several samples; what that means for what is hidden HiddenVerifier knows. */
+/**
+ * Finds the scale of a view. Passes may draw translucent props at the centres of pixels with several samples.
+ * HiddenVerifier takes care of that.
+ */
 LineScale ScaleOf(vtkRenderer* renderer, int mostLines, int height)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();

@@ -25,7 +25,7 @@ namespace vitrine
 namespace
 {
 
-// Geometries that are gone are dropped where there are more than so many to a part.
+// The most geometries per part. If there are more, those of deleted data are forgotten.
 const std::size_t MostGeometries = 2;
 }
 
@@ -36,7 +36,8 @@ bool SceneParts::Update(vtkProp* const* props, int count)
   this->LookAnewIfSettingsChanged();
   std::vector<std::uint32_t> moved;
   const bool hasChanged = this->LookAtAll(props, count, moved);
-  if (this->HasMadeData) // which others that were looked at before may show, too
+  // Parts that were looked at before a filter made data may show these data, too.
+  if (this->HasMadeData)
   {
     this->LookAtAll(props, count, moved);
   }
@@ -55,7 +56,7 @@ bool SceneParts::Update(vtkProp* const* props, int count)
   return !this->HasImagesToMake;
 }
 
-/** Looks at what has changed, in order. Returns whether anything was looked at. */
+/** Looks at the parts that have changed, in their order. Returns true if there were any. */
 bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::uint32_t>& moved)
 {
   ++this->Looks;
@@ -87,7 +88,10 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
   return hasChanged;
 }
 
-/** What mappers offset depths by, and whether they move coordinates, are settings of the whole program, which no part's time tells of. */
+/**
+ * Looks at all parts anew if settings of the whole program have changed: offsets of depths, and whether mappers shift
+ * coordinates. No time of a part tells of these.
+ */
 void SceneParts::LookAnewIfSettingsChanged()
 {
   const std::pair settings{ vtkMapper::GetResolveCoincidentTopology(),
@@ -101,7 +105,7 @@ void SceneParts::LookAnewIfSettingsChanged()
   }
 }
 
-/** Of a prop that is not surely as it was: what its textures and all else let through. */
+/** Finds what a prop lets through by its textures or otherwise. It is called for props that may have changed. */
 void SceneParts::LookAtOpacity(std::uint32_t part)
 {
   vtkActor* const actor = vtkActor::SafeDownCast(this->PropOf[part]);
@@ -115,7 +119,7 @@ void SceneParts::LookAtOpacity(std::uint32_t part)
   this->Blends[part] = BlendingOf(actor, areTexturesOpaque);
 }
 
-/** Notes what a part is now. */
+/** Reads a part anew. */
 void SceneParts::Look(std::uint32_t i)
 {
   Part& part = this->Parts[i];
@@ -142,7 +146,7 @@ void SceneParts::Look(std::uint32_t i)
   if (part.AlwaysDrawnBy)
   {
     part.Actor = nullptr;
-    part.PropTime = 0; // that may change without the actor's knowing
+    part.PropTime = 0; // the mapper may change without a change of the actor
     return;
   }
   part.ViewAloneBy = FindPropRow(PropStage::Depths, FactsOf(part));
@@ -155,7 +159,7 @@ void SceneParts::Look(std::uint32_t i)
   }
 }
 
-/** Notes by what the actor is drawn, if that is known. Its data are made then. */
+/** Notes which mapper draws the actor, if that is known. Makes its data then. */
 void SceneParts::LookAtMapper(Part& part)
 {
   part.SurfaceMapper = SurfaceMapperOf(part.Actor);
@@ -198,7 +202,7 @@ PropFacts SceneParts::FactsOf(const Part& part) const
   return facts;
 }
 
-/** Has filters make what the mapper draws, and notes if that is other data than before. */
+/** Lets filters make the data that the mapper draws. Notes if these are other data than before. */
 void SceneParts::MakeData(Part& part)
 {
   vtkDataObject* before = part.Mapper->GetInputDataObject(0, 0);
@@ -208,7 +212,10 @@ void SceneParts::MakeData(Part& part)
   this->HasMadeData = this->HasMadeData || data != before || (data && data->GetMTime() != time);
 }
 
-/** Notes what the actor shows as a whole. `before` is what its mapper has drawn, if that is known. */
+/**
+ * Reads the data of an actor that is drawn as a whole.
+ * @param before  what its mapper has drawn before, if that is known
+ */
 void SceneParts::LookAtData(Part& part, const PartGeometry* before)
 {
   part.Data = part.Mapper->GetInput();
@@ -221,11 +228,15 @@ void SceneParts::LookAtData(Part& part, const PartGeometry* before)
   else
   {
     part.Actor = nullptr;
-    part.PropTime = 0; // the mapper may get some without the actor's knowing
+    part.PropTime = 0; // the mapper may get data without a change of the actor
   }
 }
 
-/** @param before  what a mapper has drawn in place of them, if that is known: data that others take the place of in each frame are not read in each */
+/**
+ * Returns the geometry of data, which may be shared.
+ * @param before  what a mapper has drawn in place of them, if that is known; so data that are replaced in each frame
+ *                are not read in each frame
+ */
 std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data, const PartGeometry* before)
 {
   std::weak_ptr<PartGeometry>& known = this->Geometries[data];
@@ -239,7 +250,7 @@ std::shared_ptr<PartGeometry> SceneParts::GeometryOf(vtkPolyData* data, const Pa
   return geometry;
 }
 
-/** Data that come and go, as those of animations do, would leave more and more entries. */
+/** Forgets geometries of deleted data. Otherwise animations would leave more and more of them. */
 void SceneParts::ForgetDeadGeometries()
 {
   if (this->Geometries.size() <= MostGeometries * this->Parts.size())
@@ -261,7 +272,7 @@ void SceneParts::MarkDrawn(std::vector<std::uint8_t>& visible) const
   }
 }
 
-/** A prop's part, with all of its pieces. */
+/** Sets the byte of a prop and of all of its pieces. */
 void SceneParts::Mark(
   std::uint32_t part, std::vector<std::uint8_t>& visible, std::uint8_t value) const
 {
@@ -318,20 +329,20 @@ Occluder SceneParts::OccluderOf(std::uint32_t i)
   return hides ? this->ShapeOf(i) : Occluder();
 }
 
-/** Of a part that is drawn in this frame. */
+/** Returns true if a part is opaque. The frame must draw it. */
 bool SceneParts::IsOpaque(const Part& part) const
 {
   return part.IsOpaque && !(part.HasTextures && !this->AreOpaque.at(part.Actor));
 }
 
-/** The same of a part whatever it hides. */
+/** Returns the mesh of a part, whether it hides others or not. */
 Occluder SceneParts::ShapeOf(std::uint32_t i)
 {
   const Part& part = this->Parts[i];
   const OccluderMesh& mesh = part.Geometry->Occluder(part.Data, this->Looks);
   if (mesh.PointCount() == 0)
   {
-    return {}; // so that its box is tested, not its points
+    return {}; // then its box is tested, and not its points
   }
   return { &mesh, &part.ToWorld, &part.Drawn, part.HasBackFaces, part.Geometry->Boxes(),
     part.Geometry->IsOfFacesAlone() };

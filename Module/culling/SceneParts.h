@@ -279,10 +279,12 @@ private:
   std::vector<std::uint32_t> Spare;  ///< parts that belong to no prop
   std::unordered_map<vtkProp*, std::uint32_t> Index;
   std::unordered_map<vtkPolyData*, std::weak_ptr<PartGeometry>> Geometries;
-  std::vector<std::shared_ptr<PartGeometry>> Kept; ///< to be found again
-  std::uint32_t Cursor = 0;                        ///< the part after the last one that was found
-  std::unordered_map<vtkActor*, bool> AreOpaque;   ///< textures of actors, this frame
-  vtkMTimeType Frame = 0;                          ///< number of updates
+  /** Geometries that ForgetAbsent() keeps until their parts are found again. */
+  std::vector<std::shared_ptr<PartGeometry>> Kept;
+  std::uint32_t Cursor = 0; ///< the part after the last one that was found
+  /** For each actor of this frame, true if its textures are opaque. */
+  std::unordered_map<vtkActor*, bool> AreOpaque;
+  vtkMTimeType Frame = 0;       ///< number of updates
   vtkMTimeType Looks = 0;       ///< the number of times that all parts were looked at
   bool HasMadeData = false;     ///< a filter has made data since all parts were last looked at
   bool HasImagesToMake = false; ///< drawing has images of textures to make

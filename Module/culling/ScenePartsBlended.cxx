@@ -1,4 +1,4 @@
-// Parts that may shine through others which VTK blends among what is opaque.
+// Parts that may shine through props that VTK blends in its opaque pass.
 #include "culling/SceneParts.h"
 
 #include "Core/culling/screen/ScreenProjection.h"
@@ -26,7 +26,7 @@ bool Overlap(const ScreenRectangle& a, const ScreenRectangle& b, float beside)
     b.Bottom <= a.Top + beside;
 }
 
-/** Where a prop is seen in the view, if it is: anywhere if it has no bounds. */
+/** Adds the rectangle of a prop, if it is in the view. A prop without bounds may be everywhere. */
 void AddRectangleOf(vtkProp* prop, const glm::dvec3& origin, const ScreenProjection& view,
   std::vector<ScreenRectangle>& rectangles)
 {
@@ -77,7 +77,7 @@ void SceneParts::ShowBehindBlended(const SampleGrid& samples, const ScreenProjec
   const std::vector<BoxedPart> hidden = this->FindHiddenInView(view, samples, drawn, visible);
   if (hidden.empty())
   {
-    return; // bounds take long: pipelines are updated for them
+    return; // bounds take long, as they update pipelines
   }
   std::vector<ScreenRectangle> blended;
   float pixels = 0.0f;

@@ -1,4 +1,4 @@
-// Which parts are as they were when they were last looked at.
+// Finds the parts that have not changed since they were last looked at.
 
 #include "culling/SceneParts.h"
 
@@ -20,10 +20,10 @@ namespace vitrine
 
 namespace
 {
-// So many parts are looked at while the objects of one come from memory.
+// The number of parts that are looked at while the objects of one come from memory.
 const std::size_t PartsAhead = 12;
 
-/** Begins to load the first of the lines of a cache that an object fills. */
+/** Prefetches the first cache lines of an object. */
 template <int Count>
 void PrefetchLines(const void* object)
 {
@@ -35,7 +35,7 @@ void PrefetchLines(const void* object)
 }
 }
 
-/** Finds the parts of props, and notes that they are there. */
+/** Finds the parts of props, and notes that the frame has them. */
 void SceneParts::FindAll(vtkProp* const* props, int count)
 {
   this->Drawn.resize(static_cast<std::size_t>(count));
@@ -48,7 +48,9 @@ void SceneParts::FindAll(vtkProp* const* props, int count)
   }
 }
 
-/** Props come in the same order from frame to frame, though some may be left out. */
+/**
+ * Returns the part of a prop. It is quick if props come in the order of the last frame, though some may be left out.
+ */
 std::uint32_t SceneParts::Find(vtkProp* prop)
 {
   if (this->Cursor < this->PropOf.size() && this->PropOf[this->Cursor] == prop)
@@ -65,7 +67,7 @@ std::uint32_t SceneParts::Find(vtkProp* prop)
   return place->second;
 }
 
-/** Of a prop, or of none. Returns its number. */
+/** Adds a part for a prop, or for a piece if `prop` is null. Returns its number. */
 std::uint32_t SceneParts::AddPart(vtkProp* prop)
 {
   this->Parts.emplace_back();
@@ -78,7 +80,7 @@ std::uint32_t SceneParts::AddPart(vtkProp* prop)
   return static_cast<std::uint32_t>(this->Parts.size() - 1);
 }
 
-/** Notes which parts are surely as they were. VTK's objects are read alone for that, by as many threads as there are. */
+/** Notes which parts surely have not changed. This only reads objects of VTK, so several threads do it. */
 void SceneParts::FindUnchanged()
 {
   this->AreSame.resize(this->Drawn.size());
@@ -98,8 +100,9 @@ void SceneParts::FindUnchanged()
 }
 
 /**
- * Whether drawing makes no images of textures. Whatever is made along with those may be anything, and VTK makes them as it draws one actor after another; so what is drawn with them, or of what was
- * there before, only drawing all of them tells.
+ * Returns true if drawing makes no images of textures. Pipelines that make images may make anything else, too, and VTK
+ * runs them as it draws one actor after another. So only drawing tells what is drawn with the new data, and what with
+ * the old.
  */
 bool SceneParts::AreImagesMade() const
 {
@@ -115,7 +118,10 @@ bool SceneParts::AreImagesMade() const
   return true;
 }
 
-/** What is read of the part and of VTK's objects to see whether it is unchanged, which lie all over memory. They need not be there any more. */
+/**
+ * Prefetches what IsUnchanged() reads of a part and of objects of VTK, which lie all over memory. The objects need not
+ * exist any more.
+ */
 void SceneParts::PrefetchObjects(std::uint32_t i) const
 {
   const Part& part = this->Parts[i];
@@ -133,22 +139,22 @@ void SceneParts::PrefetchObjects(std::uint32_t i) const
   PrefetchLines<1>(part.Shader);
 }
 
-/** Whether nothing else has to be done with it in each frame than to look whether it is unchanged. */
+/** Returns true if there is nothing to do for the part in each frame but to look whether it has changed. */
 bool SceneParts::IsPlain(std::uint32_t i) const
 {
   const Part& part = this->Parts[i];
   return part.Actor && !part.Divided && !part.HasTextures;
 }
 
-/** Whether filters make its data, so that one thread alone can look whether it is unchanged. */
+/** Returns true if filters make the data of the part. Then only one thread may look whether it has changed. */
 bool SceneParts::HasPipeline(std::uint32_t i) const
 {
   return !this->Parts[i].Producer && !this->Parts[i].Input;
 }
 
 /**
- * Whether no filter would make other data: not where the data stand by themselves, nor where a vtkDataSetMapper's own filter has made a surface of what is its input as it is now, nor where all filters
- * are as they were, nor for a mapper that draws what is there.
+ * Returns true if no filter would make other data. The data may stand alone. The filter of a vtkDataSetMapper may have
+ * made a surface of its current input. All filters may be as they were. Or the mapper draws whatever data there are.
  */
 bool SceneParts::AreDataMadeAlready(const Part& part)
 {
@@ -165,7 +171,7 @@ bool SceneParts::AreDataMadeAlready(const Part& part)
                                   : part.Pipeline.IsCurrent(part.Mapper);
 }
 
-/** Whether a part is as it was; in the order in which what holds the next is known to be there. */
+/** Returns true if a part has not changed. The tests come in an order in which each object is known to exist. */
 bool SceneParts::IsUnchanged(std::uint32_t i) const
 {
   const Part& part = this->Parts[i];

@@ -1,4 +1,4 @@
-// What is kept of props that are gone, and of those that were not drawn for long.
+// Forgets deleted props, and props that were not drawn for long.
 #include "culling/SceneParts.h"
 
 #include "vtkProp.h"
@@ -11,11 +11,14 @@ namespace vitrine
 
 namespace
 {
-// Where parts were absent for more updates than that, all is read anew: they may be gone for good.
+// If parts were absent for more updates than this, all parts are read anew: they may be deleted.
 const vtkMTimeType LongestAbsence = 200;
 }
 
-/** Once in a while: begins anew, if there are parts to be forgotten. What is known of the data of those that are there is kept until they were found again. */
+/**
+ * Begins anew once in a while, if there are parts to be forgotten. Keeps what is known of the data of the other parts
+ * until these are found again.
+ */
 void SceneParts::ForgetAbsent()
 {
   if (this->Frame % LongestAbsence != 0)
@@ -70,7 +73,7 @@ void SceneParts::ForgetRemoved()
   }
 }
 
-/** All but that it has a number: another prop may come to be at its address. */
+/** Forgets all of a part but its number: another prop may come to be at its address. */
 void SceneParts::ForgetPart(std::uint32_t part, std::vector<std::uint32_t>& moved)
 {
   this->Parts[part].Division.reset();

@@ -1,4 +1,4 @@
-// What is kept so that VTK draws as it does where nothing is left out.
+// Keeps props so that VTK draws as if nothing was left out.
 #include "culling/SceneParts.h"
 
 #include "vtkProp.h"
@@ -14,7 +14,7 @@ bool SceneParts::HasOthersThanParts() const
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
     if (!this->AreSame[i] &&
-      !this->Parts[this->Drawn[i]].Actor) // what surely is the same is a part
+      !this->Parts[this->Drawn[i]].Actor) // whatever surely is unchanged is a part
     {
       return true;
     }
@@ -60,14 +60,17 @@ void SceneParts::KeepOne(std::vector<std::uint8_t>& visible, std::uint8_t reason
   }
 }
 
-/** Whether any of the i-th prop does. */
+/** Returns true if any part of the i-th prop shows. */
 bool SceneParts::Shows(std::size_t i, const std::vector<std::uint8_t>& visible) const
 {
   const int number = static_cast<int>(i);
   return this->CountHidden(number, visible) < this->CountParts(number);
 }
 
-/** Of a prop: it takes VTK longer to find out than it takes to see that many surely are not. Whether blocks are is known of each by itself. */
+/**
+ * Returns false if a prop surely is not translucent. That saves to ask VTK, which takes longer. Blocks are asked one by
+ * one.
+ */
 bool SceneParts::MayBeTranslucent(std::uint32_t part) const
 {
   const Part& known = this->Parts[part];

@@ -1,4 +1,4 @@
-// Where parts are: their boxes, and the octree of them.
+// Places of parts: their boxes, and the octree of these.
 
 #include "culling/SceneParts.h"
 
@@ -25,14 +25,14 @@ namespace vitrine
 namespace
 {
 
-// A tree is built anew once more than one part in so many has been put into it, or moved.
+// The octree is built anew after more than one part in so many has moved, or come.
 const std::size_t FewOf = 16;
 
-// Boxes are put around the middle of parts that are farther from the origin than so many times their size.
+// Boxes are put around the middle of all parts if it is farther from the origin than this multiple of their size.
 const double FarOff = 1000.0;
 }
 
-/** Notes where the actor stands, and whether anything of it may hide. */
+/** Notes where the actor is, and whether any of it may hide others. */
 void SceneParts::ReadActor(Part& part)
 {
   double elements[16];
@@ -54,7 +54,7 @@ void SceneParts::ReadActor(Part& part)
   part.IsWireframe = vitrine::IsWireframe(part.Actor);
 }
 
-/** Of a part that is a prop. */
+/** Returns the coordinates that a device has of a part. The part must be a prop. */
 DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
 {
   const glm::dvec3& least = part.Geometry->Least();
@@ -66,7 +66,9 @@ DeviceCoordinates SceneParts::CoordinatesOf(const Part& part)
   return { glm::dvec3(0.0), glm::max(glm::abs(least), glm::abs(greatest)) };
 }
 
-/** Returns the part's box: empty if it cannot be hidden. */
+/**
+ * Returns the box of a part, in world coordinates (WC) relative to Origin(). It is empty if the part cannot be hidden.
+ */
 Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
 {
   part.Growth =
@@ -98,11 +100,12 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
   {
     return Box();
   }
-  half += RoundingOfSums * part.Sums; // boxes are of doubles, a device's floats reach farther
+  half +=
+    RoundingOfSums * part.Sums; // boxes are found in doubles; the floats of a device reach farther
   return Box::Around(middle - half, middle + half);
 }
 
-/** Notes where a part is now, and that it has moved, if it has. */
+/** Sets the box of a part. Adds the part to `moved` if that is a change. */
 void SceneParts::Place(std::uint32_t part, const Box& box, std::vector<std::uint32_t>& moved)
 {
   const bool isOfViewAlone = this->Parts[part].IsOfViewAlone;
@@ -115,7 +118,7 @@ void SceneParts::Place(std::uint32_t part, const Box& box, std::vector<std::uint
   }
 }
 
-/** Places a prop that was looked at: as one part, or as the parts that it is divided into. */
+/** Places a prop that was looked at, as one part or as the parts that it is divided into. */
 void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& moved)
 {
   this->FitPieces(whole, moved);
@@ -158,7 +161,9 @@ void SceneParts::PlaceWhole(std::uint32_t whole, std::vector<std::uint32_t>& mov
   }
 }
 
-/** Gives a prop as many pieces as it is divided into; none where what cannot be drawn may spoil all. */
+/**
+ * Gives a prop as many pieces as it is divided into. Gives none if a block that is not finite may spoil all of them.
+ */
 void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& moved)
 {
   const std::shared_ptr<const MapperParts> division = this->Parts[whole].Division;
@@ -182,7 +187,7 @@ void SceneParts::FitPieces(std::uint32_t whole, std::vector<std::uint32_t>& move
   this->HasPieces[whole] = !this->Parts[whole].Pieces.empty();
 }
 
-/** Puts the octree right. */
+/** Updates the octree. */
 void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
 {
   if ((this->Boxes.ChangeCount() + moved.size()) * FewOf > this->Parts.size())
@@ -196,13 +201,13 @@ void SceneParts::Replant(const std::vector<std::uint32_t>& moved)
   }
 }
 
-/** Empty if it may be anywhere. */
+/** Returns the box of a part. It is empty if the part may be anywhere. */
 const Box& SceneParts::BoxInWorld(std::size_t part) const
 {
   return this->Parts[part].IsOfViewAlone ? this->Parts[part].InView : this->BoxOf[part];
 }
 
-/** Whether parts are small for how far they are from the origin, as those on maps are. */
+/** Returns true if parts are small for their distance from the origin, as on maps. Sets `middle` to their middle. */
 bool SceneParts::IsFarOff(glm::dvec3& middle) const
 {
   glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
@@ -219,7 +224,10 @@ bool SceneParts::IsFarOff(glm::dvec3& middle) const
   return glm::length(middle) > FarOff * glm::length(greatest - least);
 }
 
-/** Has boxes count from `middle`, which counts from the old origin. Parts that are not there are looked at when they come again. */
+/**
+ * Moves the origin of all boxes to `middle`, which is relative to the old origin. Parts that are not in this frame are
+ * looked at when they come again.
+ */
 void SceneParts::MoveOrigin(const glm::dvec3& middle)
 {
   this->Middle += middle;

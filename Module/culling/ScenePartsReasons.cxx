@@ -1,4 +1,4 @@
-// Why a prop was drawn, or that it was left out, in words. Nothing here is asked while a frame is drawn.
+// Explains why a prop was drawn or left out. Nothing here is called while a frame is drawn.
 #include "culling/SceneParts.h"
 
 #include "culling/CullingPolicy.h"
@@ -41,7 +41,7 @@ std::string SceneParts::Explain(vtkProp* prop, const Fate& fate) const
       std::to_string(parts.size()) + " parts are left out";
 }
 
-/** Of a part that is drawn. */
+/** Explains why a part is drawn. */
 std::string SceneParts::ExplainShown(vtkProp* prop, std::uint32_t part, const Fate& fate) const
 {
   const Part& known = this->Parts[part];
@@ -79,14 +79,14 @@ std::string SceneParts::ExplainShown(vtkProp* prop, std::uint32_t part, const Fa
                       : "visible";
 }
 
-/** A rule by which the part hides nothing; null if it hides. */
+/** Returns a rule by which the part hides nothing, or null if it hides others. */
 const PropRow* SceneParts::FindHidesNothing(const Part& part) const
 {
   return part.HidesNothingBy ? part.HidesNothingBy
                              : FindPropRow(PropStage::Frame, this->FactsOf(part));
 }
 
-/** Whether a part lies outside of the view. */
+/** Returns true if a part lies outside of the view. */
 bool SceneParts::IsOutside(std::uint32_t part, const RendererView& view) const
 {
   const ScreenProjection& projection =

@@ -1,4 +1,4 @@
-// Parts that were found hidden where they are, and may be drawn elsewhere.
+// Verifies that parts are hidden wherever a device may draw them.
 #include "culling/SceneParts.h"
 
 #include "Core/culling/screen/ScreenProjection.h"
@@ -16,7 +16,11 @@ namespace vitrine
 namespace
 {
 
-/** Finds parts whose boxes lie in the view, and may have samples, eight at a time. Where lines are drawn, the view's boxes grow by a pixel and more, so that all have; what is drawn elsewhere than at samples has, too. */
+/**
+ * Finds parts whose boxes lie in the view and may have samples, eight at a time. Where lines are drawn, the view grows
+ * boxes by more than a pixel, so that all have samples. A part that is drawn at other places than samples always
+ * counts.
+ */
 class ViewFilter
 {
 public:
@@ -38,7 +42,7 @@ public:
     }
   }
 
-  /** Looks at those that are left. */
+  /** Looks at the parts that are left. */
   void Flush()
   {
     RectangleLanes rectangles;
@@ -63,11 +67,11 @@ private:
   BoxLanes Boxes;
   BoxedPart Parts[LaneCount];
   int Count = 0;
-  unsigned Apart = 0; ///< a bit for each that is drawn apart from what hides it (ShapeSource)
+  unsigned Apart = 0; ///< a bit for each part that is drawn apart (ShapeSource)
 };
 }
 
-/** Tells what parts are, whatever they hide. */
+/** Returns the geometry of parts, whether they hide others or not. */
 class SceneParts::Shapes : public ShapeSource
 {
 public:
@@ -118,7 +122,11 @@ void SceneParts::VerifyHidden(PartCuller& culler, const ScreenProjection& view,
   }
 }
 
-/** Wireframes may be nearer than is known; of what changes all the time it is not known how near it is. Lines and points are drawn beyond a viewport's border, where nothing hides them. */
+/**
+ * Returns true if nothing can tell whether the part is hidden. Wireframes may be nearer than is known. The geometry of
+ * data that change all the time is not read. Lines and points are drawn beyond the border of a viewport, where nothing
+ * hides them.
+ */
 bool SceneParts::MayShowAnywhere(const BoxedPart& part, const ScreenProjection& view) const
 {
   const Part& known = this->Parts[part.Part];
@@ -126,13 +134,16 @@ bool SceneParts::MayShowAnywhere(const BoxedPart& part, const ScreenProjection& 
     (known.Growth > 0.0f && view.ReachesBeyond(view.RectangleOf(part.Bounds).value_or(Everywhere)));
 }
 
-/** Whether passes may draw it at the centres of pixels that have several samples, or of other pixels than the window's. */
+/**
+ * Returns true if passes may draw the part at the centres of pixels with several samples, or at those of other pixels
+ * than the window has.
+ */
 bool SceneParts::IsDrawnApart(const Part& part, const SampleGrid& samples) const
 {
   return !samples.HasOneSamplePerPixel() && !this->IsOpaque(part);
 }
 
-/** Parts that are drawn, were found hidden, and may have samples in the view. */
+/** Returns the parts that this frame draws, that were found hidden, and that may have samples in the view. */
 std::vector<BoxedPart> SceneParts::FindHiddenInView(const ScreenProjection& view,
   const SampleGrid& samples, const std::vector<std::uint8_t>& drawn,
   const std::vector<std::uint8_t>& visible) const

@@ -1,4 +1,4 @@
-// Parts that others do not hide: they are left out where they lie outside of the view.
+// Leaves out parts that only the view hides, if they lie outside of it.
 #include "culling/SceneParts.h"
 
 #include "Core/culling/screen/ScreenProjection.h"

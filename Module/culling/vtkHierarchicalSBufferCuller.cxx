@@ -35,10 +35,10 @@ vtkInformationKeyMacro(vtkHierarchicalSBufferCuller, NON_OCCLUDING, Integer);
 
 namespace
 {
-// Fewer parts are not worth threads.
+// The screen is cut into bands from this number of parts on. Fewer are not worth threads.
 const std::size_t PartsOfBands = 2048;
 
-// The screen is cut into so many bands, whatever the machine has, so that the same frames are culled alike everywhere.
+// The number of bands. It does not depend on the machine, so that the same frames are culled alike everywhere.
 const int BandsOfMany = 4;
 
 double SumOfMultipliers(vtkProp* const* props, int count)
@@ -47,7 +47,7 @@ double SumOfMultipliers(vtkProp* const* props, int count)
     [](double sum, vtkProp* prop) { return sum + prop->GetRenderTimeMultiplier(); });
 }
 
-/** Pixels across by pixels upwards. */
+/** Returns the width of the viewport by its height, in pixels. */
 double AspectOf(vtkRenderer* renderer)
 {
   int width = 0, height = 0;
@@ -55,7 +55,7 @@ double AspectOf(vtkRenderer* renderer)
   return width > 0 && height > 0 ? static_cast<double>(width) / height : 1.0;
 }
 
-/** Has VTK draw the rest as it does where nothing is left out. */
+/** Keeps props so that VTK draws the rest as if nothing was left out. */
 void KeepWhatOthersNeed(const vitrine::FrameFacts& facts, std::vector<std::uint8_t>& visible)
 {
   bool isTranslucentKept = false;
@@ -76,25 +76,25 @@ void KeepWhatOthersNeed(const vitrine::FrameFacts& facts, std::vector<std::uint8
 }
 }
 
-/** What is kept of each renderer from frame to frame. */
+/** The data of all renderers, kept from frame to frame. */
 struct vtkHierarchicalSBufferCuller::State
 {
   struct ShapedCuller;
   struct CulledRenderer;
   std::map<vtkRenderer*, CulledRenderer> ByRenderer;
-  std::set<std::string> KnownPasses; ///< classes
+  std::set<std::string> KnownPasses; ///< names of classes
   vtkHierarchicalSBufferCuller* Owner = nullptr;
-  vitrine::CullingDecision Decision{ vitrine::CullingMode::Off,
-    "no frame has been drawn yet" }; ///< of the last frame
-  vtkWeakPointer<vtkRenderer>
-    Last;                 ///< the renderer of the last frame; null if it had no visible props
-  std::string PropReason; ///< that was told last
+  /** The decision for the last frame. */
+  vitrine::CullingDecision Decision{ vitrine::CullingMode::Off, "no frame has been drawn yet" };
+  /** The renderer of the last frame. Null if it had no visible props. */
+  vtkWeakPointer<vtkRenderer> Last;
+  std::string PropReason; ///< the last result of GetReason(prop)
 
   CulledRenderer& FindOrAdd(vtkRenderer* renderer);
   std::string Explain(vtkProp* prop);
 };
 
-/** A culler, made anew for views of another shape. */
+/** A culler that is made anew for views of another shape. */
 struct vtkHierarchicalSBufferCuller::State::ShapedCuller
 {
   vitrine::PartCuller& For(const vitrine::RendererView& view, std::size_t parts)
@@ -110,7 +110,7 @@ struct vtkHierarchicalSBufferCuller::State::ShapedCuller
     return *this->Culler;
   }
 
-  /** The last one. */
+  /** Returns the culler of the last call of For(). */
   const vitrine::PartCuller& Last() const { return *this->Culler; }
 
 private:
@@ -124,13 +124,14 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   vtkWeakPointer<vtkRenderer> Renderer;
   vitrine::SceneParts Parts;
   ShapedCuller OfFrames;
-  ShapedCuller OfSelections;       ///< so that what is known of the last frame stays
-  std::vector<std::uint8_t> Drawn; ///< each part
+  ShapedCuller OfSelections; ///< its own culler, so that what is known of the last frame stays
+  std::vector<std::uint8_t> Drawn; ///< 1 for each part that this frame draws
   std::vector<std::uint8_t> Visible;
-  vitrine::RendererView View; ///< of the last frame that something was left out of
-  bool HasBuffer = false;     ///< of the last frame that was no selection
+  vitrine::RendererView View; ///< the view of the last frame that was culled
+  bool HasBuffer = false;     ///< the last frame that was no selection left an s-buffer
   vtkSmartPointer<vtkImageData> BufferImage;
-  std::vector<std::shared_ptr<const vitrine::ShownParts>> Told; ///< to mappers, in this frame
+  /** What mappers were told in this frame. */
+  std::vector<std::shared_ptr<const vitrine::ShownParts>> Told;
 
   CulledRenderer(vtkRenderer* renderer, vtkHierarchicalSBufferCuller* owner)
     : Renderer(renderer)
@@ -154,7 +155,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
   CulledRenderer(const CulledRenderer&) = delete;
   CulledRenderer& operator=(const CulledRenderer&) = delete;
 
-  /** VTK asks no cullers where nothing is visible. */
+  /** Called before a frame, since VTK calls no cullers if nothing is visible. */
   void Begin()
   {
     this->TakeBack();
@@ -166,7 +167,7 @@ struct vtkHierarchicalSBufferCuller::State::CulledRenderer
     }
   }
 
-  /** What mappers were told is true of one frame. */
+  /** Takes back what mappers were told, which holds for one frame. */
   void TakeBack() { this->Told.clear(); }
 
 private:
@@ -184,7 +185,7 @@ vtkHierarchicalSBufferCuller::State::CulledRenderer& vtkHierarchicalSBufferCulle
   return this->ByRenderer.try_emplace(renderer, renderer, this->Owner).first->second;
 }
 
-/** Why a prop was drawn in the last frame, or that it was not. */
+/** Returns why a prop was drawn in the last frame, or that it was not. */
 std::string vtkHierarchicalSBufferCuller::State::Explain(vtkProp* prop)
 {
   if (!prop || !this->Last)
@@ -209,7 +210,7 @@ vtkHierarchicalSBufferCuller::vtkHierarchicalSBufferCuller()
 
 vtkHierarchicalSBufferCuller::~vtkHierarchicalSBufferCuller() = default;
 
-/** What it tells of the last one. */
+/** Forgets the counts and the decision of the last frame. */
 void vtkHierarchicalSBufferCuller::ForgetFrame()
 {
   this->NumberOfDrawnProps = this->NumberOfDrawnParts = this->NumberOfCulledParts =
@@ -227,8 +228,8 @@ double vtkHierarchicalSBufferCuller::Cull(
   const auto start = std::chrono::steady_clock::now();
   this->ForgetFrame();
   this->NumberOfDrawnParts = listLength;
-  // VTK shares out the time for a frame by that of all props: so levels of detail stay the same, whatever is hidden
-  // beside them.
+  // VTK shares out the time for a frame in proportion to that of all props. So levels of detail stay the same, whatever
+  // is left out.
   const double total = initialized ? SumOfMultipliers(propList, listLength) : listLength;
   if (!renderer->GetSelector())
   {
@@ -243,10 +244,12 @@ double vtkHierarchicalSBufferCuller::Cull(
     initialized = 1;
   }
   this->CullTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return total > 0.0 ? total : 1.0; // what is shared out by it must stay finite
+  return total > 0.0 ? total : 1.0; // VTK divides by it, so it must not be 0
 }
 
-/** Decides what may be left out, leaves it out, and keeps what VTK needs to draw the rest as it does with all. */
+/**
+ * Decides what may be left out, leaves it out, and keeps what VTK needs to draw the rest as if nothing was left out.
+ */
 void vtkHierarchicalSBufferCuller::CullHidden(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
@@ -358,7 +361,7 @@ vtkImageData* vtkHierarchicalSBufferCuller::GetBufferImage(vtkRenderer* renderer
   return image;
 }
 
-/** Drops the props that have no part that shows, and tells the mappers of the others which parts of theirs do. */
+/** Removes props from the list if no part of them shows. Tells the mappers of the others which of their parts show. */
 void vtkHierarchicalSBufferCuller::KeepShown(
   vtkRenderer* renderer, vtkProp** propList, int& listLength)
 {
