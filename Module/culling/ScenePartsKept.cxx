@@ -13,8 +13,8 @@ bool SceneParts::HasOthersThanParts() const
 {
   for (std::size_t i = 0; i < this->Drawn.size(); ++i)
   {
-    if (!this->AreSame[i] &&
-      !this->Parts[this->Drawn[i]].Actor) // whatever surely is unchanged is a part
+    // A prop that surely is unchanged is a part.
+    if (!this->AreSame[i] && !this->Parts[this->Drawn[i]].Actor)
     {
       return true;
     }

@@ -11,7 +11,7 @@ namespace vitrine
 
 vtkStandardNewMacro(BlockDrawing);
 
-/** Hidden blocks are made invisible for as long as it takes to draw. */
+/** Draws the blocks. Hidden ones are made invisible while it draws. */
 void BlockDrawing::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   const std::shared_ptr<const ShownParts> shown =

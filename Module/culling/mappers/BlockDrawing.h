@@ -1,7 +1,7 @@
 /**
  * @file
- * What draws the blocks of a vtkCulledCompositePolyDataMapper, and what differs in it between VTK's versions: up to 9.2 helpers of
- * the mapper, from 9.3 on mappers of batches and what hands these their blocks.
+ * Draws the blocks of a vtkCulledCompositePolyDataMapper, and hides the differences between versions of VTK. Up to VTK
+ * 9.2 the mapper has helpers. From 9.3 on it has mappers of batches, and a delegator that gives these their blocks.
  */
 #ifndef VITRINE_CULLING_MAPPERS_BLOCK_DRAWING_H
 #define VITRINE_CULLING_MAPPERS_BLOCK_DRAWING_H
@@ -19,13 +19,13 @@
 namespace vitrine
 {
 
-/** Whether a block has colours of its own, other than a plain one. */
+/** Returns true if a block has colours of its own, other than a plain one. */
 inline bool HasColorsOfItsOwn(vtkCompositeDataDisplayAttributes*, vtkDataObject*)
 {
   return false;
 }
 
-/** VTK's, without the blocks that are hidden. */
+/** Draws blocks as VTK does, without the hidden ones. */
 class BlockDrawing : public vtkCompositeMapperHelper2
 {
 public:
@@ -61,7 +61,7 @@ protected:
 namespace vitrine
 {
 
-/** Whether a block has colours of its own, other than a plain one. */
+/** Returns true if a block has colours of its own, other than a plain one. */
 inline bool HasColorsOfItsOwn(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* block)
 {
   return attributes->HasBlockScalarVisibility(block) || attributes->HasBlockColorMode(block) ||
@@ -71,7 +71,7 @@ inline bool HasColorsOfItsOwn(vtkCompositeDataDisplayAttributes* attributes, vtk
     attributes->HasBlockLookupTable(block) || attributes->HasBlockTexture(block);
 }
 
-/** VTK's, without the blocks that are hidden. */
+/** Draws blocks as VTK does, without the hidden ones. */
 class BlockDrawing : public vtkOpenGLBatchedPolyDataMapper
 {
 public:
@@ -97,7 +97,7 @@ protected:
   }
 };
 
-/** Hands blocks to BlockDrawing. */
+/** Gives blocks to BlockDrawing. */
 class BlockDelegator : public vtkOpenGLCompositePolyDataMapperDelegator
 {
 public:

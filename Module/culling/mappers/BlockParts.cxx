@@ -27,7 +27,10 @@ std::shared_ptr<const MapperParts> BlockParts::PartsFor(vtkActor*, vtkMTimeType)
   return this->Known;
 }
 
-/** Looks at each node only if what holds it has not changed: else it may be gone. */
+/**
+ * Returns true if nothing has changed. Looks at a node only if its group has not changed: otherwise the node may be
+ * deleted.
+ */
 bool BlockParts::IsCurrent() const
 {
   return this->Known && this->Mapper->GetMTime() == this->MapperTime &&
@@ -58,7 +61,8 @@ void BlockParts::Divide()
 }
 
 /**
- * The innermost of a block's visibilities counts, as in VTK. Of opacities none may be less than 1, which is less than VTK asks for.
+ * Visits a node and all below it. As in VTK, the innermost visibility counts. A block is opaque only if no opacity on
+ * the way to it is less than 1, while VTK looks at the innermost alone.
  */
 void BlockParts::Visit(vtkDataObject* object, Inherited inherited)
 {
@@ -98,7 +102,10 @@ void BlockParts::AddLeaf(vtkPolyData* data, const Inherited& inherited)
   }
 }
 
-/** Data that several blocks share are drawn as the last of them, in older versions, or as all of them. */
+/**
+ * Merges leaves with the same data. Older versions of VTK draw them as the last of their blocks, newer ones as all of
+ * them.
+ */
 void BlockParts::MergeLeaves()
 {
   std::stable_sort(this->Leaves.begin(), this->Leaves.end(),
@@ -120,7 +127,7 @@ void BlockParts::MergeLeaves()
   this->Leaves.resize(kept);
 }
 
-/** Takes what is known of data that have not changed. */
+/** Takes over the geometries of data that have not changed. */
 void BlockParts::FindGeometries(const std::vector<Leaf>& before)
 {
   auto known = before.begin();
@@ -131,7 +138,7 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
       ++known;
     }
     const bool isKnown = known != before.end() && known->Data == leaf.Data;
-    // A device is given the points of all blocks once one of them was modified in any way.
+    // A device gets the points of all blocks anew after one of them was modified in any way.
     leaf.Geometry = isKnown && known->Time == leaf.Time
       ? known->Geometry
       : std::make_shared<PartGeometry>(leaf.Data,
@@ -139,7 +146,10 @@ void BlockParts::FindGeometries(const std::vector<Leaf>& before)
   }
 }
 
-/** Of all blocks, from the origin; and by way of the middle of a block that VTK may draw about its middle, which is where all of them count from if it comes first. */
+/**
+ * Returns the largest absolute coordinates of all blocks, from the origin. VTK may draw a block relative to its middle,
+ * and if it comes first, all blocks are relative to that. So ways by the middle of such a block count, too.
+ */
 glm::dvec3 BlockParts::FarthestCoordinates() const
 {
   glm::dvec3 least(std::numeric_limits<double>::infinity()), greatest = -least;
@@ -160,7 +170,10 @@ glm::dvec3 BlockParts::FarthestCoordinates() const
   return farthest;
 }
 
-/** Parts stand in the order of the data set, which is the same in each run of a program; addresses are not. */
+/**
+ * Makes the parts, in the order of the data set. That is the same in each run of a program, and the order of addresses
+ * is not.
+ */
 void BlockParts::MakeParts()
 {
   auto blocks = std::make_shared<Blocks>();

@@ -14,14 +14,14 @@ class vtkDataObject;
 namespace vitrine
 {
 
-/** The visible blocks of a composite data set, in its order. */
+/** The visible blocks of a composite data set, in the order of the data set. */
 struct Blocks : MapperParts
 {
-  std::vector<std::uint32_t>
-    ByAddress; ///< the parts in ascending order of the addresses of their data
+  /** Indices of parts, in ascending order of the addresses of their data. */
+  std::vector<std::uint32_t> ByAddress;
 };
 
-/** The visible blocks of a composite mapper as parts. */
+/** The visible blocks of a composite mapper, as parts. */
 class BlockParts : public DividedMapper
 {
 public:
@@ -30,18 +30,18 @@ public:
   {
   }
 
-  /** All actors have the same. Null where blocks bring tables of colours. */
+  /** Returns the parts, which are the same for all actors. Returns null if blocks bring lookup tables. */
   std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) override;
 
 private:
-  /** A block, or a group of them, and its time when it was looked at. */
+  /** A block or a group of blocks, and its time when it was looked at. */
   struct Node
   {
     vtkDataObject* Object;
     vtkMTimeType Time;
   };
 
-  /** What a block has from all that it is in. */
+  /** What a block inherits from the groups that it is in. */
   struct Inherited
   {
     bool IsVisible = true;
@@ -53,7 +53,7 @@ private:
   {
     vtkPolyData* Data;
     vtkMTimeType Time;
-    std::uint32_t Place; ///< of the first block, in the order of the data set
+    std::uint32_t Place; ///< index of the first of these blocks, in the order of the data set
     bool IsVisible;
     bool IsOpaque;
     std::shared_ptr<PartGeometry> Geometry;
@@ -70,10 +70,13 @@ private:
 
   vtkCulledCompositePolyDataMapper* Mapper;
   vtkMTimeType MapperTime = 0;
-  std::vector<Node> Nodes;  ///< each behind what holds it
-  std::vector<Leaf> Leaves; ///< in ascending order of their addresses
-  bool BringTables =
-    false; ///< whether blocks have tables of their own: which of them others get, too, is known when all are drawn
+  std::vector<Node> Nodes;  ///< nodes; each comes after the group that holds it
+  std::vector<Leaf> Leaves; ///< leaves, in ascending order of the addresses of their data
+  /**
+   * True if blocks have lookup tables of their own. Which of them other blocks get, too, is known only after all are
+   * drawn.
+   */
+  bool BringTables = false;
   std::shared_ptr<const Blocks> Known;
 };
 

@@ -27,32 +27,31 @@ class PartGeometry;
 /** One of the parts that a mapper draws one by one. */
 struct MapperPart
 {
-  vtkPolyData* Data; ///< that has its points
+  vtkPolyData* Data; ///< the data that have its points
   std::shared_ptr<PartGeometry> Geometry;
-  bool MayHide; ///< false where colours or settings of its own may let something through
+  bool MayHide; ///< false if colours or settings of its own may let light through
 };
 
-/** The parts of a mapper, as long as neither it nor its data change. */
+/** The parts of a mapper. They are valid as long as neither the mapper nor its data change. */
 struct MapperParts
 {
   std::vector<MapperPart> Parts;
-  glm::dvec3 Farthest{
-    0.0
-  };                    ///< largest absolute coordinates of all that stands in the mapper's buffers
-  bool IsFinite = true; ///< whether all of those are numbers that floats can hold
+  /** The largest absolute coordinates of all points in the buffers of the mapper. */
+  glm::dvec3 Farthest{ 0.0 };
+  bool IsFinite = true; ///< floats can hold all of these points
 };
 
-/** What a culler has found in one view of one actor: which parts of its mapper may show. */
+/** What a culler has found for one actor in one view: which parts of its mapper may show. */
 class ShownParts
 {
 public:
-  /** @param shown  1 for each of the parts that may show, 0 for the others */
+  /** @param shown  one byte per part: 1 if it may show, else 0 */
   ShownParts(const ViewMatrices& view, vtkActor* actor, std::shared_ptr<const MapperParts> parts,
     std::vector<std::uint8_t> shown);
 
   /**
-   * Whether the actor stands where it stood, and is seen as it was: assemblies draw their actors at other places, too, and passes
-   * that cast shadows draw all from the light's.
+   * Returns true if the actor and the view have not changed since then. Assemblies draw their actors at other places,
+   * too, and passes for shadows draw all from the view of a light.
    */
   bool IsOf(vtkRenderer* renderer, vtkActor* actor) const;
 
@@ -67,8 +66,8 @@ private:
 };
 
 /**
- * The parts that a mapper draws one by one, and which of them it is to draw. Cullers own what they tell, and take it back when the
- * frame is done. It is told for an actor and a renderer: those that share the mapper do not share it.
+ * The parts that a mapper draws one by one, and which of them it is to draw. Cullers own what they tell the mapper, and
+ * take it back after the frame. It holds for one actor and one renderer. Others that share the mapper do not share it.
  */
 class DividedMapper
 {
@@ -76,26 +75,28 @@ public:
   virtual ~DividedMapper() = default;
 
   /**
-   * The parts as they are now: the same ones as long as nothing has changed. Null for an actor that is drawn as a whole.
-   * @param frame  in which that is asked, of all that ask for those of an actor
+   * Returns the current parts of an actor. They are the same object as long as nothing has changed. Returns null for an
+   * actor that is drawn as a whole.
+   * @param frame  the current frame, the same for all callers for an actor
    */
   virtual std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) = 0;
 
-  /** Says what shows of an actor in a renderer, as long as somebody holds it. */
+  /** Sets which parts of an actor show in a renderer. That holds as long as somebody else keeps `shown`. */
   void SetShown(
     vtkRenderer* renderer, vtkActor* actor, const std::shared_ptr<const ShownParts>& shown);
 
-  /** What to draw of an actor; null for all of it, which is what selectors need. */
+  /** Returns what to draw of an actor. Returns null for all of it, which is what selectors need. */
   std::shared_ptr<const ShownParts> ShownIn(vtkRenderer* renderer, vtkActor* actor) const;
 
 private:
   void ForgetWhatWasTakenBack();
 
   std::map<std::pair<vtkRenderer*, vtkActor*>, std::weak_ptr<const ShownParts>> Told;
-  std::size_t MostTold = 16; ///< before it is looked for what was taken back
+  /** The size of Told from which entries that were taken back are removed. */
+  std::size_t MostTold = 16;
 };
 
-/** The parts of a mapper that is one of this module's; null for all others. */
+/** Returns the divided mapper of a mapper that is one of this module, or null. */
 DividedMapper* DividedMapperOf(vtkMapper* mapper);
 
 }

@@ -18,7 +18,7 @@ namespace vitrine
 namespace
 {
 
-/** Whether VTK draws the actor's polygons as triangles of one buffer, and nothing else. */
+/** Returns true if VTK draws the polygons of the actor as triangles of one buffer, and nothing else. */
 bool IsPlainSurface(vtkActor* actor, vtkPolyDataMapper* mapper)
 {
   vtkProperty* property = actor->GetProperty();
@@ -46,7 +46,7 @@ struct CornerPoints
   }
 };
 
-/** Reads each triangle of a polydata. */
+/** Reads the triangles of a polydata. */
 class TriangleReader
 {
 public:
@@ -79,7 +79,7 @@ std::vector<OrderedRun> RunsOf(const TriangleReader& triangles)
   return CutIntoRuns(boxes);
 }
 
-/** The leaves of a polydata of polygons; null if there are not enough of them. */
+/** Returns the leaves of a polydata of polygons, or null if it has too few polygons. */
 std::shared_ptr<const Leaves> LeavesOf(vtkPolyData* data)
 {
   const PartGeometry whole(data);
@@ -111,7 +111,7 @@ std::shared_ptr<const Leaves> LeavesOf(vtkPolyData* data)
 }
 }
 
-/** Of other data, or such as have changed. */
+/** Notes that there are other data, or that the data have changed. */
 void LeafParts::LookAt(vtkPolyData* data)
 {
   const ShapeTimes times = ShapeTimesOf(data);
@@ -122,7 +122,8 @@ void LeafParts::LookAt(vtkPolyData* data)
   }
   else if (this->Runs)
   {
-    this->Runs = std::make_shared<const Leaves>(*this->Runs); // colours may be others
+    // A new object tells callers of a change: colours may have changed.
+    this->Runs = std::make_shared<const Leaves>(*this->Runs);
   }
   this->Data = data;
   this->Time = data->GetMTime();

@@ -16,14 +16,14 @@ namespace vitrine
 struct Leaves : MapperParts
 {
   /**
-   * The first triangle of each leaf, and how many there are in all: counted with and without those that have two corners at one place,
-   * which VTK leaves out of its buffers in most cases.
+   * The first triangle of each leaf, and the number of all triangles at the end. FirstOfAll counts all triangles.
+   * FirstOfDrawn leaves out those with two equal corners, as VTK does in its buffers in most cases.
    */
   std::vector<std::uint32_t> FirstOfAll{ 0 };
   std::vector<std::uint32_t> FirstOfDrawn{ 0 };
 };
 
-/** Runs of triangles of a large polydata as parts. */
+/** Runs of triangles of a large polydata, as parts. */
 class LeafParts : public DividedMapper
 {
 public:
@@ -32,20 +32,23 @@ public:
   {
   }
 
-  /** Surfaces alone are divided, where the polydata has finite points, nothing but polygons, and enough of them. */
+  /**
+   * Returns the parts. Only a surface is divided, and only if its polydata has finite points, nothing but polygons, and
+   * enough of them.
+   */
   std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) override;
 
-  /** The leaves of the last division. */
+  /** Returns the leaves of the last division. */
   const std::shared_ptr<const Leaves>& Known() const { return this->Runs; }
 
 private:
   void LookAt(vtkPolyData* data);
 
   vtkPolyDataMapper* Mapper;
-  vtkPolyData* Data = nullptr; ///< which may be gone
+  vtkPolyData* Data = nullptr; ///< the data, which may be deleted
   vtkMTimeType Time = 0;
   ShapeTimes Times{};
-  ReadingHistory History; ///< of its triangles
+  ReadingHistory History; ///< history of reading the triangles
   std::shared_ptr<const Leaves> Runs;
 };
 

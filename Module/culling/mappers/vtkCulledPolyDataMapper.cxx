@@ -19,13 +19,13 @@ vtkStandardNewMacro(vtkCulledPolyDataMapper);
 namespace
 {
 
-/** Triangles of a buffer that are drawn, in their order: as many runs as there are gaps between them, and one. */
+/** The triangles of a buffer that are drawn, in their order, as runs without gaps. */
 struct DrawnTriangles
 {
-  std::vector<GLsizei> Counts; ///< of indices
+  std::vector<GLsizei> Counts; ///< number of indices of each run
   std::vector<const void*> Starts;
 
-  /** Triangles from the first to before the end: none of a leaf of those that VTK does not draw. */
+  /** Adds the triangles from `first` up to before `end`. There are none if VTK draws no triangle of a leaf. */
   void Add(std::uint32_t first, std::uint32_t end)
   {
     if (first == end)
@@ -53,7 +53,7 @@ struct DrawnTriangles
   }
 
 private:
-  std::size_t End = 0; ///< in bytes, of what was added last
+  std::size_t End = 0; ///< end of the last run, in bytes
 };
 
 DrawnTriangles DrawnOf(
@@ -70,7 +70,10 @@ DrawnTriangles DrawnOf(
   return drawn;
 }
 
-/** Where leaves begin in a buffer of so many indices; null if it is not one of theirs. */
+/**
+ * Returns where leaves begin in a buffer with this number of indices. Returns null if the buffer does not hold the
+ * leaves.
+ */
 const std::vector<std::uint32_t>* FirstsIn(const vitrine::Leaves& leaves, std::size_t indices)
 {
   for (const auto* firsts : { &leaves.FirstOfDrawn, &leaves.FirstOfAll })
@@ -111,7 +114,10 @@ void vtkCulledPolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
   }
 }
 
-/** VTK prepares what it draws all with, and draws nothing: there are only triangles, which it is told are none. */
+/**
+ * Draws the leaves that show. VTK prepares the drawing, and draws nothing: there are only triangles, and it is told
+ * that there are none.
+ */
 void vtkCulledPolyDataMapper::DrawLeaves(
   vtkRenderer* renderer, vtkActor* actor, const vitrine::ShownParts& shown)
 {
@@ -128,7 +134,7 @@ void vtkCulledPolyDataMapper::DrawLeaves(
   triangles.IBO->Bind();
   if (triangles.Program->IsUniformUsed("PrimitiveIDOffset"))
   {
-    // Primitives are counted anew in each run.
+    // A device counts primitives anew in each run.
     const auto last = static_cast<GLuint>(this->VBOs->GetNumberOfTuples("vertexMC") - 1);
     for (std::size_t run = 0; run < drawn.Counts.size(); ++run)
     {
