@@ -49,7 +49,10 @@ public:
       left, right, std::max(bottom, this->Around.Bottom), std::min(top, this->Around.Top));
   }
 
-  /** The same for a line and the seven above it, without limits of columns. */
+  /**
+   * Returns the segments on a line and on the seven above it, over all columns. Places nearer than `inset` to the sides
+   * of a line do not count.
+   */
   HideableSegmentLanes Pieces(int line, float inset) const;
 
 private:

@@ -41,13 +41,14 @@ public:
   bool AreAll(const MeshProjection& projection);
 
   /**
-   * The same if many faces may be slivers, of whose depth floats tell nothing. Such slivers are tested by depths that
-   * are found in doubles.
+   * Returns true if all faces are hidden, even if some are slivers, of whose depth floats tell nothing. The depths of
+   * slivers are found in doubles.
    */
   bool AreAllOfAnyThickness(const MeshProjection& projection);
 
   /**
-   * The same for some faces, and for all faces that a device may cut at the sides of the view.
+   * Returns true if some faces are hidden, and all faces that a device may cut at the sides of the view. Faces may be
+   * slivers.
    * @param faces    numbers of faces, in ascending order
    * @param nearest  no other face is nearer than this depth, unless it is cut
    */

@@ -33,7 +33,7 @@ public:
   /** Appends the faces that may have samples to a list, among the faces from `first` up to before `end`. */
   void Add(std::size_t first, std::size_t end, std::vector<std::uint32_t>& to) const;
 
-  /** The same for faces whose numbers are in a list. */
+  /** Appends those of some faces that may have samples to a list. */
   void Add(const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& to) const;
 
 private:

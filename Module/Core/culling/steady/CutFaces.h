@@ -39,11 +39,12 @@ public:
    */
   float UnsteadyOf(const MeshFace& face);
 
-  /** The same for a face of the projection, by its number. */
+  /** Returns by how much the depths of a face of the projection may be off, given its number. */
   float UnsteadyOf(std::uint32_t face) { return this->UnsteadyOf(this->Projection->WholeOf(face)); }
 
   /**
-   * The same for facets that are seen from one side, as the maximum over both of their faces. It is 0 for other facets.
+   * Returns by how much the depths of facets may be off, as the maximum over both faces of each. It is 0 for facets
+   * that are not seen from that side.
    */
   FacetDepths UnsteadyOf(const FewFacets& facets, MeshProjection::Facing facing);
 

@@ -45,8 +45,8 @@ public:
   }
 
   /**
-   * The same for small parts. An eighth of the maximum stays reserved for parts that may cover 1/64 of the screen,
-   * though these come later. So a small part that costs more than the rest is never inserted.
+   * Returns true if a small part may take so many pieces. An eighth of the maximum stays reserved for parts that may
+   * cover 1/64 of the screen, though these come later. So a small part that costs more than the rest is never inserted.
    */
   bool AllowsSmall(std::size_t pieces) const
   {
@@ -54,8 +54,8 @@ public:
   }
 
   /**
-   * The same for parts that are likely to hide little for their cost. Half of the maximum stays reserved for all
-   * others.
+   * Returns true if a part may take so many pieces that is likely to hide little for its cost. Half of the maximum
+   * stays reserved for all other parts.
    */
   bool CanSpare(std::size_t pieces) const
   {
