@@ -100,8 +100,8 @@ Box SceneParts::Read(Part& part, const DeviceCoordinates& drawn) const
   {
     return Box();
   }
-  half +=
-    RoundingOfSums * part.Sums; // boxes are found in doubles; the floats of a device reach farther
+  // Boxes are found in doubles, and the floats of a device reach farther.
+  half += RoundingOfSums * part.Sums;
   return Box::Around(middle - half, middle + half);
 }
 

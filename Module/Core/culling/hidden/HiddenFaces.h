@@ -47,8 +47,8 @@ public:
   bool AreAllOfAnyThickness(const MeshProjection& projection);
 
   /**
-   * Returns true if some faces are hidden, and all faces that a device may cut at the sides of the view. Faces may be
-   * slivers.
+   * Returns true if all of the given faces are hidden, and all faces that a device may cut at the sides of the view.
+   * Faces may be slivers.
    * @param faces    numbers of faces, in ascending order
    * @param nearest  no other face is nearer than this depth, unless it is cut
    */

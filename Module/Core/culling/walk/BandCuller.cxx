@@ -202,8 +202,8 @@ private:
     for (unsigned bits = found.Wanted; bits != 0; bits &= bits - 1)
     {
       const int i = LowestBit(bits);
-      assert(
-        found.Depths[i] == found.Depths[i]); // an entry without a place on the screen has NearDepth
+      // An entry without a place on the screen has NearDepth.
+      assert(found.Depths[i] == found.Depths[i]);
       const Lanes own = AllLanes(found.Depths[i]);
       const unsigned before = BitsOf(all > own) | (BitsOf(all == own) & ((1u << i) - 1u));
       order[CountBits(before & found.Wanted)] = i;

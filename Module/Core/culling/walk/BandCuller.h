@@ -83,8 +83,8 @@ private:
   {
     std::uint32_t Part;
     ScreenRectangle Rectangle;
-    ScreenRectangle
-      Witness; ///< a place where the part may show; as long as this is not hidden, the part is not
+    /** A place where the part may show. As long as this is not hidden, the part is not. */
+    ScreenRectangle Witness;
   };
 
   BandTools Tools;

@@ -58,8 +58,8 @@ private:
   const ScreenProjection& View;
   PlaneView Planes;
   glm::dvec2 Snapping; ///< how far a device snaps corners, in columns and lines
-  FacePlanes::Thickness
-    Thinnest{}; ///< thinner faces have no known depth; in units of the world (WC)
+  /** Thinner faces have no known depth. In units of world coordinates (WC). */
+  FacePlanes::Thickness Thinnest{};
   HiddenFaces Faces;
   ScreenProjection ApartView; ///< the view with all rectangles grown by a pixel
   HiddenFaces FacesApart;

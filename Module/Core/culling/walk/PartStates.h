@@ -20,13 +20,11 @@ public:
   static constexpr std::uint8_t IsShown = 4;
   /** The mesh of the part had few points when it was last asked for. */
   static constexpr std::uint8_t WasSmall = 8;
-  static constexpr std::uint8_t AreFacesHidden =
-    16; ///< all faces were found hidden one by one, wherever a device draws them
-  static constexpr std::uint8_t WasIdle = 32; ///< the part was inserted in vain (LastOwners)
-  static constexpr std::uint8_t HasSamples =
-    64; ///< the part owns samples of the s-buffer at the end of the frame
-  static constexpr std::uint8_t HadSamples =
-    128; ///< the part owned samples at the end of the last frame
+  /** All faces were found hidden one by one, wherever a device draws them. */
+  static constexpr std::uint8_t AreFacesHidden = 16;
+  static constexpr std::uint8_t WasIdle = 32;     ///< it was inserted in vain (LastOwners)
+  static constexpr std::uint8_t HasSamples = 64;  ///< it owns samples as the frame ends
+  static constexpr std::uint8_t HadSamples = 128; ///< it owned samples as the last frame ended
 
   /**
    * Begins a frame. Of each part only IsDrawn, HadSamples, WasSmall and WasIdle are known then.

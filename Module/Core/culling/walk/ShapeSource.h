@@ -18,8 +18,7 @@ struct PartPlanes
 {
   const FacePlanes* Planes;
   const glm::dmat4* ToWorld;
-  const DeviceCoordinates*
-    Drawn; ///< the coordinates from which a device computes the places of the points
+  const DeviceCoordinates* Drawn; ///< the coordinates that a device reads
   const glm::dmat4* FromWorld;
 };
 
