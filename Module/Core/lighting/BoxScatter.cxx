@@ -55,7 +55,7 @@ void BoxScatter::AppendLight(std::uint32_t light, const LightShape& shape, Clust
   }
 }
 
-/** Of a cell that the light's box touches. */
+/** Returns true if a light may touch a cell that its bounding box touches. */
 bool BoxScatter::MayTouch(const LightShape& shape, const Box& cell) const
 {
   if (this->Test == LightTest::Box)

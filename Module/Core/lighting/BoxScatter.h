@@ -12,18 +12,20 @@
 namespace vitrine
 {
 
-/** What of a light is tested against clusters. */
+/** The shape of a light that is tested against clusters. */
 enum class LightTest
 {
-  Volume, ///< its ball, or its cone
-  Box     ///< the box around it, as the paper does
+  Volume, ///< the light's ball or cone
+  Box     ///< the bounding box of the light, as in the clustered shading paper (Olsson et al. 2012)
 };
 
-/** Finds which cells a light reaches that are boxes: slices by their boxes, in them rows, in them cells. */
+/**
+ * Finds the box-shaped cells that a light reaches. It descends from slices to rows to cells by their bounding boxes.
+ */
 class BoxScatter
 {
 public:
-  /** Of a ClusterGrid, by its clusters' boxes, or of a WorldGrid. */
+  /** @param grid  a ClusterGrid, whose clusters are replaced by their bounding boxes, or a WorldGrid */
   template <class Grid>
   BoxScatter(const Grid& grid, LightTest test)
     : Test(test)
@@ -40,7 +42,7 @@ public:
 
   std::uint32_t Count() const { return static_cast<std::uint32_t>(this->Cells.size()); }
 
-  /** Appends what lights `first` to `last` - 1 reach. */
+  /** Appends the cells that lights `first` to `last` - 1 reach to `runs`. */
   void Append(const std::vector<LightVolume>& volumes, std::size_t first, std::size_t last,
     ClusterRuns& runs) const;
 
@@ -54,8 +56,8 @@ private:
   int Rows;
   int Slices;
   std::vector<Box> Cells;
-  std::vector<Box> RowBoxes;   ///< around the cells of each row of each slice
-  std::vector<Box> SliceBoxes; ///< around the rows of each slice
+  std::vector<Box> RowBoxes;   ///< bounds of each row of each slice
+  std::vector<Box> SliceBoxes; ///< bounds of each slice
 };
 
 }

@@ -1,4 +1,5 @@
-// The paper's law: O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading, High Performance Graphics 2012.
+// The exponential slice law is from O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading, High
+// Performance Graphics 2012.
 
 #include "Core/lighting/ClusterGrid.h"
 
@@ -18,16 +19,19 @@ namespace
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/** By how many pixels tiles are wider. */
+/** Widening of a tile on each side, in pixels. */
 constexpr double PixelSlack = 0.05;
 
-/** By which share of their distance slices are deeper: logarithms of shaders are good to some 2^-20. */
+/** Widening of a slice, as a share of the distance. Logarithms of shaders are accurate to about 2^-20. */
 constexpr double DepthSlack = 2e-5;
 
-/** Where slices are uniform in NDC, rounding there weighs the more the farther. */
+/**
+ * Additional widening of slices that are uniform in NDC. It grows with the distance, as rounding errors of NDC do
+ * there.
+ */
 constexpr double NdcSlack = 1e-6;
 
-/** A far plane at infinity counts as one that is this many times as far as the near one. */
+/** Replaces a far plane at infinity: the far distance as a multiple of the near distance. */
 constexpr double FarthestRatio = 1e6;
 
 bool IsFinite(const glm::dmat4& m)
@@ -45,20 +49,23 @@ glm::dvec4 RowOf(const glm::dmat4& m, int row)
   return { m[0][row], m[1][row], m[2][row], m[3][row] };
 }
 
-/** How far along the view a point of NDC is. A far plane may be at infinity; a near one that is not before the eye is none. */
+/**
+ * Returns the distance -z (VC) of a point given in NDC. It is infinite for a far plane at infinity, and minus infinity
+ * for a near plane that is not in front of the eye.
+ */
 double DistanceOf(const glm::dmat4& fromClip, const glm::dvec3& ndc)
 {
   const glm::dvec4 point = fromClip * glm::dvec4(ndc, 1.0);
   return point.w > 0.0 ? -point.z / point.w : ndc.z * Infinite;
 }
 
-/** A number from 0 to `count` - 1; what is no number is 0. */
+/** Clamps to 0 to `count` - 1. NaN becomes 0. */
 int Clamped(double value, int count)
 {
   return static_cast<int>(std::min(std::max(0.0, value), count - 1.0));
 }
 
-/** A plane with a normal of 1. */
+/** Scales a plane to a normal of length 1. */
 glm::vec4 Normalized(const glm::dvec4& plane)
 {
   return glm::vec4(plane / glm::length(glm::dvec3(plane)));
@@ -104,7 +111,10 @@ void ClusterGrid::MakeOneCluster(int size)
   this->Weight = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
 }
 
-/** Takes near and far from the projection. Whether it is one: w is a multiple of the distance, or the same everywhere. */
+/**
+ * Takes the near and far distances from the projection. Returns false if it is not a usable projection: w must be a
+ * positive multiple of the distance, or a positive constant.
+ */
 bool ClusterGrid::TakeDepths()
 {
   const glm::dvec4 w = RowOf(this->ToClip, 3);
@@ -202,7 +212,7 @@ void ClusterGrid::SetTerms(double x, double y)
   this->Terms.y = static_cast<float>(y);
 }
 
-/** How far a slice goes on beyond where it ends. */
+/** Returns the widening of a slice at one of its ends, in VC. */
 double ClusterGrid::SlackAt(double end) const
 {
   const double largest = std::max(std::abs(this->Near()), std::abs(this->Far()));
@@ -239,13 +249,13 @@ void ClusterGrid::MakeTiles(const glm::dvec2& size)
   }
 }
 
-/** Where a coordinate of NDC has one value; it is greater on the plane's inner side. */
+/** Returns the plane (VC) on which an NDC coordinate equals `ndc`. The coordinate is greater on the positive side. */
 glm::dvec4 ClusterGrid::SideAt(int axis, double ndc) const
 {
   return RowOf(this->ToClip, axis) - ndc * RowOf(this->ToClip, 3);
 }
 
-/** All points of one place of the picture. */
+/** Returns the view ray of a position in NDC. */
 ClusterGrid::Ray ClusterGrid::RayAt(double ndcX, double ndcY) const
 {
   const glm::dvec4 x = this->SideAt(0, ndcX), y = this->SideAt(1, ndcY);
@@ -292,7 +302,7 @@ int ClusterGrid::ClusterOf(const glm::dvec3& point) const
     Clamped(tile.x, this->Tiles.x), Clamped(tile.y, this->Tiles.y), this->SliceOf(-point.z)));
 }
 
-/** Along a tile's four edges. */
+/** Returns the rays along a tile's four edges. */
 ClusterGrid::TileRays ClusterGrid::RaysAround(int column, int row) const
 {
   TileRays rays;
@@ -352,7 +362,7 @@ Box ClusterGrid::BoundsOf(std::uint32_t cluster) const
     {
       for (int end = 0; end < 2; ++end)
       {
-        // An infinite distance times a slope of 0 is 0.
+        // An infinite distance times a slope of 0 would be NaN; it counts as 0.
         const double along = ray.Slope[axis] == 0.0 ? 0.0 : ray.Slope[axis] * depths[end];
         low[axis] = std::min(low[axis], ray.Origin[axis] + along);
         high[axis] = std::max(high[axis], ray.Origin[axis] + along);

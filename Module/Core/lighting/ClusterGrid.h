@@ -14,37 +14,40 @@
 namespace vitrine
 {
 
-/** Where slices end along the view. */
+/** The positions of slice ends along the view. */
 enum class SliceLaw
 {
-  Exponential, ///< near (1 + 2 tan(theta) / rows)^k: clusters are about as deep as they are high
-  Uniform,     ///< equally deep
-  NdcUniform   ///< equal steps of normalised device coordinates (NDC)
+  /** ends at near * (1 + 2 tan(theta) / rows)^k: clusters are about as deep as they are high */
+  Exponential,
+  Uniform,   ///< equal depths
+  NdcUniform ///< equal steps of normalised device coordinates (NDC)
 };
 
 struct ClusterSettings
 {
-  int TileSize = 64; ///< in pixels
-  int Slices = 16;   ///< at most
+  int TileSize = 64; ///< side of a tile in pixels
+  int Slices = 16;   ///< maximum number of slices
   SliceLaw Law = SliceLaw::Exponential;
 };
 
 /**
- * What a view shows, cut into tiles of pixels and slices of distance (O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading,
- * HPG 2012). Where the paper's slices do not reach the far plane, they are made deeper so that they do. In parallel projection slices are uniform.
+ * Divides the view frustum into clusters: tiles of pixels and slices of distance (O. Olsson, M. Billeter, U. Assarsson:
+ * Clustered deferred and forward shading, HPG 2012). If the paper's slices do not reach the far plane, they are made
+ * deeper until they do. In parallel projection slices are uniform.
  *
- * Clusters are a little wider than a shader finds them, so that rounding costs no light; the outermost tiles go on outwards for half a tile, for
- * wide lines and points, the first slice to the eye, the last one to infinity.
+ * A cluster's bounds are slightly wider than the cluster that a shader computes, so rounding loses no light. The
+ * outermost tiles extend outwards by half a tile, for wide lines and points. The first slice extends to the eye and the
+ * last one to infinity.
  *
- * A projection that is none (not finite, or flat) gives one cluster that is all of space.
+ * A projection that is not finite, or flat, yields one cluster that is all of space.
  */
 class ClusterGrid
 {
 public:
   /**
-   * @param toClip  from view coordinates (VC) to OpenGL's clip coordinates, for column vectors
-   * @param width   of the picture in pixels
-   * @param height  likewise
+   * @param toClip  the matrix from view coordinates (VC) to OpenGL's clip coordinates, for column vectors
+   * @param width   the width of the picture in pixels
+   * @param height  the height of the picture in pixels
    */
   ClusterGrid(
     const glm::dmat4& toClip, int width, int height, const ClusterSettings& settings = {});
@@ -63,10 +66,10 @@ public:
     return static_cast<std::uint32_t>((slice * this->Tiles.y + row) * this->Tiles.x + column);
   }
 
-  /** Where a point is, as a shader finds it, but in doubles. */
+  /** Returns the cluster of a point (VC), computed as in a shader but in doubles. */
   int ClusterOf(const glm::dvec3& point) const;
 
-  /** Which slice a distance -z is in. */
+  /** Returns the slice that contains the distance -z (VC). */
   int SliceOf(double distance) const;
 
   int TileSize() const { return this->PixelsPerTile; }
@@ -75,61 +78,77 @@ public:
   SliceLaw Law() const { return this->SlicesBy; }
 
   /**
-   * What a shader needs to find the slice of a distance d = -z: int(clamp(f(d), 0, z - 1)), where f is
-   * Exponential: log(d * x) * y;
-   * Uniform: (d - x) * y;
-   * NdcUniform: x + y / d.
+   * Returns the terms (x, y, z) from which a shader computes the slice of a distance d = -z. The slice is
+   * int(clamp(f(d), 0, z - 1)), where f depends on the law:
+   * - Exponential: log(d * x) * y
+   * - Uniform: (d - x) * y
+   * - NdcUniform: x + y / d
    */
   glm::vec4 SliceTerms() const { return this->Terms; }
 
-  /** What a shader needs to find the column of clip.x / clip.w = n: int(clamp((n + 1) * x, 0, Columns() - 1)); rows likewise with y. */
+  /**
+   * Returns the scale (x, y) from which a shader computes the tile. The column of n = clip.x / clip.w is
+   * int(clamp((n + 1) * x, 0, Columns() - 1)). Rows use y in the same way.
+   */
   glm::vec2 TileScale() const { return this->Scale; }
 
   double Near() const { return this->Ends.front(); }
   double Far() const { return this->Ends.back(); }
 
-  /** Where a slice begins, not widened; that of Slices() is where the last one ends. */
+  /**
+   * Returns the distance at which a slice begins, without widening. The argument Slices() gives the end of the last
+   * slice.
+   */
   double EndOf(int slice) const { return this->Ends[slice]; }
 
-  /** Whether window depths grow with the distance, and are the same all over the picture. */
+  /** Returns true if window depth grows with the distance and is the same at all pixels of a distance. */
   bool HasLevelDepths() const;
 
-  /** From 0 at the near plane to 1 at the far one; where it is not the same all over, in the midst. */
+  /** Returns the window depth of a distance on the view axis: 0 at the near plane and 1 at the far plane. */
   double WindowDepthAt(double distance) const;
 
-  /** A slice's least and greatest distance, widened. */
+  /** Returns the least and the greatest distance of a slice, widened. */
   glm::vec2 DepthsOf(int slice) const { return this->Depths[slice]; }
 
-  /** Sides of tiles, widened: what dot(side, (point, 1)) is not negative for lies within; it is the distance from the side. */
+  /**
+   * Return the side planes (VC) of tiles, widened. dot(side, (point, 1)) is the signed distance from the side. It is
+   * negative outside.
+   */
   const glm::vec4& LeftOf(int column) const { return this->Lefts[column]; }
   const glm::vec4& RightOf(int column) const { return this->Rights[column]; }
   const glm::vec4& BottomOf(int row) const { return this->Bottoms[row]; }
   const glm::vec4& TopOf(int row) const { return this->Tops[row]; }
 
-  /** The outer sides of all clusters together: four of the picture, and the one that the eye is on. */
+  /** Returns the outer planes of all clusters together: the picture's four sides and the plane of the eye. */
   std::array<glm::vec4, 5> OuterSides() const
   {
     return { this->Lefts.front(), this->Rights.back(), this->Bottoms.front(), this->Tops.back(),
       glm::vec4(0.0f, 0.0f, -1.0f, -this->Depths.front().x) };
   }
 
-  /** Around a cluster, widened. */
+  /** Returns the bounding box (VC) of a cluster, widened. */
   Box BoundsOf(std::uint32_t cluster) const;
 
-  /** Around the corners of each cluster: centre and radius, widened. The last slice's are infinite. */
+  /**
+   * Returns the bounding ball of the corners of each cluster, widened: centre (VC) and radius. The balls of the last
+   * slice are infinite.
+   */
   std::vector<glm::vec4> BallsAround() const;
 
-  /** In which column and row a point is, which may be outside. */
+  /** Returns the column and row of a point (VC), which may be outside the grid. */
   glm::dvec2 TileOf(const glm::dvec3& point) const;
 
-  /** Which column a point is in, from 0 on; what is outside is less, or more. It may be no number where the point is the eye. */
+  /**
+   * Returns the column of a point (VC) as a real number. It is outside 0 to Columns() for points outside the grid, and
+   * may be NaN at the eye.
+   */
   float ColumnAt(const glm::vec3& point) const
   {
     const glm::vec4 place(point, 1.0f);
     return Dot(this->ColumnTerms, place) / Dot(this->Weight, place);
   }
 
-  /** The same of rows. */
+  /** Returns the row of a point (VC) as a real number, like ColumnAt(). */
   float RowAt(const glm::vec3& point) const
   {
     const glm::vec4 place(point, 1.0f);
@@ -145,7 +164,7 @@ private:
   struct Ray
   {
     glm::dvec3 Origin;
-    glm::dvec3 Slope; ///< by distance
+    glm::dvec3 Slope; ///< change of the point per unit of distance
 
     glm::dvec3 At(double distance) const { return this->Origin + distance * this->Slope; }
   };
@@ -176,7 +195,7 @@ private:
   std::vector<double> Ends;
   std::vector<glm::vec2> Depths;
   std::vector<glm::vec4> Lefts, Rights, Bottoms, Tops;
-  std::vector<double> LeftEnds, RightEnds, BottomEnds, TopEnds; ///< the same in NDC
+  std::vector<double> LeftEnds, RightEnds, BottomEnds, TopEnds; ///< positions of these sides in NDC
 };
 
 }

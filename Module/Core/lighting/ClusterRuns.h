@@ -7,7 +7,7 @@
 namespace vitrine
 {
 
-/** Clusters side by side that a light reaches. */
+/** Consecutive clusters that a light reaches. */
 struct ClusterRun
 {
   std::uint32_t Light;
@@ -15,7 +15,7 @@ struct ClusterRun
   std::uint32_t Count;
 };
 
-/** The clusters of lights, one light after the other. */
+/** The clusters that lights reach, as runs. The runs of each light are consecutive. */
 class ClusterRuns
 {
 public:

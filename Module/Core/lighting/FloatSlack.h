@@ -1,5 +1,5 @@
 /**
- * By how much floats may be off, those of shaders and of the tests that lists are made by.
+ * Bounds of rounding errors of floats, in shaders and in the tests that make lists.
  */
 #ifndef VITRINE_CORE_LIGHTING_FLOAT_SLACK_H
 #define VITRINE_CORE_LIGHTING_FLOAT_SLACK_H
@@ -7,9 +7,9 @@
 namespace vitrine
 {
 
-constexpr float RangeSlack = 1e-5f;  ///< as a share of a range
-constexpr float PlaceSlack = 5e-6f;  ///< as a share of a place's coordinates
-constexpr double CosineSlack = 2e-6; ///< of cosines, and of the slopes of rays
+constexpr float RangeSlack = 1e-5f;  ///< relative to a range
+constexpr float PlaceSlack = 5e-6f;  ///< relative to the coordinates of a point
+constexpr double CosineSlack = 2e-6; ///< absolute, of cosines and of slopes of rays
 
 }
 

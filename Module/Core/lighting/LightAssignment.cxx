@@ -14,11 +14,11 @@ namespace vitrine
 namespace
 {
 
-/** Fewer lights are not worth a thread. */
+/** The minimum number of lights that is worth a thread. */
 constexpr std::size_t LightsPerThread = 2048;
 }
 
-/** Gives each cluster its part of the list, and each chunk its part of that. */
+/** Gives each cluster its part of the indices by a prefix sum, and each chunk its part of each list. */
 void LightAssigner::PlaceLists(
   std::uint32_t clusters, const std::vector<std::uint8_t>* used, LightLists& lists)
 {

@@ -1,3 +1,18 @@
+/**
+ * Assigns lights to clusters. The result is one list of lights for each cluster, in two arrays:
+ *
+ *   cluster = (slice * Rows + row) * Columns + column
+ *
+ *               0   1   2   3          Count()
+ *   Offsets   [ 0 | 2 | 2 | 5 | ... | N ]        prefix sum of the lists' lengths
+ *               |   |   |   |
+ *               |   +-+-+   +---+                cluster 1 has no lights
+ *               v     v         v
+ *   Indices   [ 3 7 | 0 3 9 | 4 ...     ]        N light numbers, ascending within a list
+ *                 |
+ *                 v
+ *   lights    [ ... | 7 | ... ]                  the caller's array of LightVolume
+ */
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_ASSIGNMENT_H
 #define VITRINE_CORE_LIGHTING_LIGHT_ASSIGNMENT_H
 
@@ -15,12 +30,13 @@
 namespace vitrine
 {
 
-/** The lights of all clusters, one list after the other. */
+/** The lists of lights of all clusters, one after the other. */
 struct LightLists
 {
-  std::vector<std::uint32_t>
-    Offsets; ///< where each cluster's list begins, and where the last one ends
-  std::vector<std::uint32_t> Indices; ///< numbers of lights, ascending within a cluster
+  /** The start of each cluster's list, and the end of the last one. */
+  std::vector<std::uint32_t> Offsets;
+  /** Numbers of lights, ascending within a cluster. */
+  std::vector<std::uint32_t> Indices;
 
   std::size_t CountOf(std::uint32_t cluster) const
   {
@@ -43,8 +59,9 @@ struct AssignmentSettings
 };
 
 /**
- * Finds the lights of each cluster. A light is in the list of each cluster that it reaches, and of some that it does not. What that costs grows
- * with the clusters that lights reach. Memory is kept from one time to the next.
+ * Finds the lights of each cluster. The lists are conservative: a light is in the list of each cluster that it reaches,
+ * and of some that it does not reach. The cost grows with the number of clusters that lights reach. Memory is kept
+ * between calls.
  */
 class LightAssigner
 {
@@ -55,14 +72,17 @@ public:
   }
 
   /**
-   * @param used    nonzero for clusters that hold something to be lit; the others' lists are empty
-   * @param marked  the lights to be looked at, if not all: those of a LightTree that may be in view
-   * @throws std::length_error  where lists hold 2^32 numbers or more together
+   * @param volumes  lights in view coordinates (VC)
+   * @param used     nonzero for each cluster that contains something lit; the other clusters get empty lists. Null
+   *                 means all.
+   * @param marked   the lights to consider, such as those that a LightTree finds in the view. Null means all. It has no
+   *                 effect for LightTest::Box.
+   * @throws std::length_error  if the lists have 2^32 entries or more in total
    */
   void Assign(const ClusterGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
     const std::vector<std::uint8_t>* used = nullptr, const LightMarks* marked = nullptr);
 
-  /** The same with volumes in world coordinates. */
+  /** Assigns lights whose volumes are in world coordinates (WC). */
   void Assign(const WorldGrid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
     const std::vector<std::uint8_t>* used = nullptr);
 
@@ -76,7 +96,7 @@ private:
   std::vector<LightChunk> Chunks;
 };
 
-/** The same once. */
+/** Assigns lights by a temporary LightAssigner. */
 template <class Grid>
 void Assign(const Grid& grid, const std::vector<LightVolume>& volumes, LightLists& lists,
   const std::vector<std::uint8_t>* used = nullptr, const AssignmentSettings& settings = {})

@@ -9,25 +9,25 @@
 namespace vitrine
 {
 
-/** What one thread finds of lights one after the other. */
+/** The clusters that one thread finds for consecutive lights. */
 class LightChunk
 {
 public:
-  /** To be filled anew. */
+  /** Empties the chunk and returns its runs, which the caller fills. */
   ClusterRuns& Begin()
   {
     this->Runs.Clear();
     return this->Runs;
   }
 
-  /** Counts how many lights are in each cluster. */
+  /** Counts the lights of each cluster. */
   void Count(std::uint32_t clusters)
   {
     this->Places.assign(clusters + std::size_t{ 1 }, 0);
     for (const ClusterRun& run : this->Runs)
     {
       ++this->Places[run.First];
-      --this->Places[run.First + run.Count]; // wraps, and is undone by the sum
+      --this->Places[run.First + run.Count]; // may wrap below 0; the sum below undoes it
     }
     std::uint32_t count = 0;
     for (std::uint32_t& place : this->Places)
@@ -38,7 +38,7 @@ public:
 
   std::uint32_t CountIn(std::uint32_t cluster) const { return this->Places[cluster]; }
 
-  /** Where its part of a cluster's list begins. */
+  /** Sets where this chunk's part of a cluster's list begins. */
   void BeginAt(std::uint32_t cluster, std::uint32_t place) { this->Places[cluster] = place; }
 
   void Fill(const std::vector<std::uint8_t>* used, std::vector<std::uint32_t>& indices)
@@ -57,8 +57,8 @@ public:
 
 private:
   ClusterRuns Runs;
-  std::vector<std::uint32_t>
-    Places; ///< of each cluster: how many lights, then where the next one is put
+  /** By cluster: the number of lights, later the position of the next entry. */
+  std::vector<std::uint32_t> Places;
 };
 
 }

@@ -12,13 +12,13 @@ namespace vitrine
 namespace
 {
 
-/** Bisections, in the logarithm: a millionfold range comes down to some thousandths. */
+/** Bisection steps of the logarithm of the threshold: a ratio of 10^6 is narrowed to a few thousandths. */
 constexpr int Bisections = 12;
 
-/** What rounding to floats may take from what a light gives. */
+/** Covers the rounding of a light's contribution to a float. */
 constexpr double FloatSlack = 1.0 + 1e-6;
 
-/** Whether all that are cut stay within the budget together. */
+/** Returns true if all lights that are cut at a threshold stay within the budget together. */
 bool Holds(double threshold, double budget, const std::vector<float>& least)
 {
   const auto limit = static_cast<float>(threshold * FloatSlack);
@@ -27,7 +27,7 @@ bool Holds(double threshold, double budget, const std::vector<float>& least)
   return static_cast<double>(least.size() - static_cast<std::size_t>(kept)) * threshold <= budget;
 }
 
-/** The least that a light gives within its reach. */
+/** Returns a light's smallest contribution within its reach. */
 float LeastOf(const LightFalloff& falloff, double reach)
 {
   return static_cast<float>(falloff.At(falloff.IsFlat() ? 0.0 : reach));

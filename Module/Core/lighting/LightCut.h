@@ -11,18 +11,21 @@ namespace vitrine
 {
 
 /**
- * Sets how far lights reach: to where they have left all that is lit, or so far that all that is cut off at a point, of all lights together, sums up to a budget at
- * most. Those that are cut for the budget are cut where they fall to a threshold, the same for all of them; those that give more than that wherever
- * they reach anything have no share in the budget.
+ * Sets the ranges of lights. A light ends where it leaves the lit region, or where its contribution falls to a
+ * threshold. The threshold is the same for all lights. It is chosen such that the contributions that are cut off at any
+ * point sum up to the budget at most. A light whose contribution exceeds the threshold throughout the lit region takes
+ * no share of the budget.
  *
- * @param volumes  as many as there are falloffs; their ranges are set
+ * @param budget   the largest sum of contributions that are cut off at a point, in units of colour
+ * @param volumes  as many as falloffs; their ranges are set
  */
 void CutLights(const std::vector<LightFalloff>& falloffs, const LitRegion& region, double budget,
   std::vector<LightVolume>& volumes);
 
 /**
- * The largest threshold, but for some thousandths, at which all that is cut stays within a budget.
- * @param least  of each light that can be cut, the least that it gives where it reaches anything
+ * Returns the largest threshold at which the lights that are cut stay within a budget. The result is too small by a few
+ * thousandths at most.
+ * @param least  the smallest contribution within the lit region of each light that can be cut
  */
 double CommonThreshold(double budget, const std::vector<float>& least);
 

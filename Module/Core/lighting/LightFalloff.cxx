@@ -28,7 +28,7 @@ LightFalloff::LightFalloff(
   for (int channel = 0; channel < 3; ++channel)
   {
     const double strength = std::abs(colour[channel] * intensity);
-    this->Greatest = strength <= this->Greatest ? this->Greatest : strength; // NaN stays
+    this->Greatest = strength <= this->Greatest ? this->Greatest : strength; // keeps NaN
     if (std::isnan(strength))
     {
       return;
@@ -52,7 +52,7 @@ double LightFalloff::MostFrom(double distance) const
   return most >= 0.0 ? most : Unbounded;
 }
 
-/** Whether less arrives, or as much, the farther it is. */
+/** Returns true if the strength never increases with the distance. */
 bool LightFalloff::OnlyFalls() const
 {
   const glm::dvec3& a = this->Coefficients;
@@ -77,7 +77,7 @@ double LightFalloff::RangeAt(double threshold) const
     return 0.0;
   }
   double range = 2.0 * missing / (a.y + std::sqrt(a.y * a.y + 4.0 * a.z * missing));
-  // Rounding may end it a little early, or what squares cannot hold.
+  // Rounding may make the range slightly too short. A square may also overflow.
   for (int step = 0; step < 8 && this->At(range) > threshold; ++step)
   {
     range *= 1.0 + 1e-15;

@@ -6,36 +6,41 @@
 namespace vitrine
 {
 
-/** How strong a light is, and what is left of that at a distance d, by VTK's formula 1 / (a0 + a1 d + a2 d^2). */
+/** The strength of a light as a function of the distance d, by VTK's formula 1 / (a0 + a1 d + a2 d^2). */
 class LightFalloff
 {
 public:
   LightFalloff(const glm::dvec3& colour, double intensity, const glm::dvec3& attenuation);
 
-  /** The greatest of what it gives to red, green and blue; taken away, if the intensity is negative. */
+  /** Returns the greatest absolute contribution to red, green or blue at an attenuation of 1. */
   double Strength() const { return this->Greatest; }
 
-  /** What reaches a distance. */
+  /** Returns the strength at a distance. */
   double At(double distance) const;
 
-  /** The most that reaches any distance from here on; infinity where nothing is known. */
+  /** Returns an upper bound of the strength at a distance or beyond. It is infinite if no bound is known. */
   double MostFrom(double distance) const;
 
   /**
-   * The least distance beyond which nothing above a threshold arrives: 0 where there is none at all, infinity where it has no end, as
-   * with VTK's own (1, 0, 0). The latter, too, where the threshold is 0 or a coefficient is negative, so that such a light is never cut.
+   * Returns the smallest distance beyond which the strength does not exceed a threshold.
+   * - It is 0 if the strength exceeds the threshold nowhere.
+   * - It is infinity if the strength has no limit in space, as with VTK's default attenuation (1, 0, 0).
+   * - It is infinity as well if the threshold is 0 or a coefficient is negative, so such a light is never cut.
    */
   double RangeAt(double threshold) const;
 
-  /** Whether it can have a range that is not infinite. */
+  /** Returns true if the range can be finite. */
   bool CanBeCut() const;
 
-  /** Whether what arrives is the same at all distances. */
+  /** Returns true if the strength is the same at all distances. */
   bool IsFlat() const { return this->Coefficients.y == 0.0 && this->Coefficients.z == 0.0; }
 
   const glm::dvec3& Attenuation() const { return this->Coefficients; }
 
-  /** Whether VTK's shaders make NaN of it, in all that is lit: in its floats it is not finite, or the attenuation is all zeros. */
+  /**
+   * Returns true if VTK's shaders would turn everything that is lit into NaN. This occurs if the light is not finite in
+   * 32-bit floats, or if all attenuation coefficients are 0.
+   */
   bool IsDegenerate() const;
 
 private:

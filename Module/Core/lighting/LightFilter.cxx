@@ -11,7 +11,7 @@ namespace vitrine
 namespace
 {
 
-/** Position and range of eight lights. */
+/** Positions and ranges of eight lights. */
 struct VolumeLanes
 {
   Lanes X, Y, Z, Range;
@@ -33,7 +33,7 @@ VITRINE_INLINE Lanes AbsoluteOf(Lanes a)
   return GreatestOf(a, -a);
 }
 
-/** Which of them lie on the outer side of a plane. NaN lies on none. */
+/** Returns the lanes whose balls lie outside a plane. NaN counts as not outside. */
 VITRINE_INLINE LaneMask OutsideOf(const glm::vec4& plane, const VolumeLanes& balls, Lanes reach)
 {
   return balls.X * plane.x + balls.Y * plane.y + balls.Z * plane.z + plane.w < -reach;

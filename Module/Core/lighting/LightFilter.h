@@ -11,7 +11,7 @@
 namespace vitrine
 {
 
-/** Tells quickly which lights surely reach nothing of a grid: those whose balls lie on the outer side of one of its sides. */
+/** Rejects lights that certainly reach nothing of a grid, because their balls lie outside one of its outer planes. */
 class LightFilter
 {
 public:
@@ -22,7 +22,10 @@ public:
   {
   }
 
-  /** A bit for each of up to BlockSize lights that may reach something, the first one the lowest. */
+  /**
+   * Returns one bit for each of up to BlockSize lights. It is set if the light may reach the grid. The first light has
+   * the lowest bit.
+   */
   std::uint64_t MayReach(const LightVolume* volumes, std::size_t count) const;
 
 private:

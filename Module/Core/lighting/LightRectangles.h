@@ -12,7 +12,7 @@
 namespace vitrine
 {
 
-/** What a light may reach of the picture: tiles from the first to the last. */
+/** The part of the picture that a light may reach, as inclusive ranges of tiles. */
 struct LightRectangle
 {
   std::uint32_t Light;
@@ -20,11 +20,14 @@ struct LightRectangle
   glm::ivec2 Last;
 };
 
-/** Of the lights that the lists of a grid have, ascending, with so many tiles around what they reach. */
+/**
+ * Returns the rectangles of all lights in a grid's lists, by ascending light number. Each rectangle is enlarged by
+ * `tilesAround` tiles on each side and clipped to the grid.
+ */
 std::vector<LightRectangle> RectanglesOf(
   const ClusterGrid& grid, const LightLists& lists, int tilesAround);
 
-/** Lists of the tiles that rectangles cover, in a grid of one slice. */
+/** Returns the lists of lights of the tiles that rectangles cover. The grid has one slice. */
 LightLists CoveredTiles(const ClusterGrid& grid, const std::vector<LightRectangle>& rectangles);
 
 }

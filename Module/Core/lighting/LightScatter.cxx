@@ -1,4 +1,4 @@
-// The ball's refinement: E. Persson, Practical clustered shading, SIGGRAPH 2013.
+// The refinement of the ball is from E. Persson: Practical clustered shading, SIGGRAPH 2013.
 
 #include "Core/lighting/LightScatter.h"
 
@@ -18,7 +18,7 @@ float DistanceFrom(const glm::vec4& plane, const glm::vec3& point)
   return ClusterGrid::Dot(plane, glm::vec4(point, 1.0f));
 }
 
-/** Which of `count` tiles, the nearest one outside; what is no number is 0. */
+/** Returns the tile of 0 to `count` - 1 that is nearest to a position. NaN becomes 0. */
 int NearestTile(float place, int count)
 {
   return static_cast<int>(std::min(std::max(0.0f, place), static_cast<float>(count - 1)));
@@ -70,7 +70,7 @@ void LightScatter::AppendSlices(
     const float before = depths.x - distance, behind = distance - depths.y;
     if (before > ball.Radius)
     {
-      return; // as are all slices beyond
+      return; // all further slices are beyond the ball, too
     }
     const float away = std::max(0.0f, std::max(before, behind));
     if (away > ball.Radius)
@@ -99,7 +99,7 @@ void LightScatter::AppendRows(std::uint32_t light, const LightShape& shape, int 
     {
       continue;
     }
-    // Where sides meet at more than 90 degrees, the nearest point may lie behind the eye, where columns are the other way round.
+    // The nearest point may lie behind the eye if the sides enclose more than 90 degrees. There, columns are mirrored.
     const bool isInSlice = -inRow.Centre.z >= this->Grid.DepthsOf(slice).x;
     this->AppendColumns(light, shape, slice, row, isInSlice ? inRow : part, runs);
   }
@@ -140,7 +140,9 @@ const glm::vec4& LightScatter::BallAround(std::uint32_t cluster) const
   return this->Balls[cluster];
 }
 
-/** Rows that a part of a ball may touch which lies before the eye: from the one that its centre is in up and down, until it ends. */
+/**
+ * Returns the rows that a part of a ball in front of the eye may touch. It searches up and down from the centre's row.
+ */
 LightScatter::Range LightScatter::RowsOf(const BallPart& part) const
 {
   const int count = this->Grid.Rows();

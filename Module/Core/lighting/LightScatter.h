@@ -16,13 +16,14 @@ namespace vitrine
 {
 
 /**
- * Finds the clusters that a light reaches: slices, in each of them rows, in each of them columns, where each time only that part of the ball is left
- * which may be there (E. Persson: Practical clustered shading, SIGGRAPH 2013). What that costs grows with what is found.
+ * Finds the clusters that a light reaches: slices, then rows of each slice, then columns of each row. At each step the
+ * ball is reduced to the part that can lie there (E. Persson: Practical clustered shading, SIGGRAPH 2013). The cost
+ * grows with the number of clusters found.
  */
 class LightScatter
 {
 public:
-  /** @param marks  the lights to be looked at; none are left out where there are no marks */
+  /** @param marks  the lights to consider; null means all */
   explicit LightScatter(const ClusterGrid& grid, const LightMarks* marks = nullptr)
     : Grid(grid)
     , Filter(grid)
@@ -32,7 +33,7 @@ public:
 
   std::uint32_t Count() const { return this->Grid.Count(); }
 
-  /** Appends what lights `first`, a multiple of 64, to `last` - 1 reach. */
+  /** Appends the clusters that lights `first` to `last` - 1 reach to `runs`. `first` is a multiple of 64. */
   void Append(const std::vector<LightVolume>& volumes, std::size_t first, std::size_t last,
     ClusterRuns& runs) const;
 
@@ -40,7 +41,7 @@ private:
   struct Range
   {
     int First;
-    int Last; ///< one less than the first where there are none
+    int Last; ///< First - 1 if the range is empty
   };
 
   void AppendLight(std::uint32_t light, const LightVolume& volume, ClusterRuns& runs) const;
@@ -54,14 +55,14 @@ private:
   Range RowsOf(const BallPart& part) const;
   Range ColumnsOf(const BallPart& part) const;
 
-  /** Around a cluster's corners: centre and radius. */
+  /** Returns the bounding ball of a cluster: centre (VC) and radius. */
   const glm::vec4& BallAround(std::uint32_t cluster) const;
 
   const ClusterGrid& Grid;
   const LightFilter Filter;
   const LightMarks* const Marks;
   mutable std::once_flag HasBalls;
-  mutable std::vector<glm::vec4> Balls; ///< of all clusters, once a cone asks for one
+  mutable std::vector<glm::vec4> Balls; ///< by cluster; computed when the first cone is tested
 };
 
 }

@@ -14,10 +14,13 @@ namespace vitrine
 namespace
 {
 
-/** How many boxes are loaded at the same time. */
+/** Prefetch distance in boxes. */
 constexpr std::size_t FarAhead = 16;
 
-/** Which of eight boxes do not surely lie on the outer side of a plane. Empty ones do. */
+/**
+ * Returns a bit for each of eight boxes that does not certainly lie outside one of the planes. Empty boxes are
+ * rejected.
+ */
 VITRINE_FOR_EACH_PROCESSOR
 unsigned WithinSides(const BoxLanes& boxes, const std::array<glm::vec4, 5>& sides)
 {

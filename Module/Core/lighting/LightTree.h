@@ -16,7 +16,7 @@
 namespace vitrine
 {
 
-/** A bit for each light: it is looked at. */
+/** One bit for each light. Lights without a mark are skipped. */
 class LightMarks
 {
 public:
@@ -28,7 +28,7 @@ public:
   void Add(std::uint32_t light) { this->Words[light / 64] |= std::uint64_t{ 1 } << light % 64; }
   bool Has(std::uint32_t light) const { return (this->Words[light / 64] >> light % 64 & 1) != 0; }
 
-  /** Of lights 64 times `block` and on, the first one the lowest bit. */
+  /** Returns the bits of lights 64 * `block` and following. The first light has the lowest bit. */
   std::uint64_t Block(std::size_t block) const { return this->Words[block]; }
 
   std::size_t Count() const;
@@ -38,16 +38,17 @@ private:
 };
 
 /**
- * A tree over lights in their order along a Morton curve: eight boxes side by side, eight lights in a leaf, eight nodes in a node, so that no links are
- * needed (O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading, HPG 2012, which takes 32). It is built in linear
- * time. Of lights that stand still it is built once, in world coordinates (WC), and asked for each view.
+ * A bounding volume hierarchy over lights in Morton order. A leaf has eight lights and a node has eight children, so no
+ * links are needed (O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading, HPG 2012, with 32
+ * children). It is built in linear time. For lights that do not move it is built once, in world coordinates (WC), and
+ * queried for each view.
  */
 class LightTree
 {
 public:
   explicit LightTree(const std::vector<LightVolume>& volumes);
 
-  /** Calls visit(light) for each light whose volume's box touches a box, in no particular order. */
+  /** Calls visit(light) for each light whose bounding box touches a box, in no particular order. */
   template <class Visit>
   void ForEachTouching(const Box& box, const Visit& visit) const
   {
@@ -64,8 +65,8 @@ public:
   }
 
   /**
-   * Lights that may lie within some planes; all that are not marked surely lie on the outer side of one.
-   * @param sides  as ClusterGrid::OuterSides() tells, in the coordinates of the lights
+   * Marks the lights that may lie within some planes. A light without a mark certainly lies outside one of them.
+   * @param sides  planes such as ClusterGrid::OuterSides(), in the coordinates of the lights
    */
   LightMarks Within(const std::array<glm::vec4, 5>& sides) const;
 
@@ -73,14 +74,14 @@ private:
   template <class Visit, class Test>
   void Walk(const Visit& visit, const Test& test) const;
 
-  std::size_t Lights;                 ///< in all
-  std::vector<std::uint32_t> Endless; ///< lights that have no box
-  std::vector<std::uint32_t> Order;   ///< of the others
+  std::size_t Lights;                 ///< number of all lights
+  std::vector<std::uint32_t> Endless; ///< lights without a finite box
+  std::vector<std::uint32_t> Order;   ///< the other lights, in Morton order
   LinklessTree Shape;
   std::vector<BoxLanes> Nodes;
 };
 
-/** Planes of view coordinates (VC) in the coordinates that a matrix leads from, which is rigid. */
+/** Transforms planes from view coordinates (VC) back to the source coordinates of `toView`, which must be rigid. */
 std::array<glm::vec4, 5> SidesBefore(
   const std::array<glm::vec4, 5>& sides, const glm::dmat4& toView);
 

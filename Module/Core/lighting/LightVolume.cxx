@@ -1,5 +1,6 @@
-// A cone and a ball: B. Wronski, Cull that cone! Improved cone/spotlight visibility tests for tiled and clustered lighting, 2017. The distance from the
-// axis is taken from a cross product, which stays exact in narrow cones.
+// The test of a cone against a ball is from B. Wronski: Cull that cone! Improved cone/spotlight visibility tests for
+// tiled and clustered lighting, 2017. The distance from the axis is taken from a cross product, which stays exact in
+// narrow cones.
 
 #include "Core/lighting/LightVolume.h"
 
@@ -18,7 +19,7 @@ namespace vitrine
 namespace
 {
 
-/** Squares of what is larger do not fit into a float. */
+/** The squares of larger numbers overflow a float. */
 constexpr float Farthest = 1e18f;
 
 float SumOf(const glm::vec3& v)
@@ -34,7 +35,8 @@ bool BallPart::CutBy(const glm::vec4& plane)
   {
     return true;
   }
-  // The nearest point within the plane: what is left of the ball is nearest to that.
+  // Move the centre to the nearest point of the plane. The rest of the ball lies within a smaller ball around that
+  // point.
   this->Centre -= distance * glm::vec3(plane);
   this->Square -= distance * distance;
   this->Radius = std::sqrt(std::max(0.0f, this->Square));
@@ -69,7 +71,9 @@ LightShape::LightShape(const LightVolume& volume)
   }
 }
 
-/** Whether it is one; none that lights nothing. */
+/**
+ * Narrows the shape to the volume's cone. Returns false if the volume is not a cone, or is a cone that lights nothing.
+ */
 bool LightShape::NarrowToCone(const LightVolume& volume)
 {
   if (!(volume.ConeAngle < 90.0f) || !std::isfinite(volume.ConeAngle))
@@ -127,7 +131,8 @@ BallPart LightShape::Enclosing() const
   {
     return { this->Position, this->Range, this->Range * this->Range };
   }
-  // Of a cone of more than 45 degrees, the rim is what is farthest from its centre; of a narrower one, the apex, too.
+  // In a cone of more than 45 degrees, the smallest ball is bounded by the rim. In a narrower one it touches the apex,
+  // too.
   const bool isWide = this->Cosine < this->Sine;
   const float along = this->Range * (isWide ? this->Cosine : 0.5f / this->Cosine);
   const float radius = this->Range * (isWide ? this->Sine : 0.5f / this->Cosine);

@@ -11,30 +11,36 @@
 namespace vitrine
 {
 
-/** What a light reaches, in view coordinates (VC): the eye is at the origin and looks along -z. It is lit all around unless said otherwise. */
+/**
+ * The region that a light reaches, in view coordinates (VC): the eye is at the origin and looks along -z. By default it
+ * is all of space.
+ */
 struct LightVolume
 {
   glm::vec3 Position{ 0.0f };
-  float Range = std::numeric_limits<float>::infinity(); ///< infinity: everywhere; 0: nowhere
-  glm::vec3 Axis{ 0.0f, 0.0f, -1.0f };                  ///< of a cone, unit
-  float ConeAngle = 180.0f; ///< from the axis, in degrees; from 90 on all around
+  /** infinity means everywhere, 0 means nowhere */
+  float Range = std::numeric_limits<float>::infinity();
+  glm::vec3 Axis{ 0.0f, 0.0f, -1.0f }; ///< axis of the cone, of length 1
+  float ConeAngle = 180.0f;            ///< angle from the axis in degrees; 90 or more means no cone
 };
 
-/** What is left of a ball within some planes: it lies in this ball. */
+/** A ball that contains the intersection of a ball with some half-spaces. */
 struct BallPart
 {
   glm::vec3 Centre;
   float Radius;
-  float Square; ///< of the radius
+  float Square; ///< square of the radius; negative if nothing is left
 
-  /** Leaves what is within one more plane, with a normal of 1; whether there is any. */
+  /** Intersects the ball with one more half-space, whose normal has length 1. Returns false if nothing is left. */
   bool CutBy(const glm::vec4& plane);
 };
 
 /**
- * What a volume comes to by VTK's formula, which darkens a point where dot(direction to the point, Axis) >= cos(ConeAngle) does not hold, but
- * asks that only if ConeAngle < 90. Floats of a shader may be off, so a cone is a little wider than it was asked for; one of 0 degrees is a
- * tenth of a degree wide. What is no number reaches everywhere, except an axis, which then lights nothing.
+ * The shape of a volume by VTK's formula. If ConeAngle < 90, VTK darkens a point unless dot(direction to the point,
+ * Axis) >= cos(ConeAngle).
+ *
+ * A cone is slightly wider than given, since a shader's floats are inexact. A cone of 0 degrees becomes 0.1 degrees
+ * wide. A position, range or angle of NaN reaches everywhere. An axis of NaN lights nothing.
  */
 struct LightShape
 {
@@ -43,28 +49,28 @@ struct LightShape
     Nowhere,
     Everywhere,
     Ball,
-    Cone ///< of half a sphere at most; its range may be infinite
+    Cone ///< at most a half-space; the range may be infinite
   };
 
   explicit LightShape(const LightVolume& volume);
 
-  /** Of a cone: how far it reaches from its position along a unit vector. */
+  /** For a cone: returns how far it extends from its position along a unit vector. */
   float SupportAlong(const glm::vec3& direction) const;
 
-  /** Of a cone: whether it may touch a ball. False is certain. */
+  /** For a cone: returns true if it may touch a ball. False is certain. */
   bool MayTouch(const glm::vec3& centre, float radius) const;
 
-  /** The smallest ball around what is reached; of a ball or a cone. Of an infinite range it is infinite. */
+  /** For a ball or a cone: returns the smallest enclosing ball. It is infinite if the range is infinite. */
   BallPart Enclosing() const;
 
-  /** The smallest box around what is reached; of a ball or a cone. */
+  /** For a ball or a cone: returns the smallest enclosing box. */
   Box Bounds() const;
 
   Kinds Kind;
   glm::vec3 Position;
-  float Range; ///< a little longer, for rounding in tests with floats
+  float Range; ///< slightly enlarged to allow for rounding in float tests
   glm::vec3 Axis;
-  float Cosine; ///< of a cone's angle
+  float Cosine; ///< cosine of the cone's angle
   float Sine;
 
 private:

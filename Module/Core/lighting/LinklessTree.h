@@ -8,13 +8,15 @@
 namespace vitrine
 {
 
-/** The shape of a tree over things in an order: eight of them to a node, eight nodes to a node, so that no links are needed. */
+/**
+ * The shape of a tree over items in a given order. A node has eight items or eight child nodes, so no links are needed.
+ */
 class LinklessTree
 {
 public:
   static constexpr std::size_t Width = 8;
 
-  /** A node: on level 0 those that hold things. */
+  /** A node. Nodes of level 0 hold items. */
   struct Place
   {
     std::size_t Level;
@@ -24,10 +26,10 @@ public:
   };
 
   /**
-   * Makes the nodes of all levels, up to the root.
-   * @param nodes     none before; the nodes of level 0, then those above
-   * @param count     of things
-   * @param putThing  putThing(node, lane, thing)
+   * Makes the nodes of all levels up to the root.
+   * @param nodes     receives the nodes of level 0 and then of each level above; must be empty
+   * @param count     the number of items
+   * @param putThing  putThing(node, lane, item number)
    * @param putNode   putNode(node, lane, child)
    */
   template <class Node, class PutThing, class PutNode>
@@ -54,10 +56,10 @@ public:
     }
   }
 
-  /** Where a node stands among those of all levels. */
+  /** Returns the index of a node in `nodes`. */
   std::size_t IndexOf(const Place& place) const { return this->Begins[place.Level] + place.Number; }
 
-  /** Calls look(place) for the root, and for all children of nodes for which it returns their bits. */
+  /** Calls look(place) for the root, and for each child whose bit look() returned for its parent. */
   template <class Look>
   void Walk(const Look& look) const
   {
@@ -87,7 +89,7 @@ private:
   static std::size_t NodesFor(std::size_t things) { return (things + Width - 1) / Width; }
 
   std::size_t Things = 0;
-  std::vector<std::size_t> Begins; ///< of each level, and where the last one ends
+  std::vector<std::size_t> Begins; ///< the first node of each level, and the end of the last level
 };
 
 }

@@ -18,7 +18,7 @@ namespace
 
 constexpr double EndlessReach = std::numeric_limits<double>::infinity();
 
-/** Rays that leave a side at a flatter angle are taken not to leave it. */
+/** A ray that leaves a side at a flatter slope counts as not leaving it. */
 constexpr double LeastSlope = 1e-3;
 
 double SizeOf(const glm::dvec3& v)
@@ -37,11 +37,11 @@ LitRegion::LitRegion(const Box& box, const glm::dmat4& toView)
     const glm::dvec3 corner(
       i & 1 ? box.Max.x : box.Min.x, i & 2 ? box.Max.y : box.Min.y, i & 4 ? box.Max.z : box.Min.z);
     this->Corners[i] = glm::dvec3(toView * glm::dvec4(corner, 1.0));
-    sizes += SizeOf(corner) + SizeOf(this->Corners[i]); // NaN stays
+    sizes += SizeOf(corner) + SizeOf(this->Corners[i]); // keeps NaN
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    // A side's normal is at right angles to the two other edges of the box, which may be sheared.
+    // A side's normal is orthogonal to the other two edges of the box, which may be sheared.
     const glm::dvec3 one(toView[(axis + 1) % 3]), other(toView[(axis + 2) % 3]);
     glm::dvec3 normal = glm::normalize(glm::cross(one, other));
     normal *= glm::dot(normal, glm::dvec3(toView[axis])) < 0.0 ? -1.0 : 1.0;
@@ -91,7 +91,7 @@ Box LitRegion::Bounds() const
 
 double LitRegion::FarthestFrom(const glm::dvec3& point) const
 {
-  double farthest = 0.0; // its square
+  double farthest = 0.0; // squared
   for (const glm::dvec3& corner : this->Corners)
   {
     farthest = std::max(farthest, glm::dot(corner - point, corner - point));
@@ -99,7 +99,10 @@ double LitRegion::FarthestFrom(const glm::dvec3& point) const
   return std::sqrt(farthest) + this->Slack;
 }
 
-/** Where all rays of a cone leave through a side, they have left the region as soon as the one has that leaves at the flattest angle. */
+/**
+ * Returns the distance at which all rays of a cone have left the region. If all rays leave through one side, the
+ * flattest ray leaves it last.
+ */
 double LitRegion::WayOut(const LightShape& cone) const
 {
   double way = EndlessReach;

@@ -14,8 +14,8 @@ namespace vitrine
 {
 
 /**
- * A box, which may stand askew, around all that is lit: all of space unless said otherwise. Beyond it lights need not reach, so that a spot light
- * that shines at a wall from near by ends there, though nothing darkens it.
+ * An oriented, possibly sheared box around everything that is lit. By default it is all of space. Lights need not reach
+ * beyond it. For example, a spot light in front of a wall ends at the wall, although it has no attenuation.
  */
 class LitRegion
 {
@@ -24,17 +24,18 @@ public:
 
   /**
    * @param box     empty if nothing is lit
-   * @param toView  from the box's coordinates to those of lights; affine
+   * @param toView  an affine matrix from the box's coordinates to the coordinates of the lights
    */
   LitRegion(const Box& box, const glm::dmat4& toView);
 
   /**
-   * No less than the distance from a light to the farthest point of the region that it reaches, whatever range it has: 0 where there is none, infinity in all of
-   * space and where numbers are not finite.
+   * Returns an upper bound of the distance from a light to the farthest point of the region that it reaches, regardless
+   * of its range. It is 0 if there is no such point, and infinity if the region is all of space or the light is not
+   * finite.
    */
   double ReachOf(const LightVolume& volume) const;
 
-  /** Around it in the coordinates of lights, with what shaders' floats may be off. */
+  /** Returns the bounds in the coordinates of the lights, enlarged by the rounding errors of a shader's floats. */
   Box Bounds() const;
 
 private:
@@ -43,10 +44,10 @@ private:
 
   bool IsBounded = false;
   bool IsEmpty = false;
-  std::array<glm::dvec4, 6>
-    Sides{}; ///< normals of length 1 that point outwards; dot(side, (point, 1)) is the distance outside
+  /** Planes with outward normals of length 1: dot(side, (point, 1)) is the distance outside the side. */
+  std::array<glm::dvec4, 6> Sides{};
   std::array<glm::dvec3, 8> Corners{};
-  double Slack = 0.0; ///< how far outside rounding may put what is within
+  double Slack = 0.0; ///< how far outside rounding may move a point of the region
 };
 
 }

@@ -1,4 +1,5 @@
-// Codes are sorted by their digits, least first: D. E. Knuth, The Art of Computer Programming 3, 5.2.5.
+// Sorts Morton codes by radix sort, least significant digit first (D. E. Knuth: The Art of Computer Programming 3,
+// 5.2.5).
 
 #include "Core/lighting/MortonOrder.h"
 
@@ -24,7 +25,7 @@ struct MortonCode
   std::uint32_t Number;
 };
 
-/** Puts two zeros before each of ten bits. */
+/** Inserts two zeros before each of ten bits. */
 std::uint32_t Spread(std::uint32_t bits)
 {
   bits = (bits | bits << 16) & 0x030000ffu;
@@ -45,7 +46,7 @@ std::uint32_t CodeOf(const glm::vec3& point, const glm::vec3& low, const glm::ve
   return code;
 }
 
-/** Sorts by one digit, and leaves in their order what is equal there. */
+/** Sorts by one digit. The sort is stable. */
 void SortByDigit(std::vector<MortonCode>& codes, std::vector<MortonCode>& sorted, int shift)
 {
   std::array<std::uint32_t, DigitCount + 1> begins{};

@@ -10,10 +10,10 @@ namespace vitrine
 {
 
 /**
- * Numbers of points along a curve that keeps near ones together (G. M. Morton, 1966), with 10 bits an axis; of equal ones in ascending
- * order. Takes linear time.
- * @param points   finite
- * @param numbers  what to order, of the points
+ * Returns the numbers of points in the order of a Morton curve (G. M. Morton, 1966), with 10 bits for each axis. Points
+ * of equal code keep their order. It takes linear time.
+ * @param points   finite points
+ * @param numbers  the numbers of the points to order
  */
 std::vector<std::uint32_t> MortonOrder(
   const std::vector<glm::vec3>& points, std::vector<std::uint32_t> numbers);

@@ -12,10 +12,10 @@ namespace vitrine
 namespace
 {
 
-/** By how much elements of a matrix may be off from those of a rotation: far less than what tests with floats may. */
+/** Tolerance of the elements of a rotation matrix. It is far below the tolerance of the tests with floats. */
 constexpr double RotationSlack = 1e-9;
 
-/** Whether lengths and angles stay as they are; false for NaN. */
+/** Returns true if a matrix preserves lengths and angles. It is false for NaN. */
 bool KeepsShapes(const glm::dmat3& matrix)
 {
   const glm::dmat3 difference = glm::transpose(matrix) * matrix - glm::dmat3(1.0);
@@ -27,7 +27,7 @@ bool KeepsShapes(const glm::dmat3& matrix)
   return isSmall;
 }
 
-/** No vector gets longer by more than that. */
+/** Returns an upper bound of the factor by which a vector gets longer. */
 double LongestOf(const glm::dmat3& matrix)
 {
   return std::sqrt(glm::dot(matrix[0], matrix[0]) + glm::dot(matrix[1], matrix[1]) +

@@ -11,9 +11,9 @@ namespace vitrine
 {
 
 /**
- * What lights reach, in other coordinates. Where these are scaled or sheared, it is a ball that holds what they reach.
+ * Transforms light volumes. If the matrix scales or shears, the result is a ball that contains the transformed volume.
  * @param matrix  affine
- * @param moved   its memory is kept from one time to the next
+ * @param moved   receives the result; its memory is reused
  */
 void MoveLights(const std::vector<LightVolume>& volumes, const glm::dmat4& matrix,
   std::vector<LightVolume>& moved);

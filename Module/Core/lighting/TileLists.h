@@ -1,7 +1,7 @@
 /**
- * Lists of whole tiles, for the comparison with those of clusters: a tile's pixels look at what reaches it anywhere between the nearest and the
- * farthest of them (C. Balestra, P. Engstad: The technology of Uncharted: Drake's Fortune, GDC 2008; A. Lauritzen: Deferred rendering for current
- * and future rendering pipelines, SIGGRAPH 2010 courses).
+ * Lists of lights by tile, for comparison with clusters. A tile's pixels go through the lights that reach the tile
+ * between its nearest and its farthest pixel (C. Balestra, P. Engstad: The technology of Uncharted: Drake's Fortune,
+ * GDC 2008; A. Lauritzen: Deferred rendering for current and future rendering pipelines, SIGGRAPH 2010 courses).
  */
 #ifndef VITRINE_CORE_LIGHTING_TILE_LISTS_H
 #define VITRINE_CORE_LIGHTING_TILE_LISTS_H
@@ -15,14 +15,16 @@
 namespace vitrine
 {
 
-/** Marks what lies between the first and the last cluster of a tile that are marked, too. */
+/** Marks all clusters of a tile between its first and its last marked cluster. */
 void MarkBetween(const ClusterGrid& grid, std::vector<std::uint8_t>& marks);
 
-/** Marks of tiles that have a marked cluster; none if there are none of clusters. */
+/** Returns marks of the tiles that have a marked cluster. It is empty if `marks` is empty. */
 std::vector<std::uint8_t> JoinMarks(
   const ClusterGrid& grid, const std::vector<std::uint8_t>& marks);
 
-/** Lists by tile of what the lists by cluster have: those of a grid of the same tiles and one slice. */
+/**
+ * Returns the union of the lists of each tile's clusters. The result belongs to a grid of the same tiles and one slice.
+ */
 LightLists JoinSlices(const ClusterGrid& grid, const LightLists& lists);
 
 }

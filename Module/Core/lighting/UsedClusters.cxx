@@ -15,19 +15,19 @@ namespace
 
 constexpr float EndlessDepth = std::numeric_limits<float>::infinity();
 
-/** By how much a depth buffer may be off: it has 24 bits, or is a float. */
+/** Error bound of a depth buffer of 24 bits or of floats. */
 constexpr double WindowDepthSlack = 0x1p-22;
 
-/** By how many pixels a box may be drawn elsewhere. */
+/** Error bound of the place where a box is drawn, in pixels. */
 constexpr double BoxPixelSlack = 1.0;
 
-/** Boxes are drawn from just before the near plane on. */
+/** Boxes are drawn from slightly in front of the near plane, given as a share of its distance. */
 constexpr double NearSlack = 0.999;
 
-/** Products of what is farther are no numbers. */
+/** Corners are clamped to this coordinate (VC), since products of larger or infinite ones may be NaN. */
 constexpr double FarthestCorner = 1e18;
 
-/** The window depths of a slice. */
+/** The range of window depths of a slice. */
 struct SliceDepths
 {
   float Nearest;
@@ -36,7 +36,7 @@ struct SliceDepths
   bool Holds(float depth) const { return this->Nearest <= depth && depth <= this->Farthest; }
 };
 
-/** Slices of one tile that a depth buffer is seen to fall into. */
+/** Collects the slices that the depths of one tile fall into. */
 class TileSlices
 {
 public:
@@ -61,7 +61,7 @@ public:
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      // Neighbours are mostly in one slice.
+      // Neighbouring pixels are mostly in one slice.
       if (depths[i] < 1.0f && !this->Lone[this->Last].Holds(depths[i]))
       {
         this->Add(depths[i]);
@@ -69,7 +69,7 @@ public:
     }
   }
 
-  /** Hands over the slices that were hit, and forgets them. */
+  /** Calls mark(slice) for each slice that was hit and clears the hits. */
   template <class Mark>
   void TakeHits(const Mark& mark)
   {
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /** Depths that are in one slice alone. The last entry is that of no slice. */
+  /** Finds the depths that are in one slice only. The last entry belongs to no slice and is empty. */
   void FindLoneDepths()
   {
     for (std::size_t slice = 0; slice < this->Slices.size(); ++slice)
@@ -120,7 +120,7 @@ private:
   std::vector<SliceDepths> Slices;
   std::vector<SliceDepths> Lone;
   std::vector<std::uint8_t> IsHit;
-  std::size_t Last = 0; ///< one that was hit
+  std::size_t Last = 0; ///< the slice that was hit last, or the empty entry
 };
 }
 
@@ -169,7 +169,7 @@ void UsedClusters::AddBox(const Box& box)
   }
 }
 
-/** Marks what a part of a box in one slice, before the eye, is drawn to. */
+/** Marks the clusters of one slice that a part of a box is drawn to. The part lies in front of the eye. */
 void UsedClusters::AddPart(int slice, const glm::dvec3& low, const glm::dvec3& high)
 {
   glm::dvec2 first(FarthestCorner), last(-FarthestCorner);
@@ -184,7 +184,7 @@ void UsedClusters::AddPart(int slice, const glm::dvec3& low, const glm::dvec3& h
   const glm::dvec2 slack(BoxPixelSlack / this->Grid.TileSize());
   const glm::dvec2 tiles(this->Grid.Columns(), this->Grid.Rows());
   const glm::dvec2 begin = first - slack, end = last + slack;
-  // Wide lines may be a little outside, where the outermost tiles go on.
+  // Wide lines may extend slightly outside, where the outermost tiles continue.
   if (end.x < -0.5 || end.y < -0.5 || begin.x > tiles.x + 0.5 || begin.y > tiles.y + 0.5)
   {
     return;

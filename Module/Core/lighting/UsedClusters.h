@@ -11,7 +11,7 @@
 namespace vitrine
 {
 
-/** Which clusters of a grid hold something to be lit: nonzero for each that does. */
+/** Marks the clusters of a grid that contain something lit. The mark of a cluster is nonzero if it does. */
 class UsedClusters
 {
 public:
@@ -22,23 +22,24 @@ public:
   }
 
   /**
-   * Marks what a depth buffer shows, and what a shader may take it for whose distances are a little off.
-   * @param depths   window depths from 0 to 1 of the picture's pixels, line after line; those of 1 and beyond, the background, and those that are
-   *                 no numbers show nothing
-   * @param width    of the picture that the grid was made for
-   * @param height   likewise
+   * Marks the clusters of the pixels of a depth buffer. It also marks neighbouring slices that a shader may find
+   * because of rounding.
+   * @param depths  window depths of the picture's pixels, row by row. Depths of 1 or more (the background) and NaN mark
+   *                nothing.
+   * @param width   the width of the picture for which the grid was made
+   * @param height  the height of that picture
    */
   void AddDepths(const float* depths, int width, int height);
 
-  /** Marks all there are. */
+  /** Marks all clusters. */
   void AddAll();
 
-  /** Marks all that a box in view coordinates (VC) may touch; nothing if it is empty. */
+  /** Marks all clusters that a box in view coordinates (VC) may touch. An empty box marks nothing. */
   void AddBox(const Box& box);
 
   const std::vector<std::uint8_t>& All() const { return this->Marks; }
 
-  /** How many there are. */
+  /** Returns the number of marked clusters. */
   std::uint32_t Count() const;
 
 private:

@@ -12,7 +12,7 @@ namespace
 
 constexpr float Endless = std::numeric_limits<float>::infinity();
 
-/** By how much cells are wider, as a share of the largest coordinate: what a shader's floats may be off by is a tenth of it. */
+/** Widening of cells, as a share of the largest coordinate. It is ten times the error of a shader's floats. */
 constexpr float WorldSlack = 1e-5f;
 }
 
@@ -105,7 +105,7 @@ glm::ivec3 CubesIn(const Box& box, std::uint32_t count)
   const glm::dvec3 lengths = glm::dvec3(box.Max) - glm::dvec3(box.Min);
   glm::ivec3 cells(1);
   double edge = 0.0;
-  // Where an axis turns out to be shorter than an edge, the others share the cells among them, so that edges get longer.
+  // If an axis is shorter than an edge, the other axes share its cells and the edges get longer.
   for (int round = 0; round < 3; ++round)
   {
     double content = 1.0;

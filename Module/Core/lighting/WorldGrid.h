@@ -13,15 +13,16 @@ namespace vitrine
 {
 
 /**
- * A fixed grid of boxes in world coordinates (WC), for comparison with one that follows the view: it stays as it is while the camera moves, and its
- * cells are as large near the eye as far from it. The outermost cells go on to infinity.
+ * A fixed grid of boxes in world coordinates (WC), for comparison with a grid that follows the view. It does not change
+ * while the camera moves, and its cells have one size near and far. The outermost cells extend to infinity.
  */
 class WorldGrid
 {
 public:
   /**
-   * @param bounds    what has no length on an axis, or no finite one, has one cell there
-   * @param farthest  that places are from the origin of the coordinates in which a shader has them
+   * @param bounds    the box to divide. An axis whose length is 0 or not finite gets one cell.
+   * @param farthest  the largest distance of points from the origin of the shader's coordinates. It bounds rounding
+   *                  errors.
    */
   WorldGrid(const Box& bounds, const glm::ivec3& cells, float farthest = 0.0f);
 
@@ -37,15 +38,18 @@ public:
     return static_cast<std::uint32_t>((slice * this->Cells.y + row) * this->Cells.x + column);
   }
 
-  /** What a shader needs to find a point's cell: with its matrix on each axis int(clamp((p + 1) / 2 * cells, 0, cells - 1)). */
+  /**
+   * Returns the matrix from which a shader computes the cell of a point (WC). With p the transformed coordinate, the
+   * cell on each axis is int(clamp((p + 1) / 2 * cells, 0, cells - 1)).
+   */
   glm::dmat4 ToUnit() const;
 
   int ClusterOf(const glm::dvec3& point) const;
 
-  /** A cell, a little wider than a shader finds it. */
+  /** Returns the box of a cell, slightly wider than the cell that a shader computes. */
   Box BoundsOf(std::uint32_t cluster) const;
 
-  /** Marks the cells that a box may touch; nothing if it is empty. */
+  /** Marks the cells that a box may touch. An empty box marks nothing. */
   void AddBox(const Box& box, std::vector<std::uint8_t>& marks) const;
 
 private:
@@ -57,7 +61,10 @@ private:
   glm::vec3 Slack;
 };
 
-/** How many cells make about `count` of a box altogether, which are as good as cubes; where it is flatter than they are, there is one. */
+/**
+ * Returns the numbers of cells on each axis that divide a box into about `count` nearly cubic cells. An axis shorter
+ * than a cell gets one cell.
+ */
 glm::ivec3 CubesIn(const Box& box, std::uint32_t count);
 
 }
