@@ -6,7 +6,7 @@ namespace vitrine
 namespace
 {
 
-// What has no weight adds nothing, even if it is infinite.
+// A weight of 0 yields 0, even if the value is infinite.
 double Times(double weight, double value)
 {
   return weight == 0.0 ? 0.0 : weight * value;
@@ -16,14 +16,14 @@ double Times(double weight, double value)
 
 void CoincidentGroup::Add(double alpha, double weight, const double rgb[3])
 {
-  const std::size_t count = this->Behind.size() + 1; // with this fragment
+  const std::size_t count = this->Behind.size() + 1; // including this fragment
   const auto k = static_cast<double>(count);
   const double stays = 1.0 - alpha;
   this->Through.push_back(0.0);
   this->Behind.push_back({ { 0.0, 0.0, 0.0 } });
   for (std::size_t i = count; i-- > 0;)
   {
-    // This fragment is one of the m in front, the one that is seen, or neither.
+    // This fragment is one of the m in front, or the visible one, or neither.
     const auto m = static_cast<double>(i);
     for (int c = 0; c < 3; ++c)
     {

@@ -8,32 +8,33 @@ namespace vitrine
 {
 
 /**
- * Fragments that lie at one depth and so have no order: composited as the mean over all orders.
+ * Composites fragments that lie at one depth and so have no order. The result is the mean over all orders.
  *
- * Of k fragments, m random others lie in front of fragment i with each m from 0 to k - 1 as likely. So its weight is
+ * In a random order of k fragments, the number m of fragments in front of fragment i is uniform in 0 to k - 1. Hence
+ * the weight of fragment i is
  *
  *     w_i = alpha_i / k * sum over m of M_m
  *
- * where M_m is the mean, over all choices of m others, of the product of their (1 - alpha). The means follow from each
- * other fragment by fragment, as binomial coefficients do in Pascal's triangle, and all terms are positive: k^2 steps, and
- * no cancellation with any number of fragments. The order of Add() matters for the last bits only.
+ * where M_m is the mean, over all choices of m other fragments, of the product of their (1 - alpha). The means are
+ * updated fragment by fragment, like binomial coefficients in Pascal's triangle. This takes k^2 steps. All terms are
+ * positive, so there is no cancellation for any number of fragments. The order of Add() affects only the last bits.
  *
- * The compositing of one order is T. Porter, T. Duff: Compositing digital images, SIGGRAPH 1984. The sum over orders is
- * that of a Shapley value: L. S. Shapley: A Value for n-Person Games, 1953.
+ * One order is composited as in T. Porter, T. Duff: Compositing digital images, SIGGRAPH 1984. The mean over orders is
+ * a Shapley value (L. S. Shapley: A Value for n-Person Games, 1953).
  */
 class CoincidentGroup
 {
 public:
-  /** Add a fragment: alpha in [0, 1], colour not premultiplied, which may be infinite. */
+  /** Add a fragment. Its alpha is in [0, 1]. Its colour is not premultiplied and may be infinite. */
   void Add(double alpha, const double rgb[3]) { this->Add(alpha, alpha, rgb); }
 
-  /** Add a fragment that is added to what is behind it, and hides nothing of it: its colour, premultiplied. */
+  /** Add an additive fragment, which hides nothing behind it. Its colour is premultiplied. */
   void AddLight(const double rgb[3]) { this->Add(0.0, 1.0, rgb); }
 
-  /** Add the mean colour of the group, premultiplied, times `factor`, to `sum`. What has no weight adds nothing. */
+  /** Add the group's mean premultiplied colour times `factor` to `sum`. Fragments of weight 0 add nothing. */
   void AddColor(double factor, double sum[3]) const;
 
-  /** The share of light that the group lets through: the product of (1 - alpha). */
+  /** Returns the group's transmittance: the product of all (1 - alpha). */
   double Transmittance() const { return this->Through.back(); }
 
 private:
@@ -44,9 +45,9 @@ private:
 
   void Add(double alpha, double weight, const double rgb[3]);
 
-  /** By m: mean transmittance of m random fragments of the group. */
+  /** By m: the mean transmittance of m random fragments of the group. */
   std::vector<double> Through{ 1.0 };
-  /** By m: mean of one random fragment's premultiplied colour behind m random others. */
+  /** By m: the mean premultiplied colour of one random fragment behind m random others. */
   std::vector<Premultiplied> Behind;
 };
 

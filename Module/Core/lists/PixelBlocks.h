@@ -1,5 +1,5 @@
 /**
- * Square blocks of pixels, in which a picture is taken row by row.
+ * Divides a picture into square blocks of pixels, in row-major order.
  */
 #ifndef VITRINE_CORE_LISTS_PIXEL_BLOCKS_H
 #define VITRINE_CORE_LISTS_PIXEL_BLOCKS_H
@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Blocks of pixels: the first one's column and row, and the number of columns and rows. */
+/** A rectangle of blocks: column and row of the first block, and the numbers of columns and rows. */
 struct BlockRange
 {
   int First[2] = { 0, 0 };
@@ -23,10 +23,10 @@ struct BlockRange
   int Size() const { return this->Count[0] * this->Count[1]; }
 };
 
-/** The blocks of `side` pixels a side that `region` touches. */
+/** Returns the blocks of `side` x `side` pixels that `region` touches. */
 BlockRange BlocksOf(const PixelRegion& region, int side);
 
-/** The pixels of these blocks, some of which may lie beyond the image. */
+/** Returns the pixels of these blocks. Some may lie outside the image. */
 PixelRegion PixelsOf(const BlockRange& blocks, int side);
 
 }

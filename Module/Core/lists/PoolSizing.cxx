@@ -21,7 +21,7 @@ std::uint64_t RoundedUp(std::uint64_t value)
   return excess == 0 ? value : SaturatingAdd(value, PoolSizing::Granule - excess);
 }
 
-// capacity / 1.3, without overflow
+// Returns capacity / 1.3 without overflow.
 std::uint64_t SettledUse(std::uint64_t capacity)
 {
   return capacity / 13 * 10 + capacity % 13 * 10 / 13;

@@ -8,18 +8,20 @@ namespace vitrine
 {
 
 /**
- * Decides how many units (nodes, bytes) a GPU pool holds, frame by frame. It allocates nothing: the
- * owner reallocates when Capacity() has changed.
+ * Decides how many units (nodes or bytes) a GPU pool holds, frame by frame. It allocates nothing: the owner reallocates
+ * when Capacity() has changed. A window is 32 frames.
  *
- * The pool grows at once, to what is needed and an eighth more, or a quarter more if it has grown
- * within the last window already, as when a camera comes closer. It shrinks, to the largest use and
- * an eighth more, when every frame of a window of 32 used less than 1/1.3 of it; and when four frames
- * in a row used less than an eighth of it, unless it once had to grow again within a window of such a
- * shrinking, as when heavy views come every few frames. Sizes are rounded up to a granule of 4096 units.
+ * - The pool grows at once, to 9/8 of the need. If it has already grown within the last window, as when a camera comes
+ *   closer, it grows to 5/4 of the need.
+ * - It shrinks to 9/8 of the largest use if each frame of a window used less than 1/1.3 of the capacity.
+ * - It also shrinks if each of four frames in a row used less than 1/8 of the capacity. It stops doing so forever once
+ *   it had to grow within a window of such a shrink, as when heavy views come every few frames.
+ * - Sizes are rounded up to a granule of 4096 units.
  *
- * So a steady need above 24,000 units settles within a window at no more than 1.3 times the need; a
- * use that swings with a period of at most a window never causes shrinking; and whatever the use
- * does, at least 32 frames lie between shrinking by less than 8 and the change before it.
+ * Consequences:
+ * - A steady need above 24,000 units settles within a window at no more than 1.3 times the need.
+ * - A use that swings with a period of at most a window never causes shrinking.
+ * - A shrink by a factor of less than 8 comes at least 32 frames after the previous change.
  */
 class PoolSizing
 {
@@ -29,28 +31,28 @@ public:
   static constexpr int GrossWindow = 4;
   static constexpr std::uint64_t GrossFactor = 8;
 
-  /** @param minimum  units to begin with and never to go below, unless the limit demands it */
+  /** @param minimum  the initial and the smallest capacity in units; only the limit may force it lower */
   explicit PoolSizing(std::uint64_t minimum = 0);
 
-  /** Units the pool holds. */
+  /** Returns the units that the pool holds. */
   std::uint64_t Capacity() const { return this->Size; }
 
-  /** Units the pool may hold at most. */
+  /** Returns the maximum capacity in units. */
   std::uint64_t Limit() const { return this->Largest; }
 
-  /** Bounds the capacity from now on; a larger one falls to the limit at once. No limit by default. */
+  /** Set the maximum capacity in units. A larger capacity falls to the limit at once. By default there is no limit. */
   void SetLimit(std::uint64_t limit);
 
   /**
-   * Makes room for `needed` units as far as the limit allows. Does nothing where there is room.
-   * @return whether there is room for them now
+   * Makes room for `needed` units as far as the limit allows. It does nothing if there is room.
+   * @return true if there is room now
    */
   bool Grow(std::uint64_t needed);
 
   /**
-   * To be called once per finished frame: shrinks the pool where it has long been too large.
-   * @param used  units this frame needed
-   * @return whether the capacity changed
+   * Shrinks the pool if it has been too large for long. Call it once for each finished frame.
+   * @param used  the units that this frame needed
+   * @return true if the capacity changed
    */
   bool EndFrame(std::uint64_t used);
 
@@ -71,8 +73,8 @@ private:
   std::uint64_t Largest = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t Size;
   int FramesSinceGrowth = Window;
-  int FramesSinceGross = Window; // since it shrank after GrossWindow frames
-  bool Patient = false;          // that was rash before: shrink after Window frames alone
+  int FramesSinceGross = Window; // frames since the last shrink by GrossWindow
+  bool Patient = false;          // set if that shrink was premature; shrink by Window only
   Streak Low;
   Streak Gross;
 };

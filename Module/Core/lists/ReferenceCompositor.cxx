@@ -20,14 +20,14 @@ namespace vitrine
 namespace
 {
 
-// Pixels from the first up to the end.
+// The pixels First to End - 1.
 struct PixelRange
 {
   std::size_t First;
   std::size_t End;
 };
 
-// A fragment whose numbers all have a meaning.
+// A sanitized fragment.
 struct Layer
 {
   float Depth;
@@ -40,7 +40,7 @@ struct Layer
   float Extent;
   bool IsAdded; // its colour is premultiplied, and A is 0
 
-  // The share of its colour that is seen where nothing is in front.
+  // Returns the share of the colour that is visible if nothing is in front.
   double Weight() const { return this->IsAdded ? 1.0 : this->A; }
 
   bool IsInFrontOf(const Layer& other) const
@@ -55,7 +55,7 @@ struct Layer
       std::tie(other.Packed, other.A, other.B, other.G, other.R);
   }
 
-  // Where its interval ends; before all others if it has none, so that nothing meets it.
+  // Returns the far end of the interval. Without an extent it is minus infinity, so no other layer meets it.
   float FarEnd() const
   {
     return this->Extent > 0.0f ? this->Depth + this->Extent
@@ -63,8 +63,8 @@ struct Layer
   }
 };
 
-// A number in [0, 65504] as a 16-bit float without sign: 5 bits of exponent, 11 of mantissa, rounded. `exponent`
-// is the biased exponent of IEEE's single precision that code 0 begins at.
+// Packs a number in [0, 65504] into an unsigned 16-bit float, rounded: 5 bits of exponent, 11 bits of mantissa.
+// `exponent` is the biased single-precision exponent at which code 0 begins.
 std::uint64_t Packed16(float value, std::int64_t exponent)
 {
   std::uint32_t bits = 0;
@@ -73,8 +73,8 @@ std::uint64_t Packed16(float value, std::int64_t exponent)
   return static_cast<std::uint64_t>(std::clamp<std::int64_t>(code, 0, 0xffff));
 }
 
-// Colours order by what can be told apart in storage, alpha first. The last bits of a float are noise of the
-// rasteriser's interpolation: an alpha that is the same all over a part differs in them from pixel to pixel.
+// Colours are ordered by the precision of storage, alpha first. The last bits of a float are noise of the rasteriser's
+// interpolation: even a constant alpha differs in them from pixel to pixel.
 std::uint64_t PackedColor(const Layer& layer, TargetRange range)
 {
   const std::int64_t unitExponent = 96;
@@ -83,7 +83,7 @@ std::uint64_t PackedColor(const Layer& layer, TargetRange range)
     Packed16(layer.G, colorExponent) << 16 | Packed16(layer.R, colorExponent);
 }
 
-// NaN, for which no comparison holds, becomes 0.
+// NaN, for which every comparison is false, becomes 0.
 float Clamped(float value, float largest)
 {
   return value > 0.0f ? std::min(value, largest) : 0.0f;
@@ -94,7 +94,7 @@ std::uint32_t PixelOf(const CapturedFragment& fragment)
   return fragment.Pixel & ~CapturedFragment::Added;
 }
 
-// What has no alpha adds nothing, even if its colour is infinite.
+// A colour without alpha adds nothing, even if it is infinite.
 void Premultiply(Layer& layer)
 {
   for (float* const color : { &layer.R, &layer.G, &layer.B })
@@ -120,7 +120,7 @@ Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
   return layer;
 }
 
-// Light on its way through the layers of a sample, from the front.
+// A view ray that passes the layers of a sample, front to back.
 struct Ray
 {
   double Sum[3] = { 0.0, 0.0, 0.0 };
@@ -129,7 +129,7 @@ struct Ray
   void Pass(const Layer& layer)
   {
     const double weight = this->Transmittance * layer.Weight();
-    // What has no weight adds nothing, even if its colour is infinite.
+    // A layer of weight 0 adds nothing, even if its colour is infinite.
     if (weight == 0.0)
     {
       return;
@@ -140,7 +140,7 @@ struct Ray
     this->Transmittance *= 1.0 - layer.A;
   }
 
-  // Layers that coincide.
+  // Passes a group of coincident layers.
   void Pass(const CoincidentGroup& group)
   {
     group.AddColor(this->Transmittance, this->Sum);
@@ -148,7 +148,7 @@ struct Ray
   }
 };
 
-// Those from `first` on that coincide, up to the one that is returned. Layers are in the order of their near ends.
+// Returns the end of the group of coincident layers that begins at `first`. Layers are ordered by their near ends.
 std::size_t EndOfGroup(const std::vector<Layer>& layers, std::size_t first)
 {
   float farEnd = layers[first].FarEnd();
@@ -161,7 +161,7 @@ std::size_t EndOfGroup(const std::vector<Layer>& layers, std::size_t first)
   return end;
 }
 
-// Layers of one group come in any order; a fixed one makes the sum the same to the last bit.
+// Layers of a group arrive in any order. Sorting makes the sum the same to the last bit.
 CoincidentGroup MakeGroup(std::vector<Layer> layers)
 {
   std::sort(layers.begin(), layers.end(),
@@ -175,7 +175,7 @@ CoincidentGroup MakeGroup(std::vector<Layer> layers)
   return group;
 }
 
-// Composites layers, front to back, over what `rgba` holds.
+// Composites layers, front to back, over the colour in `rgba`.
 void CompositeSample(const std::vector<Layer>& layers, double* rgba)
 {
   Ray ray;
@@ -200,7 +200,7 @@ void CompositeSample(const std::vector<Layer>& layers, double* rgba)
 }
 }
 
-// The fragments of pixel p are those at Order[Begin[p]] to Order[Begin[p + 1] - 1].
+// The fragments of each pixel p: Order[Begin[p]] to Order[Begin[p + 1] - 1].
 struct ReferenceCompositor::PixelLists
 {
   std::vector<std::size_t> Begin;

@@ -14,7 +14,7 @@ std::string Register(int i)
   return "f" + std::to_string(i);
 }
 
-// `macro(f) ` for the registers from `first` up to, not including, `end`.
+// Returns `macro(f) ` for each register from `first` to `end` - 1.
 std::string ForEach(const std::string& macro, int first, int end)
 {
   std::string text;
@@ -40,8 +40,8 @@ std::string DeclarePages(int count)
   return text;
 }
 
-// `macro(f, p, i)` for `count` registers from `first` on: slot i of page p. If there is a `begin`, `begin(p)` stands before
-// each page.
+// Returns `macro(f, p, i)` for `count` registers from `first` on: slot i of page p. If `begin` is not empty, `begin(p)`
+// precedes each page.
 std::string ForEachSlot(
   const std::string& begin, const std::string& macro, int first, int count, int pageSize)
 {
@@ -56,7 +56,7 @@ std::string ForEachSlot(
   return text;
 }
 
-// One round of odd-even transposition: every pair of neighbours once.
+// Returns one round of odd-even transposition, which visits each pair of neighbours once.
 std::string NeighbourPairs(const std::string& macro, int size)
 {
   std::string text;
@@ -80,8 +80,8 @@ SortingNetwork Shifted(SortingNetwork network, int by)
   return network;
 }
 
-// Merge the sorted block in registers [block, 2 block) into the sorted one in [0, block), which keeps the
-// smaller half: against the reversed block its minima are a bitonic sequence, which half-cleaners sort.
+// Merges the sorted block in registers [block, 2 block) into the sorted block in [0, block), which keeps the nearest
+// half. The minima of one block and the other reversed are a bitonic sequence, which half-cleaners sort.
 std::string KeepNearest(const std::string& macro, int block)
 {
   std::string text;

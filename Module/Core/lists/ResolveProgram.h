@@ -1,5 +1,5 @@
 /**
- * The generated parts of the shaders that resolve lists of fragments: unrolled over named registers.
+ * Generates the unrolled parts of the shaders that resolve lists of fragments. They work on named registers.
  */
 #ifndef VITRINE_CORE_LISTS_RESOLVE_PROGRAM_H
 #define VITRINE_CORE_LISTS_RESOLVE_PROGRAM_H
@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Text for the tags of ListResolve.glsl, for lists of up to `size` nodes in pages of `pageSize`. */
+/** Text for the tags of ListResolve.glsl. */
 struct ResolveText
 {
   std::string Declare;
@@ -19,10 +19,10 @@ struct ResolveText
   std::string Blend;
 };
 
-/** `size` is a multiple of `pageSize`. */
+/** Generates text for lists of up to `size` nodes, a multiple of `pageSize`. */
 ResolveText UnrollResolve(int size, int pageSize);
 
-/** Text for the tags of CompositeBlocks.glsl, for blocks of `block` nodes, a power of two. */
+/** Text for the tags of CompositeBlocks.glsl. */
 struct LongResolveText
 {
   std::string Declare;
@@ -32,7 +32,7 @@ struct LongResolveText
   std::string MergeBlock;
   std::string Blend;
   std::string CountSame;
-  std::string LastRegister; ///< the register that holds the farthest fragment of the nearest block
+  std::string LastRegister; ///< register of the farthest fragment of the nearest block
 };
 
 LongResolveText UnrollLongResolve(int block);
@@ -46,7 +46,7 @@ struct SortRunsText
   std::string Store;
 };
 
-/** For runs of `size` nodes, a multiple of `pageSize`. */
+/** Generates text for runs of `size` nodes, a multiple of `pageSize`. */
 SortRunsText UnrollSortRuns(int size, int pageSize);
 
 /** Text for the tags of ListSortLongRuns.glsl. */
@@ -61,7 +61,7 @@ struct SortLongRunsText
   std::string StoreNearest;
 };
 
-/** For blocks of `block` nodes, a power of two and a multiple of `pageSize`. */
+/** Generates text for blocks of `block` nodes, a power of two and a multiple of `pageSize`. */
 SortLongRunsText UnrollSortLongRuns(int block, int pageSize);
 
 /** Text for the tags of ListMergeRuns.glsl. */
@@ -72,7 +72,7 @@ struct MergeRunsText
   std::string PutBack;
 };
 
-/** For up to `runs` runs in groups of `groupSize`, of which `runs` is a multiple. */
+/** Generates text for up to `runs` runs, a multiple of `groupSize`, in groups of `groupSize` runs. */
 MergeRunsText UnrollMergeRuns(int runs, int groupSize);
 
 }

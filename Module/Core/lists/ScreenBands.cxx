@@ -9,7 +9,7 @@ namespace vitrine
 namespace
 {
 
-// A picture's needs, read through the window of a region that lies inside it.
+// The needs of a region of the picture.
 struct NeedView
 {
   const std::vector<std::uint32_t>& Need;
@@ -19,7 +19,7 @@ struct NeedView
   std::uint32_t At(int x, int y) const { return this->Need[y * this->Stride + x]; }
 };
 
-// The columns from First to Last hold all that a row needs. First > Last: nothing.
+// The need of one row. It lies in the columns First to Last, which are First > Last if the row has none.
 struct RowNeed
 {
   std::uint64_t Sum = 0;

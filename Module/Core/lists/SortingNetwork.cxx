@@ -17,7 +17,7 @@ SortingNetwork OddEvenMergeNetwork(int size)
   {
     top *= 2;
   }
-  // Knuth's letters: p is the length of the runs being merged, q, r and d walk through the merge.
+  // The names are Knuth's: p is the length of the runs to merge; q, r and d step through the merge.
   for (int p = top; p > 0; p /= 2)
   {
     int q = top;

@@ -1,6 +1,6 @@
-// The 0-1 principle over sets of reachable vectors. D. E. Knuth, The Art of Computer Programming 3,
-// 5.3.4, Theorem Z; the sets of outputs are those of M. Codish, L. Cruz-Filipe, M. Frank and
-// P. Schneider-Kamp: Twenty-five comparators is optimal when sorting nine inputs, 2014.
+// Proves sorting networks by the 0-1 principle over sets of reachable vectors (D. E. Knuth, The Art of Computer
+// Programming 3, 5.3.4, Theorem Z). The sets of outputs are those of M. Codish, L. Cruz-Filipe, M. Frank and P.
+// Schneider-Kamp: Twenty-five comparators is optimal when sorting nine inputs, 2014.
 
 #include "Core/lists/SortingNetwork.h"
 
@@ -18,7 +18,7 @@ namespace vitrine
 namespace
 {
 
-// One bit per wire, at the wire's number.
+// One bit for each wire, at the wire's number.
 using ZeroOneVector = std::uint64_t;
 using VectorSet = std::vector<ZeroOneVector>; // sorted, without duplicates
 
@@ -29,7 +29,7 @@ ZeroOneVector WireBit(int wire)
   return ZeroOneVector{ 1 } << wire;
 }
 
-// The wires, grouped by the comparators applied so far, and what can occur on each group.
+// The wires, grouped by the comparators applied so far, and the vectors that can occur on each group.
 class ReachableVectors
 {
 public:
@@ -44,7 +44,7 @@ public:
     }
   }
 
-  // The number of vectors that applying the comparator would have to look at, beyond those there are.
+  // Returns the number of new vectors that applying the comparator would produce.
   std::size_t Cost(Comparator comparator) const
   {
     const int low = this->Group[comparator.Low];
@@ -58,8 +58,7 @@ public:
     this->Exchange(this->Sets[this->Group[comparator.Low]], comparator);
   }
 
-  // Wires that no comparator joins to the first group keep its vectors from being sorted: they are
-  // zero where it is all ones.
+  // Wires outside the first group prevent its vectors from being sorted: they are zero where the group is all ones.
   bool AreAllSorted() const
   {
     return this->Group.empty() || this->IsSorted(this->Sets[this->Group.front()]);
@@ -91,7 +90,7 @@ private:
   {
     const ZeroOneVector low = WireBit(comparator.Low);
     const ZeroOneVector high = WireBit(comparator.High);
-    // Exchanging adds the same number to each vector it concerns, so both halves stay sorted.
+    // An exchange adds the same number to each vector that it changes, so both parts stay sorted.
     const auto exchanged = std::stable_partition(
       set.begin(), set.end(), [=](ZeroOneVector v) { return !(v & low) || (v & high); });
     std::for_each(exchanged, set.end(), [=](ZeroOneVector& v) { v ^= low | high; });
@@ -107,7 +106,8 @@ private:
     return std::all_of(set.begin(), set.end(),
       [size](ZeroOneVector v)
       {
-        // Ones only above zeros: filling the zeros below the lowest one must fill every wire.
+        // In a sorted vector the ones are above the zeros. Filling the zeros below the lowest one then fills every
+        // wire.
         const ZeroOneVector all = ~ZeroOneVector{ 0 } >> (64 - size);
         return v == 0 || (v | (v - 1)) == all;
       });
@@ -117,7 +117,7 @@ private:
   std::vector<VectorSet> Sets; // by number of group
 };
 
-// The comparator to apply next: of those with no earlier one left on their wires, the cheapest.
+// Returns the comparator to apply next: the cheapest of those whose wires have no earlier comparator left.
 std::size_t CheapestReady(const SortingNetwork& network, const std::vector<bool>& isApplied,
   const ReachableVectors& vectors)
 {

@@ -1,14 +1,17 @@
-// The smallest known sorting networks, as data.
+// Data of the smallest known sorting networks.
 //
-// Optimal for up to 12 inputs: M. Codish, L. Cruz-Filipe, M. Frank and P. Schneider-Kamp, Twenty-five
-// comparators is optimal when sorting nine inputs, 2014; J. Harder, An answer to the Bose-Nelson
-// sorting problem for 11 and 12 channels, 2020. 16 inputs: M. W. Green's 60 comparators, in Knuth, The
-// Art of Computer Programming 3, 5.3.4. The others as collected, and for most sizes from 17 on found,
-// by B. Dobbelaere: Smallest and fastest sorting networks for a given number of inputs, extended list,
-// bertdobbelaere.github.io, as of February 2026. Nothing here rests on that: the tests prove each one.
+// Sources:
+// - Up to 12 inputs, optimal: M. Codish, L. Cruz-Filipe, M. Frank and P. Schneider-Kamp, Twenty-five comparators is
+//   optimal when sorting nine inputs, 2014; J. Harder, An answer to the Bose-Nelson sorting problem for 11 and 12
+//   channels, 2020.
+// - 16 inputs: M. W. Green's 60 comparators, in Knuth, The Art of Computer Programming 3, 5.3.4.
+// - The others were collected, and mostly found from 17 inputs on, by B. Dobbelaere: Smallest and fastest sorting
+//   networks for a given number of inputs, extended list, bertdobbelaere.github.io, as of February 2026.
 //
-// 52 and 64 inputs are D. C. Van Voorhis's merges of four columns. They sort the columns before the
-// rows here, not after, which is the same network as far as sorting goes but is proved in milliseconds.
+// Nothing relies on these claims: the tests prove that each network sorts.
+//
+// The networks for 52 and 64 inputs are D. C. Van Voorhis's merges of four columns. Here they sort the columns before
+// the rows instead of after them. This sorts equally well and is proved in milliseconds.
 
 #include "Core/lists/SortingNetworkTables.h"
 

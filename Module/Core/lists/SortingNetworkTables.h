@@ -7,13 +7,12 @@ namespace vitrine
 {
 
 /**
- * The smallest known network for `size` inputs as text: two characters per comparator, the wires'
- * numbers as digits of base 64 (0-9, A-Z, a-z, +, -); a space ends a layer. Null where there is no
- * table: below 2 and above 64 inputs.
+ * Returns the smallest known network for `size` inputs as text. A comparator is two characters: the wires' numbers as
+ * base-64 digits (0-9, A-Z, a-z, +, -). A space ends a layer. It is null below 2 and above 64 inputs.
  */
 const char* BestKnownNetworkText(int size);
 
-/** The network that a text in the format above says. */
+/** Returns the network that such a text encodes. */
 SortingNetwork DecodeNetwork(int size, const char* text);
 
 }

@@ -1,13 +1,15 @@
 /**
- * Stencil routing: how the samples of a pixel take its fragments apart, one fragment each, in one pass over the geometry or
- * in several.
+ * Stencil routing: the samples of a pixel separate its fragments, one fragment each, in one or more passes over the
+ * geometry.
  *
- * K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches. A sample that begins with p + i in the stencil, where
- * p is what the test compares with, lets fragment i of the pixel's sequence through, since every fragment decrements the
- * stencil of all samples. Samples begin alike in each pass, as high as 8 bits go, and p falls by K from one pass to the
- * next: pass j takes fragments j K to j K + K - 1. The decrement ends at 0, which no pass compares with: no fragment
- * passes twice, and what is left tells how many there were. Sample 0, by which drivers mostly stand for a pixel, begins
- * highest and takes the last fragment of a pass, so that it counts farthest.
+ * K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches. The test compares the stencil with a value p,
+ * and each fragment decrements the stencil of all samples. So a sample that starts with p + i lets fragment i of the
+ * pixel pass.
+ *
+ * All passes use the same start values, the highest that 8 bits hold. p falls by K, the number of samples, from pass to
+ * pass: pass j takes fragments j K to j K + K - 1. The decrement stops at 0, to which no pass compares. So no fragment
+ * passes twice, and the final value tells the number of fragments. Sample 0, which most drivers return for a pixel,
+ * starts highest: it takes the last fragment of a pass and counts farthest.
  */
 #ifndef VITRINE_CORE_LISTS_STENCIL_ROUTING_H
 #define VITRINE_CORE_LISTS_STENCIL_ROUTING_H
@@ -17,10 +19,10 @@
 namespace vitrine
 {
 
-/** The numbers of samples a pass that there are: powers of two up to 32. */
+/** Returns the supported numbers of samples: powers of two up to 32. */
 const std::vector<int>& RoutedSampleCounts();
 
-/** The number of `samples` that take fragments, and with it what the stencil has for them. */
+/** Computes stencil values and passes from the number of samples that take fragments. */
 class StencilRoute
 {
 public:
@@ -31,16 +33,16 @@ public:
 
   int SamplesPerPass() const { return this->Samples; }
 
-  /** What a sample begins each pass with. */
+  /** Returns the start value of a sample, which is the same in each pass. */
   int StartValue(int sample) const { return 255 - sample; }
 
-  /** What lets a fragment through in a pass, from pass 0 on. */
+  /** Returns the stencil value that lets a fragment pass in a pass. Passes are numbered from 0. */
   int PassingValue(int pass) const { return 256 - this->Samples * (pass + 1); }
 
-  /** How many passes 8 bits have room for, if one fragment more is to be noticed. */
+  /** Returns the maximum number of passes for 8 bits. One value is reserved to detect an extra fragment. */
   int MostPasses() const { return 254 / this->Samples; }
 
-  /** How many passes take `layers` fragments of a pixel, as far as there are as many. */
+  /** Returns the number of passes that take `layers` fragments of a pixel, limited to MostPasses(). */
   int PassesFor(int layers) const;
 
 private:
