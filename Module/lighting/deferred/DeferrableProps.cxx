@@ -21,7 +21,7 @@ namespace vitrine
 namespace
 {
 
-/** What rounding may put a fragment aside, in pixels. */
+/** Bound of the displacement of a fragment by rounding, in pixels. */
 constexpr double BesidesHalfWidth = 1.0;
 
 bool HasKnownMapper(vtkActor* actor)
@@ -33,14 +33,14 @@ bool HasKnownMapper(vtkActor* actor)
     [&](const char* name) { return IsOfClass(actor->GetMapper(), name); });
 }
 
-// What has alpha is blended with what is drawn before it.
+// An actor with alpha is blended with what is drawn before it.
 bool HidesWhatIsBehind(vtkActor* actor)
 {
   return !actor->GetForceOpaque() && !HasTranslucentBack(actor) && AreTexturesOpaque(actor) &&
     AreColorsOpaque(actor->GetMapper(), actor->GetMapper()->GetInput());
 }
 
-// Blocks are not asked.
+// Returns true for data of several blocks, which are not examined.
 bool HasThinParts(vtkActor* actor)
 {
   vtkProperty* const property = actor->GetProperty();

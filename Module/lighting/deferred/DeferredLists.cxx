@@ -19,7 +19,7 @@ ClusterSettings WithoutSlices(ClusterSettings settings)
   return settings;
 }
 
-// One list of the lights of all rectangles.
+// Returns one list with the lights of all rectangles.
 LightLists NumberLights(const std::vector<LightRectangle>& rectangles)
 {
   LightLists lists;
@@ -65,7 +65,7 @@ void DeferredLists::AssignTo(const DeferredGrid& grid, vtkOpenGLRenderer* render
     const double tilesAside = std::ceil(grid.PixelsAside / grid.Clusters.TileSize);
     this->Volumes = RectanglesOf(this->Clusters(), this->OfGrid, static_cast<int>(tilesAside));
     this->OfGrid = CoveredTiles(this->Clusters(), this->Volumes);
-    marks.clear(); // all that volumes cover is gone over
+    marks.clear(); // all tiles that volumes cover are used
   }
   const auto unused = std::count(marks.begin(), marks.end(), 0);
   this->Used = this->Clusters().Count() - static_cast<std::uint32_t>(unused);

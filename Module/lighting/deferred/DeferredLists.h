@@ -1,5 +1,5 @@
 /**
- * The lights that the pixels of a G-buffer go through.
+ * Assigns lights to the pixels of a G-buffer.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_DEFERRED_LISTS_H
 #define VITRINE_LIGHTING_DEFERRED_DEFERRED_LISTS_H
@@ -19,10 +19,10 @@ namespace vitrine
 
 struct RendererLights;
 
-/** What lights are assigned to. */
+/** The unit that lights are assigned to. */
 enum class LightsBy
 {
-  Volume, ///< a rectangle of the picture, of each light
+  Volume, ///< a rectangle of the picture for each light
   Tile,
   Cluster
 };
@@ -31,33 +31,37 @@ struct DeferredGrid
 {
   LightsBy By = LightsBy::Cluster;
   ClusterSettings Clusters;
-  double PixelsAside = 0.0; ///< that pixels may be from the places that they show
+  /** largest distance in pixels between a pixel and the projection of the point that it shows */
+  double PixelsAside = 0.0;
 };
 
 class DeferredLists
 {
 public:
-  /** Tells which clusters of a grid hold something; nothing if that is not known. */
+  /** Returns the marks of a grid's clusters that contain something. It returns an empty vector if that is not known. */
   using FindMarks = std::function<std::vector<std::uint8_t>(const ViewGrid&)>;
 
-  /** Returns an empty string, or why the driver cannot hold the lists. */
+  /** Assigns lights and writes the buffers. Returns an empty string, or why the driver cannot hold the lists. */
   std::string Assign(vtkOpenGLRenderer* renderer, const DeferredGrid& grid,
     const RendererLights& lights, const FindMarks& findMarks);
 
-  /** Of tiles, or clusters. */
+  /** Returns the lists by tile or cluster. */
   const LightLists& Lists() const { return this->OfGrid; }
   const ViewGrid& Shown() const { return *this->Grid; }
   const ClusterGrid& Clusters() const { return this->Grid->Clusters(); }
 
-  /** Of each light that reaches something, in the order in which shaders number them, where they are assigned to volumes. */
+  /**
+   * For LightsBy::Volume: returns the rectangles of all lights that reach something, in the order of their numbers in
+   * shaders.
+   */
   const std::vector<LightRectangle>& Rectangles() const { return this->Volumes; }
 
   void SetUniforms(vtkShaderProgram* program) const;
 
-  /** How many of them hold something; all where that is not known. */
+  /** Returns the number of tiles or clusters that contain something, or of all of them if that is not known. */
   std::uint32_t UsedCount() const { return this->Used; }
 
-  /** That the last assignment took, without what it waited for the device. */
+  /** Returns the time of the last assignment in seconds, without waiting for the device. */
   double Seconds() const { return this->TimeTaken; }
 
   LightBuffers Buffers;

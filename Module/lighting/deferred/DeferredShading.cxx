@@ -37,7 +37,7 @@ std::unique_ptr<ScopedTextureUnit> UnitOf(vtkOpenGLState* state, const Image2D& 
   return std::make_unique<ScopedTextureUnit>(state, image.Target(), image.Handle());
 }
 
-// Each fragment that is drawn counts, wherever it is.
+// Lets each fragment through, regardless of depth.
 void LetAllThrough(vtkOpenGLState* state)
 {
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -87,7 +87,7 @@ std::string DeferredShading::Prepare(LightsBy by, vtkOpenGLState* state)
   std::string problem = this->WhyNot.empty() ? this->Target.Probe(state) : this->WhyNot;
   if (problem.empty() && this->Target.Samples > 0)
   {
-    problem = MissingFeatures(4, 0, {}); // samples are shaded one by one
+    problem = MissingFeatures(4, 0, {}); // needed to shade samples one by one
   }
   if (by != LightsBy::Volume)
   {
@@ -100,7 +100,8 @@ std::string DeferredShading::Prepare(LightsBy by, vtkOpenGLState* state)
   return problem;
 }
 
-// What is drawn mostly takes as many layers as in the last frame. If not, it is drawn once more: what is as near as the depth that is there passes.
+// Usually a frame needs as many layers as the last one. If not, the props are drawn once more: the depth test lets
+// equal depths pass.
 std::string DeferredShading::Write(const vtkRenderState* s)
 {
   const bool hadOnlyMaterials = this->HasOnlyMaterials;

@@ -30,26 +30,26 @@ public:
   DeferredShading();
 
   /**
-   * Draws a state's props, which SortProps() has found to be deferrable, in the light of the stand-in, into the framebuffer that is bound. Returns an
-   * empty string, or why they are still to be drawn.
+   * Draws a state's props, which SortProps() found deferrable, into the bound framebuffer. The renderer's lights are
+   * the stand-in. Returns an empty string, or why the props are not drawn.
    */
   std::string Render(
     const vtkRenderState* s, const DeferredGrid& grid, const RendererLights& lights);
 
-  /** Whether props are being drawn into the G-buffer. */
+  /** Returns true while props are drawn into the G-buffer. */
   bool IsWriting() const { return this->WritesNow; }
 
-  /** Of the last frame. */
+  /** Return the results of the last frame. */
   int NumberOfRenderedProps() const { return this->Writing->GetNumberOfRenderedProps(); }
   const DeferredLists& Lists() const { return this->Lights; }
 
-  /** GPU memory. */
+  /** Returns the GPU memory in bytes. */
   std::int64_t Bytes() const;
 
-  /** The context is current. */
+  /** Releases GPU resources. Their context must be current. */
   void Release();
 
-  /** Where that context is gone. */
+  /** Forgets GPU resources whose context no longer exists. */
   void Forget();
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -69,22 +69,22 @@ private:
   void SetUniforms(vtkShaderProgram* program, Gathering gathering);
   void TakeProblem(const std::string& problem);
 
-  RenderTarget Target; ///< of the current frame
+  RenderTarget Target; ///< target of the current frame
   GBuffer Surfaces;
   MaterialTable Materials;
-  bool HasOnlyMaterials = true; ///< all that was drawn into the G-buffer
+  bool HasOnlyMaterials = true; ///< true if all pixels of the G-buffer have a material number
   LightSums Sums;
   MarkedClusters Marked;
   DeferredLists Lights;
   bool WritesNow = false;
-  std::string WhyNot; ///< what of VTK's shaders is not as it should be
+  std::string WhyNot; ///< what is unexpected in VTK's shaders
 
   vtkNew<ShaderHook> Writing;
   vtkSmartPointer<vtkPolyData> Cover = MakeCover();
   vtkNew<vtkPolyData> Volumes;
-  std::pair<int, bool> WrittenFor; ///< samples, and whether there are only materials
+  std::pair<int, bool> WrittenFor; ///< number of samples, and HasOnlyMaterials
   std::map<std::pair<Shading, Gathering>, std::unique_ptr<LitShape>> Shapes;
-  std::unique_ptr<ScopedTextureUnit> SurfacesUnit, SumsUnit; ///< while they are read
+  std::unique_ptr<ScopedTextureUnit> SurfacesUnit, SumsUnit; ///< set while these images are read
 };
 
 }

@@ -12,7 +12,7 @@ std::string GBuffer::Allocate(const RenderTarget& target, int layers)
 {
   if (this->Count != layers)
   {
-    this->Drawing.Release(); // it would keep what layers there are no more
+    this->Drawing.Release(); // it would keep attachments of former layers
     this->Count = layers;
   }
   return this->Layers.Allocate(GL_RGBA32F, target.Width, target.Height, target.Samples, layers);

@@ -1,5 +1,5 @@
 /**
- * The G-buffer of deferred shading: what the pixels of a target show, as SharedLayout.h lays it out.
+ * The G-buffer of deferred shading. SharedLayout.h describes its layers.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_G_BUFFER_H
 #define VITRINE_LIGHTING_DEFERRED_G_BUFFER_H
@@ -19,19 +19,20 @@ struct RenderTarget;
 class GBuffer
 {
 public:
-  /** As large as the target, and of as many samples. Returns an empty string, or why the driver cannot hold it. */
+  /**
+   * Allocates layers of the target's size and number of samples. Returns an empty string, or why the driver cannot hold
+   * them.
+   */
   std::string Allocate(const RenderTarget& target, int layers);
 
-  /**
-   * Bind it for drawing, with the target's depth, and let it show nothing where the target is drawn into. Geometry is written without blending.
-   */
+  /** Bind the G-buffer for drawing with the target's depth and without blending. Clears it within the scissor box. */
   void BindForDrawing(vtkOpenGLState* state, const RenderTarget& target);
 
   void Release();
 
   const Image2D& Image() const { return this->Layers; }
 
-  /** GPU memory. */
+  /** Returns the GPU memory in bytes. */
   std::int64_t Bytes() const { return this->Layers.Bytes(); }
 
 private:

@@ -12,10 +12,10 @@ namespace vitrine
 
 namespace
 {
-/** What stands in its place: textures multiply it, which makes their factor of it. */
+/** Replaces the lighting. Textures multiply this white, which leaves their factor. */
 const std::string White = "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);";
 
-// What the G-buffer has no room for.
+// Returns true if the lighting has inputs that the G-buffer does not hold.
 bool HasUnkept(const std::string& shader)
 {
   for (const std::string& text : vtktext::BesidesPlainLight)
@@ -38,7 +38,7 @@ std::size_t CountOf(const std::string& shader, const std::string& text)
   return count;
 }
 
-// Whether a surface's values are the same all over.
+// Returns true if a surface has the same material everywhere.
 bool TakesMaterialFromProperty(const std::string& shader)
 {
   return CountOf(shader, vtktext::Textured) == 0 &&
@@ -50,7 +50,7 @@ bool TakesMaterialFromProperty(const std::string& shader)
       });
 }
 
-// Whether all that comes after the light multiplies the colour.
+// Returns true if everything after the lighting only multiplies the colour.
 bool IsMultipliedAlone(const std::string& shader, std::size_t from)
 {
   for (std::size_t at = shader.find(vtktext::AssignColor, from); at != std::string::npos;
@@ -65,7 +65,7 @@ bool IsMultipliedAlone(const std::string& shader, std::size_t from)
   return true;
 }
 
-// Whether the light could be left out.
+// Replaces the lighting by white. Returns false if the G-buffer does not suffice to light the surface.
 bool LeaveOut(const vtktext::Piece& lighting, std::string& shader)
 {
   const std::size_t begin = shader.find(lighting.Begin);
@@ -80,7 +80,7 @@ bool LeaveOut(const vtktext::Piece& lighting, std::string& shader)
   return true;
 }
 
-// Makes a variable of a uniform that is known from the G-buffer alone.
+// Replaces a uniform by a variable, which is set from the G-buffer.
 std::string MakeVariable(std::string& shader, const std::string& declaration)
 {
   return ReplaceTag(shader, "uniform " + declaration, declaration);

@@ -1,5 +1,6 @@
 /**
- * What VTK's mappers write for one light, cut in two: what it takes goes into the G-buffer, and is lit from there by the same formulas.
+ * Splits the shader that VTK's mappers write for one light. The inputs of the lighting formulas are written to the
+ * G-buffer, and the same formulas light the pixels from there.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_G_BUFFER_SHADER_H
 #define VITRINE_LIGHTING_DEFERRED_G_BUFFER_SHADER_H
@@ -9,7 +10,7 @@
 namespace vitrine
 {
 
-/** Which of VTK's formulas light a pixel. */
+/** VTK's formulas that light a pixel. */
 enum class Shading
 {
   Phong,
@@ -17,32 +18,34 @@ enum class Shading
 };
 
 /**
- * Has a mapper's fragment shader write the G-buffer. Where it takes a material from the property alone, it has a uniform vitrineMaterial: its number in the table
- * of materials, or -1. What takes formulas that the G-buffer has no room for is lit there and then, by the loop over
- * lights, and written as finished. Returns an empty string, or what is not as it should be.
+ * Makes a mapper's fragment shader write the G-buffer. Returns an empty string, or what is unexpected in the shader.
+ *
+ * If the shader takes its material from the property only, it gets a uniform vitrineMaterial: the number in the table
+ * of materials, or -1. A shader whose formulas have inputs that the G-buffer does not hold is lit immediately, by the
+ * loop over lights. Its pixels are written as finished.
  */
 std::string WriteGBuffer(std::string& fragmentShader);
 
-/** How a pixel of the G-buffer is lit. */
+/** The way in which a pixel of the G-buffer gathers its light. */
 enum class Gathering
 {
-  Loop, ///< over the lights of its cluster, or tile
-  Add,  ///< light by light, each added to sums
-  Sums  ///< from these
+  Loop, ///< a loop over the lights of its cluster or tile
+  Add,  ///< each light is added to the sums
+  Sums  ///< the sums are read
 };
 
 struct GBufferReading
 {
   Shading Formulas;
   Gathering Lights;
-  int Samples; ///< of the G-buffer; 0 for one that is not multisampled
-  bool
-    HasOnlyMaterials; ///< whether all that the G-buffer shows has its number in the table of materials
+  int Samples; ///< number of samples of the G-buffer; 0 without multisampling
+  /** True if all pixels of the G-buffer have a material number. */
+  bool HasOnlyMaterials;
 };
 
 /**
- * Has the shaders of what is given in coordinates of the viewport, and of lights where it adds them, light what the G-buffer shows there. Returns an
- * empty string, or what is not as it should be.
+ * Makes shaders light the pixels of the G-buffer. The geometry is in NDC of the viewport: the whole viewport, or for
+ * Gathering::Add a rectangle for each light. Returns an empty string, or what is unexpected in the shaders.
  */
 std::string ReadGBuffer(
   std::string& vertexShader, std::string& fragmentShader, const GBufferReading& reading);

@@ -1,5 +1,5 @@
 /**
- * Drawing into all layers of an image at once, each by a draw buffer of its number.
+ * Draws into all layers of an image at once. Each layer has the draw buffer of its number.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_LAYERED_DRAWING_H
 #define VITRINE_LIGHTING_DEFERRED_LAYERED_DRAWING_H
@@ -11,7 +11,7 @@
 namespace vitrine
 {
 
-/** The framebuffer is bound for drawing. */
+/** Attaches the layers to the framebuffer that is bound for drawing. */
 inline void DrawIntoLayers(const Image2D& image, int layers)
 {
   std::vector<GLenum> buffers;

@@ -1,5 +1,5 @@
 /**
- * What light volumes add up, pixel by pixel, as SharedLayout.h lays it out.
+ * The sums over light volumes for each pixel. SharedLayout.h describes their layers.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_LIGHT_SUMS_H
 #define VITRINE_LIGHTING_DEFERRED_LIGHT_SUMS_H
@@ -19,17 +19,20 @@ struct RenderTarget;
 class LightSums
 {
 public:
-  /** As large as the target, and of as many samples. Returns an empty string, or why the driver cannot hold them. */
+  /**
+   * Allocates layers of the target's size and number of samples. Returns an empty string, or why the driver cannot hold
+   * them.
+   */
   std::string Allocate(const RenderTarget& target);
 
-  /** Bind them for drawing and let them be zero where the target is drawn into. What is drawn is added. */
+  /** Bind the layers for drawing with additive blending. Clears them to 0 within the scissor box. */
   void BindForAdding(vtkOpenGLState* state);
 
   void Release();
 
   const Image2D& Image() const { return this->Layers; }
 
-  /** GPU memory. */
+  /** Returns the GPU memory in bytes. */
   std::int64_t Bytes() const { return this->Layers.Bytes(); }
 
 private:

@@ -13,7 +13,7 @@ namespace vitrine
 namespace
 {
 
-// Where a tile begins, in coordinates of the viewport; the last one goes on to its end.
+// Returns the start of a tile in NDC of the viewport. The last tile ends with the viewport.
 glm::dvec2 BeginOf(const glm::ivec2& tile, const ClusterGrid& grid)
 {
   return glm::min(glm::dvec2(tile) / glm::dvec2(grid.TileScale()) - 1.0, 1.0);

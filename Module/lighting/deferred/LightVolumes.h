@@ -1,5 +1,6 @@
 /**
- * Light volumes as classic deferred shading has them, each a rectangle of the picture that the light reaches nothing outside of.
+ * Light volumes of classic deferred shading. The volume of a light is a rectangle of the picture; it reaches nothing
+ * outside.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_LIGHT_VOLUMES_H
 #define VITRINE_LIGHTING_DEFERRED_LIGHT_VOLUMES_H
@@ -11,7 +12,7 @@ class vtkPolyData;
 namespace vitrine
 {
 
-/** The rectangles, in coordinates of the viewport; the third is the light's place among them, from 0 on. */
+/** Makes the rectangles in NDC of the viewport. The third coordinate is the number of the rectangle, from 0 on. */
 void MakeLightVolumes(
   const ClusterGrid& grid, const std::vector<LightRectangle>& rectangles, vtkPolyData* volumes);
 

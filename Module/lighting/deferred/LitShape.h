@@ -1,5 +1,5 @@
 /**
- * What is drawn over a viewport, in its coordinates, and lit by VTK's formulas.
+ * Geometry in NDC of the viewport that is lit by VTK's formulas.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_LIT_SHAPE_H
 #define VITRINE_LIGHTING_DEFERRED_LIT_SHAPE_H
@@ -22,7 +22,7 @@ class LitShape
 public:
   LitShape(Shading shading, vtkPolyData* shape);
 
-  /** Draw it with what Hook makes of its shaders. */
+  /** Draw the shape with the shaders that Hook rewrites. */
   void Draw(vtkRenderer* renderer);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -33,7 +33,7 @@ private:
   vtkNew<vtkActor> Actor;
 };
 
-/** All of the viewport. */
+/** Returns a triangle that covers the viewport. */
 vtkSmartPointer<vtkPolyData> MakeCover();
 
 }

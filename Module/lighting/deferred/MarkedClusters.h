@@ -1,5 +1,5 @@
 /**
- * Which clusters hold something of what a G-buffer shows to be lit.
+ * Finds the clusters that contain a lit pixel of a G-buffer.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_MARKED_CLUSTERS_H
 #define VITRINE_LIGHTING_DEFERRED_MARKED_CLUSTERS_H
@@ -21,17 +21,17 @@ class MarkedClusters
 {
 public:
   /**
-   * Nonzero for each cluster that does; empty where the driver cannot tell. The state is that of a draw that covers the viewport; it draws nothing
-   * that could be seen.
-   * @param unit     of texture, of the G-buffer
-   * @param samples  of the G-buffer; 0 for one that is not multisampled
+   * Returns nonzero marks for the clusters that contain a lit pixel. It is empty if the driver lacks OpenGL 4.3 or
+   * memory. It draws over the viewport, without visible effect, so the state must be set for that.
+   * @param unit     the texture unit of the G-buffer
+   * @param samples  the number of samples of the G-buffer; 0 without multisampling
    */
   std::vector<std::uint8_t> Find(
     vtkOpenGLRenderWindow* window, const ViewGrid& grid, int unit, int samples);
 
   void Release();
 
-  /** GPU memory. */
+  /** Returns the GPU memory in bytes. */
   std::int64_t Bytes() const { return this->Marks.Bytes(); }
 
 private:

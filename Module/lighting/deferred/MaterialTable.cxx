@@ -18,10 +18,10 @@ namespace vitrine
 namespace
 {
 
-/** Up to which floats hold all numbers. */
+/** Floats hold all integers up to this one. */
 constexpr std::int64_t LargestNumber = 1 << 24;
 
-/** Whether VTK's mappers draw all of it with the values of its property, where their shader does. */
+/** Returns true if a mapper draws all of an actor with the property's values, provided its shader uses these. */
 bool IsDrawnAsPropertySays(vtkAbstractMapper* mapper, vtkActor* actor)
 {
   const bool isKnown =
@@ -31,7 +31,7 @@ bool IsDrawnAsPropertySays(vtkAbstractMapper* mapper, vtkActor* actor)
     !property->GetVertexVisibility();
 }
 
-/** A product as a shader has it. */
+/** Computes a product in floats, as a shader does. */
 void PutProduct(double intensity, const double* color, float (&product)[3])
 {
   for (int channel = 0; channel < 3; ++channel)

@@ -1,5 +1,5 @@
 /**
- * The materials of surfaces that are the same all over, so that pixels of the G-buffer have their numbers in place of their values.
+ * A table of the materials of uniform surfaces. Pixels of the G-buffer hold a material's number in place of its values.
  */
 #ifndef VITRINE_LIGHTING_DEFERRED_MATERIAL_TABLE_H
 #define VITRINE_LIGHTING_DEFERRED_MATERIAL_TABLE_H
@@ -26,30 +26,34 @@ namespace vitrine
 class MaterialTable
 {
 public:
-  /** Forgets all materials. */
+  /** Removes all materials. */
   void Clear();
 
   /**
-   * The number of the material that a mapper draws all of an actor with, whose shader takes it from the property; -1 if it is not that, or there is no more
-   * room.
+   * Returns the number of an actor's material. It is -1 if the mapper does not draw all of the actor with the
+   * property's values, or if the table is full. The actor's shader must take the material from the property.
    */
   int NumberOf(vtkAbstractMapper* mapper, vtkProp* prop);
 
-  /** Returns an empty string, or why the driver cannot hold them. The context is current. */
+  /**
+   * Writes the table to the GPU. Returns an empty string, or why the driver cannot hold it. The context must be
+   * current.
+   */
   std::string Write();
   void Release();
 
-  /** Until Unbind() it has a texture unit. */
+  /** Binds the table to a texture unit until Unbind(). */
   void Bind(vtkOpenGLState* state);
   void Unbind() { this->Unit.reset(); }
   void SetUniforms(vtkShaderProgram* program) const;
 
-  /** GPU memory. */
+  /** Returns the GPU memory in bytes. */
   std::int64_t Bytes() const { return this->Table.Bytes(); }
 
 private:
   using Words = std::array<std::uint32_t,
-    4 * VITRINE_MATERIAL_TEXELS>; ///< numbers that are no numbers are told apart, too
+    /** The bits of a material, which tell NaNs apart, too. */
+    4 * VITRINE_MATERIAL_TEXELS>;
 
   std::vector<VitrineMaterial> Materials;
   std::map<Words, int> Numbers;

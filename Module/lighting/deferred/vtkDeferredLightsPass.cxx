@@ -21,7 +21,7 @@ vitrinePassTraitsMacro(vtkDeferredLightsPass, vitrine::LightsTraits<vtkDeferredL
 namespace
 {
 
-/** In place of a vtkRenderStepsPass's pass for opaque geometry. */
+/** Replaces the opaque pass of a vtkRenderStepsPass. */
 class OpaqueStep : public vtkRenderPass
 {
 public:
@@ -33,7 +33,7 @@ public:
   std::function<int(const vtkRenderState*)> Draw;
 };
 
-/** A vtkRenderStepsPass has another pass for opaque geometry while this lives. */
+/** Replaces the opaque pass of a vtkRenderStepsPass during its lifetime. */
 class ScopedOpaquePass
 {
 public:
@@ -52,7 +52,7 @@ private:
   vtkSmartPointer<vtkRenderPass> Before;
 };
 
-/** What a state has, of some of its props. */
+/** A copy of a state with some of its props. */
 struct PartOfState : vtkRenderState
 {
   PartOfState(const vtkRenderState* s, std::vector<vtkProp*>& props)
@@ -118,7 +118,7 @@ void vtkDeferredLightsPass::RenderDelegate(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-// Returns how many props were drawn.
+// Returns the number of props drawn.
 int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* forward)
 {
   vitrine::SortedProps props = vitrine::SortProps(s, this);
@@ -148,7 +148,7 @@ void vtkDeferredLightsPass::ReportOnce(const std::string& problem)
 }
 
 //------------------------------------------------------------------------------
-// Returns an empty string, or why all is still to be drawn.
+// Returns an empty string, or why the props are not drawn.
 std::string vtkDeferredLightsPass::RenderDeferred(const vtkRenderState* s)
 {
   if (this->GridSpace == WORLD)

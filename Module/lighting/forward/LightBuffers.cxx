@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-/** So many lights have numbers of 16 bits. */
+/** The largest number of lights whose indices fit into 16 bits. */
 constexpr std::size_t MostLightsOfShortIndices = 65536;
 }
 
@@ -30,7 +30,7 @@ std::string LightBuffers::Write(const std::vector<VitrineLight>& lights, const L
   return problem.empty() ? this->WriteIndices(lists.Indices, lights.size()) : problem;
 }
 
-// Shaders read numbers of either width by the same sampler.
+// Shaders read both widths by the same sampler.
 std::string LightBuffers::WriteIndices(
   const std::vector<std::uint32_t>& indices, std::size_t lights)
 {

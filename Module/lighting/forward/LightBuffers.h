@@ -1,5 +1,10 @@
 /**
- * Lights and the lists of clusters, as buffer textures that shaders read.
+ * Stores the lights and the clusters' lists in buffer textures for shaders. SharedLayout.h describes the layout of
+ * texels:
+ *
+ *   Lists    RG32UI            for each cluster: first index, number of indices
+ *   Indices  R16UI or R32UI    light numbers of all lists; 16 bits for up to 65,536 lights
+ *   Lights   RGBA32F           four texels for each light
  */
 #ifndef VITRINE_LIGHTING_FORWARD_LIGHT_BUFFERS_H
 #define VITRINE_LIGHTING_FORWARD_LIGHT_BUFFERS_H
@@ -23,16 +28,16 @@ namespace vitrine
 class LightBuffers
 {
 public:
-  /** Returns an empty string, or why the driver cannot hold them. The context is current. */
+  /** Writes the buffers. Returns an empty string, or why the driver cannot hold them. The context must be current. */
   std::string Write(const std::vector<VitrineLight>& lights, const LightLists& lists);
   void Release();
 
-  /** Until Unbind() they have texture units of their own. */
+  /** Binds each buffer texture to a texture unit until Unbind(). */
   void Bind(vtkOpenGLState* state);
   void Unbind();
   void SetUniforms(vtkShaderProgram* program) const;
 
-  /** GPU memory. */
+  /** Returns the GPU memory in bytes. */
   std::int64_t Bytes() const;
 
 private:

@@ -1,5 +1,5 @@
 /**
- * What lights are assigned to: cells of space, as shaders have them (ClusterOf.glsl).
+ * Interface of the grids that lights are assigned to. Shaders find a point's cell in ClusterOf.glsl.
  */
 #ifndef VITRINE_LIGHTING_FORWARD_LIGHT_GRID_H
 #define VITRINE_LIGHTING_FORWARD_LIGHT_GRID_H
@@ -24,13 +24,13 @@ public:
   virtual ~LightGrid() = default;
 
   /**
-   * Finds the lights of all cells that hold something of what is lit; returns how many do.
-   * @param volumes  in view coordinates (VC)
+   * Assigns lights to all cells that contain something lit. Returns the number of these cells.
+   * @param volumes  lights in view coordinates (VC)
    */
   virtual std::uint32_t Assign(LightAssigner& assigner, const LitProps& lit,
     const std::vector<LightVolume>& volumes, LightLists& lists) const = 0;
 
-  /** Which cell a place in view coordinates is in. */
+  /** Returns the cell of a point in view coordinates (VC). */
   virtual int ClusterOf(const glm::dvec3& place) const = 0;
 
   virtual void SetUniforms(vtkShaderProgram* program) const = 0;

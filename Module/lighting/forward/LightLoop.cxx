@@ -19,7 +19,7 @@ struct TextRange
   std::size_t End = 0;
 };
 
-/** Empty where there is none that is known. */
+/** Returns an empty range if the shader has no known text for a light. */
 TextRange FindLightText(const std::string& shader)
 {
   for (const vtktext::Piece& text : vtktext::LightTexts)
@@ -34,7 +34,7 @@ TextRange FindLightText(const std::string& shader)
   return {};
 }
 
-/** Puts one thing before a light's text and another behind it. */
+/** Inserts `before` and `after` around a light's text. */
 std::string Enclose(std::string& shader, const std::string& before, const std::string& after)
 {
   const auto [begin, end] = FindLightText(shader);
@@ -47,7 +47,7 @@ std::string Enclose(std::string& shader, const std::string& before, const std::s
   return {};
 }
 
-// Makes variables of the uniforms of a light.
+// Replaces the uniforms of a light by variables.
 std::string DeclareLights(std::string& shader)
 {
   std::string problem = ReplaceTag(shader, vtktext::LightColor, shaders::LightLoopDec);
@@ -68,7 +68,7 @@ std::string DeclareLights(std::string& shader)
 }
 }
 
-// VTK declares its lights for what has no normals, too, and reads them nowhere there.
+// VTK also declares lights in shaders without normals, but never reads them there.
 bool IsLit(const std::string& fragmentShader)
 {
   const std::size_t declared = fragmentShader.find(vtktext::LightColor);

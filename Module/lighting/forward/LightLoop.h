@@ -1,5 +1,6 @@
 /**
- * What VTK's mappers write for one light, turned into a loop over the lights of a cluster, so that the formulas are VTK's own.
+ * Turns the shader text that VTK's mappers write for one light into a loop over a cluster's lights. The formulas stay
+ * VTK's.
  */
 #ifndef VITRINE_LIGHTING_FORWARD_LIGHT_LOOP_H
 #define VITRINE_LIGHTING_FORWARD_LIGHT_LOOP_H
@@ -9,19 +10,24 @@
 namespace vitrine
 {
 
-/** Whether a mapper's fragment shader is lit. */
+/** Returns true if a mapper's fragment shader computes lighting. */
 bool IsLit(const std::string& fragmentShader);
 
-/** Turns a lit shader's text for its first light, which must be its only one, into the loop. Returns an empty string, or what is not as it should be. */
+/**
+ * Turns the text of a shader's only light into a loop. Returns an empty string, or what is unexpected in the shader.
+ */
 std::string LoopOverLights(std::string& fragmentShader);
 
 /**
- * Turns the same text into that of one light of many, by number, with `result` to be done with what VTK's variables hold then. The number is
- * a vitrineLight of the shader's.
+ * Turns the text of a shader's only light into that of one light of many, and appends `result`, which uses VTK's
+ * variables. The shader must define vitrineLight, the number of the light in the list. Returns an empty string, or what
+ * is unexpected in the shader.
  */
 std::string TakeOneLight(std::string& fragmentShader, const std::string& result);
 
-/** Puts `sums` in place of the same text. */
+/**
+ * Replaces the text of a shader's only light by `sums`. Returns an empty string, or what is unexpected in the shader.
+ */
 std::string TakeSums(std::string& fragmentShader, const std::string& sums);
 
 }

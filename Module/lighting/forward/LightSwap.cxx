@@ -23,7 +23,7 @@ public:
   vtkTypeMacro(StandIn, vtkLightCollection);
 };
 
-/** Draws by another pass, in the light of a collection. */
+/** Renders another pass with a given collection of lights. */
 class InLightPass : public vtkRenderPass
 {
 public:

@@ -1,5 +1,6 @@
 /**
- * One light in place of all: VTK's mappers write their text for it, whatever the number of lights.
+ * Replaces all lights of a renderer by one stand-in light. VTK's mappers then write their text for one light, whatever
+ * the number of lights.
  */
 #ifndef VITRINE_LIGHTING_FORWARD_LIGHT_SWAP_H
 #define VITRINE_LIGHTING_FORWARD_LIGHT_SWAP_H
@@ -13,13 +14,16 @@ class vtkRenderPass;
 namespace vitrine
 {
 
-/** A collection of one light, positional or not. */
+/** Returns a collection with one light, positional or not. */
 vtkSmartPointer<vtkLightCollection> MakeStandIn(bool isPositional);
 
-/** Whether a collection is such a one. */
+/** Returns true if MakeStandIn() made the collection. */
 bool IsStandIn(vtkLightCollection* lights);
 
-/** A renderer has another collection of lights while this lives. Lights that are added to it meanwhile come to the renderer's own. */
+/**
+ * Replaces a renderer's collection of lights during its lifetime. Lights that are added meanwhile end up in the
+ * renderer's own collection.
+ */
 class ScopedLights
 {
 public:
@@ -32,10 +36,13 @@ private:
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkLightCollection> Before;
   vtkSmartPointer<vtkLightCollection> Meanwhile;
-  int Count; ///< of the lights in it
+  int Count; ///< number of lights in Meanwhile at the start
 };
 
-/** Volumes look up lights themselves, so what draws them in a vtkRenderStepsPass has the real ones while this lives. Other passes stay as they are. */
+/**
+ * Gives the volumetric pass of a vtkRenderStepsPass the real lights during its lifetime, since volumes look up lights
+ * themselves. Other passes are not changed.
+ */
 class ScopedVolumeLights
 {
 public:

@@ -14,10 +14,10 @@ namespace vitrine
 
 namespace
 {
-// What physically based shading raises its sum to the power of 1 / Gamma for.
+// Physically based shading raises its sum to the power 1 / Gamma.
 const double Gamma = 2.2;
 
-/** Colours of scalars and textures are taken to be 1 at most. */
+/** Colours of scalars and textures may replace it, and are assumed to be 1 at most. */
 double GreatestOf(const double* color)
 {
   return std::max({ 1.0, color[0], color[1], color[2] });

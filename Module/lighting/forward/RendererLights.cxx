@@ -25,7 +25,7 @@ namespace
 {
 using Triple = std::array<double, 3>;
 
-/** Has access to a member of all renderers. */
+/** Accesses a protected member of any renderer. */
 class AnyRenderer : public vtkRenderer
 {
 public:
@@ -35,7 +35,7 @@ public:
   }
 };
 
-/** A light's place in view coordinates. */
+/** A light's position and direction in view coordinates. */
 struct Placed
 {
   Triple Position;
@@ -77,7 +77,8 @@ bool IsPositional(const VitrineLight& packed)
   return packed.SquaredRange >= 0.0f;
 }
 
-// VTK asks for the cosine of a direction of whatever length, and only where the angle is less than 90 degrees. What its floats take for within the cone is.
+// Returns a lower bound of VTK's cosine for points within the cone, or 0 without a cone. VTK does not normalize the
+// direction and tests the cone only below 90 degrees. The slack covers the rounding of VTK's floats.
 float LeastCosineOf(const VitrineLight& packed)
 {
   if (!IsPositional(packed) || !(packed.ConeAngle < 90.0f))
@@ -107,7 +108,7 @@ VitrineLight Pack(vtkLight* light, const Placed& placed)
 
 LightFalloff FalloffOf(vtkLight* light)
 {
-  // What is not positional has no attenuation.
+  // A light that is not positional has no attenuation.
   return LightFalloff(glm::make_vec3(light->GetDiffuseColor()), light->GetIntensity(),
     light->GetPositional() ? glm::dvec3(glm::make_vec3(light->GetAttenuationValues()))
                            : glm::dvec3(1.0, 0.0, 0.0));
@@ -118,7 +119,7 @@ LightVolume VolumeOf(const VitrineLight& packed)
   LightVolume volume;
   volume.Position = glm::make_vec3(packed.Position);
   volume.Axis = glm::make_vec3(packed.Direction);
-  // To go all around is the default, and what a light that is not positional does.
+  // Other lights keep the default, which shines in all directions.
   if (IsPositional(packed))
   {
     volume.ConeAngle = packed.ConeAngle;
@@ -148,7 +149,7 @@ LightFormula FormulaOf(vtkLightCollection* lights)
   {
     count += light->GetSwitch() ? 1 : 0;
     isHeadlight &= light->GetSwitch() && light->LightTypeIsHeadlight();
-    isPositional |= light->GetPositional() != 0; // VTK asks those that are off, too
+    isPositional |= light->GetPositional() != 0; // VTK also counts lights that are off
   }
   if (count == 0)
   {

@@ -1,5 +1,5 @@
 /**
- * A renderer's lights, as shaders and the light grid have them.
+ * Collects a renderer's lights for shaders and for the light grid.
  */
 #ifndef VITRINE_LIGHTING_FORWARD_RENDERER_LIGHTS_H
 #define VITRINE_LIGHTING_FORWARD_RENDERER_LIGHTS_H
@@ -18,34 +18,34 @@ class vtkRenderer;
 namespace vitrine
 {
 
-/** How VTK's mappers write their light. */
+/** The lighting formulas of VTK's mappers. */
 enum class LightFormula
 {
   None,        ///< no light is on
-  Headlight,   ///< one alone: a shorter formula, which rounds otherwise
-  Directional, ///< none is positional
+  Headlight,   ///< a single headlight: a shorter formula with different rounding
+  Directional, ///< no light is positional
   Positional
 };
 
-/** What VTK makes of a renderer's lights. */
+/** Returns the formula that VTK selects for a collection of lights. */
 LightFormula FormulaOf(vtkLightCollection* lights);
 
-/** The renderer's collection of lights, which can be replaced without that the renderer counts as modified. */
+/** Returns the renderer's collection of lights. Assigning it does not mark the renderer as modified. */
 vtkLightCollection*& LightsOf(vtkRenderer* renderer);
 
-/** Lights that are on, in view coordinates (VC), in the order in which VTK adds up what they give. */
+/** The lights that are on, in view coordinates (VC), in the order in which VTK adds them up. */
 struct RendererLights
 {
   std::vector<VitrineLight> Packed;
   std::vector<LightFalloff> Falloffs;
-  std::vector<LightVolume> Volumes; ///< their ranges are infinite
-  std::string
-    Left; ///< which lights are left out, as they would turn all that is lit black; empty if none is
+  std::vector<LightVolume> Volumes; ///< with infinite ranges
+  /** Numbers of lights that are left out because they would turn everything black. Empty if there are none. */
+  std::string Left;
 
-  /** Takes them as VTK's renderer hands them to shaders, from a camera that is up to date. */
+  /** Takes the lights as VTK's renderer passes them to shaders. The camera must be up to date. */
   void Take(vtkOpenGLRenderer* renderer);
 
-  /** Tells shaders the ranges of the volumes, once they are known. */
+  /** Copies the ranges of Volumes to Packed. Call it after the ranges have been set. */
   void TakeRanges();
 };
 

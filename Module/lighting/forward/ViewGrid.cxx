@@ -17,11 +17,11 @@ namespace vitrine
 namespace
 {
 
-// From view coordinates to clip coordinates.
+// Returns the matrix from view to clip coordinates.
 glm::dmat4 ToClipOf(vtkRenderer* renderer)
 {
   return glm::transpose(
-    glm::make_mat4(ViewMatricesOf(renderer).data() + 16)); // VTK's are row by row
+    glm::make_mat4(ViewMatricesOf(renderer).data() + 16)); // VTK stores matrices by row
 }
 
 std::array<int, 2> SizeOf(vtkRenderer* renderer)

@@ -1,5 +1,5 @@
 /**
- * The light grid of what a renderer's camera shows, as shaders have it (ClusterOf.glsl).
+ * The light grid of the clusters of a renderer's view. Shaders find a point's cluster in ClusterOf.glsl.
  */
 #ifndef VITRINE_LIGHTING_FORWARD_VIEW_GRID_H
 #define VITRINE_LIGHTING_FORWARD_VIEW_GRID_H

@@ -20,7 +20,7 @@ namespace vitrine
 namespace
 {
 
-/** Where a shader has a law of slices: slices follow the third axis. */
+/** Replaces the slice law in the shader's uniform: slices follow the third axis. */
 constexpr float AlongThirdAxis = 3.0f;
 
 glm::dmat4 FromViewOf(vtkRenderer* renderer)

@@ -1,5 +1,5 @@
 /**
- * The light grid that stands in the world.
+ * The light grid of cells that are fixed in world coordinates (WC), for comparison.
  */
 #ifndef VITRINE_LIGHTING_FORWARD_WORLD_CELLS_H
 #define VITRINE_LIGHTING_FORWARD_WORLD_CELLS_H
@@ -17,7 +17,10 @@ namespace vitrine
 class WorldCells : public LightGrid
 {
 public:
-  /** About `count` cubes of the box around what is lit; where it is not known what is, one that is all of space. */
+  /**
+   * Divides the bounding box of everything lit into about `count` cubes. If it is not known what is lit, one cell is
+   * all of space.
+   */
   WorldCells(vtkOpenGLRenderer* renderer, const LitProps& lit, std::uint32_t count);
 
   std::uint32_t Assign(LightAssigner& assigner, const LitProps& lit,

@@ -38,10 +38,11 @@ struct vtkClusteredLightsPass::Internals
   vitrine::LightAssigner Assigner;
   vitrine::LightLists Lists;
   std::unique_ptr<vitrine::LightGrid> Grid;
-  const vitrine::LightGrid* ToldGrid = nullptr; ///< what statistics are of; and its lists
+  /** the grid that statistics are about; ToldLists are its lists */
+  const vitrine::LightGrid* ToldGrid = nullptr;
   const vitrine::LightLists* ToldLists = nullptr;
   vitrine::LightBuffers Buffers;
-  vitrine::HeldContext Context; ///< of the buffers
+  vitrine::HeldContext Context; ///< context of the buffers
   vtkSmartPointer<vtkLightCollection> Directional = vitrine::MakeStandIn(false);
   vtkSmartPointer<vtkLightCollection> Positional = vitrine::MakeStandIn(true);
   std::set<std::string> Reported;
@@ -51,7 +52,7 @@ struct vtkClusteredLightsPass::Internals
 namespace
 {
 
-/** As many as a view has clusters, but no more than cells are worth their boxes. */
+/** Returns the number of clusters of a view, limited since each cell of the world needs a box. */
 std::uint32_t CellsLike(vtkRenderer* renderer, const vitrine::ClusterSettings& settings)
 {
   constexpr double most = 1 << 20;
@@ -144,7 +145,7 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-// Why lights cannot be assigned to clusters in this frame; empty if they can.
+// Returns why lights cannot be assigned to clusters in this frame. It is empty if they can.
 std::string vtkClusteredLightsPass::FindHindrance(vtkRenderer* renderer)
 {
   if (!vtkOpenGLRenderer::SafeDownCast(renderer))
@@ -153,7 +154,7 @@ std::string vtkClusteredLightsPass::FindHindrance(vtkRenderer* renderer)
   }
   if (renderer->GetRenderWindow()->GetStereoRender())
   {
-    // Which eye is drawn the passes within alone know.
+    // Only the inner passes know which eye is drawn.
     return "the window draws in stereo, whose eyes have views of their own";
   }
   if (vitrine::DrawsShadows(renderer))
@@ -170,13 +171,13 @@ const char* vtkClusteredLightsPass::GetFallbackReason()
 }
 
 //------------------------------------------------------------------------------
-// Whether there is anything to be done about lights.
+// Returns true if there are lights for this pass to handle.
 bool vtkClusteredLightsPass::TakeLights(vtkOpenGLRenderer* renderer)
 {
   Internals& in = *this->Private;
   if (vitrine::IsStandIn(vitrine::LightsOf(renderer)))
   {
-    return false; // within another pass of this kind, which has done it all
+    return false; // an outer pass of this kind handles the lights
   }
   in.Formula = vitrine::FormulaOf(vitrine::LightsOf(renderer));
   if (in.Formula == vitrine::LightFormula::None || in.Formula == vitrine::LightFormula::Headlight)
@@ -290,7 +291,8 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// Of 32 lights that all reach a pixel each takes a turn, and the 32 take nine to be found (LightLoopImpl.glsl).
+// Llvmpipe ends a shader's loops after 65,535 turns. 32 lights that all reach a pixel take 32 turns to shade and 9 to
+// find (LightLoopImpl.glsl), so 50,000 lights fit.
 void vtkClusteredLightsPass::WarnOfLongLists()
 {
   constexpr vtkIdType most = 50000;
