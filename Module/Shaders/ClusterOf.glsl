@@ -1,10 +1,13 @@
-// Which cluster of a ClusterGrid, or which cell of a WorldGrid, a place in view coordinates is in.
-uniform mat4 vitrineToClip;   // from view coordinates; of cells of the world, to -1 to 1 on each of their axes
-uniform vec3 vitrineClusters; // columns, rows, slices
+// Finds the cluster of a ClusterGrid, or the cell of a WorldGrid, that contains a point. It reads the uniforms that
+// ViewGrid or WorldCells sets.
+// from VC to clip coordinates; for a WorldGrid to -1 to 1 on each axis of its cells
+uniform mat4 vitrineToClip;
+uniform vec3 vitrineClusters; // numbers of columns, rows and slices
 uniform vec2 vitrineTileScale;
-uniform vec3 vitrineSliceTerms; // x, y of ClusterGrid::SliceTerms() and the law; 3: slices follow the third axis
+// x and y of ClusterGrid::SliceTerms(), and the SliceLaw; a law of 3 means slices along the third axis
+uniform vec3 vitrineSliceTerms;
 
-// Column, row and slice, with what is behind the point.
+// Returns the column, row and slice of a point in view coordinates (VC), with their fractional parts.
 vec3 vitrineGridAt(vec4 place)
 {
   vec4 clip = vitrineToClip * place;

@@ -1,19 +1,23 @@
-// Compositing with a tolerance: fragments are intervals of depth, sorted by their near ends. Those whose intervals meet, by
-// themselves or through others between them, are a group: it depends on the intervals alone, not on which fragment noise puts
-// first. A group is composited as the mean over all orders of its fragments (Core/lists/CoincidentGroup), one fragment as ever.
+// Composites fragments with a tolerance. Reads fragments sorted by near end; adds to `color` and `transmittance`.
 //
-// Give each fragment a random time in [0, 1], and let the earlier be the nearer: the mean weight of fragment i is
+// Fragments are intervals of depth. Fragments whose intervals overlap, directly or through others, form a group. Groups
+// depend on the intervals only, not on which fragment noise puts first. A group is composited as the mean over all
+// orders of its fragments (Core/lists/CoincidentGroup). A single fragment is composited as usual.
+//
+// Give each fragment a random time in [0, 1], and let the earlier one be nearer. Then the mean weight of fragment i is
 //
 //   alpha_i * integral over t of the product over all others j of (1 - t * alpha_j)
 //
-// The integrands are summed fragment by fragment at the nodes of a quadrature (C. F. Gauss, 1814): of 4 nodes below
-// t = 1/8, where those of large groups have their weight, and 4 above. That is exact for 8 fragments. For more, weights are
-// scaled to the sum that they must have. Where alphas sum to more than GROUP_DENSE, all that matters lies near t = 0, where
-// weights are as alphas: the colour is their weighted mean, and floats need not hold the integrands, which vanish.
-// With any number of any alphas the error is below a third of 1/255.
-// Two fragments come out the same to the bit in either order, more of them but for the rounding of sums.
+// The integrands are summed fragment by fragment at the nodes of a Gaussian quadrature (C. F. Gauss, 1814). It has 4
+// nodes below t = 1/8, where large groups have their weight, and 4 above. It is exact for up to 8 fragments. For more
+// fragments, the weights are scaled to their known sum.
 //
-// VITRINE_ADDITIVE: a colour that is added has no alpha, and the weight without one: the integral of the product over all.
+// If the alphas sum to more than GROUP_DENSE, all weight lies near t = 0, where weights are proportional to the alphas.
+// The colour then is the mean weighted with the alphas, and the integrands, which vanish, are not used. For any number
+// of any alphas the error is below a third of 1/255. The order of two fragments does not change a bit of the result.
+// The order of more fragments changes only the rounding of sums.
+//
+// VITRINE_ADDITIVE: an additive colour has no alpha. Its weight is the integral of the product over all fragments.
 #define GROUP_SPLIT 0.125
 #define GROUP_DENSE 224.0
 const vec4 groupNodes = vec4(0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629);
@@ -34,12 +38,12 @@ float groupFarEnd;
 vec4 groupFirst; // the colour of the first fragment
 precise GroupNodes groupBelow;
 precise GroupNodes groupAbove;
-precise float groupAlphas;  // their sum
-precise vec3 groupMean;     // of colours, weighted with alphas
+precise float groupAlphas;  // sum of the alphas
+precise vec3 groupMean;     // mean of the colours, weighted with the alphas
 precise float groupThrough; // product of all (1 - alpha)
-precise float groupOpacity; // 1 - groupThrough, to the last bit of the faintest
+precise float groupOpacity; // 1 - groupThrough, accurate even for the faintest fragments
 #ifdef VITRINE_ADDITIVE
-precise vec3 groupAdded;    // sum of colours that are added
+precise vec3 groupAdded;    // sum of the additive colours
 #endif
 
 float nearEnd(Fragment f)
@@ -79,7 +83,7 @@ void addToSums(vec4 c)
   addToNodes(groupBelow, groupNodes * GROUP_SPLIT, c);
   addToNodes(groupAbove, groupNodes * (1.0 - GROUP_SPLIT) + GROUP_SPLIT, c);
   groupAlphas += c.a;
-  groupMean += (c.rgb - groupMean) * (c.a / max(groupAlphas, 1e-30)); // 0 where all alphas are
+  groupMean += (c.rgb - groupMean) * (c.a / max(groupAlphas, 1e-30)); // 0 if all alphas are
   groupOpacity = groupOpacity + c.a - groupOpacity * c.a;
   groupThrough *= 1.0 - c.a;
 }
@@ -117,7 +121,7 @@ float integral(vec4 below, vec4 above)
   return sum;
 }
 
-// The group's colour, premultiplied.
+// Returns the group's premultiplied colour.
 vec3 colorOfGroup()
 {
   precise vec4 sum = vec4(integral(groupBelow.red, groupAbove.red), integral(groupBelow.green, groupAbove.green),
@@ -132,7 +136,7 @@ vec3 colorOfGroup()
   return seen;
 }
 
-// Composite the group, and begin another.
+// Composites the group, and begins another one.
 #define BLEND_REST \
   if (groupSize == 1u) \
   { \
@@ -145,7 +149,7 @@ vec3 colorOfGroup()
   } \
   groupSize = 0u;
 
-// What has no extent is not seen.
+// A fragment without an extent is invisible.
 #define BLEND_NEXT(f) \
   if ((f.extra & VITRINE_EXTENT_MASK) != 0u) \
   { \
@@ -157,8 +161,8 @@ vec3 colorOfGroup()
     addToGroup(f); \
   }
 
-// Registers are composited as if nothing coincided, and put into an array. Where some do coincide, those of the array are
-// composited anew: so that code stands in the program once, not for each.
+// Registers are composited as if no fragments coincided, and copied to an array. If some do coincide, the array is
+// composited again. So the code for groups is in the program once, not for each register.
 Fragment sorted[VITRINE_LONGEST_NETWORK];
 int sortedSize = 0;
 bool sortedMeet = false;

@@ -1,21 +1,23 @@
-// A depth and a colour in two words: 26 bits of depth, 12 of alpha, 26 of three colours. The first word is the key that
-// sorts; with the second, fragments of equal depth order by alpha, blue, green, red. For colours from 0 to 1.
+// Packs a depth and a colour into two words, and unpacks them. Reads a window depth and a colour in [0, 1]. The words
+// hold 26 bits of depth, 12 of alpha and 26 of three colours. The first word is the sort key. With the second word,
+// fragments of equal depth are ordered by alpha, blue, green, red.
 //
-// From 1/128 on, window depths are kept to the bit, but for the last three, which become one; nearer ones in steps of 2^-30,
-// a 64th of a 24-bit depth buffer's. Alpha has 8 bits of mantissa below 16 exponents: its rounding, which layers add up,
-// stays below a quarter of 1/255 in a stack of any number of equal ones. A colour is one of 406 levels, whose cubes just
-// fit: its rounding stays below a third.
+// - Window depths from 1/128 on are exact, except that the last three before 1 become one. Nearer depths have steps of
+//   2^-30, a 64th of a step of a 24-bit depth buffer.
+// - Alpha has 8 bits of mantissa and 16 exponents. The rounding errors of a stack of any number of equal layers add up
+//   to less than a quarter of 1/255.
+// - A colour has 406 levels, the largest number whose cube fits. Its rounding error is below a third of 1/255.
 //
-// VITRINE_ADDITIVE: alpha 0 is that of a colour that is added. What has another alpha, which is kept as 0, is kept as black.
+// VITRINE_ADDITIVE: an alpha of 0 marks an additive colour. Another colour whose alpha rounds to 0 is stored as black.
 
-// From here on depths are taken by their bits, before by steps; the largest is one less than a register's without a
-// fragment.
+// From this depth on the code is taken from the float's bits, below it is a number of steps. The largest code is one
+// less than that of a register without a fragment.
 #define VITRINE_FIRST_FLOAT_DEPTH 0.0078125
 #define VITRINE_DEPTH_STEPS 1073741824.0
 #define VITRINE_DEPTH_BASE (0x3c000000u - (1u << 23))
 #define VITRINE_LARGEST_DEPTH ((1u << 26) - 2u)
 
-// Alpha is taken by the bits of a little more than itself, so that the bits of 0 are the base.
+// The alpha code is taken from the bits of alpha plus an offset, so that an alpha of 0 has the bits of the base.
 #define VITRINE_ALPHA_OFFSET (1.0 / 32768.0)
 #define VITRINE_ALPHA_BASE 0x38000000u
 
@@ -51,7 +53,7 @@ vec4 vitrineUnpackNodeColor(uvec2 node)
 {
   uint alpha = ((node.x & 0x3fu) << 6) | (node.y >> 26);
   int colors = int(node.y & 0x3ffffffu);
-  // A float has too few bits for the division: what it says is made a little less, and then right or one too small.
+  // A float has too few bits for the exact quotient. The estimate is lowered slightly, so it is right or one too small.
   int blueGreen = int(float(colors) * (1.0 / float(VITRINE_COLOR_LEVELS)) - 0.03);
   int red = colors - blueGreen * VITRINE_COLOR_LEVELS;
   int one = int(red >= VITRINE_COLOR_LEVELS);

@@ -1,19 +1,21 @@
-// Sorting and compositing any number of fragments block by block: each round walks over all of them,
-// sorts blocks by a network and merges each into the nearest block so far of what lies behind the last
-// round's; then it composites that block. It needs registers only, no memory.
+// Sorts and composites any number of fragments block by block. Reads fragments by NEXT_FRAGMENT; returns their colour
+// and transmittance. It needs only registers, no memory.
 //
-// After the register-based block sort of P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of
-// Complex Scenes, The Visual Computer 30 (2014); the merge is K. E. Batcher's bitonic one, AFIPS 1968.
+// Each round walks over all fragments. It sorts blocks by a network, and merges each into the nearest block of the
+// fragments behind the previous round's block. Then it composites that nearest block.
 //
-// The walk is defined before: startWalk(), isWalking(), and NEXT_FRAGMENT(f), which leaves a register without a fragment
-// after the last.
+// It follows the register-based block sort of P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex
+// Scenes, The Visual Computer 30 (2014). The merge is K. E. Batcher's bitonic merge, AFIPS 1968.
+//
+// The includer defines the walk: startWalk(), isWalking(), and NEXT_FRAGMENT(f), which yields a register without a
+// fragment after the last one.
 
-// The farthest fragment composited so far, and how many equal to it were.
+// The farthest fragment composited so far, and the number of fragments equal to it that are done.
 Fragment last;
 uint lastDone = 0u;
 uint lastSeen;
 
-// True if the fragment was not composited in an earlier round.
+// Returns true if the fragment was not composited in an earlier round.
 bool isLeft(Fragment f)
 {
   bool same = sameFragment(f, last);
@@ -56,7 +58,7 @@ void compositeBlocks(out vec3 colorOfAll, out float transmittanceOfAll)
 
     //Vitrine::Blend
 
-    // The block's last register is its farthest fragment; if it is empty all are done.
+    // The block's last register is its farthest fragment. If it is empty, all fragments are done.
     //Vitrine::LastOfBlock
     more = blockLast.key != NO_KEY;
     uint same = sameFragment(blockLast, last) ? lastDone : 0u;

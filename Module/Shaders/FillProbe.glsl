@@ -1,5 +1,5 @@
-// A mapper's fragment shader with nothing of a mapper in it: a method's fill is joined to it as to VTK's own, to learn
-// whether the driver takes it.
+// A minimal fragment shader in place of a mapper's. It reads nothing and writes a constant colour, and a depth if asked
+// to. A method's fill is joined to it in the same way as to VTK's shaders, to test whether the driver compiles it.
 //VTK::Output::Dec
 //VTK::DepthPeeling::Dec
 void main()

@@ -1,20 +1,21 @@
-// What every method that stores fragments does with one before it is stored. Joined to the fragment
-// shaders of VTK's mappers at //VTK::DepthPeeling::Dec.
+// Prepares a fragment for all methods that store fragments. It reads the depth and colour of a mapper's fragment and
+// the opaque depth; it yields the depth, colour and coverage to store. It is joined to the fragment shaders of
+// VTK's mappers at //VTK::DepthPeeling::Dec.
 //
-// VITRINE_WRITES_DEPTH         the mapper's shader writes gl_FragDepth: early tests would ignore that
+// VITRINE_WRITES_DEPTH         the mapper's shader writes gl_FragDepth, which early tests would ignore
 // VITRINE_SAMPLES n            samples of the target, 0 if it is single-sampled
-// VITRINE_POST_DEPTH_COVERAGE  gl_SampleMaskIn tells the samples that pass the depth test
+// VITRINE_POST_DEPTH_COVERAGE  gl_SampleMaskIn has the samples that pass the depth test
 // VITRINE_FIXED_POINT_TARGET   the target clamps colours to [0, 1] before it blends
-// VITRINE_ADDITIVE             some mappers' fragments are added to what is behind them, and hide nothing of it
-// VITRINE_LEAST_ALPHA a        alphas below may be stored as 0; by default none but 0 itself
+// VITRINE_ADDITIVE             some mappers' fragments are additive: they hide nothing behind them
+// VITRINE_LEAST_ALPHA a        smaller alphas may be stored as 0; the default is 0
 // VITRINE_OPAQUE_DEPTH_STEPS s steps of a depth buffer of at most 24 bits, else 0.0
-// VITRINE_OPAQUE_INTEGERS      the depth buffer has more bits, and comes as integers of 32
-// VITRINE_OPAQUE_DEPTH_LOSS l  what any other depth buffer may lose when it is sampled
+// VITRINE_OPAQUE_INTEGERS      the depth buffer has more bits, and is read as 32-bit integers
+// VITRINE_OPAQUE_DEPTH_LOSS l  largest loss of other depth buffers when they are sampled
 //
-// A method that rasterises into a target of its own, where hidden fragments must not reach the tests, defines before:
-// VITRINE_LATE_TESTS           the opaque depth is compared here alone
+// A method may rasterise into a target of its own, where hidden fragments must not reach the tests. It then defines:
+// VITRINE_LATE_TESTS           the opaque depth is only compared here
 // VITRINE_PIXEL p              the pixel of the opaque depth
-// VITRINE_RASTER_DEPTH z       the depth that the rasteriser has there
+// VITRINE_RASTER_DEPTH z       the rasteriser's depth at that pixel
 
 #if defined(VITRINE_WRITES_DEPTH) || defined(VITRINE_LATE_TESTS) || \
   (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE))
@@ -42,10 +43,12 @@ uniform int vitrineOpaqueWidth;
 uniform sampler2D vitrineOpaqueDepth;
 #endif
 
-// True if opaque geometry hides the depth `z` in sample `s`, as GL_LEQUAL decides in the depth buffer's own steps.
+// Returns true if opaque geometry hides the depth `z` in sample `s`. The comparison is GL_LEQUAL in the depth buffer's
+// own steps.
 #ifdef VITRINE_OPAQUE_INTEGERS
-// llvmpipe stores 31 bits, rounded down, twice; 1.0 is one less. As a float that is what it came from, as it is where a
-// driver stores the nearest of 32 bits: a float has no more than 24 of them.
+// Llvmpipe stores twice the depth in 31 bits, rounded down; 1.0 is one less. Converted to a float, the stored integer
+// is the original value again. This also holds if a driver stores the nearest 32-bit integer, since a float has only 24
+// significant bits.
 bool vitrineHidden(float z, int s)
 {
   ivec2 pixel = VITRINE_PIXEL;
@@ -66,12 +69,12 @@ bool vitrineHidden(float z, int s)
 #endif
 
 #if VITRINE_SAMPLES > 0
-// The pixels to draw. The scissor test does not cut them out, since llvmpipe loses samples along its edges.
+// The region of pixels to draw. The scissor test is not used, since llvmpipe loses samples along its edges.
 uniform ivec2 vitrineRegionFirst;
 uniform ivec2 vitrineRegionEnd;
 #endif
 
-// The samples of the pixel in which a fragment of depth `z` is seen, one bit each.
+// Returns the samples of the pixel in which a fragment of depth `z` is visible, one bit each.
 uint vitrineCoverage(float z)
 {
 #if VITRINE_SAMPLES > 0
@@ -92,7 +95,7 @@ uint vitrineCoverage(float z)
 #endif
 }
 
-// Colours as the target blends them: NaN counts as 0, and a fixed-point target clamps (OpenGL 4.5, 17.3.8).
+// Returns a colour as the target blends it: NaN counts as 0, and a fixed-point target clamps (OpenGL 4.5, 17.3.8).
 float vitrineColorComponent(float c)
 {
 #ifdef VITRINE_FIXED_POINT_TARGET
@@ -103,12 +106,12 @@ float vitrineColorComponent(float c)
 }
 
 #ifdef VITRINE_ADDITIVE
-uniform int vitrineAdds; // whether this mapper's fragments are
+uniform int vitrineAdds; // nonzero if this mapper's fragments are additive
 #ifndef VITRINE_LEAST_ALPHA
 #define VITRINE_LEAST_ALPHA 0.0
 #endif
 
-// An alpha of 0 says that the colour is premultiplied and added. So others of that alpha have no colour.
+// An alpha of 0 marks a premultiplied, additive colour. So other fragments of this alpha get no colour.
 vec4 vitrineAddedOrSeen(vec4 c)
 {
   return vitrineAdds != 0 ? vec4(c.a * c.rgb, 0.0) : vec4(c.a > VITRINE_LEAST_ALPHA ? c.rgb : vec3(0.0), c.a);
@@ -124,14 +127,14 @@ vec4 vitrineColor(vec4 c)
   return vitrineAddedOrSeen(clamped);
 }
 
-// Window depth in [0, 1]; floats that are not negative order as their bits do.
+// Clamps a window depth to [0, 1]. Floats that are not negative have the order of their bits.
 float vitrineDepth(float z)
 {
   return z > 0.0 ? min(z, 1.0) : 0.0;
 }
 
-// The fragment's depth. One that the mapper's shader wrote is tested here, not in the depth buffer: what the depth
-// test would throw away after the shader has stored it must not be, so there it counts as nearest.
+// Returns the fragment's depth. A depth that the mapper's shader writes is tested here. The depth buffer's test comes
+// after the store and must not discard the fragment, so the written depth becomes 0, the nearest.
 #ifdef VITRINE_WRITES_DEPTH
 float vitrineTakeDepth()
 {

@@ -1,7 +1,10 @@
-// A fragment as it is stored, a node, is VITRINE_NODE_WORDS words: the bits of its window depth and its colour (RGBA8 in
-// one word or four 16-bit floats in two), or both in two words (CompactNode.glsl), and, where the target is
-// multisampled, its coverage. With a tolerance for coincidence (Coincidence.glsl) the depth is the near end of an interval,
-// and the last word is always there: coverage and extent.
+// The layout of a node, a stored fragment of VITRINE_NODE_WORDS words:
+//
+// depth   1 word       bits of the window depth; with a tolerance (Coincidence.glsl) the near end of the interval
+// colour  1 or 2 words RGBA8, or four 16-bit floats (PackedColor.glsl)
+// extra   0 or 1 word  coverage; with a tolerance always there: coverage and extent
+//
+// With VITRINE_COMPACT_NODES depth and colour share two words (CompactNode.glsl).
 
 #ifdef VITRINE_HALF_FLOAT
 #define VITRINE_COLOR_WORDS 2

@@ -1,4 +1,4 @@
-// Storing nodes from the fragment shaders of VTK's mappers.
+// Writes nodes to the node buffer. It is part of the fill pass, in the fragment shaders of VTK's mappers.
 #include "FragmentNode.glsl"
 #ifdef VITRINE_COMPACT_NODES
 #include "CompactNode.glsl"

@@ -1,4 +1,5 @@
-// What the G-buffer has of the pixel, or of the sample that is shaded.
+// Declarations for the fragment shader that lights the G-buffer. It reads the G-buffer's layers at the pixel, or at the
+// shaded sample, and the table of materials.
 #include "GBufferSample.glsl"
 
 #if VITRINE_SAMPLES > 0
@@ -12,7 +13,7 @@ vec4 vitrineGBufferAt(int layer)
   return vitrineGBufferSample(layer, VITRINE_SAMPLE);
 }
 
-// What Phong's formulas take of a surface, and in the fourth components the factor.
+// The inputs of Phong's formulas. The fourth components hold the factor of textures.
 struct VitrineMaterialValues
 {
   vec4 Base;

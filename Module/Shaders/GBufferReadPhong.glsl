@@ -1,4 +1,5 @@
-// A pixel's surface in place of the shape's, before VTK's Phong shading of it.
+// Replaces the shape's surface by the pixel's, before VTK's Phong shading. Reads the G-buffer; sets the mapper's
+// variables.
   vec4 vitrinePlace = vitrineGBufferAt(VITRINE_GBUFFER_PLACE);
   vec4 vitrineNormal = vitrineGBufferAt(VITRINE_GBUFFER_NORMAL);
 #if defined(VITRINE_HAS_ONLY_MATERIALS)

@@ -1,4 +1,5 @@
-// A pixel's surface in place of the shape's, before VTK's physically based shading of it.
+// Replaces the shape's surface by the pixel's, before VTK's physically based shading. Reads the G-buffer; sets the
+// mapper's variables.
   vec4 vitrinePlace = vitrineGBufferAt(VITRINE_GBUFFER_PLACE);
   vec4 vitrineNormal = vitrineGBufferAt(VITRINE_GBUFFER_NORMAL);
   vec4 vitrineBase = vitrineGBufferAt(VITRINE_GBUFFER_BASE);

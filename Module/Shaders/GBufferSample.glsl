@@ -1,4 +1,4 @@
-// What the G-buffer has of a sample of the pixel; where it is not multisampled there is number 0 alone.
+// Reads a layer of the G-buffer at sample `number` of the pixel. Without multisampling, the number is 0.
 #include "SharedLayout.h"
 
 #if VITRINE_SAMPLES > 0

@@ -1,2 +1,2 @@
-// What shaders that write the G-buffer know of it.
+// Declarations for mappers' fragment shaders that write the G-buffer.
 #include "SharedLayout.h"

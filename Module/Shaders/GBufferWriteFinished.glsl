@@ -1,4 +1,4 @@
-// A surface that has its colour.
+// Writes a finished surface to the G-buffer: one that already has its colour, read from gl_FragData[0].
   gl_FragData[1] = vec4(0.0);
   gl_FragData[2] = gl_FragData[0];
   gl_FragData[3] = vec4(0.0);

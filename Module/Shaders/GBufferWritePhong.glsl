@@ -1,4 +1,5 @@
-// What VTK's Phong shading takes, in place of the light; gl_FragData[0] is what textures make of white.
+// Writes the inputs of VTK's Phong shading to the G-buffer, instead of lighting. gl_FragData[0] is white times the
+// textures.
   bool vitrineHasNumber = vitrineMaterial >= 0.0;
   gl_FragData[1] = vec4(normalVCVSOutput, vitrineHasNumber ? vitrineMaterial : specularPower);
   gl_FragData[2] = vec4(diffuseColor, gl_FragData[0].r);

@@ -1,4 +1,4 @@
-// What VTK's physically based shading takes, in place of the light.
+// Writes the inputs of VTK's physically based shading to the G-buffer, instead of lighting.
   gl_FragData[1] = vec4(normalVCVSOutput, roughness);
   gl_FragData[2] = vec4(albedo, metallic);
   gl_FragData[3] = vec4(edgeTintUniform, baseF0Uniform);

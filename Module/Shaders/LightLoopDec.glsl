@@ -1,13 +1,13 @@
-// What a mapper's shader has in place of VTK's uniforms of one light: all lights, and which of them reach which cluster. The
-// uniforms are variables then, which the loop sets.
+// Replaces the uniforms of one light in a mapper's fragment shader. It reads all lights and the clusters' lists of
+// lights. The uniforms become variables that the loop sets.
 #include "SharedLayout.h"
 #include "ClusterOf.glsl"
 
 #define VITRINE_LIGHTS_AT_ONCE 32u
 
 uniform samplerBuffer vitrineLights;
-uniform usamplerBuffer vitrineLightLists;   // First, Count of each cluster
-uniform usamplerBuffer vitrineLightIndices; // of all lists
+uniform usamplerBuffer vitrineLightLists;   // First and Count of each cluster
+uniform usamplerBuffer vitrineLightIndices; // light numbers of all lists
 
 vec3 lightColor0;
 vec3 lightDirectionVC0;
@@ -27,7 +27,7 @@ int vitrineLightTexel(uint place)
   return VITRINE_LIGHT_TEXELS * int(texelFetch(vitrineLightIndices, int(place)).x);
 }
 
-// False is certain: VTK's formulas add nothing then, or less than may be left out.
+// Returns false only if VTK's formulas add nothing, or so little that it may be left out.
 bool vitrineMayReach(uint place, vec3 at)
 {
   int texel = vitrineLightTexel(place);
@@ -40,7 +40,7 @@ bool vitrineMayReach(uint place, vec3 at)
   return !(isBeyond || isBeside);
 }
 
-// Four bits, of lights at successive places of a list that ends.
+// Returns four bits for the lights at successive places of a list that ends at `end`.
 uint vitrineFourReaching(uint place, uint end, vec3 at)
 {
   uvec4 places = min(uvec4(place, place + 1u, place + 2u, place + 3u), uvec4(end - 1u));
@@ -48,8 +48,10 @@ uint vitrineFourReaching(uint place, uint end, vec3 at)
     uint(vitrineMayReach(places.z, at)) << 2 | uint(vitrineMayReach(places.w, at)) << 3;
 }
 
-// Which of the next lights of a list may reach a point, a bit for each. Loops that end behind their bodies spare llvmpipe, which goes through all of them
-// once more otherwise; and four lights to a turn, as it leaves a shader's loops after 65,535.
+// Returns a bit for each of the next lights of a list that may reach a point.
+//
+// Loops end behind their bodies, since llvmpipe otherwise goes through all of them once more. A turn has four lights,
+// since llvmpipe leaves a shader's loops after 65,535 turns.
 uint vitrineReachingOf(uint begin, uint end, vec3 at)
 {
   uint count = min(end - begin, VITRINE_LIGHTS_AT_ONCE), reaching = 0u, light = 0u;
@@ -61,7 +63,7 @@ uint vitrineReachingOf(uint begin, uint end, vec3 at)
   return reaching & (~0u >> (VITRINE_LIGHTS_AT_ONCE - count));
 }
 
-// The number of the lowest bit that is set. What rounding does to the logarithm is less than a half.
+// Returns the number of the lowest bit that is set. The rounding error of the logarithm is less than a half.
 uint vitrineLowestOf(uint bits)
 {
   return uint(log2(float(bits & (~bits + 1u))) + 0.5);

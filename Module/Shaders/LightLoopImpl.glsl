@@ -1,5 +1,7 @@
-  // Of some lights at once, pixels find those that reach them, and each takes its own of these in turn: pixels that are drawn together go through the formulas as often
-  // as the one that most lights reach.
+  // Begins the loop over the lights of the fragment's cluster, before VTK's text for one light.
+  //
+  // A pixel finds the lights that reach it, of 32 at once, and then takes these in turn. So pixels that are drawn
+  // together evaluate the formulas as often as the pixel with the most lights.
   uvec2 vitrineList = vitrineLightListAt(vertexVC);
   uint vitrineBegin = vitrineList.x, vitrineEnd = vitrineList.x + vitrineList.y;
   if (vitrineBegin < vitrineEnd) do

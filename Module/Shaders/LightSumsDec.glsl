@@ -1,4 +1,4 @@
-// What light volumes have added up.
+// Reads the sums over light volumes at the pixel, or at the shaded sample.
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMSArray vitrineLightSums;
 #else

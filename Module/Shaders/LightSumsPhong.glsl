@@ -1,3 +1,3 @@
-// What all lights have given.
+// Replaces VTK's text for a light: reads the diffuse and specular sums of all lights.
   diffuse = vitrineLightSumAt(VITRINE_LIGHT_SUM_DIFFUSE);
   specular = vitrineLightSumAt(VITRINE_LIGHT_SUM_SPECULAR);

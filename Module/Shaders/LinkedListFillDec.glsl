@@ -1,11 +1,11 @@
-// Linked-list A-buffer, filling: declarations for the fragment shaders of VTK's mappers.
+// Linked-list A-buffer, fill pass: declarations for the fragment shaders of VTK's mappers. It reads and writes heads,
+// links and the counters, and writes nodes. Core/lists/README.md draws the buffers.
 //
-// J. C. Yang, J. Hensley, H. Gruen, N. Thibieroz: Real-Time Concurrent Linked List Construction on the
-// GPU, EGSR 2010; with pages of several nodes in place of single ones after C. Crassin: OpenGL 4.0+
-// ABuffer V2.0: Linked lists of fragment pages, 2010.
+// J. C. Yang, J. Hensley, H. Gruen, N. Thibieroz: Real-Time Concurrent Linked List Construction on the GPU, EGSR 2010.
+// Pages of several nodes are from C. Crassin: OpenGL 4.0+ ABuffer V2.0: Linked lists of fragment pages, 2010.
 //
-// VITRINE_FRAMEBUFFER_FETCH  heads are a colour attachment that the shader reads and writes in order of
-//                            arrival; else they are an image set by atomics, and pages hold one node
+// VITRINE_FRAMEBUFFER_FETCH  heads are a colour attachment that the shader reads and writes in order of arrival; else
+//                            they are an image set by atomics, and pages hold one node
 #include "SharedLayout.h"
 #include "FragmentCapture.glsl"
 #include "FragmentNodeStore.glsl"
@@ -21,8 +21,9 @@ layout(std430, binding = VITRINE_BINDING_LINKS) writeonly buffer VitrineLinkBuff
 };
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
-layout(location = 1) inout uvec2 vitrineHead; // newest page, fragments so far
+layout(location = 1) inout uvec2 vitrineHead; // newest page, number of fragments so far
 uniform int vitrinePageSize;
 #else
-layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads; // a pixel: newest node + 1, count
+// for each pixel: newest node + 1, number of fragments
+layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads;
 #endif

@@ -1,5 +1,5 @@
-  // Linked-list A-buffer: append the fragment to its pixel's list. The allocator counts on past the end
-  // of the pool, and so do the heads: what the frame needs is known even when it does not fit.
+  // Linked-list A-buffer, fill pass: appends the fragment to its pixel's list. The allocator and the heads continue to
+  // count when the pool is full, so the need of the frame is known even if it does not fit.
   {
 #include "TakeFragment.glsl"
     uint vitrineLimit = uint(vitrineLinks.length());
@@ -28,7 +28,7 @@
     uint vitrineNew = atomicAdd(vitrineCounters.PagesUsed, 1u);
     if (vitrineNew < vitrineLimit)
     {
-      // The image holds node numbers plus one, so that clearing it to 0 ends all lists.
+      // The image holds node numbers plus one, so clearing it to 0 empties all lists.
       vitrineLinks[vitrineNew] = imageAtomicExchange(vitrineHeads, vitrineHeadTexel, vitrineNew + 1u) - 1u;
       vitrineStoreNode(vitrineNew, vitrineZ, vitrineColor(gl_FragData[0]), vitrineSamples);
     }

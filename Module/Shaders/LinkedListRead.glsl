@@ -1,9 +1,9 @@
-// Linked lists, as ListRead.glsl walks them: from the newest page of a list to its oldest.
+// Reads linked lists for ListRead.glsl, from the newest page of a list to its oldest. It reads heads and links.
 #include "NodePool.glsl"
 
-uniform usamplerBuffer links; // one texel a page: the page before it
+uniform usamplerBuffer links; // one texel for each page: the previous page
 
-// Newest page and number of fragments of a pixel.
+// Returns the newest page and the number of fragments of a pixel.
 uvec2 loadHead(ivec2 pixel)
 {
 #ifdef VITRINE_FRAMEBUFFER_FETCH
@@ -24,7 +24,7 @@ uint nodeIndex(uint page, uint slot)
   return vitrineNodeIndex(page, slot, uint(VITRINE_PAGE_SIZE));
 }
 
-#define IS_TOO_LONG(count) false // the pool as a whole may be too small
+#define IS_TOO_LONG(count) false // only the pool as a whole may be too small
 
-// Pages of 1, 2, 4 and 8 nodes for a list.
+// Returns the numbers of pages of 1, 2, 4 and 8 nodes that a list needs.
 #define PAGES_OF(count) ((uvec4(count) + uvec4(0u, 1u, 3u, 7u)) >> uvec4(0u, 1u, 2u, 3u))

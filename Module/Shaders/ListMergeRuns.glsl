@@ -1,16 +1,22 @@
-// A-buffer, lists too long for one network, second half: merge the runs that ListSortRuns.glsl or ListSortLongRuns.glsl
-// sorted, all at once, with each run's nearest fragment in registers, and composite on the way.
+// A-buffer, resolve pass for lists that are too long for one network, second half. It reads the sorted runs of
+// ListSortRuns.glsl or ListSortLongRuns.glsl, merges them all at once, and writes the composited colour. The nearest
+// fragment of each run is in registers.
 //
-// The runs are in groups, each of which knows its nearest run. So a fragment costs a look at the groups and at
-// the runs of one group: a tournament of two rounds. Neighbouring pixels mostly take from the same group.
+// Runs are in groups, and each group knows its nearest run. So a fragment costs a look at the groups and at the runs of
+// one group: a tournament of two rounds. Neighbouring pixels mostly take fragments from the same group.
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "ListRuns.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
-// A run being merged: its nearest fragment left, and where the one after that is. `place` holds, from the lowest
-// bits on: the slot in the page, the nodes in the page, the pages left, this one included, and the run's number.
+// A run in the merge: its nearest remaining fragment, and the position of the fragment after that. The fields of `place`,
+// from the lowest bit on:
+//
+//   4 bits   slot in the page
+//   4 bits   number of nodes in the page
+//   19 bits  number of pages left, including this one
+//   5 bits   number of the run
 struct Run
 {
   Fragment head;
@@ -23,7 +29,7 @@ struct Run
 
 #define DECLARE_RUN(r) Run r; r.head = unpackNode(false, uvec4(0u)); r.page = VITRINE_END; r.place = 0u;
 
-// Run a where s holds, else run b: selects, since a software rasteriser pays more for branches.
+// Returns run a if s is true, else run b. It uses selects, since branches are slower in a software rasteriser.
 Run selectRun(bool s, Run a, Run b)
 {
   Run r;
@@ -33,7 +39,7 @@ Run selectRun(bool s, Run a, Run b)
   return r;
 }
 
-// Make a the run whose nearest fragment is the nearer.
+// Makes a the run with the nearer first fragment.
 #define TAKE_NEARER(a, b) \
   a = selectRun(b.head.key < a.head.key || (b.head.key == a.head.key && colorAbove(a.head, b.head)), b, a);
 
@@ -46,7 +52,7 @@ void main()
 
   //Vitrine::Declare
 
-  // The next run of the list to start: `runPages` pages from `page`.
+  // The next run to start: `runPages` pages from `page` on.
   uint page = head.x;
   int filled = nodesInFirstPage(head.y);
   int pages = pagesOfList(head.y);

@@ -1,12 +1,12 @@
-// Reading the lists of fragments that a fill has stored: walks from a list's first page to its last, each but the
-// first full. What a page is and where the next one lies is the storage's affair.
+// Reads the lists that a fill pass has stored, from the first page of a list to its last. All pages but the first are
+// full. The storage defines what a page is and which one is next.
 //
 // VITRINE_PACKED_LISTS  lists are successive nodes of a packed buffer; else linked pages of a pool
 #include "SharedLayout.h"
 #include "FragmentNode.glsl"
 
 uniform usampler2D heads;
-uniform usamplerBuffer nodes; // one texel a node
+uniform usamplerBuffer nodes; // one texel for each node
 
 #ifdef VITRINE_PACKED_LISTS
 #include "PackedListRead.glsl"
@@ -14,7 +14,7 @@ uniform usamplerBuffer nodes; // one texel a node
 #include "LinkedListRead.glsl"
 #endif
 
-// The head of the pixel that is drawn, which is left as it is where it has no fragments.
+// Returns the head of the pixel. Discards pixels without fragments.
 uvec2 loadHeadToDraw(ivec2 pixel)
 {
   uvec2 head = loadHead(pixel);
@@ -25,7 +25,7 @@ uvec2 loadHeadToDraw(ivec2 pixel)
   return head;
 }
 
-// Nodes in the first page of a list of `count` fragments.
+// Returns the number of nodes in the first page of a list of `count` fragments.
 int nodesInFirstPage(uint count)
 {
   return int((count - 1u) & uint(VITRINE_PAGE_SIZE - 1)) + 1;

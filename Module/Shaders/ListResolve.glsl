@@ -1,13 +1,13 @@
-// A-buffer, resolving lists of up to VITRINE_BIN nodes: load into named registers, sort by an
-// unrolled network, composite.
+// A-buffer, resolve pass for lists of up to VITRINE_BIN nodes. It reads a pixel's list into named registers, sorts it
+// by an unrolled network, and writes the composited colour.
 //
-// P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
-// (2014): sorting in registers, in bins by depth complexity.
+// P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014):
+// sorting in registers, in bins by depth complexity.
 #include "ListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
-// Nodes of `page` are valid up to `filled`; the first page alone may be partly filled.
+// The first `filled` nodes of `page` are valid. Only the first page may be partly filled.
 #define LOAD(f, slot) \
   { \
     uvec4 node = texelFetch(nodes, int(nodeIndex(page, uint(slot)))); \

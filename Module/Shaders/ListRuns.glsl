@@ -1,13 +1,13 @@
-// How a list is cut into runs that are sorted, each by itself, and then merged: at most VITRINE_MAX_RUNS of them, of one
-// block of VITRINE_RUN_PAGES pages or, in long lists, of several. The first run may be shorter.
+// Divides a list into runs, which are sorted one by one and then merged. There are at most VITRINE_MAX_RUNS runs. A run
+// is one block of VITRINE_RUN_PAGES pages, or several in long lists. The first run may be shorter.
 
-// The blocks of so many pages, of which the first may have fewer.
+// Returns the number of blocks of a list. The first block may have fewer pages.
 int blocksOf(int pages)
 {
   return (pages + VITRINE_RUN_PAGES - 1) / VITRINE_RUN_PAGES;
 }
 
-// The pages of a run in a list of so many pages.
+// Returns the number of pages in each run of a list, except the first.
 int pagesOfRun(int pages)
 {
   return (blocksOf(pages) + VITRINE_MAX_RUNS - 1) / VITRINE_MAX_RUNS * VITRINE_RUN_PAGES;

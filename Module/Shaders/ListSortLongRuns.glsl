@@ -1,9 +1,11 @@
-// A-buffer, lists of more than VITRINE_MAX_RUNS runs of VITRINE_RUN_SIZE nodes, first half: sort that many longer runs in
-// place, block by block. Each round walks over what is left of the run, keeps its nearest block in registers, and puts
-// it where the walk began: a selection sort of blocks.
+// A-buffer, resolve pass for lists of more than VITRINE_MAX_RUNS runs of VITRINE_RUN_SIZE nodes, first half. It divides
+// the list into VITRINE_MAX_RUNS longer runs and sorts each in place, block by block. It reads and writes nodes.
 //
-// After the register-based block sort of P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of
-// Complex Scenes, The Visual Computer 30 (2014); the merge is K. E. Batcher's bitonic one, AFIPS 1968.
+// Each round walks over the rest of the run and keeps its nearest block in registers. It then stores that block where
+// the walk began: a selection sort of blocks.
+//
+// It follows the register-based block sort of P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex
+// Scenes, The Visual Computer 30 (2014). The merge is K. E. Batcher's bitonic merge, AFIPS 1968.
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "ListRuns.glsl"
@@ -12,7 +14,7 @@
 #define NODE_ACCESS
 #include "RunPages.glsl"
 
-// Not by texel, where what this invocation stored may not be seen.
+// The buffer is not read by texel, which might miss what this invocation stored.
 uvec4 loadNode(uint index)
 {
   uint word = index * uint(VITRINE_NODE_WORDS);
@@ -45,7 +47,7 @@ void main()
 
     //Vitrine::ClearNearest
 
-    // The first block becomes the nearest as it is, and its place is free.
+    // The first block becomes the nearest without a merge, and its place is free.
     for (int block = 0; block < blocksLeft; ++block)
     {
       //Vitrine::Load

@@ -1,8 +1,8 @@
-// A-buffer, lists too long for one network, first half: sort runs of VITRINE_RUN_SIZE nodes in place,
-// each by a network over registers.
+// A-buffer, resolve pass for lists that are too long for one network, first half. It sorts runs of VITRINE_RUN_SIZE
+// nodes in place, each by a network over registers. It reads and writes nodes.
 //
-// P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30
-// (2014): sorted blocks go back to the list's own nodes.
+// P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014):
+// sorted blocks go back to the list's own nodes.
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "Registers.glsl"

@@ -1,5 +1,5 @@
-// Marks the clusters that hold what the G-buffer shows to be lit. Another shader may find a place a little farther on, so that the
-// next cluster is marked, too, where the place is near its side.
+// Marks the clusters that contain a lit pixel. It reads the place layer of the G-buffer and writes the marks. Another
+// shader may round a point into the next cluster, so that one is marked, too, if the point is close to its side.
 #include "GBufferSample.glsl"
 #include "ClusterOf.glsl"
 
@@ -7,7 +7,7 @@ const vec3 Slack = vec3(1e-3);
 
 layout(std430, binding = VITRINE_BINDING_CLUSTERS) buffer Marks
 {
-  uint marks[]; // nonzero for each cluster that holds something
+  uint marks[]; // nonzero for each cluster that contains a lit pixel
 };
 
 void mark(vec3 at)
@@ -23,7 +23,7 @@ void markAround(vec4 place)
 {
   vec3 at = vitrineGridAt(place);
   vec3 first = floor(at - Slack), last = floor(at + Slack);
-  // A loop that ends, not a condition: llvmpipe would do what stands under that for every pixel.
+  // A loop with a variable end in place of a condition: llvmpipe would run the conditional code for every pixel.
   int corners = first != last ? 8 : 1;
   for (int corner = 0; corner < corners; ++corner)
   {

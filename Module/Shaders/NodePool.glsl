@@ -1,6 +1,6 @@
-// The node pool: pages of several nodes, linked per pixel from the newest page to the oldest.
+// Addresses of the node pool: pages of several nodes, linked for each pixel from the newest page to the oldest.
 
-// Where node `slot` of `page` lies in the pool, in nodes.
+// Returns the index of node `slot` of `page` in the pool. The nodes of successive pages are interleaved.
 uint vitrineNodeIndex(uint page, uint slot, uint pageSize)
 {
   uint group = page >> VITRINE_INTERLEAVE_SHIFT;

@@ -1,13 +1,13 @@
-// Colours as nodes keep them. Packed colours order by alpha, blue, green, red, as unsigned words do.
+// Packs the colour of a node, and unpacks it. As unsigned words, packed colours are ordered by alpha, blue, green, red.
 //
-// VITRINE_HALF_FLOAT: four 16-bit floats in two words. A colour has no sign, so its bit goes to the mantissa: 5
-// bits of exponent, 11 of mantissa, half the rounding error of IEEE's half float. What lies below
-// the smallest exponent counts as 0. Else: RGBA8 in one word.
+// VITRINE_HALF_FLOAT: four 16-bit floats in two words. A colour has no sign, so its bit goes to the mantissa: 5 bits of
+// exponent, 11 of mantissa, half the rounding error of IEEE's half float. Values below the smallest exponent become 0.
+// Otherwise: RGBA8 in one word.
 //
-// VITRINE_ADDITIVE: alpha 0 is that of a colour that is added. What has another alpha, which is kept as 0, is kept as nothing.
+// VITRINE_ADDITIVE: an alpha of 0 marks an additive colour. Another colour whose alpha rounds to 0 is stored as 0.
 //
-// Shifts and integer additions take the place of packHalf2x16 and its kin, which software rasterisers run
-// several times slower and which round as each driver likes.
+// Shifts and integer additions replace packHalf2x16 and its kin. These are several times slower in software
+// rasterisers, and their rounding depends on the driver.
 #ifdef VITRINE_ADDITIVE
 #define VITRINE_IS_LOST(alpha, code) (alpha > 0.0 && code == 0)
 #else
@@ -16,8 +16,8 @@
 
 #ifdef VITRINE_HALF_FLOAT
 
-// Exponents (IEEE single, biased by 127) that the 16-bit exponent 0 stands for. Alpha and clamped colours are
-// at most 1, so all codes can lie below; colours of a floating-point target reach to 65504.
+// The exponents (IEEE single, biased by 127) at which the 16-bit exponent 0 begins. Alpha and clamped colours are at
+// most 1, so all codes can lie below 1. Colours of a floating-point target reach 65504.
 #define VITRINE_UNIT_EXPONENT 96u
 #ifdef VITRINE_FIXED_POINT_TARGET
 #define VITRINE_COLOR_EXPONENT VITRINE_UNIT_EXPONENT
@@ -30,7 +30,7 @@ uint vitrinePack16(float x, uint exponent)
   return uint(max(int((floatBitsToUint(x) + 0x800u) >> 12) - int(exponent << 11), 0));
 }
 
-// A code's bits are a float 2^exponent times too small; code 0 gives 0.
+// The bits of a code are a float that is 2^exponent times too small. Code 0 yields 0.
 float vitrineUnpack16(uint packed16, uint exponent)
 {
   return uintBitsToFloat(packed16 << 12) * uintBitsToFloat((exponent + 127u) << 23);

@@ -1,5 +1,5 @@
-// The heads of packed lists, read and written by compute shaders: where a pixel's room begins, its fragments and its
-// room (SharedLayout.h).
+// The heads of packed lists in compute shaders. It reads a pixel's count, and writes the start and the size of its room
+// (SharedLayout.h).
 #include "SharedLayout.h"
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH

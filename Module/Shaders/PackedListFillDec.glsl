@@ -1,22 +1,25 @@
-// Packed lists, filling: declarations for the fragment shaders of VTK's mappers.
+// Packed lists, fill pass: declarations for the fragment shaders of VTK's mappers. It reads and writes heads, and
+// writes nodes. Core/lists/README.md draws the buffers.
 //
-// VITRINE_FRAMEBUFFER_FETCH  heads are a colour attachment that the shader reads and writes in order of
-//                            arrival; else they are an image set by atomics
+// VITRINE_FRAMEBUFFER_FETCH  heads are a colour attachment that the shader reads and writes in order of arrival; else
+//                            they are an image set by atomics
 #include "SharedLayout.h"
 #include "FragmentCapture.glsl"
 #include "FragmentNodeStore.glsl"
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
-layout(location = 1) inout uvec2 vitrineHead; // where the room begins, fragments so far and room
+// start of the room, number of fragments so far and room
+layout(location = 1) inout uvec2 vitrineHead;
 #else
-layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads; // the same, in two rows
+// start in one row; fragments so far and room in the next
+layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads;
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounterBuffer
 {
   VitrineCounters vitrineCounters;
 };
 #endif
 
-// Take the place of the pixel's next fragment in the buffer, VITRINE_END where there is no room for it.
+// Returns the place of the pixel's next fragment in the buffer, or VITRINE_END if it has no room.
 uint vitrineTakePlace()
 {
   const uint one = 1u << VITRINE_COUNT_SHIFT;
@@ -32,7 +35,7 @@ uint vitrineTakePlace()
   uint count = taken >> VITRINE_COUNT_SHIFT;
   if (count == VITRINE_LARGEST_COUNT)
   {
-    atomicMax(vitrineCounters.LayersMax, VITRINE_LARGEST_COUNT); // the count begins anew
+    atomicMax(vitrineCounters.LayersMax, VITRINE_LARGEST_COUNT); // the count wraps to 0
   }
 #endif
   return count < (taken & (one - 1u)) ? start + count : VITRINE_END;

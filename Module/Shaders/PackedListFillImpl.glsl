@@ -1,5 +1,5 @@
-  // Packed lists: store the fragment in its pixel's room. Fragments are counted on past the end of the room: what the
-  // frame needs is known even when it does not fit, and nothing is written outside.
+  // Packed lists, fill pass: stores the fragment in its pixel's room. Counting continues past the end of the room, so
+  // the need of the frame is known even if it does not fit. Nothing is written outside.
   {
 #include "TakeFragment.glsl"
     uint vitrinePlace = vitrineTakePlace();

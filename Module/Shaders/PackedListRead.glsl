@@ -1,9 +1,10 @@
-// Packed lists, as ListRead.glsl walks them: successive nodes, of which a page is a piece, named by its first node. The
-// pieces are taken from the last to the first, since the page that a walk begins with alone may be partly filled.
-uint listStart; // of the pixel whose head was loaded last
-uint listRoom;  // and how many nodes it has
+// Reads packed lists for ListRead.glsl. It reads heads. A page is a piece of VITRINE_PAGE_SIZE successive nodes, named
+// by its first node. Pages are visited from the last to the first, since only the first page of a walk may be partly
+// filled.
+uint listStart; // start of the list whose head was loaded last
+uint listRoom;  // capacity of its room in nodes
 
-// The last piece of the pixel's list, and its number of fragments.
+// Returns the last page of the pixel's list, and its number of fragments.
 uvec2 loadHead(ivec2 pixel)
 {
 #ifdef VITRINE_FRAMEBUFFER_FETCH
@@ -28,6 +29,6 @@ uint nodeIndex(uint page, uint slot)
   return page + slot;
 }
 
-// Whether the pixel whose head was loaded last has more fragments than there was room for.
+// Returns true if the pixel whose head was loaded last has more fragments than room.
 #define IS_TOO_LONG(count) (count > listRoom)
 #define PAGES_OF(count) uvec4(count, 0u, 0u, 0u)

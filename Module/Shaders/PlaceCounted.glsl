@@ -1,5 +1,5 @@
-// Packed lists: give each pixel room for as many fragments as the last fill counted, in places scanned from
-// ScanCounts.glsl's sums, and none beyond the end of the buffer.
+// Packed lists, compute shader: gives each pixel room for the fragments that the last fill counted, but none beyond the
+// end of the buffer. It reads the scanned sums of ScanCounts.glsl and the counts; it writes heads.
 #include "ScanBlocks.glsl"
 #include "PackedHeads.glsl"
 

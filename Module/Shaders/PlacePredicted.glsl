@@ -1,5 +1,6 @@
-// Packed lists: give each pixel of a block the room that ScanPrediction.glsl found, and none beyond the end of the
-// buffer. Drawn into the heads, since a software rasteriser stores images several times slower than it draws.
+// Packed lists, fragment shader: gives each pixel of a block the room that ScanPrediction.glsl predicted, but none
+// beyond the end of the buffer. It reads the scanned sums and draws the heads, since software rasterisers draw several
+// times faster than they store to images.
 #include "ScanSums.glsl"
 
 uniform int capacity; // of the buffer, in nodes
@@ -9,7 +10,7 @@ out uvec2 head;
 #define HEAD(start, room) uvec2(start, room)
 #define ROWS 1
 #else
-out uint head; // rows of starts and of rooms in turn
+out uint head; // rows of starts and rows of rooms alternate
 #define HEAD(start, room) (int(gl_FragCoord.y) % 2 == 0 ? start : room)
 #define ROWS 2
 #endif

@@ -1,5 +1,6 @@
-// textureGrad() by texture(), where the driver ignores gradients. Derivatives are differences within a quad of 2 x 2 fragments, so that
-// each of its fragments in turn has the others look where its gradients ask for.
+// Emulates textureGrad() by texture() for drivers that ignore gradients. Such drivers take derivatives as differences
+// within a quad of 2 x 2 fragments. So in each of four turns one fragment has the other three sample where its
+// gradients put them.
 vec4 vitrineTextureGrad(sampler2D map, vec2 place, vec2 dx, vec2 dy)
 {
   vec2 missingX = dx - dFdx(place);

@@ -1,9 +1,9 @@
-// Fragments in named registers, and what a sort does with them. A register without a fragment sorts last and
+// Fragments in named registers, and the operations of a sort on them. A register without a fragment sorts last and
 // blends as nothing.
 //
-// VITRINE_COMPACT_NODES: keys and colours are the words of CompactNode.glsl.
-// VITRINE_FLOAT_KEYS: keys are the depths themselves, where GLSL has no bits of a float; else their bits.
-// VITRINE_FLOAT_COLORS: so are colours; else they are packed. They order alike.
+// VITRINE_COMPACT_NODES  keys and colours are the words of CompactNode.glsl
+// VITRINE_FLOAT_KEYS     keys are depths, for GLSL versions without access to the bits of a float; else their bits
+// VITRINE_FLOAT_COLORS   colours are floats; else they are packed, with the same order
 #ifdef VITRINE_COMPACT_NODES
 #include "CompactNode.glsl"
 #else
@@ -32,8 +32,8 @@
 #define NO_COLOR 0u
 #endif
 
-// VITRINE_KEEP_EXTRA: registers carry the node's last word too, where the target is multisampled.
-// VITRINE_COINCIDENCE: they always do, and of equal depths and colours those with the larger one are the farther.
+// VITRINE_KEEP_EXTRA: if the target is multisampled, registers carry the node's last word, too. VITRINE_COINCIDENCE:
+// they always do. Of equal depths and colours, the larger word is farther.
 #if defined(VITRINE_COINCIDENCE) || (defined(VITRINE_KEEP_EXTRA) && VITRINE_SAMPLES > 0)
 #define EXTRA_MEMBER uint extra;
 #define EXCHANGE_EXTRA(a, b, s) \
@@ -60,8 +60,8 @@
 
 struct Fragment
 {
-  KEY key;         // the window depth
-  uint redGreen;   // as PackedColor.glsl packs
+  KEY key;         // bits of the window depth
+  uint redGreen;   // as packed by PackedColor.glsl
   uint blueAlpha;
   EXTRA_MEMBER
 };
@@ -113,8 +113,8 @@ bool sameFragment(Fragment a, Fragment b)
 
 struct Fragment
 {
-  KEY key;     // the depth
-  COLOR color; // as PackedColor.glsl packs, or as it is
+  KEY key;     // depth
+  COLOR color; // packed by PackedColor.glsl, or as floats
   EXTRA_MEMBER
 };
 
@@ -184,28 +184,28 @@ bool sameFragment(Fragment a, Fragment b)
 #define CLEAR(f) f = unpackNode(false, uvec4(0u));
 #endif
 
-// Exchange a and b where s holds, given that s holds wherever b is the nearer.
+// Exchanges a and b if s is true. s must be true if b is nearer.
 #define EXCHANGE(a, b, s) \
   { \
     KEY near = min(a.key, b.key); b.key = max(a.key, b.key); a.key = near; \
     EXCHANGE_COLOR(a, b, s) \
   }
 
-// Order a and b by depth alone.
+// Orders a and b by depth only.
 #define COMPARE_EXCHANGE(a, b) \
   { \
     bool s = a.key > b.key; \
     EXCHANGE(a, b, s) \
   }
 
-// Order a and b by depth and, where it is equal, by colour.
+// Orders a and b by depth, and by colour if the depths are equal.
 #define COMPARE_EXCHANGE_FULL(a, b) \
   { \
     bool s = a.key > b.key || (a.key == b.key && colorAbove(a, b)); \
     EXCHANGE(a, b, s) \
   }
 
-// Order a and b, neighbours after a sort by depth, by colour where their depths are equal.
+// Orders a and b, which are neighbours after a sort by depth, by colour if their depths are equal.
 #define ORDER_TIE(a, b) \
   { \
     bool s = a.key == b.key && colorAbove(a, b); \
@@ -213,23 +213,23 @@ bool sameFragment(Fragment a, Fragment b)
     EXCHANGE_COLOR(a, b, s) \
   }
 
-// VITRINE_ADDITIVE: a colour of alpha 0 is premultiplied, and added to what lies behind it.
+// VITRINE_ADDITIVE: a colour of alpha 0 is premultiplied and additive.
 #ifdef VITRINE_ADDITIVE
 #define COLOR_WEIGHT(c) (c.a > 0.0 ? c.a : 1.0)
 #else
 #define COLOR_WEIGHT(c) c.a
 #endif
 
-// Composite front to back: `color` is premultiplied, `transmittance` what still shows behind. Both are precise,
-// so that every program composites the same list to the same bits.
+// Composites front to back. `color` is premultiplied, `transmittance` is the share of light from behind. Both are
+// precise, so all programs composite the same list to the same bits.
 #define BLEND_COLOR(c) \
   { \
     color += transmittance * COLOR_WEIGHT(c) * c.rgb; \
     transmittance -= transmittance * c.a; \
   }
 
-// Composite the fragment in a register, and then what the registers hold together, the list; or the next fragment of the
-// list, and at its end what is left.
+// BLEND composites the fragment of a register, and BLEND_LIST completes all registers. BLEND_NEXT composites the next
+// fragment of a list, and BLEND_REST completes the list.
 #ifdef VITRINE_COINCIDENCE
 #include "CoincidentGroup.glsl"
 #else
@@ -243,7 +243,7 @@ bool sameFragment(Fragment a, Fragment b)
 #define BLEND_REST
 #endif
 
-// None is nearer, and none of its depth has a lesser colour.
+// Returns a fragment that no other one precedes in depth and colour.
 Fragment nearestOfAll()
 {
   Fragment f;

@@ -1,6 +1,5 @@
-// The end of a resolve: what was composited goes over what is there, in float, and is rounded once.
-//
-// Blending in the target itself would round three times in 8 bits.
+// The end of a resolve pass. It reads the backdrop and writes the composited colour over it, in float, with a single
+// rounding. Blending in the target would round three times in 8 bits.
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMS backdrop;
 #define LOAD_BACKDROP(pixel) texelFetch(backdrop, pixel, gl_SampleID)

@@ -1,18 +1,18 @@
-// Runs of nodes in registers: they are loaded page by page, and stored in place, so that the nodes of a run ascend from its
-// first page to its last.
+// Loads a run's nodes into registers page by page, and stores them back in place. The nodes of a run then ascend from
+// its first page to its last.
 //
-// A block of registers is VITRINE_RUN_PAGES pages; if the list has no multiple of that, its first block has fewer.
-// Only the first page may be partly filled.
+// A block of registers has VITRINE_RUN_PAGES pages. If the number of a list's pages is not a multiple, its first block
+// has fewer. Only the first page may be partly filled.
 //
 // FETCH_NODE(index)  reads a node
-// NODE_ACCESS        what else is known of the buffer
+// NODE_ACCESS        memory qualifiers of the buffer
 
 layout(std430, binding = VITRINE_BINDING_NODES) NODE_ACCESS buffer NodeBuffer
 {
   uint nodeWords[];
 };
 
-// A page's fragments stand in its last registers: the first `empty` of them have none.
+// The fragments of a page are in its last registers. The first `empty` registers have none.
 struct RunPage
 {
   uint page;
@@ -21,7 +21,7 @@ struct RunPage
 
 #define DECLARE_PAGE(p) RunPage p;
 
-// Take the next page of the list, or, while `absent` pages are missing from the first block, none.
+// Takes the next page of the list, or no page while `absent` pages are missing from the first block.
 #define TAKE_PAGE(p) \
   p.page = absent > 0 ? VITRINE_END : page; \
   p.empty = p.page == VITRINE_END ? VITRINE_PAGE_SIZE : VITRINE_PAGE_SIZE - filled; \
@@ -32,7 +32,7 @@ struct RunPage
   } \
   --absent;
 
-// Registers without a fragment sort first, to where they were loaded from.
+// Registers without a fragment sort first, so they stay where they were loaded.
 #define LOAD(f, p, i) \
   { \
     int slot = i - p.empty; \
@@ -61,7 +61,7 @@ void storeNode(uint index, Fragment f)
 #endif
 }
 
-// Pages that are missing from the first block of a list of so many.
+// Returns the number of pages missing from the first block of a list.
 int absentPages(int pages)
 {
   return (VITRINE_RUN_PAGES - pages % VITRINE_RUN_PAGES) % VITRINE_RUN_PAGES;

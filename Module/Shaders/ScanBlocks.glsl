@@ -1,7 +1,7 @@
-// The compute shaders that find the places of packed lists: an invocation for each block, or each sum.
+// Common part of the compute shaders that place packed lists. There is one invocation for each block, or each sum.
 #include "ScanSums.glsl"
 
-uniform ivec2 regionFirst; // the pixels that are given room; heads of others stay as they are
+uniform ivec2 regionFirst; // the region of pixels that get room; other heads are not changed
 uniform ivec2 regionEnd;
 
 bool isInRegion(ivec2 pixel)

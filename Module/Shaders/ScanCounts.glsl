@@ -1,4 +1,5 @@
-// Packed lists: the number of fragments that the last fill counted in each block, which makes level 0 of the sums.
+// Packed lists, compute shader: sums the fragments that the last fill counted in each block. It reads heads and writes
+// level 0 of the sums.
 #include "ScanBlocks.glsl"
 #include "PackedHeads.glsl"
 

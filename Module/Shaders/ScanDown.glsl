@@ -1,10 +1,11 @@
-// Sums of this level become places, given those of the next one.
+// Packed lists, compute shader: the way down of the prefix sum. It reads the places of the next level and replaces the
+// sums of this level by places.
 #include "ScanBlocks.glsl"
 
 uniform int level;
 uniform int count;
 uniform int nextLevel;
-uniform int nextIsTotal; // 1: the next level is the sum of all, whose place is 0
+uniform int nextIsTotal; // 1 if the next level is the sum of all, whose place is 0
 
 void main()
 {

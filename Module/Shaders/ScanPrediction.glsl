@@ -1,8 +1,10 @@
-// Packed lists: the room that a block's pixels may need in the next frame, which makes level 0 of the sums: each as much
-// as the longest list that this frame had in the block and its eight neighbours. Kept beside is the room of one pixel.
+// Packed lists, compute shader: predicts the room of each pixel in the next frame. It is the longest list that this
+// frame had in the pixel's block and its eight neighbours. It reads the blocks' longest lists. It writes level 0 of the
+// sums, and beside it the room of one pixel of each block.
 #include "ScanBlocks.glsl"
 
-layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) readonly uniform uimage2D longestLists; // of each block
+// for each block
+layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) readonly uniform uimage2D longestLists;
 
 uniform int blocks;
 

@@ -1,8 +1,8 @@
-// What the shaders share that find the places of packed lists: sums of the blocks' fragments.
+// The sums of the shaders that place packed lists, for all levels in one buffer. Level 0 has the number of fragments,
+// or the predicted room, of each block. A sum of the next level is that of VITRINE_SCAN_FANOUT sums.
 //
-// The sums of all levels lie in one buffer: level 0 has one for each block, and each of the next level's is that of
-// VITRINE_SCAN_FANOUT. Scanned from the last level down they become the places where each begins. G. E. Blelloch: Prefix
-// Sums and Their Applications, CMU-CS-90-190, 1990: a reduction up and down the tree, here of another arity.
+// A scan from the last level down replaces the sums by the places where blocks begin. G. E. Blelloch: Prefix Sums and
+// Their Applications, CMU-CS-90-190, 1990: a reduction up and down a tree, here of a larger arity.
 #include "SharedLayout.h"
 
 layout(std430, binding = VITRINE_BINDING_SUMS) buffer SumBuffer
@@ -12,9 +12,9 @@ layout(std430, binding = VITRINE_BINDING_SUMS) buffer SumBuffer
 
 uniform ivec2 blockFirst;
 uniform ivec2 blockCount;
-uniform int ofBlocks; // where in `sums` the room of a pixel of each block lies, where that was predicted
+uniform int ofBlocks; // index in `sums` of the room of one pixel of each block, if it was predicted
 
-// The sum, or the largest word where there are more: counts of one frame may pass 2^32, places do not.
+// Returns the sum, or the largest word on overflow. Counts of one frame may exceed 2^32, places do not.
 uint addSaturating(uint a, uint b)
 {
   uint c;

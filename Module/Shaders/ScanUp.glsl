@@ -1,9 +1,10 @@
-// Sums of the next level: each of VITRINE_SCAN_FANOUT of this one.
+// Packed lists, compute shader: the way up of the prefix sum. It reads the sums of this level and writes the next
+// level, each the sum of VITRINE_SCAN_FANOUT.
 #include "ScanBlocks.glsl"
 
-uniform int level;     // where this level's sums begin
-uniform int count;     // how many they are
-uniform int nextLevel; // where the next level's begin
+uniform int level;     // start of this level's sums
+uniform int count;     // number of this level's sums
+uniform int nextLevel; // start of the next level's sums
 
 void main()
 {

@@ -1,4 +1,4 @@
-  // Within main(): sort the registers by a network, then those of equal depth by colour.
+  // Part of main(): sorts the registers by a network, then those of equal depth by colour.
   //Vitrine::Sort
 
   bool disordered;

@@ -1,5 +1,5 @@
-  // Stencil masks and stencil routing: colour and depth. The stencil lets them through to one place of the pixel's; what opaque
-  // geometry hides must not get there, since a failed stencil test counts before the depth is tested.
+  // Stencil masks and stencil routing, fill pass: writes the fragment's colour and depth. The stencil lets them pass to
+  // one place of the pixel. Hidden fragments are discarded here: a failed stencil test counts before the depth test.
   {
 #include "TakeFragment.glsl"
     gl_FragData[0] = vitrineColor(gl_FragData[0]);

@@ -1,17 +1,18 @@
-// Stencil masks, repairing: marked pixels take the mean of themselves and the 12 nearest neighbours, weighted by
-// distance and by how good those are. Neighbours with the least error count fully. The backdrop is each pixel's own.
+// Stencil masks, repair pass. It reads the composited layers, their errors and the counts, and writes the repaired
+// picture over the backdrop. A marked pixel becomes the mean of itself and its 12 nearest neighbours, weighted by
+// distance and by their errors. Neighbours with the least error count fully. The backdrop is each pixel's own.
 //
 // S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
 //
-// VITRINE_SHOW_MARKS  the errors themselves, as grey
+// VITRINE_SHOW_MARKS  shows the errors as grey
 #include "StencilMasks.glsl"
 #include "ResolveOutput.glsl"
 
 uniform sampler2D layerColors;
-uniform sampler2D layerErrors; // of StencilMaskMark.glsl
+uniform sampler2D layerErrors; // output of StencilMaskMark.glsl
 uniform sampler2D pixelCounts;
-uniform ivec2 firstPixel;      // of the target, where the layers begin
-uniform ivec2 lastPixel;       // of the layers
+uniform ivec2 firstPixel;      // first pixel of the layers in the target
+uniform ivec2 lastPixel;       // last pixel of the layers
 
 float errorOf(ivec2 pixel)
 {
@@ -27,14 +28,14 @@ ivec2 neighbourOf(ivec2 pixel, int i)
   return clamp(pixel + steps[i], ivec2(0), lastPixel);
 }
 
-// Whether as many fragments lie at their centres: what lies across an edge is another picture.
+// Returns true if both pixels have as many fragments at their centres. Neighbours across an edge show something else.
 bool isAlike(ivec2 pixel, ivec2 neighbour)
 {
   return texelFetch(pixelCounts, neighbour, 0).r == texelFetch(pixelCounts, pixel, 0).r;
 }
 
-// The layers of a pixel, repaired by the first `count` neighbours: none, where it is not marked. Software rasterisers run
-// both sides of a branch, but no loop longer than it takes.
+// Returns the layers of a pixel, repaired by the first `count` neighbours. The count is 0 for an unmarked pixel.
+// Software rasterisers run both sides of a branch, but only the needed turns of a loop.
 vec4 repaired(ivec2 pixel, int count)
 {
   float least = VITRINE_MOST_ERROR;
@@ -55,7 +56,7 @@ vec4 repaired(ivec2 pixel, int count)
     sum += weight * texelFetch(layerColors, neighbour, 0);
     weights += weight;
   }
-  // Where no neighbour is any better, nothing is won.
+  // If no neighbour is better, nothing is gained.
   return least < VITRINE_MARKED ? sum / weights : own;
 }
 

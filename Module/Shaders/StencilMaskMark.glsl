@@ -1,23 +1,24 @@
-// Stencil masks, marking: how little a pixel is like its neighbours, in quarters.
+// Stencil masks, mark pass. It reads composited layers, their sums and the counts, and writes how much a pixel differs
+// from its neighbours, in quarters.
 //
-// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: neighbours are alike in the sum of their layers' depths, in the parity
-// of their number, since closed bodies have an even one, and in colour; each that they are not has an error value. A
-// test counts as failed where it fails with most neighbours: with some it fails along every edge.
+// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: neighbours are compared by the sum of their layers' depths, the
+// parity of their number (closed bodies have an even one), and colour. Each failed test adds an error value. A test
+// fails if it fails with most neighbours, since along every edge it fails with some.
 //
-// One test more needs no neighbours: the group holds as many layers as the stencil counted at the pixel's centre. Where
-// it has none, or more than the group can hold, there is nothing to repair.
+// Another test needs no neighbours: the group holds as many layers as the stencil counted at the pixel's centre. If the
+// pixel has no layers, or more than the group holds, there is nothing to repair.
 #include "StencilMasks.glsl"
 
-uniform sampler2D layerColors; // composited, premultiplied; transmittance
+uniform sampler2D layerColors; // composited colour, premultiplied; transmittance
 uniform sampler2D layerSums;   // sum of depths, number of layers
 uniform sampler2D pixelCounts;
 uniform ivec2 lastPixel;
-uniform float depthLimit; // differences of the sums of depths from here on fail
-uniform float colorLimit; // so do distances of colours
+uniform float depthLimit; // smallest difference of sums of depths that fails
+uniform float colorLimit; // smallest distance of colours that fails
 
 //VTK::Output::Dec
 
-// Fragments close to the centre of a pixel, 255 at most.
+// Returns the number of fragments close to the centre of a pixel, at most 255.
 float countOf(ivec2 pixel)
 {
   return floor(texelFetch(pixelCounts, pixel, 0).r * 255.0 + 0.5);
@@ -34,10 +35,10 @@ void main()
   bool asksNeighbours = complete && count > 0.0 && count <= layers;
 
   vec3 failures = vec3(0.0); // of depth, parity, colour
-  int end = asksNeighbours ? 9 : 0; // with the pixel itself, which is like itself
+  int end = asksNeighbours ? 9 : 0; // includes the pixel itself, which passes all tests
   for (int i = 0; i < end; ++i)
   {
-    // The picture goes on as it ends.
+    // The picture's edge pixels are repeated outside.
     ivec2 neighbour = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), lastPixel);
     vec2 theirs = texelFetch(layerSums, neighbour, 0).xy;
     vec3 theirColor = texelFetch(layerColors, neighbour, 0).rgb;

@@ -1,15 +1,16 @@
-// Stencil masks, resolving: read a pixel's group into named registers, sort by an unrolled network, composite.
+// Stencil masks, resolve pass. It reads a pixel's group into named registers, sorts it by an unrolled network, and
+// writes the composited colour.
 //
 // S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
 //
-// VITRINE_KEEP_LAYERS  what was composited is kept, with what the marks need; else it goes over the backdrop
+// VITRINE_KEEP_LAYERS  writes the composited layers and the inputs of the marks; else writes over the backdrop
 #define VITRINE_FLOAT_KEYS
 #include "StencilMasks.glsl"
 #include "Registers.glsl"
 
 uniform sampler2D groupColors;
 uniform sampler2D groupDepths;
-uniform ivec2 firstPixel; // of the target, where the first group is
+uniform ivec2 firstPixel; // pixel of the first group in the target
 
 #ifdef VITRINE_KEEP_LAYERS
 //VTK::Output::Dec

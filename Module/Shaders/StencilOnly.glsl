@@ -1,4 +1,4 @@
-// Draws that change the stencil alone.
+// Fragment shader of draws that change only the stencil. It reads and writes nothing.
 void main()
 {
 }

@@ -1,4 +1,5 @@
-// Stencil routing, filling: declarations for the fragment shaders of VTK's mappers. GLSL 1.50, no extensions.
+// Stencil routing, fill pass: declarations for the fragment shaders of VTK's mappers. It reads the opaque depth and
+// writes colour and depth. It needs GLSL 1.50 and no extensions.
 //
 // K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
 #define VITRINE_LATE_TESTS

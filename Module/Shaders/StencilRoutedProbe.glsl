@@ -1,4 +1,4 @@
-// Stencil routing, asking the driver: a fragment that is known by its number.
+// Stencil routing, driver probe: writes a fragment that is identified by its number.
 uniform int number;
 
 //VTK::Output::Dec

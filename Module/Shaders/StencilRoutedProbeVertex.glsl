@@ -1,6 +1,7 @@
-// One triangle over all of a viewport that lies on one side of an edge, made from gl_VertexID.
+// Vertex shader of one triangle that covers the part of the viewport on one side of a vertical edge. It reads
+// gl_VertexID.
 uniform float edge;
-uniform float side; // 1 for what is left of x = edge; -1 for its mirror image
+uniform float side; // 1 for the part left of x = edge (NDC), -1 for its mirror image
 void main()
 {
   vec2 corner = gl_VertexID == 0 ? vec2(edge, -9.0) : gl_VertexID == 1 ? vec2(edge, 9.0) : vec2(-9.0, 0.0);

@@ -1,4 +1,4 @@
-// Stencil routing: reading the fragments of a pixel in order of arrival.
+// Stencil routing: reads the fragments of a pixel in order of arrival, from colours, depths and counts.
 //
 // K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
 //
@@ -15,17 +15,17 @@
 #else
 #define ROUTED_IMAGES sampler2DArray
 #define ROUTED_LAYER(i) (i)
-#define ROUTED_SAMPLE(i) 0 // the level
+#define ROUTED_SAMPLE(i) 0 // mipmap level
 #endif
 
 uniform ROUTED_IMAGES routedColors;
 uniform ROUTED_IMAGES routedDepths;
 uniform sampler2D pixelCounts;
-uniform ivec2 firstPixel; // of the target, where the counts begin
-uniform ivec2 binRange;   // what is drawn: pixels with more fragments than x, up to y
-uniform int keptLayers;   // of each pixel
+uniform ivec2 firstPixel; // first pixel of the counts in the target
+uniform ivec2 binRange;   // pixels to draw have more fragments than x, up to y
+uniform int keptLayers;   // maximum number of layers of a pixel
 
-// How many fragments the pixel that is drawn has, which is left as it is where another draw has it.
+// Returns the number of fragments of the pixel. Discards pixels that another draw resolves.
 int loadCountToDraw(ivec2 pixel)
 {
   int count = int(texelFetch(pixelCounts, pixel - firstPixel, 0).r * 255.0 + 0.5);
@@ -37,7 +37,7 @@ int loadCountToDraw(ivec2 pixel)
   return count;
 }
 
-// Fragment i of the pixel's `count`; places after the last may hold anything.
+// Returns fragment i of the pixel's `count`. Places after the last fragment may hold anything.
 Fragment loadFragment(ivec2 pixel, int i, int count)
 {
   bool there = i < count;

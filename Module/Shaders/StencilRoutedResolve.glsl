@@ -1,5 +1,5 @@
-// Stencil routing, resolving pixels with as many fragments as a network sorts: load into named registers, sort by an unrolled
-// network, composite.
+// Stencil routing, resolve pass for pixels with as many fragments as a network sorts. It reads them into named
+// registers, sorts them by an unrolled network, and writes the composited colour.
 //
 // K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
 #include "StencilRoutedRead.glsl"

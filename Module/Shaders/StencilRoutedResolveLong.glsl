@@ -1,4 +1,5 @@
-// Stencil routing, resolving pixels with any number of fragments, block by block.
+// Stencil routing, resolve pass for pixels with any number of fragments. It reads and sorts them block by block, and
+// writes the composited colour.
 //
 // K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
 #include "StencilRoutedRead.glsl"

@@ -1,5 +1,5 @@
-// Stencil routing, asking the driver: whether the samples of a pixel hold what was routed into them. Red: a fragment got there
-// that does not cover the pixel's centre. Green: fragment i is where a resolve finds it, in every channel.
+// Stencil routing, driver probe: reads a pixel's samples and writes a verdict. Red: a fragment was stored that does not
+// cover the pixel's centre. Green: each fragment i is where a resolve finds it, in every channel.
 //
 // VITRINE_PROBE_STRAY n  the number of fragments that do not cover the centre
 #include "StencilRoutedRead.glsl"

@@ -1,5 +1,6 @@
-    // Within a fill: the depth of the fragment and the samples that it covers; one that is hidden in all goes no further.
-    // With a tolerance for coincidence, the near end of its interval of depths, and the samples with the extent.
+    // Part of a fill: reads the fragment's depth and the samples that it covers. A fragment that is hidden in all
+    // samples is discarded. With a tolerance for coincidence, the depth is the interval's near end, and the samples'
+    // word has the extent.
 #ifdef VITRINE_COINCIDENCE
     vitrineTakeSlopeOfWrittenDepth();
 #endif

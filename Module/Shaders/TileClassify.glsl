@@ -1,6 +1,7 @@
-// One fragment a tile: the longest list in the tile, and what the whole picture needs.
+// A-buffer, before the resolve pass, with one fragment for each tile. It reads the heads, writes the longest list in
+// the tile, and adds the tile to the frame's counters.
 //
-// Only pixels from regionFirst up to, not including, regionEnd count; heads outside are of an earlier frame.
+// Only the pixels regionFirst to regionEnd - 1 count. Heads outside are of an earlier frame.
 #include "ListRead.glsl"
 
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer CounterBuffer
@@ -9,7 +10,8 @@ layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer CounterBuffer
 };
 
 #ifdef VITRINE_PACKED_LISTS
-layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) writeonly uniform uimage2D longestLists; // of each block of pixels
+// of each block of pixels
+layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) writeonly uniform uimage2D longestLists;
 #endif
 
 uniform ivec2 regionFirst;
@@ -17,14 +19,14 @@ uniform ivec2 regionEnd;
 
 layout(location = 0) out uint tileMax;
 
-// Add `n` to a split sum.
+// Adds `n` to a split sum.
 void addPages(int shift, uint n)
 {
   atomicAdd(counters.PagesLow[shift], n & ((1u << VITRINE_SPLIT_BITS) - 1u));
   atomicAdd(counters.PagesHigh[shift], n >> VITRINE_SPLIT_BITS);
 }
 
-// Bin b holds the tiles whose longest list is at most binLimits[b] nodes, and longer than binLimits[b - 1].
+// Bin b holds the tiles whose longest list has at most binLimits[b] nodes, but more than binLimits[b - 1].
 const uint binLimits[VITRINE_BIN_COUNT] = uint[](VITRINE_BIN_LIMITS);
 
 uint binOf(uint count)
@@ -37,13 +39,13 @@ uint binOf(uint count)
   return bin;
 }
 
-// What the pixels of a tile amount to.
+// The sums over the pixels of a tile.
 uint longest = 0u;
 uint covered = 0u;
 uint tooLong = 0u;
 uvec4 pages = uvec4(0u);
 
-// Take the pixels from `first` up to `end` into the sums. Returns their longest list.
+// Adds the pixels `first` to `end` - 1 to the sums. Returns their longest list.
 uint takeBlock(ivec2 first, ivec2 end)
 {
   uint longestOfBlock = 0u;

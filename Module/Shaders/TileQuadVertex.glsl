@@ -1,13 +1,13 @@
-// One instance a tile: the tile's quad if its longest list is in (binRange.x, binRange.y], else nothing. The
-// quad is cut to the region here and not by the scissor test, along whose edges llvmpipe loses samples of some
-// pixels and draws samples of others outside.
+// Vertex shader with one instance for each tile. It reads the tile's longest list and writes the tile's quad if the
+// length is in (binRange.x, binRange.y]. The quad is clipped to the region here. The scissor test is not used, since
+// llvmpipe then loses samples of some pixels along its edges and draws samples of others outside.
 #include "SharedLayout.h"
 
 uniform usampler2D tileMax;
 uniform ivec2 tileFirst;
 uniform ivec2 tileCount;
 uniform ivec2 binRange;
-uniform ivec2 targetSize; // pixels
+uniform ivec2 targetSize; // in pixels
 uniform ivec2 regionFirst;
 uniform ivec2 regionEnd;
 

@@ -1,4 +1,5 @@
-// The yardstick, capturing: every fragment goes to one array, with its pixel, in 32-bit float.
+// Method `truth`, fill pass: declarations for the fragment shaders of VTK's mappers. It writes every fragment to one
+// array, with its pixel, in 32-bit float.
 #include "SharedLayout.h"
 #include "FragmentCapture.glsl"
 

@@ -1,10 +1,10 @@
-  // The yardstick: capture the fragment as it is.
+  // Method `truth`, fill pass: writes the fragment unchanged.
   {
 #include "TakeFragment.glsl"
     uint vitrineAt = atomicAdd(vitrineCaptured.Fragments, 1u);
     if (vitrineAt == 0xffffffffu)
     {
-      // What comes next overwrites the first fragments. The count tells, and they are drawn again in parts.
+      // Further fragments overwrite the first ones. The count reveals that, and they are drawn again in parts.
       atomicAdd(vitrineCaptured.Wraps, 1u);
     }
     if (vitrineAt < uint(vitrineCapture.length()))

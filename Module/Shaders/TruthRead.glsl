@@ -1,10 +1,10 @@
-// Reads one sample of each pixel of the backdrop for the yardstick.
+// Method `truth`, fragment shader: reads one sample of each pixel of the backdrop and writes it to the output.
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMS source;
 #else
 uniform sampler2D source;
 #endif
-uniform int sampleNumber; // 0 of a single-sampled backdrop, which is its level
+uniform int sampleNumber; // 0 for a single-sampled backdrop, where it is the mipmap level
 
 layout(location = 0) out vec4 outColor;
 

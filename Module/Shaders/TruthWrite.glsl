@@ -1,5 +1,6 @@
-// Writes one sample of each pixel of the yardstick's picture into the target. The region is cut out here and not by the scissor
-// test, along whose edges llvmpipe loses samples of some pixels and draws samples of others outside.
+// Method `truth`, fragment shader: reads one sample of each pixel of the picture and writes it to the target. The
+// region is clipped here. The scissor test is not used, since llvmpipe then loses samples of some pixels along its
+// edges and draws samples of others outside.
 uniform sampler2D source;
 uniform ivec2 regionFirst;
 uniform ivec2 regionEnd;
