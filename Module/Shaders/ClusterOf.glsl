@@ -1,10 +1,11 @@
 // Finds the cluster of a ClusterGrid, or the cell of a WorldGrid, that contains a point. It reads the uniforms that
 // ViewGrid or WorldCells sets.
-// from VC to clip coordinates; for a WorldGrid to -1 to 1 on each axis of its cells
+
+// From VC to clip coordinates. For a WorldGrid: from VC to -1 to 1 on each axis of its cells.
 uniform mat4 vitrineToClip;
 uniform vec3 vitrineClusters; // numbers of columns, rows and slices
 uniform vec2 vitrineTileScale;
-// x and y of ClusterGrid::SliceTerms(), and the SliceLaw; a law of 3 means slices along the third axis
+// x and y of ClusterGrid::SliceTerms(), and the SliceLaw. A law of 3 means slices along the third axis.
 uniform vec3 vitrineSliceTerms;
 
 // Returns the column, row and slice of a point in view coordinates (VC), with their fractional parts.

@@ -4,8 +4,8 @@
 //
 // It reads the fragment's depth and its slope. vitrineTakeExtent() yields the near end and the extent of the interval.
 //
-// The derivatives of a written depth are undefined next to discarded pixels, as at the rims of impostors. Control flow is
-// not uniform there (GLSL 4.30, 8.13.1). The slope is then whatever the driver computes.
+// The derivatives of a written depth are undefined next to discarded pixels, as at the rims of impostors. Control flow
+// is not uniform there (GLSL 4.30, 8.13.1). The slope is then whatever the driver computes.
 
 uniform vec2 vitrineTolerance; // absolute depth, and factor of the slope
 

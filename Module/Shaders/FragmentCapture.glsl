@@ -12,7 +12,8 @@
 // VITRINE_OPAQUE_INTEGERS      the depth buffer has more bits, and is read as 32-bit integers
 // VITRINE_OPAQUE_DEPTH_LOSS l  largest loss of other depth buffers when they are sampled
 //
-// A method may rasterise into a target of its own, where hidden fragments must not reach the tests. It then defines:
+// A method may rasterise into a target of its own, where hidden fragments must not reach the tests. Before this file it
+// defines:
 // VITRINE_LATE_TESTS           the opaque depth is only compared here
 // VITRINE_PIXEL p              the pixel of the opaque depth
 // VITRINE_RASTER_DEPTH z       the rasteriser's depth at that pixel
@@ -37,7 +38,7 @@ layout(post_depth_coverage) in;
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMS vitrineOpaqueDepth;
 #elif defined(VITRINE_OPAQUE_INTEGERS)
-uniform usamplerBuffer vitrineOpaqueDepth; // row by row
+uniform usamplerBuffer vitrineOpaqueDepth; // depths in row-major order
 uniform int vitrineOpaqueWidth;
 #else
 uniform sampler2D vitrineOpaqueDepth;

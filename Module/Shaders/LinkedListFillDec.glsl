@@ -24,6 +24,6 @@ layout(std430, binding = VITRINE_BINDING_LINKS) writeonly buffer VitrineLinkBuff
 layout(location = 1) inout uvec2 vitrineHead; // newest page, number of fragments so far
 uniform int vitrinePageSize;
 #else
-// for each pixel: newest node + 1, number of fragments
+// For each pixel, in two rows: newest node + 1, number of fragments.
 layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads;
 #endif

@@ -10,8 +10,8 @@
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 
-// A run in the merge: its nearest remaining fragment, and the position of the fragment after that. The fields of `place`,
-// from the lowest bit on:
+// A run in the merge: its nearest remaining fragment, and the position of the fragment after that. The fields of
+// `place`, from the lowest bit on:
 //
 //   4 bits   slot in the page
 //   4 bits   number of nodes in the page

@@ -14,7 +14,7 @@
 #define NODE_ACCESS
 #include "RunPages.glsl"
 
-// The buffer is not read by texel, which might miss what this invocation stored.
+// Reads the buffer's words. A texel fetch might miss the nodes that this invocation stored.
 uvec4 loadNode(uint index)
 {
   uint word = index * uint(VITRINE_NODE_WORDS);

@@ -8,10 +8,10 @@
 #include "FragmentNodeStore.glsl"
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
-// start of the room, number of fragments so far and room
+// Start of the room, and in one word the number of fragments so far and the room.
 layout(location = 1) inout uvec2 vitrineHead;
 #else
-// start in one row; fragments so far and room in the next
+// The same two words, in two rows.
 layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads;
 layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounterBuffer
 {

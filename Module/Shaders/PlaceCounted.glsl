@@ -4,7 +4,7 @@
 #include "PackedHeads.glsl"
 
 uniform int blocks;
-uniform uint capacity; // of the buffer, in nodes
+uniform uint capacity; // capacity of the buffer in nodes
 
 void main()
 {

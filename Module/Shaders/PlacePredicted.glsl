@@ -3,7 +3,7 @@
 // times faster than they store to images.
 #include "ScanSums.glsl"
 
-uniform int capacity; // of the buffer, in nodes
+uniform int capacity; // capacity of the buffer in nodes
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
 out uvec2 head;

@@ -32,8 +32,8 @@
 #define NO_COLOR 0u
 #endif
 
-// VITRINE_KEEP_EXTRA: if the target is multisampled, registers carry the node's last word, too. VITRINE_COINCIDENCE:
-// they always do. Of equal depths and colours, the larger word is farther.
+// VITRINE_KEEP_EXTRA   if the target is multisampled, registers carry the node's last word, too
+// VITRINE_COINCIDENCE  they always carry it; of fragments of equal depth and colour, the larger word is farther
 #if defined(VITRINE_COINCIDENCE) || (defined(VITRINE_KEEP_EXTRA) && VITRINE_SAMPLES > 0)
 #define EXTRA_MEMBER uint extra;
 #define EXCHANGE_EXTRA(a, b, s) \

@@ -1,9 +1,9 @@
-// Packed lists, compute shader: predicts the room of each pixel in the next frame. It is the longest list that this
-// frame had in the pixel's block and its eight neighbours. It reads the blocks' longest lists. It writes level 0 of the
-// sums, and beside it the room of one pixel of each block.
+// Packed lists, compute shader: predicts the room of each pixel in the next frame. The room is the longest list that
+// this frame had in the pixel's block and its eight neighbours. It reads the blocks' longest lists. It writes level 0
+// of the sums, and beside it the room of one pixel of each block.
 #include "ScanBlocks.glsl"
 
-// for each block
+// For each block.
 layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) readonly uniform uimage2D longestLists;
 
 uniform int blocks;

@@ -1,5 +1,5 @@
 // The sums of the shaders that place packed lists, for all levels in one buffer. Level 0 has the number of fragments,
-// or the predicted room, of each block. A sum of the next level is that of VITRINE_SCAN_FANOUT sums.
+// or the predicted room, of each block. A sum of the next level is that of VITRINE_SCAN_FANOUT sums of this level.
 //
 // A scan from the last level down replaces the sums by the places where blocks begin. G. E. Blelloch: Prefix Sums and
 // Their Applications, CMU-CS-90-190, 1990: a reduction up and down a tree, here of a larger arity.

@@ -34,7 +34,7 @@ void main()
   bool complete = sums.y == min(count, layers);
   bool asksNeighbours = complete && count > 0.0 && count <= layers;
 
-  vec3 failures = vec3(0.0); // of depth, parity, colour
+  vec3 failures = vec3(0.0); // failed tests of depth, parity, colour
   int end = asksNeighbours ? 9 : 0; // includes the pixel itself, which passes all tests
   for (int i = 0; i < end; ++i)
   {

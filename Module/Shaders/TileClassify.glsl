@@ -10,7 +10,7 @@ layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer CounterBuffer
 };
 
 #ifdef VITRINE_PACKED_LISTS
-// of each block of pixels
+// For each block of pixels.
 layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) writeonly uniform uimage2D longestLists;
 #endif
 

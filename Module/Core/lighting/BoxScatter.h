@@ -1,3 +1,6 @@
+/**
+ * Finds the clusters of lights by boxes, for comparison with LightScatter.h and for world grids.
+ */
 #ifndef VITRINE_CORE_LIGHTING_BOX_SCATTER_H
 #define VITRINE_CORE_LIGHTING_BOX_SCATTER_H
 

@@ -1,3 +1,6 @@
+/**
+ * The grid of clusters in the view frustum.
+ */
 #ifndef VITRINE_CORE_LIGHTING_CLUSTER_GRID_H
 #define VITRINE_CORE_LIGHTING_CLUSTER_GRID_H
 
@@ -17,7 +20,7 @@ namespace vitrine
 /** The positions of slice ends along the view. */
 enum class SliceLaw
 {
-  /** ends at near * (1 + 2 tan(theta) / rows)^k: clusters are about as deep as they are high */
+  /** Slice k ends at near * (1 + 2 tan(theta) / rows)^(k + 1): clusters are about as deep as high. */
   Exponential,
   Uniform,   ///< equal depths
   NdcUniform ///< equal steps of normalised device coordinates (NDC)

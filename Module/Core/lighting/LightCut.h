@@ -1,3 +1,6 @@
+/**
+ * Limits the ranges of lights such that the resulting error stays below a budget.
+ */
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_CUT_H
 #define VITRINE_CORE_LIGHTING_LIGHT_CUT_H
 

@@ -71,7 +71,7 @@ double LightFalloff::RangeAt(double threshold) const
     return Unbounded;
   }
   const glm::dvec3& a = this->Coefficients;
-  const double missing = this->Greatest / threshold - a.x; // of the denominator
+  const double missing = this->Greatest / threshold - a.x; // missing part of the denominator
   if (missing <= 0.0)
   {
     return 0.0;

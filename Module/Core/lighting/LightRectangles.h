@@ -1,3 +1,6 @@
+/**
+ * Rectangles of tiles that lights reach, for deferred shading by light volumes.
+ */
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_RECTANGLES_H
 #define VITRINE_CORE_LIGHTING_LIGHT_RECTANGLES_H
 

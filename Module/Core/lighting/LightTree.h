@@ -1,3 +1,6 @@
+/**
+ * Finds the lights that may be in a view.
+ */
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_TREE_H
 #define VITRINE_CORE_LIGHTING_LIGHT_TREE_H
 

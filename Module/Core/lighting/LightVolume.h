@@ -1,3 +1,6 @@
+/**
+ * The regions that lights reach, and their tests against balls and planes.
+ */
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_VOLUME_H
 #define VITRINE_CORE_LIGHTING_LIGHT_VOLUME_H
 
@@ -18,7 +21,7 @@ namespace vitrine
 struct LightVolume
 {
   glm::vec3 Position{ 0.0f };
-  /** infinity means everywhere, 0 means nowhere */
+  /** Infinity means everywhere, 0 means nowhere. */
   float Range = std::numeric_limits<float>::infinity();
   glm::vec3 Axis{ 0.0f, 0.0f, -1.0f }; ///< axis of the cone, of length 1
   float ConeAngle = 180.0f;            ///< angle from the axis in degrees; 90 or more means no cone

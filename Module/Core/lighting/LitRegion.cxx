@@ -111,7 +111,7 @@ double LitRegion::WayOut(const LightShape& cone) const
     const glm::dvec3 normal(side), axis(cone.Axis);
     const double along = glm::dot(axis, normal);
     const double aside = glm::length(glm::cross(axis, normal));
-    const double slope = along * cone.Cosine - aside * cone.Sine; // of the flattest ray
+    const double slope = along * cone.Cosine - aside * cone.Sine; // slope of the flattest ray
     if (slope > LeastSlope)
     {
       const double inside = this->Slack - glm::dot(side, glm::dvec4(cone.Position, 1.0));

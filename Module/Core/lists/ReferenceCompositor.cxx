@@ -63,8 +63,8 @@ struct Layer
   }
 };
 
-// Packs a number in [0, 65504] into an unsigned 16-bit float, rounded: 5 bits of exponent, 11 bits of mantissa.
-// `exponent` is the biased single-precision exponent at which code 0 begins.
+// Packs a number in [0, 65504] into an unsigned 16-bit float: 5 bits of exponent, 11 bits of mantissa, rounded. Code 0
+// begins at `exponent`, a biased single-precision exponent.
 std::uint64_t Packed16(float value, std::int64_t exponent)
 {
   std::uint32_t bits = 0;

@@ -1,3 +1,6 @@
+/**
+ * The reference compositor of method `truth`, and its input.
+ */
 #ifndef VITRINE_CORE_LISTS_REFERENCE_COMPOSITOR_H
 #define VITRINE_CORE_LISTS_REFERENCE_COMPOSITOR_H
 

@@ -1,3 +1,6 @@
+/**
+ * Splits a picture into bands that are drawn one after the other, if the memory is too small for all of it.
+ */
 #ifndef VITRINE_CORE_LISTS_SCREEN_BANDS_H
 #define VITRINE_CORE_LISTS_SCREEN_BANDS_H
 

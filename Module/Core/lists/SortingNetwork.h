@@ -1,3 +1,6 @@
+/**
+ * Sorting networks: their construction, their proof, and their output as GLSL.
+ */
 #ifndef VITRINE_CORE_LISTS_SORTING_NETWORK_H
 #define VITRINE_CORE_LISTS_SORTING_NETWORK_H
 

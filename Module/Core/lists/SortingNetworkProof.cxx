@@ -44,7 +44,7 @@ public:
     }
   }
 
-  // Returns the number of new vectors that applying the comparator would produce.
+  // Returns the number of vectors that joining the comparator's two groups would produce, or 0 if they are one group.
   std::size_t Cost(Comparator comparator) const
   {
     const int low = this->Group[comparator.Low];
@@ -58,7 +58,8 @@ public:
     this->Exchange(this->Sets[this->Group[comparator.Low]], comparator);
   }
 
-  // Wires outside the first group prevent its vectors from being sorted: they are zero where the group is all ones.
+  // If some wires are not in the first group, its vectors are not sorted: these wires are zero where the group is all
+  // ones.
   bool AreAllSorted() const
   {
     return this->Group.empty() || this->IsSorted(this->Sets[this->Group.front()]);

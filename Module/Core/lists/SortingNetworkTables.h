@@ -1,3 +1,6 @@
+/**
+ * Tables of the smallest known sorting networks as text.
+ */
 #ifndef VITRINE_CORE_LISTS_SORTING_NETWORK_TABLES_H
 #define VITRINE_CORE_LISTS_SORTING_NETWORK_TABLES_H
 

@@ -7,9 +7,9 @@
  * pixel pass.
  *
  * All passes use the same start values, the highest that 8 bits hold. p falls by K, the number of samples, from pass to
- * pass: pass j takes fragments j K to j K + K - 1. The decrement stops at 0, to which no pass compares. So no fragment
- * passes twice, and the final value tells the number of fragments. Sample 0, which most drivers return for a pixel,
- * starts highest: it takes the last fragment of a pass and counts farthest.
+ * pass. So pass j takes fragments j K to j K + K - 1. The decrement stops at 0, to which no pass compares. So no
+ * fragment passes twice, and the final value tells the number of fragments. Sample 0, which most drivers return for a
+ * pixel, starts highest: it takes the last fragment of a pass and counts farthest.
  */
 #ifndef VITRINE_CORE_LISTS_STENCIL_ROUTING_H
 #define VITRINE_CORE_LISTS_STENCIL_ROUTING_H

@@ -31,7 +31,7 @@ struct DeferredGrid
 {
   LightsBy By = LightsBy::Cluster;
   ClusterSettings Clusters;
-  /** largest distance in pixels between a pixel and the projection of the point that it shows */
+  /** Largest distance in pixels between a pixel and the projection of the point that it shows. */
   double PixelsAside = 0.0;
 };
 

@@ -21,8 +21,8 @@ class MarkedClusters
 {
 public:
   /**
-   * Returns nonzero marks for the clusters that contain a lit pixel. It is empty if the driver lacks OpenGL 4.3 or
-   * memory. It draws over the viewport, without visible effect, so the state must be set for that.
+   * Returns nonzero marks for the clusters that contain a lit pixel. It is empty if the driver cannot find them, as
+   * without OpenGL 4.3. It draws over the viewport, without visible effect, so the state must be set for that.
    * @param unit     the texture unit of the G-buffer
    * @param samples  the number of samples of the G-buffer; 0 without multisampling
    */

@@ -29,7 +29,7 @@ public:
   void SetUniforms(vtkShaderProgram* program) const override;
 
 private:
-  glm::dmat4 ToWorld; ///< from view coordinates
+  glm::dmat4 ToWorld; ///< from view to world coordinates
   WorldGrid Grid;
 };
 

@@ -38,7 +38,7 @@ struct vtkClusteredLightsPass::Internals
   vitrine::LightAssigner Assigner;
   vitrine::LightLists Lists;
   std::unique_ptr<vitrine::LightGrid> Grid;
-  /** the grid that statistics are about; ToldLists are its lists */
+  /** The grid of the statistics. ToldLists are its lists. */
   const vitrine::LightGrid* ToldGrid = nullptr;
   const vitrine::LightLists* ToldLists = nullptr;
   vitrine::LightBuffers Buffers;
