@@ -6,7 +6,8 @@
 #ifndef VITRINE_SHADERS_SHARED_LAYOUT_H
 #define VITRINE_SHADERS_SHARED_LAYOUT_H
 
-// Binding points of shader storage buffers, of which OpenGL 4.3 has 8. Packed lists have sums in place of links.
+// Binding points of shader storage buffers. OpenGL 4.3 guarantees 8. Packed lists bind sums where linked lists bind
+// links.
 #define VITRINE_BINDING_CLUSTERS 4
 #define VITRINE_BINDING_COUNTERS 4
 #define VITRINE_BINDING_NODES 5
@@ -14,39 +15,39 @@
 #define VITRINE_BINDING_SUMS 6
 #define VITRINE_BINDING_CAPTURE 7
 
-// Binding points of images: of heads, where atomics or compute shaders set them, and of blocks' longest lists.
+// Binding points of images: the heads, where atomics or compute shaders write them, and the longest list of each block.
 #define VITRINE_IMAGE_HEADS 0
 #define VITRINE_IMAGE_BLOCKS 1
 
-// Ends a list: no page has this number.
+// Ends a list. No page has this number.
 #define VITRINE_END 0xffffffffu
 
-// Node pool: pages of 16 successive numbers are interleaved, slot by slot, so that neighbouring pixels,
-// which take pages one after the other, write and read whole cache lines.
+// Node pool: 16 pages in a row are interleaved slot by slot. Neighbouring pixels take pages one after the other, so
+// they write and read whole cache lines.
 #define VITRINE_INTERLEAVE_SHIFT 4
 
-// Packed lists: pixels lie in the buffer by blocks of this many a side, a divisor of VITRINE_TILE_SIZE. Sums of the
-// blocks' fragments are scanned level by level, this many to one.
+// Packed lists: the buffer stores pixels by blocks of VITRINE_BLOCK_SIZE a side, which divides VITRINE_TILE_SIZE. The
+// scan adds VITRINE_SCAN_FANOUT sums into one, level by level.
 #define VITRINE_BLOCK_SIZE 4
 #define VITRINE_SCAN_FANOUT 128
 
-// A packed list's head: where its room begins, and in one word its number of fragments (high bits) and its room in
-// fragments (low bits). The largest number stands for itself and all that are larger.
+// The head of a packed list has two words: where its room begins, and its number of fragments (high bits) with its room
+// in fragments (low bits). VITRINE_LARGEST_COUNT stands for itself and all larger numbers.
 #define VITRINE_COUNT_SHIFT 16
 #define VITRINE_LARGEST_COUNT 0xffffu
 
-// Resolve: pixels are binned by the longest list in their tile of this many pixels a side.
+// Resolve: the longest list of a tile decides which program resolves its pixels. A tile has this many pixels a side.
 #define VITRINE_TILE_SIZE 16
 
-// The longest list that one network over named registers sorts. Longer ones are sorted in runs, which are merged
-// all at once; beyond that many runs of this size, runs are longer.
+// One network over named registers sorts at most VITRINE_LONGEST_NETWORK fragments. Longer lists are sorted in runs of
+// VITRINE_RUN_SIZE, which are merged all at once. Runs are longer where there would be more than VITRINE_MAX_RUNS.
 #define VITRINE_LONGEST_NETWORK 64
 #define VITRINE_RUN_SIZE 32
 #define VITRINE_RUN_GROUP 8
 #define VITRINE_MAX_RUNS 32
 
-// With a tolerance for coincidence a word holds what covers and how far: a fragment's samples in the low half, and in the
-// high half that of the 32-bit float that is the extent of its interval of depths.
+// With a tolerance for coincidence, one word of a node holds the covered samples (low half) and the extent of the
+// fragment's interval of depths (high half: the upper 16 bits of a 32-bit float).
 #define VITRINE_COVERAGE_MASK 0xffffu
 #define VITRINE_EXTENT_MASK 0xffff0000u
 #define VITRINE_COINCIDENCE_SAMPLES 16
@@ -60,74 +61,79 @@ using uint = std::uint32_t;
 #endif
 
 /**
- * Sums that may pass 2^32 are kept as two words: value = Low + 2^VITRINE_SPLIT_BITS * High, where Low sums the
- * lowest bits of the addends and High the rest of each. There is one addend a tile. With 10 bits neither word
- * wraps
- *  - Low: in the largest image there is, 32768 x 32768 or 2^22 tiles: 2^22 * (2^10 - 1) < 2^32;
- *  - High: below sums of 2^42, which is 16384 fragments in each pixel of 16384 x 16384, or 4096 in each of
- *    32768 x 32768. The addend itself stays below 2^32 below 2^24 fragments in each pixel of the tile.
+ * A sum that may pass 2^32 is split into two words: value = Low + 2^VITRINE_SPLIT_BITS * High. Low adds the lowest bits
+ * of the addends, High the rest of each. Each tile adds one addend. With 10 bits neither word wraps:
+ *  - Low: the largest image has 32768 x 32768 pixels, or 2^22 tiles, and 2^22 * (2^10 - 1) < 2^32.
+ *  - High: the limit is a sum of 2^42. That is 16384 fragments in each pixel of 16384 x 16384, or 4096 in each pixel of
+ *    32768 x 32768. The addend stays below 2^32 up to 2^24 fragments in each pixel of the tile.
  */
 #define VITRINE_SPLIT_BITS 10
 
-/** What a frame counts, std430. */
+/** The counters of a frame, std430. */
 struct VitrineCounters
 {
+  // The next free page. It counts on past the end of the pool, and wraps at 2^32.
+  uint PagesUsed;
+  uint LayersMax;     // Largest number of fragments in one pixel.
+  uint CoveredPixels; // Number of pixels with at least one fragment.
+  uint TileBins;      // Bit b is set if some tile falls into bin b.
   uint
-    PagesUsed; // the allocator: next free page; counts on past the end of the pool, even past 2^32
-  uint LayersMax;     // most fragments in one pixel
-  uint CoveredPixels; // pixels with at least one fragment
-  uint TileBins;      // bit b is set if some tile falls into bin b
-  uint PagesLow[4];   // pages that the counts ask for with pages of 1, 2, 4 and 8 nodes: split sums
+    PagesLow[4]; // Split sums of the pages that all lists need, with pages of 1, 2, 4 and 8 nodes.
   uint PagesHigh[4];
-  uint ShortPixels; // packed lists: pixels with more fragments than room for them
+  uint ShortPixels; // Packed lists: number of pixels with more fragments than room.
 };
 
-/** What the yardstick counts, std430: fragments = Fragments + 2^32 * Wraps. */
+/** The counters of truth's capture, std430. The number of fragments is Fragments + 2^32 * Wraps. */
 struct VitrineCaptureCounters
 {
-  uint Fragments; // the next free place; counts on past the end
-  uint Wraps;     // how often it passed 2^32
+  uint Fragments; // The next free place. It counts on past the end of the buffer.
+  uint Wraps;     // How often Fragments passed 2^32.
 };
 
-/** The bit of a captured fragment's pixel that says that the fragment is added to what is behind it, and hides nothing of it. */
+/** Flag in VitrineCapturedFragment::Pixel: the fragment is blended additively, and attenuates nothing behind it. */
 #define VITRINE_ADDED_FRAGMENT 0x80000000u
 
-/** A fragment as the yardstick captures it: non-premultiplied colour, window depth; std430, 32 bytes. */
+/** A fragment as truth captures it: non-premultiplied colour and window depth; std430, 32 bytes. */
 struct VitrineCapturedFragment
 {
-  uint Pixel; // y * width of the target + x, with VITRINE_ADDED_FRAGMENT or without
+  uint Pixel; // y * width of the target + x; VITRINE_ADDED_FRAGMENT may be set.
   float Depth;
   float Red;
   float Green;
   float Blue;
   float Alpha;
-  uint Coverage; // bit s: sample s is covered
-  float Extent;  // of the interval within which others coincide; 0: none does
+  uint Coverage; // Bit s is set if sample s is covered.
+  float Extent;  // Depths within this distance coincide. With 0 none does.
 };
 
-/** A light in view coordinates (VC), as VTK's shaders have it: four texels of a buffer texture, RGBA32F. The first two tell what it does not reach. */
+/**
+ * A light in view coordinates (VC), as VTK's shaders have it: four texels of a buffer texture, RGBA32F. The first two
+ * texels suffice to tell that a point is out of reach.
+ */
 struct VitrineLight
 {
   float Position[3];
-  float SquaredRange; // infinite where it has none; negative of a light that is not positional
-  float Direction[3];
   float
-    LeastCosine; // of what may be within the cone, times the direction's length; 0 or less where there is no cone
-  float Color[3];  // diffuse, times the intensity
-  float ConeAngle; // in degrees; from 90 on there is no cone
+    SquaredRange; // The largest float or infinity if there is no limit; negative if the light is not positional.
+  float Direction[3];
+  // Lower bound of the cosine between Direction and points within the cone, times the length of Direction. It is 0 or
+  // less if there is no cone.
+  float LeastCosine;
+  float Color[3];  // Diffuse colour times intensity.
+  float ConeAngle; // In degrees. From 90 on there is no cone.
   float Attenuation[3];
   float Exponent;
 };
 #define VITRINE_LIGHT_TEXELS 4
 
-/** A cluster's list: a texel of a buffer texture, RG32UI. */
+/** The list of a cluster: one texel of a buffer texture, RG32UI. */
 struct VitrineLightList
 {
-  uint First; // in the lists of all clusters
+  uint First; // Index of the first entry in the lists of all clusters.
   uint Count;
 };
 
-/** A material by Phong's formulas: three texels of a buffer texture, RGBA32F. */
+/** A material of Phong's model: three texels of a buffer texture, RGBA32F. */
 struct VitrineMaterial
 {
   float Diffuse[3];
@@ -139,18 +145,18 @@ struct VitrineMaterial
 };
 #define VITRINE_MATERIAL_TEXELS 3
 
-// The G-buffer of deferred shading: layers of four floats a pixel. The first has the place in view coordinates and what the pixel
-// shows: nothing, a surface whose colour is finished, or one to be lit by Phong's formulas or by physically based ones. Where all surfaces are of
-// one material each, lit by Phong's formulas, there are the first two layers alone.
+// The G-buffer of deferred shading has layers of four floats a pixel. The first layer holds the position in view
+// coordinates (VC) and the kind of surface (VITRINE_SHOWS_...). If every surface has one material of Phong's model,
+// only the first two layers exist.
 //
 //         x y z                        w
-// place   place                        what it shows
+// place   position                     kind of surface
 // normal  normal                       specular power, roughness, or the number of a material
-// base    diffuse colour, or albedo    factor.x, or metallic      of a finished surface: its colour
+// base    diffuse colour, or albedo    factor.x, or metallic; a finished surface has its colour here
 // gloss   specular colour, or F90      factor.y, or F0
 // own     ambient colour, or emissive  factor.z, or the strength of occlusion
 //
-// The factor is what textures multiply the lit colour with.
+// Textures multiply the lit colour by the factor.
 #define VITRINE_GBUFFER_PLACE 0
 #define VITRINE_GBUFFER_NORMAL 1
 #define VITRINE_GBUFFER_BASE 2
@@ -159,7 +165,8 @@ struct VitrineMaterial
 #define VITRINE_GBUFFER_LAYERS 5
 #define VITRINE_GBUFFER_LAYERS_OF_MATERIALS 2
 
-// What light volumes add up for a pixel of it: diffuse and specular of Phong's formulas, or the radiance of physically based ones.
+// Light volumes add up two sums a pixel: Phong's diffuse and specular light. Physically based surfaces use only the
+// first, for radiance.
 #define VITRINE_LIGHT_SUM_DIFFUSE 0
 #define VITRINE_LIGHT_SUM_SPECULAR 1
 #define VITRINE_LIGHT_SUM_LAYERS 2
@@ -168,7 +175,7 @@ struct VitrineMaterial
 #define VITRINE_SHOWS_FINISHED 1.0
 #define VITRINE_SHOWS_PHONG 2.0
 #define VITRINE_SHOWS_PHYSICAL 3.0
-#define VITRINE_SHOWS_MATERIAL 4.0 // to be lit by Phong's formulas
+#define VITRINE_SHOWS_MATERIAL 4.0 // Phong's model, with the number of a material
 
 #ifdef __cplusplus
 static_assert(sizeof(VitrineLight) == 16 * VITRINE_LIGHT_TEXELS, "texels of four floats");
@@ -186,7 +193,7 @@ static_assert(offsetof(VitrineCounters, PagesHigh) == 32, "std430 layout");
 static_assert(offsetof(VitrineCounters, ShortPixels) == 48, "std430 layout");
 static_assert(VITRINE_TILE_SIZE % VITRINE_BLOCK_SIZE == 0, "blocks lie within tiles");
 
-/** The value of a split sum. */
+/** Returns the value of a split sum. */
 constexpr std::int64_t JoinSplitSum(uint low, uint high)
 {
   return low + (std::int64_t(high) << VITRINE_SPLIT_BITS);
