@@ -44,9 +44,9 @@ struct FrameFacts
 {
   vtkRenderer* Renderer;
   const std::set<std::string>& KnownPasses; ///< classes of passes that the user has named
-  const SceneParts& Parts;                  ///< up to date if AreImagesMade
+  const SceneParts& Parts;                  ///< up to date if IsSwitchedOn and AreImagesMade
   bool IsSwitchedOn;                        ///< vtkHierarchicalSBufferCuller::GetCulling()
-  bool AreImagesMade;                       ///< what SceneParts::Update() returned
+  bool AreImagesMade;                       ///< what SceneParts::Update() returned; true if switched off
 };
 
 /** A rule for frames. It is asked only if no row above it applies. */

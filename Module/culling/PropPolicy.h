@@ -54,8 +54,8 @@ enum class PropStage
   Opacity,  ///< needs settings of an actor: what lets light through
   Surface,  ///< needs settings of an actor: how its surface is drawn
   Part,     ///< needs a part that the mapper draws
-  Hidden,   ///< for a part that was found hidden
-  Frame,    ///< asked in each frame in which the part could hide others
+  Hidden,   ///< for a part that was found hidden; asked for reasons alone (README.md)
+  Frame,    ///< for a part that could hide others in a frame; asked for reasons alone (README.md)
   Blending, ///< for a prop that VTK draws in its opaque pass
   Beside,   ///< for a prop that is blended: where it may draw
   Count

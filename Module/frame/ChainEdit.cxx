@@ -19,6 +19,7 @@
 #include "vtkVolumetricPass.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -142,7 +143,7 @@ void ChainEdit::SetPasses(vtkSequencePass* sequence, const Passes& passes)
   sequence->SetPasses(CollectionOf(passes));
 }
 
-void ChainEdit::Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after)
+bool ChainEdit::Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after)
 {
   if (!parent)
   {
@@ -158,6 +159,11 @@ void ChainEdit::Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderP
   {
     this->Undo.push_back([parent, old = PassPointer(before)] { SetDelegate(parent, old); });
   }
+  else
+  {
+    return false;
+  }
+  return true;
 }
 
 bool ChainEdit::PutTranslucentStep(vtkRenderPass* step)
@@ -167,12 +173,9 @@ bool ChainEdit::PutTranslucentStep(vtkRenderPass* step)
     return true;
   }
   const Place drawing = DrawingPlaceOf(this->RootPass);
-  const bool isKnown = TraitsOf(drawing.Pass).DrawsOpaque && TraitsOf(drawing.Pass).HasWindowPixels;
-  if (isKnown)
-  {
+  const PassTraits traits = TraitsOf(drawing.Pass);
+  return traits.DrawsOpaque && traits.HasWindowPixels &&
     this->Replace(drawing.Parent, drawing.Pass, InSequence({ drawing.Pass, step }));
-  }
-  return isKnown;
 }
 
 bool ChainEdit::PutInPlace(vtkRenderPass* step, vtkRenderPass* pass, vtkRenderPass* parent)
@@ -191,15 +194,13 @@ bool ChainEdit::PutInPlace(vtkRenderPass* step, vtkRenderPass* pass, vtkRenderPa
   const PassTraits traits = TraitsOf(pass);
   if (traits.DrawsTranslucent)
   {
-    this->Replace(parent, pass, step);
-    return true;
+    return this->Replace(parent, pass, step);
   }
   if (IsExactly<vtkDefaultPass>(pass))
   {
-    this->Replace(parent, pass,
+    return this->Replace(parent, pass,
       InSequence(
         { vtkNew<vtkOpaquePass>(), step, vtkNew<vtkVolumetricPass>(), vtkNew<vtkOverlayPass>() }));
-    return true;
   }
   return traits.Delegates.size() == 1 && this->PutInPlace(step, traits.Delegates.front(), pass);
 }
@@ -241,7 +242,8 @@ void ChainEdit::PutLights(vtkClusteredLightsPass* lights)
   }
   this->Undo.push_back([lights] { lights->SetDelegatePass(nullptr); });
   lights->SetDelegatePass(drawing.Pass);
-  this->Replace(drawing.Parent, drawing.Pass, lights);
+  [[maybe_unused]] const bool isPlaced = this->Replace(drawing.Parent, drawing.Pass, lights);
+  assert(isPlaced); // SetDelegate() knows each pass that DrawingPlaceOf() goes through.
 }
 
 }

@@ -45,7 +45,8 @@ private:
 
   bool PutInPlace(vtkRenderPass* step, vtkRenderPass* pass, vtkRenderPass* parent);
   bool PutIntoSequence(vtkRenderPass* step, vtkSequencePass* sequence);
-  void Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after);
+  /** Returns false, and changes nothing, if nobody knows how `parent` is given another delegate. */
+  bool Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after);
   void SetPasses(vtkSequencePass* sequence, const Passes& passes);
 
   vtkSmartPointer<vtkRenderPass> RootPass;

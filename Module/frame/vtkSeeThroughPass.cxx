@@ -147,6 +147,13 @@ struct vtkSeeThroughPass::Internals
   vtkWeakPointer<vtkRenderer> Renderer; ///< The renderer to which this pass is attached.
   unsigned long Observer = 0;           ///< Observer of the renderer's frames.
   bool IsLit = false; ///< The LightingPass draws, and calls this pass to draw the steps.
+
+  void TellSetAside(bool isSetAside)
+  {
+    this->SetAsideReason = isSetAside ? std::string(this->Effects->GetClassName()) +
+        " is set aside: no step for translucent geometry is known in it"
+                                      : std::string();
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -204,13 +211,8 @@ void vtkSeeThroughPass::SetEffectsPass(vtkRenderPass* chain)
     return;
   }
   in.Effects = chain;
-  in.SetAsideReason.clear();
   vtkNew<vtkSequencePass> step; // Any pass serves as the step here.
-  if (chain && !vitrine::ChainEdit(chain).PutTranslucentStep(step))
-  {
-    in.SetAsideReason = std::string(chain->GetClassName()) +
-      " is set aside: no step for translucent geometry is known in it";
-  }
+  in.TellSetAside(chain && !vitrine::ChainEdit(chain).PutTranslucentStep(step));
   this->Modified();
 }
 
@@ -349,7 +351,11 @@ bool vtkSeeThroughPass::RenderChain(const vtkRenderState* s)
   Internals& in = *this->Private;
   vitrine::ChainEdit chain(in.Effects);
   vtkNew<vtkSequencePass> nothing;
-  if (!chain.PutTranslucentStep(this->TranslucentPass ? this->TranslucentPass : nothing.Get()))
+  // The application may have changed the chain since it was set.
+  const bool hasPlace =
+    chain.PutTranslucentStep(this->TranslucentPass ? this->TranslucentPass : nothing.Get());
+  in.TellSetAside(!hasPlace);
+  if (!hasPlace)
   {
     return false;
   }

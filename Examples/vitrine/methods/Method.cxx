@@ -23,7 +23,8 @@ struct Entry
   std::string Name;
   std::string Description;
   bool IsExact;
-  std::unique_ptr<Method> (*Make)();
+  std::unique_ptr<Method> (
+    *Make)(); ///< null for a method of the module by this name, as it is by default
 };
 
 const std::string PeelingPrefix = "vtk-peeling-";
@@ -41,8 +42,7 @@ const std::vector<Entry>& Entries()
       [] { return MakeVTKPeeling(ExamplePeels); } },
     { "vtk-peeling", "vtkDualDepthPeelingPass with as many peels as it takes", false,
       [] { return MakeVTKPeeling(AnyNumberOfPeels); } },
-    { "linked-list", "A-buffer of linked lists; exact", true,
-      [] { return MakeLinkedList(Lists::HALF_FLOAT); } },
+    { "linked-list", "A-buffer of linked lists; exact", true, nullptr },
     { "linked-list-compact", "the same with two thirds of the memory; exact", true,
       [] { return MakeLinkedList(Lists::COMPACT); } },
     { "linked-list-8bit", "the same with 8-bit colours; rounds alpha", false,
@@ -69,10 +69,10 @@ const std::vector<Entry>& Entries()
     { "stencil-routed",
       "stencil routing in as many passes as it takes, each into as many samples as the driver "
       "routes; exact up to 254 layers; with -K, into 1, 2, 4, 8, 16 or 32 samples",
-      true, [] { return MakeStencilRouted(0); } },
+      true, nullptr },
     { "stencil-routed-8bit", "the same with 8-bit colours; rounds alpha", false,
       MakeStencilRoutedEightBit },
-    { "truth", "the yardstick: composited on the CPU in float64; slow", false, MakeTruth },
+    { "truth", "the yardstick: composited on the CPU in float64; slow", false, nullptr },
   };
   return entries;
 }
@@ -179,7 +179,7 @@ std::unique_ptr<Method> MakeMethod(const std::string& name)
   RequireMethod(name);
   if (const Entry* entry = FindEntry(name))
   {
-    return entry->Make();
+    return entry->Make ? entry->Make() : MakeByDefault(name);
   }
   std::unique_ptr<Method> variant = MakeVariant(name);
   return variant ? std::move(variant) : MakeVTKPeeling(ParsePeels(name));

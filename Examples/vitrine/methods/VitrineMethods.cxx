@@ -8,7 +8,6 @@
 #include "vtkStencilMaskTransparencyPass.h"
 #include "vtkStencilRoutedTransparencyPass.h"
 #include "vtkTolerantTransparencyPass.h"
-#include "vtkTruthTransparencyPass.h"
 
 namespace program
 {
@@ -54,6 +53,12 @@ std::string VitrineMethod::WhyNotRun() const
   return this->Pass->GetFallbackReason();
 }
 
+std::unique_ptr<Method> MakeByDefault(const std::string& name)
+{
+  return std::make_unique<VitrineMethod>(
+    vtkSmartPointer<vtkTransparencyPass>::Take(vtkTransparencyPass::NewMethod(name)));
+}
+
 std::unique_ptr<Method> MakeLinkedList(int storage)
 {
   auto pass = vtkSmartPointer<vtkLinkedListTransparencyPass>::New();
@@ -90,11 +95,6 @@ std::unique_ptr<Method> MakeStencilRoutedEightBit()
   auto pass = vtkSmartPointer<vtkStencilRoutedTransparencyPass>::New();
   pass->SetColorStorageToEightBit();
   return std::make_unique<VitrineMethod>(pass);
-}
-
-std::unique_ptr<Method> MakeTruth()
-{
-  return std::make_unique<VitrineMethod>(vtkSmartPointer<vtkTruthTransparencyPass>::New());
 }
 
 }

@@ -27,6 +27,9 @@ private:
   vtkSmartPointer<vtkTransparencyPass> Pass;
 };
 
+/** The module's method of this name (vtkTransparencyPass::GetMethods()) with its default settings. */
+std::unique_ptr<Method> MakeByDefault(const std::string& name);
+
 /** vtkLinkedListTransparencyPass, with colours kept by one of its ColorStorageType. */
 std::unique_ptr<Method> MakeLinkedList(int storage);
 
@@ -44,12 +47,9 @@ enum class MaskEdges
 /** vtkStencilMaskTransparencyPass with 4, 8, 9 or 16 layers. */
 std::unique_ptr<Method> MakeStencilMask(int layers, MaskEdges edges = MaskEdges::Repaired);
 
-/** vtkStencilRoutedTransparencyPass with so many samples a pass, 0 for as many as the driver routes. */
+/** vtkStencilRoutedTransparencyPass with so many samples a pass. */
 std::unique_ptr<Method> MakeStencilRouted(int samples);
 std::unique_ptr<Method> MakeStencilRoutedEightBit();
-
-/** vtkTruthTransparencyPass. */
-std::unique_ptr<Method> MakeTruth();
 
 }
 #endif

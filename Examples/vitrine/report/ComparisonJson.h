@@ -1,5 +1,5 @@
 /**
- * What commands that compare methods write for programs, as DESIGN.md fixes it.
+ * The JSON that commands which compare methods write.
  */
 #ifndef VITRINE_COMPARISON_JSON_H
 #define VITRINE_COMPARISON_JSON_H

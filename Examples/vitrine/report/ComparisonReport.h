@@ -14,7 +14,7 @@ namespace program
 /** A table, one line for each method. */
 std::string ToTable(const ComparisonResult& comparison);
 
-/** JSON as DESIGN.md fixes it: {"vitrine", "build", "device", "results"}. */
+/** JSON: {"vitrine", "build", "device", "settings", "results"}. */
 std::string ToJson(const ComparisonResult& comparison);
 
 }

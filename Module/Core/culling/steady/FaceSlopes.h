@@ -142,7 +142,7 @@ public:
   }
 
   Estimate<Number> ByColumn, ByLine;
-  Number Unsteady; ///< error of depths, as slopes are not known better
+  Number Unsteady; ///< bound of the depths' error that results from uncertain slopes
   Number Beyond;   ///< how far depths may exceed those of the corners
 
 private:

@@ -9,7 +9,7 @@ namespace vitrine
 namespace
 {
 
-// Nodes of up to so many parts, which are some leaves, are visited at once. That takes less time than to queue their
+// A node of at most so many parts is visited at once, with all of its parts. That takes less time than to queue their
 // entries.
 const std::uint32_t FewParts = 32;
 
@@ -93,7 +93,7 @@ private:
     this->Culler.Visited.push_back({ part, rectangle, this->Parts.Witness() });
   }
 
-  /** Tests the parts that show again: each was tested before all parts in front of it were inserted. */
+  /** Tests the shown parts a second time: each was tested before all parts in front of it were inserted. */
   void RetestShown()
   {
     for (const ShownPart& shown : this->Culler.Visited)
