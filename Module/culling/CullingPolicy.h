@@ -46,7 +46,7 @@ struct FrameFacts
   const std::set<std::string>& KnownPasses; ///< classes of passes that the user has named
   const SceneParts& Parts;                  ///< up to date if IsSwitchedOn and AreImagesMade
   bool IsSwitchedOn;                        ///< vtkHierarchicalSBufferCuller::GetCulling()
-  bool AreImagesMade;                       ///< what SceneParts::Update() returned; true if switched off
+  bool AreImagesMade; ///< what SceneParts::Update() returned; true if switched off
 };
 
 /** A rule for frames. It is asked only if no row above it applies. */
