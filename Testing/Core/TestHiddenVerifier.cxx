@@ -32,7 +32,7 @@ using vitrine::SBuffer;
 using vitrine::ScreenProjection;
 
 /** An s-buffer in which something hides what is farther than a depth, up to a line. */
-BandTools WallOf(float depth, int lines = FrameLines, const SampleGrid& samples = SampleGrid())
+BandTools WallToolsOf(float depth, int lines = FrameLines, const SampleGrid& samples = SampleGrid())
 {
   BandTools tools{ SBuffer(FrameColumns, FrameLines, samples) };
   for (int line = 0; line < lines; ++line)
@@ -112,10 +112,10 @@ TEST(HiddenVerifier, AsksNoFacesOfWhatLiesFarBehind)
   PartScene scene;
   const std::uint32_t box = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
   const View view = SnappingView(false, 1.0 / 256.0);
-  BandTools wall = WallOf(static_cast<float>(NearestOf(scene, box, view)) + 0.01f);
+  BandTools wall = WallToolsOf(static_cast<float>(NearestOf(scene, box, view)) + 0.01f);
   EXPECT_TRUE(StaysHidden(scene, box, wall, view));
   EXPECT_EQ(scene.Asked(), 0);
-  BandTools nothing = WallOf(1.0f, 10);
+  BandTools nothing = WallToolsOf(1.0f, 10);
   EXPECT_FALSE(StaysHidden(scene, box, nothing, view));
 }
 
@@ -124,7 +124,7 @@ TEST(HiddenVerifier, AsksNothingOfWhatIsKnownFaceByFace)
   PartScene scene;
   const std::uint32_t box = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
   const View view = SnappingView(false, 1.0 / 256.0);
-  BandTools nothing = WallOf(1.0f, 10);
+  BandTools nothing = WallToolsOf(1.0f, 10);
   nothing.States.Begin(scene.Visible);
   nothing.States.Set(box, vitrine::PartStates::AreFacesHidden);
   EXPECT_TRUE(StaysHidden(scene, box, nothing, view));
@@ -148,7 +148,7 @@ TEST(HiddenVerifier, ShowsWhatMayBeDrawnNearerThanItIs)
     const double nearest = NearestOf(scene, box, view);
     const double before = std::pow(10.0, random.Between(-6, -1));
     const double wall = std::nextafter(static_cast<float>(nearest + before), 1.0f);
-    BandTools tools = WallOf(static_cast<float>(wall));
+    BandTools tools = WallToolsOf(static_cast<float>(wall));
     const bool isHidden = StaysHidden(scene, box, tools, view);
     ++(isHidden ? hidden : shown);
     const double off = 0x1p-24 * FrameColumns;
@@ -188,7 +188,7 @@ TEST(HiddenVerifier, AsksThinFacesOneByOne)
   for (const bool isAtCentres : { false, true })
   {
     const SampleGrid samples = isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid();
-    BandTools half = WallOf(0.9f, 31, samples); // up to where y is about 2
+    BandTools half = WallToolsOf(0.9f, 31, samples); // up to where y is about 2
     EXPECT_FALSE(StaysHidden(scene, high, half, view));
     EXPECT_FALSE(StaysHidden(scene, many, half, view));
     EXPECT_FALSE(StaysHidden(scene, thousands, half, view));
@@ -204,7 +204,7 @@ TEST(HiddenVerifier, AsksThinFacesBehindWhatHidesTheirBox)
   for (const bool isAtCentres : { false, true })
   {
     BandTools wall =
-      WallOf(0.9f, FrameLines, isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid());
+      WallToolsOf(0.9f, FrameLines, isAtCentres ? SampleGrid::AtCentres(1) : SampleGrid());
     const auto staysHidden = [&](double left, double aside)
     {
       PartScene scene; // of a triangle that reaches away from the eye
@@ -236,7 +236,7 @@ TEST(HiddenVerifier, TellsTheSameOfPartsInWhateverUnits)
       const std::uint32_t box = scene.Add(coverage::BoxBetween(glm::min(low / scale, high / scale),
                                             glm::max(low / scale, high / scale)),
         glm::scale(place, glm::dvec3(scale)));
-      BandTools wall = WallOf(static_cast<float>(NearestOf(scene, box, view) + before));
+      BandTools wall = WallToolsOf(static_cast<float>(NearestOf(scene, box, view) + before));
       scene.Reach = 100.0;
       found.push_back(StaysHidden(scene, box, wall, view));
       askFaces.push_back(scene.Asked() > 0);
@@ -270,7 +270,7 @@ TEST(HiddenVerifier, TellsNoMoreOfPartsThatAreFlattened)
       const std::uint32_t box = scene.Add(
         coverage::BoxBetween(glm::dvec3(0, 0, -4) / scale, glm::dvec3(0.5, 0.7, 4) / scale),
         glm::scale(place, scale));
-      BandTools wall = WallOf(static_cast<float>(NearestOf(scene, box, view) + before));
+      BandTools wall = WallToolsOf(static_cast<float>(NearestOf(scene, box, view) + before));
       scene.Reach = 100.0;
       return StaysHidden(scene, box, wall, view);
     };
@@ -293,7 +293,7 @@ TEST(HiddenVerifier, AsksAllFacesWhereTheBoxShows)
   slope.AddQuad({ -3, 0.4, -30 }, { 3, 0.4, -30 }, { 3, 1, -60 }, { -3, 1, -60 });
   const std::uint32_t part = scene.Add(slope);
   const View view = SnappingView(false, 1.0 / 64.0);
-  BandTools wall = WallOf(0.9f, 28);
+  BandTools wall = WallToolsOf(0.9f, 28);
   EXPECT_TRUE(StaysHidden(scene, part, wall, view));
   EXPECT_EQ(scene.Asked(), 1);
   scene.Parts[part].IsOfFacesAlone = false;
@@ -318,8 +318,8 @@ TEST(HiddenVerifier, AsksForWholePixelsOfWhatIsDrawnApart)
   for (const SampleGrid& samples : { SampleGrid(), SampleGrid::InCells(1, 4) })
   {
     const int lines = static_cast<int>(std::ceil(top));
-    BandTools narrow = WallOf(depth, lines + samples.LinesPerPixel() - 1, samples);
-    BandTools wide = WallOf(depth, lines + samples.LinesPerPixel(), samples);
+    BandTools narrow = WallToolsOf(depth, lines + samples.LinesPerPixel() - 1, samples);
+    BandTools wide = WallToolsOf(depth, lines + samples.LinesPerPixel(), samples);
     scene.Parts[part].IsDrawnApart = false;
     scene.Parts[part].Lines.clear();
     EXPECT_TRUE(StaysHidden(scene, part, narrow, view));
@@ -344,8 +344,8 @@ TEST(HiddenVerifier, AsksThinFacesOneByOneOfWhatIsDrawnApart)
       return glm::dvec3(0.6 * std::cos(angle), 0.6 * std::sin(angle), 2.0 * v - 1.0);
     });
   const View view = SnappingView(false, 0.6 / 256.0);
-  BandTools whole = WallOf(1.0f, FrameLines, SampleGrid::InCells(1, 4));
-  BandTools half = WallOf(1.0f, FrameLines / 2, SampleGrid::InCells(1, 4));
+  BandTools whole = WallToolsOf(1.0f, FrameLines, SampleGrid::InCells(1, 4));
+  BandTools half = WallToolsOf(1.0f, FrameLines / 2, SampleGrid::InCells(1, 4));
   int behindWhole = 0, behindHalf = 0;
   for (int i = 0; i < 400; ++i)
   {
@@ -373,7 +373,7 @@ TEST(HiddenVerifier, ShowsThinFacesOfWhatIsDrawnApart)
   scene.Parts[part].IsDrawnApart = true;
   const View view = SnappingView(false, 1.0 / 64.0);
   const float nearest = static_cast<float>(NearestOf(scene, part, view));
-  BandTools close = WallOf(nearest + 1e-3f, FrameLines, SampleGrid::InCells(1, 4));
+  BandTools close = WallToolsOf(nearest + 1e-3f, FrameLines, SampleGrid::InCells(1, 4));
   EXPECT_FALSE(StaysHidden(scene, part, close, view)) << "its depth may be any";
 }
 
@@ -382,7 +382,7 @@ TEST(HiddenVerifier, AsksForLines)
   PartScene scene;
   const std::uint32_t part = scene.AddBox({ -1, -2, -32 }, { 2, 1, -30 });
   const View view = SnappingView(false, 1.0 / 64.0);
-  BandTools wall = WallOf(static_cast<float>(NearestOf(scene, part, view)) + 0.01f);
+  BandTools wall = WallToolsOf(static_cast<float>(NearestOf(scene, part, view)) + 0.01f);
   scene.Parts[part].Lines = { { { 0, 0, -30 }, { 1, 0, -32 } } };
   EXPECT_TRUE(StaysHidden(scene, part, wall, view));
   scene.Parts[part].Lines.push_back({ { 0, 0, -30 }, { 0, 0, -32 } });
