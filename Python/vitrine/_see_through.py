@@ -277,18 +277,18 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
     methods = [_method_of(frame) for frame in frames]
     lights = [light for light in map(_lights_of, frames) if light is not None]
     cullers = [culler for renderer in renderers for culler in _cullers_of(renderer)]
-    fragments = sum(found.GetFragmentCount() for found in methods)
+    fragments = sum(found.GetNumberOfFragments() for found in methods)
     pixels = sum(
-        found.GetFragmentCount() / found.GetLayersMean()
+        found.GetNumberOfFragments() / found.GetMeanNumberOfLayers()
         for found in methods
-        if found.GetLayersMean() > 0
+        if found.GetMeanNumberOfLayers() > 0
     )
     return Stats(
         method=", ".join(sorted({found.GetMethodName() for found in methods})),
         fragments=fragments,
-        layers_max=max(found.GetLayersMax() for found in methods),
+        layers_max=max(found.GetMaximumNumberOfLayers() for found in methods),
         layers_mean=fragments / pixels if pixels else 0.0,
-        geometry_passes=max(found.GetGeometryPasses() for found in methods),
+        geometry_passes=max(found.GetNumberOfGeometryPasses() for found in methods),
         bytes=sum(found.GetBytes() for found in methods),
         fallback_reason=_reasons(frame.GetFallbackReason() for frame in frames),
         lights=sum(light.GetNumberOfLights() for light in lights),

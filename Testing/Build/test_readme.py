@@ -69,7 +69,7 @@ int main()
   auto* pass = vtkTransparencyPass::SafeDownCast(seeThrough->GetTranslucentPass());
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkInteractorObserver* style = interactor->GetInteractorStyle();
-  std::cout << pass->GetFragmentCount() << " " << culler->GetNumberOfCulledParts() << " "
+  std::cout << pass->GetNumberOfFragments() << " " << culler->GetNumberOfCulledParts() << " "
             << (vtkTextRenderer::GetInstance() ? "text" : "no text") << " "
             << (style ? style->GetClassName() : "no style") << std::endl;
   return 0;

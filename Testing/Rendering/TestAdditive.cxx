@@ -169,8 +169,8 @@ TEST_P(Additive, LightIsSeenThroughWhatIsInFrontAlone)
       if (samples ==
         0) // where they are several, two triangles of a splat share the pixels between them
       {
-        EXPECT_EQ(pass->GetFragmentCount(), 6 * 32 * 24);
-        EXPECT_EQ(pass->GetLayersMax(), 6);
+        EXPECT_EQ(pass->GetNumberOfFragments(), 6 * 32 * 24);
+        EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 6);
       }
     }
   }
@@ -259,7 +259,7 @@ TEST_P(Additive, LightCostsAGeometryPassOnce)
   for (int& number : passes)
   {
     scene.Render();
-    number = pass->GetGeometryPasses();
+    number = pass->GetNumberOfGeometryPasses();
   }
   EXPECT_GT(passes[0], passes[1]);
   EXPECT_EQ(passes[1], passes[2]);

@@ -98,10 +98,10 @@ TEST(ClusteredLight, DoesNotDependOnTheGrid)
   }
   for (const int law : { vtkClusteredLightsPass::UNIFORM, vtkClusteredLightsPass::NDC_UNIFORM })
   {
-    const double before = scene.Lights->GetLightsPerCluster();
+    const double before = scene.Lights->GetMeanNumberOfLightsPerCluster();
     scene.Lights->SetSliceLaw(law);
     EXPECT_TRUE(Matches(scene.InClusteredLight(), expected));
-    EXPECT_NE(scene.Lights->GetLightsPerCluster(), before);
+    EXPECT_NE(scene.Lights->GetMeanNumberOfLightsPerCluster(), before);
   }
   scene.Lights->SetSliceLaw(vtkClusteredLightsPass::EXPONENTIAL);
   vtkCamera* const camera = scene.Renderer->GetActiveCamera();
@@ -125,14 +125,14 @@ TEST(ClusteredLight, IsOffByNoMoreThanTheCutOff)
     }
     scene.AddLight(LightKind::Directional, 0.2);
     const Picture exact = scene.InClusteredLight();
-    const double all = scene.Lights->GetLightsPerCluster();
+    const double all = scene.Lights->GetMeanNumberOfLightsPerCluster();
     EXPECT_EQ(all, count + 1);
     scene.Lights->SetCutOff(0.5 / 255.0);
     EXPECT_TRUE(Matches(scene.InClusteredLight(), exact, 1)); // of what is rounded
-    EXPECT_LT(scene.Lights->GetLightsPerCluster(), 0.5 * all);
+    EXPECT_LT(scene.Lights->GetMeanNumberOfLightsPerCluster(), 0.5 * all);
     scene.Lights->SetCutOff(1.0);
     scene.InClusteredLight();
-    EXPECT_LT(scene.Lights->GetLightsPerCluster(), 0.1 * all);
+    EXPECT_LT(scene.Lights->GetMeanNumberOfLightsPerCluster(), 0.1 * all);
   }
 }
 
@@ -209,8 +209,8 @@ TEST(ClusteredLight, TakesTheBytesThatItsListsTake)
   }
   scene.InClusteredLight();
   const auto roomy = [](vtkTypeInt64 bytes) { return bytes + bytes / 4; };
-  const auto numbers = static_cast<vtkTypeInt64>(
-    std::lround(scene.Lights->GetLightsPerCluster() * scene.Lights->GetNumberOfUsedClusters()));
+  const auto numbers = static_cast<vtkTypeInt64>(std::lround(
+    scene.Lights->GetMeanNumberOfLightsPerCluster() * scene.Lights->GetNumberOfUsedClusters()));
   EXPECT_GT(numbers, 100);
   EXPECT_EQ(scene.Lights->GetBytes(),
     roomy(64 * 100) + roomy(8 * scene.Lights->GetNumberOfClusters()) + roomy(2 * numbers));
@@ -321,12 +321,12 @@ TEST(ClusteredLight, IsCutByWhatBackFacesGiveBack)
   }
   scene.Lights->SetCutOff(0.05);
   scene.InClusteredLight();
-  const double before = scene.Lights->GetLightsPerCluster();
+  const double before = scene.Lights->GetMeanNumberOfLightsPerCluster();
   vtkNew<vtkProperty> back;
   back->SetDiffuseColor(20.0, 20.0, 20.0);
   scene.Parts.back()->SetBackfaceProperty(back);
   scene.InClusteredLight();
-  EXPECT_GT(scene.Lights->GetLightsPerCluster(), before);
+  EXPECT_GT(scene.Lights->GetMeanNumberOfLightsPerCluster(), before);
 }
 
 TEST(ClusteredLight, NeedsWhatDraws)

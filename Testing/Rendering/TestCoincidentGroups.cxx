@@ -208,7 +208,7 @@ TEST_P(CoincidentStorage, BandsAreTheWholePicture)
   SetTolerance(pass, Steps, 0.5);
   scene.Use(pass);
   const Picture whole = scene.Render();
-  const vtkTypeInt64 bytes = pass->GetFragmentCount() * (GetParam().NodeBytes() + 4);
+  const vtkTypeInt64 bytes = pass->GetNumberOfFragments() * (GetParam().NodeBytes() + 4);
   for (const int parts : { 3, 20 })
   {
     pass->SetMemoryLimit(bytes / parts);

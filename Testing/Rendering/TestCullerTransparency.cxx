@@ -69,8 +69,8 @@ protected:
       SCOPED_TRACE("pose " + std::to_string(pose) + " of seed 301");
       scene.Culler->CullingOn();
       const Picture culled = scene.Render();
-      const vtkTypeInt64 fragments = pass->GetFragmentCount();
-      const vtkTypeInt64 layers = pass->GetLayersMax();
+      const vtkTypeInt64 fragments = pass->GetNumberOfFragments();
+      const vtkTypeInt64 layers = pass->GetMaximumNumberOfLayers();
       const int leftOut = scene.Culler->GetNumberOfCulledParts();
       EXPECT_STREQ(pass->GetFallbackReason(), "");
       EXPECT_GE(
@@ -79,8 +79,8 @@ protected:
       const double besides = GetParam().HasGroups() ? 0.01 : 0.0;
       EXPECT_TRUE(Matches(culled, scene.Render(), 0, besides, { "culled", "plain" }));
       EXPECT_GT(fragments, 0);
-      EXPECT_EQ(fragments, pass->GetFragmentCount());
-      EXPECT_EQ(layers, pass->GetLayersMax());
+      EXPECT_EQ(fragments, pass->GetNumberOfFragments());
+      EXPECT_EQ(layers, pass->GetMaximumNumberOfLayers());
       scene.LookFromAnywhere(random);
     }
   }

@@ -102,10 +102,10 @@ TEST(DeferredLight, IsOffByNoMoreThanTheCutOff)
     scene.Deferred->SetAssignment(assignment);
     scene.Deferred->SetCutOff(0.0);
     const Picture exact = scene.InDeferredLight();
-    const double all = scene.Deferred->GetLightsPerCluster();
+    const double all = scene.Deferred->GetMeanNumberOfLightsPerCluster();
     scene.Deferred->SetCutOff(0.5 / 255.0);
     EXPECT_TRUE(Matches(scene.InDeferredLight(), exact, 1)); // of what is rounded
-    EXPECT_LT(scene.Deferred->GetLightsPerCluster(), 0.5 * all) << assignment;
+    EXPECT_LT(scene.Deferred->GetMeanNumberOfLightsPerCluster(), 0.5 * all) << assignment;
   }
 }
 
@@ -130,7 +130,7 @@ TEST(DeferredLight, IsInListsOfClustersThatShowSomething)
     scene.InDeferredLight();
     const auto clusters = static_cast<double>(scene.Deferred->GetNumberOfClusters());
     const auto used = static_cast<double>(scene.Deferred->GetNumberOfUsedClusters());
-    EXPECT_EQ(scene.Deferred->GetLightsPerCluster(), 2.0);
+    EXPECT_EQ(scene.Deferred->GetMeanNumberOfLightsPerCluster(), 2.0);
     std::vector<float> depths(61 * 47);
     scene.Window->GetZbufferData(0, 0, 60, 46, depths.data());
     const vitrine::ClusterGrid grid = GridOf(scene);

@@ -43,9 +43,9 @@ TEST_P(ExactStack, IsTheClosedForm)
     const vtkSmartPointer<vtkActor> actor = scene.AddPlates(plates, 8);
     ExpectClosedForm(scene.Render(), plates, std::max(0.6, GetParam().Tolerance * 0.5));
     EXPECT_STREQ(pass->GetFallbackReason(), "");
-    EXPECT_EQ(pass->GetLayersMax(), layers);
-    EXPECT_EQ(pass->GetFragmentCount(), layers * Width * Height);
-    EXPECT_EQ(pass->GetLayersMean(), layers);
+    EXPECT_EQ(pass->GetMaximumNumberOfLayers(), layers);
+    EXPECT_EQ(pass->GetNumberOfFragments(), layers * Width * Height);
+    EXPECT_EQ(pass->GetMeanNumberOfLayers(), layers);
     scene.Renderer->RemoveActor(actor);
   }
 }
@@ -60,15 +60,15 @@ TEST_P(ExactStack, Of4000Layers)
   const Picture picture = scene.Render();
   if (!GetParam().Keeps(4000))
   {
-    EXPECT_GT(pass->GetLostFragmentCount(), 0);
-    EXPECT_EQ(pass->GetSaturatedPixelCount(), 3 * 2);
+    EXPECT_GT(pass->GetNumberOfLostFragments(), 0);
+    EXPECT_EQ(pass->GetNumberOfSaturatedPixels(), 3 * 2);
     TakeMessages();
     return;
   }
   ExpectClosedForm(picture, plates, 0.6);
-  EXPECT_EQ(pass->GetLostFragmentCount(), 0);
-  EXPECT_EQ(pass->GetLayersMax(), 4000);
-  EXPECT_EQ(pass->GetFragmentCount(), 4000 * 3 * 2);
+  EXPECT_EQ(pass->GetNumberOfLostFragments(), 0);
+  EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 4000);
+  EXPECT_EQ(pass->GetNumberOfFragments(), 4000 * 3 * 2);
 }
 
 // Lists are so long that the work on each must not grow with their square. Drivers end the loops of a shader after a
@@ -99,7 +99,7 @@ TEST_P(ExactStack, SeesThroughAnyNumberOfFaintLayers)
         scene.AddPlates(RandomPlates(layers, 1.0 / 255, 11), heights, 12);
       actor->GetProperty()->SetOpacity(1e-5);
       ExpectClosedForm(scene.Render(), { behind }, std::max(0.6, GetParam().Tolerance * 0.5) + 0.2);
-      EXPECT_EQ(pass->GetLayersMax(), layers + 1);
+      EXPECT_EQ(pass->GetMaximumNumberOfLayers(), layers + 1);
       scene.Renderer->RemoveActor(actor);
     }
   }
@@ -142,8 +142,8 @@ TEST_P(ExactStack, WithADifferentLengthInEveryColumn)
   const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
   scene.Use(pass);
   const Picture picture = scene.Render();
-  EXPECT_EQ(pass->GetLayersMax(), steps);
-  EXPECT_EQ(pass->GetFragmentCount(), steps * (steps + 1) / 2 * 2);
+  EXPECT_EQ(pass->GetMaximumNumberOfLayers(), steps);
+  EXPECT_EQ(pass->GetNumberOfFragments(), steps * (steps + 1) / 2 * 2);
   for (int x = 0; x < steps; ++x)
   {
     SCOPED_TRACE("column " + std::to_string(x));

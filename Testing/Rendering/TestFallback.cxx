@@ -40,13 +40,13 @@ TEST(DISABLED_OnALesserDriver, MethodsSaySoOnceAndDrawAsVTKDoes)
     {
       scene.Render();
       EXPECT_STREQ(pass->GetFallbackReason(), "");
-      EXPECT_GT(pass->GetFragmentCount(), 0);
+      EXPECT_GT(pass->GetNumberOfFragments(), 0);
       continue;
     }
     for (int frame = 0; frame < 3; ++frame)
     {
       EXPECT_TRUE(Matches(scene.Render(), byVTK));
-      EXPECT_EQ(pass->GetGeometryPasses(), 1);
+      EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
       EXPECT_EQ(pass->GetNumberOfRenderedProps(), 2);
     }
     ExpectRefusal(pass, lacks);

@@ -113,7 +113,7 @@ TEST_P(Hostile, PositionsDisturbNothingElse)
     const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
     scene.Use(pass);
     ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.75);
-    EXPECT_EQ(pass->GetFragmentCount(), layers * 12 * 10);
+    EXPECT_EQ(pass->GetNumberOfFragments(), layers * 12 * 10);
   }
 }
 
@@ -137,9 +137,9 @@ TEST_P(Hostile, NothingToDraw)
     { { { -1.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } } }, { 1.0, 0.0, 0.0, 0.5 });
   scene.AddRectangle(-1.0, -1.0, 1.0, 1.0, 7.0, { 1.0, 0.0, 0.0, 0.5 }); // behind the camera
   EXPECT_EQ(UniformColor(scene.Render()), TestBackground);               // no area
-  EXPECT_EQ(pass->GetFragmentCount(), 0);
-  EXPECT_EQ(pass->GetLayersMax(), 0);
-  EXPECT_EQ(pass->GetLayersMean(), 0.0);
+  EXPECT_EQ(pass->GetNumberOfFragments(), 0);
+  EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 0);
+  EXPECT_EQ(pass->GetMeanNumberOfLayers(), 0.0);
 }
 
 // Behind opaque geometry that covers everything there is nothing, either.

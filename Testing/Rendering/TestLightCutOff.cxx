@@ -60,7 +60,7 @@ struct CutScene : DeferredScene
     EXPECT_GT(
       LargestDifference(exact, Floats(exact.size(), exact[0])), 2.0 * Bound); // there is light
     double largest = LargestDifference(exact, this->Draw(this->Lights, Bound));
-    EXPECT_LT(this->Lights->GetLightsPerCluster(), this->Lights->GetNumberOfLights());
+    EXPECT_LT(this->Lights->GetMeanNumberOfLightsPerCluster(), this->Lights->GetNumberOfLights());
     this->Lights->SetGridSpace(vtkClusteredLightsPass::WORLD);
     largest = std::max(largest, LargestDifference(exact, this->Draw(this->Lights, Bound)));
     for (const int assignment : DeferredAssignments)

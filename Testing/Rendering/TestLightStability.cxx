@@ -165,7 +165,7 @@ TEST(StableLights, AreAllThereWhereManyAreInOneCluster)
     }
     scene.Renderer->AddLight(seen);
     scene.ExpectFrames(expected, 0);
-    EXPECT_EQ(scene.Lights->GetMaximumLightsPerCluster(), faint + 1);
+    EXPECT_EQ(scene.Lights->GetMaximumNumberOfLightsPerCluster(), faint + 1);
   }
 }
 
@@ -405,7 +405,7 @@ TEST(StableLights, DoNotPopWhileTheCameraTurns)
     scene.Camera()->Azimuth(1.5);
     scene.Camera()->Elevation(0.5);
     scene.ExpectFrames(scene.InVTKsLight(), 1);
-    EXPECT_LT(scene.Lights->GetLightsPerCluster(), 0.8 * 13);
+    EXPECT_LT(scene.Lights->GetMeanNumberOfLightsPerCluster(), 0.8 * 13);
   }
 }
 

@@ -22,8 +22,8 @@ protected:
   void ExpectWholeInBands(TestScene& scene, const Picture& whole, std::vector<int> parts)
   {
     const vtkTypeInt64 bytes = this->Pass->GetPoolBytes();
-    const vtkTypeInt64 fragments = this->Pass->GetFragmentCount();
-    const vtkTypeInt64 layers = this->Pass->GetLayersMax();
+    const vtkTypeInt64 fragments = this->Pass->GetNumberOfFragments();
+    const vtkTypeInt64 layers = this->Pass->GetMaximumNumberOfLayers();
     for (const int part : parts)
     {
       SCOPED_TRACE("a limit of 1/" + std::to_string(part));
@@ -33,14 +33,14 @@ protected:
         EXPECT_TRUE(Matches(scene.Render(), whole));
         EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
         EXPECT_GT(this->Pass->GetNumberOfBands(), 1);
-        EXPECT_GT(this->Pass->GetGeometryPasses(), this->Pass->GetNumberOfBands());
+        EXPECT_GT(this->Pass->GetNumberOfGeometryPasses(), this->Pass->GetNumberOfBands());
         EXPECT_LE(this->Pass->GetPoolBytes(), bytes / part);
       }
       this->Pass->SetMemoryLimit(0);
       EXPECT_TRUE(Matches(scene.Render(), whole));
       EXPECT_EQ(this->Pass->GetNumberOfBands(), 1);
-      EXPECT_EQ(this->Pass->GetFragmentCount(), fragments);
-      EXPECT_EQ(this->Pass->GetLayersMax(), layers);
+      EXPECT_EQ(this->Pass->GetNumberOfFragments(), fragments);
+      EXPECT_EQ(this->Pass->GetMaximumNumberOfLayers(), layers);
     }
   }
 
@@ -121,7 +121,7 @@ TEST_P(Memory, FollowsAZoomInTheSameFrame)
     SCOPED_TRACE(scale);
     scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
     ExpectTruth(scene, this->Pass, 2.5);
-    EXPECT_LE(this->Pass->GetGeometryPasses(), 2);
+    EXPECT_LE(this->Pass->GetNumberOfGeometryPasses(), 2);
   }
 }
 
@@ -147,7 +147,7 @@ TEST_P(Memory, IsGivenBackAfterAWhileAndNotBefore)
     scene.Render();
   }
   EXPECT_LT(this->Pass->GetPoolBytes(), large / 2);
-  EXPECT_GE(this->Pass->GetPoolBytes(), this->Pass->GetFragmentCount() * 8);
+  EXPECT_GE(this->Pass->GetPoolBytes(), this->Pass->GetNumberOfFragments() * 8);
   ExpectTruth(scene, this->Pass, 3.0);
 }
 

@@ -69,21 +69,21 @@ TEST_P(MemoryPool, GrowsWithinAFrame)
   scene.AddPlates(RandomPlates(8, 0.3, 1), 2);
   const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
   ExpectTruth(scene, pass, 2.0);
-  EXPECT_EQ(pass->GetGeometryPasses(), 2); // the pool was empty
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2); // the pool was empty
   EXPECT_EQ(pass->GetNumberOfBands(), 1);
   for (int frame = 0; frame < 3; ++frame)
   {
     scene.Render();
-    EXPECT_EQ(pass->GetGeometryPasses(), 1);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
   }
 
   const vtkTypeInt64 before = pass->GetPoolBytes();
   scene.AddPlates(RandomPlates(80, 0.05, 3), 4);
   ExpectTruth(scene, pass, 2.0);
-  EXPECT_EQ(pass->GetGeometryPasses(), 2);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2);
   EXPECT_GT(pass->GetPoolBytes(), 8 * before);
   scene.Render();
-  EXPECT_EQ(pass->GetGeometryPasses(), 1);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
 }
 
 TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
@@ -95,9 +95,9 @@ TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
   const vtkSmartPointer<vtkLinkedListTransparencyPass> unlimited = this->MakePass();
   scene.Use(unlimited);
   const Picture expected = scene.Render();
-  const vtkTypeInt64 fragments = unlimited->GetFragmentCount();
+  const vtkTypeInt64 fragments = unlimited->GetNumberOfFragments();
   ASSERT_GT(fragments, 8 * Width * Height);
-  ASSERT_EQ(unlimited->GetLayersMax(), 9);
+  ASSERT_EQ(unlimited->GetMaximumNumberOfLayers(), 9);
 
   const vtkTypeInt64 needed = this->LeastBytes(8, Width * Height, fragments);
   const vtkTypeInt64 step = Granule * this->PageBytes();
@@ -124,15 +124,15 @@ TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
     EXPECT_TRUE(Matches(scene.Render(), expected));
     EXPECT_GE(pass->GetNumberOfBands(), c.BandsMin);
     EXPECT_LE(pass->GetNumberOfBands(), c.BandsMax);
-    EXPECT_EQ(
-      pass->GetGeometryPasses(), pass->GetNumberOfBands() == 1 ? 2 : 1 + pass->GetNumberOfBands());
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(),
+      pass->GetNumberOfBands() == 1 ? 2 : 1 + pass->GetNumberOfBands());
     for (int frame = 1; frame < 3; ++frame)
     {
       EXPECT_STREQ(pass->GetFallbackReason(), "");
       EXPECT_LE(pass->GetPoolBytes(), c.Limit);
-      EXPECT_EQ(pass->GetFragmentCount(), fragments);
-      EXPECT_EQ(pass->GetLayersMax(), 9);
-      EXPECT_DOUBLE_EQ(pass->GetLayersMean(), double(fragments) / (Width * Height));
+      EXPECT_EQ(pass->GetNumberOfFragments(), fragments);
+      EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 9);
+      EXPECT_DOUBLE_EQ(pass->GetMeanNumberOfLayers(), double(fragments) / (Width * Height));
       // Its pages may have another size from now on.
       EXPECT_TRUE(Matches(scene.Render(), expected)) << "frame " << frame;
     }
@@ -163,9 +163,9 @@ TEST_P(MemoryPool, SettlesCloseToTheNeed)
   {
     scene.Render();
   }
-  const double plain = static_cast<double>(pass->GetFragmentCount()) * (this->NodeBytes() + 4);
+  const double plain = static_cast<double>(pass->GetNumberOfFragments()) * (this->NodeBytes() + 4);
   EXPECT_LE(pass->GetPoolBytes(), 1.3 * plain);
-  EXPECT_GE(pass->GetPoolBytes(), pass->GetFragmentCount() * this->NodeBytes());
+  EXPECT_GE(pass->GetPoolBytes(), pass->GetNumberOfFragments() * this->NodeBytes());
   EXPECT_GT(pass->GetBytes(), pass->GetPoolBytes());
 }
 
@@ -186,7 +186,7 @@ TEST_P(MemoryPool, HoldsStillWhereTheUseSwings)
     previous = pass->GetPoolBytes();
     if (frame > 0)
     {
-      EXPECT_EQ(pass->GetGeometryPasses(), 1) << "frame " << frame;
+      EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1) << "frame " << frame;
     }
   }
   EXPECT_LE(changes, 2);

@@ -159,16 +159,17 @@ Picture ExpectTruth(TestScene& scene, vtkTransparencyPass* pass, double toleranc
   scene.Use(truth);
   scene.Render();
   EXPECT_STREQ(truth->GetFallbackReason(), "");
-  EXPECT_GT(truth->GetFragmentCount(), 0);
+  EXPECT_GT(truth->GetNumberOfFragments(), 0);
 
   scene.Use(pass);
   const Picture picture = scene.Render();
   EXPECT_STREQ(pass->GetFallbackReason(), "");
   const double slack = besides > 0.0 ? 0.05 : 0.0;
-  const auto fragments = static_cast<double>(truth->GetFragmentCount());
-  EXPECT_NEAR(static_cast<double>(pass->GetFragmentCount()), fragments, slack * fragments);
-  EXPECT_EQ(pass->GetLayersMax(), truth->GetLayersMax());
-  EXPECT_NEAR(pass->GetLayersMean(), truth->GetLayersMean(), slack * truth->GetLayersMean());
+  const auto fragments = static_cast<double>(truth->GetNumberOfFragments());
+  EXPECT_NEAR(static_cast<double>(pass->GetNumberOfFragments()), fragments, slack * fragments);
+  EXPECT_EQ(pass->GetMaximumNumberOfLayers(), truth->GetMaximumNumberOfLayers());
+  EXPECT_NEAR(pass->GetMeanNumberOfLayers(), truth->GetMeanNumberOfLayers(),
+    slack * truth->GetMeanNumberOfLayers());
   EXPECT_LE(DistanceFromTruth(picture, truth->GetResult(), besides), tolerance);
   return picture;
 }

@@ -99,7 +99,7 @@ TEST_P(Multisampling, OneLayerIsAsVTKBlendsIt)
   const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
   scene.Use(pass);
   EXPECT_TRUE(Matches(scene.Render(), expected, 1));
-  EXPECT_EQ(pass->GetLayersMax(), 1);
+  EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 1);
 }
 
 TEST_P(Multisampling, OpaqueEdgesStayAntialiased)
@@ -191,7 +191,7 @@ TEST_P(MultisamplingBands, AreTheWholePicture)
   scene.Use(pass);
   const Picture whole = scene.Render();
   EXPECT_EQ(pass->GetNumberOfBands(), 1);
-  const vtkTypeInt64 bytes = pass->GetFragmentCount() * 12; // at least, with their coverage
+  const vtkTypeInt64 bytes = pass->GetNumberOfFragments() * 12; // at least, with their coverage
   for (const int parts : { 3, 5, 8, 20, 60 })
   {
     SCOPED_TRACE(parts);

@@ -36,7 +36,7 @@ vtkTypeInt64 FragmentsOfTruth(TestScene& scene)
   vtkNew<vtkTruthTransparencyPass> truth;
   scene.Use(truth);
   scene.Render();
-  return truth->GetFragmentCount();
+  return truth->GetNumberOfFragments();
 }
 
 // How far the far plane is behind the oblique one: depths close to 1, halfway, and close to 0.

@@ -292,7 +292,7 @@ protected:
     EXPECT_TRUE(Matches(scene.Render(), expected)); // finds everything there
     EXPECT_EQ(checking->Frames, 2);
     EXPECT_STREQ(pass->GetFallbackReason(), "");
-    EXPECT_GT(pass->GetFragmentCount(), 0);
+    EXPECT_GT(pass->GetNumberOfFragments(), 0);
   }
 };
 

@@ -146,7 +146,7 @@ TEST_P(AmbientOcclusion, IsOfWhatIsOpaque)
       {
         const Picture picture = scene.Render();
         EXPECT_STREQ(pass->GetFallbackReason(), "");
-        EXPECT_EQ(pass->GetFragmentCount(), 5 * 64 * 48);
+        EXPECT_EQ(pass->GetNumberOfFragments(), 5 * 64 * 48);
         // The occlusion is known to half a step.
         EXPECT_LE(DistanceFromOccluded(picture, CompositePlates(plates, White), opaque),
           GetParam().Tolerance + 0.5);
@@ -169,7 +169,7 @@ TEST_P(AmbientOcclusion, AroundPartsIsThatAroundTruth)
       vtkNew<vtkTruthTransparencyPass> truth;
       scene.Renderer->SetPass(OccludedAround(delegate, truth));
       const Picture expected = scene.Render();
-      EXPECT_GT(truth->GetFragmentCount(), 0);
+      EXPECT_GT(truth->GetNumberOfFragments(), 0);
       const vtkSmartPointer<vtkTransparencyPass> pass = GetParam().Make();
       scene.Renderer->SetPass(OccludedAround(delegate, pass));
       const Picture picture = scene.Render();
@@ -348,7 +348,7 @@ protected:
     {
       this->Scene.Render();
       EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
-      EXPECT_EQ(this->Pass->GetFragmentCount(), 5 * 16 * 16);
+      EXPECT_EQ(this->Pass->GetNumberOfFragments(), 5 * 16 * 16);
       const Picture& color = this->Scene.Marking->Color;
       const Rgba& behind = this->Scene.Rectangle->GetVisibility() ? White : TestBackground;
       ExpectColor(color.At(3, 8), CompositePlates(plates, behind), GetParam().Tolerance);

@@ -63,8 +63,8 @@ TEST_P(PrefixSum, CountedFramesTakeTwoGeometryPassesAndNoMoreMemoryThanFragments
   ExpectTruth(scene, pass, 1.4);
   for (int frame = 0; frame < 3; ++frame)
   {
-    EXPECT_EQ(pass->GetGeometryPasses(), 2);
-    EXPECT_EQ(pass->GetPoolBytes(), pass->GetFragmentCount() * this->NodeBytes());
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2);
+    EXPECT_EQ(pass->GetPoolBytes(), pass->GetNumberOfFragments() * this->NodeBytes());
     scene.Render();
   }
 }
@@ -75,11 +75,11 @@ TEST_P(PrefixSum, PredictedFramesTakeOneGeometryPassOnceOneWasCounted)
   AddSpheres(scene);
   const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
   const Picture counted = ExpectTruth(scene, pass, 1.4);
-  EXPECT_EQ(pass->GetGeometryPasses(), 2);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2);
   for (int frame = 0; frame < 3; ++frame)
   {
     EXPECT_TRUE(Matches(scene.Render(), counted));
-    EXPECT_EQ(pass->GetGeometryPasses(), 1);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
   }
 }
 
@@ -94,7 +94,7 @@ TEST_P(PrefixSum, SmallMovesAreFollowedInOneGeometryPass)
   {
     scene.Renderer->GetActiveCamera()->Elevation(0.5);
     ExpectTruth(scene, pass, 1.4);
-    EXPECT_EQ(pass->GetGeometryPasses(), 1) << "frame " << frame;
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1) << "frame " << frame;
   }
 }
 
@@ -113,11 +113,11 @@ TEST_P(PrefixSum, NothingIsExpectedOfOtherWindowsAndViewports)
     const Picture expected = scene.Render();
     scene.Use(pass);
     EXPECT_TRUE(Matches(scene.Render(), expected, 1));
-    EXPECT_EQ(pass->GetGeometryPasses(), 2);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2);
   }
   scene.Window->SetSize(Height, Width);
   ExpectTruth(scene, pass, 1.4);
-  EXPECT_EQ(pass->GetGeometryPasses(), 2);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2);
 }
 
 // A limit between what the fragments take and what is to be expected: such frames are counted.
@@ -127,12 +127,12 @@ TEST_P(PrefixSum, ExpectationsKeepTheLimit)
   AddSpheres(scene);
   const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
   const Picture whole = ExpectTruth(scene, pass, 1.4);
-  const vtkTypeInt64 needed = pass->GetFragmentCount() * this->NodeBytes();
+  const vtkTypeInt64 needed = pass->GetNumberOfFragments() * this->NodeBytes();
   pass->SetMemoryLimit(needed);
   for (int frame = 0; frame < 3; ++frame)
   {
     EXPECT_TRUE(Matches(scene.Render(), whole));
-    EXPECT_EQ(pass->GetGeometryPasses(), 2);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 2);
     EXPECT_EQ(pass->GetNumberOfBands(), 1);
     EXPECT_LE(pass->GetPoolBytes(), needed);
   }
@@ -145,7 +145,7 @@ TEST_P(PrefixSum, LimitsAreKeptInBands)
   scene.AddPlates(RandomPlates(90, 0.02, 5), 6);
   const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
   const Picture whole = ExpectTruth(scene, pass, 3.0);
-  const vtkTypeInt64 needed = pass->GetFragmentCount() * this->NodeBytes();
+  const vtkTypeInt64 needed = pass->GetNumberOfFragments() * this->NodeBytes();
   for (const int part : { 2, 7, 40 })
   {
     SCOPED_TRACE(part);
@@ -156,7 +156,7 @@ TEST_P(PrefixSum, LimitsAreKeptInBands)
       EXPECT_STREQ(pass->GetFallbackReason(), "");
       EXPECT_GE(pass->GetNumberOfBands(), part);
       EXPECT_LE(pass->GetPoolBytes(), pass->GetMemoryLimit());
-      EXPECT_EQ(pass->GetGeometryPasses(), 1 + pass->GetNumberOfBands());
+      EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1 + pass->GetNumberOfBands());
     }
   }
 }
@@ -253,7 +253,7 @@ TEST_P(PrefixSum, FewerFragmentsThanCountedAreNoMatter)
   scene.Render();
   plate->VisibilityOff();
   ExpectTruth(scene, pass, 1.4);
-  EXPECT_EQ(pass->GetGeometryPasses(), 1);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
 }
 
 TEST_P(PrefixSum, RefusesMoreFragmentsInAPixelThanHeadsCount)

@@ -327,7 +327,7 @@ TEST_P(Props, InOneLayerAreAsVTKBlendsThem)
     const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
     scene.Use(pass);
     const Picture picture = scene.Render();
-    if (pass->GetLayersMax() == 1)
+    if (pass->GetMaximumNumberOfLayers() == 1)
     {
       EXPECT_TRUE(Matches(picture, expected, 1, method.EdgeShare));
     }

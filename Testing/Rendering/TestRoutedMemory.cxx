@@ -87,21 +87,21 @@ TEST(StencilRoutedMemory, GrowsWithinTheFrameAndShrinksAfterMany)
   scene.AddPlate(0.9, { 0.2, 0.4, 0.6, 0.5 });
   scene.Render();
   const vtkTypeInt64 small = pass->GetBytes();
-  EXPECT_EQ(pass->GetGeometryPasses(), 1);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
 
   const vtkSmartPointer<vtkActor> stack = scene.AddPlates(RandomPlates(40, 0.1, 3), 4);
   const Picture first = scene.Render();
-  EXPECT_EQ(pass->GetGeometryPasses(), 41 + 1);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 41 + 1);
   EXPECT_GE(pass->GetBytes(), small + 39 * 64 * 48 * 12);
   EXPECT_LE(pass->GetBytes(), small + 1.3 * 40 * 64 * 48 * 12);
   EXPECT_TRUE(Matches(scene.Render(), first));
-  EXPECT_EQ(pass->GetGeometryPasses(), 41);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 41);
 
   scene.Renderer->RemoveActor(stack);
   for (int frame = 0; frame < 40; ++frame)
   {
     scene.Render();
-    EXPECT_EQ(pass->GetGeometryPasses(), 1);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
   }
   EXPECT_EQ(pass->GetBytes(), small);
 }

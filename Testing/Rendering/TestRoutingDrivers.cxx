@@ -145,10 +145,10 @@ void ExpectExactStack(
     ASSERT_STREQ(pass->GetFallbackReason(), "");
     ExpectColor(color, CompositePlates(plates, TestBackground), tolerance);
   }
-  EXPECT_EQ(pass->GetLayersMax(), layers);
-  EXPECT_EQ(pass->GetFragmentCount(), layers * Width * Height);
-  EXPECT_EQ(pass->GetLostFragmentCount(), 0);
-  EXPECT_EQ(pass->GetGeometryPasses(), (layers + perPass - 1) / perPass);
+  EXPECT_EQ(pass->GetMaximumNumberOfLayers(), layers);
+  EXPECT_EQ(pass->GetNumberOfFragments(), layers * Width * Height);
+  EXPECT_EQ(pass->GetNumberOfLostFragments(), 0);
+  EXPECT_EQ(pass->GetNumberOfGeometryPasses(), (layers + perPass - 1) / perPass);
   scene.Renderer->RemoveActor(stack);
 }
 

@@ -87,8 +87,8 @@ int ExpectFallbackOnce(TestScene& scene, vtkTransparencyPass* pass, const Pictur
       [](const std::string& m) { return m.find("cannot draw here") != std::string::npos; });
     EXPECT_EQ(said, frame == 0 ? 1 : 0);
     EXPECT_EQ(messages.empty(), frame > 0); // VTK says what the driver says
-    EXPECT_TRUE(frame == 0 || pass->GetGeometryPasses() == 1);
-    geometryPasses = std::max(geometryPasses, pass->GetGeometryPasses());
+    EXPECT_TRUE(frame == 0 || pass->GetNumberOfGeometryPasses() == 1);
+    geometryPasses = std::max(geometryPasses, pass->GetNumberOfGeometryPasses());
   }
   EXPECT_EQ(RejectedShader::Rejections, 1);
   return geometryPasses;

@@ -88,7 +88,7 @@ TEST(Lighting, OfOneLayerIsVTKs)
         EXPECT_TRUE(
           Matches(scene.Render(), expected, method.Name == "Truth" ? 0 : 1, method.EdgeShare))
           << method.Name;
-        EXPECT_EQ(pass->GetLayersMax(), 1);
+        EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 1);
       }
     }
   }
@@ -135,7 +135,7 @@ TEST(Images, HideNothingInAnyOrder)
       SCOPED_TRACE(method.Name + (imageFirst ? ", image first" : ""));
       ExpectColor(
         UniformColor(scene.Render()), CompositePlates(plates, TestBackground), method.Tolerance);
-      EXPECT_EQ(pass->GetFragmentCount(), 3 * Width * Height);
+      EXPECT_EQ(pass->GetNumberOfFragments(), 3 * Width * Height);
     }
   }
 }
@@ -160,7 +160,7 @@ TEST(PropertyKeys, ThatAskForDepthToBeWrittenHideNothing)
     SCOPED_TRACE(method.Name);
     ExpectColor(
       UniformColor(scene.Render()), CompositePlates(plates, TestBackground), method.Tolerance);
-    EXPECT_EQ(pass->GetFragmentCount(), 5 * Width * Height);
+    EXPECT_EQ(pass->GetNumberOfFragments(), 5 * Width * Height);
   }
   EXPECT_EQ(actors[0]->GetPropertyKeys()->Get(vtkOpenGLActor::GLDepthMaskOverride()), 1);
 }

@@ -99,7 +99,7 @@ TEST_P(SharedPool, SettlesOnWhatTheViewTakes)
   const int changes = this->Changes(80);
   EXPECT_GE(changes, 1);
   EXPECT_LE(changes, 3);
-  const double plain = static_cast<double>(this->Pass->GetFragmentCount()) * 16;
+  const double plain = static_cast<double>(this->Pass->GetNumberOfFragments()) * 16;
   EXPECT_LE(this->Pass->GetPoolBytes(), std::max(1.3 * plain, static_cast<double>(large) / 20.0));
 }
 

@@ -38,10 +38,10 @@ TEST_P(StencilMask, KeepsUpToItsNumberOfLayers)
     scene.Use(this->Pass);
     ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.75);
     EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
-    EXPECT_EQ(this->Pass->GetLayersMax(), layers);
-    EXPECT_EQ(this->Pass->GetFragmentCount(), layers * Width * Height);
-    EXPECT_EQ(this->Pass->GetLostFragmentCount(), 0);
-    EXPECT_EQ(this->Pass->GetSaturatedPixelCount(), 0);
+    EXPECT_EQ(this->Pass->GetMaximumNumberOfLayers(), layers);
+    EXPECT_EQ(this->Pass->GetNumberOfFragments(), layers * Width * Height);
+    EXPECT_EQ(this->Pass->GetNumberOfLostFragments(), 0);
+    EXPECT_EQ(this->Pass->GetNumberOfSaturatedPixels(), 0);
   }
 }
 
@@ -60,8 +60,8 @@ TEST_P(StencilMask, KeepsTheFirstAndSaysHowManyWereLost)
     scene.Use(this->Pass);
     const std::vector<Rgba> nearest(plates.begin(), plates.begin() + GetParam());
     ExpectColor(UniformColor(scene.Render()), CompositePlates(nearest, TestBackground), 0.6);
-    EXPECT_EQ(this->Pass->GetLostFragmentCount(), (layers - GetParam()) * Width * Height);
-    EXPECT_EQ(this->Pass->GetSaturatedPixelCount(), 0);
+    EXPECT_EQ(this->Pass->GetNumberOfLostFragments(), (layers - GetParam()) * Width * Height);
+    EXPECT_EQ(this->Pass->GetNumberOfSaturatedPixels(), 0);
   }
 }
 
@@ -77,9 +77,9 @@ TEST_P(StencilMask, LetsNoFragmentPassTwice)
     scene.Use(this->Pass);
     const std::vector<Rgba> first(GetParam(), plate);
     ExpectColor(UniformColor(scene.Render()), CompositePlates(first, TestBackground), 1.4);
-    EXPECT_EQ(this->Pass->GetSaturatedPixelCount(), Width * Height);
-    EXPECT_LE(this->Pass->GetLostFragmentCount(), (layers - GetParam()) * Width * Height);
-    EXPECT_GE(this->Pass->GetLostFragmentCount(), (240 - GetParam()) * Width * Height);
+    EXPECT_EQ(this->Pass->GetNumberOfSaturatedPixels(), Width * Height);
+    EXPECT_LE(this->Pass->GetNumberOfLostFragments(), (layers - GetParam()) * Width * Height);
+    EXPECT_GE(this->Pass->GetNumberOfLostFragments(), (240 - GetParam()) * Width * Height);
   }
 }
 
@@ -99,8 +99,8 @@ TEST_P(StencilMask, DoesNotCountWhatOpaqueGeometryHides)
   }
   scene.Use(this->Pass);
   ExpectColor(UniformColor(scene.Render()), CompositePlates(visible, { 0.4, 0.4, 0.8, 1.0 }), 1.4);
-  EXPECT_EQ(this->Pass->GetLayersMax(), GetParam());
-  EXPECT_EQ(this->Pass->GetLostFragmentCount(), 0);
+  EXPECT_EQ(this->Pass->GetMaximumNumberOfLayers(), GetParam());
+  EXPECT_EQ(this->Pass->GetNumberOfLostFragments(), 0);
 }
 
 // Not the larger target's places but the pixels' centres are shaded: gradients come out as truth has them.

@@ -105,15 +105,15 @@ TEST_P(StencilRouted, IsExactUpToTheReachOfTheStencil)
     {
       ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.6);
       EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
-      EXPECT_EQ(this->Pass->GetLayersMax(), layers);
-      EXPECT_EQ(this->Pass->GetFragmentCount(), layers * Width * Height);
-      EXPECT_EQ(this->Pass->GetLayersMean(), layers);
-      EXPECT_EQ(this->Pass->GetLostFragmentCount(), 0);
-      EXPECT_EQ(this->Pass->GetSaturatedPixelCount(), 0);
+      EXPECT_EQ(this->Pass->GetMaximumNumberOfLayers(), layers);
+      EXPECT_EQ(this->Pass->GetNumberOfFragments(), layers * Width * Height);
+      EXPECT_EQ(this->Pass->GetMeanNumberOfLayers(), layers);
+      EXPECT_EQ(this->Pass->GetNumberOfLostFragments(), 0);
+      EXPECT_EQ(this->Pass->GetNumberOfSaturatedPixels(), 0);
     }
     if (GetParam() > 0)
     {
-      EXPECT_EQ(this->Pass->GetGeometryPasses(), (layers + k - 1) / k);
+      EXPECT_EQ(this->Pass->GetNumberOfGeometryPasses(), (layers + k - 1) / k);
     }
   }
 }
@@ -140,9 +140,9 @@ TEST_P(StencilRouted, SaysWhatIsBeyondTheReach)
       const std::vector<Rgba> first(plates.begin(), plates.begin() + kept);
       ExpectColor(UniformColor(picture), CompositePlates(first, TestBackground), 0.75);
     }
-    EXPECT_EQ(this->Pass->GetSaturatedPixelCount(), 4 * 3);
-    EXPECT_GT(this->Pass->GetLostFragmentCount(), 0);
-    EXPECT_EQ(this->Pass->GetLayersMax(), 255);
+    EXPECT_EQ(this->Pass->GetNumberOfSaturatedPixels(), 4 * 3);
+    EXPECT_GT(this->Pass->GetNumberOfLostFragments(), 0);
+    EXPECT_EQ(this->Pass->GetMaximumNumberOfLayers(), 255);
     const std::vector<std::string> messages = TakeMessages();
     EXPECT_EQ(messages.size(), hasWarned ? 0u : 1u);
     hasWarned = true;
@@ -165,10 +165,11 @@ TEST_P(StencilRouted, KeepsWhatItsPassesTake)
   const std::vector<Rgba> first(plates.begin(), plates.begin() + kept);
   scene.Render();
   ExpectColor(UniformColor(scene.Render()), CompositePlates(first, TestBackground), 0.75);
-  EXPECT_EQ(this->Pass->GetLostFragmentCount(), (layers - kept) * Width * Height);
-  EXPECT_EQ(this->Pass->GetFragmentCount(), layers * Width * Height);
-  EXPECT_EQ(this->Pass->GetSaturatedPixelCount(), 0);
-  EXPECT_EQ(this->Pass->GetGeometryPasses(), std::min(3, (layers + GetParam() - 1) / GetParam()));
+  EXPECT_EQ(this->Pass->GetNumberOfLostFragments(), (layers - kept) * Width * Height);
+  EXPECT_EQ(this->Pass->GetNumberOfFragments(), layers * Width * Height);
+  EXPECT_EQ(this->Pass->GetNumberOfSaturatedPixels(), 0);
+  EXPECT_EQ(
+    this->Pass->GetNumberOfGeometryPasses(), std::min(3, (layers + GetParam() - 1) / GetParam()));
   EXPECT_EQ(TakeMessages().size(), kept < layers ? 1u : 0u);
 }
 
@@ -192,8 +193,8 @@ TEST_P(StencilRouted, DoesNotCountWhatOpaqueGeometryHides)
   }
   scene.Use(this->Pass);
   ExpectColor(UniformColor(scene.Render()), CompositePlates(visible, { 0.4, 0.4, 0.8, 1.0 }), 0.75);
-  EXPECT_EQ(this->Pass->GetLayersMax(), 5);
-  EXPECT_EQ(this->Pass->GetFragmentCount(), 5 * Width * Height);
+  EXPECT_EQ(this->Pass->GetMaximumNumberOfLayers(), 5);
+  EXPECT_EQ(this->Pass->GetNumberOfFragments(), 5 * Width * Height);
 }
 
 // No defects at edges: shells, lines whose width counts in pixels, and points.
@@ -224,7 +225,7 @@ TEST_P(StencilRouted, IsExactInPartOfAWindow)
   vtkNew<vtkLinkedListTransparencyPass> lists;
   scene.Use(lists);
   EXPECT_TRUE(Matches(scene.Render(), picture, 1));
-  EXPECT_EQ(lists->GetFragmentCount(), this->Pass->GetFragmentCount());
+  EXPECT_EQ(lists->GetNumberOfFragments(), this->Pass->GetNumberOfFragments());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -242,7 +243,7 @@ TEST(StencilRoutedWindows, MayChangeTheirSize)
   {
     scene.Window->SetSize(width, height);
     ExpectColor(UniformColor(scene.Render()), CompositePlates(plates, TestBackground), 0.75);
-    EXPECT_EQ(pass->GetFragmentCount(), 9 * width * height);
+    EXPECT_EQ(pass->GetNumberOfFragments(), 9 * width * height);
     EXPECT_STREQ(pass->GetFallbackReason(), "");
   }
 }

@@ -285,7 +285,7 @@ TEST_P(OwnFramebuffer, OfUnsizedDepth)
     "//VTK::Depth::Impl", true, "gl_FragDepth = gl_FragCoord.z;\n", false);
   this->Render();
   this->ExpectPlates();
-  EXPECT_EQ(this->Pass->GetFragmentCount(), 6 * 16 * 16);
+  EXPECT_EQ(this->Pass->GetNumberOfFragments(), 6 * 16 * 16);
 }
 
 TEST_P(OwnFramebuffer, OfSeveralDrawBuffersKeepsTheOthers)

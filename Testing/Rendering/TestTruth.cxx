@@ -57,7 +57,7 @@ void ExpectTruthToCountWhatIsSeen(TestScene& scene)
   scene.Use(truth);
   scene.Render();
   EXPECT_GT(seen, 0);
-  EXPECT_EQ(truth->GetSampleCount(), seen);
+  EXPECT_EQ(truth->GetNumberOfSamples(), seen);
 }
 
 class Truth : public testing::TestWithParam<int>
@@ -79,11 +79,11 @@ TEST(TruthClosedForm, PlatesInFloat)
       scene.Use(truth);
       scene.Render();
       ASSERT_STREQ(truth->GetFallbackReason(), "");
-      EXPECT_EQ(truth->GetFragmentCount(), layers * 5 * 3);
-      EXPECT_EQ(truth->GetSampleCount(), layers * 5 * 3);
-      EXPECT_EQ(truth->GetLayersMax(), layers);
-      EXPECT_DOUBLE_EQ(truth->GetLayersMean(), layers);
-      EXPECT_EQ(truth->GetGeometryPasses(), 1);
+      EXPECT_EQ(truth->GetNumberOfFragments(), layers * 5 * 3);
+      EXPECT_EQ(truth->GetNumberOfSamples(), layers * 5 * 3);
+      EXPECT_EQ(truth->GetMaximumNumberOfLayers(), layers);
+      EXPECT_DOUBLE_EQ(truth->GetMeanNumberOfLayers(), layers);
+      EXPECT_EQ(truth->GetNumberOfGeometryPasses(), 1);
 
       const Rgba expected = CompositePlates(plates, { 0.2, 0.6, 0.4, 0.2 });
       vtkImageData* result = truth->GetResult();
@@ -113,7 +113,7 @@ TEST(TruthClosedForm, FramesWithoutTranslucentGeometryHaveNoResult)
   scene.Renderer->RemoveAllViewProps();
   scene.Render();
   EXPECT_EQ(truth->GetResult(), nullptr);
-  EXPECT_EQ(truth->GetSampleCount(), 0);
+  EXPECT_EQ(truth->GetNumberOfSamples(), 0);
 }
 
 // What is drawn in parts is drawn whole: each pixel once, none left out.
@@ -128,9 +128,9 @@ TEST(TruthClosedForm, MoreFragmentsThanOneBufferHolds)
   vtkNew<vtkTruthTransparencyPass> truth;
   scene.Use(truth);
   const Picture picture = scene.Render();
-  EXPECT_GT(truth->GetGeometryPasses(), 2);
-  EXPECT_EQ(truth->GetFragmentCount(), std::int64_t(layers) * width * height);
-  EXPECT_EQ(truth->GetSampleCount(), std::int64_t(layers) * width * height);
+  EXPECT_GT(truth->GetNumberOfGeometryPasses(), 2);
+  EXPECT_EQ(truth->GetNumberOfFragments(), std::int64_t(layers) * width * height);
+  EXPECT_EQ(truth->GetNumberOfSamples(), std::int64_t(layers) * width * height);
   const Rgba color = UniformColor(picture);
   const Rgba expected = CompositePlates(plates, TestBackground);
   for (int c = 0; c < 4; ++c)
@@ -149,7 +149,7 @@ TEST_P(Truth, CountsSamplesAsAnOcclusionQueryDoes)
   vtkNew<vtkTruthTransparencyPass> truth;
   scene.Use(truth);
   scene.Render();
-  EXPECT_EQ(truth->GetSampleCount(), all);
+  EXPECT_EQ(truth->GetNumberOfSamples(), all);
 
   // An opaque rectangle in front of a part of it all, with edges that cut through pixels.
   scene.AddRectangle(-0.317, -0.513, 0.711, 0.234, 0.9, { 1.0, 1.0, 1.0, 1.0 });
@@ -158,10 +158,10 @@ TEST_P(Truth, CountsSamplesAsAnOcclusionQueryDoes)
   EXPECT_GT(seen, 0);
   scene.Use(truth);
   scene.Render();
-  EXPECT_EQ(truth->GetSampleCount(), seen);
+  EXPECT_EQ(truth->GetNumberOfSamples(), seen);
   if (GetParam() == 0)
   {
-    EXPECT_EQ(truth->GetFragmentCount(), seen);
+    EXPECT_EQ(truth->GetNumberOfFragments(), seen);
   }
 }
 

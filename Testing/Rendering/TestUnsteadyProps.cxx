@@ -91,7 +91,7 @@ TEST_P(UnsteadyProps, AreDrawnAgainWhereTheyOutgrowTheirRoom)
   this->Scene.Use(this->Pass);
   this->ExpectLayers(this->Scene.Render(), 30);
   EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
-  EXPECT_EQ(this->Pass->GetGeometryPasses(), 3);
+  EXPECT_EQ(this->Pass->GetNumberOfGeometryPasses(), 3);
 }
 
 TEST_P(UnsteadyProps, ThatGrowForEverAreSaidTo)

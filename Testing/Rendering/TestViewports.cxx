@@ -297,8 +297,8 @@ TEST_P(Viewports, ATileOfAWallOfDisplays)
     }
   }
   EXPECT_LE(wrong, GetParam().EdgeShare * 4 * 32 * 18);
-  EXPECT_GT(pass->GetFragmentCount(), 0);
-  EXPECT_LE(pass->GetFragmentCount(), 32 * 18);
+  EXPECT_GT(pass->GetNumberOfFragments(), 0);
+  EXPECT_LE(pass->GetNumberOfFragments(), 32 * 18);
 }
 
 TEST_P(Viewports, OffScreenBuffers)

@@ -41,7 +41,7 @@ protected:
       EXPECT_TRUE(Matches(scene.Render(), expected, 2,
         GetParam().EdgeShare)); // either rounds before the volume's blending
     }
-    EXPECT_EQ(pass->GetLayersMax(), 1);
+    EXPECT_EQ(pass->GetMaximumNumberOfLayers(), 1);
     scene.Renderer->RemoveAllViewProps();
     EXPECT_FALSE(scene.Render() == expected);
   }

@@ -82,8 +82,8 @@ public:
   {
     LightingStatistics statistics;
     statistics.AssignmentMilliseconds = 1000.0 * this->Pass->GetAssignmentTime();
-    statistics.LightsPerClusterMean = this->Pass->GetLightsPerCluster();
-    statistics.LightsPerClusterMax = this->Pass->GetMaximumLightsPerCluster();
+    statistics.LightsPerClusterMean = this->Pass->GetMeanNumberOfLightsPerCluster();
+    statistics.LightsPerClusterMax = this->Pass->GetMaximumNumberOfLightsPerCluster();
     statistics.Clusters = this->Pass->GetNumberOfClusters();
     statistics.Bytes = this->Pass->GetBytes();
     statistics.ClustersUsed = this->Pass->GetNumberOfUsedClusters();

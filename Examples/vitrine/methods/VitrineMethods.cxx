@@ -38,12 +38,12 @@ std::string VitrineMethod::SetCoincidence(const Coincidence& coincidence)
 MethodStatistics VitrineMethod::Statistics() const
 {
   MethodStatistics statistics;
-  statistics.Fragments = this->Pass->GetFragmentCount();
-  statistics.Lost = this->Pass->GetLostFragmentCount();
-  statistics.LostIsLeast = this->Pass->GetSaturatedPixelCount() > 0;
-  statistics.LayersMax = this->Pass->GetLayersMax();
-  statistics.LayersMean = this->Pass->GetLayersMean();
-  statistics.GeometryPasses = this->Pass->GetGeometryPasses();
+  statistics.Fragments = this->Pass->GetNumberOfFragments();
+  statistics.Lost = this->Pass->GetNumberOfLostFragments();
+  statistics.LostIsLeast = this->Pass->GetNumberOfSaturatedPixels() > 0;
+  statistics.LayersMax = this->Pass->GetMaximumNumberOfLayers();
+  statistics.LayersMean = this->Pass->GetMeanNumberOfLayers();
+  statistics.GeometryPasses = this->Pass->GetNumberOfGeometryPasses();
   statistics.Bytes = this->Pass->GetBytes();
   return statistics;
 }

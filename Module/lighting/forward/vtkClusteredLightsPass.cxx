@@ -89,8 +89,9 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
   os << indent << "NumberOfUsedClusters: " << this->NumberOfUsedClusters << "\n";
-  os << indent << "LightsPerCluster: " << this->LightsPerCluster << "\n";
-  os << indent << "MaximumLightsPerCluster: " << this->MaximumLightsPerCluster << "\n";
+  os << indent << "MeanNumberOfLightsPerCluster: " << this->MeanNumberOfLightsPerCluster << "\n";
+  os << indent << "MaximumNumberOfLightsPerCluster: " << this->MaximumNumberOfLightsPerCluster
+     << "\n";
   os << indent << "AssignmentTime: " << this->AssignmentTime << "\n";
   os << indent << "Bytes: " << this->Bytes << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
@@ -240,8 +241,8 @@ void vtkClusteredLightsPass::TellOfLists(
   }
   this->NumberOfClusters = static_cast<vtkIdType>(count);
   this->NumberOfUsedClusters = static_cast<vtkIdType>(used);
-  this->MaximumLightsPerCluster = static_cast<vtkIdType>(most);
-  this->LightsPerCluster =
+  this->MaximumNumberOfLightsPerCluster = static_cast<vtkIdType>(most);
+  this->MeanNumberOfLightsPerCluster =
     static_cast<double>(lists.Indices.size()) / static_cast<double>(std::max<std::size_t>(1, used));
 }
 
@@ -298,7 +299,7 @@ void vtkClusteredLightsPass::WarnOfLongLists()
   constexpr vtkIdType most = 50000;
   const std::string warning = "llvmpipe ends the loops of a shader after 65,535 turns, in silence: "
                               "where a cluster has more than 50,000 lights, some may be missing";
-  if (this->MaximumLightsPerCluster > most && vitrine::IsSoftwareRasteriser() &&
+  if (this->MaximumNumberOfLightsPerCluster > most && vitrine::IsSoftwareRasteriser() &&
     this->Private->Reported.insert(warning).second)
   {
     vtkWarningMacro(<< warning);

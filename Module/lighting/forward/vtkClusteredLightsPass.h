@@ -137,8 +137,8 @@ public:
   vtkGetMacro(NumberOfLights, vtkIdType);
   vtkGetMacro(NumberOfClusters, vtkIdType);
   vtkGetMacro(NumberOfUsedClusters, vtkIdType);
-  vtkGetMacro(LightsPerCluster, double);
-  vtkGetMacro(MaximumLightsPerCluster, vtkIdType);
+  vtkGetMacro(MeanNumberOfLightsPerCluster, double);
+  vtkGetMacro(MaximumNumberOfLightsPerCluster, vtkIdType);
   vtkGetMacro(AssignmentTime, double);
   vtkGetMacro(Bytes, vtkTypeInt64);
   ///@}
@@ -204,8 +204,8 @@ protected:
   vtkIdType NumberOfLights = 0;
   vtkIdType NumberOfClusters = 0;
   vtkIdType NumberOfUsedClusters = 0;
-  double LightsPerCluster = 0.0;
-  vtkIdType MaximumLightsPerCluster = 0;
+  double MeanNumberOfLightsPerCluster = 0.0;
+  vtkIdType MaximumNumberOfLightsPerCluster = 0;
   double AssignmentTime = 0.0;
   vtkTypeInt64 Bytes = 0;
 

@@ -361,9 +361,9 @@ std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
 void vtkABufferTransparencyPass::FinishFrame(const vitrine::FragmentStatistics& frame)
 {
   Internals& in = *this->Private;
-  this->FragmentCount = frame.Fragments;
-  this->LayersMax = frame.LayersMax;
-  this->LayersMean = frame.CoveredPixels > 0
+  this->NumberOfFragments = frame.Fragments;
+  this->MaximumNumberOfLayers = frame.LayersMax;
+  this->MeanNumberOfLayers = frame.CoveredPixels > 0
     ? static_cast<double>(frame.Fragments) / static_cast<double>(frame.CoveredPixels)
     : 0.0;
   this->GetStore().EndFrame(frame, this->NumberOfBands);

@@ -157,12 +157,12 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
-  os << indent << "FragmentCount: " << this->FragmentCount << "\n";
-  os << indent << "LostFragmentCount: " << this->LostFragmentCount << "\n";
-  os << indent << "SaturatedPixelCount: " << this->SaturatedPixelCount << "\n";
-  os << indent << "LayersMax: " << this->LayersMax << "\n";
-  os << indent << "LayersMean: " << this->LayersMean << "\n";
-  os << indent << "GeometryPasses: " << this->GeometryPasses << "\n";
+  os << indent << "NumberOfFragments: " << this->NumberOfFragments << "\n";
+  os << indent << "NumberOfLostFragments: " << this->NumberOfLostFragments << "\n";
+  os << indent << "NumberOfSaturatedPixels: " << this->NumberOfSaturatedPixels << "\n";
+  os << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n";
+  os << indent << "MeanNumberOfLayers: " << this->MeanNumberOfLayers << "\n";
+  os << indent << "NumberOfGeometryPasses: " << this->NumberOfGeometryPasses << "\n";
   os << indent << "Bytes: " << this->Bytes << "\n";
 }
 
@@ -182,12 +182,12 @@ vtkOpenGLRenderWindow* vtkTransparencyPass::GetWindow()
 void vtkTransparencyPass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
-  this->FragmentCount = 0;
-  this->LostFragmentCount = 0;
-  this->SaturatedPixelCount = 0;
-  this->LayersMax = 0;
-  this->LayersMean = 0.0;
-  this->GeometryPasses = 0;
+  this->NumberOfFragments = 0;
+  this->NumberOfLostFragments = 0;
+  this->NumberOfSaturatedPixels = 0;
+  this->MaximumNumberOfLayers = 0;
+  this->MeanNumberOfLayers = 0.0;
+  this->NumberOfGeometryPasses = 0;
   this->Private->FallbackReason.clear();
   if (!HasTranslucentGeometry(s))
   {
@@ -302,7 +302,7 @@ void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::str
   }
   in.Fallback->Render(s);
   this->NumberOfRenderedProps = in.Fallback->GetNumberOfRenderedProps();
-  this->GeometryPasses += 1;
+  this->NumberOfGeometryPasses += 1;
 }
 
 //------------------------------------------------------------------------------
@@ -332,7 +332,7 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   }
   this->PostRender(s);
   this->NumberOfRenderedProps = rendered;
-  this->GeometryPasses += 1;
+  this->NumberOfGeometryPasses += 1;
   return in.HasAdded && !in.IsAdditive ? AdditiveFragments : in.OpaqueDepth.Problem();
 }
 
@@ -345,11 +345,11 @@ bool vtkTransparencyPass::HasAdditiveFragments()
 //------------------------------------------------------------------------------
 void vtkTransparencyPass::TakeCounts(const vitrine::StencilCounts& counts)
 {
-  this->FragmentCount = counts.Fragments;
-  this->LostFragmentCount = counts.Lost;
-  this->SaturatedPixelCount = counts.Saturated;
-  this->LayersMax = counts.LayersMax;
-  this->LayersMean = counts.Covered > 0
+  this->NumberOfFragments = counts.Fragments;
+  this->NumberOfLostFragments = counts.Lost;
+  this->NumberOfSaturatedPixels = counts.Saturated;
+  this->MaximumNumberOfLayers = counts.LayersMax;
+  this->MeanNumberOfLayers = counts.Covered > 0
     ? static_cast<double>(counts.Fragments) / static_cast<double>(counts.Covered)
     : 0.0;
 }

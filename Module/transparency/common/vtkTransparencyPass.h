@@ -89,9 +89,9 @@ public:
    * Of the last frame: translucent fragments in front of the opaque depth, the most in one pixel, and
    * their mean over the pixels that have any.
    */
-  vtkGetMacro(FragmentCount, vtkTypeInt64);
-  vtkGetMacro(LayersMax, vtkTypeInt64);
-  vtkGetMacro(LayersMean, double);
+  vtkGetMacro(NumberOfFragments, vtkTypeInt64);
+  vtkGetMacro(MaximumNumberOfLayers, vtkTypeInt64);
+  vtkGetMacro(MeanNumberOfLayers, double);
   ///@}
 
   ///@{
@@ -100,14 +100,14 @@ public:
    * layers. SaturatedPixelCount pixels had more fragments than the method can count; there both numbers are least
    * ones.
    */
-  vtkGetMacro(LostFragmentCount, vtkTypeInt64);
-  vtkGetMacro(SaturatedPixelCount, vtkTypeInt64);
+  vtkGetMacro(NumberOfLostFragments, vtkTypeInt64);
+  vtkGetMacro(NumberOfSaturatedPixels, vtkTypeInt64);
   ///@}
 
   /**
    * How often the last frame drew the translucent geometry.
    */
-  vtkGetMacro(GeometryPasses, int);
+  vtkGetMacro(NumberOfGeometryPasses, int);
 
   /**
    * GPU memory in bytes that the method holds after the last frame: buffers and targets of its own.
@@ -197,12 +197,12 @@ protected:
    */
   vtkTypeInt64 GetSharedBytes();
 
-  vtkTypeInt64 FragmentCount = 0;
-  vtkTypeInt64 LostFragmentCount = 0;
-  vtkTypeInt64 SaturatedPixelCount = 0;
-  vtkTypeInt64 LayersMax = 0;
-  double LayersMean = 0.0;
-  int GeometryPasses = 0;
+  vtkTypeInt64 NumberOfFragments = 0;
+  vtkTypeInt64 NumberOfLostFragments = 0;
+  vtkTypeInt64 NumberOfSaturatedPixels = 0;
+  vtkTypeInt64 MaximumNumberOfLayers = 0;
+  double MeanNumberOfLayers = 0.0;
+  int NumberOfGeometryPasses = 0;
   vtkTypeInt64 Bytes = 0;
   vtkTimeStamp ShaderStage;
 

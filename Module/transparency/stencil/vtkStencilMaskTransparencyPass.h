@@ -8,7 +8,7 @@
  *
  * Inside polygons the picture is exact for up to N layers. At their edges the rasteriser covers a part of a group, so
  * layers go missing there or appear twice. Of more than N layers the first N that are drawn are kept, and
- * GetLostFragmentCount() tells how many were not.
+ * GetNumberOfLostFragments() tells how many were not.
  *
  * Colours are kept in 8 bits. Targets with several samples a pixel are refused, and so are lines and points, whose width
  * counts in pixels of the larger target: then VTK's own way draws, and GetFallbackReason() tells why.

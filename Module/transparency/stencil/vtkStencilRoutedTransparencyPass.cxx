@@ -241,7 +241,8 @@ std::string vtkStencilRoutedTransparencyPass::Fill(
   this->TakeCounts(in.Fragments.Count(state, in.KeptLayers));
   in.Counts = vitrine::CountedRegions(in.Fragments.Counter().Values(), all.Width);
   const vitrine::StencilRoute& route = in.Fragments.Route();
-  in.Passes = route.PassesFor(std::min(static_cast<int>(this->LayersMax), in.KeptLayers));
+  in.Passes =
+    route.PassesFor(std::min(static_cast<int>(this->MaximumNumberOfLayers), in.KeptLayers));
   int first = 1;
   if (in.Passes > in.Fragments.Passes())
   {
@@ -274,7 +275,7 @@ void vtkStencilRoutedTransparencyPass::FinishFrame()
 {
   Internals& in = *this->Private;
   in.Fragments.EndFrame(in.Passes);
-  if (!this->HasWarned && (this->LostFragmentCount > 0 || this->SaturatedPixelCount > 0))
+  if (!this->HasWarned && (this->NumberOfLostFragments > 0 || this->NumberOfSaturatedPixels > 0))
   {
     this->HasWarned = true;
     vtkWarningMacro(

@@ -10,7 +10,7 @@
  *
  * The picture is exact, at the edges of polygons too, up to the reach of the 8-bit stencil: 254 fragments in a pixel with
  * one sample a pass, 248 with 8, 224 with 32. Of more the first ones drawn are kept; that fragments are missing is
- * said in a warning, and GetLostFragmentCount() tells how many at least. All passes of a frame must draw the same fragments
+ * said in a warning, and GetNumberOfLostFragments() tells how many at least. All passes of a frame must draw the same fragments
  * in the same order.
  *
  * OpenGL lets a driver test one sample's stencil for all of a pixel where multisampling is off, and some do; others are said

@@ -319,7 +319,7 @@ std::string vtkTruthTransparencyPass::RenderFragments(
     target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
     in.ReadBackdrop(window, target));
 
-  this->SampleCount = 0;
+  this->NumberOfSamples = 0;
   problem = this->Capture(s, target, target.Region, compositor);
   if (!problem.empty())
   {
@@ -334,7 +334,7 @@ std::string vtkTruthTransparencyPass::RenderFragments(
 void vtkTruthTransparencyPass::RenderNothing()
 {
   this->Private->Result = nullptr;
-  this->SampleCount = 0;
+  this->NumberOfSamples = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -363,7 +363,7 @@ std::string vtkTruthTransparencyPass::Capture(const vtkRenderState* s,
     const std::vector<vitrine::CapturedFragment> fragments = in.ReadFragments(count);
     for (const vitrine::CapturedFragment& f : fragments)
     {
-      this->SampleCount += static_cast<vtkTypeInt64>(std::bitset<32>(f.Coverage).count());
+      this->NumberOfSamples += static_cast<vtkTypeInt64>(std::bitset<32>(f.Coverage).count());
     }
     compositor.AddBatch(fragments.data(), fragments.size());
     return {};
@@ -403,9 +403,9 @@ void vtkTruthTransparencyPass::KeepResult(
     out = std::copy(row, row + std::size_t(4) * r.Width, out);
   }
 
-  this->FragmentCount = static_cast<vtkTypeInt64>(compositor.FragmentCount());
-  this->LayersMax = static_cast<vtkTypeInt64>(compositor.LayersMax());
-  this->LayersMean = compositor.LayersMean();
+  this->NumberOfFragments = static_cast<vtkTypeInt64>(compositor.FragmentCount());
+  this->MaximumNumberOfLayers = static_cast<vtkTypeInt64>(compositor.LayersMax());
+  this->MeanNumberOfLayers = compositor.LayersMean();
   this->Bytes = in.Fragments.Bytes() + in.Counter.Bytes() + in.Picture.Bytes() +
     in.Backdrop.Image().Bytes() + this->GetSharedBytes();
 }

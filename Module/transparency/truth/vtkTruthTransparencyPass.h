@@ -38,7 +38,7 @@ public:
   /**
    * Samples that the last frame's fragments cover, as an occlusion query counts them.
    */
-  vtkGetMacro(SampleCount, vtkTypeInt64);
+  vtkGetMacro(NumberOfSamples, vtkTypeInt64);
 
   const char* GetMethodName() override { return "truth"; }
 
@@ -55,7 +55,7 @@ protected:
   void ReleaseMethodResources() override;
   void ForgetMethodResources() override;
 
-  vtkTypeInt64 SampleCount = 0;
+  vtkTypeInt64 NumberOfSamples = 0;
 
 private:
   vtkTruthTransparencyPass(const vtkTruthTransparencyPass&) = delete;
