@@ -7,6 +7,7 @@
 #include "culling/CullingPolicy.h"
 #include "culling/RendererView.h"
 #include "culling/SceneParts.h"
+#include "scene/Settings.h"
 
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
@@ -295,6 +296,11 @@ void vtkHierarchicalSBufferCuller::CullHidden(
   this->NumberOfOccluders = static_cast<int>(culler.Counts().Inserted);
   this->NumberOfSpans = static_cast<vtkTypeInt64>(culler.BufferCounts().Inserted);
   this->NumberOfComparisons = static_cast<vtkTypeInt64>(culler.BufferCounts().Comparisons);
+}
+
+void vtkHierarchicalSBufferCuller::SetBufferLines(int lines)
+{
+  vitrine::SetInRange(this, "BufferLines", this->BufferLines, lines, { 0, 4096 });
 }
 
 void vtkHierarchicalSBufferCuller::AddKnownPass(const char* className)

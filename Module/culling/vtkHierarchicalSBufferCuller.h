@@ -1,28 +1,34 @@
 /**
  * @class   vtkHierarchicalSBufferCuller
- * @brief   leaves out the actors that others hide, without changing a pixel
+ * @brief   occlusion culler, which never changes a pixel
  *
- * It is added to a renderer like any other culler. It leaves out what lies outside of the view, too, so that VTK's own
- * need not stand before it, which takes longer:
+ * The culler leaves out props that other props hide, and props outside of the view. So it replaces VTK's own culler,
+ * which does less and takes longer:
  *
- *     vtkNew<vtkHierarchicalSBufferCuller> culler;
- *     renderer->GetCullers()->RemoveAllItems();
- *     renderer->AddCuller(culler);
+ * @code
+ * vtkNew<vtkHierarchicalSBufferCuller> culler;
+ * renderer->GetCullers()->RemoveAllItems();
+ * renderer->AddCuller(culler);
+ * @endcode
  *
- * An octree of the actors' bounding boxes is walked from front to back. What lies outside of the view or wholly behind
- * what is drawn in front is left out of the frame. Cover is kept in an s-buffer. A line of it stands for all pixels in
- * it, and counts as covered only where an occluder surely covers all of their samples.
+ * The culler walks an octree of the props' bounding boxes from front to back. It leaves out each box that is outside
+ * of the view or entirely behind occluders drawn before it. The occluders' depths are kept in an s-buffer. One line
+ * of the s-buffer stands for all pixels in it. A place counts as covered only if an occluder surely covers all
+ * samples there.
  *
- * Opaque surfaces that vtkPolyDataMapper draws hide others. Actors of that mapper are hidden, and so are blocks of
- * vtkCulledCompositePolyDataMapper and pieces of vtkCulledPolyDataMapper, one by one. All other props are drawn as
- * always. GetCullingMode() and GetReason() tell what keeps the culler from leaving out all that is hidden, and
- * GetReason(prop) why a prop is drawn. docs/culling.md lists all that they may tell.
+ * Opaque surfaces drawn by vtkPolyDataMapper are occluders. Actors of that mapper are culled. Blocks of
+ * vtkCulledCompositePolyDataMapper and runs of vtkCulledPolyDataMapper are culled one by one. All other props are
+ * drawn as always. GetCullingMode() and GetReason() tell what keeps the culler from leaving out all hidden props.
+ * GetReason(prop) tells why a prop is drawn. docs/culling.md lists all reasons.
  *
- * What hides too little to be worth its time, screws and cables, can be marked by NON_OCCLUDING(). The picture is the
- * same. The order of actors does not change. Culled actors build no buffers until they show.
+ * Parts that hide too little to be worth their time, such as screws and cables, can be marked by NON_OCCLUDING(). The
+ * order of actors does not change. Culled actors build no buffers until they are visible.
  *
- * A. V. Boreskov: hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility, SIGGRAPH
- * 1993.
+ * Sources: A. V. Boreskov, hierarchical s-buffer; N. Greene, M. Kass, G. Miller: Hierarchical Z-buffer visibility,
+ * SIGGRAPH 1993.
+ *
+ * @sa
+ * vtkCulledCompositePolyDataMapper vtkCulledPolyDataMapper vtkFrustumCoverageCuller
  */
 #ifndef vtkHierarchicalSBufferCuller_h
 #define vtkHierarchicalSBufferCuller_h
@@ -39,12 +45,20 @@ class vtkInformationIntegerKey;
 class VTKVITRINERENDERING_EXPORT vtkHierarchicalSBufferCuller : public vtkCuller
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkHierarchicalSBufferCuller* New();
   vtkTypeMacro(vtkHierarchicalSBufferCuller, vtkCuller);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
-  /** Set/Get whether anything is left out. Default is on. */
+  /**
+   * Get/Set whether hidden props and props outside of the view are left out. If off, all visible props are drawn. The
+   * default is on.
+   */
   vtkSetMacro(Culling, bool);
   vtkGetMacro(Culling, bool);
   vtkBooleanMacro(Culling, bool);
@@ -52,116 +66,146 @@ public:
 
   ///@{
   /**
-   * Set/Get how many lines the s-buffer has at most, 0 to 4096. A viewport of fewer pixels has a line for each, or
-   * several if pixels have several samples. More lines hide more, and take longer: they pay where there are many parts.
-   * Default is 0, which stands for 270 lines, 540 from 16,384 parts on, and 1,080 from twice as many on.
+   * Get/Set the maximum number of lines of the s-buffer. A viewport of fewer pixels has one line for each row of
+   * pixels, or several lines if pixels have several samples. More lines hide more and take longer. They pay off where
+   * there are many parts. 0 means 270 lines, 540 lines from 16,384 parts on, and 1,080 lines from 32,768 parts on.
+   * The range is 0 to 4096, the default is 0. A value out of range is an error.
    */
-  vtkSetClampMacro(BufferLines, int, 0, 4096);
+  void SetBufferLines(int lines);
   vtkGetMacro(BufferLines, int);
   ///@}
 
   /**
-   * A key of props: those with a value other than 0 are culled like others, but hide nothing. It is asked for in each
-   * frame. Each prop needs keys of its own, since passes write there:
+   * A key of props. A prop whose value is not 0 is culled as usual but is no occluder. The key is read in each frame.
+   * Each prop needs an information object of its own, since render passes write there:
    *
-   *     vtkNew<vtkInformation> keys;
-   *     keys->Set(vtkHierarchicalSBufferCuller::NON_OCCLUDING(), 1);
-   *     screw->SetPropertyKeys(keys);
+   * @code
+   * vtkNew<vtkInformation> keys;
+   * keys->Set(vtkHierarchicalSBufferCuller::NON_OCCLUDING(), 1);
+   * screw->SetPropertyKeys(keys);
+   * @endcode
    */
   static vtkInformationIntegerKey* NON_OCCLUDING();
 
   /**
-   * Say that passes of a class, which is derived from one of VTK's or Vitrine's, draw what that one draws: with its
-   * depth test, no more than the camera sees, and into pixels no larger than the window's. Nothing is left out below
-   * passes of other classes that are not known.
+   * Declare that render passes of a class, which derives from a class of VTK or of this module, draw as their base
+   * class does: they use its depth test, draw only what the camera sees, and draw into pixels no larger than the
+   * window's. Nothing is left out below passes of other unknown classes. A null name is an error.
    */
   void AddKnownPass(const char* className);
 
-  /** What may be left out of a frame: each mode leaves out more than the ones before it. */
-  enum CullingModes
+  /** What may be left out of a frame. Each mode leaves out more than the modes before it. */
+  enum CullingModeType
   {
-    OFF,       ///< Nothing is left out.
-    VIEW_ONLY, ///< Only what lies outside of the view is left out.
-    AROUND_BLENDED, ///< Hidden parts are left out, too, unless they may shine through a prop that is blended.
-    OCCLUSION ///< All that lies outside of the view or is hidden is left out.
+    /** Nothing is left out. */
+    OFF,
+    /** Only parts outside of the view are left out. */
+    VIEW_ONLY,
+    /** Hidden parts are left out too, unless they may be visible through a blended prop. */
+    AROUND_BLENDED,
+    /** All parts that are hidden or outside of the view are left out. */
+    OCCLUSION
   };
 
-  ///@{
   /**
-   * Get what was left out of the last frame: one of CullingModes, or its name, as "view only". Where the culler serves
-   * several renderers, it is that of the renderer that was drawn last. OFF before the first frame, and in frames
-   * without visible props.
+   * Get the mode of the last frame, one of CullingModeType. If the culler serves several renderers, this is the mode
+   * of the renderer drawn last. The mode is OFF before the first frame and in frames without visible props.
    */
   int GetCullingMode();
-  const char* GetCullingModeAsString();
-  ///@}
 
   /**
-   * Get why the mode of the last frame was not OCCLUSION. Empty if it was. The string is the culler's, and is good
-   * until the next frame.
+   * Get the name of the mode of the last frame: "off", "view only", "around blended" or "occlusion".
+   */
+  const char* GetCullingModeAsString();
+
+  /**
+   * Get the reason why the mode of the last frame was not OCCLUSION. The string is empty if it was. The culler owns
+   * the string, which is valid until the next frame.
    */
   const char* GetReason();
 
   /**
-   * Get why a prop was drawn in the last frame, or that it was left out: "visible", "left out: hidden by others", "left
-   * out: outside of the view", or a text that begins with "always drawn: ", "drawn: ", "drawn, as ", or "not drawn: ".
-   * "visible; hides nothing: " is followed by the reason for which others are not hidden by it. It is found out when it
-   * is asked for. The string is the culler's, and is good until the next call.
+   * Get the reason why a prop was drawn or left out in the last frame: "visible", "left out: hidden by others", "left
+   * out: outside of the view", or a text that begins with "always drawn: ", "drawn: ", "drawn, as ", or "not drawn:
+   * ". "visible; hides nothing: " is followed by the reason why the prop is no occluder. Each call computes the
+   * reason anew. The culler owns the string, which is valid until the next call.
    */
   const char* GetReason(vtkProp* prop);
 
-  /** Get all reasons as tables of Markdown: where each applies, what it has the culler do, and why. */
+  /**
+   * Get all reasons as tables in Markdown: the condition, the effect on the culler, and the explanation.
+   */
   static std::string DescribeLimits();
 
   /**
-   * Get how many lines the s-buffer of the last frame had. As all counts below it is that of the last renderer, or eye;
-   * it is 0 in frames without visible props.
+   * Get the number of lines of the s-buffer in the last frame. This and all statistics below are of the renderer and
+   * the eye drawn last, and are 0 in frames without visible props.
    */
   vtkGetMacro(NumberOfBufferLines, int);
 
-  /** Get how many props were left to be drawn. */
+  /**
+   * Get the number of props that were left to be drawn in the last frame.
+   */
   vtkGetMacro(NumberOfDrawnProps, int);
 
   /**
-   * Get how many parts of them were left. A prop is one part, unless its mapper is vtkCulledCompositePolyDataMapper or
-   * vtkCulledPolyDataMapper, and unless nothing is culled.
+   * Get the number of parts that were left to be drawn in the last frame. Blocks of vtkCulledCompositePolyDataMapper
+   * and runs of vtkCulledPolyDataMapper are parts. Any other prop is one part, and so is every prop if nothing is
+   * culled.
    */
   vtkGetMacro(NumberOfDrawnParts, int);
 
   /**
-   * Get how many parts were tested. From 2,048 parts on the screen is culled in four bands of lines at a time: what
-   * lies in several counts in each, as it does in the counts below.
+   * Get the number of parts that were tested in the last frame. From 2,048 parts on, the screen is culled in four
+   * bands of lines in parallel. A part that lies in several bands counts once in each of them, here and in the
+   * statistics of nodes, occluders, spans and comparisons.
    */
   vtkGetMacro(NumberOfTestedParts, int);
 
-  /** Get how many parts were left out. Each counts once. */
+  /**
+   * Get the number of parts that were left out of the last frame. Each part counts once.
+   */
   vtkGetMacro(NumberOfCulledParts, int);
 
-  /** Get how many nodes of the octree were tested. */
+  /**
+   * Get the number of octree nodes that were tested in the last frame.
+   */
   vtkGetMacro(NumberOfTestedNodes, int);
 
-  /** Get how many parts were put into the s-buffer. */
+  /**
+   * Get the number of parts that were inserted into the s-buffer in the last frame.
+   */
   vtkGetMacro(NumberOfOccluders, int);
 
-  /** Get how many spans the s-buffer was given. */
+  /**
+   * Get the number of spans that were inserted into the s-buffer in the last frame.
+   */
   vtkGetMacro(NumberOfSpans, vtkTypeInt64);
 
-  /** Get how many comparisons of depths that took. */
+  /**
+   * Get the number of depth comparisons that inserting the spans took in the last frame.
+   */
   vtkGetMacro(NumberOfComparisons, vtkTypeInt64);
 
-  /** Get the time that the culler took, in seconds. */
+  /**
+   * Get the time that the culler took in the last frame, in seconds.
+   */
   vtkGetMacro(CullTime, double);
 
   /**
-   * Get what a renderer's s-buffer held at the end of its last frame, of the last eye: floats named "ReversedDepth", as
-   * many as it has columns and lines, the bottom line first. 0 where nothing is sure to cover all of the place;
-   * elsewhere 1 minus the greatest depth that a z-buffer may hold there. Null where that frame was not culled, or by
-   * the view alone, or where there was none.
+   * Get the s-buffer of a renderer at the end of its last frame, in stereo of its last eye. The image has one float,
+   * "ReversedDepth", for each column and line, with the bottom line first. The value is 0 where no occluder surely
+   * covers the whole place. Elsewhere it is 1 minus the greatest window depth that a z-buffer may hold there. Returns
+   * null if there was no frame, or if its mode was OFF or VIEW_ONLY.
    *
-   * Each call makes a new image, which the culler holds until the next one.
+   * Each call makes a new image, which the culler holds until the next call for the same renderer.
    */
   vtkImageData* GetBufferImage(vtkRenderer* renderer);
 
+  /**
+   * Remove the hidden props from the list and update the statistics. The renderer calls this method once per frame and
+   * eye. Returns the sum of the render time multipliers of all props, including those left out.
+   */
   double Cull(
     vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
 

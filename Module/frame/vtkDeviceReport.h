@@ -1,15 +1,18 @@
 /**
  * @class   vtkDeviceReport
- * @brief   what Vitrine does on a device, as a text to paste into a bug report
+ * @brief   report on what this module can do on a device
  *
- * The text has VTK's version, what OpenGL tells of the device, and for each method and each pass for many lights whether it
- * works there, or why not.
+ * The report is a text for a bug report. It contains VTK's version, the properties of the OpenGL device, and for each
+ * transparency method and each lights pass whether it works there, or why not.
  *
- * \code
+ * @code
  * vtkNew<vtkRenderWindow> window;
  * window->SetOffScreenRendering(true);
  * cout << vtkDeviceReport::Describe(window);
- * \endcode
+ * @endcode
+ *
+ * @sa
+ * vtkTransparencyPass vtkClusteredLightsPass vtkHeadlessRenderWindow
  */
 #ifndef vtkDeviceReport_h
 #define vtkDeviceReport_h
@@ -24,12 +27,18 @@ class vtkRenderWindow;
 class VTKVITRINERENDERING_EXPORT vtkDeviceReport : public vtkObject
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create and identify the object.
+   */
   static vtkDeviceReport* New();
   vtkTypeMacro(vtkDeviceReport, vtkObject);
+  ///@}
 
   /**
-   * Draws a few small frames in `window`, which should hold nothing else, and says what came of them. The window is
-   * empty afterwards. Returns a text of several lines; one line says so where the window has no OpenGL.
+   * Draw a few frames of 64 x 48 pixels in a window, which must not be null, and get the report. The window should
+   * contain nothing else. It is resized, and it is empty afterwards. The text has several lines. If the window has no
+   * OpenGL context, a line of the text says so and no frames are described.
    */
   static std::string Describe(vtkRenderWindow* window);
 

@@ -1,26 +1,29 @@
 /**
  * @class   vtkSeeThroughPass
- * @brief   a whole frame with exact transparency, as a drop-in for a renderer
+ * @brief   draws whole frames with exact transparency
  *
- * Draws what the renderer draws without a pass (lights, opaque, translucent, volumes, overlay), with an exact method for
- * the translucent geometry, and leaves hardware picking working:
+ * The pass draws what a renderer without a pass draws: lights, opaque geometry, translucent geometry, volumes and the
+ * overlay. Translucent geometry is drawn by an exact method. Hardware selection and picking work as without a pass.
  *
- * \code
+ * @code
  * vtkNew<vtkSeeThroughPass> seeThrough;
  * renderer->SetPass(seeThrough);
- * \endcode
+ * @endcode
  *
- * The frame has three parts that can be chosen:
- * - SetTranslucentPass(): the method for translucent geometry. Default: vtkLinkedListTransparencyPass.
- * - SetLightingPass(): how many lights are lit by. Default: none, VTK's mappers light.
- * - SetEffectsPass(): a chain of passes that the renderer had before, as vtkEDLShading around a vtkRenderStepsPass.
- *   The chain draws, and the method takes the place of its translucent step. Default: none.
+ * Three parts of the frame can be chosen:
+ * - SetTranslucentPass(): the method for translucent geometry. The default is a vtkLinkedListTransparencyPass.
+ * - SetLightingPass(): the pass for many lights. The default is null: VTK's mappers light the frame.
+ * - SetEffectsPass(): a chain of other passes, such as vtkEDLShading around a vtkRenderStepsPass. The chain draws the
+ *   frame, and the method replaces its step for translucent geometry. The default is null.
  *
- * What the renderer switches on by flags is drawn as VTK draws it: UseFXAA, UseSSAO, UseHiddenLineRemoval, UseShadows (of
- * opaque geometry), and UseDepthPeelingForVolumes, where VTK's own peeling draws translucent geometry and volumes
- * together. As in VTK, flags have no effect where a chain of passes is set.
+ * Without an effects pass, the renderer's flags have the same effect as without a pass: UseFXAA, UseSSAO,
+ * UseHiddenLineRemoval, UseShadows (of opaque geometry) and UseDepthPeelingForVolumes. With the latter VTK peels
+ * translucent geometry and volumes together. With an effects pass, the flags have no effect, as in VTK.
  *
- * What could not be done in the last frame is told by GetFallbackReason() and GetSetAsideReason().
+ * GetFallbackReason() and GetSetAsideReason() tell what could not be done.
+ *
+ * @sa
+ * vtkTransparencyPass vtkClusteredLightsPass vtkDeferredLightsPass vtkRenderStepsPass
  */
 #ifndef vtkSeeThroughPass_h
 #define vtkSeeThroughPass_h
@@ -36,17 +39,29 @@ class vtkRenderer;
 class VTKVITRINERENDERING_EXPORT vtkSeeThroughPass : public vtkRenderStepsPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkSeeThroughPass* New();
   vtkTypeMacro(vtkSeeThroughPass, vtkRenderStepsPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
+  /**
+   * Draw the frame. For a hardware selector, the renderer draws as it does without a pass.
+   */
   void Render(const vtkRenderState* s) override;
+
+  /**
+   * Release what the pass and its parts hold in the context of a window.
+   */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
-   * Get/Set the pass that lights the frame: vtkClusteredLightsPass or vtkDeferredLightsPass. Its DelegatePass is the
-   * frame's to set, and null between frames. Default: null, by which VTK's mappers light.
+   * Get/Set the pass that lights the frame, a vtkClusteredLightsPass or vtkDeferredLightsPass. This pass sets its
+   * DelegatePass during a frame and resets it to null afterwards. The default is null: VTK's mappers light the frame.
    */
   void SetLightingPass(vtkClusteredLightsPass* lights);
   vtkClusteredLightsPass* GetLightingPass();
@@ -54,39 +69,43 @@ public:
 
   ///@{
   /**
-   * Get/Set the chain of passes that draws the frame. While a frame is drawn, the TranslucentPass stands where the
-   * chain draws translucent geometry, and the LightingPass below all passes that process the picture. Between frames the
-   * chain is as it was. A chain that contains this pass is an error. Default: null.
+   * Get/Set the chain of passes that draws the frame. While a frame is drawn, the TranslucentPass replaces the
+   * chain's step for translucent geometry, and the LightingPass is inserted below all passes that process the
+   * picture. The chain is unchanged between frames. A chain that contains this pass is an error and is ignored. The
+   * default is null.
    */
   void SetEffectsPass(vtkRenderPass* chain);
   vtkRenderPass* GetEffectsPass();
   ///@}
 
-  ///@{
   /**
-   * Set this pass on a renderer, and have it stay there. The pass that the renderer has becomes the EffectsPass. So does,
-   * at the start of the next frame, any pass that the renderer is given later, as by an application that switches
-   * effects on and off; null then switches them off. Another vtkSeeThroughPass that is set later is left alone. A pass
-   * stays on one renderer at a time: it is taken away from the one before.
-   *
-   * Detach() gives the renderer its EffectsPass back, if this pass is still set there.
+   * Set this pass on a renderer and keep it there. The renderer's pass becomes the EffectsPass. A pass that the
+   * renderer is given later becomes the EffectsPass at the start of the next frame, so an application can switch
+   * effects on and off; null switches them off. Another vtkSeeThroughPass that is set later is left alone. This pass
+   * is detached first from the renderer to which it was attached before. A null renderer is an error.
    */
   void Attach(vtkRenderer* renderer);
-  void Detach();
-  ///@}
 
   /**
-   * The pass that stays on a renderer by Attach(), the one attached last where there are several; null if there is none.
+   * Undo Attach(): the renderer gets the EffectsPass back if this pass is still set there. Does nothing if this pass
+   * is not attached.
+   */
+  void Detach();
+
+  /**
+   * Get the pass that is attached to a renderer, or null. If there are several, it is the pass attached last.
    */
   static vtkSeeThroughPass* GetAttached(vtkRenderer* renderer);
 
   /**
-   * Why the last frame's translucent geometry was not drawn exactly; empty if it was.
+   * Get the reason why the translucent geometry of the last frame was not drawn exactly. The string is empty if it
+   * was. It is valid until the next call.
    */
   const char* GetFallbackReason();
 
   /**
-   * Which passes of the chain are left out, and why; empty if none. It is known from SetEffectsPass() and Attach() on.
+   * Get the name of the EffectsPass and the reason why it is not used. The string is empty if it is used. It is
+   * updated by SetEffectsPass() and Attach(), and is valid until they are called again.
    */
   const char* GetSetAsideReason();
 

@@ -1,33 +1,32 @@
 /**
  * @class   vtkHeadlessRenderWindow
- * @brief   a render window that needs no display
+ * @brief   offscreen render window that needs no display
  *
- * Gives a VTK that was built for X windows only, as Linux distributions build it, offscreen rendering
- * through EGL: on a GPU without a display server, or by Mesa's llvmpipe on a machine without a GPU. The
- * context is the latest OpenGL core profile that the driver has, from 4.6 down to 3.2, on the first of
- * the EGL devices, Mesa's surfaceless platform and the default display that gives one.
+ * The window adds offscreen rendering through EGL to a VTK that was built for X windows only, as in Linux
+ * distributions. It renders on a GPU without a display server, or by Mesa's llvmpipe without a GPU. The context is
+ * the latest OpenGL core profile of the driver, from 4.6 down to 3.2. It is created on the first platform that
+ * supports one: the EGL devices, Mesa's surfaceless platform, and the default display, in this order.
  *
- * \code
+ * @code
  * vtkHeadlessRenderWindow::InstallOverride();
  * vtkNew<vtkRenderWindow> window; // a vtkHeadlessRenderWindow
- * \endcode
+ * @endcode
  *
- * Everything is drawn into framebuffer objects of the window's size and stays there, to be read with
- * GetRGBACharPixelData(), vtkWindowToImageFilter and their like. Several windows live side by side, and
- * each may be resized, finalized and rendered again. OffScreenRendering is on; nothing is shown whatever
- * its value.
+ * The window draws into framebuffer objects of its size. The picture can be read by GetRGBACharPixelData(),
+ * vtkWindowToImageFilter and similar functions. Several windows can exist at the same time. Each can be resized,
+ * finalized and rendered again. OffScreenRendering is on; nothing is shown whatever its value.
  *
- * Where no platform gives a context, the first attempt to render raises one vtkErrorMacro that says what
- * each of them answered. From then on rendering does nothing and reading pixels returns VTK_ERROR, until
- * Finalize() lets the window try again.
+ * If no platform gives a context, the first attempt to render raises one error with the answer of each platform. Then
+ * rendering does nothing and reading pixels returns VTK_ERROR, until Finalize() lets the window try again.
  *
- * VTK's own windows by EGL, where VTK has them, may come and go beside it: the display that they share stays.
+ * VTK's own EGL windows, where VTK has them, can be created and deleted at any time. The display that they share with
+ * this window is not terminated.
  *
  * @warning
- * A process uses either this window or VTK's X window in a given thread: GLX does not give way to EGL
- * there.
+ * In one thread a process can use either this window or VTK's X window, since GLX does not give way to EGL there.
  *
- * @sa vtkGenericOpenGLRenderWindow
+ * @sa
+ * vtkGenericOpenGLRenderWindow vtkEGLRenderWindow
  */
 #ifndef vtkHeadlessRenderWindow_h
 #define vtkHeadlessRenderWindow_h
@@ -45,99 +44,129 @@ class EGLOffscreenContext;
 class VTKVITRINERENDERING_EXPORT vtkHeadlessRenderWindow : public vtkGenericOpenGLRenderWindow
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkHeadlessRenderWindow* New();
   vtkTypeMacro(vtkHeadlessRenderWindow, vtkGenericOpenGLRenderWindow);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * From InstallOverride() to RemoveOverride(), vtkRenderWindow::New() gives this class in place of the
-   * one it gave before, and vtkRenderWindowInteractor::New() a vtkGenericRenderWindowInteractor, whose
-   * event loop ends at once, since VTK's own interactor needs a display. Calling either twice is as calling
-   * it once. Windows that exist already stay what they are.
-   */
-  static void InstallOverride();
-  static void RemoveOverride();
   ///@}
 
   /**
-   * The EGL platform that gave the context: "device:N", "surfaceless" or "default"; "" before the first
-   * frame, after Finalize() and where none does.
+   * Let vtkRenderWindow::New() create windows of this class, and vtkRenderWindowInteractor::New() create a
+   * vtkGenericRenderWindowInteractor. The event loop of that interactor ends at once, since VTK's own interactor
+   * needs a display. Existing windows do not change. A second call has no effect.
+   */
+  static void InstallOverride();
+
+  /**
+   * Undo InstallOverride(). Existing windows do not change. A second call has no effect.
+   */
+  static void RemoveOverride();
+
+  /**
+   * Get the EGL platform of the context: "device:N", "surfaceless" or "default". The string is empty if there is no
+   * context: before the first frame, after Finalize(), and if no platform gives one.
    */
   const char* GetPlatform();
 
   /**
-   * The number of EGL devices. The search begins at DeviceIndex, 0 by default.
+   * Get the number of EGL devices. The search for a context begins at DeviceIndex, whose default is 0.
    */
   int GetNumberOfDevices() override;
 
   /**
-   * Create the context unless there is one, make it current and initialize VTK's state for it.
+   * Create the context unless there is one, make it current and initialize VTK's state for it. It is an error if no
+   * platform gives a context.
    */
   void Initialize() override;
 
   /**
-   * Release what the window and its renderers hold on the device, and the context. The next frame
-   * begins anew.
+   * Release the context and what the window and its renderers hold on the device. The next frame creates a new
+   * context.
    */
   void Finalize() override;
 
-  ///@{
   /**
-   * As in the superclass, once there is a context; without one, nothing or VTK_ERROR.
+   * Begin a frame as in the superclass. Does nothing without a context.
    */
   void Start() override;
+
+  /**
+   * Render as in the superclass. Does nothing without a context.
+   */
   void Render() override;
+
+  /**
+   * End a frame as in the superclass. Does nothing without a context.
+   */
   void Frame() override;
+
+  ///@{
+  /**
+   * Get the window depths of a rectangle of pixels as in the superclass. Returns VTK_ERROR without a context.
+   */
   using Superclass::GetZbufferData;
   int GetZbufferData(int x1, int y1, int x2, int y2, float* z) override;
-  const char* ReportCapabilities() override;
   ///@}
 
-  ///@{
   /**
-   * The context in the calling thread.
+   * Get the capabilities of the context as text, or a line that says that there is no context.
+   */
+  const char* ReportCapabilities() override;
+
+  /**
+   * Make the context current in the calling thread. Does nothing without a context.
    */
   void MakeCurrent() override;
-  bool IsCurrent() override;
-  ///@}
 
-  ///@{
   /**
-   * MakeCurrent(), and make current again what was so before, be it this window, another or someone
-   * else's context. To be called in pairs, which may be nested.
+   * Returns true if the context is current in the calling thread.
+   */
+  bool IsCurrent() override;
+
+  /**
+   * Remember the context that is current, of whatever window or library, and call MakeCurrent(). Each call is paired
+   * with a call of PopContext(). The pairs may be nested.
    */
   void PushContext() override;
-  void PopContext() override;
-  ///@}
 
-  ///@{
   /**
-   * The EGLContext and the EGLDisplay, null without a context.
+   * Make the context current again that was current before PushContext().
+   */
+  void PopContext() override;
+
+  /**
+   * Get the EGLContext, or null without a context.
    */
   void* GetGenericContext() override;
-  void* GetGenericDisplayId() override;
-  ///@}
 
   /**
-   * Load OpenGL's entry points and bring the context into the state in which VTK begins, as VTK's own
-   * windows do; the superclass would take over the context's. Initialize() calls it with the context
-   * current.
+   * Get the EGLDisplay, or null without a context.
+   */
+  void* GetGenericDisplayId() override;
+
+  /**
+   * Load OpenGL's functions and initialize the state of the context as VTK's own windows do. Initialize() calls this
+   * method while the context is current. The superclass would adopt the state of the context instead.
    */
   void OpenGLInit() override;
 
   /**
-   * Load OpenGL's entry points.
+   * Load OpenGL's functions.
    */
   void OpenGLInitContext() override;
 
-  ///@{
   /**
-   * 1: a context by EGL is OpenGL's, and direct.
+   * Returns 1: the window supports OpenGL.
    */
   int SupportsOpenGL() override { return 1; }
+
+  /**
+   * Returns 1: rendering is direct.
+   */
   vtkTypeBool IsDirect() override { return 1; }
-  ///@}
 
 protected:
   vtkHeadlessRenderWindow();

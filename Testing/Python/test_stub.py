@@ -79,7 +79,8 @@ def stub_member(node):
 
 def stub_members(node):
     members = {}
-    for name, text in map(stub_member, node.body):
+    without_docstring = (item for item in node.body if not isinstance(item, ast.Expr))
+    for name, text in map(stub_member, without_docstring):
         overloads = [*members[name].split(" or "), text] if name in members else [text]
         members[name] = " or ".join(sorted(overloads))
     if HAS_PROPERTIES:
@@ -110,6 +111,12 @@ class Stub(unittest.TestCase):
                 self.assertGreater(len(added), 1)
                 stub = stub_members(stub_classes()[name])
                 self.assertEqual({key: stub.get(key) for key in added}, added)
+
+    def test_has_the_briefs_of_the_headers(self):
+        for name, cls in classes().items():
+            with self.subTest(name):
+                brief = " ".join(cls.__doc__.split("\n\n")[0].split())
+                self.assertEqual(f"{name} - {ast.get_docstring(stub_classes()[name])}", brief)
 
     def test_has_nothing_that_is_not_there(self):
         for name, cls in classes().items():

@@ -1,12 +1,10 @@
 // A tolerance for coincidence: what it groups is composited without an order, and nothing else changes.
 #include "TestGroups.h"
-#include "TestMessages.h"
 #include "gl/RenderTarget.h"
 #include "transparency/common/CoincidenceTolerance.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkShaderProperty.h"
-#include "vtkTolerantTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string>
 
 namespace
@@ -280,21 +277,6 @@ TEST_P(Coincidence, OfAllDepthIsOneGroup)
   scene.AddPlates(groups.Plates, heights, 54);
   scene.Use(MakeTolerant(GetParam(), 1e30, 1e30));
   ExpectColor(UniformColor(scene.Render()), ClosedForm(groups), GetParam().Tolerance);
-}
-
-TEST_P(Coincidence, RefusesWhatIsNoTolerance)
-{
-  const vtkSmartPointer<vtkTransparencyPass> pass = MakeTolerant(GetParam(), 3.0, 0.5);
-  for (const double bad : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
-  {
-    SetTolerance(pass, bad, bad);
-    const std::vector<std::string> messages = TakeMessages();
-    ASSERT_EQ(messages.size(), 2u);
-    EXPECT_NE(messages[0].find("finite numbers of at least 0"), std::string::npos) << messages[0];
-  }
-  auto* tolerant = vtkTolerantTransparencyPass::SafeDownCast(pass);
-  EXPECT_EQ(tolerant->GetCoincidenceSteps(), 3.0);
-  EXPECT_EQ(tolerant->GetCoincidenceSlope(), 0.5);
 }
 
 TEST(CoincidenceTolerance, CanBeHadWithSixteenSamples)

@@ -371,13 +371,4 @@ TEST(DeferredFrame, MayPassThroughPassesOfItsKind)
   EXPECT_TRUE(Matches(scene.Render(), expected));
 }
 
-TEST(DeferredFrame, ClampsTheAssignment)
-{
-  vtkNew<vtkDeferredLightsPass> pass;
-  pass->SetAssignment(7);
-  EXPECT_EQ(pass->GetAssignment(), vtkDeferredLightsPass::CLUSTERS);
-  pass->SetAssignment(-1);
-  EXPECT_EQ(pass->GetAssignment(), vtkDeferredLightsPass::LIGHT_VOLUMES);
-}
-
 }

@@ -1,5 +1,4 @@
 // What stencil masks do that other methods of the family do not: limits and what is said of them, marks and the filter.
-#include "TestMessages.h"
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "vtkActor.h"
@@ -302,16 +301,6 @@ TEST(StencilMaskDepths, OfHalfFloatsOrderWhatIsFarEnoughApart)
   pass->SetDepthStorageToHalfFloat();
   EXPECT_TRUE(Matches(scene.Render(), full));
   EXPECT_EQ(pass->GetBytes(), bytes - 2 * 8 * Width * Height);
-}
-
-TEST(StencilMaskSettings, OfOtherValuesAreErrors)
-{
-  vtkNew<vtkStencilMaskTransparencyPass> pass;
-  pass->SetNumberOfLayers(12);
-  EXPECT_EQ(pass->GetNumberOfLayers(), 8);
-  pass->SetDepthStorage(7);
-  EXPECT_EQ(pass->GetDepthStorage(), vtkStencilMaskTransparencyPass::FULL_FLOAT);
-  EXPECT_EQ(TakeMessages().size(), 2u);
 }
 
 TEST(StencilMaskRefusals, OfWhatCountsInPixels)

@@ -248,20 +248,6 @@ TEST(StencilRoutedWindows, MayChangeTheirSize)
   }
 }
 
-TEST(StencilRoutedSettings, OfOtherValuesAreErrors)
-{
-  vtkNew<vtkStencilRoutedTransparencyPass> pass;
-  pass->SetSamplesPerPass(3);
-  EXPECT_EQ(pass->GetSamplesPerPass(), 0);
-  pass->SetSamplesPerPass(-1);
-  EXPECT_EQ(pass->GetSamplesPerPass(), 0);
-  pass->SetColorStorage(7);
-  EXPECT_EQ(pass->GetColorStorage(), vtkStencilRoutedTransparencyPass::HALF_FLOAT);
-  EXPECT_EQ(TakeMessages().size(), 3u);
-  pass->SetMaximumNumberOfPasses(0);
-  EXPECT_EQ(pass->GetMaximumNumberOfPasses(), 1);
-}
-
 TEST(StencilRoutedRefusals, OfSeveralSamplesAPixel)
 {
   TestScene scene(Width, Height, 4);

@@ -1,18 +1,28 @@
 /**
  * @class   vtkCulledCompositePolyDataMapper
- * @brief   VTK's mapper of many blocks, whose blocks vtkHierarchicalSBufferCuller leaves out one by one
+ * @brief   mapper of many blocks, which vtkHierarchicalSBufferCuller culls one by one
  *
- * Put in place of VTK's, it draws the same picture: without the culler all blocks, with it those that may show. Each block hides
- * others, and is hidden by them, as an actor of its own would be. What is left out leaves no trace: buffers are not built again,
- * no time of modification and no bounds change, and the visibility that blocks were given stays as it is.
+ * The mapper replaces VTK's mapper of composite data and draws the same picture. Without the culler it draws all
+ * blocks. With the culler it draws the blocks that may be visible. Each block hides others, and is hidden by others,
+ * as an actor of its own would be. Culling has no side effects: buffers are not rebuilt, and modification times,
+ * bounds and the visibility given to blocks stay unchanged.
  *
- *     vtkNew<vtkCulledCompositePolyDataMapper> mapper;
- *     mapper->SetInputDataObject(blocks);
+ * @code
+ * vtkNew<vtkCulledCompositePolyDataMapper> mapper;
+ * mapper->SetInputDataObject(blocks);
+ * @endcode
  *
- * A block hides what lies behind it if it is opaque by the opacities of its own and of all that it is in, by its colours, and by the
- * actor's property. All are drawn where one has points that are not finite, and while a selector renders.
+ * A block is an occluder if it is opaque by its own opacity, by the opacities of all blocks that contain it, by its
+ * colours, and by the actor's property. All blocks are drawn if one of them has points that are not finite, and while
+ * a selector renders.
  *
- * The base is vtkCompositePolyDataMapper2 up to VTK 9.2, and vtkCompositePolyDataMapper from 9.3 on.
+ * The base class is vtkCompositePolyDataMapper2 up to VTK 9.2, and vtkCompositePolyDataMapper from VTK 9.3 on.
+ *
+ * @warning
+ * Subclassing outside of this module is not supported: the mapper and the culler share private types.
+ *
+ * @sa
+ * vtkHierarchicalSBufferCuller vtkCulledPolyDataMapper
  */
 #ifndef vtkCulledCompositePolyDataMapper_h
 #define vtkCulledCompositePolyDataMapper_h
@@ -38,10 +48,18 @@ class DividedMapper;
 class VTKVITRINERENDERING_EXPORT vtkCulledCompositePolyDataMapper : public VITRINE_COMPOSITE_MAPPER
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create and identify the object.
+   */
   static vtkCulledCompositePolyDataMapper* New();
   vtkTypeMacro(vtkCulledCompositePolyDataMapper, VITRINE_COMPOSITE_MAPPER);
+  ///@}
 
-  /** For the culler: what it asks and tells. */
+  /**
+   * Get the object by which vtkHierarchicalSBufferCuller reads the blocks and selects the visible ones. Its type is
+   * private to this module.
+   */
   vitrine::DividedMapper* GetDividedMapper();
 
 protected:

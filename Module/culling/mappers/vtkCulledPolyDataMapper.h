@@ -1,20 +1,31 @@
 /**
  * @class   vtkCulledPolyDataMapper
- * @brief   VTK's mapper of one polydata, of which vtkHierarchicalSBufferCuller leaves out what does not show
+ * @brief   mapper of one polydata, which vtkHierarchicalSBufferCuller culls in parts
  *
- * For large meshes, such as assemblies that were merged into one. Put in place of VTK's, it draws the same picture: without the culler
- * the whole mesh, with it those runs of some 256 to 4096 triangles that may show. Each run hides others, and is hidden by them, as an
- * actor of its own would be. Buffers are VTK's own, and built once; colours and normals of cells, scalars and picking are as ever.
+ * The mapper is for large meshes, such as assemblies that were merged into one mesh. It replaces VTK's mapper and
+ * draws the same picture. Without the culler it draws the whole mesh. With the culler it draws the runs of about 256
+ * to 4096 triangles that may be visible. Each run hides others, and is hidden by others, as an actor of its own would
+ * be. The buffers are VTK's own and are built once. Cell colours, cell normals, scalars and picking work as in the
+ * superclass.
  *
- *     vtkNew<vtkCulledPolyDataMapper> mapper;
- *     mapper->SetInputData(mesh);
+ * @code
+ * vtkNew<vtkCulledPolyDataMapper> mapper;
+ * mapper->SetInputData(mesh);
+ * @endcode
  *
- * Triangles are drawn in the order that the mesh has, since of two that lie at the same place the first one shows. So runs are
- * found where the mesh has triangles that lie close together one after the other, as merged parts do. A mesh in random order gains
- * nothing.
+ * Triangles are drawn in the order of the mesh, since of two coincident triangles the first one is visible. Hence a
+ * run is found only where triangles that follow each other in the mesh lie close together, as in merged parts. A mesh
+ * in random order gains nothing.
  *
- * Meshes with other cells than polygons, with ghosts, edges or vertices shown, in other representations than surfaces, with a
- * selection, or with points that are not finite are drawn as a whole, and culled as a whole. All is drawn while a selector renders.
+ * A mesh is drawn and culled as a whole if it has cells other than polygons, ghost cells, visible edges or vertices,
+ * another representation than surface, a selection, or points that are not finite. The whole mesh is drawn while a
+ * selector renders.
+ *
+ * @warning
+ * Subclassing outside of this module is not supported: the mapper and the culler share private types.
+ *
+ * @sa
+ * vtkHierarchicalSBufferCuller vtkCulledCompositePolyDataMapper
  */
 #ifndef vtkCulledPolyDataMapper_h
 #define vtkCulledPolyDataMapper_h
@@ -34,10 +45,18 @@ class ShownParts;
 class VTKVITRINERENDERING_EXPORT vtkCulledPolyDataMapper : public vtkOpenGLPolyDataMapper
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create and identify the object.
+   */
   static vtkCulledPolyDataMapper* New();
   vtkTypeMacro(vtkCulledPolyDataMapper, vtkOpenGLPolyDataMapper);
+  ///@}
 
-  /** For the culler: what it asks and tells. */
+  /**
+   * Get the object by which vtkHierarchicalSBufferCuller reads the runs of triangles and selects the visible ones.
+   * Its type is private to this module.
+   */
   vitrine::DividedMapper* GetDividedMapper();
 
 protected:

@@ -4,6 +4,7 @@
 #include "lighting/deferred/DeferredShading.h"
 #include "scene/ClassName.h"
 #include "scene/PassTraits.h"
+#include "scene/Settings.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkRenderState.h"
@@ -65,6 +66,13 @@ struct PartOfState : vtkRenderState
 };
 }
 
+namespace
+{
+
+const vitrine::EnumNames Assignments{ { "light volumes", "tiles", "clusters" } };
+
+}
+
 struct vtkDeferredLightsPass::DeferredInternals
 {
   vitrine::DeferredShading Shading;
@@ -87,8 +95,20 @@ vtkDeferredLightsPass::~vtkDeferredLightsPass()
 void vtkDeferredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Assignment: " << this->Assignment << "\n";
+  os << indent << "Assignment: " << this->GetAssignmentAsString() << "\n";
   os << indent << "NumberOfDeferredProps: " << this->NumberOfDeferredProps << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkDeferredLightsPass::SetAssignment(int assignment)
+{
+  vitrine::SetInRange(this, "Assignment", this->Assignment, assignment, Assignments);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDeferredLightsPass::GetAssignmentAsString()
+{
+  return Assignments[this->Assignment];
 }
 
 //------------------------------------------------------------------------------

@@ -1,23 +1,27 @@
 /**
  * @class   vtkDeferredLightsPass
- * @brief   thousands of lights, each pixel lit once
+ * @brief   lights each pixel once by thousands of lights
  *
- * Opaque geometry is drawn into a G-buffer, and lit from there pixel by pixel, by VTK's own formulas (T. Saito, T. Takahashi: Comprehensible
- * rendering of 3-D shapes, SIGGRAPH 1990). What lies behind other things is not lit, however many layers of it there are. A multisampled
- * window's pixels are lit sample by sample.
+ * Opaque geometry is drawn into a G-buffer, and lit from there pixel by pixel by VTK's own formulas. Hidden surfaces
+ * are not lit, however many layers they have. The pixels of a multisampled window are lit sample by sample.
  *
- * Translucent geometry, and props that have shaders of their own, are drawn as vtkClusteredLightsPass does. So is all of a frame whose delegate is
- * no vtkRenderStepsPass, or has another pass for opaque geometry than vtkOpaquePass.
+ * Translucent geometry and props with user-defined shader code are drawn as in vtkClusteredLightsPass. So is the whole
+ * frame if the delegate is not a vtkRenderStepsPass, or if its pass for opaque geometry is not a vtkOpaquePass.
  *
- * \code
+ * @code
  * vtkNew<vtkSeeThroughPass> seeThrough; // or any other vtkRenderStepsPass
  * vtkNew<vtkDeferredLightsPass> lights;
  * lights->SetDelegatePass(seeThrough);
  * renderer->SetPass(lights);
- * \endcode
+ * @endcode
  *
- * Where surfaces of equal depth meet, those that are not deferred win. The GridSpace is that of what is not deferred: with
- * WORLD, an error says once that the G-buffer is lit by the view all the same.
+ * Of coincident surfaces, one that is not deferred is drawn over one that is deferred. The GridSpace applies only to
+ * geometry that is not deferred. With WORLD, an error says once that the G-buffer is lit by clusters of the view.
+ *
+ * Source: T. Saito, T. Takahashi: Comprehensible rendering of 3-D shapes, SIGGRAPH 1990.
+ *
+ * @sa
+ * vtkClusteredLightsPass vtkSeeThroughPass
  */
 #ifndef vtkDeferredLightsPass_h
 #define vtkDeferredLightsPass_h
@@ -27,42 +31,62 @@
 class VTKVITRINERENDERING_EXPORT vtkDeferredLightsPass : public vtkClusteredLightsPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkDeferredLightsPass* New();
   vtkTypeMacro(vtkDeferredLightsPass, vtkClusteredLightsPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
-  /**
-   * What lights are assigned to.
-   */
-  enum Assignments
+  /** The parts of the picture that lights are assigned to. */
+  enum AssignmentType
   {
-    LIGHT_VOLUMES, ///< each to a rectangle of the picture; all are drawn, one after the other, and added up
-    TILES,         ///< between the nearest and the farthest of a tile's pixels
-    CLUSTERS ///< of tiles and slices of depth
+    /** Each light lights a rectangle of the picture. The rectangles are drawn one after the other and summed. */
+    LIGHT_VOLUMES,
+    /** Lights are assigned to tiles of the picture, between the nearest and the farthest pixel of the tile. */
+    TILES,
+    /** Lights are assigned to clusters: a tile of the picture and a slice of depth. */
+    CLUSTERS
   };
 
   ///@{
   /**
-   * Of pixels of the G-buffer. What is not deferred is lit by clusters always. CLUSTERS.
+   * Get/Set what lights are assigned to for the pixels of the G-buffer, one of AssignmentType. Geometry that is not
+   * deferred is always lit by clusters. The default is CLUSTERS. A value out of range is an error.
    */
-  vtkSetClampMacro(Assignment, int, LIGHT_VOLUMES, CLUSTERS);
+  void SetAssignment(int assignment);
   vtkGetMacro(Assignment, int);
+  void SetAssignmentToLightVolumes() { this->SetAssignment(LIGHT_VOLUMES); }
+  void SetAssignmentToTiles() { this->SetAssignment(TILES); }
+  void SetAssignmentToClusters() { this->SetAssignment(CLUSTERS); }
   ///@}
 
-  ///@{
   /**
-   * Of the last frame: props that were drawn into the G-buffer. If there are any, statistics of clusters are those of its pixels: used are all of LIGHT_VOLUMES,
-   * and where OpenGL 4.3 is missing.
+   * Get the name of the Assignment: "light volumes", "tiles" or "clusters".
+   */
+  const char* GetAssignmentAsString();
+
+  /**
+   * Get the number of props that were drawn into the G-buffer in the last frame. If it is not 0, the statistics of
+   * clusters are those of the G-buffer. There all clusters count as used with LIGHT_VOLUMES, and without OpenGL 4.3.
    */
   vtkGetMacro(NumberOfDeferredProps, int);
-  ///@}
 
+  /**
+   * Draw the frame by the DelegatePass, with its opaque geometry in a G-buffer.
+   */
   void Render(const vtkRenderState* s) override;
 
+  /**
+   * Release what the pass and its delegate hold in the context of a window.
+   */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * vtkOpenGLRenderPass: what goes into the G-buffer is not lit yet.
+   * Insert the loop over lights into the shader of a mapper, unless the mapper draws into the G-buffer. The mapper
+   * calls this method.
    */
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;

@@ -13,6 +13,7 @@
 #include "lighting/forward/WorldCells.h"
 #include "scene/LitProps.h"
 #include "scene/PassTraits.h"
+#include "scene/Settings.h"
 #include "vtkAbstractMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -52,6 +53,9 @@ struct vtkClusteredLightsPass::Internals
 namespace
 {
 
+const vitrine::EnumNames GridSpaces{ { "view", "world" } };
+const vitrine::EnumNames SliceLaws{ { "exponential", "uniform", "NDC uniform" } };
+
 /** Returns the number of clusters of a view, limited since each cell of the world needs a box. */
 std::uint32_t CellsLike(vtkRenderer* renderer, const vitrine::ClusterSettings& settings)
 {
@@ -82,10 +86,10 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: " << this->GetDelegatePass() << "\n";
   os << indent << "CutOff: " << this->CutOff << "\n";
-  os << indent << "GridSpace: " << this->GridSpace << "\n";
+  os << indent << "GridSpace: " << this->GetGridSpaceAsString() << "\n";
   os << indent << "TileSize: " << this->TileSize << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
-  os << indent << "SliceLaw: " << this->SliceLaw << "\n";
+  os << indent << "SliceLaw: " << this->GetSliceLawAsString() << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
   os << indent << "NumberOfUsedClusters: " << this->NumberOfUsedClusters << "\n";
@@ -116,6 +120,48 @@ void vtkClusteredLightsPass::SetDelegatePass(vtkRenderPass* pass)
 vtkRenderPass* vtkClusteredLightsPass::GetDelegatePass()
 {
   return this->Private->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetCutOff(double cutOff)
+{
+  vitrine::SetInRange(this, "CutOff", this->CutOff, cutOff, { 0.0, 1.0 });
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetGridSpace(int space)
+{
+  vitrine::SetInRange(this, "GridSpace", this->GridSpace, space, GridSpaces);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkClusteredLightsPass::GetGridSpaceAsString()
+{
+  return GridSpaces[this->GridSpace];
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetTileSize(int pixels)
+{
+  vitrine::SetInRange(this, "TileSize", this->TileSize, pixels, { 1, 4096 });
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetNumberOfSlices(int slices)
+{
+  vitrine::SetInRange(this, "NumberOfSlices", this->NumberOfSlices, slices, { 1, 1024 });
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetSliceLaw(int law)
+{
+  vitrine::SetInRange(this, "SliceLaw", this->SliceLaw, law, SliceLaws);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkClusteredLightsPass::GetSliceLawAsString()
+{
+  return SliceLaws[this->SliceLaw];
 }
 
 //------------------------------------------------------------------------------

@@ -1,24 +1,34 @@
 /**
  * @class   vtkClusteredLightsPass
- * @brief   thousands of lights by VTK's own formulas
+ * @brief   lights a frame by thousands of lights
  *
- * VTK's mappers write a piece of shader for each light, so frames, and the time until there is the first one, grow with their number. With this pass
- * they write it once, and a fragment goes through the lights that reach its cluster: a tile of the picture and a slice of depth (O. Olsson,
- * M. Billeter, U. Assarsson: Clustered deferred and forward shading, HPG 2012). The number of lights changes no shader. Opaque
- * geometry and translucent by whatever method are lit alike, by Phong's shading or physically based.
+ * VTK's mappers write a block of shader code for each light. So the time of a frame, and the time to compile its
+ * shaders, grow with the number of lights. With this pass the mappers write the block once. Each fragment loops over
+ * the lights that reach its cluster, which is a tile of the picture and a slice of depth. The number of lights
+ * changes no shader. The formulas are VTK's own, for Phong shading and physically based shading. Opaque geometry is
+ * lit, and translucent geometry by any method.
  *
- * \code
+ * @code
  * vtkNew<vtkSeeThroughPass> seeThrough; // or any other pass that draws a frame
  * vtkNew<vtkClusteredLightsPass> lights;
  * lights->SetDelegatePass(seeThrough);
  * renderer->SetPass(lights);
- * \endcode
+ * @endcode
  *
- * Lights are the renderer's, as always. A vtkLight has no range: the CutOff gives each positional one the range beyond which all that are left out
- * at a point change the picture by no more than that, together. A light that VTK would turn all black with (not finite, or without
- * any attenuation) is left out with a warning.
+ * The lights are the renderer's. A vtkLight has no range: the CutOff gives each positional light one. A light that
+ * would turn everything black that it lights is left out with a warning: one that is not finite or has no
+ * attenuation.
  *
- * A single headlight is drawn as VTK does, as are pictures in stereo; volumes have their own lighting.
+ * A frame with a single headlight is drawn as VTK does, and so is a picture in stereo. Volumes have their own
+ * lighting.
+ *
+ * Source: O. Olsson, M. Billeter, U. Assarsson: Clustered deferred and forward shading, HPG 2012.
+ *
+ * @warning
+ * Subclassing outside of this module is not supported: protected methods have parameters of private types.
+ *
+ * @sa
+ * vtkDeferredLightsPass vtkSeeThroughPass
  */
 #ifndef vtkClusteredLightsPass_h
 #define vtkClusteredLightsPass_h
@@ -45,18 +55,32 @@ struct RendererLights;
 class VTKVITRINERENDERING_EXPORT vtkClusteredLightsPass : public vtkOpenGLRenderPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkClusteredLightsPass* New();
   vtkTypeMacro(vtkClusteredLightsPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
+  /**
+   * Draw the frame by the DelegatePass. It is an error if there is none. Nothing is drawn then.
+   */
   void Render(const vtkRenderState* s) override;
+
+  /**
+   * Release what the pass and its delegate hold in the context of a window.
+   */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
-   * What draws the frame: a vtkRenderStepsPass such as vtkSeeThroughPass, by itself or within passes that process its picture. What draws for other
-   * cameras than the renderer's, or looks up lights by itself, as vtkPanoramicProjectionPass, vtkShadowMapPass and volumes within a sequence of passes
-   * of one's own do, is not lit rightly.
+   * Get/Set the pass that draws the frame: a vtkRenderStepsPass such as vtkSeeThroughPass, or passes around one that
+   * process its picture. The default is null. This pass itself is an error and is ignored.
+   *
+   * Lighting is wrong for passes that draw for other cameras than the renderer's or read the lights themselves.
+   * Examples are vtkPanoramicProjectionPass, vtkShadowMapPass, and volumes within a user-defined sequence of passes.
    */
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
@@ -64,134 +88,184 @@ public:
 
   ///@{
   /**
-   * The most that a channel of the picture, in [0, 1], may be off by all lights together that are left out where they give little. 0 leaves out
-   * what gives nothing. Half of 1/255.
+   * Get/Set the maximum error of a colour channel, in [0, 1], due to all lights together that are left out where they
+   * contribute little. With 0, only lights that contribute nothing are left out. The range is 0 to 1, the default is
+   * 0.5 / 255. A value out of range is an error.
    */
-  vtkSetClampMacro(CutOff, double, 0.0, 1.0);
+  void SetCutOff(double cutOff);
   vtkGetMacro(CutOff, double);
   ///@}
 
   /**
-   * Why the last frame was lit by VTK's mappers and not by clusters; empty if it was lit by clusters, or if there was
-   * nothing to do: no light is on, or a single headlight alone.
+   * Get the reason why the last frame was lit by VTK's mappers and not by clusters. The string is empty if it was lit
+   * by clusters, if no light is on, or if the only light is a headlight. It is valid until the next frame.
    */
   const char* GetFallbackReason();
 
-  /**
-   * What lights are assigned to.
-   */
-  enum GridSpaces
+  /** The space that is divided into clusters. */
+  enum GridSpaceType
   {
-    VIEW, ///< clusters of the view: tiles of the picture and slices of depth
-    WORLD ///< cubes of the box around what is drawn, as many as the view would have clusters
+    /** Clusters divide the view: a cluster is a tile of the picture and a slice of depth. */
+    VIEW,
+    /** Clusters are cubes of the box around all props. There are about as many as in the view. */
+    WORLD
   };
 
   ///@{
   /**
-   * Cubes of the WORLD are for comparison: they are as large near the eye as far from it. Where it is not known where all is that is drawn, as with several
-   * samples a pixel, there is one cube that is all of space. VIEW.
+   * Get/Set the space that is divided into clusters, one of GridSpaceType. WORLD is for comparison: its cubes are as
+   * large near the camera as far from it. It has a single cube if the bounds of what is drawn are unknown, as with
+   * several samples a pixel. The default is VIEW. A value out of range is an error.
    */
-  vtkSetClampMacro(GridSpace, int, VIEW, WORLD);
+  void SetGridSpace(int space);
   vtkGetMacro(GridSpace, int);
+  void SetGridSpaceToView() { this->SetGridSpace(VIEW); }
+  void SetGridSpaceToWorld() { this->SetGridSpace(WORLD); }
   ///@}
+
+  /**
+   * Get the name of the GridSpace: "view" or "world".
+   */
+  const char* GetGridSpaceAsString();
 
   ///@{
   /**
-   * Tiles are so many pixels a side. 64.
+   * Get/Set the width and height of a tile in pixels. The range is 1 to 4096, the default is 64. A value out of range
+   * is an error.
    */
-  vtkSetClampMacro(TileSize, int, 1, 4096);
+  void SetTileSize(int pixels);
   vtkGetMacro(TileSize, int);
   ///@}
 
   ///@{
   /**
-   * Slices of depth, at most; with one, lights are assigned to tiles. 16.
+   * Get/Set the maximum number of depth slices. With 1, lights are assigned to tiles. The range is 1 to 1024, the
+   * default is 16. A value out of range is an error.
    */
-  vtkSetClampMacro(NumberOfSlices, int, 1, 1024);
+  void SetNumberOfSlices(int slices);
   vtkGetMacro(NumberOfSlices, int);
   ///@}
 
-  /**
-   * How slices follow each other in perspective.
-   */
-  enum SliceLaws
+  /** The spacing of depth slices in perspective projection. */
+  enum SliceLawType
   {
-    EXPONENTIAL, ///< each is deeper than the one before by the same factor, about as deep as tiles are high
-    UNIFORM,    ///< as deep as each other
-    NDC_UNIFORM ///< equal steps of normalised device coordinates, which are nearly all at the eye
+    /** Each slice is deeper than the one before by the same factor, and about as deep as a tile is high. */
+    EXPONENTIAL,
+    /** All slices have the same depth in view coordinates (VC). */
+    UNIFORM,
+    /** All slices have the same depth in normalised device coordinates. Nearly all of them are close to the camera. */
+    NDC_UNIFORM
   };
 
   ///@{
   /**
-   * In parallel projection slices are uniform always. EXPONENTIAL.
+   * Get/Set the spacing of depth slices in perspective projection, one of SliceLawType. In parallel projection slices
+   * are always uniform. The default is EXPONENTIAL. A value out of range is an error.
    */
-  vtkSetClampMacro(SliceLaw, int, EXPONENTIAL, NDC_UNIFORM);
+  void SetSliceLaw(int law);
   vtkGetMacro(SliceLaw, int);
+  void SetSliceLawToExponential() { this->SetSliceLaw(EXPONENTIAL); }
+  void SetSliceLawToUniform() { this->SetSliceLaw(UNIFORM); }
+  void SetSliceLawToNDCUniform() { this->SetSliceLaw(NDC_UNIFORM); }
   ///@}
 
-  ///@{
   /**
-   * Of the last frame: lights that are on and not left out for good, clusters, those that hold something to be lit (as far as it is known what does), lights of
-   * one of these on average and at most, the seconds that it took to assign them, and the GPU memory in bytes that the pass holds.
+   * Get the name of the SliceLaw: "exponential", "uniform" or "NDC uniform".
+   */
+  const char* GetSliceLawAsString();
+
+  /**
+   * Get the number of lights of the last frame that was lit by clusters. Lights that are off, or left out with a
+   * warning, do not count. The statistics below are of that frame, too.
    */
   vtkGetMacro(NumberOfLights, vtkIdType);
-  vtkGetMacro(NumberOfClusters, vtkIdType);
-  vtkGetMacro(NumberOfUsedClusters, vtkIdType);
-  vtkGetMacro(MeanNumberOfLightsPerCluster, double);
-  vtkGetMacro(MaximumNumberOfLightsPerCluster, vtkIdType);
-  vtkGetMacro(AssignmentTime, double);
-  vtkGetMacro(Bytes, vtkTypeInt64);
-  ///@}
 
   /**
-   * Of the last frame: how many lights a fragment at a place looks at, in view coordinates (VC).
+   * Get the number of clusters.
+   */
+  vtkGetMacro(NumberOfClusters, vtkIdType);
+
+  /**
+   * Get the number of clusters that contain something to be lit, as far as that is known.
+   */
+  vtkGetMacro(NumberOfUsedClusters, vtkIdType);
+
+  /**
+   * Get the mean number of lights of a used cluster.
+   */
+  vtkGetMacro(MeanNumberOfLightsPerCluster, double);
+
+  /**
+   * Get the maximum number of lights of a cluster.
+   */
+  vtkGetMacro(MaximumNumberOfLightsPerCluster, vtkIdType);
+
+  /**
+   * Get the time that assigning lights to clusters took, in seconds.
+   */
+  vtkGetMacro(AssignmentTime, double);
+
+  /**
+   * Get the GPU memory that the pass holds after the last frame, in bytes.
+   */
+  vtkGetMacro(Bytes, vtkTypeInt64);
+
+  /**
+   * Get the number of lights of the cluster at a point in view coordinates (VC). Returns 0 before the first frame.
    */
   vtkIdType GetNumberOfLightsAt(double x, double y, double z);
 
-  ///@{
   /**
-   * vtkOpenGLRenderPass: make a loop of the mappers' light.
+   * Insert the loop over lights into the shader of a mapper. The mapper calls this method. It is an error if the
+   * shader cannot be changed.
    */
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+
+  /**
+   * Set the uniforms of the loop over lights. The mapper calls this method.
+   */
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  ///@}
 
 protected:
   vtkClusteredLightsPass();
   ~vtkClusteredLightsPass() override;
 
   /**
-   * Draw the frame in the stand-in's light: by the DelegatePass.
+   * Draw the frame by the DelegatePass. The renderer has a single light during the call, for which the loop stands.
    */
   virtual void RenderDelegate(const vtkRenderState* s);
 
-  ///@{
   /**
-   * Release what a subclass holds in the context that is current; forget it where that context is gone.
+   * Release the OpenGL objects of a subclass. Their context is current.
    */
   virtual void ReleaseMethodResources() {}
-  virtual void ForgetMethodResources() {}
-  ///@}
 
   /**
-   * Release what is held in a context that lives, and forget it where that is gone: its names are others' then. Destructors of subclasses call it.
+   * Forget the OpenGL objects of a subclass without releasing them. Their context no longer exists.
+   */
+  virtual void ForgetMethodResources() {}
+
+  /**
+   * Release all OpenGL objects if their context still exists, and forget them otherwise. Destructors of subclasses
+   * call this method.
    */
   void LeaveWindow();
 
   /**
-   * How the view is cut into clusters.
+   * Get the settings by which the view is divided into clusters.
    */
   vitrine::ClusterSettings GetClusterSettings() const;
 
   /**
-   * The lights of the current frame.
+   * Get the lights of the current frame.
    */
   const vitrine::RendererLights& GetLights() const;
 
   /**
-   * Have the statistics say what the lists of clusters hold, so many of which are used. Grid and lists stay where they are until the next frame's.
+   * Set the statistics from a grid, its lists of lights, and the number of used clusters. The grid and the lists must
+   * exist until the next call.
    */
   void TellOfLists(
     const vitrine::LightGrid& grid, const vitrine::LightLists& lists, std::size_t used);

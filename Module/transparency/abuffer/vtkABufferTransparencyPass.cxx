@@ -8,6 +8,7 @@
 #include "gl/MemoryBarriers.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "scene/Settings.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/abuffer/ListResolver.h"
 #include "transparency/common/CoincidenceTolerance.h"
@@ -32,7 +33,7 @@ const std::string TooDeep = "a pixel has " + std::to_string(VITRINE_LARGEST_COUN
 const char* const UnsteadyProps =
   "the translucent props make more fragments each time they are drawn within one frame";
 
-const char* const StorageNames[] = { "HALF_FLOAT", "EIGHT_BIT", "COMPACT" };
+const vitrine::EnumNames StoragesOfABuffers{ { "half float", "eight bit", "compact" } };
 
 // Compact nodes have no room for colours beyond 1.
 vitrine::NodeColors KindOfColors(int storage, const vitrine::RenderTarget& target)
@@ -100,7 +101,7 @@ vitrine::FragmentStore& vtkABufferTransparencyPass::GetStore()
 void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ColorStorage: " << StorageNames[this->ColorStorage] << "\n";
+  os << indent << "ColorStorage: " << this->GetColorStorageAsString() << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "PoolBytes: " << this->GetPoolBytes() << "\n";
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
@@ -109,18 +110,22 @@ void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkABufferTransparencyPass::SetColorStorage(int storage)
 {
-  if (storage < HALF_FLOAT || storage > COMPACT)
+  if (vitrine::SetInRange(this, "ColorStorage", this->ColorStorage, storage, StoragesOfABuffers))
   {
-    vtkErrorMacro(<< "ColorStorage is HALF_FLOAT (0), EIGHT_BIT (1) or COMPACT (2), not " << storage
-                  << ".");
-    return;
-  }
-  if (storage != this->ColorStorage)
-  {
-    this->ColorStorage = storage;
     this->ShaderStage.Modified();
-    this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkABufferTransparencyPass::GetColorStorageAsString()
+{
+  return StoragesOfABuffers[this->ColorStorage];
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  vitrine::SetInRange(this, "MemoryLimit", this->MemoryLimit, bytes, { 0, VTK_TYPE_INT64_MAX });
 }
 
 //------------------------------------------------------------------------------

@@ -1,22 +1,35 @@
 /**
  * @class   vtkABufferTransparencyPass
- * @brief   what the methods share that store every fragment: an A-buffer
+ * @brief   base class of the methods that store every fragment in an A-buffer
  *
- * One frame:
+ * A frame has these steps:
  *
- *  1. Fill: the translucent geometry is drawn, and every fragment goes to the list of its pixel. Depth is kept as
- *     32-bit float, colour in 16-bit floats or 8 bits, or both in 8 bytes.
- *  2. Classify: the longest list of each tile of 16x16 pixels, and what the frame needed.
- *  3. If there was no room for that, there is now, and the geometry is drawn again, in the same frame. If the memory
- *     limit forbids that, or the driver has no memory, the frame is drawn in bands of the screen, each of which fits.
- *  4. Resolve: tiles in bins by their longest list; up to 64 fragments sort in registers by an unrolled network, up to
- *     1024 in runs that are merged at once, longer lists block by block.
+ * 1. Fill: the translucent geometry is drawn, and each fragment is added to its pixel's list. Depth is stored as
+ *    32-bit float and colour as 16-bit floats or 8 bits, or both are packed into 8 bytes.
+ * 2. Classify: compute shaders find the longest list of each tile of 16 x 16 pixels, and the memory the frame needs.
+ * 3. Repeat: if the memory did not suffice, it grows and the geometry is drawn again in the same frame. If the
+ *    MemoryLimit or the driver forbids that, the frame is drawn in bands of the screen, each of which fits.
+ * 4. Resolve: tiles are binned by their longest list. Up to 64 fragments are sorted in registers by an unrolled
+ *    sorting network. Up to 1024 fragments are sorted in runs that are merged at once. Longer lists are sorted block
+ *    by block.
  *
- * The picture does not depend on the order in which fragments arrive: among fragments of equal depth the packed colour
- * decides, compared by alpha, blue, green, red.
+ * The picture does not depend on the order in which fragments arrive. Fragments of equal depth are ordered by their
+ * packed colour: by alpha, blue, green and red.
  *
- * L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984; P. Knowles, G. Leach, F. Zambetta: Fast
- * Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014).
+ * @code
+ * vtkNew<vtkLinkedListTransparencyPass> method; // a vtkABufferTransparencyPass
+ * method->SetColorStorageToCompact();
+ * method->SetMemoryLimit(512 * 1024 * 1024);
+ * @endcode
+ *
+ * Sources: L. Carpenter: The A-buffer, an Antialiased Hidden Surface Method, SIGGRAPH 1984; P. Knowles, G. Leach, F.
+ * Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014).
+ *
+ * @warning
+ * Subclassing outside of this module is not supported: pure virtual methods have private types.
+ *
+ * @sa
+ * vtkLinkedListTransparencyPass vtkPrefixSumTransparencyPass
  */
 #ifndef vtkABufferTransparencyPass_h
 #define vtkABufferTransparencyPass_h
@@ -36,26 +49,39 @@ struct PixelRegion;
 class VTKVITRINERENDERING_EXPORT vtkABufferTransparencyPass : public vtkTolerantTransparencyPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to identify and print the object.
+   */
   vtkAbstractTypeMacro(vtkABufferTransparencyPass, vtkTolerantTransparencyPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
+  /** The formats in which the colours of fragments are stored. */
   enum ColorStorageType
   {
-    /// Four 16-bit floats without sign (5 bits of exponent, 11 of mantissa), 8 bytes a fragment: exact to 8-bit
-    /// pictures with any number of layers.
+    /**
+     * Four 16-bit floats without sign (5 bits of exponent, 11 bits of mantissa), 8 bytes a fragment. Exact for 8-bit
+     * pictures with any number of layers.
+     */
     HALF_FLOAT = 0,
-    /// RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up, and in floating-point
-    /// targets colours end at 1.
+    /**
+     * Four 8-bit integers, 4 bytes a fragment. Alpha is rounded, and these errors add up over many faint layers. In
+     * floating-point targets colours are clamped to 1.
+     */
     EIGHT_BIT = 1,
-    /// 38 bits, which with 26 of depth make 8 bytes a fragment in all: exact to 8-bit pictures, as HALF_FLOAT is, but
-    /// with half a step more at most. Depths below 1/128 are kept in steps of 2^-30, a 64th of a 24-bit depth buffer's. In
-    /// floating-point targets colours are kept as HALF_FLOAT does.
+    /**
+     * 38 bits of colour and 26 bits of depth, 8 bytes a fragment in all. Exact for 8-bit pictures as HALF_FLOAT, with
+     * an additional error of at most half a step. Depths below 1/128 are stored in steps of 2^-30, 1/64 of the step
+     * of a 24-bit depth buffer. In floating-point targets colours are stored as with HALF_FLOAT.
+     */
     COMPACT = 2
   };
 
   ///@{
   /**
-   * How fragments' colours are kept. Half float by default.
+   * Get/Set the format in which the colours of fragments are stored, one of ColorStorageType. The default is
+   * HALF_FLOAT. A value out of range is an error.
    */
   void SetColorStorage(int storage);
   vtkGetMacro(ColorStorage, int);
@@ -64,23 +90,30 @@ public:
   void SetColorStorageToCompact() { this->SetColorStorage(COMPACT); }
   ///@}
 
+  /**
+   * Get the name of the ColorStorage: "half float", "eight bit" or "compact".
+   */
+  const char* GetColorStorageAsString();
+
   ///@{
   /**
-   * The most GPU memory in bytes that stored fragments may take; 0, the default, for no limit but the driver's.
-   * A frame that needs more is drawn in bands of the screen and is exact all the same, unless one pixel alone
-   * needs more, which is an error. There is room for 16 fragments at least.
+   * Get/Set the maximum GPU memory for stored fragments, in bytes. 0 means no limit but the driver's. A frame that
+   * needs more is drawn in bands of the screen and is still exact. It is an error if a single pixel needs more. There
+   * is always room for 16 fragments. The range is 0 to VTK_TYPE_INT64_MAX, the default is 0. A value out of range is
+   * an error.
    */
-  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  void SetMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
   /**
-   * Bytes for fragments after the last frame; GetBytes() counts heads, tiles and the backdrop too.
+   * Get the GPU memory allocated for fragments after the last frame, in bytes. GetBytes() also counts the heads of the
+   * lists, the tiles and the copy of the background.
    */
   vtkTypeInt64 GetPoolBytes();
 
   /**
-   * In how many bands of the screen the last frame was drawn: 1 unless the memory limit demanded more.
+   * Get the number of bands of the screen in which the last frame was drawn. It is 1 unless memory did not suffice.
    */
   vtkGetMacro(NumberOfBands, int);
 
@@ -89,17 +122,17 @@ protected:
   ~vtkABufferTransparencyPass() override;
 
   /**
-   * A new store of the method's kind, which holds nothing yet.
+   * Make an empty store of the method's kind.
    */
   virtual std::unique_ptr<vitrine::FragmentStore> MakeStore() const = 0;
 
   /**
-   * The method's own GLSL that stores a fragment.
+   * Add the method's GLSL code that stores a fragment.
    */
   virtual void GetStoringShader(vitrine::FillShader& fill) const = 0;
 
   /**
-   * The store, which MakeStore() has made.
+   * Get the store. The first call makes it by MakeStore().
    */
   vitrine::FragmentStore& GetStore();
 

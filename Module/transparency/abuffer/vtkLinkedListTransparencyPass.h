@@ -1,13 +1,23 @@
 /**
  * @class   vtkLinkedListTransparencyPass
- * @brief   exact transparency by an A-buffer of linked lists
+ * @brief   exact transparency by per-pixel linked lists
  *
- * Fragments go to a pool of pages of 1 to 8 nodes, which shaders allocate; an image holds each pixel's newest page and
- * its number of fragments. One pass over the geometry, for any number of layers; a second one in the frames in which the
- * pool grows.
+ * Shaders allocate pages of 1 to 8 nodes from a node pool. An image holds each pixel's newest page and its number of
+ * fragments. One pass over the geometry suffices for any number of layers. A second pass is drawn in frames in which
+ * the pool grows.
  *
- * J. C. Yang, J. Hensley, H. Gruen, N. Thibieroz: Real-Time Concurrent Linked List Construction on the GPU,
+ * @code
+ * vtkNew<vtkLinkedListTransparencyPass> method;
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(method);
+ * renderer->SetPass(seeThrough);
+ * @endcode
+ *
+ * Sources: J. C. Yang, J. Hensley, H. Gruen, N. Thibieroz: Real-Time Concurrent Linked List Construction on the GPU,
  * EGSR 2010; C. Crassin: Linked lists of fragment pages, 2010.
+ *
+ * @sa
+ * vtkPrefixSumTransparencyPass vtkSeeThroughPass
  */
 #ifndef vtkLinkedListTransparencyPass_h
 #define vtkLinkedListTransparencyPass_h
@@ -17,9 +27,17 @@
 class VTKVITRINERENDERING_EXPORT vtkLinkedListTransparencyPass : public vtkABufferTransparencyPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create and identify the object.
+   */
   static vtkLinkedListTransparencyPass* New();
   vtkTypeMacro(vtkLinkedListTransparencyPass, vtkABufferTransparencyPass);
+  ///@}
 
+  /**
+   * Get "linked-list".
+   */
   const char* GetMethodName() override { return "linked-list"; }
 
 protected:

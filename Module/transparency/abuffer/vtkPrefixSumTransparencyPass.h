@@ -1,22 +1,34 @@
 /**
  * @class   vtkPrefixSumTransparencyPass
- * @brief   exact transparency by an A-buffer of packed lists, placed by prefix sums
+ * @brief   exact transparency by packed per-pixel lists, placed by prefix sums
  *
- * Each pixel's fragments lie one after the other in one buffer. Where a pixel's room begins is the sum of the fragments
- * of all pixels before it, which compute shaders find. How many those are is known in one of two ways:
+ * The fragments of each pixel are contiguous in one buffer. Compute shaders find where each pixel's room begins: it is
+ * the sum of the rooms of all pixels before it. There are two ways to find the size of the rooms:
  *
- *  - counted: a first pass over the geometry counts, a second one stores. The buffer has no more room than there are
- *    fragments.
- *  - predicted, the default: each pixel has as much room as the longest list of the last frame in its neighbourhood, a
- *    block of 4x4 pixels and the eight around it, so one pass over the geometry does. Where a pixel has more fragments
- *    all the same, as when the camera jumps, that pass has counted them, and a second one stores them in the same frame.
+ * - Counted: a first pass over the geometry counts fragments, a second pass stores them. The buffer has no more room
+ *   than there are fragments.
+ * - Predicted, the default: each pixel gets as much room as the longest list of the last frame in its neighbourhood,
+ *   which is a block of 4 x 4 pixels and the eight blocks around it. One pass over the geometry suffices. If a pixel
+ *   has more fragments, as when the camera jumps, that pass has counted them, and a second pass of the same frame
+ *   stores them.
  *
- * No fragment is written outside of its pixel's room. Where passes of one frame do not agree, as with shaders that
- * change from draw to draw, the geometry is drawn again, and in the end the frame says so.
+ * No fragment is written outside of its pixel's room. If two passes of a frame do not agree, as with shaders that
+ * change from draw to draw, the geometry is drawn again. If they still do not agree, VTK's own method draws the frame
+ * and GetFallbackReason() tells the reason.
  *
- * Microsoft DirectX SDK (June 2010), sample OIT11, for a buffer packed by a prefix sum; G. E. Blelloch: Prefix Sums and
- * Their Applications, CMU-CS-90-190, 1990; P. Knowles, G. Leach, F. Zambetta: Efficient Layered Fragment Buffer Techniques,
- * OpenGL Insights, 2012.
+ * @code
+ * vtkNew<vtkPrefixSumTransparencyPass> method;
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(method);
+ * renderer->SetPass(seeThrough);
+ * @endcode
+ *
+ * Sources: Microsoft DirectX SDK (June 2010), sample OIT11, for a buffer packed by a prefix sum; G. E. Blelloch:
+ * Prefix Sums and Their Applications, CMU-CS-90-190, 1990; P. Knowles, G. Leach, F. Zambetta: Efficient Layered
+ * Fragment Buffer Techniques, OpenGL Insights, 2012.
+ *
+ * @sa
+ * vtkLinkedListTransparencyPass vtkSeeThroughPass
  */
 #ifndef vtkPrefixSumTransparencyPass_h
 #define vtkPrefixSumTransparencyPass_h
@@ -26,13 +38,19 @@
 class VTKVITRINERENDERING_EXPORT vtkPrefixSumTransparencyPass : public vtkABufferTransparencyPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkPrefixSumTransparencyPass* New();
   vtkTypeMacro(vtkPrefixSumTransparencyPass, vtkABufferTransparencyPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
-   * Whether frames begin with the room that the last one lets expect, in place of counting first. On by default.
+   * Get/Set whether a frame predicts the size of its lists from the last frame instead of counting first. The default
+   * is on.
    */
   vtkSetMacro(Prediction, bool);
   vtkGetMacro(Prediction, bool);
@@ -40,7 +58,7 @@ public:
   ///@}
 
   /**
-   * "prefix-sum-predicted", or "prefix-sum" with PredictionOff().
+   * Get "prefix-sum-predicted" if Prediction is on, and "prefix-sum" if it is off.
    */
   const char* GetMethodName() override
   {

@@ -1,5 +1,6 @@
 #include "vtkTolerantTransparencyPass.h"
 
+#include "scene/Settings.h"
 #include "transparency/common/CoincidenceTolerance.h"
 
 //------------------------------------------------------------------------------
@@ -23,35 +24,24 @@ vitrine::CoincidenceTolerance vtkTolerantTransparencyPass::GetTolerance() const
 }
 
 //------------------------------------------------------------------------------
-void vtkTolerantTransparencyPass::SetTolerance(const vitrine::CoincidenceTolerance& tolerance)
+void vtkTolerantTransparencyPass::SetTolerance(const char* name, double& setting, double value)
 {
-  const std::string problem = tolerance.FindProblem();
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-    return;
-  }
-  const vitrine::CoincidenceTolerance before = this->GetTolerance();
-  if (tolerance.IsOn() != before.IsOn())
+  const bool wasOn = this->GetTolerance().IsOn();
+  vitrine::SetInRange(this, name, setting, value, vitrine::NotNegative);
+  if (this->GetTolerance().IsOn() != wasOn)
   {
     this->ShaderStage.Modified();
-  }
-  if (tolerance.Steps != before.Steps || tolerance.Slope != before.Slope)
-  {
-    this->CoincidenceSteps = tolerance.Steps;
-    this->CoincidenceSlope = tolerance.Slope;
-    this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkTolerantTransparencyPass::SetCoincidenceSteps(double steps)
 {
-  this->SetTolerance({ steps, this->CoincidenceSlope });
+  this->SetTolerance("CoincidenceSteps", this->CoincidenceSteps, steps);
 }
 
 //------------------------------------------------------------------------------
 void vtkTolerantTransparencyPass::SetCoincidenceSlope(double slope)
 {
-  this->SetTolerance({ this->CoincidenceSteps, slope });
+  this->SetTolerance("CoincidenceSlope", this->CoincidenceSlope, slope);
 }

@@ -1,28 +1,40 @@
 /**
  * @class   vtkTransparencyPass
- * @brief   what all transparency methods share
+ * @brief   base class of all transparency methods
  *
- * A render pass for the translucent polygonal geometry of a renderer, to stand where VTK has
- * vtkOrderIndependentTranslucentPass or vtkDualDepthPeelingPass: as the translucent pass of a
- * vtkRenderStepsPass. vtkSeeThroughPass is such a vtkRenderStepsPass, ready made.
+ * The pass draws the translucent polygonal geometry of a renderer. It is set as the translucent pass of a
+ * vtkRenderStepsPass such as vtkSeeThroughPass, where VTK has vtkOrderIndependentTranslucentPass or
+ * vtkDualDepthPeelingPass.
  *
- * The pass draws into the framebuffer that is bound when it begins, within its scissor box, so it works in
- * any viewport, layer or framebuffer that VTK sets up. Fragments behind the opaque depth are hidden. What
- * comes out is premultiplied by alpha and composited over what is there.
+ * @code
+ * vtkSmartPointer<vtkTransparencyPass> method =
+ *   vtk::TakeSmartPointer(vtkTransparencyPass::NewMethod("linked-list"));
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(method);
+ * renderer->SetPass(seeThrough);
+ * @endcode
  *
- * Of several draw buffers it draws into the first. Passes around it that add outputs to the mappers' shaders, as
- * vtkSSAOPass does, get none of translucent geometry.
+ * The pass draws into the framebuffer that is bound when it begins, within the scissor box. So it works in any
+ * viewport, layer or framebuffer of VTK. Opaque geometry hides the fragments behind it. The result, premultiplied by
+ * alpha, is composited over the contents of the framebuffer.
  *
- * What a mapper blends by GL_SRC_ALPHA, GL_ONE is added to what is behind it and hides nothing of it, as emissive splats
- * (vtkPointGaussianMapper) are.
+ * If there are several draw buffers, the pass draws into the first one. Passes around it that add outputs to the
+ * mappers' shaders, such as vtkSSAOPass, get no outputs of translucent geometry.
  *
- * Where the driver lacks what the method needs, the pass says so once and draws as VTK does by itself
- * (vtkOrderIndependentTranslucentPass); GetFallbackReason() tells why.
+ * Fragments that a mapper blends by GL_SRC_ALPHA, GL_ONE are added to what is behind them and hide nothing. Emissive
+ * splats of vtkPointGaussianMapper are an example.
  *
- * A pass holds GPU memory for one render window at a time; give each window passes of its own.
+ * If the driver lacks a feature that the method needs, the pass raises one error and draws by
+ * vtkOrderIndependentTranslucentPass, which is not exact. GetFallbackReason() tells the reason.
  *
- * After a frame the pass tells what it drew: fragments, layers, geometry passes and the GPU memory it
- * holds.
+ * A pass holds GPU memory for one render window at a time. Each window should have passes of its own.
+ *
+ * @warning
+ * Subclassing outside of this module is not supported: pure virtual methods have private types.
+ *
+ * @sa
+ * vtkSeeThroughPass vtkLinkedListTransparencyPass vtkPrefixSumTransparencyPass vtkStencilRoutedTransparencyPass
+ * vtkStencilMaskTransparencyPass vtkTruthTransparencyPass
  */
 #ifndef vtkTransparencyPass_h
 #define vtkTransparencyPass_h
@@ -47,8 +59,13 @@ struct StencilCounts;
 class VTKVITRINERENDERING_EXPORT vtkTransparencyPass : public vtkOpenGLRenderPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to identify and print the object.
+   */
   vtkAbstractTypeMacro(vtkTransparencyPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   /**
    * Draw the translucent polygonal geometry of the state's props.
@@ -56,144 +73,163 @@ public:
   void Render(const vtkRenderState* s) override;
 
   /**
-   * Free what the pass holds in the context of `window`.
+   * Release what the pass holds in the context of a window.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * The method's name in commands, JSON and charts, as "linked-list".
+   * Get the method's name with its settings, such as "linked-list". It is used in commands, JSON and charts.
    */
   virtual const char* GetMethodName() = 0;
 
-  ///@{
   /**
-   * The names of all methods, and of those that are exact, in alphabetical order with commas between them.
+   * Get the names of all methods, in alphabetical order and separated by commas.
    */
   static std::string GetMethods();
-  static std::string GetExactMethods();
-  ///@}
 
   /**
-   * A new pass of the method of that name, which is the caller's; null if there is no such method.
+   * Get the names of the exact methods, in alphabetical order and separated by commas.
+   */
+  static std::string GetExactMethods();
+
+  /**
+   * Create a pass of the method of a name. The caller owns the pass. Returns null if there is no such method.
    */
   VTK_NEWINSTANCE
   static vtkTransparencyPass* NewMethod(const std::string& name);
 
   /**
-   * Why the last frame was drawn as VTK does by itself; empty if it was not.
+   * Get the reason why the last frame was drawn by vtkOrderIndependentTranslucentPass. The string is empty if it was
+   * not. It is valid until the next frame.
    */
   const char* GetFallbackReason();
 
-  ///@{
   /**
-   * Of the last frame: translucent fragments in front of the opaque depth, the most in one pixel, and
-   * their mean over the pixels that have any.
+   * Get the number of translucent fragments in front of the opaque depth in the last frame. It is a lower bound if
+   * GetNumberOfSaturatedPixels() is not 0.
    */
   vtkGetMacro(NumberOfFragments, vtkTypeInt64);
-  vtkGetMacro(MaximumNumberOfLayers, vtkTypeInt64);
-  vtkGetMacro(MeanNumberOfLayers, double);
-  ///@}
 
-  ///@{
   /**
-   * Of the last frame's fragments, those that the method could not keep: 0 for methods that are exact for any number of
-   * layers. SaturatedPixelCount pixels had more fragments than the method can count; there both numbers are least
-   * ones.
+   * Get the maximum number of fragments of a pixel in the last frame. It is a lower bound if
+   * GetNumberOfSaturatedPixels() is not 0.
+   */
+  vtkGetMacro(MaximumNumberOfLayers, vtkTypeInt64);
+
+  /**
+   * Get the mean number of fragments of a pixel in the last frame, over the pixels that have any.
+   */
+  vtkGetMacro(MeanNumberOfLayers, double);
+
+  /**
+   * Get the number of fragments of the last frame that the method could not keep. It is 0 for methods that are exact
+   * for any number of layers. It is a lower bound if GetNumberOfSaturatedPixels() is not 0.
    */
   vtkGetMacro(NumberOfLostFragments, vtkTypeInt64);
-  vtkGetMacro(NumberOfSaturatedPixels, vtkTypeInt64);
-  ///@}
 
   /**
-   * How often the last frame drew the translucent geometry.
+   * Get the number of pixels of the last frame that had more fragments than the method can count.
+   */
+  vtkGetMacro(NumberOfSaturatedPixels, vtkTypeInt64);
+
+  /**
+   * Get how often the last frame drew the translucent geometry.
    */
   vtkGetMacro(NumberOfGeometryPasses, int);
 
   /**
-   * GPU memory in bytes that the method holds after the last frame: buffers and targets of its own.
+   * Get the GPU memory that the method holds after the last frame in its buffers and targets, in bytes.
    */
   vtkGetMacro(Bytes, vtkTypeInt64);
 
-  ///@{
   /**
-   * vtkOpenGLRenderPass: join the method's storing of fragments to the mappers' shaders.
+   * Insert the code that stores fragments into the shader of a mapper. The mapper calls this method. If the shader
+   * cannot be changed, it is an error, and the prop is not drawn.
    */
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+
+  /**
+   * Set the uniforms of the inserted code. The mapper calls this method.
+   */
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+
+  /**
+   * Get the time at which the inserted code changed. Mappers rebuild older shaders.
+   */
   vtkMTimeType GetShaderStageMTime() override;
-  ///@}
 
 protected:
   vtkTransparencyPass();
   ~vtkTransparencyPass() override;
 
   /**
-   * The GLSL that stores a fragment. It may depend on the target and on the method's settings; a setting
-   * that changes it calls this->ShaderStage.Modified().
+   * Get the GLSL code that stores a fragment. It may depend on the target and on the method's settings. A setting that
+   * changes it calls this->ShaderStage.Modified().
    */
   virtual vitrine::FillShader GetFillShader() = 0;
 
   /**
-   * Set the uniforms of the method's own declarations.
+   * Set the uniforms that GetFillShader() declares.
    */
   virtual void SetFillParameters(vtkShaderProgram* program) = 0;
 
   /**
-   * What the context lacks for this method; empty if nothing.
+   * Get what the context lacks for this method. The string is empty if it lacks nothing.
    */
   virtual std::string FindMissingFeature(vtkOpenGLRenderWindow* window) = 0;
 
   /**
-   * Draw the frame into `target`. Returns an empty string, or why it could not: the fallback draws then.
+   * Draw the frame into a target. Returns an empty string, or the reason why the frame cannot be drawn. Then the
+   * fallback draws it.
    */
   virtual std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) = 0;
 
   /**
-   * A frame without translucent geometry, in the window of the method's GL objects, whose context is current.
+   * Handle a frame without translucent geometry. The context of the method's OpenGL objects is current.
    */
   virtual void RenderNothing() {}
 
   /**
-   * Free the method's own GL objects; their context is current.
+   * Release the method's OpenGL objects. Their context is current.
    */
   virtual void ReleaseMethodResources() = 0;
 
   /**
-   * Forget the method's own GL objects: their context is gone, and they with it.
+   * Forget the method's OpenGL objects without releasing them. Their context no longer exists.
    */
   virtual void ForgetMethodResources() = 0;
 
   /**
-   * For destructors of methods: free what is held if its context still lives.
+   * Release all OpenGL objects if their context still exists. Destructors of methods call this method.
    */
   void ReleaseBeforeDestruction();
 
   /**
-   * Draw the translucent geometry in `region` once, with the method's storing of fragments joined to the shaders.
-   * Returns an empty string, or why fragments are missing.
+   * Draw the translucent geometry in a region once, with the code that stores fragments. Returns an empty string, or
+   * the reason why fragments are missing.
    */
   std::string DrawTranslucentGeometry(const vtkRenderState* s, const vitrine::PixelRegion& region);
 
   /**
-   * Whether fragments of some props are added to what is behind them and hide nothing of it, as emissive splats are.
+   * Returns true if the fragments of some props are added to what is behind them, as those of emissive splats are.
    */
   bool HasAdditiveFragments();
 
   /**
-   * Take the frame's statistics from what a stencil counted.
+   * Set the statistics of the frame from the counts of a stencil.
    */
   void TakeCounts(const vitrine::StencilCounts& counts);
 
   /**
-   * The window of the current frame.
+   * Get the window of the current frame.
    */
   vtkOpenGLRenderWindow* GetWindow();
 
   /**
-   * GPU memory in bytes that all methods hold alike: the copy of the opaque depth, if one was asked for.
+   * Get the GPU memory that this base class holds, in bytes: the copy of the opaque depth, if one was asked for.
    */
   vtkTypeInt64 GetSharedBytes();
 

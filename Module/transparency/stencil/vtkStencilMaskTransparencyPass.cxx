@@ -5,6 +5,7 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "scene/Settings.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/common/MethodTable.h"
@@ -22,6 +23,14 @@
 vtkStandardNewMacro(vtkStencilMaskTransparencyPass);
 vitrineTransparencyMethodMacro(
   vtkStencilMaskTransparencyPass, "stencil-mask-8", false, vitrine::TranslucentTraitsOfOwnTarget);
+
+namespace
+{
+
+const vitrine::NumberChoice LayersOfMasks{ { 4, 8, 9, 16 } };
+const vitrine::EnumNames StoragesOfMasks{ { "full float", "half float" } };
+
+}
 
 struct vtkStencilMaskTransparencyPass::Internals
 {
@@ -51,9 +60,11 @@ void vtkStencilMaskTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
-  os << indent
-     << "DepthStorage: " << (this->DepthStorage == FULL_FLOAT ? "FULL_FLOAT" : "HALF_FLOAT")
-     << "\n";
+  os << indent << "DepthStorage: " << this->GetDepthStorageAsString() << "\n";
+  os << indent << "Filter: " << (this->Filter ? "On" : "Off") << "\n";
+  os << indent << "ShowMarks: " << (this->ShowMarks ? "On" : "Off") << "\n";
+  os << indent << "DepthLimit: " << this->DepthLimit << "\n";
+  os << indent << "ColorLimit: " << this->ColorLimit << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -75,32 +86,34 @@ const char* vtkStencilMaskTransparencyPass::GetMethodName()
 //------------------------------------------------------------------------------
 void vtkStencilMaskTransparencyPass::SetNumberOfLayers(int layers)
 {
-  if (!vitrine::FindMaskGroup(layers))
+  if (vitrine::SetInRange(this, "NumberOfLayers", this->NumberOfLayers, layers, LayersOfMasks))
   {
-    vtkErrorMacro(<< "NumberOfLayers is 4, 8, 9 or 16, not " << layers << ".");
-    return;
-  }
-  if (layers != this->NumberOfLayers)
-  {
-    this->NumberOfLayers = layers;
     this->ShaderStage.Modified();
-    this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkStencilMaskTransparencyPass::SetDepthStorage(int storage)
 {
-  if (storage != FULL_FLOAT && storage != HALF_FLOAT)
-  {
-    vtkErrorMacro(<< "DepthStorage is FULL_FLOAT (0) or HALF_FLOAT (1), not " << storage << ".");
-    return;
-  }
-  if (storage != this->DepthStorage)
-  {
-    this->DepthStorage = storage;
-    this->Modified();
-  }
+  vitrine::SetInRange(this, "DepthStorage", this->DepthStorage, storage, StoragesOfMasks);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkStencilMaskTransparencyPass::GetDepthStorageAsString()
+{
+  return StoragesOfMasks[this->DepthStorage];
+}
+
+//------------------------------------------------------------------------------
+void vtkStencilMaskTransparencyPass::SetDepthLimit(double limit)
+{
+  vitrine::SetInRange(this, "DepthLimit", this->DepthLimit, limit, vitrine::NotNegative);
+}
+
+//------------------------------------------------------------------------------
+void vtkStencilMaskTransparencyPass::SetColorLimit(double limit)
+{
+  vitrine::SetInRange(this, "ColorLimit", this->ColorLimit, limit, vitrine::NotNegative);
 }
 
 //------------------------------------------------------------------------------

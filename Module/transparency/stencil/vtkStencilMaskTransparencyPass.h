@@ -2,20 +2,30 @@
  * @class   vtkStencilMaskTransparencyPass
  * @brief   transparency of the first N layers by stencil masks, for hardware without atomics
  *
- * One pass over the translucent geometry into a target N times as large, in which each pixel has a group of N pixels. The
- * stencil lets one fragment of the pixel's sequence through to each; a resolve sorts the group by depth and composites
- * it. Asks for OpenGL 3.2 and no extension.
+ * One pass over the translucent geometry draws into a target with N times as many pixels, in which each pixel has a
+ * group of N pixels. The stencil lets one fragment of the pixel's sequence through to each pixel of the group. A
+ * resolve pass sorts the group by depth and composites it. The method needs OpenGL 3.2 and no extension.
  *
- * Inside polygons the picture is exact for up to N layers. At their edges the rasteriser covers a part of a group, so
- * layers go missing there or appear twice. Of more than N layers the first N that are drawn are kept, and
- * GetNumberOfLostFragments() tells how many were not.
+ * Inside polygons the picture is exact for up to N layers. At the edges of polygons the rasteriser covers only a part
+ * of a group, so layers are missing there or appear twice. Of more than N layers, the first N drawn are kept.
+ * GetNumberOfLostFragments() tells how many fragments were not.
  *
- * Colours are kept in 8 bits. Targets with several samples a pixel are refused, and so are lines and points, whose width
- * counts in pixels of the larger target: then VTK's own way draws, and GetFallbackReason() tells why.
+ * Colors are stored in 8 bits. Targets with several samples a pixel are refused. So are lines and points, since their
+ * width would be in pixels of the larger target. Then VTK's own method draws, and GetFallbackReason() tells the
+ * reason. There is no tolerance for coincident fragments, unlike in vtkTolerantTransparencyPass.
  *
- * There is no tolerance for coincidence, as vtkTolerantTransparencyPass has it.
+ * @code
+ * vtkNew<vtkStencilMaskTransparencyPass> method;
+ * method->SetNumberOfLayers(16);
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(method);
+ * renderer->SetPass(seeThrough);
+ * @endcode
  *
- * S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
+ * Source: S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
+ *
+ * @sa
+ * vtkStencilRoutedTransparencyPass vtkSeeThroughPass
  */
 #ifndef vtkStencilMaskTransparencyPass_h
 #define vtkStencilMaskTransparencyPass_h
@@ -25,30 +35,40 @@
 class VTKVITRINERENDERING_EXPORT vtkStencilMaskTransparencyPass : public vtkTransparencyPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkStencilMaskTransparencyPass* New();
   vtkTypeMacro(vtkStencilMaskTransparencyPass, vtkTransparencyPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
-   * Layers that are kept of each pixel: 4, 8, 9 or 16. 8 by default. Other numbers are an error and change nothing.
+   * Get/Set the number of layers that are kept of each pixel. The range is 4, 8, 9 and 16, the default is 8. A value
+   * out of range is an error.
    */
   void SetNumberOfLayers(int layers);
   vtkGetMacro(NumberOfLayers, int);
   ///@}
 
+  /** The formats in which the depths of fragments are stored. */
   enum DepthStorageType
   {
-    /// 32-bit float: depths order as the rasteriser has them.
+    /** 32-bit float. The order of fragments is that of the rasteriser's depths. */
     FULL_FLOAT = 0,
-    /// 16-bit float, as in the paper: 2 bytes less a layer; layers closer than 1/2048 of the depth
-    /// range may change places.
+    /**
+     * 16-bit float, as in the paper. It takes 2 bytes less for each layer. Layers closer than 1/2048 of the depth
+     * range may change places.
+     */
     HALF_FLOAT = 1
   };
 
   ///@{
   /**
-   * How fragments' depths are kept. Full float by default.
+   * Get/Set the format in which the depths of fragments are stored, one of DepthStorageType. The default is
+   * FULL_FLOAT. A value out of range is an error.
    */
   void SetDepthStorage(int storage);
   vtkGetMacro(DepthStorage, int);
@@ -56,38 +76,54 @@ public:
   void SetDepthStorageToHalfFloat() { this->SetDepthStorage(HALF_FLOAT); }
   ///@}
 
+  /**
+   * Get the name of the DepthStorage: "full float" or "half float".
+   */
+  const char* GetDepthStorageAsString();
+
   ///@{
   /**
-   * Repair pixels at the edges of polygons: those that are little like their neighbours take the mean of the best of
-   * the 12 nearest. On by default.
+   * Get/Set whether pixels at the edges of polygons are repaired. A pixel that is unlike its neighbours gets the mean
+   * of the best of the 12 nearest pixels. The default is on.
    */
-  vtkSetMacro(Filter, vtkTypeBool);
-  vtkGetMacro(Filter, vtkTypeBool);
-  vtkBooleanMacro(Filter, vtkTypeBool);
+  vtkSetMacro(Filter, bool);
+  vtkGetMacro(Filter, bool);
+  vtkBooleanMacro(Filter, bool);
   ///@}
 
   ///@{
   /**
-   * Show in place of the picture how little each pixel is like its neighbours: black where it passes every test, white
-   * where it fails all three. Off by default.
+   * Get/Set whether a map replaces the picture, which shows how unlike each pixel is to its neighbours. A pixel is
+   * black if it passes all three tests, and white if it fails all of them. The default is off.
    */
-  vtkSetMacro(ShowMarks, vtkTypeBool);
-  vtkGetMacro(ShowMarks, vtkTypeBool);
-  vtkBooleanMacro(ShowMarks, vtkTypeBool);
+  vtkSetMacro(ShowMarks, bool);
+  vtkGetMacro(ShowMarks, bool);
+  vtkBooleanMacro(ShowMarks, bool);
   ///@}
 
   ///@{
   /**
-   * Neighbours are alike if the sums of their layers' depths differ by less than DepthLimit, in parts of the depth
-   * range between the near and the far plane, and their composited colours by less than ColorLimit, as a distance
-   * in RGB within [0, 1].
+   * Get/Set the limit by which the sums of the layers' depths of two neighbours differ if they are alike. Its unit is
+   * the depth range between the near and the far plane. The range is the finite numbers from 0 up, the default is
+   * 0.03. A value out of range is an error.
    */
-  vtkSetClampMacro(DepthLimit, double, 0.0, VTK_DOUBLE_MAX);
+  void SetDepthLimit(double limit);
   vtkGetMacro(DepthLimit, double);
-  vtkSetClampMacro(ColorLimit, double, 0.0, VTK_DOUBLE_MAX);
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set the limit by which the composited colours of two neighbours differ if they are alike. It is a distance in
+   * RGB within [0, 1]. The range is the finite numbers from 0 up, the default is 0.03. A value out of range is an
+   * error.
+   */
+  void SetColorLimit(double limit);
   vtkGetMacro(ColorLimit, double);
   ///@}
 
+  /**
+   * Get "stencil-mask-N", where N is the NumberOfLayers.
+   */
   const char* GetMethodName() override;
 
 protected:
@@ -104,8 +140,8 @@ protected:
 
   int NumberOfLayers = 8;
   int DepthStorage = FULL_FLOAT;
-  vtkTypeBool Filter = 1;
-  vtkTypeBool ShowMarks = 0;
+  bool Filter = true;
+  bool ShowMarks = false;
   double DepthLimit = 0.03;
   double ColorLimit = 0.03;
 

@@ -6,6 +6,7 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "scene/Settings.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/common/MethodTable.h"
@@ -25,6 +26,16 @@ namespace
 
 // For SamplesPerPass 0, the first of these that the driver routes is taken.
 constexpr int AutomaticSamples[] = { 8, 4, 2, 1 };
+
+const vitrine::EnumNames StoragesOfRouting{ { "half float", "eight bit" } };
+
+/** Returns 0 and RoutedSampleCounts(). */
+vitrine::NumberChoice SamplesOfRouting()
+{
+  vitrine::NumberChoice samples{ vitrine::RoutedSampleCounts() };
+  samples.Numbers.insert(samples.Numbers.begin(), 0);
+  return samples;
+}
 
 }
 
@@ -62,8 +73,7 @@ void vtkStencilRoutedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SamplesPerPass: " << this->SamplesPerPass << "\n";
   os << indent << "MaximumNumberOfPasses: " << this->MaximumNumberOfPasses << "\n";
-  os << indent
-     << "ColorStorage: " << (this->ColorStorage == HALF_FLOAT ? "HALF_FLOAT" : "EIGHT_BIT") << "\n";
+  os << indent << "ColorStorage: " << this->GetColorStorageAsString() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -91,35 +101,29 @@ const char* vtkStencilRoutedTransparencyPass::GetMethodName()
 //------------------------------------------------------------------------------
 void vtkStencilRoutedTransparencyPass::SetSamplesPerPass(int samples)
 {
-  const std::vector<int>& counts = vitrine::RoutedSampleCounts();
-  if (samples != 0 && std::find(counts.begin(), counts.end(), samples) == counts.end())
-  {
-    vtkErrorMacro(
-      << "SamplesPerPass is 1, 2, 4, 8, 16 or 32, or 0 for as many as the driver routes, not "
-      << samples << ".");
-    return;
-  }
-  if (samples != this->SamplesPerPass)
-  {
-    this->SamplesPerPass = samples;
-    this->Modified();
-  }
+  vitrine::SetInRange(this, "SamplesPerPass", this->SamplesPerPass, samples, SamplesOfRouting());
+}
+
+//------------------------------------------------------------------------------
+void vtkStencilRoutedTransparencyPass::SetMaximumNumberOfPasses(int passes)
+{
+  vitrine::SetInRange(
+    this, "MaximumNumberOfPasses", this->MaximumNumberOfPasses, passes, { 1, 254 });
 }
 
 //------------------------------------------------------------------------------
 void vtkStencilRoutedTransparencyPass::SetColorStorage(int storage)
 {
-  if (storage != HALF_FLOAT && storage != EIGHT_BIT)
+  if (vitrine::SetInRange(this, "ColorStorage", this->ColorStorage, storage, StoragesOfRouting))
   {
-    vtkErrorMacro(<< "ColorStorage is HALF_FLOAT (0) or EIGHT_BIT (1), not " << storage << ".");
-    return;
-  }
-  if (storage != this->ColorStorage)
-  {
-    this->ColorStorage = storage;
     this->ShaderStage.Modified();
-    this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkStencilRoutedTransparencyPass::GetColorStorageAsString()
+{
+  return StoragesOfRouting[this->ColorStorage];
 }
 
 //------------------------------------------------------------------------------

@@ -2,25 +2,35 @@
  * @class   vtkStencilRoutedTransparencyPass
  * @brief   exact transparency by stencil routing, for hardware without atomics
  *
- * The translucent geometry is drawn with multisampling off into a multisampled target of the picture's size, so that every
- * sample of a pixel sees the same coverage, that of the pixel's centre. The stencil, which begins with another value in each
- * sample, lets one fragment of the pixel's sequence through to each: K samples take K fragments in one pass over the
- * geometry, and further passes take K more each, as many as the frame needs. A resolve sorts each pixel's fragments by depth
- * and composites them. Asks for OpenGL 3.2 and no extension.
+ * The translucent geometry is drawn into a multisampled target of the picture's size with multisampling off, so every
+ * sample of a pixel has the coverage of the pixel's centre. The stencil begins with another value in each sample and
+ * lets one fragment of the pixel's sequence through to each. So one pass over the geometry takes K fragments by K
+ * samples. More passes take K fragments each, as many as the frame needs. A resolve pass sorts each pixel's fragments
+ * by depth and composites them. The method needs OpenGL 3.2 and no extension.
  *
- * The picture is exact, at the edges of polygons too, up to the reach of the 8-bit stencil: 254 fragments in a pixel with
- * one sample a pass, 248 with 8, 224 with 32. Of more the first ones drawn are kept; that fragments are missing is
- * said in a warning, and GetNumberOfLostFragments() tells how many at least. All passes of a frame must draw the same fragments
- * in the same order.
+ * The picture is exact, also at the edges of polygons, within the range of the 8-bit stencil: 254 fragments of a
+ * pixel with one sample a pass, 248 with 8 samples, 224 with 32 samples. Of more fragments, the first ones drawn are
+ * kept. Then a warning says that fragments are missing, and GetNumberOfLostFragments() tells how many at least. All
+ * passes of a frame must draw the same fragments in the same order.
  *
- * OpenGL lets a driver test one sample's stencil for all of a pixel where multisampling is off, and some do; others are said
- * to go on multisampling. There, which the first frame finds out by a few fragments, one sample a pass, K = 1, is all there
- * is, and as many passes as layers. Larger K are refused, and so are targets with several samples a pixel: then VTK's own
- * way draws, and GetFallbackReason() tells why.
+ * With multisampling off, OpenGL lets a driver test the stencil of one sample for the whole pixel, and some drivers
+ * do. Others are said to continue multisampling. The first frame detects these drivers by a few fragments. There only
+ * K = 1 works, with as many passes as layers. Larger K are refused, and so are targets with several samples a pixel
+ * on any driver. Then VTK's own method draws, and GetFallbackReason() tells the reason.
  *
- * There is no tolerance for coincidence, as vtkTolerantTransparencyPass has it.
+ * There is no tolerance for coincident fragments, unlike in vtkTolerantTransparencyPass.
  *
- * K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
+ * @code
+ * vtkNew<vtkStencilRoutedTransparencyPass> method;
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(method);
+ * renderer->SetPass(seeThrough);
+ * @endcode
+ *
+ * Source: K. Myers, L. Bavoil: Stencil Routed A-Buffer, SIGGRAPH 2007 sketches.
+ *
+ * @sa
+ * vtkStencilMaskTransparencyPass vtkSeeThroughPass
  */
 #ifndef vtkStencilRoutedTransparencyPass_h
 #define vtkStencilRoutedTransparencyPass_h
@@ -30,14 +40,19 @@
 class VTKVITRINERENDERING_EXPORT vtkStencilRoutedTransparencyPass : public vtkTransparencyPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
   static vtkStencilRoutedTransparencyPass* New();
   vtkTypeMacro(vtkStencilRoutedTransparencyPass, vtkTransparencyPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
   ///@{
   /**
-   * K, the samples that take fragments in each pass: 1, 2, 4, 8, 16 or 32; or 0, the default, for as many of up to 8 as the
-   * driver routes fragments into. Other numbers are an error and change nothing.
+   * Get/Set K, the number of samples that take fragments in each pass. 0 means the largest of 8, 4, 2 and 1 that the
+   * driver supports. The range is 0, 1, 2, 4, 8, 16 and 32, the default is 0. A value out of range is an error.
    */
   void SetSamplesPerPass(int samples);
   vtkGetMacro(SamplesPerPass, int);
@@ -45,25 +60,30 @@ public:
 
   ///@{
   /**
-   * The most passes over the geometry in which a frame takes fragments, 254 by default: as many as it needs. Fewer bound
-   * the memory of a frame, and K times as many fragments of a pixel are kept.
+   * Get/Set the maximum number of passes over the geometry in which a frame takes fragments. Fewer passes bound the
+   * memory of a frame. At most K times as many fragments of a pixel are kept. The range is 1 to 254, the default is
+   * 254, as many as a frame can need. A value out of range is an error.
    */
-  vtkSetClampMacro(MaximumNumberOfPasses, int, 1, 254);
+  void SetMaximumNumberOfPasses(int passes);
   vtkGetMacro(MaximumNumberOfPasses, int);
   ///@}
 
+  /** The formats in which the colours of fragments are stored. */
   enum ColorStorageType
   {
-    /// Four 16-bit floats, 8 bytes a fragment: exact to 8-bit pictures.
+    /** Four 16-bit floats, 8 bytes a fragment. Exact for 8-bit pictures. */
     HALF_FLOAT = 0,
-    /// RGBA8, 4 bytes a fragment: alpha itself is rounded, which many faint layers add up, and in floating-point
-    /// targets colours end at 1.
+    /**
+     * Four 8-bit integers, 4 bytes a fragment. Alpha is rounded, and these errors add up over many faint layers. In
+     * floating-point targets colours are clamped to 1.
+     */
     EIGHT_BIT = 1
   };
 
   ///@{
   /**
-   * How fragments' colours are kept. Half float by default. Depths are kept as 32-bit floats.
+   * Get/Set the format in which the colours of fragments are stored, one of ColorStorageType. Depths are stored as
+   * 32-bit floats. The default is HALF_FLOAT. A value out of range is an error.
    */
   void SetColorStorage(int storage);
   vtkGetMacro(ColorStorage, int);
@@ -71,6 +91,14 @@ public:
   void SetColorStorageToEightBit() { this->SetColorStorage(EIGHT_BIT); }
   ///@}
 
+  /**
+   * Get the name of the ColorStorage: "half float" or "eight bit".
+   */
+  const char* GetColorStorageAsString();
+
+  /**
+   * Get "stencil-routed-K", where K is SamplesPerPass, or "stencil-routed" if that is 0.
+   */
   const char* GetMethodName() override;
 
 protected:

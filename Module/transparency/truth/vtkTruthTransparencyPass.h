@@ -1,14 +1,26 @@
 /**
  * @class   vtkTruthTransparencyPass
- * @brief   the yardstick by which transparency methods are judged
+ * @brief   reference picture by which transparency methods are judged
  *
- * Captures every translucent fragment that the rasteriser makes in front of the opaque depth, with its colour
- * and alpha in 32-bit float and its window depth, and composites them on the CPU in float64, for each
- * sample, over what stands in the framebuffer. Without bounds on layers or memory: what does not fit into one
- * buffer is drawn in parts of the screen. It shares no sorting, storage or blending with the methods it
- * judges. Slow: seconds a frame.
+ * The pass captures every translucent fragment in front of the opaque depth, with its colour and alpha in 32-bit float
+ * and its window depth. It composites the fragments of each sample on the CPU in 64-bit float, over the contents of
+ * the framebuffer. The number of layers is not bounded: if the fragments do not fit into one buffer, the picture is
+ * drawn in parts. The pass shares no sorting, storage or blending code with the methods it judges. A frame takes
+ * seconds.
  *
- * The picture goes to the framebuffer, rounded to its format, and to GetResult() as it is.
+ * The picture is written to the framebuffer, rounded to its format. GetResult() returns it without rounding.
+ *
+ * @code
+ * vtkNew<vtkTruthTransparencyPass> truth;
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(truth);
+ * renderer->SetPass(seeThrough);
+ * window->Render();
+ * vtkImageData* reference = truth->GetResult();
+ * @endcode
+ *
+ * @sa
+ * vtkTransparencyPass vtkSeeThroughPass
  */
 #ifndef vtkTruthTransparencyPass_h
 #define vtkTruthTransparencyPass_h
@@ -26,20 +38,29 @@ struct PixelRegion;
 class VTKVITRINERENDERING_EXPORT vtkTruthTransparencyPass : public vtkTolerantTransparencyPass
 {
 public:
+  ///@{
+  /**
+   * Standard methods to create and identify the object.
+   */
   static vtkTruthTransparencyPass* New();
   vtkTypeMacro(vtkTruthTransparencyPass, vtkTolerantTransparencyPass);
+  ///@}
 
   /**
-   * The last frame's picture within the viewport: float, 4 components (premultiplied RGBA, not clamped), row 0
-   * at the bottom, samples of a pixel averaged. Null if there was no translucent geometry.
+   * Get the picture of the last frame within the viewport. Its scalars are float with 4 components: premultiplied
+   * RGBA, not clamped, averaged over the samples of a pixel. Row 0 is at the bottom. Returns null if there was no
+   * translucent geometry.
    */
   vtkImageData* GetResult();
 
   /**
-   * Samples that the last frame's fragments cover, as an occlusion query counts them.
+   * Get the number of samples that the fragments of the last frame cover, as an occlusion query counts them.
    */
   vtkGetMacro(NumberOfSamples, vtkTypeInt64);
 
+  /**
+   * Get "truth".
+   */
   const char* GetMethodName() override { return "truth"; }
 
 protected:
