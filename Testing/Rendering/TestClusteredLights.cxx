@@ -199,6 +199,26 @@ TEST(ClusteredLight, ComesAndGoes)
   EXPECT_GT(scene.Lights->GetBytes(), 0);
 }
 
+TEST(ClusteredLight, TellsOfTheLastFrameAlone)
+{
+  LightScene scene(false);
+  scene.AddLight(LightKind::Point);
+  scene.InClusteredLight();
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), 1);
+  EXPECT_GT(scene.Lights->GetNumberOfUsedClusters(), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfLightsAt(0.0, 0.0, -3.5), 1);
+  scene.Renderer->RemoveAllLights();
+  scene.AddLight(LightKind::Headlight);
+  scene.InClusteredLight();
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfClusters(), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfUsedClusters(), 0);
+  EXPECT_EQ(scene.Lights->GetMeanNumberOfLightsPerCluster(), 0.0);
+  EXPECT_EQ(scene.Lights->GetMaximumNumberOfLightsPerCluster(), 0);
+  EXPECT_EQ(scene.Lights->GetAssignmentTime(), 0.0);
+  EXPECT_EQ(scene.Lights->GetNumberOfLightsAt(0.0, 0.0, -3.5), 0);
+}
+
 // A list has 8 bytes, a light 64 and its number in a list 2; buffers have room for a quarter more.
 TEST(ClusteredLight, TakesTheBytesThatItsListsTake)
 {

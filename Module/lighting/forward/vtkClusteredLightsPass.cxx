@@ -170,6 +170,11 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
   Internals& in = *this->Private;
   this->NumberOfRenderedProps = 0;
   this->Bytes = in.Buffers.Bytes();
+  this->NumberOfLights = this->NumberOfClusters = this->NumberOfUsedClusters =
+    this->MaximumNumberOfLightsPerCluster = 0;
+  this->MeanNumberOfLightsPerCluster = this->AssignmentTime = 0.0;
+  in.ToldGrid = nullptr;
+  in.ToldLists = nullptr;
   in.FallbackReason.clear();
   if (!in.Delegate)
   {

@@ -77,7 +77,7 @@ public:
   ///@{
   /**
    * Get/Set the pass that draws the frame: a vtkRenderStepsPass such as vtkSeeThroughPass, or passes around one that
-   * process its picture. The default is null. This pass itself is an error and is ignored.
+   * process its picture. The default is null. It is an error to set this pass itself, which is ignored.
    *
    * Lighting is wrong for passes that draw for other cameras than the renderer's or read the lights themselves.
    * Examples are vtkPanoramicProjectionPass, vtkShadowMapPass, and volumes within a user-defined sequence of passes.
@@ -175,33 +175,33 @@ public:
   const char* GetSliceLawAsString();
 
   /**
-   * Get the number of lights of the last frame that was lit by clusters. Lights that are off, or left out with a
-   * warning, do not count. The statistics below are of that frame, too.
+   * Get the number of lights of the last frame. Lights that are off, or left out with a warning, do not count. All
+   * statistics of lights and clusters are 0 if no lights were assigned to clusters.
    */
   vtkGetMacro(NumberOfLights, vtkIdType);
 
   /**
-   * Get the number of clusters.
+   * Get the number of clusters in the last frame.
    */
   vtkGetMacro(NumberOfClusters, vtkIdType);
 
   /**
-   * Get the number of clusters that contain something to be lit, as far as that is known.
+   * Get the number of clusters that contained something to be lit in the last frame, as far as that is known.
    */
   vtkGetMacro(NumberOfUsedClusters, vtkIdType);
 
   /**
-   * Get the mean number of lights of a used cluster.
+   * Get the mean number of lights of a used cluster in the last frame.
    */
   vtkGetMacro(MeanNumberOfLightsPerCluster, double);
 
   /**
-   * Get the maximum number of lights of a cluster.
+   * Get the maximum number of lights of a cluster in the last frame.
    */
   vtkGetMacro(MaximumNumberOfLightsPerCluster, vtkIdType);
 
   /**
-   * Get the time that assigning lights to clusters took, in seconds.
+   * Get the time that assigning lights to clusters took in the last frame, in seconds.
    */
   vtkGetMacro(AssignmentTime, double);
 
@@ -211,7 +211,8 @@ public:
   vtkGetMacro(Bytes, vtkTypeInt64);
 
   /**
-   * Get the number of lights of the cluster at a point in view coordinates (VC). Returns 0 before the first frame.
+   * Get the number of lights of the cluster at a point in view coordinates (VC) in the last frame. Returns 0 if
+   * no lights were assigned to clusters.
    */
   vtkIdType GetNumberOfLightsAt(double x, double y, double z);
 
