@@ -66,10 +66,11 @@ public:
 
   ///@{
   /**
-   * Get/Set the maximum number of lines of the s-buffer. A viewport of fewer pixels has one line for each row of
-   * pixels, or several lines if pixels have several samples. More lines hide more and take longer. They pay off where
-   * there are many parts. 0 means 270 lines, 540 lines from 16,384 parts on, and 1,080 lines from 32,768 parts on.
-   * The range is 0 to 4096, the default is 0. A value out of range is an error.
+   * Get/Set the maximum number of lines of the s-buffer. A viewport with fewer rows of pixels has one line for each
+   * row, or several lines if pixels have several samples. More lines hide more and take longer. They pay off where
+   * there are many parts. 0 means 270 lines, 540 lines from 16,384 parts on, and 1,080 lines from 32,768 parts on,
+   * but fewer lines in very wide viewports. The range is 0 to 4096, the default is 0. A value out of range is an
+   * error.
    */
   void SetBufferLines(int lines);
   vtkGetMacro(BufferLines, int);
@@ -125,10 +126,12 @@ public:
   const char* GetReason();
 
   /**
-   * Get the reason why a prop was drawn or left out in the last frame: "visible", "left out: hidden by others", "left
-   * out: outside of the view", or a text that begins with "always drawn: ", "drawn: ", "drawn, as ", or "not drawn:
-   * ". "visible; hides nothing: " is followed by the reason why the prop is no occluder. Each call computes the
-   * reason anew. The culler owns the string, which is valid until the next call.
+   * Get the reason why a prop was drawn or left out in the last frame. It is one of these texts:
+   * - "visible", or "visible; hides nothing: " and the reason why the prop is no occluder,
+   * - "left out: hidden by others" or "left out: outside of the view",
+   * - "always drawn: ", "drawn: ", "drawn, as " or "not drawn: ", and the reason.
+   *
+   * Each call computes the reason anew. The culler owns the string, which is valid until the next call.
    */
   const char* GetReason(vtkProp* prop);
 
@@ -138,7 +141,7 @@ public:
   static std::string DescribeLimits();
 
   /**
-   * Get the number of lines of the s-buffer in the last frame. This and all statistics below are of the renderer and
+   * Get the number of lines of the s-buffer in the last frame. All statistics of this class are of the renderer and
    * the eye drawn last, and are 0 in frames without visible props.
    */
   vtkGetMacro(NumberOfBufferLines, int);

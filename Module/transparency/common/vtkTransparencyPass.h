@@ -117,7 +117,8 @@ public:
   vtkGetMacro(MaximumNumberOfLayers, vtkTypeInt64);
 
   /**
-   * Get the mean number of fragments of a pixel in the last frame, over the pixels that have any.
+   * Get the mean number of fragments of a pixel in the last frame, over the pixels that have any. It is a lower bound
+   * if GetNumberOfSaturatedPixels() is not 0.
    */
   vtkGetMacro(MeanNumberOfLayers, double);
 
