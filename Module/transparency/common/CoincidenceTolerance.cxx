@@ -9,23 +9,6 @@
 
 namespace vitrine
 {
-namespace
-{
-
-bool IsTolerance(double value)
-{
-  return std::isfinite(value) && value >= 0.0;
-}
-
-}
-
-std::string CoincidenceTolerance::FindProblem() const
-{
-  return IsTolerance(this->Steps) && IsTolerance(this->Slope)
-    ? std::string()
-    : "CoincidenceSteps and CoincidenceSlope are finite numbers of at least 0, not " +
-      std::to_string(this->Steps) + " and " + std::to_string(this->Slope) + ".";
-}
 
 std::string CoincidenceTolerance::FindProblemIn(const RenderTarget& target) const
 {

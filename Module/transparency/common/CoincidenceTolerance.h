@@ -19,9 +19,6 @@ struct CoincidenceTolerance
 
   bool IsOn() const { return this->Steps > 0.0 || this->Slope > 0.0; }
 
-  /** Returns why the values are invalid, or an empty string. */
-  std::string FindProblem() const;
-
   /** Returns why the tolerance cannot be applied in `target`, or an empty string. */
   std::string FindProblemIn(const RenderTarget& target) const;
 
