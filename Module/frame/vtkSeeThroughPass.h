@@ -105,7 +105,7 @@ public:
 
   /**
    * Get the name of the EffectsPass and the reason why it is not used. The string is empty if it is used. It is
-   * updated by SetEffectsPass() and Attach(), and is valid until they are called again.
+   * updated by SetEffectsPass(), by Attach() and by each frame, since the chain may change, and is valid until then.
    */
   const char* GetSetAsideReason();
 
