@@ -138,9 +138,12 @@ class Culler(unittest.TestCase):
 
     def test_misuse(self):
         culler = vtkHierarchicalSBufferCuller()
-        for lines, kept in ((0, 0), (-5, 0), (4097, 4096), (100000, 4096)):
+        errors = []
+        culler.AddObserver("ErrorEvent", lambda *_: errors.append(culler.GetBufferLines()))
+        for lines, kept in ((4096, 4096), (-5, 4096), (4097, 4096), (100000, 4096)):
             culler.SetBufferLines(lines)
             self.assertEqual(culler.GetBufferLines(), kept)
+        self.assertEqual(errors, [4096] * 3)
         for wrong in (1, "renderer", vtkRenderWindow()):
             with self.assertRaises(TypeError):
                 culler.GetBufferImage(wrong)
