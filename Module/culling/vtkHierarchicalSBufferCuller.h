@@ -19,7 +19,7 @@
  * Opaque surfaces drawn by vtkPolyDataMapper are occluders. Actors of that mapper are culled. Blocks of
  * vtkCulledCompositePolyDataMapper and runs of vtkCulledPolyDataMapper are culled one by one. All other props are
  * drawn as always. GetCullingMode() and GetReason() tell what keeps the culler from leaving out all hidden props.
- * GetReason(prop) tells why a prop is drawn. docs/culling.md lists all reasons.
+ * GetReason(prop) tells why a prop is drawn. docs/reference/culler-limits.md lists all reasons.
  *
  * Parts that hide too little to be worth their time, such as screws and cables, can be marked by NON_OCCLUDING(). The
  * order of actors does not change. Culled actors build no buffers until they are visible.

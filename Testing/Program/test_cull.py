@@ -5,6 +5,7 @@ import unittest
 
 from program import FileTest, read_png, run
 
+ROOT = pathlib.Path(__file__).parents[2]
 ROW = [
     "input", "parts", "opaque_parts", "drawn", "ideal", "culled_share", "ideal_share", "cull_ms",
     "frame_ms", "frame_ms_without", "frame_ms_ideal", "wrong_pixels", "props", "poses",
@@ -71,7 +72,7 @@ class Cull(FileTest):
     def test_docs_have_all_limits(self):
         told = run("cull", "--limits")
         self.assert_done(told)
-        docs = (pathlib.Path(__file__).parents[2] / "docs" / "culling.md").read_text()
+        docs = (ROOT / "docs" / "reference" / "culler-limits.md").read_text()
         begin, end = (f"<!-- vitrine cull --limits: {mark} -->\n" for mark in ("begin", "end"))
         self.assertEqual(docs.split(begin)[1].split(end)[0], told.stdout.decode())
 

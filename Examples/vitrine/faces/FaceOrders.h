@@ -1,7 +1,7 @@
 /**
  * What an s-buffer saves by the statements on the order of faces: what `vitrine paper faces` measures.
  *
- * The statements: A. V. Boreskov, the hierarchical s-buffer (docs/culling.md, The order of faces).
+ * The statements: A. V. Boreskov, the hierarchical s-buffer (docs/lab/culling.md, The order of faces).
  */
 #ifndef VITRINE_FACE_ORDERS_H
 #define VITRINE_FACE_ORDERS_H

@@ -10,7 +10,7 @@ namespace vitrine
 
 /**
  * Returns the number of lines an s-buffer should have at most for a scene of `parts` parts. Finer lines hide more and
- * cost more. They pay off for many parts, which are smaller on the screen (docs/benchmarks.md).
+ * cost more. They pay off for many parts, which are smaller on the screen (docs/lab/culling.md).
  */
 inline int LinesThatPay(std::size_t parts)
 {
