@@ -1,5 +1,5 @@
-// Packed lists, compute shader: predicts the room of each pixel in this frame. The room is the longest list that
-// the last frame had in the pixel's block and its eight neighbours. It reads the blocks' longest lists. It writes level 0
+// Packed lists, compute shader: predicts the room of each pixel in this frame. The room is the longest list that the
+// last frame had in the pixel's block and its eight neighbours. It reads the blocks' longest lists. It writes level 0
 // of the sums, and beside it the room of one pixel of each block.
 #include "ScanBlocks.glsl"
 

@@ -1,6 +1,6 @@
-// Sorts many short lists, one in each pixel: loads the pixel's list into an array of its own, sorts it by depth, and
-// reads it in order. Each Sort*.glsl defines the sort; this file gives all of them one shape, one way in and one way
-// out: with VITRINE_SORT_STORE the list itself, else its checksum (study/sorts/ListChecksum), which takes far less time.
+// Sorts many short lists, one in each pixel: loads the pixel's list into an array, sorts it by depth, and reads it in
+// order. Each Sort*.glsl defines a sort; this file gives all of them the same input and output. The output is the
+// list itself with VITRINE_SORT_STORE, else its checksum (study/sorts/ListChecksum), which takes far less time.
 //
 // To be timed, a list is sorted several times, each time anew from what was loaded and with other bits of its keys
 // flipped, so that they come in another order: loading takes longer than a small network.
