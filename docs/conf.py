@@ -1,0 +1,68 @@
+"""The site of Vitrine, by Sphinx. scripts/docs copies docs/ to build/docs/source, adds the generated pages and builds it."""
+
+import os
+import re
+
+from docutils import nodes
+from sphinx.transforms.post_transforms import SphinxPostTransform
+
+project = "Vitrine"
+author = "the authors of Vitrine"
+release = os.environ["VITRINE_VERSION"]
+version = release
+
+extensions = [
+    "breathe",
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx_copybutton",
+    "sphinx_design",
+    "sphinxcontrib.programoutput",
+]
+exclude_patterns = ["lab/moved.md"]
+myst_enable_extensions = ["colon_fence"]
+myst_heading_anchors = 4
+suppress_warnings = ["myst.strikethrough"]
+
+breathe_projects = {"vitrine": os.environ["VITRINE_DOXYGEN"]}
+breathe_default_project = "vitrine"
+breathe_default_members = ("members",)
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+
+html_theme = "furo"
+html_title = f"Vitrine {release}"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sphinx = False
+
+VTK_CLASS = re.compile(r"vtk[A-Z]\w+$")
+OWN_CLASSES = set(os.environ["VITRINE_CLASSES"].split())
+
+
+class LinkClasses(SphinxPostTransform):
+    """Links names of classes that stand in code type: Vitrine's to their own page, VTK's to VTK's documentation."""
+
+    default_priority = 5
+
+    def run(self, **kwargs):
+        for literal in list(self.document.findall(nodes.literal)):
+            name = literal.astext()
+            if not VTK_CLASS.match(name) or isinstance(literal.parent, nodes.reference):
+                continue
+            if name in OWN_CLASSES:
+                page = f"reference/cpp/{name}"
+                if page == self.env.current_document.docname:
+                    continue
+                address = self.app.builder.get_relative_uri(self.env.current_document.docname, page)
+            else:
+                address = f"https://vtk.org/doc/nightly/html/class{name}.html"
+            link = nodes.reference("", "", internal=name in OWN_CLASSES, refuri=address)
+            literal.replace_self(link)
+            link += literal
+
+
+def setup(app):
+    app.add_post_transform(LinkClasses)

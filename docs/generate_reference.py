@@ -1,0 +1,79 @@
+"""Write the pages of the reference that are made from the code: C++ classes, Python's functions, the program's help.
+
+    generate_reference.py SOURCE    the copy of docs/ that Sphinx reads (scripts/docs)
+
+`vitrine` is on PATH, and VITRINE_CLASSES names the public classes.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def write(page, text):
+    page.parent.mkdir(parents=True, exist_ok=True)
+    page.write_text(text, encoding="utf-8")
+
+
+def append(page, text):
+    write(page, page.read_text(encoding="utf-8") + text)
+
+
+def toctree(entries):
+    return "\n```{toctree}\n:hidden:\n:maxdepth: 1\n\n" + "\n".join(entries) + "\n```\n"
+
+
+def help_of(*command):
+    return subprocess.run(["vitrine", *command, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def commands():
+    """The names of the program's commands, as its help lists them."""
+    lines = help_of().split("Subcommands:\n", 1)[1].splitlines()
+    return [line.split()[0] for line in lines[: lines.index("")]]
+
+
+def add_cpp(source):
+    """A page of each public class, below reference/cpp.md."""
+    classes = os.environ["VITRINE_CLASSES"].split()
+    for name in classes:
+        body = f"# {name}\n\n```{{doxygenclass}} {name}\n:members:\n:protected-members:\n```\n"
+        write(source / "reference/cpp" / f"{name}.md", body)
+    append(source / "reference/cpp.md", toctree(f"cpp/{name}" for name in classes))
+
+
+def add_python(source):
+    """The functions of the package, behind reference/python.md."""
+    text = "\n## All functions\n\n```{eval-rst}\n"
+    for directive in (
+        ".. autofunction:: vitrine.see_through",
+        ".. autoclass:: vitrine.SeeThrough\n   :members:",
+        ".. autofunction:: vitrine.stats",
+        ".. autoclass:: vitrine.Stats\n   :members:",
+        ".. autofunction:: vitrine.report",
+        ".. autofunction:: vitrine.testing.assert_image",
+    ):
+        text += f".. currentmodule:: vitrine\n\n{directive}\n\n"
+    append(source / "reference/python.md", text + "```\n")
+
+
+def add_program(source):
+    """The help of each command, behind reference/program.md."""
+    text = "\n## Options of each command\n"
+    for command in commands():
+        usage = re.split(r"\nINPUT is a file", help_of(command))[0].rstrip()
+        text += f"\n### vitrine {command}\n\n```text\n{usage}\n```\n"
+    append(source / "reference/program.md", text)
+
+
+def main():
+    source = pathlib.Path(sys.argv[1])
+    add_cpp(source)
+    add_python(source)
+    add_program(source)
+
+
+if __name__ == "__main__":
+    main()
