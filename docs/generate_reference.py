@@ -39,7 +39,7 @@ def add_cpp(source):
     """A page of each public class, below reference/cpp.md."""
     classes = os.environ["VITRINE_CLASSES"].split()
     for name in classes:
-        body = f"# {name}\n\n```{{doxygenclass}} {name}\n:members:\n:protected-members:\n```\n"
+        body = f"# {name}\n\n```{{doxygenclass}} {name}\n:members:\n```\n"
         write(source / "reference/cpp" / f"{name}.md", body)
     append(source / "reference/cpp.md", toctree(f"cpp/{name}" for name in classes))
 
