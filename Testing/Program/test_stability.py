@@ -24,12 +24,12 @@ ROW = ["scene", "method", "width", "height", "outcome", "verdict", "error", "wor
 ROW += ["worst_frames", "repetition_difference", "order_difference", "redrawn_error"]
 ROW += ["shift", "turn", "others", "messages"]
 
-METHODS = pathlib.Path(__file__).parents[2] / "docs" / "methods.md"
+FAILURES = pathlib.Path(__file__).parents[2] / "docs" / "bench" / "failures.md"
 
 
 def documented_worst_cases():
-    """The error in steps of 1/255 by method, of the table in docs/methods.md."""
-    section = METHODS.read_text(encoding="utf-8").split("## Worst cases")[1].split("\n## ")[0]
+    """The error in steps of 1/255 by method, of the table in docs/bench/failures.md."""
+    section = FAILURES.read_text(encoding="utf-8").split("## Worst cases")[1].split("\n## ")[0]
     worst = {}
     for names, error in re.findall(r"^\| (`.*?) \| ([0-9.]+) \|", section, re.MULTILINE):
         worst.update({name: float(error) for name in re.findall(r"`(\S+?)`", names)})
