@@ -22,7 +22,7 @@
 # A test that fails leaves the picture, the difference and a heat map of FLIP in image-tests/NAME of the current binary
 # folder, or in the folder NAME of the environment variable VITRINE_TEST_OUTPUT, and prints their names and the first
 # pixels. With VITRINE_UPDATE_BASELINES=1 in the environment, a test whose picture matches no baseline writes the first
-# one instead, and passes.
+# one instead, and passes. ON, YES, TRUE and Y mean the same as 1.
 #
 # The comparison is the program's: `vitrine diff --help`.
 

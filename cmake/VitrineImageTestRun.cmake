@@ -37,7 +37,9 @@ endif ()
 execute_process(
   COMMAND "${PROGRAM}" diff "${OUTPUT}" ${BASELINES} ${OPTIONS} --out "${FOLDER}"
   RESULT_VARIABLE result)
-if (NOT result EQUAL 0)
+if (result EQUAL 1)
   message(FATAL_ERROR "${NAME}: ${OUTPUT} matches no baseline. "
     "To make it one, run this test again with VITRINE_UPDATE_BASELINES=1 in the environment.")
+elseif (NOT result EQUAL 0)
+  message(FATAL_ERROR "${NAME}: `vitrine diff` could not compare ${OUTPUT} with a baseline: ${result}")
 endif ()

@@ -27,6 +27,11 @@ __all__ = ["assert_image"]
 
 _BYTE = "B"  # the format of a buffer of unsigned bytes
 
+# Exit statuses of `vitrine diff`.
+_MATCHES = 0
+_DIFFERS = 1
+_CANNOT_COMPARE = 2
+
 
 def assert_image(
     image: Any,
@@ -51,10 +56,10 @@ def assert_image(
     environment variable VITRINE_TEST_OUTPUT, or else below vitrine-test-output of the current folder.
 
     With VITRINE_UPDATE_BASELINES=1 in the environment, a picture that matches no baseline is written over the first
-    one instead, whose folder is made.
+    one instead, whose folder is made. ON, YES, TRUE and Y mean the same as 1, as in CMake.
 
-    Raises TypeError for what is no picture, ValueError for tolerances out of range and files that are no PNG, and
-    FileNotFoundError where the program was not installed with the package.
+    Raises TypeError for what is no picture, ValueError for tolerances out of range and files that are no PNG,
+    RuntimeError where the program crashed, and FileNotFoundError where it was not installed with the package.
     """
     baselines = [pathlib.Path(file) for file in _as_list(baseline)]
     if not baselines:
@@ -73,7 +78,7 @@ def _compare(
     picture: pathlib.Path, baselines: list[pathlib.Path], options: list[str], folder: str
 ) -> str | None:
     """Why the picture matches none of the baselines, after pictures of that were written; None if it matches one."""
-    if os.environ.get("VITRINE_UPDATE_BASELINES", "") not in ("", "0"):
+    if _is_true(os.environ.get("VITRINE_UPDATE_BASELINES", "")):
         options = [*options, "--update"]
     elif not any(file.exists() for file in baselines):
         return f"{baselines[0]} is not there. VITRINE_UPDATE_BASELINES=1 in the environment makes it from {picture}"
@@ -85,9 +90,23 @@ def _compare(
         text=True,
         check=False,
     )
-    if done.returncode > 1:
+    if done.returncode == _MATCHES:
+        return None
+    if done.returncode == _DIFFERS:
+        return f"{done.stdout}picture: {picture}"
+    if done.returncode == _CANNOT_COMPARE:
         raise ValueError(done.stderr.strip().removeprefix("vitrine: "))
-    return f"{done.stdout}picture: {picture}" if done.returncode == 1 else None
+    raise RuntimeError(f"`vitrine diff` ended with status {done.returncode}: {done.stderr.strip()}")
+
+
+def _is_true(value: str) -> bool:
+    """Whether CMake's if() takes the text for true, as CTest's tests do (VitrineImageTestRun.cmake)."""
+    if value.upper() in ("ON", "YES", "TRUE", "Y"):
+        return True
+    try:
+        return float(value) != 0
+    except ValueError:
+        return False
 
 
 def _as_list(baseline: Any) -> list[Any]:

@@ -106,6 +106,7 @@ class ImageTests(unittest.TestCase):
             "target": ('draw %s/grey.png {output} "a\\;b [c] \\"d\\" \\$e" BASELINE grey.png', True),
             "no-picture": ("${CMAKE_COMMAND} -E true BASELINE grey.png", False),
             "broken": ("${CMAKE_COMMAND} -E false BASELINE grey.png", False),
+            "unreadable": ("${copy} %s/draw.c {output} BASELINE grey.png", False),
         }  # fmt: skip
         self.make(
             PROJECT
@@ -125,8 +126,10 @@ class ImageTests(unittest.TestCase):
             "VITRINE_UPDATE_BASELINES=1",
             "has not written",
             "the command that draws the picture failed",
+            "unreadable: `vitrine diff` could not compare",
         ):
             self.assertIn(words, re.sub(r"\s+", " ", said))
+        self.assertNotIn("unreadable/picture.png matches no baseline", re.sub(r"\s+", " ", said))
         left = {path.name for path in (self.build / "image-tests/step").iterdir()}
         self.assertEqual(left, {"picture.png", "difference.png", "flip.png"})
         left = {path.name for path in (self.build / "image-tests/same").iterdir()}

@@ -6,6 +6,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -106,6 +107,31 @@ class AssertImage(unittest.TestCase):
             assert_image(grey(3), [new, self.baseline])
         assert_image(grey(3), new)
         assert_image(grey(), self.baseline)
+
+    def test_updates_where_cmake_would(self):
+        for value in ("1", "ON", "yes", "True", "y", "2"):
+            with self.subTest(value), self.environment(VITRINE_UPDATE_BASELINES=value):
+                assert_image(grey(len(value)), self.folder / f"{value}.png")
+        for value in ("", "0", "OFF", "no", "False", "n", "IGNORE", "NOTFOUND", "0.0", "other"):
+            with self.subTest(value), self.environment(VITRINE_UPDATE_BASELINES=value):
+                with self.assertRaises(AssertionError):
+                    assert_image(grey(3), self.baseline)
+        assert_image(grey(), self.baseline)
+
+    def test_raises_where_the_program_does_not_end_as_it_should(self):
+        program = self.folder / "vitrine"
+        for last_words, said in (
+            ("kill -SEGV $$", "status -11"),
+            ("kill -9 $$", "status -9"),
+            ("echo no such library >&2; exit 127", "status 127: no such library"),
+        ):
+            program.write_text(f"#!/bin/sh\n{last_words}\n")
+            program.chmod(0o755)
+            with self.subTest(last_words), unittest.mock.patch.object(
+                vitrine.testing._main, "program", lambda: program
+            ):
+                with self.assertRaisesRegex(RuntimeError, said):
+                    assert_image(grey(), self.baseline)
 
     def test_takes_arrays_of_any_strides_and_channels(self):
         picture = numpy.random.default_rng(7).integers(0, 256, (20, 30, 4), dtype=numpy.uint8)
