@@ -8,10 +8,11 @@ import numbers
 import operator
 import warnings
 import weakref
-from typing import Any, Callable, Iterable, Mapping, SupportsIndex
+from typing import Any, Callable, Iterable, Iterator, Mapping, SupportsIndex
 
 from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkSequencePass, vtkShadowMapPass
 
 from .vtkVitrineRendering import (
     vtkABufferTransparencyPass,
@@ -65,7 +66,7 @@ def see_through(
 
     Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and
     the like), and whether they are switched on before or later. The method replaces the step that draws translucent
-    geometry. A pass without such a step is set aside until remove(), with a warning.
+    geometry. A pass without such a step is set aside until remove(), with a warning, also where it is set later.
 
     Returns a handle: remove() puts back what was there before, and so does leaving a `with`.
     A target that is see-through already takes the new method until then.
@@ -92,8 +93,7 @@ def see_through(
     handle = SeeThrough(method, target, make, cull)
     for renderer in renderers:
         handle._frames.take(renderer)
-    for reason in sorted(handle._frames.set_aside()):
-        warnings.warn(f"see_through(): {reason}, until remove()", stacklevel=2)
+    handle._frames.warn(stacklevel=3)
     handle._render()
     return handle
 
@@ -147,7 +147,7 @@ class SeeThrough:
 
 
 class _Frames:
-    """The renderers of a handle. What observes the window holds this, and this holds neither window nor renderers."""
+    """The renderers of a handle. Observers of the window and the renderers hold this; this holds none of them."""
 
     def __init__(self, make: Callable[[], vtkSeeThroughPass], cull: bool) -> None:
         self.removed = False
@@ -157,6 +157,7 @@ class _Frames:
         self._all: Callable[[], Iterable[vtkRenderer]] = tuple
         self._window: Any = None
         self._observer = 0
+        self._told: set[str] = set()
 
     def watch(self, target: Any) -> None:
         """Take renderers that are added to a window or a plotter, each before its first frame."""
@@ -165,7 +166,7 @@ class _Frames:
         if not isinstance(window, vtkRenderWindow):
             return
         held = weakref.ref(plotter) if plotter is not None else _weak(window).Get
-        self._all = lambda: _renderers_of(held()) if held() is not None else ()
+        self._all = lambda: _renderers_now(held())
         self._window = _weak(window)
         self._observer = window.AddObserver("StartEvent", self._take_new)
 
@@ -179,21 +180,26 @@ class _Frames:
         """Have a renderer draw by a pass of its own, and cull."""
         ours = self._make()
         ours.Attach(renderer)
-        cullers = None
+        place = _Place(_weak(renderer), _weak(ours))
         if self._cull:
-            collection: Any = renderer.GetCullers()
-            cullers = list(collection)
-            collection.RemoveAllItems()
-            renderer.AddCuller(vtkHierarchicalSBufferCuller())
-        self._places.append(_Place(_weak(renderer), _weak(ours), cullers))
+            place.cull(renderer)
+        place.observer = renderer.AddObserver("EndEvent", lambda *_: self.warn(stacklevel=3))
+        self._places.append(place)
 
     def renderers(self) -> list[vtkRenderer]:
         return [place.renderer.Get() for place in self._places if place.renderer.Get() is not None]
 
-    def set_aside(self) -> set[str]:
-        """Why passes of the renderers are left out."""
-        alive = (place.ours.Get() for place in self._places)
-        return {ours.GetSetAsideReason() for ours in alive if ours is not None} - {""}
+    def warn(self, stacklevel: int) -> None:
+        """Warn of passes that are left out, once for as long as they are. The outermost handle of a renderer warns."""
+        reasons: set[str] = set()
+        for place in self._places:
+            renderer, ours = place.renderer.Get(), place.ours.Get()
+            if renderer is not None and ours is vtkSeeThroughPass.GetAttached(renderer):
+                reasons.update(frame.GetSetAsideReason() for frame in _frames_below(ours))
+        untold = reasons - self._told - {""}
+        self._told = reasons
+        for reason in sorted(untold):
+            warnings.warn(f"see_through(): {reason}, until remove()", stacklevel=stacklevel)
 
     def remove(self) -> bool:
         """Put everything back. Returns whether there was anything to put back."""
@@ -209,26 +215,60 @@ class _Frames:
         return True
 
 
-@dataclasses.dataclass
 class _Place:
-    """A renderer, the pass that a handle gave it, and the cullers that it had before where they were replaced."""
+    """A renderer, what a handle gave it, and the cullers that it had before where they were replaced."""
 
-    renderer: Any
-    ours: Any
-    cullers: list[Any] | None
+    _all: weakref.WeakSet[_Place] = weakref.WeakSet()
+
+    def __init__(self, renderer: vtkWeakReference, ours: vtkWeakReference) -> None:
+        self.renderer: Any = renderer
+        self.ours: Any = ours
+        self.observer = 0
+        self._culler: Any = None
+        self._before: list[Any] = []
+        self._all.add(self)
+
+    def cull(self, renderer: vtkRenderer) -> None:
+        """Replace the cullers of the renderer."""
+        culler = vtkHierarchicalSBufferCuller()
+        self._culler = _weak(culler)
+        self._before = _cullers_of(renderer)
+        _set_cullers(renderer, [culler])
 
     def put_back(self) -> None:
         renderer, ours = self.renderer.Get(), self.ours.Get()
         if ours is not None:
             ours.Detach()
-        if renderer is None or self.cullers is None:
+        if renderer is None:
             return
-        collection = renderer.GetCullers()
-        there = list(collection)
-        if len(there) == 1 and isinstance(there[0], vtkHierarchicalSBufferCuller):
-            collection.RemoveAllItems()
-            for culler in self.cullers:
-                renderer.AddCuller(culler)
+        renderer.RemoveObserver(self.observer)
+        culler = self._culler.Get() if self._culler is not None else None
+        if culler is None:
+            return
+        there = _cullers_of(renderer)
+        if culler in there:
+            _set_cullers(renderer, _replaced(there, culler, self._before))
+        for outer in self._all:
+            if culler in outer._before:
+                outer._before = _replaced(outer._before, culler, self._before)
+
+
+def _cullers_of(renderer: vtkRenderer) -> list[Any]:
+    collection: Any = renderer.GetCullers()
+    return list(collection)
+
+
+def _set_cullers(renderer: vtkRenderer, cullers: Iterable[Any]) -> None:
+    renderer.GetCullers().RemoveAllItems()
+    for culler in cullers:
+        renderer.AddCuller(culler)
+
+
+def _replaced(items: list[Any], old: Any, new: list[Any]) -> list[Any]:
+    """The list with the items `new` in the place of `old`, without those of them that it has already."""
+    place = items.index(old)
+    missing = [item for item in new if item not in items]
+    return items[:place] + missing + items[place + 1 :]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -269,14 +309,15 @@ def stats(target: Any) -> Stats:
 
 def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
     renderers = list(renderers)
-    frames = [frame for frame in map(_frame_of, renderers) if _method_of(frame) is not None]
-    if not frames:
+    roots = [root for root in map(_root_of, renderers) if _method_of(root) is not None]
+    if not roots:
         passes = {renderer.GetPass().GetClassName() for renderer in renderers if renderer.GetPass()}
         held = f" (the pass that is set is {', '.join(sorted(passes))})" if passes else ""
         raise ValueError(f"nothing here is see-through: call vitrine.see_through() first{held}")
-    methods = [_method_of(frame) for frame in frames]
-    lights = [light for light in map(_lights_of, frames) if light is not None]
-    cullers = [culler for renderer in renderers for culler in _cullers_of(renderer)]
+    methods = [_method_of(root) for root in roots]
+    frames = [frame for root in roots for frame in _frames_below(root)]
+    lights = [light for light in map(_lights_of, roots) if light is not None]
+    cullers = [culler for renderer in renderers for culler in _sbuffers_of(renderer)]
     fragments = sum(found.GetNumberOfFragments() for found in methods)
     pixels = sum(
         found.GetNumberOfFragments() / found.GetMeanNumberOfLayers()
@@ -290,7 +331,7 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
         layers_mean=fragments / pixels if pixels else 0.0,
         geometry_passes=max(found.GetNumberOfGeometryPasses() for found in methods),
         bytes=sum(found.GetBytes() for found in methods),
-        fallback_reason=_reasons(frame.GetFallbackReason() for frame in frames),
+        fallback_reason=_reasons(map(_fallback_of, roots)),
         lights=sum(light.GetNumberOfLights() for light in lights),
         lights_reason=_reasons(light.GetFallbackReason() for light in lights),
         drawn_parts=sum(culler.GetNumberOfDrawnParts() for culler in cullers),
@@ -303,32 +344,71 @@ def _reasons(texts: Iterable[str]) -> str:
     return "; ".join(sorted(set(texts) - {""}))
 
 
-def _frame_of(renderer: vtkRenderer) -> vtkSeeThroughPass | None:
-    """The pass that draws the renderer exactly: the one that is set, or else within it, or that will be set again."""
-    found = _first_below(renderer.GetPass(), vtkSeeThroughPass)
-    return found or vtkSeeThroughPass.GetAttached(renderer)
+def _root_of(renderer: vtkRenderer) -> Any:
+    """The pass that draws the renderer: the one that is set, or else the one that will be set again."""
+    set_now = renderer.GetPass()
+    attached = vtkSeeThroughPass.GetAttached(renderer)
+    return set_now if attached is None or isinstance(set_now, vtkSeeThroughPass) else attached
 
 
-def _first_below(render_pass: Any, kind: type) -> Any:
-    """The first of a chain of delegates that is of a class, or None."""
-    while render_pass is not None and not isinstance(render_pass, kind):
-        get_delegate = getattr(render_pass, "GetDelegatePass", None)
-        render_pass = get_delegate() if get_delegate else None
-    return render_pass
+def _passes_below(render_pass: Any) -> Iterator[Any]:
+    """A pass and those that draw for it, without chains that are set aside."""
+    if render_pass is None:
+        return
+    yield render_pass
+    delegates: list[Any] = []
+    if isinstance(render_pass, vtkSeeThroughPass):
+        if not render_pass.GetSetAsideReason():
+            delegates.append(render_pass.GetEffectsPass())
+    elif isinstance(render_pass, vtkSequencePass):
+        delegates += render_pass.GetPasses() or ()
+    elif isinstance(render_pass, vtkShadowMapPass):
+        delegates.append(render_pass.GetOpaqueSequence())
+    elif hasattr(render_pass, "GetDelegatePass"):
+        delegates.append(render_pass.GetDelegatePass())
+    for delegate in delegates:
+        yield from _passes_below(delegate)
 
 
-def _method_of(frame: vtkSeeThroughPass | None) -> Any:
-    transparency = frame.GetTranslucentPass() if frame is not None else None
+def _frames_below(root: Any) -> list[vtkSeeThroughPass]:
+    """The frames that draw, the outermost first. It gives those within it its method, and its lights if it has any."""
+    return [found for found in _passes_below(root) if isinstance(found, vtkSeeThroughPass)]
+
+
+def _method_of(root: Any) -> Any:
+    """The method that draws below a pass: the outermost frame's."""
+    for frame in _frames_below(root):
+        return _own_method_of(frame)
+    return None
+
+
+def _own_method_of(frame: vtkSeeThroughPass) -> Any:
+    transparency = frame.GetTranslucentPass()
     return transparency if isinstance(transparency, vtkTransparencyPass) else None
 
 
-def _lights_of(frame: vtkSeeThroughPass) -> Any:
-    return frame.GetLightingPass() or _first_below(frame.GetEffectsPass(), vtkClusteredLightsPass)
+def _lights_of(root: Any) -> Any:
+    """The pass that lights what is drawn below a pass: the outermost one of a frame, or else one of the chain."""
+    found: list[Any] = [frame.GetLightingPass() for frame in _frames_below(root)]
+    found += [each for each in _passes_below(root) if isinstance(each, vtkClusteredLightsPass)]
+    return next((lights for lights in found if lights is not None), None)
 
 
-def _cullers_of(renderer: vtkRenderer) -> list[Any]:
-    collection: Any = renderer.GetCullers()
-    return [culler for culler in collection if isinstance(culler, vtkHierarchicalSBufferCuller)]
+def _fallback_of(root: Any) -> str:
+    """Why the method did not draw below a pass."""
+    outermost, *inner = _frames_below(root)
+    for frame in inner:
+        reason = frame.GetFallbackReason()
+        method = _own_method_of(frame)
+        # Without a reason of its own, a frame has its method's, which did not draw here.
+        if reason and (method is None or reason != method.GetFallbackReason()):
+            return reason
+    return outermost.GetFallbackReason()
+
+
+def _sbuffers_of(renderer: vtkRenderer) -> list[Any]:
+    cullers = _cullers_of(renderer)
+    return [culler for culler in cullers if isinstance(culler, vtkHierarchicalSBufferCuller)]
 
 
 def _is_plotter(target: Any) -> bool:
@@ -339,22 +419,27 @@ def _plotter_of(target: Any) -> Any:
     return target if not isinstance(target, vtkObject) and _is_plotter(target) else None
 
 
-def _renderers_of(target: Any) -> list[vtkRenderer]:
+def _renderers_now(target: Any) -> list[vtkRenderer]:
+    """The renderers that a target has, none if it is closed or gone."""
     if isinstance(target, vtkRenderer):
         return [target]
     if isinstance(target, vtkRenderWindow):
         collection: Any = target.GetRenderers()  # VTK's stubs do not know that it can be iterated
-        renderers = list(collection)
-    elif _is_plotter(target):
-        if target.render_window is None:
-            raise RuntimeError("the plotter is closed")
-        renderers = list(target.renderers)
-    else:
+        return list(collection)
+    is_open = target is not None and target.render_window is not None
+    return list(target.renderers) if is_open else []
+
+
+def _renderers_of(target: Any) -> list[vtkRenderer]:
+    if not isinstance(target, (vtkRenderer, vtkRenderWindow)) and not _is_plotter(target):
         raise TypeError(
             "a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter is needed, "
             f"not {type(target).__name__}"
         )
+    renderers = _renderers_now(target)
     if not renderers:
+        if _plotter_of(target) is not None and target.render_window is None:
+            raise RuntimeError("the plotter is closed")
         raise ValueError("the window has no renderer yet")
     return renderers
 

@@ -1,21 +1,29 @@
 """see_through() and stats(): pictures, undoing, misuse, and the examples of their documentation."""
 
+import contextlib
 import doctest
 import gc
+import io
+import itertools
 import math
 import unittest
 import warnings
 import weakref
 
 import numpy
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401, a factory
 from scenes import cone_renderer, pixels, plate, plates_renderer, rendered, run_python, window_with
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer, vtkRenderWindow, vtkVolume
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkClearRGBPass,
     vtkGaussianBlurPass,
+    vtkRenderPassCollection,
     vtkRenderStepsPass,
+    vtkSequencePass,
     vtkTranslucentPass,
 )
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 
 import vitrine
 import vitrine._see_through
@@ -330,6 +338,36 @@ class Effects(unittest.TestCase):
         handle.remove()
         self.assertEqual(list(renderer.GetCullers()), before)
 
+    def test_cullers_of_handles_are_put_back_in_any_order(self):
+        renderer = plates(2)
+        before = list(renderer.GetCullers())
+        for order in itertools.permutations(range(3)):
+            handles = [vitrine.see_through(renderer, cull=True) for _ in range(3)]
+            ours = list(renderer.GetCullers())
+            self.assertEqual(len(ours), 1)
+            for i in order:
+                self.assertNotEqual(list(renderer.GetCullers()), before, "the others cull still")
+                handles[i].remove()
+                if handles[2]._frames.removed is False:
+                    self.assertEqual(list(renderer.GetCullers()), ours)
+            self.assertEqual(list(renderer.GetCullers()), before)
+
+    def test_remove_keeps_cullers_that_were_set_since(self):
+        renderer, another = plates(2), vitrine.vtkHierarchicalSBufferCuller()
+        handle = vitrine.see_through(renderer, cull=True)
+        renderer.GetCullers().RemoveAllItems()
+        renderer.AddCuller(another)
+        handle.remove()
+        self.assertEqual(list(renderer.GetCullers()), [another])
+
+    def test_remove_keeps_cullers_that_were_added_since(self):
+        renderer, another = plates(2), vitrine.vtkHierarchicalSBufferCuller()
+        before = list(renderer.GetCullers())
+        handle = vitrine.see_through(renderer, cull=True)
+        renderer.AddCuller(another)
+        handle.remove()
+        self.assertEqual(list(renderer.GetCullers()), [*before, another])
+
     def test_lights_are_counted(self):
         renderer = plates(2)
         for x in range(3):
@@ -347,6 +385,143 @@ class Effects(unittest.TestCase):
         with vitrine.see_through(renderer, lights=True):
             drawn(renderer)
             self.assertIn("shadow", vitrine.stats(renderer).lights_reason)
+
+
+class Nested(unittest.TestCase):
+    """stats() tells of the frame that draws, where several stand within each other."""
+
+    def setUp(self):
+        self.renderer = plates(2)
+        for x in range(3):
+            light = vtkLight()
+            light.SetPositional(True)
+            light.SetPosition(x, 0, 5)
+            light.SetLightTypeToSceneLight()
+            self.renderer.AddLight(light)
+
+    def stats(self):
+        drawn(self.renderer)
+        return vitrine.stats(self.renderer)
+
+    def test_lights_of_the_inner_frame(self):
+        with vitrine.see_through(self.renderer, lights=True):
+            with vitrine.see_through(self.renderer, "prefix-sum"):
+                told = self.stats()
+                self.assertEqual((told.method, told.lights), ("prefix-sum", 3))
+                self.renderer.UseShadowsOn()
+                self.assertIn("shadow", self.stats().lights_reason)
+
+    def test_lights_of_both_frames_count_once(self):
+        with vitrine.see_through(self.renderer, lights=True):
+            with vitrine.see_through(self.renderer, lights="deferred"):
+                self.assertEqual(self.stats().lights, 3)
+
+    def test_lights_around_a_frame(self):
+        lights = vitrine.vtkClusteredLightsPass()
+        lights.SetDelegatePass(vitrine.vtkSeeThroughPass())
+        self.renderer.SetPass(lights)
+        self.assertEqual(self.stats().lights, 3)
+        self.assertEqual(self.stats().layers_max, 2)
+
+    def test_frame_in_a_sequence(self):
+        passes = vtkRenderPassCollection()
+        passes.AddItem(vitrine.vtkSeeThroughPass())
+        sequence = vtkSequencePass()
+        sequence.SetPasses(passes)
+        self.renderer.SetPass(sequence)
+        self.assertEqual(self.stats().layers_max, 2)
+
+    def test_chain_that_the_inner_frame_sets_aside(self):
+        inner = vitrine.vtkSeeThroughPass()
+        inner.SetEffectsPass(vtkClearRGBPass())
+        self.renderer.SetPass(inner)
+        with self.assertWarnsRegex(UserWarning, "vtkClearRGBPass is set aside"):
+            handle = vitrine.see_through(self.renderer)
+        self.assertIn("vtkClearRGBPass", self.stats().set_aside)
+        handle.remove()
+
+    def test_volumes_that_the_inner_frame_peels(self):
+        self.renderer.UseDepthPeelingOn()
+        self.renderer.UseDepthPeelingForVolumesOn()
+        cube = vtkImageData()
+        cube.SetDimensions(2, 2, 2)
+        cube.AllocateScalars(3, 1)  # VTK_UNSIGNED_CHAR
+        volume = vtkVolume()
+        volume.SetMapper(vtkGPUVolumeRayCastMapper())
+        volume.GetMapper().SetInputData(cube)
+        self.renderer.AddVolume(volume)
+        with vitrine.see_through(self.renderer):
+            self.assertIn("UseDepthPeelingForVolumes", self.stats().fallback_reason)
+            with vitrine.see_through(self.renderer):
+                self.assertIn("UseDepthPeelingForVolumes", self.stats().fallback_reason)
+            self.renderer.UseDepthPeelingForVolumesOff()
+            with vitrine.see_through(self.renderer):
+                self.assertEqual(self.stats().fallback_reason, "")
+
+
+class Later(unittest.TestCase):
+    """What becomes of the target after see_through()."""
+
+    def test_window_may_lose_its_last_renderer(self):
+        renderer = plates(2)
+        window = window_with(renderer)
+        handle = vitrine.see_through(window)
+        window.Render()
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            window.RemoveRenderer(renderer)
+            window.Render()
+        self.assertEqual(said.getvalue(), "")
+        later = plates(3)
+        window.AddRenderer(later)
+        window.Render()
+        self.assertEqual(vitrine.stats(later).layers_max, 3)
+        handle.remove()
+
+    def test_window_of_a_closed_plotter_may_draw(self):
+        plotter = Plotter(plates(2))
+        plotter.render_window = window = window_with(plotter.renderers[0])
+        vitrine.see_through(plotter)
+        plotter.close()
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            window.Render()
+        self.assertEqual(said.getvalue(), "")
+
+    def test_pass_that_is_set_later_and_set_aside_warns_once(self):
+        for target_of in (lambda window: window, lambda window: window.GetRenderers().GetFirstRenderer()):
+            renderer = plates(2)
+            window = window_with(renderer)
+            with vitrine.see_through(target_of(window)), vitrine.see_through(target_of(window)):
+                window.Render()
+                renderer.SetPass(vtkClearRGBPass())
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    window.Render()
+                    window.Render()
+                self.assertEqual(len(caught), 1)
+                self.assertIn("vtkClearRGBPass is set aside", str(caught[0].message))
+                self.assertEqual(caught[0].filename, __file__)
+                self.assertIn("vtkClearRGBPass", vitrine.stats(renderer).set_aside)
+
+    def test_renderer_that_is_added_later_with_a_pass_set_aside_warns(self):
+        window = window_with(plates(2))
+        handle = vitrine.see_through(window)
+        window.Render()
+        later = plates(3)
+        later.SetPass(vtkClearRGBPass())
+        window.AddRenderer(later)
+        with self.assertWarnsRegex(UserWarning, "vtkClearRGBPass is set aside"):
+            window.Render()
+        handle.remove()
+
+    def test_removed_handle_says_nothing(self):
+        renderer = plates(2)
+        window = window_with(renderer)
+        vitrine.see_through(window).remove()
+        renderer.SetPass(vtkClearRGBPass())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            window.Render()
+        self.assertFalse(renderer.HasObserver("EndEvent"))
 
 
 class Report(unittest.TestCase):
