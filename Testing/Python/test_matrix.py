@@ -5,10 +5,13 @@ import re
 import unittest
 
 import matrix
+from effects import EFFECTS
 from vtkmodules.vtkCommonCore import vtkVersion
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "effects.md"
-IS_OF_PAGE = vtkVersion.GetVTKMajorVersion() == 9 and vtkVersion.GetVTKMinorVersion() == 1
+VERSION = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
+VERSION_OF_PAGE = (9, 1)
+VERSIONS_OF_KINDS = ((9, 1), (9, 6))  # whose cells are of the page's kinds; reasons may differ
 
 
 def rows_of_page():
@@ -26,6 +29,10 @@ def rows_of_page():
     return rows
 
 
+def kind_of(cell):
+    return cell.partition(":")[0]
+
+
 class Effects(unittest.TestCase):
     maxDiff = None
 
@@ -39,11 +46,14 @@ def check(effect):
             self.assertFalse(cell.startswith("WRONG"), f"{column}: {cell}")
         if effect.changes:
             self.assertTrue(row.changes_the_picture(), "the effect has no effect here")
-        if IS_OF_PAGE:
-            self.assertEqual(rows_of_page().get(effect.name), cells, "see matrix.py --update")
+        expected = rows_of_page().get(effect.name, [])
+        if VERSION in VERSIONS_OF_KINDS:
+            self.assertEqual([*map(kind_of, cells)], [*map(kind_of, expected)])
+        if VERSION == VERSION_OF_PAGE:
+            self.assertEqual(cells, expected, "see matrix.py --update")
 
     return test
 
 
-for each in matrix.EFFECTS:
+for each in EFFECTS:
     setattr(Effects, "test_" + re.sub(r"\W+", "_", each.name), check(each))
