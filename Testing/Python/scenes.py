@@ -9,7 +9,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the factory of everything e
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 import vitrine
 
@@ -49,6 +49,13 @@ def plates_renderer(*plates, background=(0.0, 0.0, 0.0)):
     return renderer
 
 
+def plates(count, alpha=0.4):
+    """A white renderer behind `count` black plates of this opacity."""
+    return plates_renderer(
+        *(plate(0.1 * i, (0, 0, 0), alpha) for i in range(count)), background=(1, 1, 1)
+    )
+
+
 def cone_renderer(opacity=1.0):
     renderer = vtkRenderer()
     renderer.SetBackground(0, 0, 1)
@@ -63,6 +70,12 @@ def window_with(renderer, size=(64, 48), multisamples=0):
     window.SetMultiSamples(multisamples)
     window.SetSize(size)
     window.AddRenderer(renderer)
+    return window
+
+
+def drawn(renderer, **arguments):
+    window = window_with(renderer, **arguments)
+    window.Render()
     return window
 
 
@@ -94,3 +107,18 @@ def run_interpreter(*arguments, **environment):
         text=True,
         check=False,
     )
+
+
+class Plotter:
+    """What see_through() asks of a pyvista.Plotter."""
+
+    def __init__(self, *renderers):
+        self.renderers = renderers
+        self.render_window = vtkRenderWindow()
+        self.frames = 0
+
+    def render(self):
+        self.frames += 1
+
+    def close(self):
+        self.render_window = None
