@@ -177,6 +177,11 @@ def flag(name, **settings):
     return apply
 
 
+def occlusion_pass(scene):
+    """Without a radius in thin scenes: VTK's glass hides ambient light around it, and Vitrine's hides none."""
+    around(vtkSSAOPass, Radius=1e-6 if scene.thin else 0.5, Bias=0.01)(scene)
+
+
 def shadow_pass(scene):
     shadows = vtkShadowMapPass()
     passes = vtkRenderPassCollection()
@@ -398,13 +403,13 @@ class Effect:
     """tolerance: of glass against truth, in 1/255; 2 where the effect works on pictures whose colours are rounded.
     FXAA takes 3: it compares contrasts with thresholds, which a difference of 1/255 before it may cross.
 
-    thin: how a thin scene compares with VTK's own picture. It is None where VTK draws something else.
+    thin: how a thin scene compares with VTK's own picture.
     """
 
     name: str
     apply: Callable[[Scene], None]
     tolerance: int = 1
-    thin: Thin | None = Thin()
+    thin: Thin = Thin()
     changes: bool = True  # the picture of an opaque scene
     one_stage: bool = False  # VTK draws it otherwise in each window, as it reads memory that nobody has set
 
@@ -414,7 +419,7 @@ EFFECTS = (
     Effect("FXAA, pass", around(vtkOpenGLFXAAPass), 3, Thin(tolerance=2, outliers=20)),
     Effect("SSAA", around(vtkSSAAPass), 2, ROUNDED),
     Effect("SSAO, flag", flag("UseSSAO", SSAORadius=0.5, SSAOBias=0.01), 1, NOT_BLENDED),
-    Effect("SSAO, pass", around(vtkSSAOPass, Radius=0.5, Bias=0.01), 2, None),  # VTK's glass occludes
+    Effect("SSAO, pass", occlusion_pass, 2),
     Effect("EDL", around(vtkEDLShading), 2),
     Effect("tone mapping", around(vtkToneMappingPass), 2),
     Effect("depth of field", around(vtkDepthOfFieldPass), 2, one_stage=True),

@@ -173,8 +173,6 @@ class Row:
     def wrong_thin_glass(self, **features):
         """A cell that says how glass that covers no pixel twice differs from VTK's own, or None."""
         thin = self.effect.thin
-        if thin is None:
-            return None
         plain = self.thin_by_vtk()
         exact = self.drawing(glass=True, thin=True, method="linked-list", **features)
         layers = exact.stats.layers_max
