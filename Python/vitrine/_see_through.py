@@ -3,37 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
-import math
-import numbers
-import operator
 import warnings
 import weakref
-from typing import Any, Callable, Iterable, Iterator, Mapping, SupportsIndex
+from typing import Any, Callable, Iterable, Iterator, SupportsIndex
 
 from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkSequencePass, vtkShadowMapPass
 
+from ._options import check_boolean, make_pass
 from .vtkVitrineRendering import (
-    vtkABufferTransparencyPass,
     vtkClusteredLightsPass,
-    vtkDeferredLightsPass,
     vtkHierarchicalSBufferCuller,
     vtkSeeThroughPass,
-    vtkTolerantTransparencyPass,
     vtkTransparencyPass,
 )
-
-METHODS: tuple[str, ...] = tuple(vtkTransparencyPass.GetExactMethods().split(","))
-_LIGHTS: dict[str, Any] = {
-    "clustered": vtkClusteredLightsPass,
-    "deferred": vtkDeferredLightsPass,
-}
-_COLOR_STORAGES = {
-    "half-float": vtkABufferTransparencyPass.HALF_FLOAT,
-    "8-bit": vtkABufferTransparencyPass.EIGHT_BIT,
-    "compact": vtkABufferTransparencyPass.COMPACT,
-}
 
 
 def see_through(
@@ -86,10 +70,10 @@ def see_through(
     renderers = _renderers_of(target)
 
     def make() -> vtkSeeThroughPass:
-        return _make_pass(method, lights, color_storage, memory_limit, coincidence)
+        return make_pass(method, lights, color_storage, memory_limit, coincidence)
 
     make()  # wrong options raise before anything is changed
-    _boolean("cull", cull)
+    check_boolean("cull", cull)
     handle = SeeThrough(method, target, make, cull)
     for renderer in renderers:
         handle._frames.take(renderer)
@@ -361,7 +345,8 @@ def _passes_below(render_pass: Any) -> Iterator[Any]:
         if not render_pass.GetSetAsideReason():
             delegates.append(render_pass.GetEffectsPass())
     elif isinstance(render_pass, vtkSequencePass):
-        delegates += render_pass.GetPasses() or ()
+        passes: Any = render_pass.GetPasses()
+        delegates += passes or ()
     elif isinstance(render_pass, vtkShadowMapPass):
         delegates.append(render_pass.GetOpaqueSequence())
     elif hasattr(render_pass, "GetDelegatePass"):
@@ -442,77 +427,6 @@ def _renderers_of(target: Any) -> list[vtkRenderer]:
             raise RuntimeError("the plotter is closed")
         raise ValueError("the window has no renderer yet")
     return renderers
-
-
-def _make_pass(
-    method: str,
-    lights: str | bool | None,
-    color_storage: str | None,
-    memory_limit: SupportsIndex | None,
-    coincidence: float | tuple[float, float] | None,
-) -> vtkSeeThroughPass:
-    transparency = _new_method(method)
-    if color_storage is not None:
-        _only_of(vtkABufferTransparencyPass, method, "color_storage")
-        transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
-    if memory_limit is not None:
-        _only_of(vtkABufferTransparencyPass, method, "memory_limit")
-        transparency.SetMemoryLimit(_number_of_bytes(memory_limit))
-    if coincidence is not None:
-        _only_of(vtkTolerantTransparencyPass, method, "coincidence")
-        steps, slope = _steps_and_slope(coincidence)
-        transparency.SetCoincidenceSteps(steps)
-        transparency.SetCoincidenceSlope(slope)
-    whole = vtkSeeThroughPass()
-    whole.SetTranslucentPass(transparency)
-    if lights is not None and lights is not False:
-        whole.SetLightingPass(_known("lights", "clustered" if lights is True else lights, _LIGHTS)())
-    return whole
-
-
-def _boolean(argument: str, value: Any) -> None:
-    if not isinstance(value, bool):
-        raise TypeError(f"{argument} is True or False, not {value!r}")
-
-
-def _new_method(name: str) -> Any:
-    if name not in METHODS:
-        raise ValueError(f"unknown method {name!r}: known are {', '.join(METHODS)}")
-    return vtkTransparencyPass.NewMethod(name)
-
-
-def _known(argument: str, value: Any, values: Mapping[str, Any]) -> Any:
-    if not isinstance(value, str) or value not in values:
-        raise ValueError(f"unknown {argument} {value!r}: known are {', '.join(values)}")
-    return values[value]
-
-
-def _number_of_bytes(limit: SupportsIndex) -> int:
-    try:
-        number = operator.index(limit)
-    except TypeError:
-        number = None
-    if number is None or isinstance(limit, bool):
-        raise TypeError(f"memory_limit is a number of bytes, an int, not {limit!r}")
-    if not 0 < number < 2**63:
-        raise ValueError(f"memory_limit is a number of bytes above 0 and below 2**63, not {number}")
-    return number
-
-
-def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
-    pair = coincidence if isinstance(coincidence, (tuple, list)) else (coincidence, 0.0)
-    if len(pair) != 2 or not all(
-        isinstance(value, numbers.Real) and not isinstance(value, bool) for value in pair
-    ):
-        raise TypeError(f"coincidence is a number or a pair of numbers, not {coincidence!r}")
-    if not all(math.isfinite(value) and value >= 0 for value in pair):
-        raise ValueError(f"coincidence is finite and at least 0, not {coincidence!r}")
-    return float(pair[0]), float(pair[1])
-
-
-def _only_of(kind: type, method: str, option: str) -> None:
-    if not isinstance(_new_method(method), kind):
-        raise ValueError(f"{option} is no option of {method}")
 
 
 def _weak(instance: Any) -> vtkWeakReference:

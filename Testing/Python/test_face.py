@@ -29,6 +29,7 @@ from vtkmodules.vtkRenderingOpenGL2 import (
 )
 
 import vitrine
+import vitrine._options
 import vitrine._see_through
 
 
@@ -41,7 +42,7 @@ def half_plate(z, opacity):
 
 class Pictures(unittest.TestCase):
     def test_plates_match_the_closed_form(self):
-        for method in vitrine._see_through.METHODS:
+        for method in vitrine._options.METHODS:
             for count in (1, 5, 40):
                 with self.subTest(method=method, count=count):
                     renderer = plates(count)
