@@ -15,7 +15,7 @@ namespace program
 /** A table, a row for each input; below it modes of frames and reasons of props, most frequent first. */
 std::string ToTable(const std::vector<CullRun>& runs);
 
-/** JSON: {"vitrine", "build", "device", "settings", "results"}; docs/bench/culling.md says what a row holds. */
+/** JSON: {"vitrine", "build", "device", "settings", "results"}; docs/reference/json.md lists the keys. */
 std::string ToJson(const std::vector<CullRun>& runs);
 
 /** Pixels that differ, of all inputs. */

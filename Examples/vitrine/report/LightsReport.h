@@ -15,7 +15,7 @@ namespace program
 /** A table, a row for each input and mode. */
 std::string ToTable(const std::vector<LightingRun>& runs, const Device& device);
 
-/** JSON: {"vitrine", "build", "device", "settings", "results"}; docs/lighting.md says what a row holds. */
+/** JSON: {"vitrine", "build", "device", "settings", "results"}; docs/reference/json.md lists the keys. */
 std::string ToJson(
   const std::vector<LightingRun>& runs, const LightingPlan& plan, const Device& device);
 
