@@ -14,7 +14,7 @@ namespace program
 /** Tables: times, ratios to the network, comparisons and speed by size; times by length. */
 std::string ToTables(const SortComparison& comparison);
 
-/** JSON: {"vitrine", "build", "device", "settings", "results", "lengths"}; docs/bench/sorts.md says what a row holds. */
+/** JSON: {"vitrine", "build", "device", "settings", "results", "lengths"}; docs/reference/json.md has the keys. */
 std::string ToJson(const SortComparison& comparison);
 
 }
