@@ -32,31 +32,39 @@ def see_through(
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
-    target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
-        renderers, including those that are added later.
-    method: "linked-list", the default; "prefix-sum", which counts fragments first; "prefix-sum-predicted", which
-        needs only one pass over the geometry if the last frame predicts enough room; "stencil-routed" for drivers
-        without OpenGL 4.3; or "truth", the slow reference, composited in float64 on the CPU.
-    lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the lighting.
-    cull: whether hidden parts are left out (vtkHierarchicalSBufferCuller, which replaces the renderer's cullers).
-    color_storage: for linked lists and prefix sums. "half-float" is the default. "compact" takes two thirds of the
-        memory, is faster, and exact to 8-bit pictures. "8-bit" rounds each fragment.
-    memory_limit: for linked lists and prefix sums: the largest number of bytes that fragments may take on the device,
-        for each renderer. Frames that need more are drawn in bands, and stay exact. None means no limit.
-    coincidence: for linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those of
-        mating faces do. They are composited without an order. The unit is 2^-24 of the window's depth range. A pair
-        adds a share of the fragment's slope of depth per pixel. A fragment takes 4 bytes more. None means no
-        tolerance.
+    Args:
+        target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
+            renderers, including those that are added later.
+        method: "linked-list", the default; "prefix-sum", which counts fragments first; "prefix-sum-predicted", which
+            needs only one pass over the geometry if the last frame predicts enough room; "stencil-routed" for drivers
+            without OpenGL 4.3; or "truth", the slow reference, composited in float64 on the CPU.
+        lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the
+            lighting.
+        cull: whether hidden parts are left out (vtkHierarchicalSBufferCuller, which replaces the renderer's cullers).
+        color_storage: for linked lists and prefix sums. "half-float" is the default. "compact" takes two thirds of
+            the memory, is faster, and exact to 8-bit pictures. "8-bit" rounds each fragment.
+        memory_limit: for linked lists and prefix sums: the largest number of bytes that fragments may take on the
+            device, for each renderer. Frames that need more are drawn in bands, and stay exact. None means no limit.
+        coincidence: for linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those
+            of mating faces do. They are composited without an order. The unit is 2^-24 of the window's depth range. A
+            pair adds a share of the fragment's slope of depth per pixel. A fragment takes 4 bytes more. None means no
+            tolerance.
 
     Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and
     the like), and whether they are switched on before or later. The method replaces the step that draws translucent
     geometry. A pass without such a step is set aside until remove(), with a warning, also where it is set later.
 
-    Returns a handle: remove() puts back what was there before, and so does leaving a `with`.
-    A target that is see-through already takes the new method until then.
+    A target that is see-through already takes the new method until the handle is removed.
 
-    Raises TypeError for another kind of target, ValueError for an unknown method or option, RuntimeError
-    for a plotter that is closed.
+    Returns:
+        A handle. remove() puts back what was there before, and so does leaving a `with`.
+
+    Raises:
+        TypeError: the target is of another kind.
+        ValueError: the method or an option is unknown.
+        RuntimeError: the plotter is closed.
+
+    Examples:
 
     >>> from vtkmodules.vtkRenderingCore import vtkRenderer
     >>> import vitrine

@@ -43,13 +43,14 @@ def assert_image(
 ) -> None:
     """Raise AssertionError unless a picture matches a baseline.
 
-    image: a vtkRenderWindow or a pyvista.Plotter, which are drawn; a vtkImageData of bytes; an array of bytes, as
-        NumPy's, rows from the top, with one value, RGB or RGBA for each pixel; or the name of a PNG file.
-    baseline: the name of a PNG file, or several names. The picture has to match one of them; there may be one for each
-        driver or version of VTK. Those that are not there are passed over, if one is there.
-    tolerance: the largest difference of any channel that counts as none, in steps of 1/255, from 0 to 255.
-    share: of the pixels, from 0 to 1, which may differ by more.
-    flip: the largest mean of FLIP, from 0 to 1. None does not ask for it.
+    Args:
+        image: a vtkRenderWindow or a pyvista.Plotter, which are drawn; a vtkImageData of bytes; an array of bytes, as
+            NumPy's, rows from the top, with one value, RGB or RGBA for each pixel; or the name of a PNG file.
+        baseline: the name of a PNG file, or several names. The picture has to match one of them; there may be one for
+            each driver or version of VTK. Those that are not there are passed over, if one is there.
+        tolerance: the largest difference of any channel that counts as none, in steps of 1/255, from 0 to 255.
+        share: of the pixels, from 0 to 1, which may differ by more.
+        flip: the largest mean of FLIP, from 0 to 1. None does not ask for it.
 
     Where it raises, it leaves the picture, the difference and a heat map of FLIP in a folder, and the message names
     them and the first pixels. The folder is named after the test and the baseline. It lies below the folder of the
@@ -58,8 +59,12 @@ def assert_image(
     With VITRINE_UPDATE_BASELINES=1 in the environment, a picture that matches no baseline is written over the first
     one instead, whose folder is made. ON, YES, TRUE and Y mean the same as 1, as in CMake.
 
-    Raises TypeError for what is no picture, ValueError for tolerances out of range and files that are no PNG,
-    RuntimeError where the program crashed, and FileNotFoundError where it was not installed with the package.
+    Raises:
+        AssertionError: the picture matches no baseline.
+        TypeError: the image is no picture.
+        ValueError: a tolerance is out of range, or a file is no PNG.
+        RuntimeError: the program that compares crashed.
+        FileNotFoundError: the program was not installed with the package.
     """
     baselines = [pathlib.Path(file) for file in _as_list(baseline)]
     if not baselines:
