@@ -1,0 +1,146 @@
+"""Pages of docs: their style, their links, and that each block of code runs.
+
+A page's blocks run in one empty folder, in their order: first those of Python, as one program, then those of shells, then
+those of CMake and C++, as one project. A block behind <!-- not run: reason --> is left out.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+PREFIX = os.environ.get("PREFIX")
+MOST_NOT_RUN = 10
+BLOCK = re.compile(r"^(?:<!-- not run: ([^\n]+?) -->\n+)?```(\w+)\n(.*?)^```$", re.M | re.S)
+SHELLS = ("sh", "console")
+
+PROJECT = """\
+cmake_minimum_required(VERSION 3.16...3.25)
+project(Page LANGUAGES C CXX)
+set(CMAKE_CXX_STANDARD 17)
+find_package(Vitrine REQUIRED)
+add_executable(page main.cxx)
+target_link_libraries(page PRIVATE Vitrine::Rendering)
+vtk_module_autoinit(TARGETS page MODULES Vitrine::Rendering)
+"""
+
+MAIN = """\
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+{includes}
+int main()
+{{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  window->AddRenderer(renderer);
+{statements}
+  return 0;
+}}
+"""
+
+
+def pages():
+    return sorted(path for path in DOCS.rglob("*.md"))
+
+
+def all_blocks(page):
+    """(reason not to run, language, text) of each block."""
+    return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def blocks(page, *languages):
+    return [text for reason, language, text in all_blocks(page) if language in languages and not reason]
+
+
+def commands(block):
+    """The lines of a shell's block. In one of a console they stand behind a prompt, and the rest is what was printed."""
+    prompted = [line[2:] for line in block.splitlines() if line.startswith("$ ")]
+    return "\n".join(prompted) if prompted else block
+
+
+def main_of(texts):
+    text = "".join(texts)
+    if "int main(" in text:
+        return text
+    lines = text.splitlines()
+    includes = [line for line in lines if line.startswith("#include")]
+    return MAIN.format(includes="\n".join(includes), statements="\n".join(line for line in lines if line not in includes))
+
+
+def has_pyvista():
+    return subprocess.run([sys.executable, "-c", "import pyvista"], capture_output=True, check=False).returncode == 0
+
+
+class Style(unittest.TestCase):
+    def test_is_kept_and_links_lead_somewhere(self):
+        done = subprocess.run(
+            [sys.executable, DOCS / "check_pages.py"], capture_output=True, text=True, check=False
+        )
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_few_blocks_are_not_run(self):
+        reasons = [f"{page.name}: {reason}" for page in pages() for reason, _, _ in all_blocks(page) if reason]
+        self.assertLessEqual(len(reasons), MOST_NOT_RUN, reasons)
+
+
+class Blocks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        sys.path.insert(0, str(ROOT / "Testing/Program"))
+        import scenes
+
+        cls.model = scenes.glb()
+        cls.has_pyvista = has_pyvista()
+        program = os.environ["VITRINE_PROGRAM"]
+        cls.environment = {**os.environ, "PATH": f"{pathlib.Path(program).parent}:{os.environ['PATH']}"}
+        cls.environment["PYVISTA_OFF_SCREEN"] = "true"
+        cls.environment.pop("DISPLAY", None)
+
+    def run_command(self, folder, *command):
+        done = subprocess.run(
+            command, cwd=folder, env=self.environment, capture_output=True, text=True, check=False
+        )
+        self.assertEqual(done.returncode, 0, "\n".join([*map(str, command), done.stdout, done.stderr]))
+
+    def run_python(self, folder, texts):
+        text = "".join(texts)
+        if ("pyvista" in text) and not self.has_pyvista:
+            return
+        (folder / "page.py").write_text(text, encoding="utf-8")
+        self.run_command(folder, sys.executable, "page.py")
+
+    def run_project(self, folder, cmake, cpp):
+        (folder / "main.cxx").write_text(main_of(cpp), encoding="utf-8")
+        lists = "".join(cmake) if "project(" in "".join(cmake) else PROJECT
+        (folder / "CMakeLists.txt").write_text(lists, encoding="utf-8")
+        source = re.search(r"add_executable\((\w+) (\S+)\)", lists)
+        (folder / source[2]).write_text(main_of(cpp), encoding="utf-8")
+        options = [f"-DCMAKE_PREFIX_PATH={PREFIX}", f"-DVTK_DIR={os.environ['VTK_DIR']}", "-G", os.environ["GENERATOR"]]
+        self.run_command(folder, "cmake", "-S", ".", "-B", "build", *options)
+        self.run_command(folder, "cmake", "--build", "build")
+        if "vtkRenderWindowInteractor" not in main_of(cpp):
+            self.run_command(folder, f"build/{source[1]}")
+
+    def test_run(self):
+        for page in pages():
+            name = str(page.relative_to(DOCS))
+            python, shell, cpp = blocks(page, "python"), blocks(page, *SHELLS), blocks(page, "cpp")
+            with self.subTest(name), tempfile.TemporaryDirectory() as scratch:
+                folder = pathlib.Path(scratch)
+                (folder / "assembly.glb").write_bytes(self.model)
+                if python:
+                    self.run_python(folder, python)
+                for text in shell:
+                    self.run_command(folder, "bash", "-e", "-c", commands(text))
+                if cpp and PREFIX:
+                    self.run_project(folder, blocks(page, "cmake"), cpp)
+
+
+if __name__ == "__main__":
+    unittest.main()
