@@ -26,7 +26,7 @@ SYSTEM = {
 class Program(unittest.TestCase):
     def test_is_of_the_package(self):
         self.assertEqual(run(PROGRAM, "--version").stdout.strip(), vitrine.__version__)
-        self.assertEqual(importlib.metadata.version("vitrine"), vitrine.__version__)
+        self.assertEqual(importlib.metadata.version("vtk-vitrine"), vitrine.__version__)
 
     def test_starts_without_loading_vtk_into_python(self):
         said = run(sys.executable, "-X", "importtime", PROGRAM, "--version")
@@ -53,13 +53,13 @@ class Program(unittest.TestCase):
 
 class Wheel(unittest.TestCase):
     def setUp(self):
-        self.entries = importlib.metadata.distribution("vitrine").files
+        self.entries = importlib.metadata.distribution("vtk-vitrine").files
         self.files = [pathlib.Path(entry.locate()) for entry in self.entries]
 
     def test_lies_in_folders_of_its_own(self):
         for entry, file in zip(self.entries, self.files):
             if file.resolve() != PROGRAM.resolve():
-                self.assertRegex(str(entry), r"^vitrine(-[\d.]+\.dist-info)?/")
+                self.assertRegex(str(entry), r"^(vitrine|vtk_vitrine-[\d.]+\.dist-info)/")
 
     def test_holds_no_library_of_vtk(self):
         libraries = [file.name for file in self.files if ".so" in file.name]
