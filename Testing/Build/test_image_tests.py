@@ -158,8 +158,8 @@ class ImageTests(unittest.TestCase):
         self.assertIn(f"1 of {width * height} pixels differ, and the largest difference is 1/255", said)
 
     def test_what_is_documented(self):
-        """The project of docs/image-tests.md: its baseline is made, and then compared with."""
-        text = (ROOT / "docs/image-tests.md").read_text()
+        """The project of docs/reference/image-tests.md: its baseline is made, and then compared with."""
+        text = (ROOT / "docs/reference/image-tests.md").read_text()
         (project,) = re.findall(r"^```cmake\n(.*?)^```", text, re.M | re.S)
         self.make(project)
         said, passed = self.ctest()

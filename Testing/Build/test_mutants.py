@@ -54,7 +54,7 @@ class Table(unittest.TestCase):
                 entry.check(ROOT)
 
     def test_is_printed_with_a_row_for_each_mutant(self):
-        """docs/testing.md names the command, and has no rows of its own, which would grow old."""
+        """docs/develop/testing.md names the command, and has no rows of its own, which would grow old."""
         table = mutants.read_table((ROOT / mutants.TABLE).read_text(encoding="utf-8"))
         rows = mutants.markdown(table.values()).splitlines()[2:]
         self.assertEqual(len(rows), len(table))
@@ -62,7 +62,7 @@ class Table(unittest.TestCase):
             cells = re.fullmatch(r"\| (.*) \| `(.*?)` \| (.*) \|", row).groups()
             tests = ", ".join(f"`{test}`" for test in entry.tests)
             self.assertEqual(cells, (entry.broken, entry.file, tests))
-        text = (ROOT / "docs/testing.md").read_text(encoding="utf-8")
+        text = (ROOT / "docs/develop/testing.md").read_text(encoding="utf-8")
         self.assertIn("scripts/mutants --table", text)
         self.assertEqual([row for row in rows if row in text], [])
 

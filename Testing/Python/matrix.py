@@ -1,7 +1,7 @@
 """Effects of VTK's, each with transparency, lights, the culler, and all three: what cells of the table say, measured.
 
     python3 matrix.py NAME...     prints the rows of these effects; of all without names
-    python3 matrix.py --update    writes the table into docs/effects.md
+    python3 matrix.py --update    writes the table into docs/reference/effects.md
 
 A scene has opaque parts, glass, and a few lights, drawn in small windows. Each cell is one of
     exact      opaque scenes are VTK's with that effect, to the last bit; glass is as the same chain around truth draws;
@@ -283,6 +283,6 @@ def update(page):
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["--update"]:
-        update(pathlib.Path(__file__).resolve().parents[2] / "docs" / "effects.md")
+        update(pathlib.Path(__file__).resolve().parents[2] / "docs/reference/effects.md")
     else:
         print(table(sys.argv[1:]))

@@ -1,4 +1,4 @@
-"""Effects of VTK's beside each feature: every cell is right, and docs/effects.md says what it is."""
+"""Effects of VTK's beside each feature: every cell is right, and docs/reference/effects.md says what it is."""
 
 import pathlib
 import re
@@ -8,7 +8,7 @@ import matrix
 from effects import EFFECTS
 from vtkmodules.vtkCommonCore import vtkVersion
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "effects.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/reference/effects.md"
 VERSION = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
 VERSION_OF_PAGE = (9, 1)
 VERSIONS_OF_KINDS = ((9, 1), (9, 6))  # whose cells are of the page's kinds; reasons may differ

@@ -15,7 +15,7 @@ import weakref
 import numpy
 import pyvista
 from PIL import Image
-from scenes import run_interpreter, run_python
+from scenes import programs_of_pages, run_interpreter, run_python
 from vtkmodules.vtkRenderingOpenGL2 import vtkSSAOPass
 from vtkmodules.vtkWebCore import vtkWebApplication
 
@@ -247,15 +247,11 @@ class Processes(unittest.TestCase):
 
 class Documentation(unittest.TestCase):
     def test_runs(self):
-        """The pieces of docs/python.md, one after the other."""
-        text = pathlib.Path(EXAMPLES.parents[1], "docs/python.md").read_text()
-        program = "".join(re.findall("```python\n(.*?)```", text, re.DOTALL))
-        done = run_python(program)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        stats, fragments = done.stdout.splitlines()
-        self.assertRegex(stats, r"Stats\(method='linked-list', fragments=\d{5}")
-        self.assertGreater(int(fragments), 0)
-
+        """Each page with PyVista is a program: its blocks run one after the other, in an empty folder."""
+        for page, program in programs_of_pages(with_pyvista=True).items():
+            with self.subTest(page), tempfile.TemporaryDirectory() as folder:
+                done = run_python(f"import os\nos.chdir({folder!r})\n{program}")
+                self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_of_readme_runs(self):
         text = pathlib.Path(EXAMPLES.parents[1], "README.md").read_text()

@@ -17,7 +17,7 @@ import vitrine.testing
 from scenes import plate, plates_renderer, window_with
 from vitrine.testing import assert_image
 
-DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "docs/image-tests.md"
+DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "docs/reference/image-tests.md"
 
 
 def grey(value=100, shape=(30, 40, 3)):
@@ -181,7 +181,7 @@ class AssertImage(unittest.TestCase):
         self.assertIn("test_a.py-test_b-1-2-grey/picture.png", self.files())
 
     def test_what_is_documented(self):
-        """The code of docs/image-tests.md, in an empty folder: it makes its baseline first."""
+        """The code of docs/reference/image-tests.md, in an empty folder: it makes its baseline first."""
         blocks = re.findall(r"^```python\n(.*?)^```", DOCUMENT.read_text(), re.M | re.S)
         self.assertGreater(len(blocks), 0)
         with contextlib.chdir(self.folder):
