@@ -1,12 +1,17 @@
 #include "lighting/forward/LightSwap.h"
 
 #include "lighting/forward/RendererLights.h"
+#include "scene/PassTraits.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkVolumetricPass.h"
 
 #include <utility>
 
@@ -51,6 +56,13 @@ private:
   vtkSmartPointer<vtkRenderPass> Drawing;
   vtkSmartPointer<vtkLightCollection> Lights;
 };
+
+vtkSmartPointer<vtkRenderPass> InLight(vtkRenderPass* pass, vtkLightCollection* lights)
+{
+  auto inLight = vtkSmartPointer<InLightPass>::New();
+  inLight->Set(pass, lights);
+  return inLight;
+}
 }
 
 vtkSmartPointer<vtkLightCollection> MakeStandIn(bool isPositional)
@@ -88,23 +100,65 @@ ScopedLights::~ScopedLights()
 }
 
 ScopedVolumeLights::ScopedVolumeLights(vtkRenderPass* pass, vtkLightCollection* lights)
-  : Pass(pass)
 {
-  auto* const steps = vtkRenderStepsPass::SafeDownCast(pass);
-  this->Before = steps ? steps->GetVolumetricPass() : nullptr;
-  if (this->Before)
-  {
-    vtkNew<InLightPass> inLight;
-    inLight->Set(this->Before, lights);
-    steps->SetVolumetricPass(inLight);
-  }
+  AllPasses(pass,
+    [this, lights](vtkRenderPass* one)
+    {
+      this->GiveLights(one, lights);
+      return true;
+    });
 }
 
 ScopedVolumeLights::~ScopedVolumeLights()
 {
-  if (this->Before)
+  for (auto i = this->Undo.rbegin(); i != this->Undo.rend(); ++i)
   {
-    static_cast<vtkRenderStepsPass*>(this->Pass)->SetVolumetricPass(this->Before);
+    (*i)();
+  }
+}
+
+void ScopedVolumeLights::GiveLights(vtkRenderPass* parent, vtkLightCollection* lights)
+{
+  if (auto* const steps = vtkRenderStepsPass::SafeDownCast(parent))
+  {
+    this->GiveLightsToStep(steps, lights);
+  }
+  else if (auto* const peeling = vtkDualDepthPeelingPass::SafeDownCast(parent))
+  {
+    this->GiveLightsToStep(peeling, lights);
+  }
+  else if (auto* const sequence = vtkSequencePass::SafeDownCast(parent))
+  {
+    this->GiveLightsInSequence(sequence, lights);
+  }
+}
+
+template <class Parent>
+void ScopedVolumeLights::GiveLightsToStep(Parent* parent, vtkLightCollection* lights)
+{
+  if (const vtkSmartPointer<vtkRenderPass> before = parent->GetVolumetricPass())
+  {
+    this->Undo.push_back([parent, before] { parent->SetVolumetricPass(before); });
+    parent->SetVolumetricPass(InLight(before, lights));
+  }
+}
+
+void ScopedVolumeLights::GiveLightsInSequence(vtkSequencePass* sequence, vtkLightCollection* lights)
+{
+  vtkNew<vtkRenderPassCollection> passes;
+  bool hasVolumes = false;
+  for (vtkRenderPass* const pass : TraitsOf(sequence).Delegates)
+  {
+    const bool drawsVolumes = vtkVolumetricPass::SafeDownCast(pass) != nullptr;
+    passes->AddItem(drawsVolumes ? InLight(pass, lights).Get() : pass);
+    hasVolumes = hasVolumes || drawsVolumes;
+  }
+  if (hasVolumes)
+  {
+    this->Undo.push_back(
+      [sequence, before = vtkSmartPointer<vtkRenderPassCollection>(sequence->GetPasses())]
+      { sequence->SetPasses(before); });
+    sequence->SetPasses(passes);
   }
 }
 

@@ -8,8 +8,12 @@
 #include "vtkLightCollection.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <vector>
+
 class vtkRenderer;
 class vtkRenderPass;
+class vtkSequencePass;
 
 namespace vitrine
 {
@@ -40,8 +44,8 @@ private:
 };
 
 /**
- * Gives the volumetric pass of a vtkRenderStepsPass the real lights during its lifetime, since volumes look up lights
- * themselves. Other passes are not changed.
+ * Gives the real lights to the volumetric passes below a pass during its lifetime, since volumes look up lights
+ * themselves. It knows those of vtkRenderStepsPass, vtkDualDepthPeelingPass and vtkSequencePass.
  */
 class ScopedVolumeLights
 {
@@ -52,8 +56,13 @@ public:
   void operator=(const ScopedVolumeLights&) = delete;
 
 private:
-  vtkRenderPass* Pass;
-  vtkSmartPointer<vtkRenderPass> Before;
+  void GiveLights(vtkRenderPass* parent, vtkLightCollection* lights);
+  template <class Parent>
+  void GiveLightsToStep(Parent* parent, vtkLightCollection* lights);
+  void GiveLightsInSequence(vtkSequencePass* sequence, vtkLightCollection* lights);
+
+  /** Functions in the order of the changes that they undo. */
+  std::vector<std::function<void()>> Undo;
 };
 
 }
