@@ -20,7 +20,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
+#include <set>
 #include <utility>
 
 namespace vitrine
@@ -31,7 +31,10 @@ namespace
 
 using PassPointer = vtkSmartPointer<vtkRenderPass>;
 
-/** Sets the only delegate of a pass. Returns false if passes of its class have none or several. */
+/**
+ * Sets the pass to which `pass` hands drawing, or its opaque drawing if it has several steps. Returns false if passes
+ * of its class have none.
+ */
 bool SetDelegate(vtkRenderPass* pass, vtkRenderPass* delegate)
 {
   if (auto* const processing = vtkImageProcessingPass::SafeDownCast(pass))
@@ -53,6 +56,10 @@ bool SetDelegate(vtkRenderPass* pass, vtkRenderPass* delegate)
   else if (auto* const shadows = vtkShadowMapPass::SafeDownCast(pass))
   {
     shadows->SetOpaqueSequence(delegate);
+  }
+  else if (auto* const steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    steps->SetOpaquePass(delegate);
   }
   else
   {
@@ -94,9 +101,10 @@ struct Place
 /** Returns the only pass to which `pass` hands all drawing, or null if there is none or if there are several. */
 vtkRenderPass* OnlyDelegateOf(vtkRenderPass* pass)
 {
-  const bool handsOver = !vtkRenderStepsPass::SafeDownCast(pass) && !pass->IsA("vtkShadowMapPass");
-  const std::vector<vtkRenderPass*> delegates = TraitsOf(pass).Delegates;
-  return handsOver && delegates.size() == 1 ? delegates.front() : nullptr;
+  const PassTraits traits = TraitsOf(pass);
+  const bool drawsItself = traits.DrawsOpaque || traits.DrawsTranslucent;
+  const bool handsOver = !drawsItself && !vtkRenderStepsPass::SafeDownCast(pass);
+  return handsOver && traits.Delegates.size() == 1 ? traits.Delegates.front() : nullptr;
 }
 
 /** Finds the pass that draws the scene, below the passes that process its picture or set the camera or the lights. */
@@ -110,15 +118,91 @@ Place DrawingPlaceOf(vtkRenderPass* root)
   return place;
 }
 
-/** Returns the index behind the last pass that draws opaque geometry, or 0 if there is none. */
-std::size_t EndOfOpaque(const std::vector<PassPointer>& passes)
+/** The steps of a chain that draw geometry, found in the order in which they draw. */
+class DrawingSteps
 {
-  std::size_t end = passes.size();
-  while (end > 0 && !DrawsOpaqueParts(passes[end - 1]))
+public:
+  explicit DrawingSteps(vtkRenderPass* root) { this->Add({ nullptr, root }); }
+
+  /** Places for a translucent step. The pass of a place is a vtkRenderStepsPass, or draws translucent geometry. */
+  std::vector<Place> Translucent;
+  /** The last pass that draws opaque geometry. Its pass is null if there is none. */
+  Place Opaque{ nullptr, nullptr };
+  /** Opaque geometry is drawn after all translucent geometry. */
+  bool EndsOpaque = false;
+
+private:
+  void Add(const Place& place)
   {
-    --end;
+    const PassTraits traits = TraitsOf(place.Pass);
+    // Nobody knows what a pass of an unknown class draws, so it stays where it is.
+    const bool drawsOpaque = traits.DrawsOpaque && traits.HasWindowPixels;
+    if (drawsOpaque)
+    {
+      this->AddOpaque(place);
+    }
+    if (traits.DrawsTranslucent || IsExactly<vtkDefaultPass>(place.Pass))
+    {
+      this->AddTranslucent(place);
+    }
+    else if (this->Entered.insert(place.Pass).second)
+    {
+      this->AddBelow(place);
+    }
+    if (drawsOpaque)
+    {
+      this->Opaque = place; // It is complete behind all its delegates.
+    }
   }
-  return end;
+
+  void AddBelow(const Place& place)
+  {
+    if (auto* const steps = vtkRenderStepsPass::SafeDownCast(place.Pass))
+    {
+      if (steps->GetOpaquePass())
+      {
+        this->Add({ steps, steps->GetOpaquePass() });
+      }
+      this->AddTranslucent(place);
+      return;
+    }
+    for (vtkRenderPass* const delegate : TraitsOf(place.Pass).Delegates)
+    {
+      this->Add({ place.Pass, delegate });
+    }
+  }
+
+  void AddOpaque(const Place& place)
+  {
+    this->Opaque = place;
+    this->EndsOpaque = true;
+  }
+
+  void AddTranslucent(const Place& place)
+  {
+    this->Translucent.push_back(place);
+    this->EndsOpaque = false;
+  }
+
+  std::set<vtkRenderPass*> Entered; ///< A pass that occurs twice hands work to the same delegates.
+};
+
+/** Returns `step` and what else `translucent` draws, which `step` replaces. */
+PassPointer InsteadOf(vtkRenderPass* translucent, vtkRenderPass* step)
+{
+  std::vector<PassPointer> passes{ step };
+  if (translucent && IsExactly<vtkDefaultPass>(translucent))
+  {
+    passes = { vtkNew<vtkOpaquePass>(), step, vtkNew<vtkVolumetricPass>(),
+      vtkNew<vtkOverlayPass>() };
+  }
+  else if (translucent && TraitsOf(translucent).DrawsTranslucent)
+  {
+    // Passes that peel translucent geometry may hand volumes to a delegate.
+    const std::vector<vtkRenderPass*> delegates = TraitsOf(translucent).Delegates;
+    passes.insert(passes.end(), delegates.begin(), delegates.end());
+  }
+  return passes.size() > 1 ? InSequence(passes) : PassPointer(step);
 }
 }
 
@@ -143,7 +227,7 @@ void ChainEdit::SetPasses(vtkSequencePass* sequence, const Passes& passes)
   sequence->SetPasses(CollectionOf(passes));
 }
 
-bool ChainEdit::Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after)
+void ChainEdit::Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after)
 {
   if (!parent)
   {
@@ -152,81 +236,48 @@ bool ChainEdit::Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderP
   else if (auto* const sequence = vtkSequencePass::SafeDownCast(parent))
   {
     Passes passes = PassesOf(sequence);
-    std::replace(passes.begin(), passes.end(), PassPointer(before), PassPointer(after));
+    *std::find(passes.rbegin(), passes.rend(), PassPointer(before)) = after;
     this->SetPasses(sequence, passes);
-  }
-  else if (SetDelegate(parent, after))
-  {
-    this->Undo.push_back([parent, old = PassPointer(before)] { SetDelegate(parent, old); });
   }
   else
   {
-    return false;
+    [[maybe_unused]] const bool isSet = SetDelegate(parent, after);
+    assert(isSet);
+    this->Undo.push_back([parent, old = PassPointer(before)] { SetDelegate(parent, old); });
   }
-  return true;
 }
 
 bool ChainEdit::PutTranslucentStep(vtkRenderPass* step)
 {
-  if (this->PutInPlace(step, this->RootPass, nullptr))
-  {
-    return true;
-  }
-  const Place drawing = DrawingPlaceOf(this->RootPass);
-  const PassTraits traits = TraitsOf(drawing.Pass);
-  return traits.DrawsOpaque && traits.HasWindowPixels &&
-    this->Replace(drawing.Parent, drawing.Pass, InSequence({ drawing.Pass, step }));
-}
-
-bool ChainEdit::PutInPlace(vtkRenderPass* step, vtkRenderPass* pass, vtkRenderPass* parent)
-{
-  if (auto* const steps = vtkRenderStepsPass::SafeDownCast(pass))
-  {
-    this->Undo.push_back(
-      [steps, old = PassPointer(steps->GetTranslucentPass())] { steps->SetTranslucentPass(old); });
-    steps->SetTranslucentPass(step);
-    return true;
-  }
-  if (auto* const sequence = vtkSequencePass::SafeDownCast(pass))
-  {
-    return this->PutIntoSequence(step, sequence);
-  }
-  const PassTraits traits = TraitsOf(pass);
-  if (traits.DrawsTranslucent)
-  {
-    return this->Replace(parent, pass, step);
-  }
-  if (IsExactly<vtkDefaultPass>(pass))
-  {
-    return this->Replace(parent, pass,
-      InSequence(
-        { vtkNew<vtkOpaquePass>(), step, vtkNew<vtkVolumetricPass>(), vtkNew<vtkOverlayPass>() }));
-  }
-  return traits.Delegates.size() == 1 && this->PutInPlace(step, traits.Delegates.front(), pass);
-}
-
-bool ChainEdit::PutIntoSequence(vtkRenderPass* step, vtkSequencePass* sequence)
-{
-  const std::size_t end = EndOfOpaque(PassesOf(sequence));
+  const DrawingSteps steps(this->RootPass);
   vtkNew<vtkSequencePass> nothing;
-  bool isPlaced = false;
-  bool isTooEarly = false;
-  const Passes before = PassesOf(sequence);
-  for (std::size_t i = 0; i < before.size() && !isPlaced; ++i)
+  vtkRenderPass* last = step;
+  if (steps.EndsOpaque)
   {
     // Opaque geometry that is drawn later would cover the translucent step.
-    isTooEarly = i + 1 < end;
-    isPlaced = this->PutInPlace(isTooEarly ? nothing.Get() : step, before[i], sequence);
+    const Place& opaque = steps.Opaque;
+    this->Replace(opaque.Parent, opaque.Pass, InSequence({ opaque.Pass, step }));
+    last = nothing;
   }
-  const bool isMissing = isTooEarly || !isPlaced;
-  if (isMissing && end > 0)
+  for (auto place = steps.Translucent.rbegin(); place != steps.Translucent.rend(); ++place)
   {
-    Passes passes = PassesOf(sequence);
-    passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(end), step);
-    this->SetPasses(sequence, passes);
-    isPlaced = true;
+    this->PutAt(place->Parent, place->Pass, last);
+    last = nothing;
   }
-  return isPlaced;
+  return steps.EndsOpaque || !steps.Translucent.empty();
+}
+
+void ChainEdit::PutAt(vtkRenderPass* parent, vtkRenderPass* pass, vtkRenderPass* step)
+{
+  auto* const steps = vtkRenderStepsPass::SafeDownCast(pass);
+  if (!steps)
+  {
+    this->Replace(parent, pass, InsteadOf(pass, step));
+    return;
+  }
+  const PassPointer old = steps->GetTranslucentPass();
+  this->Undo.push_back([steps, old] { steps->SetTranslucentPass(old); });
+  steps->SetTranslucentPass(InsteadOf(old, step));
 }
 
 void ChainEdit::PutLights(vtkClusteredLightsPass* lights)
@@ -240,10 +291,10 @@ void ChainEdit::PutLights(vtkClusteredLightsPass* lights)
     frame->SetLightingPass(lights);
     return;
   }
-  this->Undo.push_back([lights] { lights->SetDelegatePass(nullptr); });
+  this->Undo.push_back(
+    [lights, old = PassPointer(lights->GetDelegatePass())] { lights->SetDelegatePass(old); });
   lights->SetDelegatePass(drawing.Pass);
-  [[maybe_unused]] const bool isPlaced = this->Replace(drawing.Parent, drawing.Pass, lights);
-  assert(isPlaced); // SetDelegate() knows each pass that DrawingPlaceOf() goes through.
+  this->Replace(drawing.Parent, drawing.Pass, lights);
 }
 
 }

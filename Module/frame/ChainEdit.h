@@ -28,9 +28,10 @@ public:
   void operator=(const ChainEdit&) = delete;
 
   /**
-   * Make `step` draw the translucent geometry. It replaces the chain's translucent pass, and comes after all passes
-   * that draw opaque geometry. It is added to a chain that draws only opaque geometry, as chains with shadows often do.
-   * Returns false if the chain has no place for it, and changes nothing then.
+   * Make `step` draw the translucent geometry. It replaces the chain's last translucent pass, and the others draw
+   * nothing. If opaque geometry is drawn later, or nothing translucent is drawn, it comes behind the last pass that
+   * draws opaque geometry, as chains with shadows often need. Returns false if the chain has no place for it, and
+   * changes nothing then.
    */
   bool PutTranslucentStep(vtkRenderPass* step);
 
@@ -43,10 +44,10 @@ public:
 private:
   using Passes = std::vector<vtkSmartPointer<vtkRenderPass>>;
 
-  bool PutInPlace(vtkRenderPass* step, vtkRenderPass* pass, vtkRenderPass* parent);
-  bool PutIntoSequence(vtkRenderPass* step, vtkSequencePass* sequence);
-  /** Returns false, and changes nothing, if nobody knows how `parent` is given another delegate. */
-  bool Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after);
+  /** Puts `step` into `pass`, if that is a vtkRenderStepsPass, or else in its place. */
+  void PutAt(vtkRenderPass* parent, vtkRenderPass* pass, vtkRenderPass* step);
+  /** Replaces the last occurrence of a delegate of `parent`, or the root if `parent` is null. */
+  void Replace(vtkRenderPass* parent, vtkRenderPass* before, vtkRenderPass* after);
   void SetPasses(vtkSequencePass* sequence, const Passes& passes);
 
   vtkSmartPointer<vtkRenderPass> RootPass;

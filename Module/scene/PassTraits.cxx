@@ -128,7 +128,9 @@ const std::vector<Row>& RowsOfVTK()
       }),
     RowOf<vtkTranslucentPass>(one(!Opaque, Translucent)),
     RowOf<vtkOrderIndependentTranslucentPass>(one(!Opaque, Translucent)),
-    RowOf<vtkDualDepthPeelingPass>(one(!Opaque, Translucent)),
+    RowOf<vtkDualDepthPeelingPass>(one(!Opaque, Translucent),
+      [](vtkRenderPass* pass)
+      { return Passes{ static_cast<vtkDualDepthPeelingPass*>(pass)->GetVolumetricPass() }; }),
     RowOf<vtkDepthPeelingPass>({ "", !Opaque, Translucent, !OfWindow, !Picture }),
     RowOf<vtkVolumetricPass>(one(!Opaque, !Translucent)),
     RowOf<vtkOverlayPass>(one(!Opaque, !Translucent)),
