@@ -48,7 +48,10 @@ RendererFlags::RendererFlags()
     if (s->GetPropArrayCount() > 0) // VTK tests this too.
     {
       this->Enter(renderer);
-      this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
+      if (renderer->GetFXAAOptions())
+      {
+        this->Smoothing->UpdateConfiguration(renderer->GetFXAAOptions());
+      }
       this->Smoothing->Execute(renderer);
     }
   };
@@ -68,6 +71,8 @@ void RendererFlags::Enter(vtkOpenGLRenderer* renderer)
   if (!this->Context.LivesIn(window))
   {
     this->Leave();
+    // Leave() releases nothing of a context that is gone, and VTK's objects would go on using it.
+    this->ReleaseGraphicsResources(window);
     this->Context.Hold(window);
   }
 }
@@ -98,6 +103,20 @@ vtkRenderPass* RendererFlags::PeelingStep()
   return this->Peeled;
 }
 
+vtkRenderPass* RendererFlags::UnpeeledStep(vtkRenderPass* volumes)
+{
+  // VTK clears the flag while it peels if the device lacks what that takes.
+  this->Unpeeled->Draw = [pass = vtkSmartPointer<vtkRenderPass>(volumes)](
+                           const vtkRenderState* s, vtkOpenGLRenderer* renderer)
+  {
+    if (pass && !renderer->GetUseDepthPeelingForVolumes())
+    {
+      pass->Render(s);
+    }
+  };
+  return this->Unpeeled;
+}
+
 bool RendererFlags::PeelsVolumes(vtkOpenGLRenderer* renderer, const vtkRenderState* s)
 {
   if (!renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes() ||
@@ -118,6 +137,10 @@ bool RendererFlags::PeelsVolumes(vtkOpenGLRenderer* renderer, const vtkRenderSta
 
 void RendererFlags::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->Context.Lives() && !this->Context.LivesIn(window))
+  {
+    return; // What lives in another window is still needed there.
+  }
   this->Shadows->GetShadowMapBakerPass()->ReleaseGraphicsResources(window);
   this->Shadows->ReleaseGraphicsResources(window);
   this->Smoothing->ReleaseGraphicsResources();

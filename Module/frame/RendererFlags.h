@@ -38,9 +38,13 @@ public:
   /** Returns the step that peels translucent geometry and volumes together. */
   vtkRenderPass* PeelingStep();
 
+  /** Returns the step behind PeelingStep(). It draws `volumes` where VTK turned out to peel none on this device. */
+  vtkRenderPass* UnpeeledStep(vtkRenderPass* volumes);
+
   /** Returns true if VTK would peel translucent geometry and volumes together, and the frame has both. */
   static bool PeelsVolumes(vtkOpenGLRenderer* renderer, const vtkRenderState* s);
 
+  /** Releases what the effects hold, unless it lives in the context of another window. */
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -55,6 +59,7 @@ private:
   vtkNew<Step> Opaque;
   vtkNew<Step> Smoothed;
   vtkNew<Step> Peeled;
+  vtkNew<Step> Unpeeled;
 };
 
 }
