@@ -22,30 +22,10 @@
 #include "vtkWeakPointer.h"
 
 #include <functional>
-#include <map>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkSeeThroughPass);
-
-namespace
-{
-
-vitrine::PassTraits TraitsOfFrame(vtkRenderPass* pass)
-{
-  auto* const frame = static_cast<vtkSeeThroughPass*>(pass);
-  vitrine::PassTraits traits;
-  traits.HasWindowPixels = true;
-  traits.Delegates = { frame->GetEffectsPass(), frame->GetLightingPass(),
-    frame->GetTranslucentPass(), frame->GetPostProcessPass() };
-  if (!frame->GetEffectsPass())
-  {
-    traits.Delegates.push_back(frame->GetOpaquePass());
-  }
-  return traits;
-}
-}
-
-vitrinePassTraitsMacro(vtkSeeThroughPass, TraitsOfFrame);
 
 namespace
 {
@@ -105,13 +85,45 @@ public:
   }
 };
 
+vitrine::PassTraits TraitsOfFrame(vtkRenderPass* pass)
+{
+  auto* const frame = static_cast<vtkSeeThroughPass*>(pass);
+  vitrine::PassTraits traits;
+  traits.HasWindowPixels = true;
+  traits.Delegates = { frame->GetLightingPass(), frame->GetTranslucentPass() };
+  const bool isSetAside = frame->GetSetAsideReason()[0] != '\0';
+  if (frame->GetEffectsPass() && !isSetAside)
+  {
+    traits.Delegates.push_back(frame->GetEffectsPass());
+    return traits;
+  }
+  // The frame's own camera hands drawing to the steps that are listed here.
+  const bool hasOwnCamera = EyeCameraPass::SafeDownCast(frame->GetCameraPass()) != nullptr;
+  for (vtkRenderPass* const step :
+    { hasOwnCamera ? nullptr : static_cast<vtkRenderPass*>(frame->GetCameraPass()),
+      frame->GetLightsPass(), frame->GetOpaquePass(), frame->GetVolumetricPass(),
+      frame->GetOverlayPass(), frame->GetPostProcessPass() })
+  {
+    traits.Delegates.push_back(step);
+  }
+  return traits;
+}
+
+/** Event by which a renderer's observers are asked for the pass that is attached to it. */
+constexpr unsigned long AskForAttached = vtkCommand::UserEvent + 0x56495452;
+
 /** Keeps a pass alive while a renderer is observed, and tells it when a frame starts. */
 class FrameObserver : public vtkCommand
 {
 public:
   static FrameObserver* New() { return new FrameObserver; }
-  void Execute(vtkObject* renderer, unsigned long, void*) override
+  void Execute(vtkObject* renderer, unsigned long event, void* data) override
   {
+    if (event == AskForAttached)
+    {
+      *static_cast<vtkSeeThroughPass**>(data) = this->Pass;
+      return;
+    }
     this->StartFrame(static_cast<vtkRenderer*>(renderer));
   }
 
@@ -119,22 +131,52 @@ public:
   std::function<void(vtkRenderer*)> StartFrame;
 };
 
-/** Passes that are attached to renderers: the last one attached to each renderer. */
-std::map<vtkRenderer*, vtkWeakPointer<vtkSeeThroughPass>>& AttachedPasses()
+/** Returns true if `frame` is `chain` or a pass below it. `chain` may be null. */
+bool Contains(vtkRenderPass* chain, vtkSeeThroughPass* frame)
 {
-  static std::map<vtkRenderer*, vtkWeakPointer<vtkSeeThroughPass>> passes;
-  return passes;
+  return chain &&
+    !vitrine::AllPasses(chain, [frame](vtkRenderPass* pass) { return pass != frame; });
 }
 
-/**
- * Returns the innermost of nested passes. A pass that is attached later contains the earlier one as its EffectsPass.
- */
-vtkSeeThroughPass* InnermostOf(vtkSeeThroughPass* pass)
+/** Gives a pass of lights another delegate during its lifetime. */
+class ScopedDelegate
 {
-  auto* const inner = vtkSeeThroughPass::SafeDownCast(pass->GetEffectsPass());
-  return inner ? InnermostOf(inner) : pass;
+public:
+  ScopedDelegate(vtkClusteredLightsPass* lights, vtkRenderPass* delegate)
+    : Lights(lights)
+    , Before(lights->GetDelegatePass())
+  {
+    this->Lights->SetDelegatePass(delegate);
+  }
+  ~ScopedDelegate() { this->Lights->SetDelegatePass(this->Before); }
+  ScopedDelegate(const ScopedDelegate&) = delete;
+  void operator=(const ScopedDelegate&) = delete;
+
+private:
+  vtkSmartPointer<vtkClusteredLightsPass> Lights;
+  vtkSmartPointer<vtkRenderPass> Before;
+};
+
+/** Sets a flag during its lifetime. */
+class ScopedFlag
+{
+public:
+  explicit ScopedFlag(bool& flag)
+    : Flag(flag)
+    , Before(std::exchange(flag, true))
+  {
+  }
+  ~ScopedFlag() { this->Flag = this->Before; }
+  ScopedFlag(const ScopedFlag&) = delete;
+  void operator=(const ScopedFlag&) = delete;
+
+private:
+  bool& Flag;
+  bool Before;
+};
 }
-}
+
+vitrinePassTraitsMacro(vtkSeeThroughPass, TraitsOfFrame);
 
 struct vtkSeeThroughPass::Internals
 {
@@ -145,8 +187,20 @@ struct vtkSeeThroughPass::Internals
   std::string SetAsideReason;
   std::string Text;                     ///< Buffer of the text that GetFallbackReason() returned.
   vtkWeakPointer<vtkRenderer> Renderer; ///< The renderer to which this pass is attached.
-  unsigned long Observer = 0;           ///< Observer of the renderer's frames.
+  vtkWeakPointer<vtkCommand> Observer;  ///< The renderer's observer. It holds this pass.
   bool IsLit = false; ///< The LightingPass draws, and calls this pass to draw the steps.
+
+  /**
+   * Returns the pass that the pass contains as its EffectsPass since it was attached later to the same renderer, or
+   * null.
+   */
+  static vtkSeeThroughPass* InnerOf(vtkSeeThroughPass* pass)
+  {
+    auto* const inner = vtkSeeThroughPass::SafeDownCast(pass->GetEffectsPass());
+    const bool isAttached =
+      inner && inner->Private->Renderer && inner->Private->Renderer == pass->Private->Renderer;
+    return isAttached ? inner : nullptr;
+  }
 
   void TellSetAside(bool isSetAside)
   {
@@ -183,11 +237,19 @@ void vtkSeeThroughPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkSeeThroughPass::SetLightingPass(vtkClusteredLightsPass* lights)
 {
-  if (this->Private->Lighting != lights)
+  if (this->Private->Lighting == lights)
   {
-    this->Private->Lighting = lights;
-    this->Modified();
+    return;
   }
+  if (Contains(lights, this))
+  {
+    vtkErrorMacro(
+      "SetLightingPass() was given a pass that draws this pass; it is ignored. Call its "
+      "SetDelegatePass(nullptr) before, or set it on the renderer instead");
+    return;
+  }
+  this->Private->Lighting = lights;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +261,7 @@ vtkClusteredLightsPass* vtkSeeThroughPass::GetLightingPass()
 //------------------------------------------------------------------------------
 void vtkSeeThroughPass::SetEffectsPass(vtkRenderPass* chain)
 {
-  if (chain && !vitrine::AllPasses(chain, [this](vtkRenderPass* pass) { return pass != this; }))
+  if (Contains(chain, this))
   {
     vtkErrorMacro(
       "SetEffectsPass() was given a chain of passes that contains this pass; it is ignored");
@@ -250,11 +312,19 @@ void vtkSeeThroughPass::Attach(vtkRenderer* renderer)
   vtkNew<FrameObserver> observer;
   observer->Pass = this;
   observer->StartFrame = [this](vtkRenderer* started) { this->StartFrame(started); };
-  in.Observer = renderer->AddObserver(vtkCommand::StartEvent, observer);
+  renderer->AddObserver(vtkCommand::StartEvent, observer);
+  renderer->AddObserver(AskForAttached, observer);
+  in.Observer = observer;
   in.Renderer = renderer;
-  AttachedPasses()[renderer] = this;
-  this->SetEffectsPass(renderer->GetPass());
-  renderer->SetPass(this);
+  vtkRenderPass* const given = renderer->GetPass();
+  if (given && !Contains(given, this))
+  {
+    this->SetEffectsPass(given);
+  }
+  if (!Contains(given, this))
+  {
+    renderer->SetPass(this);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -269,19 +339,8 @@ void vtkSeeThroughPass::Detach()
   // The observer may hold the last reference to this pass.
   const vtkSmartPointer<vtkSeeThroughPass> alive = this;
   const vtkSmartPointer<vtkRenderPass> effects = in.Effects;
-  in.Renderer = nullptr;
   vtkSeeThroughPass* outer = GetAttached(renderer);
-  if (outer == this)
-  {
-    AttachedPasses().erase(renderer);
-    if (auto* const inner = vtkSeeThroughPass::SafeDownCast(effects))
-    {
-      if (inner->Private->Renderer == renderer)
-      {
-        AttachedPasses()[renderer] = inner;
-      }
-    }
-  }
+  in.Renderer = nullptr;
   while (outer && outer->GetEffectsPass() != this)
   {
     outer = vtkSeeThroughPass::SafeDownCast(outer->GetEffectsPass());
@@ -299,28 +358,37 @@ void vtkSeeThroughPass::Detach()
 }
 
 //------------------------------------------------------------------------------
+// Observers answer in the order in which they were added, so the last one's answer stays.
 vtkSeeThroughPass* vtkSeeThroughPass::GetAttached(vtkRenderer* renderer)
 {
-  const auto found = AttachedPasses().find(renderer);
-  if (found == AttachedPasses().end())
+  vtkSeeThroughPass* attached = nullptr;
+  if (renderer)
   {
-    return nullptr;
+    renderer->InvokeEvent(AskForAttached, &attached);
   }
-  // The address of a deleted renderer may belong to another one.
-  vtkSeeThroughPass* const pass = found->second;
-  return pass && pass->Private->Renderer == renderer ? pass : nullptr;
+  return attached;
 }
 
 //------------------------------------------------------------------------------
-// Takes in the pass that the application set on the renderer since its last frame.
+// Takes in the pass that the application set on the renderer since its last frame. A chain that contains this pass
+// draws the frame as it is.
 void vtkSeeThroughPass::StartFrame(vtkRenderer* renderer)
 {
   vtkRenderPass* const given = renderer->GetPass();
-  if (this == GetAttached(renderer) && !vtkSeeThroughPass::SafeDownCast(given))
+  if (this != GetAttached(renderer) || vtkSeeThroughPass::SafeDownCast(given) ||
+    Contains(given, this))
   {
-    InnermostOf(this)->SetEffectsPass(given);
-    renderer->SetPass(this);
+    return;
   }
+  vtkSeeThroughPass* taker = this;
+  vtkSeeThroughPass* inner = Internals::InnerOf(taker);
+  while (inner && !Contains(given, inner))
+  {
+    taker = inner;
+    inner = Internals::InnerOf(taker);
+  }
+  taker->SetEffectsPass(given);
+  renderer->SetPass(this);
 }
 
 //------------------------------------------------------------------------------
@@ -373,16 +441,23 @@ bool vtkSeeThroughPass::RenderChain(const vtkRenderState* s)
 void vtkSeeThroughPass::RenderOwnFrame(const vtkRenderState* s)
 {
   Internals& in = *this->Private;
-  if (!in.Lighting)
+  auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  const bool peelsVolumes = renderer && vitrine::RendererFlags::PeelsVolumes(renderer, s);
+  if (peelsVolumes)
+  {
+    in.FallbackReason =
+      "UseDepthPeelingForVolumes is on, so VTK peels translucent geometry and volumes together";
+    in.FallbackReason += in.Lighting ? ", and lights them without the LightingPass" : "";
+  }
+  // The peeled volumes look up the renderer's lights.
+  if (!in.Lighting || peelsVolumes)
   {
     this->RenderSteps(s);
     return;
   }
-  in.IsLit = true;
-  in.Lighting->SetDelegatePass(this);
+  const ScopedFlag lit(in.IsLit);
+  const ScopedDelegate drawing(in.Lighting, this);
   in.Lighting->Render(s);
-  in.Lighting->SetDelegatePass(nullptr);
-  in.IsLit = false;
 }
 
 //------------------------------------------------------------------------------
@@ -392,18 +467,14 @@ void vtkSeeThroughPass::RenderSteps(const vtkRenderState* s)
   Internals& in = *this->Private;
   auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
   const bool peelsVolumes = renderer && vitrine::RendererFlags::PeelsVolumes(renderer, s);
-  if (peelsVolumes)
-  {
-    in.FallbackReason =
-      "UseDepthPeelingForVolumes is on, so VTK peels translucent geometry and volumes together";
-  }
   vtkRenderPassCollection* const passes = this->SequencePass->GetPasses();
   passes->RemoveAllItems();
   for (vtkRenderPass* const step : { this->LightsPass,
          renderer ? in.Flags.OpaqueStep(renderer, this->OpaquePass) : this->OpaquePass,
          peelsVolumes ? in.Flags.PeelingStep() : this->TranslucentPass,
          renderer ? in.Flags.SmoothingStep(renderer) : nullptr,
-         peelsVolumes ? nullptr : this->VolumetricPass, this->OverlayPass })
+         peelsVolumes ? in.Flags.UnpeeledStep(this->VolumetricPass) : this->VolumetricPass,
+         this->OverlayPass })
   {
     if (step)
     {

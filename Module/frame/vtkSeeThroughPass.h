@@ -61,7 +61,8 @@ public:
   ///@{
   /**
    * Get/Set the pass that lights the frame, a vtkClusteredLightsPass or vtkDeferredLightsPass. This pass sets its
-   * DelegatePass during a frame and resets it to null afterwards. The default is null: VTK's mappers light the frame.
+   * DelegatePass during a frame and restores it afterwards. A pass whose delegates contain this pass is an error. The
+   * default is null: VTK's mappers light the frame.
    */
   void SetLightingPass(vtkClusteredLightsPass* lights);
   vtkClusteredLightsPass* GetLightingPass();
@@ -81,8 +82,9 @@ public:
   /**
    * Set this pass on a renderer and keep it there. The renderer's pass becomes the EffectsPass. A pass that the
    * renderer is given later becomes the EffectsPass at the start of the next frame, so an application can switch
-   * effects on and off; null switches them off. Another vtkSeeThroughPass that is set later is left alone. This pass
-   * is detached first from the renderer to which it was attached before. A null renderer is an error.
+   * effects on and off; null switches them off. Another vtkSeeThroughPass that is set later is left alone, and so is a
+   * chain that contains this pass. A renderer without a pass leaves the EffectsPass as it is. This pass is detached
+   * first from the renderer to which it was attached before. A null renderer is an error.
    */
   void Attach(vtkRenderer* renderer);
 
