@@ -3,6 +3,8 @@
 #include "TestPasses.h"
 #include "TestScene.h"
 #include "TestVolume.h"
+#include "frame/ChainEdit.h"
+#include "scene/PassTraits.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -197,20 +199,74 @@ TEST_P(NestedChain, DrawsLayersAsTruth)
 INSTANTIATE_TEST_SUITE_P(Chains, NestedChain, testing::ValuesIn(NestedChains()),
   [](const auto& info) { return std::string(info.param.first); });
 
-// Steps that are repeated draw the glass once, as one of them does.
-TEST(FrameChains, DrawGlassOnceInRepeatedSteps)
+// Glass that several passes draw is drawn once, as one vtkRenderStepsPass draws it.
+TEST(FrameChains, DrawGlassOnceWherePassesRepeatIt)
 {
   PanesScene scene;
   const auto steps = Make<vtkRenderStepsPass>();
   scene.Renderer->SetPass(steps);
   const Picture once = scene.Render();
+  const auto glass = Make<vtkTranslucentPass>();
+  const vtkSmartPointer<vtkRenderPass> chains[] = {
+    InSequence({ steps, steps }),
+    InSequence({ steps, Make<vtkRenderStepsPass>() }),
+    ByCamera(InSequence({ Make<vtkLightsPass>(), Make<vtkOpaquePass>(), Make<vtkTranslucentPass>(),
+      Make<vtkTranslucentPass>(), Make<vtkOverlayPass>() })),
+    ByCamera(InSequence({ Make<vtkLightsPass>(), InSequence({ Make<vtkOpaquePass>(), glass }),
+      glass, Make<vtkOverlayPass>() })),
+  };
   vtkNew<vtkSeeThroughPass> frame;
-  scene.Renderer->SetPass(frame);
-  for (const auto& second : { steps, Make<vtkRenderStepsPass>() })
+  for (const vtkSmartPointer<vtkRenderPass>& chain : chains)
   {
-    frame->SetEffectsPass(InSequence({ steps, second }));
+    scene.Renderer->SetPass(chain);
+    const Picture byVTK = scene.Render();
+    scene.Renderer->SetPass(frame);
+    frame->SetEffectsPass(chain);
     EXPECT_TRUE(Matches(scene.Render(), once, 1)); // both round to 8 bits once
+    scene.Renderer->SetPass(chain);
+    EXPECT_TRUE(Matches(scene.Render(), byVTK)) << "the chain is not what it was";
   }
+}
+
+// A step among the passes that are drawn for shadows would be drawn by their shaders.
+TEST(FrameChains, LeaveWhatIsDrawnForShadows)
+{
+  vtkNew<vtkShadowMapPass> shadows;
+  const auto step = Make<SilentPass>();
+  vitrine::ChainEdit chain(ByCamera(InSequence({ shadows->GetShadowMapBakerPass(), shadows })));
+  EXPECT_TRUE(chain.PutTranslucentStep(step));
+  EXPECT_TRUE(vitrine::HasPass(chain.Root(), "SilentPass"));
+  EXPECT_FALSE(vitrine::HasPass(shadows, "SilentPass"));
+}
+
+// The culler hears of each pass that draws the frame, and of none that is set aside.
+TEST(FrameChains, AreKnownToTheCuller)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkSeeThroughPass> frame;
+  renderer->SetPass(frame);
+  const auto beyond = [&renderer] { return vitrine::FindPassBeyondView(renderer, {}); };
+  EXPECT_EQ(beyond(), "");
+  const auto silent = Make<SilentPass>();
+  const auto notKnown = "SilentPass is of a class that is not known";
+  frame->SetOverlayPass(silent);
+  EXPECT_EQ(beyond(), notKnown);
+  frame->SetEffectsPass(vtkNew<vtkRenderStepsPass>());
+  EXPECT_EQ(beyond(), "") << "the chain draws, and not the steps of the frame";
+  frame->SetOverlayPass(nullptr);
+  frame->SetEffectsPass(silent);
+  EXPECT_STRNE(frame->GetSetAsideReason(), "");
+  EXPECT_EQ(beyond(), "");
+  frame->SetVolumetricPass(silent);
+  EXPECT_EQ(beyond(), notKnown);
+  frame->SetVolumetricPass(nullptr);
+  frame->SetLightsPass(silent);
+  EXPECT_EQ(beyond(), notKnown);
+  frame->SetLightsPass(nullptr);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(silent);
+  frame->SetCameraPass(camera);
+  EXPECT_EQ(beyond(), notKnown);
 }
 
 namespace
