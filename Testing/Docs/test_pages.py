@@ -1,7 +1,7 @@
 """Pages of docs: their style, their links, and that each block of code runs.
 
-A page's blocks run in one empty folder, in their order: first those of Python, as one program, then those of shells, then
-those of CMake and C++, as one project. A block behind <!-- not run: reason --> is left out.
+A page's blocks run in one empty folder, in their order: first those of Python, as one program, then those of shells,
+then those of CMake and C++, as one project. A block behind <!-- not run: reason --> is left out.
 """
 
 import os
@@ -59,7 +59,7 @@ def blocks(page, *languages):
 
 
 def commands(block):
-    """The lines of a shell's block. In one of a console they stand behind a prompt, and the rest is what was printed."""
+    """The lines of a shell's block. In one of a console they stand behind a prompt; the rest is output."""
     prompted = [line[2:] for line in block.splitlines() if line.startswith("$ ")]
     return "\n".join(prompted) if prompted else block
 
@@ -70,7 +70,8 @@ def main_of(texts):
         return text
     lines = text.splitlines()
     includes = [line for line in lines if line.startswith("#include")]
-    return MAIN.format(includes="\n".join(includes), statements="\n".join(line for line in lines if line not in includes))
+    statements = [line for line in lines if line not in includes]
+    return MAIN.format(includes="\n".join(includes), statements="\n".join(statements))
 
 
 def has_pyvista():
@@ -121,8 +122,8 @@ class Blocks(unittest.TestCase):
         (folder / "CMakeLists.txt").write_text(lists, encoding="utf-8")
         source = re.search(r"add_executable\((\w+) (\S+)\)", lists)
         (folder / source[2]).write_text(main_of(cpp), encoding="utf-8")
-        options = [f"-DCMAKE_PREFIX_PATH={PREFIX}", f"-DVTK_DIR={os.environ['VTK_DIR']}", "-G", os.environ["GENERATOR"]]
-        self.run_command(folder, "cmake", "-S", ".", "-B", "build", *options)
+        places = [f"-DCMAKE_PREFIX_PATH={PREFIX}", f"-DVTK_DIR={os.environ['VTK_DIR']}"]
+        self.run_command(folder, "cmake", "-S", ".", "-B", "build", "-G", os.environ["GENERATOR"], *places)
         self.run_command(folder, "cmake", "--build", "build")
         if "vtkRenderWindowInteractor" not in main_of(cpp):
             self.run_command(folder, f"build/{source[1]}")
