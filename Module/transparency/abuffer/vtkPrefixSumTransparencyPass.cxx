@@ -7,19 +7,31 @@
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPrefixSumTransparencyPass);
-vitrineTransparencyMethodMacro(
-  vtkPrefixSumTransparencyPass, "prefix-sum-predicted", true, vitrine::TranslucentTraits);
+vitrinePassTraitsMacro(vtkPrefixSumTransparencyPass, vitrine::TranslucentTraits);
 
 namespace
 {
+vtkTransparencyPass* NewPredicting()
+{
+  return vtkPrefixSumTransparencyPass::New();
+}
+
 vtkTransparencyPass* NewCounting()
 {
   auto* const pass = vtkPrefixSumTransparencyPass::New();
   pass->PredictionOff();
   return pass;
 }
+}
 
-const vitrine::MethodStatement Counting("prefix-sum", true, NewCounting);
+namespace vitrine
+{
+
+vitrineMethodsOf(vtkPrefixSumTransparencyPass)
+{
+  return { { "prefix-sum-predicted", true, NewPredicting }, { "prefix-sum", true, NewCounting } };
+}
+
 }
 
 //------------------------------------------------------------------------------

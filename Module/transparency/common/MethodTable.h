@@ -1,4 +1,4 @@
-/** Table of the transparency methods by name. Each method registers itself in the source file of its class. */
+/** Table of the transparency methods by name. Each method is stated in the source file of its class. */
 #ifndef VITRINE_TRANSPARENCY_COMMON_METHOD_TABLE_H
 #define VITRINE_TRANSPARENCY_COMMON_METHOD_TABLE_H
 
@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 class vtkTransparencyPass;
 
@@ -14,28 +15,33 @@ namespace vitrine
 
 struct TransparencyMethod
 {
+  const char* Name;
   bool IsExact; ///< It is exact for every number of layers that it does not refuse.
   vtkTransparencyPass* (*New)();
 };
 
-/** The methods, sorted by name. */
-std::map<std::string, TransparencyMethod>& TransparencyMethods();
-
-/** Registers a method. Define one at file scope. */
-struct MethodStatement
-{
-  MethodStatement(const char* name, bool isExact, vtkTransparencyPass* (*create)())
-  {
-    TransparencyMethods()[name] = { isExact, create };
-  }
-};
+/** The methods by name. MethodTable.cxx.in lists them. */
+const std::map<std::string, TransparencyMethod>& TransparencyMethods();
 
 }
 
-/** Registers, at file scope, the traits of a pass class and the method that its new objects implement. */
+/**
+ * Begins the function that returns the methods of a pass class. Module/CMakeLists.txt lists the classes that have one.
+ * Define it in namespace vitrine, in the source file of the class.
+ */
+#define vitrineMethodsOf(thisClass)                                                                \
+  std::vector<TransparencyMethod> MethodsOf##thisClass();                                          \
+  std::vector<TransparencyMethod> MethodsOf##thisClass()
+
+/** States, at file scope, the traits of a pass class and the method that its new objects implement. */
 #define vitrineTransparencyMethodMacro(thisClass, name, isExact, traits)                           \
-  vitrinePassTraitsMacro(thisClass, traits);                                                       \
-  static const vitrine::MethodStatement thisClass##Method(                                         \
-    name, isExact, []() -> vtkTransparencyPass* { return thisClass::New(); })
+  namespace vitrine                                                                                \
+  {                                                                                                \
+  vitrineMethodsOf(thisClass)                                                                      \
+  {                                                                                                \
+    return { { name, isExact, []() -> vtkTransparencyPass* { return thisClass::New(); } } };       \
+  }                                                                                                \
+  }                                                                                                \
+  vitrinePassTraitsMacro(thisClass, traits)
 
 #endif

@@ -64,17 +64,6 @@ bool HasNoSpecularTerm(vtkProp* prop)
     !vitrine::HasShaderCode(actor);
 }
 
-}
-
-std::map<std::string, vitrine::TransparencyMethod>& vitrine::TransparencyMethods()
-{
-  static std::map<std::string, TransparencyMethod> methods;
-  return methods;
-}
-
-namespace
-{
-
 /** Returns the names of the methods for which `test` holds, separated by commas. */
 template <class Test>
 std::string NamesOf(const Test& test)
