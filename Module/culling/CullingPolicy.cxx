@@ -51,13 +51,14 @@ const std::vector<FrameRow> AllFrameRows = {
   { CullingMode::Off, "no render pass draws opaque geometry", "what would hide is not drawn",
     [](const FrameFacts& facts)
     { return facts.Renderer->GetPass() && !DrawsOpaqueParts(facts.Renderer->GetPass()); } },
+  { CullingMode::Off, "the renderer has no camera yet", "the view is not known",
+    [](const FrameFacts& facts) { return !facts.Renderer->IsActiveCameraCreated(); } },
+  // The rows from here on ask for the camera, which would create it.
   { CullingMode::Off,
     "a render pass that works on the picture has a projection matrix or aspect ratio of the "
     "camera's own below it",
     "VTK draws by a copy of the camera that lacks it",
     [](const FrameFacts& facts) { return IsDrawnByAnotherCamera(facts.Renderer); } },
-  { CullingMode::Off, "the renderer has no camera yet", "the view is not known",
-    [](const FrameFacts& facts) { return !facts.Renderer->IsActiveCameraCreated(); } },
   { CullingMode::Off, "the class of the camera is not known",
     "it may have matrices other than those that it tells",
     [](const FrameFacts& facts)
@@ -84,15 +85,15 @@ const std::vector<FrameRow> AllFrameRows = {
   { CullingMode::ViewOnly,
     "a prop is blended among what is opaque, and may be drawn beside its bounds",
     "parts anywhere may shine through it",
-    [](const FrameFacts& facts) { return facts.Parts.BlendsAnywhere(); },
-    [](const FrameFacts& facts) { return facts.Parts.DescribeBlended(); } },
+    [](const FrameFacts& facts) { return facts.Parts.BlendsAnywhere(); }, nullptr,
+    &SceneParts::DescribeBlended },
   { CullingMode::ViewOnly, "the renderer finds ambient occlusion (UseSSAO, vtkSSAOPass)",
     "what lies behind counts where a part in front has no normals",
     [](const FrameFacts& facts) { return FindsAmbientOcclusion(facts.Renderer); } },
   { CullingMode::AroundBlended, "a prop is blended among what is opaque",
     "parts behind it may shine through it",
-    [](const FrameFacts& facts) { return facts.Parts.BlendsSomewhere(); },
-    [](const FrameFacts& facts) { return facts.Parts.DescribeBlended(); } },
+    [](const FrameFacts& facts) { return facts.Parts.BlendsSomewhere(); }, nullptr,
+    &SceneParts::DescribeBlended },
 };
 
 const std::vector<KeepRow> AllKeepRows = {
@@ -151,11 +152,21 @@ CullingDecision DecideFrame(const FrameFacts& facts)
   {
     if (row.Applies(facts))
     {
-      return { row.Mode,
-        Sentence(row.Condition, row.Detail ? row.Detail(facts) : std::string(), row.Why) };
+      return { row.Mode, "", &row, row.Detail ? row.Detail(facts) : std::string(), &facts.Parts };
     }
   }
   return {};
+}
+
+std::string CullingDecision::Reason() const
+{
+  if (!this->Row)
+  {
+    return this->NoFrame;
+  }
+  const std::string detail =
+    this->Row->PartDetail ? (this->Parts->*this->Row->PartDetail)() : this->Detail;
+  return Sentence(this->Row->Condition, detail, this->Row->Why);
 }
 
 const std::vector<KeepRow>& KeepRows()

@@ -32,13 +32,6 @@ const char* NameOf(CullingMode mode);
 /** Returns the effect of the mode as a clause, as "only what lies outside of the view is left out". */
 const char* EffectOf(CullingMode mode);
 
-/** The mode of a frame, and its reason. */
-struct CullingDecision
-{
-  CullingMode Mode = CullingMode::Occlusion;
-  std::string Reason; ///< why the mode is not Occlusion; empty if it is
-};
-
 /** What the rules for a frame look at. */
 struct FrameFacts
 {
@@ -58,10 +51,26 @@ struct FrameRow
   bool (*Applies)(const FrameFacts&);
   /** Returns the name of the class that the rule found. */
   std::string (*Detail)(const FrameFacts&) = nullptr;
+  /** Returns what the rule found among the parts. It is called when the reason is asked for, and not in the frame. */
+  std::string (SceneParts::*PartDetail)() const = nullptr;
 };
 
 /** Returns all rules for frames. Those that leave out least come first. */
 const std::vector<FrameRow>& FrameRows();
+
+/** The mode of a frame, and what its reason is made from. */
+struct CullingDecision
+{
+  CullingMode Mode = CullingMode::Occlusion;
+  const char* NoFrame = ""; ///< The reason if no row decided. It is empty if the mode is Occlusion.
+  const FrameRow* Row = nullptr; ///< the row that decided
+  std::string Detail{};          ///< the result of the row's Detail, found in the frame
+  const SceneParts* Parts =
+    nullptr; ///< for the row's PartDetail; it must live until the next decision
+
+  /** Returns in words why the mode is not Occlusion. It is empty if the mode is Occlusion. */
+  std::string Reason() const;
+};
 
 /** Decides what may be left out of a frame. The first row that applies decides. */
 CullingDecision DecideFrame(const FrameFacts& facts);

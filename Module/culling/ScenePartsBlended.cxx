@@ -67,7 +67,9 @@ std::string SceneParts::DescribeBlended() const
     [&](std::uint32_t a, std::uint32_t b) { return this->Blends[a].IsLessThan(this->Blends[b]); });
   const Blending& blends = this->Blends[*found];
   const std::vector<PropRow>& rows = PropRows();
-  return std::string(this->PropOf[*found]->GetClassName()) + ": " + rows[blends.Why].Condition +
+  const vtkProp* const prop = this->Living[*found]; // null if it was deleted after the frame
+  return (prop ? std::string(prop->GetClassName()) : "a deleted prop") + ": " +
+    rows[blends.Why].Condition +
     (blends.Anywhere == NoPropRow ? "" : std::string("; ") + rows[blends.Anywhere].Why);
 }
 

@@ -16,7 +16,9 @@ namespace vitrine
 std::string SceneParts::Explain(vtkProp* prop, const Fate& fate) const
 {
   const auto found = this->Index.find(prop);
-  if (found == this->Index.end() || this->SeenIn[found->second] != this->Frame)
+  // The prop may be a new one at the address of one that was deleted since.
+  if (found == this->Index.end() || this->SeenIn[found->second] != this->Frame ||
+    this->Living[found->second] != prop)
   {
     return "not drawn: it is not among the visible props of the last frame";
   }
@@ -60,7 +62,7 @@ std::string SceneParts::ExplainShown(vtkProp* prop, std::uint32_t part, const Fa
   }
   if (showing == MayShineThrough)
   {
-    return "drawn: " + fate.Decision.Reason;
+    return "drawn: " + fate.Decision.Reason();
   }
   if (viewAlone)
   {
@@ -72,7 +74,7 @@ std::string SceneParts::ExplainShown(vtkProp* prop, std::uint32_t part, const Fa
   }
   if (fate.Decision.Mode == CullingMode::ViewOnly)
   {
-    return "drawn, as only the view hides in this frame: " + fate.Decision.Reason;
+    return "drawn, as only the view hides in this frame: " + fate.Decision.Reason();
   }
   const PropRow* const hidesNothing = this->FindHidesNothing(known);
   return hidesNothing ? "visible; hides nothing: " + vitrine::Explain(*hidesNothing, prop)

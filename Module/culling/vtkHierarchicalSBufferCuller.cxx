@@ -89,6 +89,7 @@ struct vtkHierarchicalSBufferCuller::State
   vitrine::CullingDecision Decision{ vitrine::CullingMode::Off, "no frame has been drawn yet" };
   /** The renderer of the last frame. Null if it had no visible props. */
   vtkWeakPointer<vtkRenderer> Last;
+  std::string Reason;     ///< the last result of GetReason()
   std::string PropReason; ///< the last result of GetReason(prop)
 
   CulledRenderer& FindOrAdd(vtkRenderer* renderer);
@@ -191,12 +192,12 @@ std::string vtkHierarchicalSBufferCuller::State::Explain(vtkProp* prop)
 {
   if (!prop || !this->Last)
   {
-    return "not drawn: " + (prop ? this->Decision.Reason : std::string("there is no prop"));
+    return "not drawn: " + (prop ? this->Decision.Reason() : std::string("there is no prop"));
   }
   if (this->Decision.Mode == vitrine::CullingMode::Off)
   {
     return this->Last->HasViewProp(prop) && prop->GetVisibility()
-      ? "drawn, as nothing is left out of the frame: " + this->Decision.Reason
+      ? "drawn, as nothing is left out of the frame: " + this->Decision.Reason()
       : "not drawn: it is not among the visible props of the last frame";
   }
   const CulledRenderer& known = this->FindOrAdd(this->Last);
@@ -326,7 +327,8 @@ const char* vtkHierarchicalSBufferCuller::GetCullingModeAsString()
 
 const char* vtkHierarchicalSBufferCuller::GetReason()
 {
-  return this->Renderers->Decision.Reason.c_str();
+  this->Renderers->Reason = this->Renderers->Decision.Reason();
+  return this->Renderers->Reason.c_str();
 }
 
 const char* vtkHierarchicalSBufferCuller::GetReason(vtkProp* prop)

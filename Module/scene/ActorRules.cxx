@@ -63,6 +63,13 @@ vtkMapper* MapperOf(vtkProp* prop)
   return static_cast<vtkActor*>(prop)->GetMapper();
 }
 
+/** Returns the class of the mapper. It is empty if the actor has lost its mapper since the rule was applied. */
+std::string MapperClassOf(vtkProp* prop)
+{
+  vtkMapper* const mapper = MapperOf(prop);
+  return mapper ? mapper->GetClassName() : std::string();
+}
+
 /**
  * Returns true if the actor is in world coordinates. From VTK 9.2 on, props may be in physical or device coordinates.
  */
@@ -122,8 +129,7 @@ const std::vector<DrawnElsewhereRow>& DrawnElsewhereRows()
     { "it has no mapper", "there is nothing to be hidden",
       [](vtkProp* prop) { return !MapperOf(prop); } },
     { "the class of its mapper is not known", "where it draws is not known",
-      [](vtkProp* prop) { return !IsKnownMapper(MapperOf(prop)); },
-      [](vtkProp* prop) { return std::string(MapperOf(prop)->GetClassName()); } },
+      [](vtkProp* prop) { return !IsKnownMapper(MapperOf(prop)); }, MapperClassOf },
     { "it stands in coordinates of the room or of the device (SetCoordinateSystem)",
       "where that is is not known",
       [](vtkProp* prop) { return !StandsInWorld(static_cast<vtkActor*>(prop)); } },

@@ -24,6 +24,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -893,4 +894,83 @@ TEST(CullerReasons, StrongestRowsStandFirst)
     EXPECT_LE(rows[i - 1].Mode, rows[i].Mode) << rows[i].Condition;
   }
 }
+
+// What is asked for after the frame may have changed since.
+TEST(CullerReasons, OfAnActorThatHasLostItsMapper)
+{
+  ReasonScene scene;
+  const vtkSmartPointer<vtkActor> splat = AddSplat(scene);
+  scene.Render();
+  EXPECT_NE(
+    std::string(scene.Culler->GetReason(splat)).find("PointGaussianMapper"), std::string::npos)
+    << scene.Culler->GetReason(splat);
+  splat->SetMapper(nullptr);
+  EXPECT_NE(
+    std::string(scene.Culler->GetReason(splat)).find("the class of its mapper is not known: "),
+    std::string::npos)
+    << scene.Culler->GetReason(splat);
+}
+
+TEST(CullerReasons, OfADeletedPropThatBlends)
+{
+  ReasonScene scene;
+  vtkSmartPointer<vtkActor> front = scene.AddFront(0.5);
+  front->ForceOpaqueOn();
+  scene.Render();
+  const std::string reason = scene.Culler->GetReason();
+  EXPECT_NE(reason.find("vtkOpenGLActor: its opacity"), std::string::npos) << reason;
+  scene.Renderer->RemoveActor(front);
+  front = nullptr;
+  EXPECT_NE(
+    std::string(scene.Culler->GetReason()).find("a deleted prop: its opacity"), std::string::npos)
+    << scene.Culler->GetReason();
+}
+
+/** An actor that is always at the same address. There may be one at a time. */
+class PlacedActor : public vtkOpenGLActor
+{
+public:
+  static PlacedActor* New() { VTK_STANDARD_NEW_BODY(PlacedActor); }
+  vtkTypeMacro(PlacedActor, vtkOpenGLActor);
+
+  static void* operator new(std::size_t) { return Place; }
+  static void operator delete(void*) {}
+
+private:
+  alignas(64) static unsigned char Place[4096];
+};
+unsigned char PlacedActor::Place[4096];
+static_assert(sizeof(PlacedActor) <= 4096, "it fits into its place");
+
+TEST(CullerReasons, OfAPropAtTheAddressOfADeletedOne)
+{
+  ReasonScene scene;
+  auto actor = vtkSmartPointer<PlacedActor>::New();
+  actor->SetMapper(scene.Wall->GetMapper());
+  scene.Renderer->AddActor(actor);
+  scene.Render();
+  EXPECT_NE(std::string(scene.Culler->GetReason(actor)).find("always drawn"), std::string::npos);
+  scene.Renderer->RemoveActor(actor);
+  actor = nullptr;
+  actor = vtkSmartPointer<PlacedActor>::New();
+  EXPECT_STREQ(scene.Culler->GetReason(actor),
+    "not drawn: it is not among the visible props of the last frame");
+}
+
+// Asking whether passes draw by another camera would make the camera.
+TEST(CullerReasons, CreateNoCamera)
+{
+  ReasonScene scene;
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetRenderWindow(scene.Window);
+  vtkNew<vtkToneMappingPass> mapping;
+  mapping->SetDelegatePass(vtkSmartPointer<vtkRenderStepsPass>::New());
+  renderer->SetPass(mapping);
+  scene.CullAlone(renderer);
+  EXPECT_FALSE(renderer->IsActiveCameraCreated());
+  EXPECT_NE(std::string(scene.Culler->GetReason()).find("no camera yet"), std::string::npos)
+    << scene.Culler->GetReason();
+  renderer->SetRenderWindow(nullptr);
+}
+
 }
