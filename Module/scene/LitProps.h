@@ -13,6 +13,8 @@ class vtkRenderState;
 namespace vitrine
 {
 
+class VisibleBox;
+
 /** The box around a prop. */
 struct LitBox
 {
@@ -36,8 +38,10 @@ struct LitProps
  * The region is all of space if a prop may be drawn outside its bounds: a class other than actors of polydata, or
  * shader code of users. It is all of space with several samples per pixel as well. A fragment at an edge is lit at the
  * point where the face's plane meets the pixel's centre, and that may be far away.
+ *
+ * @param box  what is known of the renderer's props from frames before
  */
-LitProps LitPropsOf(const vtkRenderState* s);
+LitProps LitPropsOf(const vtkRenderState* s, VisibleBox& box);
 
 }
 

@@ -359,4 +359,27 @@ TEST(ClusteredLight, NeedsWhatDraws)
   EXPECT_NE(messages[0].find("DelegatePass"), std::string::npos);
 }
 
+// A frame that VTK's mappers light has no clusters, whatever the frame before had.
+TEST(ClusteredLight, HasStatisticsOfItsOwnFramesAlone)
+{
+  LightScene scene(false);
+  scene.AddLightsOfAllKinds();
+  scene.InClusteredLight();
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), 11);
+  EXPECT_GT(scene.Lights->GetNumberOfLightsAt(0.0, 0.0, -3.5), 0);
+  scene.Renderer->UseShadowsOn();
+  scene.InClusteredLight();
+  EXPECT_STRNE(scene.Lights->GetFallbackReason(), "");
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfClusters(), 0);
+  EXPECT_EQ(scene.Lights->GetNumberOfUsedClusters(), 0);
+  EXPECT_EQ(scene.Lights->GetLightsPerCluster(), 0.0);
+  EXPECT_EQ(scene.Lights->GetMaximumLightsPerCluster(), 0);
+  EXPECT_EQ(scene.Lights->GetAssignmentTime(), 0.0);
+  EXPECT_EQ(scene.Lights->GetNumberOfLightsAt(0.0, 0.0, -3.5), 0);
+  scene.Renderer->UseShadowsOff();
+  scene.InClusteredLight();
+  EXPECT_EQ(scene.Lights->GetNumberOfLights(), 11);
+}
+
 }

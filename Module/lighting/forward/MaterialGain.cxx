@@ -1,8 +1,11 @@
 #include "lighting/forward/MaterialGain.h"
 
+#include "scene/ClassName.h"
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkOpenGLActor.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
@@ -43,23 +46,46 @@ double PhysicalBudget(vtkProperty* property, double error)
   const double specular = 0.5 / (vtkMath::Pi() * roughness * roughness * roughness);
   return std::pow(error, Gamma) / (diffuse + specular);
 }
+
+double BudgetOf(vtkActor* actor, double error)
+{
+  const bool isPhysical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
+  double budget = error;
+  for (vtkProperty* const side : { actor->GetProperty(), actor->GetBackfaceProperty() })
+  {
+    if (side)
+    {
+      budget =
+        std::min(budget, isPhysical ? PhysicalBudget(side, error) : PhongBudget(side, error));
+    }
+  }
+  return budget;
+}
 }
 
+// vtkRenderer::GetActors() would make a list of all actors in each frame.
 double BudgetOfLight(vtkRenderer* renderer, double error)
 {
   double budget = error;
-  vtkActorCollection* const actors = renderer->GetActors();
+  vtkNew<vtkPropCollection> others;
+  vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator i;
-  for (actors->InitTraversal(i); vtkActor* actor = actors->GetNextActor(i);)
+  for (props->InitTraversal(i); vtkProp* prop = props->GetNextProp(i);)
   {
-    const bool isPhysical = actor->GetProperty()->GetInterpolation() == VTK_PBR;
-    for (vtkProperty* const side : { actor->GetProperty(), actor->GetBackfaceProperty() })
+    if (IsExactly<vtkOpenGLActor>(prop))
     {
-      if (side)
-      {
-        budget =
-          std::min(budget, isPhysical ? PhysicalBudget(side, error) : PhongBudget(side, error));
-      }
+      budget = std::min(budget, BudgetOf(static_cast<vtkActor*>(prop), error));
+    }
+    else
+    {
+      prop->GetActors(others);
+    }
+  }
+  for (others->InitTraversal(i); vtkProp* prop = others->GetNextProp(i);)
+  {
+    if (auto* const actor = vtkActor::SafeDownCast(prop))
+    {
+      budget = std::min(budget, BudgetOf(actor, error));
     }
   }
   return budget;

@@ -14,6 +14,7 @@
 #include "scene/LitProps.h"
 #include "scene/PassTraits.h"
 #include "scene/Settings.h"
+#include "scene/VisibleBox.h"
 #include "vtkAbstractMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -21,12 +22,16 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkClusteredLightsPass);
 vitrinePassTraitsMacro(vtkClusteredLightsPass, vitrine::LightsTraits<vtkClusteredLightsPass>);
@@ -48,6 +53,19 @@ struct vtkClusteredLightsPass::Internals
   vtkSmartPointer<vtkLightCollection> Positional = vitrine::MakeStandIn(true);
   std::set<std::string> Reported;
   std::string FallbackReason;
+  /** The boxes of each renderer's props. The address of a deleted renderer may belong to another one. */
+  std::map<vtkRenderer*, std::pair<vtkWeakPointer<vtkRenderer>, vitrine::VisibleBox>> Boxes;
+
+  vitrine::VisibleBox& VisibleBoxOf(vtkRenderer* renderer)
+  {
+    for (auto i = this->Boxes.begin(); i != this->Boxes.end();)
+    {
+      i = i->second.first ? std::next(i) : this->Boxes.erase(i);
+    }
+    auto& [living, box] = this->Boxes[renderer];
+    living = renderer;
+    return box;
+  }
 };
 
 namespace
@@ -170,11 +188,7 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
   Internals& in = *this->Private;
   this->NumberOfRenderedProps = 0;
   this->Bytes = in.Buffers.Bytes();
-  this->NumberOfLights = this->NumberOfClusters = this->NumberOfUsedClusters =
-    this->MaximumNumberOfLightsPerCluster = 0;
-  this->MeanNumberOfLightsPerCluster = this->AssignmentTime = 0.0;
-  in.ToldGrid = nullptr;
-  in.ToldLists = nullptr;
+  this->ForgetFrame();
   in.FallbackReason.clear();
   if (!in.Delegate)
   {
@@ -191,9 +205,24 @@ void vtkClusteredLightsPass::Render(const vtkRenderState* s)
       this->RenderInLight(s, renderer);
       return;
     }
+    this->ForgetFrame();
   }
   in.Delegate->Render(s);
   this->NumberOfRenderedProps = in.Delegate->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// Zeroes the statistics, which are those of frames that are lit by clusters.
+void vtkClusteredLightsPass::ForgetFrame()
+{
+  this->Private->ToldGrid = nullptr;
+  this->Private->ToldLists = nullptr;
+  this->NumberOfLights = 0;
+  this->NumberOfClusters = 0;
+  this->NumberOfUsedClusters = 0;
+  this->MeanNumberOfLightsPerCluster = 0.0;
+  this->MaximumNumberOfLightsPerCluster = 0;
+  this->AssignmentTime = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -220,6 +249,12 @@ std::string vtkClusteredLightsPass::FindHindrance(vtkRenderer* renderer)
 const char* vtkClusteredLightsPass::GetFallbackReason()
 {
   return this->Private->FallbackReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkClusteredLightsPass::SetFallbackReason(const std::string& reason)
+{
+  this->Private->FallbackReason = reason;
 }
 
 //------------------------------------------------------------------------------
@@ -254,7 +289,7 @@ void vtkClusteredLightsPass::AssignLights(const vtkRenderState* s, vtkOpenGLRend
 {
   const auto start = std::chrono::steady_clock::now();
   Internals& in = *this->Private;
-  const vitrine::LitProps lit = vitrine::LitPropsOf(s);
+  const vitrine::LitProps lit = vitrine::LitPropsOf(s, in.VisibleBoxOf(renderer));
   vitrine::CutLights(in.Lights.Falloffs, lit.Region, vitrine::BudgetOfLight(renderer, this->CutOff),
     in.Lights.Volumes);
   in.Lights.TakeRanges();

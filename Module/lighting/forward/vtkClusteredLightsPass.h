@@ -271,6 +271,11 @@ protected:
   void TellOfLists(
     const vitrine::LightGrid& grid, const vitrine::LightLists& lists, std::size_t used);
 
+  /**
+   * Set the result of GetFallbackReason(). A subclass calls it in RenderDelegate().
+   */
+  void SetFallbackReason(const std::string& reason);
+
   double CutOff = 0.5 / 255.0;
   int GridSpace = VIEW;
   int TileSize = 64;
@@ -289,6 +294,7 @@ private:
   void operator=(const vtkClusteredLightsPass&) = delete;
 
   std::string FindHindrance(vtkRenderer* renderer);
+  void ForgetFrame();
   bool TakeLights(vtkOpenGLRenderer* renderer);
   void AssignLights(const vtkRenderState* s, vtkOpenGLRenderer* renderer);
   void MakeGrid(vtkOpenGLRenderer* renderer, const vitrine::LitProps& lit);
