@@ -138,21 +138,37 @@ void DescribeMethods(Trial& trial, std::ostream& os)
   }
 }
 
-void DescribeLights(Trial& trial, std::ostream& os)
+void DescribeClusteredLights(Trial& trial, std::ostream& os)
 {
-  const std::pair<const char*, vtkSmartPointer<vtkClusteredLightsPass>> passes[] = {
-    { "clustered", vtkSmartPointer<vtkClusteredLightsPass>::New() },
-    { "deferred", vtkSmartPointer<vtkDeferredLightsPass>::New() },
-  };
-  for (const auto& [name, lights] : passes)
-  {
-    vtkNew<vtkSeeThroughPass> frame;
-    frame->SetLightingPass(lights);
-    trial.Draw(frame);
-    const std::string reason = lights->GetFallbackReason();
-    os << "lights " << name << ": "
-       << (reason.empty() ? "works" : "VTK's mappers in its place: " + reason) << "\n";
-  }
+  vtkNew<vtkClusteredLightsPass> lights;
+  vtkNew<vtkSeeThroughPass> frame;
+  frame->SetLightingPass(lights);
+  trial.Draw(frame);
+  const std::string reason = lights->GetFallbackReason();
+  os << "lights clustered: " << (reason.empty() ? "works" : "VTK's mappers in its place: " + reason)
+     << "\n";
+}
+
+void DescribeDeferredLights(Trial& trial, std::ostream& os)
+{
+  vtkNew<vtkDeferredLightsPass> lights;
+  vtkNew<vtkSeeThroughPass> frame;
+  frame->SetLightingPass(lights);
+  trial.Draw(frame);
+  const std::string reason = lights->GetFallbackReason();
+  const bool works = reason.empty() && lights->GetNumberOfDeferredProps() > 0;
+  os << "lights deferred: "
+     << (works ? "works"
+               : "forward in its place: " + (reason.empty() ? "no prop was deferred" : reason))
+     << "\n";
+}
+
+/** Returns true if the window has a context of OpenGL, and it is current. */
+bool HasOpenGL(vtkRenderWindow* window)
+{
+  // Without a context there may be no entry points: glad's are null until the first window loads them.
+  return vtkOpenGLRenderWindow::SafeDownCast(window) && window->IsCurrent() &&
+    glCreateShader != nullptr && glGetString(GL_VERSION);
 }
 }
 
@@ -161,17 +177,23 @@ std::string vtkDeviceReport::Describe(vtkRenderWindow* window)
 {
   std::ostringstream os;
   os << "VTK: " << vtkVersion::GetVTKVersion() << "\n";
+  if (!window)
+  {
+    os << "OpenGL: none without a window\n";
+    return os.str();
+  }
   const ScopedSilence silence;
   window->SetSize(64, 48);
   Trial trial(window);
   window->Render();
-  if (!vtkOpenGLRenderWindow::SafeDownCast(window) || !glGetString(GL_VERSION))
+  if (!HasOpenGL(window))
   {
     os << "OpenGL: none in a " << window->GetClassName() << "\n";
     return os.str();
   }
   DescribeDevice(window, os);
   DescribeMethods(trial, os);
-  DescribeLights(trial, os);
+  DescribeClusteredLights(trial, os);
+  DescribeDeferredLights(trial, os);
   return os.str();
 }

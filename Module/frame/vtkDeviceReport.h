@@ -36,9 +36,9 @@ public:
   ///@}
 
   /**
-   * Draw a few frames of 64 x 48 pixels in a window, which must not be null, and get the report. The window should
-   * contain nothing else. It is resized, and it is empty afterwards. The text has several lines. If the window has no
-   * OpenGL context, a line of the text says so and no frames are described.
+   * Draw a few frames of 64 x 48 pixels in a window, and get the report. The window should contain nothing else. It is
+   * resized, and it is empty afterwards. The text has several lines. If the window is null or has no OpenGL context, a
+   * line of the text says so and no frames are described.
    */
   static std::string Describe(vtkRenderWindow* window);
 

@@ -371,4 +371,30 @@ TEST(DeferredFrame, MayPassThroughPassesOfItsKind)
   EXPECT_TRUE(Matches(scene.Render(), expected));
 }
 
+// The frame is lit all the same, and says that it was not from a G-buffer.
+TEST(DeferredFrame, SaysWhyItIsNotDeferred)
+{
+  DeferredScene scene;
+  scene.AddLights(1);
+  scene.InDeferredLight();
+  EXPECT_STREQ(scene.Deferred->GetFallbackReason(), "");
+  scene.Renderer->UseHiddenLineRemovalOn();
+  EXPECT_TRUE(Matches(scene.InDeferredLight(), scene.InVTKsLight()));
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+  EXPECT_NE(std::string(scene.Deferred->GetFallbackReason()).find("UseHiddenLineRemoval"),
+    std::string::npos)
+    << scene.Deferred->GetFallbackReason();
+  scene.Renderer->UseHiddenLineRemovalOff();
+  scene.ExpectAsVTK(DeferredParts);
+  EXPECT_STREQ(scene.Deferred->GetFallbackReason(), "");
+  scene.Deferred->SetDelegatePass(vtkNew<UnknownPass>());
+  scene.InDeferredLight();
+  EXPECT_EQ(scene.Deferred->GetNumberOfDeferredProps(), 0);
+  EXPECT_NE(
+    std::string(scene.Deferred->GetFallbackReason()).find("vtkOpaquePass"), std::string::npos)
+    << scene.Deferred->GetFallbackReason();
+  scene.Deferred->ReleaseGraphicsResources(scene.Window);
+  scene.Renderer->SetPass(nullptr);
+}
+
 }

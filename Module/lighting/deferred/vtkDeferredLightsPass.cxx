@@ -127,12 +127,20 @@ void vtkDeferredLightsPass::RenderDelegate(const vtkRenderState* s)
     vitrine::IsExactly<vtkOpaquePass>(steps->GetOpaquePass()) && !s->GetRenderer()->GetSelector();
   if (!isKnown)
   {
+    this->SetFallbackReason("lighting is not deferred: the DelegatePass is no vtkRenderStepsPass "
+                            "with a vtkOpaquePass, or a selector renders");
     this->Superclass::RenderDelegate(s);
     return;
   }
+  // The reason holds unless the delegate calls the step.
+  this->SetFallbackReason("lighting is not deferred: the renderer draws opaque geometry itself "
+                          "(UseSSAO, UseHiddenLineRemoval)");
   vtkNew<OpaqueStep> step;
   step->Draw = [this, forward = steps->GetOpaquePass()](const vtkRenderState* state)
-  { return this->RenderOpaque(state, forward); };
+  {
+    this->SetFallbackReason({});
+    return this->RenderOpaque(state, forward);
+  };
   const ScopedOpaquePass opaque(steps, step);
   this->Superclass::RenderDelegate(s);
 }
@@ -149,6 +157,7 @@ int vtkDeferredLightsPass::RenderOpaque(const vtkRenderState* s, vtkRenderPass* 
     if (!problem.empty())
     {
       this->ReportOnce(problem + "; lighting is not deferred");
+      this->SetFallbackReason("lighting is not deferred: " + problem);
       forward->Render(s);
       return forward->GetNumberOfRenderedProps();
     }
