@@ -98,7 +98,8 @@ public:
 
   /**
    * Get the reason why the last frame was lit by VTK's mappers and not by clusters. The string is empty if it was lit
-   * by clusters, if no light is on, or if the only light is a headlight. It is valid until the next frame.
+   * by clusters, if no light is on, or if the only light is a headlight. It is valid until the next frame. A
+   * vtkDeferredLightsPass also gives the reason why a frame was lit forward and not from its G-buffer.
    */
   const char* GetFallbackReason();
 
