@@ -373,8 +373,8 @@ TEST(ClusteredLight, HasStatisticsOfItsOwnFramesAlone)
   EXPECT_EQ(scene.Lights->GetNumberOfLights(), 0);
   EXPECT_EQ(scene.Lights->GetNumberOfClusters(), 0);
   EXPECT_EQ(scene.Lights->GetNumberOfUsedClusters(), 0);
-  EXPECT_EQ(scene.Lights->GetLightsPerCluster(), 0.0);
-  EXPECT_EQ(scene.Lights->GetMaximumLightsPerCluster(), 0);
+  EXPECT_EQ(scene.Lights->GetMeanNumberOfLightsPerCluster(), 0.0);
+  EXPECT_EQ(scene.Lights->GetMaximumNumberOfLightsPerCluster(), 0);
   EXPECT_EQ(scene.Lights->GetAssignmentTime(), 0.0);
   EXPECT_EQ(scene.Lights->GetNumberOfLightsAt(0.0, 0.0, -3.5), 0);
   scene.Renderer->UseShadowsOff();
