@@ -19,6 +19,24 @@ MOST_NOT_RUN = 10
 BLOCK = re.compile(r"^(?:<!-- not run: ([^\n]+?) -->\n+)?```(\w+)\n(.*?)^```$", re.M | re.S)
 SHELLS = ("sh", "console")
 
+# Commands of consoles that other tests run, or that nothing may run here.
+RUN_ELSEWHERE = {
+    "python3 -m venv environment": "scripts/test-wheel begins with it",
+    ". environment/bin/activate": "it comes after the line above",
+    "pip install '.[pyvista]'": "scripts/test-wheel begins with it",
+    "scripts/install-dependencies": "scripts/test begins with it",
+    "cmake --preset release && cmake --build --preset release": "it makes the tree of this test",
+    "cmake --install build/release --prefix ~/vitrine": "Build.InstalledPackage does so",
+    "export PATH=~/vitrine/bin:$PATH": "the program of this tree is on PATH",
+    "export CMAKE_PREFIX_PATH=~/vitrine": "Build.InstalledPackage does so",
+    "export CMAKE_PREFIX_PATH=~/vitrine PYTHONPATH=~/vitrine/lib/python3/dist-packages": "see the line above",
+    "cmake -S . -B build": "the page's C++ is built by this test",
+    "cmake --build build": "the page's C++ is built by this test",
+    "build/glass": "the page's C++ is built and run by this test",
+    "cmake --preset fuzz && cmake --build --preset fuzz": "it takes minutes, and clang",
+    "build/fuzz/Testing/Fuzz/FuzzCoverage -max_total_time=60 -seed=7": "it takes a minute",
+}
+
 PROJECT = """\
 cmake_minimum_required(VERSION 3.16...3.25)
 project(Page LANGUAGES C CXX)
@@ -60,8 +78,10 @@ def blocks(page, *languages):
 
 def commands(block):
     """The lines of a shell's block. In one of a console they stand behind a prompt; the rest is output."""
-    prompted = [line[2:] for line in block.splitlines() if line.startswith("$ ")]
-    return "\n".join(prompted) if prompted else block
+    if not re.search(r"^[$#] ", block, re.M):
+        return block
+    prompted = (line[2:] for line in block.splitlines() if line.startswith("$ "))
+    return "\n".join(line for line in prompted if line not in RUN_ELSEWHERE)
 
 
 def main_of(texts):
@@ -88,6 +108,11 @@ class Style(unittest.TestCase):
     def test_few_blocks_are_not_run(self):
         reasons = [f"{page.name}: {reason}" for page in pages() for reason, _, _ in all_blocks(page) if reason]
         self.assertLessEqual(len(reasons), MOST_NOT_RUN, reasons)
+
+
+    def test_commands_that_others_run_are_there(self):
+        text = "\n".join(page.read_text(encoding="utf-8") for page in pages())
+        self.assertEqual([command for command in RUN_ELSEWHERE if f"$ {command}\n" not in text], [])
 
 
 class Blocks(unittest.TestCase):
