@@ -1,4 +1,4 @@
-"""Pages of docs: their style, their links, and that each block of code runs.
+"""Pages of docs: their style, their links, their pictures, and that each block of code runs.
 
 A page's blocks run in one empty folder, in their order: first those of Python, as one program, then those of shells,
 then those of CMake and C++, as one project. A block behind <!-- not run: reason --> is left out.
@@ -15,8 +15,11 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PREFIX = os.environ.get("PREFIX")
+IMAGES = DOCS / "images"
 MOST_NOT_RUN = 10
+MOST_BYTES = 300_000  # of a picture
 BLOCK = re.compile(r"^(?:<!-- not run: ([^\n]+?) -->\n+)?```(\w+)\n(.*?)^```$", re.M | re.S)
+IMAGE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
 SHELLS = ("sh", "console")
 
 # Commands of consoles that other tests run, or that nothing may run here.
@@ -113,6 +116,38 @@ class Style(unittest.TestCase):
     def test_commands_that_others_run_are_there(self):
         text = "\n".join(page.read_text(encoding="utf-8") for page in pages())
         self.assertEqual([command for command in RUN_ELSEWHERE if f"$ {command}\n" not in text], [])
+
+
+class Pictures(unittest.TestCase):
+    """Pictures of docs/images: pages show them, and docs/make-pictures makes them."""
+
+    def make_pictures(self, *words):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        command = [sys.executable, "-B", DOCS / "make-pictures", *words]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        return done.stdout
+
+    def shown(self):
+        """The files that pages show."""
+        for page in [ROOT / "README.md", *pages()]:
+            for address in IMAGE.findall(page.read_text(encoding="utf-8")):
+                if "://" not in address:
+                    yield (page.parent / address).resolve()
+
+    def test_are_all_there_and_shown_and_made(self):
+        shown = set(self.shown())
+        self.assertEqual([str(path) for path in shown if not path.exists()], [])
+        files = {path.name for path in IMAGES.iterdir()}
+        self.assertEqual(files, {path.name for path in shown if path.parent == IMAGES})
+        made = {line.split()[0] for line in self.make_pictures("--list").splitlines()}
+        self.assertEqual(files, made)
+
+    def test_are_small(self):
+        self.assertEqual([path.name for path in IMAGES.iterdir() if path.stat().st_size > MOST_BYTES], [])
+
+    def test_are_drawn_as_they_were(self):
+        self.make_pictures("--check")
 
 
 class Blocks(unittest.TestCase):
