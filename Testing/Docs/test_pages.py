@@ -112,7 +112,6 @@ class Style(unittest.TestCase):
         reasons = [f"{page.name}: {reason}" for page in pages() for reason, _, _ in all_blocks(page) if reason]
         self.assertLessEqual(len(reasons), MOST_NOT_RUN, reasons)
 
-
     def test_commands_that_others_run_are_there(self):
         text = "\n".join(page.read_text(encoding="utf-8") for page in pages())
         self.assertEqual([command for command in RUN_ELSEWHERE if f"$ {command}\n" not in text], [])
