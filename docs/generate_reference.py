@@ -35,8 +35,16 @@ def commands():
     return [line.split()[0] for line in lines[: lines.index("")]]
 
 
+def merge_groups(xml):
+    """Make of groups without a name, by which getters and setters share a text, a part of the other functions."""
+    for file in xml.glob("class*.xml"):
+        text = file.read_text(encoding="utf-8")
+        file.write_text(text.replace('<sectiondef kind="user-defined">', '<sectiondef kind="public-func">'))
+
+
 def add_cpp(source):
     """A page of each public class, below reference/cpp.md."""
+    merge_groups(pathlib.Path(os.environ["VITRINE_DOXYGEN"]))
     classes = os.environ["VITRINE_CLASSES"].split()
     for name in classes:
         body = f"# {name}\n\n```{{doxygenclass}} {name}\n:members:\n```\n"
