@@ -49,6 +49,7 @@ int Run(int argc, char* argv[])
   program::AddDiffCommand(app);
   program::AddInfoCommand(app);
   program::AddLightsCommand(app);
+  program::AddModelsCommand(app);
   program::AddPaperCommand(app);
   program::AddReportCommand(app);
   program::AddSortsCommand(app);

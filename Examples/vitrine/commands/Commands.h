@@ -31,6 +31,9 @@ void AddInfoCommand(CLI::App& app);
 /** `vitrine lights`: many lights, mode by mode. */
 void AddLightsCommand(CLI::App& app);
 
+/** `vitrine models`: the models that figures of the documentation name. */
+void AddModelsCommand(CLI::App& app);
+
 /** `vitrine paper`: the papers' scenes, and frame rates beside theirs. */
 void AddPaperCommand(CLI::App& app);
 
