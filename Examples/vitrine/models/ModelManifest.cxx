@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace program
 {
@@ -44,6 +45,13 @@ bool IsAddress(const std::string& address)
 {
   return (BeginsWith(address, "https://") || BeginsWith(address, "http://")) &&
     std::all_of(address.begin(), address.end(), [](char c) { return c > ' ' && c < '\x7f'; });
+}
+
+/** A text that is shown as it is: no line ends in it, and no escape of a terminal begins. */
+bool IsLine(const std::string& text)
+{
+  return !text.empty() &&
+    std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= ' ' && c != 0x7f; });
 }
 
 bool IsSha256(const std::string& hash)
@@ -103,13 +111,15 @@ std::string ProblemOf(const Model& model)
   {
     return "its \"bytes\" are no integer from 1 to " + std::to_string(MostBytes);
   }
-  const std::map<const char*, const std::string*> texts = { { "licence", &model.Licence },
-    { "author", &model.Author }, { "source", &model.Source }, { "conversion", &model.Conversion } };
-  for (const auto& [key, text] : texts)
+  const std::string& obtained = CanBeFetched(model) ? model.Address : model.Reason;
+  const std::pair<const char*, const std::string*> lines[] = { { "reason", &obtained },
+    { "licence", &model.Licence }, { "author", &model.Author }, { "source", &model.Source },
+    { "conversion", &model.Conversion } };
+  for (const auto& [key, line] : lines)
   {
-    if (text->empty())
+    if (!IsLine(*line))
     {
-      return "it has no text \"" + std::string(key) + "\"";
+      return "its \"" + std::string(key) + "\" is no text of one line";
     }
   }
   return "";

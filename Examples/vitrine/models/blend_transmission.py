@@ -29,7 +29,7 @@ def convert(source):
     if len(source) < 20 or source[:8] != struct.pack("<4sI", b"glTF", 2):
         sys.exit("blend_transmission.py: the source is no GLB file of glTF 2")
     length, kind = struct.unpack("<II", source[12:20])
-    if kind != JSON_CHUNK or 20 + length > len(source):
+    if kind != JSON_CHUNK or struct.unpack("<I", source[8:12])[0] != len(source) or 20 + length > len(source):
         sys.exit("blend_transmission.py: the source is damaged")
     document = json.loads(source[20 : 20 + length])
     for material in document.get("materials", []):
