@@ -48,6 +48,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
             "/long": lambda: self.send(BYTES + b"x", None),
             "/moved": lambda: self.redirect("/right"),
             "/to-a-file": lambda: self.redirect("file:///etc/hostname"),
+            "/to-ftp": lambda: self.redirect("ftp://127.0.0.1:1/a.stl"),
             "/round": lambda: self.redirect("/round"),
         }.get(self.path)
         if answer:
@@ -198,7 +199,8 @@ class Fetch(FileTest):
         self.assert_not_fetched(self.of("nowhere"), self.server.address("nowhere"), "status 404")
 
     def test_redirects_lead_to_servers_and_to_an_end(self):
-        self.assert_not_fetched(self.of("to-a-file"), "cannot be fetched from the network")
+        self.assert_not_fetched(self.of("to-a-file"), "from the network", '"file"', "disabled")
+        self.assert_not_fetched(self.of("to-ftp"), "from the network", '"ftp"', "disabled")
         self.assert_not_fetched(self.of("round"), "cannot be fetched from the network")
         self.assertLess(len(self.server.asked), 10)
 

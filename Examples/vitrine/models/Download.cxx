@@ -58,8 +58,7 @@ void SetUp(CURL* handle, const std::string& address, Transfer& transfer, char* e
   const std::string agent = std::string("vitrine/") + Version;
   curl_easy_setopt(handle, CURLOPT_URL, address.c_str());
   curl_easy_setopt(handle, CURLOPT_USERAGENT, agent.c_str());
-  curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https");
-  curl_easy_setopt(handle, CURLOPT_REDIR_PROTOCOLS_STR, "http,https");
+  curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https"); // of redirects too
   curl_easy_setopt(handle, CURLOPT_FOLLOWLOCATION, 1L);
   curl_easy_setopt(handle, CURLOPT_MAXREDIRS, MostRedirects);
   curl_easy_setopt(handle, CURLOPT_FAILONERROR, 1L);
