@@ -21,6 +21,7 @@
 #include "vtkTransparencyPass.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -157,22 +158,23 @@ private:
   vtkSmartPointer<vtkRenderPass> Before;
 };
 
-/** Sets a flag during its lifetime. */
-class ScopedFlag
+/** Gives a variable another value during its lifetime. */
+template <class Value>
+class ScopedValue
 {
 public:
-  explicit ScopedFlag(bool& flag)
-    : Flag(flag)
-    , Before(std::exchange(flag, true))
+  ScopedValue(Value& variable, Value value)
+    : Variable(variable)
+    , Before(std::exchange(variable, value))
   {
   }
-  ~ScopedFlag() { this->Flag = this->Before; }
-  ScopedFlag(const ScopedFlag&) = delete;
-  void operator=(const ScopedFlag&) = delete;
+  ~ScopedValue() { this->Variable = this->Before; }
+  ScopedValue(const ScopedValue&) = delete;
+  void operator=(const ScopedValue&) = delete;
 
 private:
-  bool& Flag;
-  bool Before;
+  Value& Variable;
+  Value Before;
 };
 }
 
@@ -187,7 +189,10 @@ struct vtkSeeThroughPass::Internals
   std::string SetAsideReason;
   std::string Text;                     ///< Buffer of the text that GetFallbackReason() returned.
   vtkWeakPointer<vtkRenderer> Renderer; ///< The renderer to which this pass is attached.
-  vtkWeakPointer<vtkCommand> Observer;  ///< The renderer's observer. It holds this pass.
+  /** Tags of the renderer's observer, which holds this pass. A weak pointer to a vtkCommand would dangle. */
+  std::array<unsigned long, 2> Observers{};
+  const vtkRenderer* Drawn = nullptr; ///< The renderer whose frame is being drawn.
+  bool IsReleasing = false;           ///< ReleaseGraphicsResources() is called.
   bool IsLit = false; ///< The LightingPass draws, and calls this pass to draw the steps.
 
   /**
@@ -312,9 +317,8 @@ void vtkSeeThroughPass::Attach(vtkRenderer* renderer)
   vtkNew<FrameObserver> observer;
   observer->Pass = this;
   observer->StartFrame = [this](vtkRenderer* started) { this->StartFrame(started); };
-  renderer->AddObserver(vtkCommand::StartEvent, observer);
-  renderer->AddObserver(AskForAttached, observer);
-  in.Observer = observer;
+  in.Observers = { renderer->AddObserver(vtkCommand::StartEvent, observer),
+    renderer->AddObserver(AskForAttached, observer) };
   in.Renderer = renderer;
   vtkRenderPass* const given = renderer->GetPass();
   if (given && !Contains(given, this))
@@ -354,7 +358,10 @@ void vtkSeeThroughPass::Detach()
     renderer->SetPass(effects);
   }
   this->SetEffectsPass(nullptr);
-  renderer->RemoveObserver(in.Observer);
+  for (const unsigned long observer : in.Observers)
+  {
+    renderer->RemoveObserver(observer);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -405,6 +412,13 @@ void vtkSeeThroughPass::Render(const vtkRenderState* s)
     RenderForSelector(s->GetRenderer());
     return;
   }
+  if (in.Drawn == s->GetRenderer())
+  {
+    vtkErrorMacro(
+      "this pass is among its own delegates, which draw nothing more; take it out of them");
+    return;
+  }
+  const ScopedValue<const vtkRenderer*> drawn(in.Drawn, s->GetRenderer());
   in.FallbackReason.clear();
   if (!in.Effects || !this->RenderChain(s))
   {
@@ -455,7 +469,7 @@ void vtkSeeThroughPass::RenderOwnFrame(const vtkRenderState* s)
     this->RenderSteps(s);
     return;
   }
-  const ScopedFlag lit(in.IsLit);
+  const ScopedValue<bool> lit(in.IsLit, true);
   const ScopedDelegate drawing(in.Lighting, this);
   in.Lighting->Render(s);
 }
@@ -497,6 +511,11 @@ void vtkSeeThroughPass::RenderSteps(const vtkRenderState* s)
 void vtkSeeThroughPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Private;
+  if (in.IsReleasing) // a delegate draws this pass
+  {
+    return;
+  }
+  const ScopedValue<bool> releasing(in.IsReleasing, true);
   in.Flags.ReleaseGraphicsResources(window);
   for (vtkRenderPass* const pass :
     { static_cast<vtkRenderPass*>(in.Lighting.Get()), in.Effects.Get() })

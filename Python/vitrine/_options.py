@@ -89,9 +89,13 @@ def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
         isinstance(value, numbers.Real) and not isinstance(value, bool) for value in pair
     ):
         raise TypeError(f"coincidence is a number or a pair of numbers, not {coincidence!r}")
-    if not all(math.isfinite(value) and value >= 0 for value in pair):
+    try:
+        steps, slope = float(pair[0]), float(pair[1])
+    except OverflowError:  # an int beyond all floats
+        steps = slope = math.inf
+    if not (math.isfinite(steps) and math.isfinite(slope) and steps >= 0 and slope >= 0):
         raise ValueError(f"coincidence is finite and at least 0, not {coincidence!r}")
-    return float(pair[0]), float(pair[1])
+    return steps, slope
 
 
 def _only_of(kind: type, method: str, option: str) -> None:

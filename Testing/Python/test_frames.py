@@ -8,7 +8,7 @@ import warnings
 import weakref
 
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401, a factory
-from scenes import Plotter, drawn, plates, window_with
+from scenes import Plotter, drawn, plates, run_python, window_with
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkVolume
 from vtkmodules.vtkRenderingOpenGL2 import (
@@ -19,6 +19,30 @@ from vtkmodules.vtkRenderingOpenGL2 import (
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 
 import vitrine
+
+
+class Lifetimes(unittest.TestCase):
+    def test_end_in_any_order_in_memory_that_is_overwritten_when_it_is_freed(self):
+        program = """
+import vitrine
+from vtkmodules.vtkRenderingCore import vtkRenderer
+import vtkmodules.vtkRenderingOpenGL2
+
+def draw(is_removed):
+    renderer = vtkRenderer()
+    window = vitrine.vtkHeadlessRenderWindow()
+    window.SetSize(60, 40)
+    window.AddRenderer(renderer)
+    handle = vitrine.see_through(window)
+    window.Render()
+    if is_removed:
+        handle.remove()
+
+for i in range(4):
+    draw(i % 2 == 0)
+"""
+        done = run_python(program, MALLOC_PERTURB_="165")
+        self.assertEqual(done.returncode, 0, done.stderr)
 
 
 class Nested(unittest.TestCase):

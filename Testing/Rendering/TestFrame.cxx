@@ -314,6 +314,26 @@ TEST(Frame, RefusesLightsThatDrawIt)
   lights->SetDelegatePass(nullptr);
 }
 
+// A pass that is set as a step of its own would draw without end.
+TEST(Frame, DrawsOnceWhereItIsItsOwnStep)
+{
+  FrameScene scene;
+  vtkNew<vtkSeeThroughPass> frame;
+  scene.Renderer->SetPass(frame);
+  vtkNew<vtkRenderStepsPass> steps;
+  steps->SetTranslucentPass(frame);
+  for (vtkRenderPass* const step :
+    { static_cast<vtkRenderPass*>(frame), static_cast<vtkRenderPass*>(steps) })
+  {
+    const ErrorsOf errors(frame);
+    frame->SetTranslucentPass(step);
+    EXPECT_NE(scene.Render().At(36, 27), TestBackground);
+    EXPECT_EQ(errors.Number, 1);
+  }
+  frame->SetTranslucentPass(nullptr);
+  steps->SetTranslucentPass(nullptr);
+}
+
 // Lights that are told to draw the frame after they became its LightingPass draw it, and go on doing so.
 TEST(Frame, RestoresTheDelegateOfItsLights)
 {

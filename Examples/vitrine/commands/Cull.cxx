@@ -11,7 +11,7 @@
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkHierarchicalSBufferCuller.h"
 
-#include <iostream>
+#include <optional>
 #include <memory>
 
 namespace program
@@ -64,7 +64,7 @@ void CheckOpacity(const CullOptions& options)
 /** In place of all else, so that no INPUT is needed. */
 void PrintLimits()
 {
-  std::cout << vtkHierarchicalSBufferCuller::DescribeLimits();
+  PrintText(std::nullopt, vtkHierarchicalSBufferCuller::DescribeLimits());
   throw CLI::Success();
 }
 

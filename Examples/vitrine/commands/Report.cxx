@@ -1,11 +1,13 @@
 #include "Version.h"
 #include "commands/Commands.h"
+#include "commands/Options.h"
 #include "vtkDeviceReport.h"
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
-#include <iostream>
+#include <optional>
+#include <string>
 
 namespace program
 {
@@ -18,7 +20,8 @@ void Report()
   vtkHeadlessRenderWindow::InstallOverride();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
-  std::cout << "Vitrine: " << Version << "\n" << vtkDeviceReport::Describe(window);
+  PrintText(
+    std::nullopt, std::string("Vitrine: ") + Version + "\n" + vtkDeviceReport::Describe(window));
 }
 }
 

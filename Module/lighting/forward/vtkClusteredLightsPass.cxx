@@ -122,10 +122,15 @@ void vtkClusteredLightsPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkClusteredLightsPass::SetDelegatePass(vtkRenderPass* pass)
 {
-  if (pass == this)
+  for (vtkRenderPass* below = pass; below;)
   {
-    vtkErrorMacro("a pass cannot be its own DelegatePass");
-    return;
+    if (below == this)
+    {
+      vtkErrorMacro("a pass cannot be its own DelegatePass, nor that of its DelegatePass");
+      return;
+    }
+    auto* const lights = vtkClusteredLightsPass::SafeDownCast(below);
+    below = lights ? lights->GetDelegatePass() : nullptr;
   }
   if (this->Private->Delegate != pass)
   {
