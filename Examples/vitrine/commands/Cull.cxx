@@ -11,8 +11,8 @@
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkHierarchicalSBufferCuller.h"
 
-#include <optional>
 #include <memory>
+#include <optional>
 
 namespace program
 {
