@@ -28,6 +28,7 @@
 #include "vtkShadowMapPass.h"
 #include "vtkTranslucentPass.h"
 #include "vtkTruthTransparencyPass.h"
+#include "vtkVolumeProperty.h"
 #include "vtkVolumetricPass.h"
 
 #include <gtest/gtest.h>
@@ -176,7 +177,7 @@ protected:
 
 TEST_P(NestedChain, DrawsOneLayerAsVTK)
 {
-  AddVolume(this->Scene.Renderer);
+  AddVolume(this->Scene.Renderer)->GetProperty()->ShadeOn(); // vtkSSAOPass of VTK 9.6 demands it
   const auto chain = GetParam().second();
   this->Scene.Renderer->SetPass(chain);
   this->Scene.Render();
