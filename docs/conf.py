@@ -1,9 +1,11 @@
 """The site of Vitrine, by Sphinx. scripts/docs copies docs/ to build/docs/source, adds the generated pages and builds it."""
 
 import os
+import posixpath
 import re
 
 from docutils import nodes
+from sphinx import addnodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 project = "Vitrine"
@@ -24,7 +26,7 @@ exclude_patterns = ["lab/moved.md"]
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 suppress_warnings = [
-    "myst.xref_missing",  # links to files beside docs/; docs/check_pages.py follows all links
+    "myst.xref_missing",  # docs/check_pages.py follows all links
     "toc.not_included",  # lab/ is not in the menu
 ]
 
@@ -67,5 +69,19 @@ class LinkClasses(SphinxPostTransform):
             link += literal
 
 
+class UnlinkFilesBesideDocs(SphinxPostTransform):
+    """Makes plain text of links to files of the repository that are not below docs/, since the site does not have them."""
+
+    default_priority = 8  # MyST resolves links at 9
+
+    def run(self, **kwargs):
+        folder = posixpath.dirname(self.env.current_document.docname)
+        for link in list(self.document.findall(addnodes.pending_xref)):
+            path = link["reftarget"].partition("#")[0]
+            if link["reftype"] == "myst" and posixpath.normpath(posixpath.join(folder, path)).startswith("../"):
+                link.replace_self(link[0].children)
+
+
 def setup(app):
     app.add_post_transform(LinkClasses)
+    app.add_post_transform(UnlinkFilesBesideDocs)
