@@ -20,13 +20,18 @@ endif ()
 # For what takes more time to be compiled than it ever runs: tests, and the program, whose work is done by Core and VTK.
 set(VITRINE_QUICK_COMPILE "$<$<CONFIG:Release>:-O1>")
 
-# Where CMAKE_UNITY_BUILD is on, the sources of each folder are compiled as one: headers are read once for all of them.
+# Where CMAKE_UNITY_BUILD is on, the sources of each folder are compiled as one: headers are read once for all of them,
+# and functions of a folder are inlined into each other. With TOP, folders within a folder are one with it.
 function (vitrine_unite_folders target)
+  cmake_parse_arguments(PARSE_ARGV 1 option "TOP" "" "")
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   foreach (source IN LISTS sources)
     get_filename_component(folder "${source}" DIRECTORY)
     if (folder AND NOT IS_ABSOLUTE "${folder}")
+      if (option_TOP)
+        string(REGEX REPLACE "/.*" "" folder "${folder}")
+      endif ()
       string(REPLACE "/" "_" folder "${folder}")
       set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${folder}")
     endif ()
