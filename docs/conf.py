@@ -19,8 +19,6 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "sphinx_copybutton",
-    "sphinx_design",
-    "sphinxcontrib.programoutput",
 ]
 exclude_patterns = ["lab/moved.md"]
 myst_enable_extensions = ["colon_fence"]
