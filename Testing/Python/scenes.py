@@ -1,8 +1,6 @@
 """Scenes whose pictures are known, windows to draw them in, and the pixels that come out."""
 
 import os
-import pathlib
-import re
 import subprocess
 import sys
 
@@ -94,23 +92,6 @@ def rendered(renderer, **arguments):
     window = window_with(renderer, **arguments)
     window.Render()
     return pixels(window)
-
-
-def programs_of_pages(with_pyvista):
-    """
-    The programs that the pages of docs are made of, by page: their blocks of Python, one after the other, but for those
-    that a comment marks with the reason why they are not run.
-    """
-    programs = {}
-    for page in sorted(pathlib.Path(__file__).resolve().parents[2].glob("docs/*/*.md")):
-        text = page.read_text(encoding="utf-8")
-        text = re.sub(r"<!-- not run: .*?^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
-        program = "".join(re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
-        if program and ("import pyvista" in program) == with_pyvista:
-            programs[f"{page.parent.name}/{page.name}"] = program
-    if not programs:
-        raise LookupError("no page of docs has a block of Python")
-    return programs
 
 
 def run_python(program, **environment):

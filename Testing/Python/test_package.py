@@ -1,10 +1,9 @@
 """The package itself: what it exports, and what it says where VTK is missing."""
 
-import tempfile
 import unittest
 
 import vitrine
-from scenes import programs_of_pages, run_python
+from scenes import run_python
 
 
 def concrete_classes():
@@ -59,12 +58,3 @@ class Package(unittest.TestCase):
         self.assertNotEqual(result.returncode, 0)
         message = result.stderr.strip().splitlines()[-1]
         self.assertRegex(message, r"^ImportError: .* found VTK 9\.99 at /")
-
-
-class Documentation(unittest.TestCase):
-    def test_without_pyvista_runs(self):
-        """Each page is a program: its blocks run one after the other, in an empty folder."""
-        for page, program in programs_of_pages(with_pyvista=False).items():
-            with self.subTest(page), tempfile.TemporaryDirectory() as folder:
-                done = run_python(f"import os\nos.chdir({folder!r})\n{program}")
-                self.assertEqual(done.returncode, 0, done.stderr)

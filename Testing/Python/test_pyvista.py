@@ -15,7 +15,7 @@ import weakref
 import numpy
 import pyvista
 from PIL import Image
-from scenes import programs_of_pages, run_interpreter, run_python
+from scenes import run_interpreter, run_python
 from vtkmodules.vtkRenderingOpenGL2 import vtkSSAOPass
 from vtkmodules.vtkWebCore import vtkWebApplication
 
@@ -246,13 +246,6 @@ class Processes(unittest.TestCase):
 
 
 class Documentation(unittest.TestCase):
-    def test_runs(self):
-        """Each page with PyVista is a program: its blocks run one after the other, in an empty folder."""
-        for page, program in programs_of_pages(with_pyvista=True).items():
-            with self.subTest(page), tempfile.TemporaryDirectory() as folder:
-                done = run_python(f"import os\nos.chdir({folder!r})\n{program}")
-                self.assertEqual(done.returncode, 0, done.stderr)
-
     def test_of_readme_runs(self):
         text = pathlib.Path(EXAMPLES.parents[1], "README.md").read_text()
         program = "".join(re.findall("```python\n(.*?)```", text, re.DOTALL))

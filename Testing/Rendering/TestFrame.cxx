@@ -93,6 +93,19 @@ protected:
 
   FrameScene Scene;
 };
+
+/** Adds a volume among the glass, and has VTK peel both together. */
+void AddPeeledVolume(FrameScene& scene)
+{
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff(); // by time
+  scene.Renderer->AddVolume(VolumeOf(
+    VoxelsOf(10, { 0.15, 0.15, 0.15 }, { -0.7, -0.7, -0.4 }, [](int i) { return i * 97 % 256; }),
+    mapper, 0.2));
+  scene.Window->AlphaBitPlanesOn();
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+}
 }
 
 TEST_P(FrameChain, StaysAroundWhatIsOpaque)
@@ -199,14 +212,7 @@ TEST(Frame, DrawsFlagsOfTheRendererAsVTK)
 TEST(Frame, LeavesVolumesToPeelingWhereVTKPeelsThem)
 {
   FrameScene scene;
-  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-  mapper->AutoAdjustSampleDistancesOff(); // by time
-  scene.Renderer->AddVolume(VolumeOf(
-    VoxelsOf(10, { 0.15, 0.15, 0.15 }, { -0.7, -0.7, -0.4 }, [](int i) { return i * 97 % 256; }),
-    mapper, 0.2));
-  scene.Window->AlphaBitPlanesOn();
-  scene.Renderer->UseDepthPeelingOn();
-  scene.Renderer->UseDepthPeelingForVolumesOn();
+  AddPeeledVolume(scene);
   const Picture plain = scene.Render();
   vtkNew<vtkSeeThroughPass> frame;
   scene.Renderer->SetPass(frame);
@@ -223,14 +229,7 @@ TEST(Frame, DrawsVolumesThatVTKCannotPeel)
 {
   setenv("VTK_USE_LEGACY_DEPTH_PEELING", "1", 1);
   FrameScene scene;
-  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-  mapper->AutoAdjustSampleDistancesOff(); // by time
-  scene.Renderer->AddVolume(VolumeOf(
-    VoxelsOf(10, { 0.15, 0.15, 0.15 }, { -0.7, -0.7, -0.4 }, [](int i) { return i * 97 % 256; }),
-    mapper, 0.2));
-  scene.Window->AlphaBitPlanesOn();
-  scene.Renderer->UseDepthPeelingOn();
-  scene.Renderer->UseDepthPeelingForVolumesOn();
+  AddPeeledVolume(scene);
   const Picture plain = scene.Render();
   vtkNew<vtkSeeThroughPass> frame;
   scene.Renderer->SetPass(frame);
