@@ -17,7 +17,7 @@ namespace vitrine
 
 class SceneParts;
 
-/** What may be left out of a frame. Each mode leaves out more than the ones before it. */
+/** The modes of culling a frame. Each mode leaves out more than the ones before it. */
 enum class CullingMode
 {
   Off,           ///< Nothing is left out.
@@ -32,7 +32,7 @@ const char* NameOf(CullingMode mode);
 /** Returns the effect of the mode as a clause, as "only what lies outside of the view is left out". */
 const char* EffectOf(CullingMode mode);
 
-/** What the rules for a frame look at. */
+/** The facts that the rules for a frame look at. */
 struct FrameFacts
 {
   vtkRenderer* Renderer;

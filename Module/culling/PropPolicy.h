@@ -61,7 +61,7 @@ enum class PropStage
   Count
 };
 
-/** What the rules for props look at. Facts that a stage does not need may be null. */
+/** The facts that the rules for props look at. Facts that a stage does not need may be null. */
 struct PropFacts
 {
   vtkProp* Prop = nullptr;

@@ -95,7 +95,7 @@ public:
    */
   void AddKnownPass(const char* className);
 
-  /** What may be left out of a frame. Each mode leaves out more than the modes before it. */
+  /** The modes of culling a frame. Each mode leaves out more than the modes before it. */
   enum CullingModeType
   {
     /** Nothing is left out. */

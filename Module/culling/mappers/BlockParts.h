@@ -41,7 +41,7 @@ private:
     vtkMTimeType Time;
   };
 
-  /** What a block inherits from the groups that it is in. */
+  /** The attributes that a block inherits from the groups that it is in. */
   struct Inherited
   {
     bool IsVisible = true;

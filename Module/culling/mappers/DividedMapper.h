@@ -41,7 +41,7 @@ struct MapperParts
   bool IsFinite = true; ///< floats can hold all of these points
 };
 
-/** What a culler has found for one actor in one view: which parts of its mapper may show. */
+/** The result of a culler for one actor in one view: the parts of its mapper that may show. */
 class ShownParts
 {
 public:
