@@ -1,7 +1,7 @@
 // Stencil masks, fill pass: declarations for the fragment shaders of VTK's mappers. It reads the opaque depth and
 // writes colour and depth in the larger target. It needs GLSL 1.50 and no extensions.
 //
-// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011. Pixels of the larger target are shaded at the centre of their pixel
+// Korostelev, Dolgovesov, Mazurok, 2011. Pixels of the larger target are shaded at the centre of their pixel
 // in the picture (Core/shader/ShaderInputs). So a group's pixels agree with each other and with method `truth`.
 //
 // VITRINE_GROUP ivec2(w, h)  pixels of the larger target that take the layers of one pixel

@@ -2,7 +2,7 @@
 // picture over the backdrop. A marked pixel becomes the mean of itself and its 12 nearest neighbours, weighted by
 // distance and by their errors. Neighbours with the least error count fully. The backdrop is each pixel's own.
 //
-// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
+// Korostelev, Dolgovesov, Mazurok, 2011.
 //
 // VITRINE_SHOW_MARKS  shows the errors as grey
 #include "StencilMasks.glsl"

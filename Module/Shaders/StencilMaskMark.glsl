@@ -1,7 +1,7 @@
 // Stencil masks, mark pass. It reads composited layers, their sums and the counts, and writes how much a pixel differs
 // from its neighbours, in quarters.
 //
-// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: neighbours are compared by the sum of their layers' depths, the
+// Korostelev, Dolgovesov, Mazurok, 2011: neighbours are compared by the sum of their layers' depths, the
 // parity of their number (closed bodies have an even one), and colour. Each failed test adds an error value. A test
 // fails if it fails with most neighbours, since along every edge it fails with some.
 //

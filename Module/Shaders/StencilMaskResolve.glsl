@@ -1,7 +1,7 @@
 // Stencil masks, resolve pass. It reads a pixel's group into named registers, sorts it by an unrolled network, and
 // writes the composited colour.
 //
-// S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
+// Korostelev, Dolgovesov, Mazurok, 2011.
 //
 // VITRINE_KEEP_LAYERS  writes the composited layers and the inputs of the marks; else writes over the backdrop
 #define VITRINE_FLOAT_KEYS

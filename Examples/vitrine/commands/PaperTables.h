@@ -1,7 +1,7 @@
 /**
  * The tables that `paper` draws again: what is drawn, and what is known of the papers' own figures.
  *
- * Stencil masks: A. Korostelev, D. Dolgovesov, A. Mazurok, 2011. Of the papers' figures only shares of the
+ * Stencil masks: Korostelev, Dolgovesov, Mazurok, 2011. Of the papers' figures only shares of the
  * frame rate of plain blending are known here, by the number of layers that the method stores.
  */
 #ifndef VITRINE_PAPER_TABLES_H

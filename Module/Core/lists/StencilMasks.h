@@ -1,7 +1,7 @@
 /**
  * Stencil masks: a group of pixels of a larger target separates the fragments of one pixel, one fragment each.
  *
- * S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011: each pixel of a group starts with its layer's number in the stencil.
+ * Korostelev, Dolgovesov, Mazurok, 2011: each pixel of a group starts with its layer's number in the stencil.
  * The test is equality with 0, a pass writes 255, and a failure decrements. In that scheme the 256th fragment after the
  * first would pass again.
  *

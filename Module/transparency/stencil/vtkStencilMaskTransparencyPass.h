@@ -22,7 +22,7 @@
  * renderer->SetPass(seeThrough);
  * @endcode
  *
- * Source: S. Korostelev, Yu. Dolgovesov, B. Mazurok, 2011.
+ * Source: Korostelev, Dolgovesov, Mazurok, 2011.
  *
  * @sa
  * vtkStencilRoutedTransparencyPass vtkSeeThroughPass
