@@ -40,6 +40,7 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
+html_show_copyright = False
 
 VTK_CLASS = re.compile(r"vtk[A-Z]\w+$")
 OWN_CLASSES = set(os.environ["VITRINE_CLASSES"].split())

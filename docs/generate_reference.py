@@ -1,4 +1,4 @@
-"""Write the pages of the reference that are made from the code: C++ classes, Python's functions, the program's help.
+"""Write the pages that are made from the code: C++ classes, Python's functions, the program's help.
 
     generate_reference.py SOURCE    the copy of docs/ that Sphinx reads (scripts/docs)
 
@@ -10,6 +10,10 @@ import pathlib
 import re
 import subprocess
 import sys
+from xml.etree import ElementTree
+
+# Classes without New(), whose protected functions a new method needs.
+BASE_CLASSES = ("vtkTransparencyPass", "vtkTolerantTransparencyPass", "vtkABufferTransparencyPass")
 
 
 def write(page, text):
@@ -38,8 +42,15 @@ def commands():
 def merge_groups(xml):
     """Make of groups without a name, by which getters and setters share a text, a part of the other functions."""
     for file in xml.glob("class*.xml"):
-        text = file.read_text(encoding="utf-8")
-        file.write_text(text.replace('<sectiondef kind="user-defined">', '<sectiondef kind="public-func">'))
+        tree = ElementTree.parse(file)
+        described = tree.find("compounddef")
+        kinds = ("user-defined", "public-func")
+        sections = [section for section in described.findall("sectiondef") if section.get("kind") in kinds]
+        for section in sections[1:]:
+            sections[0].extend(section.findall("memberdef"))
+            described.remove(section)
+        sections[0].set("kind", "public-func")
+        tree.write(file, encoding="utf-8", xml_declaration=True)
 
 
 def add_cpp(source):
@@ -47,7 +58,10 @@ def add_cpp(source):
     merge_groups(pathlib.Path(os.environ["VITRINE_DOXYGEN"]))
     classes = os.environ["VITRINE_CLASSES"].split()
     for name in classes:
-        body = f"# {name}\n\n```{{doxygenclass}} {name}\n:members:\n```\n"
+        options = ":members:"
+        if name in BASE_CLASSES:
+            options += "\n:protected-members:"
+        body = f"# {name}\n\n```{{doxygenclass}} {name}\n{options}\n```\n"
         write(source / "reference/cpp" / f"{name}.md", body)
     append(source / "reference/cpp.md", toctree(f"cpp/{name}" for name in classes))
 
