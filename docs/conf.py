@@ -42,30 +42,49 @@ html_copy_source = False
 html_show_sphinx = False
 html_show_copyright = False
 
-VTK_CLASS = re.compile(r"vtk[A-Z]\w+$")
+VTK_CLASS = re.compile(r"\bvtk[A-Z]\w+")
+GONE_CLASSES = ("vtkCompositePolyDataMapper2",)  # VTK 9.6 has it no more, and its documentation neither
 OWN_CLASSES = set(os.environ["VITRINE_CLASSES"].split())
 
 
 class LinkClasses(SphinxPostTransform):
-    """Links names of classes that stand in code type: Vitrine's to their own page, VTK's to VTK's documentation."""
+    """Links names of classes that stand in code type, and those in the text of headers, which has no code type.
+
+    Vitrine's are linked to their own page, VTK's to VTK's documentation. vtk-xref would need a role at each name, which
+    forges do not know, and asks vtk.org for each class at build time.
+    """
 
     default_priority = 5
 
     def run(self, **kwargs):
         for literal in list(self.document.findall(nodes.literal)):
-            name = literal.astext()
-            if not VTK_CLASS.match(name) or isinstance(literal.parent, nodes.reference):
-                continue
-            if name in OWN_CLASSES:
-                page = f"reference/cpp/{name}"
-                if page == self.env.current_document.docname:
-                    continue
-                address = self.app.builder.get_relative_uri(self.env.current_document.docname, page)
-            else:
-                address = f"https://vtk.org/doc/nightly/html/class{name}.html"
-            link = nodes.reference("", "", internal=name in OWN_CLASSES, refuri=address)
-            literal.replace_self(link)
-            link += literal
+            if VTK_CLASS.fullmatch(literal.astext()) and not isinstance(literal.parent, nodes.reference):
+                literal.replace_self(self.linked(literal.astext(), literal))
+        if self.env.current_document.docname.startswith("reference/cpp/"):
+            for text in list(self.document.findall(nodes.Text)):
+                if isinstance(text.parent, nodes.paragraph):
+                    text.parent.replace(text, list(self.parts(text.astext())))
+
+    def parts(self, text):
+        end = 0
+        for name in VTK_CLASS.finditer(text):
+            yield nodes.Text(text[end : name.start()])
+            yield self.linked(name.group(), nodes.Text(name.group()))
+            end = name.end()
+        yield nodes.Text(text[end:])
+
+    def linked(self, name, shown):
+        if name in GONE_CLASSES:
+            return shown
+        address = f"https://vtk.org/doc/nightly/html/class{name}.html"
+        if name in OWN_CLASSES:
+            page = f"reference/cpp/{name}"
+            if page == self.env.current_document.docname:
+                return shown
+            address = self.app.builder.get_relative_uri(self.env.current_document.docname, page)
+        link = nodes.reference("", "", internal=name in OWN_CLASSES, refuri=address)
+        link += shown.deepcopy()
+        return link
 
 
 class UnlinkFilesBesideDocs(SphinxPostTransform):
