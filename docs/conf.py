@@ -3,10 +3,13 @@
 import os
 import posixpath
 import re
+import sys
 
 from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
+
+sys.path.append(os.path.dirname(__file__))  # gallery_pictures
 
 project = "Vitrine"
 author = "the authors of Vitrine"
@@ -19,8 +22,9 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "sphinx_copybutton",
+    "sphinx_gallery.gen_gallery",
 ]
-exclude_patterns = ["lab/moved.md"]
+exclude_patterns = ["lab/moved.md", "examples/index.rst"]  # examples.md is the gallery's page
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 suppress_warnings = [
@@ -33,6 +37,21 @@ breathe_default_project = "vitrine"
 breathe_default_members = ("members",)
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"
+
+sphinx_gallery_conf = {
+    "examples_dirs": "../examples",
+    "gallery_dirs": "examples",
+    "backreferences_dir": "examples/backreferences",
+    "filename_pattern": "see_through",  # others need PyVista, which needs a later VTK than Debian's
+    "image_scrapers": ("gallery_pictures.take_pictures",),
+    "reset_modules": (),
+    "download_all_examples": False,
+    "notebook_extensions": set(),  # in a notebook sys.argv is Jupyter's
+    "remove_config_comments": True,
+    "show_signature": False,
+    "write_computation_times": False,
+    "min_reported_time": 60,
+}
 
 html_theme = "furo"
 html_title = f"Vitrine {release}"

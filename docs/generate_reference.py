@@ -1,4 +1,4 @@
-"""Write the pages that are made from the code: C++ classes, Python's functions, the program's help.
+"""Write the pages that are made from the code: C++ classes, Python's functions, the program's help, examples.
 
     generate_reference.py SOURCE    the copy of docs/ that Sphinx reads (scripts/docs)
 
@@ -11,6 +11,8 @@ import re
 import subprocess
 import sys
 from xml.etree import ElementTree
+
+from PIL import Image
 
 # Classes without New(), whose protected functions a new method needs.
 BASE_CLASSES = ("vtkTransparencyPass", "vtkTolerantTransparencyPass", "vtkABufferTransparencyPass")
@@ -90,11 +92,32 @@ def add_program(source):
     append(source / "reference/program.md", text)
 
 
+def crop_last(row, file):
+    """Write the last of three pictures that stand in a row."""
+    file.parent.mkdir(exist_ok=True)
+    with Image.open(row) as whole:
+        whole.crop((2 * whole.width // 3, 0, whole.width, whole.height)).save(file)
+
+
+def add_examples(source):
+    """The gallery below examples.md. Its scripts are a copy of Examples/python beside the source."""
+    scripts = source.parent / "examples"
+    write(scripts / "GALLERY_HEADER.rst", "Examples\n========\n")  # Sphinx-Gallery asks for one
+    page = source / "examples.md"
+    text = re.sub(r"\(\.\./Examples/python/(\w+)\.py\)", r"(examples/\1.rst)", page.read_text(encoding="utf-8"))
+    write(page, text)
+    for picture in (source / "images").glob("pyvista-*.png"):
+        crop_last(picture, picture.parent / "thumbnails" / picture.name)
+    append(page, "\n```{eval-rst}\n.. minigallery:: ../examples/see_through.py ../examples/pyvista_*.py\n```\n")
+    append(page, toctree(re.findall(r"\((examples/\w+)\.rst\)", text)))
+
+
 def main():
     source = pathlib.Path(sys.argv[1])
     add_cpp(source)
     add_python(source)
     add_program(source)
+    add_examples(source)
 
 
 if __name__ == "__main__":

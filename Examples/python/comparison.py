@@ -1,4 +1,11 @@
-"""A plotter's scene as PyVista draws it, with its depth peeling, and as Vitrine does: times, errors and pictures."""
+"""
+Times and errors
+================
+
+Compare a plotter's scene as PyVista draws it, with its depth peeling, and as Vitrine does: times, errors and pictures.
+
+``pyvista_assembly.py`` and ``pyvista_isosurfaces.py`` import this file.
+"""
 
 import statistics
 import time

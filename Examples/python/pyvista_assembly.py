@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Look through the housing of a gearbox that PyVista holds as blocks, each with its own opacity.
+"""
+A gearbox of blocks
+===================
 
-    pyvista_assembly.py [PICTURE.png]
+Look through the housing of a gearbox that PyVista holds as blocks, each with its own opacity.
 
-Prints, for PyVista's default, its depth peeling and Vitrine, the time of a frame and how far its picture is off the
-truth, and writes the pictures side by side (pyvista_assembly.png by default).
+``pyvista_assembly.py [PICTURE.png]`` prints, for PyVista's default, its depth peeling and Vitrine, the time of a
+frame and how far its picture is off the truth. It writes the pictures side by side (``pyvista_assembly.png`` by
+default).
 """
 
 import sys
@@ -84,3 +87,8 @@ def main():
 
 if __name__ == "__main__":
     main()
+
+# sphinx_gallery_thumbnail_path = "images/thumbnails/pyvista-assembly.png"
+# %%
+# .. image:: /images/pyvista-assembly.png
+#    :alt: The gearbox by PyVista's default, by its depth peeling, and by Vitrine

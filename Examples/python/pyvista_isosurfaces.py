@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Look through the isosurfaces of an orbital of hydrogen, one inside the other.
+"""
+Isosurfaces of an orbital
+=========================
 
-    pyvista_isosurfaces.py [PICTURE.png]
+Look through the isosurfaces of an orbital of hydrogen, one inside the other.
 
-Prints, for PyVista's default, its depth peeling and Vitrine, the time of a frame and how far its picture is off the
-truth, and writes the pictures side by side (pyvista_isosurfaces.png by default).
+``pyvista_isosurfaces.py [PICTURE.png]`` prints, for PyVista's default, its depth peeling and Vitrine, the time of a
+frame and how far its picture is off the truth. It writes the pictures side by side (``pyvista_isosurfaces.png`` by
+default).
 """
 
 import sys
@@ -43,3 +46,8 @@ def main():
 
 if __name__ == "__main__":
     main()
+
+# sphinx_gallery_thumbnail_path = "images/thumbnails/pyvista-isosurfaces.png"
+# %%
+# .. image:: /images/pyvista-isosurfaces.png
+#    :alt: The orbital by PyVista's default, by its depth peeling, and by Vitrine

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""See through nested translucent shells to the core within, exactly and without a display.
+"""
+Nested shells
+=============
 
-    see_through.py [PICTURE.png]
+See through nested translucent shells to the core within, exactly and without a display.
 
-Draws the scene with vtkSeeThroughPass, reads the pixels back, prints the one in the middle and writes
-the picture (see_through.png by default).
+``see_through.py [PICTURE.png]`` draws the scene with ``vtkSeeThroughPass``, reads the pixels back, prints the one in
+the middle and writes the picture (``see_through.png`` by default).
 """
 
 import sys
