@@ -52,6 +52,10 @@ class BadFiles(FileTest):
         self.refuse("picture.tiff", b"II*\0", ".glb", ".vtm")
         self.refuse("no_extension", b"ply", ".glb", ".vtm")
 
+    def test_step_is_told_the_way(self):
+        for name in ("model.stp", "model.STEP"):
+            self.refuse(name, b"ISO-10303-21;", "convert STEP to GLB first")
+
     def test_empty_file(self):
         for kind in ("glb", "gltf", "obj", "stl", "ply", "vtp", "vtm"):
             self.refuse(f"empty.{kind}", b"", "empty")

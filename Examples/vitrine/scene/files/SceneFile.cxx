@@ -54,7 +54,10 @@ const FileType& TypeOf(const std::string& path)
       return type;
     }
   }
-  throw InputError(path, "is not of a kind that can be read: " + ListFileTypes());
+  const bool isStep = extension == ".stp" || extension == ".step";
+  throw InputError(path,
+    "is not of a kind that can be read: " + ListFileTypes() +
+      (isStep ? "; convert STEP to GLB first" : ""));
 }
 
 /** Read, with whatever goes wrong in VTK's reader made into an InputError. */
