@@ -161,9 +161,15 @@ vec3 colorOfGroup()
     addToGroup(f); \
   }
 
-// Registers are composited as if no fragments coincided, and copied to an array. If some do coincide, the array is
-// composited again. So the code for groups is in the program once, not for each register.
-Fragment sorted[VITRINE_LONGEST_NETWORK];
+// A network's registers are composited as if no fragments coincided, and copied to an array of VITRINE_BIN. If some do
+// coincide, the array is composited again. So the code for groups is in the program once, not for each register.
+#ifdef VITRINE_BIN
+#ifndef SORTED
+#define SORTED Fragment
+#define SORTED_OF(f) f
+#define SORTED_FRAGMENT(s) s
+#endif
+SORTED sorted[VITRINE_BIN];
 int sortedSize = 0;
 bool sortedMeet = false;
 float sortedFarEnd = -1.0;
@@ -172,7 +178,7 @@ float sortedFarEnd = -1.0;
   { \
     vec4 c = fragmentColor(f); \
     BLEND_COLOR(c) \
-    sorted[sortedSize++] = f; \
+    sorted[sortedSize++] = SORTED_OF(f); \
     sortedMeet = sortedMeet || (f.key != NO_KEY && nearEnd(f) <= sortedFarEnd); \
     sortedFarEnd = max(sortedFarEnd, farEnd(f)); \
   }
@@ -182,10 +188,15 @@ float sortedFarEnd = -1.0;
   { \
     color = vec3(0.0); \
     transmittance = 1.0; \
-    for (int i = 0; i < sortedSize && sorted[i].key != NO_KEY; ++i) \
+    for (int i = 0; i < sortedSize; ++i) \
     { \
-      Fragment next = sorted[i]; \
+      Fragment next = SORTED_FRAGMENT(sorted[i]); \
+      if (next.key == NO_KEY) \
+      { \
+        break; \
+      } \
       BLEND_NEXT(next) \
     } \
     BLEND_REST \
   }
+#endif

@@ -2,33 +2,19 @@
 // hold 26 bits of depth, 12 of alpha and 26 of three colours. The first word is the sort key. With the second word,
 // fragments of equal depth are ordered by alpha, blue, green, red.
 //
-// - Window depths from 1/128 on are exact, except that the last three before 1 become one. Nearer depths have steps of
-//   2^-30, a 64th of a step of a 24-bit depth buffer.
 // - Alpha has 8 bits of mantissa and 16 exponents. The rounding errors of a stack of any number of equal layers add up
 //   to less than a quarter of 1/255.
 // - A colour has 406 levels, the largest number whose cube fits. Its rounding error is below a third of 1/255.
 //
 // VITRINE_ADDITIVE: an alpha of 0 marks an additive colour. Another colour whose alpha rounds to 0 is stored as black.
 
-// From this depth on the code is taken from the float's bits, below it is a number of steps. The largest code is one
-// less than that of a register without a fragment.
-#define VITRINE_FIRST_FLOAT_DEPTH 0.0078125
-#define VITRINE_DEPTH_STEPS 1073741824.0
-#define VITRINE_DEPTH_BASE (0x3c000000u - (1u << 23))
-#define VITRINE_LARGEST_DEPTH ((1u << 26) - 2u)
+#include "CompactDepth.glsl"
 
 // The alpha code is taken from the bits of alpha plus an offset, so that an alpha of 0 has the bits of the base.
 #define VITRINE_ALPHA_OFFSET (1.0 / 32768.0)
 #define VITRINE_ALPHA_BASE 0x38000000u
 
 #define VITRINE_COLOR_LEVELS 406
-
-uint vitrineCompactDepth(float z)
-{
-  uint steps = z < VITRINE_FIRST_FLOAT_DEPTH ? uint(int(z * VITRINE_DEPTH_STEPS))
-                                             : floatBitsToUint(z) - VITRINE_DEPTH_BASE;
-  return min(steps, VITRINE_LARGEST_DEPTH);
-}
 
 #ifdef VITRINE_COINCIDENCE
 float vitrineExpandDepth(uint key)

@@ -5,6 +5,9 @@
 // extra   0 or 1 word  coverage; with a tolerance always there: coverage and extent
 //
 // With VITRINE_COMPACT_NODES depth and colour share two words (CompactNode.glsl).
+//
+// Nodes are texels of buffer textures, which may be far larger than shader storage blocks. No format has three words,
+// so the third word of such a node is in a second buffer.
 
 #ifdef VITRINE_HALF_FLOAT
 #define VITRINE_COLOR_WORDS 2

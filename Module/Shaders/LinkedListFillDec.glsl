@@ -15,10 +15,8 @@ layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounte
 {
   VitrineCounters vitrineCounters;
 };
-layout(std430, binding = VITRINE_BINDING_LINKS) writeonly buffer VitrineLinkBuffer
-{
-  uint vitrineLinks[];
-};
+layout(r32ui, binding = VITRINE_IMAGE_LINKS) writeonly uniform uimageBuffer vitrineLinks;
+uniform int vitrinePages; // capacity of the pool
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
 layout(location = 1) inout uvec2 vitrineHead; // newest page, number of fragments so far

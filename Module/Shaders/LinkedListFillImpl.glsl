@@ -2,7 +2,7 @@
   // count when the pool is full, so the need of the frame is known even if it does not fit.
   {
 #include "TakeFragment.glsl"
-    uint vitrineLimit = uint(vitrineLinks.length());
+    uint vitrineLimit = uint(vitrinePages);
 #ifdef VITRINE_FRAMEBUFFER_FETCH
     uint vitrinePage = vitrineHead.x;
     uint vitrineSlot = vitrineHead.y & uint(vitrinePageSize - 1);
@@ -11,7 +11,7 @@
       uint vitrineNew = atomicAdd(vitrineCounters.PagesUsed, 1u);
       if (vitrineNew < vitrineLimit)
       {
-        vitrineLinks[vitrineNew] = vitrinePage;
+        imageStore(vitrineLinks, int(vitrineNew), uvec4(vitrinePage));
       }
       vitrinePage = vitrineNew;
     }
@@ -29,7 +29,8 @@
     if (vitrineNew < vitrineLimit)
     {
       // The image holds node numbers plus one, so clearing it to 0 empties all lists.
-      vitrineLinks[vitrineNew] = imageAtomicExchange(vitrineHeads, vitrineHeadTexel, vitrineNew + 1u) - 1u;
+      uint vitrineNext = imageAtomicExchange(vitrineHeads, vitrineHeadTexel, vitrineNew + 1u) - 1u;
+      imageStore(vitrineLinks, int(vitrineNew), uvec4(vitrineNext));
       vitrineStoreNode(vitrineNew, vitrineZ, vitrineColor(gl_FragData[0]), vitrineSamples);
     }
 #endif

@@ -94,7 +94,7 @@ void main()
     uint slot = run.place & 0xfu;
     uint left = (run.place >> 8) & VITRINE_MOST_PAGES;
     uint number = run.place >> 27;
-    uvec4 node = texelFetch(nodes, int(nodeIndex(valid ? run.page : 0u, slot)));
+    uvec4 node = fetchNode(nodeIndex(valid ? run.page : 0u, slot));
     bool pageDone = slot + 1u == ((run.place >> 4) & 0xfu);
     uint next = pageDone && left > 1u ? nextPage(valid ? run.page : 0u) : VITRINE_END;
     run.page = valid && pageDone ? next : run.page;

@@ -7,12 +7,25 @@
 
 uniform usampler2D heads;
 uniform usamplerBuffer nodes; // one texel for each node
+#if VITRINE_NODE_WORDS == 3
+uniform usamplerBuffer thirdWords;
+#endif
 
 #ifdef VITRINE_PACKED_LISTS
 #include "PackedListRead.glsl"
 #else
 #include "LinkedListRead.glsl"
 #endif
+
+// Returns the words of a node.
+uvec4 fetchNode(uint index)
+{
+  uvec4 node = texelFetch(nodes, int(index));
+#if VITRINE_NODE_WORDS == 3
+  node.z = texelFetch(thirdWords, int(index)).x;
+#endif
+  return node;
+}
 
 // Returns the head of the pixel. Discards pixels without fragments.
 uvec2 loadHeadToDraw(ivec2 pixel)

@@ -10,7 +10,7 @@
 // The first `filled` nodes of `page` are valid. Only the first page may be partly filled.
 #define LOAD(f, slot) \
   { \
-    uvec4 node = texelFetch(nodes, int(nodeIndex(page, uint(slot)))); \
+    uvec4 node = fetchNode(nodeIndex(page, uint(slot))); \
     f = unpackNode(slot < filled && IN_SAMPLE(node), node); \
   }
 #define NEXT_PAGE \

@@ -14,16 +14,12 @@
 #define NODE_ACCESS
 #include "RunPages.glsl"
 
-// Reads the buffer's words. A texel fetch might miss the nodes that this invocation stored.
+// Reads the images. A texel fetch might miss the nodes that this invocation stored.
 uvec4 loadNode(uint index)
 {
-  uint word = index * uint(VITRINE_NODE_WORDS);
-  uvec4 node = uvec4(nodeWords[word], nodeWords[word + 1u], 0u, 0u);
-#if VITRINE_NODE_WORDS > 2
-  node.z = nodeWords[word + 2u];
-#endif
-#if VITRINE_NODE_WORDS > 3
-  node.w = nodeWords[word + 3u];
+  uvec4 node = imageLoad(vitrineNodes, int(index));
+#if VITRINE_NODE_WORDS == 3
+  node.z = imageLoad(vitrineThirdWords, int(index)).x;
 #endif
   return node;
 }

@@ -6,7 +6,7 @@
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
 #include "Registers.glsl"
-#define FETCH_NODE(index) texelFetch(nodes, int(index))
+#define FETCH_NODE(index) fetchNode(index)
 #define NODE_ACCESS writeonly
 #include "RunPages.glsl"
 

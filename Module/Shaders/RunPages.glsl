@@ -5,12 +5,8 @@
 // has fewer. Only the first page may be partly filled.
 //
 // FETCH_NODE(index)  reads a node
-// NODE_ACCESS        memory qualifiers of the buffer
-
-layout(std430, binding = VITRINE_BINDING_NODES) NODE_ACCESS buffer NodeBuffer
-{
-  uint nodeWords[];
-};
+// NODE_ACCESS        memory qualifiers of the nodes' buffers
+#include "NodeImages.glsl"
 
 // The fragments of a page are in its last registers. The first `empty` registers have none.
 struct RunPage
@@ -48,16 +44,15 @@ struct RunPage
 
 void storeNode(uint index, Fragment f)
 {
-  uint word = index * uint(VITRINE_NODE_WORDS);
-  nodeWords[word] = f.key;
-#ifdef VITRINE_HALF_FLOAT
-  nodeWords[word + 1u] = f.redGreen;
-  nodeWords[word + 2u] = f.blueAlpha;
-#else
-  nodeWords[word + 1u] = f.color;
-#endif
 #ifdef VITRINE_NODE_HAS_EXTRA
-  nodeWords[word + uint(VITRINE_NODE_WORDS) - 1u] = f.extra;
+  uint extra = f.extra;
+#else
+  uint extra = 0u;
+#endif
+#ifdef VITRINE_HALF_FLOAT
+  vitrineStoreWords(index, uvec4(f.key, f.redGreen, f.blueAlpha, extra));
+#else
+  vitrineStoreWords(index, uvec4(f.key, f.color, extra, 0u));
 #endif
 }
 

@@ -6,18 +6,19 @@
 #ifndef VITRINE_SHADERS_SHARED_LAYOUT_H
 #define VITRINE_SHADERS_SHARED_LAYOUT_H
 
-// Binding points of shader storage buffers. OpenGL 4.3 guarantees 8. Packed lists bind sums where linked lists bind
-// links.
+// Binding points of shader storage buffers. OpenGL 4.3 guarantees 8.
 #define VITRINE_BINDING_CLUSTERS 4
 #define VITRINE_BINDING_COUNTERS 4
-#define VITRINE_BINDING_NODES 5
-#define VITRINE_BINDING_LINKS 6
 #define VITRINE_BINDING_SUMS 6
 #define VITRINE_BINDING_CAPTURE 7
 
-// Binding points of images: the heads, where atomics or compute shaders write them, and the longest list of each block.
+// Binding points of images, of which OpenGL 4.3 guarantees 8: the heads, where atomics or compute shaders write them,
+// the longest list of each block, the nodes' buffers (FragmentNode.glsl), and the links of pages.
 #define VITRINE_IMAGE_HEADS 0
 #define VITRINE_IMAGE_BLOCKS 1
+#define VITRINE_IMAGE_NODES 2
+#define VITRINE_IMAGE_THIRD_WORDS 3
+#define VITRINE_IMAGE_LINKS 4
 
 // Ends a list. No page has this number.
 #define VITRINE_END 0xffffffffu
@@ -38,13 +39,6 @@
 
 // Resolve: the longest list of a tile decides which program resolves its pixels. A tile has this many pixels a side.
 #define VITRINE_TILE_SIZE 16
-
-// One network over named registers sorts at most VITRINE_LONGEST_NETWORK fragments. Longer lists are sorted in runs of
-// VITRINE_RUN_SIZE, which are merged all at once. Runs are longer where there would be more than VITRINE_MAX_RUNS.
-#define VITRINE_LONGEST_NETWORK 64
-#define VITRINE_RUN_SIZE 32
-#define VITRINE_RUN_GROUP 8
-#define VITRINE_MAX_RUNS 32
 
 // With a tolerance for coincidence, one word of a node holds the covered samples (low half) and the extent of the
 // fragment's interval of depths (high half: the upper 16 bits of a 32-bit float).

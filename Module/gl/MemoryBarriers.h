@@ -4,11 +4,11 @@
  * OpenGL 4.5, section 7.13.2. The steps of a frame of the linked-list method, and the barrier before each:
  *
  *   clear heads (framebuffer)         BeforeFramebufferAccess, for image atomics of the last fill
- *   fill (storage, image atomics)     BeforeFilling, for fetches of the last resolve, and for the clear
+ *   fill (storage, images)            BeforeFilling, for fetches of the last resolve, and for the clear
  *   classify (fetches, storage)       BeforeReadingLists
  *   read counters (buffer)            BeforeReadingBuffers
  *   read heads (framebuffer)          BeforeFramebufferAccess
- *   sort runs (fetches, storage)      none, since only counters were written after classify
+ *   sort runs (fetches, images)       none, since only counters were written after classify
  *   resolve (fetches)                 BeforeReadingLists
  *
  * Packed lists have scans (storage, images) between the clear, or the last fill, and the next fill. BetweenScans stands
@@ -38,10 +38,14 @@ inline void BarrierBeforeFilling()
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-/** Call this before shaders fetch the lists that other shaders stored, and go on counting in the same counters. */
+/**
+ * Call this before shaders fetch, or sort in place, the lists that other shaders stored, and go on counting in the same
+ * counters.
+ */
 inline void BarrierBeforeReadingLists()
 {
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+    GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 /**

@@ -68,7 +68,7 @@ private:
     const bool lists = fetches && storage;
     return lists && images && framebuffers ? 's'
       : lists && images && buffers         ? 'F'
-      : lists                              ? 'l'
+      : lists && images                    ? 'l'
       : framebuffers                       ? 'f'
       : buffers                            ? 'r'
                                            : '?';

@@ -17,7 +17,7 @@ uniform int listCount;
 uniform int repeats;
 
 #ifdef VITRINE_SORT_STORE
-layout(std430, binding = VITRINE_BINDING_NODES) writeonly buffer SortedBuffer
+layout(std430, binding = VITRINE_BINDING_CAPTURE) writeonly buffer SortedBuffer
 {
   uvec2 sortedLists[];
 };

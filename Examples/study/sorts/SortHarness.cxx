@@ -208,7 +208,7 @@ std::optional<double> SortHarness::Private::Draw(
   const ScopedTrackedState trackedState(state);
   const ScopedShaderProgram shaderProgram(this->Window);
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
-  const ScopedStorageBuffer sorted(VITRINE_BINDING_NODES, this->Sorted.Handle());
+  const ScopedStorageBuffer sorted(VITRINE_BINDING_CAPTURE, this->Sorted.Handle());
   const ScopedTextureUnit lists(state, GL_TEXTURE_BUFFER, this->Lists.Texture());
   const ScopedTextureUnit lengths(state, GL_TEXTURE_BUFFER, this->LengthBuffer.Texture());
   BindForFullScreenDraw(state, this->Target.Handle(), VITRINE_SORT_ROW, this->Rows());

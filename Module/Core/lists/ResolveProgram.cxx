@@ -123,6 +123,20 @@ ResolveText UnrollResolve(int size, int pageSize)
   return text;
 }
 
+ResolveText UnrollSlotResolve(int size)
+{
+  ResolveText text;
+  text.Declare = ForEach("DECLARE_SLOT", 0, size);
+  for (int slot = 0; slot < size; ++slot)
+  {
+    text.Load += "LOAD_SLOT(" + Register(slot) + ", " + std::to_string(slot) + ")\n";
+  }
+  text.Sort = EmitGlsl(BestKnownNetwork(size), "COMPARE_EXCHANGE_SLOTS", "f");
+  text.OrderTies = NeighbourPairs("ORDER_SLOTS_TIE", size);
+  text.Blend = ForEach("BLEND_SLOT", 0, size);
+  return text;
+}
+
 LongResolveText UnrollLongResolve(int block)
 {
   assert(block > 1 && (block & (block - 1)) == 0);

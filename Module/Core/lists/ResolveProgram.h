@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Text for the tags of ListResolve.glsl. */
+/** Text for the tags of ListResolve.glsl and ListResolveSlots.glsl. */
 struct ResolveText
 {
   std::string Declare;
@@ -21,6 +21,9 @@ struct ResolveText
 
 /** Generates text for lists of up to `size` nodes, a multiple of `pageSize`. */
 ResolveText UnrollResolve(int size, int pageSize);
+
+/** Generates text for lists of up to `size` nodes whose registers hold slots (ListResolveSlots.glsl). */
+ResolveText UnrollSlotResolve(int size);
 
 /** Text for the tags of CompositeBlocks.glsl. */
 struct LongResolveText

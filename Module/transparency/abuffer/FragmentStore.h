@@ -7,8 +7,8 @@
 #include "transparency/abuffer/FragmentCounters.h"
 #include "transparency/abuffer/ListHeads.h"
 #include "transparency/abuffer/ListLayout.h"
+#include "transparency/abuffer/NodeBuffers.h"
 
-#include <cassert>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,30 +19,6 @@ class vtkShaderProgram;
 
 namespace vitrine
 {
-
-/** Returns the texel format that holds a node of 8, 12 or 16 bytes. */
-inline GLenum NodeFormat(int nodeBytes)
-{
-  assert(nodeBytes == 8 || nodeBytes == 12 || nodeBytes == 16);
-  return nodeBytes == 8 ? GL_RG32UI : nodeBytes == 12 ? GL_RGB32UI : GL_RGBA32UI;
-}
-
-/** Binds the storage buffers that a fill writes while the object lives. Pass 0 for a buffer that the store lacks. */
-class ScopedFillBuffers
-{
-public:
-  ScopedFillBuffers(GLuint counters, GLuint nodes, GLuint links)
-    : Counters(VITRINE_BINDING_COUNTERS, counters)
-    , Nodes(VITRINE_BINDING_NODES, nodes)
-    , Links(VITRINE_BINDING_LINKS, links)
-  {
-  }
-
-private:
-  ScopedStorageBuffer Counters;
-  ScopedStorageBuffer Nodes;
-  ScopedStorageBuffer Links;
-};
 
 class FragmentStore
 {
@@ -101,11 +77,10 @@ public:
   /** End a finished frame that took `bands` bands. A frame without fragments counts too. */
   virtual void EndFrame(const FragmentStatistics& used, int bands) = 0;
 
+  virtual const NodeBuffers& Nodes() const = 0;
+
   ///@{
   /** GL names. They are 0 for objects that the store lacks. */
-  virtual GLuint NodeBuffer() const = 0;
-  virtual GLuint NodeTexture() const = 0;
-  virtual GLuint LinkBuffer() const { return 0; }
   virtual GLuint LinkTexture() const { return 0; }
   virtual GLuint BlockImage() const { return 0; }
   GLuint CounterBuffer() const { return this->Counters.Handle(); }
@@ -127,6 +102,23 @@ public:
 protected:
   ListHeads ListsOfPixels;
   FragmentCounters Counters;
+};
+
+/** Binds the buffers that a fill of `store` writes while the object lives. */
+class ScopedFillBuffers
+{
+public:
+  explicit ScopedFillBuffers(const FragmentStore& store)
+    : Counters(VITRINE_BINDING_COUNTERS, store.CounterBuffer())
+    , Nodes(store.Nodes())
+    , Links(VITRINE_IMAGE_LINKS, store.LinkTexture())
+  {
+  }
+
+private:
+  ScopedStorageBuffer Counters;
+  ScopedNodeImages Nodes;
+  ScopedImage Links;
 };
 
 }

@@ -29,6 +29,7 @@ std::string LinkedListStore::BeginFill(
 
 void LinkedListStore::SetFillUniforms(vtkShaderProgram* program) const
 {
+  program->SetUniformi("vitrinePages", static_cast<int>(this->Pool.CapacityPages()));
   if (program->IsUniformUsed("vitrinePageSize"))
   {
     program->SetUniformi("vitrinePageSize", this->Pool.PageSize());

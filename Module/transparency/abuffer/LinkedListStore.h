@@ -23,9 +23,7 @@ public:
   std::string DescribeLimit() const override { return this->Pool.DescribeLimit(); }
   std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state) override;
   void EndFrame(const FragmentStatistics& used, int bands) override;
-  GLuint NodeBuffer() const override { return this->Pool.NodeBuffer(); }
-  GLuint NodeTexture() const override { return this->Pool.NodeTexture(); }
-  GLuint LinkBuffer() const override { return this->Pool.LinkBuffer(); }
+  const NodeBuffers& Nodes() const override { return this->Pool.NodeMemory(); }
   GLuint LinkTexture() const override { return this->Pool.LinkTexture(); }
   std::int64_t NodeBytes() const override { return this->Pool.Bytes(); }
   void Release() override;

@@ -57,4 +57,11 @@ int ListLayout::NodeBytes() const
   return words * static_cast<int>(sizeof(std::uint32_t));
 }
 
+// A network takes the fragments of one sample, so their coverage is not in registers.
+int ListLayout::FragmentWords() const
+{
+  const bool hasCoverageOnly = this->Samples > 0 && !this->Coincidence;
+  return this->NodeBytes() / static_cast<int>(sizeof(std::uint32_t)) - (hasCoverageOnly ? 1 : 0);
+}
+
 }

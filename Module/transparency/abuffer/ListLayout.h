@@ -35,6 +35,9 @@ struct ListLayout
 
   /** Bytes of a node: 8, 12 or 16. */
   int NodeBytes() const;
+
+  /** Words of a fragment in the registers of a network (Shaders/Registers.glsl). */
+  int FragmentWords() const;
 };
 
 }

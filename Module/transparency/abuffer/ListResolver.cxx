@@ -14,57 +14,63 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 
 namespace vitrine
 {
 namespace
 {
 
-// Bin b holds the tiles whose longest list exceeds the limit of bin b - 1, but not this limit. The last bin is
-// unbounded.
-constexpr std::array<int, 7> BinLimits = { 8, 16, 32, VITRINE_LONGEST_NETWORK,
-  VITRINE_RUN_SIZE* VITRINE_RUN_GROUP, VITRINE_RUN_SIZE* VITRINE_MAX_RUNS,
-  std::numeric_limits<int>::max() };
-constexpr int BinCount = static_cast<int>(BinLimits.size());
-constexpr int LongRunsBin = BinCount - 1;
-
 // As measured, lists of 30,000 fragments were complete and lists of 31,000 were not. With a coincidence tolerance, the
 // figures are 20,000 and 24,576.
 constexpr std::int64_t LongestOfSoftware = 20000;
 
-bool IsMergeOfRuns(int bin)
+bool MergesRuns(const SortBin& bin)
 {
-  return BinLimits[bin] > VITRINE_LONGEST_NETWORK;
+  return bin.Sort == ListSort::Runs || bin.Sort == ListSort::LongRuns;
 }
 
-// The most nodes of a bin's lists that are sorted in registers. Longer lists have longer runs.
-int NodesAtOnce(int bin)
+std::string BinLimitList(const SortPlan& plan)
 {
-  return std::min(BinLimits[bin], VITRINE_RUN_SIZE * VITRINE_MAX_RUNS);
+  std::string list;
+  for (const SortBin& bin : plan.Bins)
+  {
+    list += (list.empty() ? "" : ", ") + std::to_string(bin.Limit) + "u";
+  }
+  return list;
 }
 
-std::string ResolveName(int bin)
+SortPlan PlanOf(const ListLayout& layout)
 {
-  return "resolve " + std::to_string(NodesAtOnce(bin));
+  return PlanSort({ layout.FragmentWords(), layout.Packed, !IsSoftwareRasteriser() });
 }
 
-std::vector<std::string> RunDefines(const ListLayout& layout)
+std::vector<std::string> RunDefines(const ListLayout& layout, const SortPlan& plan)
 {
   std::vector<std::string> defines = layout.Defines();
-  defines.push_back("VITRINE_RUN_PAGES " + std::to_string(VITRINE_RUN_SIZE / layout.PageSize));
+  defines.push_back("VITRINE_RUN_PAGES " + std::to_string(plan.RunSize / layout.PageSize));
+  defines.push_back("VITRINE_MAX_RUNS " + std::to_string(plan.MaximumRuns));
   return defines;
 }
 
-std::string BinLimitList()
+// Runs of one block and longer ones are merged by the same program.
+std::string ResolveName(const SortBin& bin)
 {
-  std::string list;
-  for (const int limit : BinLimits)
+  const char* const kind = MergesRuns(bin) ? "merge "
+    : bin.Sort == ListSort::SlotNetwork    ? "slots "
+                                           : "network ";
+  return kind + std::to_string(bin.Size);
+}
+
+std::vector<std::string> ResolveDefines(
+  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
+{
+  if (MergesRuns(bin))
   {
-    list += (list.empty() ? "" : ", ") + std::to_string(limit) + "u";
+    return RunDefines(layout, plan);
   }
-  return list;
+  std::vector<std::string> defines = layout.Defines();
+  defines.push_back("VITRINE_BIN " + std::to_string(bin.Size));
+  return defines;
 }
 
 BlockRange TilesOf(const PixelRegion& region)
@@ -78,7 +84,8 @@ class ScopedListTextures
 public:
   ScopedListTextures(vtkOpenGLState* state, FragmentStore& store)
     : Heads(state, GL_TEXTURE_2D, store.Heads().Image().Handle())
-    , Nodes(state, GL_TEXTURE_BUFFER, store.NodeTexture())
+    , Nodes(state, GL_TEXTURE_BUFFER, store.Nodes().Texture())
+    , ThirdWords(state, GL_TEXTURE_BUFFER, store.Nodes().ThirdWordTexture())
     , Links(state, GL_TEXTURE_BUFFER, store.LinkTexture())
   {
   }
@@ -86,6 +93,10 @@ public:
   {
     program->SetUniformi("heads", this->Heads.Unit());
     program->SetUniformi("nodes", this->Nodes.Unit());
+    if (program->IsUniformUsed("thirdWords"))
+    {
+      program->SetUniformi("thirdWords", this->ThirdWords.Unit());
+    }
     if (program->IsUniformUsed("links"))
     {
       program->SetUniformi("links", this->Links.Unit());
@@ -95,6 +106,7 @@ public:
 private:
   ScopedTextureUnit Heads;
   ScopedTextureUnit Nodes;
+  ScopedTextureUnit ThirdWords;
   ScopedTextureUnit Links;
 };
 
@@ -155,10 +167,11 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   FragmentStore& store, const Image2D& backdropImage, const RenderTarget& target,
   const PixelRegion& region, std::uint32_t tileBins)
 {
-  const std::vector<BinDraw> draws = this->PlanDraws(layout, tileBins);
+  const SortPlan plan = PlanOf(layout);
+  const std::vector<BinDraw> draws = this->PlanDraws(layout, plan, tileBins);
   for (const BinDraw& draw : draws)
   {
-    if (!this->ReadyPrograms(window, layout, draw.Bin))
+    if (!this->ReadyPrograms(window, layout, plan, draw.Bin))
     {
       return false;
     }
@@ -183,7 +196,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
     {
       program->SetUniformi("backdrop", backdrop.Unit());
     }
-    const int lengths[2] = { draw.Longer, BinLimits[draw.Bin] };
+    const int lengths[2] = { draw.Longer, draw.Bin.Limit };
     program->SetUniform2i("binRange", lengths);
     program->SetUniform2i("tileFirst", tiles.First);
     program->SetUniform2i("tileCount", tiles.Count);
@@ -194,15 +207,15 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   };
   for (const BinDraw& draw : draws)
   {
-    if (IsMergeOfRuns(draw.Bin))
+    if (MergesRuns(draw.Bin))
     {
       this->BindForSort(state, target);
-      const ScopedStorageBuffer nodes(VITRINE_BINDING_NODES, store.NodeBuffer());
-      drawTiles(this->ReadySortRuns(window, layout, draw.Bin), draw);
+      const ScopedNodeImages nodes(store.Nodes());
+      drawTiles(this->ReadySortRuns(window, layout, plan, draw.Bin), draw);
       BarrierBeforeReadingLists();
     }
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
-    drawTiles(this->ReadyResolve(window, layout, draw.Bin), draw);
+    drawTiles(this->ReadyResolve(window, layout, plan, draw.Bin), draw);
   }
   return true;
 }
@@ -218,28 +231,31 @@ void ListResolver::BindForSort(vtkOpenGLState* state, const RenderTarget& target
 }
 
 //------------------------------------------------------------------------------
-bool ListResolver::ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
+bool ListResolver::ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+  const SortPlan& plan, const SortBin& bin)
 {
-  return this->ReadyResolve(window, layout, bin) &&
-    (!IsMergeOfRuns(bin) || this->ReadySortRuns(window, layout, bin));
+  return this->ReadyResolve(window, layout, plan, bin) &&
+    (!MergesRuns(bin) || this->ReadySortRuns(window, layout, plan, bin));
 }
 
 //------------------------------------------------------------------------------
-// A driver takes seconds to compile a large network. So a frame compiles at most one program: that of the longest lists
-// which lack one. Other bins without a program are drawn with the next larger network, which sorts to the same bits.
+// A driver may take a second to compile a large network. So a frame compiles at most one program: that of the longest
+// lists which lack one. Other bins without a program are drawn by that of the next longer lists, which yields the same
+// bits.
 std::vector<ListResolver::BinDraw> ListResolver::PlanDraws(
-  const ListLayout& layout, std::uint32_t tileBins) const
+  const ListLayout& layout, const SortPlan& plan, std::uint32_t tileBins) const
 {
   std::vector<BinDraw> draws;
   bool mayCompile = true;
-  for (int bin = BinCount - 1; bin >= 0; --bin)
+  for (std::size_t i = plan.Bins.size(); i-- > 0;)
   {
-    if ((tileBins >> bin & 1u) == 0)
+    if ((tileBins >> i & 1u) == 0)
     {
       continue;
     }
-    const int longer = bin > 0 ? BinLimits[bin - 1] : 0;
-    const bool compiled = this->Programs.Has(ResolveName(bin), RunDefines(layout));
+    const SortBin& bin = plan.Bins[i];
+    const int longer = i > 0 ? plan.Bins[i - 1].Limit : 0;
+    const bool compiled = this->Programs.Has(ResolveName(bin), ResolveDefines(layout, plan, bin));
     if (compiled || mayCompile)
     {
       mayCompile = mayCompile && compiled;
@@ -257,35 +273,45 @@ std::vector<ListResolver::BinDraw> ListResolver::PlanDraws(
 vtkShaderProgram* ListResolver::ReadyClassify(
   vtkOpenGLRenderWindow* window, const ListLayout& layout)
 {
+  const SortPlan plan = PlanOf(layout);
   std::vector<std::string> defines = layout.Defines();
-  defines.push_back("VITRINE_BIN_COUNT " + std::to_string(BinCount));
-  defines.push_back("VITRINE_BIN_LIMITS " + BinLimitList());
+  defines.push_back("VITRINE_BIN_COUNT " + std::to_string(plan.Bins.size()));
+  defines.push_back("VITRINE_BIN_LIMITS " + BinLimitList(plan));
   return this->Programs.Ready(
     window, "classify", defines, shaders::FullScreenVertex, [] { return shaders::TileClassify; });
 }
 
-vtkShaderProgram* ListResolver::ReadySortRuns(
-  vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
+vtkShaderProgram* ListResolver::ReadySortRuns(vtkOpenGLRenderWindow* window,
+  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
-  const bool longRuns = bin == LongRunsBin;
-  return this->Programs.Ready(window, longRuns ? "sort long runs" : "sort runs", RunDefines(layout),
-    shaders::TileQuadVertex,
+  const bool longRuns = bin.Sort == ListSort::LongRuns;
+  return this->Programs.Ready(window, longRuns ? "sort long runs" : "sort runs",
+    RunDefines(layout, plan), shaders::TileQuadVertex,
     [&]
     {
-      return longRuns ? SortLongRunsSource(VITRINE_RUN_SIZE, layout.PageSize)
-                      : SortRunsSource(VITRINE_RUN_SIZE, layout.PageSize);
+      return longRuns ? SortLongRunsSource(plan.RunSize, layout.PageSize)
+                      : SortRunsSource(plan.RunSize, layout.PageSize);
     });
 }
 
-vtkShaderProgram* ListResolver::ReadyResolve(
-  vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin)
+vtkShaderProgram* ListResolver::ReadyResolve(vtkOpenGLRenderWindow* window,
+  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
-  const int size = NodesAtOnce(bin);
-  return this->Programs.Ready(window, ResolveName(bin), RunDefines(layout), shaders::TileQuadVertex,
+  return this->Programs.Ready(window, ResolveName(bin), ResolveDefines(layout, plan, bin),
+    shaders::TileQuadVertex,
     [&]
     {
-      return IsMergeOfRuns(bin) ? MergeRunsSource(size / VITRINE_RUN_SIZE)
-                                : NetworkSource(size, layout.PageSize);
+      switch (bin.Sort)
+      {
+        case ListSort::Network:
+          return NetworkSource(bin.Size, layout.PageSize);
+        case ListSort::SlotNetwork:
+          return SlotNetworkSource(bin.Size);
+        case ListSort::Runs:
+        case ListSort::LongRuns:
+          break;
+      }
+      return MergeRunsSource(bin.Size, plan.RunGroup);
     });
 }
 

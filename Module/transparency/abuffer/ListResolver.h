@@ -2,6 +2,7 @@
 #ifndef VITRINE_TRANSPARENCY_ABUFFER_LIST_RESOLVER_H
 #define VITRINE_TRANSPARENCY_ABUFFER_LIST_RESOLVER_H
 
+#include "Core/lists/SortPlan.h"
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
@@ -58,15 +59,19 @@ private:
   // One draw: the program of a bin, for lists longer than `Longer` and no longer than the bin's limit.
   struct BinDraw
   {
-    int Bin;
+    SortBin Bin;
     int Longer;
   };
-  std::vector<BinDraw> PlanDraws(const ListLayout& layout, std::uint32_t tileBins) const;
-  bool ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
+  std::vector<BinDraw> PlanDraws(
+    const ListLayout& layout, const SortPlan& plan, std::uint32_t tileBins) const;
+  bool ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout, const SortPlan& plan,
+    const SortBin& bin);
   void BindForSort(vtkOpenGLState* state, const RenderTarget& target);
   vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
-  vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
-  vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, int bin);
+  vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+    const SortPlan& plan, const SortBin& bin);
+  vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
+    const SortPlan& plan, const SortBin& bin);
 
   Image2D TileMax;
   Framebuffer TileFramebuffer;

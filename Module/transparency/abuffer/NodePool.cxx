@@ -1,7 +1,6 @@
 #include "transparency/abuffer/NodePool.h"
 
 #include "Core/geometry/Rounding.h"
-#include "gl/Capabilities.h"
 
 #include <algorithm>
 
@@ -33,12 +32,12 @@ std::int64_t PoolBytes(std::int64_t pages, int pageSize, int nodeBytes)
 
 void NodePool::SetLayout(int nodeBytes, bool pages)
 {
-  if (nodeBytes == this->BytesPerNode && pages == this->HasPages)
+  if (nodeBytes == this->Nodes.NodeBytes() && pages == this->HasPages)
   {
     return;
   }
   this->Release();
-  this->BytesPerNode = nodeBytes;
+  this->Nodes.SetNodeBytes(nodeBytes);
   this->HasPages = pages;
   this->Shift = pages ? 2 : 0;
 }
@@ -81,10 +80,10 @@ std::int64_t NodePool::LimitPages() const
 
 std::int64_t NodePool::LimitPages(int shift) const
 {
-  const std::int64_t pageBytes = (std::int64_t(1) << shift) * this->BytesPerNode;
+  const std::int64_t pageBytes = (std::int64_t(1) << shift) * this->Nodes.NodeBytes();
   const std::int64_t bytes = this->Limit > 0 ? std::min(this->Limit, this->Memory) : this->Memory;
-  const std::int64_t pages = std::min({ LargestStorageBlock() / pageBytes,
-    LargestBufferTexture() >> shift, bytes / (pageBytes + LinkBytes) });
+  const std::int64_t pages =
+    std::min(NodeBuffers::LargestCount() >> shift, bytes / (pageBytes + LinkBytes));
   return RoundDown(pages, Granule(shift));
 }
 
@@ -174,12 +173,12 @@ int NodePool::PreferredShift(const FragmentStatistics& used) const
   {
     return this->Shift;
   }
-  const std::int64_t plainBytes = PoolBytes(used.Fragments, 1, this->BytesPerNode);
+  const std::int64_t plainBytes = PoolBytes(used.Fragments, 1, this->Nodes.NodeBytes());
   std::int64_t leastBytes = plainBytes;
   int cheapest = 0;
   for (int shift = this->LargestShift(used.LayersMax); shift > 0; --shift)
   {
-    const std::int64_t bytes = PoolBytes(used.Pages[shift], 1 << shift, this->BytesPerNode);
+    const std::int64_t bytes = PoolBytes(used.Pages[shift], 1 << shift, this->Nodes.NodeBytes());
     // The current size is kept a little longer than another one is adopted, so that frames in between do not oscillate.
     const double tolerance = shift == this->Shift ? 1.10 : 1.05;
     if (static_cast<double>(bytes) <= tolerance * static_cast<double>(plainBytes) &&
@@ -223,13 +222,12 @@ void NodePool::ForgetOldShortage()
 bool NodePool::Allocate(std::int64_t pages)
 {
   const std::int64_t rounded = std::max(RoundedUp(pages, Granule(this->Shift)), Interleave);
-  const std::int64_t nodeBytes = rounded * this->PageSize() * this->BytesPerNode;
-  if (rounded == this->Pages && nodeBytes == this->Nodes.Bytes())
+  const std::int64_t nodes = rounded * this->PageSize();
+  if (rounded == this->Pages && nodes == this->Nodes.Count())
   {
     return true;
   }
-  const bool allocated = this->Nodes.Allocate(nodeBytes, NodeFormat(this->BytesPerNode)) &&
-    this->Links.Allocate(rounded * LinkBytes, GL_R32UI);
+  const bool allocated = this->Nodes.Allocate(nodes) && this->Links.Allocate(rounded * LinkBytes, GL_R32UI);
   if (!allocated)
   {
     this->Nodes.Release();

@@ -26,7 +26,7 @@ public:
   void SetLayout(int nodeBytes, bool pages);
 
   /**
-   * Bound the pool to `bytes`, or to nothing with 0. One shader storage block and one buffer texture bound it as well.
+   * Bound the pool to `bytes`, or to nothing with 0. The texels of a buffer texture bound it as well.
    * The pool holds at least 16 pages of one node.
    */
   void SetLimit(std::int64_t bytes);
@@ -36,9 +36,8 @@ public:
 
   int PageShift() const { return this->Shift; }
   int PageSize() const { return 1 << this->Shift; }
-  int NodeBytes() const { return this->BytesPerNode; }
   std::int64_t CapacityPages() const { return this->Pages; }
-  std::int64_t PageBytes() const { return PoolBytes(1, this->PageSize(), this->BytesPerNode); }
+  std::int64_t PageBytes() const { return PoolBytes(1, this->PageSize(), this->Nodes.NodeBytes()); }
   std::int64_t Bytes() const { return this->Nodes.Bytes() + this->Links.Bytes(); }
 
   /** Returns true if the pool holds all that a frame, or a part of it, counted. */
@@ -62,9 +61,7 @@ public:
   /** Allocate the smallest pool if there is none. Returns false if the driver has no memory for it. */
   bool Ensure() { return this->Pages > 0 || this->Allocate(0); }
 
-  GLuint NodeBuffer() const { return this->Nodes.Handle(); }
-  GLuint LinkBuffer() const { return this->Links.Handle(); }
-  GLuint NodeTexture() const { return this->Nodes.Texture(); }
+  const NodeBuffers& NodeMemory() const { return this->Nodes; }
   GLuint LinkTexture() const { return this->Links.Texture(); }
 
   void Release();
@@ -82,7 +79,6 @@ private:
   void NoteShortage(std::int64_t bytes);
   void ForgetOldShortage();
 
-  int BytesPerNode = 0;
   bool HasPages = false;
   int Shift = 0;
   int ProposedShift = 0;  // The page shift that the last frame preferred.
@@ -93,7 +89,7 @@ private:
   int ShortageFrames = 0; // Frames since the driver last refused memory.
   std::int64_t Pages = 0; // Number of allocated pages.
   PoolSizing Sizing;
-  Buffer Nodes;
+  NodeBuffers Nodes;
   Buffer Links;
 };
 

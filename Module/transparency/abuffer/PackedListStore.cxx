@@ -2,7 +2,6 @@
 
 #include "Core/lists/PoolSizing.h"
 #include "Shaders/SharedLayout.h"
-#include "gl/Capabilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -26,11 +25,11 @@ std::string PackedListStore::BeginFrame(
 {
   layout.Packed = true;
   layout.PageSize = PageSize;
-  const bool isSame = layout.NodeBytes() == this->BytesPerNode && limit == this->Limit &&
+  const bool isSame = layout.NodeBytes() == this->Buffers.NodeBytes() && limit == this->Limit &&
     layout.FramebufferFetch == this->ListsOfPixels.AreFetched();
   if (!isSame)
   {
-    this->Nodes.Release();
+    this->Buffers.Release();
     this->LastFrame = {};
     this->Memory = 0;
   }
@@ -41,7 +40,7 @@ std::string PackedListStore::BeginFrame(
   this->ForgetOldShortage();
   this->TargetWidth = target.Width;
   this->TargetHeight = target.Height;
-  this->BytesPerNode = layout.NodeBytes();
+  this->Buffers.SetNodeBytes(layout.NodeBytes());
   this->Limit = limit;
   this->Blocks = BlocksOf(target.Region, VITRINE_BLOCK_SIZE);
   this->Start = this->Predicts && this->LastFrame == this->Blocks ? PREDICTED : COUNTING;
@@ -147,20 +146,19 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
 //------------------------------------------------------------------------------
 std::int64_t PackedListStore::LimitNodes() const
 {
-  std::int64_t bytes = std::min(
-    LargestStorageBlock(), LargestBufferTexture() * static_cast<std::int64_t>(this->BytesPerNode));
+  std::int64_t bytes = NodeBuffers::LargestCount() * this->Buffers.NodeBytes();
   for (const std::int64_t bound : { this->Limit, this->Memory })
   {
     bytes = bound > 0 ? std::min(bytes, bound) : bytes;
   }
-  return std::max(bytes / this->BytesPerNode, LeastNodes);
+  return std::max(bytes / this->Buffers.NodeBytes(), LeastNodes);
 }
 
 //------------------------------------------------------------------------------
 std::string PackedListStore::DescribeLimit() const
 {
-  const std::int64_t bytes = this->LimitNodes() * this->BytesPerNode;
-  const bool byLimit = this->Limit > 0 && this->Limit < bytes + this->BytesPerNode;
+  const std::int64_t bytes = this->LimitNodes() * this->Buffers.NodeBytes();
+  const bool byLimit = this->Limit > 0 && this->Limit < bytes + this->Buffers.NodeBytes();
   return byLimit ? "its limit is " + std::to_string(this->Limit) + " bytes"
                  : "the driver has memory for " + std::to_string(bytes) + " bytes";
 }
@@ -173,8 +171,8 @@ bool PackedListStore::Reserve(std::int64_t nodes)
   {
     return true;
   }
-  const std::int64_t bytes = nodes * this->BytesPerNode;
-  const bool allocated = this->Nodes.Allocate(bytes, NodeFormat(this->BytesPerNode));
+  const std::int64_t bytes = nodes * this->Buffers.NodeBytes();
+  const bool allocated = this->Buffers.Allocate(nodes);
   if (!allocated)
   {
     this->Memory = bytes - 1;
@@ -243,8 +241,7 @@ void PackedListStore::ShrinkIfLongOversized()
   this->OversizedFrames = isOversized ? this->OversizedFrames + 1 : 0;
   if (this->OversizedFrames >= PoolSizing::Window)
   {
-    this->Nodes.Allocate(
-      std::max(this->RoomNodes, LeastNodes) * this->BytesPerNode, NodeFormat(this->BytesPerNode));
+    this->Buffers.Allocate(std::max(this->RoomNodes, LeastNodes));
     this->OversizedFrames = 0;
   }
 }
@@ -259,7 +256,7 @@ std::int64_t PackedListStore::OtherBytes() const
 void PackedListStore::Release()
 {
   this->FragmentStore::Release();
-  this->Nodes.Release();
+  this->Buffers.Release();
   this->LongestLists.Release();
   this->Scan.Release();
   this->LastFrame = {};

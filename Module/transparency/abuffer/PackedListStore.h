@@ -27,14 +27,13 @@ public:
   FitType Fit(const FragmentStatistics& needed) override;
   std::int64_t CapacityUnits() const override { return this->LimitNodes(); }
   int UnitNodes() const override { return 1; }
-  std::int64_t UnitBytes() const override { return this->BytesPerNode; }
+  std::int64_t UnitBytes() const override { return this->Buffers.NodeBytes(); }
   std::string DescribeLimit() const override;
   std::vector<std::uint32_t> ReadCounts(vtkOpenGLState* state) override;
   void EndFrame(const FragmentStatistics& used, int bands) override;
-  GLuint NodeBuffer() const override { return this->Nodes.Handle(); }
-  GLuint NodeTexture() const override { return this->Nodes.Texture(); }
+  const NodeBuffers& Nodes() const override { return this->Buffers; }
   GLuint BlockImage() const override { return this->LongestLists.Handle(); }
-  std::int64_t NodeBytes() const override { return this->Nodes.Bytes(); }
+  std::int64_t NodeBytes() const override { return this->Buffers.Bytes(); }
   std::int64_t OtherBytes() const override;
   void Release() override;
 
@@ -48,7 +47,7 @@ private:
   };
 
   std::int64_t LimitNodes() const;
-  std::int64_t Capacity() const { return this->Nodes.Bytes() / this->BytesPerNode; }
+  std::int64_t Capacity() const { return this->Buffers.Count(); }
   bool Reserve(std::int64_t nodes);
   bool ReserveMoreThan(std::int64_t nodes);
   void ReserveAll();
@@ -62,7 +61,6 @@ private:
   bool Predicts = true;
   int TargetWidth = 0;
   int TargetHeight = 0;
-  int BytesPerNode = 8;
   std::int64_t Limit = 0;
   // Bytes for which the driver may have memory, known since it refused more. 0 means unknown.
   std::int64_t Memory = 0;
@@ -75,7 +73,7 @@ private:
   BlockRange Blocks;       // Blocks of the last fill.
   BlockRange LastFrame;    // Blocks whose longest lists are known from the last frame, or empty.
   int OversizedFrames = 0; // Frames in a row that used much less than the capacity.
-  Buffer Nodes;
+  NodeBuffers Buffers;
   Image2D LongestLists; // The longest list of each block.
   PackedScan Scan;
 };

@@ -267,8 +267,7 @@ std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
   vitrine::BarrierBeforeFilling();
   target.BindForFill(this->GetWindow()->GetState(), store.Heads().FillFramebuffer(), region);
   {
-    const vitrine::ScopedFillBuffers buffers(
-      store.CounterBuffer(), store.NodeBuffer(), store.LinkBuffer());
+    const vitrine::ScopedFillBuffers buffers(store);
     const vitrine::ScopedImage heads(
       VITRINE_IMAGE_HEADS, in.Layout.FramebufferFetch ? 0 : store.Heads().Image().Handle());
     problem = this->DrawTranslucentGeometry(s, region);

@@ -1,7 +1,6 @@
 #include "transparency/common/ResolveSources.h"
 
 #include "Core/lists/ResolveProgram.h"
-#include "Shaders/SharedLayout.h"
 #include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
 
@@ -43,10 +42,9 @@ std::string ResolveLong(const char* source, int block)
       { "LastOfBlock", "Fragment blockLast = " + text.LastRegister + ";" } });
 }
 
-// Fills in a resolve of lists of up to `size` nodes, sorted by one network.
-std::string Resolve(const char* source, int size, int pageSize)
+// Fills in a resolve of lists that one network sorts.
+std::string Resolve(const char* source, const ResolveText& text)
 {
-  const ResolveText text = UnrollResolve(size, pageSize);
   return Filled(source,
     { { "Declare", text.Declare }, { "Load", text.Load }, { "Sort", text.Sort },
       { "OrderTies", text.OrderTies }, { "Blend", text.Blend } });
@@ -56,12 +54,17 @@ std::string Resolve(const char* source, int size, int pageSize)
 
 std::string NetworkSource(int size, int pageSize)
 {
-  return Resolve(shaders::ListResolve, size, pageSize);
+  return Resolve(shaders::ListResolve, UnrollResolve(size, pageSize));
+}
+
+std::string SlotNetworkSource(int size)
+{
+  return Resolve(shaders::ListResolveSlots, UnrollSlotResolve(size));
 }
 
 std::string StencilMaskSource(int layers)
 {
-  return Resolve(shaders::StencilMaskResolve, layers, layers);
+  return Resolve(shaders::StencilMaskResolve, UnrollResolve(layers, layers));
 }
 
 std::string SortRunsSource(int size, int pageSize)
@@ -81,9 +84,9 @@ std::string SortLongRunsSource(int block, int pageSize)
       { "StoreNearest", text.StoreNearest } });
 }
 
-std::string MergeRunsSource(int runs)
+std::string MergeRunsSource(int runs, int groupSize)
 {
-  const MergeRunsText text = UnrollMergeRuns(runs, VITRINE_RUN_GROUP);
+  const MergeRunsText text = UnrollMergeRuns(runs, groupSize);
   return Filled(shaders::ListMergeRuns,
     { { "Declare", text.Declare }, { "FindNearest", text.FindNearest },
       { "PutBack", text.PutBack } });
@@ -91,7 +94,7 @@ std::string MergeRunsSource(int runs)
 
 std::string RoutedNetworkSource(int size)
 {
-  return Resolve(shaders::StencilRoutedResolve, size, size);
+  return Resolve(shaders::StencilRoutedResolve, UnrollResolve(size, size));
 }
 
 std::string RoutedBlocksSource(int block)

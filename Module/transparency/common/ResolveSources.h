@@ -10,6 +10,9 @@ namespace vitrine
 /** ListResolve.glsl for lists of up to `size` nodes, sorted by one network. */
 std::string NetworkSource(int size, int pageSize);
 
+/** ListResolveSlots.glsl for packed lists of up to `size` nodes. */
+std::string SlotNetworkSource(int size);
+
 /** StencilMaskResolve.glsl for groups of `layers` pixels. */
 std::string StencilMaskSource(int layers);
 
@@ -25,8 +28,8 @@ std::string SortRunsSource(int size, int pageSize);
 /** ListSortLongRuns.glsl for runs of any number of blocks of `block` nodes. */
 std::string SortLongRunsSource(int block, int pageSize);
 
-/** ListMergeRuns.glsl for up to `runs` runs, a multiple of VITRINE_RUN_GROUP. */
-std::string MergeRunsSource(int runs);
+/** ListMergeRuns.glsl for up to `runs` runs, a multiple of `groupSize`. */
+std::string MergeRunsSource(int runs, int groupSize);
 
 }
 #endif
