@@ -25,9 +25,8 @@ std::string BackdropCopy::Copy(vtkOpenGLState* state, const RenderTarget& target
   {
     return problem;
   }
+  this->Target.Attach(state, this->Colors);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Handle());
-  glFramebufferTexture2D(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Colors.Target(), this->Colors.Handle(), 0);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
   const ScopedReadBuffer readBuffer(state, target.DrawBuffer);
   BlitColors(state, target.Region);

@@ -29,6 +29,33 @@ std::vector<float> PlacesOfSamples()
 
 }
 
+KnownLimits* KnownLimits::Current = nullptr;
+
+KnownLimits::InUse::InUse(KnownLimits& limits)
+  : Previous(KnownLimits::Current)
+{
+  KnownLimits::Current = &limits;
+}
+
+KnownLimits::InUse::~InUse()
+{
+  KnownLimits::Current = this->Previous;
+}
+
+std::int64_t Limit(unsigned int name)
+{
+  KnownLimits asked; // for callers outside of a frame
+  KnownLimits& known = KnownLimits::Current ? *KnownLimits::Current : asked;
+  const auto [entry, isNew] = known.Values.try_emplace(name, 0);
+  if (isNew)
+  {
+    GLint64 value = 0;
+    glGetInteger64v(name, &value);
+    entry->second = value;
+  }
+  return entry->second;
+}
+
 bool HasExtension(const char* name)
 {
   GLint count = 0;
@@ -46,9 +73,7 @@ bool HasExtension(const char* name)
 
 std::string MissingFeatures(int major, int minor, const std::vector<const char*>& extensions)
 {
-  GLint has[2] = { 0, 0 };
-  glGetIntegerv(GL_MAJOR_VERSION, &has[0]);
-  glGetIntegerv(GL_MINOR_VERSION, &has[1]);
+  const std::int64_t has[2] = { Limit(GL_MAJOR_VERSION), Limit(GL_MINOR_VERSION) };
   if (has[0] < major || (has[0] == major && has[1] < minor))
   {
     return "OpenGL " + std::to_string(major) + "." + std::to_string(minor) +
@@ -74,9 +99,7 @@ bool IsSoftwareRasteriser()
 
 int SubpixelBits()
 {
-  GLint bits = 0;
-  glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
-  return bits;
+  return static_cast<int>(Limit(GL_SUBPIXEL_BITS));
 }
 
 int SampleCells()
@@ -100,16 +123,12 @@ int SampleCells()
 
 std::int64_t LargestStorageBlock()
 {
-  GLint64 size = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &size);
-  return size;
+  return Limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
 }
 
 std::int64_t LargestBufferTexture()
 {
-  GLint64 texels = 0;
-  glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  return texels;
+  return Limit(GL_MAX_TEXTURE_BUFFER_SIZE);
 }
 
 }

@@ -3,11 +3,44 @@
 #define VITRINE_GL_CAPABILITIES_H
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace vitrine
 {
+
+/**
+ * Remembers the limits of a context. While an InUse object lives, the functions below ask the driver once for each
+ * limit, and later answer from memory. That context must be current. Otherwise they ask each time.
+ */
+class KnownLimits
+{
+public:
+  class InUse
+  {
+  public:
+    explicit InUse(KnownLimits& limits);
+    ~InUse();
+    InUse(const InUse&) = delete;
+    void operator=(const InUse&) = delete;
+
+  private:
+    KnownLimits* Previous;
+  };
+
+  /** Forget all limits. Call this when the context changes. */
+  void Clear() { this->Values.clear(); }
+
+private:
+  friend std::int64_t Limit(unsigned int name);
+
+  std::map<unsigned int, std::int64_t> Values;
+  static KnownLimits* Current;
+};
+
+/** Returns an integer limit of the current context, such as GL_MAX_DRAW_BUFFERS. */
+std::int64_t Limit(unsigned int name);
 
 /** Returns true if the current context has the extension ("GL_ARB_..."). */
 bool HasExtension(const char* name);

@@ -46,19 +46,29 @@ void ComputeProgram::Compile(const std::string& text)
   }
 }
 
-void ComputeProgram::Set(const char* name, int value) const
+int ComputeProgram::Location(const char* name)
 {
-  glUniform1i(glGetUniformLocation(this->Name, name), value);
+  const auto [entry, isNew] = this->Locations.try_emplace(name, -1);
+  if (isNew)
+  {
+    entry->second = glGetUniformLocation(this->Name, name);
+  }
+  return entry->second;
 }
 
-void ComputeProgram::Set(const char* name, unsigned int value) const
+void ComputeProgram::Set(const char* name, int value)
 {
-  glUniform1ui(glGetUniformLocation(this->Name, name), value);
+  glUniform1i(this->Location(name), value);
 }
 
-void ComputeProgram::Set(const char* name, const int (&value)[2]) const
+void ComputeProgram::Set(const char* name, unsigned int value)
 {
-  glUniform2i(glGetUniformLocation(this->Name, name), value[0], value[1]);
+  glUniform1ui(this->Location(name), value);
+}
+
+void ComputeProgram::Set(const char* name, const int (&value)[2])
+{
+  glUniform2i(this->Location(name), value[0], value[1]);
 }
 
 void ComputeProgram::DispatchFor(std::int64_t count, int groupSize)
@@ -74,6 +84,7 @@ void ComputeProgram::Release()
 {
   glDeleteProgram(this->Name);
   this->Name = ObjectName();
+  this->Locations.clear();
   this->Defines.clear();
   this->Failed = false;
 }

@@ -4,6 +4,7 @@
 
 #include "gl/GLObjects.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,9 @@ public:
 
   ///@{
   /** Set a uniform of the bound program. A uniform that the driver optimised away is ignored. */
-  void Set(const char* name, int value) const;
-  void Set(const char* name, unsigned int value) const;
-  void Set(const char* name, const int (&value)[2]) const;
+  void Set(const char* name, int value);
+  void Set(const char* name, unsigned int value);
+  void Set(const char* name, const int (&value)[2]);
   ///@}
 
   /**
@@ -47,10 +48,12 @@ public:
 
 private:
   void Compile(const std::string& text);
+  int Location(const char* name);
 
   const char* Source;
   std::string Defines;
   ObjectName Name;
+  std::map<std::string, int> Locations; // Of the uniforms that were set before.
   bool Failed = false;
 };
 

@@ -1,9 +1,12 @@
 #include "gl/GLObjects.h"
 
+#include "gl/Capabilities.h"
 #include "gl/ScopedState.h"
 #include "vtkObject.h"
+#include "vtkOpenGLState.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace vitrine
 {
@@ -11,7 +14,7 @@ namespace
 {
 
 // Returns the bits per texel that the driver allocated for the texture bound to `target`.
-std::int64_t BitsPerTexel(GLenum target)
+std::int64_t AllocatedBitsPerTexel(GLenum target)
 {
   const GLenum sizes[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
     GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE };
@@ -85,16 +88,12 @@ void ReportEarlierErrors()
 
 int LargestImage()
 {
-  GLint size = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
-  return size;
+  return static_cast<int>(Limit(GL_MAX_TEXTURE_SIZE));
 }
 
 int MostLayers()
 {
-  GLint layers = 0;
-  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
-  return layers;
+  return static_cast<int>(Limit(GL_MAX_ARRAY_TEXTURE_LAYERS));
 }
 
 std::string DescribeSize(int width, int height, int samples, int layers)
@@ -157,6 +156,8 @@ std::string Image2D::Allocate(GLenum internalFormat, int width, int height, int 
   this->Layers = layers;
 
   ReportEarlierErrors();
+  static std::atomic<std::uint64_t> allocations{ 0 };
+  this->Allocation = ++allocations;
   this->AllocateTexture();
   if (TakeError())
   {
@@ -201,6 +202,7 @@ void Image2D::AllocateTexture()
     glTexParameteri(this->Target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(this->Target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
+  this->BitsPerTexel = AllocatedBitsPerTexel(this->Target());
   glBindTexture(this->Target(), static_cast<GLuint>(previous));
 }
 
@@ -212,15 +214,7 @@ void Image2D::Release()
 
 std::int64_t Image2D::Bytes() const
 {
-  if (this->Texture == 0)
-  {
-    return 0;
-  }
-  const GLint previous = BoundTexture(this->Target());
-  glBindTexture(this->Target(), this->Texture);
-  const std::int64_t bits = BitsPerTexel(this->Target());
-  glBindTexture(this->Target(), static_cast<GLuint>(previous));
-  return bits / 8 * this->Width * this->Height * std::max(this->Samples, 1) *
+  return this->BitsPerTexel / 8 * this->Width * this->Height * std::max(this->Samples, 1) *
     std::max(this->Layers, 1);
 }
 
@@ -291,10 +285,22 @@ GLuint Framebuffer::Handle()
   return this->Name;
 }
 
+void Framebuffer::Attach(vtkOpenGLState* state, const Image2D& image)
+{
+  if (this->Attached == image.Number())
+  {
+    return;
+  }
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Handle());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, image.Target(), image.Handle(), 0);
+  this->Attached = image.Number();
+}
+
 void Framebuffer::Release()
 {
   glDeleteFramebuffers(1, this->Name.Address());
-  this->Name = {};
+  *this = Framebuffer();
 }
 
 GLuint EmptyVertexArray::Handle()

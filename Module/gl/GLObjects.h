@@ -13,6 +13,8 @@
 #include <string>
 #include <utility>
 
+class vtkOpenGLState;
+
 namespace vitrine
 {
 
@@ -54,6 +56,9 @@ public:
   GLenum Target() const;
   std::int64_t Bytes() const;
 
+  /** The number of the allocation. Other than the texture's name, it never comes again. It is 0 without an image. */
+  std::uint64_t Number() const { return this->Allocation; }
+
 private:
   void AllocateTexture();
 
@@ -63,6 +68,8 @@ private:
   int Height = 0;
   int Samples = 0;
   int Layers = 0;
+  std::int64_t BitsPerTexel = 0; // As the driver allocated them.
+  std::uint64_t Allocation = 0;
 };
 
 /** A buffer. If a texel format is given, it has a buffer texture. */
@@ -98,10 +105,15 @@ class Framebuffer
 {
 public:
   GLuint Handle();
+
+  /** Make the image the first colour attachment. Changes the framebuffer binding, unless the image is attached. */
+  void Attach(vtkOpenGLState* state, const Image2D& image);
+
   void Release();
 
 private:
   ObjectName Name;
+  std::uint64_t Attached = 0; // Number() of the attached image.
 };
 
 /** A vertex array without attributes, for draws that compute their vertices from gl_VertexID. */

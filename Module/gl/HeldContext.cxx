@@ -8,6 +8,7 @@ void HeldContext::Hold(vtkOpenGLRenderWindow* window)
   window->MakeCurrent(); // Release() may have left another window's context current.
   this->Holder = window;
   this->CreationTime = window->GetContextCreationTime();
+  this->LimitsOfContext.Clear();
 }
 
 bool HeldContext::Lives() const

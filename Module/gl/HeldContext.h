@@ -2,6 +2,7 @@
 #ifndef VITRINE_GL_HELD_CONTEXT_H
 #define VITRINE_GL_HELD_CONTEXT_H
 
+#include "gl/Capabilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"
 
@@ -40,9 +41,13 @@ public:
    */
   void Release(const std::function<void(vtkOpenGLRenderWindow*)>& release) const;
 
+  /** The limits of the held context. */
+  KnownLimits& Limits() { return this->LimitsOfContext; }
+
 private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Holder;
   vtkMTimeType CreationTime = 0;
+  KnownLimits LimitsOfContext;
 };
 
 }

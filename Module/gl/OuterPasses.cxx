@@ -1,10 +1,12 @@
 #include "gl/OuterPasses.h"
 
+#include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 
@@ -31,11 +33,15 @@ struct OuterPasses::Target
   vtkOpenGLState* State = nullptr;
   GLuint Framebuffer = 0; // The framebuffer on which outer passes rely.
   GLuint Drawn = 0;       // The framebuffer bound when outer passes were about to be called.
+  // None where VTK's own framebuffer has one colour image, until outer passes may set its draw buffers.
   std::optional<ScopedFirstDrawBuffer> DrawBuffers;
   bool HasFurtherOutputs = false;
 
   // Returns true if outer passes may set draw buffers. Otherwise the binding of framebuffers for each draw is saved.
-  bool IsTouched() const { return this->HasFurtherOutputs || this->DrawBuffers->HasOthers(); }
+  bool IsTouched() const
+  {
+    return this->HasFurtherOutputs || (this->DrawBuffers && this->DrawBuffers->HasOthers());
+  }
 };
 
 // Comes first among a prop's passes. Passes change shaders in this order; Enter and Leave change none.
@@ -54,6 +60,10 @@ public:
     {
       target.Drawn = BoundForDrawing();
       target.State->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+      if (!target.DrawBuffers)
+      {
+        target.DrawBuffers.emplace(target.State);
+      }
     }
     return true;
   }
@@ -98,15 +108,19 @@ void OuterPasses::ExpectFurtherOutputs()
   this->First->Common->HasFurtherOutputs = true;
 }
 
-OuterPasses::Scope::Scope(OuterPasses& passes, const vtkRenderState* s, vtkOpenGLState* state)
+OuterPasses::Scope::Scope(
+  OuterPasses& passes, const vtkRenderState* s, vtkOpenGLRenderWindow* window)
   : Passes(passes)
 {
   Target& target = *this->Passes.First->Common;
   target.Framebuffer = BoundForDrawing();
   if (target.Framebuffer != 0)
   {
-    target.State = state;
-    target.DrawBuffers.emplace(state);
+    target.State = window->GetState();
+    if (!HasOneColorOfVTK(window, target.Framebuffer))
+    {
+      target.DrawBuffers.emplace(target.State);
+    }
     this->Passes.Surround(s);
   }
 }

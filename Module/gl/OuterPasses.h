@@ -10,7 +10,7 @@
 
 class vtkInformation;
 class vtkObjectBase;
-class vtkOpenGLState;
+class vtkOpenGLRenderWindow;
 class vtkRenderState;
 
 namespace vitrine
@@ -43,7 +43,7 @@ public:
   class Scope
   {
   public:
-    Scope(OuterPasses& passes, const vtkRenderState* s, vtkOpenGLState* state);
+    Scope(OuterPasses& passes, const vtkRenderState* s, vtkOpenGLRenderWindow* window);
     ~Scope();
     Scope(const Scope&) = delete;
     void operator=(const Scope&) = delete;

@@ -1,6 +1,9 @@
 #include "gl/RenderTarget.h"
 
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +28,44 @@ PixelRegion DrawnRegion(vtkOpenGLState* state, int width, int height)
 
 }
 
-std::string RenderTarget::Probe(vtkOpenGLState* state)
+bool ImagesOfVTK::Image::operator==(const Image& other) const
+{
+  return this->Object == other.Object && this->Time == other.Time && this->Name == other.Name &&
+    std::equal(this->Size, this->Size + 2, other.Size);
+}
+
+ImagesOfVTK ImagesOfVTK::Of(vtkOpenGLRenderWindow* window, GLuint framebuffer)
+{
+  if (!HasOneColorOfVTK(window, framebuffer))
+  {
+    return {};
+  }
+  const auto imageOf = [](vtkTextureObject* object, GLenum attachment)
+  {
+    Image image;
+    glGetFramebufferAttachmentParameteriv(
+      GL_DRAW_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &image.Name);
+    if (object && object->GetHandle() == static_cast<unsigned int>(image.Name))
+    {
+      image.Object = object;
+      image.Time = object->GetMTime();
+      image.Size[0] = object->GetWidth();
+      image.Size[1] = object->GetHeight();
+    }
+    return image;
+  };
+  vtkOpenGLFramebufferObject* const own = window->GetRenderFramebuffer();
+  return { imageOf(own->GetColorAttachmentAsTextureObject(0), GL_COLOR_ATTACHMENT0),
+    imageOf(own->GetDepthAttachmentAsTextureObject(), GL_DEPTH_ATTACHMENT) };
+}
+
+bool HasOneColorOfVTK(vtkOpenGLRenderWindow* window, GLuint framebuffer)
+{
+  vtkOpenGLFramebufferObject* const own = window->GetRenderFramebuffer();
+  return own && own->GetFBOIndex() == framebuffer && own->GetNumberOfColorAttachments() == 1;
+}
+
+std::string RenderTarget::Probe(vtkOpenGLRenderWindow* window, const RenderTarget& last)
 {
   GLint framebuffer = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
@@ -44,15 +84,21 @@ std::string RenderTarget::Probe(vtkOpenGLState* state)
     return "the framebuffer has no colour buffer to draw into";
   }
 
-  glGetIntegerv(GL_SAMPLES, &this->Samples);
-  std::string problem = this->Color.Describe(this->DrawBuffer, this->Samples);
-  if (problem.empty())
+  this->Images = ImagesOfVTK::Of(window, this->Framebuffer);
+  if (this->Images.AreKnown() && this->DrawBuffer == GL_COLOR_ATTACHMENT0 &&
+    this->Images == last.Images)
   {
-    problem = this->Depth.Describe(GL_DEPTH_ATTACHMENT, this->Samples);
+    this->Samples = last.Samples;
+    this->Color = last.Color;
+    this->Depth = last.Depth;
   }
-  if (!problem.empty())
+  else
   {
-    return problem;
+    const std::string problem = this->Describe();
+    if (!problem.empty())
+    {
+      return problem;
+    }
   }
   this->Width = this->Color.Width;
   this->Height = this->Color.Height;
@@ -65,11 +111,19 @@ std::string RenderTarget::Probe(vtkOpenGLState* state)
   this->DepthLoss = samplersLoseBits && this->Samples > 0 ? std::ldexp(1.0, -23) : 0.0;
   this->DepthHasStencil = this->Depth.InternalFormat == GL_DEPTH24_STENCIL8 ||
     this->Depth.InternalFormat == GL_DEPTH32F_STENCIL8;
+  vtkOpenGLState* const state = window->GetState();
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   this->Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
   this->Region = DrawnRegion(state, this->Width, this->Height);
   return {};
+}
+
+std::string RenderTarget::Describe()
+{
+  glGetIntegerv(GL_SAMPLES, &this->Samples);
+  const std::string problem = this->Color.Describe(this->DrawBuffer, this->Samples);
+  return problem.empty() ? this->Depth.Describe(GL_DEPTH_ATTACHMENT, this->Samples) : problem;
 }
 
 void RenderTarget::BindForFill(

@@ -6,18 +6,53 @@
 #include "gl/AttachedImage.h"
 #include "gl/VitrineOpenGL.h"
 
+#include <cstdint>
 #include <string>
 
+class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
+class vtkTextureObject;
 
 namespace vitrine
 {
+
+/**
+ * The images of a framebuffer in which VTK draws a window. As long as they are equal, so are their formats and samples:
+ * VTK's framebuffers change them only by new texture objects.
+ */
+struct ImagesOfVTK
+{
+  struct Image
+  {
+    const vtkTextureObject* Object = nullptr;
+    std::uint64_t Time = 0; // When the object was made or changed. No two objects have the same.
+    unsigned int Size[2] = {};
+    int Name = 0; // Of the image that OpenGL has attached.
+
+    bool operator==(const Image& other) const;
+  };
+  Image Color;
+  Image Depth;
+
+  /** Read the images if the bound `framebuffer` is that of the window, and VTK's textures are attached to it. */
+  static ImagesOfVTK Of(vtkOpenGLRenderWindow* window, GLuint framebuffer);
+
+  bool AreKnown() const { return this->Color.Object && this->Depth.Object; }
+  bool operator==(const ImagesOfVTK& other) const
+  {
+    return this->Color == other.Color && this->Depth == other.Depth;
+  }
+};
+
+/** Returns true if `framebuffer` is that in which VTK draws the window, and VTK gave it one colour image. */
+bool HasOneColorOfVTK(vtkOpenGLRenderWindow* window, GLuint framebuffer);
 
 /** The properties of a draw framebuffer: its images, size, samples and the region to draw. */
 struct RenderTarget
 {
   GLuint Framebuffer = 0;
   GLenum DrawBuffer = GL_NONE;
+  ImagesOfVTK Images; // Unknown in framebuffers other than VTK's own.
   AttachedImage Color;
   AttachedImage Depth;
   bool DepthHasStencil = false;
@@ -34,8 +69,11 @@ struct RenderTarget
   // The scissor box cut to the target, or the viewport if the scissor test is off.
   PixelRegion Region;
 
-  /** Read the bound draw framebuffer. Returns why a pass cannot draw into it, or an empty string. Changes no state. */
-  std::string Probe(vtkOpenGLState* state);
+  /**
+   * Read the bound draw framebuffer. What is certain since `last`, the target of the last frame, is not asked again.
+   * Returns why a pass cannot draw into it, or an empty string. Changes no state.
+   */
+  std::string Probe(vtkOpenGLRenderWindow* window, const RenderTarget& last);
 
   /**
    * Bind `framebuffer`, which has this target's depth, and set the state to rasterise translucent geometry into
@@ -46,6 +84,9 @@ struct RenderTarget
 
   /** Attach this target's depth to the framebuffer bound for drawing, so that the depth test uses the opaque depth. */
   void AttachDepth() const;
+
+private:
+  std::string Describe();
 };
 
 }

@@ -1,5 +1,6 @@
 #include "gl/ScopedState.h"
 
+#include "gl/Capabilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
@@ -114,9 +115,8 @@ void ScopedStencil::PutBack(GLenum which, const Face& face)
 ScopedFirstDrawBuffer::ScopedFirstDrawBuffer(vtkOpenGLState* state)
   : State(state)
 {
-  GLint count = 0;
-  glGetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
-  for (GLint i = 0; i < count; ++i)
+  const std::int64_t count = Limit(GL_MAX_DRAW_BUFFERS);
+  for (std::int64_t i = 0; i < count; ++i)
   {
     GLint buffer = 0;
     glGetIntegerv(GL_DRAW_BUFFER0 + static_cast<GLenum>(i), &buffer);
@@ -204,7 +204,7 @@ ScopedArrayBuffer::~ScopedArrayBuffer()
 {
   // A mapper that rebuilds its buffers may have deleted this one.
   const auto previous = static_cast<GLuint>(this->Previous);
-  glBindBuffer(GL_ARRAY_BUFFER, glIsBuffer(previous) ? previous : 0);
+  glBindBuffer(GL_ARRAY_BUFFER, previous != 0 && glIsBuffer(previous) ? previous : 0);
 }
 
 ScopedSampleMask::ScopedSampleMask()
@@ -242,7 +242,7 @@ ScopedVertexArray::ScopedVertexArray(GLuint vertexArray)
 ScopedVertexArray::~ScopedVertexArray()
 {
   const auto previous = static_cast<GLuint>(this->Previous);
-  glBindVertexArray(glIsVertexArray(previous) ? previous : 0);
+  glBindVertexArray(previous != 0 && glIsVertexArray(previous) ? previous : 0);
 }
 
 ScopedShaderProgram::ScopedShaderProgram(vtkOpenGLRenderWindow* window)
@@ -269,8 +269,11 @@ ScopedStorageBuffer::ScopedStorageBuffer(GLuint index, GLuint buffer)
 {
   glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &this->PreviousGeneric);
   glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &this->Previous);
-  glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &this->PreviousStart);
-  glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &this->PreviousSize);
+  if (this->Previous != 0)
+  {
+    glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &this->PreviousStart);
+    glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &this->PreviousSize);
+  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, buffer);
 }
 
@@ -292,11 +295,14 @@ ScopedImage::ScopedImage(GLuint unit, GLuint texture, GLenum format)
   : Unit(unit)
 {
   glGetIntegeri_v(GL_IMAGE_BINDING_NAME, unit, &this->Name);
-  glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, unit, &this->Level);
-  glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, unit, &this->Layered);
-  glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, unit, &this->Layer);
-  glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, unit, &this->Access);
-  glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, unit, &this->Format);
+  if (this->Name != 0)
+  {
+    glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, unit, &this->Level);
+    glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, unit, &this->Layered);
+    glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, unit, &this->Layer);
+    glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, unit, &this->Access);
+    glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, unit, &this->Format);
+  }
   glBindImageTexture(unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, format);
 }
 

@@ -225,11 +225,12 @@ public:
 private:
   GLuint Unit;
   GLint Name = 0;
+  // Asked for if a texture is bound. A unit without one is left as OpenGL initialises it.
   GLint Level = 0;
   GLint Layered = 0;
   GLint Layer = 0;
-  GLint Access = 0;
-  GLint Format = 0;
+  GLint Access = GL_READ_ONLY;
+  GLint Format = GL_R8;
 };
 
 /**

@@ -57,7 +57,7 @@ std::string DeferredShading::Render(
   const vtkRenderState* s, const DeferredGrid& grid, const RendererLights& lights)
 {
   vtkOpenGLState* const state = WindowOf(s)->GetState();
-  std::string problem = this->Prepare(grid.By, state);
+  std::string problem = this->Prepare(grid.By, WindowOf(s));
   if (problem.empty())
   {
     problem = this->Write(s);
@@ -82,9 +82,15 @@ std::string DeferredShading::Render(
   return problem.empty() ? this->WhyNot : problem;
 }
 
-std::string DeferredShading::Prepare(LightsBy by, vtkOpenGLState* state)
+std::string DeferredShading::Prepare(LightsBy by, vtkOpenGLRenderWindow* window)
 {
-  std::string problem = this->WhyNot.empty() ? this->Target.Probe(state) : this->WhyNot;
+  std::string problem = this->WhyNot;
+  if (problem.empty())
+  {
+    RenderTarget target;
+    problem = target.Probe(window, this->Target);
+    this->Target = target;
+  }
   if (problem.empty() && this->Target.Samples > 0)
   {
     problem = MissingFeatures(4, 0, {}); // needed to shade samples one by one

@@ -55,7 +55,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string Prepare(LightsBy by, vtkOpenGLState* state);
+  std::string Prepare(LightsBy by, vtkOpenGLRenderWindow* window);
   std::string Write(const vtkRenderState* s);
   std::string WriteLayers(const vtkRenderState* s, int layers);
   void SetMaterial(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop);

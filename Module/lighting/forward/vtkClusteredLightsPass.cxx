@@ -371,6 +371,7 @@ bool vtkClusteredLightsPass::WriteBuffers(vtkOpenGLRenderer* renderer)
     this->LeaveWindow();
     in.Context.Hold(window);
   }
+  const vitrine::KnownLimits::InUse limits(in.Context.Limits());
   this->WarnOfLongLists();
   const std::string problem = in.Buffers.Write(in.Lights.Packed, in.Lists);
   this->Bytes = in.Buffers.Bytes();

@@ -43,13 +43,10 @@ std::string ListHeads::Prepare(
   return problem;
 }
 
-// Images are attached anew each frame, since new images may have old names. That holds for the target's images too.
+// The target's depth is attached anew each frame, since new images may have old names.
 void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
-  glFramebufferTexture2D(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads.Handle(), 0);
-
+  this->WriteTarget.Attach(state, this->Heads);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
     this->Fetched ? GLuint(this->Heads.Handle()) : 0u, 0);

@@ -127,9 +127,7 @@ std::string ListResolver::PrepareTiles(vtkOpenGLState* state, const RenderTarget
   std::string problem = this->TileMax.Allocate(GL_R32UI, tiles.Count[0], tiles.Count[1], 0);
   if (problem.empty())
   {
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->TileFramebuffer.Handle());
-    glFramebufferTexture2D(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->TileMax.Handle(), 0);
+    this->TileFramebuffer.Attach(state, this->TileMax);
   }
   return problem;
 }

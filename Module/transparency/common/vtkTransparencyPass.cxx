@@ -190,8 +190,9 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
   vtkOpenGLClearErrorMacro();
   this->UseWindow(s->GetRenderer()->GetRenderWindow());
   {
+    const vitrine::KnownLimits::InUse limits(this->Private->Context.Limits());
     const vitrine::OuterPasses::Scope outer(
-      this->Private->Outer, s, this->Private->Context.Window()->GetState());
+      this->Private->Outer, s, this->Private->Context.Window());
     const std::string problem = this->RenderExactly(s);
     if (!problem.empty())
     {
@@ -248,7 +249,7 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   }
   vtkOpenGLState* state = in.Context.Window()->GetState();
   vitrine::RenderTarget target;
-  const std::string problem = target.Probe(state);
+  const std::string problem = target.Probe(in.Context.Window(), in.Target);
   if (!problem.empty())
   {
     return problem;

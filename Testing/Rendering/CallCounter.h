@@ -1,0 +1,36 @@
+/**
+ * Counts calls of OpenGL by VTK and Vitrine on their way to the driver.
+ */
+#ifndef VITRINE_TEST_CALL_COUNTER_H
+#define VITRINE_TEST_CALL_COUNTER_H
+
+#include <ostream>
+
+/** Numbers of calls. */
+struct CallCounts
+{
+  int Queries =
+    0; // glGet... and glIs... of state, limits and objects, and glCheckFramebufferStatus
+  int BlockingReads = 0; // of buffers and pictures into the memory of the CPU
+  int Reallocations = 0; // of buffers and images
+};
+
+std::ostream& operator<<(std::ostream& os, const CallCounts& counts);
+
+/** Counts while it lives. Make it after a first frame, since VTK loads OpenGL's functions then. One at a time. */
+class CallCounter
+{
+public:
+  CallCounter();
+  ~CallCounter();
+  CallCounter(const CallCounter&) = delete;
+  void operator=(const CallCounter&) = delete;
+
+  const CallCounts& Counts() const;
+
+private:
+  struct Hooks;
+  Hooks* Hooked;
+};
+
+#endif
