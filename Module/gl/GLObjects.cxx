@@ -103,21 +103,24 @@ std::string DescribeSize(int width, int height, int samples, int layers)
     (layers > 0 ? " in " + std::to_string(layers) + " layers" : "");
 }
 
-// Binds a buffer to a target that draws do not read.
+// Binds a buffer to a target that draws do not read: GL_COPY_WRITE_BUFFER or GL_COPY_READ_BUFFER. The names of these
+// targets are also those of the queries for their bindings.
 class ScopedBuffer
 {
 public:
-  explicit ScopedBuffer(GLuint buffer)
+  explicit ScopedBuffer(GLuint buffer, GLenum target = GL_COPY_WRITE_BUFFER)
+    : Target(target)
+    , Previous(BoundName(target, 0))
   {
-    glGetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &this->Previous);
-    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+    glBindBuffer(target, buffer);
   }
-  ~ScopedBuffer() { glBindBuffer(GL_COPY_WRITE_BUFFER, static_cast<GLuint>(this->Previous)); }
+  ~ScopedBuffer() { glBindBuffer(this->Target, this->Previous); }
   ScopedBuffer(const ScopedBuffer&) = delete;
   void operator=(const ScopedBuffer&) = delete;
 
 private:
-  GLint Previous = 0;
+  GLenum Target;
+  GLuint Previous;
 };
 
 }
@@ -218,7 +221,7 @@ std::int64_t Image2D::Bytes() const
     std::max(this->Layers, 1);
 }
 
-bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)
+bool Buffer::Allocate(std::int64_t size, GLenum texelFormat, GLenum usage)
 {
   if (this->Name == 0)
   {
@@ -227,7 +230,7 @@ bool Buffer::Allocate(std::int64_t size, GLenum texelFormat)
   ReportEarlierErrors();
   {
     const ScopedBuffer bound(this->Name);
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_COPY);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, usage);
   }
   if (texelFormat != GL_NONE)
   {
@@ -253,6 +256,23 @@ void Buffer::AttachTexture(GLenum texelFormat)
   glBindTexture(GL_TEXTURE_BUFFER, this->BufferTexture);
   glTexBuffer(GL_TEXTURE_BUFFER, texelFormat, this->Name);
   glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(previous));
+}
+
+void Buffer::Clear()
+{
+  const ScopedBuffer bound(this->Name);
+  glClearBufferData(
+    GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); // null means 0
+}
+
+void Buffer::CopyFrom(
+  const Buffer& source, std::int64_t sourceOffset, std::int64_t offset, std::int64_t size)
+{
+  const ScopedBuffer bound(this->Name);
+  const ScopedBuffer read(source.Name, GL_COPY_READ_BUFFER);
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER,
+    static_cast<GLintptr>(sourceOffset), static_cast<GLintptr>(offset),
+    static_cast<GLsizeiptr>(size));
 }
 
 void Buffer::Write(std::int64_t offset, std::int64_t size, const void* data)

@@ -80,10 +80,20 @@ public:
    * Reallocate to `size` bytes. The contents are undefined. Returns false if the driver has no memory for it; there is
    * no buffer then.
    */
-  bool Allocate(std::int64_t size, GLenum texelFormat = GL_NONE);
+  bool Allocate(std::int64_t size, GLenum texelFormat = GL_NONE, GLenum usage = GL_DYNAMIC_COPY);
   void Release();
 
+  /** Set all bytes to 0, on the device. Needs OpenGL 4.3. */
+  void Clear();
+
   void Write(std::int64_t offset, std::int64_t size, const void* data);
+
+  /**
+   * Copy the first bytes of `source` to `offset`, on the device. A driver may move a buffer that is read back into the
+   * memory of the CPU, where shaders are slow to change it. So read back a copy, in a buffer of usage GL_STREAM_READ.
+   */
+  void CopyFrom(
+    const Buffer& source, std::int64_t sourceOffset, std::int64_t offset, std::int64_t size);
 
   /** Read bytes back. Waits for the device. */
   void Read(std::int64_t offset, std::int64_t size, void* data) const;

@@ -12,6 +12,23 @@
 
 namespace vitrine
 {
+
+template <class Ask>
+ScopedBindingMemory::Binding ScopedBindingMemory::Recall(GLenum kind, GLuint index, const Ask& ask)
+{
+  if (!ScopedBindingMemory::Current)
+  {
+    return ask();
+  }
+  const auto [entry, isNew] =
+    ScopedBindingMemory::Current->Bindings.try_emplace({ kind, index }, Binding());
+  if (isNew)
+  {
+    entry->second = ask();
+  }
+  return entry->second;
+}
+
 namespace
 {
 
@@ -32,6 +49,30 @@ const PixelSetting PixelSettings[] = { { GL_PACK_SWAP_BYTES, 0 }, { GL_PACK_LSB_
 const GLenum SampleCapabilities[] = { GL_SAMPLE_MASK, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_COVERAGE };
 
+}
+
+GLuint BoundName(GLenum query, GLuint index)
+{
+  const auto ask = [query]
+  {
+    GLint name = 0;
+    glGetIntegerv(query, &name);
+    return ScopedBindingMemory::Binding{ name };
+  };
+  return static_cast<GLuint>(ScopedBindingMemory::Recall(query, index, ask)[0]);
+}
+
+ScopedBindingMemory* ScopedBindingMemory::Current = nullptr;
+
+ScopedBindingMemory::ScopedBindingMemory()
+  : Previous(ScopedBindingMemory::Current)
+{
+  ScopedBindingMemory::Current = this;
+}
+
+ScopedBindingMemory::~ScopedBindingMemory()
+{
+  ScopedBindingMemory::Current = this->Previous;
 }
 
 GLenum TextureBindingQuery(GLenum target)
@@ -266,51 +307,72 @@ ScopedShaderProgram::~ScopedShaderProgram()
 
 ScopedStorageBuffer::ScopedStorageBuffer(GLuint index, GLuint buffer)
   : Index(index)
+  , PreviousGeneric(BoundName(GL_SHADER_STORAGE_BUFFER_BINDING, 0))
+  , Previous(ScopedBindingMemory::Recall(GL_SHADER_STORAGE_BUFFER, index,
+      [index]
+      {
+        GLint name = 0;
+        ScopedBindingMemory::Binding binding = {};
+        glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &name);
+        if (name != 0)
+        {
+          binding[0] = name;
+          glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &binding[1]);
+          glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &binding[2]);
+        }
+        return binding;
+      }))
 {
-  glGetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &this->PreviousGeneric);
-  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &this->Previous);
-  if (this->Previous != 0)
-  {
-    glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &this->PreviousStart);
-    glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &this->PreviousSize);
-  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, buffer);
 }
 
 ScopedStorageBuffer::~ScopedStorageBuffer()
 {
-  if (this->PreviousSize > 0)
+  const auto& [name, start, size, none3, none4, none5] = this->Previous;
+  if (size > 0)
   {
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(this->Previous),
-      static_cast<GLintptr>(this->PreviousStart), static_cast<GLsizeiptr>(this->PreviousSize));
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(name),
+      static_cast<GLintptr>(start), static_cast<GLsizeiptr>(size));
   }
   else
   {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(this->Previous));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, this->Index, static_cast<GLuint>(name));
   }
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(this->PreviousGeneric));
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->PreviousGeneric);
 }
 
 ScopedImage::ScopedImage(GLuint unit, GLuint texture, GLenum format)
   : Unit(unit)
+  , Previous(ScopedBindingMemory::Recall(GL_IMAGE_BINDING_NAME, unit,
+      [unit]
+      {
+        GLint name = 0;
+        glGetIntegeri_v(GL_IMAGE_BINDING_NAME, unit, &name);
+        if (name == 0)
+        {
+          return ScopedBindingMemory::Binding{ 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8 };
+        }
+        ScopedBindingMemory::Binding binding = { name };
+        const GLenum others[] = { GL_IMAGE_BINDING_LEVEL, GL_IMAGE_BINDING_LAYERED,
+          GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT };
+        for (std::size_t i = 0; i < std::size(others); ++i)
+        {
+          GLint value = 0;
+          glGetIntegeri_v(others[i], unit, &value);
+          binding[i + 1] = value;
+        }
+        return binding;
+      }))
 {
-  glGetIntegeri_v(GL_IMAGE_BINDING_NAME, unit, &this->Name);
-  if (this->Name != 0)
-  {
-    glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, unit, &this->Level);
-    glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, unit, &this->Layered);
-    glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, unit, &this->Layer);
-    glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, unit, &this->Access);
-    glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, unit, &this->Format);
-  }
   glBindImageTexture(unit, texture, 0, GL_FALSE, 0, GL_READ_WRITE, format);
 }
 
 ScopedImage::~ScopedImage()
 {
-  glBindImageTexture(this->Unit, static_cast<GLuint>(this->Name), this->Level,
-    static_cast<GLboolean>(this->Layered), this->Layer, static_cast<GLenum>(this->Access),
-    static_cast<GLenum>(this->Format));
+  const auto& [name, level, layered, layer, access, format] = this->Previous;
+  glBindImageTexture(this->Unit, static_cast<GLuint>(name), static_cast<GLint>(level),
+    static_cast<GLboolean>(layered), static_cast<GLint>(layer), static_cast<GLenum>(access),
+    static_cast<GLenum>(format));
 }
 
 ScopedTextureUnit::ScopedTextureUnit(vtkOpenGLState* state, GLenum target, GLuint texture)
@@ -321,7 +383,8 @@ ScopedTextureUnit::ScopedTextureUnit(vtkOpenGLState* state, GLenum target, GLuin
   if (this->AllocatedUnit >= 0)
   {
     state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
-    glGetIntegerv(TextureBindingQuery(target), &this->PreviousTexture);
+    this->PreviousTexture =
+      BoundName(TextureBindingQuery(target), static_cast<GLuint>(this->AllocatedUnit));
     glBindTexture(target, texture);
   }
 }
@@ -331,7 +394,7 @@ ScopedTextureUnit::~ScopedTextureUnit()
   if (this->AllocatedUnit >= 0)
   {
     this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
-    glBindTexture(this->Target, static_cast<GLuint>(this->PreviousTexture));
+    glBindTexture(this->Target, this->PreviousTexture);
     this->State->GetTextureUnitManager()->Free(this->AllocatedUnit);
   }
 }

@@ -6,6 +6,9 @@
 #include "vtkOpenGLState.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -13,6 +16,37 @@ class vtkShaderProgram;
 
 namespace vitrine
 {
+
+/**
+ * While it lives, ScopedStorageBuffer, ScopedImage and ScopedTextureUnit ask OpenGL once for each binding that they
+ * keep. Later objects find the binding that earlier ones have put back.
+ */
+class ScopedBindingMemory
+{
+public:
+  /** What OpenGL tells of a binding: up to six values. */
+  using Binding = std::array<GLint64, 6>;
+
+  ScopedBindingMemory();
+  ~ScopedBindingMemory();
+  ScopedBindingMemory(const ScopedBindingMemory&) = delete;
+  void operator=(const ScopedBindingMemory&) = delete;
+
+  /** Returns the binding of point `index` of a kind. Calls `ask` unless it is remembered. */
+  template <class Ask>
+  static Binding Recall(GLenum kind, GLuint index, const Ask& ask);
+
+private:
+  std::map<std::pair<GLenum, GLuint>, Binding> Bindings;
+  ScopedBindingMemory* Previous;
+  static ScopedBindingMemory* Current;
+};
+
+/**
+ * Returns the name of the object that `query` tells, such as GL_COPY_READ_BUFFER. If the query is of the active texture
+ * unit, `index` is that unit. A ScopedBindingMemory remembers it.
+ */
+GLuint BoundName(GLenum query, GLuint index);
 
 /** Returns the query for the texture bound to `target` of the active unit. */
 GLenum TextureBindingQuery(GLenum target);
@@ -182,6 +216,16 @@ private:
   GLint Previous = 0;
 };
 
+/** Binds a vertex array, and then none. A ScopedVertexArray lives around it. */
+class BoundVertexArray
+{
+public:
+  explicit BoundVertexArray(GLuint vertexArray) { glBindVertexArray(vertexArray); }
+  ~BoundVertexArray() { glBindVertexArray(0); }
+  BoundVertexArray(const BoundVertexArray&) = delete;
+  void operator=(const BoundVertexArray&) = delete;
+};
+
 /** Keeps the program that VTK's shader cache has bound. */
 class ScopedShaderProgram
 {
@@ -207,10 +251,8 @@ public:
 
 private:
   GLuint Index;
-  GLint Previous = 0;
-  GLint64 PreviousStart = 0;
-  GLint64 PreviousSize = 0;
-  GLint PreviousGeneric = 0;
+  GLuint PreviousGeneric;
+  ScopedBindingMemory::Binding Previous; // Name, start and size.
 };
 
 /** Binds level 0 of a texture of unsigned integers to an image unit, for reading and writing. */
@@ -224,13 +266,8 @@ public:
 
 private:
   GLuint Unit;
-  GLint Name = 0;
-  // Asked for if a texture is bound. A unit without one is left as OpenGL initialises it.
-  GLint Level = 0;
-  GLint Layered = 0;
-  GLint Layer = 0;
-  GLint Access = GL_READ_ONLY;
-  GLint Format = GL_R8;
+  // Name, level, layered, layer, access and format. A unit without a texture is left as OpenGL initialises it.
+  ScopedBindingMemory::Binding Previous;
 };
 
 /**
@@ -249,7 +286,7 @@ public:
 private:
   vtkOpenGLState* State;
   GLenum Target;
-  GLint PreviousTexture = 0;
+  GLuint PreviousTexture = 0;
   int AllocatedUnit;
 };
 

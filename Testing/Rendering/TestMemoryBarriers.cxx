@@ -23,7 +23,8 @@ namespace
 constexpr int Size = 16;
 
 // While it lives, records writes, reads and barriers, a letter each. C clears an image, S runs a compute shader, G
-// draws geometry, T draws tiles, R reads a buffer. Barriers are named by the uses that they precede: f framebuffers, F
+// draws geometry, T draws tiles, Z clears a buffer, K copies one, R reads one.
+// Barriers are named by the uses that they precede: f framebuffers, F
 // fills, l lists, s scans, r reads.
 class CallRecord
 {
@@ -36,6 +37,10 @@ public:
     Read = glGetBufferSubData;
     Clear = glClearBufferuiv;
     Tiles = glDrawArraysInstanced;
+    Zero = glClearBufferData;
+    Copy = glCopyBufferSubData;
+    glClearBufferData = RecordZero;
+    glCopyBufferSubData = RecordCopy;
     glMemoryBarrier = RecordBarrier;
     glDispatchCompute = RecordDispatch;
     glGetBufferSubData = RecordRead;
@@ -49,6 +54,8 @@ public:
     glGetBufferSubData = Read;
     glClearBufferuiv = Clear;
     glDrawArraysInstanced = Tiles;
+    glClearBufferData = Zero;
+    glCopyBufferSubData = Copy;
   }
   static std::string Calls;
 
@@ -83,6 +90,17 @@ private:
     Calls += 'R';
     Read(target, offset, size, data);
   }
+  static void RecordZero(GLenum target, GLenum inner, GLenum format, GLenum type, const void* data)
+  {
+    Calls += 'Z';
+    Zero(target, inner, format, type, data);
+  }
+  static void RecordCopy(
+    GLenum from, GLenum to, GLintptr fromOffset, GLintptr toOffset, GLsizeiptr size)
+  {
+    Calls += 'K';
+    Copy(from, to, fromOffset, toOffset, size);
+  }
   static void RecordClear(GLenum buffer, GLint index, const GLuint* value)
   {
     Calls += 'C';
@@ -99,6 +117,8 @@ private:
   static decltype(glGetBufferSubData) Read;
   static decltype(glClearBufferuiv) Clear;
   static decltype(glDrawArraysInstanced) Tiles;
+  static decltype(glClearBufferData) Zero;
+  static decltype(glCopyBufferSubData) Copy;
 };
 std::string CallRecord::Calls;
 decltype(glMemoryBarrier) CallRecord::Barrier = nullptr;
@@ -106,6 +126,8 @@ decltype(glDispatchCompute) CallRecord::Dispatch = nullptr;
 decltype(glGetBufferSubData) CallRecord::Read = nullptr;
 decltype(glClearBufferuiv) CallRecord::Clear = nullptr;
 decltype(glDrawArraysInstanced) CallRecord::Tiles = nullptr;
+decltype(glClearBufferData) CallRecord::Zero = nullptr;
+decltype(glCopyBufferSubData) CallRecord::Copy = nullptr;
 
 void RecordGeometry(vtkObject*, unsigned long, void*, void*)
 {
@@ -130,13 +152,13 @@ std::string CallsOf(vtkTransparencyPass* pass, int layers)
 
 TEST(MemoryBarriers, OfLinkedLists)
 {
-  EXPECT_EQ(CallsOf(MakeABuffer(ABufferMethods().front()), 10), "fCFGlrRT");
+  EXPECT_EQ(CallsOf(MakeABuffer(ABufferMethods().front()), 10), "fCZFGlrKRT");
 }
 
 // Runs are sorted in place and then merged.
 TEST(MemoryBarriers, OfLongLinkedLists)
 {
-  EXPECT_EQ(CallsOf(MakeABuffer(ABufferMethods().front()), 100), "fCFGlrRTlT");
+  EXPECT_EQ(CallsOf(MakeABuffer(ABufferMethods().front()), 100), "fCZFGlrKRTlT");
 }
 
 // Counted, and then scanned: sums of blocks, of blocks of blocks, and down again.
@@ -144,13 +166,13 @@ TEST(MemoryBarriers, OfCountedPrefixSums)
 {
   vtkNew<vtkPrefixSumTransparencyPass> pass;
   pass->PredictionOff();
-  EXPECT_EQ(CallsOf(pass, 10), "fCFGlrRsSsSsSsSsFGlrRT");
+  EXPECT_EQ(CallsOf(pass, 10), "fCZFGlrKRsSsSsSsSsZFGlrKRT");
 }
 
 TEST(MemoryBarriers, OfPredictedPrefixSums)
 {
   vtkNew<vtkPrefixSumTransparencyPass> pass;
-  EXPECT_EQ(CallsOf(pass, 10), "sSsSsSsfrRFGlrRT");
+  EXPECT_EQ(CallsOf(pass, 10), "sSsSsSsfrRZFGlrKRT");
 }
 
 // Counts are read as a framebuffer, and each of two bands is cleared, filled and resolved.
@@ -158,7 +180,7 @@ TEST(MemoryBarriers, OfBands)
 {
   const vtkSmartPointer<vtkABufferTransparencyPass> pass = MakeABuffer(ABufferMethods().front());
   pass->SetMemoryLimit(Size * Size * 10 * 12 * 2 / 3);
-  EXPECT_EQ(CallsOf(pass, 10), "fCFGlrRffCFGlrRTfCFGlrRT");
+  EXPECT_EQ(CallsOf(pass, 10), "fCZFGlrKRffCZFGlrKRTfCZFGlrKRT");
 }
 
 TEST(MemoryBarriers, OfTruth)

@@ -7,20 +7,28 @@ namespace vitrine
 
 bool FragmentCounters::Reset()
 {
-  if (this->Counters.Handle() == 0 && !this->Counters.Allocate(sizeof(VitrineCounters)))
+  constexpr std::int64_t size = sizeof(VitrineCounters);
+  if ((this->Counters.Handle() == 0 && !this->Counters.Allocate(size)) ||
+    (this->Copy.Handle() == 0 && !this->Copy.Allocate(size, GL_NONE, GL_STREAM_READ)))
   {
     return false;
   }
-  const VitrineCounters zero = {};
-  this->Counters.Write(0, sizeof(zero), &zero);
+  this->Counters.Clear();
   return true;
 }
 
-FragmentStatistics FragmentCounters::Read() const
+void FragmentCounters::Release()
+{
+  this->Counters.Release();
+  this->Copy.Release();
+}
+
+FragmentStatistics FragmentCounters::Read()
 {
   VitrineCounters counters = {};
   BarrierBeforeReadingBuffers();
-  this->Counters.Read(0, sizeof(counters), &counters);
+  this->Copy.CopyFrom(this->Counters, 0, 0, sizeof(counters));
+  this->Copy.Read(0, sizeof(counters), &counters);
 
   FragmentStatistics statistics;
   statistics.LayersMax = counters.LayersMax;

@@ -24,6 +24,7 @@ struct FragmentStatistics
   std::int64_t Pages[MaximumPageShift + 1] = {};
 };
 
+/** The counters, which stay on the device. The CPU reads a copy. */
 class FragmentCounters
 {
 public:
@@ -31,13 +32,14 @@ public:
   bool Reset();
 
   /** Read the counters back. Waits for the device. */
-  FragmentStatistics Read() const;
+  FragmentStatistics Read();
 
   GLuint Handle() const { return this->Counters.Handle(); }
-  void Release() { this->Counters.Release(); }
+  void Release();
 
 private:
   Buffer Counters;
+  Buffer Copy;
 };
 
 }

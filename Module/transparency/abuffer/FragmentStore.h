@@ -87,7 +87,7 @@ public:
   ///@}
 
   ListHeads& Heads() { return this->ListsOfPixels; }
-  FragmentStatistics ReadCounters() const { return this->Counters.Read(); }
+  FragmentStatistics ReadCounters() { return this->Counters.Read(); }
 
   /** Bytes of the nodes and their links, and bytes of everything else that the store holds. */
   virtual std::int64_t NodeBytes() const = 0;

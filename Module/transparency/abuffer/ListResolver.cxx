@@ -143,7 +143,7 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
     { tiles.First[0], tiles.First[1], tiles.Count[0], tiles.Count[1] });
 
   BarrierBeforeReadingLists();
-  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
   const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, store.CounterBuffer());
   const ScopedImage longestLists(VITRINE_IMAGE_BLOCKS, store.BlockImage());
   const ScopedListTextures textures(state, store);
@@ -182,7 +182,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const int targetSize[2] = { target.Width, target.Height };
   const int regionFirst[2] = { region.X, region.Y };
   const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
-  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
   const ScopedListTextures textures(state, store);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());

@@ -1,6 +1,5 @@
 #include "transparency/abuffer/PackedListStore.h"
 
-#include "Core/lists/PoolSizing.h"
 #include "Shaders/SharedLayout.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -131,7 +130,7 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
   {
     return FITS;
   }
-  if (needed.Fragments > this->LimitNodes() || !this->Reserve(needed.Fragments))
+  if (!this->Grow(needed.Fragments))
   {
     this->ReserveAll();
     this->Start = COUNTED; // The bands are placed by the present counts.
@@ -179,6 +178,21 @@ bool PackedListStore::Reserve(std::int64_t nodes)
     this->ShortageFrames = 0;
   }
   return allocated;
+}
+
+//------------------------------------------------------------------------------
+// Makes room for `nodes` nodes. A buffer that has grown lately, as when a camera comes closer, gets a reserve, so that
+// not every frame reallocates it. Returns false if the limit or the driver forbids it.
+bool PackedListStore::Grow(std::int64_t nodes)
+{
+  if (nodes <= this->Capacity())
+  {
+    return true;
+  }
+  const bool isRepeated = this->FramesSinceGrowth < PoolSizing::Window;
+  this->FramesSinceGrowth = 0;
+  return isRepeated ? this->ReserveMoreThan(nodes)
+                    : nodes <= this->LimitNodes() && this->Reserve(nodes);
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +245,7 @@ void PackedListStore::EndFrame(const FragmentStatistics& used, int bands)
 {
   this->LastFrame = used.Fragments > 0 && bands == 1 ? this->Blocks : BlockRange();
   this->ShrinkIfLongOversized();
+  this->FramesSinceGrowth = std::min(this->FramesSinceGrowth + 1, PoolSizing::Window);
   this->RoomNodes = 0;
 }
 

@@ -6,6 +6,7 @@
 #define VITRINE_TRANSPARENCY_ABUFFER_PACKED_LIST_STORE_H
 
 #include "Core/lists/PixelBlocks.h"
+#include "Core/lists/PoolSizing.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/abuffer/PackedScan.h"
 
@@ -49,6 +50,7 @@ private:
   std::int64_t LimitNodes() const;
   std::int64_t Capacity() const { return this->Buffers.Count(); }
   bool Reserve(std::int64_t nodes);
+  bool Grow(std::int64_t nodes);
   bool ReserveMoreThan(std::int64_t nodes);
   void ReserveAll();
   void ForgetOldShortage();
@@ -64,7 +66,8 @@ private:
   std::int64_t Limit = 0;
   // Bytes for which the driver may have memory, known since it refused more. 0 means unknown.
   std::int64_t Memory = 0;
-  int ShortageFrames = 0;     // Frames since the driver last refused memory.
+  int ShortageFrames = 0; // Frames since the driver last refused memory.
+  int FramesSinceGrowth = PoolSizing::Window;
   std::int64_t RoomNodes = 0; // The largest room that a fill of this frame had.
   StartType Start = COUNTING;
   // A fill of all pixels did not fit, so its counts place the bands.

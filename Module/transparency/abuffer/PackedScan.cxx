@@ -118,7 +118,7 @@ bool PackedScan::DrawPredicted(vtkOpenGLRenderWindow* window, const ListLayout& 
   ListHeads& heads, const BlockRange& blocks, std::uint32_t capacity)
 {
   heads.BindForWriting(window->GetState(), PixelsOf(blocks, VITRINE_BLOCK_SIZE));
-  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
   vtkShaderProgram* program = this->Predicted.Ready(window, "predicted", HeadDefines(layout),
     shaders::FullScreenVertex, [] { return shaders::PlacePredicted; });
   if (!program)

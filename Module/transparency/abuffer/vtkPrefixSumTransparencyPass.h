@@ -6,7 +6,7 @@
  * the sum of the rooms of all pixels before it. There are two ways to find the size of the rooms:
  *
  * - Counted: a first pass over the geometry counts fragments, a second pass stores them. The buffer has no more room
- *   than there are fragments.
+ *   than there are fragments. If it had to grow within the last 32 frames, it has an eighth more.
  * - Predicted, the default: each pixel gets as much room as the longest list of the last frame in its neighbourhood,
  *   which is a block of 4 x 4 pixels and the eight blocks around it. One pass over the geometry suffices. If a pixel
  *   has more fragments, as when the camera jumps, that pass has counted them, and a second pass of the same frame

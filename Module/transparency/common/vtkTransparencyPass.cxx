@@ -266,6 +266,7 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
 
   const vitrine::ScopedArrayBuffer arrayBuffer;
   const vitrine::ScopedVertexArray vertexArray(0);
+  const vitrine::ScopedBindingMemory bindings;
   vitrine::ScopedTrackedState trackedState(state);
   vitrine::ScopedShaderProgram shaderProgram(in.Context.Window());
   in.HasAdded = false;

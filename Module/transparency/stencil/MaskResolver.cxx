@@ -89,7 +89,7 @@ bool MaskResolver::Resolve(vtkOpenGLRenderWindow* window, const MaskGroup& group
   const MaskTarget& masks, const Image2D& backdrop, const RenderTarget& target,
   const MaskRepair& repair)
 {
-  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
   if (repair.Shown != MaskRepair::AS_IT_IS)
   {
     return this->Composite(window, group, masks, target) &&

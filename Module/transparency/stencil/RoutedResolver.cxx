@@ -68,7 +68,7 @@ bool RoutedResolver::Resolve(vtkOpenGLRenderWindow* window, const RoutedTarget& 
     }
   }
   vtkOpenGLState* state = window->GetState();
-  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
   const ScopedTextureUnit colors(state, fragments.Colors().Target(), fragments.Colors().Handle());
   const ScopedTextureUnit depths(state, fragments.Depths().Target(), fragments.Depths().Handle());
   const ScopedTextureUnit counted(state, GL_TEXTURE_2D, fragments.Counter().Image().Handle());

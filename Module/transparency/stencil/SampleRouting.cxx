@@ -20,7 +20,7 @@ bool SampleRouting::WriteStart(vtkOpenGLRenderWindow* window, const StencilRoute
   {
     return true;
   }
-  const ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
   const ScopedSampleMask sampleMask;
   if (!this->Programs.Ready(
         window, "stencil", {}, shaders::FullScreenVertex, [] { return shaders::StencilOnly; }))

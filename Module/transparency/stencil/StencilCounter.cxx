@@ -31,6 +31,7 @@ void StencilCounter::NoteStart(
 {
   if (this->StartValues.empty())
   {
+    const ScopedPixelTransfer pixelTransfer;
     this->StartValues = this->Read(state, source, region);
   }
 }
@@ -38,9 +39,9 @@ void StencilCounter::NoteStart(
 StencilCounts StencilCounter::Count(
   vtkOpenGLState* state, Framebuffer& source, const PixelRegion& region, int layers)
 {
+  const ScopedPixelTransfer pixelTransfer;
   this->Counted = this->Read(state, source, region);
   const StencilCounts counts = CountFragments(layers, this->StartValues, this->Counted);
-  const ScopedPixelTransfer pixelTransfer;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->CountImage.Handle());
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RED, GL_UNSIGNED_BYTE,
@@ -48,6 +49,7 @@ StencilCounts StencilCounter::Count(
   return counts;
 }
 
+// A ScopedPixelTransfer lives around the call.
 std::vector<std::uint8_t> StencilCounter::Read(
   vtkOpenGLState* state, Framebuffer& source, const PixelRegion& region)
 {
@@ -58,7 +60,6 @@ std::vector<std::uint8_t> StencilCounter::Read(
     0, 0, this->Width, this->Height, GL_STENCIL_BUFFER_BIT, GL_NEAREST);
 
   std::vector<std::uint8_t> values(static_cast<std::size_t>(this->Width) * this->Height);
-  const ScopedPixelTransfer pixelTransfer;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->CopyTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());

@@ -166,7 +166,7 @@ void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* wind
   vtkShaderProgram* program, const vitrine::Image2D& source, int sample)
 {
   vtkOpenGLState* state = window->GetState();
-  const vitrine::ScopedVertexArray vertexArray(this->VertexArray.Handle());
+  const vitrine::BoundVertexArray vertexArray(this->VertexArray.Handle());
   const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
   program->SetUniformi("source", unit.Unit());
   if (program->IsUniformUsed("sampleNumber"))
