@@ -17,7 +17,16 @@ layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) writeonly uniform uimage2D longest
 uniform ivec2 regionFirst;
 uniform ivec2 regionEnd;
 
+// The tile's longest list, or 0 if nodes may be missing in the tile. Such tiles must not be resolved.
 layout(location = 0) out uint tileMax;
+
+// Lists end in garbage if the pool was too small.
+#ifdef VITRINE_PACKED_LISTS
+#define IS_INCOMPLETE (tooLong > 0u)
+#else
+uniform int pagesOfPool; // capacity in pages
+#define IS_INCOMPLETE (counters.PagesUsed > uint(pagesOfPool))
+#endif
 
 // Adds `n` to a split sum.
 void addPages(int shift, uint n)
@@ -80,7 +89,7 @@ void main()
     }
   }
 
-  tileMax = longest;
+  tileMax = IS_INCOMPLETE ? 0u : longest;
   if (longest > 0u)
   {
     atomicMax(counters.LayersMax, longest);

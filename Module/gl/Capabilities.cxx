@@ -42,18 +42,29 @@ KnownLimits::InUse::~InUse()
   KnownLimits::Current = this->Previous;
 }
 
+std::int64_t KnownLimits::Recall(unsigned int name, const std::function<std::int64_t()>& ask)
+{
+  if (!KnownLimits::Current)
+  {
+    return ask();
+  }
+  const auto [entry, isNew] = KnownLimits::Current->Values.try_emplace(name, 0);
+  if (isNew)
+  {
+    entry->second = ask();
+  }
+  return entry->second;
+}
+
 std::int64_t Limit(unsigned int name)
 {
-  KnownLimits asked; // for callers outside of a frame
-  KnownLimits& known = KnownLimits::Current ? *KnownLimits::Current : asked;
-  const auto [entry, isNew] = known.Values.try_emplace(name, 0);
-  if (isNew)
+  const auto ask = [name]
   {
     GLint64 value = 0;
     glGetInteger64v(name, &value);
-    entry->second = value;
-  }
-  return entry->second;
+    return value;
+  };
+  return KnownLimits::Recall(name, ask);
 }
 
 bool HasExtension(const char* name)
@@ -92,9 +103,13 @@ std::string MissingFeatures(int major, int minor, const std::vector<const char*>
 
 bool IsSoftwareRasteriser()
 {
-  const GLubyte* renderer = glGetString(GL_RENDERER);
-  const std::string name = renderer ? reinterpret_cast<const char*>(renderer) : "";
-  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+  const auto ask = []
+  {
+    const GLubyte* renderer = glGetString(GL_RENDERER);
+    const std::string name = renderer ? reinterpret_cast<const char*>(renderer) : "";
+    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+  };
+  return KnownLimits::Recall(GL_RENDERER, ask) != 0;
 }
 
 int SubpixelBits()

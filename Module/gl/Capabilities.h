@@ -3,6 +3,7 @@
 #define VITRINE_GL_CAPABILITIES_H
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -32,9 +33,10 @@ public:
   /** Forget all limits. Call this when the context changes. */
   void Clear() { this->Values.clear(); }
 
-private:
-  friend std::int64_t Limit(unsigned int name);
+  /** Returns the value of this name. Calls `ask` unless it is remembered. */
+  static std::int64_t Recall(unsigned int name, const std::function<std::int64_t()>& ask);
 
+private:
   std::map<unsigned int, std::int64_t> Values;
   static KnownLimits* Current;
 };

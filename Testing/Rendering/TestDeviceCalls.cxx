@@ -43,8 +43,8 @@ CallCounts CallsOfSteadyFrame(vtkRenderPass* pass)
 // The most calls of a method's frame. Stencil methods count their fragments on the CPU. Truth composites there.
 CallCounts BudgetOf(const std::string& name)
 {
-  static const std::map<std::string, CallCounts> others = { { "PrefixSumPredicted", { 90, 2, 0 } },
-    { "PrefixSumCountedCompact", { 90, 2, 0 } }, { "StencilRoutedHalfFloat", { 131, 2, 0 } },
+  static const std::map<std::string, CallCounts> others = { { "StencilRoutedHalfFloat",
+                                                              { 131, 2, 0 } },
     { "StencilMask9", { 131, 2, 0 } }, { "Truth", { 107, 3, 0 } } };
   const auto found = others.find(name);
   return found == others.end() ? CallCounts{ 90, 1, 0 } : found->second;

@@ -116,12 +116,14 @@ TEST_P(Memory, FollowsAZoomInTheSameFrame)
   {
     scene.AddSphere(0.1 * i - 0.5, 0.0, 0.0, 0.4, { 0.1 * i, 0.5, 0.9, 0.3 });
   }
+  const bool counts = std::string(this->Pass->GetMethodName()) == "prefix-sum";
   for (const double scale : { 20.0, 5.0, 1.0, 0.3, 20.0, 0.1, 1.0 })
   {
     SCOPED_TRACE(scale);
     scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
     ExpectTruth(scene, this->Pass, 2.5);
-    EXPECT_LE(this->Pass->GetNumberOfGeometryPasses(), 2);
+    // Prefix sums that count first store at once, as the last frame had room. If there is none, they store again.
+    EXPECT_LE(this->Pass->GetNumberOfGeometryPasses(), counts ? 3 : 2);
   }
 }
 

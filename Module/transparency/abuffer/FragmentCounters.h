@@ -20,6 +20,7 @@ struct FragmentStatistics
   std::int64_t CoveredPixels = 0;
   std::int64_t ShortPixels = 0; ///< Pixels of packed lists that have more fragments than room.
   std::uint32_t TileBins = 0;
+  std::int64_t Room = 0; ///< Packed lists: nodes that the placing asked for, if it was predicted.
   /** Pages needed with 1, 2, 4 and 8 nodes per page. */
   std::int64_t Pages[MaximumPageShift + 1] = {};
 };
@@ -31,15 +32,21 @@ public:
   /** Set all counters to zero. Returns false if the driver has no memory for them. */
   bool Reset();
 
-  /** Read the counters back. Waits for the device. */
-  FragmentStatistics Read();
+  /** Copy the counters on the device, so that Read() need not wait for what is drawn after. */
+  void Copy();
+
+  /** Copy a word of another buffer, too. Read() tells it as FragmentStatistics::Room. */
+  void CopyRoom(const Buffer& buffer, std::int64_t offset);
+
+  /** Read the copy back. Waits for the device. */
+  FragmentStatistics Read() const;
 
   GLuint Handle() const { return this->Counters.Handle(); }
   void Release();
 
 private:
   Buffer Counters;
-  Buffer Copy;
+  Buffer Copied;
 };
 
 }

@@ -55,6 +55,12 @@ public:
     TOO_DEEP ///< A pixel has more fragments than the store can count.
   };
 
+  /**
+   * Returns true after a fill that only counted, if the store expects room for all fragments. The next fill stores them
+   * then, and the counters need not be read in between.
+   */
+  virtual bool GoesOnToStore() { return false; }
+
   /** Check whether the store holds all fragments that the last fill counted. If not, make room for them. */
   virtual FitType Fit(const FragmentStatistics& needed) = 0;
 
@@ -79,6 +85,9 @@ public:
 
   virtual const NodeBuffers& Nodes() const = 0;
 
+  /** Returns the capacity of the pool in pages, or 0 if lists have room of their own. */
+  virtual int PagesOfPool() const { return 0; }
+
   ///@{
   /** GL names. They are 0 for objects that the store lacks. */
   virtual GLuint LinkTexture() const { return 0; }
@@ -87,7 +96,10 @@ public:
   ///@}
 
   ListHeads& Heads() { return this->ListsOfPixels; }
-  FragmentStatistics ReadCounters() { return this->Counters.Read(); }
+
+  /** Copy the counters of a fill on the device. ReadCounters() then reads them. */
+  virtual void CopyCounters() { this->Counters.Copy(); }
+  FragmentStatistics ReadCounters() const { return this->Counters.Read(); }
 
   /** Bytes of the nodes and their links, and bytes of everything else that the store holds. */
   virtual std::int64_t NodeBytes() const = 0;

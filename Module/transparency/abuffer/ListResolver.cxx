@@ -157,6 +157,10 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
   const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
   program->SetUniform2i("regionFirst", regionFirst);
   program->SetUniform2i("regionEnd", regionEnd);
+  if (program->IsUniformUsed("pagesOfPool"))
+  {
+    program->SetUniformi("pagesOfPool", store.PagesOfPool());
+  }
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -30,6 +30,7 @@ std::string PackedListStore::BeginFrame(
   {
     this->Buffers.Release();
     this->LastFrame = {};
+    this->LastFragments = 0;
     this->Memory = 0;
   }
   if (target.Width != this->TargetWidth || target.Height != this->TargetHeight)
@@ -57,6 +58,7 @@ std::string PackedListStore::BeginFill(
 {
   this->Region = region;
   this->Blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
+  this->Filled = this->Start;
   const std::string problem = this->Place(window, layout);
   this->Start = this->HasCountsOfBands ? COUNTED : COUNTING;
   if (!this->Counters.Reset() || (this->Capacity() == 0 && !this->Reserve(LeastNodes)))
@@ -85,16 +87,19 @@ std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayo
 }
 
 //------------------------------------------------------------------------------
-// If the buffer cannot have so much room, the frame is counted first, as without a prediction.
+// Makes as much room as the last prediction asked for, and some more, since this one may ask for a little more. So the
+// placing need not be waited for: pixels that it leaves short are drawn again. Only the first prediction is read before
+// the fill. If the buffer cannot have so much room, the frame is counted first, as without a prediction.
 std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout)
 {
+  const bool isKnown = this->LastPredictedRoom > 0 && this->ReserveForPrediction();
   const auto place = [&]
   {
     return this->Scan.PlacePredicted(window, layout, this->ListsOfPixels,
       this->LongestLists.Handle(), this->Blocks, static_cast<std::uint32_t>(this->Capacity()));
   };
   std::string problem = place();
-  if (!problem.empty())
+  if (!problem.empty() || isKnown)
   {
     return problem;
   }
@@ -104,12 +109,25 @@ std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const
     if (!this->ReserveMoreThan(room))
     {
       this->ClearHeads(window);
+      this->Filled = COUNTING;
       return {};
     }
     problem = place();
   }
-  this->RoomNodes = room;
   return problem;
+}
+
+//------------------------------------------------------------------------------
+// Returns false if there is no room for what the last prediction asked for.
+bool PackedListStore::ReserveForPrediction()
+{
+  const std::int64_t wanted =
+    this->LastPredictedRoom + this->LastPredictedRoom / (2 * ReserveShare);
+  if (wanted > this->Capacity() && this->Memory == 0)
+  {
+    this->ReserveMoreThan(this->LastPredictedRoom);
+  }
+  return this->LastPredictedRoom <= this->Capacity();
 }
 
 //------------------------------------------------------------------------------
@@ -120,8 +138,32 @@ void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void PackedListStore::CopyCounters()
+{
+  this->FragmentStore::CopyCounters();
+  if (this->Filled == PREDICTED)
+  {
+    this->Counters.CopyRoom(this->Scan.TotalBuffer(), this->Scan.TotalOffset());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PackedListStore::GoesOnToStore()
+{
+  const bool hasRoom = this->LastFrame == this->Blocks && this->LastFragments <= this->Capacity();
+  if (this->Filled != COUNTING || this->HasCountsOfBands || !hasRoom)
+  {
+    return false;
+  }
+  this->Start = COUNTED;
+  return true;
+}
+
+//------------------------------------------------------------------------------
 FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
 {
+  this->LastPredictedRoom = this->Filled == PREDICTED ? needed.Room : 0;
+  this->RoomNodes = std::max({ this->RoomNodes, needed.Fragments, this->LastPredictedRoom });
   if (needed.LayersMax >= VITRINE_LARGEST_COUNT)
   {
     return TOO_DEEP;
@@ -137,7 +179,6 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
     this->HasCountsOfBands = true;
     return TOO_LARGE;
   }
-  this->RoomNodes = std::max(this->RoomNodes, needed.Fragments);
   this->Start = COUNTED;
   return GREW;
 }
@@ -243,6 +284,7 @@ std::vector<std::uint32_t> PackedListStore::ReadCounts(vtkOpenGLState* state)
 //------------------------------------------------------------------------------
 void PackedListStore::EndFrame(const FragmentStatistics& used, int bands)
 {
+  this->LastFragments = used.Fragments;
   this->LastFrame = used.Fragments > 0 && bands == 1 ? this->Blocks : BlockRange();
   this->ShrinkIfLongOversized();
   this->FramesSinceGrowth = std::min(this->FramesSinceGrowth + 1, PoolSizing::Window);
@@ -275,6 +317,7 @@ void PackedListStore::Release()
   this->LongestLists.Release();
   this->Scan.Release();
   this->LastFrame = {};
+  this->LastFragments = 0;
   this->Memory = 0;
 }
 

@@ -25,6 +25,8 @@ public:
     vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout) override;
   void SetFillUniforms(vtkShaderProgram*) const override {}
   bool HasFailed() const override { return this->Scan.HasFailed(); }
+  void CopyCounters() override;
+  bool GoesOnToStore() override;
   FitType Fit(const FragmentStatistics& needed) override;
   std::int64_t CapacityUnits() const override { return this->LimitNodes(); }
   int UnitNodes() const override { return 1; }
@@ -52,6 +54,7 @@ private:
   bool Reserve(std::int64_t nodes);
   bool Grow(std::int64_t nodes);
   bool ReserveMoreThan(std::int64_t nodes);
+  bool ReserveForPrediction();
   void ReserveAll();
   void ForgetOldShortage();
   std::string Place(vtkOpenGLRenderWindow* window, const ListLayout& layout);
@@ -70,6 +73,9 @@ private:
   int FramesSinceGrowth = PoolSizing::Window;
   std::int64_t RoomNodes = 0; // The largest room that a fill of this frame had.
   StartType Start = COUNTING;
+  StartType Filled = COUNTING;        // How the last fill began.
+  std::int64_t LastFragments = 0;     // Of the last frame, if it was of the same layout; else 0.
+  std::int64_t LastPredictedRoom = 0; // Nodes that the last prediction asked for. 0 means unknown.
   // A fill of all pixels did not fit, so its counts place the bands.
   bool HasCountsOfBands = false;
   PixelRegion Region;      // Region of the last fill.

@@ -1,7 +1,6 @@
 #include "transparency/abuffer/PackedScan.h"
 
 #include "Core/geometry/Rounding.h"
-#include "Shaders/SharedLayout.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ProgramCache.h"
 #include "gl/ScopedState.h"
@@ -175,7 +174,7 @@ std::uint32_t PackedScan::ReadTotal() const
 {
   std::uint32_t total = 0;
   BarrierBeforeReadingBuffers();
-  this->Sums.Read(this->Levels.back().Offset * std::int64_t(sizeof(uint)), sizeof(total), &total);
+  this->Sums.Read(this->TotalOffset(), sizeof(total), &total);
   return total;
 }
 

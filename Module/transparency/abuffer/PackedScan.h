@@ -8,6 +8,7 @@
 #define VITRINE_TRANSPARENCY_ABUFFER_PACKED_SCAN_H
 
 #include "Core/lists/PixelBlocks.h"
+#include "Shaders/SharedLayout.h"
 #include "gl/ComputeProgram.h"
 #include "gl/GLObjects.h"
 #include "gl/ProgramCache.h"
@@ -49,6 +50,15 @@ public:
    * UINT32_MAX. Waits for the device.
    */
   std::uint32_t ReadTotal() const;
+
+  ///@{
+  /** The buffer that holds that number on the device, and where it holds it, in bytes. */
+  const Buffer& TotalBuffer() const { return this->Sums; }
+  std::int64_t TotalOffset() const
+  {
+    return this->Levels.back().Offset * std::int64_t(sizeof(uint));
+  }
+  ///@}
 
   /** Returns true if the driver could not compile one of the shaders. */
   bool HasFailed() const;

@@ -19,6 +19,7 @@
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 
+#include <utility>
 #include <vector>
 
 namespace
@@ -53,6 +54,9 @@ struct vtkABufferTransparencyPass::Internals
   std::unique_ptr<vitrine::FragmentStore> Store;
   vitrine::BackdropCopy Backdrop;
   vitrine::ListResolver Resolver;
+  std::uint32_t LastBins = 0;  // Bins of the last frame's tiles, or 0.
+  std::uint32_t DrawnBins = 0; // Bins that were resolved since the last fill.
+  bool HasDrawn = false;       // This frame has changed the target.
 
   vitrine::BandPlan PlanBands(vtkOpenGLState* state, const vitrine::RenderTarget& target);
 
@@ -185,12 +189,15 @@ std::string vtkABufferTransparencyPass::RenderFragments(
   }
   if (problem.empty() && in.Resolver.HasFailed())
   {
-    in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
     problem = vitrine::ProgramFailure;
   }
   if (problem.empty())
   {
     this->FinishFrame(frame);
+  }
+  else if (in.HasDrawn)
+  {
+    in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
   }
   return problem;
 }
@@ -213,6 +220,7 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
     this->ShaderStage.Modified();
   }
   this->NumberOfBands = 1;
+  in.HasDrawn = false;
   vtkOpenGLState* state = this->GetWindow()->GetState();
   std::string problem = tolerance.FindProblemIn(target);
   if (problem.empty())
@@ -227,17 +235,31 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
 }
 
 //------------------------------------------------------------------------------
+// Usually a frame has tiles of the same bins as the last one. These are resolved before the counters are read, so that
+// the device has work while it is waited for. Tiles whose lists are not complete are left out (TileClassify.glsl).
 std::string vtkABufferTransparencyPass::RenderLists(
   const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::FragmentStatistics& frame)
 {
+  Internals& in = *this->Private;
+  const std::uint32_t expected = std::exchange(in.LastBins, 0u);
   for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
   {
-    const std::string problem = this->Fill(s, target, target.Region, frame);
+    const std::string problem = this->Fill(s, target, target.Region);
     if (!problem.empty())
     {
       return problem;
     }
-    switch (this->GetStore().Fit(frame))
+    if (attempt == 0 && expected != 0)
+    {
+      this->ResolveBins(target, target.Region, expected);
+    }
+    frame = this->GetStore().ReadCounters();
+    const vitrine::FragmentStore::FitType fit = this->GetStore().Fit(frame);
+    if (fit != vitrine::FragmentStore::FITS && in.HasDrawn)
+    {
+      in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
+    }
+    switch (fit)
     {
       case vitrine::FragmentStore::FITS:
         return this->Resolve(target, target.Region, frame);
@@ -253,9 +275,25 @@ std::string vtkABufferTransparencyPass::RenderLists(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
-  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
-  vitrine::FragmentStatistics& statistics)
+std::string vtkABufferTransparencyPass::Fill(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
+{
+  Internals& in = *this->Private;
+  vitrine::FragmentStore& store = this->GetStore();
+  std::string problem = this->FillOnce(s, target, region);
+  if (problem.empty() && store.GoesOnToStore())
+  {
+    problem = this->FillOnce(s, target, region);
+  }
+  in.DrawnBins = 0;
+  in.Resolver.Classify(this->GetWindow(), in.Layout, store, target, region);
+  store.CopyCounters();
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkABufferTransparencyPass::FillOnce(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
 {
   Internals& in = *this->Private;
   vitrine::FragmentStore& store = this->GetStore();
@@ -272,8 +310,6 @@ std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
       VITRINE_IMAGE_HEADS, in.Layout.FramebufferFetch ? 0 : store.Heads().Image().Handle());
     problem = this->DrawTranslucentGeometry(s, region);
   }
-  in.Resolver.Classify(this->GetWindow(), in.Layout, store, target, region);
-  statistics = store.ReadCounters();
   return problem;
 }
 
@@ -286,10 +322,22 @@ std::string vtkABufferTransparencyPass::Resolve(const vitrine::RenderTarget& tar
   {
     return problem;
   }
-  Internals& in = *this->Private;
-  in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), in.Backdrop.Image(), target,
-    region, statistics.TileBins);
+  this->ResolveBins(target, region, statistics.TileBins & ~this->Private->DrawnBins);
   return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::ResolveBins(
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region, std::uint32_t tileBins)
+{
+  Internals& in = *this->Private;
+  if (tileBins != 0)
+  {
+    in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), in.Backdrop.Image(), target,
+      region, tileBins);
+    in.DrawnBins |= tileBins;
+    in.HasDrawn = true;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -302,8 +350,7 @@ std::string vtkABufferTransparencyPass::RenderInBands(
   for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
   {
     // Bands overwrite the counts by which they are planned.
-    vitrine::FragmentStatistics whole;
-    problem = attempt > 0 ? this->Fill(s, target, target.Region, whole) : std::string();
+    problem = attempt > 0 ? this->Fill(s, target, target.Region) : std::string();
     if (!problem.empty())
     {
       break;
@@ -340,11 +387,12 @@ std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
     for (int attempt = 0; attempt < MaximumAttempts && fit == vitrine::FragmentStore::GREW;
          ++attempt)
     {
-      const std::string problem = this->Fill(s, target, region, part);
+      const std::string problem = this->Fill(s, target, region);
       if (!problem.empty())
       {
         return problem;
       }
+      part = this->GetStore().ReadCounters();
       fit = this->GetStore().Fit(part);
     }
     // Lists that are not in the store must not be walked.
@@ -370,6 +418,7 @@ void vtkABufferTransparencyPass::FinishFrame(const vitrine::FragmentStatistics& 
   this->MeanNumberOfLayers = frame.CoveredPixels > 0
     ? static_cast<double>(frame.Fragments) / static_cast<double>(frame.CoveredPixels)
     : 0.0;
+  in.LastBins = this->NumberOfBands == 1 ? frame.TileBins : 0;
   this->GetStore().EndFrame(frame, this->NumberOfBands);
   this->Bytes = in.Bytes() + this->GetSharedBytes();
 }

@@ -7,11 +7,13 @@
  * 1. Fill: the translucent geometry is drawn, and each fragment is added to its pixel's list. Depth is stored as
  *    32-bit float and colour as 16-bit floats or 8 bits, or both are packed into 8 bytes.
  * 2. Classify: compute shaders find the longest list of each tile of 16 x 16 pixels, and the memory the frame needs.
- * 3. Repeat: if the memory did not suffice, it grows and the geometry is drawn again in the same frame. If the
- *    MemoryLimit or the driver forbids that, the frame is drawn in bands of the screen, each of which fits.
- * 4. Resolve: tiles are binned by their longest list. Up to 64 fragments are sorted in registers by an unrolled
- *    sorting network. Up to 1024 fragments are sorted in runs that are merged at once. Longer lists are sorted block
- *    by block.
+ * 3. Resolve, before the device is waited for: tiles are binned by their longest list, and bins that the last frame
+ *    had are resolved. Tiles whose lists are not complete are left out. Up to 64 fragments are sorted in registers by
+ *    an unrolled sorting network. Up to 1024 fragments are sorted in runs that are merged at once. Longer lists are
+ *    sorted block by block.
+ * 4. Repeat: if the memory did not suffice, it grows and the geometry is drawn again in the same frame. If the
+ *    MemoryLimit or the driver forbids that, the frame is drawn in bands of the screen, each of which fits. Bins that
+ *    the last frame did not have are resolved now.
  *
  * The picture does not depend on the order in which fragments arrive. Fragments of equal depth are ordered by their
  * packed colour: by alpha, blue, green and red.
@@ -36,8 +38,9 @@
 
 #include "vtkTolerantTransparencyPass.h"
 
-#include <memory> // for the store
-#include <vector> // for bands of the screen
+#include <cstdint> // for bins of tiles
+#include <memory>  // for the store
+#include <vector>  // for bands of the screen
 
 namespace vitrine
 {
@@ -157,9 +160,13 @@ private:
   std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
     vitrine::FragmentStatistics& frame);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const vitrine::PixelRegion& region, vitrine::FragmentStatistics& statistics);
+    const vitrine::PixelRegion& region);
+  std::string FillOnce(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const vitrine::PixelRegion& region);
   std::string Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
     const vitrine::FragmentStatistics& statistics);
+  void ResolveBins(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+    std::uint32_t tileBins);
   std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string DrawBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
     const std::vector<vitrine::PixelRegion>& bands);
