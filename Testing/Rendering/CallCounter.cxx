@@ -11,6 +11,18 @@ namespace
 
 CallCounts Calls;
 
+template <class... Arguments>
+bool IsCounted(Arguments...)
+{
+  return true;
+}
+
+// A read of pixels into a buffer of the device does not wait.
+bool IsCounted(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void* data)
+{
+  return data != nullptr;
+}
+
 // Counts the calls of a function that the loader keeps as a pointer.
 template <int CallCounts::*Kind, auto* Pointer, class Function = std::decay_t<decltype(*Pointer)>>
 class Hook;
@@ -29,7 +41,7 @@ public:
 private:
   static Result Call(Arguments... arguments)
   {
-    ++(Calls.*Kind);
+    Calls.*Kind += IsCounted(arguments...) ? 1 : 0;
     return Driver(arguments...);
   }
   static inline Result (*Driver)(Arguments...) = nullptr;
@@ -51,7 +63,7 @@ using Reallocation = Hook<&CallCounts::Reallocations, Pointer>;
   extern "C" __attribute__((visibility("default"))) result GLAPIENTRY name parameters              \
   {                                                                                                \
     static const auto driver = reinterpret_cast<result(*) parameters>(dlsym(RTLD_NEXT, #name));    \
-    ++Calls.kind;                                                                                  \
+    Calls.kind += IsCounted arguments ? 1 : 0;                                                     \
     return driver arguments;                                                                       \
   }
 VITRINE_COUNTED(Queries, void, glGetIntegerv, (GLenum name, GLint* value), (name, value))
