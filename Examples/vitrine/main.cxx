@@ -2,6 +2,7 @@
 #include "VTKMessages.h"
 #include "Version.h"
 #include "commands/Commands.h"
+#include "gl/DeviceTraits.h"
 #include "scene/DemoScene.h"
 #include "scene/files/SceneFile.h"
 
@@ -55,6 +56,11 @@ int Run(int argc, char* argv[])
   program::AddSortsCommand(app);
   program::AddStabilityCommand(app);
   program::AddViewCommand(app);
+  const std::string problem = vitrine::FindProblemOfDeviceSwitches();
+  if (!problem.empty())
+  {
+    throw program::RuntimeError(problem);
+  }
   if (argc > 1 && argv[1][0] != '-')
   {
     RequireKnownCommand(app, argv[1]);

@@ -23,6 +23,8 @@ struct CompareOptions
   std::string Methods = "vtk-oit,vtk-peeling,linked-list";
   int Frames = 9;
   double Orbit = 30.0;
+  bool MeasuresStages = false;
+  bool WithoutTruth = false;
   std::optional<std::string> Coincidence;
   std::optional<std::string> Json;
   std::optional<std::string> Chart;
@@ -49,6 +51,8 @@ void Compare(const CompareOptions& options)
   settings.Multisamples = options.Scene.Multisamples;
   settings.Frames = options.Frames;
   settings.Orbit = options.Orbit;
+  settings.MeasuresStages = options.MeasuresStages;
+  settings.IsJudged = !options.WithoutTruth;
   settings.Tolerance = ParseCoincidence(options.Coincidence);
   const Scene scene = LoadScene(options.Scene);
   settings.Opacity = options.Scene.Opacity.value_or(1.0);
@@ -61,7 +65,9 @@ void Compare(const CompareOptions& options)
     chart = BeginChart(options, settings);
   }
   Progress progress;
-  const ComparisonResult comparison = CompareMethods(scene, settings, progress);
+  const ComparisonResult comparison = CompareMethods(scene, settings, progress,
+    [&](const ComparisonResult& soFar)
+    { WriteUnfinished(options.Json, [&] { return ToJson(soFar); }); });
   if (chart)
   {
     RecordScene(comparison, 0, *chart);
@@ -88,6 +94,10 @@ void AddCompareCommand(CLI::App& app)
     ->type_name("DEG")
     ->check(NumberWithin(-3600.0, 3600.0))
     ->capture_default_str();
+  command->add_flag("--stages", options->MeasuresStages,
+    "also time the stages of frames on the device, by timer queries");
+  command->add_flag(
+    "--without-truth", options->WithoutTruth, "draw no truth, which is slow; errors stay unknown");
   AddCoincidenceOption(*command, options->Coincidence);
   AddJsonOption(*command, options->Json);
   command

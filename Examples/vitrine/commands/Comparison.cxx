@@ -16,48 +16,126 @@ const int WarmUpFrames = 2; // shaders are built, pools take their size
 
 struct Contestant
 {
-  MethodResult Result;
+  MethodResult& Result;
   std::unique_ptr<Stage> Window;
   std::vector<std::uint8_t> LastPicture;
   std::vector<std::int64_t> GeometryPasses; ///< of the timed frames
 };
 
-std::vector<Contestant> SetUp(const Scene& scene, const ComparisonSettings& settings)
+/** Draws a scene by several methods, and tells what it does before it does it. */
+class ComparisonRun
 {
-  std::vector<Contestant> contestants;
-  for (const std::string& method : settings.Methods)
+public:
+  ComparisonRun(const Scene& scene, const ComparisonSettings& settings, Progress& progress,
+    const ComparisonListener& changed)
+    : InScene(scene)
+    , Settings(settings)
+    , Shown(progress)
+    , Changed(changed)
+    , Start(PlaceCamera(scene, settings.From, settings.Size.Aspect()))
   {
-    Contestant contestant;
-    contestant.Result.Method = method;
-    std::unique_ptr<Method> drawing = MakeMethod(method);
-    contestant.Result.Skipped = drawing->SetCoincidence(settings.Tolerance);
-    contestant.Window =
-      std::make_unique<Stage>(scene, std::move(drawing), settings.Size, settings.Multisamples);
-    contestants.push_back(std::move(contestant));
+    this->Comparison.Scene = scene.Name;
+    this->Comparison.Settings = settings;
+    this->Comparison.Advice = OpacityAdvice(scene);
+    this->Comparison.Results.resize(settings.Methods.size());
   }
-  return contestants;
+
+  ComparisonResult Measure()
+  {
+    this->SetUp();
+    this->WarmUp();
+    this->DrawFrames();
+    this->CloseWindows();
+    if (this->Settings.IsJudged)
+    {
+      this->JudgeByTruth();
+    }
+    this->Comparison.Unfinished.clear();
+    return std::move(this->Comparison);
+  }
+
+private:
+  void SetUp();
+  void WarmUp();
+  void DrawFrames();
+  void CloseWindows();
+  void JudgeByTruth();
+
+  double Draw(Contestant& contestant, vtkCamera* camera);
+  void DrawFrame(Contestant& contestant, vtkCamera* camera);
+  void Tell(const std::string& task);
+  vtkSmartPointer<vtkCamera> CameraOf(int frame) const;
+
+  const Scene& InScene;
+  const ComparisonSettings& Settings;
+  Progress& Shown;
+  const ComparisonListener& Changed;
+  vtkSmartPointer<vtkCamera> Start;
+  ComparisonResult Comparison;
+  std::vector<Contestant> Contestants;
+};
+
+void ComparisonRun::Tell(const std::string& task)
+{
+  this->Shown.Show(task);
+  this->Comparison.Unfinished = task;
+  if (this->Changed)
+  {
+    this->Changed(this->Comparison);
+  }
+}
+
+/** The last frame is `Settings.Orbit` from the first. */
+vtkSmartPointer<vtkCamera> ComparisonRun::CameraOf(int frame) const
+{
+  const int steps = this->Settings.Frames - 1;
+  return Orbit(this->Start, steps > 0 ? frame * (this->Settings.Orbit / steps) : 0.0);
+}
+
+void ComparisonRun::SetUp()
+{
+  for (std::size_t i = 0; i < this->Settings.Methods.size(); ++i)
+  {
+    Contestant contestant{ this->Comparison.Results[i], nullptr, {}, {} };
+    contestant.Result.Method = this->Settings.Methods[i];
+    std::unique_ptr<Method> drawing = MakeMethod(contestant.Result.Method);
+    contestant.Result.Skipped = drawing->SetCoincidence(this->Settings.Tolerance);
+    if (this->Settings.MeasuresStages)
+    {
+      drawing->MeasureStages();
+    }
+    contestant.Window = std::make_unique<Stage>(
+      this->InScene, std::move(drawing), this->Settings.Size, this->Settings.Multisamples);
+    this->Contestants.push_back(std::move(contestant));
+  }
 }
 
 /** Draw a frame; the first that the method does not draw itself makes its row a skipped one. */
-double Draw(Contestant& contestant, vtkCamera* camera)
+double ComparisonRun::Draw(Contestant& contestant, vtkCamera* camera)
 {
   const double milliseconds = contestant.Window->Draw(camera);
   if (contestant.Result.Skipped.empty())
   {
     contestant.Result.Skipped = contestant.Window->GetMethod().WhyNotRun();
   }
+  if (this->Comparison.GL.Renderer.empty())
+  {
+    this->Comparison.GL = contestant.Window->GetDevice();
+  }
   return milliseconds;
 }
 
 /** Draw untimed frames, and learn who else cannot. */
-void WarmUp(std::vector<Contestant>& contestants, vtkCamera* camera, Progress& progress)
+void ComparisonRun::WarmUp()
 {
-  for (Contestant& contestant : contestants)
+  for (Contestant& contestant : this->Contestants)
   {
-    progress.Show("warming up " + contestant.Result.Method);
     for (int i = 0; i < WarmUpFrames && contestant.Result.Skipped.empty(); ++i)
     {
-      Draw(contestant, camera);
+      this->Tell("warming up " + contestant.Result.Method);
+      const double milliseconds = this->Draw(contestant, this->Start);
+      contestant.Result.FirstFrameMilliseconds =
+        contestant.Result.FirstFrameMilliseconds.value_or(milliseconds);
     }
   }
 }
@@ -76,11 +154,16 @@ std::optional<std::int64_t> MedianPasses(Contestant& contestant)
 }
 
 /** Draw one frame twice: once for the time, once for whether it comes out the same. */
-void DrawFrame(Contestant& contestant, vtkCamera* camera)
+void ComparisonRun::DrawFrame(Contestant& contestant, vtkCamera* camera)
 {
   MethodResult& result = contestant.Result;
-  result.FrameMilliseconds.push_back(Draw(contestant, camera));
-  if (const auto passes = contestant.Window->GetMethod().Statistics().GeometryPasses)
+  result.FrameMilliseconds.push_back(this->Draw(contestant, camera));
+  result.Statistics = contestant.Window->GetMethod().Statistics();
+  if (this->Settings.MeasuresStages)
+  {
+    result.Stages.push_back(result.Statistics.Stages);
+  }
+  if (const auto passes = result.Statistics.GeometryPasses)
   {
     contestant.GeometryPasses.push_back(*passes);
   }
@@ -89,33 +172,37 @@ void DrawFrame(Contestant& contestant, vtkCamera* camera)
   {
     result.Picture = contestant.LastPicture;
   }
-  Draw(contestant, camera);
+  this->Draw(contestant, camera);
   if (contestant.Window->ReadPixels() != contestant.LastPicture)
   {
     result.IsDeterministic = false;
   }
+  result.Statistics = contestant.Window->GetMethod().Statistics();
+  result.Statistics.GeometryPasses = MedianPasses(contestant);
 }
 
-double OrbitStep(const ComparisonSettings& settings)
+void ComparisonRun::DrawFrames()
 {
-  return settings.Frames > 1 ? settings.Orbit / (settings.Frames - 1) : 0.0;
-}
-
-void DrawFrames(std::vector<Contestant>& contestants, vtkCamera* start,
-  const ComparisonSettings& settings, Progress& progress)
-{
-  for (int frame = 0; frame < settings.Frames; ++frame)
+  for (int frame = 0; frame < this->Settings.Frames; ++frame)
   {
-    const vtkSmartPointer<vtkCamera> camera = Orbit(start, frame * OrbitStep(settings));
-    for (Contestant& contestant : contestants)
+    const vtkSmartPointer<vtkCamera> camera = this->CameraOf(frame);
+    for (Contestant& contestant : this->Contestants)
     {
       if (contestant.Result.Skipped.empty())
       {
-        progress.Show("frame " + std::to_string(frame + 1) + " of " +
-          std::to_string(settings.Frames) + ", " + contestant.Result.Method);
-        DrawFrame(contestant, camera);
+        this->Tell("frame " + std::to_string(frame + 1) + " of " +
+          std::to_string(this->Settings.Frames) + ", " + contestant.Result.Method);
+        this->DrawFrame(contestant, camera);
       }
     }
+  }
+}
+
+void ComparisonRun::CloseWindows()
+{
+  for (Contestant& contestant : this->Contestants)
+  {
+    contestant.Window.reset();
   }
 }
 
@@ -139,27 +226,33 @@ void FillIn(MethodStatistics& statistics, const MethodStatistics& truth)
   statistics.LayersMean = statistics.LayersMean ? statistics.LayersMean : truth.LayersMean;
 }
 
-/** Compare pictures with truth's, and return truth's first; nothing if truth cannot run here. */
-std::vector<std::uint8_t> Judge(std::vector<Contestant>& contestants, TruthStage& truth,
-  vtkCamera* start, const ComparisonSettings& settings, Progress& progress)
+/** Compare pictures with truth's, if truth can run here. */
+void ComparisonRun::JudgeByTruth()
 {
-  progress.Show("drawing truth");
-  const std::unique_ptr<vitrine::Image> first = truth.Draw(start);
+  this->Tell("drawing truth");
+  TruthStage truth(
+    this->InScene, this->Settings.Size, this->Settings.Multisamples, this->Settings.Tolerance);
+  const std::unique_ptr<vitrine::Image> first = truth.Draw(this->Start);
+  this->Comparison.GL = truth.GetStage().GetDevice(); // even where all methods are skipped
   const std::unique_ptr<vitrine::Image> last =
-    truth.Draw(Orbit(start, (settings.Frames - 1) * OrbitStep(settings)));
-  for (Contestant& contestant : contestants)
+    truth.Draw(this->CameraOf(this->Settings.Frames - 1));
+  if (!first || !last)
+  {
+    return;
+  }
+  this->Comparison.TruthPicture = ToPixels(*first);
+  for (Contestant& contestant : this->Contestants)
   {
     MethodResult& result = contestant.Result;
-    if (!first || !last || !result.Skipped.empty())
+    if (result.Skipped.empty())
     {
-      continue;
+      this->Tell("judging " + result.Method);
+      result.Error =
+        Worse(vitrine::CompareImages(ToImage(result.Picture, this->Settings.Size), *first),
+          vitrine::CompareImages(ToImage(contestant.LastPicture, this->Settings.Size), *last));
+      FillIn(result.Statistics, truth.Statistics());
     }
-    progress.Show("judging " + result.Method);
-    result.Error = Worse(vitrine::CompareImages(ToImage(result.Picture, settings.Size), *first),
-      vitrine::CompareImages(ToImage(contestant.LastPicture, settings.Size), *last));
-    FillIn(result.Statistics, truth.Statistics());
   }
-  return first ? ToPixels(*first) : std::vector<std::uint8_t>{};
 }
 }
 
@@ -168,33 +261,32 @@ double MethodResult::Median() const
   return program::Median(this->FrameMilliseconds);
 }
 
-ComparisonResult CompareMethods(
-  const Scene& scene, const ComparisonSettings& settings, Progress& progress)
+std::vector<std::pair<std::string, std::vector<double>>> TimesOfStages(const MethodResult& result)
 {
-  const vtkSmartPointer<vtkCamera> start =
-    PlaceCamera(scene, settings.From, settings.Size.Aspect());
-  std::vector<Contestant> contestants = SetUp(scene, settings);
-  WarmUp(contestants, start, progress);
-  DrawFrames(contestants, start, settings, progress);
+  std::vector<std::pair<std::string, std::vector<double>>> times;
+  for (const StageTimes& frame : result.Stages)
+  {
+    for (const auto& [stage, milliseconds] : frame)
+    {
+      const auto found = std::find_if(times.begin(), times.end(),
+        [name = stage](const auto& each) { return each.first == name; });
+      if (found == times.end())
+      {
+        times.push_back({ stage, { milliseconds } });
+      }
+      else
+      {
+        found->second.push_back(milliseconds);
+      }
+    }
+  }
+  return times;
+}
 
-  ComparisonResult comparison;
-  comparison.Scene = scene.Name;
-  comparison.Settings = settings;
-  comparison.Advice = OpacityAdvice(scene);
-  for (Contestant& contestant : contestants)
-  {
-    contestant.Result.Statistics = contestant.Window->GetMethod().Statistics();
-    contestant.Result.Statistics.GeometryPasses = MedianPasses(contestant);
-    contestant.Window.reset();
-  }
-  TruthStage truth(scene, settings.Size, settings.Multisamples, settings.Tolerance);
-  comparison.TruthPicture = Judge(contestants, truth, start, settings, progress);
-  comparison.GL = truth.GetStage().GetDevice(); // even where all methods are skipped
-  for (Contestant& contestant : contestants)
-  {
-    comparison.Results.push_back(std::move(contestant.Result));
-  }
-  return comparison;
+ComparisonResult CompareMethods(const Scene& scene, const ComparisonSettings& settings,
+  Progress& progress, const ComparisonListener& changed)
+{
+  return ComparisonRun(scene, settings, progress, changed).Measure();
 }
 
 }

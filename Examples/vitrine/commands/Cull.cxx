@@ -96,12 +96,16 @@ void Cull(CullOptions options)
         MakeOpaque(scene, *options.Settings.OpaqueFrom);
       }
       scene.Name = input;
-      runs.push_back(MeasureCulling(scene, options.Settings,
-        [&](int pose)
+      runs.emplace_back();
+      runs.back() = MeasureCulling(scene, options.Settings,
+        [&](const CullRun& soFar)
         {
-          progress.Show(input + ": pose " + std::to_string(pose + 1) + " of " +
-            std::to_string(options.Settings.Poses));
-        }));
+          const std::string pose = "pose " + std::to_string(soFar.Frames.size() + 1) + " of " +
+            std::to_string(options.Settings.Poses);
+          progress.Show(input + ": " + pose);
+          runs.back() = soFar;
+          WriteUnfinished(options.Json, [&] { return ToJson(runs, input + ": " + pose); });
+        });
     }
   }
   if (options.Buffer)

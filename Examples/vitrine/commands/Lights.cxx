@@ -57,7 +57,7 @@ Scene LoadLit(const std::string& input, const std::optional<std::size_t>& lights
   return scene;
 }
 
-std::vector<LightingRun> MeasureAll(const LightsOptions& options)
+std::vector<LightingRun> MeasureAll(const LightsOptions& options, const Device& device)
 {
   std::vector<Scene> scenes;
   for (const std::string& input : options.Inputs)
@@ -69,7 +69,13 @@ std::vector<LightingRun> MeasureAll(const LightsOptions& options)
   for (const Scene& scene : scenes)
   {
     progress.SetTask(scene.Name);
-    runs.push_back(MeasureLighting(scene, options.Plan, progress));
+    runs.emplace_back();
+    runs.back() = MeasureLighting(scene, options.Plan, progress,
+      [&](const LightingRun& soFar)
+      {
+        runs.back() = soFar;
+        WriteUnfinished(options.Json, [&] { return ToJson(runs, options.Plan, device); });
+      });
   }
   return runs;
 }
@@ -84,7 +90,7 @@ void MeasureLights(LightsOptions options)
   options.Plan.Size = ParseSize(options.Size);
   options.Plan.ShowsHeat = options.HeatMap.has_value();
   const Device device = FindDevice();
-  const std::vector<LightingRun> runs = MeasureAll(options);
+  const std::vector<LightingRun> runs = MeasureAll(options, device);
   if (options.HeatMap && runs.front().Heat.empty())
   {
     throw InputError("--heat-map", "there is nothing to show, since all modes are skipped");

@@ -202,11 +202,12 @@ void PrintText(const std::optional<std::string>& file, const std::string& text)
   }
 }
 
-void WriteUnfinished(const std::optional<std::string>& file, const std::string& json)
+void WriteUnfinished(
+  const std::optional<std::string>& file, const std::function<std::string()>& makeJson)
 {
   if (file && *file != StandardOutput && CanBeReplaced(*file))
   {
-    WriteWholeFile(*file, json);
+    WriteWholeFile(*file, makeJson());
   }
 }
 

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,10 +64,11 @@ void CheckIsNoInput(
 void PrintText(const std::optional<std::string>& file, const std::string& text);
 
 /**
- * Write `json` to the file of --json, if that is a file which WriteReport() will replace. Throws InputError if it
- * cannot be written.
+ * Write what `makeJson` returns to the file of --json, if that is a file which WriteReport() will replace. Throws
+ * InputError if it cannot be written.
  */
-void WriteUnfinished(const std::optional<std::string>& file, const std::string& json);
+void WriteUnfinished(
+  const std::optional<std::string>& file, const std::function<std::string()>& makeJson);
 
 /** Print `text`, and write `json` where --json says. Throws InputError or RuntimeError if they cannot be written. */
 void WriteReport(

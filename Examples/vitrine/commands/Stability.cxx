@@ -128,7 +128,7 @@ void Stability(const StabilityOptions& options)
   {
     progress.Hide();
     PrintText(options.Json, SceneTable(scene, result.Cells));
-    WriteUnfinished(options.Json, ToJson(result));
+    WriteUnfinished(options.Json, [&] { return ToJson(result); });
   };
 
   MeasureStability(result.Settings, listener);

@@ -220,8 +220,8 @@ void AddIdeal(CullRun& run, CullStage& stage, ItemBuffer& ideal, vtkCamera* came
 }
 }
 
-CullRun MeasureCulling(
-  const Scene& scene, const CullSettings& settings, const std::function<void(int)>& progress)
+CullRun MeasureCulling(const Scene& scene, const CullSettings& settings,
+  const std::function<void(const CullRun&)>& progress)
 {
   CullRun run;
   run.Name = scene.Name;
@@ -238,7 +238,7 @@ CullRun MeasureCulling(
   poses.Skip(settings.SkippedPoses);
   for (int i = 0; i < settings.Poses; ++i)
   {
-    progress(i);
+    progress(run);
     const vtkSmartPointer<vtkCamera> camera = poses.Next();
     if (i == 0)
     {
@@ -250,14 +250,17 @@ CullRun MeasureCulling(
     {
       AddIdeal(run, stage, *ideal, camera);
     }
+    if (i == 0)
+    {
+      run.DrawnBy = stage.GetDevice();
+      run.Samples = stage.GetSamples();
+    }
+    run.Parts = stage.CountParts();
   }
-  run.Parts = stage.CountParts();
   if (settings.ShowsBuffer)
   {
     run.LastPicture = stage.PictureWithBuffer();
   }
-  run.DrawnBy = stage.GetDevice();
-  run.Samples = stage.GetSamples();
   return run;
 }
 

@@ -69,9 +69,9 @@ struct CullRun
     LastPicture; ///< the last pose with its s-buffer, see WithBuffer(), if it is asked for
 };
 
-/** @param progress  is told how many poses are done */
-CullRun MeasureCulling(
-  const Scene& scene, const CullSettings& settings, const std::function<void(int)>& progress);
+/** @param progress  is called before each pose with what was measured before it */
+CullRun MeasureCulling(const Scene& scene, const CullSettings& settings,
+  const std::function<void(const CullRun&)>& progress);
 
 }
 

@@ -83,15 +83,6 @@ public:
     return HeatMap(this->Mode->LightsOfPixels(static_cast<std::size_t>(size.Width) * size.Height));
   }
 
-  ModeResult Finish()
-  {
-    if (!this->IsSkipped())
-    {
-      this->Result.Statistics = this->Mode->Statistics();
-    }
-    return this->Result;
-  }
-
   ModeResult Result;
   Pixels First; ///< frame that was timed
   Pixels Last;
@@ -102,6 +93,7 @@ private:
   {
     const double milliseconds = this->Window->Draw(camera);
     this->Result.Skipped = this->Mode->WhyNotRun();
+    this->Result.Statistics = this->Mode->Statistics();
     return milliseconds;
   }
 
@@ -111,6 +103,51 @@ private:
 
 using Contestants = std::vector<LightingContestant>;
 
+/** Shows what is done next, and tells what was measured before. */
+class LightingTeller
+{
+public:
+  LightingTeller(
+    const Scene& scene, Progress& progress, const std::function<void(const LightingRun&)>& changed)
+    : Shown(progress)
+    , Changed(changed)
+  {
+    this->Run.Name = scene.Name;
+    this->Run.Lights = scene.Lights.size();
+    this->Run.Reference = ReferenceMode(this->Run.Lights);
+  }
+
+  void Tell(const Contestants& contestants, const std::string& task)
+  {
+    this->Shown.Show(task);
+    this->Run.Unfinished = task;
+    this->Take(contestants);
+    this->Changed(this->Run);
+  }
+
+  LightingRun Finish(const Contestants& contestants)
+  {
+    this->Run.Unfinished.clear();
+    this->Take(contestants);
+    return this->Run;
+  }
+
+  LightingRun Run;
+
+private:
+  void Take(const Contestants& contestants)
+  {
+    this->Run.Results.clear();
+    for (const LightingContestant& contestant : contestants)
+    {
+      this->Run.Results.push_back(contestant.Result);
+    }
+  }
+
+  Progress& Shown;
+  const std::function<void(const LightingRun&)>& Changed;
+};
+
 /** Where the camera is at a frame; the last is `plan.Orbit` from the first. */
 vtkSmartPointer<vtkCamera> CameraOf(const Scene& scene, const LightingPlan& plan, int frame)
 {
@@ -118,12 +155,12 @@ vtkSmartPointer<vtkCamera> CameraOf(const Scene& scene, const LightingPlan& plan
   return Orbit(PlaceCamera(scene, scene.Placement.DefaultView, plan.Size.Aspect()), frame * step);
 }
 
-Contestants SetUp(const Scene& scene, const LightingPlan& plan, Progress& progress)
+Contestants SetUp(const Scene& scene, const LightingPlan& plan, LightingTeller& teller)
 {
   Contestants contestants;
   for (const std::string& mode : plan.Modes)
   {
-    progress.Show("first frame of " + mode);
+    teller.Tell(contestants, "first frame of " + mode);
     contestants.emplace_back(scene, mode, plan);
     if (!contestants.back().IsSkipped())
     {
@@ -134,7 +171,7 @@ Contestants SetUp(const Scene& scene, const LightingPlan& plan, Progress& progre
 }
 
 void DrawFrames(
-  const Scene& scene, const LightingPlan& plan, Contestants& contestants, Progress& progress)
+  const Scene& scene, const LightingPlan& plan, Contestants& contestants, LightingTeller& teller)
 {
   for (int frame = 0; frame < plan.Frames; ++frame)
   {
@@ -143,8 +180,9 @@ void DrawFrames(
     {
       if (!contestant.IsSkipped())
       {
-        progress.Show("frame " + std::to_string(frame + 1) + " of " + std::to_string(plan.Frames) +
-          ", " + contestant.Result.Mode);
+        teller.Tell(contestants,
+          "frame " + std::to_string(frame + 1) + " of " + std::to_string(plan.Frames) + ", " +
+            contestant.Result.Mode);
         contestant.DrawTimed(camera);
       }
     }
@@ -163,9 +201,8 @@ double LargestDifference(const Pixels& a, const Pixels& b)
 
 /** The pictures of a mode, of the first and the last frame alone. */
 LightingContestant DrawReference(
-  const Scene& scene, const LightingPlan& plan, const std::string& mode, Progress& progress)
+  const Scene& scene, const LightingPlan& plan, const std::string& mode)
 {
-  progress.Show("drawing the reference, " + mode);
   LightingContestant reference(scene, mode, plan);
   for (const int frame : { 0, plan.Frames - 1 })
   {
@@ -191,7 +228,7 @@ void JudgeBy(const LightingContestant& reference, Contestants& contestants)
 
 /** By the reference among the modes, or by one that is drawn for that. */
 void Judge(const Scene& scene, const LightingPlan& plan, const std::string& reference,
-  Contestants& contestants, Progress& progress)
+  Contestants& contestants, LightingTeller& teller)
 {
   if (reference.empty())
   {
@@ -205,7 +242,8 @@ void Judge(const Scene& scene, const LightingPlan& plan, const std::string& refe
   }
   else
   {
-    JudgeBy(DrawReference(scene, plan, reference, progress), contestants);
+    teller.Tell(contestants, "drawing the reference, " + reference);
+    JudgeBy(DrawReference(scene, plan, reference), contestants);
   }
 }
 
@@ -217,24 +255,18 @@ Pixels LastHeat(const Contestants& contestants)
 }
 }
 
-LightingRun MeasureLighting(const Scene& scene, const LightingPlan& plan, Progress& progress)
+LightingRun MeasureLighting(const Scene& scene, const LightingPlan& plan, Progress& progress,
+  const std::function<void(const LightingRun&)>& changed)
 {
-  LightingRun run;
-  run.Name = scene.Name;
-  run.Lights = scene.Lights.size();
-  run.Reference = ReferenceMode(run.Lights);
-  Contestants contestants = SetUp(scene, plan, progress);
-  DrawFrames(scene, plan, contestants, progress);
+  LightingTeller teller(scene, progress, changed);
+  Contestants contestants = SetUp(scene, plan, teller);
+  DrawFrames(scene, plan, contestants, teller);
   if (plan.ShowsHeat)
   {
-    run.Heat = LastHeat(contestants);
+    teller.Run.Heat = LastHeat(contestants);
   }
-  Judge(scene, plan, run.Reference, contestants, progress);
-  for (LightingContestant& contestant : contestants)
-  {
-    run.Results.push_back(contestant.Finish());
-  }
-  return run;
+  Judge(scene, plan, teller.Run.Reference, contestants, teller);
+  return teller.Finish(contestants);
 }
 
 }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -18,6 +19,9 @@ class vtkRenderer;
 
 namespace program
 {
+
+/** Names of a frame's stages, and what they take on the device in milliseconds. */
+using StageTimes = std::vector<std::pair<std::string, double>>;
 
 /** What a method tells about the last frame; what it cannot tell is left out. */
 struct MethodStatistics
@@ -29,6 +33,7 @@ struct MethodStatistics
   std::optional<double> LayersMean;
   std::optional<std::int64_t> GeometryPasses;
   std::optional<std::int64_t> Bytes;
+  StageTimes Stages; ///< empty unless they are measured
 };
 
 /** The tolerance within which fragments coincide; see vtkTolerantTransparencyPass::SetCoincidenceSteps(). */
@@ -57,6 +62,9 @@ public:
 
   /** How many lights of a scene it draws. */
   virtual std::size_t MostLights() const { return MostLightsOfVTK; }
+
+  /** Measure the stages of frames on the device. Called before Attach(). */
+  virtual void MeasureStages() {}
 
   /** Of the last frame. */
   virtual MethodStatistics Statistics() const = 0;

@@ -1,5 +1,7 @@
 #include "methods/VTKMethods.h"
 
+#include "methods/TimedPass.h"
+
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -105,8 +107,17 @@ public:
     {
       this->Steps->SetTranslucentPass(this->Pass);
     }
+    if (this->AreStagesMeasured)
+    {
+      this->Opaque->SetStage("opaque", this->Steps->GetOpaquePass());
+      this->Steps->SetOpaquePass(this->Opaque);
+      this->Translucent->SetStage("translucent", this->Steps->GetTranslucentPass());
+      this->Steps->SetTranslucentPass(this->Translucent);
+    }
     renderer->SetPass(this->Steps);
   }
+
+  void MeasureStages() override { this->AreStagesMeasured = true; }
 
   vtkTranslucentPass* Geometry() { return this->Steps->Geometry; }
 
@@ -115,12 +126,20 @@ public:
     MethodStatistics statistics;
     statistics.GeometryPasses = this->Steps->Geometry->Count;
     statistics.Bytes = this->BytesPerPixel * this->Steps->Pixels;
+    for (TimedPass* const pass : { this->Opaque.Get(), this->Translucent.Get() })
+    {
+      const StageTimes times = pass->Times();
+      statistics.Stages.insert(statistics.Stages.end(), times.begin(), times.end());
+    }
     return statistics;
   }
 
 private:
   vtkNew<CountingRenderStepsPass> Steps;
   vtkSmartPointer<vtkOpenGLRenderPass> Pass;
+  vtkNew<TimedPass> Opaque;
+  vtkNew<TimedPass> Translucent;
+  bool AreStagesMeasured = false;
   int BytesPerPixel;
 };
 

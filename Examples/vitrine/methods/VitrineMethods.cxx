@@ -21,6 +21,11 @@ void VitrineMethod::Attach(vtkRenderer* renderer)
 {
   vtkNew<vtkSeeThroughPass> steps;
   steps->SetTranslucentPass(this->Pass);
+  if (this->Opaque)
+  {
+    this->Opaque->SetStage("opaque", steps->GetOpaquePass());
+    steps->SetOpaquePass(this->Opaque);
+  }
   renderer->SetPass(steps);
 }
 
@@ -35,6 +40,12 @@ std::string VitrineMethod::SetCoincidence(const Coincidence& coincidence)
   return this->Method::SetCoincidence(coincidence);
 }
 
+void VitrineMethod::MeasureStages()
+{
+  this->Pass->SetMeasureStages(true);
+  this->Opaque = vtkSmartPointer<TimedPass>::New();
+}
+
 MethodStatistics VitrineMethod::Statistics() const
 {
   MethodStatistics statistics;
@@ -45,6 +56,15 @@ MethodStatistics VitrineMethod::Statistics() const
   statistics.LayersMean = this->Pass->GetMeanNumberOfLayers();
   statistics.GeometryPasses = this->Pass->GetNumberOfGeometryPasses();
   statistics.Bytes = this->Pass->GetBytes();
+  if (this->Opaque)
+  {
+    statistics.Stages = this->Opaque->Times();
+  }
+  for (int stage = 0; stage < this->Pass->GetNumberOfStages(); ++stage)
+  {
+    statistics.Stages.emplace_back(
+      this->Pass->GetStageName(stage), 1000.0 * this->Pass->GetStageTime(stage));
+  }
   return statistics;
 }
 

@@ -5,6 +5,7 @@
 #define VITRINE_VITRINE_METHODS_H
 
 #include "methods/Method.h"
+#include "methods/TimedPass.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkTransparencyPass.h"
@@ -20,11 +21,13 @@ public:
 
   void Attach(vtkRenderer* renderer) override;
   std::string SetCoincidence(const Coincidence& coincidence) override;
+  void MeasureStages() override;
   MethodStatistics Statistics() const override;
   std::string WhyNotRun() const override;
 
 private:
   vtkSmartPointer<vtkTransparencyPass> Pass;
+  vtkSmartPointer<TimedPass> Opaque; ///< null unless stages are measured
 };
 
 /** The module's method of this name (vtkTransparencyPass::GetMethods()) with its default settings. */

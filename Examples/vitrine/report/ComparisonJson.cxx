@@ -12,6 +12,20 @@ Json ToJson(const ComparisonSettings& settings)
   return json;
 }
 
+namespace
+{
+/** The spread of each stage's times over frames. */
+Json StagesJson(const MethodResult& result)
+{
+  Json stages = Json::object();
+  for (const auto& [stage, milliseconds] : TimesOfStages(result))
+  {
+    stages[stage] = Spread(milliseconds, "frames");
+  }
+  return stages;
+}
+}
+
 Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
 {
   Json row = { { "scene", comparison.Scene }, { "method", result.Method },
@@ -21,7 +35,16 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
     row["skipped"] = result.Skipped;
     return row;
   }
+  row["first_frame_ms"] = OrNull(result.FirstFrameMilliseconds);
+  if (result.FrameMilliseconds.empty())
+  {
+    return row;
+  }
   row["frame_ms"] = Spread(result.FrameMilliseconds, "frames");
+  if (comparison.Settings.MeasuresStages)
+  {
+    row["stages_ms"] = StagesJson(result);
+  }
   row["fragments"] = OrNull(result.Statistics.Fragments);
   row["lost"] = OrNull(result.Statistics.Lost);
   row["lost_is_least"] = result.Statistics.LostIsLeast;
@@ -38,6 +61,10 @@ std::string ToJsonDocument(const ComparisonResult& comparison, const Json& rows)
 {
   Json document = MeasurementHead(comparison.GL);
   document["settings"] = ToJson(comparison.Settings);
+  if (!comparison.Unfinished.empty())
+  {
+    document["unfinished"] = comparison.Unfinished;
+  }
   document["results"] = rows;
   return JsonText(document);
 }

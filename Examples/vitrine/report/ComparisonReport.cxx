@@ -1,5 +1,6 @@
 #include "report/ComparisonReport.h"
 
+#include "Median.h"
 #include "report/ComparisonJson.h"
 #include "report/TextTable.h"
 
@@ -53,6 +54,30 @@ const TextRow& ComparisonHead()
   return head;
 }
 
+/** The median of each stage's times, method by method; empty if stages were not measured. */
+std::string StageTable(const ComparisonResult& comparison)
+{
+  if (!comparison.Settings.MeasuresStages)
+  {
+    return "";
+  }
+  std::vector<TextRow> rows = { { "stages, ms on the device" } };
+  for (const MethodResult& result : comparison.Results)
+  {
+    TextRow cells = { result.Method };
+    double sum = 0.0;
+    for (const auto& [stage, milliseconds] : TimesOfStages(result))
+    {
+      const double median = Median(milliseconds);
+      sum += median;
+      cells.push_back(stage + FormatCell(" %.2f", median));
+    }
+    cells.push_back(FormatCell("sum %.2f", sum));
+    rows.push_back(cells);
+  }
+  return "\n" + AlignColumns(rows);
+}
+
 double FirstMedian(const ComparisonResult& comparison)
 {
   for (const MethodResult& result : comparison.Results)
@@ -76,7 +101,7 @@ std::string ToTable(const ComparisonResult& comparison)
   }
   const PictureSize size = comparison.Settings.Size;
   return comparison.Scene + ", " + std::to_string(size.Width) + "x" + std::to_string(size.Height) +
-    ", " + comparison.GL.Renderer + "\n" + AlignColumns(rows) +
+    ", " + comparison.GL.Renderer + "\n" + AlignColumns(rows) + StageTable(comparison) +
     (comparison.Advice.empty() ? "" : comparison.Advice + "\n");
 }
 

@@ -213,7 +213,7 @@ std::string ToTable(const std::vector<CullRun>& runs)
   return text;
 }
 
-std::string ToJson(const std::vector<CullRun>& runs)
+std::string ToJson(const std::vector<CullRun>& runs, const std::string& unfinished)
 {
   const CullSettings& settings = runs.front().Settings;
   Json document = MeasurementHead(runs.front().DrawnBy);
@@ -225,10 +225,17 @@ std::string ToJson(const std::vector<CullRun>& runs)
     { "projection", NameOf(NamesOfProjections(), settings.Projection) },
     { "as", NameOf(NamesOfForms(), settings.Form) }, { "opaque_from", OrNull(settings.OpaqueFrom) },
     { "samples", runs.front().Samples } };
+  if (!unfinished.empty())
+  {
+    document["unfinished"] = unfinished;
+  }
   document["results"] = Json::array();
   for (const CullRun& run : runs)
   {
-    document["results"].push_back(RunJson(run));
+    if (!run.Frames.empty())
+    {
+      document["results"].push_back(RunJson(run));
+    }
   }
   return JsonText(document);
 }

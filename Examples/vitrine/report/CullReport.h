@@ -16,7 +16,7 @@ namespace program
 std::string ToTable(const std::vector<CullRun>& runs);
 
 /** JSON: {"vitrine", "build", "device", "settings", "results"}; docs/reference/json.md lists the keys. */
-std::string ToJson(const std::vector<CullRun>& runs);
+std::string ToJson(const std::vector<CullRun>& runs, const std::string& unfinished = "");
 
 /** Pixels that differ, of all inputs. */
 std::int64_t CountWrongPixels(const std::vector<CullRun>& runs);

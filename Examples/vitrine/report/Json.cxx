@@ -9,13 +9,30 @@
 namespace program
 {
 
+namespace
+{
+Json DeviceJson(const Device& device)
+{
+  Json features = Json::object();
+  for (const DeviceFeature& feature : device.Features)
+  {
+    features[feature.Name] = feature.IsThere;
+  }
+  Json json = { { "vendor", device.Vendor }, { "renderer", device.Renderer },
+    { "gl", device.Version }, { "storage_block_bytes", device.StorageBlockBytes },
+    { "buffer_texture_texels", device.BufferTextureTexels }, { "samples", device.Samples },
+    { "features", features } };
+  if (!device.Switches.empty())
+  {
+    json["switches"] = device.Switches;
+  }
+  return json;
+}
+}
+
 Json MeasurementHead(const Device& device)
 {
-  return {
-    { "vitrine", Version }, { "build", BuildJson() },
-    { "device",
-      { { "vendor", device.Vendor }, { "renderer", device.Renderer }, { "gl", device.Version } } }
-  };
+  return { { "vitrine", Version }, { "build", BuildJson() }, { "device", DeviceJson(device) } };
 }
 
 Json ErrorJson(const vitrine::ImageError& error)

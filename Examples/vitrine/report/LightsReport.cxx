@@ -24,7 +24,7 @@ TextRow RowOf(const LightingRun& run, const ModeResult& result)
   }
   const LightingStatistics& told = result.Statistics;
   return { name, std::to_string(run.Lights), FormatCell("%.1f", Median(result.FrameMilliseconds)),
-    FormatCell("%.0f", result.FirstFrameMilliseconds),
+    CellOrUnknown("%.0f", result.FirstFrameMilliseconds),
     CellOrUnknown("%.2f", told.AssignmentMilliseconds),
     CellOrUnknown("%.1f", told.LightsPerClusterMean),
     CellOrUnknown("%.0f", told.LightsPerClusterMax), CellOrUnknown("%.0f", told.Clusters),
@@ -42,8 +42,11 @@ Json LightingRow(const LightingRun& run, const ModeResult& result)
     return row;
   }
   const LightingStatistics& told = result.Statistics;
-  row["frame_ms"] = Spread(result.FrameMilliseconds, "frames");
-  row["first_frame_ms"] = result.FirstFrameMilliseconds;
+  if (!result.FrameMilliseconds.empty())
+  {
+    row["frame_ms"] = Spread(result.FrameMilliseconds, "frames");
+  }
+  row["first_frame_ms"] = OrNull(result.FirstFrameMilliseconds);
   row["assignment_ms"] = OrNull(told.AssignmentMilliseconds);
   row["lights_per_cluster"] = { { "mean", OrNull(told.LightsPerClusterMean) },
     { "max", OrNull(told.LightsPerClusterMax) } };
@@ -78,6 +81,10 @@ std::string ToJson(
     { "frames", plan.Frames }, { "orbit", plan.Orbit }, { "tile", plan.Settings.TileSize },
     { "slices", plan.Settings.Slices }, { "slice_law", plan.Settings.SliceLaw },
     { "cutoff", plan.Settings.CutOff } };
+  if (!runs.empty() && !runs.back().Unfinished.empty())
+  {
+    document["unfinished"] = runs.back().Name + ": " + runs.back().Unfinished;
+  }
   document["results"] = Json::array();
   for (const LightingRun& run : runs)
   {

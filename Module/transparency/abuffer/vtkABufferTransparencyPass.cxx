@@ -5,9 +5,11 @@
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
+#include "gl/DeviceTraits.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StageTimer.h"
 #include "scene/Settings.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/abuffer/ListResolver.h"
@@ -24,8 +26,6 @@
 
 namespace
 {
-
-const char* const FetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
 // How often a frame is drawn again whose props make more fragments than they did before.
 constexpr int MaximumAttempts = 4;
@@ -49,7 +49,6 @@ vitrine::NodeColors KindOfColors(int storage, const vitrine::RenderTarget& targe
 
 struct vtkABufferTransparencyPass::Internals
 {
-  bool HasFramebufferFetch = false;
   vitrine::ListLayout Layout;
   std::unique_ptr<vitrine::FragmentStore> Store;
   vitrine::BackdropCopy Backdrop;
@@ -141,7 +140,6 @@ vtkTypeInt64 vtkABufferTransparencyPass::GetPoolBytes()
 //------------------------------------------------------------------------------
 std::string vtkABufferTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow*)
 {
-  this->Private->HasFramebufferFetch = vitrine::HasExtension(FetchExtension);
   return vitrine::MissingFeatures(4, 3, vitrine::FillExtensions());
 }
 
@@ -153,7 +151,7 @@ vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
   fill.Extensions.assign(extensions.begin(), extensions.end());
   if (this->Private->Layout.FramebufferFetch)
   {
-    fill.Extensions.emplace_back(FetchExtension);
+    fill.Extensions.emplace_back(vitrine::FramebufferFetchExtension);
     fill.Defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
   }
   if (const char* colors = this->Private->Layout.ColorDefine())
@@ -206,6 +204,7 @@ std::string vtkABufferTransparencyPass::RenderFragments(
 std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
+  const vitrine::StageTimer::Section section(this->GetStageTimer(), "prepare");
   const vitrine::CoincidenceTolerance tolerance = this->GetTolerance();
   in.Layout.Additive = this->HasAdditiveFragments();
   in.Layout.Coincidence = tolerance.IsOn();
@@ -213,7 +212,7 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
-  const bool fetch = in.HasFramebufferFetch && target.Samples == 0;
+  const bool fetch = this->GetDeviceTraits().FramebufferFetch && target.Samples == 0;
   if (fetch != in.Layout.FramebufferFetch)
   {
     in.Layout.FramebufferFetch = fetch;
@@ -286,7 +285,10 @@ std::string vtkABufferTransparencyPass::Fill(
     problem = this->FillOnce(s, target, region);
   }
   in.DrawnBins = 0;
-  in.Resolver.Classify(this->GetWindow(), in.Layout, store, target, region);
+  {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "classify");
+    in.Resolver.Classify(this->GetWindow(), in.Layout, store, target, region);
+  }
   store.CopyCounters();
   return problem;
 }
@@ -297,7 +299,11 @@ std::string vtkABufferTransparencyPass::FillOnce(
 {
   Internals& in = *this->Private;
   vitrine::FragmentStore& store = this->GetStore();
-  std::string problem = store.BeginFill(this->GetWindow(), region, in.Layout);
+  std::string problem;
+  {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "prepare");
+    problem = store.BeginFill(this->GetWindow(), region, in.Layout);
+  }
   if (!problem.empty())
   {
     return problem;
@@ -305,6 +311,7 @@ std::string vtkABufferTransparencyPass::FillOnce(
   vitrine::BarrierBeforeFilling();
   target.BindForFill(this->GetWindow()->GetState(), store.Heads().FillFramebuffer(), region);
   {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "fill");
     const vitrine::ScopedFillBuffers buffers(store);
     const vitrine::ScopedImage heads(
       VITRINE_IMAGE_HEADS, in.Layout.FramebufferFetch ? 0 : store.Heads().Image().Handle());
@@ -333,6 +340,7 @@ void vtkABufferTransparencyPass::ResolveBins(
   Internals& in = *this->Private;
   if (tileBins != 0)
   {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "resolve");
     in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), in.Backdrop.Image(), target,
       region, tileBins);
     in.DrawnBins |= tileBins;

@@ -3,13 +3,14 @@
 #include "Core/lists/StencilCounts.h"
 #include "Core/shader/ShaderOutputs.h"
 #include "Core/shader/ShaderTuning.h"
-#include "gl/Capabilities.h"
 #include "gl/DepthCopy.h"
+#include "gl/DeviceTraits.h"
 #include "gl/HeldContext.h"
 #include "gl/OuterPasses.h"
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StageTimer.h"
 #include "scene/ActorRules.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/common/MethodTable.h"
@@ -110,15 +111,27 @@ struct vtkTransparencyPass::Internals
 
   vitrine::RenderTarget Target; // Target of the current frame.
   vitrine::PixelRegion Region;  // Region that is being drawn.
-  bool PostDepthCoverage = false;
-  bool SoftwareRasteriser = false;
-  bool IsAdditive = false;    // The shaders support additive fragments.
-  bool HasAdded = false;      // The current frame has additive fragments.
-  vtkMTimeType ProbeTime = 0; // When CanFill was determined.
+  vitrine::DeviceTraits Traits; // Traits of the device of Context.
+  bool IsAdditive = false;      // The shaders support additive fragments.
+  bool HasAdded = false;        // The current frame has additive fragments.
+  vtkMTimeType ProbeTime = 0;   // When CanFill was determined.
   bool CanFill = true;
 
   vitrine::DepthCopy OpaqueDepth;
   vitrine::OuterPasses Outer;
+
+  bool MeasureStages = false;
+  vitrine::StageTimer Timer;
+
+  // Returns the times of the stages, after reading the results that the device has by now.
+  const vitrine::StageTimer::StageTimes& StageTimes()
+  {
+    if (this->MeasureStages && this->Context.Lives() && this->Context.Window()->IsCurrent())
+    {
+      this->Timer.Collect();
+    }
+    return this->Timer.Latest();
+  }
 
   // Returns true if the target differs in a property on which the mappers' shaders depend.
   bool ChangesShaders(const vitrine::RenderTarget& target) const
@@ -153,6 +166,7 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeanNumberOfLayers: " << this->MeanNumberOfLayers << "\n";
   os << indent << "NumberOfGeometryPasses: " << this->NumberOfGeometryPasses << "\n";
   os << indent << "Bytes: " << this->Bytes << "\n";
+  os << indent << "MeasureStages: " << this->GetMeasureStages() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -189,6 +203,7 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
 
   vtkOpenGLClearErrorMacro();
   this->UseWindow(s->GetRenderer()->GetRenderWindow());
+  this->Private->Timer.BeginFrame();
   {
     const vitrine::KnownLimits::InUse limits(this->Private->Context.Limits());
     const vitrine::OuterPasses::Scope outer(
@@ -213,9 +228,8 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
   }
   this->LeaveWindow();
   in.Context.Hold(window);
+  in.Traits = vitrine::FindDeviceTraits();
   in.MissingFeature = this->FindMissingFeature(window);
-  in.PostDepthCoverage = vitrine::HasExtension("GL_ARB_post_depth_coverage");
-  in.SoftwareRasteriser = vitrine::IsSoftwareRasteriser();
   this->ShaderStage.Modified();
 }
 
@@ -234,6 +248,8 @@ void vtkTransparencyPass::ForgetResources()
 {
   Internals& in = *this->Private;
   in.OpaqueDepth = vitrine::DepthCopy();
+  in.Timer = vitrine::StageTimer();
+  in.Timer.SetOn(in.MeasureStages);
   this->ForgetMethodResources();
   this->Bytes = 0;
   in.Context.LetGo();
@@ -353,7 +369,8 @@ vitrine::FillShader vtkTransparencyPass::GetCapturingShader(bool writesDepth)
   {
     fill.Defines.emplace_back("VITRINE_ADDITIVE");
   }
-  vitrine::AddCapture(fill, this->Private->Target, this->Private->PostDepthCoverage, writesDepth);
+  vitrine::AddCapture(
+    fill, this->Private->Target, this->Private->Traits.PostDepthCoverage, writesDepth);
   return fill;
 }
 
@@ -387,7 +404,7 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
   {
     vitrine::DropSpecularPower(fragmentShader);
   }
-  if (in.SoftwareRasteriser && geometryShader.empty())
+  if (in.Traits.Software && geometryShader.empty())
   {
     vitrine::PassUniformsAsFlatVaryings(vertexShader, fragmentShader);
   }
@@ -442,6 +459,7 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
   if (in.Context.LivesIn(window))
   {
     in.OpaqueDepth.Release();
+    in.Timer.Release();
     this->ReleaseMethodResources();
     this->Bytes = 0;
     in.Context.LetGo();
@@ -457,6 +475,57 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
 vtkTypeInt64 vtkTransparencyPass::GetSharedBytes()
 {
   return this->Private->OpaqueDepth.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::SetMeasureStages(bool measure)
+{
+  Internals& in = *this->Private;
+  if (in.MeasureStages == measure)
+  {
+    return;
+  }
+  in.MeasureStages = measure;
+  in.Timer.SetOn(measure);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::GetMeasureStages()
+{
+  return this->Private->MeasureStages;
+}
+
+//------------------------------------------------------------------------------
+int vtkTransparencyPass::GetNumberOfStages()
+{
+  return static_cast<int>(this->Private->StageTimes().size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetStageName(int stage)
+{
+  return stage >= 0 && stage < this->GetNumberOfStages() ? this->Private->StageTimes()[stage].first
+                                                         : "";
+}
+
+//------------------------------------------------------------------------------
+double vtkTransparencyPass::GetStageTime(int stage)
+{
+  return stage >= 0 && stage < this->GetNumberOfStages() ? this->Private->StageTimes()[stage].second
+                                                         : 0.0;
+}
+
+//------------------------------------------------------------------------------
+const vitrine::DeviceTraits& vtkTransparencyPass::GetDeviceTraits()
+{
+  return this->Private->Traits;
+}
+
+//------------------------------------------------------------------------------
+vitrine::StageTimer& vtkTransparencyPass::GetStageTimer()
+{
+  return this->Private->Timer;
 }
 
 //------------------------------------------------------------------------------

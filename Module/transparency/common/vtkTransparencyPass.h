@@ -50,10 +50,12 @@ class vtkRenderWindow;
 
 namespace vitrine
 {
+struct DeviceTraits;
 struct FillShader;
 struct PixelRegion;
 struct RenderTarget;
 struct StencilCounts;
+class StageTimer;
 }
 
 class VTKVITRINERENDERING_EXPORT vtkTransparencyPass : public vtkOpenGLRenderPass
@@ -143,6 +145,33 @@ public:
    */
   vtkGetMacro(Bytes, vtkTypeInt64);
 
+  ///@{
+  /**
+   * Set/Get whether the device is asked how long the stages of a frame take. If on, each stage costs a timer query, whose
+   * result is read in a later frame. The default is false.
+   */
+  void SetMeasureStages(bool measure);
+  bool GetMeasureStages();
+  vtkBooleanMacro(MeasureStages, bool);
+  ///@}
+
+  /**
+   * Get the number of stages of the latest frame whose times the device has told. It is 0 if MeasureStages is off, if
+   * there was no such frame, or if the driver has no timer queries.
+   */
+  int GetNumberOfStages();
+
+  /**
+   * Get the name of a stage, such as "fill". The range is 0 to GetNumberOfStages() - 1. The string is empty outside of it.
+   */
+  std::string GetStageName(int stage);
+
+  /**
+   * Get the time that a stage took on the device, in seconds. It includes the time in which the device waited for the CPU.
+   * The range is 0 to GetNumberOfStages() - 1. The time is 0 outside of it.
+   */
+  double GetStageTime(int stage);
+
   /**
    * Insert the code that stores fragments into the shader of a mapper. The mapper calls this method. If the shader
    * cannot be changed, it is an error, and the prop is not drawn.
@@ -228,6 +257,16 @@ protected:
    * Get the window of the current frame.
    */
   vtkOpenGLRenderWindow* GetWindow();
+
+  /**
+   * Get the traits of the device of the current frame.
+   */
+  const vitrine::DeviceTraits& GetDeviceTraits();
+
+  /**
+   * Get the timer of the frame's stages. A method times a stage by a vitrine::StageTimer::Section.
+   */
+  vitrine::StageTimer& GetStageTimer();
 
   /**
    * Get the GPU memory that this base class holds, in bytes: the copy of the opaque depth, if one was asked for.

@@ -3,8 +3,10 @@
 #include "Core/lists/StencilMasks.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
+#include "gl/DeviceTraits.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StageTimer.h"
 #include "scene/Settings.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
@@ -131,7 +133,7 @@ vitrine::FillShader vtkStencilMaskTransparencyPass::GetFillShader()
   fill.Declarations = vitrine::shaders::StencilMaskFillDec;
   fill.Implementation = vitrine::shaders::StencilFillImpl;
   fill.Inputs = { "VITRINE_TO_CENTRE", "vec2(VITRINE_GROUP)", "vitrineCentreDepth" };
-  if (vitrine::IsSoftwareRasteriser())
+  if (this->GetDeviceTraits().Software)
   {
     // With anisotropic filters, which textures have by default, llvmpipe and softpipe ignore gradients.
     fill.Inputs->TextureGrad = "vitrineTextureGrad";
@@ -165,11 +167,14 @@ std::string vtkStencilMaskTransparencyPass::RenderFragments(
   {
     problem = this->Fill(s, target);
   }
-  if (problem.empty() &&
-    !in.Resolver.Resolve(
-      this->GetWindow(), in.Group, in.Masks, in.Backdrop.Image(), target, in.Repair))
+  if (problem.empty())
   {
-    problem = vitrine::ProgramFailure;
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "resolve");
+    if (!in.Resolver.Resolve(
+          this->GetWindow(), in.Group, in.Masks, in.Backdrop.Image(), target, in.Repair))
+    {
+      problem = vitrine::ProgramFailure;
+    }
   }
   this->Bytes =
     in.Masks.Bytes() + in.Resolver.Bytes() + in.Backdrop.Image().Bytes() + this->GetSharedBytes();
@@ -221,7 +226,11 @@ std::string vtkStencilMaskTransparencyPass::Fill(
   vtkOpenGLState* state = this->GetWindow()->GetState();
   const vitrine::ScopedStencil stencil(state);
   this->Private->Masks.BeginFill(state, target);
-  const std::string problem = this->DrawTranslucentGeometry(s, target.Region);
+  std::string problem;
+  {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "fill");
+    problem = this->DrawTranslucentGeometry(s, target.Region);
+  }
   this->TakeCounts(this->Private->Masks.Count(state));
   return problem;
 }

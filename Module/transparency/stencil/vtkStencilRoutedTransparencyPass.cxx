@@ -6,6 +6,7 @@
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StageTimer.h"
 #include "scene/Settings.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillShader.h"
@@ -168,11 +169,14 @@ std::string vtkStencilRoutedTransparencyPass::RenderFragments(
   {
     problem = this->Fill(s, target);
   }
-  if (problem.empty() &&
-    !in.Resolver.Resolve(
-      this->GetWindow(), in.Fragments, in.Counts, in.KeptLayers, in.Backdrop.Image(), target))
+  if (problem.empty())
   {
-    problem = vitrine::ProgramFailure;
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "resolve");
+    if (!in.Resolver.Resolve(
+          this->GetWindow(), in.Fragments, in.Counts, in.KeptLayers, in.Backdrop.Image(), target))
+    {
+      problem = vitrine::ProgramFailure;
+    }
   }
   if (problem.empty())
   {
@@ -269,6 +273,7 @@ std::string vtkStencilRoutedTransparencyPass::FillPass(const vtkRenderState* s,
   const vitrine::RenderTarget& target, int pass, const vitrine::PixelRegion& region)
 {
   Internals& in = *this->Private;
+  const vitrine::StageTimer::Section section(this->GetStageTimer(), "fill");
   return in.Fragments.BeginPass(this->GetWindow(), target, in.Routing, pass, region)
     ? this->DrawTranslucentGeometry(s, region)
     : vitrine::ProgramFailure;
