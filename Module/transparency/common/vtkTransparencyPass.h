@@ -147,8 +147,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the device is asked how long the stages of a frame take. If on, each stage costs a timer query, whose
-   * result is read in a later frame. The default is false.
+   * Set/Get whether the device is asked how long the stages of a frame take. If on, each stage costs a timer query,
+   * whose result is read in a later frame. The default is false.
    */
   void SetMeasureStages(bool measure);
   bool GetMeasureStages();
@@ -162,13 +162,14 @@ public:
   int GetNumberOfStages();
 
   /**
-   * Get the name of a stage, such as "fill". The range is 0 to GetNumberOfStages() - 1. The string is empty outside of it.
+   * Get the name of a stage, such as "fill". The range is 0 to GetNumberOfStages() - 1. The string is empty outside of
+   * it.
    */
   std::string GetStageName(int stage);
 
   /**
-   * Get the time that a stage took on the device, in seconds. It includes the time in which the device waited for the CPU.
-   * The range is 0 to GetNumberOfStages() - 1. The time is 0 outside of it.
+   * Get the time that a stage took on the device, in seconds. It includes the time in which the device waited for the
+   * CPU. The range is 0 to GetNumberOfStages() - 1. The time is 0 outside of it.
    */
   double GetStageTime(int stage);
 
