@@ -275,6 +275,10 @@ class Stats:
     set_aside says which passes of the renderer are left out, and why. Each is empty if there is nothing to say.
 
     lights counts the lights that were lit by clusters. drawn_parts and culled_parts are of the culler, 0 without one.
+
+    stages has the seconds that the stages of a frame took on the device, by name, summed over renderers. It is empty
+    unless the method was told SetMeasureStages(True); vtkSeeThroughPass.GetAttached(renderer).GetTranslucentPass() is
+    the method.
     """
 
     method: str
@@ -289,6 +293,7 @@ class Stats:
     drawn_parts: int = 0
     culled_parts: int = 0
     set_aside: str = ""
+    stages: dict[str, float] = dataclasses.field(default_factory=dict)
 
 
 def stats(target: Any) -> Stats:
@@ -329,7 +334,17 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
         drawn_parts=sum(culler.GetNumberOfDrawnParts() for culler in cullers),
         culled_parts=sum(culler.GetNumberOfCulledParts() for culler in cullers),
         set_aside=_reasons(frame.GetSetAsideReason() for frame in frames),
+        stages=_stages(methods),
     )
+
+
+def _stages(methods: Iterable[Any]) -> dict[str, float]:
+    seconds: dict[str, float] = {}
+    for method in methods:
+        for stage in range(method.GetNumberOfStages()):
+            name = method.GetStageName(stage)
+            seconds[name] = seconds.get(name, 0.0) + method.GetStageTime(stage)
+    return seconds
 
 
 def _reasons(texts: Iterable[str]) -> str:

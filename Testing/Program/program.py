@@ -13,6 +13,10 @@ import zlib
 PROGRAM = os.environ["VITRINE_PROGRAM"]
 TIMEOUT = 600  # seconds; for hangs only
 
+# Keys of the device in JSON, and of its features.
+DEVICE = ["vendor", "renderer", "gl", "storage_block_bytes", "buffer_texture_texels", "samples", "features"]
+FEATURES = ["framebuffer_fetch", "interlock", "ballot", "post_depth_coverage"]
+
 
 def environment_without_display(**changes):
     """Environment variables; some may be added."""

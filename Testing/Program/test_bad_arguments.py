@@ -29,6 +29,10 @@ class BadArguments(ProgramTest):
     def test_unknown_option(self):
         self.assert_refused(run("info", "demo:stack", "--colour"), "--colour")
 
+    def test_unknown_switch_of_the_device_lists_the_known_ones(self):
+        result = run("info", "demo:spheres", VITRINE_DEVICE="no-fetch,fast")
+        self.assert_refused(result, "VITRINE_DEVICE", "'fast'", "no-fetch", "no-software")
+
     def test_no_input(self):
         self.assert_refused(run("info"), "INPUT")
 

@@ -4,13 +4,14 @@ import os
 import unittest
 
 import scenes
-from program import FileTest, compare, run
+from program import DEVICE, FEATURES, FileTest, compare, run
 
 ROW = [
     "scene",
     "method",
     "width",
     "height",
+    "first_frame_ms",
     "frame_ms",
     "fragments",
     "lost",
@@ -33,8 +34,10 @@ class Compare(FileTest):
         self.assertEqual(list(told["build"]), ["vtk", "program", "library"])
         self.assertEqual(len(set(told["build"].values()) - {""}), 3)
         self.assertEqual(told["vitrine"], os.environ["VITRINE_VERSION"])
-        self.assertEqual(list(told["device"]), ["vendor", "renderer", "gl"])
+        self.assertEqual(list(told["device"]), DEVICE)
         self.assertTrue(all(told["device"].values()), told["device"])
+        self.assertEqual(list(told["device"]["features"]), FEATURES)
+        self.assertLessEqual({*told["device"]["features"].values()}, {True, False})
         methods = [row["method"] for row in told["results"]]
         for method in ("blend", "vtk-oit", "vtk-peeling-4", "vtk-peeling", "linked-list", "truth"):
             self.assertIn(method, methods)
@@ -47,6 +50,7 @@ class Compare(FileTest):
         self.assertEqual((row["scene"], row["width"], row["height"]), (SCENE, 48, 40))
         self.assertEqual(list(row["frame_ms"]), ["min", "median", "max", "frames"])
         times = row["frame_ms"]
+        self.assertLess(0.0, row["first_frame_ms"])
         self.assertEqual(times["frames"], 3)
         self.assertTrue(0.0 < times["min"] <= times["median"] <= times["max"])
         self.assertEqual(row["layers_max"], 6)
@@ -58,6 +62,52 @@ class Compare(FileTest):
         self.assertTrue(0.0 <= row["error"]["wrong_pixels"] <= 1.0)
         self.assertLessEqual(row["error"]["psnr"], 99.0)
         self.assertIs(row["deterministic"], True)
+
+    def test_stages_add_up_to_the_frame(self):
+        arguments = ("--methods", "vtk-oit,linked-list,stencil-routed,truth", "--stages")
+        told = compare(SCENE, *arguments, "--frames", "3", "--size", "48x40")
+        stages = {row["method"]: list(row["stages_ms"]) for row in told["results"]}
+        self.assertEqual(
+            stages,
+            {
+                "vtk-oit": ["opaque", "translucent"],
+                "linked-list": ["opaque", "prepare", "fill", "classify", "resolve"],
+                "stencil-routed": ["opaque", "fill", "resolve"],
+                "truth": ["opaque"],
+            },
+        )
+        for row in told["results"]:
+            with self.subTest(method=row["method"]):
+                self.assertEqual(list(row), [*ROW[:6], "stages_ms", *ROW[6:]])
+                for times in row["stages_ms"].values():
+                    self.assertEqual(list(times), ["min", "median", "max", "frames"])
+                    self.assertEqual(times["frames"], 3)
+                    self.assertTrue(0.0 <= times["min"] <= times["median"] <= times["max"])
+                least = sum(times["min"] for times in row["stages_ms"].values())
+                self.assertLessEqual(least, row["frame_ms"]["max"])
+        result = run("compare", SCENE, *arguments, "--frames", "1", "--size", "8x8")
+        self.assert_done(result)
+        for word in (b"stages", b"fill", b"classify", b"sum"):
+            self.assertIn(word, result.stdout)
+
+    def test_without_truth_errors_are_unknown(self):
+        told = compare(
+            *(SCENE, "--methods", "vtk-oit,linked-list", "--frames", "1", "--size", "8x8"),
+            "--without-truth",
+        )
+        self.assertTrue(all(told["device"].values()), told["device"])
+        for row, layers in zip(told["results"], (None, 6)):
+            self.assertEqual(list(row), ROW)
+            self.assertEqual((row["error"], row["layers_max"]), (None, layers))
+
+    def test_switches_choose_the_path_and_are_told(self):
+        arguments = ("compare", SCENE, "--methods", "linked-list", "--frames", "1", "--size", "48x40")
+        result = run(*arguments, "--json", "-", VITRINE_DEVICE="no-fetch")
+        self.assert_done(result)
+        told = json.loads(result.stdout)
+        self.assertEqual(list(told["device"]), [*DEVICE, "switches"])
+        self.assertEqual(told["device"]["switches"], "no-fetch")
+        self.assertLessEqual(told["results"][0]["error"]["max"], 1.0 / 255.0)
 
     def test_opaque_files_are_told(self):
         path = self.write("plate.stl", scenes.binary_stl())

@@ -251,6 +251,7 @@ TEST(OnOffSettings, AreBooleans)
 {
   vtkNew<vtkPrefixSumTransparencyPass> lists;
   EXPECT_SWITCH(lists, Prediction, true);
+  EXPECT_SWITCH(lists, MeasureStages, false);
   vtkNew<vtkStencilMaskTransparencyPass> masks;
   EXPECT_SWITCH(masks, Filter, true);
   EXPECT_SWITCH(masks, ShowMarks, false);
