@@ -369,6 +369,20 @@ class Figures(unittest.TestCase):
         self.assertGreater(told.bytes, told.fragments * 12)
         self.assertIn(told.geometry_passes, (1, 2))
 
+    def test_stages_are_told_once_they_are_measured(self):
+        window = window_with(plates(3))
+        vitrine.see_through(window)
+        window.Render()
+        self.assertEqual(vitrine.stats(window).stages, {})
+        (renderer,) = window.GetRenderers()
+        frame = vitrine.vtkSeeThroughPass.GetAttached(renderer)
+        frame.GetTranslucentPass().MeasureStagesOn()
+        window.Render()
+        window.WaitForCompletion()
+        stages = vitrine.stats(window).stages
+        self.assertEqual(list(stages), ["prepare", "fill", "classify", "resolve"])
+        self.assertGreater(min(stages.values()), 0.0)
+
     def test_several_renderers_are_put_together(self):
         deep, flat = plates(6), plates(2)
         deep.SetViewport(0, 0, 0.5, 1)
