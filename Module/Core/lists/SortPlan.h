@@ -12,8 +12,8 @@ enum class ListSort
 {
   Network,     ///< One network over whole fragments in registers (ListResolve.glsl).
   SlotNetwork, ///< One network over depths with the fragments' slots (ListResolveSlots.glsl).
-  Runs,        ///< Runs are sorted by networks, then merged (ListSortRuns.glsl, ListMergeRuns.glsl).
-  LongRuns     ///< The same with runs of several networks' blocks (ListSortLongRuns.glsl).
+  Runs,    ///< Runs are sorted by networks, then merged (ListSortRuns.glsl, ListMergeRuns.glsl).
+  LongRuns ///< The same with runs of several networks' blocks (ListSortLongRuns.glsl).
 };
 
 /** Lists up to a length that have the same program. */
@@ -36,7 +36,8 @@ struct SortPlan
 struct SortTraits
 {
   int FragmentWords = 3; ///< Words of a fragment in registers.
-  bool HasSlots = false; ///< The fragments of a list are successive nodes, so that a slot names one.
+  bool HasSlots =
+    false; ///< The fragments of a list are successive nodes, so that a slot names one.
   /**
    * The device spills registers beyond 128 an invocation, and then takes minutes to compile. Software rasterisers have
    * no such bound: they keep registers in memory that is cached.

@@ -233,8 +233,8 @@ void ListResolver::BindForSort(vtkOpenGLState* state, const RenderTarget& target
 }
 
 //------------------------------------------------------------------------------
-bool ListResolver::ReadyPrograms(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  const SortPlan& plan, const SortBin& bin)
+bool ListResolver::ReadyPrograms(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
   return this->ReadyResolve(window, layout, plan, bin) &&
     (!MergesRuns(bin) || this->ReadySortRuns(window, layout, plan, bin));
@@ -283,8 +283,8 @@ vtkShaderProgram* ListResolver::ReadyClassify(
     window, "classify", defines, shaders::FullScreenVertex, [] { return shaders::TileClassify; });
 }
 
-vtkShaderProgram* ListResolver::ReadySortRuns(vtkOpenGLRenderWindow* window,
-  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
+vtkShaderProgram* ListResolver::ReadySortRuns(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
   const bool longRuns = bin.Sort == ListSort::LongRuns;
   return this->Programs.Ready(window, longRuns ? "sort long runs" : "sort runs",
@@ -296,8 +296,8 @@ vtkShaderProgram* ListResolver::ReadySortRuns(vtkOpenGLRenderWindow* window,
     });
 }
 
-vtkShaderProgram* ListResolver::ReadyResolve(vtkOpenGLRenderWindow* window,
-  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
+vtkShaderProgram* ListResolver::ReadyResolve(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
   return this->Programs.Ready(window, ResolveName(bin), ResolveDefines(layout, plan, bin),
     shaders::TileQuadVertex,

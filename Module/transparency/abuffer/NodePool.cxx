@@ -227,7 +227,8 @@ bool NodePool::Allocate(std::int64_t pages)
   {
     return true;
   }
-  const bool allocated = this->Nodes.Allocate(nodes) && this->Links.Allocate(rounded * LinkBytes, GL_R32UI);
+  const bool allocated =
+    this->Nodes.Allocate(nodes) && this->Links.Allocate(rounded * LinkBytes, GL_R32UI);
   if (!allocated)
   {
     this->Nodes.Release();
