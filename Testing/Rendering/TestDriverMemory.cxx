@@ -101,7 +101,8 @@ TEST_P(DriverMemory, ForAPartIsDrawnInBands)
       const ScarceBuffers scarce(Needed() / part);
       EXPECT_TRUE(Matches(this->Scene.Render(), expected));
       EXPECT_STREQ(frugal->GetFallbackReason(), "");
-      EXPECT_GE(frugal->GetNumberOfBands(), part);
+      // The driver refuses single buffers, and one holds two of the three words of a node of 12 bytes.
+      EXPECT_GE(frugal->GetNumberOfBands(), part * 2 / 3);
       EXPECT_LE(frugal->GetNumberOfBands(), 4 * part);
       DropOutOfMemory();
 

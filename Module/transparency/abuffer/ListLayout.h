@@ -22,7 +22,9 @@ struct ListLayout
   NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
   bool FramebufferFetch = false;
-  bool Additive = false;    ///< Some fragments are added to what is behind them.
+  bool HasFewRegisters =
+    false;               ///< Lists are sorted in the registers of a device (Core/lists/SortPlan).
+  bool Additive = false; ///< Some fragments are added to what is behind them.
   bool Coincidence = false; ///< Depths are intervals, since there is a coincidence tolerance.
   int Samples = 0;
   int PageSize = 1;

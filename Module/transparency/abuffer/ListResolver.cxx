@@ -41,7 +41,7 @@ std::string BinLimitList(const SortPlan& plan)
 
 SortPlan PlanOf(const ListLayout& layout)
 {
-  return PlanSort({ layout.FragmentWords(), layout.Packed, !IsSoftwareRasteriser() });
+  return PlanSort({ layout.FragmentWords(), layout.Packed, layout.HasFewRegisters });
 }
 
 std::vector<std::string> RunDefines(const ListLayout& layout, const SortPlan& plan)

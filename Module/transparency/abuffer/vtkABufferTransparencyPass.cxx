@@ -211,6 +211,7 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.FixedPoint = target.FixedPoint;
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
+  in.Layout.HasFewRegisters = !this->GetDeviceTraits().Software;
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = this->GetDeviceTraits().FramebufferFetch && target.Samples == 0;
   if (fetch != in.Layout.FramebufferFetch)
