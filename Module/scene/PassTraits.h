@@ -19,7 +19,7 @@ class vtkRenderer;
 namespace vitrine
 {
 
-/** What a pass does itself, besides the work of its delegates. */
+/** The things that a pass does itself, besides the work of its delegates. */
 struct PassTraits
 {
   /** Why the picture depends on more than the camera sees, as a clause. It is empty if it does not. */

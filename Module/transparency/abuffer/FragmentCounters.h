@@ -10,7 +10,7 @@
 namespace vitrine
 {
 
-/** What the fragments of a frame, or of a part of it, take. */
+/** The numbers of fragments, pixels and pages that a frame, or a part of it, takes. */
 struct FragmentStatistics
 {
   static constexpr int MaximumPageShift = 3;
