@@ -74,9 +74,12 @@ class Bundle(unittest.TestCase):
         place = lines.index("Devices")
         head, row = words_of(lines[place + 2]), words_of(lines[place + 4])
         self.assertEqual(len(head), len(row))
-        renderer = json.loads((self.results / "exact-as-it-is.json").read_text())["device"]["renderer"]
+        exact = [json.loads(path.read_text()) for path in self.results.glob("exact*.json")]
+        renderer = exact[0]["device"]["renderer"]
         self.assertEqual(row[0], renderer)
-        self.assertIn(f"Errors on {renderer}", lines)
+        # A slow machine is cut off before the first error is known.
+        is_measured = any(row.get("error") for document in exact for row in document["results"])
+        self.assertEqual(f"Errors on {renderer}" in lines, is_measured)
 
     def test_refuses_what_it_cannot_do(self):
         for arguments, word in (

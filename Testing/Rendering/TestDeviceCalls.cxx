@@ -40,14 +40,15 @@ CallCounts CallsOfSteadyFrame(vtkRenderPass* pass)
   return counter.Counts();
 }
 
-// The most calls of a method's frame. Stencil methods count their fragments on the CPU. Truth composites there.
+// The most calls of a method's frame beyond VTK's own, whose queries are 62 in VTK 9.1 and 66 in 9.6: so at most 90
+// in 9.1. Stencil methods count their fragments on the CPU. Truth composites there.
 CallCounts BudgetOf(const std::string& name)
 {
   static const std::map<std::string, CallCounts> others = { { "StencilRoutedHalfFloat",
-                                                              { 131, 2, 0 } },
-    { "StencilMask9", { 131, 2, 0 } }, { "Truth", { 107, 3, 0 } } };
+                                                              { 75, 2, 0 } },
+    { "StencilMask9", { 75, 2, 0 } }, { "Truth", { 45, 3, 0 } } };
   const auto found = others.find(name);
-  return found == others.end() ? CallCounts{ 90, 1, 0 } : found->second;
+  return found == others.end() ? CallCounts{ 28, 1, 0 } : found->second;
 }
 
 class DeviceCalls : public testing::TestWithParam<Method>
@@ -63,7 +64,7 @@ TEST_P(DeviceCalls, OfASteadyFrameAreFew)
   const CallCounts calls = CallsOfSteadyFrame(GetParam().Make());
   std::cout << GetParam().Name << ": " << calls << "; by VTK: " << byVTK << "\n";
   const CallCounts most = BudgetOf(GetParam().Name);
-  EXPECT_LE(calls.Queries, most.Queries);
+  EXPECT_LE(calls.Queries, byVTK.Queries + most.Queries);
   EXPECT_LE(calls.BlockingReads, most.BlockingReads);
   EXPECT_LE(calls.Reallocations, most.Reallocations);
 }
