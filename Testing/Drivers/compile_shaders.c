@@ -1,12 +1,13 @@
 /*
  * Compile and link the programs that gl_recorder.so has written into a folder, on the OpenGL driver that EGL gives.
  *
- *   compile_shaders FOLDER [FIRST]
+ *   compile_shaders FOLDER [FIRST [LIMIT]]
  *
  * FOLDER/programs has a line for each program: the names of its shaders' files. The first FIRST lines are passed
- * over. For each program it prints one line,
+ * over. Where a program takes more than LIMIT seconds of the processor, it is said to be `cut-off`, and all ends with
+ * status 3. For each program it prints one line,
  *
- *   NUMBER ok|failed WALL s CPU s: FILE FILE
+ *   NUMBER ok|failed|cut-off WALL s CPU s: FILE FILE
  *
  * with the seconds that compiling and linking took, by the clock and on all threads of this process. Lines that begin
  * with two spaces follow: the messages of the driver, among them its statistics where it tells any through KHR_debug
@@ -19,10 +20,13 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/time.h>
 #include <time.h>
+#include <unistd.h>
 
 enum
 {
@@ -148,6 +152,27 @@ static int open_context(void)
   return 1;
 }
 
+static int number_compiled; /* the program that is being compiled */
+static double wall_at_start;
+static int limit; /* seconds of the processor, or 0 for none */
+
+static void on_limit(int signal)
+{
+  (void)signal;
+  char text[128];
+  const int length = snprintf(text, sizeof text, "%d cut-off %.3f s %d.000 s:\n", number_compiled,
+    seconds(CLOCK_MONOTONIC) - wall_at_start, limit);
+  _exit(write(STDOUT_FILENO, text, (size_t)length) == length ? 3 : 2);
+}
+
+/* Let on_limit() be called after so many seconds of the processor from now on; 0 for never. */
+static void limit_processor(int after)
+{
+  const struct itimerval timer = { .it_value = { .tv_sec = after } };
+  signal(SIGPROF, on_limit);
+  setitimer(ITIMER_PROF, &timer, NULL);
+}
+
 static GLenum stage_of(const char* name)
 {
   static const struct
@@ -217,7 +242,9 @@ static int attach(GLuint program, GLenum stage, const char* text)
 static int build(int number, char* names[], char* texts[], int count)
 {
   messages[0] = '\0';
-  const double wall = seconds(CLOCK_MONOTONIC);
+  number_compiled = number;
+  limit_processor(limit);
+  wall_at_start = seconds(CLOCK_MONOTONIC);
   const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
   const GLuint program = glCreateProgram_();
   GLint good = 1;
@@ -237,7 +264,8 @@ static int build(int number, char* names[], char* texts[], int count)
     }
   }
   glFinish();
-  printf("%d %s %.3f s %.3f s:", number, good ? "ok" : "failed", seconds(CLOCK_MONOTONIC) - wall,
+  limit_processor(0);
+  printf("%d %s %.3f s %.3f s:", number, good ? "ok" : "failed", seconds(CLOCK_MONOTONIC) - wall_at_start,
     seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
   for (int i = 0; i < count; ++i)
   {
@@ -269,13 +297,14 @@ static int build_line(const char* folder, int number, char* line)
 
 int main(int argc, char* argv[])
 {
-  if (argc < 2 || argc > 3)
+  if (argc < 2 || argc > 4)
   {
-    fprintf(stderr, "usage: compile_shaders FOLDER [FIRST]\n");
+    fprintf(stderr, "usage: compile_shaders FOLDER [FIRST [LIMIT]]\n");
     return 2;
   }
   const char* folder = argv[1];
-  const int first = argc == 3 ? atoi(argv[2]) : 0;
+  const int first = argc > 2 ? atoi(argv[2]) : 0;
+  limit = argc > 3 ? atoi(argv[3]) : 0;
   char path[2 * MAX_LINE];
   snprintf(path, sizeof path, "%s/programs", folder);
   FILE* programs = fopen(path, "r");

@@ -1,0 +1,116 @@
+"""Records the programs that a run of `vitrine` links, on llvmpipe posing as a device, and keeps each once."""
+
+import hashlib
+import re
+import shutil
+from dataclasses import dataclass
+
+from drivers import AS_A_DEVICE, WITHOUT_FETCH
+from frames import LIGHT_MODES
+from places import WORK, Place
+
+SECONDS = 300  # for one run
+# Lengths of lists, of which each takes another program: networks by their sizes, sorted runs, and long sorted runs.
+LENGTHS = (4, 8, 12, 16, 24, 32, 48, 64, 100, 300, 1100, 3000)
+LISTS = (
+    "linked-list", "linked-list-compact", "linked-list-8bit", "prefix-sum", "prefix-sum-compact", "prefix-sum-8bit",
+    "prefix-sum-predicted", "prefix-sum-predicted-compact")
+STENCILS = ("stencil-mask-4", "stencil-mask-8", "stencil-mask-16", "stencil-routed", "stencil-routed-8bit")
+SMALL = ("--size", "32x32", "--frames", "2")
+
+
+@dataclass
+class Program:
+    """A program by the files of its shaders. `name` tells the method, the list's length, and what it is composed of."""
+
+    name: str
+    files: tuple
+    fetch: bool
+
+    def text(self, folder):
+        return "".join((folder / file).read_text(encoding="utf-8", errors="replace") for file in self.files)
+
+
+def runs(fast):
+    """Names of what is drawn, with the arguments that draw it. Lengths ascend: a program is named by its first use."""
+    lengths = (16, 32, 64, 100) if fast else LENGTHS
+    methods = ("linked-list", "prefix-sum-predicted-compact") if fast else LISTS
+    for length in lengths:
+        for method in methods:
+            yield f"{method}, {length}", ("compare", f"demo:stack,layers={length}", *SMALL, "--methods", method)
+    if fast:
+        return
+    spheres = ("compare", "demo:spheres,layers=8", *SMALL)
+    for method in LISTS:
+        yield f"{method}, 4 samples", (*spheres, "--multisamples", "4", "--methods", method)
+        yield f"{method}, coincidence", (*spheres, "--coincidence", "2", "--methods", method)
+        yield f"{method}, impostors", ("compare", "demo:impostors", *SMALL, "--methods", method)
+    for method in STENCILS:
+        yield method, (*spheres, "--methods", method)
+    for mode in LIGHT_MODES.split(","):
+        yield f"lights, {mode}", ("lights", "demo:hall,lights=16", *SMALL, "--modes", mode)
+    yield "truth", (*spheres, "--methods", "truth")
+
+
+def composed_of(text):
+    """The main file of a composed shader: the last legend's first file. VTK's own shaders have none."""
+    files = re.findall(r"// composed from: 1=(\w+)", text)
+    return files[-1].removesuffix("Impl") if files else ""
+
+
+def is_ours(text):
+    return "composed from:" in text or "vitrine" in text
+
+
+class Recorder:
+    """Runs the program and gathers what it links into one folder, in which compile_shaders finds it."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+        self.found = {}  # Program by the hash of its shaders
+        self.place = Place()
+
+    def record(self, name, arguments, fetch):
+        """Run it with or without framebuffer fetch. Returns an error in words, or nothing."""
+        scratch = WORK / "recording"
+        shutil.rmtree(scratch, ignore_errors=True)
+        scratch.mkdir(parents=True)
+        changes = AS_A_DEVICE | ({} if fetch else WITHOUT_FETCH) | {
+            "GL_RECORD_PROGRAMS": str(scratch), "LD_PRELOAD": str(WORK / "bin/gl_recorder.so")}
+        outcome = self.place.run((self.program, *arguments), changes, SECONDS)
+        linked = scratch / "programs"
+        for line in linked.read_text(encoding="utf-8").splitlines() if linked.is_file() else ():
+            self.keep(name, scratch, line.split(), fetch)
+        if outcome.status != 0:
+            return f"{name}: status {outcome.status} {outcome.messages.strip()[-200:]}"
+        return ""
+
+    def keep(self, name, scratch, files, fetch):
+        texts = {file: (scratch / file).read_text(encoding="utf-8", errors="replace") for file in files}
+        if not any(is_ours(text) for text in texts.values()):
+            return
+        key = hashlib.sha256("\0".join(texts.values()).encode()).hexdigest()
+        if key in self.found:
+            return
+        number = len(self.found)
+        names = tuple(f"{number:04d}-{i}.{file.rpartition('.')[2]}" for i, file in enumerate(files))
+        for new, text in zip(names, texts.values()):
+            (self.folder / new).write_text(text, encoding="utf-8")
+        part = composed_of(texts[files[-1]]) or composed_of("".join(texts.values())) or "?"
+        needs_fetch = any("GL_EXT_shader_framebuffer_fetch : require" in text for text in texts.values())
+        self.found[key] = Program(f"{part} of {name}{'' if fetch else ', no fetch'}", names, needs_fetch)
+
+
+def record_programs(program, fast, say):
+    """All programs of all runs, and the errors of runs. With `fast`, only those of some, with fetch."""
+    folder = WORK / "programs"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    recorder, errors = Recorder(program, folder), []
+    for fetch in (True,) if fast else (True, False):
+        for name, arguments in runs(fast):
+            error = recorder.record(name, arguments, fetch)
+            if error:
+                errors.append(error)
+        say(f"{len(recorder.found)} programs recorded {'with' if fetch else 'without'} framebuffer fetch")
+    return folder, list(recorder.found.values()), errors

@@ -1,0 +1,210 @@
+"""What the drivers did: cells of the table, known failures, and the table as Markdown."""
+
+import fnmatch
+import tomllib
+from dataclasses import dataclass, field
+
+BEGIN = "<!-- Written by scripts/test-drivers. -->"
+END = "<!-- End of what scripts/test-drivers wrote. -->"
+GOOD = ("exact", "same", "refused", "ok")
+SECONDS = 2.0  # that compiling a program may take
+
+
+@dataclass
+class Cell:
+    """How one subject (a method, a program, an error) did on a driver. `verdict` is one of GOOD, or names a fault."""
+
+    driver: str
+    subject: str
+    verdict: str
+    detail: str = ""
+
+    @property
+    def is_good(self):
+        return self.verdict in GOOD
+
+    def __str__(self):
+        return f"{self.driver}: {self.subject}: {self.verdict}" + (f" ({self.detail})" if self.detail else "")
+
+
+@dataclass
+class Compiled:
+    """What a device's compiler made of one program. Seconds are of the processor, on all threads."""
+
+    device: str
+    program: str
+    seconds: float
+    spills: int | None = None  # registers or bytes, as the driver counts; None where it does not tell
+    registers: str = ""
+    error: str = ""
+    is_cut_off: bool = False  # it took longer than anybody waits, and `seconds` is when it was ended
+
+    @property
+    def verdict(self):
+        if self.error:
+            return "fails"
+        if self.is_cut_off or self.seconds > SECONDS:
+            return "slow"
+        return "spills" if self.spills else "ok"
+
+    @property
+    def time(self):
+        return f"> {self.seconds:.0f}" if self.is_cut_off else f"{self.seconds:.2f}"
+
+    def cell(self):
+        told = [f"{self.time} s"]
+        if self.spills is not None:
+            told.append(f"{self.spills} spills")
+        if self.registers:
+            told.append(self.registers)
+        return Cell(self.device, self.program, self.verdict, self.error or ", ".join(told))
+
+
+@dataclass
+class KnownFailure:
+    """A failure that is expected, by patterns of shells. Where it is `sometimes` only, it may also be absent."""
+
+    driver: str
+    subject: str
+    reason: str
+    verdict: str = "*"
+    sometimes: bool = False
+    met: list = field(default_factory=list)
+
+    def fits(self, cell):
+        return all(
+            fnmatch.fnmatchcase(value, pattern)
+            for value, pattern in (
+                (cell.driver, self.driver), (cell.subject, self.subject), (cell.verdict, self.verdict)))
+
+
+class TableError(Exception):
+    """The file of known failures cannot be used."""
+
+
+def read_known_failures(text):
+    entries = []
+    for entry in tomllib.loads(text).get("failure", []):
+        try:
+            entries.append(KnownFailure(**entry))
+        except TypeError as error:
+            raise TableError(f"known failures: {error}") from error
+        if not entries[-1].reason:
+            raise TableError("known failures: each needs its reason")
+    return entries
+
+
+def judge(cells, known):
+    """Share out the cells that are not good: those that no entry knows of, and notes of each entry's own in `met`."""
+    unknown = []
+    for cell in cells:
+        if cell.is_good:
+            continue
+        entries = [entry for entry in known if entry.fits(cell)]
+        for entry in entries:
+            entry.met.append(cell)
+        if not entries:
+            unknown.append(cell)
+    return unknown
+
+
+def no_longer_failing(known):
+    return [entry for entry in known if not entry.met and not entry.sometimes]
+
+
+def rows(header, lines):
+    yield "| " + " | ".join(header) + " |"
+    yield "| " + " | ".join("---" for _ in header) + " |"
+    for line in lines:
+        yield "| " + " | ".join(str(word).replace("|", "/") for word in line) + " |"
+
+
+def in_order(values):
+    return list(dict.fromkeys(values))
+
+
+def frames_section(cells):
+    """A row for each driver and a column for each method; reasons of refusals and faults stand below."""
+    by_place = {(cell.driver, cell.subject): cell for cell in cells}
+    drivers, subjects = in_order(c.driver for c in cells), in_order(c.subject for c in cells)
+    notes = in_order(cell.detail for cell in cells if cell.detail and cell.verdict not in ("exact", "same", "ok"))
+
+    def word(cell):
+        if cell is None:
+            return "not run"
+        if cell.verdict in ("exact", "same"):
+            return f"{cell.verdict} {cell.detail}".strip()
+        verdict = cell.verdict if cell.is_good else f"**{cell.verdict}**"
+        return f"{verdict} [{notes.index(cell.detail) + 1}]" if cell.detail in notes else verdict
+
+    yield from rows(
+        ["driver", *(f"`{subject}`" for subject in subjects)],
+        ([driver, *(word(by_place.get((driver, subject))) for subject in subjects)] for driver in drivers))
+    if notes:
+        yield ""
+        yield from (f"{number}. {note}" for number, note in enumerate(notes, 1))
+
+
+def devices_section(compiled):
+    """A row for each device, then one for each program that is too slow, spills or fails."""
+    lines = []
+    for device in in_order(result.device for result in compiled):
+        results = [result for result in compiled if result.device == device]
+        slowest = max(results, key=lambda result: result.seconds)
+        spilling = [result for result in results if result.spills]
+        lines.append(
+            [device, len(results), sum(bool(result.error) for result in results), f"{slowest.time} s",
+             sum(result.verdict == "slow" for result in results), len(spilling)])
+    yield from rows(["device", "programs", "errors", "slowest", "above 2 s", "with spills"], lines)
+    worse = [result for result in compiled if result.verdict != "ok"]
+    if worse:
+        yield ""
+        yield from rows(
+            ["device", "program", "seconds", "spills", "registers or width"],
+            ([r.device, r.program, r.time, "unknown" if r.spills is None else r.spills, r.registers] for r in worse))
+
+
+def section(date, commit, frames, compiled, front_ends, known):
+    """The generated part of the page."""
+    yield BEGIN
+    yield ""
+    yield f"Run on {date} at commit {commit}."
+    yield ""
+    yield "### Frames"
+    yield ""
+    yield from frames_section(frames)
+    yield ""
+    yield "### Compilers"
+    yield ""
+    yield from devices_section(compiled)
+    yield ""
+    yield "### Front end"
+    yield ""
+    yield from rows(
+        ["shaders", "error", "result"], ([cell.driver, cell.subject, cell.detail] for cell in front_ends))
+    met = [entry for entry in known if entry.met]
+    if met:
+        yield ""
+        yield "### Known failures"
+        yield ""
+        yield from rows(
+            ["where", "subject", "reason"], ([entry.driver, entry.subject, entry.reason] for entry in met))
+    yield ""
+    yield END
+
+
+def replaced(page, lines):
+    """The page with the lines in place of its generated part."""
+    begin, end = page.find(BEGIN), page.find(END)
+    if begin < 0 or end < begin:
+        raise TableError("the page has no generated part")
+    return page[:begin] + "\n".join(lines) + page[end + len(END):]
+
+
+def commit_of(page):
+    """The commit that the page's table was run on, or None."""
+    for line in page.splitlines():
+        words = line.rstrip(".").split()
+        if line.startswith("Run on ") and words[-2] == "commit":
+            return words[-1]
+    return None
