@@ -9,7 +9,8 @@ AS_A_DEVICE = {"force_gl_renderer": "Another device"}
 ZINK = {
     "LIBGL_ALWAYS_SOFTWARE": "1",
     "MESA_LOADER_DRIVER_OVERRIDE": "zink",
-    "VK_ICD_FILENAMES": "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json",
+    # Debian 12's name of the file, and Debian 13's.
+    "VK_ICD_FILENAMES": "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json:/usr/share/vulkan/icd.d/lvp_icd.json",
 }
 VALIDATION = {
     "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation",
