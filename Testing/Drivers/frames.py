@@ -19,8 +19,8 @@ LISTS = [method for method in METHODS if not method.startswith("stencil")]
 # Those whose error depends on the scene: they are held to their own error on the first driver.
 INEXACT = ("linked-list-8bit", "stencil-mask-8", "lights")
 LIGHT_MODES = "vtk,loop,tiled,clustered,world,deferred,tiled-deferred,clustered-deferred"
-# Numbers of the Vulkan specification's rules, and of hazards.
-SAID_BY_LAYERS = re.compile(r"\b(?:VUID[-\w]+|SYNC-HAZARD[-\w]*|UNASSIGNED-[-\w]+)")
+# Numbers of the Vulkan specification's rules, and of hazards. The same rule has a name for each command that draws.
+SAID_BY_LAYERS = re.compile(r"\b(?:VUID[-_](?:vkCmdDraw\w+-)?([-\w]+)|(SYNC-HAZARD[-\w]*|UNASSIGNED-[-\w]+))")
 
 
 @dataclass(frozen=True)
@@ -213,7 +213,7 @@ class Run:
 
         def told(*arguments):
             outcome = self.start(*arguments)
-            return set(SAID_BY_LAYERS.findall(outcome.output + outcome.messages))
+            return {rule or hazard for rule, hazard in SAID_BY_LAYERS.findall(outcome.output + outcome.messages)}
 
         vtk = told(*options, "vtk-oit")
         if not vtk:
