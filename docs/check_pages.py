@@ -20,17 +20,23 @@ LONGEST_SENTENCE = 35
 LONGEST_MEAN = 18
 LONGEST_CELL = 25
 MOST_WORDS = 18000
-GENERATED = {"bench/devices.md", "reference/culler-limits.md", "reference/effects.md"}  # tables made by commands
+GENERATED = {  # tables made by commands
+    "bench/devices.md",
+    "bench/drivers.md",
+    "reference/culler-limits.md",
+    "reference/effects.md",
+}
 CAPS = {"howto": 400, "tutorial": 900, "explain": 1500}
 FENCE = re.compile(r"^(`{3,}|~{3,}|:{3,})[^\n]*\n.*?^\1\s*$", re.S | re.M)
 COMMENT = re.compile(r"<!--.*?-->", re.S)
+WRITTEN = re.compile(r"<!-- Written by .*?<!-- End of what .*?-->", re.S)  # a part that a script writes
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)[^)]*\)")
 WORD = re.compile(r"[A-Za-z0-9][\w'.,/%-]*")
 
 
 def prose_of(text):
-    """The text without code, comments, and addresses of links. Code in a line counts as one word."""
-    text = COMMENT.sub("", FENCE.sub("", text))
+    """The text without code, comments, addresses of links, and parts written by scripts. Code counts as one word."""
+    text = COMMENT.sub("", WRITTEN.sub("", FENCE.sub("", text)))
     text = re.sub(r"`[^`\n]*`", "code", text)
     return LINK.sub(lambda link: link.group(1), text)
 

@@ -1,0 +1,151 @@
+"""scripts/test-drivers: what it reads from compilers and front ends, what it takes for a failure, and its table."""
+
+import pathlib
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "Testing/Drivers"))
+
+import compilers  # noqa: E402
+import glsl  # noqa: E402
+import table  # noqa: E402
+from drivers import DEVICES, DRIVERS  # noqa: E402
+from programs import Program  # noqa: E402
+from table import Cell, Compiled  # noqa: E402
+
+OUTPUT = """\
+Mesa Intel(R) Xe Graphics (TGL GT2), OpenGL 4.6 (Core Profile) Mesa 22.3.6
+3 ok 0.300 s 0.250 s: 3.vert 3.frag
+  VS SIMD8 shader: 14 inst, 0 loops, 52 cycles, 7:9 spills:fills, 1 sends
+  FS SIMD8 shader: 92 inst, 0 loops, 2438 cycles, 2:5 spills:fills, 7 sends
+  FS SIMD16 shader: 98 inst, 0 loops, 3394 cycles, 0:0 spills:fills, 7 sends
+4 failed 0.001 s 0.001 s: 4.vert 4.frag
+  0:1(2): error: no such thing
+5 ok 0.001 s 0.001 s: 5.comp
+  type: 5, local: 32, shared: 0, gpr: 255, inst: 12, bytes: 112, cached: 0
+6 cut-off 31.000 s 30.000 s:
+"""
+PROGRAMS = [Program(f"program {number}", (), False) for number in range(8)]
+KNOWN = """\
+[[failure]]
+driver = "Intel *"
+subject = "Resolve*, 64"
+verdict = "slow"
+reason = "its registers do not suffice"
+
+[[failure]]
+driver = "zink"
+subject = "stencil-routed"
+reason = "its thread spins"
+sometimes = true
+"""
+
+
+class Compilers(unittest.TestCase):
+    def test_results_are_read(self):
+        results = compilers.read_results(OUTPUT, "device", PROGRAMS)
+        self.assertEqual([result.program for result in results], [f"program {number}" for number in range(3, 7)])
+        self.assertEqual([result.verdict for result in results], ["spills", "fails", "spills", "slow"])
+        self.assertEqual((results[0].seconds, results[0].spills, results[0].registers), (0.25, 2, "SIMD8/16"))
+        self.assertIn("no such thing", results[1].error)
+        self.assertEqual((results[2].spills, results[2].registers), (32, "255 registers"))
+        self.assertEqual(results[3].time, "> 30")
+
+    def test_two_seconds_are_the_limit(self):
+        self.assertEqual(Compiled("device", "program", 2.0, 0).verdict, "ok")
+        self.assertEqual(Compiled("device", "program", 2.001, 0).verdict, "slow")
+
+    def test_statistics_may_be_missing(self):
+        self.assertEqual(compilers.statistics_of("nothing that anybody knows"), (None, ""))
+
+
+class FrontEnd(unittest.TestCase):
+    def test_shaders_become_glsl_450(self):
+        text = (
+            "#version 150\n#extension GL_ARB_shader_storage_buffer_object : require\n"
+            "#extension GL_EXT_shader_framebuffer_fetch : require\n"
+            "layout(location = 1) inout uvec2 head;\n#define A \\\n  1\nvoid f(inout int i) { precise int k = A; }\n")
+        self.assertEqual(
+            glsl.as_450(text),
+            "#version 450\n\n\nlayout(location = 1) out uvec2 head;\n#define A    1\n"
+            "void f(inout int i) { int k = A; }\n")
+
+
+class Verdicts(unittest.TestCase):
+    def setUp(self):
+        self.known = table.read_known_failures(KNOWN)
+
+    def test_unknown_failures_are_told(self):
+        slow = Cell("Intel Xe", "Resolve of linked-list, 64", "slow")
+        others = [Cell("Intel Xe", "Resolve of linked-list, 64", "fails"), Cell("nouveau", "Resolve, 64", "slow")]
+        fine = [Cell("a", "b", verdict) for verdict in table.GOOD]
+        self.assertEqual(table.judge([slow, *others, *fine], self.known), others)
+        self.assertEqual(self.known[0].met, [slow])
+
+    def test_entries_that_no_longer_fail_are_told(self):
+        table.judge([], self.known)
+        self.assertEqual(table.no_longer_failing(self.known), [self.known[0]])
+
+    def test_entries_need_a_reason(self):
+        for wrong in ('reason = ""', "reason = 'x'\nreasons = 'y'", ""):
+            with self.assertRaises(table.TableError):
+                table.read_known_failures(f'[[failure]]\ndriver = "a"\nsubject = "b"\n{wrong}\n')
+
+    def test_the_file_of_known_failures_is_read(self):
+        known = table.read_known_failures((ROOT / "Testing/Drivers/known_failures.toml").read_text(encoding="utf-8"))
+        for entry in known:
+            self.assertLessEqual(len(entry.reason.split()), 25, "a cell of the table has at most 25 words")
+
+
+class Page(unittest.TestCase):
+    def lines(self):
+        frames = [
+            Cell("llvmpipe", "linked-list", "exact", "0.51"), Cell("llvmpipe", "lights", "same", "1.00"),
+            Cell("old", "linked-list", "refused", "OpenGL 4.3 is needed"),
+            Cell("older", "linked-list", "refused", "OpenGL 4.3 is needed"), Cell("broken", "lights", "wrong", "a|b")]
+        compiled = [
+            Compiled("Xe", "short", 0.5, 0, "SIMD8/16"), Compiled("Xe", "long", 30, None, is_cut_off=True),
+            Compiled("Xe", "wide", 1.0, 343, "SIMD8")]
+        known = table.read_known_failures(KNOWN)
+        return list(table.section("2026-11-27", "0123456789", frames, compiled, [], known))
+
+    def test_frames(self):
+        lines = self.lines()
+        self.assertIn("| llvmpipe | exact 0.51 | same 1.00 |", lines)
+        self.assertIn("| old | refused [1] | not run |", lines)
+        self.assertIn("| older | refused [1] | not run |", lines)
+        self.assertIn("| broken | not run | **wrong** [2] |", lines)
+        self.assertIn("1. OpenGL 4.3 is needed", lines)
+
+    def test_compilers(self):
+        lines = self.lines()
+        self.assertIn("| Xe | 3 | 0 | > 30 s | 1 | 1 |", lines)
+        self.assertIn("| Xe | long | > 30 | unknown |  |", lines)
+        self.assertIn("| Xe | wide | 1.00 | 343 | SIMD8 |", lines)
+
+    def test_it_is_put_into_the_page_and_its_commit_read(self):
+        page = f"# Drivers\n\n{table.BEGIN}\nold\n{table.END}\n\nThe rest.\n"
+        new = table.replaced(page, self.lines())
+        self.assertTrue(new.startswith("# Drivers\n\n") and new.endswith("\n\nThe rest.\n"))
+        self.assertNotIn("old\n", new.replace("| old", ""))
+        self.assertEqual(table.commit_of(new), "0123456789")
+        self.assertIsNone(table.commit_of(page))
+        with self.assertRaises(table.TableError):
+            table.replaced("# Drivers\n", [])
+
+
+class Rows(unittest.TestCase):
+    def test_names_are_different(self):
+        for entries in (DRIVERS, DEVICES):
+            names = [entry.name for entry in entries]
+            self.assertEqual(len(names), len(set(names)))
+
+    def test_the_fast_part_has_drivers_and_a_device(self):
+        self.assertTrue([driver for driver in DRIVERS if driver.fast and not driver.in_root])
+        self.assertTrue([device for device in DEVICES if device.fast and not device.in_root])
+
+
+if __name__ == "__main__":
+    unittest.main()
