@@ -1,5 +1,6 @@
 """scripts/test-drivers: what it reads from compilers and front ends, what it takes for a failure, and its table."""
 
+import json
 import pathlib
 import sys
 import unittest
@@ -11,7 +12,9 @@ sys.path.insert(0, str(ROOT / "Testing/Drivers"))
 import compilers  # noqa: E402
 import glsl  # noqa: E402
 import table  # noqa: E402
-from drivers import DEVICES, DRIVERS  # noqa: E402
+from drivers import DEVICES, DRIVERS, Driver  # noqa: E402
+from frames import Frames, Run, Scene  # noqa: E402
+from places import Outcome, Place  # noqa: E402
 from programs import Program  # noqa: E402
 from table import Cell, Compiled  # noqa: E402
 
@@ -59,6 +62,59 @@ class Compilers(unittest.TestCase):
 
     def test_statistics_may_be_missing(self):
         self.assertEqual(compilers.statistics_of("nothing that anybody knows"), (None, ""))
+
+
+class FakePlace(Place):
+    """Answers `vitrine compare` from a table of what each method does there: a result, or None for a hang."""
+
+    def __init__(self, methods):
+        super().__init__()
+        self.methods = methods
+
+    def run(self, command, changes, limit):
+        chosen = [self.methods[name] for name in command[-1].split(",")]
+        if None in chosen:
+            return Outcome(None, "", "")
+        return Outcome(0, json.dumps({"results": chosen}), "")
+
+
+def result(method, error=0.5, deterministic=True):
+    """What `vitrine compare` tells of a method; the error is in 1/255."""
+    return {"method": method, "error": {"max": error / 255}, "deterministic": deterministic}
+
+
+class FramesOfADriver(unittest.TestCase):
+    def verdicts(self, methods, frames=None, null=""):
+        scene = Scene("demo:stack", methods=tuple(methods))
+        run = Run(frames or Frames("vitrine", True), Driver("a", null=null), FakePlace(methods), {})
+        run.compare(scene)
+        return {cell.subject: cell.verdict for cell in run.cells()}
+
+    def test_exact_refused_and_wrong(self):
+        methods = {
+            "linked-list": result("linked-list"),
+            "linked-list-compact": result("linked-list-compact", 1.01),
+            "prefix-sum": result("prefix-sum", deterministic=False),
+            "stencil-routed": {"method": "stencil-routed", "skipped": "no stencil"},
+        }
+        self.assertEqual(
+            self.verdicts(methods),
+            {"linked-list": "exact", "linked-list-compact": "wrong", "prefix-sum": "wrong",
+             "stencil-routed": "refused"})
+
+    def test_the_method_that_hangs_is_found(self):
+        methods = {"linked-list": result("linked-list"), "prefix-sum": None}
+        self.assertEqual(self.verdicts(methods), {"linked-list": "exact", "prefix-sum": "hangs"})
+
+    def test_inexact_methods_are_held_to_the_first_driver(self):
+        frames = Frames("vitrine", True)
+        for error, verdict in ((64.0, "same"), (65.0, "same"), (65.1, "wrong")):
+            methods = {"stencil-mask-8": result("stencil-mask-8", error)}
+            self.assertEqual(self.verdicts(methods, frames), {"stencil-mask-8": verdict})
+
+    def test_pictures_of_null_devices_say_nothing(self):
+        methods = {"linked-list": result("linked-list", 255.0, deterministic=False)}
+        self.assertEqual(self.verdicts(methods, null="intel"), {"linked-list": "ok"})
 
 
 class FrontEnd(unittest.TestCase):
