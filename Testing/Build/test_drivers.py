@@ -165,7 +165,8 @@ class Page(unittest.TestCase):
             Compiled("Xe", "short", 0.5, 0, "SIMD8/16"), Compiled("Xe", "long", 30, None, is_cut_off=True),
             Compiled("Xe", "wide", 1.0, 343, "SIMD8")]
         known = table.read_known_failures(KNOWN)
-        return list(table.section("2026-11-27", "0123456789", frames, compiled, [], known))
+        run = table.WholeRun("2026-11-27", "0123456789", frames, compiled, [])
+        return list(table.section(table.read_run(table.text_of_run(run)), known))
 
     def test_frames(self):
         lines = self.lines()

@@ -3,14 +3,13 @@
 import pathlib
 import re
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 
 from glsl import for_vulkan, run_glslang, spirv_bindings
 from places import WORK, Place
 from table import Compiled
 
 UNCACHED = {"MESA_SHADER_CACHE_DISABLE": "true"}
-LIMIT = 30  # seconds of the processor for one program, after which it is cut off
+LIMIT = 10  # seconds of the processor for one program, after which it is cut off
 HANGS = 1800  # seconds of time for all programs of a device
 RESULT = re.compile(r"^(\d+) (ok|failed|cut-off) [\d.]+ s ([\d.]+) s:")
 INTEL = re.compile(r"(?:FS|CS) SIMD(\d+) shader: .*?(\d+):\d+ spills:fills")
@@ -46,15 +45,33 @@ def read_results(output, device, programs):
     return results
 
 
+def put_programs(place, folder, programs):
+    """Put the folder of programs into the place, with a folder beside it for each list of those that fit devices."""
+    place.put(folder, folder.name)
+    for fetch in (False, True):
+        lists = folder.parent / list_name(folder, fetch)
+        lists.mkdir(exist_ok=True)
+        lines = (
+            " ".join(f"../{folder.name}/{file}" for file in program.files) for program in fitting(programs, fetch))
+        (lists / "programs").write_text("\n".join(lines) + "\n", encoding="utf-8")
+        place.put(lists, lists.name)
+
+
+def list_name(folder, fetch):
+    return f"{folder.name}-{'with' if fetch else 'without'}-fetch"
+
+
+def fitting(programs, fetch):
+    """The programs for devices with framebuffer fetch or without: those that need it are left out without."""
+    return [program for program in programs if fetch or not program.fetch]
+
+
 def compile_shaders(device, place, environment, folder, programs):
     """Compile the programs on the device's OpenGL driver. One that is cut off, or ends the process, is passed over."""
-    chosen = folder.parent / f"{folder.name}-{'fetch' if device.fetch else 'any'}"
-    chosen.mkdir(exist_ok=True)
-    lines = (" ".join(f"../{folder.name}/{file}" for file in program.files) for program in programs)
-    (chosen / "programs").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    listed = place.files / list_name(folder, device.fetch)
     results = []
     while len(results) < len(programs):
-        command = [place.files / "bin/compile_shaders", place.put(chosen, chosen.name), len(results), LIMIT]
+        command = [place.files / "bin/compile_shaders", listed, len(results), LIMIT]
         outcome = place.run(command, environment, HANGS)
         new = read_results(outcome.output, device.name, programs)
         results += new
@@ -94,10 +111,9 @@ def compile_pipeline(device, environment, folder, program):
 
 
 def compile_for(device, place, environment, folder, programs):
-    """All results of a device: of the programs with framebuffer fetch only where the device has it."""
+    """All results of a device, for which put_programs() has made its place ready."""
     environment = environment | UNCACHED
-    fitting = [program for program in programs if device.fetch or not program.fetch]
+    programs = fitting(programs, device.fetch)
     if device.shim:
-        return compile_shaders(device, place, environment, folder, fitting)
-    with ThreadPoolExecutor(max_workers=2) as pool:
-        return list(pool.map(lambda program: compile_pipeline(device, environment, folder, program), fitting))
+        return compile_shaders(device, place, environment, folder, programs)
+    return [compile_pipeline(device, environment, folder, program) for program in programs]

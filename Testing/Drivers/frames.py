@@ -9,7 +9,6 @@ from places import WORK
 from table import Cell
 
 SECONDS = 120  # after which a process hangs
-ROUTED_LAYERS = 254  # that stencil routing keeps
 
 METHODS = [
     "linked-list", "linked-list-compact", "linked-list-8bit", "prefix-sum", "prefix-sum-compact",

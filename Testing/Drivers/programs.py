@@ -27,9 +27,6 @@ class Program:
     files: tuple
     fetch: bool
 
-    def text(self, folder):
-        return "".join((folder / file).read_text(encoding="utf-8", errors="replace") for file in self.files)
-
 
 def runs(fast):
     """Names of what is drawn, with the arguments that draw it. Lengths ascend: a program is named by its first use."""

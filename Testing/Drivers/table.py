@@ -1,6 +1,8 @@
 """What the drivers did: cells of the table, known failures, and the table as Markdown."""
 
+import dataclasses
 import fnmatch
+import json
 import tomllib
 from dataclasses import dataclass, field
 
@@ -58,6 +60,30 @@ class Compiled:
         if self.registers:
             told.append(self.registers)
         return Cell(self.device, self.program, self.verdict, self.error or ", ".join(told))
+
+
+@dataclass
+class WholeRun:
+    """All that one run of scripts/test-drivers found, and the date and commit of that."""
+
+    date: str
+    commit: str
+    frames: list
+    compiled: list
+    front_end: list
+
+    def cells(self):
+        return [*self.frames, *(result.cell() for result in self.compiled), *self.front_end]
+
+
+def text_of_run(run):
+    return json.dumps(dataclasses.asdict(run), indent=1)
+
+
+def read_run(text):
+    entries = json.loads(text)
+    kinds = {"frames": Cell, "compiled": Compiled, "front_end": Cell}
+    return WholeRun(**entries | {name: [kind(**entry) for entry in entries[name]] for name, kind in kinds.items()})
 
 
 @dataclass
@@ -164,24 +190,24 @@ def devices_section(compiled):
             ([r.device, r.program, r.time, "unknown" if r.spills is None else r.spills, r.registers] for r in worse))
 
 
-def section(date, commit, frames, compiled, front_ends, known):
+def section(run, known):
     """The generated part of the page."""
     yield BEGIN
     yield ""
-    yield f"Run on {date} at commit {commit}."
+    yield f"Run on {run.date} at commit {run.commit}."
     yield ""
     yield "### Frames"
     yield ""
-    yield from frames_section(frames)
+    yield from frames_section(run.frames)
     yield ""
     yield "### Compilers"
     yield ""
-    yield from devices_section(compiled)
+    yield from devices_section(run.compiled)
     yield ""
     yield "### Front end"
     yield ""
     yield from rows(
-        ["shaders", "error", "result"], ([cell.driver, cell.subject, cell.detail] for cell in front_ends))
+        ["shaders", "error", "result"], ([cell.driver, cell.subject, cell.detail] for cell in run.front_end))
     met = [entry for entry in known if entry.met]
     if met:
         yield ""
