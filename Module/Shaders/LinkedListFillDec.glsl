@@ -17,6 +17,9 @@ layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer VitrineCounte
 };
 layout(r32ui, binding = VITRINE_IMAGE_LINKS) writeonly uniform uimageBuffer vitrineLinks;
 uniform int vitrinePages; // capacity of the pool
+#ifdef VITRINE_SOFTWARE
+uniform int vitrineSubPoolPages; // capacity of a sub-pool; the last ones may have fewer pages, or none
+#endif
 
 #ifdef VITRINE_FRAMEBUFFER_FETCH
 layout(location = 1) inout uvec2 vitrineHead; // newest page, number of fragments so far
@@ -25,3 +28,36 @@ uniform int vitrinePageSize;
 // For each pixel, in two rows: newest node + 1, number of fragments.
 layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHeads;
 #endif
+
+// Returns a free page, or VITRINE_END if the pool has none. If the bin's sub-pool is full, the next one is asked, so
+// the pool is full only when all are.
+uint vitrineTakePage()
+{
+#ifdef VITRINE_SOFTWARE
+  uint pages = uint(vitrineSubPoolPages);
+  ivec2 bin = ivec2(gl_FragCoord.xy) / VITRINE_BIN_SIZE;
+  uint subPool = uint(bin.x + 4 * bin.y) % uint(VITRINE_SUB_POOLS);
+  for (int asked = 0; asked < VITRINE_SUB_POOLS; ++asked)
+  {
+    uint taken = atomicAdd(vitrineCounters.NextPage[subPool * uint(VITRINE_COUNTER_STRIDE)], 1u);
+    uint page = subPool * pages + taken;
+    if (taken < pages && page < uint(vitrinePages))
+    {
+      return page;
+    }
+    if (vitrineCounters.PagesMissing != 0u)
+    {
+      break;
+    }
+    subPool = (subPool + 1u) % uint(VITRINE_SUB_POOLS);
+  }
+#else
+  uint page = atomicAdd(vitrineCounters.NextPage[0], 1u);
+  if (page < uint(vitrinePages))
+  {
+    return page;
+  }
+#endif
+  vitrineCounters.PagesMissing = 1u;
+  return VITRINE_END;
+}
