@@ -30,34 +30,38 @@ layout(r32ui, binding = VITRINE_IMAGE_HEADS) coherent uniform uimage2D vitrineHe
 #endif
 
 // Returns a free page, or VITRINE_END if the pool has none. If the bin's sub-pool is full, the next one is asked, so
-// the pool is full only when all are.
+// the pool is full only when all are. Behind them comes one without pages: its counter tells whether pages are missing.
+// It is asked at once where a counter alone proves that more pages are needed than the pool has.
+//
+// Llvmpipe runs each atomic operation and store for all fragments of a vector one by one, even where none takes part.
+// So here is only one.
 uint vitrineTakePage()
 {
 #ifdef VITRINE_SOFTWARE
+  const uint subPools = uint(VITRINE_SUB_POOLS);
   uint pages = uint(vitrineSubPoolPages);
   ivec2 bin = ivec2(gl_FragCoord.xy) / VITRINE_BIN_SIZE;
-  uint subPool = uint(bin.x + 4 * bin.y) % uint(VITRINE_SUB_POOLS);
-  for (int asked = 0; asked < VITRINE_SUB_POOLS; ++asked)
+  uint subPool = uint(bin.x + 4 * bin.y) % subPools;
+  uint page = VITRINE_END;
+  for (uint asked = 1u; asked <= subPools + 1u; ++asked)
   {
     uint taken = atomicAdd(vitrineCounters.NextPage[subPool * uint(VITRINE_COUNTER_STRIDE)], 1u);
-    uint page = subPool * pages + taken;
-    if (taken < pages && page < uint(vitrinePages))
-    {
-      return page;
-    }
-    if (vitrineCounters.PagesMissing != 0u)
+    uint found = subPool * pages + taken;
+    page = taken < pages && found < uint(vitrinePages) ? found : VITRINE_END;
+    if (page != VITRINE_END || subPool == subPools)
     {
       break;
     }
-    subPool = (subPool + 1u) % uint(VITRINE_SUB_POOLS);
+    subPool = asked == subPools || taken >= uint(vitrinePages) ? subPools : (subPool + 1u) % subPools;
   }
+  return page;
 #else
   uint page = atomicAdd(vitrineCounters.NextPage[0], 1u);
-  if (page < uint(vitrinePages))
+  if (page >= uint(vitrinePages))
   {
-    return page;
+    vitrineCounters.NextPage[VITRINE_PAGES_MISSING] = 1u;
+    page = VITRINE_END;
   }
+  return page;
 #endif
-  vitrineCounters.PagesMissing = 1u;
-  return VITRINE_END;
 }

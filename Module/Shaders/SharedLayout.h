@@ -32,6 +32,7 @@
 #define VITRINE_SUB_POOLS 16
 #define VITRINE_BIN_SIZE 64       // pixels a side, as llvmpipe's
 #define VITRINE_COUNTER_STRIDE 16 // words from one sub-pool's counter to the next: a cache line
+#define VITRINE_PAGES_MISSING (VITRINE_SUB_POOLS * VITRINE_COUNTER_STRIDE)
 
 // Packed lists: the buffer stores pixels by blocks of VITRINE_BLOCK_SIZE a side, which divides VITRINE_TILE_SIZE. The
 // scan adds VITRINE_SCAN_FANOUT sums into one, level by level.
@@ -72,7 +73,6 @@ using uint = std::uint32_t;
 /** The counters of a frame, std430. */
 struct VitrineCounters
 {
-  uint PagesMissing;  // Linked lists: nonzero if some page was not in the pool.
   uint LayersMax;     // Largest number of fragments in one pixel.
   uint CoveredPixels; // Number of pixels with at least one fragment.
   uint TileBins;      // Bit b is set if some tile falls into bin b.
@@ -81,7 +81,8 @@ struct VitrineCounters
   uint PagesHigh[4];
   uint ShortPixels; // Packed lists: number of pixels with more fragments than room.
   // Linked lists: every VITRINE_COUNTER_STRIDE-th word is the next free page of a sub-pool. It counts on past the end.
-  uint NextPage[VITRINE_SUB_POOLS * VITRINE_COUNTER_STRIDE];
+  // The last word is nonzero if some page was not in the pool.
+  uint NextPage[VITRINE_PAGES_MISSING + 1];
 };
 
 /** The counters of truth's capture, std430. The number of fragments is Fragments + 2^32 * Wraps. */
@@ -189,10 +190,10 @@ static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
 static_assert(sizeof(VitrineCounters) == 52 + 64 * VITRINE_SUB_POOLS, "std430 layout");
-static_assert(offsetof(VitrineCounters, PagesLow) == 16, "std430 layout");
-static_assert(offsetof(VitrineCounters, PagesHigh) == 32, "std430 layout");
-static_assert(offsetof(VitrineCounters, ShortPixels) == 48, "std430 layout");
-static_assert(offsetof(VitrineCounters, NextPage) == 52, "std430 layout");
+static_assert(offsetof(VitrineCounters, PagesLow) == 12, "std430 layout");
+static_assert(offsetof(VitrineCounters, PagesHigh) == 28, "std430 layout");
+static_assert(offsetof(VitrineCounters, ShortPixels) == 44, "std430 layout");
+static_assert(offsetof(VitrineCounters, NextPage) == 48, "std430 layout");
 static_assert(VITRINE_TILE_SIZE % VITRINE_BLOCK_SIZE == 0, "blocks lie within tiles");
 
 /** Returns the value of a split sum. */

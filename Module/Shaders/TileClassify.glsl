@@ -24,7 +24,7 @@ layout(location = 0) out uint tileMax;
 #ifdef VITRINE_PACKED_LISTS
 #define IS_INCOMPLETE (tooLong > 0u)
 #else
-#define IS_INCOMPLETE (counters.PagesMissing > 0u)
+#define IS_INCOMPLETE (counters.NextPage[VITRINE_PAGES_MISSING] > 0u)
 #endif
 
 // Adds `n` to a split sum.
