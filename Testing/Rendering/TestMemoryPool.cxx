@@ -1,14 +1,13 @@
 // The linked-list pass's node pool: growth within a frame, limits kept in bands, shrinking, and what it costs.
 #include "TestMethods.h"
 #include "TestScene.h"
-#include "gl/VitrineOpenGL.h"
+#include "gl/DeviceTraits.h"
 #include "vtkActor.h"
 #include "vtkLinkedListTransparencyPass.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {
@@ -19,17 +18,7 @@ constexpr int Granule = 16; // pages of several nodes come in whole groups of so
 
 bool HasFramebufferFetch()
 {
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; ++i)
-  {
-    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
-    if (std::strcmp(name, "GL_EXT_shader_framebuffer_fetch") == 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return vitrine::FindDeviceTraits().FramebufferFetch;
 }
 
 class MemoryPool : public testing::TestWithParam<int>
