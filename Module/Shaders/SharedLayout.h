@@ -27,6 +27,13 @@
 // they write and read whole cache lines.
 #define VITRINE_INTERLEAVE_SHIFT 4
 
+// Node pool: on software rasterisers it has several sub-pools, each with a counter of its own. Each screen bin has one
+// of them. Llvmpipe draws a bin by one thread, so threads seldom share a counter or a cache line of nodes.
+#define VITRINE_SUB_POOLS 16
+#define VITRINE_BIN_SIZE 64       // pixels a side, as llvmpipe's
+#define VITRINE_COUNTER_STRIDE 16 // words from one sub-pool's counter to the next: a cache line
+#define VITRINE_PAGES_MISSING (VITRINE_SUB_POOLS * VITRINE_COUNTER_STRIDE)
+
 // Packed lists: the buffer stores pixels by blocks of VITRINE_BLOCK_SIZE a side, which divides VITRINE_TILE_SIZE. The
 // scan adds VITRINE_SCAN_FANOUT sums into one, level by level.
 #define VITRINE_BLOCK_SIZE 4
@@ -66,8 +73,6 @@ using uint = std::uint32_t;
 /** The counters of a frame, std430. */
 struct VitrineCounters
 {
-  // The next free page. It counts on past the end of the pool, and wraps at 2^32.
-  uint PagesUsed;
   uint LayersMax;     // Largest number of fragments in one pixel.
   uint CoveredPixels; // Number of pixels with at least one fragment.
   uint TileBins;      // Bit b is set if some tile falls into bin b.
@@ -75,6 +80,9 @@ struct VitrineCounters
     PagesLow[4]; // Split sums of the pages that all lists need, with pages of 1, 2, 4 and 8 nodes.
   uint PagesHigh[4];
   uint ShortPixels; // Packed lists: number of pixels with more fragments than room.
+  // Linked lists: every VITRINE_COUNTER_STRIDE-th word is the next free page of a sub-pool. It counts on past the end.
+  // The last word is nonzero if some page was not in the pool.
+  uint NextPage[VITRINE_PAGES_MISSING + 1];
 };
 
 /** The counters of truth's capture, std430. The number of fragments is Fragments + 2^32 * Wraps. */
@@ -181,10 +189,11 @@ static_assert(sizeof(VitrineMaterial) == 16 * VITRINE_MATERIAL_TEXELS, "texels o
 static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
-static_assert(sizeof(VitrineCounters) == 52, "std430 layout");
-static_assert(offsetof(VitrineCounters, PagesLow) == 16, "std430 layout");
-static_assert(offsetof(VitrineCounters, PagesHigh) == 32, "std430 layout");
-static_assert(offsetof(VitrineCounters, ShortPixels) == 48, "std430 layout");
+static_assert(sizeof(VitrineCounters) == 52 + 64 * VITRINE_SUB_POOLS, "std430 layout");
+static_assert(offsetof(VitrineCounters, PagesLow) == 12, "std430 layout");
+static_assert(offsetof(VitrineCounters, PagesHigh) == 28, "std430 layout");
+static_assert(offsetof(VitrineCounters, ShortPixels) == 44, "std430 layout");
+static_assert(offsetof(VitrineCounters, NextPage) == 48, "std430 layout");
 static_assert(VITRINE_TILE_SIZE % VITRINE_BLOCK_SIZE == 0, "blocks lie within tiles");
 
 /** Returns the value of a split sum. */

@@ -24,8 +24,7 @@ layout(location = 0) out uint tileMax;
 #ifdef VITRINE_PACKED_LISTS
 #define IS_INCOMPLETE (tooLong > 0u)
 #else
-uniform int pagesOfPool; // capacity in pages
-#define IS_INCOMPLETE (counters.PagesUsed > uint(pagesOfPool))
+#define IS_INCOMPLETE (counters.NextPage[VITRINE_PAGES_MISSING] > 0u)
 #endif
 
 // Adds `n` to a split sum.

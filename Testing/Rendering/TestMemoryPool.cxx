@@ -1,14 +1,13 @@
 // The linked-list pass's node pool: growth within a frame, limits kept in bands, shrinking, and what it costs.
 #include "TestMethods.h"
 #include "TestScene.h"
-#include "gl/VitrineOpenGL.h"
+#include "gl/DeviceTraits.h"
 #include "vtkActor.h"
 #include "vtkLinkedListTransparencyPass.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {
@@ -19,17 +18,7 @@ constexpr int Granule = 16; // pages of several nodes come in whole groups of so
 
 bool HasFramebufferFetch()
 {
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLint i = 0; i < count; ++i)
-  {
-    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
-    if (std::strcmp(name, "GL_EXT_shader_framebuffer_fetch") == 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return vitrine::FindDeviceTraits().FramebufferFetch;
 }
 
 class MemoryPool : public testing::TestWithParam<int>
@@ -135,6 +124,42 @@ TEST_P(MemoryPool, KeepsItsLimitAndThePicture)
       EXPECT_DOUBLE_EQ(pass->GetMeanNumberOfLayers(), double(fragments) / (Width * Height));
       // Its pages may have another size from now on.
       EXPECT_TRUE(Matches(scene.Render(), expected)) << "frame " << frame;
+    }
+  }
+}
+
+// A screen bin takes its pages from one sub-pool first. Here 5 bins of 64x64 pixels, or parts of them, fill all
+// sub-pools to the last page. The last bin has twice the layers of the others. Pages of 8 nodes are all full.
+TEST_P(MemoryPool, LeavesNoPageOfASubPoolUnused)
+{
+  constexpr int Wide = 300;
+  TestScene scene(Wide, Height);
+  const double aspect = double(Wide) / Height;
+  for (int layer = 0; layer < 16; ++layer)
+  {
+    const double left = layer < 8 ? -1.0 : 2.0 * 256 / Wide - 1.0;
+    scene.AddRectangle(
+      left * aspect, -1.0, aspect, 1.0, 0.8 - 0.1 * layer, { 0.2, 0.06 * layer, 0.6, 0.3 });
+  }
+  const vtkSmartPointer<vtkLinkedListTransparencyPass> unlimited = this->MakePass();
+  ExpectTruth(scene, unlimited, 2.0);
+  const Picture expected = scene.Render();
+  const vtkTypeInt64 fragments = unlimited->GetNumberOfFragments();
+  ASSERT_EQ(fragments, 8 * Height * (Wide + (Wide - 256)));
+  const int pageSize = this->PageSize() > 1 ? 8 : 1;
+  const vtkTypeInt64 needed = fragments / pageSize * (pageSize * this->NodeBytes() + 4);
+  for (const bool isEnough : { true, false })
+  {
+    SCOPED_TRACE(isEnough ? "enough" : "one byte less");
+    const vtkSmartPointer<vtkLinkedListTransparencyPass> pass = this->MakePass();
+    pass->SetMemoryLimit(isEnough ? needed : needed - 1);
+    scene.Use(pass);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      EXPECT_TRUE(Matches(scene.Render(), expected)) << "frame " << frame;
+      EXPECT_EQ(pass->GetNumberOfBands(), isEnough ? 1 : 2);
+      EXPECT_LE(pass->GetPoolBytes(), needed);
+      EXPECT_STREQ(pass->GetFallbackReason(), "");
     }
   }
 }

@@ -85,9 +85,6 @@ public:
 
   virtual const NodeBuffers& Nodes() const = 0;
 
-  /** Returns the capacity of the pool in pages, or 0 if lists have room of their own. */
-  virtual int PagesOfPool() const { return 0; }
-
   ///@{
   /** GL names. They are 0 for objects that the store lacks. */
   virtual GLuint LinkTexture() const { return 0; }

@@ -30,6 +30,10 @@ std::string LinkedListStore::BeginFill(
 void LinkedListStore::SetFillUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformi("vitrinePages", static_cast<int>(this->Pool.CapacityPages()));
+  if (program->IsUniformUsed("vitrineSubPoolPages"))
+  {
+    program->SetUniformi("vitrineSubPoolPages", static_cast<int>(this->Pool.SubPoolPages()));
+  }
   if (program->IsUniformUsed("vitrinePageSize"))
   {
     program->SetUniformi("vitrinePageSize", this->Pool.PageSize());

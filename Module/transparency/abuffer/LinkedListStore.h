@@ -18,7 +18,6 @@ public:
   void SetFillUniforms(vtkShaderProgram* program) const override;
   FitType Fit(const FragmentStatistics& needed) override { return this->Pool.Fit(needed); }
   std::int64_t CapacityUnits() const override { return this->Pool.CapacityPages(); }
-  int PagesOfPool() const override { return static_cast<int>(this->Pool.CapacityPages()); }
   int UnitNodes() const override { return this->Pool.PageSize(); }
   std::int64_t UnitBytes() const override { return this->Pool.PageBytes(); }
   std::string DescribeLimit() const override { return this->Pool.DescribeLimit(); }

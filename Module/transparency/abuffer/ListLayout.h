@@ -22,9 +22,8 @@ struct ListLayout
   NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
   bool FramebufferFetch = false;
-  bool HasFewRegisters =
-    false;               ///< Lists are sorted in the registers of a device (Core/lists/SortPlan).
-  bool Additive = false; ///< Some fragments are added to what is behind them.
+  bool IsSoftware = false;  ///< Shaders run on the CPU (gl/DeviceTraits).
+  bool Additive = false;    ///< Some fragments are added to what is behind them.
   bool Coincidence = false; ///< Depths are intervals, since there is a coincidence tolerance.
   int Samples = 0;
   int PageSize = 1;

@@ -41,7 +41,7 @@ std::string BinLimitList(const SortPlan& plan)
 
 SortPlan PlanOf(const ListLayout& layout)
 {
-  return PlanSort({ layout.FragmentWords(), layout.Packed, layout.HasFewRegisters });
+  return PlanSort({ layout.FragmentWords(), layout.Packed, !layout.IsSoftware });
 }
 
 std::vector<std::string> RunDefines(const ListLayout& layout, const SortPlan& plan)
@@ -157,10 +157,6 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
   const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
   program->SetUniform2i("regionFirst", regionFirst);
   program->SetUniform2i("regionEnd", regionEnd);
-  if (program->IsUniformUsed("pagesOfPool"))
-  {
-    program->SetUniformi("pagesOfPool", store.PagesOfPool());
-  }
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

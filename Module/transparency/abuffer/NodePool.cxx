@@ -30,6 +30,12 @@ std::int64_t PoolBytes(std::int64_t pages, int pageSize, int nodeBytes)
   return pages * (std::int64_t(pageSize) * nodeBytes + LinkBytes);
 }
 
+// Sub-pools share no interleaved group of pages, and no cache line of nodes.
+std::int64_t NodePool::SubPoolPages() const
+{
+  return RoundedUp(DividedUp<std::int64_t>(this->Pages, VITRINE_SUB_POOLS), Interleave);
+}
+
 void NodePool::SetLayout(int nodeBytes, bool pages)
 {
   if (nodeBytes == this->Nodes.NodeBytes() && pages == this->HasPages)

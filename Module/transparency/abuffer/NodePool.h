@@ -37,6 +37,8 @@ public:
   int PageShift() const { return this->Shift; }
   int PageSize() const { return 1 << this->Shift; }
   std::int64_t CapacityPages() const { return this->Pages; }
+  /** Pages of each of VITRINE_SUB_POOLS sub-pools. The last ones may have fewer, or none. */
+  std::int64_t SubPoolPages() const;
   std::int64_t PageBytes() const { return PoolBytes(1, this->PageSize(), this->Nodes.NodeBytes()); }
   std::int64_t Bytes() const { return this->Nodes.Bytes() + this->Links.Bytes(); }
 

@@ -154,6 +154,10 @@ vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
     fill.Extensions.emplace_back(vitrine::FramebufferFetchExtension);
     fill.Defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");
   }
+  if (this->Private->Layout.IsSoftware)
+  {
+    fill.Defines.emplace_back("VITRINE_SOFTWARE");
+  }
   if (const char* colors = this->Private->Layout.ColorDefine())
   {
     fill.Defines.emplace_back(colors);
@@ -211,12 +215,13 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.FixedPoint = target.FixedPoint;
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
-  in.Layout.HasFewRegisters = !this->GetDeviceTraits().Software;
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = this->GetDeviceTraits().FramebufferFetch && target.Samples == 0;
-  if (fetch != in.Layout.FramebufferFetch)
+  const bool isSoftware = this->GetDeviceTraits().Software;
+  if (fetch != in.Layout.FramebufferFetch || isSoftware != in.Layout.IsSoftware)
   {
     in.Layout.FramebufferFetch = fetch;
+    in.Layout.IsSoftware = isSoftware;
     this->ShaderStage.Modified();
   }
   this->NumberOfBands = 1;
