@@ -21,6 +21,7 @@ LISTS = (
     "prefix-sum-predicted", "prefix-sum-predicted-compact")
 STENCILS = ("stencil-mask-4", "stencil-mask-8", "stencil-mask-16", "stencil-routed", "stencil-routed-8bit")
 SMALL = ("--size", "32x32", "--frames", "2")
+LIST = (*SMALL, "--without-truth", "--methods")
 
 
 @dataclass
@@ -38,19 +39,19 @@ def runs(fast):
     methods = ("linked-list", "prefix-sum-predicted-compact") if fast else LISTS
     for length in lengths:
         for method in methods:
-            yield f"{method}, {length}", ("compare", f"demo:stack,layers={length}", *SMALL, "--methods", method)
+            yield f"{method}, {length}", ("compare", f"demo:stack,layers={length}", *LIST, method)
     if fast:
         return
-    spheres = ("compare", "demo:spheres,layers=8", *SMALL)
+    spheres = ("compare", "demo:spheres,layers=8")
     for method in LISTS:
-        yield f"{method}, 4 samples", (*spheres, "--multisamples", "4", "--methods", method)
-        yield f"{method}, coincidence", (*spheres, "--coincidence", "2", "--methods", method)
-        yield f"{method}, impostors", ("compare", "demo:impostors", *SMALL, "--methods", method)
+        yield f"{method}, 4 samples", (*spheres, "--multisamples", "4", *LIST, method)
+        yield f"{method}, coincidence", (*spheres, "--coincidence", "2", *LIST, method)
+        yield f"{method}, impostors", ("compare", "demo:impostors", *LIST, method)
     for method in STENCILS:
-        yield method, (*spheres, "--methods", method)
+        yield method, (*spheres, *LIST, method)
     for mode in LIGHT_MODES.split(","):
         yield f"lights, {mode}", ("lights", "demo:hall,lights=16", *SMALL, "--modes", mode)
-    yield "truth", (*spheres, "--methods", "truth")
+    yield "truth", (*spheres, *SMALL, "--methods", "truth")
 
 
 def composed_of(text):

@@ -199,7 +199,7 @@ def devices_section(compiled):
              sum(result.verdict == "slow" for result in results), sum(bool(result.spills) for result in results)])
     yield from rows(["device", "programs", "errors", "slowest", "above 2 s", "with spills"], lines)
     yield ""
-    yield from rows(["program, list", *devices], lengths_section(compiled, devices))
+    yield from rows(["program, first length of lists", *devices], lengths_section(compiled, devices))
     worse = [result for result in compiled if result.verdict != "ok"]
     if worse:
         yield ""
