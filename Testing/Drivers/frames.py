@@ -210,7 +210,7 @@ class Run:
             if result.get("skipped"):
                 self.refusals["lights"] = result["skipped"]
             elif result["error"]:
-                self.hold(f"{scene} {result['mode']}", "lights", result["error"]["max"], 1.0)
+                self.hold(f"{scene} {result['mode']}", "lights", 255 * result["error"]["max"], 1.0)
 
     def cull(self):
         scene = "demo:assembly,parts=100"
