@@ -199,7 +199,11 @@ def devices_section(compiled):
              sum(result.verdict == "slow" for result in results), sum(bool(result.spills) for result in results)])
     yield from rows(["device", "programs", "errors", "slowest", "above 2 s", "with spills"], lines)
     yield ""
-    yield from rows(["program, first length of lists", *devices], lengths_section(compiled, devices))
+    yield "The worst of all methods. A length is that of the shortest list recorded that takes the program. Bold is what"
+    yield "does not fit: more than 2 s, or a spill. VGPRs and registers are those of a thread; SIMD tells the widths that"
+    yield "Intel's compiler made."
+    yield ""
+    yield from rows(["program, length of lists", *devices], lengths_section(compiled, devices))
     worse = [result for result in compiled if result.verdict != "ok"]
     if worse:
         yield ""
@@ -255,6 +259,8 @@ def section(run, known):
     yield from commits_section(run.made)
     yield ""
     yield "### Frames"
+    yield ""
+    yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation."
     yield ""
     yield from frames_section(run.frames)
     yield ""
