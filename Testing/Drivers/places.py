@@ -186,8 +186,9 @@ def build_shim(name):
     if not (build / "build.ninja").is_file():
         off = ("glx", "egl", "gbm", "llvm", "gles1", "gles2", "shared-glapi", "zstd", "libunwind", "valgrind")
         run_quietly(
-            ["meson", "setup", build, "-Dbuildtype=release", "-Dtools=drm-shim,intel", "-Dvulkan-drivers=",
-             "-Dgallium-drivers=iris,nouveau,swrast", "-Dplatforms=", *(f"-D{option}=disabled" for option in off)],
+            ["meson", "setup", build, "-Dbuildtype=plain", "-Db_ndebug=true", "-Dtools=drm-shim,intel",
+             "-Dvulkan-drivers=", "-Dgallium-drivers=iris,nouveau,swrast", "-Dplatforms=",
+             *(f"-D{option}=disabled" for option in off)],
             cwd=source, env=environment)
     run_quietly(["ninja", "-C", build, SHIMS[name]], env=environment)
     library.parent.mkdir(exist_ok=True)
