@@ -113,6 +113,13 @@ class FramesOfADriver(unittest.TestCase):
             methods = {"stencil-mask-8": result("stencil-mask-8", error)}
             self.assertEqual(self.verdicts(methods, frames), {"stencil-mask-8": verdict})
 
+    def test_samples_that_routing_takes_are_told(self):
+        for passes, samples in ((8, 1), (3, 3), (2, 4)):
+            told = result("stencil-routed") | {"layers_max": 8, "geometry_passes": passes}
+            run = Run(Frames("vitrine", True, {}), Driver("a"), FakePlace({"stencil-routed": told}), {})
+            run.compare(Scene("demo:stack", methods=("stencil-routed",)))
+            self.assertEqual(run.cells()[0].detail, f"0.50, K={samples}")
+
     def test_pictures_of_null_devices_say_nothing(self):
         methods = {"linked-list": result("linked-list", 255.0, deterministic=False)}
         self.assertEqual(self.verdicts(methods, null="intel"), {"linked-list": "ok"})

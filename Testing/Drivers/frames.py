@@ -114,6 +114,7 @@ class Run:
         self.environment = environment | {"GL_RECORD_ERRORS": str(place.files / "drawn" / self.folder / "errors")}
         self.program = place.files / "bin/vitrine" if place.root else frames.program
         self.worst = {}  # error in 1/255 by subject
+        self.routed = 0  # the largest K of stencil routing: layers by passes over the geometry
         self.refusals = {}
         self.faults = {}
 
@@ -131,6 +132,8 @@ class Run:
             elif subject in self.worst:
                 exact = "ok" if self.driver.null else "same" if subject in INEXACT else "exact"
                 detail = "" if self.driver.null else f"{self.worst[subject]:.2f}"
+                if subject == "stencil-routed" and self.routed and not self.driver.null:
+                    detail += f", K={self.routed}"
                 cells.append(Cell(self.driver.name, subject, exact, detail))
         return cells
 
@@ -173,6 +176,8 @@ class Run:
         if "skipped" in result:
             self.refusals[method] = result["skipped"]
             return
+        if method == "stencil-routed" and result.get("layers_max") and result.get("geometry_passes"):
+            self.routed = max(self.routed, -(-result["layers_max"] // result["geometry_passes"]))
         error = 255 * result["error"]["max"] if result["error"] else self.error_of_picture(scene, method)
         if error is None:
             return

@@ -260,7 +260,8 @@ def section(run, known):
     yield ""
     yield "### Frames"
     yield ""
-    yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation."
+    yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation. K is the"
+    yield "number of samples that `stencil-routed` routes a pass into: above 1 only where the driver routes."
     yield ""
     yield from frames_section(run.frames)
     yield ""
