@@ -31,6 +31,7 @@ Mesa Intel(R) Xe Graphics (TGL GT2), OpenGL 4.6 (Core Profile) Mesa 22.3.6
 6 cut-off 31.000 s 30.000 s:
 """
 PROGRAMS = [Program(f"program {number}", (), False) for number in range(8)]
+ROWS = ("llvmpipe", "old", "older", "broken", "Xe")
 KNOWN = """\
 [[failure]]
 driver = "Intel *"
@@ -86,7 +87,7 @@ def result(method, error=0.5, deterministic=True):
 class FramesOfADriver(unittest.TestCase):
     def verdicts(self, methods, frames=None, null=""):
         scene = Scene("demo:stack", methods=tuple(methods))
-        run = Run(frames or Frames("vitrine", True), Driver("a", null=null), FakePlace(methods), {})
+        run = Run(frames or Frames("vitrine", True, {}), Driver("a", null=null), FakePlace(methods), {})
         run.compare(scene)
         return {cell.subject: cell.verdict for cell in run.cells()}
 
@@ -107,10 +108,17 @@ class FramesOfADriver(unittest.TestCase):
         self.assertEqual(self.verdicts(methods), {"linked-list": "exact", "prefix-sum": "hangs"})
 
     def test_inexact_methods_are_held_to_the_first_driver(self):
-        frames = Frames("vitrine", True)
+        frames = Frames("vitrine", True, {})
         for error, verdict in ((64.0, "same"), (65.0, "same"), (65.1, "wrong")):
             methods = {"stencil-mask-8": result("stencil-mask-8", error)}
             self.assertEqual(self.verdicts(methods, frames), {"stencil-mask-8": verdict})
+
+    def test_samples_that_routing_takes_are_told(self):
+        for passes, samples in ((8, 1), (3, 3), (2, 4)):
+            told = result("stencil-routed") | {"layers_max": 8, "geometry_passes": passes}
+            run = Run(Frames("vitrine", True, {}), Driver("a"), FakePlace({"stencil-routed": told}), {})
+            run.compare(Scene("demo:stack", methods=("stencil-routed",)))
+            self.assertEqual(run.cells()[0].detail, f"0.50, K={samples}")
 
     def test_pictures_of_null_devices_say_nothing(self):
         methods = {"linked-list": result("linked-list", 255.0, deterministic=False)}
@@ -163,9 +171,16 @@ class Page(unittest.TestCase):
             Cell("older", "linked-list", "refused", "OpenGL 4.3 is needed"), Cell("broken", "lights", "wrong", "a|b")]
         compiled = [
             Compiled("Xe", "short", 0.5, 0, "SIMD8/16"), Compiled("Xe", "long", 30, None, is_cut_off=True),
-            Compiled("Xe", "wide", 1.0, 343, "SIMD8")]
+            Compiled("Xe", "wide", 1.0, 343, "SIMD8"),
+            Compiled("Xe", "ListResolve of linked-list, 16", 0.5, 0, "SIMD16"),
+            Compiled("Xe", "ListResolve of prefix-sum, 16, no fetch", 0.25, 2, "SIMD8"),
+            Compiled("Xe", "ListResolve of linked-list, 32", 0.75, 0, "SIMD8"),
+            Compiled("Xe", "LinkedListFill of linked-list, 16", 0.1, 0, "SIMD8/16"),
+            Compiled("Xe", "LinkedListFill of linked-list, 32", 0.2, 0, "SIMD8/16")]
         known = table.read_known_failures(KNOWN)
-        run = table.WholeRun("2026-11-27", "0123456789", frames, compiled, [])
+        made = {name: ["2026-11-27T12:30", "0123456789"] for name in ROWS} | {
+            "Xe": ["2026-11-28T12:30", "9876543210"]}
+        run = table.Run(made, frames, compiled)
         return list(table.section(table.read_run(table.text_of_run(run)), known))
 
     def test_frames(self):
@@ -178,17 +193,40 @@ class Page(unittest.TestCase):
 
     def test_compilers(self):
         lines = self.lines()
-        self.assertIn("| Xe | 3 | 0 | > 30 s | 1 | 1 |", lines)
+        self.assertIn("| Xe | 8 | 0 | > 30 s | 1 | 2 |", lines)
         self.assertIn("| Xe | long | > 30 | unknown |  |", lines)
         self.assertIn("| Xe | wide | 1.00 | 343 | SIMD8 |", lines)
+
+    def test_compilers_by_length(self):
+        lines = self.lines()
+        self.assertIn("| ListResolve, 16 | **0.50 s, SIMD8, 2 spills** |", lines)
+        self.assertIn("| ListResolve, 32 | 0.75 s, SIMD8 |", lines)
+        self.assertIn("| LinkedListFill | 0.20 s, SIMD8/16 |", lines)
+
+    def test_rows_of_later_commits_are_told(self):
+        lines = self.lines()
+        self.assertIn("Run on 2026-11-27 at commit 0123456789.", lines)
+        self.assertIn("Of commit 9876543210, 2026-11-28: Xe.", lines)
+
+    def test_new_rows_replace_old_ones(self):
+        order = ["llvmpipe", "Xe", "glslang, as they are"]
+        old = table.Run(
+            {"Xe": ["2026-11-27T12:30", "0"], "llvmpipe": ["2026-11-27T12:00", "0"]},
+            [Cell("llvmpipe", "linked-list", "exact")], [Compiled("Xe", "a", 1.0), Compiled("Xe", "b", 1.0)])
+        new = table.Run({"Xe": ["2026-11-28T12:30", "1"]}, [], [Compiled("Xe", "a", 0.5)], figures={"a: b": 1.0})
+        merged = old.with_rows(new, order)
+        self.assertEqual(list(merged.made), ["llvmpipe", "Xe"])
+        self.assertEqual(merged.made["Xe"], ["2026-11-28T12:30", "1"])
+        self.assertEqual((merged.frames, merged.compiled), (old.frames, new.compiled))
+        self.assertEqual(merged.figures, {"a: b": 1.0})
 
     def test_it_is_put_into_the_page_and_its_commit_read(self):
         page = f"# Drivers\n\n{table.BEGIN}\nold\n{table.END}\n\nThe rest.\n"
         new = table.replaced(page, self.lines())
         self.assertTrue(new.startswith("# Drivers\n\n") and new.endswith("\n\nThe rest.\n"))
         self.assertNotIn("old\n", new.replace("| old", ""))
-        self.assertEqual(table.commit_of(new), "0123456789")
-        self.assertIsNone(table.commit_of(page))
+        self.assertEqual(table.written_of(new), ("2026-11-27", "0123456789"))
+        self.assertEqual(table.written_of(page), (None, None))
         with self.assertRaises(table.TableError):
             table.replaced("# Drivers\n", [])
 

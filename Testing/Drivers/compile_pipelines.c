@@ -3,7 +3,7 @@
  *
  *   compile_pipelines SHADER.spv... [BINDING:KIND]...
  *
- * The names of the shaders end in .vert.spv, .frag.spv or .comp.spv. KIND is one of ubo, ssbo, image, buffer-image,
+ * The names of the shaders end in .vert.spv, .geom.spv, .frag.spv or .comp.spv. KIND is one of ubo, ssbo, image, buffer-image,
  * buffer-texture and texture. The first line is the device, the second
  *
  *   ok|failed WALL s CPU s
@@ -23,7 +23,7 @@
 enum
 {
   MAX_BINDINGS = 64,
-  MAX_STAGES = 2,
+  MAX_STAGES = 3,
   MAX_EXECUTABLES = 8,
   MAX_STATISTICS = 64
 };
@@ -119,6 +119,7 @@ static void add_stage(struct Request* request, VkDevice device, const char* path
   VkPipelineShaderStageCreateInfo stage = { .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
     .pName = "main",
     .stage = ends_with(path, ".vert.spv") ? VK_SHADER_STAGE_VERTEX_BIT
+      : ends_with(path, ".geom.spv")      ? VK_SHADER_STAGE_GEOMETRY_BIT
       : ends_with(path, ".comp.spv")      ? VK_SHADER_STAGE_COMPUTE_BIT
                                           : VK_SHADER_STAGE_FRAGMENT_BIT };
   if (vkCreateShaderModule(device, &module_info, NULL, &stage.module) != VK_SUCCESS)
@@ -180,7 +181,7 @@ static VkResult make_compute(VkDevice device, const struct Request* request, VkP
   return vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, NULL, made);
 }
 
-/* Strips of triangles without vertex attributes, drawn over two RGBA8 targets of one sample. */
+/* Strips of triangles, or points for three stages, without vertex attributes, over two RGBA8 targets of one sample. */
 static VkResult make_graphics(VkDevice device, const struct Request* request, VkPipelineLayout layout, VkPipeline* made)
 {
   VkPipelineVertexInputStateCreateInfo input = {
@@ -188,7 +189,8 @@ static VkResult make_graphics(VkDevice device, const struct Request* request, Vk
   };
   VkPipelineInputAssemblyStateCreateInfo assembly = {
     .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-    .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP
+    .topology = request->NumberOfStages == MAX_STAGES ? VK_PRIMITIVE_TOPOLOGY_POINT_LIST
+                                                      : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP
   };
   VkViewport viewport = { 0, 0, 64, 64, 0, 1 };
   VkRect2D scissor = { { 0, 0 }, { 64, 64 } };

@@ -1,8 +1,10 @@
 """Compiles recorded programs for null devices: by OpenGL drivers of Mesa, and by its Vulkan driver RADV."""
 
+import os
 import pathlib
 import re
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 from glsl import for_vulkan, run_glslang, spirv_bindings
 from places import WORK, Place
@@ -105,7 +107,7 @@ def compile_pipeline(device, environment, folder, program):
     if outcome.hangs:
         return Compiled(device.name, program.name, 4 * LIMIT, is_cut_off=True)
     if not time:
-        return Compiled(device.name, program.name, 0.0, error=f"status {outcome.status} {outcome.messages[-200:]}")
+        return Compiled(device.name, program.name, 0.0, error=f"status {outcome.status} {outcome.messages.strip()[-200:]}")
     spills = int(told.get("Spilled VGPRs", 0)) + int(told.get("Spilled SGPRs", 0))
     return Compiled(device.name, program.name, float(time[1]), spills, f"{told.get('VGPRs', '?')} VGPRs")
 
@@ -116,4 +118,5 @@ def compile_for(device, place, environment, folder, programs):
     programs = fitting(programs, device.fetch)
     if device.shim:
         return compile_shaders(device, place, environment, folder, programs)
-    return [compile_pipeline(device, environment, folder, program) for program in programs]
+    with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        return list(pool.map(lambda program: compile_pipeline(device, environment, folder, program), programs))

@@ -89,19 +89,21 @@ def binding_kind(storage, kind, types):
     return "texture" if is_sampled else "image"
 
 
-def check_front_end(folder, programs):
-    """Cells of all shaders, as they are and as GLSL 4.50: one that is good, or one for each different error."""
-    files = sorted({file for program in programs for file in program.files})
-    cells = []
-    for name, convert in (("as they are", lambda text: text), ("as GLSL 4.50", as_450)):
-        with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-            for file in files:
-                text = convert((folder / file).read_text(encoding="utf-8"))
-                pathlib.Path(scratch, file).write_text(text, encoding="utf-8")
-            said = list(pool.map(run_glslang, (pathlib.Path(scratch, file) for file in files)))
-        good = sum(not lines for lines in said)
-        errors = Counter(lines[0].strip()[:120] for lines in said if lines)
-        cells.append(Cell(f"glslang, {name}", "none", "ok", f"{good} of {len(files)} shaders"))
-        cells += [
-            Cell(f"glslang, {name}", error, "fails", f"{count} shaders") for error, count in errors.most_common()]
-    return cells
+WAYS = {"as they are": lambda text: text, "as GLSL 4.50": as_450}
+
+
+def check_front_end(folder, programs, way):
+    """Cells of all shaders in one of WAYS: one that is good, and one for each different error."""
+    shaders = {}  # a file by its kind and text, as programs share vertex shaders
+    for file in sorted({file for program in programs for file in program.files}):
+        text = (folder / file).read_text(encoding="utf-8")
+        shaders.setdefault((pathlib.Path(file).suffix, text), file)
+    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        for (_, text), file in shaders.items():
+            pathlib.Path(scratch, file).write_text(WAYS[way](text), encoding="utf-8")
+        said = list(pool.map(run_glslang, (pathlib.Path(scratch, file) for file in shaders.values())))
+    good = sum(not lines for lines in said)
+    errors = Counter(lines[0].strip()[:120] for lines in said if lines)
+    return [
+        Cell(f"glslang, {way}", "none", "ok", f"{good} of {len(shaders)} shaders"),
+        *(Cell(f"glslang, {way}", error, "fails", f"{count} shaders") for error, count in errors.most_common())]

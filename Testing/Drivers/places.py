@@ -4,10 +4,13 @@ All that is built or fetched goes to build/drivers and is kept. It comes from De
 `drm-shim` of Mesa's source package, which Debian builds but does not ship.
 """
 
+import hashlib
 import os
 import pathlib
+import re
 import shutil
 import subprocess
+import threading
 import time
 from dataclasses import dataclass
 
@@ -41,8 +44,24 @@ def run_quietly(command, **options):
     return done.stdout
 
 
+def need(*commands):
+    """Raise SetupError where one of the commands is not there."""
+    for command in commands:
+        if not shutil.which(command):
+            raise SetupError(f"{command} is not installed")
+
+
 def as_root(command):
-    return command if os.geteuid() == 0 else ["sudo", *command]
+    return command if os.geteuid() == 0 else ["sudo", "--non-interactive", *command]
+
+
+def debian_mirror():
+    """Where this machine gets its packages from."""
+    known = subprocess.run(
+        ["apt-get", "indextargets", "--format", "$(ORIGIN) $(CODENAME) $(REPO_URI)", "Created-By: Packages"],
+        capture_output=True, text=True, check=False)
+    found = re.search(r"^Debian bookworm (\S+)$", known.stdout, re.M)
+    return found[1].rstrip("/") if found else MIRROR
 
 
 @dataclass
@@ -108,23 +127,29 @@ class Place:
                 shutil.rmtree(target, ignore_errors=True)
                 shutil.copytree(path, target)
             else:
-                shutil.copy2(path, target)
+                # Processes may have the old file loaded, so it is replaced rather than written to.
+                new = target.with_name(f"{target.name}.{threading.get_ident()}")
+                shutil.copy2(path, new)
+                new.replace(target)
         return self.files / name
 
 
-def build_tools():
-    """Compile the C programs of this folder into build/drivers/bin."""
+TOOLS = {
+    "gl_recorder.so": ["-shared", "-fPIC", "-ldl"],
+    "compile_shaders": ["-lEGL", "-lGL"],
+    "compile_pipelines": ["-lvulkan"],
+}
+
+
+def build_tool(name):
+    """Compile one of the C programs of this folder into build/drivers/bin."""
     folder = WORK / "bin"
     folder.mkdir(parents=True, exist_ok=True)
     (WORK / "runtime").mkdir(mode=0o700, exist_ok=True)
-    compiler = ["cc", "-std=gnu11", "-O2", "-Wall", "-Wextra"]
-    for output, source, options in (
-        ("gl_recorder.so", "gl_recorder.c", ["-shared", "-fPIC", "-ldl"]),
-        ("compile_shaders", "compile_shaders.c", ["-lEGL", "-lGL"]),
-        ("compile_pipelines", "compile_pipelines.c", ["-lvulkan"]),
-    ):
-        if not is_newer(folder / output, SOURCES / source):
-            run_quietly([*compiler, "-o", folder / output, SOURCES / source, *options])
+    source = SOURCES / f"{pathlib.Path(name).stem}.c"
+    if not is_newer(folder / name, source):
+        run_quietly(
+            ["cc", "-std=gnu11", "-O2", "-Wall", "-Wextra", "-o", folder / name, source, *TOOLS[name]])
 
 
 def is_newer(made, source):
@@ -140,7 +165,7 @@ def mesa_source():
     lists = folder / "apt"
     (lists / "state/partial").mkdir(parents=True, exist_ok=True)
     (lists / "parts").mkdir(exist_ok=True)
-    (lists / "sources.list").write_text(f"deb-src [signed-by={KEYRING}] {MIRROR} bookworm main\n", encoding="utf-8")
+    (lists / "sources.list").write_text(f"deb-src [signed-by={KEYRING}] {debian_mirror()} bookworm main\n", encoding="utf-8")
     options = [
         "-o", f"Dir::Etc::SourceList={lists / 'sources.list'}", "-o", f"Dir::Etc::SourceParts={lists / 'parts'}",
         "-o", f"Dir::State::Lists={lists / 'state'}", "-o", "APT::Sandbox::User="]
@@ -149,26 +174,36 @@ def mesa_source():
     return next(path for path in folder.glob("mesa-*") if path.is_dir())
 
 
-def build_shims(names):
-    """Build the null devices of these names; returns the library of each."""
+def build_shim(name):
+    """Build the null device of this name; returns its library."""
     build = WORK / "mesa/build"
-    libraries = {name: WORK / "lib" / pathlib.Path(SHIMS[name]).name for name in names}
-    if all(library.is_file() for library in libraries.values()):
-        return libraries
+    library = WORK / "lib" / pathlib.Path(SHIMS[name]).name
+    if library.is_file():
+        return library
     source = mesa_source()
     # Meson looks for modules of Python in the first interpreter of PATH, which has to be Debian's.
     environment = {**os.environ, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
     if not (build / "build.ninja").is_file():
         off = ("glx", "egl", "gbm", "llvm", "gles1", "gles2", "shared-glapi", "zstd", "libunwind", "valgrind")
         run_quietly(
-            ["meson", "setup", build, "-Dbuildtype=release", "-Dtools=drm-shim,intel", "-Dvulkan-drivers=",
-             "-Dgallium-drivers=iris,nouveau,swrast", "-Dplatforms=", *(f"-D{option}=disabled" for option in off)],
+            ["meson", "setup", build, "-Dbuildtype=plain", "-Db_ndebug=true", "-Dtools=drm-shim,intel",
+             "-Dvulkan-drivers=", "-Dgallium-drivers=iris,nouveau,swrast", "-Dplatforms=",
+             *(f"-D{option}=disabled" for option in off)],
             cwd=source, env=environment)
-    run_quietly(["ninja", "-C", build, *(SHIMS[name] for name in names)], env=environment)
-    (WORK / "lib").mkdir(exist_ok=True)
-    for name, library in libraries.items():
-        shutil.copy2(build / SHIMS[name], library)
-    return libraries
+    run_quietly(["ninja", "-C", build, SHIMS[name]], env=environment)
+    library.parent.mkdir(exist_ok=True)
+    shutil.copy2(build / SHIMS[name], library)
+    return library
+
+
+def fingerprint(files):
+    """A hash of the files, and of the libraries of this build that a program among them loads."""
+    files = [pathlib.Path(file) for file in files]
+    own = [path for file in files if os.access(file, os.X_OK) for path in libraries_of(file) if ROOT in path.parents]
+    state = hashlib.sha256()
+    for path in (*files, *own):
+        state.update(path.read_bytes())
+    return state.hexdigest()
 
 
 def libraries_of(program):
@@ -180,24 +215,26 @@ def libraries_of(program):
 
 def make_root(root, program):
     """Make a root of Debian 13 where there is none, and put the program and what it lacks there into it."""
+    if os.geteuid() != 0:
+        need("sudo")
+        run_quietly(as_root(["true"]))
     if not (root / "usr/share/vulkan/icd.d/lvp_icd.json").exists():
         root.parent.mkdir(parents=True, exist_ok=True)
-        run_quietly(
-            as_root(["debootstrap", "--variant=minbase", f"--include={ROOT_PACKAGES}", "trixie", str(root), MIRROR]))
+        packages = f"--include={ROOT_PACKAGES}"
+        run_quietly(as_root(["debootstrap", "--variant=minbase", packages, "trixie", str(root), debian_mirror()]))
+    run_quietly(as_root(["chroot", str(root), "/usr/bin/true"]))
     folder = root / "opt/vitrine"
     if os.geteuid() != 0:
-        run_quietly(["sudo", "install", "-d", "-o", str(os.geteuid()), str(folder)])
+        run_quietly(as_root(["install", "-d", "-o", str(os.geteuid()), str(folder)]))
     for name in ("bin", "lib", "runtime"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     for library in libraries_of(program):
-        if not (root / SYSTEM_LIBRARIES / library.name).exists():
+        if ROOT in library.parents or not (root / SYSTEM_LIBRARIES / library.name).exists():
             shutil.copy2(library, folder / "lib" / library.name)
     place = Place(root)
     place.put(program, "bin/vitrine")
     for name in ("bin/gl_recorder.so", "bin/compile_shaders"):
         place.put(WORK / name, name)
-    for shim in (WORK / "lib").glob("*.so"):
-        place.put(shim, f"lib/{shim.name}")
     return place
 
 

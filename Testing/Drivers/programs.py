@@ -1,13 +1,17 @@
 """Records the programs that a run of `vitrine` links, on llvmpipe posing as a device, and keeps each once."""
 
+import dataclasses
 import hashlib
+import json
+import os
 import re
 import shutil
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from drivers import AS_A_DEVICE, WITHOUT_FETCH
 from frames import LIGHT_MODES
-from places import WORK, Place
+from places import WORK, Place, fingerprint
 
 SECONDS = 300  # for one run
 # Lengths of lists, of which each takes another program: networks by their sizes, sorted runs, and long sorted runs.
@@ -17,6 +21,7 @@ LISTS = (
     "prefix-sum-predicted", "prefix-sum-predicted-compact")
 STENCILS = ("stencil-mask-4", "stencil-mask-8", "stencil-mask-16", "stencil-routed", "stencil-routed-8bit")
 SMALL = ("--size", "32x32", "--frames", "2")
+LIST = (*SMALL, "--without-truth", "--methods")
 
 
 @dataclass
@@ -34,19 +39,19 @@ def runs(fast):
     methods = ("linked-list", "prefix-sum-predicted-compact") if fast else LISTS
     for length in lengths:
         for method in methods:
-            yield f"{method}, {length}", ("compare", f"demo:stack,layers={length}", *SMALL, "--methods", method)
+            yield f"{method}, {length}", ("compare", f"demo:stack,layers={length}", *LIST, method)
     if fast:
         return
-    spheres = ("compare", "demo:spheres,layers=8", *SMALL)
+    spheres = ("compare", "demo:spheres,layers=8")
     for method in LISTS:
-        yield f"{method}, 4 samples", (*spheres, "--multisamples", "4", "--methods", method)
-        yield f"{method}, coincidence", (*spheres, "--coincidence", "2", "--methods", method)
-        yield f"{method}, impostors", ("compare", "demo:impostors", *SMALL, "--methods", method)
+        yield f"{method}, 4 samples", (*spheres, "--multisamples", "4", *LIST, method)
+        yield f"{method}, coincidence", (*spheres, "--coincidence", "2", *LIST, method)
+        yield f"{method}, impostors", ("compare", "demo:impostors", *LIST, method)
     for method in STENCILS:
-        yield method, (*spheres, "--methods", method)
+        yield method, (*spheres, *LIST, method)
     for mode in LIGHT_MODES.split(","):
         yield f"lights, {mode}", ("lights", "demo:hall,lights=16", *SMALL, "--modes", mode)
-    yield "truth", (*spheres, "--methods", "truth")
+    yield "truth", (*spheres, *SMALL, "--methods", "truth")
 
 
 def composed_of(text):
@@ -67,20 +72,29 @@ class Recorder:
         self.found = {}  # Program by the hash of its shaders
         self.place = Place()
 
-    def record(self, name, arguments, fetch):
-        """Run it with or without framebuffer fetch. Returns an error in words, or nothing."""
-        scratch = WORK / "recording"
+    def run(self, number, name, arguments, fetch):
+        """Run it with or without framebuffer fetch. Returns its folder, and an error in words or nothing."""
+        scratch = WORK / "recording" / str(number)
         shutil.rmtree(scratch, ignore_errors=True)
         scratch.mkdir(parents=True)
         changes = AS_A_DEVICE | ({} if fetch else WITHOUT_FETCH) | {
             "GL_RECORD_PROGRAMS": str(scratch), "LD_PRELOAD": str(WORK / "bin/gl_recorder.so")}
         outcome = self.place.run((self.program, *arguments), changes, SECONDS)
-        linked = scratch / "programs"
-        for line in linked.read_text(encoding="utf-8").splitlines() if linked.is_file() else ():
-            self.keep(name, scratch, line.split(), fetch)
         if outcome.status != 0:
-            return f"{name}: status {outcome.status} {outcome.messages.strip()[-200:]}"
-        return ""
+            return scratch, f"{name}: status {outcome.status} {outcome.messages.strip()[-200:]}"
+        return scratch, ""
+
+    def record(self, chosen):
+        """Do runs of name, arguments and fetch, as many at once as there are processors. Returns their errors."""
+        with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+            done = list(pool.map(lambda entry: self.run(entry[0], *entry[1]), enumerate(chosen)))
+        # Programs are kept in the order of runs, in which each gets its name.
+        for (name, _, fetch), (scratch, _) in zip(chosen, done):
+            linked = scratch / "programs"
+            for line in linked.read_text(encoding="utf-8").splitlines() if linked.is_file() else ():
+                self.keep(name, scratch, line.split(), fetch)
+        shutil.rmtree(WORK / "recording", ignore_errors=True)
+        return [error for _, error in done if error]
 
     def keep(self, name, scratch, files, fetch):
         texts = {file: (scratch / file).read_text(encoding="utf-8", errors="replace") for file in files}
@@ -99,15 +113,27 @@ class Recorder:
 
 
 def record_programs(program, fast, say):
-    """All programs of all runs, and the errors of runs. With `fast`, only those of some, with fetch."""
-    folder = WORK / "programs"
+    """All programs of all runs, and the errors of runs. With `fast`, only those of some, with fetch.
+
+    What was recorded of the same build is taken again.
+    """
+    folder = WORK / ("programs-fast" if fast else "programs")
+    record = folder / "record.json"
+    made_of = fingerprint([program, WORK / "bin/gl_recorder.so", __file__])
+    if record.is_file():
+        last = json.loads(record.read_text(encoding="utf-8"))
+        if last["made_of"] == made_of:
+            found = [Program(**entry | {"files": tuple(entry["files"])}) for entry in last["programs"]]
+            say(f"{len(found)} programs of this build were recorded before")
+            return folder, found, []
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    recorder, errors = Recorder(program, folder), []
-    for fetch in (True,) if fast else (True, False):
-        for name, arguments in runs(fast):
-            error = recorder.record(name, arguments, fetch)
-            if error:
-                errors.append(error)
-        say(f"{len(recorder.found)} programs recorded {'with' if fetch else 'without'} framebuffer fetch")
-    return folder, list(recorder.found.values()), errors
+    recorder = Recorder(program, folder)
+    errors = recorder.record(
+        [(name, arguments, fetch) for fetch in ((True,) if fast else (True, False)) for name, arguments in runs(fast)])
+    found = list(recorder.found.values())
+    if not errors:
+        text = json.dumps({"made_of": made_of, "programs": [dataclasses.asdict(entry) for entry in found]})
+        record.write_text(text, encoding="utf-8")
+    say(f"{len(found)} programs recorded")
+    return folder, found, errors

@@ -3,12 +3,14 @@
 import dataclasses
 import fnmatch
 import json
+import re
 import tomllib
 from dataclasses import dataclass, field
 
 BEGIN = "<!-- Written by scripts/test-drivers. -->"
 END = "<!-- End of what scripts/test-drivers wrote. -->"
 GOOD = ("exact", "same", "refused", "ok")
+BY_LENGTH = "List"  # programs of which each length of lists takes its own
 SECONDS = 2.0  # that compiling a program may take
 
 
@@ -63,17 +65,31 @@ class Compiled:
 
 
 @dataclass
-class WholeRun:
-    """All that one run of scripts/test-drivers found, and the date and commit of that."""
+class Run:
+    """What runs of scripts/test-drivers found. `made` tells of each driver and device when, and at which commit."""
 
-    date: str
-    commit: str
-    frames: list
-    compiled: list
-    front_end: list
+    made: dict = field(default_factory=dict)  # name: [time as of ISO 8601, commit]
+    frames: list = field(default_factory=list)
+    compiled: list = field(default_factory=list)
+    front_end: list = field(default_factory=list)
+    figures: dict = field(default_factory=dict)  # of the first driver: error by scene and subject
 
     def cells(self):
         return [*self.frames, *(result.cell() for result in self.compiled), *self.front_end]
+
+    def with_rows(self, new, order):
+        """This run with the rows of a newer one in place of its own. `order` has the names of all rows."""
+
+        def merged(mine, others, name_of):
+            together = [entry for entry in mine if name_of(entry) not in new.made] + others
+            return sorted(together, key=lambda entry: order.index(name_of(entry)))
+
+        made = self.made | new.made
+        return Run(
+            {name: made[name] for name in order if name in made},
+            merged(self.frames, new.frames, lambda cell: cell.driver),
+            merged(self.compiled, new.compiled, lambda result: result.device),
+            merged(self.front_end, new.front_end, lambda cell: cell.driver), self.figures | new.figures)
 
 
 def text_of_run(run):
@@ -83,7 +99,7 @@ def text_of_run(run):
 def read_run(text):
     entries = json.loads(text)
     kinds = {"frames": Cell, "compiled": Compiled, "front_end": Cell}
-    return WholeRun(**entries | {name: [kind(**entry) for entry in entries[name]] for name, kind in kinds.items()})
+    return Run(**entries | {name: [kind(**entry) for entry in entries[name]] for name, kind in kinds.items()})
 
 
 @dataclass
@@ -172,16 +188,22 @@ def frames_section(cells):
 
 
 def devices_section(compiled):
-    """A row for each device, then one for each program that is too slow, spills or fails."""
+    """A row for each device, the worst of each program by the length of its list, and what is too slow or spills."""
     lines = []
-    for device in in_order(result.device for result in compiled):
+    devices = in_order(result.device for result in compiled)
+    for device in devices:
         results = [result for result in compiled if result.device == device]
         slowest = max(results, key=lambda result: result.seconds)
-        spilling = [result for result in results if result.spills]
         lines.append(
             [device, len(results), sum(bool(result.error) for result in results), f"{slowest.time} s",
-             sum(result.verdict == "slow" for result in results), len(spilling)])
+             sum(result.verdict == "slow" for result in results), sum(bool(result.spills) for result in results)])
     yield from rows(["device", "programs", "errors", "slowest", "above 2 s", "with spills"], lines)
+    yield ""
+    yield "The worst of all methods. A length is that of the shortest list recorded that takes the program. Bold is what"
+    yield "does not fit: more than 2 s, or a spill. VGPRs and registers are those of a thread; SIMD tells the widths that"
+    yield "Intel's compiler made."
+    yield ""
+    yield from rows(["program, length of lists", *devices], lengths_section(compiled, devices))
     worse = [result for result in compiled if result.verdict != "ok"]
     if worse:
         yield ""
@@ -190,13 +212,56 @@ def devices_section(compiled):
             ([r.device, r.program, r.time, "unknown" if r.spills is None else r.spills, r.registers] for r in worse))
 
 
+def lengths_section(compiled, devices):
+    """For each part and length of list: seconds, registers and spills on each device, of the worst method."""
+    of_name = {}
+    for result in compiled:
+        of_name.setdefault((row_of(result.program), result.device), []).append(result)
+    for row in sorted({name for name, _ in of_name}, key=lambda name: (name[0], name[1] or 0)):
+        cells = []
+        for device in devices:
+            results = of_name.get((row, device), [])
+            worst = max(results, key=lambda result: (bool(result.error), result.spills or 0, result.seconds), default=None)
+            if worst is None:
+                cells.append("")
+                continue
+            seconds = max(results, key=lambda result: result.seconds).time
+            told = [f"{seconds} s", worst.registers, f"{worst.spills} spills" if worst.spills else ""]
+            text = "fails" if worst.error else ", ".join(filter(None, told))
+            cells.append(text if all(result.verdict == "ok" for result in results) else f"**{text}**")
+        yield [row[0] if row[1] is None else f"{row[0]}, {row[1]}", *cells]
+
+
+def row_of(program):
+    """The part of a program and, where lists of other lengths take another program, the length it was recorded for."""
+    part, _, use = program.partition(" of ")
+    length = re.search(r", (\d+)(?:, no fetch)?$", use)
+    return (part, int(length[1]) if length and part.startswith(BY_LENGTH) else None)
+
+
+def commits_section(made):
+    """When the oldest row was made, and which ones were made later."""
+    oldest = min(made.values())
+    yield f"Run on {oldest[0][:10]} at commit {oldest[1]}."
+    later = {}
+    for name, entry in made.items():
+        if entry[1] != oldest[1]:
+            later.setdefault((entry[0][:10], entry[1]), []).append(name)
+    for (date, commit), names in sorted(later.items()):
+        yield ""
+        yield f"Of commit {commit}, {date}: {'; '.join(names)}."
+
+
 def section(run, known):
     """The generated part of the page."""
     yield BEGIN
     yield ""
-    yield f"Run on {run.date} at commit {run.commit}."
+    yield from commits_section(run.made)
     yield ""
     yield "### Frames"
+    yield ""
+    yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation. K is the"
+    yield "number of samples that `stencil-routed` routes a pass into: above 1 only where the driver routes."
     yield ""
     yield from frames_section(run.frames)
     yield ""
@@ -227,10 +292,10 @@ def replaced(page, lines):
     return page[:begin] + "\n".join(lines) + page[end + len(END):]
 
 
-def commit_of(page):
-    """The commit that the page's table was run on, or None."""
+def written_of(page):
+    """The date and the commit of the page's oldest row, or two times None."""
     for line in page.splitlines():
         words = line.rstrip(".").split()
         if line.startswith("Run on ") and words[-2] == "commit":
-            return words[-1]
-    return None
+            return words[2], words[-1]
+    return None, None
