@@ -2,6 +2,7 @@
 
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
@@ -26,7 +27,7 @@ std::string BackdropCopy::Copy(vtkOpenGLState* state, const RenderTarget& target
     return problem;
   }
   this->Target.Attach(state, this->Colors);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Handle());
+  BindForDrawing(state, this->Target.Handle());
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
   const ScopedReadBuffer readBuffer(state, target.DrawBuffer);
   BlitColors(state, target.Region);
@@ -35,8 +36,8 @@ std::string BackdropCopy::Copy(vtkOpenGLState* state, const RenderTarget& target
 
 void BackdropCopy::PutBack(vtkOpenGLState* state, const RenderTarget& target)
 {
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Target.Handle());
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+  BindForReading(state, this->Target.Handle());
+  BindForDrawing(state, target.Framebuffer);
   state->vtkglDisable(GL_SCISSOR_TEST);
   BlitColors(state, target.Region);
 }

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine
@@ -46,6 +48,26 @@ std::string WriteTexels(Buffer& buffer, const std::vector<Item>& items, GLenum f
     buffer.Write(0, size, items.data());
   }
   return {};
+}
+
+/** Writes `items` as WriteTexels() does, unless the buffer holds the same, which `written` tells. */
+template <class Item>
+std::string WriteOtherTexels(Buffer& buffer, std::vector<Item>& written, std::vector<Item>&& items,
+  GLenum format, int texels, const std::string& what)
+{
+  const bool isSame = buffer.Bytes() > 0 && items.size() == written.size() &&
+    (items.empty() || std::memcmp(items.data(), written.data(), items.size() * sizeof(Item)) == 0);
+  if (isSame)
+  {
+    return {};
+  }
+  written = std::move(items);
+  const std::string problem = WriteTexels(buffer, written, format, texels, what);
+  if (!problem.empty())
+  {
+    written.clear();
+  }
+  return problem;
 }
 
 }

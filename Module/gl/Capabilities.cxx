@@ -141,6 +141,18 @@ std::int64_t LargestStorageBlock()
   return Limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
 }
 
+std::array<std::int64_t, 2> LargestViewport()
+{
+  const auto ask = []
+  {
+    GLint size[2] = { 0, 0 };
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, size);
+    return std::int64_t(size[0]) << 32 | size[1];
+  };
+  const std::int64_t both = KnownLimits::Recall(GL_MAX_VIEWPORT_DIMS, ask);
+  return { both >> 32, both & GL_INVALID_INDEX };
+}
+
 std::int64_t LargestBufferTexture()
 {
   return Limit(GL_MAX_TEXTURE_BUFFER_SIZE);

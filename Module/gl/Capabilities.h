@@ -2,6 +2,7 @@
 #ifndef VITRINE_GL_CAPABILITIES_H
 #define VITRINE_GL_CAPABILITIES_H
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -67,6 +68,9 @@ int SampleCells();
 
 /** Returns the size in bytes of the largest shader storage block. */
 std::int64_t LargestStorageBlock();
+
+/** Returns the width and height in pixels of the largest viewport. */
+std::array<std::int64_t, 2> LargestViewport();
 
 /** Returns the largest number of texels of a buffer texture. */
 std::int64_t LargestBufferTexture();

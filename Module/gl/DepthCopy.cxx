@@ -18,7 +18,7 @@ void BlitDepth(vtkOpenGLState* state, const PixelRegion& r)
 // Copies the depth of the framebuffer bound for reading to the same pixels of a buffer with rows of `width` pixels.
 void ReadDepth(const PixelRegion& r, int width, GLuint buffer)
 {
-  const ScopedPixelTransfer pixelTransfer;
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::FROM_DEVICE);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
   glPixelStorei(GL_PACK_ROW_LENGTH, width);
   glPixelStorei(GL_PACK_SKIP_ROWS, r.Y);

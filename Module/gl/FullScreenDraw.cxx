@@ -1,5 +1,6 @@
 #include "gl/FullScreenDraw.h"
 
+#include "gl/StateRecord.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
@@ -15,7 +16,7 @@ void BindForFullScreenDraw(
 
 void BindForFullScreenDraw(vtkOpenGLState* state, GLuint framebuffer, int width, int height)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  BindForDrawing(state, framebuffer);
   state->vtkglViewport(0, 0, width, height);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_STENCIL_TEST);

@@ -2,6 +2,7 @@
 
 #include "gl/Capabilities.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "vtkObject.h"
 #include "vtkOpenGLState.h"
 
@@ -188,7 +189,8 @@ void Image2D::AllocateTexture()
   }
   else
   {
-    const ScopedPixelTransfer pixelTransfer; // A bound unpack buffer would be read.
+    const ScopedPixelTransfer pixelTransfer(
+      ScopedPixelTransfer::TO_DEVICE); // A bound unpack buffer would be read.
     const TransferFormat none = AnyTransferFormat(this->InternalFormat);
     const auto format = static_cast<GLint>(this->InternalFormat);
     if (this->Layers > 0)
@@ -311,7 +313,7 @@ void Framebuffer::Attach(vtkOpenGLState* state, const Image2D& image)
   {
     return;
   }
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Handle());
+  BindForDrawing(state, this->Handle());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, image.Target(), image.Handle(), 0);
   this->Attached = image.Number();

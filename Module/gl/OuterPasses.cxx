@@ -113,7 +113,7 @@ OuterPasses::Scope::Scope(
   : Passes(passes)
 {
   Target& target = *this->Passes.First->Common;
-  target.Framebuffer = BoundForDrawing();
+  target.Framebuffer = BoundName(GL_DRAW_FRAMEBUFFER_BINDING, 0);
   if (target.Framebuffer != 0)
   {
     target.State = window->GetState();

@@ -1,5 +1,7 @@
 #include "gl/RenderTarget.h"
 
+#include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -67,15 +69,12 @@ bool HasOneColorOfVTK(vtkOpenGLRenderWindow* window, GLuint framebuffer)
 
 std::string RenderTarget::Probe(vtkOpenGLRenderWindow* window, const RenderTarget& last)
 {
-  GLint framebuffer = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-  if (framebuffer == 0)
+  this->Framebuffer = BoundName(GL_DRAW_FRAMEBUFFER_BINDING, 0);
+  if (this->Framebuffer == 0)
   {
     return "the window's default framebuffer is bound, which cannot be shared with other "
            "framebuffers";
   }
-  this->Framebuffer = static_cast<GLuint>(framebuffer);
-
   GLint drawBuffer = 0;
   glGetIntegerv(GL_DRAW_BUFFER0, &drawBuffer);
   this->DrawBuffer = static_cast<GLenum>(drawBuffer);
@@ -131,7 +130,7 @@ void RenderTarget::BindForFill(
 {
   const PixelRegion& v = this->Viewport;
   const PixelRegion& scissor = this->Samples > 0 ? this->Region : region;
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  BindForDrawing(state, framebuffer);
   state->vtkglViewport(v.X, v.Y, v.Width, v.Height);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(scissor.X, scissor.Y, scissor.Width, scissor.Height);

@@ -1,6 +1,7 @@
 #include "gl/ScopedState.h"
 
 #include "gl/Capabilities.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
@@ -32,18 +33,25 @@ ScopedBindingMemory::Binding ScopedBindingMemory::Recall(GLenum kind, GLuint ind
 namespace
 {
 
-struct PixelSetting
+// Settings of pixel transfers in one direction, the first with a default of 4 and the others with 0, and the target of
+// their buffer.
+struct TransferState
 {
-  GLenum Name;
-  GLint Default;
+  GLenum Settings[5];
+  GLenum Buffer;
+  GLenum BufferQuery;
 };
+const TransferState Packing = { { GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+                                  GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES },
+  GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING };
+const TransferState Unpacking = { { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
+                                    GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES },
+  GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING };
 
-// Settings of pixel transfers, and OpenGL's defaults.
-const PixelSetting PixelSettings[] = { { GL_PACK_SWAP_BYTES, 0 }, { GL_PACK_LSB_FIRST, 0 },
-  { GL_PACK_ROW_LENGTH, 0 }, { GL_PACK_SKIP_ROWS, 0 }, { GL_PACK_SKIP_PIXELS, 0 },
-  { GL_PACK_ALIGNMENT, 4 }, { GL_UNPACK_SWAP_BYTES, 0 }, { GL_UNPACK_LSB_FIRST, 0 },
-  { GL_UNPACK_ROW_LENGTH, 0 }, { GL_UNPACK_SKIP_ROWS, 0 }, { GL_UNPACK_SKIP_PIXELS, 0 },
-  { GL_UNPACK_ALIGNMENT, 4 } };
+const TransferState& StateOf(ScopedPixelTransfer::Direction direction)
+{
+  return direction == ScopedPixelTransfer::FROM_DEVICE ? Packing : Unpacking;
+}
 
 // Capabilities that confine multisampled drawing to some samples.
 const GLenum SampleCapabilities[] = { GL_SAMPLE_MASK, GL_SAMPLE_ALPHA_TO_COVERAGE,
@@ -122,20 +130,9 @@ ScopedTrackedState::~ScopedTrackedState()
 ScopedStencil::ScopedStencil(vtkOpenGLState* state)
   : State(state)
 {
-  glGetIntegerv(GL_STENCIL_FUNC, &this->Front.Function);
-  glGetIntegerv(GL_STENCIL_REF, &this->Front.Reference);
-  glGetIntegerv(GL_STENCIL_VALUE_MASK, &this->Front.ValueMask);
-  glGetIntegerv(GL_STENCIL_WRITEMASK, &this->Front.WriteMask);
-  glGetIntegerv(GL_STENCIL_FAIL, &this->Front.Fail);
-  glGetIntegerv(GL_STENCIL_PASS_DEPTH_FAIL, &this->Front.DepthFail);
-  glGetIntegerv(GL_STENCIL_PASS_DEPTH_PASS, &this->Front.Pass);
-  glGetIntegerv(GL_STENCIL_BACK_FUNC, &this->Back.Function);
-  glGetIntegerv(GL_STENCIL_BACK_REF, &this->Back.Reference);
-  glGetIntegerv(GL_STENCIL_BACK_VALUE_MASK, &this->Back.ValueMask);
-  glGetIntegerv(GL_STENCIL_BACK_WRITEMASK, &this->Back.WriteMask);
-  glGetIntegerv(GL_STENCIL_BACK_FAIL, &this->Back.Fail);
-  glGetIntegerv(GL_STENCIL_BACK_PASS_DEPTH_FAIL, &this->Back.DepthFail);
-  glGetIntegerv(GL_STENCIL_BACK_PASS_DEPTH_PASS, &this->Back.Pass);
+  const auto& record = StateRecord::Of(state);
+  this->Front = { record.StencilFuncFront, record.StencilOpFront, record.StencilMaskFront };
+  this->Back = { record.StencilFuncBack, record.StencilOpBack, record.StencilMaskBack };
 }
 
 ScopedStencil::~ScopedStencil()
@@ -146,11 +143,11 @@ ScopedStencil::~ScopedStencil()
 
 void ScopedStencil::PutBack(GLenum which, const Face& face)
 {
-  this->State->vtkglStencilFuncSeparate(
-    which, static_cast<GLenum>(face.Function), face.Reference, static_cast<GLuint>(face.ValueMask));
-  this->State->vtkglStencilMaskSeparate(which, static_cast<GLuint>(face.WriteMask));
-  this->State->vtkglStencilOpSeparate(which, static_cast<GLenum>(face.Fail),
-    static_cast<GLenum>(face.DepthFail), static_cast<GLenum>(face.Pass));
+  const auto& [function, reference, mask] = face.Function;
+  const auto& [fail, depthFail, pass] = face.Operations;
+  this->State->vtkglStencilFuncSeparate(which, function, static_cast<GLint>(reference), mask);
+  this->State->vtkglStencilOpSeparate(which, fail, depthFail, pass);
+  this->State->vtkglStencilMaskSeparate(which, face.WriteMask);
 }
 
 ScopedFirstDrawBuffer::ScopedFirstDrawBuffer(vtkOpenGLState* state)
@@ -202,38 +199,46 @@ void ScopedFirstDrawBuffer::Set(std::vector<GLenum> buffers)
 
 ScopedReadBuffer::ScopedReadBuffer(vtkOpenGLState* state, GLenum buffer)
   : State(state)
+  , Previous(StateRecord::Of(state).ReadBinding.ReadBuffer)
 {
-  glGetIntegerv(GL_READ_BUFFER, &this->Previous);
   state->vtkglReadBuffer(buffer);
 }
 
 ScopedReadBuffer::~ScopedReadBuffer()
 {
-  this->State->vtkglReadBuffer(static_cast<GLenum>(this->Previous));
+  this->State->vtkglReadBuffer(this->Previous);
 }
 
-ScopedPixelTransfer::ScopedPixelTransfer()
+ScopedPixelTransfer::ScopedPixelTransfer(Direction direction)
+  : Way(direction)
 {
-  static_assert(std::size(PixelSettings) == Settings, "one value each");
+  const TransferState& state = StateOf(direction);
+  static_assert(std::size(TransferState().Settings) == Settings, "one value each");
+  // Mappers that upload textures within a frame change the settings of unpacking.
+  const auto ask = [direction](GLenum name)
+  {
+    GLint value = 0;
+    direction == FROM_DEVICE ? void(value = static_cast<GLint>(BoundName(name, 0)))
+                             : glGetIntegerv(name, &value);
+    return value;
+  };
   for (int i = 0; i < Settings; ++i)
   {
-    glGetIntegerv(PixelSettings[i].Name, &this->Previous[i]);
-    glPixelStorei(PixelSettings[i].Name, PixelSettings[i].Default);
+    this->Previous[i] = ask(state.Settings[i]);
+    glPixelStorei(state.Settings[i], i == 0 ? 4 : 0);
   }
-  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &this->PreviousPack);
-  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->PreviousUnpack);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  this->PreviousBuffer = ask(state.BufferQuery);
+  glBindBuffer(state.Buffer, 0);
 }
 
 ScopedPixelTransfer::~ScopedPixelTransfer()
 {
+  const TransferState& state = StateOf(this->Way);
   for (int i = 0; i < Settings; ++i)
   {
-    glPixelStorei(PixelSettings[i].Name, this->Previous[i]);
+    glPixelStorei(state.Settings[i], this->Previous[i]);
   }
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(this->PreviousPack));
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(this->PreviousUnpack));
+  glBindBuffer(state.Buffer, static_cast<GLuint>(this->PreviousBuffer));
 }
 
 ScopedArrayBuffer::ScopedArrayBuffer()

@@ -18,8 +18,8 @@ namespace vitrine
 {
 
 /**
- * While it lives, ScopedStorageBuffer, ScopedImage and ScopedTextureUnit ask OpenGL once for each binding that they
- * keep. Later objects find the binding that earlier ones have put back.
+ * While it lives, ScopedStorageBuffer, ScopedImage, ScopedTextureUnit and ScopedPixelTransfer from the device ask
+ * OpenGL once for each binding and setting that they keep. Later objects find those that earlier ones have put back.
  */
 class ScopedBindingMemory
 {
@@ -92,13 +92,9 @@ public:
 private:
   struct Face
   {
-    GLint Function = 0;
-    GLint Reference = 0;
-    GLint ValueMask = 0;
-    GLint WriteMask = 0;
-    GLint Fail = 0;
-    GLint DepthFail = 0;
-    GLint Pass = 0;
+    std::array<GLuint, 3> Function = {}; // With its reference and mask.
+    std::array<GLuint, 3> Operations = {};
+    GLuint WriteMask = 0;
   };
   void PutBack(GLenum which, const Face& face);
 
@@ -147,26 +143,31 @@ public:
 
 private:
   vtkOpenGLState* State;
-  GLint Previous = 0;
+  GLuint Previous;
 };
 
 /**
- * Makes pixel transfers use client memory with OpenGL's default layout (rows aligned to 4 bytes). Keeps the previous
- * settings and buffer bindings.
+ * Makes pixel transfers in one direction use client memory with OpenGL's default layout (rows aligned to 4 bytes).
+ * Keeps the previous settings and buffer binding.
  */
 class ScopedPixelTransfer
 {
 public:
-  ScopedPixelTransfer();
+  enum Direction
+  {
+    FROM_DEVICE,
+    TO_DEVICE
+  };
+  explicit ScopedPixelTransfer(Direction direction);
   ~ScopedPixelTransfer();
   ScopedPixelTransfer(const ScopedPixelTransfer&) = delete;
   void operator=(const ScopedPixelTransfer&) = delete;
 
 private:
-  static constexpr int Settings = 12;
+  static constexpr int Settings = 5;
+  Direction Way;
   GLint Previous[Settings] = {};
-  GLint PreviousPack = 0;
-  GLint PreviousUnpack = 0;
+  GLint PreviousBuffer = 0;
 };
 
 /** Keeps the buffer bound for vertex attributes, which VTK's mappers leave changed. */

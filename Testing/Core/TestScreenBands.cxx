@@ -11,6 +11,7 @@ namespace
 {
 
 using vitrine::BandPlan;
+using vitrine::CoveringBands;
 using vitrine::PixelRegion;
 using vitrine::PlanBands;
 
@@ -25,6 +26,34 @@ std::uint64_t SumOver(const std::vector<std::uint32_t>& need, int width, const P
     }
   }
   return sum;
+}
+
+// Covering bands hold every pixel of the region once, and the needs of the bands that they are made of.
+void ExpectWholeCover(const std::vector<PixelRegion>& bands, const std::vector<std::uint32_t>& need,
+  int width, int height, std::uint64_t capacity, const PixelRegion& region)
+{
+  std::vector<int> covered(need.size());
+  for (const PixelRegion& band : bands)
+  {
+    EXPECT_LE(SumOver(need, width, band), capacity);
+    for (int y = band.Y; y < band.Y + band.Height; ++y)
+    {
+      for (int x = band.X; x < band.X + band.Width; ++x)
+      {
+        ++covered[static_cast<std::size_t>(y) * width + x];
+      }
+    }
+  }
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const bool isInside = x >= region.X && x - region.X < region.Width && y >= region.Y &&
+        y - region.Y < region.Height;
+      ASSERT_EQ(covered[static_cast<std::size_t>(y) * width + x], isInside ? 1 : 0)
+        << x << ", " << y;
+    }
+  }
 }
 
 // All that a plan that fits promises: bounds, capacity, no empty band, each needy pixel once.
@@ -171,6 +200,9 @@ TEST(ScreenBands, RandomPicturesAreCoveredExactly)
     const std::uint64_t capacity = 50 + random() % 2000;
     const BandPlan plan = PlanBands(need, width, height, capacity);
     ExpectExactCover(plan, need, width, height, capacity, { 0, 0, width, height });
+    const std::vector<PixelRegion> covering = CoveringBands(plan.Bands, { 0, 0, width, height });
+    ExpectWholeCover(covering, need, width, height, capacity, { 0, 0, width, height });
+    EXPECT_EQ(covering.size(), total > 0 ? plan.Bands.size() : 1u);
     // A pair of neighbours overflows unless an overlarge row, at most total / capacity of them,
     // lies between.
     EXPECT_LE(plan.Bands.size(), 1 + 4 * total / capacity);
@@ -197,6 +229,9 @@ TEST(ScreenBands, RegionIsClippedAndTheRestLeftOut)
     ExpectExactCover(plan, need, 20, 15, 60, region);
     EXPECT_LE(plan.LargestPixel, 8u);
   }
+  const PixelRegion inner = { 3, 4, 9, 5 };
+  const BandPlan plan = PlanBands(need, 20, 15, 60, inner);
+  ExpectWholeCover(CoveringBands(plan.Bands, inner), need, 20, 15, 60, inner);
   EXPECT_FALSE(PlanBands(need, 20, 15, 60, { -1, -1, 2, 2 }).Fits);
 }
 

@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 
+#include <sstream>
 #include <tuple>
 
 namespace
@@ -23,6 +24,30 @@ bool IsCounted(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void* data)
   return data != nullptr;
 }
 
+void Describe(std::ostream& os, GLenum argument)
+{
+  os << " 0x" << std::hex << argument;
+}
+
+// Only numbers such as those of OpenGL's names tell calls apart.
+template <class Argument>
+void Describe(std::ostream&, Argument)
+{
+}
+
+template <class... Arguments>
+void Count(int CallCounts::*kind, const char* name, Arguments... arguments)
+{
+  if (IsCounted(arguments...))
+  {
+    std::ostringstream call;
+    call << name;
+    (Describe(call, arguments), ...);
+    Calls.*kind += 1;
+    Calls.ByCall[call.str()] += 1;
+  }
+}
+
 // Counts the calls of a function that the loader keeps as a pointer.
 template <int CallCounts::*Kind, auto* Pointer, class Function = std::decay_t<decltype(*Pointer)>>
 class Hook;
@@ -31,8 +56,9 @@ template <int CallCounts::*Kind, auto* Pointer, class Result, class... Arguments
 class Hook<Kind, Pointer, Result (*)(Arguments...)>
 {
 public:
-  Hook()
+  explicit Hook(const char* name)
   {
+    Name = name;
     Driver = *Pointer;
     *Pointer = Call;
   }
@@ -41,9 +67,10 @@ public:
 private:
   static Result Call(Arguments... arguments)
   {
-    Calls.*Kind += IsCounted(arguments...) ? 1 : 0;
+    Count(Kind, Name, arguments...);
     return Driver(arguments...);
   }
+  static inline const char* Name = nullptr;
   static inline Result (*Driver)(Arguments...) = nullptr;
 };
 
@@ -53,6 +80,8 @@ template <auto* Pointer>
 using BlockingRead = Hook<&CallCounts::BlockingReads, Pointer>;
 template <auto* Pointer>
 using Reallocation = Hook<&CallCounts::Reallocations, Pointer>;
+template <auto* Pointer>
+using Upload = Hook<&CallCounts::Uploads, Pointer>;
 
 }
 
@@ -63,7 +92,8 @@ using Reallocation = Hook<&CallCounts::Reallocations, Pointer>;
   extern "C" __attribute__((visibility("default"))) result GLAPIENTRY name parameters              \
   {                                                                                                \
     static const auto driver = reinterpret_cast<result(*) parameters>(dlsym(RTLD_NEXT, #name));    \
-    Calls.kind += IsCounted arguments ? 1 : 0;                                                     \
+    std::apply([](auto... values) { Count(&CallCounts::kind, #name, values...); },                 \
+      std::make_tuple arguments);                                                                  \
     return driver arguments;                                                                       \
   }
 VITRINE_COUNTED(Queries, void, glGetIntegerv, (GLenum name, GLint* value), (name, value))
@@ -89,42 +119,45 @@ VITRINE_COUNTED(Reallocations, void, glTexImage2D,
 struct CallCounter::Hooks
 {
 #if !VITRINE_GL_LOADER_IS_GLEW
-  Query<&glGetIntegerv> Integer;
-  Query<&glGetFloatv> Float;
-  Query<&glGetDoublev> Double;
-  Query<&glGetBooleanv> Boolean;
-  Query<&glIsEnabled> Enabled;
-  Query<&glIsTexture> Texture;
-  Query<&glGetString> String;
-  Query<&glGetError> Error;
-  Query<&glGetTexLevelParameteriv> Level;
-  BlockingRead<&glReadPixels> Pixels;
-  BlockingRead<&glFinish> Finish;
-  Reallocation<&glTexImage2D> Image;
+  Query<&glGetIntegerv> Integer{ "glGetIntegerv" };
+  Query<&glGetFloatv> Float{ "glGetFloatv" };
+  Query<&glGetDoublev> Double{ "glGetDoublev" };
+  Query<&glGetBooleanv> Boolean{ "glGetBooleanv" };
+  Query<&glIsEnabled> Enabled{ "glIsEnabled" };
+  Query<&glIsTexture> Texture{ "glIsTexture" };
+  Query<&glGetString> String{ "glGetString" };
+  Query<&glGetError> Error{ "glGetError" };
+  Query<&glGetTexLevelParameteriv> Level{ "glGetTexLevelParameteriv" };
+  BlockingRead<&glReadPixels> Pixels{ "glReadPixels" };
+  BlockingRead<&glFinish> Finish{ "glFinish" };
+  Reallocation<&glTexImage2D> Image{ "glTexImage2D" };
 #endif
-  Query<&glGetInteger64v> Integer64;
-  Query<&glGetIntegeri_v> IntegerOfIndex;
-  Query<&glGetInteger64i_v> Integer64OfIndex;
-  Query<&glGetMultisamplefv> Multisample;
-  Query<&glGetStringi> StringOfIndex;
-  Query<&glGetFramebufferAttachmentParameteriv> Attachment;
-  Query<&glGetRenderbufferParameteriv> Renderbuffer;
-  Query<&glGetBufferParameteriv> BufferParameter;
-  Query<&glGetProgramiv> Program;
-  Query<&glGetShaderiv> Shader;
-  Query<&glGetUniformLocation> Uniform;
-  Query<&glGetAttribLocation> Attribute;
-  Query<&glIsBuffer> Buffer;
-  Query<&glIsVertexArray> VertexArray;
-  Query<&glIsFramebuffer> Framebuffer;
-  Query<&glCheckFramebufferStatus> Status;
-  BlockingRead<&glGetBufferSubData> BufferData;
-  BlockingRead<&glMapBuffer> Map;
-  BlockingRead<&glMapBufferRange> MapRange;
-  Reallocation<&glBufferData> Data;
-  Reallocation<&glTexImage3D> Image3D;
-  Reallocation<&glTexImage2DMultisample> ImageOfSamples;
-  Reallocation<&glTexImage3DMultisample> Image3DOfSamples;
+  Query<&glGetInteger64v> Integer64{ "glGetInteger64v" };
+  Query<&glGetIntegeri_v> IntegerOfIndex{ "glGetIntegeri_v" };
+  Query<&glGetInteger64i_v> Integer64OfIndex{ "glGetInteger64i_v" };
+  Query<&glGetMultisamplefv> Multisample{ "glGetMultisamplefv" };
+  Query<&glGetStringi> StringOfIndex{ "glGetStringi" };
+  Query<&glGetFramebufferAttachmentParameteriv> Attachment{
+    "glGetFramebufferAttachmentParameteriv"
+  };
+  Query<&glGetRenderbufferParameteriv> Renderbuffer{ "glGetRenderbufferParameteriv" };
+  Query<&glGetBufferParameteriv> BufferParameter{ "glGetBufferParameteriv" };
+  Query<&glGetProgramiv> Program{ "glGetProgramiv" };
+  Query<&glGetShaderiv> Shader{ "glGetShaderiv" };
+  Query<&glGetUniformLocation> Uniform{ "glGetUniformLocation" };
+  Query<&glGetAttribLocation> Attribute{ "glGetAttribLocation" };
+  Query<&glIsBuffer> Buffer{ "glIsBuffer" };
+  Query<&glIsVertexArray> VertexArray{ "glIsVertexArray" };
+  Query<&glIsFramebuffer> Framebuffer{ "glIsFramebuffer" };
+  Query<&glCheckFramebufferStatus> Status{ "glCheckFramebufferStatus" };
+  BlockingRead<&glGetBufferSubData> BufferData{ "glGetBufferSubData" };
+  BlockingRead<&glMapBuffer> Map{ "glMapBuffer" };
+  BlockingRead<&glMapBufferRange> MapRange{ "glMapBufferRange" };
+  Upload<&glBufferSubData> SubData{ "glBufferSubData" };
+  Reallocation<&glBufferData> Data{ "glBufferData" };
+  Reallocation<&glTexImage3D> Image3D{ "glTexImage3D" };
+  Reallocation<&glTexImage2DMultisample> ImageOfSamples{ "glTexImage2DMultisample" };
+  Reallocation<&glTexImage3DMultisample> Image3DOfSamples{ "glTexImage3DMultisample" };
 };
 
 CallCounter::CallCounter()
@@ -146,5 +179,15 @@ const CallCounts& CallCounter::Counts() const
 std::ostream& operator<<(std::ostream& os, const CallCounts& counts)
 {
   return os << counts.Queries << " queries, " << counts.BlockingReads << " blocking reads, "
-            << counts.Reallocations << " reallocations";
+            << counts.Reallocations << " reallocations, " << counts.Uploads << " uploads";
+}
+
+std::string CallCounts::List() const
+{
+  std::ostringstream list;
+  for (const auto& [call, count] : this->ByCall)
+  {
+    list << "  " << count << " " << call << "\n";
+  }
+  return list.str();
 }

@@ -4,15 +4,22 @@
 #ifndef VITRINE_TEST_CALL_COUNTER_H
 #define VITRINE_TEST_CALL_COUNTER_H
 
+#include <map>
 #include <ostream>
+#include <string>
 
 /** Numbers of calls. */
 struct CallCounts
 {
   int Queries =
     0; // glGet... and glIs... of state, limits and objects, and glCheckFramebufferStatus
-  int BlockingReads = 0; // of buffers and pictures into the memory of the CPU
-  int Reallocations = 0; // of buffers and images
+  int BlockingReads = 0;             // of buffers and pictures into the memory of the CPU
+  int Reallocations = 0;             // of buffers and images
+  int Uploads = 0;                   // into buffers
+  std::map<std::string, int> ByCall; // all of these, by function and what it is asked for
+
+  /** A line for each call of ByCall. */
+  std::string List() const;
 };
 
 std::ostream& operator<<(std::ostream& os, const CallCounts& counts);

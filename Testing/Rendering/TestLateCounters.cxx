@@ -2,14 +2,53 @@
 // each frame is the same as that of a new pass, which knows no last frame.
 #include "TestMethods.h"
 #include "TestScene.h"
+#include "gl/VitrineOpenGL.h"
 #include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace
 {
+
+// Keeps the first picture of the target that stands there when a buffer is read: that of bins which are resolved before
+// the counters are read.
+class PictureBeforeRead
+{
+public:
+  PictureBeforeRead(int width, int height)
+  {
+    Kept = { width, height, {} };
+    ReadOfDriver = glGetBufferSubData;
+    glGetBufferSubData = Read;
+  }
+  ~PictureBeforeRead() { glGetBufferSubData = ReadOfDriver; }
+  static const Picture& Get() { return Kept; }
+
+private:
+  static void GLAPIENTRY Read(GLenum target, GLintptr offset, GLsizeiptr size, void* data)
+  {
+    if (Kept.Bytes.empty())
+    {
+      Kept.Bytes.resize(std::size_t(4) * Kept.Width * Kept.Height);
+      GLint drawn = 0;
+      GLint read = 0;
+      glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+      glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn));
+      glReadPixels(0, 0, Kept.Width, Kept.Height, GL_RGBA, GL_UNSIGNED_BYTE, Kept.Bytes.data());
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    }
+    ReadOfDriver(target, offset, size, data);
+  }
+  static Picture Kept;
+  static decltype(glGetBufferSubData) ReadOfDriver;
+};
+Picture PictureBeforeRead::Kept;
+decltype(glGetBufferSubData) PictureBeforeRead::ReadOfDriver = nullptr;
 
 class LateCounters : public testing::TestWithParam<Method>
 {
@@ -92,6 +131,41 @@ TEST_P(LateCounters, FollowLimitsAndTolerances)
       this->ExpectSameAsNew();
     }
   }
+}
+
+// Lists for which there was too little room are not resolved: a pixel shows what is behind it, or its complete list.
+TEST_P(LateCounters, ResolveNoIncompleteLists)
+{
+  this->Show(0);
+  this->Scene.Use(this->Pass);
+  const Picture behind = this->Scene.Render(); // its first pixel shows the background
+  // Lists of the same bin, of few pixels and of many.
+  const vtkSmartPointer<vtkActor> plates = this->Scene.AddPlates(RandomPlates(30, 0.1, 8), 9);
+  const vtkSmartPointer<vtkABufferTransparencyPass> other = MakeABuffer(GetParam());
+  this->Scene.Use(other);
+  const Picture whole = this->Scene.Render();
+  plates->SetScale(0.02, 0.02, 1.0);
+  this->Scene.Use(this->Pass);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Scene.Render();
+  }
+  plates->SetScale(1.0, 1.0, 1.0);
+  {
+    const PictureBeforeRead before(whole.Width, whole.Height);
+    EXPECT_TRUE(Matches(this->Scene.Render(), whole));
+  }
+  EXPECT_GT(this->Pass->GetNumberOfGeometryPasses(), 1) << this->Pass->GetNumberOfFragments();
+  const Picture& early = PictureBeforeRead::Get();
+  ASSERT_EQ(early.Bytes.size(), whole.Bytes.size());
+  int torn = 0;
+  for (std::size_t i = 0; i < early.Bytes.size(); i += 4)
+  {
+    const auto shows = [&](const unsigned char* color)
+    { return std::equal(color, color + 4, &early.Bytes[i]); };
+    torn += !shows(&behind.Bytes[0]) && !shows(&whole.Bytes[i]);
+  }
+  EXPECT_EQ(torn, 0);
 }
 
 // A pixel that alone exceeds the limit: the frame is VTK's, over what was there before the lists were resolved.

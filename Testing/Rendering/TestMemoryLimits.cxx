@@ -33,7 +33,11 @@ protected:
         EXPECT_TRUE(Matches(scene.Render(), whole));
         EXPECT_STREQ(this->Pass->GetFallbackReason(), "");
         EXPECT_GT(this->Pass->GetNumberOfBands(), 1);
-        EXPECT_GT(this->Pass->GetNumberOfGeometryPasses(), this->Pass->GetNumberOfBands());
+        // The second frame knows its bands, for which packed lists are counted.
+        const bool counts = frame == 0 || this->Pass->IsA("vtkPrefixSumTransparencyPass");
+        EXPECT_EQ(this->Pass->GetNumberOfGeometryPasses() > this->Pass->GetNumberOfBands(), counts);
+        EXPECT_TRUE(frame == 0 ||
+          this->Pass->GetNumberOfGeometryPasses() <= this->Pass->GetNumberOfBands() + 1);
         EXPECT_LE(this->Pass->GetPoolBytes(), bytes / part);
       }
       this->Pass->SetMemoryLimit(0);

@@ -155,6 +155,24 @@ TEST_P(ResolveFailures, OfLongListsBlendNothingTwice)
   }
 }
 
+// All lists fit at once, so the short ones are drawn before the program for the long ones fails.
+TEST_P(ResolveFailures, OfListsThatFitLeaveNothingOfThoseDrawnBefore)
+{
+  LayeredScene scene;
+  const vtkSmartPointer<vtkActor> deep = scene.AddPlates(RandomPlates(20, 0.1, 5), 6);
+  scene.Use(this->Pass);
+  scene.Render();
+  deep->VisibilityOff();
+  scene.Render();
+  EXPECT_EQ(this->Pass->GetNumberOfGeometryPasses(), 1);
+
+  scene.AddLongLists(40);
+  const Picture byVTK = scene.RenderAsVTK();
+  scene.Use(this->Pass);
+  const RejectedShader rejected("ListResolve");
+  EXPECT_GE(ExpectFallbackOnce(scene, this->Pass, byVTK), 2); // filled, and VTK's
+}
+
 // The second frame compiles the program for the short lists, beside that for the long ones.
 TEST_P(ResolveFailures, OfShortListsBlendNothingTwice)
 {

@@ -239,7 +239,7 @@ std::vector<std::array<std::uint32_t, 2>> SortHarness::ReadChecksums()
     const ScopedTrackedState trackedState(state);
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Impl->Target.Handle());
     const ScopedReadBuffer readBuffer(state, GL_COLOR_ATTACHMENT0);
-    const ScopedPixelTransfer transfer;
+    const ScopedPixelTransfer transfer(ScopedPixelTransfer::FROM_DEVICE);
     glReadPixels(
       0, 0, VITRINE_SORT_ROW, this->Impl->Rows(), GL_RG_INTEGER, GL_UNSIGNED_INT, checksums.data());
   }

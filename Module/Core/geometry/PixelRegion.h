@@ -16,6 +16,11 @@ struct PixelRegion
   int Height = 0;
 
   bool IsEmpty() const { return this->Width <= 0 || this->Height <= 0; }
+  bool operator==(const PixelRegion& other) const
+  {
+    return this->X == other.X && this->Y == other.Y && this->Width == other.Width &&
+      this->Height == other.Height;
+  }
 };
 
 }

@@ -162,4 +162,31 @@ BandPlan PlanBands(const std::vector<std::uint32_t>& need, int width, int height
   return plan;
 }
 
+std::vector<PixelRegion> CoveringBands(
+  const std::vector<PixelRegion>& bands, const PixelRegion& region)
+{
+  std::vector<PixelRegion> covering;
+  int y = region.Y;
+  for (auto band = bands.begin(); band != bands.end();)
+  {
+    // Bands that begin in the same row are parts of it.
+    const auto end =
+      std::find_if(band, bands.end(), [&](const PixelRegion& b) { return b.Y != band->Y; });
+    const int top = end == bands.end() ? region.Y + region.Height : end->Y;
+    int x = region.X;
+    for (; band != end; ++band)
+    {
+      const int right = band + 1 == end ? region.X + region.Width : (band + 1)->X;
+      covering.push_back({ x, y, right - x, top - y });
+      x = right;
+    }
+    y = top;
+  }
+  if (covering.empty())
+  {
+    covering.push_back(region);
+  }
+  return covering;
+}
+
 }

@@ -43,6 +43,13 @@ BandPlan PlanBands(
 BandPlan PlanBands(const std::vector<std::uint32_t>& need, int width, int height,
   std::uint64_t capacity, const PixelRegion& region);
 
+/**
+ * Enlarges the bands of a plan until they cover `region`, for which they were planned, and returns them. They stay
+ * disjoint, and their needs stay the same. So other needs in the same region lie in the bands as well.
+ */
+std::vector<PixelRegion> CoveringBands(
+  const std::vector<PixelRegion>& bands, const PixelRegion& region);
+
 }
 
 #endif

@@ -34,7 +34,7 @@ std::vector<std::uint8_t> MarkedClusters::Find(
   {
     return {};
   }
-  this->Marks.Write(0, size, words.data());
+  this->Marks.Clear();
   const ScopedStorageBuffer binding(VITRINE_BINDING_CLUSTERS, this->Marks.Handle());
   const ScopedVertexArray vertexArray(this->VertexArray.Handle());
   grid.SetUniforms(program);

@@ -56,6 +56,7 @@ private:
     4 * VITRINE_MATERIAL_TEXELS>;
 
   std::vector<VitrineMaterial> Materials;
+  std::vector<VitrineMaterial> Written; ///< What the table holds, as long as it exists.
   std::map<Words, int> Numbers;
   Buffer Table;
   std::unique_ptr<ScopedTextureUnit> Unit;

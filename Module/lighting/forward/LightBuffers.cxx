@@ -4,6 +4,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <utility>
+
 namespace vitrine
 {
 
@@ -16,16 +18,17 @@ constexpr std::size_t MostLightsOfShortIndices = 65536;
 
 std::string LightBuffers::Write(const std::vector<VitrineLight>& lights, const LightLists& lists)
 {
-  this->Packed.resize(lists.Offsets.size() - 1);
-  for (std::size_t i = 0; i < this->Packed.size(); ++i)
+  std::vector<VitrineLightList> packed(lists.Offsets.size() - 1);
+  for (std::size_t i = 0; i < packed.size(); ++i)
   {
-    this->Packed[i] = { lists.Offsets[i], lists.Offsets[i + 1] - lists.Offsets[i] };
+    packed[i] = { lists.Offsets[i], lists.Offsets[i + 1] - lists.Offsets[i] };
   }
-  std::string problem =
-    WriteTexels(this->Lights, lights, GL_RGBA32F, VITRINE_LIGHT_TEXELS, "lights");
+  std::string problem = WriteOtherTexels(this->Lights, this->WrittenLights, std::vector(lights),
+    GL_RGBA32F, VITRINE_LIGHT_TEXELS, "lights");
   if (problem.empty())
   {
-    problem = WriteTexels(this->Lists, this->Packed, GL_RG32UI, 1, "lists of lights");
+    problem = WriteOtherTexels(
+      this->Lists, this->WrittenLists, std::move(packed), GL_RG32UI, 1, "lists of lights");
   }
   return problem.empty() ? this->WriteIndices(lists.Indices, lights.size()) : problem;
 }
@@ -44,10 +47,11 @@ std::string LightBuffers::WriteIndices(
   const char* const what = "lists of lights";
   if (!areShort)
   {
-    return WriteTexels(this->Indices, indices, format, 1, what);
+    return WriteOtherTexels(
+      this->Indices, this->WrittenIndices, std::vector(indices), format, 1, what);
   }
-  this->ShortIndices.assign(indices.begin(), indices.end());
-  return WriteTexels(this->Indices, this->ShortIndices, format, 1, what);
+  return WriteOtherTexels(this->Indices, this->WrittenShortIndices,
+    std::vector<std::uint16_t>(indices.begin(), indices.end()), format, 1, what);
 }
 
 void LightBuffers::Release()

@@ -45,8 +45,13 @@ private:
 
   Buffer Lights, Lists, Indices;
   GLenum IndexFormat = GL_NONE;
-  std::vector<VitrineLightList> Packed;
-  std::vector<std::uint16_t> ShortIndices;
+  ///@{
+  /** What the buffers hold, as long as they exist. */
+  std::vector<VitrineLight> WrittenLights;
+  std::vector<VitrineLightList> WrittenLists;
+  std::vector<std::uint16_t> WrittenShortIndices;
+  std::vector<std::uint32_t> WrittenIndices;
+  ///@}
   std::unique_ptr<ScopedTextureUnit> LightsUnit, ListsUnit, IndicesUnit;
 };
 

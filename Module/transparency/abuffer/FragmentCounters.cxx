@@ -2,6 +2,8 @@
 
 #include "gl/MemoryBarriers.h"
 
+#include <algorithm>
+
 namespace vitrine
 {
 namespace
@@ -14,13 +16,45 @@ struct CopiedCounters
   uint Room;
 };
 
+constexpr std::int64_t CopySize = sizeof(CopiedCounters);
+
+FragmentStatistics StatisticsOf(const CopiedCounters& copied)
+{
+  const VitrineCounters& counters = copied.Counters;
+  FragmentStatistics statistics;
+  statistics.LayersMax = counters.LayersMax;
+  statistics.CoveredPixels = counters.CoveredPixels;
+  statistics.ShortPixels = counters.ShortPixels;
+  statistics.TileBins = counters.TileBins;
+  statistics.Room = copied.Room;
+  for (int shift = 0; shift <= FragmentStatistics::MaximumPageShift; ++shift)
+  {
+    statistics.Pages[shift] = JoinSplitSum(counters.PagesLow[shift], counters.PagesHigh[shift]);
+  }
+  statistics.Fragments = statistics.Pages[0];
+  return statistics;
+}
+
+}
+
+void FragmentStatistics::Add(const FragmentStatistics& part)
+{
+  this->Fragments += part.Fragments;
+  this->LayersMax = std::max(this->LayersMax, part.LayersMax);
+  this->CoveredPixels += part.CoveredPixels;
+  this->ShortPixels += part.ShortPixels;
+  this->TileBins |= part.TileBins;
+  this->Room += part.Room;
+  for (int shift = 0; shift <= MaximumPageShift; ++shift)
+  {
+    this->Pages[shift] += part.Pages[shift];
+  }
 }
 
 bool FragmentCounters::Reset()
 {
   if ((this->Counters.Handle() == 0 && !this->Counters.Allocate(sizeof(VitrineCounters))) ||
-    (this->Copied.Handle() == 0 &&
-      !this->Copied.Allocate(sizeof(CopiedCounters), GL_NONE, GL_STREAM_READ)))
+    !this->ReserveCopies(1))
   {
     return false;
   }
@@ -34,34 +68,33 @@ void FragmentCounters::Release()
   this->Copied.Release();
 }
 
-void FragmentCounters::Copy()
+bool FragmentCounters::ReserveCopies(int count)
+{
+  return count * CopySize <= this->Copied.Bytes() ||
+    this->Copied.Allocate(count * CopySize, GL_NONE, GL_STREAM_READ);
+}
+
+void FragmentCounters::Copy(int copy)
 {
   BarrierBeforeReadingBuffers();
-  this->Copied.CopyFrom(this->Counters, 0, 0, sizeof(VitrineCounters));
+  this->Copied.CopyFrom(this->Counters, 0, copy * CopySize, sizeof(VitrineCounters));
 }
 
-void FragmentCounters::CopyRoom(const Buffer& buffer, std::int64_t offset)
+void FragmentCounters::CopyRoom(const Buffer& buffer, std::int64_t offset, int copy)
 {
-  this->Copied.CopyFrom(buffer, offset, offsetof(CopiedCounters, Room), sizeof(uint));
+  this->Copied.CopyFrom(
+    buffer, offset, copy * CopySize + std::int64_t(offsetof(CopiedCounters, Room)), sizeof(uint));
 }
 
-FragmentStatistics FragmentCounters::Read() const
+std::vector<FragmentStatistics> FragmentCounters::Read(int count) const
 {
-  CopiedCounters copied = {};
-  this->Copied.Read(0, sizeof(copied), &copied);
-  const VitrineCounters& counters = copied.Counters;
-
-  FragmentStatistics statistics;
-  statistics.LayersMax = counters.LayersMax;
-  statistics.CoveredPixels = counters.CoveredPixels;
-  statistics.ShortPixels = counters.ShortPixels;
-  statistics.TileBins = counters.TileBins;
-  statistics.Room = copied.Room;
-  for (int shift = 0; shift <= FragmentStatistics::MaximumPageShift; ++shift)
+  std::vector<CopiedCounters> copies(static_cast<std::size_t>(count));
+  this->Copied.Read(0, count * CopySize, copies.data());
+  std::vector<FragmentStatistics> statistics;
+  for (const CopiedCounters& copy : copies)
   {
-    statistics.Pages[shift] = JoinSplitSum(counters.PagesLow[shift], counters.PagesHigh[shift]);
+    statistics.push_back(StatisticsOf(copy));
   }
-  statistics.Fragments = statistics.Pages[0];
   return statistics;
 }
 

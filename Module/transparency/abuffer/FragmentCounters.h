@@ -6,6 +6,7 @@
 #include "gl/GLObjects.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace vitrine
 {
@@ -23,6 +24,9 @@ struct FragmentStatistics
   std::int64_t Room = 0; ///< Packed lists: nodes that the placing asked for, if it was predicted.
   /** Pages needed with 1, 2, 4 and 8 nodes per page. */
   std::int64_t Pages[MaximumPageShift + 1] = {};
+
+  /** Add the numbers of another part of the same frame. */
+  void Add(const FragmentStatistics& part);
 };
 
 /** The counters, which stay on the device. The CPU reads a copy. */
@@ -32,14 +36,17 @@ public:
   /** Set all counters to zero. Returns false if the driver has no memory for them. */
   bool Reset();
 
+  /** Make room for so many copies. Returns false if the driver has no memory for them. */
+  bool ReserveCopies(int count);
+
   /** Copy the counters on the device, so that Read() need not wait for what is drawn after. */
-  void Copy();
+  void Copy(int copy);
 
   /** Copy a word of another buffer, too. Read() tells it as FragmentStatistics::Room. */
-  void CopyRoom(const Buffer& buffer, std::int64_t offset);
+  void CopyRoom(const Buffer& buffer, std::int64_t offset, int copy);
 
-  /** Read the copy back. Waits for the device. */
-  FragmentStatistics Read() const;
+  /** Read the first `count` copies back. Waits for the device. */
+  std::vector<FragmentStatistics> Read(int count) const;
 
   GLuint Handle() const { return this->Counters.Handle(); }
   void Release();

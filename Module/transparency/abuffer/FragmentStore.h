@@ -61,8 +61,17 @@ public:
    */
   virtual bool GoesOnToStore() { return false; }
 
+  /**
+   * Begin to fill bands that were planned by another frame. Returns true if the store needs a fill of all bands before
+   * that, which only counts.
+   */
+  virtual bool BeginPlannedBands() { return false; }
+
   /** Check whether the store holds all fragments that the last fill counted. If not, make room for them. */
   virtual FitType Fit(const FragmentStatistics& needed) = 0;
+
+  /** Returns true if the limit, and the driver as far as is known, allow room for so much. */
+  virtual bool HasRoomFor(const FragmentStatistics& needed) const = 0;
 
   /**
    * After TOO_LARGE: the number of units that the store may hold. A unit has UnitNodes() nodes and UnitBytes() bytes.
@@ -94,9 +103,15 @@ public:
 
   ListHeads& Heads() { return this->ListsOfPixels; }
 
-  /** Copy the counters of a fill on the device. ReadCounters() then reads them. */
-  virtual void CopyCounters() { this->Counters.Copy(); }
-  FragmentStatistics ReadCounters() const { return this->Counters.Read(); }
+  ///@{
+  /** Copy the counters of a fill on the device. Several fills may do so before the first `count` copies are read. */
+  bool ReserveCopies(int count) { return this->Counters.ReserveCopies(count); }
+  virtual void CopyCounters(int copy) { this->Counters.Copy(copy); }
+  std::vector<FragmentStatistics> ReadCounters(int count) const
+  {
+    return this->Counters.Read(count);
+  }
+  ///@}
 
   /** Bytes of the nodes and their links, and bytes of everything else that the store holds. */
   virtual std::int64_t NodeBytes() const = 0;

@@ -17,6 +17,10 @@ public:
     vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout) override;
   void SetFillUniforms(vtkShaderProgram* program) const override;
   FitType Fit(const FragmentStatistics& needed) override { return this->Pool.Fit(needed); }
+  bool HasRoomFor(const FragmentStatistics& needed) const override
+  {
+    return this->Pool.MayHold(needed);
+  }
   std::int64_t CapacityUnits() const override { return this->Pool.CapacityPages(); }
   int UnitNodes() const override { return this->Pool.PageSize(); }
   std::int64_t UnitBytes() const override { return this->Pool.PageBytes(); }

@@ -4,6 +4,7 @@
 #include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
@@ -47,7 +48,7 @@ std::string ListHeads::Prepare(
 void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
 {
   this->WriteTarget.Attach(state, this->Heads);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
+  BindForDrawing(state, this->FillTarget.Handle());
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
     this->Fetched ? GLuint(this->Heads.Handle()) : 0u, 0);
   target.AttachDepth();
@@ -62,7 +63,7 @@ void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r, GLuint first)
 {
   const int rows = this->Fetched ? 1 : 2;
   BarrierBeforeFramebufferAccess();
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->WriteTarget.Handle());
+  BindForDrawing(state, this->WriteTarget.Handle());
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -82,9 +83,9 @@ std::vector<std::uint32_t> ListHeads::Read(vtkOpenGLState* state)
 {
   const auto width = static_cast<std::size_t>(this->Width);
   std::vector<std::uint32_t> words(2 * width * this->Height);
-  const ScopedPixelTransfer pixelTransfer;
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::FROM_DEVICE);
   BarrierBeforeFramebufferAccess();
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->WriteTarget.Handle());
+  BindForReading(state, this->WriteTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
     this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
   return this->Fetched ? words : Interleaved(words, width);

@@ -6,6 +6,7 @@
 #include "gl/FullScreenDraw.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/common/ResolveSources.h"
@@ -212,7 +213,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
       drawTiles(this->ReadySortRuns(window, layout, plan, draw.Bin), draw);
       BarrierBeforeReadingLists();
     }
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
+    BindForDrawing(state, target.Framebuffer);
     drawTiles(this->ReadyResolve(window, layout, plan, draw.Bin), draw);
   }
   return true;
@@ -223,7 +224,7 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
 // framebuffer it would run twice along the diagonals of tiles, where both triangles cover samples of a pixel.
 void ListResolver::BindForSort(vtkOpenGLState* state, const RenderTarget& target)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->SortFramebuffer.Handle());
+  BindForDrawing(state, this->SortFramebuffer.Handle());
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, target.Width);
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, target.Height);
 }

@@ -120,6 +120,11 @@ bool NodePool::Holds(const FragmentStatistics& needed) const
   return this->PagesOf(needed) <= this->Pages;
 }
 
+bool NodePool::MayHold(const FragmentStatistics& needed) const
+{
+  return this->PagesOf(needed) <= this->LimitPages();
+}
+
 // Fragments that do not fit are drawn again, so their pages may have another size. If the driver refuses the pool, it
 // is asked for one without a reserve, and then for half as much each time.
 FragmentStore::FitType NodePool::Fit(const FragmentStatistics& needed)

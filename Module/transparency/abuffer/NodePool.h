@@ -45,6 +45,9 @@ public:
   /** Returns true if the pool holds all that a frame, or a part of it, counted. */
   bool Holds(const FragmentStatistics& needed) const;
 
+  /** Returns true if the limit, and the driver as far as is known, allow a pool for so much. */
+  bool MayHold(const FragmentStatistics& needed) const;
+
   /**
    * Check whether the pool holds all that a frame counted. If not, choose a page size that suits the frame, and grow as
    * far as the limit and the driver's memory allow.

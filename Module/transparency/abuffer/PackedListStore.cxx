@@ -138,12 +138,12 @@ void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void PackedListStore::CopyCounters()
+void PackedListStore::CopyCounters(int copy)
 {
-  this->FragmentStore::CopyCounters();
+  this->FragmentStore::CopyCounters(copy);
   if (this->Filled == PREDICTED)
   {
-    this->Counters.CopyRoom(this->Scan.TotalBuffer(), this->Scan.TotalOffset());
+    this->Counters.CopyRoom(this->Scan.TotalBuffer(), this->Scan.TotalOffset(), copy);
   }
 }
 
@@ -156,6 +156,15 @@ bool PackedListStore::GoesOnToStore()
     return false;
   }
   this->Start = COUNTED;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PackedListStore::BeginPlannedBands()
+{
+  this->Start = COUNTING;
+  this->HasCountsOfBands = true;
+  this->RoomNodes = this->Capacity(); // Bands may come to need all of it.
   return true;
 }
 

@@ -25,9 +25,14 @@ public:
     vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout) override;
   void SetFillUniforms(vtkShaderProgram*) const override {}
   bool HasFailed() const override { return this->Scan.HasFailed(); }
-  void CopyCounters() override;
+  void CopyCounters(int copy) override;
   bool GoesOnToStore() override;
+  bool BeginPlannedBands() override;
   FitType Fit(const FragmentStatistics& needed) override;
+  bool HasRoomFor(const FragmentStatistics& needed) const override
+  {
+    return needed.Fragments <= this->LimitNodes();
+  }
   std::int64_t CapacityUnits() const override { return this->LimitNodes(); }
   int UnitNodes() const override { return 1; }
   std::int64_t UnitBytes() const override { return this->Buffers.NodeBytes(); }

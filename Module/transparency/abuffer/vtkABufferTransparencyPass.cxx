@@ -29,12 +29,24 @@ namespace
 
 // How often a frame is drawn again whose props make more fragments than they did before.
 constexpr int MaximumAttempts = 4;
+// Bands of later frames leave 1/BandReserve of the store empty, so that those of a moving camera fit into them.
+constexpr std::uint64_t BandReserve = 8;
 const std::string TooDeep = "a pixel has " + std::to_string(VITRINE_LARGEST_COUNT) +
   " fragments or more, which packed lists cannot count; linked lists can";
 const char* const UnsteadyProps =
   "the translucent props make more fragments each time they are drawn within one frame";
 
 const vitrine::EnumNames StoragesOfABuffers{ { "half float", "eight bit", "compact" } };
+
+// Bands cut tiles, so a band may have tiles of lower bins than the frame has.
+std::uint32_t WithLowerBins(std::uint32_t bins)
+{
+  while ((bins & (bins + 1u)) != 0)
+  {
+    bins |= bins >> 1;
+  }
+  return bins;
+}
 
 // Compact nodes have no room for colours beyond 1.
 vitrine::NodeColors KindOfColors(int storage, const vitrine::RenderTarget& target)
@@ -47,6 +59,27 @@ vitrine::NodeColors KindOfColors(int storage, const vitrine::RenderTarget& targe
 
 }
 
+// The bands of the last frame, if it was too large, and the frames that they may serve.
+struct vtkABufferTransparencyPass::PlannedBands
+{
+  std::vector<vitrine::PixelRegion> Regions; // They cover the region of the target.
+  vitrine::PixelRegion Covered;
+  int Width = 0;
+  vtkTypeInt64 Limit = 0;
+  std::int64_t Capacity = 0; // Units of the store.
+  int UnitNodes = 0;
+  vitrine::FragmentStatistics Frame; // The bins of its tiles are resolved before counters are read.
+
+  bool Serve(const vitrine::RenderTarget& target, vtkTypeInt64 limit,
+    const vitrine::FragmentStore& store) const
+  {
+    return !this->Regions.empty() && this->Covered == target.Region &&
+      this->Width == target.Width && this->Limit == limit &&
+      this->Capacity == store.CapacityUnits() && this->UnitNodes == store.UnitNodes() &&
+      !store.HasRoomFor(this->Frame);
+  }
+};
+
 struct vtkABufferTransparencyPass::Internals
 {
   vitrine::ListLayout Layout;
@@ -56,8 +89,9 @@ struct vtkABufferTransparencyPass::Internals
   std::uint32_t LastBins = 0;  // Bins of the last frame's tiles, or 0.
   std::uint32_t DrawnBins = 0; // Bins that were resolved since the last fill.
   bool HasDrawn = false;       // This frame has changed the target.
+  PlannedBands Bands;
 
-  vitrine::BandPlan PlanBands(vtkOpenGLState* state, const vitrine::RenderTarget& target);
+  std::vector<std::uint32_t> ReadNeeds(vtkOpenGLState* state);
 
   std::int64_t Bytes() const
   {
@@ -67,9 +101,8 @@ struct vtkABufferTransparencyPass::Internals
 };
 
 //------------------------------------------------------------------------------
-// Parts of the screen that each fit into the store, by the counts of the last fill.
-vitrine::BandPlan vtkABufferTransparencyPass::Internals::PlanBands(
-  vtkOpenGLState* state, const vitrine::RenderTarget& target)
+// Reads how many units of the store the last fill counted in each pixel.
+std::vector<std::uint32_t> vtkABufferTransparencyPass::Internals::ReadNeeds(vtkOpenGLState* state)
 {
   const auto unit = static_cast<std::uint32_t>(this->Store->UnitNodes());
   std::vector<std::uint32_t> units = this->Store->ReadCounts(state);
@@ -77,8 +110,7 @@ vitrine::BandPlan vtkABufferTransparencyPass::Internals::PlanBands(
   {
     n = vitrine::DividedUp(n, unit);
   }
-  return vitrine::PlanBands(units, target.Width, target.Height,
-    static_cast<std::uint64_t>(this->Store->CapacityUnits()), target.Region);
+  return units;
 }
 
 //------------------------------------------------------------------------------
@@ -247,6 +279,16 @@ std::string vtkABufferTransparencyPass::RenderLists(
 {
   Internals& in = *this->Private;
   const std::uint32_t expected = std::exchange(in.LastBins, 0u);
+  const PlannedBands planned = std::exchange(in.Bands, {});
+  if (planned.Serve(target, this->MemoryLimit, this->GetStore()))
+  {
+    const std::string problem = this->RenderPlannedBands(s, target, planned, frame);
+    if (problem != UnsteadyProps)
+    {
+      return problem;
+    }
+    in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
+  }
   for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
   {
     const std::string problem = this->Fill(s, target, target.Region);
@@ -258,7 +300,7 @@ std::string vtkABufferTransparencyPass::RenderLists(
     {
       this->ResolveBins(target, target.Region, expected);
     }
-    frame = this->GetStore().ReadCounters();
+    frame = this->GetStore().ReadCounters(1).front();
     const vitrine::FragmentStore::FitType fit = this->GetStore().Fit(frame);
     if (fit != vitrine::FragmentStore::FITS && in.HasDrawn)
     {
@@ -271,7 +313,7 @@ std::string vtkABufferTransparencyPass::RenderLists(
       case vitrine::FragmentStore::GREW:
         break;
       case vitrine::FragmentStore::TOO_LARGE:
-        return this->RenderInBands(s, target);
+        return this->RenderInBands(s, target, frame);
       case vitrine::FragmentStore::TOO_DEEP:
         return TooDeep;
     }
@@ -280,8 +322,9 @@ std::string vtkABufferTransparencyPass::RenderLists(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkABufferTransparencyPass::Fill(
-  const vtkRenderState* s, const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
+// The counters of the fill go into their copy number `copy`.
+std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region, int copy)
 {
   Internals& in = *this->Private;
   vitrine::FragmentStore& store = this->GetStore();
@@ -295,7 +338,7 @@ std::string vtkABufferTransparencyPass::Fill(
     const vitrine::StageTimer::Section section(this->GetStageTimer(), "classify");
     in.Resolver.Classify(this->GetWindow(), in.Layout, store, target, region);
   }
-  store.CopyCounters();
+  store.CopyCounters(copy);
   return problem;
 }
 
@@ -356,7 +399,7 @@ void vtkABufferTransparencyPass::ResolveBins(
 
 //------------------------------------------------------------------------------
 std::string vtkABufferTransparencyPass::RenderInBands(
-  const vtkRenderState* s, const vitrine::RenderTarget& target)
+  const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::FragmentStatistics& frame)
 {
   Internals& in = *this->Private;
   vtkOpenGLState* state = this->GetWindow()->GetState();
@@ -369,58 +412,111 @@ std::string vtkABufferTransparencyPass::RenderInBands(
     {
       break;
     }
-    const vitrine::BandPlan plan = in.PlanBands(state, target);
+    const std::vector<std::uint32_t> needs = in.ReadNeeds(state);
+    const auto planFor = [&](std::uint64_t units)
+    { return vitrine::PlanBands(needs, target.Width, target.Height, units, target.Region); };
+    const auto capacity = static_cast<std::uint64_t>(in.Store->CapacityUnits());
+    const vitrine::BandPlan plan = planFor(capacity);
     if (!plan.Fits)
     {
       return "one pixel alone needs " + std::to_string(plan.LargestPixel * in.Store->UnitBytes()) +
         " bytes of the node pool, and " + in.Store->DescribeLimit();
     }
-    problem = this->DrawBands(s, target, plan.Bands);
+    frame.TileBins = WithLowerBins(frame.TileBins);
+    const PlannedBands bands{ vitrine::CoveringBands(plan.Bands, target.Region), target.Region,
+      target.Width, this->MemoryLimit, in.Store->CapacityUnits(), in.Store->UnitNodes(), frame };
+    problem = this->DrawBands(s, target, bands, frame);
     if (problem.empty())
     {
-      this->NumberOfBands = static_cast<int>(plan.Bands.size());
-      break;
+      const vitrine::BandPlan next = planFor(capacity - capacity / BandReserve);
+      in.Bands.Regions = vitrine::CoveringBands((next.Fits ? next : plan).Bands, target.Region);
     }
-    in.Backdrop.PutBack(state, target);
     if (problem != UnsteadyProps)
     {
       break;
     }
+    in.Backdrop.PutBack(state, target);
   }
   return problem;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
-  const vitrine::RenderTarget& target, const std::vector<vitrine::PixelRegion>& bands)
+std::string vtkABufferTransparencyPass::RenderPlannedBands(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const PlannedBands& bands,
+  vitrine::FragmentStatistics& frame)
 {
-  for (const vitrine::PixelRegion& region : bands)
+  std::string problem;
+  if (this->GetStore().BeginPlannedBands())
   {
-    vitrine::FragmentStatistics part;
-    vitrine::FragmentStore::FitType fit = vitrine::FragmentStore::GREW;
-    for (int attempt = 0; attempt < MaximumAttempts && fit == vitrine::FragmentStore::GREW;
-         ++attempt)
-    {
-      const std::string problem = this->Fill(s, target, region);
-      if (!problem.empty())
-      {
-        return problem;
-      }
-      part = this->GetStore().ReadCounters();
-      fit = this->GetStore().Fit(part);
-    }
-    // Lists that are not in the store must not be walked.
-    if (fit != vitrine::FragmentStore::FITS)
-    {
-      return UnsteadyProps;
-    }
-    const std::string problem = this->Resolve(target, region, part);
+    problem = this->FillOnce(s, target, target.Region);
+  }
+  return problem.empty() ? this->DrawBands(s, target, bands, frame) : problem;
+}
+
+//------------------------------------------------------------------------------
+// Bands are resolved before their counters are read, all at once. Lists that are not in the store are not walked
+// (TileClassify.glsl). If they all fit, the next frame is drawn in the same bands.
+std::string vtkABufferTransparencyPass::DrawBands(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const PlannedBands& bands,
+  vitrine::FragmentStatistics& frame)
+{
+  Internals& in = *this->Private;
+  vitrine::FragmentStore& store = this->GetStore();
+  const int count = static_cast<int>(bands.Regions.size());
+  if (!store.ReserveCopies(count))
+  {
+    return "the driver has no memory for the counters of " + std::to_string(count) + " bands";
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string problem = this->Fill(s, target, bands.Regions[i], i);
     if (!problem.empty())
     {
       return problem;
     }
+    this->ResolveBins(target, bands.Regions[i], bands.Frame.TileBins);
   }
-  return {};
+  const std::vector<vitrine::FragmentStatistics> parts = store.ReadCounters(count);
+  frame = {};
+  for (const vitrine::FragmentStatistics& part : parts)
+  {
+    if (store.Fit(part) != vitrine::FragmentStore::FITS)
+    {
+      return UnsteadyProps;
+    }
+    frame.Add(part);
+  }
+  std::string problem = vitrine::ListResolver::FindProblemOfLength(frame.LayersMax);
+  for (int i = 0; i < count && problem.empty(); ++i)
+  {
+    if ((parts[i].TileBins & ~bands.Frame.TileBins) != 0)
+    {
+      problem = this->DrawBandAgain(s, target, bands.Regions[i]);
+    }
+  }
+  if (problem.empty())
+  {
+    this->NumberOfBands = count;
+    in.Bands = bands;
+    in.Bands.Frame = frame;
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+// Draws a band that has tiles of bins which were not resolved.
+std::string vtkABufferTransparencyPass::DrawBandAgain(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
+{
+  const std::string problem = this->Fill(s, target, region);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const vitrine::FragmentStatistics part = this->GetStore().ReadCounters(1).front();
+  return this->GetStore().Fit(part) == vitrine::FragmentStore::FITS
+    ? this->Resolve(target, region, part)
+    : UnsteadyProps;
 }
 
 //------------------------------------------------------------------------------

@@ -160,16 +160,22 @@ private:
   std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
     vitrine::FragmentStatistics& frame);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const vitrine::PixelRegion& region);
+    const vitrine::PixelRegion& region, int copy = 0);
   std::string FillOnce(const vtkRenderState* s, const vitrine::RenderTarget& target,
     const vitrine::PixelRegion& region);
   std::string Resolve(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
     const vitrine::FragmentStatistics& statistics);
   void ResolveBins(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
     std::uint32_t tileBins);
-  std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
+  struct PlannedBands;
+  std::string RenderInBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    vitrine::FragmentStatistics& frame);
+  std::string RenderPlannedBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const PlannedBands& bands, vitrine::FragmentStatistics& frame);
   std::string DrawBands(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    const std::vector<vitrine::PixelRegion>& bands);
+    const PlannedBands& bands, vitrine::FragmentStatistics& frame);
+  std::string DrawBandAgain(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const vitrine::PixelRegion& region);
   void FinishFrame(const vitrine::FragmentStatistics& frame);
 
   struct Internals;

@@ -206,6 +206,7 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
   this->Private->Timer.BeginFrame();
   {
     const vitrine::KnownLimits::InUse limits(this->Private->Context.Limits());
+    const vitrine::ScopedBindingMemory bindings;
     const vitrine::OuterPasses::Scope outer(
       this->Private->Outer, s, this->Private->Context.Window());
     const std::string problem = this->RenderExactly(s);
@@ -282,7 +283,6 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
 
   const vitrine::ScopedArrayBuffer arrayBuffer;
   const vitrine::ScopedVertexArray vertexArray(0);
-  const vitrine::ScopedBindingMemory bindings;
   vitrine::ScopedTrackedState trackedState(state);
   vitrine::ScopedShaderProgram shaderProgram(in.Context.Window());
   in.HasAdded = false;

@@ -3,6 +3,7 @@
 #include "gl/FullScreenDraw.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/ResolveSources.h"
 #include "transparency/stencil/MaskTarget.h"
@@ -74,9 +75,9 @@ std::string MaskResolver::Prepare(
   }
   if (problem.empty())
   {
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->ErrorTarget.Handle());
+    BindForDrawing(state, this->ErrorTarget.Handle());
     Attach(GL_COLOR_ATTACHMENT0, this->LayerErrors);
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->LayerTarget.Handle());
+    BindForDrawing(state, this->LayerTarget.Handle());
     Attach(GL_COLOR_ATTACHMENT0, this->LayerColors);
     Attach(GL_COLOR_ATTACHMENT1, this->LayerSums);
     const GLenum both[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };

@@ -1,8 +1,10 @@
 #include "transparency/stencil/MaskTarget.h"
 
+#include "gl/Capabilities.h"
 #include "gl/FullScreenDraw.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLState.h"
 
 #include <algorithm>
@@ -22,8 +24,7 @@ constexpr float NoDepth = std::numeric_limits<float>::max();
 // The target is rasterised at the scale of a group, so the viewport may exceed the driver's largest.
 std::string CheckViewport(const PixelRegion& viewport, const MaskGroup& group)
 {
-  GLint largest[2] = { 0, 0 };
-  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, largest);
+  const std::array<std::int64_t, 2> largest = LargestViewport();
   const std::int64_t width = std::int64_t(viewport.Width) * group.Width;
   const std::int64_t height = std::int64_t(viewport.Height) * group.Height;
   if (width <= largest[0] && height <= largest[1])
@@ -37,7 +38,7 @@ std::string CheckViewport(const PixelRegion& viewport, const MaskGroup& group)
 
 void AttachStencil(vtkOpenGLState* state, Framebuffer& framebuffer, const Image2D& image)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.Handle());
+  BindForDrawing(state, framebuffer.Handle());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, image.Handle(), 0);
 }
@@ -124,7 +125,7 @@ std::string MaskTarget::WriteStartValues()
       texels.push_back(group[static_cast<std::size_t>(inGroup)]);
     }
   }
-  const ScopedPixelTransfer pixelTransfer;
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::TO_DEVICE);
   GLint previous = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &previous);
   glBindTexture(GL_TEXTURE_2D, this->StartValues.Handle());
@@ -160,8 +161,8 @@ void MaskTarget::ResetStencil(vtkOpenGLState* state)
   const int width = this->Width * this->Group.Width;
   const int height = this->Height * this->Group.Height;
   const int strip = std::min(this->Height, StripGroups) * this->Group.Height;
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->StartSource.Handle());
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
+  BindForReading(state, this->StartSource.Handle());
+  BindForDrawing(state, this->FillTarget.Handle());
   for (int y = 0; y < height; y += strip)
   {
     const int rows = std::min(strip, height - y);

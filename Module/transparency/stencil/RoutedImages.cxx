@@ -1,7 +1,11 @@
 #include "transparency/stencil/RoutedImages.h"
 
+#include "gl/StateRecord.h"
 #include "transparency/stencil/StencilCounter.h"
 #include "vtkOpenGLState.h"
+
+#include <array>
+#include <cstdint>
 
 namespace vitrine
 {
@@ -11,6 +15,12 @@ std::string RoutedImages::Allocate(vtkOpenGLState* state, const Format& format, 
   const int width = format.Width;
   const int height = format.Height;
   const int samples = format.Samples > 1 ? format.Samples : 0;
+  const auto numbers = [this]
+  {
+    return std::array<std::uint64_t, 3>{ this->ColorImages.Number(), this->DepthImages.Number(),
+      this->StencilImage.Number() };
+  };
+  const std::array<std::uint64_t, 3> before = numbers();
   std::string problem = this->ColorImages.Allocate(
     format.HalfFloat ? GL_RGBA16F : GL_RGBA8, width, height, samples, passes);
   if (problem.empty())
@@ -24,7 +34,8 @@ std::string RoutedImages::Allocate(vtkOpenGLState* state, const Format& format, 
   if (problem.empty())
   {
     this->Attach(state, 0);
-    if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    if (numbers() != before &&
+      glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     {
       problem = "the driver cannot draw into its images of " + std::to_string(format.Samples) +
         " samples together";
@@ -35,7 +46,7 @@ std::string RoutedImages::Allocate(vtkOpenGLState* state, const Format& format, 
 
 void RoutedImages::Attach(vtkOpenGLState* state, int pass)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillTarget.Handle());
+  BindForDrawing(state, this->FillTarget.Handle());
   glFramebufferTextureLayer(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->ColorImages.Handle(), 0, pass);
   glFramebufferTextureLayer(

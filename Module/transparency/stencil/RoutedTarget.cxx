@@ -2,6 +2,7 @@
 
 #include "gl/FullScreenDraw.h"
 #include "gl/RenderTarget.h"
+#include "gl/StateRecord.h"
 #include "transparency/stencil/SampleRouting.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -77,7 +78,7 @@ bool RoutedTarget::BeginPass(vtkOpenGLRenderWindow* window, const RenderTarget& 
   if (pass == 0)
   {
     this->Fragments.NoteStart(state, this->Images.Target(), this->Region);
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Images.Target().Handle());
+    BindForDrawing(state, this->Images.Target().Handle());
     state->vtkglEnable(GL_SCISSOR_TEST);
   }
   const PixelRegion& v = target.Viewport;

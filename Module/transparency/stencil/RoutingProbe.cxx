@@ -2,6 +2,7 @@
 
 #include "gl/FullScreenDraw.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "shader/ShaderText.h"
 #include "transparency/stencil/RoutedImages.h"
 #include "transparency/stencil/SampleRouting.h"
@@ -46,8 +47,8 @@ void DrawUpTo(vtkShaderProgram* program, float edge, float side, int number)
 std::array<GLubyte, 4> ReadPixel(vtkOpenGLState* state, Framebuffer& source)
 {
   std::array<GLubyte, 4> pixel = {};
-  const ScopedPixelTransfer pixelTransfer;
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source.Handle());
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::FROM_DEVICE);
+  BindForReading(state, source.Handle());
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
   return pixel;
 }
@@ -93,6 +94,7 @@ std::string RoutingProbe::Probe(
       std::to_string(MostSamples()) + " at most";
   }
   vtkOpenGLState* state = window->GetState();
+  const ScopedSampleMask sampleMask;
   RoutedImages images;
   std::string problem = images.Allocate(state, { 1, 1, samples, halfFloat }, 1);
   if (problem.empty())

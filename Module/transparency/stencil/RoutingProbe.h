@@ -33,8 +33,8 @@ class RoutingProbe
 public:
   /**
    * Returns why the driver cannot route fragments into `samples` samples per pass, or an empty string. Colours are half
-   * floats, or 8 bits. The first call for each combination draws. It changes state that ScopedTrackedState,
-   * ScopedStencil and ScopedSampleMask keep.
+   * floats, or 8 bits. The first call for each combination draws. It changes state that ScopedTrackedState
+   * and ScopedStencil keep.
    */
   const std::string& FindObstacle(
     vtkOpenGLRenderWindow* window, SampleRouting& routing, int samples, bool halfFloat);

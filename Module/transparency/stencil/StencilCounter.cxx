@@ -1,6 +1,7 @@
 #include "transparency/stencil/StencilCounter.h"
 
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
@@ -31,7 +32,6 @@ void StencilCounter::NoteStart(
 {
   if (this->StartValues.empty())
   {
-    const ScopedPixelTransfer pixelTransfer;
     this->StartValues = this->Read(state, source, region);
   }
 }
@@ -39,9 +39,9 @@ void StencilCounter::NoteStart(
 StencilCounts StencilCounter::Count(
   vtkOpenGLState* state, Framebuffer& source, const PixelRegion& region, int layers)
 {
-  const ScopedPixelTransfer pixelTransfer;
   this->Counted = this->Read(state, source, region);
   const StencilCounts counts = CountFragments(layers, this->StartValues, this->Counted);
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::TO_DEVICE);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->CountImage.Handle());
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height, GL_RED, GL_UNSIGNED_BYTE,
@@ -49,19 +49,19 @@ StencilCounts StencilCounter::Count(
   return counts;
 }
 
-// A ScopedPixelTransfer lives around the call.
 std::vector<std::uint8_t> StencilCounter::Read(
   vtkOpenGLState* state, Framebuffer& source, const PixelRegion& region)
 {
   state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source.Handle());
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->CopyTarget.Handle());
+  BindForReading(state, source.Handle());
+  BindForDrawing(state, this->CopyTarget.Handle());
   state->vtkglBlitFramebuffer(region.X, region.Y, region.X + region.Width, region.Y + region.Height,
     0, 0, this->Width, this->Height, GL_STENCIL_BUFFER_BIT, GL_NEAREST);
 
   std::vector<std::uint8_t> values(static_cast<std::size_t>(this->Width) * this->Height);
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::FROM_DEVICE);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->CopyTarget.Handle());
+  BindForReading(state, this->CopyTarget.Handle());
   glReadPixels(0, 0, this->Width, this->Height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
   return values;
 }
@@ -77,12 +77,12 @@ void StencilCounter::Release()
 // In OpenGL 3.2 a framebuffer without colour images is complete only if its draw and read buffers are GL_NONE.
 void AttachStencilAlone(vtkOpenGLState* state, Framebuffer& framebuffer, const Image2D& image)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.Handle());
+  BindForDrawing(state, framebuffer.Handle());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, image.Target(), image.Handle(), 0);
   const GLenum none = GL_NONE;
   glDrawBuffers(1, &none);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.Handle());
+  BindForReading(state, framebuffer.Handle());
   glReadBuffer(GL_NONE);
 }
 

@@ -21,6 +21,7 @@
 #include "vtkRenderState.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace
 {
@@ -163,8 +164,12 @@ std::string vtkStencilRoutedTransparencyPass::RenderFragments(
     return vitrine::ProgramFailure;
   }
   const vitrine::ScopedStencil stencil(this->GetWindow()->GetState());
-  const vitrine::ScopedSampleMask sampleMask;
   std::string problem = this->PrepareFrame(target);
+  std::optional<vitrine::ScopedSampleMask> sampleMask;
+  if (in.Fragments.Route().SamplesPerPass() > 1)
+  {
+    sampleMask.emplace();
+  }
   if (problem.empty())
   {
     problem = this->Fill(s, target);

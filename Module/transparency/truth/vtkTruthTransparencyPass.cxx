@@ -10,6 +10,7 @@
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/CoincidenceTolerance.h"
 #include "transparency/common/FillExtensions.h"
@@ -133,10 +134,10 @@ std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
 void vtkTruthTransparencyPass::Internals::AttachTargets(
   vtkOpenGLState* state, const vitrine::RenderTarget& target)
 {
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  vitrine::BindForDrawing(state, this->PictureFramebuffer.Handle());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FillFramebuffer.Handle());
+  vitrine::BindForDrawing(state, this->FillFramebuffer.Handle());
   target.AttachDepth();
   const GLenum none = GL_NONE;
   glDrawBuffers(1, &none);
@@ -186,8 +187,8 @@ std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
   const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
   std::vector<float> plane(4 * pixels);
   std::vector<double> backdrop(plane.size() * samples);
-  const vitrine::ScopedPixelTransfer pixelTransfer;
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->PictureFramebuffer.Handle());
+  const vitrine::ScopedPixelTransfer pixelTransfer(vitrine::ScopedPixelTransfer::FROM_DEVICE);
+  vitrine::BindForReading(state, this->PictureFramebuffer.Handle());
   vitrine::BindForFullScreenDraw(
     state, this->PictureFramebuffer.Handle(), target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
@@ -210,7 +211,7 @@ void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* wi
   const int samples = std::max(target.Samples, 1);
   const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
   std::vector<float> plane(4 * pixels);
-  const vitrine::ScopedPixelTransfer pixelTransfer;
+  const vitrine::ScopedPixelTransfer pixelTransfer(vitrine::ScopedPixelTransfer::TO_DEVICE);
   vitrine::BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
   {
