@@ -61,7 +61,9 @@ void main()
 
   precise vec3 color = vec3(0.0);
   precise float transmittance = 1.0;
-  while (true)
+  // A turn starts a run or takes a fragment, and the last one finds none. So a link that leads back loops no longer.
+  uint turnsLeft = head.y + uint(VITRINE_MAX_RUNS) + 1u;
+  while (turnsLeft-- > 0u)
   {
     Run run;
     if (page != VITRINE_END)

@@ -1,6 +1,9 @@
 // A-buffer, resolve pass for packed lists of up to VITRINE_BIN nodes, where whole fragments would take too many
 // registers. A register holds one word: the fragment's depth in 26 bits, and its slot in the list. The words are sorted
 // by an unrolled network, then the nodes are read again in that order, and the composited colour is written.
+//
+// Nodes are read in loops over groups of VITRINE_SLOT_GROUP words, in which all words move by one group a turn. So the
+// compiler cannot fetch all nodes at once, which would take more registers than the words do.
 #include "ListRead.glsl"
 #include "CompactDepth.glsl"
 
@@ -40,20 +43,25 @@ bool isTieAbove(uint a, uint b)
   return first.key > second.key || (first.key == second.key && colorAbove(first, second));
 }
 
-#define DECLARE_SLOT(f) uint f;
-#define LOAD_SLOT(f, slot) \
+#define DECLARE_SLOT(f) uint f = NO_WORD;
+#define MOVE_SLOT(to, from) to = from;
+#define CLEAR_SLOT(f) f = NO_WORD;
+#define KEEP_SLOT(f, kept) uint kept = f;
+#define LOAD_SLOT(f, i) \
   { \
     f = NO_WORD; \
-    if (uint(slot) < head.y) \
+    uint slot = first + uint(i); \
+    if (slot < count) \
     { \
-      uvec4 node = fetchNode(nodeIndex(listStart, uint(slot))); \
-      f = IN_SAMPLE(node) ? wordOf(node, uint(slot)) : NO_WORD; \
+      uvec4 node = fetchNode(nodeIndex(listStart, slot)); \
+      f = IN_SAMPLE(node) ? wordOf(node, slot) : NO_WORD; \
     } \
   }
 #define COMPARE_EXCHANGE_SLOTS(a, b) \
   { \
     uint near = min(a, b); b = max(a, b); a = near; \
   }
+#define FIND_TIE(a, b) disordered = disordered || ((a ^ b) <= SLOT_MASK && b != NO_WORD);
 #define ORDER_SLOTS_TIE(a, b) \
   if (isTieAbove(a, b)) \
   { \
@@ -75,20 +83,39 @@ void main()
 
   //Vitrine::Declare
 
-  //Vitrine::Load
+  uint count = min(head.y, uint(VITRINE_BIN));
+  for (uint first = 0u; first < count; first += uint(VITRINE_SLOT_GROUP))
+  {
+    //Vitrine::MoveUp
+    //Vitrine::Load
+  }
 
   //Vitrine::Sort
 
-  bool disordered;
-  do
+  // Each round carries a fragment to its place, so there are at most as many as fragments.
+  bool disordered = false;
+  //Vitrine::FindTies
+  for (uint round = 0u; disordered && round < count; ++round)
   {
     disordered = false;
-    //Vitrine::OrderTies
-  } while (disordered);
+    for (int turn = 1; turn <= VITRINE_BIN / VITRINE_SLOT_GROUP; ++turn)
+    {
+      //Vitrine::OrderTies
+      if (turn < VITRINE_BIN / VITRINE_SLOT_GROUP)
+      {
+        //Vitrine::OrderTieOfGroups
+      }
+      //Vitrine::Rotate
+    }
+  }
 
   precise vec3 color = vec3(0.0);
   precise float transmittance = 1.0;
-  //Vitrine::Blend
+  for (uint turn = 0u; f0 != NO_WORD && turn < count; ++turn)
+  {
+    //Vitrine::Blend
+    //Vitrine::MoveDown
+  }
   BLEND_LIST
 
   writeOver(pixel, color, transmittance);

@@ -35,7 +35,7 @@ void main()
   int pages = pagesOfList(head.y);
   int absent = absentPages(pages);
   int blocksLeft = blocksOf(pagesOfFirstRun(pages));
-  while (page != VITRINE_END)
+  for (int left = blocksOf(pages); left > 0 && page != VITRINE_END; --left)
   {
     uint firstPage = page;
     int firstFilled = filled;

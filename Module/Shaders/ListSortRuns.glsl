@@ -5,6 +5,7 @@
 // sorted blocks go back to the list's own nodes.
 #define VITRINE_KEEP_EXTRA
 #include "ListRead.glsl"
+#include "ListRuns.glsl"
 #include "Registers.glsl"
 #define FETCH_NODE(index) fetchNode(index)
 #define NODE_ACCESS writeonly
@@ -18,8 +19,9 @@ void main()
 
   uint page = head.x;
   int filled = nodesInFirstPage(head.y);
-  int absent = absentPages(pagesOfList(head.y));
-  while (page != VITRINE_END)
+  int pages = pagesOfList(head.y);
+  int absent = absentPages(pages);
+  for (int left = blocksOf(pages); left > 0 && page != VITRINE_END; --left)
   {
     //Vitrine::Load
 

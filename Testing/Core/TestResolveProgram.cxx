@@ -153,6 +153,57 @@ TEST_P(ShortResolve, OrdersTiesInAsManyRoundsAsItTakes)
 INSTANTIATE_TEST_SUITE_P(
   Bins, ShortResolve, testing::Values(8, 16, 24, 32, 48, 64), testing::PrintToStringParamName());
 
+void MoveSlots(const std::string& text, std::vector<int>& registers)
+{
+  std::array<int, 64> kept{};
+  for (const Call& call : Calls(text))
+  {
+    if (call.Macro == "KEEP_SLOT")
+    {
+      kept.at(call.Number(1)) = registers.at(call.Number(0));
+    }
+    else if (call.Macro == "CLEAR_SLOT")
+    {
+      registers.at(call.Number(0)) = -1;
+    }
+    else
+    {
+      ASSERT_EQ(call.Macro, "MOVE_SLOT");
+      const bool isKept = call.Operands[1].rfind("kept", 0) == 0;
+      registers.at(call.Number(0)) =
+        isKept ? kept.at(call.Number(1)) : registers.at(call.Number(1));
+    }
+  }
+}
+
+TEST(SlotResolve, MovesRegistersByAGroup)
+{
+  for (const int size : { 16, 32, 64 })
+  {
+    const int group = 8;
+    const vitrine::SlotResolveText text = vitrine::UnrollSlotResolve(size, group);
+    std::vector<int> ascending(size);
+    std::iota(ascending.begin(), ascending.end(), 0);
+
+    std::vector<int> up = ascending;
+    MoveSlots(text.MoveUp, up);
+    EXPECT_TRUE(std::equal(up.begin() + group, up.end(), ascending.begin()));
+
+    std::vector<int> down = ascending;
+    MoveSlots(text.MoveDown, down);
+    EXPECT_TRUE(std::equal(ascending.begin() + group, ascending.end(), down.begin()));
+    EXPECT_EQ(std::count(down.begin(), down.end(), -1), group);
+
+    std::vector<int> rotated = ascending;
+    for (int turn = 0; turn < size / group; ++turn)
+    {
+      EXPECT_EQ(rotated.front(), turn * group);
+      MoveSlots(text.Rotate, rotated);
+    }
+    EXPECT_EQ(rotated, ascending);
+  }
+}
+
 TEST(LongResolve, KeepsTheNearestBlock)
 {
   std::mt19937 random(2);

@@ -123,17 +123,42 @@ ResolveText UnrollResolve(int size, int pageSize)
   return text;
 }
 
-ResolveText UnrollSlotResolve(int size)
+SlotResolveText UnrollSlotResolve(int size, int group)
 {
-  ResolveText text;
+  assert(group > 0 && size > group && size % group == 0);
+  const std::string move = "MOVE_SLOT";
+  SlotResolveText text;
   text.Declare = ForEach("DECLARE_SLOT", 0, size);
-  for (int slot = 0; slot < size; ++slot)
+  for (int i = size; i-- > group;)
   {
-    text.Load += "LOAD_SLOT(" + Register(slot) + ", " + std::to_string(slot) + ")\n";
+    text.MoveUp += Pair(move, i, i - group);
+  }
+  for (int i = 0; i < group; ++i)
+  {
+    text.Load += "LOAD_SLOT(" + Register(i) + ", " + std::to_string(i) + ")\n";
+    text.Rotate += "KEEP_SLOT(" + Register(i) + ", kept" + std::to_string(i) + ")\n";
   }
   text.Sort = EmitGlsl(BestKnownNetwork(size), "COMPARE_EXCHANGE_SLOTS", "f");
-  text.OrderTies = NeighbourPairs("ORDER_SLOTS_TIE", size);
-  text.Blend = ForEach("BLEND_SLOT", 0, size);
+  for (int i = 0; i + 1 < size; ++i)
+  {
+    text.FindTies += Pair("FIND_TIE", i, i + 1);
+  }
+  for (int i = 0; i + 1 < group; ++i)
+  {
+    text.OrderTies += Pair("ORDER_SLOTS_TIE", i, i + 1);
+  }
+  text.OrderTieOfGroups = Pair("ORDER_SLOTS_TIE", group - 1, group);
+  text.Blend = ForEach("BLEND_SLOT", 0, group);
+  for (int i = 0; i + group < size; ++i)
+  {
+    text.MoveDown += Pair(move, i, i + group);
+  }
+  text.Rotate += text.MoveDown;
+  for (int i = 0; i < group; ++i)
+  {
+    text.Rotate += move + "(" + Register(size - group + i) + ", kept" + std::to_string(i) + ")\n";
+  }
+  text.MoveDown += ForEach("CLEAR_SLOT", size - group, size);
   return text;
 }
 

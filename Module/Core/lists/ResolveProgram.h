@@ -9,7 +9,7 @@
 namespace vitrine
 {
 
-/** Text for the tags of ListResolve.glsl and ListResolveSlots.glsl. */
+/** Text for the tags of ListResolve.glsl. */
 struct ResolveText
 {
   std::string Declare;
@@ -22,8 +22,23 @@ struct ResolveText
 /** Generates text for lists of up to `size` nodes, a multiple of `pageSize`. */
 ResolveText UnrollResolve(int size, int pageSize);
 
-/** Generates text for lists of up to `size` nodes whose registers hold slots (ListResolveSlots.glsl). */
-ResolveText UnrollSlotResolve(int size);
+/** Text for the tags of ListResolveSlots.glsl. Registers move up or down by a group, which the first one then is. */
+struct SlotResolveText
+{
+  std::string Declare;
+  std::string MoveUp;
+  std::string Load; ///< loads the first group
+  std::string Sort;
+  std::string FindTies;
+  std::string OrderTies;        ///< orders neighbours within the first group
+  std::string OrderTieOfGroups; ///< orders the first group's last and its next neighbour
+  std::string Rotate;           ///< moves down, and the first group up to the last one's place
+  std::string Blend;            ///< blends the first group
+  std::string MoveDown;         ///< clears the last group
+};
+
+/** Generates text for lists of up to `size` nodes, a multiple of `group`, whose registers hold slots. */
+SlotResolveText UnrollSlotResolve(int size, int group);
 
 /** Text for the tags of CompositeBlocks.glsl. */
 struct LongResolveText

@@ -12,6 +12,9 @@ namespace vitrine
 namespace
 {
 
+// Fragments that a program of slots reads at once. Eight hide the latency of memory.
+constexpr int SlotGroup = 8;
+
 struct TagText
 {
   const char* Tag;
@@ -59,7 +62,13 @@ std::string NetworkSource(int size, int pageSize)
 
 std::string SlotNetworkSource(int size)
 {
-  return Resolve(shaders::ListResolveSlots, UnrollSlotResolve(size));
+  const SlotResolveText text = UnrollSlotResolve(size, SlotGroup);
+  return "#define VITRINE_SLOT_GROUP " + std::to_string(SlotGroup) + "\n" +
+    Filled(shaders::ListResolveSlots,
+      { { "Declare", text.Declare }, { "MoveUp", text.MoveUp }, { "Load", text.Load },
+        { "Sort", text.Sort }, { "FindTies", text.FindTies }, { "OrderTies", text.OrderTies },
+        { "OrderTieOfGroups", text.OrderTieOfGroups }, { "Rotate", text.Rotate },
+        { "Blend", text.Blend }, { "MoveDown", text.MoveDown } });
 }
 
 std::string StencilMaskSource(int layers)
