@@ -429,7 +429,10 @@ std::string vtkABufferTransparencyPass::RenderInBands(
     if (problem.empty())
     {
       const vitrine::BandPlan next = planFor(capacity - capacity / BandReserve);
-      in.Bands.Regions = vitrine::CoveringBands((next.Fits ? next : plan).Bands, target.Region);
+      if (next.Fits && in.Store->ReserveCopies(static_cast<int>(next.Bands.size())))
+      {
+        in.Bands.Regions = vitrine::CoveringBands(next.Bands, target.Region);
+      }
     }
     if (problem != UnsteadyProps)
     {
