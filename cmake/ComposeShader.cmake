@@ -8,6 +8,7 @@
 # In `#line LINE STRING`, STRING numbers the files of one shader in the order of their inclusion; the
 # legend at the head of the composed text says which is which. An unknown include is an error.
 cmake_policy(SET CMP0007 NEW)
+include("${CMAKE_CURRENT_LIST_DIR}/StringLiterals.cmake")
 
 set(vitrine_files "")
 set(vitrine_text "")
@@ -75,14 +76,14 @@ string(REPLACE "@RB@" "]" vitrine_text "${vitrine_text}")
 string(REPLACE "\\;" ";" vitrine_text "${vitrine_text}")
 string(REPLACE "@BS@" "\\" vitrine_text "${vitrine_text}")
 
-# A raw string literal may hold 64 KiB at most in portable compilers; shaders stay far below.
+vitrine_literals(literals "glsl" "${vitrine_text}")
 file(WRITE "${OUTPUT}.new" "// Written by ComposeShader.cmake from ${INPUT}.
 namespace vitrine
 {
 namespace shaders
 {
 extern const char* const ${SYMBOL};
-const char* const ${SYMBOL} = R\"glsl(${vitrine_text})glsl\";
+const char* const ${SYMBOL} = ${literals};
 }
 }
 ")

@@ -4,6 +4,7 @@
 # vitrine::shaders::<name without extension>, and list the sources in OUT_SOURCES. The header, which declares all of
 # them, is written into the binary folder. Shaders and what they include are looked for in the folders, in order.
 set(_vitrine_compose_script "${CMAKE_CURRENT_LIST_DIR}/ComposeShader.cmake")
+set(_vitrine_literals_script "${CMAKE_CURRENT_LIST_DIR}/StringLiterals.cmake")
 
 function (vitrine_compose_shaders out_sources)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADER" "FOLDERS;SHADERS")
@@ -23,7 +24,7 @@ function (vitrine_compose_shaders out_sources)
       COMMAND "${CMAKE_COMMAND}"
         "-DINPUT=${shader}" "-DOUTPUT=${output}" "-DSYMBOL=${symbol}" "-DFOLDERS=${arg_FOLDERS}"
         -P "${_vitrine_compose_script}"
-      DEPENDS "${_vitrine_compose_script}" ${includes}
+      DEPENDS "${_vitrine_compose_script}" "${_vitrine_literals_script}" ${includes}
       COMMENT "Composing ${shader}"
       VERBATIM)
     list(APPEND sources "${output}")
