@@ -107,7 +107,8 @@ def compile_pipeline(device, environment, folder, program):
     if outcome.hangs:
         return Compiled(device.name, program.name, 4 * LIMIT, is_cut_off=True)
     if not time:
-        return Compiled(device.name, program.name, 0.0, error=f"status {outcome.status} {outcome.messages.strip()[-200:]}")
+        error = f"status {outcome.status} {outcome.messages.strip()[-200:]}"
+        return Compiled(device.name, program.name, 0.0, error=error)
     spills = int(told.get("Spilled VGPRs", 0)) + int(told.get("Spilled SGPRs", 0))
     return Compiled(device.name, program.name, float(time[1]), spills, f"{told.get('VGPRs', '?')} VGPRs")
 

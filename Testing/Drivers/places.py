@@ -165,7 +165,8 @@ def mesa_source():
     lists = folder / "apt"
     (lists / "state/partial").mkdir(parents=True, exist_ok=True)
     (lists / "parts").mkdir(exist_ok=True)
-    (lists / "sources.list").write_text(f"deb-src [signed-by={KEYRING}] {debian_mirror()} bookworm main\n", encoding="utf-8")
+    sources = f"deb-src [signed-by={KEYRING}] {debian_mirror()} bookworm main\n"
+    (lists / "sources.list").write_text(sources, encoding="utf-8")
     options = [
         "-o", f"Dir::Etc::SourceList={lists / 'sources.list'}", "-o", f"Dir::Etc::SourceParts={lists / 'parts'}",
         "-o", f"Dir::State::Lists={lists / 'state'}", "-o", "APT::Sandbox::User="]

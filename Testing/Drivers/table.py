@@ -199,9 +199,9 @@ def devices_section(compiled):
              sum(result.verdict == "slow" for result in results), sum(bool(result.spills) for result in results)])
     yield from rows(["device", "programs", "errors", "slowest", "above 2 s", "with spills"], lines)
     yield ""
-    yield "The worst of all methods. A length is that of the shortest list recorded that takes the program. Bold is what"
-    yield "does not fit: more than 2 s, or a spill. VGPRs and registers are those of a thread; SIMD tells the widths that"
-    yield "Intel's compiler made."
+    yield "The worst of all methods. A length is that of the shortest list recorded that takes the program. Bold are"
+    yield "more than 2 s, and spills. VGPRs and registers are those of a thread. SIMD tells the widths that Intel's"
+    yield "compiler made."
     yield ""
     yield from rows(["program, length of lists", *devices], lengths_section(compiled, devices))
     worse = [result for result in compiled if result.verdict != "ok"]
@@ -221,7 +221,8 @@ def lengths_section(compiled, devices):
         cells = []
         for device in devices:
             results = of_name.get((row, device), [])
-            worst = max(results, key=lambda result: (bool(result.error), result.spills or 0, result.seconds), default=None)
+            worst = max(
+                results, key=lambda result: (bool(result.error), result.spills or 0, result.seconds), default=None)
             if worst is None:
                 cells.append("")
                 continue
@@ -260,8 +261,8 @@ def section(run, known):
     yield ""
     yield "### Frames"
     yield ""
-    yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation. K is the"
-    yield "number of samples that `stencil-routed` routes a pass into: above 1 only where the driver routes."
+    yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation. K is"
+    yield "the number of samples that `stencil-routed` routes a pass into: above 1 only where the driver routes."
     yield ""
     yield from frames_section(run.frames)
     yield ""
