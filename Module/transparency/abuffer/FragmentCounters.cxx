@@ -3,16 +3,20 @@
 #include "gl/MemoryBarriers.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace vitrine
 {
 namespace
 {
 
+// The free pages are not copied. They come last, and take most of the counters.
+constexpr std::size_t StatisticsSize = offsetof(VitrineCounters, NextPage);
+
 // The copy of the counters, and of a word of another buffer.
 struct CopiedCounters
 {
-  VitrineCounters Counters;
+  uint Statistics[StatisticsSize / sizeof(uint)];
   uint Room;
 };
 
@@ -20,7 +24,8 @@ constexpr std::int64_t CopySize = sizeof(CopiedCounters);
 
 FragmentStatistics StatisticsOf(const CopiedCounters& copied)
 {
-  const VitrineCounters& counters = copied.Counters;
+  VitrineCounters counters;
+  std::memcpy(&counters, copied.Statistics, StatisticsSize);
   FragmentStatistics statistics;
   statistics.LayersMax = counters.LayersMax;
   statistics.CoveredPixels = counters.CoveredPixels;
@@ -77,7 +82,7 @@ bool FragmentCounters::ReserveCopies(int count)
 void FragmentCounters::Copy(int copy)
 {
   BarrierBeforeReadingBuffers();
-  this->Copied.CopyFrom(this->Counters, 0, copy * CopySize, sizeof(VitrineCounters));
+  this->Copied.CopyFrom(this->Counters, 0, copy * CopySize, std::int64_t(StatisticsSize));
 }
 
 void FragmentCounters::CopyRoom(const Buffer& buffer, std::int64_t offset, int copy)

@@ -176,6 +176,13 @@ std::string vtkABufferTransparencyPass::FindMissingFeature(vtkOpenGLRenderWindow
 }
 
 //------------------------------------------------------------------------------
+// Stencil routing has no tolerance for coincidence, whose picture is another one.
+std::string vtkABufferTransparencyPass::GetSubstituteName()
+{
+  return this->GetTolerance().IsOn() ? std::string() : "stencil-routed";
+}
+
+//------------------------------------------------------------------------------
 vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
 {
   vitrine::FillShader fill;

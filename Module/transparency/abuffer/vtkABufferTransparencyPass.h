@@ -142,6 +142,7 @@ protected:
   vitrine::FillShader GetFillShader() override;
   void SetFillParameters(vtkShaderProgram* program) override;
   std::string FindMissingFeature(vtkOpenGLRenderWindow* window) override;
+  std::string GetSubstituteName() override;
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   void RenderNothing() override;

@@ -103,6 +103,7 @@ vtkTransparencyPass* vtkTransparencyPass::NewMethod(const std::string& name)
 struct vtkTransparencyPass::Internals
 {
   vitrine::HeldContext Context;
+  vtkSmartPointer<vtkTransparencyPass> Substitute; // Draws where a feature is missing; else null.
   vtkNew<vtkOrderIndependentTranslucentPass> Fallback;
   vtkNew<vtkTranslucentPass> FallbackGeometry;
   std::string FallbackReason;
@@ -203,6 +204,10 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
 
   vtkOpenGLClearErrorMacro();
   this->UseWindow(s->GetRenderer()->GetRenderWindow());
+  if (this->RenderSubstitute(s))
+  {
+    return;
+  }
   this->Private->Timer.BeginFrame();
   {
     const vitrine::KnownLimits::InUse limits(this->Private->Context.Limits());
@@ -295,6 +300,46 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
   }
   in.OpaqueDepth.EndFrame();
   return failure;
+}
+
+//------------------------------------------------------------------------------
+// Returns false if this method or VTK's own draws the frame.
+bool vtkTransparencyPass::RenderSubstitute(const vtkRenderState* s)
+{
+  Internals& in = *this->Private;
+  const std::string name = in.MissingFeature.empty() ? std::string() : this->GetSubstituteName();
+  if (name.empty())
+  {
+    return false;
+  }
+  if (!in.Substitute)
+  {
+    in.Substitute.TakeReference(vitrine::TransparencyMethods().at(name).New());
+  }
+  in.Substitute->Render(s);
+  this->TakeStatistics(in.Substitute);
+  const std::string reason = in.Substitute->GetFallbackReason();
+  in.FallbackReason =
+    in.MissingFeature + (reason.empty() ? "; " + name + " draws in its place" : "; " + reason);
+  if (reason.empty() && in.Reported.insert(in.FallbackReason).second)
+  {
+    vtkWarningMacro(<< this->GetMethodName() << " cannot draw here: " << in.FallbackReason
+                    << ", which is exact too.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::TakeStatistics(vtkTransparencyPass* other)
+{
+  this->NumberOfRenderedProps = other->GetNumberOfRenderedProps();
+  this->NumberOfFragments = other->GetNumberOfFragments();
+  this->NumberOfLostFragments = other->GetNumberOfLostFragments();
+  this->NumberOfSaturatedPixels = other->GetNumberOfSaturatedPixels();
+  this->MaximumNumberOfLayers = other->GetMaximumNumberOfLayers();
+  this->MeanNumberOfLayers = other->GetMeanNumberOfLayers();
+  this->NumberOfGeometryPasses = other->GetNumberOfGeometryPasses();
+  this->Bytes = other->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -456,6 +501,10 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Private;
   in.Fallback->ReleaseGraphicsResources(window);
+  if (in.Substitute)
+  {
+    in.Substitute->ReleaseGraphicsResources(window);
+  }
   if (in.Context.LivesIn(window))
   {
     in.OpaqueDepth.Release();

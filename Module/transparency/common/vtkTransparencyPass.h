@@ -24,8 +24,9 @@
  * Fragments that a mapper blends by GL_SRC_ALPHA, GL_ONE are added to what is behind them and hide nothing. Emissive
  * splats of vtkPointGaussianMapper are an example.
  *
- * If the driver lacks a feature that the method needs, the pass raises one error and draws by
- * vtkOrderIndependentTranslucentPass, which is not exact. GetFallbackReason() tells the reason.
+ * If the driver lacks a feature that linked lists or prefix sums need, vtkStencilRoutedTransparencyPass draws in their
+ * place, which is exact too, and the pass raises one warning. Otherwise the pass raises one error and draws by
+ * vtkOrderIndependentTranslucentPass, which is not exact. GetFallbackReason() tells the reason in either case.
  *
  * A pass holds GPU memory for one render window at a time. Each window should have passes of its own.
  *
@@ -212,6 +213,12 @@ protected:
   virtual std::string FindMissingFeature(vtkOpenGLRenderWindow* window) = 0;
 
   /**
+   * Get the name of the exact method that draws in place of this one in a context that lacks a feature. The string is
+   * empty if there is none.
+   */
+  virtual std::string GetSubstituteName() { return {}; }
+
+  /**
    * Draw the frame into a target. Returns an empty string, or the reason why the frame cannot be drawn. Then the
    * fallback draws it.
    */
@@ -292,6 +299,8 @@ private:
   void LeaveWindow();
   void ForgetResources();
   std::string RenderExactly(const vtkRenderState* s);
+  bool RenderSubstitute(const vtkRenderState* s);
+  void TakeStatistics(vtkTransparencyPass* other);
   void RenderFallback(const vtkRenderState* s, const std::string& reason);
 
   struct Internals;
