@@ -271,7 +271,7 @@ class Stats:
     layers_max is the largest number of fragments in a pixel, layers_mean the mean over pixels that have any.
     geometry_passes is how often the geometry was drawn, the largest of all renderers.
 
-    fallback_reason says why VTK's own way replaced the method. lights_reason says why VTK's mappers did the lighting.
+    fallback_reason says why another way replaced the method. lights_reason says why VTK's mappers did the lighting.
     set_aside says which passes of the renderer are left out, and why. Each is empty if there is nothing to say.
 
     lights counts the lights that were lit by clusters. drawn_parts and culled_parts are of the culler, 0 without one.
