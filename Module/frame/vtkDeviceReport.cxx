@@ -123,6 +123,13 @@ void DescribeDevice(vtkRenderWindow* window, std::ostream& os)
   os << " storage blocks of " << vitrine::LargestStorageBlock() << " bytes\n";
 }
 
+// What draws in place of a method. A reason names the other exact method, or else it is VTK that draws.
+std::string VerdictOn(const std::string& reason)
+{
+  const bool namesMethod = reason.find(" draws in its place") != std::string::npos;
+  return reason.empty() ? "works" : namesMethod ? reason : "VTK's blending in its place: " + reason;
+}
+
 void DescribeMethods(Trial& trial, std::ostream& os)
 {
   std::istringstream names(vtkTransparencyPass::GetMethods());
@@ -133,8 +140,7 @@ void DescribeMethods(Trial& trial, std::ostream& os)
     frame->SetTranslucentPass(method);
     trial.Draw(frame);
     const std::string reason = frame->GetFallbackReason();
-    os << "method " << name << ": "
-       << (reason.empty() ? "works" : "VTK's blending in its place: " + reason) << "\n";
+    os << "method " << name << ": " << VerdictOn(reason) << "\n";
   }
 }
 
