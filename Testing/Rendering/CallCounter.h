@@ -15,7 +15,7 @@ struct CallCounts
     0; // glGet... and glIs... of state, limits and objects, and glCheckFramebufferStatus
   int BlockingReads = 0;             // of buffers and pictures into the memory of the CPU
   int Reallocations = 0;             // of buffers and images
-  int Uploads = 0;                   // into buffers
+  int Uploads = 0;                   // into buffers, but of vertices and indices
   std::map<std::string, int> ByCall; // all of these, by function and what it is asked for
 
   /** A line for each call of ByCall. */
