@@ -259,25 +259,25 @@ def section(run, known):
     yield ""
     yield from commits_section(run.made)
     yield ""
-    yield "### Frames"
+    yield "## Frames"
     yield ""
     yield "zink on lavapipe is also run under Vulkan's validation layers, with their checks of synchronisation. K is"
     yield "the number of samples that `stencil-routed` routes a pass into: above 1 only where the driver routes."
     yield ""
     yield from frames_section(run.frames)
     yield ""
-    yield "### Compilers"
+    yield "## Compilers"
     yield ""
     yield from devices_section(run.compiled)
     yield ""
-    yield "### Front end"
+    yield "## Front end"
     yield ""
     yield from rows(
         ["shaders", "error", "result"], ([cell.driver, cell.subject, cell.detail] for cell in run.front_end))
     met = [entry for entry in known if entry.met]
     if met:
         yield ""
-        yield "### Known failures"
+        yield "## Known failures"
         yield ""
         yield from rows(
             ["where", "subject", "reason"], ([entry.driver, entry.subject, entry.reason] for entry in met))
