@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vitrine
@@ -52,8 +51,8 @@ std::string WriteTexels(Buffer& buffer, const std::vector<Item>& items, GLenum f
 
 /** Writes `items` as WriteTexels() does, unless the buffer holds the same, which `written` tells. */
 template <class Item>
-std::string WriteOtherTexels(Buffer& buffer, std::vector<Item>& written, std::vector<Item>&& items,
-  GLenum format, int texels, const std::string& what)
+std::string WriteOtherTexels(Buffer& buffer, std::vector<Item>& written,
+  const std::vector<Item>& items, GLenum format, int texels, const std::string& what)
 {
   const bool isSame = buffer.Bytes() > 0 && items.size() == written.size() &&
     (items.empty() || std::memcmp(items.data(), written.data(), items.size() * sizeof(Item)) == 0);
@@ -61,7 +60,7 @@ std::string WriteOtherTexels(Buffer& buffer, std::vector<Item>& written, std::ve
   {
     return {};
   }
-  written = std::move(items);
+  written = items;
   const std::string problem = WriteTexels(buffer, written, format, texels, what);
   if (!problem.empty())
   {

@@ -53,7 +53,7 @@ private:
   const char* Source;
   std::string Defines;
   ObjectName Name;
-  std::map<std::string, int> Locations; // Of the uniforms that were set before.
+  std::map<std::string, int> Locations; // Locations of the uniforms that were set before.
   bool Failed = false;
 };
 

@@ -10,7 +10,7 @@ namespace vitrine
 /** The extension with which a fragment shader reads the framebuffer at its own pixel. */
 inline constexpr const char* FramebufferFetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
-/** What the device of a context has. Another trait is a line here, and a word in the source file. */
+/** The features of a context's device. Another trait is a line here, and a word in the source file. */
 struct DeviceTraits
 {
   bool FramebufferFetch =

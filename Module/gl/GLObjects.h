@@ -68,7 +68,7 @@ private:
   int Height = 0;
   int Samples = 0;
   int Layers = 0;
-  std::int64_t BitsPerTexel = 0; // As the driver allocated them.
+  std::int64_t BitsPerTexel = 0; // The number that the driver allocated.
   std::uint64_t Allocation = 0;
 };
 

@@ -27,7 +27,7 @@ struct ImagesOfVTK
     const vtkTextureObject* Object = nullptr;
     std::uint64_t Time = 0; // When the object was made or changed. No two objects have the same.
     unsigned int Size[2] = {};
-    int Name = 0; // Of the image that OpenGL has attached.
+    int Name = 0; // The name of the image that OpenGL has attached.
 
     bool operator==(const Image& other) const;
   };

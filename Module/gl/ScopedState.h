@@ -24,7 +24,7 @@ namespace vitrine
 class ScopedBindingMemory
 {
 public:
-  /** What OpenGL tells of a binding: up to six values. */
+  /** The values that describe a binding, up to six. */
   using Binding = std::array<GLint64, 6>;
 
   ScopedBindingMemory();

@@ -32,7 +32,7 @@ struct SortPlan
   int RunGroup;              ///< Runs of a merge are in groups of this size.
 };
 
-/** What decides a plan. */
+/** The facts about a method and a device that decide a plan. */
 struct SortTraits
 {
   int FragmentWords = 3; ///< Words of a fragment in registers.

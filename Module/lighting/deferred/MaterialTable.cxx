@@ -85,8 +85,8 @@ int MaterialTable::NumberOf(vtkAbstractMapper* mapper, vtkProp* prop)
 
 std::string MaterialTable::Write()
 {
-  return WriteOtherTexels(this->Table, this->Written, std::vector(this->Materials), GL_RGBA32F,
-    VITRINE_MATERIAL_TEXELS, "materials");
+  return WriteOtherTexels(
+    this->Table, this->Written, this->Materials, GL_RGBA32F, VITRINE_MATERIAL_TEXELS, "materials");
 }
 
 void MaterialTable::Release()

@@ -4,8 +4,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-#include <utility>
-
 namespace vitrine
 {
 
@@ -23,12 +21,12 @@ std::string LightBuffers::Write(const std::vector<VitrineLight>& lights, const L
   {
     packed[i] = { lists.Offsets[i], lists.Offsets[i + 1] - lists.Offsets[i] };
   }
-  std::string problem = WriteOtherTexels(this->Lights, this->WrittenLights, std::vector(lights),
-    GL_RGBA32F, VITRINE_LIGHT_TEXELS, "lights");
+  std::string problem = WriteOtherTexels(
+    this->Lights, this->WrittenLights, lights, GL_RGBA32F, VITRINE_LIGHT_TEXELS, "lights");
   if (problem.empty())
   {
-    problem = WriteOtherTexels(
-      this->Lists, this->WrittenLists, std::move(packed), GL_RG32UI, 1, "lists of lights");
+    problem =
+      WriteOtherTexels(this->Lists, this->WrittenLists, packed, GL_RG32UI, 1, "lists of lights");
   }
   return problem.empty() ? this->WriteIndices(lists.Indices, lights.size()) : problem;
 }
@@ -47,8 +45,7 @@ std::string LightBuffers::WriteIndices(
   const char* const what = "lists of lights";
   if (!areShort)
   {
-    return WriteOtherTexels(
-      this->Indices, this->WrittenIndices, std::vector(indices), format, 1, what);
+    return WriteOtherTexels(this->Indices, this->WrittenIndices, indices, format, 1, what);
   }
   return WriteOtherTexels(this->Indices, this->WrittenShortIndices,
     std::vector<std::uint16_t>(indices.begin(), indices.end()), format, 1, what);
