@@ -163,7 +163,9 @@ vec3 colorOfGroup()
 
 // A network's registers are composited as if no fragments coincided, and copied to an array of VITRINE_BIN. If some do
 // coincide, the array is composited again. So the code for groups is in the program once, not for each register.
-#ifdef VITRINE_BIN
+#if defined(VITRINE_BLENDS_IN_TURN)
+#define BLEND_LIST BLEND_REST
+#elif defined(VITRINE_BIN)
 #ifndef SORTED
 #define SORTED Fragment
 #define SORTED_OF(f) f

@@ -3,6 +3,8 @@
 //
 // P. Knowles, G. Leach, F. Zambetta: Fast Sorting for Exact OIT of Complex Scenes, The Visual Computer 30 (2014):
 // sorting in registers, in bins by depth complexity.
+//
+// VITRINE_BLENDS_IN_TURN  each turn of a loop composites the first register, and moves all others down by one
 #include "ListRead.glsl"
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
@@ -40,7 +42,15 @@ void main()
 
   precise vec3 color = vec3(0.0);
   precise float transmittance = 1.0;
+#ifdef VITRINE_BLENDS_IN_TURN
+  for (int turn = 0; f0.key != NO_KEY && turn < VITRINE_BIN; ++turn)
+  {
+    BLEND_NEXT(f0)
+    //Vitrine::Advance
+  }
+#else
   //Vitrine::Blend
+#endif
   BLEND_LIST
 
   writeOver(pixel, color, transmittance);

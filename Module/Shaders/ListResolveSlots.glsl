@@ -4,6 +4,8 @@
 //
 // Nodes are read in loops over groups of VITRINE_SLOT_GROUP words, in which all words move by one group a turn. So the
 // compiler cannot fetch all nodes at once, which would take more registers than the words do.
+//
+// VITRINE_BLENDS_IN_TURN  a turn reads and composites the first node alone, and words move by one
 #include "ListRead.glsl"
 #include "CompactDepth.glsl"
 
@@ -113,8 +115,14 @@ void main()
   precise float transmittance = 1.0;
   for (uint turn = 0u; f0 != NO_WORD && turn < count; ++turn)
   {
+#ifdef VITRINE_BLENDS_IN_TURN
+    Fragment next = fragmentOf(f0);
+    BLEND_NEXT(next)
+    //Vitrine::Advance
+#else
     //Vitrine::Blend
     //Vitrine::MoveDown
+#endif
   }
   BLEND_LIST
 

@@ -178,6 +178,7 @@ bool sameFragment(Fragment a, Fragment b)
 #endif
 
 #define DECLARE(f) Fragment f;
+#define MOVE(to, from) to = from;
 #ifdef VITRINE_FLOAT_KEYS
 #define CLEAR(f) f.key = NO_KEY; f.color = NO_COLOR;
 #else
@@ -229,7 +230,7 @@ bool sameFragment(Fragment a, Fragment b)
   }
 
 // BLEND composites the fragment of a register, and BLEND_LIST completes all registers. BLEND_NEXT composites the next
-// fragment of a list, and BLEND_REST completes the list.
+// fragment of a list, and BLEND_REST completes the list. With VITRINE_BLENDS_IN_TURN, BLEND_LIST is that, too.
 #ifdef VITRINE_COINCIDENCE
 #include "CoincidentGroup.glsl"
 #else

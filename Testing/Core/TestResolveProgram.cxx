@@ -150,6 +150,21 @@ TEST_P(ShortResolve, OrdersTiesInAsManyRoundsAsItTakes)
   EXPECT_LT(rounds, GetParam());
 }
 
+TEST_P(ShortResolve, AdvancesRegistersByOne)
+{
+  std::vector<int> registers(GetParam());
+  std::iota(registers.begin(), registers.end(), 0);
+  for (const Call& call : Calls(vitrine::UnrollResolve(GetParam(), 1).Advance))
+  {
+    const bool clears = call.Macro == "CLEAR";
+    registers.at(call.Number(0)) = clears ? -1 : registers.at(call.Number(1));
+  }
+  std::vector<int> expected(GetParam());
+  std::iota(expected.begin(), expected.end(), 1);
+  expected.back() = -1;
+  EXPECT_EQ(registers, expected);
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Bins, ShortResolve, testing::Values(8, 16, 24, 32, 48, 64), testing::PrintToStringParamName());
 
@@ -193,6 +208,11 @@ TEST(SlotResolve, MovesRegistersByAGroup)
     MoveSlots(text.MoveDown, down);
     EXPECT_TRUE(std::equal(ascending.begin() + group, ascending.end(), down.begin()));
     EXPECT_EQ(std::count(down.begin(), down.end(), -1), group);
+
+    std::vector<int> advanced = ascending;
+    MoveSlots(text.Advance, advanced);
+    EXPECT_TRUE(std::equal(ascending.begin() + 1, ascending.end(), advanced.begin()));
+    EXPECT_EQ(advanced.back(), -1);
 
     std::vector<int> rotated = ascending;
     for (int turn = 0; turn < size / group; ++turn)

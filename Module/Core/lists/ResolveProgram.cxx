@@ -56,6 +56,17 @@ std::string ForEachSlot(
   return text;
 }
 
+// Returns text that moves each register down by one, and clears the last.
+std::string MoveDownByOne(const std::string& move, const std::string& clear, int size)
+{
+  std::string text;
+  for (int i = 0; i + 1 < size; ++i)
+  {
+    text += Pair(move, i, i + 1);
+  }
+  return text + ForEach(clear, size - 1, size);
+}
+
 // Returns one round of odd-even transposition, which visits each pair of neighbours once.
 std::string NeighbourPairs(const std::string& macro, int size)
 {
@@ -120,6 +131,7 @@ ResolveText UnrollResolve(int size, int pageSize)
   text.Sort = EmitGlsl(BestKnownNetwork(size), "COMPARE_EXCHANGE", "f");
   text.OrderTies = NeighbourPairs("ORDER_TIE", size);
   text.Blend = ForEach("BLEND", 0, size);
+  text.Advance = MoveDownByOne("MOVE", "CLEAR", size);
   return text;
 }
 
@@ -159,6 +171,7 @@ SlotResolveText UnrollSlotResolve(int size, int group)
     text.Rotate += move + "(" + Register(size - group + i) + ", kept" + std::to_string(i) + ")\n";
   }
   text.MoveDown += ForEach("CLEAR_SLOT", size - group, size);
+  text.Advance = MoveDownByOne(move, "CLEAR_SLOT", size);
   return text;
 }
 

@@ -17,6 +17,7 @@ struct ResolveText
   std::string Sort;
   std::string OrderTies;
   std::string Blend;
+  std::string Advance; ///< moves registers down by one, and clears the last
 };
 
 /** Generates text for lists of up to `size` nodes, a multiple of `pageSize`. */
@@ -35,6 +36,7 @@ struct SlotResolveText
   std::string Rotate;           ///< moves down, and the first group up to the last one's place
   std::string Blend;            ///< blends the first group
   std::string MoveDown;         ///< clears the last group
+  std::string Advance;          ///< moves registers down by one, and clears the last
 };
 
 /** Generates text for lists of up to `size` nodes, a multiple of `group`, whose registers hold slots. */

@@ -21,21 +21,27 @@ struct SortBin
 {
   int Limit; ///< Length of the longest list. The last bin of a plan has no limit.
   ListSort Sort;
-  int Size; ///< Fragments that one network sorts, or number of runs that are merged.
+  int Size;    ///< Fragments that one network sorts, or number of runs that are merged.
+  int RunSize; ///< Fragments of a run, or of a block of a longer run. 0 for networks.
 };
 
 struct SortPlan
 {
   std::vector<SortBin> Bins; ///< By ascending limits.
-  int RunSize;               ///< Fragments of a run, or of a block of a longer run.
   int MaximumRuns;           ///< Longer lists have longer runs.
   int RunGroup;              ///< Runs of a merge are in groups of this size.
+  /**
+   * Programs of networks composite one register after the other in a loop. So the code for coincident fragments is in
+   * the program once, and no array is needed for it.
+   */
+  bool BlendsInTurn;
 };
 
 /** The facts about a method and a device that decide a plan. */
 struct SortTraits
 {
-  int FragmentWords = 3; ///< Words of a fragment in registers.
+  int FragmentWords = 3; ///< Words of a fragment in the registers of a network.
+  int RunWords = 3;      ///< Words of a fragment in the registers of programs for runs.
   bool HasSlots =
     false; ///< The fragments of a list are successive nodes, so that a slot names one.
   /**
@@ -43,6 +49,8 @@ struct SortTraits
    * no such bound: they keep registers in memory that is cached.
    */
   bool HasFewRegisters = false;
+  bool HasTolerance =
+    false; ///< Fragments that coincide are composited as a group, which takes registers.
 };
 
 /** A slot takes the low bits of a word, and the depth the others. */

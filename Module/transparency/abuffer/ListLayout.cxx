@@ -52,16 +52,20 @@ std::vector<std::string> ListLayout::Defines() const
 
 int ListLayout::NodeBytes() const
 {
+  return this->NodeWords() * static_cast<int>(sizeof(std::uint32_t));
+}
+
+int ListLayout::NodeWords() const
+{
   const bool hasExtra = this->Samples > 0 || this->Coincidence;
-  const int words = 1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (hasExtra ? 1 : 0);
-  return words * static_cast<int>(sizeof(std::uint32_t));
+  return 1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (hasExtra ? 1 : 0);
 }
 
 // A network takes the fragments of one sample, so their coverage is not in registers.
 int ListLayout::FragmentWords() const
 {
   const bool hasCoverageOnly = this->Samples > 0 && !this->Coincidence;
-  return this->NodeBytes() / static_cast<int>(sizeof(std::uint32_t)) - (hasCoverageOnly ? 1 : 0);
+  return this->NodeWords() - (hasCoverageOnly ? 1 : 0);
 }
 
 }

@@ -37,6 +37,9 @@ struct ListLayout
   /** Bytes of a node: 8, 12 or 16. */
   int NodeBytes() const;
 
+  /** 32-bit words of a node. The registers of programs for runs hold as many. */
+  int NodeWords() const;
+
   /** Words of a fragment in the registers of a network (Shaders/Registers.glsl). */
   int FragmentWords() const;
 };

@@ -42,18 +42,19 @@ std::string BinLimitList(const SortPlan& plan)
 
 SortPlan PlanOf(const ListLayout& layout)
 {
-  return PlanSort({ layout.FragmentWords(), layout.Packed, !layout.IsSoftware });
+  return PlanSort({ layout.FragmentWords(), layout.NodeWords(), layout.Packed, !layout.IsSoftware,
+    layout.Coincidence });
 }
 
-std::vector<std::string> RunDefines(const ListLayout& layout, const SortPlan& plan)
+std::vector<std::string> RunDefines(
+  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
   std::vector<std::string> defines = layout.Defines();
-  defines.push_back("VITRINE_RUN_PAGES " + std::to_string(plan.RunSize / layout.PageSize));
+  defines.push_back("VITRINE_RUN_PAGES " + std::to_string(bin.RunSize / layout.PageSize));
   defines.push_back("VITRINE_MAX_RUNS " + std::to_string(plan.MaximumRuns));
   return defines;
 }
 
-// Runs of one block and longer ones are merged by the same program.
 std::string ResolveName(const SortBin& bin)
 {
   const char* const kind = MergesRuns(bin) ? "merge "
@@ -67,10 +68,14 @@ std::vector<std::string> ResolveDefines(
 {
   if (MergesRuns(bin))
   {
-    return RunDefines(layout, plan);
+    return RunDefines(layout, plan, bin);
   }
   std::vector<std::string> defines = layout.Defines();
   defines.push_back("VITRINE_BIN " + std::to_string(bin.Size));
+  if (plan.BlendsInTurn)
+  {
+    defines.emplace_back("VITRINE_BLENDS_IN_TURN");
+  }
   return defines;
 }
 
@@ -285,11 +290,11 @@ vtkShaderProgram* ListResolver::ReadySortRuns(
 {
   const bool longRuns = bin.Sort == ListSort::LongRuns;
   return this->Programs.Ready(window, longRuns ? "sort long runs" : "sort runs",
-    RunDefines(layout, plan), shaders::TileQuadVertex,
+    RunDefines(layout, plan, bin), shaders::TileQuadVertex,
     [&]
     {
-      return longRuns ? SortLongRunsSource(plan.RunSize, layout.PageSize)
-                      : SortRunsSource(plan.RunSize, layout.PageSize);
+      return longRuns ? SortLongRunsSource(bin.RunSize, layout.PageSize)
+                      : SortRunsSource(bin.RunSize, layout.PageSize);
     });
 }
 

@@ -57,7 +57,8 @@ std::string Resolve(const char* source, const ResolveText& text)
 
 std::string NetworkSource(int size, int pageSize)
 {
-  return Resolve(shaders::ListResolve, UnrollResolve(size, pageSize));
+  const ResolveText text = UnrollResolve(size, pageSize);
+  return Filled(Resolve(shaders::ListResolve, text), { { "Advance", text.Advance } });
 }
 
 std::string SlotNetworkSource(int size)
@@ -68,7 +69,7 @@ std::string SlotNetworkSource(int size)
       { { "Declare", text.Declare }, { "MoveUp", text.MoveUp }, { "Load", text.Load },
         { "Sort", text.Sort }, { "FindTies", text.FindTies }, { "OrderTies", text.OrderTies },
         { "OrderTieOfGroups", text.OrderTieOfGroups }, { "Rotate", text.Rotate },
-        { "Blend", text.Blend }, { "MoveDown", text.MoveDown } });
+        { "Blend", text.Blend }, { "MoveDown", text.MoveDown }, { "Advance", text.Advance } });
 }
 
 std::string StencilMaskSource(int layers)
