@@ -19,6 +19,9 @@ LENGTHS = (4, 8, 12, 16, 24, 32, 48, 64, 100, 300, 1100, 3000)
 LISTS = (
     "linked-list", "linked-list-compact", "linked-list-8bit", "prefix-sum", "prefix-sum-compact", "prefix-sum-8bit",
     "prefix-sum-predicted", "prefix-sum-predicted-compact")
+# Fragments with samples or a tolerance have a word more, so some of their lists take other programs.
+VARIED = ("linked-list", "linked-list-compact", "prefix-sum", "prefix-sum-compact")
+VARIED_LENGTHS = (16, 32, 64, 100)
 STENCILS = ("stencil-mask-4", "stencil-mask-8", "stencil-mask-16", "stencil-routed", "stencil-routed-8bit")
 SMALL = ("--size", "32x32", "--frames", "2")
 LIST = (*SMALL, "--without-truth", "--methods")
@@ -47,6 +50,11 @@ def runs(fast):
         yield f"{method}, 4 samples", (*spheres, "--multisamples", "4", *LIST, method)
         yield f"{method}, coincidence", (*spheres, "--coincidence", "2", *LIST, method)
         yield f"{method}, impostors", ("compare", "demo:impostors", *LIST, method)
+    for length in VARIED_LENGTHS:
+        stack = ("compare", f"demo:stack,layers={length}")
+        for method in VARIED:
+            yield f"{method}, 4 samples, {length}", (*stack, "--multisamples", "4", *LIST, method)
+            yield f"{method}, coincidence, {length}", (*stack, "--coincidence", "2", *LIST, method)
     for method in STENCILS:
         yield method, (*spheres, *LIST, method)
     for mode in LIGHT_MODES.split(","):
