@@ -8,6 +8,8 @@
 
 #include "study/faces/FaceScan.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -251,7 +253,7 @@ Polygon RandomPolygon(Random& random, const DepthOf& depthOf)
   Polygon polygon;
   for (unsigned i = 0; i < corners; ++i)
   {
-    const double angle = turn + way * 2.0 * M_PI * i / corners;
+    const double angle = turn + way * glm::two_pi<double>() * i / corners;
     const double x = column + wide * std::cos(angle) + 0.3 * high * std::sin(angle);
     const double y = line + high * std::sin(angle);
     polygon.push_back(At(x, y, depthOf(x, y)));
@@ -316,12 +318,13 @@ inline FaceScene MeshesApart(int count, Random& random)
       const glm::dvec3 onScreen = middle + half * point;
       return At(onScreen.x, onScreen.y, onScreen.z);
     };
-    std::vector<ScreenPoint> points{ place(0.0, 0.0), place(M_PI, 0.0) };
+    std::vector<ScreenPoint> points{ place(0.0, 0.0), place(glm::pi<double>(), 0.0) };
     for (std::uint32_t ring = 1; ring < rings; ++ring)
     {
       for (std::uint32_t j = 0; j < around; ++j)
       {
-        points.push_back(place(M_PI * ring / rings, 2.0 * M_PI * j / around));
+        points.push_back(
+          place(glm::pi<double>() * ring / rings, glm::two_pi<double>() * j / around));
       }
     }
     const auto number = [&](std::uint32_t ring, std::uint32_t j) {

@@ -9,6 +9,7 @@
 #include "Core/culling/screen/MeshProjection.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -150,8 +151,10 @@ inline Triangles BallOf(int around, int rings, double leastRadius, Random& rando
     for (int i = 0; i < around; ++i)
     {
       const bool isPole = ring == 0 || ring == rings;
-      const double height = ring == 0 ? 0.0 : ring == rings ? M_PI : M_PI * ring / rings;
-      const double turn = isPole ? 0.0 : 2.0 * M_PI * i / around;
+      const double height = ring == 0 ? 0.0
+        : ring == rings               ? glm::pi<double>()
+                                      : glm::pi<double>() * ring / rings;
+      const double turn = isPole ? 0.0 : glm::two_pi<double>() * i / around;
       const double radius = isPole ? 1.0 : random.Between(leastRadius, 1.0);
       points.push_back(radius *
         glm::dvec3(
@@ -195,7 +198,7 @@ inline Triangles FanOf(int count, Random& random)
   std::vector<glm::dvec3> rim;
   for (int i = 0; i < count; ++i)
   {
-    const double turn = 2.0 * M_PI * i / count;
+    const double turn = glm::two_pi<double>() * i / count;
     rim.emplace_back(std::cos(turn), std::sin(turn), random.Between(-0.2, 0.2));
   }
   const glm::dvec3 hub = random.Point(-0.9, 0.9) * glm::dvec3(0.7, 0.7, 0.2);

@@ -3,6 +3,7 @@
 #include "CoverageSubjects.h"
 #include "CoverageWays.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -169,7 +170,7 @@ TEST_P(CoverageIsTrue, OfLongSlimFaces)
     SCOPED_TRACE(seed);
     Random random(seed);
     const double length = std::pow(10.0, random.Between(1.0, 5.5));
-    const double turn = random.Between(0.0, 2.0 * M_PI);
+    const double turn = random.Between(0.0, glm::two_pi<double>());
     const glm::dvec3 along(length * std::cos(turn), length * std::sin(turn), 0.0);
     const glm::dvec3 aside = random.Between(0.8, 6.0) * glm::dvec3(-along.y, along.x, 0.0) / length;
     const glm::dvec3 middle(20.0, 10.0, 0.5);

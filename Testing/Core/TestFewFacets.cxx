@@ -2,6 +2,7 @@
 
 #include "FewFacetsScenes.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -263,8 +264,10 @@ TEST(FewFacets, AreNotThoseOfMeshesOfMorePointsOrFacets)
   Triangles hexagon;
   for (int i = 1; i + 1 < 6; ++i)
   {
-    const auto at = [](int k)
-    { return glm::dvec3(std::cos(k * M_PI / 3), std::sin(k * M_PI / 3), 0); };
+    const auto at = [](int k) {
+      return glm::dvec3(
+        std::cos(k * glm::pi<double>() / 3), std::sin(k * glm::pi<double>() / 3), 0);
+    };
     hexagon.Add(at(0), at(i), at(i + 1));
   }
   EXPECT_FALSE(AreFewOf(hexagon)) << "a facet of six corners";

@@ -3,6 +3,7 @@
 #include "FewFacetsScenes.h"
 #include "PartScenes.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -203,7 +204,7 @@ TEST(FewFacetsOfParts, OfAFlatTetrahedronSeenFromItsEdgeHideNothingBesideIt)
       std::rotate(flat.Corners.begin(), flat.Corners.begin() + 3, flat.Corners.end());
     }
     fewOnes += flat.Mesh().Few() != nullptr;
-    const double turn = 0.5 * M_PI * (kind / 2 % 4);
+    const double turn = glm::half_pi<double>() * (kind / 2 % 4);
     const glm::dvec3 along(std::cos(turn), std::sin(turn), 0.0);
     const glm::dvec3 middle(5.0, 5.0, 0.0), up(-along.y, along.x, 1.0);
     View view = coverage::AheadView(true);

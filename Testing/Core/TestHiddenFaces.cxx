@@ -5,6 +5,7 @@
 
 #include "Core/culling/hidden/HiddenFaces.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -90,7 +91,7 @@ Triangles TubeOf(double radius, double from, double to)
   return coverage::GridOf(24, 1,
     [&](double u, double v)
     {
-      const double angle = 2.0 * M_PI * u;
+      const double angle = glm::two_pi<double>() * u;
       return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), from + v * (to - from));
     });
 }

@@ -4,6 +4,7 @@
 
 #include "Core/culling/hidden/BoxesHidden.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,7 +98,8 @@ Triangles WallAboveDiagonal(double offset)
 glm::dmat4 AlongDiagonal(double half)
 {
   const glm::dmat4 away = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -40));
-  return glm::scale(glm::rotate(away, M_PI / 4.0, glm::dvec3(0, 0, 1)), glm::dvec3(half));
+  return glm::scale(
+    glm::rotate(away, glm::pi<double>() / 4.0, glm::dvec3(0, 0, 1)), glm::dvec3(half));
 }
 
 /**

@@ -3,6 +3,7 @@
 #include "CoveredScreen.h"
 #include "DeviceFaces.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ View FromTheOrigin(double nearest)
   view.Lines = WideLines;
   view.IsParallel = false;
   view.Eye = glm::dvec3(0.0);
-  view.ToClip = glm::perspective(0.5 * M_PI, 2.0, nearest, Farthest);
+  view.ToClip = glm::perspective(glm::half_pi<double>(), 2.0, nearest, Farthest);
   return view;
 }
 

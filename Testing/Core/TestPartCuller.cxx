@@ -1,6 +1,7 @@
 #include "NonFinite.h"
 #include "PartScenes.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -200,7 +201,7 @@ TEST(PartCuller, BackFacesHideWhereTheyAreDrawn)
     SCOPED_TRACE(hasBackFaces);
     PartScene scene;
     const std::uint32_t wall =
-      scene.Add(WallAt(20.0), glm::rotate(glm::dmat4(1.0), M_PI, glm::dvec3(0, 1, 0)));
+      scene.Add(WallAt(20.0), glm::rotate(glm::dmat4(1.0), glm::pi<double>(), glm::dvec3(0, 1, 0)));
     const std::uint32_t behind = scene.AddBox({ -1, -1, -32 }, { 1, 1, -30 });
     scene.Parts[wall].HasBackFaces = hasBackFaces;
     CullAhead(scene, false);

@@ -123,7 +123,7 @@ public:
       (this->PerColumn > 0.0f ? ~LaneMask{} : LaneMask{});
     const LaneMask most = LaneMask{} + std::numeric_limits<std::int32_t>::max();
     return { isKnown & this->CountUpTo(from - NearlyThere),
-      isKnown ? this->CountUpTo(to + NearlyThere) : most };
+      Chosen(isKnown, this->CountUpTo(to + NearlyThere), most) };
   }
 
   /**
@@ -148,7 +148,7 @@ private:
   {
     const Lanes onScreen =
       GreatestOf(LeastOf(place, AllLanes(this->FarthestPlace)), AllLanes(0.0f));
-    return __builtin_convertvector(onScreen * this->PerColumn + Offset, LaneMask);
+    return Converted<LaneMask>(onScreen * this->PerColumn + Offset);
   }
 
   SampleGrid(int perColumn, int perPixel, bool hasOneSample)

@@ -2,6 +2,8 @@
 
 #include "Core/lighting/LightScatter.h"
 
+#include "Core/geometry/Bits.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -39,7 +41,7 @@ void LightScatter::Append(const std::vector<LightVolume>& volumes, std::size_t f
       marked != 0 ? marked & this->Filter.MayReach(volumes.data() + block, count) : 0;
     for (; bits != 0; bits &= bits - 1)
     {
-      const std::size_t light = block + static_cast<std::size_t>(__builtin_ctzll(bits));
+      const std::size_t light = block + static_cast<std::size_t>(LowestBit(bits));
       this->AppendLight(static_cast<std::uint32_t>(light), volumes[light], runs);
     }
   }

@@ -46,7 +46,7 @@ std::size_t LightMarks::Count() const
   std::size_t count = 0;
   for (const std::uint64_t word : this->Words)
   {
-    count += static_cast<std::size_t>(__builtin_popcountll(word));
+    count += static_cast<std::size_t>(CountBits(word));
   }
   return count;
 }

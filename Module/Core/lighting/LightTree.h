@@ -4,6 +4,7 @@
 #ifndef VITRINE_CORE_LIGHTING_LIGHT_TREE_H
 #define VITRINE_CORE_LIGHTING_LIGHT_TREE_H
 
+#include "Core/geometry/Bits.h"
 #include "Core/geometry/BoxLanes.h"
 #include "Core/lighting/LightVolume.h"
 #include "Core/lighting/LinklessTree.h"
@@ -101,7 +102,7 @@ void LightTree::Walk(const Visit& visit, const Test& test) const
       unsigned bits = test(this->Nodes[this->Shape.IndexOf(place)]);
       for (; place.Level == 0 && bits != 0; bits &= bits - 1)
       {
-        visit(this->Order[place.ChildAt(static_cast<std::size_t>(__builtin_ctz(bits)))]);
+        visit(this->Order[place.ChildAt(static_cast<std::size_t>(LowestBit(bits)))]);
       }
       return bits;
     });

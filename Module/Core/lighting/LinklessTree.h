@@ -1,6 +1,8 @@
 #ifndef VITRINE_CORE_LIGHTING_LINKLESS_TREE_H
 #define VITRINE_CORE_LIGHTING_LINKLESS_TREE_H
 
+#include "Core/geometry/Bits.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -75,7 +77,7 @@ public:
       for (unsigned bits = look(place); bits != 0; bits &= bits - 1)
       {
         stack.push_back(
-          { place.Level - 1, place.ChildAt(static_cast<std::size_t>(__builtin_ctz(bits))) });
+          { place.Level - 1, place.ChildAt(static_cast<std::size_t>(LowestBit(bits))) });
       }
     }
   }

@@ -120,7 +120,7 @@ inline std::uint8_t OctreeCell::OctantsFor(const Box& box) const
   const unsigned sides = (BitsOf(lows < centre) & 7u) | (BitsOf(highs >= centreOfHighs) & 14u) << 2;
   const unsigned octants = detail::OctantsBySides.Octants[sides];
 
-  const HalfLanes size = highs - __builtin_shufflevector(lows, lows, 0, 0, 1, 2);
+  const HalfLanes size = highs - Shuffled<0, 0, 1, 2>(lows);
   const unsigned isLong = (BitsOf(size > HalfLanes{} + 2 * this->Half) & 14u) != 0;
   const unsigned isSeveral = unsigned{ (octants & (octants - 1)) != 0 };
   return static_cast<std::uint8_t>(octants & ((isLong & isSeveral) - 1u));

@@ -132,8 +132,8 @@ unsigned SampleDepths::FindOpen(int line, const float* left, const float* right,
 {
   const Lanes lefts = LoadLanes(left), rights = LoadLanes(right);
   const LaneMask isAsked = lefts <= rights;
-  const float first = LeastLane(isAsked ? lefts : AllLanes(this->ColumnCount));
-  const float last = GreatestLane(isAsked ? rights : AllLanes(0.0f));
+  const float first = LeastLane(Chosen(isAsked, lefts, AllLanes(this->ColumnCount)));
+  const float last = GreatestLane(Chosen(isAsked, rights, AllLanes(0.0f)));
   const Range range = this->Between(std::min(std::max(first, 0.0f), this->ColumnCount),
     std::min(std::max(last, 0.0f), this->ColumnCount));
   const Lanes nearest = AllLanes(segments.Nearest), start = LoadLanes(segments.Depths);

@@ -109,8 +109,8 @@ public:
       std::uint32_t* const owners = &this->Faces[this->At(i, line)];
       const Lanes old = LoadLanes(depths), depth = depthAt(place);
       const LaneMask isNearer = (left <= place) & (right >= place) & (depth > old);
-      StoreLanes(isNearer ? depth : old, depths);
-      StoreMask(isNearer ? faces : LoadMask(owners), owners);
+      StoreLanes(Chosen(isNearer, depth, old), depths);
+      StoreMask(Chosen(isNearer, faces, LoadMask(owners)), owners);
       hasChanged |= isNearer;
     }
     const bool isKept = BitsOf(hasChanged) != 0;

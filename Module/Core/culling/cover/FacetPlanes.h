@@ -100,7 +100,7 @@ public:
     this->Counted = corners.Facing(facing);
     this->FindPlanes(corners, slopes, margin, frame);
     const Lanes farthest = corners.LeastOfAll(&PointLanes::Depth) - margin.Depth - slopes.Beyond;
-    this->Farthest = LeastLane(LaneBits(this->Counted) ? farthest : AllLanes(BeforeAll));
+    this->Farthest = LeastLane(Chosen(LaneBits(this->Counted), farthest, AllLanes(BeforeAll)));
     if (this->Steady != this->Counted)
     {
       this->FindPlaces(corners, farthest, margin, frame);
@@ -139,7 +139,7 @@ public:
       const bool isBeside = x < this->Left[i] || x > this->Right[i];
       const LaneMask isThere = (this->Y >= this->Bottom[i]) & (this->Y <= this->Top[i]);
       const float farthest = isBeside ? BeforeAll : this->FarthestOf[i];
-      depth = LeastOf(isThere ? AllLanes(farthest) : AllLanes(BeforeAll), depth);
+      depth = LeastOf(Chosen(isThere, AllLanes(farthest), AllLanes(BeforeAll)), depth);
     }
     return GreatestOf(depth, AllLanes(this->Farthest));
   }

@@ -46,12 +46,12 @@ std::optional<std::size_t> FewFacetsCoverage::Insert(SBuffer& buffer, const FewF
       (y <= AllLanes(frame.Height())) & (left <= right) & (left <= frame.Width()) & (right >= 0.0f);
     left = GreatestOf(left + frame.Left, AllLanes(frame.Left));
     right = LeastOf(right + frame.Left, AllLanes(frame.Right));
-    buffer.InsertLines(first, isThere ? left : AllLanes(BeyondAll),
-      isThere ? right : AllLanes(-BeyondAll), part,
+    buffer.InsertLines(first, Chosen(isThere, left, AllLanes(BeyondAll)),
+      Chosen(isThere, right, AllLanes(-BeyondAll)), part,
       [&](float column) VITRINE_INLINED
       {
         const Lanes depth = planes.DepthsAt(column - frame.Left);
-        return depth < FacetPlanes::BeforeAll ? depth : AllLanes(SampleDepths::NotCovered);
+        return Chosen(depth < FacetPlanes::BeforeAll, depth, AllLanes(SampleDepths::NotCovered));
       });
   }
   return std::size_t{ LaneCount } + static_cast<std::size_t>(frame.Lines.Last - frame.Lines.First);

@@ -31,15 +31,15 @@ struct HalfPlanes
   VITRINE_INLINE HalfPlanes(const PointLanes& from, const PointLanes& to, LaneMask isForward,
     const ScreenMargin& moved, const FewFacetsFrame& frame)
   {
-    const Lanes rise = isForward ? from.Y - to.Y : to.Y - from.Y;
+    const Lanes rise = Chosen(isForward, from.Y - to.Y, to.Y - from.Y);
     const LaneMask isLevel = SizeOf(rise) < LeastRise;
-    this->Across = isLevel ? AllLanes(LeastRise) : rise;
-    this->Along = isForward ? to.X - from.X : from.X - to.X;
+    this->Across = Chosen(isLevel, AllLanes(LeastRise), rise);
+    this->Along = Chosen(isForward, to.X - from.X, from.X - to.X);
     this->Length = SizeOf(rise) + SizeOf(this->Along);
     const Lanes farX = SizeOf(from.X) + frame.Width(), farY = SizeOf(from.Y) + frame.Height();
     const Lanes rounding =
       RoundingOfFloats * (SizeOf(this->Across) * farX + SizeOf(this->Along) * farY);
-    const Lanes raised = isLevel ? 2.0f * LeastRise * farX : AllLanes(0.0f);
+    const Lanes raised = Chosen(isLevel, 2.0f * LeastRise * farX, AllLanes(0.0f));
     this->Start = -(rise * from.X + this->Along * from.Y) -
       (SizeOf(this->Across) * moved.Column + SizeOf(this->Along) * moved.Line) - rounding - raised;
   }
@@ -102,8 +102,8 @@ private:
   {
     const Lanes column = edges.Start / -edges.Across, slope = edges.Along / -edges.Across;
     const LaneMask isKnown = column + slope - (column + slope) == AllLanes(0.0f);
-    StoreLanes(isKnown ? column : AllLanes(BeyondAll), this->Column + first);
-    StoreLanes(isKnown ? slope : AllLanes(0.0f), this->Slope + first);
+    StoreLanes(Chosen(isKnown, column, AllLanes(BeyondAll)), this->Column + first);
+    StoreLanes(Chosen(isKnown, slope, AllLanes(0.0f)), this->Slope + first);
     const LaneMask isAtLeft = (edges.Across > 0.0f) | ~isKnown;
     this->TooShort |= BitsOf(isOutline & (edges.Length < ShortestEdge));
     this->AtLeft |= BitsOf(isOutline & isAtLeft) << first;

@@ -68,8 +68,8 @@ FaceOnLines::ExtentLanes FaceOnLines::Extents(int line, float inset) const
     const LaneMask isTouched = (top >= low.Line) & (bottom <= high.Line);
     const Lanes first = isHigh ? GreatestOf(LeastOf(lowest, highest), least) : least;
     const Lanes last = isHigh ? LeastOf(GreatestOf(lowest, highest), greatest) : greatest;
-    left = LeastOf(left, isTouched ? first : AllLanes(BeyondAll));
-    right = GreatestOf(right, isTouched ? last : AllLanes(-BeyondAll));
+    left = LeastOf(left, Chosen(isTouched, first, AllLanes(BeyondAll)));
+    right = GreatestOf(right, Chosen(isTouched, last, AllLanes(-BeyondAll)));
   }
   ExtentLanes extents;
   StoreLanes(left - this->Aside, extents.Left);

@@ -63,8 +63,8 @@ VITRINE_INLINE bool SampledFaces::MayHaveAny(const MeshFace& face) const
 {
   const HalfMask a = this->Points[face[0]].All, b = this->Points[face[1]].All,
                  c = this->Points[face[2]].All;
-  const HalfMask ab = a < b ? a : b;
-  const HalfMask least = ab < c ? ab : c;
+  const HalfMask ab = Chosen(a < b, a, b);
+  const HalfMask least = Chosen(ab < c, ab, c);
   return least[0] + least[1] < 0 && least[2] + least[3] < 0;
 }
 

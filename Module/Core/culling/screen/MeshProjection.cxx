@@ -72,7 +72,7 @@ bool MeshProjection::Project(const OccluderMesh& mesh, const ScreenMatrix& toScr
     const unsigned behind = BitsOf(isBehind);
     this->BehindNear[i / LaneCount] = static_cast<std::uint8_t>(behind);
     behindAll &= behind;
-    nearestW = LeastOf(isBehind ? w : AllLanes(BeyondAll), nearestW);
+    nearestW = LeastOf(Chosen(isBehind, w, AllLanes(BeyondAll)), nearestW);
     left = LeastOf(column, left);
     right = GreatestOf(column, right);
     bottom = LeastOf(line, bottom);

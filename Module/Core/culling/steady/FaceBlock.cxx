@@ -13,7 +13,7 @@ namespace
 /** Stores `values` where the mask is set, and `other` elsewhere. */
 VITRINE_INLINE void StoreWhere(LaneMask mask, Lanes values, float other, float* place)
 {
-  StoreLanes(mask ? values : AllLanes(other), place);
+  StoreLanes(Chosen(mask, values, AllLanes(other)), place);
 }
 }
 
@@ -63,11 +63,11 @@ ScreenRectangle FaceBlock::RectangleAround(unsigned faces) const
   const LaneMask bits = LaneMask{} + static_cast<std::int32_t>(faces);
   const LaneMask isWanted = (bits & LaneMask{ 1, 2, 4, 8, 16, 32, 64, 128 }) != LaneMask{};
   const Lanes before = AllLanes(-BeyondAll), behind = AllLanes(BeyondAll);
-  return { LeastLane(isWanted ? LoadLanes(this->Left) : behind),
-    GreatestLane(isWanted ? LoadLanes(this->Right) : before),
-    LeastLane(isWanted ? LoadLanes(this->Bottom) : behind),
-    GreatestLane(isWanted ? LoadLanes(this->Top) : before),
-    GreatestLane(isWanted ? LoadLanes(this->Nearest) : before) };
+  return { LeastLane(Chosen(isWanted, LoadLanes(this->Left), behind)),
+    GreatestLane(Chosen(isWanted, LoadLanes(this->Right), before)),
+    LeastLane(Chosen(isWanted, LoadLanes(this->Bottom), behind)),
+    GreatestLane(Chosen(isWanted, LoadLanes(this->Top), before)),
+    GreatestLane(Chosen(isWanted, LoadLanes(this->Nearest), before)) };
 }
 
 }

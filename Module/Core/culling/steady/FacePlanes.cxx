@@ -218,7 +218,7 @@ glm::dvec2 FacePlanes::FindThin(
           from.z * LoadLanes(normalZ + i) + from.w * LoadLanes(middle + i));
       const Lanes surely = distance - LoadLanes(deviation + i) * toFarthest - rounded;
       const LaneMask isThick = surely * LoadLanes(extent + i) > most;
-      nearestOfOthers = LeastOf(isThick ? surely : AllLanes(BeyondAll), nearestOfOthers);
+      nearestOfOthers = LeastOf(Chosen(isThick, surely, AllLanes(BeyondAll)), nearestOfOthers);
       areThin[(i - first) / LaneCount] =
         static_cast<std::uint8_t>(BitsOf(~isThick)); // also if it is no number
     }

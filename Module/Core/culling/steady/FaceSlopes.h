@@ -133,12 +133,13 @@ public:
     this->ByLine = Quotient(Cross(sides.Columns, sides.Depths), sides.Area);
     const Number anyDepth = Number{} + AnyDepth;
     const Number leastArea = sides.LeastArea();
-    this->Unsteady = leastArea > Number{} ? this->ByColumn.Off * snapping.Column +
-        this->ByLine.Off * snapping.Line + sides.Tilt(leastArea)
-                                          : anyDepth;
+    this->Unsteady = Chosen(leastArea > Number{},
+      this->ByColumn.Off * snapping.Column + this->ByLine.Off * snapping.Line +
+        sides.Tilt(leastArea),
+      anyDepth);
     const Number beside = this->Unsteady + SizeOf(this->ByColumn.Value) * snapping.Column +
       SizeOf(this->ByLine.Value) * snapping.Line;
-    this->Beyond = beside < anyDepth ? beside : anyDepth; // also if it is no number
+    this->Beyond = Chosen(beside < anyDepth, beside, anyDepth); // also if it is no number
   }
 
   Estimate<Number> ByColumn, ByLine;

@@ -37,15 +37,13 @@ struct CornersFromSide
     const auto distanceOf = [&](int i) VITRINE_INLINED
     {
       const Lanes column = places.Columns[i], line = places.Lines[i];
-      return isLeft ? column
-        : isRight   ? view.Size.x - column
-        : isBelow   ? line - view.Bottom()
-                    : view.Top() - line;
+      const Lanes upright = Chosen(isBelow, line - view.Bottom(), view.Top() - line);
+      return Chosen(isLeft, column, Chosen(isRight, view.Size.x - column, upright));
     };
     this->A = distanceOf(0);
     this->B = distanceOf(1);
     this->C = distanceOf(2);
-    const Lanes leastAway = LeastAway * (isLeft | isRight ? margin.Column : margin.Line);
+    const Lanes leastAway = LeastAway * Chosen(isLeft | isRight, margin.Column, margin.Line);
     const Lanes away = LeastOf(SizeOf(this->A), SizeOf(this->B), SizeOf(this->C));
     const LaneMask isInDepth = (GreatestIn(places.Depths) + margin.Depth < 1.0f) &
       (LeastIn(places.Depths) - margin.Depth > 0.0f);
@@ -64,13 +62,13 @@ struct CornersFromSide
     const LaneMask isB = (this->B > 0.0f) != (this->A > 0.0f);
     const LaneMask isC = (this->C > 0.0f) != (this->A > 0.0f);
     const LaneMask isA = isB & isC;
-    const Lanes alone = isA ? this->A : isB ? this->B : this->C;
-    const Lanes first = isA ? this->B : this->A;
-    const Lanes second = isA ? this->C : isB ? this->C : this->B;
+    const Lanes alone = Chosen(isA, this->A, Chosen(isB, this->B, this->C));
+    const Lanes first = Chosen(isA, this->B, this->A);
+    const Lanes second = Chosen(isB, this->C, this->B);
     const Lanes ofFirst = SizeOf(alone) / (SizeOf(alone) + SizeOf(first));
     const Lanes ofSecond = SizeOf(alone) / (SizeOf(alone) + SizeOf(second));
-    return alone > 0.0f ? ofFirst * ofSecond
-                        : LeastOf(ofSecond * (1.0f - ofFirst), ofFirst * (1.0f - ofSecond));
+    return Chosen(alone > 0.0f, ofFirst * ofSecond,
+      LeastOf(ofSecond * (1.0f - ofFirst), ofFirst * (1.0f - ofSecond)));
   }
 };
 
@@ -139,7 +137,7 @@ std::array<float, LaneCount> SideCuts::UnsteadyOf(const FaceBlock& faces) const
   const Lanes unsteady = off / leastArea + cut.Tilt(leastArea);
   const LaneMask isKnown = corners.AreKnown & (leastArea > 0.0f) & (slopes.ByColumn.Off >= 0.0f) &
     (slopes.ByLine.Off >= 0.0f) & (unsteady < AnyDepth);
-  StoreLanes(isKnown ? unsteady : AllLanes(AnyDepth), told.data());
+  StoreLanes(Chosen(isKnown, unsteady, AllLanes(AnyDepth)), told.data());
   return told;
 }
 

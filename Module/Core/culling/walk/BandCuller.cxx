@@ -234,8 +234,8 @@ private:
     const LooseNode& node, const RectangleLanes& rectangles, float (&depths)[LaneCount])
   {
     const Lanes nearest = LoadLanes(rectangles.Nearest);
-    const Lanes depth = node.AreLong() ? AllLanes(LongDepth) : nearest;
-    StoreLanes(LaneBits(rectangles.Near) ? AllLanes(NearDepth) : depth, depths);
+    const Lanes depth = Chosen(node.AreLong(), AllLanes(LongDepth), nearest);
+    StoreLanes(Chosen(LaneBits(rectangles.Near), AllLanes(NearDepth), depth), depths);
     return BitsOf(node.AreThere()) & ~rectangles.Outside;
   }
 
