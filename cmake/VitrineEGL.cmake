@@ -1,7 +1,10 @@
 # VITRINE_HAS_EGL, and VITRINE_EGL_LIBRARIES to link: none where VTK's own loader, glad from VTK 9.4 on, opens the
 # machine's EGL at run time (window/VitrineEGL.h).
+option(VITRINE_USE_EGL "Draw without a display by EGL, where it is there" ON)
 set(VITRINE_EGL_LIBRARIES)
-if (TARGET VTK::glad AND UNIX AND NOT APPLE)
+if (NOT VITRINE_USE_EGL)
+  set(VITRINE_HAS_EGL FALSE)
+elseif (TARGET VTK::glad AND UNIX AND NOT APPLE)
   set(VITRINE_HAS_EGL TRUE)
 else ()
   find_package(OpenGL QUIET COMPONENTS EGL)

@@ -18,9 +18,13 @@ endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components})
 include(VitrineStringABI)
 include(VitrineEGL)
-if (NOT VITRINE_HAS_EGL AND (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES))
-  message(FATAL_ERROR "The examples and tests need EGL. Without it, turn BUILD_TESTING and "
-    "VITRINE_BUILD_EXAMPLES off.")
+set(VITRINE_LEFT_OUT) # beside vtkHeadlessRenderWindow, for Module's message
+if (NOT VITRINE_HAS_EGL AND VITRINE_BUILD_EXAMPLES)
+  set(VITRINE_BUILD_EXAMPLES OFF)
+  string(APPEND VITRINE_LEFT_OUT ", the program vitrine, the examples and benchmarks")
+endif ()
+if (NOT VITRINE_HAS_EGL AND BUILD_TESTING)
+  string(APPEND VITRINE_LEFT_OUT ", all tests but those of Core")
 endif ()
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
