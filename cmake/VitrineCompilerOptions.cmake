@@ -1,7 +1,12 @@
 # Warnings and sanitizers for every target of the stand-alone build.
-add_compile_options(-Wall -Wextra)
+if (MSVC) # not tried yet (docs/develop/portability.md)
+  add_compile_options(/utf-8 /permissive- /Zc:__cplusplus /bigobj)
+  add_compile_definitions(NOMINMAX)
+else ()
+  add_compile_options(-Wall -Wextra)
+endif ()
 # Lanes are never handed over between functions that are not inlined (Core/geometry/Lanes.h).
-add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-psabi>)
+add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wno-psabi>)
 if (VITRINE_SANITIZE)
   # What the address sanitizer finds as well would take a fifth of the time to compile.
   add_compile_options(-fsanitize=${VITRINE_SANITIZE} -fno-sanitize=null,object-size,vptr -fno-sanitize-recover=all
@@ -18,7 +23,7 @@ if (VITRINE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif ()
 
 # For what takes more time to be compiled than it ever runs: tests, and the program, whose work is done by Core and VTK.
-set(VITRINE_QUICK_COMPILE "$<$<CONFIG:Release>:-O1>")
+set(VITRINE_QUICK_COMPILE "$<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>")
 
 # Where CMAKE_UNITY_BUILD is on, the sources of each folder are compiled as one: headers are read once for all of them,
 # and functions of a folder are inlined into each other. With TOP, folders within a folder are one with it.

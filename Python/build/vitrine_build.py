@@ -29,7 +29,6 @@ def get_requires_for_build_wheel(config_settings=None):
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    _check_machine()
     with _vtk(config_settings or {}) as settings:
         return scikit.build_wheel(wheel_directory, settings, metadata_directory)
 
@@ -57,6 +56,7 @@ def _vtk(settings):
         _check_version("vtk-sdk")
         yield settings
     else:
+        _check_machine()
         _check_version("vtk")
         with _debian_sdk() as prefix:
             yield {**settings, "cmake.define.CMAKE_PREFIX_PATH": str(prefix)}
