@@ -33,6 +33,21 @@ ScopedBindingMemory::Binding ScopedBindingMemory::Recall(GLenum kind, GLuint ind
 namespace
 {
 
+// The targets of textures that ScopedTextureUnit binds, and the queries for what is bound to them.
+const std::pair<GLenum, GLenum> TextureBindings[] = {
+  { GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D },
+  { GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE },
+  { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY },
+  { GL_TEXTURE_2D_MULTISAMPLE_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY },
+  { GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER },
+};
+
+// Returns `texture`, or 0 if it was deleted. OpenGL binds no name that was deleted.
+GLuint Living(GLuint texture)
+{
+  return texture != 0 && glIsTexture(texture) ? texture : 0;
+}
+
 // Settings of pixel transfers in one direction, the first with a default of 4 and the others with 0, and the target of
 // their buffer.
 struct TransferState
@@ -83,24 +98,29 @@ ScopedBindingMemory::~ScopedBindingMemory()
   ScopedBindingMemory::Current = this->Previous;
 }
 
+void ScopedBindingMemory::ForgetDeletedTextures()
+{
+  if (!ScopedBindingMemory::Current)
+  {
+    return;
+  }
+  for (auto& [point, binding] : ScopedBindingMemory::Current->Bindings)
+  {
+    const bool isTexture = std::any_of(std::begin(TextureBindings), std::end(TextureBindings),
+      [kind = point.first](const auto& each) { return each.second == kind; });
+    if (isTexture)
+    {
+      binding[0] = Living(static_cast<GLuint>(binding[0]));
+    }
+  }
+}
+
 GLenum TextureBindingQuery(GLenum target)
 {
-  switch (target)
-  {
-    case GL_TEXTURE_2D:
-      return GL_TEXTURE_BINDING_2D;
-    case GL_TEXTURE_2D_MULTISAMPLE:
-      return GL_TEXTURE_BINDING_2D_MULTISAMPLE;
-    case GL_TEXTURE_2D_ARRAY:
-      return GL_TEXTURE_BINDING_2D_ARRAY;
-    case GL_TEXTURE_2D_MULTISAMPLE_ARRAY:
-      return GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY;
-    case GL_TEXTURE_BUFFER:
-      return GL_TEXTURE_BINDING_BUFFER;
-    default:
-      assert(false && "texture target without a query");
-      return 0;
-  }
+  const auto* const found = std::find_if(std::begin(TextureBindings), std::end(TextureBindings),
+    [target](const auto& each) { return each.first == target; });
+  assert(found != std::end(TextureBindings) && "texture target without a query");
+  return found->second;
 }
 
 ScopedTrackedState::ScopedTrackedState(vtkOpenGLState* state)
@@ -399,7 +419,7 @@ ScopedTextureUnit::~ScopedTextureUnit()
   if (this->AllocatedUnit >= 0)
   {
     this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
-    glBindTexture(this->Target, this->PreviousTexture);
+    glBindTexture(this->Target, Living(this->PreviousTexture));
     this->State->GetTextureUnitManager()->Free(this->AllocatedUnit);
   }
 }

@@ -36,6 +36,12 @@ public:
   template <class Ask>
   static Binding Recall(GLenum kind, GLuint index, const Ask& ask);
 
+  /**
+   * Remember no texture that was deleted. Call this after props were drawn: a mapper may hold the last reference to the
+   * passes of its last frame, and with them their textures. OpenGL then binds 0 in place of these.
+   */
+  static void ForgetDeletedTextures();
+
 private:
   std::map<std::pair<GLenum, GLuint>, Binding> Bindings;
   ScopedBindingMemory* Previous;

@@ -311,6 +311,18 @@ TEST_P(OpenGLState, IsPutBack)
   }
 }
 
+// A mapper holds the last reference to the pass of its last frame, so VTK's pass and its textures go while the next
+// pass draws. They were bound when its frame began. Scene.Render() fails on an error of OpenGL.
+TEST_P(OpenGLState, HasNoTextureOfThePassBefore)
+{
+  TestScene scene(40, 30);
+  scene.AddParts();
+  scene.RenderAsVTK();
+  scene.Use(GetParam().Make());
+  scene.Render();
+  scene.Render();
+}
+
 TEST_P(OpenGLState, IsPutBackAfterWritersOfDepth)
 {
   TestScene scene(40, 30);

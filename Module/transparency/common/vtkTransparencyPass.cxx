@@ -383,6 +383,7 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
     rendered += s->GetPropArray()[i]->RenderTranslucentPolygonalGeometry(s->GetRenderer());
   }
   this->PostRender(s);
+  vitrine::ScopedBindingMemory::ForgetDeletedTextures();
   this->NumberOfRenderedProps = rendered;
   this->NumberOfGeometryPasses += 1;
   return in.HasAdded && !in.IsAdditive ? AdditiveFragments : in.OpaqueDepth.Problem();
