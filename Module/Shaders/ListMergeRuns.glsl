@@ -48,7 +48,7 @@ Run selectRun(bool s, Run a, Run b)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  uvec2 head = loadHeadToDraw(pixel);
+  uvec2 head = loadHeadOfLongList(pixel);
 
   //Vitrine::Declare
 

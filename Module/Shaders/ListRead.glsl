@@ -38,6 +38,15 @@ uvec2 loadHeadToDraw(ivec2 pixel)
   return head;
 }
 
+// The same for programs whose loops depend on the number of fragments. It is at most that of the buffer's nodes, even
+// if the head is corrupt.
+uvec2 loadHeadOfLongList(ivec2 pixel)
+{
+  uvec2 head = loadHeadToDraw(pixel);
+  head.y = min(head.y, uint(textureSize(nodes)));
+  return head;
+}
+
 // Returns the number of nodes in the first page of a list of `count` fragments.
 int nodesInFirstPage(uint count)
 {

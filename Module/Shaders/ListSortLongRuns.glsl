@@ -26,7 +26,7 @@ uvec4 loadNode(uint index)
 
 void main()
 {
-  uvec2 head = loadHeadToDraw(ivec2(gl_FragCoord.xy));
+  uvec2 head = loadHeadOfLongList(ivec2(gl_FragCoord.xy));
 
   //Vitrine::Declare
 

@@ -13,7 +13,7 @@
 
 void main()
 {
-  uvec2 head = loadHeadToDraw(ivec2(gl_FragCoord.xy));
+  uvec2 head = loadHeadOfLongList(ivec2(gl_FragCoord.xy));
 
   //Vitrine::Declare
 

@@ -127,7 +127,7 @@ protected:
   void WriteCounts(const std::vector<std::uint32_t>& counts)
   {
     ASSERT_EQ(this->Heads.Prepare(
-                this->Window()->GetState(), this->Target, this->Layout.FramebufferFetch, Side),
+                this->Window()->GetState(), this->Target, this->Layout.FramebufferFetch, 0u, Side),
       "");
     std::vector<std::uint32_t> words;
     for (int y = 0; y < Height(); ++y)

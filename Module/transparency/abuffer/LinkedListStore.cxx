@@ -13,15 +13,15 @@ std::string LinkedListStore::BeginFrame(
   layout.Packed = false;
   this->Pool.SetLayout(layout.NodeBytes(), layout.FramebufferFetch);
   this->Pool.SetLimit(limit);
-  return this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch);
+  // Heads set by atomics hold the page's number plus one, so 0 is none.
+  return this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, VITRINE_END);
 }
 
 std::string LinkedListStore::BeginFill(
   vtkOpenGLRenderWindow* window, const PixelRegion& region, ListLayout& layout)
 {
   layout.PageSize = this->Pool.PageSize();
-  // Heads set by atomics hold the page's number plus one.
-  this->ListsOfPixels.Clear(window->GetState(), region, layout.FramebufferFetch ? VITRINE_END : 0u);
+  this->ListsOfPixels.Clear(window->GetState(), region);
   return this->Counters.Reset() && this->Pool.Ensure()
     ? std::string()
     : "the driver has no memory for the smallest node pool";

@@ -26,10 +26,12 @@ std::vector<std::uint32_t> Interleaved(const std::vector<std::uint32_t>& words, 
 
 }
 
-std::string ListHeads::Prepare(
-  vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple)
+std::string ListHeads::Prepare(vtkOpenGLState* state, const RenderTarget& target,
+  bool framebufferFetch, GLuint emptyFirst, int multiple)
 {
+  const std::uint64_t previous = this->Heads.Number();
   this->Fetched = framebufferFetch;
+  this->EmptyFirst = framebufferFetch ? emptyFirst : 0u;
   this->Width = RoundedUp(target.Width, multiple);
   this->Height = RoundedUp(target.Height, multiple);
   // Image atomics need one value per texel, so each row of pixels has two rows of texels: first words, then second
@@ -40,6 +42,11 @@ std::string ListHeads::Prepare(
   if (problem.empty())
   {
     this->Attach(state, target);
+    if (this->Heads.Number() != previous)
+    {
+      // Frames clear their regions only. No head outside of these shall ever lead to a list.
+      this->Clear(state, { 0, 0, this->Width, this->Height });
+    }
   }
   return problem;
 }
@@ -59,7 +66,7 @@ void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
   glDrawBuffers(2, buffers);
 }
 
-void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r, GLuint first)
+void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r)
 {
   const int rows = this->Fetched ? 1 : 2;
   BarrierBeforeFramebufferAccess();
@@ -67,7 +74,7 @@ void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r, GLuint first)
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, rows * r.Y, r.Width, rows * r.Height);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const GLuint empty[4] = { first, 0u, 0u, 0u };
+  const GLuint empty[4] = { this->EmptyFirst, 0u, 0u, 0u };
   glClearBufferuiv(GL_COLOR, 0, empty);
 }
 

@@ -24,17 +24,16 @@ class ListHeads
 public:
   /**
    * Make room for the target's pixels. Width and height are rounded up to a multiple of `multiple`. With
-   * `framebufferFetch` the heads are an attachment that shaders fetch from, else an image for atomics. Changes the
-   * framebuffer binding. Returns an error message, empty on success.
+   * `framebufferFetch` the heads are an attachment that shaders fetch from, else an image for atomics. The first word
+   * of an empty list is `emptyFirst` in an attachment, and 0 in an image for atomics. The second word is 0. All lists
+   * of a new image are empty. Changes the framebuffer binding, and for a new image the scissor box and the colour mask.
+   * Returns an error message, empty on success.
    */
-  std::string Prepare(
-    vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch, int multiple = 1);
+  std::string Prepare(vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch,
+    GLuint emptyFirst, int multiple = 1);
 
-  /**
-   * Set the two words of each head in `region` to `first` and 0. Changes the framebuffer binding, scissor box and
-   * colour mask.
-   */
-  void Clear(vtkOpenGLState* state, const PixelRegion& region, GLuint first);
+  /** Empty the lists of `region`. Changes the framebuffer binding, scissor box and colour mask. */
+  void Clear(vtkOpenGLState* state, const PixelRegion& region);
 
   /**
    * Set the state for a draw that writes the heads of `region`. With framebuffer fetch a texel is a uvec2. Else rows of
@@ -63,6 +62,7 @@ private:
   bool Fetched = false;
   int Width = 0;
   int Height = 0;
+  GLuint EmptyFirst = 0;
   Image2D Heads;
   Framebuffer FillTarget;  // Opaque depth, and the heads if shaders fetch them.
   Framebuffer WriteTarget; // The heads alone.

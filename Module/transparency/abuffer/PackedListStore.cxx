@@ -47,7 +47,7 @@ std::string PackedListStore::BeginFrame(
   this->HasCountsOfBands = false;
   const BlockRange all = BlocksOf({ 0, 0, target.Width, target.Height }, VITRINE_BLOCK_SIZE);
   const std::string problem =
-    this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, VITRINE_BLOCK_SIZE);
+    this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, 0u, VITRINE_BLOCK_SIZE);
   return problem.empty() ? this->LongestLists.Allocate(GL_R32UI, all.Count[0], all.Count[1], 0)
                          : problem;
 }
@@ -134,7 +134,7 @@ bool PackedListStore::ReserveForPrediction()
 // Gives no head any room, so that the fill only counts.
 void PackedListStore::ClearHeads(vtkOpenGLRenderWindow* window)
 {
-  this->ListsOfPixels.Clear(window->GetState(), PixelsOf(this->Blocks, VITRINE_BLOCK_SIZE), 0u);
+  this->ListsOfPixels.Clear(window->GetState(), PixelsOf(this->Blocks, VITRINE_BLOCK_SIZE));
 }
 
 //------------------------------------------------------------------------------
