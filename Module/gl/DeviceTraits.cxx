@@ -52,7 +52,7 @@ DeviceTraits FindDeviceTraits()
 {
   DeviceTraits traits;
   traits.FramebufferFetch = HasExtension(FramebufferFetchExtension);
-  traits.PostDepthCoverage = HasExtension("GL_ARB_post_depth_coverage");
+  traits.PostDepthCoverage = HasExtension(PostDepthCoverageExtension);
   traits.Software = IsSoftwareRasteriser();
   for (const std::string& word : WordsOfSwitches())
   {

@@ -10,6 +10,9 @@ namespace vitrine
 /** The extension with which a fragment shader reads the framebuffer at its own pixel. */
 inline constexpr const char* FramebufferFetchExtension = "GL_EXT_shader_framebuffer_fetch";
 
+/** The extension with which a shader with early tests gets the samples that passed them. */
+inline constexpr const char* PostDepthCoverageExtension = "GL_ARB_post_depth_coverage";
+
 /** The features of a context's device. Another trait is a line here, and a word in the source file. */
 struct DeviceTraits
 {

@@ -27,6 +27,13 @@ struct Piece
 
 /** It comes before everything else. VTK replaces it by #version. */
 inline const std::string SystemDec = "//VTK::System::Dec";
+/** Text for GLSL 4.30 that stands for VTK's text in place of SystemDec. */
+inline const std::string System430 =
+  "#version 430 core\n"
+  "#define highp\n#define mediump\n#define lowp\n"
+  "#define texelFetchBuffer texelFetch\n#define texture1D texture\n"
+  "#define texture2D texture\n#define texture3D texture\n"
+  "#define varying in\n";
 inline const std::string LightDec = "//VTK::Light::Dec";
 inline const std::string DepthPeelingDec = "//VTK::DepthPeeling::Dec";
 /** It is at the beginning of main(). */

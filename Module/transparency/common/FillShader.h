@@ -18,6 +18,7 @@ struct RenderTarget;
 /** The text that a method adds to a mapper's fragment shader. */
 struct FillShader
 {
+  bool Version430 = false; ///< The text is in GLSL 4.30, which has FillExtensions(), not in 1.50.
   std::vector<std::string> Extensions; ///< Required in addition to those of FragmentCapture.glsl.
   std::vector<std::string> Defines;    ///< "NAME value".
   std::string Declarations;            ///< Inserted at global scope.
@@ -39,11 +40,14 @@ const char* LeastAlphaDefine(bool halfFloat);
 void AddCapture(
   FillShader& fill, const RenderTarget& target, bool postDepthCoverage, bool writesDepth);
 
+/** Returns the version of `fill` and its extensions besides FillExtensions(), separated by commas. */
+std::string DescribeVariant(const FillShader& fill);
+
 /**
- * Returns true if the driver compiles `fill`. A mapper of VTK 9.1 crashes if its shader does not compile, so this is
- * tried first. Changes VTK's current program.
+ * Returns an empty string if the driver compiles `fill`, or the first line of its message. A mapper of VTK 9.1 crashes
+ * if its shader does not compile, so this is tried first. Changes VTK's current program.
  */
-bool CanCompile(vtkOpenGLRenderWindow* window, const FillShader& fill);
+std::string FindCompileProblem(vtkOpenGLRenderWindow* window, const FillShader& fill);
 
 /** Join `fill` to a mapper's fragment shader at VTK's tags. Returns an empty string, or which tag is missing. */
 std::string JoinFillShader(const FillShader& fill, std::string& fragmentShader);

@@ -27,6 +27,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTranslucentPass.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -115,8 +116,11 @@ struct vtkTransparencyPass::Internals
   vitrine::DeviceTraits Traits; // Traits of the device of Context.
   bool IsAdditive = false;      // The shaders support additive fragments.
   bool HasAdded = false;        // The current frame has additive fragments.
-  vtkMTimeType ProbeTime = 0;   // When CanFill was determined.
-  bool CanFill = true;
+  vtkMTimeType ProbeTime = 0;   // When FillProblem was determined.
+  std::string FillProblem;      // Empty if the driver compiles the shaders that store fragments.
+  std::string FillVariant;      // The version and the optional extensions of these shaders.
+  bool Version430 = false;      // These shaders are in GLSL 4.30.
+  std::string RefusedShaders;   // What the driver said of texts that it refused, by lines.
 
   vitrine::DepthCopy OpaqueDepth;
   vitrine::OuterPasses Outer;
@@ -160,6 +164,8 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
+  os << indent << "ShaderVariant: " << this->GetShaderVariant() << "\n";
+  os << indent << "RefusedShaders: " << this->GetRefusedShaders() << "\n";
   os << indent << "NumberOfFragments: " << this->NumberOfFragments << "\n";
   os << indent << "NumberOfLostFragments: " << this->NumberOfLostFragments << "\n";
   os << indent << "NumberOfSaturatedPixels: " << this->NumberOfSaturatedPixels << "\n";
@@ -174,6 +180,18 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 const char* vtkTransparencyPass::GetFallbackReason()
 {
   return this->Private->FallbackReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetShaderVariant()
+{
+  return this->Private->FillVariant;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetRefusedShaders()
+{
+  return this->Private->RefusedShaders;
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +232,7 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
     const vitrine::ScopedBindingMemory bindings;
     const vitrine::OuterPasses::Scope outer(
       this->Private->Outer, s, this->Private->Context.Window());
-    const std::string problem = this->RenderExactly(s);
+    const std::string problem = this->RenderByAnyVariant(s);
     if (!problem.empty())
     {
       this->RenderFallback(s, problem);
@@ -235,6 +253,10 @@ void vtkTransparencyPass::UseWindow(vtkRenderWindow* renderWindow)
   this->LeaveWindow();
   in.Context.Hold(window);
   in.Traits = vitrine::FindDeviceTraits();
+  in.FillProblem.clear();
+  in.FillVariant.clear();
+  in.Version430 = false;
+  in.RefusedShaders.clear();
   in.MissingFeature = this->FindMissingFeature(window);
   this->ShaderStage.Modified();
 }
@@ -303,6 +325,20 @@ std::string vtkTransparencyPass::RenderExactly(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+// Draws the frame with the first variant of the shaders that the driver does not refuse. A refusal tells nothing to the
+// user, unless it is the last one.
+std::string vtkTransparencyPass::RenderByAnyVariant(const vtkRenderState* s)
+{
+  const Internals& in = *this->Private;
+  std::string problem = this->RenderExactly(s);
+  while (!in.FillProblem.empty() && this->TakeNextVariant())
+  {
+    problem = this->RenderExactly(s);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
 // Returns false if this method or VTK's own draws the frame.
 bool vtkTransparencyPass::RenderSubstitute(const vtkRenderState* s)
 {
@@ -365,12 +401,11 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   if (this->ShaderStage.GetMTime() > in.ProbeTime)
   {
     in.ProbeTime = this->ShaderStage.GetMTime();
-    in.CanFill = vitrine::CanCompile(in.Context.Window(), this->GetCapturingShader(false)) &&
-      vitrine::CanCompile(in.Context.Window(), this->GetCapturingShader(true));
+    in.FillProblem = this->FindFillProblem();
   }
-  if (!in.CanFill)
+  if (!in.FillProblem.empty())
   {
-    return vitrine::ProgramFailure;
+    return std::string(vitrine::ProgramFailure) + ": " + in.FillProblem;
   }
   in.Region = region;
   // A mapper that draws with another blend function sets it itself.
@@ -387,6 +422,57 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   this->NumberOfRenderedProps = rendered;
   this->NumberOfGeometryPasses += 1;
   return in.HasAdded && !in.IsAdditive ? AdditiveFragments : in.OpaqueDepth.Problem();
+}
+
+//------------------------------------------------------------------------------
+// Compiles the shaders that store fragments. Returns an empty string, or the driver's first error.
+std::string vtkTransparencyPass::FindFillProblem()
+{
+  Internals& in = *this->Private;
+  in.FillVariant = vitrine::DescribeVariant(this->GetCapturingShader(false));
+  for (const bool writesDepth : { false, true })
+  {
+    const std::string problem =
+      vitrine::FindCompileProblem(in.Context.Window(), this->GetCapturingShader(writesDepth));
+    if (!problem.empty())
+    {
+      in.RefusedShaders += (in.RefusedShaders.empty() ? "" : "\n") + problem;
+      in.FillVariant.clear();
+      return problem;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Goes on to the next variant of the shader that the driver refused. Returns false if there is none. The first has all
+// that the device offers. Post-depth coverage goes last: without it the shader itself compares the depths of samples,
+// which differ by rounding from those of the depth test.
+bool vtkTransparencyPass::TakeNextVariant()
+{
+  Internals& in = *this->Private;
+  const std::vector<std::string> extensions = this->GetCapturingShader(false).Extensions;
+  const auto needs = [&](const char* name)
+  { return std::find(extensions.begin(), extensions.end(), name) != extensions.end(); };
+  if (needs(vitrine::FramebufferFetchExtension))
+  {
+    in.Traits.FramebufferFetch = false;
+  }
+  else if (!extensions.empty() && !in.Version430)
+  {
+    in.Version430 = true;
+  }
+  else if (needs(vitrine::PostDepthCoverageExtension))
+  {
+    in.Traits.PostDepthCoverage = false;
+    in.Version430 = false;
+  }
+  else
+  {
+    return false;
+  }
+  this->ShaderStage.Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -411,6 +497,7 @@ void vtkTransparencyPass::TakeCounts(const vitrine::StencilCounts& counts)
 vitrine::FillShader vtkTransparencyPass::GetCapturingShader(bool writesDepth)
 {
   vitrine::FillShader fill = this->GetFillShader();
+  fill.Version430 = this->Private->Version430;
   if (this->Private->IsAdditive)
   {
     fill.Defines.emplace_back("VITRINE_ADDITIVE");

@@ -108,6 +108,20 @@ public:
   const char* GetFallbackReason();
 
   /**
+   * Get the version and the optional extensions of the shaders that store fragments in this window, such as
+   * "GLSL 1.50, GL_EXT_shader_framebuffer_fetch". If the driver refuses such shaders, the method tries others that are
+   * exact too: without framebuffer fetch, in GLSL 4.30, and without post-depth coverage. The string is empty if the
+   * method has drawn no frame in this window, or if the driver refused all.
+   */
+  std::string GetShaderVariant();
+
+  /**
+   * Get the first error that the driver had for each shader that it refused in this window, one per line. The string
+   * is empty if it refused none.
+   */
+  std::string GetRefusedShaders();
+
+  /**
    * Get the number of translucent fragments in front of the opaque depth in the last frame. It is a lower bound if
    * GetNumberOfSaturatedPixels() is not 0.
    */
@@ -295,6 +309,9 @@ private:
   void operator=(const vtkTransparencyPass&) = delete;
 
   vitrine::FillShader GetCapturingShader(bool writesDepth);
+  std::string FindFillProblem();
+  std::string RenderByAnyVariant(const vtkRenderState* s);
+  bool TakeNextVariant();
   void UseWindow(vtkRenderWindow* renderWindow);
   void LeaveWindow();
   void ForgetResources();
