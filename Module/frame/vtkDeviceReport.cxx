@@ -123,11 +123,14 @@ void DescribeDevice(vtkRenderWindow* window, std::ostream& os)
   os << " storage blocks of " << vitrine::LargestStorageBlock() << " bytes\n";
 }
 
-// What draws in place of a method. A reason names the other exact method, or else it is VTK that draws.
-std::string VerdictOn(const std::string& reason)
+// What draws in place of a method. If it is another exact method, the reason names it.
+std::string VerdictOn(const std::string& reason, vtkTransparencyPass* method)
 {
-  const bool namesMethod = reason.find(" draws in its place") != std::string::npos;
-  return reason.empty() ? "works" : namesMethod ? reason : "VTK's blending in its place: " + reason;
+  if (reason.empty())
+  {
+    return "works";
+  }
+  return (method->GetActiveSubstitute().empty() ? "VTK's blending in its place: " : "") + reason;
 }
 
 void DescribeMethods(Trial& trial, std::ostream& os)
@@ -140,7 +143,7 @@ void DescribeMethods(Trial& trial, std::ostream& os)
     frame->SetTranslucentPass(method);
     trial.Draw(frame);
     const std::string reason = frame->GetFallbackReason();
-    os << "method " << name << ": " << VerdictOn(reason) << "\n";
+    os << "method " << name << ": " << VerdictOn(reason, method) << "\n";
   }
 }
 

@@ -37,6 +37,16 @@ TEST(DeviceReport, NamesMethodsAndLightsThatWork)
   EXPECT_TRUE(Has(ReportOf(4), "lights deferred: works\n")) << ReportOf(4);
 }
 
+TEST(DISABLED_OnOpenGL33, DeviceReportNamesSubstitutes)
+{
+  const std::string report = ReportOf(0);
+  const std::string lacks = "OpenGL 4.3 is needed, the context has 3.3";
+  EXPECT_TRUE(Has(report, "method linked-list: " + lacks + "; stencil-routed draws in its place\n"))
+    << report;
+  EXPECT_TRUE(Has(report, "method truth: VTK's blending in its place: " + lacks + "\n")) << report;
+  TakeMessages(); // The methods say the same.
+}
+
 TEST(DISABLED_OnOpenGL33, DeviceReportSaysWhyNothingIsDeferred)
 {
   EXPECT_TRUE(Has(ReportOf(0), "lights deferred: works\n")) << ReportOf(0);
@@ -47,8 +57,8 @@ TEST(DISABLED_OnOpenGL33, DeviceReportSaysWhyNothingIsDeferred)
   EXPECT_TRUE(Has(report, "4.0")) << report;
 }
 
-// Mesa reads its variables before the first context of a process, so the test is run in another one.
-TEST(DeviceReport, SaysWhyNothingIsDeferred)
+// Mesa reads its variables before the first context of a process, so the tests are run in another one.
+TEST(DeviceReport, SaysWhatOpenGL33Lacks)
 {
   const std::string command = "MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 '" +
     testing::internal::GetArgvs()[0] +

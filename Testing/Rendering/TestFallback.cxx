@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <string>
 #include <sys/wait.h>
 
 namespace
@@ -34,6 +36,22 @@ Picture RenderBy(TestScene& scene, const std::string& name)
   return scene.Render();
 }
 
+// Expect the stages of the method that draws in place of this one, or none.
+void ExpectStages(TestScene& scene, vtkTransparencyPass* pass, bool some)
+{
+  scene.Window->WaitForCompletion();
+  std::set<std::string> stages;
+  for (int stage = 0; stage < pass->GetNumberOfStages(); ++stage)
+  {
+    stages.insert(pass->GetStageName(stage));
+    EXPECT_GT(pass->GetStageTime(stage), 0.0);
+  }
+  EXPECT_EQ(stages.count("fill"), some ? 1u : 0u);
+  EXPECT_EQ(stages.count("resolve"), some ? 1u : 0u);
+  pass->MeasureStagesOff();
+  EXPECT_EQ(pass->GetNumberOfStages(), 0);
+}
+
 // Every method, several frames, on a driver of which VITRINE_TEST_LACKS says what is missing. Stencil routing draws in
 // place of lists, and VTK by itself in place of truth.
 TEST(DISABLED_OnALesserDriver, MethodsSaySoOnceAndAreReplaced)
@@ -50,11 +68,13 @@ TEST(DISABLED_OnALesserDriver, MethodsSaySoOnceAndAreReplaced)
     SCOPED_TRACE(method.Name);
     const vtkSmartPointer<vtkTransparencyPass> pass = method.Make();
     scene.Use(pass);
+    pass->MeasureStagesOn();
     if (method.NeedsOpenGL != "4.3")
     {
       scene.Render();
       EXPECT_STREQ(pass->GetFallbackReason(), "");
       EXPECT_GT(pass->GetNumberOfFragments(), 0);
+      EXPECT_EQ(pass->GetActiveSubstitute(), "");
       continue;
     }
     const bool isTruth = method.Name == "Truth";
@@ -69,6 +89,8 @@ TEST(DISABLED_OnALesserDriver, MethodsSaySoOnceAndAreReplaced)
     const std::string reason = pass->GetFallbackReason();
     EXPECT_EQ(reason.find("; stencil-routed draws in its place") != std::string::npos, !isTruth)
       << reason;
+    EXPECT_EQ(pass->GetActiveSubstitute(), isTruth ? "" : "stencil-routed");
+    ExpectStages(scene, pass, !isTruth);
   }
 }
 

@@ -128,9 +128,16 @@ struct vtkTransparencyPass::Internals
   bool MeasureStages = false;
   vitrine::StageTimer Timer;
 
+  // Returns true if a frame in Context is left to the substitute.
+  bool DrawsSubstitute() const { return this->Substitute && !this->MissingFeature.empty(); }
+
   // Returns the times of the stages, after reading the results that the device has by now.
   const vitrine::StageTimer::StageTimes& StageTimes()
   {
+    if (this->DrawsSubstitute())
+    {
+      return this->Substitute->Private->StageTimes();
+    }
     if (this->MeasureStages && this->Context.Lives() && this->Context.Window()->IsCurrent())
     {
       this->Timer.Collect();
@@ -164,6 +171,7 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
+  os << indent << "ActiveSubstitute: " << this->GetActiveSubstitute() << "\n";
   os << indent << "ShaderVariant: " << this->GetShaderVariant() << "\n";
   os << indent << "RefusedShaders: " << this->GetRefusedShaders() << "\n";
   os << indent << "NumberOfFragments: " << this->NumberOfFragments << "\n";
@@ -180,6 +188,14 @@ void vtkTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 const char* vtkTransparencyPass::GetFallbackReason()
 {
   return this->Private->FallbackReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTransparencyPass::GetActiveSubstitute()
+{
+  const Internals& in = *this->Private;
+  const bool draws = in.DrawsSubstitute() && in.Substitute->Private->FallbackReason.empty();
+  return draws ? this->GetSubstituteName() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -351,6 +367,7 @@ bool vtkTransparencyPass::RenderSubstitute(const vtkRenderState* s)
   if (!in.Substitute)
   {
     in.Substitute.TakeReference(vitrine::TransparencyMethods().at(name).New());
+    in.Substitute->SetMeasureStages(in.MeasureStages);
   }
   in.Substitute->Render(s);
   this->TakeStatistics(in.Substitute);
@@ -624,6 +641,10 @@ void vtkTransparencyPass::SetMeasureStages(bool measure)
   }
   in.MeasureStages = measure;
   in.Timer.SetOn(measure);
+  if (in.Substitute)
+  {
+    in.Substitute->SetMeasureStages(measure);
+  }
   this->Modified();
 }
 

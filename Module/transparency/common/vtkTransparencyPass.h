@@ -108,6 +108,12 @@ public:
   const char* GetFallbackReason();
 
   /**
+   * Get the name of the exact method that drew the last frame in place of this one, such as "stencil-routed". The
+   * string is empty if this method drew it, or vtkOrderIndependentTranslucentPass.
+   */
+  std::string GetActiveSubstitute();
+
+  /**
    * Get the version and the optional extensions of the shaders that store fragments in this window, such as
    * "GLSL 1.50, GL_EXT_shader_framebuffer_fetch". If the driver refuses such shaders, the method tries others that are
    * exact too: without framebuffer fetch, in GLSL 4.30, and without post-depth coverage. The string is empty if the
