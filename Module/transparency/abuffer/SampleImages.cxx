@@ -1,7 +1,7 @@
 #include "transparency/abuffer/SampleImages.h"
 
 #include "gl/RenderTarget.h"
-#include "vtkOpenGLState.h"
+#include "gl/StateRecord.h"
 
 #include <vector>
 
@@ -17,7 +17,7 @@ std::string SampleImages::Prepare(vtkOpenGLState* state, const RenderTarget& tar
     return problem;
   }
   this->Target.Release(); // It may have more images attached.
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Handle());
+  BindForDrawing(state, this->Target.Handle());
   std::vector<GLenum> outputs;
   for (int sample = 0; sample < target.Samples; ++sample)
   {
