@@ -59,8 +59,7 @@ void main()
   int runPages = pagesOfFirstRun(pages);
   uint started = 0u;
 
-  precise vec3 color = vec3(0.0);
-  precise float transmittance = 1.0;
+  DECLARE_COMPOSITE
   // A turn starts a run or takes a fragment, and the last one finds none. So a link that leads back loops no longer.
   uint turnsLeft = head.y + uint(VITRINE_MAX_RUNS) + 1u;
   while (turnsLeft-- > 0u)
@@ -106,5 +105,5 @@ void main()
   }
   BLEND_REST
 
-  writeOver(pixel, color, transmittance);
+  WRITE_COMPOSITE
 }

@@ -40,8 +40,7 @@ void main()
     //Vitrine::OrderTies
   } while (disordered);
 
-  precise vec3 color = vec3(0.0);
-  precise float transmittance = 1.0;
+  DECLARE_COMPOSITE
 #ifdef VITRINE_BLENDS_IN_TURN
   for (int turn = 0; f0.key != NO_KEY && turn < VITRINE_BIN; ++turn)
   {
@@ -53,5 +52,5 @@ void main()
 #endif
   BLEND_LIST
 
-  writeOver(pixel, color, transmittance);
+  WRITE_COMPOSITE
 }

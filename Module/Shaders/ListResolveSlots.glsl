@@ -111,8 +111,7 @@ void main()
     }
   }
 
-  precise vec3 color = vec3(0.0);
-  precise float transmittance = 1.0;
+  DECLARE_COMPOSITE
   for (uint turn = 0u; f0 != NO_WORD && turn < count; ++turn)
   {
 #ifdef VITRINE_BLENDS_IN_TURN
@@ -126,5 +125,5 @@ void main()
   }
   BLEND_LIST
 
-  writeOver(pixel, color, transmittance);
+  WRITE_COMPOSITE
 }

@@ -33,8 +33,9 @@
 #endif
 
 // VITRINE_KEEP_EXTRA   if the target is multisampled, registers carry the node's last word, too
+// VITRINE_ALL_SAMPLES  likewise, since the list is composited into all samples of a pixel at once
 // VITRINE_COINCIDENCE  they always carry it; of fragments of equal depth and colour, the larger word is farther
-#if defined(VITRINE_COINCIDENCE) || (defined(VITRINE_KEEP_EXTRA) && VITRINE_SAMPLES > 0)
+#if defined(VITRINE_COINCIDENCE) || defined(VITRINE_ALL_SAMPLES) || (defined(VITRINE_KEEP_EXTRA) && VITRINE_SAMPLES > 0)
 #define EXTRA_MEMBER uint extra;
 #define EXCHANGE_EXTRA(a, b, s) \
   { \
@@ -229,16 +230,26 @@ bool sameFragment(Fragment a, Fragment b)
     transmittance -= transmittance * c.a; \
   }
 
-// BLEND composites the fragment of a register, and BLEND_LIST completes all registers. BLEND_NEXT composites the next
-// fragment of a list, and BLEND_REST completes the list. With VITRINE_BLENDS_IN_TURN, BLEND_LIST is that, too.
+// DECLARE_COMPOSITE declares the two. BLEND composites the fragment of a register, and BLEND_LIST completes all
+// registers. BLEND_NEXT composites the next fragment of a list, and BLEND_REST completes the list. With
+// VITRINE_BLENDS_IN_TURN, BLEND_LIST is that, too.
+#ifdef VITRINE_ALL_SAMPLES
+#include "SampleBlend.glsl"
+#else
+#define DECLARE_COMPOSITE \
+  precise vec3 color = vec3(0.0); \
+  precise float transmittance = 1.0;
+#endif
 #ifdef VITRINE_COINCIDENCE
 #include "CoincidentGroup.glsl"
 #else
+#ifndef VITRINE_ALL_SAMPLES
 #define BLEND(f) \
   { \
     vec4 c = fragmentColor(f); \
     BLEND_COLOR(c) \
   }
+#endif
 #define BLEND_NEXT(f) BLEND(f)
 #define BLEND_LIST
 #define BLEND_REST

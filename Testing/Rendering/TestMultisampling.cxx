@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 namespace
@@ -205,6 +206,38 @@ TEST_P(MultisamplingBands, AreTheWholePicture)
 
 INSTANTIATE_TEST_SUITE_P(
   Methods, MultisamplingBands, testing::ValuesIn(ABufferMethods()), MethodName());
+
+// Software sorts a pixel's list once, and each sample has the bits that a sort of its own gives, as devices do it.
+// There are edges, opaque parts that cut glass, and lists of every bin.
+class MultisamplingOneSort : public Multisampling
+{
+protected:
+  static Picture Draw(const Method& method, int layers)
+  {
+    TestScene scene(61, 47, Samples);
+    AddParts(scene);
+    AddOpaqueParts(scene);
+    scene.AddPlates(RandomPlates(layers, 1.0 / layers, 7), 8);
+    scene.Use(method.Make());
+    return scene.Render();
+  }
+};
+
+TEST_P(MultisamplingOneSort, HasTheBitsOfOneSortASample)
+{
+  for (const int layers : { 3, 9, 25, 50, 150, 1100 })
+  {
+    SCOPED_TRACE(std::to_string(layers) + " layers");
+    const Picture once = Draw(GetParam(), layers);
+    setenv("VITRINE_DEVICE", "no-software", 1);
+    const Picture ofEach = Draw(GetParam(), layers);
+    unsetenv("VITRINE_DEVICE");
+    EXPECT_TRUE(Matches(once, ofEach));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Methods, MultisamplingOneSort, testing::ValuesIn(ABufferMethods()), MethodName());
 
 class MultisamplingRefused : public Multisampling
 {

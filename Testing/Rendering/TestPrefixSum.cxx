@@ -98,6 +98,22 @@ TEST_P(PrefixSum, SmallMovesAreFollowedInOneGeometryPass)
   }
 }
 
+// In a few pixels each frame has one layer more than the last. After the first such frame rooms have a reserve of two
+// fragments.
+TEST_P(PrefixSum, RoomsHaveAReserveAfterSomeWereTooSmall)
+{
+  TestScene scene(Width, Height);
+  scene.AddPlate(-0.8, { 0.9, 0.5, 0.2, 0.3 });
+  const vtkSmartPointer<vtkPrefixSumTransparencyPass> pass = this->MakePass(true);
+  for (const int passes : { 2, 2, 1, 1, 1 })
+  {
+    const double z = 0.1 * pass->GetMaximumNumberOfLayers();
+    scene.AddRectangle(-0.05, -0.05, 0.05, 0.05, z, { 0.2, 0.5, 0.9, 0.3 });
+    ExpectTruth(scene, pass, 1.4);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), passes) << pass->GetMaximumNumberOfLayers();
+  }
+}
+
 TEST_P(PrefixSum, NothingIsExpectedOfOtherWindowsAndViewports)
 {
   TestScene scene(Width, Height);

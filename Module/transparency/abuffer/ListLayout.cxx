@@ -23,6 +23,10 @@ std::vector<std::string> ListLayout::Defines() const
 {
   std::vector<std::string> defines = { "VITRINE_SAMPLES " + std::to_string(this->Samples),
     "VITRINE_PAGE_SIZE " + std::to_string(this->PageSize) };
+  if (this->ResolvesAllSamples())
+  {
+    defines.emplace_back("VITRINE_ALL_SAMPLES");
+  }
   if (this->Packed)
   {
     defines.emplace_back("VITRINE_PACKED_LISTS");
@@ -61,11 +65,11 @@ int ListLayout::NodeWords() const
   return 1 + (this->Colors == NodeColors::HalfFloat ? 2 : 1) + (hasExtra ? 1 : 0);
 }
 
-// A network takes the fragments of one sample, so their coverage is not in registers.
+// A network that takes the fragments of one sample has no coverage in registers.
 int ListLayout::FragmentWords() const
 {
-  const bool hasCoverageOnly = this->Samples > 0 && !this->Coincidence;
-  return this->NodeWords() - (hasCoverageOnly ? 1 : 0);
+  const bool dropsCoverage = this->Samples > 0 && !this->Coincidence && !this->ResolvesAllSamples();
+  return this->NodeWords() - (dropsCoverage ? 1 : 0);
 }
 
 }

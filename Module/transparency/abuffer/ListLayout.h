@@ -28,6 +28,19 @@ struct ListLayout
   int Samples = 0;
   int PageSize = 1;
 
+  /**
+   * Returns true if a list is sorted once and composited into all samples of its pixel (SampleImages). Else each sample
+   * of a multisampled pixel sorts the list. So it is with a coincidence tolerance, since each sample has groups of its
+   * own, with more samples than the draw buffers that OpenGL guarantees, and on devices, for whose few registers the
+   * composites of all samples have not been tried.
+   */
+  bool ResolvesAllSamples() const
+  {
+    return (this->Samples == 2 || this->Samples == 4 || this->Samples == MostDrawBuffers) &&
+      !this->Coincidence && this->IsSoftware;
+  }
+  static constexpr int MostDrawBuffers = 8;
+
   /** The define that selects the colour format in shaders. It is null for 8 bits. */
   const char* ColorDefine() const;
 

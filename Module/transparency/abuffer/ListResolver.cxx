@@ -98,7 +98,10 @@ public:
   void SetUniforms(vtkShaderProgram* program) const
   {
     program->SetUniformi("heads", this->Heads.Unit());
-    program->SetUniformi("nodes", this->Nodes.Unit());
+    if (program->IsUniformUsed("nodes"))
+    {
+      program->SetUniformi("nodes", this->Nodes.Unit());
+    }
     if (program->IsUniformUsed("thirdWords"))
     {
       program->SetUniformi("thirdWords", this->ThirdWords.Unit());
@@ -127,13 +130,22 @@ std::string ListResolver::FindProblemOfLength(std::int64_t longest)
                                                                : "";
 }
 
-std::string ListResolver::PrepareTiles(vtkOpenGLState* state, const RenderTarget& target)
+std::string ListResolver::Prepare(
+  vtkOpenGLState* state, const RenderTarget& target, const ListLayout& layout)
 {
   const BlockRange tiles = TilesOf({ 0, 0, target.Width, target.Height });
   std::string problem = this->TileMax.Allocate(GL_R32UI, tiles.Count[0], tiles.Count[1], 0);
   if (problem.empty())
   {
     this->TileFramebuffer.Attach(state, this->TileMax);
+  }
+  if (!layout.ResolvesAllSamples())
+  {
+    this->Samples.Release();
+  }
+  else if (problem.empty())
+  {
+    problem = this->Samples.Prepare(state, target);
   }
   return problem;
 }
@@ -180,6 +192,11 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
       return false;
     }
   }
+  const bool allSamples = layout.ResolvesAllSamples();
+  if (allSamples && !this->ReadySamples(window, layout))
+  {
+    return false;
+  }
 
   vtkOpenGLState* state = window->GetState();
   BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
@@ -218,8 +235,19 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
       drawTiles(this->ReadySortRuns(window, layout, plan, draw.Bin), draw);
       BarrierBeforeReadingLists();
     }
-    BindForDrawing(state, target.Framebuffer);
+    BindForDrawing(state, allSamples ? this->Samples.FramebufferHandle() : target.Framebuffer);
     drawTiles(this->ReadyResolve(window, layout, plan, draw.Bin), draw);
+  }
+  if (allSamples)
+  {
+    const ScopedTextureUnit colors(state, GL_TEXTURE_2D_ARRAY, this->Samples.Colors().Handle());
+    BindForDrawing(state, target.Framebuffer);
+    vtkShaderProgram* program = this->ReadySamples(window, layout);
+    program->SetUniformi("sampleColors", colors.Unit());
+    for (const BinDraw& draw : draws)
+    {
+      drawTiles(program, draw);
+    }
   }
   return true;
 }
@@ -298,6 +326,13 @@ vtkShaderProgram* ListResolver::ReadySortRuns(
     });
 }
 
+vtkShaderProgram* ListResolver::ReadySamples(
+  vtkOpenGLRenderWindow* window, const ListLayout& layout)
+{
+  return this->Programs.Ready(window, "samples", layout.Defines(), shaders::TileQuadVertex,
+    [] { return shaders::ListSamples; });
+}
+
 vtkShaderProgram* ListResolver::ReadyResolve(
   vtkOpenGLRenderWindow* window, const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
 {
@@ -324,6 +359,7 @@ void ListResolver::Release()
   this->TileMax.Release();
   this->TileFramebuffer.Release();
   this->SortFramebuffer.Release();
+  this->Samples.Release();
   this->VertexArray.Release();
   this->Programs.Release();
 }

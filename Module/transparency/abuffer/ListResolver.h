@@ -7,6 +7,7 @@
 #include "gl/ProgramCache.h"
 #include "gl/RenderTarget.h"
 #include "transparency/abuffer/ListLayout.h"
+#include "transparency/abuffer/SampleImages.h"
 
 #include <cstdint>
 #include <string>
@@ -25,10 +26,10 @@ class ListResolver
 {
 public:
   /**
-   * Make room for the tiles of the target. Call this before all else. Changes the framebuffer binding. Returns an error
-   * message, empty on success.
+   * Make room for the tiles and the samples of the target. Call this before all else. Changes the framebuffer binding.
+   * Returns an error message, empty on success.
    */
-  std::string PrepareTiles(vtkOpenGLState* state, const RenderTarget& target);
+  std::string Prepare(vtkOpenGLState* state, const RenderTarget& target, const ListLayout& layout);
 
   /** Find each tile's longest list, and add what the lists in `region` need to the store's counters. */
   void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
@@ -51,7 +52,7 @@ public:
   /** Returns true if a shader did not compile. Nothing was drawn by it. */
   bool HasFailed() const { return this->Programs.HasFailed(); }
 
-  std::int64_t Bytes() const { return this->TileMax.Bytes(); }
+  std::int64_t Bytes() const { return this->TileMax.Bytes() + this->Samples.Colors().Bytes(); }
 
   void Release();
 
@@ -70,12 +71,14 @@ private:
   vtkShaderProgram* ReadyClassify(vtkOpenGLRenderWindow* window, const ListLayout& layout);
   vtkShaderProgram* ReadySortRuns(vtkOpenGLRenderWindow* window, const ListLayout& layout,
     const SortPlan& plan, const SortBin& bin);
+  vtkShaderProgram* ReadySamples(vtkOpenGLRenderWindow* window, const ListLayout& layout);
   vtkShaderProgram* ReadyResolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
     const SortPlan& plan, const SortBin& bin);
 
   Image2D TileMax;
   Framebuffer TileFramebuffer;
   Framebuffer SortFramebuffer; // Has no images.
+  SampleImages Samples; // If lists are composited into all samples at once, else without images.
   EmptyVertexArray VertexArray;
   ProgramCache Programs;
 };

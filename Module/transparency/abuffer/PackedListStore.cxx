@@ -89,9 +89,11 @@ std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayo
 //------------------------------------------------------------------------------
 // Makes as much room as the last prediction asked for, and some more, since this one may ask for a little more. So the
 // placing need not be waited for: pixels that it leaves short are drawn again. Only the first prediction is read before
-// the fill. If the buffer cannot have so much room, the frame is counted first, as without a prediction.
+// the fill. If the buffer cannot have so much room, the frame is counted first, as without a prediction. After some
+// rooms were too small, as at sharp edges, those of the next frames have a reserve.
 std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout)
 {
+  this->Scan.SetReserve(this->FramesSinceShort < PoolSizing::Window);
   const bool isKnown = this->LastPredictedRoom > 0 && this->ReserveForPrediction();
   const auto place = [&]
   {
@@ -180,6 +182,10 @@ FragmentStore::FitType PackedListStore::Fit(const FragmentStatistics& needed)
   if (needed.ShortPixels == 0)
   {
     return FITS;
+  }
+  if (this->Filled == PREDICTED)
+  {
+    this->FramesSinceShort = 0;
   }
   if (!this->Grow(needed.Fragments))
   {
@@ -297,6 +303,7 @@ void PackedListStore::EndFrame(const FragmentStatistics& used, int bands)
   this->LastFrame = used.Fragments > 0 && bands == 1 ? this->Blocks : BlockRange();
   this->ShrinkIfLongOversized();
   this->FramesSinceGrowth = std::min(this->FramesSinceGrowth + 1, PoolSizing::Window);
+  this->FramesSinceShort = std::min(this->FramesSinceShort + 1, PoolSizing::Window);
   this->RoomNodes = 0;
 }
 

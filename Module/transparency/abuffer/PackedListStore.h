@@ -76,7 +76,8 @@ private:
   std::int64_t Memory = 0;
   int ShortageFrames = 0; // Frames since the driver last refused memory.
   int FramesSinceGrowth = PoolSizing::Window;
-  std::int64_t RoomNodes = 0; // The largest room that a fill of this frame had.
+  int FramesSinceShort = PoolSizing::Window; // Frames since a prediction was last too small.
+  std::int64_t RoomNodes = 0;                // The largest room that a fill of this frame had.
   StartType Start = COUNTING;
   StartType Filled = COUNTING;        // How the last fill began.
   std::int64_t LastFragments = 0;     // Of the last frame, if it was of the same layout; else 0.

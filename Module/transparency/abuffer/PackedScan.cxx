@@ -107,6 +107,7 @@ bool PackedScan::RunOverBlocks(ComputeProgram& program, vtkOpenGLRenderWindow* w
   program.Set("blocks", blocks.Size());
   program.Set("ofBlocks", this->OfBlocks);
   program.Set("capacity", capacity);
+  program.Set("hasReserve", this->HasReserve ? 1 : 0);
   ComputeProgram::DispatchFor(blocks.Size(), GroupSize);
   BarrierBetweenScans();
   return true;

@@ -46,6 +46,12 @@ public:
     ListHeads& heads, GLuint longestLists, const BlockRange& blocks, std::uint32_t capacity);
 
   /**
+   * Set whether predicted rooms are a quarter and two fragments larger than the longest list that they are predicted
+   * from. The default is that they are not.
+   */
+  void SetReserve(bool has) { this->HasReserve = has; }
+
+  /**
    * Read the number of nodes that the last call asked for, including those beyond the capacity. It saturates at
    * UINT32_MAX. Waits for the device.
    */
@@ -84,6 +90,7 @@ private:
 
   std::vector<Level> Levels; // From the sums of the blocks to the sum of all.
   int OfBlocks = 0; // Position in Sums of each block's second value, the room of one pixel.
+  bool HasReserve = false;
   Buffer Sums;
   ComputeProgram Counts;
   ComputeProgram Prediction;

@@ -273,7 +273,7 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   }
   if (problem.empty())
   {
-    problem = in.Resolver.PrepareTiles(state, target);
+    problem = in.Resolver.Prepare(state, target, in.Layout);
   }
   return problem.empty() ? in.Backdrop.Copy(state, target) : problem;
 }

@@ -11,6 +11,7 @@
  *   which is a block of 4 x 4 pixels and the eight blocks around it. One pass over the geometry suffices. If a pixel
  *   has more fragments, as when the camera jumps, that pass has counted them, and a second pass of the same frame
  *   stores them.
+ *   Rooms are then a quarter and two fragments larger for 32 frames.
  *
  * No fragment is written outside of its pixel's room. If two passes of a frame do not agree, as with shaders that
  * change from draw to draw, the geometry is drawn again. If they still do not agree, VTK's own method draws the frame
