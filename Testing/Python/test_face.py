@@ -138,7 +138,7 @@ class Undoing(unittest.TestCase):
         with vitrine.see_through(renderer):
             with vitrine.see_through(renderer, "truth"):
                 self.assertEqual(vitrine.stats(renderer).method, "truth")
-            self.assertEqual(vitrine.stats(renderer).method, "linked-list")
+            self.assertEqual(vitrine.stats(renderer).method, "prefix-sum-predicted")
         self.assertIsNone(renderer.GetPass())
 
     def test_handles_are_removed_in_any_order(self):
@@ -182,7 +182,7 @@ class Undoing(unittest.TestCase):
         gc.collect()
         self.assertEqual(handle.renderers, [])
         handle.remove()
-        self.assertEqual(repr(handle), "<SeeThrough linked-list, removed>")
+        self.assertEqual(repr(handle), "<SeeThrough prefix-sum-predicted, removed>")
 
     def test_handle_keeps_no_pass_alive(self):
         renderer = vtkRenderer()
@@ -235,7 +235,7 @@ class Effects(unittest.TestCase):
         handle = vitrine.see_through(window)
         window.Render()
         blur = self.blurred(renderer)
-        self.assertEqual(vitrine.stats(renderer).method, "linked-list")
+        self.assertEqual(vitrine.stats(renderer).method, "prefix-sum-predicted")
         window.Render()
         self.assertIs(renderer.GetPass().GetEffectsPass(), blur)
         self.assertGreater(vitrine.stats(window).fragments, 0)
@@ -345,7 +345,7 @@ class Report(unittest.TestCase):
         renderer = plates(2)
         handle = vitrine.see_through(renderer)
         drawn(renderer)
-        self.assertIn("last frame: method='linked-list'", vitrine.report(renderer))
+        self.assertIn("last frame: method='prefix-sum-predicted'", vitrine.report(renderer))
         handle.remove()
         with self.assertRaisesRegex(ValueError, "see_through"):
             vitrine.report(renderer)
@@ -364,7 +364,7 @@ class Figures(unittest.TestCase):
         window.Render()
         told = vitrine.stats(window)
         self.assertEqual(told, handle.stats())
-        self.assertEqual((told.method, told.fallback_reason), ("linked-list", ""))
+        self.assertEqual((told.method, told.fallback_reason), ("prefix-sum-predicted", ""))
         self.assertEqual((told.fragments, told.layers_max, told.layers_mean), (7 * 64 * 48, 7, 7.0))
         self.assertGreater(told.bytes, told.fragments * 12)
         self.assertIn(told.geometry_passes, (1, 2))
