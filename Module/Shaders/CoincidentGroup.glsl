@@ -166,12 +166,7 @@ vec3 colorOfGroup()
 #if defined(VITRINE_BLENDS_IN_TURN)
 #define BLEND_LIST BLEND_REST
 #elif defined(VITRINE_BIN)
-#ifndef SORTED
-#define SORTED Fragment
-#define SORTED_OF(f) f
-#define SORTED_FRAGMENT(s) s
-#endif
-SORTED sorted[VITRINE_BIN];
+Fragment sorted[VITRINE_BIN];
 int sortedSize = 0;
 bool sortedMeet = false;
 float sortedFarEnd = -1.0;
@@ -180,7 +175,7 @@ float sortedFarEnd = -1.0;
   { \
     vec4 c = fragmentColor(f); \
     BLEND_COLOR(c) \
-    sorted[sortedSize++] = SORTED_OF(f); \
+    sorted[sortedSize++] = f; \
     sortedMeet = sortedMeet || (f.key != NO_KEY && nearEnd(f) <= sortedFarEnd); \
     sortedFarEnd = max(sortedFarEnd, farEnd(f)); \
   }
@@ -192,7 +187,7 @@ float sortedFarEnd = -1.0;
     transmittance = 1.0; \
     for (int i = 0; i < sortedSize; ++i) \
     { \
-      Fragment next = SORTED_FRAGMENT(sorted[i]); \
+      Fragment next = sorted[i]; \
       if (next.key == NO_KEY) \
       { \
         break; \

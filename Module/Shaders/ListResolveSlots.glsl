@@ -8,11 +8,6 @@
 // VITRINE_BLENDS_IN_TURN  a turn reads and composites the first node alone, and words move by one
 #include "ListRead.glsl"
 #include "CompactDepth.glsl"
-
-// The group of coincident fragments keeps words, too.
-#define SORTED uint
-#define SORTED_OF(f) word
-#define SORTED_FRAGMENT(word) fragmentOf(word)
 #include "Registers.glsl"
 #include "ResolveOutput.glsl"
 

@@ -102,6 +102,9 @@ std::string RenderTarget::Probe(vtkOpenGLRenderWindow* window, const RenderTarge
   this->Width = this->Color.Width;
   this->Height = this->Color.Height;
   this->FixedPoint = this->Color.FixedPoint;
+  this->EncodesSRGB =
+    this->Color.InternalFormat == GL_SRGB8 || this->Color.InternalFormat == GL_SRGB8_ALPHA8;
+  this->EightBit = this->Color.InternalFormat == GL_RGB8 || this->Color.InternalFormat == GL_RGBA8;
   this->DepthSteps = this->Depth.FixedPoint && this->Depth.DepthBits <= 24
     ? static_cast<double>((1u << this->Depth.DepthBits) - 1u)
     : 0.0;

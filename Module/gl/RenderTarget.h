@@ -58,9 +58,11 @@ struct RenderTarget
   bool DepthHasStencil = false;
   int Width = 0;
   int Height = 0;
-  int Samples = 0;         // Samples of a pixel, 0 if single-sampled.
-  bool FixedPoint = true;  // Colours are normalised fixed point, not float.
-  double DepthSteps = 0.0; // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0.
+  int Samples = 0;          // Samples of a pixel, 0 if single-sampled.
+  bool FixedPoint = true;   // Colours are normalised fixed point, not float.
+  bool EncodesSRGB = false; // Colours are stored with sRGB's curve.
+  bool EightBit = true;     // Colours are linear, with 8 bits a channel.
+  double DepthSteps = 0.0;  // 2^bits - 1 of a fixed-point depth buffer of at most 24 bits, else 0.
   // The depth is single-sampled fixed point of more than 24 bits. It is copied as 32-bit integers.
   bool DepthIntegers = false;
   // Largest error of depth read by samplers if multisampled fixed-point depth has more than 24 bits, else 0.

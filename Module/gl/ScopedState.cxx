@@ -120,7 +120,7 @@ GLenum TextureBindingQuery(GLenum target)
   const auto* const found = std::find_if(std::begin(TextureBindings), std::end(TextureBindings),
     [target](const auto& each) { return each.first == target; });
   assert(found != std::end(TextureBindings) && "texture target without a query");
-  return found->second;
+  return found != std::end(TextureBindings) ? found->second : 0;
 }
 
 ScopedTrackedState::ScopedTrackedState(vtkOpenGLState* state)

@@ -79,7 +79,8 @@ def see_through(
     """
     renderers = _renderers_of(target)
     if method is None:
-        method, color_storage = DEFAULT_METHOD, color_storage or DEFAULT_STORAGE
+        method = DEFAULT_METHOD
+        color_storage = DEFAULT_STORAGE if color_storage is None else color_storage
 
     def make() -> vtkSeeThroughPass:
         return make_pass(method, lights, color_storage, memory_limit, coincidence)

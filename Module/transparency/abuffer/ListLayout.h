@@ -13,7 +13,7 @@ enum class NodeColors
 {
   HalfFloat, ///< Four 16-bit floats.
   EightBit,  ///< RGBA8.
-  Compact    ///< Colour and depth together in two words, for fixed-point targets only.
+  Compact    ///< Colour and depth together in two words, for linear 8-bit targets only.
 };
 
 struct ListLayout
@@ -21,6 +21,7 @@ struct ListLayout
   bool Packed = false; ///< Lists are consecutive nodes of one buffer, not linked pages of a pool.
   NodeColors Colors = NodeColors::HalfFloat;
   bool FixedPoint = true;
+  bool EncodesSRGB = false; ///< The target stores colours with sRGB's curve.
   bool FramebufferFetch = false;
   bool IsSoftware = false;  ///< Shaders run on the CPU (gl/DeviceTraits).
   bool Additive = false;    ///< Some fragments are added to what is behind them.
@@ -31,13 +32,13 @@ struct ListLayout
   /**
    * Returns true if a list is sorted once and composited into all samples of its pixel (SampleImages). Else each sample
    * of a multisampled pixel sorts the list. So it is with a coincidence tolerance, since each sample has groups of its
-   * own, with more samples than the draw buffers that OpenGL guarantees, and on devices, for whose few registers the
-   * composites of all samples have not been tried.
+   * own, in targets of sRGB, which may or may not encode what is written, with more samples than the draw buffers that
+   * OpenGL guarantees, and on devices, for whose few registers the composites of all samples have not been tried.
    */
   bool ResolvesAllSamples() const
   {
     return (this->Samples == 2 || this->Samples == 4 || this->Samples == MostDrawBuffers) &&
-      !this->Coincidence && this->IsSoftware;
+      !this->Coincidence && !this->EncodesSRGB && this->IsSoftware;
   }
   static constexpr int MostDrawBuffers = 8;
 

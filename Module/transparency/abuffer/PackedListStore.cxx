@@ -90,10 +90,11 @@ std::string PackedListStore::Place(vtkOpenGLRenderWindow* window, const ListLayo
 // Makes as much room as the last prediction asked for, and some more, since this one may ask for a little more. So the
 // placing need not be waited for: pixels that it leaves short are drawn again. Only the first prediction is read before
 // the fill. If the buffer cannot have so much room, the frame is counted first, as without a prediction. After some
-// rooms were too small, as at sharp edges, those of the next frames have a reserve.
+// rooms were too small, as at sharp edges, those of the next frames have a reserve, if the buffer can have room for it.
 std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const ListLayout& layout)
 {
-  this->Scan.SetReserve(this->FramesSinceShort < PoolSizing::Window);
+  const bool hasReserve = this->FramesSinceShort < PoolSizing::Window;
+  this->Scan.SetReserve(hasReserve);
   const bool isKnown = this->LastPredictedRoom > 0 && this->ReserveForPrediction();
   const auto place = [&]
   {
@@ -105,18 +106,27 @@ std::string PackedListStore::PlacePredicted(vtkOpenGLRenderWindow* window, const
   {
     return problem;
   }
-  const std::int64_t room = this->Scan.ReadTotal();
-  if (room > this->Capacity())
+  std::int64_t room = this->Scan.ReadTotal();
+  if (room <= this->Capacity())
   {
-    if (!this->ReserveMoreThan(room))
-    {
-      this->ClearHeads(window);
-      this->Filled = COUNTING;
-      return {};
-    }
-    problem = place();
+    return {};
   }
-  return problem;
+  bool hasRoom = this->ReserveMoreThan(room);
+  if (!hasRoom && hasReserve)
+  {
+    this->FramesSinceShort = PoolSizing::Window;
+    this->Scan.SetReserve(false);
+    problem = place();
+    room = this->Scan.ReadTotal();
+    hasRoom = room <= this->Capacity() || this->ReserveMoreThan(room);
+  }
+  if (problem.empty() && !hasRoom)
+  {
+    this->ClearHeads(window);
+    this->Filled = COUNTING;
+    return {};
+  }
+  return problem.empty() ? place() : problem;
 }
 
 //------------------------------------------------------------------------------

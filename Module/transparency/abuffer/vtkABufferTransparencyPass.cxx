@@ -48,10 +48,11 @@ std::uint32_t WithLowerBins(std::uint32_t bins)
   return bins;
 }
 
-// Compact nodes have no room for colours beyond 1.
+// Compact nodes have no room for colours beyond 1. They have too few bits for targets of more than 8 bits a channel,
+// and for dark colours of sRGB.
 vitrine::NodeColors KindOfColors(int storage, const vitrine::RenderTarget& target)
 {
-  const bool isCompact = storage == vtkABufferTransparencyPass::COMPACT && target.FixedPoint;
+  const bool isCompact = storage == vtkABufferTransparencyPass::COMPACT && target.EightBit;
   return isCompact                                     ? vitrine::NodeColors::Compact
     : storage == vtkABufferTransparencyPass::EIGHT_BIT ? vitrine::NodeColors::EightBit
                                                        : vitrine::NodeColors::HalfFloat;
@@ -252,6 +253,7 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.Additive = this->HasAdditiveFragments();
   in.Layout.Coincidence = tolerance.IsOn();
   in.Layout.FixedPoint = target.FixedPoint;
+  in.Layout.EncodesSRGB = target.EncodesSRGB;
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.

@@ -76,7 +76,8 @@ public:
     /**
      * 38 bits of colour and 26 bits of depth, 8 bytes a fragment in all. Exact for 8-bit pictures as HALF_FLOAT, with
      * an additional error of at most half a step. Depths below 1/128 are stored in steps of 2^-30, 1/64 of the step
-     * of a 24-bit depth buffer. In floating-point targets colours are stored as with HALF_FLOAT.
+     * of a 24-bit depth buffer. In targets other than linear ones of 8 bits a channel, colours are stored as with
+     * HALF_FLOAT.
      */
     COMPACT = 2
   };

@@ -453,7 +453,10 @@ std::string vtkTransparencyPass::FindFillProblem()
       vitrine::FindCompileProblem(in.Context.Window(), this->GetCapturingShader(writesDepth));
     if (!problem.empty())
     {
-      in.RefusedShaders += (in.RefusedShaders.empty() ? "" : "\n") + problem;
+      if (in.RefusedShaders.find(problem) == std::string::npos)
+      {
+        in.RefusedShaders += (in.RefusedShaders.empty() ? "" : "\n") + problem;
+      }
       in.FillVariant.clear();
       return problem;
     }

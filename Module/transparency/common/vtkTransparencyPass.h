@@ -115,9 +115,10 @@ public:
 
   /**
    * Get the version and the optional extensions of the shaders that store fragments in this window, such as
-   * "GLSL 1.50, GL_EXT_shader_framebuffer_fetch". If the driver refuses such shaders, the method tries others that are
-   * exact too: without framebuffer fetch, in GLSL 4.30, and without post-depth coverage. The string is empty if the
-   * method has drawn no frame in this window, or if the driver refused all.
+   * "GLSL 1.50, GL_EXT_shader_framebuffer_fetch". If the driver refuses such shaders, the method tries others:
+   * without framebuffer fetch, in GLSL 4.30, and without post-depth coverage. They draw the same picture, but the last,
+   * in which depths of samples at intersections may differ by rounding. The string is empty if the method has drawn no
+   * frame in this window, or if the driver refused all.
    */
   std::string GetShaderVariant();
 
