@@ -17,9 +17,6 @@ from .vtkVitrineRendering import (
 )
 
 METHODS: tuple[str, ...] = tuple(vtkTransparencyPass.GetExactMethods().split(","))
-# The fastest exact method, and a storage that is exact to 8-bit pictures (docs/lab/transparency-notes.md).
-DEFAULT_METHOD = "prefix-sum-predicted"
-DEFAULT_STORAGE = "compact"
 _LIGHTS: dict[str, Any] = {
     "clustered": vtkClusteredLightsPass,
     "deferred": vtkDeferredLightsPass,

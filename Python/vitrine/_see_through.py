@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkSequencePass, vtkShadowMapPass
 
-from ._options import DEFAULT_METHOD, DEFAULT_STORAGE, check_boolean, make_pass
+from ._options import check_boolean, make_pass
 from .vtkVitrineRendering import (
     vtkClusteredLightsPass,
     vtkHierarchicalSBufferCuller,
@@ -22,7 +22,7 @@ from .vtkVitrineRendering import (
 
 def see_through(
     target: Any,
-    method: str | None = None,
+    method: str = "prefix-sum-predicted",
     *,
     lights: str | bool | None = None,
     cull: bool = False,
@@ -35,16 +35,15 @@ def see_through(
     Args:
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
             renderers, including those that are added later.
-        method: "prefix-sum-predicted", which needs only one pass over the geometry if the last frame predicts enough
-            room; "linked-list", which always needs only one; "prefix-sum", which counts fragments first;
-            "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow reference, composited in float64 on
-            the CPU. None, the default, picks "prefix-sum-predicted" with compact colours.
+        method: "prefix-sum-predicted", the default, which needs only one pass over the geometry if the last frame
+            predicts enough room; "linked-list", which needs only one whatever the camera does; "prefix-sum", which
+            counts fragments first; "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow reference,
+            composited in float64 on the CPU.
         lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the
             lighting.
         cull: whether hidden parts are left out (vtkHierarchicalSBufferCuller, which replaces the renderer's cullers).
-        color_storage: for linked lists and prefix sums. "compact" takes two thirds of the memory of "half-float", is
-            faster, and exact to 8-bit pictures. "8-bit" rounds each fragment. None, the default, means "half-float" if
-            a method is given.
+        color_storage: for linked lists and prefix sums. "half-float" is the default. "compact" takes two thirds of
+            the memory, is faster, and exact to 8-bit pictures. "8-bit" rounds each fragment.
         memory_limit: for linked lists and prefix sums: the largest number of bytes that fragments may take on the
             device, for each renderer. Frames that need more are drawn in bands, and stay exact. None means no limit.
         coincidence: for linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those
@@ -78,9 +77,6 @@ def see_through(
     True
     """
     renderers = _renderers_of(target)
-    if method is None:
-        method = DEFAULT_METHOD
-        color_storage = DEFAULT_STORAGE if color_storage is None else color_storage
 
     def make() -> vtkSeeThroughPass:
         return make_pass(method, lights, color_storage, memory_limit, coincidence)
