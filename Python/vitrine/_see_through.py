@@ -43,7 +43,8 @@ def see_through(
             lighting.
         cull: whether hidden parts are left out (vtkHierarchicalSBufferCuller, which replaces the renderer's cullers).
         color_storage: for linked lists and prefix sums. "half-float" is the default. "compact" takes two thirds of
-            the memory, is faster, and exact to 8-bit pictures. "8-bit" rounds each fragment.
+            the memory, is faster, and exact to 8-bit pictures of one sample a pixel. With several samples a few
+            pixels are 2 of 255 off. "8-bit" rounds each fragment.
         memory_limit: for linked lists and prefix sums: the largest number of bytes that fragments may take on the
             device, for each renderer. Frames that need more are drawn in bands, and stay exact. None means no limit.
         coincidence: for linked lists, prefix sums and truth: the tolerance within which fragments coincide, as those

@@ -86,6 +86,7 @@ class Bundle(unittest.TestCase):
             ((), "bundle-gpu"),
             (("--table", self.unpacked / "lib"), "no results"),
             ((self.unpacked / "lib", "x.tar.xz"), "no "),
+            (("x.zip",), "OUT.tar.xz"),
         ):
             refused = bundle(*arguments)
             self.assertEqual(refused.returncode, 2)

@@ -227,6 +227,9 @@ class Page(unittest.TestCase):
         self.assertNotIn("old\n", new.replace("| old", ""))
         self.assertEqual(table.written_of(new), ("2026-11-27", "0123456789"))
         self.assertEqual(table.written_of(page), (None, None))
+        commits = table.commits_of(new, ["llvmpipe", "Xe"])
+        self.assertEqual(commits, {"llvmpipe": "0123456789", "Xe": "9876543210"})
+        self.assertEqual(table.commits_of(page, ["llvmpipe"]), {})
         with self.assertRaises(table.TableError):
             table.replaced("# Drivers\n", [])
 

@@ -8,6 +8,9 @@ here=$(cd "$(dirname "$0")" && pwd)
 [ $# -ge 1 ] || { echo "usage: run-suite.sh OUT [SECONDS=480]" >&2; exit 2; }
 out=$1
 limit=${2:-480}
+case $limit in
+  '' | *[!0-9]*) echo "run-suite.sh: SECONDS is a whole number, not '$limit'" >&2; exit 2 ;;
+esac
 start=$(date +%s)
 mkdir -p "$out" || exit 2
 out=$(cd "$out" && pwd)

@@ -300,3 +300,16 @@ def written_of(page):
         if line.startswith("Run on ") and words[-2] == "commit":
             return words[2], words[-1]
     return None, None
+
+
+def commits_of(page, names):
+    """The commit of each row of the page, by name. It is empty if the page was never written."""
+    _, oldest = written_of(page)
+    if oldest is None:
+        return {}
+    commits = {name: oldest for name in names}
+    for line in page.splitlines():
+        if line.startswith("Of commit "):
+            made, _, listed = line.rstrip(".").partition(": ")
+            commits.update({name: made.split()[2].rstrip(",") for name in listed.split("; ")})
+    return commits
