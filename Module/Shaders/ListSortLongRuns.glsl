@@ -1,4 +1,4 @@
-// A-buffer, resolve pass for lists of more than VITRINE_MAX_RUNS runs of VITRINE_RUN_SIZE nodes, first half. It divides
+// A-buffer, resolve pass for lists that are too long for VITRINE_MAX_RUNS runs of one network, first half. It divides
 // the list into VITRINE_MAX_RUNS longer runs and sorts each in place, block by block. It reads and writes nodes.
 //
 // Each round walks over the rest of the run and keeps its nearest block in registers. It then stores that block where

@@ -230,9 +230,9 @@ bool sameFragment(Fragment a, Fragment b)
     transmittance -= transmittance * c.a; \
   }
 
-// DECLARE_COMPOSITE declares the two. BLEND composites the fragment of a register, and BLEND_LIST completes all
-// registers. BLEND_NEXT composites the next fragment of a list, and BLEND_REST completes the list. With
-// VITRINE_BLENDS_IN_TURN, BLEND_LIST is that, too.
+// DECLARE_COMPOSITE declares `color` and `transmittance`. BLEND composites the fragment of a register, and BLEND_LIST
+// completes all registers. BLEND_NEXT composites the next fragment of a list, and BLEND_REST completes the list. With
+// VITRINE_BLENDS_IN_TURN, BLEND_LIST is BLEND_REST.
 #ifdef VITRINE_ALL_SAMPLES
 #include "SampleBlend.glsl"
 #else

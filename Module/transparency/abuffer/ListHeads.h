@@ -26,13 +26,13 @@ public:
    * Make room for the target's pixels. Width and height are rounded up to a multiple of `multiple`. With
    * `framebufferFetch` the heads are an attachment that shaders fetch from, else an image for atomics. The first word
    * of an empty list is `emptyFirst` in an attachment, and 0 in an image for atomics. The second word is 0. All lists
-   * of a new image are empty. Changes the framebuffer binding, and for a new image the scissor box and the colour mask.
-   * Returns an error message, empty on success.
+   * of a new image are empty. Changes the framebuffer binding, and for a new image the scissor test, its box and the
+   * colour mask. Returns an error message, empty on success.
    */
   std::string Prepare(vtkOpenGLState* state, const RenderTarget& target, bool framebufferFetch,
     GLuint emptyFirst, int multiple = 1);
 
-  /** Empty the lists of `region`. Changes the framebuffer binding, scissor box and colour mask. */
+  /** Empty the lists of `region`. Changes the framebuffer binding, the scissor test, its box and the colour mask. */
   void Clear(vtkOpenGLState* state, const PixelRegion& region);
 
   /**
