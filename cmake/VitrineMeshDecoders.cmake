@@ -1,0 +1,17 @@
+# Find the decoders of compressed geometry: Draco, as a static library, and meshoptimizer, by its C interface. They are
+# VITRINE_MESH_DECODERS, and their headers VITRINE_MESH_DECODER_INCLUDES. CMake files of Debian's packages name files by
+# paths that hold only where the packages are installed, so they are not used.
+find_path(VITRINE_DRACO_INCLUDE draco/compression/decode.h)
+find_library(VITRINE_DRACO_LIBRARY NAMES libdraco.a draco)
+find_path(VITRINE_MESHOPTIMIZER_INCLUDE meshoptimizer.h)
+find_library(VITRINE_MESHOPTIMIZER_LIBRARY meshoptimizer)
+mark_as_advanced(VITRINE_DRACO_INCLUDE VITRINE_DRACO_LIBRARY
+  VITRINE_MESHOPTIMIZER_INCLUDE VITRINE_MESHOPTIMIZER_LIBRARY)
+if (NOT VITRINE_DRACO_INCLUDE OR NOT VITRINE_DRACO_LIBRARY)
+  message(FATAL_ERROR "Vitrine needs Draco with its headers. Debian's package is libdraco-dev.")
+endif ()
+if (NOT VITRINE_MESHOPTIMIZER_INCLUDE OR NOT VITRINE_MESHOPTIMIZER_LIBRARY)
+  message(FATAL_ERROR "Vitrine needs meshoptimizer with its header. Debian's package is libmeshoptimizer-dev.")
+endif ()
+set(VITRINE_MESH_DECODERS "${VITRINE_DRACO_LIBRARY}" "${VITRINE_MESHOPTIMIZER_LIBRARY}")
+set(VITRINE_MESH_DECODER_INCLUDES "${VITRINE_DRACO_INCLUDE}" "${VITRINE_MESHOPTIMIZER_INCLUDE}")
