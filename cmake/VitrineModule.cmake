@@ -9,13 +9,17 @@ endif ()
 if (BUILD_TESTING OR VITRINE_BUILD_EXAMPLES)
   list(APPEND vitrine_find_components
     CommonColor CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
-    IOGeometry IOImage IOImport IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation
+    IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore InteractionStyle RenderingAnnotation
     RenderingFreeType RenderingVolume RenderingVolumeOpenGL2 InteractionWidgets)
 endif ()
 if (VITRINE_BUILD_EXAMPLES)
   list(APPEND vitrine_find_components ChartsCore RenderingContext2D RenderingContextOpenGL2)
 endif ()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components})
+set(vitrine_optional_components)
+if (VITRINE_BUILD_EXAMPLES)
+  set(vitrine_optional_components OPTIONAL_COMPONENTS IOHDF) # needs HDF5, which not every VTK has
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${vitrine_find_components} ${vitrine_optional_components})
 include(VitrineStringABI)
 include(VitrineEGL)
 set(VITRINE_LEFT_OUT) # beside vtkHeadlessRenderWindow, for Module's message

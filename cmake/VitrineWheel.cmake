@@ -17,3 +17,21 @@ if (VITRINE_BUILD_EXAMPLES)
     RENAME      vitrine
     COMPONENT   python)
 endif ()
+
+# Libraries that a user's machine need not have, and what they ask for with them.
+include(VitrineMeshDecoders)
+get_filename_component(vitrine_meshoptimizer "${VITRINE_MESHOPTIMIZER_LIBRARY}" REALPATH)
+get_filename_component(vitrine_libraries "${VITRINE_MESHOPTIMIZER_LIBRARY}" DIRECTORY)
+file(GLOB vitrine_meshoptimizer_name RELATIVE "${vitrine_libraries}" "${vitrine_libraries}/libmeshoptimizer.so.*d")
+install(
+  FILES       "${vitrine_meshoptimizer}"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  RENAME      "${vitrine_meshoptimizer_name}"
+  COMPONENT   runtime)
+foreach (package IN ITEMS libdraco-dev libmeshoptimizer-dev)
+  install(
+    FILES       "${vitrine_libraries}/../../share/doc/${package}/copyright"
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}/licenses"
+    RENAME      "${package}.txt"
+    COMPONENT   runtime)
+endforeach ()

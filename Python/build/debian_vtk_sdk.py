@@ -10,12 +10,16 @@ import pathlib
 import re
 import shutil
 import sys
+import zlib
 
 from debian_packages import MIRROR, PackageError, Suite
 
 VTK_SUITE = "forky"
 LIBRARY_SUITE = "bookworm"  # the oldest supported: static libraries of it link everywhere
-LIBRARY_PACKAGES = ["libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "libpng-dev", "zlib1g-dev"]
+LIBRARY_PACKAGES = [
+    *("libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "libpng-dev", "zlib1g-dev"),
+    *("libdraco-dev", "libmeshoptimizer-dev", "libmeshoptimizer2d"),
+]
 LIBRARIES = "lib/x86_64-linux-gnu"
 SNAPSHOT = "https://snapshot.debian.org/archive/debian/20261101T000000Z"  # of the day with VTK 9.6.2 in forky
 
@@ -26,7 +30,8 @@ def sdk(version, vtkmodules, folder):
 
     Within the `with`, no other build has the folder.
     """
-    complete = folder / f"{version}-cp3{sys.version_info.minor}"
+    recipe = zlib.crc32(pathlib.Path(__file__).read_bytes())
+    complete = folder / f"{version}-cp3{sys.version_info.minor}-{recipe:08x}"
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
@@ -101,13 +106,23 @@ def _adapt_cmake_files(prefix, version):
     targets.write_text(targets.read_text() + _LIBRARIES_OF_ITS_OWN)
 
 
-# Of the libraries that Debian's VTK takes from elsewhere: those that Vitrine uses too.
+# Of the libraries that Debian's VTK takes from elsewhere: those that Vitrine uses too. Its wheel has a libpng and a
+# zlib of its own, whose functions have a prefix, and no headers of them. All versions 1.6 and 1 have one interface.
+_PNG_FUNCTIONS = ("begin_read_from_memory", "finish_read", "free")
+_PREFIXED = ";".join(f"png_image_{name}=vtkpng_png_image_{name}" for name in _PNG_FUNCTIONS)
+_ZLIB_FUNCTIONS = ("crc32", "inflate", "inflateEnd", "inflateInit2_")
+_PREFIXED_ZLIB = ";".join(f"{name}=vtkzlib_{name}" for name in _ZLIB_FUNCTIONS)
 _LIBRARIES_OF_ITS_OWN = f"""
 get_filename_component(_prefix "${{CMAKE_CURRENT_LIST_DIR}}/../../../.." ABSOLUTE)
 set_target_properties(VTK::nlohmannjson PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${{_prefix}}/include")
 set_target_properties(VTK::png PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES "${{_prefix}}/include"
-  INTERFACE_LINK_LIBRARIES "${{_prefix}}/{LIBRARIES}/libpng16.a;${{_prefix}}/{LIBRARIES}/libz.a;m")
+  INTERFACE_COMPILE_DEFINITIONS "{_PREFIXED}"
+  INTERFACE_LINK_LIBRARIES "${{_prefix}}/{LIBRARIES}/libvtkpng.so")
+set_target_properties(VTK::zlib PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES "${{_prefix}}/include"
+  INTERFACE_COMPILE_DEFINITIONS "{_PREFIXED_ZLIB}"
+  INTERFACE_LINK_LIBRARIES "${{_prefix}}/{LIBRARIES}/libvtkzlib.so")
 """
 
 

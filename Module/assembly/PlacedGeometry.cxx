@@ -1,0 +1,99 @@
+#include "assembly/PlacedGeometry.h"
+
+#include "assembly/PartPoints.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace
+{
+glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
+{
+  return glm::transpose(glm::make_mat4(matrix->GetData()));
+}
+
+/** Applies a function to each vector of an array, whose components after the third are kept. */
+template <class Change>
+vtkSmartPointer<vtkFloatArray> ChangeVectors(vtkDataArray* array, const Change& change)
+{
+  auto changed = vtkSmartPointer<vtkFloatArray>::New();
+  changed->DeepCopy(array);
+  const int components = changed->GetNumberOfComponents();
+  float* vector = changed->GetPointer(0);
+  for (vtkIdType i = 0; i < changed->GetNumberOfTuples(); ++i, vector += components)
+  {
+    const glm::dvec3 to = change(glm::dvec3(vector[0], vector[1], vector[2]));
+    std::copy_n(glm::value_ptr(glm::vec3(to)), 3, vector);
+  }
+  return changed;
+}
+
+glm::dvec3 Normalized(const glm::dvec3& vector)
+{
+  const double length = glm::length(vector);
+  return length > 0.0 ? vector / length : vector;
+}
+
+void PlaceVectors(const glm::dmat3& linear, vtkPointData* data)
+{
+  if (vtkDataArray* const normals = data->GetNormals())
+  {
+    // Products of columns: the inverse transposed times the determinant, which exists for flat parts too.
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+      glm::cross(linear[0], linear[1]));
+    const double sign = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
+    data->SetNormals(ChangeVectors(
+      normals, [&](const glm::dvec3& normal) { return Normalized(sign * (cofactors * normal)); }));
+  }
+  if (vtkDataArray* const tangents = data->GetTangents())
+  {
+    data->SetTangents(ChangeVectors(
+      tangents, [&](const glm::dvec3& tangent) { return Normalized(linear * tangent); }));
+  }
+}
+
+bool IsMirrored(const glm::dmat4& matrix)
+{
+  return glm::determinant(glm::dmat3(matrix)) < 0.0;
+}
+
+vtkSmartPointer<vtkPolyData> ReverseCells(vtkPolyData* geometry)
+{
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputData(geometry);
+  reverse->ReverseCellsOn();
+  reverse->ReverseNormalsOff();
+  reverse->Update();
+  return reverse->GetOutput();
+}
+}
+
+namespace vitrine
+{
+
+vtkSmartPointer<vtkPolyData> PlaceGeometry(vtkPolyData* geometry, vtkMatrix4x4* place)
+{
+  auto placed = vtkSmartPointer<vtkPolyData>::New();
+  placed->ShallowCopy(geometry);
+  if (!place)
+  {
+    return placed;
+  }
+  const glm::dmat4 matrix = MatrixOf(place);
+  vtkNew<PartPoints> points;
+  points->SetData(ChangeVectors(geometry->GetPoints()->GetData(),
+    [&matrix](const glm::dvec3& point) { return glm::dvec3(matrix * glm::dvec4(point, 1.0)); }));
+  placed->SetPoints(points);
+  PlaceVectors(glm::dmat3(matrix), placed->GetPointData());
+  return IsMirrored(matrix) ? ReverseCells(placed) : placed;
+}
+
+}
