@@ -150,4 +150,6 @@ class FileTest(ProgramTest):
 
     def refuse(self, name, content, *words):
         path = self.write(name, content)
-        self.assert_refused(run("info", path, "--size", "8x8"), path, *words)
+        result = run("info", path, "--size", "8x8")
+        self.assert_refused(result, path, *words)
+        self.assertNotIn(b"crashed", result.stderr)

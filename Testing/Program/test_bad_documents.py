@@ -15,11 +15,7 @@ class BadDocuments(FileTest):
         self.refuse("bad.glb", scenes.pack_glb(document, scenes.gltf_binary()), *words)
 
     def test_required_extensions(self):
-        for extension in (
-            "KHR_draco_mesh_compression",
-            "EXT_meshopt_compression",
-            "KHR_mesh_quantization",
-        ):
+        for extension in ("KHR_texture_basisu", "KHR_animation_pointer", "ACME_anything"):
 
             def require(document, extension=extension):
                 document["extensionsRequired"] = [extension]
@@ -33,7 +29,6 @@ class BadDocuments(FileTest):
             "child": lambda d: d["nodes"][0].update(children=[99]),
             "mesh": lambda d: d["nodes"][1].update(mesh=2),
             "skin": lambda d: d["nodes"][1].update(skin=0),
-            "camera": lambda d: d["nodes"][1].update(camera=0),
             "attribute": lambda d: d["meshes"][0]["primitives"][0]["attributes"].update(NORMAL=2),
             "indices": lambda d: d["meshes"][0]["primitives"][0].update(indices=-1),
             "material": lambda d: d["meshes"][0]["primitives"][0].update(material=2),
@@ -59,7 +54,6 @@ class BadDocuments(FileTest):
             "stride": lambda d: d["bufferViews"][0].update(byteStride=16),
             "type": lambda d: d["accessors"][0].update(type="VEC5"),
             "component": lambda d: d["accessors"][0].update(componentType=5124),
-            "no view": lambda d: d["accessors"][0].pop("bufferView"),
             "buffer length": lambda d: d["buffers"][0].update(byteLength=1000),
             "sparse": lambda d: d["accessors"][0].update(
                 sparse={
@@ -79,12 +73,10 @@ class BadDocuments(FileTest):
 
         changes = {
             "mode": lambda d: primitive(d).update(mode=7),
-            "no position": lambda d: primitive(d).update(attributes={}),
             "position type": lambda d: primitive(d).update(attributes={"POSITION": 1}),
             "color count": lambda d: primitive(d)["attributes"].update(COLOR_0=1),
             "signed indices": lambda d: d["accessors"][1].update(componentType=5122),
             "primitives": lambda d: d["meshes"][0].update(primitives=3),
-            "no primitives": lambda d: d["meshes"][0].pop("primitives"),
         }
         for name, change in changes.items():
             with self.subTest(primitive=name):
@@ -128,7 +120,7 @@ class BadDocuments(FileTest):
                 document["textures"] = [{"source": 0}]
                 document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
 
-            self.refuse_document(add, "image 0")
+            self.refuse_document(add, "picture")
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import scenes
 from program import FileTest, run
 
 SEED = 20240607
+KINDS = ("glb", "gltf", "obj", "stl", "ply", "vtp", "vtu", "vtm", "vtpd", "vtpc", "vtk", "vtkhdf", "3mf")
 
 
 class BadFiles(FileTest):
@@ -28,7 +29,7 @@ class BadFiles(FileTest):
         return result.returncode
 
     def test_missing_file(self):
-        for kind in ("glb", "gltf", "obj", "stl", "ply", "vtp", "vtm"):
+        for kind in KINDS:
             path = self.folder / f"none.{kind}"
             self.assert_refused(run("info", path), path, "no such file")
 
@@ -52,17 +53,13 @@ class BadFiles(FileTest):
         self.refuse("picture.tiff", b"II*\0", ".glb", ".vtm")
         self.refuse("no_extension", b"ply", ".glb", ".vtm")
 
-    def test_step_is_told_the_way(self):
-        for name in ("model.stp", "model.STEP"):
-            self.refuse(name, b"ISO-10303-21;", "convert STEP to GLB first")
-
     def test_empty_file(self):
-        for kind in ("glb", "gltf", "obj", "stl", "ply", "vtp", "vtm"):
+        for kind in KINDS:
             self.refuse(f"empty.{kind}", b"", "empty")
 
     def test_random_bytes(self):
         noise = random.Random(SEED).randbytes(3000)
-        for kind in ("glb", "gltf", "obj", "stl", "ply", "vtp", "vtm"):
+        for kind in KINDS:
             self.refuse(f"noise.{kind}", noise)
 
     def test_renamed_files(self):
@@ -72,8 +69,11 @@ class BadFiles(FileTest):
                 if {kind, other} not in ({kind}, {".glb", ".gltf"}):
                     with self.subTest(kind=kind, content=other):
                         self.refuse(f"renamed{kind}", content)
-        self.refuse("renamed.glb", contents[".gltf"])
-        self.refuse("renamed.gltf", contents[".glb"])
+
+    def test_glb_and_gltf_may_have_each_others_name(self):
+        contents = {path.suffix: path.read_bytes() for path in scenes.write_all(self.folder)}
+        for name, kind in (("renamed.glb", ".gltf"), ("renamed.gltf", ".glb")):
+            self.assert_done(run("info", self.write(name, contents[kind]), "--size", "8x8"))
 
     def test_truncated_files(self):
         for path in scenes.write_all(self.folder):

@@ -4,13 +4,15 @@ import json
 import unittest
 
 import scenes
-from program import FileTest, info, read_png, run
+import test_render
+from program import FileTest, info, png, read_png, run
 
 
 class GoodFiles(FileTest):
     def test_every_kind_is_read(self):
-        parts = {"text.stl": 1, "boxes.stl": 1, "boxes.ply": 1, "text.ply": 1, "boxes.vtp": 1}
-        triangles = {"boxes.stl": 24}
+        parts = {"text.stl": 1, "boxes.stl": 1, "boxes.ply": 1, "big.ply": 1, "text.ply": 1, "boxes.vtp": 1}
+        parts |= {"boxes.vtu": 1, "boxes.vtk": 1}
+        triangles = {"boxes.stl": 24, "boxes.vtu": 24, "boxes.vtk": 24}
         for path in scenes.write_all(self.folder):
             with self.subTest(file=path.name):
                 told = info(path)
@@ -23,6 +25,27 @@ class GoodFiles(FileTest):
     def test_upper_case_extension(self):
         for name, content in (("BOXES.STL", scenes.binary_stl()), ("BOXES.PLY", scenes.text_ply())):
             self.assertEqual(info(self.write(name, content))["parts"], 1)
+
+    def test_solids_of_text_stl_are_parts(self):
+        content = scenes.text_stl("Left/box") + scenes.text_stl("").replace(b"vertex 0.0", b"vertex 3.0")
+        content += b"SOLID nothing\nendsolid\n" + scenes.text_stl("Left/box ")
+        path = self.write("boxes.stl", content)
+        result = run("info", path, "--size", "8x8", "--parts", "--json", "-")
+        told = json.loads(result.stdout)
+        self.assertEqual(
+            [(part["path"], part["triangles"], part["closed"]) for part in told["part_list"]],
+            [("/Left_box", 12, True), ("/solid-2", 12, True), ("/Left_box (2)", 12, True)],
+        )
+        self.assertEqual(told["part_list"][1]["bounds"], [1.0, 3.0, 0.0, 1.0, 0.0, 1.0])
+        self.assertEqual([part["part"] for part in told["skipped"]], ["nothing"])
+
+    def test_byte_orders_of_ply_are_one_picture(self):
+        pictures = []
+        for order in "<>":
+            path, picture = self.write("box.ply", scenes.binary_ply(order)), self.folder / "box.png"
+            self.assert_done(run("render", path, "-o", picture, "--size", "40x40"))
+            pictures.append(picture.read_bytes())
+        self.assertEqual(*pictures)
 
     def test_alpha_of_gltf_counts_where_it_is_blended_only(self):
         told = info(self.write("boxes.glb", scenes.glb()))
@@ -87,12 +110,42 @@ class GoodFiles(FileTest):
         self.assertEqual(info(path, "--opacity", "0.5")["translucent_parts"], 2)
         self.assertEqual(info(path, "--opacity", "1")["translucent_parts"], 1)
 
-    def test_mask_is_blended_and_noted(self):
-        document = scenes.gltf_document(168)
-        document["materials"][0]["alphaMode"] = "MASK"
-        told = info(self.write("mask.glb", scenes.pack_glb(document, scenes.gltf_binary())))
-        self.assertEqual(told["translucent_parts"], 1)
-        self.assertIn("glass", told["notes"][0])
+    def test_alpha_of_textures_counts_as_the_mode_says(self):
+        ground, full = 242, {}  # 0.95 of 255, as VTK rounds it
+        for is_unlit in (False, True):
+            for mode in ("OPAQUE", "MASK", "BLEND"):
+                with self.subTest(mode=mode, unlit=is_unlit):
+                    left, right = self.render_pane(mode, is_unlit)
+                    self.assertLess(left[0], ground - 50)
+                    full.setdefault(is_unlit, left)
+                    self.assertEqual(left, full[is_unlit])
+                    if mode == "BLEND":
+                        want = tuple(0.4 * c + 0.6 * ground for c in left)
+                        self.assertLessEqual(max(abs(a - b) for a, b in zip(right, want)), 1.5)
+                    else:
+                        self.assertEqual(right, left if mode == "OPAQUE" else (ground,) * 3)
+
+    def render_pane(self, mode, is_unlit):
+        """The colours of the halves of a pane whose texture is opaque on the left, and of alpha 0.4 on the right."""
+        document = json.loads(test_render.pane(textured=True))
+        pixels = png([[(255, 255, 255, 255), (255, 255, 255, 102)]], alpha=True)
+        document["images"][0]["uri"] = test_render.data_uri("image/png", pixels)
+        document["samplers"] = [{"magFilter": 9728, "minFilter": 9728}]
+        document["textures"][0]["sampler"] = 0
+        material = document["materials"][0]
+        material["alphaMode"] = mode
+        material["pbrMetallicRoughness"]["baseColorFactor"] = [0.2, 0.4, 0.8, 1.0]
+        if is_unlit:
+            material["extensions"] = {"KHR_materials_unlit": {}}
+        picture = self.folder / "picture.png"
+        self.assert_done(
+            run(
+                *("render", self.write("pane.gltf", json.dumps(document).encode())),
+                *("--size", "9x9", "--view", "0,0", "-o", picture),
+            )
+        )
+        row = read_png(picture)[2][4]
+        return tuple(row[6:9]), tuple(row[18:21])
 
     def test_buffers_in_files_of_their_own(self):
         (self.folder / "boxes.bin").write_bytes(scenes.gltf_binary())

@@ -5,6 +5,7 @@ import struct
 import subprocess
 import unittest
 
+import scenes
 from program import FileTest, png, read_png, run
 
 BACKGROUND = 242  # 0.95 of 255, as VTK rounds it
@@ -80,6 +81,17 @@ class Render(FileTest):
                 )
                 self.assertEqual(rows[0][0], BACKGROUND)
                 self.assertLess(rows[16][3 * 16], BACKGROUND)
+
+    def test_a_colour_of_css_is_shown_on_a_physically_based_part(self):
+        path = self.write("boxes.glb", scenes.glb())
+        options = ("--color", "*=#ff8000", "--opacity", "*=1", "--size", "32x32")
+        _, _, rows = self.render(path, *options, "--method", "linked-list")
+        pixels = [tuple(row[i : i + 3]) for row in rows for i in range(0, len(row), 3)]
+        red, green, blue = max(pixels, key=lambda pixel: pixel[0] - pixel[2])
+        self.assertGreater(red, 50)
+        # Light changes all channels by one factor, and the exponent of sRGB keeps their ratio.
+        self.assertAlmostEqual(green / red, 128 / 255, delta=0.02)
+        self.assertLess(blue, 3)
 
     def test_nothing_but_the_picture_is_written(self):
         self.render("demo:stack,layers=2", "--size", "8x8")

@@ -9,7 +9,7 @@ from program import FileTest, compare, info, read_png, run
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("VITRINE_SHARED_DATA", PROJECT.parent / "shared" / "data"))
-KINDS = {".glb", ".obj", ".stl", ".ply"}
+KINDS = {".3mf", ".glb", ".obj", ".stl", ".ply"}
 MODELS = sorted(path for path in DATA.glob("*/*") if path.suffix in KINDS)
 COMPARED = (
     "VertexColorTest.glb",
@@ -29,6 +29,11 @@ COUNTS = {
     "TransmissionTest_blend.glb": (22, 128775),
     "moveo_Idol_Gear.stl": (1, 58876),
     "cycloidal.ply": (1, 43368),
+    "robot_franka_panda.obj": (58, 134854),
+    "muon-1.obj": (3649, 61548),
+    "two_objects_mixed_case_names.stl": (2, 24),
+    "horse_big_endian.ply": (1, 96966),
+    "cube_gears_prod.3mf": (17, 25692),
 }
 
 

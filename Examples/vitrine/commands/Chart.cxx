@@ -17,6 +17,7 @@ namespace
 struct ChartOptions
 {
   std::vector<std::string> Inputs;
+  ReadingOptions Reading;
   std::optional<double> Opacity;
   std::string Out = "chart";
   bool IsQuick = false;
@@ -38,7 +39,7 @@ ChartPlan MakePlan(const ChartOptions& options)
   {
     choices.Size = ParseSize(*options.Size);
   }
-  choices.Inputs = LoadInputs(options.Inputs, options.Opacity);
+  choices.Inputs = LoadInputs(options.Inputs, options.Opacity, options.Reading);
   choices.Opacity = options.Opacity.value_or(1.0);
   return MakeChartPlan(choices);
 }
@@ -76,6 +77,7 @@ void AddChartCommand(CLI::App& app)
   CLI::Option* inputs = command->add_option(
     "INPUT", options->Inputs, "files, or demo:NAME[,key=value...], besides the standard scenes");
   AddOpacityOption(*command, options->Opacity)->needs(inputs);
+  AddReadingOptions(*command, options->Reading);
   command->add_option("--out", options->Out, "folder for index.html, *.png and chart.json")
     ->type_name("DIR")
     ->capture_default_str();

@@ -55,7 +55,7 @@ void Compare(const CompareOptions& options)
   settings.IsJudged = !options.WithoutTruth;
   settings.Tolerance = ParseCoincidence(options.Coincidence);
   const Scene scene = LoadScene(options.Scene);
-  settings.Opacity = options.Scene.Opacity.value_or(1.0);
+  settings.Opacity = CommonOpacity(options.Scene.Parts);
   settings.From = ChooseView(options.Scene, scene);
   PrintOmissions(scene);
 

@@ -22,6 +22,7 @@ namespace
 struct CullOptions
 {
   std::vector<std::string> Inputs;
+  ReadingOptions Reading;
   std::string Size = "480x270";
   bool KeepsOpacity = false;
   std::optional<double> OpaqueFrom;
@@ -90,7 +91,8 @@ void Cull(CullOptions options)
     for (const std::string& input : options.Inputs)
     {
       progress.Show(input + ": reading");
-      Scene scene = LoadInput(input);
+      Scene scene = LoadInput(input, std::nullopt, options.Reading);
+      DrawPartsApart(scene);
       if (options.Settings.OpaqueFrom)
       {
         MakeOpaque(scene, *options.Settings.OpaqueFrom);
@@ -126,6 +128,7 @@ void AddCullCommand(CLI::App& app)
   CLI::App* command = app.add_subcommand("cull",
     "Draw frames with and without occlusion culling; tell what it leaves out, and what it costs");
   command->add_option("INPUT", options->Inputs, "files, or demo:NAME[,key=value...]")->required();
+  AddReadingOptions(*command, options->Reading);
   AddSizeOption(*command, options->Size);
   CLI::Option* keep = command->add_flag("--keep-opacity", options->KeepsOpacity,
     "draw parts as translucent as they are; all are opaque without");

@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkHeadlessRenderWindow.h"
 
+#include <map>
 #include <memory>
 
 namespace program
@@ -19,6 +20,7 @@ struct InfoOptions
 {
   SceneOptions Scene;
   std::optional<std::string> Json;
+  bool ListsParts = false;
 };
 
 SceneInfo CountScene(const Scene& scene)
@@ -31,7 +33,9 @@ SceneInfo CountScene(const Scene& scene)
   info.Bounds = SceneBounds(scene);
   info.Expectation = scene.Expectation;
   info.Skipped = scene.Skipped;
+  info.LengthUnit = scene.LengthUnit;
   info.Notes = scene.Notes;
+  info.Arrays = ListDataArrays(scene);
   for (const Part& part : scene.Parts)
   {
     info.TranslucentParts += IsTranslucent(part);
@@ -40,6 +44,24 @@ SceneInfo CountScene(const Scene& scene)
     info.Points += part.Geometry->GetNumberOfVerts();
   }
   return info;
+}
+
+/** The tree of all parts. Geometry that parts share is looked at once. */
+std::vector<PartInfo> ListParts(const Scene& scene)
+{
+  std::map<vtkPolyData*, bool> isClosed;
+  std::vector<PartInfo> parts;
+  for (const Part& part : scene.Parts)
+  {
+    auto [closed, isNew] = isClosed.try_emplace(part.Geometry, false);
+    if (isNew)
+    {
+      closed->second = IsClosed(part.Geometry);
+    }
+    parts.push_back({ PathOf(part), part.MaterialName, CountTriangles(part.Geometry),
+      part.Material->GetOpacity(), IsTranslucent(part), closed->second, PartBounds(part) });
+  }
+  return parts;
 }
 
 /** Without the scene's lights, which make no layers, and of which VTK's shaders take few. */
@@ -62,6 +84,11 @@ void Info(const InfoOptions& options)
   progress.Show("reading the scene");
   const Scene scene = LoadScene(options.Scene);
   SceneInfo info = CountScene(scene);
+  if (options.ListsParts)
+  {
+    progress.Show("listing parts");
+    info.Tree = ListParts(scene);
+  }
   progress.Show("counting layers");
   CountLayers(info, scene, options.Scene);
 
@@ -75,6 +102,8 @@ void AddInfoCommand(CLI::App& app)
   CLI::App* command =
     app.add_subcommand("info", "Tell what is in a scene and what is not shown of it");
   AddSceneOptions(*command, options->Scene, "512x512");
+  command->add_flag("--parts", options->ListsParts,
+    "also list the tree of parts: names, triangles, materials, bounds, and which are closed");
   AddJsonOption(*command, options->Json);
   command->callback([options] { Info(*options); });
 }

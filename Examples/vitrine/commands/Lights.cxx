@@ -23,6 +23,7 @@ const std::uint64_t StrewingSeed = 1;
 struct LightsOptions
 {
   std::vector<std::string> Inputs;
+  ReadingOptions Reading;
   std::optional<std::size_t> Lights;
   std::string Modes = "vtk";
   std::string Size = "640x480";
@@ -45,14 +46,14 @@ void CheckHeatMapPath(const LightsOptions& options)
   }
 }
 
-Scene LoadLit(const std::string& input, const std::optional<std::size_t>& lights)
+Scene LoadLit(const std::string& input, const LightsOptions& options)
 {
-  Scene scene = LoadInput(input);
+  Scene scene = LoadInput(input, std::nullopt, options.Reading);
   scene.Name = input;
   PrintOmissions(scene);
-  if (lights || scene.Lights.empty())
+  if (options.Lights || scene.Lights.empty())
   {
-    StrewLights(scene, lights.value_or(UsualLights), StrewingSeed);
+    StrewLights(scene, options.Lights.value_or(UsualLights), StrewingSeed);
   }
   return scene;
 }
@@ -62,7 +63,7 @@ std::vector<LightingRun> MeasureAll(const LightsOptions& options, const Device& 
   std::vector<Scene> scenes;
   for (const std::string& input : options.Inputs)
   {
-    scenes.push_back(LoadLit(input, options.Lights));
+    scenes.push_back(LoadLit(input, options));
   }
   Progress progress;
   std::vector<LightingRun> runs;
@@ -134,6 +135,7 @@ void AddLightsCommand(CLI::App& app)
   CLI::App* command = app.add_subcommand(
     "lights", "Draw scenes with many lights; print what that takes, mode by mode");
   command->add_option("INPUT", options->Inputs, "files, or demo:NAME[,key=value...]")->required();
+  AddReadingOptions(*command, options->Reading);
   command
     ->add_option("--lights", options->Lights,
       "strew so many through the scene, in place of its own; 64 where it has none")

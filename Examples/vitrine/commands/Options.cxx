@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "OutputFile.h"
+#include "scene/ColorBy.h"
 #include "scene/DemoScene.h"
 #include "scene/OpacityAdvice.h"
 #include "scene/files/SceneFile.h"
@@ -73,6 +74,14 @@ void Append(Scene& scene, Scene&& other)
   std::move(other.Parts.begin(), other.Parts.end(), std::back_inserter(scene.Parts));
   std::move(other.Lights.begin(), other.Lights.end(), std::back_inserter(scene.Lights));
   std::move(other.Skipped.begin(), other.Skipped.end(), std::back_inserter(scene.Skipped));
+  if (scene.LengthUnit.empty())
+  {
+    scene.LengthUnit = other.LengthUnit;
+  }
+  else if (!other.LengthUnit.empty() && other.LengthUnit != scene.LengthUnit)
+  {
+    scene.LengthUnit += " and " + other.LengthUnit;
+  }
   std::move(other.Notes.begin(), other.Notes.end(), std::back_inserter(scene.Notes));
   scene.Placement.ParallelScale.reset(); // what fitted one of them does not fit all
   scene.Placement.VisibleRadius.reset();
@@ -140,6 +149,39 @@ CLI::Option* AddOpacityOption(CLI::App& command, std::optional<double>& opacity)
     ->check(NumberWithin(0.0, 1.0));
 }
 
+void AddPartOptions(CLI::App& command, PartChoices& choices)
+{
+  const auto add = [&command](const char* name, std::vector<std::string>& texts, const char* type,
+                     const char* description)
+  {
+    command.add_option(name, texts, description)
+      ->type_name(type)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  add("--opacity", choices.Opacity, "[GLOB=]A",
+    "multiplied into every part's own opacity, or set for parts by name; a later one wins");
+  add("--color", choices.Color, "GLOB=COLOR",
+    "of parts by name, a name of CSS, #RRGGBB or rgb(R,G,B)");
+  add("--hide", choices.Hide, "GLOB", "parts by name that are not drawn");
+  add("--only", choices.Only, "GLOB", "parts by name; all others are not drawn");
+  add("--x-ray", choices.XRay, "GLOB", "parts by name; all others become faint");
+}
+
+void AddReadingOptions(CLI::App& command, ReadingOptions& options)
+{
+  command
+    .add_option("--tolerance", options.Tolerance,
+      "metres that triangles may be from the shapes of STEP, IGES and BREP; 0 for a thousandth of "
+      "their diagonal")
+    ->type_name("METRES")
+    ->check(NumberWithin(0.0, 1e6))
+    ->capture_default_str();
+  command.add_flag("!--no-cache", options.UseCache,
+    "make the triangles of STEP, IGES and BREP anew, and do not keep them");
+}
+
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize)
 {
   options.Size = defaultSize;
@@ -150,11 +192,20 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
       "degrees around the scene and above its horizon, and how near; 0,0,1 is the whole from its "
       "front")
     ->type_name("AZ,EL[,ZOOM]");
-  AddOpacityOption(command, options.Opacity);
+  AddPartOptions(command, options.Parts);
+  command.add_option("--color-by", options.ColorBy, DescribeColorBy())
+    ->type_name("ARRAY[,MIN:MAX][,MAP]");
+  AddReadingOptions(command, options.Reading);
   command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
     ->check(CLI::IsMember({ 0, 2, 4, 8, 16, 32 }))
     ->capture_default_str();
+}
+
+void AddScalarBarOption(CLI::App& command, SceneOptions& options)
+{
+  command.add_flag(
+    "--scalar-bar", options.HasScalarBar, "show what the colours of --color-by mean");
 }
 
 void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincidence)
@@ -275,30 +326,46 @@ Scene LoadScene(const SceneOptions& options)
   Scene scene;
   for (const std::string& input : options.Inputs)
   {
-    Append(scene, IsDemoScene(input) ? MakeDemoScene(input) : ReadSceneFile(input));
+    Append(
+      scene, IsDemoScene(input) ? MakeDemoScene(input) : ReadSceneFile(input, options.Reading));
   }
-  if (options.Opacity)
+  if (options.HasScalarBar && !options.ColorBy)
   {
-    MultiplyOpacity(scene, *options.Opacity);
+    throw InputError("--scalar-bar", "needs --color-by");
+  }
+  if (options.ColorBy)
+  {
+    ColorPartsBy(*options.ColorBy, scene);
+  }
+  if (!options.HasScalarBar)
+  {
+    scene.Bar = {};
+  }
+  Apply(options.Parts, scene);
+  return scene;
+}
+
+Scene LoadInput(
+  const std::string& input, const std::optional<double>& opacity, const ReadingOptions& reading)
+{
+  SceneOptions options;
+  options.Inputs = { input };
+  options.Reading = reading;
+  Scene scene = LoadScene(options);
+  if (opacity)
+  {
+    MultiplyOpacity(scene, *opacity);
   }
   return scene;
 }
 
-Scene LoadInput(const std::string& input, const std::optional<double>& opacity)
-{
-  SceneOptions options;
-  options.Inputs = { input };
-  options.Opacity = opacity;
-  return LoadScene(options);
-}
-
-std::vector<LoadedInput> LoadInputs(
-  const std::vector<std::string>& inputs, const std::optional<double>& opacity)
+std::vector<LoadedInput> LoadInputs(const std::vector<std::string>& inputs,
+  const std::optional<double>& opacity, const ReadingOptions& reading)
 {
   std::vector<LoadedInput> loaded;
   for (const std::string& input : inputs)
   {
-    loaded.push_back({ input, LoadInput(input, opacity) });
+    loaded.push_back({ input, LoadInput(input, opacity, reading) });
     PrintOmissions(loaded.back().Contents);
     PrintAdvice(loaded.back());
   }

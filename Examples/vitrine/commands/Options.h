@@ -5,7 +5,9 @@
 #define VITRINE_OPTIONS_H
 
 #include "methods/Stage.h"
+#include "scene/PartChoices.h"
 #include "scene/Scene.h"
+#include "scene/files/ReadingOptions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +26,10 @@ struct SceneOptions
   std::vector<std::string> Inputs;
   std::string Size;
   std::string View;
-  std::optional<double> Opacity;
+  PartChoices Parts;
+  std::optional<std::string> ColorBy;
+  bool HasScalarBar = false;
+  ReadingOptions Reading;
   int Multisamples = 0;
 };
 
@@ -44,8 +49,14 @@ void AddSeedOption(CLI::App& command, std::uint64_t& seed, const std::string& of
 /** Add --opacity. */
 CLI::Option* AddOpacityOption(CLI::App& command, std::optional<double>& opacity);
 
-/** Add INPUT..., --size, --view, --opacity and --multisamples to a command. */
+/** Add --tolerance and --no-cache. */
+void AddReadingOptions(CLI::App& command, ReadingOptions& options);
+
+/** Add INPUT..., --size, --view, choices of parts, --color-by and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
+
+/** Add --scalar-bar, to a command whose pictures are not compared. */
+void AddScalarBarOption(CLI::App& command, SceneOptions& options);
 
 /** Add --coincidence. */
 void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincidence);
@@ -90,7 +101,8 @@ Coincidence ParseCoincidence(const std::optional<std::string>& text);
 Scene LoadScene(const SceneOptions& options);
 
 /** The same for one input. */
-Scene LoadInput(const std::string& input, const std::optional<double>& opacity = std::nullopt);
+Scene LoadInput(const std::string& input, const std::optional<double>& opacity = std::nullopt,
+  const ReadingOptions& reading = {});
 
 /** An input, and what was read or generated from it. */
 struct LoadedInput
@@ -103,8 +115,8 @@ struct LoadedInput
  * Load each input, so that what cannot be read is told before anything is measured: throws InputError. Prints
  * omissions, and which have nothing translucent.
  */
-std::vector<LoadedInput> LoadInputs(
-  const std::vector<std::string>& inputs, const std::optional<double>& opacity = std::nullopt);
+std::vector<LoadedInput> LoadInputs(const std::vector<std::string>& inputs,
+  const std::optional<double>& opacity = std::nullopt, const ReadingOptions& reading = {});
 
 /** Tell on stderr, a line each, which parts are not drawn and what is drawn otherwise than a file says. */
 void PrintOmissions(const Scene& scene);

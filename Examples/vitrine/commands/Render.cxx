@@ -52,6 +52,7 @@ void AddRenderCommand(CLI::App& app)
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene into a picture");
   AddSceneOptions(*command, options->Scene, "1024x768");
+  AddScalarBarOption(*command, options->Scene);
   command->add_option("-o,--output", options->Output, "the picture")
     ->type_name("FILE.png")
     ->required();

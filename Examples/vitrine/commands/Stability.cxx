@@ -20,6 +20,7 @@ namespace
 struct StabilityOptions
 {
   std::vector<std::string> Inputs;
+  ReadingOptions Reading;
   std::optional<double> Opacity;
   std::optional<std::string> Size;
   std::string Methods = "all";
@@ -68,7 +69,7 @@ std::vector<StabilityScene> GivenScenes(const StabilityOptions& options)
 {
   CheckThatNoneIsTwice(options.Inputs);
   std::vector<StabilityScene> scenes;
-  for (const LoadedInput& input : LoadInputs(options.Inputs, options.Opacity))
+  for (const LoadedInput& input : LoadInputs(options.Inputs, options.Opacity, options.Reading))
   {
     StabilityScene scene;
     scene.Name = input.Name;
@@ -155,6 +156,7 @@ void AddStabilityCommand(CLI::App& app)
   CLI::Option* inputs = command->add_option(
     "INPUT", options->Inputs, "files, or demo:NAME[,key=value...], in place of the scenes below");
   AddOpacityOption(*command, options->Opacity)->needs(inputs);
+  AddReadingOptions(*command, options->Reading);
   command
     ->add_option("--size", options->Size,
       "width and height in pixels of windows that a scene does not choose; 64x64 without")

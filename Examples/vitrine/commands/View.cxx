@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "commands/Options.h"
+#include "scene/ColorBy.h"
 #include "scene/Viewpoint.h"
 
 #include "vtkCallbackCommand.h"
@@ -35,6 +36,7 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetBackground(Background, Background, Background);
     AddActors(scene, this->Renderer);
+    AddScalarBar(scene, this->Renderer);
     SetLights(scene.Lights, this->Renderer);
     this->Renderer->SetActiveCamera(PlaceCamera(scene, ChooseView(options, scene), size.Aspect()));
     this->Renderer->ResetCameraClippingRange();
@@ -126,6 +128,7 @@ void AddViewCommand(CLI::App& app)
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand("view", "Show a scene in a window; keys switch methods");
   AddSceneOptions(*command, options->Scene, "1024x768");
+  AddScalarBarOption(*command, options->Scene);
   command->add_option("--method", options->Method, "the method to begin with")
     ->type_name("M")
     ->capture_default_str();

@@ -18,13 +18,13 @@ namespace
 {
 const int Channels = 4;
 
-vitrine::PictureView ViewOf(const PngPicture& picture)
+vitrine::PictureView ViewOf(const vitrine::PngPicture& picture)
 {
   return { picture.Width, picture.Height, Channels, picture.Pixels.data() };
 }
 
 /** The colours alone, as FLIP and the other measures take them. */
-vitrine::Image ColorsOf(const PngPicture& picture)
+vitrine::Image ColorsOf(const vitrine::PngPicture& picture)
 {
   vitrine::Image image{ picture.Width, picture.Height, {} };
   for (std::size_t i = 0; i < picture.Pixels.size(); ++i)
@@ -37,17 +37,17 @@ vitrine::Image ColorsOf(const PngPicture& picture)
   return image;
 }
 
-std::string SizeOf(const PngPicture& picture)
+std::string SizeOf(const vitrine::PngPicture& picture)
 {
   return std::to_string(picture.Width) + "x" + std::to_string(picture.Height);
 }
 
 BaselineDiff Compare(
-  const PngPicture& picture, const std::string& file, const DiffTolerance& tolerance)
+  const vitrine::PngPicture& picture, const std::string& file, const DiffTolerance& tolerance)
 {
   BaselineDiff diff;
   diff.File = file;
-  const PngPicture baseline = ReadPng(file);
+  const vitrine::PngPicture baseline = ReadPng(file);
   if (baseline.Width != picture.Width || baseline.Height != picture.Height)
   {
     diff.Problem =
@@ -81,10 +81,10 @@ bool IsAnyThere(const std::vector<std::string>& files)
   return std::any_of(files.begin(), files.end(), IsThere);
 }
 
-PngPicture ReadPng(const std::string& path)
+vitrine::PngPicture ReadPng(const std::string& path)
 {
   CheckReadable(path);
-  PngPicture picture = DecodePng(ReadBytes(path), PngChannels::Rgba);
+  vitrine::PngPicture picture = vitrine::DecodePng(ReadBytes(path), vitrine::PngChannels::Rgba);
   if (picture.Pixels.empty())
   {
     throw InputError(path, "is no whole PNG of at most 16384 pixels a side");
@@ -99,7 +99,7 @@ PictureDiff CompareWithBaselines(const std::string& file, const std::vector<std:
   {
     throw InputError(baselines.front(), "no such file; with --update it is made");
   }
-  const PngPicture picture = ReadPng(file);
+  const vitrine::PngPicture picture = ReadPng(file);
   PictureDiff diff{ file, tolerance, {}, 0 };
   for (const std::string& baseline : baselines)
   {
@@ -115,7 +115,7 @@ PictureDiff CompareWithBaselines(const std::string& file, const std::vector<std:
 void WriteDiffPictures(
   const std::string& folder, const PictureDiff& diff, const BaselineDiff& baseline)
 {
-  const PngPicture picture = ReadPng(diff.File), reference = ReadPng(baseline.File);
+  const vitrine::PngPicture picture = ReadPng(diff.File), reference = ReadPng(baseline.File);
   const PictureSize size{ picture.Width, picture.Height };
   MakeFolder(folder);
   WritePicture(folder + "/difference.png",

@@ -4,7 +4,7 @@
 #ifndef VITRINE_BASELINE_DIFF_H
 #define VITRINE_BASELINE_DIFF_H
 
-#include "PngDecoder.h"
+#include "assembly/PngDecoder.h"
 #include "study/image/ImageError.h"
 #include "study/image/PictureDifference.h"
 
@@ -52,7 +52,7 @@ struct PictureDiff
 bool IsAnyThere(const std::vector<std::string>& files);
 
 /** Read a PNG with its alpha. Throws InputError if there is none, or it is no whole PNG. */
-PngPicture ReadPng(const std::string& path);
+vitrine::PngPicture ReadPng(const std::string& path);
 
 /**
  * Compare a PNG with others, one at least. One of another size, or that is not there, matches nothing.

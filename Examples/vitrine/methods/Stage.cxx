@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "methods/VitrineMethods.h"
+#include "scene/ColorBy.h"
 
 #include "vtkImageData.h"
 #include "vtkPropCollection.h"
@@ -60,6 +61,7 @@ void Stage::SetScene(const Scene& scene)
   SetLights(scene.Lights, this->Renderer);
   this->Renderer->RemoveAllViewProps();
   this->Actors = AddActors(scene, this->Renderer);
+  AddScalarBar(scene, this->Renderer);
   this->ClippingRange = scene.Placement.ClippingRange;
 }
 

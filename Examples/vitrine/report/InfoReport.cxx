@@ -42,6 +42,35 @@ Json LayersJson(const SceneInfo& info)
     { "fragments", *info.Layers.Fragments }, { "layers_max", *info.Layers.LayersMax },
     { "layers_mean", *info.Layers.LayersMean } };
 }
+
+void AppendArrays(std::ostream& text, const std::vector<DataArray>& arrays)
+{
+  for (const DataArray& array : arrays)
+  {
+    text << "  array       " << array.Name << ", at " << (array.IsAtCells ? "cells" : "points");
+    if (array.Components > 1)
+    {
+      text << ", magnitude of " << array.Components << " components";
+    }
+    if (array.Range)
+    {
+      text << ", " << (*array.Range)[0] << " to " << (*array.Range)[1];
+    }
+    text << ", of " << array.Parts << (array.Parts == 1 ? " part\n" : " parts\n");
+  }
+}
+
+Json ArraysJson(const std::vector<DataArray>& arrays)
+{
+  Json rows = Json::array();
+  for (const DataArray& array : arrays)
+  {
+    rows.push_back({ { "name", array.Name }, { "at", array.IsAtCells ? "cells" : "points" },
+      { "components", array.Components }, { "parts", array.Parts },
+      { "range", array.Range ? Json(*array.Range) : Json() } });
+  }
+  return rows;
+}
 }
 
 std::string ToText(const SceneInfo& info)
@@ -67,6 +96,10 @@ std::string ToText(const SceneInfo& info)
   text << "  materials   " << info.Materials << "\n";
   text << "  bounds      ";
   AppendBounds(text, info.Bounds);
+  if (!info.LengthUnit.empty())
+  {
+    text << "\n  unit        metre here, " << info.LengthUnit << " in the file";
+  }
   text << "\n  layers      ";
   AppendLayers(text, info);
   text << "\n";
@@ -74,6 +107,7 @@ std::string ToText(const SceneInfo& info)
   {
     text << "  expected    " << info.Expectation << "\n";
   }
+  AppendArrays(text, info.Arrays);
   for (const SkippedPart& part : info.Skipped)
   {
     text << "  skipped     " << part.Name << ": " << part.Reason << "\n";
@@ -81,6 +115,10 @@ std::string ToText(const SceneInfo& info)
   for (const std::string& note : info.Notes)
   {
     text << "  note        " << note << "\n";
+  }
+  if (info.Tree)
+  {
+    text << PartsText(*info.Tree);
   }
   return text.str();
 }
@@ -92,11 +130,16 @@ std::string ToJson(const SceneInfo& info)
   {
     skipped.push_back({ { "part", part.Name }, { "reason", part.Reason } });
   }
-  const Json document = { { "scene", info.Name }, { "parts", info.Parts },
+  Json document = { { "scene", info.Name }, { "parts", info.Parts },
     { "translucent_parts", info.TranslucentParts }, { "triangles", info.Triangles },
     { "lines", info.Lines }, { "points", info.Points }, { "lights", info.Lights },
-    { "materials", info.Materials }, { "bounds", info.Bounds }, { "layers", LayersJson(info) },
-    { "expected", info.Expectation }, { "skipped", skipped }, { "notes", info.Notes } };
+    { "materials", info.Materials }, { "bounds", info.Bounds }, { "length_unit", info.LengthUnit },
+    { "layers", LayersJson(info) }, { "expected", info.Expectation },
+    { "arrays", ArraysJson(info.Arrays) }, { "skipped", skipped }, { "notes", info.Notes } };
+  if (info.Tree)
+  {
+    document["part_list"] = PartsJson(*info.Tree);
+  }
   return JsonText(document);
 }
 

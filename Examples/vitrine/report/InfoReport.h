@@ -5,10 +5,13 @@
 #define VITRINE_INFO_REPORT_H
 
 #include "methods/Stage.h"
+#include "report/PartsReport.h"
+#include "scene/DataArrays.h"
 #include "scene/Scene.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +29,15 @@ struct SceneInfo
   std::size_t Lights = 0;  ///< of its own
   std::size_t Materials = 0;
   std::array<double, 6> Bounds{};
+  std::string LengthUnit; ///< of a file whose lengths were converted to metres; may be empty
   PictureSize Size{};
   std::string WhyNoLayers; ///< empty if Layers holds
   MethodStatistics Layers; ///< of translucent geometry, from the view that was asked for
   std::string Expectation; ///< how methods do on it; may be empty
   std::vector<SkippedPart> Skipped;
   std::vector<std::string> Notes;
+  std::vector<DataArray> Arrays;
+  std::optional<std::vector<PartInfo>> Tree; ///< all parts, where they were asked for
 };
 
 std::string ToText(const SceneInfo& info);

@@ -2,7 +2,7 @@
 
 #include "Errors.h"
 #include "OutputPicture.h"
-#include "PngDecoder.h"
+#include "assembly/PngDecoder.h"
 
 #include "vtkBase64Utilities.h"
 
@@ -32,7 +32,8 @@ std::string ReadBytes(const std::string& path)
 }
 
 /** The mean of the square with `side` pixels on a side, or what of it lies in the picture, rounded. */
-std::uint8_t MeanOfSquare(const PngPicture& picture, int left, int bottom, int side, int channel)
+std::uint8_t MeanOfSquare(
+  const vitrine::PngPicture& picture, int left, int bottom, int side, int channel)
 {
   const int right = std::min(left + side, picture.Width);
   const int top = std::min(bottom + side, picture.Height);
@@ -49,10 +50,10 @@ std::uint8_t MeanOfSquare(const PngPicture& picture, int left, int bottom, int s
   return static_cast<std::uint8_t>((sum + count / 2) / count);
 }
 
-PngPicture Shrunk(const PngPicture& picture, int side)
+vitrine::PngPicture Shrunk(const vitrine::PngPicture& picture, int side)
 {
   const auto cut = [side](int length) { return (length + side - 1) / side; };
-  PngPicture shrunk;
+  vitrine::PngPicture shrunk;
   shrunk.Width = cut(picture.Width);
   shrunk.Height = cut(picture.Height);
   for (int y = 0; y < shrunk.Height; ++y)
@@ -80,7 +81,7 @@ std::string DataUri(const std::string& png)
 PagePicture ReadPagePicture(const std::string& path)
 {
   const std::string bytes = ReadBytes(path);
-  const PngPicture picture = DecodePng(bytes);
+  const vitrine::PngPicture picture = vitrine::DecodePng(bytes);
   if (picture.Pixels.empty())
   {
     throw InputError(path, "is missing, or no picture; empty the chart's folder to measure afresh");
@@ -91,7 +92,7 @@ PagePicture ReadPagePicture(const std::string& path)
   {
     return { DataUri(bytes), 1 };
   }
-  const PngPicture shrunk = Shrunk(picture, shrink);
+  const vitrine::PngPicture shrunk = Shrunk(picture, shrink);
   return { DataUri(EncodePicture(shrunk.Pixels, { shrunk.Width, shrunk.Height })), shrink };
 }
 

@@ -1,17 +1,19 @@
 #include "scene/Scene.h"
 
 #include "vtkActor.h"
+#include "vtkAssemblyActors.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
+#include "vtkFeatureEdges.h"
 #include "vtkNew.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -61,16 +63,11 @@ public:
     vtkSmartPointer<vtkProperty>& copy = this->Properties[original];
     if (!copy)
     {
-      copy = vtkSmartPointer<vtkProperty>::New();
-      copy->DeepCopy(original);
-      copy->SetEmissiveFactor(original->GetEmissiveFactor()); // DeepCopy() of VTK 9.1 forgets it
-      for (const auto& [name, texture] : copy->GetAllTextures())
-      {
-        texture->Register(copy); // DeepCopy() of VTK 9.1 forgets this too
-      }
-      copy->RemoveAllTextures();
+      copy = CopyMaterial(original);
       for (const auto& [name, texture] : original->GetAllTextures())
       {
+        copy->RemoveTexture(
+          name.c_str()); // VTK warns of a texture that another takes the place of.
         copy->SetTexture(name.c_str(), this->Copy(texture));
       }
     }
@@ -82,32 +79,10 @@ private:
   std::map<vtkProperty*, vtkSmartPointer<vtkProperty>> Properties;
 };
 
-/** Colours at points or cells are shown as they are; other scalars are not colours. */
-bool HasColors(vtkPolyData* geometry)
+/** Colours are shown as they are; other scalars are not colours. */
+bool HasColors(vtkDataSetAttributes* data)
 {
-  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(geometry->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(geometry->GetCellData()) })
-  {
-    vtkDataArray* scalars = data->GetScalars();
-    if (scalars && scalars->GetNumberOfComponents() >= 3)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/**
- * With a texture of the base colour, VTK's shader takes the opacity from the texture alone. It is the product of
- * both (glTF 2.0, 3.9.2).
- */
-void MultiplyTextureIntoOpacity(vtkActor* actor)
-{
-  if (actor->GetProperty()->GetTexture("albedoTex"))
-  {
-    actor->GetShaderProperty()->AddFragmentShaderReplacement("opacity = albedoSample.a;",
-      /* replaceFirst= */ false, "opacity *= albedoSample.a;", /* replaceAll= */ true);
-  }
+  return data->GetScalars() && data->GetScalars()->GetNumberOfComponents() >= 3;
 }
 
 vtkSmartPointer<vtkPolyDataMapper> MakeMapper(const Part& part)
@@ -125,7 +100,8 @@ vtkSmartPointer<vtkPolyDataMapper> MakeMapper(const Part& part)
   }
   mapper->SetInputData(part.Geometry);
   mapper->SetColorModeToDirectScalars();
-  mapper->SetScalarVisibility(HasColors(part.Geometry));
+  mapper->SetScalarVisibility(
+    HasColors(part.Geometry->GetPointData()) || HasColors(part.Geometry->GetCellData()));
   mapper->SetClippingPlanes(part.ClippingPlanes);
   return mapper;
 }
@@ -136,7 +112,7 @@ vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetProperty(copies.Copy(part.Material));
-  MultiplyTextureIntoOpacity(actor);
+  vtkAssemblyActors::SetKeys(actor, part.Keys);
   actor->SetForceTranslucent(part.ForceTranslucent);
   if (part.Transform)
   {
@@ -146,13 +122,26 @@ vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
   {
     actor->SetTexture(copies.Copy(part.Texture));
   }
-  if (part.Keys)
-  {
-    vtkNew<vtkInformation> keys; // passes write into it
-    keys->Copy(part.Keys);
-    actor->SetPropertyKeys(keys);
-  }
   return actor;
+}
+
+std::vector<vtkSmartPointer<vtkActor>> MakeBlocks(const Scene& scene, WindowCopies& copies)
+{
+  vtkNew<vtkAssemblyActors> blocks;
+  for (const Part& part : scene.Parts)
+  {
+    if (part.MayBeBlock)
+    {
+      blocks->AddPart(part.Geometry, part.Transform, copies.Copy(part.Material), part.Keys,
+        part.ForceTranslucent);
+    }
+  }
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (int i = 0; i < blocks->GetNumberOfActors(); ++i)
+  {
+    actors.emplace_back(blocks->GetActor(i));
+  }
+  return actors;
 }
 
 /** AddActor() without its search through all the actors there are, which takes most of a large scene's time. */
@@ -161,6 +150,18 @@ void AppendActor(vtkRenderer* renderer, vtkActor* actor)
   renderer->GetViewProps()->AddItem(actor);
   actor->AddConsumer(renderer);
 }
+}
+
+std::string PathOf(const Part& part)
+{
+  return part.Path.empty() ? "/" + part.Name : part.Path;
+}
+
+std::string PathStep(const std::string& name)
+{
+  std::string step = "/" + name;
+  std::replace(step.begin() + 1, step.end(), '/', '_');
+  return step;
 }
 
 std::array<double, 6> PartBounds(const Part& part)
@@ -200,6 +201,49 @@ std::array<double, 6> SceneBounds(const Scene& scene)
 std::int64_t CountTriangles(vtkPolyData* geometry)
 {
   return CountFanTriangles(geometry->GetPolys()) + CountFanTriangles(geometry->GetStrips());
+}
+
+bool IsClosed(vtkPolyData* geometry)
+{
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(geometry->GetPoints());
+  surface->SetPolys(geometry->GetPolys());
+  surface->SetStrips(geometry->GetStrips());
+  vtkNew<vtkCleanPolyData> merge;
+  merge->SetInputData(surface);
+  merge->SetTolerance(0.0);
+  merge->ConvertPolysToLinesOff();
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(merge->GetOutputPort());
+  edges->FeatureEdgesOff();
+  edges->BoundaryEdgesOn();
+  edges->NonManifoldEdgesOn();
+  edges->ColoringOff();
+  edges->Update();
+  return CountTriangles(geometry) > 0 && edges->GetOutput()->GetNumberOfCells() == 0;
+}
+
+void DrawManyPartsAsBlocks(Scene& scene)
+{
+  const std::size_t many = 500;
+  for (Part& part : scene.Parts)
+  {
+    part.MayBeBlock = scene.Parts.size() >= many && !part.Texture && part.SphereRadius == 0.0 &&
+      !HasColors(part.Geometry->GetCellData());
+  }
+}
+
+void DrawPartsApart(Scene& scene)
+{
+  for (Part& part : scene.Parts)
+  {
+    part.MayBeBlock = false;
+  }
+}
+
+vtkSmartPointer<vtkProperty> CopyMaterial(vtkProperty* material)
+{
+  return vtk::TakeSmartPointer(vtkAssemblyActors::CopyProperty(material));
 }
 
 std::size_t CountMaterials(const Scene& scene)
@@ -248,8 +292,18 @@ std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer
   std::vector<vtkSmartPointer<vtkActor>> actors;
   for (const Part& part : scene.Parts)
   {
-    actors.push_back(MakeActor(part, copies));
-    AppendActor(renderer, actors.back());
+    if (!part.MayBeBlock)
+    {
+      actors.push_back(MakeActor(part, copies));
+    }
+  }
+  for (vtkSmartPointer<vtkActor>& actor : MakeBlocks(scene, copies))
+  {
+    actors.push_back(std::move(actor));
+  }
+  for (vtkActor* const actor : actors)
+  {
+    AppendActor(renderer, actor);
   }
   return actors;
 }

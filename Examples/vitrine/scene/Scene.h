@@ -12,6 +12,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
@@ -30,6 +31,9 @@ namespace program
 struct Part
 {
   std::string Name;
+  std::string
+    Path; ///< names from the root of the file's tree, each after a slash; "/Name" where it is empty
+  std::string MaterialName; ///< may be empty
   vtkSmartPointer<vtkPolyData> Geometry;
   vtkSmartPointer<vtkProperty> Material;
   vtkSmartPointer<vtkMatrix4x4> Transform; ///< to world coordinates; null for the identity
@@ -38,6 +42,8 @@ struct Part
   vtkSmartPointer<vtkPlaneCollection> ClippingPlanes; ///< in world coordinates; may be null
   double SphereRadius = 0.0;     ///< above 0, each point is drawn as a sphere by a shader alone
   bool ForceTranslucent = false; ///< translucent, though VTK does not see it
+  bool MayBeBlock =
+    false; ///< may be drawn by one actor with other parts of its material; without radius and Texture
 };
 
 /** A part that is not drawn. */
@@ -87,16 +93,31 @@ struct Stance
   std::optional<std::array<double, 2>> ClippingRange;
 };
 
+/** What the colours of parts mean. */
+struct ScalarBar
+{
+  std::string Title;
+  vtkSmartPointer<vtkScalarsToColors> Colors; ///< null if there is no bar
+};
+
 struct Scene
 {
   std::string Name;
   std::vector<Part> Parts;
   std::vector<Light> Lights; ///< none where VTK's headlight does
   std::vector<SkippedPart> Skipped;
+  std::string LengthUnit; ///< of a file whose lengths were converted to metres; may be empty
   std::vector<std::string> Notes; ///< what was read otherwise than the file says
   std::string Expectation;        ///< of a generated scene: how methods do on it; may be empty
   Stance Placement;
+  ScalarBar Bar;
 };
+
+/** The path of a part in the tree of its scene. */
+std::string PathOf(const Part& part);
+
+/** A name as a step of a path: after a slash, without slashes of its own. */
+std::string PathStep(const std::string& name);
 
 /** Bounds of a part in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. */
 std::array<double, 6> PartBounds(const Part& part);
@@ -107,8 +128,23 @@ std::array<double, 6> SceneBounds(const Scene& scene);
 /** Triangles that the part's polygons and strips amount to. */
 std::int64_t CountTriangles(vtkPolyData* geometry);
 
+/** Whether each edge of the triangles has two of them, where points of one place are one. False without triangles. */
+bool IsClosed(vtkPolyData* geometry);
+
 /** Whether the part is drawn as translucent geometry. */
 bool IsTranslucent(const Part& part);
+
+/**
+ * Let parts be blocks where there are so many that actors of their own would take longer than all else. Blocks are
+ * drawn in another order than parts, which shows where faces coincide.
+ */
+void DrawManyPartsAsBlocks(Scene& scene);
+
+/** Have each part drawn by an actor of its own. */
+void DrawPartsApart(Scene& scene);
+
+/** A copy of a material that shares its textures. */
+vtkSmartPointer<vtkProperty> CopyMaterial(vtkProperty* material);
 
 /** Number of different materials. */
 std::size_t CountMaterials(const Scene& scene);
@@ -120,8 +156,9 @@ void MultiplyOpacity(Scene& scene, double factor);
 void MakeOpaque(Scene& scene, double leastOpacity);
 
 /**
- * Add the scene's parts to a renderer: each with an actor and a mapper of its own. Textures and
- * properties are copied, since they hold objects of a window. Returns the actors, in the order of the parts.
+ * Add the scene's parts to a renderer, each with an actor and a mapper of its own unless it may be a block. Textures
+ * and properties are copied, since they hold objects of a window. Returns the actors: first those of parts that may be
+ * no block, in the order of the parts.
  */
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer);
 

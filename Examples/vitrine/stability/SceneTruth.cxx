@@ -44,6 +44,7 @@ SceneTruth PlanViews(const StabilityScene& entry, const StabilitySettings& setti
   SceneTruth plan;
   plan.Entry = entry;
   plan.Parts = entry.Load();
+  DrawPartsApart(plan.Parts); // in any order
   plan.Size = entry.Size.value_or(settings.Size);
   plan.Repetitions = Steps(entry, settings.Repetitions);
   plan.Orders = PlanOrders(plan.Parts.Parts.size(), Steps(entry, settings.Orders));

@@ -55,6 +55,12 @@ struct CornerCheck
     return true;
   }
 };
+}
+
+bool HasValidCorners(vtkCellArray* cells, vtkIdType pointCount)
+{
+  return cells->Visit(CornerCheck(), pointCount);
+}
 
 bool HasMatchingArrays(vtkDataSetAttributes* data, vtkIdType count)
 {
@@ -68,7 +74,6 @@ bool HasMatchingArrays(vtkDataSetAttributes* data, vtkIdType count)
   }
   return true;
 }
-}
 
 std::string FindGeometryProblem(vtkPolyData* geometry)
 {
@@ -76,7 +81,7 @@ std::string FindGeometryProblem(vtkPolyData* geometry)
   for (vtkCellArray* cells :
     { geometry->GetVerts(), geometry->GetLines(), geometry->GetPolys(), geometry->GetStrips() })
   {
-    if (!cells->Visit(CornerCheck(), pointCount))
+    if (!HasValidCorners(cells, pointCount))
     {
       return "has cells whose corners are not among its " + std::to_string(pointCount) + " points";
     }

@@ -4,6 +4,8 @@
 #ifndef VITRINE_GEOMETRY_CHECK_H
 #define VITRINE_GEOMETRY_CHECK_H
 
+#include "vtkCellArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPolyData.h"
 
 #include <string>
@@ -16,6 +18,12 @@ namespace program
  * among the points, data that do not match points or cells. Empty if nothing is.
  */
 std::string FindGeometryProblem(vtkPolyData* geometry);
+
+/** True if offsets rise within the corners and all corners are among the points. */
+bool HasValidCorners(vtkCellArray* cells, vtkIdType pointCount);
+
+/** True if all arrays have so many tuples. */
+bool HasMatchingArrays(vtkDataSetAttributes* data, vtkIdType count);
 
 /** True if no coordinate of its points is infinite or not a number. */
 bool HasFinitePoints(vtkPolyData* geometry);

@@ -1,8 +1,8 @@
 #include "scene/files/ImageCheck.h"
 
 #include "Errors.h"
-#include "PngDecoder.h"
 #include "VTKMessages.h"
+#include "assembly/PngDecoder.h"
 
 #include "vtkImageData.h"
 #include "vtkJPEGReader.h"
@@ -29,7 +29,7 @@ bool IsWholeJpeg(const std::string& bytes)
 ImageFormat CheckImage(const std::string& path, const std::string& name, const std::string& bytes)
 {
   const bool isPng = bytes.compare(0, PngSignature.size(), PngSignature) == 0;
-  const bool isWhole = isPng ? !DecodePng(bytes).Pixels.empty() : IsWholeJpeg(bytes);
+  const bool isWhole = isPng ? !vitrine::DecodePng(bytes).Pixels.empty() : IsWholeJpeg(bytes);
   if (!isWhole)
   {
     throw InputError(path, "is damaged: " + name + " is no PNG or JPEG, or not a whole one");

@@ -1,21 +1,13 @@
 #include "scene/files/FileReaders.h"
 
-#include "Errors.h"
-#include "VTKMessages.h"
+#include "Join.h"
 #include "scene/files/FileBytes.h"
-#include "scene/files/ImageCheck.h"
-#include "scene/files/ObjCheck.h"
+#include "scene/files/ObjMaterials.h"
+#include "scene/files/ObjMesh.h"
 
-#include "vtkActor.h"
-#include "vtkActorCollection.h"
-#include "vtkCleanPolyData.h"
-#include "vtkMapper.h"
-#include "vtkNew.h"
-#include "vtkOBJImporter.h"
 #include "vtkPointData.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -26,120 +18,145 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** The material library to read: the one that the file names, or the one that is called like it. */
-std::string FindMaterials(const std::string& path, const ObjContents& contents)
+const std::size_t MostNamesOfNote = 5;
+
+using Materials = std::map<std::string, ObjMaterial>;
+
+/** Material libraries that the file names and that are there, or the one that is called like the file. */
+std::vector<std::string> FindLibraries(
+  const std::string& path, const ObjMesh& mesh, std::vector<std::string>& notes)
 {
-  const fs::path folder = fs::path(path).parent_path();
-  for (const fs::path& candidate :
-    { folder / contents.MaterialLibrary, fs::path(path).replace_extension(".mtl") })
+  std::vector<std::string> found;
+  std::error_code error;
+  for (const std::string& name : mesh.MaterialLibraries)
   {
-    std::error_code error;
-    if (fs::is_regular_file(candidate, error))
+    const fs::path library = fs::path(path).parent_path() / name;
+    if (fs::is_regular_file(library, error))
     {
-      return candidate.string();
+      found.push_back(library.string());
+    }
+    else
+    {
+      notes.push_back("its material library '" + name + "' is not there");
     }
   }
-  return "";
-}
-
-void CheckMaterials(const std::string& materials)
-{
-  for (const std::string& name : CheckMtl(materials, ReadBytes(materials)))
+  const fs::path alike = fs::path(path).replace_extension(".mtl");
+  if (found.empty() && fs::is_regular_file(alike, error))
   {
-    const fs::path texture = fs::path(materials).parent_path() / name;
-    std::error_code error;
-    if (fs::is_regular_file(texture, error)) // VTK tells of those that are not there
+    found.push_back(alike.string());
+    if (!notes.empty())
     {
-      CheckImage(texture.string(), "it", ReadBytes(texture.string()));
+      notes.back() += "; '" + alike.filename().string() + "' is read instead";
     }
   }
+  return found;
 }
 
-/** VTK's parts share the points of the whole file; a part of its own has those that it uses. */
-vtkSmartPointer<vtkPolyData> TakeUsedPoints(vtkPolyData* geometry)
+Materials ReadLibraries(
+  const std::string& path, const ObjMesh& mesh, std::vector<std::string>& notes)
 {
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(geometry);
-  clean->PointMergingOff();
-  clean->ConvertLinesToPointsOff();
-  clean->ConvertPolysToLinesOff();
-  clean->ConvertStripsToPolysOff();
-  clean->Update();
-  return clean->GetOutput();
+  Materials materials;
+  for (const std::string& library : FindLibraries(path, mesh, notes))
+  {
+    materials.merge(ReadObjMaterials(library, notes));
+  }
+  return materials;
 }
 
-/** VTK makes a part of what stands before the first `usemtl`, then one for each. */
-std::string PartName(const std::string& path, const ObjContents& contents, std::size_t index)
+/** A piece by its group, its object or its material, whichever the file has. */
+std::string NameOf(const std::string& path, const ObjPlace& place)
 {
-  return index == 0 ? fs::path(path).stem().string() : contents.PartNames[index - 1];
+  for (const std::string* const name : { &place.Group, &place.Object, &place.Material })
+  {
+    if (!name->empty())
+    {
+      return *name;
+    }
+  }
+  return fs::path(path).stem().string();
 }
 
-Part MakePart(vtkActor* actor, const std::string& name)
+/** Numbers pieces of one group by their materials. */
+class PathsOfPieces
+{
+public:
+  explicit PathsOfPieces(const ObjMesh& mesh)
+  {
+    for (const ObjPiece& piece : mesh.Pieces)
+    {
+      ++this->Materials[{ piece.Place.Object, piece.Place.Group }];
+    }
+  }
+
+  std::string PathOf(const std::string& name, const ObjPlace& place)
+  {
+    const bool isShared = this->Materials[{ place.Object, place.Group }] > 1 &&
+      !(place.Object.empty() && place.Group.empty()) && !place.Material.empty();
+    const std::string path =
+      (place.Object.empty() || place.Group.empty() ? "" : PathStep(place.Object)) + PathStep(name) +
+      (isShared ? PathStep(place.Material) : "");
+    const int count = ++this->Seen[path];
+    return count == 1 ? path : path + " (" + std::to_string(count) + ")";
+  }
+
+private:
+  std::map<std::pair<std::string, std::string>, int> Materials; ///< pieces by object and group
+  std::map<std::string, int> Seen;
+};
+
+Part MakePart(const ObjMesh& mesh, const ObjPiece& piece, const Materials& materials,
+  const vtkSmartPointer<vtkProperty>& plain)
 {
   Part part;
-  part.Name = name;
-  part.Geometry = TakeUsedPoints(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()));
-  if (!actor->GetMapper()->GetScalarVisibility())
+  part.MaterialName = piece.Place.Material;
+  part.Geometry = MakePolyData(mesh, piece);
+  part.Material = plain;
+  const auto material = materials.find(piece.Place.Material);
+  if (material != materials.end())
   {
+    part.Material = material->second.Property;
+    part.Texture = material->second.Texture;
     part.Geometry->GetPointData()->SetActiveScalars(nullptr); // the material's colour goes first
   }
-  part.Material = actor->GetProperty();
-  part.Texture = actor->GetTexture();
   return part;
 }
 
-/**
- * A material that is not there is drawn in VTK's default; anything else that VTK complains of is
- * an error.
- */
-void TakeMessages(const std::string& path, const MessageCapture& messages, Scene& scene)
+std::string DescribeMissing(const std::set<std::string>& names)
 {
-  std::set<std::string> missing;
-  for (const std::string& error : messages.Errors())
-  {
-    if (error.find("appears in OBJ but not MTL file") == std::string::npos)
-    {
-      throw InputError(path, "cannot be read: " + error);
-    }
-    missing.insert(error);
-  }
-  scene.Notes.insert(scene.Notes.end(), missing.begin(), missing.end());
-  scene.Notes.insert(scene.Notes.end(), messages.Warnings().begin(), messages.Warnings().end());
+  std::vector<std::string> first(names.begin(), names.end());
+  first.resize(std::min(first.size(), MostNamesOfNote));
+  const std::size_t more = names.size() - first.size();
+  return "there are no materials " +
+    Join(first, [](const std::string& name) { return "'" + name + "'"; }) +
+    (more > 0 ? " and " + std::to_string(more) + " more" : "") + ": their parts are white";
 }
 }
 
 Scene ReadObjFile(const std::string& path)
 {
-  const ObjContents contents = CheckObj(path, ReadBytes(path));
-  const std::string materials = FindMaterials(path, contents);
-  const MessageCapture messages;
-  vtkNew<vtkOBJImporter> importer;
-  importer->SetFileName(path.c_str());
-  if (!materials.empty())
-  {
-    CheckMaterials(materials);
-    importer->SetFileNameMTL(materials.c_str());
-    importer->SetTexturePath(fs::path(materials).parent_path().c_str());
-  }
-  vtkNew<vtkRenderWindow> window; // the importer wants one; it is never drawn
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  importer->SetRenderWindow(window);
-  importer->Update();
-
+  const ObjMesh mesh = ReadObjMesh(path, ReadBytes(path));
   Scene scene;
-  vtkActorCollection* actors = renderer->GetActors();
-  actors->InitTraversal();
-  for (std::size_t i = 0; vtkActor* actor = actors->GetNextActor(); ++i)
+  scene.Notes = mesh.Notes;
+  const Materials materials = ReadLibraries(path, mesh, scene.Notes);
+  const vtkSmartPointer<vtkProperty> plain = MakeObjProperty();
+  PathsOfPieces paths(mesh);
+  std::set<std::string> missing;
+  for (const ObjPiece& piece : mesh.Pieces)
   {
-    const bool isEmptyBeginning = i == 0 && !contents.PartNames.empty() &&
-      vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->GetNumberOfCells() == 0;
-    if (!isEmptyBeginning)
+    Part part = MakePart(mesh, piece, materials, plain);
+    part.Name = NameOf(path, piece.Place);
+    part.Path = paths.PathOf(part.Name, piece.Place);
+    scene.Parts.push_back(std::move(part));
+    if (!piece.Place.Material.empty() && materials.count(piece.Place.Material) == 0)
     {
-      scene.Parts.push_back(MakePart(actor, PartName(path, contents, i)));
+      missing.insert(piece.Place.Material);
     }
   }
-  TakeMessages(path, messages, scene);
+  DrawManyPartsAsBlocks(scene);
+  if (!missing.empty())
+  {
+    scene.Notes.push_back(DescribeMissing(missing));
+  }
   return scene;
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <new>
 #include <sstream>
@@ -24,20 +25,43 @@ namespace
 {
 struct FileType
 {
+  FileType(std::string extension, Scene (*read)(const std::string& path))
+    : Extension(std::move(extension))
+    , Read([read](const std::string& path, const ReadingOptions&) { return read(path); })
+  {
+  }
+
+  FileType(std::string extension, Scene (*read)(const std::string&, const ReadingOptions&))
+    : Extension(std::move(extension))
+    , Read(read)
+  {
+  }
+
   std::string Extension;
-  Scene (*Read)(const std::string& path);
+  std::function<Scene(const std::string& path, const ReadingOptions&)> Read;
 };
 
 const std::vector<FileType>& FileTypes()
 {
   static const std::vector<FileType> types = {
-    { ".glb", ReadGltfFile },
-    { ".gltf", ReadGltfFile },
+    { ".glb", ReadAssemblyFile },
+    { ".gltf", ReadAssemblyFile },
+    { ".3mf", ReadThreeMfFile },
+    { ".step", ReadAssemblyFile },
+    { ".stp", ReadAssemblyFile },
+    { ".iges", ReadAssemblyFile },
+    { ".igs", ReadAssemblyFile },
+    { ".brep", ReadAssemblyFile },
     { ".obj", ReadObjFile },
     { ".stl", ReadStlFile },
     { ".ply", ReadPlyFile },
     { ".vtp", ReadPolyDataFile },
+    { ".vtu", ReadUnstructuredGridFile },
     { ".vtm", ReadMultiBlockFile },
+    { ".vtpd", ReadPartitionedFile },
+    { ".vtpc", ReadCollectionFile },
+    { ".vtk", ReadLegacyFile },
+    { ".vtkhdf", ReadHdfFile },
   };
   return types;
 }
@@ -54,20 +78,17 @@ const FileType& TypeOf(const std::string& path)
       return type;
     }
   }
-  const bool isStep = extension == ".stp" || extension == ".step";
-  throw InputError(path,
-    "is not of a kind that can be read: " + ListFileTypes() +
-      (isStep ? "; convert STEP to GLB first" : ""));
+  throw InputError(path, "is not of a kind that can be read: " + ListFileTypes());
 }
 
 /** Read, with whatever goes wrong in VTK's reader made into an InputError. */
-Scene ReadGuarded(const std::string& path, const FileType& type)
+Scene ReadGuarded(const std::string& path, const FileType& type, const ReadingOptions& options)
 {
   const ReadingGuard guard(path, std::filesystem::file_size(path));
   const MessageCapture messages;
   try
   {
-    Scene scene = type.Read(path);
+    Scene scene = type.Read(path, options);
     if (!messages.Errors().empty())
     {
       throw InputError(path, "cannot be read: " + messages.Errors().front());
@@ -175,10 +196,10 @@ void MakeNamesUnique(Scene& scene)
 }
 }
 
-Scene ReadSceneFile(const std::string& path)
+Scene ReadSceneFile(const std::string& path, const ReadingOptions& options)
 {
   CheckReadable(path);
-  Scene scene = ReadGuarded(path, TypeOf(path));
+  Scene scene = ReadGuarded(path, TypeOf(path), options);
   for (const Part& part : scene.Parts)
   {
     CheckPart(path, part);

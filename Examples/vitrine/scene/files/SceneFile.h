@@ -5,6 +5,7 @@
 #define VITRINE_SCENE_FILE_H
 
 #include "scene/Scene.h"
+#include "scene/files/ReadingOptions.h"
 
 #include <string>
 
@@ -12,11 +13,11 @@ namespace program
 {
 
 /**
- * Read a .glb, .gltf, .obj, .stl, .ply, .vtp or .vtm file. Throws InputError, with one line that
+ * Read a file of a kind that ListFileTypes() names. Throws InputError, with one line that
  * says what is wrong, if the file cannot be read as a whole or has nothing to draw. Parts without
  * anything to draw are listed in Scene::Skipped.
  */
-Scene ReadSceneFile(const std::string& path);
+Scene ReadSceneFile(const std::string& path, const ReadingOptions& options = {});
 
 /** ".glb, .gltf, ..." */
 std::string ListFileTypes();

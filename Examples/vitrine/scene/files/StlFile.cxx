@@ -3,8 +3,18 @@
 #include "Errors.h"
 #include "scene/files/FileBytes.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkSTLReader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace program
 {
@@ -36,6 +46,68 @@ void CheckBinaryLength(const std::string& path, const std::string& bytes)
   }
 }
 
+/** The names after "solid" of a text file, in their order. They may be empty. */
+std::vector<std::string> FindSolids(const std::string& bytes)
+{
+  std::vector<std::string> names;
+  std::istringstream lines(bytes);
+  for (std::string line; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    std::string command;
+    words >> command;
+    std::transform(command.begin(), command.end(), command.begin(),
+      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (command == "solid")
+    {
+      std::string name;
+      std::getline(words >> std::ws, name);
+      name.erase(name.find_last_not_of(" \t\r") + 1);
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/** The triangles of one solid, with the points that they use. */
+vtkSmartPointer<vtkPolyData> TakeSolid(vtkPolyData* all, std::size_t solid)
+{
+  vtkDataArray* const solids = all->GetCellData()->GetScalars();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i)
+  {
+    if (solids->GetComponent(i, 0) == static_cast<double>(solid))
+    {
+      all->GetPolys()->GetCellAtId(i, corners);
+      triangles->InsertNextCell(corners);
+    }
+  }
+  vtkNew<vtkPolyData> taken;
+  taken->SetPoints(all->GetPoints());
+  taken->SetPolys(triangles);
+  vtkNew<vtkCleanPolyData> used;
+  used->SetInputData(taken);
+  used->PointMergingOff();
+  used->ConvertPolysToLinesOff();
+  used->Update();
+  return used->GetOutput();
+}
+
+/** A part for each solid of a text file. */
+Scene MakeSolids(const std::string& path, vtkPolyData* all, const std::vector<std::string>& names)
+{
+  Scene scene;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    Scene solid = MakeSinglePartScene(path, TakeSolid(all, i));
+    const std::string name = names[i].empty() ? "solid-" + std::to_string(i + 1) : names[i];
+    solid.Parts.front().Name = PathStep(name).substr(1);
+    scene.Parts.push_back(solid.Parts.front());
+  }
+  return scene;
+}
+
 /** A binary file may begin with "solid" too, so its length decides first. */
 bool IsText(const std::string& bytes)
 {
@@ -53,14 +125,19 @@ bool IsText(const std::string& bytes)
 Scene ReadStlFile(const std::string& path)
 {
   const std::string bytes = ReadBytes(path);
-  if (!IsText(bytes))
+  const bool isText = IsText(bytes);
+  if (!isText)
   {
     CheckBinaryLength(path, bytes);
   }
+  const std::vector<std::string> solids = isText ? FindSolids(bytes) : std::vector<std::string>();
   vtkNew<vtkSTLReader> reader;
   reader->SetFileName(path.c_str());
+  reader->SetScalarTags(solids.size() > 1);
   reader->Update();
-  return MakeSinglePartScene(path, reader->GetOutput());
+  return reader->GetOutput()->GetCellData()->GetScalars()
+    ? MakeSolids(path, reader->GetOutput(), solids)
+    : MakeSinglePartScene(path, reader->GetOutput());
 }
 
 }

@@ -1,0 +1,34 @@
+/** What is asked of parts that are chosen by name: opacity, colour, and which are drawn. */
+#ifndef VITRINE_PART_CHOICES_H
+#define VITRINE_PART_CHOICES_H
+
+#include "scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+/** The texts of options, in the order in which they were given. Core/assembly/PartPattern.h tells what a GLOB is. */
+struct PartChoices
+{
+  std::vector<std::string>
+    Opacity; ///< A, multiplied into all opacities, or GLOB=A, which sets it; A is in [0, 1]
+  std::vector<std::string> Color; ///< GLOB=COLOR: a name of CSS, #RRGGBB, or rgb(R,G,B)
+  std::vector<std::string> Hide;  ///< GLOB
+  std::vector<std::string> Only;  ///< GLOB; parts that none of them chooses are not drawn
+  std::vector<std::string> XRay;  ///< GLOB; parts that none of them chooses become faint
+};
+
+/**
+ * Change a scene as its user asks: first faint parts, then opacities and colours, of which later ones win, and then
+ * which parts are drawn. Throws InputError if a text cannot be read, chooses no part, or if no part is left.
+ */
+void Apply(const PartChoices& choices, Scene& scene);
+
+/** The product of all numbers that are multiplied into all opacities. */
+double CommonOpacity(const PartChoices& choices);
+
+}
+#endif
