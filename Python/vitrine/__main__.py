@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import pathlib
+import runpy
 import sys
 
 
@@ -27,11 +28,16 @@ def program() -> pathlib.Path:
 
 
 def environment() -> dict[str, str]:
-    """The variables that the program needs: its libraries' folder need not lie beside this package."""
+    """The variables that the program needs: where VTK's libraries lie, and what converts STEP."""
     vtk = importlib.util.find_spec("vtkmodules")
     folders = list(vtk.submodule_search_locations or []) if vtk else []
     path = ":".join(filter(None, [*folders, os.environ.get("LD_LIBRARY_PATH")]))
-    return {**os.environ, "LD_LIBRARY_PATH": path}
+    variables = {**os.environ, "LD_LIBRARY_PATH": path}
+    # The package itself would load all of VTK.
+    converter = runpy.run_path(str(pathlib.Path(__file__).with_name("_cad.py")))["command"]()
+    if converter is not None:
+        variables["VITRINE_CAD_CONVERTER"] = converter
+    return variables
 
 
 def main() -> None:

@@ -156,6 +156,7 @@ class Blocks(unittest.TestCase):
         import scenes
 
         cls.model = scenes.glb()
+        cls.robot = (ROOT / "Examples/models/robot.glb").read_bytes()
         cls.has_pyvista = has_pyvista()
         program = os.environ["VITRINE_PROGRAM"]
         cls.environment = {**os.environ, "PATH": f"{pathlib.Path(program).parent}:{os.environ['PATH']}"}
@@ -194,6 +195,7 @@ class Blocks(unittest.TestCase):
             with self.subTest(name), tempfile.TemporaryDirectory() as scratch:
                 folder = pathlib.Path(scratch)
                 (folder / "assembly.glb").write_bytes(self.model)
+                (folder / "robot.glb").write_bytes(self.robot)
                 if python:
                     self.run_python(folder, python)
                 for text in shell:

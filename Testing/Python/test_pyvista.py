@@ -14,6 +14,7 @@ import weakref
 
 import numpy
 import pyvista
+from machine import PATHS, Files, box_bounds, plain_actor
 from PIL import Image
 from scenes import run_interpreter, run_python
 from vtkmodules.vtkRenderingOpenGL2 import vtkSSAOPass
@@ -249,11 +250,67 @@ class Documentation(unittest.TestCase):
     def test_of_readme_runs(self):
         text = pathlib.Path(EXAMPLES.parents[1], "README.md").read_text()
         program = "".join(re.findall("```python\n(.*?)```", text, re.DOTALL))
-        before = "import pyvista\npyvista.global_theme.auto_close = False\n"
+        before = f"import os\nos.chdir({str(EXAMPLES.parents[1])!r})\n"
+        before += "import pyvista\npyvista.global_theme.auto_close = False\n"
         after = "print(vitrine.stats(plotter).layers_max)"
-        done = run_python(before + program + after, PYVISTA_OFF_SCREEN="true")
+        done = run_python(before + program + after, PYVISTA_OFF_SCREEN="true")  # with the tree as its folder
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreaterEqual(int(done.stdout), 4)
+
+
+class Assemblies(Files):
+    def tearDown(self):
+        pyvista.close_all()
+
+    def test_are_added_and_removed(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE, shape=(1, 2))
+        plotter.subplot(0, 1)
+        self.machine.add_to(plotter)
+        self.assertEqual([len(renderer.actors) for renderer in plotter.renderers], [0, 3])
+        self.assertEqual(tuple(plotter.renderer.bounds), (-3, 2.5, -2.5, 2.5, -0.5, 0.5))
+        self.machine.remove_from(plotter)
+        self.assertEqual(len(plotter.renderer.actors), 0)
+
+    def test_are_drawn_as_meshes_are(self):
+        pictures = []
+        for add in (self.machine.add_to, self.add_meshes):
+            plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+            self.machine["Housing"].opacity = 0.25
+            add(plotter)
+            vitrine.see_through(plotter)
+            pictures.append(picture_of(plotter))
+        numpy.testing.assert_array_equal(*pictures)
+        self.assertGreater(len(numpy.unique(pictures[0].reshape(-1, 3), axis=0)), 20)
+
+    def add_meshes(self, plotter):
+        for path in PATHS:
+            is_glass = path.startswith("/Machine/Housing/")
+            plotter.renderer.AddActor(plain_actor(path, **({"opacity": 0.25} if is_glass else {})))
+
+    def test_become_multiblocks_and_come_back(self):
+        made = self.machine.to_multiblock()
+        self.assertIs(type(made), pyvista.MultiBlock)
+        self.assertEqual(made["Machine"].keys(), ["Housing", "Gearbox"])
+        lid = made["Machine"]["Housing"]["lid"]
+        self.assertIs(type(lid), pyvista.PolyData)
+        self.assertEqual(tuple(lid.bounds), box_bounds(PATHS[0]))
+        numpy.testing.assert_allclose(lid.field_data["color"], [[0.5 ** (1 / 2.2)] * 3])
+        back = vitrine.from_multiblock(made)
+        self.assertEqual({part.bounds for part in back}, {box_bounds(path) for path in PATHS})
+        self.assertEqual([part.name for part in back["material:Grey paint"]], ["lid", "bolt"])
+
+    def test_of_multiblocks_have_surfaces(self):
+        solid = pyvista.ImageData(dimensions=(3, 3, 3)).cast_to_unstructured_grid()
+        solid.field_data["color"] = [1.0, 0.0, 0.0]
+        solid.field_data["material"] = "steel"
+        data = pyvista.MultiBlock({"ball": pyvista.Sphere(), "nothing": None})
+        data["group"] = pyvista.MultiBlock({"solid": solid, "table": pyvista.Table([[1.0, 2.0]])})
+        machine = vitrine.from_multiblock(data)
+        self.assertEqual([part.path for part in machine], ["/ball", "/group/solid"])
+        self.assertEqual(machine["material:steel"].parts[0].triangles, 48)
+        self.assertEqual(machine.notes, ("/group/table is no data set",))
+        machine["ball"].color = pyvista.Color("green")
+        self.assertEqual(machine["ball"].color, tuple(pyvista.Color("green").float_rgb))
 
 
 class Examples(unittest.TestCase):

@@ -34,7 +34,9 @@ def signature(function):
 
 def method(cls, name):
     """What VTK's wrapping tools wrote at the head of the docstring, which overloads follow one another in."""
-    texts = re.findall(rf"^{name}(\(.*?\) -> .+?)\nC\+\+:", getattr(cls, name).__doc__, re.M | re.S)
+    found = re.findall(rf"^{name}(\(.*?\)\s+-> .+?)\nC\+\+:", getattr(cls, name).__doc__, re.M | re.S)
+    # VTK's tools write an array that is written into as a list of types.
+    texts = [re.sub(r":\[float.*?\]", ":list[float]", " ".join(text.split())) for text in found]
     return " or ".join(sorted(signature(ast.parse(f"def f{text}: ...").body[0]) for text in texts))
 
 
