@@ -72,6 +72,9 @@ def add_python(source):
     """The functions of the package, behind reference/python.md."""
     text = "\n## All functions\n\n```{eval-rst}\n"
     for directive in (
+        ".. autofunction:: vitrine.load",
+        ".. autofunction:: vitrine.from_multiblock",
+        *(f".. autoclass:: vitrine.{name}\n   :members:" for name in ("Assembly", "Selection", "Part", "Tree")),
         ".. autofunction:: vitrine.see_through",
         ".. autoclass:: vitrine.SeeThrough\n   :members:",
         ".. autofunction:: vitrine.stats",
