@@ -8,10 +8,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # How code says something to a user. A message is the arguments up to the end of the call.
 CALLS = {
-    "Module/**/*.cxx": [r"vtk(?:Error|Warning|GenericWarning)Macro\((.*?)\);"],
+    "Module/**/*.cxx": [
+        r"vtk(?:Error|Warning|GenericWarning)Macro\((.*?)\);",
+        r"throw (?:Assembly|Pattern)Error\((.*?)\);",
+    ],
     "Examples/vitrine/**/*.cxx": [r"throw (?:program::)?(?:Input|Runtime)Error\((.*?)\);"],
     "Python/**/*.py": [
-        r"raise (?:Type|Value|Runtime|Import|FileNotFound)Error\((.*?)\)(?: from error)?\n",
+        r"raise (?:Type|Value|Runtime|Import|FileNotFound|IsADirectory)Error\((.*?)\)(?: from error)?\n",
         r"sys\.exit\((.*?)\)\n",
         r"warnings\.warn\((.*?)\)\n",
     ],
