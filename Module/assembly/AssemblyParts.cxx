@@ -1,5 +1,6 @@
 #include "assembly/AssemblyParts.h"
 
+#include "Core/assembly/UniqueNames.h"
 #include "Core/threads/ForEachInThreads.h"
 #include "assembly/PartPoints.h"
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
 
 namespace
 {
@@ -128,22 +128,6 @@ vtkSmartPointer<vtkMatrix4x4> MakePlace(const glm::dmat4& place)
   matrix->DeepCopy(&rows[0][0]);
   return matrix;
 }
-
-/** Names tell things apart: the second of a name becomes "name (2)". */
-class UniqueNames
-{
-public:
-  std::string Make(const std::string& name)
-  {
-    int& count = this->Seen[name];
-    std::string unique = ++count == 1 ? name : name + " (" + std::to_string(count) + ")";
-    // The file itself may have a "name (2)".
-    return count == 1 ? unique : this->Make(unique);
-  }
-
-private:
-  std::map<std::string, int> Seen;
-};
 
 /** Goes through the tree in its order and makes the parts of each node. */
 class PartMaker

@@ -1,6 +1,8 @@
 #include "assembly/PlacedGeometry.h"
 
 #include "assembly/PartPoints.h"
+#include "vtkBoundingBox.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -12,6 +14,8 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace
 {
@@ -21,17 +25,18 @@ glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
 }
 
 /** Applies a function to each vector of an array, whose components after the third are kept. */
-template <class Change>
-vtkSmartPointer<vtkFloatArray> ChangeVectors(vtkDataArray* array, const Change& change)
+template <class Array = vtkFloatArray, class Change>
+vtkSmartPointer<Array> ChangeVectors(vtkDataArray* array, const Change& change)
 {
-  auto changed = vtkSmartPointer<vtkFloatArray>::New();
+  using Number = typename Array::ValueType;
+  auto changed = vtkSmartPointer<Array>::New();
   changed->DeepCopy(array);
   const int components = changed->GetNumberOfComponents();
-  float* vector = changed->GetPointer(0);
+  Number* vector = changed->GetPointer(0);
   for (vtkIdType i = 0; i < changed->GetNumberOfTuples(); ++i, vector += components)
   {
     const glm::dvec3 to = change(glm::dvec3(vector[0], vector[1], vector[2]));
-    std::copy_n(glm::value_ptr(glm::vec3(to)), 3, vector);
+    std::copy_n(glm::value_ptr(glm::vec<3, Number>(to)), 3, vector);
   }
   return changed;
 }
@@ -79,6 +84,23 @@ vtkSmartPointer<vtkPolyData> ReverseCells(vtkPolyData* geometry)
 namespace vitrine
 {
 
+bool IsFarForItsSize(vtkPolyData* geometry, vtkMatrix4x4* place)
+{
+  const double finest = 1e-4; // of the part's size
+  if (!place)
+  {
+    return false;
+  }
+  const vtkBoundingBox box(geometry->GetBounds());
+  double center[4] = { 0.0, 0.0, 0.0, 1.0 };
+  box.GetCenter(center);
+  double world[4];
+  place->MultiplyPoint(center, world);
+  const double farthest = std::max({ std::abs(world[0]), std::abs(world[1]), std::abs(world[2]) });
+  const double size = std::cbrt(std::abs(place->Determinant())) * box.GetDiagonalLength();
+  return size > 0.0 && farthest * std::numeric_limits<float>::epsilon() > finest * size;
+}
+
 vtkSmartPointer<vtkPolyData> PlaceGeometry(vtkPolyData* geometry, vtkMatrix4x4* place)
 {
   auto placed = vtkSmartPointer<vtkPolyData>::New();
@@ -88,9 +110,18 @@ vtkSmartPointer<vtkPolyData> PlaceGeometry(vtkPolyData* geometry, vtkMatrix4x4* 
     return placed;
   }
   const glm::dmat4 matrix = MatrixOf(place);
+  const auto placePoint = [&matrix](const glm::dvec3& point)
+  { return glm::dvec3(matrix * glm::dvec4(point, 1.0)); };
+  vtkDataArray* const from = geometry->GetPoints()->GetData();
   vtkNew<PartPoints> points;
-  points->SetData(ChangeVectors(geometry->GetPoints()->GetData(),
-    [&matrix](const glm::dvec3& point) { return glm::dvec3(matrix * glm::dvec4(point, 1.0)); }));
+  if (IsFarForItsSize(geometry, place))
+  {
+    points->SetData(ChangeVectors<vtkDoubleArray>(from, placePoint));
+  }
+  else
+  {
+    points->SetData(ChangeVectors(from, placePoint));
+  }
   placed->SetPoints(points);
   PlaceVectors(glm::dmat3(matrix), placed->GetPointData());
   return IsMirrored(matrix) ? ReverseCells(placed) : placed;

@@ -11,9 +11,15 @@ namespace vitrine
 {
 
 /**
- * Returns a part's geometry in world coordinates. Null stands for the identity. Arrays that the place does not change
- * are shared with `geometry`. The cells of a mirrored part are reversed, so that their fronts stay fronts. Several
- * threads may call this.
+ * Returns true if world coordinates in 32-bit float would be too coarse for a part, as of a screw in a building that
+ * stands in coordinates of a map.
+ */
+bool IsFarForItsSize(vtkPolyData* geometry, vtkMatrix4x4* place);
+
+/**
+ * Returns a part's geometry in world coordinates, in 64-bit float if it is far for its size. Null stands for the
+ * identity. Arrays that the place does not change are shared with `geometry`. The cells of a mirrored part are
+ * reversed, so that their fronts stay fronts. Several threads may call this once the geometry knows its bounds.
  */
 vtkSmartPointer<vtkPolyData> PlaceGeometry(vtkPolyData* geometry, vtkMatrix4x4* place);
 

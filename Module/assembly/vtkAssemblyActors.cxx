@@ -6,7 +6,6 @@
 #include "assembly/PlacedGeometry.h"
 #include "vtkActor.h"
 #include "vtkAssemblyReader.h"
-#include "vtkBoundingBox.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCulledCompositePolyDataMapper.h"
 #include "vtkCulledPolyDataMapper.h"
@@ -27,7 +26,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <locale>
 #include <map>
 #include <sstream>
@@ -75,28 +73,6 @@ bool HasColors(vtkPolyData* geometry)
 {
   vtkDataArray* const scalars = geometry->GetPointData()->GetScalars();
   return scalars && scalars->GetNumberOfComponents() >= 3;
-}
-
-/**
- * Returns true if world coordinates in 32-bit float would be too coarse for a part, as of a screw in a building that
- * stands in coordinates of a map. Its actor's matrix keeps them fine.
- */
-bool IsFarForItsSize(const AddedPart& part)
-{
-  const double finest = 1e-4; // of the part's size
-  if (!part.Place)
-  {
-    return false;
-  }
-  const vtkBoundingBox box(part.Geometry->GetBounds());
-  double center[4] = { 0.0, 0.0, 0.0, 1.0 };
-  box.GetCenter(center);
-  double world[4];
-  part.Place->MultiplyPoint(center, world);
-  const double farthest = std::max({ std::abs(world[0]), std::abs(world[1]), std::abs(world[2]) });
-  const double scale = std::cbrt(std::abs(part.Place->Determinant()));
-  const double size = scale * box.GetDiagonalLength();
-  return size > 0.0 && farthest * std::numeric_limits<float>::epsilon() > finest * size;
 }
 
 /** Whether textures or colours at points hide the colour of the property. A block cannot be without them. */
@@ -194,7 +170,8 @@ struct vtkAssemblyActors::Drawn
       const AddedPart& part = this->Added[i];
       const bool isSharedAndLarge =
         uses[part.Geometry] > 1 && part.Geometry->GetNumberOfCells() >= LargeCells;
-      if (isSharedAndLarge || IsFarForItsSize(part) || HidesColor(part))
+      if (isSharedAndLarge || vitrine::IsFarForItsSize(part.Geometry, part.Place) ||
+        HidesColor(part))
       {
         this->AddSingle(static_cast<int>(i));
         continue;
@@ -556,6 +533,11 @@ void vtkAssemblyActors::SetPartOpacity(int part, double opacity)
 {
   if (!this->IsPart(part))
   {
+    return;
+  }
+  if (std::isnan(opacity))
+  {
+    vtkErrorMacro("the opacity of a part is from 0 to 1, not NaN");
     return;
   }
   const DrawnPlace& place = this->Actors().Places[static_cast<std::size_t>(part)];

@@ -110,7 +110,8 @@ def _leaves_of_collection(collection: Any) -> Iterator[tuple[str, Any]]:
     paths = UniqueNames()
     placed: set[int] = set()
     for path, numbers in _nodes_of(collection.GetDataAssembly(), paths):
-        own = [number for number in numbers if number not in placed]
+        count = collection.GetNumberOfPartitionedDataSets()  # a tree may name others
+        own = [number for number in numbers if number not in placed and number < count]
         placed.update(own)
         for number in own:
             place = path
@@ -125,7 +126,7 @@ def _leaves_of_collection(collection: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _pieces(path: str, pieces: Any) -> Iterator[tuple[str, Any]]:
-    found = [piece for piece in _children(pieces) if piece is not None]
+    found = [piece for piece in _children(pieces) if piece is not None] if pieces is not None else []
     for i, piece in enumerate(found):
         yield (f"{path}/{i}" if len(found) > 1 else path), piece
 

@@ -315,6 +315,14 @@ class Machines(Files):
             wanted = vtk_to_numpy(box_data(path).GetPoints().GetData())
             numpy.testing.assert_array_equal(points, wanted)
 
+    def test_far_from_the_origin_keep_their_shape(self):
+        points, normals, triangles = cube()
+        screw = {"name": "screw", "mesh": 0, "translation": [500000.0, 0.0, 0.0]}
+        write_glb(self.file, [screw], [0], [(numpy.float32(0.01) * points, normals, triangles, None)])
+        ((_, block),) = leaves(vitrine.load(self.file).to_multiblock())
+        xmin, xmax = block.GetBounds()[:2]
+        self.assertAlmostEqual(xmax - xmin, 0.01, places=7)
+
     def test_become_blocks_that_say_how_they_look(self):
         self.machine["gear-1"].color = (0, 0.5, 1)
         self.machine["gear-1"].opacity = 0.25

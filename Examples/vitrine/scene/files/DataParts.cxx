@@ -1,5 +1,6 @@
 #include "scene/files/DataParts.h"
 
+#include "Core/assembly/UniqueNames.h"
 #include "Errors.h"
 #include "scene/files/FileReaders.h"
 #include "scene/files/GeometryCheck.h"
@@ -128,7 +129,7 @@ private:
     }
     Part part;
     part.Name = name;
-    part.Path = this->MakeUnique(path);
+    part.Path = this->Paths.Make(path);
     part.Geometry = this->GeometryOf(data, name);
     part.Material = this->Material;
     this->Result.Parts.push_back(part);
@@ -236,17 +237,10 @@ private:
       "block-" + std::to_string(index));
   }
 
-  /** Paths tell parts apart: the second of a path becomes "path (2)". */
-  std::string MakeUnique(const std::string& path)
-  {
-    const int count = ++this->Seen[path];
-    return count == 1 ? path : this->MakeUnique(path + " (" + std::to_string(count) + ")");
-  }
-
   const std::string& File;
   Scene Result;
   vtkSmartPointer<vtkProperty> Material = vtkSmartPointer<vtkProperty>::New(); ///< of all parts
-  std::map<std::string, int> Seen;
+  vitrine::UniqueNames Paths;
   int FlatIndex = 0; ///< as VTK counts blocks
 };
 }

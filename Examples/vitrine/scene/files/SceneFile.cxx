@@ -1,5 +1,6 @@
 #include "scene/files/SceneFile.h"
 
+#include "Core/assembly/UniqueNames.h"
 #include "Errors.h"
 #include "Join.h"
 #include "VTKMessages.h"
@@ -14,7 +15,6 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <new>
 #include <sstream>
 
@@ -181,17 +181,12 @@ void CheckExtent(const std::string& path, const Scene& scene)
   }
 }
 
-/** Names tell parts apart: the second of a name becomes "name (2)". */
 void MakeNamesUnique(Scene& scene)
 {
-  std::map<std::string, int> seen;
+  vitrine::UniqueNames names;
   for (Part& part : scene.Parts)
   {
-    const int count = ++seen[part.Name];
-    if (count > 1)
-    {
-      part.Name += " (" + std::to_string(count) + ")";
-    }
+    part.Name = names.Make(part.Name);
   }
 }
 }

@@ -5,15 +5,16 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCleanPolyData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkSTLReader.h"
 
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace program
@@ -69,38 +70,64 @@ std::vector<std::string> FindSolids(const std::string& bytes)
   return names;
 }
 
-/** The triangles of one solid, with the points that they use. */
-vtkSmartPointer<vtkPolyData> TakeSolid(vtkPolyData* all, std::size_t solid)
+/** Triangles of one solid, with the points that they use. */
+class Solid
 {
-  vtkDataArray* const solids = all->GetCellData()->GetScalars();
-  vtkNew<vtkCellArray> triangles;
+public:
+  void Add(vtkPolyData* all, vtkIdList* corners)
+  {
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const auto [point, isNew] =
+        this->Numbers.try_emplace(corners->GetId(i), this->Points->GetNumberOfPoints());
+      if (isNew)
+      {
+        this->Points->InsertNextPoint(all->GetPoint(corners->GetId(i)));
+      }
+      corners->SetId(i, point->second);
+    }
+    this->Triangles->InsertNextCell(corners);
+  }
+
+  vtkSmartPointer<vtkPolyData> Geometry() const
+  {
+    auto geometry = vtkSmartPointer<vtkPolyData>::New();
+    geometry->SetPoints(this->Points);
+    geometry->SetPolys(this->Triangles);
+    return geometry;
+  }
+
+private:
+  std::unordered_map<vtkIdType, vtkIdType> Numbers; ///< of points, by those of the whole file
+  vtkSmartPointer<vtkPoints> Points = vtkSmartPointer<vtkPoints>::New();
+  vtkSmartPointer<vtkCellArray> Triangles = vtkSmartPointer<vtkCellArray>::New();
+};
+
+std::vector<Solid> TakeSolids(vtkPolyData* all, std::size_t count)
+{
+  vtkDataArray* const numbers = all->GetCellData()->GetScalars();
+  std::vector<Solid> solids(count);
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i)
   {
-    if (solids->GetComponent(i, 0) == static_cast<double>(solid))
+    const auto solid = static_cast<std::size_t>(numbers->GetComponent(i, 0));
+    all->GetPolys()->GetCellAtId(i, corners);
+    if (solid < count)
     {
-      all->GetPolys()->GetCellAtId(i, corners);
-      triangles->InsertNextCell(corners);
+      solids[solid].Add(all, corners);
     }
   }
-  vtkNew<vtkPolyData> taken;
-  taken->SetPoints(all->GetPoints());
-  taken->SetPolys(triangles);
-  vtkNew<vtkCleanPolyData> used;
-  used->SetInputData(taken);
-  used->PointMergingOff();
-  used->ConvertPolysToLinesOff();
-  used->Update();
-  return used->GetOutput();
+  return solids;
 }
 
 /** A part for each solid of a text file. */
 Scene MakeSolids(const std::string& path, vtkPolyData* all, const std::vector<std::string>& names)
 {
   Scene scene;
+  const std::vector<Solid> solids = TakeSolids(all, names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    Scene solid = MakeSinglePartScene(path, TakeSolid(all, i));
+    Scene solid = MakeSinglePartScene(path, solids[i].Geometry());
     const std::string name = names[i].empty() ? "solid-" + std::to_string(i + 1) : names[i];
     solid.Parts.front().Name = PathStep(name).substr(1);
     scene.Parts.push_back(solid.Parts.front());

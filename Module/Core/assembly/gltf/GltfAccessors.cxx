@@ -61,8 +61,17 @@ std::string AccessorName(std::size_t index)
   throw AssemblyError("is damaged: " + AccessorName(index) + " reaches beyond its bufferView");
 }
 
-/** Returns `count` elements of a view without gaps. */
-Bytes CopyElements(ByteView view, std::size_t offset, std::size_t stride, std::size_t count,
+/** Elements of equal size, whose first bytes are `Step` bytes apart. */
+struct SpacedElements
+{
+  const std::uint8_t* First = nullptr;
+  std::size_t Step = 0;
+  std::size_t Count = 0;
+  std::size_t ElementBytes = 0;
+};
+
+/** Returns elements of a view, of which all must be within. @param stride  0 for no gaps */
+SpacedElements ElementsOf(ByteView view, std::size_t offset, std::size_t stride, std::size_t count,
   std::size_t elementBytes, std::size_t index)
 {
   const std::size_t step = stride == 0 ? elementBytes : stride;
@@ -70,15 +79,23 @@ Bytes CopyElements(ByteView view, std::size_t offset, std::size_t stride, std::s
   {
     FailBeyond(index);
   }
-  const std::uint8_t* const first = view.Data + offset;
-  if (step == elementBytes)
+  return { view.Data + offset, step, count, elementBytes };
+}
+
+/** Returns all elements, or those that are chosen, without gaps. */
+Bytes Pack(const SpacedElements& elements, GltfChoice chosen)
+{
+  const std::size_t bytes = elements.ElementBytes;
+  if (!chosen && elements.Step == bytes)
   {
-    return { first, first + count * elementBytes };
+    return { elements.First, elements.First + elements.Count * bytes };
   }
-  Bytes packed(count * elementBytes);
+  const std::size_t count = chosen ? chosen->size() : elements.Count;
+  Bytes packed(count * bytes);
   for (std::size_t i = 0; i < count; ++i)
   {
-    std::memcpy(packed.data() + i * elementBytes, first + i * step, elementBytes);
+    const std::size_t element = chosen ? (*chosen)[i] : i;
+    std::memcpy(packed.data() + i * bytes, elements.First + element * elements.Step, bytes);
   }
   return packed;
 }
@@ -120,48 +137,53 @@ void ReplaceSparse(const GltfDocument& document, std::size_t index, const GltfAc
   const Json& values = sparse.at("values");
   const int component = places.at("componentType").get<int>();
   const std::size_t bytes = accessor.ElementBytes();
-  const Bytes placeBytes = CopyElements(document.View(places.at("bufferView").get<std::size_t>()),
-    Number(places, "byteOffset", 0), 0, count, std::max(ComponentBytes(component), std::size_t(1)),
-    index);
-  const Bytes valueBytes = CopyElements(document.View(values.at("bufferView").get<std::size_t>()),
-    Number(values, "byteOffset", 0), 0, count, bytes, index);
+  const SpacedElements placed = ElementsOf(
+    document.View(places.at("bufferView").get<std::size_t>()), Number(places, "byteOffset", 0), 0,
+    count, std::max(ComponentBytes(component), std::size_t(1)), index);
+  const SpacedElements replacing =
+    ElementsOf(document.View(values.at("bufferView").get<std::size_t>()),
+      Number(values, "byteOffset", 0), 0, count, bytes, index);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::uint32_t place = UnsignedComponent(placeBytes.data(), i, component);
+    const std::uint32_t place = UnsignedComponent(placed.First, i, component);
     if (place >= accessor.Count)
     {
       throw AssemblyError(
         "is damaged: " + AccessorName(index) + " replaces an element that it does not have");
     }
-    std::memcpy(packed.data() + place * bytes, valueBytes.data() + i * bytes, bytes);
+    std::memcpy(packed.data() + place * bytes, replacing.First + i * bytes, bytes);
   }
 }
 
-/** Returns the elements without gaps. They are zeros where no view holds them (glTF 2.0, 3.6.2.1). */
-Bytes PackElements(const GltfDocument& document, std::size_t index, const GltfAccessor& accessor)
+/** Returns all elements or the chosen ones without gaps; zeros where no view holds them (glTF 2.0, 3.6.2.1). */
+Bytes PackElements(
+  const GltfDocument& document, std::size_t index, const GltfAccessor& accessor, GltfChoice chosen)
 {
   const Json& json = document.Object("accessors", index);
   const std::size_t bytes = accessor.ElementBytes();
+  const bool isSparse = json.contains("sparse");
   Bytes packed;
   if (json.contains("bufferView"))
   {
     const std::size_t number = json.at("bufferView").get<std::size_t>();
     const std::size_t stride = Number(document.Object("bufferViews", number), "byteStride", 0);
-    packed = CopyElements(
-      document.View(number), Number(json, "byteOffset", 0), stride, accessor.Count, bytes, index);
+    packed = Pack(ElementsOf(document.View(number), Number(json, "byteOffset", 0), stride,
+                    accessor.Count, bytes, index),
+      isSparse ? nullptr : chosen);
   }
   else if (accessor.Count <= MOST_BYTES_WITHOUT_VIEW / bytes)
   {
-    packed.resize(accessor.Count * bytes);
+    packed.resize((isSparse || !chosen ? accessor.Count : chosen->size()) * bytes);
   }
   else
   {
     throw AssemblyError(
       "is damaged: " + AccessorName(index) + " has too many elements for one without a bufferView");
   }
-  if (json.contains("sparse"))
+  if (isSparse)
   {
     ReplaceSparse(document, index, accessor, json.at("sparse"), packed);
+    packed = chosen ? Pack({ packed.data(), bytes, accessor.Count, bytes }, chosen) : packed;
   }
   return packed;
 }
@@ -218,33 +240,32 @@ std::vector<float> ToFloats(
   }
 }
 
-/** The packed elements: those that were given, or those of the accessor's view. */
+/**
+ * The elements without gaps, all or the chosen ones: those that were given, or those of the accessor's view. Has the
+ * accessor count them.
+ */
 class PackedElements
 {
 public:
-  PackedElements(const GltfDocument& document, std::size_t index, const GltfAccessor& accessor,
-    const ByteView* given)
+  PackedElements(const GltfDocument& document, std::size_t index, GltfAccessor& accessor,
+    const ByteView* given, GltfChoice chosen)
   {
     if (given)
     {
-      this->View = *given;
+      const std::size_t bytes = accessor.ElementBytes();
+      this->Own = Pack(ElementsOf(*given, 0, 0, accessor.Count, bytes, index), chosen);
     }
     else
     {
-      this->Own = PackElements(document, index, accessor);
-      this->View = { this->Own.data(), this->Own.size() };
+      this->Own = PackElements(document, index, accessor, chosen);
     }
-    if (this->View.Size < accessor.Count * accessor.ElementBytes())
-    {
-      FailBeyond(index);
-    }
+    accessor.Count = chosen ? chosen->size() : accessor.Count;
   }
 
-  const std::uint8_t* Data() const { return this->View.Data; }
+  const std::uint8_t* Data() const { return this->Own.data(); }
 
 private:
   Bytes Own;
-  ByteView View;
 };
 }
 
@@ -268,10 +289,10 @@ GltfAccessor DescribeGltfAccessor(const GltfDocument& document, std::size_t inde
   return accessor;
 }
 
-std::vector<float> ReadGltfFloats(
-  const GltfDocument& document, std::size_t index, std::size_t components, const ByteView* packed)
+std::vector<float> ReadGltfFloats(const GltfDocument& document, std::size_t index,
+  std::size_t components, const ByteView* packed, GltfChoice chosen)
 {
-  const GltfAccessor accessor = DescribeGltfAccessor(document, index);
+  GltfAccessor accessor = DescribeGltfAccessor(document, index);
   const bool isColor = components == 4 && accessor.Components == 3;
   if (accessor.Components != components && !isColor)
   {
@@ -279,15 +300,15 @@ std::vector<float> ReadGltfFloats(
       std::to_string(accessor.Components) + " numbers to an element where " +
       std::to_string(components) + " are needed");
   }
-  const PackedElements elements(document, index, accessor, packed);
+  const PackedElements elements(document, index, accessor, packed, chosen);
   return ToFloats(elements.Data(), accessor, components);
 }
 
 std::vector<std::uint32_t> ReadGltfIntegers(
-  const GltfDocument& document, std::size_t index, const ByteView* packed)
+  const GltfDocument& document, std::size_t index, const ByteView* packed, GltfChoice chosen)
 {
-  const GltfAccessor accessor = DescribeGltfAccessor(document, index);
-  const PackedElements elements(document, index, accessor, packed);
+  GltfAccessor accessor = DescribeGltfAccessor(document, index);
+  const PackedElements elements(document, index, accessor, packed, chosen);
   std::vector<std::uint32_t> integers(accessor.Count * accessor.Components);
   for (std::size_t i = 0; i < integers.size(); ++i)
   {

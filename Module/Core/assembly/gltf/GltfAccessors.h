@@ -42,6 +42,9 @@ struct GltfAccessor
  */
 GltfAccessor DescribeGltfAccessor(const GltfDocument& document, std::size_t index);
 
+/** Numbers of the elements that are read, in this order. Null stands for all. Each is below GltfAccessor::Count. */
+using GltfChoice = const std::vector<std::uint32_t>*;
+
 /**
  * Returns the elements of an accessor as floats, each with `components` of them. Of colours without alpha the fourth
  * is 1. Normalized integers are scaled; sparse elements are put in.
@@ -49,22 +52,22 @@ GltfAccessor DescribeGltfAccessor(const GltfDocument& document, std::size_t inde
  * @throws        AssemblyError if the accessor has other components, or reaches beyond its view
  */
 std::vector<float> ReadGltfFloats(const GltfDocument& document, std::size_t index,
-  std::size_t components, const ByteView* packed = nullptr);
+  std::size_t components, const ByteView* packed = nullptr, GltfChoice chosen = nullptr);
 
 /**
  * Returns the elements of an accessor of unsigned integers, such as indices or joints, one after the other.
  * @throws  AssemblyError if it has other numbers, or reaches beyond its view
  */
-std::vector<std::uint32_t> ReadGltfIntegers(
-  const GltfDocument& document, std::size_t index, const ByteView* packed = nullptr);
+std::vector<std::uint32_t> ReadGltfIntegers(const GltfDocument& document, std::size_t index,
+  const ByteView* packed = nullptr, GltfChoice chosen = nullptr);
 
 /** Returns the elements of an accessor as vectors or matrices of floats: glm::vec2, vec3, vec4 or mat4. */
 template <class Element>
-std::vector<Element> ReadGltfElements(
-  const GltfDocument& document, std::size_t index, const ByteView* packed = nullptr)
+std::vector<Element> ReadGltfElements(const GltfDocument& document, std::size_t index,
+  const ByteView* packed = nullptr, GltfChoice chosen = nullptr)
 {
   constexpr std::size_t components = sizeof(Element) / sizeof(float);
-  const std::vector<float> floats = ReadGltfFloats(document, index, components, packed);
+  const std::vector<float> floats = ReadGltfFloats(document, index, components, packed, chosen);
   const auto* const first = reinterpret_cast<const Element*>(floats.data());
   return { first, first + floats.size() / components };
 }

@@ -50,37 +50,49 @@ public:
     return Member(this->Description, "attributes").contains(attribute);
   }
 
+  /** Returns the number of vertices in its accessors, of which some may be in no cell. */
+  std::size_t VertexCount() const
+  {
+    const Json& position = Member(this->Description, "attributes").at("POSITION");
+    return DescribeGltfAccessor(this->Document, position.get<std::size_t>()).Count;
+  }
+
+  /** Has attributes read of some vertices alone. */
+  void Choose(std::vector<std::uint32_t> vertices) { this->Chosen = std::move(vertices); }
+
   /** Returns the elements of an attribute, or none if the primitive does not have it. */
   template <class Element>
-  std::vector<Element> Read(const char* attribute, std::size_t vertices) const
+  std::vector<Element> Read(const char* attribute) const
   {
     if (!this->Has(attribute))
     {
       return {};
     }
     const std::optional<ByteView> packed = this->Packed(attribute);
-    const std::size_t accessor =
-      this->Description.at("attributes").at(attribute).get<std::size_t>();
-    std::vector<Element> elements =
-      ReadGltfElements<Element>(this->Document, accessor, packed ? &*packed : nullptr);
-    this->CheckCount(elements.size(), vertices, attribute);
-    return elements;
+    return this->ReadAccessor<Element>(
+      Member(this->Description, "attributes"), attribute, packed ? &*packed : nullptr);
+  }
+
+  /** Returns the elements of a morph target's attribute, which it has. */
+  std::vector<glm::vec3> ReadTarget(const Json& target, const char* attribute) const
+  {
+    return this->ReadAccessor<glm::vec3>(target, attribute, nullptr);
   }
 
   /** Returns four numbers to a vertex. */
-  std::vector<std::uint32_t> ReadJoints(const char* attribute, std::size_t vertices) const
+  std::vector<std::uint32_t> ReadJoints(const char* attribute) const
   {
     const std::optional<ByteView> packed = this->Packed(attribute);
-    std::vector<std::uint32_t> numbers = ReadGltfIntegers(this->Document,
-      this->Description.at("attributes").at(attribute).get<std::size_t>(),
-      packed ? &*packed : nullptr);
-    this->CheckCount(numbers.size(), 4 * vertices, attribute);
-    return numbers;
+    const auto accessor = this->Description.at("attributes").at(attribute).get<std::size_t>();
+    this->CheckAccessor(accessor, attribute, 4);
+    return ReadGltfIntegers(
+      this->Document, accessor, packed ? &*packed : nullptr, this->ChosenOrAll());
   }
 
   /** Returns the vertices of the primitive in the order in which its mode takes them. */
-  std::vector<std::uint32_t> ReadOrder(std::size_t vertices) const
+  std::vector<std::uint32_t> ReadOrder() const
   {
+    const std::size_t vertices = this->VertexCount();
     std::vector<std::uint32_t> order;
     if (this->Compressed)
     {
@@ -104,21 +116,36 @@ public:
     return order;
   }
 
-  void CheckCount(std::size_t count, std::size_t vertices, const std::string& attribute) const
-  {
-    if (count != vertices && vertices != 0)
-    {
-      throw AssemblyError("is damaged: " + this->Name + " has " + std::to_string(vertices) +
-        " vertices and " + std::to_string(count) + " of " + attribute);
-    }
-  }
-
   bool IsCompressed() const { return this->Compressed.has_value(); }
   const Json& Text() const { return this->Description; }
   const GltfDocument& File() const { return this->Document; }
   const std::string& Called() const { return this->Name; }
 
 private:
+  template <class Element>
+  std::vector<Element> ReadAccessor(
+    const Json& attributes, const char* attribute, const ByteView* packed) const
+  {
+    const auto accessor = attributes.at(attribute).get<std::size_t>();
+    this->CheckAccessor(accessor, attribute, 0);
+    return ReadGltfElements<Element>(this->Document, accessor, packed, this->ChosenOrAll());
+  }
+
+  /** Checks that there is an element for each vertex. @param components  of an element; 0 for any */
+  void CheckAccessor(
+    std::size_t accessor, const std::string& attribute, std::size_t components) const
+  {
+    const GltfAccessor described = DescribeGltfAccessor(this->Document, accessor);
+    const std::size_t vertices = this->VertexCount();
+    if (described.Count != vertices || (components != 0 && described.Components != components))
+    {
+      throw AssemblyError("is damaged: " + this->Name + " has " + std::to_string(vertices) +
+        " vertices and " + std::to_string(described.Count) + " of " + attribute);
+    }
+  }
+
+  GltfChoice ChosenOrAll() const { return this->Chosen ? &*this->Chosen : nullptr; }
+
   std::optional<ByteView> Packed(const char* attribute) const
   {
     if (this->Compressed)
@@ -136,6 +163,7 @@ private:
   const Json& Description;
   std::string Name;
   std::optional<DracoPrimitive> Compressed;
+  std::optional<std::vector<std::uint32_t>> Chosen; ///< vertices; all without
 };
 
 /** Two to a line: of pairs, of a strip or of a loop. */
@@ -184,7 +212,7 @@ void ReadCells(const Primitive& primitive, AssemblyGeometry& geometry)
   {
     throw AssemblyError("is damaged: " + primitive.Called() + " is of no kind that there is");
   }
-  std::vector<std::uint32_t> order = primitive.ReadOrder(geometry.Positions.size());
+  std::vector<std::uint32_t> order = primitive.ReadOrder();
   if (mode == GLTF_POINTS)
   {
     geometry.Kind = CellKind::Points;
@@ -208,9 +236,7 @@ void AddTarget(const Primitive& primitive, const Json& target, const char* attri
 {
   if (target.contains(attribute) && !vectors.empty())
   {
-    const std::vector<glm::vec3> moved =
-      ReadGltfElements<glm::vec3>(primitive.File(), target.at(attribute).get<std::size_t>());
-    primitive.CheckCount(moved.size(), vectors.size(), attribute);
+    const std::vector<glm::vec3> moved = primitive.ReadTarget(target, attribute);
     for (std::size_t i = 0; i < vectors.size(); ++i)
     {
       vectors[i] += weight * moved[i];
@@ -237,10 +263,8 @@ void Morph(
 void AddJoints(const Primitive& primitive, const std::vector<glm::dmat4>& joints,
   const std::string& set, std::vector<glm::dmat4>& sums, std::vector<double>& weightSums)
 {
-  const std::vector<std::uint32_t> numbers =
-    primitive.ReadJoints(("JOINTS" + set).c_str(), sums.size());
-  const std::vector<glm::vec4> weights =
-    primitive.Read<glm::vec4>(("WEIGHTS" + set).c_str(), sums.size());
+  const std::vector<std::uint32_t> numbers = primitive.ReadJoints(("JOINTS" + set).c_str());
+  const std::vector<glm::vec4> weights = primitive.Read<glm::vec4>(("WEIGHTS" + set).c_str());
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
     for (int j = 0; j < 4; ++j)
@@ -360,39 +384,22 @@ void KeepFinite(const Primitive& primitive, AssemblyGeometry& geometry)
   }
 }
 
-template <class Element>
-void Gather(const std::vector<std::uint32_t>& used, std::vector<Element>& elements)
-{
-  if (!elements.empty())
-  {
-    std::vector<Element> gathered(used.size());
-    std::transform(
-      used.begin(), used.end(), gathered.begin(), [&](std::uint32_t i) { return elements[i]; });
-    elements = std::move(gathered);
-  }
-}
-
 /** Leaves out vertices without a cell where there are many, as of primitives that share one buffer of vertices. */
-void RemoveUnusedVertices(AssemblyGeometry& geometry)
+void ChooseUsedVertices(Primitive& primitive, std::vector<std::uint32_t>& indices)
 {
-  if (geometry.Indices.size() >= geometry.Positions.size())
+  if (indices.size() >= primitive.VertexCount())
   {
     return;
   }
-  std::vector<std::uint32_t> used = geometry.Indices;
+  std::vector<std::uint32_t> used = indices;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (std::uint32_t& index : geometry.Indices)
+  for (std::uint32_t& index : indices)
   {
     index =
       static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), index) - used.begin());
   }
-  Gather(used, geometry.Positions);
-  Gather(used, geometry.Normals);
-  Gather(used, geometry.Tangents);
-  Gather(used, geometry.Colors);
-  Gather(used, geometry.TexCoords[0]);
-  Gather(used, geometry.TexCoords[1]);
+  primitive.Choose(std::move(used));
 }
 
 template <class Element>
@@ -409,25 +416,24 @@ std::size_t BytesOf(const AssemblyGeometry& geometry)
 }
 
 AssemblyGeometry ReadGeometry(
-  const Primitive& primitive, const GltfPose& pose, const std::vector<float>& weights)
+  Primitive& primitive, const GltfPose& pose, const std::vector<float>& weights)
 {
   AssemblyGeometry geometry;
   geometry.Material = primitive.Text().value("material", NO_INDEX);
-  geometry.Positions = primitive.Read<glm::vec3>("POSITION", 0);
-  const std::size_t vertices = geometry.Positions.size();
-  geometry.Normals = primitive.Read<glm::vec3>("NORMAL", vertices);
-  geometry.Tangents = primitive.Read<glm::vec4>("TANGENT", vertices);
-  geometry.Colors = primitive.Read<glm::vec4>("COLOR_0", vertices);
-  geometry.TexCoords[0] = primitive.Read<glm::vec2>("TEXCOORD_0", vertices);
-  geometry.TexCoords[1] = primitive.Read<glm::vec2>("TEXCOORD_1", vertices);
+  ReadCells(primitive, geometry);
+  ChooseUsedVertices(primitive, geometry.Indices);
+  geometry.Positions = primitive.Read<glm::vec3>("POSITION");
+  geometry.Normals = primitive.Read<glm::vec3>("NORMAL");
+  geometry.Tangents = primitive.Read<glm::vec4>("TANGENT");
+  geometry.Colors = primitive.Read<glm::vec4>("COLOR_0");
+  geometry.TexCoords[0] = primitive.Read<glm::vec2>("TEXCOORD_0");
+  geometry.TexCoords[1] = primitive.Read<glm::vec2>("TEXCOORD_1");
   Morph(primitive, weights, geometry);
   if (!pose.Joints.empty())
   {
     Skin(primitive, pose.Joints, geometry);
   }
   KeepFinite(primitive, geometry);
-  ReadCells(primitive, geometry);
-  RemoveUnusedVertices(geometry);
   primitive.File().Spend(BytesOf(geometry));
   return geometry;
 }
@@ -473,7 +479,7 @@ AssemblyMesh ReadGltfMesh(const GltfDocument& document, const GltfPose& pose)
   const Json& primitives = Member(json, "primitives");
   for (std::size_t i = 0; i < primitives.size(); ++i)
   {
-    const Primitive primitive(document, primitives[i],
+    Primitive primitive(document, primitives[i],
       "primitive " + std::to_string(i) + " of mesh " + std::to_string(pose.Mesh));
     if (primitive.Has("POSITION"))
     {

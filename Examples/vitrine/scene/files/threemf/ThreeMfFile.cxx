@@ -1,5 +1,6 @@
 #include "scene/files/FileReaders.h"
 
+#include "Core/assembly/UniqueNames.h"
 #include "Errors.h"
 #include "scene/files/FileBytes.h"
 #include "scene/files/threemf/ThreeMfModel.h"
@@ -283,7 +284,7 @@ private:
         : piece.Color                                   ? PathStep(part.MaterialName)
         : piece.HasCornerColors                         ? "/colors"
                                                         : "/plain";
-      part.Path = this->MakeUnique(path + step);
+      part.Path = this->Paths.Make(path + step);
       part.Geometry = piece.Geometry;
       part.Material = this->MaterialOf(piece.Color);
       part.Transform = place;
@@ -309,20 +310,13 @@ private:
     return material;
   }
 
-  /** Paths tell parts apart: the second of a path becomes "path (2)". */
-  std::string MakeUnique(const std::string& path)
-  {
-    const int count = ++this->Seen[path];
-    return count == 1 ? path : this->MakeUnique(path + " (" + std::to_string(count) + ")");
-  }
-
   const std::string& Path;
   ZipArchive Archive;
   Scene Result;
   std::map<std::string, ThreeMfModel> Models;
   std::map<ObjectKey, std::vector<Piece>> Pieces;
   std::map<std::optional<ThreeMfColor>, vtkSmartPointer<vtkProperty>> Materials;
-  std::map<std::string, int> Seen;
+  vitrine::UniqueNames Paths;
   std::set<std::string> Notes;
   std::vector<ObjectKey> Open; ///< objects whose components are being followed
   std::size_t Uses = 0;
