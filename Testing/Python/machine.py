@@ -5,6 +5,7 @@ import pathlib
 import struct
 import tempfile
 import unittest
+import zlib
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -111,6 +112,51 @@ DRACO_MESH = bytes.fromhex(
     "3f000000bf000000bf0000003f0000003f000000bf0000003f000000bf0000003f000000bf000000bf0000003f000000bf0000003f0000"
     "00bf000000bf0000003f000000bf000000bf000000bf"
 )
+
+
+def png(width, height, rows):
+    """A PNG of RGB bytes. Its header may state another size than the rows have."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+    pixels = chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows)))
+    return b"\x89PNG\r\n\x1a\n" + header + pixels + chunk(b"IEND", b"")
+
+
+def write_textured(file, picture, is_unlit=False):
+    """Write two squares beside each other, "left" and "right", of one material whose colour is a PNG."""
+    corners = [(-0.4, -0.4, 0), (0.4, -0.4, 0), (0.4, 0.4, 0), (-0.4, 0.4, 0)]
+    data = b"".join(struct.pack("<3f", *corner) for corner in corners)
+    data += struct.pack("<8f", 0, 0, 1, 0, 1, 1, 0, 1) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    begin = len(data)
+    data += picture + bytes(-len(picture) % 4)
+    views = [(0, 48), (48, 32), (80, 12), (begin, len(picture))]
+    material = {"doubleSided": True, "pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}
+    if is_unlit:
+        material["extensions"] = {"KHR_materials_unlit": {}}
+    document = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0, 1]}],
+        "nodes": [
+            {"name": "left", "mesh": 0, "translation": [-0.5, 0, 0]},
+            {"name": "right", "mesh": 0, "translation": [0.5, 0, 0]},
+        ],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [material],
+        "textures": [{"source": 0}],
+        "images": [{"bufferView": 3, "mimeType": "image/png"}],
+        "buffers": [{"byteLength": len(data)}],
+        "bufferViews": [{"buffer": 0, "byteOffset": first, "byteLength": size} for first, size in views],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-0.4, -0.4, 0],
+             "max": [0.4, 0.4, 0]},
+            {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"},
+        ],
+    }  # fmt: skip
+    write_chunks(file, document, data)
 
 
 def write_compressed_cube(file, extension):

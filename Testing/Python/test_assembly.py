@@ -14,8 +14,10 @@ from machine import (
     cube,
     machine_view,
     plain_view,
+    png,
     write_compressed_cube,
     write_glb,
+    write_textured,
 )
 from scenes import Plotter, pixels, rendered, window_with
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkSelectionNode
@@ -222,6 +224,21 @@ class Pictures(Files):
         for one, other in zip(pictures, pictures[1:]):
             self.assertTrue((one != other).any())
         numpy.testing.assert_array_equal(pictures[0], pictures[-1])
+
+    def test_of_colored_parts_lose_their_textures(self):
+        green = png(1, 1, [bytes((0, 255, 0))])
+        for is_unlit in (False, True):
+            with self.subTest(unlit=is_unlit):
+                write_textured(self.file, green, is_unlit)
+                pair = vitrine.load(self.file)
+                pair["right"].color = "red"
+                renderer = vtkRenderer()
+                pair.add_to(renderer)
+                renderer.ResetCamera()
+                row = rendered(renderer, size=(40, 20))[10].astype(int)
+                left, right = row[12], row[28]
+                self.assertGreater(left[1], left[0] + 50)
+                self.assertGreater(right[0], right[1] + 50)
 
     def test_with_the_culler_are_the_same(self):
         self.machine.isolate("gear*")
@@ -490,6 +507,14 @@ class BadFiles(Files):
             message = str(raised.exception)
             self.assertTrue(message.startswith(f"{file}: "), message)
             self.assertNotIn("\n", message)
+
+    def test_of_huge_pictures_are_refused_before_they_are_decoded(self):
+        write_textured(self.file, png(60000, 60000, [bytes(3)]))
+        with self.assertRaisesRegex(ValueError, "pictures of more than"):
+            vitrine.load(self.file)
+        write_textured(self.file, png(2, 2, [bytes(6)]))
+        with self.assertRaisesRegex(ValueError, "no PNG or JPEG, or not a whole one"):
+            vitrine.load(self.file)
 
     def test_are_told_apart(self):
         with self.assertRaisesRegex(FileNotFoundError, "nowhere.glb: there is no such file"):
