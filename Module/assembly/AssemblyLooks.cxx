@@ -1,6 +1,7 @@
 #include "assembly/AssemblyLooks.h"
 
 #include "assembly/AssemblyTextures.h"
+#include "assembly/ColorTextures.h"
 #include "vtkAssemblyActors.h"
 
 #include "vtkInformationDoubleKey.h"
@@ -151,7 +152,7 @@ void SetUnlitTexture(
   if (vtkSmartPointer<vtkTexture> color =
         textures.ShownColors(material.BaseColorTexture, mode, CutoffOf(material)))
   {
-    property->SetTexture("unlitTex", color);
+    property->SetTexture(UNLIT_COLOR_TEXTURE, color);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "assembly/PlacedGeometry.h"
 
+#include "Core/assembly/NormalMatrix.h"
 #include "assembly/PartPoints.h"
 #include "vtkBoundingBox.h"
 #include "vtkDoubleArray.h"
@@ -51,12 +52,9 @@ void PlaceVectors(const glm::dmat3& linear, vtkPointData* data)
 {
   if (vtkDataArray* const normals = data->GetNormals())
   {
-    // Products of columns: the inverse transposed times the determinant, which exists for flat parts too.
-    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-      glm::cross(linear[0], linear[1]));
-    const double sign = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
-    data->SetNormals(ChangeVectors(
-      normals, [&](const glm::dvec3& normal) { return Normalized(sign * (cofactors * normal)); }));
+    const glm::dmat3 turn = vitrine::NormalMatrix(linear);
+    data->SetNormals(
+      ChangeVectors(normals, [&](const glm::dvec3& normal) { return Normalized(turn * normal); }));
   }
   if (vtkDataArray* const tangents = data->GetTangents())
   {

@@ -2,6 +2,7 @@
 
 #include "Core/threads/ForEachInThreads.h"
 #include "assembly/AssemblyLooks.h"
+#include "assembly/ColorTextures.h"
 #include "assembly/FoundParts.h"
 #include "assembly/PlacedGeometry.h"
 #include "vtkActor.h"
@@ -78,8 +79,7 @@ bool HasColors(vtkPolyData* geometry)
 /** Whether textures or colours at points hide the colour of the property. A block cannot be without them. */
 bool HidesColor(const AddedPart& part)
 {
-  return HasColors(part.Geometry) || part.Property->GetTexture("albedoTex") ||
-    part.Property->GetTexture("unlitTex");
+  return HasColors(part.Geometry) || vitrine::HasColorTexture(part.Property);
 }
 
 /** What has to be alike in parts that are blocks of one actor: the look, and the arrays of their points. */
@@ -479,7 +479,7 @@ void vtkAssemblyActors::SetKeys(vtkActor* actor, vtkInformation* keys)
     copy->Copy(keys);
     actor->SetPropertyKeys(copy);
   }
-  if (actor->GetProperty()->GetTexture("albedoTex"))
+  if (actor->GetProperty()->GetTexture(vitrine::LIT_COLOR_TEXTURE))
   {
     // The first is VTK's up to 9.5, and the second VTK's from then on.
     for (const char* const code :
@@ -572,8 +572,7 @@ void vtkAssemblyActors::SetPartColor(int part, double red, double green, double 
   else
   {
     SetShownColor(place.Actor->GetProperty(), shown[0], shown[1], shown[2]);
-    place.Actor->GetProperty()->RemoveTexture("albedoTex");
-    place.Actor->GetProperty()->RemoveTexture("unlitTex");
+    vitrine::RemoveColorTextures(place.Actor->GetProperty());
     place.Actor->GetMapper()->ScalarVisibilityOff();
   }
 }

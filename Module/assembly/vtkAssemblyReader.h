@@ -212,7 +212,6 @@ private:
   void operator=(const vtkAssemblyReader&) = delete;
 
   struct Content;
-  friend class vtkAssemblyActors;
 
   bool IsPart(int part);
   vitrine::Assembly ReadFile();

@@ -2,6 +2,7 @@
 
 #include "Errors.h"
 #include "Join.h"
+#include "assembly/ColorTextures.h"
 #include "scene/ColorMaps.h"
 #include "scene/DataArrays.h"
 
@@ -258,10 +259,10 @@ private:
 void RemoveTextures(Part& part)
 {
   part.Texture = nullptr;
-  if (part.Material->GetTexture("albedoTex"))
+  if (vitrine::HasColorTexture(part.Material))
   {
     part.Material = CopyMaterial(part.Material);
-    part.Material->RemoveTexture("albedoTex");
+    vitrine::RemoveColorTextures(part.Material);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "Core/assembly/PartPattern.h"
 #include "Errors.h"
+#include "assembly/ColorTextures.h"
 #include "vtkAssemblyActors.h"
 #include "vtkCellData.h"
 #include "vtkColor.h"
@@ -112,8 +113,7 @@ void SetColor(Scene& scene, const Numbers& parts, const vtkColor3d& color)
       {
         vtkAssemblyActors::SetShownColor(
           changed, color.GetRed(), color.GetGreen(), color.GetBlue());
-        changed->RemoveTexture("albedoTex");
-        changed->RemoveTexture("unlitTex");
+        vitrine::RemoveColorTextures(changed);
       });
     part.Texture = nullptr;
     vtkSmartPointer<vtkPolyData>& geometry = plain[part.Geometry];

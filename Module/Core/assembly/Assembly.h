@@ -140,7 +140,6 @@ struct Assembly
   std::vector<AssemblyMaterial> Materials;
   std::vector<AssemblyTexture> Textures;
   std::vector<AssemblyImage> Images;
-  double MetersPerUnit = 1.0;
   std::string LengthUnit;         ///< of a file before its conversion, such as "inch"; may be empty
   std::vector<std::string> Notes; ///< what is shown otherwise than the file says, once each
 };

@@ -240,33 +240,16 @@ std::vector<float> ToFloats(
   }
 }
 
-/**
- * The elements without gaps, all or the chosen ones: those that were given, or those of the accessor's view. Has the
- * accessor count them.
- */
-class PackedElements
+/** The same of what was given in place of the accessor's view, if anything was. Has the accessor count the elements. */
+Bytes TakeElements(const GltfDocument& document, std::size_t index, GltfAccessor& accessor,
+  const ByteView* given, GltfChoice chosen)
 {
-public:
-  PackedElements(const GltfDocument& document, std::size_t index, GltfAccessor& accessor,
-    const ByteView* given, GltfChoice chosen)
-  {
-    if (given)
-    {
-      const std::size_t bytes = accessor.ElementBytes();
-      this->Own = Pack(ElementsOf(*given, 0, 0, accessor.Count, bytes, index), chosen);
-    }
-    else
-    {
-      this->Own = PackElements(document, index, accessor, chosen);
-    }
-    accessor.Count = chosen ? chosen->size() : accessor.Count;
-  }
-
-  const std::uint8_t* Data() const { return this->Own.data(); }
-
-private:
-  Bytes Own;
-};
+  Bytes packed = given
+    ? Pack(ElementsOf(*given, 0, 0, accessor.Count, accessor.ElementBytes(), index), chosen)
+    : PackElements(document, index, accessor, chosen);
+  accessor.Count = chosen ? chosen->size() : accessor.Count;
+  return packed;
+}
 }
 
 std::size_t GltfAccessor::ElementBytes() const
@@ -300,19 +283,19 @@ std::vector<float> ReadGltfFloats(const GltfDocument& document, std::size_t inde
       std::to_string(accessor.Components) + " numbers to an element where " +
       std::to_string(components) + " are needed");
   }
-  const PackedElements elements(document, index, accessor, packed, chosen);
-  return ToFloats(elements.Data(), accessor, components);
+  const Bytes elements = TakeElements(document, index, accessor, packed, chosen);
+  return ToFloats(elements.data(), accessor, components);
 }
 
 std::vector<std::uint32_t> ReadGltfIntegers(
   const GltfDocument& document, std::size_t index, const ByteView* packed, GltfChoice chosen)
 {
   GltfAccessor accessor = DescribeGltfAccessor(document, index);
-  const PackedElements elements(document, index, accessor, packed, chosen);
+  const Bytes elements = TakeElements(document, index, accessor, packed, chosen);
   std::vector<std::uint32_t> integers(accessor.Count * accessor.Components);
   for (std::size_t i = 0; i < integers.size(); ++i)
   {
-    integers[i] = UnsignedComponent(elements.Data(), i, accessor.Component);
+    integers[i] = UnsignedComponent(elements.data(), i, accessor.Component);
   }
   return integers;
 }

@@ -1,5 +1,6 @@
 #include "Core/assembly/gltf/GltfMeshes.h"
 
+#include "Core/assembly/NormalMatrix.h"
 #include "Core/assembly/gltf/DracoPrimitive.h"
 #include "Core/assembly/gltf/GltfAccessors.h"
 
@@ -287,14 +288,6 @@ glm::vec3 Turned(const glm::dmat3& matrix, const glm::vec3& direction)
   const glm::dvec3 turned = matrix * glm::dvec3(direction);
   const double length = glm::length(turned);
   return length > 0.0 ? glm::vec3(turned / length) : direction;
-}
-
-/** The cofactors: the inverse transpose but for a positive factor, and defined where there is no inverse. */
-glm::dmat3 NormalMatrix(const glm::dmat3& m)
-{
-  const glm::dmat3 cofactors(
-    glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  return glm::dot(m[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;
 }
 
 void MoveVertex(const glm::dmat4& place, std::size_t vertex, AssemblyGeometry& geometry)
