@@ -1,7 +1,8 @@
 """Pages of docs: their style, their links, their pictures, and that each block of code runs.
 
-A page's blocks run in one empty folder, in their order: first those of Python, as one program, then those of shells,
-then those of CMake and C++, as one project. A block behind <!-- not run: reason --> is left out.
+A page's blocks run in one empty folder, in their order: first those of Python, as one program, then those of shells.
+Those of CMake and C++ of a page are one project; pages without CMake share a project, with a program for each. A block
+behind <!-- not run: reason --> is left out.
 """
 
 import os
@@ -42,12 +43,14 @@ RUN_ELSEWHERE = {
 
 PROJECT = """\
 cmake_minimum_required(VERSION 3.16...3.25)
-project(Page LANGUAGES C CXX)
+project(Pages LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
 find_package(Vitrine REQUIRED)
-add_executable(page main.cxx)
-target_link_libraries(page PRIVATE Vitrine::Rendering)
-vtk_module_autoinit(TARGETS page MODULES Vitrine::Rendering)
+foreach (page IN ITEMS {pages})
+  add_executable(${{page}} ${{page}}/main.cxx)
+  target_link_libraries(${{page}} PRIVATE Vitrine::Rendering)
+  vtk_module_autoinit(TARGETS ${{page}} MODULES Vitrine::Rendering)
+endforeach ()
 """
 
 MAIN = """\
@@ -176,23 +179,20 @@ class Blocks(unittest.TestCase):
         (folder / "page.py").write_text(text, encoding="utf-8")
         self.run_command(folder, sys.executable, "page.py")
 
-    def run_project(self, folder, cmake, cpp):
-        (folder / "main.cxx").write_text(main_of(cpp), encoding="utf-8")
-        lists = "".join(cmake) if "project(" in "".join(cmake) else PROJECT
-        (folder / "CMakeLists.txt").write_text(lists, encoding="utf-8")
-        source = re.search(r"add_executable\((\w+) (\S+)\)", lists)
-        (folder / source[2]).write_text(main_of(cpp), encoding="utf-8")
+    def build(self, folder):
         places = [f"-DCMAKE_PREFIX_PATH={PREFIX}", f"-DVTK_DIR={os.environ['VTK_DIR']}"]
         self.run_command(folder, "cmake", "-S", ".", "-B", "build", "-G", os.environ["GENERATOR"], *places)
         self.run_command(folder, "cmake", "--build", "build")
+
+    def run_program(self, folder, program, cpp):
+        (folder / "assembly.glb").write_bytes(self.model)
         if "vtkRenderWindowInteractor" not in main_of(cpp):
-            self.run_command(folder, f"build/{source[1]}")
+            self.run_command(folder, program)
 
     def test_run(self):
         for page in pages():
-            name = str(page.relative_to(DOCS))
-            python, shell, cpp = blocks(page, "python"), blocks(page, *SHELLS), blocks(page, "cpp")
-            with self.subTest(name), tempfile.TemporaryDirectory() as scratch:
+            python, shell = blocks(page, "python"), blocks(page, *SHELLS)
+            with self.subTest(str(page.relative_to(DOCS))), tempfile.TemporaryDirectory() as scratch:
                 folder = pathlib.Path(scratch)
                 (folder / "assembly.glb").write_bytes(self.model)
                 (folder / "robot.glb").write_bytes(self.robot)
@@ -200,8 +200,31 @@ class Blocks(unittest.TestCase):
                     self.run_python(folder, python)
                 for text in shell:
                     self.run_command(folder, "bash", "-e", "-c", commands(text))
-                if cpp and PREFIX:
-                    self.run_project(folder, blocks(page, "cmake"), cpp)
+
+    @unittest.skipUnless(PREFIX, "there is no installed package")
+    def test_build_and_run(self):
+        programs = {page.stem: blocks(page, "cpp") for page in pages() if blocks(page, "cpp")}
+        lists = {page.stem: "".join(blocks(page, "cmake")) for page in pages()}
+        projects = {name: lists[name] for name in programs if "project(" in lists[name]}
+        with tempfile.TemporaryDirectory() as scratch:
+            shared = pathlib.Path(scratch)
+            names = [name for name in programs if name not in projects]
+            for name in names:
+                (shared / name).mkdir()
+                (shared / name / "main.cxx").write_text(main_of(programs[name]), encoding="utf-8")
+            (shared / "CMakeLists.txt").write_text(PROJECT.format(pages=" ".join(names)), encoding="utf-8")
+            self.build(shared)
+            for name in names:
+                with self.subTest(name):
+                    self.run_program(shared / name, f"../build/{name}", programs[name])
+        for name, cmake in projects.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as scratch:
+                folder = pathlib.Path(scratch)
+                target, source = re.search(r"add_executable\((\w+) (\S+)\)", cmake).groups()
+                (folder / source).write_text(main_of(programs[name]), encoding="utf-8")
+                (folder / "CMakeLists.txt").write_text(cmake, encoding="utf-8")
+                self.build(folder)
+                self.run_program(folder, f"build/{target}", programs[name])
 
 
 if __name__ == "__main__":
