@@ -39,6 +39,11 @@ class vtkPolyData;
 class vtkProperty;
 class vtkRenderer;
 
+namespace vitrine
+{
+class DrawnParts;
+}
+
 class VTKVITRINERENDERING_EXPORT vtkAssemblyActors : public vtkObject
 {
 public:
@@ -156,6 +161,23 @@ public:
    */
   void ResetPart(int part);
 
+  ///@{
+  /**
+   * Set/Get by how much a part is drawn away from its place, in world coordinates. The default is no offset. A block
+   * that moves has its points copied, and the next frame takes all blocks of its actor to the device again. The part's
+   * geometry and place stay what they were. An offset that is not finite is an error.
+   */
+  void SetPartOffset(int part, double x, double y, double z);
+  void GetPartOffset(int part, double offset[3]);
+  ///@}
+
+  /**
+   * Set the offsets of all parts for an exploded view. Each node of the tree of paths moves with its parent, and away
+   * from the centre of the parent's box by `factor` times the distance of their centres. So groups move apart, and
+   * within them their own parts. 0 puts all parts back. A negative factor is an error.
+   */
+  void Explode(double factor);
+
   /**
    * Get the property key of actors whose colour texture (vtkProperty's "albedoTex") has holes where its alpha is below
    * the value, and is opaque elsewhere. 0 stands for a texture whose alpha is ignored. Without the key, the texture's
@@ -194,12 +216,10 @@ private:
   vtkAssemblyActors(const vtkAssemblyActors&) = delete;
   void operator=(const vtkAssemblyActors&) = delete;
 
-  struct Drawn;
-
   bool IsPart(int part);
-  Drawn& Actors();
+  vitrine::DrawnParts& Drawn();
 
-  std::unique_ptr<Drawn> Private;
+  std::unique_ptr<vitrine::DrawnParts> Private;
 };
 
 #endif

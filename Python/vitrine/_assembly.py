@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import numbers
 import operator
 import os
@@ -184,8 +185,24 @@ class Assembly:
         self._faint = faint
         return kept
 
+    def explode(self, factor: float) -> None:
+        """Have all parts drawn apart, as in an exploded view; 0 puts them back.
+
+        Each node of the tree moves with its parent, and away from the middle of its parent by `factor` times its
+        distance from there. So groups move apart, and within them their own parts. The next frame takes time, since
+        parts that share an actor are copied. Bounds, to_multiblock() and measures stay those of the whole.
+
+        Raises:
+            TypeError: the factor is no number.
+            ValueError: it is negative or not finite.
+        """
+        value = _number("factor is a number from 0 on", factor)
+        if not 0.0 <= value < math.inf:
+            raise ValueError(f"factor is a number from 0 on, not {factor!r}")
+        self.actors.Explode(value)
+
     def reset(self) -> None:
-        """Have all parts drawn as their file says."""
+        """Have all parts drawn with the looks that their file says. explode(0) puts them back."""
         Selection(self, list(self._looks)).reset()
 
     def add_to(self, target: Any) -> Assembly:

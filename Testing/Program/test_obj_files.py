@@ -34,6 +34,12 @@ class ObjFiles(FileTest):
             {"/Housing": 1.0, "/Housing/lid": 0.5, "/Housing/base plate": 1.0},
         )
 
+    def test_parts_of_exploded_views_move_apart(self):
+        content = SQUARE + b"v 4 0 0\nv 5 0 0\nv 5 1 0\no a\nf 1 2 3 4\no b\nf 5 6 7\n"
+        _, parts = self.parts(content, "--explode", "0.5")
+        bounds = {path: part["bounds"] for path, part in parts.items()}
+        self.assertEqual(bounds, {"/a": [-1, 0, 0, 1, 0, 0], "/b": [5, 6, 0, 1, 0, 0]})
+
     def test_materials_of_a_group_are_parts_below_it(self):
         (self.folder / "boxes.mtl").write_bytes(scenes.mtl())
         content = b"mtllib boxes.mtl\n" + SQUARE + (

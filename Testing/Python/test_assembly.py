@@ -13,6 +13,7 @@ from machine import (
     box_bounds,
     cube,
     machine_view,
+    plain_actor,
     plain_view,
     png,
     write_compressed_cube,
@@ -200,6 +201,46 @@ class Pictures(Files):
         self.machine["Housing"].visible = False
         self.assert_same(self.view(), plain_view(hidden=PATHS[:2]))
 
+    def test_of_exploded_parts_are_those_of_moved_actors(self):
+        # The machine's box has its centre at (-0.25, 0), the housing's at (-0.25, 2), the gearbox's at (0, -1.125), and
+        # that of gear-2 with its bolt at (2, -1.125).
+        gearbox = numpy.array((0.125, -0.5625))
+        offsets = {
+            PATHS[0]: (-0.875, 1.0),
+            PATHS[1]: (1.125, 1.0),
+            PATHS[2]: gearbox + (-1.0, -0.4375),
+            PATHS[3]: gearbox + (1.0, 0.0),
+            PATHS[4]: gearbox + (1.0, 0.0) + (0.0, 0.5625),
+        }
+        plain = machine_view()
+        for path, offset in offsets.items():
+            actor = plain_actor(path)
+            actor.SetPosition(*offset, 0)
+            plain.AddActor(actor)
+        whole = rendered(self.view(), size=SIZE)
+        bounds = self.view().ComputeVisiblePropBounds()
+        self.machine.explode(0.5)
+        self.assert_same(self.view(), plain)
+        self.assertEqual(self.view().ComputeVisiblePropBounds(), plain.ComputeVisiblePropBounds())
+        moved = [0.0, 0.0, 0.0]
+        self.machine.actors.GetPartOffset(4, moved)
+        self.assertEqual(moved, [1.125, 0.0, 0.0])
+        self.machine.explode(0)
+        numpy.testing.assert_array_equal(rendered(self.view(), size=SIZE), whole)
+        self.assertEqual(self.view().ComputeVisiblePropBounds(), bounds)
+
+    def test_of_exploded_actors_of_one_part_are_moved(self):
+        write_textured(self.file, png(1, 1, [bytes((0, 255, 0))]))  # textured parts are actors of their own
+        pair = vitrine.load(self.file)
+        pair.explode(1.0)
+        bounds = [pair.actors.GetPartActor(number).GetBounds()[:2] for number in (0, 1)]
+        numpy.testing.assert_allclose(bounds, [(-1.4, -0.6), (0.6, 1.4)], atol=1e-6)
+
+    def test_of_exploded_views_refuse_other_factors(self):
+        for factor, error in ((-1, ValueError), (math.nan, ValueError), (math.inf, ValueError), ("2", TypeError)):
+            with self.subTest(factor=factor), self.assertRaisesRegex(error, "factor is a number from 0 on"):
+                self.machine.explode(factor)
+
     def test_of_isolated_parts_are_those_of_plain_actors(self):
         self.assertEqual(self.machine.isolate("gear-1", 0.25).numbers, [2])
         looks = {path: {"opacity": 0.25} for path in PATHS if not path.endswith("gear-1")}
@@ -216,7 +257,8 @@ class Pictures(Files):
             lambda: setattr(self.machine["lid"], "opacity", 0.5),
             lambda: setattr(self.machine["gear-2"], "color", (0, 1, 0)),
             lambda: setattr(self.machine["bolt"], "visible", False),
-            self.machine.reset,
+            lambda: self.machine.explode(0.5),
+            lambda: (self.machine.reset(), self.machine.explode(0)),
         ):
             change()
             window.Render()
@@ -243,6 +285,7 @@ class Pictures(Files):
     def test_with_the_culler_are_the_same(self):
         self.machine.isolate("gear*")
         plain = self.view()
+        self.machine.explode(0.25)
         culled = self.view(self.machine)
         vitrine.see_through(plain)
         vitrine.see_through(culled, cull=True)

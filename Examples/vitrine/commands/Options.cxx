@@ -167,6 +167,11 @@ void AddPartOptions(CLI::App& command, PartChoices& choices)
   add("--hide", choices.Hide, "GLOB", "parts by name that are not drawn");
   add("--only", choices.Only, "GLOB", "parts by name; all others are not drawn");
   add("--x-ray", choices.XRay, "GLOB", "parts by name; all others become faint");
+  command
+    .add_option("--explode", choices.Explode,
+      "move groups of the tree apart, and their parts, by this factor of their distances")
+    ->type_name("F")
+    ->check(NumberWithin(0.0, 1000.0));
 }
 
 void AddReadingOptions(CLI::App& command, ReadingOptions& options)

@@ -1,5 +1,6 @@
 #include "scene/PartChoices.h"
 
+#include "Core/assembly/Explosion.h"
 #include "Core/assembly/PartPattern.h"
 #include "Errors.h"
 #include "assembly/ColorTextures.h"
@@ -180,6 +181,36 @@ std::optional<std::pair<std::string, std::string>> SplitAtEqual(const std::strin
   return std::make_pair(text.substr(0, equal), text.substr(equal + 1));
 }
 
+void ApplyExplode(double factor, Scene& scene)
+{
+  if (factor == 0.0)
+  {
+    return;
+  }
+  std::vector<vitrine::ExplodedPart> parts;
+  for (const Part& part : scene.Parts)
+  {
+    const std::array<double, 6> bounds = PartBounds(part);
+    parts.push_back(
+      { PathOf(part), { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } });
+  }
+  const std::vector<glm::dvec3> offsets = vitrine::ExplodedOffsets(parts, factor);
+  for (std::size_t i = 0; i < scene.Parts.size(); ++i)
+  {
+    Part& part = scene.Parts[i];
+    const auto moved = vtkSmartPointer<vtkMatrix4x4>::New();
+    if (part.Transform)
+    {
+      moved->DeepCopy(part.Transform);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      moved->SetElement(axis, 3, moved->GetElement(axis, 3) + offsets[i][axis]);
+    }
+    part.Transform = moved;
+  }
+}
+
 void ApplyXRay(const std::vector<std::string>& globs, Scene& scene)
 {
   const std::vector<bool> isChosen = ChooseAny("--x-ray", globs, scene);
@@ -243,6 +274,7 @@ void KeepDrawn(const PartChoices& choices, Scene& scene)
 
 void Apply(const PartChoices& choices, Scene& scene)
 {
+  ApplyExplode(choices.Explode, scene);
   ApplyXRay(choices.XRay, scene);
   ApplyOpacity(choices.Opacity, scene);
   ApplyColor(choices.Color, scene);

@@ -1,4 +1,4 @@
-/** What is asked of parts that are chosen by name: opacity, colour, and which are drawn. */
+/** What is asked of parts that are chosen by name: opacity, colour, and which are drawn; and of where all are drawn. */
 #ifndef VITRINE_PART_CHOICES_H
 #define VITRINE_PART_CHOICES_H
 
@@ -19,11 +19,13 @@ struct PartChoices
   std::vector<std::string> Hide;  ///< GLOB
   std::vector<std::string> Only;  ///< GLOB; parts that none of them chooses are not drawn
   std::vector<std::string> XRay;  ///< GLOB; parts that none of them chooses become faint
+  double Explode = 0.0;           ///< factor of an exploded view (Core/assembly/Explosion.h)
 };
 
 /**
- * Change a scene as its user asks: first faint parts, then opacities and colours, of which later ones win, and then
- * which parts are drawn. Throws InputError if a text cannot be read, chooses no part, or if no part is left.
+ * Change a scene as its user asks: first the places of an exploded view, then faint parts, then opacities and colours,
+ * of which later ones win, and then which parts are drawn. Throws InputError if a text cannot be read, chooses no part,
+ * or if no part is left.
  */
 void Apply(const PartChoices& choices, Scene& scene);
 
