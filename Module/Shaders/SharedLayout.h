@@ -53,6 +53,9 @@
 #define VITRINE_EXTENT_MASK 0xffff0000u
 #define VITRINE_COINCIDENCE_SAMPLES 16
 
+// The word of a part: its number (scene/PartNumbers), and this bit on back faces.
+#define VITRINE_BACK_FACE 0x80000000u
+
 #ifdef __cplusplus
 #include <cstddef>
 #include <cstdint>
