@@ -17,9 +17,11 @@
 // VITRINE_LATE_TESTS           the opaque depth is only compared here
 // VITRINE_PIXEL p              the pixel of the opaque depth
 // VITRINE_RASTER_DEPTH z       the rasteriser's depth at that pixel
+// VITRINE_TAKES_HIDDEN         there is no opaque depth: hidden fragments are taken, too
 
-#if defined(VITRINE_WRITES_DEPTH) || defined(VITRINE_LATE_TESTS) || \
-  (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE))
+#if !defined(VITRINE_TAKES_HIDDEN) && \
+  (defined(VITRINE_WRITES_DEPTH) || defined(VITRINE_LATE_TESTS) || \
+    (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE)))
 #define VITRINE_TESTS_DEPTH
 #endif
 #ifndef VITRINE_LATE_TESTS

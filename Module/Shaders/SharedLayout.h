@@ -111,6 +111,24 @@ struct VitrineCapturedFragment
   float Extent;  // Depths within this distance coincide. With 0 none does.
 };
 
+// Kinds of layers, in VitrineLayerFragment::Kind. An added fragment attenuates nothing behind it.
+#define VITRINE_OPAQUE_LAYER 1
+#define VITRINE_ADDED_LAYER 2
+
+/** A fragment of a layer (inspection/LayerCapture): non-premultiplied colour and window depth; std430, 36 bytes. */
+struct VitrineLayerFragment
+{
+  uint Pixel; // y * width + x, from the lower left pixel of the rectangle that was asked for
+  float Depth;
+  float Red;
+  float Green;
+  float Blue;
+  float Alpha;
+  uint Coverage; // Bit s is set if sample s is covered.
+  uint Part;     // VITRINE_BACK_FACE may be set.
+  uint Kind;
+};
+
 /**
  * A light in view coordinates (VC), as VTK's shaders have it: four texels of a buffer texture, RGBA32F. The first two
  * texels suffice to tell that a point is out of reach.
@@ -191,6 +209,7 @@ static_assert(sizeof(VitrineLightList) == 8, "a texel of two words");
 static_assert(sizeof(VitrineMaterial) == 16 * VITRINE_MATERIAL_TEXELS, "texels of four floats");
 static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
+static_assert(sizeof(VitrineLayerFragment) == 36, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
 static_assert(sizeof(VitrineCounters) == 52 + 64 * VITRINE_SUB_POOLS, "std430 layout");
 static_assert(offsetof(VitrineCounters, PagesLow) == 12, "std430 layout");

@@ -7,6 +7,7 @@
 #include "shader/VTKText.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkColor.h" // vtkCompositeMapperHelper2.h lacks it
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
@@ -29,7 +30,7 @@ namespace vitrine
 namespace
 {
 
-const char* const Attribute = "vitrineBlockOfVertex";
+const char* const BlockOfVertex = "vitrineBlockOfVertex";
 const char* const FirstPart = "vitrineFirstPart";
 
 #if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
@@ -122,13 +123,12 @@ void PartShader::SetParameters(vtkShaderProgram* program, vtkAbstractMapper* map
 {
   if (this->Renderer && prop && program->IsUniformUsed(FirstPart))
   {
-    const std::uint32_t first =
-      PartNumbers::Of(this->Renderer).FirstOf(this->PartOwner(prop));
+    const std::uint32_t first = PartNumbers::Of(this->Renderer).FirstOf(this->PartOwner(prop));
     program->SetUniformi(FirstPart, static_cast<int>(first));
   }
   auto* const blocks = BlockMapper::SafeDownCast(mapper);
   const GLint location = blocks && vertexArray
-    ? glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), Attribute)
+    ? glGetAttribLocation(static_cast<GLuint>(program->GetHandle()), BlockOfVertex)
     : -1;
   if (location < 0)
   {
@@ -153,8 +153,9 @@ std::vector<PartShader::Run> PartShader::RunsOf(vtkPolyDataMapper* mapper)
 {
   std::vector<Run> runs;
   BlockTable::ForEach(static_cast<BlockMapper*>(mapper),
-    [&](std::uint32_t start, std::uint32_t end, std::uint32_t block)
-    { runs.push_back({ start, end, block }); });
+    [&](std::uint32_t start, std::uint32_t end, std::uint32_t block) {
+      runs.push_back({ start, end, block });
+    });
   return runs;
 }
 

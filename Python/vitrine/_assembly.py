@@ -132,8 +132,16 @@ class Assembly:
 
     __slots__ = ("__weakref__", "_faint", "_looks", "_parts", "_window", "actors", "notes")  # typing errors raise
 
+    _living: weakref.WeakSet[Assembly] = weakref.WeakSet()
+
+    @classmethod
+    def living(cls) -> list[Assembly]:
+        """All assemblies that there are."""
+        return list(cls._living)
+
     def __init__(self, actors: vtkAssemblyActors, notes: Iterable[str] = ()) -> None:
         self.actors = actors
+        self._living.add(self)
         self.notes: tuple[str, ...] = tuple(notes)
         self._parts: tuple[Part, ...] | None = None
         self._looks: dict[int, dict[str, Any]] = {}

@@ -1,0 +1,172 @@
+#include "Core/lists/PixelLayers.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace vitrine
+{
+namespace
+{
+
+constexpr int MostSamples = 32;
+
+bool IsOpaque(const LayerFragment& f)
+{
+  return (f.Kind & LayerFragment::Opaque) != 0;
+}
+
+float DepthOf(const LayerFragment& f)
+{
+  return f.Depth > 0.0f ? f.Depth : 0.0f;
+}
+
+/** Orders fragments of one pixel from front to back. The indices tell their order of arrival. */
+class IsInFront
+{
+public:
+  explicit IsInFront(const std::vector<LayerFragment>& fragments)
+    : Fragments(fragments)
+  {
+  }
+
+  bool operator()(const PixelLayer& left, const PixelLayer& right) const
+  {
+    const LayerFragment& a = this->Fragments[left.Fragment];
+    const LayerFragment& b = this->Fragments[right.Fragment];
+    const bool areOpaque = IsOpaque(a) && IsOpaque(b);
+    const auto keyOf = [](const LayerFragment& f)
+    { return std::make_tuple(DepthOf(f), IsOpaque(f)); };
+    if (keyOf(a) != keyOf(b))
+    {
+      return keyOf(a) < keyOf(b);
+    }
+    if (areOpaque)
+    {
+      return left.Fragment > right.Fragment;
+    }
+    const auto colorOf = [](const LayerFragment& f)
+    { return std::make_tuple(f.Rgba[3], f.Rgba[2], f.Rgba[1], f.Rgba[0], f.Part); };
+    return colorOf(a) < colorOf(b);
+  }
+
+private:
+  const std::vector<LayerFragment>& Fragments;
+};
+
+/** The light that still comes through in each sample of a pixel. */
+class Transmittance
+{
+public:
+  explicit Transmittance(int samples)
+    : Samples(std::min(std::max(samples, 1), MostSamples))
+  {
+    this->Left.fill(1.0);
+  }
+
+  /** Returns true if an opaque fragment hides all samples of `coverage`. */
+  bool IsHidden(std::uint32_t coverage) const { return (coverage & ~this->Closed) == 0; }
+
+  /** Lets a fragment take its share. */
+  double Take(const LayerFragment& f)
+  {
+    const double alpha = IsOpaque(f) ? 1.0
+      : f.Rgba[3] > 0.0f             ? std::min(1.0, static_cast<double>(f.Rgba[3]))
+                                     : 0.0;
+    if ((f.Kind & LayerFragment::Added) != 0)
+    {
+      return 0.0;
+    }
+    double share = 0.0;
+    for (int s = 0; s < this->Samples; ++s)
+    {
+      if ((f.Coverage >> s & 1u) != 0)
+      {
+        share += this->Left[s] * alpha;
+        this->Left[s] *= 1.0 - alpha;
+      }
+    }
+    this->Closed |= IsOpaque(f) ? f.Coverage : 0u;
+    return share / this->Samples;
+  }
+
+private:
+  int Samples;
+  std::array<double, MostSamples> Left{};
+  std::uint32_t Closed = 0; ///< samples with an opaque fragment
+};
+
+/** Puts the fragments of each pixel next to each other, in order of arrival. */
+PixelLayers Gather(const std::vector<LayerFragment>& fragments, std::size_t pixels)
+{
+  PixelLayers gathered;
+  gathered.Offsets.assign(pixels + 1, 0);
+  for (const LayerFragment& f : fragments)
+  {
+    gathered.Offsets[f.Pixel < pixels ? f.Pixel + 1 : 0] += f.Pixel < pixels ? 1 : 0;
+  }
+  for (std::size_t p = 0; p < pixels; ++p)
+  {
+    gathered.Offsets[p + 1] += gathered.Offsets[p];
+  }
+  gathered.Layers.resize(gathered.Offsets[pixels]);
+  std::vector<std::size_t> next(gathered.Offsets.begin(), gathered.Offsets.end() - 1);
+  for (std::size_t i = 0; i < fragments.size(); ++i)
+  {
+    if (fragments[i].Pixel < pixels)
+    {
+      gathered.Layers[next[fragments[i].Pixel]++] = { static_cast<std::uint32_t>(i), 0.0 };
+    }
+  }
+  return gathered;
+}
+}
+
+PixelLayers SortLayers(
+  const std::vector<LayerFragment>& fragments, std::size_t pixels, int samples, bool keepHidden)
+{
+  PixelLayers sorted = Gather(fragments, pixels);
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < pixels; ++p)
+  {
+    const auto begin = sorted.Layers.begin() + static_cast<std::ptrdiff_t>(sorted.Offsets[p]);
+    const auto end = sorted.Layers.begin() + static_cast<std::ptrdiff_t>(sorted.Offsets[p + 1]);
+    std::sort(begin, end, IsInFront(fragments));
+    sorted.Offsets[p] = kept;
+    Transmittance light(samples);
+    for (auto layer = begin; layer != end; ++layer)
+    {
+      const LayerFragment& f = fragments[layer->Fragment];
+      const bool isHidden = light.IsHidden(f.Coverage);
+      if (!isHidden || keepHidden)
+      {
+        sorted.Layers[kept++] = { layer->Fragment, light.Take(f) };
+      }
+    }
+  }
+  sorted.Offsets[pixels] = kept;
+  sorted.Layers.resize(kept);
+  return sorted;
+}
+
+std::size_t FirstPartWithShare(const std::vector<LayerFragment>& fragments,
+  const PixelLayers& layers, std::size_t first, std::size_t end, double share)
+{
+  const auto partOf = [&](std::size_t layer)
+  { return fragments[layers.Layers[layer].Fragment].Part & ~LayerFragment::BackFace; };
+  for (std::size_t candidate = first; candidate < end; ++candidate)
+  {
+    double sum = 0.0;
+    for (std::size_t layer = first; layer < end; ++layer)
+    {
+      sum += partOf(layer) == partOf(candidate) ? layers.Layers[layer].Share : 0.0;
+    }
+    if (sum >= share)
+    {
+      return candidate;
+    }
+  }
+  return end;
+}
+
+}

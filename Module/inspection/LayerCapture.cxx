@@ -1,0 +1,338 @@
+#include "inspection/LayerCapture.h"
+
+#include "Shaders/SharedLayout.h"
+#include "gl/Capabilities.h"
+#include "gl/MemoryBarriers.h"
+#include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
+#include "inspection/PropsInRegion.h"
+#include "shader/ShaderText.h"
+#include "transparency/common/FillExtensions.h"
+#include "transparency/common/FillShader.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace vitrine
+{
+
+static_assert(sizeof(LayerFragment) == sizeof(VitrineLayerFragment), "layout");
+static_assert(offsetof(LayerFragment, Rgba) == offsetof(VitrineLayerFragment, Red), "layout");
+static_assert(
+  offsetof(LayerFragment, Coverage) == offsetof(VitrineLayerFragment, Coverage), "layout");
+static_assert(offsetof(LayerFragment, Kind) == offsetof(VitrineLayerFragment, Kind), "layout");
+static_assert(LayerFragment::Opaque == VITRINE_OPAQUE_LAYER, "layout");
+static_assert(LayerFragment::Added == VITRINE_ADDED_LAYER, "layout");
+static_assert(LayerFragment::BackFace == VITRINE_BACK_FACE, "layout");
+
+vtkStandardNewMacro(LayerCapture);
+
+namespace
+{
+
+constexpr std::int64_t FragmentBytes = sizeof(LayerFragment);
+constexpr std::int64_t FirstCapacity = 4096;
+
+// With several samples, llvmpipe loses samples along the edges of the scissor box. The shader cuts out the region then.
+constexpr int ScissorMargin = 4;
+
+FillShader ShaderFor(const LayerCapture::Request& request, bool version430)
+{
+  FillShader fill;
+  fill.Version430 = version430;
+  const std::vector<const char*>& extensions = FillExtensions();
+  fill.Extensions.assign(extensions.begin(), extensions.end());
+  fill.Defines = { "VITRINE_SAMPLES " + std::to_string(request.Samples) };
+  if (request.FixedPoint)
+  {
+    fill.Defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
+  }
+  fill.Declarations = shaders::LayerFillDec;
+  fill.Implementation = shaders::LayerFillImpl;
+  return fill;
+}
+
+void SetPair(vtkShaderProgram* program, const char* name, int x, int y)
+{
+  if (program->IsUniformUsed(name))
+  {
+    const int pair[2] = { x, y };
+    program->SetUniform2i(name, pair);
+  }
+}
+
+/** Keeps the estimated time of a prop, by which VTK chooses levels of detail. */
+class ScopedRenderTime
+{
+public:
+  ScopedRenderTime(vtkProp* prop, vtkRenderer* renderer)
+    : Prop(prop)
+    , Renderer(renderer)
+    , Before(prop->GetEstimatedRenderTime(renderer))
+  {
+  }
+  ~ScopedRenderTime()
+  {
+    const double after = this->Prop->GetEstimatedRenderTime(this->Renderer);
+    this->Prop->AddEstimatedRenderTime(this->Before - after, this->Renderer);
+  }
+  ScopedRenderTime(const ScopedRenderTime&) = delete;
+  void operator=(const ScopedRenderTime&) = delete;
+
+private:
+  vtkProp* Prop;
+  vtkRenderer* Renderer;
+  double Before;
+};
+}
+
+LayerCapture::~LayerCapture()
+{
+  this->Context.Release(
+    [this](vtkOpenGLRenderWindow* window) { this->ReleaseGraphicsResources(window); });
+}
+
+void LayerCapture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Context.LivesIn(window))
+  {
+    this->Parts.Release();
+    this->Target.Release();
+    this->Counter.Release();
+    this->Fragments.Release();
+    this->Context.LetGo();
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+std::string LayerCapture::Capture(const Request& request, std::vector<LayerFragment>& fragments)
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(request.Renderer->GetRenderWindow());
+  if (!this->Context.LivesIn(window))
+  {
+    this->Context.Release(
+      [this](vtkOpenGLRenderWindow* other) { this->ReleaseGraphicsResources(other); });
+    this->Parts = PartShader();
+    this->Target = Framebuffer();
+    this->Counter = Buffer();
+    this->Fragments = Buffer();
+    this->Context.Hold(window);
+    this->IsTried = false;
+  }
+  const ScopedBindingMemory bindings;
+  const ScopedTrackedState trackedState(window->GetState());
+  const ScopedArrayBuffer arrayBuffer;
+  const ScopedVertexArray vertexArray(0);
+  const ScopedShaderProgram shaderProgram(window);
+  const std::string problem = this->Prepare(request);
+  return problem.empty() ? this->DrawAll(request, fragments) : problem;
+}
+
+/** Makes what the request needs. Returns why the driver cannot. */
+std::string LayerCapture::Prepare(const Request& request)
+{
+  vtkOpenGLRenderWindow* const window = this->Context.Window();
+  const bool isOther = !this->IsTried || request.Samples != this->Now.Samples ||
+    request.FixedPoint != this->Now.FixedPoint;
+  this->Now = request;
+  if (isOther)
+  {
+    this->IsTried = true;
+    this->Stage.Modified();
+    this->Refused = MissingFeatures(4, 3, FillExtensions());
+    if (this->Refused.empty())
+    {
+      this->Refused = this->FindVariant(window);
+    }
+  }
+  if (!this->Refused.empty())
+  {
+    return this->Refused;
+  }
+  if ((this->Counter.Handle() == 0 && !this->Counter.Allocate(sizeof(VitrineCaptureCounters))) ||
+    (this->Fragments.Handle() == 0 && !this->Fragments.Allocate(FirstCapacity * FragmentBytes)))
+  {
+    return "the driver has no memory for the fragments";
+  }
+  BindForDrawing(window->GetState(), this->Target.Handle());
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, request.Width);
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, request.Height);
+  glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_SAMPLES, request.Samples);
+  const GLenum none = GL_NONE;
+  glDrawBuffers(1, &none);
+  return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
+    ? std::string()
+    : "the driver has no framebuffer without images";
+}
+
+/** Finds a version of the shaders that the driver compiles. Returns its message if it refuses all. */
+std::string LayerCapture::FindVariant(vtkOpenGLRenderWindow* window)
+{
+  std::string problem;
+  for (const bool version430 : { false, true })
+  {
+    FillShader fill = ShaderFor(this->Now, version430);
+    fill.Declarations = shaders::PartRead + fill.Declarations;
+    problem = FindCompileProblem(window, fill);
+    if (problem.empty())
+    {
+      this->Version430 = version430;
+      return {};
+    }
+  }
+  return "the driver refuses the shader that captures layers: " + problem;
+}
+
+/** Draws until all fragments have room. */
+std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragment>& fragments)
+{
+  const std::vector<vtkProp*> props = PropsIn(request.Renderer, request.Pixels);
+  if (props.empty())
+  {
+    return {};
+  }
+  for (int attempt = 0; attempt < 4; ++attempt)
+  {
+    const VitrineCaptureCounters zero = {};
+    this->Counter.Write(0, sizeof(zero), &zero);
+    this->Problem.clear();
+    this->Draw(props);
+    if (!this->Problem.empty())
+    {
+      return this->Problem;
+    }
+    VitrineCaptureCounters counters = {};
+    BarrierBeforeReadingBuffers();
+    this->Counter.Read(0, sizeof(counters), &counters);
+    const std::int64_t count = counters.Fragments + (std::int64_t(counters.Wraps) << 32);
+    if (count <= this->Fragments.Bytes() / FragmentBytes)
+    {
+      const std::size_t before = fragments.size();
+      fragments.resize(before + static_cast<std::size_t>(count));
+      if (count > 0)
+      {
+        this->Fragments.Read(0, count * FragmentBytes, fragments.data() + before);
+      }
+      return {};
+    }
+    if (count * FragmentBytes > LargestStorageBlock() ||
+      !this->Fragments.Allocate(std::min((count + count / 4) * FragmentBytes,
+        LargestStorageBlock() / FragmentBytes * FragmentBytes)))
+    {
+      this->Fragments.Release();
+      return "the driver has no room for " + std::to_string(count) +
+        " fragments; ask for fewer pixels at once";
+    }
+  }
+  return "the props make more fragments each time they are drawn";
+}
+
+void LayerCapture::Draw(const std::vector<vtkProp*>& props)
+{
+  vtkRenderer* const renderer = this->Now.Renderer;
+  vtkOpenGLState* const state = this->Context.Window()->GetState();
+  const PixelRegion& r = this->Now.Pixels;
+  const int margin = this->Now.Samples > 0 ? ScissorMargin : 0;
+  BarrierBeforeFilling();
+  PixelRegion viewport;
+  renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
+  BindForDrawing(state, this->Target.Handle());
+  state->vtkglViewport(viewport.X, viewport.Y, viewport.Width, viewport.Height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r.X - margin, r.Y - margin, r.Width + 2 * margin, r.Height + 2 * margin);
+  state->vtkglDisable(GL_STENCIL_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+
+  std::vector<vtkProp*> drawn = props;
+  vtkRenderState renderState(renderer);
+  renderState.SetPropArrayAndCount(drawn.data(), static_cast<int>(drawn.size()));
+  const ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, this->Counter.Handle());
+  const ScopedStorageBuffer captured(VITRINE_BINDING_CAPTURE, this->Fragments.Handle());
+  this->Parts.SetRenderer(renderer);
+  this->PreRender(&renderState);
+  for (const bool opaque : { true, false })
+  {
+    this->DrawsOpaque = opaque;
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (vtkProp* prop : props)
+    {
+      if (opaque || this->Now.Translucent)
+      {
+        this->DrawProp(prop);
+      }
+    }
+  }
+  this->PostRender(&renderState);
+  this->Parts.SetDrawnProp(nullptr);
+  ScopedBindingMemory::ForgetDeletedTextures();
+}
+
+void LayerCapture::DrawProp(vtkProp* prop)
+{
+  const ScopedRenderTime time(prop, this->Now.Renderer);
+  this->Parts.SetDrawnProp(prop);
+  if (this->DrawsOpaque)
+  {
+    prop->RenderOpaqueGeometry(this->Now.Renderer);
+  }
+  else if (prop->HasTranslucentPolygonalGeometry())
+  {
+    prop->RenderTranslucentPolygonalGeometry(this->Now.Renderer);
+  }
+}
+
+bool LayerCapture::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  FillShader fill = ShaderFor(this->Now, this->Version430);
+  if (WritesDepth(fragmentShader))
+  {
+    fill.Defines.emplace_back("VITRINE_WRITES_DEPTH");
+  }
+  std::string problem = PartShader::Join(vertexShader, geometryShader, fragmentShader, mapper);
+  if (problem.empty())
+  {
+    problem = JoinFillShader(fill, fragmentShader);
+  }
+  if (!problem.empty())
+  {
+    this->Problem = std::string("fragments of ") + (prop ? prop->GetClassName() : "a prop") +
+      " cannot be captured: " + problem;
+    fragmentShader = "//VTK::System::Dec\nvoid main()\n{\n  discard;\n}\n";
+  }
+  return true;
+}
+
+bool LayerCapture::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
+  vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
+{
+  const PixelRegion& r = this->Now.Pixels;
+  int blend[4];
+  this->Context.Window()->GetState()->GetBlendFuncState(blend);
+  const bool adds = !this->DrawsOpaque && blend[0] == GL_SRC_ALPHA && blend[1] == GL_ONE;
+  if (program->IsUniformUsed("vitrineLayerKind"))
+  {
+    program->SetUniformi("vitrineLayerKind",
+      static_cast<int>(this->DrawsOpaque ? LayerFragment::Opaque
+          : adds                         ? LayerFragment::Added
+                                         : 0u));
+    program->SetUniformi("vitrineLayerWidth", r.Width);
+  }
+  SetPair(program, "vitrineLayerFirst", r.X, r.Y);
+  SetPair(program, "vitrineRegionFirst", r.X, r.Y);
+  SetPair(program, "vitrineRegionEnd", r.X + r.Width, r.Y + r.Height);
+  this->Parts.SetParameters(program, mapper, prop, VAO);
+  return true;
+}
+
+}
