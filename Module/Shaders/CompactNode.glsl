@@ -16,7 +16,7 @@
 
 #define VITRINE_COLOR_LEVELS 406
 
-#ifdef VITRINE_COINCIDENCE
+#if defined(VITRINE_COINCIDENCE) || defined(VITRINE_EXPANDS_DEPTH)
 float vitrineExpandDepth(uint key)
 {
   uint steps = key >> 6;

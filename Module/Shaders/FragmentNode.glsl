@@ -8,6 +8,8 @@
 //
 // Nodes are texels of buffer textures, which may be far larger than shader storage blocks. No format has three words,
 // so the third word of such a node is in a second buffer.
+//
+// With VITRINE_PART_WORDS each node has a word more, in a buffer of its own: its part and side (PartRead.glsl).
 
 #ifdef VITRINE_HALF_FLOAT
 #define VITRINE_COLOR_WORDS 2

@@ -7,8 +7,15 @@
 #include "PackedColor.glsl"
 #endif
 
+#ifdef VITRINE_PART_WORDS
+layout(r32ui, binding = VITRINE_IMAGE_PARTS) writeonly uniform uimageBuffer vitrineParts;
+#endif
+
 void vitrineStoreNode(uint node, float z, vec4 color, uint extra)
 {
+#ifdef VITRINE_PART_WORDS
+  imageStore(vitrineParts, int(node), uvec4(vitrinePartAndSide));
+#endif
 #if defined(VITRINE_COMPACT_NODES)
   vitrineStoreWords(node, uvec4(vitrinePackNode(z, color), extra, 0u));
 #elif defined(VITRINE_HALF_FLOAT)

@@ -27,6 +27,7 @@ uvec4 fetchNode(uint index)
   return node;
 }
 
+#ifndef VITRINE_IN_COMPUTE
 // Returns the head of the pixel. Discards pixels without fragments.
 uvec2 loadHeadToDraw(ivec2 pixel)
 {
@@ -46,6 +47,7 @@ uvec2 loadHeadOfLongList(ivec2 pixel)
   head.y = min(head.y, uint(textureSize(nodes)));
   return head;
 }
+#endif
 
 // Returns the number of nodes in the first page of a list of `count` fragments.
 int nodesInFirstPage(uint count)

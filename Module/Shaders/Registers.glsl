@@ -49,6 +49,22 @@
 #define SET_EXTRA(f, node)
 #define SELECT_EXTRA(f, s, a, b)
 #endif
+// VITRINE_SORTS_PARTS  registers carry the words of parts, since nodes are sorted in place. Of fragments that are equal
+//                      otherwise, the larger word is farther.
+#ifdef VITRINE_SORTS_PARTS
+#define PART_MEMBER uint part;
+#define EXCHANGE_PART(a, b, s) \
+  { \
+    uint t = s ? b.part : a.part; b.part = s ? a.part : b.part; a.part = t; \
+  }
+#define CLEAR_PART(f) f.part = 0u;
+#define SELECT_PART(f, s, a, b) f.part = s ? a.part : b.part;
+#else
+#define PART_MEMBER
+#define EXCHANGE_PART(a, b, s)
+#define CLEAR_PART(f)
+#define SELECT_PART(f, s, a, b)
+#endif
 #ifdef VITRINE_COINCIDENCE
 #define OR_EXTRA_ABOVE(same, a, b) || (same && a.extra > b.extra)
 #define AND_SAME_EXTRA(a, b) && a.extra == b.extra
@@ -65,6 +81,7 @@ struct Fragment
   uint redGreen;   // as packed by PackedColor.glsl
   uint blueAlpha;
   EXTRA_MEMBER
+  PART_MEMBER
 };
 
 uint nodeExtra(uvec4 node)
@@ -78,6 +95,7 @@ Fragment unpackNode(bool valid, uvec4 node)
   f.redGreen = valid ? node.y : 0u;
   f.blueAlpha = valid ? node.z : 0u;
   SET_EXTRA(f, node)
+  CLEAR_PART(f)
   return f;
 }
 vec4 fragmentColor(Fragment f)
@@ -96,6 +114,7 @@ Fragment selectFragment(bool s, Fragment a, Fragment b)
   f.redGreen = s ? a.redGreen : b.redGreen;
   f.blueAlpha = s ? a.blueAlpha : b.blueAlpha;
   SELECT_EXTRA(f, s, a, b)
+  SELECT_PART(f, s, a, b)
   return f;
 }
 bool sameFragment(Fragment a, Fragment b)
@@ -108,6 +127,7 @@ bool sameFragment(Fragment a, Fragment b)
     uint t = s ? b.redGreen : a.redGreen; b.redGreen = s ? a.redGreen : b.redGreen; a.redGreen = t; \
     t = s ? b.blueAlpha : a.blueAlpha; b.blueAlpha = s ? a.blueAlpha : b.blueAlpha; a.blueAlpha = t; \
     EXCHANGE_EXTRA(a, b, s) \
+    EXCHANGE_PART(a, b, s) \
   }
 
 #else
@@ -117,6 +137,7 @@ struct Fragment
   KEY key;     // depth
   COLOR color; // packed by PackedColor.glsl, or as floats
   EXTRA_MEMBER
+  PART_MEMBER
 };
 
 #ifndef VITRINE_FLOAT_KEYS
@@ -130,6 +151,7 @@ Fragment unpackNode(bool valid, uvec4 node)
   f.key = valid ? node.x : NO_KEY;
   f.color = valid ? node.y : 0u;
   SET_EXTRA(f, node)
+  CLEAR_PART(f)
   return f;
 }
 #endif
@@ -163,6 +185,7 @@ Fragment selectFragment(bool s, Fragment a, Fragment b)
   f.key = s ? a.key : b.key;
   f.color = s ? a.color : b.color;
   SELECT_EXTRA(f, s, a, b)
+  SELECT_PART(f, s, a, b)
   return f;
 }
 bool sameFragment(Fragment a, Fragment b)
@@ -174,6 +197,7 @@ bool sameFragment(Fragment a, Fragment b)
   { \
     COLOR t = s ? b.color : a.color; b.color = s ? a.color : b.color; a.color = t; \
     EXCHANGE_EXTRA(a, b, s) \
+    EXCHANGE_PART(a, b, s) \
   }
 
 #endif

@@ -8,6 +8,15 @@
 // NODE_ACCESS        memory qualifiers of the nodes' buffers
 #include "NodeImages.glsl"
 
+#ifdef VITRINE_SORTS_PARTS
+layout(r32ui, binding = VITRINE_IMAGE_PARTS) uniform uimageBuffer vitrineParts;
+#define LOAD_PART(f, index) f.part = imageLoad(vitrineParts, int(index)).x;
+#define STORE_PART(f, index) imageStore(vitrineParts, int(index), uvec4(f.part));
+#else
+#define LOAD_PART(f, index)
+#define STORE_PART(f, index)
+#endif
+
 // The fragments of a page are in its last registers. The first `empty` registers have none.
 struct RunPage
 {
@@ -32,8 +41,10 @@ struct RunPage
 #define LOAD(f, p, i) \
   { \
     int slot = i - p.empty; \
-    uvec4 node = FETCH_NODE(nodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0)))); \
+    uint index = nodeIndex(slot < 0 ? 0u : p.page, uint(max(slot, 0))); \
+    uvec4 node = FETCH_NODE(index); \
     f = unpackNode(true, slot < 0 ? uvec4(0u) : node); \
+    LOAD_PART(f, index) \
   }
 
 #define STORE(f, p, i) \
@@ -44,6 +55,7 @@ struct RunPage
 
 void storeNode(uint index, Fragment f)
 {
+  STORE_PART(f, index)
 #ifdef VITRINE_NODE_HAS_EXTRA
   uint extra = f.extra;
 #else

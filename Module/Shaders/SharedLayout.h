@@ -13,12 +13,13 @@
 #define VITRINE_BINDING_CAPTURE 7
 
 // Binding points of images, of which OpenGL 4.3 guarantees 8: the heads, where atomics or compute shaders write them,
-// the longest list of each block, the nodes' buffers (FragmentNode.glsl), and the links of pages.
+// the longest list of each block, the nodes' buffers (FragmentNode.glsl), the links of pages, and the words of parts.
 #define VITRINE_IMAGE_HEADS 0
 #define VITRINE_IMAGE_BLOCKS 1
 #define VITRINE_IMAGE_NODES 2
 #define VITRINE_IMAGE_THIRD_WORDS 3
 #define VITRINE_IMAGE_LINKS 4
+#define VITRINE_IMAGE_PARTS 5
 
 // Ends a list. No page has this number.
 #define VITRINE_END 0xffffffffu
@@ -111,11 +112,13 @@ struct VitrineCapturedFragment
   float Extent;  // Depths within this distance coincide. With 0 none does.
 };
 
-// Kinds of layers, in VitrineLayerFragment::Kind. An added fragment attenuates nothing behind it.
+// Kinds of layers, in VitrineLayerFragment::Kind. An added fragment attenuates nothing behind it. A tested one is known
+// to be in front of all opaque ones.
 #define VITRINE_OPAQUE_LAYER 1
 #define VITRINE_ADDED_LAYER 2
+#define VITRINE_TESTED_LAYER 4
 
-/** A fragment of a layer (inspection/LayerCapture): non-premultiplied colour and window depth; std430, 36 bytes. */
+/** A fragment of a layer (LayerFillImpl.glsl, LayerLists.glsl): non-premultiplied colour and window depth; std430, 36 bytes. */
 struct VitrineLayerFragment
 {
   uint Pixel; // y * width + x, from the lower left pixel of the rectangle that was asked for

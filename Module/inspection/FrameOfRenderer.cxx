@@ -1,5 +1,9 @@
 #include "inspection/FrameOfRenderer.h"
 
+#include "scene/PassTraits.h"
+#include "transparency/abuffer/ListReader.h"
+#include "vtkABufferTransparencyPass.h"
+
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -69,9 +73,18 @@ LayerCapture::Request FrameOfRenderer::RequestOf(const PixelRegion& pixels, bool
   return request;
 }
 
-bool FrameOfRenderer::ReadLists(const PixelRegion&, std::vector<LayerFragment>&) const
+bool FrameOfRenderer::ReadLists(
+  const PixelRegion& pixels, std::vector<LayerFragment>& fragments) const
 {
-  return false;
+  const FrameSize size{ this->Width, this->Height, this->Samples };
+  // The first pass that has lists of this frame drew it. AllPasses() ends with it.
+  return this->Renderer->GetPass() &&
+    !AllPasses(this->Renderer->GetPass(),
+      [&](vtkRenderPass* pass)
+      {
+        auto* const lists = vtkABufferTransparencyPass::SafeDownCast(pass);
+        return !lists || !lists->ReadLists(this->Renderer, size, pixels, fragments);
+      });
 }
 
 }

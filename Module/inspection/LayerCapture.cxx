@@ -31,6 +31,7 @@ static_assert(
 static_assert(offsetof(LayerFragment, Kind) == offsetof(VitrineLayerFragment, Kind), "layout");
 static_assert(LayerFragment::Opaque == VITRINE_OPAQUE_LAYER, "layout");
 static_assert(LayerFragment::Added == VITRINE_ADDED_LAYER, "layout");
+static_assert(LayerFragment::Tested == VITRINE_TESTED_LAYER, "layout");
 static_assert(LayerFragment::BackFace == VITRINE_BACK_FACE, "layout");
 
 vtkStandardNewMacro(LayerCapture);
@@ -55,6 +56,7 @@ FillShader ShaderFor(const LayerCapture::Request& request, bool version430)
   {
     fill.Defines.emplace_back("VITRINE_FIXED_POINT_TARGET");
   }
+  fill.ReadsParts = true;
   fill.Declarations = shaders::LayerFillDec;
   fill.Implementation = shaders::LayerFillImpl;
   return fill;
@@ -179,9 +181,7 @@ std::string LayerCapture::FindVariant(vtkOpenGLRenderWindow* window)
   std::string problem;
   for (const bool version430 : { false, true })
   {
-    FillShader fill = ShaderFor(this->Now, version430);
-    fill.Declarations = shaders::PartRead + fill.Declarations;
-    problem = FindCompileProblem(window, fill);
+    problem = FindCompileProblem(window, ShaderFor(this->Now, version430));
     if (problem.empty())
     {
       this->Version430 = version430;

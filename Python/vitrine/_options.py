@@ -34,6 +34,7 @@ def make_pass(
     color_storage: str | None,
     memory_limit: SupportsIndex | None,
     coincidence: float | tuple[float, float] | None,
+    part_numbers: bool,
 ) -> vtkSeeThroughPass:
     transparency = _new_method(method)
     if color_storage is not None:
@@ -47,6 +48,10 @@ def make_pass(
         steps, slope = _steps_and_slope(coincidence)
         transparency.SetCoincidenceSteps(steps)
         transparency.SetCoincidenceSlope(slope)
+    check_boolean("part_numbers", part_numbers)
+    if part_numbers:
+        _only_of(vtkABufferTransparencyPass, method, "part_numbers")
+        transparency.SetPartNumbers(True)
     whole = vtkSeeThroughPass()
     whole.SetTranslucentPass(transparency)
     if lights is not None and lights is not False:

@@ -29,6 +29,7 @@ def see_through(
     color_storage: str | None = None,
     memory_limit: SupportsIndex | None = None,
     coincidence: float | tuple[float, float] | None = None,
+    part_numbers: bool = False,
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
@@ -51,6 +52,8 @@ def see_through(
             of mating faces do. They are composited without an order. The unit is 2^-24 of the window's depth range. A
             pair adds a share of the fragment's slope of depth per pixel. A fragment takes 4 bytes more. None means no
             tolerance.
+        part_numbers: for linked lists and prefix sums: whether fragments keep the number of their part, 4 bytes each,
+            so that layers_at(), layers_in() and pick() are quick.
 
     Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and
     the like), and whether they are switched on before or later. The method replaces the step that draws translucent
@@ -80,7 +83,9 @@ def see_through(
     renderers = _renderers_of(target)
 
     def make() -> vtkSeeThroughPass:
-        return make_pass(method, lights, color_storage, memory_limit, coincidence)
+        return make_pass(
+            method, lights, color_storage, memory_limit, coincidence, part_numbers
+        )
 
     make()  # wrong options raise before anything is changed
     check_boolean("cull", cull)

@@ -35,6 +35,10 @@ public:
     const LayerFragment& a = this->Fragments[left.Fragment];
     const LayerFragment& b = this->Fragments[right.Fragment];
     const bool areOpaque = IsOpaque(a) && IsOpaque(b);
+    if (((a.Kind | b.Kind) & LayerFragment::Tested) != 0 && IsOpaque(a) != IsOpaque(b))
+    {
+      return IsOpaque(b);
+    }
     const auto keyOf = [](const LayerFragment& f)
     { return std::make_tuple(DepthOf(f), IsOpaque(f)); };
     if (keyOf(a) != keyOf(b))

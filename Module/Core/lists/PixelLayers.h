@@ -16,6 +16,8 @@ struct LayerFragment
     1; ///< Kind: it hides all that is behind it, and its alpha counts as 1.
   static constexpr std::uint32_t Added =
     2; ///< Kind: it is added to what is behind it, and attenuates nothing.
+  static constexpr std::uint32_t Tested =
+    4; ///< Kind: it is known to be in front of all opaque ones.
   static constexpr std::uint32_t BackFace = 0x80000000u; ///< Flag in Part.
 
   std::uint32_t Pixel;    ///< Index of the pixel.
@@ -47,7 +49,7 @@ struct PixelLayers
  *
  * Among equal depths the rule of the exact methods holds: by alpha, blue, green and red; then by part. Translucent
  * fragments are in front of opaque ones of equal depth, since the depth test lets them pass. Of opaque ones the later
- * fragment is in front. A fragment whose depth is NaN counts as depth 0, as in the methods.
+ * fragment is in front. Tested fragments are in front of opaque ones at any depth. A fragment whose depth is NaN counts as depth 0, as in the methods.
  *
  * @param pixels      the number of pixels; fragments of others are ignored
  * @param samples     samples of a pixel, at least 1

@@ -11,7 +11,7 @@ std::string LinkedListStore::BeginFrame(
   vtkOpenGLState* state, const RenderTarget& target, std::int64_t limit, ListLayout& layout)
 {
   layout.Packed = false;
-  this->Pool.SetLayout(layout.NodeBytes(), layout.FramebufferFetch);
+  this->Pool.SetLayout(layout.NodeBytes(), layout.PartNumbers, layout.FramebufferFetch);
   this->Pool.SetLimit(limit);
   // Heads set by atomics hold the page's number plus one, so 0 is none.
   return this->ListsOfPixels.Prepare(state, target, layout.FramebufferFetch, VITRINE_END);

@@ -26,6 +26,7 @@ struct ListLayout
   bool IsSoftware = false;  ///< Shaders run on the CPU (gl/DeviceTraits).
   bool Additive = false;    ///< Some fragments are added to what is behind them.
   bool Coincidence = false; ///< Depths are intervals, since there is a coincidence tolerance.
+  bool PartNumbers = false; ///< Nodes have a word for their part, in a buffer of its own.
   int Samples = 0;
   int PageSize = 1;
 
@@ -48,7 +49,7 @@ struct ListLayout
   /** The shaders' defines for this layout. */
   std::vector<std::string> Defines() const;
 
-  /** Bytes of a node: 8, 12 or 16. */
+  /** Bytes of a node without the word of its part: 8, 12 or 16. */
   int NodeBytes() const;
 
   /** 32-bit words of a node. The registers of programs for runs hold as many. */

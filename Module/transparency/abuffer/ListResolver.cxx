@@ -55,6 +55,18 @@ std::vector<std::string> RunDefines(
   return defines;
 }
 
+// Programs that sort nodes in place move the words of parts, too.
+std::vector<std::string> SortDefines(
+  const ListLayout& layout, const SortPlan& plan, const SortBin& bin)
+{
+  std::vector<std::string> defines = RunDefines(layout, plan, bin);
+  if (layout.PartNumbers)
+  {
+    defines.emplace_back("VITRINE_SORTS_PARTS");
+  }
+  return defines;
+}
+
 std::string ResolveName(const SortBin& bin)
 {
   const char* const kind = MergesRuns(bin) ? "merge "
@@ -318,7 +330,7 @@ vtkShaderProgram* ListResolver::ReadySortRuns(
 {
   const bool longRuns = bin.Sort == ListSort::LongRuns;
   return this->Programs.Ready(window, longRuns ? "sort long runs" : "sort runs",
-    RunDefines(layout, plan, bin), shaders::TileQuadVertex,
+    SortDefines(layout, plan, bin), shaders::TileQuadVertex,
     [&]
     {
       return longRuns ? SortLongRunsSource(bin.RunSize, layout.PageSize)

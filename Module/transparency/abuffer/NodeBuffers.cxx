@@ -14,22 +14,27 @@ constexpr int WordBytes = sizeof(uint);
 
 }
 
-void NodeBuffers::SetNodeBytes(int nodeBytes)
+bool NodeBuffers::SetNode(int nodeBytes, bool hasPart)
 {
   assert(nodeBytes == 8 || nodeBytes == 12 || nodeBytes == 16);
-  if (nodeBytes != this->BytesPerNode)
+  if (this->HasNode(nodeBytes, hasPart))
   {
-    this->Release();
-    this->BytesPerNode = nodeBytes;
+    return false;
   }
+  this->Release();
+  this->BytesPerNode = nodeBytes;
+  this->HasPart = hasPart;
+  return true;
 }
 
 bool NodeBuffers::Allocate(std::int64_t nodes)
 {
   const bool hasThirdWords = this->BytesPerNode == 12;
   const int texelBytes = hasThirdWords ? this->BytesPerNode - WordBytes : this->BytesPerNode;
+  ++this->Allocation;
   const bool allocated = this->Texels.Allocate(nodes * texelBytes, this->Format()) &&
-    (!hasThirdWords || this->ThirdWords.Allocate(nodes * WordBytes, GL_R32UI));
+    (!hasThirdWords || this->ThirdWords.Allocate(nodes * WordBytes, GL_R32UI)) &&
+    (!this->HasPart || this->Parts.Allocate(nodes * WordBytes, GL_R32UI));
   if (!allocated)
   {
     this->Release();
@@ -43,6 +48,8 @@ void NodeBuffers::Release()
 {
   this->Texels.Release();
   this->ThirdWords.Release();
+  this->Parts.Release();
+  ++this->Allocation;
   this->Nodes = 0;
 }
 
@@ -55,6 +62,7 @@ std::int64_t NodeBuffers::LargestCount()
 ScopedNodeImages::ScopedNodeImages(const NodeBuffers& nodes)
   : Texels(VITRINE_IMAGE_NODES, nodes.Texture(), nodes.Format())
   , ThirdWords(VITRINE_IMAGE_THIRD_WORDS, nodes.ThirdWordTexture())
+  , Parts(VITRINE_IMAGE_PARTS, nodes.PartTexture())
 {
 }
 

@@ -36,14 +36,14 @@ std::int64_t NodePool::SubPoolPages() const
   return RoundedUp(DividedUp<std::int64_t>(this->Pages, VITRINE_SUB_POOLS), Interleave);
 }
 
-void NodePool::SetLayout(int nodeBytes, bool pages)
+void NodePool::SetLayout(int nodeBytes, bool hasPart, bool pages)
 {
-  if (nodeBytes == this->Nodes.NodeBytes() && pages == this->HasPages)
+  if (this->Nodes.HasNode(nodeBytes, hasPart) && pages == this->HasPages)
   {
     return;
   }
   this->Release();
-  this->Nodes.SetNodeBytes(nodeBytes);
+  this->Nodes.SetNode(nodeBytes, hasPart);
   this->HasPages = pages;
   this->Shift = pages ? 2 : 0;
 }

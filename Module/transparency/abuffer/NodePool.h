@@ -22,8 +22,11 @@ public:
   static constexpr int MaximumPageShift = FragmentStatistics::MaximumPageShift;
   static constexpr std::int64_t Unlimited = std::numeric_limits<std::int64_t>::max();
 
-  /** Set the size of a node in bytes (8, 12 or 16), and whether a page may hold several nodes. */
-  void SetLayout(int nodeBytes, bool pages);
+  /**
+   * Set the size of a node in bytes (8, 12 or 16), whether it has a word more for its part, and whether a page may hold
+   * several nodes.
+   */
+  void SetLayout(int nodeBytes, bool hasPart, bool pages);
 
   /**
    * Bound the pool to `bytes`, or to nothing with 0. The texels of a buffer texture bound it as well.

@@ -24,8 +24,8 @@ std::string PackedListStore::BeginFrame(
 {
   layout.Packed = true;
   layout.PageSize = PageSize;
-  const bool isSame = layout.NodeBytes() == this->Buffers.NodeBytes() && limit == this->Limit &&
-    layout.FramebufferFetch == this->ListsOfPixels.AreFetched();
+  const bool isSame = this->Buffers.HasNode(layout.NodeBytes(), layout.PartNumbers) &&
+    limit == this->Limit && layout.FramebufferFetch == this->ListsOfPixels.AreFetched();
   if (!isSame)
   {
     this->Buffers.Release();
@@ -40,7 +40,7 @@ std::string PackedListStore::BeginFrame(
   this->ForgetOldShortage();
   this->TargetWidth = target.Width;
   this->TargetHeight = target.Height;
-  this->Buffers.SetNodeBytes(layout.NodeBytes());
+  this->Buffers.SetNode(layout.NodeBytes(), layout.PartNumbers);
   this->Limit = limit;
   this->Blocks = BlocksOf(target.Region, VITRINE_BLOCK_SIZE);
   this->Start = this->Predicts && this->LastFrame == this->Blocks ? PREDICTED : COUNTING;

@@ -12,6 +12,7 @@
 #include "gl/StageTimer.h"
 #include "scene/Settings.h"
 #include "transparency/abuffer/FragmentStore.h"
+#include "transparency/abuffer/ListReader.h"
 #include "transparency/abuffer/ListResolver.h"
 #include "transparency/common/CoincidenceTolerance.h"
 #include "transparency/common/FillExtensions.h"
@@ -87,6 +88,7 @@ struct vtkABufferTransparencyPass::Internals
   std::unique_ptr<vitrine::FragmentStore> Store;
   vitrine::BackdropCopy Backdrop;
   vitrine::ListResolver Resolver;
+  vitrine::ListReader Reader;
   std::uint32_t LastBins = 0;  // Bins of the last frame's tiles, or 0.
   std::uint32_t DrawnBins = 0; // Bins that were resolved since the last fill.
   bool HasDrawn = false;       // This frame has changed the target.
@@ -138,6 +140,7 @@ void vtkABufferTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ColorStorage: " << this->GetColorStorageAsString() << "\n";
+  os << indent << "PartNumbers: " << this->PartNumbers << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "PoolBytes: " << this->GetPoolBytes() << "\n";
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
@@ -156,6 +159,26 @@ void vtkABufferTransparencyPass::SetColorStorage(int storage)
 const char* vtkABufferTransparencyPass::GetColorStorageAsString()
 {
   return StoragesOfABuffers[this->ColorStorage];
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::SetPartNumbers(bool partNumbers)
+{
+  if (partNumbers != this->PartNumbers)
+  {
+    this->PartNumbers = partNumbers;
+    this->ShaderStage.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkABufferTransparencyPass::ReadLists(vtkRenderer* renderer, const vitrine::FrameSize& size,
+  const vitrine::PixelRegion& pixels, std::vector<vitrine::LayerFragment>& fragments)
+{
+  Internals& in = *this->Private;
+  return in.Store && this->GetWindow() &&
+    in.Reader.Read(this->GetWindow(), renderer, size, in.Layout, *in.Store, pixels, fragments);
 }
 
 //------------------------------------------------------------------------------
@@ -202,6 +225,11 @@ vitrine::FillShader vtkABufferTransparencyPass::GetFillShader()
   {
     fill.Defines.emplace_back(colors);
   }
+  if (this->PartNumbers)
+  {
+    fill.Defines.emplace_back("VITRINE_PART_WORDS");
+    fill.ReadsParts = true;
+  }
   this->GetStoringShader(fill);
   this->GetTolerance().AddTo(fill);
   return fill;
@@ -235,6 +263,10 @@ std::string vtkABufferTransparencyPass::RenderFragments(
   }
   if (problem.empty())
   {
+    if (this->PartNumbers && this->NumberOfBands == 1)
+    {
+      in.Reader.Note(s->GetRenderer(), target, *in.Store);
+    }
     this->FinishFrame(frame);
   }
   else if (in.HasDrawn)
@@ -256,6 +288,8 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.EncodesSRGB = target.EncodesSRGB;
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
+  in.Layout.PartNumbers = this->PartNumbers;
+  in.Reader.Forget();
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = this->GetDeviceTraits().FramebufferFetch && target.Samples == 0;
   const bool isSoftware = this->GetDeviceTraits().Software;
@@ -548,6 +582,7 @@ void vtkABufferTransparencyPass::FinishFrame(const vitrine::FragmentStatistics& 
 //------------------------------------------------------------------------------
 void vtkABufferTransparencyPass::RenderNothing()
 {
+  this->Private->Reader.Forget();
   this->GetStore().EndFrame({}, 1);
   this->Bytes = this->Private->Bytes() + this->GetSharedBytes();
 }
@@ -557,6 +592,7 @@ void vtkABufferTransparencyPass::ReleaseMethodResources()
 {
   Internals& in = *this->Private;
   this->GetStore().Release();
+  in.Reader.Release();
   in.Backdrop.Release();
   in.Resolver.Release();
 }

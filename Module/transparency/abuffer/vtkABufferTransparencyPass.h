@@ -42,10 +42,14 @@
 #include <memory>  // for the store
 #include <vector>  // for bands of the screen
 
+class vtkRenderer;
+
 namespace vitrine
 {
 class FragmentStore;
 struct FragmentStatistics;
+struct FrameSize;
+struct LayerFragment;
 struct PixelRegion;
 }
 
@@ -110,6 +114,26 @@ public:
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether each stored fragment has the number of its part, by which vtkLayerPicker tells what lies under a
+   * pixel from the lists of the last frame. A fragment takes 4 bytes more. The default is false.
+   */
+  void SetPartNumbers(bool partNumbers);
+  vtkGetMacro(PartNumbers, bool);
+  vtkBooleanMacro(PartNumbers, bool);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * Append the fragments of a rectangle of the target's pixels from the lists of the last frame. Returns false, and
+   * appends nothing, if there are no lists of this renderer with part numbers, if the frame was drawn in bands, or if
+   * its target had another size or other samples. The context is current. Its types are private to this module.
+   */
+  bool ReadLists(vtkRenderer* renderer, const vitrine::FrameSize& size,
+    const vitrine::PixelRegion& pixels, std::vector<vitrine::LayerFragment>& fragments);
+#endif
+
   /**
    * Get the GPU memory allocated for fragments after the last frame, in bytes. GetBytes() also counts the heads of the
    * lists, the tiles and the copy of the background.
@@ -151,6 +175,7 @@ protected:
   void ForgetMethodResources() override;
 
   int ColorStorage = HALF_FLOAT;
+  bool PartNumbers = false;
   vtkTypeInt64 MemoryLimit = 0;
   int NumberOfBands = 1;
 

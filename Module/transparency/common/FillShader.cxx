@@ -130,7 +130,7 @@ std::string FindCompileProblem(vtkOpenGLRenderWindow* window, const FillShader& 
 {
   const std::string version = vtktext::SystemDec + "\n"; // VTK replaces it by #version.
   const std::string vertex = version + shaders::FullScreenVertex;
-  std::string fragment = version + shaders::FillProbe;
+  std::string fragment = version + (fill.ReadsParts ? shaders::PartRead : "") + shaders::FillProbe;
   std::string problem = JoinFillShader(fill, fragment);
   if (problem.empty())
   {

@@ -24,6 +24,7 @@ struct FillShader
   std::string Declarations;            ///< Inserted at global scope.
   std::string UniformFlow; ///< Inserted at the beginning of main(), where derivatives are defined.
   std::string Implementation; ///< Inserted at the end of main(). The colour is gl_FragData[0].
+  bool ReadsParts = false; ///< It reads the part (scene/PartShader), which the caller joins before.
   std::optional<InputPlace> Inputs; ///< Where the shader evaluates its inputs, if not in place.
 };
 

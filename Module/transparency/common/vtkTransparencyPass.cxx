@@ -12,6 +12,7 @@
 #include "gl/ScopedState.h"
 #include "gl/StageTimer.h"
 #include "scene/ActorRules.h"
+#include "scene/PartShader.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/common/MethodTable.h"
 #include "vtkActor.h"
@@ -124,6 +125,7 @@ struct vtkTransparencyPass::Internals
 
   vitrine::DepthCopy OpaqueDepth;
   vitrine::OuterPasses Outer;
+  vitrine::PartShader Parts;
 
   bool MeasureStages = false;
   vitrine::StageTimer Timer;
@@ -292,6 +294,7 @@ void vtkTransparencyPass::ForgetResources()
 {
   Internals& in = *this->Private;
   in.OpaqueDepth = vitrine::DepthCopy();
+  in.Parts = vitrine::PartShader();
   in.Timer = vitrine::StageTimer();
   in.Timer.SetOn(in.MeasureStages);
   this->ForgetMethodResources();
@@ -429,9 +432,11 @@ std::string vtkTransparencyPass::DrawTranslucentGeometry(
   in.Context.Window()->GetState()->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->PreRender(s);
+  in.Parts.SetRenderer(s->GetRenderer());
   int rendered = 0;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
+    in.Parts.SetDrawnProp(s->GetPropArray()[i]);
     rendered += s->GetPropArray()[i]->RenderTranslucentPolygonalGeometry(s->GetRenderer());
   }
   this->PostRender(s);
@@ -529,7 +534,8 @@ vitrine::FillShader vtkTransparencyPass::GetCapturingShader(bool writesDepth)
 
 //------------------------------------------------------------------------------
 bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
 {
   Internals& in = *this->Private;
   const bool writesDepth = vitrine::WritesDepth(fragmentShader);
@@ -539,9 +545,14 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
   {
     in.Outer.ExpectFurtherOutputs();
   }
+  const vitrine::FillShader fill = this->GetCapturingShader(writesDepth);
+  if (problem.empty() && fill.ReadsParts)
+  {
+    problem = vitrine::PartShader::Join(vertexShader, geometryShader, fragmentShader, mapper);
+  }
   if (problem.empty())
   {
-    problem = vitrine::JoinFillShader(this->GetCapturingShader(writesDepth), fragmentShader);
+    problem = vitrine::JoinFillShader(fill, fragmentShader);
   }
   if (!problem.empty())
   {
@@ -565,8 +576,8 @@ bool vtkTransparencyPass::PostReplaceShaderValues(std::string& vertexShader,
 }
 
 //------------------------------------------------------------------------------
-bool vtkTransparencyPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+bool vtkTransparencyPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
+  vtkProp* prop, vtkOpenGLVertexArrayObject* VAO)
 {
   Internals& in = *this->Private;
   // This comes last before the draw. Images, and props whose keys ask for it, would otherwise write depth and hide
@@ -594,6 +605,7 @@ bool vtkTransparencyPass::SetShaderParameters(
     program->SetUniform2i("vitrineRegionFirst", first);
     program->SetUniform2i("vitrineRegionEnd", end);
   }
+  in.Parts.SetParameters(program, mapper, prop, VAO);
   this->SetFillParameters(program);
   return true;
 }
@@ -616,6 +628,7 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
   if (in.Context.LivesIn(window))
   {
     in.OpaqueDepth.Release();
+    in.Parts.Release();
     in.Timer.Release();
     this->ReleaseMethodResources();
     this->Bytes = 0;
@@ -631,7 +644,7 @@ void vtkTransparencyPass::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkTransparencyPass::GetSharedBytes()
 {
-  return this->Private->OpaqueDepth.Bytes();
+  return this->Private->OpaqueDepth.Bytes() + this->Private->Parts.Bytes();
 }
 
 //------------------------------------------------------------------------------

@@ -298,7 +298,8 @@ protected:
   vitrine::StageTimer& GetStageTimer();
 
   /**
-   * Get the GPU memory that this base class holds, in bytes: the copy of the opaque depth, if one was asked for.
+   * Get the GPU memory that this base class holds, in bytes: the copy of the opaque depth, if one was asked for, and
+   * the attributes that name blocks.
    */
   vtkTypeInt64 GetSharedBytes();
 
