@@ -5,7 +5,6 @@
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
 #include "gl/StateRecord.h"
-#include "inspection/PropsInRegion.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillExtensions.h"
 #include "transparency/common/FillShader.h"
@@ -194,7 +193,7 @@ std::string LayerCapture::FindVariant(vtkOpenGLRenderWindow* window)
 /** Draws until all fragments have room. */
 std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragment>& fragments)
 {
-  const std::vector<vtkProp*> props = PropsIn(request.Renderer, request.Pixels);
+  const std::vector<vtkProp*> props = this->Props.Find(request.Renderer, request.Pixels);
   if (props.empty())
   {
     return {};

@@ -6,6 +6,7 @@
 #include "Core/lists/PixelLayers.h"
 #include "gl/GLObjects.h"
 #include "gl/HeldContext.h"
+#include "inspection/PropsInRegion.h"
 #include "scene/PartShader.h"
 
 #include "vtkOpenGLRenderPass.h"
@@ -73,6 +74,7 @@ private:
   std::string Refused; ///< why the driver refuses the shaders; empty if it does not
   bool IsTried = false;
   HeldContext Context;
+  PropsInRegion Props;
   PartShader Parts;
   Framebuffer Target;
   Buffer Counter;

@@ -2,22 +2,60 @@
 #ifndef VITRINE_INSPECTION_PROPS_IN_REGION_H
 #define VITRINE_INSPECTION_PROPS_IN_REGION_H
 
+#include "Core/geometry/Box.h"
 #include "Core/geometry/PixelRegion.h"
 
+#include "vtkType.h"
+
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
+class vtkActor;
+class vtkDataObject;
+class vtkMapper;
 class vtkProp;
 class vtkRenderer;
+class vtkShaderProperty;
 
 namespace vitrine
 {
 
 /**
- * Returns the visible props of the renderer that may be drawn within a rectangle of the window's pixels, in their
- * order: those whose bounds meet the pyramid of the rectangle, with a margin for wide lines and points, and those that
- * may be drawn outside of their bounds. Props of the overlay, and volumes, are left out.
+ * Finds props by boxes around the data that they were last drawn with. It keeps the boxes, since VTK's bounds update
+ * pipelines, which takes longer than to draw a few pixels.
  */
-std::vector<vtkProp*> PropsIn(vtkRenderer* renderer, const PixelRegion& region);
+class PropsInRegion
+{
+public:
+  /**
+   * Returns the visible props of the renderer that may be drawn within a rectangle of the window's pixels, in their
+   * order: those whose boxes meet the pyramid of the rectangle, with a margin for wide lines and points, and those that
+   * may be drawn outside of their data. Props of the overlay, and volumes, are left out.
+   */
+  std::vector<vtkProp*> Find(vtkRenderer* renderer, const PixelRegion& region);
+
+private:
+  /** An actor when its box was read. Times of VTK never come again, so they tell also of other objects in its place. */
+  struct Known
+  {
+    vtkMTimeType ActorTime = 0;
+    vtkMapper* Mapper = nullptr;
+    vtkMTimeType MapperTime = 0;
+    vtkShaderProperty* Shader = nullptr;
+    vtkMTimeType ShaderTime = 0;
+    vtkDataObject* Data = nullptr;
+    vtkMTimeType DataTime = 0;
+    bool IsAnywhere = false;    ///< It may be drawn outside of its data.
+    std::optional<Box> InWorld; ///< absent if it has no data
+
+    bool operator==(const Known& other) const;
+  };
+
+  const Known& Look(vtkActor* actor);
+
+  std::unordered_map<vtkProp*, Known> Boxes;
+};
 
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <tuple>
 
 namespace vitrine
@@ -14,6 +15,14 @@ constexpr int MostSamples = 32;
 bool IsOpaque(const LayerFragment& f)
 {
   return (f.Kind & LayerFragment::Opaque) != 0;
+}
+
+/** Returns a number of the order of the 16-bit floats in which the methods store colours. */
+std::uint32_t StoredOrder(float x)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return x > 0.0f ? (bits + 0x800u) >> 12 : 0u;
 }
 
 float DepthOf(const LayerFragment& f)
@@ -50,7 +59,10 @@ public:
       return left.Fragment > right.Fragment;
     }
     const auto colorOf = [](const LayerFragment& f)
-    { return std::make_tuple(f.Rgba[3], f.Rgba[2], f.Rgba[1], f.Rgba[0], f.Part); };
+    {
+      return std::make_tuple(StoredOrder(f.Rgba[3]), StoredOrder(f.Rgba[2]), StoredOrder(f.Rgba[1]),
+        StoredOrder(f.Rgba[0]), f.Part);
+    };
     return colorOf(a) < colorOf(b);
   }
 
