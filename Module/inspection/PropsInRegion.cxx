@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkBoundingBox.h"
+#include "vtkCommand.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSet.h"
@@ -157,6 +158,7 @@ std::vector<vtkProp*> PropsInRegion::Find(vtkRenderer* renderer, const PixelRegi
   {
     this->Boxes.clear(); // Most of them are gone.
   }
+  this->Watch(renderer);
   const Pyramid pyramid(rays, region);
   vtkCollectionSimpleIterator place;
   props->InitTraversal(place);
@@ -182,6 +184,23 @@ std::vector<vtkProp*> PropsInRegion::Find(vtkRenderer* renderer, const PixelRegi
   return found;
 }
 
+/** Counts the frames of a renderer from now on. */
+void PropsInRegion::Watch(vtkRenderer* renderer)
+{
+  if (this->Watched == renderer)
+  {
+    return;
+  }
+  if (this->Watched)
+  {
+    this->Watched->RemoveObserver(this->Observer);
+  }
+  ++this->Frame;
+  this->Watched = renderer;
+  this->Observer =
+    renderer ? renderer->AddObserver(vtkCommand::EndEvent, this, &PropsInRegion::NoteFrame) : 0;
+}
+
 /** Returns what is known of an actor, after reading it anew if it has changed. */
 const PropsInRegion::Known& PropsInRegion::Look(vtkActor* actor)
 {
@@ -193,8 +212,10 @@ const PropsInRegion::Known& PropsInRegion::Look(vtkActor* actor)
   now.ShaderTime = now.Shader ? now.Shader->GetMTime() : 0;
   now.Data =
     now.Mapper->GetNumberOfInputConnections(0) > 0 ? now.Mapper->GetInputDataObject(0, 0) : nullptr;
-  now.DataTime = now.Data ? TimeOf(now.Data) : 0;
   Known& known = this->Boxes[actor];
+  const bool isRead = known.Data == now.Data && known.Frame == this->Frame;
+  now.DataTime = isRead ? known.DataTime : now.Data ? TimeOf(now.Data) : 0;
+  known.Frame = now.Frame = this->Frame;
   if (!(now == known))
   {
     now.IsAnywhere = !AsHideable(actor) || !now.Data;

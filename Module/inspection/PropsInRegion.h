@@ -6,7 +6,9 @@
 #include "Core/geometry/PixelRegion.h"
 
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -23,11 +25,17 @@ namespace vitrine
 
 /**
  * Finds props by boxes around the data that they were last drawn with. It keeps the boxes, since VTK's bounds update
- * pipelines, which takes longer than to draw a few pixels.
+ * pipelines, which takes longer than to draw a few pixels. Actors are looked at each time, and their data after each
+ * frame of the renderer.
  */
 class PropsInRegion
 {
 public:
+  PropsInRegion() = default;
+  ~PropsInRegion() { this->Watch(nullptr); }
+  PropsInRegion(const PropsInRegion&) = delete;
+  void operator=(const PropsInRegion&) = delete;
+
   /**
    * Returns the visible props of the renderer that may be drawn within a rectangle of the window's pixels, in their
    * order: those whose boxes meet the pyramid of the rectangle, with a margin for wide lines and points, and those that
@@ -46,15 +54,21 @@ private:
     vtkMTimeType ShaderTime = 0;
     vtkDataObject* Data = nullptr;
     vtkMTimeType DataTime = 0;
+    std::uint64_t Frame = 0;    ///< when the time of the data was read
     bool IsAnywhere = false;    ///< It may be drawn outside of its data.
     std::optional<Box> InWorld; ///< absent if it has no data
 
     bool operator==(const Known& other) const;
   };
 
+  void Watch(vtkRenderer* renderer);
+  void NoteFrame() { ++this->Frame; }
   const Known& Look(vtkActor* actor);
 
   std::unordered_map<vtkProp*, Known> Boxes;
+  vtkWeakPointer<vtkRenderer> Watched;
+  unsigned long Observer = 0;
+  std::uint64_t Frame = 1; ///< counts the frames of the renderer
 };
 
 }
