@@ -1,0 +1,164 @@
+#include "Core/measure/TriangleGap.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+
+double Ratio(double part, double whole)
+{
+  return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
+}
+
+void KeepNearer(Gap& least, const Gap& other)
+{
+  if (other.Distance < least.Distance)
+  {
+    least = other;
+  }
+}
+
+/** How far the corners reach beyond a triangle's plane on the side where they reach less. */
+double ReachBeyond(const Triangle& triangle, const Triangle& plane)
+{
+  const glm::dvec3 across = glm::cross(plane[1] - plane[0], plane[2] - plane[0]);
+  const double length = glm::length(across);
+  if (!(length > 0))
+  {
+    return 0;
+  }
+  double before = 0;
+  double behind = 0;
+  for (const glm::dvec3& corner : triangle)
+  {
+    const double height = glm::dot(corner - plane[0], across) / length;
+    before = std::max(before, height);
+    behind = std::max(behind, -height);
+  }
+  return std::min(before, behind);
+}
+
+}
+
+// C. Ericson: Real-time collision detection, 2005, 5.1.5.
+glm::dvec3 NearestOnTriangle(const Triangle& triangle, const glm::dvec3& point)
+{
+  const auto& [a, b, c] = triangle;
+  const glm::dvec3 ab = b - a;
+  const glm::dvec3 ac = c - a;
+  const glm::dvec3 ap = point - a;
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0)
+  {
+    return a;
+  }
+  const glm::dvec3 bp = point - b;
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3)
+  {
+    return b;
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0)
+  {
+    return a + Ratio(d1, d1 - d3) * ab;
+  }
+  const glm::dvec3 cp = point - c;
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6)
+  {
+    return c;
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0)
+  {
+    return a + Ratio(d2, d2 - d6) * ac;
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+  {
+    return b + Ratio(d4 - d3, (d4 - d3) + (d5 - d6)) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  return a + ab * (vb / sum) + ac * (vc / sum);
+}
+
+// C. Ericson, 5.1.9.
+Gap GapOfSegments(
+  const glm::dvec3& a, const glm::dvec3& aEnd, const glm::dvec3& b, const glm::dvec3& bEnd)
+{
+  const glm::dvec3 alongA = aEnd - a;
+  const glm::dvec3 alongB = bEnd - b;
+  const glm::dvec3 between = a - b;
+  const double aa = glm::dot(alongA, alongA);
+  const double bb = glm::dot(alongB, alongB);
+  const double ab = glm::dot(alongA, alongB);
+  const double aBetween = glm::dot(alongA, between);
+  const double bBetween = glm::dot(alongB, between);
+  const double determinant = aa * bb - ab * ab;
+  double onA = Ratio(ab * bBetween - aBetween * bb, determinant);
+  double onB = Ratio(ab * onA + bBetween, bb);
+  onA = Ratio(ab * onB - aBetween, aa);
+  const glm::dvec3 first = a + onA * alongA;
+  const glm::dvec3 second = b + onB * alongB;
+  return { glm::length(first - second), first, second };
+}
+
+Gap GapOfApartTriangles(const Triangle& a, const Triangle& b)
+{
+  Gap least{ std::numeric_limits<double>::infinity(), a[0], b[0] };
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 onB = NearestOnTriangle(b, a[i]);
+    KeepNearer(least, { glm::length(a[i] - onB), a[i], onB });
+    const glm::dvec3 onA = NearestOnTriangle(a, b[i]);
+    KeepNearer(least, { glm::length(b[i] - onA), onA, b[i] });
+    for (int j = 0; j < 3; ++j)
+    {
+      KeepNearer(least, GapOfSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
+    }
+  }
+  return least;
+}
+
+glm::dvec3 MiddleOfMeeting(const Triangle& a, const Triangle& b)
+{
+  glm::dvec3 sum(0.0);
+  int count = 0;
+  const auto addCrossings = [&](const Triangle& edges, const Triangle& pierced)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Ray edge{ edges[i], edges[(i + 1) % 3] - edges[i], 1.0 };
+      if (const std::optional<double> at = RayMeets(edge, pierced))
+      {
+        sum += edge.Origin + *at * edge.Direction;
+        ++count;
+      }
+    }
+  };
+  addCrossings(a, b);
+  addCrossings(b, a);
+  if (count > 0)
+  {
+    return sum / static_cast<double>(count);
+  }
+  const Gap gap = GapOfApartTriangles(a, b);
+  return (gap.OnFirst + gap.OnSecond) / 2.0;
+}
+
+double ReachThrough(const Triangle& a, const Triangle& b)
+{
+  return std::min(ReachBeyond(a, b), ReachBeyond(b, a));
+}
+
+}

@@ -1,0 +1,40 @@
+#ifndef VITRINE_CORE_MEASURE_TRIANGLE_GAP_H
+#define VITRINE_CORE_MEASURE_TRIANGLE_GAP_H
+
+#include "Core/octree/Triangle.h"
+
+#include <glm/vec3.hpp>
+
+namespace vitrine
+{
+
+/** The two points of two things that are nearest to each other. */
+struct Gap
+{
+  double Distance;
+  glm::dvec3 OnFirst;
+  glm::dvec3 OnSecond;
+};
+
+/** Returns the point of a triangle that is nearest to a point. The triangle may be a segment or a point. */
+glm::dvec3 NearestOnTriangle(const Triangle& triangle, const glm::dvec3& point);
+
+/** Returns the least distance of two segments. */
+Gap GapOfSegments(
+  const glm::dvec3& a, const glm::dvec3& aEnd, const glm::dvec3& b, const glm::dvec3& bEnd);
+
+/** Returns the least distance of two triangles that do not meet. */
+Gap GapOfApartTriangles(const Triangle& a, const Triangle& b);
+
+/** Returns a point in the middle of what two triangles have in common, which must meet. */
+glm::dvec3 MiddleOfMeeting(const Triangle& a, const Triangle& b);
+
+/**
+ * Returns how far two triangles that meet reach through one another: how far both have to move, along the normal of
+ * one of them, until they are on one side of its plane. It is 0 for triangles in one plane.
+ */
+double ReachThrough(const Triangle& a, const Triangle& b);
+
+}
+
+#endif
