@@ -46,12 +46,14 @@ int Run(int argc, char* argv[])
   program::AddRenderCommand(app);
   program::AddCompareCommand(app);
   program::AddChartCommand(app);
+  program::AddClashCommand(app);
   program::AddCullCommand(app);
   program::AddDiffCommand(app);
   program::AddInfoCommand(app);
   program::AddLightsCommand(app);
   program::AddModelsCommand(app);
   program::AddPaperCommand(app);
+  program::AddQueryCommand(app);
   program::AddReportCommand(app);
   program::AddSortsCommand(app);
   program::AddStabilityCommand(app);

@@ -40,22 +40,6 @@
 namespace
 {
 
-/** A geometry that parts share, and the cells of its triangles. */
-struct SharedMesh
-{
-  vtkSmartPointer<vtkPolyData> Geometry; ///< kept, so that no other has its address
-  std::shared_ptr<const vitrine::PartMesh> Mesh;
-  std::shared_ptr<const std::vector<vtkIdType>> Cells;
-};
-
-struct IndexedPart
-{
-  std::string Name;
-  std::shared_ptr<const std::vector<vtkIdType>> Cells;
-  vtkWeakPointer<vtkActor> Actor;
-  unsigned int Block;
-};
-
 glm::dvec3 VectorOf(const double vector[3])
 {
   return { vector[0], vector[1], vector[2] };
@@ -68,8 +52,7 @@ void Write(const glm::dvec3& from, double to[3])
 
 bool AreFinite(const double* numbers, int count)
 {
-  return std::all_of(
-    numbers, numbers + count, [](double number) { return std::isfinite(number); });
+  return std::all_of(numbers, numbers + count, [](double number) { return std::isfinite(number); });
 }
 
 /** A new column of a table. */
@@ -94,9 +77,8 @@ void Fill(vtkIdList* list, const std::vector<std::uint32_t>& parts)
 
 std::string BlockName(vtkCompositeDataIterator* at)
 {
-  const char* const name = at->HasCurrentMetaData()
-    ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-    : nullptr;
+  const char* const name =
+    at->HasCurrentMetaData() ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
   return name ? name : "block " + std::to_string(at->GetCurrentFlatIndex());
 }
 
@@ -155,6 +137,22 @@ std::string MakeRay(
 
 struct vtkAssemblyIndex::Content
 {
+  /** A geometry that parts share, and the cells of its triangles. */
+  struct SharedMesh
+  {
+    vtkSmartPointer<vtkPolyData> Geometry; ///< kept, so that no other has its address
+    std::shared_ptr<const vitrine::PartMesh> Mesh;
+    std::shared_ptr<const std::vector<vtkIdType>> Cells;
+  };
+
+  struct IndexedPart
+  {
+    std::string Name;
+    std::shared_ptr<const std::vector<vtkIdType>> Cells;
+    vtkWeakPointer<vtkActor> Actor;
+    unsigned int Block;
+  };
+
   vitrine::AssemblyIndex Index;
   std::vector<IndexedPart> Parts;
   std::map<vtkPolyData*, SharedMesh> Meshes;
@@ -311,9 +309,8 @@ std::string vtkAssemblyIndex::GetPartName(int part)
 
 int vtkAssemblyIndex::GetPartNumberOfTriangles(int part)
 {
-  return this->IsPart(part)
-    ? static_cast<int>(this->Private->Placed(part).Mesh().TriangleCount())
-    : 0;
+  return this->IsPart(part) ? static_cast<int>(this->Private->Placed(part).Mesh().TriangleCount())
+                            : 0;
 }
 
 bool vtkAssemblyIndex::GetPartIsClosed(int part)
@@ -351,8 +348,7 @@ bool vtkAssemblyIndex::CastRay(
   {
     const int part = static_cast<int>(crossing.Part);
     const glm::dvec3 position = ray.Origin + crossing.Distance * ray.Direction;
-    const std::uint32_t triangle =
-      this->Private->Placed(part).Mesh().SourceOf(crossing.Triangle);
+    const std::uint32_t triangle = this->Private->Placed(part).Mesh().SourceOf(crossing.Triangle);
     parts->InsertNextValue(part);
     distances->InsertNextValue(crossing.Distance);
     positions->InsertNextTuple(&position.x);
@@ -421,19 +417,18 @@ bool vtkAssemblyIndex::FindPartsInSphere(
   parts->Reset();
   if (!AreFinite(center, 3) || !std::isfinite(radius) || radius < 0.0)
   {
-    vtkErrorMacro(<< "Nothing is in a sphere whose radius is negative, or that has a number that is "
-                     "not finite.");
+    vtkErrorMacro(
+      << "Nothing is in a sphere whose radius is negative, or that has a number that is "
+         "not finite.");
     return false;
   }
   const glm::dvec3 middle = VectorOf(center);
   const vitrine::AssemblyIndex& index = this->Private->Built();
-  Fill(
-    parts, isWholly ? index.PartsWithin(middle, radius) : index.PartsTouching(middle, radius));
+  Fill(parts, isWholly ? index.PartsWithin(middle, radius) : index.PartsTouching(middle, radius));
   return true;
 }
 
-double vtkAssemblyIndex::GetDistance(
-  int first, int second, double onFirst[3], double onSecond[3])
+double vtkAssemblyIndex::GetDistance(int first, int second, double onFirst[3], double onSecond[3])
 {
   if (!this->IsPart(first) || !this->IsPart(second))
   {
@@ -480,8 +475,7 @@ bool vtkAssemblyIndex::FindClashes(double clearance, double tolerance, vtkTable*
     this->InvokeEvent(vtkCommand::ProgressEvent, &done);
     return this->AbortExecute == 0;
   };
-  for (const vitrine::Clash& clash :
-    this->Private->Index.Clashes({ clearance, tolerance }, goesOn))
+  for (const vitrine::Clash& clash : this->Private->Index.Clashes({ clearance, tolerance }, goesOn))
   {
     firsts->InsertNextValue(static_cast<int>(clash.First));
     seconds->InsertNextValue(static_cast<int>(clash.Second));
@@ -501,6 +495,7 @@ bool vtkAssemblyIndex::MaySee(int first, int second, vtkIdList* through)
     return false;
   }
   return this->Private->Built().MaySee(static_cast<std::uint32_t>(first),
-    static_cast<std::uint32_t>(second), [through](std::uint32_t part)
+    static_cast<std::uint32_t>(second),
+    [through](std::uint32_t part)
     { return !through || through->IsId(static_cast<vtkIdType>(part)) < 0; });
 }

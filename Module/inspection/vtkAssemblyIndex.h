@@ -127,8 +127,7 @@ public:
    * "part", "start" and "end", which are distances from the origin. Where the ray begins in a part, its start is 0.
    * Returns as CastRay() does.
    */
-  bool FindWalls(
-    const double origin[3], const double direction[3], double length, vtkTable* walls);
+  bool FindWalls(const double origin[3], const double direction[3], double length, vtkTable* walls);
 
   /**
    * Find the part whose surface is nearest to a point, and its nearest point. Returns the part's number, or -1 if there

@@ -19,6 +19,9 @@ void AddCompareCommand(CLI::App& app);
 /** `vitrine chart`: a page on speed against error, to look at and to keep. */
 void AddChartCommand(CLI::App& app);
 
+/** `vitrine clash`: parts that interfere, touch or are near each other. */
+void AddClashCommand(CLI::App& app);
+
 /** `vitrine cull`: frames with and without occlusion culling. */
 void AddCullCommand(CLI::App& app);
 
@@ -36,6 +39,9 @@ void AddModelsCommand(CLI::App& app);
 
 /** `vitrine paper`: the papers' scenes, and frame rates beside theirs. */
 void AddPaperCommand(CLI::App& app);
+
+/** `vitrine query`: measurements along rays, around points and between parts. */
+void AddQueryCommand(CLI::App& app);
 
 /** `vitrine report`: the device, and what each method does there, for a bug report. */
 void AddReportCommand(CLI::App& app);

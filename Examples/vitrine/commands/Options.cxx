@@ -31,23 +31,6 @@ bool ParseNumber(const std::string& text, T& value)
   return error == std::errc() && last == end;
 }
 
-std::vector<double> ParseNumbers(const std::string& text)
-{
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();)
-  {
-    const std::size_t comma = std::min(text.find(',', begin), text.size());
-    double number = 0.0;
-    if (!ParseNumber(text.substr(begin, comma - begin), number) || !std::isfinite(number))
-    {
-      return {};
-    }
-    numbers.push_back(number);
-    begin = comma + 1;
-  }
-  return numbers;
-}
-
 template <typename T>
 CLI::Validator Within(const std::string& kind, T low, T high)
 {
@@ -109,6 +92,23 @@ void PrintAdvice(const LoadedInput& input)
 }
 }
 
+std::vector<double> ParseNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    double number = 0.0;
+    if (!ParseNumber(text.substr(begin, comma - begin), number) || !std::isfinite(number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+    begin = comma + 1;
+  }
+  return numbers;
+}
+
 CLI::Validator NumberWithin(double low, double high)
 {
   return Within("a number", low, high);
@@ -149,29 +149,30 @@ CLI::Option* AddOpacityOption(CLI::App& command, std::optional<double>& opacity)
     ->check(NumberWithin(0.0, 1.0));
 }
 
+void AddPartOption(CLI::App& command, const char* name, std::vector<std::string>& texts,
+  const char* type, const char* description)
+{
+  command.add_option(name, texts, description)
+    ->type_name(type)
+    ->expected(1)
+    ->allow_extra_args(false)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void AddPartOptions(CLI::App& command, PartChoices& choices)
 {
-  const auto add = [&command](const char* name, std::vector<std::string>& texts, const char* type,
-                     const char* description)
-  {
-    command.add_option(name, texts, description)
-      ->type_name(type)
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  };
-  add("--opacity", choices.Opacity, "[GLOB=]A",
+  AddPartOption(command, "--opacity", choices.Opacity, "[GLOB=]A",
     "multiplied into every part's own opacity, or set for parts by name; a later one wins");
-  add("--color", choices.Color, "GLOB=COLOR",
+  AddPartOption(command, "--color", choices.Color, "GLOB=COLOR",
     "of parts by name, a name of CSS, #RRGGBB or rgb(R,G,B)");
-  add("--hide", choices.Hide, "GLOB", "parts by name that are not drawn");
-  add("--only", choices.Only, "GLOB", "parts by name; all others are not drawn");
-  add("--x-ray", choices.XRay, "GLOB", "parts by name; all others become faint");
   command
     .add_option("--explode", choices.Explode,
       "move groups of the tree apart, and their parts, by this factor of their distances")
     ->type_name("F")
     ->check(NumberWithin(0.0, 1000.0));
+  AddPartOption(command, "--hide", choices.Hide, "GLOB", "parts by name that are not drawn");
+  AddPartOption(command, "--only", choices.Only, "GLOB", "parts by name; all others are not drawn");
+  AddPartOption(command, "--x-ray", choices.XRay, "GLOB", "parts by name; all others become faint");
 }
 
 void AddReadingOptions(CLI::App& command, ReadingOptions& options)
@@ -205,6 +206,15 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
     ->type_name("N")
     ->check(CLI::IsMember({ 0, 2, 4, 8, 16, 32 }))
     ->capture_default_str();
+}
+
+void AddMeasuredOptions(CLI::App& command, SceneOptions& options)
+{
+  command.add_option("INPUT", options.Inputs, "files, or demo:NAME[,key=value...]")->required();
+  AddPartOption(command, "--hide", options.Parts.Hide, "GLOB", "parts by name that are left out");
+  AddPartOption(
+    command, "--only", options.Parts.Only, "GLOB", "parts by name; all others are left out");
+  AddReadingOptions(command, options.Reading);
 }
 
 void AddScalarBarOption(CLI::App& command, SceneOptions& options)

@@ -55,6 +55,12 @@ void AddReadingOptions(CLI::App& command, ReadingOptions& options);
 /** Add INPUT..., --size, --view, choices of parts, --color-by and --multisamples to a command. */
 void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string& defaultSize);
 
+/** Add INPUT..., --hide, --only, --tolerance and --no-cache to a command that measures parts without drawing them. */
+void AddMeasuredOptions(CLI::App& command, SceneOptions& options);
+
+/** "X,Y,..." as finite numbers. Empty for anything else. */
+std::vector<double> ParseNumbers(const std::string& text);
+
 /** Add --scalar-bar, to a command whose pictures are not compared. */
 void AddScalarBarOption(CLI::App& command, SceneOptions& options);
 

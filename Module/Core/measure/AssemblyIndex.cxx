@@ -29,9 +29,8 @@ Box NarrowBox(const WideBox& box)
 void JoinCrossings(std::vector<PartCrossing>& crossings, double slack)
 {
   crossings.erase(std::unique(crossings.begin(), crossings.end(),
-                    [slack](const PartCrossing& a, const PartCrossing& b) {
-                      return a.IsEntering == b.IsEntering && b.Distance - a.Distance <= slack;
-                    }),
+                    [slack](const PartCrossing& a, const PartCrossing& b)
+                    { return a.IsEntering == b.IsEntering && b.Distance - a.Distance <= slack; }),
     crossings.end());
 }
 
@@ -82,8 +81,7 @@ std::vector<PartCrossing> AssemblyIndex::CrossingsOf(std::uint32_t part, const R
   {
     crossings.push_back({ part, crossing.Distance, crossing.Triangle, !crossing.FromBehind });
   }
-  const double slack =
-    1e-12 * (glm::length(ray.Origin) + this->Parts[part].Bounds().Reach());
+  const double slack = 1e-12 * (glm::length(ray.Origin) + this->Parts[part].Bounds().Reach());
   JoinCrossings(crossings, slack);
   if (this->Parts[part].IsClosed())
   {
@@ -138,8 +136,8 @@ std::vector<Wall> AssemblyIndex::Walls(const Ray& ray) const
       }
     }
   }
-  std::stable_sort(walls.begin(), walls.end(),
-    [](const Wall& a, const Wall& b) { return a.Start < b.Start; });
+  std::stable_sort(
+    walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.Start < b.Start; });
   return walls;
 }
 
@@ -164,8 +162,7 @@ std::optional<NearPart> AssemblyIndex::Nearest(const glm::dvec3& point) const
 
 std::vector<std::uint32_t> AssemblyIndex::PartsNear(const WideBox& box) const
 {
-  return ItemsTouching(
-    this->Tree, BoxArray(this->Boxes.data(), this->Count()), NarrowBox(box));
+  return ItemsTouching(this->Tree, BoxArray(this->Boxes.data(), this->Count()), NarrowBox(box));
 }
 
 std::vector<std::uint32_t> AssemblyIndex::PartsTouching(const WideBox& box) const
@@ -211,15 +208,15 @@ std::vector<std::uint32_t> AssemblyIndex::PartsWithin(const WideBox& box) const
   return parts;
 }
 
-std::vector<std::uint32_t> AssemblyIndex::PartsWithin(
-  const glm::dvec3& centre, double radius) const
+std::vector<std::uint32_t> AssemblyIndex::PartsWithin(const glm::dvec3& centre, double radius) const
 {
   std::vector<std::uint32_t> parts;
   for (const std::uint32_t part : this->PartsNear({ centre - radius, centre + radius }))
   {
     const PlacedPart& placed = this->Parts[part];
     const std::vector<glm::dvec3>& points = placed.Mesh().Points();
-    if (std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point)
+    if (std::all_of(points.begin(), points.end(),
+          [&](const glm::dvec3& point)
           { return glm::length(placed.ToWorld(point) - centre) <= radius; }))
     {
       parts.push_back(part);
@@ -244,9 +241,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> AssemblyIndex::NearBoxes(do
   }
   const BoxArray boxes(grown.data(), this->Count());
   return CollidingPairs(Octree(boxes, LeafSize), boxes,
-    [&](std::uint32_t a, std::uint32_t b) {
-      return DistanceBetween(this->Parts[a].Bounds(), this->Parts[b].Bounds()) <= within;
-    });
+    [&](std::uint32_t a, std::uint32_t b)
+    { return DistanceBetween(this->Parts[a].Bounds(), this->Parts[b].Bounds()) <= within; });
 }
 
 std::optional<Clash> AssemblyIndex::Compare(
@@ -278,8 +274,7 @@ std::optional<Clash> AssemblyIndex::Compare(
   {
     return std::nullopt;
   }
-  clash.Kind =
-    gap->Least.Distance <= limits.Tolerance ? ClashKinds::Touching : ClashKinds::Near;
+  clash.Kind = gap->Least.Distance <= limits.Tolerance ? ClashKinds::Touching : ClashKinds::Near;
   clash.Distance = gap->Least.Distance;
   clash.Place = (gap->Least.OnFirst + gap->Least.OnSecond) / 2.0;
   return clash;
@@ -315,8 +310,8 @@ std::vector<Clash> AssemblyIndex::Clashes(
   return clashes;
 }
 
-bool AssemblyIndex::MaySee(std::uint32_t first, std::uint32_t second,
-  const std::function<bool(std::uint32_t)>& blocks) const
+bool AssemblyIndex::MaySee(
+  std::uint32_t first, std::uint32_t second, const std::function<bool(std::uint32_t)>& blocks) const
 {
   WideBox between = this->Parts[first].Bounds();
   between.Add(this->Parts[second].Bounds());

@@ -38,9 +38,9 @@ struct Clash
   std::uint32_t Second;
   ClashKinds Kind;
   Enclosures Enclosure;
-  double Depth;      ///< FindDepth(), if deeper than the tolerance; otherwise 0
-  double Distance;   ///< of the surfaces
-  glm::dvec3 Place;  ///< the deepest point, or the middle between the nearest points
+  double Depth;     ///< FindDepth(), if deeper than the tolerance; otherwise 0
+  double Distance;  ///< of the surfaces
+  glm::dvec3 Place; ///< the deepest point, or the middle between the nearest points
 };
 
 struct ClashLimits

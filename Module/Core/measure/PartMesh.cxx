@@ -94,8 +94,7 @@ std::uint32_t RootOf(std::vector<std::uint32_t>& parents, std::uint32_t i)
 
 }
 
-PartMesh::PartMesh(
-  const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners)
+PartMesh::PartMesh(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners)
 {
   const std::vector<std::uint32_t> first = EqualPoints(points);
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
@@ -219,9 +218,9 @@ std::vector<MeshCrossing> PartMesh::Crossings(const Ray& ray) const
   std::sort(found.begin(), found.end(),
     [](const MeshCrossing& a, const MeshCrossing& b)
     { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Triangle < b.Triangle; });
-  found.erase(std::unique(found.begin(), found.end(),
-                [](const MeshCrossing& a, const MeshCrossing& b)
-                { return a.Triangle == b.Triangle; }),
+  found.erase(
+    std::unique(found.begin(), found.end(),
+      [](const MeshCrossing& a, const MeshCrossing& b) { return a.Triangle == b.Triangle; }),
     found.end());
   return found;
 }
@@ -254,8 +253,8 @@ bool PartMesh::HasWithin(const glm::dvec3& point, double radius) const
     [&](const Box& box) { return !isFound && DistanceTo(box, point) <= radius; },
     [&](std::uint32_t item)
     {
-      isFound = isFound ||
-        glm::length(point - NearestOnTriangle(this->TriangleAt(item), point)) <= radius;
+      isFound =
+        isFound || glm::length(point - NearestOnTriangle(this->TriangleAt(item), point)) <= radius;
     });
   return isFound;
 }
@@ -319,11 +318,11 @@ std::vector<InnerPoint> PartMesh::FindInnerPoints() const
   const std::uint32_t count = this->TriangleCount();
   for (std::uint32_t i = 0; i < std::min(most, count); ++i)
   {
-    const auto item = static_cast<std::uint32_t>(std::uint64_t{ count } * i / std::min(most, count));
+    const auto item =
+      static_cast<std::uint32_t>(std::uint64_t{ count } * i / std::min(most, count));
     const Triangle triangle = this->TriangleAt(item);
     const glm::dvec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-    const glm::dvec3 across =
-      glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const glm::dvec3 across = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     for (const double side : { -1.0, 1.0 })
     {
       const std::vector<MeshCrossing> walls = this->Crossings({ middle, across * side });

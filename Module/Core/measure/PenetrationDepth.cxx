@@ -113,8 +113,7 @@ private:
       }
       if (root.Side == Sides::Unknown)
       {
-        root.Side =
-          this->Solid.Contains(this->Corners[i].Place) ? Sides::Inside : Sides::Outside;
+        root.Side = this->Solid.Contains(this->Corners[i].Place) ? Sides::Inside : Sides::Outside;
       }
       if (root.Side == Sides::Inside)
       {
@@ -218,8 +217,8 @@ void SearchWitnesses(const PlacedPart& part, const PlacedPart& solid,
   {
     places.emplace_back(meeting.*side, meeting.Place);
   }
-  std::stable_sort(places.begin(), places.end(),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(
+    places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   WitnessSearch(part, solid, std::move(places), deepest).Search();
 }
 

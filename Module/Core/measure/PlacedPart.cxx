@@ -103,8 +103,7 @@ double WideBox::Reach() const
 
 double DistanceBetween(const WideBox& a, const WideBox& b)
 {
-  return glm::length(
-    glm::max(glm::max(a.Low - b.High, b.Low - a.High), glm::dvec3(0.0)));
+  return glm::length(glm::max(glm::max(a.Low - b.High, b.Low - a.High), glm::dvec3(0.0)));
 }
 
 PlacedPart::PlacedPart(std::shared_ptr<const PartMesh> mesh, const glm::dmat4& place)
@@ -114,7 +113,8 @@ PlacedPart::PlacedPart(std::shared_ptr<const PartMesh> mesh, const glm::dmat4& p
 {
   if (!IsFiniteMatrix(place))
   {
-    this->Shape = std::make_shared<PartMesh>(std::vector<glm::dvec3>(), std::vector<std::uint32_t>());
+    this->Shape =
+      std::make_shared<PartMesh>(std::vector<glm::dvec3>(), std::vector<std::uint32_t>());
     this->Place = glm::dmat4(1.0);
   }
   else if (const double scale = EvenScale(place); scale > 0)
@@ -162,8 +162,7 @@ WideBox PlacedPart::ModelBoxAround(const WideBox& region) const
     reach += glm::abs(glm::dvec3(this->Inverse[axis])) * half[axis];
   }
   const double moved = glm::length(glm::dvec3(this->Inverse[3]));
-  const double slack =
-    rounding * (moved + (region.Reach() + this->Extent.Reach()) / this->Ratio);
+  const double slack = rounding * (moved + (region.Reach() + this->Extent.Reach()) / this->Ratio);
   return WideBox{ middle - reach, middle + reach }.GrownBy(slack);
 }
 
@@ -196,8 +195,8 @@ std::vector<PlacedTriangle> PlacedPart::TrianglesTouching(const WideBox& region)
     return found;
   }
   const WideBox model = this->ModelBoxAround(clipped);
-  for (const std::uint32_t item : ItemsTouching(
-         this->Shape->Tree(), this->Shape->Boxes(), Box::Around(model.Low, model.High)))
+  for (const std::uint32_t item :
+    ItemsTouching(this->Shape->Tree(), this->Shape->Boxes(), Box::Around(model.Low, model.High)))
   {
     add(item);
   }
@@ -218,8 +217,7 @@ std::vector<MeshCrossing> PlacedPart::Crossings(const Ray& ray) const
 
 std::optional<NearPoint> PlacedPart::Nearest(const glm::dvec3& point, double within) const
 {
-  std::optional<NearPoint> near =
-    this->Shape->Nearest(this->ToModel(point), within / this->Ratio);
+  std::optional<NearPoint> near = this->Shape->Nearest(this->ToModel(point), within / this->Ratio);
   if (near)
   {
     near->Distance *= this->Ratio;

@@ -15,9 +15,9 @@ namespace vitrine
 /** Where a ray passes through a triangle. */
 struct RayCrossing
 {
-  double Distance;  ///< in lengths of the ray's direction
-  bool FromBehind;  ///< The corners appear clockwise.
-  bool IsClear;     ///< It is far enough from the triangle's edges for rounding not to matter.
+  double Distance; ///< in lengths of the ray's direction
+  bool FromBehind; ///< The corners appear clockwise.
+  bool IsClear;    ///< It is far enough from the triangle's edges for rounding not to matter.
 };
 
 /**
@@ -62,8 +62,7 @@ public:
     const double slack = 1e-12 * size * size;
     const bool isBeside = (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0);
     const bool isNearEdge = std::abs(u) <= slack || std::abs(v) <= slack || std::abs(w) <= slack;
-    const double distance =
-      (u * z[0] + v * z[1] + w * z[2]) / sum / this->Line.Direction[this->Z];
+    const double distance = (u * z[0] + v * z[1] + w * z[2]) / sum / this->Line.Direction[this->Z];
     if (sum == 0 || !std::isfinite(distance))
     {
       return this->Unclear(isNearEdge && std::min({ x[0], x[1], x[2] }) <= 0 &&
@@ -72,8 +71,8 @@ public:
     }
     if (isBeside)
     {
-      const bool isClearlyBeside = (u < -slack || v < -slack || w < -slack) &&
-        (u > slack || v > slack || w > slack);
+      const bool isClearlyBeside =
+        (u < -slack || v < -slack || w < -slack) && (u > slack || v > slack || w > slack);
       return this->Unclear(!isClearlyBeside);
     }
     // (u, v, w) are the areas of the corners' opposite triangles, clockwise as seen along +Z.

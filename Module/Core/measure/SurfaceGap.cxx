@@ -82,8 +82,8 @@ private:
 class GapSearch
 {
 public:
-  GapSearch(const HalvedTriangles& first, const HalvedTriangles& second, double within,
-    double rounding)
+  GapSearch(
+    const HalvedTriangles& first, const HalvedTriangles& second, double within, double rounding)
     : First(first)
     , Second(second)
     , Rounding(rounding)
