@@ -111,7 +111,8 @@ void Clash(const ClashOptions& options)
   SortByNeed(table.Clashes);
   progress.Hide();
   PrintOmissions(scene);
-  WriteReport(options.Json, ToText(table, options.ListsTouching), ToJson(table));
+  WriteReport(options.Json, ToText(table, options.ListsTouching),
+    options.Json ? ToJson(table) : std::string());
 }
 }
 

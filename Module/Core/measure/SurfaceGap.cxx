@@ -11,17 +11,6 @@ namespace vitrine
 namespace
 {
 
-bool HasArea(const Triangle& triangle)
-{
-  return glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) != glm::dvec3(0.0);
-}
-
-/** For triangles without an area, which TrianglesMeet() finds no axes for, it is false: they meet by their distance. */
-bool DoMeet(const Triangle& a, const Triangle& b)
-{
-  return HasArea(a) && HasArea(b) && TrianglesMeet(a, b);
-}
-
 /** A tree of boxes over triangles, each half of its parent. */
 class HalvedTriangles
 {
@@ -34,15 +23,22 @@ public:
     std::uint32_t Right; ///< The left child stands behind the node. 0 for a leaf.
   };
 
-  explicit HalvedTriangles(std::vector<PlacedTriangle> triangles)
-    : Items(std::move(triangles))
+  explicit HalvedTriangles(const std::vector<PlacedTriangle>& triangles)
+    : Items(triangles.size())
   {
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      this->Items[i] = &triangles[i];
+    }
     this->Nodes.reserve(this->Items.size());
     this->Build(0, static_cast<std::uint32_t>(this->Items.size()));
   }
 
   const Node& At(std::uint32_t node) const { return this->Nodes[node]; }
-  const PlacedTriangle* ItemsOf(const Node& node) const { return this->Items.data() + node.First; }
+  const PlacedTriangle* const* ItemsOf(const Node& node) const
+  {
+    return this->Items.data() + node.First;
+  }
 
 private:
   static constexpr std::uint32_t LeafSize = 4;
@@ -53,7 +49,7 @@ private:
     WideBox extent;
     for (std::uint32_t i = first; i < first + count; ++i)
     {
-      extent.Add(this->Items[i].Extent);
+      extent.Add(this->Items[i]->Extent);
     }
     this->Nodes.push_back({ extent, first, count, 0 });
     if (count > LeafSize)
@@ -62,11 +58,11 @@ private:
       const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
       const auto begin = this->Items.begin() + first;
       std::nth_element(begin, begin + count / 2, begin + count,
-        [axis](const PlacedTriangle& a, const PlacedTriangle& b)
+        [axis](const PlacedTriangle* a, const PlacedTriangle* b)
         {
-          const double middleOfA = a.Extent.Low[axis] + a.Extent.High[axis];
-          const double middleOfB = b.Extent.Low[axis] + b.Extent.High[axis];
-          return middleOfA != middleOfB ? middleOfA < middleOfB : a.Item < b.Item;
+          const double middleOfA = a->Extent.Low[axis] + a->Extent.High[axis];
+          const double middleOfB = b->Extent.Low[axis] + b->Extent.High[axis];
+          return middleOfA != middleOfB ? middleOfA < middleOfB : a->Item < b->Item;
         });
       this->Build(first, count / 2);
       const std::uint32_t right = this->Build(first + count / 2, count - count / 2);
@@ -75,9 +71,23 @@ private:
     return number;
   }
 
-  std::vector<PlacedTriangle> Items;
+  std::vector<const PlacedTriangle*> Items;
   std::vector<Node> Nodes;
 };
+
+/** Drops triangles that are farther than `within` from the box around the others. */
+void DropFar(
+  std::vector<PlacedTriangle>& triangles, const std::vector<PlacedTriangle>& others, double within)
+{
+  WideBox box;
+  for (const PlacedTriangle& other : others)
+  {
+    box.Add(other.Extent);
+  }
+  const auto isFar = [&](const PlacedTriangle& triangle)
+  { return box.IsEmpty() || DistanceBetween(triangle.Extent, box) > within; };
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isFar), triangles.end());
+}
 
 class GapSearch
 {
@@ -95,7 +105,7 @@ public:
   {
     const HalvedTriangles::Node& first = this->First.At(a);
     const HalvedTriangles::Node& second = this->Second.At(b);
-    if (DistanceBetween(first.Extent, second.Extent) > this->Limit + this->Rounding)
+    if (DistanceBetween(first.Extent, second.Extent) > this->WorthFinding() + this->Rounding)
     {
       return;
     }
@@ -130,15 +140,15 @@ public:
 private:
   void Compare(const HalvedTriangles::Node& first, const HalvedTriangles::Node& second)
   {
-    const PlacedTriangle* const a = this->First.ItemsOf(first);
-    const PlacedTriangle* const b = this->Second.ItemsOf(second);
+    const PlacedTriangle* const* const a = this->First.ItemsOf(first);
+    const PlacedTriangle* const* const b = this->Second.ItemsOf(second);
     for (std::uint32_t i = 0; i < first.Count; ++i)
     {
       for (std::uint32_t j = 0; j < second.Count; ++j)
       {
-        if (DistanceBetween(a[i].Extent, b[j].Extent) <= this->Limit + this->Rounding)
+        if (DistanceBetween(a[i]->Extent, b[j]->Extent) <= this->WorthFinding() + this->Rounding)
         {
-          this->Compare(a[i], b[j]);
+          this->Compare(*a[i], *b[j]);
         }
       }
     }
@@ -146,24 +156,23 @@ private:
 
   void Compare(const PlacedTriangle& a, const PlacedTriangle& b)
   {
-    const bool doMeet = DoMeet(a.Corners, b.Corners);
-    Gap gap{};
-    if (!doMeet)
+    const std::optional<Gap> gap =
+      GapWithin(a.Corners, b.Corners, this->WorthFinding(), this->Rounding);
+    if (gap && gap->Distance == 0)
     {
-      gap = GapOfApartTriangles(a.Corners, b.Corners);
+      this->Found.Meetings.push_back(
+        { a.Item, b.Item, gap->OnFirst, ReachThrough(a.Corners, b.Corners) });
     }
-    if (doMeet || gap.Distance <= this->Rounding)
+    if (gap)
     {
-      const glm::dvec3 place =
-        doMeet ? MiddleOfMeeting(a.Corners, b.Corners) : (gap.OnFirst + gap.OnSecond) / 2.0;
-      const double through = ReachThrough(a.Corners, b.Corners);
-      this->Found.Meetings.push_back({ a.Item, b.Item, place, through });
-      this->Keep({ 0.0, place, place });
+      this->Keep(*gap);
     }
-    else if (gap.Distance <= this->Limit)
-    {
-      this->Keep(gap);
-    }
+  }
+
+  /** Of equal distances, as between parallel plates, the first one found will do. */
+  double WorthFinding() const
+  {
+    return this->IsFound ? this->Limit * (1 - 1e-12) : this->Limit;
   }
 
   void Keep(const Gap& gap)
@@ -189,12 +198,14 @@ private:
 std::optional<SurfaceGap> FindSurfaceGap(std::vector<PlacedTriangle> first,
   std::vector<PlacedTriangle> second, double within, double rounding)
 {
+  DropFar(first, second, within + rounding);
+  DropFar(second, first, within + rounding);
   if (first.empty() || second.empty())
   {
     return std::nullopt;
   }
-  const HalvedTriangles a(std::move(first));
-  const HalvedTriangles b(std::move(second));
+  const HalvedTriangles a(first);
+  const HalvedTriangles b(second);
   GapSearch search(a, b, within, rounding);
   search.Search(0, 0);
   return search.Result();

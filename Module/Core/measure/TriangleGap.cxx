@@ -24,6 +24,65 @@ void KeepNearer(Gap& least, const Gap& other)
   }
 }
 
+/** Looks for a direction along which two triangles are apart. */
+class SeparatingDirections
+{
+public:
+  SeparatingDirections(const Triangle& a, const Triangle& b, double within)
+    : A{ glm::dvec3(0.0), a[1] - a[0], a[2] - a[0] }
+    , B{ b[0] - a[0], b[1] - a[0], b[2] - a[0] }
+    , Limit(within)
+  {
+  }
+
+  /** Returns false as soon as the triangles are farther apart than the limit along a direction. */
+  bool AreWithin()
+  {
+    const Triangle edgesA{ this->A[1], this->A[2] - this->A[1], -this->A[2] };
+    const Triangle edgesB{ this->B[1] - this->B[0], this->B[2] - this->B[1],
+      this->B[0] - this->B[2] };
+    const glm::dvec3 normalA = glm::cross(edgesA[0], edgesA[1]);
+    const glm::dvec3 normalB = glm::cross(edgesB[0], edgesB[1]);
+    this->HaveAreas = normalA != glm::dvec3(0.0) && normalB != glm::dvec3(0.0);
+    bool areNear = this->AreNear(normalA) && this->AreNear(normalB);
+    for (int i = 0; i < 3 && areNear; ++i)
+    {
+      areNear = this->AreNear(glm::cross(normalA, edgesA[i])) &&
+        this->AreNear(glm::cross(normalB, edgesB[i])) &&
+        this->AreNear(glm::cross(edgesA[i], edgesB[0])) &&
+        this->AreNear(glm::cross(edgesA[i], edgesB[1])) &&
+        this->AreNear(glm::cross(edgesA[i], edgesB[2]));
+    }
+    return areNear;
+  }
+
+  /** After AreWithin() was true: whether no direction sets them apart. Without an area there are too few directions. */
+  bool DoMeet() const { return this->HaveAreas && !this->AreApart; }
+
+private:
+  bool AreNear(const glm::dvec3& axis)
+  {
+    const double a1 = glm::dot(axis, this->A[1]);
+    const double a2 = glm::dot(axis, this->A[2]);
+    const double b0 = glm::dot(axis, this->B[0]);
+    const double b1 = glm::dot(axis, this->B[1]);
+    const double b2 = glm::dot(axis, this->B[2]);
+    const double lowA = std::min(0.0, std::min(a1, a2));
+    const double highA = std::max(0.0, std::max(a1, a2));
+    const double lowB = std::min(b0, std::min(b1, b2));
+    const double highB = std::max(b0, std::max(b1, b2));
+    const double between = std::max(lowB - highA, lowA - highB);
+    this->AreApart = this->AreApart || between > 0;
+    return !(between > 0 && between * between > this->Limit * this->Limit * glm::dot(axis, axis));
+  }
+
+  Triangle A; ///< Coordinates are relative, so that rounding depends on sizes and not on places.
+  Triangle B;
+  double Limit;
+  bool AreApart = false;
+  bool HaveAreas = false;
+};
+
 /** How far the corners reach beyond a triangle's plane on the side where they reach less. */
 double ReachBeyond(const Triangle& triangle, const Triangle& plane)
 {
@@ -111,6 +170,27 @@ Gap GapOfSegments(
   const glm::dvec3 first = a + onA * alongA;
   const glm::dvec3 second = b + onB * alongB;
   return { glm::length(first - second), first, second };
+}
+
+std::optional<Gap> GapWithin(const Triangle& a, const Triangle& b, double within, double rounding)
+{
+  SeparatingDirections directions(a, b, within + rounding);
+  if (!directions.AreWithin())
+  {
+    return std::nullopt;
+  }
+  if (directions.DoMeet())
+  {
+    const glm::dvec3 middle = MiddleOfMeeting(a, b);
+    return Gap{ 0.0, middle, middle };
+  }
+  const Gap gap = GapOfApartTriangles(a, b);
+  if (gap.Distance <= rounding)
+  {
+    const glm::dvec3 middle = (gap.OnFirst + gap.OnSecond) / 2.0;
+    return Gap{ 0.0, middle, middle };
+  }
+  return gap.Distance <= within ? std::optional<Gap>(gap) : std::nullopt;
 }
 
 Gap GapOfApartTriangles(const Triangle& a, const Triangle& b)

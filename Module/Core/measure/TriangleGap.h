@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
+
 namespace vitrine
 {
 
@@ -22,6 +24,17 @@ glm::dvec3 NearestOnTriangle(const Triangle& triangle, const glm::dvec3& point);
 /** Returns the least distance of two segments. */
 Gap GapOfSegments(
   const glm::dvec3& a, const glm::dvec3& aEnd, const glm::dvec3& b, const glm::dvec3& bEnd);
+
+/**
+ * Returns the least distance of two triangles, or nothing if it is larger than `within`. It is 0 where they meet, or
+ * are at most `rounding` apart, and both points are then the middle of what they have in common.
+ *
+ * Directions in which they may be apart are tried first: normals, cross products of edges, and those of normals and
+ * edges. How far they are apart along one is at most their distance. (S. Gottschalk, M. C. Lin, D. Manocha: OBBTree,
+ * SIGGRAPH 1996)
+ */
+std::optional<Gap> GapWithin(
+  const Triangle& a, const Triangle& b, double within, double rounding);
 
 /** Returns the least distance of two triangles that do not meet. */
 Gap GapOfApartTriangles(const Triangle& a, const Triangle& b);
