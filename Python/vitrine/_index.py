@@ -1,0 +1,370 @@
+"""AssemblyIndex: measures between the parts of an assembly, and the parts that clash."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import numbers
+from typing import Any, Callable, Iterable, Sequence
+
+from vtkmodules.util.vtkConstants import VTK_DOUBLE
+from vtkmodules.vtkCommonCore import vtkCommand, vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from ._assembly import Assembly, Part
+from ._options import check_boolean
+from ._see_through import _renderers_of
+from .vtkVitrineRendering import vtkAssemblyIndex
+
+KINDS: tuple[str, ...] = ("interfering", "touching", "near")
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Crossing:
+    """Where a ray passes through the surface of a part.
+
+    distance is that from the ray's origin, and point (x, y, z) a numpy array. cell is the cell of the part's geometry.
+    entering is True where the ray goes into a closed part, or through the front of an open one.
+    """
+
+    part: Any
+    distance: float
+    point: Any
+    cell: int
+    entering: bool
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Wall:
+    """A stretch of a ray in a closed part: from start to end, which are distances from the ray's origin.
+
+    thickness is end - start. gap is the length of the stretch before it that is in no closed part, since the origin or
+    the last wall. start_point and end_point (x, y, z) are numpy arrays.
+    """
+
+    part: Any
+    start: float
+    end: float
+    thickness: float
+    gap: float
+    start_point: Any
+    end_point: Any
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Nearest:
+    """The part whose surface is nearest to a point, and its point (x, y, z) that is, a numpy array."""
+
+    part: Any
+    distance: float
+    point: Any
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Distance:
+    """The least distance of two surfaces, and the points (x, y, z) that have it: two numpy arrays."""
+
+    distance: float
+    points: tuple[Any, Any]
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Clash:
+    """Two parts that clash.
+
+    kind is "interfering", "touching" or "near". depth is 0 unless they interfere. distance is that of the surfaces.
+    point (x, y, z) is the deepest point, or the middle of the gap: a numpy array. inside is the part that lies wholly in
+    the other one without meeting its surface, or None.
+    """
+
+    parts: tuple[Any, Any]
+    kind: str
+    depth: float
+    distance: float
+    point: Any
+    inside: Any
+
+
+class AssemblyIndex:
+    """Measures between the shapes of parts, without drawing. It needs numpy.
+
+    The parts are those of an Assembly, or what a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter shows by polygons:
+    actors, and (actor, block) for each block of composite data, where block is its flat index. `parts` has them all.
+    Where a method takes a part, it may also be its number in `parts`. For an Assembly, it may be a pattern that chooses
+    one part.
+
+    Lengths and points are those of the world. The index keeps copies: make a new one if parts have changed or moved.
+
+    A part is closed if each edge of its triangles has an even number of them. Only closed parts have walls, and an
+    inside.
+
+    left_out is the number of actors of other data. index is the vtkAssemblyIndex.
+
+    Raises:
+        TypeError: the target is something else.
+        ValueError: there are no parts.
+
+    Examples:
+
+    >>> import vitrine
+    >>> machine = vitrine.load("machine.glb")  # doctest: +SKIP
+    >>> index = vitrine.AssemblyIndex(machine)  # doctest: +SKIP
+    >>> for clash in index.clashes():  # doctest: +SKIP
+    ...     print(clash.parts[0].name, clash.parts[1].name, clash.depth)
+    """
+
+    __slots__ = ("_assembly", "index", "left_out", "parts")
+
+    def __init__(self, target: Any) -> None:
+        self.index = vtkAssemblyIndex()
+        self.left_out = 0
+        self._assembly = target if isinstance(target, Assembly) else None
+        self.parts: tuple[Any, ...]
+        if self._assembly is not None:
+            self.index.AddAssembly(self._assembly.actors)
+            self.parts = self._assembly.parts
+        else:
+            for renderer in _renderers_of(target):
+                self.left_out += self.index.AddActors(renderer)
+            self.parts = tuple(self._shown_part(i) for i in range(self.index.GetNumberOfParts()))
+        if not self.parts:
+            raise ValueError("there are no parts to measure: nothing is shown by polygons")
+
+    def __len__(self) -> int:
+        return len(self.parts)
+
+    def __repr__(self) -> str:
+        return f"<AssemblyIndex of {len(self)} part{'s' if len(self) != 1 else ''}>"
+
+    def is_closed(self, part: Any) -> bool:
+        """Whether each edge of a part's triangles has an even number of them, so that the part has an inside."""
+        return self.index.GetPartIsClosed(self._number(part))
+
+    def ray(
+        self, origin: Sequence[float], direction: Sequence[float], length: float = math.inf
+    ) -> list[Crossing]:
+        """All surfaces that a ray passes through, in order.
+
+        Args:
+            origin: where it begins.
+            direction: of any length but 0.
+            length: how far it goes.
+        """
+        ray = _ray(origin, direction, length)
+        table = vtkTable()
+        self.index.CastRay(*ray, table)
+        rows = zip(
+            *(_column(table, name) for name in ("part", "distance", "position", "cell", "entering"))
+        )
+        return [
+            Crossing(self.parts[part], float(distance), point, int(cell), bool(entering))
+            for part, distance, point, cell, entering in rows
+        ]
+
+    def thickness(
+        self, origin: Sequence[float], direction: Sequence[float], length: float = math.inf
+    ) -> list[Wall]:
+        """The walls that a ray passes through, by the order of their beginnings, and the gaps before them.
+
+        Only closed parts have walls. The arguments are those of ray().
+        """
+        import numpy
+
+        ray = _ray(origin, direction, length)
+        table = vtkTable()
+        self.index.FindWalls(*ray, table)
+        begin = numpy.array(ray[0])
+        along = numpy.array(ray[1]) / numpy.linalg.norm(ray[1])
+        walls = []
+        filled = 0.0
+        for part, start, end in zip(*(_column(table, name) for name in ("part", "start", "end"))):
+            start, end = float(start), float(end)
+            points = (begin + start * along, begin + end * along)
+            gap = max(start - filled, 0.0)
+            walls.append(Wall(self.parts[part], start, end, end - start, gap, *points))
+            filled = max(filled, end)
+        return walls
+
+    def nearest(self, point: Sequence[float]) -> Nearest:
+        """The part whose surface is nearest to a point."""
+        import numpy
+
+        where = _numbers("point", point, 3)
+        found = [0.0, 0.0, 0.0]
+        part = self.index.FindNearest(where, found)
+        if part < 0:
+            raise ValueError("no part has triangles")
+        place = numpy.array(found)
+        return Nearest(self.parts[part], float(numpy.linalg.norm(place - where)), place)
+
+    def within_box(self, bounds: Sequence[float], *, wholly: bool = False) -> list[Any]:
+        """The parts with a point of their surface in a box.
+
+        Args:
+            bounds: xmin, xmax, ymin, ymax, zmin, zmax.
+            wholly: whether to list only parts that lie in it wholly.
+        """
+        check_boolean("wholly", wholly)
+        box = _numbers("bounds", bounds, 6)
+        if any(box[i] > box[i + 1] for i in (0, 2, 4)):
+            raise ValueError(f"bounds are xmin, xmax, ymin, ymax, zmin, zmax, not {bounds!r}")
+        found = vtkIdList()
+        self.index.FindPartsInBox(box, wholly, found)
+        return self._listed(found)
+
+    def within_sphere(
+        self, center: Sequence[float], radius: float, *, wholly: bool = False
+    ) -> list[Any]:
+        """The parts with a point of their surface in a sphere, or those that lie in it wholly."""
+        check_boolean("wholly", wholly)
+        found = vtkIdList()
+        self.index.FindPartsInSphere(
+            _numbers("center", center, 3), _length("radius", radius), wholly, found
+        )
+        return self._listed(found)
+
+    def distance(self, first: Any, second: Any) -> Distance:
+        """The least distance of the surfaces of two parts. It is 0 where they meet."""
+        import numpy
+
+        numbers_of = self._number(first), self._number(second)
+        for number in numbers_of:
+            if self.index.GetPartNumberOfTriangles(number) == 0:
+                raise ValueError(f"{self.parts[number]!r} has no triangles, so it has no distance")
+        places = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+        distance = self.index.GetDistance(*numbers_of, *places)
+        return Distance(distance, (numpy.array(places[0]), numpy.array(places[1])))
+
+    def clashes(
+        self,
+        clearance: float = 0.0,
+        tolerance: float | None = None,
+        *,
+        progress: Callable[[float], Any] | None = None,
+    ) -> list[Clash]:
+        """The pairs of parts that interfere, touch, or are near each other.
+
+        Parts interfere if they are deeper in one another than the tolerance. They touch if they do not, and are at most
+        the tolerance apart. They are near if they do neither, and are at most the clearance apart. The depth is that of
+        the deepest one of many points, so parts may be somewhat deeper in one another. For two open parts, it is how far
+        their triangles reach through one another.
+
+        Args:
+            clearance: the largest distance of pairs that are near.
+            tolerance: how exact the triangles are. None stands for a thousandth of the diagonal of the box around all.
+            progress: is called with the share that is done, from 0 to 1. If it returns False, the work ends.
+
+        Raises:
+            InterruptedError: progress() returned False.
+        """
+        limits = (
+            _length("clearance", clearance),
+            self.index.GetDefaultTolerance() if tolerance is None else _length("tolerance", tolerance),
+        )
+        table = vtkTable()
+        raised: list[BaseException] = []
+
+        def tell(index: Any, _event: str, share: float) -> None:
+            try:
+                if progress is not None and progress(share) is False:
+                    index.SetAbortExecute(1)
+            except BaseException as error:  # VTK would print it and go on
+                raised.append(error)
+                index.SetAbortExecute(1)
+
+        tell.CallDataType = VTK_DOUBLE  # type: ignore[attr-defined]
+        observer = self.index.AddObserver(vtkCommand.ProgressEvent, tell)
+        is_whole = self.index.FindClashes(*limits, table)
+        self.index.RemoveObserver(observer)
+        if raised:
+            raise raised[0]
+        if not is_whole:
+            raise InterruptedError("progress() returned False")
+        columns = ("first", "second", "kind", "depth", "distance", "position", "inside")
+        return [
+            Clash(
+                (self.parts[first], self.parts[second]),
+                KINDS[kind],
+                float(depth),
+                float(distance),
+                point,
+                self.parts[inside] if inside >= 0 else None,
+            )
+            for first, second, kind, depth, distance, point, inside in zip(
+                *(_column(table, name) for name in columns)
+            )
+        ]
+
+    def sees(self, first: Any, second: Any, *, through: Iterable[Any] = ()) -> bool:
+        """False only if it is sure that two parts do not see each other: a surface of other parts, without a hole or an
+        edge there, lies between their boxes.
+
+        Args:
+            through: parts that do not block the view, as if of glass.
+        """
+        glass = vtkIdList()
+        for part in through:
+            glass.InsertNextId(self._number(part))
+        return self.index.MaySee(self._number(first), self._number(second), glass)
+
+    def _shown_part(self, number: int) -> Any:
+        actor, block = self.index.GetPartActor(number), self.index.GetPartBlock(number)
+        return (actor, block) if block else actor
+
+    def _listed(self, found: vtkIdList) -> list[Any]:
+        return [self.parts[found.GetId(i)] for i in range(found.GetNumberOfIds())]
+
+    def _number(self, part: Any) -> int:
+        """The number of a part."""
+        if isinstance(part, numbers.Integral) and not isinstance(part, bool):
+            if not 0 <= part < len(self):
+                raise IndexError(f"there is no part {part}: there are {len(self)}")
+            return int(part)
+        if isinstance(part, str) and self._assembly is not None:
+            chosen = self._assembly[part].numbers
+            if len(chosen) > 1:
+                raise ValueError(f"{part!r} chooses {len(chosen)} parts: name one, or give its number")
+            return chosen[0]
+        if isinstance(part, Part) and self._assembly is not None:
+            if part.number < len(self) and self.parts[part.number] == part:
+                return part.number
+        elif isinstance(part, (tuple, vtkActor)):
+            for number, known in enumerate(self.parts):
+                if known is part or (isinstance(known, tuple) and known == part):
+                    return number
+        raise KeyError(f"{part!r} is no part of this index")
+
+
+def _column(table: vtkTable, name: str) -> Any:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    return vtk_to_numpy(table.GetColumnByName(name)).copy()
+
+
+def _numbers(name: str, values: Any, count: int) -> list[float]:
+    wanted = f"{name} has {count} finite numbers"
+    try:
+        found = [float(value) for value in values]
+    except (TypeError, ValueError):
+        raise TypeError(f"{wanted}, not {values!r}") from None
+    if len(found) != count or not all(math.isfinite(value) for value in found):
+        raise ValueError(f"{wanted}, not {values!r}")
+    return found
+
+
+def _length(name: str, value: Any, most: float = math.inf) -> float:
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} is a number of at least 0, not {value!r}")
+    if not 0.0 <= float(value) < most:
+        raise ValueError(f"{name} is a finite number of at least 0, not {value!r}")
+    return float(value)
+
+
+def _ray(origin: Any, direction: Any, length: Any) -> tuple[list[float], list[float], float]:
+    along = _numbers("direction", direction, 3)
+    if not any(along):
+        raise ValueError(f"direction may not be 0, but is {direction!r}")
+    if length != math.inf:
+        _length("length", length)
+    return _numbers("origin", origin, 3), along, float(length)
