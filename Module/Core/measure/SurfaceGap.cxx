@@ -170,10 +170,7 @@ private:
   }
 
   /** Of equal distances, as between parallel plates, the first one found will do. */
-  double WorthFinding() const
-  {
-    return this->IsFound ? this->Limit * (1 - 1e-12) : this->Limit;
-  }
+  double WorthFinding() const { return this->IsFound ? this->Limit * (1 - 1e-12) : this->Limit; }
 
   void Keep(const Gap& gap)
   {

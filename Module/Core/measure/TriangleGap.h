@@ -33,8 +33,7 @@ Gap GapOfSegments(
  * edges. How far they are apart along one is at most their distance. (S. Gottschalk, M. C. Lin, D. Manocha: OBBTree,
  * SIGGRAPH 1996)
  */
-std::optional<Gap> GapWithin(
-  const Triangle& a, const Triangle& b, double within, double rounding);
+std::optional<Gap> GapWithin(const Triangle& a, const Triangle& b, double within, double rounding);
 
 /** Returns the least distance of two triangles that do not meet. */
 Gap GapOfApartTriangles(const Triangle& a, const Triangle& b);
