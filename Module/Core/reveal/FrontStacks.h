@@ -1,0 +1,75 @@
+#ifndef VITRINE_CORE_REVEAL_FRONT_STACKS_H
+#define VITRINE_CORE_REVEAL_FRONT_STACKS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * What stands in front of a part, in each of its pixels. The layers of a pixel form a stack: how many layers each part
+ * has there. Pixels with the same stack are kept once.
+ *
+ * A part in front is called a column here, as in a linear programme. Columns are numbered in the order in which they
+ * are met.
+ */
+class FrontStacks
+{
+public:
+  /** A part within a stack. */
+  struct Entry
+  {
+    std::uint32_t Column;
+    std::uint32_t Layers; // at least 1
+  };
+
+  /**
+   * Adds a pixel of the part.
+   * @param layers  the number of the part that each layer belongs to, in any order. Numbers should be dense, because a
+   *                table as long as the largest is kept.
+   * @param count   the number of layers, which may be 0
+   */
+  void Add(const std::uint32_t* layers, std::size_t count);
+
+  /** Returns how many pixels were added, and how many of these have something in front. */
+  std::size_t Pixels() const { return this->AllPixels; }
+  std::size_t CoveredPixels() const { return this->Covered; }
+
+  /** Returns the largest number of layers in front. */
+  std::size_t MostLayers() const { return this->Most; }
+
+  /** Returns the numbers of the parts that are in front, column by column. */
+  const std::vector<std::uint32_t>& Parts() const { return this->PartOfColumn; }
+
+  /** Returns how many different stacks there are. A stack has one layer at least. */
+  std::size_t Count() const { return this->Starts.size() - 1; }
+
+  /** Range of the entries of a stack, by columns. */
+  const Entry* Begin(std::size_t stack) const { return this->Entries.data() + this->Starts[stack]; }
+  const Entry* End(std::size_t stack) const { return this->Begin(stack + 1); }
+
+private:
+  std::uint32_t ColumnOf(std::uint32_t part);
+  bool IsStack(std::size_t stack) const;
+  void AddStack(std::uint64_t hash);
+
+  std::size_t AllPixels = 0;
+  std::size_t Covered = 0;
+  std::size_t Most = 0;
+  std::vector<std::uint32_t> PartOfColumn;
+  std::vector<std::uint32_t> ColumnOfPart; // plus 1; 0 is none
+  std::vector<std::size_t> Starts = { 0 };
+  std::vector<Entry> Entries;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> StacksOfHash;
+
+  // The pixel that is being added.
+  std::vector<std::uint32_t> LayersOfColumn; // all 0 between two pixels
+  std::vector<std::uint32_t> Columns;
+};
+
+}
+
+#endif
