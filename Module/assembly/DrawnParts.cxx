@@ -4,6 +4,7 @@
 #include "assembly/ColorTextures.h"
 #include "assembly/PartLooks.h"
 #include "assembly/PlacedGeometry.h"
+#include "scene/PropertyCopy.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCulledCompositePolyDataMapper.h"
 #include "vtkCulledPolyDataMapper.h"

@@ -23,9 +23,6 @@ std::array<double, 3> ColorToHold(vtkProperty* property, const std::array<double
 /** Returns the colour of sRGB that a property shows. */
 std::array<double, 3> ShownColor(vtkProperty* property);
 
-/** Returns a copy of a property that shares its textures. */
-vtkSmartPointer<vtkProperty> CopyProperty(vtkProperty* property);
-
 /**
  * Has an actor drawn with property keys, which may be null, and with the alpha of its colour texture as
  * vtkAssemblyActors::ALPHA_CUTOFF() says. The actor has its property already.

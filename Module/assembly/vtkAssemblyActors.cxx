@@ -5,6 +5,7 @@
 #include "assembly/FoundParts.h"
 #include "assembly/PartLooks.h"
 #include "assembly/PlacedGeometry.h"
+#include "scene/PropertyCopy.h"
 #include "vtkAssemblyReader.h"
 #include "vtkBoundingBox.h"
 #include "vtkInformationDoubleKey.h"

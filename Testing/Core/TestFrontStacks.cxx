@@ -11,7 +11,7 @@ namespace
 
 using vitrine::FrontStacks;
 
-void Add(FrontStacks& stacks, const std::vector<std::uint32_t>& layers)
+void AddPixel(FrontStacks& stacks, const std::vector<std::uint32_t>& layers)
 {
   stacks.Add(layers.data(), layers.size());
 }
@@ -30,9 +30,9 @@ std::map<std::uint32_t, std::uint32_t> StackOf(const FrontStacks& stacks, std::s
 TEST(FrontStacks, KeepsAStackOnceInWhateverOrderItsLayersCome)
 {
   FrontStacks stacks;
-  Add(stacks, { 7, 3, 7 });
-  Add(stacks, { 3, 7, 7 });
-  Add(stacks, { 7, 7, 3 });
+  AddPixel(stacks, { 7, 3, 7 });
+  AddPixel(stacks, { 3, 7, 7 });
+  AddPixel(stacks, { 7, 7, 3 });
   ASSERT_EQ(stacks.Count(), 1u);
   EXPECT_EQ(StackOf(stacks, 0), (std::map<std::uint32_t, std::uint32_t>{ { 3, 1 }, { 7, 2 } }));
   EXPECT_EQ(stacks.Parts(), (std::vector<std::uint32_t>{ 7, 3 }));
@@ -42,11 +42,11 @@ TEST(FrontStacks, KeepsAStackOnceInWhateverOrderItsLayersCome)
 TEST(FrontStacks, TellsStacksApartByPartsAndByNumbersOfLayers)
 {
   FrontStacks stacks;
-  Add(stacks, { 1 });
-  Add(stacks, { 1, 1 });
-  Add(stacks, { 2 });
-  Add(stacks, { 1, 2 });
-  Add(stacks, { 1, 2, 2 });
+  AddPixel(stacks, { 1 });
+  AddPixel(stacks, { 1, 1 });
+  AddPixel(stacks, { 2 });
+  AddPixel(stacks, { 1, 2 });
+  AddPixel(stacks, { 1, 2, 2 });
   EXPECT_EQ(stacks.Count(), 5u);
   EXPECT_EQ(StackOf(stacks, 4), (std::map<std::uint32_t, std::uint32_t>{ { 1, 1 }, { 2, 2 } }));
 }
@@ -54,9 +54,9 @@ TEST(FrontStacks, TellsStacksApartByPartsAndByNumbersOfLayers)
 TEST(FrontStacks, CountsPixelsWithNothingInFront)
 {
   FrontStacks stacks;
-  Add(stacks, {});
-  Add(stacks, { 5 });
-  Add(stacks, {});
+  AddPixel(stacks, {});
+  AddPixel(stacks, { 5 });
+  AddPixel(stacks, {});
   EXPECT_EQ(stacks.Pixels(), 3u);
   EXPECT_EQ(stacks.CoveredPixels(), 1u);
   EXPECT_EQ(stacks.Count(), 1u);

@@ -119,10 +119,10 @@ TEST(MostContext, PartsWithoutAreaAreFadedToo)
 }
 
 // A linear congruential generator, so that figures/context_optima.py makes the same reveals.
-class Numbers
+class CongruentialNumbers
 {
 public:
-  explicit Numbers(std::uint64_t seed)
+  explicit CongruentialNumbers(std::uint64_t seed)
     : State(seed)
   {
   }
@@ -155,7 +155,7 @@ TEST(MostContext, IsThatOfHighs)
   for (const Optimum& optimum : optima)
   {
     SCOPED_TRACE(optimum.Seed);
-    Numbers random(optimum.Seed);
+    CongruentialNumbers random(optimum.Seed);
     FrontStacks stacks;
     for (int i = 0; i < optimum.Stacks; ++i)
     {

@@ -18,7 +18,7 @@ using vitrine::SteadyReveal;
 constexpr double atOnce = std::numeric_limits<double>::infinity();
 
 // Updates with opaque parts of the same area.
-SteadyReveal::Change Update(SteadyReveal& reveal,
+SteadyReveal::Change UpdateOpaque(SteadyReveal& reveal,
   const std::vector<std::vector<std::uint32_t>>& pixels, double degrees, double opacity = 1.0)
 {
   FrontStacks stacks;
@@ -30,7 +30,7 @@ SteadyReveal::Change Update(SteadyReveal& reveal,
     stacks, std::vector<SteadyReveal::FrontPart>(stacks.Parts().size(), { 1.0, opacity }), degrees);
 }
 
-double OpacityOf(const SteadyReveal& reveal, std::uint32_t part)
+double FadedTo(const SteadyReveal& reveal, std::uint32_t part)
 {
   return reveal.Parts().at(part).Opacity;
 }
@@ -38,59 +38,59 @@ double OpacityOf(const SteadyReveal& reveal, std::uint32_t part)
 TEST(SteadyReveal, PartsRiseByDegreesWhenLessIsInFront)
 {
   SteadyReveal reveal(0.7, 0.05);
-  Update(reveal, { { 1, 1, 1, 1 } }, atOnce);
-  const double before = OpacityOf(reveal, 1);
+  UpdateOpaque(reveal, { { 1, 1, 1, 1 } }, atOnce);
+  const double before = FadedTo(reveal, 1);
   EXPECT_NEAR(before, 1.0 - std::pow(0.7, 0.25), 1e-3);
-  const SteadyReveal::Change change = Update(reveal, { { 1 } }, 2.0);
-  EXPECT_NEAR(OpacityOf(reveal, 1), before + 0.1, 2e-3);
+  const SteadyReveal::Change change = UpdateOpaque(reveal, { { 1 } }, 2.0);
+  EXPECT_NEAR(FadedTo(reveal, 1), before + 0.1, 2e-3);
   EXPECT_LE(change.MostOfOthers, 0.1 + 1e-9);
-  Update(reveal, { { 1 } }, atOnce);
-  EXPECT_NEAR(OpacityOf(reveal, 1), 0.3, 5e-3);
+  UpdateOpaque(reveal, { { 1 } }, atOnce);
+  EXPECT_NEAR(FadedTo(reveal, 1), 0.3, 5e-3);
 }
 
 TEST(SteadyReveal, APartThatIsNewlyInFrontDropsAtOnce)
 {
   SteadyReveal reveal(0.7, 0.05);
-  Update(reveal, { { 1 } }, atOnce);
-  const double before = OpacityOf(reveal, 1);
-  const SteadyReveal::Change change = Update(reveal, { { 1 }, { 2 } }, 1.0);
+  UpdateOpaque(reveal, { { 1 } }, atOnce);
+  const double before = FadedTo(reveal, 1);
+  const SteadyReveal::Change change = UpdateOpaque(reveal, { { 1 }, { 2 } }, 1.0);
   EXPECT_EQ(change.NewlyInFront, 1u);
   EXPECT_EQ(change.Dropped, 1u);
   EXPECT_EQ(change.Forced, 0u);
-  EXPECT_NEAR(OpacityOf(reveal, 1), before, 0.05 + 1e-9);
-  EXPECT_NEAR(OpacityOf(reveal, 2), 0.3, 5e-3);
+  EXPECT_NEAR(FadedTo(reveal, 1), before, 0.05 + 1e-9);
+  EXPECT_NEAR(FadedTo(reveal, 2), 0.3, 5e-3);
 }
 
 TEST(SteadyReveal, TheShareWinsWherePartsComeTogether)
 {
   SteadyReveal reveal(0.7, 0.05);
-  Update(reveal, { { 1 }, { 2 }, { 3 } }, atOnce);
+  UpdateOpaque(reveal, { { 1 }, { 2 }, { 3 } }, atOnce);
   // Parts 1 and 2 pass 0.49 together. One of them has to drop, and part 3 stays nearly as it was.
-  const SteadyReveal::Change change = Update(reveal, { { 1, 2 }, { 3 } }, 1.0);
+  const SteadyReveal::Change change = UpdateOpaque(reveal, { { 1, 2 }, { 3 } }, 1.0);
   EXPECT_EQ(change.Forced, 1u);
   EXPECT_LE(change.Proof.Deepest, -std::log(0.7));
   EXPECT_LE(change.MostOfOthers, 0.05 + 1e-9);
-  EXPECT_GE((1.0 - OpacityOf(reveal, 1)) * (1.0 - OpacityOf(reveal, 2)), 0.7);
+  EXPECT_GE((1.0 - FadedTo(reveal, 1)) * (1.0 - FadedTo(reveal, 2)), 0.7);
 }
 
 TEST(SteadyReveal, PartsThatAreNoMoreInFrontComeBackByDegrees)
 {
   SteadyReveal reveal(0.7, 0.05);
-  Update(reveal, { { 1 } }, atOnce, 0.5);
-  const double before = OpacityOf(reveal, 1);
-  Update(reveal, { {} }, 1.0);
-  EXPECT_NEAR(OpacityOf(reveal, 1), before + 0.05, 1e-12);
+  UpdateOpaque(reveal, { { 1 } }, atOnce, 0.5);
+  const double before = FadedTo(reveal, 1);
+  UpdateOpaque(reveal, { {} }, 1.0);
+  EXPECT_NEAR(FadedTo(reveal, 1), before + 0.05, 1e-12);
   EXPECT_FALSE(reveal.Parts().at(1).IsInFront);
-  Update(reveal, { {} }, 100.0);
+  UpdateOpaque(reveal, { {} }, 100.0);
   EXPECT_TRUE(reveal.Parts().empty());
 }
 
 TEST(SteadyReveal, OpacitiesNeverExceedTheOriginalOnes)
 {
   SteadyReveal reveal(0.5, 0.05);
-  Update(reveal, { { 1, 2 } }, atOnce, 0.1);
-  EXPECT_LE(OpacityOf(reveal, 1), 0.1);
-  EXPECT_GE(OpacityOf(reveal, 1), 0.099); // nothing has to be faded
+  UpdateOpaque(reveal, { { 1, 2 } }, atOnce, 0.1);
+  EXPECT_LE(FadedTo(reveal, 1), 0.1);
+  EXPECT_GE(FadedTo(reveal, 1), 0.099); // nothing has to be faded
 }
 
 TEST(SteadyReveal, KeepsItsLimitsInAnyRowOfViews)
@@ -112,7 +112,7 @@ TEST(SteadyReveal, KeepsItsLimitsInAnyRowOfViews)
         }
       }
       const auto old = reveal.Parts();
-      const SteadyReveal::Change change = Update(reveal, pixels, view == 0 ? atOnce : 1.0);
+      const SteadyReveal::Change change = UpdateOpaque(reveal, pixels, view == 0 ? atOnce : 1.0);
       EXPECT_LE(change.Proof.Deepest, -std::log(0.6) * (1.0 + 1e-12));
       std::size_t jumps = 0;
       for (const auto& [number, part] : reveal.Parts())

@@ -19,7 +19,7 @@ namespace
 
 constexpr std::int64_t FragmentBytes = sizeof(LayerFragment);
 constexpr std::int64_t FirstCapacity = 4096;
-constexpr int GroupSize = 64; // as in LayerLists.glsl
+constexpr int ReaderGroupSize = 64; // as in LayerLists.glsl
 
 }
 
@@ -111,7 +111,7 @@ bool ListReader::Run(vtkOpenGLRenderWindow* window, const ListLayout& layout, Fr
   this->Program.Set("areaFirst", first);
   this->Program.Set("areaSize", size);
   BarrierBetweenScans();
-  ComputeProgram::DispatchFor(std::int64_t(pixels.Width) * pixels.Height, GroupSize);
+  ComputeProgram::DispatchFor(std::int64_t(pixels.Width) * pixels.Height, ReaderGroupSize);
   glUseProgram(0);
   return true;
 }

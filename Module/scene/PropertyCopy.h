@@ -1,0 +1,16 @@
+#ifndef VITRINE_SCENE_PROPERTY_COPY_H
+#define VITRINE_SCENE_PROPERTY_COPY_H
+
+#include "vtkSmartPointer.h"
+
+class vtkProperty;
+
+namespace vitrine
+{
+
+/** Returns a copy of a property that shares its textures. */
+vtkSmartPointer<vtkProperty> CopyProperty(vtkProperty* property);
+
+}
+
+#endif

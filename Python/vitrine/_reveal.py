@@ -1,0 +1,225 @@
+"""Let a part show behind others: reveal() fades what stands in front of it, and its handle tells by how much."""
+
+from __future__ import annotations
+
+import dataclasses
+import numbers
+import operator
+import weakref
+from typing import Any, Iterator
+
+from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
+
+from ._assembly import Assembly, Part, Selection
+from ._layers import _part_of
+from ._options import check_boolean
+from ._see_through import _plotter_of, _renderers_of
+from .vtkVitrineRendering import vtkReveal
+
+_LEAST_SHARE = 0.01
+
+
+@dataclasses.dataclass(frozen=True)
+class Faded:
+    """A part in front that reveal() has faded.
+
+    part is the Part of an Assembly, or None where no assembly draws it. actor is the prop that draws it, and block the
+    flat index of its block in composite data, 0 for others. opacity is what it has now, 0 if it is hidden, and original
+    what it had.
+    """
+
+    part: Part | None
+    actor: Any
+    block: int
+    opacity: float
+    original: float
+
+
+def reveal(
+    target: Any,
+    part: Any,
+    share: float = 0.7,
+    *,
+    follow: bool = False,
+    least_opacity: float = 1 / 255,
+) -> Reveal:
+    """Fade what stands in front of a part, as little as it takes for the part to show; a plotter on show is drawn.
+
+    Args:
+        target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter that has drawn a frame.
+        part: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an Assembly; or a
+            pattern that chooses parts of the assemblies in the target by name, such as "gear_17".
+        share: the share of the part's light that passes what is in front, in each of its pixels: 0.01 to 1.
+        follow: whether opacities follow the camera before each frame. They then change by 0.05 at most for each degree,
+            but where the share asks for more.
+        least_opacity: parts in front that would have less are hidden.
+
+    Opaque parts in front become translucent, so call see_through() before. A reveal that the renderer has already is
+    removed first.
+
+    Raises:
+        TypeError: an argument is of another kind.
+        KeyError: the pattern chooses no part.
+        ValueError: a number is out of range, or no pixel of the part is drawn.
+        RuntimeError: the plotter is closed, there is no frame yet, or the driver lacks OpenGL 4.3.
+    """
+    check_boolean("follow", follow)
+    share = _number("share", share, _LEAST_SHARE)
+    least_opacity = _number("least_opacity", least_opacity, 0.0)
+    renderers = _renderers_of(target)
+    shown = list(_props_of(part, renderers))
+    renderer = next((found for found in renderers if _has(found, shown)), None)
+    if renderer is None:
+        raise ValueError("the part is in no renderer of the target: add it first")
+    former = _reveals.pop(renderer.__this__, None)
+    if former is not None:
+        former.remove()
+    handle = Reveal(renderer, shown, share, least_opacity, _plotter_of(target))
+    if handle.pixels == 0:
+        handle.remove()
+        raise ValueError("no pixel of the part is drawn: it is hidden, or outside of the view")
+    _reveals[renderer.__this__] = handle
+    handle._reveal.SetFollowCamera(follow)
+    return handle
+
+
+class Reveal:
+    """The handle that reveal() returns. remove() puts back the looks of all parts."""
+
+    def __init__(
+        self,
+        renderer: vtkRenderer,
+        shown: list[tuple[vtkProp, int]],
+        share: float,
+        least_opacity: float,
+        plotter: Any,
+    ) -> None:
+        self._reveal = vtkReveal()
+        self._reveal.SetRenderer(renderer)
+        self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
+        for prop, block in shown:
+            self._reveal.AddPart(prop, block)
+        self._reveal.SetShare(share)
+        self._reveal.SetLeastOpacity(least_opacity)
+        self.update()
+
+    def update(self) -> None:
+        """Find the best opacities for the camera as it is now, and set them at once. Raises as reveal() does."""
+        if not self._reveal.Update():
+            raise RuntimeError(self._reveal.GetProblem())
+        self._draw()
+
+    def remove(self) -> None:
+        """Put back the looks of all parts, and stop following the camera."""
+        self._reveal.PutBack()
+        self._draw()
+
+    @property
+    def faded(self) -> list[Faded]:
+        """The parts that are faded, the hidden ones among them."""
+        found = []
+        for i in range(self._reveal.GetNumberOfFadedParts()):
+            actor, block = self._reveal.GetFadedProp(i), self._reveal.GetFadedBlock(i)
+            opacities = self._reveal.GetFadedOpacity(i), self._reveal.GetOriginalOpacity(i)
+            found.append(Faded(_part_of(actor, block), actor, block, *opacities))
+        return found
+
+    @property
+    def hidden(self) -> int:
+        """How many of the faded parts are hidden."""
+        opacities = map(self._reveal.GetFadedOpacity, range(self._reveal.GetNumberOfFadedParts()))
+        return sum(opacity == 0.0 for opacity in opacities)
+
+    @property
+    def pixels(self) -> int:
+        """The number of pixels of the part."""
+        return self._reveal.GetNumberOfPixels()
+
+    @property
+    def layers(self) -> int:
+        """The largest number of layers in front of a pixel."""
+        return self._reveal.GetNumberOfLayersInFront()
+
+    @property
+    def share(self) -> float:
+        """The least share of the part's light that passes what is in front, over all of its pixels."""
+        return self._reveal.GetLeastShare()
+
+    @property
+    def context(self) -> float:
+        """The mean opacity of the parts in front, weighted by the areas of their boxes on the screen."""
+        return self._reveal.GetContext()
+
+    @property
+    def proved(self) -> float:
+        """The share of the best context that the opacities are proved to reach, before faint parts were hidden."""
+        return self._reveal.GetProvedShare()
+
+    def _draw(self) -> None:
+        plotter = self._plotter()
+        if plotter is not None and plotter.render_window is not None:
+            plotter.render()
+
+    def __repr__(self) -> str:
+        return f"<Reveal of {self.pixels} pixels: share {self.share:.3f}, {len(self.faded)} parts faded>"
+
+
+# The reveal of each renderer, by its address. A handle keeps no renderer alive.
+_reveals: dict[str, Reveal] = {}
+
+
+def _number(argument: str, value: Any, least: float) -> float:
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{argument} is a number from {least:g} to 1, not {value!r}")
+    if not least <= value <= 1.0:
+        raise ValueError(f"{argument} is a number from {least:g} to 1, not {value!r}")
+    return float(value)
+
+
+def _props_of(part: Any, renderers: list[vtkRenderer]) -> Iterator[tuple[vtkProp, int]]:
+    """The props and blocks that draw a part, as reveal() takes it."""
+    if isinstance(part, vtkProp):
+        yield part, 0
+    elif isinstance(part, tuple) and len(part) == 2 and isinstance(part[0], vtkProp):
+        block = operator.index(part[1])
+        if block < 0:
+            raise ValueError(f"the flat index of a block is 0 or more, not {block}")
+        yield part[0], block
+    elif isinstance(part, Selection):
+        yield from (_drawn_by(part._assembly, number) for number in part.numbers)
+    elif isinstance(part, Part):
+        yield from (_drawn_by(assembly, part.number) for assembly in _assemblies_of(part))
+    elif isinstance(part, str):
+        yield from _named(part, renderers)
+    else:
+        raise TypeError(
+            "part is an actor, a pair of an actor and a block, a Part, a Selection or a pattern of names, "
+            f"not {part!r}"
+        )
+
+
+def _named(pattern: str, renderers: list[vtkRenderer]) -> Iterator[tuple[vtkProp, int]]:
+    found = False
+    for assembly in Assembly.living():
+        shown = len(assembly) > 0 and any(_has(renderer, [_drawn_by(assembly, 0)]) for renderer in renderers)
+        if shown and pattern in assembly:
+            found = True
+            yield from (_drawn_by(assembly, number) for number in assembly[pattern].numbers)
+    if not found:
+        raise KeyError(f"no part of an assembly in the target matches {pattern!r}")
+
+
+def _assemblies_of(part: Part) -> list[Assembly]:
+    found = [a for a in Assembly.living() if part.number < len(a) and a.parts[part.number] is part]
+    if not found:
+        raise ValueError(f"the assembly of {part.path!r} is gone")
+    return found
+
+
+def _drawn_by(assembly: Assembly, number: int) -> tuple[vtkProp, int]:
+    return assembly.actors.GetPartActor(number), assembly.actors.GetPartBlock(number)
+
+
+def _has(renderer: vtkRenderer, shown: list[tuple[vtkProp, int]]) -> bool:
+    return any(renderer.HasViewProp(prop) for prop, _ in shown)
+
