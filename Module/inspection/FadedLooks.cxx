@@ -5,7 +5,6 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkNew.h"
@@ -15,6 +14,10 @@
 
 #if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
 #include "vtkCompositePolyDataMapper2.h"
+using BlocksMapper = vtkCompositePolyDataMapper2;
+#else
+#include "vtkCompositePolyDataMapper.h"
+using BlocksMapper = vtkCompositePolyDataMapper;
 #endif
 
 #include <algorithm>
@@ -24,28 +27,15 @@ namespace vitrine
 namespace
 {
 
-template <class Mapper>
-vtkCompositeDataDisplayAttributes* AttributesOfMapper(Mapper* mapper)
-{
-  if (!mapper->GetCompositeDataDisplayAttributes())
-  {
-    mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
-  }
-  return mapper->GetCompositeDataDisplayAttributes();
-}
-
 /** Returns the attributes of an actor's blocks, which are made if there are none, or null if it draws no blocks. */
 vtkCompositeDataDisplayAttributes* AttributesOf(vtkActor* actor)
 {
-  vtkMapper* const mapper = actor->GetMapper();
-#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
-  if (auto* const blocks = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  auto* const mapper = BlocksMapper::SafeDownCast(actor->GetMapper());
+  if (mapper && !mapper->GetCompositeDataDisplayAttributes())
   {
-    return AttributesOfMapper(blocks);
+    mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
   }
-#endif
-  auto* const blocks = vtkCompositePolyDataMapper::SafeDownCast(mapper);
-  return blocks ? AttributesOfMapper(blocks) : nullptr;
+  return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
 void AddNodes(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data, double opacity,
