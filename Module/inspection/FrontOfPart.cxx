@@ -10,7 +10,7 @@ namespace vitrine
 namespace
 {
 
-/** The number of pixels that are captured at once. Their fragments may be many times as many. */
+/** The number of pixels that are captured at once, unless their fragments are too many for the driver. */
 constexpr int BandPixels = 1 << 17;
 
 std::uint32_t NumberOf(const LayerFragment& fragment)
@@ -121,19 +121,27 @@ void AddFronts(const std::vector<LayerFragment>& fragments, std::size_t pixels,
 std::string CaptureFronts(LayerCapture& capture, const FrameOfRenderer& frame,
   const PixelRegion& region, const PartSet& parts, FrontStacks& stacks)
 {
-  const int rows = std::max(1, BandPixels / std::max(1, region.Width));
-  for (int row = 0; row < region.Height; row += rows)
+  int rows = std::clamp(BandPixels / std::max(1, region.Width), 1, std::max(1, region.Height));
+  for (int row = 0; row < region.Height;)
   {
     const PixelRegion band{ region.X, region.Y + row, region.Width,
       std::min(rows, region.Height - row) };
     std::vector<LayerFragment> fragments;
     const std::string problem =
       capture.Capture(frame.RequestOf(band, /* translucent= */ true), fragments);
-    if (!problem.empty())
+    if (problem.empty())
+    {
+      AddFronts(fragments, static_cast<std::size_t>(band.Width) * band.Height, parts, stacks);
+      row += band.Height;
+    }
+    else if (rows > 1) // there may be room for the fragments of fewer pixels
+    {
+      rows /= 2;
+    }
+    else
     {
       return problem;
     }
-    AddFronts(fragments, static_cast<std::size_t>(band.Width) * band.Height, parts, stacks);
   }
   return {};
 }

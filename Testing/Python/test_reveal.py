@@ -1,0 +1,238 @@
+"""reveal(): transmittances from fresh frames, analytic opacities, looks that are put back, and a turning camera."""
+
+import math
+import unittest
+
+import numpy
+from scenes import plate, plates_renderer
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkRenderingCore import vtkProperty, vtkRenderer
+
+import vitrine
+
+SHARE = 0.7
+SIZE = 64
+
+
+def window_of(renderer):
+    window = vitrine.vtkHeadlessRenderWindow()
+    window.SetSize(SIZE, SIZE)
+    window.SetMultiSamples(0)
+    window.AddRenderer(renderer)
+    vitrine.see_through(renderer)
+    window.Render()
+    return window
+
+
+def pixels(window):
+    values = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, SIZE - 1, SIZE - 1, 1, values)
+    return vtk_to_numpy(values).reshape(SIZE, SIZE, 4).copy()
+
+
+def half_plate(z, colour, opacity):
+    actor = plate(z, colour, opacity)
+    actor.SetScale(0.5, 1, 1)
+    actor.SetPosition(-1, 0, 0)  # x from -2 to 0
+    return actor
+
+
+def box(x, y, z, size=1.0):
+    source = vtkCubeSource()
+    source.SetCenter(x, y, z)
+    source.SetXLength(size)
+    source.SetYLength(size)
+    source.SetZLength(size)
+    source.Update()
+    return source.GetOutput()
+
+
+def shares_of(renderer, actor, block=0):
+    """What passes the layers in front of a part, for each of its pixels, in a frame as it is drawn."""
+    layers = vitrine.layers_in(renderer, 0, 0, SIZE - 1, SIZE - 1, all=True)
+    shares = []
+    for pixel in range(SIZE * SIZE):
+        through = 1.0
+        for i in range(layers.offsets[pixel], layers.offsets[pixel + 1]):
+            number = layers.numbers[i]
+            if layers.actor(number) is actor and layers.block(number) == block:
+                shares.append(through)
+                break
+            through *= 1.0 - float(layers.opacities[i])
+    return numpy.array(shares)
+
+
+class Plates(unittest.TestCase):
+    """A red plate behind a black one that covers the view, and another that covers the left half of it."""
+
+    def setUp(self):
+        self.red = plate(0, (1, 0, 0), 1.0)
+        self.half = half_plate(1, (0, 0, 0), 1.0)
+        self.whole = plate(2, (0, 0, 0), 1.0)
+        self.renderer = plates_renderer(self.red, self.half, self.whole)
+        self.window = window_of(self.renderer)
+        self.before = pixels(self.window)
+
+    def test_the_larger_part_keeps_what_may_remain(self):
+        self.assertEqual(self.before[..., 0].max(), 0)
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.window.Render()
+        faded = {part.actor: part for part in handle.faded}
+        self.assertEqual(set(faded), {self.half, self.whole})
+        self.assertEqual(faded[self.half].opacity, 0.0)  # 4096 pixels gain more than 2048
+        self.assertAlmostEqual(faded[self.whole].opacity, 1 - SHARE, delta=0.004)
+        self.assertEqual(faded[self.whole].original, 1.0)
+        self.assertEqual(handle.hidden, 1)
+        self.assertEqual((handle.pixels, handle.layers), (SIZE * SIZE, 2))
+        self.assertAlmostEqual(handle.context, faded[self.whole].opacity * 2 / 3, places=6)
+        self.assertGreaterEqual(handle.proved, 0.99)
+        self.assertGreaterEqual(handle.share, SHARE)
+        self.assertGreaterEqual(shares_of(self.renderer, self.red).min(), SHARE)
+        red = pixels(self.window)[..., 0]
+        self.assertGreaterEqual(red.min(), math.floor(255 * SHARE))
+        self.assertLessEqual(red.max(), math.ceil(255 * SHARE) + 2)
+
+    def test_looks_are_put_back(self):
+        properties = [actor.GetProperty() for actor in (self.half, self.whole)]
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.window.Render()
+        self.assertTrue((pixels(self.window) != self.before).any())
+        handle.remove()
+        self.window.Render()
+        self.assertTrue((pixels(self.window) == self.before).all())
+        self.assertEqual([actor.GetProperty() for actor in (self.half, self.whole)], properties)
+        self.assertEqual([p.GetOpacity() for p in properties], [1.0, 1.0])
+        self.assertTrue(self.half.GetVisibility())
+        self.assertEqual(handle.faded, [])
+
+    def test_another_reveal_takes_the_place_of_the_first(self):
+        first = vitrine.reveal(self.window, self.red, SHARE)
+        second = vitrine.reveal(self.window, self.half, 0.5)
+        self.assertEqual(first.faded, [])
+        self.assertEqual([part.actor for part in second.faded], [self.whole])
+        self.assertTrue(self.half.GetVisibility())
+        self.assertEqual(self.half.GetProperty().GetOpacity(), 1.0)
+        self.assertAlmostEqual(self.whole.GetProperty().GetOpacity(), 0.5, delta=0.005)
+
+    def test_actors_of_one_property_are_faded_apart(self):
+        shared = vtkProperty()
+        for actor in (self.red, self.whole):
+            actor.SetProperty(shared)
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.assertEqual(shared.GetOpacity(), 1.0)
+        self.assertIs(self.red.GetProperty(), shared)
+        self.assertAlmostEqual(self.whole.GetProperty().GetOpacity(), 1 - SHARE, delta=0.004)
+        handle.remove()
+        self.assertIs(self.whole.GetProperty(), shared)
+
+    def test_translucent_parts_keep_what_they_have(self):
+        self.whole.GetProperty().SetOpacity(0.1)
+        self.half.GetProperty().SetOpacity(0.1)
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.assertGreaterEqual(handle.share, 0.81 - 1e-9)
+        for actor in (self.whole, self.half):
+            self.assertAlmostEqual(actor.GetProperty().GetOpacity(), 0.1, delta=1e-3)
+
+    def test_opaque_by_force_is_faded_too(self):
+        self.whole.ForceOpaqueOn()
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.assertGreaterEqual(shares_of(self.renderer, self.red).min(), SHARE)
+        handle.remove()
+        self.assertTrue(self.whole.GetForceOpaque())
+
+    def test_bad_input(self):
+        gone = plate(3, (0, 0, 0), 1.0)
+        for error, part, options in (
+            (TypeError, 7, {}),
+            (TypeError, self.red, {"share": "much"}),
+            (ValueError, self.red, {"share": 0.0}),
+            (ValueError, self.red, {"share": math.nan}),
+            (ValueError, self.red, {"share": 1.5}),
+            (ValueError, self.red, {"least_opacity": -1}),
+            (TypeError, self.red, {"follow": 1}),
+            (ValueError, (self.red, -1), {}),
+            (ValueError, gone, {}),
+            (KeyError, "gear*", {}),
+        ):
+            with self.subTest(part=part, **options), self.assertRaises(error):
+                vitrine.reveal(self.window, part, **options)
+        self.red.SetVisibility(False)
+        with self.assertRaisesRegex(ValueError, "no pixel of the part"):
+            vitrine.reveal(self.window, self.red)
+        self.assertEqual(self.whole.GetProperty().GetOpacity(), 1.0)
+        unseen = vitrine.vtkHeadlessRenderWindow()
+        renderer = plates_renderer(gone)
+        unseen.AddRenderer(renderer)
+        with self.assertRaisesRegex(RuntimeError, "no frame"):
+            vitrine.reveal(unseen, gone)
+        self.assertEqual(vitrine.vtkReveal().GetNumberOfFadedParts(), 0)
+
+
+def boxes():
+    """27 boxes as blocks of an assembly, the middle of which is wholly hidden."""
+    blocks = vtkMultiBlockDataSet()
+    for i in range(27):
+        blocks.SetBlock(i, box(i % 3, i // 3 % 3, i // 9, 1.02))
+        blocks.GetMetaData(i).Set(blocks.NAME(), "core" if i == 13 else f"box{i}")
+    return vitrine.from_multiblock(blocks)
+
+
+class Blocks(unittest.TestCase):
+    def setUp(self):
+        self.assembly = boxes()
+        self.renderer = vtkRenderer()
+        self.assembly.add_to(self.renderer)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetFocalPoint(1, 1, 1)
+        camera.SetPosition(6, 5, 9)
+        self.renderer.ResetCameraClippingRange()
+        self.window = window_of(self.renderer)
+        number = self.assembly["core"].numbers[0]
+        self.core = self.assembly.actors.GetPartActor(number), self.assembly.actors.GetPartBlock(number)
+
+    def test_parts_of_an_assembly(self):
+        before = pixels(self.window)
+        self.assertEqual(shares_of(self.renderer, *self.core).max(), 0.0)
+        handle = vitrine.reveal(self.renderer, "core", SHARE)
+        self.window.Render()
+        shares = shares_of(self.renderer, *self.core)
+        self.assertEqual(len(shares), handle.pixels)
+        self.assertGreaterEqual(shares.min(), SHARE)
+        self.assertLessEqual(shares.min(), SHARE + 0.01)
+        self.assertTrue(all(part.part.name.startswith("box") for part in handle.faded))
+        for same in (self.core, self.assembly.parts[13], self.assembly["core"]):
+            self.assertEqual(vitrine.reveal(self.renderer, same, SHARE).pixels, len(shares))
+        vitrine.reveal(self.renderer, "core", SHARE).remove()
+        self.window.Render()
+        self.assertTrue((pixels(self.window) == before).all())
+
+    def test_opacities_follow_the_camera(self):
+        handle = vitrine.reveal(self.renderer, "core", SHARE, follow=True)
+        state = vitrine._reveal._reveals[self.renderer.__this__]._reveal
+        jumps = 0
+        for _ in range(12):
+            before = {(part.actor, part.block): part.opacity for part in handle.faded}
+            self.renderer.GetActiveCamera().Azimuth(2)
+            self.window.Render()
+            self.assertEqual(state.GetProblem(), "")
+            self.assertGreaterEqual(shares_of(self.renderer, *self.core).min(), SHARE)
+            self.assertLessEqual(state.GetLargestChange(), 0.05 * 2 + 1e-6)
+            changes = [abs(before.get((p.actor, p.block), p.original) - p.opacity) for p in handle.faded]
+            jumped = sum(change > 0.05 * 2 + 1 / 255 for change in changes)
+            self.assertLessEqual(jumped, state.GetNumberOfDroppedParts() + state.GetNumberOfForcedParts())
+            jumps += jumped
+        self.assertGreater(jumps, 0)  # parts come in front
+        frames = [pixels(self.window)]
+        self.window.Render()
+        self.assertTrue((pixels(self.window) == frames[0]).all())  # nothing changes at rest
+        handle.remove()
+        self.renderer.GetActiveCamera().Azimuth(2)
+        self.window.Render()
+        self.assertEqual(shares_of(self.renderer, *self.core).max(), 0.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
