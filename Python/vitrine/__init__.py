@@ -6,10 +6,8 @@
     vitrine.load("machine.glb").add_to(plotter)
     print(vitrine.report())
 
-The package has load(), from_multiblock(), AssemblyIndex, see_through(), stats(), layers_at(), pick() and report(), and
-all classes of the VTK module Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
-The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), reveal() and report(), and all classes of
-the VTK module Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
+The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), reveal(), AssemblyIndex and
+report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
 """
 
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
@@ -42,16 +40,15 @@ except ImportError as error:
     ) from error
 from .vtkVitrineRendering import *  # noqa: E402,F401,F403
 from ._assembly import Assembly, Part, Selection, from_multiblock, load  # noqa: E402
-from ._layers import Layer, Layers, Picked, layers_at, layers_in, pick  # noqa: E402
 from ._index import AssemblyIndex, Clash, Crossing, Distance, Nearest, Wall  # noqa: E402
+from ._layers import Layer, Layers, Picked, layers_at, layers_in, pick  # noqa: E402
 from ._report import report  # noqa: E402
 from ._reveal import Faded, Reveal, reveal  # noqa: E402
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 from ._tree import Tree  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
-__all__ += ["Assembly", "Faded", "Layer", "Layers", "Part", "Picked", "Reveal", "SeeThrough", "Selection", "Stats", "Tree"]
+__all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Layer", "Layers", "Nearest", "Part"]
+__all__ += ["Picked", "Reveal", "SeeThrough", "Selection", "Stats", "Tree", "Wall"]
 __all__ += ["__version__", "from_multiblock", "layers_at", "layers_in", "load"]
-__all__ += ["pick", "report", "see_through", "stats"]
-__all__ += ["AssemblyIndex", "Clash", "Crossing", "Distance", "Nearest", "Wall"]
 __all__ += ["pick", "report", "reveal", "see_through", "stats"]
