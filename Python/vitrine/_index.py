@@ -74,8 +74,8 @@ class Clash:
     """Two parts that clash.
 
     kind is "interfering", "touching" or "near". depth is 0 unless they interfere. distance is that of the surfaces.
-    point (x, y, z) is the deepest point, or the middle of the gap: a numpy array. inside is the part that lies wholly in
-    the other one without meeting its surface, or None.
+    point (x, y, z) is the deepest point, or the middle of the gap: a numpy array. inside is the part that lies wholly
+    in the other one without meeting its surface, or None.
     """
 
     parts: tuple[Any, Any]
@@ -247,8 +247,8 @@ class AssemblyIndex:
 
         Parts interfere if they are deeper in one another than the tolerance. They touch if they do not, and are at most
         the tolerance apart. They are near if they do neither, and are at most the clearance apart. The depth is that of
-        the deepest one of many points, so parts may be somewhat deeper in one another. For two open parts, it is how far
-        their triangles reach through one another.
+        the deepest one of many points, so parts may be somewhat deeper in one another. For two open parts, it is how
+        far their triangles reach through one another.
 
         Args:
             clearance: the largest distance of pairs that are near.

@@ -85,7 +85,7 @@ public:
   const Octree& Tree() const;
   TriangleBoxes<double, std::uint32_t> Boxes() const;
 
-  /** Returns all crossings of a ray with the surface, in order. On an edge there may be one for each of its triangles. */
+  /** Returns all crossings of a ray with the surface, in order. On an edge, each of its triangles may have one. */
   std::vector<MeshCrossing> Crossings(const Ray& ray) const;
 
   /** Returns the nearest point that is at most so far away. */

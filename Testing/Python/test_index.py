@@ -1,0 +1,183 @@
+"""AssemblyIndex: what it tells of parts whose places are known, and how it refuses bad input."""
+
+import doctest
+import math
+import unittest
+
+import numpy
+from machine import Files
+from scenes import window_with
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+import vitrine
+import vitrine._index
+
+
+def cube(x, size=1.0):
+    source = vtkCubeSource()
+    source.SetCenter(x, 0, 0)
+    source.SetXLength(size)
+    source.SetYLength(size)
+    source.SetZLength(size)
+    source.Update()
+    return source.GetOutput()
+
+
+def machine(**centers):
+    """An assembly of unit cubes along the x axis."""
+    blocks = vtkMultiBlockDataSet()
+    for i, (name, x) in enumerate(centers.items()):
+        blocks.SetBlock(i, cube(x))
+        blocks.GetMetaData(i).Set(blocks.NAME(), name)
+    return vitrine.from_multiblock(blocks)
+
+
+class Measures(unittest.TestCase):
+    def setUp(self):
+        self.machine = machine(left=0, middle=0.75, right=2.25, far=9)
+        self.index = vitrine.AssemblyIndex(self.machine)
+
+    def test_parts_are_those_of_the_assembly(self):
+        self.assertEqual(self.index.parts, self.machine.parts)
+        self.assertEqual((len(self.index), self.index.left_out), (4, 0))
+        self.assertTrue(self.index.is_closed("left"))
+        self.assertEqual(repr(self.index), "<AssemblyIndex of 4 parts>")
+
+    def test_clashes(self):
+        shares = []
+        clashes = self.index.clashes(clearance=0.5, tolerance=0.01, progress=shares.append)
+        told = [(c.parts[0].name, c.parts[1].name, c.kind, c.depth, c.distance) for c in clashes]
+        self.assertEqual(
+            told,
+            [("left", "middle", "interfering", 0.25, 0.0), ("middle", "right", "near", 0.0, 0.5)],
+        )
+        self.assertIsNone(clashes[0].inside)
+        self.assertAlmostEqual(clashes[1].point[0], 1.5)
+        self.assertIsInstance(clashes[0].point, numpy.ndarray)
+        self.assertEqual((shares[0], shares[-1]), (0.0, 1.0))
+        self.assertEqual(self.index.clashes(tolerance=0.3)[0].kind, "touching")
+
+    def test_default_tolerance_is_a_thousandth_of_the_diagonal(self):
+        diagonal = math.dist((-0.5, -0.5, -0.5), (9.5, 0.5, 0.5))
+        self.assertAlmostEqual(self.index.index.GetDefaultTolerance(), diagonal / 1000)
+
+    def test_clashes_stop_as_progress_says(self):
+        with self.assertRaisesRegex(InterruptedError, "returned False"):
+            self.index.clashes(progress=lambda share: False)
+        with self.assertRaises(ZeroDivisionError):
+            self.index.clashes(progress=lambda share: 1 / 0)
+        self.assertEqual(len(self.index.clashes()), 1)
+
+    def test_rays(self):
+        crossings = self.index.ray((-3, 0.1, 0.2), (2, 0, 0), length=5)
+        told = [(c.part.name, round(c.distance, 9), c.entering) for c in crossings]
+        self.assertEqual(
+            told,
+            [
+                ("left", 2.5, True),
+                ("middle", 3.25, True),
+                ("left", 3.5, False),
+                ("middle", 4.25, False),
+                ("right", 4.75, True),
+            ],
+        )
+        numpy.testing.assert_allclose(crossings[0].point, (-0.5, 0.1, 0.2))
+        geometry = self.machine.actors.GetPartGeometry(0)
+        self.assertEqual(geometry.GetCell(crossings[0].cell).GetBounds()[:2], (-0.5, -0.5))
+
+    def test_walls_and_gaps(self):
+        walls = self.index.thickness((-3, 0.1, 0.2), (1, 0, 0))
+        told = [(wall.part.name, wall.thickness, wall.gap) for wall in walls]
+        wanted = [("left", 1, 2.5), ("middle", 1, 0), ("right", 1, 0.5), ("far", 1, 5.75)]
+        self.assertEqual([row[0] for row in told], [row[0] for row in wanted])
+        numpy.testing.assert_allclose([row[1:] for row in told], [row[1:] for row in wanted])
+        numpy.testing.assert_allclose(walls[3].end_point, (9.5, 0.1, 0.2))
+
+    def test_what_is_near(self):
+        near = self.index.nearest((4, 0, 0))
+        self.assertEqual((near.part.name, near.distance), ("right", 1.25))
+        numpy.testing.assert_allclose(near.point, (2.75, 0, 0))
+        names = lambda parts: [part.name for part in parts]  # noqa: E731
+        self.assertEqual(names(self.index.within_sphere((2.25, 0, 0), 1.01)), ["middle", "right"])
+        self.assertEqual(names(self.index.within_sphere((2.25, 0, 0), 0.9, wholly=True)), ["right"])
+        box = (-0.6, 1.6, -1, 1, -1, 1)
+        self.assertEqual(names(self.index.within_box(box)), ["left", "middle"])
+        self.assertEqual(names(self.index.within_box(box[:1] + (0.6, *box[2:]), wholly=True)), ["left"])
+
+    def test_distances(self):
+        gap = self.index.distance("left", self.machine.parts[2])
+        self.assertEqual(gap.distance, 1.25)
+        self.assertEqual((gap.points[0][0], gap.points[1][0]), (0.5, 1.75))
+        self.assertEqual(self.index.distance(0, 1).distance, 0)
+
+    def test_sight(self):
+        blocks = vtkMultiBlockDataSet()
+        for i, data in enumerate((cube(0), cube(9), cube(50, 80))):
+            blocks.SetBlock(i, data)
+        walled = vitrine.from_multiblock(blocks)
+        self.assertTrue(vitrine.AssemblyIndex(walled).sees(0, 1))
+        self.assertTrue(self.index.sees("left", "far", through=["middle", "right"]))
+
+    def test_bad_input(self):
+        index = self.index
+        nan = float("nan")
+        for error, text, call in (
+            (TypeError, "a pyvista.Plotter is needed", lambda: vitrine.AssemblyIndex("robot.glb")),
+            (ValueError, "no parts to measure", lambda: vitrine.AssemblyIndex(vtkRenderer())),
+            (ValueError, "direction may not be 0", lambda: index.ray((0, 0, 0), (0, 0, 0))),
+            (ValueError, "3 finite numbers", lambda: index.ray((nan, 0, 0), (1, 0, 0))),
+            (ValueError, "3 finite numbers", lambda: index.thickness((0, 0, 0), (1, 0))),
+            (ValueError, "at least 0", lambda: index.ray((0, 0, 0), (1, 0, 0), length=-1)),
+            (ValueError, "3 finite numbers", lambda: index.nearest((0, math.inf, 0))),
+            (TypeError, "3 finite numbers", lambda: index.nearest(7)),
+            (ValueError, "xmin, xmax", lambda: index.within_box((1, 0, 0, 1, 0, 1))),
+            (ValueError, "radius is a finite", lambda: index.within_sphere((0, 0, 0), -1)),
+            (TypeError, "wholly is True", lambda: index.within_sphere((0, 0, 0), 1, wholly=1)),
+            (ValueError, "tolerance is a finite", lambda: index.clashes(tolerance=nan)),
+            (TypeError, "clearance is a number", lambda: index.clashes("1")),
+            (IndexError, "no part 4: there are 4", lambda: index.distance(0, 4)),
+            (KeyError, "chooses no part", lambda: index.distance("left", "lift")),
+            (ValueError, "name one", lambda: index.distance("left", "*")),
+            (KeyError, "is no part of", lambda: index.distance("left", vtkActor())),
+        ):
+            with self.subTest(text), self.assertRaisesRegex(error, text):
+                call()
+
+    def test_examples_of_the_help(self):
+        self.assertEqual(doctest.testmod(vitrine._index).failed, 0)
+
+
+class Shown(Files):
+    def test_parts_of_a_file_have_its_places(self):
+        index = vitrine.AssemblyIndex(self.machine)
+        for part in self.machine.parts:
+            self.assertIn(part, index.within_box(part.bounds))
+
+    def test_actors_and_blocks_at_their_places(self):
+        first = vtkActor()
+        first.SetMapper(vtkPolyDataMapper())
+        first.GetMapper().SetInputDataObject(cube(0))
+        first.SetPosition(5, 0, 0)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, cube(0))
+        blocks.SetBlock(2, cube(2))
+        second = vtkActor()
+        second.SetMapper(vitrine.vtkCulledCompositePolyDataMapper())
+        second.GetMapper().SetInputDataObject(blocks)
+        hidden = vtkActor()
+        hidden.SetMapper(vtkPolyDataMapper())
+        hidden.VisibilityOff()
+        renderer = vtkRenderer()
+        for actor in (first, second, hidden):
+            renderer.AddActor(actor)
+        window = window_with(renderer)
+        index = vitrine.AssemblyIndex(window)
+        self.assertEqual(index.parts, (first, (second, 1), (second, 3)))
+        self.assertIs(index.nearest((4, 0, 0)).part, first)
+        self.assertEqual(index.distance(first, (second, 3)).distance, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
