@@ -162,8 +162,8 @@ public:
    *
    * - INTERFERING: they are deeper in one another than the tolerance. The depth is how far a point of one part's
    *   surface in the other's solid is from the other's surface, at the deepest of many points: all corners, and more
-   *   where the surfaces meet. The parts may be deeper in one another between these. Two equal parts at one place are as deep as
-   *   points inside them. For two open parts, it is how far their triangles reach through one another.
+   *   where the surfaces meet. The parts may be deeper in one another between these. Two equal parts at one place are
+   *   as deep as points inside them. For two open parts, it is how far their triangles reach through one another.
    * - TOUCHING: not that, and the surfaces meet or are at most the tolerance apart.
    * - NEAR_BY: neither, and the surfaces are at most the clearance apart.
    *
