@@ -57,6 +57,15 @@
 // The word of a part: its number (scene/PartNumbers), and this bit on back faces.
 #define VITRINE_BACK_FACE 0x80000000u
 
+// Texels of four floats that tell how a cut part looks (section/CutTables), and the patterns of its hatch.
+#define VITRINE_CUT_LOOK_TEXELS 2
+#define VITRINE_HATCH_LINES 1
+#define VITRINE_HATCH_PAIRS 2
+#define VITRINE_HATCH_DASHES 3
+#define VITRINE_HATCH_CROSS 4
+#define VITRINE_HATCH_LEVEL 5
+#define VITRINE_HATCH_DOTS 6
+
 #ifdef __cplusplus
 #include <cstddef>
 #include <cstdint>

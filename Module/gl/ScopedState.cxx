@@ -261,6 +261,23 @@ ScopedPixelTransfer::~ScopedPixelTransfer()
   glBindBuffer(state.Buffer, static_cast<GLuint>(this->PreviousBuffer));
 }
 
+ScopedExclusiveOr::ScopedExclusiveOr()
+  : HadLogic(glIsEnabled(GL_COLOR_LOGIC_OP))
+  , HadClamp(glIsEnabled(GL_DEPTH_CLAMP))
+{
+  glGetIntegerv(GL_LOGIC_OP_MODE, &this->Previous);
+  glEnable(GL_COLOR_LOGIC_OP);
+  glEnable(GL_DEPTH_CLAMP);
+  glLogicOp(GL_XOR);
+}
+
+ScopedExclusiveOr::~ScopedExclusiveOr()
+{
+  glLogicOp(static_cast<GLenum>(this->Previous));
+  (this->HadLogic ? glEnable : glDisable)(GL_COLOR_LOGIC_OP);
+  (this->HadClamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+}
+
 ScopedArrayBuffer::ScopedArrayBuffer()
 {
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &this->Previous);

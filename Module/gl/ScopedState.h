@@ -176,6 +176,24 @@ private:
   GLint PreviousBuffer = 0;
 };
 
+/**
+ * Makes draws change integer images by exclusive or, and keeps what lies beyond the near and far planes. Neither is
+ * tracked by VTK.
+ */
+class ScopedExclusiveOr
+{
+public:
+  ScopedExclusiveOr();
+  ~ScopedExclusiveOr();
+  ScopedExclusiveOr(const ScopedExclusiveOr&) = delete;
+  void operator=(const ScopedExclusiveOr&) = delete;
+
+private:
+  GLboolean HadLogic;
+  GLboolean HadClamp;
+  GLint Previous = 0;
+};
+
 /** Keeps the buffer bound for vertex attributes, which VTK's mappers leave changed. */
 class ScopedArrayBuffer
 {

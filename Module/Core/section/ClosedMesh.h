@@ -1,0 +1,23 @@
+/** Is a mesh the surface of a solid? */
+#ifndef VITRINE_CORE_SECTION_CLOSED_MESH_H
+#define VITRINE_CORE_SECTION_CLOSED_MESH_H
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * Returns true if every edge has an even number of triangles. Equal points count as one, and triangles with two equal
+ * points do not count. A ray then crosses the mesh an even number of times, unless it starts inside. A mesh without
+ * triangles, or with points that are no finite numbers, is not closed.
+ * @param corners  three indices of points for each triangle
+ */
+bool IsClosed(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
+
+}
+
+#endif

@@ -1,0 +1,62 @@
+// Declarations for the fragment shader of a cap: which part is cut at the pixel, and how does it look there?
+#include "PartHash.glsl"
+#include "SharedLayout.h"
+
+uniform usampler2DArray vitrineCutSums; // a layer for each plane
+uniform usamplerBuffer vitrineCutParts; // a texel for each part that is cut: number, masks of planes, hatch
+uniform samplerBuffer vitrineCutLooks;  // VITRINE_CUT_LOOK_TEXELS texels for each part that is cut
+uniform ivec4 vitrineCapPlace;          // the plane, the first pixel of the sums, 1 for translucent caps
+uniform ivec4 vitrineCapStyle;          // width of edges in pixels, planes of all parts
+uniform vec4 vitrineCapEdge;            // colour of edges
+uniform vec2 vitrineCapSpacing;         // distance of a hatch's lines and their width, in world coordinates
+in vec2 vitrineCapPoint;                // in the plane, in world coordinates
+
+uint vitrineCapPart = 0u;
+#define VITRINE_SHADER_PART vitrineCapPart
+
+uvec2 vitrineSumAt(ivec2 pixel)
+{
+  ivec2 last = textureSize(vitrineCutSums, 0).xy - 1;
+  return texelFetch(vitrineCutSums, ivec3(clamp(pixel, ivec2(0), last), vitrineCapPlace.x), 0).xy;
+}
+
+// Returns how much of the surroundings of a coordinate lies in lines of a width that stand at a distance of 1.
+float vitrineLine(float place, float width, float blur)
+{
+  float fromLine = abs(fract(place) - 0.5);
+  return 1.0 - smoothstep(0.5 * width - blur, 0.5 * width + blur, fromLine);
+}
+
+// Returns the coverage of a hatch by its lines. Patterns follow the usual ones of materials (ANSI 31 to 38).
+float vitrineHatch(int pattern, vec2 point, float blur)
+{
+  float width = vitrineCapSpacing.y;
+  float slope = point.x + point.y;
+  float other = point.x - point.y;
+  if (pattern == VITRINE_HATCH_LINES)
+  {
+    return vitrineLine(slope, width, blur);
+  }
+  if (pattern == VITRINE_HATCH_PAIRS)
+  {
+    return max(vitrineLine(slope, width, blur), vitrineLine(slope + 0.25, width, blur));
+  }
+  if (pattern == VITRINE_HATCH_DASHES)
+  {
+    float dash = step(0.3, fract(0.5 * other + 0.5 * floor(2.0 * slope)));
+    return max(vitrineLine(slope, width, blur), vitrineLine(slope + 0.5, width, blur) * dash);
+  }
+  if (pattern == VITRINE_HATCH_CROSS)
+  {
+    return max(vitrineLine(slope, width, blur), vitrineLine(other, width, blur));
+  }
+  if (pattern == VITRINE_HATCH_LEVEL)
+  {
+    return vitrineLine(1.4 * point.y, width, blur);
+  }
+  if (pattern == VITRINE_HATCH_DOTS)
+  {
+    return max(vitrineLine(slope, 2.0 * width, blur) + vitrineLine(other, 2.0 * width, blur) - 1.0, 0.0);
+  }
+  return 0.0;
+}

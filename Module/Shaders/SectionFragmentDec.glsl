@@ -1,0 +1,20 @@
+// Declarations for the fragment shaders of VTK's mappers: does a section remove the fragment?
+in float vitrineSectionDistances[VITRINE_SECTION_PLANES];
+
+// Planes by bits: each of x removes what is beyond it; those of y remove what is beyond all of them.
+uniform ivec2 vitrineSectionMasks;
+
+// Returns true if the point is beyond one of the planes in `any`, or beyond all planes in `all` unless that is 0.
+bool vitrineIsCutAway(int any, int all)
+{
+  bool isAway = false;
+  bool isBeyondAll = all != 0;
+  for (int plane = 0; plane < VITRINE_SECTION_PLANES; ++plane)
+  {
+    bool isBeyond = vitrineSectionDistances[plane] < 0.0;
+    int bit = 1 << plane;
+    isAway = isAway || (isBeyond && (any & bit) != 0);
+    isBeyondAll = isBeyondAll && (isBeyond || (all & bit) == 0);
+  }
+  return isAway || isBeyondAll;
+}

@@ -1,0 +1,4 @@
+  if (vitrineIsCutAway(vitrineSectionMasks.x, vitrineSectionMasks.y))
+  {
+    discard;
+  }

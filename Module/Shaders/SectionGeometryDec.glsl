@@ -1,0 +1,5 @@
+// Declarations for the geometry shaders of VTK's mappers: distances from the planes of a section. The vertex shader
+// yields the vertex.
+uniform vec4 vitrineSectionPlanes[VITRINE_SECTION_PLANES]; // in the coordinates of vertexMC
+in vec4 vitrineSectionVertex[];
+out float vitrineSectionDistances[VITRINE_SECTION_PLANES];

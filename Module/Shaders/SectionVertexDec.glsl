@@ -1,0 +1,5 @@
+// Declarations for the vertex shaders of VTK's mappers: distances from the planes of a section.
+//
+// VITRINE_SECTION_PLANES n  the number of planes
+uniform vec4 vitrineSectionPlanes[VITRINE_SECTION_PLANES]; // in the coordinates of vertexMC
+out float vitrineSectionDistances[VITRINE_SECTION_PLANES];

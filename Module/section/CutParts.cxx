@@ -1,0 +1,176 @@
+#include "section/CutParts.h"
+
+#include "Core/section/ClosedMesh.h"
+#include "scene/Matrices.h"
+#include "scene/PartNumbers.h"
+#include "section/CapActor.h"
+
+#include "vtkActor.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** Parts are read anew if more corners than these are of parts that have changed since. */
+constexpr std::size_t MostStaleCorners = 1 << 20;
+
+bool IsSamePart(const CutPart& a, const CutPart& b)
+{
+  return a.Slot == b.Slot && a.Cuts == b.Cuts && a.Masks == b.Masks && a.IsClosed == b.IsClosed;
+}
+
+/** Returns the box in WC of a box in model coordinates. */
+std::pair<glm::dvec3, glm::dvec3> BoxInWorld(const glm::dmat4& toWorld, const double bounds[6])
+{
+  glm::dvec3 min(toWorld[3]);
+  glm::dvec3 max = min;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 a = glm::dvec3(toWorld[axis]) * bounds[2 * axis];
+    const glm::dvec3 b = glm::dvec3(toWorld[axis]) * bounds[2 * axis + 1];
+    min += glm::min(a, b);
+    max += glm::max(a, b);
+  }
+  return { min, max };
+}
+}
+
+void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf)
+{
+  const std::vector<CutPart> before = std::move(this->Cut);
+  const std::uint64_t generation = this->GenerationNumber;
+  if (this->StaleCorners > std::max(MostStaleCorners, this->AllCorners.size() / 2))
+  {
+    this->Forget();
+  }
+  this->Cut.clear();
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator place;
+  props->InitTraversal(place);
+  while (vtkProp* const prop = props->GetNextProp(place))
+  {
+    auto* const actor = prop->GetVisibility() ? vtkActor::SafeDownCast(prop) : nullptr;
+    if (!actor || dynamic_cast<CapActor*>(actor) ||
+      actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+    {
+      continue;
+    }
+    actor->ComputeMatrix();
+    const glm::dmat4 toWorld = MatrixOf(actor->GetMatrix());
+    ForEachDrawn(actor,
+      [&](const DrawnData& drawn) { this->Look(actor, drawn, toWorld, planes, masksOf); });
+  }
+  PartNumbers& numbers = PartNumbers::Of(renderer);
+  for (CutPart& part : this->Cut)
+  {
+    part.Number = numbers.FirstOf(part.Prop) + part.Block;
+  }
+  const bool isSame = generation == this->GenerationNumber && before.size() == this->Cut.size() &&
+    std::equal(before.begin(), before.end(), this->Cut.begin(), IsSamePart);
+  this->ChangeNumber += isSame ? 0 : 1;
+}
+
+/** Adds a part if a plane cuts it and none removes it. */
+void CutParts::Look(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& toWorld,
+  const SectionPlanes& planes, const MasksOf& masksOf)
+{
+  double bounds[6];
+  drawn.Data->GetBounds(bounds);
+  const glm::dvec3 min(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 max(bounds[1], bounds[3], bounds[5]);
+  const PlaneMasks masks = masksOf(actor, drawn.Block);
+  std::uint32_t cuts = 0;
+  for (std::size_t plane = 0; plane < planes.Planes.size(); ++plane)
+  {
+    const std::uint32_t bit = 1u << plane;
+    if ((masks.Both() & bit) == 0)
+    {
+      continue;
+    }
+    const DistanceRange range = DistancesOf(planes.Planes[plane].In(toWorld), min, max);
+    if ((masks.Any & bit) != 0 && range.Greatest < 0.0)
+    {
+      return;
+    }
+    cuts |= range.Least < 0.0 && range.Greatest >= 0.0 ? bit : 0u;
+  }
+  if (cuts == 0)
+  {
+    return;
+  }
+  const Known& known = this->Read(actor, drawn, toWorld);
+  CutPart part;
+  part.Prop = actor;
+  part.Block = drawn.Block;
+  part.Slot = known.Slot;
+  part.Masks = masks;
+  part.Cuts = cuts;
+  part.IsClosed = known.IsClosed;
+  part.Look = LookOf(actor, drawn);
+  std::tie(part.Min, part.Max) = BoxInWorld(toWorld, bounds);
+  part.FirstCorner = known.FirstCorner;
+  part.CornerCount = known.CornerCount;
+  this->Cut.push_back(part);
+}
+
+/** Returns a part whose geometry is read, and up to date. */
+const CutParts::Known& CutParts::Read(
+  vtkActor* actor, const DrawnData& drawn, const glm::dmat4& toWorld)
+{
+  Known& known = this->KnownParts[{ actor, drawn.Block }];
+  const bool isSameData = known.Data == drawn.Data && known.DataTime == drawn.Data->GetMTime();
+  if (isSameData && known.ToWorld == toWorld)
+  {
+    return known;
+  }
+  if (this->AllCorners.empty())
+  {
+    double bounds[6];
+    drawn.Data->GetBounds(bounds);
+    this->Middle = glm::dvec3(toWorld * glm::dvec4(glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]) * 0.5, 1.0));
+  }
+  const std::vector<glm::dvec3> points = PointsOfPart(drawn.Data);
+  const std::vector<std::uint32_t> corners = TrianglesOfPart(drawn.Data);
+  this->StaleCorners += known.CornerCount;
+  known.IsClosed = isSameData ? known.IsClosed : IsClosed(points, corners);
+  known.Data = drawn.Data;
+  known.DataTime = drawn.Data->GetMTime();
+  known.ToWorld = toWorld;
+  known.Slot = this->NextSlot++;
+  known.FirstCorner = static_cast<std::uint32_t>(this->AllCorners.size());
+  known.CornerCount = static_cast<std::uint32_t>(corners.size());
+  const auto first = static_cast<std::uint32_t>(this->AllVertices.size());
+  for (const glm::dvec3& point : points)
+  {
+    const glm::vec3 place(glm::dvec3(toWorld * glm::dvec4(point, 1.0)) - this->Middle);
+    this->AllVertices.push_back({ { place.x, place.y, place.z }, known.Slot });
+  }
+  for (const std::uint32_t corner : corners)
+  {
+    this->AllCorners.push_back(first + corner);
+  }
+  return known;
+}
+
+void CutParts::Forget()
+{
+  this->KnownParts.clear();
+  this->AllVertices.clear();
+  this->AllCorners.clear();
+  this->StaleCorners = 0;
+  this->NextSlot = 1;
+  ++this->GenerationNumber;
+}
+
+}

@@ -1,0 +1,111 @@
+/** Draws which part contains each point of the planes of a section. */
+#ifndef VITRINE_SECTION_CUT_SUMS_H
+#define VITRINE_SECTION_CUT_SUMS_H
+
+#include "gl/GLObjects.h"
+#include "gl/HeldContext.h"
+#include "gl/ProgramCache.h"
+#include "gl/ScopedState.h"
+#include "section/CutParts.h"
+#include "section/SectionPlanes.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace vitrine
+{
+
+/** The numbers of hatches that parts have, by slots. */
+using HatchOf = std::function<int(const CutPart&)>;
+
+/**
+ * For each plane, the closed parts that it cuts are drawn once: each face beyond the plane along the ray adds the slot
+ * of its part and a hash of it by exclusive or. Faces of a solid come in pairs unless the point in the plane is inside.
+ * So what remains is the slot of the part that contains it. If the hash does not fit, several parts do.
+ */
+class CutSums
+{
+public:
+  /**
+   * Draw the sums for the viewport and the camera that are set, unless they are those of the last call. Returns a
+   * reason if they cannot be drawn, else an empty string.
+   */
+  std::string Draw(vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes);
+
+  /** Write the tables by which caps look up parts, if `changes` differs from the last call. */
+  std::string WriteTables(vtkRenderer* renderer, const CutParts& parts, const HatchOf& hatchOf,
+    const PlaneMasks& ofInterference);
+
+  /** Bind the sums and tables until Unbind(). */
+  void Bind(vtkOpenGLState* state);
+  void Unbind();
+
+  /** Set uniforms of the bound images and of the first pixel. */
+  void SetUniforms(vtkShaderProgram* program, int plane, bool isTranslucent) const;
+
+  /** The sums of a plane, as read back: pairs of slot and hash, and the size of the image. */
+  struct Pixels
+  {
+    int Width = 0;
+    int Height = 0;
+    std::vector<std::array<std::uint32_t, 2>> Sums;
+  };
+  Pixels Read(int plane);
+
+  /** The matrix from WC to the clip coordinates of the last sums. */
+  const glm::dmat4& ToClip() const { return this->LastKey.ToClip; }
+
+  void Release(vtkWindow* window);
+  std::int64_t Bytes() const;
+
+private:
+  /** What the sums depend on. */
+  struct Key
+  {
+    std::array<int, 4> Viewport{};
+    glm::dmat4 ToClip{ 0.0 };
+    std::uint64_t Changes = 0;
+    std::vector<CutPlane> Planes;
+  };
+
+  void UseWindow(vtkOpenGLRenderWindow* window);
+  std::string Upload(const CutParts& parts);
+  std::string DrawPlanes(
+    vtkOpenGLRenderWindow* window, const CutParts& parts, const SectionPlanes& planes);
+  void Connect(vtkShaderProgram* program);
+  void Forget();
+
+  HeldContext Context;
+  ProgramCache Programs{ GLSL150 };
+  Image2D Sums;
+  Framebuffer Drawing;
+  Buffer Vertices;
+  Buffer Corners;
+  std::size_t WrittenVertices = 0;
+  std::size_t WrittenCorners = 0;
+  std::uint64_t Generation = 0;
+  GLuint VertexArray = 0;
+  Key LastKey;
+
+  Buffer PartTable;
+  Buffer LookTable;
+  std::vector<std::array<std::uint32_t, 4>> WrittenParts;
+  std::vector<std::array<glm::vec4, 2>> WrittenLooks;
+
+  std::unique_ptr<ScopedTextureUnit> SumsUnit;
+  std::unique_ptr<ScopedTextureUnit> PartsUnit;
+  std::unique_ptr<ScopedTextureUnit> LooksUnit;
+};
+
+}
+
+#endif

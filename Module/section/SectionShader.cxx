@@ -1,0 +1,217 @@
+#include "section/SectionShader.h"
+
+#include "Core/section/CutPolygon.h"
+#include "scene/Matrices.h"
+#include "section/CapActor.h"
+#include "shader/ShaderTags.h"
+#include "shader/ShaderText.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vitrine
+{
+
+namespace
+{
+
+const std::string ClipDec = "//VTK::Clip::Dec";
+const std::string ClipImpl = "//VTK::Clip::Impl";
+const std::string ColorImpl = "//VTK::Color::Impl";
+const std::string FirstDec = "//VTK::CustomUniforms::Dec";
+
+/** Replaces tags of a shader, and keeps the first error. */
+class TagText
+{
+public:
+  explicit TagText(std::string& shader)
+    : Shader(shader)
+  {
+  }
+
+  /** Insert text before a tag, which stays. */
+  void Before(const std::string& tag, const std::string& text) { this->Put(tag, text + tag); }
+
+  /** Insert text after a tag, which stays. */
+  void After(const std::string& tag, const std::string& text)
+  {
+    this->Put(tag, tag + "\n" + text);
+  }
+
+  const std::string& Problem() const { return this->FirstProblem; }
+
+private:
+  void Put(const std::string& tag, const std::string& text)
+  {
+    // The text has the tag again, so ReplaceTag() sees it once only if the shader did.
+    const std::string problem = ReplaceTag(this->Shader, tag, text);
+    this->FirstProblem = this->FirstProblem.empty() ? problem : this->FirstProblem;
+  }
+
+  std::string& Shader;
+  std::string FirstProblem;
+};
+
+/** How a device has the points of a mapper: (point - Shift) * Scale. */
+struct VertexFrame
+{
+  std::array<double, 3> Shift{ 0.0, 0.0, 0.0 };
+  std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
+  bool IsShifted = false;
+};
+
+VertexFrame FrameOf(vtkAbstractMapper* mapper)
+{
+  VertexFrame frame;
+  auto* const drawing = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  vtkOpenGLVertexBufferObject* const points =
+    drawing ? drawing->GetVBOs()->GetVBO("vertexMC") : nullptr;
+  if (points && points->GetCoordShiftAndScaleEnabled())
+  {
+    frame.IsShifted = true;
+    std::copy_n(points->GetShift().begin(), 3, frame.Shift.begin());
+    std::copy_n(points->GetScale().begin(), 3, frame.Scale.begin());
+  }
+  return frame;
+}
+
+/** Puts the equation of a plane in model coordinates into those that the device has. */
+void PutInFrame(const CutPlane& plane, const VertexFrame& frame, float equation[4])
+{
+  double offset = plane.Offset;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    equation[axis] = static_cast<float>(plane.Normal[axis] / frame.Scale[axis]);
+    offset += plane.Normal[axis] * frame.Shift[axis];
+  }
+  equation[3] = static_cast<float>(offset);
+}
+
+/** Returns how much farther than the section's margin a plane must be moved for points that the device has unshifted. */
+double FurtherMargin(const CutPlane& plane, double margin, vtkProp* prop)
+{
+  const double* const bounds = prop->GetBounds();
+  if (!bounds || !(bounds[0] <= bounds[1]))
+  {
+    return 0.0;
+  }
+  const glm::dvec3 greatest =
+    glm::max(glm::abs(glm::dvec3(bounds[0], bounds[2], bounds[4])),
+      glm::abs(glm::dvec3(bounds[1], bounds[3], bounds[5])));
+  return std::max(0.0, MarginOf(plane, greatest) - margin);
+}
+}
+
+vtkStandardNewMacro(SectionShader);
+
+void SectionShader::SetPlanes(const SectionPlanes& planes)
+{
+  if (this->Planes.Planes.size() != planes.Planes.size())
+  {
+    this->Stage.Modified();
+  }
+  this->Planes = planes;
+}
+
+bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  if (this->Planes.Planes.empty() || !vtkActor::SafeDownCast(prop))
+  {
+    return true;
+  }
+  const std::string count =
+    "#define VITRINE_SECTION_PLANES " + std::to_string(this->Planes.Planes.size()) + "\n";
+  TagText vertex(vertexShader);
+  TagText geometry(geometryShader);
+  TagText fragment(fragmentShader);
+  const std::string distances = shaders::SectionVertexImpl;
+  if (geometryShader.empty())
+  {
+    vertex.Before(ClipDec, count + shaders::SectionVertexDec);
+    vertex.Before(ClipImpl, "#define VITRINE_SECTION_VERTEX vertexMC\n" + distances);
+  }
+  else
+  {
+    vertex.Before(ClipDec, "out vec4 vitrineSectionVertex;\n");
+    vertex.Before(ClipImpl, "  vitrineSectionVertex = vertexMC;\n");
+    geometry.Before(ClipDec, count + shaders::SectionGeometryDec);
+    geometry.Before(
+      ClipImpl, "#define VITRINE_SECTION_VERTEX vitrineSectionVertex[i]\n" + distances);
+  }
+  fragment.Before(FirstDec, count + shaders::SectionFragmentDec);
+  if (CapActor::SafeDownCast(prop))
+  {
+    vertex.Before(ClipDec, shaders::CapVertexDec);
+    vertex.Before(ClipImpl, shaders::CapVertexImpl);
+    fragment.Before(FirstDec, shaders::CapDec);
+    fragment.Before(ClipImpl, shaders::CapImpl);
+    fragment.After(ColorImpl, shaders::CapColor);
+  }
+  else
+  {
+    fragment.Before(ClipImpl, shaders::SectionFragmentImpl);
+  }
+  for (const TagText* text : { &vertex, &geometry, &fragment })
+  {
+    if (!text->Problem().empty())
+    {
+      vtkErrorMacro(<< "A section cannot cut " << (prop ? prop->GetClassName() : "a prop") << ": "
+                    << text->Problem() << ". It is not drawn.");
+      fragmentShader = "//VTK::System::Dec\nvoid main()\n{\n  discard;\n}\n";
+      return true;
+    }
+  }
+  return true;
+}
+
+bool SectionShader::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
+  vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  if (!actor || this->Planes.Planes.empty() || !program->IsUniformUsed("vitrineSectionPlanes"))
+  {
+    return true;
+  }
+  actor->ComputeMatrix();
+  const glm::dmat4 toWorld = MatrixOf(actor->GetMatrix());
+  const VertexFrame frame = FrameOf(mapper);
+  auto* const cap = dynamic_cast<CapActor*>(actor);
+  std::vector<std::array<float, 4>> equations(this->Planes.Planes.size());
+  for (std::size_t i = 0; i < equations.size(); ++i)
+  {
+    const CutPlane& plane = this->Planes.Planes[i];
+    const double further =
+      frame.IsShifted || cap ? 0.0 : FurtherMargin(plane, this->Planes.Margins[i], actor);
+    PutInFrame(plane.MovedBy(further).In(toWorld), frame, equations[i].data());
+  }
+  program->SetUniform4fv("vitrineSectionPlanes", static_cast<int>(equations.size()),
+    reinterpret_cast<const float(*)[4]>(equations.data()));
+  if (cap)
+  {
+    const PlaneAxes axes = AxesOf(this->Planes.Planes[static_cast<std::size_t>(cap->Plane)]);
+    float places[2][4];
+    PutInFrame({ axes.U, 0.0 }, frame, places[0]);
+    PutInFrame({ axes.V, 0.0 }, frame, places[1]);
+    program->SetUniform4fv("vitrineCapAxes", 2, places);
+    this->SetCapUniforms(program, actor);
+    return true;
+  }
+  const PlaneMasks masks = this->MasksOf(actor);
+  const int bits[2] = { static_cast<int>(masks.Any), static_cast<int>(masks.All) };
+  program->SetUniform2i("vitrineSectionMasks", bits);
+  return true;
+}
+
+}

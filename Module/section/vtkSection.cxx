@@ -1,0 +1,866 @@
+#include "vtkSection.h"
+
+#include "Core/section/PartHash.h"
+#include "scene/Settings.h"
+#include "section/CapActor.h"
+#include "section/CutParts.h"
+#include "section/CutSums.h"
+#include "section/SectionShader.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlane.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkSection);
+
+namespace
+{
+
+/** Event by which a renderer's observers are asked for the section that is attached to it. */
+constexpr unsigned long AskForSection = vtkCommand::UserEvent + 0x56495453;
+
+/**
+ * How far a cap stands before its plane, as a share of the size of what is cut. Faces of parts that lie in the plane
+ * are behind it then, in depth buffers of 24 bits too.
+ */
+constexpr double CapLift = 1.0 / (1 << 17);
+
+constexpr int FacesOfBox = 6;
+
+/** Observes a renderer. The functions may detach the section. */
+class RendererObserver : public vtkCommand
+{
+public:
+  static RendererObserver* New() { return new RendererObserver; }
+  void Execute(vtkObject*, unsigned long event, void* data) override
+  {
+    const vtkSmartPointer<vtkSection> alive = this->Section;
+    if (event == AskForSection)
+    {
+      *static_cast<vtkSection**>(data) = this->Section;
+    }
+    else if (event == vtkCommand::StartEvent)
+    {
+      this->Start();
+    }
+    else
+    {
+      this->End();
+    }
+  }
+
+  vtkSmartPointer<vtkSection> Section;
+  std::function<void()> Start;
+  std::function<void()> End;
+};
+
+bool IsFinite(const glm::dvec3& vector)
+{
+  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+}
+
+struct vtkSection::Internals
+{
+  /** A plane and the parts that are chosen for it. */
+  struct Cutter
+  {
+    vtkSmartPointer<vtkPlane> Plane;
+    int Parts = ALL_PARTS;
+    std::set<vtkProp*> Chosen;
+
+    bool Cuts(vtkProp* prop) const
+    {
+      return this->Parts == ALL_PARTS ||
+        (this->Chosen.count(prop) > 0) == (this->Parts == ONLY_CHOSEN);
+    }
+  };
+
+  std::vector<Cutter> Cutters;
+  bool RemoveBeyondAll = false;
+  bool HasBox = false;
+  bool BoxKeepsInside = true;
+  std::array<double, 6> Box{};
+  bool Caps = true;
+  int Hatch = NO_HATCH;
+  std::map<vtkProp*, int> Hatches;
+  double HatchSpacing = 0.0;
+  int EdgeWidth = 1;
+  std::array<double, 3> EdgeColor{ 0.0, 0.0, 0.0 };
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  std::vector<unsigned long> Observers;
+  vtkNew<vitrine::SectionShader> Shader;
+  std::vector<vtkSmartPointer<vitrine::CapActor>> CapActors;
+  std::vector<vtkSmartPointer<vtkInformation>> Marked; ///< keys of props that list the shader
+  vitrine::CutParts Parts;
+  vitrine::CutSums Sums;
+  vitrine::SectionPlanes Planes;
+  glm::dvec3 Min{ 0.0 }; ///< the box around the closed parts that are cut, in WC
+  glm::dvec3 Max{ 0.0 };
+  std::string FallbackReason;
+
+  // ---- the planes of a frame
+
+  /** Returns a plane of VTK with a normal of length 1, or one that keeps everything if it has none. */
+  static vitrine::CutPlane UnitPlane(const double normal[3], const double origin[3])
+  {
+    const glm::dvec3 given(normal[0], normal[1], normal[2]);
+    const glm::dvec3 through(origin[0], origin[1], origin[2]);
+    const double length = glm::length(given);
+    if (!(length > 0.0) || !std::isfinite(length) || !IsFinite(through))
+    {
+      return { glm::dvec3(0.0, 0.0, 0.0), 1.0 };
+    }
+    const glm::dvec3 unit = given / length;
+    return { unit, -glm::dot(unit, through) };
+  }
+
+  /** Returns the planes in WC, first those of the user, then the faces of the box. */
+  std::vector<vitrine::CutPlane> FindPlanes() const
+  {
+    std::vector<vitrine::CutPlane> planes;
+    for (const Cutter& cutter : this->Cutters)
+    {
+      planes.push_back(UnitPlane(cutter.Plane->GetNormal(), cutter.Plane->GetOrigin()));
+    }
+    for (int face = 0; this->HasBox && face < FacesOfBox; ++face)
+    {
+      const double inwards = face % 2 == 0 ? 1.0 : -1.0;
+      glm::dvec3 normal(0.0);
+      normal[face / 2] = this->BoxKeepsInside ? inwards : -inwards;
+      planes.push_back({ normal, -normal[face / 2] * this->Box[static_cast<std::size_t>(face)] });
+    }
+    return planes;
+  }
+
+  /** The planes that apply to a prop. */
+  vitrine::PlaneMasks MasksOf(vtkProp* prop) const
+  {
+    vitrine::PlaneMasks masks;
+    for (std::size_t i = 0; i < this->Cutters.size(); ++i)
+    {
+      const std::uint32_t bit = this->Cutters[i].Cuts(prop) ? 1u << i : 0u;
+      (this->RemoveBeyondAll ? masks.All : masks.Any) |= bit;
+    }
+    if (this->HasBox)
+    {
+      const std::uint32_t faces = ((1u << FacesOfBox) - 1u) << this->Cutters.size();
+      // A box that removes its inside shares the mask of planes that remove together only if there are none.
+      (this->BoxKeepsInside ? masks.Any : masks.All) |= faces;
+    }
+    return masks;
+  }
+
+  /** Returns the box in WC around all visible props but caps. */
+  static std::pair<glm::dvec3, glm::dvec3> SceneBox(vtkRenderer* renderer)
+  {
+    double bounds[6];
+    renderer->ComputeVisiblePropBounds(bounds);
+    return bounds[0] <= bounds[1]
+      ? std::make_pair(glm::dvec3(bounds[0], bounds[2], bounds[4]),
+          glm::dvec3(bounds[1], bounds[3], bounds[5]))
+      : std::make_pair(glm::dvec3(0.0), glm::dvec3(0.0));
+  }
+
+  void UpdatePlanes(vtkRenderer* renderer)
+  {
+    const auto [min, max] = SceneBox(renderer);
+    const glm::dvec3 middle = 0.5 * (min + max);
+    this->Planes.Planes = this->FindPlanes();
+    this->Planes.Margins.clear();
+    for (vitrine::CutPlane& plane : this->Planes.Planes)
+    {
+      const vitrine::CutPlane centered{ plane.Normal, plane.At(middle) };
+      const double margin = vitrine::MarginOf(centered, 0.5 * (max - min));
+      this->Planes.Margins.push_back(margin);
+      plane = plane.MovedBy(margin);
+    }
+    this->Planes.OfAllParts = this->MasksOf(nullptr);
+  }
+
+  // ---- a frame
+
+  void UpdateParts(vtkRenderer* renderer)
+  {
+    this->UpdatePlanes(renderer);
+    this->Parts.Update(renderer, this->Planes,
+      [this](vtkProp* prop, unsigned int) { return this->MasksOf(prop); });
+  }
+
+  void StartFrame(vtkSection* section)
+  {
+    vtkRenderer* const renderer = this->Renderer;
+    this->EndFrame();
+    this->UpdateParts(renderer);
+    this->MakeCaps(section, renderer);
+    this->PlaceCaps(renderer);
+    this->Shader->SetPlanes(this->Planes);
+    this->Mark(renderer);
+  }
+
+  void EndFrame()
+  {
+    vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
+    for (const auto& keys : this->Marked)
+    {
+      keys->Remove(key, this->Shader);
+      if (keys->Length(key) == 0)
+      {
+        keys->Remove(key);
+      }
+    }
+    this->Marked.clear();
+  }
+
+  /** Lists the shader among the passes of all props. */
+  void Mark(vtkRenderer* renderer)
+  {
+    if (this->Planes.Planes.empty())
+    {
+      return;
+    }
+    vtkPropCollection* const props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator place;
+    props->InitTraversal(place);
+    while (vtkProp* const prop = props->GetNextProp(place))
+    {
+      if (!prop->GetVisibility())
+      {
+        continue;
+      }
+      if (!prop->GetPropertyKeys())
+      {
+        vtkNew<vtkInformation> keys;
+        prop->SetPropertyKeys(keys);
+      }
+      prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this->Shader);
+      this->Marked.emplace_back(prop->GetPropertyKeys());
+    }
+  }
+
+  // ---- caps
+
+  /** Gives each plane its two caps, and adds them to the renderer. */
+  void MakeCaps(vtkSection*, vtkRenderer* renderer)
+  {
+    const std::size_t wanted = 2 * this->Planes.Planes.size();
+    while (this->CapActors.size() > wanted)
+    {
+      renderer->RemoveViewProp(this->CapActors.back());
+      this->CapActors.pop_back();
+    }
+    while (this->CapActors.size() < wanted)
+    {
+      const auto cap = vtkSmartPointer<vitrine::CapActor>::New();
+      cap->Plane = static_cast<int>(this->CapActors.size() / 2);
+      cap->SetForTranslucent(this->CapActors.size() % 2 != 0);
+      cap->Begin = [this](vtkRenderer* drawn) { return this->BeginCap(drawn); };
+      cap->End = [this] { this->Sums.Unbind(); };
+      cap->Release = [this](vtkWindow* window) { this->Sums.Release(window); };
+      renderer->AddViewProp(cap);
+      this->CapActors.push_back(cap);
+    }
+  }
+
+  void PlaceCaps(vtkRenderer*)
+  {
+    this->Min = glm::dvec3(std::numeric_limits<double>::infinity());
+    this->Max = -this->Min;
+    std::array<std::uint32_t, 2> cuts{ 0, 0 }; // planes that cut opaque parts, and translucent ones
+    for (const vitrine::CutPart& part : this->Parts.Parts())
+    {
+      if (part.IsClosed)
+      {
+        this->Min = glm::min(this->Min, part.Min);
+        this->Max = glm::max(this->Max, part.Max);
+        cuts[part.Look.Diffuse.a < 1.0f ? 1 : 0] |= part.Cuts;
+      }
+    }
+    cuts[0] |= cuts[1]; // where translucent parts interfere, the cap is opaque
+    const double lift = CapLift * glm::length(this->Max - this->Min);
+    for (const auto& cap : this->CapActors)
+    {
+      const auto plane = static_cast<std::size_t>(cap->Plane);
+      const bool isThere = this->Caps && (cuts[cap->IsForTranslucent ? 1 : 0] >> plane & 1u) != 0;
+      cap->SetVisibility(isThere);
+      if (isThere)
+      {
+        cap->Place(this->Planes.Planes[plane].MovedBy(lift), this->Min, this->Max);
+      }
+    }
+  }
+
+  int HatchOf(vtkProp* prop) const
+  {
+    const auto found = this->Hatches.find(prop);
+    return found == this->Hatches.end() ? this->Hatch : found->second;
+  }
+
+  bool BeginCap(vtkRenderer* renderer)
+  {
+    this->FallbackReason = this->Sums.Draw(renderer, this->Parts, this->Planes);
+    if (this->FallbackReason.empty())
+    {
+      this->FallbackReason = this->Sums.WriteTables(
+        renderer, this->Parts,
+        [this](const vitrine::CutPart& part) { return this->HatchOf(part.Prop); },
+        this->Planes.OfAllParts);
+    }
+    if (!this->FallbackReason.empty())
+    {
+      return false;
+    }
+    this->Sums.Bind(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState());
+    return true;
+  }
+
+  void SetCapUniforms(vtkShaderProgram* program, vtkProp* prop)
+  {
+    auto* const cap = static_cast<vitrine::CapActor*>(prop);
+    this->Sums.SetUniforms(program, cap->Plane, cap->IsForTranslucent);
+    const auto set = [program](const char* name, auto function, auto... values)
+    {
+      const auto handle = static_cast<GLuint>(program->GetHandle());
+      function(glGetUniformLocation(handle, name), values...);
+    };
+    set("vitrineCapStyle", glUniform4i, this->EdgeWidth, 0, 0, 0);
+    const float color[4] = { static_cast<float>(this->EdgeColor[0]),
+      static_cast<float>(this->EdgeColor[1]), static_cast<float>(this->EdgeColor[2]), 1.0f };
+    program->SetUniform4f("vitrineCapEdge", color);
+    const double spacing =
+      this->HatchSpacing > 0.0 ? this->HatchSpacing : glm::length(this->Max - this->Min) / 40.0;
+    const float spacings[2] = { static_cast<float>(spacing), 0.12f };
+    program->SetUniform2f("vitrineCapSpacing", spacings);
+  }
+
+  void RemoveCaps()
+  {
+    for (const auto& cap : this->CapActors)
+    {
+      if (this->Renderer)
+      {
+        this->Renderer->RemoveViewProp(cap);
+      }
+      cap->Begin = nullptr;
+      cap->Release = nullptr;
+    }
+    this->CapActors.clear();
+  }
+
+  // ---- interference
+
+  using Sum = std::array<std::uint32_t, 2>;
+
+  /** Finds the parts of a sum of two or three among `candidates`. Returns none if there are no such parts. */
+  static std::vector<std::uint32_t> Decode(
+    const Sum& sum, const std::vector<std::uint32_t>& candidates)
+  {
+    const std::set<std::uint32_t> known(candidates.begin(), candidates.end());
+    const auto second = [&](std::uint32_t first, const Sum& of) -> std::uint32_t
+    {
+      const std::uint32_t other = of[0] ^ first;
+      const bool fits = other != first && known.count(other) > 0 &&
+        (vitrine::PartHash(first) ^ vitrine::PartHash(other)) == of[1];
+      return fits ? other : 0;
+    };
+    for (const std::uint32_t first : candidates)
+    {
+      if (const std::uint32_t other = second(first, sum))
+      {
+        return { first, other };
+      }
+    }
+    for (const std::uint32_t third : candidates)
+    {
+      const Sum rest{ sum[0] ^ third, sum[1] ^ vitrine::PartHash(third) };
+      for (const std::uint32_t first : candidates)
+      {
+        const std::uint32_t other = first == third ? 0 : second(first, rest);
+        if (other != 0 && other != third)
+        {
+          return { first, other, third };
+        }
+      }
+    }
+    return {};
+  }
+
+  /** Calls `visit` with each different sum of several parts of a plane, and a point of the plane where it stands. */
+  template <class Visit>
+  void ForEachInterference(std::size_t plane, const Visit& visit)
+  {
+    const vitrine::CutSums::Pixels pixels = this->Sums.Read(static_cast<int>(plane));
+    const glm::dmat4 toWorld = glm::inverse(this->Sums.ToClip());
+    const vitrine::CutPlane inClip = this->Planes.Planes[plane].In(toWorld);
+    std::set<Sum> seen;
+    for (std::size_t i = 0; i < pixels.Sums.size(); ++i)
+    {
+      const Sum& sum = pixels.Sums[i];
+      if (vitrine::PartHash(sum[0]) == sum[1] || !seen.insert(sum).second)
+      {
+        continue;
+      }
+      const auto width = static_cast<std::size_t>(pixels.Width);
+      const double x = (static_cast<double>(i % width) + 0.5) / pixels.Width * 2.0 - 1.0;
+      const double y = (static_cast<double>(i / width) + 0.5) / pixels.Height * 2.0 - 1.0;
+      const double z =
+        -(inClip.Normal.x * x + inClip.Normal.y * y + inClip.Offset) / inClip.Normal.z;
+      const glm::dvec4 point = toWorld * glm::dvec4(x, y, z, 1.0);
+      visit(sum, glm::dvec3(point) / point.w);
+    }
+  }
+
+  std::set<std::pair<std::uint32_t, std::uint32_t>> InterferingSlots()
+  {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (std::size_t plane = 0; plane < this->Planes.Planes.size(); ++plane)
+    {
+      this->ForEachInterference(plane,
+        [&](const Sum& sum, const glm::dvec3& point)
+        {
+          std::vector<std::uint32_t> candidates;
+          for (const vitrine::CutPart& part : this->Parts.Parts())
+          {
+            const glm::dvec3 reach = 1e-3 * (part.Max - part.Min);
+            const bool hasPoint = glm::all(glm::lessThanEqual(part.Min - reach, point)) &&
+              glm::all(glm::lessThanEqual(point, part.Max + reach));
+            if (part.IsClosed && (part.Cuts >> plane & 1u) != 0 && hasPoint)
+            {
+              candidates.push_back(part.Slot);
+            }
+          }
+          const std::vector<std::uint32_t> slots = Decode(sum, candidates);
+          for (std::size_t a = 0; a < slots.size(); ++a)
+          {
+            for (std::size_t b = a + 1; b < slots.size(); ++b)
+            {
+              pairs.insert(std::minmax(slots[a], slots[b]));
+            }
+          }
+        });
+    }
+    return pairs;
+  }
+
+  Cutter* Find(vtkPlane* plane)
+  {
+    const auto found = std::find_if(this->Cutters.begin(), this->Cutters.end(),
+      [plane](const Cutter& cutter) { return cutter.Plane == plane; });
+    return found == this->Cutters.end() ? nullptr : &*found;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkSection::vtkSection()
+  : Private(new Internals)
+{
+  Internals& in = *this->Private;
+  in.Shader->MasksOf = [&in](vtkProp* prop) { return in.MasksOf(prop); };
+  in.Shader->SetCapUniforms = [&in](vtkShaderProgram* program, vtkProp* prop)
+  { in.SetCapUniforms(program, prop); };
+}
+
+//------------------------------------------------------------------------------
+vtkSection::~vtkSection()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const Internals& in = *this->Private;
+  os << indent << "NumberOfPlanes: " << in.Cutters.size() << "\n";
+  os << indent << "RemoveBeyondAll: " << in.RemoveBeyondAll << "\n";
+  os << indent << "HasBox: " << in.HasBox << "\n";
+  os << indent << "Caps: " << in.Caps << "\n";
+  os << indent << "Hatch: " << in.Hatch << "\n";
+  os << indent << "HatchSpacing: " << in.HatchSpacing << "\n";
+  os << indent << "EdgeWidth: " << in.EdgeWidth << "\n";
+  os << indent << "EdgeColor: " << in.EdgeColor[0] << ", " << in.EdgeColor[1] << ", "
+     << in.EdgeColor[2] << "\n";
+  os << indent << "FallbackReason: " << in.FallbackReason << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkSection::AddPlane(vtkPlane* plane)
+{
+  Internals& in = *this->Private;
+  if (!plane)
+  {
+    vtkErrorMacro("AddPlane() takes a plane");
+    return false;
+  }
+  if (in.Find(plane))
+  {
+    return true;
+  }
+  if (this->GetNumberOfPlanes() >= MaximumNumberOfPlanes)
+  {
+    vtkErrorMacro(<< "AddPlane(): a section has " << MaximumNumberOfPlanes << " planes at most");
+    return false;
+  }
+  Internals::Cutter cutter;
+  cutter.Plane = plane;
+  in.Cutters.push_back(cutter);
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::RemovePlane(vtkPlane* plane)
+{
+  std::vector<Internals::Cutter>& cutters = this->Private->Cutters;
+  cutters.erase(std::remove_if(cutters.begin(), cutters.end(),
+                  [plane](const Internals::Cutter& cutter) { return cutter.Plane == plane; }),
+    cutters.end());
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::RemoveAllPlanes()
+{
+  this->Private->Cutters.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkSection::GetNumberOfPlanes()
+{
+  return static_cast<int>(this->Private->Cutters.size());
+}
+
+//------------------------------------------------------------------------------
+vtkPlane* vtkSection::GetPlane(int index)
+{
+  const bool exists = index >= 0 && index < this->GetNumberOfPlanes();
+  return exists ? this->Private->Cutters[static_cast<std::size_t>(index)].Plane.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetParts(vtkPlane* plane, int parts)
+{
+  Internals::Cutter* const cutter = this->Private->Find(plane);
+  if (!cutter)
+  {
+    vtkErrorMacro("SetParts() takes a plane of this section");
+    return;
+  }
+  vitrine::SetInRange(this, "Parts", cutter->Parts, parts,
+    vitrine::NumberRange<int>{ ALL_PARTS, ALL_BUT_CHOSEN });
+}
+
+//------------------------------------------------------------------------------
+int vtkSection::GetParts(vtkPlane* plane)
+{
+  const Internals::Cutter* const cutter = this->Private->Find(plane);
+  return cutter ? cutter->Parts : ALL_PARTS;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::ChoosePart(vtkPlane* plane, vtkProp* prop)
+{
+  Internals::Cutter* const cutter = this->Private->Find(plane);
+  if (!cutter || !prop)
+  {
+    vtkErrorMacro("ChoosePart() takes a plane of this section and a prop");
+    return;
+  }
+  cutter->Chosen.insert(prop);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::ClearChosenParts(vtkPlane* plane)
+{
+  if (Internals::Cutter* const cutter = this->Private->Find(plane))
+  {
+    cutter->Chosen.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetRemoveBeyondAll(bool all)
+{
+  if (this->Private->RemoveBeyondAll != all)
+  {
+    this->Private->RemoveBeyondAll = all;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSection::GetRemoveBeyondAll()
+{
+  return this->Private->RemoveBeyondAll;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetBox(const double bounds[6], bool keepInside)
+{
+  const bool isBox = bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] < bounds[5] &&
+    std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); });
+  if (!isBox)
+  {
+    vtkErrorMacro("SetBox() takes xmin < xmax, ymin < ymax, zmin < zmax, which are finite");
+    return;
+  }
+  std::copy(bounds, bounds + 6, this->Private->Box.begin());
+  this->Private->HasBox = true;
+  this->Private->BoxKeepsInside = keepInside;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::RemoveBox()
+{
+  this->Private->HasBox = false;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSection::HasBox()
+{
+  return this->Private->HasBox;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetCaps(bool caps)
+{
+  if (this->Private->Caps != caps)
+  {
+    this->Private->Caps = caps;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSection::GetCaps()
+{
+  return this->Private->Caps;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetHatch(int hatch)
+{
+  vitrine::SetInRange(
+    this, "Hatch", this->Private->Hatch, hatch, vitrine::NumberRange<int>{ NO_HATCH, DOTS });
+}
+
+//------------------------------------------------------------------------------
+int vtkSection::GetHatch()
+{
+  return this->Private->Hatch;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetHatchOf(vtkProp* prop, int hatch)
+{
+  if (hatch < 0)
+  {
+    this->Private->Hatches.erase(prop);
+    return;
+  }
+  int of = this->Private->HatchOf(prop);
+  vitrine::SetInRange(this, "HatchOf", of, hatch, vitrine::NumberRange<int>{ NO_HATCH, DOTS });
+  this->Private->Hatches[prop] = of;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetHatchSpacing(double spacing)
+{
+  vitrine::SetInRange(
+    this, "HatchSpacing", this->Private->HatchSpacing, spacing, vitrine::NotNegative);
+}
+
+//------------------------------------------------------------------------------
+double vtkSection::GetHatchSpacing()
+{
+  return this->Private->HatchSpacing;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetEdgeWidth(int width)
+{
+  vitrine::SetInRange(
+    this, "EdgeWidth", this->Private->EdgeWidth, width, vitrine::NumberRange<int>{ 0, 4 });
+}
+
+//------------------------------------------------------------------------------
+int vtkSection::GetEdgeWidth()
+{
+  return this->Private->EdgeWidth;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetEdgeColor(double red, double green, double blue)
+{
+  this->Private->EdgeColor = { red, green, blue };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+const double* vtkSection::GetEdgeColor()
+{
+  return this->Private->EdgeColor.data();
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::Attach(vtkRenderer* renderer)
+{
+  const vtkSmartPointer<vtkSection> alive = this;
+  this->Detach();
+  if (!renderer)
+  {
+    vtkErrorMacro("Attach() takes a renderer");
+    return;
+  }
+  if (vtkSection* const other = GetAttached(renderer))
+  {
+    other->Detach();
+  }
+  Internals& in = *this->Private;
+  in.Renderer = renderer;
+  vtkNew<RendererObserver> observer;
+  observer->Section = this;
+  observer->Start = [&in, this] { in.StartFrame(this); };
+  observer->End = [&in] { in.EndFrame(); };
+  for (const unsigned long event :
+    { static_cast<unsigned long>(vtkCommand::StartEvent),
+      static_cast<unsigned long>(vtkCommand::EndEvent), AskForSection })
+  {
+    in.Observers.push_back(renderer->AddObserver(event, observer));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::Detach()
+{
+  Internals& in = *this->Private;
+  in.EndFrame();
+  in.RemoveCaps();
+  const vtkSmartPointer<vtkRenderer> renderer = in.Renderer.Get();
+  if (!renderer)
+  {
+    return;
+  }
+  if (vtkRenderWindow* const window = renderer->GetRenderWindow())
+  {
+    if (window->IsA("vtkOpenGLRenderWindow"))
+    {
+      in.Sums.Release(window);
+    }
+  }
+  in.Renderer = nullptr;
+  const std::vector<unsigned long> observers = std::move(in.Observers);
+  in.Observers.clear();
+  for (const unsigned long observer : observers)
+  {
+    renderer->RemoveObserver(observer); // the observer may hold the last reference to this section
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSection* vtkSection::GetAttached(vtkRenderer* renderer)
+{
+  vtkSection* attached = nullptr;
+  if (renderer)
+  {
+    renderer->InvokeEvent(AskForSection, &attached);
+  }
+  return attached;
+}
+
+//------------------------------------------------------------------------------
+int vtkSection::GetNumberOfCutParts()
+{
+  Internals& in = *this->Private;
+  if (in.Renderer)
+  {
+    in.UpdateParts(in.Renderer);
+  }
+  return static_cast<int>(in.Parts.Parts().size());
+}
+
+//------------------------------------------------------------------------------
+vtkProp* vtkSection::GetCutProp(int index)
+{
+  const auto& parts = this->Private->Parts.Parts();
+  const bool exists = index >= 0 && index < static_cast<int>(parts.size());
+  return exists ? parts[static_cast<std::size_t>(index)].Prop : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkSection::GetCutBlock(int index)
+{
+  const auto& parts = this->Private->Parts.Parts();
+  const bool exists = index >= 0 && index < static_cast<int>(parts.size());
+  return exists ? static_cast<int>(parts[static_cast<std::size_t>(index)].Block) : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSection::IsCutPartClosed(int index)
+{
+  const auto& parts = this->Private->Parts.Parts();
+  const bool exists = index >= 0 && index < static_cast<int>(parts.size());
+  return exists && parts[static_cast<std::size_t>(index)].IsClosed;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::GetInterferingParts(vtkIdList* pairs)
+{
+  Internals& in = *this->Private;
+  pairs->Reset();
+  std::map<std::uint32_t, vtkIdType> indexOf;
+  for (std::size_t i = 0; i < in.Parts.Parts().size(); ++i)
+  {
+    indexOf[in.Parts.Parts()[i].Slot] = static_cast<vtkIdType>(i);
+  }
+  for (const auto& [a, b] : in.InterferingSlots())
+  {
+    pairs->InsertNextId(indexOf.at(a));
+    pairs->InsertNextId(indexOf.at(b));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkSection::GetBytes()
+{
+  return this->Private->Sums.Bytes();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSection::GetFallbackReason()
+{
+  return this->Private->FallbackReason.c_str();
+}

@@ -1,0 +1,226 @@
+/**
+ * @class   vtkSection
+ * @brief   cuts the parts of a renderer by planes, with caps
+ *
+ * A section removes what lies on the negative side of its planes, and fills the cuts of closed parts with caps. It
+ * works with every render pass and transparency method, in every viewport, and with hardware selection. Caps have the
+ * colour and the opacity of their part, or a hatch. They are drawn as other actors are, so translucent caps are in the
+ * exact order of the method.
+ *
+ * @code
+ * vtkNew<vtkPlane> plane; // keeps what lies on the side of the normal, as clipping planes of mappers do
+ * vtkNew<vtkSection> section;
+ * section->AddPlane(plane);
+ * section->Attach(renderer);
+ * @endcode
+ *
+ * A plane may be moved at any time. The next frame shows it. Points at distance 0 or more are kept, within the rounding
+ * of coordinates, so planes may lie in faces, edges and vertices of parts.
+ *
+ * A part is an actor, or a block of an actor whose mapper draws composite data. A part is closed if each edge has an
+ * even number of faces, after equal points are merged. Parts that are not closed are cut without a cap, and
+ * GetOpenPart() tells them. Where several closed parts contain the same point of a plane, they interfere. The cap shows
+ * a warning pattern there, and GetInterferingParts() tells the pairs.
+ *
+ * A section reads the geometry of the parts that its planes cut, and keeps it on the device a second time. Clipping
+ * planes of mappers do not cut caps.
+ *
+ * @sa
+ * vtkSeeThroughPass vtkPlane vtkMapper::AddClippingPlane()
+ */
+#ifndef vtkSection_h
+#define vtkSection_h
+
+#include "vtkObject.h"
+#include "vtkVitrineRenderingModule.h" // export macro
+
+#include <memory> // for the section's internals
+
+class vtkIdList;
+class vtkPlane;
+class vtkProp;
+class vtkRenderer;
+
+class VTKVITRINERENDERING_EXPORT vtkSection : public vtkObject
+{
+public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
+  static vtkSection* New();
+  vtkTypeMacro(vtkSection, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  /**
+   * The largest number of planes besides the box.
+   */
+  static constexpr int MaximumNumberOfPlanes = 6;
+
+  ///@{
+  /**
+   * Add or remove a plane. It cuts all parts, unless parts are chosen for it. A normal need not have length 1. A plane
+   * with a normal that is 0 or has no finite numbers cuts nothing. A plane beyond the sixth, or null, is an error. The
+   * order of planes stays.
+   */
+  bool AddPlane(vtkPlane* plane);
+  void RemovePlane(vtkPlane* plane);
+  void RemoveAllPlanes();
+  int GetNumberOfPlanes();
+  vtkPlane* GetPlane(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Choose parts for a plane. With ONLY_CHOSEN it cuts these alone, and with ALL_BUT_CHOSEN all others. Actors are
+   * chosen as a whole. The default is ALL_PARTS.
+   */
+  enum PartsType
+  {
+    ALL_PARTS,
+    ONLY_CHOSEN,
+    ALL_BUT_CHOSEN
+  };
+  void SetParts(vtkPlane* plane, int parts);
+  int GetParts(vtkPlane* plane);
+  void ChoosePart(vtkPlane* plane, vtkProp* prop);
+  void ClearChosenParts(vtkPlane* plane);
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set whether planes remove what lies beyond any of them, or only what lies beyond all of them. With the latter,
+   * two planes cut out a quarter. The default is false: any plane removes.
+   */
+  void SetRemoveBeyondAll(bool all);
+  bool GetRemoveBeyondAll();
+  vtkBooleanMacro(RemoveBeyondAll, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set a box in world coordinates (xmin, xmax, ymin, ymax, zmin, zmax). Its faces cut as six further planes, with
+   * caps. `keepInside` tells whether it keeps what lies inside, or removes it. The box must not be empty.
+   */
+  void SetBox(const double bounds[6], bool keepInside);
+  void RemoveBox();
+  bool HasBox();
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set whether cuts are filled. The default is true.
+   */
+  void SetCaps(bool caps);
+  bool GetCaps();
+  vtkBooleanMacro(Caps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set the hatch of caps. The default is NO_HATCH. Lines of neighbouring parts differ in direction or distance.
+   */
+  enum HatchType
+  {
+    NO_HATCH,
+    LINES,  ///< general use, cast iron (ANSI 31)
+    PAIRS,  ///< steel (ANSI 32)
+    DASHES, ///< bronze, brass, copper (ANSI 33)
+    CROSS,  ///< plastic, rubber (ANSI 37)
+    LEVEL,  ///< fluids, glass
+    DOTS    ///< insulation
+  };
+  void SetHatch(int hatch);
+  int GetHatch();
+  ///@}
+
+  /**
+   * Set the hatch of one prop's caps in place of the general one. A negative hatch removes it.
+   */
+  void SetHatchOf(vtkProp* prop, int hatch);
+
+  ///@{
+  /**
+   * Get/Set the distance of a hatch's lines, in world coordinates. The default is 0: a fortieth of the diagonal of the
+   * box around the cut parts.
+   */
+  void SetHatchSpacing(double spacing);
+  double GetHatchSpacing();
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set the width of the lines around each cut, in pixels. They are inside of the caps. The range is 0 to 4, the
+   * default is 1.
+   */
+  void SetEdgeWidth(int width);
+  int GetEdgeWidth();
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set the colour of edges and hatches. The default is black.
+   */
+  void SetEdgeColor(double red, double green, double blue);
+  const double* GetEdgeColor() VTK_SIZEHINT(3);
+  ///@}
+
+  ///@{
+  /**
+   * Attach to a renderer, which is cut from its next frame on, or undo that. A section is attached to one renderer at a
+   * time. A renderer has one section at a time; an earlier one is detached.
+   */
+  void Attach(vtkRenderer* renderer);
+  void Detach();
+  ///@}
+
+  /**
+   * Get the section that is attached to a renderer, or null.
+   */
+  static vtkSection* GetAttached(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * Get the parts that planes cut, by the boxes of parts, as of now: the prop and the flat index of the block, or 0.
+   * GetNumberOfCutParts() brings the list up to date.
+   */
+  int GetNumberOfCutParts();
+  vtkProp* GetCutProp(int index);
+  int GetCutBlock(int index);
+  ///@}
+
+  /**
+   * Returns true if the part of GetCutProp(index) is closed. Otherwise its cut is not filled.
+   */
+  bool IsCutPartClosed(int index);
+
+  /**
+   * Get the pairs of parts that interfere in the last frame, as indices of GetCutProp(): two for each pair. It reads
+   * the pixels of the caps back, as they were when the frame was drawn, with those that others hide.
+   */
+  void GetInterferingParts(vtkIdList* pairs);
+
+  /**
+   * Get the number of bytes that the section holds on the device.
+   */
+  vtkTypeInt64 GetBytes();
+
+  /**
+   * Get the reason why the caps of the last frame were not drawn. The string is empty if they were.
+   */
+  const char* GetFallbackReason();
+
+protected:
+  vtkSection();
+  ~vtkSection() override;
+
+private:
+  vtkSection(const vtkSection&) = delete;
+  void operator=(const vtkSection&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Private;
+};
+
+#endif
