@@ -9,6 +9,8 @@
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
+
 namespace vitrine
 {
 
@@ -47,7 +49,8 @@ void CapActor::Place(const CutPlane& plane, const glm::dvec3& min, const glm::dv
   normals->SetNumberOfComponents(3);
   normals->SetName("Normals");
   vtkNew<vtkCellArray> polygons;
-  const std::vector<glm::dvec3> corners = CutPolygon(plane, min, max);
+  std::vector<glm::dvec3> corners = CutPolygon(plane, min, max);
+  std::reverse(corners.begin(), corners.end()); // the front faces what the plane removes
   for (const glm::dvec3& corner : corners)
   {
     points->InsertNextPoint(&corner.x);

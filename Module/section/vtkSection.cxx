@@ -524,9 +524,10 @@ bool vtkSection::AddPlane(vtkPlane* plane)
   {
     return true;
   }
-  if (this->GetNumberOfPlanes() >= MaximumNumberOfPlanes)
+  if (this->GetNumberOfPlanes() >= GetMaximumNumberOfPlanes())
   {
-    vtkErrorMacro(<< "AddPlane(): a section has " << MaximumNumberOfPlanes << " planes at most");
+    vtkErrorMacro(<< "AddPlane(): a section has " << GetMaximumNumberOfPlanes()
+                  << " planes at most");
     return false;
   }
   Internals::Cutter cutter;

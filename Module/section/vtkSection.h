@@ -54,9 +54,9 @@ public:
   ///@}
 
   /**
-   * The largest number of planes besides the box.
+   * Get the largest number of planes besides the box, which is 6.
    */
-  static constexpr int MaximumNumberOfPlanes = 6;
+  static int GetMaximumNumberOfPlanes() { return 6; }
 
   ///@{
   /**

@@ -1,0 +1,236 @@
+"""Sections with caps: section() cuts what a target shows by a plane, and its handle moves or removes the plane."""
+
+from __future__ import annotations
+
+import math
+import weakref
+from typing import Any, Iterable, Sequence
+
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
+
+from ._options import check_boolean
+from ._see_through import _plotter_of, _renderers_of
+from .vtkVitrineRendering import vtkSection
+
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+HATCHES: tuple[str, ...] = ("none", "lines", "pairs", "dashes", "cross", "level", "dots")
+
+
+def section(
+    target: Any,
+    normal: str | Sequence[float] = "x",
+    origin: Sequence[float] | None = None,
+    *,
+    parts: Any = None,
+    but: Any = None,
+    caps: bool = True,
+    hatch: str | None = None,
+    edges: int | None = None,
+) -> Section:
+    """Cut what `target` shows by a plane, and fill the cuts of closed parts, from its next frame on.
+
+    Args:
+        target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
+            renderers that it has now.
+        normal: the side that is kept: "x", "y", "z", "-x", "-y", "-z" or a vector.
+        origin: a point of the plane, in world coordinates. None stands for the middle of all that is shown.
+        parts: the parts that the plane cuts: an actor, or an iterable of actors. None stands for all.
+        but: the parts that the plane leaves whole, instead of `parts`.
+        caps: whether cuts are filled. It applies to all planes of the target.
+        hatch: the hatch of caps: "none", "lines" (cast iron), "pairs" (steel), "dashes" (bronze, brass), "cross"
+            (plastic), "level" (fluids, glass) or "dots" (insulation). None leaves it as it is, "none" at first. It
+            applies to all planes of the target.
+        edges: the width of the lines around cuts, in pixels, from 0 to 4. None leaves it as it is, 1 at first.
+
+    A target may have six planes. It may be see-through or not, before or after this. Caps have their part's colour and
+    opacity.
+
+    Returns:
+        A handle. move() moves the plane, and remove() takes it away, as does leaving a `with`.
+
+    Raises:
+        TypeError: the target or a part is of another kind.
+        ValueError: the normal is 0 or not finite, the hatch is unknown, or there are six planes already.
+        RuntimeError: the plotter is closed.
+
+    Examples:
+
+    >>> from vtkmodules.vtkRenderingCore import vtkRenderer
+    >>> import vitrine
+    >>> renderer = vtkRenderer()
+    >>> with vitrine.section(renderer, "y", (0, 0, 0)) as cut:
+    ...     print(cut)
+    <Section normal (0, 1, 0), origin (0, 0, 0)>
+    """
+    renderers = _renderers_of(target)
+    plane = vtkPlane()
+    plane.SetNormal(_normal_of(normal))
+    plane.SetOrigin(_point_of(origin) if origin is not None else _middle_of(renderers))
+    check_boolean("caps", caps)
+    if hatch is not None and hatch not in HATCHES:
+        raise ValueError(f"there is no hatch {hatch!r}: choose {', '.join(HATCHES)}")
+    if edges is not None and not 0 <= edges <= 4:
+        raise ValueError(f"edges are from 0 to 4 pixels wide, not {edges!r}")
+    if parts is not None and but is not None:
+        raise ValueError("give either parts or but")
+    chosen = _props_of(parts if parts is not None else but)
+    sections = [_section_of(renderer) for renderer in renderers]
+    if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in sections):
+        raise ValueError(f"a target has {vtkSection.GetMaximumNumberOfPlanes()} planes at most: remove one")
+    for found in sections:
+        found.AddPlane(plane)
+        if parts is not None or but is not None:
+            found.SetParts(plane, vtkSection.ONLY_CHOSEN if parts is not None else vtkSection.ALL_BUT_CHOSEN)
+        for prop in chosen:
+            found.ChoosePart(plane, prop)
+        found.SetCaps(caps)
+        if hatch is not None:
+            found.SetHatch(HATCHES.index(hatch))
+        if edges is not None:
+            found.SetEdgeWidth(edges)
+    handle = Section(target, plane, sections)
+    handle._render()
+    return handle
+
+
+class Section:
+    """The handle that section() returns: a plane. It keeps neither renderers nor windows alive."""
+
+    def __init__(self, target: Any, plane: vtkPlane, sections: Iterable[vtkSection]) -> None:
+        plotter = _plotter_of(target)
+        self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
+        self._plane = plane
+        self._sections = list(sections)
+
+    @property
+    def normal(self) -> tuple[float, ...]:
+        """The normal of the plane. What lies on its side is kept."""
+        return tuple(self._plane.GetNormal())
+
+    @property
+    def origin(self) -> tuple[float, ...]:
+        """A point of the plane, in world coordinates."""
+        return tuple(self._plane.GetOrigin())
+
+    def move(self, normal: str | Sequence[float] | None = None, origin: Sequence[float] | None = None) -> None:
+        """Give the plane another normal or origin. None leaves it. A plotter on show is drawn at once.
+
+        Raises ValueError for a normal that is 0, and for numbers that are not finite.
+        """
+        new_normal = _normal_of(normal) if normal is not None else self.normal
+        new_origin = _point_of(origin) if origin is not None else self.origin
+        self._plane.SetNormal(new_normal)
+        self._plane.SetOrigin(new_origin)
+        self._render()
+
+    @property
+    def cut_parts(self) -> list[tuple[vtkProp, int]]:
+        """The parts that the planes of the target cut, by their boxes: pairs of actor and flat index of the block."""
+        return [part for found in self._sections for part in _cut_parts(found)]
+
+    @property
+    def open_parts(self) -> list[tuple[vtkProp, int]]:
+        """Those of cut_parts that are not closed. Their cuts are not filled."""
+        return [
+            part
+            for found in self._sections
+            for index, part in enumerate(_cut_parts(found))
+            if not found.IsCutPartClosed(index)
+        ]
+
+    @property
+    def interfering(self) -> list[tuple[tuple[vtkProp, int], tuple[vtkProp, int]]]:
+        """The pairs of parts that had a point of a plane in common in the last frame, found at the pixels of caps."""
+        pairs = []
+        for found in self._sections:
+            ids = vtkIdList()
+            found.GetInterferingParts(ids)
+            named = [_part(found, ids.GetId(i)) for i in range(ids.GetNumberOfIds())]
+            pairs += list(zip(named[::2], named[1::2]))
+        return pairs
+
+    def remove(self) -> None:
+        """Take the plane away. A plotter on show is drawn at once."""
+        for found in self._sections:
+            found.RemovePlane(self._plane)
+            if found.GetNumberOfPlanes() == 0 and not found.HasBox():
+                found.Detach()
+        self._sections = []
+        self._render()
+
+    def _render(self) -> None:
+        plotter = self._plotter()
+        if plotter is not None and plotter.render_window is not None:
+            plotter.render()
+
+    def __enter__(self) -> Section:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.remove()
+
+    def __repr__(self) -> str:
+        if not self._sections:
+            return "<Section, removed>"
+        normal, origin = (", ".join(f"{value:g}" for value in vector) for vector in (self.normal, self.origin))
+        return f"<Section normal ({normal}), origin ({origin})>"
+
+
+def _section_of(renderer: vtkRenderer) -> vtkSection:
+    """The section of a renderer, which is made if it has none."""
+    found: Any = vtkSection.GetAttached(renderer)
+    if found is None:
+        found = vtkSection()
+        found.Attach(renderer)
+    return found
+
+
+def _part(found: vtkSection, index: int) -> tuple[vtkProp, int]:
+    return found.GetCutProp(index), found.GetCutBlock(index)
+
+
+def _cut_parts(found: vtkSection) -> list[tuple[vtkProp, int]]:
+    return [_part(found, index) for index in range(found.GetNumberOfCutParts())]
+
+
+def _normal_of(normal: str | Sequence[float]) -> tuple[float, float, float]:
+    if isinstance(normal, str):
+        axis = _AXES.get(normal.lstrip("+-"))
+        if axis is None or len(normal) > 2:
+            raise ValueError(f"a normal is x, y, z, -x, -y, -z or a vector, not {normal!r}")
+        sign = -1.0 if normal.startswith("-") else 1.0
+        return (sign * axis[0] + 0.0, sign * axis[1] + 0.0, sign * axis[2] + 0.0)
+    x, y, z = _point_of(normal)
+    length = math.hypot(x, y, z)
+    if length == 0.0:
+        raise ValueError("the normal of a plane must not be 0")
+    return (x / length, y / length, z / length)
+
+
+def _point_of(point: Sequence[float]) -> tuple[float, float, float]:
+    values = tuple(float(value) for value in point)
+    if len(values) != 3 or not all(map(math.isfinite, values)):
+        raise ValueError(f"three finite numbers are needed, not {point!r}")
+    return values[0], values[1], values[2]
+
+
+def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:
+    for renderer in renderers:
+        bounds = renderer.ComputeVisiblePropBounds()
+        if bounds[0] <= bounds[1]:
+            return tuple((bounds[2 * axis] + bounds[2 * axis + 1]) / 2.0 for axis in range(3))  # type: ignore
+    return (0.0, 0.0, 0.0)
+
+
+def _props_of(parts: Any) -> list[vtkProp]:
+    if parts is None:
+        return []
+    if isinstance(parts, vtkProp):
+        return [parts]
+    props = list(parts)
+    for prop in props:
+        if not isinstance(prop, vtkProp):
+            raise TypeError(f"parts are actors, not {type(prop).__name__}")
+    return props
