@@ -7,6 +7,7 @@
 #include "culling/mappers/vtkCulledCompositePolyDataMapper.h"
 #include "scene/ActorRules.h"
 #include "scene/ClassName.h"
+#include "scene/CutProps.h"
 #include "scene/DrawingMapper.h"
 #include "scene/Matrices.h"
 #include "scene/ScalarColors.h"
@@ -234,6 +235,9 @@ std::vector<PropRow> MakeRows()
     { PropStage::Frame, PropEffect::HidesNothing,
       "it has a texture with an alpha, or one that is not known", "it may let light through",
       [](Facts facts) { return !AreTexturesOpaque(facts.Actor); } },
+    { PropStage::Frame, PropEffect::HidesNothing, "a vtkSection removes a piece of it",
+      "other parts show where the piece was",
+      [](Facts facts) { return IsMarkedAsCut(facts.Actor); } },
     { PropStage::Frame, PropEffect::HidesNothing, "it is marked by NON_OCCLUDING()",
       "the user says so", [](Facts facts) { return IsNonOccluding(facts.Actor); } },
     { PropStage::Frame, PropEffect::HidesNothing,

@@ -1,6 +1,7 @@
 #include "vtkSection.h"
 
 #include "Core/section/PartHash.h"
+#include "scene/CutProps.h"
 #include "scene/Settings.h"
 #include "section/CapActor.h"
 #include "section/CutParts.h"
@@ -119,7 +120,7 @@ struct vtkSection::Internals
   std::vector<unsigned long> Observers;
   vtkNew<vitrine::SectionShader> Shader;
   std::vector<vtkSmartPointer<vitrine::CapActor>> CapActors;
-  std::vector<vtkSmartPointer<vtkInformation>> Marked; ///< keys of props that list the shader
+  std::vector<vtkSmartPointer<vtkProp>> Marked; ///< props that list the shader
   vitrine::CutParts Parts;
   vitrine::CutSums Sums;
   vitrine::SectionPlanes Planes;
@@ -229,8 +230,14 @@ struct vtkSection::Internals
   void EndFrame()
   {
     vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
-    for (const auto& keys : this->Marked)
+    for (const auto& prop : this->Marked)
     {
+      vitrine::MarkAsCut(prop, false);
+      vtkInformation* const keys = prop->GetPropertyKeys();
+      if (!keys)
+      {
+        continue;
+      }
       keys->Remove(key, this->Shader);
       if (keys->Length(key) == 0)
       {
@@ -262,8 +269,35 @@ struct vtkSection::Internals
         prop->SetPropertyKeys(keys);
       }
       prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this->Shader);
-      this->Marked.emplace_back(prop->GetPropertyKeys());
+      this->Marked.emplace_back(prop);
+      vitrine::MarkAsCut(prop, this->MayRemoveFrom(prop));
     }
+  }
+
+  /** Returns true unless all of a prop is certainly kept. */
+  bool MayRemoveFrom(vtkProp* prop) const
+  {
+    const vitrine::PlaneMasks masks = this->MasksOf(prop);
+    const double* const bounds = masks.Both() != 0 ? prop->GetBounds() : nullptr;
+    if (!bounds)
+    {
+      return masks.Both() != 0;
+    }
+    const glm::dvec3 min(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 max(bounds[1], bounds[3], bounds[5]);
+    bool isBeyondAll = masks.All != 0;
+    for (std::size_t i = 0; i < this->Planes.Planes.size(); ++i)
+    {
+      // Points are computed with roundings of the size of the margin.
+      const bool reachesBeyond =
+        !(vitrine::DistancesOf(this->Planes.Planes[i], min, max).Least >= this->Planes.Margins[i] / 2);
+      if (reachesBeyond && (masks.Any >> i & 1u) != 0)
+      {
+        return true;
+      }
+      isBeyondAll = isBeyondAll && (reachesBeyond || (masks.All >> i & 1u) == 0);
+    }
+    return isBeyondAll;
   }
 
   // ---- caps
