@@ -2,11 +2,11 @@
 #include "PartHash.glsl"
 #include "SharedLayout.h"
 
-uniform usampler2DArray vitrineCutSums; // a layer for each plane
+uniform usampler2DArray vitrineCutSums; // a layer for each plane; then two for each plane, of open parts
 uniform usamplerBuffer vitrineCutParts; // a texel for each part that is cut: number, masks of planes, hatch
 uniform samplerBuffer vitrineCutLooks;  // VITRINE_CUT_LOOK_TEXELS texels for each part that is cut
 uniform ivec4 vitrineCapPlace;          // the plane, the first pixel of the sums, 1 for translucent caps
-uniform ivec4 vitrineCapStyle;          // width of edges in pixels, planes of all parts
+uniform ivec4 vitrineCapStyle;          // width of edges in pixels, the first layer of open parts or 0
 uniform vec4 vitrineCapEdge;            // colour of edges
 uniform vec2 vitrineCapSpacing;         // distance of a hatch's lines and their width, in world coordinates
 in vec2 vitrineCapPoint;                // in the plane, in world coordinates
@@ -14,10 +14,25 @@ in vec2 vitrineCapPoint;                // in the plane, in world coordinates
 uint vitrineCapPart = 0u;
 #define VITRINE_SHADER_PART vitrineCapPart
 
+bool vitrineIsOnePart(uvec2 sum)
+{
+  return sum.x != 0u && vitrinePartHash(sum.x) == sum.y;
+}
+
+// Returns the sum of the parts that contain the point of the plane. A part that is open counts if the faces towards the
+// eye and away from it agree.
 uvec2 vitrineSumAt(ivec2 pixel)
 {
-  ivec2 last = textureSize(vitrineCutSums, 0).xy - 1;
-  return texelFetch(vitrineCutSums, ivec3(clamp(pixel, ivec2(0), last), vitrineCapPlace.x), 0).xy;
+  ivec3 texel = ivec3(clamp(pixel, ivec2(0), textureSize(vitrineCutSums, 0).xy - 1), vitrineCapPlace.x);
+  uvec2 sum = texelFetch(vitrineCutSums, texel, 0).xy;
+  if (vitrineCapStyle.y > 0)
+  {
+    texel.z = vitrineCapStyle.y + 2 * vitrineCapPlace.x;
+    uvec2 beyond = texelFetch(vitrineCutSums, texel, 0).xy;
+    uvec2 before = texelFetch(vitrineCutSums, texel + ivec3(0, 0, 1), 0).xy;
+    sum ^= beyond == before && vitrineIsOnePart(beyond) ? beyond : uvec2(0u);
+  }
+  return sum;
 }
 
 // Returns how much of the surroundings of a coordinate lies in lines of a width that stand at a distance of 1.

@@ -5,7 +5,7 @@
   {
     discard;
   }
-  bool vitrineInterferes = vitrinePartHash(vitrineSumHere.x) != vitrineSumHere.y;
+  bool vitrineInterferes = !vitrineIsOnePart(vitrineSumHere);
   int vitrineCutSlot = vitrineInterferes ? 0 : int(vitrineSumHere.x);
   uvec4 vitrineCutPart = texelFetch(vitrineCutParts, vitrineCutSlot);
   vec4 vitrineCutDiffuse = texelFetch(vitrineCutLooks, VITRINE_CUT_LOOK_TEXELS * vitrineCutSlot);

@@ -3,6 +3,8 @@ in float vitrineSectionDistances[VITRINE_SECTION_PLANES];
 
 // Planes by bits: each of x removes what is beyond it; those of y remove what is beyond all of them.
 uniform ivec2 vitrineSectionMasks;
+uniform usamplerBuffer vitrineBlockMasks; // the masks of blocks, where they differ
+uniform int vitrineSectionRow;            // the texel of the prop's first block, or -1
 
 // Returns true if the point is beyond one of the planes in `any`, or beyond all planes in `all` unless that is 0.
 bool vitrineIsCutAway(int any, int all)

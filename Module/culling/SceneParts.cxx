@@ -3,6 +3,7 @@
 #include "culling/PartRules.h"
 #include "culling/PropPolicy.h"
 #include "scene/ActorRules.h"
+#include "scene/CutProps.h"
 #include "scene/DrawingMapper.h"
 
 #include "vtkActor.h"
@@ -325,7 +326,8 @@ std::shared_ptr<const ShownParts> SceneParts::TellMapper(vtkRenderer* renderer,
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
   const Part& part = this->Parts[i];
-  const bool hides = part.MayHide && this->IsOpaque(part) && !IsNonOccluding(part.Actor);
+  const bool hides = part.MayHide && this->IsOpaque(part) && !IsNonOccluding(part.Actor) &&
+    !IsMarkedAsCut(part.Actor);
   return hides ? this->ShapeOf(i) : Occluder();
 }
 

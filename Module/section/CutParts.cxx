@@ -68,8 +68,8 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
     }
     actor->ComputeMatrix();
     const glm::dmat4 toWorld = MatrixOf(actor->GetMatrix());
-    ForEachDrawn(actor,
-      [&](const DrawnData& drawn) { this->Look(actor, drawn, toWorld, planes, masksOf); });
+    ForEachDrawn(
+      actor, [&](const DrawnData& drawn) { this->Look(actor, drawn, toWorld, planes, masksOf); });
   }
   PartNumbers& numbers = PartNumbers::Of(renderer);
   for (CutPart& part : this->Cut)
@@ -138,7 +138,10 @@ const CutParts::Known& CutParts::Read(
   {
     double bounds[6];
     drawn.Data->GetBounds(bounds);
-    this->Middle = glm::dvec3(toWorld * glm::dvec4(glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]) * 0.5, 1.0));
+    this->Middle = glm::dvec3(toWorld *
+      glm::dvec4(
+        glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]) * 0.5,
+        1.0));
   }
   const std::vector<glm::dvec3> points = PointsOfPart(drawn.Data);
   const std::vector<std::uint32_t> corners = TrianglesOfPart(drawn.Data);

@@ -6,6 +6,7 @@
 #include "section/SectionPlanes.h"
 
 #include "vtkPolyData.h"
+#include "vtkProp.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -35,7 +36,7 @@ struct CutVertex
 /** A part that a plane cuts. */
 struct CutPart
 {
-  vtkProp* Prop = nullptr;
+  vtkWeakPointer<vtkProp> Prop;
   unsigned int Block = 0;
   std::uint32_t Number = 0; ///< its number (PartNumbers)
   std::uint32_t Slot = 0;   ///< its number among the parts that were cut, from 1

@@ -57,19 +57,19 @@ struct Ranges
     else if (count > 0)
     {
       this->Counts.push_back(static_cast<GLsizei>(count));
-      this->Starts.push_back(reinterpret_cast<const void*>(
-        static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t)));
+      this->Starts.push_back(
+        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t)));
     }
     this->End = first + count;
   }
 };
 
-Ranges RangesOf(const CutParts& parts, std::uint32_t planeBit)
+Ranges RangesOf(const CutParts& parts, std::uint32_t planeBit, bool areClosed)
 {
   Ranges ranges;
   for (const CutPart& part : parts.Parts())
   {
-    if (part.IsClosed && (part.Cuts & planeBit) != 0)
+    if (part.IsClosed == areClosed && (part.Cuts & planeBit) != 0)
     {
       ranges.Add(part.FirstCorner, part.CornerCount);
     }
@@ -134,8 +134,12 @@ std::string CutSums::Draw(vtkRenderer* renderer, const CutParts& parts, const Se
   const ScopedVertexArray vertexArray(0);
   const ScopedTrackedState trackedState(state);
   const ScopedShaderProgram shaderProgram(window);
+  const auto count = static_cast<int>(planes.Planes.size());
+  const bool hasOpen = std::any_of(
+    parts.Parts().begin(), parts.Parts().end(), [](const CutPart& part) { return !part.IsClosed; });
+  this->OpenLayer = hasOpen ? count : 0;
   std::string problem = this->Sums.Allocate(GL_RG32UI, std::max(key.Viewport[2], 1),
-    std::max(key.Viewport[3], 1), 0, static_cast<int>(planes.Planes.size()));
+    std::max(key.Viewport[3], 1), 0, hasOpen ? 3 * count : count);
   problem = problem.empty() ? this->Upload(parts) : problem;
   problem = problem.empty() ? this->DrawPlanes(window, parts, planes) : problem;
   if (!problem.empty())
@@ -197,23 +201,37 @@ std::string CutSums::DrawPlanes(
     glm::value_ptr(matrix));
   for (std::size_t plane = 0; plane < planes.Planes.size(); ++plane)
   {
-    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0,
-      static_cast<GLint>(plane));
-    const GLuint none[4] = { 0, 0, 0, 0 };
-    glClearBufferuiv(GL_COLOR, 0, none);
-    const Ranges ranges = RangesOf(parts, 1u << plane);
-    if (ranges.Counts.empty())
+    const glm::dvec4 beyond =
+      SignBeyond(planes.Planes[plane], toClip) * planes.Planes[plane].In(fromCenter).Equation();
+    const std::uint32_t bit = 1u << plane;
+    this->DrawLayer(program, plane, parts, bit, true, beyond);
+    if (this->OpenLayer > 0)
     {
-      continue;
+      const std::size_t open = static_cast<std::size_t>(this->OpenLayer) + 2 * plane;
+      this->DrawLayer(program, open, parts, bit, false, beyond);
+      this->DrawLayer(program, open + 1, parts, bit, false, -beyond);
     }
-    const double sign = SignBeyond(planes.Planes[plane], toClip);
-    const glm::vec4 equation(sign * planes.Planes[plane].In(fromCenter).Equation());
+  }
+  return {};
+}
+
+/** Draws the sums of closed or open parts into a layer. `beyond` is the plane whose positive side counts. */
+void CutSums::DrawLayer(vtkShaderProgram* program, std::size_t layer, const CutParts& parts,
+  std::uint32_t planeBit, bool areClosed, const glm::dvec4& beyond)
+{
+  glFramebufferTextureLayer(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, static_cast<GLint>(layer));
+  const GLuint none[4] = { 0, 0, 0, 0 };
+  glClearBufferuiv(GL_COLOR, 0, none);
+  const Ranges ranges = RangesOf(parts, planeBit, areClosed);
+  if (!ranges.Counts.empty())
+  {
+    const glm::vec4 equation(beyond);
     program->SetUniform4f("vitrinePlane", glm::value_ptr(equation));
     const ScopedExclusiveOr adding;
     glMultiDrawElements(GL_TRIANGLES, ranges.Counts.data(), GL_UNSIGNED_INT, ranges.Starts.data(),
       static_cast<GLsizei>(ranges.Counts.size()));
   }
-  return {};
 }
 
 std::string CutSums::WriteTables(vtkRenderer* renderer, const CutParts& parts,
@@ -261,8 +279,8 @@ void CutSums::SetUniforms(vtkShaderProgram* program, int plane, bool isTransluce
   program->SetUniformi("vitrineCutLooks", this->LooksUnit->Unit());
   const GLint location =
     glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "vitrineCapPlace");
-  glUniform4i(location, plane, this->LastKey.Viewport[0], this->LastKey.Viewport[1],
-    isTranslucent ? 1 : 0);
+  glUniform4i(
+    location, plane, this->LastKey.Viewport[0], this->LastKey.Viewport[1], isTranslucent ? 1 : 0);
 }
 
 CutSums::Pixels CutSums::Read(int plane)

@@ -61,8 +61,14 @@ public:
   };
   Pixels Read(int plane);
 
+  /** The first layer of open parts, which have two for each plane: faces beyond it, and before it. 0 without any. */
+  int FirstOpenLayer() const { return this->OpenLayer; }
+
   /** The matrix from WC to the clip coordinates of the last sums. */
   const glm::dmat4& ToClip() const { return this->LastKey.ToClip; }
+
+  /** Returns true if there may be objects in the context of a window. */
+  bool IsIn(const vtkWindow* window) const { return this->Context.LivesIn(window); }
 
   void Release(vtkWindow* window);
   std::int64_t Bytes() const;
@@ -81,6 +87,8 @@ private:
   std::string Upload(const CutParts& parts);
   std::string DrawPlanes(
     vtkOpenGLRenderWindow* window, const CutParts& parts, const SectionPlanes& planes);
+  void DrawLayer(vtkShaderProgram* program, std::size_t layer, const CutParts& parts,
+    std::uint32_t planeBit, bool areClosed, const glm::dvec4& beyond);
   void Connect(vtkShaderProgram* program);
   void Forget();
 
@@ -95,6 +103,7 @@ private:
   std::uint64_t Generation = 0;
   GLuint VertexArray = 0;
   Key LastKey;
+  int OpenLayer = 0;
 
   Buffer PartTable;
   Buffer LookTable;

@@ -1,7 +1,9 @@
 #include "section/SectionShader.h"
 
 #include "Core/section/CutPolygon.h"
+#include "gl/BufferTexels.h"
 #include "scene/Matrices.h"
+#include "scene/PartNumbers.h"
 #include "section/CapActor.h"
 #include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
@@ -10,6 +12,7 @@
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
@@ -44,19 +47,20 @@ public:
   void Before(const std::string& tag, const std::string& text) { this->Put(tag, text + tag); }
 
   /** Insert text after a tag, which stays. */
-  void After(const std::string& tag, const std::string& text)
-  {
-    this->Put(tag, tag + "\n" + text);
-  }
+  void After(const std::string& tag, const std::string& text) { this->Put(tag, tag + "\n" + text); }
 
   const std::string& Problem() const { return this->FirstProblem; }
+
+  void Note(const std::string& problem)
+  {
+    this->FirstProblem = this->FirstProblem.empty() ? problem : this->FirstProblem;
+  }
 
 private:
   void Put(const std::string& tag, const std::string& text)
   {
     // The text has the tag again, so ReplaceTag() sees it once only if the shader did.
-    const std::string problem = ReplaceTag(this->Shader, tag, text);
-    this->FirstProblem = this->FirstProblem.empty() ? problem : this->FirstProblem;
+    this->Note(ReplaceTag(this->Shader, tag, text));
   }
 
   std::string& Shader;
@@ -106,17 +110,20 @@ double FurtherMargin(const CutPlane& plane, double margin, vtkProp* prop)
   {
     return 0.0;
   }
-  const glm::dvec3 greatest =
-    glm::max(glm::abs(glm::dvec3(bounds[0], bounds[2], bounds[4])),
-      glm::abs(glm::dvec3(bounds[1], bounds[3], bounds[5])));
+  const glm::dvec3 greatest = glm::max(glm::abs(glm::dvec3(bounds[0], bounds[2], bounds[4])),
+    glm::abs(glm::dvec3(bounds[1], bounds[3], bounds[5])));
   return std::max(0.0, MarginOf(plane, greatest) - margin);
 }
 }
 
 vtkStandardNewMacro(SectionShader);
 
-void SectionShader::SetPlanes(const SectionPlanes& planes)
+void SectionShader::BeginFrame(vtkRenderer* renderer, const SectionPlanes& planes)
 {
+  this->Renderer = renderer;
+  this->Blocks.SetRenderer(renderer);
+  this->Rows.clear();
+  this->MaskTable.clear();
   if (this->Planes.Planes.size() != planes.Planes.size())
   {
     this->Stage.Modified();
@@ -124,8 +131,20 @@ void SectionShader::SetPlanes(const SectionPlanes& planes)
   this->Planes = planes;
 }
 
+void SectionShader::EndFrame()
+{
+  this->MaskUnit.reset();
+}
+
+void SectionShader::Release()
+{
+  this->MaskUnit.reset();
+  this->MaskBuffer.Release();
+  this->Blocks.Release();
+}
+
 bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (this->Planes.Planes.empty() || !vtkActor::SafeDownCast(prop))
   {
@@ -162,6 +181,10 @@ bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::strin
   else
   {
     fragment.Before(ClipImpl, shaders::SectionFragmentImpl);
+    if (BlocksOf(prop))
+    {
+      fragment.Note(PartShader::Join(vertexShader, geometryShader, fragmentShader, mapper));
+    }
   }
   for (const TagText* text : { &vertex, &geometry, &fragment })
   {
@@ -177,7 +200,7 @@ bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::strin
 }
 
 bool SectionShader::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper,
-  vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkProp* prop, vtkOpenGLVertexArrayObject* vertexArray)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
   if (!actor || this->Planes.Planes.empty() || !program->IsUniformUsed("vitrineSectionPlanes"))
@@ -211,7 +234,49 @@ bool SectionShader::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMa
   const PlaneMasks masks = this->MasksOf(actor);
   const int bits[2] = { static_cast<int>(masks.Any), static_cast<int>(masks.All) };
   program->SetUniform2i("vitrineSectionMasks", bits);
+  if (program->IsUniformUsed("vitrineBlockMasks"))
+  {
+    this->Blocks.SetParameters(program, mapper, prop, vertexArray);
+    this->SetBlockMasks(program, prop);
+  }
   return true;
+}
+
+/** Sets the masks of the prop's blocks, from the first time in a frame at which a prop needs them. */
+void SectionShader::SetBlockMasks(vtkShaderProgram* program, vtkProp* prop)
+{
+  const auto [row, isNew] = this->Rows.try_emplace(prop, -1);
+  if (isNew)
+  {
+    const std::vector<PlaneMasks> masks = this->MasksOfBlocks(prop);
+    if (!masks.empty())
+    {
+      row->second = static_cast<int>(this->MaskTable.size());
+      for (const PlaneMasks& mask : masks)
+      {
+        this->MaskTable.push_back({ mask.Any, mask.All });
+      }
+      this->MaskUnit.reset();
+    }
+  }
+  program->SetUniformi("vitrineSectionRow", row->second);
+  if (!this->MaskUnit)
+  {
+    if (this->MaskTable.empty())
+    {
+      this->MaskTable.push_back({ 0, 0 }); // a sampler needs a buffer
+    }
+    const std::string problem =
+      WriteTexels(this->MaskBuffer, this->MaskTable, GL_RG32UI, 1, "planes of blocks");
+    if (!problem.empty())
+    {
+      vtkErrorMacro(<< problem);
+    }
+    auto* const window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+    this->MaskUnit = std::make_unique<ScopedTextureUnit>(
+      window->GetState(), GL_TEXTURE_BUFFER, this->MaskBuffer.Texture());
+  }
+  program->SetUniformi("vitrineBlockMasks", this->MaskUnit->Unit());
 }
 
 }

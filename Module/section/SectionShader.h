@@ -2,13 +2,22 @@
 #ifndef VITRINE_SECTION_SECTION_SHADER_H
 #define VITRINE_SECTION_SECTION_SHADER_H
 
+#include "gl/GLObjects.h"
+#include "gl/ScopedState.h"
 #include "scene/PartShader.h"
 #include "section/SectionPlanes.h"
 
 #include "vtkOpenGLRenderPass.h"
+#include "vtkRenderer.h"
 #include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
+#include <vector>
 
 namespace vitrine
 {
@@ -23,11 +32,18 @@ public:
   static SectionShader* New();
   vtkTypeMacro(SectionShader, vtkOpenGLRenderPass);
 
-  /** Set the planes of the frame. */
-  void SetPlanes(const SectionPlanes& planes);
+  /** Begin a frame of a renderer, with its planes, and end it. */
+  void BeginFrame(vtkRenderer* renderer, const SectionPlanes& planes);
+  void EndFrame();
+
+  /** Release what is held in the context that is current. */
+  void Release();
 
   /** Returns the planes that apply to a prop without blocks, or to all blocks of a prop. */
   std::function<PlaneMasks(vtkProp*)> MasksOf;
+
+  /** Returns the planes that apply to each block of a prop, by flat index. It is empty if they are the same for all. */
+  std::function<std::vector<PlaneMasks>(vtkProp*)> MasksOfBlocks;
 
   /** Sets the uniforms of a cap's own lookups. */
   std::function<void(vtkShaderProgram*, vtkProp*)> SetCapUniforms;
@@ -40,8 +56,16 @@ public:
   vtkMTimeType GetShaderStageMTime() override { return this->Stage.GetMTime(); }
 
 private:
+  void SetBlockMasks(vtkShaderProgram* program, vtkProp* prop);
+
   SectionPlanes Planes;
   vtkTimeStamp Stage;
+  PartShader Blocks; ///< tells shaders the block of each vertex
+  vtkWeakPointer<vtkRenderer> Renderer;
+  std::map<vtkProp*, int> Rows;                        ///< of the frame's props with masks by block
+  std::vector<std::array<std::uint32_t, 2>> MaskTable; ///< masks of all rows
+  Buffer MaskBuffer;
+  std::unique_ptr<ScopedTextureUnit> MaskUnit;
 };
 
 }

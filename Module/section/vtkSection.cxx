@@ -2,6 +2,7 @@
 
 #include "Core/section/PartHash.h"
 #include "scene/CutProps.h"
+#include "scene/PartNumbers.h"
 #include "scene/Settings.h"
 #include "section/CapActor.h"
 #include "section/CutParts.h"
@@ -55,6 +56,9 @@ constexpr double CapLift = 1.0 / (1 << 17);
 
 constexpr int FacesOfBox = 6;
 
+/** Stands for all blocks of a prop. It is less than any flat index. */
+constexpr int EveryBlock = -1;
+
 /** Observes a renderer. The functions may detach the section. */
 class RendererObserver : public vtkCommand
 {
@@ -95,12 +99,20 @@ struct vtkSection::Internals
   {
     vtkSmartPointer<vtkPlane> Plane;
     int Parts = ALL_PARTS;
-    std::set<vtkProp*> Chosen;
+    std::set<std::pair<vtkProp*, int>> Chosen; ///< props, with a block or EveryBlock
 
-    bool Cuts(vtkProp* prop) const
+    bool Cuts(vtkProp* prop, int block) const
     {
       return this->Parts == ALL_PARTS ||
-        (this->Chosen.count(prop) > 0) == (this->Parts == ONLY_CHOSEN);
+        (this->Chosen.count({ prop, EveryBlock }) + this->Chosen.count({ prop, block }) > 0) ==
+        (this->Parts == ONLY_CHOSEN);
+    }
+
+    /** Returns true if blocks of the prop are chosen one by one. */
+    bool HasBlocksOf(vtkProp* prop) const
+    {
+      const auto block = this->Chosen.upper_bound({ prop, EveryBlock });
+      return this->Parts != ALL_PARTS && block != this->Chosen.end() && block->first == prop;
     }
   };
 
@@ -121,10 +133,12 @@ struct vtkSection::Internals
   vtkNew<vitrine::SectionShader> Shader;
   std::vector<vtkSmartPointer<vitrine::CapActor>> CapActors;
   std::vector<vtkSmartPointer<vtkProp>> Marked; ///< props that list the shader
+  std::vector<vtkWeakPointer<vtkProp>>
+    CutProps; ///< props that are marked as cut, until the next frame
   vitrine::CutParts Parts;
   vitrine::CutSums Sums;
   vitrine::SectionPlanes Planes;
-  glm::dvec3 Min{ 0.0 }; ///< the box around the closed parts that are cut, in WC
+  glm::dvec3 Min{ 0.0 }; ///< the box around the parts that are cut, in WC
   glm::dvec3 Max{ 0.0 };
   std::string FallbackReason;
 
@@ -162,13 +176,13 @@ struct vtkSection::Internals
     return planes;
   }
 
-  /** The planes that apply to a prop. */
-  vitrine::PlaneMasks MasksOf(vtkProp* prop) const
+  /** The planes that apply to a block of a prop, or to the rest of it. */
+  vitrine::PlaneMasks MasksOf(vtkProp* prop, int block = EveryBlock) const
   {
     vitrine::PlaneMasks masks;
     for (std::size_t i = 0; i < this->Cutters.size(); ++i)
     {
-      const std::uint32_t bit = this->Cutters[i].Cuts(prop) ? 1u << i : 0u;
+      const std::uint32_t bit = this->Cutters[i].Cuts(prop, block) ? 1u << i : 0u;
       (this->RemoveBeyondAll ? masks.All : masks.Any) |= bit;
     }
     if (this->HasBox)
@@ -180,15 +194,42 @@ struct vtkSection::Internals
     return masks;
   }
 
+  /** The planes that apply to each block of a prop, or none if they apply to all alike. */
+  std::vector<vitrine::PlaneMasks> MasksOfBlocks(vtkProp* prop) const
+  {
+    if (std::none_of(this->Cutters.begin(), this->Cutters.end(),
+          [prop](const Cutter& cutter) { return cutter.HasBlocksOf(prop); }))
+    {
+      return {};
+    }
+    std::vector<vitrine::PlaneMasks> masks(vitrine::NumberOfNodes(vitrine::BlocksOf(prop)));
+    for (std::size_t block = 0; block < masks.size(); ++block)
+    {
+      masks[block] = this->MasksOf(prop, static_cast<int>(block));
+    }
+    return masks;
+  }
+
+  /** Returns the planes that apply to any block of a prop. */
+  vitrine::PlaneMasks MasksOfAnyBlock(vtkProp* prop) const
+  {
+    vitrine::PlaneMasks all = this->MasksOf(prop);
+    for (const vitrine::PlaneMasks& masks : this->MasksOfBlocks(prop))
+    {
+      all.Any |= masks.Any;
+      all.All |= masks.All;
+    }
+    return all;
+  }
+
   /** Returns the box in WC around all visible props but caps. */
   static std::pair<glm::dvec3, glm::dvec3> SceneBox(vtkRenderer* renderer)
   {
     double bounds[6];
     renderer->ComputeVisiblePropBounds(bounds);
-    return bounds[0] <= bounds[1]
-      ? std::make_pair(glm::dvec3(bounds[0], bounds[2], bounds[4]),
-          glm::dvec3(bounds[1], bounds[3], bounds[5]))
-      : std::make_pair(glm::dvec3(0.0), glm::dvec3(0.0));
+    return bounds[0] <= bounds[1] ? std::make_pair(glm::dvec3(bounds[0], bounds[2], bounds[4]),
+                                      glm::dvec3(bounds[1], bounds[3], bounds[5]))
+                                  : std::make_pair(glm::dvec3(0.0), glm::dvec3(0.0));
   }
 
   void UpdatePlanes(vtkRenderer* renderer)
@@ -213,26 +254,28 @@ struct vtkSection::Internals
   {
     this->UpdatePlanes(renderer);
     this->Parts.Update(renderer, this->Planes,
-      [this](vtkProp* prop, unsigned int) { return this->MasksOf(prop); });
+      [this](vtkProp* prop, unsigned int block)
+      { return this->MasksOf(prop, static_cast<int>(block)); });
   }
 
   void StartFrame(vtkSection* section)
   {
     vtkRenderer* const renderer = this->Renderer;
     this->EndFrame();
+    this->ForgetCutProps();
     this->UpdateParts(renderer);
     this->MakeCaps(section, renderer);
     this->PlaceCaps(renderer);
-    this->Shader->SetPlanes(this->Planes);
+    this->Shader->BeginFrame(renderer, this->Planes);
     this->Mark(renderer);
   }
 
   void EndFrame()
   {
+    this->Shader->EndFrame();
     vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
     for (const auto& prop : this->Marked)
     {
-      vitrine::MarkAsCut(prop, false);
       vtkInformation* const keys = prop->GetPropertyKeys();
       if (!keys)
       {
@@ -245,6 +288,18 @@ struct vtkSection::Internals
       }
     }
     this->Marked.clear();
+  }
+
+  void ForgetCutProps()
+  {
+    for (const auto& prop : this->CutProps)
+    {
+      if (prop)
+      {
+        vitrine::MarkAsCut(prop, false);
+      }
+    }
+    this->CutProps.clear();
   }
 
   /** Lists the shader among the passes of all props. */
@@ -270,14 +325,18 @@ struct vtkSection::Internals
       }
       prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this->Shader);
       this->Marked.emplace_back(prop);
-      vitrine::MarkAsCut(prop, this->MayRemoveFrom(prop));
+      if (this->MayRemoveFrom(prop))
+      {
+        vitrine::MarkAsCut(prop, true);
+        this->CutProps.emplace_back(prop);
+      }
     }
   }
 
   /** Returns true unless all of a prop is certainly kept. */
   bool MayRemoveFrom(vtkProp* prop) const
   {
-    const vitrine::PlaneMasks masks = this->MasksOf(prop);
+    const vitrine::PlaneMasks masks = this->MasksOfAnyBlock(prop);
     const double* const bounds = masks.Both() != 0 ? prop->GetBounds() : nullptr;
     if (!bounds)
     {
@@ -289,8 +348,8 @@ struct vtkSection::Internals
     for (std::size_t i = 0; i < this->Planes.Planes.size(); ++i)
     {
       // Points are computed with roundings of the size of the margin.
-      const bool reachesBeyond =
-        !(vitrine::DistancesOf(this->Planes.Planes[i], min, max).Least >= this->Planes.Margins[i] / 2);
+      const bool reachesBeyond = !(vitrine::DistancesOf(this->Planes.Planes[i], min, max).Least >=
+        this->Planes.Margins[i] / 2);
       if (reachesBeyond && (masks.Any >> i & 1u) != 0)
       {
         return true;
@@ -318,9 +377,18 @@ struct vtkSection::Internals
       cap->SetForTranslucent(this->CapActors.size() % 2 != 0);
       cap->Begin = [this](vtkRenderer* drawn) { return this->BeginCap(drawn); };
       cap->End = [this] { this->Sums.Unbind(); };
-      cap->Release = [this](vtkWindow* window) { this->Sums.Release(window); };
+      cap->Release = [this](vtkWindow* window) { this->Release(window); };
       renderer->AddViewProp(cap);
       this->CapActors.push_back(cap);
+    }
+  }
+
+  void Release(vtkWindow* window)
+  {
+    if (this->Sums.IsIn(window))
+    {
+      this->Shader->Release();
+      this->Sums.Release(window);
     }
   }
 
@@ -331,12 +399,9 @@ struct vtkSection::Internals
     std::array<std::uint32_t, 2> cuts{ 0, 0 }; // planes that cut opaque parts, and translucent ones
     for (const vitrine::CutPart& part : this->Parts.Parts())
     {
-      if (part.IsClosed)
-      {
-        this->Min = glm::min(this->Min, part.Min);
-        this->Max = glm::max(this->Max, part.Max);
-        cuts[part.Look.Diffuse.a < 1.0f ? 1 : 0] |= part.Cuts;
-      }
+      this->Min = glm::min(this->Min, part.Min);
+      this->Max = glm::max(this->Max, part.Max);
+      cuts[part.Look.Diffuse.a < 1.0f ? 1 : 0] |= part.Cuts;
     }
     cuts[0] |= cuts[1]; // where translucent parts interfere, the cap is opaque
     const double lift = CapLift * glm::length(this->Max - this->Min);
@@ -385,7 +450,7 @@ struct vtkSection::Internals
       const auto handle = static_cast<GLuint>(program->GetHandle());
       function(glGetUniformLocation(handle, name), values...);
     };
-    set("vitrineCapStyle", glUniform4i, this->EdgeWidth, 0, 0, 0);
+    set("vitrineCapStyle", glUniform4i, this->EdgeWidth, this->Sums.FirstOpenLayer(), 0, 0);
     const float color[4] = { static_cast<float>(this->EdgeColor[0]),
       static_cast<float>(this->EdgeColor[1]), static_cast<float>(this->EdgeColor[2]), 1.0f };
     program->SetUniform4f("vitrineCapEdge", color);
@@ -518,14 +583,19 @@ vtkSection::vtkSection()
 {
   Internals& in = *this->Private;
   in.Shader->MasksOf = [&in](vtkProp* prop) { return in.MasksOf(prop); };
+  in.Shader->MasksOfBlocks = [&in](vtkProp* prop) { return in.MasksOfBlocks(prop); };
   in.Shader->SetCapUniforms = [&in](vtkShaderProgram* program, vtkProp* prop)
   { in.SetCapUniforms(program, prop); };
 }
 
 //------------------------------------------------------------------------------
+// A renderer to which the section is attached holds it. So there is none, or it is being deleted.
 vtkSection::~vtkSection()
 {
-  this->Detach();
+  this->Private->Renderer = nullptr;
+  this->Private->EndFrame();
+  this->Private->ForgetCutProps();
+  this->Private->RemoveCaps();
 }
 
 //------------------------------------------------------------------------------
@@ -610,8 +680,8 @@ void vtkSection::SetParts(vtkPlane* plane, int parts)
     vtkErrorMacro("SetParts() takes a plane of this section");
     return;
   }
-  vitrine::SetInRange(this, "Parts", cutter->Parts, parts,
-    vitrine::NumberRange<int>{ ALL_PARTS, ALL_BUT_CHOSEN });
+  vitrine::SetInRange(
+    this, "Parts", cutter->Parts, parts, vitrine::NumberRange<int>{ ALL_PARTS, ALL_BUT_CHOSEN });
 }
 
 //------------------------------------------------------------------------------
@@ -622,7 +692,7 @@ int vtkSection::GetParts(vtkPlane* plane)
 }
 
 //------------------------------------------------------------------------------
-void vtkSection::ChoosePart(vtkPlane* plane, vtkProp* prop)
+void vtkSection::ChoosePart(vtkPlane* plane, vtkProp* prop, int block)
 {
   Internals::Cutter* const cutter = this->Private->Find(plane);
   if (!cutter || !prop)
@@ -630,7 +700,7 @@ void vtkSection::ChoosePart(vtkPlane* plane, vtkProp* prop)
     vtkErrorMacro("ChoosePart() takes a plane of this section and a prop");
     return;
   }
-  cutter->Chosen.insert(prop);
+  cutter->Chosen.insert({ prop, std::max(block, EveryBlock) });
   this->Modified();
 }
 
@@ -790,9 +860,8 @@ void vtkSection::Attach(vtkRenderer* renderer)
   observer->Section = this;
   observer->Start = [&in, this] { in.StartFrame(this); };
   observer->End = [&in] { in.EndFrame(); };
-  for (const unsigned long event :
-    { static_cast<unsigned long>(vtkCommand::StartEvent),
-      static_cast<unsigned long>(vtkCommand::EndEvent), AskForSection })
+  for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
+         static_cast<unsigned long>(vtkCommand::EndEvent), AskForSection })
   {
     in.Observers.push_back(renderer->AddObserver(event, observer));
   }
@@ -803,6 +872,7 @@ void vtkSection::Detach()
 {
   Internals& in = *this->Private;
   in.EndFrame();
+  in.ForgetCutProps();
   in.RemoveCaps();
   const vtkSmartPointer<vtkRenderer> renderer = in.Renderer.Get();
   if (!renderer)
@@ -813,7 +883,7 @@ void vtkSection::Detach()
   {
     if (window->IsA("vtkOpenGLRenderWindow"))
     {
-      in.Sums.Release(window);
+      in.Release(window);
     }
   }
   in.Renderer = nullptr;

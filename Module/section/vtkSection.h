@@ -18,8 +18,8 @@
  * of coordinates, so planes may lie in faces, edges and vertices of parts.
  *
  * A part is an actor, or a block of an actor whose mapper draws composite data. A part is closed if each edge has an
- * even number of faces, after equal points are merged. Parts that are not closed are cut without a cap, and
- * GetOpenPart() tells them. Where several closed parts contain the same point of a plane, they interfere. The cap shows
+ * even number of faces, after equal points are merged. The cuts of other parts are filled only where faces towards the
+ * eye and away from it agree that the point is inside. IsCutPartClosed() tells them. Where several closed parts contain the same point of a plane, they interfere. The cap shows
  * a warning pattern there, and GetInterferingParts() tells the pairs.
  *
  * A section reads the geometry of the parts that its planes cut, and keeps it on the device a second time. Clipping
@@ -73,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Choose parts for a plane. With ONLY_CHOSEN it cuts these alone, and with ALL_BUT_CHOSEN all others. Actors are
-   * chosen as a whole. The default is ALL_PARTS.
+   * Choose parts for a plane. With ONLY_CHOSEN it cuts these alone, and with ALL_BUT_CHOSEN all others. The default is
+   * ALL_PARTS. A part is a prop, or one of its blocks by flat index. A negative block stands for the whole prop.
    */
   enum PartsType
   {
@@ -84,7 +84,7 @@ public:
   };
   void SetParts(vtkPlane* plane, int parts);
   int GetParts(vtkPlane* plane);
-  void ChoosePart(vtkPlane* plane, vtkProp* prop);
+  void ChoosePart(vtkPlane* plane, vtkProp* prop, int block = -1);
   void ClearChosenParts(vtkPlane* plane);
   ///@}
 
@@ -191,7 +191,7 @@ public:
   ///@}
 
   /**
-   * Returns true if the part of GetCutProp(index) is closed. Otherwise its cut is not filled.
+   * Returns true if the part of GetCutProp(index) is closed. Otherwise its cut is filled only where that is safe.
    */
   bool IsCutPartClosed(int index);
 

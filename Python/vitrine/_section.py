@@ -10,6 +10,8 @@ from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
 
+from ._assembly import Assembly, Part, Selection
+from ._layers import _part_of
 from ._options import check_boolean
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkSection
@@ -36,7 +38,8 @@ def section(
             renderers that it has now.
         normal: the side that is kept: "x", "y", "z", "-x", "-y", "-z" or a vector.
         origin: a point of the plane, in world coordinates. None stands for the middle of all that is shown.
-        parts: the parts that the plane cuts: an actor, or an iterable of actors. None stands for all.
+        parts: the parts that the plane cuts: an actor, a pair of an actor and a block, a Part or a Selection of an
+            assembly, or an iterable of these. None stands for all.
         but: the parts that the plane leaves whole, instead of `parts`.
         caps: whether cuts are filled. It applies to all planes of the target.
         hatch: the hatch of caps: "none", "lines" (cast iron), "pairs" (steel), "dashes" (bronze, brass), "cross"
@@ -75,7 +78,7 @@ def section(
         raise ValueError(f"edges are from 0 to 4 pixels wide, not {edges!r}")
     if parts is not None and but is not None:
         raise ValueError("give either parts or but")
-    chosen = _props_of(parts if parts is not None else but)
+    chosen = _chosen_of(parts if parts is not None else but)
     sections = [_section_of(renderer) for renderer in renderers]
     if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in sections):
         raise ValueError(f"a target has {vtkSection.GetMaximumNumberOfPlanes()} planes at most: remove one")
@@ -83,8 +86,8 @@ def section(
         found.AddPlane(plane)
         if parts is not None or but is not None:
             found.SetParts(plane, vtkSection.ONLY_CHOSEN if parts is not None else vtkSection.ALL_BUT_CHOSEN)
-        for prop in chosen:
-            found.ChoosePart(plane, prop)
+        for prop, block in chosen:
+            found.ChoosePart(plane, prop, block)
         found.SetCaps(caps)
         if hatch is not None:
             found.SetHatch(HATCHES.index(hatch))
@@ -126,13 +129,16 @@ class Section:
         self._render()
 
     @property
-    def cut_parts(self) -> list[tuple[vtkProp, int]]:
-        """The parts that the planes of the target cut, by their boxes: pairs of actor and flat index of the block."""
+    def cut_parts(self) -> list[Any]:
+        """The parts that the planes of the target cut, by their boxes.
+
+        Each is a Part of an assembly, or else an actor, or a pair of an actor and the flat index of a block.
+        """
         return [part for found in self._sections for part in _cut_parts(found)]
 
     @property
-    def open_parts(self) -> list[tuple[vtkProp, int]]:
-        """Those of cut_parts that are not closed. Their cuts are not filled."""
+    def open_parts(self) -> list[Any]:
+        """Those of cut_parts that are not closed. Their cuts are filled only where that is safe."""
         return [
             part
             for found in self._sections
@@ -141,7 +147,7 @@ class Section:
         ]
 
     @property
-    def interfering(self) -> list[tuple[tuple[vtkProp, int], tuple[vtkProp, int]]]:
+    def interfering(self) -> list[tuple[Any, Any]]:
         """The pairs of parts that had a point of a plane in common in the last frame, found at the pixels of caps."""
         pairs = []
         for found in self._sections:
@@ -187,11 +193,14 @@ def _section_of(renderer: vtkRenderer) -> vtkSection:
     return found
 
 
-def _part(found: vtkSection, index: int) -> tuple[vtkProp, int]:
-    return found.GetCutProp(index), found.GetCutBlock(index)
+def _part(found: vtkSection, index: int) -> Any:
+    """A part as a user knows it: of an assembly, or else an actor, or a pair of an actor and a block."""
+    prop, block = found.GetCutProp(index), found.GetCutBlock(index)
+    part = _part_of(prop, block)
+    return part if part is not None else prop if block == 0 else (prop, block)
 
 
-def _cut_parts(found: vtkSection) -> list[tuple[vtkProp, int]]:
+def _cut_parts(found: vtkSection) -> list[Any]:
     return [_part(found, index) for index in range(found.GetNumberOfCutParts())]
 
 
@@ -224,13 +233,28 @@ def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:
     return (0.0, 0.0, 0.0)
 
 
-def _props_of(parts: Any) -> list[vtkProp]:
+def _chosen_of(parts: Any) -> list[tuple[vtkProp, int]]:
+    """Pairs of a prop and a block, -1 for all blocks, of what a user gave as parts."""
     if parts is None:
         return []
     if isinstance(parts, vtkProp):
-        return [parts]
-    props = list(parts)
-    for prop in props:
-        if not isinstance(prop, vtkProp):
-            raise TypeError(f"parts are actors, not {type(prop).__name__}")
-    return props
+        return [(parts, -1)]
+    if isinstance(parts, tuple) and len(parts) == 2 and isinstance(parts[0], vtkProp) and isinstance(parts[1], int):
+        return [(parts[0], parts[1])]
+    if isinstance(parts, Selection):
+        return [_drawn_by(parts._assembly, number) for number in parts.numbers]
+    if isinstance(parts, Part):
+        owners = [each for each in Assembly.living() if parts.number < len(each) and each.parts[parts.number] is parts]
+        if not owners:
+            raise ValueError(f"the assembly of {parts.path!r} is gone")
+        return [_drawn_by(owner, parts.number) for owner in owners]
+    if isinstance(parts, str) or not isinstance(parts, Iterable):
+        raise TypeError(
+            "parts are actors, pairs of an actor and a block, or parts or selections of an assembly, "
+            f"not {parts!r}"
+        )
+    return [chosen for part in parts for chosen in _chosen_of(part)]
+
+
+def _drawn_by(assembly: Assembly, number: int) -> tuple[vtkProp, int]:
+    return assembly.actors.GetPartActor(number), assembly.actors.GetPartBlock(number)

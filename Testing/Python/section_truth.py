@@ -26,6 +26,13 @@ class View:
         beside = self._unproject(self._x + 2.0 / self._width, z)
         return place, np.linalg.norm(beside - place, axis=1), seen
 
+    def rays(self):
+        """Directions away from the eye, of length 1."""
+        far = self._unproject(self._x, np.ones_like(self._x))
+        near = self._unproject(self._x, -np.ones_like(self._x))
+        along = far - near
+        return along / np.linalg.norm(along, axis=1)[:, None]
+
     def _unproject(self, x, z):
         place = np.stack([x, self._y, z, np.ones_like(z)]) .T @ self._to_world.T
         return place[:, :3] / place[:, 3:]
@@ -91,3 +98,28 @@ def _distances(triangle, places):
             within &= (places - p) @ np.cross(unit, q - p) >= 0.0
         distance = np.where(within, np.abs((places - a) @ unit), distance)
     return distance
+
+
+def crossings(points, triangles, places, rays):
+    """Whether lines from `places` along `rays` cross a mesh an odd number of times, ahead and behind.
+
+    Also returns where the answer is clear: the line stays clear of all edges.
+    """
+    ahead, behind = np.zeros(len(places), bool), np.zeros(len(places), bool)
+    clear = np.ones(len(places), bool)
+    for corners in triangles:
+        a, b, c = points[corners]
+        normal = np.cross(b - a, c - a)
+        facing = rays @ normal
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t = (a - places) @ normal / facing
+            hit = places + t[:, None] * rays
+            shares = np.stack([np.cross(q - p, hit - p) @ normal for p, q in ((a, b), (b, c), (c, a))])
+        shares = shares / max(normal @ normal, 1e-300)
+        inside = (shares >= 0.0).all(axis=0)
+        # An edge is near if a share is small, and the hit is on the edge rather than on its line.
+        near = (np.abs(shares) < 0.02).any(axis=0) & (shares > -0.02).all(axis=0)
+        clear &= ~near & ~(inside & (np.abs(t) < 0.01))
+        ahead ^= inside & (t > 0.0)
+        behind ^= inside & (t < 0.0)
+    return ahead, behind, clear

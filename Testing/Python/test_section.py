@@ -6,14 +6,20 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkTriangleFilter
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkSelectionNode
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource, vtkSuperquadricSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkHardwareSelector,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
 import vitrine
-from section_truth import View, contains
+from section_truth import View, contains, crossings
 
 # VITRINE_SECTION_POSES=1000 is the whole measure.
 POSES = int(os.environ.get("VITRINE_SECTION_POSES", "40"))
@@ -187,3 +193,207 @@ class Truth(unittest.TestCase):
         self.assertEqual(wrong, 0)
         self.assertGreater(flagged, 0)
         self.assertGreater(clear_count, 0.98 * all_count)
+
+    def test_open_parts_are_filled_where_faces_agree(self):
+        scene = Scene()
+        section = vitrine.vtkSection()
+        plane = vtkPlane()
+        section.AddPlane(plane)
+        section.SetEdgeWidth(0)
+        section.Attach(scene.renderer)
+        filled = wrong = beyond = 0
+        for pose in range(max(12, POSES // 4)):
+            random = np.random.default_rng(6200 + pose)
+            points, corners = meshes()[pose % 4]
+            points = (points @ rotation(random).T).astype(np.float32).astype(float)
+            corners = corners[random.random(len(corners)) > 0.15]
+            normal, through = random.normal(size=3), random.uniform(-0.2, 0.2, 3)
+            normal /= np.linalg.norm(normal)
+            plane.SetNormal(*normal)
+            plane.SetOrigin(*through)
+            scene.show([(points, corners)])
+            scene.look(random, bool(random.integers(2)))
+            shown = (scene.picture() == COLORS[0]).all(axis=1)
+            view = View(scene.renderer.GetActiveCamera(), SIZE, SIZE)
+            places, _, seen = view.on_plane(normal, -normal @ through)
+            ahead, behind, clear = crossings(points, corners, places, view.rays())
+            clear &= seen
+            if section.GetNumberOfCutParts() == 1 and section.IsCutPartClosed(0):
+                continue
+            wrong += int((clear & (shown != (ahead & behind))).sum())
+            beyond += int((clear & (ahead != behind)).sum())
+            filled += int((clear & shown).sum())
+        print(f"filled {filled}, faces disagree at {beyond}, wrong {wrong}", flush=True)
+        self.assertEqual(wrong, 0)
+        self.assertGreater(filled, 100)
+        self.assertGreater(beyond, 100)
+
+
+def ball(radius=0.5, center=(0.0, 0.0, 0.0), color=(0.2, 0.4, 0.9), opacity=1.0):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetCenter(center)
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(16)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().SetOpacity(opacity)
+    return actor
+
+
+class Frames(unittest.TestCase):
+    def setUp(self):
+        self.scene = Scene()
+        self.renderer = self.scene.renderer
+        self.renderer.SetBackground(1, 1, 1)
+
+    def add(self, *actors):
+        for actor in actors:
+            self.renderer.AddActor(actor)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(0.4, -3, 0.5)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetViewUp(0, 0, 1)
+        self.renderer.ResetCamera()
+        return actors
+
+    def at_center(self):
+        return tuple(self.scene.picture()[(SIZE // 2) * SIZE + SIZE // 2])
+
+    def test_methods_draw_translucent_caps_alike(self):
+        self.add(ball(0.5, opacity=0.4), ball(0.3, (0.3, 0.4, 0), (0.9, 0.3, 0.1), 0.6), ball(0.2, (-0.5, 0, 0)))
+        with vitrine.section(self.renderer, "y", (0, 0.05, 0)):
+            with vitrine.see_through(self.renderer, "truth"):
+                truth = self.scene.picture()
+            for method in ("linked-list", "prefix-sum", "prefix-sum-predicted", "stencil-routed"):
+                with self.subTest(method), vitrine.see_through(self.renderer, method):
+                    self.assertLessEqual(np.abs(self.scene.picture() - truth).max(), 1)
+            whole = truth
+        with vitrine.see_through(self.renderer, "truth"):
+            self.assertGreater(np.abs(self.scene.picture() - whole).max(), 50)
+
+    def test_cap_of_glass_is_one_layer(self):
+        """Before the section a ball has two layers, and so has it with a cap in place of its front."""
+        (glass,) = self.add(ball(0.5, color=(1, 0, 0), opacity=0.5))
+        glass.GetProperty().SetAmbient(1)
+        glass.GetProperty().SetDiffuse(0)
+        with vitrine.see_through(self.renderer), vitrine.section(self.renderer, "y", (0, 0, 0)) as cut:
+            self.assertEqual(self.at_center(), (255, 64, 64))
+            self.assertEqual(vitrine.stats(self.renderer).layers_max, 2)
+            cut.move("-y")  # the eye is on the side that is kept
+            self.assertEqual(self.at_center(), (255, 64, 64))
+
+    def test_the_culler_changes_no_pixel(self):
+        """The wall would hide all others, but a section takes most of it away."""
+        wall = ball(2.0)
+        others = [ball(0.1, (x, 1.0, z), (0.9, 0.5, 0.1)) for x in (-0.8, 0.0, 0.8) for z in (-0.8, 0.0, 0.8)]
+        self.add(wall, ball(0.3, (0, 5, 0)), *others)
+        self.renderer.GetActiveCamera().SetPosition(0, -9, 0)
+        self.renderer.ResetCameraClippingRange()
+        with vitrine.section(self.renderer, "y", (0, 0.3, 0), but=others):
+            plain = self.scene.picture()
+            with vitrine.see_through(self.renderer, cull=True) as handle:
+                self.assertEqual(np.abs(self.scene.picture() - plain).max(), 0)
+                self.assertEqual(handle.stats().culled_parts, 0)
+        with vitrine.see_through(self.renderer, cull=True) as handle:
+            self.scene.picture()
+            self.assertGreater(handle.stats().culled_parts, 5)
+        # Parts that are kept as a whole go on hiding.
+        with vitrine.section(self.renderer, "y", (0, -4, 0)), vitrine.see_through(self.renderer, cull=True) as handle:
+            self.scene.picture()
+            self.assertGreater(handle.stats().culled_parts, 5)
+
+    def test_blocks_are_chosen_one_by_one(self):
+        blocks = vtkMultiBlockDataSet()
+        for i, x in enumerate((-0.6, 0.6)):
+            source = vtkSphereSource()
+            source.SetCenter(x, 0, 0)
+            source.Update()
+            blocks.SetBlock(i, source.GetOutput())
+        machine = vitrine.from_multiblock(blocks)
+        machine.add_to(self.renderer)
+        self.add()
+        actors = [actor for actor in self.renderer.GetViewProps() if machine.part_of(actor, 1)]
+        whole = self.scene.picture().reshape(SIZE, SIZE, 3)
+        with vitrine.section(self.renderer, "y", (0, 0.2, 0), parts=machine.parts[0]) as cut:
+            half = self.scene.picture().reshape(SIZE, SIZE, 3)
+            self.assertEqual(len(cut.cut_parts), 1)
+        self.assertTrue((half[:, SIZE // 2 + 3 :] == whole[:, SIZE // 2 + 3 :]).all())
+        self.assertFalse((half[:, : SIZE // 2 - 3] == whole[:, : SIZE // 2 - 3]).all())
+        self.assertTrue(actors)
+
+    def test_several_planes_and_boxes(self):
+        """Of a red cube, a quarter or a corner is missing; caps show where the cuts are."""
+        mapper = vtkPolyDataMapper()
+        cube = vtkCubeSource()
+        mapper.SetInputConnection(cube.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(1, 0, 0)
+        self.add(actor)
+        section = vitrine.vtkSection()
+        section.SetEdgeWidth(0)
+        section.Attach(self.renderer)
+        full = (self.scene.picture() != 255).any(axis=1).sum()
+        section.SetBox((-0.25, 0.25, -0.25, 0.25, -0.25, 0.25), True)
+        small = (self.scene.picture() != 255).any(axis=1).sum()
+        self.assertAlmostEqual(small / full, 0.25, delta=0.07)
+        section.SetBox((-0.25, 0.25, -1, 0, -0.25, 0.25), False)
+        self.assertEqual((self.scene.picture() != 255).any(axis=1).sum(), full)
+        section.RemoveBox()
+        planes = [vtkPlane(), vtkPlane()]
+        planes[0].SetNormal(1, 0, 0)
+        planes[1].SetNormal(0, 1, 0)
+        for plane in planes:
+            section.AddPlane(plane)
+        self.assertLess((self.scene.picture() != 255).any(axis=1).sum(), 0.7 * full)
+        quarter = (self.scene.picture() != 255).any(axis=1).sum()
+        section.RemoveBeyondAllOn()
+        self.assertGreater((self.scene.picture() != 255).any(axis=1).sum(), 1.3 * quarter)
+
+    def test_removal_puts_everything_back(self):
+        self.add(ball())
+        before = self.scene.picture()
+        count = self.renderer.GetViewProps().GetNumberOfItems()
+        cut = vitrine.section(self.renderer, "y", (0, 0, 0))
+        self.assertGreater(np.abs(self.scene.picture() - before).max(), 0)
+        cut.remove()
+        self.assertEqual(np.abs(self.scene.picture() - before).max(), 0)
+        self.assertEqual(self.renderer.GetViewProps().GetNumberOfItems(), count)
+        self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
+
+    def test_picks_find_what_is_kept(self):
+        front, behind = self.add(ball(0.4, (0, -1, 0)), ball(0.4, (0, 1, 0)))
+        with vitrine.section(self.renderer, "y", (0, 0.5, 0)):
+            self.scene.picture()
+            selector = vtkHardwareSelector()
+            selector.SetRenderer(self.renderer)
+            middle = SIZE // 2
+            selector.SetArea(middle, middle, middle, middle)
+            found = selector.Select()
+            self.assertEqual(found.GetNumberOfNodes(), 1)
+            self.assertIsNot(found.GetNode(0).GetProperties().Get(vtkSelectionNode.PROP()), front)
+
+    def test_wrong_input_says_what_to_do(self):
+        (actor,) = self.add(ball())
+        for error, arguments in (
+            (ValueError, {"normal": (0, 0, 0)}),
+            (ValueError, {"normal": (0, float("nan"), 1)}),
+            (ValueError, {"normal": "w"}),
+            (ValueError, {"origin": (1, 2)}),
+            (ValueError, {"hatch": "checks"}),
+            (ValueError, {"edges": 7}),
+            (ValueError, {"parts": actor, "but": actor}),
+            (TypeError, {"parts": "actor"}),
+            (TypeError, {"caps": 1}),
+        ):
+            with self.subTest(arguments), self.assertRaises(error):
+                vitrine.section(self.renderer, **arguments)
+        self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
+        cuts = [vitrine.section(self.renderer, "x") for _ in range(6)]
+        with self.assertRaisesRegex(ValueError, "six planes|6 planes"):
+            vitrine.section(self.renderer, "x")
+        self.assertEqual(len(cuts), 6)

@@ -38,7 +38,8 @@ struct DistanceRange
   double Greatest;
 };
 
-inline DistanceRange DistancesOf(const CutPlane& plane, const glm::dvec3& min, const glm::dvec3& max)
+inline DistanceRange DistancesOf(
+  const CutPlane& plane, const glm::dvec3& min, const glm::dvec3& max)
 {
   const double middle = plane.At(0.5 * (min + max));
   const double reach = glm::dot(glm::abs(plane.Normal), 0.5 * (max - min));
