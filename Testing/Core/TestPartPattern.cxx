@@ -27,80 +27,80 @@ std::vector<int> Choose(const std::string& pattern)
   return PartPattern(pattern).Choose(Machine);
 }
 
-using Numbers = std::vector<int>;
+using Chosen = std::vector<int>;
 
 TEST(PartPattern, NamesANodeWithItsSubtree)
 {
-  EXPECT_EQ(Choose("gear-1"), (Numbers{ 3 }));
-  EXPECT_EQ(Choose("gear*"), (Numbers{ 3, 4, 5 }));
-  EXPECT_EQ(Choose("Gearbox"), (Numbers{ 3, 4, 5 }));
-  EXPECT_EQ(Choose("Machine"), (Numbers{ 0, 1, 2, 3, 4, 5, 6 }));
-  EXPECT_EQ(Choose("gear-?"), (Numbers{ 3, 4, 5 }));
+  EXPECT_EQ(Choose("gear-1"), (Chosen{ 3 }));
+  EXPECT_EQ(Choose("gear*"), (Chosen{ 3, 4, 5 }));
+  EXPECT_EQ(Choose("Gearbox"), (Chosen{ 3, 4, 5 }));
+  EXPECT_EQ(Choose("Machine"), (Chosen{ 0, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_EQ(Choose("gear-?"), (Chosen{ 3, 4, 5 }));
 }
 
 TEST(PartPattern, IsWholeName)
 {
-  EXPECT_EQ(Choose("gear"), Numbers{});
-  EXPECT_EQ(Choose("ear-1"), Numbers{});
-  EXPECT_EQ(Choose("*box"), (Numbers{ 3, 4, 5 }));
+  EXPECT_EQ(Choose("gear"), Chosen{});
+  EXPECT_EQ(Choose("ear-1"), Chosen{});
+  EXPECT_EQ(Choose("*box"), (Chosen{ 3, 4, 5 }));
 }
 
 TEST(PartPattern, CaseCounts)
 {
-  EXPECT_EQ(Choose("gearbox"), Numbers{});
-  EXPECT_EQ(Choose("LID"), Numbers{});
+  EXPECT_EQ(Choose("gearbox"), Chosen{});
+  EXPECT_EQ(Choose("LID"), Chosen{});
 }
 
 TEST(PartPattern, StopsAtSlashesOfAPath)
 {
-  EXPECT_EQ(Choose("/Machine/Housing/*"), (Numbers{ 0, 1, 2 }));
-  EXPECT_EQ(Choose("/Machine/*/bolt"), Numbers{});
-  EXPECT_EQ(Choose("/Machine/**/bolt"), (Numbers{ 4, 5 }));
-  EXPECT_EQ(Choose("/*/Gearbox/gear-?"), (Numbers{ 3, 4, 5 }));
-  EXPECT_EQ(Choose("/Housing"), Numbers{});
-  EXPECT_EQ(Choose("/**"), (Numbers{ 0, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_EQ(Choose("/Machine/Housing/*"), (Chosen{ 0, 1, 2 }));
+  EXPECT_EQ(Choose("/Machine/*/bolt"), Chosen{});
+  EXPECT_EQ(Choose("/Machine/**/bolt"), (Chosen{ 4, 5 }));
+  EXPECT_EQ(Choose("/*/Gearbox/gear-?"), (Chosen{ 3, 4, 5 }));
+  EXPECT_EQ(Choose("/Housing"), Chosen{});
+  EXPECT_EQ(Choose("/**"), (Chosen{ 0, 1, 2, 3, 4, 5, 6 }));
 }
 
 TEST(PartPattern, EndsAPathWithoutALeadingSlash)
 {
-  EXPECT_EQ(Choose("Housing/lid"), (Numbers{ 0, 1 }));
-  EXPECT_EQ(Choose("gear-2/*"), (Numbers{ 4, 5 }));
-  EXPECT_EQ(Choose("ousing/lid"), Numbers{});
+  EXPECT_EQ(Choose("Housing/lid"), (Chosen{ 0, 1 }));
+  EXPECT_EQ(Choose("gear-2/*"), (Chosen{ 4, 5 }));
+  EXPECT_EQ(Choose("ousing/lid"), Chosen{});
 }
 
 TEST(PartPattern, TakesNumbersOfEqualNamesForNoPartOfThem)
 {
-  EXPECT_EQ(Choose("lid"), (Numbers{ 0, 1 }));
-  EXPECT_EQ(Choose("lid (2)"), (Numbers{ 1 }));
-  EXPECT_EQ(PartPattern("a (x)").Choose({ { "/a (x)", "" }, { "/a ()", "" } }), (Numbers{ 0 }));
+  EXPECT_EQ(Choose("lid"), (Chosen{ 0, 1 }));
+  EXPECT_EQ(Choose("lid (2)"), (Chosen{ 1 }));
+  EXPECT_EQ(PartPattern("a (x)").Choose({ { "/a (x)", "" }, { "/a ()", "" } }), (Chosen{ 0 }));
   EXPECT_EQ(PartPattern("a").Choose({ { "/a (x)", "" }, { "/a ()", "" }, { "/a (12)", "" } }),
-    (Numbers{ 2 }));
+    (Chosen{ 2 }));
 }
 
 TEST(PartPattern, ChoosesByMaterial)
 {
-  EXPECT_EQ(Choose("material:glass*"), (Numbers{ 2 }));
-  EXPECT_EQ(Choose("material:steel"), (Numbers{ 3, 4, 6 }));
-  EXPECT_EQ(Choose("material:*"), (Numbers{ 0, 1, 2, 3, 4, 5, 6 }));
-  EXPECT_EQ(PartPattern("material:a*").Choose({ { "/x", "a/b" } }), (Numbers{ 0 }));
-  EXPECT_EQ(PartPattern("material\\:a").Choose({ { "/material:a", "" } }), (Numbers{ 0 }));
+  EXPECT_EQ(Choose("material:glass*"), (Chosen{ 2 }));
+  EXPECT_EQ(Choose("material:steel"), (Chosen{ 3, 4, 6 }));
+  EXPECT_EQ(Choose("material:*"), (Chosen{ 0, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_EQ(PartPattern("material:a*").Choose({ { "/x", "a/b" } }), (Chosen{ 0 }));
+  EXPECT_EQ(PartPattern("material\\:a").Choose({ { "/material:a", "" } }), (Chosen{ 0 }));
 }
 
 TEST(PartPattern, EscapesCharacters)
 {
-  EXPECT_EQ(Choose("a\\*b\\?c"), (Numbers{ 6 }));
-  EXPECT_EQ(Choose("a\\*c"), Numbers{});
-  EXPECT_EQ(PartPattern("a\\\\b").Choose({ { "/a\\b", "" } }), (Numbers{ 0 }));
-  EXPECT_EQ(PartPattern("[1]").Choose({ { "/[1]", "" }, { "/1", "" } }), (Numbers{ 0 }));
+  EXPECT_EQ(Choose("a\\*b\\?c"), (Chosen{ 6 }));
+  EXPECT_EQ(Choose("a\\*c"), Chosen{});
+  EXPECT_EQ(PartPattern("a\\\\b").Choose({ { "/a\\b", "" } }), (Chosen{ 0 }));
+  EXPECT_EQ(PartPattern("[1]").Choose({ { "/[1]", "" }, { "/1", "" } }), (Chosen{ 0 }));
 }
 
 TEST(PartPattern, CountsCharactersAndNotBytes)
 {
   const std::vector<PartNames> names = { { "/Gehäuse", "" }, { "/Gehause", "" }, { "/日本", "" } };
-  EXPECT_EQ(PartPattern("Geh?use").Choose(names), (Numbers{ 0, 1 }));
-  EXPECT_EQ(PartPattern("Geh??use").Choose(names), Numbers{});
-  EXPECT_EQ(PartPattern("?本").Choose(names), (Numbers{ 2 }));
-  EXPECT_EQ(PartPattern("??").Choose(names), (Numbers{ 2 }));
+  EXPECT_EQ(PartPattern("Geh?use").Choose(names), (Chosen{ 0, 1 }));
+  EXPECT_EQ(PartPattern("Geh??use").Choose(names), Chosen{});
+  EXPECT_EQ(PartPattern("?本").Choose(names), (Chosen{ 2 }));
+  EXPECT_EQ(PartPattern("??").Choose(names), (Chosen{ 2 }));
 }
 
 TEST(PartPattern, RefusesWhatIsNoPattern)
@@ -132,6 +132,6 @@ TEST(PartPattern, EndsSoonWithManyStars)
   {
     stars += "*a";
   }
-  EXPECT_EQ(PartPattern(stars + "b").Choose({ { "/" + std::string(5000, 'a'), "" } }), Numbers{});
+  EXPECT_EQ(PartPattern(stars + "b").Choose({ { "/" + std::string(5000, 'a'), "" } }), Chosen{});
 }
 }
