@@ -50,6 +50,7 @@ int Run(int argc, char* argv[])
   program::AddCullCommand(app);
   program::AddDiffCommand(app);
   program::AddInfoCommand(app);
+  program::AddLayersCommand(app);
   program::AddLightsCommand(app);
   program::AddModelsCommand(app);
   program::AddPaperCommand(app);

@@ -1,10 +1,10 @@
 #include "vtkReveal.h"
 
 #include "Core/reveal/SteadyReveal.h"
+#include "inspection/FadedLooks.h"
 #include "inspection/FrameOfRenderer.h"
 #include "inspection/FrontOfPart.h"
 #include "inspection/LayerCapture.h"
-#include "inspection/FadedLooks.h"
 #include "inspection/PartOnScreen.h"
 #include "scene/PartNumbers.h"
 

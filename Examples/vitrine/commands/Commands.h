@@ -31,6 +31,9 @@ void AddDiffCommand(CLI::App& app);
 /** `vitrine info`: what is in a scene, and what is not shown of it. */
 void AddInfoCommand(CLI::App& app);
 
+/** `vitrine layers`: all layers of a pixel, with their parts. */
+void AddLayersCommand(CLI::App& app);
+
 /** `vitrine lights`: many lights, mode by mode. */
 void AddLightsCommand(CLI::App& app);
 

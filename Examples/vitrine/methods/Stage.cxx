@@ -103,6 +103,14 @@ double Stage::Draw(vtkCamera* camera)
   return passed.count();
 }
 
+std::optional<std::size_t> Stage::PartOf(const vtkProp* actor) const
+{
+  const auto found = std::find(this->Actors.begin(), this->Actors.end(), actor);
+  return found == this->Actors.end()
+    ? std::nullopt
+    : std::optional<std::size_t>(static_cast<std::size_t>(found - this->Actors.begin()));
+}
+
 std::vector<std::uint8_t> Stage::ReadPixels()
 {
   vtkNew<vtkUnsignedCharArray> pixels;

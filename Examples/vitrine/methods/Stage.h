@@ -66,6 +66,11 @@ public:
   /** The last frame as the window holds it: 8-bit RGB, rows from the bottom. */
   std::vector<std::uint8_t> ReadPixels();
 
+  vtkRenderer* GetRenderer() { return this->Renderer; }
+
+  /** The index of the scene's part that an actor draws. Absent if it draws none. */
+  std::optional<std::size_t> PartOf(const vtkProp* actor) const;
+
   const Method& GetMethod() const { return *this->DrawingMethod; }
   PictureSize GetSize() const { return this->Size; }
   Device GetDevice();
