@@ -81,10 +81,12 @@ public:
   vtkGetVector4Macro(Area, int);
   ///@}
 
+#ifndef __VTK_WRAP__
   /**
-   * Set the rectangle to one pixel, in display coordinates.
+   * Set the rectangle to one pixel, in display coordinates. From Python, vitrine.layers_at() does so.
    */
   void SetPosition(int x, int y) { this->SetArea(x, y, x, y); }
+#endif
 
   ///@{
   /**

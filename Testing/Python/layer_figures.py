@@ -120,7 +120,7 @@ def compare(path, size, opacity, pixels, random):
     times = []
     for _ in range(pixels):
         x, y = int(random.integers(size[0])), int(random.integers(size[1]))
-        picker.SetPosition(x, y)
+        picker.SetArea(x, y, x, y)
         begin = time.perf_counter()
         if not picker.Pick():
             raise SystemExit(picker.GetProblem())

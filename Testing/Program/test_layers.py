@@ -1,0 +1,60 @@
+import json
+import unittest
+
+from program import FileTest, run
+
+
+class Layers(FileTest):
+    def layers(self, *arguments):
+        result = run("layers", *arguments, "--size", "16x12", "--json", "-")
+        self.assert_done(result)
+        return json.loads(result.stdout)
+
+    def test_json_has_all_layers_of_a_pixel(self):
+        told = self.layers("demo:stack,layers=4,alpha=0.5", "--at", "7,5")
+        self.assertEqual(list(told), ["scene", "size", "pixel", "background", "layers"])
+        self.assertEqual((told["size"], told["pixel"]), ([16, 12], [7, 5]))
+        self.assertEqual(
+            list(told["layers"][0]),
+            ["part", "depth", "distance", "position", "color", "opacity", "share", "front", "opaque"],
+        )
+        for share, layer in zip((0.5, 0.25, 0.125, 0.0625), told["layers"], strict=True):
+            self.assertAlmostEqual(layer["share"], share, 3)
+        self.assertAlmostEqual(told["background"], 0.0625, 3)
+        distances = [layer["distance"] for layer in told["layers"]]
+        self.assertEqual(distances, sorted(distances))
+        self.assertEqual(len({layer["part"] for layer in told["layers"]}), 4)
+
+    def test_all_goes_behind_opaque_layers(self):
+        scene = ("demo:stack,layers=4,alpha=1", "--at", "7,5")
+        self.assertEqual(len(self.layers(*scene)["layers"]), 1)
+        told = self.layers(*scene, "--all")
+        self.assertEqual([layer["share"] for layer in told["layers"]], [1, 0, 0, 0])
+
+    def test_text(self):
+        result = run("layers", "demo:stack,layers=2", "--size", "16x12", "--at", "0,11")
+        self.assert_done(result)
+        for word in (b"pixel       0,11 of 16x12", b"layers      2", b"background", b"share", b"front"):
+            self.assertIn(word, result.stdout)
+
+    def test_refuses_other_pixels(self):
+        for at, reason in (
+            ("16,0", "outside of the picture"),
+            ("0,12", "outside of the picture"),
+            ("-1,0", "outside of the picture"),
+            ("1", "not X,Y"),
+            ("1,2,3", "not X,Y"),
+            ("1.5,2", "not X,Y"),
+            ("nan,2", "not X,Y"),
+            ("99999999999,2", "not X,Y"),
+            ("", "not X,Y"),
+        ):
+            with self.subTest(at=at):
+                result = run("layers", "demo:stack", "--size", "16x12", f"--at={at}")
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(reason, result.stderr.decode())
+                self.assertEqual(len(result.stderr.splitlines()), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
