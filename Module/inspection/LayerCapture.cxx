@@ -5,6 +5,7 @@
 #include "gl/MemoryBarriers.h"
 #include "gl/ScopedState.h"
 #include "gl/StateRecord.h"
+#include "scene/CaptureEvents.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillExtensions.h"
 #include "transparency/common/FillShader.h"
@@ -32,6 +33,9 @@ static_assert(LayerFragment::Opaque == VITRINE_OPAQUE_LAYER, "layout");
 static_assert(LayerFragment::Added == VITRINE_ADDED_LAYER, "layout");
 static_assert(LayerFragment::Tested == VITRINE_TESTED_LAYER, "layout");
 static_assert(LayerFragment::BackFace == VITRINE_BACK_FACE, "layout");
+
+const char* const LayerCapture::TooMany =
+  "the driver has no room for all fragments; ask for fewer pixels at once";
 
 vtkStandardNewMacro(LayerCapture);
 
@@ -193,6 +197,8 @@ std::string LayerCapture::FindVariant(vtkOpenGLRenderWindow* window)
 /** Draws until all fragments have room. */
 std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragment>& fragments)
 {
+  const ScopedCaptureEvents events(
+    request.Renderer); // They may add props, as caps of sections are.
   const std::vector<vtkProp*> props = this->Props.Find(request.Renderer, request.Pixels);
   if (props.empty())
   {
@@ -227,8 +233,7 @@ std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragm
         LargestStorageBlock() / FragmentBytes * FragmentBytes)))
     {
       this->Fragments.Release();
-      return "the driver has no room for " + std::to_string(count) +
-        " fragments; ask for fewer pixels at once";
+      return TooMany;
     }
   }
   return "the props make more fragments each time they are drawn";

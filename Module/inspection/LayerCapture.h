@@ -42,6 +42,8 @@ public:
     bool Translucent = true; ///< whether translucent props are drawn, beside the opaque ones
   };
 
+  static const char* const TooMany; ///< the message if there is no room for all fragments
+
   /**
    * Append the fragments of the rectangle to `fragments`. Returns an error message, empty on success. The window's
    * context is current, and the renderer has drawn a frame.

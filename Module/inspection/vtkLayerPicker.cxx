@@ -179,18 +179,40 @@ std::string vtkLayerPicker::FindLayers()
   in.Pixels = { left, bottom, right - left + 1, top - bottom + 1 };
   in.Samples = std::max(frame.Samples, 1);
   in.Rays.emplace(in.Renderer);
-  const bool areListed = !this->BehindOpaque && frame.ReadLists(in.Pixels, in.Fragments);
-  in.Listed = in.Fragments.size();
-  if (!areListed || this->OpaqueLayers)
-  {
-    problem = in.Capture->Capture(frame.RequestOf(in.Pixels, !areListed), in.Fragments);
-  }
+  problem = this->Gather(frame, bottom, in.Pixels.Height);
   in.Layers = vitrine::SortLayers(in.Fragments,
     static_cast<std::size_t>(in.Pixels.Width) * in.Pixels.Height, in.Samples, this->BehindOpaque);
   if (!this->OpaqueLayers)
   {
     in.DropOpaque();
   }
+  return problem;
+}
+
+/** Takes the fragments of rows of pixels. If the driver has no room for them, half of the rows are taken at once. */
+std::string vtkLayerPicker::Gather(const vitrine::FrameOfRenderer& frame, int bottom, int rows)
+{
+  Internals& in = *this->Private;
+  const vitrine::PixelRegion pixels{ in.Pixels.X, bottom, in.Pixels.Width, rows };
+  std::vector<vitrine::LayerFragment> found;
+  const bool areListed = !this->BehindOpaque && frame.ReadLists(pixels, found);
+  const std::size_t listed = found.size();
+  std::string problem;
+  if (!areListed || this->OpaqueLayers)
+  {
+    problem = in.Capture->Capture(frame.RequestOf(pixels, !areListed), found);
+  }
+  if (problem == vitrine::LayerCapture::TooMany && rows > 1)
+  {
+    problem = this->Gather(frame, bottom, rows / 2);
+    return problem.empty() ? this->Gather(frame, bottom + rows / 2, rows - rows / 2) : problem;
+  }
+  for (vitrine::LayerFragment& f : found)
+  {
+    f.Pixel += static_cast<std::uint32_t>((bottom - in.Pixels.Y) * in.Pixels.Width);
+  }
+  in.Listed += listed;
+  in.Fragments.insert(in.Fragments.end(), found.begin(), found.end());
   return problem;
 }
 

@@ -53,6 +53,11 @@ class vtkProp;
 class vtkRenderer;
 class vtkUnsignedIntArray;
 
+namespace vitrine
+{
+class FrameOfRenderer;
+}
+
 class VTKVITRINERENDERING_EXPORT vtkLayerPicker : public vtkObject
 {
 public:
@@ -85,7 +90,10 @@ public:
   /**
    * Set the rectangle to one pixel, in display coordinates. From Python, vitrine.layers_at() does so.
    */
-  void SetPosition(int x, int y) { this->SetArea(x, y, x, y); }
+  void SetPosition(int x, int y)
+  {
+    this->SetArea(x, y, x, y);
+  }
 #endif
 
   ///@{
@@ -235,6 +243,7 @@ private:
   void operator=(const vtkLayerPicker&) = delete;
 
   std::string FindLayers();
+  std::string Gather(const vitrine::FrameOfRenderer& frame, int bottom, int rows);
   void MakeArrays();
 
   struct Internals;

@@ -3,6 +3,7 @@
 #include "CompositeMapper.h"
 #include "TestMethods.h"
 #include "TestScene.h"
+#include "gl/VitrineOpenGL.h"
 
 #include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
@@ -304,6 +305,48 @@ TEST(LayersOfProps, AgreeWithClippingAndCulling)
     { plates.All[0], plates.All[2], plates.All[4] });
   ExpectParts(LayersAt(picker, scene.Renderer, 3 * Width / 4, Height / 2, true),
     { plates.All[0], plates.All[1], plates.All[2], plates.All[3], plates.All[4] });
+}
+
+/** What a pick may not change. */
+std::vector<GLint> StateOfGL()
+{
+  std::vector<GLint> state;
+  for (const GLenum name : { GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_VIEWPORT,
+         GL_SCISSOR_BOX, GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING,
+         GL_ACTIVE_TEXTURE, GL_DEPTH_WRITEMASK, GL_DEPTH_FUNC, GL_COLOR_WRITEMASK, GL_BLEND_SRC_RGB,
+         GL_BLEND_DST_RGB, GL_SHADER_STORAGE_BUFFER_BINDING, GL_COPY_WRITE_BUFFER_BINDING })
+  {
+    GLint values[4] = {};
+    glGetIntegerv(name, values);
+    state.insert(state.end(), values, values + 4);
+  }
+  for (const GLenum name : { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+         GL_CULL_FACE, GL_MULTISAMPLE, GL_DEPTH_CLAMP })
+  {
+    state.push_back(glIsEnabled(name));
+  }
+  return state;
+}
+
+TEST(LayersOfAnArea, LeaveTheStateOfOpenGL)
+{
+  for (const bool numbers : { false, true })
+  {
+    TestScene scene(Width, Height);
+    scene.AddParts();
+    auto pass =
+      vtkSmartPointer<vtkTransparencyPass>::Take(vtkTransparencyPass::NewMethod("linked-list"));
+    vtkABufferTransparencyPass::SafeDownCast(pass)->SetPartNumbers(numbers);
+    scene.Use(pass);
+    scene.Render();
+    const std::vector<GLint> before = StateOfGL();
+    vtkNew<vtkLayerPicker> picker;
+    EXPECT_GT(LayersAt(picker, scene.Renderer, Width / 2, Height / 2, true).size(), 0u);
+    EXPECT_EQ(StateOfGL(), before);
+    EXPECT_GT(LayersAt(picker, scene.Renderer, Width / 2, Height / 2, false).size(), 0u);
+    EXPECT_EQ(StateOfGL(), before);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  }
 }
 
 TEST(LayersOfAnArea, AreInRowsOfPixels)
