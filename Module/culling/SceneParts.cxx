@@ -326,8 +326,8 @@ std::shared_ptr<const ShownParts> SceneParts::TellMapper(vtkRenderer* renderer,
 Occluder SceneParts::OccluderOf(std::uint32_t i)
 {
   const Part& part = this->Parts[i];
-  const bool hides = part.MayHide && this->IsOpaque(part) && !IsNonOccluding(part.Actor) &&
-    !IsMarkedAsCut(part.Actor);
+  const bool hides = part.MayHide && this->IsOpaque(part) && !IsMarkedAsCut(part.Actor) &&
+    !IsNonOccluding(part.Actor);
   return hides ? this->ShapeOf(i) : Occluder();
 }
 

@@ -15,8 +15,8 @@ namespace vitrine
 {
 
 /**
- * A plane has two caps, for opaque and for translucent parts. Their shaders (SectionShader) look up which part is cut at
- * a pixel. The caps are lit and drawn as other actors are, so any transparency method draws them in order.
+ * A plane has two caps, for opaque and for translucent parts. Their shaders (SectionShader) look up which part is cut
+ * at a pixel. The caps are lit and drawn as other actors are, so any transparency method draws them in order.
  */
 class CapActor : public vtkOpenGLActor
 {

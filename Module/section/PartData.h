@@ -44,7 +44,7 @@ PartLook LookOf(vtkActor* actor, const DrawnData& drawn);
 /** Returns the points of data, in model coordinates. */
 std::vector<glm::dvec3> PointsOfPart(vtkPolyData* data);
 
-/** Returns the triangles of polygons and strips, three indices each. Those with points that do not exist are left out. */
+/** Returns the triangles of polygons and strips, three indices each, without those whose points do not exist. */
 std::vector<std::uint32_t> TrianglesOfPart(vtkPolyData* data);
 
 }

@@ -79,8 +79,9 @@ VertexFrame FrameOf(vtkAbstractMapper* mapper)
 {
   VertexFrame frame;
   auto* const drawing = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
-  vtkOpenGLVertexBufferObject* const points =
-    drawing ? drawing->GetVBOs()->GetVBO("vertexMC") : nullptr;
+  vtkOpenGLVertexBufferObject* const points = drawing && !drawing->IsA("vtkOpenGLGlyph3DHelper")
+    ? drawing->GetVBOs()->GetVBO("vertexMC")
+    : nullptr;
   if (points && points->GetCoordShiftAndScaleEnabled())
   {
     frame.IsShifted = true;
@@ -102,7 +103,7 @@ void PutInFrame(const CutPlane& plane, const VertexFrame& frame, float equation[
   equation[3] = static_cast<float>(offset);
 }
 
-/** Returns how much farther than the section's margin a plane must be moved for points that the device has unshifted. */
+/** Returns how much farther than its margin a plane is moved for points that the device has unshifted. */
 double FurtherMargin(const CutPlane& plane, double margin, vtkProp* prop)
 {
   const double* const bounds = prop->GetBounds();
@@ -159,7 +160,11 @@ bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::strin
   if (geometryShader.empty())
   {
     vertex.Before(ClipDec, count + shaders::SectionVertexDec);
-    vertex.Before(ClipImpl, "#define VITRINE_SECTION_VERTEX vertexMC\n" + distances);
+    // Shaders of glyphs have the vertex in the coordinates of their mapper in a variable.
+    const bool isGlyph = vertexShader.find("//VTK::Glyph::Impl") != std::string::npos;
+    vertex.Before(ClipImpl,
+      std::string("#define VITRINE_SECTION_VERTEX ") + (isGlyph ? "vertex\n" : "vertexMC\n") +
+        distances);
   }
   else
   {

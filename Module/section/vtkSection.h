@@ -18,12 +18,14 @@
  * of coordinates, so planes may lie in faces, edges and vertices of parts.
  *
  * A part is an actor, or a block of an actor whose mapper draws composite data. A part is closed if each edge has an
- * even number of faces, after equal points are merged. The cuts of other parts are filled only where faces towards the
- * eye and away from it agree that the point is inside. IsCutPartClosed() tells them. Where several closed parts contain the same point of a plane, they interfere. The cap shows
- * a warning pattern there, and GetInterferingParts() tells the pairs.
+ * even number of faces, after equal points are merged. The cuts of other parts are filled only where the faces towards
+ * the eye and those away from it agree that the point is inside. IsCutPartClosed() tells which parts are closed. Where
+ * several parts contain the same point of a plane, they interfere. The cap shows a warning pattern there, and
+ * GetInterferingParts() tells the pairs.
  *
  * A section reads the geometry of the parts that its planes cut, and keeps it on the device a second time. Clipping
- * planes of mappers do not cut caps.
+ * planes of mappers do not cut caps. With several samples a pixel (vtkRenderWindow::SetMultiSamples()), cuts are found
+ * at the centres of pixels, so their outlines are not smoothed. Actors within a vtkAssembly are cut, and have no caps.
  *
  * @sa
  * vtkSeeThroughPass vtkPlane vtkMapper::AddClippingPlane()

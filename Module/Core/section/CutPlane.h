@@ -47,9 +47,9 @@ inline DistanceRange DistancesOf(
 }
 
 /**
- * How far a plane is moved towards what it removes, as a share of the size of the coordinates: eight roundings of single
- * precision. Points in the plane have then a distance above all roundings, wherever they are computed, so they are
- * kept. Planes in faces, edges and vertices need no other rule.
+ * How far a plane is moved towards what it removes, as a share of the size of the coordinates: eight roundings of
+ * single precision. Points in the plane have then a distance above all roundings, wherever they are computed, so they
+ * are kept. Planes in faces, edges and vertices need no other rule.
  */
 constexpr double PlaneMargin = 1.0 / (1 << 21);
 

@@ -1,0 +1,94 @@
+#include "Core/section/ClosedMesh.h"
+#include "Core/section/CutPolygon.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace
+{
+
+using vitrine::CutPlane;
+using vitrine::IsClosed;
+
+const std::vector<glm::dvec3> Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+const std::vector<std::uint32_t> Faces = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 };
+
+TEST(ClosedMesh, NeedsAllFaces)
+{
+  EXPECT_TRUE(IsClosed(Corners, Faces));
+  EXPECT_FALSE(IsClosed(Corners, { Faces.begin() + 3, Faces.end() }));
+  EXPECT_FALSE(IsClosed(Corners, {}));
+}
+
+TEST(ClosedMesh, MergesEqualPoints)
+{
+  std::vector<glm::dvec3> points;
+  std::vector<std::uint32_t> corners;
+  for (const std::uint32_t corner : Faces)
+  {
+    corners.push_back(static_cast<std::uint32_t>(points.size()));
+    points.push_back(Corners[corner]);
+    points.back().x += 0.0 * points.back().y; // negative zeros are zeros
+  }
+  points[0].z = -points[0].z;
+  EXPECT_TRUE(IsClosed(points, corners));
+  points[0].z = 1e-9;
+  EXPECT_FALSE(IsClosed(points, corners));
+}
+
+TEST(ClosedMesh, DropsDegenerateTrianglesAndTakesAnyEvenNumber)
+{
+  std::vector<std::uint32_t> more = Faces;
+  more.insert(more.end(), { 1, 1, 2 });
+  EXPECT_TRUE(IsClosed(Corners, more));
+  more.insert(more.end(), Faces.begin(), Faces.end()); // twice the same: four faces at each edge
+  EXPECT_TRUE(IsClosed(Corners, more));
+  EXPECT_FALSE(IsClosed(Corners, { 1, 1, 2, 0, 0, 0 }));
+  std::vector<glm::dvec3> points = Corners;
+  points[3].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(IsClosed(points, Faces));
+}
+
+TEST(CutPlane, KeepsItsPointsInOtherCoordinates)
+{
+  const CutPlane plane{ glm::normalize(glm::dvec3(1, 2, 3)), -0.5 };
+  const glm::dmat4 toWorld =
+    glm::scale(glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(1, -2, 0.5)), 0.7,
+                 glm::dvec3(0.6, 0.8, 0)),
+      glm::dvec3(2, 1, 0.5));
+  const glm::dvec3 point(0.3, -0.2, 0.9);
+  const glm::dvec3 inWorld(toWorld * glm::dvec4(point, 1.0));
+  EXPECT_NEAR(plane.In(toWorld).At(point), plane.At(inWorld), 1e-14);
+  EXPECT_NEAR(plane.MovedBy(0.25).At(inWorld), plane.At(inWorld) + 0.25, 1e-14);
+}
+
+TEST(CutPlane, KnowsTheDistancesOfABox)
+{
+  const CutPlane plane{ { 0, -1, 0 }, 2.0 };
+  const vitrine::DistanceRange range = DistancesOf(plane, { -5, 1, 0 }, { 5, 3, 9 });
+  EXPECT_DOUBLE_EQ(range.Least, -1.0);
+  EXPECT_DOUBLE_EQ(range.Greatest, 1.0);
+}
+
+TEST(CutPolygon, IsAHexagonInTheMiddleOfACube)
+{
+  const CutPlane plane{ glm::normalize(glm::dvec3(1, 1, 1)), 0.0 };
+  const std::vector<glm::dvec3> polygon = CutPolygon(plane, glm::dvec3(-1.0), glm::dvec3(1.0));
+  ASSERT_EQ(polygon.size(), 6u);
+  glm::dvec3 area(0.0);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    EXPECT_NEAR(plane.At(polygon[i]), 0.0, 1e-14);
+    area += 0.5 * glm::cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  // The order is that around the normal.
+  EXPECT_NEAR(glm::dot(area, plane.Normal), 3.0 * std::sqrt(3.0), 1e-12);
+  EXPECT_TRUE(CutPolygon(plane.MovedBy(2.0), glm::dvec3(-1.0), glm::dvec3(1.0)).empty());
+}
+
+}
