@@ -188,7 +188,6 @@ struct vtkSection::Internals
     if (this->HasBox)
     {
       const std::uint32_t faces = ((1u << FacesOfBox) - 1u) << this->Cutters.size();
-      // A box that removes its inside shares the mask of planes that remove together only if there are none.
       (this->BoxKeepsInside ? masks.Any : masks.All) |= faces;
     }
     return masks;
@@ -258,14 +257,14 @@ struct vtkSection::Internals
       { return this->MasksOf(prop, static_cast<int>(block)); });
   }
 
-  void StartFrame(vtkSection* section)
+  void StartFrame()
   {
     vtkRenderer* const renderer = this->Renderer;
     this->EndFrame();
     this->ForgetCutProps();
     this->UpdateParts(renderer);
-    this->MakeCaps(section, renderer);
-    this->PlaceCaps(renderer);
+    this->MakeCaps(renderer);
+    this->PlaceCaps();
     this->Shader->BeginFrame(renderer, this->Planes);
     this->Mark(renderer);
   }
@@ -362,7 +361,7 @@ struct vtkSection::Internals
   // ---- caps
 
   /** Gives each plane its two caps, and adds them to the renderer. */
-  void MakeCaps(vtkSection*, vtkRenderer* renderer)
+  void MakeCaps(vtkRenderer* renderer)
   {
     const std::size_t wanted = 2 * this->Planes.Planes.size();
     while (this->CapActors.size() > wanted)
@@ -378,8 +377,15 @@ struct vtkSection::Internals
       cap->Begin = [this](vtkRenderer* drawn) { return this->BeginCap(drawn); };
       cap->End = [this] { this->Sums.Unbind(); };
       cap->Release = [this](vtkWindow* window) { this->Release(window); };
-      renderer->AddViewProp(cap);
       this->CapActors.push_back(cap);
+    }
+    for (const auto& cap : this->CapActors)
+    {
+      // Applications may have removed all props.
+      if (!renderer->GetViewProps()->IsItemPresent(cap))
+      {
+        renderer->AddViewProp(cap);
+      }
     }
   }
 
@@ -392,7 +398,7 @@ struct vtkSection::Internals
     }
   }
 
-  void PlaceCaps(vtkRenderer*)
+  void PlaceCaps()
   {
     this->Min = glm::dvec3(std::numeric_limits<double>::infinity());
     this->Max = -this->Min;
@@ -731,16 +737,18 @@ bool vtkSection::GetRemoveBeyondAll()
 }
 
 //------------------------------------------------------------------------------
-void vtkSection::SetBox(const double bounds[6], bool keepInside)
+void vtkSection::SetBox(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax, bool keepInside)
 {
+  const std::array<double, 6> bounds{ xmin, xmax, ymin, ymax, zmin, zmax };
   const bool isBox = bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] < bounds[5] &&
-    std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); });
+    std::all_of(bounds.begin(), bounds.end(), [](double bound) { return std::isfinite(bound); });
   if (!isBox)
   {
     vtkErrorMacro("SetBox() takes xmin < xmax, ymin < ymax, zmin < zmax, which are finite");
     return;
   }
-  std::copy(bounds, bounds + 6, this->Private->Box.begin());
+  this->Private->Box = bounds;
   this->Private->HasBox = true;
   this->Private->BoxKeepsInside = keepInside;
   this->Modified();
@@ -858,7 +866,7 @@ void vtkSection::Attach(vtkRenderer* renderer)
   in.Renderer = renderer;
   vtkNew<RendererObserver> observer;
   observer->Section = this;
-  observer->Start = [&in, this] { in.StartFrame(this); };
+  observer->Start = [&in] { in.StartFrame(); };
   observer->End = [&in] { in.EndFrame(); };
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
          static_cast<unsigned long>(vtkCommand::EndEvent), AskForSection })

@@ -102,10 +102,12 @@ public:
 
   ///@{
   /**
-   * Set a box in world coordinates (xmin, xmax, ymin, ymax, zmin, zmax). Its faces cut as six further planes, with
-   * caps. `keepInside` tells whether it keeps what lies inside, or removes it. The box must not be empty.
+   * Set a box in world coordinates. Its faces cut as six further planes, with caps. `keepInside` tells whether it keeps
+   * what lies inside, or removes it. An empty box is an error. A box that removes its inside counts among the planes of
+   * RemoveBeyondAll.
    */
-  void SetBox(const double bounds[6], bool keepInside);
+  void SetBox(
+    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax, bool keepInside);
   void RemoveBox();
   bool HasBox();
   ///@}

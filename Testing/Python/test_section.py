@@ -338,10 +338,10 @@ class Frames(unittest.TestCase):
         section.SetEdgeWidth(0)
         section.Attach(self.renderer)
         full = (self.scene.picture() != 255).any(axis=1).sum()
-        section.SetBox((-0.25, 0.25, -0.25, 0.25, -0.25, 0.25), True)
+        section.SetBox(-0.25, 0.25, -0.25, 0.25, -0.25, 0.25, True)
         small = (self.scene.picture() != 255).any(axis=1).sum()
         self.assertAlmostEqual(small / full, 0.25, delta=0.07)
-        section.SetBox((-0.25, 0.25, -1, 0, -0.25, 0.25), False)
+        section.SetBox(-0.25, 0.25, -1, 0, -0.25, 0.25, False)
         self.assertEqual((self.scene.picture() != 255).any(axis=1).sum(), full)
         section.RemoveBox()
         planes = [vtkPlane(), vtkPlane()]

@@ -7,6 +7,8 @@
 #include "scene/OpacityAdvice.h"
 #include "scene/files/SceneFile.h"
 
+#include "vtkSection.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -201,6 +203,9 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
   AddPartOptions(command, options.Parts);
   command.add_option("--color-by", options.ColorBy, DescribeColorBy())
     ->type_name("ARRAY[,MIN:MAX][,MAP]");
+  AddPartOption(command, "--section", options.Sections, "NX,NY,NZ,D",
+    "cut by a plane that keeps the points p with p . (NX,NY,NZ) >= D, and fill the cuts; up to "
+    "six");
   AddReadingOptions(command, options.Reading);
   command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
@@ -319,6 +324,18 @@ View ParseView(const std::string& text)
   return view;
 }
 
+std::array<double, 4> ParseSection(const std::string& text)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != 4 || (numbers[0] == 0.0 && numbers[1] == 0.0 && numbers[2] == 0.0))
+  {
+    throw InputError("--section",
+      "'" + text +
+        "' is not NX,NY,NZ,D, a normal other than 0 and the distance that it is kept from");
+  }
+  return { numbers[0], numbers[1], numbers[2], numbers[3] };
+}
+
 Coincidence ParseCoincidence(const std::optional<std::string>& text)
 {
   if (!text)
@@ -357,6 +374,14 @@ Scene LoadScene(const SceneOptions& options)
     scene.Bar = {};
   }
   Apply(options.Parts, scene);
+  for (const std::string& section : options.Sections)
+  {
+    scene.Sections.push_back(ParseSection(section));
+  }
+  if (scene.Sections.size() > static_cast<std::size_t>(vtkSection::GetMaximumNumberOfPlanes()))
+  {
+    throw InputError("--section", "six planes at most can cut a scene");
+  }
   return scene;
 }
 

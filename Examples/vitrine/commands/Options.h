@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -29,6 +30,7 @@ struct SceneOptions
   PartChoices Parts;
   std::optional<std::string> ColorBy;
   bool HasScalarBar = false;
+  std::vector<std::string> Sections; ///< "NX,NY,NZ,D"
   ReadingOptions Reading;
   int Multisamples = 0;
 };
@@ -99,6 +101,9 @@ PictureSize ParseSize(const std::string& text, int largestSide = LargestSide);
 
 /** "AZ,EL[,ZOOM]". Throws InputError for anything else. */
 View ParseView(const std::string& text);
+
+/** "NX,NY,NZ,D". Throws InputError for anything else. */
+std::array<double, 4> ParseSection(const std::string& text);
 
 /** "STEPS[,SLOPE]", or no tolerance. Throws InputError for anything else. */
 Coincidence ParseCoincidence(const std::optional<std::string>& text);

@@ -36,6 +36,7 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetBackground(Background, Background, Background);
     AddActors(scene, this->Renderer);
+    CutSections(scene, this->Renderer);
     AddScalarBar(scene, this->Renderer);
     SetLights(scene.Lights, this->Renderer);
     this->Renderer->SetActiveCamera(PlaceCamera(scene, ChooseView(options, scene), size.Aspect()));

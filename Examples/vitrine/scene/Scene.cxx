@@ -10,10 +10,12 @@
 #include "vtkFeatureEdges.h"
 #include "vtkNew.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkSection.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -306,6 +308,28 @@ std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer
     AppendActor(renderer, actor);
   }
   return actors;
+}
+
+void CutSections(const Scene& scene, vtkRenderer* renderer)
+{
+  if (vtkSection* const former = vtkSection::GetAttached(renderer))
+  {
+    former->Detach();
+  }
+  if (scene.Sections.empty())
+  {
+    return;
+  }
+  vtkNew<vtkSection> section;
+  for (const auto& [x, y, z, distance] : scene.Sections)
+  {
+    const double share = distance / (x * x + y * y + z * z);
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(x, y, z);
+    plane->SetOrigin(share * x, share * y, share * z);
+    section->AddPlane(plane);
+  }
+  section->Attach(renderer);
 }
 
 }

@@ -111,6 +111,8 @@ struct Scene
   std::string Expectation;        ///< of a generated scene: how methods do on it; may be empty
   Stance Placement;
   ScalarBar Bar;
+  std::vector<std::array<double, 4>>
+    Sections; ///< planes (x, y, z, d), which keep points p with p . (x, y, z) >= d
 };
 
 /** The path of a part in the tree of its scene. */
@@ -161,6 +163,9 @@ void MakeOpaque(Scene& scene, double leastOpacity);
  * no block, in the order of the parts.
  */
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer);
+
+/** Have the planes of the scene cut what the renderer draws, with caps. Without planes nothing is cut. */
+void CutSections(const Scene& scene, vtkRenderer* renderer);
 
 }
 #endif
