@@ -1,8 +1,19 @@
 // Declarations for the fragment shader of a cap: which part is cut at the pixel, and how does it look there?
+//
+// VITRINE_CUT_SAMPLES n  samples of a pixel of the sums, 0 for one
 #include "PartHash.glsl"
 #include "SharedLayout.h"
 
-uniform usampler2DArray vitrineCutSums; // a layer for each plane; then two for each plane, of open parts
+// The sums have a layer for each plane, and then two for each plane, of open parts.
+#if VITRINE_CUT_SAMPLES > 0
+uniform usampler2DMSArray vitrineCutSums;
+#define VITRINE_CUT_SIZE textureSize(vitrineCutSums).xy
+#define VITRINE_CUT_SAMPLE gl_SampleID
+#else
+uniform usampler2DArray vitrineCutSums;
+#define VITRINE_CUT_SIZE textureSize(vitrineCutSums, 0).xy
+#define VITRINE_CUT_SAMPLE 0
+#endif
 uniform usamplerBuffer vitrineCutParts; // a texel for each part that is cut: number, masks of planes, hatch
 uniform samplerBuffer vitrineCutLooks;  // VITRINE_CUT_LOOK_TEXELS texels for each part that is cut
 uniform ivec4 vitrineCapPlace;          // the plane, the first pixel of the sums, 1 for translucent caps
@@ -23,13 +34,13 @@ bool vitrineIsOnePart(uvec2 sum)
 // eye and away from it agree.
 uvec2 vitrineSumAt(ivec2 pixel)
 {
-  ivec3 texel = ivec3(clamp(pixel, ivec2(0), textureSize(vitrineCutSums, 0).xy - 1), vitrineCapPlace.x);
-  uvec2 sum = texelFetch(vitrineCutSums, texel, 0).xy;
+  ivec3 texel = ivec3(clamp(pixel, ivec2(0), VITRINE_CUT_SIZE - 1), vitrineCapPlace.x);
+  uvec2 sum = texelFetch(vitrineCutSums, texel, VITRINE_CUT_SAMPLE).xy;
   if (vitrineCapStyle.y > 0)
   {
     texel.z = vitrineCapStyle.y + 2 * vitrineCapPlace.x;
-    uvec2 beyond = texelFetch(vitrineCutSums, texel, 0).xy;
-    uvec2 before = texelFetch(vitrineCutSums, texel + ivec3(0, 0, 1), 0).xy;
+    uvec2 beyond = texelFetch(vitrineCutSums, texel, VITRINE_CUT_SAMPLE).xy;
+    uvec2 before = texelFetch(vitrineCutSums, texel + ivec3(0, 0, 1), VITRINE_CUT_SAMPLE).xy;
     sum ^= beyond == before && vitrineIsOnePart(beyond) ? beyond : uvec2(0u);
   }
   return sum;

@@ -110,7 +110,17 @@ void CutSums::UseWindow(vtkOpenGLRenderWindow* window)
   }
 }
 
-std::string CutSums::Draw(vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes)
+int CutSums::SamplesOfTarget()
+{
+  GLint samples = 0;
+  GLint most = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &most);
+  return samples > 1 && samples <= most ? samples : 0;
+}
+
+std::string CutSums::Draw(
+  vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes, int samples)
 {
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->UseWindow(window);
@@ -118,11 +128,12 @@ std::string CutSums::Draw(vtkRenderer* renderer, const CutParts& parts, const Se
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, key.Viewport.data());
   key.ToClip = ToClipOf(renderer);
   key.Changes = parts.Changes();
+  key.Samples = samples;
   key.Planes = planes.Planes;
   const auto isSamePlane = [](const CutPlane& a, const CutPlane& b)
   { return a.Equation() == b.Equation(); };
   if (key.Viewport == this->LastKey.Viewport && key.ToClip == this->LastKey.ToClip &&
-    key.Changes == this->LastKey.Changes &&
+    key.Changes == this->LastKey.Changes && key.Samples == this->LastKey.Samples &&
     std::equal(key.Planes.begin(), key.Planes.end(), this->LastKey.Planes.begin(),
       this->LastKey.Planes.end(), isSamePlane))
   {
@@ -139,7 +150,7 @@ std::string CutSums::Draw(vtkRenderer* renderer, const CutParts& parts, const Se
     parts.Parts().begin(), parts.Parts().end(), [](const CutPart& part) { return !part.IsClosed; });
   this->OpenLayer = hasOpen ? count : 0;
   std::string problem = this->Sums.Allocate(GL_RG32UI, std::max(key.Viewport[2], 1),
-    std::max(key.Viewport[3], 1), 0, hasOpen ? 3 * count : count);
+    std::max(key.Viewport[3], 1), samples, hasOpen ? 3 * count : count);
   problem = problem.empty() ? this->Upload(parts) : problem;
   problem = problem.empty() ? this->DrawPlanes(window, parts, planes) : problem;
   if (!problem.empty())
@@ -193,6 +204,11 @@ std::string CutSums::DrawPlanes(
   }
   this->Connect(program);
   BindForFullScreenDraw(window->GetState(), this->Drawing.Handle(), width, height);
+  const ScopedSampleMask allSamples;
+  if (this->LastKey.Samples > 0)
+  {
+    window->GetState()->vtkglEnable(GL_MULTISAMPLE);
+  }
   const glm::dmat4& toClip = this->LastKey.ToClip;
   const glm::dmat4 fromCenter = glm::translate(glm::dmat4(1.0), parts.Center());
   const glm::mat4 matrix(toClip * fromCenter);
@@ -301,8 +317,25 @@ CutSums::Pixels CutSums::Read(int plane)
   glFramebufferTextureLayer(
     GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, plane);
   const ScopedReadBuffer readBuffer(window->GetState(), GL_COLOR_ATTACHMENT0);
+  Image2D single;
+  Framebuffer resolving;
+  if (this->LastKey.Samples > 0)
+  {
+    // Of integers, one of the samples is taken.
+    single.Allocate(GL_RG32UI, pixels.Width, pixels.Height, 0);
+    resolving.Attach(window->GetState(), single);
+    window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Drawing.Handle());
+    window->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolving.Handle());
+    window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, pixels.Width, pixels.Height, 0, 0, pixels.Width, pixels.Height,
+      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, resolving.Handle());
+  }
   glReadPixels(
     0, 0, pixels.Width, pixels.Height, GL_RG_INTEGER, GL_UNSIGNED_INT, pixels.Sums.data());
+  window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Drawing.Handle());
+  resolving.Release();
+  single.Release();
   return pixels;
 }
 

@@ -38,8 +38,16 @@ public:
   /**
    * Draw the sums for the viewport and the camera that are set, unless they are those of the last call. Returns a
    * reason if they cannot be drawn, else an empty string.
+   * @param samples  samples of a pixel, 0 for one
    */
-  std::string Draw(vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes);
+  std::string Draw(
+    vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes, int samples);
+
+  /**
+   * Returns the samples of a pixel of the framebuffer that is bound for drawing. It is 0 if there is one, or if integer
+   * images cannot have as many.
+   */
+  static int SamplesOfTarget();
 
   /** Write the tables by which caps look up parts, if `changes` differs from the last call. */
   std::string WriteTables(vtkRenderer* renderer, const CutParts& parts, const HatchOf& hatchOf,
@@ -80,6 +88,7 @@ private:
     std::array<int, 4> Viewport{};
     glm::dmat4 ToClip{ 0.0 };
     std::uint64_t Changes = 0;
+    int Samples = 0;
     std::vector<CutPlane> Planes;
   };
 

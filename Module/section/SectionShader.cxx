@@ -7,6 +7,7 @@
 #include "section/CapActor.h"
 #include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
+#include "shader/VTKText.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
@@ -132,6 +133,15 @@ void SectionShader::BeginFrame(vtkRenderer* renderer, const SectionPlanes& plane
   this->Planes = planes;
 }
 
+void SectionShader::SetSamples(int samples)
+{
+  if (this->Samples != samples)
+  {
+    this->Samples = samples;
+    this->Stage.Modified();
+  }
+}
+
 void SectionShader::EndFrame()
 {
   this->MaskUnit.reset();
@@ -179,7 +189,12 @@ bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::strin
   {
     vertex.Before(ClipDec, shaders::CapVertexDec);
     vertex.Before(ClipImpl, shaders::CapVertexImpl);
-    fragment.Before(FirstDec, shaders::CapDec);
+    fragment.Before(FirstDec,
+      "#define VITRINE_CUT_SAMPLES " + std::to_string(this->Samples) + "\n" + shaders::CapDec);
+    if (this->Samples > 0)
+    {
+      fragment.After(vtktext::SystemDec, "#extension GL_ARB_sample_shading : require\n");
+    }
     fragment.Before(ClipImpl, shaders::CapImpl);
     fragment.After(ColorImpl, shaders::CapColor);
   }

@@ -36,6 +36,9 @@ public:
   void BeginFrame(vtkRenderer* renderer, const SectionPlanes& planes);
   void EndFrame();
 
+  /** Set the samples of a pixel of the sums that caps look up, 0 for one. */
+  void SetSamples(int samples);
+
   /** Release what is held in the context that is current. */
   void Release();
 
@@ -59,6 +62,7 @@ private:
   void SetBlockMasks(vtkShaderProgram* program, vtkProp* prop);
 
   SectionPlanes Planes;
+  int Samples = 0;
   vtkTimeStamp Stage;
   PartShader Blocks; ///< tells shaders the block of each vertex
   vtkWeakPointer<vtkRenderer> Renderer;

@@ -141,6 +141,7 @@ struct vtkSection::Internals
   glm::dvec3 Min{ 0.0 }; ///< the box around the parts that are cut, in WC
   glm::dvec3 Max{ 0.0 };
   std::string FallbackReason;
+  int Samples = 0; ///< of a pixel of the frame, 0 for one
 
   // ---- the planes of a frame
 
@@ -374,7 +375,9 @@ struct vtkSection::Internals
       const auto cap = vtkSmartPointer<vitrine::CapActor>::New();
       cap->Plane = static_cast<int>(this->CapActors.size() / 2);
       cap->SetForTranslucent(this->CapActors.size() % 2 != 0);
-      cap->Begin = [this](vtkRenderer* drawn) { return this->BeginCap(drawn); };
+      const bool isForTranslucent = cap->IsForTranslucent;
+      cap->Begin = [this, isForTranslucent](vtkRenderer* drawn)
+      { return this->BeginCap(drawn, isForTranslucent); };
       cap->End = [this] { this->Sums.Unbind(); };
       cap->Release = [this](vtkWindow* window) { this->Release(window); };
       this->CapActors.push_back(cap);
@@ -429,9 +432,12 @@ struct vtkSection::Internals
     return found == this->Hatches.end() ? this->Hatch : found->second;
   }
 
-  bool BeginCap(vtkRenderer* renderer)
+  bool BeginCap(vtkRenderer* renderer, bool isForTranslucent)
   {
-    this->FallbackReason = this->Sums.Draw(renderer, this->Parts, this->Planes);
+    // Methods draw translucent caps into targets of their own, whose samples may have another meaning.
+    this->Samples = isForTranslucent ? this->Samples : vitrine::CutSums::SamplesOfTarget();
+    this->Shader->SetSamples(this->Samples);
+    this->FallbackReason = this->Sums.Draw(renderer, this->Parts, this->Planes, this->Samples);
     if (this->FallbackReason.empty())
     {
       this->FallbackReason = this->Sums.WriteTables(

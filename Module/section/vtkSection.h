@@ -24,8 +24,8 @@
  * GetInterferingParts() tells the pairs.
  *
  * A section reads the geometry of the parts that its planes cut, and keeps it on the device a second time. Clipping
- * planes of mappers do not cut caps. With several samples a pixel (vtkRenderWindow::SetMultiSamples()), cuts are found
- * at the centres of pixels, so their outlines are not smoothed. Actors within a vtkAssembly are cut, and have no caps.
+ * planes of mappers do not cut caps. Actors within a vtkAssembly are cut, and have no caps. Data
+ * other than vtkPolyData have caps from the second frame on in which their vtkDataSetMapper draws them.
  *
  * @sa
  * vtkSeeThroughPass vtkPlane vtkMapper::AddClippingPlane()

@@ -59,6 +59,13 @@ class BadArguments(ProgramTest):
                 self.assert_refused(run("info", "demo:stack", f"--size={size}"), "--size", size)
         self.assert_refused(run("stability", "demo:stack", "--size", "8x8193"), "--size", "8192")
 
+    def test_section(self):
+        for section in ("", "0,0,0,1", "1,0,0", "1,0,0,x", "nan,0,0,1", "1,0,0,0,0"):
+            with self.subTest(section=section):
+                self.assert_refused(run("info", "demo:stack", f"--section={section}"), "--section", section)
+        seven = ["--section=1,0,0,0"] * 7
+        self.assert_refused(run("info", "demo:stack", *seven), "--section", "six planes")
+
     def test_view(self):
         for view in (
             "1",

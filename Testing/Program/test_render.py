@@ -93,6 +93,16 @@ class Render(FileTest):
         self.assertAlmostEqual(green / red, 128 / 255, delta=0.02)
         self.assertLess(blue, 3)
 
+    def test_sections_take_a_quarter_away(self):
+        """Of a box, seen from above, a section leaves half, and two leave a quarter."""
+        path = self.write("boxes.glb", scenes.glb())
+        counts = []
+        for sections in ([], ["--section=1,0,0,0"], ["--section=1,0,0,0", "--section=0,0,1,0"]):
+            picture = self.render(path, *sections, "--opacity", "*=1", "--size", "32x32", "--view", "0,90")
+            counts.append(sum(row[i] != BACKGROUND for row in picture[2] for i in range(0, len(row), 3)))
+        self.assertGreater(counts[0], counts[1])
+        self.assertGreater(counts[1], counts[2])
+
     def test_nothing_but_the_picture_is_written(self):
         self.render("demo:stack,layers=2", "--size", "8x8")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["picture.png"])

@@ -286,6 +286,22 @@ class Frames(unittest.TestCase):
             cut.move("-y")  # the eye is on the side that is kept
             self.assertEqual(self.at_center(), (255, 64, 64))
 
+    def test_caps_have_the_samples_of_the_window(self):
+        """A cap covers as much of each pixel as the half ball behind it: no pixel of the outline is between both."""
+        self.add(ball(color=(1, 0, 0)))
+        self.scene.window.SetMultiSamples(4)
+        with vitrine.section(self.renderer, "y", (0, 0, 0), edges=0):
+            smooth = self.scene.picture()
+            for method in ("linked-list", "prefix-sum"):
+                with self.subTest(method), vitrine.see_through(self.renderer, method):
+                    self.assertLessEqual(np.abs(self.scene.picture() - smooth).max(), 1)
+        self.scene.window.SetMultiSamples(0)
+        with vitrine.section(self.renderer, "y", (0, 0, 0), edges=0):
+            sharp = self.scene.picture()
+        shades = [len(np.unique(picture[:, 1])) for picture in (sharp, smooth)]
+        self.assertEqual(shades[0], 2)  # the cap and the background
+        self.assertGreater(shades[1], 3)
+
     def test_the_culler_changes_no_pixel(self):
         """The wall would hide all others, but a section takes most of it away."""
         wall = ball(2.0)
