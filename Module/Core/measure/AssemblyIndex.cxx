@@ -254,14 +254,20 @@ std::optional<Clash> AssemblyIndex::Compare(
   const std::optional<SurfaceGap> gap = FindSurfaceGap(a, b, within);
   Clash clash{ first, second, ClashKinds::Near, Enclosures::None, 0, 0, {} };
   const bool doMeet = gap && !gap->Meetings.empty();
-  if (!doMeet)
+  std::optional<DeepPoint> deep;
+  if (doMeet)
   {
-    clash.Enclosure = LiesWholly(a, b) ? Enclosures::FirstInSecond
-      : LiesWholly(b, a)               ? Enclosures::SecondInFirst
-                                       : Enclosures::None;
+    deep = FindDepthOfMeeting(a, b, gap->Meetings, limits.Tolerance);
   }
-  const std::optional<DeepPoint> deep =
-    FindDepth(a, b, doMeet ? gap->Meetings : std::vector<Meeting>(), limits.Tolerance);
+  else
+  {
+    const PiecesInside aInside = FindPiecesInside(a, b);
+    const PiecesInside bInside = FindPiecesInside(b, a);
+    clash.Enclosure = aInside.All ? Enclosures::FirstInSecond
+      : bInside.All               ? Enclosures::SecondInFirst
+                                  : Enclosures::None;
+    deep = FindDepthOfApart(a, b, aInside, bInside, limits.Tolerance);
+  }
   if (deep)
   {
     clash.Kind = ClashKinds::Interfering;

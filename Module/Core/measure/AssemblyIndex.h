@@ -38,7 +38,7 @@ struct Clash
   std::uint32_t Second;
   ClashKinds Kind;
   Enclosures Enclosure;
-  double Depth;     ///< FindDepth(), if deeper than the tolerance; otherwise 0
+  double Depth;     ///< PenetrationDepth.h's, if deeper than the tolerance; otherwise 0
   double Distance;  ///< of the surfaces
   glm::dvec3 Place; ///< the deepest point, or the middle between the nearest points
 };

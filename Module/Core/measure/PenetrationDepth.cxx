@@ -27,17 +27,26 @@ public:
   {
   }
 
+  /** For surfaces that meet. */
   void Search()
   {
-    if (this->Places.empty())
-    {
-      this->SearchPieces();
-      return;
-    }
     this->Triangles = this->Part.TrianglesTouching(this->Solid.Bounds());
     this->JoinFreeTriangles();
     this->OfferCorners();
     this->OfferMeetingTriangles();
+  }
+
+  /** For surfaces that do not. */
+  void SearchPieces(const std::vector<bool>& isInside)
+  {
+    const PartMesh& mesh = this->Part.Mesh();
+    for (std::size_t i = 0; i < mesh.Points().size(); ++i)
+    {
+      if (isInside[mesh.PiecesOfPoints()[i]])
+      {
+        this->OfferInside(this->Part.ToWorld(mesh.Points()[i]));
+      }
+    }
   }
 
 private:
@@ -46,29 +55,6 @@ private:
     const auto at = std::lower_bound(this->Places.begin(), this->Places.end(), triangle,
       [](const auto& place, std::uint32_t number) { return place.first < number; });
     return at != this->Places.end() && at->first == triangle;
-  }
-
-  /** Nothing meets, so each piece of the surface is inside or outside as a whole. */
-  void SearchPieces()
-  {
-    const PartMesh& mesh = this->Part.Mesh();
-    std::vector<bool> isInside;
-    for (const std::uint32_t triangle : mesh.Pieces())
-    {
-      isInside.push_back(
-        this->Solid.Contains(this->Part.ToWorld(mesh.Points()[*mesh.CornersOf(triangle)])));
-    }
-    if (std::find(isInside.begin(), isInside.end(), true) == isInside.end())
-    {
-      return;
-    }
-    for (std::size_t i = 0; i < mesh.Points().size(); ++i)
-    {
-      if (isInside[mesh.PiecesOfPoints()[i]])
-      {
-        this->OfferInside(this->Part.ToWorld(mesh.Points()[i]));
-      }
-    }
   }
 
   /** Triangles that meet nothing and have a corner in common are on one side. */
@@ -224,6 +210,10 @@ void SearchWitnesses(const PlacedPart& part, const PlacedPart& solid,
 
 void SearchInnerPoints(const PlacedPart& part, const PlacedPart& solid, DeepPoint& deepest)
 {
+  if (!part.IsClosed() || !solid.IsClosed())
+  {
+    return;
+  }
   for (const InnerPoint& inner : part.Mesh().InnerPoints())
   {
     const double clearance = inner.Clearance * part.Scale();
@@ -273,15 +263,12 @@ std::vector<std::size_t> NextMeetings(std::size_t i, std::size_t count)
   return next;
 }
 
-std::optional<DeepPoint> FindDepth(const PlacedPart& first, const PlacedPart& second,
+std::optional<DeepPoint> FindDepthOfMeeting(const PlacedPart& first, const PlacedPart& second,
   const std::vector<Meeting>& meetings, double above)
 {
   DeepPoint deepest{ above, {} };
-  if (first.IsClosed() && second.IsClosed())
-  {
-    SearchInnerPoints(first, second, deepest);
-    SearchInnerPoints(second, first, deepest);
-  }
+  SearchInnerPoints(first, second, deepest);
+  SearchInnerPoints(second, first, deepest);
   if (second.IsClosed())
   {
     SearchWitnesses(first, second, meetings, &Meeting::First, deepest);
@@ -297,14 +284,44 @@ std::optional<DeepPoint> FindDepth(const PlacedPart& first, const PlacedPart& se
   return deepest.Depth > above ? std::optional<DeepPoint>(deepest) : std::nullopt;
 }
 
-bool LiesWholly(const PlacedPart& inner, const PlacedPart& outer)
+PiecesInside FindPiecesInside(const PlacedPart& part, const PlacedPart& solid)
 {
-  const PartMesh& mesh = inner.Mesh();
-  const std::vector<std::uint32_t>& pieces = mesh.Pieces();
-  return outer.IsClosed() && !pieces.empty() &&
-    std::all_of(pieces.begin(), pieces.end(),
-      [&](std::uint32_t piece)
-      { return outer.Contains(inner.ToWorld(mesh.Points()[*mesh.CornersOf(piece)])); });
+  PiecesInside pieces;
+  const PartMesh& mesh = part.Mesh();
+  if (!part.Bounds().Touches(solid.Bounds()) || !solid.IsClosed())
+  {
+    return pieces;
+  }
+  pieces.All = !mesh.Pieces().empty();
+  for (const std::uint32_t triangle : mesh.Pieces())
+  {
+    const bool isInside = solid.Contains(part.ToWorld(mesh.Points()[*mesh.CornersOf(triangle)]));
+    pieces.Inside.push_back(isInside);
+    pieces.Any = pieces.Any || isInside;
+    pieces.All = pieces.All && isInside;
+  }
+  return pieces;
+}
+
+std::optional<DeepPoint> FindDepthOfApart(const PlacedPart& first, const PlacedPart& second,
+  const PiecesInside& firstInside, const PiecesInside& secondInside, double above)
+{
+  DeepPoint deepest{ above, {} };
+  if (!firstInside.Any && !secondInside.Any)
+  {
+    return std::nullopt;
+  }
+  SearchInnerPoints(first, second, deepest);
+  SearchInnerPoints(second, first, deepest);
+  if (firstInside.Any)
+  {
+    WitnessSearch(first, second, {}, deepest).SearchPieces(firstInside.Inside);
+  }
+  if (secondInside.Any)
+  {
+    WitnessSearch(second, first, {}, deepest).SearchPieces(secondInside.Inside);
+  }
+  return deepest.Depth > above ? std::optional<DeepPoint>(deepest) : std::nullopt;
 }
 
 }

@@ -10,6 +10,16 @@
 namespace vitrine
 {
 
+/** Which pieces of a part's surface (PartMesh::Pieces()) are in the solid of another part that it does not meet. */
+struct PiecesInside
+{
+  std::vector<bool> Inside;
+  bool Any = false;
+  bool All = false;
+};
+
+PiecesInside FindPiecesInside(const PlacedPart& part, const PlacedPart& solid);
+
 /** A point that is in both parts, and how deep. */
 struct DeepPoint
 {
@@ -32,14 +42,15 @@ struct DeepPoint
  *
  * @param meetings  all of the two surfaces
  */
-std::optional<DeepPoint> FindDepth(const PlacedPart& first, const PlacedPart& second,
+std::optional<DeepPoint> FindDepthOfMeeting(const PlacedPart& first, const PlacedPart& second,
   const std::vector<Meeting>& meetings, double above);
+
+/** The same for two parts whose surfaces do not meet. Then each piece is inside or outside as a whole. */
+std::optional<DeepPoint> FindDepthOfApart(const PlacedPart& first, const PlacedPart& second,
+  const PiecesInside& firstInside, const PiecesInside& secondInside, double above);
 
 /** Returns the meetings to take the middle between meeting `i` of `count` and them. */
 std::vector<std::size_t> NextMeetings(std::size_t i, std::size_t count);
-
-/** Tells whether one part lies in the solid of the other and their surfaces do not meet. */
-bool LiesWholly(const PlacedPart& inner, const PlacedPart& outer);
 
 }
 
