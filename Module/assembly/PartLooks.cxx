@@ -11,7 +11,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
-#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>

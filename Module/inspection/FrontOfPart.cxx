@@ -28,7 +28,7 @@ float DepthIn(const LayerFragment& fragment)
 using PixelFragments = std::vector<const LayerFragment*>;
 
 /** Adds the stacks of a pixel: one for each fragment of the parts that is their nearest in some samples. */
-void AddPixel(PixelFragments& ofParts, const PixelFragments& others, FrontStacks& stacks)
+void AddPixel(PixelFragments& ofParts, const PixelFragments& others, int x, int y, Fronts& fronts)
 {
   std::stable_sort(ofParts.begin(), ofParts.end(),
     [](const LayerFragment* a, const LayerFragment* b) { return DepthIn(*a) < DepthIn(*b); });
@@ -52,7 +52,11 @@ void AddPixel(PixelFragments& ofParts, const PixelFragments& others, FrontStacks
     }
     // Fragments arrive in any order. The same picture shall give the same columns.
     std::sort(layers.begin(), layers.end());
-    stacks.Add(layers.data(), layers.size());
+    const std::uint32_t stack = fronts.Stacks.Add(layers.data(), layers.size());
+    if (fronts.Near)
+    {
+      fronts.Near->Add(x, y, stack);
+    }
   }
 }
 
@@ -81,9 +85,10 @@ struct ByPixels
 };
 }
 
-void AddFronts(const std::vector<LayerFragment>& fragments, std::size_t pixels,
-  const PartSet& parts, FrontStacks& stacks)
+void AddFronts(const std::vector<LayerFragment>& fragments, const PixelRegion& region,
+  const PartSet& parts, Fronts& fronts)
 {
+  const std::size_t pixels = static_cast<std::size_t>(region.Width) * region.Height;
   std::vector<bool> hasPart(pixels + 1, false);
   for (const LayerFragment& f : fragments)
   {
@@ -113,13 +118,14 @@ void AddFronts(const std::vector<LayerFragment>& fragments, std::size_t pixels,
     }
     if (!ofParts.empty())
     {
-      AddPixel(ofParts, others, stacks);
+      const auto at = static_cast<int>(pixel);
+      AddPixel(ofParts, others, region.X + at % region.Width, region.Y + at / region.Width, fronts);
     }
   }
 }
 
 std::string CaptureFronts(LayerCapture& capture, const FrameOfRenderer& frame,
-  const PixelRegion& region, const PartSet& parts, FrontStacks& stacks)
+  const PixelRegion& region, const PartSet& parts, Fronts& fronts)
 {
   int rows = std::clamp(BandPixels / std::max(1, region.Width), 1, std::max(1, region.Height));
   for (int row = 0; row < region.Height;)
@@ -131,7 +137,7 @@ std::string CaptureFronts(LayerCapture& capture, const FrameOfRenderer& frame,
       capture.Capture(frame.RequestOf(band, /* translucent= */ true), fragments);
     if (problem.empty())
     {
-      AddFronts(fragments, static_cast<std::size_t>(band.Width) * band.Height, parts, stacks);
+      AddFronts(fragments, band, parts, fronts);
       row += band.Height;
     }
     else if (rows > 1) // there may be room for the fragments of fewer pixels

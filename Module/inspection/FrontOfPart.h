@@ -4,6 +4,7 @@
 
 #include "Core/geometry/PixelRegion.h"
 #include "Core/reveal/FrontStacks.h"
+#include "Core/reveal/NearStacks.h"
 #include "inspection/FrameOfRenderer.h"
 #include "inspection/LayerCapture.h"
 
@@ -19,17 +20,24 @@ namespace vitrine
 /** Numbers of parts. */
 using PartSet = std::unordered_set<std::uint32_t>;
 
+/** What is in front, and what may come together there. */
+struct Fronts
+{
+  FrontStacks Stacks;
+  NearStacks* Near = nullptr; ///< null if that does not matter
+};
+
 /**
  * Adds a stack for each pixel of a rectangle in which one of `parts` is drawn: all layers of other parts that are not
  * behind its nearest layer. Opaque layers count like others, and layers of equal depth count as in front. In a
  * multisampled pixel, those layers count that cover a sample of the part.
  */
-void AddFronts(const std::vector<LayerFragment>& fragments, std::size_t pixels,
-  const PartSet& parts, FrontStacks& stacks);
+void AddFronts(const std::vector<LayerFragment>& fragments, const PixelRegion& region,
+  const PartSet& parts, Fronts& fronts);
 
 /** Captures a rectangle in bands, and adds its stacks. Returns why it cannot, or an empty string. */
 std::string CaptureFronts(LayerCapture& capture, const FrameOfRenderer& frame,
-  const PixelRegion& region, const PartSet& parts, FrontStacks& stacks);
+  const PixelRegion& region, const PartSet& parts, Fronts& fronts);
 
 }
 

@@ -39,6 +39,9 @@ constexpr double RoundingShare = 1.0 / 256.0;
 /** Pixels around the box of a part that are captured, too, for lines and points of usual width. */
 constexpr int PixelMargin = 2;
 
+/** Parts move against each other by this share of the viewport's height while the view turns by a degree. */
+constexpr int TilesOfHeight = 180;
+
 struct TargetPart
 {
   vtkWeakPointer<vtkProp> Prop;
@@ -350,14 +353,22 @@ std::string vtkReveal::FindOpacities(double degrees)
   const vitrine::PixelRegion region = in.RegionOfTargets(rays, middle);
   const double turned = in.Turned(middle);
   in.CameraTime = in.Renderer->GetActiveCamera()->GetMTime();
-  vitrine::FrontStacks stacks;
+  vitrine::NearStacks near(std::max(1, rays.Viewport().Height / TilesOfHeight));
+  vitrine::Fronts fronts;
+  fronts.Near = this->FollowCamera || std::isfinite(degrees) ? &near : nullptr;
   if (!region.IsEmpty())
   {
-    problem = vitrine::CaptureFronts(*in.Capture, frame, region, in.Targets(), stacks);
+    problem = vitrine::CaptureFronts(*in.Capture, frame, region, in.Targets(), fronts);
   }
   if (!problem.empty())
   {
     return problem;
+  }
+  vitrine::FrontStacks& stacks = fronts.Stacks;
+  in.Stacks = stacks.Count();
+  if (fronts.Near)
+  {
+    near.AddTo(stacks);
   }
   std::vector<vitrine::SteadyReveal::FrontPart> parts;
   const vitrine::PartNumbers& numbers = vitrine::PartNumbers::Of(in.Renderer);
@@ -374,7 +385,6 @@ std::string vtkReveal::FindOpacities(double degrees)
   in.SetLooks(this->LeastOpacity);
   in.Pixels = stacks.Pixels();
   in.Front = parts.size();
-  in.Stacks = stacks.Count();
   in.Layers = stacks.MostLayers();
   double all = 0.0;
   double kept = 0.0;

@@ -1,5 +1,7 @@
 #include "Core/reveal/FrontStacks.h"
 
+#include "Core/reveal/NearStacks.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -60,6 +62,28 @@ TEST(FrontStacks, CountsPixelsWithNothingInFront)
   EXPECT_EQ(stacks.Pixels(), 3u);
   EXPECT_EQ(stacks.CoveredPixels(), 1u);
   EXPECT_EQ(stacks.Count(), 1u);
+}
+
+TEST(NearStacks, AreThoseOfNeighbouringTiles)
+{
+  FrontStacks stacks;
+  vitrine::NearStacks near(4);
+  const auto add = [&](int x, int y, const std::vector<std::uint32_t>& layers)
+  { near.Add(x, y, stacks.Add(layers.data(), layers.size())); };
+  add(0, 0, { 1, 1 });
+  add(5, 3, { 1, 2 }); // the tile on the right
+  add(20, 20, { 3 });  // far away, and alone
+  add(28, 20, {});     // no layer, and a tile between
+  near.AddTo(stacks);
+  EXPECT_TRUE(stacks.HasNear());
+  ASSERT_EQ(stacks.Count(), 4u); // three of pixels, and what the first two come to
+  EXPECT_FALSE(stacks.IsNear(2));
+  EXPECT_TRUE(stacks.IsNear(3));
+  EXPECT_EQ(StackOf(stacks, 3), (std::map<std::uint32_t, std::uint32_t>{ { 1, 2 }, { 2, 1 } }));
+  // A pixel that has it makes it a stack of a pixel.
+  AddPixel(stacks, { 1, 2, 1 });
+  EXPECT_EQ(stacks.Count(), 4u);
+  EXPECT_FALSE(stacks.HasNear());
 }
 
 }

@@ -28,6 +28,13 @@ FrontStacks StacksOf(const std::vector<std::vector<std::uint32_t>>& pixels)
   return stacks;
 }
 
+// Calls MostContext() with the same limit for all stacks.
+FadedParts MostContextOf(
+  const FrontStacks& stacks, const std::vector<FadedPart>& parts, double deepest, double gap = 0.01)
+{
+  return MostContext(stacks, parts, std::vector<double>(stacks.Count(), deepest), gap);
+}
+
 // Depths are within their ranges, no stack is too deep, and the context and its bound are what is said of them.
 void ExpectProved(const FrontStacks& stacks, const std::vector<FadedPart>& parts, double deepest,
   double gap, const FadedParts& faded)
@@ -53,7 +60,7 @@ TEST(MostContext, FadesOnePartToTheShare)
   const FrontStacks stacks = StacksOf({ { 4 }, { 4, 4, 4 } });
   const std::vector<FadedPart> parts{ { 10.0, 0.0, infinite } };
   const double deepest = -std::log(0.7);
-  const FadedParts faded = MostContext(stacks, parts, deepest, 1e-6);
+  const FadedParts faded = MostContextOf(stacks, parts, deepest, 1e-6);
   ExpectProved(stacks, parts, deepest, 1e-6, faded);
   // Three layers pass 0.7 together.
   EXPECT_NEAR(std::exp(-faded.Depths[0]), std::cbrt(0.7), 1e-6);
@@ -66,7 +73,7 @@ TEST(MostContext, SharesAStackByWeights)
   const FrontStacks stacks = StacksOf({ { 1, 2 } });
   const std::vector<FadedPart> parts{ { 3.0, 0.0, infinite }, { 2.0, 0.0, infinite } };
   const double deepest = -std::log(0.1);
-  const FadedParts faded = MostContext(stacks, parts, deepest, 1e-9);
+  const FadedParts faded = MostContextOf(stacks, parts, deepest, 1e-9);
   ExpectProved(stacks, parts, deepest, 1e-9, faded);
   const double difference = std::log(3.0 / 2.0);
   EXPECT_NEAR(faded.Depths[0], (deepest + difference) / 2.0, 1e-4);
@@ -80,7 +87,7 @@ TEST(MostContext, LeavesTheLighterPartNothingWhereTheStackIsShallow)
   const std::vector<FadedPart> parts{ { 10.0, 0.0, infinite }, { 1.0, 0.0, infinite },
     { 1.0, 0.0, infinite } };
   const double deepest = -std::log(0.7);
-  const FadedParts faded = MostContext(stacks, parts, deepest, 1e-9);
+  const FadedParts faded = MostContextOf(stacks, parts, deepest, 1e-9);
   ExpectProved(stacks, parts, deepest, 1e-9, faded);
   EXPECT_NEAR(faded.Depths[0], deepest, 1e-6);
   EXPECT_NEAR(faded.Depths[1], 0.0, 1e-6);
@@ -92,7 +99,7 @@ TEST(MostContext, KeepsWithinTheRangesOfDepths)
   const FrontStacks stacks = StacksOf({ { 1, 2, 3 } });
   const std::vector<FadedPart> parts{ { 10.0, 0.0, 0.05 }, { 1.0, 0.1, infinite },
     { 5.0, 0.2, 0.2 } };
-  const FadedParts faded = MostContext(stacks, parts, 0.4, 1e-9);
+  const FadedParts faded = MostContextOf(stacks, parts, 0.4, 1e-9);
   ExpectProved(stacks, parts, 0.4, 1e-9, faded);
   EXPECT_NEAR(faded.Depths[0], 0.05, 1e-6);
   EXPECT_NEAR(faded.Depths[1], 0.15, 1e-6);
@@ -101,11 +108,11 @@ TEST(MostContext, KeepsWithinTheRangesOfDepths)
 
 TEST(MostContext, NothingToDecideIsAnswered)
 {
-  const FadedParts none = MostContext(StacksOf({ {}, {} }), {}, 0.3);
+  const FadedParts none = MostContextOf(StacksOf({ {}, {} }), {}, 0.3);
   EXPECT_TRUE(none.Depths.empty());
   EXPECT_EQ(none.ProvedShare(), 1.0);
   // All light shall pass: nothing may remain.
-  const FadedParts all = MostContext(StacksOf({ { 1 } }), { { 1.0, 0.0, infinite } }, 0.0);
+  const FadedParts all = MostContextOf(StacksOf({ { 1 } }), { { 1.0, 0.0, infinite } }, 0.0);
   EXPECT_EQ(all.Depths, std::vector<double>{ 0.0 });
   EXPECT_EQ(all.ProvedShare(), 1.0);
 }
@@ -114,7 +121,7 @@ TEST(MostContext, PartsWithoutAreaAreFadedToo)
 {
   const FrontStacks stacks = StacksOf({ { 1, 2 }, { 1 } });
   const std::vector<FadedPart> parts{ { 0.0, 0.0, infinite }, { 0.0, 0.0, infinite } };
-  const FadedParts faded = MostContext(stacks, parts, 0.3);
+  const FadedParts faded = MostContextOf(stacks, parts, 0.3);
   EXPECT_LE(faded.Deepest, 0.3);
 }
 
@@ -184,7 +191,7 @@ TEST(MostContext, IsThatOfHighs)
     const double deepest = -std::log(optimum.Share);
     for (const double gap : { 0.01, 1e-6 })
     {
-      const FadedParts faded = MostContext(stacks, parts, deepest, gap);
+      const FadedParts faded = MostContextOf(stacks, parts, deepest, gap);
       ExpectProved(stacks, parts, deepest, gap, faded);
       EXPECT_LE(faded.Context, optimum.Bound * (1.0 + 1e-7));
       EXPECT_GE(faded.Bound, optimum.Reached * (1.0 - 1e-7));

@@ -131,6 +131,53 @@ TEST(SteadyReveal, KeepsItsLimitsInAnyRowOfViews)
   }
 }
 
+TEST(SteadyReveal, PartsThatMayComeTogetherFallInTime)
+{
+  // Parts 1 and 2 come nearer to each other, and together after four degrees.
+  SteadyReveal reveal(0.7, 0.05);
+  const auto update = [&](double degrees, bool isNear, bool areTogether)
+  {
+    FrontStacks stacks;
+    const std::uint32_t both[] = { 1, 2 };
+    stacks.Add(both, 1);
+    stacks.Add(both + 1, 1);
+    if (areTogether)
+    {
+      stacks.Add(both, 2);
+    }
+    if (isNear)
+    {
+      stacks.AddNear({ { 0, 1 }, { 1, 1 } });
+    }
+    return reveal.Update(stacks, { { 1.0, 1.0 }, { 1.0, 1.0 } }, degrees);
+  };
+  update(atOnce, false, false);
+  EXPECT_NEAR(FadedTo(reveal, 1), 0.3, 5e-3);
+  for (int degree = 0; degree < 4; ++degree)
+  {
+    EXPECT_EQ(update(1.0, true, false).Forced, 0u);
+  }
+  const SteadyReveal::Change change = update(1.0, false, true);
+  EXPECT_EQ(change.Forced, 0u);
+  EXPECT_LE(change.Proof.Deepest, -std::log(0.7));
+}
+
+TEST(SteadyReveal, BeginsWithRoomForWhatMayComeTogether)
+{
+  SteadyReveal reveal(0.7, 0.05);
+  FrontStacks stacks;
+  const std::uint32_t both[] = { 1, 2 };
+  stacks.Add(both, 1);
+  stacks.Add(both + 1, 1);
+  stacks.AddNear({ { 0, 1 }, { 1, 1 } });
+  const auto change = reveal.Update(stacks, { { 1.0, 1.0 }, { 1.0, 1.0 } }, atOnce);
+  // Each has half of the depth of the share, and what it can fall by in a degree.
+  for (const double depth : change.Proof.Depths)
+  {
+    EXPECT_NEAR(depth, -std::log(0.7) / 2.0 + 0.05, 3e-3);
+  }
+}
+
 TEST(MakeRoom, LetsTheFewestPartsDrop)
 {
   FrontStacks stacks;

@@ -41,29 +41,48 @@ bool FrontStacks::IsStack(std::size_t stack) const
       [this](const Entry& entry) { return this->LayersOfColumn[entry.Column] == entry.Layers; });
 }
 
-void FrontStacks::AddStack(std::uint64_t hash)
+/** Returns the stack of Columns and LayersOfColumn, which are empty then. */
+std::uint32_t FrontStacks::FindOrAdd(std::uint64_t hash, bool isNear)
 {
-  std::sort(this->Columns.begin(), this->Columns.end());
+  const auto [first, last] = this->StacksOfHash.equal_range(hash);
+  const auto found =
+    std::find_if(first, last, [this](const auto& known) { return this->IsStack(known.second); });
+  std::uint32_t stack = static_cast<std::uint32_t>(this->Count());
+  if (found != last)
+  {
+    stack = found->second;
+    this->Near[stack] = this->Near[stack] && isNear;
+  }
+  else
+  {
+    std::sort(this->Columns.begin(), this->Columns.end());
+    for (const std::uint32_t column : this->Columns)
+    {
+      this->Entries.push_back({ column, this->LayersOfColumn[column] });
+    }
+    this->StacksOfHash.emplace(hash, stack);
+    this->Starts.push_back(this->Entries.size());
+    this->Near.push_back(isNear);
+  }
   for (const std::uint32_t column : this->Columns)
   {
-    this->Entries.push_back({ column, this->LayersOfColumn[column] });
+    this->LayersOfColumn[column] = 0;
   }
-  this->StacksOfHash.emplace(hash, static_cast<std::uint32_t>(this->Count()));
-  this->Starts.push_back(this->Entries.size());
+  this->Columns.clear();
+  return stack;
 }
 
-void FrontStacks::Add(const std::uint32_t* layers, std::size_t count)
+std::uint32_t FrontStacks::Add(const std::uint32_t* layers, std::size_t count)
 {
   ++this->AllPixels;
   this->Most = std::max(this->Most, count);
   if (count == 0)
   {
-    return;
+    return NoStack;
   }
   ++this->Covered;
   // A sum does not depend on the order of layers, so nothing has to be sorted to find a stack that is known.
   std::uint64_t hash = 0;
-  this->Columns.clear();
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::uint32_t column = this->ColumnOf(layers[i]);
@@ -73,15 +92,19 @@ void FrontStacks::Add(const std::uint32_t* layers, std::size_t count)
       this->Columns.push_back(column);
     }
   }
-  const auto [first, last] = this->StacksOfHash.equal_range(hash);
-  if (std::none_of(first, last, [this](const auto& known) { return this->IsStack(known.second); }))
+  return this->FindOrAdd(hash, false);
+}
+
+void FrontStacks::AddNear(const std::vector<Entry>& entries)
+{
+  std::uint64_t hash = 0;
+  for (const Entry& entry : entries)
   {
-    this->AddStack(hash);
+    hash += entry.Layers * Mixed(entry.Column);
+    this->LayersOfColumn[entry.Column] = entry.Layers;
+    this->Columns.push_back(entry.Column);
   }
-  for (const std::uint32_t column : this->Columns)
-  {
-    this->LayersOfColumn[column] = 0;
-  }
+  this->FindOrAdd(hash, true);
 }
 
 }

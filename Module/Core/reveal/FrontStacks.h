@@ -1,8 +1,10 @@
 #ifndef VITRINE_CORE_REVEAL_FRONT_STACKS_H
 #define VITRINE_CORE_REVEAL_FRONT_STACKS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -26,13 +28,29 @@ public:
     std::uint32_t Layers; // at least 1
   };
 
+  static constexpr std::uint32_t NoStack = std::numeric_limits<std::uint32_t>::max();
+
   /**
    * Adds a pixel of the part.
    * @param layers  the number of the part that each layer belongs to, in any order. Numbers should be dense, because a
    *                table as long as the largest is kept.
    * @param count   the number of layers, which may be 0
+   * @return        the stack, or NoStack if there is no layer
    */
-  void Add(const std::uint32_t* layers, std::size_t count);
+  std::uint32_t Add(const std::uint32_t* layers, std::size_t count);
+
+  /**
+   * Adds a stack of parts that may come together in front of a pixel when the view turns.
+   * @param entries  columns that are known, in ascending order
+   */
+  void AddNear(const std::vector<Entry>& entries);
+
+  /** Returns true for a stack that no pixel has. */
+  bool IsNear(std::size_t stack) const { return this->Near[stack]; }
+  bool HasNear() const
+  {
+    return std::find(this->Near.begin(), this->Near.end(), true) != this->Near.end();
+  }
 
   /** Returns how many pixels were added, and how many of these have something in front. */
   std::size_t Pixels() const { return this->AllPixels; }
@@ -44,7 +62,7 @@ public:
   /** Returns the numbers of the parts that are in front, column by column. */
   const std::vector<std::uint32_t>& Parts() const { return this->PartOfColumn; }
 
-  /** Returns how many different stacks there are. A stack has one layer at least. */
+  /** Returns how many different stacks there are, near ones among them. A stack has one layer at least. */
   std::size_t Count() const { return this->Starts.size() - 1; }
 
   /** Range of the entries of a stack, by columns. */
@@ -54,7 +72,7 @@ public:
 private:
   std::uint32_t ColumnOf(std::uint32_t part);
   bool IsStack(std::size_t stack) const;
-  void AddStack(std::uint64_t hash);
+  std::uint32_t FindOrAdd(std::uint64_t hash, bool isNear);
 
   std::size_t AllPixels = 0;
   std::size_t Covered = 0;
@@ -63,9 +81,10 @@ private:
   std::vector<std::uint32_t> ColumnOfPart; // plus 1; 0 is none
   std::vector<std::size_t> Starts = { 0 };
   std::vector<Entry> Entries;
+  std::vector<bool> Near;
   std::unordered_multimap<std::uint64_t, std::uint32_t> StacksOfHash;
 
-  // The pixel that is being added.
+  // The stack that is being added.
   std::vector<std::uint32_t> LayersOfColumn; // all 0 between two pixels
   std::vector<std::uint32_t> Columns;
 };

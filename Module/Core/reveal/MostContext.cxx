@@ -23,6 +23,9 @@ constexpr double StepShare = 0.98;
 /** A stack that a whole step would fill to this share joins those that Newton's method knows. */
 constexpr double NearlyFull = 0.9;
 
+/** Parts whose optical depths may change by less than this keep their least ones. */
+constexpr double LeastRoom = 1e-10;
+
 /** A weight is this share of the largest at least, so that the optimum is unique. */
 constexpr double LeastWeight = 1e-6;
 
@@ -56,7 +59,8 @@ void AddOuterProduct(
 class InteriorPoint
 {
 public:
-  InteriorPoint(const FrontStacks& stacks, const std::vector<FadedPart>& parts, double deepest)
+  InteriorPoint(const FrontStacks& stacks, const std::vector<FadedPart>& parts,
+    const std::vector<double>& limits)
     : Stacks(stacks)
     , Answer()
     , Whole(stacks.Count())
@@ -64,7 +68,7 @@ public:
     , Drop(stacks.Count())
     , IsKnown(stacks.Count(), false)
   {
-    this->FindVariables(parts, deepest);
+    this->FindVariables(parts, limits);
     this->Start();
   }
 
@@ -105,7 +109,7 @@ private:
     }
   }
 
-  void FindVariables(const std::vector<FadedPart>& parts, double deepest)
+  void FindVariables(const std::vector<FadedPart>& parts, const std::vector<double>& limits)
   {
     std::vector<double> room(parts.size());
     double largest = 0.0;
@@ -117,7 +121,7 @@ private:
     }
     for (std::size_t i = 0; i < this->Left.size(); ++i)
     {
-      this->Whole[i] = std::max(0.0, deepest - DepthOf(this->Stacks, i, this->Answer.Depths));
+      this->Whole[i] = std::max(0.0, limits[i] - DepthOf(this->Stacks, i, this->Answer.Depths));
       for (const auto* entry = this->Stacks.Begin(i); entry != this->Stacks.End(i); ++entry)
       {
         room[entry->Column] = std::min(room[entry->Column], this->Whole[i] / entry->Layers);
@@ -128,7 +132,7 @@ private:
     {
       const double through = std::exp(-parts[j].Least);
       this->Fixed += parts[j].Weight * (1.0 - through);
-      if (room[j] > 1e-9 * deepest)
+      if (room[j] > LeastRoom)
       {
         this->VariableOf[j] = static_cast<std::uint32_t>(this->Weight.size());
         this->Weight.push_back(std::max(parts[j].Weight, LeastWeight * largest) * through);
@@ -440,8 +444,11 @@ private:
     this->Answer.Bound = this->Fixed + (this->Weight.empty() ? 0.0 : this->Bound);
     for (std::size_t i = 0; i < this->Stacks.Count(); ++i)
     {
-      this->Answer.Deepest =
-        std::max(this->Answer.Deepest, DepthOf(this->Stacks, i, this->Answer.Depths));
+      if (!this->Stacks.IsNear(i))
+      {
+        this->Answer.Deepest =
+          std::max(this->Answer.Deepest, DepthOf(this->Stacks, i, this->Answer.Depths));
+      }
     }
     return this->Answer;
   }
@@ -484,11 +491,11 @@ double DepthOf(const FrontStacks& stacks, std::size_t stack, const std::vector<d
   return depth;
 }
 
-FadedParts MostContext(
-  const FrontStacks& stacks, const std::vector<FadedPart>& parts, double deepest, double gap)
+FadedParts MostContext(const FrontStacks& stacks, const std::vector<FadedPart>& parts,
+  const std::vector<double>& limits, double gap)
 {
-  assert(parts.size() == stacks.Parts().size());
-  return InteriorPoint(stacks, parts, deepest).Solve(gap);
+  assert(parts.size() == stacks.Parts().size() && limits.size() == stacks.Count());
+  return InteriorPoint(stacks, parts, limits).Solve(gap);
 }
 
 }

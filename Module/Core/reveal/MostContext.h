@@ -25,7 +25,7 @@ struct FadedParts
   std::vector<double> Depths; // column by column
   double Context = 0.0;       // sum of weight * opacity
   double Bound = 0.0;         // no optical depths that are allowed give more than this context
-  double Deepest = 0.0;       // largest optical depth of a stack, summed up over all layers
+  double Deepest = 0.0;       // largest optical depth of a stack that is not near
   int Steps = 0;              // steps of Newton's method
 
   /** Returns the share of the best possible context that is proved to be reached, 0 to 1. */
@@ -33,8 +33,8 @@ struct FadedParts
 };
 
 /**
- * Maximises the context: the sum of weight * opacity over all parts in front. Each stack's optical depth is
- * `deepest` at most, so that at least exp(-deepest) of the light of what is behind passes in each pixel.
+ * Maximises the context: the sum of weight * opacity over all parts in front. Each stack's optical depth has a limit.
+ * With the limit d, at least exp(-d) of the light of what is behind passes.
  *
  * Stacks are linear in optical depths, and the context is concave in them. So there is one optimum. An interior-point
  * method approaches it and stays within all limits. Multipliers of the stacks give a bound on the context (Lagrange
@@ -44,13 +44,13 @@ struct FadedParts
  *
  * The work does not depend on the machine's time, and the same input gives the same bits.
  *
- * @param parts    as many as stacks.Parts(). With all parts at their least depths, no stack may be deeper than
- *                 `deepest`.
- * @param deepest  the optical depth that a stack may have; 0 or more
- * @param gap      the context may fall short of the bound by this share of it
+ * @param parts   as many as stacks.Parts(). With all parts at their least depths, no stack may be deeper than its
+ *                limit.
+ * @param limits  the optical depth that each stack may have: 0 or more, or infinite
+ * @param gap     the context may fall short of the bound by this share of it
  */
 FadedParts MostContext(const FrontStacks& stacks, const std::vector<FadedPart>& parts,
-  double deepest, double gap = 0.01);
+  const std::vector<double>& limits, double gap = 0.01);
 
 /** Returns the optical depth of a stack, given those of columns. */
 double DepthOf(const FrontStacks& stacks, std::size_t stack, const std::vector<double>& depths);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace vitrine
@@ -33,7 +34,8 @@ void MakeRoom(const FrontStacks& stacks, double deepest, std::vector<FadedPart>&
       {
         depth += entry->Layers * parts[entry->Column].Least;
       }
-      for (const auto* entry = stacks.Begin(i); depth > deepest && entry != stacks.End(i); ++entry)
+      const bool isTooDeep = depth > deepest && !stacks.IsNear(i);
+      for (const auto* entry = stacks.Begin(i); isTooDeep && entry != stacks.End(i); ++entry)
       {
         gain[entry->Column] +=
           std::min(depth - deepest, entry->Layers * parts[entry->Column].Least);
@@ -69,6 +71,49 @@ std::vector<FadedPart> SteadyReveal::LimitsOf(
     limits.push_back({ parts[j].Weight, DepthOfOpacity(lowest), DepthOfOpacity(highest) });
   }
   return limits;
+}
+
+/**
+ * Returns the limits of stacks. Those of pixels are that of the share. If a near stack comes before a pixel after a
+ * degree of turning, its parts have had time to fall.
+ * @param depths  depths of parts that are likely in the next view
+ */
+std::vector<double> SteadyReveal::DepthsOf(
+  const FrontStacks& stacks, const std::vector<double>& depths) const
+{
+  std::vector<double> limits(stacks.Count(), this->Deepest);
+  for (std::size_t i = 0; i < limits.size(); ++i)
+  {
+    for (const auto* entry = stacks.Begin(i); stacks.IsNear(i) && entry != stacks.End(i); ++entry)
+    {
+      limits[i] += entry->Layers * std::min(depths[entry->Column], this->PerDegree);
+    }
+  }
+  return limits;
+}
+
+FadedParts SteadyReveal::Solve(
+  const FrontStacks& stacks, const std::vector<FadedPart>& parts, bool isAtOnce) const
+{
+  std::vector<double> depths;
+  std::transform(parts.begin(), parts.end(), std::back_inserter(depths),
+    [](const FadedPart& part) { return part.Least; });
+  if (isAtOnce && stacks.HasNear())
+  {
+    std::vector<double> limits(stacks.Count(), this->Deepest);
+    for (std::size_t i = 0; i < limits.size(); ++i)
+    {
+      limits[i] = stacks.IsNear(i) ? std::numeric_limits<double>::infinity() : limits[i];
+    }
+    depths = MostContext(stacks, parts, limits).Depths;
+  }
+  std::vector<double> limits = this->DepthsOf(stacks, depths);
+  for (std::size_t i = 0; !isAtOnce && i < limits.size(); ++i)
+  {
+    // Parts that are too opaque for a near stack fall as much as they may.
+    limits[i] = stacks.IsNear(i) ? std::max(limits[i], DepthOf(stacks, i, depths)) : limits[i];
+  }
+  return MostContext(stacks, parts, limits);
 }
 
 void SteadyReveal::Apply(const FrontStacks& stacks, double most, Change& change)
@@ -122,7 +167,7 @@ SteadyReveal::Change SteadyReveal::Update(
   std::vector<FadedPart> limits = this->LimitsOf(stacks, parts, most);
   MakeRoom(stacks, this->Deepest, limits);
   Change change;
-  change.Proof = MostContext(stacks, limits, this->Deepest);
+  change.Proof = this->Solve(stacks, limits, std::isinf(most));
   this->Apply(stacks, most, change);
   this->RaiseOthers(most);
   return change;

@@ -19,7 +19,8 @@ namespace vitrine
  * precedence over that. Opacities change by PerDegree at most for each degree by which the view has turned, but for two
  * kinds of parts, which are counted. A part that is newly in front may drop at once. A part that was in front may have
  * to drop where it comes in front of a pixel together with others; as few parts as possible do so, found greedily.
- * Within these limits the context is the largest possible one (MostContext.h). Parts that are in front no more rise to
+ * Near stacks (NearStacks.h) keep that rare: parts that may come together soon have less opacity, so that they can fall
+ * in time. Within these limits the context is the largest possible one (MostContext.h). Parts that are in front no more rise to
  * the opacity that they had.
  */
 class SteadyReveal
@@ -70,6 +71,9 @@ public:
 private:
   std::vector<FadedPart> LimitsOf(
     const FrontStacks& stacks, const std::vector<FrontPart>& parts, double most);
+  std::vector<double> DepthsOf(const FrontStacks& stacks, const std::vector<double>& depths) const;
+  FadedParts Solve(
+    const FrontStacks& stacks, const std::vector<FadedPart>& parts, bool isAtOnce) const;
   void Apply(const FrontStacks& stacks, double most, Change& change);
   void RaiseOthers(double most);
 
