@@ -2,7 +2,6 @@
 #ifndef VITRINE_ASSEMBLY_PART_LOOKS_H
 #define VITRINE_ASSEMBLY_PART_LOOKS_H
 
-
 #include <array>
 
 class vtkActor;
