@@ -26,8 +26,8 @@
  * Parts that would have less than LeastOpacity are hidden. When parts are no more in front, and with PutBack(), they
  * get the looks that they had. At most one reveal fades the parts of a renderer at a time.
  *
- * With FollowCamera, opacities follow the camera before each frame. Then they change by ChangePerDegree at most for each
- * degree by which the eye turns around the part. The share takes precedence over that: parts that are newly in front
+ * With FollowCamera, opacities follow the camera before each frame. Then they change by ChangePerDegree at most for
+ * each degree by which the eye turns around the part. The share takes precedence over that: parts that are newly in front
  * drop at once, and so do as few others as possible where parts come together in front of a pixel. They are counted.
  * Parts that may come together soon keep less opacity, which makes such drops rare; the context is smaller then.
  *

@@ -87,7 +87,8 @@ class Plates(unittest.TestCase):
         self.assertEqual(faded[self.whole].original, 1.0)
         self.assertEqual(handle.hidden, 1)
         self.assertEqual((handle.pixels, handle.layers), (SIZE * SIZE, 2))
-        self.assertAlmostEqual(handle.context, faded[self.whole].opacity * 2 / 3, delta=0.004)  # a box may end in a pixel
+        # The box of the half plate may end within a pixel.
+        self.assertAlmostEqual(handle.context, faded[self.whole].opacity * 2 / 3, delta=0.004)
         self.assertGreaterEqual(handle.proved, 0.99)
         self.assertGreaterEqual(handle.share, SHARE)
         self.assertGreaterEqual(shares_of(self.renderer, self.red).min(), SHARE)

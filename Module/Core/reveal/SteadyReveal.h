@@ -20,8 +20,8 @@ namespace vitrine
  * kinds of parts, which are counted. A part that is newly in front may drop at once. A part that was in front may have
  * to drop where it comes in front of a pixel together with others; as few parts as possible do so, found greedily.
  * Near stacks (NearStacks.h) keep that rare: parts that may come together soon have less opacity, so that they can fall
- * in time. Within these limits the context is the largest possible one (MostContext.h). Parts that are in front no more rise to
- * the opacity that they had.
+ * in time. Within these limits the context is the largest possible one (MostContext.h). Parts that are in front no more
+ * rise to the opacity that they had.
  */
 class SteadyReveal
 {
