@@ -27,37 +27,55 @@ float DepthIn(const LayerFragment& fragment)
 /** Fragments of one pixel, in any order. */
 using PixelFragments = std::vector<const LayerFragment*>;
 
-/** Adds the stacks of a pixel: one for each fragment of the parts that is their nearest in some samples. */
+/**
+ * Returns the layers that cover the first of some samples, and not behind a depth. Takes that sample from `samples`, and
+ * all that have the same layers.
+ */
+std::vector<std::uint32_t> TakeLayers(
+  const PixelFragments& others, float depth, std::uint32_t& samples)
+{
+  const std::uint32_t first = samples & (~samples + 1);
+  std::uint32_t same = samples;
+  std::vector<std::uint32_t> layers;
+  for (const LayerFragment* other : others)
+  {
+    if (DepthIn(*other) <= depth)
+    {
+      const bool isCovered = (other->Coverage & first) != 0;
+      same &= isCovered ? other->Coverage : ~other->Coverage;
+      if (isCovered)
+      {
+        layers.push_back(NumberOf(*other));
+      }
+    }
+  }
+  samples &= ~same;
+  // Fragments arrive in any order. The same picture shall give the same columns.
+  std::sort(layers.begin(), layers.end());
+  return layers;
+}
+
+/** Adds the stacks of a pixel's samples, before the nearest fragment of the parts in each of them. */
 void AddPixel(PixelFragments& ofParts, const PixelFragments& others, int x, int y, Fronts& fronts)
 {
   std::stable_sort(ofParts.begin(), ofParts.end(),
     [](const LayerFragment* a, const LayerFragment* b) { return DepthIn(*a) < DepthIn(*b); });
   std::uint32_t seen = 0;
-  std::vector<std::uint32_t> layers;
   for (const LayerFragment* part : ofParts)
   {
-    const std::uint32_t samples = part->Coverage & ~seen;
+    std::uint32_t samples = part->Coverage & ~seen;
     seen |= part->Coverage;
-    if (samples == 0)
+    while (samples != 0)
     {
-      continue;
-    }
-    layers.clear();
-    for (const LayerFragment* other : others)
-    {
-      if ((other->Coverage & samples) != 0 && DepthIn(*other) <= DepthIn(*part))
+      const std::vector<std::uint32_t> layers = TakeLayers(others, DepthIn(*part), samples);
+      const std::uint32_t stack = fronts.Stacks.Add(layers.data(), layers.size());
+      if (fronts.Near)
       {
-        layers.push_back(NumberOf(*other));
+        fronts.Near->Add(x, y, stack);
       }
     }
-    // Fragments arrive in any order. The same picture shall give the same columns.
-    std::sort(layers.begin(), layers.end());
-    const std::uint32_t stack = fronts.Stacks.Add(layers.data(), layers.size());
-    if (fronts.Near)
-    {
-      fronts.Near->Add(x, y, stack);
-    }
   }
+  ++fronts.Pixels;
 }
 
 /** Indices of fragments, pixel by pixel. */

@@ -24,13 +24,13 @@ using PartSet = std::unordered_set<std::uint32_t>;
 struct Fronts
 {
   FrontStacks Stacks;
+  std::size_t Pixels = 0;     ///< in which the parts are drawn
   NearStacks* Near = nullptr; ///< null if that does not matter
 };
 
 /**
- * Adds a stack for each pixel of a rectangle in which one of `parts` is drawn: all layers of other parts that are not
- * behind its nearest layer. Opaque layers count like others, and layers of equal depth count as in front. In a
- * multisampled pixel, those layers count that cover a sample of the part.
+ * Adds a stack for each sample of a rectangle's pixels in which one of `parts` is drawn: all layers of other parts that
+ * are not behind its nearest layer. Opaque layers count like others, and layers of equal depth count as in front.
  */
 void AddFronts(const std::vector<LayerFragment>& fragments, const PixelRegion& region,
   const PartSet& parts, Fronts& fronts);

@@ -383,7 +383,7 @@ std::string vtkReveal::FindOpacities(double degrees)
   }
   in.Change = in.Steady->Update(stacks, parts, std::isinf(degrees) ? degrees : turned);
   in.SetLooks(this->LeastOpacity);
-  in.Pixels = stacks.Pixels();
+  in.Pixels = fronts.Pixels;
   in.Front = parts.size();
   in.Layers = stacks.MostLayers();
   double all = 0.0;

@@ -53,14 +53,11 @@ TEST(FrontStacks, TellsStacksApartByPartsAndByNumbersOfLayers)
   EXPECT_EQ(StackOf(stacks, 4), (std::map<std::uint32_t, std::uint32_t>{ { 1, 1 }, { 2, 2 } }));
 }
 
-TEST(FrontStacks, CountsPixelsWithNothingInFront)
+TEST(FrontStacks, NothingInFrontIsNoStack)
 {
   FrontStacks stacks;
-  AddPixel(stacks, {});
+  EXPECT_EQ(stacks.Add(nullptr, 0), FrontStacks::NoStack);
   AddPixel(stacks, { 5 });
-  AddPixel(stacks, {});
-  EXPECT_EQ(stacks.Pixels(), 3u);
-  EXPECT_EQ(stacks.CoveredPixels(), 1u);
   EXPECT_EQ(stacks.Count(), 1u);
 }
 

@@ -17,10 +17,10 @@ SHARE = 0.7
 SIZE = 64
 
 
-def window_of(renderer):
+def window_of(renderer, samples=0):
     window = vitrine.vtkHeadlessRenderWindow()
     window.SetSize(SIZE, SIZE)
-    window.SetMultiSamples(0)
+    window.SetMultiSamples(samples)
     window.AddRenderer(renderer)
     vitrine.see_through(renderer)
     window.Render()
@@ -95,6 +95,21 @@ class Plates(unittest.TestCase):
         red = pixels(self.window)[..., 0]
         self.assertGreaterEqual(red.min(), math.floor(255 * SHARE))
         self.assertLessEqual(red.max(), math.ceil(255 * SHARE) + 2)
+
+    def test_holds_in_multisampled_windows_and_in_viewports(self):
+        for samples, left in ((4, 0.0), (0, 0.5), (4, 0.25)):
+            with self.subTest(samples=samples, left=left):
+                red, half, whole = plate(0, (1, 0, 0), 1.0), half_plate(1, (0, 0, 0), 1.0), plate(2, (0, 0, 0), 0.9)
+                half.RotateZ(10)
+                renderer = plates_renderer(red, half, whole)
+                renderer.SetViewport(left, 0, 1, 1)
+                window = window_of(renderer, samples)
+                handle = vitrine.reveal(window, red, SHARE, least_opacity=0)
+                window.Render()
+                first = int(SIZE * left)
+                self.assertEqual((handle.pixels, handle.layers), (SIZE * (SIZE - first), 2))
+                self.assertGreaterEqual(pixels(window)[:, first:, 0].min(), math.floor(255 * SHARE))
+                self.assertEqual(len(handle.faded), 2)
 
     def test_looks_are_put_back(self):
         properties = [actor.GetProperty() for actor in (self.half, self.whole)]

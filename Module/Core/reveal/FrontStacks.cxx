@@ -74,13 +74,11 @@ std::uint32_t FrontStacks::FindOrAdd(std::uint64_t hash, bool isNear)
 
 std::uint32_t FrontStacks::Add(const std::uint32_t* layers, std::size_t count)
 {
-  ++this->AllPixels;
   this->Most = std::max(this->Most, count);
   if (count == 0)
   {
     return NoStack;
   }
-  ++this->Covered;
   // A sum does not depend on the order of layers, so nothing has to be sorted to find a stack that is known.
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < count; ++i)

@@ -31,7 +31,7 @@ public:
   static constexpr std::uint32_t NoStack = std::numeric_limits<std::uint32_t>::max();
 
   /**
-   * Adds a pixel of the part.
+   * Adds what is in front of a pixel of the part, or of a sample of it.
    * @param layers  the number of the part that each layer belongs to, in any order. Numbers should be dense, because a
    *                table as long as the largest is kept.
    * @param count   the number of layers, which may be 0
@@ -52,10 +52,6 @@ public:
     return std::find(this->Near.begin(), this->Near.end(), true) != this->Near.end();
   }
 
-  /** Returns how many pixels were added, and how many of these have something in front. */
-  std::size_t Pixels() const { return this->AllPixels; }
-  std::size_t CoveredPixels() const { return this->Covered; }
-
   /** Returns the largest number of layers in front. */
   std::size_t MostLayers() const { return this->Most; }
 
@@ -74,8 +70,6 @@ private:
   bool IsStack(std::size_t stack) const;
   std::uint32_t FindOrAdd(std::uint64_t hash, bool isNear);
 
-  std::size_t AllPixels = 0;
-  std::size_t Covered = 0;
   std::size_t Most = 0;
   std::vector<std::uint32_t> PartOfColumn;
   std::vector<std::uint32_t> ColumnOfPart; // plus 1; 0 is none
