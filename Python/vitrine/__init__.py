@@ -53,6 +53,3 @@ __all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded
 __all__ += ["Picked", "Reveal", "Section", "SeeThrough", "Selection", "Stats", "Tree", "Wall"]
 __all__ += ["__version__", "from_multiblock", "layers_at", "layers_in", "load"]
 __all__ += ["pick", "report", "reveal", "section", "see_through", "stats"]
-__all__ += ["Picked", "Reveal", "SeeThrough", "Selection", "Stats", "Tree", "Wall"]
-__all__ += ["__version__", "from_multiblock", "layers_at", "layers_in", "load"]
-__all__ += ["pick", "report", "reveal", "see_through", "stats"]
