@@ -1,5 +1,5 @@
-// Yields `vitrinePart`, the number of the part that a fragment belongs to (scene/PartNumbers), and `vitrinePartAndSide`,
-// the same with VITRINE_BACK_FACE set on back faces. It is joined to the fragment shaders of VTK's mappers.
+// Yields `vitrinePart`, the number of a fragment's part (scene/PartNumbers), and `vitrinePartAndSide`, the
+// same with VITRINE_BACK_FACE set on back faces. It is joined to the fragment shaders of VTK's mappers.
 //
 // VITRINE_SHADER_PART n  the mapper's own text tells the part: a uint
 // VITRINE_BLOCK b        the shader's input that holds the flat index of the block; else the prop has no blocks

@@ -127,7 +127,7 @@ struct VitrineCapturedFragment
 #define VITRINE_ADDED_LAYER 2
 #define VITRINE_TESTED_LAYER 4
 
-/** A fragment of a layer (LayerFillImpl.glsl, LayerLists.glsl): non-premultiplied colour and window depth; std430, 36 bytes. */
+/** A fragment of a layer (LayerFillImpl.glsl, LayerLists.glsl): non-premultiplied colour, window depth; std430. */
 struct VitrineLayerFragment
 {
   uint Pixel; // y * width + x, from the lower left pixel of the rectangle that was asked for

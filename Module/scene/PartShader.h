@@ -49,7 +49,7 @@ public:
   static std::string Join(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper);
 
-  /** Set the part's uniform and attribute, before a mapper draws. `vertexArray` may be null for props without blocks. */
+  /** Set the part's uniform and attribute before a mapper draws. `vertexArray` may be null for props without blocks. */
   void SetParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* vertexArray);
 

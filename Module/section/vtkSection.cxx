@@ -1,6 +1,7 @@
 #include "vtkSection.h"
 
 #include "Core/section/PartHash.h"
+#include "scene/CaptureEvents.h"
 #include "scene/CutProps.h"
 #include "scene/PartNumbers.h"
 #include "scene/Settings.h"
@@ -71,7 +72,7 @@ public:
     {
       *static_cast<vtkSection**>(data) = this->Section;
     }
-    else if (event == vtkCommand::StartEvent)
+    else if (event == vtkCommand::StartEvent || event == vitrine::CaptureStartEvent)
     {
       this->Start();
     }
@@ -875,7 +876,8 @@ void vtkSection::Attach(vtkRenderer* renderer)
   observer->Start = [&in] { in.StartFrame(); };
   observer->End = [&in] { in.EndFrame(); };
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
-         static_cast<unsigned long>(vtkCommand::EndEvent), AskForSection })
+         static_cast<unsigned long>(vtkCommand::EndEvent), vitrine::CaptureStartEvent,
+         vitrine::CaptureEndEvent, AskForSection })
   {
     in.Observers.push_back(renderer->AddObserver(event, observer));
   }

@@ -24,6 +24,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSection.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -326,6 +327,39 @@ std::vector<GLint> StateOfGL()
     state.push_back(glIsEnabled(name));
   }
   return state;
+}
+
+TEST(LayersOfProps, AgreeWithSections)
+{
+  TestScene scene(Width, Height);
+  auto plate = scene.AddPlate(0.8, { 1.0, 0.0, 0.0, 0.5 });
+  auto ball = scene.AddSphere(0.0, 0.0, 0.0, 0.7, { 0.0, 1.0, 0.0, 0.5 }, 24);
+  auto pass =
+    vtkSmartPointer<vtkTransparencyPass>::Take(vtkTransparencyPass::NewMethod("linked-list"));
+  auto* const lists = vtkABufferTransparencyPass::SafeDownCast(pass);
+  vtkNew<vtkSection> section;
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 0.3);
+  plane->SetNormal(0.0, 0.0, -1.0);
+  section->AddPlane(plane); // keeps z <= 0.3
+  section->Attach(scene.Renderer);
+  scene.Use(pass);
+  vtkNew<vtkLayerPicker> picker;
+  for (const bool numbers : { false, true })
+  {
+    lists->SetPartNumbers(numbers);
+    scene.Render();
+    scene.Render();
+    // The plate and the front of the ball are gone. A cap closes the ball, with the ball's own number.
+    const auto told = LayersAt(picker, scene.Renderer, Width / 2 + 3, Height / 2 + 2);
+    ExpectParts(told, { ball, ball });
+    EXPECT_EQ(picker->GetNumberOfListedLayers(), numbers ? 2 : 0);
+    EXPECT_NEAR(picker->GetWorldPosition(0)[2], 0.3, 1e-3);
+    EXPECT_LT(picker->GetWorldPosition(1)[2], -0.5);
+  }
+  section->Detach();
+  scene.Render();
+  ExpectParts(LayersAt(picker, scene.Renderer, Width / 2 + 3, Height / 2 + 2), { plate, ball, ball });
 }
 
 TEST(LayersOfAnArea, LeaveTheStateOfOpenGL)

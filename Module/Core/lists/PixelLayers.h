@@ -48,9 +48,9 @@ struct PixelLayers
  * Sorts fragments and finds their shares, in 64-bit float, averaged over the samples of a pixel.
  *
  * Among equal depths the rule of the exact methods holds: by alpha, blue, green and red, as 16-bit floats; then by
- * part. Translucent
- * fragments are in front of opaque ones of equal depth, since the depth test lets them pass. Of opaque ones the later
- * fragment is in front. Tested fragments are in front of opaque ones at any depth. A fragment whose depth is NaN counts as depth 0, as in the methods.
+ * part. Translucent fragments are in front of opaque ones of equal depth, since the depth test lets them pass. Of
+ * opaque ones the later fragment is in front. Tested fragments are in front of opaque ones at any depth. A depth of NaN
+ * counts as 0, as in the methods.
  *
  * @param pixels      the number of pixels; fragments of others are ignored
  * @param samples     samples of a pixel, at least 1
