@@ -278,6 +278,20 @@ ScopedExclusiveOr::~ScopedExclusiveOr()
   (this->HadClamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
 }
 
+ScopedSampleShading::ScopedSampleShading()
+  : WasEnabled(glIsEnabled(GL_SAMPLE_SHADING))
+{
+  glGetFloatv(GL_MIN_SAMPLE_SHADING_VALUE, &this->Previous);
+  glEnable(GL_SAMPLE_SHADING);
+  glMinSampleShading(1.0f);
+}
+
+ScopedSampleShading::~ScopedSampleShading()
+{
+  glMinSampleShading(this->Previous);
+  (this->WasEnabled ? glEnable : glDisable)(GL_SAMPLE_SHADING);
+}
+
 ScopedArrayBuffer::ScopedArrayBuffer()
 {
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &this->Previous);

@@ -194,6 +194,20 @@ private:
   GLint Previous = 0;
 };
 
+/** Has shaders run for each sample, with inputs at the place of the sample. VTK does not track that. Needs OpenGL 4.0. */
+class ScopedSampleShading
+{
+public:
+  ScopedSampleShading();
+  ~ScopedSampleShading();
+  ScopedSampleShading(const ScopedSampleShading&) = delete;
+  void operator=(const ScopedSampleShading&) = delete;
+
+private:
+  GLboolean WasEnabled;
+  GLfloat Previous = 0.0f;
+};
+
 /** Keeps the buffer bound for vertex attributes, which VTK's mappers leave changed. */
 class ScopedArrayBuffer
 {

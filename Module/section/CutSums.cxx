@@ -2,6 +2,7 @@
 
 #include "Shaders/SharedLayout.h"
 #include "gl/BufferTexels.h"
+#include "gl/Capabilities.h"
 #include "gl/FullScreenDraw.h"
 #include "scene/Matrices.h"
 #include "scene/ViewMatrices.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace vitrine
 {
@@ -116,7 +118,7 @@ int CutSums::SamplesOfTarget()
   GLint most = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &most);
-  return samples > 1 && samples <= most ? samples : 0;
+  return samples > 1 && samples <= most && MissingFeatures(4, 0, {}).empty() ? samples : 0;
 }
 
 std::string CutSums::Draw(
@@ -205,9 +207,12 @@ std::string CutSums::DrawPlanes(
   this->Connect(program);
   BindForFullScreenDraw(window->GetState(), this->Drawing.Handle(), width, height);
   const ScopedSampleMask allSamples;
+  std::optional<ScopedSampleShading>
+    eachSample; // whether a face is beyond the plane differs within a pixel
   if (this->LastKey.Samples > 0)
   {
     window->GetState()->vtkglEnable(GL_MULTISAMPLE);
+    eachSample.emplace();
   }
   const glm::dmat4& toClip = this->LastKey.ToClip;
   const glm::dmat4 fromCenter = glm::translate(glm::dmat4(1.0), parts.Center());
