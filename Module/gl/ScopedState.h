@@ -194,7 +194,7 @@ private:
   GLint Previous = 0;
 };
 
-/** Has shaders run for each sample, with inputs at the place of the sample. VTK does not track that. Needs OpenGL 4.0. */
+/** Runs shaders for each sample, with inputs at the place of the sample. VTK does not track it. Needs OpenGL 4.0. */
 class ScopedSampleShading
 {
 public:

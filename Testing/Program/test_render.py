@@ -94,10 +94,10 @@ class Render(FileTest):
         self.assertLess(blue, 3)
 
     def test_sections_take_a_quarter_away(self):
-        """Of a box, seen from above, a section leaves half, and two leave a quarter."""
+        """Of two boxes, seen from above, one plane takes half of one away, and another half of what is left."""
         path = self.write("boxes.glb", scenes.glb())
         counts = []
-        for sections in ([], ["--section=1,0,0,0"], ["--section=1,0,0,0", "--section=0,0,1,0"]):
+        for sections in ([], ["--section=1,0,0,0.5"], ["--section=1,0,0,0.5", "--section=0,0,1,0.5"]):
             picture = self.render(path, *sections, "--opacity", "*=1", "--size", "32x32", "--view", "0,90")
             counts.append(sum(row[i] != BACKGROUND for row in picture[2] for i in range(0, len(row), 3)))
         self.assertGreater(counts[0], counts[1])
