@@ -30,10 +30,8 @@ namespace vitrine
 namespace
 {
 
-const std::string ClipDec = "//VTK::Clip::Dec";
-const std::string ClipImpl = "//VTK::Clip::Impl";
-const std::string ColorImpl = "//VTK::Color::Impl";
-const std::string FirstDec = "//VTK::CustomUniforms::Dec";
+using vtktext::ClipDec;
+using vtktext::ClipImpl;
 
 /** Replaces tags of a shader, and keeps the first error. */
 class TagText
@@ -171,7 +169,7 @@ bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::strin
   {
     vertex.Before(ClipDec, count + shaders::SectionVertexDec);
     // Shaders of glyphs have the vertex in the coordinates of their mapper in a variable.
-    const bool isGlyph = vertexShader.find("//VTK::Glyph::Impl") != std::string::npos;
+    const bool isGlyph = vertexShader.find(vtktext::GlyphImpl) != std::string::npos;
     vertex.Before(ClipImpl,
       std::string("#define VITRINE_SECTION_VERTEX ") + (isGlyph ? "vertex\n" : "vertexMC\n") +
         distances);
@@ -184,19 +182,19 @@ bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::strin
     geometry.Before(
       ClipImpl, "#define VITRINE_SECTION_VERTEX vitrineSectionVertex[i]\n" + distances);
   }
-  fragment.Before(FirstDec, count + shaders::SectionFragmentDec);
+  fragment.Before(vtktext::CustomUniformsDec, count + shaders::SectionFragmentDec);
   if (CapActor::SafeDownCast(prop))
   {
     vertex.Before(ClipDec, shaders::CapVertexDec);
     vertex.Before(ClipImpl, shaders::CapVertexImpl);
-    fragment.Before(FirstDec,
+    fragment.Before(vtktext::CustomUniformsDec,
       "#define VITRINE_CUT_SAMPLES " + std::to_string(this->Samples) + "\n" + shaders::CapDec);
     if (this->Samples > 0)
     {
       fragment.After(vtktext::SystemDec, "#extension GL_ARB_sample_shading : require\n");
     }
     fragment.Before(ClipImpl, shaders::CapImpl);
-    fragment.After(ColorImpl, shaders::CapColor);
+    fragment.After(vtktext::ColorImpl, shaders::CapColor);
   }
   else
   {

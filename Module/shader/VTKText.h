@@ -34,7 +34,16 @@ inline const std::string System430 =
   "#define texelFetchBuffer texelFetch\n#define texture1D texture\n"
   "#define texture2D texture\n#define texture3D texture\n"
   "#define varying in\n";
+/** It comes before all other declarations. */
+inline const std::string CustomUniformsDec = "//VTK::CustomUniforms::Dec";
 inline const std::string LightDec = "//VTK::Light::Dec";
+inline const std::string ClipDec = "//VTK::Clip::Dec";
+/** In fragment shaders it comes before the colours, in geometry shaders it is in a loop over the vertices i. */
+inline const std::string ClipImpl = "//VTK::Clip::Impl";
+/** VTK declares and sets ambientColor, diffuseColor and opacity there. */
+inline const std::string ColorImpl = "//VTK::Color::Impl";
+/** Vertex shaders of glyphs alone have it. After it, `vertex` is the vertex in the coordinates of their mapper. */
+inline const std::string GlyphImpl = "//VTK::Glyph::Impl";
 inline const std::string DepthPeelingDec = "//VTK::DepthPeeling::Dec";
 /** It is at the beginning of main(). */
 inline const std::string UniformFlowImpl = "//VTK::UniformFlow::Impl";
