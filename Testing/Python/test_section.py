@@ -401,6 +401,14 @@ class Frames(unittest.TestCase):
             self.assertEqual(found.GetNumberOfNodes(), 1)
             self.assertIsNot(found.GetNode(0).GetProperties().Get(vtkSelectionNode.PROP()), front)
 
+    def test_layers_name_the_part_of_a_cap(self):
+        glass, behind = self.add(ball(opacity=0.5), ball(0.3, (0, 0.9, 0)))
+        with vitrine.see_through(self.scene.window), vitrine.section(self.renderer, "y", (0, 0, 0)):
+            self.scene.picture()
+            layers = list(vitrine.layers_at(self.scene.window, SIZE // 2, SIZE // 2))
+            self.assertEqual([layer.actor for layer in layers], [glass, glass, behind])
+            self.assertAlmostEqual(layers[0].position[1], 0.0, delta=1e-3)
+
     def test_wrong_input_says_what_to_do(self):
         (actor,) = self.add(ball())
         for error, arguments in (
