@@ -161,10 +161,10 @@ def frames(path, size, opacity, count):
     for _ in range(count):
         for (window, renderer), spent in zip(windows, times):
             renderer.GetActiveCamera().Azimuth(1)
-            begin = time.perf_counter()
+            begin = time.process_time()
             window.Render()
             window.WaitForCompletion()
-            spent.append(time.perf_counter() - begin)
+            spent.append(time.process_time() - begin)
     stats = [vitrine.stats(renderer) for _, renderer in windows]
     return [statistics.median(spent) for spent in times], stats
 
