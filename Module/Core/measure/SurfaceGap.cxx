@@ -11,6 +11,18 @@ namespace vitrine
 namespace
 {
 
+double SquaredDistance(const WideBox& a, const WideBox& b)
+{
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double beside =
+      std::max(std::max(a.Low[axis] - b.High[axis], b.Low[axis] - a.High[axis]), 0.0);
+    sum += beside * beside;
+  }
+  return sum;
+}
+
 /** A tree of boxes over triangles, each half of its parent. */
 class HalvedTriangles
 {
@@ -105,7 +117,7 @@ public:
   {
     const HalvedTriangles::Node& first = this->First.At(a);
     const HalvedTriangles::Node& second = this->Second.At(b);
-    if (DistanceBetween(first.Extent, second.Extent) > this->WorthFinding() + this->Rounding)
+    if (this->AreFar(first.Extent, second.Extent))
     {
       return;
     }
@@ -115,15 +127,15 @@ public:
     }
     else if (second.Right == 0 || (first.Right != 0 && first.Count >= second.Count))
     {
-      const bool isLeftNearer = DistanceBetween(this->First.At(a + 1).Extent, second.Extent) <=
-        DistanceBetween(this->First.At(first.Right).Extent, second.Extent);
+      const bool isLeftNearer = SquaredDistance(this->First.At(a + 1).Extent, second.Extent) <=
+        SquaredDistance(this->First.At(first.Right).Extent, second.Extent);
       this->Search(isLeftNearer ? a + 1 : first.Right, b);
       this->Search(isLeftNearer ? first.Right : a + 1, b);
     }
     else
     {
-      const bool isLeftNearer = DistanceBetween(first.Extent, this->Second.At(b + 1).Extent) <=
-        DistanceBetween(first.Extent, this->Second.At(second.Right).Extent);
+      const bool isLeftNearer = SquaredDistance(first.Extent, this->Second.At(b + 1).Extent) <=
+        SquaredDistance(first.Extent, this->Second.At(second.Right).Extent);
       this->Search(a, isLeftNearer ? b + 1 : second.Right);
       this->Search(a, isLeftNearer ? second.Right : b + 1);
     }
@@ -146,7 +158,7 @@ private:
     {
       for (std::uint32_t j = 0; j < second.Count; ++j)
       {
-        if (DistanceBetween(a[i]->Extent, b[j]->Extent) <= this->WorthFinding() + this->Rounding)
+        if (!this->AreFar(a[i]->Extent, b[j]->Extent))
         {
           this->Compare(*a[i], *b[j]);
         }
@@ -167,6 +179,12 @@ private:
     {
       this->Keep(*gap);
     }
+  }
+
+  bool AreFar(const WideBox& a, const WideBox& b) const
+  {
+    const double limit = this->WorthFinding() + this->Rounding;
+    return SquaredDistance(a, b) > limit * limit;
   }
 
   /** Of equal distances, as between parallel plates, the first one found will do. */

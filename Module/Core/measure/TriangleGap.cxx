@@ -24,6 +24,22 @@ void KeepNearer(Gap& least, const Gap& other)
   }
 }
 
+/**
+ * Returns true if nothing is nearer to each other: the planes through both points, at right angles to the line between
+ * them, have the triangles on either side. (E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha: Fast proximity queries
+ * with swept sphere volumes, 1999)
+ */
+bool IsLeast(const Gap& gap, const Triangle& a, const Triangle& b)
+{
+  const glm::dvec3 between = gap.OnSecond - gap.OnFirst;
+  const double before = glm::dot(gap.OnFirst, between);
+  const double behind = glm::dot(gap.OnSecond, between);
+  return before < behind && glm::dot(a[0], between) <= before &&
+    glm::dot(a[1], between) <= before && glm::dot(a[2], between) <= before &&
+    glm::dot(b[0], between) >= behind && glm::dot(b[1], between) >= behind &&
+    glm::dot(b[2], between) >= behind;
+}
+
 /** Looks for a direction along which two triangles are apart. */
 class SeparatingDirections
 {
@@ -202,6 +218,9 @@ Gap GapOfApartTriangles(const Triangle& a, const Triangle& b)
     KeepNearer(least, { glm::length(a[i] - onB), a[i], onB });
     const glm::dvec3 onA = NearestOnTriangle(a, b[i]);
     KeepNearer(least, { glm::length(b[i] - onA), onA, b[i] });
+  }
+  for (int i = 0; i < 3 && !IsLeast(least, a, b); ++i)
+  {
     for (int j = 0; j < 3; ++j)
     {
       KeepNearer(least, GapOfSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
