@@ -13,7 +13,10 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <set>
+#include <string>
 #include <tuple>
+#include <vector>
 
 namespace program
 {
@@ -50,7 +53,24 @@ std::string KindText(int kind)
   }
 }
 
-PartClash ReadRow(vtkTable* table, vtkIdType row, vtkAssemblyIndex* index)
+/** Names of parts where all are different, and else their paths. */
+std::vector<std::string> ShortNames(const Scene& scene)
+{
+  std::set<std::string> names;
+  for (const Part& part : scene.Parts)
+  {
+    names.insert(part.Name);
+  }
+  std::vector<std::string> list = PartPaths(scene);
+  for (std::size_t i = 0; names.size() == list.size() && i < list.size(); ++i)
+  {
+    list[i] = scene.Parts[i].Name;
+  }
+  return list;
+}
+
+PartClash ReadRow(
+  vtkTable* table, vtkIdType row, vtkAssemblyIndex* index, const std::vector<std::string>& names)
 {
   const auto number = [&](const char* column)
   { return table->GetValueByName(row, column).ToInt(); };
@@ -58,6 +78,7 @@ PartClash ReadRow(vtkTable* table, vtkIdType row, vtkAssemblyIndex* index)
   const int second = number("second");
   PartClash clash;
   clash.Parts = { index->GetPartName(first), index->GetPartName(second) };
+  clash.Names = { names[static_cast<std::size_t>(first)], names[static_cast<std::size_t>(second)] };
   clash.IsClosed = { index->GetPartIsClosed(first), index->GetPartIsClosed(second) };
   clash.Kind = KindText(number("kind"));
   clash.Depth = table->GetValueByName(row, "depth").ToDouble();
@@ -104,9 +125,10 @@ void Clash(const ClashOptions& options)
   index->AddObserver(vtkCommand::ProgressEvent, shows);
   vtkNew<vtkTable> clashes;
   index->FindClashes(table.Clearance, table.Tolerance, clashes);
+  const std::vector<std::string> names = ShortNames(scene);
   for (vtkIdType row = 0; row < clashes->GetNumberOfRows(); ++row)
   {
-    table.Clashes.push_back(ReadRow(clashes, row, index));
+    table.Clashes.push_back(ReadRow(clashes, row, index, names));
   }
   SortByNeed(table.Clashes);
   progress.Hide();

@@ -42,7 +42,7 @@ std::string ToText(const ClashTable& table, bool listsTouching)
       continue;
     }
     const bool isDeep = clash.Kind == "interfering";
-    rows.push_back({ clash.Parts[0] + " - " + clash.Parts[1],
+    rows.push_back({ clash.Names[0] + " - " + clash.Names[1],
       clash.Inside.empty() ? clash.Kind : "inside", isDeep ? FormatCell("%.4g", clash.Depth) : "-",
       FormatCell("%.4g", clash.Distance), PositionText(clash.Position) });
   }

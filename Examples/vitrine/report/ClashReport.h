@@ -12,7 +12,8 @@ namespace program
 /** Two parts that clash, as vtkAssemblyIndex::FindClashes() tells it. */
 struct PartClash
 {
-  std::array<std::string, 2> Parts;
+  std::array<std::string, 2> Parts; ///< their paths
+  std::array<std::string, 2> Names; ///< shorter, for people
   std::array<bool, 2> IsClosed;
   std::string Kind; ///< "interfering", "touching" or "near"
   double Depth;     ///< 0 unless interfering
