@@ -279,6 +279,7 @@ void DrawnParts::ResetLook(int number)
     attributes->RemoveBlockOpacity(place.Block);
     attributes->RemoveBlockColor(place.Block);
     attributes->RemoveBlockVisibility(place.Block);
+    attributes->Modified(); // VTK does not notice by itself that one was removed
     place.Actor->GetMapper()->Modified();
   }
   else

@@ -38,6 +38,13 @@ vtkCompositeDataDisplayAttributes* AttributesOf(vtkActor* actor)
   return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
+/** Has a mapper draw its blocks as their attributes say now. VTK does not notice by itself that one was removed. */
+void NoteChange(vtkActor* actor)
+{
+  AttributesOf(actor)->Modified();
+  actor->GetMapper()->Modified();
+}
+
 void AddNodes(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data, double opacity,
   std::vector<BlockNode>& nodes)
 {
@@ -134,7 +141,7 @@ void FadedLooks::Fade(Look& look, vtkActor* actor, double opacity)
       look.Opacity = attributes->GetBlockOpacity(look.Data);
     }
     attributes->SetBlockOpacity(look.Data, opacity);
-    actor->GetMapper()->Modified();
+    NoteChange(actor);
     return;
   }
   if (!look.IsSet)
@@ -188,7 +195,7 @@ void FadedLooks::Show(Look& look, bool isVisible)
   {
     attributes->RemoveBlockVisibility(look.Data);
   }
-  actor->GetMapper()->Modified();
+  NoteChange(actor);
 }
 
 void FadedLooks::Set(std::uint32_t number, const ShownPart& part, double opacity)
@@ -236,7 +243,7 @@ void FadedLooks::PutBack(Look& look)
     {
       attributes->RemoveBlockOpacity(look.Data);
     }
-    actor->GetMapper()->Modified();
+    NoteChange(actor);
     return;
   }
   if (look.IsCopy)

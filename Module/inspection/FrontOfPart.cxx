@@ -28,8 +28,8 @@ float DepthIn(const LayerFragment& fragment)
 using PixelFragments = std::vector<const LayerFragment*>;
 
 /**
- * Returns the layers that cover the first of some samples, and not behind a depth. Takes that sample from `samples`, and
- * all that have the same layers.
+ * Returns the layers that cover the first of some samples, and not behind a depth. Takes that sample from `samples`,
+ * and all that have the same layers.
  */
 std::vector<std::uint32_t> TakeLayers(
   const PixelFragments& others, float depth, std::uint32_t& samples)

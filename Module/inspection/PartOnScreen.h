@@ -32,6 +32,12 @@ std::optional<BoxCorners> CornersOfBlock(vtkActor* actor, vtkDataObject* data);
  */
 PixelRegion RegionOf(const BoxCorners& corners, const PixelRays& rays, int margin);
 
+/**
+ * Returns about how many pixels a part covers: half of the area of its faces on the screen, as a closed part shows each
+ * place twice. Of many faces only some are looked at. Faces whose middle is outside of the viewport count nothing.
+ */
+double AreaOnScreen(vtkActor* actor, vtkDataObject* data, const PixelRays& rays);
+
 }
 
 #endif

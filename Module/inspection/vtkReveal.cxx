@@ -11,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
@@ -41,16 +42,17 @@ constexpr int PixelMargin = 2;
 
 /** Parts move against each other by this share of the viewport's height while the view turns by a degree. */
 constexpr int TilesOfHeight = 180;
-
-struct TargetPart
-{
-  vtkWeakPointer<vtkProp> Prop;
-  unsigned int Block;
-};
 }
 
 struct vtkReveal::Internals
 {
+  /** A part that shall show. */
+  struct TargetPart
+  {
+    vtkWeakPointer<vtkProp> Prop;
+    unsigned int Block;
+  };
+
   vtkWeakPointer<vtkRenderer> Renderer;
   std::vector<TargetPart> Parts;
   vtkNew<vitrine::LayerCapture> Capture;
@@ -119,6 +121,32 @@ struct vtkReveal::Internals
     const std::vector<vitrine::BlockNode>& nodes = this->Looks.NodesOf(actor);
     return part.Block < nodes.size() ? vitrine::CornersOfBlock(actor, nodes[part.Block].Data)
                                      : std::nullopt;
+  }
+
+  /** Returns the area of a part on the screen in pixels, at least 1: that of its faces, and at most that of its box. */
+  double AreaOf(const vitrine::ShownPart& part, const vitrine::PixelRays& rays)
+  {
+    const auto corners = this->CornersOf(part);
+    if (!corners)
+    {
+      return 1.0;
+    }
+    const vitrine::PixelRegion region = vitrine::RegionOf(*corners, rays, 0);
+    const double box = static_cast<double>(region.Width) * region.Height;
+    vtkActor* const actor = vtkActor::SafeDownCast(part.Prop);
+    vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
+    vtkDataObject* data = nullptr;
+    if (mapper && part.Block != 0)
+    {
+      const std::vector<vitrine::BlockNode>& nodes = this->Looks.NodesOf(actor);
+      data = part.Block < nodes.size() ? nodes[part.Block].Data : nullptr;
+    }
+    else if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
+    {
+      data = mapper->GetInputDataObject(0, 0);
+    }
+    const double faces = actor ? vitrine::AreaOnScreen(actor, data, rays) : 0.0;
+    return std::max(1.0, faces > 0.0 ? std::min(faces, box) : box);
   }
 
   /** Returns the smallest rectangle of pixels around all parts that shall show, and notes where they are. */
@@ -327,7 +355,7 @@ std::string vtkReveal::FindOpacities(double degrees)
     return "there is no renderer: call SetRenderer()";
   }
   if (std::none_of(in.Parts.begin(), in.Parts.end(),
-        [](const TargetPart& part) { return part.Prop != nullptr; }))
+        [](const Internals::TargetPart& part) { return part.Prop != nullptr; }))
   {
     return "there is no part that shall show: call AddPart()";
   }
@@ -375,11 +403,7 @@ std::string vtkReveal::FindOpacities(double degrees)
   for (const std::uint32_t number : stacks.Parts())
   {
     const vitrine::ShownPart part = numbers.PartOf(number);
-    const auto corners = in.CornersOf(part);
-    const vitrine::PixelRegion around =
-      corners ? vitrine::RegionOf(*corners, rays, 0) : vitrine::PixelRegion{ 0, 0, 1, 1 };
-    const double area = static_cast<double>(around.Width) * around.Height;
-    parts.push_back({ std::max(1.0, area), in.Looks.OriginalOf(number, part) });
+    parts.push_back({ in.AreaOf(part, rays), in.Looks.OriginalOf(number, part) });
   }
   in.Change = in.Steady->Update(stacks, parts, std::isinf(degrees) ? degrees : turned);
   in.SetLooks(this->LeastOpacity);

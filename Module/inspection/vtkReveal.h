@@ -19,17 +19,19 @@
  * @endcode
  *
  * What is in front comes from the layers of the part's pixels, which are captured anew (vtkLayerPicker). The opacities
- * follow from a concave programme: the context is the sum over all parts in front of their opacity by the area of their
- * box on the screen. Multipliers prove how near to the optimum an answer is: GetProvedShare(). The share holds for
- * exact methods of transparency with accurate nodes; methods that round opacities to 1/255 miss it by that.
+ * follow from a concave programme: the context is the sum over all parts in front of their opacity by their area on the
+ * screen, which is half of that of their faces, and at most that of their box. Multipliers prove how near to the
+ * optimum an answer is: GetProvedShare(). The share holds for exact methods of transparency with accurate nodes;
+ * methods that round opacities to 1/255 miss it by that.
  *
  * Parts that would have less than LeastOpacity are hidden. When parts are no more in front, and with PutBack(), they
  * get the looks that they had. At most one reveal fades the parts of a renderer at a time.
  *
  * With FollowCamera, opacities follow the camera before each frame. Then they change by ChangePerDegree at most for
- * each degree by which the eye turns around the part. The share takes precedence over that: parts that are newly in front
- * drop at once, and so do as few others as possible where parts come together in front of a pixel. They are counted.
- * Parts that may come together soon keep less opacity, which makes such drops rare; the context is smaller then.
+ * each degree by which the eye turns around the part. The share takes precedence over that: parts that are newly in
+ * front drop at once, and so do as few others as possible where parts come together in front of a pixel. They are
+ * counted. Parts that may come together soon keep less opacity, which makes such drops rare; the context is smaller
+ * then.
  *
  * @sa
  * vtkLayerPicker vtkSeeThroughPass
@@ -159,8 +161,7 @@ public:
   double GetLeastShare();
 
   /**
-   * Get the mean opacity of the parts in front, weighted by the areas of their boxes on the screen. Hidden parts count
-   * as 0.
+   * Get the mean opacity of the parts in front, weighted by their areas on the screen. Hidden parts count as 0.
    */
   double GetContext();
 

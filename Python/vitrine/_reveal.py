@@ -147,7 +147,7 @@ class Reveal:
 
     @property
     def context(self) -> float:
-        """The mean opacity of the parts in front, weighted by the areas of their boxes on the screen."""
+        """The mean opacity of the parts in front, weighted by their areas on the screen."""
         return self._reveal.GetContext()
 
     @property

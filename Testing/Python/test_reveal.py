@@ -124,6 +124,23 @@ class Plates(unittest.TestCase):
         self.assertTrue(self.half.GetVisibility())
         self.assertEqual(handle.faded, [])
 
+    def test_hidden_blocks_are_found_again(self):
+        self.renderer.RemoveActor(self.half)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, box(-0.5, 0, 1, 0.8))
+        assembly = vitrine.from_multiblock(blocks).add_to(self.renderer)
+        self.window.Render()
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.assertEqual((handle.hidden, handle.layers), (1, 3))
+        for _ in range(2):
+            self.window.Render()
+            handle.update()
+            self.assertEqual((handle.hidden, handle.layers), (1, 3))
+        handle.remove()
+        self.window.Render()
+        self.assertEqual(pixels(self.window)[..., 0].max(), 0)
+        self.assertEqual(len(assembly), 1)
+
     def test_another_reveal_takes_the_place_of_the_first(self):
         first = vitrine.reveal(self.window, self.red, SHARE)
         second = vitrine.reveal(self.window, self.half, 0.5)
