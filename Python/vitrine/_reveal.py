@@ -71,7 +71,7 @@ def reveal(
     renderer = next((found for found in renderers if _has(found, shown)), None)
     if renderer is None:
         raise ValueError("the part is in no renderer of the target: add it first")
-    former = _reveals.pop(renderer.__this__, None)
+    former = _reveals.get(renderer.__this__)
     if former is not None:
         former.remove()
     handle = Reveal(renderer, shown, share, least_opacity, _plotter_of(target))
@@ -112,6 +112,9 @@ class Reveal:
     def remove(self) -> None:
         """Put back the looks of all parts, and stop following the camera."""
         self._reveal.PutBack()
+        for address, handle in list(_reveals.items()):
+            if handle is self or handle._reveal.GetRenderer() is None:
+                del _reveals[address]
         self._draw()
 
     @property
