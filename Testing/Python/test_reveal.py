@@ -127,19 +127,22 @@ class Plates(unittest.TestCase):
     def test_hidden_blocks_are_found_again(self):
         self.renderer.RemoveActor(self.half)
         blocks = vtkMultiBlockDataSet()
-        blocks.SetBlock(0, box(-0.5, 0, 1, 0.8))
+        blocks.SetBlock(0, box(-0.5, -0.4, 1, 0.6))
+        blocks.SetBlock(1, box(-0.5, 0.4, 1, 0.6))
         assembly = vitrine.from_multiblock(blocks).add_to(self.renderer)
         self.window.Render()
-        handle = vitrine.reveal(self.window, self.red, SHARE)
-        self.assertEqual((handle.hidden, handle.layers), (1, 3))
+        handle = vitrine.reveal(self.window, self.red, SHARE, least_opacity=0)
+        self.assertEqual((handle.hidden, handle.layers), (0, 3))
+        handle._reveal.SetLeastOpacity(1 / 255)
+        handle.update()
         for _ in range(2):
             self.window.Render()
             handle.update()
-            self.assertEqual((handle.hidden, handle.layers), (1, 3))
+            self.assertEqual((handle.hidden, handle.layers), (2, 3))
         handle.remove()
         self.window.Render()
         self.assertEqual(pixels(self.window)[..., 0].max(), 0)
-        self.assertEqual(len(assembly), 1)
+        self.assertEqual(assembly.actors.GetNumberOfActors(), 1)
 
     def test_another_reveal_takes_the_place_of_the_first(self):
         first = vitrine.reveal(self.window, self.red, SHARE)
