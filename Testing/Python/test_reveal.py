@@ -137,6 +137,7 @@ class Plates(unittest.TestCase):
         handle.update()
         for _ in range(2):
             self.window.Render()
+            vitrine.layers_at(self.window, 16, 19, all=True)  # asks the actor whether it has translucent blocks now
             handle.update()
             self.assertEqual((handle.hidden, handle.layers), (2, 3))
         handle.remove()
