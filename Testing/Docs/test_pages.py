@@ -54,14 +54,14 @@ endforeach ()
 """
 
 MAIN = """\
+#include <vtkHeadlessRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 {includes}
 int main()
 {{
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkHeadlessRenderWindow> window;
   window->AddRenderer(renderer);
 {statements}
   return 0;

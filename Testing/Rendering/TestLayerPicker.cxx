@@ -359,7 +359,8 @@ TEST(LayersOfProps, AgreeWithSections)
   }
   section->Detach();
   scene.Render();
-  ExpectParts(LayersAt(picker, scene.Renderer, Width / 2 + 3, Height / 2 + 2), { plate, ball, ball });
+  ExpectParts(
+    LayersAt(picker, scene.Renderer, Width / 2 + 3, Height / 2 + 2), { plate, ball, ball });
 }
 
 TEST(LayersOfAnArea, LeaveTheStateOfOpenGL)
