@@ -199,7 +199,8 @@ std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragm
 {
   const ScopedCaptureEvents events(
     request.Renderer); // They may add props, as caps of sections are.
-  const std::vector<vtkProp*> props = this->Props.Find(request.Renderer, request.Pixels);
+  const std::vector<vtkProp*> props =
+    this->Props.Find(request.Renderer, request.Pixels, !request.Translucent);
   if (props.empty())
   {
     return {};

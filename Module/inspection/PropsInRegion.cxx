@@ -148,7 +148,8 @@ bool PropsInRegion::Known::operator==(const Known& other) const
     this->DataTime == other.DataTime;
 }
 
-std::vector<vtkProp*> PropsInRegion::Find(vtkRenderer* renderer, const PixelRegion& region)
+std::vector<vtkProp*> PropsInRegion::Find(
+  vtkRenderer* renderer, const PixelRegion& region, bool onlyOpaque)
 {
   const PixelRays rays(renderer);
   std::vector<vtkProp*> found;
@@ -175,6 +176,10 @@ std::vector<vtkProp*> PropsInRegion::Find(vtkRenderer* renderer, const PixelRegi
       continue;
     }
     const Known& known = this->Look(actor);
+    if (onlyOpaque && !known.HasOpaque)
+    {
+      continue;
+    }
     if (known.IsAnywhere || MaySetUniforms(actor->GetMapper()) ||
       (known.InWorld && pyramid.MayMeet(*known.InWorld, MarginOf(actor))))
     {
@@ -216,7 +221,12 @@ const PropsInRegion::Known& PropsInRegion::Look(vtkActor* actor)
   const bool isRead = known.Data == now.Data && known.Frame == this->Frame;
   now.DataTime = isRead ? known.DataTime : now.Data ? TimeOf(now.Data) : 0;
   known.Frame = now.Frame = this->Frame;
-  if (!(now == known))
+  const bool isSame = now == known;
+  if (!isSame || !isRead)
+  {
+    known.HasOpaque = now.HasOpaque = actor->HasOpaqueGeometry() != 0;
+  }
+  if (!isSame)
   {
     now.IsAnywhere = !AsHideable(actor) || !now.Data;
     now.InWorld = now.IsAnywhere ? std::nullopt : BoxInWorld(actor, now.Data);

@@ -40,8 +40,9 @@ public:
    * Returns the visible props of the renderer that may be drawn within a rectangle of the window's pixels, in their
    * order: those whose boxes meet the pyramid of the rectangle, with a margin for wide lines and points, and those that
    * may be drawn outside of their data. Props of the overlay, and volumes, are left out.
+   * @param onlyOpaque  leave out actors that had no opaque geometry since they changed, or since the last frame
    */
-  std::vector<vtkProp*> Find(vtkRenderer* renderer, const PixelRegion& region);
+  std::vector<vtkProp*> Find(vtkRenderer* renderer, const PixelRegion& region, bool onlyOpaque);
 
 private:
   /** An actor when its box was read. Times of VTK never come again, so they tell also of other objects in its place. */
@@ -54,7 +55,8 @@ private:
     vtkMTimeType ShaderTime = 0;
     vtkDataObject* Data = nullptr;
     vtkMTimeType DataTime = 0;
-    std::uint64_t Frame = 0;    ///< when the time of the data was read
+    std::uint64_t Frame = 0; ///< when the time of the data was read
+    bool HasOpaque = true;
     bool IsAnywhere = false;    ///< It may be drawn outside of its data.
     std::optional<Box> InWorld; ///< absent if it has no data
 
