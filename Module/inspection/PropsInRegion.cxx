@@ -3,11 +3,14 @@
 #include "inspection/PixelRays.h"
 #include "scene/ActorRules.h"
 #include "scene/Matrices.h"
+#include "scene/PartNumbers.h"
+#include "vtkCulledCompositePolyDataMapper.h" // the base of composite mappers
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSet.h"
@@ -75,6 +78,42 @@ void AddBounds(vtkDataObject* data, vtkBoundingBox& box)
       box.AddBounds(points->GetBounds());
     }
   }
+}
+
+/**
+ * Returns true if a node or one below it may be opaque. The innermost visibility and opacity count, as in VTK.
+ * @param opacity  what the node inherits
+ */
+bool MayHaveOpaqueBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* node,
+  double opacity, bool isVisible)
+{
+  opacity = attributes->HasBlockOpacity(node) ? attributes->GetBlockOpacity(node) : opacity;
+  isVisible =
+    attributes->HasBlockVisibility(node) ? attributes->GetBlockVisibility(node) : isVisible;
+  if (auto* const tree = vtkDataObjectTree::SafeDownCast(node))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      if (MayHaveOpaqueBlocks(attributes, child, opacity, isVisible))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  return isVisible && !(opacity < 1.0);
+}
+
+/** Returns true if an actor may have opaque geometry. VTK looks at the property alone, not at those of blocks. */
+bool MayHaveOpaque(vtkActor* actor)
+{
+  auto* const mapper = dynamic_cast<VITRINE_COMPOSITE_MAPPER*>(actor->GetMapper());
+  vtkDataObject* const blocks = mapper ? BlocksOf(actor) : nullptr;
+  auto* const attributes = mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
+  const bool isOfBlocks = blocks && attributes && !actor->GetForceOpaque();
+  return actor->HasOpaqueGeometry() != 0 &&
+    (!isOfBlocks ||
+      MayHaveOpaqueBlocks(attributes, blocks, actor->GetProperty()->GetOpacity(), true));
 }
 
 /** Returns the box around data where an actor draws them. It is absent if there are no points. */
@@ -224,7 +263,7 @@ const PropsInRegion::Known& PropsInRegion::Look(vtkActor* actor)
   const bool isSame = now == known;
   if (!isSame || !isRead)
   {
-    known.HasOpaque = now.HasOpaque = actor->HasOpaqueGeometry() != 0;
+    known.HasOpaque = now.HasOpaque = MayHaveOpaque(actor);
   }
   if (!isSame)
   {
