@@ -25,6 +25,9 @@ namespace
 /** Parts are read anew if more corners than these are of parts that have changed since. */
 constexpr std::size_t MostStaleCorners = 1 << 20;
 
+/** Parts are read anew if more than these, and half of all, are no longer drawn. */
+constexpr std::size_t MostGoneParts = 1024;
+
 bool IsSamePart(const CutPart& a, const CutPart& b)
 {
   return a.Slot == b.Slot && a.Cuts == b.Cuts && a.Masks == b.Masks && a.IsClosed == b.IsClosed;
@@ -50,11 +53,13 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
 {
   const std::vector<CutPart> before = std::move(this->Cut);
   const std::uint64_t generation = this->GenerationNumber;
-  if (this->StaleCorners > std::max(MostStaleCorners, this->AllCorners.size() / 2))
+  if (this->HasManyGone ||
+    this->StaleCorners > std::max(MostStaleCorners, this->AllCorners.size() / 2))
   {
     this->Forget();
   }
   this->Cut.clear();
+  std::size_t drawnParts = 0;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator place;
   props->InitTraversal(place);
@@ -68,9 +73,14 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
     }
     actor->ComputeMatrix();
     const glm::dmat4 toWorld = MatrixOf(actor->GetMatrix());
-    ForEachDrawn(
-      actor, [&](const DrawnData& drawn) { this->Look(actor, drawn, toWorld, planes, masksOf); });
+    ForEachDrawn(actor,
+      [&](const DrawnData& drawn)
+      {
+        ++drawnParts;
+        this->Look(actor, drawn, toWorld, planes, masksOf);
+      });
   }
+  this->HasManyGone = this->KnownParts.size() > 2 * drawnParts + MostGoneParts;
   PartNumbers& numbers = PartNumbers::Of(renderer);
   for (CutPart& part : this->Cut)
   {
@@ -172,6 +182,7 @@ void CutParts::Forget()
   this->AllVertices.clear();
   this->AllCorners.clear();
   this->StaleCorners = 0;
+  this->HasManyGone = false;
   this->NextSlot = 1;
   ++this->GenerationNumber;
 }

@@ -102,6 +102,7 @@ private:
   std::vector<CutVertex> AllVertices;
   std::vector<std::uint32_t> AllCorners;
   std::size_t StaleCorners = 0;
+  bool HasManyGone = false; ///< most of the known parts are no longer drawn
   glm::dvec3 Middle{ 0.0 };
   std::uint32_t NextSlot = 1;
   std::uint64_t GenerationNumber = 1;

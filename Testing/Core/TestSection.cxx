@@ -15,24 +15,26 @@ namespace
 using vitrine::CutPlane;
 using vitrine::IsClosed;
 
-const std::vector<glm::dvec3> Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-const std::vector<std::uint32_t> Faces = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 };
+const std::vector<glm::dvec3> TetrahedronCorners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+  { 0, 0, 1 } };
+const std::vector<std::uint32_t> TetrahedronFaces = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 };
 
 TEST(ClosedMesh, NeedsAllFaces)
 {
-  EXPECT_TRUE(IsClosed(Corners, Faces));
-  EXPECT_FALSE(IsClosed(Corners, { Faces.begin() + 3, Faces.end() }));
-  EXPECT_FALSE(IsClosed(Corners, {}));
+  EXPECT_TRUE(IsClosed(TetrahedronCorners, TetrahedronFaces));
+  EXPECT_FALSE(
+    IsClosed(TetrahedronCorners, { TetrahedronFaces.begin() + 3, TetrahedronFaces.end() }));
+  EXPECT_FALSE(IsClosed(TetrahedronCorners, {}));
 }
 
 TEST(ClosedMesh, MergesEqualPoints)
 {
   std::vector<glm::dvec3> points;
   std::vector<std::uint32_t> corners;
-  for (const std::uint32_t corner : Faces)
+  for (const std::uint32_t corner : TetrahedronFaces)
   {
     corners.push_back(static_cast<std::uint32_t>(points.size()));
-    points.push_back(Corners[corner]);
+    points.push_back(TetrahedronCorners[corner]);
     points.back().x += 0.0 * points.back().y; // negative zeros are zeros
   }
   points[0].z = -points[0].z;
@@ -43,15 +45,16 @@ TEST(ClosedMesh, MergesEqualPoints)
 
 TEST(ClosedMesh, DropsDegenerateTrianglesAndTakesAnyEvenNumber)
 {
-  std::vector<std::uint32_t> more = Faces;
+  std::vector<std::uint32_t> more = TetrahedronFaces;
   more.insert(more.end(), { 1, 1, 2 });
-  EXPECT_TRUE(IsClosed(Corners, more));
-  more.insert(more.end(), Faces.begin(), Faces.end()); // twice the same: four faces at each edge
-  EXPECT_TRUE(IsClosed(Corners, more));
-  EXPECT_FALSE(IsClosed(Corners, { 1, 1, 2, 0, 0, 0 }));
-  std::vector<glm::dvec3> points = Corners;
+  EXPECT_TRUE(IsClosed(TetrahedronCorners, more));
+  more.insert(more.end(), TetrahedronFaces.begin(),
+    TetrahedronFaces.end()); // twice the same: four faces at each edge
+  EXPECT_TRUE(IsClosed(TetrahedronCorners, more));
+  EXPECT_FALSE(IsClosed(TetrahedronCorners, { 1, 1, 2, 0, 0, 0 }));
+  std::vector<glm::dvec3> points = TetrahedronCorners;
   points[3].x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(IsClosed(points, Faces));
+  EXPECT_FALSE(IsClosed(points, TetrahedronFaces));
 }
 
 TEST(CutPlane, KeepsItsPointsInOtherCoordinates)
