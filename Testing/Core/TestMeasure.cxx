@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace
+namespace measure_tests
 {
 
 using namespace measured_shapes;
