@@ -32,6 +32,7 @@
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkSection.h"
 #include "vtkSelectionNode.h"
 #include "vtkShaderProperty.h"
 #include "vtkSkybox.h"
@@ -614,6 +615,17 @@ std::vector<PropCase> CasesOfWhatHidesNothing()
         scene.Wall->SetTexture(TextureOf(PlainImage(1, 120.0)));
         return scene.Wall;
       } },
+    { PropStage::Frame, "a vtkSection", "",
+      Front(
+        [](ReasonScene& scene, vtkActor*)
+        {
+          vtkNew<vtkPlane> plane;
+          plane->SetNormal(1.0, 0.0, 0.0);
+          vtkNew<vtkSection> section;
+          section->AddPlane(plane);
+          section->Attach(scene.Renderer);
+          scene.Kept = section;
+        }) },
     { PropStage::Frame, "NON_OCCLUDING", "",
       Front(
         [](ReasonScene&, vtkActor* front)
