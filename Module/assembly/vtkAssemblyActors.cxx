@@ -366,9 +366,9 @@ void vtkAssemblyActors::GetPartOffset(int part, double offset[3])
 //------------------------------------------------------------------------------
 void vtkAssemblyActors::Explode(double factor)
 {
-  if (!std::isfinite(factor) || factor < 0.0)
+  if (!(factor >= 0.0 && factor <= 1000.0))
   {
-    vtkErrorMacro("the factor of an exploded view is 0 or more, not " << factor);
+    vtkErrorMacro("the factor of an exploded view is from 0 to 1000, not " << factor);
     return;
   }
   std::vector<vitrine::ExplodedPart> parts;

@@ -174,7 +174,7 @@ public:
   /**
    * Set the offsets of all parts for an exploded view. Each node of the tree of paths moves with its parent, and away
    * from the centre of the parent's box by `factor` times the distance of their centres. So groups move apart, and
-   * within them their own parts. 0 puts all parts back. A negative factor is an error.
+   * within them their own parts. 0 puts all parts back. A factor out of 0 to 1000 is an error.
    */
   void Explode(double factor);
 

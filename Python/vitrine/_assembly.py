@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import numbers
 import operator
 import os
@@ -197,16 +196,17 @@ class Assembly:
         """Have all parts drawn apart, as in an exploded view; 0 puts them back.
 
         Each node of the tree moves with its parent, and away from the middle of its parent by `factor` times its
-        distance from there. So groups move apart, and within them their own parts. The next frame takes time, since
-        parts that share an actor are copied. Bounds, to_multiblock() and measures stay those of the whole.
+        distance from there. So groups move apart, and within them their own parts. Parts around one middle, such as a
+        shaft in its bore, stay together. The camera stays where it is. The next frame takes time, since parts that
+        share an actor are copied. Part.bounds, to_multiblock() and AssemblyIndex(assembly) are still of the whole.
 
         Raises:
             TypeError: the factor is no number.
-            ValueError: it is negative or not finite.
+            ValueError: it is out of 0 to 1000.
         """
-        value = _number("factor is a number from 0 on", factor)
-        if not 0.0 <= value < math.inf:
-            raise ValueError(f"factor is a number from 0 on, not {factor!r}")
+        value = _number("factor is a number from 0 to 1000", factor)
+        if not 0.0 <= value <= 1000.0:
+            raise ValueError(f"factor is a number from 0 to 1000, not {factor!r}")
         self.actors.Explode(value)
 
     def reset(self) -> None:
