@@ -17,18 +17,35 @@ vtkInformationIntegerKey* CutKey()
     vtkInformationIntegerKey::MakeKey("CUT_BY_SECTION", "vtkSection");
   return key;
 }
+
+vtkInformationIntegerKey* CapKey()
+{
+  static vtkInformationIntegerKey* const key =
+    vtkInformationIntegerKey::MakeKey("CAP_OF_SECTION", "vtkSection");
+  return key;
 }
 
-void MarkAsCut(vtkProp* prop, bool isCut)
+bool Has(vtkProp* prop, vtkInformationIntegerKey* key)
 {
-  if (isCut && !prop->GetPropertyKeys())
+  return prop->GetPropertyKeys() && prop->GetPropertyKeys()->Has(key);
+}
+
+void Set(vtkProp* prop, vtkInformationIntegerKey* key)
+{
+  if (!prop->GetPropertyKeys())
   {
     vtkNew<vtkInformation> keys;
     prop->SetPropertyKeys(keys);
   }
+  prop->GetPropertyKeys()->Set(key, 1);
+}
+}
+
+void MarkAsCut(vtkProp* prop, bool isCut)
+{
   if (isCut)
   {
-    prop->GetPropertyKeys()->Set(CutKey(), 1);
+    Set(prop, CutKey());
   }
   else if (prop->GetPropertyKeys())
   {
@@ -38,7 +55,17 @@ void MarkAsCut(vtkProp* prop, bool isCut)
 
 bool IsMarkedAsCut(vtkProp* prop)
 {
-  return prop->GetPropertyKeys() && prop->GetPropertyKeys()->Has(CutKey());
+  return Has(prop, CutKey());
+}
+
+void MarkAsCap(vtkProp* prop)
+{
+  Set(prop, CapKey());
+}
+
+bool IsCap(vtkProp* prop)
+{
+  return Has(prop, CapKey());
 }
 
 }

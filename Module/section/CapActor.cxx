@@ -1,6 +1,7 @@
 #include "section/CapActor.h"
 
 #include "Core/section/CutPolygon.h"
+#include "scene/CutProps.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -23,6 +24,7 @@ CapActor::CapActor()
   this->SetMapper(this->Drawing);
   this->GetProperty()->SetSpecular(0.0);
   this->UseBoundsOff();
+  MarkAsCap(this);
   this->VisibilityOff();
 }
 
