@@ -106,8 +106,7 @@ void CutSums::UseWindow(vtkOpenGLRenderWindow* window)
 {
   if (!this->Context.LivesIn(window))
   {
-    this->Context.Release([this](vtkOpenGLRenderWindow* held) { this->Release(held); });
-    this->Forget();
+    this->Release();
     this->Context.Hold(window);
   }
 }
@@ -346,19 +345,27 @@ CutSums::Pixels CutSums::Read(int plane)
 
 void CutSums::Release(vtkWindow* window)
 {
-  if (!this->Context.LivesIn(window))
+  if (this->Context.LivesIn(window))
   {
-    return;
+    this->Release();
   }
-  this->Unbind();
-  for (Buffer* const buffer :
-    { &this->Vertices, &this->Corners, &this->PartTable, &this->LookTable })
-  {
-    buffer->Release();
-  }
-  this->Sums.Release();
-  this->Drawing.Release();
-  glDeleteVertexArrays(1, &this->VertexArray);
+}
+
+void CutSums::Release()
+{
+  this->Context.Release(
+    [this](vtkOpenGLRenderWindow*)
+    {
+      this->Unbind();
+      for (Buffer* const buffer :
+        { &this->Vertices, &this->Corners, &this->PartTable, &this->LookTable })
+      {
+        buffer->Release();
+      }
+      this->Sums.Release();
+      this->Drawing.Release();
+      glDeleteVertexArrays(1, &this->VertexArray);
+    });
   this->Forget();
 }
 

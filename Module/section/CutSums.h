@@ -75,10 +75,9 @@ public:
   /** The matrix from WC to the clip coordinates of the last sums. */
   const glm::dmat4& ToClip() const { return this->LastKey.ToClip; }
 
-  /** Returns true if there may be objects in the context of a window. */
-  bool IsIn(const vtkWindow* window) const { return this->Context.LivesIn(window); }
-
+  /** Release what is held in the context of a window, or wherever it is. */
   void Release(vtkWindow* window);
+  void Release();
   std::int64_t Bytes() const;
 
 private:

@@ -145,11 +145,39 @@ void SectionShader::EndFrame()
   this->MaskUnit.reset();
 }
 
+void SectionShader::Release(vtkWindow* window)
+{
+  if (this->Context.LivesIn(window))
+  {
+    this->Release();
+  }
+}
+
 void SectionShader::Release()
 {
+  this->Context.Release(
+    [this](vtkOpenGLRenderWindow*)
+    {
+      this->MaskUnit.reset();
+      this->MaskBuffer.Release();
+      this->Blocks.Release();
+    });
+  // If the context is gone, the names of the objects may be those of others.
   this->MaskUnit.reset();
-  this->MaskBuffer.Release();
-  this->Blocks.Release();
+  this->MaskBuffer = Buffer();
+  this->Blocks = PartShader();
+  this->Blocks.SetRenderer(this->Renderer);
+  this->Context.LetGo();
+}
+
+void SectionShader::UseWindow()
+{
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (!this->Context.LivesIn(window))
+  {
+    this->Release();
+    this->Context.Hold(window);
+  }
 }
 
 bool SectionShader::PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -254,6 +282,7 @@ bool SectionShader::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMa
   program->SetUniform2i("vitrineSectionMasks", bits);
   if (program->IsUniformUsed("vitrineBlockMasks"))
   {
+    this->UseWindow();
     this->Blocks.SetParameters(program, mapper, prop, vertexArray);
     this->SetBlockMasks(program, prop);
   }

@@ -3,6 +3,7 @@
 #define VITRINE_SECTION_SECTION_SHADER_H
 
 #include "gl/GLObjects.h"
+#include "gl/HeldContext.h"
 #include "gl/ScopedState.h"
 #include "scene/PartShader.h"
 #include "section/SectionPlanes.h"
@@ -39,7 +40,8 @@ public:
   /** Set the samples of a pixel of the sums that caps look up, 0 for one. */
   void SetSamples(int samples);
 
-  /** Release what is held in the context that is current. */
+  /** Release what is held in the context of a window, or wherever it is. */
+  void Release(vtkWindow* window);
   void Release();
 
   /** Returns the planes that apply to a prop without blocks, or to all blocks of a prop. */
@@ -59,9 +61,11 @@ public:
   vtkMTimeType GetShaderStageMTime() override { return this->Stage.GetMTime(); }
 
 private:
+  void UseWindow();
   void SetBlockMasks(vtkShaderProgram* program, vtkProp* prop);
 
   SectionPlanes Planes;
+  HeldContext Context; ///< of MaskBuffer and Blocks
   int Samples = 0;
   vtkTimeStamp Stage;
   PartShader Blocks; ///< tells shaders the block of each vertex

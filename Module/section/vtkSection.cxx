@@ -21,7 +21,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPropCollection.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
@@ -74,10 +73,12 @@ public:
     }
     else if (event == vtkCommand::StartEvent || event == vitrine::CaptureStartEvent)
     {
+      ++this->Depth;
       this->Start();
     }
-    else
+    else if (--this->Depth <= 0)
     {
+      this->Depth = 0; // an observer that is added within a frame sees its end only
       this->End();
     }
   }
@@ -85,6 +86,9 @@ public:
   vtkSmartPointer<vtkSection> Section;
   std::function<void()> Start;
   std::function<void()> End;
+
+private:
+  int Depth = 0; ///< of captures in a frame, whose props stay marked until its end
 };
 
 bool IsFinite(const glm::dvec3& vector)
@@ -395,11 +399,8 @@ struct vtkSection::Internals
 
   void Release(vtkWindow* window)
   {
-    if (this->Sums.IsIn(window))
-    {
-      this->Shader->Release();
-      this->Sums.Release(window);
-    }
+    this->Shader->Release(window);
+    this->Sums.Release(window);
   }
 
   void PlaceCaps()
@@ -609,6 +610,8 @@ vtkSection::~vtkSection()
   this->Private->EndFrame();
   this->Private->ForgetCutProps();
   this->Private->RemoveCaps();
+  this->Private->Shader->Release();
+  this->Private->Sums.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -895,13 +898,8 @@ void vtkSection::Detach()
   {
     return;
   }
-  if (vtkRenderWindow* const window = renderer->GetRenderWindow())
-  {
-    if (window->IsA("vtkOpenGLRenderWindow"))
-    {
-      in.Release(window);
-    }
-  }
+  in.Shader->Release();
+  in.Sums.Release();
   in.Renderer = nullptr;
   const std::vector<unsigned long> observers = std::move(in.Observers);
   in.Observers.clear();

@@ -7,8 +7,8 @@ import weakref
 from typing import Any, Iterable, Sequence
 
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
+from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPlane
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
 from ._assembly import Assembly, Part, Selection
 from ._layers import _part_of
@@ -55,7 +55,8 @@ def section(
 
     Raises:
         TypeError: the target or a part is of another kind.
-        ValueError: the normal is 0 or not finite, the hatch is unknown, or there are six planes already.
+        ValueError: the normal is 0 or not finite, the hatch is unknown, there are six planes already, or a part is not
+            shown by the target.
         RuntimeError: the plotter is closed.
 
     Examples:
@@ -74,11 +75,15 @@ def section(
     check_boolean("caps", caps)
     if hatch is not None and hatch not in HATCHES:
         raise ValueError(f"there is no hatch {hatch!r}: choose {', '.join(HATCHES)}")
-    if edges is not None and not 0 <= edges <= 4:
+    if edges is not None and not (hasattr(edges, "__index__") and 0 <= edges <= 4):
         raise ValueError(f"edges are from 0 to 4 pixels wide, not {edges!r}")
     if parts is not None and but is not None:
         raise ValueError("give either parts or but")
     chosen = _chosen_of(parts if parts is not None else but)
+    if parts is not None and not chosen:
+        raise ValueError("parts is empty, so the plane would cut nothing: leave it out to cut all parts")
+    for prop, block in chosen:
+        _check_chosen(renderers, prop, block)
     sections = [_section_of(renderer) for renderer in renderers]
     if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in sections):
         raise ValueError(f"a target has {vtkSection.GetMaximumNumberOfPlanes()} planes at most: remove one")
@@ -254,6 +259,41 @@ def _chosen_of(parts: Any) -> list[tuple[vtkProp, int]]:
             f"not {parts!r}"
         )
     return [chosen for part in parts for chosen in _chosen_of(part)]
+
+
+def _check_chosen(renderers: Iterable[vtkRenderer], prop: vtkProp, block: int) -> None:
+    """Raise an exception that says what to do for a part that the renderers do not draw as one."""
+    if not isinstance(prop, vtkActor):
+        raise TypeError(f"a section cannot choose a {prop.GetClassName()}: choose actors, or cut all parts")
+    if not any(renderer.HasViewProp(prop) for renderer in renderers):
+        raise ValueError(
+            "a chosen actor is not shown by the target: add it to the renderer first. "
+            "An actor within a vtkAssembly cannot be chosen"
+        )
+    if block == -1:
+        return
+    prop.GetBounds()  # updates the pipeline
+    mapper = prop.GetMapper()
+    data = mapper.GetInputDataObject(0, 0) if mapper is not None and mapper.GetNumberOfInputPorts() > 0 else None
+    count = _node_count(data)
+    if not 0 <= block < count:
+        raise ValueError(f"a chosen actor has no block {block}: its blocks are flat indices from 0 to {count - 1}")
+
+
+def _node_count(data: Any) -> int:
+    """The number of flat indices of data: 1 without blocks."""
+    if not isinstance(data, vtkDataObjectTree):
+        return 1
+    each = data.NewTreeIterator()
+    each.SkipEmptyNodesOff()
+    each.VisitOnlyLeavesOff()
+    each.TraverseSubTreeOn()
+    each.InitTraversal()
+    last = 0
+    while not each.IsDoneWithTraversal():
+        last = each.GetCurrentFlatIndex()
+        each.GoToNextItem()
+    return last + 1
 
 
 def _drawn_by(assembly: Assembly, number: int) -> tuple[vtkProp, int]:

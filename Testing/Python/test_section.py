@@ -11,6 +11,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource, vtkSuperquadricSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkAssembly,
     vtkHardwareSelector,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -349,6 +350,35 @@ class Frames(unittest.TestCase):
         self.assertFalse((half[:, : SIZE // 2 - 3] == whole[:, : SIZE // 2 - 3]).all())
         self.assertTrue(actors)
 
+    def test_masks_of_blocks_follow_the_context(self):
+        """A window that is finalized and drawn again has another context, in which names of buffers are others'."""
+        blocks = vtkMultiBlockDataSet()
+        for i, x in enumerate((-0.6, 0.6)):
+            source = vtkSphereSource()
+            source.SetCenter(x, 0, 0)
+            source.Update()
+            blocks.SetBlock(i, source.GetOutput())
+        machine = vitrine.from_multiblock(blocks)
+        machine.add_to(self.renderer)
+        self.add()
+        with vitrine.section(self.renderer, "y", (0, 0.2, 0), parts=machine.parts[0], caps=False):
+            before = self.scene.picture()
+            for _ in range(2):
+                self.scene.window.Finalize()
+                self.assertTrue((self.scene.picture() == before).all())
+
+    def test_a_pick_within_a_frame_leaves_it_cut(self):
+        self.add(ball())
+        with vitrine.section(self.renderer, "y", (0, 0, 0)):
+            before = self.scene.picture()
+            picked = []
+            tag = self.renderer.AddObserver(
+                "StartEvent", lambda *_: picked.append(vitrine.pick(self.scene.window, SIZE // 2, SIZE // 2)), -1.0
+            )
+            self.assertTrue((self.scene.picture() == before).all())
+            self.renderer.RemoveObserver(tag)
+            self.assertTrue(picked)
+
     def test_several_planes_and_boxes(self):
         """Of a red cube, a quarter or a corner is missing; caps show where the cuts are."""
         mapper = vtkPolyDataMapper()
@@ -420,6 +450,12 @@ class Frames(unittest.TestCase):
             (ValueError, {"edges": 7}),
             (ValueError, {"parts": actor, "but": actor}),
             (TypeError, {"parts": "actor"}),
+            (ValueError, {"parts": []}),
+            (ValueError, {"parts": ball()}),
+            (ValueError, {"parts": (actor, 3)}),
+            (ValueError, {"parts": (actor, 2**40)}),
+            (TypeError, {"parts": vtkAssembly()}),
+            (ValueError, {"edges": 1.5}),
             (TypeError, {"caps": 1}),
         ):
             with self.subTest(arguments), self.assertRaises(error):
