@@ -102,10 +102,13 @@ void PutInFrame(const CutPlane& plane, const VertexFrame& frame, float equation[
   equation[3] = static_cast<float>(offset);
 }
 
-/** Returns how much farther than its margin a plane is moved for points that the device has unshifted. */
-double FurtherMargin(const CutPlane& plane, double margin, vtkProp* prop)
+/**
+ * Returns how much farther than its margin a plane in model coordinates is moved for an actor's points that the device
+ * has unshifted.
+ */
+double FurtherMargin(const CutPlane& plane, double margin, vtkActor* actor)
 {
-  const double* const bounds = prop->GetBounds();
+  const double* const bounds = actor->GetMapper() ? actor->GetMapper()->GetBounds() : nullptr;
   if (!bounds || !(bounds[0] <= bounds[1]))
   {
     return 0.0;
@@ -260,10 +263,10 @@ bool SectionShader::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMa
   std::vector<std::array<float, 4>> equations(this->Planes.Planes.size());
   for (std::size_t i = 0; i < equations.size(); ++i)
   {
-    const CutPlane& plane = this->Planes.Planes[i];
+    const CutPlane plane = this->Planes.Planes[i].In(toWorld);
     const double further =
       frame.IsShifted || cap ? 0.0 : FurtherMargin(plane, this->Planes.Margins[i], actor);
-    PutInFrame(plane.MovedBy(further).In(toWorld), frame, equations[i].data());
+    PutInFrame(plane.MovedBy(further), frame, equations[i].data());
   }
   program->SetUniform4fv("vitrineSectionPlanes", static_cast<int>(equations.size()),
     reinterpret_cast<const float(*)[4]>(equations.data()));

@@ -54,6 +54,9 @@ constexpr unsigned long AskForSection = vtkCommand::UserEvent + 0x56495453;
  */
 constexpr double CapLift = 1.0 / (1 << 17);
 
+/** The greatest distance of a plane from the origin. Single precision has room for products with it. */
+constexpr double FarthestPlane = 1e30;
+
 constexpr int FacesOfBox = 6;
 
 /** Stands for all blocks of a prop. It is less than any flat index. */
@@ -104,20 +107,27 @@ struct vtkSection::Internals
   {
     vtkSmartPointer<vtkPlane> Plane;
     int Parts = ALL_PARTS;
-    std::set<std::pair<vtkProp*, int>> Chosen; ///< props, with a block or EveryBlock
+    /** Props, with a block or EveryBlock. A prop that is gone may have its address in common with a new one. */
+    std::map<std::pair<vtkProp*, int>, vtkWeakPointer<vtkProp>> Chosen;
+
+    bool Has(vtkProp* prop, int block) const
+    {
+      const auto found = this->Chosen.find({ prop, block });
+      return found != this->Chosen.end() && found->second;
+    }
 
     bool Cuts(vtkProp* prop, int block) const
     {
       return this->Parts == ALL_PARTS ||
-        (this->Chosen.count({ prop, EveryBlock }) + this->Chosen.count({ prop, block }) > 0) ==
-        (this->Parts == ONLY_CHOSEN);
+        (this->Has(prop, EveryBlock) || this->Has(prop, block)) == (this->Parts == ONLY_CHOSEN);
     }
 
     /** Returns true if blocks of the prop are chosen one by one. */
     bool HasBlocksOf(vtkProp* prop) const
     {
       const auto block = this->Chosen.upper_bound({ prop, EveryBlock });
-      return this->Parts != ALL_PARTS && block != this->Chosen.end() && block->first == prop;
+      return this->Parts != ALL_PARTS && block != this->Chosen.end() &&
+        block->first.first == prop && block->second;
     }
   };
 
@@ -128,7 +138,7 @@ struct vtkSection::Internals
   std::array<double, 6> Box{};
   bool Caps = true;
   int Hatch = NO_HATCH;
-  std::map<vtkProp*, int> Hatches;
+  std::map<vtkProp*, std::pair<vtkWeakPointer<vtkProp>, int>> Hatches;
   double HatchSpacing = 0.0;
   int EdgeWidth = 1;
   std::array<double, 3> EdgeColor{ 0.0, 0.0, 0.0 };
@@ -161,7 +171,7 @@ struct vtkSection::Internals
       return { glm::dvec3(0.0, 0.0, 0.0), 1.0 };
     }
     const glm::dvec3 unit = given / length;
-    return { unit, -glm::dot(unit, through) };
+    return { unit, std::clamp(-glm::dot(unit, through), -FarthestPlane, FarthestPlane) };
   }
 
   /** Returns the planes in WC, first those of the user, then the faces of the box. */
@@ -177,7 +187,8 @@ struct vtkSection::Internals
       const double inwards = face % 2 == 0 ? 1.0 : -1.0;
       glm::dvec3 normal(0.0);
       normal[face / 2] = this->BoxKeepsInside ? inwards : -inwards;
-      planes.push_back({ normal, -normal[face / 2] * this->Box[static_cast<std::size_t>(face)] });
+      const double place = normal[face / 2] * this->Box[static_cast<std::size_t>(face)];
+      planes.push_back({ normal, std::clamp(-place, -FarthestPlane, FarthestPlane) });
     }
     return planes;
   }
@@ -227,26 +238,84 @@ struct vtkSection::Internals
     return all;
   }
 
-  /** Returns the box in WC around all visible props but caps. */
-  static std::pair<glm::dvec3, glm::dvec3> SceneBox(vtkRenderer* renderer)
+  /** A box in WC. */
+  struct WorldBox
   {
-    double bounds[6];
-    renderer->ComputeVisiblePropBounds(bounds);
-    return bounds[0] <= bounds[1] ? std::make_pair(glm::dvec3(bounds[0], bounds[2], bounds[4]),
-                                      glm::dvec3(bounds[1], bounds[3], bounds[5]))
-                                  : std::make_pair(glm::dvec3(0.0), glm::dvec3(0.0));
+    glm::dvec3 Min{ std::numeric_limits<double>::infinity() };
+    glm::dvec3 Max{ -std::numeric_limits<double>::infinity() };
+
+    bool IsEmpty() const { return !(this->Min.x <= this->Max.x); }
+    void Add(const WorldBox& other)
+    {
+      this->Min = glm::min(this->Min, other.Min);
+      this->Max = glm::max(this->Max, other.Max);
+    }
+
+    /** Returns the margin of a plane for points of the box, in coordinates from its middle. */
+    double MarginOf(const vitrine::CutPlane& plane) const
+    {
+      const glm::dvec3 middle = 0.5 * (this->Min + this->Max);
+      return vitrine::MarginOf({ plane.Normal, plane.At(middle) }, 0.5 * (this->Max - this->Min));
+    }
+
+    /** Returns true if the plane cuts the box or lies in a face of it, but for roundings. */
+    bool IsMetBy(const vitrine::CutPlane& plane) const
+    {
+      const double margin = this->MarginOf(plane);
+      const vitrine::DistanceRange range = vitrine::DistancesOf(plane, this->Min, this->Max);
+      return range.Least <= margin && range.Greatest >= -margin;
+    }
+  };
+
+  /** Returns for each plane the box around the props that it meets. Those that are far from it have no say. */
+  std::vector<WorldBox> BoxesMetBy(vtkRenderer* renderer)
+  {
+    std::vector<WorldBox> met(this->Planes.Planes.size());
+    vtkPropCollection* const props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator place;
+    props->InitTraversal(place);
+    while (vtkProp* const prop = props->GetNextProp(place))
+    {
+      const bool counts = !met.empty() && prop->GetVisibility() && prop->GetUseBounds();
+      const double* const bounds = counts ? prop->GetBounds() : nullptr;
+      if (!bounds || !(bounds[0] <= bounds[1]))
+      {
+        continue;
+      }
+      const WorldBox box{ { bounds[0], bounds[2], bounds[4] },
+        { bounds[1], bounds[3], bounds[5] } };
+      for (std::size_t i = 0; i < met.size(); ++i)
+      {
+        if (box.IsMetBy(this->Planes.Planes[i]))
+        {
+          met[i].Add(box);
+        }
+      }
+    }
+    return met;
+  }
+
+  /** Returns two roundings of the coordinates that sums have, from a center that may be far from the box. */
+  double RoundingOfSums(const vitrine::CutPlane& plane, const WorldBox& box) const
+  {
+    const glm::dvec3& center = this->Parts.Center();
+    const glm::dvec3 greatest = glm::max(glm::abs(box.Min - center), glm::abs(box.Max - center));
+    return this->Parts.Corners().empty()
+      ? 0.0
+      : 0.25 * vitrine::MarginOf({ plane.Normal, plane.At(center) }, greatest);
   }
 
   void UpdatePlanes(vtkRenderer* renderer)
   {
-    const auto [min, max] = SceneBox(renderer);
-    const glm::dvec3 middle = 0.5 * (min + max);
     this->Planes.Planes = this->FindPlanes();
     this->Planes.Margins.clear();
-    for (vitrine::CutPlane& plane : this->Planes.Planes)
+    const std::vector<WorldBox> met = this->BoxesMetBy(renderer);
+    for (std::size_t i = 0; i < met.size(); ++i)
     {
-      const vitrine::CutPlane centered{ plane.Normal, plane.At(middle) };
-      const double margin = vitrine::MarginOf(centered, 0.5 * (max - min));
+      vitrine::CutPlane& plane = this->Planes.Planes[i];
+      const double margin = met[i].IsEmpty()
+        ? 0.0
+        : std::max(met[i].MarginOf(plane), this->RoundingOfSums(plane, met[i]));
       this->Planes.Margins.push_back(margin);
       plane = plane.MovedBy(margin);
     }
@@ -431,7 +500,8 @@ struct vtkSection::Internals
   int HatchOf(vtkProp* prop) const
   {
     const auto found = this->Hatches.find(prop);
-    return found == this->Hatches.end() ? this->Hatch : found->second;
+    const bool isKnown = found != this->Hatches.end() && found->second.first;
+    return isKnown ? found->second.second : this->Hatch;
   }
 
   bool BeginCap(vtkRenderer* renderer, bool isForTranslucent)
@@ -716,7 +786,7 @@ void vtkSection::ChoosePart(vtkPlane* plane, vtkProp* prop, int block)
     vtkErrorMacro("ChoosePart() takes a plane of this section and a prop");
     return;
   }
-  cutter->Chosen.insert({ prop, std::max(block, EveryBlock) });
+  cutter->Chosen[{ prop, std::max(block, EveryBlock) }] = prop;
   this->Modified();
 }
 
@@ -816,7 +886,7 @@ void vtkSection::SetHatchOf(vtkProp* prop, int hatch)
   }
   int of = this->Private->HatchOf(prop);
   vitrine::SetInRange(this, "HatchOf", of, hatch, vitrine::NumberRange<int>{ NO_HATCH, DOTS });
-  this->Private->Hatches[prop] = of;
+  this->Private->Hatches[prop] = { prop, of };
 }
 
 //------------------------------------------------------------------------------
@@ -848,8 +918,12 @@ int vtkSection::GetEdgeWidth()
 //------------------------------------------------------------------------------
 void vtkSection::SetEdgeColor(double red, double green, double blue)
 {
-  this->Private->EdgeColor = { red, green, blue };
-  this->Modified();
+  const double color[3] = { red, green, blue };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    vitrine::SetInRange(this, "EdgeColor", this->Private->EdgeColor[i], color[i],
+      vitrine::NumberRange<double>{ 0.0, 1.0 });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -959,6 +1033,11 @@ bool vtkSection::IsCutPartClosed(int index)
 void vtkSection::GetInterferingParts(vtkIdList* pairs)
 {
   Internals& in = *this->Private;
+  if (!pairs)
+  {
+    vtkErrorMacro("GetInterferingParts() takes a list");
+    return;
+  }
   pairs->Reset();
   std::map<std::uint32_t, vtkIdType> indexOf;
   for (std::size_t i = 0; i < in.Parts.Parts().size(); ++i)

@@ -379,6 +379,35 @@ class Frames(unittest.TestCase):
             self.renderer.RemoveObserver(tag)
             self.assertTrue(picked)
 
+    def test_far_props_and_far_planes(self):
+        """A prop far away along the normal does not move the cut. A plane at the end of numbers removes all."""
+        self.add(ball())
+        with vitrine.section(self.renderer, "y", (0, 0, 0)) as cut:
+            near = self.scene.picture()
+            far = ball(0.5, (0, 1e6, 0))
+            self.renderer.AddActor(far)
+            self.assertTrue((self.scene.picture() == near).all())
+            self.renderer.RemoveActor(far)
+            cut.move(origin=(0, 1e300, 0))
+            self.assertTrue((self.scene.picture() == 255).all())
+
+    def test_a_prop_that_is_gone_is_not_chosen(self):
+        """The address of the prop that was chosen is given to a new one sooner or later."""
+        section, plane = vitrine.vtkSection(), vtkPlane()
+        section.AddPlane(plane)
+        section.SetParts(plane, vitrine.vtkSection.ONLY_CHOSEN)
+        section.Attach(self.renderer)
+        for _ in range(64):
+            old = ball()
+            section.ChoosePart(plane, old)
+            address = old.__this__
+            del old
+            new = ball()
+            self.renderer.AddActor(new)
+            self.assertEqual(section.GetNumberOfCutParts(), 0)
+            if new.__this__ == address:
+                break
+
     def test_several_planes_and_boxes(self):
         """Of a red cube, a quarter or a corner is missing; caps show where the cuts are."""
         mapper = vtkPolyDataMapper()
