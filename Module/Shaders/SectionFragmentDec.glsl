@@ -1,5 +1,5 @@
 // Declarations for the fragment shaders of VTK's mappers: does a section remove the fragment?
-in float vitrineSectionDistances[VITRINE_SECTION_PLANES];
+in vec4 vitrineSectionDistances[(VITRINE_SECTION_PLANES + 3) / 4]; // four planes take a varying
 
 // Planes by bits: each of x removes what is beyond it; those of y remove what is beyond all of them.
 uniform ivec2 vitrineSectionMasks;
@@ -13,7 +13,7 @@ bool vitrineIsCutAway(int any, int all)
   bool isBeyondAll = all != 0;
   for (int plane = 0; plane < VITRINE_SECTION_PLANES; ++plane)
   {
-    bool isBeyond = vitrineSectionDistances[plane] < 0.0;
+    bool isBeyond = vitrineSectionDistances[plane / 4][plane % 4] < 0.0;
     int bit = 1 << plane;
     isAway = isAway || (isBeyond && (any & bit) != 0);
     isBeyondAll = isBeyondAll && (isBeyond || (all & bit) == 0);

@@ -2,4 +2,4 @@
 // yields the vertex.
 uniform vec4 vitrineSectionPlanes[VITRINE_SECTION_PLANES]; // in the coordinates of vertexMC
 in vec4 vitrineSectionVertex[];
-out float vitrineSectionDistances[VITRINE_SECTION_PLANES];
+out vec4 vitrineSectionDistances[(VITRINE_SECTION_PLANES + 3) / 4]; // four planes take a varying

@@ -2,4 +2,4 @@
 //
 // VITRINE_SECTION_PLANES n  the number of planes
 uniform vec4 vitrineSectionPlanes[VITRINE_SECTION_PLANES]; // in the coordinates of vertexMC
-out float vitrineSectionDistances[VITRINE_SECTION_PLANES];
+out vec4 vitrineSectionDistances[(VITRINE_SECTION_PLANES + 3) / 4]; // four planes take a varying

@@ -1,4 +1,4 @@
   for (int plane = 0; plane < VITRINE_SECTION_PLANES; ++plane)
   {
-    vitrineSectionDistances[plane] = dot(vitrineSectionPlanes[plane], VITRINE_SECTION_VERTEX);
+    vitrineSectionDistances[plane / 4][plane % 4] = dot(vitrineSectionPlanes[plane], VITRINE_SECTION_VERTEX);
   }

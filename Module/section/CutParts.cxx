@@ -6,6 +6,7 @@
 #include "section/CapActor.h"
 
 #include "vtkActor.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -66,13 +67,18 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
   while (vtkProp* const prop = props->GetNextProp(place))
   {
     auto* const actor = prop->GetVisibility() ? vtkActor::SafeDownCast(prop) : nullptr;
-    if (!actor || dynamic_cast<CapActor*>(actor) ||
-      actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+    if (!actor || dynamic_cast<CapActor*>(actor))
     {
       continue;
     }
     actor->ComputeMatrix();
     const glm::dmat4 toWorld = MatrixOf(actor->GetMatrix());
+    if (vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()))
+    {
+      ++drawnParts;
+      this->Look(actor, {}, toWorld, planes, masksOf);
+      continue;
+    }
     ForEachDrawn(actor,
       [&](const DrawnData& drawn)
       {
@@ -96,7 +102,14 @@ void CutParts::Look(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& t
   const SectionPlanes& planes, const MasksOf& masksOf)
 {
   double bounds[6];
-  drawn.Data->GetBounds(bounds);
+  if (drawn.Data)
+  {
+    drawn.Data->GetBounds(bounds);
+  }
+  else
+  {
+    actor->GetMapper()->GetBounds(bounds);
+  }
   const glm::dvec3 min(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 max(bounds[1], bounds[3], bounds[5]);
   const PlaneMasks masks = masksOf(actor, drawn.Block);
@@ -119,18 +132,21 @@ void CutParts::Look(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& t
   {
     return;
   }
-  const Known& known = this->Read(actor, drawn, toWorld);
   CutPart part;
   part.Prop = actor;
   part.Block = drawn.Block;
-  part.Slot = known.Slot;
   part.Masks = masks;
   part.Cuts = cuts;
-  part.IsClosed = known.IsClosed;
-  part.Look = LookOf(actor, drawn);
   std::tie(part.Min, part.Max) = BoxInWorld(toWorld, bounds);
-  part.FirstCorner = known.FirstCorner;
-  part.CornerCount = known.CornerCount;
+  if (drawn.Data && actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
+  {
+    const Known& known = this->Read(actor, drawn, toWorld);
+    part.Slot = known.Slot;
+    part.IsClosed = known.IsClosed;
+    part.Look = LookOf(actor, drawn);
+    part.FirstCorner = known.FirstCorner;
+    part.CornerCount = known.CornerCount;
+  }
   this->Cut.push_back(part);
 }
 
@@ -174,6 +190,32 @@ const CutParts::Known& CutParts::Read(
     this->AllCorners.push_back(first + corner);
   }
   return known;
+}
+
+bool CutParts::Contains(const CutPart& part, const glm::dvec3& point) const
+{
+  const glm::dvec3 along = glm::normalize(glm::dvec3(0.5773, 0.3141, 0.7548)); // along no axis
+  const auto at = [&](std::size_t corner)
+  {
+    const float* const place = this->AllVertices[this->AllCorners[corner]].Position;
+    return glm::dvec3(place[0], place[1], place[2]) + this->Middle - point;
+  };
+  bool isInside = false;
+  for (std::uint32_t i = 0; i + 2 < part.CornerCount; i += 3)
+  {
+    const std::size_t first = part.FirstCorner + i;
+    const glm::dvec3 a = at(first);
+    const glm::dvec3 b = at(first + 1);
+    const glm::dvec3 c = at(first + 2);
+    const double sides[3] = { glm::dot(along, glm::cross(a, b)), glm::dot(along, glm::cross(b, c)),
+      glm::dot(along, glm::cross(c, a)) };
+    const bool isCrossed =
+      (sides[0] < 0.0) == (sides[1] < 0.0) && (sides[1] < 0.0) == (sides[2] < 0.0);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double slope = glm::dot(along, normal);
+    isInside = isInside != (isCrossed && slope != 0.0 && glm::dot(a, normal) / slope > 0.0);
+  }
+  return isInside;
 }
 
 void CutParts::Forget()

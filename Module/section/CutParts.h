@@ -39,9 +39,10 @@ struct CutPart
   vtkWeakPointer<vtkProp> Prop;
   unsigned int Block = 0;
   std::uint32_t Number = 0; ///< its number (PartNumbers)
-  std::uint32_t Slot = 0;   ///< its number among the parts that were cut, from 1
-  PlaneMasks Masks;         ///< the planes that apply to it
-  std::uint32_t Cuts = 0;   ///< the planes that cut its box
+  std::uint32_t Slot =
+    0;              ///< its number among the parts that were cut, from 1, or 0 if it has no cap
+  PlaneMasks Masks; ///< the planes that apply to it
+  std::uint32_t Cuts = 0; ///< the planes that cut its box
   bool IsClosed = false;
   PartLook Look;
   glm::dvec3 Min; ///< its box in WC
@@ -57,7 +58,7 @@ public:
 
   /**
    * Find the parts of all visible actors that the planes cut. Boxes decide. The geometry of parts is read when they are
-   * cut for the first time, and again when they have changed.
+   * cut for the first time, and again when they have changed. Glyphs, wireframes and points are found, but not read.
    */
   void Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf);
 
@@ -71,6 +72,9 @@ public:
   const glm::dvec3& Center() const { return this->Middle; }
   std::uint64_t Generation() const { return this->GenerationNumber; }
   ///@}
+
+  /** Returns true if a closed part contains a point in WC. */
+  bool Contains(const CutPart& part, const glm::dvec3& point) const;
 
   /** The number of slots that were given. */
   std::uint32_t SlotCount() const { return this->NextSlot; }

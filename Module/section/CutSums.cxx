@@ -71,7 +71,7 @@ Ranges RangesOf(const CutParts& parts, std::uint32_t planeBit, bool areClosed)
   Ranges ranges;
   for (const CutPart& part : parts.Parts())
   {
-    if (part.IsClosed == areClosed && (part.Cuts & planeBit) != 0)
+    if (part.Slot != 0 && part.IsClosed == areClosed && (part.Cuts & planeBit) != 0)
     {
       ranges.Add(part.FirstCorner, part.CornerCount);
     }
@@ -147,8 +147,8 @@ std::string CutSums::Draw(
   const ScopedTrackedState trackedState(state);
   const ScopedShaderProgram shaderProgram(window);
   const auto count = static_cast<int>(planes.Planes.size());
-  const bool hasOpen = std::any_of(
-    parts.Parts().begin(), parts.Parts().end(), [](const CutPart& part) { return !part.IsClosed; });
+  const bool hasOpen = std::any_of(parts.Parts().begin(), parts.Parts().end(),
+    [](const CutPart& part) { return part.Slot != 0 && !part.IsClosed; });
   this->OpenLayer = hasOpen ? count : 0;
   std::string problem = this->Sums.Allocate(GL_RG32UI, std::max(key.Viewport[2], 1),
     std::max(key.Viewport[3], 1), samples, hasOpen ? 3 * count : count);
@@ -205,6 +205,11 @@ std::string CutSums::DrawPlanes(
   }
   this->Connect(program);
   BindForFullScreenDraw(window->GetState(), this->Drawing.Handle(), width, height);
+  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, 0);
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  {
+    return "the driver cannot draw into an image of cut parts";
+  }
   const ScopedSampleMask allSamples;
   std::optional<ScopedSampleShading>
     eachSample; // whether a face is beyond the plane differs within a pixel
@@ -264,6 +269,10 @@ std::string CutSums::WriteTables(vtkRenderer* renderer, const CutParts& parts,
   looks[0] = { glm::vec4(0.9f, 0.1f, 0.1f, 1.0f), glm::vec4(0.0f) };
   for (const CutPart& part : parts.Parts())
   {
+    if (part.Slot == 0)
+    {
+      continue;
+    }
     table[part.Slot] = { part.Number, part.Masks.Any, part.Masks.All,
       static_cast<std::uint32_t>(hatchOf(part)) };
     looks[part.Slot] = { part.Look.Diffuse, part.Look.Ambient };
@@ -275,7 +284,7 @@ std::string CutSums::WriteTables(vtkRenderer* renderer, const CutParts& parts,
                          : problem;
 }
 
-void CutSums::Bind(vtkOpenGLState* state)
+std::string CutSums::Bind(vtkOpenGLState* state)
 {
   this->SumsUnit =
     std::make_unique<ScopedTextureUnit>(state, this->Sums.Target(), this->Sums.Handle());
@@ -283,6 +292,12 @@ void CutSums::Bind(vtkOpenGLState* state)
     std::make_unique<ScopedTextureUnit>(state, GL_TEXTURE_BUFFER, this->PartTable.Texture());
   this->LooksUnit =
     std::make_unique<ScopedTextureUnit>(state, GL_TEXTURE_BUFFER, this->LookTable.Texture());
+  if (std::min({ this->SumsUnit->Unit(), this->PartsUnit->Unit(), this->LooksUnit->Unit() }) < 0)
+  {
+    this->Unbind();
+    return "no texture unit is free for caps";
+  }
+  return {};
 }
 
 void CutSums::Unbind()
@@ -326,7 +341,10 @@ CutSums::Pixels CutSums::Read(int plane)
   if (this->LastKey.Samples > 0)
   {
     // Of integers, one of the samples is taken.
-    single.Allocate(GL_RG32UI, pixels.Width, pixels.Height, 0);
+    if (!single.Allocate(GL_RG32UI, pixels.Width, pixels.Height, 0).empty())
+    {
+      return {};
+    }
     resolving.Attach(window->GetState(), single);
     window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Drawing.Handle());
     window->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolving.Handle());

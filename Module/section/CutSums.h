@@ -53,8 +53,8 @@ public:
   std::string WriteTables(vtkRenderer* renderer, const CutParts& parts, const HatchOf& hatchOf,
     const PlaneMasks& ofInterference);
 
-  /** Bind the sums and tables until Unbind(). */
-  void Bind(vtkOpenGLState* state);
+  /** Bind the sums and tables until Unbind(). Returns a reason if they cannot be bound, else an empty string. */
+  std::string Bind(vtkOpenGLState* state);
   void Unbind();
 
   /** Set uniforms of the bound images and of the first pixel. */

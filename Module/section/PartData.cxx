@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVersionMacros.h"
@@ -112,6 +113,18 @@ glm::vec4 MeanOf(vtkUnsignedCharArray* colors)
   return glm::vec4(sum / std::max(taken, 1.0));
 }
 
+/** Returns the colours of the scalars, also where the device looks them up in a texture. */
+vtkSmartPointer<vtkUnsignedCharArray> ColorsOf(vtkMapper* mapper, vtkPolyData* data)
+{
+  if (vtkUnsignedCharArray* const colors = mapper->MapScalars(data, 1.0))
+  {
+    return colors;
+  }
+  vtkAbstractArray* const scalars = ScalarsOf(mapper, data);
+  return vtk::TakeSmartPointer(
+    mapper->GetLookupTable()->MapScalars(scalars, mapper->GetColorMode(), -1));
+}
+
 /** Appends the triangles of cells. */
 void AddTriangles(
   vtkCellArray* cells, vtkIdType points, bool areStrips, std::vector<std::uint32_t>& corners)
@@ -173,7 +186,7 @@ PartLook LookOf(vtkActor* actor, const DrawnData& drawn)
   }
   else if (drawn.Block == 0 && ScalarsOf(mapper, drawn.Data))
   {
-    if (vtkUnsignedCharArray* const colors = mapper->MapScalars(drawn.Data, 1.0))
+    if (const auto colors = ColorsOf(mapper, drawn.Data))
     {
       const glm::vec4 mean = MeanOf(colors);
       diffuseColor = ambientColor = glm::dvec3(mean);

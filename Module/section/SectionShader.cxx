@@ -326,6 +326,11 @@ void SectionShader::SetBlockMasks(vtkShaderProgram* program, vtkProp* prop)
     this->MaskUnit = std::make_unique<ScopedTextureUnit>(
       window->GetState(), GL_TEXTURE_BUFFER, this->MaskBuffer.Texture());
   }
+  if (this->MaskUnit->Unit() < 0)
+  {
+    vtkErrorMacro("No texture unit is free for planes of blocks.");
+    return;
+  }
   program->SetUniformi("vitrineBlockMasks", this->MaskUnit->Unit());
 }
 

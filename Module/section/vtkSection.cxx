@@ -33,7 +33,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -153,9 +156,19 @@ struct vtkSection::Internals
   vitrine::CutParts Parts;
   vitrine::CutSums Sums;
   vitrine::SectionPlanes Planes;
+  /** What the sums show. They may be read back when parts and planes are others. */
+  struct
+  {
+    std::vector<vitrine::CutPart> Parts;
+    std::vector<vitrine::CutPlane> Planes;
+    std::uint64_t Generation = 0;
+    std::uint64_t Changes = 0;
+  } Drawn;
   glm::dvec3 Min{ 0.0 }; ///< the box around the parts that are cut, in WC
   glm::dvec3 Max{ 0.0 };
   std::string FallbackReason;
+  std::string ToldReason; ///< of the last warning
+  vtkSection* Owner = nullptr;
   int Samples = 0; ///< of a pixel of the frame, 0 for one
 
   // ---- the planes of a frame
@@ -479,6 +492,10 @@ struct vtkSection::Internals
     std::array<std::uint32_t, 2> cuts{ 0, 0 }; // planes that cut opaque parts, and translucent ones
     for (const vitrine::CutPart& part : this->Parts.Parts())
     {
+      if (part.Slot == 0)
+      {
+        continue;
+      }
       this->Min = glm::min(this->Min, part.Min);
       this->Max = glm::max(this->Max, part.Max);
       cuts[part.Look.Diffuse.a < 1.0f ? 1 : 0] |= part.Cuts;
@@ -517,12 +534,30 @@ struct vtkSection::Internals
         [this](const vitrine::CutPart& part) { return this->HatchOf(part.Prop); },
         this->Planes.OfAllParts);
     }
-    if (!this->FallbackReason.empty())
+    if (this->FallbackReason.empty())
     {
-      return false;
+      this->KeepDrawn();
+      this->FallbackReason = this->Sums.Bind(
+        vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState());
     }
-    this->Sums.Bind(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState());
-    return true;
+    if (!this->FallbackReason.empty() && this->FallbackReason != this->ToldReason)
+    {
+      vtkWarningWithObjectMacro(
+        this->Owner, << "Caps cannot be drawn: " << this->FallbackReason << ".");
+    }
+    this->ToldReason = this->FallbackReason.empty() ? this->ToldReason : this->FallbackReason;
+    return this->FallbackReason.empty();
+  }
+
+  void KeepDrawn()
+  {
+    this->Drawn.Planes = this->Planes.Planes;
+    this->Drawn.Generation = this->Parts.Generation();
+    if (this->Drawn.Changes != this->Parts.Changes())
+    {
+      this->Drawn.Changes = this->Parts.Changes();
+      this->Drawn.Parts = this->Parts.Parts();
+    }
   }
 
   void SetCapUniforms(vtkShaderProgram* program, vtkProp* prop)
@@ -562,38 +597,71 @@ struct vtkSection::Internals
 
   using Sum = std::array<std::uint32_t, 2>;
 
-  /** Finds the parts of a sum of two or three among `candidates`. Returns none if there are no such parts. */
-  static std::vector<std::uint32_t> Decode(
-    const Sum& sum, const std::vector<std::uint32_t>& candidates)
+  using Slots = std::set<std::uint32_t>;
+
+  static Sum Without(const Sum& sum, std::uint32_t slot)
   {
-    const std::set<std::uint32_t> known(candidates.begin(), candidates.end());
-    const auto second = [&](std::uint32_t first, const Sum& of) -> std::uint32_t
+    return { sum[0] ^ slot, sum[1] ^ vitrine::PartHash(slot) };
+  }
+
+  /** Finds the parts of a sum of three at most among `known`. Returns nothing if there are no such parts. */
+  static std::optional<Slots> Decode(const Sum& sum, const Slots& known, int most = 3)
+  {
+    if (sum == Sum{ 0, 0 })
     {
-      const std::uint32_t other = of[0] ^ first;
-      const bool fits = other != first && known.count(other) > 0 &&
-        (vitrine::PartHash(first) ^ vitrine::PartHash(other)) == of[1];
-      return fits ? other : 0;
-    };
-    for (const std::uint32_t first : candidates)
-    {
-      if (const std::uint32_t other = second(first, sum))
-      {
-        return { first, other };
-      }
+      return Slots();
     }
-    for (const std::uint32_t third : candidates)
+    if (known.count(sum[0]) > 0 && vitrine::PartHash(sum[0]) == sum[1])
     {
-      const Sum rest{ sum[0] ^ third, sum[1] ^ vitrine::PartHash(third) };
-      for (const std::uint32_t first : candidates)
+      return Slots{ sum[0] };
+    }
+    for (auto slot = known.begin(); most > 1 && slot != known.end(); ++slot)
+    {
+      const std::optional<Slots> others =
+        Decode(Without(sum, *slot), Slots(std::next(slot), known.end()), most - 1);
+      if (others)
       {
-        const std::uint32_t other = first == third ? 0 : second(first, rest);
-        if (other != 0 && other != third)
-        {
-          return { first, other, third };
-        }
+        Slots all = *others;
+        all.insert(*slot);
+        return all;
       }
     }
     return {};
+  }
+
+  /** Finds the parts of a sum at a point: a few, or those that contain the point but for a few that end there. */
+  std::optional<Slots> PartsAt(
+    const Sum& sum, const std::vector<const vitrine::CutPart*>& candidates, const glm::dvec3& point)
+  {
+    Slots known;
+    for (const vitrine::CutPart* const part : candidates)
+    {
+      known.insert(part->Slot);
+    }
+    std::optional<Slots> found = Decode(sum, known);
+    if (found || this->Drawn.Generation != this->Parts.Generation())
+    {
+      return found;
+    }
+    Slots inside;
+    Sum rest = sum;
+    for (const vitrine::CutPart* const part : candidates)
+    {
+      if (this->Parts.Contains(*part, point))
+      {
+        inside.insert(part->Slot);
+        rest = Without(rest, part->Slot);
+      }
+    }
+    found = Decode(rest, known);
+    for (const std::uint32_t slot : found ? *found : Slots())
+    {
+      if (!inside.insert(slot).second)
+      {
+        inside.erase(slot);
+      }
+    }
+    return found ? inside : found;
   }
 
   /** Calls `visit` with each different sum of several parts of a plane, and a point of the plane where it stands. */
@@ -602,7 +670,7 @@ struct vtkSection::Internals
   {
     const vitrine::CutSums::Pixels pixels = this->Sums.Read(static_cast<int>(plane));
     const glm::dmat4 toWorld = glm::inverse(this->Sums.ToClip());
-    const vitrine::CutPlane inClip = this->Planes.Planes[plane].In(toWorld);
+    const vitrine::CutPlane inClip = this->Drawn.Planes[plane].In(toWorld);
     std::set<Sum> seen;
     for (std::size_t i = 0; i < pixels.Sums.size(); ++i)
     {
@@ -621,36 +689,51 @@ struct vtkSection::Internals
     }
   }
 
-  std::set<std::pair<std::uint32_t, std::uint32_t>> InterferingSlots()
+  /** The parts of the last frame's sums that may contain a point of a plane, by their boxes. */
+  std::vector<const vitrine::CutPart*> CandidatesAt(
+    std::size_t plane, const glm::dvec3& point) const
   {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (std::size_t plane = 0; plane < this->Planes.Planes.size(); ++plane)
+    std::vector<const vitrine::CutPart*> candidates;
+    for (const vitrine::CutPart& part : this->Drawn.Parts)
+    {
+      const glm::dvec3 reach = 1e-3 * (part.Max - part.Min);
+      const bool hasPoint = glm::all(glm::lessThanEqual(part.Min - reach, point)) &&
+        glm::all(glm::lessThanEqual(point, part.Max + reach));
+      if (part.IsClosed && (part.Cuts >> plane & 1u) != 0 && hasPoint)
+      {
+        candidates.push_back(&part);
+      }
+    }
+    return candidates;
+  }
+
+  struct Interference
+  {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> Pairs; ///< of slots in the last frame
+    bool IsComplete = true;
+  };
+
+  Interference FindInterference()
+  {
+    Interference found;
+    for (std::size_t plane = 0; plane < this->Drawn.Planes.size(); ++plane)
     {
       this->ForEachInterference(plane,
         [&](const Sum& sum, const glm::dvec3& point)
         {
-          std::vector<std::uint32_t> candidates;
-          for (const vitrine::CutPart& part : this->Parts.Parts())
+          const std::optional<Slots> slots =
+            this->PartsAt(sum, this->CandidatesAt(plane, point), point);
+          found.IsComplete = found.IsComplete && slots;
+          for (const std::uint32_t a : slots ? *slots : Slots())
           {
-            const glm::dvec3 reach = 1e-3 * (part.Max - part.Min);
-            const bool hasPoint = glm::all(glm::lessThanEqual(part.Min - reach, point)) &&
-              glm::all(glm::lessThanEqual(point, part.Max + reach));
-            if (part.IsClosed && (part.Cuts >> plane & 1u) != 0 && hasPoint)
+            for (auto b = slots->upper_bound(a); b != slots->end(); ++b)
             {
-              candidates.push_back(part.Slot);
-            }
-          }
-          const std::vector<std::uint32_t> slots = Decode(sum, candidates);
-          for (std::size_t a = 0; a < slots.size(); ++a)
-          {
-            for (std::size_t b = a + 1; b < slots.size(); ++b)
-            {
-              pairs.insert(std::minmax(slots[a], slots[b]));
+              found.Pairs.insert({ a, *b });
             }
           }
         });
     }
-    return pairs;
+    return found;
   }
 
   Cutter* Find(vtkPlane* plane)
@@ -666,6 +749,7 @@ vtkSection::vtkSection()
   : Private(new Internals)
 {
   Internals& in = *this->Private;
+  in.Owner = this;
   in.Shader->MasksOf = [&in](vtkProp* prop) { return in.MasksOf(prop); };
   in.Shader->MasksOfBlocks = [&in](vtkProp* prop) { return in.MasksOfBlocks(prop); };
   in.Shader->SetCapUniforms = [&in](vtkShaderProgram* program, vtkProp* prop)
@@ -1039,15 +1123,33 @@ void vtkSection::GetInterferingParts(vtkIdList* pairs)
     return;
   }
   pairs->Reset();
-  std::map<std::uint32_t, vtkIdType> indexOf;
-  for (std::size_t i = 0; i < in.Parts.Parts().size(); ++i)
+  std::map<std::pair<vtkProp*, unsigned int>, vtkIdType> indexOf;
+  for (const vitrine::CutPart& part : in.Parts.Parts())
   {
-    indexOf[in.Parts.Parts()[i].Slot] = static_cast<vtkIdType>(i);
+    indexOf.insert({ { part.Prop, part.Block }, static_cast<vtkIdType>(indexOf.size()) });
   }
-  for (const auto& [a, b] : in.InterferingSlots())
+  std::map<std::uint32_t, vtkIdType> indexOfSlot; // of those that are still cut
+  for (const vitrine::CutPart& part : in.Drawn.Parts)
   {
-    pairs->InsertNextId(indexOf.at(a));
-    pairs->InsertNextId(indexOf.at(b));
+    const auto index = indexOf.find({ part.Prop, part.Block });
+    if (index != indexOf.end())
+    {
+      indexOfSlot[part.Slot] = index->second;
+    }
+  }
+  const Internals::Interference found = in.FindInterference();
+  for (const auto& [a, b] : found.Pairs)
+  {
+    if (indexOfSlot.count(a) > 0 && indexOfSlot.count(b) > 0)
+    {
+      pairs->InsertNextId(indexOfSlot.at(a));
+      pairs->InsertNextId(indexOfSlot.at(b));
+    }
+  }
+  if (!found.IsComplete)
+  {
+    vtkWarningMacro(
+      "GetInterferingParts(): it is undecided which parts interfere at some pixels. Render again.");
   }
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 import weakref
 from typing import Any, Iterable, Sequence
 
@@ -143,7 +144,11 @@ class Section:
 
     @property
     def open_parts(self) -> list[Any]:
-        """Those of cut_parts that are not closed. Their cuts are filled only where that is safe."""
+        """Those of cut_parts that are not closed. Their cuts are filled only where that is safe.
+
+        Glyphs, wireframes and points are among them. Their cuts are not filled.
+        """
+        self._warn()
         return [
             part
             for found in self._sections
@@ -154,6 +159,7 @@ class Section:
     @property
     def interfering(self) -> list[tuple[Any, Any]]:
         """The pairs of parts that had a point of a plane in common in the last frame, found at the pixels of caps."""
+        self._warn()
         pairs = []
         for found in self._sections:
             ids = vtkIdList()
@@ -175,6 +181,11 @@ class Section:
         plotter = self._plotter()
         if plotter is not None and plotter.render_window is not None:
             plotter.render()
+            self._warn()
+
+    def _warn(self) -> None:
+        for reason in {found.GetFallbackReason() for found in self._sections} - {""}:
+            warnings.warn(f"caps cannot be drawn: {reason}", RuntimeWarning, stacklevel=3)
 
     def __enter__(self) -> Section:
         return self

@@ -12,6 +12,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource, vtkSupe
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkAssembly,
+    vtkGlyph3DMapper,
     vtkHardwareSelector,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -407,6 +408,47 @@ class Frames(unittest.TestCase):
             self.assertEqual(section.GetNumberOfCutParts(), 0)
             if new.__this__ == address:
                 break
+
+    def test_interference_of_many_parts(self):
+        """Five balls in each other make ten pairs, as the last frame shows them, also when one has moved since."""
+        balls = self.add(*(ball(0.3 + 0.05 * i) for i in range(5)))
+        with vitrine.section(self.renderer, "y", (0, 0, 0)) as cut:
+            self.scene.picture()
+            self.assertEqual(len(cut.interfering), 10)
+            balls[0].SetPosition(1e-6, 0, 0)
+            self.assertEqual(len(cut.cut_parts), 5)
+            self.assertEqual(len(cut.interfering), 10)
+
+    def test_what_has_no_cap_is_named(self):
+        solid, wires = self.add(ball(), ball(0.3))
+        wires.GetProperty().SetRepresentationToWireframe()
+        points = vtkPolyData()
+        points.SetPoints(vtkPoints())
+        points.GetPoints().InsertNextPoint(0, 0, 0)
+        source = vtkSphereSource()
+        glyphs = vtkGlyph3DMapper()
+        glyphs.SetInputData(points)
+        glyphs.SetSourceConnection(source.GetOutputPort())
+        copies = vtkActor()
+        copies.SetMapper(glyphs)
+        self.renderer.AddActor(copies)
+        with vitrine.section(self.renderer, "y", (0, 0, 0)) as cut:
+            self.scene.picture()
+            self.assertEqual(cut.cut_parts, [solid, wires, copies])
+            self.assertEqual(cut.open_parts, [wires, copies])
+
+    def test_caps_have_the_colour_of_scalars_in_textures(self):
+        (actor,) = self.add(ball())
+        mapper = actor.GetMapper()
+        mapper.Update()
+        data = vtkPolyData()
+        data.DeepCopy(mapper.GetInput())
+        data.GetPointData().SetScalars(numpy_to_vtk(np.zeros(data.GetNumberOfPoints()), deep=True))
+        mapper.SetInputData(data)
+        with vitrine.section(self.renderer, "y", (0, 0, 0)):
+            plain = self.at_center()
+            mapper.InterpolateScalarsBeforeMappingOn()
+            self.assertEqual(self.at_center(), plain)
 
     def test_several_planes_and_boxes(self):
         """Of a red cube, a quarter or a corner is missing; caps show where the cuts are."""
