@@ -50,7 +50,8 @@ std::pair<glm::dvec3, glm::dvec3> BoxInWorld(const glm::dmat4& toWorld, const do
 }
 }
 
-void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf)
+void CutParts::Update(
+  vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf, const MayCut& mayCut)
 {
   const std::vector<CutPart> before = std::move(this->Cut);
   const std::uint64_t generation = this->GenerationNumber;
@@ -69,6 +70,11 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
     auto* const actor = prop->GetVisibility() ? vtkActor::SafeDownCast(prop) : nullptr;
     if (!actor || dynamic_cast<CapActor*>(actor))
     {
+      continue;
+    }
+    if (!mayCut(actor))
+    {
+      ++drawnParts;
       continue;
     }
     actor->ComputeMatrix();

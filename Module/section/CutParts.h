@@ -55,12 +55,15 @@ class CutParts
 {
 public:
   using MasksOf = std::function<PlaneMasks(vtkProp*, unsigned int)>;
+  using MayCut = std::function<bool(vtkProp*)>;
 
   /**
    * Find the parts of all visible actors that the planes cut. Boxes decide. The geometry of parts is read when they are
    * cut for the first time, and again when they have changed. Glyphs, wireframes and points are found, but not read.
+   * @param mayCut  returns false for a prop that no plane cuts, which is not asked for its data then
    */
-  void Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf);
+  void Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf,
+    const MayCut& mayCut);
 
   const std::vector<CutPart>& Parts() const { return this->Cut; }
 

@@ -134,6 +134,35 @@ struct vtkSection::Internals
     }
   };
 
+  /** A box in WC. */
+  struct WorldBox
+  {
+    glm::dvec3 Min{ std::numeric_limits<double>::infinity() };
+    glm::dvec3 Max{ -std::numeric_limits<double>::infinity() };
+
+    bool IsEmpty() const { return !(this->Min.x <= this->Max.x); }
+    void Add(const WorldBox& other)
+    {
+      this->Min = glm::min(this->Min, other.Min);
+      this->Max = glm::max(this->Max, other.Max);
+    }
+
+    /** Returns the margin of a plane for points of the box, in coordinates from its middle. */
+    double MarginOf(const vitrine::CutPlane& plane) const
+    {
+      const glm::dvec3 middle = 0.5 * (this->Min + this->Max);
+      return vitrine::MarginOf({ plane.Normal, plane.At(middle) }, 0.5 * (this->Max - this->Min));
+    }
+
+    /** Returns true if the plane cuts the box or lies in a face of it, but for roundings. */
+    bool IsMetBy(const vitrine::CutPlane& plane) const
+    {
+      const double margin = this->MarginOf(plane);
+      const vitrine::DistanceRange range = vitrine::DistancesOf(plane, this->Min, this->Max);
+      return range.Least <= margin && range.Greatest >= -margin;
+    }
+  };
+
   std::vector<Cutter> Cutters;
   bool RemoveBeyondAll = false;
   bool HasBox = false;
@@ -156,6 +185,8 @@ struct vtkSection::Internals
   vitrine::CutParts Parts;
   vitrine::CutSums Sums;
   vitrine::SectionPlanes Planes;
+  std::unordered_map<vtkProp*, WorldBox>
+    Boxes; ///< of visible props but caps, as of the last UpdatePlanes()
   /** What the sums show. They may be read back when parts and planes are others. */
   struct
   {
@@ -251,45 +282,17 @@ struct vtkSection::Internals
     return all;
   }
 
-  /** A box in WC. */
-  struct WorldBox
-  {
-    glm::dvec3 Min{ std::numeric_limits<double>::infinity() };
-    glm::dvec3 Max{ -std::numeric_limits<double>::infinity() };
-
-    bool IsEmpty() const { return !(this->Min.x <= this->Max.x); }
-    void Add(const WorldBox& other)
-    {
-      this->Min = glm::min(this->Min, other.Min);
-      this->Max = glm::max(this->Max, other.Max);
-    }
-
-    /** Returns the margin of a plane for points of the box, in coordinates from its middle. */
-    double MarginOf(const vitrine::CutPlane& plane) const
-    {
-      const glm::dvec3 middle = 0.5 * (this->Min + this->Max);
-      return vitrine::MarginOf({ plane.Normal, plane.At(middle) }, 0.5 * (this->Max - this->Min));
-    }
-
-    /** Returns true if the plane cuts the box or lies in a face of it, but for roundings. */
-    bool IsMetBy(const vitrine::CutPlane& plane) const
-    {
-      const double margin = this->MarginOf(plane);
-      const vitrine::DistanceRange range = vitrine::DistancesOf(plane, this->Min, this->Max);
-      return range.Least <= margin && range.Greatest >= -margin;
-    }
-  };
-
   /** Returns for each plane the box around the props that it meets. Those that are far from it have no say. */
   std::vector<WorldBox> BoxesMetBy(vtkRenderer* renderer)
   {
     std::vector<WorldBox> met(this->Planes.Planes.size());
+    this->Boxes.clear();
     vtkPropCollection* const props = renderer->GetViewProps();
     vtkCollectionSimpleIterator place;
     props->InitTraversal(place);
     while (vtkProp* const prop = props->GetNextProp(place))
     {
-      const bool counts = !met.empty() && prop->GetVisibility() && prop->GetUseBounds();
+      const bool counts = !met.empty() && prop->GetVisibility() && !vitrine::IsCap(prop);
       const double* const bounds = counts ? prop->GetBounds() : nullptr;
       if (!bounds || !(bounds[0] <= bounds[1]))
       {
@@ -297,7 +300,8 @@ struct vtkSection::Internals
       }
       const WorldBox box{ { bounds[0], bounds[2], bounds[4] },
         { bounds[1], bounds[3], bounds[5] } };
-      for (std::size_t i = 0; i < met.size(); ++i)
+      this->Boxes.insert({ prop, box });
+      for (std::size_t i = 0; prop->GetUseBounds() && i < met.size(); ++i)
       {
         if (box.IsMetBy(this->Planes.Planes[i]))
         {
@@ -340,9 +344,11 @@ struct vtkSection::Internals
   void UpdateParts(vtkRenderer* renderer)
   {
     this->UpdatePlanes(renderer);
-    this->Parts.Update(renderer, this->Planes,
+    this->Parts.Update(
+      renderer, this->Planes,
       [this](vtkProp* prop, unsigned int block)
-      { return this->MasksOf(prop, static_cast<int>(block)); });
+      { return this->MasksOf(prop, static_cast<int>(block)); },
+      [this](vtkProp* prop) { return this->IsMet(prop); });
   }
 
   void StartFrame()
@@ -420,17 +426,25 @@ struct vtkSection::Internals
     }
   }
 
+  /** Returns true unless no plane cuts the box of a prop, nor any box in it. */
+  bool IsMet(vtkProp* prop) const
+  {
+    const auto box = this->Boxes.find(prop);
+    return box == this->Boxes.end() ||
+      std::any_of(this->Planes.Planes.begin(), this->Planes.Planes.end(),
+        [&](const vitrine::CutPlane& plane) { return box->second.IsMetBy(plane); });
+  }
+
   /** Returns true unless all of a prop is certainly kept. */
   bool MayRemoveFrom(vtkProp* prop) const
   {
     const vitrine::PlaneMasks masks = this->MasksOfAnyBlock(prop);
-    const double* const bounds = masks.Both() != 0 ? prop->GetBounds() : nullptr;
-    if (!bounds)
+    const auto box = this->Boxes.find(prop);
+    if (masks.Both() == 0 || box == this->Boxes.end())
     {
       return masks.Both() != 0;
     }
-    const glm::dvec3 min(bounds[0], bounds[2], bounds[4]);
-    const glm::dvec3 max(bounds[1], bounds[3], bounds[5]);
+    const auto& [min, max] = box->second;
     bool isBeyondAll = masks.All != 0;
     for (std::size_t i = 0; i < this->Planes.Planes.size(); ++i)
     {
