@@ -12,9 +12,11 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderPass.h"
@@ -80,7 +82,7 @@ public:
     else if (event == vtkCommand::StartEvent || event == vitrine::CaptureStartEvent)
     {
       ++this->Depth;
-      this->Start();
+      this->Start(event == vitrine::CaptureStartEvent);
     }
     else if (--this->Depth <= 0)
     {
@@ -90,7 +92,7 @@ public:
   }
 
   vtkSmartPointer<vtkSection> Section;
-  std::function<void()> Start;
+  std::function<void(bool isCapture)> Start;
   std::function<void()> End;
 
 private:
@@ -200,7 +202,8 @@ struct vtkSection::Internals
   std::string FallbackReason;
   std::string ToldReason; ///< of the last warning
   vtkSection* Owner = nullptr;
-  int Samples = 0; ///< of a pixel of the frame, 0 for one
+  vtkMTimeType FrameTime = 0; ///< NewestTime() of the last frame
+  int Samples = 0;            ///< of a pixel of the frame, 0 for one
 
   // ---- the planes of a frame
 
@@ -351,16 +354,51 @@ struct vtkSection::Internals
       [this](vtkProp* prop) { return this->IsMet(prop); });
   }
 
-  void StartFrame()
+  /** Captures, as those of picks, take the parts and caps of the last frame if nothing has changed since. */
+  void StartFrame(bool isCapture)
   {
     vtkRenderer* const renderer = this->Renderer;
     this->EndFrame();
     this->ForgetCutProps();
-    this->UpdateParts(renderer);
-    this->MakeCaps(renderer);
-    this->PlaceCaps();
+    if (!isCapture || this->NewestTime(renderer) != this->FrameTime)
+    {
+      this->UpdateParts(renderer);
+      this->MakeCaps(renderer);
+      this->PlaceCaps();
+    }
     this->Shader->BeginFrame(renderer, this->Planes);
     this->Mark(renderer);
+    this->FrameTime = isCapture ? this->FrameTime : this->NewestTime(renderer);
+  }
+
+  /** Returns when the section, the renderer's list of props, a prop or its data changed last. It updates nothing. */
+  vtkMTimeType NewestTime(vtkRenderer* renderer) const
+  {
+    vtkPropCollection* const props = renderer->GetViewProps();
+    vtkMTimeType newest = std::max(this->Owner->GetMTime(), props->GetMTime());
+    for (const Cutter& cutter : this->Cutters)
+    {
+      newest = std::max(newest, cutter.Plane->GetMTime());
+    }
+    vtkCollectionSimpleIterator place;
+    props->InitTraversal(place);
+    while (vtkProp* const prop = props->GetNextProp(place))
+    {
+      if (vitrine::IsCap(prop))
+      {
+        continue;
+      }
+      newest = std::max(newest, prop->GetMTime());
+      auto* const actor = vtkActor::SafeDownCast(prop);
+      vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
+      const bool hasInput =
+        mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0;
+      vtkDataObject* const data = hasInput ? mapper->GetInputDataObject(0, 0) : nullptr;
+      // A mapper's own GetMTime() also asks its table, which takes as long as an update.
+      newest = std::max(
+        { newest, mapper ? mapper->vtkObject::GetMTime() : 0, data ? data->GetMTime() : 0 });
+    }
+    return newest;
   }
 
   void EndFrame()
@@ -1048,7 +1086,7 @@ void vtkSection::Attach(vtkRenderer* renderer)
   in.Renderer = renderer;
   vtkNew<RendererObserver> observer;
   observer->Section = this;
-  observer->Start = [&in] { in.StartFrame(); };
+  observer->Start = [&in](bool isCapture) { in.StartFrame(isCapture); };
   observer->End = [&in] { in.EndFrame(); };
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
          static_cast<unsigned long>(vtkCommand::EndEvent), vitrine::CaptureStartEvent,
@@ -1072,6 +1110,7 @@ void vtkSection::Detach()
   }
   in.Shader->Release();
   in.Sums.Release();
+  in.FrameTime = 0;
   in.Renderer = nullptr;
   const std::vector<unsigned long> observers = std::move(in.Observers);
   in.Observers.clear();

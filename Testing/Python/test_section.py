@@ -510,6 +510,22 @@ class Frames(unittest.TestCase):
             self.assertEqual([layer.actor for layer in layers], [glass, glass, behind])
             self.assertAlmostEqual(layers[0].position[1], 0.0, delta=1e-3)
 
+    def test_picks_between_frames_see_what_has_changed(self):
+        solid, behind = self.add(ball(), ball(0.3, (0, 0.9, 0)))
+        other = ball(0.2, (0, 0.4, 0)).GetMapper()
+        with vitrine.section(self.renderer, "y", (0, 0, 0)):
+            self.scene.picture()
+            for change, parts in (
+                (lambda: None, [solid]),
+                (lambda: solid.SetPosition(5, 0, 0), [behind]),
+                (lambda: solid.SetPosition(0, 0, 0), [solid]),
+                (lambda: solid.GetMapper().SetInputConnection(other.GetInputConnection(0, 0)), [solid]),
+            ):
+                change()
+                layers = vitrine.layers_at(self.scene.window, SIZE // 2, SIZE // 2)
+                self.assertEqual([layer.actor for layer in layers[:1]], parts)
+            self.assertGreater(layers[0].position[1], 0.1)
+
     def test_wrong_input_says_what_to_do(self):
         (actor,) = self.add(ball())
         for error, arguments in (
