@@ -20,18 +20,14 @@ std::uint64_t Mixed(std::uint64_t x)
 
 std::uint32_t FrontStacks::ColumnOf(std::uint32_t part)
 {
-  if (part >= this->ColumnOfPart.size())
-  {
-    this->ColumnOfPart.resize(static_cast<std::size_t>(part) + 1, 0);
-  }
-  std::uint32_t& column = this->ColumnOfPart[part];
-  if (column == 0)
+  const auto next = static_cast<std::uint32_t>(this->PartOfColumn.size());
+  const auto [column, isNew] = this->ColumnOfPart.try_emplace(part, next);
+  if (isNew)
   {
     this->PartOfColumn.push_back(part);
     this->LayersOfColumn.push_back(0);
-    column = static_cast<std::uint32_t>(this->PartOfColumn.size());
   }
-  return column - 1;
+  return column->second;
 }
 
 bool FrontStacks::IsStack(std::size_t stack) const

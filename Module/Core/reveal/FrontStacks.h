@@ -32,8 +32,7 @@ public:
 
   /**
    * Adds what is in front of a pixel of the part, or of a sample of it.
-   * @param layers  the number of the part that each layer belongs to, in any order. Numbers should be dense, because a
-   *                table as long as the largest is kept.
+   * @param layers  the number of the part that each layer belongs to, in any order
    * @param count   the number of layers, which may be 0
    * @return        the stack, or NoStack if there is no layer
    */
@@ -72,7 +71,7 @@ private:
 
   std::size_t Most = 0;
   std::vector<std::uint32_t> PartOfColumn;
-  std::vector<std::uint32_t> ColumnOfPart; // plus 1; 0 is none
+  std::unordered_map<std::uint32_t, std::uint32_t> ColumnOfPart;
   std::vector<std::size_t> Starts = { 0 };
   std::vector<Entry> Entries;
   std::vector<bool> Near;
