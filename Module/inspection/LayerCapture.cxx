@@ -101,6 +101,11 @@ private:
 
 LayerCapture::~LayerCapture()
 {
+  this->ReleaseHeld();
+}
+
+void LayerCapture::ReleaseHeld()
+{
   this->Context.Release(
     [this](vtkOpenGLRenderWindow* window) { this->ReleaseGraphicsResources(window); });
 }
@@ -123,8 +128,7 @@ std::string LayerCapture::Capture(const Request& request, std::vector<LayerFragm
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(request.Renderer->GetRenderWindow());
   if (!this->Context.LivesIn(window))
   {
-    this->Context.Release(
-      [this](vtkOpenGLRenderWindow* other) { this->ReleaseGraphicsResources(other); });
+    this->ReleaseHeld();
     this->Parts = PartShader();
     this->Target = Framebuffer();
     this->Counter = Buffer();
@@ -213,6 +217,8 @@ std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragm
     this->Draw(props);
     if (!this->Problem.empty())
     {
+      // The next capture builds all shaders again, since a problem is found only while one is built.
+      this->Stage.Modified();
       return this->Problem;
     }
     VitrineCaptureCounters counters = {};

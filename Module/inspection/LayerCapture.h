@@ -58,6 +58,9 @@ public:
   vtkMTimeType GetShaderStageMTime() override { return this->Stage.GetMTime(); }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  /** Release what is held, in the context that holds it. Does nothing if there is none. */
+  void ReleaseHeld();
+
 protected:
   LayerCapture() = default;
   ~LayerCapture() override;

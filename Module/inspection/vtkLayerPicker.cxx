@@ -387,10 +387,5 @@ unsigned int vtkLayerPicker::GetBlockOfPart(unsigned int number)
 
 void vtkLayerPicker::ReleaseGraphicsResources()
 {
-  Internals& in = *this->Private;
-  vtkRenderer* const renderer = in.Renderer;
-  if (renderer && renderer->GetRenderWindow())
-  {
-    in.Capture->ReleaseGraphicsResources(renderer->GetRenderWindow());
-  }
+  this->Private->Capture->ReleaseHeld();
 }

@@ -522,10 +522,5 @@ double vtkReveal::GetLargestChange()
 
 void vtkReveal::ReleaseGraphicsResources()
 {
-  Internals& in = *this->Private;
-  vtkRenderer* const renderer = in.Renderer;
-  if (renderer && renderer->GetRenderWindow())
-  {
-    in.Capture->ReleaseGraphicsResources(renderer->GetRenderWindow());
-  }
+  this->Private->Capture->ReleaseHeld();
 }

@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 import vitrine
-from scenes import drawn, plate, plates_renderer, window_with
+from scenes import actor_of, drawn, pixels, plate, plates_renderer, window_with
 
 RED, GREEN, BLUE = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 
@@ -108,6 +108,35 @@ class LayersAt(unittest.TestCase):
         del plates, layer
         gc.collect()
         self.assertEqual(len(vitrine.layers_at(window, 20, 30)), 1)
+
+    def test_releases_in_its_own_window_while_another_is_current(self):
+        picker = vitrine.vtkLayerPicker()
+        renderer = plates_renderer(*scene())
+        own = drawn(renderer)
+        picker.SetRenderer(renderer)
+        self.assertTrue(picker.Pick())
+        tiles = [actor_of(vtkCubeSource()) for _ in range(25)]  # so many that buffers have the names of the picker's
+        for number, tile in enumerate(tiles):
+            tile.SetScale(0.3)
+            tile.SetPosition(number % 5 * 0.4 - 0.8, number // 5 * 0.4 - 0.8, 0)
+        other = drawn(plates_renderer(*tiles))
+        before = pixels(other)
+        picker.ReleaseGraphicsResources()
+        other.Render()
+        numpy.testing.assert_array_equal(pixels(other), before)
+        self.assertTrue(picker.Pick())
+        self.assertEqual(own.GetRenderers().GetNumberOfItems(), 1)
+
+    def test_tells_each_time_that_a_prop_cannot_be_captured(self):
+        plates = scene()
+        code = "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main() { gl_FragData[0] = vec4(1); }\n"
+        plates[0].GetShaderProperty().SetFragmentShaderCode(code)
+        window = drawn(plates_renderer(*plates))
+        for _ in range(2):
+            with self.assertRaisesRegex(RuntimeError, "cannot be captured"):
+                vitrine.layers_at(window, 20, 30)
+        plates[0].GetShaderProperty().SetFragmentShaderCode(None)
+        self.assertEqual(len(vitrine.layers_at(window, 20, 30)), 2)
 
 
 class LayersIn(unittest.TestCase):
