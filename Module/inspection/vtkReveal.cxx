@@ -7,6 +7,7 @@
 #include "inspection/LayerCapture.h"
 #include "inspection/PartOnScreen.h"
 #include "scene/PartNumbers.h"
+#include "scene/Settings.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -15,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWeakPointer.h"
 
@@ -289,6 +289,21 @@ void vtkReveal::RemoveAllParts()
 {
   this->Private->Parts.clear();
   this->Modified();
+}
+
+void vtkReveal::SetShare(double share)
+{
+  vitrine::SetInRange(this, "Share", this->Share, share, { 0.01, 1.0 });
+}
+
+void vtkReveal::SetLeastOpacity(double opacity)
+{
+  vitrine::SetInRange(this, "LeastOpacity", this->LeastOpacity, opacity, { 0.0, 1.0 });
+}
+
+void vtkReveal::SetChangePerDegree(double change)
+{
+  vitrine::SetInRange(this, "ChangePerDegree", this->ChangePerDegree, change, { 0.0, 1.0 });
 }
 
 void vtkReveal::SetFollowCamera(bool follow)

@@ -82,7 +82,7 @@ public:
    * Set/Get the least share of the part's light that passes what is in front, in each of its pixels. The range is 0.01
    * to 1; with 1, all that is in front is hidden. The default is 0.7.
    */
-  vtkSetClampMacro(Share, double, 0.01, 1.0);
+  void SetShare(double share);
   vtkGetMacro(Share, double);
   ///@}
 
@@ -90,15 +90,16 @@ public:
   /**
    * Set/Get the opacity below which parts in front are hidden. The range is 0 to 1. The default is 1/255.
    */
-  vtkSetClampMacro(LeastOpacity, double, 0.0, 1.0);
+  void SetLeastOpacity(double opacity);
   vtkGetMacro(LeastOpacity, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get by how much opacities may change for each degree, where the camera is followed. The default is 0.05.
+   * Set/Get by how much opacities may change for each degree, where the camera is followed. The range is 0 to 1. The
+   * default is 0.05.
    */
-  vtkSetClampMacro(ChangePerDegree, double, 0.0, 1.0);
+  void SetChangePerDegree(double change);
   vtkGetMacro(ChangePerDegree, double);
   ///@}
 

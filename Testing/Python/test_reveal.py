@@ -207,6 +207,17 @@ class Plates(unittest.TestCase):
             vitrine.reveal(unseen, gone)
         self.assertEqual(vitrine.vtkReveal().GetNumberOfFadedParts(), 0)
 
+    def test_settings_out_of_range_are_refused(self):
+        made = vitrine.vtkReveal()
+        errors = []
+        made.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        for name in ("Share", "LeastOpacity", "ChangePerDegree"):
+            before = getattr(made, f"Get{name}")()
+            for value in (math.nan, -0.1, 1.1):
+                getattr(made, f"Set{name}")(value)
+                self.assertEqual(getattr(made, f"Get{name}")(), before)
+        self.assertEqual(len(errors), 9)
+
 
 def boxes():
     """27 boxes as blocks of an assembly, the middle of which is wholly hidden."""
