@@ -59,6 +59,7 @@ struct vtkReveal::Internals
   vitrine::FadedLooks Looks;
   std::string Problem;
   unsigned long Observer = 0;
+  unsigned long EndObserver = 0;
   vtkMTimeType CameraTime = 0; ///< of the camera when it was last followed
   bool IsUpdating = false;
 
@@ -264,8 +265,16 @@ void vtkReveal::SetRenderer(vtkRenderer* renderer)
   if (renderer != this->Private->Renderer)
   {
     const bool follow = this->FollowCamera;
+    Internals& in = *this->Private;
     this->PutBack();
-    this->Private->Renderer = renderer;
+    if (in.Renderer)
+    {
+      in.Renderer->RemoveObserver(in.EndObserver);
+    }
+    in.Renderer = renderer;
+    in.EndObserver = renderer
+      ? renderer->AddObserver(vtkCommand::DeleteEvent, this, &vtkReveal::WhenRendererIsDeleted)
+      : 0;
     this->SetFollowCamera(follow);
     this->Modified();
   }
@@ -321,6 +330,11 @@ void vtkReveal::SetFollowCamera(bool follow)
     this->FollowCamera = follow;
     this->Modified();
   }
+}
+
+void vtkReveal::WhenRendererIsDeleted()
+{
+  this->Private->Forget();
 }
 
 void vtkReveal::BeforeFrame()
@@ -389,7 +403,7 @@ std::string vtkReveal::FindOpacities(double degrees)
     in.ChangePerDegree = this->ChangePerDegree;
     degrees = std::numeric_limits<double>::infinity();
   }
-  in.Looks.Read(in.Renderer);
+  in.Looks.ForgetNodes();
   in.Looks.ShowHidden();
   const vitrine::PixelRays rays(in.Renderer);
   glm::dvec3 middle;
@@ -418,7 +432,7 @@ std::string vtkReveal::FindOpacities(double degrees)
   for (const std::uint32_t number : stacks.Parts())
   {
     const vitrine::ShownPart part = numbers.PartOf(number);
-    parts.push_back({ in.AreaOf(part, rays), in.Looks.OriginalOf(number, part) });
+    parts.push_back({ in.AreaOf(part, rays), in.Looks.OriginalOf(part) });
   }
   in.Change = in.Steady->Update(stacks, parts, std::isinf(degrees) ? degrees : turned);
   in.SetLooks(this->LeastOpacity);

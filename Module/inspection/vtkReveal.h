@@ -24,8 +24,10 @@
  * optimum an answer is: GetProvedShare(). The share holds for exact methods of transparency with accurate nodes;
  * methods that round opacities to 1/255 miss it by that.
  *
- * Parts that would have less than LeastOpacity are hidden. When parts are no more in front, and with PutBack(), they
- * get the looks that they had. At most one reveal fades the parts of a renderer at a time.
+ * Parts that would have less than LeastOpacity are hidden. When parts are no more in front, with PutBack(), and when
+ * the renderer is deleted, they get the looks that they had. What was set meanwhile by others stays: another property,
+ * or values of the copy of a property that a faded actor shows. At most one reveal fades the parts of a renderer at a
+ * time. Those of several renderers may fade the same part, which then has the least of their opacities.
  *
  * With FollowCamera, opacities follow the camera before each frame. Then they change by ChangePerDegree at most for
  * each degree by which the eye turns around the part. The share takes precedence over that: parts that are newly in
@@ -204,6 +206,7 @@ private:
   bool UpdateWithin(double degrees);
   std::string FindOpacities(double degrees);
   void BeforeFrame();
+  void WhenRendererIsDeleted();
 
   struct Internals;
   std::unique_ptr<Internals> Private;

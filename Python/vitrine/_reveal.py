@@ -71,6 +71,8 @@ def reveal(
     renderer = next((found for found in renderers if _has(found, shown)), None)
     if renderer is None:
         raise ValueError("the part is in no renderer of the target: add it first")
+    for address in [at for at, handle in _reveals.items() if handle._reveal.GetRenderer() is None]:
+        del _reveals[address]
     former = _reveals.get(renderer.__this__)
     if former is not None:
         former.remove()

@@ -1,5 +1,6 @@
 """reveal(): transmittances from fresh frames, analytic opacities, looks that are put back, and a turning camera."""
 
+import gc
 import math
 import unittest
 
@@ -164,6 +165,62 @@ class Plates(unittest.TestCase):
         self.assertAlmostEqual(self.whole.GetProperty().GetOpacity(), 1 - SHARE, delta=0.004)
         handle.remove()
         self.assertIs(self.whole.GetProperty(), shared)
+
+    def test_properties_of_other_renderers_are_not_faded(self):
+        elsewhere = plate(0, (0, 0, 0), 1.0)
+        elsewhere.SetProperty(self.whole.GetProperty())
+        vitrine.reveal(self.window, self.red, SHARE)
+        self.assertEqual(elsewhere.GetProperty().GetOpacity(), 1.0)
+
+    def test_two_renderers_fade_the_same_actor(self):
+        other = plates_renderer(self.red, self.whole)
+        self.renderer.RemoveActor(self.half)
+        self.renderer.SetViewport(0, 0, 0.5, 1)
+        other.SetViewport(0.5, 0, 1, 1)
+        self.window.AddRenderer(other)
+        self.window.Render()
+        own = self.whole.GetProperty()
+        for order in (0, 1):
+            first, second = vitrine.reveal(self.renderer, self.red, 0.5), vitrine.reveal(other, self.red, SHARE)
+            self.assertAlmostEqual(self.whole.GetProperty().GetOpacity(), 1 - SHARE, delta=0.004)
+            self.assertEqual(first.faded[0].original, 1.0)
+            self.assertEqual(second.faded[0].original, 1.0)
+            (first, second)[order].remove()
+            left = (SHARE, 0.5)[order]
+            self.assertAlmostEqual(self.whole.GetProperty().GetOpacity(), 1 - left, delta=0.01)
+            (second, first)[order].remove()
+            self.assertIs(self.whole.GetProperty(), own)
+            self.assertEqual(own.GetOpacity(), 1.0)
+
+    def test_the_end_of_the_renderer_puts_looks_back(self):
+        vitrine.reveal(self.window, self.red, SHARE)
+        self.assertFalse(self.half.GetVisibility())
+        self.window.RemoveRenderer(self.renderer)
+        del self.renderer
+        gc.collect()
+        self.assertTrue(self.half.GetVisibility())
+        self.assertEqual(self.whole.GetProperty().GetOpacity(), 1.0)
+
+    def test_what_the_user_sets_meanwhile_stays(self):
+        own = self.whole.GetProperty()
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        self.whole.GetProperty().SetColor(0, 0, 1)
+        handle.update()
+        self.whole.GetProperty().SetOpacity(0.9)
+        handle.update()
+        self.assertAlmostEqual({part.actor: part for part in handle.faded}[self.whole].original, 0.9)
+        self.assertAlmostEqual(self.whole.GetProperty().GetOpacity(), 1 - SHARE, delta=0.004)
+        self.half.SetVisibility(True)
+        handle.remove()
+        self.assertIs(self.whole.GetProperty(), own)
+        self.assertEqual((own.GetOpacity(), own.GetColor()), (0.9, (0, 0, 1)))
+        self.assertTrue(self.half.GetVisibility())
+        handle = vitrine.reveal(self.window, self.red, SHARE)
+        other = vtkProperty()
+        self.whole.SetProperty(other)
+        handle.remove()
+        self.assertIs(self.whole.GetProperty(), other)
+        self.assertEqual(other.GetOpacity(), 1.0)
 
     def test_translucent_parts_keep_what_they_have(self):
         self.whole.GetProperty().SetOpacity(0.1)

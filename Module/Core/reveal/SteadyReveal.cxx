@@ -64,8 +64,10 @@ std::vector<FadedPart> SteadyReveal::LimitsOf(
   for (std::size_t j = 0; j < parts.size(); ++j)
   {
     const double original = parts[j].Opacity;
-    const Part& part =
+    Part& part =
       this->Faded.try_emplace(stacks.Parts()[j], Part{ original, original, false }).first->second;
+    part.Original = original; // It may have been set since.
+    part.Opacity = std::min(part.Opacity, original);
     const double highest = std::min(part.Original, part.Opacity + most);
     const double lowest = part.IsInFront ? part.Opacity - most : 0.0;
     limits.push_back({ parts[j].Weight, DepthOfOpacity(lowest), DepthOfOpacity(highest) });
