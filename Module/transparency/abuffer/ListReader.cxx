@@ -33,6 +33,7 @@ void ListReader::Note(vtkRenderer* renderer, const RenderTarget& target, const F
   this->Drawn = renderer;
   this->Size = { target.Width, target.Height, target.Samples };
   this->Region = target.Region;
+  this->Matrices = ViewMatricesOf(renderer);
   this->NodesNumber = store.Nodes().Number();
 }
 
@@ -44,7 +45,8 @@ bool ListReader::Read(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, cons
   const bool isInside = pixels.X >= r.X && pixels.Y >= r.Y &&
     pixels.X + pixels.Width <= r.X + r.Width && pixels.Y + pixels.Height <= r.Y + r.Height;
   if (!renderer || renderer != this->Drawn || !(size == this->Size) || !isInside ||
-    this->NodesNumber != store.Nodes().Number() || !window->IsCurrent())
+    this->NodesNumber != store.Nodes().Number() || !window->IsCurrent() ||
+    this->Matrices != ViewMatricesOf(renderer))
   {
     return false;
   }

@@ -6,6 +6,7 @@
 #include "Core/lists/PixelLayers.h"
 #include "gl/ComputeProgram.h"
 #include "gl/GLObjects.h"
+#include "scene/ViewMatrices.h"
 
 #include <cstdint>
 #include <string>
@@ -48,7 +49,8 @@ public:
 
   /**
    * Append the fragments of a rectangle of pixels. Returns false, and appends nothing, if the store does not have lists
-   * of such a frame of the renderer any more, or if the driver fails. Keeps OpenGL's state.
+   * of such a frame of the renderer any more, if its camera has another view
+   * now, or if the driver fails. Keeps OpenGL's state.
    */
   bool Read(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const FrameSize& size,
     const ListLayout& layout, FragmentStore& store, const PixelRegion& pixels,
@@ -63,6 +65,7 @@ private:
   const void* Drawn = nullptr; ///< The renderer. It is not dereferenced.
   FrameSize Size;
   PixelRegion Region;
+  ViewMatrices Matrices{}; ///< with which the lists were drawn
   std::uint64_t NodesNumber = 0;
   ComputeProgram Program;
   Buffer Counter;
