@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <memory>
@@ -42,7 +43,7 @@ void ForgetRenderer(vtkObject* renderer, unsigned long, void*, void*)
 }
 }
 
-vtkDataObject* BlocksOf(vtkProp* prop)
+vtkDataObject* CompositeDataOf(vtkProp* prop)
 {
   vtkActor* const actor = vtkActor::SafeDownCast(prop);
   vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
@@ -51,6 +52,18 @@ vtkDataObject* BlocksOf(vtkProp* prop)
   return drawsBlocks && mapper->GetNumberOfInputConnections(0) > 0
     ? vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
     : nullptr;
+}
+
+vtkDataObject* BlocksOf(vtkProp* prop)
+{
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
+  vtkActor* const actor = vtkActor::SafeDownCast(prop);
+  if (actor && actor->GetMapper() && !actor->GetMapper()->IsA("vtkCompositePolyDataMapper2"))
+  {
+    return nullptr;
+  }
+#endif
+  return CompositeDataOf(prop);
 }
 
 std::uint32_t NumberOfNodes(vtkDataObject* data)

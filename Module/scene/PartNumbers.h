@@ -23,6 +23,12 @@ struct ShownPart
 };
 
 /** Returns the composite data that the prop's mapper draws, or null. */
+vtkDataObject* CompositeDataOf(vtkProp* prop);
+
+/**
+ * Returns the composite data that the prop's mapper draws, or null if its blocks are no parts. Those of
+ * vtkCompositePolyDataMapper before VTK 9.3 are none: it has mappers of its own for them, and no attributes.
+ */
 vtkDataObject* BlocksOf(vtkProp* prop);
 
 /** Returns the number of nodes of composite data with its root and empty ones, or 1 for other data. */

@@ -96,7 +96,7 @@ void CutParts::Update(
   PartNumbers& numbers = PartNumbers::Of(renderer);
   for (CutPart& part : this->Cut)
   {
-    part.Number = numbers.FirstOf(part.Prop) + part.Block;
+    part.Number = numbers.FirstOf(part.Prop) + (BlocksOf(part.Prop) ? part.Block : 0u);
   }
   const bool isSame = generation == this->GenerationNumber && before.size() == this->Cut.size() &&
     std::equal(before.begin(), before.end(), this->Cut.begin(), IsSamePart);

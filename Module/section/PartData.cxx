@@ -156,7 +156,7 @@ void ForEachDrawn(vtkActor* actor, const std::function<void(const DrawnData&)>& 
     return;
   }
   mapper->GetBounds(); // updates the pipeline
-  if (vtkDataObject* const blocks = BlocksOf(actor))
+  if (vtkDataObject* const blocks = CompositeDataOf(actor))
   {
     auto* const composite = CompositeMapper::SafeDownCast(mapper);
     VisitBlocks(blocks, {}, true,

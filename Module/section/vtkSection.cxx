@@ -115,16 +115,19 @@ struct vtkSection::Internals
     /** Props, with a block or EveryBlock. A prop that is gone may have its address in common with a new one. */
     std::map<std::pair<vtkProp*, int>, vtkWeakPointer<vtkProp>> Chosen;
 
-    bool Has(vtkProp* prop, int block) const
-    {
-      const auto found = this->Chosen.find({ prop, block });
-      return found != this->Chosen.end() && found->second;
-    }
-
     bool Cuts(vtkProp* prop, int block) const
     {
       return this->Parts == ALL_PARTS ||
-        (this->Has(prop, EveryBlock) || this->Has(prop, block)) == (this->Parts == ONLY_CHOSEN);
+        this->IsChosen(prop, block) == (this->Parts == ONLY_CHOSEN);
+    }
+
+    /** Returns true if a block is chosen, or its prop. Any block stands for a prop whose blocks are no parts. */
+    bool IsChosen(vtkProp* prop, int block) const
+    {
+      const auto first = this->Chosen.lower_bound({ prop, EveryBlock });
+      return first != this->Chosen.end() && first->first.first == prop && first->second &&
+        (first->first.second == EveryBlock || this->Chosen.count({ prop, block }) > 0 ||
+          !vitrine::BlocksOf(prop));
     }
 
     /** Returns true if blocks of the prop are chosen one by one. */
@@ -260,8 +263,9 @@ struct vtkSection::Internals
   /** The planes that apply to each block of a prop, or none if they apply to all alike. */
   std::vector<vitrine::PlaneMasks> MasksOfBlocks(vtkProp* prop) const
   {
-    if (std::none_of(this->Cutters.begin(), this->Cutters.end(),
-          [prop](const Cutter& cutter) { return cutter.HasBlocksOf(prop); }))
+    if (!vitrine::BlocksOf(prop) ||
+      std::none_of(this->Cutters.begin(), this->Cutters.end(),
+        [prop](const Cutter& cutter) { return cutter.HasBlocksOf(prop); }))
     {
       return {};
     }

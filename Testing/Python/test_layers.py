@@ -5,9 +5,10 @@ import itertools
 import unittest
 
 import numpy
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCompositePolyDataMapper, vtkRenderer, vtkRenderWindow
 
 import vitrine
 from scenes import actor_of, drawn, pixels, plate, plates_renderer, window_with
@@ -108,6 +109,41 @@ class LayersAt(unittest.TestCase):
         del plates, layer
         gc.collect()
         self.assertEqual(len(vitrine.layers_at(window, 20, 30)), 1)
+
+    def test_names_the_whole_prop_where_blocks_have_no_attributes(self):
+        blocks = vtkMultiBlockDataSet()
+        for number, x in enumerate((-0.6, 0.6)):
+            cube = vtkCubeSource()
+            cube.SetCenter(x, 0, 0)
+            cube.Update()
+            blocks.SetBlock(number, cube.GetOutput())
+        mapper = vtkCompositePolyDataMapper()
+        mapper.SetInputDataObject(blocks)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        window = drawn(plates_renderer(actor))
+        has_blocks = vtkVersion().GetVTKMajorVersion() == 9 and vtkVersion().GetVTKMinorVersion() >= 3
+        self.assertEqual([vitrine.pick(window, x, 24).block for x in (16, 48)], [1, 2] if has_blocks else [0, 0])
+        before = pixels(window)
+        vitrine.section(window, "y", (0, 0, 0), parts=(actor, 2))
+        window.Render()
+        changed = (pixels(window) != before).any(axis=(0, 2))
+        self.assertEqual((changed[:32].any(), changed[32:].any()), (not has_blocks, True))
+
+    def test_is_of_the_camera_as_it_is_now(self):
+        plates = scene()
+        renderer = plates_renderer(*plates)
+        vitrine.see_through(renderer, part_numbers=True)
+        window = drawn(renderer)
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(0, 0, 12)
+        for _ in range(2):
+            layers = vitrine.layers_at(window, 20, 30)
+            numpy.testing.assert_allclose([layer.position[2] for layer in layers], [1, 0], atol=1e-5)
+            window.Render()
+        camera.SetPosition(20, 0, 10)
+        camera.SetFocalPoint(20, 0, 0)
+        self.assertEqual(vitrine.layers_at(window, 20, 30), [])
 
     def test_releases_in_its_own_window_while_another_is_current(self):
         picker = vitrine.vtkLayerPicker()
