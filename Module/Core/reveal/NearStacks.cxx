@@ -18,9 +18,11 @@ void NearStacks::AddTo(FrontStacks& stacks) const
 {
   std::vector<std::uint32_t> layers(stacks.Parts().size(), 0);
   std::vector<std::uint32_t> around;
+  std::vector<std::uint32_t> columns;
   for (const auto& [place, own] : this->StacksOfTile)
   {
     around.clear();
+    columns.clear();
     for (int i = 0; i < 9; ++i)
     {
       const auto found =
@@ -37,16 +39,18 @@ void NearStacks::AddTo(FrontStacks& stacks) const
     {
       for (const auto* entry = stacks.Begin(stack); entry != stacks.End(stack); ++entry)
       {
+        if (layers[entry->Column] == 0)
+        {
+          columns.push_back(entry->Column);
+        }
         layers[entry->Column] = std::max(layers[entry->Column], entry->Layers);
       }
     }
-    for (std::uint32_t column = 0; column < layers.size(); ++column)
+    std::sort(columns.begin(), columns.end());
+    for (const std::uint32_t column : columns)
     {
-      if (layers[column] != 0)
-      {
-        entries.push_back({ column, layers[column] });
-        layers[column] = 0;
-      }
+      entries.push_back({ column, layers[column] });
+      layers[column] = 0;
     }
     if (!entries.empty())
     {
