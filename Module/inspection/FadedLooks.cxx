@@ -169,17 +169,19 @@ struct FadedLooks::Look
     {
       this->TakeChangesOfBlock(actor);
     }
-    else if (actor && this->Front.IsCopied())
+    else if (actor)
     {
       this->Front.TakeChanges();
       this->Back.TakeChanges();
-      if (actor->GetProperty() != this->Front.Shown() ||
-        actor->GetBackfaceProperty() != this->Back.Shown())
+      if (this->Front.IsCopied() &&
+        (actor->GetProperty() != this->Front.Shown() ||
+          actor->GetBackfaceProperty() != this->Back.Shown()))
       {
         this->Restore();
       }
-      this->IsForcedOpaque = this->IsForcedOpaque || actor->GetForceOpaque();
-      vtkProperty* const own = this->Front.IsCopied() ? this->Front.Own() : actor->GetProperty();
+      const bool isCopied = this->Front.IsCopied();
+      this->IsForcedOpaque = (isCopied && this->IsForcedOpaque) || actor->GetForceOpaque();
+      vtkProperty* const own = isCopied ? this->Front.Own() : actor->GetProperty();
       this->Original = this->IsForcedOpaque ? 1.0 : own->GetOpacity();
     }
   }

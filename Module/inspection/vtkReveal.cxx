@@ -245,7 +245,7 @@ vtkReveal::vtkReveal()
 
 vtkReveal::~vtkReveal()
 {
-  this->PutBack();
+  this->SetRenderer(nullptr);
 }
 
 void vtkReveal::PrintSelf(ostream& os, vtkIndent indent)
