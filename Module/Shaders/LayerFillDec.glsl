@@ -15,4 +15,4 @@ layout(std430, binding = VITRINE_BINDING_CAPTURE) writeonly buffer VitrineLayerB
 
 uniform ivec2 vitrineLayerFirst; // the rectangle's lower left pixel
 uniform int vitrineLayerWidth;   // the rectangle's width
-uniform int vitrineLayerKind;    // VITRINE_OPAQUE_LAYER, VITRINE_ADDED_LAYER, or 0
+uniform int vitrineLayerKind;    // VITRINE_OPAQUE_LAYER, VITRINE_ADDED_LAYER, or 0; and the prop's place

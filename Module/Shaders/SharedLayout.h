@@ -122,10 +122,11 @@ struct VitrineCapturedFragment
 };
 
 // Kinds of layers, in VitrineLayerFragment::Kind. An added fragment attenuates nothing behind it. A tested one is known
-// to be in front of all opaque ones.
+// to be in front of all opaque ones. Bits above these tell the place of the prop in the order of drawing.
 #define VITRINE_OPAQUE_LAYER 1
 #define VITRINE_ADDED_LAYER 2
 #define VITRINE_TESTED_LAYER 4
+#define VITRINE_FIRST_DRAW_BIT 3
 
 /** A fragment of a layer (LayerFillImpl.glsl, LayerLists.glsl): non-premultiplied colour, window depth; std430. */
 struct VitrineLayerFragment

@@ -32,6 +32,7 @@ static_assert(offsetof(LayerFragment, Kind) == offsetof(VitrineLayerFragment, Ki
 static_assert(LayerFragment::Opaque == VITRINE_OPAQUE_LAYER, "layout");
 static_assert(LayerFragment::Added == VITRINE_ADDED_LAYER, "layout");
 static_assert(LayerFragment::Tested == VITRINE_TESTED_LAYER, "layout");
+static_assert(LayerFragment::FirstDrawBit == VITRINE_FIRST_DRAW_BIT, "layout");
 static_assert(LayerFragment::BackFace == VITRINE_BACK_FACE, "layout");
 
 const char* const LayerCapture::TooMany =
@@ -275,8 +276,10 @@ void LayerCapture::Draw(const std::vector<vtkProp*>& props)
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    this->DrawnProps = 0;
     for (vtkProp* prop : props)
     {
+      ++this->DrawnProps;
       if (opaque || this->Now.Translucent)
       {
         this->DrawProp(prop);
@@ -333,10 +336,11 @@ bool LayerCapture::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
   const bool adds = !this->DrawsOpaque && blend[0] == GL_SRC_ALPHA && blend[1] == GL_ONE;
   if (program->IsUniformUsed("vitrineLayerKind"))
   {
+    const std::uint32_t kind = this->DrawsOpaque ? LayerFragment::Opaque
+      : adds                                     ? LayerFragment::Added
+                                                 : 0u;
     program->SetUniformi("vitrineLayerKind",
-      static_cast<int>(this->DrawsOpaque ? LayerFragment::Opaque
-          : adds                         ? LayerFragment::Added
-                                         : 0u));
+      static_cast<int>(kind | (this->DrawnProps << LayerFragment::FirstDrawBit)));
     program->SetUniformi("vitrineLayerWidth", r.Width);
   }
   SetPair(program, "vitrineLayerFirst", r.X, r.Y);

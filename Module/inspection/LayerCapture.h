@@ -12,6 +12,7 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkTimeStamp.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,7 @@ private:
 
   Request Now;
   bool DrawsOpaque = false;
+  std::uint32_t DrawnProps = 0; ///< props drawn so far, the one that is drawn among them
   bool Version430 = false;
   std::string Refused; ///< why the driver refuses the shaders; empty if it does not
   bool IsTried = false;

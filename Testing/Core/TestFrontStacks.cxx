@@ -61,6 +61,15 @@ TEST(FrontStacks, NothingInFrontIsNoStack)
   EXPECT_EQ(stacks.Count(), 1u);
 }
 
+TEST(FrontStacks, TakeAnyNumber)
+{
+  FrontStacks stacks;
+  AddPixel(stacks, { 0xffffffffu, 0x7fffffffu, 0xffffffffu });
+  ASSERT_EQ(stacks.Count(), 1u);
+  EXPECT_EQ(StackOf(stacks, 0),
+    (std::map<std::uint32_t, std::uint32_t>{ { 0x7fffffffu, 1 }, { 0xffffffffu, 2 } }));
+}
+
 TEST(NearStacks, AreThoseOfNeighbouringTiles)
 {
   FrontStacks stacks;

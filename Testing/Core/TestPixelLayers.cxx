@@ -66,11 +66,22 @@ TEST(PixelLayers, OfEqualDepthHaveOneOrder)
   close[1].Rgba[3] = 0.50001f;
   EXPECT_EQ(
     PartsInOrder(close, SortLayers(close, 1, 1, true)), (std::vector<std::uint32_t>{ 1, 2 }));
-  // The depth test lets the later opaque fragment win.
-  const std::vector<LayerFragment> opaque = { LayerOf(0.5f, 1.0f, 1, LayerFragment::Opaque),
-    LayerOf(0.5f, 1.0f, 2, LayerFragment::Opaque) };
-  EXPECT_EQ(
-    PartsInOrder(opaque, SortLayers(opaque, 1, 1, false)), (std::vector<std::uint32_t>{ 2 }));
+}
+
+// The depth test lets the later of opaque fragments win.
+TEST(PixelLayers, ThatAreOpaqueAndOfEqualDepthAreInTheOrderOfDrawing)
+{
+  const std::uint32_t later = LayerFragment::Opaque | 1u << LayerFragment::FirstDrawBit;
+  std::vector<LayerFragment> fragments = { LayerOf(0.5f, 1.0f, 8, LayerFragment::Opaque),
+    LayerOf(0.5f, 1.0f, 9 | LayerFragment::BackFace, LayerFragment::Opaque),
+    LayerOf(0.5f, 1.0f, 3, later) };
+  std::mt19937 random(7);
+  for (int i = 0; i < 10; ++i)
+  {
+    std::shuffle(fragments.begin(), fragments.end(), random);
+    EXPECT_EQ(PartsInOrder(fragments, SortLayers(fragments, 1, 1, true)),
+      (std::vector<std::uint32_t>{ 3, 9 | LayerFragment::BackFace, 8 }));
+  }
 }
 
 TEST(PixelLayers, ThatWereTestedAreInFrontOfOpaqueOnes)

@@ -130,6 +130,17 @@ class LayersAt(unittest.TestCase):
         changed = (pixels(window) != before).any(axis=(0, 2))
         self.assertEqual((changed[:32].any(), changed[32:].any()), (not has_blocks, True))
 
+    def test_the_prop_drawn_last_is_in_front_of_others_at_its_depth(self):
+        plates = [plate(0, color, 1.0) for color in (RED, GREEN, BLUE)]
+        renderer = plates_renderer(*plates)
+        window = drawn(renderer)
+        self.assertEqual([layer.actor for layer in vitrine.layers_at(window, 20, 30, all=True)], plates[::-1])
+        renderer.RemoveActor(plates[0])
+        renderer.AddActor(plates[0])
+        window.Render()
+        self.assertEqual(tuple(pixels(window)[30, 20, :3]), (255, 0, 0))
+        self.assertIs(vitrine.pick(window, 20, 30).actor, plates[0])
+
     def test_is_of_the_camera_as_it_is_now(self):
         plates = scene()
         renderer = plates_renderer(*plates)

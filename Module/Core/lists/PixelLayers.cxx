@@ -30,7 +30,7 @@ float DepthOf(const LayerFragment& f)
   return f.Depth > 0.0f ? f.Depth : 0.0f;
 }
 
-/** Orders fragments of one pixel from front to back. The indices tell their order of arrival. */
+/** Orders fragments of one pixel from front to back. */
 class IsInFront
 {
 public:
@@ -54,9 +54,14 @@ public:
     {
       return keyOf(a) < keyOf(b);
     }
-    if (areOpaque)
+    const auto drawnOf = [](const LayerFragment& f)
     {
-      return left.Fragment > right.Fragment;
+      return std::make_tuple(
+        f.Kind >> LayerFragment::FirstDrawBit, f.Part & ~LayerFragment::BackFace);
+    };
+    if (areOpaque && drawnOf(a) != drawnOf(b))
+    {
+      return drawnOf(a) > drawnOf(b);
     }
     const auto colorOf = [](const LayerFragment& f)
     {
