@@ -2,7 +2,10 @@
 
 #include "Core/measure/AssemblyIndex.h"
 #include "inspection/PartTriangles.h"
+#include "scene/CutProps.h"
 #include "scene/Matrices.h"
+#include "scene/PartNumbers.h"
+#include "section/PartData.h"
 #include "vtkAssemblyActors.h"
 
 #include "vtkActor.h"
@@ -16,7 +19,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
-#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -74,11 +76,25 @@ void Fill(vtkIdList* list, const std::vector<std::uint32_t>& parts)
   }
 }
 
-std::string BlockName(vtkCompositeDataIterator* at)
+/** The names of all blocks that have data, by their flat indices. */
+std::map<unsigned int, std::string> BlockNames(vtkDataObject* data)
 {
-  const char* const name =
-    at->HasCurrentMetaData() ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : nullptr;
-  return name ? name : "block " + std::to_string(at->GetCurrentFlatIndex());
+  std::map<unsigned int, std::string> names;
+  auto* const blocks = vtkCompositeDataSet::SafeDownCast(data);
+  if (!blocks)
+  {
+    return names;
+  }
+  const auto at = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    const char* const name = at->HasCurrentMetaData()
+      ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+      : nullptr;
+    const unsigned int block = at->GetCurrentFlatIndex();
+    names[block] = name ? name : "block " + std::to_string(block);
+  }
+  return names;
 }
 
 int NumberOf(vitrine::ClashKinds kind)
@@ -224,6 +240,15 @@ bool vtkAssemblyIndex::IsPart(int part)
   return is;
 }
 
+bool vtkAssemblyIndex::IsThere(const vtkObject* object)
+{
+  if (!object)
+  {
+    vtkErrorMacro(<< "The renderer, the table or the list is null.");
+  }
+  return object != nullptr;
+}
+
 int vtkAssemblyIndex::AddPart(vtkPolyData* geometry, vtkMatrix4x4* place, const std::string& name)
 {
   if (!geometry)
@@ -245,55 +270,44 @@ void vtkAssemblyIndex::AddAssembly(vtkAssemblyActors* actors)
 
 int vtkAssemblyIndex::AddActors(vtkRenderer* renderer)
 {
+  if (!this->IsThere(renderer))
+  {
+    return 0;
+  }
   int leftOut = 0;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator at;
   props->InitTraversal(at);
   while (vtkProp* const prop = props->GetNextProp(at))
   {
+    const bool isCap = vitrine::IsCap(prop);
     prop->InitPathTraversal();
-    while (vtkAssemblyPath* const path = prop->GetVisibility() ? prop->GetNextPath() : nullptr)
+    while (vtkAssemblyPath* const path = isCap ? nullptr : prop->GetNextPath())
     {
       vtkAssemblyNode* const last = path->GetLastNode();
-      vtkActor* const actor = vtkActor::SafeDownCast(last->GetViewProp());
-      if (actor && actor->GetVisibility())
+      if (auto* const actor = vtkActor::SafeDownCast(last->GetViewProp()))
       {
-        this->AddProp(actor, last->GetMatrix(), leftOut);
+        const bool isShown = prop->GetVisibility() && actor->GetVisibility();
+        leftOut += isShown ? this->AddProp(actor, last->GetMatrix()) : 1;
       }
     }
   }
   return leftOut;
 }
 
-void vtkAssemblyIndex::AddProp(vtkActor* actor, vtkMatrix4x4* place, int& leftOut)
+int vtkAssemblyIndex::AddProp(vtkActor* actor, vtkMatrix4x4* place)
 {
-  vtkMapper* const mapper = actor->GetMapper();
-  vtkDataObject* data = nullptr;
-  if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
+  std::vector<vitrine::DrawnData> drawn;
+  vitrine::ForEachDrawn(actor, [&](const vitrine::DrawnData& data) { drawn.push_back(data); });
+  const std::map<unsigned int, std::string> names = BlockNames(vitrine::BlocksOf(actor));
+  for (const vitrine::DrawnData& data : drawn)
   {
-    mapper->GetInputAlgorithm()->Update();
-    data = mapper->GetInputDataObject(0, 0);
+    const auto name = names.find(data.Block);
+    this->Private->Add(data.Data, place,
+      name != names.end() ? name->second : "actor " + std::to_string(this->GetNumberOfParts()),
+      actor, data.Block);
   }
-  if (auto* const geometry = vtkPolyData::SafeDownCast(data))
-  {
-    const std::string name = "actor " + std::to_string(this->GetNumberOfParts());
-    this->Private->Add(geometry, place, name, actor, 0);
-  }
-  else if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto each = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
-    {
-      if (auto* const block = vtkPolyData::SafeDownCast(each->GetCurrentDataObject()))
-      {
-        this->Private->Add(block, place, BlockName(each), actor, each->GetCurrentFlatIndex());
-      }
-    }
-  }
-  else
-  {
-    ++leftOut;
-  }
+  return static_cast<int>(std::max<std::size_t>(names.size(), 1) - drawn.size());
 }
 
 int vtkAssemblyIndex::GetNumberOfParts() const
@@ -330,6 +344,10 @@ unsigned int vtkAssemblyIndex::GetPartBlock(int part)
 bool vtkAssemblyIndex::CastRay(
   const double origin[3], const double direction[3], double length, vtkTable* crossings)
 {
+  if (!this->IsThere(crossings))
+  {
+    return false;
+  }
   crossings->Initialize();
   auto* const parts = AddColumn<vtkIntArray>(crossings, "part");
   auto* const distances = AddColumn<vtkDoubleArray>(crossings, "distance");
@@ -360,6 +378,10 @@ bool vtkAssemblyIndex::CastRay(
 bool vtkAssemblyIndex::FindWalls(
   const double origin[3], const double direction[3], double length, vtkTable* walls)
 {
+  if (!this->IsThere(walls))
+  {
+    return false;
+  }
   walls->Initialize();
   auto* const parts = AddColumn<vtkIntArray>(walls, "part");
   auto* const starts = AddColumn<vtkDoubleArray>(walls, "start");
@@ -397,6 +419,10 @@ int vtkAssemblyIndex::FindNearest(const double point[3], double nearest[3])
 
 bool vtkAssemblyIndex::FindPartsInBox(const double bounds[6], bool isWholly, vtkIdList* parts)
 {
+  if (!this->IsThere(parts))
+  {
+    return false;
+  }
   parts->Reset();
   const vitrine::WideBox box{ { bounds[0], bounds[2], bounds[4] },
     { bounds[1], bounds[3], bounds[5] } };
@@ -413,6 +439,10 @@ bool vtkAssemblyIndex::FindPartsInBox(const double bounds[6], bool isWholly, vtk
 bool vtkAssemblyIndex::FindPartsInSphere(
   const double center[3], double radius, bool isWholly, vtkIdList* parts)
 {
+  if (!this->IsThere(parts))
+  {
+    return false;
+  }
   parts->Reset();
   if (!AreFinite(center, 3) || !std::isfinite(radius) || radius < 0.0)
   {
@@ -453,6 +483,10 @@ double vtkAssemblyIndex::GetDefaultTolerance()
 
 bool vtkAssemblyIndex::FindClashes(double clearance, double tolerance, vtkTable* clashes)
 {
+  if (!this->IsThere(clashes))
+  {
+    return false;
+  }
   clashes->Initialize();
   auto* const firsts = AddColumn<vtkIntArray>(clashes, "first");
   auto* const seconds = AddColumn<vtkIntArray>(clashes, "second");

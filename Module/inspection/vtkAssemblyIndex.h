@@ -81,8 +81,10 @@ public:
   void AddAssembly(vtkAssemblyActors* actors);
 
   /**
-   * Add what the visible actors of a renderer draw by polygons: a part for each actor, and one for each block of
-   * composite data. Actors of other data are left out. Returns the number of those.
+   * Add what a renderer draws by polygons now: a part for each visible actor, and one for each visible block of
+   * composite data. Actors and blocks that are hidden, without points or of other data are left out. Returns the number
+   * of those. Caps of sections are no parts. Parts are whole also where a section cuts them. A null renderer is an
+   * error.
    */
   int AddActors(vtkRenderer* renderer);
 
@@ -114,7 +116,7 @@ public:
    * Find all that a ray passes through, in order. The table gets the columns "part", "distance" from the origin,
    * "position" (3 components), "cell" of the part's geometry, and "entering": 1 where the ray goes into a closed part,
    * or through the front of an open one, and 0 where it comes out. Returns false, after an error, if a number is not
-   * finite, the direction is 0 or the length is negative.
+   * finite, the direction is 0, the length is negative or there is no table.
    *
    * @param direction  of any length.
    * @param length     how far the ray goes. It may be infinite.
@@ -138,8 +140,8 @@ public:
   ///@{
   /**
    * Find the parts whose surface shares a point with a box (xmin, xmax, ymin, ymax, zmin, zmax) or a sphere, or those
-   * that lie in it wholly. Returns false, after an error, if a number is not finite, the box is empty or the radius is
-   * negative.
+   * that lie in it wholly. Returns false, after an error, if a number is not finite, the box is empty, the radius is
+   * negative or there is no list.
    */
   bool FindPartsInBox(const double bounds[6], bool isWholly, vtkIdList* parts);
   bool FindPartsInSphere(const double center[3], double radius, bool isWholly, vtkIdList* parts);
@@ -172,7 +174,8 @@ public:
    * and "inside": the number of the part that lies wholly in the other's solid without meeting its surface, or -1.
    *
    * Invokes vtkCommand::ProgressEvent with the share that is done. Returns false if AbortExecute was set by then, when
-   * the table has what was found so far, or, after an error, if a limit is negative or not finite.
+   * the table has what was found so far, or, after an error, if a limit is negative or not finite, or there is no
+   * table.
    */
   bool FindClashes(double clearance, double tolerance, vtkTable* clashes);
 
@@ -203,7 +206,8 @@ private:
   struct Content;
 
   bool IsPart(int part);
-  void AddProp(vtkActor* actor, vtkMatrix4x4* place, int& leftOut);
+  bool IsThere(const vtkObject* object);
+  int AddProp(vtkActor* actor, vtkMatrix4x4* place);
 
   vtkTypeBool AbortExecute = 0;
   std::unique_ptr<Content> Private;

@@ -99,7 +99,8 @@ class AssemblyIndex:
     A part is closed if each edge of its triangles has an even number of them. Only closed parts have walls, and an
     inside.
 
-    left_out is the number of actors of other data. index is the vtkAssemblyIndex.
+    left_out is the number of actors and blocks that are hidden, without points or of other data. Caps of sections are
+    no parts, and parts are whole where a section cuts them. index is the vtkAssemblyIndex.
 
     Raises:
         TypeError: the target is something else.

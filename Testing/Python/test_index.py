@@ -7,9 +7,10 @@ import unittest
 import numpy
 from machine import Files
 from scenes import window_with
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkPolyDataMapper, vtkRenderer
 
 import vitrine
 import vitrine._index
@@ -32,6 +33,19 @@ def machine(**centers):
         blocks.SetBlock(i, cube(x))
         blocks.GetMetaData(i).Set(blocks.NAME(), name)
     return vitrine.from_multiblock(blocks)
+
+
+class Messages:
+    """The errors of an object, which are not printed."""
+
+    def __init__(self, teller):
+        self.texts = []
+
+        def note(_teller, _event, text):
+            self.texts.append(text)
+
+        note.CallDataType = VTK_STRING
+        teller.AddObserver("ErrorEvent", note)
 
 
 class Measures(unittest.TestCase):
@@ -145,6 +159,23 @@ class Measures(unittest.TestCase):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 call()
 
+    def test_null_is_refused(self):
+        index = self.index.index
+        errors = Messages(index)
+        box, ray = (0, 1, 0, 1, 0, 1), ((-3, 0, 0), (1, 0, 0), 5.0)
+        told = [
+            index.AddActors(None),
+            index.CastRay(*ray, None),
+            index.FindWalls(*ray, None),
+            index.FindClashes(0, 0, None),
+            index.FindPartsInBox(box, False, None),
+            index.FindPartsInSphere((0, 0, 0), 1.0, False, None),
+        ]
+        self.assertEqual(told, [0, False, False, False, False, False])
+        self.assertEqual(len(errors.texts), 6)
+        self.assertIn("The renderer, the table or the list is null.", errors.texts[0])
+        self.assertEqual(index.GetNumberOfParts(), 4)
+
     def test_examples_of_the_help(self):
         self.assertEqual(doctest.testmod(vitrine._index).failed, 0)
 
@@ -177,6 +208,32 @@ class Shown(Files):
         self.assertEqual(index.parts, (first, (second, 1), (second, 3)))
         self.assertIs(index.nearest((4, 0, 0)).part, first)
         self.assertEqual(index.distance(first, (second, 3)).distance, 2)
+
+    def test_hidden_parts_and_caps_are_left_out(self):
+        """A vtkAssembly's actors are parts by themselves. Actors without points or without input are none."""
+        cut, hidden, empty, within = (vtkActor() for _ in range(4))
+        for actor, data in ((cut, cube(0)), (hidden, cube(3)), (empty, vtkPolyData()), (within, cube(6))):
+            actor.SetMapper(vtkPolyDataMapper())
+            actor.GetMapper().SetInputDataObject(data)
+        hidden.VisibilityOff()
+        without_input = vtkActor()
+        without_input.SetMapper(vtkPolyDataMapper())
+        group = vtkAssembly()
+        group.AddPart(within)
+        machine_of_blocks = machine(left=9, middle=12, right=15)
+        machine_of_blocks["middle"].visible = False
+        renderer = vtkRenderer()
+        for prop in (cut, hidden, empty, without_input, group):
+            renderer.AddViewProp(prop)
+        machine_of_blocks.add_to(renderer)
+        window = window_with(renderer)
+        with vitrine.section(renderer, "-z", (0, 0, 0)):
+            window.Render()
+            index = vitrine.AssemblyIndex(window)
+            self.assertGreater(renderer.GetViewProps().GetNumberOfItems(), 6)  # with caps
+        self.assertEqual(index.parts[:2], (cut, within))
+        self.assertEqual((len(index), index.left_out), (4, 4))
+        self.assertEqual([clash.kind for clash in index.clashes()], [])
 
 
 if __name__ == "__main__":
