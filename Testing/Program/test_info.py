@@ -45,6 +45,12 @@ class Info(FileTest):
         self.assertEqual(front, 3 * 256)
         self.assertLess(edge, front)
 
+    def test_layers_are_those_that_a_section_leaves(self):
+        half = info("demo:stack,layers=3", "--section", "1,0,0,0")["layers"]["fragments"]
+        self.assertEqual(half, 3 * 128)
+        layers = info("demo:stack,layers=3", "--section", "0,0,1,0")["layers"]
+        self.assertEqual((layers["layers_max"], layers["layers_mean"]), (2, 2.0))
+
     def test_opaque_scene_has_no_layers(self):
         layers = info(self.write("opaque.stl", scenes.binary_stl()))["layers"]
         self.assertEqual((layers["fragments"], layers["layers_max"]), (0, 0))

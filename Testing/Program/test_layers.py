@@ -35,6 +35,16 @@ class Layers(FileTest):
         self.assertEqual([layer["share"] for layer in told], [1, 0, 0, 0])
         self.assertEqual(told[0], seen[0])
 
+    def test_parts_have_one_name_in_all_commands(self):
+        path = self.write("boxes.stl", scenes.binary_stl())
+        told = self.layers(path, path, "--view", "90,0", "--at", "9,5", "--all")
+        listed = json.loads(run("info", path, path, "--size", "16x12", "--parts", "--json", "-").stdout)
+        clashes = json.loads(run("clash", path, path, "--json", "-").stdout)
+        names = [part["path"] for part in listed["part_list"]]
+        self.assertEqual(len(set(names)), 2)
+        self.assertEqual({layer["part"] for layer in told["layers"]}, set(names))
+        self.assertEqual(clashes["pairs"][0]["parts"], names)
+
     def test_text(self):
         result = run("layers", "demo:stack,layers=2", "--size", "16x12", "--at", "0,11")
         self.assert_done(result)

@@ -2,13 +2,13 @@
 
 #include "Progress.h"
 #include "commands/Options.h"
+#include "commands/PartIndex.h"
 #include "report/InfoReport.h"
 #include "scene/Viewpoint.h"
 
 #include "vtkCellArray.h"
 #include "vtkHeadlessRenderWindow.h"
 
-#include <map>
 #include <memory>
 
 namespace program
@@ -46,20 +46,17 @@ SceneInfo CountScene(const Scene& scene)
   return info;
 }
 
-/** The tree of all parts. Geometry that parts share is looked at once. */
+/** The tree of all parts, under the names and with the closedness that `clash` and `query` tell. */
 std::vector<PartInfo> ListParts(const Scene& scene)
 {
-  std::map<vtkPolyData*, bool> isClosed;
+  const vtkSmartPointer<vtkAssemblyIndex> index = MakePartIndex(scene);
   std::vector<PartInfo> parts;
   for (const Part& part : scene.Parts)
   {
-    auto [closed, isNew] = isClosed.try_emplace(part.Geometry, false);
-    if (isNew)
-    {
-      closed->second = IsClosed(part.Geometry);
-    }
-    parts.push_back({ PathOf(part), part.MaterialName, CountTriangles(part.Geometry),
-      part.Material->GetOpacity(), IsTranslucent(part), closed->second, PartBounds(part) });
+    const int number = static_cast<int>(parts.size());
+    parts.push_back({ index->GetPartName(number), part.MaterialName, CountTriangles(part.Geometry),
+      part.Material->GetOpacity(), IsTranslucent(part), index->GetPartIsClosed(number),
+      PartBounds(part) });
   }
   return parts;
 }

@@ -51,12 +51,13 @@ std::array<int, 2> ParsePixel(const std::string& text, PictureSize size)
 
 std::vector<LayerRow> ReadLayers(vtkLayerPicker* picker, const Scene& scene, const Stage& stage)
 {
+  const std::vector<std::string> paths = PartPaths(scene);
   std::vector<LayerRow> rows;
   for (vtkIdType i = 0; i < picker->GetNumberOfLayers(); ++i)
   {
     LayerRow row;
     const std::optional<std::size_t> part = stage.PartOf(picker->GetProp(i));
-    row.Part = part ? PathOf(scene.Parts[*part]) : "";
+    row.Part = part ? paths[*part] : "";
     row.Depth = picker->GetWindowDepth(i);
     row.Distance = picker->GetDistance(i);
     std::copy_n(picker->GetWorldPosition(i), 3, row.Position.begin());

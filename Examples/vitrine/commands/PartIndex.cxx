@@ -3,8 +3,6 @@
 #include "Core/assembly/PartPattern.h"
 #include "Errors.h"
 
-#include <map>
-
 namespace program
 {
 
@@ -17,19 +15,6 @@ vtkSmartPointer<vtkAssemblyIndex> MakePartIndex(const Scene& scene)
     index->AddPart(scene.Parts[i].Geometry, scene.Parts[i].Transform, paths[i]);
   }
   return index;
-}
-
-std::vector<std::string> PartPaths(const Scene& scene)
-{
-  std::map<std::string, int> counts;
-  std::vector<std::string> paths;
-  for (const Part& part : scene.Parts)
-  {
-    const std::string path = PathOf(part);
-    const int count = ++counts[path];
-    paths.push_back(count == 1 ? path : path + " (" + std::to_string(count) + ")");
-  }
-  return paths;
 }
 
 int FindPart(const Scene& scene, const std::string& option, const std::string& text)

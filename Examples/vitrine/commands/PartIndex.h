@@ -16,9 +16,6 @@ namespace program
 /** An index whose parts have the numbers of the scene's. */
 vtkSmartPointer<vtkAssemblyIndex> MakePartIndex(const Scene& scene);
 
-/** The paths of the scene's parts, with a number behind those that are there twice. */
-std::vector<std::string> PartPaths(const Scene& scene);
-
 /**
  * The number of the one part that has this path or name, or that a GLOB chooses. Throws InputError for none or several.
  * @param option  named in the error

@@ -5,9 +5,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
-#include "vtkFeatureEdges.h"
 #include "vtkNew.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPlane.h"
@@ -159,6 +157,19 @@ std::string PathOf(const Part& part)
   return part.Path.empty() ? "/" + part.Name : part.Path;
 }
 
+std::vector<std::string> PartPaths(const Scene& scene)
+{
+  std::map<std::string, int> counts;
+  std::vector<std::string> paths;
+  for (const Part& part : scene.Parts)
+  {
+    const std::string path = PathOf(part);
+    const int count = ++counts[path];
+    paths.push_back(count == 1 ? path : path + " (" + std::to_string(count) + ")");
+  }
+  return paths;
+}
+
 std::string PathStep(const std::string& name)
 {
   std::string step = "/" + name;
@@ -203,26 +214,6 @@ std::array<double, 6> SceneBounds(const Scene& scene)
 std::int64_t CountTriangles(vtkPolyData* geometry)
 {
   return CountFanTriangles(geometry->GetPolys()) + CountFanTriangles(geometry->GetStrips());
-}
-
-bool IsClosed(vtkPolyData* geometry)
-{
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(geometry->GetPoints());
-  surface->SetPolys(geometry->GetPolys());
-  surface->SetStrips(geometry->GetStrips());
-  vtkNew<vtkCleanPolyData> merge;
-  merge->SetInputData(surface);
-  merge->SetTolerance(0.0);
-  merge->ConvertPolysToLinesOff();
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputConnection(merge->GetOutputPort());
-  edges->FeatureEdgesOff();
-  edges->BoundaryEdgesOn();
-  edges->NonManifoldEdgesOn();
-  edges->ColoringOff();
-  edges->Update();
-  return CountTriangles(geometry) > 0 && edges->GetOutput()->GetNumberOfCells() == 0;
 }
 
 void DrawManyPartsAsBlocks(Scene& scene)

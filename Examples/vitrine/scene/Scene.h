@@ -115,8 +115,11 @@ struct Scene
     Sections; ///< planes (x, y, z, d), which keep points p with p . (x, y, z) >= d
 };
 
-/** The path of a part in the tree of its scene. */
+/** The path of a part in the tree of its scene. Several parts may have it: PartPaths() tells them apart. */
 std::string PathOf(const Part& part);
+
+/** The paths of the scene's parts, with a number behind each that others before it have. Reports name parts by it. */
+std::vector<std::string> PartPaths(const Scene& scene);
 
 /** A name as a step of a path: after a slash, without slashes of its own. */
 std::string PathStep(const std::string& name);
@@ -129,9 +132,6 @@ std::array<double, 6> SceneBounds(const Scene& scene);
 
 /** Triangles that the part's polygons and strips amount to. */
 std::int64_t CountTriangles(vtkPolyData* geometry);
-
-/** Whether each edge of the triangles has two of them, where points of one place are one. False without triangles. */
-bool IsClosed(vtkPolyData* geometry);
 
 /** Whether the part is drawn as translucent geometry. */
 bool IsTranslucent(const Part& part);
