@@ -44,12 +44,12 @@ from ._index import AssemblyIndex, Clash, Crossing, Distance, Nearest, Wall  # n
 from ._layers import Layer, Layers, Picked, layers_at, layers_in, pick  # noqa: E402
 from ._report import report  # noqa: E402
 from ._reveal import Faded, Reveal, reveal  # noqa: E402
-from ._section import Section, section  # noqa: E402
+from ._section import Section, SectionBox, section, section_box  # noqa: E402
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 from ._tree import Tree  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
 __all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Layer", "Layers", "Nearest", "Part"]
-__all__ += ["Picked", "Reveal", "Section", "SeeThrough", "Selection", "Stats", "Tree", "Wall"]
+__all__ += ["Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats", "Tree", "Wall"]
 __all__ += ["__version__", "from_multiblock", "layers_at", "layers_in", "load"]
-__all__ += ["pick", "report", "reveal", "section", "see_through", "stats"]
+__all__ += ["pick", "report", "reveal", "section", "section_box", "see_through", "stats"]

@@ -1,11 +1,11 @@
-"""Sections with caps: section() cuts what a target shows by a plane, and its handle moves or removes the plane."""
+"""Sections with caps: section() cuts what a target shows by a plane, section_box() by a box. Handles move them."""
 
 from __future__ import annotations
 
 import math
 import warnings
 import weakref
-from typing import Any, Iterable, Sequence
+from typing import Any, Iterable, Sequence, TypeVar
 
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPlane
@@ -18,6 +18,7 @@ from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkSection
 
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+_Handle = TypeVar("_Handle", bound="_Cut")
 HATCHES: tuple[str, ...] = ("none", "lines", "pairs", "dashes", "cross", "level", "dots")
 
 
@@ -73,11 +74,7 @@ def section(
     plane = vtkPlane()
     plane.SetNormal(_normal_of(normal))
     plane.SetOrigin(_point_of(origin) if origin is not None else _middle_of(renderers))
-    check_boolean("caps", caps)
-    if hatch is not None and hatch not in HATCHES:
-        raise ValueError(f"there is no hatch {hatch!r}: choose {', '.join(HATCHES)}")
-    if edges is not None and not (hasattr(edges, "__index__") and 0 <= edges <= 4):
-        raise ValueError(f"edges are from 0 to 4 pixels wide, not {edges!r}")
+    _check_look(caps, hatch, edges)
     if parts is not None and but is not None:
         raise ValueError("give either parts or but")
     chosen = _chosen_of(parts if parts is not None else but)
@@ -94,45 +91,70 @@ def section(
             found.SetParts(plane, vtkSection.ONLY_CHOSEN if parts is not None else vtkSection.ALL_BUT_CHOSEN)
         for prop, block in chosen:
             found.ChoosePart(plane, prop, block)
-        found.SetCaps(caps)
-        if hatch is not None:
-            found.SetHatch(HATCHES.index(hatch))
-        if edges is not None:
-            found.SetEdgeWidth(edges)
+        _set_look(found, caps, hatch, edges)
     handle = Section(target, plane, sections)
     handle._render()
     return handle
 
 
-class Section:
-    """The handle that section() returns: a plane. It keeps neither renderers nor windows alive."""
+def section_box(
+    target: Any,
+    bounds: Sequence[float],
+    *,
+    inside: bool = True,
+    caps: bool = True,
+    hatch: str | None = None,
+    edges: int | None = None,
+) -> SectionBox:
+    """Cut what `target` shows by the six faces of a box, and fill the cuts of closed parts, from its next frame on.
 
-    def __init__(self, target: Any, plane: vtkPlane, sections: Iterable[vtkSection]) -> None:
+    Args:
+        target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
+            renderers that it has now.
+        bounds: xmin, xmax, ymin, ymax, zmin and zmax of the box, in world coordinates.
+        inside: whether the inside of the box is kept. False keeps the outside.
+        caps, hatch, edges: as of section().
+
+    A target may have one box, besides the planes of section(). The box cuts all parts.
+
+    Returns:
+        A handle. move() moves the box, and remove() takes it away, as does leaving a `with`.
+
+    Raises:
+        TypeError: the target is of another kind.
+        ValueError: the bounds are no box, the hatch is unknown, or there is a box already.
+        RuntimeError: the plotter is closed.
+
+    Examples:
+
+    >>> from vtkmodules.vtkRenderingCore import vtkRenderer
+    >>> import vitrine
+    >>> renderer = vtkRenderer()
+    >>> with vitrine.section_box(renderer, (0, 1, 0, 1, 0, 2)) as cut:
+    ...     print(cut)
+    <SectionBox inside (0, 1, 0, 1, 0, 2)>
+    """
+    renderers = _renderers_of(target)
+    box = _box_of(bounds)
+    check_boolean("inside", inside)
+    _check_look(caps, hatch, edges)
+    sections = [_section_of(renderer) for renderer in renderers]
+    if any(found.HasBox() for found in sections):
+        raise ValueError("a target has one box at most: move or remove it")
+    for found in sections:
+        _set_look(found, caps, hatch, edges)
+    handle = SectionBox(target, box, inside, sections)
+    handle.move()
+    return handle
+
+
+class _Cut:
+    """What handles of planes and boxes have in common. They keep neither renderers nor windows alive."""
+
+    def __init__(self, target: Any, sections: Iterable[vtkSection]) -> None:
         plotter = _plotter_of(target)
         self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
-        self._plane = plane
         self._sections = list(sections)
-
-    @property
-    def normal(self) -> tuple[float, ...]:
-        """The normal of the plane. What lies on its side is kept."""
-        return tuple(self._plane.GetNormal())
-
-    @property
-    def origin(self) -> tuple[float, ...]:
-        """A point of the plane, in world coordinates."""
-        return tuple(self._plane.GetOrigin())
-
-    def move(self, normal: str | Sequence[float] | None = None, origin: Sequence[float] | None = None) -> None:
-        """Give the plane another normal or origin. None leaves it. A plotter on show is drawn at once.
-
-        Raises ValueError for a normal that is 0, and for numbers that are not finite.
-        """
-        new_normal = _normal_of(normal) if normal is not None else self.normal
-        new_origin = _point_of(origin) if origin is not None else self.origin
-        self._plane.SetNormal(new_normal)
-        self._plane.SetOrigin(new_origin)
-        self._render()
 
     @property
     def cut_parts(self) -> list[Any]:
@@ -169,13 +191,16 @@ class Section:
         return pairs
 
     def remove(self) -> None:
-        """Take the plane away. A plotter on show is drawn at once."""
+        """Take the plane or the box away. A plotter on show is drawn at once."""
         for found in self._sections:
-            found.RemovePlane(self._plane)
+            self._leave(found)
             if found.GetNumberOfPlanes() == 0 and not found.HasBox():
                 found.Detach()
         self._sections = []
         self._render()
+
+    def _leave(self, found: vtkSection) -> None:
+        raise NotImplementedError
 
     def _render(self) -> None:
         plotter = self._plotter()
@@ -187,17 +212,109 @@ class Section:
         for reason in {found.GetFallbackReason() for found in self._sections} - {""}:
             warnings.warn(f"caps cannot be drawn: {reason}", RuntimeWarning, stacklevel=3)
 
-    def __enter__(self) -> Section:
+    def __enter__(self: _Handle) -> _Handle:
         return self
 
     def __exit__(self, *_: object) -> None:
         self.remove()
+
+
+class Section(_Cut):
+    """The handle that section() returns: a plane. It keeps neither renderers nor windows alive."""
+
+    def __init__(self, target: Any, plane: vtkPlane, sections: Iterable[vtkSection]) -> None:
+        super().__init__(target, sections)
+        self._plane = plane
+
+    @property
+    def normal(self) -> tuple[float, ...]:
+        """The normal of the plane. What lies on its side is kept."""
+        return tuple(self._plane.GetNormal())
+
+    @property
+    def origin(self) -> tuple[float, ...]:
+        """A point of the plane, in world coordinates."""
+        return tuple(self._plane.GetOrigin())
+
+    def move(self, normal: str | Sequence[float] | None = None, origin: Sequence[float] | None = None) -> None:
+        """Give the plane another normal or origin. None leaves it. A plotter on show is drawn at once.
+
+        Raises ValueError for a normal that is 0, and for numbers that are not finite.
+        """
+        new_normal = _normal_of(normal) if normal is not None else self.normal
+        new_origin = _point_of(origin) if origin is not None else self.origin
+        self._plane.SetNormal(new_normal)
+        self._plane.SetOrigin(new_origin)
+        self._render()
+
+    def _leave(self, found: vtkSection) -> None:
+        found.RemovePlane(self._plane)
 
     def __repr__(self) -> str:
         if not self._sections:
             return "<Section, removed>"
         normal, origin = (", ".join(f"{value:g}" for value in vector) for vector in (self.normal, self.origin))
         return f"<Section normal ({normal}), origin ({origin})>"
+
+
+class SectionBox(_Cut):
+    """The handle that section_box() returns: a box. It keeps neither renderers nor windows alive."""
+
+    def __init__(
+        self, target: Any, bounds: tuple[float, ...], inside: bool, sections: Iterable[vtkSection]
+    ) -> None:
+        super().__init__(target, sections)
+        self._bounds = bounds
+        self._inside = inside
+
+    @property
+    def bounds(self) -> tuple[float, ...]:
+        """xmin, xmax, ymin, ymax, zmin and zmax of the box, in world coordinates."""
+        return self._bounds
+
+    @property
+    def inside(self) -> bool:
+        """Whether the inside of the box is kept, or its outside."""
+        return self._inside
+
+    def move(self, bounds: Sequence[float] | None = None, inside: bool | None = None) -> None:
+        """Give the box other bounds, or keep its other side. None leaves it. A plotter on show is drawn at once.
+
+        Raises ValueError for bounds that are no box.
+        """
+        box = _box_of(bounds) if bounds is not None else self._bounds
+        if inside is not None:
+            check_boolean("inside", inside)
+            self._inside = inside
+        self._bounds = box
+        for found in self._sections:
+            found.SetBox(*self._bounds, self._inside)
+        self._render()
+
+    def _leave(self, found: vtkSection) -> None:
+        found.RemoveBox()
+
+    def __repr__(self) -> str:
+        if not self._sections:
+            return "<SectionBox, removed>"
+        side = "inside" if self._inside else "outside"
+        return f"<SectionBox {side} ({', '.join(f'{value:g}' for value in self._bounds)})>"
+
+
+def _check_look(caps: bool, hatch: str | None, edges: int | None) -> None:
+    check_boolean("caps", caps)
+    if hatch is not None and hatch not in HATCHES:
+        raise ValueError(f"there is no hatch {hatch!r}: choose {', '.join(HATCHES)}")
+    if edges is not None and not (hasattr(edges, "__index__") and 0 <= edges <= 4):
+        raise ValueError(f"edges are from 0 to 4 pixels wide, not {edges!r}")
+
+
+def _set_look(found: vtkSection, caps: bool, hatch: str | None, edges: int | None) -> None:
+    found.SetCaps(caps)
+    if hatch is not None:
+        found.SetHatch(HATCHES.index(hatch))
+    if edges is not None:
+        found.SetEdgeWidth(edges)
 
 
 def _section_of(renderer: vtkRenderer) -> vtkSection:
@@ -239,6 +356,13 @@ def _point_of(point: Sequence[float]) -> tuple[float, float, float]:
     if len(values) != 3 or not all(map(math.isfinite, values)):
         raise ValueError(f"three finite numbers are needed, not {point!r}")
     return values[0], values[1], values[2]
+
+
+def _box_of(bounds: Sequence[float]) -> tuple[float, ...]:
+    box = tuple(float(value) for value in bounds)
+    if len(box) != 6 or not all(map(math.isfinite, box)) or any(box[i] >= box[i + 1] for i in (0, 2, 4)):
+        raise ValueError(f"a box has xmin < xmax, ymin < ymax, zmin < zmax, six finite numbers, not {bounds!r}")
+    return box
 
 
 def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:

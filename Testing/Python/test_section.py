@@ -479,6 +479,55 @@ class Frames(unittest.TestCase):
         section.RemoveBeyondAllOn()
         self.assertGreater((self.scene.picture() != 255).any(axis=1).sum(), 1.3 * quarter)
 
+    def test_a_box_is_cut_and_moved(self):
+        """Of a cube around the origin, a box keeps its own share, or all but that."""
+        mapper = vtkPolyDataMapper()
+        cube = vtkCubeSource()
+        mapper.SetInputConnection(cube.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        self.add(actor)
+        whole = self.scene.picture()
+        small, half = (-0.25, 0.25) * 3, (-1, 0, -1, 1, -1, 1)
+
+        def by_hand(*box):
+            section = vitrine.vtkSection()
+            section.SetBox(*box)
+            section.Attach(self.renderer)
+            picture = self.scene.picture()
+            section.Detach()
+            return picture
+
+        wanted = [by_hand(*small, True), by_hand(*half, True), by_hand(*half, False)]
+        self.assertFalse((wanted[0] == wanted[1]).all() or (wanted[1] == wanted[2]).all())
+        with vitrine.section_box(self.renderer, small) as cut:
+            self.assertTrue((self.scene.picture() == wanted[0]).all())
+            self.assertEqual((cut.cut_parts, cut.open_parts), ([actor], []))
+            cut.move(half)
+            self.assertTrue((self.scene.picture() == wanted[1]).all())
+            cut.move(inside=False)
+            self.assertTrue((self.scene.picture() == wanted[2]).all())
+            self.assertEqual((cut.bounds, cut.inside), (half, False))
+            with vitrine.section(self.renderer, "x", (0.25, 0, 0)):
+                self.assertFalse((self.scene.picture() == wanted[2]).all())
+            self.assertTrue((self.scene.picture() == wanted[2]).all())
+            with self.assertRaisesRegex(ValueError, "one box"):
+                vitrine.section_box(self.renderer, small)
+            with self.assertRaisesRegex(ValueError, "xmin < xmax"):
+                cut.move((1, 0, 0, 1, 0, 1))
+            self.assertEqual(cut.bounds, half)
+        self.assertTrue((self.scene.picture() == whole).all())
+        self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
+        for error, bounds, more in (
+            (ValueError, (0, 1), {}),
+            (ValueError, (0, 1, 0, 1, 0, float("inf")), {}),
+            (ValueError, small, {"hatch": "checks"}),
+            (TypeError, small, {"inside": 1}),
+        ):
+            with self.subTest(bounds=bounds, **more), self.assertRaises(error):
+                vitrine.section_box(self.renderer, bounds, **more)
+        self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
+
     def test_removal_puts_everything_back(self):
         self.add(ball())
         before = self.scene.picture()
