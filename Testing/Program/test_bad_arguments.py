@@ -65,6 +65,9 @@ class BadArguments(ProgramTest):
                 self.assert_refused(run("info", "demo:stack", f"--section={section}"), "--section", section)
         seven = ["--section=1,0,0,0"] * 7
         self.assert_refused(run("info", "demo:stack", *seven), "--section", "six planes")
+        for box in ("", "0,1,0,1,0", "0,1,0,1,0,1,0", "1,0,0,1,0,1", "0,1,0,1,1,1", "0,1,0,inf,0,1", "0,1,0,x,0,1"):
+            with self.subTest(box=box):
+                self.assert_refused(run("info", "demo:stack", f"--section-box={box}"), "--section-box", box)
 
     def test_view(self):
         for view in (

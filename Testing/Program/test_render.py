@@ -103,6 +103,15 @@ class Render(FileTest):
         self.assertGreater(counts[0], counts[1])
         self.assertGreater(counts[1], counts[2])
 
+    def test_a_box_is_what_six_planes_are(self):
+        path = self.write("boxes.glb", scenes.glb())
+        look = ("--opacity", "*=1", "--size", "32x32", "--view", "30,40")
+        whole = self.render(path, *look)
+        planes = ("1,0,0,-0.25", "-1,0,0,-0.5", "0,1,0,-1", "0,-1,0,-0.25", "0,0,1,-1", "0,0,-1,-0.5")
+        cut = self.render(path, *(f"--section={plane}" for plane in planes), *look)
+        self.assertEqual(self.render(path, "--section-box=-0.25,0.5,-1,0.25,-1,0.5", *look), cut)
+        self.assertNotEqual(cut, whole)
+
     def test_nothing_but_the_picture_is_written(self):
         self.render("demo:stack,layers=2", "--size", "8x8")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["picture.png"])

@@ -206,6 +206,10 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
   AddPartOption(command, "--section", options.Sections, "NX,NY,NZ,D",
     "cut by a plane that keeps the points p with p . (NX,NY,NZ) >= D, and fill the cuts; up to "
     "six");
+  command
+    .add_option(
+      "--section-box", options.SectionBox, "cut by a box that keeps its inside, and fill the cuts")
+    ->type_name("XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX");
   AddReadingOptions(command, options.Reading);
   command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
@@ -336,6 +340,19 @@ std::array<double, 4> ParseSection(const std::string& text)
   return { numbers[0], numbers[1], numbers[2], numbers[3] };
 }
 
+std::array<double, 6> ParseSectionBox(const std::string& text)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  std::array<double, 6> box{};
+  std::copy_n(numbers.begin(), std::min(numbers.size(), box.size()), box.begin());
+  if (numbers.size() != box.size() || !(box[0] < box[1] && box[2] < box[3] && box[4] < box[5]))
+  {
+    throw InputError("--section-box",
+      "'" + text + "' is not XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX, each MIN below its MAX");
+  }
+  return box;
+}
+
 Coincidence ParseCoincidence(const std::optional<std::string>& text)
 {
   if (!text)
@@ -377,6 +394,10 @@ Scene LoadScene(const SceneOptions& options)
   for (const std::string& section : options.Sections)
   {
     scene.Sections.push_back(ParseSection(section));
+  }
+  if (options.SectionBox)
+  {
+    scene.SectionBox = ParseSectionBox(*options.SectionBox);
   }
   if (scene.Sections.size() > static_cast<std::size_t>(vtkSection::GetMaximumNumberOfPlanes()))
   {

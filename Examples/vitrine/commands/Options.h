@@ -31,6 +31,7 @@ struct SceneOptions
   std::optional<std::string> ColorBy;
   bool HasScalarBar = false;
   std::vector<std::string> Sections; ///< "NX,NY,NZ,D"
+  std::optional<std::string> SectionBox;
   ReadingOptions Reading;
   int Multisamples = 0;
 };
@@ -104,6 +105,9 @@ View ParseView(const std::string& text);
 
 /** "NX,NY,NZ,D". Throws InputError for anything else. */
 std::array<double, 4> ParseSection(const std::string& text);
+
+/** Read "XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX". Throws InputError if it is not a box. */
+std::array<double, 6> ParseSectionBox(const std::string& text);
 
 /** "STEPS[,SLOPE]", or no tolerance. Throws InputError for anything else. */
 Coincidence ParseCoincidence(const std::optional<std::string>& text);

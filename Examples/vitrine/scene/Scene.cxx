@@ -307,7 +307,7 @@ void CutSections(const Scene& scene, vtkRenderer* renderer)
   {
     former->Detach();
   }
-  if (scene.Sections.empty())
+  if (scene.Sections.empty() && !scene.SectionBox)
   {
     return;
   }
@@ -319,6 +319,11 @@ void CutSections(const Scene& scene, vtkRenderer* renderer)
     plane->SetNormal(x, y, z);
     plane->SetOrigin(share * x, share * y, share * z);
     section->AddPlane(plane);
+  }
+  if (scene.SectionBox)
+  {
+    const auto [xmin, xmax, ymin, ymax, zmin, zmax] = *scene.SectionBox;
+    section->SetBox(xmin, xmax, ymin, ymax, zmin, zmax, /* keepInside= */ true);
   }
   section->Attach(renderer);
 }

@@ -113,6 +113,8 @@ struct Scene
   ScalarBar Bar;
   std::vector<std::array<double, 4>>
     Sections; ///< planes (x, y, z, d), which keep points p with p . (x, y, z) >= d
+  std::optional<std::array<double, 6>>
+    SectionBox; ///< of which the inside is kept: xmin, xmax, ymin, ymax, zmin, zmax
 };
 
 /** The path of a part in the tree of its scene. Several parts may have it: PartPaths() tells them apart. */
