@@ -23,7 +23,7 @@ namespace vitrine
 namespace
 {
 
-/** Parts are read anew if more corners than these are of parts that have changed since. */
+/** Parts are read anew if more corners than these are of parts that have changed since, or whose data are gone. */
 constexpr std::size_t MostStaleCorners = 1 << 20;
 
 /** Parts are read anew if more than these, and half of all, are no longer drawn. */
@@ -56,7 +56,7 @@ void CutParts::Update(
   const std::vector<CutPart> before = std::move(this->Cut);
   const std::uint64_t generation = this->GenerationNumber;
   if (this->HasManyGone ||
-    this->StaleCorners > std::max(MostStaleCorners, this->AllCorners.size() / 2))
+    this->CountStaleCorners() > std::max(MostStaleCorners, this->AllCorners.size() / 2))
   {
     this->Forget();
   }
@@ -222,6 +222,16 @@ bool CutParts::Contains(const CutPart& part, const glm::dvec3& point) const
     isInside = isInside != (isCrossed && slope != 0.0 && glm::dot(a, normal) / slope > 0.0);
   }
   return isInside;
+}
+
+std::size_t CutParts::CountStaleCorners() const
+{
+  std::size_t count = this->StaleCorners;
+  for (const auto& known : this->KnownParts)
+  {
+    count += known.second.Data ? 0 : known.second.CornerCount;
+  }
+  return count;
 }
 
 void CutParts::Forget()

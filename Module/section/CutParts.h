@@ -102,14 +102,15 @@ private:
   void Look(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& toWorld,
     const SectionPlanes& planes, const MasksOf& masksOf);
   const Known& Read(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& toWorld);
+  std::size_t CountStaleCorners() const;
   void Forget();
 
   std::vector<CutPart> Cut;
   std::map<Key, Known> KnownParts;
   std::vector<CutVertex> AllVertices;
   std::vector<std::uint32_t> AllCorners;
-  std::size_t StaleCorners = 0;
-  bool HasManyGone = false; ///< most of the known parts are no longer drawn
+  std::size_t StaleCorners = 0; ///< of parts that have changed
+  bool HasManyGone = false;     ///< most of the known parts are no longer drawn
   glm::dvec3 Middle{ 0.0 };
   std::uint32_t NextSlot = 1;
   std::uint64_t GenerationNumber = 1;
