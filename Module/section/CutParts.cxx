@@ -1,6 +1,6 @@
 #include "section/CutParts.h"
 
-#include "Core/section/ClosedMesh.h"
+#include "Core/geometry/ClosedMesh.h"
 #include "scene/Matrices.h"
 #include "scene/PartNumbers.h"
 #include "section/CapActor.h"

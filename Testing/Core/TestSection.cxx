@@ -1,4 +1,4 @@
-#include "Core/section/ClosedMesh.h"
+#include "Core/geometry/ClosedMesh.h"
 #include "Core/section/CutPolygon.h"
 
 #include <gtest/gtest.h>

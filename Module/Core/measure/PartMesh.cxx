@@ -1,5 +1,6 @@
 #include "Core/measure/PartMesh.h"
 
+#include "Core/geometry/ClosedMesh.h"
 #include "Core/geometry/Finite.h"
 #include "Core/measure/TriangleGap.h"
 #include "Core/octree/OctreeQueries.h"
@@ -56,32 +57,6 @@ void ForEachTriangle(const Octree& tree, const Order& order, Enters enters, Visi
   WalkFrontToBack(tree, order, visitor);
 }
 
-std::vector<std::uint32_t> EqualPoints(const std::vector<glm::dvec3>& points)
-{
-  const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
-  {
-    const glm::dvec3& p = points[a];
-    const glm::dvec3& q = points[b];
-    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z != q.z ? p.z < q.z : a < b;
-  };
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-  {
-    if (IsFinite(points[i]))
-    {
-      order.push_back(i);
-    }
-  }
-  std::sort(order.begin(), order.end(), isBefore);
-  std::vector<std::uint32_t> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool isRepeated = i > 0 && points[order[i]] == points[order[i - 1]];
-    first[order[i]] = isRepeated ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
-
 std::uint32_t RootOf(std::vector<std::uint32_t>& parents, std::uint32_t i)
 {
   while (parents[i] != i)
@@ -96,7 +71,7 @@ std::uint32_t RootOf(std::vector<std::uint32_t>& parents, std::uint32_t i)
 
 PartMesh::PartMesh(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners)
 {
-  const std::vector<std::uint32_t> first = EqualPoints(points);
+  const std::vector<std::uint32_t> first = FirstOfEqualPoints(points);
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> numbers(points.size(), unused);
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
@@ -154,8 +129,7 @@ const PartMesh::Detail& PartMesh::Details() const
 PartMesh::Detail PartMesh::FindDetails() const
 {
   Detail detail;
-  std::vector<std::uint64_t> edges;
-  edges.reserve(this->Corners.size());
+  detail.Closed = HasEvenEdges(this->Corners);
   std::vector<std::uint32_t> parents(this->Places.size());
   std::iota(parents.begin(), parents.end(), 0u);
   for (std::uint32_t i = 0; i < this->TriangleCount(); ++i)
@@ -163,20 +137,8 @@ PartMesh::Detail PartMesh::FindDetails() const
     const std::uint32_t* const corners = this->CornersOf(i);
     for (int k = 0; k < 3; ++k)
     {
-      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-      edges.push_back((std::uint64_t{ low } << 32) | high);
       parents[RootOf(parents, corners[k])] = RootOf(parents, corners[(k + 1) % 3]);
     }
-  }
-  std::sort(edges.begin(), edges.end());
-  detail.Closed = !edges.empty();
-  for (std::size_t i = 0, end = 0; i < edges.size() && detail.Closed; i = end)
-  {
-    for (end = i; end < edges.size() && edges[end] == edges[i];)
-    {
-      ++end;
-    }
-    detail.Closed = (end - i) % 2 == 0;
   }
   constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> pieceOfRoot(this->Places.size(), unknown);
