@@ -332,7 +332,8 @@ class Frames(unittest.TestCase):
             self.scene.picture()
             self.assertGreater(handle.stats().culled_parts, 5)
 
-    def test_blocks_are_chosen_one_by_one(self):
+    def add_two_balls(self):
+        """Add an assembly of two balls, left and right, which are blocks of one actor, and a part beside it."""
         blocks = vtkMultiBlockDataSet()
         for i, x in enumerate((-0.6, 0.6)):
             source = vtkSphereSource()
@@ -342,6 +343,10 @@ class Frames(unittest.TestCase):
         machine = vitrine.from_multiblock(blocks)
         machine.add_to(self.renderer)
         self.add()
+        return machine
+
+    def test_blocks_are_chosen_one_by_one(self):
+        machine = self.add_two_balls()
         actors = [actor for actor in self.renderer.GetViewProps() if machine.part_of(actor, 1)]
         whole = self.scene.picture().reshape(SIZE, SIZE, 3)
         with vitrine.section(self.renderer, "y", (0, 0.2, 0), parts=machine.parts[0]) as cut:
@@ -353,15 +358,7 @@ class Frames(unittest.TestCase):
 
     def test_masks_of_blocks_follow_the_context(self):
         """A window that is finalized and drawn again has another context, in which names of buffers are others'."""
-        blocks = vtkMultiBlockDataSet()
-        for i, x in enumerate((-0.6, 0.6)):
-            source = vtkSphereSource()
-            source.SetCenter(x, 0, 0)
-            source.Update()
-            blocks.SetBlock(i, source.GetOutput())
-        machine = vitrine.from_multiblock(blocks)
-        machine.add_to(self.renderer)
-        self.add()
+        machine = self.add_two_balls()
         with vitrine.section(self.renderer, "y", (0, 0.2, 0), parts=machine.parts[0], caps=False):
             before = self.scene.picture()
             for _ in range(2):
