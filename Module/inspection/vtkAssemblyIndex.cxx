@@ -264,7 +264,7 @@ void vtkAssemblyIndex::AddAssembly(vtkAssemblyActors* actors)
   for (int part = 0; actors && part < actors->GetNumberOfParts(); ++part)
   {
     this->Private->Add(actors->GetPartGeometry(part), actors->GetPartPlace(part),
-      actors->GetPartName(part), nullptr, 0);
+      actors->GetPartName(part), actors->GetPartActor(part), actors->GetPartBlock(part));
   }
 }
 

@@ -105,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Get the actor that a part was added from, and the flat index of its block, which is 0 for a whole actor. They are
-   * null and 0 for other parts.
+   * Get the actor that a part was added from, or that drew it for its assembly when it was added, and the flat index of
+   * its block, which is 0 for a whole actor. They are null and 0 for other parts, and null for actors that are gone.
    */
   vtkActor* GetPartActor(int part);
   unsigned int GetPartBlock(int part);

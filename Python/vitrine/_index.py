@@ -5,15 +5,16 @@ from __future__ import annotations
 import dataclasses
 import math
 import numbers
-from typing import Any, Callable, Iterable, Sequence
+from typing import Any, Callable, Sequence
 
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 from vtkmodules.vtkCommonCore import vtkCommand, vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkTable
-from vtkmodules.vtkRenderingCore import vtkActor
+from vtkmodules.vtkRenderingCore import vtkProp
 
-from ._assembly import Assembly, Part
-from ._options import check_boolean
+from ._assembly import Assembly
+from ._options import check_boolean, finite_numbers
+from ._parts import WHOLE, Chosen, choose, flat, named, shown_assemblies
 from ._see_through import _renderers_of
 from .vtkVitrineRendering import vtkAssemblyIndex
 
@@ -90,9 +91,9 @@ class AssemblyIndex:
     """Measures between the shapes of parts, without drawing. It needs numpy.
 
     The parts are those of an Assembly, or what a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter shows by polygons:
-    actors, and (actor, block) for each block of composite data, where block is its flat index. `parts` has them all.
-    Where a method takes a part, it may also be its number in `parts`. For an Assembly, it may be a pattern that chooses
-    one part.
+    the Part that an assembly's actor shows, other actors, and (actor, block) for each block of composite data, where
+    block is its flat index. `parts` has them all. Where a method takes a part, it may be one of these, its number in
+    `parts`, or a Selection or a pattern that chooses one part.
 
     Lengths and points are those of the world. The index keeps copies: make a new one if parts have changed or moved.
 
@@ -115,20 +116,25 @@ class AssemblyIndex:
     ...     print(clash.parts[0].name, clash.parts[1].name, clash.depth)
     """
 
-    __slots__ = ("_assembly", "index", "left_out", "parts")
+    __slots__ = ("_assemblies", "_known", "index", "left_out", "parts")
 
     def __init__(self, target: Any) -> None:
         self.index = vtkAssemblyIndex()
         self.left_out = 0
-        self._assembly = target if isinstance(target, Assembly) else None
         self.parts: tuple[Any, ...]
-        if self._assembly is not None:
-            self.index.AddAssembly(self._assembly.actors)
-            self.parts = self._assembly.parts
+        if isinstance(target, Assembly):
+            self._assemblies = [target]
+            self.index.AddAssembly(target.actors)
+            self.parts = target.parts
         else:
-            for renderer in _renderers_of(target):
+            renderers = _renderers_of(target)
+            self._assemblies = shown_assemblies(renderers)
+            for renderer in renderers:
                 self.left_out += self.index.AddActors(renderer)
-            self.parts = tuple(self._shown_part(i) for i in range(self.index.GetNumberOfParts()))
+            count = self.index.GetNumberOfParts()
+            drawn = ((self.index.GetPartActor(i), self.index.GetPartBlock(i)) for i in range(count))
+            self.parts = tuple(named(actor, block) for actor, block in drawn)
+        self._known = {_key(part): number for number, part in reversed(list(enumerate(self.parts)))}
         if not self.parts:
             raise ValueError("there are no parts to measure: nothing is shown by polygons")
 
@@ -191,7 +197,7 @@ class AssemblyIndex:
         """The part whose surface is nearest to a point."""
         import numpy
 
-        where = _numbers("point", point, 3)
+        where = finite_numbers("point", point, 3)
         found = [0.0, 0.0, 0.0]
         part = self.index.FindNearest(where, found)
         if part < 0:
@@ -207,7 +213,7 @@ class AssemblyIndex:
             wholly: whether to list only parts that lie in it wholly.
         """
         check_boolean("wholly", wholly)
-        box = _numbers("bounds", bounds, 6)
+        box = finite_numbers("bounds", bounds, 6)
         if any(box[i] > box[i + 1] for i in (0, 2, 4)):
             raise ValueError(f"bounds are xmin, xmax, ymin, ymax, zmin, zmax, not {bounds!r}")
         found = vtkIdList()
@@ -221,7 +227,7 @@ class AssemblyIndex:
         check_boolean("wholly", wholly)
         found = vtkIdList()
         self.index.FindPartsInSphere(
-            _numbers("center", center, 3), _length("radius", radius), wholly, found
+            finite_numbers("center", center, 3), _length("radius", radius), wholly, found
         )
         return self._listed(found)
 
@@ -257,8 +263,12 @@ class AssemblyIndex:
             progress: is called with the share that is done, from 0 to 1. If it returns False, the work ends.
 
         Raises:
+            TypeError: an argument is of another kind.
+            ValueError: a length is negative or not finite.
             InterruptedError: progress() returned False.
         """
+        if progress is not None and not callable(progress):
+            raise TypeError(f"progress is called with a share, so it is a function, not {progress!r}")
         limits = (
             _length("clearance", clearance),
             self.index.GetDefaultTolerance() if tolerance is None else _length("tolerance", tolerance),
@@ -297,61 +307,64 @@ class AssemblyIndex:
             )
         ]
 
-    def sees(self, first: Any, second: Any, *, through: Iterable[Any] = ()) -> bool:
+    def sees(self, first: Any, second: Any, *, through: Any = ()) -> bool:
         """False only if it is sure that two parts do not see each other: a surface of other parts, without a hole or an
         edge there, lies between their boxes.
 
         Args:
-            through: parts that do not block the view, as if of glass.
+            through: parts that do not block the view, as if of glass: one, or several by a Selection, a pattern such as
+                "housing*", or an iterable.
         """
         glass = vtkIdList()
-        for part in through:
-            glass.InsertNextId(self._number(part))
+        for part in self._numbers("through", through):
+            glass.InsertNextId(part)
         return self.index.MaySee(self._number(first), self._number(second), glass)
-
-    def _shown_part(self, number: int) -> Any:
-        actor, block = self.index.GetPartActor(number), self.index.GetPartBlock(number)
-        return (actor, block) if block else actor
 
     def _listed(self, found: vtkIdList) -> list[Any]:
         return [self.parts[found.GetId(i)] for i in range(found.GetNumberOfIds())]
 
     def _number(self, part: Any) -> int:
-        """The number of a part."""
-        if isinstance(part, numbers.Integral) and not isinstance(part, bool):
-            if not 0 <= part < len(self):
-                raise IndexError(f"there is no part {part}: there are {len(self)}")
-            return int(part)
-        if isinstance(part, str) and self._assembly is not None:
-            chosen = self._assembly[part].numbers
-            if len(chosen) > 1:
-                raise ValueError(f"{part!r} chooses {len(chosen)} parts: name one, or give its number")
-            return chosen[0]
-        if isinstance(part, Part) and self._assembly is not None:
-            if part.number < len(self) and self.parts[part.number] == part:
-                return part.number
-        elif isinstance(part, (tuple, vtkActor)):
-            for number, known in enumerate(self.parts):
-                if known is part or (isinstance(known, tuple) and known == part):
-                    return number
-        raise KeyError(f"{part!r} is no part of this index")
+        """The number of what names one part."""
+        found = self._numbers("part", part)
+        if len(found) != 1:
+            raise ValueError(f"{part!r} chooses {len(found)} parts: name one, or give its number")
+        return found[0]
+
+    def _numbers(self, argument: str, parts: Any) -> list[int]:
+        """The numbers of what names parts, in which numbers name themselves."""
+        found: list[int] = []
+        for item in flat(parts):
+            if isinstance(item, numbers.Integral) and not isinstance(item, bool):
+                if not 0 <= item < len(self):
+                    raise IndexError(f"there is no part {item}: there are {len(self)}")
+                found.append(int(item))
+            else:
+                for chosen in choose(argument, item, self._assemblies):
+                    found += self._numbers_of(chosen)
+        return found
+
+    def _numbers_of(self, chosen: Chosen) -> list[int]:
+        number = self._known.get(_key(chosen.named))
+        if number is not None:
+            return [number]
+        drawn = range(len(self)) if chosen.block == WHOLE else ()
+        found = [number for number in drawn if self.index.GetPartActor(number) is chosen.prop]
+        if not found:
+            raise KeyError(f"{chosen.named!r} is no part of this index")
+        return found
+
+
+def _key(part: Any) -> Any:
+    """What tells apart the things that are named parts: an actor by itself, and a Part by its identity."""
+    if isinstance(part, tuple):
+        return (part[0].__this__, part[1])
+    return part.__this__ if isinstance(part, vtkProp) else id(part)
 
 
 def _column(table: vtkTable, name: str) -> Any:
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     return vtk_to_numpy(table.GetColumnByName(name)).copy()
-
-
-def _numbers(name: str, values: Any, count: int) -> list[float]:
-    wanted = f"{name} has {count} finite numbers"
-    try:
-        found = [float(value) for value in values]
-    except (TypeError, ValueError):
-        raise TypeError(f"{wanted}, not {values!r}") from None
-    if len(found) != count or not all(math.isfinite(value) for value in found):
-        raise ValueError(f"{wanted}, not {values!r}")
-    return found
 
 
 def _length(name: str, value: Any, most: float = math.inf) -> float:
@@ -363,9 +376,9 @@ def _length(name: str, value: Any, most: float = math.inf) -> float:
 
 
 def _ray(origin: Any, direction: Any, length: Any) -> tuple[list[float], list[float], float]:
-    along = _numbers("direction", direction, 3)
+    along = finite_numbers("direction", direction, 3)
     if not any(along):
         raise ValueError(f"direction may not be 0, but is {direction!r}")
     if length != math.inf:
         _length("length", length)
-    return _numbers("origin", origin, 3), along, float(length)
+    return finite_numbers("origin", origin, 3), along, float(length)

@@ -10,8 +10,9 @@ from typing import Any
 
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from ._assembly import Assembly, Part
+from ._assembly import Part
 from ._options import check_boolean
+from ._parts import part_of
 from ._see_through import _renderers_of
 from .vtkVitrineRendering import vtkLayerPicker
 
@@ -89,15 +90,15 @@ class Layers:
 
     def actor(self, number: int) -> Any:
         """The prop of a number, or None if it is gone, or if there is no such number."""
-        return self._picker.GetPropOfPart(operator.index(number))
+        return self._picker.GetPropOfPart(index) if (index := _part_number(number)) is not None else None
 
     def block(self, number: int) -> int:
         """The flat index of the block of a number, 0 for props without blocks."""
-        return self._picker.GetBlockOfPart(operator.index(number))
+        return self._picker.GetBlockOfPart(index) if (index := _part_number(number)) is not None else 0
 
     def part(self, number: int) -> Part | None:
         """The part of an assembly that a number stands for, or None."""
-        return _part_of(self.actor(number), self.block(number))
+        return part_of(self.actor(number), self.block(number))
 
     def __repr__(self) -> str:
         return f"<Layers of {self.width}x{self.height} pixels, {len(self.numbers)} in all>"
@@ -219,7 +220,7 @@ def _layer(picker: vtkLayerPicker, i: int, cells: bool) -> Layer:
     actor, block = picker.GetProp(i), picker.GetBlock(i)
     cell = picker.GetCellId(i) if cells else -1
     return Layer(
-        part=_part_of(actor, block),
+        part=part_of(actor, block),
         actor=actor,
         block=block,
         cell=cell if cell >= 0 else None,
@@ -234,13 +235,12 @@ def _layer(picker: vtkLayerPicker, i: int, cells: bool) -> Layer:
     )
 
 
-def _part_of(actor: Any, block: int) -> Part | None:
-    """The part of any assembly that an actor shows."""
-    for assembly in Assembly.living():
-        found = assembly.part_of(actor, block) if actor is not None else None
-        if found is not None:
-            return found
-    return None
+def _part_number(number: Any) -> int | None:
+    """The number of a part, or None if no part can have it."""
+    if isinstance(number, bool) or not hasattr(number, "__index__"):
+        raise TypeError(f"the number of a part is one of Layers.numbers, not {number!r}")
+    index = operator.index(number)
+    return index if 0 <= index < 2**32 else None
 
 
 def _whole(name: str, value: Any) -> int:

@@ -59,6 +59,18 @@ def make_pass(
     return whole
 
 
+def finite_numbers(argument: str, values: Any, count: int) -> list[float]:
+    """So many finite numbers, or an exception that names the argument."""
+    wanted = f"{argument} has {count} finite numbers"
+    try:
+        found = [float(value) for value in values]
+    except (TypeError, ValueError):
+        raise TypeError(f"{wanted}, not {values!r}") from None
+    if len(found) != count or not all(math.isfinite(value) for value in found):
+        raise ValueError(f"{wanted}, not {values!r}")
+    return found
+
+
 def check_boolean(argument: str, value: Any) -> None:
     if not isinstance(value, bool):
         raise TypeError(f"{argument} is True or False, not {value!r}")

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import numbers
-import operator
 import weakref
-from typing import Any, Iterator
+from typing import Any
 
 from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
 
-from ._assembly import Assembly, Part, Selection
-from ._layers import _part_of
+from ._assembly import Part
 from ._options import check_boolean
+from ._parts import WHOLE, block_count, choose, part_of, shown_assemblies
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkReveal
 
@@ -47,8 +46,9 @@ def reveal(
 
     Args:
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter that has drawn a frame.
-        part: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an Assembly; or a
-            pattern that chooses parts of the assemblies in the target by name, such as "gear_17".
+        part: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an Assembly; a
+            pattern that chooses parts of the assemblies in the target by name, such as "gear_17"; or an iterable of
+            these.
         share: the share of the part's light that passes what is in front, in each of its pixels: 0.01 to 1.
         follow: whether opacities follow the camera before each frame. They then change by 0.05 at most for each degree,
             but where the share asks for more.
@@ -67,7 +67,9 @@ def reveal(
     share = _number("share", share, _LEAST_SHARE)
     least_opacity = _number("least_opacity", least_opacity, 0.0)
     renderers = _renderers_of(target)
-    shown = list(_props_of(part, renderers))
+    shown = _shown(part, renderers)
+    if not shown:
+        raise ValueError("part names no part: an empty Selection or iterable was given")
     renderer = next((found for found in renderers if _has(found, shown)), None)
     if renderer is None:
         raise ValueError("the part is in no renderer of the target: add it first")
@@ -126,7 +128,7 @@ class Reveal:
         for i in range(self._reveal.GetNumberOfFadedParts()):
             actor, block = self._reveal.GetFadedProp(i), self._reveal.GetFadedBlock(i)
             opacities = self._reveal.GetFadedOpacity(i), self._reveal.GetOriginalOpacity(i)
-            found.append(Faded(_part_of(actor, block), actor, block, *opacities))
+            found.append(Faded(part_of(actor, block), actor, block, *opacities))
         return found
 
     @property
@@ -181,50 +183,14 @@ def _number(argument: str, value: Any, least: float) -> float:
     return float(value)
 
 
-def _props_of(part: Any, renderers: list[vtkRenderer]) -> Iterator[tuple[vtkProp, int]]:
-    """The props and blocks that draw a part, as reveal() takes it."""
-    if isinstance(part, vtkProp):
-        yield part, 0
-    elif isinstance(part, tuple) and len(part) == 2 and isinstance(part[0], vtkProp):
-        block = operator.index(part[1])
-        if block < 0:
-            raise ValueError(f"the flat index of a block is 0 or more, not {block}")
-        yield part[0], block
-    elif isinstance(part, Selection):
-        yield from (_drawn_by(part._assembly, number) for number in part.numbers)
-    elif isinstance(part, Part):
-        yield from (_drawn_by(assembly, part.number) for assembly in _assemblies_of(part))
-    elif isinstance(part, str):
-        yield from _named(part, renderers)
-    else:
-        raise TypeError(
-            "part is an actor, a pair of an actor and a block, a Part, a Selection or a pattern of names, "
-            f"not {part!r}"
-        )
-
-
-def _named(pattern: str, renderers: list[vtkRenderer]) -> Iterator[tuple[vtkProp, int]]:
-    found = False
-    for assembly in Assembly.living():
-        shown = len(assembly) > 0 and any(_has(renderer, [_drawn_by(assembly, 0)]) for renderer in renderers)
-        if shown and pattern in assembly:
-            found = True
-            yield from (_drawn_by(assembly, number) for number in assembly[pattern].numbers)
-    if not found:
-        raise KeyError(f"no part of an assembly in the target matches {pattern!r}")
-
-
-def _assemblies_of(part: Part) -> list[Assembly]:
-    found = [a for a in Assembly.living() if part.number < len(a) and a.parts[part.number] is part]
-    if not found:
-        raise ValueError(f"the assembly of {part.path!r} is gone")
-    return found
-
-
-def _drawn_by(assembly: Assembly, number: int) -> tuple[vtkProp, int]:
-    return assembly.actors.GetPartActor(number), assembly.actors.GetPartBlock(number)
+def _shown(part: Any, renderers: list[vtkRenderer]) -> list[tuple[vtkProp, int]]:
+    """The props that draw what reveal() takes as a part, and their blocks."""
+    shown = []
+    for chosen in choose("part", part, shown_assemblies(renderers)):
+        blocks = range(block_count(chosen.prop)) if chosen.block == WHOLE else (chosen.block,)
+        shown += [(chosen.prop, block) for block in blocks]
+    return shown
 
 
 def _has(renderer: vtkRenderer, shown: list[tuple[vtkProp, int]]) -> bool:
     return any(renderer.HasViewProp(prop) for prop, _ in shown)
-

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
+import numbers
 import warnings
 import weakref
 from typing import Any, Iterable, Sequence, TypeVar
 
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
-from ._assembly import Assembly, Part, Selection
-from ._layers import _part_of
-from ._options import check_boolean
+from ._options import check_boolean, finite_numbers
+from ._parts import WHOLE, Chosen, block_count, choose, named, shown_assemblies
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkSection
 
@@ -41,7 +41,7 @@ def section(
         normal: the side that is kept: "x", "y", "z", "-x", "-y", "-z" or a vector.
         origin: a point of the plane, in world coordinates. None stands for the middle of all that is shown.
         parts: the parts that the plane cuts: an actor, a pair of an actor and a block, a Part or a Selection of an
-            assembly, or an iterable of these. None stands for all.
+            assembly, a pattern of names such as "gear*", or an iterable of these. None stands for all.
         but: the parts that the plane leaves whole, instead of `parts`.
         caps: whether cuts are filled. It applies to all planes of the target.
         hatch: the hatch of caps: "none", "lines" (cast iron), "pairs" (steel), "dashes" (bronze, brass), "cross"
@@ -57,6 +57,7 @@ def section(
 
     Raises:
         TypeError: the target or a part is of another kind.
+        KeyError: a pattern chooses no part.
         ValueError: the normal is 0 or not finite, the hatch is unknown, there are six planes already, or a part is not
             shown by the target.
         RuntimeError: the plotter is closed.
@@ -77,11 +78,9 @@ def section(
     _check_look(caps, hatch, edges)
     if parts is not None and but is not None:
         raise ValueError("give either parts or but")
-    chosen = _chosen_of(parts if parts is not None else but)
+    chosen = _chosen_of(parts if parts is not None else but, renderers)
     if parts is not None and not chosen:
         raise ValueError("parts is empty, so the plane would cut nothing: leave it out to cut all parts")
-    for prop, block in chosen:
-        _check_chosen(renderers, prop, block)
     sections = [_section_of(renderer) for renderer in renderers]
     if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in sections):
         raise ValueError(f"a target has {vtkSection.GetMaximumNumberOfPlanes()} planes at most: remove one")
@@ -89,8 +88,8 @@ def section(
         found.AddPlane(plane)
         if parts is not None or but is not None:
             found.SetParts(plane, vtkSection.ONLY_CHOSEN if parts is not None else vtkSection.ALL_BUT_CHOSEN)
-        for prop, block in chosen:
-            found.ChoosePart(plane, prop, block)
+        for each in chosen:
+            found.ChoosePart(plane, each.prop, each.block)
         _set_look(found, caps, hatch, edges)
     handle = Section(target, plane, sections)
     handle._render()
@@ -202,6 +201,10 @@ class _Cut:
     def _leave(self, found: vtkSection) -> None:
         raise NotImplementedError
 
+    def _check_there(self) -> None:
+        if not self._sections:
+            raise RuntimeError("the section was removed, so it cannot move: make a new one")
+
     def _render(self) -> None:
         plotter = self._plotter()
         if plotter is not None and plotter.render_window is not None:
@@ -239,8 +242,9 @@ class Section(_Cut):
     def move(self, normal: str | Sequence[float] | None = None, origin: Sequence[float] | None = None) -> None:
         """Give the plane another normal or origin. None leaves it. A plotter on show is drawn at once.
 
-        Raises ValueError for a normal that is 0, and for numbers that are not finite.
+        Raises TypeError and ValueError as section() does, and RuntimeError after remove().
         """
+        self._check_there()
         new_normal = _normal_of(normal) if normal is not None else self.normal
         new_origin = _point_of(origin) if origin is not None else self.origin
         self._plane.SetNormal(new_normal)
@@ -280,8 +284,9 @@ class SectionBox(_Cut):
     def move(self, bounds: Sequence[float] | None = None, inside: bool | None = None) -> None:
         """Give the box other bounds, or keep its other side. None leaves it. A plotter on show is drawn at once.
 
-        Raises ValueError for bounds that are no box.
+        Raises TypeError and ValueError as section_box() does, and RuntimeError after remove().
         """
+        self._check_there()
         box = _box_of(bounds) if bounds is not None else self._bounds
         if inside is not None:
             check_boolean("inside", inside)
@@ -305,8 +310,10 @@ def _check_look(caps: bool, hatch: str | None, edges: int | None) -> None:
     check_boolean("caps", caps)
     if hatch is not None and hatch not in HATCHES:
         raise ValueError(f"there is no hatch {hatch!r}: choose {', '.join(HATCHES)}")
-    if edges is not None and not (hasattr(edges, "__index__") and 0 <= edges <= 4):
-        raise ValueError(f"edges are from 0 to 4 pixels wide, not {edges!r}")
+    if edges is not None and (isinstance(edges, bool) or not isinstance(edges, numbers.Real)):
+        raise TypeError(f"edges is the width of lines in whole pixels, from 0 to 4, not {edges!r}")
+    if edges is not None and edges not in range(5):
+        raise ValueError(f"edges is the width of lines in whole pixels, from 0 to 4, not {edges!r}")
 
 
 def _set_look(found: vtkSection, caps: bool, hatch: str | None, edges: int | None) -> None:
@@ -314,7 +321,7 @@ def _set_look(found: vtkSection, caps: bool, hatch: str | None, edges: int | Non
     if hatch is not None:
         found.SetHatch(HATCHES.index(hatch))
     if edges is not None:
-        found.SetEdgeWidth(edges)
+        found.SetEdgeWidth(int(edges))
 
 
 def _section_of(renderer: vtkRenderer) -> vtkSection:
@@ -328,9 +335,7 @@ def _section_of(renderer: vtkRenderer) -> vtkSection:
 
 def _part(found: vtkSection, index: int) -> Any:
     """A part as a user knows it: of an assembly, or else an actor, or a pair of an actor and a block."""
-    prop, block = found.GetCutProp(index), found.GetCutBlock(index)
-    part = _part_of(prop, block)
-    return part if part is not None else prop if block == 0 else (prop, block)
+    return named(found.GetCutProp(index), found.GetCutBlock(index))
 
 
 def _cut_parts(found: vtkSection) -> list[Any]:
@@ -344,7 +349,7 @@ def _normal_of(normal: str | Sequence[float]) -> tuple[float, float, float]:
             raise ValueError(f"a normal is x, y, z, -x, -y, -z or a vector, not {normal!r}")
         sign = -1.0 if normal.startswith("-") else 1.0
         return (sign * axis[0] + 0.0, sign * axis[1] + 0.0, sign * axis[2] + 0.0)
-    x, y, z = _point_of(normal)
+    x, y, z = finite_numbers("normal", normal, 3)
     length = math.hypot(x, y, z)
     if length == 0.0:
         raise ValueError("the normal of a plane must not be 0")
@@ -352,17 +357,15 @@ def _normal_of(normal: str | Sequence[float]) -> tuple[float, float, float]:
 
 
 def _point_of(point: Sequence[float]) -> tuple[float, float, float]:
-    values = tuple(float(value) for value in point)
-    if len(values) != 3 or not all(map(math.isfinite, values)):
-        raise ValueError(f"three finite numbers are needed, not {point!r}")
-    return values[0], values[1], values[2]
+    x, y, z = finite_numbers("origin", point, 3)
+    return x, y, z
 
 
 def _box_of(bounds: Sequence[float]) -> tuple[float, ...]:
-    box = tuple(float(value) for value in bounds)
-    if len(box) != 6 or not all(map(math.isfinite, box)) or any(box[i] >= box[i + 1] for i in (0, 2, 4)):
-        raise ValueError(f"a box has xmin < xmax, ymin < ymax, zmin < zmax, six finite numbers, not {bounds!r}")
-    return box
+    box = finite_numbers("bounds", bounds, 6)
+    if any(box[i] >= box[i + 1] for i in (0, 2, 4)):
+        raise ValueError(f"a box has xmin < xmax, ymin < ymax, zmin < zmax, not {bounds!r}")
+    return tuple(box)
 
 
 def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:
@@ -373,27 +376,12 @@ def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:
     return (0.0, 0.0, 0.0)
 
 
-def _chosen_of(parts: Any) -> list[tuple[vtkProp, int]]:
-    """Pairs of a prop and a block, -1 for all blocks, of what a user gave as parts."""
-    if parts is None:
-        return []
-    if isinstance(parts, vtkProp):
-        return [(parts, -1)]
-    if isinstance(parts, tuple) and len(parts) == 2 and isinstance(parts[0], vtkProp) and isinstance(parts[1], int):
-        return [(parts[0], parts[1])]
-    if isinstance(parts, Selection):
-        return [_drawn_by(parts._assembly, number) for number in parts.numbers]
-    if isinstance(parts, Part):
-        owners = [each for each in Assembly.living() if parts.number < len(each) and each.parts[parts.number] is parts]
-        if not owners:
-            raise ValueError(f"the assembly of {parts.path!r} is gone")
-        return [_drawn_by(owner, parts.number) for owner in owners]
-    if isinstance(parts, str) or not isinstance(parts, Iterable):
-        raise TypeError(
-            "parts are actors, pairs of an actor and a block, or parts or selections of an assembly, "
-            f"not {parts!r}"
-        )
-    return [chosen for part in parts for chosen in _chosen_of(part)]
+def _chosen_of(parts: Any, renderers: list[vtkRenderer]) -> list[Chosen]:
+    """What a user gave as parts. Each can be cut by a section of the renderers."""
+    chosen = choose("parts", parts, shown_assemblies(renderers)) if parts is not None else []
+    for each in chosen:
+        _check_chosen(renderers, each.prop, each.block)
+    return chosen
 
 
 def _check_chosen(renderers: Iterable[vtkRenderer], prop: vtkProp, block: int) -> None:
@@ -405,31 +393,5 @@ def _check_chosen(renderers: Iterable[vtkRenderer], prop: vtkProp, block: int) -
             "a chosen actor is not shown by the target: add it to the renderer first. "
             "An actor within a vtkAssembly cannot be chosen"
         )
-    if block == -1:
-        return
-    prop.GetBounds()  # updates the pipeline
-    mapper = prop.GetMapper()
-    data = mapper.GetInputDataObject(0, 0) if mapper is not None and mapper.GetNumberOfInputPorts() > 0 else None
-    count = _node_count(data)
-    if not 0 <= block < count:
+    if block != WHOLE and block >= (count := block_count(prop)):
         raise ValueError(f"a chosen actor has no block {block}: its blocks are flat indices from 0 to {count - 1}")
-
-
-def _node_count(data: Any) -> int:
-    """The number of flat indices of data: 1 without blocks."""
-    if not isinstance(data, vtkDataObjectTree):
-        return 1
-    each = data.NewTreeIterator()
-    each.SkipEmptyNodesOff()
-    each.VisitOnlyLeavesOff()
-    each.TraverseSubTreeOn()
-    each.InitTraversal()
-    last = 0
-    while not each.IsDoneWithTraversal():
-        last = each.GetCurrentFlatIndex()
-        each.GoToNextItem()
-    return last + 1
-
-
-def _drawn_by(assembly: Assembly, number: int) -> tuple[vtkProp, int]:
-    return assembly.actors.GetPartActor(number), assembly.actors.GetPartBlock(number)

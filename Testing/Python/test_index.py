@@ -132,10 +132,13 @@ class Measures(unittest.TestCase):
             blocks.SetBlock(i, data)
         walled = vitrine.from_multiblock(blocks)
         self.assertTrue(vitrine.AssemblyIndex(walled).sees(0, 1))
+        for through in ("*", [2], walled["*"], [walled.parts[2], walled["*"]]):
+            self.assertTrue(vitrine.AssemblyIndex(walled).sees(0, 1, through=through))
         self.assertTrue(self.index.sees("left", "far", through=["middle", "right"]))
 
     def test_bad_input(self):
         index = self.index
+        other = machine(left=0)
         nan = float("nan")
         for error, text, call in (
             (TypeError, "a pyvista.Plotter is needed", lambda: vitrine.AssemblyIndex("robot.glb")),
@@ -155,6 +158,11 @@ class Measures(unittest.TestCase):
             (KeyError, "chooses no part", lambda: index.distance("left", "lift")),
             (ValueError, "name one", lambda: index.distance("left", "*")),
             (KeyError, "is no part of", lambda: index.distance("left", vtkActor())),
+            (KeyError, "is no part of", lambda: index.is_closed(other.parts[0])),
+            (ValueError, "is gone", lambda: index.is_closed(machine(left=0).parts[0])),
+            (TypeError, "part is an actor, a pair", lambda: index.is_closed(1.5)),
+            (TypeError, "through is an actor, a pair", lambda: index.sees(0, 1, through=[None])),
+            (TypeError, "it is a function", lambda: index.clashes(progress="x")),
         ):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 call()
@@ -208,6 +216,29 @@ class Shown(Files):
         self.assertEqual(index.parts, (first, (second, 1), (second, 3)))
         self.assertIs(index.nearest((4, 0, 0)).part, first)
         self.assertEqual(index.distance(first, (second, 3)).distance, 2)
+
+    def test_parts_of_assemblies_are_named_by_them(self):
+        """An actor of several parts names all of them, a block or a pattern one."""
+        shown = machine(left=0, middle=3, right=6)
+        other = vtkActor()
+        other.SetMapper(vtkPolyDataMapper())
+        other.GetMapper().SetInputDataObject(cube(9))
+        renderer = vtkRenderer()
+        shown.add_to(renderer)
+        renderer.AddActor(other)
+        window = window_with(renderer)
+        index = vitrine.AssemblyIndex(window)
+        self.assertEqual(index.parts, (*shown.parts, other))
+        actor = shown.actors.GetPartActor(1)
+        pair = (actor, shown.actors.GetPartBlock(1))
+        for middle in ("midd*", shown.parts[1], shown["middle"], pair, [shown.parts[1]]):
+            self.assertEqual(index.distance(middle, other).distance, 5)
+        self.assertEqual(vitrine.AssemblyIndex(shown).distance(pair, 2).distance, 2)
+        with self.assertRaisesRegex(ValueError, "chooses 3 parts"):
+            index.is_closed(actor)
+        with self.assertRaisesRegex(KeyError, "near are 'left'"):
+            index.is_closed("lefd")
+        window.RemoveRenderer(renderer)
 
     def test_hidden_parts_and_caps_are_left_out(self):
         """A vtkAssembly's actors are parts by themselves. Actors without points or without input are none."""

@@ -202,6 +202,9 @@ class LayersIn(unittest.TestCase):
             self.assertEqual((glass.width, glass.height, len(glass.numbers)), (3, 2, 6))
             self.assertEqual(len(vitrine.layers_in(window, 3, 4, 5, 5, all=True).numbers), 18)
             self.assertIsNone(glass.part(int(glass.numbers[0])))
+            self.assertEqual((glass.actor(-1), glass.block(2**32)), (None, 0))
+            with self.assertRaisesRegex(TypeError, "one of Layers.numbers"):
+                glass.part("red")
 
 
 class Refusals(unittest.TestCase):

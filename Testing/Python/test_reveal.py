@@ -249,6 +249,7 @@ class Plates(unittest.TestCase):
             (TypeError, self.red, {"follow": 1}),
             (ValueError, (self.red, -1), {}),
             (ValueError, gone, {}),
+            (ValueError, [], {}),
             (KeyError, "gear*", {}),
         ):
             with self.subTest(part=part, **options), self.assertRaises(error):

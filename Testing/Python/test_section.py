@@ -340,6 +340,7 @@ class Frames(unittest.TestCase):
             source.SetCenter(x, 0, 0)
             source.Update()
             blocks.SetBlock(i, source.GetOutput())
+            blocks.GetMetaData(i).Set(blocks.NAME(), ("left", "right")[i])
         machine = vitrine.from_multiblock(blocks)
         machine.add_to(self.renderer)
         self.add()
@@ -354,6 +355,11 @@ class Frames(unittest.TestCase):
             self.assertEqual(len(cut.cut_parts), 1)
         self.assertTrue((half[:, SIZE // 2 + 3 :] == whole[:, SIZE // 2 + 3 :]).all())
         self.assertFalse((half[:, : SIZE // 2 - 3] == whole[:, : SIZE // 2 - 3]).all())
+        with vitrine.section(self.renderer, "y", (0, 0.2, 0), parts="le*") as cut:
+            self.assertTrue((self.scene.picture().reshape(SIZE, SIZE, 3) == half).all())
+            cut.remove()
+            with self.assertRaisesRegex(RuntimeError, "was removed"):
+                cut.move(origin=(0, 0, 0))
         self.assertTrue(actors)
 
     def test_masks_of_blocks_follow_the_context(self):
@@ -582,7 +588,12 @@ class Frames(unittest.TestCase):
             (ValueError, {"hatch": "checks"}),
             (ValueError, {"edges": 7}),
             (ValueError, {"parts": actor, "but": actor}),
-            (TypeError, {"parts": "actor"}),
+            (KeyError, {"parts": "actor"}),
+            (TypeError, {"parts": (actor, 1.5)}),
+            (ValueError, {"parts": (actor, -1)}),
+            (TypeError, {"normal": None}),
+            (TypeError, {"origin": 3}),
+            (TypeError, {"edges": "2"}),
             (ValueError, {"parts": []}),
             (ValueError, {"parts": ball()}),
             (ValueError, {"parts": (actor, 3)}),

@@ -1,0 +1,152 @@
+"""How calls name parts: one grammar for reveal(), section() and AssemblyIndex, and one name for a part that is told."""
+
+from __future__ import annotations
+
+import dataclasses
+import numbers
+from typing import Any, Iterable, Iterator
+
+from vtkmodules.vtkCommonDataModel import vtkDataObjectTree
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
+
+from ._assembly import Assembly, Part, Selection
+
+WHOLE = -1  # the block of a prop that was given without one
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Chosen:
+    """A part that a call names: the prop that draws it, its block, and its Part if an assembly draws it.
+
+    block is the flat index of the block in composite data. It is 0 for props without blocks, and WHOLE for a prop that
+    was given without a block, if no Part is told by that.
+    """
+
+    prop: vtkProp
+    block: int
+    part: Part | None
+
+    @property
+    def named(self) -> Any:
+        """The part as a user knows it: a Part, or else an actor, or a pair of an actor and a block."""
+        if self.part is not None:
+            return self.part
+        return self.prop if self.block <= 0 else (self.prop, self.block)
+
+
+def choose(name: str, parts: Any, assemblies: Iterable[Assembly]) -> list[Chosen]:
+    """The parts that an argument names.
+
+    Args:
+        name: that of the argument, for messages.
+        parts: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an assembly; a
+            pattern of names; or an iterable of these.
+        assemblies: those in which patterns choose.
+
+    Raises:
+        TypeError: it is something else.
+        KeyError: a pattern chooses no part.
+        ValueError: the index of a block is negative, or the assembly of a Part is gone.
+    """
+    scope = list(assemblies)
+    return [chosen for item in flat(parts) for chosen in _chosen(name, item, scope)]
+
+
+def flat(parts: Any) -> Iterator[Any]:
+    """The single items of an argument that names parts: what iterables have, at any depth."""
+    if _is_single(parts):
+        yield parts
+    else:
+        for part in parts:
+            yield from flat(part)
+
+
+def shown_assemblies(renderers: Iterable[vtkRenderer]) -> list[Assembly]:
+    """The assemblies whose actors are in one of the renderers."""
+    shown = list(renderers)
+    return [
+        assembly
+        for assembly in Assembly.living()
+        if len(assembly) > 0 and any(each.HasViewProp(assembly.actors.GetPartActor(0)) for each in shown)
+    ]
+
+
+def part_of(prop: Any, block: int) -> Part | None:
+    """The part of any assembly that a prop shows by a block, or None."""
+    if not isinstance(prop, vtkActor):
+        return None
+    found = (assembly.part_of(prop, block) for assembly in Assembly.living())
+    return next((part for part in found if part is not None), None)
+
+
+def named(prop: Any, block: int) -> Any:
+    """A part as a user knows it: a Part of an assembly, or else an actor, or a pair of an actor and a block."""
+    return Chosen(prop, block, part_of(prop, block)).named
+
+
+def block_count(prop: Any) -> int:
+    """The number of flat indices of the data that an actor draws: 1 without blocks."""
+    prop.GetBounds()  # updates the pipeline
+    mapper = prop.GetMapper() if hasattr(prop, "GetMapper") else None
+    data = mapper.GetInputDataObject(0, 0) if mapper is not None and mapper.GetNumberOfInputPorts() > 0 else None
+    if not isinstance(data, vtkDataObjectTree):
+        return 1
+    each = data.NewTreeIterator()
+    each.SkipEmptyNodesOff()
+    each.VisitOnlyLeavesOff()
+    each.TraverseSubTreeOn()
+    each.InitTraversal()
+    last = 0
+    while not each.IsDoneWithTraversal():
+        last = each.GetCurrentFlatIndex()
+        each.GoToNextItem()
+    return last + 1
+
+
+def _is_single(parts: Any) -> bool:
+    if isinstance(parts, tuple) and len(parts) == 2 and isinstance(parts[0], vtkProp):
+        return isinstance(parts[1], numbers.Integral)
+    return isinstance(parts, (str, vtkProp, Part, Selection)) or not isinstance(parts, Iterable)
+
+
+def _chosen(name: str, item: Any, assemblies: list[Assembly]) -> Iterator[Chosen]:
+    if isinstance(item, vtkProp):
+        yield Chosen(item, WHOLE, None)
+    elif isinstance(item, tuple) and not isinstance(item[1], bool):
+        block = int(item[1])
+        if block < 0:
+            raise ValueError(f"the flat index of a block is 0 or more, not {block}")
+        yield Chosen(item[0], block, part_of(item[0], block))
+    elif isinstance(item, Selection):
+        yield from (_drawn_by(item._assembly, number) for number in item.numbers)
+    elif isinstance(item, Part):
+        yield _drawn_by(_assembly_of(item), item.number)
+    elif isinstance(item, str):
+        yield from _matching(item, assemblies)
+    else:
+        raise TypeError(
+            f"{name} is an actor, a pair of an actor and the flat index of a block, a Part or a Selection of an "
+            f"assembly, a pattern of names, or an iterable of these, not {item!r}"
+        )
+
+
+def _matching(pattern: str, assemblies: list[Assembly]) -> Iterator[Chosen]:
+    if not assemblies:
+        raise KeyError(f"the target shows no assembly, so no part has the name {pattern!r}: add_to() adds one")
+    found = [assembly[pattern] for assembly in assemblies if pattern in assembly]
+    if not found:
+        assemblies[0][pattern]  # a KeyError that tells names like it
+    for selection in found:
+        yield from (_drawn_by(selection._assembly, number) for number in selection.numbers)
+
+
+def _assembly_of(part: Part) -> Assembly:
+    for assembly in Assembly.living():
+        if part.number < len(assembly) and assembly.parts[part.number] is part:
+            return assembly
+    raise ValueError(f"the assembly of {part.path!r} is gone: keep what load() returned")
+
+
+def _drawn_by(assembly: Assembly, number: int) -> Chosen:
+    actors = assembly.actors
+    return Chosen(actors.GetPartActor(number), actors.GetPartBlock(number), assembly.parts[number])
