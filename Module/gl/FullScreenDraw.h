@@ -21,5 +21,11 @@ void BindForFullScreenDraw(
 /** Bind the whole framebuffer for drawing in the same state, without the scissor test. */
 void BindForFullScreenDraw(vtkOpenGLState* state, GLuint framebuffer, int width, int height);
 
+/**
+ * Have every fragment within `region` of the bound framebuffer blended over what stands there, by its alpha, in all
+ * samples. ScopedTrackedState restores the state that this changes.
+ */
+void SetToBlendPixels(vtkOpenGLState* state, const PixelRegion& region);
+
 }
 #endif

@@ -6,6 +6,7 @@
 #include "gl/ScopedState.h"
 #include "gl/StateRecord.h"
 #include "scene/CaptureEvents.h"
+#include "scene/ScopedRenderTime.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillExtensions.h"
 #include "transparency/common/FillShader.h"
@@ -74,30 +75,6 @@ void SetPair(vtkShaderProgram* program, const char* name, int x, int y)
     program->SetUniform2i(name, pair);
   }
 }
-
-/** Keeps the estimated time of a prop, by which VTK chooses levels of detail. */
-class ScopedRenderTime
-{
-public:
-  ScopedRenderTime(vtkProp* prop, vtkRenderer* renderer)
-    : Prop(prop)
-    , Renderer(renderer)
-    , Before(prop->GetEstimatedRenderTime(renderer))
-  {
-  }
-  ~ScopedRenderTime()
-  {
-    const double after = this->Prop->GetEstimatedRenderTime(this->Renderer);
-    this->Prop->AddEstimatedRenderTime(this->Before - after, this->Renderer);
-  }
-  ScopedRenderTime(const ScopedRenderTime&) = delete;
-  void operator=(const ScopedRenderTime&) = delete;
-
-private:
-  vtkProp* Prop;
-  vtkRenderer* Renderer;
-  double Before;
-};
 }
 
 LayerCapture::~LayerCapture()

@@ -6,8 +6,9 @@
     vitrine.load("machine.glb").add_to(plotter)
     print(vitrine.report())
 
-The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), reveal(), AssemblyIndex and
-report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
+The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), highlight(), reveal(),
+AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in the package
+vtkmodules.
 """
 
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
@@ -40,6 +41,7 @@ except ImportError as error:
     ) from error
 from .vtkVitrineRendering import *  # noqa: E402,F401,F403
 from ._assembly import Assembly, Part, Selection, from_multiblock, load  # noqa: E402
+from ._highlight import Highlight, highlight  # noqa: E402
 from ._index import AssemblyIndex, Clash, Crossing, Distance, Nearest, Wall  # noqa: E402
 from ._layers import Layer, Layers, Picked, layers_at, layers_in, pick  # noqa: E402
 from ._report import report  # noqa: E402
@@ -49,7 +51,8 @@ from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 from ._tree import Tree  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
-__all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Layer", "Layers", "Nearest", "Part"]
-__all__ += ["Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats", "Tree", "Wall"]
-__all__ += ["__version__", "from_multiblock", "layers_at", "layers_in", "load"]
+__all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Highlight", "Layer", "Layers"]
+__all__ += ["Nearest", "Part", "Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats"]
+__all__ += ["Tree", "Wall"]
+__all__ += ["__version__", "from_multiblock", "highlight", "layers_at", "layers_in", "load"]
 __all__ += ["pick", "report", "reveal", "section", "section_box", "see_through", "stats"]

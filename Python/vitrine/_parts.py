@@ -40,13 +40,13 @@ def choose(name: str, parts: Any, assemblies: Iterable[Assembly]) -> list[Chosen
     Args:
         name: that of the argument, for messages.
         parts: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an assembly; a
-            pattern of names; or an iterable of these.
+            pattern of names; what tells an actor and a block, as pick() returns it; or an iterable of these.
         assemblies: those in which patterns choose.
 
     Raises:
         TypeError: it is something else.
         KeyError: a pattern chooses no part.
-        ValueError: the index of a block is negative, or the assembly of a Part is gone.
+        ValueError: the index of a block is negative, or the assembly of a Part or the actor that was picked is gone.
     """
     scope = list(assemblies)
     return [chosen for item in flat(parts) for chosen in _chosen(name, item, scope)]
@@ -109,6 +109,11 @@ def _is_single(parts: Any) -> bool:
     return isinstance(parts, (str, vtkProp, Part, Selection)) or not isinstance(parts, Iterable)
 
 
+def _tells_place(item: Any) -> bool:
+    """Whether it is a Layer, what pick() returns, or a Faded part."""
+    return hasattr(item, "actor") and hasattr(item, "block")
+
+
 def _chosen(name: str, item: Any, assemblies: list[Assembly]) -> Iterator[Chosen]:
     if isinstance(item, vtkProp):
         yield Chosen(item, WHOLE, None)
@@ -123,10 +128,14 @@ def _chosen(name: str, item: Any, assemblies: list[Assembly]) -> Iterator[Chosen
         yield _drawn_by(_assembly_of(item), item.number)
     elif isinstance(item, str):
         yield from _matching(item, assemblies)
+    elif _tells_place(item):
+        if item.actor is None:
+            raise ValueError("the actor that was picked is gone")
+        yield Chosen(item.actor, item.block, part_of(item.actor, item.block))
     else:
         raise TypeError(
             f"{name} is an actor, a pair of an actor and the flat index of a block, a Part or a Selection of an "
-            f"assembly, a pattern of names, or an iterable of these, not {item!r}"
+            f"assembly, a pattern of names, what pick() returns, or an iterable of these, not {item!r}"
         )
 
 
