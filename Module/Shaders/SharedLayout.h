@@ -66,6 +66,10 @@
 #define VITRINE_HATCH_LEVEL 5
 #define VITRINE_HATCH_DOTS 6
 
+// The opacity of opaque parts in an x-ray, which makes them translucent, and the least that stands for opaque.
+#define VITRINE_XRAY_ALMOST_OPAQUE 0.9995
+#define VITRINE_XRAY_OPAQUE 0.999
+
 #ifdef __cplusplus
 #include <cstddef>
 #include <cstdint>

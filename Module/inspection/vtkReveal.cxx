@@ -1,11 +1,11 @@
 #include "vtkReveal.h"
 
 #include "Core/reveal/SteadyReveal.h"
-#include "inspection/FadedLooks.h"
 #include "inspection/FrameOfRenderer.h"
 #include "inspection/FrontOfPart.h"
 #include "inspection/LayerCapture.h"
 #include "inspection/PartOnScreen.h"
+#include "scene/FadedLooks.h"
 #include "scene/PartNumbers.h"
 #include "scene/Settings.h"
 

@@ -62,7 +62,7 @@ std::string PartMask::Draw(vtkRenderer* renderer, const PixelRegion& viewport,
   const ScopedArrayBuffer arrayBuffer;
   const ScopedVertexArray vertexArray(0);
   const ScopedShaderProgram shaderProgram(window);
-  const ScopedCaptureEvents events(renderer); // Sections cut the parts.
+  const ScopedCaptureEvents events(renderer, Captured::PLACES); // Sections cut the parts.
   this->Problem = this->Prepare(viewport);
   if (this->Problem.empty())
   {

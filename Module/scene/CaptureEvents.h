@@ -14,21 +14,30 @@ namespace vitrine
 constexpr unsigned long CaptureStartEvent = vtkCommand::UserEvent + 0x56495460;
 constexpr unsigned long CaptureEndEvent = CaptureStartEvent + 1;
 
-/** Tells observers of the renderer that its props are drawn while the object lives. */
+/** What a capture takes: fragments with their colours and opacities, or only where they are. */
+enum class Captured
+{
+  COLORS,
+  PLACES
+};
+
+/** Tells observers of the renderer that its props are drawn while the object lives. The events have a Captured. */
 class ScopedCaptureEvents
 {
 public:
-  explicit ScopedCaptureEvents(vtkRenderer* renderer)
+  explicit ScopedCaptureEvents(vtkRenderer* renderer, Captured captured = Captured::COLORS)
     : Renderer(renderer)
+    , What(captured)
   {
-    renderer->InvokeEvent(CaptureStartEvent);
+    renderer->InvokeEvent(CaptureStartEvent, &this->What);
   }
-  ~ScopedCaptureEvents() { this->Renderer->InvokeEvent(CaptureEndEvent); }
+  ~ScopedCaptureEvents() { this->Renderer->InvokeEvent(CaptureEndEvent, &this->What); }
   ScopedCaptureEvents(const ScopedCaptureEvents&) = delete;
   void operator=(const ScopedCaptureEvents&) = delete;
 
 private:
   vtkRenderer* Renderer;
+  Captured What;
 };
 
 }

@@ -3,6 +3,7 @@
 #include "Core/section/PartHash.h"
 #include "scene/CaptureEvents.h"
 #include "scene/CutProps.h"
+#include "scene/ListedPass.h"
 #include "scene/PartNumbers.h"
 #include "scene/Settings.h"
 #include "section/CapActor.h"
@@ -14,12 +15,9 @@
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPropCollection.h"
@@ -184,7 +182,7 @@ struct vtkSection::Internals
   std::vector<unsigned long> Observers;
   vtkNew<vitrine::SectionShader> Shader;
   std::vector<vtkSmartPointer<vitrine::CapActor>> CapActors;
-  std::vector<vtkSmartPointer<vtkProp>> Marked; ///< props that list the shader
+  vitrine::ListedPass Listed{ this->Shader };
   std::vector<vtkWeakPointer<vtkProp>>
     CutProps; ///< props that are marked as cut, until the next frame
   vitrine::CutParts Parts;
@@ -408,21 +406,7 @@ struct vtkSection::Internals
   void EndFrame()
   {
     this->Shader->EndFrame();
-    vtkInformationObjectBaseVectorKey* const key = vtkOpenGLRenderPass::RenderPasses();
-    for (const auto& prop : this->Marked)
-    {
-      vtkInformation* const keys = prop->GetPropertyKeys();
-      if (!keys)
-      {
-        continue;
-      }
-      keys->Remove(key, this->Shader);
-      if (keys->Length(key) == 0)
-      {
-        keys->Remove(key);
-      }
-    }
-    this->Marked.clear();
+    this->Listed.Unlist();
   }
 
   void ForgetCutProps()
@@ -453,13 +437,7 @@ struct vtkSection::Internals
       {
         continue;
       }
-      if (!prop->GetPropertyKeys())
-      {
-        vtkNew<vtkInformation> keys;
-        prop->SetPropertyKeys(keys);
-      }
-      prop->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this->Shader);
-      this->Marked.emplace_back(prop);
+      this->Listed.List(prop);
       if (this->MayRemoveFrom(prop))
       {
         vitrine::MarkAsCut(prop, true);

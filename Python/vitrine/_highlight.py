@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import numbers
-import weakref
-from typing import Any, Iterable, Sequence
-
-from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
+from typing import Any, Sequence
 
 from ._assembly import _rgb
-from ._parts import choose, shown_assemblies
-from ._see_through import _plotter_of, _renderers_of
+from ._looks import PartLook, attached, number, width_in_pixels
+from ._see_through import _renderers_of
 from .vtkVitrineRendering import vtkPartOutlines
 
 
@@ -56,86 +52,19 @@ def highlight(
     ...     print(shown)
     <Highlight of 1 part>
     """
-    if isinstance(width, bool) or not isinstance(width, numbers.Integral):
-        raise TypeError(f"width is a whole number of pixels, not {width!r}")
-    if not 0 <= width <= 8:
-        raise ValueError(f"outlines are from 0 to 8 pixels wide, not {width!r}")
-    rgb, line, tint = _rgb(color), share("opacity", opacity), share("fill", fill)
-    renderers = _renderers_of(target)
-    chosen = shown_pairs(parts, renderers)
-    drawn = []
-    for renderer, pairs in chosen:
+    rgb, pixels = _rgb(color), width_in_pixels("width", width)
+    line, tint = number("opacity", opacity), number("fill", fill)
+
+    def make() -> Any:
         outlines: Any = vtkPartOutlines()
         outlines.SetColor(*rgb)
-        outlines.SetWidth(int(width))
+        outlines.SetWidth(pixels)
         outlines.SetOpacity(line)
         outlines.SetFillOpacity(tint)
-        for prop, block in pairs:
-            outlines.AddPart(prop, block)
-        outlines.Attach(renderer)
-        drawn.append(outlines)
-    handle = Highlight(target, drawn)
-    handle._render()
-    return handle
+        return outlines
+
+    return Highlight(target, attached(make, parts, _renderers_of(target)))
 
 
-class Highlight:
+class Highlight(PartLook):
     """The handle that highlight() returns. It keeps neither renderers nor windows alive."""
-
-    def __init__(self, target: Any, drawn: list[Any]) -> None:
-        plotter = _plotter_of(target)
-        self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
-        self._drawn = drawn
-
-    def remove(self) -> None:
-        """Take the outlines away. A plotter on show is drawn at once."""
-        for outlines in self._drawn:
-            outlines.Detach()
-        self._drawn = []
-        self._render()
-
-    def _render(self) -> None:
-        plotter = self._plotter()
-        if plotter is not None and plotter.render_window is not None:
-            plotter.render()
-
-    def __enter__(self) -> Highlight:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.remove()
-
-    def __repr__(self) -> str:
-        if not self._drawn:
-            return "<Highlight, removed>"
-        count = sum(outlines.GetNumberOfParts() for outlines in self._drawn)
-        return f"<Highlight of {count} part{'s' * (count != 1)}>"
-
-
-def shown_pairs(
-    parts: Any, renderers: Iterable[vtkRenderer]
-) -> list[tuple[vtkRenderer, list[tuple[vtkProp, int]]]]:
-    """The renderers that show one of the parts, each with the props and blocks that draw its parts there."""
-    all_renderers = list(renderers)
-    named = choose("parts", parts, shown_assemblies(all_renderers))
-    pairs = [(chosen.prop, chosen.block) for chosen in named]
-    for prop, _ in pairs:
-        if not vtkPartOutlines.CanChoose(prop):
-            raise TypeError(f"parts are actors, and a {prop.GetClassName()} is none: choose the actors that it shows")
-    shown = []
-    for renderer in all_renderers:
-        has = {prop for prop in {prop for prop, _ in pairs} if renderer.HasViewProp(prop)}
-        if has:
-            shown.append((renderer, [(prop, block) for prop, block in pairs if prop in has]))
-    if not shown:
-        raise ValueError("none of the parts is shown by the target: add their actors to a renderer of it first")
-    return shown
-
-
-def share(argument: str, value: Any) -> float:
-    """The value of an argument that is a number from 0 to 1."""
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TypeError(f"{argument} is a number from 0 to 1, not {value!r}")
-    if not 0.0 <= value <= 1.0:
-        raise ValueError(f"{argument} is a number from 0 to 1, not {value!r}")
-    return float(value)

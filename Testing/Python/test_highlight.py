@@ -101,11 +101,11 @@ class Outlines(unittest.TestCase):
         actor, other = part(16, 48, 10, 40), part(30, 60, 5, 20, -1.0)
         renderer, window = hidden(actor, other)
         handle = vitrine.highlight(renderer, actor, width=1, fill=0.0)
-        handle._drawn[0].AddExcludedPart(other)
+        handle._shown[0].AddExcludedPart(other)
         expected = border(16, 48, 10, 40)
         expected[5:20, 30:60] = False
         np.testing.assert_array_equal(marked(window), expected)
-        handle._drawn[0].RemoveAllExcludedParts()
+        handle._shown[0].RemoveAllExcludedParts()
         np.testing.assert_array_equal(marked(window), border(16, 48, 10, 40))
 
     def test_agree_with_sections_clipping_planes_and_visibility(self):

@@ -1,6 +1,6 @@
 /** Fades parts, and puts back the looks that they had. */
-#ifndef VITRINE_INSPECTION_FADED_LOOKS_H
-#define VITRINE_INSPECTION_FADED_LOOKS_H
+#ifndef VITRINE_SCENE_FADED_LOOKS_H
+#define VITRINE_SCENE_FADED_LOOKS_H
 
 #include "scene/PartNumbers.h"
 

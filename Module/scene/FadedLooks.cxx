@@ -1,4 +1,4 @@
-#include "inspection/FadedLooks.h"
+#include "scene/FadedLooks.h"
 
 #include "scene/PropertyCopy.h"
 

@@ -1,0 +1,268 @@
+#include "vtkPartXRay.h"
+
+#include "Shaders/SharedLayout.h"
+#include "look/ChosenParts.h"
+#include "look/XRayShader.h"
+#include "scene/FadedLooks.h"
+#include "scene/FrameObserver.h"
+#include "scene/ListedPass.h"
+#include "scene/PartNumbers.h"
+#include "scene/Settings.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataObjectTree.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkPartXRay);
+
+namespace
+{
+
+/** Event by which a renderer's observers are asked for the x-ray that is attached to it. */
+constexpr unsigned long AskForXRay = vtkCommand::UserEvent + 0x56495458;
+
+void TellXRay(vtkObject*, unsigned long, void* xray, void* asked)
+{
+  *static_cast<vtkPartXRay**>(asked) = static_cast<vtkPartXRay*>(xray);
+}
+
+/** Returns when a prop, its mapper or its data changed last. It updates nothing. */
+vtkMTimeType TimeOf(vtkActor* actor)
+{
+  vtkMapper* const mapper = actor->GetMapper();
+  return std::max(actor->GetMTime(), mapper ? mapper->vtkObject::GetMTime() : 0);
+}
+}
+
+struct vtkPartXRay::Internals
+{
+  vitrine::ChosenParts Chosen;
+  vtkNew<vitrine::XRayShader> Shader;
+  vitrine::ListedPass Listed{ this->Shader };
+  vitrine::FadedLooks Looks;
+
+  vtkPartXRay* Owner = nullptr;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vitrine::FrameObserver> Observer;
+  unsigned long Answer = 0;
+  vtkMTimeType LooksTime = 0; ///< when looks were set last
+
+  void StartFrame()
+  {
+    vtkRenderer* const renderer = this->Renderer;
+    this->EndFrame();
+    const std::vector<vtkProp*> props = this->Chosen.PropsIn(renderer);
+    this->SetLooks(props);
+    for (vtkProp* prop : props)
+    {
+      this->Listed.List(prop);
+    }
+    this->Shader->Begin(renderer, this->Chosen, props);
+  }
+
+  void EndFrame()
+  {
+    this->Listed.Unlist();
+    this->Shader->End();
+  }
+
+  /** Makes opaque parts translucent, unless nothing has changed since. */
+  void SetLooks(const std::vector<vtkProp*>& props)
+  {
+    vtkMTimeType newest = this->Owner->GetMTime();
+    for (vtkProp* prop : props)
+    {
+      newest = std::max(newest, TimeOf(vtkActor::SafeDownCast(prop)));
+    }
+    if (newest <= this->LooksTime)
+    {
+      return;
+    }
+    this->Looks.ForgetNodes();
+    for (vtkProp* prop : props)
+    {
+      this->SetLooksOf(vtkActor::SafeDownCast(prop));
+    }
+    vtkTimeStamp now;
+    now.Modified();
+    this->LooksTime = now.GetMTime();
+  }
+
+  void SetLooksOf(vtkActor* actor)
+  {
+    const std::uint32_t first = vitrine::PartNumbers::Of(this->Renderer).FirstOf(actor);
+    const std::vector<std::uint32_t> chosen = this->Chosen.NumbersOf(actor);
+    const std::vector<vitrine::BlockNode> nodes = vitrine::BlockNodesOf(actor);
+    for (std::uint32_t block = 0; block < chosen.size(); ++block)
+    {
+      const bool isLeaf = nodes.empty() ||
+        (block < nodes.size() && nodes[block].Data &&
+          !vtkDataObjectTree::SafeDownCast(nodes[block].Data));
+      if (chosen[block] == 0 || !isLeaf)
+      {
+        continue;
+      }
+      const vitrine::ShownPart part{ actor, block };
+      if (this->Looks.OriginalOf(part) >= VITRINE_XRAY_OPAQUE)
+      {
+        this->Looks.Set(first + block, part, VITRINE_XRAY_ALMOST_OPAQUE);
+      }
+      else
+      {
+        this->Looks.PutBack(first + block);
+      }
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkPartXRay::vtkPartXRay()
+  : Private(new Internals)
+{
+  this->Private->Owner = this;
+}
+
+//------------------------------------------------------------------------------
+// A renderer to which the object is attached keeps it alive. So there is none, or it is being deleted.
+vtkPartXRay::~vtkPartXRay()
+{
+  this->Private->EndFrame();
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
+  os << indent << "Floor: " << this->GetFloor() << "\n";
+  os << indent << "Falloff: " << this->GetFalloff() << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkPartXRay::CanChoose(vtkProp* prop)
+{
+  return vtkActor::SafeDownCast(prop) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::AddPart(vtkProp* prop, int block)
+{
+  if (!CanChoose(prop))
+  {
+    vtkErrorMacro(
+      "AddPart() takes an actor, and cannot take " << (prop ? prop->GetClassName() : "null"));
+    return;
+  }
+  this->Private->Chosen.Add(prop, block);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::RemoveAllParts()
+{
+  this->Private->Chosen.RemoveAll();
+  this->Private->Looks.PutBackAll();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkPartXRay::GetNumberOfParts()
+{
+  return static_cast<int>(this->Private->Chosen.Size());
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::SetFloor(double floor)
+{
+  vitrine::SetInRange(
+    this, "Floor", this->Private->Shader->Floor, floor, vitrine::NumberRange<double>{ 0.0, 1.0 });
+}
+
+//------------------------------------------------------------------------------
+double vtkPartXRay::GetFloor()
+{
+  return this->Private->Shader->Floor;
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::SetFalloff(double falloff)
+{
+  vitrine::SetInRange(this, "Falloff", this->Private->Shader->Falloff, falloff,
+    vitrine::NumberRange<double>{ 0.0, 16.0 });
+}
+
+//------------------------------------------------------------------------------
+double vtkPartXRay::GetFalloff()
+{
+  return this->Private->Shader->Falloff;
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::Attach(vtkRenderer* renderer)
+{
+  const vtkSmartPointer<vtkPartXRay> alive = this;
+  this->Detach();
+  if (!renderer)
+  {
+    vtkErrorMacro("Attach() takes a renderer");
+    return;
+  }
+  if (vtkPartXRay* const other = GetAttached(renderer))
+  {
+    other->Detach();
+  }
+  Internals& in = *this->Private;
+  in.Renderer = renderer;
+  in.LooksTime = 0;
+  in.Observer = vtkSmartPointer<vitrine::FrameObserver>::New();
+  in.Observer->Start = [&in] { in.StartFrame(); };
+  in.Observer->End = [&in] { in.EndFrame(); };
+  in.Observer->Watch(renderer, this);
+  vtkNew<vtkCallbackCommand> answer;
+  answer->SetCallback(TellXRay);
+  answer->SetClientData(this);
+  in.Answer = renderer->AddObserver(AskForXRay, answer);
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::Detach()
+{
+  Internals& in = *this->Private;
+  in.EndFrame();
+  in.Looks.PutBackAll();
+  const vtkSmartPointer<vtkRenderer> renderer = in.Renderer.Get();
+  in.Renderer = nullptr;
+  if (renderer)
+  {
+    in.Shader->Release();
+    renderer->RemoveObserver(in.Answer);
+    const vtkSmartPointer<vitrine::FrameObserver> observer = std::move(in.Observer);
+    observer->Leave(renderer); // it may hold the last reference to this object
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkPartXRay::GetRenderer()
+{
+  return this->Private->Renderer;
+}
+
+//------------------------------------------------------------------------------
+vtkPartXRay* vtkPartXRay::GetAttached(vtkRenderer* renderer)
+{
+  vtkPartXRay* attached = nullptr;
+  if (renderer)
+  {
+    renderer->InvokeEvent(AskForXRay, &attached);
+  }
+  return attached;
+}
