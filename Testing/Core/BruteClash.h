@@ -32,12 +32,13 @@ public:
     }
   }
 
-  double DistanceTo(const glm::dvec3& point) const
+  /** The distance of a point, or any number that is at most `enough` if the distance is. */
+  double DistanceTo(const glm::dvec3& point, double enough = 0) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for (const Triangle& triangle : this->Triangles)
+    for (std::size_t i = 0; i < this->Triangles.size() && least > enough; ++i)
     {
-      least = std::min(least, glm::length(point - NearestOnTriangle(triangle, point)));
+      least = std::min(least, glm::length(point - NearestOnTriangle(this->Triangles[i], point)));
     }
     return least;
   }
@@ -98,9 +99,14 @@ inline double DepthOfWitnesses(const Surface& part, const Surface& solid,
   double depth = 0;
   for (const glm::dvec3& witness : witnesses)
   {
-    if (solid.Part.Bounds().Contains(witness) && solid.Contains(witness))
+    if (!solid.Part.Bounds().Contains(witness))
     {
-      depth = std::max(depth, solid.DistanceTo(witness));
+      continue;
+    }
+    const double distance = solid.DistanceTo(witness, depth);
+    if (distance > depth && solid.Contains(witness))
+    {
+      depth = distance;
     }
   }
   return depth;
@@ -129,17 +135,17 @@ inline std::optional<Clash> Compare(
   {
     return std::nullopt;
   }
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = std::numeric_limits<double>::max();
   double through = 0;
   std::map<std::uint32_t, std::vector<glm::dvec3>> ofFirst, ofSecond;
   for (std::uint32_t i = 0; i < a.Triangles.size(); ++i)
   {
     for (std::uint32_t j = 0; j < b.Triangles.size(); ++j)
     {
-      const std::optional<Gap> gap = GapWithin(a.Triangles[i], b.Triangles[j],
-        std::numeric_limits<double>::max(), RoundingOf(first, second));
-      distance = std::min(distance, gap->Distance);
-      if (gap->Distance == 0)
+      const std::optional<Gap> gap =
+        GapWithin(a.Triangles[i], b.Triangles[j], distance, RoundingOf(first, second));
+      distance = gap ? gap->Distance : distance;
+      if (gap && gap->Distance == 0)
       {
         ofFirst[i].push_back(gap->OnFirst);
         ofSecond[j].push_back(gap->OnFirst);

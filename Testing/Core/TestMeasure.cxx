@@ -94,7 +94,18 @@ TEST(TriangleGap, IsTheLeastDistanceOfPoints)
     EXPECT_NEAR(glm::length(gap.OnFirst - gap.OnSecond), gap.Distance, 1e-12) << i;
     EXPECT_LE(glm::length(gap.OnFirst - vitrine::NearestOnTriangle(a, gap.OnFirst)), 1e-9) << i;
     EXPECT_LE(glm::length(gap.OnSecond - vitrine::NearestOnTriangle(b, gap.OnSecond)), 1e-9) << i;
-    EXPECT_FALSE(gap.Distance > 0 && GapWithin(a, b, gap.Distance * 0.999, 0)) << i;
+    glm::dvec3 apart(0.0);
+    EXPECT_FALSE(gap.Distance > 0 && GapWithin(a, b, gap.Distance * 0.999, 0, &apart)) << i;
+    if (apart != glm::dvec3(0.0))
+    {
+      double between = Infinity;
+      for (int k = 0; k < 9; ++k)
+      {
+        between = std::min(between, glm::dot(apart, b[k / 3] - a[k % 3]));
+      }
+      EXPECT_NEAR(glm::length(apart), 1, 1e-12) << i;
+      EXPECT_GT(between, gap.Distance * 0.999 - 1e-12) << i;
+    }
     EXPECT_TRUE(GapWithin(a, b, gap.Distance * 1.001, 0)) << i;
   }
 }

@@ -186,7 +186,9 @@ std::vector<PlacedTriangle> PlacedPart::TrianglesTouching(const WideBox& region)
       found.push_back(placed);
     }
   };
-  if (clipped.Low == this->Extent.Low && clipped.High == this->Extent.High)
+  constexpr std::uint32_t few = 64; // A tree takes longer to ask than so many triangles.
+  if (this->Shape->TriangleCount() <= few ||
+    (clipped.Low == this->Extent.Low && clipped.High == this->Extent.High))
   {
     for (std::uint32_t item = 0; item < this->Shape->TriangleCount(); ++item)
     {

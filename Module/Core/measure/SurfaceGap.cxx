@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t LeafSize = 4;
+  static constexpr std::uint32_t LeafSize = 8;
 
   std::uint32_t Build(std::uint32_t first, std::uint32_t count)
   {
@@ -113,32 +113,9 @@ public:
   {
   }
 
-  void Search(std::uint32_t a, std::uint32_t b)
+  void Search()
   {
-    const HalvedTriangles::Node& first = this->First.At(a);
-    const HalvedTriangles::Node& second = this->Second.At(b);
-    if (this->AreFar(first.Extent, second.Extent))
-    {
-      return;
-    }
-    if (first.Right == 0 && second.Right == 0)
-    {
-      this->Compare(first, second);
-    }
-    else if (second.Right == 0 || (first.Right != 0 && first.Count >= second.Count))
-    {
-      const bool isLeftNearer = SquaredDistance(this->First.At(a + 1).Extent, second.Extent) <=
-        SquaredDistance(this->First.At(first.Right).Extent, second.Extent);
-      this->Search(isLeftNearer ? a + 1 : first.Right, b);
-      this->Search(isLeftNearer ? first.Right : a + 1, b);
-    }
-    else
-    {
-      const bool isLeftNearer = SquaredDistance(first.Extent, this->Second.At(b + 1).Extent) <=
-        SquaredDistance(first.Extent, this->Second.At(second.Right).Extent);
-      this->Search(a, isLeftNearer ? b + 1 : second.Right);
-      this->Search(a, isLeftNearer ? second.Right : b + 1);
-    }
+    this->Search(0, 0, SquaredDistance(this->First.At(0).Extent, this->Second.At(0).Extent));
   }
 
   std::optional<SurfaceGap> Result()
@@ -150,6 +127,41 @@ public:
   }
 
 private:
+  void Search(std::uint32_t a, std::uint32_t b, double squaredDistance)
+  {
+    const HalvedTriangles::Node& first = this->First.At(a);
+    const HalvedTriangles::Node& second = this->Second.At(b);
+    const double limit = this->WorthFinding() + this->Rounding;
+    if (squaredDistance > limit * limit || this->AreFarAlong(first.Extent, second.Extent))
+    {
+      return;
+    }
+    if (first.Right == 0 && second.Right == 0)
+    {
+      this->Compare(first, second);
+    }
+    else if (second.Right == 0 || (first.Right != 0 && first.Count >= second.Count))
+    {
+      this->SearchNearerFirst({ a + 1, first.Right }, { b, b });
+    }
+    else
+    {
+      this->SearchNearerFirst({ a, a }, { b + 1, second.Right });
+    }
+  }
+
+  void SearchNearerFirst(const std::uint32_t (&a)[2], const std::uint32_t (&b)[2])
+  {
+    double squared[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      squared[i] = SquaredDistance(this->First.At(a[i]).Extent, this->Second.At(b[i]).Extent);
+    }
+    const int nearer = squared[0] <= squared[1] ? 0 : 1;
+    this->Search(a[nearer], b[nearer], squared[nearer]);
+    this->Search(a[1 - nearer], b[1 - nearer], squared[1 - nearer]);
+  }
+
   void Compare(const HalvedTriangles::Node& first, const HalvedTriangles::Node& second)
   {
     const PlacedTriangle* const* const a = this->First.ItemsOf(first);
@@ -158,7 +170,8 @@ private:
     {
       for (std::uint32_t j = 0; j < second.Count; ++j)
       {
-        if (!this->AreFar(a[i]->Extent, b[j]->Extent))
+        if (!this->AreFar(a[i]->Extent, b[j]->Extent) &&
+          !this->AreFarAlong(a[i]->Corners, b[j]->Corners))
         {
           this->Compare(*a[i], *b[j]);
         }
@@ -168,8 +181,8 @@ private:
 
   void Compare(const PlacedTriangle& a, const PlacedTriangle& b)
   {
-    const std::optional<Gap> gap =
-      GapWithin(a.Corners, b.Corners, this->WorthFinding(), this->Rounding);
+    const std::optional<Gap> gap = GapWithin(a.Corners, b.Corners, this->WorthFinding(),
+      this->Rounding, this->IsFound ? nullptr : &this->Along);
     if (gap && gap->Distance == 0)
     {
       this->Found.Meetings.push_back(
@@ -187,8 +200,41 @@ private:
     return SquaredDistance(a, b) > limit * limit;
   }
 
-  /** Of equal distances, as between parallel plates, the first one found will do. */
-  double WorthFinding() const { return this->IsFound ? this->Limit * (1 - 1e-12) : this->Limit; }
+  /**
+   * Returns true if boxes or triangles are farther apart than the limit along one direction: that of the least gap so
+   * far, or else the last one that set triangles apart. Surfaces often face each other, so it is often right again.
+   */
+  bool AreFarAlong(const WideBox& a, const WideBox& b) const
+  {
+    const glm::dvec3& along = this->Along;
+    double between = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      between +=
+        along[axis] * (along[axis] > 0 ? b.Low[axis] - a.High[axis] : b.High[axis] - a.Low[axis]);
+    }
+    return between > this->WorthFinding() + this->Rounding;
+  }
+
+  bool AreFarAlong(const Triangle& a, const Triangle& b) const
+  {
+    const glm::dvec3& along = this->Along;
+    const double reach =
+      std::max(0.0, std::max(glm::dot(a[1] - a[0], along), glm::dot(a[2] - a[0], along)));
+    const double begin = std::min(glm::dot(b[0] - a[0], along),
+      std::min(glm::dot(b[1] - a[0], along), glm::dot(b[2] - a[0], along)));
+    return begin - reach > this->WorthFinding() + this->Rounding;
+  }
+
+  /**
+   * Of distances that differ by rounding, as between parallel plates, the first one found will do. Meetings are all
+   * found.
+   */
+  double WorthFinding() const
+  {
+    return this->IsFound ? std::max(this->Limit * (1 - 1e-12) - 2 * this->Rounding, this->Rounding)
+                         : this->Limit;
+  }
 
   void Keep(const Gap& gap)
   {
@@ -197,6 +243,8 @@ private:
       this->IsFound = true;
       this->Found.Least = gap;
       this->Limit = gap.Distance;
+      this->Along =
+        gap.Distance > 0 ? (gap.OnSecond - gap.OnFirst) / gap.Distance : glm::dvec3(0.0);
     }
   }
 
@@ -206,6 +254,7 @@ private:
   double Limit;
   bool IsFound = false;
   SurfaceGap Found{};
+  glm::dvec3 Along{ 0.0 }; ///< of the least gap, else one that set triangles apart; 0 at first
 };
 
 }
@@ -222,7 +271,7 @@ std::optional<SurfaceGap> FindSurfaceGap(std::vector<PlacedTriangle> first,
   const HalvedTriangles a(first);
   const HalvedTriangles b(second);
   GapSearch search(a, b, within, rounding);
-  search.Search(0, 0);
+  search.Search();
   return search.Result();
 }
 

@@ -72,6 +72,9 @@ public:
     return areNear;
   }
 
+  /** After AreWithin() was false: the direction along which it saw that, from A to B, of length 1. */
+  glm::dvec3 Apart() const { return glm::normalize(this->Separating); }
+
   /** After AreWithin() was true: whether no direction sets them apart. Without an area there are too few directions. */
   bool DoMeet() const { return this->HaveAreas && !this->AreApart; }
 
@@ -89,12 +92,18 @@ private:
     const double highB = std::max(b0, std::max(b1, b2));
     const double between = std::max(lowB - highA, lowA - highB);
     this->AreApart = this->AreApart || between > 0;
-    return !(between > 0 && between * between > this->Limit * this->Limit * glm::dot(axis, axis));
+    if (between > 0 && between * between > this->Limit * this->Limit * glm::dot(axis, axis))
+    {
+      this->Separating = lowB > highA ? axis : -axis;
+      return false;
+    }
+    return true;
   }
 
   Triangle A; ///< Coordinates are relative, so that rounding depends on sizes and not on places.
   Triangle B;
   double Limit;
+  glm::dvec3 Separating{ 0.0 };
   bool AreApart = false;
   bool HaveAreas = false;
 };
@@ -188,11 +197,16 @@ Gap GapOfSegments(
   return { glm::length(first - second), first, second };
 }
 
-std::optional<Gap> GapWithin(const Triangle& a, const Triangle& b, double within, double rounding)
+std::optional<Gap> GapWithin(
+  const Triangle& a, const Triangle& b, double within, double rounding, glm::dvec3* apart)
 {
   SeparatingDirections directions(a, b, within + rounding);
   if (!directions.AreWithin())
   {
+    if (apart)
+    {
+      *apart = directions.Apart();
+    }
     return std::nullopt;
   }
   if (directions.DoMeet())

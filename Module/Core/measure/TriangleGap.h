@@ -32,8 +32,12 @@ Gap GapOfSegments(
  * Directions in which they may be apart are tried first: normals, cross products of edges, and those of normals and
  * edges. How far they are apart along one is at most their distance. (S. Gottschalk, M. C. Lin, D. Manocha: OBBTree,
  * SIGGRAPH 1996)
+ *
+ * @param apart  if it is given, and one of these directions tells that they are farther apart, it becomes that
+ *               direction: from `a` to `b`, of length 1
  */
-std::optional<Gap> GapWithin(const Triangle& a, const Triangle& b, double within, double rounding);
+std::optional<Gap> GapWithin(const Triangle& a, const Triangle& b, double within, double rounding,
+  glm::dvec3* apart = nullptr);
 
 /** Returns the least distance of two triangles that do not meet. */
 Gap GapOfApartTriangles(const Triangle& a, const Triangle& b);
