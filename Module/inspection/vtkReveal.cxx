@@ -15,8 +15,10 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartOutlines.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/geometric.hpp>
@@ -37,6 +39,9 @@ namespace
 /** Methods store opacities with a relative error of 1/512 at most. Stacks are less deep by this share. */
 constexpr double RoundingShare = 1.0 / 256.0;
 
+/** The opacity of hidden parts that have outlines. Neither 16 bits nor a stack of them can tell it from 0. */
+constexpr double Unseen = 1e-9;
+
 /** Pixels around the box of a part that are captured, too, for lines and points of usual width. */
 constexpr int PixelMargin = 2;
 
@@ -56,6 +61,7 @@ struct vtkReveal::Internals
   vtkWeakPointer<vtkRenderer> Renderer;
   std::vector<TargetPart> Parts;
   vtkNew<vitrine::LayerCapture> Capture;
+  vtkSmartPointer<vtkPartOutlines> Outlines;
   vitrine::FadedLooks Looks;
   std::string Problem;
   unsigned long Observer = 0;
@@ -213,7 +219,9 @@ struct vtkReveal::Internals
       const double opacity = part.Opacity >= least ? part.Opacity : 0.0;
       if (shown.Prop && opacity < part.Original)
       {
-        this->Looks.Set(number, shown, opacity);
+        const bool isKept =
+          opacity > 0.0 || !this->Outlines || !vtkPartOutlines::CanChoose(shown.Prop);
+        this->Looks.Set(number, shown, isKept ? opacity : Unseen);
         this->Faded.push_back({ shown, number, opacity, part.Original });
       }
     }
@@ -227,8 +235,41 @@ struct vtkReveal::Internals
     }
   }
 
+  /** Gives the faded parts their outlines, which spare the parts that shall show. */
+  void DrawOutlines()
+  {
+    if (!this->Outlines)
+    {
+      return;
+    }
+    this->Outlines->RemoveAllParts();
+    this->Outlines->RemoveAllExcludedParts();
+    for (const FadedPart& part : this->Faded)
+    {
+      if (vtkPartOutlines::CanChoose(part.Part.Prop))
+      {
+        this->Outlines->AddPart(part.Part.Prop, static_cast<int>(part.Part.Block));
+      }
+    }
+    for (const TargetPart& part : this->Parts)
+    {
+      if (vtkPartOutlines::CanChoose(part.Prop))
+      {
+        this->Outlines->AddExcludedPart(part.Prop, static_cast<int>(part.Block));
+      }
+    }
+    if (this->Outlines->GetRenderer() != this->Renderer)
+    {
+      this->Outlines->Attach(this->Renderer);
+    }
+  }
+
   void Forget()
   {
+    if (this->Outlines)
+    {
+      this->Outlines->Detach();
+    }
     this->Looks.PutBackAll();
     this->Faded.clear();
     this->Steady.reset();
@@ -256,6 +297,7 @@ void vtkReveal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LeastOpacity: " << this->LeastOpacity << "\n";
   os << indent << "ChangePerDegree: " << this->ChangePerDegree << "\n";
   os << indent << "FollowCamera: " << this->FollowCamera << "\n";
+  os << indent << "Outlines: " << this->GetOutlines() << "\n";
   os << indent << "NumberOfFadedParts: " << this->GetNumberOfFadedParts() << "\n";
   os << indent << "Problem: " << this->GetProblem() << "\n";
 }
@@ -330,6 +372,22 @@ void vtkReveal::SetFollowCamera(bool follow)
     this->FollowCamera = follow;
     this->Modified();
   }
+}
+
+void vtkReveal::SetOutlines(vtkPartOutlines* outlines)
+{
+  Internals& in = *this->Private;
+  if (outlines != in.Outlines)
+  {
+    in.Forget(); // hidden parts are hidden in another way
+    in.Outlines = outlines;
+    this->Modified();
+  }
+}
+
+vtkPartOutlines* vtkReveal::GetOutlines()
+{
+  return this->Private->Outlines;
 }
 
 void vtkReveal::WhenRendererIsDeleted()
@@ -436,6 +494,7 @@ std::string vtkReveal::FindOpacities(double degrees)
   }
   in.Change = in.Steady->Update(stacks, parts, std::isinf(degrees) ? degrees : turned);
   in.SetLooks(this->LeastOpacity);
+  in.DrawOutlines();
   in.Pixels = fronts.Pixels;
   in.Front = parts.size();
   in.Layers = stacks.MostLayers();

@@ -36,7 +36,7 @@
  * then.
  *
  * @sa
- * vtkLayerPicker vtkSeeThroughPass
+ * vtkLayerPicker vtkPartOutlines vtkSeeThroughPass
  */
 #ifndef vtkReveal_h
 #define vtkReveal_h
@@ -47,6 +47,7 @@
 #include <memory> // for the internals
 #include <string> // for messages
 
+class vtkPartOutlines;
 class vtkProp;
 class vtkRenderer;
 
@@ -112,6 +113,16 @@ public:
   void SetFollowCamera(bool follow);
   vtkGetMacro(FollowCamera, bool);
   vtkBooleanMacro(FollowCamera, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get an object that draws outlines of the faded parts, or null. The reveal attaches it to the renderer and
+   * chooses its parts. Colour, width and opacity are the object's. Hidden parts have outlines, too. Over the parts that
+   * shall show there are none, so the share holds. The default is null.
+   */
+  void SetOutlines(vtkPartOutlines* outlines);
+  vtkPartOutlines* GetOutlines();
   ///@}
 
   /**

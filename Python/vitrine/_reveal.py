@@ -13,7 +13,7 @@ from ._assembly import Part
 from ._options import check_boolean
 from ._parts import WHOLE, block_count, choose, part_of, shown_assemblies
 from ._see_through import _plotter_of, _renderers_of
-from .vtkVitrineRendering import vtkReveal
+from .vtkVitrineRendering import vtkPartOutlines, vtkReveal
 
 _LEAST_SHARE = 0.01
 
@@ -41,6 +41,7 @@ def reveal(
     *,
     follow: bool = False,
     least_opacity: float = 1 / 255,
+    outlines: bool = True,
 ) -> Reveal:
     """Fade what stands in front of a part, as little as it takes for the part to show; a plotter on show is drawn.
 
@@ -53,6 +54,8 @@ def reveal(
         follow: whether opacities follow the camera before each frame. They then change by 0.05 at most for each degree,
             but where the share asks for more.
         least_opacity: parts in front that would have less are hidden.
+        outlines: whether lines show where faded and hidden parts are, except over the part. The handle's `outlines` is
+            the vtkPartOutlines that draws them, with their colour, width and opacity.
 
     Opaque parts in front become translucent, so call see_through() before. A reveal that the renderer has already is
     removed first.
@@ -64,6 +67,7 @@ def reveal(
         RuntimeError: the plotter is closed, there is no frame yet, or the driver lacks OpenGL 4.3.
     """
     check_boolean("follow", follow)
+    check_boolean("outlines", outlines)
     share = _number("share", share, _LEAST_SHARE)
     least_opacity = _number("least_opacity", least_opacity, 0.0)
     renderers = _renderers_of(target)
@@ -78,7 +82,7 @@ def reveal(
     former = _reveals.get(renderer.__this__)
     if former is not None:
         former.remove()
-    handle = Reveal(renderer, shown, share, least_opacity, _plotter_of(target))
+    handle = Reveal(renderer, shown, share, least_opacity, outlines, _plotter_of(target))
     if handle.pixels == 0:
         handle.remove()
         raise ValueError("no pixel of the part is drawn: it is hidden, or outside of the view")
@@ -96,6 +100,7 @@ class Reveal:
         shown: list[tuple[vtkProp, int]],
         share: float,
         least_opacity: float,
+        outlines: bool,
         plotter: Any,
     ) -> None:
         self._reveal = vtkReveal()
@@ -105,6 +110,9 @@ class Reveal:
             self._reveal.AddPart(prop, block)
         self._reveal.SetShare(share)
         self._reveal.SetLeastOpacity(least_opacity)
+        self.outlines = _thin_outlines(renderer) if outlines else None
+        if self.outlines is not None:
+            self._reveal.SetOutlines(self.outlines)
         self.update()
 
     def update(self) -> None:
@@ -169,6 +177,16 @@ class Reveal:
 
     def __repr__(self) -> str:
         return f"<Reveal of {self.pixels} pixels: share {self.share:.3f}, {len(self.faded)} parts faded>"
+
+
+def _thin_outlines(renderer: vtkRenderer) -> vtkPartOutlines:
+    """Outlines that are seen on the renderer's background without being loud."""
+    outlines = vtkPartOutlines()
+    is_dark = sum(renderer.GetBackground()) < 1.5
+    outlines.SetColor(*[1.0 if is_dark else 0.0] * 3)
+    outlines.SetOpacity(0.6)
+    outlines.SetWidth(1)
+    return outlines
 
 
 # The reveal of each renderer, by its address. A handle keeps no renderer alive.

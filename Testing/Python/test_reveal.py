@@ -112,6 +112,34 @@ class Plates(unittest.TestCase):
                 self.assertGreaterEqual(pixels(window)[:, first:, 0].min(), math.floor(255 * SHARE))
                 self.assertEqual(len(handle.faded), 2)
 
+    def test_outlines_show_faded_and_hidden_parts_but_spare_the_part(self):
+        small = plate(0, (1, 0, 0), 1.0)
+        small.SetScale(0.25, 0.25, 1)  # the middle half of the view
+        renderer = plates_renderer(small, half_plate(3, (0, 0, 0), 1.0), self.whole)
+        window = window_of(renderer)
+        plain = vitrine.reveal(window, small, SHARE, outlines=False)
+        window.Render()
+        without = pixels(window)
+        self.assertEqual(plain.hidden, 1)
+        self.assertIsNone(plain.outlines)
+        opacities = [part.opacity for part in plain.faded]
+        plain.remove()
+        lined = vitrine.reveal(window, small, SHARE)
+        lined.outlines.SetColor(0, 1, 0)
+        lined.outlines.SetOpacity(1)
+        window.Render()
+        self.assertEqual([part.opacity for part in lined.faded], opacities)
+        changed = (pixels(window) != without).any(axis=2)
+        hidden_edge = numpy.zeros((SIZE, SIZE), bool)
+        hidden_edge[:, SIZE // 2 - 1] = True  # of the half plate
+        covered = slice(SIZE // 4, SIZE - SIZE // 4)
+        self.assertFalse(changed[covered, covered].any())
+        hidden_edge[covered, covered] = False
+        self.assertTrue(changed[hidden_edge].all())
+        lined.remove()
+        window.Render()
+        numpy.testing.assert_array_equal(pixels(window), pixels(window_of(renderer)))
+
     def test_looks_are_put_back(self):
         properties = [actor.GetProperty() for actor in (self.half, self.whole)]
         handle = vitrine.reveal(self.window, self.red, SHARE)
@@ -193,12 +221,17 @@ class Plates(unittest.TestCase):
             self.assertEqual(own.GetOpacity(), 1.0)
 
     def test_the_end_of_the_renderer_puts_looks_back(self):
+        outlined, hidden = self.whole, self.half
+        own = outlined.GetProperty()
+        vitrine.reveal(self.window, self.red, SHARE, outlines=False)
+        self.assertFalse(hidden.GetVisibility())
         vitrine.reveal(self.window, self.red, SHARE)
-        self.assertFalse(self.half.GetVisibility())
+        self.assertIsNot(outlined.GetProperty(), own)
         self.window.RemoveRenderer(self.renderer)
         del self.renderer
         gc.collect()
-        self.assertTrue(self.half.GetVisibility())
+        self.assertTrue(hidden.GetVisibility())
+        self.assertIs(outlined.GetProperty(), own)
         self.assertEqual(self.whole.GetProperty().GetOpacity(), 1.0)
 
     def test_what_the_user_sets_meanwhile_stays(self):
