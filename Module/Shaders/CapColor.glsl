@@ -1,4 +1,4 @@
-  vec3 vitrineLineColor = vitrineInterferes ? vec3(1.0) : vitrineCapEdge.rgb;
+  vec3 vitrineLineColor = vitrineIsStriped ? vec3(1.0) : vitrineCapEdge.rgb;
   diffuseColor = mix(vitrineCutDiffuse.rgb, vitrineLineColor, vitrineCapLine);
   ambientColor = vitrineCutAmbient * (1.0 - vitrineCapLine);
   opacity = vitrineCutDiffuse.a;

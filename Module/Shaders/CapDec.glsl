@@ -4,7 +4,7 @@
 #include "PartHash.glsl"
 #include "SharedLayout.h"
 
-// The sums have a layer for each plane, and then two for each plane, of open parts.
+// The sums have a layer for each plane that cuts parts, and then two for each of these, of open parts.
 #if VITRINE_CUT_SAMPLES > 0
 uniform usampler2DMSArray vitrineCutSums;
 #define VITRINE_CUT_SIZE textureSize(vitrineCutSums).xy
@@ -17,7 +17,8 @@ uniform usampler2DArray vitrineCutSums;
 uniform usamplerBuffer vitrineCutParts; // a texel for each part that is cut: number, masks of planes, hatch
 uniform samplerBuffer vitrineCutLooks;  // VITRINE_CUT_LOOK_TEXELS texels for each part that is cut
 uniform ivec4 vitrineCapPlace;          // the plane, the first pixel of the sums, 1 for translucent caps
-uniform ivec4 vitrineCapStyle;          // width of edges in pixels, the first layer of open parts or 0
+uniform ivec4 vitrineCapStyle;          // width of edges in pixels, the first layer of open parts or 0, the plane's
+                                        // layer, 1 if stripes show where parts interfere
 uniform vec4 vitrineCapEdge;            // colour of edges
 uniform vec2 vitrineCapSpacing;         // distance of a hatch's lines and their width, in world coordinates
 in vec2 vitrineCapPoint;                // in the plane, in world coordinates
@@ -34,16 +35,31 @@ bool vitrineIsOnePart(uvec2 sum)
 // eye and away from it agree.
 uvec2 vitrineSumAt(ivec2 pixel)
 {
-  ivec3 texel = ivec3(clamp(pixel, ivec2(0), VITRINE_CUT_SIZE - 1), vitrineCapPlace.x);
+  ivec3 texel = ivec3(clamp(pixel, ivec2(0), VITRINE_CUT_SIZE - 1), vitrineCapStyle.z);
   uvec2 sum = texelFetch(vitrineCutSums, texel, VITRINE_CUT_SAMPLE).xy;
   if (vitrineCapStyle.y > 0)
   {
-    texel.z = vitrineCapStyle.y + 2 * vitrineCapPlace.x;
+    texel.z = vitrineCapStyle.y + 2 * vitrineCapStyle.z;
     uvec2 beyond = texelFetch(vitrineCutSums, texel, VITRINE_CUT_SAMPLE).xy;
     uvec2 before = texelFetch(vitrineCutSums, texel + ivec3(0, 0, 1), VITRINE_CUT_SAMPLE).xy;
     sum ^= beyond == before && vitrineIsOnePart(beyond) ? beyond : uvec2(0u);
   }
   return sum;
+}
+
+// Returns the lesser one of two parts that have a sum, or 0 if no two parts have it.
+int vitrineFirstOfTwo(uvec2 sum)
+{
+  int count = textureSize(vitrineCutParts);
+  for (int slot = 1; slot < count; ++slot)
+  {
+    uint other = sum.x ^ uint(slot);
+    if (other > uint(slot) && other < uint(count) && (vitrinePartHash(uint(slot)) ^ vitrinePartHash(other)) == sum.y)
+    {
+      return slot;
+    }
+  }
+  return 0;
 }
 
 // Returns how much of the surroundings of a coordinate lies in lines of a width that stand at a distance of 1.

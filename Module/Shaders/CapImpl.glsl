@@ -6,16 +6,18 @@
     discard;
   }
   bool vitrineInterferes = !vitrineIsOnePart(vitrineSumHere);
-  int vitrineCutSlot = vitrineInterferes ? 0 : int(vitrineSumHere.x);
-  uvec4 vitrineCutPart = texelFetch(vitrineCutParts, vitrineCutSlot);
-  vec4 vitrineCutDiffuse = texelFetch(vitrineCutLooks, VITRINE_CUT_LOOK_TEXELS * vitrineCutSlot);
-  vec3 vitrineCutAmbient = texelFetch(vitrineCutLooks, VITRINE_CUT_LOOK_TEXELS * vitrineCutSlot + 1).rgb;
+  int vitrineCutSlot = vitrineInterferes ? vitrineFirstOfTwo(vitrineSumHere) : int(vitrineSumHere.x);
+  bool vitrineIsStriped = vitrineInterferes && (vitrineCapStyle.w == 1 || vitrineCutSlot == 0);
+  int vitrineLookSlot = vitrineIsStriped ? 0 : vitrineCutSlot;
+  uvec4 vitrineCutPart = texelFetch(vitrineCutParts, vitrineLookSlot);
+  vec4 vitrineCutDiffuse = texelFetch(vitrineCutLooks, VITRINE_CUT_LOOK_TEXELS * vitrineLookSlot);
+  vec3 vitrineCutAmbient = texelFetch(vitrineCutLooks, VITRINE_CUT_LOOK_TEXELS * vitrineLookSlot + 1).rgb;
   bool vitrineIsTranslucentCap = vitrineCutDiffuse.a < 1.0;
   if (vitrineIsTranslucentCap != (vitrineCapPlace.w == 1))
   {
     discard;
   }
-  vitrineCapPart = vitrineCutPart.x;
+  vitrineCapPart = texelFetch(vitrineCutParts, vitrineCutSlot).x;
 
   // The other planes that cut the part. A plane of those that remove together counts where all others remove.
   int vitrineOwnBit = 1 << vitrineCapPlace.x;
@@ -41,7 +43,7 @@
   vitrineHatchPoint *= 1.0 - 0.15 * float((vitrineHatchTurn >> 1) & 3u);
   float vitrineHatchBlur = (vitrineCapStep.x + vitrineCapStep.y) / vitrineCapSpacing.x * 0.7;
   float vitrineCapLine = vitrineHatch(int(vitrineCutPart.w), vitrineHatchPoint, vitrineHatchBlur);
-  if (vitrineInterferes)
+  if (vitrineIsStriped)
   {
     vitrineCapLine = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
   }

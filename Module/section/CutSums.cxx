@@ -146,12 +146,9 @@ std::string CutSums::Draw(
   const ScopedVertexArray vertexArray(0);
   const ScopedTrackedState trackedState(state);
   const ScopedShaderProgram shaderProgram(window);
-  const auto count = static_cast<int>(planes.Planes.size());
-  const bool hasOpen = std::any_of(parts.Parts().begin(), parts.Parts().end(),
-    [](const CutPart& part) { return part.Slot != 0 && !part.IsClosed; });
-  this->OpenLayer = hasOpen ? count : 0;
-  std::string problem = this->Sums.Allocate(GL_RG32UI, std::max(key.Viewport[2], 1),
-    std::max(key.Viewport[3], 1), samples, hasOpen ? 3 * count : count);
+  const int layers = this->GiveLayers(parts, planes.Planes.size());
+  std::string problem = this->Sums.Allocate(
+    GL_RG32UI, std::max(key.Viewport[2], 1), std::max(key.Viewport[3], 1), samples, layers);
   problem = problem.empty() ? this->Upload(parts) : problem;
   problem = problem.empty() ? this->DrawPlanes(window, parts, planes) : problem;
   if (!problem.empty())
@@ -159,6 +156,26 @@ std::string CutSums::Draw(
     this->LastKey = Key();
   }
   return problem;
+}
+
+/** Gives layers to the planes that cut parts. Returns how many there are, with those of open parts, and at least 1. */
+int CutSums::GiveLayers(const CutParts& parts, std::size_t planes)
+{
+  std::uint32_t cuts = 0;
+  bool hasOpen = false;
+  for (const CutPart& part : parts.Parts())
+  {
+    cuts |= part.Slot != 0 ? part.Cuts : 0;
+    hasOpen = hasOpen || (part.Slot != 0 && !part.IsClosed);
+  }
+  int count = 0;
+  this->Layers.clear();
+  for (std::size_t plane = 0; plane < planes; ++plane)
+  {
+    this->Layers.push_back((cuts >> plane & 1u) != 0 ? count++ : -1);
+  }
+  this->OpenLayer = hasOpen ? count : 0;
+  return std::max(hasOpen ? 3 * count : count, 1);
 }
 
 std::string CutSums::Upload(const CutParts& parts)
@@ -229,10 +246,15 @@ std::string CutSums::DrawPlanes(
     const glm::dvec4 beyond =
       SignBeyond(planes.Planes[plane], toClip) * planes.Planes[plane].In(fromCenter).Equation();
     const std::uint32_t bit = 1u << plane;
-    this->DrawLayer(program, plane, parts, bit, true, beyond);
+    const int layer = this->Layers[plane];
+    if (layer < 0)
+    {
+      continue;
+    }
+    this->DrawLayer(program, layer, parts, bit, true, beyond);
     if (this->OpenLayer > 0)
     {
-      const std::size_t open = static_cast<std::size_t>(this->OpenLayer) + 2 * plane;
+      const int open = this->OpenLayer + 2 * layer;
       this->DrawLayer(program, open, parts, bit, false, beyond);
       this->DrawLayer(program, open + 1, parts, bit, false, -beyond);
     }
@@ -241,11 +263,11 @@ std::string CutSums::DrawPlanes(
 }
 
 /** Draws the sums of closed or open parts into a layer. `beyond` is the plane whose positive side counts. */
-void CutSums::DrawLayer(vtkShaderProgram* program, std::size_t layer, const CutParts& parts,
+void CutSums::DrawLayer(vtkShaderProgram* program, int layer, const CutParts& parts,
   std::uint32_t planeBit, bool areClosed, const glm::dvec4& beyond)
 {
   glFramebufferTextureLayer(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, static_cast<GLint>(layer));
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, layer);
   const GLuint none[4] = { 0, 0, 0, 0 };
   glClearBufferuiv(GL_COLOR, 0, none);
   const Ranges ranges = RangesOf(parts, planeBit, areClosed);
@@ -321,7 +343,8 @@ void CutSums::SetUniforms(vtkShaderProgram* program, int plane, bool isTransluce
 CutSums::Pixels CutSums::Read(int plane)
 {
   Pixels pixels;
-  if (!this->Context.Lives() || this->LastKey.Changes == 0)
+  const int layer = this->LayerOf(static_cast<std::size_t>(plane));
+  if (!this->Context.Lives() || this->LastKey.Changes == 0 || layer < 0)
   {
     return pixels;
   }
@@ -334,7 +357,7 @@ CutSums::Pixels CutSums::Read(int plane)
   const ScopedPixelTransfer transfer(ScopedPixelTransfer::FROM_DEVICE);
   window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Drawing.Handle());
   glFramebufferTextureLayer(
-    GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, plane);
+    GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Sums.Handle(), 0, layer);
   const ScopedReadBuffer readBuffer(window->GetState(), GL_COLOR_ATTACHMENT0);
   Image2D single;
   Framebuffer resolving;
@@ -402,6 +425,7 @@ void CutSums::Forget()
   this->Programs.Release();
   this->Generation = 0;
   this->LastKey = Key();
+  this->Layers.clear();
   this->Context.LetGo();
 }
 

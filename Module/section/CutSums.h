@@ -69,7 +69,13 @@ public:
   };
   Pixels Read(int plane);
 
-  /** The first layer of open parts, which have two for each plane: faces beyond it, and before it. 0 without any. */
+  /** The layer of a plane, or -1 if it cuts no part. */
+  int LayerOf(std::size_t plane) const
+  {
+    return plane < this->Layers.size() ? this->Layers[plane] : -1;
+  }
+
+  /** The first layer of open parts, which have two for each layer: faces beyond the plane, and before it. 0 if none. */
   int FirstOpenLayer() const { return this->OpenLayer; }
 
   /** The matrix from WC to the clip coordinates of the last sums. */
@@ -92,10 +98,11 @@ private:
   };
 
   void UseWindow(vtkOpenGLRenderWindow* window);
+  int GiveLayers(const CutParts& parts, std::size_t planes);
   std::string Upload(const CutParts& parts);
   std::string DrawPlanes(
     vtkOpenGLRenderWindow* window, const CutParts& parts, const SectionPlanes& planes);
-  void DrawLayer(vtkShaderProgram* program, std::size_t layer, const CutParts& parts,
+  void DrawLayer(vtkShaderProgram* program, int layer, const CutParts& parts,
     std::uint32_t planeBit, bool areClosed, const glm::dvec4& beyond);
   void Connect(vtkShaderProgram* program);
   void Forget();
@@ -111,6 +118,7 @@ private:
   std::uint64_t Generation = 0;
   GLuint VertexArray = 0;
   Key LastKey;
+  std::vector<int> Layers; ///< of planes, -1 for those that cut nothing
   int OpenLayer = 0;
 
   Buffer PartTable;

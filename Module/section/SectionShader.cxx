@@ -11,6 +11,7 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -120,6 +121,25 @@ double FurtherMargin(const CutPlane& plane, double margin, vtkActor* actor)
 }
 
 vtkStandardNewMacro(SectionShader);
+
+namespace
+{
+
+/** Returns the axis of WC that is nearest to the upwards direction of the view. Small turns of the view keep it. */
+glm::dvec3 UpOf(vtkRenderer* renderer)
+{
+  double up[3];
+  renderer->GetActiveCamera()->GetViewUp(up);
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+  {
+    axis = std::abs(up[i]) > std::abs(up[axis]) ? i : axis;
+  }
+  glm::dvec3 nearest(0.0);
+  nearest[axis] = up[axis] < 0.0 ? -1.0 : 1.0;
+  return nearest;
+}
+}
 
 void SectionShader::BeginFrame(vtkRenderer* renderer, const SectionPlanes& planes)
 {
@@ -272,7 +292,8 @@ bool SectionShader::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMa
     reinterpret_cast<const float(*)[4]>(equations.data()));
   if (cap)
   {
-    const PlaneAxes axes = AxesOf(this->Planes.Planes[static_cast<std::size_t>(cap->Plane)]);
+    const CutPlane& plane = this->Planes.Planes[static_cast<std::size_t>(cap->Plane)];
+    const PlaneAxes axes = AxesOf(plane, UpOf(this->Renderer));
     float places[2][4];
     PutInFrame({ axes.U, 0.0 }, frame, places[0]);
     PutInFrame({ axes.V, 0.0 }, frame, places[1]);

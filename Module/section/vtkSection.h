@@ -140,9 +140,20 @@ public:
   ///@}
 
   /**
-   * Set the hatch of one prop's caps in place of the general one. A negative hatch removes it.
+   * Set the hatch of the caps of a prop, or of one of its blocks by flat index, in place of the general one. A negative
+   * hatch removes it. A negative block stands for the whole prop.
    */
-  void SetHatchOf(vtkProp* prop, int hatch);
+  void SetHatchOf(vtkProp* prop, int hatch, int block = -1);
+
+  ///@{
+  /**
+   * Get/Set whether caps show a warning pattern where parts interfere. Without it, such a point has the cap of one of
+   * these parts. The default is true.
+   */
+  void SetInterferenceStripes(bool stripes);
+  bool GetInterferenceStripes();
+  vtkBooleanMacro(InterferenceStripes, bool);
+  ///@}
 
   ///@{
   /**

@@ -1,5 +1,6 @@
 #include "Core/geometry/ClosedMesh.h"
 #include "Core/section/CutPolygon.h"
+#include "Core/section/PartSums.h"
 
 #include <gtest/gtest.h>
 
@@ -94,4 +95,76 @@ TEST(CutPolygon, IsAHexagonInTheMiddleOfACube)
   EXPECT_TRUE(CutPolygon(plane.MovedBy(2.0), glm::dvec3(-1.0), glm::dvec3(1.0)).empty());
 }
 
+TEST(PlaneAxes, StandUprightWhereThePlaneDoes)
+{
+  const glm::dvec3 up(0, 1, 0);
+  for (const glm::dvec3& normal :
+    { glm::dvec3(1, 0, 0), glm::dvec3(-2, 0.3, 1), glm::dvec3(0, 1, 1e-9) })
+  {
+    const vitrine::PlaneAxes axes = vitrine::AxesOf({ normal, 0.5 }, up);
+    EXPECT_NEAR(glm::dot(axes.U, normal), 0.0, 1e-12);
+    EXPECT_NEAR(glm::dot(axes.V, normal), 0.0, 1e-12);
+    EXPECT_NEAR(glm::dot(axes.U, axes.V), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(axes.U), 1.0, 1e-12);
+    if (normal.x != 0.0)
+    {
+      EXPECT_NEAR(axes.U.y, 0.0, 1e-12) << "lines along U are not level";
+      EXPECT_GT(axes.V.y, 0.0);
+    }
+  }
+}
+
+vitrine::PartSum SumOf(const vitrine::PartSlots& slots)
+{
+  vitrine::PartSum sum{ 0, 0 };
+  for (const std::uint32_t slot : slots)
+  {
+    sum = vitrine::Toggled(sum, slot);
+  }
+  return sum;
+}
+
+TEST(PartSums, TellUpToThreePartsOfMany)
+{
+  vitrine::PartSlots known;
+  for (std::uint32_t slot = 1; slot <= 60; ++slot)
+  {
+    known.insert(slot);
+  }
+  for (std::uint32_t a = 1; a <= 60; a += 3)
+  {
+    EXPECT_EQ(vitrine::PartsOf(SumOf({ a }), known), vitrine::PartSlots{ a });
+    for (std::uint32_t b = a + 1; b <= 60; b += 7)
+    {
+      EXPECT_EQ(vitrine::PartsOf(SumOf({ a, b }), known), (vitrine::PartSlots{ a, b }));
+      const vitrine::PartSlots three{ a, b, (a + b) % 60 + 1 };
+      EXPECT_EQ(vitrine::PartsOf(SumOf(three), known), three);
+    }
+  }
+  EXPECT_EQ(vitrine::PartsOf({ 0, 0 }, known), vitrine::PartSlots());
+  EXPECT_FALSE(vitrine::PartsOf(SumOf({ 61 }), known));
+  EXPECT_FALSE(vitrine::PartsOf(SumOf({ 1, 2 }), known, 1));
+}
+
+TEST(PartSums, TellManyPartsByThoseThatAreExpected)
+{
+  vitrine::PartSlots known;
+  vitrine::PartSlots real;
+  for (std::uint32_t slot = 1; slot <= 30; ++slot)
+  {
+    known.insert(slot);
+    if (slot % 3 != 0)
+    {
+      real.insert(slot);
+    }
+  }
+  vitrine::PartSlots expected = real;
+  expected.erase(1);
+  expected.insert(3);
+  EXPECT_FALSE(vitrine::PartsOf(SumOf(real), known));
+  EXPECT_EQ(vitrine::PartsNear(SumOf(real), expected, known), real);
+  expected.erase(2);
+  expected.erase(4);
+  EXPECT_FALSE(vitrine::PartsNear(SumOf(real), expected, known));
+}
 }

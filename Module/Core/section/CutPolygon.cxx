@@ -35,14 +35,16 @@ Polygon ClipBy(const Polygon& polygon, int axis, double sign, double limit)
 }
 }
 
-PlaneAxes AxesOf(const CutPlane& plane)
+PlaneAxes AxesOf(const CutPlane& plane, const glm::dvec3& up)
 {
   const glm::dvec3 normal = glm::normalize(plane.Normal);
   const glm::dvec3 size = glm::abs(normal);
   const int least = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
   glm::dvec3 other(0.0);
   other[least] = 1.0;
-  const glm::dvec3 u = glm::normalize(glm::cross(other, normal));
+  const glm::dvec3 level = glm::cross(up, normal);
+  const bool isLevel = glm::length(level) < 0.1 * glm::length(up);
+  const glm::dvec3 u = glm::normalize(isLevel ? glm::cross(other, normal) : level);
   return { u, glm::cross(normal, u) };
 }
 
@@ -52,7 +54,7 @@ Polygon CutPolygon(const CutPlane& plane, const glm::dvec3& min, const glm::dvec
   const double reach = glm::length(max - min);
   const double length = glm::length(plane.Normal);
   const glm::dvec3 foot = middle - plane.Normal * (plane.At(middle) / (length * length));
-  const auto [u, v] = AxesOf(plane);
+  const auto [u, v] = AxesOf(plane, { 0.0, 0.0, 1.0 });
   Polygon polygon = { foot - reach * (u + v), foot + reach * (u - v), foot + reach * (u + v),
     foot + reach * (v - u) };
   for (int axis = 0; axis < 3; ++axis)

@@ -23,7 +23,11 @@ struct PlaneAxes
   glm::dvec3 V;
 };
 
-PlaneAxes AxesOf(const CutPlane& plane);
+/**
+ * Returns axes of which V is as near to `up` as the plane allows. If the plane is nearly level, so that this says
+ * little, another axis of the coordinates stands for `up`.
+ */
+PlaneAxes AxesOf(const CutPlane& plane, const glm::dvec3& up);
 
 }
 

@@ -1,0 +1,20 @@
+/** When what a renderer shows has changed. */
+#ifndef VITRINE_SCENE_SCENE_TIME_H
+#define VITRINE_SCENE_SCENE_TIME_H
+
+#include "vtkType.h"
+
+class vtkRenderer;
+
+namespace vitrine
+{
+
+/**
+ * Returns when the renderer's list of props, a prop, its mapper or its data changed last. Caps of sections do not
+ * count. It updates no pipeline, so a change of a source shows when the data is made.
+ */
+vtkMTimeType NewestTimeOf(vtkRenderer* renderer);
+
+}
+
+#endif
