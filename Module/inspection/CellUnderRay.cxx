@@ -23,6 +23,10 @@ namespace vitrine
 namespace
 {
 
+/** A layer is of a cell if they are as near as this share of the part's size, and these roundings of depths. */
+constexpr double NearShare = 1e-4;
+constexpr double DepthRounding = 1e-6;
+
 /** Returns the node of a flat index below `node`, whose own flat index is `at`. Counts `at` on. */
 vtkDataObject* NodeOf(vtkDataObject* node, unsigned int& at, unsigned int wanted)
 {
@@ -117,7 +121,11 @@ vtkIdType CellUnderRay(const ShownPart& part, const PixelRays& rays, const glm::
     }
     const double depth = rays.ToWindow(near + t * (far - near)).z;
     const double away = std::abs(depth - inWindow.z);
-    if (away < least)
+    // Caps of sections show a part where none of its cells is.
+    const double beside = t + NearShare * data->GetLength() / glm::length(to - from);
+    const double most =
+      DepthRounding + std::abs(rays.ToWindow(near + beside * (far - near)).z - depth);
+    if (away < least && away <= most)
     {
       least = away;
       nearest = id;

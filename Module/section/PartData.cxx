@@ -194,6 +194,13 @@ PartLook LookOf(vtkActor* actor, const DrawnData& drawn)
     }
   }
   const bool isPhysical = property->GetInterpolation() == VTK_PBR;
+  if (!property->GetLighting())
+  {
+    // Mappers show the sum of both colours then. Caps are lit, so all of it counts as ambient.
+    const glm::dvec3 all = diffuseColor * (isPhysical ? 1.0 : property->GetDiffuse()) +
+      ambientColor * (isPhysical ? 0.0 : property->GetAmbient());
+    return { glm::vec4(0.0f, 0.0f, 0.0f, opacity), glm::vec4(glm::vec3(all), 0.0f) };
+  }
   return { glm::vec4(
              glm::vec3(diffuseColor * (isPhysical ? 1.0 : property->GetDiffuse())), opacity),
     glm::vec4(glm::vec3(ambientColor * (isPhysical ? 0.0 : property->GetAmbient())), 0.0f) };

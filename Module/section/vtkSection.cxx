@@ -524,6 +524,12 @@ void vtkSection::Detach()
 }
 
 //------------------------------------------------------------------------------
+vtkRenderer* vtkSection::GetRenderer()
+{
+  return this->Private->Renderer;
+}
+
+//------------------------------------------------------------------------------
 vtkSection* vtkSection::GetAttached(vtkRenderer* renderer)
 {
   vtkSection* attached = nullptr;

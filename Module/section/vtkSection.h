@@ -191,6 +191,11 @@ public:
   ///@}
 
   /**
+   * Get the renderer to which the section is attached, or null.
+   */
+  vtkRenderer* GetRenderer();
+
+  /**
    * Get the section that is attached to a renderer, or null.
    */
   static vtkSection* GetAttached(vtkRenderer* renderer);

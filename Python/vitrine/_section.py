@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import numbers
 import warnings
 import weakref
-from typing import Any, Iterable, Sequence, TypeVar
+from typing import Any, Iterable, Mapping, Sequence, TypeVar
 
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkPlane
@@ -29,9 +30,10 @@ def section(
     *,
     parts: Any = None,
     but: Any = None,
-    caps: bool = True,
-    hatch: str | None = None,
+    caps: bool | None = None,
+    hatch: str | Mapping[Any, str] | None = None,
     edges: int | None = None,
+    stripes: bool | None = None,
 ) -> Section:
     """Cut what `target` shows by a plane, and fill the cuts of closed parts, from its next frame on.
 
@@ -43,11 +45,16 @@ def section(
         parts: the parts that the plane cuts: an actor, a pair of an actor and a block, a Part or a Selection of an
             assembly, a pattern of names such as "gear*", or an iterable of these. None stands for all.
         but: the parts that the plane leaves whole, instead of `parts`.
-        caps: whether cuts are filled. It applies to all planes of the target.
-        hatch: the hatch of caps: "none", "lines" (cast iron), "pairs" (steel), "dashes" (bronze, brass), "cross"
-            (plastic), "level" (fluids, glass) or "dots" (insulation). None leaves it as it is, "none" at first. It
-            applies to all planes of the target.
-        edges: the width of the lines around cuts, in pixels, from 0 to 4. None leaves it as it is, 1 at first.
+        caps: whether cuts are filled, as they are at first.
+        hatch: the hatch of caps: "none", as at first, "lines" (cast iron), "pairs" (steel), "dashes" (bronze, brass),
+            "cross" (plastic), "level" (fluids, glass) or "dots" (insulation). A mapping from parts to hatches gives
+            these parts a hatch of their own, such as {"material:steel*": "pairs"}.
+        edges: the width of the lines around cuts, in pixels, from 0 to 4. It is 1 at first.
+        stripes: whether a warning pattern shows where parts interfere, as it does at first. Without it, such points
+            have the cap of one of the parts.
+
+    caps, hatch, edges and stripes are those of all planes of the target. None leaves them as they are; look() of the
+    handle changes them later.
 
     A target may have six planes. It may be see-through or not, before or after this. Caps have their part's colour and
     opacity.
@@ -75,22 +82,22 @@ def section(
     plane = vtkPlane()
     plane.SetNormal(_normal_of(normal))
     plane.SetOrigin(_point_of(origin) if origin is not None else _middle_of(renderers))
-    _check_look(caps, hatch, edges)
+    look = _look_of(renderers, caps, hatch, edges, stripes)
     if parts is not None and but is not None:
         raise ValueError("give either parts or but")
     chosen = _chosen_of(parts if parts is not None else but, renderers)
     if parts is not None and not chosen:
         raise ValueError("parts is empty, so the plane would cut nothing: leave it out to cut all parts")
-    sections = [_section_of(renderer) for renderer in renderers]
-    if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in sections):
+    if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in _attached(renderers)):
         raise ValueError(f"a target has {vtkSection.GetMaximumNumberOfPlanes()} planes at most: remove one")
+    sections = [_section_of(renderer) for renderer in renderers]
     for found in sections:
         found.AddPlane(plane)
         if parts is not None or but is not None:
             found.SetParts(plane, vtkSection.ONLY_CHOSEN if parts is not None else vtkSection.ALL_BUT_CHOSEN)
         for each in chosen:
             found.ChoosePart(plane, each.prop, each.block)
-        _set_look(found, caps, hatch, edges)
+        look.apply_to(found)
     handle = Section(target, plane, sections)
     handle._render()
     return handle
@@ -101,9 +108,10 @@ def section_box(
     bounds: Sequence[float],
     *,
     inside: bool = True,
-    caps: bool = True,
-    hatch: str | None = None,
+    caps: bool | None = None,
+    hatch: str | Mapping[Any, str] | None = None,
     edges: int | None = None,
+    stripes: bool | None = None,
 ) -> SectionBox:
     """Cut what `target` shows by the six faces of a box, and fill the cuts of closed parts, from its next frame on.
 
@@ -112,7 +120,7 @@ def section_box(
             renderers that it has now.
         bounds: xmin, xmax, ymin, ymax, zmin and zmax of the box, in world coordinates.
         inside: whether the inside of the box is kept. False keeps the outside.
-        caps, hatch, edges: as of section().
+        caps, hatch, edges, stripes: as of section().
 
     A target may have one box, besides the planes of section(). The box cuts all parts.
 
@@ -136,12 +144,12 @@ def section_box(
     renderers = _renderers_of(target)
     box = _box_of(bounds)
     check_boolean("inside", inside)
-    _check_look(caps, hatch, edges)
-    sections = [_section_of(renderer) for renderer in renderers]
-    if any(found.HasBox() for found in sections):
+    look = _look_of(renderers, caps, hatch, edges, stripes)
+    if any(found.HasBox() for found in _attached(renderers)):
         raise ValueError("a target has one box at most: move or remove it")
+    sections = [_section_of(renderer) for renderer in renderers]
     for found in sections:
-        _set_look(found, caps, hatch, edges)
+        look.apply_to(found)
     handle = SectionBox(target, box, inside, sections)
     handle.move()
     return handle
@@ -188,6 +196,23 @@ class _Cut:
             named = [_part(found, ids.GetId(i)) for i in range(ids.GetNumberOfIds())]
             pairs += list(zip(named[::2], named[1::2]))
         return pairs
+
+    def look(
+        self,
+        *,
+        caps: bool | None = None,
+        hatch: str | Mapping[Any, str] | None = None,
+        edges: int | None = None,
+        stripes: bool | None = None,
+    ) -> None:
+        """Change how the caps of all planes of the target look, as section() does. None leaves a value as it is.
+
+        A plotter on show is drawn at once.
+        """
+        look = _look_of([found.GetRenderer() for found in self._sections], caps, hatch, edges, stripes)
+        for found in self._sections:
+            look.apply_to(found)
+        self._render()
 
     def remove(self) -> None:
         """Take the plane or the box away. A plotter on show is drawn at once."""
@@ -306,22 +331,62 @@ class SectionBox(_Cut):
         return f"<SectionBox {side} ({', '.join(f'{value:g}' for value in self._bounds)})>"
 
 
-def _check_look(caps: bool, hatch: str | None, edges: int | None) -> None:
-    check_boolean("caps", caps)
-    if hatch is not None and hatch not in HATCHES:
-        raise ValueError(f"there is no hatch {hatch!r}: choose {', '.join(HATCHES)}")
+@dataclasses.dataclass(frozen=True)
+class _Look:
+    """How caps shall look. None leaves a value as it is."""
+
+    caps: bool | None
+    hatch: int | None
+    hatches: tuple[tuple[Chosen, int], ...]
+    edges: int | None
+    stripes: bool | None
+
+    def apply_to(self, found: vtkSection) -> None:
+        if self.caps is not None:
+            found.SetCaps(self.caps)
+        if self.hatch is not None:
+            found.SetHatch(self.hatch)
+        for part, hatch in self.hatches:
+            found.SetHatchOf(part.prop, hatch, part.block)
+        if self.edges is not None:
+            found.SetEdgeWidth(self.edges)
+        if self.stripes is not None:
+            found.SetInterferenceStripes(self.stripes)
+
+
+def _look_of(
+    renderers: list[vtkRenderer],
+    caps: bool | None,
+    hatch: str | Mapping[Any, str] | None,
+    edges: int | None,
+    stripes: bool | None,
+) -> _Look:
+    """The look that a user gave. Raises as section() does."""
+    for name, value in (("caps", caps), ("stripes", stripes)):
+        if value is not None:
+            check_boolean(name, value)
     if edges is not None and (isinstance(edges, bool) or not isinstance(edges, numbers.Real)):
         raise TypeError(f"edges is the width of lines in whole pixels, from 0 to 4, not {edges!r}")
     if edges is not None and edges not in range(5):
         raise ValueError(f"edges is the width of lines in whole pixels, from 0 to 4, not {edges!r}")
+    hatches: list[tuple[Chosen, int]] = []
+    if isinstance(hatch, Mapping):
+        for parts, of_parts in hatch.items():
+            hatches += [(part, _hatch_of(of_parts)) for part in _chosen_of(parts, renderers)]
+    general = _hatch_of(hatch) if hatch is not None and not isinstance(hatch, Mapping) else None
+    return _Look(caps, general, tuple(hatches), None if edges is None else int(edges), stripes)
 
 
-def _set_look(found: vtkSection, caps: bool, hatch: str | None, edges: int | None) -> None:
-    found.SetCaps(caps)
-    if hatch is not None:
-        found.SetHatch(HATCHES.index(hatch))
-    if edges is not None:
-        found.SetEdgeWidth(int(edges))
+def _hatch_of(name: Any) -> int:
+    if name not in HATCHES:
+        raise ValueError(f"there is no hatch {name!r}: choose {', '.join(HATCHES)}")
+    return HATCHES.index(name)
+
+
+def _attached(renderers: Iterable[vtkRenderer]) -> list[vtkSection]:
+    """The sections that renderers have already."""
+    found = map(vtkSection.GetAttached, renderers)
+    return [each for each in found if each is not None]
 
 
 def _section_of(renderer: vtkRenderer) -> vtkSection:
