@@ -1,18 +1,20 @@
 #include "vtkReveal.h"
 
 #include "Core/reveal/SteadyReveal.h"
+#include "inspection/Cutaway.h"
 #include "inspection/FrameOfRenderer.h"
 #include "inspection/FrontOfPart.h"
 #include "inspection/LayerCapture.h"
 #include "inspection/PartOnScreen.h"
+#include "inspection/RevealedParts.h"
 #include "scene/FadedLooks.h"
 #include "scene/PartNumbers.h"
+#include "scene/SceneTime.h"
 #include "scene/Settings.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartOutlines.h"
@@ -21,13 +23,16 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -42,31 +47,24 @@ constexpr double RoundingShare = 1.0 / 256.0;
 /** The opacity of hidden parts that have outlines. Neither 16 bits nor a stack of them can tell it from 0. */
 constexpr double Unseen = 1e-9;
 
-/** Pixels around the box of a part that are captured, too, for lines and points of usual width. */
-constexpr int PixelMargin = 2;
-
 /** Parts move against each other by this share of the viewport's height while the view turns by a degree. */
 constexpr int TilesOfHeight = 180;
 }
 
 struct vtkReveal::Internals
 {
-  /** A part that shall show. */
-  struct TargetPart
-  {
-    vtkWeakPointer<vtkProp> Prop;
-    unsigned int Block;
-  };
-
   vtkWeakPointer<vtkRenderer> Renderer;
-  std::vector<TargetPart> Parts;
+  vitrine::RevealedParts Parts;
   vtkNew<vitrine::LayerCapture> Capture;
+  vitrine::Cutaway Hole;
   vtkSmartPointer<vtkPartOutlines> Outlines;
   vitrine::FadedLooks Looks;
   std::string Problem;
   unsigned long Observer = 0;
   unsigned long EndObserver = 0;
-  vtkMTimeType CameraTime = 0; ///< of the camera when it was last followed
+  vtkMTimeType CameraTime = 0;   ///< of the camera when it was last followed
+  vtkMTimeType SceneTime = 0;    ///< of what the renderer shows after the last update
+  vitrine::PixelRegion Viewport; ///< of the last update
   bool IsUpdating = false;
 
   std::optional<vitrine::SteadyReveal>
@@ -90,102 +88,203 @@ struct vtkReveal::Internals
     double Original;
   };
   std::vector<FadedPart> Faded;
+  std::map<std::uint32_t, vitrine::ShownPart> Cut; ///< parts that have a hole, by numbers
 
   const FadedPart* At(int i) const
   {
     return i >= 0 && static_cast<std::size_t>(i) < this->Faded.size() ? &this->Faded[i] : nullptr;
   }
 
-  /** Returns the numbers of the parts that shall show. */
-  vitrine::PartSet Targets() const
+  /** What is in front of the parts in a view. */
+  struct View
   {
-    vitrine::PartSet numbers;
-    vitrine::PartNumbers& all = vitrine::PartNumbers::Of(this->Renderer);
-    for (const TargetPart& part : this->Parts)
+    vitrine::PixelRays Rays;
+    std::vector<vitrine::BoxCorners> Boxes; ///< of the parts that shall show
+    vitrine::PixelRegion Region;
+    vitrine::FrontStacks Stacks;
+    bool IsAtOnce = false; ///< opacities may change by any amount
+
+    glm::dvec3 Middle() const
     {
-      if (part.Prop)
+      glm::dvec3 least(std::numeric_limits<double>::infinity());
+      glm::dvec3 most = -least;
+      for (const vitrine::BoxCorners& box : this->Boxes)
       {
-        const std::uint32_t first = all.FirstOf(part.Prop);
-        vtkDataObject* const blocks = vitrine::BlocksOf(part.Prop);
-        const std::uint32_t count = blocks && part.Block == 0 ? vitrine::NumberOfNodes(blocks) : 1;
-        for (std::uint32_t i = 0; i < count; ++i)
+        for (const glm::dvec3& corner : box)
         {
-          numbers.insert(first + part.Block + i);
+          least = glm::min(least, corner);
+          most = glm::max(most, corner);
         }
       }
+      return 0.5 * (least + most);
     }
-    return numbers;
+  };
+
+  /** Returns why the reveal cannot be found, or an empty string. */
+  std::string FindProblem(bool cuts) const
+  {
+    if (!this->Renderer)
+    {
+      return "there is no renderer: call SetRenderer()";
+    }
+    if (!this->Parts.HasAny())
+    {
+      return "there is no part that shall show: call AddPart()";
+    }
+    if (!this->Parts.AreIn(this->Renderer))
+    {
+      return "a part that shall show is not in the renderer any more";
+    }
+    return cuts ? this->Hole.ProblemOf(this->Renderer) : "";
   }
 
-  /** Returns the corners of a part's box, by the nodes of its actor's blocks. */
-  std::optional<vitrine::BoxCorners> CornersOf(const vitrine::ShownPart& part)
+  /** Captures what is in front, as if nothing were hidden or cut. Returns why it cannot, or an empty string. */
+  std::string CaptureView(View& view, bool withNear)
   {
-    vtkActor* const actor = vtkActor::SafeDownCast(part.Prop);
-    if (!actor || part.Block == 0)
+    vitrine::FrameOfRenderer frame;
+    std::string problem = frame.Find(this->Renderer);
+    if (!problem.empty())
     {
-      return part.Prop ? vitrine::CornersOf(part.Prop) : std::nullopt;
+      return problem;
     }
-    const std::vector<vitrine::BlockNode>& nodes = this->Looks.NodesOf(actor);
-    return part.Block < nodes.size() ? vitrine::CornersOfBlock(actor, nodes[part.Block].Data)
-                                     : std::nullopt;
+    this->Looks.ForgetNodes();
+    this->Looks.ShowHidden();
+    this->Hole.Suspend();
+    view.Boxes = this->Parts.Boxes(this->Looks);
+    view.Region = vitrine::RegionOf(view.Boxes, view.Rays);
+    vitrine::NearStacks near(std::max(1, view.Rays.Viewport().Height / TilesOfHeight));
+    vitrine::Fronts fronts;
+    fronts.Near = withNear ? &near : nullptr;
+    if (!view.Region.IsEmpty())
+    {
+      problem = vitrine::CaptureFronts(
+        *this->Capture, frame, view.Region, this->Parts.NumbersIn(this->Renderer), fronts);
+    }
+    this->Pixels = fronts.Pixels;
+    this->Stacks = fronts.Stacks.Count();
+    this->Front = fronts.Stacks.Parts().size();
+    this->Layers = fronts.Stacks.MostLayers();
+    view.Stacks = std::move(fronts.Stacks);
+    if (withNear)
+    {
+      near.AddTo(view.Stacks);
+    }
+    return problem;
   }
 
-  /** Returns the area of a part on the screen in pixels, at least 1: that of its faces, and at most that of its box. */
-  double AreaOf(const vitrine::ShownPart& part, const vitrine::PixelRays& rays)
+  /** Returns what each part in front counts for, and the opacity that it has without being faded. */
+  std::vector<vitrine::SteadyReveal::FrontPart> FrontPartsOf(const View& view, bool byArea)
   {
-    const auto corners = this->CornersOf(part);
-    if (!corners)
+    std::vector<vitrine::SteadyReveal::FrontPart> parts;
+    const vitrine::PartNumbers& numbers = vitrine::PartNumbers::Of(this->Renderer);
+    for (const std::uint32_t number : view.Stacks.Parts())
     {
-      return 1.0;
+      const vitrine::ShownPart part = numbers.PartOf(number);
+      const double weight = byArea ? vitrine::AreaOf(part, this->Looks, view.Rays) : 1.0;
+      parts.push_back({ weight, this->Looks.OriginalOf(part) });
     }
-    const vitrine::PixelRegion region = vitrine::RegionOf(*corners, rays, 0);
-    const double box = static_cast<double>(region.Width) * region.Height;
-    vtkActor* const actor = vtkActor::SafeDownCast(part.Prop);
-    vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
-    vtkDataObject* data = nullptr;
-    if (mapper && part.Block != 0)
-    {
-      const std::vector<vitrine::BlockNode>& nodes = this->Looks.NodesOf(actor);
-      data = part.Block < nodes.size() ? nodes[part.Block].Data : nullptr;
-    }
-    else if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
-    {
-      data = mapper->GetInputDataObject(0, 0);
-    }
-    const double faces = actor ? vitrine::AreaOnScreen(actor, data, rays) : 0.0;
-    return std::max(1.0, faces > 0.0 ? std::min(faces, box) : box);
+    return parts;
   }
 
-  /** Returns the smallest rectangle of pixels around all parts that shall show, and notes where they are. */
-  vitrine::PixelRegion RegionOfTargets(const vitrine::PixelRays& rays, glm::dvec3& middle)
+  /**
+   * Takes the parts out of the stacks that would have less than a share of their opacity, and chooses them for the
+   * hole. Parts that had a hole keep it while they are in front.
+   */
+  void ChooseCut(View& view, double least, bool byArea)
   {
-    vitrine::PixelRegion all;
-    glm::dvec3 least(std::numeric_limits<double>::infinity());
-    glm::dvec3 most = -least;
-    for (const TargetPart& part : this->Parts)
+    std::map<std::uint32_t, vitrine::ShownPart> before;
+    before.swap(this->Cut);
+    if (!(least > 0.0))
     {
-      const auto corners = part.Prop ? this->CornersOf({ part.Prop, part.Block }) : std::nullopt;
-      const vitrine::PixelRegion region =
-        corners ? vitrine::RegionOf(*corners, rays, PixelMargin) : vitrine::PixelRegion();
-      for (const glm::dvec3& corner : corners.value_or(vitrine::BoxCorners()))
+      return;
+    }
+    const std::vector<vitrine::SteadyReveal::FrontPart> parts = this->FrontPartsOf(view, byArea);
+    vitrine::SteadyReveal best = this->NewSteady();
+    best.Update(view.Stacks, parts, std::numeric_limits<double>::infinity());
+    const vitrine::PartNumbers& numbers = vitrine::PartNumbers::Of(this->Renderer);
+    vitrine::PartSet cut;
+    for (std::size_t j = 0; j < parts.size(); ++j)
+    {
+      const std::uint32_t number = view.Stacks.Parts()[j];
+      const vitrine::ShownPart part = numbers.PartOf(number);
+      const bool stays = !view.IsAtOnce && before.count(number) != 0;
+      const bool isFaint = best.Parts().at(number).Opacity < least * parts[j].Opacity;
+      if ((stays || isFaint) && vtkActor::SafeDownCast(part.Prop))
       {
-        least = corners ? glm::min(least, corner) : least;
-        most = corners ? glm::max(most, corner) : most;
+        cut.insert(number);
+        this->Cut.insert({ number, part });
       }
-      if (all.IsEmpty() || region.IsEmpty())
-      {
-        all = all.IsEmpty() ? region : all;
-        continue;
-      }
-      const int right = std::max(all.X + all.Width, region.X + region.Width);
-      const int top = std::max(all.Y + all.Height, region.Y + region.Height);
-      all.X = std::min(all.X, region.X);
-      all.Y = std::min(all.Y, region.Y);
-      all.Width = right - all.X;
-      all.Height = top - all.Y;
     }
-    middle = 0.5 * (least + most);
-    return all;
+    view.Stacks = view.Stacks.Without(cut);
+  }
+
+  /** Cuts the hole for the parts that were chosen. */
+  void CutHole(const View& view)
+  {
+    if (this->Cut.empty())
+    {
+      this->Hole.Remove();
+      return;
+    }
+    std::vector<vitrine::ShownPart> parts;
+    for (const auto& [number, part] : this->Cut)
+    {
+      parts.push_back(part);
+    }
+    this->Hole.Cut(this->Renderer, view.Rays, view.Region,
+      vitrine::Cutaway::DepthOf(this->Renderer, view.Boxes), parts);
+  }
+
+  vitrine::SteadyReveal NewSteady() const
+  {
+    return vitrine::SteadyReveal(std::pow(this->Share, 1.0 - RoundingShare), this->ChangePerDegree);
+  }
+
+  /** Starts anew if a setting has changed. Returns true if it did. */
+  bool TakeSettings(double share, double changePerDegree)
+  {
+    if (this->Steady && this->Share == share && this->ChangePerDegree == changePerDegree)
+    {
+      return false;
+    }
+    this->Looks.PutBackAll();
+    this->Faded.clear();
+    this->Share = share;
+    this->ChangePerDegree = changePerDegree;
+    this->Steady.emplace(this->NewSteady());
+    return true;
+  }
+
+  /** Returns the mean opacity of parts in front by their weights. Those with less than `least` count as hidden. */
+  double ContextOf(const vitrine::FrontStacks& stacks,
+    const std::vector<vitrine::SteadyReveal::FrontPart>& parts, double least) const
+  {
+    double all = 0.0;
+    double kept = 0.0;
+    for (std::size_t j = 0; j < parts.size(); ++j)
+    {
+      const double opacity = this->Steady->Parts().at(stacks.Parts()[j]).Opacity;
+      all += parts[j].Weight;
+      kept += parts[j].Weight * (opacity >= least ? opacity : 0.0);
+    }
+    return all > 0.0 ? kept / all : 1.0;
+  }
+
+  /** Notes what the frame shows, so that later changes are seen. */
+  void NoteFrame(const View& view)
+  {
+    this->CameraTime = this->Renderer->GetActiveCamera()->GetMTime();
+    this->SceneTime = vitrine::NewestTimeOf(this->Renderer);
+    this->Viewport = view.Rays.Viewport();
+  }
+
+  /** Returns true if what the renderer shows, or its viewport, has changed since the last update. */
+  bool HasSceneChanged() const
+  {
+    const vitrine::PixelRegion now = vitrine::PixelRays(this->Renderer).Viewport();
+    return vitrine::NewestTimeOf(this->Renderer) > this->SceneTime || now.X != this->Viewport.X ||
+      now.Y != this->Viewport.Y || now.Width != this->Viewport.Width ||
+      now.Height != this->Viewport.Height;
   }
 
   /** Returns by how many degrees the eye has turned around a place since the last update, and notes where it is. */
@@ -251,7 +350,7 @@ struct vtkReveal::Internals
         this->Outlines->AddPart(part.Part.Prop, static_cast<int>(part.Part.Block));
       }
     }
-    for (const TargetPart& part : this->Parts)
+    for (const vitrine::RevealedParts::Part& part : this->Parts.Parts)
     {
       if (vtkPartOutlines::CanChoose(part.Prop))
       {
@@ -270,6 +369,8 @@ struct vtkReveal::Internals
     {
       this->Outlines->Detach();
     }
+    this->Hole.Remove();
+    this->Cut.clear();
     this->Looks.PutBackAll();
     this->Faded.clear();
     this->Steady.reset();
@@ -295,10 +396,13 @@ void vtkReveal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "Share: " << this->Share << "\n";
   os << indent << "LeastOpacity: " << this->LeastOpacity << "\n";
+  os << indent << "CutawayOpacity: " << this->CutawayOpacity << "\n";
+  os << indent << "WeightByArea: " << this->WeightByArea << "\n";
   os << indent << "ChangePerDegree: " << this->ChangePerDegree << "\n";
   os << indent << "FollowCamera: " << this->FollowCamera << "\n";
   os << indent << "Outlines: " << this->GetOutlines() << "\n";
   os << indent << "NumberOfFadedParts: " << this->GetNumberOfFadedParts() << "\n";
+  os << indent << "NumberOfCutParts: " << this->GetNumberOfCutParts() << "\n";
   os << indent << "Problem: " << this->GetProblem() << "\n";
 }
 
@@ -331,14 +435,14 @@ void vtkReveal::AddPart(vtkProp* prop, unsigned int block)
 {
   if (prop)
   {
-    this->Private->Parts.push_back({ prop, block });
+    this->Private->Parts.Parts.push_back({ prop, block });
     this->Modified();
   }
 }
 
 void vtkReveal::RemoveAllParts()
 {
-  this->Private->Parts.clear();
+  this->Private->Parts.Parts.clear();
   this->Modified();
 }
 
@@ -350,6 +454,20 @@ void vtkReveal::SetShare(double share)
 void vtkReveal::SetLeastOpacity(double opacity)
 {
   vitrine::SetInRange(this, "LeastOpacity", this->LeastOpacity, opacity, { 0.0, 1.0 });
+}
+
+void vtkReveal::SetCutawayOpacity(double opacity)
+{
+  vitrine::SetInRange(this, "CutawayOpacity", this->CutawayOpacity, opacity, { 0.0, 1.0 });
+}
+
+void vtkReveal::SetWeightByArea(bool byArea)
+{
+  if (this->WeightByArea != byArea)
+  {
+    this->WeightByArea = byArea;
+    this->Modified();
+  }
 }
 
 void vtkReveal::SetChangePerDegree(double change)
@@ -399,8 +517,16 @@ void vtkReveal::BeforeFrame()
 {
   Internals& in = *this->Private;
   vtkRenderer* const renderer = in.Renderer;
-  if (renderer && renderer->IsActiveCameraCreated() && in.Steady &&
-    renderer->GetActiveCamera()->GetMTime() != in.CameraTime)
+  if (!renderer || !renderer->IsActiveCameraCreated() || !in.Steady || in.IsUpdating)
+  {
+    return;
+  }
+  renderer->ComputeVisiblePropBounds(); // brings data up to date, as the frame would do
+  if (in.HasSceneChanged())
+  {
+    this->Update();
+  }
+  else if (renderer->GetActiveCamera()->GetMTime() != in.CameraTime)
   {
     this->Follow();
   }
@@ -437,76 +563,28 @@ bool vtkReveal::UpdateWithin(double degrees)
 std::string vtkReveal::FindOpacities(double degrees)
 {
   Internals& in = *this->Private;
-  if (!in.Renderer)
-  {
-    return "there is no renderer: call SetRenderer()";
-  }
-  if (std::none_of(in.Parts.begin(), in.Parts.end(),
-        [](const Internals::TargetPart& part) { return part.Prop != nullptr; }))
-  {
-    return "there is no part that shall show: call AddPart()";
-  }
-  vitrine::FrameOfRenderer frame;
-  std::string problem = frame.Find(in.Renderer);
+  std::string problem = in.FindProblem(this->CutawayOpacity > 0.0);
   if (!problem.empty())
   {
     return problem;
   }
-  if (!in.Steady || in.Share != this->Share || in.ChangePerDegree != this->ChangePerDegree)
-  {
-    in.Looks.PutBackAll();
-    in.Faded.clear();
-    in.Steady.emplace(std::pow(this->Share, 1.0 - RoundingShare), this->ChangePerDegree);
-    in.Share = this->Share;
-    in.ChangePerDegree = this->ChangePerDegree;
-    degrees = std::numeric_limits<double>::infinity();
-  }
-  in.Looks.ForgetNodes();
-  in.Looks.ShowHidden();
-  const vitrine::PixelRays rays(in.Renderer);
-  glm::dvec3 middle;
-  const vitrine::PixelRegion region = in.RegionOfTargets(rays, middle);
-  const double turned = in.Turned(middle);
-  in.CameraTime = in.Renderer->GetActiveCamera()->GetMTime();
-  vitrine::NearStacks near(std::max(1, rays.Viewport().Height / TilesOfHeight));
-  vitrine::Fronts fronts;
-  fronts.Near = this->FollowCamera || std::isfinite(degrees) ? &near : nullptr;
-  if (!region.IsEmpty())
-  {
-    problem = vitrine::CaptureFronts(*in.Capture, frame, region, in.Targets(), fronts);
-  }
+  const bool isNew = in.TakeSettings(this->Share, this->ChangePerDegree);
+  Internals::View view{ vitrine::PixelRays(in.Renderer), {}, {}, {}, isNew || std::isinf(degrees) };
+  problem = in.CaptureView(view, this->FollowCamera || !view.IsAtOnce);
   if (!problem.empty())
   {
     return problem;
   }
-  vitrine::FrontStacks& stacks = fronts.Stacks;
-  in.Stacks = stacks.Count();
-  if (fronts.Near)
-  {
-    near.AddTo(stacks);
-  }
-  std::vector<vitrine::SteadyReveal::FrontPart> parts;
-  const vitrine::PartNumbers& numbers = vitrine::PartNumbers::Of(in.Renderer);
-  for (const std::uint32_t number : stacks.Parts())
-  {
-    const vitrine::ShownPart part = numbers.PartOf(number);
-    parts.push_back({ in.AreaOf(part, rays), in.Looks.OriginalOf(part) });
-  }
-  in.Change = in.Steady->Update(stacks, parts, std::isinf(degrees) ? degrees : turned);
+  const double turned = in.Turned(view.Middle());
+  in.ChooseCut(view, this->CutawayOpacity, this->WeightByArea);
+  const auto parts = in.FrontPartsOf(view, this->WeightByArea);
+  in.Change = in.Steady->Update(
+    view.Stacks, parts, view.IsAtOnce ? std::numeric_limits<double>::infinity() : turned);
   in.SetLooks(this->LeastOpacity);
+  in.CutHole(view);
   in.DrawOutlines();
-  in.Pixels = fronts.Pixels;
-  in.Front = parts.size();
-  in.Layers = stacks.MostLayers();
-  double all = 0.0;
-  double kept = 0.0;
-  for (std::size_t j = 0; j < parts.size(); ++j)
-  {
-    const double opacity = in.Steady->Parts().at(stacks.Parts()[j]).Opacity;
-    all += parts[j].Weight;
-    kept += parts[j].Weight * (opacity >= this->LeastOpacity ? opacity : 0.0);
-  }
-  in.Context = all > 0.0 ? kept / all : 1.0;
+  in.Context = in.ContextOf(view.Stacks, parts, this->LeastOpacity);
+  in.NoteFrame(view);
   return {};
 }
 
@@ -551,6 +629,25 @@ double vtkReveal::GetOriginalOpacity(int i)
 {
   const auto* part = this->Private->At(i);
   return part ? part->Original : 0.0;
+}
+
+int vtkReveal::GetNumberOfCutParts()
+{
+  return static_cast<int>(this->Private->Cut.size());
+}
+
+vtkProp* vtkReveal::GetCutProp(int i)
+{
+  const Internals& in = *this->Private;
+  return in.Renderer && i >= 0 && i < static_cast<int>(in.Cut.size())
+    ? vitrine::PartNumbers::Of(in.Renderer).PartOf(std::next(in.Cut.begin(), i)->first).Prop
+    : nullptr;
+}
+
+unsigned int vtkReveal::GetCutBlock(int i)
+{
+  const auto& cut = this->Private->Cut;
+  return i >= 0 && i < static_cast<int>(cut.size()) ? std::next(cut.begin(), i)->second.Block : 0;
 }
 
 vtkIdType vtkReveal::GetNumberOfPixels()

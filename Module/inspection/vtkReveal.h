@@ -99,6 +99,27 @@ public:
 
   ///@{
   /**
+   * Set/Get the share of its opacity below which a part in front is cut away along the view, in place of being faded.
+   * It gets a hole around the parts that shall show, with caps, and keeps its opacity around that. A vtkSection cuts
+   * the hole, of which a renderer can have one. Only actors can be cut. The range is 0 to 1. The default is 0: none is
+   * cut.
+   */
+  void SetCutawayOpacity(double opacity);
+  vtkGetMacro(CutawayOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether a part in front counts for as much as its area in the picture, or all count alike. By area, many
+   * small parts vanish so that large ones keep more. The default is true.
+   */
+  void SetWeightByArea(bool byArea);
+  vtkGetMacro(WeightByArea, bool);
+  vtkBooleanMacro(WeightByArea, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get by how much opacities may change for each degree, where the camera is followed. The range is 0 to 1. The
    * default is 0.05.
    */
@@ -108,7 +129,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether opacities follow the camera before each frame. The default is false.
+   * Set/Get whether opacities follow the camera before each frame. What the renderer shows and the size of the viewport
+   * are followed too: where these change, opacities change at once. The default is false.
    */
   void SetFollowCamera(bool follow);
   vtkGetMacro(FollowCamera, bool);
@@ -160,6 +182,16 @@ public:
 
   ///@{
   /**
+   * Get the parts that are cut away: how many, and for each its prop and the flat index of its block. They are not
+   * among the faded ones. The prop is null out of range.
+   */
+  int GetNumberOfCutParts();
+  vtkProp* GetCutProp(int i);
+  unsigned int GetCutBlock(int i);
+  ///@}
+
+  ///@{
+  /**
    * Get what the last update found: the number of pixels of the part, of parts in front, of pixels' different stacks,
    * and the largest number of layers in front.
    */
@@ -175,7 +207,8 @@ public:
   double GetLeastShare();
 
   /**
-   * Get the mean opacity of the parts in front, weighted by their areas on the screen. Hidden parts count as 0.
+   * Get the mean opacity of the parts in front, weighted by their areas on the screen unless they count alike. Hidden
+   * parts count as 0. Parts that are cut away do not count.
    */
   double GetContext();
 
@@ -207,6 +240,8 @@ protected:
 
   double Share = 0.7;
   double LeastOpacity = 1.0 / 255.0;
+  double CutawayOpacity = 0.0;
+  bool WeightByArea = true;
   double ChangePerDegree = 0.05;
   bool FollowCamera = false;
 

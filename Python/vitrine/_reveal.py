@@ -5,17 +5,18 @@ from __future__ import annotations
 import dataclasses
 import numbers
 import weakref
-from typing import Any
+from typing import Any, Iterable
 
 from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
 
 from ._assembly import Part
 from ._options import check_boolean
-from ._parts import WHOLE, block_count, choose, part_of, shown_assemblies
+from ._parts import WHOLE, block_count, choose, named, part_of, shown_assemblies
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkPartOutlines, vtkReveal
 
 _LEAST_SHARE = 0.01
+_CUTAWAY = 0.1  # the share of opacity below which cutaway=True cuts
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,6 +43,8 @@ def reveal(
     follow: bool = False,
     least_opacity: float = 1 / 255,
     outlines: bool = True,
+    cutaway: bool | float = False,
+    weights: str = "area",
 ) -> Reveal:
     """Fade what stands in front of a part, as little as it takes for the part to show; a plotter on show is drawn.
 
@@ -52,13 +55,18 @@ def reveal(
             these.
         share: the share of the part's light that passes what is in front, in each of its pixels: 0.01 to 1.
         follow: whether opacities follow the camera before each frame. They then change by 0.05 at most for each degree,
-            but where the share asks for more.
+            but where the share asks for more. Where parts or the window change, opacities change at once.
         least_opacity: parts in front that would have less are hidden.
         outlines: whether lines show where faded and hidden parts are, except over the part. The handle's `outlines` is
             the vtkPartOutlines that draws them, with their colour, width and opacity.
+        cutaway: whether parts that would nearly vanish are cut along the view instead. They get a hole with caps before
+            the part, and stay as they are around it. A number is the share of its opacity below which a part is cut;
+            True stands for 0.1. It takes the place of sections, so the target must have none.
+        weights: "area", so that parts keep opacity by their areas in the picture, or "equal", so that small parts count
+            for as much as large ones.
 
     Opaque parts in front become translucent, so call see_through() before. A reveal that the renderer has already is
-    removed first.
+    removed first, and put back if this one fails.
 
     Raises:
         TypeError: an argument is of another kind.
@@ -68,6 +76,9 @@ def reveal(
     """
     check_boolean("follow", follow)
     check_boolean("outlines", outlines)
+    if weights not in ("area", "equal"):
+        raise ValueError(f'weights is "area" or "equal", not {weights!r}')
+    cut = (_CUTAWAY if cutaway else 0.0) if isinstance(cutaway, bool) else _number("cutaway", cutaway, 0.0)
     share = _number("share", share, _LEAST_SHARE)
     least_opacity = _number("least_opacity", least_opacity, 0.0)
     renderers = _renderers_of(target)
@@ -79,55 +90,66 @@ def reveal(
         raise ValueError("the part is in no renderer of the target: add it first")
     for address in [at for at, handle in _reveals.items() if handle._reveal.GetRenderer() is None]:
         del _reveals[address]
+    made = _reveal_of(renderer, shown, share, least_opacity)
+    made.SetCutawayOpacity(cut)
+    made.SetWeightByArea(weights == "area")
+    if outlines:
+        made.SetOutlines(_thin_outlines(renderer))
+    handle = Reveal(made, follow, _plotter_of(target))
     former = _reveals.get(renderer.__this__)
     if former is not None:
-        former.remove()
-    handle = Reveal(renderer, shown, share, least_opacity, outlines, _plotter_of(target))
-    if handle.pixels == 0:
-        handle.remove()
-        raise ValueError("no pixel of the part is drawn: it is hidden, or outside of the view")
-    _reveals[renderer.__this__] = handle
-    handle._reveal.SetFollowCamera(follow)
+        former._put_back()
+    try:
+        handle._start()
+    except Exception:
+        if former is not None:
+            former._start()
+        raise
     return handle
 
 
 class Reveal:
     """The handle that reveal() returns. remove() puts back the looks of all parts."""
 
-    def __init__(
-        self,
-        renderer: vtkRenderer,
-        shown: list[tuple[vtkProp, int]],
-        share: float,
-        least_opacity: float,
-        outlines: bool,
-        plotter: Any,
-    ) -> None:
-        self._reveal = vtkReveal()
-        self._reveal.SetRenderer(renderer)
+    def __init__(self, made: vtkReveal, follow: bool, plotter: Any) -> None:
+        self._reveal = made
+        self._follow = follow
         self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
-        for prop, block in shown:
-            self._reveal.AddPart(prop, block)
-        self._reveal.SetShare(share)
-        self._reveal.SetLeastOpacity(least_opacity)
-        self.outlines = _thin_outlines(renderer) if outlines else None
-        if self.outlines is not None:
-            self._reveal.SetOutlines(self.outlines)
-        self.update()
+
+    @property
+    def outlines(self) -> vtkPartOutlines | None:
+        """What draws the outlines, with their colour, width and opacity. None without outlines."""
+        return self._reveal.GetOutlines()
 
     def update(self) -> None:
         """Find the best opacities for the camera as it is now, and set them at once. Raises as reveal() does."""
+        if self not in _reveals.values():
+            raise RuntimeError("the reveal was removed, or another one took its place: call reveal() again")
         if not self._reveal.Update():
             raise RuntimeError(self._reveal.GetProblem())
         self._draw()
 
     def remove(self) -> None:
         """Put back the looks of all parts, and stop following the camera."""
+        self._put_back()
+        self._draw()
+
+    def _start(self) -> None:
+        """Fade for the first time. On failure nothing is faded. Raises as reveal() does."""
+        if not self._reveal.Update():
+            raise RuntimeError(self._reveal.GetProblem())
+        if self.pixels == 0:
+            self._reveal.PutBack()
+            raise ValueError("no pixel of the part is drawn: it is hidden, or outside of the view")
+        self._reveal.SetFollowCamera(self._follow)
+        _reveals[self._reveal.GetRenderer().__this__] = self
+        self._draw()
+
+    def _put_back(self) -> None:
         self._reveal.PutBack()
         for address, handle in list(_reveals.items()):
             if handle is self or handle._reveal.GetRenderer() is None:
                 del _reveals[address]
-        self._draw()
 
     @property
     def faded(self) -> list[Faded]:
@@ -144,6 +166,12 @@ class Reveal:
         """How many of the faded parts are hidden."""
         opacities = map(self._reveal.GetFadedOpacity, range(self._reveal.GetNumberOfFadedParts()))
         return sum(opacity == 0.0 for opacity in opacities)
+
+    @property
+    def cut(self) -> list[Any]:
+        """The parts that are cut away: Parts of an assembly, or else actors, or pairs of an actor and a block."""
+        count = self._reveal.GetNumberOfCutParts()
+        return [named(self._reveal.GetCutProp(i), self._reveal.GetCutBlock(i)) for i in range(count)]
 
     @property
     def pixels(self) -> int:
@@ -179,6 +207,18 @@ class Reveal:
         return f"<Reveal of {self.pixels} pixels: share {self.share:.3f}, {len(self.faded)} parts faded>"
 
 
+def _reveal_of(
+    renderer: vtkRenderer, shown: Iterable[tuple[vtkProp, int]], share: float, least_opacity: float
+) -> vtkReveal:
+    made = vtkReveal()
+    made.SetRenderer(renderer)
+    for prop, block in shown:
+        made.AddPart(prop, block)
+    made.SetShare(share)
+    made.SetLeastOpacity(least_opacity)
+    return made
+
+
 def _thin_outlines(renderer: vtkRenderer) -> vtkPartOutlines:
     """Outlines that are seen on the renderer's background without being loud."""
     outlines = vtkPartOutlines()
@@ -208,6 +248,12 @@ def _shown(part: Any, renderers: list[vtkRenderer]) -> list[tuple[vtkProp, int]]
         blocks = range(block_count(chosen.prop)) if chosen.block == WHOLE else (chosen.block,)
         shown += [(chosen.prop, block) for block in blocks]
     return shown
+
+
+def has_cutaway(renderer: vtkRenderer) -> bool:
+    """Whether a reveal cuts parts of the renderer away."""
+    handle = _reveals.get(renderer.__this__)
+    return handle is not None and handle._reveal.GetNumberOfCutParts() > 0
 
 
 def _has(renderer: vtkRenderer, shown: list[tuple[vtkProp, int]]) -> bool:

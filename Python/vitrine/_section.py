@@ -15,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
 from ._options import check_boolean, finite_numbers
 from ._parts import WHOLE, Chosen, block_count, choose, named, shown_assemblies
+from ._reveal import has_cutaway
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkSection
 
@@ -88,6 +89,7 @@ def section(
     chosen = _chosen_of(parts if parts is not None else but, renderers)
     if parts is not None and not chosen:
         raise ValueError("parts is empty, so the plane would cut nothing: leave it out to cut all parts")
+    _check_free(renderers)
     if any(found.GetNumberOfPlanes() >= vtkSection.GetMaximumNumberOfPlanes() for found in _attached(renderers)):
         raise ValueError(f"a target has {vtkSection.GetMaximumNumberOfPlanes()} planes at most: remove one")
     sections = [_section_of(renderer) for renderer in renderers]
@@ -145,6 +147,7 @@ def section_box(
     box = _box_of(bounds)
     check_boolean("inside", inside)
     look = _look_of(renderers, caps, hatch, edges, stripes)
+    _check_free(renderers)
     if any(found.HasBox() for found in _attached(renderers)):
         raise ValueError("a target has one box at most: move or remove it")
     sections = [_section_of(renderer) for renderer in renderers]
@@ -387,6 +390,11 @@ def _attached(renderers: Iterable[vtkRenderer]) -> list[vtkSection]:
     """The sections that renderers have already."""
     found = map(vtkSection.GetAttached, renderers)
     return [each for each in found if each is not None]
+
+
+def _check_free(renderers: Iterable[vtkRenderer]) -> None:
+    if any(map(has_cutaway, renderers)):
+        raise ValueError("a reveal cuts parts of the target away: remove it, or call it without cutaway")
 
 
 def _section_of(renderer: vtkRenderer) -> vtkSection:

@@ -1,4 +1,5 @@
 #include "Core/reveal/FrontStacks.h"
+#include "Core/reveal/MostContext.h"
 
 #include "Core/reveal/NearStacks.h"
 
@@ -92,4 +93,22 @@ TEST(NearStacks, AreThoseOfNeighbouringTiles)
   EXPECT_FALSE(stacks.HasNear());
 }
 
+TEST(FrontStacks, LeaveOutParts)
+{
+  vitrine::FrontStacks stacks;
+  const std::uint32_t first[] = { 7, 5, 7, 9 };
+  const std::uint32_t second[] = { 5 };
+  stacks.Add(first, 4);
+  stacks.Add(second, 1);
+  stacks.AddNear({ { 0, 1 }, { 1, 1 }, { 2, 2 } }); // one layer of 7 and of 5, and two of 9
+  const vitrine::FrontStacks rest = stacks.Without({ 5 });
+  ASSERT_EQ(rest.Parts(), (std::vector<std::uint32_t>{ 7, 9 }));
+  ASSERT_EQ(rest.Count(), 2u);
+  EXPECT_EQ(rest.MostLayers(), 3u);
+  EXPECT_FALSE(rest.IsNear(0));
+  EXPECT_TRUE(rest.IsNear(1));
+  EXPECT_EQ(vitrine::DepthOf(rest, 0, { 1.0, 10.0 }), 12.0);
+  EXPECT_EQ(vitrine::DepthOf(rest, 1, { 1.0, 10.0 }), 21.0);
+  EXPECT_EQ(stacks.Without({ 5, 7, 9 }).Count(), 0u);
+}
 }

@@ -319,6 +319,120 @@ def boxes():
     return vitrine.from_multiblock(blocks)
 
 
+class Cutaways(unittest.TestCase):
+    """A small red plate behind forty opaque black ones that cover the view."""
+
+    def setUp(self):
+        self.small = plate(0, (1, 0, 0), 1.0)
+        self.small.SetScale(0.25, 0.25, 1)  # the middle half of the view
+        self.others = [plate(0.02 + 0.01 * i, (0, 0, 0), 1.0) for i in range(40)]
+        self.renderer = plates_renderer(self.small, *self.others, background=(1, 1, 1))
+        self.window = window_of(self.renderer)
+        self.before = pixels(self.window)
+
+    def test_cuts_what_would_vanish_and_leaves_the_rest_as_it_is(self):
+        faded = vitrine.reveal(self.window, self.small, SHARE, outlines=False)
+        self.assertEqual((len(faded.faded), faded.layers, faded.cut), (40, 40, []))
+        handle = vitrine.reveal(self.window, self.small, SHARE, cutaway=True)
+        self.assertEqual((len(handle.cut), handle.faded, handle.layers), (40, [], 40))
+        self.assertEqual(set(handle.cut), set(self.others))
+        self.assertEqual((handle.share, handle.context), (1.0, 1.0))
+        self.window.Render()
+        self.assertEqual(shares_of(self.renderer, self.small).tolist(), [1.0] * (SIZE * SIZE // 4))
+        after = pixels(self.window)
+        quarter = SIZE // 4
+        middle = after[quarter:-quarter, quarter:-quarter]
+        numpy.testing.assert_array_equal(middle[..., :3], numpy.broadcast_to((255, 0, 0), middle[..., :3].shape))
+        opened = math.ceil(0.41 * math.tan(math.radians(15)) * SIZE / 2) + 3  # pixels beside the part, and a margin
+        rim = quarter - opened
+        after[rim:-rim, rim:-rim] = self.before[rim:-rim, rim:-rim]
+        numpy.testing.assert_array_equal(after, self.before)
+        handle.remove()
+        self.window.Render()
+        numpy.testing.assert_array_equal(pixels(self.window), self.before)
+        self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
+
+    def test_fades_what_keeps_enough(self):
+        for other in self.others[2:]:
+            self.renderer.RemoveActor(other)
+        self.window.Render()
+        self.assertEqual(vitrine.reveal(self.window, self.small, SHARE, cutaway=True).cut, [])
+        handle = vitrine.reveal(self.window, self.small, SHARE, cutaway=0.5)
+        self.assertEqual((len(handle.cut), len(handle.faded)), (2, 0))
+
+    def test_needs_the_section_of_the_renderer(self):
+        with vitrine.section(self.renderer, "z", (0, 0, -1)):
+            with self.assertRaisesRegex(RuntimeError, "section of the renderer"):
+                vitrine.reveal(self.window, self.small, SHARE, cutaway=True)
+            vitrine.reveal(self.window, self.small, SHARE).remove()
+        handle = vitrine.reveal(self.window, self.small, SHARE, cutaway=True)
+        with self.assertRaisesRegex(ValueError, "cuts parts of the target away"):
+            vitrine.section(self.renderer, "z", (0, 0, -1))
+        handle.remove()
+        vitrine.section(self.renderer, "z", (0, 0, -1)).remove()
+
+
+class Changes(unittest.TestCase):
+    def setUp(self):
+        self.red = plate(0, (1, 0, 0), 1.0)
+        self.half = half_plate(1, (0, 0, 0), 1.0)
+        self.whole = plate(2, (0, 0, 0), 1.0)
+        self.renderer = plates_renderer(self.red, self.half, self.whole)
+        self.window = window_of(self.renderer)
+
+    def test_what_changes_is_followed(self):
+        handle = vitrine.reveal(self.window, self.red, SHARE, follow=True, outlines=False)
+
+        def least_after(change):
+            change()
+            self.window.Render()
+            return shares_of(self.renderer, self.red).min(), len(handle.faded)
+
+        wanted = (
+            (lambda: self.renderer.AddActor(half_plate(3, (0, 0, 0), 1.0)), 3),
+            (lambda: self.half.SetPosition(0, 0, 0), 3),
+            (lambda: self.whole.VisibilityOff(), 2),
+        )
+        for change, count in wanted:
+            with self.subTest(count):
+                least, faded = least_after(change)
+                self.assertGreaterEqual(least, SHARE)
+                self.assertEqual(faded, count)
+        self.renderer.SetViewport(0, 0, 0.5, 1)
+        self.window.Render()
+        self.assertEqual(handle.pixels, SIZE * SIZE // 2)
+        times = [actor.GetMTime() for actor in (self.red, self.half)]
+        self.window.Render()
+        self.assertEqual(times, [actor.GetMTime() for actor in (self.red, self.half)])  # nothing was done
+
+    def test_a_failure_leaves_the_former_reveal(self):
+        first = vitrine.reveal(self.window, self.red, SHARE)
+        away = plate(0, (0, 1, 0), 1.0)
+        away.SetPosition(50, 0, 0)
+        self.renderer.AddActor(away)
+        with self.assertRaisesRegex(ValueError, "no pixel"):
+            vitrine.reveal(self.window, away, SHARE)
+        self.window.Render()
+        self.assertGreaterEqual(shares_of(self.renderer, self.red).min(), SHARE)
+        self.assertEqual(len(first.faded), 2)
+        self.renderer.RemoveActor(self.red)
+        with self.assertRaisesRegex(RuntimeError, "not in the renderer"):
+            first.update()
+        self.assertEqual(self.whole.GetProperty().GetOpacity(), 1.0)
+        first.remove()
+        with self.assertRaisesRegex(RuntimeError, "removed"):
+            first.update()
+
+    def test_parts_may_count_alike(self):
+        handle = vitrine.reveal(self.window, self.red, SHARE, weights="equal")
+        for part in handle.faded:
+            self.assertAlmostEqual(part.opacity, 1 - math.sqrt(SHARE), delta=0.01)
+        bad = (ValueError, {"weights": "x"}), (TypeError, {"cutaway": "x"}), (ValueError, {"cutaway": 2})
+        for error, more in bad:
+            with self.subTest(more), self.assertRaises(error):
+                vitrine.reveal(self.window, self.red, SHARE, **more)
+
+
 class Blocks(unittest.TestCase):
     def setUp(self):
         self.assembly = boxes()

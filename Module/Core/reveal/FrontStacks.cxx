@@ -101,4 +101,34 @@ void FrontStacks::AddNear(const std::vector<Entry>& entries)
   this->FindOrAdd(hash, true);
 }
 
+FrontStacks FrontStacks::Without(const std::unordered_set<std::uint32_t>& parts) const
+{
+  FrontStacks rest;
+  for (std::size_t stack = 0; stack < this->Count(); ++stack)
+  {
+    std::vector<std::uint32_t> layers;
+    std::vector<Entry> entries;
+    for (const Entry* entry = this->Begin(stack); entry != this->End(stack); ++entry)
+    {
+      const std::uint32_t part = this->PartOfColumn[entry->Column];
+      if (parts.count(part) == 0)
+      {
+        layers.insert(layers.end(), entry->Layers, part);
+        entries.push_back({ this->IsNear(stack) ? rest.ColumnOf(part) : 0, entry->Layers });
+      }
+    }
+    if (!this->IsNear(stack))
+    {
+      rest.Add(layers.data(), layers.size());
+    }
+    else if (!entries.empty())
+    {
+      std::sort(entries.begin(), entries.end(),
+        [](const Entry& a, const Entry& b) { return a.Column < b.Column; });
+      rest.AddNear(entries);
+    }
+  }
+  return rest;
+}
+
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace vitrine
@@ -43,6 +44,9 @@ public:
    * @param entries  columns that are known, in ascending order
    */
   void AddNear(const std::vector<Entry>& entries);
+
+  /** Returns the stacks that remain without the layers of some parts. */
+  FrontStacks Without(const std::unordered_set<std::uint32_t>& parts) const;
 
   /** Returns true for a stack that no pixel has. */
   bool IsNear(std::size_t stack) const { return this->Near[stack]; }
