@@ -8,7 +8,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D, vtkRenderer, vtkVolume
 
 import vitrine
-from scenes import actor_of, pixels, plate, plates_renderer, window_with
+from scenes import actor_of, pixels, plate, plates_renderer, run_interpreter, window_with
 
 SIZE = 64  # pixels of two units
 ORANGE = (255, 128, 0)
@@ -176,6 +176,15 @@ class Outlines(unittest.TestCase):
             outlines.remove()
             window.Render()
             np.testing.assert_array_equal(pixels(window), before)
+
+
+class OlderDriver(unittest.TestCase):
+    def test_has_outlines_and_x_rays(self):
+        tests = ["test_highlight.Outlines.test_are_the_border_of_a_hidden_rectangle"]
+        tests += ["test_x_ray.Formula.test_holds_for_faces_without_normals_in_both_projections"]
+        older = {"MESA_GL_VERSION_OVERRIDE": "3.2", "MESA_GLSL_VERSION_OVERRIDE": "150"}
+        result = run_interpreter("-m", "unittest", *tests, **older)
+        self.assertEqual(result.returncode, 0, result.stderr)
 
 
 class BadInput(unittest.TestCase):

@@ -4,9 +4,11 @@
 #include "gl/VitrineOpenGL.h"
 #include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPartOutlines.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProperty.h"
@@ -346,6 +348,39 @@ TEST_P(OpenGLStateOfBands, IsPutBack)
   pass->SetMemoryLimit(3000);
   ExpectPutBack(scene, pass);
   EXPECT_GT(pass->GetNumberOfBands(), 1);
+}
+
+// Draws what observers draw at the end of a frame.
+class EndOfFramePass : public vtkRenderPass
+{
+public:
+  static EndOfFramePass* New();
+  vtkTypeMacro(EndOfFramePass, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    s->GetRenderer()->InvokeEvent(vtkCommand::EndEvent);
+  }
+};
+vtkStandardNewMacro(EndOfFramePass);
+
+TEST(OpenGLStateOfOutlines, IsPutBack)
+{
+  for (const int samples : { 0, 4 })
+  {
+    TestScene scene(40, 30, samples);
+    scene.AddParts();
+    vtkNew<vtkPartOutlines> outlines;
+    outlines->AddPart(scene.Renderer->GetActors()->GetLastActor());
+    outlines->Attach(scene.Renderer);
+    vtkNew<StateCheckingPass> checking;
+    checking->Delegate = vtkSmartPointer<EndOfFramePass>::New();
+    scene.Use(checking);
+    const Picture first = scene.Render();
+    EXPECT_TRUE(Matches(scene.Render(), first));
+    EXPECT_EQ(checking->Frames, 2);
+    EXPECT_STREQ(outlines->GetFallbackReason(), "");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, OpenGLState, testing::ValuesIn(AllMethods()), MethodName());
