@@ -5,6 +5,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkImageAppendComponents.h"
 #include "vtkImageExtractComponents.h"
 #include "vtkImageResize.h"
