@@ -78,6 +78,27 @@ class ObjFiles(FileTest):
                 result = run("render", *words, model, "--size", "8x8", "-o", picture)
                 self.assertEqual(result.returncode, status, result.stderr)
 
+    def test_outlines_and_x_rays_of_what_others_hide(self):
+        front = b"v 0 0 1\nv 2 0 1\nv 2 2 1\nv 0 2 1\ng front\nf 1 2 3 4\n"
+        behind = b"v 0.5 0.5 0\nv 1.5 0.5 0\nv 1.5 1.5 0\nv 0.5 1.5 0\ng behind\nf 5 6 7 8\n"
+        model = self.write("two.obj", front + behind)
+        picture = self.folder / "picture.png"
+
+        def colors(*words):
+            options = ("--size", "40x40", "--view", "0,0", "--color", "behind=#0000ff", "-o", picture)
+            self.assert_done(run("render", model, *options, *words))
+            return {tuple(pixel[:3]) for row in read_png(picture)[2] for pixel in zip(*[iter(row)] * 3)}
+
+        orange = (255, 128, 0)
+        self.assertNotIn(orange, colors())
+        self.assertIn(orange, colors("--highlight", "behind"))
+        seen = colors("--x-ray", "behind", "--x-ray-falloff", "2")
+        self.assertTrue(any(blue > 200 and red < 40 for red, _, blue in seen), seen)
+        for words in (("--x-ray-falloff", "2"), ("--highlight", "nothing"), ("--x-ray-falloff", "nan")):
+            with self.subTest(words=words):
+                result = run("render", model, "--size", "8x8", "-o", picture, *words)
+                self.assertNotEqual(result.returncode, 0)
+
     def test_indices_from_the_end(self):
         content = SQUARE + b"f -4 -3 -2\nv 5 5 5\nf -2 -1 1\n"
         told, _ = self.parts(content)

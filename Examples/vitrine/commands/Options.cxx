@@ -175,6 +175,13 @@ void AddPartOptions(CLI::App& command, PartChoices& choices)
   AddPartOption(command, "--hide", choices.Hide, "GLOB", "parts by name that are not drawn");
   AddPartOption(command, "--only", choices.Only, "GLOB", "parts by name; all others are not drawn");
   AddPartOption(command, "--x-ray", choices.XRay, "GLOB", "parts by name; all others become faint");
+  command
+    .add_option("--x-ray-falloff", choices.XRayFalloff,
+      "have the opacity of the others fall off by this power where they face the eye")
+    ->type_name("P")
+    ->check(NumberWithin(0.0, 16.0));
+  AddPartOption(command, "--highlight", choices.Highlight, "GLOB",
+    "parts by name, whose outlines are drawn through all that hides them");
 }
 
 void AddReadingOptions(CLI::App& command, ReadingOptions& options)

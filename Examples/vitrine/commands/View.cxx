@@ -35,8 +35,9 @@ public:
     this->Window->SetWindowName(("vitrine: " + scene.Name).c_str());
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetBackground(Background, Background, Background);
-    AddActors(scene, this->Renderer);
+    const std::vector<vtkSmartPointer<vtkActor>> actors = AddActors(scene, this->Renderer);
     CutSections(scene, this->Renderer);
+    ShowLooks(scene, actors, this->Renderer);
     AddScalarBar(scene, this->Renderer);
     SetLights(scene.Lights, this->Renderer);
     this->Renderer->SetActiveCamera(PlaceCamera(scene, ChooseView(options, scene), size.Aspect()));

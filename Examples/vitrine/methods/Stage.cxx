@@ -62,6 +62,7 @@ void Stage::SetScene(const Scene& scene)
   this->Renderer->RemoveAllViewProps();
   this->Actors = AddActors(scene, this->Renderer);
   CutSections(scene, this->Renderer);
+  ShowLooks(scene, this->Actors, this->Renderer);
   AddScalarBar(scene, this->Renderer);
   this->ClippingRange = scene.Placement.ClippingRange;
 }

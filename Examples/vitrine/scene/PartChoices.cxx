@@ -211,16 +211,40 @@ void ApplyExplode(double factor, Scene& scene)
   }
 }
 
-void ApplyXRay(const std::vector<std::string>& globs, Scene& scene)
+void ApplyXRay(const PartChoices& choices, Scene& scene)
 {
-  const std::vector<bool> isChosen = ChooseAny("--x-ray", globs, scene);
+  if (choices.XRayFalloff && choices.XRay.empty())
+  {
+    throw InputError("--x-ray-falloff", "needs --x-ray");
+  }
+  const std::vector<bool> isChosen = ChooseAny("--x-ray", choices.XRay, scene);
+  scene.XRayFalloff = choices.XRayFalloff.value_or(0.0);
   MaterialChange material;
   for (std::size_t i = 0; i < scene.Parts.size(); ++i)
   {
-    if (!isChosen[i] && !globs.empty())
+    const bool isBehind = !isChosen[i] && !choices.XRay.empty();
+    if (isBehind && choices.XRayFalloff)
+    {
+      scene.Parts[i].IsXRayed = true;
+      scene.Parts[i].MayBeBlock = false;
+    }
+    else if (isBehind)
     {
       material.Make(scene.Parts[i],
         [](vtkProperty* changed) { changed->SetOpacity(FaintOpacity * changed->GetOpacity()); });
+    }
+  }
+}
+
+void ApplyHighlight(const std::vector<std::string>& globs, Scene& scene)
+{
+  const std::vector<bool> isChosen = ChooseAny("--highlight", globs, scene);
+  for (std::size_t i = 0; i < scene.Parts.size(); ++i)
+  {
+    if (isChosen[i] && !globs.empty())
+    {
+      scene.Parts[i].IsOutlined = true;
+      scene.Parts[i].MayBeBlock = false;
     }
   }
 }
@@ -275,7 +299,8 @@ void KeepDrawn(const PartChoices& choices, Scene& scene)
 void Apply(const PartChoices& choices, Scene& scene)
 {
   ApplyExplode(choices.Explode, scene);
-  ApplyXRay(choices.XRay, scene);
+  ApplyXRay(choices, scene);
+  ApplyHighlight(choices.Highlight, scene);
   ApplyOpacity(choices.Opacity, scene);
   ApplyColor(choices.Color, scene);
   KeepDrawn(choices, scene);

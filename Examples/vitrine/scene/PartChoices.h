@@ -4,6 +4,7 @@
 
 #include "scene/Scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,13 @@ struct PartChoices
 {
   std::vector<std::string>
     Opacity; ///< A, multiplied into all opacities, or GLOB=A, which sets it; A is in [0, 1]
-  std::vector<std::string> Color; ///< GLOB=COLOR: a name of CSS, #RRGGBB, or rgb(R,G,B)
-  std::vector<std::string> Hide;  ///< GLOB
-  std::vector<std::string> Only;  ///< GLOB; parts that none of them chooses are not drawn
-  std::vector<std::string> XRay;  ///< GLOB; parts that none of them chooses become faint
-  double Explode = 0.0;           ///< factor of an exploded view (Core/assembly/Explosion.h)
+  std::vector<std::string> Color;     ///< GLOB=COLOR: a name of CSS, #RRGGBB, or rgb(R,G,B)
+  std::vector<std::string> Hide;      ///< GLOB
+  std::vector<std::string> Only;      ///< GLOB; parts that none of them chooses are not drawn
+  std::vector<std::string> XRay;      ///< GLOB; parts that none of them chooses become faint
+  std::optional<double> XRayFalloff;  ///< their opacity falls off by this power instead
+  std::vector<std::string> Highlight; ///< GLOB; parts whose outlines are drawn through all others
+  double Explode = 0.0;               ///< factor of an exploded view (Core/assembly/Explosion.h)
 };
 
 /**

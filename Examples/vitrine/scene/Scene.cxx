@@ -8,6 +8,8 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkOpenGLSphereMapper.h"
+#include "vtkPartOutlines.h"
+#include "vtkPartXRay.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -326,6 +328,35 @@ void CutSections(const Scene& scene, vtkRenderer* renderer)
     section->SetBox(xmin, xmax, ymin, ymax, zmin, zmax, /* keepInside= */ true);
   }
   section->Attach(renderer);
+}
+
+void ShowLooks(
+  const Scene& scene, const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkRenderer* renderer)
+{
+  vtkNew<vtkPartOutlines> outlines;
+  vtkNew<vtkPartXRay> xray;
+  std::size_t actor = 0;
+  for (const Part& part : scene.Parts)
+  {
+    if (part.IsOutlined)
+    {
+      outlines->AddPart(actors[actor]);
+    }
+    if (part.IsXRayed)
+    {
+      xray->AddPart(actors[actor]);
+    }
+    actor += part.MayBeBlock ? 0 : 1;
+  }
+  xray->SetFalloff(scene.XRayFalloff);
+  if (outlines->GetNumberOfParts() > 0)
+  {
+    outlines->Attach(renderer);
+  }
+  if (xray->GetNumberOfParts() > 0)
+  {
+    xray->Attach(renderer);
+  }
 }
 
 }

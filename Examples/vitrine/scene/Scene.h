@@ -44,6 +44,8 @@ struct Part
   bool ForceTranslucent = false; ///< translucent, though VTK does not see it
   bool MayBeBlock =
     false; ///< may be drawn by one actor with other parts of its material; without radius and Texture
+  bool IsOutlined = false; ///< its outline is drawn through all that hides it
+  bool IsXRayed = false;   ///< its opacity falls off, by Scene::XRayFalloff
 };
 
 /** A part that is not drawn. */
@@ -114,7 +116,8 @@ struct Scene
   std::vector<std::array<double, 4>>
     Sections; ///< planes (x, y, z, d), which keep points p with p . (x, y, z) >= d
   std::optional<std::array<double, 6>>
-    SectionBox; ///< of which the inside is kept: xmin, xmax, ymin, ymax, zmin, zmax
+    SectionBox;             ///< of which the inside is kept: xmin, xmax, ymin, ymax, zmin, zmax
+  double XRayFalloff = 0.0; ///< power of the falloff of parts in an x-ray
 };
 
 /** The path of a part in the tree of its scene. Several parts may have it: PartPaths() tells them apart. */
@@ -168,6 +171,10 @@ std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer
 
 /** Have the planes of the scene cut what the renderer draws, with caps. Without planes nothing is cut. */
 void CutSections(const Scene& scene, vtkRenderer* renderer);
+
+/** Give the parts of the scene their outlines and x-ray looks. The actors are those of AddActors(). */
+void ShowLooks(
+  const Scene& scene, const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkRenderer* renderer);
 
 }
 #endif
