@@ -46,7 +46,8 @@ void PartMask::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 std::string PartMask::Draw(vtkRenderer* renderer, const PixelRegion& viewport,
-  const ChosenParts& chosen, const std::vector<vtkProp*>& props, const ChosenParts& excluded)
+  const PixelRegion& region, const ChosenParts& chosen, const std::vector<vtkProp*>& props,
+  const ChosenParts& excluded)
 {
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!this->Context.LivesIn(window))
@@ -63,7 +64,7 @@ std::string PartMask::Draw(vtkRenderer* renderer, const PixelRegion& viewport,
   const ScopedVertexArray vertexArray(0);
   const ScopedShaderProgram shaderProgram(window);
   const ScopedCaptureEvents events(renderer, Captured::PLACES); // Sections cut the parts.
-  this->Problem = this->Prepare(viewport);
+  this->Problem = this->Prepare(viewport, region);
   if (this->Problem.empty())
   {
     this->DrawProps(renderer, chosen, props, false);
@@ -78,7 +79,7 @@ std::string PartMask::Draw(vtkRenderer* renderer, const PixelRegion& viewport,
 }
 
 /** Binds and clears the images. Returns why the driver cannot. */
-std::string PartMask::Prepare(const PixelRegion& viewport)
+std::string PartMask::Prepare(const PixelRegion& viewport, const PixelRegion& region)
 {
   const int width = viewport.Width;
   const int height = viewport.Height;
@@ -90,7 +91,8 @@ std::string PartMask::Prepare(const PixelRegion& viewport)
     return problem;
   }
   vtkOpenGLState* const state = this->Context.Window()->GetState();
-  BindForFullScreenDraw(state, this->Target.Handle(), width, height);
+  BindForFullScreenDraw(state, this->Target.Handle(), width, height,
+    { region.X - viewport.X, region.Y - viewport.Y, region.Width, region.Height });
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Image.Handle(), 0);
   glFramebufferTexture2D(

@@ -30,11 +30,12 @@ public:
   vtkTypeMacro(PartMask, vtkOpenGLRenderPass);
 
   /**
-   * Draw the mask of a renderer's viewport. The window's context is current, and the renderer has drawn its frame.
-   * Returns why that is not possible, or an empty string. OpenGL's state stays as it was.
+   * Draw the mask of a region of a renderer's viewport. Pixels outside of the region are undefined. The window's
+   * context is current, and the renderer has drawn its frame. Returns why that is not possible, or an empty string.
+   * OpenGL's state stays as it was.
    */
-  std::string Draw(vtkRenderer* renderer, const PixelRegion& viewport, const ChosenParts& chosen,
-    const std::vector<vtkProp*>& props, const ChosenParts& excluded);
+  std::string Draw(vtkRenderer* renderer, const PixelRegion& viewport, const PixelRegion& region,
+    const ChosenParts& chosen, const std::vector<vtkProp*>& props, const ChosenParts& excluded);
 
   /** The texture of the last mask. It has the size of the viewport. */
   GLuint Texture() const { return this->Image.Handle(); }
@@ -57,7 +58,7 @@ protected:
   ~PartMask() override;
 
 private:
-  std::string Prepare(const PixelRegion& viewport);
+  std::string Prepare(const PixelRegion& viewport, const PixelRegion& region);
   void DrawProps(
     vtkRenderer* renderer, const ChosenParts& parts, std::vector<vtkProp*> props, bool isExcluded);
 

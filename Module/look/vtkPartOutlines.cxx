@@ -7,6 +7,7 @@
 #include "gl/ScopedState.h"
 #include "look/ChosenParts.h"
 #include "look/PartMask.h"
+#include "look/RegionOfParts.h"
 #include "scene/Settings.h"
 #include "shader/ShaderText.h"
 
@@ -111,11 +112,17 @@ struct vtkPartOutlines::Internals
     {
       return;
     }
+    const vitrine::PixelRegion region =
+      vitrine::RegionOfParts(renderer, viewport, this->Chosen, props, this->Width + 1);
+    if (region.Width <= 0 || region.Height <= 0)
+    {
+      return;
+    }
     this->FallbackReason =
-      this->Mask->Draw(renderer, viewport, this->Chosen, props, this->Excluded);
+      this->Mask->Draw(renderer, viewport, region, this->Chosen, props, this->Excluded);
     if (this->FallbackReason.empty())
     {
-      this->FallbackReason = this->DrawOver(window, viewport);
+      this->FallbackReason = this->DrawOver(window, viewport, region);
     }
     if (!this->FallbackReason.empty() && this->FallbackReason != this->ToldReason)
     {
@@ -126,7 +133,8 @@ struct vtkPartOutlines::Internals
   }
 
   /** Draws the outlines of the mask into the framebuffer that is bound. Returns why the driver cannot. */
-  std::string DrawOver(vtkOpenGLRenderWindow* window, const vitrine::PixelRegion& viewport)
+  std::string DrawOver(vtkOpenGLRenderWindow* window, const vitrine::PixelRegion& viewport,
+    const vitrine::PixelRegion& region)
   {
     this->UseWindow(window);
     vtkOpenGLState* const state = window->GetState();
@@ -147,7 +155,7 @@ struct vtkPartOutlines::Internals
     {
       return vitrine::ProgramFailure;
     }
-    vitrine::SetToBlendPixels(state, viewport);
+    vitrine::SetToBlendPixels(state, region);
     program->SetUniformi("vitrineMask", mask.Unit());
     program->SetUniformi("vitrineWidth", this->Width);
     this->SetColorUniform(program, "vitrineLine", this->Opacity);
