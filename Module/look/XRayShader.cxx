@@ -15,8 +15,10 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 namespace vitrine
@@ -42,6 +44,25 @@ glm::dmat4 ViewToWindow(vtkRenderer* renderer, vtkOpenGLState* state)
   const glm::dmat4 toWindow = glm::scale(
     glm::translate(glm::dmat4(1.0), half + glm::dvec3(viewport[0], viewport[1], 0.0)), half);
   return toWindow * MatrixOf(ViewMatricesOf(renderer).data() + 16);
+}
+
+/**
+ * Returns the matrix from (x, y, 1) of a pixel to the direction of the eye, in view coordinates. That is the way from
+ * the far to the near plane, which is linear in x and y.
+ */
+glm::dmat3 PixelToEye(const glm::dmat4& viewToWindow)
+{
+  const glm::dmat4 toView = glm::inverse(viewToWindow);
+  const auto towardsEye = [&](double x, double y)
+  {
+    const glm::dvec4 near = toView * glm::dvec4(x, y, 0.0, 1.0);
+    const glm::dvec4 far = toView * glm::dvec4(x, y, 1.0, 1.0);
+    return glm::dvec3(near) / near.w - glm::dvec3(far) / far.w;
+  };
+  const glm::dvec3 first = towardsEye(0.0, 0.0);
+  const glm::dmat3 toEye(towardsEye(1.0, 0.0) - first, towardsEye(0.0, 1.0) - first, first);
+  const double length = glm::length(first);
+  return length > 0.0 ? toEye / length : toEye;
 }
 
 void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)
@@ -151,7 +172,10 @@ void XRayShader::SetMatrices(vtkOpenGLRenderWindow* window, vtkShaderProgram* pr
 {
   const glm::dmat4 toWindow = ViewToWindow(this->Renderer, window->GetState());
   SetMatrix(program, "vitrineViewToWindow", toWindow);
-  SetMatrix(program, "vitrineWindowToView", glm::inverse(toWindow));
+  const glm::mat3 toEye(PixelToEye(toWindow));
+  glUniformMatrix3fv(
+    glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "vitrinePixelToEye"), 1,
+    GL_FALSE, glm::value_ptr(toEye));
 }
 
 }
