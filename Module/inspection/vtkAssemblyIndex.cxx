@@ -1,10 +1,10 @@
 #include "vtkAssemblyIndex.h"
 
-#include "Core/measure/AssemblyIndex.h"
-#include "inspection/PartTriangles.h"
+#include "inspection/AnswerTables.h"
+#include "inspection/IndexedParts.h"
 #include "scene/CutProps.h"
-#include "scene/Matrices.h"
 #include "scene/PartNumbers.h"
+#include "scene/Settings.h"
 #include "section/PartData.h"
 #include "vtkAssemblyActors.h"
 
@@ -12,30 +12,20 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
-#include "vtkIntArray.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
-#include "vtkWeakPointer.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <utility>
+#include <stdexcept>
 #include <vector>
 
 namespace
@@ -56,17 +46,6 @@ bool AreFinite(const double* numbers, int count)
   return std::all_of(numbers, numbers + count, [](double number) { return std::isfinite(number); });
 }
 
-/** A new column of a table. */
-template <class Array>
-Array* AddColumn(vtkTable* table, const char* name, int components = 1)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  column->SetNumberOfComponents(components);
-  table->AddColumn(column);
-  return column;
-}
-
 void Fill(vtkIdList* list, const std::vector<std::uint32_t>& parts)
 {
   list->Reset();
@@ -74,55 +53,6 @@ void Fill(vtkIdList* list, const std::vector<std::uint32_t>& parts)
   {
     list->InsertNextId(part);
   }
-}
-
-/** The names of all blocks that have data, by their flat indices. */
-std::map<unsigned int, std::string> BlockNames(vtkDataObject* data)
-{
-  std::map<unsigned int, std::string> names;
-  auto* const blocks = vtkCompositeDataSet::SafeDownCast(data);
-  if (!blocks)
-  {
-    return names;
-  }
-  const auto at = vtk::TakeSmartPointer(blocks->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-  {
-    const char* const name = at->HasCurrentMetaData()
-      ? at->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-      : nullptr;
-    const unsigned int block = at->GetCurrentFlatIndex();
-    names[block] = name ? name : "block " + std::to_string(block);
-  }
-  return names;
-}
-
-int NumberOf(vitrine::ClashKinds kind)
-{
-  switch (kind)
-  {
-    case vitrine::ClashKinds::Interfering:
-      return vtkAssemblyIndex::INTERFERING;
-    case vitrine::ClashKinds::Touching:
-      return vtkAssemblyIndex::TOUCHING;
-    case vitrine::ClashKinds::Near:
-      break;
-  }
-  return vtkAssemblyIndex::NEAR_BY;
-}
-
-int InsideOf(const vitrine::Clash& clash)
-{
-  switch (clash.Enclosure)
-  {
-    case vitrine::Enclosures::FirstInSecond:
-      return static_cast<int>(clash.First);
-    case vitrine::Enclosures::SecondInFirst:
-      return static_cast<int>(clash.Second);
-    case vitrine::Enclosures::None:
-      break;
-  }
-  return -1;
 }
 
 /** The ray of CastRay() with a direction of length 1, or why there is none. */
@@ -150,68 +80,8 @@ std::string MakeRay(
 
 }
 
-struct vtkAssemblyIndex::Content
+struct vtkAssemblyIndex::Content : vitrine::IndexedParts
 {
-  /** A geometry that parts share, and the cells of its triangles. */
-  struct SharedMesh
-  {
-    vtkSmartPointer<vtkPolyData> Geometry; ///< kept, so that no other has its address
-    std::shared_ptr<const vitrine::PartMesh> Mesh;
-    std::shared_ptr<const std::vector<vtkIdType>> Cells;
-  };
-
-  struct IndexedPart
-  {
-    std::string Name;
-    std::shared_ptr<const std::vector<vtkIdType>> Cells;
-    vtkWeakPointer<vtkActor> Actor;
-    unsigned int Block;
-  };
-
-  vitrine::AssemblyIndex Index;
-  std::vector<IndexedPart> Parts;
-  std::map<vtkPolyData*, SharedMesh> Meshes;
-  bool IsBuilt = false;
-
-  const SharedMesh& MeshOf(vtkPolyData* geometry)
-  {
-    SharedMesh& shared = this->Meshes[geometry];
-    if (!shared.Geometry)
-    {
-      vitrine::PartTriangles triangles = vitrine::ReadTriangles(geometry);
-      shared.Geometry = geometry;
-      shared.Mesh = std::make_shared<vitrine::PartMesh>(triangles.Points, triangles.Corners);
-      shared.Cells = std::make_shared<std::vector<vtkIdType>>(std::move(triangles.Cells));
-    }
-    return shared;
-  }
-
-  int Add(vtkPolyData* geometry, vtkMatrix4x4* place, std::string name, vtkActor* actor,
-    unsigned int block)
-  {
-    const SharedMesh& shared = this->MeshOf(geometry);
-    this->Index.Add(shared.Mesh, place ? vitrine::MatrixOf(place) : glm::dmat4(1.0));
-    this->Parts.push_back({ std::move(name), shared.Cells, actor, block });
-    this->IsBuilt = false;
-    return static_cast<int>(this->Parts.size()) - 1;
-  }
-
-  const vitrine::PlacedPart& Placed(int part) const
-  {
-    return this->Index.At(static_cast<std::uint32_t>(part));
-  }
-
-  const IndexedPart& Part(int part) const { return this->Parts[static_cast<std::size_t>(part)]; }
-
-  const vitrine::AssemblyIndex& Built()
-  {
-    if (!this->IsBuilt)
-    {
-      this->Index.Build();
-      this->IsBuilt = true;
-    }
-    return this->Index;
-  }
 };
 
 vtkStandardNewMacro(vtkAssemblyIndex);
@@ -227,6 +97,7 @@ void vtkAssemblyIndex::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "AbortExecute: " << this->AbortExecute << "\n";
 }
 
@@ -249,6 +120,51 @@ bool vtkAssemblyIndex::IsThere(const vtkObject* object)
   return object != nullptr;
 }
 
+bool vtkAssemblyIndex::TakeRay(
+  const double origin[3], const double direction[3], double length, vitrine::Ray& ray)
+{
+  const std::string problem = MakeRay(origin, direction, length, ray);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< "No ray is cast: " << problem << ".");
+  }
+  return problem.empty();
+}
+
+template <class Ask>
+bool vtkAssemblyIndex::Answers(const Ask& ask)
+{
+  this->Problem.clear();
+  try
+  {
+    ask();
+  }
+  catch (const std::runtime_error& error)
+  {
+    this->Problem = error.what();
+    vtkErrorMacro(<< this->Problem << ".");
+  }
+  return this->Problem.empty();
+}
+
+void vtkAssemblyIndex::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  const vtkTypeInt64 before = this->MemoryLimit;
+  vitrine::SetInRange(this, "MemoryLimit", this->MemoryLimit, bytes,
+    vitrine::NumberRange<vtkTypeInt64>{ 0, VTK_TYPE_INT64_MAX });
+  const std::size_t budget = this->MemoryLimit > 0 ? static_cast<std::size_t>(this->MemoryLimit)
+                                                   : vitrine::MeshStore::Unlimited;
+  if (!this->Answers([&] { this->Private->SetMemoryBudget(budget); }))
+  {
+    this->MemoryLimit = before;
+  }
+}
+
+std::string vtkAssemblyIndex::GetProblem()
+{
+  return this->Problem;
+}
+
 int vtkAssemblyIndex::AddPart(vtkPolyData* geometry, vtkMatrix4x4* place, const std::string& name)
 {
   if (!geometry)
@@ -256,16 +172,22 @@ int vtkAssemblyIndex::AddPart(vtkPolyData* geometry, vtkMatrix4x4* place, const 
     vtkErrorMacro(<< "A part needs a geometry.");
     return -1;
   }
-  return this->Private->Add(geometry, place, name, nullptr, 0);
+  int part = -1;
+  this->Answers([&] { part = this->Private->Add(geometry, place, name, nullptr, 0); });
+  return part;
 }
 
 void vtkAssemblyIndex::AddAssembly(vtkAssemblyActors* actors)
 {
-  for (int part = 0; actors && part < actors->GetNumberOfParts(); ++part)
-  {
-    this->Private->Add(actors->GetPartGeometry(part), actors->GetPartPlace(part),
-      actors->GetPartName(part), actors->GetPartActor(part), actors->GetPartBlock(part));
-  }
+  this->Answers(
+    [&]
+    {
+      for (int part = 0; actors && part < actors->GetNumberOfParts(); ++part)
+      {
+        this->Private->Add(actors->GetPartGeometry(part), actors->GetPartPlace(part),
+          actors->GetPartName(part), actors->GetPartActor(part), actors->GetPartBlock(part));
+      }
+    });
 }
 
 int vtkAssemblyIndex::AddActors(vtkRenderer* renderer)
@@ -274,6 +196,13 @@ int vtkAssemblyIndex::AddActors(vtkRenderer* renderer)
   {
     return 0;
   }
+  int leftOut = 0;
+  this->Answers([&] { leftOut = this->AddPropsOf(renderer); });
+  return leftOut;
+}
+
+int vtkAssemblyIndex::AddPropsOf(vtkRenderer* renderer)
+{
   int leftOut = 0;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator at;
@@ -299,7 +228,7 @@ int vtkAssemblyIndex::AddProp(vtkActor* actor, vtkMatrix4x4* place)
 {
   std::vector<vitrine::DrawnData> drawn;
   vitrine::ForEachDrawn(actor, [&](const vitrine::DrawnData& data) { drawn.push_back(data); });
-  const std::map<unsigned int, std::string> names = BlockNames(vitrine::BlocksOf(actor));
+  const std::map<unsigned int, std::string> names = vitrine::BlockNames(vitrine::BlocksOf(actor));
   for (const vitrine::DrawnData& data : drawn)
   {
     const auto name = names.find(data.Block);
@@ -312,7 +241,7 @@ int vtkAssemblyIndex::AddProp(vtkActor* actor, vtkMatrix4x4* place)
 
 int vtkAssemblyIndex::GetNumberOfParts() const
 {
-  return static_cast<int>(this->Private->Parts.size());
+  return this->Private->Count();
 }
 
 std::string vtkAssemblyIndex::GetPartName(int part)
@@ -322,13 +251,19 @@ std::string vtkAssemblyIndex::GetPartName(int part)
 
 int vtkAssemblyIndex::GetPartNumberOfTriangles(int part)
 {
-  return this->IsPart(part) ? static_cast<int>(this->Private->Placed(part).Mesh().TriangleCount())
-                            : 0;
+  std::uint32_t count = 0;
+  if (this->IsPart(part))
+  {
+    this->Answers([&] { count = this->Private->Placed(part).Mesh().TriangleCount(); });
+  }
+  return static_cast<int>(count);
 }
 
 bool vtkAssemblyIndex::GetPartIsClosed(int part)
 {
-  return this->IsPart(part) && this->Private->Placed(part).IsClosed();
+  bool isClosed = false;
+  return this->IsPart(part) &&
+    this->Answers([&] { isClosed = this->Private->Placed(part).IsClosed(); }) && isClosed;
 }
 
 vtkActor* vtkAssemblyIndex::GetPartActor(int part)
@@ -348,31 +283,12 @@ bool vtkAssemblyIndex::CastRay(
   {
     return false;
   }
-  crossings->Initialize();
-  auto* const parts = AddColumn<vtkIntArray>(crossings, "part");
-  auto* const distances = AddColumn<vtkDoubleArray>(crossings, "distance");
-  auto* const positions = AddColumn<vtkDoubleArray>(crossings, "position", 3);
-  auto* const cells = AddColumn<vtkIdTypeArray>(crossings, "cell");
-  auto* const entering = AddColumn<vtkIntArray>(crossings, "entering");
   vitrine::Ray ray;
-  const std::string problem = MakeRay(origin, direction, length, ray);
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< "No ray is cast: " << problem << ".");
-    return false;
-  }
-  for (const vitrine::PartCrossing& crossing : this->Private->Built().Crossings(ray))
-  {
-    const int part = static_cast<int>(crossing.Part);
-    const glm::dvec3 position = ray.Origin + crossing.Distance * ray.Direction;
-    const std::uint32_t triangle = this->Private->Placed(part).Mesh().SourceOf(crossing.Triangle);
-    parts->InsertNextValue(part);
-    distances->InsertNextValue(crossing.Distance);
-    positions->InsertNextTuple(&position.x);
-    cells->InsertNextValue((*this->Private->Part(part).Cells)[triangle]);
-    entering->InsertNextValue(crossing.IsEntering ? 1 : 0);
-  }
-  return true;
+  std::vector<vitrine::IndexedCrossing> found;
+  const bool isAnswered = this->TakeRay(origin, direction, length, ray) &&
+    this->Answers([&] { found = this->Private->Crossings(ray); });
+  vitrine::WriteCrossings(crossings, ray, found);
+  return isAnswered;
 }
 
 bool vtkAssemblyIndex::FindWalls(
@@ -382,24 +298,12 @@ bool vtkAssemblyIndex::FindWalls(
   {
     return false;
   }
-  walls->Initialize();
-  auto* const parts = AddColumn<vtkIntArray>(walls, "part");
-  auto* const starts = AddColumn<vtkDoubleArray>(walls, "start");
-  auto* const ends = AddColumn<vtkDoubleArray>(walls, "end");
   vitrine::Ray ray;
-  const std::string problem = MakeRay(origin, direction, length, ray);
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< "No ray is cast: " << problem << ".");
-    return false;
-  }
-  for (const vitrine::Wall& wall : this->Private->Built().Walls(ray))
-  {
-    parts->InsertNextValue(static_cast<int>(wall.Part));
-    starts->InsertNextValue(wall.Start);
-    ends->InsertNextValue(wall.End);
-  }
-  return true;
+  std::vector<vitrine::Wall> found;
+  const bool isAnswered = this->TakeRay(origin, direction, length, ray) &&
+    this->Answers([&] { found = this->Private->Built().Walls(ray); });
+  vitrine::WriteWalls(walls, found);
+  return isAnswered;
 }
 
 int vtkAssemblyIndex::FindNearest(const double point[3], double nearest[3])
@@ -409,7 +313,8 @@ int vtkAssemblyIndex::FindNearest(const double point[3], double nearest[3])
     vtkErrorMacro(<< "Nothing is nearest to a point that has a number that is not finite.");
     return -1;
   }
-  const auto near = this->Private->Built().Nearest(VectorOf(point));
+  std::optional<vitrine::NearPart> near;
+  this->Answers([&] { near = this->Private->Built().Nearest(VectorOf(point)); });
   if (near)
   {
     Write(near->Point.Place, nearest);
@@ -431,9 +336,12 @@ bool vtkAssemblyIndex::FindPartsInBox(const double bounds[6], bool isWholly, vtk
     vtkErrorMacro(<< "Nothing is in a box that is empty or has a number that is not finite.");
     return false;
   }
-  const vitrine::AssemblyIndex& index = this->Private->Built();
-  Fill(parts, isWholly ? index.PartsWithin(box) : index.PartsTouching(box));
-  return true;
+  return this->Answers(
+    [&]
+    {
+      const vitrine::AssemblyIndex& index = this->Private->Built();
+      Fill(parts, isWholly ? index.PartsWithin(box) : index.PartsTouching(box));
+    });
 }
 
 bool vtkAssemblyIndex::FindPartsInSphere(
@@ -452,9 +360,13 @@ bool vtkAssemblyIndex::FindPartsInSphere(
     return false;
   }
   const glm::dvec3 middle = VectorOf(center);
-  const vitrine::AssemblyIndex& index = this->Private->Built();
-  Fill(parts, isWholly ? index.PartsWithin(middle, radius) : index.PartsTouching(middle, radius));
-  return true;
+  return this->Answers(
+    [&]
+    {
+      const vitrine::AssemblyIndex& index = this->Private->Built();
+      Fill(
+        parts, isWholly ? index.PartsWithin(middle, radius) : index.PartsTouching(middle, radius));
+    });
 }
 
 double vtkAssemblyIndex::GetDistance(int first, int second, double onFirst[3], double onSecond[3])
@@ -463,8 +375,17 @@ double vtkAssemblyIndex::GetDistance(int first, int second, double onFirst[3], d
   {
     return -1.0;
   }
-  const auto gap = this->Private->Index.Distance(
-    static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second));
+  std::optional<vitrine::Gap> gap;
+  const bool isAnswered = this->Answers(
+    [&]
+    {
+      gap = this->Private->Index().Distance(
+        static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second));
+    });
+  if (!isAnswered)
+  {
+    return -1.0;
+  }
   if (!gap)
   {
     vtkErrorMacro(<< "A part without triangles has no distance.");
@@ -477,7 +398,7 @@ double vtkAssemblyIndex::GetDistance(int first, int second, double onFirst[3], d
 
 double vtkAssemblyIndex::GetDefaultTolerance()
 {
-  const vitrine::WideBox& bounds = this->Private->Index.Bounds();
+  const vitrine::WideBox& bounds = this->Private->Index().Bounds();
   return bounds.IsEmpty() ? 0.0 : glm::length(bounds.High - bounds.Low) / 1000.0;
 }
 
@@ -487,19 +408,12 @@ bool vtkAssemblyIndex::FindClashes(double clearance, double tolerance, vtkTable*
   {
     return false;
   }
-  clashes->Initialize();
-  auto* const firsts = AddColumn<vtkIntArray>(clashes, "first");
-  auto* const seconds = AddColumn<vtkIntArray>(clashes, "second");
-  auto* const kinds = AddColumn<vtkIntArray>(clashes, "kind");
-  auto* const depths = AddColumn<vtkDoubleArray>(clashes, "depth");
-  auto* const distances = AddColumn<vtkDoubleArray>(clashes, "distance");
-  auto* const positions = AddColumn<vtkDoubleArray>(clashes, "position", 3);
-  auto* const inside = AddColumn<vtkIntArray>(clashes, "inside");
   const double limits[2] = { clearance, tolerance };
   if (!AreFinite(limits, 2) || clearance < 0.0 || tolerance < 0.0)
   {
     vtkErrorMacro(<< "Clearance and tolerance are finite numbers from 0 up, not " << clearance
                   << " and " << tolerance << ".");
+    vitrine::WriteClashes(clashes, {});
     return false;
   }
   this->AbortExecute = 0;
@@ -508,17 +422,13 @@ bool vtkAssemblyIndex::FindClashes(double clearance, double tolerance, vtkTable*
     this->InvokeEvent(vtkCommand::ProgressEvent, &done);
     return this->AbortExecute == 0;
   };
-  for (const vitrine::Clash& clash : this->Private->Index.Clashes({ clearance, tolerance }, goesOn))
-  {
-    firsts->InsertNextValue(static_cast<int>(clash.First));
-    seconds->InsertNextValue(static_cast<int>(clash.Second));
-    kinds->InsertNextValue(NumberOf(clash.Kind));
-    depths->InsertNextValue(clash.Depth);
-    distances->InsertNextValue(clash.Distance);
-    positions->InsertNextTuple(&clash.Place.x);
-    inside->InsertNextValue(InsideOf(clash));
-  }
-  return goesOn(1.0);
+  std::vector<vitrine::Clash> found;
+  const bool isAnswered = this->Answers(
+    [&] {
+      found = this->Private->Index().Clashes({ clearance, tolerance }, goesOn);
+    });
+  vitrine::WriteClashes(clashes, found);
+  return isAnswered && goesOn(1.0);
 }
 
 bool vtkAssemblyIndex::MaySee(int first, int second, vtkIdList* through)
@@ -527,8 +437,14 @@ bool vtkAssemblyIndex::MaySee(int first, int second, vtkIdList* through)
   {
     return false;
   }
-  return this->Private->Built().MaySee(static_cast<std::uint32_t>(first),
-    static_cast<std::uint32_t>(second),
-    [through](std::uint32_t part)
-    { return !through || through->IsId(static_cast<vtkIdType>(part)) < 0; });
+  bool maySee = true;
+  this->Answers(
+    [&]
+    {
+      maySee = this->Private->Built().MaySee(static_cast<std::uint32_t>(first),
+        static_cast<std::uint32_t>(second),
+        [through](std::uint32_t part)
+        { return !through || through->IsId(static_cast<vtkIdType>(part)) < 0; });
+    });
+  return maySee;
 }

@@ -44,6 +44,11 @@ class vtkPolyData;
 class vtkRenderer;
 class vtkTable;
 
+namespace vitrine
+{
+struct Ray;
+}
+
 class VTKVITRINERENDERING_EXPORT vtkAssemblyIndex : public vtkObject
 {
 public:
@@ -66,8 +71,28 @@ public:
     NEAR_BY = 2
   };
 
+  ///@{
   /**
-   * Add a part, and return its number. Returns -1, after an error, if there is no geometry.
+   * Get/Set the memory for the triangles of parts and their octrees, in bytes, where 0 means no limit. If all need
+   * more, they are written to a file in the folder for temporary files (TMPDIR or /tmp), which the system removes with
+   * the index. Queries read them again, at most one more than the limit for each thread at once. Answers are the same.
+   * About 75 bytes stand for a triangle. What stays in memory is a few hundred bytes for each part. The range is 0 to
+   * VTK_TYPE_INT64_MAX, the default is 0. A value out of range is an error. So is a file that cannot be written, which
+   * leaves the old limit.
+   */
+  void SetMemoryLimit(vtkTypeInt64 bytes);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  /**
+   * Get why parts could not be written to the file of SetMemoryLimit(), or read again, when parts were added or asked
+   * for last. The string is empty if they could. What was called has failed then, after an error.
+   */
+  std::string GetProblem();
+
+  /**
+   * Add a part, and return its number. Returns -1, after an error, if there is no geometry, or if it cannot be kept
+   * within the memory limit.
    *
    * @param geometry  in model coordinates. Parts may share it.
    * @param place     the matrix from model to world coordinates. Null stands for the identity.
@@ -207,9 +232,15 @@ private:
 
   bool IsPart(int part);
   bool IsThere(const vtkObject* object);
+  bool TakeRay(const double origin[3], const double direction[3], double length, vitrine::Ray& ray);
+  template <class Ask>
+  bool Answers(const Ask& ask);
+  int AddPropsOf(vtkRenderer* renderer);
   int AddProp(vtkActor* actor, vtkMatrix4x4* place);
 
+  vtkTypeInt64 MemoryLimit = 0;
   vtkTypeBool AbortExecute = 0;
+  std::string Problem;
   std::unique_ptr<Content> Private;
 };
 

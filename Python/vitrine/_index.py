@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import numbers
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Sequence, SupportsIndex
 
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 from vtkmodules.vtkCommonCore import vtkCommand, vtkIdList
@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkRenderingCore import vtkProp
 
 from ._assembly import Assembly
-from ._options import check_boolean, finite_numbers
+from ._options import check_boolean, finite_numbers, number_of_bytes
 from ._parts import WHOLE, Chosen, choose, flat, named, shown_assemblies
 from ._see_through import _renderers_of
 from .vtkVitrineRendering import vtkAssemblyIndex
@@ -100,12 +100,16 @@ class AssemblyIndex:
     A part is closed if each edge of its triangles has an even number of them. Only closed parts have walls, and an
     inside.
 
+    memory_limit is how many bytes the triangles of parts and their octrees may take, of which each triangle takes about
+    75. If all need more, they are in a temporary file, and read again where a query needs them. None means no limit.
+
     left_out is the number of actors and blocks that are hidden, without points or of other data. Caps of sections are
     no parts, and parts are whole where a section cuts them. index is the vtkAssemblyIndex.
 
     Raises:
         TypeError: the target is something else.
-        ValueError: there are no parts.
+        ValueError: there are no parts, or the limit is no number of bytes above 0.
+        OSError: the temporary file cannot be written, as on a full disk.
 
     Examples:
 
@@ -118,8 +122,10 @@ class AssemblyIndex:
 
     __slots__ = ("_assemblies", "_known", "index", "left_out", "parts")
 
-    def __init__(self, target: Any) -> None:
+    def __init__(self, target: Any, *, memory_limit: SupportsIndex | None = None) -> None:
         self.index = vtkAssemblyIndex()
+        if memory_limit is not None:
+            self.index.SetMemoryLimit(number_of_bytes(memory_limit))
         self.left_out = 0
         self.parts: tuple[Any, ...]
         if isinstance(target, Assembly):
@@ -135,6 +141,8 @@ class AssemblyIndex:
             drawn = ((self.index.GetPartActor(i), self.index.GetPartBlock(i)) for i in range(count))
             self.parts = tuple(named(actor, block) for actor, block in drawn)
         self._known = {_key(part): number for number, part in reversed(list(enumerate(self.parts)))}
+        if self.index.GetProblem():
+            raise OSError(self.index.GetProblem())
         if not self.parts:
             raise ValueError("there are no parts to measure: nothing is shown by polygons")
 

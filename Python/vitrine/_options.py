@@ -42,7 +42,7 @@ def make_pass(
         transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
     if memory_limit is not None:
         _only_of(vtkABufferTransparencyPass, method, "memory_limit")
-        transparency.SetMemoryLimit(_number_of_bytes(memory_limit))
+        transparency.SetMemoryLimit(number_of_bytes(memory_limit))
     if coincidence is not None:
         _only_of(vtkTolerantTransparencyPass, method, "coincidence")
         steps, slope = _steps_and_slope(coincidence)
@@ -88,7 +88,7 @@ def _known(argument: str, value: Any, values: Mapping[str, Any]) -> Any:
     return values[value]
 
 
-def _number_of_bytes(limit: SupportsIndex) -> int:
+def number_of_bytes(limit: SupportsIndex) -> int:
     try:
         number = operator.index(limit)
     except TypeError:

@@ -61,7 +61,7 @@ public:
     return votes > 0;
   }
 
-  const PlacedPart& Part;
+  PlacedPart Part;
   std::vector<Triangle> Triangles;
 };
 

@@ -2,7 +2,9 @@
 
 import doctest
 import math
+import os
 import unittest
+from unittest import mock
 
 import numpy
 from machine import Files
@@ -126,6 +128,20 @@ class Measures(unittest.TestCase):
         self.assertEqual((gap.points[0][0], gap.points[1][0]), (0.5, 1.75))
         self.assertEqual(self.index.distance(0, 1).distance, 0)
 
+    def test_memory_limit_changes_no_answer(self):
+        limited = vitrine.AssemblyIndex(self.machine, memory_limit=1)
+        self.assertEqual(limited.index.GetMemoryLimit(), 1)
+        for index in (self.index, limited):
+            clashes = index.clashes(clearance=0.5, tolerance=0.01)
+            told = [(clash.kind, clash.depth, clash.distance) for clash in clashes]
+            self.assertEqual(told, [("interfering", 0.25, 0), ("near", 0, 0.5)])
+            self.assertEqual(len(index.thickness((-3, 0.1, 0.2), (1, 0, 0))), 4)
+            self.assertEqual([c.cell for c in index.ray((-3, 0.1, 0.2), (1, 0, 0))][:2], [0, 0])
+            self.assertEqual(index.distance(0, 2).distance, 1.25)
+        with mock.patch.dict(os.environ, TMPDIR="/there/is/no/such/folder"):
+            with self.assertRaisesRegex(OSError, "cannot be written to a temporary file"):
+                vitrine.AssemblyIndex(self.machine, memory_limit=1)
+
     def test_sight(self):
         blocks = vtkMultiBlockDataSet()
         for i, data in enumerate((cube(0), cube(9), cube(50, 80))):
@@ -162,6 +178,8 @@ class Measures(unittest.TestCase):
             (ValueError, "is gone", lambda: index.is_closed(machine(left=0).parts[0])),
             (TypeError, "part is an actor, a pair", lambda: index.is_closed(1.5)),
             (TypeError, "through is an actor, a pair", lambda: index.sees(0, 1, through=[None])),
+            (TypeError, "is a number of bytes", lambda: vitrine.AssemblyIndex(other, memory_limit="1 GB")),
+            (ValueError, "bytes above 0", lambda: vitrine.AssemblyIndex(other, memory_limit=0)),
             (TypeError, "it is a function", lambda: index.clashes(progress="x")),
         ):
             with self.subTest(text), self.assertRaisesRegex(error, text):

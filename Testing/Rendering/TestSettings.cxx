@@ -1,5 +1,6 @@
 // Settings of the passes and the culler: defaults, ranges, names, and what a value out of range does.
 #include "TestMessages.h"
+#include "vtkAssemblyIndex.h"
 #include "vtkClusteredLightsPass.h"
 #include "vtkDeferredLightsPass.h"
 #include "vtkHierarchicalSBufferCuller.h"
@@ -121,6 +122,8 @@ std::vector<Setting> AllSettings()
       (Values{ -1.0, 3.0, LeastInt, MostInt }), "0 (exponential), 1 (uniform) or 2 (NDC uniform)"),
     SETTING(vtkDeferredLightsPass, Assignment, 2.0, (Values{ 0.0, 1.0, 2.0 }),
       (Values{ -1.0, 3.0, LeastInt, MostInt }), "0 (light volumes), 1 (tiles) or 2 (clusters)"),
+    SETTING(vtkAssemblyIndex, MemoryLimit, 0.0, (Values{ 1.0, 1e12, 0.0 }), noByte,
+      "0 to 9223372036854775807"),
     SETTING(vtkHierarchicalSBufferCuller, BufferLines, 0.0, (Values{ 1.0, 4096.0, 0.0 }),
       (Values{ -1.0, 4097.0, LeastInt, MostInt }), "0 to 4096"),
   };

@@ -61,12 +61,31 @@ bool Overlaps(const Triangle& triangle, const WideBox& box)
 
 }
 
+std::uint32_t AssemblyIndex::AddMesh(std::shared_ptr<const PartMesh> mesh)
+{
+  return this->Meshes.Keep(std::move(mesh));
+}
+
+std::uint32_t AssemblyIndex::Add(std::uint32_t mesh, const glm::dmat4& place)
+{
+  const std::shared_ptr<const PartMesh> shared = this->Meshes.Load(mesh);
+  PlacedPart part(shared, place);
+  std::shared_ptr<const PartMesh> own = part.TakeMesh();
+  this->MeshNumbers.push_back(own == shared ? mesh : this->AddMesh(std::move(own)));
+  this->Parts.push_back(part);
+  this->Extent.Add(part.Bounds());
+  this->Boxes.push_back(NarrowBox(part.Bounds()));
+  return this->Count() - 1;
+}
+
 std::uint32_t AssemblyIndex::Add(std::shared_ptr<const PartMesh> mesh, const glm::dmat4& place)
 {
-  this->Parts.emplace_back(std::move(mesh), place);
-  this->Extent.Add(this->Parts.back().Bounds());
-  this->Boxes.push_back(NarrowBox(this->Parts.back().Bounds()));
-  return this->Count() - 1;
+  return this->Add(this->AddMesh(std::move(mesh)), place);
+}
+
+PlacedPart AssemblyIndex::At(std::uint32_t part) const
+{
+  return this->Parts[part].With(this->Meshes.Load(this->MeshNumbers[part]));
 }
 
 void AssemblyIndex::Build()
@@ -74,18 +93,19 @@ void AssemblyIndex::Build()
   this->Tree = Octree(BoxArray(this->Boxes.data(), this->Count()), LeafSize);
 }
 
-std::vector<PartCrossing> AssemblyIndex::CrossingsOf(std::uint32_t part, const Ray& ray) const
+std::vector<PartCrossing> AssemblyIndex::CrossingsOf(
+  std::uint32_t number, const PlacedPart& part, const Ray& ray) const
 {
   std::vector<PartCrossing> crossings;
-  for (const MeshCrossing& crossing : this->Parts[part].Crossings(ray))
+  for (const MeshCrossing& crossing : part.Crossings(ray))
   {
-    crossings.push_back({ part, crossing.Distance, crossing.Triangle, !crossing.FromBehind });
+    crossings.push_back({ number, crossing.Distance, crossing.Triangle, !crossing.FromBehind });
   }
-  const double slack = 1e-12 * (glm::length(ray.Origin) + this->Parts[part].Bounds().Reach());
+  const double slack = 1e-12 * (glm::length(ray.Origin) + part.Bounds().Reach());
   JoinCrossings(crossings, slack);
-  if (this->Parts[part].IsClosed())
+  if (part.IsClosed())
   {
-    bool isInside = this->Parts[part].Contains(ray.Origin);
+    bool isInside = part.Contains(ray.Origin);
     for (PartCrossing& crossing : crossings)
     {
       crossing.IsEntering = !isInside;
@@ -101,7 +121,7 @@ std::vector<PartCrossing> AssemblyIndex::Crossings(const Ray& ray) const
   for (const std::uint32_t part :
     ItemsAlong(this->Tree, BoxArray(this->Boxes.data(), this->Count()), ray))
   {
-    const std::vector<PartCrossing> of = this->CrossingsOf(part, ray);
+    const std::vector<PartCrossing> of = this->CrossingsOf(part, this->At(part), ray);
     crossings.insert(crossings.end(), of.begin(), of.end());
   }
   std::stable_sort(crossings.begin(), crossings.end(),
@@ -115,16 +135,18 @@ std::vector<Wall> AssemblyIndex::Walls(const Ray& ray) const
   for (const std::uint32_t part :
     ItemsAlong(this->Tree, BoxArray(this->Boxes.data(), this->Count()), ray))
   {
-    if (!this->Parts[part].IsClosed())
+    const PlacedPart placed = this->At(part);
+    if (!placed.IsClosed())
     {
       continue;
     }
     std::vector<double> places;
-    if (this->Parts[part].Contains(ray.Origin))
+    if (placed.Contains(ray.Origin))
     {
       places.push_back(0);
     }
-    for (const PartCrossing& crossing : this->CrossingsOf(part, { ray.Origin, ray.Direction }))
+    for (const PartCrossing& crossing :
+      this->CrossingsOf(part, placed, { ray.Origin, ray.Direction }))
     {
       places.push_back(crossing.Distance);
     }
@@ -147,7 +169,7 @@ std::optional<NearPart> AssemblyIndex::Nearest(const glm::dvec3& point) const
   const auto distance = [&](std::uint32_t part)
   {
     const double limit = best ? best->Point.Distance : std::numeric_limits<double>::infinity();
-    const std::optional<NearPoint> near = this->Parts[part].Nearest(point, limit);
+    const std::optional<NearPoint> near = this->At(part).Nearest(point, limit);
     if (near &&
       (!best || near->Distance < best->Point.Distance ||
         (near->Distance == best->Point.Distance && part < best->Part)))
@@ -170,7 +192,7 @@ std::vector<std::uint32_t> AssemblyIndex::PartsTouching(const WideBox& box) cons
   std::vector<std::uint32_t> parts;
   for (const std::uint32_t part : this->PartsNear(box))
   {
-    const std::vector<PlacedTriangle> triangles = this->Parts[part].TrianglesTouching(box);
+    const std::vector<PlacedTriangle> triangles = this->At(part).TrianglesTouching(box);
     if (std::any_of(triangles.begin(), triangles.end(),
           [&](const PlacedTriangle& triangle) { return Overlaps(triangle.Corners, box); }))
     {
@@ -186,7 +208,7 @@ std::vector<std::uint32_t> AssemblyIndex::PartsTouching(
   std::vector<std::uint32_t> parts;
   for (const std::uint32_t part : this->PartsNear({ centre - radius, centre + radius }))
   {
-    if (this->Parts[part].HasWithin(centre, radius))
+    if (this->At(part).HasWithin(centre, radius))
     {
       parts.push_back(part);
     }
@@ -213,7 +235,7 @@ std::vector<std::uint32_t> AssemblyIndex::PartsWithin(const glm::dvec3& centre, 
   std::vector<std::uint32_t> parts;
   for (const std::uint32_t part : this->PartsNear({ centre - radius, centre + radius }))
   {
-    const PlacedPart& placed = this->Parts[part];
+    const PlacedPart placed = this->At(part);
     const std::vector<glm::dvec3>& points = placed.Mesh().Points();
     if (std::all_of(points.begin(), points.end(),
           [&](const glm::dvec3& point)
@@ -227,8 +249,8 @@ std::vector<std::uint32_t> AssemblyIndex::PartsWithin(const glm::dvec3& centre, 
 
 std::optional<Gap> AssemblyIndex::Distance(std::uint32_t first, std::uint32_t second) const
 {
-  const std::optional<SurfaceGap> gap = FindSurfaceGap(
-    this->Parts[first], this->Parts[second], std::numeric_limits<double>::infinity());
+  const std::optional<SurfaceGap> gap =
+    FindSurfaceGap(this->At(first), this->At(second), std::numeric_limits<double>::infinity());
   return gap ? std::optional<Gap>(gap->Least) : std::nullopt;
 }
 
@@ -248,8 +270,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> AssemblyIndex::NearBoxes(do
 std::optional<Clash> AssemblyIndex::Compare(
   std::uint32_t first, std::uint32_t second, const ClashLimits& limits) const
 {
-  const PlacedPart& a = this->Parts[first];
-  const PlacedPart& b = this->Parts[second];
+  const PlacedPart a = this->At(first);
+  const PlacedPart b = this->At(second);
   const double within = std::max(limits.Clearance, limits.Tolerance);
   const std::optional<SurfaceGap> gap = FindSurfaceGap(a, b, within);
   Clash clash{ first, second, ClashKinds::Near, Enclosures::None, 0, 0, {} };
@@ -273,7 +295,8 @@ std::optional<Clash> AssemblyIndex::Compare(
     clash.Kind = ClashKinds::Interfering;
     clash.Depth = deep->Depth;
     clash.Place = deep->Place;
-    clash.Distance = doMeet ? 0 : this->Distance(first, second)->Distance;
+    clash.Distance =
+      doMeet ? 0 : FindSurfaceGap(a, b, std::numeric_limits<double>::infinity())->Least.Distance;
     return clash;
   }
   if (!gap)
@@ -329,7 +352,7 @@ bool AssemblyIndex::MaySee(
     {
       continue;
     }
-    for (const PlacedTriangle& triangle : this->Parts[part].TrianglesTouching(between))
+    for (const PlacedTriangle& triangle : this->At(part).TrianglesTouching(between))
     {
       triangles.push_back(triangle.Corners);
       boxes.push_back(BoxOf(triangle.Corners));

@@ -1,12 +1,14 @@
 #ifndef VITRINE_CORE_MEASURE_ASSEMBLY_INDEX_H
 #define VITRINE_CORE_MEASURE_ASSEMBLY_INDEX_H
 
+#include "Core/measure/MeshStore.h"
 #include "Core/measure/PlacedPart.h"
 #include "Core/measure/SurfaceGap.h"
 #include "Core/octree/Octree.h"
 
 #include <glm/mat4x4.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -76,15 +78,28 @@ struct NearPart
 /**
  * Parts of an assembly in two levels: an octree over the boxes of parts, and one over the triangles of each geometry,
  * which parts share and which is made when a query first needs it.
+ * Meshes beyond a budget of memory are in a file.
  */
 class AssemblyIndex
 {
 public:
-  /** Adds a part, and returns its number. */
+  /** Sets how many bytes meshes may take in memory. Queries read others from a file. Throws as MeshStore does. */
+  void SetMemoryBudget(std::size_t bytes) { this->Meshes.SetBudget(bytes); }
+  const MeshStore& Store() const { return this->Meshes; }
+
+  /** Keeps a mesh for parts, and returns its number. Throws as MeshStore does. */
+  std::uint32_t AddMesh(std::shared_ptr<const PartMesh> mesh);
+
+  /** Adds a part of a mesh that was added before, and returns its number. Throws as MeshStore does. */
+  std::uint32_t Add(std::uint32_t mesh, const glm::dmat4& place);
+
+  /** Adds a part of a mesh of its own, and returns its number. Throws as MeshStore does. */
   std::uint32_t Add(std::shared_ptr<const PartMesh> mesh, const glm::dmat4& place);
 
   std::uint32_t Count() const { return static_cast<std::uint32_t>(this->Parts.size()); }
-  const PlacedPart& At(std::uint32_t part) const { return this->Parts[part]; }
+
+  /** Returns a part, which keeps its mesh in memory while it is there. Throws as MeshStore does, as do all queries. */
+  PlacedPart At(std::uint32_t part) const;
 
   /** Returns the box around all parts. */
   const WideBox& Bounds() const { return this->Extent; }
@@ -140,10 +155,13 @@ public:
     const std::function<bool(std::uint32_t)>& blocks) const;
 
 private:
-  std::vector<PartCrossing> CrossingsOf(std::uint32_t part, const Ray& ray) const;
+  std::vector<PartCrossing> CrossingsOf(
+    std::uint32_t number, const PlacedPart& part, const Ray& ray) const;
   std::vector<std::uint32_t> PartsNear(const WideBox& box) const;
 
-  std::vector<PlacedPart> Parts;
+  MeshStore Meshes;
+  std::vector<PlacedPart> Parts; ///< without their meshes
+  std::vector<std::uint32_t> MeshNumbers;
   std::vector<Box> Boxes;
   Octree Tree;
   WideBox Extent;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace vitrine
 {
@@ -93,24 +94,33 @@ PartMesh::PartMesh(const std::vector<glm::dvec3>& points, const std::vector<std:
     {
       if (numbers[point] == unused)
       {
-        numbers[point] = static_cast<std::uint32_t>(this->Places.size());
-        this->Places.push_back(points[point]);
+        numbers[point] = static_cast<std::uint32_t>(this->Made.Points.size());
+        this->Made.Points.push_back(points[point]);
       }
-      this->Corners.push_back(numbers[point]);
+      this->Made.Corners.push_back(numbers[point]);
     }
-    this->Sources.push_back(static_cast<std::uint32_t>(i / 3));
+    this->Made.Sources.push_back(static_cast<std::uint32_t>(i / 3));
   }
+  this->Made.Points.shrink_to_fit();
+  this->Made.Corners.shrink_to_fit();
+  this->Made.Sources.shrink_to_fit();
+}
+
+PartMesh::PartMesh(Arrays content)
+  : Made(std::move(content))
+{
 }
 
 Triangle PartMesh::TriangleAt(std::uint32_t triangle) const
 {
   const std::uint32_t* const corners = this->CornersOf(triangle);
-  return { this->Places[corners[0]], this->Places[corners[1]], this->Places[corners[2]] };
+  return { this->Made.Points[corners[0]], this->Made.Points[corners[1]],
+    this->Made.Points[corners[2]] };
 }
 
 TriangleBoxes<double, std::uint32_t> PartMesh::Boxes() const
 {
-  return { this->Places.empty() ? nullptr : &this->Places[0].x, this->Corners.data(),
+  return { this->Made.Points.empty() ? nullptr : &this->Made.Points[0].x, this->Made.Corners.data(),
     this->TriangleCount() };
 }
 
@@ -129,8 +139,8 @@ const PartMesh::Detail& PartMesh::Details() const
 PartMesh::Detail PartMesh::FindDetails() const
 {
   Detail detail;
-  detail.Closed = HasEvenEdges(this->Corners);
-  std::vector<std::uint32_t> parents(this->Places.size());
+  detail.Closed = HasEvenEdges(this->Made.Corners);
+  std::vector<std::uint32_t> parents(this->Made.Points.size());
   std::iota(parents.begin(), parents.end(), 0u);
   for (std::uint32_t i = 0; i < this->TriangleCount(); ++i)
   {
@@ -141,7 +151,7 @@ PartMesh::Detail PartMesh::FindDetails() const
     }
   }
   constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> pieceOfRoot(this->Places.size(), unknown);
+  std::vector<std::uint32_t> pieceOfRoot(this->Made.Points.size(), unknown);
   for (std::uint32_t i = 0; i < this->TriangleCount(); ++i)
   {
     std::uint32_t& piece = pieceOfRoot[RootOf(parents, *this->CornersOf(i))];
@@ -151,7 +161,7 @@ PartMesh::Detail PartMesh::FindDetails() const
       detail.Pieces.push_back(i);
     }
   }
-  for (std::uint32_t i = 0; i < this->Places.size(); ++i)
+  for (std::uint32_t i = 0; i < this->Made.Points.size(); ++i)
   {
     detail.OfPoints.push_back(pieceOfRoot[RootOf(parents, i)]);
   }

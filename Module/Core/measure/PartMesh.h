@@ -54,22 +54,38 @@ struct InnerPoint
 class PartMesh
 {
 public:
+  /** What a mesh is made of, and all that is needed to make it again. */
+  struct Arrays
+  {
+    std::vector<glm::dvec3> Points;
+    std::vector<std::uint32_t> Corners; ///< three for each triangle
+    std::vector<std::uint32_t> Sources; ///< one for each triangle
+  };
+
   /** @param corners  three numbers of points for each triangle; numbers out of range leave the triangle out */
   PartMesh(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& corners);
 
-  std::uint32_t TriangleCount() const { return static_cast<std::uint32_t>(this->Sources.size()); }
-  const std::vector<glm::dvec3>& Points() const { return this->Places; }
+  /** Makes a mesh again. @param content  that of another mesh */
+  explicit PartMesh(Arrays content);
+
+  const Arrays& Content() const { return this->Made; }
+
+  std::uint32_t TriangleCount() const
+  {
+    return static_cast<std::uint32_t>(this->Made.Sources.size());
+  }
+  const std::vector<glm::dvec3>& Points() const { return this->Made.Points; }
 
   /** Returns the numbers of a triangle's points. */
   const std::uint32_t* CornersOf(std::uint32_t triangle) const
   {
-    return this->Corners.data() + 3 * std::size_t{ triangle };
+    return this->Made.Corners.data() + 3 * std::size_t{ triangle };
   }
 
   Triangle TriangleAt(std::uint32_t triangle) const;
 
   /** Returns the number that a triangle had where the mesh was made. */
-  std::uint32_t SourceOf(std::uint32_t triangle) const { return this->Sources[triangle]; }
+  std::uint32_t SourceOf(std::uint32_t triangle) const { return this->Made.Sources[triangle]; }
 
   bool IsClosed() const { return this->Details().Closed; }
 
@@ -112,9 +128,7 @@ private:
   Detail FindDetails() const;
   std::vector<InnerPoint> FindInnerPoints() const;
 
-  std::vector<glm::dvec3> Places;
-  std::vector<std::uint32_t> Corners;
-  std::vector<std::uint32_t> Sources;
+  Arrays Made;
   mutable std::once_flag HasTree, HasDetails, HasInnerPoints;
   mutable Octree Space;
   mutable Detail Found;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace vitrine
 {
@@ -133,6 +134,13 @@ PlacedPart::PlacedPart(std::shared_ptr<const PartMesh> mesh, const glm::dmat4& p
   {
     this->Extent.Add(this->ToWorld(point));
   }
+}
+
+PlacedPart PlacedPart::With(std::shared_ptr<const PartMesh> mesh) const
+{
+  PlacedPart part(*this);
+  part.Shape = std::move(mesh);
+  return part;
 }
 
 glm::dvec3 PlacedPart::ToWorld(const glm::dvec3& point) const

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vitrine
@@ -52,6 +53,12 @@ class PlacedPart
 {
 public:
   PlacedPart(std::shared_ptr<const PartMesh> mesh, const glm::dmat4& place);
+
+  /** Returns the mesh, which is then no longer the part's. Until With() only Bounds() may be asked. */
+  std::shared_ptr<const PartMesh> TakeMesh() { return std::move(this->Shape); }
+
+  /** Returns the part with its mesh, after TakeMesh(). */
+  PlacedPart With(std::shared_ptr<const PartMesh> mesh) const;
 
   const PartMesh& Mesh() const { return *this->Shape; }
   const WideBox& Bounds() const { return this->Extent; }
