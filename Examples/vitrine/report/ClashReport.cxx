@@ -17,6 +17,12 @@ std::size_t Count(const ClashTable& table, const std::string& kind)
     [&](const PartClash& clash) { return clash.Kind == kind; }));
 }
 
+std::string PairsText(const ClashTable& table, const std::string& kind)
+{
+  const std::size_t count = Count(table, kind);
+  return std::to_string(count) + (count == 1 ? " pair" : " pairs");
+}
+
 std::string PositionText(const std::array<double, 3>& position)
 {
   return FormatCell("%.5g", position[0]) + "," + FormatCell("%.5g", position[1]) + "," +
@@ -31,9 +37,9 @@ std::string ToText(const ClashTable& table, bool listsTouching)
        << "  parts        " << table.Parts << ", " << table.OpenParts << " of them not closed\n"
        << "  tolerance    " << table.Tolerance << "\n"
        << "  clearance    " << table.Clearance << "\n"
-       << "  interfering  " << Count(table, "interfering") << " pairs\n"
-       << "  touching     " << Count(table, "touching") << " pairs\n"
-       << "  near         " << Count(table, "near") << " pairs\n";
+       << "  interfering  " << PairsText(table, "interfering") << "\n"
+       << "  touching     " << PairsText(table, "touching") << "\n"
+       << "  near         " << PairsText(table, "near") << "\n";
   std::vector<TextRow> rows{ { "parts", "kind", "depth", "distance", "at" } };
   for (const PartClash& clash : table.Clashes)
   {
