@@ -42,7 +42,8 @@ int Run(int argc, char* argv[])
   app.require_subcommand(1);
   app.set_version_flag("--version", program::Version);
   app.footer("INPUT is a file (" + program::ListFileTypes() + ") or a generated scene:\n" +
-    program::DescribeDemoScenes());
+    program::DescribeDemoScenes() +
+    "`vitrine info demo:NAME` tells what is expected of the methods there.");
   program::AddRenderCommand(app);
   program::AddCompareCommand(app);
   program::AddChartCommand(app);

@@ -149,7 +149,6 @@ std::string DescribeDemoScenes()
       lines += "," + key.Name + "=" + FormatNumber(key.Default);
     }
     lines += "\n      " + demo.Description + "\n";
-    lines += demo.Expectation.empty() ? "" : "      Expected: " + demo.Expectation + "\n";
   }
   return lines;
 }
