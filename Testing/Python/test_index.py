@@ -150,7 +150,8 @@ class Measures(unittest.TestCase):
         self.assertTrue(vitrine.AssemblyIndex(walled).sees(0, 1))
         for through in ("*", [2], walled["*"], [walled.parts[2], walled["*"]]):
             self.assertTrue(vitrine.AssemblyIndex(walled).sees(0, 1, through=through))
-        self.assertTrue(self.index.sees("left", "far", through=["middle", "right"]))
+        for through in (["middle", "right"], "middle", "?i*"):
+            self.assertTrue(self.index.sees("left", "far", through=through))
 
     def test_bad_input(self):
         index = self.index
