@@ -14,7 +14,9 @@
 #include <string>
 #include <vector>
 
+#ifndef _WIN32 // what limits files, and removes those that are open
 #include <sys/resource.h>
+#endif
 
 namespace mesh_store_tests
 {
@@ -69,25 +71,6 @@ std::vector<double> Answers(const AssemblyIndex& index)
   return numbers;
 }
 
-/** The folder for temporary files, for as long as this is there. */
-class TemporaryFolder
-{
-public:
-  explicit TemporaryFolder(const std::string& path)
-  {
-    const char* const before = std::getenv("TMPDIR");
-    this->Before = before ? before : "";
-    setenv("TMPDIR", path.c_str(), 1);
-  }
-  ~TemporaryFolder()
-  {
-    this->Before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", this->Before.c_str(), 1);
-  }
-
-private:
-  std::string Before;
-};
-
 TEST(MeshStore, GivesTheSameAnswersWithAnyBudget)
 {
   AssemblyIndex whole;
@@ -132,6 +115,26 @@ TEST(MeshStore, KeepsAMeshThatIsHeld)
   Answers(index);
   EXPECT_EQ(held.Mesh().Points()[5], before);
 }
+
+#ifndef _WIN32
+/** The folder for temporary files, for as long as this is there. */
+class TemporaryFolder
+{
+public:
+  explicit TemporaryFolder(const std::string& path)
+  {
+    const char* const before = std::getenv("TMPDIR");
+    this->Before = before ? before : "";
+    setenv("TMPDIR", path.c_str(), 1);
+  }
+  ~TemporaryFolder()
+  {
+    this->Before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", this->Before.c_str(), 1);
+  }
+
+private:
+  std::string Before;
+};
 
 TEST(MeshStore, LeavesNoFile)
 {
@@ -201,5 +204,6 @@ TEST(MeshStore, TellsOfAFullDisk)
   index.Add(Ball(1, 24), At({ 1, 0, 0 })); // there is room again
   EXPECT_EQ(index.Clashes(Limits, [](double) { return true; }).size(), 1u);
 }
+#endif
 
 }

@@ -1,20 +1,23 @@
 #include "Core/measure/MeshStore.h"
 
 #include <cerrno>
-#include <filesystem>
+#include <ios>
+#include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 
-#include <stdlib.h> // mkstemp
-#include <unistd.h>
-
 namespace vitrine
 {
 
+namespace fs = std::filesystem;
+
 namespace
 {
+
+constexpr auto OpenMode = std::ios::in | std::ios::out | std::ios::binary | std::ios::trunc;
 
 [[noreturn]] void Fail(const std::string& what)
 {
@@ -33,49 +36,53 @@ std::size_t SizeOf(const std::vector<Item>& items)
 ScratchFile::ScratchFile()
 {
   std::error_code problem;
-  std::string name = (std::filesystem::temp_directory_path(problem) / "vitrine-XXXXXX").string();
-  this->Descriptor = problem ? -1 : mkstemp(name.data());
-  if (this->Descriptor < 0)
+  std::random_device random;
+  std::ostringstream name;
+  name << "vitrine-" << std::hex << random() << random();
+  this->Path = fs::temp_directory_path(problem) / name.str();
+  errno = problem ? problem.value() : 0;
+  if (!problem)
   {
-    errno = problem ? problem.value() : errno;
+    this->Stream.open(this->Path, OpenMode);
+  }
+  if (!this->Stream.is_open())
+  {
     Fail("written to a temporary file, TMPDIR or /tmp");
   }
-  unlink(name.c_str());
+  fs::permissions(this->Path, fs::perms::owner_read | fs::perms::owner_write, problem);
+  fs::remove(this->Path, problem); // where a system keeps files that are open
 }
 
 ScratchFile::~ScratchFile()
 {
-  close(this->Descriptor);
+  this->Stream.close();
+  std::error_code problem;
+  fs::remove(this->Path, problem);
 }
 
 std::uint64_t ScratchFile::Append(const void* data, std::size_t bytes)
 {
   const std::uint64_t place = this->Size;
-  for (std::size_t done = 0; done < bytes;)
+  this->Stream.clear();
+  this->Stream.seekp(static_cast<std::streamoff>(place));
+  this->Stream.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
+  this->Stream.flush();
+  if (!this->Stream)
   {
-    const ssize_t count = pwrite(this->Descriptor, static_cast<const char*>(data) + done,
-      bytes - done, static_cast<off_t>(place + done));
-    if (count <= 0)
-    {
-      Fail("written to a temporary file, TMPDIR or /tmp");
-    }
-    done += static_cast<std::size_t>(count);
+    Fail("written to a temporary file, TMPDIR or /tmp");
   }
   this->Size += bytes;
   return place;
 }
 
-void ScratchFile::Read(std::uint64_t place, void* data, std::size_t bytes) const
+void ScratchFile::Read(std::uint64_t place, void* data, std::size_t bytes)
 {
-  for (std::size_t done = 0; done < bytes;)
+  this->Stream.clear();
+  this->Stream.seekg(static_cast<std::streamoff>(place));
+  this->Stream.read(static_cast<char*>(data), static_cast<std::streamsize>(bytes));
+  if (!this->Stream)
   {
-    const ssize_t count = pread(this->Descriptor, static_cast<char*>(data) + done, bytes - done,
-      static_cast<off_t>(place + done));
-    if (count <= 0)
-    {
-      Fail("read again");
-    }
-    done += static_cast<std::size_t>(count);
+    Fail("read again");
   }
 }
 

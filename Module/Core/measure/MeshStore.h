@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <list>
 #include <memory>
@@ -14,7 +16,10 @@
 namespace vitrine
 {
 
-/** A file without a name in the folder for temporary files. The system removes it with this, or with the process. */
+/**
+ * A file in the folder for temporary files. Where the system can, it has no name, and goes with the process. Elsewhere
+ * it goes with this.
+ */
 class ScratchFile
 {
 public:
@@ -31,13 +36,14 @@ public:
   std::uint64_t Append(const void* data, std::size_t bytes);
 
   /**
-   * Reads what was written. May be called in several threads.
+   * Reads what was written.
    * @throws  std::runtime_error if it cannot be read
    */
-  void Read(std::uint64_t place, void* data, std::size_t bytes) const;
+  void Read(std::uint64_t place, void* data, std::size_t bytes);
 
 private:
-  int Descriptor;
+  std::filesystem::path Path;
+  std::fstream Stream;
   std::uint64_t Size = 0;
 };
 
