@@ -1,54 +1,19 @@
 // Tests drivers that announce an extension and do not compile a shader that requires it.
 #include "TestMessages.h"
 #include "TestMethods.h"
+#include "TestRefusedTexts.h"
 #include "TestScene.h"
 #include "gl/DeviceTraits.h"
-#include "gl/VitrineOpenGL.h"
 #include "vtkTransparencyPass.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
 {
-
-/** Lets the driver refuse each shader with one of the given texts, while it lives. */
-class RefusedTexts
-{
-public:
-  explicit RefusedTexts(std::vector<std::string> texts)
-  {
-    Texts = std::move(texts);
-    Source = glShaderSource;
-    glShaderSource =
-      [](GLuint shader, GLsizei count, const GLchar* const* strings, const GLint* lengths)
-    {
-      for (const std::string& text : Texts)
-      {
-        if (std::string(strings[0]).find(text) != std::string::npos)
-        {
-          const GLchar* const refused = "#version 150\n#error refused by the test\n";
-          Source(shader, 1, &refused, nullptr);
-          return;
-        }
-      }
-      Source(shader, count, strings, lengths);
-    };
-  }
-  ~RefusedTexts() { glShaderSource = Source; }
-  RefusedTexts(const RefusedTexts&) = delete;
-  void operator=(const RefusedTexts&) = delete;
-
-private:
-  static std::vector<std::string> Texts;
-  static decltype(glShaderSource) Source;
-};
-std::vector<std::string> RefusedTexts::Texts;
-decltype(glShaderSource) RefusedTexts::Source = nullptr;
 
 // The GLSL 1.50 text of all methods that store fragments in buffers.
 const char* const StorageExtension = "GL_ARB_shader_storage_buffer_object";

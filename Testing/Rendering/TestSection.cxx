@@ -1,0 +1,159 @@
+// Sections of a cube, pixel by pixel; and what a section leaves behind, in windows that come and go.
+#include "SectionScene.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkIdList.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+constexpr Rgba EdgeColor = { 0.0, 1.0, 1.0, 1.0 };
+constexpr Rgba OtherColor = { 0.0, 1.0, 0.0, 1.0 };
+
+TEST(SectionPicture, HasACapOverWhatIsBehindThePlane)
+{
+  for (const int samples : { 0, 4 })
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    SectionScene scene(samples);
+    EXPECT_TRUE(Matches(scene.Render(), SectionScene::Capped()));
+    scene.Section->CapsOff();
+    EXPECT_TRUE(Matches(scene.Render(), SectionScene::Open()));
+    scene.Section->CapsOn();
+    scene.Plane->SetOrigin(0.0, 0.0, -0.25); // the plate is beyond the plane too
+    EXPECT_TRUE(Matches(scene.Render(), SectionScene::Capped()));
+    scene.Plane->SetOrigin(0.0, 0.0, -0.6);
+    EXPECT_TRUE(Matches(scene.Render(), SectionScene::PictureOf({})));
+  }
+}
+
+TEST(SectionPicture, HasEdgesOfTheirWidthWithinTheCap)
+{
+  SectionScene scene;
+  scene.Section->SetEdgeColor(EdgeColor[0], EdgeColor[1], EdgeColor[2]);
+  for (const int width : { 1, 4 })
+  {
+    SCOPED_TRACE(width);
+    scene.Section->SetEdgeWidth(width);
+    const PixelBox inner{ 8 + width, 8 + width, 24 - width, 24 - width };
+    EXPECT_TRUE(Matches(scene.Render(),
+      SectionScene::PictureOf({ { SectionScene::CubeBox, EdgeColor }, { inner, CubeColor } })));
+  }
+}
+
+// Any plane removes, so the half on the left is left; beyond all planes there is the quarter at the front right.
+TEST(SectionPicture, OfTwoPlanesLacksAHalfOrAQuarter)
+{
+  SectionScene scene;
+  scene.Section->SetEdgeWidth(1);
+  scene.Section->SetEdgeColor(EdgeColor[0], EdgeColor[1], EdgeColor[2]);
+  vtkNew<vtkPlane> left;
+  left->SetNormal(-1.0, 0.0, 0.0);
+  scene.Section->AddPlane(left);
+  EXPECT_TRUE(Matches(scene.Render(),
+    SectionScene::PictureOf({ { { 8, 8, 16, 24 }, EdgeColor }, { { 9, 9, 16, 23 }, CubeColor } })));
+  scene.Section->RemoveBeyondAllOn();
+  EXPECT_TRUE(Matches(scene.Render(),
+    SectionScene::PictureOf({ { SectionScene::CubeBox, CubeColor },
+      { { 16, 8, 24, 24 }, EdgeColor }, { { 16, 9, 23, 23 }, CubeColor } })));
+}
+
+TEST(SectionPicture, HasStripesWherePartsInterfere)
+{
+  SectionScene scene;
+  scene.AddCube(0.0, 0.75, OtherColor);
+  const Picture striped = scene.Render();
+  for (int x = 8; x < 28; ++x)
+  {
+    const Rgba color = striped.At(x, 14);
+    const double place = (x + 14 + 1) / 12.0; // of the middle of the pixel
+    const bool isWhite = place - std::floor(place) >= 0.5;
+    ExpectColor(color,
+      x < 16      ? CubeColor
+        : x >= 24 ? OtherColor
+        : isWhite ? Rgba{ 1.0, 1.0, 1.0, 1.0 }
+                  : Rgba{ 0.9, 0.1, 0.1, 1.0 },
+      0.75);
+  }
+  vtkNew<vtkIdList> pairs;
+  scene.Section->GetInterferingParts(pairs);
+  ASSERT_EQ(pairs->GetNumberOfIds(), 2);
+  EXPECT_EQ(pairs->GetId(0) + pairs->GetId(1), 1);
+  scene.Section->InterferenceStripesOff();
+  EXPECT_TRUE(Matches(scene.Render(),
+    SectionScene::PictureOf(
+      { { { 8, 8, 28, 24 }, OtherColor }, { SectionScene::CubeBox, CubeColor } })));
+}
+
+// The window may be finalized, and the renderer may go to another window, where names of objects are others'.
+TEST(SectionWindows, MayBeReleasedAndLeft)
+{
+  SectionScene scene;
+  const Picture expected = SectionScene::Capped();
+  EXPECT_TRUE(Matches(scene.Render(), expected));
+  EXPECT_GT(scene.Section->GetBytes(), 0);
+  scene.Window->ReleaseGraphicsResources(scene.Window);
+  EXPECT_EQ(scene.Section->GetBytes(), 0);
+  EXPECT_TRUE(Matches(scene.Render(), expected));
+  scene.Window->Finalize();
+  EXPECT_TRUE(Matches(scene.Render(), expected));
+
+  TestScene other(SectionScene::Size, SectionScene::Size);
+  other.Window->RemoveRenderer(other.Renderer);
+  scene.Window->RemoveRenderer(scene.Renderer);
+  other.Window->AddRenderer(scene.Renderer);
+  EXPECT_TRUE(Matches(other.Render(), expected));
+  scene.Section->Detach();
+  EXPECT_EQ(scene.Section->GetBytes(), 0);
+  scene.Section->Attach(other.Renderer); // which shows nothing
+  EXPECT_EQ(scene.Section->GetNumberOfCutParts(), 0);
+  scene.Section->Attach(scene.Renderer);
+  EXPECT_TRUE(Matches(other.Render(), expected));
+}
+
+// Observers of a frame's beginning and its end may detach the section, which may be the end of it.
+TEST(SectionWindows, MayBeDetachedWithinAFrame)
+{
+  for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
+         static_cast<unsigned long>(vtkCommand::EndEvent) })
+  {
+    for (const float priority : { 1.0f, -1.0f })
+    {
+      SCOPED_TRACE(
+        vtkCommand::GetStringFromEventId(event) + std::string(" at ") + std::to_string(priority));
+      TestScene scene(SectionScene::Size, SectionScene::Size);
+      scene.AddSphere(0.0, 0.0, 0.0, 0.5, CubeColor);
+      const int props = scene.Renderer->GetViewProps()->GetNumberOfItems();
+      const Picture whole = scene.Render();
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(0.0, 0.0, -1.0); // removes what is seen
+      {
+        vtkNew<vtkSection> section;
+        section->AddPlane(plane);
+        section->Attach(scene.Renderer);
+      }
+      EXPECT_FALSE(scene.Render() == whole);
+      vtkNew<vtkCallbackCommand> detaching;
+      detaching->SetCallback(
+        [](vtkObject* renderer, unsigned long, void*, void*)
+        {
+          vtkSection* const section = vtkSection::GetAttached(vtkRenderer::SafeDownCast(renderer));
+          ASSERT_NE(section, nullptr);
+          section->Detach();
+        });
+      const unsigned long tag = scene.Renderer->AddObserver(event, detaching, priority);
+      const Picture last = scene.Render();
+      scene.Renderer->RemoveObserver(tag);
+      EXPECT_EQ(last == whole, event == vtkCommand::StartEvent);
+      EXPECT_EQ(vtkSection::GetAttached(scene.Renderer), nullptr);
+      EXPECT_EQ(scene.Renderer->GetViewProps()->GetNumberOfItems(), props);
+      EXPECT_TRUE(Matches(scene.Render(), whole));
+    }
+  }
+}
+
+}
