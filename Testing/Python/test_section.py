@@ -10,7 +10,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkGlyph3DMapper,
     vtkHardwareSelector,
     vtkPolyDataMapper,
-    vtkRenderer,
 )
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -207,35 +206,6 @@ class Frames(SectionCase):
             mapper.InterpolateScalarsBeforeMappingOn()
             self.assertEqual(self.at_center(), plain)
 
-    def test_several_planes_and_boxes(self):
-        """Of a red cube, a quarter or a corner is missing; caps show where the cuts are."""
-        mapper = vtkPolyDataMapper()
-        cube = vtkCubeSource()
-        mapper.SetInputConnection(cube.GetOutputPort())
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetColor(1, 0, 0)
-        self.add(actor)
-        section = vitrine.vtkSection()
-        section.SetEdgeWidth(0)
-        section.Attach(self.renderer)
-        full = (self.scene.picture() != 255).any(axis=1).sum()
-        section.SetBox(-0.25, 0.25, -0.25, 0.25, -0.25, 0.25, True)
-        small = (self.scene.picture() != 255).any(axis=1).sum()
-        self.assertAlmostEqual(small / full, 0.25, delta=0.07)
-        section.SetBox(-0.25, 0.25, -1, 0, -0.25, 0.25, False)
-        self.assertEqual((self.scene.picture() != 255).any(axis=1).sum(), full)
-        section.RemoveBox()
-        planes = [vtkPlane(), vtkPlane()]
-        planes[0].SetNormal(1, 0, 0)
-        planes[1].SetNormal(0, 1, 0)
-        for plane in planes:
-            section.AddPlane(plane)
-        self.assertLess((self.scene.picture() != 255).any(axis=1).sum(), 0.7 * full)
-        quarter = (self.scene.picture() != 255).any(axis=1).sum()
-        section.RemoveBeyondAllOn()
-        self.assertGreater((self.scene.picture() != 255).any(axis=1).sum(), 1.3 * quarter)
-
     def test_a_box_is_cut_and_moved(self):
         """Of a cube around the origin, a box keeps its own share, or all but that."""
         mapper = vtkPolyDataMapper()
@@ -283,17 +253,6 @@ class Frames(SectionCase):
         ):
             with self.subTest(bounds=bounds, **more), self.assertRaises(error):
                 vitrine.section_box(self.renderer, bounds, **more)
-        self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
-
-    def test_removal_puts_everything_back(self):
-        self.add(ball())
-        before = self.scene.picture()
-        count = self.renderer.GetViewProps().GetNumberOfItems()
-        cut = vitrine.section(self.renderer, "y", (0, 0, 0))
-        self.assertGreater(np.abs(self.scene.picture() - before).max(), 0)
-        cut.remove()
-        self.assertEqual(np.abs(self.scene.picture() - before).max(), 0)
-        self.assertEqual(self.renderer.GetViewProps().GetNumberOfItems(), count)
         self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
 
     def test_picks_find_what_is_kept(self):

@@ -62,6 +62,24 @@ TEST(SectionPicture, OfTwoPlanesLacksAHalfOrAQuarter)
       { { 16, 8, 24, 24 }, EdgeColor }, { { 16, 9, 23, 23 }, CubeColor } })));
 }
 
+TEST(SectionPicture, OfABoxHasItsInsideOrAPit)
+{
+  SectionScene scene;
+  scene.Section->RemoveAllPlanes();
+  scene.Section->SetBox(-0.25, 0.25, -0.25, 0.25, -0.25, 0.25, true);
+  const PixelBox inside = SectionScene::PlateBox;
+  EXPECT_TRUE(Matches(scene.Render(), SectionScene::PictureOf({ { inside, CubeColor } })));
+  scene.Section->CapsOff();
+  EXPECT_TRUE(Matches(scene.Render(), SectionScene::PictureOf({ { inside, PlateColor } })));
+  scene.Section->SetBox(-0.25, 0.25, -0.25, 0.25, 0.125, 1.0, false); // down to before the plate
+  EXPECT_TRUE(Matches(scene.Render(), SectionScene::Open()));
+  scene.Section->CapsOn();
+  EXPECT_TRUE(Matches(scene.Render(), SectionScene::Capped()));
+  scene.Section->RemoveBox();
+  scene.Section->CapsOff();
+  EXPECT_TRUE(Matches(scene.Render(), SectionScene::Capped())); // whole
+}
+
 TEST(SectionPicture, HasStripesWherePartsInterfere)
 {
   SectionScene scene;
