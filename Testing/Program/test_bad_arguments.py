@@ -69,6 +69,20 @@ class BadArguments(ProgramTest):
             with self.subTest(box=box):
                 self.assert_refused(run("info", "demo:stack", f"--section-box={box}"), "--section-box", box)
 
+    def test_looks_of_sections(self):
+        for option, value, *of in (
+            ("--hatch", "", "NAME"), ("--hatch", "wood", "'wood'"), ("--hatch", "*=wood", "dots"),
+            ("--hatch", "missing*=dots", "missing*"), ("--keep-whole", "missing*", "missing*"),
+            ("--cut-edges", "5", "0 to 4"), ("--cut-edges", "1.5", "0 to 4"),
+        ):  # fmt: skip
+            with self.subTest(option=option, value=value):
+                self.assert_refused(run("info", "demo:stack", "--section=1,0,0,0", f"{option}={value}"), option, *of)
+        for option in ("--hatch=dots", "--keep-whole=*", "--cut-edges=2"):
+            with self.subTest(option=option):
+                self.assert_refused(run("info", "demo:stack", option), option.split("=")[0], "needs --section")
+        box = run("info", "demo:stack", "--section-box=0,1,0,1,0,1", "--keep-whole=*")
+        self.assert_refused(box, "--keep-whole", "needs --section")
+
     def test_view(self):
         for view in (
             "1",

@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 import scenes
-from program import FileTest, png, read_png, run
+from program import FileTest, info, png, read_png, run
 
 BACKGROUND = 242  # 0.95 of 255, as VTK rounds it
 
@@ -111,6 +111,33 @@ class Render(FileTest):
         cut = self.render(path, *(f"--section={plane}" for plane in planes), *look)
         self.assertEqual(self.render(path, "--section-box=-0.25,0.5,-1,0.25,-1,0.5", *look), cut)
         self.assertNotEqual(cut, whole)
+
+    def test_parts_are_kept_whole(self):
+        """A plane that keeps nothing leaves those parts alone, which are drawn as without it."""
+        path = self.write("boxes.glb", scenes.glb())
+        look = ("--opacity", "*=1", "--size", "32x32", "--view", "30,40")
+        nothing = "--section=1,0,0,1000"
+        self.assertEqual(self.render(path, nothing, "--keep-whole", "*", *look), self.render(path, *look))
+        name = info(path, "--parts")["part_list"][0]["path"]
+        kept = self.render(path, nothing, f"--keep-whole={name}", *look)
+        self.assertNotIn(kept, (self.render(path, *look), self.render(path, nothing, *look)))
+
+    def test_caps_have_hatches_and_edges(self):
+        path = self.write("boxes.glb", scenes.glb())
+        look = ("--section=0,0,1,0.5", "--opacity", "*=1", "--size", "64x64", "--view", "180,20")
+        plain = self.render(path, "--cut-edges=0", *look)
+        pictures = [plain]
+        for name in ("lines", "pairs", "dashes", "cross", "level", "dots"):
+            hatched = self.render(path, "--cut-edges=0", f"--hatch={name}", *look)
+            self.assertNotIn(hatched, pictures)
+            pictures.append(hatched)
+        # A hatch of parts by name wins over that of all.
+        self.assertEqual(self.render(path, "--cut-edges=0", "--hatch=*=none", "--hatch=lines", *look), plain)
+        own = self.render(path, "--cut-edges=0", "--hatch=*=lines", *look)
+        self.assertEqual(self.render(path, "--cut-edges=0", "--hatch=*=lines", "--hatch=dots", *look), own)
+        self.assertNotEqual(own, plain)
+        self.assertEqual(self.render(path, "--cut-edges=1", *look), self.render(path, *look))
+        self.assertNotEqual(self.render(path, *look), plain)
 
     def test_nothing_but_the_picture_is_written(self):
         self.render("demo:stack,layers=2", "--size", "8x8")

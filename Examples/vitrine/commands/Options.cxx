@@ -184,6 +184,29 @@ void AddPartOptions(CLI::App& command, PartChoices& choices)
     "parts by name, whose outlines are drawn through all that hides them");
 }
 
+namespace
+{
+/** Add planes and a box that cut, and how their cuts look. */
+void AddSectionOptions(CLI::App& command, SceneOptions& options)
+{
+  AddPartOption(command, "--section", options.Sections, "NX,NY,NZ,D",
+    "cut by a plane that keeps the points p with p . (NX,NY,NZ) >= D, and fill the cuts; up to "
+    "six");
+  command
+    .add_option(
+      "--section-box", options.SectionBox, "cut by a box that keeps its inside, and fill the cuts")
+    ->type_name("XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX");
+  AddPartOption(command, "--keep-whole", options.Parts.KeepWhole, "GLOB",
+    "parts by name that --section leaves whole");
+  AddPartOption(command, "--hatch", options.Parts.Hatch, "[GLOB=]NAME",
+    "of filled cuts, or those of parts by name: none, lines, pairs, dashes, cross, level or dots");
+  command
+    .add_option("--cut-edges", options.CutEdges, "pixels of the lines around cuts; 0 for none")
+    ->type_name("WIDTH")
+    ->check(WholeNumberWithin(0, 4));
+}
+}
+
 void AddReadingOptions(CLI::App& command, ReadingOptions& options)
 {
   command
@@ -210,13 +233,7 @@ void AddSceneOptions(CLI::App& command, SceneOptions& options, const std::string
   AddPartOptions(command, options.Parts);
   command.add_option("--color-by", options.ColorBy, DescribeColorBy())
     ->type_name("ARRAY[,MIN:MAX][,MAP]");
-  AddPartOption(command, "--section", options.Sections, "NX,NY,NZ,D",
-    "cut by a plane that keeps the points p with p . (NX,NY,NZ) >= D, and fill the cuts; up to "
-    "six");
-  command
-    .add_option(
-      "--section-box", options.SectionBox, "cut by a box that keeps its inside, and fill the cuts")
-    ->type_name("XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX");
+  AddSectionOptions(command, options);
   AddReadingOptions(command, options.Reading);
   command.add_option("--multisamples", options.Multisamples, "samples of a pixel; 0 for one")
     ->type_name("N")
@@ -377,6 +394,37 @@ Coincidence ParseCoincidence(const std::optional<std::string>& text)
   return { numbers[0], numbers.size() == 2 ? numbers[1] : 0.0 };
 }
 
+namespace
+{
+/** Have planes and a box cut a scene. */
+void ChooseSections(const SceneOptions& options, Scene& scene)
+{
+  for (const std::string& section : options.Sections)
+  {
+    scene.Sections.push_back(ParseSection(section));
+  }
+  if (options.SectionBox)
+  {
+    scene.SectionBox = ParseSectionBox(*options.SectionBox);
+  }
+  scene.CutEdges = options.CutEdges;
+  const bool isCut = !scene.Sections.empty() || scene.SectionBox;
+  if (scene.Sections.size() > static_cast<std::size_t>(vtkSection::GetMaximumNumberOfPlanes()))
+  {
+    throw InputError("--section", "six planes at most can cut a scene");
+  }
+  if (!options.Parts.KeepWhole.empty() && scene.Sections.empty())
+  {
+    throw InputError("--keep-whole", "needs --section");
+  }
+  if (!isCut && (!options.Parts.Hatch.empty() || options.CutEdges))
+  {
+    throw InputError(
+      options.CutEdges ? "--cut-edges" : "--hatch", "needs --section or --section-box");
+  }
+}
+}
+
 Scene LoadScene(const SceneOptions& options)
 {
   Scene scene;
@@ -398,18 +446,7 @@ Scene LoadScene(const SceneOptions& options)
     scene.Bar = {};
   }
   Apply(options.Parts, scene);
-  for (const std::string& section : options.Sections)
-  {
-    scene.Sections.push_back(ParseSection(section));
-  }
-  if (options.SectionBox)
-  {
-    scene.SectionBox = ParseSectionBox(*options.SectionBox);
-  }
-  if (scene.Sections.size() > static_cast<std::size_t>(vtkSection::GetMaximumNumberOfPlanes()))
-  {
-    throw InputError("--section", "six planes at most can cut a scene");
-  }
+  ChooseSections(options, scene);
   return scene;
 }
 

@@ -32,6 +32,7 @@ struct SceneOptions
   bool HasScalarBar = false;
   std::vector<std::string> Sections; ///< "NX,NY,NZ,D"
   std::optional<std::string> SectionBox;
+  std::optional<int> CutEdges;
   ReadingOptions Reading;
   int Multisamples = 0;
 };

@@ -36,7 +36,7 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetBackground(Background, Background, Background);
     const std::vector<vtkSmartPointer<vtkActor>> actors = AddActors(scene, this->Renderer);
-    CutSections(scene, this->Renderer);
+    CutSections(scene, actors, this->Renderer);
     ShowLooks(scene, actors, this->Renderer);
     AddScalarBar(scene, this->Renderer);
     SetLights(scene.Lights, this->Renderer);

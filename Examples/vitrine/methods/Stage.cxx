@@ -61,7 +61,7 @@ void Stage::SetScene(const Scene& scene)
   SetLights(scene.Lights, this->Renderer);
   this->Renderer->RemoveAllViewProps();
   this->Actors = AddActors(scene, this->Renderer);
-  CutSections(scene, this->Renderer);
+  CutSections(scene, this->Actors, this->Renderer);
   ShowLooks(scene, this->Actors, this->Renderer);
   AddScalarBar(scene, this->Renderer);
   this->ClippingRange = scene.Placement.ClippingRange;

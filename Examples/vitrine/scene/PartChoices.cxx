@@ -10,6 +10,7 @@
 #include "vtkNamedColors.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSection.h"
 
 #include <algorithm>
 #include <charconv>
@@ -170,6 +171,28 @@ vtkColor3d ParseColor(const std::string& text, const std::string& whole)
   return { rgba[0], rgba[1], rgba[2] };
 }
 
+/** The vtkSection::HatchType of a name. */
+int ParseHatch(const std::string& text, const std::string& whole)
+{
+  static const std::map<std::string, int> hatches = {
+    { "none", vtkSection::NO_HATCH },
+    { "lines", vtkSection::LINES },
+    { "pairs", vtkSection::PAIRS },
+    { "dashes", vtkSection::DASHES },
+    { "cross", vtkSection::CROSS },
+    { "level", vtkSection::LEVEL },
+    { "dots", vtkSection::DOTS },
+  };
+  const auto found = hatches.find(text);
+  if (found == hatches.end())
+  {
+    throw InputError("--hatch",
+      "'" + whole +
+        "' is not NAME or GLOB=NAME, with NAME none, lines, pairs, dashes, cross, level or dots");
+  }
+  return found->second;
+}
+
 /** GLOB and value of GLOB=VALUE. Names may have a '=', values have none. */
 std::optional<std::pair<std::string, std::string>> SplitAtEqual(const std::string& text)
 {
@@ -249,6 +272,35 @@ void ApplyHighlight(const std::vector<std::string>& globs, Scene& scene)
   }
 }
 
+void ApplyHatch(const std::vector<std::string>& texts, Scene& scene)
+{
+  for (const std::string& text : texts)
+  {
+    const auto split = SplitAtEqual(text);
+    const int hatch = ParseHatch(split ? split->second : text, text);
+    if (!split)
+    {
+      scene.Hatch = hatch;
+      continue;
+    }
+    for (const int part : Choose("--hatch", split->first, scene))
+    {
+      scene.Parts[static_cast<std::size_t>(part)].Hatch = hatch;
+      scene.Parts[static_cast<std::size_t>(part)].MayBeBlock = false;
+    }
+  }
+}
+
+void ApplyKeepWhole(const std::vector<std::string>& globs, Scene& scene)
+{
+  const std::vector<bool> isChosen = ChooseAny("--keep-whole", globs, scene);
+  for (std::size_t i = 0; i < scene.Parts.size(); ++i)
+  {
+    scene.Parts[i].IsKeptWhole = isChosen[i];
+    scene.Parts[i].MayBeBlock = scene.Parts[i].MayBeBlock && !isChosen[i];
+  }
+}
+
 void ApplyOpacity(const std::vector<std::string>& texts, Scene& scene)
 {
   for (const std::string& text : texts)
@@ -301,6 +353,8 @@ void Apply(const PartChoices& choices, Scene& scene)
   ApplyExplode(choices.Explode, scene);
   ApplyXRay(choices, scene);
   ApplyHighlight(choices.Highlight, scene);
+  ApplyHatch(choices.Hatch, scene);
+  ApplyKeepWhole(choices.KeepWhole, scene);
   ApplyOpacity(choices.Opacity, scene);
   ApplyColor(choices.Color, scene);
   KeepDrawn(choices, scene);

@@ -22,6 +22,8 @@ struct PartChoices
   std::vector<std::string> XRay;      ///< GLOB; parts that none of them chooses become faint
   std::optional<double> XRayFalloff;  ///< their opacity falls off by this power instead
   std::vector<std::string> Highlight; ///< GLOB; parts whose outlines are drawn through all others
+  std::vector<std::string> Hatch;     ///< NAME of the caps of all parts, or GLOB=NAME
+  std::vector<std::string> KeepWhole; ///< GLOB; parts that planes of sections do not cut
   double Explode = 0.0;               ///< factor of an exploded view (Core/assembly/Explosion.h)
 };
 

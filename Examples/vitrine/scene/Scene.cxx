@@ -281,6 +281,31 @@ bool IsTranslucent(const Part& part)
   return MakeActor(part, copies)->HasTranslucentPolygonalGeometry() != 0;
 }
 
+namespace
+{
+/** Have planes leave parts whole, and give caps their hatches and edges. */
+void ApplyCutLooks(
+  const Scene& scene, const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkSection* section)
+{
+  std::size_t actor = 0;
+  for (const Part& part : scene.Parts)
+  {
+    if (part.Hatch)
+    {
+      section->SetHatchOf(actors[actor], *part.Hatch);
+    }
+    for (int i = 0; part.IsKeptWhole && i < section->GetNumberOfPlanes(); ++i)
+    {
+      section->SetParts(section->GetPlane(i), vtkSection::ALL_BUT_CHOSEN);
+      section->ChoosePart(section->GetPlane(i), actors[actor]);
+    }
+    actor += part.MayBeBlock ? 0 : 1;
+  }
+  section->SetHatch(scene.Hatch);
+  section->SetEdgeWidth(scene.CutEdges.value_or(section->GetEdgeWidth()));
+}
+}
+
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer)
 {
   WindowCopies copies;
@@ -303,7 +328,8 @@ std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer
   return actors;
 }
 
-void CutSections(const Scene& scene, vtkRenderer* renderer)
+void CutSections(
+  const Scene& scene, const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkRenderer* renderer)
 {
   if (vtkSection* const former = vtkSection::GetAttached(renderer))
   {
@@ -327,6 +353,7 @@ void CutSections(const Scene& scene, vtkRenderer* renderer)
     const auto [xmin, xmax, ymin, ymax, zmin, zmax] = *scene.SectionBox;
     section->SetBox(xmin, xmax, ymin, ymax, zmin, zmax, /* keepInside= */ true);
   }
+  ApplyCutLooks(scene, actors, section);
   section->Attach(renderer);
 }
 

@@ -44,8 +44,10 @@ struct Part
   bool ForceTranslucent = false; ///< translucent, though VTK does not see it
   bool MayBeBlock =
     false; ///< may be drawn by one actor with other parts of its material; without radius and Texture
-  bool IsOutlined = false; ///< its outline is drawn through all that hides it
-  bool IsXRayed = false;   ///< its opacity falls off, by Scene::XRayFalloff
+  bool IsOutlined = false;  ///< its outline is drawn through all that hides it
+  bool IsXRayed = false;    ///< its opacity falls off, by Scene::XRayFalloff
+  bool IsKeptWhole = false; ///< Scene::Sections do not cut it
+  std::optional<int> Hatch; ///< of its caps, a vtkSection::HatchType; Scene::Hatch without
 };
 
 /** A part that is not drawn. */
@@ -116,8 +118,10 @@ struct Scene
   std::vector<std::array<double, 4>>
     Sections; ///< planes (x, y, z, d), which keep points p with p . (x, y, z) >= d
   std::optional<std::array<double, 6>>
-    SectionBox;             ///< of which the inside is kept: xmin, xmax, ymin, ymax, zmin, zmax
-  double XRayFalloff = 0.0; ///< power of the falloff of parts in an x-ray
+    SectionBox;                ///< of which the inside is kept: xmin, xmax, ymin, ymax, zmin, zmax
+  int Hatch = 0;               ///< of caps, a vtkSection::HatchType
+  std::optional<int> CutEdges; ///< width of the lines around cuts in pixels; vtkSection's without
+  double XRayFalloff = 0.0;    ///< power of the falloff of parts in an x-ray
 };
 
 /** The path of a part in the tree of its scene. Several parts may have it: PartPaths() tells them apart. */
@@ -169,8 +173,12 @@ void MakeOpaque(Scene& scene, double leastOpacity);
  */
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer);
 
-/** Have the planes of the scene cut what the renderer draws, with caps. Without planes nothing is cut. */
-void CutSections(const Scene& scene, vtkRenderer* renderer);
+/**
+ * Have the planes and the box of the scene cut what the renderer draws, with caps. Without them nothing is cut. The
+ * actors are those of AddActors().
+ */
+void CutSections(
+  const Scene& scene, const std::vector<vtkSmartPointer<vtkActor>>& actors, vtkRenderer* renderer);
 
 /** Give the parts of the scene their outlines and x-ray looks. The actors are those of AddActors(). */
 void ShowLooks(
