@@ -341,7 +341,7 @@ void vtkPartOutlines::Attach(vtkRenderer* renderer)
 void vtkPartOutlines::Detach()
 {
   Internals& in = *this->Private;
-  const vtkSmartPointer<vtkRenderer> renderer = in.Renderer.Get();
+  vtkRenderer* const renderer = in.Renderer; // It may be about to be deleted, so it is not held.
   in.Renderer = nullptr;
   if (renderer)
   {

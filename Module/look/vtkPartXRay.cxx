@@ -239,7 +239,7 @@ void vtkPartXRay::Detach()
   Internals& in = *this->Private;
   in.EndFrame();
   in.Looks.PutBackAll();
-  const vtkSmartPointer<vtkRenderer> renderer = in.Renderer.Get();
+  vtkRenderer* const renderer = in.Renderer; // It may be about to be deleted, so it is not held.
   in.Renderer = nullptr;
   if (renderer)
   {

@@ -506,7 +506,7 @@ void vtkSection::Detach()
   in.EndFrame();
   in.ForgetCutProps();
   in.Caps.Remove(in.Renderer);
-  const vtkSmartPointer<vtkRenderer> renderer = in.Renderer.Get();
+  vtkRenderer* const renderer = in.Renderer; // It may be about to be deleted, so it is not held.
   if (!renderer)
   {
     return;

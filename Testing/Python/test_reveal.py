@@ -372,6 +372,18 @@ class Cutaways(unittest.TestCase):
         vitrine.section(self.renderer, "z", (0, 0, -1)).remove()
 
 
+    def test_the_end_of_the_renderer_ends_all_that_shows_there(self):
+        looks = [vitrine.highlight(self.window, self.small), vitrine.x_ray(self.window, self.others[0])]
+        handle = vitrine.reveal(self.window, self.small, SHARE, cutaway=True)
+        self.window.Render()
+        self.assertGreater(len(handle.cut), 0)
+        del self.renderer, self.window
+        gc.collect()
+        self.assertEqual(handle.cut, [])
+        for each in (*looks, handle):
+            each.remove()
+
+
 class Changes(unittest.TestCase):
     def setUp(self):
         self.red = plate(0, (1, 0, 0), 1.0)
