@@ -22,6 +22,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -41,7 +42,7 @@ struct RevealWork
   vtkSmartPointer<vtkPartOutlines> Outlines;
   FadedLooks Looks;
   std::string Problem;
-  unsigned long Observer = 0;
+  std::array<unsigned long, 2> FrameObservers{}; ///< where the camera is followed
   unsigned long EndObserver = 0;
   vtkMTimeType CameraTime = 0; ///< of the camera when it was last followed
   vtkMTimeType SceneTime = 0;  ///< of what the renderer shows after the last update

@@ -1,6 +1,7 @@
 #include "vtkReveal.h"
 
 #include "inspection/RevealWork.h"
+#include "scene/SceneTime.h"
 #include "scene/Settings.h"
 
 #include "vtkCamera.h"
@@ -117,13 +118,20 @@ void vtkReveal::SetChangePerDegree(double change)
 void vtkReveal::SetFollowCamera(bool follow)
 {
   Internals& in = *this->Private;
-  if (in.Observer != 0 && in.Renderer)
+  for (unsigned long& observer : in.FrameObservers)
   {
-    in.Renderer->RemoveObserver(in.Observer);
+    if (observer != 0 && in.Renderer)
+    {
+      in.Renderer->RemoveObserver(observer);
+    }
+    observer = 0;
   }
-  in.Observer = follow && in.Renderer
-    ? in.Renderer->AddObserver(vtkCommand::StartEvent, this, &vtkReveal::BeforeFrame)
-    : 0;
+  if (follow && in.Renderer)
+  {
+    in.FrameObservers = { in.Renderer->AddObserver(
+                            vtkCommand::StartEvent, this, &vtkReveal::BeforeFrame),
+      in.Renderer->AddObserver(vtkCommand::EndEvent, this, &vtkReveal::AfterFrame) };
+  }
   if (follow != this->FollowCamera)
   {
     this->FollowCamera = follow;
@@ -168,6 +176,16 @@ void vtkReveal::BeforeFrame()
   else if (renderer->GetActiveCamera()->GetMTime() != in.CameraTime)
   {
     this->Follow();
+  }
+}
+
+/** A frame may change what it draws, as mappers do whose blocks have got other opacities. */
+void vtkReveal::AfterFrame()
+{
+  Internals& in = *this->Private;
+  if (in.Renderer && !in.IsUpdating)
+  {
+    in.SceneTime = vitrine::NewestTimeOf(in.Renderer);
   }
 }
 

@@ -252,6 +252,7 @@ private:
   bool UpdateWithin(double degrees);
   std::string FindOpacities(double degrees);
   void BeforeFrame();
+  void AfterFrame();
   void WhenRendererIsDeleted();
 
   struct Internals;

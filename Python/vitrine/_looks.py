@@ -8,7 +8,7 @@ from typing import Any, Iterable, TypeVar
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
-from ._parts import choose, shown_assemblies
+from ._parts import block_count, choose, shown_assemblies
 from ._see_through import _plotter_of
 
 _Handle = TypeVar("_Handle", bound="PartLook")
@@ -63,6 +63,9 @@ def attached(make: Any, parts: Any, renderers: Iterable[vtkRenderer]) -> list[An
     for prop, _ in pairs:
         if not make().CanChoose(prop):
             raise TypeError(f"parts are actors, and a {prop.GetClassName()} is none: choose the actors that it shows")
+    for prop, block in pairs:
+        if block > 0 and block >= (count := block_count(prop)):
+            raise ValueError(f"an actor has no block {block}: its blocks are flat indices from 0 to {count - 1}")
     shown = []
     for renderer in all_renderers:
         has = {prop for prop in {prop for prop, _ in pairs} if renderer.HasViewProp(prop)}

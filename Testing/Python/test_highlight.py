@@ -197,6 +197,7 @@ class BadInput(unittest.TestCase):
             (TypeError, (renderer, vtkVolume()), {}),
             (TypeError, (renderer, vtkActor2D()), {}),
             (TypeError, (renderer, 3), {}),
+            (ValueError, (renderer, (actor, 99)), {}),
             (KeyError, (renderer, "no such part"), {}),
             (ValueError, (renderer, []), {}),
             (ValueError, (renderer, actor), {"width": 9}),
@@ -213,7 +214,7 @@ class BadInput(unittest.TestCase):
     def test_of_props_and_renderers_that_go_is_no_error(self):
         actor, empty = part(16, 48, 10, 40), vtkActor()
         renderer, window = hidden(actor, empty)
-        handle = vitrine.highlight(renderer, [actor, empty, (actor, 7)], width=1, fill=0.0)
+        handle = vitrine.highlight(renderer, [actor, empty], width=1, fill=0.0)
         self.assertEqual(marked(window).sum(), border(16, 48, 10, 40).sum())
         renderer.RemoveActor(actor)
         del actor

@@ -475,6 +475,8 @@ class Blocks(unittest.TestCase):
         self.assertTrue((pixels(self.window) == before).all())
 
     def test_opacities_follow_the_camera(self):
+        mapper = self.core[0].GetMapper()
+        self.renderer.AddObserver("EndEvent", lambda *_: mapper.Modified())  # as frames change mappers of many blocks
         handle = vitrine.reveal(self.renderer, "core", SHARE, follow=True)
         state = vitrine._reveal._reveals[self.renderer.__this__]._reveal
         jumps = 0
