@@ -86,7 +86,7 @@ std::vector<IndexedCrossing> IndexedParts::Crossings(const Ray& ray)
 const IndexedParts::SharedMesh& IndexedParts::MeshOf(vtkPolyData* geometry)
 {
   SharedMesh& shared = this->Meshes[geometry];
-  if (shared.Geometry != geometry)
+  if (shared.Geometry != geometry || shared.Time != geometry->GetMTime())
   {
     PartTriangles triangles = ReadTriangles(geometry);
     shared.Mesh =
@@ -96,6 +96,7 @@ const IndexedParts::SharedMesh& IndexedParts::MeshOf(vtkPolyData* geometry)
       ? nullptr
       : std::make_shared<std::vector<vtkIdType>>(std::move(triangles.Cells));
     shared.Geometry = geometry;
+    shared.Time = geometry->GetMTime();
   }
   return shared;
 }

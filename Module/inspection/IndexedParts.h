@@ -75,7 +75,8 @@ private:
   struct SharedMesh
   {
     vtkWeakPointer<vtkPolyData>
-      Geometry; ///< null once it is gone, since another may get its address
+      Geometry;            ///< null once it is gone, since another may get its address
+    vtkMTimeType Time = 0; ///< of the geometry when it was read
     std::uint32_t Mesh = 0;
     std::shared_ptr<const std::vector<vtkIdType>> Cells;
     vtkIdType FirstCell = 0;

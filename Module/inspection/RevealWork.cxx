@@ -192,11 +192,11 @@ double RevealWork::ContextOf(
   return all > 0.0 ? kept / all : 1.0;
 }
 
-void RevealWork::NoteFrame(const View& view)
+void RevealWork::NoteFrame()
 {
   this->CameraTime = this->Renderer->GetActiveCamera()->GetMTime();
   this->SceneTime = NewestTimeOf(this->Renderer);
-  this->Viewport = view.Rays.Viewport();
+  this->Viewport = PixelRays(this->Renderer).Viewport();
 }
 
 bool RevealWork::HasSceneChanged() const

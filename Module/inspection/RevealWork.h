@@ -42,12 +42,14 @@ struct RevealWork
   vtkSmartPointer<vtkPartOutlines> Outlines;
   FadedLooks Looks;
   std::string Problem;
+  std::string ToldProblem;                       ///< that of the last frame
   std::array<unsigned long, 2> FrameObservers{}; ///< where the camera is followed
   unsigned long EndObserver = 0;
   vtkMTimeType CameraTime = 0; ///< of the camera when it was last followed
   vtkMTimeType SceneTime = 0;  ///< of what the renderer shows after the last update
   PixelRegion Viewport;        ///< of the last update
   bool IsUpdating = false;
+  bool IsWanted = false; ///< an update was asked for, and not put back since
 
   std::optional<SteadyReveal>
     Steady; ///< absent before the first update, and if a setting has changed
@@ -115,7 +117,7 @@ struct RevealWork
     double least) const;
 
   /** Notes what the frame shows, so that later changes are seen. */
-  void NoteFrame(const View& view);
+  void NoteFrame();
 
   /** Returns true if what the renderer shows, or its viewport, has changed since the last update. */
   bool HasSceneChanged() const;

@@ -144,8 +144,16 @@ void vtkReveal::SetOutlines(vtkPartOutlines* outlines)
   Internals& in = *this->Private;
   if (outlines != in.Outlines)
   {
-    in.Forget(); // hidden parts are hidden in another way
+    if (in.Outlines)
+    {
+      in.Outlines->Detach();
+    }
     in.Outlines = outlines;
+    if (in.Steady && in.Renderer)
+    {
+      in.SetLooks(this->LeastOpacity); // hidden parts are hidden in another way
+      in.DrawOutlines();
+    }
     this->Modified();
   }
 }
@@ -164,7 +172,7 @@ void vtkReveal::BeforeFrame()
 {
   Internals& in = *this->Private;
   vtkRenderer* const renderer = in.Renderer;
-  if (!renderer || !renderer->IsActiveCameraCreated() || !in.Steady || in.IsUpdating)
+  if (!renderer || !renderer->IsActiveCameraCreated() || !in.IsWanted || in.IsUpdating)
   {
     return;
   }
@@ -177,6 +185,11 @@ void vtkReveal::BeforeFrame()
   {
     this->Follow();
   }
+  if (!in.Problem.empty() && in.Problem != in.ToldProblem)
+  {
+    vtkWarningMacro(<< "Parts cannot be faded: " << in.Problem);
+  }
+  in.ToldProblem = in.Problem;
 }
 
 /** A frame may change what it draws, as mappers do whose blocks have got other opacities. */
@@ -208,11 +221,16 @@ bool vtkReveal::UpdateWithin(double degrees)
     return false;
   }
   in.IsUpdating = true;
+  in.IsWanted = true;
   in.Problem = this->FindOpacities(degrees);
   in.IsUpdating = false;
   if (!in.Problem.empty())
   {
     in.Forget();
+  }
+  if (in.Renderer)
+  {
+    in.NoteFrame(); // After a failure, too: it is tried again when something changes.
   }
   return in.Problem.empty();
 }
@@ -241,13 +259,13 @@ std::string vtkReveal::FindOpacities(double degrees)
   in.CutHole(view);
   in.DrawOutlines();
   in.Context = in.ContextOf(view.Stacks, parts, this->LeastOpacity);
-  in.NoteFrame(view);
   return {};
 }
 
 void vtkReveal::PutBack()
 {
   this->SetFollowCamera(false);
+  this->Private->IsWanted = false;
   this->Private->Forget();
 }
 

@@ -23,6 +23,7 @@
 #include "vtkWeakPointer.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -128,8 +129,8 @@ struct vtkPartOutlines::Internals
     {
       vtkWarningWithObjectMacro(
         this->Owner, << "Outlines cannot be drawn: " << this->FallbackReason << ".");
-      this->ToldReason = this->FallbackReason;
     }
+    this->ToldReason = this->FallbackReason;
   }
 
   /** Draws the outlines of the mask into the framebuffer that is bound. Returns why the driver cannot. */

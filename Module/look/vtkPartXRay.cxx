@@ -7,14 +7,17 @@
 #include "scene/FrameObserver.h"
 #include "scene/ListedPass.h"
 #include "scene/PartNumbers.h"
+#include "scene/SceneTime.h"
 #include "scene/Settings.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDataObjectTree.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -34,13 +37,6 @@ void TellXRay(vtkObject*, unsigned long, void* xray, void* asked)
 {
   *static_cast<vtkPartXRay**>(asked) = static_cast<vtkPartXRay*>(xray);
 }
-
-/** Returns when a prop, its mapper or its data changed last. It updates nothing. */
-vtkMTimeType TimeOf(vtkActor* actor)
-{
-  vtkMapper* const mapper = actor->GetMapper();
-  return std::max(actor->GetMTime(), mapper ? mapper->vtkObject::GetMTime() : 0);
-}
 }
 
 struct vtkPartXRay::Internals
@@ -54,6 +50,7 @@ struct vtkPartXRay::Internals
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vitrine::FrameObserver> Observer;
   unsigned long Answer = 0;
+  unsigned long Deletion = 0; ///< observer of the renderer's end
   vtkMTimeType LooksTime = 0; ///< when looks were set last
 
   void StartFrame()
@@ -75,17 +72,38 @@ struct vtkPartXRay::Internals
     this->Shader->End();
   }
 
+  /** Returns when the x-ray, its props or the renderer's list of props changed last. */
+  vtkMTimeType NewestTime(const std::vector<vtkProp*>& props) const
+  {
+    vtkMTimeType newest =
+      std::max(this->Owner->GetMTime(), this->Renderer->GetViewProps()->GetMTime());
+    for (vtkProp* prop : props)
+    {
+      newest = std::max(newest, vitrine::NewestTimeOf(prop));
+    }
+    return newest;
+  }
+
+  /** A frame may change what it draws, as mappers do whose blocks have got other opacities. */
+  void NoteFrame()
+  {
+    vtkRenderer* const renderer = this->Renderer;
+    if (renderer)
+    {
+      this->LooksTime = std::max(this->LooksTime, this->NewestTime(this->Chosen.PropsIn(renderer)));
+    }
+  }
+
   /** Makes opaque parts translucent, unless nothing has changed since. */
   void SetLooks(const std::vector<vtkProp*>& props)
   {
-    vtkMTimeType newest = this->Owner->GetMTime();
-    for (vtkProp* prop : props)
-    {
-      newest = std::max(newest, TimeOf(vtkActor::SafeDownCast(prop)));
-    }
-    if (newest <= this->LooksTime)
+    if (this->NewestTime(props) <= this->LooksTime)
     {
       return;
+    }
+    if (this->Renderer->GetViewProps()->GetMTime() > this->LooksTime)
+    {
+      this->Looks.PutBackAll(); // of props that have left the renderer, too
     }
     this->Looks.ForgetNodes();
     for (vtkProp* prop : props)
@@ -225,12 +243,18 @@ void vtkPartXRay::Attach(vtkRenderer* renderer)
   in.LooksTime = 0;
   in.Observer = vtkSmartPointer<vitrine::FrameObserver>::New();
   in.Observer->Start = [&in] { in.StartFrame(); };
-  in.Observer->End = [&in] { in.EndFrame(); };
+  in.Observer->End = [&in]
+  {
+    in.EndFrame();
+    in.NoteFrame();
+  };
   in.Observer->Watch(renderer, this);
   vtkNew<vtkCallbackCommand> answer;
   answer->SetCallback(TellXRay);
   answer->SetClientData(this);
   in.Answer = renderer->AddObserver(AskForXRay, answer);
+  in.Deletion =
+    renderer->AddObserver(vtkCommand::DeleteEvent, this, &vtkPartXRay::WhenRendererIsDeleted);
 }
 
 //------------------------------------------------------------------------------
@@ -245,9 +269,17 @@ void vtkPartXRay::Detach()
   {
     in.Shader->Release();
     renderer->RemoveObserver(in.Answer);
+    renderer->RemoveObserver(in.Deletion);
     const vtkSmartPointer<vitrine::FrameObserver> observer = std::move(in.Observer);
     observer->Leave(renderer); // it may hold the last reference to this object
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPartXRay::WhenRendererIsDeleted()
+{
+  this->Private->EndFrame();
+  this->Private->Looks.PutBackAll();
 }
 
 //------------------------------------------------------------------------------

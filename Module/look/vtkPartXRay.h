@@ -105,6 +105,8 @@ private:
   vtkPartXRay(const vtkPartXRay&) = delete;
   void operator=(const vtkPartXRay&) = delete;
 
+  void WhenRendererIsDeleted();
+
   struct Internals;
   std::unique_ptr<Internals> Private;
 };

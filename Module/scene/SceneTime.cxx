@@ -13,10 +13,7 @@
 namespace vitrine
 {
 
-namespace
-{
-
-vtkMTimeType TimeOf(vtkProp* prop)
+vtkMTimeType NewestTimeOf(vtkProp* prop)
 {
   auto* const actor = vtkActor::SafeDownCast(prop);
   vtkMapper* const mapper = actor ? actor->GetMapper() : nullptr;
@@ -27,7 +24,6 @@ vtkMTimeType TimeOf(vtkProp* prop)
   return std::max(
     { prop->GetMTime(), mapper ? mapper->vtkObject::GetMTime() : 0, data ? data->GetMTime() : 0 });
 }
-}
 
 vtkMTimeType NewestTimeOf(vtkRenderer* renderer)
 {
@@ -37,7 +33,7 @@ vtkMTimeType NewestTimeOf(vtkRenderer* renderer)
   props->InitTraversal(place);
   while (vtkProp* const prop = props->GetNextProp(place))
   {
-    newest = std::max(newest, IsCap(prop) ? 0 : TimeOf(prop));
+    newest = std::max(newest, IsCap(prop) ? 0 : NewestTimeOf(prop));
   }
   return newest;
 }

@@ -4,10 +4,14 @@
 
 #include "vtkType.h"
 
+class vtkProp;
 class vtkRenderer;
 
 namespace vitrine
 {
+
+/** Returns when a prop, its mapper or its data changed last. It updates nothing. */
+vtkMTimeType NewestTimeOf(vtkProp* prop);
 
 /**
  * Returns when the renderer's list of props, a prop, its mapper or its data changed last. Caps of sections do not

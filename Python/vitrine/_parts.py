@@ -39,8 +39,9 @@ def choose(name: str, parts: Any, assemblies: Iterable[Assembly]) -> list[Chosen
 
     Args:
         name: that of the argument, for messages.
-        parts: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an assembly; a
-            pattern of names; what tells an actor and a block, as pick() returns it; or an iterable of these.
+        parts: an actor; a pair of an actor and the flat index of a block, where an inner node stands for all below it;
+            a Part or a Selection of an assembly; a pattern of names; what tells an actor and a block, as pick() returns
+            it; or an iterable of these.
         assemblies: those in which patterns choose.
 
     Raises:
@@ -49,7 +50,8 @@ def choose(name: str, parts: Any, assemblies: Iterable[Assembly]) -> list[Chosen
         ValueError: the index of a block is negative, or the assembly of a Part or the actor that was picked is gone.
     """
     scope = list(assemblies)
-    return [chosen for item in flat(parts) for chosen in _chosen(name, item, scope)]
+    trees: dict[vtkProp, list[Any]] = {}  # the nodes of props, read once
+    return [chosen for item in flat(parts) for chosen in _chosen(name, item, scope, trees)]
 
 
 def flat(parts: Any) -> Iterator[Any]:
@@ -86,21 +88,31 @@ def named(prop: Any, block: int) -> Any:
 
 def block_count(prop: Any) -> int:
     """The number of flat indices of the data that an actor draws: 1 without blocks."""
+    return max(1, len(_nodes_of(prop)))
+
+
+def _nodes_of(prop: Any) -> list[Any]:
+    """The nodes of the composite data that an actor draws, by flat indices. It is empty without blocks."""
     prop.GetBounds()  # updates the pipeline
     mapper = prop.GetMapper() if hasattr(prop, "GetMapper") else None
     data = mapper.GetInputDataObject(0, 0) if mapper is not None and mapper.GetNumberOfInputPorts() > 0 else None
     if not isinstance(data, vtkDataObjectTree):
-        return 1
-    each = data.NewTreeIterator()
+        return []
+    return _nodes_below(data)
+
+
+def _nodes_below(tree: vtkDataObjectTree) -> list[Any]:
+    """A tree and the nodes below it, by flat indices. Empty ones are None."""
+    each = tree.NewTreeIterator()
     each.SkipEmptyNodesOff()
     each.VisitOnlyLeavesOff()
     each.TraverseSubTreeOn()
     each.InitTraversal()
-    last = 0
+    nodes: list[Any] = [tree]
     while not each.IsDoneWithTraversal():
-        last = each.GetCurrentFlatIndex()
+        nodes += [None] * (each.GetCurrentFlatIndex() - len(nodes)) + [each.GetCurrentDataObject()]
         each.GoToNextItem()
-    return last + 1
+    return nodes
 
 
 def _is_single(parts: Any) -> bool:
@@ -114,14 +126,18 @@ def _tells_place(item: Any) -> bool:
     return hasattr(item, "actor") and hasattr(item, "block")
 
 
-def _chosen(name: str, item: Any, assemblies: list[Assembly]) -> Iterator[Chosen]:
+def _chosen(
+    name: str, item: Any, assemblies: list[Assembly], trees: dict[vtkProp, list[Any]]
+) -> Iterator[Chosen]:
     if isinstance(item, vtkProp):
         yield Chosen(item, WHOLE, None)
     elif isinstance(item, tuple) and not isinstance(item[1], bool):
         block = int(item[1])
         if block < 0:
             raise ValueError(f"the flat index of a block is 0 or more, not {block}")
-        yield Chosen(item[0], block, part_of(item[0], block))
+        if item[0] not in trees:
+            trees[item[0]] = _nodes_of(item[0])
+        yield from _below(item[0], block, trees[item[0]])
     elif isinstance(item, Selection):
         yield from (_drawn_by(item._assembly, number) for number in item.numbers)
     elif isinstance(item, Part):
@@ -137,6 +153,20 @@ def _chosen(name: str, item: Any, assemblies: list[Assembly]) -> Iterator[Chosen
             f"{name} is an actor, a pair of an actor and the flat index of a block, a Part or a Selection of an "
             f"assembly, a pattern of names, what pick() returns, or an iterable of these, not {item!r}"
         )
+
+
+def _below(prop: vtkProp, block: int, nodes: list[Any]) -> Iterator[Chosen]:
+    """The part of a block, or those of all blocks below it if it is an inner node. The root stands for the whole."""
+    if not nodes or block >= len(nodes) or not isinstance(nodes[block], vtkDataObjectTree):
+        yield Chosen(prop, block, part_of(prop, block))
+    elif block == 0:
+        yield Chosen(prop, WHOLE, None)
+    else:
+        # The nodes below it have the flat indices behind its own, up to the next node of its level.
+        last = block + len(_nodes_below(nodes[block]))
+        for leaf in range(block + 1, min(last, len(nodes))):
+            if nodes[leaf] is not None and not isinstance(nodes[leaf], vtkDataObjectTree):
+                yield Chosen(prop, leaf, part_of(prop, leaf))
 
 
 def _matching(pattern: str, assemblies: list[Assembly]) -> Iterator[Chosen]:

@@ -251,9 +251,9 @@ def _shown(part: Any, renderers: list[vtkRenderer]) -> list[tuple[vtkProp, int]]
 
 
 def has_cutaway(renderer: vtkRenderer) -> bool:
-    """Whether a reveal cuts parts of the renderer away."""
+    """Whether a reveal of the renderer cuts parts away, or may do so."""
     handle = _reveals.get(renderer.__this__)
-    return handle is not None and handle._reveal.GetNumberOfCutParts() > 0
+    return handle is not None and handle._reveal.GetCutawayOpacity() > 0.0
 
 
 def _has(renderer: vtkRenderer, shown: list[tuple[vtkProp, int]]) -> bool:

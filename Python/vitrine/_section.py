@@ -212,6 +212,7 @@ class _Cut:
 
         A plotter on show is drawn at once.
         """
+        self._check_there()
         look = _look_of([found.GetRenderer() for found in self._sections], caps, hatch, edges, stripes)
         for found in self._sections:
             look.apply_to(found)
@@ -231,7 +232,7 @@ class _Cut:
 
     def _check_there(self) -> None:
         if not self._sections:
-            raise RuntimeError("the section was removed, so it cannot move: make a new one")
+            raise RuntimeError("the section was removed, so it cannot change: make a new one")
 
     def _render(self) -> None:
         plotter = self._plotter()
@@ -452,12 +453,13 @@ def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:
 def _chosen_of(parts: Any, renderers: list[vtkRenderer]) -> list[Chosen]:
     """What a user gave as parts. Each can be cut by a section of the renderers."""
     chosen = choose("parts", parts, shown_assemblies(renderers)) if parts is not None else []
+    counts = {each.prop: block_count(each.prop) for each in chosen if isinstance(each.prop, vtkActor)}
     for each in chosen:
-        _check_chosen(renderers, each.prop, each.block)
+        _check_chosen(renderers, each.prop, each.block, counts.get(each.prop, 1))
     return chosen
 
 
-def _check_chosen(renderers: Iterable[vtkRenderer], prop: vtkProp, block: int) -> None:
+def _check_chosen(renderers: Iterable[vtkRenderer], prop: vtkProp, block: int, count: int) -> None:
     """Raise an exception that says what to do for a part that the renderers do not draw as one."""
     if not isinstance(prop, vtkActor):
         raise TypeError(f"a section cannot choose a {prop.GetClassName()}: choose actors, or cut all parts")
@@ -466,5 +468,5 @@ def _check_chosen(renderers: Iterable[vtkRenderer], prop: vtkProp, block: int) -
             "a chosen actor is not shown by the target: add it to the renderer first. "
             "An actor within a vtkAssembly cannot be chosen"
         )
-    if block != WHOLE and block >= (count := block_count(prop)):
+    if block != WHOLE and block >= count:
         raise ValueError(f"a chosen actor has no block {block}: its blocks are flat indices from 0 to {count - 1}")

@@ -417,6 +417,21 @@ class Changes(unittest.TestCase):
         self.window.Render()
         self.assertEqual(times, [actor.GetMTime() for actor in (self.red, self.half)])  # nothing was done
 
+    def test_a_part_that_comes_back_is_followed(self):
+        handle = vitrine.reveal(self.window, self.red, SHARE, follow=True)
+        self.renderer.RemoveActor(self.red)
+        self.window.Render()
+        self.assertEqual((handle.faded, self.whole.GetProperty().GetOpacity()), ([], 1.0))
+        self.renderer.AddActor(self.red)
+        self.window.Render()
+        self.assertGreaterEqual(shares_of(self.renderer, self.red).min(), SHARE)
+        handle._reveal.SetOutlines(None)
+        self.assertFalse(self.half.GetVisibility())  # it is hidden in another way
+        self.assertEqual(len(handle.faded), 2)
+        self.renderer.RemoveActor(self.half)
+        self.window.Render()
+        self.assertEqual(len(handle.faded), 1)
+
     def test_a_failure_leaves_the_former_reveal(self):
         first = vitrine.reveal(self.window, self.red, SHARE)
         away = plate(0, (0, 1, 0), 1.0)

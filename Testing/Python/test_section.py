@@ -115,6 +115,25 @@ class Frames(SectionCase):
                 cut.move(origin=(0, 0, 0))
         self.assertTrue(actors)
 
+    def test_an_inner_node_stands_for_the_blocks_below_it(self):
+        root, inner = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+        root.SetBlock(0, inner)
+        for tree, place, x in ((inner, 0, -0.6), (inner, 1, 0.0), (root, 1, 0.6)):
+            mapper = ball(0.25, (x, 0, 0)).GetMapper()
+            mapper.Update()
+            tree.SetBlock(place, mapper.GetInput())
+        composite = vitrine.vtkCulledCompositePolyDataMapper()
+        composite.SetInputDataObject(root)
+        actor = vtkActor()
+        actor.SetMapper(composite)
+        self.add(actor)
+        for block, wanted, outlined in ((0, [2, 3, 4], 1), (1, [2, 3], 2), (4, [4], 1)):
+            with self.subTest(block), vitrine.section(self.renderer, "y", (0, 0, 0), parts=(actor, block)) as cut:
+                self.scene.picture()
+                self.assertEqual(cut.cut_parts, [(actor, leaf) for leaf in wanted])
+            with vitrine.highlight(self.renderer, (actor, block)) as shown:
+                self.assertIn(f" {outlined} part", str(shown))
+
     def test_masks_of_blocks_follow_the_context(self):
         """A window that is finalized and drawn again has another context, in which names of buffers are others'."""
         machine = self.add_two_balls()

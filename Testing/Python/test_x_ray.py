@@ -1,5 +1,6 @@
 """The x-ray look beside its formula: spheres, plates without normals, blocks, and looks that are put back."""
 
+import gc
 import math
 import unittest
 
@@ -169,6 +170,57 @@ class Parts(unittest.TestCase):
         now = light(window)
         np.testing.assert_allclose(now[:, SIZE // 2 :], 0.375, atol=1.5 / 255)
         np.testing.assert_array_equal(now[:, : SIZE // 2], 1.0)
+
+
+class Changes(unittest.TestCase):
+    def test_actors_that_come_late_and_leave(self):
+        late = tilted(0)
+        renderer, window = alone(late)
+        vitrine.section(renderer, "x", (-100, 0, 0)).remove()  # the actor has keys from here on
+        own = late.GetProperty()
+        xray = vitrine.vtkPartXRay()
+        xray.AddPart(late)
+        xray.SetFloor(0.25)
+        xray.Attach(renderer)
+        light(window)
+        for _ in range(2):
+            renderer.RemoveActor(late)
+            np.testing.assert_array_equal(light(window), 1.0)
+            self.assertIs(late.GetProperty(), own)
+            renderer.AddActor(late)
+            np.testing.assert_allclose(light(window), 0.75, atol=1.5 / 255)
+
+    def test_blocks_that_are_added(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetNumberOfBlocks(2)
+        near, far = (tilted(0).GetMapper() for _ in range(2))
+        for mapper in (near, far):
+            mapper.Update()
+        blocks.SetBlock(0, near.GetInput())
+        mapper = vitrine.vtkCulledCompositePolyDataMapper()
+        mapper.SetInputDataObject(blocks)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(0, 0, 0)
+        actor.GetProperty().LightingOff()
+        renderer, window = alone(actor)
+        vitrine.x_ray(window, actor, floor=0.25)
+        np.testing.assert_allclose(light(window), 0.75, atol=1.5 / 255)
+        blocks.SetBlock(1, far.GetInput())
+        np.testing.assert_allclose(light(window), 0.75 * 0.75, atol=1.5 / 255)
+
+    def test_looks_come_back_when_the_renderer_goes(self):
+        actor = tilted(0)
+        own = actor.GetProperty()
+        renderer, window = alone(actor)
+        handle = vitrine.x_ray(window, actor)
+        light(window)
+        self.assertIsNot(actor.GetProperty(), own)
+        window.RemoveRenderer(renderer)
+        del renderer
+        gc.collect()
+        self.assertIs(actor.GetProperty(), own)
+        handle.remove()
 
 
 class BadInput(unittest.TestCase):
