@@ -128,8 +128,9 @@ void vtkReveal::SetFollowCamera(bool follow)
   }
   if (follow && in.Renderer)
   {
+    // Before sections, which take planes as they are when a frame starts.
     in.FrameObservers = { in.Renderer->AddObserver(
-                            vtkCommand::StartEvent, this, &vtkReveal::BeforeFrame),
+                            vtkCommand::StartEvent, this, &vtkReveal::BeforeFrame, 1.0f),
       in.Renderer->AddObserver(vtkCommand::EndEvent, this, &vtkReveal::AfterFrame) };
   }
   if (follow != this->FollowCamera)

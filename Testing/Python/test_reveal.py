@@ -5,7 +5,7 @@ import math
 import unittest
 
 import numpy
-from scenes import plate, plates_renderer
+from scenes import actor_of, plate, plates_renderer
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
@@ -351,6 +351,24 @@ class Cutaways(unittest.TestCase):
         self.window.Render()
         numpy.testing.assert_array_equal(pixels(self.window), self.before)
         self.assertIsNone(vitrine.vtkSection.GetAttached(self.renderer))
+
+    def test_has_caps_in_the_first_frame_of_a_turn(self):
+        for other in self.others:
+            self.renderer.RemoveActor(other)
+        for z in (0.3, 0.8):
+            actor = actor_of(vtkCubeSource())
+            actor.SetScale(3, 3, 0.3)
+            actor.SetPosition(0, 0, z)
+            self.renderer.AddActor(actor)
+        self.window.Render()
+        handle = vitrine.reveal(self.window, self.small, SHARE, cutaway=1.0, follow=True, outlines=False)
+        self.window.Render()
+        self.assertEqual(len(handle.cut), 2)
+        self.renderer.GetActiveCamera().Azimuth(5)
+        self.window.Render()
+        first = pixels(self.window)
+        self.window.Render()
+        numpy.testing.assert_array_equal(pixels(self.window), first)
 
     def test_fades_what_keeps_enough(self):
         for other in self.others[2:]:
