@@ -66,7 +66,7 @@ def shares_of(renderer, actor, block=0):
     return numpy.array(shares)
 
 
-class Plates(unittest.TestCase):
+class PlatesCase(unittest.TestCase):
     """A red plate behind a black one that covers the view, and another that covers the left half of it."""
 
     def setUp(self):
@@ -77,6 +77,8 @@ class Plates(unittest.TestCase):
         self.window = window_of(self.renderer)
         self.before = pixels(self.window)
 
+
+class Plates(PlatesCase):
     def test_the_larger_part_keeps_what_may_remain(self):
         self.assertEqual(self.before[..., 0].max(), 0)
         handle = vitrine.reveal(self.window, self.red, SHARE)
@@ -402,14 +404,7 @@ class Cutaways(unittest.TestCase):
             each.remove()
 
 
-class Changes(unittest.TestCase):
-    def setUp(self):
-        self.red = plate(0, (1, 0, 0), 1.0)
-        self.half = half_plate(1, (0, 0, 0), 1.0)
-        self.whole = plate(2, (0, 0, 0), 1.0)
-        self.renderer = plates_renderer(self.red, self.half, self.whole)
-        self.window = window_of(self.renderer)
-
+class Changes(PlatesCase):
     def test_what_changes_is_followed(self):
         handle = vitrine.reveal(self.window, self.red, SHARE, follow=True, outlines=False)
 
