@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <set>
 
 namespace vitrine
 {
@@ -431,27 +432,57 @@ ScopedImage::~ScopedImage()
     static_cast<GLenum>(format));
 }
 
-ScopedTextureUnit::ScopedTextureUnit(vtkOpenGLState* state, GLenum target, GLuint texture)
+namespace
+{
+thread_local std::set<int> OwnUnits; // of all ScopedTextureUnits
+
+/** The last unit that no ScopedTextureUnit has, or 0. */
+int LastForeignUnit(int numberOfUnits)
+{
+  int unit = numberOfUnits - 1;
+  while (unit > 0 && OwnUnits.count(unit) > 0)
+  {
+    --unit;
+  }
+  return std::max(unit, 0);
+}
+}
+
+ScopedTextureUnit::ScopedTextureUnit(
+  vtkOpenGLState* state, GLenum target, GLuint texture, WhenTaken whenTaken)
   : State(state)
   , Target(target)
-  , AllocatedUnit(state->GetTextureUnitManager()->Allocate())
+  , UsedUnit(state->GetTextureUnitManager()->Allocate())
 {
-  if (this->AllocatedUnit >= 0)
+  if (this->UsedUnit < 0 && whenTaken == WhenTaken::FAIL)
   {
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
-    this->PreviousTexture =
-      BoundName(TextureBindingQuery(target), static_cast<GLuint>(this->AllocatedUnit));
-    glBindTexture(target, texture);
+    return;
   }
+  if (this->UsedUnit < 0)
+  {
+    // VTK's mappers of composite data keep a unit each from VTK 9.4 on, so that all may be taken.
+    this->IsBorrowed = true;
+    this->UsedUnit = LastForeignUnit(state->GetTextureUnitManager()->GetNumberOfTextureUnits());
+  }
+  OwnUnits.insert(this->UsedUnit);
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->UsedUnit));
+  this->PreviousTexture =
+    BoundName(TextureBindingQuery(target), static_cast<GLuint>(this->UsedUnit));
+  glBindTexture(target, texture);
 }
 
 ScopedTextureUnit::~ScopedTextureUnit()
 {
-  if (this->AllocatedUnit >= 0)
+  if (this->UsedUnit < 0)
   {
-    this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->AllocatedUnit));
-    glBindTexture(this->Target, Living(this->PreviousTexture));
-    this->State->GetTextureUnitManager()->Free(this->AllocatedUnit);
+    return;
+  }
+  this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->UsedUnit));
+  glBindTexture(this->Target, Living(this->PreviousTexture));
+  OwnUnits.erase(this->UsedUnit);
+  if (!this->IsBorrowed)
+  {
+    this->State->GetTextureUnitManager()->Free(this->UsedUnit);
   }
 }
 

@@ -309,24 +309,33 @@ private:
   ScopedBindingMemory::Binding Previous;
 };
 
+/** What a ScopedTextureUnit does where all units are taken. */
+enum class WhenTaken
+{
+  BORROW, ///< Take one from a texture that is not drawn with meanwhile, from the last unit downwards.
+  FAIL,   ///< Unit() is -1.
+};
+
 /**
  * Allocates a unit of VTK's texture unit manager and binds a texture to it. The destructor restores the previous
- * binding and frees the unit. Unit() is -1 if the driver's units are used up.
+ * binding and frees the unit.
  */
 class ScopedTextureUnit
 {
 public:
-  ScopedTextureUnit(vtkOpenGLState* state, GLenum target, GLuint texture);
+  ScopedTextureUnit(
+    vtkOpenGLState* state, GLenum target, GLuint texture, WhenTaken whenTaken = WhenTaken::BORROW);
   ~ScopedTextureUnit();
   ScopedTextureUnit(const ScopedTextureUnit&) = delete;
   void operator=(const ScopedTextureUnit&) = delete;
-  int Unit() const { return this->AllocatedUnit; }
+  int Unit() const { return this->UsedUnit; }
 
 private:
   vtkOpenGLState* State;
   GLenum Target;
   GLuint PreviousTexture = 0;
-  int AllocatedUnit;
+  int UsedUnit;
+  bool IsBorrowed = false;
 };
 
 }

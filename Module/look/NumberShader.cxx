@@ -74,7 +74,7 @@ std::string NumberShader::Bind(vtkOpenGLRenderWindow* window)
   if (problem.empty())
   {
     this->Unit = std::make_unique<ScopedTextureUnit>(
-      window->GetState(), GL_TEXTURE_BUFFER, this->Texels.Texture());
+      window->GetState(), GL_TEXTURE_BUFFER, this->Texels.Texture(), WhenTaken::FAIL);
     problem = this->Unit->Unit() < 0 ? "no texture unit is free for the numbers of chosen parts"
                                      : std::string();
   }

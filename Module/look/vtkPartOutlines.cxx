@@ -145,10 +145,6 @@ struct vtkPartOutlines::Internals
     const vitrine::ScopedSampleMask allSamples;
     vitrine::ScopedFirstDrawBuffer firstDrawBuffer(state);
     const vitrine::ScopedTextureUnit mask(state, GL_TEXTURE_2D, this->Mask->Texture());
-    if (mask.Unit() < 0)
-    {
-      return "no texture unit is free for the image of parts";
-    }
     vtkShaderProgram* const program =
       this->Programs.Ready(window, "PartOutlines", {}, vitrine::shaders::FullScreenVertex,
         [] { return std::string(vitrine::shaders::PartOutlines); });

@@ -308,12 +308,12 @@ std::string CutSums::WriteTables(vtkRenderer* renderer, const CutParts& parts,
 
 std::string CutSums::Bind(vtkOpenGLState* state)
 {
-  this->SumsUnit =
-    std::make_unique<ScopedTextureUnit>(state, this->Sums.Target(), this->Sums.Handle());
-  this->PartsUnit =
-    std::make_unique<ScopedTextureUnit>(state, GL_TEXTURE_BUFFER, this->PartTable.Texture());
-  this->LooksUnit =
-    std::make_unique<ScopedTextureUnit>(state, GL_TEXTURE_BUFFER, this->LookTable.Texture());
+  this->SumsUnit = std::make_unique<ScopedTextureUnit>(
+    state, this->Sums.Target(), this->Sums.Handle(), WhenTaken::FAIL);
+  this->PartsUnit = std::make_unique<ScopedTextureUnit>(
+    state, GL_TEXTURE_BUFFER, this->PartTable.Texture(), WhenTaken::FAIL);
+  this->LooksUnit = std::make_unique<ScopedTextureUnit>(
+    state, GL_TEXTURE_BUFFER, this->LookTable.Texture(), WhenTaken::FAIL);
   if (std::min({ this->SumsUnit->Unit(), this->PartsUnit->Unit(), this->LooksUnit->Unit() }) < 0)
   {
     this->Unbind();

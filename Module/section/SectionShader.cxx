@@ -345,7 +345,7 @@ void SectionShader::SetBlockMasks(vtkShaderProgram* program, vtkProp* prop)
     }
     auto* const window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
     this->MaskUnit = std::make_unique<ScopedTextureUnit>(
-      window->GetState(), GL_TEXTURE_BUFFER, this->MaskBuffer.Texture());
+      window->GetState(), GL_TEXTURE_BUFFER, this->MaskBuffer.Texture(), WhenTaken::FAIL);
   }
   if (this->MaskUnit->Unit() < 0)
   {

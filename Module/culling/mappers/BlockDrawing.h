@@ -78,6 +78,8 @@ public:
   static BlockDrawing* New();
   vtkTypeMacro(BlockDrawing, vtkOpenGLBatchedPolyDataMapper);
 
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+
 protected:
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 
@@ -95,6 +97,11 @@ protected:
       visit(block.second->Parent.PolyData, block.second->Parent.Visibility);
     }
   }
+
+private:
+  vtkTexture* FindBlockTexturePrototype(vtkActor* actor);
+
+  vtkTexture* Prototype = nullptr; ///< of the base class
 };
 
 /** Gives blocks to BlockDrawing. */

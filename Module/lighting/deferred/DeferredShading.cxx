@@ -34,7 +34,8 @@ bool HasPhysical(const vtkRenderState* s)
 
 std::unique_ptr<ScopedTextureUnit> UnitOf(vtkOpenGLState* state, const Image2D& image)
 {
-  return std::make_unique<ScopedTextureUnit>(state, image.Target(), image.Handle());
+  return std::make_unique<ScopedTextureUnit>(
+    state, image.Target(), image.Handle(), WhenTaken::FAIL);
 }
 
 // Lets each fragment through, regardless of depth.

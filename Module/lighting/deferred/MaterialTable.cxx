@@ -96,7 +96,8 @@ void MaterialTable::Release()
 
 void MaterialTable::Bind(vtkOpenGLState* state)
 {
-  this->Unit = std::make_unique<ScopedTextureUnit>(state, GL_TEXTURE_BUFFER, this->Table.Texture());
+  this->Unit = std::make_unique<ScopedTextureUnit>(
+    state, GL_TEXTURE_BUFFER, this->Table.Texture(), WhenTaken::FAIL);
 }
 
 void MaterialTable::SetUniforms(vtkShaderProgram* program) const

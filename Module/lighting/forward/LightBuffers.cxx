@@ -61,7 +61,10 @@ void LightBuffers::Release()
 void LightBuffers::Bind(vtkOpenGLState* state)
 {
   const auto unitOf = [&](const Buffer& buffer)
-  { return std::make_unique<ScopedTextureUnit>(state, GL_TEXTURE_BUFFER, buffer.Texture()); };
+  {
+    return std::make_unique<ScopedTextureUnit>(
+      state, GL_TEXTURE_BUFFER, buffer.Texture(), WhenTaken::FAIL);
+  };
   this->LightsUnit = unitOf(this->Lights);
   this->ListsUnit = unitOf(this->Lists);
   this->IndicesUnit = unitOf(this->Indices);
