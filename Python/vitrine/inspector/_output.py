@@ -1,0 +1,185 @@
+"""Pictures of an inspector: of the window, of any size in tiles, and videos of a turn."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import time
+from typing import TYPE_CHECKING, Any, Iterator, Sequence
+
+import numpy
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+
+from . import _state, _views
+
+if TYPE_CHECKING:
+    from ._inspection import Inspection
+
+LARGEST = 65536  # pixels a side
+_TILE = 4096
+_VIDEOS = (".mp4", ".gif", ".webp")
+_FRAMES_PER_SECOND = 30
+
+
+def draw(inspection: Inspection) -> None:
+    """Draw what is not drawn yet. A reveal is found anew if the camera has moved."""
+    state = inspection.state_now
+    if inspection.drawn is state:
+        return
+    inspection.renderer.ResetCameraClippingRange()
+    inspection.shown.update_reveal()
+    begin = time.perf_counter()
+    inspection.window.Render()
+    inspection.window.WaitForCompletion()
+    inspection.frame_ms = 1000 * (time.perf_counter() - begin)
+    inspection.drawn = state
+
+
+def read_pixels(window: vtkRenderWindow, alpha: bool = False) -> numpy.ndarray:
+    """The last frame: bytes of RGB or RGBA, rows from the top."""
+    width, height = window.GetSize()
+    pixels = vtkUnsignedCharArray()
+    front = 0 if window.GetDoubleBuffer() else 1
+    if alpha:
+        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, front, pixels, 0)
+    else:
+        window.GetPixelData(0, 0, width - 1, height - 1, front, pixels, 0)
+    return vtk_to_numpy(pixels).reshape(height, width, 4 if alpha else 3)[::-1]
+
+
+def picture(inspection: Inspection, size: Sequence[int] | None, transparent: bool) -> numpy.ndarray:
+    wanted = _size_of(inspection, size)
+    with _Resized(inspection, wanted, transparent) as tiles:
+        if tiles == 1:
+            draw(inspection)
+            return read_pixels(inspection.window, transparent).copy()
+        return _tiled(inspection, wanted, tiles, transparent)
+
+
+def _size_of(inspection: Inspection, size: Sequence[int] | None) -> tuple[int, int]:
+    if size is None:
+        size = inspection.state_now["size"]
+    try:
+        width, height = size
+    except (TypeError, ValueError):
+        raise ValueError(f"a size is a width and a height in pixels, not {size!r}") from None
+    for value in (width, height):
+        if isinstance(value, bool) or not isinstance(value, (int, numpy.integer)) or not 1 <= value <= LARGEST:
+            raise ValueError(f"width and height are whole numbers from 1 to {LARGEST}, not {value!r}")
+    return int(width), int(height)
+
+
+class _Resized:
+    """While it is entered, the window has the size of a tile, and a background of that transparency."""
+
+    def __init__(self, inspection: Inspection, size: tuple[int, int], transparent: bool) -> None:
+        self._inspection, self._size, self._transparent = inspection, size, transparent
+
+    def __enter__(self) -> int:
+        tiles = -(-max(self._size) // _TILE)
+        inspection = self._inspection
+        self._before = inspection.window.GetSize(), inspection.renderer.GetBackgroundAlpha()
+        tile = tuple(-(-side // tiles) for side in self._size)
+        if tile != tuple(self._before[0]) or self._transparent:
+            inspection.forget_frame()
+        inspection.window.SetSize(*tile)
+        if self._transparent:
+            inspection.window.SetAlphaBitPlanes(1)
+            inspection.renderer.SetBackgroundAlpha(0.0)
+        return tiles
+
+    def __exit__(self, *_: object) -> None:
+        inspection = self._inspection
+        size, alpha = self._before
+        if tuple(inspection.window.GetSize()) != tuple(size) or self._transparent:
+            inspection.forget_frame()
+        inspection.window.SetSize(*size)
+        inspection.renderer.SetBackgroundAlpha(alpha)
+
+
+def _tiled(inspection: Inspection, size: tuple[int, int], tiles: int, transparent: bool) -> numpy.ndarray:
+    """A picture of tiles, without the rows and columns by which they are larger together."""
+    draw(inspection)
+    whole = vtkWindowToImageFilter()
+    whole.SetInput(inspection.window)
+    whole.SetScale(tiles)
+    whole.SetFixBoundary(True)
+    whole.ReadFrontBufferOff()
+    (whole.SetInputBufferTypeToRGBA if transparent else whole.SetInputBufferTypeToRGB)()
+    whole.Update()
+    image = whole.GetOutput()
+    width, height, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
+    inspection.forget_frame()
+    return pixels[: size[1], : size[0]].copy()
+
+
+def png(pixels: numpy.ndarray, level: int = 5) -> bytes:
+    """A picture as PNG."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    height, width, channels = pixels.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    flat = numpy.ascontiguousarray(pixels[::-1]).reshape(-1, channels)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=False))
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetCompressionLevel(level)
+    writer.WriteToMemoryOn()
+    writer.Write()
+    return vtk_to_numpy(writer.GetResult()).tobytes()
+
+
+def screenshot(
+    inspection: Inspection, path: str | os.PathLike[str], size: Sequence[int] | None, transparent: bool
+) -> None:
+    file = pathlib.Path(path)
+    if file.suffix.lower() != ".png":
+        raise ValueError(f"{file}: pictures are written as .png")
+    _state.write_whole(file, png(picture(inspection, size, transparent)))
+
+
+def turntable(
+    inspection: Inspection, path: str | os.PathLike[str], frames: int, size: Sequence[int] | None
+) -> Iterator[float]:
+    """Write a video, frame by frame. Yields the share that is done. If it is closed before, no file is left."""
+    file = pathlib.Path(path)
+    if file.suffix.lower() not in _VIDEOS:
+        raise ValueError(f"{file}: videos are written as {', '.join(_VIDEOS)}")
+    if isinstance(frames, bool) or not isinstance(frames, int) or not 2 <= frames <= 10000:
+        raise ValueError(f"frames is a whole number from 2 to 10000, not {frames!r}")
+    writer = _video_writer()
+    width, height = _size_of(inspection, size)
+    unfinished = file.with_name(f".{file.stem}.{os.getpid()}{file.suffix}")
+    before = inspection.camera()
+    try:
+        with writer.get_writer(unfinished, **_settings(file.suffix.lower())) as video:
+            for number in range(frames):
+                inspection.look_from(_views.turned(before, 360.0 * number / frames))
+                video.append_data(picture(inspection, (width - width % 2, height - height % 2), False))
+                yield (number + 1) / frames
+        os.replace(unfinished, file)
+    finally:
+        unfinished.unlink(missing_ok=True)
+        inspection.look_from(before)
+
+
+def _video_writer() -> Any:
+    try:
+        import imageio.v2
+        import imageio_ffmpeg  # noqa: F401
+    except ImportError:
+        raise ImportError("videos need imageio: pip install 'vtk-vitrine[inspect]'") from None
+    return imageio.v2
+
+
+def _settings(suffix: str) -> dict[str, Any]:
+    if suffix == ".mp4":
+        return {"fps": _FRAMES_PER_SECOND, "quality": 9, "macro_block_size": 2}
+    return {"duration": 1000 / _FRAMES_PER_SECOND, "loop": 0}

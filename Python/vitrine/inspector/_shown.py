@@ -1,0 +1,254 @@
+"""A state on the screen: Shown puts on a renderer what a state says, stage by stage, and takes it off again."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Callable
+
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkRenderer
+
+from .._highlight import highlight
+from .._reveal import reveal
+from .._section import section, section_box
+from .._see_through import see_through
+from .._x_ray import x_ray
+from ._state import State
+from ._table import PartTable, rgb
+
+_STAGES = ("parts", "explode", "cuts", "x_ray", "reveal", "highlight")
+# The keys of a state that a stage shows, if not its own name.
+_KEYS = {"cuts": ("sections", "box", "caps"), "highlight": ("highlight", "selected")}
+# The stages during whose changes a stage must be off.
+_UPON = {"x_ray": {"parts"}, "reveal": {"parts", "explode", "cuts", "x_ray"}}
+
+
+class Shown:
+    """What a renderer shows of a state. Nothing is drawn before the next frame, but where reveal() asks for one."""
+
+    def __init__(self, renderer: vtkRenderer, parts: PartTable) -> None:
+        self._renderer = renderer
+        self._parts = parts
+        self._state: State = {}
+        self._handles: dict[str, list[Any]] = {stage: [] for stage in _STAGES}
+        self._method: Any = None
+        self._revealed_from: Any = None  # the camera for which parts were faded
+
+    def show(self, state: State) -> None:
+        """Show a state in place of the one before. If it cannot be shown, the one before is shown, and it raises."""
+        before = self._state
+        try:
+            self._show(state)
+        except Exception:
+            if before:
+                self._show(before)
+            raise
+
+    def _show(self, state: State) -> None:
+        before, self._state = self._state, {}
+        self._show_surroundings(before, state)
+        stages = self._stages_to_change(before, state)
+        for stage in reversed(stages):
+            if stage != "cuts" or not self._cuts_can_move(before, state):
+                self._take_off(stage)
+        if "parts" in stages:
+            self._show_looks(before.get("parts", {}), state["parts"])
+        for stage in stages:
+            if stage in self._makers:
+                # Handles are kept as they come, so that they can be taken off after a failure.
+                self._makers[stage](self, state, self._handles[stage])
+        self._state = state
+
+    def _stages_to_change(self, before: State, state: State) -> list[str]:
+        changed = [stage for stage in _STAGES if _shown_keys(before, stage) != _shown_keys(state, stage)]
+        for stage in _STAGES:
+            if stage not in changed and self._handles[stage] and _UPON.get(stage, set()) & set(changed):
+                changed.append(stage)
+        return sorted(changed, key=_STAGES.index)
+
+    def _cuts_can_move(self, before: State, state: State) -> bool:
+        """Whether there are as many planes and boxes as before, so that nothing needs to be built anew."""
+        return (
+            len(before.get("sections", [])) == len(state["sections"])
+            and (before.get("box") is None) == (state["box"] is None)
+            and len(self._handles["cuts"]) > 0
+        )
+
+    def _take_off(self, stage: str) -> None:
+        handles, self._handles[stage] = self._handles[stage], []
+        for handle in reversed(handles):
+            handle.remove()
+
+    def _show_looks(self, before: dict[str, Any], looks: dict[str, Any]) -> None:
+        for path in {**before, **looks}:
+            old, new = before.get(path, {}), looks.get(path, {})
+            if old != new:
+                self._parts.set_look(path, old, new)
+
+    def _explode(self, state: State, _handles: list[Any]) -> None:
+        for assembly in self._parts.assemblies:
+            assembly.explode(state["explode"])
+
+    def _x_ray(self, state: State, handles: list[Any]) -> None:
+        if state["x_ray"] is not None:
+            look = state["x_ray"]
+            named = self._named(look["parts"])
+            if named:
+                handles.append(x_ray(self._renderer, named, falloff=look["falloff"], floor=look["floor"]))
+
+    def _cut(self, state: State, handles: list[Any]) -> None:
+        caps = state["caps"]
+        look = {"caps": caps["show"], "hatch": caps["hatch"], "edges": caps["edges"], "stripes": caps["stripes"]}
+        for index, plane in enumerate(state["sections"]):
+            if index < len(handles):
+                handles[index].move(plane["normal"], plane["origin"])
+            else:
+                handles.append(section(self._renderer, plane["normal"], plane["origin"], **look))
+        box, planes = state["box"], len(state["sections"])
+        if box is not None and planes < len(handles):
+            handles[planes].move(box["bounds"], box["inside"])
+        elif box is not None:
+            handles.append(section_box(self._renderer, box["bounds"], inside=box["inside"], **look))
+        if handles:
+            handles[0].look(**look)
+
+    def _reveal(self, state: State, handles: list[Any]) -> None:
+        wanted = state["reveal"]
+        if wanted is not None:
+            window = self._renderer.GetRenderWindow()
+            window.Render()
+            self._revealed_from = state.get("camera")
+            named = self._named([wanted["part"]])
+            handles.append(reveal(self._renderer, named, wanted["share"], cutaway=wanted["cutaway"]))
+
+    def _highlight(self, state: State, handles: list[Any]) -> None:
+        for key, color in (("highlight", (0.0, 0.6, 1.0)), ("selected", (1.0, 0.5, 0.0))):
+            named = self._named(state[key])
+            if named:
+                handles.append(highlight(self._renderer, named, color=color))
+
+    def _named(self, paths: list[str]) -> list[Any]:
+        return [part for path in paths for part in self._parts.named(path)]
+
+    _makers: dict[str, Callable[[Shown, State, list[Any]], None]] = {
+        "explode": _explode,
+        "x_ray": _x_ray,
+        "cuts": _cut,
+        "reveal": _reveal,
+        "highlight": _highlight,
+    }
+
+    def _show_surroundings(self, before: State, state: State) -> None:
+        """The size, the background, lights, the camera and the method, which depend on nothing else."""
+        if before.get("size") != state["size"]:
+            self._renderer.GetRenderWindow().SetSize(*state["size"])
+        self._renderer.SetBackground(*rgb(state["background"]))
+        if before.get("lights") != state["lights"]:
+            self._light(state["lights"])
+        if "camera" in state and before.get("camera") != state["camera"]:
+            place_camera(self._renderer.GetActiveCamera(), state["camera"])
+        if any(before.get(key) != state[key] for key in ("method", "coincidence", "cull")):
+            self._draw_by(state)
+
+    def _draw_by(self, state: State) -> None:
+        tolerance = state["coincidence"]
+        made = see_through(
+            self._renderer,
+            state["method"],
+            coincidence=tuple(tolerance) if tolerance is not None else None,
+            cull=state["cull"],
+        )
+        if self._method is not None:
+            self._method.remove()
+        self._method = made
+
+    def _light(self, preset: str) -> None:
+        self._renderer.RemoveAllLights()
+        self._renderer.SetAutomaticLightCreation(not LIGHTS[preset])
+        for light in LIGHTS[preset]:
+            self._renderer.AddLight(_made(light))
+
+    def update_reveal(self) -> None:
+        """Fade anew if the camera has moved since. Nothing happens without a reveal."""
+        if self._state.get("camera") != self._revealed_from:
+            for handle in self._handles["reveal"]:
+                handle.update()
+            self._revealed_from = self._state.get("camera")
+
+    @property
+    def cuts(self) -> list[Any]:
+        """The handles of planes, in their order, and of the box."""
+        return self._handles["cuts"]
+
+    def remove(self) -> None:
+        """Take all off, so that the renderer is as it was at first."""
+        for stage in reversed(_STAGES):
+            self._take_off(stage)
+        if self._state:
+            self._show_looks(self._state["parts"], {})
+            self._explode({"explode": 0.0}, [])
+            self._light("headlight")
+        if self._method is not None:
+            self._method.remove()
+            self._method = None
+        self._state = {}
+
+
+def _shown_keys(state: State, stage: str) -> list[Any]:
+    return [state.get(key) for key in _KEYS.get(stage, (stage,))]
+
+
+def place_camera(camera: vtkCamera, place: dict[str, Any]) -> None:
+    """Have a camera look as the "camera" of a state says."""
+    camera.SetPosition(*place["position"])
+    camera.SetFocalPoint(*place["focal_point"])
+    camera.SetViewUp(*place["view_up"])
+    camera.SetViewAngle(place["view_angle"])
+    camera.SetParallelScale(place["parallel_scale"])
+    camera.SetParallelProjection(place["parallel"])
+
+
+def camera_place(camera: vtkCamera) -> dict[str, Any]:
+    """The "camera" of a state for a camera."""
+    return {
+        "position": list(camera.GetPosition()),
+        "focal_point": list(camera.GetFocalPoint()),
+        "view_up": list(camera.GetViewUp()),
+        "view_angle": camera.GetViewAngle(),
+        "parallel_scale": camera.GetParallelScale(),
+        "parallel": bool(camera.GetParallelProjection()),
+    }
+
+
+@dataclasses.dataclass(frozen=True)
+class Light:
+    """A light of a preset: at the camera if it has no position, else in the camera's or the world's coordinates."""
+
+    intensity: float
+    position: tuple[float, float, float] | None = None
+    of_world: bool = False
+
+
+# "headlight" is the light that VTK makes.
+LIGHTS: dict[str, tuple[Light, ...]] = {
+    "headlight": (),
+    "studio": (
+        Light(0.75, (-0.6, 0.8, 1.0)),
+        Light(0.25, (0.9, 0.1, 0.8)),
+        Light(0.2, (-0.7, 0.1, -1.0)),
+        Light(0.2, (0.7, 0.1, -1.0)),
+        Light(0.15),
+    ),
+    "side": (Light(0.9, (-1.0, 1.0, 1.0)), Light(0.25)),
+    "above": (Light(0.7, (0.3, 1.0, 0.2), of_world=True), Light(0.4)),
+}
+
+
+def _made(light: Light) -> vtkLight:
+    made = vtkLight()
+    made.SetIntensity(light.intensity)
+    if light.position is None:
+        made.SetLightTypeToHeadlight()
+    else:
+        made.SetPosition(*light.position)
+        (made.SetLightTypeToSceneLight if light.of_world else made.SetLightTypeToCameraLight)()
+    return made

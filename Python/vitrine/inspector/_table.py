@@ -1,0 +1,161 @@
+"""The parts that an inspector shows, by paths: those of assemblies, and actors of a plotter that no assembly draws."""
+
+from __future__ import annotations
+
+import collections
+import dataclasses
+from typing import Any, Iterable, Mapping
+
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from .._assembly import Assembly, Part, Selection, _triangles
+from .._parts import part_of
+
+Look = Mapping[str, Any]  # "visible", "opacity" and "color" (#RRGGBB), as far as they are not those of the file
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    """What a part is: its path and name, its material, its triangles, and its box in world coordinates."""
+
+    path: str
+    name: str
+    material: str
+    triangles: int
+    bounds: tuple[float, ...]
+
+
+class PartTable:
+    """Parts by paths. Parts of several assemblies that have one path have one look."""
+
+    def __init__(self, assemblies: Iterable[Assembly], actors: Mapping[str, vtkActor]) -> None:
+        self.assemblies = list(assemblies)
+        self._parts: dict[str, list[tuple[Assembly, Part]]] = collections.defaultdict(list)
+        for assembly in self.assemblies:
+            for part in assembly.parts:
+                self._parts[part.path].append((assembly, part))
+        self._actors = {"/" + name.replace("/", "∕"): _Plain(actor) for name, actor in actors.items()}
+        self._actors = {path: plain for path, plain in self._actors.items() if path not in self._parts}
+        self.paths = [*self._parts, *self._actors]
+        self._below: dict[str, list[str]] | None = None
+
+    def __contains__(self, path: object) -> bool:
+        return path in self._parts or path in self._actors
+
+    def find(self, patterns: str | Iterable[str]) -> list[str]:
+        """The paths that are meant by paths of parts or nodes, or by patterns of names. Raises KeyError for none."""
+        found: dict[str, None] = {}
+        for pattern in [patterns] if isinstance(patterns, str) else patterns:
+            if not isinstance(pattern, str):
+                raise TypeError(f"parts are paths or patterns of names, not {pattern!r}")
+            found.update(dict.fromkeys(self._found(pattern)))
+        return list(found)
+
+    def _found(self, pattern: str) -> list[str]:
+        if pattern in self:
+            return [pattern]
+        below = self._nodes().get(pattern)
+        if below is not None:
+            return below
+        found = [part.path for each in self.assemblies if pattern in each for part in each[pattern]]
+        if not found:
+            for each in self.assemblies[:1]:
+                each[pattern]  # a KeyError that tells names like it
+            raise KeyError(f"no part has the path or the name {pattern!r}")
+        return found
+
+    def _nodes(self) -> dict[str, list[str]]:
+        """The paths below each node that is no part."""
+        if self._below is None:
+            self._below = collections.defaultdict(list)
+            for path in self.paths:
+                end = path.rfind("/")
+                while end > 0:
+                    self._below[path[:end]].append(path)
+                    end = path.rfind("/", 0, end)
+        return self._below
+
+    def path_of(self, prop: Any, block: int) -> str | None:
+        """The path of what a prop shows by a block."""
+        part = part_of(prop, block)
+        if part is not None:
+            return part.path
+        return next((path for path, plain in self._actors.items() if plain.actor is prop), None)
+
+    def named(self, path: str) -> list[Any]:
+        """The parts of a path as vitrine's calls take them: each a Part or an actor."""
+        if path in self._actors:
+            return [self._actors[path].actor]
+        return [part for _, part in self._parts[path]]
+
+    def actor_of(self, path: str) -> vtkActor:
+        """The actor that draws a part, perhaps among others."""
+        if path in self._actors:
+            return self._actors[path].actor
+        assembly, part = self._parts[path][0]
+        return assembly.actors.GetPartActor(part.number)
+
+    def row(self, path: str) -> Row:
+        if path in self._actors:
+            return self._actors[path].row(path)
+        part = self._parts[path][0][1]
+        return Row(path, part.name, part.material, part.triangles, part.bounds)
+
+    def set_look(self, path: str, before: Look, look: Look) -> None:
+        """Have a part drawn by a look. What the look does not have is as the file says."""
+        changed = [key for key in ("visible", "opacity", "color") if before.get(key) != look.get(key)]
+        if path in self._actors:
+            self._actors[path].set_look(look)
+            return
+        for assembly, part in self._parts[path]:
+            selection = Selection(assembly, [part.number])
+            for key in changed:
+                setattr(selection, key, look.get(key))
+
+    def look_of_file(self, path: str) -> dict[str, Any]:
+        """How a part looks by itself: "opacity" and "color"."""
+        if path in self._actors:
+            return self._actors[path].own
+        assembly, part = self._parts[path][0]
+        material = assembly.actors.GetPartProperty(part.number)
+        shown = [0.0, 0.0, 0.0]
+        assembly.actors.GetShownColor(material, shown)
+        return {"visible": True, "opacity": material.GetOpacity(), "color": hexadecimal(shown)}
+
+
+class _Plain:
+    """An actor that no assembly draws, and how it looked at first."""
+
+    def __init__(self, actor: vtkActor) -> None:
+        self.actor = actor
+        look = actor.GetProperty()
+        self._color = look.GetColor()
+        self.own = {
+            "visible": bool(actor.GetVisibility()),
+            "opacity": look.GetOpacity(),
+            "color": hexadecimal(self._color),
+        }
+
+    def set_look(self, look: Look) -> None:
+        shown = {**self.own, **look}
+        self.actor.SetVisibility(shown["visible"])
+        self.actor.GetProperty().SetOpacity(shown["opacity"])
+        color = rgb(look["color"]) if "color" in look else self._color
+        self.actor.GetProperty().SetColor(*color)
+
+    def row(self, path: str) -> Row:
+        mapper = self.actor.GetMapper()
+        data = mapper.GetInputDataObject(0, 0) if mapper is not None else None
+        triangles = _triangles(data.GetPolys()) if hasattr(data, "GetPolys") else 0
+        return Row(path, path[1:], "", triangles, tuple(self.actor.GetBounds() or (0.0,) * 6))
+
+
+def hexadecimal(color: Iterable[float]) -> str:
+    """RGB in [0, 1] as #RRGGBB."""
+    return "#" + "".join(f"{round(255 * min(max(value, 0.0), 1.0)):02x}" for value in color)
+
+
+def rgb(color: str) -> tuple[float, float, float]:
+    """#RRGGBB as RGB in [0, 1]."""
+    values = bytes.fromhex(color[1:])
+    return (values[0] / 255, values[1] / 255, values[2] / 255)
