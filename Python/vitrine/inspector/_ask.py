@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator
 
 import numpy
 
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
 from .._index import AssemblyIndex
 from .._layers import Layer, layers_at, layers_in
 from .._options import METHODS
@@ -78,9 +80,9 @@ def pick(inspection: Inspection, x: int, y: int, deeper: int, through: float = 0
 
 
 def make_index(inspection: Inspection) -> AssemblyIndex:
-    if inspection.assembly is not None and len(inspection.parts.assemblies) == 1:
-        return AssemblyIndex(inspection.assembly)
-    return AssemblyIndex(inspection.renderer)
+    """An index of all parts. That of an assembly has hidden ones too, but not the places of an exploded view."""
+    is_whole = inspection.state_now["explode"] == 0.0 and len(inspection.parts.assemblies) == 1
+    return AssemblyIndex(inspection.assembly if is_whole else inspection.renderer)
 
 
 def measure(inspection: Inspection, kind: str, **what: Any) -> dict[str, Any]:
@@ -201,14 +203,11 @@ class _drawn_by:
 
     def __enter__(self) -> None:
         renderer, coincidence = self._inspection.renderer, self._inspection.state_now["coincidence"]
-        self._pass, self._peeling = renderer.GetPass(), renderer.GetUseDepthPeeling()
-        self._peels, self._ratio = renderer.GetMaximumNumberOfPeels(), renderer.GetOcclusionRatio()
+        self._inspection.shown.set_method_aside()
+        self._before = renderer.GetUseDepthPeeling(), renderer.GetMaximumNumberOfPeels(), renderer.GetOcclusionRatio()
         self._handle = None
         if self._method in _VTK_METHODS:
-            renderer.SetPass(None)
-            renderer.SetUseDepthPeeling(self._method == "vtk-peeling")
-            renderer.SetMaximumNumberOfPeels(1000)
-            renderer.SetOcclusionRatio(0.0)
+            _set_peeling(renderer, self._method == "vtk-peeling", 1000, 0.0)
         else:
             tolerant = coincidence is not None and self._method != "stencil-routed"
             self._handle = see_through(
@@ -216,14 +215,17 @@ class _drawn_by:
             )
 
     def __exit__(self, *_: object) -> None:
-        renderer = self._inspection.renderer
         if self._handle is not None:
             self._handle.remove()
-        renderer.SetUseDepthPeeling(self._peeling)
-        renderer.SetMaximumNumberOfPeels(self._peels)
-        renderer.SetOcclusionRatio(self._ratio)
-        renderer.SetPass(self._pass)
+        _set_peeling(self._inspection.renderer, *self._before)
+        self._inspection.shown.take_method_back()
         self._inspection.forget_frame()
+
+
+def _set_peeling(renderer: vtkRenderer, on: bool, peels: int, ratio: float) -> None:
+    renderer.SetUseDepthPeeling(on)
+    renderer.SetMaximumNumberOfPeels(peels)
+    renderer.SetOcclusionRatio(ratio)
 
 
 def chart(inspection: Inspection, frames: int) -> Iterator[dict[str, Any]]:

@@ -401,10 +401,12 @@ class Inspection:
         return _ask.clashes(self, clearance, progress)
 
     def index(self) -> Any:
-        """The AssemblyIndex of all that is shown, made once. It takes seconds for large assemblies."""
-        if self._index is None:
-            self._index = _ask.make_index(self)
-        return self._index
+        """The AssemblyIndex of all that is shown. It is made where the exploded view has changed since, which takes
+        seconds for large assemblies."""
+        factor = self._state["explode"]
+        if self._index is None or self._index[0] != factor:
+            self._index = factor, _ask.make_index(self)
+        return self._index[1]
 
     def figures(self) -> dict[str, Any]:
         """What the last frame took: method, milliseconds, layers, bytes, what was culled and why."""

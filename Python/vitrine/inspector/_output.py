@@ -56,8 +56,17 @@ def picture(inspection: Inspection, size: Sequence[int] | None, transparent: boo
     with _Resized(inspection, wanted, transparent) as tiles:
         if tiles == 1:
             draw(inspection)
-            return read_pixels(inspection.window, transparent).copy()
-        return _tiled(inspection, wanted, tiles, transparent)
+            pixels = read_pixels(inspection.window, transparent).copy()
+        else:
+            pixels = _tiled(inspection, wanted, tiles, transparent)
+    return _straight(pixels) if transparent else pixels
+
+
+def _straight(pixels: numpy.ndarray) -> numpy.ndarray:
+    """RGBA whose colours are not multiplied by alpha, as PNG has it, of RGBA whose colours are."""
+    alpha = numpy.maximum(pixels[..., 3:].astype(numpy.float32), 1.0)
+    colors = numpy.minimum(pixels[..., :3] * (255.0 / alpha), 255.0).round()
+    return numpy.concatenate([colors.astype(numpy.uint8), pixels[..., 3:]], axis=2)
 
 
 def _size_of(inspection: Inspection, size: Sequence[int] | None) -> tuple[int, int]:
@@ -82,22 +91,25 @@ class _Resized:
     def __enter__(self) -> int:
         tiles = -(-max(self._size) // _TILE)
         inspection = self._inspection
-        self._before = inspection.window.GetSize(), inspection.renderer.GetBackgroundAlpha()
+        renderer = inspection.renderer
+        self._before = inspection.window.GetSize(), renderer.GetBackground(), renderer.GetBackgroundAlpha()
         tile = tuple(-(-side // tiles) for side in self._size)
         if tile != tuple(self._before[0]) or self._transparent:
             inspection.forget_frame()
         inspection.window.SetSize(*tile)
         if self._transparent:
             inspection.window.SetAlphaBitPlanes(1)
+            inspection.renderer.SetBackground(0.0, 0.0, 0.0)
             inspection.renderer.SetBackgroundAlpha(0.0)
         return tiles
 
     def __exit__(self, *_: object) -> None:
         inspection = self._inspection
-        size, alpha = self._before
+        size, background, alpha = self._before
         if tuple(inspection.window.GetSize()) != tuple(size) or self._transparent:
             inspection.forget_frame()
         inspection.window.SetSize(*size)
+        inspection.renderer.SetBackground(background)
         inspection.renderer.SetBackgroundAlpha(alpha)
 
 

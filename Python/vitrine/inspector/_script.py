@@ -84,7 +84,6 @@ def _camera(camera: dict[str, Any]) -> list[str]:
         f"camera.SetViewAngle({camera['view_angle']!r})",
         f"camera.SetParallelScale({camera['parallel_scale']!r})",
         f"camera.SetParallelProjection({camera['parallel']!r})",
-        "renderer.ResetCameraClippingRange()",
     ]
 
 
@@ -143,6 +142,7 @@ def _reveal(state: State) -> list[str]:
     if wanted is None:
         return []
     return [
+        "renderer.ResetCameraClippingRange()",
         "window.Render()",
         f"parts = [part for assembly in assemblies for part in assembly if part.path == {wanted['part']!r}]",
         f"vitrine.reveal(renderer, parts, {wanted['share']!r}, cutaway={wanted['cutaway']!r})",
@@ -163,6 +163,7 @@ def _highlight(state: State) -> list[str]:
 
 def _ending(state: State) -> list[str]:
     return [
+        "renderer.ResetCameraClippingRange()",
         "window.Render()",
         "picture = vtkWindowToImageFilter()",
         "picture.SetInput(window)",

@@ -149,6 +149,15 @@ class Shown:
         if any(before.get(key) != state[key] for key in ("method", "coincidence", "cull")):
             self._draw_by(state)
 
+    def set_method_aside(self) -> None:
+        """Have VTK draw by itself until take_method_back()."""
+        self._method.remove()
+        self._method = None
+
+    def take_method_back(self) -> None:
+        """Draw again as the state says, after set_method_aside()."""
+        self._draw_by(self._state)
+
     def _draw_by(self, state: State) -> None:
         tolerance = state["coincidence"]
         made = see_through(
