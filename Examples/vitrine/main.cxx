@@ -2,15 +2,19 @@
 #include "VTKMessages.h"
 #include "Version.h"
 #include "commands/Commands.h"
+#include "commands/PythonCommands.h"
 #include "gl/DeviceTraits.h"
 #include "scene/DemoScene.h"
 #include "scene/files/SceneFile.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -38,6 +42,11 @@ void RequireKnownCommand(CLI::App& app, const std::string& name)
 
 int Run(int argc, char* argv[])
 {
+  const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (program::IsForPython(arguments))
+  {
+    program::BecomePython(arguments);
+  }
   CLI::App app("See into large assemblies: exact transparency, and what it costs", "vitrine");
   app.require_subcommand(1);
   app.set_version_flag("--version", program::Version);
@@ -55,6 +64,7 @@ int Run(int argc, char* argv[])
   program::AddLightsCommand(app);
   program::AddModelsCommand(app);
   program::AddPaperCommand(app);
+  program::AddPythonCommands(app);
   program::AddQueryCommand(app);
   program::AddReportCommand(app);
   program::AddSortsCommand(app);

@@ -7,6 +7,7 @@ import os
 import pathlib
 import runpy
 import sys
+from typing import Any
 
 
 def program() -> pathlib.Path:
@@ -40,8 +41,25 @@ def environment() -> dict[str, str]:
     return variables
 
 
+def command_of_package(arguments: list[str]) -> Any:
+    """The main function of a command that the package itself does, which loads all of VTK, or None."""
+    name, states = (arguments or [""])[0], [text for text in arguments if text.endswith(".json") and text[0] != "-"]
+    if name == "inspect":
+        from vitrine.inspector.__main__ import main
+    elif name == "explore":
+        from vitrine.explore.__main__ import main
+    elif name == "render" and states:
+        from vitrine.inspector._render import main
+    else:
+        return None
+    return main
+
+
 def main() -> None:
-    """Become the program, with this process's arguments."""
+    """Do a command of the package, or become the program, with this process's arguments."""
+    command = command_of_package(sys.argv[1:])
+    if command is not None:
+        sys.exit(command(sys.argv[2:]))
     try:
         file = program()
     except FileNotFoundError as error:

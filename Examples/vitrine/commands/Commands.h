@@ -43,6 +43,9 @@ void AddModelsCommand(CLI::App& app);
 /** `vitrine paper`: the papers' scenes, and frame rates beside theirs. */
 void AddPaperCommand(CLI::App& app);
 
+/** `vitrine explore` and `vitrine inspect`, which Python does. */
+void AddPythonCommands(CLI::App& app);
+
 /** `vitrine query`: measurements along rays, around points and between parts. */
 void AddQueryCommand(CLI::App& app);
 
