@@ -34,6 +34,10 @@
 #include <memory> // for the parts
 #include <string> // for names
 
+#ifndef VTK_UNBLOCKTHREADS // VTK 9.1: Python's other threads wait
+#define VTK_UNBLOCKTHREADS
+#endif
+
 namespace vitrine
 {
 struct Assembly;
@@ -129,6 +133,7 @@ public:
    * Read the file, unless it was read since the last change of a setting. Returns false if it cannot be read. Then
    * GetErrorMessage() says why, and there are no parts.
    */
+  VTK_UNBLOCKTHREADS
   bool Open();
 
   /**

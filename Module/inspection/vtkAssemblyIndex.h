@@ -36,6 +36,10 @@
 #include <memory> // for the parts
 #include <string> // for names
 
+#ifndef VTK_UNBLOCKTHREADS // VTK 9.1: Python's other threads wait
+#define VTK_UNBLOCKTHREADS
+#endif
+
 class vtkActor;
 class vtkAssemblyActors;
 class vtkIdList;
@@ -202,6 +206,7 @@ public:
    * the table has what was found so far, or, after an error, if a limit is negative or not finite, or there is no
    * table.
    */
+  VTK_UNBLOCKTHREADS
   bool FindClashes(double clearance, double tolerance, vtkTable* clashes);
 
   ///@{
