@@ -78,7 +78,7 @@ def _leaves_of_blocks(root: Any) -> Iterator[tuple[str, Any]]:
         if any(data is group for group in above):
             raise ValueError(f"{path}: the group contains itself")
         children = [
-            (paths.make(f"{path}/{_in_path(_name_of(data, i))}"), child, (*above, data))
+            (paths.make(f"{path}/{in_path(_name_of(data, i))}"), child, (*above, data))
             for i, child in enumerate(_children(data))
             if child is not None
         ]
@@ -101,7 +101,7 @@ def _name_of(group: Any, number: int) -> str:
     return name or (str(number) if pieces else f"block-{number}")
 
 
-def _in_path(name: str) -> str:
+def in_path(name: str) -> str:
     """A slash would be taken for the end of a name."""
     return name.replace("/", "_")
 
@@ -121,7 +121,7 @@ def _leaves_of_collection(collection: Any) -> Iterator[tuple[str, Any]]:
             yield from _pieces(place, collection.GetPartitionedDataSet(number))
     for number in range(collection.GetNumberOfPartitionedDataSets()):
         if number not in placed:
-            place = paths.make("/" + _in_path(_name_of(collection, number)))
+            place = paths.make("/" + in_path(_name_of(collection, number)))
             yield from _pieces(place, collection.GetPartitionedDataSet(number))
 
 
@@ -140,7 +140,7 @@ def _nodes_of(assembly: Any, paths: UniqueNames) -> Iterator[tuple[str, list[int
     while waiting:
         node, parent = waiting.pop()
         name = assembly.GetAttributeOrDefault(node, "label", "") or assembly.GetNodeName(node)
-        path = paths.make(f"{parent}/{_in_path(name)}")
+        path = paths.make(f"{parent}/{in_path(name)}")
         yield path, list(assembly.GetDataSetIndices(node, False))
         waiting += [(child, path) for child in reversed(_child_nodes(assembly, node))]
 

@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkProp
 
 from ._assembly import Assembly
 from ._options import check_boolean, finite_numbers, number_of_bytes
-from ._parts import WHOLE, Chosen, choose, flat, named, shown_assemblies
+from ._parts import WHOLE, Chosen, Scope, choose, flat, named, shown_names
 from ._see_through import _renderers_of
 from .vtkVitrineRendering import vtkAssemblyIndex
 
@@ -120,7 +120,7 @@ class AssemblyIndex:
     ...     print(clash.parts[0].name, clash.parts[1].name, clash.depth)
     """
 
-    __slots__ = ("_assemblies", "_known", "index", "left_out", "parts")
+    __slots__ = ("_known", "_names", "index", "left_out", "parts")
 
     def __init__(self, target: Any, *, memory_limit: SupportsIndex | None = None) -> None:
         self.index = vtkAssemblyIndex()
@@ -129,12 +129,12 @@ class AssemblyIndex:
         self.left_out = 0
         self.parts: tuple[Any, ...]
         if isinstance(target, Assembly):
-            self._assemblies = [target]
+            self._names = Scope([target])
             self.index.AddAssembly(target.actors)
             self.parts = target.parts
         else:
             renderers = _renderers_of(target)
-            self._assemblies = shown_assemblies(renderers)
+            self._names = shown_names(renderers)
             for renderer in renderers:
                 self.left_out += self.index.AddActors(renderer)
             count = self.index.GetNumberOfParts()
@@ -347,7 +347,7 @@ class AssemblyIndex:
                     raise IndexError(f"there is no part {item}: there are {len(self)}")
                 found.append(int(item))
             else:
-                for chosen in choose(argument, item, self._assemblies):
+                for chosen in choose(argument, item, self._names):
                     found += self._numbers_of(chosen)
         return found
 

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from ._assembly import Part
 from ._options import check_boolean
-from ._parts import part_of
+from ._parts import name_of, part_of
 from ._see_through import _renderers_of
 from .vtkVitrineRendering import vtkLayerPicker
 
@@ -46,6 +46,11 @@ class Layer:
     front: bool
     opaque: bool
 
+    @property
+    def name(self) -> str:
+        """The name of the part, or else the one that PyVista gave to the actor; empty if there is neither."""
+        return self.part.name if self.part is not None else name_of(self.actor)
+
 
 @dataclasses.dataclass(frozen=True)
 class Picked:
@@ -65,6 +70,10 @@ class Picked:
     @property
     def block(self) -> int:
         return self.layer.block
+
+    @property
+    def name(self) -> str:
+        return self.layer.name
 
 
 class Layers:

@@ -8,7 +8,7 @@ from typing import Any, Iterable, TypeVar
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
-from ._parts import block_count, choose, shown_assemblies
+from ._parts import block_count, choose, shown_names
 from ._see_through import _plotter_of
 
 _Handle = TypeVar("_Handle", bound="PartLook")
@@ -58,7 +58,7 @@ def attached(make: Any, parts: Any, renderers: Iterable[vtkRenderer]) -> list[An
         ValueError: no renderer shows a part.
     """
     all_renderers = list(renderers)
-    named = choose("parts", parts, shown_assemblies(all_renderers))
+    named = choose("parts", parts, shown_names(all_renderers))
     pairs = [(chosen.prop, chosen.block) for chosen in named]
     for prop, _ in pairs:
         if not make().CanChoose(prop):

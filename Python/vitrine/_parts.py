@@ -6,10 +6,13 @@ import dataclasses
 import numbers
 from typing import Any, Iterable, Iterator
 
-from vtkmodules.vtkCommonDataModel import vtkDataObjectTree
-from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkProperty, vtkRenderer
 
 from ._assembly import Assembly, Part, Selection
+from ._blocks import in_path
+from .vtkVitrineRendering import vtkAssemblyActors
 
 WHOLE = -1  # the block of a prop that was given without one
 
@@ -34,7 +37,15 @@ class Chosen:
         return self.prop if self.block <= 0 else (self.prop, self.block)
 
 
-def choose(name: str, parts: Any, assemblies: Iterable[Assembly]) -> list[Chosen]:
+@dataclasses.dataclass(frozen=True)
+class Scope:
+    """Where patterns choose parts by name: in assemblies, and among actors that have a name, as PyVista gives it."""
+
+    assemblies: list[Assembly]
+    actors: list[vtkActor] = dataclasses.field(default_factory=list)
+
+
+def choose(name: str, parts: Any, scope: Scope) -> list[Chosen]:
     """The parts that an argument names.
 
     Args:
@@ -42,14 +53,13 @@ def choose(name: str, parts: Any, assemblies: Iterable[Assembly]) -> list[Chosen
         parts: an actor; a pair of an actor and the flat index of a block, where an inner node stands for all below it;
             a Part or a Selection of an assembly; a pattern of names; what tells an actor and a block, as pick() returns
             it; or an iterable of these.
-        assemblies: those in which patterns choose.
+        scope: that in which patterns choose.
 
     Raises:
         TypeError: it is something else.
         KeyError: a pattern chooses no part.
         ValueError: the index of a block is negative, or the assembly of a Part or the actor that was picked is gone.
     """
-    scope = list(assemblies)
     trees: dict[vtkProp, list[Any]] = {}  # the nodes of props, read once
     return [chosen for item in flat(parts) for chosen in _chosen(name, item, scope, trees)]
 
@@ -71,6 +81,19 @@ def shown_assemblies(renderers: Iterable[vtkRenderer]) -> list[Assembly]:
         for assembly in Assembly.living()
         if len(assembly) > 0 and any(each.HasViewProp(assembly.actors.GetPartActor(0)) for each in shown)
     ]
+
+
+def shown_names(renderers: Iterable[vtkRenderer]) -> Scope:
+    """The names of all that the renderers show: of parts of assemblies, and of other actors."""
+    shown = list(renderers)
+    props = dict.fromkeys(prop for renderer in shown for prop in renderer.GetViewProps())
+    return Scope(shown_assemblies(shown), [prop for prop in props if name_of(prop)])
+
+
+def name_of(prop: Any) -> str:
+    """The name that PyVista gave to an actor, as in `plotter.actors`; empty for others."""
+    name = getattr(prop, "name", "") if isinstance(prop, vtkActor) else ""
+    return name if isinstance(name, str) else ""
 
 
 def part_of(prop: Any, block: int) -> Part | None:
@@ -127,7 +150,7 @@ def _tells_place(item: Any) -> bool:
 
 
 def _chosen(
-    name: str, item: Any, assemblies: list[Assembly], trees: dict[vtkProp, list[Any]]
+    name: str, item: Any, scope: Scope, trees: dict[vtkProp, list[Any]]
 ) -> Iterator[Chosen]:
     if isinstance(item, vtkProp):
         yield Chosen(item, WHOLE, None)
@@ -143,7 +166,7 @@ def _chosen(
     elif isinstance(item, Part):
         yield _drawn_by(_assembly_of(item), item.number)
     elif isinstance(item, str):
-        yield from _matching(item, assemblies)
+        yield from _matching(item, scope)
     elif _tells_place(item):
         if item.actor is None:
             raise ValueError("the actor that was picked is gone")
@@ -169,14 +192,29 @@ def _below(prop: vtkProp, block: int, nodes: list[Any]) -> Iterator[Chosen]:
                 yield Chosen(prop, leaf, part_of(prop, leaf))
 
 
-def _matching(pattern: str, assemblies: list[Assembly]) -> Iterator[Chosen]:
-    if not assemblies:
+def _matching(pattern: str, scope: Scope) -> Iterator[Chosen]:
+    if not scope.assemblies and not scope.actors:
         raise KeyError(f"the target shows no assembly, so no part has the name {pattern!r}: add_to() adds one")
-    found = [assembly[pattern] for assembly in assemblies if pattern in assembly]
-    if not found:
-        assemblies[0][pattern]  # a KeyError that tells names like it
+    found = [assembly[pattern] for assembly in scope.assemblies if pattern in assembly]
+    actors, problem = _actors_named(pattern, scope.actors)
+    if not found and not actors:
+        for assembly in scope.assemblies:
+            assembly[pattern]  # a KeyError that tells names like it
+        raise KeyError(problem)
     for selection in found:
         yield from (_drawn_by(selection._assembly, number) for number in selection.numbers)
+    yield from (Chosen(actor, WHOLE, None) for actor in actors)
+
+
+def _actors_named(pattern: str, actors: list[vtkActor]) -> tuple[list[vtkActor], str]:
+    """The actors whose names a pattern chooses, or why there are none, by the rules of assemblies."""
+    names = vtkAssemblyActors()
+    for number, actor in enumerate(actors):
+        names.AddPart(vtkPolyData(), None, vtkProperty(), None, False)
+        names.SetPartNames(number, name_of(actor), "/" + in_path(name_of(actor)), "")
+    found = vtkIdList()
+    problem = names.FindParts(pattern, found)
+    return [actors[found.GetId(i)] for i in range(found.GetNumberOfIds())], problem
 
 
 def _assembly_of(part: Part) -> Assembly:

@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
 
 from ._assembly import Part
 from ._options import check_boolean
-from ._parts import WHOLE, block_count, choose, named, part_of, shown_assemblies
+from ._parts import WHOLE, block_count, choose, named, part_of, shown_names
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkPartOutlines, vtkReveal
 
@@ -51,8 +51,7 @@ def reveal(
     Args:
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter that has drawn a frame.
         part: an actor; a pair of an actor and the flat index of a block; a Part or a Selection of an Assembly; a
-            pattern that chooses parts of the assemblies in the target by name, such as "gear_17"; or an iterable of
-            these.
+            pattern of names of parts or of a plotter's actors, such as "gear_17"; or an iterable of these.
         share: the share of the part's light that passes what is in front, in each of its pixels: 0.01 to 1.
         follow: whether opacities follow the camera before each frame. They then change by 0.05 at most for each degree,
             but where the share asks for more. Where parts or the window change, opacities change at once.
@@ -244,7 +243,7 @@ def _number(argument: str, value: Any, least: float) -> float:
 def _shown(part: Any, renderers: list[vtkRenderer]) -> list[tuple[vtkProp, int]]:
     """The props that draw what reveal() takes as a part, and their blocks."""
     shown = []
-    for chosen in choose("part", part, shown_assemblies(renderers)):
+    for chosen in choose("part", part, shown_names(renderers)):
         blocks = range(block_count(chosen.prop)) if chosen.block == WHOLE else (chosen.block,)
         shown += [(chosen.prop, block) for block in blocks]
     return shown

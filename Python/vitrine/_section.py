@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
 from ._options import check_boolean, finite_numbers
-from ._parts import WHOLE, Chosen, block_count, choose, named, shown_assemblies
+from ._parts import WHOLE, Chosen, block_count, choose, named, shown_names
 from ._reveal import has_cutaway
 from ._see_through import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkSection
@@ -452,7 +452,7 @@ def _middle_of(renderers: Iterable[vtkRenderer]) -> tuple[float, float, float]:
 
 def _chosen_of(parts: Any, renderers: list[vtkRenderer]) -> list[Chosen]:
     """What a user gave as parts. Each can be cut by a section of the renderers."""
-    chosen = choose("parts", parts, shown_assemblies(renderers)) if parts is not None else []
+    chosen = choose("parts", parts, shown_names(renderers)) if parts is not None else []
     counts = {each.prop: block_count(each.prop) for each in chosen if isinstance(each.prop, vtkActor)}
     for each in chosen:
         _check_chosen(renderers, each.prop, each.block, counts.get(each.prop, 1))
