@@ -1,0 +1,185 @@
+"""The inspector's page: its requests, its long work, and what it shows of a Session. _panels.py lays it out."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import pathlib
+import secrets
+from typing import Any, Awaitable, Callable
+
+from aiohttp import web
+from trame.app import get_server
+
+from . import _jobs, _requests, _state
+from ._panels import lay_out
+from ._session import Session
+from ._worker import Worker
+
+_FILES = ("inspector.js", "inspector.css")
+_ADDRESS = "vitrine"
+_LOG = logging.getLogger(__name__)
+_EMPTY: dict[str, Any] = {
+    "ins": {**_state.DEFAULTS, "camera": {"parallel": False}},
+    "revision": 0,
+    "can_undo": False,
+    "can_redo": False,
+    "selection": {"count": 0, "name": "", "path": "", "opacity": 1.0, "color": "#808080"},
+    "cut": {"count": 0, "paths": []},
+    "message": {"text": "", "kind": "info"},
+    "busy": None,
+    "figures": None,
+    "error_told": None,
+    "culled": [],
+    "chart": [],
+    "clashes": None,
+    "measured": None,
+    "bounds": [0.0, 1.0] * 3,
+    "methods": [],
+    "ended": False,
+}
+
+
+class Page:
+    """A trame server with the page, and the requests that come from it. Its methods run in the event loop."""
+
+    def __init__(self, worker: Worker, quit_: Callable[[], None], *, dark: bool = False) -> None:
+        self._worker, self._quit = worker, quit_
+        self._session: Session | None = None
+        self._jobs = _jobs.Jobs(worker, self._show_progress)
+        self.server = get_server(f"vitrine-{secrets.token_hex(8)}", client_type="vue3")
+        self.server.enable_module(
+            {
+                "scripts": [f"{_ADDRESS}/{_FILES[0]}"],
+                "styles": [f"{_ADDRESS}/{_FILES[1]}"],
+                "vue_use": ["vitrine_inspector"],
+            }
+        )
+        self.server.state.update({**_EMPTY, "title": "", "trame__title": "Vitrine"})
+        self.server.trigger("vitrine")(self._request)
+        lay_out(self.server, dark)
+        self._handlers: dict[str, Callable[[Session, dict[str, Any]], Any]] = {
+            "resize": lambda session, values: session.resize(**values),
+            "moving": lambda session, values: session.moving(),
+            "still": lambda session, values: session.still(),
+            "move": lambda session, values: session.move(**values),
+            "click": lambda session, values: session.click(**values),
+            "tree": lambda session, values: session.tree(**values),
+            "apply_text": lambda session, values: _requests.apply_text(session.inspection, **values),
+        }
+
+    def serve_files(self, application: web.Application) -> None:
+        """Have an application serve the page's own script and style."""
+        folder = pathlib.Path(__file__).parent
+        for name in _FILES:
+            application.router.add_get(f"/{_ADDRESS}/{name}", _sender(folder / name))
+
+    async def open(self, target: Any, size: Any, tolerance: float) -> None:
+        """Open what the page shows. Raises what opening raises."""
+        self._show(busy={"title": "Opening", "share": None})
+        try:
+            self._session = await self._worker(Session, target, size, tolerance)
+        finally:
+            self._show(busy=None)
+        self._show(**self._session.told_once(), **self._session.told())
+
+    def interrupt(self) -> None:
+        """Have long work stop soon."""
+        self._jobs.stop()
+        self._show(ended=True)
+
+    async def close(self) -> None:
+        """Let the window go."""
+        if self._session is not None:
+            await self._worker(self._session.close)
+
+    async def _request(self, name: Any = None, values: Any = None) -> Any:
+        """Do what the page asks. A request that cannot be done leaves a message in the page, and answers None."""
+        try:
+            return await self._done(name, values if values is not None else {})
+        except _requests.Refused as error:
+            self._say(str(error))
+        except InterruptedError:
+            self._say("Stopped.", "info")
+        except Exception as error:  # whatever it is, the page and the server go on
+            _LOG.exception("a request of the inspector's page failed")
+            self._say(f"{type(error).__name__}: {error}")
+        return None
+
+    async def _done(self, name: Any, values: Any) -> Any:
+        if not isinstance(name, str) or not isinstance(values, dict) or not all(isinstance(key, str) for key in values):
+            raise _requests.Refused("a request has a name and values with names")
+        if name == "quit":
+            return self._quit()
+        if name == "stop":
+            return self._jobs.stop()
+        if self._session is None:
+            return None
+        if self._jobs.knows(name):
+            return await self._job(self._session, name, values)
+        return await self._asked(self._session, name, values)
+
+    async def _asked(self, session: Session, name: str, values: dict[str, Any]) -> Any:
+        if name in self._handlers:
+            result = await self._worker(_handled, self._handlers[name], session, values)
+        elif _requests.is_change(name):
+            result = await self._worker(_requests.change, session.inspection, name, values)
+        elif _requests.is_answer(name):
+            result = await self._worker(_answered, session, name, values)
+            self._show_answer(name, result)
+        else:
+            raise _requests.Refused(f"there is no request {name[:100]!r}")
+        if name not in ("moving", "still", "tree"):
+            self._jobs.view_changed(await self._publish(session))
+        return result
+
+    async def _job(self, session: Session, name: str, values: dict[str, Any]) -> Any:
+        result = await self._jobs.run(session, name, values, self._show)
+        await self._publish(session)
+        return result
+
+    async def _publish(self, session: Session) -> bool:
+        changed = await self._worker(session.note_change)
+        shown_before = self.server.state.revision
+        if session.revision != shown_before:
+            told = await self._worker(session.told)
+            self._show(**told, message={"text": "", "kind": "info"})
+        return changed
+
+    def _show_answer(self, name: str, result: Any) -> None:
+        shown = {"figures": "figures", "error": "error_told", "culled": "culled", "measure": "measured"}
+        if name in shown:
+            self._show(**{shown[name]: result})
+
+    def _show_progress(self, progress: dict[str, Any] | None) -> None:
+        self._show(busy=progress)
+
+    def _say(self, text: str, kind: str = "error") -> None:
+        self._show(message={"text": text[:500], "kind": kind})
+
+    def _show(self, **values: Any) -> None:
+        with self.server.state, contextlib.suppress(asyncio.CancelledError):
+            self.server.state.update(values)
+            self.server.state.dirty(*values)
+
+
+def _sender(file: pathlib.Path) -> Callable[[web.Request], Awaitable[web.StreamResponse]]:
+    async def send(_request: web.Request) -> web.StreamResponse:
+        return web.FileResponse(file)
+
+    return send
+
+
+def _handled(handler: Callable[[Session, dict[str, Any]], Any], session: Session, values: dict[str, Any]) -> Any:
+    try:
+        return handler(session, values)
+    except TypeError as error:
+        if "argument" in str(error):
+            raise _requests.Refused(f"the request has other values: {error}") from None
+        raise
+
+
+def _answered(session: Session, name: str, values: dict[str, Any]) -> Any:
+    session.pictures.settle()
+    return _requests.answer(session.inspection, name, values)

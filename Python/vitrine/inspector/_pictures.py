@@ -1,0 +1,114 @@
+"""Pictures for the page: exact ones when still, and smaller ones, as exact in their order, while something moves."""
+
+from __future__ import annotations
+
+import collections
+import io
+import statistics
+import time
+from typing import TYPE_CHECKING, Any
+
+import numpy
+from PIL import Image
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+from . import _output
+
+if TYPE_CHECKING:
+    from ._inspection import Inspection
+
+_SCALES = (1.0, 0.75, 0.5, 0.35, 0.25)
+_WANTED = 0.060  # seconds of a frame while something moves, which leaves time for the browser
+_LITTLE = 0.85  # a smaller picture is worth it if it takes at most this share of the time
+_QUALITY = 80
+
+
+class Pictures:
+    """Draws an Inspection for the page, in its thread. Nothing is drawn without being asked, so nothing queues up."""
+
+    def __init__(self, inspection: Inspection) -> None:
+        self._inspection = inspection
+        self._speed = Speed()
+
+    def moving(self) -> dict[str, Any]:
+        """A picture of the state, smaller if need be, as JPEG, with its scale and the milliseconds that it took."""
+        begin = time.perf_counter()
+        inspection = self._inspection
+        scale = self._speed.scale()
+        width, height = inspection.state_now["size"]
+        self._resize(max(1, round(scale * width)), max(1, round(scale * height)))
+        inspection.renderer.ResetCameraClippingRange()
+        inspection.window.Render()
+        pixels = _output.read_pixels(inspection.window)
+        inspection.forget_frame()
+        data = _encoded(pixels, "JPEG", quality=_QUALITY, subsampling=0)
+        seconds = time.perf_counter() - begin
+        self._speed.note(scale, seconds)
+        return {"type": "image/jpeg", "data": data, "scale": scale, "ms": 1000 * seconds, "exact": False}
+
+    def still(self) -> dict[str, Any]:
+        """The exact picture as PNG."""
+        self.settle()
+        self._speed.hope()
+        begin = time.perf_counter()
+        pixels = self._inspection.picture()
+        data = _encoded(pixels, "PNG", compress_level=1)
+        milliseconds = 1000 * (time.perf_counter() - begin)
+        return {"type": "image/png", "data": data, "scale": 1.0, "ms": milliseconds, "exact": True}
+
+    def settle(self) -> None:
+        """Give the window the size of the state, as all but moving pictures need it."""
+        self._resize(*self._inspection.state_now["size"])
+
+    def _resize(self, width: int, height: int) -> None:
+        window: vtkRenderWindow = self._inspection.window
+        if tuple(window.GetSize()) != (width, height):
+            window.SetSize(width, height)
+            self._inspection.forget_frame()
+
+
+class Speed:
+    """Which scale is fast enough, by the last frames of each."""
+
+    def __init__(self) -> None:
+        self._seconds: dict[float, collections.deque[float]] = {}
+
+    def note(self, scale: float, seconds: float) -> None:
+        """Count a frame. The first of a scale makes buffers, and does not count for long."""
+        self._seconds.setdefault(scale, collections.deque(maxlen=5)).append(seconds)
+
+    def hope(self) -> None:
+        """Forget the scales that were too slow, so that the next moves try the largest again."""
+        best = self.scale()
+        self._seconds = {scale: seconds for scale, seconds in self._seconds.items() if scale <= best}
+
+    def scale(self) -> float:
+        """The largest scale that is fast enough, or else the largest that is about as fast as any.
+
+        A smaller one is tried only when all larger ones are too slow.
+        """
+        known: dict[float, float] = {}
+        for scale in _SCALES:
+            if scale not in self._seconds:
+                return scale
+            known[scale] = statistics.median(self._seconds[scale])
+            if known[scale] <= _WANTED:
+                return self._worth(known)
+        return self._worth(known)
+
+    def _worth(self, known: dict[float, float]) -> float:
+        fastest = min(known.values())
+        if fastest <= _WANTED:
+            return max(scale for scale, seconds in known.items() if seconds <= _WANTED)
+        return max(scale for scale, seconds in known.items() if seconds * _LITTLE <= fastest)
+
+
+def _encoded(pixels: numpy.ndarray, kind: str, **options: Any) -> bytes:
+    stream = io.BytesIO()
+    Image.fromarray(numpy.ascontiguousarray(pixels)).save(stream, kind, **options)
+    return stream.getvalue()
+
+
+def download(pixels: numpy.ndarray) -> bytes:
+    """A picture as a PNG file."""
+    return _encoded(pixels, "PNG")
