@@ -45,6 +45,7 @@ struct vtkLayerPicker::Internals
   vtkNew<vtkFloatArray> Opacities;
   vtkNew<vtkFloatArray> WindowDepths;
   vtkNew<vtkFloatArray> Shares;
+  vtkNew<vtkFloatArray> Colors;
 
   /** Forgets all layers. */
   void Clear()
@@ -229,6 +230,8 @@ void vtkLayerPicker::MakeArrays()
   in.Opacities->SetNumberOfValues(count);
   in.WindowDepths->SetNumberOfValues(count);
   in.Shares->SetNumberOfValues(count);
+  in.Colors->SetNumberOfComponents(3);
+  in.Colors->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const vitrine::LayerFragment& f = *in.Of(i);
@@ -236,6 +239,7 @@ void vtkLayerPicker::MakeArrays()
     in.Opacities->SetValue(i, static_cast<float>(Internals::OpacityOf(f)));
     in.WindowDepths->SetValue(i, f.Depth);
     in.Shares->SetValue(i, static_cast<float>(in.Layers.Layers[i].Share));
+    in.Colors->SetTypedTuple(i, f.Rgba);
   }
 }
 
@@ -373,6 +377,11 @@ vtkFloatArray* vtkLayerPicker::GetWindowDepths()
 vtkFloatArray* vtkLayerPicker::GetShares()
 {
   return this->Private->Shares;
+}
+
+vtkFloatArray* vtkLayerPicker::GetColors()
+{
+  return this->Private->Colors;
 }
 
 vtkProp* vtkLayerPicker::GetPropOfPart(unsigned int number)

@@ -208,13 +208,15 @@ public:
   ///@{
   /**
    * Get the layers as arrays. Offsets has for each pixel the index of its first layer, and at the end the number of
-   * layers. The others have a value for each layer. The arrays belong to the caller's next Pick().
+   * layers. The others have a value for each layer, and Colors has the three of GetColor(). The arrays belong to the
+   * caller's next Pick().
    */
   vtkIdTypeArray* GetOffsets();
   vtkUnsignedIntArray* GetPartNumbers();
   vtkFloatArray* GetOpacities();
   vtkFloatArray* GetWindowDepths();
   vtkFloatArray* GetShares();
+  vtkFloatArray* GetColors();
   ///@}
 
   ///@{

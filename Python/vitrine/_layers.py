@@ -82,6 +82,7 @@ class Layers:
     width and height are those of the rectangle. The layers of pixel x, y, counted from its lower left corner, are those
     from offsets[y * width + x] up to the next offset, from front to back. numbers, opacities, depths and shares have a
     value for each layer: the number of its part, its opacity, its depth in the window, and its share of the picture.
+    colors has RGB for each layer, as Layer.color.
     part(number), actor(number) and block(number) tell what a number stands for.
     """
 
@@ -95,6 +96,7 @@ class Layers:
         self.opacities = vtk_to_numpy(picker.GetOpacities()).copy()
         self.depths = vtk_to_numpy(picker.GetWindowDepths()).copy()
         self.shares = vtk_to_numpy(picker.GetShares()).copy()
+        self.colors = vtk_to_numpy(picker.GetColors()).copy()
         self._picker = picker
 
     def actor(self, number: int) -> Any:
