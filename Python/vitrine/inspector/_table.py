@@ -112,6 +112,21 @@ class PartTable:
             for key in changed:
                 setattr(selection, key, look.get(key))
 
+    def given_look(self, path: str) -> dict[str, Any]:
+        """How a part looks otherwise than by itself, as set_look() takes it."""
+        if path in self._actors:
+            own, now = self._actors[path].own, self._actors[path].now()
+            return {key: value for key, value in now.items() if value != own[key]}
+        assembly, part = self._parts[path][0]
+        selection = Selection(assembly, [part.number])
+        given = {"visible": selection.visible, "opacity": selection.opacity, "color": selection.color}
+        look = {key: value for key, value in given.items() if value is not None}
+        return {**look, "color": hexadecimal(look["color"])} if "color" in look else look
+
+    def shown_look(self, path: str) -> dict[str, Any]:
+        """How a part is drawn: "visible", "opacity" and "color"."""
+        return {**self.look_of_file(path), **self.given_look(path)}
+
     def look_of_file(self, path: str) -> dict[str, Any]:
         """How a part looks by itself: "opacity" and "color"."""
         if path in self._actors:
@@ -128,19 +143,19 @@ class _Plain:
 
     def __init__(self, actor: vtkActor) -> None:
         self.actor = actor
-        look = actor.GetProperty()
-        self._color = look.GetColor()
-        self.own = {
-            "visible": bool(actor.GetVisibility()),
-            "opacity": look.GetOpacity(),
-            "color": hexadecimal(self._color),
-        }
+        self._color = actor.GetProperty().GetColor()
+        self.own = self.now()
+
+    def now(self) -> dict[str, Any]:
+        look = self.actor.GetProperty()
+        visible = bool(self.actor.GetVisibility())
+        return {"visible": visible, "opacity": look.GetOpacity(), "color": hexadecimal(look.GetColor())}
 
     def set_look(self, look: Look) -> None:
         shown = {**self.own, **look}
         self.actor.SetVisibility(shown["visible"])
         self.actor.GetProperty().SetOpacity(shown["opacity"])
-        color = rgb(look["color"]) if "color" in look else self._color
+        color = rgb(look["color"]) if look.get("color", self.own["color"]) != self.own["color"] else self._color
         self.actor.GetProperty().SetColor(*color)
 
     def row(self, path: str) -> Row:

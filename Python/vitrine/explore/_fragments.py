@@ -1,0 +1,274 @@
+"""All fragments of a view with their light apart from their colour, so that parts can take other looks later."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+from typing import Any, Iterator
+
+import numpy
+
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+
+from .._layers import Layers, layers_in
+from .._parts import name_of, shown_assemblies
+from ..inspector._table import PartTable, rgb
+
+STEPS = 1020  # of light, from 0 to 1: four for each step of a picture
+_FIXED, _LINEAR, _GAMMA = 0, 1, 2
+_GAMMA_OF_VTK = 2.2
+_MIDDLE = "#bcbcbc"
+_MOST_OFF = 0.75 / 255  # by which a model of light may miss the colours that it is checked with
+
+
+@dataclasses.dataclass
+class Shade:
+    """How the colour of fragments of one number follows from their light and the colour of their part.
+
+    part is the place of the part in Fragments.parts. model is 0 if colours are fixed, 1 if they are linear in the
+    part's colour, and 2 if they are so before a gamma of 2.2, as in physically based rendering. bend is the share of
+    the quadratic term that metallic parts have.
+    """
+
+    part: int
+    model: int
+    bend: float
+
+
+@dataclasses.dataclass
+class ShownPart:
+    """A part: its path, its colour #RRGGBB, and its opacity, which is that of all of its fragments but where
+    Fragments.alphas has others."""
+
+    path: str
+    color: str
+    opacity: float
+
+
+@dataclasses.dataclass
+class Fragments:
+    """The fragments of a view: those of a pixel are in a row, from front to back; pixels go row by row from the top.
+
+    Arrays have a value for each fragment: shade is a place in shades, black and white are the light (RGB in STEPS) that
+    a fragment shows where its part is black or white, is_tied tells whether it is as deep as the one before, depth is
+    the depth in the window. alphas are opacities by fragment as a share of the part's, in 255 steps, or None if all
+    are 1. counts has the number of fragments of each pixel. background is RGB in [0, 1] of the lower and the upper edge.
+    """
+
+    width: int
+    height: int
+    parts: list[ShownPart]
+    shades: list[Shade]
+    counts: numpy.ndarray
+    shade: numpy.ndarray
+    black: numpy.ndarray
+    white: numpy.ndarray
+    is_tied: numpy.ndarray
+    depth: numpy.ndarray
+    alphas: numpy.ndarray | None
+    background: tuple[tuple[float, ...], tuple[float, ...]]
+
+    def __len__(self) -> int:
+        return len(self.shade)
+
+
+def take(renderer: vtkRenderer, parts: PartTable | None = None) -> Fragments:
+    """Draw a view several times with other colours, and take its fragments. The renderer is as before in the end.
+
+    Hidden parts are left out. Raises as layers_in() does, and ValueError if there are no parts.
+    """
+    table = parts if parts is not None else table_of(renderer)
+    paths = [path for path in table.paths if table.shown_look(path)["visible"]]
+    if not paths:
+        raise ValueError("nothing is shown that can be explored: no part is visible")
+    looks = {path: table.shown_look(path) for path in paths}
+    given = _layers(renderer)
+    with _opaque(table, looks) as color:
+        black, middle, white = (_layers(renderer, color(each)) for each in ("#000000", _MIDDLE, "#ffffff"))
+    return _assembled(renderer, table, looks, given, (black, middle, white))
+
+
+def table_of(renderer: vtkRenderer) -> PartTable:
+    """The parts of all that a renderer shows. Actors without a name are named by their place."""
+    assemblies = shown_assemblies([renderer])
+    drawn = {
+        each.actors.GetActor(i) for each in assemblies for i in range(each.actors.GetNumberOfActors())
+    }
+    actors: dict[str, vtkActor] = {}
+    for number, prop in enumerate(renderer.GetViewProps()):
+        if isinstance(prop, vtkActor) and prop not in drawn:
+            actors[name_of(prop) or f"actor {number}"] = prop
+    return PartTable(assemblies, actors)
+
+
+@contextlib.contextmanager
+def _opaque(table: PartTable, looks: dict[str, Any]) -> Iterator[Any]:
+    """Parts are opaque while this is entered, so that ties are in VTK's order. It gives a function that colours all."""
+    now = dict(looks)
+
+    def look_like(path: str, look: dict[str, Any]) -> None:
+        table.set_look(path, table.given_look(path), look)
+
+    before = {path: dict(table.given_look(path)) for path in looks}
+
+    def color(value: str) -> None:
+        for path in now:
+            look_like(path, {**before[path], "opacity": 1.0, "color": value})
+
+    try:
+        yield color
+    finally:
+        for path, look in before.items():
+            look_like(path, look)
+
+
+def _layers(renderer: vtkRenderer, _colored: None = None) -> Layers:
+    renderer.GetRenderWindow().Render()
+    left, bottom = renderer.GetOrigin()
+    width, height = renderer.GetSize()
+    return layers_in(renderer, left, bottom, left + width - 1, bottom + height - 1, all=True)
+
+
+def _assembled(
+    renderer: vtkRenderer, table: PartTable, looks: dict[str, Any], given: Layers, lit: tuple[Layers, ...]
+) -> Fragments:
+    black, middle, white = lit
+    for other in (middle, white):
+        if not (numpy.array_equal(other.numbers, black.numbers) and numpy.array_equal(other.depths, black.depths)):
+            raise RuntimeError("the view changes from frame to frame, so its fragments cannot be taken apart")
+    order = _rows_from_top(black)
+    names = list(looks)
+    numbers, shade = numpy.unique(black.numbers, return_inverse=True)
+    own = _as_drawn(given, black)
+    shades, fixed = _models(black, middle, white, shade, _parts_of(table, black, numbers, names))
+    light = [_steps(each.colors) for each in (black, white)]
+    is_fixed = fixed[shade]
+    for each in light:
+        each[is_fixed] = _steps(own[0])[is_fixed]
+    opacities = numpy.array([looks[path]["opacity"] for path in names], numpy.float32)
+    alphas = _shares_of_opacity(own[1], opacities[[each.part for each in shades]][shade])
+    pixel = numpy.repeat(numpy.arange(len(black.offsets) - 1), numpy.diff(black.offsets))
+    tied = numpy.zeros(len(shade), bool)
+    tied[1:] = (pixel[1:] == pixel[:-1]) & (black.depths[1:] == black.depths[:-1])
+    return Fragments(
+        width=black.width,
+        height=black.height,
+        parts=[ShownPart(path, looks[path]["color"], float(looks[path]["opacity"])) for path in names],
+        shades=shades,
+        counts=numpy.diff(black.offsets).reshape(black.height, black.width)[::-1].ravel(),
+        shade=shade[order],
+        black=light[0][order],
+        white=light[1][order],
+        is_tied=tied[order],
+        depth=black.depths[order],
+        alphas=alphas[order] if alphas is not None else None,
+        background=_background(renderer),
+    )
+
+
+def _rows_from_top(layers: Layers) -> numpy.ndarray:
+    """The fragments in the order of rows from the top, where layers_in() has them from below."""
+    ends = layers.offsets[:: layers.width]
+    rows = [numpy.arange(ends[row], ends[row + 1]) for row in reversed(range(layers.height))]
+    return numpy.concatenate(rows)
+
+
+def _parts_of(table: PartTable, layers: Layers, numbers: numpy.ndarray, names: list[str]) -> list[int]:
+    """The place among names of the part of each number."""
+    places = {path: place for place, path in enumerate(names)}
+    found = []
+    for number in numbers:
+        actor, block = layers.actor(int(number)), layers.block(int(number))
+        path = table.path_of(actor, block)
+        if path not in places:
+            path = path or name_of(actor) or "/others"
+            places[path] = len(names)
+            names.append(path)
+        found.append(places[path])
+    return found
+
+
+def _as_drawn(given: Layers, black: Layers) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """The colours and opacities of the view as it was drawn, in the order of the fragments of another capture."""
+    if len(given.numbers) != len(black.numbers):
+        raise RuntimeError("the view changes from frame to frame, so its fragments cannot be taken apart")
+    places = []
+    for layers in (given, black):
+        pixel = numpy.repeat(numpy.arange(len(layers.offsets) - 1), numpy.diff(layers.offsets))
+        places.append(numpy.lexsort((layers.numbers, layers.depths, pixel)))
+    order = numpy.empty(len(given.numbers), numpy.int64)
+    order[places[1]] = places[0]
+    return given.colors[order], given.opacities[order]
+
+
+def _models(
+    black: Layers, middle: Layers, white: Layers, shade: numpy.ndarray, parts: list[int]
+) -> tuple[list[Shade], numpy.ndarray]:
+    """For each number the model that tells the middle colours best from those of black and white parts."""
+    count = len(parts)
+    linear_color = rgb(_MIDDLE)[0]
+    is_white = numpy.zeros(count)
+    numpy.maximum.at(is_white, shade, numpy.abs(white.colors - black.colors).max(axis=1))
+    misses = {_LINEAR: numpy.zeros(count), _GAMMA: numpy.zeros(count)}
+    bends = _bends(black, middle, white, shade, count)
+    for model, miss in misses.items():
+        told = lit_color(model, bends[shade] if model == _GAMMA else 0.0, black.colors, white.colors, linear_color)
+        numpy.maximum.at(miss, shade, numpy.abs(told - middle.colors).max(axis=1))
+    best = numpy.where(misses[_LINEAR] <= misses[_GAMMA], _LINEAR, _GAMMA)
+    missed = numpy.minimum(misses[_LINEAR], misses[_GAMMA])
+    fixed = (is_white < 1 / 255) | (missed > 4 * _MOST_OFF)
+    return [
+        Shade(part, _FIXED if fixed[i] else int(best[i]), float(bends[i]) if best[i] == _GAMMA else 0.0)
+        for i, part in enumerate(parts)
+    ], fixed
+
+
+def _bends(
+    black: Layers, middle: Layers, white: Layers, shade: numpy.ndarray, count: int
+) -> numpy.ndarray:
+    """The median share of the quadratic term by number, of physically based parts."""
+    low, mid, high = (numpy.maximum(each.colors[:, 0], 0.0) ** _GAMMA_OF_VTK for each in (black, middle, white))
+    color = rgb(_MIDDLE)[0] ** _GAMMA_OF_VTK
+    span = high - low
+    sure = span > 1e-3
+    share = (mid - low - color * span)[sure] / (color * color - color) / span[sure]
+    order = numpy.lexsort((share, shade[sure]))
+    owners = shade[sure][order]
+    first = numpy.searchsorted(owners, numpy.arange(count))
+    number = numpy.searchsorted(owners, numpy.arange(count), side="right") - first
+    bends = numpy.zeros(count)
+    has = number > 0
+    bends[has] = share[order][(first + number // 2)[has]]
+    bends[numpy.abs(bends) < 1e-3] = 0.0
+    return numpy.round(bends, 4)
+
+
+def lit_color(model: int, bend: Any, black: Any, white: Any, color: Any) -> numpy.ndarray:
+    """The colour of fragments, RGB in [0, 1], by their light and a part's colour (sRGB in [0, 1])."""
+    if model == _FIXED:
+        return black
+    if model == _LINEAR:
+        return black + (white - black) * color
+    low, high = numpy.maximum(black, 0.0) ** _GAMMA_OF_VTK, numpy.maximum(white, 0.0) ** _GAMMA_OF_VTK
+    linear = numpy.asarray(color) ** _GAMMA_OF_VTK
+    bend = numpy.asarray(bend)
+    bend = bend[:, None] if bend.ndim else bend
+    span = high - low
+    return numpy.maximum(low + span * linear * (1 - bend) + span * bend * linear * linear, 0.0) ** (1 / _GAMMA_OF_VTK)
+
+
+def _steps(colors: numpy.ndarray) -> numpy.ndarray:
+    return (numpy.clip(colors, 0.0, 1.0) * STEPS).round().astype(numpy.int32)
+
+
+def _shares_of_opacity(opacities: numpy.ndarray, of_parts: numpy.ndarray) -> numpy.ndarray | None:
+    """Opacities of fragments as shares of those of their parts, or None if all are 1."""
+    share = opacities / numpy.maximum(of_parts, 1e-6)
+    if numpy.abs(share - 1.0).max() < 1 / 510:
+        return None
+    return (numpy.clip(share, 0.0, 1.0) * 255).round().astype(numpy.uint8)
+
+
+def _background(renderer: vtkRenderer) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    lower = tuple(renderer.GetBackground())
+    return lower, tuple(renderer.GetBackground2()) if renderer.GetGradientBackground() else lower
