@@ -52,7 +52,8 @@ class Fragments:
     Arrays have a value for each fragment: shade is a place in shades, black and white are the light (RGB in STEPS) that
     a fragment shows where its part is black or white, is_tied tells whether it is as deep as the one before, depth is
     the depth in the window. alphas are opacities by fragment as a share of the part's, in 255 steps, or None if all
-    are 1. counts has the number of fragments of each pixel. background is RGB in [0, 1] of the lower and the upper edge.
+    are 1. counts has the number of fragments of each pixel. background is RGB in [0, 1] of the lower and the upper
+    edge.
     """
 
     width: int

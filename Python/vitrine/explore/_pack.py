@@ -46,11 +46,12 @@ def pack(fragments: Fragments, depths: bool = False) -> dict[str, Any]:
         "fragments": len(fragments),
         "channels": 1 if grey else 3,
         "background": [[round(255 * value, 3) for value in edge] for edge in fragments.background],
-        "columns": {name: _deflated(data) for name, data in columns.items()},
+        "columns": {name: deflated(data) for name, data in columns.items()},
     }
 
 
-def _deflated(data: bytes) -> str:
+def deflated(data: bytes) -> str:
+    """Bytes as they are in a page: raw deflate in base64."""
     packer = zlib.compressobj(9, zlib.DEFLATED, -15)
     return base64.b64encode(packer.compress(data) + packer.flush()).decode()
 
@@ -58,7 +59,8 @@ def _deflated(data: bytes) -> str:
 def _planes(values: numpy.ndarray, count: int) -> bytes:
     """All first bytes of numbers, then all second ones, and so on."""
     numbers = values.astype(numpy.uint64)
-    return b"".join(((numbers >> numpy.uint64(8 * i)) & numpy.uint64(255)).astype(numpy.uint8).tobytes() for i in range(count))
+    planes = [(numbers >> numpy.uint64(8 * i)) & numpy.uint64(255) for i in range(count)]
+    return b"".join(plane.astype(numpy.uint8).tobytes() for plane in planes)
 
 
 def _folded(values: numpy.ndarray) -> numpy.ndarray:

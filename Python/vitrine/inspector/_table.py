@@ -110,7 +110,9 @@ class PartTable:
         for assembly, part in self._parts[path]:
             selection = Selection(assembly, [part.number])
             for key in changed:
-                setattr(selection, key, look.get(key))
+                value = look.get(key)
+                # As numbers, since names of colours are looked up slowly.
+                setattr(selection, key, rgb(value) if key == "color" and value is not None else value)
 
     def given_look(self, path: str) -> dict[str, Any]:
         """How a part looks otherwise than by itself, as set_look() takes it."""
