@@ -81,10 +81,14 @@ def page_of(views: Mapping[str, Fragments], title: str, depths: bool) -> str:
     places = {path: place for place, path in enumerate(parts)}
     data = {
         "title": title,
-        "parts": _pack.deflated(json.dumps([[part.path, part.color, part.opacity] for part in parts.values()]).encode()),
+        "parts": _pack.deflated(_listed(parts.values())),
         "views": [_view(name, fragments, places, depths) for name, fragments in views.items()],
     }
     return _filled(_text("page.html"), data, title)
+
+
+def _listed(parts: Iterable[ShownPart]) -> bytes:
+    return json.dumps([[part.path, part.color, part.opacity] for part in parts]).encode()
 
 
 def _view(name: str, fragments: Fragments, places: Mapping[str, int], depths: bool) -> dict[str, Any]:

@@ -18,7 +18,8 @@ STEPS = 1020  # of light, from 0 to 1: four for each step of a picture
 _FIXED, _LINEAR, _GAMMA = 0, 1, 2
 _GAMMA_OF_VTK = 2.2
 _MIDDLE = "#bcbcbc"
-_MOST_OFF = 0.75 / 255  # by which a model of light may miss the colours that it is checked with
+_MOST_OFF = 1 / 255  # by which a model of light may miss on the average the colours that it is checked with
+_BRIGHTEST = 8.0  # of light that is kept; 1 is white
 
 
 @dataclasses.dataclass
@@ -210,14 +211,16 @@ def _models(
     linear_color = rgb(_MIDDLE)[0]
     is_white = numpy.zeros(count)
     numpy.maximum.at(is_white, shade, numpy.abs(white.colors - black.colors).max(axis=1))
-    misses = {_LINEAR: numpy.zeros(count), _GAMMA: numpy.zeros(count)}
     bends = _bends(black, middle, white, shade, count)
-    for model, miss in misses.items():
+    sizes = numpy.maximum(numpy.bincount(shade, minlength=count), 1)
+    misses = {}
+    for model in (_LINEAR, _GAMMA):
         told = lit_color(model, bends[shade] if model == _GAMMA else 0.0, black.colors, white.colors, linear_color)
-        numpy.maximum.at(miss, shade, numpy.abs(told - middle.colors).max(axis=1))
+        off = numpy.abs(told - middle.colors).max(axis=1)
+        misses[model] = numpy.bincount(shade, off, minlength=count) / sizes
     best = numpy.where(misses[_LINEAR] <= misses[_GAMMA], _LINEAR, _GAMMA)
     missed = numpy.minimum(misses[_LINEAR], misses[_GAMMA])
-    fixed = (is_white < 1 / 255) | (missed > 4 * _MOST_OFF)
+    fixed = (is_white < 1 / 255) | (missed > _MOST_OFF)
     return [
         Shade(part, _FIXED if fixed[i] else int(best[i]), float(bends[i]) if best[i] == _GAMMA else 0.0)
         for i, part in enumerate(parts)
@@ -231,7 +234,7 @@ def _bends(
     low, mid, high = (numpy.maximum(each.colors[:, 0], 0.0) ** _GAMMA_OF_VTK for each in (black, middle, white))
     color = rgb(_MIDDLE)[0] ** _GAMMA_OF_VTK
     span = high - low
-    sure = span > 1e-3
+    sure = (span > 0.02) & (high < 1.0)
     share = (mid - low - color * span)[sure] / (color * color - color) / span[sure]
     order = numpy.lexsort((share, shade[sure]))
     owners = shade[sure][order]
@@ -240,7 +243,7 @@ def _bends(
     bends = numpy.zeros(count)
     has = number > 0
     bends[has] = share[order][(first + number // 2)[has]]
-    bends[numpy.abs(bends) < 1e-3] = 0.0
+    bends[(numpy.abs(bends) < 1e-3) | (bends < -1.0) | (bends > 0.5)] = 0.0
     return numpy.round(bends, 4)
 
 
@@ -259,7 +262,7 @@ def lit_color(model: int, bend: Any, black: Any, white: Any, color: Any) -> nump
 
 
 def _steps(colors: numpy.ndarray) -> numpy.ndarray:
-    return (numpy.clip(colors, 0.0, 1.0) * STEPS).round().astype(numpy.int32)
+    return (numpy.clip(colors, 0.0, _BRIGHTEST) * STEPS).round().astype(numpy.int32)
 
 
 def _shares_of_opacity(opacities: numpy.ndarray, of_parts: numpy.ndarray) -> numpy.ndarray | None:

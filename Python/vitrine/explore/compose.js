@@ -4,14 +4,15 @@
 const STEPS = 1020;
 const MODEL = { FIXED: 0, LINEAR: 1, GAMMA: 2 };
 const GAMMA = 2.2;
-const LINEAR_OF = Float64Array.from({ length: STEPS + 1 }, (_, i) => Math.pow(i / STEPS, GAMMA));
+const BRIGHTEST = 8; // of light, as _fragments.py has it
+const LINEAR_OF = Float64Array.from({ length: BRIGHTEST * STEPS + 1 }, (_, i) => Math.pow(i / STEPS, GAMMA));
 
 /** Composites a view. looks has for each part { visible, opacity, color: [r, g, b] from 0 to 1 }. */
 class Composer {
   constructor(view) {
     this.view = view;
     this.shades = view.shadeOf;
-    this.lit = new Uint16Array(3 * view.fragments); // colours in STEPS * 60
+    this.lit = new Float32Array(3 * view.fragments); // colours from 0 to 255, or brighter
     this.colors = [];
     this.image = new ImageData(view.width, view.height);
     this.partOf = Uint32Array.from(this.shades, (shade) => shade[0]);
@@ -52,7 +53,7 @@ class Composer {
   compose(looks) {
     const { offsets, shades, tied, alphas, width, height } = this.view;
     const opacity = Float64Array.from(this.shades, ([part]) => (looks[part].visible ? looks[part].opacity : 0));
-    const data = this.image.data, lit = this.lit, full = 60 * STEPS / 255;
+    const data = this.image.data, lit = this.lit;
     for (let row = 0, pixel = 0; row < height; ++row) {
       const behind = this.rows[row];
       for (let column = 0; column < width; ++column, ++pixel) {
@@ -81,9 +82,9 @@ class Composer {
           left -= a;
         }
         const at = 4 * pixel;
-        data[at] = red / full + left * behind[0];
-        data[at + 1] = green / full + left * behind[1];
-        data[at + 2] = blue / full + left * behind[2];
+        data[at] = red + left * behind[0];
+        data[at + 1] = green + left * behind[1];
+        data[at + 2] = blue + left * behind[2];
         data[at + 3] = 255;
       }
     }
@@ -140,16 +141,16 @@ class Composer {
   }
 }
 
-/** The colour of a fragment in STEPS * 60, of its light in STEPS and the share of its part's colour. */
+/** The colour of a fragment from 0 to 255, of its light in STEPS and the share of its part's colour. */
 function lightOf(model, black, white, share, memory) {
   if (model !== MODEL.GAMMA) {
-    return Math.round(60 * (black + (white - black) * share));
+    return (black + (white - black) * share) * 255 / STEPS;
   }
-  const key = (black * (STEPS + 1) + white) * 65536 + Math.round(share * 65535);
+  const key = (black * (BRIGHTEST * STEPS + 1) + white) * 65536 + Math.round(share * 65535);
   let found = memory.get(key);
   if (found === undefined) {
     const low = LINEAR_OF[black], linear = Math.max(low + (LINEAR_OF[white] - low) * share, 0);
-    found = Math.min(Math.round(60 * STEPS * Math.pow(linear, 1 / GAMMA)), 65535);
+    found = 255 * Math.pow(linear, 1 / GAMMA);
     memory.set(key, found);
   }
   return found;

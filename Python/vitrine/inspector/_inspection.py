@@ -71,6 +71,7 @@ class Inspection:
         self._redo: list[State] = []
         self._merge: Any = None
         self._index: Any = None
+        self._whole: Any = None
         self._state: State = {}
         self._begin(files, size, keep_camera=plotter is not None)
 
@@ -87,7 +88,6 @@ class Inspection:
             _views.look_from(self.renderer, "iso", self._bounds())
         state["camera"] = camera_place(self.renderer.GetActiveCamera())
         self._state = state
-        self.renderer.ResetCameraClippingRange()
 
     # The state
 
@@ -169,7 +169,7 @@ class Inspection:
 
     def script(self) -> str:
         """A Python script that draws the picture of the state with vitrine's calls."""
-        return _script.script_of(self._state, self.parts)
+        return _script.script_of(self._state, self.whole_bounds())
 
     # Parts
 
@@ -378,6 +378,13 @@ class Inspection:
 
     def _bounds(self) -> tuple[float, ...]:
         return _views.shown_bounds(self.renderer)
+
+    def whole_bounds(self) -> tuple[float, ...]:
+        """The box around all parts where they are now, also those that are hidden: xmin, xmax, ymin and so on."""
+        factor = self._state.get("explode", 0.0)
+        if self._whole is None or self._whole[0] != factor:
+            self._whole = factor, self.parts.bounds()
+        return self._whole[1]
 
     # Answers and pictures
 

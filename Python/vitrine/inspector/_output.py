@@ -30,7 +30,8 @@ def draw(inspection: Inspection) -> None:
     state = inspection.state_now
     if inspection.drawn is state:
         return
-    inspection.renderer.ResetCameraClippingRange()
+    # By all parts, so that hiding one does not turn the order of faces elsewhere that are all but equally deep.
+    inspection.renderer.ResetCameraClippingRange(inspection.whole_bounds())
     inspection.shown.update_reveal()
     begin = time.perf_counter()
     inspection.window.Render()

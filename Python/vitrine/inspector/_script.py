@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Sequence
 
 from ._shown import LIGHTS
 from ._state import State
-from ._table import PartTable, rgb
+from ._table import rgb
 
 
-def script_of(state: State, parts: PartTable) -> str:
-    """The script. Where the state has no files, it leaves a place for them."""
+def script_of(state: State, bounds: Sequence[float]) -> str:
+    """The script. bounds are those of all parts. Where the state has no files, it leaves a place for them."""
     sections = [
         _opening(state),
         _window(state),
@@ -21,9 +21,9 @@ def script_of(state: State, parts: PartTable) -> str:
         _method(state),
         _cuts(state),
         _x_ray(state),
-        _reveal(state),
+        _reveal(state, bounds),
         _highlight(state),
-        _ending(state),
+        _ending(bounds),
     ]
     return "\n".join(line for section in sections for line in section) + "\n"
 
@@ -137,12 +137,12 @@ def _x_ray(state: State) -> list[str]:
     ]
 
 
-def _reveal(state: State) -> list[str]:
+def _reveal(state: State, bounds: Sequence[float]) -> list[str]:
     wanted = state["reveal"]
     if wanted is None:
         return []
     return [
-        "renderer.ResetCameraClippingRange()",
+        f"renderer.ResetCameraClippingRange({_numbers(bounds)})",
         "window.Render()",
         f"parts = [part for assembly in assemblies for part in assembly if part.path == {wanted['part']!r}]",
         f"vitrine.reveal(renderer, parts, {wanted['share']!r}, cutaway={wanted['cutaway']!r})",
@@ -161,9 +161,9 @@ def _highlight(state: State) -> list[str]:
     return lines
 
 
-def _ending(state: State) -> list[str]:
+def _ending(bounds: Sequence[float]) -> list[str]:
     return [
-        "renderer.ResetCameraClippingRange()",
+        f"renderer.ResetCameraClippingRange({_numbers(bounds)})",
         "window.Render()",
         "picture = vtkWindowToImageFilter()",
         "picture.SetInput(window)",

@@ -6,6 +6,7 @@ import collections
 import dataclasses
 from typing import Any, Iterable, Mapping
 
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from .._assembly import Assembly, Part, Selection, _triangles
@@ -100,6 +101,22 @@ class PartTable:
             return self._actors[path].row(path)
         part = self._parts[path][0][1]
         return Row(path, part.name, part.material, part.triangles, part.bounds)
+
+    def bounds(self) -> tuple[float, ...]:
+        """The box around all parts where they are now, also those that are hidden."""
+        box = vtkBoundingBox()
+        for assembly in self.assemblies:
+            offset = [0.0] * 3
+            for part in assembly.parts:
+                assembly.actors.GetPartOffset(part.number, offset)
+                box.AddBounds([value + offset[i // 2] for i, value in enumerate(part.bounds)])
+        for plain in self._actors.values():
+            box.AddBounds(plain.actor.GetBounds())
+        if not box.IsValid():
+            return (-1.0, 1.0) * 3
+        bounds = [0.0] * 6
+        box.GetBounds(bounds)
+        return tuple(bounds)
 
     def set_look(self, path: str, before: Look, look: Look) -> None:
         """Have a part drawn by a look. What the look does not have is as the file says."""
