@@ -15,10 +15,10 @@ from .._parts import name_of, shown_assemblies
 from ..inspector._table import PartTable, rgb
 
 STEPS = 1020  # of light, from 0 to 1: four for each step of a picture
-_FIXED, _LINEAR, _GAMMA = 0, 1, 2
+_FIXED, _LINEAR, _GAMMA, _BENT = 0, 1, 2, 3
 _GAMMA_OF_VTK = 2.2
 _MIDDLE = "#bcbcbc"
-_MOST_OFF = 1 / 255  # by which a model of light may miss on the average the colours that it is checked with
+_MOST_OFF = 0.5 / 255  # by which a model of light may miss the colours that it is checked with
 _BRIGHTEST = 8.0  # of light that is kept; 1 is white
 
 
@@ -27,8 +27,8 @@ class Shade:
     """How the colour of fragments of one number follows from their light and the colour of their part.
 
     part is the place of the part in Fragments.parts. model is 0 if colours are fixed, 1 if they are linear in the
-    part's colour, and 2 if they are so before a gamma of 2.2, as in physically based rendering. bend is the share of
-    the quadratic term that metallic parts have.
+    part's colour, and 2 if they are so before a gamma of 2.2, as in physically based rendering, where bend is the share
+    of the quadratic term that metallic parts have. It is 3 if that share differs by fragment, as middle tells.
     """
 
     part: int
@@ -50,11 +50,11 @@ class ShownPart:
 class Fragments:
     """The fragments of a view: those of a pixel are in a row, from front to back; pixels go row by row from the top.
 
-    Arrays have a value for each fragment: shade is a place in shades, black and white are the light (RGB in STEPS) that
-    a fragment shows where its part is black or white, is_tied tells whether it is as deep as the one before, depth is
-    the depth in the window. alphas are opacities by fragment as a share of the part's, in 255 steps, or None if all
-    are 1. counts has the number of fragments of each pixel. background is RGB in [0, 1] of the lower and the upper
-    edge.
+    Arrays have a value for each fragment. shade is a place in shades. black and white are the light (RGB in STEPS) that
+    a fragment shows where its part is black or white. middle is that where it is #bcbcbc, or None if no shade needs it.
+    is_tied tells whether it is as deep as the one before, and depth is the depth in the window. alphas are opacities as
+    shares of the part's, in 255 steps, or None if all are 1. counts has the number of fragments of each pixel.
+    background is RGB in [0, 1] of the lower and the upper edge.
     """
 
     width: int
@@ -65,6 +65,7 @@ class Fragments:
     shade: numpy.ndarray
     black: numpy.ndarray
     white: numpy.ndarray
+    middle: numpy.ndarray | None
     is_tied: numpy.ndarray
     depth: numpy.ndarray
     alphas: numpy.ndarray | None
@@ -142,11 +143,12 @@ def _assembled(
     names = list(looks)
     numbers, shade = numpy.unique(black.numbers, return_inverse=True)
     own = _as_drawn(given, black)
-    shades, fixed = _models(black, middle, white, shade, _parts_of(table, black, numbers, names))
-    light = [_steps(each.colors) for each in (black, white)]
-    is_fixed = fixed[shade]
-    for each in light:
-        each[is_fixed] = _steps(own[0])[is_fixed]
+    shades = _models(black, middle, white, shade, _parts_of(table, black, numbers, names))
+    models = numpy.array([each.model for each in shades])[shade]
+    light = [_steps(each.colors) for each in (black, white, middle)]
+    for each in light[:2]:
+        each[models == _FIXED] = _steps(own[0])[models == _FIXED]
+    light[2][models != _BENT] = 0
     opacities = numpy.array([looks[path]["opacity"] for path in names], numpy.float32)
     alphas = _shares_of_opacity(own[1], opacities[[each.part for each in shades]][shade])
     pixel = numpy.repeat(numpy.arange(len(black.offsets) - 1), numpy.diff(black.offsets))
@@ -161,6 +163,7 @@ def _assembled(
         shade=shade[order],
         black=light[0][order],
         white=light[1][order],
+        middle=light[2][order] if (models == _BENT).any() else None,
         is_tied=tied[order],
         depth=black.depths[order],
         alphas=alphas[order] if alphas is not None else None,
@@ -205,26 +208,25 @@ def _as_drawn(given: Layers, black: Layers) -> tuple[numpy.ndarray, numpy.ndarra
 
 def _models(
     black: Layers, middle: Layers, white: Layers, shade: numpy.ndarray, parts: list[int]
-) -> tuple[list[Shade], numpy.ndarray]:
+) -> list[Shade]:
     """For each number the model that tells the middle colours best from those of black and white parts."""
     count = len(parts)
-    linear_color = rgb(_MIDDLE)[0]
-    is_white = numpy.zeros(count)
-    numpy.maximum.at(is_white, shade, numpy.abs(white.colors - black.colors).max(axis=1))
+
+    def most(values: numpy.ndarray) -> numpy.ndarray:
+        largest = numpy.zeros(count)
+        numpy.maximum.at(largest, shade, numpy.abs(values).max(axis=1))
+        return largest
+
     bends = _bends(black, middle, white, shade, count)
-    sizes = numpy.maximum(numpy.bincount(shade, minlength=count), 1)
-    misses = {}
-    for model in (_LINEAR, _GAMMA):
-        told = lit_color(model, bends[shade] if model == _GAMMA else 0.0, black.colors, white.colors, linear_color)
-        off = numpy.abs(told - middle.colors).max(axis=1)
-        misses[model] = numpy.bincount(shade, off, minlength=count) / sizes
-    best = numpy.where(misses[_LINEAR] <= misses[_GAMMA], _LINEAR, _GAMMA)
-    missed = numpy.minimum(misses[_LINEAR], misses[_GAMMA])
-    fixed = (is_white < 1 / 255) | (missed > _MOST_OFF)
-    return [
-        Shade(part, _FIXED if fixed[i] else int(best[i]), float(bends[i]) if best[i] == _GAMMA else 0.0)
-        for i, part in enumerate(parts)
-    ], fixed
+    misses = [
+        most(lit_color(model, bend, black.colors, white.colors, rgb(_MIDDLE)[0]) - middle.colors)
+        for model, bend in ((_LINEAR, 0.0), (_GAMMA, bends[shade]))
+    ]
+    best = numpy.where(misses[0] <= misses[1], _LINEAR, _GAMMA)
+    best[numpy.minimum(*misses) > _MOST_OFF] = _BENT
+    best[most(white.colors - black.colors) < 1 / 255] = _FIXED
+    bends[best != _GAMMA] = 0.0
+    return [Shade(part, int(best[i]), float(bends[i])) for i, part in enumerate(parts)]
 
 
 def _bends(

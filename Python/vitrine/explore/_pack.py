@@ -18,21 +18,23 @@ def pack(fragments: Fragments, depths: bool = False) -> dict[str, Any]:
     """A view as an object for JSON: sizes, and columns of deflated bytes in base64.
 
     "kinds" tells for each pixel whether its list of shades is that above, that at the left, or a new one. New ones are
-    in "counts" and "shades". "black" and "white" are what light differs by from a prediction: of the fragments of the
-    same shade above, at the left and between, the median of a gradient (as lossless JPEG has it). Numbers have two
-    bytes, or four of depths; all first bytes come before all second ones.
+    in "counts" and "shades". "black", "white" and "middle" are what light differs by from a prediction: of the
+    fragments of the same shade above, at the left and between, the median of a gradient (as lossless JPEG has it).
+    Numbers have two bytes, or four of depths; all first bytes come before all second ones.
     """
     kinds = _kinds(fragments)
     neighbours = _Neighbours(fragments)
     is_new = numpy.repeat(kinds == NEW, fragments.counts)
-    grey = all((light[:, :1] == light).all() for light in (fragments.black, fragments.white))
+    lights = {"black": fragments.black, "white": fragments.white, "middle": fragments.middle}
+    lights = {name: light for name, light in lights.items() if light is not None}
+    grey = all((light[:, :1] == light).all() for light in lights.values())
     columns = {
         "kinds": kinds.astype(numpy.uint8).tobytes(),
         "counts": _planes(fragments.counts[kinds == NEW], 2),
         "shades": _planes(fragments.shade[is_new], 2 if len(fragments.shades) <= 1 << 16 else 4),
         "ties": numpy.packbits(fragments.is_tied).tobytes(),
     }
-    for name, light in (("black", fragments.black), ("white", fragments.white)):
+    for name, light in lights.items():
         channels = [_planes(_folded(neighbours.differences(light[:, i])), 2) for i in range(1 if grey else 3)]
         columns[name] = b"".join(channels)
     if fragments.alphas is not None:

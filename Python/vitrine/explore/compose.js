@@ -2,9 +2,10 @@
 // The picture of fragments: colours by light and parts, and compositing from front to back.
 
 const STEPS = 1020;
-const MODEL = { FIXED: 0, LINEAR: 1, GAMMA: 2 };
+const MODEL = { FIXED: 0, LINEAR: 1, GAMMA: 2, BENT: 3 };
 const GAMMA = 2.2;
 const BRIGHTEST = 8; // of light, as _fragments.py has it
+const MIDDLE = Math.pow(0xbc / 255, GAMMA);
 const LINEAR_OF = Float64Array.from({ length: BRIGHTEST * STEPS + 1 }, (_, i) => Math.pow(i / STEPS, GAMMA));
 
 /** Composites a view. looks has for each part { visible, opacity, color: [r, g, b] from 0 to 1 }. */
@@ -30,9 +31,12 @@ class Composer {
     if (!changed.includes(true)) {
       return;
     }
-    const { shades, fragments, black, white } = this.view;
+    const { shades, fragments, black, white, middle } = this.view;
     const coefficients = this.shades.map(([part, model, bend]) => looks[part].color.map((color) => {
       const linear = Math.pow(color, GAMMA);
+      if (model === MODEL.BENT) {
+        return linear;
+      }
       return model === MODEL.FIXED ? 0 : model === MODEL.LINEAR ? color : linear * (1 - bend) + bend * linear * linear;
     }));
     const memory = new Map();
@@ -43,8 +47,9 @@ class Composer {
       }
       const model = this.shades[shade][1], share = coefficients[shade];
       for (let c = 0; c < 3; ++c) {
-        const channel = black.length === 1 ? 0 : c;
-        this.lit[3 * i + c] = lightOf(model, black[channel][i], white[channel][i], share[c], memory);
+        const channel = black.length === 1 ? 0 : c, low = black[channel][i], high = white[channel][i];
+        this.lit[3 * i + c] = model === MODEL.BENT ? bentLightOf(low, middle[channel][i], high, share[c])
+          : lightOf(model, low, high, share[c], memory);
       }
     }
   }
@@ -154,4 +159,11 @@ function lightOf(model, black, white, share, memory) {
     memory.set(key, found);
   }
   return found;
+}
+
+/** The same by a curve through the light of a black, a middle and a white part; color is linear. */
+function bentLightOf(black, middle, white, color) {
+  const low = LINEAR_OF[black], span = LINEAR_OF[white] - low;
+  const bend = (LINEAR_OF[middle] - low - MIDDLE * span) / (MIDDLE * MIDDLE - MIDDLE);
+  return 255 * Math.pow(Math.max(low + (span - bend) * color + bend * color * color, 0), 1 / GAMMA);
 }

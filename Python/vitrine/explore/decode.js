@@ -92,7 +92,7 @@ function decodedValues(folded, values, near) {
   return values;
 }
 
-/** A view with its columns as arrays: offsets, shades (places in shadeOf), black, white, tied, and perhaps alphas and depths. */
+/** A view with its columns as arrays: offsets, shades (places in shadeOf), black, white, tied, and perhaps middle, alphas and depths. */
 async function decodedView(view) {
   const columns = {};
   for (const [name, text] of Object.entries(view.columns)) {
@@ -117,6 +117,6 @@ async function decodedView(view) {
     const bits = decodedValues(numbersOf(columns.depths, fragments, 4), new Int32Array(fragments), near);
     depths = new Float32Array(bits.buffer);
   }
-  return { ...view, columns: null, shadeOf: view.shades, ...lists, black: light(columns.black), white: light(columns.white), tied,
-    alphas: columns.alphas || null, depths };
+  return { ...view, columns: null, shadeOf: view.shades, ...lists, black: light(columns.black), white: light(columns.white),
+    middle: columns.middle ? light(columns.middle) : null, tied, alphas: columns.alphas || null, depths };
 }
