@@ -11,7 +11,7 @@ import OpenEXR
 from machine import SIZE, Files
 from scenes import drawn, pixels, plate, plates_renderer
 
-import vitrine
+import vitrine.explore
 from vitrine.explore import _exr, _fragments
 
 RED, GREEN, BLUE = (1, 0, 0), (0, 1, 0), (0, 0, 1)
@@ -117,6 +117,20 @@ class Deep(Files):
         manifest = OpenEXR.File(str(path)).header()["idmanifest"]
         self.assertEqual(manifest.size(), 1)
         self.assertEqual(manifest.find("id"), 0)
+
+    def test_is_written_beside_the_page(self):
+        renderer = self.drawn()
+        page, deep = self.folder / "page.html", self.folder / "deep.exr"
+        vitrine.explore.export_explorable(renderer, page, exr=deep)
+        self.assertTrue(page.exists())
+        fragments = _fragments.take(renderer)
+        counts = [len(ids) if ids is not None else 0 for ids in OpenEXR.File(str(deep)).channels()["id"].pixels.flat]
+        self.assertEqual(counts, fragments.counts.tolist())
+        page.unlink()
+        deep.unlink()
+        with self.assertRaisesRegex(ValueError, "a deep picture has one view"):
+            vitrine.explore.export_explorable(renderer, page, exr=deep, views={"now": renderer.GetActiveCamera()})
+        self.assertFalse(page.exists() or deep.exists())
 
     def test_refuses(self):
         renderer = self.drawn(plate(0, RED, 0.5))

@@ -27,6 +27,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--size", metavar="WxH", type=_render.size, help="pixels; 1280x720, or the state's, by default")
     parser.add_argument("--views", metavar="V", type=_view_names, help="standard, or turntable,N: N views of a turn")
     parser.add_argument("--depths", action="store_true", help="keep the depth of each fragment")
+    parser.add_argument("--exr", metavar="FILE.exr", help="write the fragments as deep OpenEXR, too")
     options = parser.parse_args(arguments)
     try:
         _explore(options)
@@ -42,8 +43,9 @@ def _explore(options: argparse.Namespace) -> None:
         raise ValueError(f"{output}: explorable pictures are written as .html")
     inspection = _opened(options)
     views = options.views(inspection) if options.views is not None else None
+    title = pathlib.Path(options.inputs[0]).name
     export_explorable(
-        inspection.renderer, output, depths=options.depths, views=views, title=pathlib.Path(options.inputs[0]).name
+        inspection.renderer, output, depths=options.depths, views=views, title=title, exr=options.exr
     )
 
 

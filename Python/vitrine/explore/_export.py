@@ -13,6 +13,7 @@ from .._see_through import _renderers_of
 from ..inspector._state import write_whole
 from ..inspector._table import PartTable
 from . import _fragments, _pack
+from ._exr import write_exr
 from ._fragments import Fragments, ShownPart
 
 _SCRIPTS = ("decode.js", "compose.js", "page.js")
@@ -25,6 +26,7 @@ def export_explorable(
     depths: bool = False,
     views: Mapping[str, vtkCamera] | None = None,
     title: str | None = None,
+    exr: str | os.PathLike[str] | None = None,
 ) -> None:
     """Write what `target` shows as a picture that a browser can take apart: one HTML file that needs no network.
 
@@ -39,17 +41,25 @@ def export_explorable(
             than all else.
         views: cameras by name, for several views in one file. None stands for the view as it is.
         title: the title of the page. None stands for the name of the file.
+        exr: a file .exr for the same fragments as a deep picture, for programs that put pictures together. It has the
+            channels R, G, B (multiplied by opacity), A, Z (the distance along the view) and id, and the paths of parts
+            in the attribute idmanifest. Colours are those of the picture, not of linear light.
 
     Raises:
         TypeError: the target is of another kind.
-        ValueError: no part is visible.
+        ValueError: no part is visible; or there are both exr and views, as a deep picture has one view.
+        ImportError: exr without the package OpenEXR.
         RuntimeError: the plotter is closed, or the driver lacks OpenGL 4.3.
         OSError: the file cannot be written.
     """
+    if exr is not None and views is not None:
+        raise ValueError("a deep picture has one view: leave out exr or views")
     renderer = _renderers_of(target)[0]
     table = _fragments.table_of(renderer)
     name = title if title is not None else pathlib.Path(path).stem
     taken = {key: taken for key, taken in _views(renderer, table, views)}
+    if exr is not None:
+        write_exr(exr, *taken.values(), renderer)
     write_whole(path, page_of(taken, name, depths).encode())
 
 
