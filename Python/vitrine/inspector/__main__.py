@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import asyncio
+import os
 import sys
 
 from . import _server
@@ -43,6 +44,9 @@ def main(arguments: list[str]) -> int:
     except (ValueError, KeyError, TypeError, OSError, ImportError, RuntimeError) as error:
         print(f"vitrine inspect: {error.args[0] if isinstance(error, KeyError) else error}", file=sys.stderr)
         return 2
+    if server.is_busy:
+        sys.stdout.flush()
+        os._exit(0)  # does not wait for the frame that is drawn
     return 0
 
 

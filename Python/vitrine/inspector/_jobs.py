@@ -95,6 +95,7 @@ class Jobs:
 
         values = {"clearance": clearance, "progress": progress}
         found = await self._worker(_requests.call, session.inspection.clashes, values)
+        found.sort(key=lambda clash: (clash["kind"] != "interfering", -(clash["depth"] or 0.0)))
         show(clashes={"count": len(found), "rows": found[:_MOST_CLASHES]})
 
     async def _heat_map(self, session: Session, show: Callable[..., None]) -> dict[str, Any]:

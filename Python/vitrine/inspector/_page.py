@@ -17,7 +17,7 @@ from ._panels import lay_out
 from ._session import Session
 from ._worker import Worker
 
-_FILES = ("inspector.js", "inspector.css")
+_SCRIPTS, _STYLE = ("tools.js", "view.js", "tree.js"), "inspector.css"
 _ADDRESS = "vitrine"
 _LOG = logging.getLogger(__name__)
 _EMPTY: dict[str, Any] = {
@@ -51,9 +51,9 @@ class Page:
         self.server = get_server(f"vitrine-{secrets.token_hex(8)}", client_type="vue3")
         self.server.enable_module(
             {
-                "scripts": [f"{_ADDRESS}/{_FILES[0]}"],
-                "styles": [f"{_ADDRESS}/{_FILES[1]}"],
-                "vue_use": ["vitrine_inspector"],
+                "scripts": [f"{_ADDRESS}/{name}" for name in _SCRIPTS],
+                "styles": [f"{_ADDRESS}/{_STYLE}"],
+                "vue_use": ["vitrine_view", "vitrine_tree"],
             }
         )
         self.server.state.update({**_EMPTY, "title": "", "trame__title": "Vitrine"})
@@ -70,9 +70,9 @@ class Page:
         }
 
     def serve_files(self, application: web.Application) -> None:
-        """Have an application serve the page's own script and style."""
+        """Have an application serve the page's own scripts and style."""
         folder = pathlib.Path(__file__).parent
-        for name in _FILES:
+        for name in (*_SCRIPTS, _STYLE):
             application.router.add_get(f"/{_ADDRESS}/{name}", _sender(folder / name))
 
     async def open(self, target: Any, size: Any, tolerance: float) -> None:
@@ -144,7 +144,9 @@ class Page:
         shown_before = self.server.state.revision
         if session.revision != shown_before:
             told = await self._worker(session.told)
-            self._show(**told, message={"text": "", "kind": "info"})
+            self._show(**told)
+        if self.server.state.message["text"]:
+            self._say("", "info")
         return changed
 
     def _show_answer(self, name: str, result: Any) -> None:

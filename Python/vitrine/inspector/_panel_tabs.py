@@ -106,7 +106,7 @@ def _cut() -> None:
                 html.Input(
                     type="number",
                     step="any",
-                    style="width: 62px; border: 1px solid var(--vi-line); border-radius: 3px; padding: 1px 4px;",
+                    style="width: 54px; border: 1px solid var(--vi-line); border-radius: 3px; padding: 1px 4px;",
                     title=f"Normal, {'xyz'[axis]}",
                     value=(f"Number(plane_.normal[{axis}].toFixed(4))",),
                     change=_act(
@@ -172,18 +172,6 @@ def _cut() -> None:
             update_modelValue=_act("set_caps", "{stripes: $event}"),
         )
     _select("Hatch", "ins.caps.hatch", _HATCHES, _act("set_caps", "{hatch: $event}"))
-    with html.Template(v_if="cut.count"):
-        _head("{{ cut.count.toLocaleString('en') }} parts are cut")
-        with html.Div(id="vi-cut"):
-            html.Div(
-                "{{ path.split('/').pop() }}",
-                v_for="path in cut.paths",
-                key=("path",),
-                classes="vi-ellipsis",
-                style="max-width: 100%;",
-                title=("path",),
-                click=_act("select", "{parts: [path]}"),
-            )
     _head("Explode")
     _slider("Factor", "ins.explode", 0, 3, _act("explode", "{factor: $event}"))
     _head("Reveal the selected part")
@@ -213,6 +201,18 @@ def _cut() -> None:
             1,
             _act("reveal", "{part: ins.reveal.part, cutaway: ins.reveal.cutaway, share: $event}"),
         )
+    with html.Template(v_if="cut.count"):
+        _head("{{ cut.count.toLocaleString('en') }} parts are cut")
+        with html.Div(id="vi-cut"):
+            html.Div(
+                "{{ path.split('/').pop() }}",
+                v_for="path in cut.paths",
+                key=("path",),
+                classes="vi-ellipsis",
+                style="max-width: 100%;",
+                title=("path",),
+                click=_act("select", "{parts: [path]}"),
+            )
 
 
 # Checks: measures and clashes
@@ -287,18 +287,18 @@ def _figures() -> None:
                 "$event.target.value === '' ? null : [Number($event.target.value), 0]}",
             ),
         )
-        v.VCheckbox(
-            label="Cull",
-            model_value=("ins.cull",),
-            update_modelValue=_act("set_method", "{method: ins.method, coincidence: ins.coincidence, cull: $event}"),
-        )
+    v.VCheckbox(
+        label="Leave out what is hidden",
+        model_value=("ins.cull",),
+        update_modelValue=_act("set_method", "{method: ins.method, coincidence: ins.coincidence, cull: $event}"),
+    )
     _head("This view")
     with html.Div(classes="vi-line"):
         v.VBtn("Figures", click="utils.vitrine.request('figures'); utils.vitrine.request('culled')", id="vi-figures")
         v.VBtn("Error against truth", click="utils.vitrine.request('error')", id="vi-error")
         v.VBtn("{{ heat ? 'Picture' : 'Heat map' }}", click="utils.vitrine.heat()", id="vi-heat")
     with html.Table(classes="vi-table", v_if="figures", id="vi-figures-table"):
-        with html.Tr(v_for="(value, name) in figures", key=("name",)):
+        with html.Tr(v_for="(value, name) in utils.vitrine.told(figures)", key=("name",)):
             html.Td("{{ String(name).replace(/_/g, ' ') }}")
             html.Td("{{ utils.vitrine.number(value) }}", classes="vi-right-align vi-ellipsis", title=("String(value)",))
     with html.Div(v_if="error_told", id="vi-error-told", classes="vi-note"):
@@ -314,6 +314,7 @@ def _figures() -> None:
     html.Div(v_html=("utils.vitrine.chart(chart)",), v_if="chart.length")
     with html.Table(classes="vi-table", v_if="chart.length", id="vi-chart-table"):
         with html.Tr(v_for="row in chart", key=("row.method",)):
+            html.Td("{{ chart.filter((each) => each.frame_ms !== null).indexOf(row) + 1 || '' }}")
             html.Td("{{ row.method }}")
             html.Td("{{ row.frame_ms === null ? '' : row.frame_ms.toFixed(1) + ' ms' }}", classes="vi-right-align")
             html.Td("{{ (255 * row.error.rmse).toFixed(3) }}", classes="vi-right-align")

@@ -29,7 +29,7 @@ _VUETIFY = {
 
 
 class View(AbstractElement):
-    """<vitrine-view>, of inspector.js."""
+    """<vitrine-view>, of view.js."""
 
     def __init__(self, **values: Any) -> None:
         super().__init__("vitrine-view", **values)
@@ -38,7 +38,7 @@ class View(AbstractElement):
 
 
 class Tree(AbstractElement):
-    """<vitrine-tree>, of inspector.js."""
+    """<vitrine-tree>, of tree.js."""
 
     def __init__(self, **values: Any) -> None:
         super().__init__("vitrine-tree", **values)
@@ -96,7 +96,7 @@ def _bar() -> None:
         button("mdi-content-save-outline", "Save the state", "utils.vitrine.save('save_state', {})")
         button("mdi-folder-open-outline", "Open a state", "utils.vitrine.openState()")
         button("mdi-language-python", "Copy as Python", "utils.vitrine.copy('script')")
-        button("mdi-theme-light-dark", "Dark or light", "theme = theme === 'dark' ? 'light' : 'dark'")
+        button("mdi-theme-light-dark", "Dark or light", "utils.vitrine.switchTheme()")
         button("mdi-power", "Quit: end the server", "utils.vitrine.request('quit')", id="vi-quit")
 
 

@@ -26,7 +26,11 @@ class Refused(ValueError):
 
 def change(inspection: Inspection, name: str, values: Any) -> None:
     """Do a change. Raises Refused, and then the state is as before."""
-    call(getattr(inspection, name), _with_parts(inspection, name, _checked(values)))
+    try:
+        call(getattr(inspection, name), _with_parts(inspection, name, _checked(values)))
+    except Refused:
+        inspection.forget_frame()  # what was tried has changed what the window shows
+        raise
 
 
 def answer(inspection: Inspection, name: str, values: Any) -> Any:

@@ -14,6 +14,7 @@ from ._worker import Worker
 
 _NEEDED = ("trame", "trame_vuetify", "PIL", "aiohttp")
 _EXTRA = "pip install 'vtk-vitrine[inspect]'"
+_PATIENCE = 1.0  # seconds
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
@@ -98,6 +99,11 @@ class Server:
         host = "127.0.0.1" if self._host in ("0.0.0.0", "::", "") else self._host
         return f"http://{f'[{host}]' if ':' in host else host}:{self.port}/?token={self._guard.token}"
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether a frame is still drawn, which nothing can end."""
+        return self._worker.is_busy
+
     def begin(self, open_browser: bool) -> None:
         """Serve in the event loop that runs."""
         self._task = asyncio.get_running_loop().create_task(
@@ -121,20 +127,22 @@ class Server:
             serving = self._serve(page)
             try:
                 await _first_of(self._trame.ready, serving)
+                opening = asyncio.ensure_future(page.open(self._target, self._size, self._tolerance))
+                # What cannot be opened is mostly known at once, and then there is no page.
+                await _first_of(opening, serving, timeout=_PATIENCE)
                 if not quiet:
                     self._announce()
                 if open_browser:
                     webbrowser.open(self.address)
-                await page.open(self._target, self._size, self._tolerance)
-                await _first_of(self._stopped.wait(), serving)
+                await _first_of(opening, serving, self._stopped.wait())
+                await _first_of(serving, self._stopped.wait())
             finally:
                 page.interrupt()
                 with contextlib.suppress(Exception):
                     await self._trame.stop()
-                await page.close()
+                closing = asyncio.ensure_future(page.close())
+                await asyncio.wait([closing, *([] if serving.done() else [serving])], timeout=3)
                 self._worker.close()
-                if not serving.done():
-                    await asyncio.wait([serving], timeout=5)
 
     def _prepare(self, page: Any, application: Any) -> None:
         self._guard.protect(application)
@@ -171,10 +179,10 @@ class Server:
         )
 
 
-async def _first_of(*waited: Any) -> None:
+async def _first_of(*waited: Any, timeout: float | None = None) -> None:
     """Wait for the first, and raise what it raises."""
     tasks = [asyncio.ensure_future(each) for each in waited]
-    done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    done, _ = await asyncio.wait(tasks, timeout=timeout, return_when=asyncio.FIRST_COMPLETED)
     for task in done:
         task.result()
 

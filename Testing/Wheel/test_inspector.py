@@ -1,0 +1,393 @@
+"""The inspector's page in a browser, of a real server. VITRINE_SCREENSHOTS names a folder for pictures of it."""
+
+import base64
+import io
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import unittest
+import urllib.error
+import urllib.request
+
+import numpy
+from PIL import Image
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+from vitrine.inspector import Inspection
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "Testing/Program"))
+
+from browser import open_browser  # noqa: E402
+
+MODEL = ROOT / "Examples/models/robot.glb"
+REQUEST = """
+const done = arguments[arguments.length - 1];
+const text = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+const told = (result) => (result && result.data ? { ...result, data: text(result.data) } : result);
+window.trame.trigger("vitrine", arguments[0]).then((result) => done(told(result)), (error) => done(String(error)));
+"""
+
+
+class Process:
+    """`vitrine inspect` as a process, and its address."""
+
+    def __init__(self, *arguments):
+        command = [sys.executable, "-m", "vitrine", "inspect", *map(str, arguments), "--no-browser"]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+        self.base = self.address.split("?")[0]
+
+    def end(self):
+        """End it as a terminal does. Returns its status and what it wrote to stderr."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+        return self.wait()
+
+    def wait(self):
+        _, errors = self.process.communicate(timeout=20)
+        return self.process.returncode, errors
+
+
+class PageCase(unittest.TestCase):
+    """A page that is opened once, and what Python says of the same state."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Process(MODEL)
+        cls.addClassCleanup(cls.server.end)
+        cls.browser = open_browser(1280, 800)
+        cls.addClassCleanup(cls.browser.quit)
+        cls.browser.set_script_timeout(30)
+        cls.browser.get(cls.server.address)
+        cls.wait_for(cls.is_exact)
+
+    def tearDown(self):
+        folder = os.environ.get("VITRINE_SCREENSHOTS")
+        if folder:
+            self.browser.save_screenshot(f"{folder}/inspector-{self._testMethodName}.png")
+        errors = [line for line in self.browser.get_log("browser") if line["level"] not in ("INFO", "DEBUG")]
+        self.assertEqual(errors, [])
+
+    @classmethod
+    def wait_for(cls, condition):
+        return WebDriverWait(cls.browser, 30, 0.02).until(lambda _: condition())
+
+    @classmethod
+    def find(cls, name):
+        return cls.browser.find_element(By.ID, f"vi-{name}")
+
+    @classmethod
+    def state(cls, name):
+        return cls.browser.execute_script("return JSON.parse(JSON.stringify(trame.state.get(arguments[0])))", name)
+
+    @classmethod
+    def is_exact(cls):
+        """Whether the picture is the exact one of the last change."""
+        views = cls.browser.find_elements(By.ID, "vi-view")
+        if not views:
+            return False
+        shown = views[0].get_attribute("data-exact"), views[0].get_attribute("data-revision")
+        return shown == ("true", str(cls.state("revision")))
+
+    def ask(self, name, **values):
+        result = self.browser.execute_async_script(REQUEST, [name, values])
+        self.wait_for(self.is_exact)
+        return result
+
+    def click(self, name):
+        self.browser.execute_script("arguments[0].click()", self.find(name))
+
+    def click_view(self, across, down, *keys):
+        actions = ActionChains(self.browser)
+        for key in keys:
+            actions.key_down(key)
+        actions.move_to_element_with_offset(self.find("view"), across, down).click()
+        for key in keys:
+            actions.key_up(key)
+        self.browser.execute_script("trame.state.set('picked', null)")
+        actions.perform()
+        self.wait_for(lambda: self.state("picked") is not None)
+        self.wait_for(self.is_exact)
+
+    def drag(self, across, down, *keys):
+        revision = self.state("revision")
+        actions = ActionChains(self.browser, duration=0)
+        for key in keys:
+            actions.key_down(key)
+        actions.move_to_element(self.find("view")).click_and_hold()
+        for _ in range(5):
+            actions.move_by_offset(across // 5, down // 5)
+        actions.release()
+        for key in keys:
+            actions.key_up(key)
+        actions.perform()
+        self.wait_for(lambda: self.state("revision") > revision and self.is_exact())
+
+    def python(self):
+        """An Inspection of the page's state."""
+        state = json.loads(base64.b64decode(self.ask("save_state")["data"]))
+        inspection = Inspection(str(MODEL), size=state["size"])
+        self.addCleanup(inspection.close)
+        inspection.apply(state)
+        return inspection
+
+    def assert_shows(self, inspection):
+        """The page shows the pixels of an inspection."""
+        script = "return document.getElementById('vi-view').toDataURL('image/png')"
+        data = base64.b64decode(self.browser.execute_script(script).split(",")[1])
+        shown = numpy.asarray(Image.open(io.BytesIO(data)).convert("RGB"))
+        numpy.testing.assert_array_equal(shown, inspection.picture())
+
+
+class Page(PageCase):
+    def setUp(self):
+        self.ask("apply", state={"vitrine": 1, "camera": self.first_camera})
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.first_camera = cls.state("ins")["camera"]
+
+    def test_shows_the_exact_picture_after_turning(self):
+        before = self.state("ins")["camera"]
+        self.drag(100, 25)
+        self.assertNotEqual(self.state("ins")["camera"]["position"], before["position"])
+        self.assert_shows(self.python())
+        self.drag(40, 40, Keys.SHIFT)
+        self.assertNotEqual(self.state("ins")["camera"]["focal_point"], before["focal_point"])
+        ActionChains(self.browser).key_down(Keys.CONTROL).send_keys("z").key_up(Keys.CONTROL).perform()
+        self.wait_for(lambda: self.state("ins")["camera"]["focal_point"] == before["focal_point"])
+
+    def test_tells_the_layers_of_a_click_and_goes_deeper(self):
+        self.ask("ghost", parts="all")
+        self.click_view(10, 10)
+        picked, inspection = self.state("picked"), self.python()
+        self.assertEqual(picked["layers"], inspection.layers(picked["x"], picked["y"]))
+        self.assertEqual(picked["path"], inspection.pick(picked["x"], picked["y"]))
+        self.assertEqual(self.state("selection")["path"], picked["path"])
+        self.click_view(10, 10, Keys.ALT)
+        paths = list(dict.fromkeys(layer["path"] for layer in picked["layers"]))
+        deeper = paths[(paths.index(picked["path"]) + 1) % len(paths)]
+        self.assertEqual(self.state("selection")["path"], deeper)
+        self.click_view(10, 10, Keys.CONTROL)
+        self.assertEqual(self.state("selection")["count"], 2)
+        self.assert_shows(self.python())
+
+    def test_changes_parts_and_takes_it_back(self):
+        self.click_view(10, 10)
+        count = self.find("count")
+        for name, expected in (("hide", " 1 hidden"), ("show", "parts · 1 selected"), ("isolate", " hidden")):
+            self.click(name)
+            self.wait_for(lambda expected=expected: expected in count.text)
+        hidden = int(re.search(r"(\d+) hidden", count.text)[1])
+        self.assertEqual(hidden, len(self.python().parts.paths) - 1)
+        self.wait_for(self.is_exact)
+        self.assert_shows(self.python())
+        for _ in range(3):
+            self.ask("undo")
+        self.wait_for(lambda: "hidden" not in count.text)
+
+    def test_finds_and_selects_in_the_tree(self):
+        path = self.python().parts.paths[-1]
+        name = path.rsplit("/", 1)[-1]
+        self.find("search").send_keys(name)
+        self.addCleanup(lambda: self.find("search").send_keys(Keys.CONTROL + "a" + Keys.NULL + Keys.DELETE))
+        selector = f'.vi-row[data-path="{path}"]'
+        row = self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, selector))[0]
+        row.click()
+        self.wait_for(lambda: self.state("selection")["path"] == path)
+
+    def test_cuts_and_drags_the_plane(self):
+        self.click("tab-cut")
+        self.click("section-x")
+        self.wait_for(lambda: len(self.state("ins")["sections"]) == 1)
+        self.wait_for(self.is_exact)
+        before = self.state("ins")["sections"][0]["origin"]
+        self.drag(25, 0, Keys.CONTROL)
+        after = self.state("ins")["sections"][0]["origin"]
+        self.assertNotEqual(after[0], before[0])
+        self.assertEqual(after[1:], before[1:])
+        inspection = self.python()
+        self.assertEqual(self.state("cut")["paths"], inspection.cut_parts())
+        self.assertGreater(self.state("cut")["count"], 0)
+        self.assert_shows(inspection)
+
+    def test_measures_and_finds_clashes_as_python_does(self):
+        self.click_view(10, 10)
+        self.click("tab-check")
+        self.click("thickness")
+        measured = self.wait_for(lambda: self.state("measured"))
+        picked, inspection = self.state("picked"), self.python()
+        self.assertEqual(measured, inspection.measure("thickness", x=picked["x"], y=picked["y"]))
+        self.click("find-clashes")
+        told = self.wait_for(lambda: self.state("clashes"))
+        self.assertEqual(told["count"], len(inspection.clashes()))
+
+    def test_tells_figures_and_the_chart(self):
+        self.ask("figures")
+        told, expected = self.state("figures"), self.python()
+        expected.draw()
+        same = ("method", "fragments", "layers_max", "parts", "size")
+        self.assertEqual([told[key] for key in same], [expected.figures()[key] for key in same])
+        self.ask("error")
+        self.assertEqual(self.state("error_told")["wrong_pixels"], 0)
+        self.ask("chart", frames=1)
+        self.assertEqual([row["method"] for row in self.state("chart")][0], "truth")
+        self.assertGreater(len(self.state("chart")), 4)
+
+    def test_saves_pictures_and_states(self):
+        told = self.ask("screenshot", width=200, height=100, transparent=True)
+        picture = numpy.asarray(Image.open(io.BytesIO(base64.b64decode(told["data"]))))
+        numpy.testing.assert_array_equal(picture, self.python().picture((200, 100), transparent=True))
+        text = base64.b64decode(self.ask("save_state")["data"]).decode()
+        self.ask("explode", factor=1.5)
+        self.ask("apply_text", text=text)
+        self.assertEqual(self.state("ins")["explode"], 0.0)
+        self.assertIn("vitrine.load", self.ask("script"))
+
+    def test_answers_hostile_requests_with_a_message(self):
+        state = self.ask("save_state")["data"]
+        for name, values in HOSTILE:
+            with self.subTest(name=name, values=str(values)[:60]):
+                self.assertIsNone(self.browser.execute_async_script(REQUEST, [name, values]))
+                self.wait_for(lambda: self.state("message")["kind"] == "error" and self.state("message")["text"])
+                self.ask("resize", **dict(zip(("width", "height"), self.state("ins")["size"])))
+        self.assertEqual(self.ask("save_state")["data"], state)
+        self.assert_shows(self.python())
+
+
+HOSTILE = [
+    ("../../etc/passwd", {}),
+    ("__class__", {}),
+    ("close", {}),
+    ("save", {"path": "/tmp/written"}),
+    ("screenshot", {"path": "../written.png"}),
+    ("screenshot", {"width": 10**9, "height": 1}),
+    ("screenshot", {"width": "4", "height": None}),
+    ("turntable", {"frames": 10**12}),
+    ("turntable", {"path": "/tmp/written.mp4"}),
+    ("chart", {"frames": "many"}),
+    ("clashes", {"clearance": -1}),
+    ("clashes", {"clearance": "far"}),
+    ("hide", {"parts": ["/nobody"]}),
+    ("hide", {"parts": 7}),
+    ("hide", {"parts": [None]}),
+    ("hide", {"other": 1}),
+    ("ghost", {"parts": "all", "opacity": 2}),
+    ("look", {"parts": "all", "color": "red; background: url(x)"}),
+    ("look", {"parts": "all", "opacity": "1"}),
+    ("select", {"parts": {"a": 1}}),
+    ("explode", {"factor": -1}),
+    ("explode", {"factor": 1e308}),
+    ("explode", {"factor": None}),
+    ("add_section", {"normal": [0, 0, 0]}),
+    ("add_section", {"normal": "w"}),
+    ("move_section", {"index": 3, "origin": [0, 0, 0]}),
+    ("move_section", {"index": "0", "origin": [0, 0, 0]}),
+    ("remove_section", {"index": -1}),
+    ("set_box", {"bounds": [1, 2, 3]}),
+    ("set_caps", {"hatch": "bricks"}),
+    ("set_caps", {"unknown": 1}),
+    ("reveal", {"part": "*"}),
+    ("view", {"name": "behind"}),
+    ("save_view", {"name": "x" * 100000}),
+    ("go_to", {"name": "nowhere"}),
+    ("parallel", {"on": "yes"}),
+    ("set_lights", {"preset": "disco"}),
+    ("set_background", {"color": "#12"}),
+    ("set_method", {"method": "magic"}),
+    ("apply", {"state": []}),
+    ("apply", {"state": {"vitrine": 1, "camera": {"position": [0, 0, 0]}}}),
+    ("apply", {"state": {"vitrine": 1, "selected": ["/nobody"]}}),
+    ("apply_text", {"text": "{" * 100000}),
+    ("apply_text", {"text": 5}),
+    ("move", {"kind": "rotate", "across": "far", "down": 0}),
+    ("move", {"kind": "fly", "across": 1, "down": 1}),
+    ("move", {"kind": "plane", "across": 1, "down": 1, "plane": 9}),
+    ("click", {"x": 10**6, "y": 0}),
+    ("click", {"x": "1", "y": []}),
+    ("resize", {"width": -5, "height": "all"}),
+    ("measure", {"kind": "distance", "a": [1], "b": "x"}),
+    ("measure", {"kind": "age"}),
+    ("pick", {"x": [], "y": 1}),
+    ("move", []),
+]
+
+
+class Token(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Process(MODEL)
+        cls.addClassCleanup(cls.server.end)
+
+    def status(self, path, **headers):
+        request = urllib.request.Request(self.server.base + path, headers=headers)
+        try:
+            return urllib.request.urlopen(request, timeout=10).status
+        except urllib.error.HTTPError as error:
+            error.close()
+            return error.code
+
+    def test_is_needed_for_all(self):
+        for path in ("", "index.html", "ws", "vitrine/tools.js", "?token=", "?token=guessed", "%2e%2e/etc/passwd"):
+            with self.subTest(path):
+                self.assertEqual(self.status(path), 401)
+        self.assertEqual(self.status("index.html", Cookie="vitrine_1=x"), 401)
+
+    def test_opens_the_page_once_known(self):
+        opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        with opener.open(self.server.address, timeout=10) as page:
+            self.assertEqual(page.status, 200)
+            self.assertNotIn("token", page.url)
+        with opener.open(self.server.base + "vitrine/tools.js", timeout=10) as script:
+            self.assertEqual(script.headers["Referrer-Policy"], "no-referrer")
+
+    def test_is_of_no_use_to_other_pages(self):
+        path = self.server.address[len(self.server.base) :]
+        self.assertEqual(self.status(path, Origin="http://example.com"), 403)
+
+
+class End(unittest.TestCase):
+    def test_comes_by_a_signal_and_leaves_nothing(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            server = Process(MODEL)
+            self.assertRegex(server.address, r"^http://127\.0\.0\.1:\d+/\?token=[\w-]{40,}$")
+            server.process.send_signal(number)
+            self.assertEqual(server.wait(), (0, ""))
+
+    def test_comes_by_quit_in_the_page(self):
+        server = Process(MODEL)
+        self.addCleanup(server.end)
+        browser = open_browser(1000, 700)
+        self.addCleanup(browser.quit)
+        browser.get(server.address)
+        button = WebDriverWait(browser, 30, 0.02).until(lambda b: b.find_elements(By.ID, "vi-quit"))[0]
+        browser.execute_script("arguments[0].click()", button)
+        self.assertEqual(server.wait(), (0, ""))
+
+
+class BadInput(unittest.TestCase):
+    def test_is_told_in_one_line(self):
+        for arguments, expected in (
+            (["/nowhere.glb"], "there is no such file"),
+            ([__file__], "is not of a kind that can be read"),
+            ([MODEL, "--port", "70000"], "a port is a number from 0 to 65535"),
+            ([MODEL, "--host", "198.51.100.1"], "address"),
+        ):
+            with self.subTest(expected):
+                server = Process(*arguments)
+                status, errors = server.wait()
+                self.assertEqual((status, server.address), (2, ""))
+                self.assertIn(expected, errors.strip().splitlines()[-1])
+
+
+if __name__ == "__main__":
+    unittest.main()
