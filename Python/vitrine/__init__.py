@@ -7,8 +7,8 @@
     print(vitrine.report())
 
 The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), highlight(), x_ray(), reveal(),
-AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in the package
-vtkmodules.
+inspect(), AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in
+the package vtkmodules.
 """
 
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
@@ -50,10 +50,11 @@ from ._section import Section, SectionBox, section, section_box  # noqa: E402
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 from ._tree import Tree  # noqa: E402
 from ._x_ray import XRay, x_ray  # noqa: E402
+from .inspector._server import inspect  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
 __all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Highlight", "Layer", "Layers"]
 __all__ += ["Nearest", "Part", "Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats"]
 __all__ += ["Tree", "Wall", "XRay"]
-__all__ += ["__version__", "from_multiblock", "highlight", "layers_at", "layers_in", "load"]
+__all__ += ["__version__", "from_multiblock", "highlight", "inspect", "layers_at", "layers_in", "load"]
 __all__ += ["pick", "report", "reveal", "section", "section_box", "see_through", "stats", "x_ray"]
