@@ -63,9 +63,11 @@ def attached(make: Any, parts: Any, renderers: Iterable[vtkRenderer]) -> list[An
     for prop, _ in pairs:
         if not make().CanChoose(prop):
             raise TypeError(f"parts are actors, and a {prop.GetClassName()} is none: choose the actors that it shows")
-    counts = {prop: block_count(prop) for prop in {prop for prop, block in pairs if block > 0}}
-    for prop, block in pairs:
-        if block > 0 and block >= (count := counts[prop]):
+    # Blocks of assemblies are there. To count those of large ones takes as long as to draw them.
+    given = [(chosen.prop, chosen.block) for chosen in named if chosen.block > 0 and chosen.part is None]
+    counts = {prop: block_count(prop) for prop in {prop for prop, _ in given}}
+    for prop, block in given:
+        if block >= (count := counts[prop]):
             raise ValueError(f"an actor has no block {block}: its blocks are flat indices from 0 to {count - 1}")
     shown = []
     for renderer in all_renderers:

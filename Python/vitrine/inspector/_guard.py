@@ -41,7 +41,10 @@ class Guard:
                 return self._welcome(request)
             if not self._knows(request.cookies.get(_cookie_name(request), "")):
                 return web.Response(status=401, text="Open the whole address that the program printed.\n")
-            response = await handler(request)
+            try:
+                response = await handler(request)
+            except ConnectionResetError:  # the page is gone, and cannot be told
+                return web.Response(status=400)
             if not response.prepared:
                 response.headers.update(_HEADERS)
             return response

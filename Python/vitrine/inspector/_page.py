@@ -20,6 +20,7 @@ from ._worker import Worker
 _SCRIPTS, _STYLE = ("tools.js", "view.js", "tree.js"), "inspector.css"
 _ADDRESS = "vitrine"
 _LOG = logging.getLogger(__name__)
+logging.getLogger("wslink").setLevel(logging.CRITICAL)  # it would tell of each page that is closed
 _EMPTY: dict[str, Any] = {
     "ins": {**_state.DEFAULTS, "camera": {"parallel": False}},
     "revision": 0,
@@ -83,6 +84,7 @@ class Page:
         finally:
             self._show(busy=None)
         self._show(**self._session.told_once(), **self._session.told())
+        self._warming = asyncio.ensure_future(self._worker(self._session.warm_up))
 
     def interrupt(self) -> None:
         """Have long work stop soon."""

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _SCALES = (1.0, 0.75, 0.5, 0.35, 0.25)
 _WANTED = 0.060  # seconds of a frame while something moves, which leaves time for the browser
 _LITTLE = 0.85  # a smaller picture is worth it if it takes at most this share of the time
+_KEPT = 5  # frames of each scale
+_MEMORY = 1.0  # seconds
 _QUALITY = 80
 
 
@@ -72,10 +74,15 @@ class Speed:
 
     def __init__(self) -> None:
         self._seconds: dict[float, collections.deque[float]] = {}
+        self._noted: dict[float, float] = {}
 
     def note(self, scale: float, seconds: float) -> None:
-        """Count a frame. The first of a scale makes buffers, and does not count for long."""
-        self._seconds.setdefault(scale, collections.deque(maxlen=5)).append(seconds)
+        """Count a frame. What larger scales took a while ago is forgotten, so that they are tried again."""
+        now = time.monotonic()
+        self._seconds.setdefault(scale, collections.deque(maxlen=_KEPT)).append(seconds)
+        self._noted[scale] = now
+        for other in [each for each in self._seconds if each > scale and now - self._noted[each] > _MEMORY]:
+            del self._seconds[other]
 
     def hope(self) -> None:
         """Forget the scales that were too slow, so that the next moves try the largest again."""
@@ -83,24 +90,25 @@ class Speed:
         self._seconds = {scale: seconds for scale, seconds in self._seconds.items() if scale <= best}
 
     def scale(self) -> float:
-        """The largest scale that is fast enough, or else the largest that is about as fast as any.
+        """The largest scale that is fast enough as far as is known, or else the largest that is as fast as any."""
+        if not self._seconds:
+            return _SCALES[0]
+        expected = {scale: self._expected(scale) for scale in _SCALES}
+        fast = [scale for scale, seconds in expected.items() if seconds <= _WANTED]
+        fastest = min(expected.values())
+        best = max(fast or [scale for scale, seconds in expected.items() if seconds * _LITTLE <= fastest])
+        return self._larger(best) if fast else best
 
-        A smaller one is tried only when all larger ones are too slow.
-        """
-        known: dict[float, float] = {}
-        for scale in _SCALES:
-            if scale not in self._seconds:
-                return scale
-            known[scale] = statistics.median(self._seconds[scale])
-            if known[scale] <= _WANTED:
-                return self._worth(known)
-        return self._worth(known)
+    def _larger(self, scale: float) -> float:
+        """The next larger scale, if it was not tried since a scale is fast enough; or else that scale."""
+        larger = [each for each in _SCALES if each > scale]
+        is_sure = len(self._seconds.get(scale, ())) == _KEPT
+        return min(larger) if larger and is_sure and min(larger) not in self._seconds else scale
 
-    def _worth(self, known: dict[float, float]) -> float:
-        fastest = min(known.values())
-        if fastest <= _WANTED:
-            return max(scale for scale, seconds in known.items() if seconds <= _WANTED)
-        return max(scale for scale, seconds in known.items() if seconds * _LITTLE <= fastest)
+    def _expected(self, scale: float) -> float:
+        """The median of the last frames, or what the next scale gives, if the time goes with the number of pixels."""
+        known = min(self._seconds, key=lambda each: (abs(each - scale), each < scale))
+        return statistics.median(self._seconds[known]) * (scale / known) ** 2
 
 
 def _encoded(pixels: numpy.ndarray, kind: str, **options: Any) -> bytes:

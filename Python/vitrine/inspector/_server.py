@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import os
 import signal
+import socket
 import sys
 import webbrowser
 from typing import Any, Callable, Iterator, Sequence
@@ -42,6 +43,8 @@ def inspect(
     page's "Quit" or Ctrl-C ends the server. Where an event loop runs already, as in notebooks, it returns at once, and
     the result shows the page in the notebook.
 
+    Until then, a plotter's window is drawn by the page alone.
+
     Args:
         target: an Assembly, a file, several files, a state that Inspection.save() wrote, or a pyvista.Plotter.
         host: the address of the network card that listens. By default only this machine can reach the page.
@@ -61,7 +64,7 @@ def inspect(
     except RuntimeError:
         asyncio.run(server.run(open_browser=open_browser))
         return None
-    server.begin(open_browser=False)
+    server.begin()
     return server
 
 
@@ -91,7 +94,7 @@ class Server:
     @property
     def port(self) -> int:
         """Where the server listens, once it does."""
-        return int(self._trame.port) if self._trame is not None else self._port
+        return self._port or (int(self._trame.port) if self._trame is not None else 0)
 
     @property
     def address(self) -> str:
@@ -104,33 +107,32 @@ class Server:
         """Whether a frame is still drawn, which nothing can end."""
         return self._worker.is_busy
 
-    def begin(self, open_browser: bool) -> None:
+    def begin(self) -> None:
         """Serve in the event loop that runs."""
-        self._task = asyncio.get_running_loop().create_task(
-            self.run(open_browser=open_browser, quiet=True, signals=False)
-        )
+        self._port = self._port or _free_port(self._host)
+        self._task = asyncio.get_running_loop().create_task(self.run(open_browser=False, in_notebook=True))
 
     def stop(self) -> None:
         """End the server, close its page and its window."""
         if self._stopped is not None:
             self._stopped.set()
 
-    async def run(self, *, open_browser: bool, quiet: bool = False, signals: bool = True) -> None:
-        """Serve until stop(), "Quit" in the page, or a signal."""
+    async def run(self, *, open_browser: bool, in_notebook: bool = False) -> None:
+        """Serve until stop() or "Quit" in the page, or, in programs, a signal."""
         from ._page import Page
 
         self._stopped = asyncio.Event()
         page = Page(self._worker, self.stop, dark=self._dark)
         self._trame = page.server
         self._trame.controller.on_server_bind.add(lambda web_server: self._prepare(page, web_server.app))
-        with _ended_by_signals(self.stop) if signals else contextlib.nullcontext():
+        with contextlib.nullcontext() if in_notebook else _ended_by_signals(self.stop):
             serving = self._serve(page)
             try:
                 await _first_of(self._trame.ready, serving)
                 opening = asyncio.ensure_future(page.open(self._target, self._size, self._tolerance))
                 # What cannot be opened is mostly known at once, and then there is no page.
                 await _first_of(opening, serving, timeout=_PATIENCE)
-                if not quiet:
+                if not in_notebook:
                     self._announce()
                 if open_browser:
                     webbrowser.open(self.address)
@@ -173,10 +175,26 @@ class Server:
         print(f"{self.address}\nCtrl-C ends it.", flush=True)
 
     def _repr_html_(self) -> str:
-        return (
-            f'<iframe src="{self.address}" style="width: 100%; height: 700px; border: 1px solid #8888" '
-            f'allow="clipboard-write"></iframe>'
-        )
+        """The page in a notebook. It waits for the server, and has the notebook's name of this machine."""
+        return _FRAME % {"name": f"vitrine-{self._guard.token[:8]}", "address": self.address}
+
+
+_FRAME = """<iframe id="%(name)s" style="width: 100%%; height: 700px; border: 1px solid #8888" allow="clipboard-write">
+</iframe><script>(async () => {
+  const address = new URL("%(address)s");
+  if (["localhost", "127.0.0.1"].includes(location.hostname)) address.hostname = location.hostname;
+  for (;;) {
+    try { await fetch(address.origin, { mode: "no-cors" }); break; }
+    catch { await new Promise((again) => setTimeout(again, 200)); }
+  }
+  document.getElementById("%(name)s").src = address;
+})();</script>"""
+
+
+def _free_port(host: str) -> int:
+    with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET) as probe:
+        probe.bind((host, 0))
+        return int(probe.getsockname()[1])
 
 
 async def _first_of(*waited: Any, timeout: float | None = None) -> None:

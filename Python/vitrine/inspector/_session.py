@@ -7,7 +7,7 @@ import pathlib
 from typing import Any
 
 from .._options import METHODS
-from . import _gestures, _requests, _views
+from . import _gestures, _requests, _state, _views
 from ._inspection import Inspection
 from ._pictures import Pictures
 from ._render import opened
@@ -22,6 +22,7 @@ class Session:
     def __init__(self, target: Any, size: Any, tolerance: float) -> None:
         """Open a target, as inspect() takes it. It takes seconds."""
         self.inspection = _opened(target, size, tolerance)
+        self._size_before = tuple(self.inspection.state_now["size"])
         self._size: list[int] | None = None  # of the page's view
         self._fits = _state_file(target) is None and not hasattr(target, "render_window")
         self.pictures = Pictures(self.inspection)
@@ -30,6 +31,11 @@ class Session:
         self._looks: collections.OrderedDict[int, dict[str, Any]] = collections.OrderedDict()
         self._keep_looks()
         self._numbers = {path: number for number, path in enumerate(self.inspection.parts.paths)}
+
+    def warm_up(self) -> None:
+        """Do what the first picture and the first change need, while the browser loads the page."""
+        self.inspection.draw()
+        _state.check({"vitrine": _state.FORMAT})
 
     def _keep_looks(self) -> None:
         self._looks[self.revision] = self.inspection.state_now["parts"]
@@ -73,8 +79,9 @@ class Session:
         self._size = [max(16, min(4096, _requests.pixels(side))) for side in (width, height)]
         self.note_change()
         if is_first and self._fits:
-            self.inspection.fit()
-            self.inspection.forget_changes()
+            renderer = self.inspection.renderer
+            self.inspection.look_from(_views.fitted(renderer, _views.shown_bounds(renderer)))
+            self.note_change()
 
     def click(self, x: Any, y: Any, deeper: Any = False, add: Any = False) -> dict[str, Any]:
         """Select what a pixel shows, or the next part behind what is selected. Returns the layers there."""
@@ -155,6 +162,8 @@ class Session:
         return names[0] + (f" and {len(names) - 1} more" if len(names) > 1 else "") if names else "Assembly"
 
     def close(self) -> None:
+        """Let the window go, or give a plotter back as it was."""
+        self.inspection.window.SetSize(*self._size_before)
         self.inspection.close()
 
 
