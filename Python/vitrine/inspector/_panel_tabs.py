@@ -220,12 +220,14 @@ def _cut() -> None:
 
 def _check() -> None:
     _head("Measure")
-    html.Div("Two points: click, then Ctrl-click another. Two parts: select both.", classes="vi-note")
+    html.Div(
+        "Distance is between the last two clicks, clearance between two parts that are selected.", classes="vi-note"
+    )
     with html.Div(classes="vi-line"):
         v.VBtn(
             "Distance",
-            disabled=("!picked || !picked.layers.length || !before || !before.layers.length",),
-            click=_act("measure", "{kind: 'distance', a: before.layers[0].position, b: picked.layers[0].position}"),
+            disabled=("!utils.vitrine.point(picked) || !utils.vitrine.point(before)",),
+            click=_act("measure", "{kind: 'distance', a: utils.vitrine.point(before), b: utils.vitrine.point(picked)}"),
         )
         v.VBtn(
             "Thickness",

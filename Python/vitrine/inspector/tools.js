@@ -102,6 +102,12 @@
     return plane.origin.map((value, axis) => value + way * plane.normal[axis]);
   }
 
+  // Where a click met the part that it selected.
+  function point(picked) {
+    const met = picked && picked.layers.find((layer) => layer.path === picked.path);
+    return met ? met.position : null;
+  }
+
   function smaller(bounds) {
     return bounds.map((value, i) => 0.875 * value + 0.125 * bounds[i ^ 1]);
   }
@@ -159,7 +165,9 @@
     return `<svg ${look} viewBox="0 0 ${width} ${height}">${axes}${marks.join("")}${names}</svg>`;
   }
 
+  window.trame.client.onConnectionClose(() => window.trame.state.set("ended", true));
+
   const drawing = { heat, chart, number, told };
-  const planes = { offset, origin, smaller };
-  window.trame.utils.vitrine = { act, request, save, copy, openState, switchTheme, ...planes, ...drawing };
+  const places = { offset, origin, smaller, point };
+  window.trame.utils.vitrine = { act, request, save, copy, openState, switchTheme, ...places, ...drawing };
 })();

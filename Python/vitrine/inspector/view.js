@@ -5,6 +5,7 @@
   const STILL_AFTER = 180; // milliseconds without a move after which the exact picture is asked for
   const CLICK = 4; // pixels that the mouse may move in a click
 
+  const ratio = () => window.devicePixelRatio || 1; // pixels of the picture for one of the page
   const request = (name, values) => window.trame.utils.vitrine.request(name, values);
 
   const View = {
@@ -39,9 +40,9 @@
     },
     methods: {
       resize() {
-        const { clientWidth: width, clientHeight: height } = this.$refs.frame;
-        if (width > 0 && height > 0) {
-          this.size = { width, height };
+        const { clientWidth, clientHeight } = this.$refs.frame;
+        if (clientWidth > 0 && clientHeight > 0) {
+          this.size = { width: Math.round(clientWidth * ratio()), height: Math.round(clientHeight * ratio()) };
           this.ask("still");
         }
       },
@@ -55,6 +56,7 @@
         this.timer = setTimeout(() => this.ask("still"), STILL_AFTER);
       },
       move(kind, across, down) {
+        [across, down] = [across * ratio(), down * ratio()];
         const last = this.moves[this.moves.length - 1];
         if (last && last.kind === kind) {
           last.across += across;
@@ -110,7 +112,8 @@
       },
       pixel(event) {
         const box = this.$refs.canvas.getBoundingClientRect();
-        return { x: Math.floor(event.clientX - box.left), y: Math.floor(box.bottom - event.clientY - 0.001) };
+        const [right, up] = [event.clientX - box.left, box.bottom - event.clientY];
+        return { x: Math.floor(right * ratio()), y: Math.ceil(up * ratio()) - 1 };
       },
       press(event) {
         this.$refs.canvas.focus();
