@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkSequencePass, vtkShadowMapPass
 
+from . import _browser
 from ._options import check_boolean, make_pass
 from .vtkVitrineRendering import (
     vtkClusteredLightsPass,
@@ -93,6 +94,7 @@ def see_through(
     for renderer in renderers:
         handle._frames.take(renderer)
     handle._frames.warn(stacklevel=3)
+    handle._watch_browsers()
     handle._render()
     return handle
 
@@ -124,7 +126,15 @@ class SeeThrough:
         Handles of one target may be removed in any order. A plotter on show is drawn at once.
         """
         if self._frames.remove():
+            if (plotter := self._plotter()) is not None:
+                _browser.unwatch(plotter)
             self._render()
+
+    def _watch_browsers(self) -> None:
+        """Warn where a browser draws what the plotter shows."""
+        plotter = self._plotter()
+        if plotter is not None:
+            _browser.watch(plotter)
 
     def _render(self) -> None:
         """Draw the plotter, which does nothing before it is shown, and must not once it is closed."""
