@@ -162,6 +162,12 @@ class ObjFiles(FileTest):
         self.assert_done(run("render", path, "-o", picture, "--size", "9x9", "--view", "0,0"))
         self.assertEqual(tuple(read_png(picture)[2][4][12:15]), (0, 255, 0))
 
+    def test_the_colour_of_a_material_without_lights_is_drawn(self):
+        (self.folder / "model.mtl").write_bytes(b"newmtl red\nKd 1 0 0.2\nillum 0\n")
+        path, picture = self.write("model.obj", SQUARE + b"usemtl red\nf 1 2 3 4\n"), self.folder / "model.png"
+        self.assert_done(run("render", path, "-o", picture, "--size", "9x9", "--view", "0,0"))
+        self.assertEqual(tuple(read_png(picture)[2][4][12:15]), (255, 0, 51))
+
     def test_colours_of_vertices(self):
         colored = b"v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3 4\n"
         path, picture = self.write("model.obj", colored), self.folder / "model.png"

@@ -142,9 +142,7 @@ vtkSmartPointer<vtkProperty> MakeProperty(const ReadMaterial& material)
   if (material.Illumination == 0)
   {
     property->LightingOff();
-    property->SetDiffuse(0.0);
     property->SetSpecular(0.0);
-    property->SetColor(property->GetDiffuseColor());
   }
   else if (material.Illumination != 1)
   {
