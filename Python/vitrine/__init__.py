@@ -7,9 +7,12 @@
     print(vitrine.report())
 
 The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), highlight(), x_ray(), reveal(),
-inspect(), AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in
+inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in
 the package vtkmodules.
 """
+
+import importlib
+from typing import TYPE_CHECKING, Any
 
 from ._build import VERSION as __version__, VTK_VERSION as _VTK_VERSION
 
@@ -50,11 +53,27 @@ from ._section import Section, SectionBox, section, section_box  # noqa: E402
 from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
 from ._tree import Tree  # noqa: E402
 from ._x_ray import XRay, x_ray  # noqa: E402
-from .inspector._server import inspect  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
 __all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Highlight", "Layer", "Layers"]
 __all__ += ["Nearest", "Part", "Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats"]
 __all__ += ["Tree", "Wall", "XRay"]
-__all__ += ["__version__", "from_multiblock", "highlight", "inspect", "layers_at", "layers_in", "load"]
+__all__ += ["__version__", "export_explorable", "from_multiblock", "highlight", "inspect", "layers_at", "layers_in"]
+__all__ += ["load"]
 __all__ += ["pick", "report", "reveal", "section", "section_box", "see_through", "stats", "x_ray"]
+
+if TYPE_CHECKING:
+    from .explore import export_explorable as export_explorable
+    from .inspector import inspect as inspect
+
+# What needs packages that VTK does not need is loaded where somebody asks for it.
+_LATER = {"export_explorable": "explore", "inspect": "inspector"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    try:
+        return getattr(importlib.import_module(f".{_LATER[name]}", __name__), name)
+    except ModuleNotFoundError as error:
+        raise ImportError(f"{name}() needs {error.name}: pip install 'vtk-vitrine[inspect]'") from error

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import os
 import pathlib
@@ -42,22 +43,27 @@ def environment() -> dict[str, str]:
 
 
 def command_of_package(arguments: list[str]) -> Any:
-    """The main function of a command that the package itself does, which loads all of VTK, or None."""
+    """The main function of a command that the package itself does, which loads all of VTK, or None.
+
+    Raises ModuleNotFoundError if a package is missing that the command needs.
+    """
     name, states = (arguments or [""])[0], [text for text in arguments if text.endswith(".json") and text[0] != "-"]
     if name == "inspect":
-        from vitrine.inspector.__main__ import main
-    elif name == "explore":
-        from vitrine.explore.__main__ import main
-    elif name == "render" and states:
-        from vitrine.inspector._render import main
-    else:
-        return None
-    return main
+        return importlib.import_module("vitrine.inspector.__main__").main
+    if name == "explore":
+        return importlib.import_module("vitrine.explore.__main__").main
+    if name == "render" and states:
+        return importlib.import_module("vitrine.inspector._render").main
+    return None
 
 
 def main() -> None:
     """Do a command of the package, or become the program, with this process's arguments."""
-    command = command_of_package(sys.argv[1:])
+    try:
+        command = command_of_package(sys.argv[1:])
+    except ModuleNotFoundError as error:
+        print(f"vitrine: this needs {error.name}: pip install 'vtk-vitrine[inspect]'", file=sys.stderr)
+        sys.exit(2)
     if command is not None:
         sys.exit(command(sys.argv[2:]))
     try:

@@ -1,7 +1,8 @@
-"""The inspector: open an assembly, see in, ask, share. Inspection does all of it without a page."""
+"""The inspector: open an assembly, see in, ask, share. inspect() serves its page, and Inspection does without one."""
 
 from __future__ import annotations
 
 from ._inspection import Inspection
+from ._server import inspect
 
-__all__ = ["Inspection"]
+__all__ = ["Inspection", "inspect"]
