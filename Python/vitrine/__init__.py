@@ -7,8 +7,8 @@
     print(vitrine.report())
 
 The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), highlight(), x_ray(), reveal(),
-inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering. VTK's own classes are in
-the package vtkmodules.
+inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering.
+VTK's own classes are in the package vtkmodules.
 """
 
 import importlib
