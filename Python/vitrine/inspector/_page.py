@@ -17,7 +17,7 @@ from ._panels import lay_out
 from ._session import Session
 from ._worker import Worker
 
-_SCRIPTS, _STYLE = ("tools.js", "view.js", "tree.js"), "inspector.css"
+_SCRIPTS, _STYLE = ("tools.js", "keys.js", "view.js", "tree.js"), "inspector.css"
 _ADDRESS = "vitrine"
 _LOG = logging.getLogger(__name__)
 logging.getLogger("wslink").setLevel(logging.CRITICAL)  # it would tell of each page that is closed

@@ -48,7 +48,7 @@ class Tree(AbstractElement):
 def lay_out(server: Any, dark: bool) -> None:
     """Make the page of a server."""
     server.state.update({"theme": "dark" if dark else "light", "tab": "layers", "trackball": False, "plane": 0})
-    server.state.update({"picked": None, "before": None, "frame": None, "heat": None})
+    server.state.update({"picked": None, "before": None, "frame": None, "heat": None, "help": False})
     with VAppLayout(server, theme=("theme",), vuetify_config=_VUETIFY):
         with html.Div(classes="vi-page"):
             _bar()
@@ -58,6 +58,17 @@ def lay_out(server: Any, dark: bool) -> None:
             _middle()
             _panel_tabs.lay_out()
             _status()
+        _help()
+
+
+def _help() -> None:
+    """The list of keys."""
+    with v.VDialog(v_model=("help",), max_width=460):
+        with v.VCard(title="Keys", style="font-size: 13px;"):
+            with v.VCardText(style="max-height: 70vh; overflow-y: auto;"), html.Table(classes="vi-table", id="vi-keys"):
+                with html.Tr(v_for="key in utils.vitrine_keys", key=("key.keys",)):
+                    html.Td("{{ key.keys }}", style="white-space: nowrap; font-family: monospace;")
+                    html.Td("{{ key.text }}")
 
 
 def button(icon: str, title: str, click: str, **values: Any) -> v.VBtn:
@@ -96,6 +107,7 @@ def _bar() -> None:
         button("mdi-content-save-outline", "Save the state", "utils.vitrine.save('save_state', {})")
         button("mdi-folder-open-outline", "Open a state", "utils.vitrine.openState()")
         button("mdi-language-python", "Copy as Python", "utils.vitrine.copy('script')")
+        button("mdi-keyboard-outline", "Keys (?)", "help = true")
         button("mdi-theme-light-dark", "Dark or light", "utils.vitrine.switchTheme()")
         button("mdi-power", "Quit: end the server", "utils.vitrine.request('quit')", id="vi-quit")
 

@@ -1,4 +1,4 @@
-// The tools of the inspector's page: its requests to the server, its keys, and what its panels compute.
+// The tools of the inspector's page: its requests to the server, and what its panels compute.
 (function () {
   "use strict";
 
@@ -51,37 +51,6 @@
     input.onchange = async () => request("apply_text", { text: await input.files[0].text() });
     input.click();
   }
-
-  const KEYS = {
-    f: () => act("fit"),
-    F: () => act("fit", { parts: "selected" }),
-    h: () => act("hide"),
-    H: () => act("show", { parts: "all" }),
-    g: () => act("ghost"),
-    i: () => act("isolate"),
-    r: () => act("reset"),
-    p: () => act("parallel", { on: !window.trame.state.get("ins").camera.parallel }),
-    Escape: () => act("select", { parts: null }),
-    1: () => act("view", { name: "front" }),
-    2: () => act("view", { name: "back" }),
-    3: () => act("view", { name: "left" }),
-    4: () => act("view", { name: "right" }),
-    5: () => act("view", { name: "top" }),
-    6: () => act("view", { name: "bottom" }),
-    7: () => act("view", { name: "iso" }),
-  };
-  window.addEventListener("keydown", (event) => {
-    if (event.target.closest("input, textarea, [contenteditable]")) return;
-    if (event.ctrlKey || event.metaKey) {
-      const name = { z: event.shiftKey ? "redo" : "undo", Z: "redo", y: "redo" }[event.key];
-      if (name) {
-        event.preventDefault();
-        act(name);
-      }
-    } else if (!event.altKey && KEYS[event.key]) {
-      KEYS[event.key]();
-    }
-  });
 
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
