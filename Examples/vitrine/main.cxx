@@ -69,6 +69,7 @@ int Run(int argc, char* argv[])
   program::AddReportCommand(app);
   program::AddSortsCommand(app);
   program::AddStabilityCommand(app);
+  program::AddUnpackCommand(app);
   program::AddViewCommand(app);
   const std::string problem = vitrine::FindProblemOfDeviceSwitches();
   if (!problem.empty())

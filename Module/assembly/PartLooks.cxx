@@ -64,7 +64,14 @@ std::array<double, 3> ColorToHold(vtkProperty* property, const std::array<double
 std::array<double, 3> ShownColor(vtkProperty* property)
 {
   std::array<double, 3> color{};
-  property->GetColor(color.data());
+  if (property->GetDiffuse() > 0.0)
+  {
+    property->GetDiffuseColor(color.data());
+  }
+  else
+  {
+    property->GetColor(color.data()); // which mixes in the colour of highlights
+  }
   return HasLinearColors(property) ? Raised(color, 1.0 / GAMMA) : color;
 }
 

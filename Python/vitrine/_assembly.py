@@ -14,31 +14,43 @@ from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
-from . import _blocks, _cad
+from . import _blocks, _cad, _unpack
 from ._options import check_boolean
 from ._see_through import _plotter_of, _renderers_of
 from ._tree import Tree, make_tree
 from .vtkVitrineRendering import vtkAssemblyActors, vtkAssemblyReader
 
-KINDS: tuple[str, ...] = (".glb", ".gltf", *_cad.KINDS)
+KINDS: tuple[str, ...] = (".glb", ".gltf", *_cad.KINDS, *_unpack.KINDS)
 _FAINT = 0.1  # the opacity of what isolate() leaves
 
 
-def load(path: str | os.PathLike[str], *, tolerance: float = 0.0, cache: bool = True) -> Assembly:
-    """Read a file of an assembly: glTF 2.0 (.glb, .gltf), also with compressed or quantized geometry, or STEP, IGES or
-    BREP (.step, .stp, .iges, .igs, .brep).
+def load(
+    path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    *more: str | os.PathLike[str],
+    tolerance: float = 0.0,
+    cache: bool = True,
+) -> Assembly:
+    """Read a file of an assembly, or several as one: all kinds that the program reads, and its demo scenes.
+
+    These are glTF 2.0 (.glb, .gltf), also with compressed or quantized geometry; STEP, IGES and BREP (.step, .stp,
+    .iges, .igs, .brep); 3MF, OBJ with its materials, STL and PLY; and VTK's own .vtp, .vtu, .vtm, .vtpd, .vtpc, .vtk
+    and .vtkhdf. A name such as "demo:assembly" makes a scene instead; `vitrine --help` lists them.
 
     Args:
-        path: the file.
+        path: the file, or an iterable of files.
+        more: further files. Names and paths of their parts that are there already get a number.
         tolerance: how far triangles may be from the shapes of STEP, IGES and BREP, in metres. 0 stands for a thousandth
             of the diagonal of the box around all.
         cache: whether triangles that were made of the same file before are used, and new ones are kept, in vitrine/cad
             of the system's folder for caches.
 
+    Other files than glTF, STEP, IGES and BREP are read by the program, in a process of its own.
+
     Raises:
-        FileNotFoundError: there is no such file.
+        FileNotFoundError: there is no such file, or the program that reads it is not installed.
         IsADirectoryError: it is a folder.
-        ValueError: the file is of another kind, or damaged, or what converts STEP is not installed.
+        TypeError: it is no name of a file.
+        ValueError: the file is of another kind, or damaged, or what converts STEP is not installed; or none was given.
 
     Examples:
 
@@ -48,26 +60,61 @@ def load(path: str | os.PathLike[str], *, tolerance: float = 0.0, cache: bool = 
     >>> machine.add_to(plotter)  # doctest: +SKIP
     """
     check_boolean("cache", cache)
-    file = pathlib.Path(path)
+    sources = _sources(path, more)
+    for source in sources:
+        _check_source(source)
+    actors = vtkAssemblyActors()
+    notes = [note for source in sources for note in _add_parts(actors, source, tolerance, cache)]
+    if len(sources) > 1:
+        _make_names_unique(actors)
+    return Assembly(actors, notes)
+
+
+def _sources(path: Any, more: Iterable[Any]) -> list[str]:
+    """The names of files that load() was given."""
+    first = [path] if isinstance(path, (str, bytes, os.PathLike)) or not isinstance(path, Iterable) else path
+    sources = [*first, *more]
+    for source in sources:
+        if not isinstance(source, (str, os.PathLike)):
+            raise TypeError(f"a file is named by a str or a path, and several by an iterable of these, not {source!r}")
+    if not sources:
+        raise ValueError("name one file at least to load")
+    return [os.fsdecode(source) for source in sources]
+
+
+def _check_source(source: str) -> None:
+    """Raise an exception for what cannot be read, before anything is."""
+    if source.startswith(_unpack.DEMO):
+        return
+    file = pathlib.Path(source)
     if file.is_dir():
         raise IsADirectoryError(f"{file}: is a folder, not a file")
     if not file.is_file():
         raise FileNotFoundError(f"{file}: there is no such file")
     if file.suffix.lower() not in KINDS:
         raise ValueError(f"{file}: is not of a kind that can be read: {', '.join(KINDS)}")
+
+
+def _add_parts(actors: vtkAssemblyActors, source: str, tolerance: float, cache: bool) -> list[str]:
+    """Add the parts of a file, and return what there is to note of it."""
+    suffix = pathlib.Path(source).suffix.lower()
+    if source.startswith(_unpack.DEMO) or suffix in _unpack.KINDS:
+        return _unpack.add_parts(actors, source)
     reader = vtkAssemblyReader()
-    reader.SetFileName(os.fspath(file))
-    if file.suffix.lower() in _cad.KINDS:
+    reader.SetFileName(source)
+    if suffix in _cad.KINDS:
         _cad.set_up(reader, tolerance, cache)
     if not reader.Open():
-        raise ValueError(f"{file}: {reader.GetErrorMessage()}")
-    return _assembly_of(reader)
-
-
-def _assembly_of(reader: vtkAssemblyReader) -> Assembly:
-    actors = vtkAssemblyActors()
+        raise ValueError(f"{source}: {reader.GetErrorMessage()}")
     actors.AddParts(reader)
-    return Assembly(actors, _cad.notes_of(reader))
+    return _cad.notes_of(reader)
+
+
+def _make_names_unique(actors: vtkAssemblyActors) -> None:
+    names, paths = _blocks.UniqueNames(), _blocks.UniqueNames()
+    for number in range(actors.GetNumberOfParts()):
+        name, path = names.make(actors.GetPartName(number)), paths.make(actors.GetPartPath(number))
+        actors.SetPartNames(number, name, path, actors.GetPartMaterialName(number))
 
 
 def from_multiblock(blocks: Any) -> Assembly:

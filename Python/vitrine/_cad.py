@@ -63,9 +63,13 @@ def set_up(reader: Any, tolerance: float, cache: bool) -> None:
 
 def notes_of(reader: Any) -> list[str]:
     """What a vtkAssemblyReader notes of its file, and the file's unit if its lengths were converted."""
-    unit = reader.GetLengthUnit()
-    told = [f"lengths are in metres; in the file their unit is the {unit}"] if unit else []
+    told = unit_notes(reader.GetLengthUnit())
     return told + [reader.GetNote(note) for note in range(reader.GetNumberOfNotes())]
+
+
+def unit_notes(unit: str) -> list[str]:
+    """The note of a file whose lengths were converted from a unit, none without one."""
+    return [f"lengths are in metres; in the file their unit is the {unit}"] if unit else []
 
 
 # STEP's text

@@ -572,7 +572,7 @@ class BadFiles(Files):
         text.write_text("hello")
         with self.assertRaisesRegex(ValueError, r"not of a kind that can be read: \.glb, \.gltf"):
             vitrine.load(text)
-        for path in (None, 7, b"machine.glb", ["machine.glb"]):
+        for path in (None, 7, b"machine.glb", [b"machine.glb"], [["machine.glb"]]):
             with self.subTest(path), self.assertRaises(TypeError):
                 vitrine.load(path)
 

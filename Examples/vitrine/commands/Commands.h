@@ -58,6 +58,9 @@ void AddSortsCommand(CLI::App& app);
 /** `vitrine stability`: methods on scenes in which some fail. */
 void AddStabilityCommand(CLI::App& app);
 
+/** `vitrine unpack`: the parts of files, for the Python package. */
+void AddUnpackCommand(CLI::App& app);
+
 /** `vitrine view`: a window. */
 void AddViewCommand(CLI::App& app);
 

@@ -81,12 +81,6 @@ private:
   std::map<vtkProperty*, vtkSmartPointer<vtkProperty>> Properties;
 };
 
-/** Colours are shown as they are; other scalars are not colours. */
-bool HasColors(vtkDataSetAttributes* data)
-{
-  return data->GetScalars() && data->GetScalars()->GetNumberOfComponents() >= 3;
-}
-
 vtkSmartPointer<vtkPolyDataMapper> MakeMapper(const Part& part)
 {
   vtkSmartPointer<vtkPolyDataMapper> mapper;
@@ -157,6 +151,11 @@ void AppendActor(vtkRenderer* renderer, vtkActor* actor)
 std::string PathOf(const Part& part)
 {
   return part.Path.empty() ? "/" + part.Name : part.Path;
+}
+
+bool HasColors(vtkDataSetAttributes* data)
+{
+  return data->GetScalars() && data->GetScalars()->GetNumberOfComponents() >= 3;
 }
 
 std::vector<std::string> PartPaths(const Scene& scene)

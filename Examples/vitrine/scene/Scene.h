@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataSetAttributes;
 class vtkRenderer;
 
 namespace program
@@ -141,6 +142,9 @@ std::array<double, 6> SceneBounds(const Scene& scene);
 
 /** Triangles that the part's polygons and strips amount to. */
 std::int64_t CountTriangles(vtkPolyData* geometry);
+
+/** Whether scalars are colours, which are shown as they are. Other scalars are not. */
+bool HasColors(vtkDataSetAttributes* data);
 
 /** Whether the part is drawn as translucent geometry. */
 bool IsTranslucent(const Part& part);
