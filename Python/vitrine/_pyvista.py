@@ -17,6 +17,8 @@ from ._reveal import reveal
 from ._section import section, section_box
 from ._see_through import see_through, stats
 from ._x_ray import x_ray
+from .explore import export_explorable
+from .inspector._server import inspect
 
 _Options = ParamSpec("_Options")
 _Result = TypeVar("_Result")
@@ -63,3 +65,5 @@ class PlotterMethods:
     reveal = _method(reveal)
     section = _method(section)
     section_box = _method(section_box)
+    inspect = _method(inspect)
+    export_explorable = _method(export_explorable)

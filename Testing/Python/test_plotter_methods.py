@@ -1,6 +1,8 @@
 """PyVista's plugin `plotter.vitrine`, and the names that PyVista gave to actors."""
 
 import inspect
+import pathlib
+import tempfile
 import unittest
 
 import numpy
@@ -9,6 +11,7 @@ from scenes import run_python
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import vitrine
+import vitrine.explore
 
 SIZE = (120, 90)
 MIDDLE = (SIZE[0] // 2, SIZE[1] // 2)
@@ -57,12 +60,21 @@ class Methods(unittest.TestCase):
     def test_have_the_help_and_the_signatures_of_the_functions(self):
         tools = gear_in_case().vitrine
         names = [name for name in dir(tools) if not name.startswith("_")]
-        self.assertIn("section_box", names)
+        self.assertIn("inspect", names)
         for name in names:
-            method, function = getattr(tools, name), getattr(vitrine, name)
+            place = vitrine if hasattr(vitrine, name) else vitrine.explore
+            method, function = getattr(tools, name), getattr(place, name)
             self.assertEqual(method.__doc__, function.__doc__)
             ours, *rest = inspect.signature(function).parameters.values()
             self.assertEqual((ours.name, rest), ("target", list(inspect.signature(method).parameters.values())))
+
+    def test_export_what_the_plotter_shows(self):
+        plotter = gear_in_case()
+        plotter.show(auto_close=False)
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder, "page.html")
+            plotter.vitrine.export_explorable(page)
+            self.assertTrue(page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>"))
 
     def test_of_closed_plotters_say_so(self):
         plotter = gear_in_case()
