@@ -84,7 +84,7 @@ def _sources(path: Any, more: Iterable[Any]) -> list[str]:
 
 def _check_source(source: str) -> None:
     """Raise an exception for what cannot be read, before anything is."""
-    if source.startswith(_unpack.DEMO):
+    if _unpack.is_demo(source):
         return
     file = pathlib.Path(source)
     if file.is_dir():
@@ -98,7 +98,7 @@ def _check_source(source: str) -> None:
 def _add_parts(actors: vtkAssemblyActors, source: str, tolerance: float, cache: bool) -> list[str]:
     """Add the parts of a file, and return what there is to note of it."""
     suffix = pathlib.Path(source).suffix.lower()
-    if source.startswith(_unpack.DEMO) or suffix in _unpack.KINDS:
+    if _unpack.is_demo(source) or suffix in _unpack.KINDS:
         return _unpack.add_parts(actors, source)
     reader = vtkAssemblyReader()
     reader.SetFileName(source)

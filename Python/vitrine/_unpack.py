@@ -23,8 +23,12 @@ KINDS: tuple[str, ...] = (
     *(".3mf", ".obj", ".stl", ".ply"),
     *(".vtp", ".vtu", ".vtm", ".vtpd", ".vtpc", ".vtk", ".vtkhdf"),
 )
-DEMO = "demo:"
 _TEXTURE = "unlitTex"  # what vtkAssemblyActors takes off parts that are given a colour
+
+
+def is_demo(source: str) -> bool:
+    """Whether a name is that of a scene that the program makes, and of no file."""
+    return source.startswith("demo:")
 
 
 def add_parts(actors: vtkAssemblyActors, source: str) -> list[str]:
@@ -56,7 +60,7 @@ def _unpack(source: str, folder: str) -> None:
     """Have the program write the parts into a folder."""
     from .__main__ import environment, program  # not before: `python -m vitrine` runs that file
 
-    name = source if source.startswith(DEMO) else str(pathlib.Path(source).absolute())
+    name = source if is_demo(source) else str(pathlib.Path(source).absolute())
     command = [str(program()), "unpack", name, "--to", folder]
     done = subprocess.run(command, env=environment(), capture_output=True, check=False)
     if done.returncode != 0:

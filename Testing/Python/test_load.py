@@ -23,6 +23,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 import vitrine
 import vitrine.__main__
 from vitrine import _unpack
+from vitrine.inspector import Inspection
+from vitrine.inspector._render import opened
 
 
 def program_scenes():
@@ -215,7 +217,7 @@ class Several(Files):
             vitrine.load([])
 
 
-class Demos(unittest.TestCase):
+class Demos(Files):
     def test_are_loaded_by_their_names(self):
         self.assertEqual(len(vitrine.load("demo:spheres,layers=6")), 3)
         self.assertEqual(vitrine.load("demo:hall").notes[-1], "its lights are left out")
@@ -225,6 +227,13 @@ class Demos(unittest.TestCase):
             vitrine.load("demo:impostors")
         with self.assertRaisesRegex(ValueError, "^demo:none: no generated scene"):
             vitrine.load("demo:none")
+
+    def test_are_kept_in_states_of_the_inspector(self):
+        file, scene = self.folder / "state.json", "demo:spheres,layers=4"
+        shown = Inspection(scene, size=(32, 32))
+        shown.save(file)
+        self.assertEqual(json.loads(file.read_text())["files"], [{"path": scene}])
+        numpy.testing.assert_array_equal(opened(file).picture(), shown.picture())
 
 
 class Refused(Files):

@@ -13,6 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 from .._assembly import Assembly, load
 from .._parts import shown_assemblies
 from .._see_through import _plotter_of
+from .._unpack import is_demo
 from ..vtkVitrineRendering import vtkHeadlessRenderWindow
 from . import _ask, _output, _script, _state, _views
 from ._shown import Shown, camera_place
@@ -502,7 +503,7 @@ def _opened(target: Any, tolerance: float) -> tuple[list[Assembly], list[dict[st
         target = [target]
     if not isinstance(target, Iterable):
         raise TypeError(f"an Assembly, a path, paths or a pyvista.Plotter can be inspected, not {target!r}")
-    paths = [os.path.abspath(os.fspath(path)) for path in target]
+    paths = [path if is_demo(path) else os.path.abspath(path) for path in map(os.fspath, target)]
     if not paths:
         raise ValueError("there is no file to inspect")
     entry = {"tolerance": tolerance} if tolerance else {}

@@ -7,6 +7,7 @@ import pathlib
 import re
 import sys
 
+from .._unpack import is_demo
 from . import _state
 from ._inspection import Inspection
 
@@ -36,11 +37,12 @@ def opened(path: str) -> Inspection:
     state = _state.read(path)
     if not state["files"]:
         raise ValueError(f"{path}: the state has no files, since it was saved from Python's objects: apply() it there")
-    missing = [entry["path"] for entry in state["files"] if not pathlib.Path(entry["path"]).is_file()]
+    paths = [entry["path"] for entry in state["files"]]
+    missing = [path for path in paths if not is_demo(path) and not pathlib.Path(path).is_file()]
     if missing:
         raise FileNotFoundError(f"{path}: shows {missing[0]}, which is not there")
     inspection = Inspection(
-        [entry["path"] for entry in state["files"]],
+        paths,
         size=state["size"],
         tolerance=state["files"][0].get("tolerance", 0.0),
     )

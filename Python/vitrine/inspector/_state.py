@@ -10,6 +10,8 @@ import pathlib
 import tempfile
 from typing import Any, Mapping
 
+from .._unpack import is_demo
+
 State = dict[str, Any]
 FORMAT = 1
 LARGEST_FILE = 64 << 20  # bytes; a state of 100,000 parts has some 10 MB
@@ -116,7 +118,8 @@ def read(path: str | os.PathLike[str]) -> State:
     except ValueError as error:
         raise ValueError(f"{file}: {error}") from None
     for entry in state["files"]:
-        entry["path"] = os.path.normpath(file.absolute().parent / entry["path"])
+        if not is_demo(entry["path"]):
+            entry["path"] = os.path.normpath(file.absolute().parent / entry["path"])
     return state
 
 
@@ -153,6 +156,8 @@ def write(state: State, path: str | os.PathLike[str]) -> None:
 
 
 def _relative(path: str, folder: pathlib.Path) -> str:
+    if is_demo(path):
+        return path
     try:
         return pathlib.Path(path).absolute().relative_to(folder).as_posix()
     except ValueError:
