@@ -94,7 +94,8 @@ def _as_drawn(fragments: Fragments, colors: numpy.ndarray, opacities: numpy.ndar
     """The order in which Vitrine composites: translucent ones of equal depth by their packed colours, then opaque ones
     as they come."""
     is_opaque = opacities >= 1.0
-    packed = (numpy.column_stack([colors, opacities]) * 255).round()
+    bits = numpy.column_stack([colors, opacities]).astype(numpy.float32).view(numpy.int32)
+    packed = (bits + 0x800) >> 12  # as PackedColor.glsl rounds them
     packed[is_opaque] = 0
     run = numpy.cumsum(~fragments.is_tied)
     return numpy.lexsort((*packed.T, is_opaque, run))
