@@ -1,4 +1,4 @@
-"""Figures of explorable pictures: bytes of a page, time of a toggle, and how far random looks are from Vitrine's frames.
+"""Figures of explorable pictures: bytes, time of a toggle, and how far random looks are from Vitrine's frames.
 
     python3 Testing/Python/explore_figures.py FILE... [--sets 20] [--size 1280x720] [--seed 52]
 
@@ -30,7 +30,8 @@ page.looks = page.own.map((own, part) => {
   return { visible, opacity, color: rgbOf(color) };
 });
 page.draw();
-const pixels = byId("picture").getContext("2d").getImageData(0, 0, page.composer.view.width, page.composer.view.height).data;
+const { width, height } = page.composer.view;
+const pixels = byId("picture").getContext("2d").getImageData(0, 0, width, height).data;
 let text = "";
 for (let at = 0; at < pixels.length; at += 32768) {
   text += String.fromCharCode(...pixels.subarray(at, at + 32768));
@@ -129,7 +130,7 @@ def main():
     parser.add_argument("--seed", type=int, default=52)
     parser.add_argument("--tell", action="store_true", help="tell the layers of pixels that are off by more than 1/255")
     options = parser.parse_args()
-    print("| model | parts | fragments | MB | bits a fragment | s of CPU to write | s to open | toggle ms, median, most "
+    print("| model | parts | fragments | MB | bits a fragment | s of CPU to write | s to open | ms of a toggle, most "
           "| most off, of 255 | pixels off by more than 1 |")
     print("|" + " --- |" * 10)
     browser = open_browser()

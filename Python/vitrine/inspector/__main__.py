@@ -26,7 +26,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument(
         "--size", metavar="WxH", type=size, default=(1024, 640), help="pixels, until the page tells its own"
     )
-    parser.add_argument("--tolerance", metavar="METRES", type=float, default=0.0, help="of triangles of STEP, as load()")
+    parser.add_argument("--tolerance", metavar="METRES", type=float, default=0.0, help="of triangles of STEP")
     parser.add_argument("--dark", action="store_true", help="begin with the dark page")
     options = parser.parse_args(arguments)
     try:
