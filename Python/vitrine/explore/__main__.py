@@ -43,7 +43,7 @@ def _explore(options: argparse.Namespace) -> None:
         raise ValueError(f"{output}: explorable pictures are written as .html")
     inspection = _opened(options)
     views = options.views(inspection) if options.views is not None else None
-    title = pathlib.Path(options.inputs[0]).name
+    title = pathlib.Path(inspection.state_now["files"][0]["path"]).name
     export_explorable(
         inspection.renderer, output, depths=options.depths, views=views, title=title, exr=options.exr
     )
