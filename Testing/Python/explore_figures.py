@@ -1,4 +1,4 @@
-"""Figures of explorable pictures: bytes, time of a toggle, and how far random looks are from Vitrine's frames.
+"""Figures of explorable pictures: bytes of a page, time of a toggle, and how far random looks are from frames.
 
     python3 Testing/Python/explore_figures.py FILE... [--sets 20] [--size 1280x720] [--seed 52]
 
@@ -102,14 +102,16 @@ def measure(path, options, browser):
         worst, beyond = 0, 0
         for _ in range(options.sets):
             looks = random_looks(model.own, random)
-            shown = np.frombuffer(base64.b64decode(browser.execute_script(COMPOSE, looks)), np.uint8)
-            off = np.abs(shown.reshape(height, width, 4)[..., :3].astype(int) - model.frame(looks)).max(axis=2)
+            pixels = np.frombuffer(base64.b64decode(browser.execute_script(COMPOSE, looks)), np.uint8)
+            shown = pixels.reshape(height, width, 4)[..., :3].astype(int)
+            off = np.abs(shown - model.frame(looks)).max(axis=2)
             worst, beyond = max(worst, int(off.max())), beyond + int((off > 1).sum())
             if off.max() > 1 and options.tell:
                 tell(model, looks, off)
     print(
-        f"| {pathlib.Path(path).stem} | {len(model.own)} | {fragments} | {size / 1e6:.2f} | {8 * size / fragments:.1f} "
-        f"| {seconds:.1f} | {opened:.1f} | {statistics.median(toggles):.0f}, {max(toggles):.0f} | {worst} | {beyond} |",
+        f"| {pathlib.Path(path).stem} | {len(model.own)} | {fragments} | {size / 1e6:.2f} "
+        f"| {8 * size / fragments:.1f} | {seconds:.1f} | {opened:.1f} "
+        f"| {statistics.median(toggles):.0f}, {max(toggles):.0f} | {worst} | {beyond} |",
         flush=True,
     )
 
@@ -130,8 +132,8 @@ def main():
     parser.add_argument("--seed", type=int, default=52)
     parser.add_argument("--tell", action="store_true", help="tell the layers of pixels that are off by more than 1/255")
     options = parser.parse_args()
-    print("| model | parts | fragments | MB | bits a fragment | s of CPU to write | s to open | ms of a toggle, most "
-          "| most off, of 255 | pixels off by more than 1 |")
+    print("| model | parts | fragments | MB | bits a fragment | s of CPU to write | s to open "
+          "| toggle ms, median, most | most off, of 255 | pixels off by more than 1 |")
     print("|" + " --- |" * 10)
     browser = open_browser()
     try:

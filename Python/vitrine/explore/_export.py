@@ -102,7 +102,10 @@ def _listed(parts: Iterable[ShownPart]) -> bytes:
 
 
 def _view(name: str, fragments: Fragments, places: Mapping[str, int], depths: bool) -> dict[str, Any]:
-    shades = [[places[fragments.parts[each.part].path], each.model, each.bend] for each in fragments.shades]
+    shades = [
+        [places[fragments.parts[each.part].path], each.model, each.bend, int(each.is_blended)]
+        for each in fragments.shades
+    ]
     return {"name": name, "shades": shades, **_pack.pack(fragments, depths)}
 
 

@@ -68,16 +68,19 @@ def opacities_of(fragments: Fragments) -> numpy.ndarray:
 
 
 def colors_of(fragments: Fragments) -> numpy.ndarray:
-    """The lit colour of each fragment with the present looks of the parts, RGB in [0, 1]."""
+    """The lit colour of each fragment with the present looks of the parts, RGB in [0, 1] or brighter."""
     own = numpy.array([rgb(part.color) for part in fragments.parts])[parts_of(fragments)]
-    black, white = fragments.black / STEPS, fragments.white / STEPS
+    black, white, middle = (
+        each / STEPS if each is not None else None for each in (fragments.black, fragments.white, fragments.middle)
+    )
     model = numpy.array([shade.model for shade in fragments.shades])[fragments.shade]
     bend = numpy.array([shade.bend for shade in fragments.shades])[fragments.shade]
     colors = numpy.empty(black.shape)
     for each in numpy.unique(model):
         are = model == each
-        colors[are] = lit_color(int(each), bend[are], black[are], white[are], own[are])
-    return colors.clip(0.0, 1.0)
+        between = middle[are] if middle is not None else None
+        colors[are] = lit_color(int(each), bend[are], black[are], white[are], own[are], between)
+    return colors
 
 
 def _library() -> Any:
@@ -93,7 +96,8 @@ def _library() -> Any:
 def _as_drawn(fragments: Fragments, colors: numpy.ndarray, opacities: numpy.ndarray) -> numpy.ndarray:
     """The order in which Vitrine composites: translucent ones of equal depth by their packed colours, then opaque ones
     as they come."""
-    is_opaque = opacities >= 1.0
+    is_blended = numpy.array([shade.is_blended for shade in fragments.shades])[fragments.shade]
+    is_opaque = (opacities >= 1.0) & ~is_blended
     bits = numpy.column_stack([colors, opacities]).astype(numpy.float32).view(numpy.int32)
     packed = (bits + 0x800) >> 12  # as PackedColor.glsl rounds them
     packed[is_opaque] = 0

@@ -29,11 +29,14 @@ class Shade:
     part is the place of the part in Fragments.parts. model is 0 if colours are fixed, 1 if they are linear in the
     part's colour, and 2 if they are so before a gamma of 2.2, as in physically based rendering, where bend is the share
     of the quadratic term that metallic parts have. It is 3 if that share differs by fragment, as middle tells.
+    is_blended tells whether fragments count as translucent even where their opacity is 1: among those of equal depth
+    they are then in front of opaque ones.
     """
 
     part: int
     model: int
     bend: float
+    is_blended: bool
 
 
 @dataclasses.dataclass
@@ -88,7 +91,7 @@ def take(renderer: vtkRenderer, parts: PartTable | None = None) -> Fragments:
     given = _layers(renderer)
     with _opaque(table, looks) as color:
         black, middle, white = (_layers(renderer, color(each)) for each in ("#000000", _MIDDLE, "#ffffff"))
-    return _assembled(renderer, table, looks, given, (black, middle, white))
+        return _assembled(renderer, table, looks, given, (black, middle, white))
 
 
 def table_of(renderer: vtkRenderer) -> PartTable:
@@ -135,35 +138,40 @@ def _layers(renderer: vtkRenderer, _colored: None = None) -> Layers:
 def _assembled(
     renderer: vtkRenderer, table: PartTable, looks: dict[str, Any], given: Layers, lit: tuple[Layers, ...]
 ) -> Fragments:
-    black, middle, white = lit
-    for other in (middle, white):
-        if not (numpy.array_equal(other.numbers, black.numbers) and numpy.array_equal(other.depths, black.depths)):
-            raise RuntimeError("the view changes from frame to frame, so its fragments cannot be taken apart")
+    black = lit[0]
     order = _rows_from_top(black)
+    own, opacity = _in_order_of(black, given)
+    colors = [_in_order_of(black, each)[0] for each in lit]
     names = list(looks)
     numbers, shade = numpy.unique(black.numbers, return_inverse=True)
-    own = _as_drawn(given, black)
-    shades = _models(black, middle, white, shade, _parts_of(table, black, numbers, names))
+    actors = [black.actor(int(number)) for number in numbers]
+    shades = [
+        Shade(part, model, bend, actor is not None and bool(actor.HasTranslucentPolygonalGeometry()))
+        for part, (model, bend), actor in zip(
+            _parts_of(table, black, numbers, names), _models(*colors, shade), actors
+        )
+    ]
     models = numpy.array([each.model for each in shades])[shade]
-    light = [_steps(each.colors) for each in (black, white, middle)]
-    for each in light[:2]:
-        each[models == _FIXED] = _steps(own[0])[models == _FIXED]
-    light[2][models != _BENT] = 0
-    opacities = numpy.array([looks[path]["opacity"] for path in names], numpy.float32)
-    alphas = _shares_of_opacity(own[1], opacities[[each.part for each in shades]][shade])
+    dark, middle, light = (_steps(each) for each in colors)
+    for each in (dark, light):
+        each[models == _FIXED] = _steps(own)[models == _FIXED]
+    middle[models != _BENT] = 0
+    parts = [_shown_part(path, looks) for path in names]
+    opacities = numpy.array([part.opacity for part in parts], numpy.float32)
+    alphas = _shares_of_opacity(opacity, opacities[[each.part for each in shades]][shade])
     pixel = numpy.repeat(numpy.arange(len(black.offsets) - 1), numpy.diff(black.offsets))
     tied = numpy.zeros(len(shade), bool)
     tied[1:] = (pixel[1:] == pixel[:-1]) & (black.depths[1:] == black.depths[:-1])
     return Fragments(
         width=black.width,
         height=black.height,
-        parts=[ShownPart(path, looks[path]["color"], float(looks[path]["opacity"])) for path in names],
+        parts=parts,
         shades=shades,
         counts=numpy.diff(black.offsets).reshape(black.height, black.width)[::-1].ravel(),
         shade=shade[order],
-        black=light[0][order],
-        white=light[1][order],
-        middle=light[2][order] if (models == _BENT).any() else None,
+        black=dark[order],
+        white=light[order],
+        middle=middle[order] if (models == _BENT).any() else None,
         is_tied=tied[order],
         depth=black.depths[order],
         alphas=alphas[order] if alphas is not None else None,
@@ -193,24 +201,32 @@ def _parts_of(table: PartTable, layers: Layers, numbers: numpy.ndarray, names: l
     return found
 
 
-def _as_drawn(given: Layers, black: Layers) -> tuple[numpy.ndarray, numpy.ndarray]:
-    """The colours and opacities of the view as it was drawn, in the order of the fragments of another capture."""
-    if len(given.numbers) != len(black.numbers):
-        raise RuntimeError("the view changes from frame to frame, so its fragments cannot be taken apart")
-    places = []
-    for layers in (given, black):
+def _shown_part(path: str, looks: dict[str, Any]) -> ShownPart:
+    """A part by its look. What is in no table, as caps of sections, has its colours and opacities by fragment."""
+    look = looks.get(path, {"color": "#ffffff", "opacity": 1.0})
+    return ShownPart(path, look["color"], float(look["opacity"]))
+
+
+def _in_order_of(black: Layers, other: Layers) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """The colours and opacities of a capture, in the order of the fragments of another, which may differ among ties."""
+    keys, places = [], []
+    for layers in (other, black):
         pixel = numpy.repeat(numpy.arange(len(layers.offsets) - 1), numpy.diff(layers.offsets))
-        places.append(numpy.lexsort((layers.numbers, layers.depths, pixel)))
-    order = numpy.empty(len(given.numbers), numpy.int64)
+        place = numpy.lexsort((layers.numbers, layers.depths, pixel))
+        keys.append((pixel[place], layers.depths[place], layers.numbers[place]))
+        places.append(place)
+    if not all(map(numpy.array_equal, *keys)):
+        raise RuntimeError("the view changes from frame to frame, so its fragments cannot be taken apart")
+    order = numpy.empty(len(places[0]), numpy.int64)
     order[places[1]] = places[0]
-    return given.colors[order], given.opacities[order]
+    return other.colors[order], other.opacities[order]
 
 
 def _models(
-    black: Layers, middle: Layers, white: Layers, shade: numpy.ndarray, parts: list[int]
-) -> list[Shade]:
-    """For each number the model that tells the middle colours best from those of black and white parts."""
-    count = len(parts)
+    black: numpy.ndarray, middle: numpy.ndarray, white: numpy.ndarray, shade: numpy.ndarray
+) -> list[tuple[int, float]]:
+    """For each number the model that tells middle colours best from those of black and white parts, and its bend."""
+    count = int(shade.max(initial=-1)) + 1
 
     def most(values: numpy.ndarray) -> numpy.ndarray:
         largest = numpy.zeros(count)
@@ -219,21 +235,21 @@ def _models(
 
     bends = _bends(black, middle, white, shade, count)
     misses = [
-        most(lit_color(model, bend, black.colors, white.colors, rgb(_MIDDLE)[0]) - middle.colors)
+        most(lit_color(model, bend, black, white, rgb(_MIDDLE)[0]) - middle)
         for model, bend in ((_LINEAR, 0.0), (_GAMMA, bends[shade]))
     ]
     best = numpy.where(misses[0] <= misses[1], _LINEAR, _GAMMA)
     best[numpy.minimum(*misses) > _MOST_OFF] = _BENT
-    best[most(white.colors - black.colors) < 1 / 255] = _FIXED
+    best[most(white - black) < 1 / 255] = _FIXED
     bends[best != _GAMMA] = 0.0
-    return [Shade(part, int(best[i]), float(bends[i])) for i, part in enumerate(parts)]
+    return list(zip(best.tolist(), bends.tolist()))
 
 
 def _bends(
-    black: Layers, middle: Layers, white: Layers, shade: numpy.ndarray, count: int
+    black: numpy.ndarray, middle: numpy.ndarray, white: numpy.ndarray, shade: numpy.ndarray, count: int
 ) -> numpy.ndarray:
     """The median share of the quadratic term by number, of physically based parts."""
-    low, mid, high = (numpy.maximum(each.colors[:, 0], 0.0) ** _GAMMA_OF_VTK for each in (black, middle, white))
+    low, mid, high = (_linear(each[:, 0]) for each in (black, middle, white))
     color = rgb(_MIDDLE)[0] ** _GAMMA_OF_VTK
     span = high - low
     sure = (span > 0.02) & (high < 1.0)
@@ -249,18 +265,28 @@ def _bends(
     return numpy.round(bends, 4)
 
 
-def lit_color(model: int, bend: Any, black: Any, white: Any, color: Any) -> numpy.ndarray:
-    """The colour of fragments, RGB in [0, 1], by their light and a part's colour (sRGB in [0, 1])."""
+def lit_color(
+    model: int, bend: Any, black: numpy.ndarray, white: numpy.ndarray, color: Any, middle: numpy.ndarray | None = None
+) -> numpy.ndarray:
+    """The colour of fragments, RGB in [0, 1], by their light and a part's colour (sRGB in [0, 1]), as in compose.js."""
     if model == _FIXED:
         return black
     if model == _LINEAR:
         return black + (white - black) * color
-    low, high = numpy.maximum(black, 0.0) ** _GAMMA_OF_VTK, numpy.maximum(white, 0.0) ** _GAMMA_OF_VTK
+    low, high = _linear(black), _linear(white)
     linear = numpy.asarray(color) ** _GAMMA_OF_VTK
-    bend = numpy.asarray(bend)
-    bend = bend[:, None] if bend.ndim else bend
     span = high - low
-    return numpy.maximum(low + span * linear * (1 - bend) + span * bend * linear * linear, 0.0) ** (1 / _GAMMA_OF_VTK)
+    if model == _BENT:
+        between = rgb(_MIDDLE)[0] ** _GAMMA_OF_VTK
+        curve = (_linear(middle) - low - between * span) / (between * between - between)
+    else:
+        bend = numpy.asarray(bend)
+        curve = span * (bend[:, None] if bend.ndim else bend)
+    return numpy.maximum(low + (span - curve) * linear + curve * linear * linear, 0.0) ** (1 / _GAMMA_OF_VTK)
+
+
+def _linear(colors: Any) -> numpy.ndarray:
+    return numpy.maximum(colors, 0.0) ** _GAMMA_OF_VTK
 
 
 def _steps(colors: numpy.ndarray) -> numpy.ndarray:

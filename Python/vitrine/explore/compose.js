@@ -109,21 +109,24 @@ class Composer {
     return last;
   }
 
-  /** Fragments of equal depth: translucent ones by their packed colours, then opaque ones as they come. */
+  /** Fragments of equal depth: translucent ones by their colours as Vitrine packs them, then opaque ones as they come. */
   ordered(begin, end, opacity) {
     const clear = [], opaque = [];
     for (let i = begin; i < end; ++i) {
       const alpha = this.alpha(i, opacity);
       if (alpha > 0) {
-        (alpha < 1 ? clear : opaque).push(i);
+        (alpha < 1 || this.shades[this.view.shades[i]][3] ? clear : opaque).push(i);
       }
     }
-    const key = (i) => [this.alpha(i, opacity), this.lit[3 * i + 2], this.lit[3 * i + 1], this.lit[3 * i]];
-    clear.sort((a, b) => {
-      const x = key(a), y = key(b);
-      const k = x.findIndex((value, at) => value !== y[at]);
-      return k < 0 ? 0 : x[k] - y[k];
-    });
+    if (clear.length > 1) {
+      const lit = (i, channel) => this.lit[3 * i + channel] / 255;
+      const keys = new Map(clear.map((i) => [i, [this.alpha(i, opacity), lit(i, 2), lit(i, 1), lit(i, 0)].map(packed)]));
+      clear.sort((a, b) => {
+        const x = keys.get(a), y = keys.get(b);
+        const k = x.findIndex((value, at) => value !== y[at]);
+        return k < 0 ? 0 : x[k] - y[k];
+      });
+    }
     return clear.concat(opaque);
   }
 
@@ -144,6 +147,14 @@ class Composer {
     }
     return found;
   }
+}
+
+const one = new Float32Array(1), bitsOfOne = new Uint32Array(one.buffer);
+
+/** A number that orders colours and opacities as their packed ones are ordered (Shaders/PackedColor.glsl). */
+function packed(value) {
+  one[0] = value;
+  return (bitsOfOne[0] + 0x800) >>> 12;
 }
 
 /** The colour of a fragment from 0 to 255, of its light in STEPS and the share of its part's colour. */
