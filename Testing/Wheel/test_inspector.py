@@ -32,7 +32,8 @@ REQUEST = """
 const done = arguments[arguments.length - 1];
 const text = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 const told = (result) => (result && result.data ? { ...result, data: text(result.data) } : result);
-window.trame.trigger("vitrine", arguments[0]).then((result) => done(told(result)), (error) => done(String(error)));
+const request = window.trame.utils.vitrine.request(...arguments[0]);
+request.then((result) => done(told(result)), (error) => done(String(error)));
 """
 
 
@@ -260,6 +261,20 @@ class Page(PageCase):
         self.ask("apply_text", text=text)
         self.assertEqual(self.state("ins")["explode"], 0.0)
         self.assertIn("vitrine.load", self.ask("script"))
+
+    def test_stops_long_work(self):
+        begin = "window.stopped = (utils) => utils.request('turntable', { frames: 1000 }).then((told) => [told]);"
+        self.browser.execute_script(f"{begin} window.stopped = window.stopped(trame.utils.vitrine);")
+        self.wait_for(lambda: (self.state("busy") or {}).get("share"))
+        self.assertIsNone(self.ask("chart"))
+        self.assertIn("is not done yet", self.state("message")["text"])
+        self.click("stop")
+        self.wait_for(lambda: self.state("busy") is None)
+        self.assertEqual(self.state("message")["text"], "Stopped.")
+        script = "window.stopped.then(arguments[arguments.length - 1])"
+        self.assertEqual(self.browser.execute_async_script(script), [None])
+        self.wait_for(self.is_exact)
+        self.assert_shows(self.python())
 
     def test_answers_hostile_requests_with_a_message(self):
         state = self.ask("save_state")["data"]

@@ -6,7 +6,7 @@ import asyncio
 import pathlib
 import tempfile
 import threading
-from typing import Any, Callable, Iterator
+from typing import Any, Callable, Coroutine, Iterator
 
 from . import _output, _pictures, _requests
 from ._session import Session
@@ -15,6 +15,7 @@ from ._worker import Worker
 _MOST_CLASHES = 500
 _MOST_FRAMES = 1000
 _MOST_SIDE = 16384
+_STEPWISE = {"chart", "turntable", "save_state"}
 _TITLES = {
     "chart": "Measuring all methods",
     "clashes": "Looking for clashes",
@@ -45,15 +46,29 @@ class Jobs:
         if changed and self._running == "chart":
             self.stop()
 
-    async def run(self, session: Session, name: str, values: dict[str, Any], show: Callable[..., None]) -> Any:
-        """Do a job. Raises Refused if another one runs or values are not right, and InterruptedError if stopped."""
+    @property
+    def blocks(self) -> bool:
+        """Whether a job runs during which the worker has no time for pictures."""
+        return self._running is not None and self._running not in _STEPWISE
+
+    def begin(
+        self, session: Session, name: str, values: dict[str, Any], show: Callable[..., None]
+    ) -> asyncio.Task[Any]:
+        """Begin a job, whose task has the result. It raises InterruptedError if the job was stopped.
+
+        Raises Refused if another one runs, or values are not right.
+        """
         if self._running is not None:
             raise _requests.Refused(f"{_TITLES[self._running]} is not done yet: stop it first")
+        coroutine = getattr(self, f"_{name}")(session, show, **_checked(name, values))
         self._running = name
         self._stopped.clear()
         self._progress(None)
+        return asyncio.ensure_future(self._ended(coroutine))
+
+    async def _ended(self, coroutine: Coroutine[Any, Any, Any]) -> Any:
         try:
-            return await getattr(self, f"_{name}")(session, show, **_checked(name, values))
+            return await coroutine
         finally:
             self._running = None
             self._show_progress(None)

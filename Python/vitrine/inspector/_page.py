@@ -36,6 +36,7 @@ _EMPTY: dict[str, Any] = {
     "chart": [],
     "clashes": None,
     "measured": None,
+    "job_done": 0,
     "bounds": [0.0, 1.0] * 3,
     "methods": [],
     "ended": False,
@@ -49,6 +50,8 @@ class Page:
         self._worker, self._quit = worker, quit_
         self._session: Session | None = None
         self._jobs = _jobs.Jobs(worker, self._show_progress)
+        self._job: asyncio.Future[Any] | None = None
+        self._job_number = 0
         self.server = get_server(f"vitrine-{secrets.token_hex(8)}", client_type="vue3")
         self.server.enable_module(
             {
@@ -98,8 +101,11 @@ class Page:
 
     async def _request(self, name: Any = None, values: Any = None) -> Any:
         """Do what the page asks. A request that cannot be done leaves a message in the page, and answers None."""
+        return await self._told(self._done(name, values if values is not None else {}))
+
+    async def _told(self, work: Awaitable[Any]) -> Any:
         try:
-            return await self._done(name, values if values is not None else {})
+            return await work
         except _requests.Refused as error:
             self._say(str(error))
         except InterruptedError:
@@ -118,8 +124,12 @@ class Page:
             return self._jobs.stop()
         if self._session is None:
             return None
+        if name == "collect":
+            return await self._collect(**{key: value for key, value in values.items() if key == "job"})
         if self._jobs.knows(name):
-            return await self._job(self._session, name, values)
+            return self._begin_job(self._session, name, values)
+        if self._jobs.blocks:
+            return None
         return await self._asked(self._session, name, values)
 
     async def _asked(self, session: Session, name: str, values: dict[str, Any]) -> Any:
@@ -133,21 +143,38 @@ class Page:
         else:
             raise _requests.Refused(f"there is no request {name[:100]!r}")
         if name not in ("moving", "still", "tree"):
-            self._jobs.view_changed(await self._publish(session))
+            self._jobs.view_changed(await self._publish(session, says=name != "resize"))
         return result
 
-    async def _job(self, session: Session, name: str, values: dict[str, Any]) -> Any:
-        result = await self._jobs.run(session, name, values, self._show)
-        await self._publish(session)
+    def _begin_job(self, session: Session, name: str, values: dict[str, Any]) -> dict[str, int]:
+        """Begin long work. A connection takes one request after another, so that none may wait for it.
+
+        The page asks for the result by "collect" once the state's "job_done" is the number that this returns.
+        """
+        task = self._jobs.begin(session, name, values, self._show)
+        self._job_number += 1
+        self._job = asyncio.ensure_future(self._finished(session, task, self._job_number))
+        return {"job": self._job_number}
+
+    async def _finished(self, session: Session, task: asyncio.Task[Any], number: int) -> Any:
+        result = await self._told(task)
+        await self._publish(session, says=False)
+        self._show(job_done=number)
         return result
 
-    async def _publish(self, session: Session) -> bool:
+    async def _collect(self, job: Any = None) -> Any:
+        if job != self._job_number or self._job is None:
+            raise _requests.Refused("there is no such work")
+        return await self._job
+
+    async def _publish(self, session: Session, says: bool = True) -> bool:
+        """Show what has changed. A message that was there goes, if the request says something itself."""
         changed = await self._worker(session.note_change)
         shown_before = self.server.state.revision
         if session.revision != shown_before:
             told = await self._worker(session.told)
             self._show(**told)
-        if self.server.state.message["text"]:
+        if says and self.server.state.message["text"]:
             self._say("", "info")
         return changed
 

@@ -33,7 +33,7 @@ class View(AbstractElement):
 
     def __init__(self, **values: Any) -> None:
         super().__init__("vitrine-view", **values)
-        self._attr_names += ["revision", "trackball", "plane"]
+        self._attr_names += ["revision", "trackball", "plane", "busy"]
         self._event_names += ["picked", "frame"]
 
 
@@ -166,6 +166,7 @@ def _middle() -> None:
             revision=("revision",),
             trackball=("trackball",),
             plane=("plane",),
+            busy=("!!busy",),
             picked="before = picked; picked = $event; tab = tab === 'check' ? tab : 'layers'",
             frame="frame = $event",
         )

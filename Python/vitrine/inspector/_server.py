@@ -159,6 +159,7 @@ class Server:
                 timeout=0,
                 open_browser=False,
                 show_connection_info=False,
+                disable_logging=True,
                 exec_mode="coroutine",
                 backend="aiohttp",
             )

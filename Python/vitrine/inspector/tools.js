@@ -2,8 +2,15 @@
 (function () {
   "use strict";
 
-  function request(name, values) {
-    return window.trame.trigger("vitrine", [name, values || {}]);
+  const trigger = (name, values) => window.trame.trigger("vitrine", [name, values || {}]);
+  const later = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+  // The answer to a request. That of long work comes when it is done.
+  async function request(name, values) {
+    const told = await trigger(name, values);
+    if (!told || !told.job) return told;
+    while (window.trame.state.get("job_done") < told.job) await later(30);
+    return trigger("collect", { job: told.job });
   }
 
   // Of changes that come faster than they are made, such as those of a slider, the newest is made.

@@ -9,7 +9,7 @@
   const request = (name, values) => window.trame.utils.vitrine.request(name, values);
 
   const View = {
-    props: { revision: Number, trackball: Boolean, plane: Number },
+    props: { revision: Number, trackball: Boolean, plane: Number, busy: Boolean },
     emits: ["picked", "frame"],
     template: `<div ref="frame" class="vi-view" @contextmenu.prevent>
       <canvas ref="canvas" class="vi-canvas" tabindex="0" id="vi-view" :data-exact="exact" :data-revision="drawn"
@@ -31,6 +31,9 @@
       clearTimeout(this.timer);
     },
     watch: {
+      busy(now) {
+        if (!now) this.resize(); // what was asked for meanwhile had no answer
+      },
       revision(_, before) {
         if (!before) this.ask("still"); // opened just now
         const now = performance.now();
