@@ -78,18 +78,25 @@ def _leaves_of_blocks(root: Any) -> Iterator[tuple[str, Any]]:
         if any(data is group for group in above):
             raise ValueError(f"{path}: the group contains itself")
         children = [
-            (paths.make(f"{path}/{in_path(_name_of(data, i))}"), child, (*above, data))
-            for i, child in enumerate(_children(data))
+            (paths.make(f"{path}/{name}"), child, (*above, data))
+            for name, child in named_children(data)
             if child is not None
         ]
         waiting += reversed(children)
 
 
 def _children(group: Any) -> list[Any]:
+    if isinstance(group, vtkPartitionedDataSetCollection):
+        return [group.GetPartitionedDataSet(i) for i in range(group.GetNumberOfPartitionedDataSets())]
     if isinstance(group, vtkPartitionedDataSet):
         partitions = range(group.GetNumberOfPartitions())
         return [group.GetPartitionAsDataObject(i) for i in partitions]
     return [group.GetBlock(i) for i in range(group.GetNumberOfBlocks())]
+
+
+def named_children(group: Any) -> list[tuple[str, Any]]:
+    """The names of a group's blocks, as they stand in paths, and the blocks. Empty ones are None."""
+    return [(in_path(_name_of(group, i)), child) for i, child in enumerate(_children(group))]
 
 
 def _name_of(group: Any, number: int) -> str:

@@ -48,8 +48,8 @@ class Layer:
 
     @property
     def name(self) -> str:
-        """The name of the part, or else the one that PyVista gave to the actor; empty if there is neither."""
-        return self.part.name if self.part is not None else name_of(self.actor)
+        """The name of the part, or else of the block or the one that PyVista gave to the actor; empty without these."""
+        return self.part.name if self.part is not None else name_of(self.actor, self.block)
 
 
 @dataclasses.dataclass(frozen=True)

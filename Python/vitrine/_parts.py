@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkProperty, vtkRenderer
 
 from ._assembly import Assembly, Part, Selection
-from ._blocks import in_path
+from ._blocks import in_path, named_children
 from .vtkVitrineRendering import vtkAssemblyActors
 
 WHOLE = -1  # the block of a prop that was given without one
@@ -90,10 +90,13 @@ def shown_names(renderers: Iterable[vtkRenderer]) -> Scope:
     return Scope(shown_assemblies(shown), [prop for prop in props if name_of(prop)])
 
 
-def name_of(prop: Any) -> str:
-    """The name that PyVista gave to an actor, as in `plotter.actors`; empty for others."""
+def name_of(prop: Any, block: int = 0) -> str:
+    """The name that PyVista gave to an actor, as in `plotter.actors`, or that of its block; empty for others."""
     name = getattr(prop, "name", "") if isinstance(prop, vtkActor) else ""
-    return name if isinstance(name, str) else ""
+    if not isinstance(name, str):
+        return ""
+    path = dict(_named_blocks(prop)).get(block, "") if block > 0 else ""
+    return path.rpartition("/")[2] or name
 
 
 def part_of(prop: Any, block: int) -> Part | None:
@@ -116,12 +119,16 @@ def block_count(prop: Any) -> int:
 
 def _nodes_of(prop: Any) -> list[Any]:
     """The nodes of the composite data that an actor draws, by flat indices. It is empty without blocks."""
+    tree = _tree_of(prop)
+    return _nodes_below(tree) if tree is not None else []
+
+
+def _tree_of(prop: Any) -> vtkDataObjectTree | None:
+    """The composite data that an actor draws, or None."""
     prop.GetBounds()  # updates the pipeline
     mapper = prop.GetMapper() if hasattr(prop, "GetMapper") else None
     data = mapper.GetInputDataObject(0, 0) if mapper is not None and mapper.GetNumberOfInputPorts() > 0 else None
-    if not isinstance(data, vtkDataObjectTree):
-        return []
-    return _nodes_below(data)
+    return data if isinstance(data, vtkDataObjectTree) else None
 
 
 def _nodes_below(tree: vtkDataObjectTree) -> list[Any]:
@@ -203,18 +210,35 @@ def _matching(pattern: str, scope: Scope) -> Iterator[Chosen]:
         raise KeyError(problem)
     for selection in found:
         yield from (_drawn_by(selection._assembly, number) for number in selection.numbers)
-    yield from (Chosen(actor, WHOLE, None) for actor in actors)
+    yield from actors
 
 
-def _actors_named(pattern: str, actors: list[vtkActor]) -> tuple[list[vtkActor], str]:
-    """The actors whose names a pattern chooses, or why there are none, by the rules of assemblies."""
+def _actors_named(pattern: str, actors: list[vtkActor]) -> tuple[list[Chosen], str]:
+    """The actors and blocks whose names a pattern chooses, or why there are none, by the rules of assemblies."""
+    drawn = [(actor, block, path) for actor in actors for block, path in _named_blocks(actor)]
     names = vtkAssemblyActors()
-    for number, actor in enumerate(actors):
+    for number, (_, _, path) in enumerate(drawn):
         names.AddPart(vtkPolyData(), None, vtkProperty(), None, False)
-        names.SetPartNames(number, name_of(actor), "/" + in_path(name_of(actor)), "")
+        names.SetPartNames(number, path.rpartition("/")[2], path, "")
     found = vtkIdList()
     problem = names.FindParts(pattern, found)
-    return [actors[found.GetId(i)] for i in range(found.GetNumberOfIds())], problem
+    chosen = [drawn[found.GetId(i)] for i in range(found.GetNumberOfIds())]
+    return [Chosen(actor, block, None) for actor, block, _ in chosen], problem
+
+
+def _named_blocks(actor: vtkActor) -> Iterator[tuple[int, str]]:
+    """The flat indices and the paths of the blocks that an actor with a name draws. It is one itself without blocks."""
+    root = f"/{in_path(name_of(actor))}"
+    tree = _tree_of(actor)
+    waiting: list[tuple[Any, str]] = [(tree, root)]
+    index = -1
+    while waiting:
+        node, path = waiting.pop()
+        index += 1
+        if isinstance(node, vtkDataObjectTree):
+            waiting += reversed([(child, f"{path}/{name}") for name, child in named_children(node)])
+        elif node is not None or tree is None:
+            yield (index if tree is not None else WHOLE), path
 
 
 def _assembly_of(part: Part) -> Assembly:

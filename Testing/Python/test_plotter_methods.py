@@ -122,6 +122,21 @@ class Names(unittest.TestCase):
             self.tools.highlight("gear_19")
         del machine
 
+    def test_of_blocks_choose_them_and_are_told(self):
+        group = pyvista.MultiBlock({"gear_18": pyvista.Sphere(radius=0.3, center=(0.0, 0.0, 1.0))})
+        group["bolt"] = pyvista.Sphere(radius=0.1, center=(-0.5, 0.0, 1.0))
+        group["rim"] = pyvista.Sphere(radius=0.1, center=(0.5, 0.0, 1.0))
+        actor, _ = self.plotter.add_composite(pyvista.MultiBlock({"drive": group}), name="train")
+        self.plotter.render()
+        self.assertEqual(self.tools.pick(*MIDDLE).name, "gear_18")
+        self.assertEqual(self.tools.pick(*MIDDLE).block, 2)
+        self.assertEqual(repr(self.tools.highlight("gear_*")), "<Highlight of 2 parts>")
+        for pattern in ("train", "drive", "/train/drive"):
+            self.assertEqual(repr(self.tools.highlight(pattern)), "<Highlight of 3 parts>", pattern)
+        index = vitrine.AssemblyIndex(self.plotter)
+        self.assertAlmostEqual(index.distance("/train/drive/gear_18", "rim").distance, 0.1, delta=0.01)
+        self.assertEqual(index.nearest((0.5, 0.0, 1.0)).part, (actor, 4))
+
     def test_of_actors_without_any_are_empty(self):
         cube = vtkActor()
         cube.SetMapper(self.plotter.actors["gear_17"].GetMapper())
