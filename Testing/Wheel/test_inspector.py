@@ -261,6 +261,8 @@ class Page(PageCase):
         self.ask("apply_text", text=text)
         self.assertEqual(self.state("ins")["explode"], 0.0)
         self.assertIn("vitrine.load", self.ask("script"))
+        page = base64.b64decode(self.ask("explorable")["data"]).decode()
+        self.assertIn("<title>robot.glb", page)
 
     def test_stops_long_work(self):
         begin = "window.stopped = (utils) => utils.request('turntable', { frames: 1000 }).then((told) => [told]);"

@@ -8,6 +8,7 @@ import tempfile
 import threading
 from typing import Any, Callable, Coroutine, Iterator
 
+from ..explore import export_explorable
 from . import _output, _pictures, _requests
 from ._session import Session
 from ._worker import Worker
@@ -23,6 +24,7 @@ _TITLES = {
     "screenshot": "Drawing the picture",
     "turntable": "Drawing the turntable",
     "save_state": "Saving the state",
+    "explorable": "Taking the picture apart",
 }
 
 
@@ -150,6 +152,19 @@ class Jobs:
             except ImportError as error:
                 raise _requests.Refused(str(error)) from None
             return {"type": "video/mp4", "name": "turntable.mp4", "data": file.read_bytes()}
+
+    async def _explorable(self, session: Session, show: Callable[..., None]) -> dict[str, Any]:
+        def drawn() -> bytes:
+            session.pictures.settle()
+            session.inspection.draw()
+            with tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder) / "explorable.html"
+                values = {"target": session.inspection.renderer, "path": file, "title": session.title()}
+                _requests.call(export_explorable, values)
+                session.inspection.forget_frame()
+                return file.read_bytes()
+
+        return {"type": "text/html", "name": "explorable.html", "data": await self._worker(drawn)}
 
     async def _save_state(self, session: Session, show: Callable[..., None]) -> dict[str, Any]:
         return {"type": "application/json", "name": "state.json", "data": _requests.text_of(session.inspection)}
