@@ -210,27 +210,10 @@ void ApplyExplode(double factor, Scene& scene)
   {
     return;
   }
-  std::vector<vitrine::ExplodedPart> parts;
-  for (const Part& part : scene.Parts)
-  {
-    const std::array<double, 6> bounds = PartBounds(part);
-    parts.push_back(
-      { PathOf(part), { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } });
-  }
-  const std::vector<glm::dvec3> offsets = vitrine::ExplodedOffsets(parts, factor);
+  const std::vector<std::array<double, 3>> offsets = ExplodedOffsets(scene, factor);
   for (std::size_t i = 0; i < scene.Parts.size(); ++i)
   {
-    Part& part = scene.Parts[i];
-    const auto moved = vtkSmartPointer<vtkMatrix4x4>::New();
-    if (part.Transform)
-    {
-      moved->DeepCopy(part.Transform);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      moved->SetElement(axis, 3, moved->GetElement(axis, 3) + offsets[i][axis]);
-    }
-    part.Transform = moved;
+    scene.Parts[i].Transform = MovedBy(offsets[i], scene.Parts[i].Transform);
   }
 }
 
@@ -346,6 +329,37 @@ void KeepDrawn(const PartChoices& choices, Scene& scene)
   }
   scene.Parts = std::move(drawn);
 }
+}
+
+std::vector<std::array<double, 3>> ExplodedOffsets(const Scene& scene, double factor)
+{
+  std::vector<vitrine::ExplodedPart> parts;
+  for (const Part& part : scene.Parts)
+  {
+    const std::array<double, 6> bounds = PartBounds(part);
+    parts.push_back(
+      { PathOf(part), { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } });
+  }
+  std::vector<std::array<double, 3>> offsets;
+  for (const glm::dvec3& offset : vitrine::ExplodedOffsets(parts, factor))
+  {
+    offsets.push_back({ offset.x, offset.y, offset.z });
+  }
+  return offsets;
+}
+
+vtkSmartPointer<vtkMatrix4x4> MovedBy(const std::array<double, 3>& offset, vtkMatrix4x4* place)
+{
+  auto moved = vtkSmartPointer<vtkMatrix4x4>::New();
+  if (place)
+  {
+    moved->DeepCopy(place);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    moved->SetElement(axis, 3, moved->GetElement(axis, 3) + offset[axis]);
+  }
+  return moved;
 }
 
 void Apply(const PartChoices& choices, Scene& scene)

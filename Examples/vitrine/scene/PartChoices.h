@@ -4,6 +4,7 @@
 
 #include "scene/Scene.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct PartChoices
  * or if no part is left.
  */
 void Apply(const PartChoices& choices, Scene& scene);
+
+/** By how much each part moves in an exploded view (Core/assembly/Explosion.h), in world coordinates. */
+std::vector<std::array<double, 3>> ExplodedOffsets(const Scene& scene, double factor);
+
+/** A place, the identity for null, after a move in world coordinates. */
+vtkSmartPointer<vtkMatrix4x4> MovedBy(const std::array<double, 3>& offset, vtkMatrix4x4* place);
 
 /** The product of all numbers that are multiplied into all opacities. */
 double CommonOpacity(const PartChoices& choices);

@@ -121,9 +121,9 @@ vtkSmartPointer<vtkActor> MakeActor(const Part& part, WindowCopies& copies)
   return actor;
 }
 
-std::vector<vtkSmartPointer<vtkActor>> MakeBlocks(const Scene& scene, WindowCopies& copies)
+std::vector<vtkSmartPointer<vtkActor>> MakeBlocks(
+  const Scene& scene, WindowCopies& copies, vtkAssemblyActors* blocks)
 {
-  vtkNew<vtkAssemblyActors> blocks;
   for (const Part& part : scene.Parts)
   {
     if (part.MayBeBlock)
@@ -307,6 +307,13 @@ void ApplyCutLooks(
 
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer)
 {
+  vtkNew<vtkAssemblyActors> blocks;
+  return AddActors(scene, renderer, blocks);
+}
+
+std::vector<vtkSmartPointer<vtkActor>> AddActors(
+  const Scene& scene, vtkRenderer* renderer, vtkAssemblyActors* blocks)
+{
   WindowCopies copies;
   std::vector<vtkSmartPointer<vtkActor>> actors;
   for (const Part& part : scene.Parts)
@@ -316,7 +323,7 @@ std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer
       actors.push_back(MakeActor(part, copies));
     }
   }
-  for (vtkSmartPointer<vtkActor>& actor : MakeBlocks(scene, copies))
+  for (vtkSmartPointer<vtkActor>& actor : MakeBlocks(scene, copies, blocks))
   {
     actors.push_back(std::move(actor));
   }

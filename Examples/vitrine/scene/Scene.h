@@ -23,6 +23,7 @@
 #include <vector>
 
 class vtkDataSetAttributes;
+class vtkAssemblyActors;
 class vtkRenderer;
 
 namespace program
@@ -176,6 +177,10 @@ void MakeOpaque(Scene& scene, double leastOpacity);
  * no block, in the order of the parts.
  */
 std::vector<vtkSmartPointer<vtkActor>> AddActors(const Scene& scene, vtkRenderer* renderer);
+
+/** The same with the parts that may be blocks in `blocks`, which has none before, in the order of the parts. */
+std::vector<vtkSmartPointer<vtkActor>> AddActors(
+  const Scene& scene, vtkRenderer* renderer, vtkAssemblyActors* blocks);
 
 /**
  * Have the planes and the box of the scene cut what the renderer draws, with caps. Without them nothing is cut. The

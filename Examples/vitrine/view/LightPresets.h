@@ -1,0 +1,34 @@
+/**
+ * Lights that a viewer may choose, the same as those of the inspector's page.
+ */
+#ifndef VITRINE_LIGHT_PRESETS_H
+#define VITRINE_LIGHT_PRESETS_H
+
+#include "scene/Lights.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace program
+{
+
+enum class LightPreset
+{
+  Scene, ///< the scene's own, or VTK's headlight
+  Studio,
+  Side,
+  Above
+};
+
+/** The preset after one, and the first after the last. */
+LightPreset NextPreset(LightPreset preset);
+
+std::string NameOf(LightPreset preset);
+
+/** Have the renderer be lit by a preset. @param own  the lights of the scene */
+void SetLights(LightPreset preset, const std::vector<Light>& own, vtkRenderer* renderer);
+
+}
+#endif
