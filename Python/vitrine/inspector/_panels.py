@@ -104,6 +104,7 @@ def _bar() -> None:
         )
         html.Div(classes="vi-gap")
         button("mdi-camera-outline", "Save a picture of this view", "utils.vitrine.save('screenshot', {})")
+        button("mdi-rotate-360", "Save a video of one turn", "utils.vitrine.save('turntable', {})")
         button("mdi-layers-search-outline", "Export an explorable picture", "utils.vitrine.save('explorable')")
         button("mdi-content-save-outline", "Save the state", "utils.vitrine.save('save_state', {})")
         button("mdi-folder-open-outline", "Open a state", "utils.vitrine.openState()")
