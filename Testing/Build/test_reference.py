@@ -14,7 +14,7 @@ CALLS = {
     ],
     "Examples/vitrine/**/*.cxx": [r"throw (?:program::)?(?:Input|Runtime)Error\((.*?)\);"],
     "Python/**/*.py": [
-        r"raise (?:Type|Value|Runtime|Import|FileNotFound|IsADirectory)Error\((.*?)\)(?: from error)?\n",
+        r"raise (?:Type|Value|Runtime|Import|FileNotFound|IsADirectory)Error\((.*?)\)(?: from \w+)?\n",
         r"sys\.exit\((.*?)\)\n",
         r"warnings\.warn\((.*?)\)\n",
     ],
