@@ -4,23 +4,32 @@
 
 Each model is written as a page, which headless Chromium opens from disk. A set gives each part at random another
 visibility, opacity and colour. The page composes it, its canvas is read back, and compared with a frame that Vitrine
-draws with the same looks. "Toggle" hides a part and shows it again, as the page measures itself. Needs selenium.
+draws with the same looks. "Toggle" hides a part and shows it again, as the page measures itself. Needs selenium. Where
+OpenEXR and oiiotool are installed, the view is also written as a deep picture, flattened, and compared with a frame.
 """
 
 import argparse
 import base64
 import pathlib
+import shutil
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
 
 import numpy as np
 
+try:
+    import OpenEXR
+except ImportError:
+    OpenEXR = None
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Program"))
 sys.path.append("/usr/lib/python3/dist-packages")  # Debian's selenium beside PyPI's VTK
 from browser import open_browser, open_page  # noqa: E402
 from vitrine.explore import _fragments, export_explorable  # noqa: E402
+from vitrine.explore._exr import write_exr  # noqa: E402
 from vitrine.inspector import Inspection, _output  # noqa: E402
 
 COMPOSE = """
@@ -59,6 +68,22 @@ def random_looks(own, random):
         color = own[path]["color"] if random.random() < 0.5 else "#" + random.bytes(3).hex()
         looks[path] = [bool(random.random() < 0.8), opacity, color]
     return looks
+
+
+def deep_figures(renderer, path):
+    """The bytes of a deep picture, and by how much it flattens to another picture than a frame, of 255."""
+    if OpenEXR is None or shutil.which("oiiotool") is None:
+        return "-", "-"
+    renderer.SetBackground(0, 0, 0)
+    window = renderer.GetRenderWindow()
+    window.Render()
+    frame = _output.read_pixels(window).astype(float)
+    write_exr(path, _fragments.take(renderer), renderer)
+    flat = path.with_name("flat.exr")
+    subprocess.run(["oiiotool", str(path), "--flatten", "-o", str(flat)], check=True)
+    channels = OpenEXR.File(str(flat), separate_channels=True).channels()
+    colors = 255 * np.stack([channels[name].pixels for name in "RGB"], axis=-1)
+    return f"{path.stat().st_size / 1e6:.1f}", f"{np.abs(colors.clip(0, 255) - frame).max():.2f}"
 
 
 class Model:
@@ -108,10 +133,12 @@ def measure(path, options, browser):
             worst, beyond = max(worst, int(off.max())), beyond + int((off > 1).sum())
             if off.max() > 1 and options.tell:
                 tell(model, looks, off)
+        model.frame({path: [True, own["opacity"], own["color"]] for path, own in model.own.items()})
+        deep = deep_figures(model.inspection.renderer, pathlib.Path(folder) / "deep.exr")
     print(
         f"| {pathlib.Path(path).stem} | {len(model.own)} | {fragments} | {size / 1e6:.2f} "
         f"| {8 * size / fragments:.1f} | {seconds:.1f} | {opened:.1f} "
-        f"| {statistics.median(toggles):.0f}, {max(toggles):.0f} | {worst} | {beyond} |",
+        f"| {statistics.median(toggles):.0f}, {max(toggles):.0f} | {worst} | {beyond} | {' | '.join(deep)} |",
         flush=True,
     )
 
@@ -133,8 +160,9 @@ def main():
     parser.add_argument("--tell", action="store_true", help="tell the layers of pixels that are off by more than 1/255")
     options = parser.parse_args()
     print("| model | parts | fragments | MB | bits a fragment | s of CPU to write | s to open "
-          "| toggle ms, median, most | most off, of 255 | pixels off by more than 1 |")
-    print("|" + " --- |" * 10)
+          "| toggle ms, median, most | most off, of 255 | pixels off by more than 1 "
+          "| MB of deep EXR | flattened, most off |")
+    print("|" + " --- |" * 12)
     browser = open_browser()
     try:
         for path in options.files:

@@ -1,17 +1,21 @@
 """Explorable pictures in a browser: what the page decodes, composes, tells and does, against Vitrine's frames."""
 
 import base64
+import contextlib
+import io
 import pathlib
 import sys
 import unittest
 
 import numpy
 from machine import PATHS, SIZE, Files
-from scenes import drawn, pixels, plate, plates_renderer
+from scenes import actor_of, drawn, pixels, plate, plates_renderer
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 import vitrine
 from vitrine.explore import _fragments, export_explorable
+from vitrine.explore.__main__ import main
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "Program"))
 try:
@@ -152,6 +156,27 @@ class Explore(Files):
         numpy.testing.assert_allclose(self.shown(), self.frame(), atol=1)
         self.assert_shows_frames_of_random_looks(renderer, 10)
 
+    def test_metal_and_highlights_too(self):
+        """Light of metal is no straight line in the part's colour, and highlights are brighter than pictures can be."""
+        balls = []
+        for x in (-0.5, 0.5):
+            ball = vtkSphereSource()
+            ball.SetRadius(0.45)
+            ball.SetCenter(x, 0, 0)
+            balls.append(actor_of(ball))
+        metal, paint = (ball.GetProperty() for ball in balls)
+        metal.SetInterpolationToPBR()
+        metal.SetMetallic(0.8)
+        metal.SetRoughness(0.3)
+        paint.SetSpecular(0.7)
+        paint.SetSpecularPower(5)
+        renderer = self.drawn(plates_renderer(plate(-1, BLUE, 1.0), *balls))
+        taken = _fragments.take(renderer)
+        self.assertEqual([shade.model for shade in taken.shades], [1, 4, 1])
+        self.assertGreater(taken.white.max(), _fragments.STEPS)
+        self.open(renderer)
+        self.assert_shows_frames_of_random_looks(renderer, 8)
+
     def test_decodes_what_was_packed(self):
         renderer = self.drawn(self.view())
         self.open(renderer, depths=True)
@@ -241,6 +266,52 @@ class Explore(Files):
         with self.assertRaisesRegex(ValueError, "no part is visible"):
             export_explorable(renderer, path)
         self.assertFalse(path.exists())
+
+
+class Command(Files):
+    def told(self, *arguments):
+        """The status of `vitrine explore`, and what it tells on stderr."""
+        with contextlib.redirect_stderr(io.StringIO()) as told:
+            try:
+                status = main([str(argument) for argument in arguments])
+            except SystemExit as left:  # argparse
+                status = left.code
+        return status, told.getvalue()
+
+    def test_writes_one_file(self):
+        page = self.folder / "page.html"
+        status, told = self.told(self.file, "-o", page, "--size", "80x60", "--views", "turntable,2")
+        self.assertEqual((status, told), (0, ""))
+        self.assertEqual({file.name for file in self.folder.iterdir()}, {"page.html", self.file.name})
+        text = page.read_text(encoding="utf-8")
+        self.assertNotRegex(text, "https?://(?!www.w3.org)")
+        self.assertLess(len(text), 60000)
+
+    def test_refuses_with_one_line_and_writes_nothing(self):
+        page = self.folder / "page.html"
+        broken = self.folder / "broken.json"
+        broken.write_text("{", encoding="utf-8")
+        before = set(self.folder.iterdir())
+        for arguments in (
+            (self.file, "-o", self.folder / "page.png"),
+            (self.folder / "none.glb", "-o", page),
+            (broken, "-o", page),
+            (broken, self.file, "-o", page),
+            (self.file, "-o", self.folder / "none" / "page.html"),
+            (self.file, "-o", page, "--size", "0x10"),
+            (self.file, "-o", page, "--size", "huge"),
+            (self.file, "-o", page, "--views", "turntable,1"),
+            (self.file, "-o", page, "--views", "all"),
+            (self.file, "-o", page, "--exr", self.folder / "deep.png"),
+            (self.file, "-o", page, "--exr", self.folder / "deep.exr", "--views", "standard"),
+            (self.file,),
+        ):
+            with self.subTest(arguments=arguments[1:]):
+                status, told = self.told(*arguments)
+                self.assertEqual(status, 2)
+                self.assertIn("vitrine explore: ", told)
+                self.assertNotIn("Traceback", told)
+                self.assertEqual(set(self.folder.iterdir()), before)
 
 
 if __name__ == "__main__":

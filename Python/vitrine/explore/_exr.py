@@ -68,7 +68,7 @@ def opacities_of(fragments: Fragments) -> numpy.ndarray:
 
 
 def colors_of(fragments: Fragments) -> numpy.ndarray:
-    """The lit colour of each fragment with the present looks of the parts, RGB in [0, 1] or brighter."""
+    """The lit colour of each fragment with the present looks of the parts, RGB in [0, 1]."""
     own = numpy.array([rgb(part.color) for part in fragments.parts])[parts_of(fragments)]
     black, white, middle = (
         each / STEPS if each is not None else None for each in (fragments.black, fragments.white, fragments.middle)
@@ -80,7 +80,7 @@ def colors_of(fragments: Fragments) -> numpy.ndarray:
         are = model == each
         between = middle[are] if middle is not None else None
         colors[are] = lit_color(int(each), bend[are], black[are], white[are], own[are], between)
-    return colors
+    return colors.clip(0.0, 1.0)
 
 
 def _library() -> Any:

@@ -15,9 +15,10 @@ from .._parts import name_of, shown_assemblies
 from ..inspector._table import PartTable, rgb
 
 STEPS = 1020  # of light, from 0 to 1: four for each step of a picture
-_FIXED, _LINEAR, _GAMMA, _BENT = 0, 1, 2, 3
+_FIXED, _LINEAR, _GAMMA, _BENT, _PLAIN_BENT = 0, 1, 2, 3, 4
 _GAMMA_OF_VTK = 2.2
 _MIDDLE = "#bcbcbc"
+_DARKER = ("#101010", "#202020", "#404040", "#808080")  # for fragments that are as bright as can be where their part is white
 _MOST_OFF = 0.5 / 255  # by which a model of light may miss the colours that it is checked with
 _BRIGHTEST = 8.0  # of light that is kept; 1 is white
 
@@ -28,7 +29,8 @@ class Shade:
 
     part is the place of the part in Fragments.parts. model is 0 if colours are fixed, 1 if they are linear in the
     part's colour, and 2 if they are so before a gamma of 2.2, as in physically based rendering, where bend is the share
-    of the quadratic term that metallic parts have. It is 3 if that share differs by fragment, as middle tells.
+    of the quadratic term that metallic parts have. It is 3 if that share differs by fragment, as middle tells, and 4 if
+    then the part's colour has no gamma, as that of VTK's actors.
     is_blended tells whether fragments count as translucent even where their opacity is 1: among those of equal depth
     they are then in front of opaque ones.
     """
@@ -91,7 +93,8 @@ def take(renderer: vtkRenderer, parts: PartTable | None = None) -> Fragments:
     given = _layers(renderer)
     with _opaque(table, looks) as color:
         black, middle, white = (_layers(renderer, color(each)) for each in ("#000000", _MIDDLE, "#ffffff"))
-        return _assembled(renderer, table, looks, given, (black, middle, white))
+        lit = {"#000000": black, _MIDDLE: middle, "#ffffff": white}
+        return _assembled(renderer, table, looks, given, lit, lambda other: _layers(renderer, color(other)))
 
 
 def table_of(renderer: vtkRenderer) -> PartTable:
@@ -136,26 +139,31 @@ def _layers(renderer: vtkRenderer, _colored: None = None) -> Layers:
 
 
 def _assembled(
-    renderer: vtkRenderer, table: PartTable, looks: dict[str, Any], given: Layers, lit: tuple[Layers, ...]
+    renderer: vtkRenderer, table: PartTable, looks: dict[str, Any], given: Layers, lit: dict[str, Layers], draw: Any
 ) -> Fragments:
-    black = lit[0]
+    """draw gives the layers of parts of another colour, which are drawn only if needed."""
+    black = lit["#000000"]
     order = _rows_from_top(black)
     own, opacity = _in_order_of(black, given)
-    colors = [_in_order_of(black, each)[0] for each in lit]
+    colors = {each: _in_order_of(black, layers)[0] for each, layers in lit.items()}
     names = list(looks)
     numbers, shade = numpy.unique(black.numbers, return_inverse=True)
+    models_and_bends = _models(colors, shade)
+    if _is_full(colors).any() or any(model == _BENT for model, _ in models_and_bends):
+        colors.update({each: _in_order_of(black, draw(each))[0] for each in _DARKER})
+        models_and_bends = _models(colors, shade)
+    dark, middle, light = _brightened(colors, shade, models_and_bends)
     actors = [black.actor(int(number)) for number in numbers]
     shades = [
         Shade(part, model, bend, actor is not None and bool(actor.HasTranslucentPolygonalGeometry()))
-        for part, (model, bend), actor in zip(
-            _parts_of(table, black, numbers, names), _models(*colors, shade), actors
-        )
+        for part, (model, bend), actor in zip(_parts_of(table, black, numbers, names), models_and_bends, actors)
     ]
     models = numpy.array([each.model for each in shades])[shade]
-    dark, middle, light = (_steps(each) for each in colors)
+    dark, middle, light = (_steps(each) for each in (dark, middle, light))
     for each in (dark, light):
         each[models == _FIXED] = _steps(own)[models == _FIXED]
-    middle[models != _BENT] = 0
+    has_middle = (models == _BENT) | (models == _PLAIN_BENT)
+    middle[~has_middle] = 0
     parts = [_shown_part(path, looks) for path in names]
     opacities = numpy.array([part.opacity for part in parts], numpy.float32)
     alphas = _shares_of_opacity(opacity, opacities[[each.part for each in shades]][shade])
@@ -171,7 +179,7 @@ def _assembled(
         shade=shade[order],
         black=dark[order],
         white=light[order],
-        middle=middle[order] if (models == _BENT).any() else None,
+        middle=middle[order] if has_middle.any() else None,
         is_tied=tied[order],
         depth=black.depths[order],
         alphas=alphas[order] if alphas is not None else None,
@@ -222,15 +230,23 @@ def _in_order_of(black: Layers, other: Layers) -> tuple[numpy.ndarray, numpy.nda
     return other.colors[order], other.opacities[order]
 
 
-def _models(
-    black: numpy.ndarray, middle: numpy.ndarray, white: numpy.ndarray, shade: numpy.ndarray
-) -> list[tuple[int, float]]:
-    """For each number the model that tells middle colours best from those of black and white parts, and its bend."""
+def _is_full(colors: dict[str, numpy.ndarray]) -> numpy.ndarray:
+    """Where light ends at 1, the most that pictures have."""
+    return numpy.maximum(colors[_MIDDLE], colors["#ffffff"]) >= 1.0
+
+
+def _models(colors: dict[str, numpy.ndarray], shade: numpy.ndarray) -> list[tuple[int, float]]:
+    """For each number the model that tells middle colours best from those of black and white parts, and its bend.
+
+    Fragments that are as bright as can be tell nothing.
+    """
+    black, middle, white = colors["#000000"], colors[_MIDDLE], colors["#ffffff"]
+    tells = ~_is_full(colors).any(axis=1)
     count = int(shade.max(initial=-1)) + 1
 
     def most(values: numpy.ndarray) -> numpy.ndarray:
         largest = numpy.zeros(count)
-        numpy.maximum.at(largest, shade, numpy.abs(values).max(axis=1))
+        numpy.maximum.at(largest, shade[tells], numpy.abs(values[tells]).max(axis=1))
         return largest
 
     bends = _bends(black, middle, white, shade, count)
@@ -240,9 +256,51 @@ def _models(
     ]
     best = numpy.where(misses[0] <= misses[1], _LINEAR, _GAMMA)
     best[numpy.minimum(*misses) > _MOST_OFF] = _BENT
-    best[most(white - black) < 1 / 255] = _FIXED
+    if _DARKER[0] in colors:
+        color, seen = rgb(_DARKER[2])[0], colors[_DARKER[2]]
+        bent, plain = (
+            most(lit_color(model, 0.0, black, white, color, middle) - seen) for model in (_BENT, _PLAIN_BENT)
+        )
+        best[(best == _BENT) & (plain < bent)] = _PLAIN_BENT
+    is_colored = numpy.zeros(count, bool)
+    is_colored[shade[(white - black).max(axis=1) >= 1 / 255]] = True
+    best[~is_colored] = _FIXED
     bends[best != _GAMMA] = 0.0
     return list(zip(best.tolist(), bends.tolist()))
+
+
+def _brightened(
+    colors: dict[str, numpy.ndarray], shade: numpy.ndarray, models: list[tuple[int, float]]
+) -> tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
+    """The light where parts are black, middle and white. Pictures end at 1, so brighter light follows from darker parts."""
+    black, middle, white = colors["#000000"], colors[_MIDDLE], colors["#ffffff"]
+    if len(colors) == 3:
+        return black, middle, white
+    model, bend = (numpy.array(each)[shade][:, None] for each in zip(*models))
+    middle, white = middle.copy(), white.copy()
+    low, is_full = _linear(black), _is_full(colors)
+    is_plain = model == _PLAIN_BENT
+    between = _share_of(rgb(_MIDDLE)[0], is_plain)
+    # From dark to bright, so that the brightest part tells whose fragment is not as bright as can be.
+    probes = [(rgb(each)[0], colors[each]) for each in (*_DARKER, _MIDDLE)]
+    for place, (color, seen) in enumerate(probes):
+        tells = is_full & (seen < 1.0)
+        share = _share_of(color, is_plain)
+        straight = black + (seen - black) / color
+        curved = low + (_linear(seen) - low) / (share * (1 - bend) + bend * share * share)
+        estimate = numpy.where(model == _LINEAR, straight, curved ** (1 / _GAMMA_OF_VTK))
+        at_middle = low + (curved - low) * between
+        if place > 0:
+            # A parabola through the light of this part, of the one before and of a black one.
+            before, light = _share_of(probes[place - 1][0], is_plain), _linear(probes[place - 1][1]) - low
+            square = ((_linear(seen) - low) / share - light / before) / (share - before)
+            slope = light / before - square * before
+            is_bent = (model == _BENT) | is_plain
+            estimate = numpy.where(is_bent, numpy.maximum(low + slope + square, 0.0) ** (1 / _GAMMA_OF_VTK), estimate)
+            at_middle = numpy.where(is_bent, low + slope * between + square * between * between, at_middle)
+        white[tells] = estimate[tells]
+        middle[tells] = numpy.maximum(at_middle, 0.0)[tells] ** (1 / _GAMMA_OF_VTK)
+    return black, middle, white
 
 
 def _bends(
@@ -276,13 +334,19 @@ def lit_color(
     low, high = _linear(black), _linear(white)
     linear = numpy.asarray(color) ** _GAMMA_OF_VTK
     span = high - low
-    if model == _BENT:
-        between = rgb(_MIDDLE)[0] ** _GAMMA_OF_VTK
+    if model in (_BENT, _PLAIN_BENT):
+        between = _share_of(rgb(_MIDDLE)[0], model == _PLAIN_BENT)
+        linear = _share_of(color, model == _PLAIN_BENT)
         curve = (_linear(middle) - low - between * span) / (between * between - between)
     else:
         bend = numpy.asarray(bend)
         curve = span * (bend[:, None] if bend.ndim else bend)
     return numpy.maximum(low + (span - curve) * linear + curve * linear * linear, 0.0) ** (1 / _GAMMA_OF_VTK)
+
+
+def _share_of(color: float, is_plain: Any) -> numpy.ndarray:
+    """What the light of bent models depends on: a part's colour, with or without a gamma."""
+    return numpy.where(is_plain, color, _linear(color))
 
 
 def _linear(colors: Any) -> numpy.ndarray:

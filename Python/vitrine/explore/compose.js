@@ -2,10 +2,10 @@
 // The picture of fragments: colours by light and parts, and compositing from front to back.
 
 const STEPS = 1020;
-const MODEL = { FIXED: 0, LINEAR: 1, GAMMA: 2, BENT: 3 };
+const MODEL = { FIXED: 0, LINEAR: 1, GAMMA: 2, BENT: 3, PLAIN_BENT: 4 };
 const GAMMA = 2.2;
 const BRIGHTEST = 8; // of light, as _fragments.py has it
-const MIDDLE = Math.pow(0xbc / 255, GAMMA);
+const MIDDLE = 0xbc / 255;
 const LINEAR_OF = Float64Array.from({ length: BRIGHTEST * STEPS + 1 }, (_, i) => Math.pow(i / STEPS, GAMMA));
 
 /** Composites a view. looks has for each part { visible, opacity, color: [r, g, b] from 0 to 1 }. */
@@ -13,7 +13,7 @@ class Composer {
   constructor(view) {
     this.view = view;
     this.shades = view.shadeOf;
-    this.lit = new Float32Array(3 * view.fragments); // colours from 0 to 255, or brighter
+    this.lit = new Float32Array(3 * view.fragments); // colours from 0 to 255
     this.colors = [];
     this.image = new ImageData(view.width, view.height);
     this.partOf = Uint32Array.from(this.shades, (shade) => shade[0]);
@@ -34,8 +34,8 @@ class Composer {
     const { shades, fragments, black, white, middle } = this.view;
     const coefficients = this.shades.map(([part, model, bend]) => looks[part].color.map((color) => {
       const linear = Math.pow(color, GAMMA);
-      if (model === MODEL.BENT) {
-        return linear;
+      if (model >= MODEL.BENT) {
+        return model === MODEL.BENT ? linear : color;
       }
       return model === MODEL.FIXED ? 0 : model === MODEL.LINEAR ? color : linear * (1 - bend) + bend * linear * linear;
     }));
@@ -48,7 +48,7 @@ class Composer {
       const model = this.shades[shade][1], share = coefficients[shade];
       for (let c = 0; c < 3; ++c) {
         const channel = black.length === 1 ? 0 : c, low = black[channel][i], high = white[channel][i];
-        this.lit[3 * i + c] = model === MODEL.BENT ? bentLightOf(low, middle[channel][i], high, share[c])
+        this.lit[3 * i + c] = model >= MODEL.BENT ? bentLightOf(model, low, middle[channel][i], high, share[c])
           : lightOf(model, low, high, share[c], memory);
       }
     }
@@ -160,21 +160,22 @@ function packed(value) {
 /** The colour of a fragment from 0 to 255, of its light in STEPS and the share of its part's colour. */
 function lightOf(model, black, white, share, memory) {
   if (model !== MODEL.GAMMA) {
-    return (black + (white - black) * share) * 255 / STEPS;
+    return Math.min((black + (white - black) * share) * 255 / STEPS, 255);
   }
   const key = (black * (BRIGHTEST * STEPS + 1) + white) * 65536 + Math.round(share * 65535);
   let found = memory.get(key);
   if (found === undefined) {
     const low = LINEAR_OF[black], linear = Math.max(low + (LINEAR_OF[white] - low) * share, 0);
-    found = 255 * Math.pow(linear, 1 / GAMMA);
+    found = Math.min(255 * Math.pow(linear, 1 / GAMMA), 255);
     memory.set(key, found);
   }
   return found;
 }
 
-/** The same by a curve through the light of a black, a middle and a white part; color is linear. */
-function bentLightOf(black, middle, white, color) {
+/** The same by a curve through the light of a black, a middle and a white part. */
+function bentLightOf(model, black, middle, white, color) {
   const low = LINEAR_OF[black], span = LINEAR_OF[white] - low;
-  const bend = (LINEAR_OF[middle] - low - MIDDLE * span) / (MIDDLE * MIDDLE - MIDDLE);
-  return 255 * Math.pow(Math.max(low + (span - bend) * color + bend * color * color, 0), 1 / GAMMA);
+  const between = model === MODEL.BENT ? Math.pow(MIDDLE, GAMMA) : MIDDLE;
+  const bend = (LINEAR_OF[middle] - low - between * span) / (between * between - between);
+  return Math.min(255 * Math.pow(Math.max(low + (span - bend) * color + bend * color * color, 0), 1 / GAMMA), 255);
 }

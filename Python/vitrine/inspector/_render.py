@@ -11,7 +11,7 @@ from .._unpack import is_demo
 from . import _state
 from ._inspection import Inspection
 
-SIZE = re.compile(r"(\d{1,5})x(\d{1,5})")
+SIZE = re.compile(r"([1-9]\d{0,4})x([1-9]\d{0,4})")
 
 
 def main(arguments: list[str]) -> int:
