@@ -1,10 +1,12 @@
-"""A display without a screen, and a window in it that is used as people do. Needs xvfb and xdotool."""
+"""A display without a screen, and a window in it that is used as people do. Needs xvfb and xdotool.
+
+As a program, it runs a command on such a display, and ends with the command's status.
+"""
 
 import os
 import select
 import subprocess
-
-from program import PROGRAM
+import sys
 
 TIMEOUT = 60  # seconds; for hangs only
 
@@ -37,7 +39,7 @@ class View:
         self._height = size[1]
         self._stderr = (folder / "stderr").open("w+b")
         self.program = subprocess.Popen(
-            [PROGRAM, "view", *arguments, "--size", "{}x{}".format(*size)],
+            [os.environ["VITRINE_PROGRAM"], "view", *arguments, "--size", "{}x{}".format(*size)],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=self._stderr,
@@ -88,3 +90,11 @@ class View:
         self.program.wait()
         self.program.stdout.close()
         self._stderr.close()
+
+
+if __name__ == "__main__":
+    DESKTOP = Desktop()
+    try:
+        sys.exit(subprocess.run(sys.argv[1:], env=dict(os.environ, DISPLAY=DESKTOP.display), check=False).returncode)
+    finally:
+        DESKTOP.close()

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 import zlib
 
-PROGRAM = os.environ["VITRINE_PROGRAM"]
+PROGRAM = os.environ.get("VITRINE_PROGRAM", "vitrine")
 TIMEOUT = 600  # seconds; for hangs only
 
 # Keys of the device in JSON, and of its features.

@@ -6,6 +6,7 @@ import io
 import os
 import pathlib
 import re
+import sys
 import tempfile
 import time
 import unittest
@@ -322,6 +323,28 @@ class Examples(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertGreater(picture.stat().st_size, 1000)
                 self.assertRegex(done.stdout, r"linked-list\s.* [01]\.0")
+
+
+    def test_a_window_of_qt_shows_what_a_plotter_draws(self):
+        desktop = EXAMPLES.parents[1] / "Testing" / "Program" / "desktop.py"
+        with tempfile.TemporaryDirectory() as out:
+            picture = pathlib.Path(out, "picture.png")
+            command = [desktop, sys.executable, EXAMPLES / "qt_assembly.py", picture]
+            done = run_interpreter(*command, QT_QPA_PLATFORM="xcb", XDG_RUNTIME_DIR=out)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            shown = numpy.asarray(Image.open(picture).convert("RGB"))
+        sys.path.insert(0, str(EXAMPLES))
+        self.addCleanup(sys.path.remove, str(EXAMPLES))
+        from pyvista_assembly import gearbox
+
+        plotter = pyvista.Plotter(off_screen=True, window_size=shown.shape[1::-1])
+        self.addCleanup(plotter.close)
+        blocks, looks = gearbox()
+        for name, (color, opacity) in looks.items():
+            plotter.add_mesh(blocks[name], color=color, opacity=opacity, smooth_shading=False)
+        vitrine.see_through(plotter)
+        numpy.testing.assert_array_equal(shown, plotter.screenshot(return_img=True)[:, :, :3])
+        self.assertGreater(len(numpy.unique(shown.reshape(-1, 3), axis=0)), 100)
 
 
 class Culler(unittest.TestCase):
