@@ -18,7 +18,8 @@ STEPS = 1020  # of light, from 0 to 1: four for each step of a picture
 _FIXED, _LINEAR, _GAMMA, _BENT, _PLAIN_BENT = 0, 1, 2, 3, 4
 _GAMMA_OF_VTK = 2.2
 _MIDDLE = "#bcbcbc"
-_DARKER = ("#101010", "#202020", "#404040", "#808080")  # for fragments that are as bright as can be where their part is white
+# For fragments that are as bright as can be where their part is white.
+_DARKER = ("#101010", "#202020", "#404040", "#808080")
 _MOST_OFF = 0.5 / 255  # by which a model of light may miss the colours that it is checked with
 _BRIGHTEST = 8.0  # of light that is kept; 1 is white
 
@@ -272,7 +273,7 @@ def _models(colors: dict[str, numpy.ndarray], shade: numpy.ndarray) -> list[tupl
 def _brightened(
     colors: dict[str, numpy.ndarray], shade: numpy.ndarray, models: list[tuple[int, float]]
 ) -> tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
-    """The light where parts are black, middle and white. Pictures end at 1, so brighter light follows from darker parts."""
+    """The light where parts are black, middle and white. Pictures end at 1: more follows from darker parts."""
     black, middle, white = colors["#000000"], colors[_MIDDLE], colors["#ffffff"]
     if len(colors) == 3:
         return black, middle, white
