@@ -66,9 +66,9 @@ class ViewWindow(FileTest):
     def assert_shows(self, picture):
         self.assertTrue(self.picture() == picture, "the pictures differ")
 
-    def rendered(self, *options):
+    def rendered(self, *options, scene=SCENE):
         path = self.folder / "rendered.png"
-        self.assert_done(run("render", *SCENE, *options, "--size", "{}x{}".format(*SIZE), "-o", path))
+        self.assert_done(run("render", *scene, *options, "--size", "{}x{}".format(*SIZE), "-o", path))
         return path.read_bytes()
 
     def end(self):
@@ -209,6 +209,34 @@ class ViewWindow(FileTest):
         self.view.click(*MIDDLE)
         self.view.click(70, 89)
         self.assertRegex(self.press("d"), r"^distance [0-9.]+$")
+        self.end()
+
+    def test_parts_that_are_blocks_of_an_actor(self):
+        tiles = []
+        for i in range(600):
+            x, y, corner = i % 30, i // 30, 4 * i + 1
+            tiles.append(f"o tile{i}\n")
+            tiles += [f"v {x + a} {y + b} {(i % 7) / 10}\n" for a, b in ((0, 0), (0.9, 0), (0.9, 0.9), (0, 0.9))]
+            tiles.append("f " + " ".join(str(corner + j) for j in range(4)) + "\n")
+        model = self.write("tiles.obj", "".join(tiles).encode())
+        self.view.kill()
+        self.view = self.open(model)
+        whole = self.picture()
+        self.assertTrue(whole == self.rendered(scene=[model]))
+        part = self.view.click(*MIDDLE).split()[1]
+        self.press("h", f"hid {part}")
+        self.assert_shows(self.rendered("--hide", part, scene=[model]))
+        self.press("u")
+        self.press("[")
+        self.press("Escape")
+        self.assert_shows(self.rendered("--opacity", f"{part}=0.9", scene=[model]))
+        self.press("r", "reset 600 parts")
+        self.press("e")
+        self.assertTrue(self.picture() != whole)
+        self.press("E")
+        self.assert_shows(whole)
+        self.view.click(*MIDDLE)
+        self.press("v", f"revealed {part}")
         self.end()
 
     @classmethod

@@ -18,7 +18,6 @@ ShownState::ShownState(
   , Now(std::move(first))
 {
   ShowLooks(scene, this->Drawn.Actors(), renderer);
-  this->Outlines->SetFillOpacity(0.1);
   this->Reveal->SetRenderer(renderer);
   this->Now.Camera.ApplyTo(renderer->GetActiveCamera());
   SetLights(this->Now.Lights, scene.Lights, renderer);

@@ -14,6 +14,29 @@ namespace
 {
 const double Edge = 0.012; // of the window's size, from its sides
 const std::size_t MostLayers = 16;
+const std::size_t LongestPath = 48; // characters, as those of texts that follow
+const std::size_t LongestLine = 100;
+
+/** A text without its middle if it is too long. The end of a path tells more than its beginning. */
+std::string Shortened(const std::string& text, std::size_t longest)
+{
+  if (text.size() <= longest)
+  {
+    return text;
+  }
+  const auto isWithinCharacter = [&text](std::size_t i) { return (text[i] & 0xc0) == 0x80; };
+  std::size_t begin = longest / 4;
+  std::size_t end = text.size() - (longest - begin - 3);
+  while (begin > 0 && isWithinCharacter(begin))
+  {
+    --begin;
+  }
+  while (end < text.size() && isWithinCharacter(end))
+  {
+    ++end;
+  }
+  return text.substr(0, begin) + "..." + text.substr(end);
+}
 
 void SetLook(vtkTextActor* text, int size, bool isTable)
 {
@@ -38,7 +61,8 @@ std::string ToText(const std::vector<PartUnderCursor>& layers, const ShownParts&
   for (std::size_t i = 0; i < std::min(layers.size(), MostLayers); ++i)
   {
     const PartUnderCursor& layer = layers[i];
-    rows.push_back({ (selected.count(layer.Part) > 0 ? "> " : "  ") + parts.Path(layer.Part),
+    const std::string path = Shortened(parts.Path(layer.Part), LongestPath);
+    rows.push_back({ (selected.count(layer.Part) > 0 ? "> " : "  ") + path,
       FormatCell("%.3f", layer.Share), FormatCell("%.2f", layer.Opacity) });
   }
   std::string text = AlignColumns(rows);
@@ -64,7 +88,7 @@ ViewTexts::ViewTexts(vtkRenderer* renderer)
 
 void ViewTexts::SetLine(const std::string& line)
 {
-  this->Line->SetInput(line.c_str());
+  this->Line->SetInput(Shortened(line, LongestLine).c_str());
 }
 
 void ViewTexts::SetLayers(const std::vector<PartUnderCursor>& layers, const ShownParts& parts,
