@@ -257,3 +257,10 @@ def has_cutaway(renderer: vtkRenderer) -> bool:
 
 def _has(renderer: vtkRenderer, shown: list[tuple[vtkProp, int]]) -> bool:
     return any(renderer.HasViewProp(prop) for prop, _ in shown)
+
+
+def update_reveal(renderer: vtkRenderer) -> None:
+    """Have the reveal of a renderer fade parts anew, whose looks something else has changed. It may have none."""
+    handle = _reveals.get(renderer.__this__)
+    if handle is not None:
+        handle.update()

@@ -13,7 +13,7 @@ from machine import PATHS, SIZE, Files, write_machine
 from scenes import run_interpreter
 
 import vitrine
-from vitrine.inspector import Inspection, _render, _state
+from vitrine.inspector import Inspection, _output, _render, _state
 
 LID, WINDOW, GEAR, GEAR_2, BOLT = PATHS
 FRONT = {"position": [0, 0, 10], "focal_point": [0, 0, 0], "view_up": [0, 1, 0], "parallel": True, "parallel_scale": 4}
@@ -38,6 +38,9 @@ CHANGES = {
     "uncut": lambda shown: shown.remove_section(0),
     "x_ray": lambda shown: shown.x_ray(LID),
     "un-x_ray": lambda shown: shown.x_ray(None),
+    "reveal": lambda shown: shown.reveal(GEAR_2, 0.5),
+    "view of a reveal": lambda shown: shown.set_camera({**FRONT, "position": [8, 4, 40]}),
+    "unreveal": lambda shown: shown.reveal(None),
     "view": lambda shown: shown.view("iso"),
     "perspective": lambda shown: shown.parallel(False),
     "fit": lambda shown: shown.fit(GEAR),
@@ -130,6 +133,7 @@ class Changes(Machine):
             with self.assertRaises(error):
                 wrong()
             self.assertEqual(self.shown.state(), state)
+        self.shown.forget_frame()
         self.same(self.shown.picture(), picture)
 
     def test_of_the_selection_add_and_take_away(self):
@@ -187,6 +191,17 @@ class States(Machine):
                     self.shown.apply(given)
                 self.assertNotIn("\n", str(raised.exception))
                 self.assertEqual(self.shown.state(), state)
+        self.shown.forget_frame()
+        self.same(self.shown.picture(), picture)
+
+    def test_whose_last_thing_is_wrong_leave_none_of_the_others(self):
+        self.make_view()
+        picture = self.shown.picture()
+        box = {"bounds": [1, 0] * 3, "inside": True}
+        parts = {LID: {"color": "#00ff00"}, GEAR_2: {"visible": False}}
+        with self.assertRaises(ValueError):
+            self.shown.apply({**self.shown.state(), "parts": parts, "explode": 0.5, "box": box})
+        self.shown.forget_frame()
         self.same(self.shown.picture(), picture)
 
     def test_that_are_no_json_are_refused_by_one_line_and_status_2(self):
@@ -231,7 +246,7 @@ def malformed_states():
         "x_ray": [[], {"parts": [LID], "floor": 2}, {"parts": ["/nowhere"]}],
         "camera": [{}, {**camera, "view_up": [0, 0, 1]}, {**camera, "position": [0, 0, 0]}, {**camera, "more": 1},
                    {**camera, "view_angle": 0}, {**camera, "parallel_scale": -1}],
-        "views": [[], {"": camera}, {"a": {}}],
+        "views": [[], {"": camera}, {"a": {}}, {"__proto__": camera}, {"\ud800": camera}],
         "lights": ["moon", 1],
         "background": ["white", "#fff"],
         "method": ["", "nonsense", 1],
@@ -335,12 +350,41 @@ class Pictures(Machine):
             with self.assertRaises(ValueError):
                 self.shown.picture(wrong)
 
-    def test_of_a_plotter_leave_it_as_it_was(self):
-        renderer = self.shown.renderer
-        self.shown.add_section("x")
-        self.shown.close()
+    def test_of_an_assembly_begin_and_end_with_its_looks(self):
+        machine = vitrine.load(self.file)
+        machine["lid"].visible = False
+        machine["gear-1"].color = (1.0, 0.5, 0.0)
+        shown = Inspection(machine, size=SIZE)
+        self.assertEqual(shown.state()["parts"], {LID: {"visible": False}, GEAR: {"color": "#ff8000"}})
+        shown.set_camera(FRONT)
+        before = shown.picture()
+        shown.show(LID)
+        shown.add_section("x")
+        shown.undo()
+        shown.undo()
+        self.same(shown.picture(), before)
+        shown.reset()
+        renderer = shown.renderer
+        shown.close()
         self.assertIsNone(renderer.GetPass())
-        self.assertEqual(self.shown.assembly["gear*"].visible, None)
+        self.assertEqual(machine["lid"].visible, False)
+
+    def test_of_a_turn_leave_state_and_camera(self):
+        self.shown.ghost(LID)
+        state = self.shown.state()
+        self.shown.picture()
+        with contextlib.suppress(ImportError):  # of what writes videos
+            steps = _output.turntable(self.shown, self.folder / "turn.gif", 3, (16, 16))
+            next(steps)
+            self.assertEqual(self.shown.state(), state)
+            self.assertEqual(self.shown.renderer.GetActiveCamera().GetPosition(), (0, 0, 10))
+            steps.close()
+        self.assertEqual(list(self.folder.glob("*.gif")), [])
+
+    def test_fit_parts_where_they_are(self):
+        self.shown.explode(3.0)
+        self.shown.fit(GEAR)
+        self.assertEqual(self.shown.pick(40, 40), GEAR)
 
 
 def read_png(file):

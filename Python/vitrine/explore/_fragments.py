@@ -12,6 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 from .._layers import Layers, layers_in
 from .._parts import name_of, shown_assemblies
+from .._reveal import update_reveal
 from ..inspector._table import PartTable, rgb
 
 STEPS = 1020  # of light, from 0 to 1: four for each step of a picture
@@ -87,15 +88,24 @@ def take(renderer: vtkRenderer, parts: PartTable | None = None) -> Fragments:
     Hidden parts are left out. Raises as layers_in() does, and ValueError if there are no parts.
     """
     table = parts if parts is not None else table_of(renderer)
-    paths = [path for path in table.paths if table.shown_look(path)["visible"]]
-    if not paths:
+    every = {path: table.shown_look(path) for path in table.paths}
+    looks = {path: look for path, look in every.items() if look["visible"] and look["opacity"] > 0.0}
+    if not looks:
         raise ValueError("nothing is shown that can be explored: no part is visible")
-    looks = {path: table.shown_look(path) for path in paths}
+    unseen = [path for path, look in every.items() if look["visible"] and path not in looks]
     given = _layers(renderer)
-    with _opaque(table, looks) as color:
-        black, middle, white = (_layers(renderer, color(each)) for each in ("#000000", _MIDDLE, "#ffffff"))
-        lit = {"#000000": black, _MIDDLE: middle, "#ffffff": white}
-        return _assembled(renderer, table, looks, given, lit, lambda other: _layers(renderer, color(other)))
+    if len(given.numbers) == 0:
+        raise ValueError("nothing is shown that can be explored: the camera sees no part")
+    with _opaque(table, looks, unseen) as color:
+
+        def layers_in_color(value: str) -> Layers:
+            color(value)
+            return _layers(renderer)
+
+        lit = {each: layers_in_color(each) for each in ("#000000", _MIDDLE, "#ffffff")}
+        fragments = _assembled(renderer, table, looks, given, lit, layers_in_color)
+    update_reveal(renderer)
+    return fragments
 
 
 def table_of(renderer: vtkRenderer) -> PartTable:
@@ -112,17 +122,21 @@ def table_of(renderer: vtkRenderer) -> PartTable:
 
 
 @contextlib.contextmanager
-def _opaque(table: PartTable, looks: dict[str, Any]) -> Iterator[Any]:
-    """Parts are opaque while this is entered, so that ties are in VTK's order. It gives a function that colours all."""
-    now = dict(looks)
+def _opaque(table: PartTable, looks: dict[str, Any], unseen: list[str]) -> Iterator[Any]:
+    """Parts are opaque while this is entered, so that ties are in VTK's order, and unseen ones are hidden.
+
+    It gives a function that colours all.
+    """
 
     def look_like(path: str, look: dict[str, Any]) -> None:
         table.set_look(path, table.given_look(path), look)
 
-    before = {path: dict(table.given_look(path)) for path in looks}
+    before = {path: dict(table.given_look(path)) for path in [*looks, *unseen]}
+    for path in unseen:
+        look_like(path, {**before[path], "visible": False})
 
     def color(value: str) -> None:
-        for path in now:
+        for path in looks:
             look_like(path, {**before[path], "opacity": 1.0, "color": value})
 
     try:
@@ -132,7 +146,7 @@ def _opaque(table: PartTable, looks: dict[str, Any]) -> Iterator[Any]:
             look_like(path, look)
 
 
-def _layers(renderer: vtkRenderer, _colored: None = None) -> Layers:
+def _layers(renderer: vtkRenderer) -> Layers:
     renderer.GetRenderWindow().Render()
     left, bottom = renderer.GetOrigin()
     width, height = renderer.GetSize()

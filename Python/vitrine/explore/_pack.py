@@ -1,4 +1,4 @@
-"""Fragments as few bytes, without loss: what a page reads. page.js has the other way."""
+"""Fragments as few bytes, without loss: what a page reads. decode.js has the other way."""
 
 from __future__ import annotations
 

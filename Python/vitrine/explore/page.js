@@ -23,9 +23,13 @@ class Page {
   }
 
   async show(index) {
+    this.wanted = index;
     byId("status").textContent = "Opening";
     if (!this.composers.has(index)) {
       this.composers.set(index, new Composer(await decodedView(this.data.views[index])));
+    }
+    if (this.wanted !== index) {
+      return; // another view was chosen meanwhile
     }
     this.composer = this.composers.get(index);
     const { width, height } = this.composer.view;
@@ -243,9 +247,10 @@ class Page {
     byId("tree").onscroll = () => this.drawRows();
     window.onresize = () => this.drawRows();
     byId("opacity").oninput = (event) =>
-      this.change([...this.selected], { visible: true, opacity: Number(event.target.value) }, "opacity");
+      this.change([...this.selected], { visible: true, opacity: Number(event.target.value) },
+        `opacity of ${[...this.selected]}`);
     byId("color").oninput = (event) =>
-      this.change([...this.selected], { color: rgbOf(event.target.value) }, "color");
+      this.change([...this.selected], { color: rgbOf(event.target.value) }, `colour of ${[...this.selected]}`);
     byId("picture").onclick = (event) => this.pick(event);
     const views = byId("views");
     this.data.views.forEach((view, index) => views.add(new Option(view.name, index)));

@@ -79,6 +79,14 @@ def pick(inspection: Inspection, x: int, y: int, deeper: int, through: float = 0
 # Measures
 
 
+def what_is_indexed(inspection: Inspection) -> Any:
+    """What an index depends on."""
+    state = inspection.state_now
+    if state["explode"] == 0.0 and len(inspection.parts.assemblies) == 1:
+        return None
+    return state["explode"], frozenset(path for path, look in state["parts"].items() if look.get("visible") is False)
+
+
 def make_index(inspection: Inspection) -> AssemblyIndex:
     """An index of all parts. That of an assembly has hidden ones too, but not the places of an exploded view."""
     is_whole = inspection.state_now["explode"] == 0.0 and len(inspection.parts.assemblies) == 1
@@ -211,7 +219,10 @@ class _drawn_by:
         else:
             tolerant = coincidence is not None and self._method != "stencil-routed"
             self._handle = see_through(
-                renderer, self._method, coincidence=tuple(coincidence) if tolerant else None
+                renderer,
+                self._method,
+                coincidence=tuple(coincidence) if tolerant else None,
+                cull=self._inspection.state_now["cull"],
             )
 
     def __exit__(self, *_: object) -> None:
@@ -232,9 +243,14 @@ def chart(inspection: Inspection, frames: int) -> Iterator[dict[str, Any]]:
     """A row for each method as it is measured. The first is that of truth."""
     if isinstance(frames, bool) or not isinstance(frames, int) or not 1 <= frames <= 100:
         raise ValueError(f"frames is a whole number from 1 to 100, not {frames!r}")
+    inspection.draw()
+    view = inspection.state_now
     truth = _picture_by(inspection, "truth")
     yield {"method": "truth", "frame_ms": None, "error": _difference(truth, truth)}
     for method in [*(method for method in METHODS if method != "truth"), *_VTK_METHODS]:
+        if inspection.state_now is not view:
+            raise InterruptedError("the view has changed, and a chart is of one view")
+        inspection.draw()  # at the size of the state
         yield _measured(inspection, method, truth, frames)
 
 
@@ -256,7 +272,8 @@ def _measured(inspection: Inspection, method: str, truth: numpy.ndarray, frames:
 def heat_map(inspection: Inspection) -> numpy.ndarray:
     """Black for no layer, then from blue over green, yellow and red to white for the most, by square roots."""
     width, height = inspection.renderer.GetSize()
-    found = layers_in(inspection.renderer, 0, 0, width - 1, height - 1)
+    left, bottom = inspection.renderer.GetOrigin()
+    found = layers_in(inspection.renderer, left, bottom, left + width - 1, bottom + height - 1)
     counts = numpy.diff(found.offsets).reshape(height, width)[::-1]
     shares = numpy.sqrt(counts / max(int(counts.max()), 1))
     stops = numpy.linspace(0.0, 1.0, len(_HEAT))
@@ -273,8 +290,7 @@ def culled(inspection: Inspection) -> list[dict[str, Any]]:
         return []
     reasons: dict[str, list[str]] = {}
     for path in inspection.parts.paths:
-        for prop in {inspection.parts.actor_of(path)}:
-            reasons.setdefault(culler.GetReason(prop) or "", []).append(path)
+        reasons.setdefault(culler.GetReason(inspection.parts.actor_of(path)) or "", []).append(path)
     told = [
         {"reason": reason, "parts": len(paths), "paths": paths[:20]} for reason, paths in reasons.items() if reason
     ]

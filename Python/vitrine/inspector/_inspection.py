@@ -72,7 +72,6 @@ class Inspection:
         self._redo: list[State] = []
         self._merge: Any = None
         self._index: Any = None
-        self._whole: Any = None
         self._state: State = {}
         self._begin(files, size, keep_camera=plotter is not None)
 
@@ -81,9 +80,12 @@ class Inspection:
         return self._state
 
     def _begin(self, files: list[dict[str, Any]], size: Sequence[int], keep_camera: bool) -> None:
-        state = _state.with_defaults({"files": files, "size": [int(size[0]), int(size[1])]})
+        given = {"vitrine": _state.FORMAT, "files": files, "size": [*size], "parts": self.parts.given_looks()}
+        _state.check(given)
+        state = _state.with_defaults(given)
         if keep_camera:
             state["background"] = _views.background_of(self.renderer)
+            state["lights"] = None
         self.shown.show(state)
         if not keep_camera:
             _views.look_from(self.renderer, "iso", self._bounds())
@@ -170,7 +172,7 @@ class Inspection:
 
     def script(self) -> str:
         """A Python script that draws the picture of the state with vitrine's calls."""
-        return _script.script_of(self._state, self.whole_bounds())
+        return _script.script_of(self._state, self.parts.bounds())
 
     # Parts
 
@@ -327,7 +329,7 @@ class Inspection:
 
     def fit(self, parts: str | Iterable[str] | None = None) -> None:
         """Have parts, or all that is drawn, fill the picture, seen from the same direction."""
-        bounds = self._bounds() if parts is None else _views.bounds_of(self.parts, self.parts.find(parts))
+        bounds = self._bounds() if parts is None else self.parts.bounds(self.parts.find(parts))
         self.set_camera(_views.fitted(self.renderer, bounds), merge=None)
 
     def view(self, name: str) -> None:
@@ -336,6 +338,8 @@ class Inspection:
 
     def save_view(self, name: str) -> None:
         """Keep the camera under a name."""
+        if not isinstance(name, str):
+            raise TypeError(f"the name of a view is a text, not {name!r}")
         self._set(views={**self._state["views"], name: self.camera()})
 
     def remove_view(self, name: str) -> None:
@@ -362,8 +366,8 @@ class Inspection:
         self._state = {**self._state, "size": [width, height]}
         self.shown.show(self._state)
 
-    def set_lights(self, preset: str) -> None:
-        """Light by "headlight", "studio", "side" or "above"."""
+    def set_lights(self, preset: str | None) -> None:
+        """Light by "headlight", "studio", "side" or "above", or for None as a plotter was lit."""
         self._set(lights=preset)
 
     def set_background(self, color: str) -> None:
@@ -380,12 +384,6 @@ class Inspection:
     def _bounds(self) -> tuple[float, ...]:
         return _views.shown_bounds(self.renderer)
 
-    def whole_bounds(self) -> tuple[float, ...]:
-        """The box around all parts where they are now, also those that are hidden: xmin, xmax, ymin and so on."""
-        factor = self._state.get("explode", 0.0)
-        if self._whole is None or self._whole[0] != factor:
-            self._whole = factor, self.parts.bounds()
-        return self._whole[1]
 
     # Answers and pictures
 
@@ -411,9 +409,9 @@ class Inspection:
     def index(self) -> Any:
         """The AssemblyIndex of all that is shown. It is made where the exploded view has changed since, which takes
         seconds for large assemblies."""
-        factor = self._state["explode"]
-        if self._index is None or self._index[0] != factor:
-            self._index = factor, _ask.make_index(self)
+        shown = _ask.what_is_indexed(self)
+        if self._index is None or self._index[0] != shown:
+            self._index = shown, _ask.make_index(self)
         return self._index[1]
 
     def figures(self) -> dict[str, Any]:
@@ -440,11 +438,6 @@ class Inspection:
     def forget_frame(self) -> None:
         """Have the next draw() draw, since something else has changed what the window shows."""
         self.drawn = None
-
-    def look_from(self, camera: Mapping[str, Any]) -> None:
-        """Look from elsewhere for a while. This is no step of undo()."""
-        self._state = {**self._state, "camera": dict(camera)}
-        self.shown.show(self._state)
 
     def draw(self) -> None:
         """Draw the state. Nothing happens if the last frame shows it already."""

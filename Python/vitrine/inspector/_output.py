@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
-from . import _state, _views
+from . import _shown, _state, _views
 
 if TYPE_CHECKING:
     from ._inspection import Inspection
@@ -31,7 +31,7 @@ def draw(inspection: Inspection) -> None:
     if inspection.drawn is state:
         return
     # By all parts, so that hiding one does not turn the order of faces elsewhere that are all but equally deep.
-    inspection.renderer.ResetCameraClippingRange(inspection.whole_bounds())
+    inspection.renderer.ResetCameraClippingRange(inspection.parts.bounds())
     inspection.shown.update_reveal()
     begin = time.perf_counter()
     inspection.window.Render()
@@ -170,17 +170,21 @@ def turntable(
     writer = _video_writer()
     width, height = _size_of(inspection, size)
     unfinished = file.with_name(f".{file.stem}.{os.getpid()}{file.suffix}")
-    before = inspection.camera()
+    before, camera = inspection.camera(), inspection.renderer.GetActiveCamera()
     try:
         with writer.get_writer(unfinished, **_settings(file.suffix.lower())) as video:
             for number in range(frames):
-                inspection.look_from(_views.turned(before, 360.0 * number / frames))
-                video.append_data(picture(inspection, (width - width % 2, height - height % 2), False))
+                try:
+                    _shown.place_camera(camera, _views.turned(before, 360.0 * number / frames))
+                    inspection.forget_frame()
+                    video.append_data(picture(inspection, (width - width % 2, height - height % 2), False))
+                finally:  # What others do until the next step is done with the camera of the state.
+                    _shown.place_camera(camera, inspection.state_now["camera"])
+                    inspection.forget_frame()
                 yield (number + 1) / frames
         os.replace(unfinished, file)
     finally:
         unfinished.unlink(missing_ok=True)
-        inspection.look_from(before)
 
 
 def _video_writer() -> Any:

@@ -87,9 +87,9 @@ def _camera(camera: dict[str, Any]) -> list[str]:
     ]
 
 
-def _lights(preset: str) -> list[str]:
+def _lights(preset: str | None) -> list[str]:
     lines = []
-    for light in LIGHTS[preset]:
+    for light in LIGHTS[preset] if preset is not None else ():
         lines += ["light = vtkLight()", f"light.SetIntensity({light.intensity})"]
         if light.position is None:
             lines += ["light.SetLightTypeToHeadlight()"]

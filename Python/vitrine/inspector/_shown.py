@@ -32,21 +32,25 @@ class Shown:
         self._handles: dict[str, list[Any]] = {stage: [] for stage in _STAGES}
         self._method: Any = None
         self._revealed_from: Any = None  # the camera for which parts were faded
+        self._first_looks = parts.given_looks()
+        self._first_camera = camera_place(renderer.GetActiveCamera())
+        self._first_lights = list(renderer.GetLights()), renderer.GetAutomaticLightCreation()
 
     def show(self, state: State) -> None:
         """Show a state in place of the one before. If it cannot be shown, the one before is shown, and it raises."""
         before = self._state
         try:
-            self._show(state)
+            self._show(before, state, self._stages_to_change(before, state))
         except Exception:
             if before:
-                self._show(before)
+                # Whatever of the state is there is taken off, also where it came no farther than looks.
+                for stage in reversed(_STAGES):
+                    self._take_off(stage)
+                self._show(state, before, list(_STAGES))
             raise
 
-    def _show(self, state: State) -> None:
-        before, self._state = self._state, {}
+    def _show(self, before: State, state: State, stages: list[str]) -> None:
         self._show_surroundings(before, state)
-        stages = self._stages_to_change(before, state)
         for stage in reversed(stages):
             if stage != "cuts" or "x_ray" in stages or not self._cuts_can_move(before, state):
                 self._take_off(stage)
@@ -87,6 +91,7 @@ class Shown:
     def _explode(self, state: State, _handles: list[Any]) -> None:
         for assembly in self._parts.assemblies:
             assembly.explode(state["explode"])
+        self._parts.forget_places()
 
     def _x_ray(self, state: State, handles: list[Any]) -> None:
         if state["x_ray"] is not None:
@@ -114,9 +119,9 @@ class Shown:
     def _reveal(self, state: State, handles: list[Any]) -> None:
         wanted = state["reveal"]
         if wanted is not None:
-            window = self._renderer.GetRenderWindow()
-            window.Render()
-            self._revealed_from = state.get("camera")
+            self._renderer.ResetCameraClippingRange(self._parts.bounds())
+            self._renderer.GetRenderWindow().Render()
+            self._revealed_from = camera_place(self._renderer.GetActiveCamera())
             named = self._named([wanted["part"]])
             handles.append(reveal(self._renderer, named, wanted["share"], cutaway=wanted["cutaway"]))
 
@@ -170,18 +175,23 @@ class Shown:
             self._method.remove()
         self._method = made
 
-    def _light(self, preset: str) -> None:
+    def _light(self, preset: str | None) -> None:
+        """Light by a preset, or for None as the renderer was lit at first."""
+        lights, automatic = self._first_lights
+        if preset is not None:
+            lights, automatic = [_made(light) for light in LIGHTS[preset]], not LIGHTS[preset]
         self._renderer.RemoveAllLights()
-        self._renderer.SetAutomaticLightCreation(not LIGHTS[preset])
-        for light in LIGHTS[preset]:
-            self._renderer.AddLight(_made(light))
+        for light in lights:
+            self._renderer.AddLight(light)
+        self._renderer.SetAutomaticLightCreation(automatic)
 
     def update_reveal(self) -> None:
         """Fade anew if the camera has moved since. Nothing happens without a reveal."""
-        if self._state.get("camera") != self._revealed_from:
+        camera = camera_place(self._renderer.GetActiveCamera())
+        if camera != self._revealed_from:
             for handle in self._handles["reveal"]:
                 handle.update()
-            self._revealed_from = self._state.get("camera")
+            self._revealed_from = camera
 
     @property
     def cuts(self) -> list[Any]:
@@ -193,9 +203,10 @@ class Shown:
         for stage in reversed(_STAGES):
             self._take_off(stage)
         if self._state:
-            self._show_looks(self._state["parts"], {})
+            self._show_looks(self._state["parts"], self._first_looks)
             self._explode({"explode": 0.0}, [])
-            self._light("headlight")
+            self._light(None)
+            place_camera(self._renderer.GetActiveCamera(), self._first_camera)
         if self._method is not None:
             self._method.remove()
             self._method = None

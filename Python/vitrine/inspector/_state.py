@@ -56,6 +56,7 @@ def with_defaults(given: Mapping[str, Any]) -> State:
     """A complete state of one that is valid."""
     state = {**copy.deepcopy(DEFAULTS), **copy.deepcopy(dict(given))}
     state["caps"] = {**DEFAULTS["caps"], **state["caps"]}
+    state["size"] = [int(side) for side in state["size"]]
     for key, defaults in (("reveal", REVEAL_DEFAULTS), ("x_ray", X_RAY_DEFAULTS)):
         if state[key] is not None:
             state[key] = {**defaults, **state[key]}
@@ -66,6 +67,12 @@ def with_defaults(given: Mapping[str, Any]) -> State:
 
 def check(given: Any) -> None:
     """Raise ValueError with the first thing in a state that is not as state.schema.json says."""
+    try:
+        json.dumps(given, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        raise ValueError("the state is not valid: it has a text with half of a surrogate pair") from None
+    except (TypeError, ValueError):
+        pass  # which the schema tells better
     validator, best_match = _validator()
     error = best_match(validator.iter_errors(given))
     if error is not None:

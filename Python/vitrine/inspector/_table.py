@@ -39,6 +39,7 @@ class PartTable:
         self._actors = {path: plain for path, plain in self._actors.items() if path not in self._parts}
         self.paths = [*self._parts, *self._actors]
         self._below: dict[str, list[str]] | None = None
+        self._bounds: tuple[float, ...] | None = None
 
     def __contains__(self, path: object) -> bool:
         return path in self._parts or path in self._actors
@@ -102,21 +103,34 @@ class PartTable:
         part = self._parts[path][0][1]
         return Row(path, part.name, part.material, part.triangles, part.bounds)
 
-    def bounds(self) -> tuple[float, ...]:
-        """The box around all parts where they are now, also those that are hidden."""
-        box = vtkBoundingBox()
-        for assembly in self.assemblies:
-            offset = [0.0] * 3
-            for part in assembly.parts:
+    def bounds(self, paths: Iterable[str] | None = None) -> tuple[float, ...]:
+        """The box around parts where they are now, in an exploded view too. None stands for all, also hidden ones."""
+        if paths is None:
+            self._bounds = self._bounds or self.bounds(self.paths)
+            return self._bounds
+        box, offset = vtkBoundingBox(), [0.0] * 3
+        for path in paths:
+            if path in self._actors:
+                box.AddBounds(self._actors[path].actor.GetBounds())
+                continue
+            for assembly, part in self._parts[path]:
                 assembly.actors.GetPartOffset(part.number, offset)
                 box.AddBounds([value + offset[i // 2] for i, value in enumerate(part.bounds)])
-        for plain in self._actors.values():
-            box.AddBounds(plain.actor.GetBounds())
         if not box.IsValid():
             return (-1.0, 1.0) * 3
         bounds = [0.0] * 6
         box.GetBounds(bounds)
         return tuple(bounds)
+
+    def forget_places(self) -> None:
+        """Have bounds() look again, since parts have moved."""
+        self._bounds = None
+
+    def given_looks(self) -> dict[str, dict[str, Any]]:
+        """By path how parts look otherwise than by themselves."""
+        changed = [each.parts[number].path for each in self.assemblies for number in each._looks]
+        looks = {path: self.given_look(path) for path in changed}
+        return {path: look for path, look in looks.items() if look}
 
     def set_look(self, path: str, before: Look, look: Look) -> None:
         """Have a part drawn by a look. What the look does not have is as the file says."""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Iterable, Sequence
+from typing import Any, Sequence
 
-from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from ._shown import camera_place, place_camera
-from ._table import PartTable, hexadecimal
+from ._table import hexadecimal
 
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 # Directions to the eye, and what is upwards. Y is upwards, as in glTF.
@@ -28,16 +27,6 @@ def shown_bounds(renderer: vtkRenderer) -> tuple[float, ...]:
     """The box around all visible props, or a box around the origin if there are none."""
     bounds = renderer.ComputeVisiblePropBounds()
     return tuple(bounds) if bounds[0] <= bounds[1] else (-1.0, 1.0) * 3
-
-
-def bounds_of(parts: PartTable, paths: Iterable[str]) -> tuple[float, ...]:
-    """The box around parts."""
-    box = vtkBoundingBox()
-    for path in paths:
-        box.AddBounds(parts.row(path).bounds)
-    bounds = [0.0] * 6
-    box.GetBounds(bounds)
-    return tuple(bounds)
 
 
 def background_of(renderer: vtkRenderer) -> str:
@@ -128,8 +117,14 @@ def projected(camera: dict[str, Any], parallel: bool) -> dict[str, Any]:
 
 
 def turned(camera: dict[str, Any], degrees: float) -> dict[str, Any]:
-    """The camera after going around its focal point, about what is upwards."""
-    moved = vtkCamera()
-    place_camera(moved, camera)
-    moved.Azimuth(degrees)
-    return camera_place(moved)
+    """The camera after going around its focal point, about the vertical axis."""
+    cosine, sine = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+
+    def turn(vector: Sequence[float]) -> list[float]:
+        x, y, z = vector
+        return [cosine * x + sine * z, y, cosine * z - sine * x]
+
+    middle = camera["focal_point"]
+    way = turn([a - b for a, b in zip(camera["position"], middle)])
+    position = [a + b for a, b in zip(middle, way)]
+    return {**camera, "position": position, "view_up": turn(camera["view_up"])}
