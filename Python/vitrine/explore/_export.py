@@ -52,6 +52,8 @@ def export_explorable(
         RuntimeError: the plotter is closed, or the driver lacks OpenGL 4.3.
         OSError: the file cannot be written.
     """
+    if views is not None and not isinstance(views, Mapping):
+        raise TypeError(f"views are cameras by name, not {views!r}")
     if exr is not None and views is not None:
         raise ValueError("a deep picture has one view: leave out exr or views")
     renderer = _renderers_of(target)[0]

@@ -93,6 +93,16 @@ def take(renderer: vtkRenderer, parts: PartTable | None = None) -> Fragments:
     if not looks:
         raise ValueError("nothing is shown that can be explored: no part is visible")
     unseen = [path for path, look in every.items() if look["visible"] and path not in looks]
+    with _one_sample(renderer):
+        fragments = _take(renderer, table, looks, unseen)
+    update_reveal(renderer)
+    renderer.GetRenderWindow().Render()  # so that the window shows again what it showed
+    return fragments
+
+
+def _take(
+    renderer: vtkRenderer, table: PartTable, looks: dict[str, Any], unseen: list[str]
+) -> Fragments:
     given = _layers(renderer)
     if len(given.numbers) == 0:
         raise ValueError("nothing is shown that can be explored: the camera sees no part")
@@ -103,9 +113,19 @@ def take(renderer: vtkRenderer, parts: PartTable | None = None) -> Fragments:
             return _layers(renderer)
 
         lit = {each: layers_in_color(each) for each in ("#000000", _MIDDLE, "#ffffff")}
-        fragments = _assembled(renderer, table, looks, given, lit, layers_in_color)
-    update_reveal(renderer)
-    return fragments
+        return _assembled(renderer, table, looks, given, lit, layers_in_color)
+
+
+@contextlib.contextmanager
+def _one_sample(renderer: vtkRenderer) -> Iterator[None]:
+    """Pixels have one sample while this is entered, since fragments of edges would count for several pixels."""
+    window = renderer.GetRenderWindow()
+    samples = window.GetMultiSamples()
+    window.SetMultiSamples(0)
+    try:
+        yield
+    finally:
+        window.SetMultiSamples(samples)
 
 
 def table_of(renderer: vtkRenderer) -> PartTable:
@@ -132,11 +152,14 @@ def _opaque(table: PartTable, looks: dict[str, Any], unseen: list[str]) -> Itera
         table.set_look(path, table.given_look(path), look)
 
     before = {path: dict(table.given_look(path)) for path in [*looks, *unseen]}
+    colored = [path for path in looks if not table.has_colors(path)]
     for path in unseen:
         look_like(path, {**before[path], "visible": False})
+    for path in set(looks) - set(colored):  # which a colour would take textures from
+        look_like(path, {**before[path], "opacity": 1.0})
 
     def color(value: str) -> None:
-        for path in looks:
+        for path in colored:
             look_like(path, {**before[path], "opacity": 1.0, "color": value})
 
     try:

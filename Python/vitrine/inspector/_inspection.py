@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
 from .._assembly import Assembly, load
 from .._parts import shown_assemblies
-from .._see_through import _plotter_of
+from .._see_through import _plotter_of, _renderers_of
 from .._unpack import is_demo
 from ..vtkVitrineRendering import vtkHeadlessRenderWindow
 from . import _ask, _output, _script, _state, _views
@@ -22,6 +22,7 @@ from ._table import PartTable
 
 GHOST = 0.15  # the opacity of what ghost() and isolate() make faint
 _MOST_UNDONE = 200
+_MOST_SECTIONS = 6
 
 
 class Inspection:
@@ -52,6 +53,8 @@ class Inspection:
         files: list[dict[str, Any]] = []
         plotter = _plotter_of(target)
         if plotter is not None:
+            _renderers_of(target)  # raises for one that is closed
+            _views.look_as_pyvista_would(plotter.renderer)
             self.renderer: vtkRenderer = plotter.renderer
             self.window: vtkRenderWindow = plotter.render_window
             assemblies, actors = shown_assemblies([self.renderer]), _plain_actors(plotter)
@@ -80,7 +83,8 @@ class Inspection:
         return self._state
 
     def _begin(self, files: list[dict[str, Any]], size: Sequence[int], keep_camera: bool) -> None:
-        given = {"vitrine": _state.FORMAT, "files": files, "size": [*size], "parts": self.parts.given_looks()}
+        width, height = _output.size_pair(size)
+        given = {"vitrine": _state.FORMAT, "files": files, "size": [width, height], "parts": self.parts.given_looks()}
         _state.check(given)
         state = _state.with_defaults(given)
         if keep_camera:
@@ -255,6 +259,8 @@ class Inspection:
         Returns the plane's place in "sections" of the state. There are six at most.
         """
         plane = _views.plane(normal, origin, self._bounds())
+        if len(self._state["sections"]) == _MOST_SECTIONS:
+            raise ValueError(f"there are {_MOST_SECTIONS} planes already: remove one")
         self._set(sections=[*self._state["sections"], plane])
         return len(self._state["sections"]) - 1
 
@@ -474,13 +480,15 @@ def _new_window() -> vtkRenderWindow:
 
 def _plain_actors(plotter: Any) -> dict[str, vtkActor]:
     """The actors of a plotter that no assembly draws, by their names."""
-    from .._parts import part_of
+    named = {str(name): actor for name, actor in plotter.renderer.actors.items()}
+    # Axes and labels are actors, too, but without a mapper or a property of surfaces.
+    actors = {
+        name: actor for name, actor in named.items() if isinstance(actor, vtkActor) and actor.GetMapper() is not None
+    }
+    return {name: actor for name, actor in actors.items() if not _is_of_assembly(actor)}
 
-    actors = {str(name): actor for name, actor in plotter.renderer.actors.items() if isinstance(actor, vtkActor)}
-    return {name: actor for name, actor in actors.items() if not _is_of_assembly(actor, part_of)}
 
-
-def _is_of_assembly(actor: vtkActor, part_of: Any) -> bool:
+def _is_of_assembly(actor: vtkActor) -> bool:
     return any(
         assembly.actors.GetActor(i) is actor
         for assembly in Assembly.living()
@@ -500,4 +508,4 @@ def _opened(target: Any, tolerance: float) -> tuple[list[Assembly], list[dict[st
     if not paths:
         raise ValueError("there is no file to inspect")
     entry = {"tolerance": tolerance} if tolerance else {}
-    return [load(path, tolerance=tolerance) for path in paths], [{"path": path, **entry} for path in paths]
+    return [load(*paths, tolerance=tolerance)], [{"path": path, **entry} for path in paths]

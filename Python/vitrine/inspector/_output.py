@@ -71,8 +71,13 @@ def _straight(pixels: numpy.ndarray) -> numpy.ndarray:
 
 
 def _size_of(inspection: Inspection, size: Sequence[int] | None) -> tuple[int, int]:
-    if size is None:
-        size = inspection.state_now["size"]
+    return size_pair(inspection.state_now["size"] if size is None else size)
+
+
+def size_pair(size: Any) -> tuple[int, int]:
+    """A size that a user gave as width and height. Raises ValueError."""
+    if isinstance(size, str):
+        raise ValueError(f"a size is a width and a height in pixels, not {size!r}")
     try:
         width, height = size
     except (TypeError, ValueError):

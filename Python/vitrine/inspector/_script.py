@@ -32,12 +32,11 @@ def _opening(state: State) -> list[str]:
     lines = ["import vitrine"]
     lines += ["from vtkmodules.vtkRenderingCore import vtkRenderer", "from vtkmodules.vtkIOImage import vtkPNGWriter"]
     lines += ["from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter", ""]
-    files = state["files"] or [{"path": "assembly.glb"}]
-    loads = [
-        f"vitrine.load({entry['path']!r}" + (f", tolerance={entry['tolerance']}" if "tolerance" in entry else "") + ")"
-        for entry in files
-    ]
-    return [*lines, f"assemblies = [{', '.join(loads)}]"]
+    if not state["files"]:
+        return [*lines, "assemblies = [vitrine.load('assembly.glb')]  # the file or Assembly that was inspected"]
+    paths = ", ".join(repr(entry["path"]) for entry in state["files"])
+    tolerance = state["files"][0].get("tolerance")
+    return [*lines, f"assemblies = [vitrine.load({paths}{f', tolerance={tolerance}' if tolerance else ''})]"]
 
 
 def _window(state: State) -> list[str]:

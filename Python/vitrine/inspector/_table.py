@@ -10,7 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from .._assembly import Assembly, Part, Selection, _triangles
-from .._parts import part_of
+from .._blocks import in_path
+from .._parts import Scope, choose, name_of, part_of
 
 Look = Mapping[str, Any]  # "visible", "opacity" and "color" (#RRGGBB), as far as they are not those of the file
 
@@ -35,7 +36,7 @@ class PartTable:
         for assembly in self.assemblies:
             for part in assembly.parts:
                 self._parts[part.path].append((assembly, part))
-        self._actors = {"/" + name.replace("/", "∕"): _Plain(actor) for name, actor in actors.items()}
+        self._actors = {"/" + in_path(name): _Plain(actor) for name, actor in actors.items()}
         self._actors = {path: plain for path, plain in self._actors.items() if path not in self._parts}
         self.paths = [*self._parts, *self._actors]
         self._below: dict[str, list[str]] | None = None
@@ -59,12 +60,10 @@ class PartTable:
         below = self._nodes().get(pattern)
         if below is not None:
             return below
-        found = [part.path for each in self.assemblies if pattern in each for part in each[pattern]]
-        if not found:
-            for each in self.assemblies[:1]:
-                each[pattern]  # a KeyError that tells names like it
-            raise KeyError(f"no part has the path or the name {pattern!r}")
-        return found
+        scope = Scope(self.assemblies, [plain.actor for plain in self._actors.values() if name_of(plain.actor)])
+        chosen = choose("parts", pattern, scope)
+        found = [each.part.path if each.part is not None else self.path_of(each.prop, each.block) for each in chosen]
+        return [path for path in found if path is not None]
 
     def _nodes(self) -> dict[str, list[str]]:
         """The paths below each node that is no part."""
@@ -144,6 +143,18 @@ class PartTable:
                 value = look.get(key)
                 # As numbers, since names of colours are looked up slowly.
                 setattr(selection, key, rgb(value) if key == "color" and value is not None else value)
+
+    def has_colors(self, path: str) -> bool:
+        """Whether textures or colours of points and cells colour a part of an assembly, which a colour replaces."""
+        if path in self._actors:
+            return False
+        assembly, part = self._parts[path][0]
+        data = assembly.actors.GetPartGeometry(part.number)
+        scalars = data.GetPointData().GetScalars() or data.GetCellData().GetScalars()
+        is_colored = "color" in self.given_look(path)
+        return not is_colored and (
+            scalars is not None or assembly.actors.GetPartProperty(part.number).GetNumberOfTextures() > 0
+        )
 
     def given_look(self, path: str) -> dict[str, Any]:
         """How a part looks otherwise than by itself, as set_look() takes it."""

@@ -29,6 +29,14 @@ def shown_bounds(renderer: vtkRenderer) -> tuple[float, ...]:
     return tuple(bounds) if bounds[0] <= bounds[1] else (-1.0, 1.0) * 3
 
 
+def look_as_pyvista_would(renderer: Any) -> None:
+    """Have a plotter's renderer that nobody has placed a camera for see all, as PyVista does when it is shown."""
+    if getattr(renderer, "camera_set", True) or not hasattr(renderer, "get_default_cam_pos"):
+        return
+    renderer.camera_position = renderer.get_default_cam_pos()
+    renderer.ResetCamera()
+
+
 def background_of(renderer: vtkRenderer) -> str:
     return hexadecimal(renderer.GetBackground())
 
