@@ -204,6 +204,17 @@ class Page(PageCase):
             self.ask("undo")
         self.wait_for(lambda: "hidden" not in count.text)
 
+    def test_makes_each_of_many_quick_changes(self):
+        paths, count = self.python().parts.paths[:5], self.find("count")
+        script = "for (const change of arguments[0]) trame.utils.vitrine.act(...change)"
+        changes = [["hide", {"parts": [path]}] for path in paths]
+        self.browser.execute_script(script, [*changes, *[["explode", {"factor": i / 64}] for i in range(65)]])
+        self.wait_for(lambda: " 5 hidden" in count.text and self.state("ins")["explode"] == 1.0)
+        self.browser.execute_script(script, [["undo", {}]] * 5)
+        self.wait_for(lambda: " 1 hidden" in count.text and self.state("ins")["explode"] == 0.0)
+        self.browser.execute_script(script, [["select", {"parts": [path], "add": True}] for path in paths])
+        self.wait_for(lambda: self.state("selection")["count"] == 5)
+
     def test_finds_and_selects_in_the_tree(self):
         path = self.python().parts.paths[-1]
         name = path.rsplit("/", 1)[-1]

@@ -77,7 +77,7 @@ def button(icon: str, title: str, click: str, **values: Any) -> v.VBtn:
 
 
 def act(name: str, values: str = "{}") -> str:
-    """The JavaScript of a request, of whose repetitions the newest is done."""
+    """The JavaScript of a change, which is made after those that wait."""
     return f"utils.vitrine.act('{name}', {values})"
 
 

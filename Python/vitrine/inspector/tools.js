@@ -13,22 +13,29 @@
     return trigger("collect", { job: told.job });
   }
 
-  // Of changes that come faster than they are made, such as those of a slider, the newest is made.
-  const waiting = new Map();
-  async function act(name, values) {
-    const slot = name + JSON.stringify((values && values.index) ?? null);
-    if (waiting.has(slot)) {
-      waiting.set(slot, { values });
-      return;
-    }
-    waiting.set(slot, null);
+  // What the changes of one slider have in common. Other changes have none.
+  function slider(name, values) {
+    const moved = { explode: 1, move_section: 1, set_box: 1, set_background: 1, look: values.merge, reveal: values.share };
+    return moved[name] ? JSON.stringify([name, Object.keys(values), values.index, values.merge, values.part]) : null;
+  }
+
+  // Changes are made in order. Of those of a slider that wait one after another, the newest is made.
+  const waiting = [];
+  let isActing = false;
+  async function act(name, values = {}) {
+    const next = { name, values, slider: slider(name, values) };
+    const last = waiting[waiting.length - 1];
+    if (next.slider && last && last.slider === next.slider) waiting.pop();
+    waiting.push(next);
+    if (isActing) return;
+    isActing = true;
     try {
-      for (let next = { values }; next; next = waiting.get(slot)) {
-        waiting.set(slot, null);
-        await request(name, next.values);
+      while (waiting.length) {
+        const first = waiting.shift();
+        await request(first.name, first.values);
       }
     } finally {
-      waiting.delete(slot);
+      isActing = false;
     }
   }
 
