@@ -190,6 +190,17 @@ class Page(PageCase):
         self.assertEqual(self.state("selection")["count"], 2)
         self.assert_shows(self.python())
 
+    def test_picks_in_a_picture_of_another_size_than_the_view(self):
+        size = self.state("ins")["size"]
+        self.addCleanup(lambda: self.ask("resize", width=size[0], height=size[1]))
+        self.ask("resize", width=40960, height=800)
+        self.assertEqual(self.state("ins")["size"], [4096, 80])
+        self.ask("resize", width=300, height=2 * size[1])
+        self.click_view(10, 10)
+        picked = self.state("picked")
+        self.assertAlmostEqual(picked["x"], (size[0] / 2 + 10) * 300 / size[0], delta=1)
+        self.assertAlmostEqual(picked["y"], (size[1] / 2 - 10) * 2, delta=2)
+
     def test_changes_parts_and_takes_it_back(self):
         self.click_view(10, 10)
         count = self.find("count")

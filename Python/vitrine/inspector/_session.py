@@ -14,6 +14,7 @@ from ._render import opened
 
 _KEPT = 64  # revisions of looks, so that pages get only what has changed
 _MOST_TOLD = 300  # rows of a list in a page
+_LEAST_SIDE, _MOST_SIDE = 16, 4096  # pixels of a picture in a page
 
 
 class Session:
@@ -76,7 +77,9 @@ class Session:
     def resize(self, width: Any, height: Any) -> None:
         """Have pictures of the size of the page's view. The first view is fitted to it. Raises Refused."""
         is_first = self._size is None
-        self._size = [max(16, min(4096, _requests.pixels(side))) for side in (width, height)]
+        sides = [_requests.pixels(side) for side in (width, height)]
+        shrink = min(1.0, _MOST_SIDE / max(sides))  # of both, so that nothing is stretched
+        self._size = [max(_LEAST_SIDE, round(shrink * side)) for side in sides]
         self.note_change()
         if is_first and self._fits:
             renderer = self.inspection.renderer

@@ -59,7 +59,8 @@
         this.timer = setTimeout(() => this.ask("still"), STILL_AFTER);
       },
       move(kind, across, down) {
-        [across, down] = [across * ratio(), down * ratio()];
+        const scale = this.scale();
+        [across, down] = [across * scale.x, down * scale.y];
         const last = this.moves[this.moves.length - 1];
         if (last && last.kind === kind) {
           last.across += across;
@@ -113,10 +114,16 @@
         this.times = [...this.times.filter((time) => now - time < 1000), now];
         this.$emit("frame", { ms: picture.ms, scale: picture.scale, exact: picture.exact, rate: this.times.length });
       },
+      // Pixels of the picture for one of the page. The server may have another size than this view asked for.
+      scale() {
+        const box = this.$refs.canvas.getBoundingClientRect();
+        const [width, height] = window.trame.state.get("ins").size;
+        return { x: width / box.width, y: height / box.height };
+      },
       pixel(event) {
         const box = this.$refs.canvas.getBoundingClientRect();
-        const [right, up] = [event.clientX - box.left, box.bottom - event.clientY];
-        return { x: Math.floor(right * ratio()), y: Math.ceil(up * ratio()) - 1 };
+        const { x, y } = this.scale();
+        return { x: Math.floor((event.clientX - box.left) * x), y: Math.ceil((box.bottom - event.clientY) * y) - 1 };
       },
       press(event) {
         this.$refs.canvas.focus();
