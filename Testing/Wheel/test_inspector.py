@@ -9,6 +9,7 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 import unittest
 import urllib.error
 import urllib.request
@@ -309,6 +310,42 @@ class Page(PageCase):
                 self.wait_for(lambda: self.state("message")["kind"] == "error" and self.state("message")["text"])
         self.assertEqual(self.ask("save_state")["data"], state)
         self.assert_shows(self.python())
+
+
+class Nested(unittest.TestCase):
+    def test_part_with_parts_below_is_hidden_and_shown_with_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            server = Process(write_nested(pathlib.Path(folder) / "nested.gltf"))
+            self.addCleanup(server.end)
+            browser = open_browser(1000, 700)
+            self.addCleanup(browser.quit)
+            browser.get(server.address)
+            wait = WebDriverWait(browser, 30, 0.02)
+            for expected in ("3 hidden", "3 parts", "3 hidden"):
+                eye = wait.until(lambda b: b.find_elements(By.CSS_SELECTOR, '[data-path="/outer"] .vi-eye'))[0]
+                browser.execute_script("arguments[0].click()", eye)
+                wait.until(lambda b, text=expected: text in b.find_element(By.ID, "vi-count").text.split(" · ")[-1])
+
+
+def write_nested(path):
+    """Write a part with two parts below it, each a triangle, as glTF. Returns the path."""
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], numpy.float32).tobytes()
+    uri = "data:application/octet-stream;base64," + base64.b64encode(corners).decode()
+    accessor = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0] * 3, "max": [1, 1, 0]}
+    nodes = [{"name": name, "mesh": 0, "translation": [0, 0, z]} for z, name in enumerate(("outer", "inner", "other"))]
+    nodes[0]["children"] = [1, 2]
+    model = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": len(corners), "uri": uri}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(corners)}],
+        "accessors": [accessor],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": nodes,
+        "scenes": [{"nodes": [0]}],
+        "scene": 0,
+    }
+    path.write_text(json.dumps(model))
+    return path
 
 
 HOSTILE = [

@@ -26,11 +26,11 @@
               {{ Math.round(100 * look(item).opacity) }}%</span>
             <span class="vi-number" v-if="children[item].length">{{ counts[item].toLocaleString('en') }}</span>
             <span class="vi-tools" @click.stop @dblclick.stop>
-              <v-icon size="16" title="Isolate" @click="act('isolate', { parts: [path(item)] })">mdi-target</v-icon>
-              <v-icon size="16" title="Ghost" @click="act('ghost', { parts: [path(item)] })">mdi-ghost-outline</v-icon>
+              <v-icon size="16" title="Isolate" @click="act('isolate', { parts: whole(item) })">mdi-target</v-icon>
+              <v-icon size="16" title="Ghost" @click="act('ghost', { parts: whole(item) })">mdi-ghost-outline</v-icon>
             </span>
             <v-icon size="16" class="vi-eye" :title="isHidden(item) ? 'Show' : 'Hide'" @dblclick.stop
-              @click.stop="act(isHidden(item) ? 'show' : 'hide', { parts: [path(item)] })">
+              @click.stop="act(isHidden(item) ? 'show' : 'hide', { parts: whole(item) })">
               {{ eye(item) }}
             </v-icon>
           </div>
@@ -145,6 +145,11 @@
         const names = [];
         for (let at = node; at >= 0; at = this.parents[at]) names.unshift(this.names[at]);
         return "/" + names.join("/");
+      },
+      // What names a node with all below it. The path of a node that is a part stands for that part alone.
+      whole(node) {
+        const below = this.parts[node] < 0 ? [] : this.children[node].flatMap((child) => this.whole(child));
+        return [this.path(node), ...below];
       },
       depthShown(node) {
         return this.found ? 0 : this.depths[node];
