@@ -202,6 +202,22 @@ class Page(PageCase):
         self.assertAlmostEqual(picked["x"], (size[0] / 2 + 10) * 300 / size[0], delta=1)
         self.assertAlmostEqual(picked["y"], (size[1] / 2 - 10) * 2, delta=2)
 
+    def test_forgets_what_it_told_of_another_view(self):
+        self.click_view(10, 10)
+        self.find("layers")
+        self.ask("figures")
+        self.ask("measure", kind="distance", a=[0, 0, 0], b=[3, 4, 0])
+        self.click("heat")
+        self.wait_for(lambda: self.state("heat"))
+        self.ask("select", parts=None)
+        self.assertTrue(self.state("figures") and self.state("heat") and self.find("layers"))
+        self.drag(25, 0)
+        self.assertEqual([self.state(name) for name in ("figures", "heat")], [None, None])
+        self.assertEqual(self.browser.find_elements(By.ID, "vi-layers"), [])
+        self.assertEqual(self.state("measured")["distance"], 5.0)
+        self.ask("explode", factor=1.0)
+        self.wait_for(lambda: (self.state("measured"), self.state("picked")) == (None, None))
+
     def test_changes_parts_and_takes_it_back(self):
         self.click_view(10, 10)
         count = self.find("count")

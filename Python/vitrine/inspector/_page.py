@@ -21,21 +21,22 @@ _SCRIPTS, _STYLE = ("tools.js", "keys.js", "view.js", "tree.js"), "inspector.css
 _ADDRESS = "vitrine"
 _LOG = logging.getLogger(__name__)
 logging.getLogger("wslink").setLevel(logging.CRITICAL)  # it would tell of each page that is closed
+# What the page tells of one picture, and of one place of the parts. It goes when that is another one.
+_OF_PICTURE: dict[str, Any] = {"heat": None, "figures": None, "error_told": None, "culled": []}
+_OF_PLACES: dict[str, Any] = {"clashes": None, "measured": None, "picked": None, "before": None}
 _EMPTY: dict[str, Any] = {
     "ins": {**_state.DEFAULTS, "camera": {"parallel": False}},
     "revision": 0,
+    "picture": 0,
     "can_undo": False,
     "can_redo": False,
     "selection": {"count": 0, "name": "", "path": "", "opacity": 1.0, "color": "#808080"},
     "cut": {"count": 0, "paths": []},
     "message": {"text": "", "kind": "info"},
     "busy": None,
-    "figures": None,
-    "error_told": None,
-    "culled": [],
+    **_OF_PICTURE,
+    **_OF_PLACES,
     "chart": [],
-    "clashes": None,
-    "measured": None,
     "job_done": 0,
     "bounds": [0.0, 1.0] * 3,
     "methods": [],
@@ -139,11 +140,11 @@ class Page:
             result = await self._worker(_requests.change, session.inspection, name, values)
         elif _requests.is_answer(name):
             result = await self._worker(_answered, session, name, values)
-            self._show_answer(name, result)
         else:
             raise _requests.Refused(f"there is no request {name[:100]!r}")
         if name not in ("moving", "still", "tree"):
             self._jobs.view_changed(await self._publish(session, says=name != "resize"))
+        self._show_answer(name, result)
         return result
 
     def _begin_job(self, session: Session, name: str, values: dict[str, Any]) -> dict[str, int]:
@@ -173,10 +174,16 @@ class Page:
         shown_before = self.server.state.revision
         if session.revision != shown_before:
             told = await self._worker(session.told)
-            self._show(**told)
+            self._show(**told, **self._stale(told))
         if says and self.server.state.message["text"]:
             self._say("", "info")
         return changed
+
+    def _stale(self, told: dict[str, Any]) -> dict[str, Any]:
+        """What the page shows no longer, once it shows what is told."""
+        shown = self.server.state
+        of_picture = _OF_PICTURE if told["picture"] != shown.picture else {}
+        return {**of_picture, **(_OF_PLACES if told["ins"]["explode"] != shown.ins["explode"] else {})}
 
     def _show_answer(self, name: str, result: Any) -> None:
         shown = {"figures": "figures", "error": "error_told", "culled": "culled", "measure": "measured"}

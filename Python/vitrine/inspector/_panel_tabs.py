@@ -6,6 +6,7 @@ from trame.widgets import html
 from trame.widgets import vuetify3 as v
 
 _TABS = ("layers", "cut", "check", "figures", "view")
+_IS_PICKED = "picked && picked.picture === picture"  # whether the last click was in the picture that is shown
 _HATCHES = "['none', 'lines', 'pairs', 'dashes', 'cross', 'level', 'dots']"
 
 
@@ -56,9 +57,9 @@ def _layers() -> None:
     html.Div(
         "Click a part to see all layers there. Alt-click selects the next part behind. Ctrl-click adds parts.",
         classes="vi-note",
-        v_if="!picked",
+        v_if=f"!({_IS_PICKED})",
     )
-    with html.Template(v_if="picked"):
+    with html.Template(v_if=_IS_PICKED):
         _head("{{ picked.count }} layers at {{ picked.x }}, {{ picked.y }}")
         with html.Table(classes="vi-table", id="vi-layers"):
             with html.Tr():
@@ -231,7 +232,7 @@ def _check() -> None:
         )
         v.VBtn(
             "Thickness",
-            disabled=("!picked || !picked.path",),
+            disabled=(f"!({_IS_PICKED} && picked.path)",),
             click=_act("measure", "{kind: 'thickness', x: picked.x, y: picked.y}"),
             id="vi-thickness",
         )

@@ -48,7 +48,7 @@ class Tree(AbstractElement):
 def lay_out(server: Any, dark: bool) -> None:
     """Make the page of a server."""
     server.state.update({"theme": "dark" if dark else "light", "tab": "layers", "trackball": False, "plane": 0})
-    server.state.update({"picked": None, "before": None, "frame": None, "heat": None, "help": False})
+    server.state.update({"frame": None, "help": False})
     with VAppLayout(server, theme=("theme",), vuetify_config=_VUETIFY):
         with html.Div(classes="vi-page"):
             _bar()
@@ -172,7 +172,8 @@ def _middle() -> None:
             picked="before = picked; picked = $event; tab = tab === 'check' ? tab : 'layers'",
             frame="frame = $event",
         )
-        html.Img(v_if="heat", src=("heat",), classes="vi-heat")
+        heat = html.Img(v_if="heat", src=("heat",), classes="vi-heat", load="utils.vitrine.forget($event.target.src)")
+        heat._event_names += ["load"]
         with html.Div(v_if="busy", classes="vi-busy", id="vi-busy"):
             with html.Div(classes="vi-line"):
                 html.Div("{{ busy.title }}", style="flex: 1;")

@@ -14,6 +14,7 @@ from ._render import opened
 
 _KEPT = 64  # revisions of looks, so that pages get only what has changed
 _MOST_TOLD = 300  # rows of a list in a page
+_NOT_OF_PICTURE = ("files", "selected", "highlight", "views")  # of the state: layers and figures stay
 _LEAST_SIDE, _MOST_SIDE = 16, 4096  # pixels of a picture in a page
 
 
@@ -28,6 +29,7 @@ class Session:
         self._fits = _state_file(target) is None and not hasattr(target, "render_window")
         self.pictures = Pictures(self.inspection)
         self.revision = 1
+        self.picture = 1  # a number for each picture, of which outlines are no part
         self._state = self.inspection.state_now
         self._looks: collections.OrderedDict[int, dict[str, Any]] = collections.OrderedDict()
         self._keep_looks()
@@ -49,8 +51,10 @@ class Session:
             self.inspection.set_size(*self._size)
         if self._state is self.inspection.state_now:
             return False
-        self._state = self.inspection.state_now
+        before, self._state = self._state, self.inspection.state_now
         self.revision += 1
+        if any(before.get(key) != value for key, value in self._state.items() if key not in _NOT_OF_PICTURE):
+            self.picture += 1
         self._keep_looks()
         return True
 
@@ -88,6 +92,7 @@ class Session:
 
     def click(self, x: Any, y: Any, deeper: Any = False, add: Any = False) -> dict[str, Any]:
         """Select what a pixel shows, or the next part behind what is selected. Returns the layers there."""
+        self.note_change()
         self.pictures.settle()
         inspection = self.inspection
         place = _requests.pixel(inspection, x, y)
@@ -99,7 +104,8 @@ class Session:
             inspection.select([path], add=add is True)
         elif add is not True:
             inspection.select(None)
-        return {"x": x, "y": y, "path": path, "count": len(layers), "layers": layers[:_MOST_TOLD]}
+        shown = layers[:_MOST_TOLD]
+        return {"x": x, "y": y, "picture": self.picture, "path": path, "count": len(layers), "layers": shown}
 
     # What the page says
 
@@ -110,6 +116,7 @@ class Session:
         return {
             "ins": shown,
             "revision": self.revision,
+            "picture": self.picture,
             "can_undo": self.inspection.can_undo,
             "can_redo": self.inspection.can_redo,
             "selection": self._selection(state),

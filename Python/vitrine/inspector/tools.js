@@ -119,8 +119,10 @@
 
   async function heat() {
     const state = window.trame.state;
-    const picture = state.get("heat") ? null : await request("heat_map");
-    state.set("heat", picture && picture.data ? URL.createObjectURL(new Blob([picture.data])) : null);
+    const shown = state.get("picture");
+    const told = state.get("heat") ? null : await request("heat_map");
+    const isRight = told && told.data && state.get("picture") === shown;
+    state.set("heat", isRight ? URL.createObjectURL(new Blob([told.data])) : null);
   }
 
   // Milliseconds to the right, the root mean square error upwards, both by logarithms.
@@ -150,7 +152,9 @@
 
   window.trame.client.onConnectionClose(() => window.trame.state.set("ended", true));
 
-  const drawing = { heat, chart, number, told };
+  const forget = (address) => URL.revokeObjectURL(address); // of a picture that has been loaded
+
+  const drawing = { heat, forget, chart, number, told };
   const places = { offset, origin, smaller, point };
   window.trame.utils.vitrine = { act, request, save, copy, openState, switchTheme, ...places, ...drawing };
 })();
