@@ -303,6 +303,14 @@ class Page(PageCase):
         page = base64.b64decode(self.ask("explorable")["data"]).decode()
         self.assertIn("<title>robot.glb", page)
 
+    def test_stops_the_chart_with_its_view(self):
+        self.browser.execute_script("window.chart = trame.utils.vitrine.request('chart', { frames: 30 })")
+        self.wait_for(lambda: self.state("chart"))
+        self.drag(25, 0)
+        script = "window.chart.then((told) => arguments[0]([told]))"
+        self.assertEqual(self.browser.execute_async_script(script), [None])
+        self.assertLess(len(self.state("chart")), 4)
+
     def test_stops_long_work(self):
         begin = "window.stopped = (utils) => utils.request('turntable', { frames: 1000 }).then((told) => [told]);"
         self.browser.execute_script(f"{begin} window.stopped = window.stopped(trame.utils.vitrine);")

@@ -43,9 +43,9 @@ class Jobs:
         """Have the job that runs end with InterruptedError at its next step."""
         self._stopped.set()
 
-    def view_changed(self, changed: bool) -> None:
+    def view_changed(self) -> None:
         """A chart is of one view, so that it ends with the view."""
-        if changed and self._running == "chart":
+        if self._running == "chart":
             self.stop()
 
     @property
@@ -86,9 +86,9 @@ class Jobs:
                 step = await self._worker(next, steps, None)
                 if step is None:
                     return
-                on_step(step)
                 if self._stopped.is_set():
                     raise InterruptedError
+                on_step(step)
         finally:
             await self._worker(steps.close)  # type: ignore[attr-defined]
 
@@ -99,9 +99,8 @@ class Jobs:
             rows.append(row)
             show(chart=list(rows))
 
-        session.pictures.settle()
         show(chart=[])
-        await self._steps(_refused(session.inspection.chart, frames), add)
+        await self._steps(_settled(session, _refused(session.inspection.chart, frames)), add)
 
     async def _clashes(self, session: Session, show: Callable[..., None], clearance: Any = 0.0) -> None:
         loop = asyncio.get_running_loop()
@@ -183,6 +182,14 @@ def _refused(function: Callable[..., Iterator[Any]], *arguments: Any) -> Iterato
         yield from function(*arguments)
     except (ValueError, TypeError) as error:
         raise _requests.Refused(str(error)) from None
+
+
+def _settled(session: Session, steps: Iterator[Any]) -> Iterator[Any]:
+    """The steps of a generator, each in the window's whole size, which moving pictures make smaller."""
+    session.pictures.settle()
+    for step in steps:
+        yield step
+        session.pictures.settle()
 
 
 _VALUES = {

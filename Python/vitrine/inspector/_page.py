@@ -143,7 +143,7 @@ class Page:
         else:
             raise _requests.Refused(f"there is no request {name[:100]!r}")
         if name not in ("moving", "still", "tree"):
-            self._jobs.view_changed(await self._publish(session, says=name != "resize"))
+            await self._publish(session, says=name != "resize")
         self._show_answer(name, result)
         return result
 
@@ -168,16 +168,15 @@ class Page:
             raise _requests.Refused("there is no such work")
         return await self._job
 
-    async def _publish(self, session: Session, says: bool = True) -> bool:
+    async def _publish(self, session: Session, says: bool = True) -> None:
         """Show what has changed. A message that was there goes, if the request says something itself."""
-        changed = await self._worker(session.note_change)
-        shown_before = self.server.state.revision
-        if session.revision != shown_before:
+        await self._worker(session.note_change)
+        if session.revision != self.server.state.revision:
+            self._jobs.view_changed()
             told = await self._worker(session.told)
             self._show(**told, **self._stale(told))
         if says and self.server.state.message["text"]:
             self._say("", "info")
-        return changed
 
     def _stale(self, told: dict[str, Any]) -> dict[str, Any]:
         """What the page shows no longer, once it shows what is told."""

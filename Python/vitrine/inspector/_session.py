@@ -45,18 +45,17 @@ class Session:
         while len(self._looks) > _KEPT:
             self._looks.popitem(last=False)
 
-    def note_change(self) -> bool:
+    def note_change(self) -> None:
         """Count a new revision if the state is another one. Pictures keep the page's size."""
         if self._size is not None and self._size != self.inspection.state_now["size"]:
             self.inspection.set_size(*self._size)
         if self._state is self.inspection.state_now:
-            return False
+            return
         before, self._state = self._state, self.inspection.state_now
         self.revision += 1
         if any(before.get(key) != value for key, value in self._state.items() if key not in _NOT_OF_PICTURE):
             self.picture += 1
         self._keep_looks()
-        return True
 
     # Pictures
 
