@@ -22,6 +22,7 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 from vitrine.inspector import Inspection
+from vitrine.inspector._session import Session
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Testing/Program"))
@@ -334,6 +335,20 @@ class Page(PageCase):
                 self.wait_for(lambda: self.state("message")["kind"] == "error" and self.state("message")["text"])
         self.assertEqual(self.ask("save_state")["data"], state)
         self.assert_shows(self.python())
+
+
+class Revisions(unittest.TestCase):
+    def test_of_the_tree_are_of_the_looks_that_it_tells(self):
+        session = Session(str(MODEL), (64, 64), 0.0)
+        self.addCleanup(session.close)
+        path = session.inspection.parts.paths[0]
+        session.inspection.hide([path])
+        session.inspection.select([path])
+        told = session.tree()
+        self.assertEqual((told["revision"], told["looks"], told["selected"]), (1, [], []))
+        session.note_change()
+        told = session.tree(known=1)
+        self.assertEqual((told["revision"], told["looks"], told["selected"]), (2, [[0, {"visible": False}]], [0]))
 
 
 class Nested(unittest.TestCase):

@@ -110,7 +110,7 @@ class Session:
 
     def told(self) -> dict[str, Any]:
         """What panels show of the state: all of it but what belongs to single parts."""
-        state = self.inspection.state_now
+        state = self._state
         shown = {key: value for key, value in state.items() if key not in ("parts", "selected", "highlight", "files")}
         return {
             "ins": shown,
@@ -155,7 +155,7 @@ class Session:
     def tree(self, known: Any = None) -> dict[str, Any]:
         """The tree, and what looks otherwise than at a revision that the page knows. Without one, all of it."""
         before = self._looks.get(known) if isinstance(known, int) else None
-        state = self.inspection.state_now
+        state = self._state  # of the revision, while the inspection may be further on
         numbers = self._numbers
         told: dict[str, Any] = {
             "revision": self.revision,
