@@ -244,6 +244,29 @@ class Page(PageCase):
         self.browser.execute_script(script, [["select", {"parts": [path], "add": True}] for path in paths])
         self.wait_for(lambda: self.state("selection")["count"] == 5)
 
+    def test_has_the_wheel_and_each_drag_as_steps_of_undo(self):
+        before = self.state("ins")["camera"]
+        self.drag(25, 0, Keys.SHIFT)
+        dragged = self.state("ins")["camera"]
+        turn = "const wheel = () => new WheelEvent('wheel', { deltaY: 120 }); arguments[0].dispatchEvent(wheel());"
+        self.browser.execute_script(turn, self.find("view"))
+        self.wait_for(lambda: self.state("ins")["camera"] != dragged and self.is_exact())
+        for expected in (dragged, before):
+            self.ask("undo")
+            self.wait_for(lambda expected=expected: self.state("ins")["camera"] == expected)
+
+    def test_moves_no_plane_by_the_arrows_of_a_slider(self):
+        self.ask("add_section", normal="x")
+        origin = self.state("ins")["sections"][0]["origin"]
+        self.click("tab-cut")
+        press = "arguments[0].dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true }))"
+        slider = self.browser.find_element(By.CSS_SELECTOR, ".vi-look [role=slider]")
+        self.browser.execute_script(press, slider)
+        self.ask("select", parts=None)
+        self.assertEqual(self.state("ins")["sections"][0]["origin"], origin)
+        self.browser.execute_script(press, self.find("view"))
+        self.wait_for(lambda: self.state("ins")["sections"][0]["origin"] != origin)
+
     def test_finds_and_selects_in_the_tree(self):
         path = self.python().parts.paths[-1]
         name = path.rsplit("/", 1)[-1]

@@ -86,10 +86,12 @@
     [["o"], "save the picture", () => tools().save("screenshot", {})],
     [["?", "F1"], "show or hide this list", () => toggle("help")],
   ];
+  const WITH_ARROWS = "[role=slider], [role=tab], [role=listbox], [role=menu], [role=combobox]"; // have own arrow keys
   const WITH_CONTROL = { z: "undo", y: "redo", Z: "redo" };
 
   window.addEventListener("keydown", (event) => {
     if (event.target.closest("input, textarea, [contenteditable]") || event.altKey) return;
+    if (event.key.startsWith("Arrow") && event.target.closest(WITH_ARROWS)) return;
     if (event.ctrlKey || event.metaKey) {
       if (!WITH_CONTROL[event.key]) return;
       act(WITH_CONTROL[event.key]);

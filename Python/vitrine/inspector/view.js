@@ -3,6 +3,7 @@
   "use strict";
 
   const STILL_AFTER = 180; // milliseconds without a move after which the exact picture is asked for
+  const WHEEL_RESTS = 400; // milliseconds after which the wheel begins another step of undo
   const CLICK = 4; // pixels that the mouse may move in a click
 
   const ratio = () => window.devicePixelRatio || 1; // pixels of the picture for one of the page
@@ -21,7 +22,8 @@
       this.wanted = null;
       this.inFlight = false;
       this.lastChange = 0;
-      this.stroke = 0;
+      this.stroke = Math.floor(Math.random() * 1e9); // so that no two pages have the same
+      this.wheeled = 0; // when the wheel turned last, if nothing else was done since
       this.times = [];
       this.observer = new ResizeObserver(() => this.resize());
       this.observer.observe(this.$refs.frame);
@@ -50,8 +52,7 @@
         }
       },
       ask(kind) {
-        this.wanted = kind === "still" || this.wanted === "still" ? "still" : kind;
-        if (kind === "moving") this.wanted = "moving";
+        this.wanted = kind;
         this.pump();
       },
       stillLater() {
@@ -62,7 +63,7 @@
         const scale = this.scale();
         [across, down] = [across * scale.x, down * scale.y];
         const last = this.moves[this.moves.length - 1];
-        if (last && last.kind === kind) {
+        if (last && last.kind === kind && last.stroke === this.stroke) {
           last.across += across;
           last.down += down;
         } else {
@@ -130,6 +131,7 @@
         this.$refs.canvas.setPointerCapture(event.pointerId);
         this.from = { x: event.clientX, y: event.clientY, far: false };
         this.last = this.from;
+        this.wheeled = 0;
         this.stroke += 1;
         const turning = this.trackball ? "rotate" : "turn";
         const keyed = event.shiftKey ? "pan" : event.ctrlKey || event.metaKey ? "plane" : turning;
@@ -149,6 +151,9 @@
         this.from = null;
       },
       wheel(event) {
+        const now = performance.now();
+        if (!this.wheeled || now - this.wheeled > WHEEL_RESTS) this.stroke += 1;
+        this.wheeled = now;
         this.move("zoom", 0, Math.max(-120, Math.min(120, -event.deltaY)) / 3);
       },
       async click(event) {
