@@ -1,6 +1,8 @@
 """The inspector's page in a browser, of a real server. VITRINE_SCREENSHOTS names a folder for pictures of it."""
 
+import asyncio
 import base64
+import contextlib
 import io
 import json
 import os
@@ -20,8 +22,9 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
+from trame.app.core import AVAILABLE_SERVERS
 
-from vitrine.inspector import Inspection
+from vitrine.inspector import Inspection, inspect
 from vitrine.inspector._session import Session
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -483,6 +486,11 @@ class Token(unittest.TestCase):
                 self.assertEqual(self.status(path), 401)
         self.assertEqual(self.status("index.html", Cookie="vitrine_1=x"), 401)
 
+    def test_is_not_known_by_bytes_that_are_no_text(self):
+        port = SERVER.base.rsplit(":", 1)[1].strip("/")
+        self.assertEqual(self.status("index.html", Cookie=f"vitrine_{port}=\xff"), 401)
+        self.assertEqual(self.status("?token=%ff"), 401)
+
     def test_opens_the_page_once_known(self):
         opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
         with opener.open(SERVER.address, timeout=10) as page:
@@ -527,6 +535,20 @@ class BadInput(unittest.TestCase):
                 status, errors = server.wait()
                 self.assertEqual((status, server.address), (2, ""))
                 self.assertIn(expected, errors.strip().splitlines()[-1])
+
+
+class Notebook(unittest.TestCase):
+    def test_is_told_of_a_bad_file_and_leaves_no_server(self):
+        async def opened():
+            inspect("/nowhere.glb")
+            while asyncio.all_tasks() - {asyncio.current_task()}:
+                await asyncio.wait(asyncio.all_tasks() - {asyncio.current_task()})
+
+        with contextlib.redirect_stderr(io.StringIO()) as told:
+            asyncio.run(opened())
+        self.assertIn("the inspector has ended: ", told.getvalue())
+        self.assertIn("there is no such file", told.getvalue())
+        self.assertEqual([name for name in AVAILABLE_SERVERS if name.startswith("vitrine-")], [])
 
 
 if __name__ == "__main__":

@@ -52,7 +52,8 @@ class Guard:
         return checked
 
     def _knows(self, token: str) -> bool:
-        return hmac.compare_digest(token.encode(), self.token.encode())
+        # What is no UTF-8 comes as surrogates.
+        return hmac.compare_digest(token.encode(errors="surrogateescape"), self.token.encode())
 
     def _welcome(self, request: web.Request) -> web.StreamResponse:
         if not self._knows(request.query["token"]):

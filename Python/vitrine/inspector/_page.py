@@ -10,7 +10,7 @@ import secrets
 from typing import Any, Awaitable, Callable
 
 from aiohttp import web
-from trame.app import get_server
+from trame.app import core, get_server
 
 from . import _jobs, _requests, _state
 from ._panels import lay_out
@@ -99,6 +99,10 @@ class Page:
         """Let the window go."""
         if self._session is not None:
             await self._worker(self._session.close)
+
+    def forget(self) -> None:
+        """Take the server, which has ended, from trame's list of all."""
+        core.AVAILABLE_SERVERS.pop(self.server.name, None)
 
     async def _request(self, name: Any = None, values: Any = None) -> Any:
         """Do what the page asks. A request that cannot be done leaves a message in the page, and answers None."""

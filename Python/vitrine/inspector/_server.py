@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterator, Sequence
 
 from ._worker import Worker
 
-_NEEDED = ("trame", "trame_vuetify", "PIL", "aiohttp")
+_NEEDED = ("trame", "trame_vuetify", "PIL", "aiohttp", "jsonschema")
 _EXTRA = "pip install 'vtk-vitrine[inspect]'"
 _PATIENCE = 1.0  # seconds
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
@@ -111,6 +111,7 @@ class Server:
         """Serve in the event loop that runs."""
         self._port = self._port or _free_port(self._host)
         self._task = asyncio.get_running_loop().create_task(self.run(open_browser=False, in_notebook=True))
+        self._task.add_done_callback(_tell_failure)
 
     def stop(self) -> None:
         """End the server, close its page and its window."""
@@ -145,6 +146,7 @@ class Server:
                 closing = asyncio.ensure_future(page.close())
                 await asyncio.wait([closing, *([] if serving.done() else [serving])], timeout=3)
                 self._worker.close()
+                page.forget()
 
     def _prepare(self, page: Any, application: Any) -> None:
         self._guard.protect(application)
@@ -190,6 +192,14 @@ _FRAME = """<iframe id="%(name)s" style="width: 100%%; height: 700px; border: 1p
   }
   document.getElementById("%(name)s").src = address;
 })();</script>"""
+
+
+def _tell_failure(task: asyncio.Task[None]) -> None:
+    """Say why a notebook's server has ended, which nobody waits for."""
+    error = None if task.cancelled() else task.exception()
+    if error is not None:
+        told = error.args[0] if isinstance(error, KeyError) and error.args else error
+        print(f"vitrine: the inspector has ended: {told}", file=sys.stderr, flush=True)
 
 
 def _free_port(host: str) -> int:
