@@ -445,6 +445,11 @@ class Inspection:
         """Have the next draw() draw, since something else has changed what the window shows."""
         self.drawn = None
 
+    def look_from(self, camera: Mapping[str, Any]) -> None:
+        """Look from elsewhere. This is no step of undo()."""
+        self._state = {**self._state, "camera": dict(camera)}
+        self.shown.show(self._state)
+
     def draw(self) -> None:
         """Draw the state. Nothing happens if the last frame shows it already."""
         _output.draw(self)
