@@ -39,7 +39,7 @@ class Pictures:
         scale = self._speed.scale()
         width, height = inspection.state_now["size"]
         self._resize(max(1, round(scale * width)), max(1, round(scale * height)))
-        inspection.renderer.ResetCameraClippingRange()
+        inspection.renderer.ResetCameraClippingRange(inspection.parts.bounds())
         inspection.window.Render()
         pixels = _output.read_pixels(inspection.window)
         inspection.forget_frame()
