@@ -338,6 +338,16 @@ class Page(PageCase):
         self.assertEqual(self.browser.execute_async_script(script), [None])
         self.assertLess(len(self.state("chart")), 4)
 
+    def test_refuses_changes_during_work_that_takes_all_time(self):
+        script = """
+            const done = arguments[arguments.length - 1], request = window.trame.utils.vitrine.request;
+            const work = request("clashes", { clearance: 0.001 });
+            request("hide", { parts: "all" }).then(() => work).then(done);
+        """
+        self.browser.execute_async_script(script)
+        self.wait_for(lambda: self.state("message")["text"].startswith("Looking for clashes is not done yet"))
+        self.assertNotIn("hidden", self.find("count").text)
+
     def test_stops_long_work(self):
         begin = "window.stopped = (utils) => utils.request('turntable', { frames: 1000 }).then((told) => [told]);"
         self.browser.execute_script(f"{begin} window.stopped = window.stopped(trame.utils.vitrine);")

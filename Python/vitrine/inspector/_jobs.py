@@ -53,6 +53,10 @@ class Jobs:
         """Whether a job runs during which the worker has no time for pictures."""
         return self._running is not None and self._running not in _STEPWISE
 
+    def refuse(self) -> None:
+        """Raise Refused, since a job runs."""
+        raise _requests.Refused(f"{_TITLES[self._running or '']} is not done yet: stop it first")
+
     def begin(
         self, session: Session, name: str, values: dict[str, Any], show: Callable[..., None]
     ) -> asyncio.Task[Any]:
@@ -61,7 +65,7 @@ class Jobs:
         Raises Refused if another one runs, or values are not right.
         """
         if self._running is not None:
-            raise _requests.Refused(f"{_TITLES[self._running]} is not done yet: stop it first")
+            self.refuse()
         coroutine = getattr(self, f"_{name}")(session, show, **_checked(name, values))
         self._running = name
         self._stopped.clear()

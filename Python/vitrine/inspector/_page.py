@@ -19,6 +19,7 @@ from ._worker import Worker
 
 _SCRIPTS, _STYLE = ("tools.js", "keys.js", "view.js", "tree.js"), "inspector.css"
 _ADDRESS = "vitrine"
+_ASKED_AGAIN = ("resize", "moving", "still", "tree")  # by the page itself, once long work is done
 _LOG = logging.getLogger(__name__)
 logging.getLogger("wslink").setLevel(logging.CRITICAL)  # it would tell of each page that is closed
 # What the page tells of one picture, and of one place of the parts. It goes when that is another one.
@@ -134,7 +135,7 @@ class Page:
         if self._jobs.knows(name):
             return self._begin_job(self._session, name, values)
         if self._jobs.blocks:
-            return None
+            return self._jobs.refuse() if name not in _ASKED_AGAIN else None
         return await self._asked(self._session, name, values)
 
     async def _asked(self, session: Session, name: str, values: dict[str, Any]) -> Any:

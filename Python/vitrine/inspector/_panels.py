@@ -42,7 +42,7 @@ class Tree(AbstractElement):
 
     def __init__(self, **values: Any) -> None:
         super().__init__("vitrine-tree", **values)
-        self._attr_names += ["revision"]
+        self._attr_names += ["revision", "busy"]
 
 
 def lay_out(server: Any, dark: bool) -> None:
@@ -53,7 +53,7 @@ def lay_out(server: Any, dark: bool) -> None:
         with html.Div(classes="vi-page"):
             _bar()
             with html.Div(classes="vi-left"):
-                Tree(revision=("revision",))
+                Tree(revision=("revision",), busy=("!!busy",))
                 _look()
             _middle()
             _panel_tabs.lay_out()

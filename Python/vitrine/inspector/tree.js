@@ -6,7 +6,7 @@
   const act = (name, values) => window.trame.utils.vitrine.act(name, values);
 
   const Tree = {
-    props: { revision: Number },
+    props: { revision: Number, busy: Boolean },
     template: `<div class="vi-tree">
       <v-text-field v-model="search" density="compact" variant="outlined" hide-details clearable id="vi-search"
         prepend-inner-icon="mdi-magnify" placeholder="Search parts" class="vi-search"></v-text-field>
@@ -44,6 +44,9 @@
       this.update();
     },
     watch: {
+      busy(now) {
+        if (!now) this.update(); // what was asked for meanwhile had no answer
+      },
       revision() {
         this.update();
       },
