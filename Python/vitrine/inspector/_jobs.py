@@ -9,7 +9,7 @@ import threading
 from typing import Any, Callable, Coroutine, Iterator
 
 from ..explore import export_explorable
-from . import _output, _pictures, _requests
+from . import _output, _pictures, _requests, _state
 from ._session import Session
 from ._worker import Worker
 
@@ -170,7 +170,7 @@ class Jobs:
         return {"type": "text/html", "name": "explorable.html", "data": await self._worker(drawn)}
 
     async def _save_state(self, session: Session, show: Callable[..., None]) -> dict[str, Any]:
-        return {"type": "application/json", "name": "state.json", "data": _requests.text_of(session.inspection)}
+        return {"type": "application/json", "name": "state.json", "data": _state.text_of(session.inspection.state_now)}
 
 
 def _side(value: Any) -> int:

@@ -21,7 +21,8 @@ def lay_out() -> None:
                 make()
 
 
-def _act(name: str, values: str = "{}") -> str:
+def act(name: str, values: str = "{}") -> str:
+    """The JavaScript of a change, which is made after those that wait."""
     return f"utils.vitrine.act('{name}', {values})"
 
 
@@ -29,8 +30,9 @@ def _save(name: str, values: str) -> str:
     return f"utils.vitrine.save('{name}', {values})"
 
 
-def _button(icon: str, title: str, click: str, **values: object) -> None:
-    v.VBtn(icon=icon, title=title, click=click, **values)
+def button(icon: str, title: str, click: str, **values: object) -> v.VBtn:
+    """A button that is an icon, with what it does as a tooltip."""
+    return v.VBtn(icon=icon, title=title, click=click, **values)
 
 
 def _head(text: str) -> None:
@@ -75,7 +77,7 @@ def _layers() -> None:
                     "{{ layer.part }}",
                     classes="vi-ellipsis",
                     title=("layer.path + (layer.front ? '' : ' (back side)')",),
-                    click=_act("select", "{parts: [layer.path]}"),
+                    click=act("select", "{parts: [layer.path]}"),
                 )
                 html.Td("{{ layer.opacity.toFixed(2) }}", classes="vi-right-align")
                 html.Td("{{ (100 * layer.share).toFixed(1) }}%", classes="vi-right-align")
@@ -85,8 +87,8 @@ def _layers() -> None:
                         ("mdi-target", "Isolate", "isolate"),
                         ("mdi-ghost-outline", "Make glass", "ghost"),
                     ):
-                        v.VIcon(icon, size=16, title=title, click=_act(name, "{parts: [layer.path]}"))
-        v.VBtn("End highlight", v_if="picked.count", click=_act("highlight", "{parts: null}"), classes="mt-1")
+                        v.VIcon(icon, size=16, title=title, click=act(name, "{parts: [layer.path]}"))
+        v.VBtn("End highlight", v_if="picked.count", click=act("highlight", "{parts: null}"), classes="mt-1")
 
 
 # Cuts
@@ -96,7 +98,7 @@ def _cut() -> None:
     _head("Section planes")
     with html.Div(classes="vi-line"):
         for axis in "xyz":
-            v.VBtn(f"+ {axis.upper()}", click=_act("add_section", f"{{normal: '{axis}'}}"), id=f"vi-section-{axis}")
+            v.VBtn(f"+ {axis.upper()}", click=act("add_section", f"{{normal: '{axis}'}}"), id=f"vi-section-{axis}")
         html.Span("{{ ins.sections.length }} of 6", classes="vi-note")
     with html.Div(v_for="(plane_, at) in ins.sections", key=("at",), id="vi-plane"):
         with html.Div(classes="vi-line"):
@@ -110,16 +112,16 @@ def _cut() -> None:
                     style="width: 54px; border: 1px solid var(--vi-line); border-radius: 3px; padding: 1px 4px;",
                     title=f"Normal, {'xyz'[axis]}",
                     value=(f"Number(plane_.normal[{axis}].toFixed(4))",),
-                    change=_act(
+                    change=act(
                         "move_section",
                         "{index: at, normal: plane_.normal.map((old, axis) => "
                         f"axis === {axis} ? Number($event.target.value) : old)}}",
                     ),
                 )
-            _button(
-                "mdi-swap-horizontal", "Flip", _act("move_section", "{index: at, normal: plane_.normal.map((n) => -n)}")
+            button(
+                "mdi-swap-horizontal", "Flip", act("move_section", "{index: at, normal: plane_.normal.map((n) => -n)}")
             )
-            _button("mdi-close", "Remove", _act("remove_section", "{index: at}"))
+            button("mdi-close", "Remove", act("remove_section", "{index: at}"))
         with html.Div(classes="vi-line"):
             html.Div("Offset", classes="vi-label")
             v.VSlider(
@@ -127,7 +129,7 @@ def _cut() -> None:
                 min=0,
                 max=1,
                 step=0.002,
-                update_modelValue=_act(
+                update_modelValue=act(
                     "move_section", "{index: at, origin: utils.vitrine.origin(plane_, bounds, $event)}"
                 ),
             )
@@ -136,13 +138,13 @@ def _cut() -> None:
     with html.Div(classes="vi-line"):
         v.VBtn(
             "{{ ins.box ? 'Remove' : 'Add a box' }}",
-            click=_act("set_box", "ins.box ? {bounds: null} : {bounds: utils.vitrine.smaller(bounds)}"),
+            click=act("set_box", "ins.box ? {bounds: null} : {bounds: utils.vitrine.smaller(bounds)}"),
             id="vi-box",
         )
         v.VBtn(
             "{{ ins.box.inside ? 'Keeps inside' : 'Keeps outside' }}",
             v_if="ins.box",
-            click=_act("set_box", "{bounds: ins.box.bounds, inside: !ins.box.inside}"),
+            click=act("set_box", "{bounds: ins.box.bounds, inside: !ins.box.inside}"),
         )
     with html.Div(v_if="ins.box"):
         for axis in range(3):
@@ -158,7 +160,7 @@ def _cut() -> None:
                     thumb_size=12,
                     track_size=2,
                     color="primary",
-                    update_modelValue=_act(
+                    update_modelValue=act(
                         "set_box",
                         "{inside: ins.box.inside, bounds: ins.box.bounds.map((old, i) => "
                         f"i === {2 * axis} ? $event[0] : i === {2 * axis + 1} ? $event[1] : old)}}",
@@ -166,33 +168,33 @@ def _cut() -> None:
                 )
     _head("Cut faces")
     with html.Div(classes="vi-line"):
-        v.VCheckbox(label="Caps", model_value=("ins.caps.show",), update_modelValue=_act("set_caps", "{show: $event}"))
+        v.VCheckbox(label="Caps", model_value=("ins.caps.show",), update_modelValue=act("set_caps", "{show: $event}"))
         v.VCheckbox(
             label="Stripes where parts overlap",
             model_value=("ins.caps.stripes",),
-            update_modelValue=_act("set_caps", "{stripes: $event}"),
+            update_modelValue=act("set_caps", "{stripes: $event}"),
         )
-    _select("Hatch", "ins.caps.hatch", _HATCHES, _act("set_caps", "{hatch: $event}"))
+    _select("Hatch", "ins.caps.hatch", _HATCHES, act("set_caps", "{hatch: $event}"))
     _head("Explode")
-    _slider("Factor", "ins.explode", 0, 3, _act("explode", "{factor: $event}"))
+    _slider("Factor", "ins.explode", 0, 3, act("explode", "{factor: $event}"))
     _head("Reveal the selected part")
     with html.Div(classes="vi-line"):
         v.VBtn(
             "{{ ins.reveal ? 'End' : 'Reveal' }}",
             disabled=("!ins.reveal && !selection.count",),
-            click=_act("reveal", "{part: ins.reveal ? null : selection.path}"),
+            click=act("reveal", "{part: ins.reveal ? null : selection.path}"),
             id="vi-reveal",
         )
         v.VBtn(
             "{{ ins.x_ray ? 'End x-ray' : 'X-ray' }}",
             disabled=("!ins.x_ray && !selection.count",),
-            click=_act("x_ray", "{parts: ins.x_ray ? null : 'selected'}"),
+            click=act("x_ray", "{parts: ins.x_ray ? null : 'selected'}"),
         )
         v.VCheckbox(
             v_if="ins.reveal",
             label="Cutaway",
             model_value=("ins.reveal.cutaway",),
-            update_modelValue=_act("reveal", "{part: ins.reveal.part, share: ins.reveal.share, cutaway: $event}"),
+            update_modelValue=act("reveal", "{part: ins.reveal.part, share: ins.reveal.share, cutaway: $event}"),
         )
     with html.Template(v_if="ins.reveal"):
         _slider(
@@ -200,7 +202,7 @@ def _cut() -> None:
             "ins.reveal.share",
             0.01,
             1,
-            _act("reveal", "{part: ins.reveal.part, cutaway: ins.reveal.cutaway, share: $event}"),
+            act("reveal", "{part: ins.reveal.part, cutaway: ins.reveal.cutaway, share: $event}"),
         )
     with html.Template(v_if="cut.count"):
         _head("{{ cut.count.toLocaleString('en') }} parts are cut")
@@ -212,7 +214,7 @@ def _cut() -> None:
                 classes="vi-ellipsis",
                 style="max-width: 100%;",
                 title=("path",),
-                click=_act("select", "{parts: [path]}"),
+                click=act("select", "{parts: [path]}"),
             )
 
 
@@ -228,18 +230,18 @@ def _check() -> None:
         v.VBtn(
             "Distance",
             disabled=("!utils.vitrine.point(picked) || !utils.vitrine.point(before)",),
-            click=_act("measure", "{kind: 'distance', a: utils.vitrine.point(before), b: utils.vitrine.point(picked)}"),
+            click=act("measure", "{kind: 'distance', a: utils.vitrine.point(before), b: utils.vitrine.point(picked)}"),
         )
         v.VBtn(
             "Thickness",
             disabled=(f"!({_IS_PICKED} && picked.path)",),
-            click=_act("measure", "{kind: 'thickness', x: picked.x, y: picked.y}"),
+            click=act("measure", "{kind: 'thickness', x: picked.x, y: picked.y}"),
             id="vi-thickness",
         )
         v.VBtn(
             "Clearance",
             disabled=("selection.count !== 2",),
-            click=_act("measure", "{kind: 'clearance', a: selection.pair[0], b: selection.pair[1]}"),
+            click=act("measure", "{kind: 'clearance', a: selection.pair[0], b: selection.pair[1]}"),
         )
     html.Div(
         "{{ (measured.thickness ?? measured.distance).toPrecision(5) }} "
@@ -276,7 +278,7 @@ def _check() -> None:
 
 def _figures() -> None:
     _head("Method")
-    _select("Method", "ins.method", "methods", _act("set_method", "{method: $event, coincidence: ins.coincidence}"))
+    _select("Method", "ins.method", "methods", act("set_method", "{method: $event, coincidence: ins.coincidence}"))
     with html.Div(classes="vi-line"):
         html.Div("Coincident", classes="vi-label")
         v.VTextField(
@@ -284,7 +286,7 @@ def _figures() -> None:
             type="number",
             placeholder="off",
             title="Steps of depth within which layers count as one",
-            change=_act(
+            change=act(
                 "set_method",
                 "{method: ins.method, coincidence: "
                 "$event.target.value === '' ? null : [Number($event.target.value), 0]}",
@@ -293,7 +295,7 @@ def _figures() -> None:
     v.VCheckbox(
         label="Leave out what is hidden",
         model_value=("ins.cull",),
-        update_modelValue=_act("set_method", "{method: ins.method, coincidence: ins.coincidence, cull: $event}"),
+        update_modelValue=act("set_method", "{method: ins.method, coincidence: ins.coincidence, cull: $event}"),
     )
     _head("This view")
     with html.Div(classes="vi-line"):
@@ -330,19 +332,19 @@ def _view() -> None:
     _head("Saved views")
     with html.Div(classes="vi-line"):
         v.VTextField(placeholder="Name", v_model=("view_name", ""))
-        v.VBtn("Save", disabled=("!view_name",), click=_act("save_view", "{name: view_name}"), id="vi-save-view")
+        v.VBtn("Save", disabled=("!view_name",), click=act("save_view", "{name: view_name}"), id="vi-save-view")
     with html.Div(classes="vi-line", v_for="(camera, name) in ins.views", key=("name",)):
-        v.VBtn("{{ name }}", click=_act("go_to", "{name: name}"), style="flex: 1; justify-content: start;")
-        _button("mdi-close", "Forget", _act("remove_view", "{name: name}"))
+        v.VBtn("{{ name }}", click=act("go_to", "{name: name}"), style="flex: 1; justify-content: start;")
+        button("mdi-close", "Forget", act("remove_view", "{name: name}"))
     _head("Light")
-    _select("Lights", "ins.lights", "['headlight', 'studio', 'side', 'above']", _act("set_lights", "{preset: $event}"))
+    _select("Lights", "ins.lights", "['headlight', 'studio', 'side', 'above']", act("set_lights", "{preset: $event}"))
     with html.Div(classes="vi-line"):
         html.Div("Background", classes="vi-label")
         html.Input(
             type="color",
             classes="vi-color",
             value=("ins.background",),
-            change=_act("set_background", "{color: $event.target.value}"),
+            change=act("set_background", "{color: $event.target.value}"),
         )
     _head("Picture")
     with html.Div(classes="vi-line"):

@@ -10,6 +10,7 @@ from trame.widgets import vuetify3 as v
 from trame_client.widgets.core import AbstractElement
 
 from . import _panel_tabs
+from ._panel_tabs import act, button
 
 _DEFAULTS = {
     "VBtn": {"variant": "text", "density": "comfortable", "size": "small"},
@@ -69,16 +70,6 @@ def _help() -> None:
                 with html.Tr(v_for="key in utils.vitrine_keys", key=("key.keys",)):
                     html.Td("{{ key.keys }}", style="white-space: nowrap; font-family: monospace;")
                     html.Td("{{ key.text }}")
-
-
-def button(icon: str, title: str, click: str, **values: Any) -> v.VBtn:
-    """A button that is an icon, with what it does as a tooltip."""
-    return v.VBtn(icon=icon, title=title, click=click, **values)
-
-
-def act(name: str, values: str = "{}") -> str:
-    """The JavaScript of a change, which is made after those that wait."""
-    return f"utils.vitrine.act('{name}', {values})"
 
 
 def _bar() -> None:

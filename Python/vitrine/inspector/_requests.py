@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import json
 from typing import Any, Callable, Mapping
 
 from . import _state
@@ -51,11 +50,6 @@ def apply_text(inspection: Inspection, text: Any) -> None:
     if not isinstance(text, str) or len(text) > _state.LARGEST_FILE:
         raise Refused(f"a state is a text of at most {_state.LARGEST_FILE >> 20} MiB")
     call(inspection.apply, {"state": _refusing(_state.parse, text)})
-
-
-def text_of(inspection: Inspection) -> bytes:
-    """The state as a JSON file."""
-    return (json.dumps(inspection.state_now, indent=1, ensure_ascii=False) + "\n").encode()
 
 
 def pixel(inspection: Inspection, x: Any, y: Any) -> tuple[int, int]:

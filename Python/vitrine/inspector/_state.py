@@ -159,7 +159,12 @@ def write(state: State, path: str | os.PathLike[str]) -> None:
     folder = file.absolute().parent
     for entry in stored["files"]:
         entry["path"] = _relative(entry["path"], folder)
-    write_whole(file, (json.dumps(stored, indent=1, ensure_ascii=False) + "\n").encode())
+    write_whole(file, text_of(stored))
+
+
+def text_of(state: State) -> bytes:
+    """A state as a JSON file."""
+    return (json.dumps(state, indent=1, ensure_ascii=False) + "\n").encode()
 
 
 def _relative(path: str, folder: pathlib.Path) -> str:
