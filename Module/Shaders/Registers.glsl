@@ -257,12 +257,23 @@ bool sameFragment(Fragment a, Fragment b)
 // DECLARE_COMPOSITE declares `color` and `transmittance`. BLEND composites the fragment of a register, and BLEND_LIST
 // completes all registers. BLEND_NEXT composites the next fragment of a list, and BLEND_REST completes the list. With
 // VITRINE_BLENDS_IN_TURN, BLEND_LIST is BLEND_REST.
+//
+// VITRINE_ERROR_BOUND  the error of the composite is bounded along with it. It excludes VITRINE_ALL_SAMPLES and
+//                      VITRINE_COINCIDENCE.
+#ifdef VITRINE_ERROR_BOUND
+#include "ErrorBound.glsl"
+#else
+#define DECLARE_BOUND
+#define TAKE_BOUND(f, c)
+#define TELL_BOUND(pixel, behind)
+#endif
 #ifdef VITRINE_ALL_SAMPLES
 #include "SampleBlend.glsl"
 #else
 #define DECLARE_COMPOSITE \
   precise vec3 color = vec3(0.0); \
-  precise float transmittance = 1.0;
+  precise float transmittance = 1.0; \
+  DECLARE_BOUND
 #endif
 #ifdef VITRINE_COINCIDENCE
 #include "CoincidentGroup.glsl"
@@ -271,6 +282,7 @@ bool sameFragment(Fragment a, Fragment b)
 #define BLEND(f) \
   { \
     vec4 c = fragmentColor(f); \
+    TAKE_BOUND(f, c) \
     BLEND_COLOR(c) \
   }
 #endif

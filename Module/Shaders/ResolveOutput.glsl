@@ -42,10 +42,15 @@ uniform sampler2D backdrop;
 
 out vec4 outColor; // premultiplied
 
-void writeOver(ivec2 pixel, vec3 color, float transmittance)
+void writeOver(vec4 behind, vec3 color, float transmittance)
 {
-  vec4 behind = LOAD_BACKDROP(pixel);
   outColor = vec4(color, 1.0 - transmittance) + transmittance * behind;
 }
-#define WRITE_COMPOSITE writeOver(pixel, color, transmittance);
+#ifndef TELL_BOUND
+#define TELL_BOUND(pixel, behind)
+#endif
+#define WRITE_COMPOSITE \
+  vec4 behind = LOAD_BACKDROP(pixel); \
+  writeOver(behind, color, transmittance); \
+  TELL_BOUND(pixel, behind)
 #endif

@@ -9,17 +9,20 @@
 // Binding points of shader storage buffers. OpenGL 4.3 guarantees 8.
 #define VITRINE_BINDING_CLUSTERS 4
 #define VITRINE_BINDING_COUNTERS 4
+#define VITRINE_BINDING_BOUNDS 5
 #define VITRINE_BINDING_SUMS 6
 #define VITRINE_BINDING_CAPTURE 7
 
 // Binding points of images, of which OpenGL 4.3 guarantees 8: the heads, where atomics or compute shaders write them,
-// the longest list of each block, the nodes' buffers (FragmentNode.glsl), the links of pages, and the words of parts.
+// the longest list of each block, the nodes' buffers (FragmentNode.glsl), the links of pages, the words of parts, and
+// the bounds of pixels' errors.
 #define VITRINE_IMAGE_HEADS 0
 #define VITRINE_IMAGE_BLOCKS 1
 #define VITRINE_IMAGE_NODES 2
 #define VITRINE_IMAGE_THIRD_WORDS 3
 #define VITRINE_IMAGE_LINKS 4
 #define VITRINE_IMAGE_PARTS 5
+#define VITRINE_IMAGE_BOUNDS 6
 
 // Ends a list. No page has this number.
 #define VITRINE_END 0xffffffffu
@@ -53,6 +56,16 @@
 #define VITRINE_COVERAGE_MASK 0xffffu
 #define VITRINE_EXTENT_MASK 0xffff0000u
 #define VITRINE_COINCIDENCE_SAMPLES 16
+
+// How far stored colours and alphas are from those of the fragments (PackedColor.glsl, CompactNode.glsl): colours in
+// [0, 1] by a difference, alphas by a share of themselves. Faint alphas are off by VITRINE_FAINT_ROUNDING more.
+#define VITRINE_HALF_COLOR_ROUNDING (1.0 / 8192.0)
+#define VITRINE_HALF_ALPHA_ROUNDING (1.0 / 4096.0)
+#define VITRINE_COMPACT_COLOR_ROUNDING (0.5 / 405.0)
+#define VITRINE_COMPACT_ALPHA_ROUNDING (1.0 / 512.0)
+#define VITRINE_FAINT_ROUNDING (1.0 / 8388608.0)
+// A device may round a value to 8 bits that lies this near to the middle either way.
+#define VITRINE_DEVICE_ROUNDING (0.005 / 255.0)
 
 // The word of a part: its number (scene/PartNumbers), and this bit on back faces.
 #define VITRINE_BACK_FACE 0x80000000u
@@ -100,6 +113,12 @@ struct VitrineCounters
   // Linked lists: every VITRINE_COUNTER_STRIDE-th word is the next free page of a sub-pool. It counts on past the end.
   // The last word is nonzero if some page was not in the pool.
   uint NextPage[VITRINE_PAGES_MISSING + 1];
+};
+
+/** What is known of the errors of a frame's pixels, std430. */
+struct VitrineErrorBounds
+{
+  uint Largest; // Bits of the largest bound, as a float, among those that are not tolerated; else 0.
 };
 
 /** The counters of truth's capture, std430. The number of fragments is Fragments + 2^32 * Wraps. */

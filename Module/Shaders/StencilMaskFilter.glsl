@@ -66,13 +66,13 @@ void main()
   ivec2 pixel = target - firstPixel;
   float error = errorOf(pixel);
 #ifdef VITRINE_SHOW_MARKS
-  writeOver(target, vec3(error / VITRINE_MOST_ERROR), 0.0);
+  writeOver(LOAD_BACKDROP(target), vec3(error / VITRINE_MOST_ERROR), 0.0);
 #else
   vec4 layers = repaired(pixel, error >= VITRINE_MARKED ? 12 : 0);
   if (layers == vec4(0.0, 0.0, 0.0, 1.0))
   {
     discard;
   }
-  writeOver(target, layers.rgb, layers.a);
+  writeOver(LOAD_BACKDROP(target), layers.rgb, layers.a);
 #endif
 }

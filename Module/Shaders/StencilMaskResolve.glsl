@@ -54,6 +54,6 @@ void main()
   {
     discard;
   }
-  writeOver(pixel, color, transmittance);
+  writeOver(LOAD_BACKDROP(pixel), color, transmittance);
 #endif
 }

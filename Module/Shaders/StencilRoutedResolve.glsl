@@ -22,5 +22,5 @@ void main()
   float transmittance = 1.0;
   //Vitrine::Blend
 
-  writeOver(pixel, color, transmittance);
+  writeOver(LOAD_BACKDROP(pixel), color, transmittance);
 }

@@ -31,5 +31,5 @@ void main()
   vec3 color;
   float transmittance;
   compositeBlocks(color, transmittance);
-  writeOver(pixel, color, transmittance);
+  writeOver(LOAD_BACKDROP(pixel), color, transmittance);
 }

@@ -42,6 +42,7 @@ const std::vector<Entry>& Entries()
       [] { return MakeVTKPeeling(ExamplePeels); } },
     { "vtk-peeling", "vtkDualDepthPeelingPass with as many peels as it takes", false,
       [] { return MakeVTKPeeling(AnyNumberOfPeels); } },
+    { "automatic", "the cheapest of the lists that keeps the error budget of --error; exact", true, nullptr },
     { "linked-list", "A-buffer of linked lists; exact", true, nullptr },
     { "linked-list-compact", "the same with two thirds of the memory; exact", true,
       [] { return MakeLinkedList(Lists::COMPACT); } },

@@ -47,6 +47,10 @@ std::vector<std::string> ListLayout::Defines() const
   {
     defines.emplace_back("VITRINE_COINCIDENCE");
   }
+  if (this->ErrorBounds)
+  {
+    defines.emplace_back("VITRINE_ERROR_BOUND");
+  }
   if (this->FramebufferFetch)
   {
     defines.emplace_back("VITRINE_FRAMEBUFFER_FETCH");

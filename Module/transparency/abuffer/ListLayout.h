@@ -27,6 +27,7 @@ struct ListLayout
   bool Additive = false;    ///< Some fragments are added to what is behind them.
   bool Coincidence = false; ///< Depths are intervals, since there is a coincidence tolerance.
   bool PartNumbers = false; ///< Nodes have a word for their part, in a buffer of its own.
+  bool ErrorBounds = false; ///< The error of each pixel is bounded (ErrorBounds).
   int Samples = 0;
   int PageSize = 1;
 

@@ -8,6 +8,7 @@
 #include "gl/ScopedState.h"
 #include "gl/StateRecord.h"
 #include "shader/ShaderText.h"
+#include "transparency/abuffer/ErrorBounds.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/common/ResolveSources.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -15,6 +16,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace vitrine
 {
@@ -192,8 +194,8 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
 
 //------------------------------------------------------------------------------
 bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  FragmentStore& store, const Image2D& backdropImage, const RenderTarget& target,
-  const PixelRegion& region, std::uint32_t tileBins)
+  FragmentStore& store, const ErrorBounds* bounds, const Image2D& backdropImage,
+  const RenderTarget& target, const PixelRegion& region, std::uint32_t tileBins)
 {
   const SortPlan plan = PlanOf(layout);
   const std::vector<BinDraw> draws = this->PlanDraws(layout, plan, tileBins);
@@ -221,9 +223,18 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const ScopedListTextures textures(state, store);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
+  std::optional<ScopedErrorBounds> boundBuffers;
+  if (layout.ErrorBounds)
+  {
+    boundBuffers.emplace(*bounds);
+  }
   const auto drawTiles = [&](vtkShaderProgram* program, const BinDraw& draw)
   {
     textures.SetUniforms(program);
+    if (layout.ErrorBounds)
+    {
+      bounds->SetUniforms(program);
+    }
     program->SetUniformi("tileMax", tileMax.Unit());
     if (program->IsUniformUsed("backdrop"))
     {

@@ -20,6 +20,7 @@ class vtkShaderProgram;
 namespace vitrine
 {
 
+class ErrorBounds;
 class FragmentStore;
 
 class ListResolver
@@ -43,11 +44,12 @@ public:
 
   /**
    * Sort the lists of `region` and composite them over the backdrop into the target. `tileBins` are the bins that
-   * Classify() found. Returns false, with nothing drawn, if a shader does not compile.
+   * Classify() found. `bounds` takes the bounds of errors if the layout has them. Returns false, with nothing drawn, if
+   * a shader does not compile.
    */
   bool Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
-    const Image2D& backdrop, const RenderTarget& target, const PixelRegion& region,
-    std::uint32_t tileBins);
+    const ErrorBounds* bounds, const Image2D& backdrop, const RenderTarget& target,
+    const PixelRegion& region, std::uint32_t tileBins);
 
   /** Returns true if a shader did not compile. Nothing was drawn by it. */
   bool HasFailed() const { return this->Programs.HasFailed(); }

@@ -11,6 +11,7 @@
 #include "gl/ScopedState.h"
 #include "gl/StageTimer.h"
 #include "scene/Settings.h"
+#include "transparency/abuffer/ErrorBounds.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/abuffer/ListReader.h"
 #include "transparency/abuffer/ListResolver.h"
@@ -133,6 +134,30 @@ vitrine::FragmentStore& vtkABufferTransparencyPass::GetStore()
     this->Private->Store = this->MakeStore();
   }
   return *this->Private->Store;
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::ReleaseStore()
+{
+  Internals& in = *this->Private;
+  if (in.Store)
+  {
+    in.Store->Release();
+    in.Store.reset();
+    in.LastBins = 0;
+    in.Bands = {};
+    in.Reader.Forget();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkABufferTransparencyPass::PutBackdropBack(const vitrine::RenderTarget& target)
+{
+  Internals& in = *this->Private;
+  if (in.HasDrawn)
+  {
+    in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -269,9 +294,9 @@ std::string vtkABufferTransparencyPass::RenderFragments(
     }
     this->FinishFrame(frame);
   }
-  else if (in.HasDrawn)
+  else
   {
-    in.Backdrop.PutBack(this->GetWindow()->GetState(), target);
+    this->PutBackdropBack(target);
   }
   return problem;
 }
@@ -289,6 +314,8 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.Colors = KindOfColors(this->ColorStorage, target);
   in.Layout.Samples = target.Samples;
   in.Layout.PartNumbers = this->PartNumbers;
+  vitrine::ErrorBounds* const bounds = this->GetErrorBounds();
+  in.Layout.ErrorBounds = bounds != nullptr;
   in.Reader.Forget();
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = this->GetDeviceTraits().FramebufferFetch && target.Samples == 0;
@@ -306,6 +333,10 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   if (problem.empty())
   {
     problem = this->GetStore().BeginFrame(state, target, this->MemoryLimit, in.Layout);
+  }
+  if (problem.empty() && bounds)
+  {
+    problem = bounds->Begin(target);
   }
   if (problem.empty())
   {
@@ -433,8 +464,8 @@ void vtkABufferTransparencyPass::ResolveBins(
   if (tileBins != 0)
   {
     const vitrine::StageTimer::Section section(this->GetStageTimer(), "resolve");
-    in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), in.Backdrop.Image(), target,
-      region, tileBins);
+    in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), this->GetErrorBounds(),
+      in.Backdrop.Image(), target, region, tileBins);
     in.DrawnBins |= tileBins;
     in.HasDrawn = true;
   }

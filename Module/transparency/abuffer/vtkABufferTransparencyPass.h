@@ -46,6 +46,7 @@ class vtkRenderer;
 
 namespace vitrine
 {
+class ErrorBounds;
 class FragmentStore;
 struct FragmentStatistics;
 struct FrameSize;
@@ -163,6 +164,21 @@ protected:
    * Get the store. The first call makes it by MakeStore().
    */
   vitrine::FragmentStore& GetStore();
+
+  /**
+   * Release the store. The next call of GetStore() makes another one. The context is current.
+   */
+  void ReleaseStore();
+
+  /**
+   * Get what takes the bounds of errors that the resolve of the next frame writes. Null, the default, means none.
+   */
+  virtual vitrine::ErrorBounds* GetErrorBounds() { return nullptr; }
+
+  /**
+   * Put back what stood in the target before the frame was resolved.
+   */
+  void PutBackdropBack(const vitrine::RenderTarget& target);
 
   vitrine::FillShader GetFillShader() override;
   void SetFillParameters(vtkShaderProgram* program) override;

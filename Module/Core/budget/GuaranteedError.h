@@ -1,0 +1,51 @@
+/**
+ * What is known of a picture's error before it is drawn: upper bounds for any number of layers in any order
+ * (docs/develop/error-bounds.md). Errors are of channels in [0, 1], and include the rounding to 8 bits.
+ */
+#ifndef VITRINE_CORE_BUDGET_GUARANTEED_ERROR_H
+#define VITRINE_CORE_BUDGET_GUARANTEED_ERROR_H
+
+namespace vitrine
+{
+
+/** The formats in which fragments wait that can keep a budget. */
+enum class StoredColors
+{
+  HalfFloat,
+  Compact
+};
+
+/** What of a picture decides about the error of its pixels. */
+struct PictureKind
+{
+  bool EightBit = true;     ///< Colours are linear, with 8 bits a channel.
+  bool EncodesSRGB = false; ///< The target stores colours with sRGB's curve.
+  int Samples = 0;          ///< Samples of a pixel, 0 if single-sampled.
+  bool Additive = false;    ///< Some fragments are added to what is behind them.
+  bool Coincidence = false; ///< There is a coincidence tolerance.
+
+  /** Returns true if the error of each pixel can be bounded while it is drawn (Shaders/ErrorBound.glsl). */
+  bool HasBoundsOfPixels() const
+  {
+    return this->EightBit && this->Samples == 0 && !this->Additive && !this->Coincidence;
+  }
+
+  bool operator==(const PictureKind& other) const
+  {
+    return this->EightBit == other.EightBit && this->EncodesSRGB == other.EncodesSRGB &&
+      this->Samples == other.Samples && this->Additive == other.Additive &&
+      this->Coincidence == other.Coincidence;
+  }
+};
+
+/** The least budget that can be asked for: half floats keep it in single-sampled windows of 8 bits. */
+inline constexpr double LeastBudget = 0.6 / 255.0;
+
+/**
+ * Returns the largest error that a picture of a kind can have with stored colours, infinity if there is no bound. With
+ * Compact, it holds where depths tell the order of all fragments.
+ */
+double GuaranteedError(StoredColors colors, const PictureKind& kind);
+
+}
+#endif

@@ -1,0 +1,165 @@
+#include "Core/budget/MethodChooser.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace vitrine
+{
+namespace
+{
+
+// Below this budget some pixel of nearly each frame has a larger bound with compact nodes.
+constexpr double LeastOfCompact = 1.2 / 255.0;
+// Linked lists take about a tenth longer than packed lists, and a wrong prediction a second pass.
+constexpr double MostMisses = 0.12;
+constexpr double WeightOfLastFrame = 0.1;
+
+// A link of 4 bytes serves a page of up to 8 nodes.
+constexpr int LinkBytes = 1;
+
+std::string InSteps(double error)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f/255", 255.0 * error);
+  return text;
+}
+
+int NodeBytes(StoredColors colors)
+{
+  return colors == StoredColors::Compact ? 8 : 12;
+}
+
+}
+
+//------------------------------------------------------------------------------
+void GuessDelay::Begin()
+{
+  this->Frames = this->Next;
+  this->Next = std::min(2 * this->Next, Longest);
+  this->RightFrames = 0;
+}
+
+void GuessDelay::CountFrame()
+{
+  if (this->Frames > 0)
+  {
+    --this->Frames;
+  }
+  else if (++this->RightFrames >= Longest)
+  {
+    this->Next = Shortest;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string NameOf(const FrameChoice& choice)
+{
+  return std::string(choice.IsPacked ? "prefix-sum-predicted" : "linked-list") +
+    (choice.Colors == StoredColors::Compact ? "-compact" : "");
+}
+
+//------------------------------------------------------------------------------
+bool MethodChooser::CanKeep(double budget, const PictureKind& kind)
+{
+  return GuaranteedError(StoredColors::HalfFloat, kind) <= budget;
+}
+
+//------------------------------------------------------------------------------
+FrameChoice MethodChooser::Choose(double budget, const PictureKind& kind)
+{
+  FrameChoice choice;
+  const bool isCompact =
+    budget >= LeastOfCompact && kind.HasBoundsOfPixels() && this->Compact.IsOver();
+  choice.Colors = isCompact ? StoredColors::Compact : StoredColors::HalfFloat;
+  choice.IsChecked = isCompact;
+  choice.IsPacked = this->Prediction.IsOver() && this->Last.Bands == 1;
+  return choice;
+}
+
+//------------------------------------------------------------------------------
+void MethodChooser::NoteExceeded()
+{
+  this->Compact.Begin();
+}
+
+//------------------------------------------------------------------------------
+void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts)
+{
+  this->Compact.CountFrame();
+  this->Prediction.CountFrame();
+  if (choice.IsPacked && this->HasFrame && facts.Bands == 1)
+  {
+    const double missed = facts.GeometryPasses > 1 ? 1.0 : 0.0;
+    this->MissedShare += WeightOfLastFrame * (missed - this->MissedShare);
+    if (this->MissedShare > MostMisses)
+    {
+      this->Prediction.Begin();
+      this->MissedShare = 0.0;
+    }
+  }
+  this->Last = facts;
+  this->HasFrame = true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<PlannedMethod> MethodChooser::Plan(double budget, const PictureKind& kind)
+{
+  const FrameChoice chosen = this->Choose(budget, kind);
+  std::vector<PlannedMethod> plan;
+  for (const bool isPacked : { true, false })
+  {
+    for (const StoredColors colors : { StoredColors::Compact, StoredColors::HalfFloat })
+    {
+      const FrameChoice candidate{ isPacked, colors, colors == StoredColors::Compact };
+      PlannedMethod method;
+      method.Method = NameOf(candidate);
+      method.Error = GuaranteedError(colors, kind);
+      method.Passes = this->ExpectedPasses(candidate);
+      // Each fragment is written and read once.
+      method.Bytes = 2 * this->Last.Fragments * (NodeBytes(colors) + (isPacked ? 0 : LinkBytes));
+      method.IsChosen = candidate == chosen;
+      method.Reason = this->ReasonOf(candidate, chosen, budget, kind);
+      plan.push_back(method);
+    }
+  }
+  std::stable_partition(
+    plan.begin(), plan.end(), [](const PlannedMethod& method) { return method.IsChosen; });
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+double MethodChooser::ExpectedPasses(const FrameChoice& candidate) const
+{
+  return candidate.IsPacked ? 1.0 + this->MissedShare : 1.0;
+}
+
+//------------------------------------------------------------------------------
+std::string MethodChooser::ReasonOf(const FrameChoice& candidate, const FrameChoice& chosen,
+  double budget, const PictureKind& kind) const
+{
+  if (candidate.Colors == StoredColors::Compact && chosen.Colors != StoredColors::Compact)
+  {
+    return !kind.HasBoundsOfPixels() ? "the error of compact nodes is not bounded in such pictures"
+      : budget < LeastOfCompact      ? "its error may exceed " + InSteps(budget)
+                                     : "a pixel of a frame might have exceeded " + InSteps(budget);
+  }
+  if (candidate.Colors != chosen.Colors)
+  {
+    return "a node has 12 bytes, not 8";
+  }
+  if (candidate.IsPacked && !chosen.IsPacked)
+  {
+    return this->Last.Bands > 1 ? "memory is short: bands of packed lists take one more pass"
+                                : "the camera moves too fast to predict room";
+  }
+  if (candidate.IsPacked != chosen.IsPacked)
+  {
+    return "links take memory and time, and predicted room suffices";
+  }
+  return !CanKeep(budget, kind) ? "nothing keeps the budget here; this is the nearest to it"
+    : candidate.IsChecked ? "the cheapest that keeps " + InSteps(budget) +
+        "; the bound of each pixel is checked in each frame"
+                          : "the cheapest that keeps " + InSteps(budget) + " for all pixels";
+}
+
+}

@@ -1,0 +1,110 @@
+/**
+ * Chooses how a frame stores its fragments, so that the picture keeps an error budget at the least cost.
+ *
+ * A choice is a guess that the frame itself checks: packed lists predict their room, and compact nodes have the error
+ * of each pixel bounded while they are resolved. A wrong guess costs a second geometry pass in the same frame. After a
+ * wrong guess the other way is taken for a number of frames that doubles each time, so that the cost of wrong guesses is
+ * a small share. All is counted, not timed, so the same frames make the same choices.
+ */
+#ifndef VITRINE_CORE_BUDGET_METHOD_CHOOSER_H
+#define VITRINE_CORE_BUDGET_METHOD_CHOOSER_H
+
+#include "Core/budget/GuaranteedError.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vitrine
+{
+
+/** The frames for which a guess is not made again after it was wrong. */
+class GuessDelay
+{
+public:
+  bool IsOver() const { return this->Frames == 0; }
+
+  /** Begin a delay, which is twice the last one. */
+  void Begin();
+
+  /** Count a frame. After many frames without a wrong guess the next delay is short again. */
+  void CountFrame();
+
+private:
+  static constexpr int Shortest = 32;
+  static constexpr int Longest = 1024;
+
+  int Frames = 0;
+  int Next = Shortest;
+  int RightFrames = 0;
+};
+
+/** How a frame stores its fragments. */
+struct FrameChoice
+{
+  bool IsPacked = true; ///< Packed lists with predicted room; else linked lists.
+  StoredColors Colors = StoredColors::HalfFloat;
+  bool IsChecked = false; ///< Pixels have their errors bounded, and a larger bound than the budget draws again.
+
+  bool operator==(const FrameChoice& other) const
+  {
+    return this->IsPacked == other.IsPacked && this->Colors == other.Colors &&
+      this->IsChecked == other.IsChecked;
+  }
+};
+
+/** Returns the name of a choice as a method: "linked-list-compact" or the like. */
+std::string NameOf(const FrameChoice& choice);
+
+/** Statistics of a frame, which are counted anyway. */
+struct FrameFacts
+{
+  std::int64_t Fragments = 0;
+  std::int64_t LayersMax = 0;
+  int GeometryPasses = 0;
+  int Bands = 1; ///< of the screen, in which the frame was drawn for want of memory
+};
+
+/** One way of drawing the next frame, for a plan that people read. */
+struct PlannedMethod
+{
+  std::string Method;
+  double Error = 0.0;       ///< The largest that it can have, see GuaranteedError().
+  double Passes = 1.0;      ///< Geometry passes a frame, as expected from the frames so far.
+  std::int64_t Bytes = 0;   ///< Bytes of fragments that are written and read a frame, as expected.
+  bool IsChosen = false;
+  std::string Reason;
+};
+
+class MethodChooser
+{
+public:
+  /** Choose for a frame. `budget` is at least LeastBudget. */
+  FrameChoice Choose(double budget, const PictureKind& kind);
+
+  /** Note that some pixel of a frame with compact nodes might exceed the budget. */
+  void NoteExceeded();
+
+  /** Note a finished frame of a choice. */
+  void NoteFrame(const FrameChoice& choice, const FrameFacts& facts);
+
+  /** Returns true if the budget is kept by some way of drawing pictures of the kind. */
+  static bool CanKeep(double budget, const PictureKind& kind);
+
+  /** Returns all ways of drawing the next frame, the chosen one first. */
+  std::vector<PlannedMethod> Plan(double budget, const PictureKind& kind);
+
+private:
+  std::string ReasonOf(const FrameChoice& candidate, const FrameChoice& chosen, double budget,
+    const PictureKind& kind) const;
+  double ExpectedPasses(const FrameChoice& candidate) const;
+
+  GuessDelay Compact;
+  GuessDelay Prediction;
+  double MissedShare = 0.0; // Share of the last frames whose prediction was wrong.
+  bool HasFrame = false;
+  FrameFacts Last;
+};
+
+}
+#endif

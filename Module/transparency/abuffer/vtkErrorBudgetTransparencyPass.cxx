@@ -1,0 +1,273 @@
+#include "vtkErrorBudgetTransparencyPass.h"
+
+#include "Core/budget/MethodChooser.h"
+#include "gl/RenderTarget.h"
+#include "scene/Settings.h"
+#include "shader/ShaderText.h"
+#include "transparency/abuffer/ErrorBounds.h"
+#include "transparency/abuffer/LinkedListStore.h"
+#include "transparency/abuffer/PackedListStore.h"
+#include "transparency/common/CoincidenceTolerance.h"
+#include "transparency/common/FillShader.h"
+#include "transparency/common/MethodTable.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkErrorBudgetTransparencyPass);
+vitrineTransparencyMethodMacro(
+  vtkErrorBudgetTransparencyPass, "automatic", true, vitrine::TranslucentTraits);
+
+struct vtkErrorBudgetTransparencyPass::Choice
+{
+  vitrine::MethodChooser Chooser;
+  vitrine::FrameChoice Frame;
+  vitrine::PictureKind Kind;
+  vitrine::ErrorBounds Bounds;
+  bool HasFrame = false;    // The last frame was drawn by this pass.
+  bool HasPixels = false;   // The bounds of its pixels were kept.
+  int FrameSize[2] = {};
+  std::vector<vitrine::PlannedMethod> Plan;
+
+  vitrine::PlannedMethod Planned(int index) const
+  {
+    const bool isThere = index >= 0 && index < static_cast<int>(this->Plan.size());
+    return isThere ? this->Plan[static_cast<std::size_t>(index)]
+                   : vitrine::PlannedMethod{ {}, 0.0, 0.0, 0, false, {} };
+  }
+
+  bool ComputesBounds(bool keepsPixels) const
+  {
+    return this->Kind.HasBoundsOfPixels() && (this->Frame.IsChecked || keepsPixels);
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkErrorBudgetTransparencyPass::vtkErrorBudgetTransparencyPass()
+  : Chosen(new Choice)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkErrorBudgetTransparencyPass::~vtkErrorBudgetTransparencyPass()
+{
+  this->ReleaseBeforeDestruction();
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ErrorBudget: " << this->ErrorBudget << "\n";
+  os << indent << "KeepErrorBounds: " << (this->KeepErrorBounds ? "On" : "Off") << "\n";
+  os << indent << "GuaranteedError: " << this->GuaranteedError << "\n";
+  os << indent << "ChosenMethod: " << this->GetChosenMethod() << "\n";
+  os << indent << "BudgetProblem: " << this->GetBudgetProblem() << "\n";
+  os << indent << "NumberOfWrongGuesses: " << this->NumberOfWrongGuesses << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::SetErrorBudget(double budget)
+{
+  vitrine::SetInRange(
+    this, "ErrorBudget", this->ErrorBudget, budget, { vitrine::LeastBudget, 1.0 });
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vitrine::FragmentStore> vtkErrorBudgetTransparencyPass::MakeStore() const
+{
+  if (this->Chosen->Frame.IsPacked)
+  {
+    return std::make_unique<vitrine::PackedListStore>();
+  }
+  return std::make_unique<vitrine::LinkedListStore>();
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::GetStoringShader(vitrine::FillShader& fill) const
+{
+  const bool isPacked = this->Chosen->Frame.IsPacked;
+  fill.Declarations =
+    isPacked ? vitrine::shaders::PackedListFillDec : vitrine::shaders::LinkedListFillDec;
+  fill.Implementation =
+    isPacked ? vitrine::shaders::PackedListFillImpl : vitrine::shaders::LinkedListFillImpl;
+}
+
+//------------------------------------------------------------------------------
+vitrine::ErrorBounds* vtkErrorBudgetTransparencyPass::GetErrorBounds()
+{
+  return this->Chosen->ComputesBounds(this->KeepErrorBounds) ? &this->Chosen->Bounds : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkErrorBudgetTransparencyPass::RenderFragments(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Choice& chosen = *this->Chosen;
+  chosen.HasFrame = false;
+  chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples,
+    this->HasAdditiveFragments(), this->GetTolerance().IsOn() };
+  this->TakeChoice();
+  std::string problem = this->Superclass::RenderFragments(s, target);
+  const int passes = this->NumberOfGeometryPasses;
+  if (problem.empty() && chosen.Frame.IsChecked && this->ExceedsBudget())
+  {
+    ++this->NumberOfWrongGuesses;
+    chosen.Chooser.NoteExceeded();
+    this->PutBackdropBack(target);
+    this->TakeChoice();
+    problem = this->Superclass::RenderFragments(s, target);
+  }
+  if (problem.empty())
+  {
+    chosen.FrameSize[0] = target.Width;
+    chosen.FrameSize[1] = target.Height;
+    this->NoteFrame(passes);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+// Another store or another format of nodes needs other shaders.
+void vtkErrorBudgetTransparencyPass::TakeChoice()
+{
+  Choice& chosen = *this->Chosen;
+  const vitrine::FrameChoice next = chosen.Chooser.Choose(this->ErrorBudget, chosen.Kind);
+  if (next.IsPacked != chosen.Frame.IsPacked)
+  {
+    this->ReleaseStore();
+    this->ShaderStage.Modified();
+  }
+  chosen.Frame = next;
+  const int storage = next.Colors == vitrine::StoredColors::Compact ? COMPACT : HALF_FLOAT;
+  if (storage != this->ColorStorage)
+  {
+    this->ColorStorage = storage;
+    this->ShaderStage.Modified();
+  }
+  chosen.Bounds.Ask(this->ErrorBudget, this->KeepErrorBounds);
+}
+
+//------------------------------------------------------------------------------
+bool vtkErrorBudgetTransparencyPass::ExceedsBudget()
+{
+  return this->Chosen->Bounds.ReadLargest() > this->ErrorBudget;
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
+{
+  Choice& chosen = *this->Chosen;
+  const double guaranteed = vitrine::GuaranteedError(chosen.Frame.Colors, chosen.Kind);
+  this->GuaranteedError =
+    chosen.Frame.IsChecked ? std::min(guaranteed, this->ErrorBudget) : guaranteed;
+  this->Bytes += chosen.Bounds.Bytes();
+  chosen.HasFrame = true;
+  chosen.HasPixels = this->KeepErrorBounds;
+  chosen.Chooser.NoteFrame(chosen.Frame,
+    { this->NumberOfFragments, this->MaximumNumberOfLayers, passes, this->NumberOfBands });
+  chosen.Plan = chosen.Chooser.Plan(this->ErrorBudget, chosen.Kind);
+}
+
+//------------------------------------------------------------------------------
+bool vtkErrorBudgetTransparencyPass::GetErrorBound(vtkImageData* image)
+{
+  const Choice& chosen = *this->Chosen;
+  if (!image || !chosen.HasFrame || !chosen.HasPixels)
+  {
+    return false;
+  }
+  std::vector<float> bounds;
+  if (chosen.Kind.HasBoundsOfPixels())
+  {
+    this->GetWindow()->MakeCurrent();
+    bounds = chosen.Bounds.ReadPixels();
+  }
+  image->SetDimensions(chosen.FrameSize[0], chosen.FrameSize[1], 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* const pixels = static_cast<float*>(image->GetScalarPointer());
+  std::fill_n(pixels, image->GetNumberOfPoints(), static_cast<float>(this->GuaranteedError));
+  std::copy(bounds.begin(), bounds.end(), pixels);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkErrorBudgetTransparencyPass::GetChosenMethod()
+{
+  return this->Chosen->HasFrame ? vitrine::NameOf(this->Chosen->Frame) : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkErrorBudgetTransparencyPass::GetBudgetProblem()
+{
+  if (!this->Chosen->HasFrame)
+  {
+    return "no frame was drawn by this pass";
+  }
+  return this->GuaranteedError <= this->ErrorBudget
+    ? std::string()
+    : "pictures of this kind have errors of up to " +
+      vitrine::NumberText(255.0 * this->GuaranteedError) + "/255, and the budget is " +
+      vitrine::NumberText(255.0 * this->ErrorBudget) + "/255";
+}
+
+//------------------------------------------------------------------------------
+int vtkErrorBudgetTransparencyPass::GetNumberOfPlannedMethods()
+{
+  return static_cast<int>(this->Chosen->Plan.size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkErrorBudgetTransparencyPass::GetPlannedMethod(int index)
+{
+  return this->Chosen->Planned(index).Method;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkErrorBudgetTransparencyPass::GetPlannedReason(int index)
+{
+  return this->Chosen->Planned(index).Reason;
+}
+
+//------------------------------------------------------------------------------
+double vtkErrorBudgetTransparencyPass::GetPlannedError(int index)
+{
+  return this->Chosen->Planned(index).Error;
+}
+
+//------------------------------------------------------------------------------
+double vtkErrorBudgetTransparencyPass::GetPlannedPasses(int index)
+{
+  return this->Chosen->Planned(index).Passes;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkErrorBudgetTransparencyPass::GetPlannedBytes(int index)
+{
+  return this->Chosen->Planned(index).Bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::RenderNothing()
+{
+  this->Superclass::RenderNothing();
+  this->Chosen->HasFrame = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::ReleaseMethodResources()
+{
+  this->Superclass::ReleaseMethodResources();
+  this->Chosen->Bounds.Release();
+  this->Chosen->HasPixels = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::ForgetMethodResources()
+{
+  this->Superclass::ForgetMethodResources();
+  this->Chosen->Bounds = vitrine::ErrorBounds();
+  this->Chosen->HasFrame = false;
+}

@@ -1,0 +1,149 @@
+/**
+ * @class   vtkErrorBudgetTransparencyPass
+ * @brief   transparency that keeps an error budget at the least cost
+ *
+ * The budget is the greatest error of a channel of the 8-bit picture that is allowed. Its own rounding of 0.5/255 is
+ * included. Before each frame the pass chooses how fragments are stored:
+ *
+ * - Nodes are half floats, which keep each budget from 0.6/255 on, or compact, which are smaller and faster.
+ * - Lists are packed, with the room that the last frame predicts, or linked.
+ *
+ * A choice is a guess that the frame itself checks. With compact nodes the resolve bounds the error of each pixel. If a
+ * bound exceeds the budget, the frame is drawn again with half floats before anything is shown. So the budget is kept in
+ * each frame. After a wrong guess the pass does not make that guess for 32 to 1,024 frames.
+ *
+ * @code
+ * vtkNew<vtkErrorBudgetTransparencyPass> method;
+ * method->SetErrorBudget(2.0 / 255.0);
+ * vtkNew<vtkSeeThroughPass> seeThrough;
+ * seeThrough->SetTranslucentPass(method);
+ * renderer->SetPass(seeThrough);
+ * @endcode
+ *
+ * The budget holds for what this pass draws, before effects that process the picture. Some pictures cannot keep small
+ * budgets: multisampled windows round twice, which makes 1.1/255, a coincidence tolerance adds 0.34/255, and targets of
+ * sRGB enlarge errors of dark colours. GetBudgetProblem() tells that the budget of a frame was not promised.
+ *
+ * The ColorStorage is the pass's own choice. A value that is set lasts until the next frame.
+ *
+ * @sa
+ * vtkSeeThroughPass vtkPrefixSumTransparencyPass vtkLinkedListTransparencyPass
+ */
+#ifndef vtkErrorBudgetTransparencyPass_h
+#define vtkErrorBudgetTransparencyPass_h
+
+#include "vtkABufferTransparencyPass.h"
+
+class vtkImageData;
+
+class VTKVITRINERENDERING_EXPORT vtkErrorBudgetTransparencyPass : public vtkABufferTransparencyPass
+{
+public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
+  static vtkErrorBudgetTransparencyPass* New();
+  vtkTypeMacro(vtkErrorBudgetTransparencyPass, vtkABufferTransparencyPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  /**
+   * Get "automatic".
+   */
+  const char* GetMethodName() override { return "automatic"; }
+
+  ///@{
+  /**
+   * Get/Set the greatest error of a channel of the 8-bit picture that is allowed. Channels are in [0, 1]. The range is
+   * 0.6 / 255 to 1, the default is 1 / 255. A value out of range is an error: rounding to 8 bits alone makes 0.5 / 255.
+   */
+  void SetErrorBudget(double budget);
+  vtkGetMacro(ErrorBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the bounds of all pixels of a frame are kept for GetErrorBound(). The default is false.
+   */
+  vtkSetMacro(KeepErrorBounds, bool);
+  vtkGetMacro(KeepErrorBounds, bool);
+  vtkBooleanMacro(KeepErrorBounds, bool);
+  ///@}
+
+  /**
+   * Get upper bounds of the errors of the last frame's pixels as an image of one float component, by rows from the
+   * bottom of the framebuffer. No channel of a pixel differs from truth by more. A pixel without translucent fragments
+   * has 0. In multisampled windows, with a coincidence tolerance, in targets other than 8-bit ones and with fragments
+   * that are added, all pixels have the bound of such pictures. Returns false, and leaves the image alone, if
+   * KeepErrorBounds was off in the last frame or if another method drew it.
+   */
+  bool GetErrorBound(vtkImageData* image);
+
+  /**
+   * Get the largest error that the last frame can have. It is at most the ErrorBudget unless GetBudgetProblem() tells
+   * otherwise.
+   */
+  vtkGetMacro(GuaranteedError, double);
+
+  /**
+   * Get the method that the pass chose for the last frame, such as "prefix-sum-predicted-compact".
+   */
+  std::string GetChosenMethod();
+
+  /**
+   * Get why the budget of the last frame was not promised. The string is empty if it was.
+   */
+  std::string GetBudgetProblem();
+
+  /**
+   * Get how often a frame was drawn again, since a pixel might have exceeded the budget.
+   */
+  vtkGetMacro(NumberOfWrongGuesses, vtkTypeInt64);
+
+  ///@{
+  /**
+   * Get the methods between which the pass chooses for the next frame like the last one. The first one is the choice.
+   * The range of `index` is 0 to GetNumberOfPlannedMethods() - 1. Outside of it the name and the reason are empty and
+   * the figures are 0. The error is the largest that the method can have: infinity if it has no bound. Passes and bytes
+   * are expected for a frame. Bytes are of fragments, which are written once and read once.
+   */
+  int GetNumberOfPlannedMethods();
+  std::string GetPlannedMethod(int index);
+  std::string GetPlannedReason(int index);
+  double GetPlannedError(int index);
+  double GetPlannedPasses(int index);
+  vtkTypeInt64 GetPlannedBytes(int index);
+  ///@}
+
+protected:
+  vtkErrorBudgetTransparencyPass();
+  ~vtkErrorBudgetTransparencyPass() override;
+
+  std::unique_ptr<vitrine::FragmentStore> MakeStore() const override;
+  void GetStoringShader(vitrine::FillShader& fill) const override;
+  vitrine::ErrorBounds* GetErrorBounds() override;
+  std::string RenderFragments(
+    const vtkRenderState* s, const vitrine::RenderTarget& target) override;
+  void RenderNothing() override;
+  void ReleaseMethodResources() override;
+  void ForgetMethodResources() override;
+
+  double ErrorBudget = 1.0 / 255.0;
+  bool KeepErrorBounds = false;
+  double GuaranteedError = 0.0;
+  vtkTypeInt64 NumberOfWrongGuesses = 0;
+
+private:
+  vtkErrorBudgetTransparencyPass(const vtkErrorBudgetTransparencyPass&) = delete;
+  void operator=(const vtkErrorBudgetTransparencyPass&) = delete;
+
+  void TakeChoice();
+  bool ExceedsBudget();
+  void NoteFrame(int passes);
+
+  struct Choice;
+  std::unique_ptr<Choice> Chosen;
+};
+
+#endif

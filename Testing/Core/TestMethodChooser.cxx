@@ -1,0 +1,161 @@
+// What is known of errors before a frame, and how guesses are made and taken back.
+#include "Core/budget/MethodChooser.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using vitrine::FrameChoice;
+using vitrine::FrameFacts;
+using vitrine::GuaranteedError;
+using vitrine::GuessDelay;
+using vitrine::MethodChooser;
+using vitrine::PictureKind;
+using vitrine::StoredColors;
+
+namespace
+{
+
+constexpr double OneStep = 1.0 / 255.0;
+
+PictureKind Plain()
+{
+  return {};
+}
+
+FrameFacts FactsOfPasses(int passes)
+{
+  return { 1000, 8, passes, 1 };
+}
+
+TEST(GuaranteedErrors, AreThoseOfRoundingAndStorage)
+{
+  // Half a step of the picture, 2^-13 of colours and 2^-12 of alphas.
+  EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, Plain()) / OneStep, 0.5 + 255.0 * 3.0 / 8192.0, 0.01);
+  EXPECT_LE(GuaranteedError(StoredColors::HalfFloat, Plain()), vitrine::LeastBudget);
+  // Half a level of 405, and a share of 2^-9.
+  EXPECT_NEAR(GuaranteedError(StoredColors::Compact, Plain()) / OneStep, 0.5 + 127.5 / 405.0 + 255.0 / 512.0, 0.06);
+}
+
+TEST(GuaranteedErrors, GrowWithWhatAddsToThem)
+{
+  const double plain = GuaranteedError(StoredColors::HalfFloat, Plain());
+  PictureKind multisampled;
+  multisampled.Samples = 4;
+  EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, multisampled) - plain, 0.5 * OneStep, 0.01 * OneStep);
+  PictureKind tolerant;
+  tolerant.Coincidence = true;
+  EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, tolerant) - plain, OneStep / 3.0, 1e-6);
+  PictureKind additive;
+  additive.Additive = true;
+  EXPECT_GT(GuaranteedError(StoredColors::HalfFloat, additive), plain);
+  PictureKind curved;
+  curved.EightBit = false;
+  curved.EncodesSRGB = true;
+  EXPECT_GT(GuaranteedError(StoredColors::HalfFloat, curved), 1.5 * OneStep);
+  for (const PictureKind& kind : { multisampled, tolerant, additive, curved })
+  {
+    EXPECT_TRUE(std::isinf(GuaranteedError(StoredColors::Compact, kind)));
+  }
+}
+
+TEST(GuessDelays, DoubleUpToALimitAndShrinkAgain)
+{
+  GuessDelay delay;
+  EXPECT_TRUE(delay.IsOver());
+  for (const int frames : { 32, 64, 128, 256, 512, 1024, 1024 })
+  {
+    delay.Begin();
+    for (int i = 0; i < frames; ++i)
+    {
+      EXPECT_FALSE(delay.IsOver());
+      delay.CountFrame();
+    }
+    EXPECT_TRUE(delay.IsOver());
+  }
+  for (int i = 0; i < 1024; ++i)
+  {
+    delay.CountFrame();
+  }
+  delay.Begin();
+  for (int i = 0; i < 32; ++i)
+  {
+    delay.CountFrame();
+  }
+  EXPECT_TRUE(delay.IsOver());
+}
+
+TEST(MethodChoosers, TakeCompactNodesWhereTheBudgetAllows)
+{
+  MethodChooser chooser;
+  EXPECT_EQ(NameOf(chooser.Choose(0.6 * OneStep, Plain())), "prefix-sum-predicted");
+  EXPECT_EQ(NameOf(chooser.Choose(1.0 * OneStep, Plain())), "prefix-sum-predicted");
+  EXPECT_EQ(NameOf(chooser.Choose(2.0 * OneStep, Plain())), "prefix-sum-predicted-compact");
+  PictureKind multisampled;
+  multisampled.Samples = 4;
+  EXPECT_EQ(NameOf(chooser.Choose(8.0 * OneStep, multisampled)), "prefix-sum-predicted");
+}
+
+TEST(MethodChoosers, CheckWhatDepthsMayNotTell)
+{
+  MethodChooser chooser;
+  EXPECT_TRUE(chooser.Choose(8.0 * OneStep, Plain()).IsChecked);
+  EXPECT_FALSE(chooser.Choose(0.6 * OneStep, Plain()).IsChecked);
+}
+
+TEST(MethodChoosers, LeaveCompactNodesAfterAWrongGuess)
+{
+  MethodChooser chooser;
+  chooser.NoteExceeded();
+  for (int frame = 0; frame < 32; ++frame)
+  {
+    const FrameChoice choice = chooser.Choose(2.0 * OneStep, Plain());
+    EXPECT_EQ(choice.Colors, StoredColors::HalfFloat);
+    chooser.NoteFrame(choice, FactsOfPasses(1));
+  }
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()).Colors, StoredColors::Compact);
+}
+
+TEST(MethodChoosers, LeavePredictionIfItOftenFails)
+{
+  MethodChooser chooser;
+  chooser.NoteFrame(chooser.Choose(OneStep, Plain()), FactsOfPasses(2)); // the first frame counts
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    EXPECT_TRUE(chooser.Choose(OneStep, Plain()).IsPacked);
+    chooser.NoteFrame(chooser.Choose(OneStep, Plain()), FactsOfPasses(1));
+  }
+  chooser.NoteFrame(chooser.Choose(OneStep, Plain()), FactsOfPasses(2));
+  EXPECT_TRUE(chooser.Choose(OneStep, Plain()).IsPacked); // once is not often
+  chooser.NoteFrame(chooser.Choose(OneStep, Plain()), FactsOfPasses(2));
+  EXPECT_FALSE(chooser.Choose(OneStep, Plain()).IsPacked);
+}
+
+TEST(MethodChoosers, LinkListsIfMemoryIsShort)
+{
+  MethodChooser chooser;
+  FrameFacts facts = FactsOfPasses(3);
+  facts.Bands = 2;
+  chooser.NoteFrame(chooser.Choose(OneStep, Plain()), facts);
+  EXPECT_FALSE(chooser.Choose(OneStep, Plain()).IsPacked);
+}
+
+TEST(MethodChoosers, TellWhatTheyChoseAndWhy)
+{
+  MethodChooser chooser;
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), FactsOfPasses(1));
+  const auto plan = chooser.Plan(2.0 * OneStep, Plain());
+  ASSERT_EQ(plan.size(), 4u);
+  EXPECT_TRUE(plan[0].IsChosen);
+  EXPECT_EQ(plan[0].Method, "prefix-sum-predicted-compact");
+  EXPECT_EQ(plan[0].Bytes, 16 * 1000);
+  EXPECT_EQ(plan[0].Passes, 1.0);
+  for (std::size_t i = 1; i < plan.size(); ++i)
+  {
+    EXPECT_FALSE(plan[i].IsChosen);
+    EXPECT_GT(plan[i].Bytes, plan[0].Bytes);
+    EXPECT_NE(plan[i].Reason, "");
+  }
+}
+
+}

@@ -1,0 +1,305 @@
+// The pass that chooses by an error budget: no pixel exceeds its bound, no bound exceeds the budget, and what it
+// cannot promise it says.
+#include "TestMessages.h"
+#include "TestMethods.h"
+#include "TestScene.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkErrorBudgetTransparencyPass.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkSeeThroughPass.h"
+#include "vtkTruthTransparencyPass.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr double Step = 1.0 / 255.0;
+// Truth holds the background in single precision. This is in steps.
+constexpr double Single = 1e-4;
+
+// Triangles of any colours and alphas, which cut each other, in front of spheres.
+void AddBudgetScene(TestScene& scene, std::uint64_t seed, double alpha)
+{
+  TestRandom random(seed);
+  const auto place = [&] { return 3.0 * random.Unit() - 1.5; };
+  const auto height = [&] { return 1.8 * random.Unit() - 0.9; };
+  for (int i = 0; i < 90; ++i)
+  {
+    const Rgba color = { random.Unit(), random.Unit(), random.Unit(),
+      std::min(1.0, 2.0 * alpha * random.Unit()) };
+    scene.AddTriangle({ { { place(), place(), height() }, { place(), place(), height() },
+                        { place(), place(), height() } } },
+      color);
+  }
+  scene.AddParts();
+}
+
+struct JudgedFrame
+{
+  double LargestError = 0.0;
+  double LargestBound = 0.0;
+  double WorstExcess = -1.0; // of an error over its pixel's bound
+  std::vector<double> Tightness; // bound over error, of pixels with errors above a quarter of a step
+};
+
+// Draws the scene by truth and by the pass. All figures are in steps.
+JudgedFrame JudgeFrame(TestScene& scene, vtkErrorBudgetTransparencyPass* pass)
+{
+  vtkNew<vtkTruthTransparencyPass> truth;
+  scene.Use(truth);
+  scene.Render();
+  pass->KeepErrorBoundsOn();
+  scene.Use(pass);
+  const Picture picture = scene.Render();
+  vtkNew<vtkImageData> bounds;
+  EXPECT_TRUE(pass->GetErrorBound(bounds));
+  vtkImageData* const exact = truth->GetResult();
+  JudgedFrame judged;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 0; x < picture.Width; ++x)
+    {
+      const double bound = bounds->GetScalarComponentAsDouble(x, y, 0, 0) / Step;
+      double error = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double shown = picture.At(x, y)[c];
+        error = std::max(error,
+          std::abs(shown - std::clamp(exact->GetScalarComponentAsDouble(x, y, 0, c), 0.0, 1.0)) /
+            Step);
+      }
+      judged.LargestError = std::max(judged.LargestError, error);
+      judged.LargestBound = std::max(judged.LargestBound, bound);
+      judged.WorstExcess = std::max(judged.WorstExcess, error - bound);
+      if (error > 0.25)
+      {
+        judged.Tightness.push_back(bound / error);
+      }
+    }
+  }
+  return judged;
+}
+
+double MedianOf(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+class ErrorBudget : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(ErrorBudget, BoundsEachPixelAndKeepsTheBudget)
+{
+  for (const double alpha : { 0.02, 0.3, 0.9 })
+  {
+    SCOPED_TRACE("alpha " + std::to_string(alpha));
+    TestScene scene(96, 72);
+    AddBudgetScene(scene, 53, alpha);
+    vtkNew<vtkErrorBudgetTransparencyPass> pass;
+    pass->SetErrorBudget(GetParam() * Step);
+    const JudgedFrame judged = JudgeFrame(scene, pass);
+    EXPECT_EQ(pass->GetBudgetProblem(), "");
+    EXPECT_LE(judged.WorstExcess, Single);
+    EXPECT_LE(judged.LargestBound, GetParam());
+    EXPECT_GT(judged.LargestError, 0.25);
+    EXPECT_LE(MedianOf(judged.Tightness), 4.0);
+    EXPECT_LE(pass->GetGuaranteedError(), GetParam() * Step);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, ErrorBudget, testing::Values(0.6, 1.0, 1.3, 2.0, 8.0),
+  [](const auto& info) { return "Of" + std::to_string(int(10.0 * info.param)) + "Tenths"; });
+
+std::string ChosenFor(TestScene& scene, double steps, vtkTypeInt64 wrongGuesses)
+{
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(steps * Step);
+  const JudgedFrame judged = JudgeFrame(scene, pass);
+  EXPECT_LE(judged.WorstExcess, Single);
+  EXPECT_LE(judged.LargestBound, steps);
+  EXPECT_EQ(pass->GetNumberOfWrongGuesses(), wrongGuesses);
+  return pass->GetChosenMethod();
+}
+
+TEST(ErrorBudgetChoices, FollowTheBudget)
+{
+  TestScene scene;
+  scene.AddParts();
+  EXPECT_EQ(ChosenFor(scene, 0.6, 0), "prefix-sum-predicted");
+  EXPECT_EQ(ChosenFor(scene, 1.0, 0), "prefix-sum-predicted");
+  EXPECT_EQ(ChosenFor(scene, 2.0, 0), "prefix-sum-predicted-compact");
+  EXPECT_EQ(ChosenFor(scene, 8.0, 0), "prefix-sum-predicted-compact");
+}
+
+// Blues that are one code of a compact node, but are in another order than the codes of red and green.
+TEST(ErrorBudgetChoices, AreRevisedWhereCompactNodesHideTheOrder)
+{
+  TestScene scene;
+  scene.AddPlate(0.25, { 0.9, 0.9, 0.50, 0.4 });
+  scene.AddPlate(0.25, { 0.1, 0.1, 0.5004, 0.4 });
+  EXPECT_EQ(ChosenFor(scene, 8.0, 1), "prefix-sum-predicted");
+}
+
+TEST(ErrorBudgetChoices, StayWhereCoincidentFragmentsAreAlike)
+{
+  TestScene scene;
+  for (int i = 0; i < 5; ++i)
+  {
+    scene.AddPlate(0.25, { 0.9, 0.3, 0.5, 0.4 });
+  }
+  EXPECT_EQ(ChosenFor(scene, 2.0, 0), "prefix-sum-predicted-compact");
+}
+
+TEST(ErrorBudgetChoices, StayWhereAlphasTellTheOrder)
+{
+  TestScene scene;
+  scene.AddPlate(0.25, { 0.9, 0.9, 0.9, 0.4 });
+  scene.AddPlate(0.25, { 0.1, 0.1, 0.1, 0.6 });
+  EXPECT_EQ(ChosenFor(scene, 2.0, 0), "prefix-sum-predicted-compact");
+}
+
+TEST(ErrorBudgetChoices, AWrongGuessIsNotMadeAgainAtOnce)
+{
+  TestScene scene;
+  scene.AddPlate(0.25, { 0.9, 0.9, 0.50, 0.4 });
+  scene.AddPlate(0.25, { 0.1, 0.1, 0.5004, 0.4 });
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(8.0 * Step);
+  scene.Use(pass);
+  const Picture first = scene.Render();
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    EXPECT_EQ(scene.Render(), first);
+    EXPECT_EQ(pass->GetNumberOfGeometryPasses(), 1);
+  }
+  EXPECT_EQ(pass->GetNumberOfWrongGuesses(), 1);
+}
+
+TEST(ErrorBudgetChoices, LinkedListsServeACameraThatJumps)
+{
+  TestScene scene;
+  scene.AddParts();
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  scene.Use(pass);
+  int secondPasses = 0;
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->SetFocalPoint(frame % 2 * 0.7, 0.0, 0.0);
+    scene.Render();
+    secondPasses += pass->GetNumberOfGeometryPasses() > 1 ? 1 : 0;
+  }
+  EXPECT_LT(secondPasses, 12);
+  EXPECT_EQ(pass->GetChosenMethod(), "linked-list");
+}
+
+TEST(ErrorBudgetChoices, MultisampledWindowsTellWhatTheyCannotKeep)
+{
+  TestScene scene(64, 48, 4);
+  scene.AddParts();
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  const JudgedFrame judged = JudgeFrame(scene, pass);
+  EXPECT_NE(pass->GetBudgetProblem().find("errors of up to 1.1"), std::string::npos)
+    << pass->GetBudgetProblem();
+  EXPECT_LE(judged.WorstExcess, Single);
+  pass->SetErrorBudget(1.2 * Step);
+  scene.Render();
+  EXPECT_EQ(pass->GetBudgetProblem(), "");
+}
+
+TEST(ErrorBudgetChoices, BandsOfShortMemoryKeepTheBudget)
+{
+  TestScene scene;
+  AddBudgetScene(scene, 5, 0.3);
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(2.0 * Step);
+  const JudgedFrame whole = JudgeFrame(scene, pass);
+  EXPECT_EQ(pass->GetNumberOfBands(), 1);
+  pass->SetMemoryLimit(pass->GetPoolBytes() / 3);
+  const JudgedFrame inBands = JudgeFrame(scene, pass);
+  EXPECT_GT(pass->GetNumberOfBands(), 1);
+  EXPECT_EQ(inBands.LargestBound, whole.LargestBound);
+  EXPECT_EQ(inBands.LargestError, whole.LargestError);
+}
+
+TEST(ErrorBudgetChoices, AreListedWithReasons)
+{
+  TestScene scene;
+  scene.AddParts();
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  EXPECT_EQ(pass->GetNumberOfPlannedMethods(), 0);
+  EXPECT_EQ(pass->GetPlannedMethod(0), "");
+  EXPECT_EQ(pass->GetBudgetProblem(), "no frame was drawn by this pass");
+  pass->SetErrorBudget(2.0 * Step);
+  scene.Use(pass);
+  scene.Render();
+  ASSERT_EQ(pass->GetNumberOfPlannedMethods(), 4);
+  EXPECT_EQ(pass->GetPlannedMethod(0), pass->GetChosenMethod());
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NE(pass->GetPlannedReason(i), "") << pass->GetPlannedMethod(i);
+    EXPECT_GE(pass->GetPlannedPasses(i), 1.0);
+    EXPECT_GE(pass->GetPlannedBytes(i), 16 * pass->GetNumberOfFragments());
+    EXPECT_GE(pass->GetPlannedError(i), 0.5 * Step);
+  }
+  EXPECT_EQ(pass->GetPlannedMethod(4), "");
+  EXPECT_EQ(pass->GetPlannedMethod(-1), "");
+}
+
+TEST(ErrorBudgetSettings, RefuseWhatNoPictureKeeps)
+{
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  for (const double budget :
+    { 0.0, -1.0, 0.5 * Step, 10.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    pass->SetErrorBudget(budget);
+    const std::vector<std::string> messages = TakeMessages();
+    ASSERT_EQ(messages.size(), 1u) << budget;
+    EXPECT_NE(messages.front().find("ErrorBudget"), std::string::npos) << messages.front();
+    EXPECT_EQ(pass->GetErrorBudget(), Step);
+  }
+}
+
+TEST(ErrorBudgetSettings, BoundsAreKeptOnRequestOnly)
+{
+  TestScene scene;
+  scene.AddParts();
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  vtkNew<vtkImageData> bounds;
+  EXPECT_FALSE(pass->GetErrorBound(bounds));
+  scene.Use(pass);
+  scene.Render();
+  EXPECT_FALSE(pass->GetErrorBound(bounds));
+  EXPECT_FALSE(pass->GetErrorBound(nullptr));
+  pass->KeepErrorBoundsOn();
+  scene.Render();
+  EXPECT_TRUE(pass->GetErrorBound(bounds));
+  EXPECT_EQ(bounds->GetDimensions()[0], 64);
+  EXPECT_EQ(bounds->GetDimensions()[1], 48);
+}
+
+TEST(ErrorBudgetSettings, ReleasesLeaveTheSamePicture)
+{
+  TestScene scene;
+  scene.AddParts();
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(2.0 * Step);
+  pass->KeepErrorBoundsOn();
+  vtkNew<vtkSeeThroughPass> frame;
+  frame->SetTranslucentPass(pass);
+  scene.ExpectTheSameAfterReleases(frame);
+  vtkNew<vtkImageData> bounds;
+  EXPECT_TRUE(pass->GetErrorBound(bounds));
+}
+
+}
