@@ -61,6 +61,7 @@ int Run(int argc, char* argv[])
   program::AddDiffCommand(app);
   program::AddInfoCommand(app);
   program::AddLayersCommand(app);
+  program::AddPlanCommand(app);
   program::AddLightsCommand(app);
   program::AddModelsCommand(app);
   program::AddPaperCommand(app);

@@ -118,7 +118,8 @@ struct VitrineCounters
 /** What is known of the errors of a frame's pixels, std430. */
 struct VitrineErrorBounds
 {
-  uint Largest; // Bits of the largest bound, as a float, among those that are not tolerated; else 0.
+  uint
+    Largest; // Bits of the largest bound, as a float, among those that are not tolerated; else 0.
 };
 
 /** The counters of truth's capture, std430. The number of fragments is Fragments + 2^32 * Wraps. */

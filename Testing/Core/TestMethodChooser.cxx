@@ -31,10 +31,12 @@ FrameFacts FactsOfPasses(int passes)
 TEST(GuaranteedErrors, AreThoseOfRoundingAndStorage)
 {
   // Half a step of the picture, 2^-13 of colours and 2^-12 of alphas.
-  EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, Plain()) / OneStep, 0.5 + 255.0 * 3.0 / 8192.0, 0.01);
+  EXPECT_NEAR(
+    GuaranteedError(StoredColors::HalfFloat, Plain()) / OneStep, 0.5 + 255.0 * 3.0 / 8192.0, 0.01);
   EXPECT_LE(GuaranteedError(StoredColors::HalfFloat, Plain()), vitrine::LeastBudget);
   // Half a level of 405, and a share of 2^-9.
-  EXPECT_NEAR(GuaranteedError(StoredColors::Compact, Plain()) / OneStep, 0.5 + 127.5 / 405.0 + 255.0 / 512.0, 0.06);
+  EXPECT_NEAR(GuaranteedError(StoredColors::Compact, Plain()) / OneStep,
+    0.5 + 127.5 / 405.0 + 255.0 / 512.0, 0.06);
 }
 
 TEST(GuaranteedErrors, GrowWithWhatAddsToThem)
@@ -42,7 +44,8 @@ TEST(GuaranteedErrors, GrowWithWhatAddsToThem)
   const double plain = GuaranteedError(StoredColors::HalfFloat, Plain());
   PictureKind multisampled;
   multisampled.Samples = 4;
-  EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, multisampled) - plain, 0.5 * OneStep, 0.01 * OneStep);
+  EXPECT_NEAR(
+    GuaranteedError(StoredColors::HalfFloat, multisampled) - plain, 0.5 * OneStep, 0.01 * OneStep);
   PictureKind tolerant;
   tolerant.Coincidence = true;
   EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, tolerant) - plain, OneStep / 3.0, 1e-6);

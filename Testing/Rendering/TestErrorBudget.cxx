@@ -48,7 +48,8 @@ struct JudgedFrame
   double LargestError = 0.0;
   double LargestBound = 0.0;
   double WorstExcess = -1.0; // of an error over its pixel's bound
-  std::vector<double> Tightness; // bound over error, of pixels with errors above a quarter of a step
+  std::vector<double>
+    Tightness; // bound over error, of pixels with errors above a quarter of a step
 };
 
 // Draws the scene by truth and by the pass. All figures are in steps.

@@ -33,6 +33,7 @@ void AddInfoCommand(CLI::App& app);
 
 /** `vitrine layers`: all layers of a pixel, with their parts. */
 void AddLayersCommand(CLI::App& app);
+void AddPlanCommand(CLI::App& app);
 
 /** `vitrine lights`: many lights, mode by mode. */
 void AddLightsCommand(CLI::App& app);

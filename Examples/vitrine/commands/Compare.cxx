@@ -1,5 +1,6 @@
 #include "commands/Commands.h"
 
+#include "Errors.h"
 #include "chart/ChartMeasurement.h"
 #include "chart/ChartRecord.h"
 #include "commands/Comparison.h"
@@ -10,6 +11,7 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace program
@@ -25,6 +27,7 @@ struct CompareOptions
   double Orbit = 30.0;
   bool MeasuresStages = false;
   bool WithoutTruth = false;
+  std::optional<std::string> ErrorBudget;
   std::optional<std::string> Coincidence;
   std::optional<std::string> Json;
   std::optional<std::string> Chart;
@@ -38,6 +41,14 @@ ChartRecord BeginChart(const CompareOptions& options, const ComparisonSettings& 
     { "width", settings.Size.Width }, { "height", settings.Size.Height },
     { "frames", settings.Frames } });
   return { *options.Chart, head, "--chart" };
+}
+
+void RequireAutomatic(const std::vector<std::string>& methods)
+{
+  if (std::find(methods.begin(), methods.end(), AutomaticName) == methods.end())
+  {
+    throw InputError("--error", "no method of --methods has a budget: add automatic");
+  }
 }
 
 void Compare(const CompareOptions& options)
@@ -54,6 +65,11 @@ void Compare(const CompareOptions& options)
   settings.MeasuresStages = options.MeasuresStages;
   settings.IsJudged = !options.WithoutTruth;
   settings.Tolerance = ParseCoincidence(options.Coincidence);
+  if (options.ErrorBudget)
+  {
+    settings.ErrorBudget = ParseErrorBudget(*options.ErrorBudget);
+    RequireAutomatic(settings.Methods);
+  }
   const Scene scene = LoadScene(options.Scene);
   settings.Opacity = CommonOpacity(options.Scene.Parts);
   settings.From = ChooseView(options.Scene, scene);
@@ -98,6 +114,7 @@ void AddCompareCommand(CLI::App& app)
     "also time the stages of frames on the device, by timer queries");
   command->add_flag(
     "--without-truth", options->WithoutTruth, "draw no truth, which is slow; errors stay unknown");
+  AddErrorBudgetOption(*command, options->ErrorBudget);
   AddCoincidenceOption(*command, options->Coincidence);
   AddJsonOption(*command, options->Json);
   command

@@ -100,6 +100,10 @@ void ComparisonRun::SetUp()
     contestant.Result.Method = this->Settings.Methods[i];
     std::unique_ptr<Method> drawing = MakeMethod(contestant.Result.Method);
     contestant.Result.Skipped = drawing->SetCoincidence(this->Settings.Tolerance);
+    if (this->Settings.ErrorBudget && contestant.Result.Method == AutomaticName)
+    {
+      contestant.Result.Skipped += drawing->SetErrorBudget(*this->Settings.ErrorBudget);
+    }
     if (this->Settings.MeasuresStages)
     {
       drawing->MeasureStages();
@@ -259,6 +263,34 @@ void ComparisonRun::JudgeByTruth()
 double MethodResult::Median() const
 {
   return program::Median(this->FrameMilliseconds);
+}
+
+std::optional<Regret> RegretOf(const ComparisonResult& comparison)
+{
+  const double budget = comparison.Settings.ErrorBudget.value_or(DefaultErrorBudget);
+  const MethodResult* automatic = nullptr;
+  const MethodResult* fastest = nullptr;
+  for (const MethodResult& result : comparison.Results)
+  {
+    if (!result.Skipped.empty() || result.FrameMilliseconds.empty())
+    {
+      continue;
+    }
+    if (result.Method == AutomaticName)
+    {
+      automatic = &result;
+    }
+    else if (result.Error && result.Error->Max <= budget &&
+      (!fastest || result.Median() < fastest->Median()))
+    {
+      fastest = &result;
+    }
+  }
+  if (!automatic || !fastest)
+  {
+    return std::nullopt;
+  }
+  return Regret{ automatic->Median() / fastest->Median(), fastest->Method };
 }
 
 std::vector<std::pair<std::string, std::vector<double>>> TimesOfStages(const MethodResult& result)

@@ -24,13 +24,14 @@ struct ComparisonSettings
   std::vector<std::string> Methods;
   PictureSize Size;
   int Multisamples = 0;
-  Coincidence Tolerance;       ///< of truth, and of methods that have one
-  double Opacity = 1.0;        ///< multiplied into the scene
-  View From;                   ///< of the first frame
-  int Frames = 9;              ///< timed, of each method
-  double Orbit = 30.0;         ///< degrees from the first frame to the last
-  bool MeasuresStages = false; ///< on the device
-  bool IsJudged = true;        ///< by truth, which is slow
+  std::optional<double> ErrorBudget; ///< of the method automatic
+  Coincidence Tolerance;             ///< of truth, and of methods that have one
+  double Opacity = 1.0;              ///< multiplied into the scene
+  View From;                         ///< of the first frame
+  int Frames = 9;                    ///< timed, of each method
+  double Orbit = 30.0;               ///< degrees from the first frame to the last
+  bool MeasuresStages = false;       ///< on the device
+  bool IsJudged = true;              ///< by truth, which is slow
 };
 
 /** What was measured of one method. */
@@ -63,6 +64,17 @@ struct ComparisonResult
   std::string Advice;                     ///< OpacityAdvice() of the scene
   std::string Unfinished;                 ///< what is being done; empty when all is done
 };
+
+/**
+ * The time of the method automatic over that of the fastest method whose error is within the budget, and that method's
+ * name. Nothing if automatic was not drawn or not judged, or if there is no other method within the budget.
+ */
+struct Regret
+{
+  double Ratio = 1.0;
+  std::string Fastest;
+};
+std::optional<Regret> RegretOf(const ComparisonResult& comparison);
 
 /** Takes what was measured so far. */
 using ComparisonListener = std::function<void(const ComparisonResult&)>;

@@ -7,6 +7,7 @@
 #include "scene/OpacityAdvice.h"
 #include "scene/files/SceneFile.h"
 
+#include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkSection.h"
 
 #include <algorithm>
@@ -265,6 +266,15 @@ void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincid
     ->type_name("STEPS[,SLOPE]");
 }
 
+CLI::Option* AddErrorBudgetOption(CLI::App& command, std::optional<std::string>& budget)
+{
+  return command
+    .add_option("--error", budget,
+      "the greatest error of a channel that is allowed, rounding to 8 bits included: from 0.6/255 "
+      "to 1")
+    ->type_name("E");
+}
+
 void AddJsonOption(CLI::App& command, std::optional<std::string>& file)
 {
   command
@@ -375,6 +385,42 @@ std::array<double, 6> ParseSectionBox(const std::string& text)
       "'" + text + "' is not XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX, each MIN below its MAX");
   }
   return box;
+}
+
+double ParseErrorBudget(const std::string& text)
+{
+  const std::size_t slash = text.find('/');
+  const std::vector<double> above = ParseNumbers(text.substr(0, slash));
+  const std::vector<double> below =
+    slash == std::string::npos ? std::vector<double>{ 1.0 } : ParseNumbers(text.substr(slash + 1));
+  if (above.size() != 1 || below.size() != 1 || below[0] == 0.0)
+  {
+    throw InputError("--error", "'" + text + "' is not a number such as 0.01 or 2/255");
+  }
+  const double budget = above[0] / below[0];
+  // The text 0.6/255 may be a rounding below the least budget.
+  const double least = vtkErrorBudgetTransparencyPass::GetLeastBudget();
+  if (!(budget > least - 1e-12 && budget <= 1.0))
+  {
+    throw InputError("--error",
+      "'" + text +
+        "' is out of range: a budget is from 0.6/255 to 1, since rounding to 8 bits alone makes an "
+        "error of 0.5/255");
+  }
+  return std::max(budget, least);
+}
+
+std::unique_ptr<Method> MakeMethod(
+  const std::optional<std::string>& name, const std::optional<std::string>& budget)
+{
+  std::unique_ptr<Method> method =
+    MakeMethod(name.value_or(budget ? AutomaticName : "linked-list"));
+  const std::string problem = budget ? method->SetErrorBudget(ParseErrorBudget(*budget)) : "";
+  if (!problem.empty())
+  {
+    throw InputError("--error", "not by method '" + *name + "': " + problem);
+  }
+  return method;
 }
 
 Coincidence ParseCoincidence(const std::optional<std::string>& text)

@@ -4,6 +4,7 @@
 #ifndef VITRINE_OPTIONS_H
 #define VITRINE_OPTIONS_H
 
+#include "methods/Method.h"
 #include "methods/Stage.h"
 #include "scene/PartChoices.h"
 #include "scene/Scene.h"
@@ -71,6 +72,9 @@ void AddScalarBarOption(CLI::App& command, SceneOptions& options);
 /** Add --coincidence. */
 void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincidence);
 
+/** Add --error. */
+CLI::Option* AddErrorBudgetOption(CLI::App& command, std::optional<std::string>& budget);
+
 /** Add --json FILE. */
 void AddJsonOption(CLI::App& command, std::optional<std::string>& file);
 
@@ -112,6 +116,16 @@ std::array<double, 6> ParseSectionBox(const std::string& text);
 
 /** "STEPS[,SLOPE]", or no tolerance. Throws InputError for anything else. */
 Coincidence ParseCoincidence(const std::optional<std::string>& text);
+
+/** "E" or "A/B", a budget that pictures of 8 bits can keep. Throws InputError for anything else. */
+double ParseErrorBudget(const std::string& text);
+
+/**
+ * Make the method of a command that draws by one: automatic if there is a budget and no method, linked-list if there is
+ * neither. Throws InputError for a method without a budget, and for what MakeMethod() refuses.
+ */
+std::unique_ptr<Method> MakeMethod(
+  const std::optional<std::string>& name, const std::optional<std::string>& budget);
 
 /** Read or generate all inputs into one scene, with the opacity multiplied in. */
 Scene LoadScene(const SceneOptions& options);

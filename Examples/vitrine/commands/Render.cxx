@@ -19,7 +19,8 @@ struct RenderOptions
 {
   SceneOptions Scene;
   std::string Output;
-  std::string Method = "linked-list";
+  std::optional<std::string> Method;
+  std::optional<std::string> ErrorBudget;
   std::optional<std::string> Coincidence;
 };
 
@@ -30,11 +31,11 @@ void Render(const RenderOptions& options)
   CheckPicturePath(options.Output);
   CheckIsNoInput(options.Output, options.Scene.Inputs);
   const PictureSize size = ParseSize(options.Scene.Size);
-  std::unique_ptr<Method> method = MakeMethod(options.Method);
+  std::unique_ptr<Method> method = MakeMethod(options.Method, options.ErrorBudget);
   const std::string problem = method->SetCoincidence(ParseCoincidence(options.Coincidence));
   if (!problem.empty())
   {
-    throw InputError("--coincidence", "not by method '" + options.Method + "': " + problem);
+    throw InputError("--coincidence", "not by method '" + *options.Method + "': " + problem);
   }
   progress.Show("reading the scene");
   const Scene scene = LoadScene(options.Scene);
@@ -56,9 +57,11 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output, "the picture")
     ->type_name("FILE.png")
     ->required();
-  command->add_option("--method", options->Method, "how translucent geometry is drawn")
-    ->type_name("M")
-    ->capture_default_str();
+  command
+    ->add_option("--method", options->Method,
+      "how translucent geometry is drawn; linked-list, or automatic with --error")
+    ->type_name("M");
+  AddErrorBudgetOption(*command, options->ErrorBudget);
   AddCoincidenceOption(*command, options->Coincidence);
   command->footer("Methods:\n" + DescribeMethods());
   command->callback([options] { Render(*options); });

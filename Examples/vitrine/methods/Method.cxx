@@ -42,7 +42,8 @@ const std::vector<Entry>& Entries()
       [] { return MakeVTKPeeling(ExamplePeels); } },
     { "vtk-peeling", "vtkDualDepthPeelingPass with as many peels as it takes", false,
       [] { return MakeVTKPeeling(AnyNumberOfPeels); } },
-    { "automatic", "the cheapest of the lists that keeps the error budget of --error; exact", true, nullptr },
+    { AutomaticName, "the cheapest of the lists that keeps the error budget of --error; exact",
+      true, MakeAutomatic },
     { "linked-list", "A-buffer of linked lists; exact", true, nullptr },
     { "linked-list-compact", "the same with two thirds of the memory; exact", true,
       [] { return MakeLinkedList(Lists::COMPACT); } },
@@ -173,6 +174,11 @@ std::vector<std::string> ExpandGroup(const std::string& name)
 std::string Method::SetCoincidence(const Coincidence& coincidence)
 {
   return coincidence.IsOn() ? "it has no tolerance within which fragments coincide" : "";
+}
+
+std::string Method::SetErrorBudget(double)
+{
+  return "only the method automatic has an error budget";
 }
 
 std::unique_ptr<Method> MakeMethod(const std::string& name)

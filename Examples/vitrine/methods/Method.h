@@ -33,7 +33,9 @@ struct MethodStatistics
   std::optional<double> LayersMean;
   std::optional<std::int64_t> GeometryPasses;
   std::optional<std::int64_t> Bytes;
-  StageTimes Stages; ///< empty unless they are measured
+  std::optional<std::string> Chosen;     ///< the method that one with an error budget chose
+  std::optional<double> GuaranteedError; ///< the largest error that the frame can have
+  StageTimes Stages;                     ///< empty unless they are measured
 };
 
 /** The tolerance within which fragments coincide; see vtkTolerantTransparencyPass::SetCoincidenceSteps(). */
@@ -60,6 +62,9 @@ public:
    */
   [[nodiscard]] virtual std::string SetCoincidence(const Coincidence& coincidence);
 
+  /** Set the error budget, a channel's in [0, 1]. Returns why the method cannot have one, or an empty string. */
+  [[nodiscard]] virtual std::string SetErrorBudget(double budget);
+
   /** How many lights of a scene it draws. */
   virtual std::size_t MostLights() const { return MostLightsOfVTK; }
 
@@ -72,6 +77,10 @@ public:
   /** Why the last frame was not drawn by this method; empty if it was. */
   virtual std::string WhyNotRun() const { return ""; }
 };
+
+/** The method that has an error budget, and the budget that it has by default. */
+inline constexpr const char* AutomaticName = "automatic";
+inline constexpr double DefaultErrorBudget = 1.0 / 255.0;
 
 /** Make the method of that name. Throws InputError that lists the known ones. */
 std::unique_ptr<Method> MakeMethod(const std::string& name);

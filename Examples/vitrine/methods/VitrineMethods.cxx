@@ -1,5 +1,6 @@
 #include "methods/VitrineMethods.h"
 
+#include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkPrefixSumTransparencyPass.h"
@@ -71,6 +72,39 @@ MethodStatistics VitrineMethod::Statistics() const
 std::string VitrineMethod::WhyNotRun() const
 {
   return this->Pass->GetFallbackReason();
+}
+
+AutomaticMethod::AutomaticMethod(vtkSmartPointer<vtkErrorBudgetTransparencyPass> pass)
+  : VitrineMethod(pass)
+{
+}
+
+std::string AutomaticMethod::SetErrorBudget(double budget)
+{
+  this->GetBudgetPass()->SetErrorBudget(budget);
+  return "";
+}
+
+MethodStatistics AutomaticMethod::Statistics() const
+{
+  MethodStatistics statistics = this->VitrineMethod::Statistics();
+  vtkErrorBudgetTransparencyPass* const pass = this->GetBudgetPass();
+  if (!pass->GetChosenMethod().empty())
+  {
+    statistics.Chosen = pass->GetChosenMethod();
+    statistics.GuaranteedError = pass->GetGuaranteedError();
+  }
+  return statistics;
+}
+
+vtkErrorBudgetTransparencyPass* AutomaticMethod::GetBudgetPass() const
+{
+  return static_cast<vtkErrorBudgetTransparencyPass*>(this->GetPass());
+}
+
+std::unique_ptr<Method> MakeAutomatic()
+{
+  return std::make_unique<AutomaticMethod>(vtkSmartPointer<vtkErrorBudgetTransparencyPass>::New());
 }
 
 std::unique_ptr<Method> MakeByDefault(const std::string& name)

@@ -10,6 +10,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTransparencyPass.h"
 
+class vtkErrorBudgetTransparencyPass;
+
 namespace program
 {
 
@@ -25,10 +27,27 @@ public:
   MethodStatistics Statistics() const override;
   std::string WhyNotRun() const override;
 
+protected:
+  vtkTransparencyPass* GetPass() const { return this->Pass; }
+
 private:
   vtkSmartPointer<vtkTransparencyPass> Pass;
   vtkSmartPointer<TimedPass> Opaque; ///< null unless stages are measured
 };
+
+/** The method that chooses by an error budget. */
+class AutomaticMethod : public VitrineMethod
+{
+public:
+  explicit AutomaticMethod(vtkSmartPointer<vtkErrorBudgetTransparencyPass> pass);
+
+  std::string SetErrorBudget(double budget) override;
+  MethodStatistics Statistics() const override;
+
+  vtkErrorBudgetTransparencyPass* GetBudgetPass() const;
+};
+
+std::unique_ptr<Method> MakeAutomatic();
 
 /** The module's method of this name (vtkTransparencyPass::GetMethods()) with its default settings. */
 std::unique_ptr<Method> MakeByDefault(const std::string& name);

@@ -9,6 +9,10 @@ Json ToJson(const ComparisonSettings& settings)
     { "view", { settings.From.Azimuth, settings.From.Elevation, settings.From.Zoom } },
     { "orbit", settings.Orbit }, { "multisamples", settings.Multisamples } };
   AddCoincidence(json, settings.Tolerance);
+  if (settings.ErrorBudget)
+  {
+    json["error_budget"] = *settings.ErrorBudget;
+  }
   return json;
 }
 
@@ -52,6 +56,13 @@ Json ToJsonRow(const ComparisonResult& comparison, const MethodResult& result)
   row["layers_mean"] = OrNull(result.Statistics.LayersMean);
   row["geometry_passes"] = OrNull(result.Statistics.GeometryPasses);
   row["bytes"] = OrNull(result.Statistics.Bytes);
+  if (result.Statistics.Chosen)
+  {
+    row["chosen"] = *result.Statistics.Chosen;
+    row["guaranteed_error"] = OrNull(result.Statistics.GuaranteedError);
+    const std::optional<Regret> regret = RegretOf(comparison);
+    row["regret"] = regret ? Json(regret->Ratio) : Json(nullptr);
+  }
   row["error"] = result.Error ? ErrorJson(*result.Error) : Json(nullptr);
   row["deterministic"] = result.IsDeterministic;
   return row;

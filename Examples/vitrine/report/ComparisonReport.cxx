@@ -78,6 +78,26 @@ std::string StageTable(const ComparisonResult& comparison)
   return "\n" + AlignColumns(rows);
 }
 
+/** What the method automatic chose, and what that cost. */
+std::string AutomaticLine(const ComparisonResult& comparison)
+{
+  std::string line;
+  for (const MethodResult& result : comparison.Results)
+  {
+    if (result.Statistics.Chosen)
+    {
+      line = result.Method + " chose " + *result.Statistics.Chosen;
+    }
+  }
+  const std::optional<Regret> regret = RegretOf(comparison);
+  if (!line.empty() && regret)
+  {
+    line += ", " + FormatCell("%.2f", regret->Ratio) + " times the time of " + regret->Fastest +
+      ", the fastest within the budget";
+  }
+  return line.empty() ? "" : line + "\n";
+}
+
 double FirstMedian(const ComparisonResult& comparison)
 {
   for (const MethodResult& result : comparison.Results)
@@ -102,7 +122,7 @@ std::string ToTable(const ComparisonResult& comparison)
   const PictureSize size = comparison.Settings.Size;
   return comparison.Scene + ", " + std::to_string(size.Width) + "x" + std::to_string(size.Height) +
     ", " + comparison.GL.Renderer + "\n" + AlignColumns(rows) + StageTable(comparison) +
-    (comparison.Advice.empty() ? "" : comparison.Advice + "\n");
+    AutomaticLine(comparison) + (comparison.Advice.empty() ? "" : comparison.Advice + "\n");
 }
 
 std::string ToJson(const ComparisonResult& comparison)

@@ -38,8 +38,7 @@ double GuaranteedError(StoredColors colors, const PictureKind& kind)
   {
     return std::numeric_limits<double>::infinity();
   }
-  const double stored =
-    StorageError(colors, kind) + (kind.Coincidence ? QuadratureError : 0.0);
+  const double stored = StorageError(colors, kind) + (kind.Coincidence ? QuadratureError : 0.0);
   return RoundingOfPicture(kind) + stored * (kind.EncodesSRGB ? SteepestOfSRGB : 1.0);
 }
 

@@ -157,8 +157,8 @@ std::string MethodChooser::ReasonOf(const FrameChoice& candidate, const FrameCho
     return "links take memory and time, and predicted room suffices";
   }
   return !CanKeep(budget, kind) ? "nothing keeps the budget here; this is the nearest to it"
-    : candidate.IsChecked ? "the cheapest that keeps " + InSteps(budget) +
-        "; the bound of each pixel is checked in each frame"
+    : candidate.IsChecked       ? "the cheapest that keeps " + InSteps(budget) +
+      "; the bound of each pixel is checked in each frame"
                           : "the cheapest that keeps " + InSteps(budget) + " for all pixels";
 }
 

@@ -44,7 +44,8 @@ struct FrameChoice
 {
   bool IsPacked = true; ///< Packed lists with predicted room; else linked lists.
   StoredColors Colors = StoredColors::HalfFloat;
-  bool IsChecked = false; ///< Pixels have their errors bounded, and a larger bound than the budget draws again.
+  bool IsChecked =
+    false; ///< Pixels have their errors bounded, and a larger bound than the budget draws again.
 
   bool operator==(const FrameChoice& other) const
   {
@@ -69,9 +70,9 @@ struct FrameFacts
 struct PlannedMethod
 {
   std::string Method;
-  double Error = 0.0;       ///< The largest that it can have, see GuaranteedError().
-  double Passes = 1.0;      ///< Geometry passes a frame, as expected from the frames so far.
-  std::int64_t Bytes = 0;   ///< Bytes of fragments that are written and read a frame, as expected.
+  double Error = 0.0;     ///< The largest that it can have, see GuaranteedError().
+  double Passes = 1.0;    ///< Geometry passes a frame, as expected from the frames so far.
+  std::int64_t Bytes = 0; ///< Bytes of fragments that are written and read a frame, as expected.
   bool IsChosen = false;
   std::string Reason;
 };

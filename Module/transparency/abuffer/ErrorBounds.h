@@ -50,7 +50,7 @@ public:
 private:
   double Tolerated = 1.0;
   bool KeepsPixels = false;
-  int Row = 0; // Pixels of a row, or 0 if the bounds of the last frame's pixels are not kept.
+  int Row = 0;    // Pixels of a row, or 0 if the bounds of the last frame's pixels are not kept.
   Buffer Largest; // VitrineErrorBounds
   Buffer Pixels;
 };

@@ -173,7 +173,10 @@ protected:
   /**
    * Get what takes the bounds of errors that the resolve of the next frame writes. Null, the default, means none.
    */
-  virtual vitrine::ErrorBounds* GetErrorBounds() { return nullptr; }
+  virtual vitrine::ErrorBounds* GetErrorBounds()
+  {
+    return nullptr;
+  }
 
   /**
    * Put back what stood in the target before the frame was resolved.

@@ -26,8 +26,8 @@ struct vtkErrorBudgetTransparencyPass::Choice
   vitrine::FrameChoice Frame;
   vitrine::PictureKind Kind;
   vitrine::ErrorBounds Bounds;
-  bool HasFrame = false;    // The last frame was drawn by this pass.
-  bool HasPixels = false;   // The bounds of its pixels were kept.
+  bool HasFrame = false;  // The last frame was drawn by this pass.
+  bool HasPixels = false; // The bounds of its pixels were kept.
   int FrameSize[2] = {};
   std::vector<vitrine::PlannedMethod> Plan;
 
@@ -71,8 +71,23 @@ void vtkErrorBudgetTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkErrorBudgetTransparencyPass::SetErrorBudget(double budget)
 {
-  vitrine::SetInRange(
-    this, "ErrorBudget", this->ErrorBudget, budget, { vitrine::LeastBudget, 1.0 });
+  if (!(budget >= vitrine::LeastBudget && budget <= 1.0))
+  {
+    vtkErrorMacro("ErrorBudget cannot be "
+      << vitrine::NumberText(budget)
+      << ". The range is 0.6/255 to 1: rounding to 8 bits alone makes an error of 0.5/255");
+  }
+  else if (budget != this->ErrorBudget)
+  {
+    this->ErrorBudget = budget;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkErrorBudgetTransparencyPass::GetLeastBudget()
+{
+  return vitrine::LeastBudget;
 }
 
 //------------------------------------------------------------------------------
@@ -107,8 +122,8 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
 {
   Choice& chosen = *this->Chosen;
   chosen.HasFrame = false;
-  chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples,
-    this->HasAdditiveFragments(), this->GetTolerance().IsOn() };
+  chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples, this->HasAdditiveFragments(),
+    this->GetTolerance().IsOn() };
   this->TakeChoice();
   std::string problem = this->Superclass::RenderFragments(s, target);
   const int passes = this->NumberOfGeometryPasses;

@@ -62,6 +62,11 @@ public:
   vtkGetMacro(ErrorBudget, double);
   ///@}
 
+  /**
+   * Get the least budget that can be set, 0.6 / 255.
+   */
+  static double GetLeastBudget();
+
   ///@{
   /**
    * Set/Get whether the bounds of all pixels of a frame are kept for GetErrorBound(). The default is false.
