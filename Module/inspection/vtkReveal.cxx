@@ -1,6 +1,7 @@
 #include "vtkReveal.h"
 
 #include "inspection/RevealWork.h"
+#include "scene/FrameOrder.h"
 #include "scene/SceneTime.h"
 #include "scene/Settings.h"
 
@@ -128,9 +129,8 @@ void vtkReveal::SetFollowCamera(bool follow)
   }
   if (follow && in.Renderer)
   {
-    // Before sections, which take planes as they are when a frame starts.
-    in.FrameObservers = { in.Renderer->AddObserver(
-                            vtkCommand::StartEvent, this, &vtkReveal::BeforeFrame, 1.0f),
+    in.FrameObservers = { in.Renderer->AddObserver(vtkCommand::StartEvent, this,
+                            &vtkReveal::BeforeFrame, vitrine::FollowsCamera),
       in.Renderer->AddObserver(vtkCommand::EndEvent, this, &vtkReveal::AfterFrame) };
   }
   if (follow != this->FollowCamera)

@@ -1,6 +1,7 @@
 #include "scene/FrameObserver.h"
 
 #include "scene/CaptureEvents.h"
+#include "scene/FrameOrder.h"
 
 #include "vtkRenderer.h"
 
@@ -15,7 +16,7 @@ void FrameObserver::Watch(vtkRenderer* renderer, vtkObject* owner)
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
          static_cast<unsigned long>(vtkCommand::EndEvent), CaptureStartEvent, CaptureEndEvent })
   {
-    this->Observers.push_back(renderer->AddObserver(event, this));
+    this->Observers.push_back(renderer->AddObserver(event, this, SetsLooks));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "scene/CaptureEvents.h"
 #include "scene/CutProps.h"
+#include "scene/FrameOrder.h"
 #include "scene/ListedPass.h"
 #include "scene/SceneTime.h"
 #include "scene/Settings.h"
@@ -495,7 +496,7 @@ void vtkSection::Attach(vtkRenderer* renderer)
          static_cast<unsigned long>(vtkCommand::EndEvent), vitrine::CaptureStartEvent,
          vitrine::CaptureEndEvent, AskForSection })
   {
-    in.Observers.push_back(renderer->AddObserver(event, observer));
+    in.Observers.push_back(renderer->AddObserver(event, observer, vitrine::ReadsLooks));
   }
 }
 

@@ -3,10 +3,14 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkIdList.h"
+#include "vtkLinkedListTransparencyPass.h"
+#include "vtkPartXRay.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -105,6 +109,51 @@ TEST(SectionPicture, HasStripesWherePartsInterfere)
   EXPECT_TRUE(Matches(scene.Render(),
     SectionScene::PictureOf(
       { { { 8, 8, 28, 24 }, OtherColor }, { SectionScene::CubeBox, CubeColor } })));
+}
+
+/**
+ * Draws frames of a cube with a cap and an x-ray before white: the first ones, and after changes. The cube is so dark
+ * that it is black where its cap is opaque, and a step brighter where it is as translucent as opaque parts of x-rays.
+ */
+std::vector<Picture> FramesWithXRay(bool isXRayFirst)
+{
+  SectionScene scene;
+  scene.Renderer->SetBackground(1.0, 1.0, 1.0);
+  const double dark = 0.45 / 255.0;
+  scene.Cube->GetProperty()->SetColor(dark, dark, dark);
+  vtkNew<vtkLinkedListTransparencyPass> pass;
+  scene.Use(pass);
+  vtkNew<vtkPartXRay> xray;
+  xray->AddPart(scene.Cube);
+  xray->SetFloor(0.0);
+  if (isXRayFirst)
+  {
+    scene.Section->Detach();
+  }
+  xray->Attach(scene.Renderer);
+  if (isXRayFirst)
+  {
+    scene.Section->Attach(scene.Renderer);
+  }
+  std::vector<Picture> frames = { scene.Render(), scene.Render() };
+  xray->RemoveAllParts();
+  frames.push_back(scene.Render());
+  xray->AddPart(scene.Cube);
+  scene.Plane->SetOrigin(0.0, 0.0, -0.25);
+  frames.push_back(scene.Render());
+  return frames;
+}
+
+TEST(SectionPicture, HasCapsOfXRaysThatWereAttachedBeforeOrLater)
+{
+  const std::vector<Picture> before = FramesWithXRay(true);
+  const std::vector<Picture> later = FramesWithXRay(false);
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    SCOPED_TRACE("frame " + std::to_string(i));
+    EXPECT_TRUE(Matches(later[i], before[i]));
+    EXPECT_EQ(before[i].At(10, 10)[0], i == 2 ? 0.0 : 1.0 / 255.0); // 2 has no x-ray
+  }
 }
 
 // The window may be finalized, and the renderer may go to another window, where names of objects are others'.

@@ -18,8 +18,8 @@ from ._table import PartTable, rgb
 _STAGES = ("parts", "explode", "x_ray", "cuts", "reveal", "highlight")
 # The keys of a state that a stage shows, if not its own name.
 _KEYS = {"cuts": ("sections", "box", "caps"), "highlight": ("highlight", "selected")}
-# The stages during whose changes a stage must be off. Caps take their looks from x-rays that are there before them.
-_UPON = {"x_ray": {"parts"}, "cuts": {"x_ray"}, "reveal": {"parts", "explode", "cuts", "x_ray"}}
+# The stages during whose changes a stage must be off.
+_UPON = {"x_ray": {"parts"}, "reveal": {"parts", "explode", "cuts", "x_ray"}}
 
 
 class Shown:
@@ -52,7 +52,7 @@ class Shown:
     def _show(self, before: State, state: State, stages: list[str]) -> None:
         self._show_surroundings(before, state)
         for stage in reversed(stages):
-            if stage != "cuts" or "x_ray" in stages or not self._cuts_can_move(before, state):
+            if stage != "cuts" or not self._cuts_can_move(before, state):
                 self._take_off(stage)
         if "parts" in stages:
             self._show_looks(before.get("parts", {}), state["parts"])
