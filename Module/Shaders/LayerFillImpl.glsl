@@ -19,5 +19,6 @@
       vitrineLayers[vitrineAt].Coverage = vitrineSamples;
       vitrineLayers[vitrineAt].Part = vitrinePartAndSide;
       vitrineLayers[vitrineAt].Kind = uint(vitrineLayerKind);
+      vitrineLayers[vitrineAt].Primitive = uint(gl_PrimitiveID);
     }
   }

@@ -77,6 +77,7 @@ void store(uint pixel, uint index)
     layers[at].Coverage = nodeCoverage(node);
     layers[at].Part = texelFetch(parts, int(index)).x;
     layers[at].Kind = uint(VITRINE_TESTED_LAYER);
+    layers[at].Primitive = 0u;
 #ifdef VITRINE_ADDITIVE
     layers[at].Kind |= color.a > 0.0 ? 0u : uint(VITRINE_ADDED_LAYER);
 #endif

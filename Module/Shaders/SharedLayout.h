@@ -164,6 +164,8 @@ struct VitrineLayerFragment
   uint Coverage; // Bit s is set if sample s is covered.
   uint Part;     // VITRINE_BACK_FACE may be set.
   uint Kind;
+  uint
+    Primitive; // The place of its primitive in the draw call, which counts among opaque fragments.
 };
 
 /**
@@ -246,7 +248,7 @@ static_assert(sizeof(VitrineLightList) == 8, "a texel of two words");
 static_assert(sizeof(VitrineMaterial) == 16 * VITRINE_MATERIAL_TEXELS, "texels of four floats");
 static_assert(sizeof(VitrineCapturedFragment) == 32, "std430 layout");
 static_assert(offsetof(VitrineCapturedFragment, Coverage) == 24, "std430 layout");
-static_assert(sizeof(VitrineLayerFragment) == 36, "std430 layout");
+static_assert(sizeof(VitrineLayerFragment) == 40, "std430 layout");
 static_assert(sizeof(VitrineCaptureCounters) == 8, "std430 layout");
 static_assert(sizeof(VitrineCounters) == 52 + 64 * VITRINE_SUB_POOLS, "std430 layout");
 static_assert(offsetof(VitrineCounters, PagesLow) == 12, "std430 layout");

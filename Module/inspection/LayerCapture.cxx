@@ -7,6 +7,7 @@
 #include "gl/StateRecord.h"
 #include "scene/CaptureEvents.h"
 #include "scene/ScopedRenderTime.h"
+#include "shader/ShaderTags.h"
 #include "shader/ShaderText.h"
 #include "transparency/common/FillExtensions.h"
 #include "transparency/common/FillShader.h"
@@ -30,6 +31,8 @@ static_assert(offsetof(LayerFragment, Rgba) == offsetof(VitrineLayerFragment, Re
 static_assert(
   offsetof(LayerFragment, Coverage) == offsetof(VitrineLayerFragment, Coverage), "layout");
 static_assert(offsetof(LayerFragment, Kind) == offsetof(VitrineLayerFragment, Kind), "layout");
+static_assert(
+  offsetof(LayerFragment, Primitive) == offsetof(VitrineLayerFragment, Primitive), "layout");
 static_assert(LayerFragment::Opaque == VITRINE_OPAQUE_LAYER, "layout");
 static_assert(LayerFragment::Added == VITRINE_ADDED_LAYER, "layout");
 static_assert(LayerFragment::Tested == VITRINE_TESTED_LAYER, "layout");
@@ -290,6 +293,8 @@ bool LayerCapture::PostReplaceShaderValues(std::string& vertexShader, std::strin
   {
     fill.Defines.emplace_back("VITRINE_WRITES_DEPTH");
   }
+  // VTK's own names primitives only where it needs them, and fragment shaders are told nothing then.
+  InsertBeforeEach(geometryShader, "EmitVertex();", "gl_PrimitiveID = gl_PrimitiveIDIn; ");
   std::string problem = PartShader::Join(vertexShader, geometryShader, fragmentShader, mapper);
   if (problem.empty())
   {

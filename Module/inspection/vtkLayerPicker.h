@@ -29,9 +29,9 @@
  * layers come from the lists of its last frame. Otherwise, and for all opaque layers, the props under the pixels are
  * drawn once more. The picture, OpenGL's state and the statistics of the passes stay as they are.
  *
- * Layers of equal depth have the order of the exact methods: by alpha, blue, green, red. Tolerances for coincidence
- * are not regarded. In multisampled windows a layer has the depth of one place in the pixel, and shares are means over
- * the pixel's samples.
+ * Layers of equal depth have the order of the exact methods: by alpha, blue, green, red. Of opaque ones, that which was
+ * drawn last is in front, as in the depth test. Tolerances for coincidence are not regarded. In multisampled windows a
+ * layer has the depth of one place in the pixel, and shares are means over the pixel's samples.
  *
  * Pixels are display coordinates: whole numbers from the window's lower left corner.
  *

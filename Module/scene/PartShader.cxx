@@ -73,16 +73,6 @@ bool InsertBefore(std::string& shader, const std::string& place, const std::stri
   return true;
 }
 
-/** Inserts `text` before each `place` in the shader. */
-void InsertBeforeEach(std::string& shader, const std::string& place, const std::string& text)
-{
-  for (std::size_t at = shader.find(place); at != std::string::npos;
-       at = shader.find(place, at + text.size() + place.size()))
-  {
-    shader.insert(at, text);
-  }
-}
-
 const std::string Main = "void main";
 }
 

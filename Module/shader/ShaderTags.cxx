@@ -16,4 +16,13 @@ std::string ReplaceTag(std::string& source, const std::string& tag, const std::s
     : "the shader has the tag " + tag + " more than once";
 }
 
+void InsertBeforeEach(std::string& shader, const std::string& place, const std::string& text)
+{
+  for (std::size_t at = shader.find(place); at != std::string::npos;
+       at = shader.find(place, at + text.size() + place.size()))
+  {
+    shader.insert(at, text);
+  }
+}
+
 }

@@ -13,6 +13,9 @@ namespace vitrine
  */
 std::string ReplaceTag(std::string& source, const std::string& tag, const std::string& text);
 
+/** Insert `text` before each `place` in the shader. */
+void InsertBeforeEach(std::string& shader, const std::string& place, const std::string& text);
+
 }
 
 #endif

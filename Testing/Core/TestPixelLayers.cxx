@@ -19,7 +19,7 @@ using vitrine::SortLayers;
 LayerFragment LayerOf(float depth, float alpha, std::uint32_t part, std::uint32_t kind = 0,
   std::uint32_t coverage = 1, std::uint32_t pixel = 0)
 {
-  return { pixel, depth, { 0.5f, 0.5f, 0.5f, alpha }, coverage, part, kind };
+  return { pixel, depth, { 0.5f, 0.5f, 0.5f, alpha }, coverage, part, kind, 0 };
 }
 
 std::vector<std::uint32_t> PartsInOrder(
@@ -74,13 +74,16 @@ TEST(PixelLayers, ThatAreOpaqueAndOfEqualDepthAreInTheOrderOfDrawing)
   const std::uint32_t later = LayerFragment::Opaque | 1u << LayerFragment::FirstDrawBit;
   std::vector<LayerFragment> fragments = { LayerOf(0.5f, 1.0f, 8, LayerFragment::Opaque),
     LayerOf(0.5f, 1.0f, 9 | LayerFragment::BackFace, LayerFragment::Opaque),
-    LayerOf(0.5f, 1.0f, 3, later) };
+    LayerOf(0.5f, 1.0f, 3, later), LayerOf(0.5f, 1.0f, 3 | LayerFragment::BackFace, later) };
+  fragments[2].Primitive = 1;
+  fragments[2].Rgba[0] = 1.0f; // colours do not count
   std::mt19937 random(7);
   for (int i = 0; i < 10; ++i)
   {
     std::shuffle(fragments.begin(), fragments.end(), random);
     EXPECT_EQ(PartsInOrder(fragments, SortLayers(fragments, 1, 1, true)),
-      (std::vector<std::uint32_t>{ 3, 9 | LayerFragment::BackFace, 8 }));
+      (std::vector<std::uint32_t>{
+        3, 3 | LayerFragment::BackFace, 9 | LayerFragment::BackFace, 8 }));
   }
 }
 

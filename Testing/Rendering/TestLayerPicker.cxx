@@ -308,6 +308,29 @@ TEST(LayersOfProps, AgreeWithClippingAndCulling)
     { plates.All[0], plates.All[1], plates.All[2], plates.All[3], plates.All[4] });
 }
 
+// Of opaque faces in one plane that with the last triangle is in front, also where a geometry shader draws edges.
+TEST(LayersOfProps, OfEqualDepthAreInTheOrderOfTriangles)
+{
+  const std::vector<Rgba> colors = { { 1.0, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 1.0 },
+    { 0.0, 0.0, 1.0, 1.0 }, { 1.0, 1.0, 0.0, 1.0 } };
+  for (const bool edges : { false, true })
+  {
+    SCOPED_TRACE(edges);
+    for (const std::uint64_t seed : { 1, 2, 3, 4 })
+    {
+      TestScene scene(Width, Height);
+      vtkActor* const actor = scene.AddPlates(colors, { 0.0, 0.0, 0.0, 0.0 }, seed);
+      actor->ForceTranslucentOff();
+      actor->GetProperty()->SetEdgeVisibility(edges);
+      const Rgba seen = scene.Render().At(9, 5);
+      vtkNew<vtkLayerPicker> picker;
+      ASSERT_EQ(LayersAt(picker, scene.Renderer, 9, 5, true).size(), colors.size());
+      const double* const first = picker->GetColor(0);
+      ExpectColor({ first[0], first[1], first[2], seen[3] }, seen, 0.5);
+    }
+  }
+}
+
 /** What a pick may not change. */
 std::vector<GLint> StateOfGL()
 {

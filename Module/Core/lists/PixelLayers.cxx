@@ -57,7 +57,7 @@ public:
     const auto drawnOf = [](const LayerFragment& f)
     {
       return std::make_tuple(
-        f.Kind >> LayerFragment::FirstDrawBit, f.Part & ~LayerFragment::BackFace);
+        f.Kind >> LayerFragment::FirstDrawBit, f.Part & ~LayerFragment::BackFace, f.Primitive);
     };
     if (areOpaque && drawnOf(a) != drawnOf(b))
     {

@@ -28,6 +28,8 @@ struct LayerFragment
   std::uint32_t Coverage; ///< Bit s is set if sample s is covered.
   std::uint32_t Part;     ///< Number of the part; BackFace may be set.
   std::uint32_t Kind;
+  std::uint32_t
+    Primitive; ///< Place of its primitive in the draw call, which counts if it is opaque.
 };
 
 /** A fragment in its pixel's order. */
@@ -52,8 +54,8 @@ struct PixelLayers
  * Among equal depths the rule of the exact methods holds: by alpha, blue, green and red, as 16-bit floats; then by
  * part. Translucent fragments are in front of opaque ones of equal depth, since the depth test lets them pass. Of
  * opaque ones, that of the prop that was drawn later is in front, as in the depth test. Within a prop it is the part
- * with the larger number, since blocks are drawn in their order, and within a part the rule of colours holds. The order
- * of fragments never counts. Tested fragments are in front of opaque ones at any depth. A depth of NaN counts as 0, as
+ * with the larger number, since blocks are drawn in their order, and within a part the later primitive. The order of
+ * fragments never counts. Tested fragments are in front of opaque ones at any depth. A depth of NaN counts as 0, as
  * in the methods.
  *
  * @param pixels      the number of pixels; fragments of others are ignored
