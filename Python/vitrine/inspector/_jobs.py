@@ -9,7 +9,7 @@ import threading
 from typing import Any, Callable, Coroutine, Iterator
 
 from ..explore import export_explorable
-from . import _output, _pictures, _requests, _state
+from . import _output, _requests, _state
 from ._session import Session
 from ._worker import Worker
 
@@ -121,7 +121,7 @@ class Jobs:
     async def _heat_map(self, session: Session, show: Callable[..., None]) -> dict[str, Any]:
         def drawn() -> bytes:
             session.pictures.settle()
-            return _pictures.download(session.inspection.heat_map())
+            return _output.png(session.inspection.heat_map())
 
         return {"type": "image/png", "data": await self._worker(drawn)}
 
@@ -137,7 +137,7 @@ class Jobs:
 
         def drawn() -> bytes:
             session.pictures.settle()
-            return _pictures.download(session.inspection.picture(size, transparent=transparent is True))
+            return _output.png(session.inspection.picture(size, transparent=transparent is True))
 
         return {"type": "image/png", "name": "vitrine.png", "data": await self._worker(drawn)}
 

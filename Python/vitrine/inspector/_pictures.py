@@ -43,7 +43,7 @@ class Pictures:
         inspection.window.Render()
         pixels = _output.read_pixels(inspection.window)
         inspection.forget_frame()
-        data = _encoded(pixels, "JPEG", quality=_QUALITY, subsampling=0)
+        data = _jpeg(pixels)
         seconds = time.perf_counter() - begin
         self._speed.note(scale, seconds)
         return {"type": "image/jpeg", "data": data, "scale": scale, "ms": 1000 * seconds, "exact": False}
@@ -54,7 +54,7 @@ class Pictures:
         self._speed.hope()
         begin = time.perf_counter()
         pixels = self._inspection.picture()
-        data = _encoded(pixels, "PNG", compress_level=1)
+        data = _output.png(pixels, 1)
         milliseconds = 1000 * (time.perf_counter() - begin)
         return {"type": "image/png", "data": data, "scale": 1.0, "ms": milliseconds, "exact": True}
 
@@ -111,12 +111,8 @@ class Speed:
         return statistics.median(self._seconds[known]) * (scale / known) ** 2
 
 
-def _encoded(pixels: numpy.ndarray, kind: str, **options: Any) -> bytes:
+def _jpeg(pixels: numpy.ndarray) -> bytes:
     stream = io.BytesIO()
-    Image.fromarray(numpy.ascontiguousarray(pixels)).save(stream, kind, **options)
+    # By Pillow, since VTK's writer keeps colours at half the resolution.
+    Image.fromarray(numpy.ascontiguousarray(pixels)).save(stream, "JPEG", quality=_QUALITY, subsampling=0)
     return stream.getvalue()
-
-
-def download(pixels: numpy.ndarray) -> bytes:
-    """A picture as a PNG file."""
-    return _encoded(pixels, "PNG")
