@@ -148,7 +148,7 @@ void Inspector::TellDistance()
 void Inspector::NextLights()
 {
   const LightPreset next = NextPreset(this->State.Lights);
-  this->Change([next](ViewState& state) { state.Lights = next; }, "lights: " + NameOf(next));
+  this->Change([next](ViewState& state) { state.Lights = next; }, "lights: " + NameOfLights(next));
 }
 
 void Inspector::StepMethod(int step)

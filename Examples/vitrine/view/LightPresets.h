@@ -14,18 +14,13 @@ class vtkRenderer;
 namespace program
 {
 
-enum class LightPreset
-{
-  Scene, ///< the scene's own, or VTK's headlight
-  Studio,
-  Side,
-  Above
-};
+/** The index of a preset of vtkLightPresets; 0 stands for the scene's own lights, or VTK's headlight. */
+using LightPreset = int;
 
 /** The preset after one, and the first after the last. */
 LightPreset NextPreset(LightPreset preset);
 
-std::string NameOf(LightPreset preset);
+std::string NameOfLights(LightPreset preset);
 
 /** Have the renderer be lit by a preset. @param own  the lights of the scene */
 void SetLights(LightPreset preset, const std::vector<Light>& own, vtkRenderer* renderer);

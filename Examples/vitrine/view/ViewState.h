@@ -93,7 +93,7 @@ struct ViewState
   std::vector<SectionPlane> Sections;
   std::optional<std::array<double, 6>> Box; ///< of which the inside is kept
   bool HasCaps = true;
-  LightPreset Lights = LightPreset::Scene;
+  LightPreset Lights = 0;
   std::string Method;
   CameraState Camera;
 };

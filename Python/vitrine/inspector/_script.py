@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any, Sequence
 
-from ._shown import LIGHTS
 from ._state import State
 from ._table import rgb
 
@@ -87,18 +86,7 @@ def _camera(camera: dict[str, Any]) -> list[str]:
 
 
 def _lights(preset: str | None) -> list[str]:
-    lines = []
-    for light in LIGHTS[preset] if preset is not None else ():
-        lines += ["light = vtkLight()", f"light.SetIntensity({light.intensity})"]
-        if light.position is None:
-            lines += ["light.SetLightTypeToHeadlight()"]
-        else:
-            kind = "Scene" if light.of_world else "Camera"
-            lines += [f"light.SetPosition({_numbers(light.position)})", f"light.SetLightTypeTo{kind}Light()"]
-        lines += ["renderer.AddLight(light)"]
-    if lines:
-        lines = ["from vtkmodules.vtkRenderingCore import vtkLight", "renderer.AutomaticLightCreationOff()", *lines]
-    return lines
+    return [f"vitrine.vtkLightPresets.Apply(renderer, {preset!r})"] if preset not in (None, "headlight") else []
 
 
 def _method(state: State) -> list[str]:

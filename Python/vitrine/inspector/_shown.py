@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any, Callable
 
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from .._highlight import highlight
 from .._reveal import reveal
 from .._section import section, section_box
 from .._see_through import see_through
 from .._x_ray import x_ray
+from ..vtkVitrineRendering import vtkLightPresets
 from ._state import State
 from ._table import PartTable, rgb
 
@@ -177,9 +177,10 @@ class Shown:
 
     def _light(self, preset: str | None) -> None:
         """Light by a preset, or for None as the renderer was lit at first."""
-        lights, automatic = self._first_lights
         if preset is not None:
-            lights, automatic = [_made(light) for light in LIGHTS[preset]], not LIGHTS[preset]
+            vtkLightPresets.Apply(self._renderer, preset)
+            return
+        lights, automatic = self._first_lights
         self._renderer.RemoveAllLights()
         for light in lights:
             self._renderer.AddLight(light)
@@ -237,38 +238,3 @@ def camera_place(camera: vtkCamera) -> dict[str, Any]:
         "parallel_scale": camera.GetParallelScale(),
         "parallel": bool(camera.GetParallelProjection()),
     }
-
-
-@dataclasses.dataclass(frozen=True)
-class Light:
-    """A light of a preset: at the camera if it has no position, else in the camera's or the world's coordinates."""
-
-    intensity: float
-    position: tuple[float, float, float] | None = None
-    of_world: bool = False
-
-
-# "headlight" is the light that VTK makes.
-LIGHTS: dict[str, tuple[Light, ...]] = {
-    "headlight": (),
-    "studio": (
-        Light(0.75, (-0.6, 0.8, 1.0)),
-        Light(0.25, (0.9, 0.1, 0.8)),
-        Light(0.2, (-0.7, 0.1, -1.0)),
-        Light(0.2, (0.7, 0.1, -1.0)),
-        Light(0.15),
-    ),
-    "side": (Light(0.9, (-1.0, 1.0, 1.0)), Light(0.25)),
-    "above": (Light(0.7, (0.3, 1.0, 0.2), of_world=True), Light(0.4)),
-}
-
-
-def _made(light: Light) -> vtkLight:
-    made = vtkLight()
-    made.SetIntensity(light.intensity)
-    if light.position is None:
-        made.SetLightTypeToHeadlight()
-    else:
-        made.SetPosition(*light.position)
-        (made.SetLightTypeToSceneLight if light.of_world else made.SetLightTypeToCameraLight)()
-    return made
