@@ -146,7 +146,8 @@ struct VitrineCapturedFragment
 };
 
 // Kinds of layers, in VitrineLayerFragment::Kind. An added fragment attenuates nothing behind it. A tested one is known
-// to be in front of all opaque ones. Bits above these tell the place of the prop in the order of drawing.
+// to be in front of all opaque ones. Bits above these tell the place of the prop in the order of drawing, and on
+// the CPU that of the block.
 #define VITRINE_OPAQUE_LAYER 1
 #define VITRINE_ADDED_LAYER 2
 #define VITRINE_TESTED_LAYER 4

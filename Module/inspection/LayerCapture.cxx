@@ -214,6 +214,7 @@ std::string LayerCapture::DrawAll(const Request& request, std::vector<LayerFragm
       {
         this->Fragments.Read(0, count * FragmentBytes, fragments.data() + before);
       }
+      this->PlaceBlocks(fragments.data() + before, static_cast<std::size_t>(count));
       return {};
     }
     if (count * FragmentBytes > LargestStorageBlock() ||
@@ -249,6 +250,7 @@ void LayerCapture::Draw(const std::vector<vtkProp*>& props)
   const ScopedStorageBuffer counter(VITRINE_BINDING_COUNTERS, this->Counter.Handle());
   const ScopedStorageBuffer captured(VITRINE_BINDING_CAPTURE, this->Fragments.Handle());
   this->Parts.SetRenderer(renderer);
+  this->BlockPlaces.clear();
   this->PreRender(&renderState);
   for (const bool opaque : { true, false })
   {
@@ -256,10 +258,10 @@ void LayerCapture::Draw(const std::vector<vtkProp*>& props)
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    this->DrawnProps = 0;
+    this->LastPlace = 0;
     for (vtkProp* prop : props)
     {
-      ++this->DrawnProps;
+      this->PropPlace = ++this->LastPlace;
       if (opaque || this->Now.Translucent)
       {
         this->DrawProp(prop);
@@ -322,14 +324,47 @@ bool LayerCapture::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
       : adds                                     ? LayerFragment::Added
                                                  : 0u;
     program->SetUniformi("vitrineLayerKind",
-      static_cast<int>(kind | (this->DrawnProps << LayerFragment::FirstDrawBit)));
+      static_cast<int>(kind | (this->PropPlace << LayerFragment::FirstDrawBit)));
     program->SetUniformi("vitrineLayerWidth", r.Width);
   }
   SetPair(program, "vitrineLayerFirst", r.X, r.Y);
   SetPair(program, "vitrineRegionFirst", r.X, r.Y);
   SetPair(program, "vitrineRegionEnd", r.X + r.Width, r.Y + r.Height);
   this->Parts.SetParameters(program, mapper, prop, VAO);
+  if (this->DrawsOpaque)
+  {
+    this->NoteBlocks(mapper, prop);
+  }
   return true;
+}
+
+/** Gives the blocks that a mapper is about to draw places behind that of their prop. */
+void LayerCapture::NoteBlocks(vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  for (const std::uint32_t number : this->Parts.NumbersInOrder(mapper, prop))
+  {
+    if (this->BlockPlaces.emplace(number, this->LastPlace + 1).second)
+    {
+      ++this->LastPlace;
+    }
+  }
+}
+
+/** Shaders know the place of a fragment's prop. Here it becomes that of its block. */
+void LayerCapture::PlaceBlocks(LayerFragment* fragments, std::size_t count) const
+{
+  constexpr std::uint32_t Flags = (1u << LayerFragment::FirstDrawBit) - 1u;
+  for (std::size_t i = 0; i < count && !this->BlockPlaces.empty(); ++i)
+  {
+    LayerFragment& f = fragments[i];
+    const auto place = (f.Kind & LayerFragment::Opaque) != 0
+      ? this->BlockPlaces.find(f.Part & ~LayerFragment::BackFace)
+      : this->BlockPlaces.end();
+    if (place != this->BlockPlaces.end())
+    {
+      f.Kind = (f.Kind & Flags) | (place->second << LayerFragment::FirstDrawBit);
+    }
+  }
 }
 
 }

@@ -12,8 +12,10 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkTimeStamp.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 class vtkOpenGLState;
@@ -72,11 +74,16 @@ private:
   void Draw(const std::vector<vtkProp*>& props);
   void DrawProp(vtkProp* prop);
   std::string DrawAll(const Request& request, std::vector<LayerFragment>& fragments);
+  void NoteBlocks(vtkAbstractMapper* mapper, vtkProp* prop);
+  void PlaceBlocks(LayerFragment* fragments, std::size_t count) const;
   std::string Problem; ///< what a mapper's shader lacks
 
   Request Now;
   bool DrawsOpaque = false;
-  std::uint32_t DrawnProps = 0; ///< props drawn so far, the one that is drawn among them
+  std::uint32_t PropPlace = 0; ///< of the prop that is drawn, in the order of drawing
+  std::uint32_t LastPlace = 0; ///< of the props and blocks that were drawn so far
+  std::unordered_map<std::uint32_t, std::uint32_t>
+    BlockPlaces; ///< of opaque ones, by their numbers
   bool Version430 = false;
   std::string Refused; ///< why the driver refuses the shaders; empty if it does not
   bool IsTried = false;

@@ -139,6 +139,22 @@ vtkProp* PartShader::PartOwner(vtkProp* prop) const
   return standsForItself ? prop : this->Drawn;
 }
 
+std::vector<std::uint32_t> PartShader::NumbersInOrder(
+  vtkAbstractMapper* mapper, vtkProp* prop) const
+{
+  std::vector<std::uint32_t> numbers;
+  auto* const blocks = BlockMapper::SafeDownCast(mapper);
+  if (this->Renderer && prop && blocks)
+  {
+    const std::uint32_t first = PartNumbers::Of(this->Renderer).FirstOf(this->PartOwner(prop));
+    for (const Run& run : RunsOf(blocks))
+    {
+      numbers.push_back(first + run.Block);
+    }
+  }
+  return numbers;
+}
+
 std::vector<PartShader::Run> PartShader::RunsOf(vtkPolyDataMapper* mapper)
 {
   std::vector<Run> runs;

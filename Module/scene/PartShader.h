@@ -53,6 +53,12 @@ public:
   void SetParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* vertexArray);
 
+  /**
+   * Returns the numbers of a prop's blocks in the order in which a mapper draws them, which is that of the addresses of
+   * their data. Returns none for a mapper without blocks.
+   */
+  std::vector<std::uint32_t> NumbersInOrder(vtkAbstractMapper* mapper, vtkProp* prop) const;
+
   /** Release the buffers of the blocks. Their context is current. */
   void Release();
 

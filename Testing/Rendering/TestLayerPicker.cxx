@@ -30,6 +30,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -328,6 +329,44 @@ TEST(LayersOfProps, OfEqualDepthAreInTheOrderOfTriangles)
       const double* const first = picker->GetColor(0);
       ExpectColor({ first[0], first[1], first[2], seen[3] }, seen, 0.5);
     }
+  }
+}
+
+// VTK's mappers draw blocks in the order of the addresses of their data.
+TEST(LayersOfBlocks, OfEqualDepthAreInTheOrderOfDrawing)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> plates;
+  for (int i = 0; i < 4; ++i)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->Update();
+    plates.emplace_back(plane->GetOutput());
+  }
+  std::sort(plates.begin(), plates.end());
+  for (const bool reversed : { false, true })
+  {
+    SCOPED_TRACE(reversed);
+    TestScene scene(Width, Height);
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    vtkNew<CompositeMapper> mapper;
+    mapper->SetInputDataObject(blocks);
+    vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+    mapper->SetCompositeDataDisplayAttributes(attributes);
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      blocks->SetBlock(i, plates[reversed ? 3 - i : i]);
+      const double color[3] = { i / 4.0, 1.0, 0.0 };
+      attributes->SetBlockColor(blocks->GetBlock(i), color);
+    }
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    scene.Renderer->AddActor(actor);
+    const Rgba seen = scene.Render().At(Width / 2, Height / 2);
+    vtkNew<vtkLayerPicker> picker;
+    ASSERT_EQ(LayersAt(picker, scene.Renderer, Width / 2, Height / 2, true).size(), 4u);
+    const double* const first = picker->GetColor(0);
+    ExpectColor({ first[0], first[1], first[2], seen[3] }, seen, 1.0);
   }
 }
 

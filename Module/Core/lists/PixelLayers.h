@@ -19,7 +19,7 @@ struct LayerFragment
   static constexpr std::uint32_t Tested =
     4; ///< Kind: it is known to be in front of all opaque ones.
   static constexpr std::uint32_t FirstDrawBit =
-    3; ///< Kind: from this bit up, the place of its prop in the order of drawing.
+    3; ///< Kind: from this bit up, the place of its prop or block in the order of drawing.
   static constexpr std::uint32_t BackFace = 0x80000000u; ///< Flag in Part.
 
   std::uint32_t Pixel;    ///< Index of the pixel.
@@ -53,10 +53,9 @@ struct PixelLayers
  *
  * Among equal depths the rule of the exact methods holds: by alpha, blue, green and red, as 16-bit floats; then by
  * part. Translucent fragments are in front of opaque ones of equal depth, since the depth test lets them pass. Of
- * opaque ones, that of the prop that was drawn later is in front, as in the depth test. Within a prop it is the part
- * with the larger number, since blocks are drawn in their order, and within a part the later primitive. The order of
- * fragments never counts. Tested fragments are in front of opaque ones at any depth. A depth of NaN counts as 0, as
- * in the methods.
+ * opaque ones, that of the prop or block that was drawn later is in front, as in the depth test, then the part with the
+ * larger number, and within a part the later primitive. The order of fragments never counts. Tested fragments are in
+ * front of opaque ones at any depth. A depth of NaN counts as 0, as in the methods.
  *
  * @param pixels      the number of pixels; fragments of others are ignored
  * @param samples     samples of a pixel, at least 1
