@@ -15,6 +15,7 @@ uniform usampler2DArray vitrineCutSums;
 #define VITRINE_CUT_SAMPLE 0
 #endif
 uniform usamplerBuffer vitrineCutParts; // a texel for each part that is cut: number, masks of planes, hatch
+                                        // and, from bit 8 on, its place in the scene
 uniform samplerBuffer vitrineCutLooks;  // VITRINE_CUT_LOOK_TEXELS texels for each part that is cut
 uniform ivec4 vitrineCapPlace;          // the plane, the first pixel of the sums, 1 for translucent caps
 uniform ivec4 vitrineCapStyle;          // width of edges in pixels, the first layer of open parts or 0, the plane's

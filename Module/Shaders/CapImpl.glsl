@@ -36,13 +36,13 @@
     discard;
   }
 
-  // Lines of neighbouring parts differ in direction and distance.
-  uint vitrineHatchTurn = vitrinePartHash(vitrineCapPart);
+  // Lines of neighbouring parts differ in direction and distance. Places do not depend on frames before, as numbers do.
+  uint vitrineHatchTurn = vitrinePartHash(vitrineCutPart.w >> 8);
   vec2 vitrineHatchPoint = vitrineCapPoint / vitrineCapSpacing.x;
   vitrineHatchPoint.x = (vitrineHatchTurn & 1u) == 0u ? vitrineHatchPoint.x : -vitrineHatchPoint.x;
   vitrineHatchPoint *= 1.0 - 0.15 * float((vitrineHatchTurn >> 1) & 3u);
   float vitrineHatchBlur = (vitrineCapStep.x + vitrineCapStep.y) / vitrineCapSpacing.x * 0.7;
-  float vitrineCapLine = vitrineHatch(int(vitrineCutPart.w), vitrineHatchPoint, vitrineHatchBlur);
+  float vitrineCapLine = vitrineHatch(int(vitrineCutPart.w & 255u), vitrineHatchPoint, vitrineHatchBlur);
   if (vitrineIsStriped)
   {
     vitrineCapLine = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));

@@ -62,13 +62,20 @@ void CutParts::Update(
   }
   this->Cut.clear();
   std::size_t drawnParts = 0;
+  std::uint32_t nextPlace = 1;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator place;
   props->InitTraversal(place);
   while (vtkProp* const prop = props->GetNextProp(place))
   {
-    auto* const actor = prop->GetVisibility() ? vtkActor::SafeDownCast(prop) : nullptr;
+    auto* const actor = vtkActor::SafeDownCast(prop);
     if (!actor || dynamic_cast<CapActor*>(actor))
+    {
+      continue;
+    }
+    const std::uint32_t place = nextPlace;
+    nextPlace += NumberOfNodes(BlocksOf(actor));
+    if (!actor->GetVisibility())
     {
       continue;
     }
@@ -77,6 +84,7 @@ void CutParts::Update(
       ++drawnParts;
       continue;
     }
+    const std::size_t first = this->Cut.size();
     actor->ComputeMatrix();
     const glm::dmat4 toWorld = MatrixOf(actor->GetMatrix());
     if (vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()))
@@ -91,6 +99,10 @@ void CutParts::Update(
         ++drawnParts;
         this->Look(actor, drawn, toWorld, planes, masksOf);
       });
+    for (std::size_t i = first; i < this->Cut.size(); ++i)
+    {
+      this->Cut[i].Place = place + this->Cut[i].Block;
+    }
   }
   this->HasManyGone = this->KnownParts.size() > 2 * drawnParts + MostGoneParts;
   PartNumbers& numbers = PartNumbers::Of(renderer);

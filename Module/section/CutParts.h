@@ -38,7 +38,10 @@ struct CutPart
 {
   vtkWeakPointer<vtkProp> Prop;
   unsigned int Block = 0;
-  std::uint32_t Number = 0; ///< its number (PartNumbers)
+  std::uint32_t Number =
+    0; ///< its number (PartNumbers), which tells in what order parts were asked for
+  std::uint32_t Place =
+    0; ///< its number among all parts of the renderer, in the order of props and blocks
   std::uint32_t Slot =
     0;              ///< its number among the parts that were cut, from 1, or 0 if it has no cap
   PlaneMasks Masks; ///< the planes that apply to it

@@ -295,8 +295,8 @@ std::string CutSums::WriteTables(vtkRenderer* renderer, const CutParts& parts,
     {
       continue;
     }
-    table[part.Slot] = { part.Number, part.Masks.Any, part.Masks.All,
-      static_cast<std::uint32_t>(hatchOf(part)) };
+    const std::uint32_t hatch = static_cast<std::uint32_t>(hatchOf(part)) | part.Place << 8;
+    table[part.Slot] = { part.Number, part.Masks.Any, part.Masks.All, hatch };
     looks[part.Slot] = { part.Look.Diffuse, part.Look.Ambient };
   }
   std::string problem =

@@ -180,6 +180,18 @@ class States(Machine):
         self.shown.apply({"vitrine": 1, "camera": FRONT, "size": list(SIZE)})
         self.same(other.picture(), self.shown.picture())
 
+    def test_have_hatches_that_do_not_depend_on_what_was_cut_before(self):
+        self.shown.set_caps(hatch="lines")
+        for path in reversed(PATHS):
+            bounds = self.shown.parts.bounds([path])
+            self.shown.set_box([0.8 * value + 0.2 * bounds[i ^ 1] for i, value in enumerate(bounds)])
+            self.shown.draw()
+        self.shown.set_box(None)
+        self.shown.add_section("z")
+        other = self.opened()
+        other.apply(self.shown.state())
+        self.same(other.picture(), self.shown.picture())
+
     def test_that_are_malformed_are_refused_and_change_nothing(self):
         self.make_view()
         state, picture = self.shown.state(), self.shown.picture()
