@@ -155,6 +155,7 @@ def _ending(bounds: Sequence[float]) -> list[str]:
         "picture = vtkWindowToImageFilter()",
         "picture.SetInput(window)",
         "picture.ReadFrontBufferOff()",
+        "picture.ShouldRerenderOff()",  # would round the camera's angle
         "writer = vtkPNGWriter()",
         "writer.SetInputConnection(picture.GetOutputPort())",
         'writer.SetFileName("picture.png")',

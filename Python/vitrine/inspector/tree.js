@@ -15,7 +15,7 @@
         <template #default="{ item }">
           <div class="vi-row" :class="{ 'vi-selected': isSelected(item), 'vi-hidden': isHidden(item) }"
             :style="{ paddingLeft: 4 + 14 * depthShown(item) + 'px' }" :data-path="path(item)"
-            @click="choose(item, $event)" @dblclick="act('fit', { parts: [path(item)] })">
+            @click="choose(item, $event)" @dblclick.exact="act('fit', { parts: [path(item)] })">
             <v-icon size="16" class="vi-fold" @click.stop="fold(item)" @dblclick.stop>
               {{ children[item].length && !found ? (open.has(item) ? 'mdi-chevron-down' : 'mdi-chevron-right') : '' }}
             </v-icon>
