@@ -144,6 +144,25 @@ class Changes(Machine):
         self.assertEqual(self.shown.state()["selected"], [])
 
 
+    def test_begin_with_something_to_show(self):
+        self.file.with_name("empty.gltf").write_text('{"asset": {"version": "2.0"}}')
+        with self.assertRaisesRegex(ValueError, "empty.gltf: has no parts that can be shown"):
+            Inspection(self.file.with_name("empty.gltf"))
+
+    def test_that_isolate_leave_what_is_hidden(self):
+        self.shown.hide(LID)
+        self.shown.isolate(GEAR, opacity=0.25)
+        looks = self.shown.state()["parts"]
+        self.assertEqual((looks[LID]["visible"], looks[BOLT], GEAR in looks), (False, {"opacity": 0.25}, False))
+
+    def test_are_refused_after_close(self):
+        self.shown.close()
+        self.shown.close()
+        for call in (lambda: self.shown.hide(LID), self.shown.picture, self.shown.fit, lambda: self.shown.layers(0, 0)):
+            with self.assertRaisesRegex(RuntimeError, "this Inspection is closed: make another one"):
+                call()
+
+
 class States(Machine):
     def make_view(self):
         self.shown.ghost("Housing")
@@ -230,7 +249,7 @@ class States(Machine):
                 self.assertEqual(sorted(path.name for path in self.folder.glob("*out*")), [])
 
     def test_are_written_whole_or_not_at_all(self):
-        with self.assertRaises(OSError):
+        with self.assertRaisesRegex(OSError, r"No such file or directory: '[^']*/nowhere/state\.json'"):
             self.shown.save(self.folder / "nowhere" / "state.json")
         with self.assertRaises(ValueError):
             self.shown.screenshot(self.folder / "picture.gif")

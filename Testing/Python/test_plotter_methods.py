@@ -12,6 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import vitrine
 import vitrine.explore
+from vitrine.inspector import Inspection
 
 SIZE = (120, 90)
 MIDDLE = (SIZE[0] // 2, SIZE[1] // 2)
@@ -75,6 +76,15 @@ class Methods(unittest.TestCase):
             page = pathlib.Path(folder, "page.html")
             plotter.vitrine.export_explorable(page)
             self.assertTrue(page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>"))
+
+    def test_inspect_the_active_subplot_and_say_so(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE, shape=(1, 2))
+        plotter.subplot(0, 1)
+        plotter.add_mesh(pyvista.Sphere(), name="ball")
+        with self.assertWarnsRegex(UserWarning, r"subplot \(0, 1\) of the plotter is inspected"):
+            shown = Inspection(plotter)
+        self.addCleanup(shown.close)
+        self.assertEqual(shown.parts.paths, ["/ball"])
 
     def test_of_closed_plotters_say_so(self):
         plotter = gear_in_case()

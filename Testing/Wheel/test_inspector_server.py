@@ -91,6 +91,7 @@ class BadInput(unittest.TestCase):
         for arguments, expected in (
             (["/nowhere.glb"], "there is no such file"),
             ([__file__], "is not of a kind that can be read"),
+            ([MODEL, "state.json"], "state.json: a state names its files, so it is opened alone"),
             ([MODEL, "--port", "70000"], "a port is a number from 0 to 65535"),
             ([MODEL, "--host", "198.51.100.1"], "address"),
         ):

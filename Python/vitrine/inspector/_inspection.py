@@ -4,25 +4,25 @@ from __future__ import annotations
 
 import copy
 import os
-from typing import Any, Iterable, Iterator, Mapping, Sequence
+from typing import Any, Iterable, Iterator, Mapping, NoReturn, Sequence
 
 import numpy
 
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from .._assembly import Assembly, load
+from .._assembly import Assembly
 from .._parts import shown_assemblies
 from .._see_through import _plotter_of, _renderers_of
-from .._unpack import is_demo
-from ..vtkVitrineRendering import vtkHeadlessRenderWindow
 from . import _ask, _output, _script, _state, _views
 from ._shown import Shown, camera_place
 from ._state import State
 from ._table import PartTable
+from ._target import new_window, opened, plain_actors, warn_of_other_subplots
 
 GHOST = 0.15  # the opacity of what ghost() and isolate() make faint
 _MOST_UNDONE = 200
 _MOST_SECTIONS = 6
+_UNTIL_CLOSED = ("window", "renderer", "parts", "shown")
 
 
 class Inspection:
@@ -54,14 +54,15 @@ class Inspection:
         plotter = _plotter_of(target)
         if plotter is not None:
             _renderers_of(target)  # raises for one that is closed
+            warn_of_other_subplots(plotter)
             _views.look_as_pyvista_would(plotter.renderer)
             self.renderer: vtkRenderer = plotter.renderer
             self.window: vtkRenderWindow = plotter.render_window
-            assemblies, actors = shown_assemblies([self.renderer]), _plain_actors(plotter)
+            assemblies, actors = shown_assemblies([self.renderer]), plain_actors(plotter)
             size = self.window.GetSize()
         else:
-            assemblies, files = _opened(target, tolerance)
-            self.window, self.renderer, actors = _new_window(), vtkRenderer(), {}
+            assemblies, files = opened(target, tolerance)
+            self.window, self.renderer, actors = new_window(), vtkRenderer(), {}
             self.window.AddRenderer(self.renderer)
             for assembly in assemblies:
                 assembly.add_to(self.renderer)
@@ -193,9 +194,9 @@ class Inspection:
         self._look(self.parts.find(parts), opacity=opacity)
 
     def isolate(self, parts: str | Iterable[str], opacity: float = 0.0) -> None:
-        """Have parts drawn as they are by themselves, and all others with an opacity. 0 hides the others."""
+        """Have parts drawn as they are by themselves, and others with an opacity: 0 hides them. Hidden ones stay so."""
         kept = set(self.parts.find(parts))
-        rest = {"visible": False} if opacity == 0.0 else {"visible": True, "opacity": opacity}
+        rest = {"visible": False} if opacity == 0.0 else {"opacity": opacity}
         _state.check({"vitrine": _state.FORMAT, "parts": {"/": rest}})
         looks = {}
         for path in self.parts.paths:
@@ -390,7 +391,6 @@ class Inspection:
     def _bounds(self) -> tuple[float, ...]:
         return _views.shown_bounds(self.renderer)
 
-
     # Answers and pictures
 
     def layers(self, x: int, y: int) -> list[dict[str, Any]]:
@@ -438,7 +438,7 @@ class Inspection:
         return _ask.heat_map(self)
 
     def culled(self) -> list[dict[str, Any]]:
-        """Why parts are drawn that the culler could not leave out: reasons, with the number of parts and some paths."""
+        """What the culler did with parts, and why: reasons, with the number of parts and some paths."""
         return _ask.culled(self)
 
     def forget_frame(self) -> None:
@@ -470,47 +470,17 @@ class Inspection:
             pass
 
     def close(self) -> None:
-        """Put a plotter's renderer back as it was, or let the window go."""
+        """Put a plotter's renderer back as it was, or let the window go. What needs them raises RuntimeError then."""
+        if "window" not in vars(self):
+            return
         self.shown.remove()
         if self._plotter is None:
             self.window.Finalize()
+        self._index = None
+        for name in _UNTIL_CLOSED:
+            delattr(self, name)
 
-
-def _new_window() -> vtkRenderWindow:
-    window = vtkHeadlessRenderWindow()
-    window.SetMultiSamples(0)
-    window.SetAlphaBitPlanes(1)
-    return window
-
-
-def _plain_actors(plotter: Any) -> dict[str, vtkActor]:
-    """The actors of a plotter that no assembly draws, by their names."""
-    named = {str(name): actor for name, actor in plotter.renderer.actors.items()}
-    # Axes and labels are actors, too, but without a mapper or a property of surfaces.
-    actors = {
-        name: actor for name, actor in named.items() if isinstance(actor, vtkActor) and actor.GetMapper() is not None
-    }
-    return {name: actor for name, actor in actors.items() if not _is_of_assembly(actor)}
-
-
-def _is_of_assembly(actor: vtkActor) -> bool:
-    return any(
-        assembly.actors.GetActor(i) is actor
-        for assembly in Assembly.living()
-        for i in range(assembly.actors.GetNumberOfActors())
-    )
-
-
-def _opened(target: Any, tolerance: float) -> tuple[list[Assembly], list[dict[str, Any]]]:
-    """The assemblies of a target, and the files that they come from."""
-    if isinstance(target, Assembly):
-        return [target], []
-    if isinstance(target, (str, os.PathLike)):
-        target = [target]
-    if not isinstance(target, Iterable):
-        raise TypeError(f"an Assembly, a path, paths or a pyvista.Plotter can be inspected, not {target!r}")
-    paths = [path if is_demo(path) else os.path.abspath(path) for path in map(os.fspath, target)]
-    if not paths:
-        raise ValueError("there is no file to inspect")
-    entry = {"tolerance": tolerance} if tolerance else {}
-    return [load(*paths, tolerance=tolerance)], [{"path": path, **entry} for path in paths]
+    def __getattr__(self, name: str) -> NoReturn:
+        if name in _UNTIL_CLOSED:
+            raise RuntimeError("this Inspection is closed: make another one")
+        raise AttributeError(f"an Inspection has no {name!r}")

@@ -174,22 +174,17 @@ def turntable(
         raise ValueError(f"frames is a whole number from 2 to 10000, not {frames!r}")
     writer = _video_writer()
     width, height = _size_of(inspection, size)
-    unfinished = file.with_name(f".{file.stem}.{os.getpid()}{file.suffix}")
     before, camera = inspection.camera(), inspection.renderer.GetActiveCamera()
-    try:
-        with writer.get_writer(unfinished, **_settings(file.suffix.lower())) as video:
-            for number in range(frames):
-                try:
-                    _shown.place_camera(camera, _views.turned(before, 360.0 * number / frames))
-                    inspection.forget_frame()
-                    video.append_data(picture(inspection, (width - width % 2, height - height % 2), False))
-                finally:  # What others do until the next step is done with the camera of the state.
-                    _shown.place_camera(camera, inspection.state_now["camera"])
-                    inspection.forget_frame()
-                yield (number + 1) / frames
-        os.replace(unfinished, file)
-    finally:
-        unfinished.unlink(missing_ok=True)
+    with _state.unfinished(file) as begun, writer.get_writer(begun, **_settings(file.suffix.lower())) as video:
+        for number in range(frames):
+            try:
+                _shown.place_camera(camera, _views.turned(before, 360.0 * number / frames))
+                inspection.forget_frame()
+                video.append_data(picture(inspection, (width - width % 2, height - height % 2), False))
+            finally:  # What others do until the next step is done with the camera of the state.
+                _shown.place_camera(camera, inspection.state_now["camera"])
+                inspection.forget_frame()
+            yield (number + 1) / frames
 
 
 def _video_writer() -> Any:

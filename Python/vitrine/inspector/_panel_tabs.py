@@ -312,7 +312,7 @@ def _figures() -> None:
             "{{ (255 * error_told.rmse).toFixed(3) }}, {{ (100 * error_told.wrong_pixels).toFixed(3) }}% wrong pixels"
         )
     with html.Template(v_if="culled.length"):
-        _head("Not left out by the culler")
+        _head("What is left out, and why")
         html.Div("{{ row.parts }}: {{ row.reason }}", v_for="(row, at) in culled", key=("at",), classes="vi-note")
     _head("Speed against accuracy")
     v.VBtn("Measure all methods", click="utils.vitrine.request('chart', {frames: 3})", id="vi-chart")

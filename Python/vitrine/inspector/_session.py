@@ -183,10 +183,14 @@ def _opened(target: Any, size: Any, tolerance: float) -> Inspection:
 
 
 def _state_file(target: Any) -> str | None:
-    """The path of a target that is the file of a state."""
+    """The path of a target that is the file of a state. Raises ValueError for one among other files."""
     files = [target] if isinstance(target, (str, pathlib.Path)) else target
-    is_one = isinstance(files, (list, tuple)) and len(files) == 1 and str(files[0]).lower().endswith(".json")
-    return str(files[0]) if is_one else None
+    if not isinstance(files, (list, tuple)):
+        return None
+    states = [str(file) for file in files if str(file).lower().endswith(".json")]
+    if states and len(files) > 1:
+        raise ValueError(f"{states[0]}: a state names its files, so it is opened alone: vitrine inspect {states[0]}")
+    return states[0] if states else None
 
 
 def _next_deeper(layers: list[dict[str, Any]], selected: list[str]) -> str | None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import functools
 import json
 import os
 import pathlib
 import tempfile
-from typing import Any, Mapping
+from typing import Any, Iterator, Mapping
 
 from .._unpack import is_demo
 
@@ -178,11 +179,24 @@ def _relative(path: str, folder: pathlib.Path) -> str:
 
 def write_whole(path: str | os.PathLike[str], data: bytes) -> None:
     """Write a file at once, so that nobody sees a half of it. Raises OSError."""
+    with unfinished(path) as file:
+        file.write_bytes(data)
+
+
+@contextlib.contextmanager
+def unfinished(path: str | os.PathLike[str]) -> Iterator[pathlib.Path]:
+    """A file that is to be written, and takes the place of `path` at the end. After an error none is left.
+
+    Raises OSError with the name that the user gave.
+    """
     file = pathlib.Path(path)
-    descriptor, name = tempfile.mkstemp(dir=file.absolute().parent, prefix=f".{file.name}.")
     try:
-        with os.fdopen(descriptor, "wb") as unfinished:
-            unfinished.write(data)
+        descriptor, name = tempfile.mkstemp(dir=file.absolute().parent, prefix=f".{file.stem}.", suffix=file.suffix)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(file)) from None
+    os.close(descriptor)
+    try:
+        yield pathlib.Path(name)
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(name, 0o666 & ~mask)
