@@ -145,9 +145,9 @@ std::string CadConverter::Version() const
   }
   if (outcome.Status != 0)
   {
-    throw AssemblyError("cannot be converted: " +
-      (outcome.LastStderr.empty() ? this->Name() + " has no version"
-                                  : Shorten(outcome.LastStderr, {})));
+    throw AssemblyError(outcome.LastStderr.empty()
+        ? "cannot be converted: " + this->Name() + " has no version"
+        : Shorten(outcome.LastStderr, {}));
   }
   return outcome.Output;
 }

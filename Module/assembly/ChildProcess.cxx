@@ -3,6 +3,8 @@
 #include "vtksys/Process.h"
 #include "vtksys/System.h"
 
+#include <array>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -63,6 +65,32 @@ private:
   std::string Line;
 };
 
+/** Puts back how signals are handled, since vtksysProcess puts back SIGINT's and SIGTERM's wrongly. */
+class KeptSignals
+{
+public:
+  KeptSignals()
+  {
+    for (std::size_t i = 0; i < Signals.size(); ++i)
+    {
+      sigaction(Signals[i], nullptr, &this->Actions[i]);
+    }
+  }
+  ~KeptSignals()
+  {
+    for (std::size_t i = 0; i < Signals.size(); ++i)
+    {
+      sigaction(Signals[i], &this->Actions[i], nullptr);
+    }
+  }
+  KeptSignals(const KeptSignals&) = delete;
+  KeptSignals& operator=(const KeptSignals&) = delete;
+
+private:
+  static constexpr std::array<int, 3> Signals{ SIGCHLD, SIGINT, SIGTERM };
+  std::array<struct sigaction, Signals.size()> Actions;
+};
+
 std::string AccidentOf(vtksysProcess* process, double seconds)
 {
   switch (vtksysProcess_GetState(process))
@@ -97,6 +125,7 @@ ProcessOutcome RunProcess(
     command.push_back(word.c_str());
   }
   command.push_back(nullptr);
+  const KeptSignals signals;
   const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> process(
     vtksysProcess_New(), vtksysProcess_Delete);
   vtksysProcess_SetCommand(process.get(), command.data());

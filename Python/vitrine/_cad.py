@@ -434,7 +434,7 @@ def _main() -> int:
         problem = "is damaged, or needs more memory than there is"
     else:
         return 0
-    print(f"_cad.py: {arguments.INPUT or ''}: {problem}", file=sys.stderr)
+    print(": ".join(text for text in ("_cad.py", arguments.INPUT, problem) if text), file=sys.stderr)
     return 2
 
 

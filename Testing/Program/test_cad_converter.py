@@ -287,3 +287,7 @@ class WithoutCascadio(Converter):
     def test_the_way_is_told(self):
         message = "needs OpenCASCADE to read STEP and IGES: pip install 'vtk-vitrine[step]'"
         self.refuse_bytes("box.step", step_files.box(), message)
+
+    def test_the_message_has_nothing_before_it(self):
+        said = subprocess.run([*self.command, "--version"], capture_output=True, text=True)
+        self.assertRegex(said.stderr, r"\A_cad.py: needs OpenCASCADE [^:]+: pip install 'vtk-vitrine\[step\]'\n\Z")

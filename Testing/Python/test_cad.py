@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import signal
 import struct
 import tempfile
 import unittest
@@ -46,6 +47,11 @@ def glb(names=("part",), size=1.0):
             + text + struct.pack("<II", len(binary), 0x4E4942) + binary)  # fmt: skip
 
 
+def caught_signals():
+    """The mask of the signals that the process has handlers for."""
+    return next(line for line in pathlib.Path("/proc/self/status").read_text().splitlines() if "SigCgt" in line)
+
+
 class Cad(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -79,6 +85,13 @@ class Load(Cad):
         model = vitrine.load(self.model)
         self.assertEqual([part.name for part in model.parts], ["part"])
         self.assertEqual(model.notes, ("lengths are in metres; in the file their unit is the inch",))
+
+    def test_leaves_the_handlers_of_signals(self):
+        handler = signal.signal(signal.SIGTERM, lambda *_: None)
+        self.addCleanup(signal.signal, signal.SIGTERM, handler)
+        before = caught_signals()
+        vitrine.load(self.model)
+        self.assertEqual(caught_signals(), before)
 
     def test_tolerance_and_cache(self):
         vitrine.load(self.model)
