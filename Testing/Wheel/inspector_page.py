@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT / "Testing/Program"))
 from browser import open_browser  # noqa: E402
 
 MODEL = pathlib.Path(os.environ.get("VITRINE_INSPECT_MODEL", ROOT / "Examples/models/robot.glb"))
-PATIENCE = 100 if "VITRINE_INSPECT_MODEL" in os.environ else 30  # seconds
+PATIENCE = 300 if "VITRINE_INSPECT_MODEL" in os.environ else 30  # seconds
 REQUEST = """
 const done = arguments[arguments.length - 1];
 const text = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));

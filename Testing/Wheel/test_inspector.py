@@ -13,6 +13,9 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 
+MOST_TOLD = 300  # rows of a list in the page
+
+
 class Page(PageCase):
     def test_shows_the_exact_picture_after_turning(self):
         before = self.state("ins")["camera"]
@@ -126,8 +129,9 @@ class Page(PageCase):
         self.assertNotEqual(after[0], before[0])
         self.assertEqual(after[1:], before[1:])
         inspection = self.python()
-        self.assertEqual(self.state("cut")["paths"], inspection.cut_parts())
-        self.assertGreater(self.state("cut")["count"], 0)
+        cut = inspection.cut_parts()
+        self.assertEqual((self.state("cut")["paths"], self.state("cut")["count"]), (cut[:MOST_TOLD], len(cut)))
+        self.assertGreater(len(cut), 0)
         self.assert_shows(inspection)
 
     def test_measures_and_finds_clashes_as_python_does(self):

@@ -142,6 +142,15 @@ class Gestures(PageCase):
             step()
             self.assert_agrees(expected)
 
+    def test_in_the_tree_find_parts_by_patterns(self):
+        parts = self.python().parts
+        _, name = self.rarest(parts.paths)
+        for pattern in ("?" + name[1:], "/**/*" + name[-2:]):
+            self.search(pattern)
+            told = f"{len(parts.find(pattern)):,} found of"
+            self.wait_for(lambda told=told: self.find("count").text.startswith(told))
+            self.doCleanups()
+
     def test_in_the_tree_select_several_rows_and_colour_them(self):
         expected = self.python()
         self.wait_for(lambda: len(self.all_of(".vi-row")) > 2)

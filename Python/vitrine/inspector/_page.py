@@ -72,6 +72,7 @@ class Page:
             "move": lambda session, values: session.move(**values),
             "click": lambda session, values: session.click(**values),
             "tree": lambda session, values: session.tree(**values),
+            "find": lambda session, values: session.find(**values),
             "apply_text": lambda session, values: _requests.apply_text(session.inspection, **values),
         }
 
@@ -147,7 +148,7 @@ class Page:
             result = await self._worker(_answered, session, name, values)
         else:
             raise _requests.Refused(f"there is no request {name[:100]!r}")
-        if name not in ("moving", "still", "tree"):
+        if name not in ("moving", "still", "tree", "find"):
             await self._publish(session, says=name != "resize")
         self._show_answer(name, result)
         return result

@@ -164,6 +164,13 @@ class Session:
         }
         return {**told, **nodes_of(self.inspection.parts.paths)} if before is None else told
 
+    def find(self, pattern: Any) -> list[int]:
+        """The numbers of the parts that a pattern of names chooses. It may choose none, as while it is typed."""
+        try:
+            return [self._numbers[path] for path in self.inspection.parts.find(pattern)]
+        except KeyError:
+            return []
+
     def title(self) -> str:
         """The name of what is shown."""
         files = self.inspection.state_now["files"]

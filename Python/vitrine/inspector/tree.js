@@ -5,6 +5,8 @@
   const request = (name, values) => window.trame.utils.vitrine.request(name, values);
   const act = (name, values) => window.trame.utils.vitrine.act(name, values);
 
+  const IS_PATTERN = /[*?\\/]|^material:/; // as parts are named in Python and on the command line
+
   const Tree = {
     props: { revision: Number, busy: Boolean },
     template: `<div class="vi-tree">
@@ -36,7 +38,7 @@
           </div>
         </template>
       </v-virtual-scroll></div>`,
-    data: () => ({ search: "", version: 0, from: null }),
+    data: () => ({ search: "", version: 0, from: null, chosen: new Set() }),
     created() {
       // Not reactive, since they are large: `version` tells of changes.
       Object.assign(this, { names: [], parents: [], children: [], counts: [], depths: [], parts: [], looks: [] });
@@ -44,6 +46,12 @@
       this.update();
     },
     watch: {
+      async found() {
+        const pattern = (this.search || "").trim();
+        if (!IS_PATTERN.test(pattern)) return;
+        const parts = (await request("find", { pattern })) || [];
+        if (pattern === (this.search || "").trim()) this.chosen = new Set(parts.map((part) => this.nodes[part]));
+      },
       busy(now) {
         if (!now) this.update(); // what was asked for meanwhile had no answer
       },
@@ -58,6 +66,7 @@
       rows() {
         this.version;
         const all = this.names.map((_, node) => node);
+        if (IS_PATTERN.test(this.found)) return all.filter((node) => this.chosen.has(node));
         if (this.found) return all.filter((node) => this.names[node].toLowerCase().includes(this.found));
         const shown = [];
         for (const node of all) {
