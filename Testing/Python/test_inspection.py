@@ -7,6 +7,7 @@ import pathlib
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 import numpy
 from machine import PATHS, SIZE, Files, write_machine
@@ -380,6 +381,14 @@ class Pictures(Machine):
         for wrong in ((0, 1), (1,), (1.5, 2), (70000, 1), "ab", (True, 5)):
             with self.assertRaises(ValueError):
                 self.shown.picture(wrong)
+
+    def test_in_tiles_are_those_of_one(self):
+        self.shown.select(GEAR)
+        for parallel, size, tile in ((True, (120, 90), 64), (False, (120, 90), 50), (False, (200, 7), 40)):
+            self.shown.set_camera({"parallel": parallel, "position": [0, 0, 20]})
+            whole = self.shown.picture(size).astype(int)
+            with unittest.mock.patch.object(_output, "_TILE", tile):
+                self.assertLessEqual(abs(self.shown.picture(size) - whole).max(), 1)
 
     def test_of_an_assembly_begin_and_end_with_its_looks(self):
         machine = vitrine.load(self.file)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
 import os
 import pathlib
 import time
@@ -12,7 +14,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from . import _shown, _state, _views
 
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 
 LARGEST = 65536  # pixels a side
 _TILE = 4096
+_MARGIN = 16  # pixels of a tile beside those that are kept
 _VIDEOS = (".mp4", ".gif", ".webp")
 _FRAMES_PER_SECOND = 30
 
@@ -54,12 +57,13 @@ def read_pixels(window: vtkRenderWindow, alpha: bool = False) -> numpy.ndarray:
 
 def picture(inspection: Inspection, size: Sequence[int] | None, transparent: bool) -> numpy.ndarray:
     wanted = _size_of(inspection, size)
-    with _Resized(inspection, wanted, transparent) as tiles:
-        if tiles == 1:
+    tile = tuple(min(side, _TILE) for side in wanted)
+    with _Resized(inspection, tile, transparent):
+        if tile == wanted:
             draw(inspection)
             pixels = read_pixels(inspection.window, transparent).copy()
         else:
-            pixels = _tiled(inspection, wanted, tiles, transparent)
+            pixels = _tiled(inspection, wanted, transparent)
     return _straight(pixels) if transparent else pixels
 
 
@@ -89,25 +93,22 @@ def size_pair(size: Any) -> tuple[int, int]:
 
 
 class _Resized:
-    """While it is entered, the window has the size of a tile, and a background of that transparency."""
+    """While it is entered, the window has a size, and a background of that transparency."""
 
     def __init__(self, inspection: Inspection, size: tuple[int, int], transparent: bool) -> None:
         self._inspection, self._size, self._transparent = inspection, size, transparent
 
-    def __enter__(self) -> int:
-        tiles = -(-max(self._size) // _TILE)
+    def __enter__(self) -> None:
         inspection = self._inspection
         renderer = inspection.renderer
         self._before = inspection.window.GetSize(), renderer.GetBackground(), renderer.GetBackgroundAlpha()
-        tile = tuple(-(-side // tiles) for side in self._size)
-        if tile != tuple(self._before[0]) or self._transparent:
+        if self._size != tuple(self._before[0]) or self._transparent:
             inspection.forget_frame()
-        inspection.window.SetSize(*tile)
+        inspection.window.SetSize(*self._size)
         if self._transparent:
             inspection.window.SetAlphaBitPlanes(1)
             inspection.renderer.SetBackground(0.0, 0.0, 0.0)
             inspection.renderer.SetBackgroundAlpha(0.0)
-        return tiles
 
     def __exit__(self, *_: object) -> None:
         inspection = self._inspection
@@ -119,21 +120,46 @@ class _Resized:
         inspection.renderer.SetBackgroundAlpha(alpha)
 
 
-def _tiled(inspection: Inspection, size: tuple[int, int], tiles: int, transparent: bool) -> numpy.ndarray:
-    """A picture of tiles, without the rows and columns by which they are larger together."""
-    draw(inspection)
-    whole = vtkWindowToImageFilter()
-    whole.SetInput(inspection.window)
-    whole.SetScale(tiles)
-    whole.SetFixBoundary(True)
-    whole.ReadFrontBufferOff()
-    (whole.SetInputBufferTypeToRGBA if transparent else whole.SetInputBufferTypeToRGB)()
-    whole.Update()
-    image = whole.GetOutput()
-    width, height, _ = image.GetDimensions()
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
-    inspection.forget_frame()
-    return pixels[: size[1], : size[0]].copy()
+def _tiled(inspection: Inspection, size: tuple[int, int], transparent: bool) -> numpy.ndarray:
+    """A picture of tiles, each of the window's size. Their margins, at which outlines end, are cut off."""
+    draw(inspection)  # finds a reveal for the whole view
+    camera, window = inspection.renderer.GetActiveCamera(), inspection.window
+    columns, rows = (_tiles_of(side, tile) for side, tile in zip(size, window.GetSize()))
+    share = window.GetSize()[1] / size[1]  # of the picture's height in a tile
+    whole = numpy.empty((size[1], size[0], 4 if transparent else 3), numpy.uint8)
+    tangent = math.tan(math.radians(camera.GetViewAngle() / 2))
+    camera.SetViewAngle(math.degrees(2.0 * math.atan(share * tangent)))
+    camera.SetParallelScale(share * camera.GetParallelScale())
+    try:
+        for down in rows:
+            for across in columns:
+                camera.SetWindowCenter(across.center, -down.center)
+                window.Render()
+                whole[down.kept, across.kept] = read_pixels(window, transparent)[down.of_tile, across.of_tile]
+    finally:
+        camera.SetWindowCenter(0.0, 0.0)
+        _shown.place_camera(camera, inspection.state_now["camera"])
+        inspection.forget_frame()
+    return whole
+
+
+@dataclasses.dataclass(frozen=True)
+class _Tile:
+    """A tile along one axis, from the left or the top: pixels of the picture, and those of the tile that they are."""
+
+    kept: slice
+    of_tile: slice
+    center: float  # from the picture's middle, in halves of a tile
+
+
+def _tiles_of(side: int, tile: int) -> list[_Tile]:
+    margin = 0 if tile >= side else _MARGIN
+    tiles = []
+    for first in range(0, side, tile - 2 * margin):
+        end, begin = min(first + tile - 2 * margin, side), first - margin
+        center = (2 * begin + tile - side) / tile
+        tiles.append(_Tile(slice(first, end), slice(first - begin, end - begin), center))
+    return tiles
 
 
 def png(pixels: numpy.ndarray, level: int = 5) -> bytes:
