@@ -62,7 +62,7 @@ def _layers() -> None:
         v_if=f"!({_IS_PICKED})",
     )
     with html.Template(v_if=_IS_PICKED):
-        _head("{{ picked.count }} layers at {{ picked.x }}, {{ picked.y }}")
+        _head("{{ picked.count }} {{ picked.count === 1 ? 'layer' : 'layers' }} at {{ picked.x }}, {{ picked.y }}")
         with html.Table(classes="vi-table", id="vi-layers"):
             with html.Tr():
                 html.Th("")
@@ -111,7 +111,7 @@ def _cut() -> None:
                     step="any",
                     style="width: 54px; border: 1px solid var(--vi-line); border-radius: 3px; padding: 1px 4px;",
                     title=f"Normal, {'xyz'[axis]}",
-                    value=(f"Number(plane_.normal[{axis}].toFixed(4))",),
+                    value=(f"Number(plane_.normal[{axis}].toFixed(3))",),
                     change=act(
                         "move_section",
                         "{index: at, normal: plane_.normal.map((old, axis) => "
@@ -205,7 +205,7 @@ def _cut() -> None:
             act("reveal", "{part: ins.reveal.part, cutaway: ins.reveal.cutaway, share: $event}"),
         )
     with html.Template(v_if="cut.count"):
-        _head("{{ cut.count.toLocaleString('en') }} parts are cut")
+        _head("{{ cut.count.toLocaleString('en') }} {{ cut.count === 1 ? 'part is' : 'parts are' }} cut")
         with html.Div(id="vi-cut"):
             html.Div(
                 "{{ path.split('/').pop() }}",
@@ -247,7 +247,7 @@ def _check() -> None:
         "{{ (measured.thickness ?? measured.distance).toPrecision(5) }} "
         "{{ measured.thickness !== undefined ? 'thick: ' + measured.part.split('/').pop() : 'apart' }}",
         v_if="measured",
-        style="font-size: 15px; padding: 4px 0;",
+        style="font-size: 15px; padding: 4px 0; overflow-wrap: anywhere;",
         id="vi-measured",
     )
     _head("Clashes")
