@@ -384,7 +384,7 @@ class Pictures(Machine):
 
     def test_in_tiles_are_those_of_one(self):
         self.shown.select(GEAR)
-        for parallel, size, tile in ((True, (120, 90), 64), (False, (120, 90), 50), (False, (200, 7), 40)):
+        for parallel, size, tile in ((True, (120, 90), 43), (False, (120, 90), 50), (False, (200, 7), 40)):
             self.shown.set_camera({"parallel": parallel, "position": [0, 0, 20]})
             whole = self.shown.picture(size).astype(int)
             with unittest.mock.patch.object(_output, "_TILE", tile):
