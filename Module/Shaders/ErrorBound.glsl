@@ -111,8 +111,9 @@ float boundOf(ErrorBound bound, float transmittance, vec4 behind, vec4 written)
   float range = min(2.0 * max(bound.farthest, toBehind), 1.0);
   float seen = 1.0 - transmittance;
   float alphas = min(bound.spread + transmittance * bound.weights * toBehind + bound.dense * range, seen * range);
-  float storage = (1.0 + 32.0 * VITRINE_ALPHA_ROUNDING) * (seen * VITRINE_COLOR_ROUNDING + VITRINE_ALPHA_ROUNDING * alphas)
-    + bound.count * VITRINE_FAINT_ROUNDING;
+  float storage = seen * VITRINE_COLOR_ROUNDING + VITRINE_ALPHA_ROUNDING * alphas;
+  storage *= 1.0 + 32.0 * VITRINE_ALPHA_ROUNDING; // for errors of higher order
+  storage += bound.count * VITRINE_FAINT_ROUNDING;
 #ifdef VITRINE_COMPACT_NODES
   storage += 1.015625 * bound.ties;
 #endif

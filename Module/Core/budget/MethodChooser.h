@@ -3,8 +3,8 @@
  *
  * A choice is a guess that the frame itself checks: packed lists predict their room, and compact nodes have the error
  * of each pixel bounded while they are resolved. A wrong guess costs a second geometry pass in the same frame. After a
- * wrong guess the other way is taken for a number of frames that doubles each time, so that the cost of wrong guesses is
- * a small share. All is counted, not timed, so the same frames make the same choices.
+ * wrong guess the other way is taken for a number of frames that doubles each time, so that the cost of wrong guesses
+ * is a small share. All is counted, not timed, so the same frames make the same choices.
  */
 #ifndef VITRINE_CORE_BUDGET_METHOD_CHOOSER_H
 #define VITRINE_CORE_BUDGET_METHOD_CHOOSER_H

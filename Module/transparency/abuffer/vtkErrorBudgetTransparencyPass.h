@@ -8,9 +8,9 @@
  * - Nodes are half floats, which keep each budget from 0.6/255 on, or compact, which are smaller and faster.
  * - Lists are packed, with the room that the last frame predicts, or linked.
  *
- * A choice is a guess that the frame itself checks. With compact nodes the resolve bounds the error of each pixel. If a
- * bound exceeds the budget, the frame is drawn again with half floats before anything is shown. So the budget is kept in
- * each frame. After a wrong guess the pass does not make that guess for 32 to 1,024 frames.
+ * A choice is a guess that the frame itself checks. With compact nodes the resolve bounds the error of each pixel. If
+ * a bound exceeds the budget, the frame is drawn again with half floats before anything is shown. So the budget is kept
+ * in each frame. After a wrong guess the pass does not make that guess for 32 to 1,024 frames.
  *
  * @code
  * vtkNew<vtkErrorBudgetTransparencyPass> method;
