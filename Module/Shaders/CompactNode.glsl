@@ -16,7 +16,7 @@
 
 #define VITRINE_COLOR_LEVELS 406
 
-#if defined(VITRINE_COINCIDENCE) || defined(VITRINE_EXPANDS_DEPTH)
+#if defined(VITRINE_COINCIDENCE) || defined(VITRINE_EXPANDS_DEPTH) || defined(VITRINE_HIDDEN_DEPTHS)
 float vitrineExpandDepth(uint key)
 {
   uint steps = key >> 6;

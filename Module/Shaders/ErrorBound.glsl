@@ -9,6 +9,7 @@
 //             e T_i a_i |c_i - C|, where C is the colour of all behind it. The terms |c_i - m| and |C - m| bound that.
 //   ties      compact depths may be equal where depths are not, and compact colours may hide how equal depths are
 //             ordered. To change the order of i and j changes the pixel by T a_i a_j |c_i - c_j|.
+//   hidden    what is behind the cut of HiddenDepth.glsl is missing; at most the light that passes it is at stake
 //   picture   the rounding of the written value is known, but for an uncertainty of the device
 layout(std430, binding = VITRINE_BINDING_BOUNDS) coherent buffer VitrineBoundsBuffer
 {
@@ -17,6 +18,18 @@ layout(std430, binding = VITRINE_BINDING_BOUNDS) coherent buffer VitrineBoundsBu
 layout(r32f, binding = VITRINE_IMAGE_BOUNDS) writeonly uniform imageBuffer errorBounds; // in row-major order
 uniform int boundsOfRow; // pixels of a row, or 0 if the bounds of pixels are not kept
 uniform float toleratedBound; // only larger bounds are told to the buffer
+#ifdef VITRINE_HIDDEN_DEPTHS
+#define BOUND_OF_HIDDEN hidden.leftAtCut
+#else
+#define BOUND_OF_HIDDEN 0.0
+#endif
+#ifdef VITRINE_FIXED_BOUND
+// What is stored is bounded for all pixels alike.
+uniform float fixedBound;
+#define DECLARE_BOUND
+#define TAKE_BOUND(f, c)
+#define BOUND_OF_STORAGE(behind) fixedBound
+#else
 
 #ifdef VITRINE_COMPACT_NODES
 #define VITRINE_COLOR_ROUNDING VITRINE_COMPACT_COLOR_ROUNDING
@@ -122,6 +135,9 @@ float boundOf(ErrorBound bound, float transmittance, vec4 behind, vec4 written)
   return storage + rounding + VITRINE_DEVICE_ROUNDING;
 }
 
+#define BOUND_OF_STORAGE(behind) boundOf(bound, transmittance, behind, outColor)
+#endif
+
 void tellBound(ivec2 pixel, float upper)
 {
   if (boundsOfRow > 0)
@@ -133,4 +149,4 @@ void tellBound(ivec2 pixel, float upper)
     atomicMax(vitrineBounds.Largest, floatBitsToUint(upper));
   }
 }
-#define TELL_BOUND(pixel, behind) tellBound(pixel, boundOf(bound, transmittance, behind, outColor));
+#define TELL_BOUND(pixel, behind) tellBound(pixel, BOUND_OF_STORAGE(behind) + BOUND_OF_HIDDEN);

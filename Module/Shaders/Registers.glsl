@@ -260,6 +260,14 @@ bool sameFragment(Fragment a, Fragment b)
 //
 // VITRINE_ERROR_BOUND  the error of the composite is bounded along with it. It excludes VITRINE_ALL_SAMPLES and
 //                      VITRINE_COINCIDENCE.
+// VITRINE_HIDDEN_DEPTHS  the depth behind which a pixel hides all is found along with it; it excludes the same
+#ifdef VITRINE_HIDDEN_DEPTHS
+#include "HiddenDepth.glsl"
+#else
+#define DECLARE_HIDDEN
+#define TAKE_HIDDEN(f, c)
+#define TELL_HIDDEN(pixel)
+#endif
 #ifdef VITRINE_ERROR_BOUND
 #include "ErrorBound.glsl"
 #else
@@ -273,6 +281,7 @@ bool sameFragment(Fragment a, Fragment b)
 #define DECLARE_COMPOSITE \
   precise vec3 color = vec3(0.0); \
   precise float transmittance = 1.0; \
+  DECLARE_HIDDEN \
   DECLARE_BOUND
 #endif
 #ifdef VITRINE_COINCIDENCE
@@ -282,6 +291,7 @@ bool sameFragment(Fragment a, Fragment b)
 #define BLEND(f) \
   { \
     vec4 c = fragmentColor(f); \
+    TAKE_HIDDEN(f, c) \
     TAKE_BOUND(f, c) \
     BLEND_COLOR(c) \
   }

@@ -48,9 +48,11 @@ void writeOver(vec4 behind, vec3 color, float transmittance)
 }
 #ifndef TELL_BOUND
 #define TELL_BOUND(pixel, behind)
+#define TELL_HIDDEN(pixel)
 #endif
 #define WRITE_COMPOSITE \
   vec4 behind = LOAD_BACKDROP(pixel); \
   writeOver(behind, color, transmittance); \
+  TELL_HIDDEN(pixel) \
   TELL_BOUND(pixel, behind)
 #endif

@@ -14,8 +14,8 @@
 #define VITRINE_BINDING_CAPTURE 7
 
 // Binding points of images, of which OpenGL 4.3 guarantees 8: the heads, where atomics or compute shaders write them,
-// the longest list of each block, the nodes' buffers (FragmentNode.glsl), the links of pages, the words of parts, and
-// the bounds of pixels' errors.
+// the longest list of each block, the nodes' buffers (FragmentNode.glsl), the links of pages, the words of parts, the
+// bounds of pixels' errors, and the depths behind which pixels hide all.
 #define VITRINE_IMAGE_HEADS 0
 #define VITRINE_IMAGE_BLOCKS 1
 #define VITRINE_IMAGE_NODES 2
@@ -23,6 +23,8 @@
 #define VITRINE_IMAGE_LINKS 4
 #define VITRINE_IMAGE_PARTS 5
 #define VITRINE_IMAGE_BOUNDS 6
+#define VITRINE_IMAGE_HIDDEN 7
+#define VITRINE_IMAGE_HIDDEN_OUT 6 // of a compute shader, which has no bounds
 
 // Ends a list. No page has this number.
 #define VITRINE_END 0xffffffffu

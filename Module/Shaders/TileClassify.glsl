@@ -14,6 +14,30 @@ layout(std430, binding = VITRINE_BINDING_COUNTERS) coherent buffer CounterBuffer
 layout(r32ui, binding = VITRINE_IMAGE_BLOCKS) writeonly uniform uimage2D longestLists;
 #endif
 
+#ifdef VITRINE_HIDDEN_DEPTHS
+#include "HiddenNow.glsl"
+layout(std430, binding = VITRINE_BINDING_BOUNDS) coherent buffer BoundsBuffer
+{
+  VitrineErrorBounds bounds;
+};
+
+// All of a pixel without fragments may have been cut. The resolve does not see such a pixel.
+void checkEmptyPixel(ivec2 pixel)
+{
+  if (hiddenWordOf(pixel) > 0u)
+  {
+    atomicMax(bounds.Largest, floatBitsToUint(1.0));
+  }
+}
+#define CHECK_PIXEL(pixel, count) \
+  if (count == 0u) \
+  { \
+    checkEmptyPixel(pixel); \
+  }
+#else
+#define CHECK_PIXEL(pixel, count)
+#endif
+
 uniform ivec2 regionFirst;
 uniform ivec2 regionEnd;
 
@@ -62,6 +86,7 @@ uint takeBlock(ivec2 first, ivec2 end)
     for (int x = first.x; x < end.x; ++x)
     {
       uint count = loadHead(ivec2(x, y)).y;
+      CHECK_PIXEL(ivec2(x, y), count)
       longestOfBlock = max(longestOfBlock, count);
       covered += min(count, 1u);
       tooLong += IS_TOO_LONG(count) ? 1u : 0u;

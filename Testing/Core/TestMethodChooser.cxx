@@ -25,7 +25,19 @@ PictureKind Plain()
 
 FrameFacts FactsOfPasses(int passes)
 {
-  return { 1000, 8, passes, 1 };
+  return { 1000, 4, passes, 1 };
+}
+
+// A chooser after a frame of few layers. Without one it takes half floats.
+MethodChooser AfterAFrame()
+{
+  MethodChooser chooser;
+  const FrameChoice first = chooser.Choose(8.0 * OneStep, Plain());
+  EXPECT_EQ(first.Colors, StoredColors::HalfFloat);
+  FrameFacts facts = FactsOfPasses(1);
+  facts.LayersMax = 4;
+  chooser.NoteFrame(first, facts);
+  return chooser;
 }
 
 TEST(GuaranteedErrors, AreThoseOfRoundingAndStorage)
@@ -90,7 +102,7 @@ TEST(GuessDelays, DoubleUpToALimitAndShrinkAgain)
 
 TEST(MethodChoosers, TakeCompactNodesWhereTheBudgetAllows)
 {
-  MethodChooser chooser;
+  MethodChooser chooser = AfterAFrame();
   EXPECT_EQ(NameOf(chooser.Choose(0.6 * OneStep, Plain())), "prefix-sum-predicted");
   EXPECT_EQ(NameOf(chooser.Choose(1.0 * OneStep, Plain())), "prefix-sum-predicted");
   EXPECT_EQ(NameOf(chooser.Choose(2.0 * OneStep, Plain())), "prefix-sum-predicted-compact");
@@ -101,15 +113,15 @@ TEST(MethodChoosers, TakeCompactNodesWhereTheBudgetAllows)
 
 TEST(MethodChoosers, CheckWhatDepthsMayNotTell)
 {
-  MethodChooser chooser;
-  EXPECT_TRUE(chooser.Choose(8.0 * OneStep, Plain()).IsChecked);
-  EXPECT_FALSE(chooser.Choose(0.6 * OneStep, Plain()).IsChecked);
+  MethodChooser chooser = AfterAFrame();
+  EXPECT_TRUE(chooser.Choose(8.0 * OneStep, Plain()).IsChecked());
+  EXPECT_FALSE(chooser.Choose(0.6 * OneStep, Plain()).IsChecked());
 }
 
 TEST(MethodChoosers, LeaveCompactNodesAfterAWrongGuess)
 {
-  MethodChooser chooser;
-  chooser.NoteExceeded();
+  MethodChooser chooser = AfterAFrame();
+  chooser.NoteExceeded(chooser.Choose(2.0 * OneStep, Plain()), false);
   for (int frame = 0; frame < 32; ++frame)
   {
     const FrameChoice choice = chooser.Choose(2.0 * OneStep, Plain());
@@ -134,6 +146,49 @@ TEST(MethodChoosers, LeavePredictionIfItOftenFails)
   EXPECT_FALSE(chooser.Choose(OneStep, Plain()).IsPacked);
 }
 
+TEST(MethodChoosers, HideWhatIsDeepIfEnoughIsHidden)
+{
+  MethodChooser chooser;
+  FrameFacts facts = { 1000, 40, 1, 1 };
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
+  FrameChoice choice = chooser.Choose(2.0 * OneStep, Plain());
+  EXPECT_NEAR(choice.HiddenLight, (2.0 * OneStep - vitrine::LeastBudget) / 16.0, 1e-4 * OneStep);
+  EXPECT_TRUE(choice.IsChecked());
+  EXPECT_EQ(choice.Colors, StoredColors::HalfFloat);
+  chooser.NoteFrame(choice, facts); // finds depths
+  facts.IsCut = true;
+  facts.Fragments = 500;
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    choice = chooser.Choose(2.0 * OneStep, Plain());
+    EXPECT_GT(choice.HiddenLight, 0.0);
+    chooser.NoteFrame(choice, facts);
+  }
+  facts.IsCut = false;
+  facts.Fragments = 1000;
+  chooser.NoteFrame(choice, facts);
+  facts.IsCut = true;
+  facts.Fragments = 900;
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    choice = chooser.Choose(2.0 * OneStep, Plain());
+    EXPECT_GT(choice.HiddenLight, 0.0);
+    chooser.NoteFrame(choice, facts);
+  }
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()).HiddenLight, 0.0); // a tenth is not enough
+}
+
+TEST(MethodChoosers, HideNothingAfterAWrongGuess)
+{
+  MethodChooser chooser;
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), { 1000, 40, 1, 1 });
+  const FrameChoice choice = chooser.Choose(2.0 * OneStep, Plain());
+  chooser.NoteExceeded(choice, false); // a frame that was not cut tells nothing
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()), choice);
+  chooser.NoteExceeded(choice, true);
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()).HiddenLight, 0.0);
+}
+
 TEST(MethodChoosers, LinkListsIfMemoryIsShort)
 {
   MethodChooser chooser;
@@ -145,7 +200,7 @@ TEST(MethodChoosers, LinkListsIfMemoryIsShort)
 
 TEST(MethodChoosers, TellWhatTheyChoseAndWhy)
 {
-  MethodChooser chooser;
+  MethodChooser chooser = AfterAFrame();
   chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), FactsOfPasses(1));
   const auto plan = chooser.Plan(2.0 * OneStep, Plain());
   ASSERT_EQ(plan.size(), 4u);

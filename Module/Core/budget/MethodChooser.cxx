@@ -13,6 +13,14 @@ constexpr double LeastOfCompact = 1.2 / 255.0;
 // Linked lists take about a tenth longer than packed lists, and a wrong prediction a second pass.
 constexpr double MostMisses = 0.12;
 constexpr double WeightOfLastFrame = 0.1;
+// Light that can be spared, and layers from which on something may hide behind it.
+constexpr double LeastLight = 0.2 / 255.0;
+constexpr int LeastLayersThatHide = 8;
+// Depths are looked for where a quarter of the light that can be spared passes: the picture may move.
+constexpr double ReserveOfLight = 1.0 / 16.0;
+// After so many cut frames, at least this share of the fragments must be hidden.
+constexpr int CutFramesOfTrial = 3;
+constexpr double LeastHidden = 0.15;
 
 // A link of 4 bytes serves a page of up to 8 nodes.
 constexpr int LinkBytes = 1;
@@ -65,21 +73,43 @@ bool MethodChooser::CanKeep(double budget, const PictureKind& kind)
 }
 
 //------------------------------------------------------------------------------
+// A single picture is not drawn twice for a wrong guess. Half floats leave more of the budget to what hides than
+// compact nodes do.
 FrameChoice MethodChooser::Choose(double budget, const PictureKind& kind)
 {
   FrameChoice choice;
-  const bool isCompact =
-    budget >= LeastOfCompact && kind.HasBoundsOfPixels() && this->Compact.IsOver();
+  const bool isHiding = this->MayHide(budget, kind);
+  const bool isCompact = !isHiding && this->HasFrame && budget >= LeastOfCompact &&
+    kind.HasBoundsOfPixels() && this->Compact.IsOver();
   choice.Colors = isCompact ? StoredColors::Compact : StoredColors::HalfFloat;
-  choice.IsChecked = isCompact;
+  if (isHiding)
+  {
+    choice.HiddenLight = ReserveOfLight * (budget - GuaranteedError(StoredColors::HalfFloat, kind));
+  }
   choice.IsPacked = this->Prediction.IsOver() && this->Last.Bands == 1;
   return choice;
 }
 
 //------------------------------------------------------------------------------
-void MethodChooser::NoteExceeded()
+// The depths of the last frame that hide what is behind are worth their cost in deep pixels.
+bool MethodChooser::MayHide(double budget, const PictureKind& kind) const
 {
-  this->Compact.Begin();
+  return kind.HasBoundsOfPixels() && this->Hiding.IsOver() && this->HasFrame &&
+    this->Last.Bands == 1 && (this->Last.IsCut || this->Last.LayersMax >= LeastLayersThatHide) &&
+    budget - GuaranteedError(StoredColors::HalfFloat, kind) >= LeastLight;
+}
+
+//------------------------------------------------------------------------------
+void MethodChooser::NoteExceeded(const FrameChoice& choice, bool isCut)
+{
+  if (choice.Colors == StoredColors::Compact)
+  {
+    this->Compact.Begin();
+  }
+  if (isCut)
+  {
+    this->Hiding.Begin();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +117,11 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts
 {
   this->Compact.CountFrame();
   this->Prediction.CountFrame();
-  if (choice.IsPacked && this->HasFrame && facts.Bands == 1)
+  this->Hiding.CountFrame();
+  this->NoteHidden(facts);
+  const bool isLikeLast =
+    this->HasFrame && choice == this->LastChoice && facts.IsCut == this->Last.IsCut;
+  if (choice.IsPacked && isLikeLast && facts.Bands == 1)
   {
     const double missed = facts.GeometryPasses > 1 ? 1.0 : 0.0;
     this->MissedShare += WeightOfLastFrame * (missed - this->MissedShare);
@@ -98,7 +132,25 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts
     }
   }
   this->Last = facts;
+  this->LastChoice = choice;
   this->HasFrame = true;
+}
+
+//------------------------------------------------------------------------------
+// A few cut frames tell whether enough is hidden.
+void MethodChooser::NoteHidden(const FrameFacts& facts)
+{
+  if (!facts.IsCut)
+  {
+    this->FragmentsUncut = facts.Fragments;
+    this->CutFrames = 0;
+  }
+  else if (++this->CutFrames == CutFramesOfTrial &&
+    static_cast<double>(facts.Fragments) >
+      (1.0 - LeastHidden) * static_cast<double>(this->FragmentsUncut))
+  {
+    this->Hiding.Begin();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +162,8 @@ std::vector<PlannedMethod> MethodChooser::Plan(double budget, const PictureKind&
   {
     for (const StoredColors colors : { StoredColors::Compact, StoredColors::HalfFloat })
     {
-      const FrameChoice candidate{ isPacked, colors, colors == StoredColors::Compact };
+      const FrameChoice candidate{ isPacked, colors,
+        colors == chosen.Colors ? chosen.HiddenLight : 0.0 };
       PlannedMethod method;
       method.Method = NameOf(candidate);
       method.Error = GuaranteedError(colors, kind);
@@ -139,9 +192,10 @@ std::string MethodChooser::ReasonOf(const FrameChoice& candidate, const FrameCho
 {
   if (candidate.Colors == StoredColors::Compact && chosen.Colors != StoredColors::Compact)
   {
-    return !kind.HasBoundsOfPixels() ? "the error of compact nodes is not bounded in such pictures"
-      : budget < LeastOfCompact      ? "its error may exceed " + InSteps(budget)
-                                     : "a pixel of a frame might have exceeded " + InSteps(budget);
+    return chosen.HiddenLight > 0.0 ? "half floats leave more of the budget to what is hidden"
+      : !kind.HasBoundsOfPixels()   ? "the error of compact nodes is not bounded in such pictures"
+      : budget < LeastOfCompact     ? "its error may exceed " + InSteps(budget)
+                                    : "a pixel of a frame might have exceeded " + InSteps(budget);
   }
   if (candidate.Colors != chosen.Colors)
   {
@@ -156,10 +210,13 @@ std::string MethodChooser::ReasonOf(const FrameChoice& candidate, const FrameCho
   {
     return "links take memory and time, and predicted room suffices";
   }
-  return !CanKeep(budget, kind) ? "nothing keeps the budget here; this is the nearest to it"
-    : candidate.IsChecked       ? "the cheapest that keeps " + InSteps(budget) +
+  return !CanKeep(budget, kind)   ? "nothing keeps the budget here; this is the nearest to it"
+    : candidate.HiddenLight > 0.0 ? "the cheapest that keeps " + InSteps(budget) +
+      ": what is hidden behind others is not stored; the bound of each pixel is checked in each "
+      "frame"
+    : candidate.IsChecked() ? "the cheapest that keeps " + InSteps(budget) +
       "; the bound of each pixel is checked in each frame"
-                          : "the cheapest that keeps " + InSteps(budget) + " for all pixels";
+                            : "the cheapest that keeps " + InSteps(budget) + " for all pixels";
 }
 
 }

@@ -1,9 +1,10 @@
 /**
  * Chooses how a frame stores its fragments, so that the picture keeps an error budget at the least cost.
  *
- * A choice is a guess that the frame itself checks: packed lists predict their room, and compact nodes have the error
- * of each pixel bounded while they are resolved. A wrong guess costs a second geometry pass in the same frame. After a
- * wrong guess the other way is taken for a number of frames that doubles each time, so that the cost of wrong guesses
+ * A choice is a guess that the frame itself checks. Packed lists predict their room. Compact nodes, and lists without
+ * what hides behind others, have the error of each pixel bounded while they are resolved. A wrong guess costs further
+ * geometry passes in the same frame. After a wrong guess the other way is taken for a number of frames that doubles
+ * each time, so that the cost of wrong guesses
  * is a small share. All is counted, not timed, so the same frames make the same choices.
  */
 #ifndef VITRINE_CORE_BUDGET_METHOD_CHOOSER_H
@@ -44,13 +45,19 @@ struct FrameChoice
 {
   bool IsPacked = true; ///< Packed lists with predicted room; else linked lists.
   StoredColors Colors = StoredColors::HalfFloat;
-  bool IsChecked =
-    false; ///< Pixels have their errors bounded, and a larger bound than the budget draws again.
+  /** Above 0, what is behind this little light is looked for, and not stored where the last frame found it. */
+  double HiddenLight = 0.0;
+
+  /** Returns true if pixels have their errors bounded, and a larger bound than the budget draws the frame again. */
+  bool IsChecked() const
+  {
+    return this->Colors == StoredColors::Compact || this->HiddenLight > 0.0;
+  }
 
   bool operator==(const FrameChoice& other) const
   {
     return this->IsPacked == other.IsPacked && this->Colors == other.Colors &&
-      this->IsChecked == other.IsChecked;
+      this->HiddenLight == other.HiddenLight;
   }
 };
 
@@ -63,7 +70,8 @@ struct FrameFacts
   std::int64_t Fragments = 0;
   std::int64_t LayersMax = 0;
   int GeometryPasses = 0;
-  int Bands = 1; ///< of the screen, in which the frame was drawn for want of memory
+  int Bands = 1;      ///< of the screen, in which the frame was drawn for want of memory
+  bool IsCut = false; ///< Fragments behind what hides them were not stored.
 };
 
 /** One way of drawing the next frame, for a plan that people read. */
@@ -83,8 +91,8 @@ public:
   /** Choose for a frame. `budget` is at least LeastBudget. */
   FrameChoice Choose(double budget, const PictureKind& kind);
 
-  /** Note that some pixel of a frame with compact nodes might exceed the budget. */
-  void NoteExceeded();
+  /** Note that some pixel of a frame of a choice might exceed the budget. The next choice is another one. */
+  void NoteExceeded(const FrameChoice& choice, bool isCut);
 
   /** Note a finished frame of a choice. */
   void NoteFrame(const FrameChoice& choice, const FrameFacts& facts);
@@ -100,11 +108,18 @@ private:
     const PictureKind& kind) const;
   double ExpectedPasses(const FrameChoice& candidate) const;
 
+  bool MayHide(double budget, const PictureKind& kind) const;
+  void NoteHidden(const FrameFacts& facts);
+
   GuessDelay Compact;
+  GuessDelay Hiding;
+  std::int64_t FragmentsUncut = 0; // Of the last frame that was not cut.
+  int CutFrames = 0;               // Cut frames since then.
   GuessDelay Prediction;
   double MissedShare = 0.0; // Share of the last frames whose prediction was wrong.
   bool HasFrame = false;
   FrameFacts Last;
+  FrameChoice LastChoice;
 };
 
 }

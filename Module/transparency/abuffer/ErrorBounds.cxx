@@ -40,6 +40,10 @@ void ErrorBounds::SetUniforms(vtkShaderProgram* program) const
   {
     program->SetUniformf("toleratedBound", static_cast<float>(this->Tolerated));
     program->SetUniformi("boundsOfRow", this->Row);
+    if (this->HasFixedBound())
+    {
+      program->SetUniformf("fixedBound", static_cast<float>(this->FixedBound));
+    }
   }
 }
 

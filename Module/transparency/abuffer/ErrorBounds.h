@@ -19,12 +19,17 @@ struct RenderTarget;
 class ErrorBounds
 {
 public:
-  /** Set what frames do: the bound of a pixel that they tolerate, and whether the bounds of all pixels are kept. */
-  void Ask(double tolerated, bool keepsPixels)
+  /**
+   * Set what frames do: the bound of a pixel that they tolerate, and whether the bounds of all pixels are kept. Above
+   * 0, `fixedBound` bounds what is stored in all pixels alike, and no pixel computes it.
+   */
+  void Ask(double tolerated, bool keepsPixels, double fixedBound)
   {
     this->Tolerated = tolerated;
     this->KeepsPixels = keepsPixels;
+    this->FixedBound = fixedBound;
   }
+  bool HasFixedBound() const { return this->FixedBound > 0.0; }
 
   /** Begin a frame whose resolve writes bounds. Returns an error message, empty on success. */
   std::string Begin(const RenderTarget& target);
@@ -50,6 +55,7 @@ public:
 private:
   double Tolerated = 1.0;
   bool KeepsPixels = false;
+  double FixedBound = 0.0;
   int Row = 0;    // Pixels of a row, or 0 if the bounds of the last frame's pixels are not kept.
   Buffer Largest; // VitrineErrorBounds
   Buffer Pixels;

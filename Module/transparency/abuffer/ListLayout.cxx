@@ -50,6 +50,14 @@ std::vector<std::string> ListLayout::Defines() const
   if (this->ErrorBounds)
   {
     defines.emplace_back("VITRINE_ERROR_BOUND");
+    if (this->FixedBound)
+    {
+      defines.emplace_back("VITRINE_FIXED_BOUND");
+    }
+  }
+  if (this->HiddenDepths)
+  {
+    defines.emplace_back("VITRINE_HIDDEN_DEPTHS");
   }
   if (this->FramebufferFetch)
   {

@@ -23,11 +23,13 @@ struct ListLayout
   bool FixedPoint = true;
   bool EncodesSRGB = false; ///< The target stores colours with sRGB's curve.
   bool FramebufferFetch = false;
-  bool IsSoftware = false;  ///< Shaders run on the CPU (gl/DeviceTraits).
-  bool Additive = false;    ///< Some fragments are added to what is behind them.
-  bool Coincidence = false; ///< Depths are intervals, since there is a coincidence tolerance.
-  bool PartNumbers = false; ///< Nodes have a word for their part, in a buffer of its own.
-  bool ErrorBounds = false; ///< The error of each pixel is bounded (ErrorBounds).
+  bool IsSoftware = false;   ///< Shaders run on the CPU (gl/DeviceTraits).
+  bool Additive = false;     ///< Some fragments are added to what is behind them.
+  bool Coincidence = false;  ///< Depths are intervals, since there is a coincidence tolerance.
+  bool PartNumbers = false;  ///< Nodes have a word for their part, in a buffer of its own.
+  bool ErrorBounds = false;  ///< The error of each pixel is bounded (ErrorBounds).
+  bool FixedBound = false;   ///< With ErrorBounds: what is stored has the same bound in all pixels.
+  bool HiddenDepths = false; ///< The depths that hide what is behind are found (HiddenDepths).
   int Samples = 0;
   int PageSize = 1;
 

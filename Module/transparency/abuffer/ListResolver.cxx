@@ -10,6 +10,7 @@
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/ErrorBounds.h"
 #include "transparency/abuffer/FragmentStore.h"
+#include "transparency/abuffer/HiddenDepths.h"
 #include "transparency/common/ResolveSources.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -98,6 +99,40 @@ BlockRange TilesOf(const PixelRegion& region)
   return BlocksOf(region, VITRINE_TILE_SIZE);
 }
 
+// What shaders read and write to find out more than the picture.
+class ScopedFindings
+{
+public:
+  ScopedFindings(vtkOpenGLState* state, const ListLayout& layout, const ResolveFindings& findings)
+    : Findings(findings)
+  {
+    if (layout.ErrorBounds)
+    {
+      this->Bounds.emplace(*findings.Bounds);
+    }
+    if (layout.HiddenDepths)
+    {
+      this->Hidden.emplace(state, *findings.Hidden);
+    }
+  }
+  void SetUniforms(vtkShaderProgram* program) const
+  {
+    if (this->Bounds)
+    {
+      this->Findings.Bounds->SetUniforms(program);
+    }
+    if (this->Hidden)
+    {
+      this->Hidden->SetUniforms(program);
+    }
+  }
+
+private:
+  const ResolveFindings& Findings;
+  std::optional<ScopedErrorBounds> Bounds;
+  std::optional<ScopedHiddenDepths> Hidden;
+};
+
 // Textures that both the sort pass and the resolve pass read: heads, nodes and links.
 class ScopedListTextures
 {
@@ -166,7 +201,8 @@ std::string ListResolver::Prepare(
 
 //------------------------------------------------------------------------------
 void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  FragmentStore& store, const RenderTarget& target, const PixelRegion& region)
+  FragmentStore& store, const ResolveFindings& findings, const RenderTarget& target,
+  const PixelRegion& region)
 {
   vtkOpenGLState* state = window->GetState();
   const BlockRange all = TilesOf({ 0, 0, target.Width, target.Height });
@@ -179,12 +215,14 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
   const ScopedStorageBuffer counters(VITRINE_BINDING_COUNTERS, store.CounterBuffer());
   const ScopedImage longestLists(VITRINE_IMAGE_BLOCKS, store.BlockImage());
   const ScopedListTextures textures(state, store);
+  const ScopedFindings scopedFindings(state, layout, findings);
   vtkShaderProgram* program = this->ReadyClassify(window, layout);
   if (!program)
   {
     return;
   }
   textures.SetUniforms(program);
+  scopedFindings.SetUniforms(program);
   const int regionFirst[2] = { region.X, region.Y };
   const int regionEnd[2] = { region.X + region.Width, region.Y + region.Height };
   program->SetUniform2i("regionFirst", regionFirst);
@@ -194,7 +232,7 @@ void ListResolver::Classify(vtkOpenGLRenderWindow* window, const ListLayout& lay
 
 //------------------------------------------------------------------------------
 bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout,
-  FragmentStore& store, const ErrorBounds* bounds, const Image2D& backdropImage,
+  FragmentStore& store, const ResolveFindings& findings, const Image2D& backdropImage,
   const RenderTarget& target, const PixelRegion& region, std::uint32_t tileBins)
 {
   const SortPlan plan = PlanOf(layout);
@@ -223,18 +261,11 @@ bool ListResolver::Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layo
   const ScopedListTextures textures(state, store);
   const ScopedTextureUnit tileMax(state, GL_TEXTURE_2D, this->TileMax.Handle());
   const ScopedTextureUnit backdrop(state, backdropImage.Target(), backdropImage.Handle());
-  std::optional<ScopedErrorBounds> boundBuffers;
-  if (layout.ErrorBounds)
-  {
-    boundBuffers.emplace(*bounds);
-  }
+  const ScopedFindings scopedFindings(state, layout, findings);
   const auto drawTiles = [&](vtkShaderProgram* program, const BinDraw& draw)
   {
     textures.SetUniforms(program);
-    if (layout.ErrorBounds)
-    {
-      bounds->SetUniforms(program);
-    }
+    scopedFindings.SetUniforms(program);
     program->SetUniformi("tileMax", tileMax.Unit());
     if (program->IsUniformUsed("backdrop"))
     {

@@ -22,6 +22,14 @@ namespace vitrine
 
 class ErrorBounds;
 class FragmentStore;
+class HiddenDepths;
+
+/** What the resolve finds out besides the picture. Null is not found out; the layout says the same. */
+struct ResolveFindings
+{
+  const ErrorBounds* Bounds = nullptr;
+  const HiddenDepths* Hidden = nullptr;
+};
 
 class ListResolver
 {
@@ -34,7 +42,7 @@ public:
 
   /** Find each tile's longest list, and add what the lists in `region` need to the store's counters. */
   void Classify(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
-    const RenderTarget& target, const PixelRegion& region);
+    const ResolveFindings& findings, const RenderTarget& target, const PixelRegion& region);
 
   /**
    * Returns why a list of `longest` fragments cannot be resolved here, or an empty string. llvmpipe silently ends a
@@ -44,11 +52,11 @@ public:
 
   /**
    * Sort the lists of `region` and composite them over the backdrop into the target. `tileBins` are the bins that
-   * Classify() found. `bounds` takes the bounds of errors if the layout has them. Returns false, with nothing drawn, if
-   * a shader does not compile.
+   * Classify() found. Returns false, with nothing drawn, if a shader does not
+   * compile.
    */
   bool Resolve(vtkOpenGLRenderWindow* window, const ListLayout& layout, FragmentStore& store,
-    const ErrorBounds* bounds, const Image2D& backdrop, const RenderTarget& target,
+    const ResolveFindings& findings, const Image2D& backdrop, const RenderTarget& target,
     const PixelRegion& region, std::uint32_t tileBins);
 
   /** Returns true if a shader did not compile. Nothing was drawn by it. */

@@ -277,7 +277,7 @@ std::string vtkABufferTransparencyPass::RenderFragments(
     return vitrine::ProgramFailure;
   }
   vitrine::FragmentStatistics frame;
-  std::string problem = this->PrepareFrame(target);
+  std::string problem = this->PrepareFrame(s, target);
   if (problem.empty())
   {
     problem = this->RenderLists(s, target, frame);
@@ -302,7 +302,15 @@ std::string vtkABufferTransparencyPass::RenderFragments(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget& target)
+std::string vtkABufferTransparencyPass::ReplaceFillDepth(
+  const vtkRenderState*, const vitrine::RenderTarget&, vitrine::RenderTarget&)
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkABufferTransparencyPass::PrepareFrame(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Internals& in = *this->Private;
   const vitrine::StageTimer::Section section(this->GetStageTimer(), "prepare");
@@ -316,6 +324,8 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.Layout.PartNumbers = this->PartNumbers;
   vitrine::ErrorBounds* const bounds = this->GetErrorBounds();
   in.Layout.ErrorBounds = bounds != nullptr;
+  in.Layout.FixedBound = bounds && bounds->HasFixedBound();
+  in.Layout.HiddenDepths = this->GetHiddenDepths() != nullptr;
   in.Reader.Forget();
   // An attachment that shaders fetch from has one value a sample: lists of multisampled pixels need atomics.
   const bool fetch = this->GetDeviceTraits().FramebufferFetch && target.Samples == 0;
@@ -330,9 +340,14 @@ std::string vtkABufferTransparencyPass::PrepareFrame(const vitrine::RenderTarget
   in.HasDrawn = false;
   vtkOpenGLState* state = this->GetWindow()->GetState();
   std::string problem = tolerance.FindProblemIn(target);
+  vitrine::RenderTarget fill = target;
   if (problem.empty())
   {
-    problem = this->GetStore().BeginFrame(state, target, this->MemoryLimit, in.Layout);
+    problem = this->ReplaceFillDepth(s, target, fill);
+  }
+  if (problem.empty())
+  {
+    problem = this->GetStore().BeginFrame(state, fill, this->MemoryLimit, in.Layout);
   }
   if (problem.empty() && bounds)
   {
@@ -410,7 +425,8 @@ std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
   in.DrawnBins = 0;
   {
     const vitrine::StageTimer::Section section(this->GetStageTimer(), "classify");
-    in.Resolver.Classify(this->GetWindow(), in.Layout, store, target, region);
+    in.Resolver.Classify(this->GetWindow(), in.Layout, store,
+      { this->GetErrorBounds(), this->GetHiddenDepths() }, target, region);
   }
   store.CopyCounters(copy);
   return problem;
@@ -464,8 +480,9 @@ void vtkABufferTransparencyPass::ResolveBins(
   if (tileBins != 0)
   {
     const vitrine::StageTimer::Section section(this->GetStageTimer(), "resolve");
-    in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(), this->GetErrorBounds(),
-      in.Backdrop.Image(), target, region, tileBins);
+    in.Resolver.Resolve(this->GetWindow(), in.Layout, this->GetStore(),
+      { this->GetErrorBounds(), this->GetHiddenDepths() }, in.Backdrop.Image(), target, region,
+      tileBins);
     in.DrawnBins |= tileBins;
     in.HasDrawn = true;
   }

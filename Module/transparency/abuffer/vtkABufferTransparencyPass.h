@@ -48,6 +48,7 @@ namespace vitrine
 {
 class ErrorBounds;
 class FragmentStore;
+class HiddenDepths;
 struct FragmentStatistics;
 struct FrameSize;
 struct LayerFragment;
@@ -179,6 +180,22 @@ protected:
   }
 
   /**
+   * Get what takes the depths that the resolve of the next frame finds to hide what is behind. Null, the default, means
+   * none.
+   */
+  virtual vitrine::HiddenDepths* GetHiddenDepths()
+  {
+    return nullptr;
+  }
+
+  /**
+   * Give `fill`, the target that fragments are filled into, another depth than the opaque one. Returns an empty string,
+   * or why that cannot be done. The default changes nothing.
+   */
+  virtual std::string ReplaceFillDepth(
+    const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::RenderTarget& fill);
+
+  /**
    * Put back what stood in the target before the frame was resolved.
    */
   void PutBackdropBack(const vitrine::RenderTarget& target);
@@ -202,7 +219,7 @@ private:
   vtkABufferTransparencyPass(const vtkABufferTransparencyPass&) = delete;
   void operator=(const vtkABufferTransparencyPass&) = delete;
 
-  std::string PrepareFrame(const vitrine::RenderTarget& target);
+  std::string PrepareFrame(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
     vitrine::FragmentStatistics& frame);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,

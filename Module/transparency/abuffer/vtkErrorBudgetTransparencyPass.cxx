@@ -3,8 +3,10 @@
 #include "Core/budget/MethodChooser.h"
 #include "gl/RenderTarget.h"
 #include "scene/Settings.h"
+#include "scene/ViewMatrices.h"
 #include "shader/ShaderText.h"
 #include "transparency/abuffer/ErrorBounds.h"
+#include "transparency/abuffer/HiddenDepths.h"
 #include "transparency/abuffer/LinkedListStore.h"
 #include "transparency/abuffer/PackedListStore.h"
 #include "transparency/common/CoincidenceTolerance.h"
@@ -13,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
 
 #include <algorithm>
 
@@ -26,8 +29,10 @@ struct vtkErrorBudgetTransparencyPass::Choice
   vitrine::FrameChoice Frame;
   vitrine::PictureKind Kind;
   vitrine::ErrorBounds Bounds;
-  bool HasFrame = false;  // The last frame was drawn by this pass.
-  bool HasPixels = false; // The bounds of its pixels were kept.
+  vitrine::HiddenDepths Hidden;
+  vitrine::ViewMatrices Matrices{}; // of the last frame
+  bool HasFrame = false;            // The last frame was drawn by this pass.
+  bool HasPixels = false;           // The bounds of its pixels were kept.
   int FrameSize[2] = {};
   std::vector<vitrine::PlannedMethod> Plan;
 
@@ -38,9 +43,10 @@ struct vtkErrorBudgetTransparencyPass::Choice
                    : vitrine::PlannedMethod{ {}, 0.0, 0.0, 0, false, {} };
   }
 
+  bool IsCut() const { return this->Frame.HiddenLight > 0.0 && this->Hidden.Cuts(); }
   bool ComputesBounds(bool keepsPixels) const
   {
-    return this->Kind.HasBoundsOfPixels() && (this->Frame.IsChecked || keepsPixels);
+    return this->Kind.HasBoundsOfPixels() && (this->Frame.IsChecked() || keepsPixels);
   }
 };
 
@@ -117,6 +123,29 @@ vitrine::ErrorBounds* vtkErrorBudgetTransparencyPass::GetErrorBounds()
 }
 
 //------------------------------------------------------------------------------
+vitrine::HiddenDepths* vtkErrorBudgetTransparencyPass::GetHiddenDepths()
+{
+  return this->Chosen->Frame.HiddenLight > 0.0 ? &this->Chosen->Hidden : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Lists with the numbers of parts are read by vtkLayerPicker, which tells all layers.
+std::string vtkErrorBudgetTransparencyPass::ReplaceFillDepth(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::RenderTarget& fill)
+{
+  Choice& chosen = *this->Chosen;
+  if (chosen.Frame.HiddenLight <= 0.0)
+  {
+    return {};
+  }
+  const vitrine::ViewMatrices matrices = vitrine::ViewMatricesOf(s->GetRenderer());
+  const bool moved = matrices != chosen.Matrices;
+  chosen.Matrices = matrices;
+  chosen.Hidden.SetLight(chosen.Frame.HiddenLight);
+  return chosen.Hidden.Begin(this->GetWindow(), target, !this->PartNumbers, moved, fill);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkErrorBudgetTransparencyPass::RenderFragments(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
@@ -124,16 +153,15 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
   chosen.HasFrame = false;
   chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples, this->HasAdditiveFragments(),
     this->GetTolerance().IsOn() };
-  this->TakeChoice();
-  std::string problem = this->Superclass::RenderFragments(s, target);
+  std::string problem = this->RenderChosen(s, target);
   const int passes = this->NumberOfGeometryPasses;
-  if (problem.empty() && chosen.Frame.IsChecked && this->ExceedsBudget())
+  if (problem.empty() && this->ExceedsBudget())
   {
     ++this->NumberOfWrongGuesses;
-    chosen.Chooser.NoteExceeded();
+    chosen.Chooser.NoteExceeded(chosen.Frame, chosen.IsCut());
+    chosen.Hidden.Forget();
     this->PutBackdropBack(target);
-    this->TakeChoice();
-    problem = this->Superclass::RenderFragments(s, target);
+    problem = this->RenderChosen(s, target);
   }
   if (problem.empty())
   {
@@ -142,6 +170,15 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
     this->NoteFrame(passes);
   }
   return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkErrorBudgetTransparencyPass::RenderChosen(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  this->TakeChoice();
+  const std::string problem = this->Superclass::RenderFragments(s, target);
+  return problem.empty() && this->Chosen->Hidden.HasFailed() ? vitrine::ProgramFailure : problem;
 }
 
 //------------------------------------------------------------------------------
@@ -162,27 +199,42 @@ void vtkErrorBudgetTransparencyPass::TakeChoice()
     this->ColorStorage = storage;
     this->ShaderStage.Modified();
   }
-  chosen.Bounds.Ask(this->ErrorBudget, this->KeepErrorBounds);
+  const bool isFixed = next.Colors == vitrine::StoredColors::HalfFloat && !this->KeepErrorBounds;
+  chosen.Bounds.Ask(this->ErrorBudget, this->KeepErrorBounds,
+    isFixed ? vitrine::GuaranteedError(next.Colors, chosen.Kind) : 0.0);
 }
 
 //------------------------------------------------------------------------------
 bool vtkErrorBudgetTransparencyPass::ExceedsBudget()
 {
-  return this->Chosen->Bounds.ReadLargest() > this->ErrorBudget;
+  const Choice& chosen = *this->Chosen;
+  const bool isChecked = chosen.Frame.Colors == vitrine::StoredColors::Compact || chosen.IsCut();
+  return isChecked && chosen.Bounds.ReadLargest() > this->ErrorBudget;
 }
 
 //------------------------------------------------------------------------------
 void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
 {
   Choice& chosen = *this->Chosen;
-  const double guaranteed = vitrine::GuaranteedError(chosen.Frame.Colors, chosen.Kind);
-  this->GuaranteedError =
-    chosen.Frame.IsChecked ? std::min(guaranteed, this->ErrorBudget) : guaranteed;
-  this->Bytes += chosen.Bounds.Bytes();
+  const double stored = vitrine::GuaranteedError(chosen.Frame.Colors, chosen.Kind);
+  const bool isCompact = chosen.Frame.Colors == vitrine::StoredColors::Compact;
+  this->GuaranteedError = chosen.IsCut() ? this->ErrorBudget
+    : isCompact                          ? std::min(stored, this->ErrorBudget)
+                                         : stored;
+  if (chosen.Frame.HiddenLight > 0.0)
+  {
+    chosen.Hidden.EndFrame();
+  }
+  else
+  {
+    chosen.Hidden.Forget();
+  }
+  this->Bytes += chosen.Bounds.Bytes() + chosen.Hidden.Bytes();
   chosen.HasFrame = true;
   chosen.HasPixels = this->KeepErrorBounds;
   chosen.Chooser.NoteFrame(chosen.Frame,
-    { this->NumberOfFragments, this->MaximumNumberOfLayers, passes, this->NumberOfBands });
+    { this->NumberOfFragments, this->MaximumNumberOfLayers, passes, this->NumberOfBands,
+      chosen.IsCut() });
   chosen.Plan = chosen.Chooser.Plan(this->ErrorBudget, chosen.Kind);
 }
 
@@ -276,6 +328,7 @@ void vtkErrorBudgetTransparencyPass::ReleaseMethodResources()
 {
   this->Superclass::ReleaseMethodResources();
   this->Chosen->Bounds.Release();
+  this->Chosen->Hidden.Release();
   this->Chosen->HasPixels = false;
 }
 
@@ -284,5 +337,6 @@ void vtkErrorBudgetTransparencyPass::ForgetMethodResources()
 {
   this->Superclass::ForgetMethodResources();
   this->Chosen->Bounds = vitrine::ErrorBounds();
+  this->Chosen->Hidden = vitrine::HiddenDepths();
   this->Chosen->HasFrame = false;
 }

@@ -128,6 +128,9 @@ protected:
   std::unique_ptr<vitrine::FragmentStore> MakeStore() const override;
   void GetStoringShader(vitrine::FillShader& fill) const override;
   vitrine::ErrorBounds* GetErrorBounds() override;
+  vitrine::HiddenDepths* GetHiddenDepths() override;
+  std::string ReplaceFillDepth(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    vitrine::RenderTarget& fill) override;
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   void RenderNothing() override;
@@ -145,6 +148,7 @@ private:
 
   void TakeChoice();
   bool ExceedsBudget();
+  std::string RenderChosen(const vtkRenderState* s, const vitrine::RenderTarget& target);
   void NoteFrame(int passes);
 
   struct Choice;
