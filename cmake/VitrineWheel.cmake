@@ -19,7 +19,7 @@ if (VITRINE_BUILD_EXAMPLES)
 endif ()
 
 # Libraries that a user's machine need not have, and what they ask for with them.
-include(VitrineMeshDecoders)
+include(VitrineMeshLibraries)
 get_filename_component(vitrine_meshoptimizer "${VITRINE_MESHOPTIMIZER_LIBRARY}" REALPATH)
 get_filename_component(vitrine_libraries "${VITRINE_MESHOPTIMIZER_LIBRARY}" DIRECTORY)
 file(GLOB vitrine_meshoptimizer_name RELATIVE "${vitrine_libraries}" "${vitrine_libraries}/libmeshoptimizer.so.*d")
@@ -28,7 +28,11 @@ install(
   DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   RENAME      "${vitrine_meshoptimizer_name}"
   COMPONENT   runtime)
-foreach (package IN ITEMS libdraco-dev libmeshoptimizer-dev)
+foreach (library IN ITEMS CORE TOOLS)
+  get_filename_component(vitrine_openmesh "${VITRINE_OPENMESH_${library}_LIBRARY}" REALPATH)
+  install(FILES "${vitrine_openmesh}" DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime)
+endforeach ()
+foreach (package IN ITEMS libdraco-dev libmeshoptimizer-dev libopenmesh-dev)
   install(
     FILES       "${vitrine_libraries}/../../share/doc/${package}/copyright"
     DESTINATION "${CMAKE_INSTALL_LIBDIR}/licenses"

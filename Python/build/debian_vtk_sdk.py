@@ -19,6 +19,7 @@ LIBRARY_SUITE = "bookworm"  # the oldest supported: static libraries of it link 
 LIBRARY_PACKAGES = [
     *("libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "libpng-dev", "zlib1g-dev"),
     *("libdraco-dev", "libmeshoptimizer-dev", "libmeshoptimizer2d"),
+    *("libopenmesh-dev", "libopenmesh1"),
 ]
 LIBRARIES = "lib/x86_64-linux-gnu"
 SNAPSHOT = "https://snapshot.debian.org/archive/debian/20261101T000000Z"  # of the day with VTK 9.6.2 in forky
