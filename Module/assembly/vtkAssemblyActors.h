@@ -216,6 +216,8 @@ private:
   vtkAssemblyActors(const vtkAssemblyActors&) = delete;
   void operator=(const vtkAssemblyActors&) = delete;
 
+  friend class vtkPartLevels; // shows other actors in place of these
+
   bool IsPart(int part);
   vitrine::DrawnParts& Drawn();
 

@@ -1,7 +1,7 @@
 #include "inspection/IndexedParts.h"
 
-#include "inspection/PartTriangles.h"
 #include "scene/Matrices.h"
+#include "scene/PartTriangles.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

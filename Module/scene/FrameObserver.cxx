@@ -1,7 +1,6 @@
 #include "scene/FrameObserver.h"
 
 #include "scene/CaptureEvents.h"
-#include "scene/FrameOrder.h"
 
 #include "vtkRenderer.h"
 
@@ -10,13 +9,13 @@
 namespace vitrine
 {
 
-void FrameObserver::Watch(vtkRenderer* renderer, vtkObject* owner)
+void FrameObserver::Watch(vtkRenderer* renderer, vtkObject* owner, float priority)
 {
   this->Owner = owner;
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
          static_cast<unsigned long>(vtkCommand::EndEvent), CaptureStartEvent, CaptureEndEvent })
   {
-    this->Observers.push_back(renderer->AddObserver(event, this, SetsLooks));
+    this->Observers.push_back(renderer->AddObserver(event, this, priority));
   }
 }
 

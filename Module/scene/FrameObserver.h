@@ -1,6 +1,7 @@
 #ifndef VITRINE_SCENE_FRAME_OBSERVER_H
 #define VITRINE_SCENE_FRAME_OBSERVER_H
 
+#include "scene/FrameOrder.h"
 #include "vtkCommand.h"
 #include "vtkSmartPointer.h"
 
@@ -25,8 +26,11 @@ public:
   std::function<void()> Start;
   std::function<void()> End;
 
-  /** Observe a renderer until Leave(). */
-  void Watch(vtkRenderer* renderer, vtkObject* owner);
+  /**
+   * Observe a renderer until Leave(). Of several observers, those of a higher priority are called first, at both ends
+   * of a frame.
+   */
+  void Watch(vtkRenderer* renderer, vtkObject* owner, float priority = SetsLooks);
   void Leave(vtkRenderer* renderer);
 
   void Execute(vtkObject*, unsigned long event, void* data) override;

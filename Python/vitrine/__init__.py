@@ -7,8 +7,8 @@
     print(vitrine.report())
 
 The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), highlight(), x_ray(), reveal(),
-inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK module Vitrine::Rendering.
-VTK's own classes are in the package vtkmodules.
+levels(), inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK module
+Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
 """
 
 import importlib
@@ -47,6 +47,7 @@ from ._assembly import Assembly, Part, Selection, from_multiblock, load  # noqa:
 from ._highlight import Highlight, highlight  # noqa: E402
 from ._index import AssemblyIndex, Clash, Crossing, Distance, Nearest, Wall  # noqa: E402
 from ._layers import Layer, Layers, Picked, layers_at, layers_in, pick  # noqa: E402
+from ._levels import Levels, LevelStats, levels  # noqa: E402
 from ._report import report  # noqa: E402
 from ._reveal import Faded, Reveal, reveal  # noqa: E402
 from ._section import Section, SectionBox, section, section_box  # noqa: E402
@@ -56,10 +57,11 @@ from ._x_ray import XRay, x_ray  # noqa: E402
 
 __all__ = [name for name in dir(_rendering) if name.startswith("vtk")]
 __all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded", "Highlight", "Layer", "Layers"]
+__all__ += ["Levels", "LevelStats"]
 __all__ += ["Nearest", "Part", "Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats"]
 __all__ += ["Tree", "Wall", "XRay"]
 __all__ += ["__version__", "export_explorable", "from_multiblock", "highlight", "inspect", "layers_at", "layers_in"]
-__all__ += ["load"]
+__all__ += ["levels", "load"]
 __all__ += ["pick", "report", "reveal", "section", "section_box", "see_through", "stats", "x_ray"]
 
 if TYPE_CHECKING:

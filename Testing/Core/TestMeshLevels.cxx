@@ -34,6 +34,7 @@ using vitrine::MeshLevel;
 using vitrine::MeshLevels;
 using vitrine::MeshReduction;
 using vitrine::PartMesh;
+using vitrine::Surface;
 
 DetailedMesh MeshOf(const measured_shapes::Mesh& mesh)
 {
@@ -178,8 +179,10 @@ TEST(MeshLevels, OfAHardCubeEndWithTwelveTriangles)
       EXPECT_NEAR(glm::dot(glm::dvec3(cube.Normals[left[i + k]]), area), 0.5, 1e-12);
     }
   }
-  EXPECT_LE(BoundOfDistance(cube.Points, cube.Corners, PartMesh(cube.Points, left), 1e-9), 1e-9);
-  EXPECT_LE(BoundOfDistance(cube.Points, left, PartMesh(cube.Points, cube.Corners), 1e-9), 1e-9);
+  const Surface whole(cube.Points, cube.Corners);
+  const Surface reduced(cube.Points, left);
+  EXPECT_LE(BoundOfDistance(cube.Points, whole, reduced, 1e-9), 1e-9);
+  EXPECT_LE(BoundOfDistance(cube.Points, reduced, whole, 1e-9), 1e-9);
 }
 
 TEST(MeshLevels, KeepTheBorderOfColours)
@@ -203,7 +206,7 @@ TEST(MeshLevels, KeepTheBorderOfColours)
   {
     if (level.Corners.size() / 3 <= 8)
     {
-      continue; // the octahedron has no colours to keep
+      continue; // a level of so few has no colours to keep
     }
     std::array<double, 2> areas{ 0, 0 };
     for (std::size_t i = 0; i < level.Corners.size(); i += 3)
@@ -347,11 +350,13 @@ TEST(SurfaceBound, OfKnownTriangles)
 {
   const Points points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 2 }, { 4, 0, 2 }, { 0, 4, 3 },
     { 9, 0, 0 } };
-  const PartMesh flat(points, { 0, 1, 2 });
-  EXPECT_DOUBLE_EQ(BoundOfDistance(points, { 3, 4, 5 }, flat, 0), 3);
-  EXPECT_DOUBLE_EQ(BoundOfDistance(points, { 0, 1, 2 }, flat, 0), 0);
-  EXPECT_DOUBLE_EQ(BoundOfDistance(points, { 6, 6, 6 }, flat, 0), 5); // a point
-  EXPECT_DOUBLE_EQ(BoundOfDistance(points, { 0, 6, 6 }, flat, 0), 5); // a segment
+  const Surface flat(points, { 0, 1, 2 });
+  const auto bound = [&](const Corners& corners)
+  { return BoundOfDistance(points, Surface(points, corners), flat, 0); };
+  EXPECT_DOUBLE_EQ(bound({ 3, 4, 5 }), 3);
+  EXPECT_DOUBLE_EQ(bound({ 0, 1, 2 }), 0);
+  EXPECT_DOUBLE_EQ(bound({ 6, 6, 6 }), 5); // a point
+  EXPECT_DOUBLE_EQ(bound({ 0, 6, 6 }), 5); // a segment
 }
 
 }

@@ -4,8 +4,8 @@
 
 #include "Core/measure/AssemblyIndex.h"
 #include "commands/Options.h"
-#include "inspection/PartTriangles.h"
 #include "scene/Matrices.h"
+#include "scene/PartTriangles.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "Core/geometry/Box.h"
 #include "Core/levels/MeshReduction.h"
+#include "Core/levels/PointClusters.h"
 #include "Core/levels/SurfaceBound.h"
-#include "Core/measure/PartMesh.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,7 +18,7 @@ namespace vitrine
 namespace
 {
 
-constexpr std::size_t FewestTriangles = 16; ///< a mesh of so few gets no levels
+constexpr std::size_t FewestTriangles = 4; ///< a mesh of so few gets no levels
 
 double LengthOf(const DetailedMesh& mesh)
 {
@@ -32,13 +32,17 @@ double LengthOf(const DetailedMesh& mesh)
   return glm::length(high - low);
 }
 
-/** Returns the octahedron whose corners are the points farthest along each axis, both ways. */
-std::vector<std::uint32_t> OctahedronIn(
-  const DetailedMesh& mesh, const std::vector<std::uint32_t>& corners)
+/** A level of so few triangles is compared with the mesh itself, too, which is quick and a tighter bound. */
+constexpr std::size_t FewToTheMesh = 64;
+
+/** The points farthest along each axis, the lowest and the highest. */
+using Extremes = std::array<std::array<std::uint32_t, 2>, 3>;
+
+Extremes ExtremesOf(const DetailedMesh& mesh)
 {
-  std::array<std::array<std::uint32_t, 2>, 3> ends; // for each axis the lowest and the highest
-  ends.fill({ corners[0], corners[0] });
-  for (const std::uint32_t corner : corners)
+  Extremes ends;
+  ends.fill({ mesh.Corners[0], mesh.Corners[0] });
+  for (const std::uint32_t corner : mesh.Corners)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -48,21 +52,28 @@ std::vector<std::uint32_t> OctahedronIn(
       high = place > mesh.Points[high][axis] ? corner : high;
     }
   }
-  std::vector<std::uint32_t> faces;
-  for (int octant = 0; octant < 8; ++octant)
+  return ends;
+}
+
+/** Returns the triangle of the largest area among those of the points farthest along each axis. */
+std::vector<std::uint32_t> TriangleOf(const DetailedMesh& mesh, const Extremes& ends)
+{
+  std::vector<std::uint32_t> largest;
+  double most = 0;
+  for (int choice = 0; choice < 6 * 6 * 6; ++choice)
   {
-    const std::uint32_t x = ends[0][octant & 1];
-    const std::uint32_t y = ends[1][octant >> 1 & 1];
-    const std::uint32_t z = ends[2][octant >> 2 & 1];
-    const bool isOdd = ((octant ^ octant >> 1 ^ octant >> 2) & 1) != 0;
-    if (mesh.Points[x] != mesh.Points[y] && mesh.Points[y] != mesh.Points[z] &&
-      mesh.Points[z] != mesh.Points[x])
+    const auto end = [&](int place) { return ends[place / 2 % 3][place % 2]; };
+    const std::array<std::uint32_t, 3> corners{ end(choice % 6), end(choice / 6 % 6),
+      end(choice / 36) };
+    const glm::dvec3 area = glm::cross(mesh.Points[corners[1]] - mesh.Points[corners[0]],
+      mesh.Points[corners[2]] - mesh.Points[corners[0]]);
+    if (glm::length(area) > most)
     {
-      const std::array<std::uint32_t, 3> face{ x, isOdd ? y : z, isOdd ? z : y };
-      faces.insert(faces.end(), face.begin(), face.end());
+      most = glm::length(area);
+      largest.assign(corners.begin(), corners.end());
     }
   }
-  return faces;
+  return largest;
 }
 
 /** Adds levels, each with a bound of its distance from the mesh. */
@@ -71,43 +82,70 @@ class LevelChain
 public:
   explicit LevelChain(const DetailedMesh& mesh)
     : Mesh(mesh)
-    , Rounding(1e-12 * LengthOf(mesh))
-    , Tolerance(1e-5 * LengthOf(mesh))
-    , Corners(mesh.Corners)
-    , Surface(std::make_unique<PartMesh>(mesh.Points, mesh.Corners))
+    , Diagonal(LengthOf(mesh))
+    , Rounding(1e-12 * Diagonal)
+    , Tolerance(1e-5 * Diagonal)
+    , Whole(std::make_shared<Surface>(mesh.Points, mesh.Corners))
+    , Last(Whole)
   {
   }
 
-  std::size_t TriangleCount() const { return this->Corners.size() / 3; }
+  double Length() const { return this->Diagonal; }
+  const std::vector<std::uint32_t>& LastCorners() const { return this->Last->Corners; }
+  std::size_t TriangleCount() const { return this->Last->Corners.size() / 3; }
 
   /** Adds a level if it has at most three quarters of the triangles of the last one. */
   bool Add(std::vector<std::uint32_t> corners)
   {
-    if (corners.empty() || 4 * corners.size() > 3 * this->Corners.size())
+    if (corners.empty() || 4 * corners.size() > 3 * this->Last->Corners.size())
     {
       return false;
     }
-    auto surface = std::make_unique<PartMesh>(this->Mesh.Points, corners);
+    const auto level = std::make_shared<const Surface>(this->Mesh.Points, std::move(corners));
+    if (level->Mesh.TriangleCount() == 0)
+    {
+      return false;
+    }
     const double before = this->Levels.empty() ? 0.0 : this->Levels.back().Bound;
-    const double within = std::max(this->Tolerance, before / 16);
-    const double there = BoundOfDistance(this->Mesh.Points, this->Corners, *surface, within);
-    const double back =
-      BoundOfDistance(this->Mesh.Points, corners, *this->Surface, std::max(there, within));
-    const double bound = before + std::max(there, back) + this->Rounding;
-    this->Corners = corners;
-    this->Surface = std::move(surface);
-    this->Levels.push_back({ std::move(corners), bound });
+    // Both are in one box, so no point of one is farther from the other than the box is long.
+    double bound =
+      std::min(this->Diagonal, before + this->Distance(*this->Last, *level, before / 16));
+    if (level->Corners.size() <= 3 * FewToTheMesh)
+    {
+      bound = std::min(bound, this->Distance(*this->Whole, *level, bound / 16));
+    }
+    this->Levels.push_back({ level->Corners, std::max(bound, before) + this->Rounding });
+    this->Last = level;
     return true;
+  }
+
+  /** Adds a level if it has at most half of the triangles of the last one. */
+  void AddHalf(std::vector<std::uint32_t> corners)
+  {
+    if (2 * corners.size() <= this->Last->Corners.size())
+    {
+      this->Add(std::move(corners));
+    }
   }
 
   std::vector<MeshLevel> Levels;
 
 private:
+  /** Returns a bound of the Hausdorff distance of two levels. */
+  double Distance(const Surface& fine, const Surface& coarse, double within) const
+  {
+    const double tolerance = std::max(within, this->Tolerance);
+    const double there = BoundOfDistance(this->Mesh.Points, fine, coarse, tolerance);
+    return std::max(
+      there, BoundOfDistance(this->Mesh.Points, coarse, fine, std::max(there, tolerance)));
+  }
+
   const DetailedMesh& Mesh;
+  const double Diagonal; ///< that of the diagonal of the box around all
   const double Rounding;
   const double Tolerance;
-  std::vector<std::uint32_t> Corners; ///< those of the last level
-  std::unique_ptr<PartMesh> Surface;
+  std::shared_ptr<const Surface> Whole;
+  std::shared_ptr<const Surface> Last;
 };
 
 }
@@ -131,7 +169,12 @@ MeshLevels LevelsOf(const DetailedMesh& mesh)
   {
     reduction.ReduceTo(chain.TriangleCount() / 4);
   } while (chain.Add(reduction.Triangles()));
-  chain.Add(OctahedronIn(mesh, mesh.Corners));
+  // What is left are pieces that cannot be made coarser one by one.
+  for (double share = 1.0 / 128; share < 1; share *= 2)
+  {
+    chain.AddHalf(Clustered(mesh, chain.LastCorners(), share * chain.Length()));
+  }
+  chain.Add(TriangleOf(mesh, ExtremesOf(mesh)));
   made.Levels = std::move(chain.Levels);
   return made;
 }

@@ -156,12 +156,17 @@ std::array<Polygon, 2> Cut(const Polygon& polygon, const Plane& plane)
 class DistanceSearch
 {
 public:
-  DistanceSearch(const std::vector<glm::dvec3>& points, const PartMesh& to, double tolerance)
+  DistanceSearch(const std::vector<glm::dvec3>& points, const Surface& to, double tolerance)
     : Points(points)
-    , To(to)
+    , To(to.Mesh)
     , Enough(tolerance)
     , Nearest(points.size(), Unknown)
   {
+    for (std::uint32_t i = 0; i < this->To.TriangleCount(); ++i)
+    {
+      const std::uint32_t* const corners = &to.Corners[3 * std::size_t{ this->To.SourceOf(i) }];
+      std::for_each(corners, corners + 3, [&](std::uint32_t point) { this->Nearest[point] = i; });
+    }
   }
 
   double Bound(const std::vector<std::uint32_t>& corners)
@@ -308,10 +313,10 @@ private:
 
 }
 
-double BoundOfDistance(const std::vector<glm::dvec3>& points,
-  const std::vector<std::uint32_t>& corners, const PartMesh& to, double tolerance)
+double BoundOfDistance(
+  const std::vector<glm::dvec3>& points, const Surface& from, const Surface& to, double tolerance)
 {
-  return DistanceSearch(points, to, tolerance).Bound(corners);
+  return DistanceSearch(points, to, tolerance).Bound(from.Corners);
 }
 
 }

@@ -1,6 +1,6 @@
 /** The triangles of polygons and strips. */
-#ifndef VITRINE_INSPECTION_PART_TRIANGLES_H
-#define VITRINE_INSPECTION_PART_TRIANGLES_H
+#ifndef VITRINE_SCENE_PART_TRIANGLES_H
+#define VITRINE_SCENE_PART_TRIANGLES_H
 
 #include "vtkType.h"
 

@@ -1,6 +1,8 @@
-#include "inspection/PartTriangles.h"
+#include "scene/PartTriangles.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -16,15 +18,15 @@ std::uint32_t PointNumber(vtkIdType point)
   return fits ? static_cast<std::uint32_t>(point) : VTK_UNSIGNED_INT_MAX;
 }
 
+// Several threads may read the same cells by a list of each.
 template <class Visit>
 void ForEachCell(vtkCellArray* cells, const Visit& visit)
 {
+  vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
   {
-    vtkIdType count = 0;
-    const vtkIdType* points = nullptr;
-    cells->GetCellAtId(cell, count, points);
-    visit(count, points);
+    cells->GetCellAtId(cell, points);
+    visit(points->GetNumberOfIds(), points->GetPointer(0));
   }
 }
 

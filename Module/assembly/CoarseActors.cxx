@@ -1,0 +1,457 @@
+#include "assembly/CoarseActors.h"
+
+#include "assembly/PartLooks.h"
+#include "assembly/PlacedGeometry.h"
+#include "scene/Matrices.h"
+#include "scene/PropertyCopy.h"
+
+#include "vtkCellArray.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCulledCompositePolyDataMapper.h"
+#include "vtkCulledPolyDataMapper.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** How a part looks as it is drawn. */
+struct PartLook
+{
+  bool IsVisible;
+  double Opacity;
+  std::array<double, 3> Color;
+};
+
+vtkCompositeDataDisplayAttributes* AttributesOf(vtkActor* actor)
+{
+  auto* const mapper = vtkCulledCompositePolyDataMapper::SafeDownCast(actor->GetMapper());
+  return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
+}
+
+PartLook LookOf(const DrawnPlace& place)
+{
+  vtkProperty* const property = place.Actor->GetProperty();
+  PartLook look{ place.Actor->GetVisibility() != 0, property->GetOpacity(), {} };
+  property->GetColor(look.Color.data());
+  vtkCompositeDataDisplayAttributes* const attributes = AttributesOf(place.Actor);
+  if (!place.Block || !attributes)
+  {
+    return look;
+  }
+  if (attributes->HasBlockVisibility(place.Block))
+  {
+    look.IsVisible = look.IsVisible && attributes->GetBlockVisibility(place.Block);
+  }
+  if (attributes->HasBlockOpacity(place.Block))
+  {
+    look.Opacity = attributes->GetBlockOpacity(place.Block);
+  }
+  if (attributes->HasBlockColor(place.Block))
+  {
+    attributes->GetBlockColor(place.Block, look.Color.data());
+  }
+  return look;
+}
+
+/** Returns when the looks or places of the parts of an actor changed last. */
+vtkMTimeType LooksTimeOf(vtkActor* actor)
+{
+  vtkMTimeType newest = actor->GetProperty()->GetMTime();
+  if (vtkCompositeDataDisplayAttributes* const attributes = AttributesOf(actor))
+  {
+    newest = std::max(newest, attributes->GetMTime());
+  }
+  if (vtkDataObject* const data = actor->GetMapper()->GetInputDataObject(0, 0))
+  {
+    newest = std::max(newest, data->GetMTime());
+  }
+  if (vtkMatrix4x4* const matrix = actor->GetUserMatrix())
+  {
+    newest = std::max(newest, matrix->GetMTime());
+  }
+  return newest;
+}
+
+/** Returns by how much a matrix makes lengths longer, at most. */
+double ScaleOf(const glm::dmat4& matrix)
+{
+  double rows[3][3], left[3][3], scales[3], right[3][3];
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      rows[row][column] = matrix[column][row];
+    }
+  }
+  vtkMath::SingularValueDecomposition3x3(rows, left, scales, right);
+  return (1 + 1e-9) * std::max({ std::abs(scales[0]), std::abs(scales[1]), std::abs(scales[2]) });
+}
+
+/** Parts that may be one actor. */
+using LookKey =
+  std::tuple<vtkProperty*, vtkInformation*, bool, bool, double, std::array<double, 3>>;
+
+}
+
+/** Makes the actors of CoarseActors. */
+class CoarseActors::Builder
+{
+public:
+  Builder(CoarseActors& made, const DrawnParts& parts, const DetailOf& detailOf)
+    : Made(made)
+    , Parts(parts)
+    , Details(detailOf)
+  {
+  }
+
+  void Build()
+  {
+    this->FindReplaced();
+    std::map<LookKey, std::vector<int>> merged;
+    for (int part = 0; part < this->Parts.Count(); ++part)
+    {
+      const DrawnPlace& place = this->Parts.Place(part);
+      if (!this->IsReplaced[place.Actor])
+      {
+        continue;
+      }
+      const PartLook look = LookOf(place);
+      const AddedPart& added = this->Parts.Part(part);
+      if (!look.IsVisible)
+      {
+        continue;
+      }
+      if (!place.Block &&
+        (HasColors(added.Geometry) || !IsFarForItsSize(added.Geometry, added.Place)))
+      {
+        this->AddAlone(part);
+        continue;
+      }
+      merged[{ added.Property, added.Keys, added.IsTranslucent,
+               added.Geometry->GetPointData()->GetNormals() != nullptr, look.Opacity, look.Color }]
+        .push_back(part);
+    }
+    for (const auto& [key, parts] : merged)
+    {
+      this->AddMerged(parts);
+    }
+  }
+
+private:
+  void FindReplaced()
+  {
+    for (const vtkSmartPointer<vtkActor>& actor : this->Parts.Actors())
+    {
+      this->IsReplaced[actor] = actor->GetProperty()->GetNumberOfTextures() == 0;
+    }
+    for (int part = 0; part < this->Parts.Count(); ++part)
+    {
+      vtkPolyData* const geometry = this->Parts.Part(part).Geometry;
+      if (!this->Details(geometry))
+      {
+        this->IsReplaced[this->Parts.Place(part).Actor] = false;
+      }
+    }
+    for (const vtkSmartPointer<vtkActor>& actor : this->Parts.Actors())
+    {
+      this->Made.LooksTime = std::max(this->Made.LooksTime, LooksTimeOf(actor));
+      if (this->IsReplaced[actor])
+      {
+        this->Made.Originals.push_back(actor);
+      }
+    }
+  }
+
+  /** @param isPlaced  its points in the actor are in WC */
+  Piece PieceOf(int part, std::uint32_t first, bool isPlaced) const
+  {
+    const AddedPart& added = this->Parts.Part(part);
+    const DrawnPlace& place = this->Parts.Place(part);
+    const glm::dmat4 matrix = added.Place ? MatrixOf(added.Place) : glm::dmat4(1.0);
+    double bounds[6];
+    added.Geometry->GetBounds(bounds);
+    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+    Piece piece;
+    piece.Detail = this->Details(added.Geometry);
+    piece.First = first;
+    piece.IsMirrored = isPlaced && glm::determinant(glm::dmat3(matrix)) < 0;
+    piece.Scale = ScaleOf(matrix);
+    piece.Centre = glm::dvec3(matrix * glm::dvec4(0.5 * (low + high), 1.0)) + place.Offset;
+    piece.Radius = 0.5 * piece.Scale * glm::length(high - low);
+    piece.Rounding =
+      std::numeric_limits<float>::epsilon() * (glm::length(piece.Centre) + piece.Radius);
+    return piece;
+  }
+
+  /** Adds an actor for one part, with the points and the property that the part has. */
+  void AddAlone(int part)
+  {
+    const DrawnPlace& place = this->Parts.Place(part);
+    Group group;
+    group.Data = vtkSmartPointer<vtkPolyData>::New();
+    group.Data->SetPoints(this->Parts.Part(part).Geometry->GetPoints());
+    group.Data->GetPointData()->ShallowCopy(this->Parts.Part(part).Geometry->GetPointData());
+    group.Pieces.push_back(this->PieceOf(part, 0, false));
+    this->AddActor(std::move(group), part, place.Actor->GetProperty());
+    this->Made.Drawn.back()->SetUserMatrix(place.Actor->GetUserMatrix());
+    this->Made.Drawn.back()->GetMapper()->SetScalarVisibility(
+      place.Actor->GetMapper()->GetScalarVisibility());
+  }
+
+  /** Adds an actor for parts of one look, with points of its own in WC. */
+  void AddMerged(const std::vector<int>& parts)
+  {
+    vtkIdType count = 0;
+    for (const int part : parts)
+    {
+      count += this->Parts.Part(part).Geometry->GetNumberOfPoints();
+    }
+    const bool hasNormals =
+      this->Parts.Part(parts.front()).Geometry->GetPointData()->GetNormals() != nullptr;
+    vtkNew<vtkFloatArray> places;
+    places->SetNumberOfComponents(3);
+    places->SetNumberOfTuples(count);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(hasNormals ? count : 0);
+    Group group;
+    vtkIdType first = 0;
+    for (const int part : parts)
+    {
+      const vtkSmartPointer<vtkPolyData> placed = this->Placed(part);
+      const vtkIdType own = placed->GetNumberOfPoints();
+      places->InsertTuples(first, own, 0, placed->GetPoints()->GetData());
+      if (hasNormals)
+      {
+        normals->InsertTuples(first, own, 0, placed->GetPointData()->GetNormals());
+      }
+      group.Pieces.push_back(this->PieceOf(part, static_cast<std::uint32_t>(first), true));
+      first += own;
+    }
+    vtkNew<vtkPoints> points;
+    points->SetData(places);
+    group.Data = vtkSmartPointer<vtkPolyData>::New();
+    group.Data->SetPoints(points);
+    if (hasNormals)
+    {
+      group.Data->GetPointData()->SetNormals(normals);
+    }
+    const DrawnPlace& place = this->Parts.Place(parts.front());
+    const PartLook look = LookOf(place);
+    const vtkSmartPointer<vtkProperty> property = CopyProperty(place.Actor->GetProperty());
+    property->SetOpacity(look.Opacity);
+    property->SetColor(look.Color[0], look.Color[1], look.Color[2]);
+    this->AddActor(std::move(group), parts.front(), property);
+  }
+
+  /** Returns a part's geometry in WC. */
+  vtkSmartPointer<vtkPolyData> Placed(int part) const
+  {
+    const DrawnPlace& place = this->Parts.Place(part);
+    return place.Block ? place.Block
+                       : PlaceGeometry(this->Parts.Part(part).Geometry, place.Actor->GetMatrix());
+  }
+
+  void AddActor(Group group, int part, vtkProperty* property)
+  {
+    const AddedPart& added = this->Parts.Part(part);
+    vtkNew<vtkCulledPolyDataMapper> mapper;
+    mapper->SetInputData(group.Data);
+    mapper->SetColorModeToDirectScalars();
+    mapper->ScalarVisibilityOff();
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->SetProperty(property);
+    actor->SetForceTranslucent(added.IsTranslucent || property->GetOpacity() < 1.0);
+    SetKeys(actor, added.Keys);
+    actor->VisibilityOff();
+    actor->PickableOff();
+    this->Made.Drawn.push_back(actor);
+    this->Made.Groups.push_back(std::move(group));
+  }
+
+  CoarseActors& Made;
+  const DrawnParts& Parts;
+  const DetailOf& Details;
+  std::unordered_map<vtkActor*, bool> IsReplaced;
+};
+
+CoarseActors::CoarseActors(const DrawnParts& parts, const DetailOf& detailOf)
+{
+  Builder(*this, parts, detailOf).Build();
+}
+
+bool CoarseActors::AreOutdated(const DrawnParts& parts) const
+{
+  return std::any_of(parts.Actors().begin(), parts.Actors().end(),
+    [&](vtkActor* actor) { return LooksTimeOf(actor) > this->LooksTime; });
+}
+
+int CoarseActors::Piece::CoarsestWithin(double length) const
+{
+  return vitrine::CoarsestWithin(this->Detail->Levels, (length - this->Rounding) / this->Scale);
+}
+
+double CoarseActors::Piece::BoundOf(int level) const
+{
+  const auto place = static_cast<std::size_t>(level);
+  return this->Rounding + (level < 0 ? 0.0 : this->Scale * this->Detail->Levels[place].Bound);
+}
+
+const std::vector<std::uint32_t>& CoarseActors::Piece::Corners(int level) const
+{
+  return level < 0 ? this->Detail->Whole
+                   : this->Detail->Levels[static_cast<std::size_t>(level)].Corners;
+}
+
+void CoarseActors::Choose(const PixelView& view, double pixels)
+{
+  if (!this->Fits(view, pixels))
+  {
+    for (Group& group : this->Groups)
+    {
+      // A little finer than needed, so that the choice lasts for some frames.
+      ChooseIn(group, view, 0.75 * pixels);
+      Compose(group);
+    }
+    this->IsChosen = true;
+  }
+  this->Count(view);
+}
+
+/** Returns true if the levels that were chosen before are neither too coarse nor much too fine. */
+bool CoarseActors::Fits(const PixelView& view, double pixels) const
+{
+  std::size_t needed = 0;
+  for (const Group& group : this->Groups)
+  {
+    for (const Piece& piece : group.Pieces)
+    {
+      const double length = LengthOfPixels(view, pixels, piece.Centre, piece.Radius);
+      const bool isCoarse = piece.Level >= 0 || piece.IsLeftOut;
+      if (!this->IsChosen || (isCoarse && !(piece.Bound <= length)))
+      {
+        return false;
+      }
+      needed += piece.IsLeftOut ? 0 : piece.Corners(piece.CoarsestWithin(0.75 * length)).size() / 3;
+    }
+  }
+  return 2 * this->Chosen.Triangles <= 3 * needed + 1000;
+}
+
+/**
+ * Chooses a level for each part. Of tiny parts in one cell of a grid, the first stands for all. With the length L that
+ * points may move by, their radii are at most L / 4 and the cell's diagonal is less than 0.44 L, so that no point is
+ * farther than 0.94 L from what stands for it.
+ */
+void CoarseActors::ChooseIn(Group& group, const PixelView& view, double pixels)
+{
+  struct Hash
+  {
+    std::size_t operator()(const std::array<std::int64_t, 4>& cell) const
+    {
+      std::uint64_t hash = 0;
+      for (const std::int64_t place : cell)
+      {
+        hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 29;
+      }
+      return static_cast<std::size_t>(hash);
+    }
+  };
+  std::unordered_set<std::array<std::int64_t, 4>, Hash> taken;
+  for (Piece& piece : group.Pieces)
+  {
+    const double length = LengthOfPixels(view, pixels, piece.Centre, piece.Radius);
+    piece.Level = piece.CoarsestWithin(length);
+    piece.Bound = piece.BoundOf(piece.Level);
+    piece.IsLeftOut = false;
+    if (piece.Radius + piece.Rounding <= length / 4)
+    {
+      const int power = static_cast<int>(std::floor(std::log2(length / 4)));
+      const double side = std::ldexp(1.0, power);
+      std::array<std::int64_t, 4> cell{ 0, 0, 0, power };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        cell[axis] = static_cast<std::int64_t>(std::floor(piece.Centre[axis] / side));
+      }
+      piece.IsLeftOut = !taken.insert(cell).second;
+      piece.Bound = piece.IsLeftOut ? 0.94 * length : piece.Bound;
+    }
+  }
+}
+
+/** Has an actor draw what was chosen. */
+void CoarseActors::Compose(Group& group)
+{
+  std::size_t count = 0;
+  for (const Piece& piece : group.Pieces)
+  {
+    count += piece.IsLeftOut ? 0 : piece.Corners(piece.Level).size();
+  }
+  vtkNew<vtkTypeInt32Array> corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(count));
+  vtkNew<vtkTypeInt32Array> starts;
+  starts->SetNumberOfValues(static_cast<vtkIdType>(count / 3 + 1));
+  vtkTypeInt32* corner = corners->GetPointer(0);
+  for (const Piece& piece : group.Pieces)
+  {
+    if (piece.IsLeftOut)
+    {
+      continue;
+    }
+    const std::vector<std::uint32_t>& from = piece.Corners(piece.Level);
+    for (std::size_t i = 0; i < from.size(); i += 3)
+    {
+      *corner++ = static_cast<vtkTypeInt32>(piece.First + from[i]);
+      *corner++ = static_cast<vtkTypeInt32>(piece.First + from[i + (piece.IsMirrored ? 2 : 1)]);
+      *corner++ = static_cast<vtkTypeInt32>(piece.First + from[i + (piece.IsMirrored ? 1 : 2)]);
+    }
+  }
+  for (vtkIdType i = 0; i < starts->GetNumberOfValues(); ++i)
+  {
+    starts->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(starts, corners);
+  group.Data->SetPolys(cells);
+}
+
+void CoarseActors::Count(const PixelView& view)
+{
+  this->Chosen = {};
+  for (const Group& group : this->Groups)
+  {
+    for (const Piece& piece : group.Pieces)
+    {
+      this->Chosen.WholeTriangles += piece.Detail->Whole.size() / 3;
+      this->Chosen.Triangles += piece.IsLeftOut ? 0 : piece.Corners(piece.Level).size() / 3;
+      const double pixel = LengthOfPixels(view, 1.0, piece.Centre, piece.Radius);
+      this->Chosen.GreatestPixels = std::max(this->Chosen.GreatestPixels, piece.Bound / pixel);
+    }
+  }
+}
+
+}

@@ -1,0 +1,101 @@
+/** Actors that draw the parts of an assembly at levels of detail, many parts in one. */
+#ifndef VITRINE_ASSEMBLY_COARSE_ACTORS_H
+#define VITRINE_ASSEMBLY_COARSE_ACTORS_H
+
+#include "Core/levels/PixelLength.h"
+#include "assembly/DrawnParts.h"
+#include "assembly/PartDetail.h"
+
+#include "vtkActor.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace vitrine
+{
+
+/** What was drawn. */
+struct LevelCounts
+{
+  std::size_t Triangles = 0;
+  std::size_t WholeTriangles = 0;
+  double GreatestPixels = 0; ///< no point is farther from where it should be, in pixels
+};
+
+/**
+ * The parts of a look are one actor, whose points are those of all of them. So another choice of levels is another list
+ * of triangles, and points stay on the device.
+ *
+ * An actor of the assembly is *replaced* if levels may stand for all of its parts: it has no textures, and its parts
+ * are drawn by triangles alone.
+ */
+class CoarseActors
+{
+public:
+  using DetailOf = std::function<std::shared_ptr<const PartDetail>(vtkPolyData*)>;
+
+  /** Makes the actors, of parts as they are drawn now. */
+  CoarseActors(const DrawnParts& parts, const DetailOf& detailOf);
+
+  /** Returns true if parts are drawn otherwise than when the actors were made. */
+  bool AreOutdated(const DrawnParts& parts) const;
+
+  /** Chooses the coarsest levels with which no point moves by more than some pixels. */
+  void Choose(const PixelView& view, double pixels);
+
+  const std::vector<vtkSmartPointer<vtkActor>>& Replaced() const { return this->Originals; }
+  const std::vector<vtkSmartPointer<vtkActor>>& Actors() const { return this->Drawn; }
+  const LevelCounts& Counts() const { return this->Chosen; }
+
+private:
+  /** A part in an actor. */
+  struct Piece
+  {
+    std::shared_ptr<const PartDetail> Detail;
+    std::uint32_t First; ///< the number that its first point has in the actor
+    bool IsMirrored;
+    double Scale;    ///< by which its place makes lengths longer, at most
+    double Rounding; ///< how far its points may be from their places
+    glm::dvec3 Centre;
+    double Radius;
+    int Level = -1;         ///< -1 for all triangles
+    bool IsLeftOut = false; ///< another tiny part stands for it
+    double Bound = 0;       ///< how far its points may be from their places, levels included
+
+    int CoarsestWithin(double length) const;
+    double BoundOf(int level) const;
+    const std::vector<std::uint32_t>& Corners(int level) const;
+  };
+
+  struct Group
+  {
+    vtkSmartPointer<vtkPolyData> Data;
+    std::vector<Piece> Pieces;
+  };
+
+  class Builder;
+
+  bool Fits(const PixelView& view, double pixels) const;
+  static void ChooseIn(Group& group, const PixelView& view, double pixels);
+  static void Compose(Group& group);
+  void Count(const PixelView& view);
+
+  std::vector<vtkSmartPointer<vtkActor>> Originals;
+  std::vector<vtkSmartPointer<vtkActor>> Drawn;
+  std::vector<Group> Groups;
+  LevelCounts Chosen;
+  bool IsChosen = false;
+  vtkMTimeType LooksTime = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,120 @@
+#include "assembly/PartDetail.h"
+
+#include "assembly/PartLooks.h"
+#include "scene/PartTriangles.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <utility>
+
+namespace vitrine
+{
+
+namespace
+{
+
+std::vector<glm::vec3> NormalsOf(vtkPolyData* geometry)
+{
+  vtkDataArray* const normals = geometry->GetPointData()->GetNormals();
+  std::vector<glm::vec3> read;
+  for (vtkIdType i = 0; normals && i < normals->GetNumberOfTuples(); ++i)
+  {
+    double normal[3];
+    normals->GetTuple(i, normal);
+    const double length =
+      std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    read.emplace_back(glm::dvec3(normal[0], normal[1], normal[2]) / (length > 0 ? length : 1.0));
+  }
+  return read;
+}
+
+/** Returns the colours of points, which are bytes, as numbers. */
+std::vector<std::uint32_t> ColorsOf(vtkPolyData* geometry)
+{
+  std::vector<std::uint32_t> read;
+  if (!HasColors(geometry))
+  {
+    return read;
+  }
+  vtkDataArray* const colors = geometry->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    std::uint32_t color = 0;
+    for (int channel = 0; channel < colors->GetNumberOfComponents(); ++channel)
+    {
+      color = color << 8 | (static_cast<std::uint32_t>(colors->GetComponent(i, channel)) & 0xff);
+    }
+    read.push_back(color);
+  }
+  return read;
+}
+
+bool HasCells(vtkCellArray* cells)
+{
+  return cells && cells->GetNumberOfCells() > 0;
+}
+
+}
+
+bool HasTrianglesAlone(vtkPolyData* geometry)
+{
+  return !HasCells(geometry->GetVerts()) && !HasCells(geometry->GetLines()) &&
+    (HasCells(geometry->GetPolys()) || HasCells(geometry->GetStrips()));
+}
+
+std::shared_ptr<const PartDetail> MakePartDetail(vtkPolyData* geometry)
+{
+  PartTriangles triangles = ReadTriangles(geometry);
+  auto detail = std::make_shared<PartDetail>();
+  detail->Whole = std::move(triangles.Corners);
+  detail->Levels = LevelsOf(
+    { std::move(triangles.Points), detail->Whole, NormalsOf(geometry), ColorsOf(geometry) })
+                     .Levels;
+  return detail;
+}
+
+DetailWork::DetailWork(Geometries geometries)
+  : Work(std::move(geometries))
+  , Made(Work.size())
+{
+  for (std::size_t i = 0; i < this->Work.size(); ++i)
+  {
+    this->PlaceOf.emplace(this->Work[i], i);
+  }
+  this->Thread = std::thread([this] { this->Run(); });
+}
+
+DetailWork::~DetailWork()
+{
+  this->IsStopped = true;
+  this->Wait();
+}
+
+void DetailWork::Run()
+{
+  for (std::size_t i = 0; i < this->Work.size() && !this->IsStopped; ++i)
+  {
+    this->Made[i] = MakePartDetail(this->Work[i]);
+    ++this->Done;
+  }
+}
+
+void DetailWork::Wait()
+{
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+}
+
+std::shared_ptr<const PartDetail> DetailWork::Of(vtkPolyData* geometry) const
+{
+  const auto found = this->PlaceOf.find(geometry);
+  return found == this->PlaceOf.end() ? nullptr : this->Made[found->second];
+}
+
+}

@@ -1,0 +1,71 @@
+/** The triangles of a part's geometry, and its levels of detail. */
+#ifndef VITRINE_ASSEMBLY_PART_DETAIL_H
+#define VITRINE_ASSEMBLY_PART_DETAIL_H
+
+#include "Core/levels/MeshLevels.h"
+
+#include "vtkSmartPointer.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <unordered_map>
+#include <vector>
+
+class vtkPolyData;
+
+namespace vitrine
+{
+
+/** The triangles of a geometry, all and fewer. Their corners are numbers of its points. */
+struct PartDetail
+{
+  std::vector<std::uint32_t> Whole; ///< three for each triangle
+  std::vector<MeshLevel> Levels;
+};
+
+/** Returns true if a geometry is drawn by triangles alone: it has polygons or strips, but no lines or vertices. */
+bool HasTrianglesAlone(vtkPolyData* geometry);
+
+/** Makes the levels of a geometry. Normals and colours at its points count. */
+std::shared_ptr<const PartDetail> MakePartDetail(vtkPolyData* geometry);
+
+/** Makes levels of geometries in a thread of its own. They must not change meanwhile. */
+class DetailWork
+{
+public:
+  using Geometries = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+  /** Begins at once. */
+  explicit DetailWork(Geometries geometries);
+
+  /** Stops after the geometry that is being worked on. */
+  ~DetailWork();
+
+  DetailWork(const DetailWork&) = delete;
+  DetailWork& operator=(const DetailWork&) = delete;
+
+  std::size_t CountOfDone() const { return this->Done; }
+  std::size_t Count() const { return this->Work.size(); }
+  bool IsDone() const { return this->CountOfDone() == this->Count(); }
+  void Wait();
+
+  /** Returns what was made of a geometry, or null if it was not given. Only if IsDone(). */
+  std::shared_ptr<const PartDetail> Of(vtkPolyData* geometry) const;
+
+private:
+  void Run();
+
+  Geometries Work;
+  std::vector<std::shared_ptr<const PartDetail>> Made;
+  std::unordered_map<vtkPolyData*, std::size_t> PlaceOf;
+  std::atomic<std::size_t> Done{ 0 };
+  std::atomic<bool> IsStopped{ false };
+  std::thread Thread;
+};
+
+}
+
+#endif

@@ -1,0 +1,427 @@
+#include "vtkPartLevels.h"
+
+#include "assembly/CoarseActors.h"
+#include "assembly/PartDetail.h"
+#include "scene/FrameObserver.h"
+#include "scene/Settings.h"
+#include "vtkAssemblyActors.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartXRay.h"
+#include "vtkRenderer.h"
+#include "vtkSection.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+vtkStandardNewMacro(vtkPartLevels);
+
+namespace
+{
+
+using vitrine::CoarseActors;
+using vitrine::DetailWork;
+using vitrine::LevelCounts;
+using vitrine::PixelView;
+
+/** Event by which a renderer's observers are asked for the levels that are attached to it. */
+constexpr unsigned long AskForLevels = vtkCommand::UserEvent + 0x56495464;
+
+void TellLevels(vtkObject*, unsigned long, void* levels, void* asked)
+{
+  *static_cast<vtkPartLevels**>(asked) = static_cast<vtkPartLevels*>(levels);
+}
+
+/** All that a camera and a picture have to be alike in, so that the camera stands still. */
+using Standpoint = std::array<double, 14>;
+
+Standpoint StandpointOf(vtkRenderer* renderer)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  Standpoint point{};
+  camera->GetPosition(point.data());
+  camera->GetFocalPoint(point.data() + 3);
+  camera->GetViewUp(point.data() + 6);
+  point[9] = camera->GetViewAngle();
+  point[10] = camera->GetParallelScale();
+  point[11] = camera->GetParallelProjection();
+  point[12] = renderer->GetSize()[0];
+  point[13] = renderer->GetSize()[1];
+  return point;
+}
+
+PixelView PixelViewOf(vtkRenderer* renderer)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const int* const size = renderer->GetSize();
+  PixelView view;
+  view.IsParallel = camera->GetParallelProjection() != 0;
+  camera->GetPosition(&view.Eye.x);
+  camera->GetDirectionOfProjection(&view.Direction.x);
+  view.Nearest = camera->GetClippingRange()[0];
+  view.Width = std::max(size[0], 1);
+  view.Height = std::max(size[1], 1);
+  view.HalfTangent = std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
+  if (camera->GetUseHorizontalViewAngle())
+  {
+    view.HalfTangent *= view.Height / view.Width;
+  }
+  view.ParallelHeight = 2 * camera->GetParallelScale();
+  return view;
+}
+}
+
+struct vtkPartLevels::Internals
+{
+  /** An assembly, the work on its levels, and the actors that draw them once they are made. */
+  struct LevelledAssembly
+  {
+    vtkSmartPointer<vtkAssemblyActors> Parts;
+    std::unique_ptr<DetailWork> Work;
+    std::unique_ptr<CoarseActors> Coarse;
+  };
+
+  std::vector<LevelledAssembly> Assemblies;
+  double Pixels = 0.5;
+  bool ExactWhileStill = true;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vitrine::FrameObserver> Observer;
+  unsigned long Answer = 0;
+  unsigned long Deletion = 0; ///< observer of the renderer's end
+  Standpoint Last{};
+  std::vector<vtkActor*> Shown;  ///< coarse actors of the frame that is drawn
+  std::vector<vtkActor*> Hidden; ///< actors of assemblies that they replace
+  bool DrewLevels = false;
+  LevelCounts Counts;
+
+  void StartFrame()
+  {
+    this->EndFrame();
+    vtkRenderer* const renderer = this->Renderer;
+    const Standpoint standpoint = StandpointOf(renderer);
+    const bool isStill = standpoint == this->Last;
+    this->Last = standpoint;
+    this->Counts = {};
+    this->DrewLevels = false;
+    if ((isStill && this->ExactWhileStill) || IsExactFor(renderer))
+    {
+      this->CountWhole();
+      return;
+    }
+    const PixelView view = PixelViewOf(renderer);
+    for (LevelledAssembly& assembly : this->Assemblies)
+    {
+      if (assembly.Work->IsDone())
+      {
+        this->Show(assembly, view);
+      }
+    }
+  }
+
+  /** Returns true if a frame has to be drawn as it is. */
+  static bool IsExactFor(vtkRenderer* renderer)
+  {
+    vtkPartXRay* const xRay = vtkPartXRay::GetAttached(renderer);
+    return renderer->GetSelector() != nullptr || vtkSection::GetAttached(renderer) != nullptr ||
+      (xRay && xRay->GetNumberOfParts() > 0) ||
+      renderer->GetActiveCamera()->GetUseExplicitProjectionTransformMatrix();
+  }
+
+  void Show(LevelledAssembly& assembly, const PixelView& view)
+  {
+    vtkRenderer* const renderer = this->Renderer;
+    const vitrine::DrawnParts& parts = PartsOf(assembly);
+    if (!assembly.Coarse || assembly.Coarse->AreOutdated(parts))
+    {
+      this->Remove(assembly);
+      assembly.Coarse = std::make_unique<CoarseActors>(
+        parts, [&](vtkPolyData* geometry) { return assembly.Work->Of(geometry); });
+      for (vtkActor* const actor : assembly.Coarse->Actors())
+      {
+        renderer->AddActor(actor);
+      }
+    }
+    const auto& originals = assembly.Coarse->Replaced();
+    if (!std::all_of(originals.begin(), originals.end(),
+          [&](vtkActor* actor) { return actor->IsConsumer(renderer) != 0; }))
+    {
+      return; // the assembly, or some of it, is not shown here
+    }
+    assembly.Coarse->Choose(view, this->Pixels);
+    for (vtkActor* const actor : originals)
+    {
+      if (actor->GetVisibility())
+      {
+        actor->VisibilityOff();
+        this->Hidden.push_back(actor);
+      }
+    }
+    for (vtkActor* const actor : assembly.Coarse->Actors())
+    {
+      actor->VisibilityOn();
+      this->Shown.push_back(actor);
+    }
+    const LevelCounts& counts = assembly.Coarse->Counts();
+    this->Counts.Triangles += counts.Triangles;
+    this->Counts.WholeTriangles += counts.WholeTriangles;
+    this->Counts.GreatestPixels = std::max(this->Counts.GreatestPixels, counts.GreatestPixels);
+    this->DrewLevels = true;
+  }
+
+  /** Counts the triangles of a frame without levels. */
+  void CountWhole()
+  {
+    for (const LevelledAssembly& assembly : this->Assemblies)
+    {
+      if (assembly.Coarse)
+      {
+        this->Counts.WholeTriangles += assembly.Coarse->Counts().WholeTriangles;
+      }
+    }
+    this->Counts.Triangles = this->Counts.WholeTriangles;
+  }
+
+  void EndFrame()
+  {
+    for (vtkActor* const actor : this->Hidden)
+    {
+      actor->VisibilityOn();
+    }
+    for (vtkActor* const actor : this->Shown)
+    {
+      actor->VisibilityOff();
+    }
+    this->Hidden.clear();
+    this->Shown.clear();
+  }
+
+  void Remove(LevelledAssembly& assembly)
+  {
+    vtkRenderer* const renderer = this->Renderer;
+    for (vtkActor* const actor :
+      assembly.Coarse ? assembly.Coarse->Actors() : std::vector<vtkSmartPointer<vtkActor>>())
+    {
+      if (renderer)
+      {
+        renderer->RemoveActor(actor);
+      }
+    }
+    assembly.Coarse.reset();
+  }
+
+  void RemoveAll()
+  {
+    this->EndFrame();
+    for (LevelledAssembly& assembly : this->Assemblies)
+    {
+      this->Remove(assembly);
+    }
+  }
+
+  static const vitrine::DrawnParts& PartsOf(LevelledAssembly& assembly)
+  {
+    return assembly.Parts->Drawn();
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkPartLevels::vtkPartLevels()
+  : Private(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+// A renderer to which the object is attached keeps it alive. So there is none, or it is being deleted.
+vtkPartLevels::~vtkPartLevels()
+{
+  this->Private->EndFrame();
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pixels: " << this->GetPixels() << "\n";
+  os << indent << "ExactWhileStill: " << this->GetExactWhileStill() << "\n";
+  os << indent << "Progress: " << this->GetProgress() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::AddAssembly(vtkAssemblyActors* assembly)
+{
+  if (!assembly)
+  {
+    vtkErrorMacro("AddAssembly() takes the actors of an assembly");
+    return;
+  }
+  auto& assemblies = this->Private->Assemblies;
+  if (std::any_of(assemblies.begin(), assemblies.end(),
+        [&](const Internals::LevelledAssembly& known) { return known.Parts == assembly; }))
+  {
+    return;
+  }
+  DetailWork::Geometries geometries;
+  std::set<vtkPolyData*> known;
+  for (int part = 0; part < assembly->GetNumberOfParts(); ++part)
+  {
+    vtkPolyData* const geometry = assembly->GetPartGeometry(part);
+    if (vitrine::HasTrianglesAlone(geometry) && known.insert(geometry).second)
+    {
+      geometries.emplace_back(geometry);
+    }
+  }
+  assemblies.push_back({ assembly, std::make_unique<DetailWork>(std::move(geometries)), nullptr });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::SetPixels(double pixels)
+{
+  vitrine::SetInRange(
+    this, "Pixels", this->Private->Pixels, pixels, vitrine::NumberRange<double>{ 0.001, 64.0 });
+}
+
+//------------------------------------------------------------------------------
+double vtkPartLevels::GetPixels()
+{
+  return this->Private->Pixels;
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::SetExactWhileStill(bool exact)
+{
+  if (this->Private->ExactWhileStill != exact)
+  {
+    this->Private->ExactWhileStill = exact;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPartLevels::GetExactWhileStill()
+{
+  return this->Private->ExactWhileStill;
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::Attach(vtkRenderer* renderer)
+{
+  const vtkSmartPointer<vtkPartLevels> alive = this;
+  this->Detach();
+  if (!renderer)
+  {
+    vtkErrorMacro("Attach() takes a renderer");
+    return;
+  }
+  if (vtkPartLevels* const other = GetAttached(renderer))
+  {
+    other->Detach();
+  }
+  Internals& in = *this->Private;
+  in.Renderer = renderer;
+  in.Last = {};
+  in.Observer = vtkSmartPointer<vitrine::FrameObserver>::New();
+  in.Observer->Start = [&in] { in.StartFrame(); };
+  in.Observer->End = [&in] { in.EndFrame(); };
+  in.Observer->Watch(renderer, this, 1.0f); // before those that look which props there are
+  vtkNew<vtkCallbackCommand> answer;
+  answer->SetCallback(TellLevels);
+  answer->SetClientData(this);
+  in.Answer = renderer->AddObserver(AskForLevels, answer);
+  in.Deletion =
+    renderer->AddObserver(vtkCommand::DeleteEvent, this, &vtkPartLevels::WhenRendererIsDeleted);
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::Detach()
+{
+  Internals& in = *this->Private;
+  in.RemoveAll();
+  vtkRenderer* const renderer = in.Renderer; // It may be about to be deleted, so it is not held.
+  in.Renderer = nullptr;
+  if (renderer)
+  {
+    renderer->RemoveObserver(in.Answer);
+    renderer->RemoveObserver(in.Deletion);
+    const vtkSmartPointer<vitrine::FrameObserver> observer = std::move(in.Observer);
+    observer->Leave(renderer); // it may hold the last reference to this object
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::WhenRendererIsDeleted()
+{
+  this->Private->EndFrame();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkPartLevels::GetRenderer()
+{
+  return this->Private->Renderer;
+}
+
+//------------------------------------------------------------------------------
+vtkPartLevels* vtkPartLevels::GetAttached(vtkRenderer* renderer)
+{
+  vtkPartLevels* attached = nullptr;
+  if (renderer)
+  {
+    renderer->InvokeEvent(AskForLevels, &attached);
+  }
+  return attached;
+}
+
+//------------------------------------------------------------------------------
+double vtkPartLevels::GetProgress()
+{
+  std::size_t done = 0;
+  std::size_t all = 0;
+  for (const Internals::LevelledAssembly& assembly : this->Private->Assemblies)
+  {
+    done += assembly.Work->CountOfDone();
+    all += assembly.Work->Count();
+  }
+  return all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::WaitUntilMade()
+{
+  for (const Internals::LevelledAssembly& assembly : this->Private->Assemblies)
+  {
+    assembly.Work->Wait();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPartLevels::GetDrewLevels()
+{
+  return this->Private->DrewLevels;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPartLevels::GetNumberOfTriangles()
+{
+  return static_cast<vtkIdType>(this->Private->Counts.Triangles);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkPartLevels::GetNumberOfWholeTriangles()
+{
+  return static_cast<vtkIdType>(this->Private->Counts.WholeTriangles);
+}
+
+//------------------------------------------------------------------------------
+double vtkPartLevels::GetGreatestDistance()
+{
+  return this->Private->Counts.GreatestPixels;
+}

@@ -1,0 +1,128 @@
+/**
+ * @class   vtkPartLevels
+ * @brief   draws parts of assemblies no finer than the picture, while the camera moves
+ *
+ * Each part gets levels of detail, made in the background. While the camera moves, each part is drawn at the coarsest
+ * level with which no point of its surface is farther from where it should be than some pixels. Where the camera stands
+ * still, as from one frame to the next, all parts are drawn as they are.
+ *
+ * @code
+ * vtkNew<vtkPartLevels> levels;
+ * levels->AddAssembly(actors);
+ * levels->Attach(renderer);
+ * @endcode
+ *
+ * A level is made by OpenMesh's decimater, by quadrics. Its distance from the part, both ways (the Hausdorff distance),
+ * has a bound that is computed, not estimated. Normals at hard edges, borders of colours and open edges are kept. Of
+ * several tiny parts of one look, one stands for all where that is within the bound.
+ *
+ * In frames with levels, parts of one look are one actor, and the assembly's own actors are hidden. Between frames all
+ * is as it was. So picks, measures and bounds are of the parts themselves. All is drawn as it is, too:
+ * - while a selector renders, and while an x-ray or a section is attached to the renderer;
+ * - for parts that have textures, lines or vertices;
+ * - with a camera that has a projection matrix of its own.
+ *
+ * @sa
+ * vtkAssemblyActors vtkSeeThroughPass
+ */
+#ifndef vtkPartLevels_h
+#define vtkPartLevels_h
+
+#include "vtkObject.h"
+#include "vtkVitrineRenderingModule.h" // export macro
+
+#include <memory> // for the internals
+
+class vtkAssemblyActors;
+class vtkRenderer;
+
+class VTKVITRINERENDERING_EXPORT vtkPartLevels : public vtkObject
+{
+public:
+  ///@{
+  /**
+   * Standard methods to create, identify and print the object.
+   */
+  static vtkPartLevels* New();
+  vtkTypeMacro(vtkPartLevels, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
+
+  /**
+   * Add the parts of an assembly, and begin to make their levels. Its geometry must not change from then on. Parts that
+   * are added already are not added again.
+   */
+  void AddAssembly(vtkAssemblyActors* assembly);
+
+  ///@{
+  /**
+   * Get/Set by how many pixels points may move. The range is 0.001 to 64, the default is 0.5.
+   */
+  void SetPixels(double pixels);
+  double GetPixels();
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set whether parts are drawn as they are in a frame whose camera is that of the frame before. The default is
+   * true.
+   */
+  void SetExactWhileStill(bool exact);
+  bool GetExactWhileStill();
+  vtkBooleanMacro(ExactWhileStill, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Attach to a renderer, which draws by levels from its next frame on, or undo that. The object is attached to one
+   * renderer at a time, which keeps it alive. A renderer has one such object at a time; an earlier one is detached.
+   */
+  void Attach(vtkRenderer* renderer);
+  void Detach();
+  ///@}
+
+  /**
+   * Get the renderer to which the object is attached, or null.
+   */
+  vtkRenderer* GetRenderer();
+
+  /**
+   * Get the object that is attached to a renderer, or null.
+   */
+  static vtkPartLevels* GetAttached(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * Get how much of the levels is made, from 0 to 1, or wait until all are. Before that, frames are drawn without them.
+   */
+  double GetProgress();
+  void WaitUntilMade();
+  ///@}
+
+  ///@{
+  /**
+   * Get figures of the last frame: whether levels were drawn, the number of triangles that were drawn of all parts with
+   * levels, those that they have without, and the greatest distance that a point may be from where it should be, in
+   * pixels. Single precision counts in it. Without levels, both numbers are equal, and the distance is 0.
+   */
+  bool GetDrewLevels();
+  vtkIdType GetNumberOfTriangles();
+  vtkIdType GetNumberOfWholeTriangles();
+  double GetGreatestDistance();
+  ///@}
+
+protected:
+  vtkPartLevels();
+  ~vtkPartLevels() override;
+
+private:
+  vtkPartLevels(const vtkPartLevels&) = delete;
+  void operator=(const vtkPartLevels&) = delete;
+
+  void WhenRendererIsDeleted();
+
+  struct Internals;
+  std::unique_ptr<Internals> Private;
+};
+
+#endif

@@ -1,0 +1,245 @@
+"""Levels of detail: what moves, what stays, and what is told; pictures beside those of the parts themselves."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+import vitrine
+from scenes import pixels, window_with
+
+SIZE = 200
+
+
+def ball(x, y, radius, resolution=32):
+    source = vtkSphereSource()
+    source.SetCenter(x, y, 0.3 * x)
+    source.SetRadius(radius)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.Update()
+    return source.GetOutput()
+
+
+def rod(x, y):
+    source = vtkCylinderSource()
+    source.SetCenter(x, y, 0)
+    source.SetRadius(0.3)
+    source.SetHeight(1.5)
+    source.SetResolution(64)
+    source.Update()
+    return source.GetOutput()
+
+
+def machine():
+    """Balls of several sizes, rods, and a cloud of tiny balls, by name."""
+    parts = {f"ball_{i}": ball(i - 2, 1.5, 0.2 + 0.06 * i) for i in range(5)}
+    parts.update({f"rod_{i}": rod(i - 2, -1) for i in range(5)})
+    random = np.random.default_rng(53)
+    parts.update({f"dust_{i}": ball(*random.uniform(-0.02, 0.02, 2), 0.004, 12) for i in range(30)})
+    blocks = vtkMultiBlockDataSet()
+    for i, (name, data) in enumerate(parts.items()):
+        blocks.SetBlock(i, data)
+        blocks.GetMetaData(i).Set(blocks.NAME(), name)
+    return vitrine.from_multiblock(blocks)
+
+
+class Scene:
+    """An assembly in a window, and steps of its camera."""
+
+    def __init__(self, assembly, lit=False, parallel=False):
+        self.assembly = assembly
+        self.renderer = vtkRenderer()
+        self.window = window_with(self.renderer, size=(SIZE, SIZE))
+        assembly.add_to(self.renderer)
+        for number in range(assembly.actors.GetNumberOfActors()):
+            assembly.actors.GetActor(number).GetProperty().SetLighting(lit)
+        vitrine.see_through(self.window)
+        self.renderer.ResetCamera()
+        self.camera = self.renderer.GetActiveCamera()
+        self.camera.SetParallelProjection(parallel)
+
+    def frame(self, degrees=0.0):
+        self.camera.Azimuth(degrees)
+        self.renderer.ResetCameraClippingRange()
+        self.window.Render()
+        return pixels(self.window)
+
+    def levels(self, **options):
+        shown = vitrine.levels(self.window, **options)
+        shown.wait()
+        return shown
+
+
+def near_edges(picture):
+    """Whether each pixel has another one with another colour around it."""
+    padded = np.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
+    edge = np.zeros(picture.shape[:2], bool)
+    for x in range(3):
+        for y in range(3):
+            edge |= (padded[x : x + SIZE, y : y + SIZE] != picture).any(axis=2)
+    return edge
+
+
+class Levels(unittest.TestCase):
+    def assert_same(self, first, second):
+        self.assertEqual(int((first != second).any(axis=2).sum()), 0)
+
+    def assert_moved_by_less_than_a_pixel(self, moved, exact):
+        """Flat colours change only where a pixel beside has another one."""
+        changed = (moved != exact).any(axis=2)
+        self.assertEqual(int((changed & ~near_edges(exact)).sum()), 0)
+
+    def test_no_point_moves_by_more_than_half_a_pixel(self):
+        for parallel in (False, True):
+            scene = Scene(machine(), parallel=parallel)
+            exact = scene.frame(10)
+            shown = scene.levels(exact_while_still=False)
+            moved = scene.frame()
+            self.assertGreater(int((exact != exact[0, 0]).any(axis=2).sum()), 1000)
+            self.assert_moved_by_less_than_a_pixel(moved, exact)
+            told = shown.stats()
+            self.assertTrue(told.drew_levels)
+            self.assertGreater(told.whole_triangles, 2.5 * told.triangles)
+            self.assertLessEqual(told.distance, 0.5)
+            self.assertGreater(told.distance, 0)
+
+    def test_a_finer_setting_has_more_triangles(self):
+        scene = Scene(machine())
+        drawn = []
+        for limit in (0.01, 0.5, 8):
+            shown = scene.levels(pixels=limit, exact_while_still=False)
+            scene.frame()
+            self.assertLessEqual(shown.stats().distance, limit)
+            drawn.append(shown.stats().triangles)
+        self.assertEqual(drawn, sorted(drawn, reverse=True))
+        self.assertGreater(drawn[0], 4 * drawn[2])
+
+    def test_a_still_camera_shows_parts_as_they_are(self):
+        scene = Scene(machine(), lit=True)
+        exact = scene.frame(10)
+        shown = scene.levels()
+        scene.frame(10)
+        self.assertTrue(shown.stats().drew_levels)
+        scene.frame(-10)
+        self.assertTrue(shown.stats().drew_levels)
+        self.assert_same(scene.frame(), exact)
+        told = shown.stats()
+        self.assertFalse(told.drew_levels)
+        self.assertEqual(told.triangles, told.whole_triangles)
+        self.assertEqual(told.distance, 0)
+        shown.remove()
+        self.assert_same(scene.frame(), exact)
+        self.assertEqual(repr(shown), "<Levels, removed>")
+
+    def test_looks_are_kept_and_their_changes_are_seen(self):
+        assembly = machine()
+        scene = Scene(assembly)
+        shown = scene.levels(exact_while_still=False)
+        scene.frame(20)
+        for change in (
+            lambda: assembly["ball_*"]._set("color", (1, 0, 0)),
+            lambda: assembly["rod_1"]._set("visible", False),
+            lambda: assembly["rod_*"]._set("opacity", 0.4),
+            lambda: assembly.explode(0.3),
+            lambda: assembly.reset(),
+        ):
+            change()
+            moved = scene.frame()
+            self.assertTrue(shown.stats().drew_levels)
+            shown.remove()
+            exact = scene.frame()
+            self.assert_moved_by_less_than_a_pixel(moved, exact)
+            shown = scene.levels(exact_while_still=False)
+
+    def test_colours_of_points_keep_their_borders(self):
+        data = ball(0, 0, 1)
+        colors = vtkUnsignedCharArray()
+        colors.SetNumberOfComponents(3)
+        for point in range(data.GetNumberOfPoints()):
+            colors.InsertNextTuple3(*((255, 0, 0) if data.GetPoint(point)[1] > 0.01 else (0, 0, 255)))
+        data.GetPointData().SetScalars(colors)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, data)
+        scene = Scene(vitrine.from_multiblock(blocks))
+        exact = scene.frame(5)
+        shown = scene.levels(pixels=8, exact_while_still=False)
+        moved = scene.frame()
+        self.assertGreater(shown.stats().whole_triangles, 2 * shown.stats().triangles)
+        exact, moved = exact[..., :3], moved[..., :3]
+        red, blue = (exact == (255, 0, 0)).all(axis=2), (exact == (0, 0, 255)).all(axis=2)
+        self.assertGreater(min(red.sum(), blue.sum()), 1000)
+        self.assertLess(int((moved != exact).any(axis=2)[red | blue].sum()), 0.05 * (red | blue).sum())
+        self.assertFalse((moved[red] == (0, 0, 255)).all(axis=1).any())
+        self.assertFalse((moved[blue] == (255, 0, 0)).all(axis=1).any())
+
+    def test_all_is_as_it_is_between_frames(self):
+        scene = Scene(machine())
+        shown = scene.levels(exact_while_still=False)
+        scene.frame(10)
+        self.assertTrue(shown.stats().drew_levels)
+        actors = scene.assembly.actors
+        self.assertTrue(all(actors.GetActor(i).GetVisibility() for i in range(actors.GetNumberOfActors())))
+        visible = [prop for prop in scene.renderer.GetViewProps() if prop.GetVisibility()]
+        self.assertEqual(len(visible), actors.GetNumberOfActors())
+        shown.remove()
+        self.assertEqual(scene.renderer.GetViewProps().GetNumberOfItems(), actors.GetNumberOfActors())
+
+    def test_sections_and_x_rays_are_of_parts_as_they_are(self):
+        scene = Scene(machine())
+        shown = scene.levels(exact_while_still=False)
+        with vitrine.section(scene.window, "x"):
+            scene.frame(10)
+            self.assertFalse(shown.stats().drew_levels)
+        scene.frame(10)
+        self.assertTrue(shown.stats().drew_levels)
+        with vitrine.x_ray(scene.window, scene.assembly["ball_*"]):
+            scene.frame(10)
+            self.assertFalse(shown.stats().drew_levels)
+
+    def test_the_culler_changes_nothing(self):
+        scene = Scene(machine(), lit=True)
+        scene.levels(exact_while_still=False)
+        without = scene.frame(10)
+        vitrine.see_through(scene.window, cull=True)
+        self.assert_same(scene.frame(), without)
+
+    def test_an_assembly_that_is_removed_is_not_drawn(self):
+        scene = Scene(machine())
+        shown = scene.levels(exact_while_still=False)
+        scene.frame(10)
+        scene.assembly.actors.RemoveFrom(scene.renderer)
+        picture = scene.frame(10)
+        self.assertFalse(shown.stats().drew_levels)
+        self.assert_same(picture, np.broadcast_to(picture[0, 0], picture.shape))
+
+    def test_wrong_arguments_say_so(self):
+        scene = Scene(machine())
+        for wrong in (0, -1, 65, float("nan"), float("inf")):
+            with self.assertRaisesRegex(ValueError, "pixels is a number from 0.001 to 64"):
+                vitrine.levels(scene.window, pixels=wrong)
+        for wrong in ("1", None, True):
+            with self.assertRaisesRegex(TypeError, "pixels is a number"):
+                vitrine.levels(scene.window, pixels=wrong)
+        with self.assertRaisesRegex(TypeError, "exact_while_still is True or False"):
+            vitrine.levels(scene.window, exact_while_still=1)
+        with self.assertRaisesRegex(ValueError, "the target shows no assembly"):
+            vitrine.levels(vtkRenderer())
+
+    def test_windows_and_handles_may_end_in_any_order(self):
+        scene = Scene(machine())
+        shown = vitrine.levels(scene.window)  # while levels are being made
+        scene.frame(10)
+        del scene
+        shown.remove()
+        scene = Scene(machine())
+        vitrine.levels(scene.window)
+        vitrine.levels(scene.window).wait()  # the first is removed
+        scene.frame(10)
+
+
+if __name__ == "__main__":
+    unittest.main()
