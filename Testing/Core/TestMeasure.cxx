@@ -46,6 +46,25 @@ std::optional<Clash> CompareTwo(const Mesh& first, const glm::dmat4& firstPlace,
 const Mesh Cube = BoxMesh(glm::dvec3(0), glm::dvec3(1));
 const glm::dmat4 Here(1.0);
 
+// Rounding decides on which side of a triangle without an area a point is.
+TEST(TriangleGap, NearestPointsOfSliversAreThoseOfTheirSides)
+{
+  std::mt19937 random(53);
+  std::uniform_real_distribution<double> place(-40, 40);
+  const glm::dvec3 ends[]{ { -39, 0, 9 }, { -12.8800001, 0, 9 }, { 39, 0, 9 } };
+  for (int i = 0; i < 20000; ++i)
+  {
+    const glm::dvec3 point(place(random), place(random) / 2, 9 + place(random) / 4);
+    for (const Triangle& sliver :
+      { Triangle{ ends[0], ends[1], ends[2] }, Triangle{ ends[1], ends[2], ends[0] } })
+    {
+      const double distance = glm::length(point - vitrine::NearestOnTriangle(sliver, point));
+      const double toLine = vitrine::GapOfSegments(point, point, ends[0], ends[2]).Distance;
+      EXPECT_NEAR(distance, toLine, 1e-9) << i;
+    }
+  }
+}
+
 TEST(TriangleGap, OfKnownPairs)
 {
   const Triangle flat{ glm::dvec3(0, 0, 0), glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 0) };

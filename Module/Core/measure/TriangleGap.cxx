@@ -16,6 +16,27 @@ double Ratio(double part, double whole)
   return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
 }
 
+/** The square of the sine of an angle of a triangle that is so narrow that rounding counts. */
+constexpr double SquareOfSliver = 1e-8;
+
+/** Returns the point of a triangle's sides that is nearest to a point. */
+glm::dvec3 NearestOnSides(const Triangle& triangle, const glm::dvec3& point)
+{
+  glm::dvec3 nearest = triangle[0];
+  for (int k = 0; k < 3; ++k)
+  {
+    const glm::dvec3& from = triangle[k];
+    const glm::dvec3 side = triangle[(k + 1) % 3] - from;
+    const glm::dvec3 onSide =
+      from + Ratio(glm::dot(side, point - from), glm::dot(side, side)) * side;
+    if (glm::length(point - onSide) < glm::length(point - nearest))
+    {
+      nearest = onSide;
+    }
+  }
+  return nearest;
+}
+
 void KeepNearer(Gap& least, const Gap& other)
 {
   if (other.Distance < least.Distance)
@@ -172,8 +193,17 @@ glm::dvec3 NearestOnTriangle(const Triangle& triangle, const glm::dvec3& point)
   {
     return b + Ratio(d4 - d3, (d4 - d3) + (d5 - d6)) * (c - b);
   }
-  const double sum = va + vb + vc;
-  return a + ab * (vb / sum) + ac * (vc / sum);
+  const double sum = va + vb + vc; // the square of twice the area
+  const glm::dvec3 within = a + ab * (vb / sum) + ac * (vc / sum);
+  if (va >= 0 && vb >= 0 && vc >= 0 && sum > SquareOfSliver * glm::dot(ab, ab) * glm::dot(ac, ac))
+  {
+    return within;
+  }
+  // Rounding moves the point along a sliver, or out of it.
+  const glm::dvec3 onSides = NearestOnSides(triangle, point);
+  const bool isNearer = va >= 0 && vb >= 0 && vc >= 0 && sum > 0 &&
+    glm::length(point - within) < glm::length(point - onSides);
+  return isNearer ? within : onSides;
 }
 
 // C. Ericson, 5.1.9.
