@@ -135,7 +135,7 @@ void ExpectHonest(const DetailedMesh& mesh, const MeshLevels& made, double slack
     SCOPED_TRACE(level.Corners.size() / 3);
     EXPECT_LE(there, level.Bound);
     EXPECT_LE(back, level.Bound);
-    EXPECT_LE(level.Bound, slack * std::max(there, back) + 1e-9);
+    EXPECT_LE(level.Bound, slack * std::max(there, back) + 1e-7);
   }
 }
 
@@ -342,7 +342,7 @@ TEST(MeshLevels, AreNoneForMeshesThatAreNotUsable)
   }
   for (const MeshLevel& level : LevelsOf(bad).Levels)
   {
-    EXPECT_LE(level.Bound, 1e-9);
+    EXPECT_LE(level.Bound, 1e-7);
   }
 }
 

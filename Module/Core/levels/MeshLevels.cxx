@@ -32,6 +32,18 @@ double LengthOf(const DetailedMesh& mesh)
   return glm::length(high - low);
 }
 
+/** Returns the largest absolute coordinate. */
+double FarthestOf(const DetailedMesh& mesh)
+{
+  double most = 0;
+  for (const std::uint32_t corner : mesh.Corners)
+  {
+    const glm::dvec3 size = glm::abs(mesh.Points[corner]);
+    most = std::max({ most, size.x, size.y, size.z });
+  }
+  return most;
+}
+
 /** A level of so few triangles is compared with the mesh itself, too, which is quick and a tighter bound. */
 constexpr std::size_t FewToTheMesh = 64;
 
@@ -83,7 +95,7 @@ public:
   explicit LevelChain(const DetailedMesh& mesh)
     : Mesh(mesh)
     , Diagonal(LengthOf(mesh))
-    , Rounding(1e-12 * Diagonal)
+    , Rounding(1e-9 * (Diagonal + FarthestOf(mesh)))
     , Tolerance(1e-5 * Diagonal)
     , Whole(std::make_shared<Surface>(mesh.Points, mesh.Corners))
     , Last(Whole)
