@@ -14,6 +14,7 @@
 #include <fstream>
 #include <memory>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace vitrine
@@ -25,18 +26,17 @@ namespace fs = std::filesystem;
 
 const std::uintmax_t LeastRoom = std::uintmax_t{ 64 } << 20; // bytes of the disk
 const std::ptrdiff_t DigitsOfKey = 32;                       // of MD5
-const char* const EntryExtension = ".glb";
 const std::chrono::hours MostHoursUnfinished(24);
 
-fs::path DefaultFolder()
+fs::path DefaultFolder(const std::string& kind)
 {
   const char* const cache = std::getenv("XDG_CACHE_HOME");
   if (cache && fs::path(cache).is_absolute()) // others are ignored, as its specification says
   {
-    return fs::path(cache) / "vitrine/cad";
+    return fs::path(cache) / "vitrine" / kind;
   }
   const char* const home = std::getenv("HOME");
-  return home && *home ? fs::path(home) / ".cache/vitrine/cad" : fs::path();
+  return home && *home ? fs::path(home) / ".cache/vitrine" / kind : fs::path();
 }
 
 /** A file of the cache. */
@@ -56,7 +56,7 @@ bool IsOurs(const std::string& name)
 }
 
 /** Lists the entries. Removes files that a process which ended early has left. */
-std::vector<Kept> ListEntries(const fs::path& folder)
+std::vector<Kept> ListEntries(const fs::path& folder, const std::string& extension)
 {
   std::vector<Kept> entries;
   std::error_code problem;
@@ -71,7 +71,7 @@ std::vector<Kept> ListEntries(const fs::path& folder)
     {
       continue; // another process has removed it
     }
-    if (kept.Path.extension() == EntryExtension && kept.Path.stem().extension().empty())
+    if (kept.Path.extension() == extension && kept.Path.stem().extension().empty())
     {
       entries.push_back(kept);
     }
@@ -84,9 +84,11 @@ std::vector<Kept> ListEntries(const fs::path& folder)
 }
 }
 
-CadCache::CadCache(fs::path folder, std::uint64_t limit)
-  : Folder(folder.empty() ? DefaultFolder() : std::move(folder))
+CadCache::CadCache(
+  fs::path folder, std::uint64_t limit, const std::string& kind, std::string extension)
+  : Folder(folder.empty() ? DefaultFolder(kind) : std::move(folder))
   , Limit(limit)
+  , Extension(std::move(extension))
 {
   if (this->Folder.empty())
   {
@@ -110,14 +112,14 @@ CadCache::CadCache(fs::path folder, std::uint64_t limit)
 
 fs::path CadCache::EntryOf(const std::string& key) const
 {
-  return this->Folder / (key + EntryExtension);
+  return this->Folder / (key + this->Extension);
 }
 
 fs::path CadCache::UnfinishedOf(const std::string& key) const
 {
   static std::atomic<int> count{ 0 };
   return this->Folder /
-    (key + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + EntryExtension);
+    (key + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + this->Extension);
 }
 
 void CadCache::Touch(const std::string& key) const
@@ -148,7 +150,7 @@ void CadCache::Remove(const std::string& key) const
 
 void CadCache::Trim() const
 {
-  std::vector<Kept> entries = ListEntries(this->Folder);
+  std::vector<Kept> entries = ListEntries(this->Folder, this->Extension);
   std::sort(entries.begin(), entries.end(),
     [](const Kept& a, const Kept& b) { return a.Time > b.Time; }); // the last used first
   std::uint64_t sum = 0;

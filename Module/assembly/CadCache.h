@@ -1,4 +1,4 @@
-/** Files that conversions have made, kept for the next time. */
+/** Files that took long to make, kept for the next time. */
 #ifndef VITRINE_ASSEMBLY_CAD_CACHE_H
 #define VITRINE_ASSEMBLY_CAD_CACHE_H
 
@@ -10,18 +10,21 @@ namespace vitrine
 {
 
 /**
- * A folder of GLB files, each named by what it was made from. An entry appears by a renaming, so that no process sees
- * half of one. The entries that were not used for longest are removed where all are larger than the limit.
+ * A folder of files of one kind, each named by what it was made from. An entry appears by a renaming, so that no
+ * process sees half of one. The entries that were not used for longest are removed where all are larger than the limit.
  */
 class CadCache
 {
 public:
   /**
    * Opens a folder, and makes it if there is none.
-   * @param folder  empty for vitrine/cad in $XDG_CACHE_HOME, which is ~/.cache by default
-   * @param limit   bytes of all entries
+   * @param folder     empty for vitrine/cad in $XDG_CACHE_HOME, which is ~/.cache by default
+   * @param limit      bytes of all entries
+   * @param kind       the name of the default folder in vitrine
+   * @param extension  that of the entries' names
    */
-  CadCache(std::filesystem::path folder, std::uint64_t limit);
+  CadCache(std::filesystem::path folder, std::uint64_t limit, const std::string& kind = "cad",
+    std::string extension = ".glb");
 
   /** Returns why the folder cannot be used, or an empty text. */
   const std::string& Problem() const { return this->WhyNot; }
@@ -44,6 +47,7 @@ private:
 
   std::filesystem::path Folder;
   std::uint64_t Limit;
+  std::string Extension;
   std::string WhyNot;
 };
 

@@ -1,5 +1,7 @@
 #include "assembly/PartDetail.h"
 
+#include "assembly/CadCache.h"
+#include "assembly/LevelFile.h"
 #include "assembly/PartLooks.h"
 #include "scene/PartTriangles.h"
 
@@ -9,6 +11,8 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <numeric>
+#include <string>
 #include <utility>
 
 namespace vitrine
@@ -16,6 +20,9 @@ namespace vitrine
 
 namespace
 {
+
+constexpr vtkIdType CellsOfASecond = 100000; ///< whose levels take about a second
+constexpr std::uint64_t BytesOfCache = std::uint64_t{ 1 } << 30;
 
 std::vector<glm::vec3> NormalsOf(vtkPolyData* geometry)
 {
@@ -66,19 +73,24 @@ bool HasTrianglesAlone(vtkPolyData* geometry)
     (HasCells(geometry->GetPolys()) || HasCells(geometry->GetStrips()));
 }
 
-std::shared_ptr<const PartDetail> MakePartDetail(vtkPolyData* geometry)
+std::shared_ptr<const PartDetail> MakePartDetail(
+  const DetailedMesh& mesh, std::vector<MeshLevel> levels)
 {
-  PartTriangles triangles = ReadTriangles(geometry);
-  auto detail = std::make_shared<PartDetail>();
-  detail->Whole = std::move(triangles.Corners);
-  detail->Levels = LevelsOf(
-    { std::move(triangles.Points), detail->Whole, NormalsOf(geometry), ColorsOf(geometry) })
-                     .Levels;
-  return detail;
+  return IsUsable(mesh)
+    ? std::make_shared<PartDetail>(PartDetail{ mesh.Corners, std::move(levels) })
+    : nullptr;
 }
 
-DetailWork::DetailWork(Geometries geometries)
+DetailedMesh DetailedMeshOf(vtkPolyData* geometry)
+{
+  PartTriangles triangles = ReadTriangles(geometry);
+  return { std::move(triangles.Points), std::move(triangles.Corners), NormalsOf(geometry),
+    ColorsOf(geometry) };
+}
+
+DetailWork::DetailWork(Geometries geometries, bool useCache)
   : Work(std::move(geometries))
+  , UseCache(useCache)
   , Made(Work.size())
 {
   for (std::size_t i = 0; i < this->Work.size(); ++i)
@@ -96,9 +108,40 @@ DetailWork::~DetailWork()
 
 void DetailWork::Run()
 {
+  const vtkIdType cells = std::accumulate(this->Work.begin(), this->Work.end(), vtkIdType{ 0 },
+    [](vtkIdType sum, vtkPolyData* geometry) { return sum + geometry->GetNumberOfCells(); });
+  if (this->UseCache && cells >= CellsOfASecond)
+  {
+    this->MakeByCache(CadCache({}, BytesOfCache, "levels", ".levels"));
+  }
+  else
+  {
+    this->Make();
+  }
+}
+
+void DetailWork::MakeByCache(const CadCache& cache)
+{
+  const bool isUsable = cache.Problem().empty();
+  const std::string key = isUsable ? KeyOfLevels(this->Work, this->IsStopped) : std::string();
+  if (isUsable && !this->IsStopped && ReadLevels(cache, key, this->Work, this->Made))
+  {
+    this->Done = this->Work.size();
+    return;
+  }
+  this->Make();
+  if (isUsable && !this->IsStopped)
+  {
+    KeepLevels(cache, key, this->Made);
+  }
+}
+
+void DetailWork::Make()
+{
   for (std::size_t i = 0; i < this->Work.size() && !this->IsStopped; ++i)
   {
-    this->Made[i] = MakePartDetail(this->Work[i]);
+    const DetailedMesh mesh = DetailedMeshOf(this->Work[i]);
+    this->Made[i] = MakePartDetail(mesh, LevelsOf(mesh).Levels);
     ++this->Done;
   }
 }

@@ -19,6 +19,8 @@ class vtkPolyData;
 namespace vitrine
 {
 
+class CadCache;
+
 /** The triangles of a geometry, all and fewer. Their corners are numbers of its points. */
 struct PartDetail
 {
@@ -29,17 +31,24 @@ struct PartDetail
 /** Returns true if a geometry is drawn by triangles alone: it has polygons or strips, but no lines or vertices. */
 bool HasTrianglesAlone(vtkPolyData* geometry);
 
-/** Makes the levels of a geometry. Normals and colours at its points count. */
-std::shared_ptr<const PartDetail> MakePartDetail(vtkPolyData* geometry);
+/** Returns the triangles of a mesh with its levels, or null if the mesh is not usable. */
+std::shared_ptr<const PartDetail> MakePartDetail(
+  const DetailedMesh& mesh, std::vector<MeshLevel> levels);
 
-/** Makes levels of geometries in a thread of its own. They must not change meanwhile. */
+/** Reads the triangles of a geometry, with normals and colours at its points. */
+DetailedMesh DetailedMeshOf(vtkPolyData* geometry);
+
+/**
+ * Makes levels of geometries in a thread of its own. They must not change meanwhile. Levels that take a second or more
+ * are kept in the cache, vitrine/levels of the system's folder for caches, and taken from there the next time.
+ */
 class DetailWork
 {
 public:
   using Geometries = std::vector<vtkSmartPointer<vtkPolyData>>;
 
   /** Begins at once. */
-  explicit DetailWork(Geometries geometries);
+  DetailWork(Geometries geometries, bool useCache);
 
   /** Stops after the geometry that is being worked on. */
   ~DetailWork();
@@ -52,13 +61,16 @@ public:
   bool IsDone() const { return this->CountOfDone() == this->Count(); }
   void Wait();
 
-  /** Returns what was made of a geometry, or null if it was not given. Only if IsDone(). */
+  /** Returns what was made of a geometry, or null if it was not given or is not usable. Only if IsDone(). */
   std::shared_ptr<const PartDetail> Of(vtkPolyData* geometry) const;
 
 private:
   void Run();
+  void MakeByCache(const CadCache& cache);
+  void Make();
 
   Geometries Work;
+  bool UseCache;
   std::vector<std::shared_ptr<const PartDetail>> Made;
   std::unordered_map<vtkPolyData*, std::size_t> PlaceOf;
   std::atomic<std::size_t> Done{ 0 };

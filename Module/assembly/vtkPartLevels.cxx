@@ -93,6 +93,7 @@ struct vtkPartLevels::Internals
   std::vector<LevelledAssembly> Assemblies;
   double Pixels = 0.5;
   bool ExactWhileStill = true;
+  bool UseCache = true;
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vitrine::FrameObserver> Observer;
   unsigned long Answer = 0;
@@ -252,6 +253,7 @@ void vtkPartLevels::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Pixels: " << this->GetPixels() << "\n";
   os << indent << "ExactWhileStill: " << this->GetExactWhileStill() << "\n";
+  os << indent << "UseCache: " << this->GetUseCache() << "\n";
   os << indent << "Progress: " << this->GetProgress() << "\n";
 }
 
@@ -279,7 +281,8 @@ void vtkPartLevels::AddAssembly(vtkAssemblyActors* assembly)
       geometries.emplace_back(geometry);
     }
   }
-  assemblies.push_back({ assembly, std::make_unique<DetailWork>(std::move(geometries)), nullptr });
+  assemblies.push_back({ assembly,
+    std::make_unique<DetailWork>(std::move(geometries), this->Private->UseCache), nullptr });
   this->Modified();
 }
 
@@ -310,6 +313,22 @@ void vtkPartLevels::SetExactWhileStill(bool exact)
 bool vtkPartLevels::GetExactWhileStill()
 {
   return this->Private->ExactWhileStill;
+}
+
+//------------------------------------------------------------------------------
+void vtkPartLevels::SetUseCache(bool use)
+{
+  if (this->Private->UseCache != use)
+  {
+    this->Private->UseCache = use;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPartLevels::GetUseCache()
+{
+  return this->Private->UseCache;
 }
 
 //------------------------------------------------------------------------------

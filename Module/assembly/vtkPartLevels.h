@@ -74,6 +74,17 @@ public:
 
   ///@{
   /**
+   * Get/Set whether levels that were made of the same geometry before are used, and new ones are kept, in
+   * vitrine/levels of $XDG_CACHE_HOME or ~/.cache. That is done for geometry of 100,000 cells and more, up to 1 GiB,
+   * and holds for assemblies that are added later. The default is true.
+   */
+  void SetUseCache(bool use);
+  bool GetUseCache();
+  vtkBooleanMacro(UseCache, bool);
+  ///@}
+
+  ///@{
+  /**
    * Attach to a renderer, which draws by levels from its next frame on, or undo that. The object is attached to one
    * renderer at a time, which keeps it alive. A renderer has one such object at a time; an earlier one is detached.
    */

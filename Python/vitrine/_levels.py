@@ -17,7 +17,7 @@ from .vtkVitrineRendering import vtkPartLevels
 _FINEST, _COARSEST = 0.001, 64.0
 
 
-def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True) -> Levels:
+def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True, cache: bool = True) -> Levels:
     """Draw the parts of assemblies that `target` shows at levels of detail while the camera moves.
 
     Each part is drawn at the coarsest level with which no point of it is farther from where it should be than `pixels`.
@@ -30,6 +30,9 @@ def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True) 
             renderers that it has now.
         pixels: by how many pixels points may move, from 0.001 to 64.
         exact_while_still: whether a frame whose camera is that of the frame before shows parts as they are.
+
+        cache: whether levels of the same geometry that took a second or more are kept, and used the next time, in
+            vitrine/levels of the system's folder for caches.
 
     Levels that a renderer has already are removed first.
 
@@ -57,6 +60,7 @@ def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True) 
     if not _FINEST <= pixels <= _COARSEST:
         raise ValueError(f"pixels is a number from {_FINEST:g} to {_COARSEST:g}, not {pixels!r}")
     check_boolean("exact_while_still", exact_while_still)
+    check_boolean("cache", cache)
     shown = []
     for renderer in _renderers_of(target):
         assemblies = [assembly for assembly in Assembly.living() if _shows(renderer, assembly)]
@@ -64,6 +68,7 @@ def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True) 
             made: Any = vtkPartLevels()
             made.SetPixels(float(pixels))
             made.SetExactWhileStill(exact_while_still)
+            made.SetUseCache(cache)
             for assembly in assemblies:
                 made.AddAssembly(assembly.actors)
             made.Attach(renderer)

@@ -30,6 +30,11 @@ class ViewCommand(FileTest):
         self.assert_refused(run("view", "demo:mating", "--coincidence", "16,0.01"), "DISPLAY")
 
 
+    def test_levels_are_pixels(self):
+        for wrong in ("0", "65", "nan", "x"):
+            self.assert_refused(run("view", "demo:mating", "--levels", wrong), "--levels")
+
+
 class ViewWindow(FileTest):
     """In a window, each picture of which is that of `vitrine render` with the options that mean the same."""
 

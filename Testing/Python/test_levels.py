@@ -1,6 +1,10 @@
 """Levels of detail: what moves, what stays, and what is told; pictures beside those of the parts themselves."""
 
+import os
+import pathlib
+import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
@@ -215,6 +219,54 @@ class Levels(unittest.TestCase):
         picture = scene.frame(10)
         self.assertFalse(shown.stats().drew_levels)
         self.assert_same(picture, np.broadcast_to(picture[0, 0], picture.shape))
+
+    def test_levels_of_large_parts_are_kept(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(os.environ, XDG_CACHE_HOME=folder):
+            blocks = vtkMultiBlockDataSet()
+            blocks.SetBlock(0, ball(0, 0, 1, 230))
+            assembly = vitrine.from_multiblock(blocks)
+            scene = Scene(assembly, lit=True)
+            entries = pathlib.Path(folder, "vitrine", "levels")
+
+            def frame(**options):
+                shown = scene.levels(exact_while_still=False, **options)
+                picture = scene.frame()
+                self.assertTrue(shown.stats().drew_levels)
+                return picture
+
+            made = frame(cache=False)
+            self.assertFalse(entries.exists())
+            self.assert_same(frame(), made)
+            (entry,) = entries.iterdir()
+            whole = entry.read_bytes()
+            wrong_corner = whole[:24] + bytes(4 * [255]) + whole[28:]
+            for damaged in (whole[:-1], whole + bytes(1), wrong_corner):
+                entry.write_bytes(damaged)
+                self.assert_same(frame(), made)
+                self.assertEqual(entry.read_bytes(), whole)
+            stamp = entry.stat().st_mtime_ns
+            self.assert_same(frame(), made)
+            self.assertGreater(entry.stat().st_mtime_ns, stamp)
+
+    def test_outlines_are_drawn_with_levels(self):
+        scene = Scene(machine())
+        shown = scene.levels(exact_while_still=False)
+        without = scene.frame(10)
+        with vitrine.highlight(scene.window, scene.assembly["rod_2"]):
+            outlined = scene.frame()
+        self.assertTrue(shown.stats().drew_levels)
+        self.assertGreater(int((outlined != without).any(axis=2).sum()), 100)
+
+    def test_damaged_points_are_drawn_as_they_are(self):
+        data = ball(0, 0, 1)
+        data.GetPoints().SetPoint(7, float("nan"), 0, 0)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, data)
+        blocks.SetBlock(1, ball(2, 0, 0.5))
+        scene = Scene(vitrine.from_multiblock(blocks))
+        shown = scene.levels(exact_while_still=False)
+        scene.frame(10)
+        self.assertEqual(shown.stats().whole_triangles, 0)
 
     def test_wrong_arguments_say_so(self):
         scene = Scene(machine())

@@ -18,13 +18,21 @@ namespace program
 
 namespace
 {
+struct ViewOptions
+{
+  SceneOptions Scene;
+  std::string Method = "linked-list";
+  std::optional<std::string> Coincidence;
+  std::optional<double> Levels; ///< pixels that points may move by
+};
+
 /** A window in which a scene is inspected. */
 class Viewer
 {
 public:
-  Viewer(const Scene& scene, const SceneOptions& options, const std::string& firstMethod,
-    const Coincidence& tolerance)
+  Viewer(const Scene& scene, const ViewOptions& all, const Coincidence& tolerance)
   {
+    const SceneOptions& options = all.Scene;
     const PictureSize size = ParseSize(options.Size);
     this->Window->SetSize(size.Width, size.Height);
     this->Window->SetMultiSamples(options.Multisamples);
@@ -37,7 +45,11 @@ public:
     this->Interactor->SetInteractorStyle(this->Style);
     this->Interactor->Initialize(); // from here on no key is missed
     this->View = std::make_unique<Inspector>(
-      scene, this->Renderer, ParseMethodList(firstMethod + ",all"), tolerance);
+      scene, this->Renderer, ParseMethodList(all.Method + ",all"), tolerance);
+    if (all.Levels)
+    {
+      this->View->DrawByLevels(*all.Levels);
+    }
     this->Style->SetInspector(this->View.get());
   }
 
@@ -52,13 +64,6 @@ private:
   std::unique_ptr<Inspector> View;
 };
 
-struct ViewOptions
-{
-  SceneOptions Scene;
-  std::string Method = "linked-list";
-  std::optional<std::string> Coincidence;
-};
-
 void ShowScene(const ViewOptions& options)
 {
   const Coincidence tolerance = ParseCoincidence(options.Coincidence);
@@ -69,7 +74,7 @@ void ShowScene(const ViewOptions& options)
   }
   const Scene scene = LoadScene(options.Scene);
   RequireFewLights(scene, MostLightsOfVTK);
-  Viewer(scene, options.Scene, options.Method, tolerance).Run();
+  Viewer(scene, options, tolerance).Run();
 }
 }
 
@@ -84,6 +89,11 @@ void AddViewCommand(CLI::App& app)
     ->type_name("M")
     ->capture_default_str();
   AddCoincidenceOption(*command, options->Coincidence);
+  command
+    ->add_option("--levels", options->Levels,
+      "draw many parts at levels of detail while the camera moves; no point moves by more pixels")
+    ->type_name("PIXELS")
+    ->check(NumberWithin(0.001, 64.0));
   command->footer("Keys and the mouse:\n" + DescribeKeys() + "\n\nMethods:\n" + DescribeMethods());
   command->callback([options] { ShowScene(*options); });
 }

@@ -32,6 +32,9 @@ public:
   Inspector(const Scene& scene, vtkRenderer* renderer, std::vector<std::string> methods,
     const Coincidence& tolerance);
 
+  /** As ShownParts::DrawByLevels(). */
+  void DrawByLevels(double pixels) { this->Shown.DrawByLevels(pixels); }
+
   /** Do what a key stands for, if anything. What goes wrong is said. */
   void Press(const std::string& key);
 

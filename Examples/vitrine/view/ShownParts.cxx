@@ -34,6 +34,13 @@ std::optional<std::size_t> ShownParts::Find(vtkProp* prop, unsigned int block) c
   return found == this->Found.end() ? std::nullopt : std::optional<std::size_t>(found->second);
 }
 
+void ShownParts::DrawByLevels(vtkRenderer* renderer, double pixels)
+{
+  this->Levels->SetPixels(pixels);
+  this->Levels->AddAssembly(this->Blocks);
+  this->Levels->Attach(renderer);
+}
+
 double ShownParts::OwnOpacity(std::size_t part) const
 {
   return this->Content.Parts[part].Material->GetOpacity();

@@ -9,6 +9,7 @@
 
 #include "vtkAssemblyActors.h"
 #include "vtkNew.h"
+#include "vtkPartLevels.h"
 
 #include <map>
 #include <optional>
@@ -45,6 +46,12 @@ public:
   /** The actors of AddActors(). */
   const std::vector<vtkSmartPointer<vtkActor>>& Actors() const { return this->Shown; }
 
+  /**
+   * Have parts drawn at levels of detail while the camera moves, so that no point moves by more than some pixels. Few
+   * parts have actors of their own, which are drawn as they are.
+   */
+  void DrawByLevels(vtkRenderer* renderer, double pixels);
+
   /** The opacity that the scene gives a part. */
   double OwnOpacity(std::size_t part) const;
 
@@ -62,6 +69,7 @@ private:
 
   const Scene& Content;
   vtkNew<vtkAssemblyActors> Blocks;
+  vtkNew<vtkPartLevels> Levels;
   std::vector<vtkSmartPointer<vtkActor>> Shown;
   std::vector<std::string> Paths;
   std::vector<DrawnPart> Parts;

@@ -29,6 +29,9 @@ public:
   /** Show a state with the next frame. A reveal draws a frame at once. */
   void Show(const ViewState& state);
 
+  /** As ShownParts::DrawByLevels(). */
+  void DrawByLevels(double pixels) { this->Drawn.DrawByLevels(this->Renderer, pixels); }
+
   const ShownParts& Parts() const { return this->Drawn; }
 
   /** Why the method or the reveal do not do what the state says; empty if they do. */
