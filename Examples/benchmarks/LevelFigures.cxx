@@ -147,8 +147,8 @@ std::size_t TheirsWithin(const DetailedMesh& mesh, const Surface& whole, double 
       &points[0].x, points.size(), sizeof(glm::vec3), 3 * middle, 1e9f, 0, nullptr));
     const Surface theirs(mesh.Points, corners);
     const bool isWithin = theirs.Mesh.TriangleCount() > 0 &&
-      BoundOfDistance(mesh.Points, whole, theirs, bound / 2) <= bound &&
-      BoundOfDistance(mesh.Points, theirs, whole, bound / 2) <= bound;
+      BoundOfDistance(mesh.Points, whole, theirs, bound / 2, NeverStopped) <= bound &&
+      BoundOfDistance(mesh.Points, theirs, whole, bound / 2, NeverStopped) <= bound;
     if (isWithin)
     {
       high = std::min(middle, std::max<std::size_t>(corners.size() / 3, 1));

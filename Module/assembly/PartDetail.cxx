@@ -141,7 +141,7 @@ void DetailWork::Make()
   for (std::size_t i = 0; i < this->Work.size() && !this->IsStopped; ++i)
   {
     const DetailedMesh mesh = DetailedMeshOf(this->Work[i]);
-    this->Made[i] = MakePartDetail(mesh, LevelsOf(mesh).Levels);
+    this->Made[i] = MakePartDetail(mesh, LevelsOf(mesh, this->IsStopped).Levels);
     ++this->Done;
   }
 }

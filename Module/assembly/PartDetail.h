@@ -50,7 +50,7 @@ public:
   /** Begins at once. */
   DetailWork(Geometries geometries, bool useCache);
 
-  /** Stops after the geometry that is being worked on. */
+  /** Stops the work. */
   ~DetailWork();
 
   DetailWork(const DetailWork&) = delete;

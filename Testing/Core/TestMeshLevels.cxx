@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -33,6 +34,7 @@ using vitrine::LevelsOf;
 using vitrine::MeshLevel;
 using vitrine::MeshLevels;
 using vitrine::MeshReduction;
+using vitrine::NeverStopped;
 using vitrine::PartMesh;
 using vitrine::Surface;
 
@@ -167,7 +169,7 @@ TEST(MeshLevels, OfAHardCubeEndWithTwelveTriangles)
 {
   const DetailedMesh cube = HardCube(16);
   MeshReduction reduction(vitrine::Welded(cube));
-  reduction.ReduceTo(0);
+  reduction.ReduceTo(0, NeverStopped);
   const Corners left = reduction.Triangles();
   ASSERT_EQ(left.size(), 3 * 12u);
   for (std::size_t i = 0; i < left.size(); i += 3)
@@ -181,8 +183,8 @@ TEST(MeshLevels, OfAHardCubeEndWithTwelveTriangles)
   }
   const Surface whole(cube.Points, cube.Corners);
   const Surface reduced(cube.Points, left);
-  EXPECT_LE(BoundOfDistance(cube.Points, whole, reduced, 1e-9), 1e-9);
-  EXPECT_LE(BoundOfDistance(cube.Points, reduced, whole, 1e-9), 1e-9);
+  EXPECT_LE(BoundOfDistance(cube.Points, whole, reduced, 1e-9, NeverStopped), 1e-9);
+  EXPECT_LE(BoundOfDistance(cube.Points, reduced, whole, 1e-9, NeverStopped), 1e-9);
 }
 
 TEST(MeshLevels, KeepTheBorderOfColours)
@@ -346,13 +348,19 @@ TEST(MeshLevels, AreNoneForMeshesThatAreNotUsable)
   }
 }
 
+TEST(MeshLevels, AreNotMadeOnceStopped)
+{
+  const std::atomic<bool> isStopped{ true };
+  EXPECT_TRUE(LevelsOf(MeshOf(Torus(3, 1, 64)), isStopped).Levels.empty());
+}
+
 TEST(SurfaceBound, OfKnownTriangles)
 {
   const Points points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 2 }, { 4, 0, 2 }, { 0, 4, 3 },
     { 9, 0, 0 } };
   const Surface flat(points, { 0, 1, 2 });
   const auto bound = [&](const Corners& corners)
-  { return BoundOfDistance(points, Surface(points, corners), flat, 0); };
+  { return BoundOfDistance(points, Surface(points, corners), flat, 0, NeverStopped); };
   EXPECT_DOUBLE_EQ(bound({ 3, 4, 5 }), 3);
   EXPECT_DOUBLE_EQ(bound({ 0, 1, 2 }), 0);
   EXPECT_DOUBLE_EQ(bound({ 6, 6, 6 }), 5); // a point

@@ -92,8 +92,9 @@ std::vector<std::uint32_t> TriangleOf(const DetailedMesh& mesh, const Extremes& 
 class LevelChain
 {
 public:
-  explicit LevelChain(const DetailedMesh& mesh)
+  LevelChain(const DetailedMesh& mesh, const std::atomic<bool>& isStopped)
     : Mesh(mesh)
+    , IsStopped(isStopped)
     , Diagonal(LengthOf(mesh))
     , Rounding(1e-9 * (Diagonal + FarthestOf(mesh)))
     , Tolerance(1e-5 * Diagonal)
@@ -109,7 +110,7 @@ public:
   /** Adds a level if it has at most three quarters of the triangles of the last one. */
   bool Add(std::vector<std::uint32_t> corners)
   {
-    if (corners.empty() || 4 * corners.size() > 3 * this->Last->Corners.size())
+    if (this->IsStopped || corners.empty() || 4 * corners.size() > 3 * this->Last->Corners.size())
     {
       return false;
     }
@@ -147,12 +148,15 @@ private:
   double Distance(const Surface& fine, const Surface& coarse, double within) const
   {
     const double tolerance = std::max(within, this->Tolerance);
-    const double there = BoundOfDistance(this->Mesh.Points, fine, coarse, tolerance);
-    return std::max(
-      there, BoundOfDistance(this->Mesh.Points, coarse, fine, std::max(there, tolerance)));
+    const double there =
+      BoundOfDistance(this->Mesh.Points, fine, coarse, tolerance, this->IsStopped);
+    return std::max(there,
+      BoundOfDistance(
+        this->Mesh.Points, coarse, fine, std::max(there, tolerance), this->IsStopped));
   }
 
   const DetailedMesh& Mesh;
+  const std::atomic<bool>& IsStopped;
   const double Diagonal; ///< that of the diagonal of the box around all
   const double Rounding;
   const double Tolerance;
@@ -162,7 +166,7 @@ private:
 
 }
 
-MeshLevels LevelsOf(const DetailedMesh& mesh)
+MeshLevels LevelsOf(const DetailedMesh& mesh, const std::atomic<bool>& isStopped)
 {
   MeshLevels made;
   if (!IsUsable(mesh) || mesh.Corners.size() <= 3 * FewestTriangles)
@@ -174,15 +178,15 @@ MeshLevels LevelsOf(const DetailedMesh& mesh)
   {
     return made;
   }
-  LevelChain chain(mesh);
+  LevelChain chain(mesh, isStopped);
   MeshReduction reduction(welded);
   made.Unfit = reduction.CountOfUnfit();
   do
   {
-    reduction.ReduceTo(chain.TriangleCount() / 4);
+    reduction.ReduceTo(chain.TriangleCount() / 4, isStopped);
   } while (chain.Add(reduction.Triangles()));
   // What is left are pieces that cannot be made coarser one by one.
-  for (double share = 1.0 / 128; share < 1; share *= 2)
+  for (double share = 1.0 / 128; share < 1 && !isStopped; share *= 2)
   {
     chain.AddHalf(Clustered(mesh, chain.LastCorners(), share * chain.Length()));
   }

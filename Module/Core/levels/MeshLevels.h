@@ -3,6 +3,7 @@
 
 #include "Core/levels/WeldedMesh.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,14 +30,17 @@ struct MeshLevels
     0; ///< triangles of the mesh that are kept in all levels, as they fit no manifold
 };
 
+/** What stops no work. */
+inline const std::atomic<bool> NeverStopped{ false };
+
 /**
  * Makes levels of detail of a mesh. Each has about a quarter of the triangles of the one before. A mesh that is not
- * usable has none.
+ * usable has none. All levels are there only if it was not stopped meanwhile.
  *
  * The bound of a level is that of the level before plus that of the distances of both, which BoundOfDistance()
  * computes.
  */
-MeshLevels LevelsOf(const DetailedMesh& mesh);
+MeshLevels LevelsOf(const DetailedMesh& mesh, const std::atomic<bool>& isStopped = NeverStopped);
 
 /** Returns the place of the coarsest level whose bound is at most a length, or -1 if only the mesh itself is. */
 int CoarsestWithin(const std::vector<MeshLevel>& levels, double length);

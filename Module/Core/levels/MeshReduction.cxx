@@ -4,6 +4,7 @@
 
 #include <OpenMesh/Core/Geometry/QuadricT.hh> // which needs the former
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
 
 #include <algorithm>
 #include <array>
@@ -290,6 +291,22 @@ private:
   static constexpr double CosineOfTurn = 0.25; // 75 degrees
 };
 
+/** Has the decimater stop when it is told to. */
+class StopObserver : public OpenMesh::Decimater::Observer
+{
+public:
+  explicit StopObserver(const std::atomic<bool>& isStopped)
+    : Observer(1000)
+    , IsStopped(isStopped)
+  {
+  }
+  void notify(std::size_t) override {}
+  bool abort() const override { return this->IsStopped; }
+
+private:
+  const std::atomic<bool>& IsStopped;
+};
+
 /** Silences OpenMesh, which writes a line to its error stream for each face that it refuses. */
 class Quiet
 {
@@ -338,9 +355,11 @@ public:
     this->Moves->FindQuadrics();
   }
 
-  void ReduceTo(std::size_t triangles)
+  void ReduceTo(std::size_t triangles, const std::atomic<bool>& isStopped)
   {
-    while (this->Left > triangles)
+    StopObserver observer(isStopped);
+    this->Reducer.set_observer(&observer);
+    while (this->Left > triangles && !isStopped)
     {
       // A move of an inner vertex takes two triangles away, and one along an open edge takes one.
       const std::size_t moves = (this->Left - triangles + 1) / 2;
@@ -348,9 +367,10 @@ public:
       this->Count();
       if (made < moves)
       {
-        return;
+        break;
       }
     }
+    this->Reducer.set_observer(nullptr);
   }
 
   std::vector<std::uint32_t> Triangles() const
@@ -453,9 +473,9 @@ MeshReduction::MeshReduction(const WeldedMesh& mesh)
 
 MeshReduction::~MeshReduction() = default;
 
-void MeshReduction::ReduceTo(std::size_t triangles)
+void MeshReduction::ReduceTo(std::size_t triangles, const std::atomic<bool>& isStopped)
 {
-  this->Mesh->ReduceTo(triangles);
+  this->Mesh->ReduceTo(triangles, isStopped);
 }
 
 std::vector<std::uint32_t> MeshReduction::Triangles() const

@@ -3,6 +3,7 @@
 
 #include "Core/levels/WeldedMesh.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,8 +32,8 @@ public:
   MeshReduction(const MeshReduction&) = delete;
   MeshReduction& operator=(const MeshReduction&) = delete;
 
-  /** Goes on until there are at most so many triangles, or no vertex can move. */
-  void ReduceTo(std::size_t triangles);
+  /** Goes on until there are at most so many triangles, no vertex can move, or it is stopped. */
+  void ReduceTo(std::size_t triangles, const std::atomic<bool>& isStopped);
 
   /** Returns the triangles that are left: three numbers of points for each. */
   std::vector<std::uint32_t> Triangles() const;

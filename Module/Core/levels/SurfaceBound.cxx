@@ -169,7 +169,7 @@ public:
     }
   }
 
-  double Bound(const std::vector<std::uint32_t>& corners)
+  double Bound(const std::vector<std::uint32_t>& corners, const std::atomic<bool>& isStopped)
   {
     this->LeftToCut = 8 * (corners.size() + 3 * std::size_t{ this->To.TriangleCount() });
     std::uint32_t near = 0;
@@ -181,7 +181,7 @@ public:
       }
       near = this->Nearest[corner];
     }
-    for (std::size_t i = 0; i < corners.size(); i += 3)
+    for (std::size_t i = 0; i < corners.size() && !isStopped; i += 3)
     {
       if (!this->IsNearOne(&corners[i]))
       {
@@ -313,10 +313,10 @@ private:
 
 }
 
-double BoundOfDistance(
-  const std::vector<glm::dvec3>& points, const Surface& from, const Surface& to, double tolerance)
+double BoundOfDistance(const std::vector<glm::dvec3>& points, const Surface& from,
+  const Surface& to, double tolerance, const std::atomic<bool>& isStopped)
 {
-  return DistanceSearch(points, to, tolerance).Bound(from.Corners);
+  return DistanceSearch(points, to, tolerance).Bound(from.Corners, isStopped);
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -35,9 +36,10 @@ struct Surface
  * @param from       triangles, among them segments and points
  * @param to         the mesh. Its Mesh has triangles.
  * @param tolerance  the result is at most this, or 1.05 times the distance, except where that would take too long
+ * @param isStopped  ends the work; the result is no bound then
  */
-double BoundOfDistance(
-  const std::vector<glm::dvec3>& points, const Surface& from, const Surface& to, double tolerance);
+double BoundOfDistance(const std::vector<glm::dvec3>& points, const Surface& from,
+  const Surface& to, double tolerance, const std::atomic<bool>& isStopped);
 
 }
 
