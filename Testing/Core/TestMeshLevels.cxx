@@ -3,9 +3,11 @@
 
 #include "Core/levels/MeshLevels.h"
 #include "Core/levels/MeshReduction.h"
+#include "Core/levels/PixelLength.h"
 #include "Core/levels/SurfaceBound.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,12 +32,14 @@ using measured_shapes::Points;
 using measured_shapes::Torus;
 using vitrine::BoundOfDistance;
 using vitrine::DetailedMesh;
+using vitrine::LengthOfPixels;
 using vitrine::LevelsOf;
 using vitrine::MeshLevel;
 using vitrine::MeshLevels;
 using vitrine::MeshReduction;
 using vitrine::NeverStopped;
 using vitrine::PartMesh;
+using vitrine::PixelView;
 using vitrine::Surface;
 
 DetailedMesh MeshOf(const measured_shapes::Mesh& mesh)
@@ -352,6 +356,46 @@ TEST(MeshLevels, AreNotMadeOnceStopped)
 {
   const std::atomic<bool> isStopped{ true };
   EXPECT_TRUE(LevelsOf(MeshOf(Torus(3, 1, 64)), isStopped).Levels.empty());
+}
+
+TEST(PixelLength, OfAParallelViewIsThatOfAPixel)
+{
+  PixelView view;
+  view.IsParallel = true;
+  view.Height = 50;
+  view.ParallelHeight = 10;
+  EXPECT_DOUBLE_EQ(LengthOfPixels(view, 0.5, glm::dvec3(1, 2, 3), 4), 0.1);
+}
+
+TEST(PixelLength, MovesNoPointInViewByMore)
+{
+  std::mt19937 random(53);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto anywhere = [&] { return glm::dvec3(unit(random), unit(random), unit(random)); };
+  double most = 0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    PixelView view; // looks along -z from the origin
+    view.HalfTangent = 0.1 + std::abs(unit(random));
+    view.Width = 300;
+    view.Height = 200;
+    view.Nearest = 0.05;
+    const double pixels = 3 * std::abs(unit(random));
+    const glm::dvec3 centre = 5.0 * anywhere();
+    const double radius = std::abs(unit(random));
+    const double length = LengthOfPixels(view, pixels, centre, radius);
+    const glm::dvec3 from = centre + radius * glm::normalize(anywhere());
+    const glm::dvec3 to = from + length * glm::normalize(anywhere());
+    const double focal = view.Height / (2 * view.HalfTangent);
+    const glm::dvec2 before = focal * glm::dvec2(from) / -from.z;
+    if (-from.z >= view.Nearest && std::abs(before.x) <= 150 && std::abs(before.y) <= 100)
+    {
+      const double moved = glm::length(focal * glm::dvec2(to) / -to.z - before);
+      ASSERT_LE(moved, pixels * (1 + 1e-9)) << i;
+      most = std::max(most, moved / pixels);
+    }
+  }
+  EXPECT_GE(most, 0.8); // and no less than needed
 }
 
 TEST(SurfaceBound, OfKnownTriangles)
