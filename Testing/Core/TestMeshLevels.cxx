@@ -411,4 +411,23 @@ TEST(SurfaceBound, OfKnownTriangles)
   EXPECT_DOUBLE_EQ(bound({ 0, 6, 6 }), 5); // a segment
 }
 
+TEST(SurfaceBound, OfAWayBetweenPiecesIsHalfOfTheGap)
+{
+  Points points;
+  Corners pieces;
+  for (const double x : { 0, 10, 20 })
+  {
+    for (const glm::dvec3& corner :
+      { glm::dvec3(x, 0, 0), glm::dvec3(x, 1, 0), glm::dvec3(x, 0, 1) })
+    {
+      pieces.push_back(static_cast<std::uint32_t>(points.size()));
+      points.push_back(corner);
+    }
+  }
+  const double bound =
+    BoundOfDistance(points, Surface(points, { 0, 6, 6 }), Surface(points, pieces), 0, NeverStopped);
+  EXPECT_GE(bound, 5);
+  EXPECT_LE(bound, 1.05 * 5);
+}
+
 }
