@@ -12,8 +12,10 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkShaderProperty.h"
 #include "vtkTypeInt32Array.h"
 
 #include <glm/geometric.hpp>
@@ -93,6 +95,21 @@ vtkMTimeType LooksTimeOf(vtkActor* actor)
   return newest;
 }
 
+/** Returns true if an actor is drawn as assemblies make it, but for the looks of its parts. */
+bool IsAsMade(vtkActor* actor)
+{
+  const auto isAll = [](const double* numbers, double value)
+  { return numbers[0] == value && numbers[1] == value && numbers[2] == value; };
+  vtkMapper* const mapper = actor->GetMapper();
+  vtkPolyData* const alone = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  return isAll(actor->GetPosition(), 0) && isAll(actor->GetOrientation(), 0) &&
+    isAll(actor->GetScale(), 1) && !actor->GetTexture() && !actor->GetBackfaceProperty() &&
+    actor->GetProperty()->GetNumberOfTextures() == 0 &&
+    actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
+    (!mapper->GetClippingPlanes() || mapper->GetClippingPlanes()->GetNumberOfItems() == 0) &&
+    (!mapper->GetScalarVisibility() || (alone && HasColors(alone)));
+}
+
 /** Returns by how much a matrix makes lengths longer, at most. */
 double ScaleOf(const glm::dmat4& matrix)
 {
@@ -163,7 +180,8 @@ private:
   {
     for (const vtkSmartPointer<vtkActor>& actor : this->Parts.Actors())
     {
-      this->IsReplaced[actor] = actor->GetProperty()->GetNumberOfTextures() == 0;
+      this->Made.States.push_back(StateOf(actor));
+      this->IsReplaced[actor] = this->Made.States.back().IsPlain;
     }
     for (int part = 0; part < this->Parts.Count(); ++part)
     {
@@ -305,8 +323,15 @@ CoarseActors::CoarseActors(const DrawnParts& parts, const DetailOf& detailOf)
 
 bool CoarseActors::AreOutdated(const DrawnParts& parts) const
 {
-  return std::any_of(parts.Actors().begin(), parts.Actors().end(),
-    [&](vtkActor* actor) { return LooksTimeOf(actor) > this->LooksTime; });
+  const auto& actors = parts.Actors();
+  return !std::equal(actors.begin(), actors.end(), this->States.begin(), this->States.end(),
+    [&](vtkActor* actor, const ActorState& state)
+    { return StateOf(actor) == state && LooksTimeOf(actor) <= this->LooksTime; });
+}
+
+CoarseActors::ActorState CoarseActors::StateOf(vtkActor* actor)
+{
+  return { actor->GetProperty(), actor->GetVisibility() != 0, IsAsMade(actor) };
 }
 
 int CoarseActors::Piece::CoarsestWithin(double length) const
@@ -333,7 +358,7 @@ void CoarseActors::Choose(const PixelView& view, double pixels)
     for (Group& group : this->Groups)
     {
       // A little finer than needed, so that the choice lasts for some frames.
-      ChooseIn(group, view, 0.75 * pixels);
+      ChooseIn(group, view, 0.9 * pixels);
       Compose(group);
     }
     this->IsChosen = true;
@@ -355,7 +380,7 @@ bool CoarseActors::Fits(const PixelView& view, double pixels) const
       {
         return false;
       }
-      needed += piece.IsLeftOut ? 0 : piece.Corners(piece.CoarsestWithin(0.75 * length)).size() / 3;
+      needed += piece.IsLeftOut ? 0 : piece.Corners(piece.CoarsestWithin(0.9 * length)).size() / 3;
     }
   }
   return 2 * this->Chosen.Triangles <= 3 * needed + 1000;

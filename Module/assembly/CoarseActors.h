@@ -34,8 +34,8 @@ struct LevelCounts
  * The parts of a look are one actor, whose points are those of all of them. So another choice of levels is another list
  * of triangles, and points stay on the device.
  *
- * An actor of the assembly is *replaced* if levels may stand for all of its parts: it has no textures, and its parts
- * are drawn by triangles alone.
+ * An actor of the assembly is *replaced* if levels may stand for all of its parts: these are drawn by triangles alone,
+ * and it has no textures, and nothing else that assemblies do not give it: a place, clipping planes, shader code.
  */
 class CoarseActors
 {
@@ -83,6 +83,21 @@ private:
 
   class Builder;
 
+  /** What an actor of the assembly was when the actors were made. */
+  struct ActorState
+  {
+    vtkProperty* Property;
+    bool IsVisible;
+    bool IsPlain;
+
+    bool operator==(const ActorState& other) const
+    {
+      return this->Property == other.Property && this->IsVisible == other.IsVisible &&
+        this->IsPlain == other.IsPlain;
+    }
+  };
+  static ActorState StateOf(vtkActor* actor);
+
   bool Fits(const PixelView& view, double pixels) const;
   static void ChooseIn(Group& group, const PixelView& view, double pixels);
   static void Compose(Group& group);
@@ -94,6 +109,7 @@ private:
   LevelCounts Chosen;
   bool IsChosen = false;
   vtkMTimeType LooksTime = 0;
+  std::vector<ActorState> States; ///< for each actor of the assembly
 };
 
 }

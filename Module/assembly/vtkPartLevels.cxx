@@ -158,6 +158,10 @@ struct vtkPartLevels::Internals
       return; // the assembly, or some of it, is not shown here
     }
     assembly.Coarse->Choose(view, this->Pixels);
+    if (assembly.Coarse->Counts().GreatestPixels > this->Pixels)
+    {
+      return; // single precision is too coarse here
+    }
     for (vtkActor* const actor : originals)
     {
       if (actor->GetVisibility())

@@ -19,7 +19,8 @@
  * In frames with levels, parts of one look are one actor, and the assembly's own actors are hidden. Between frames all
  * is as it was. So picks, measures and bounds are of the parts themselves. All is drawn as it is, too:
  * - while a selector renders, and while an x-ray or a section is attached to the renderer;
- * - for parts that have textures, lines or vertices;
+ * - for actors with parts that have textures, lines or vertices, and for those that were moved, or have got clipping
+ *   planes or shader code;
  * - with a camera that has a projection matrix of its own.
  *
  * @sa

@@ -81,6 +81,11 @@ class ViewWindow(FileTest):
         self.assertEqual(self.view.end(), (0, ""))
         self.ended.append(self)
 
+    def test_levels_leave_what_stands_still_as_it_is(self):
+        scene = ["demo:assembly,parts=600", "--opacity", "0.5"]
+        self.view = self.open(*scene, "--levels", "8")
+        self.assert_shows(self.rendered(scene=scene))
+
     def test_a_click_selects_what_layers_tells_and_goes_deeper(self):
         at = "{},{}".format(*MIDDLE)
         told = run("layers", *SCENE, "--size", "{}x{}".format(*SIZE), "--at", at, "--all", "--json", "-")

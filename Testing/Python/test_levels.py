@@ -8,7 +8,7 @@ import unittest.mock
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
@@ -179,6 +179,35 @@ class Levels(unittest.TestCase):
         self.assertLess(int((moved != exact).any(axis=2)[red | blue].sum()), 0.05 * (red | blue).sum())
         self.assertFalse((moved[red] == (0, 0, 255)).all(axis=1).any())
         self.assertFalse((moved[blue] == (255, 0, 0)).all(axis=1).any())
+
+    def test_actors_that_were_changed_are_drawn_as_they_are(self):
+        scene = Scene(machine())
+        shown = scene.levels(exact_while_still=False)
+        scene.frame(10)
+        whole = shown.stats().whole_triangles
+        actor = scene.assembly.actors.GetActor(0)
+
+        def clip(shown):
+            if shown:
+                actor.GetMapper().AddClippingPlane(vtkPlane())
+            else:
+                actor.GetMapper().RemoveAllClippingPlanes()
+
+        for change in (
+            lambda on: actor.SetPosition(0.3 * on, 0, 0),
+            lambda on: actor.SetScale(1 + on),
+            lambda on: actor.SetVisibility(not on),
+            clip,
+        ):
+            change(True)
+            changed = scene.frame()
+            self.assertLess(shown.stats().whole_triangles, whole)
+            shown.remove()
+            self.assert_moved_by_less_than_a_pixel(changed, scene.frame())
+            change(False)
+            shown = scene.levels(exact_while_still=False)
+            scene.frame()
+            self.assertEqual(shown.stats().whole_triangles, whole)
 
     def test_all_is_as_it_is_between_frames(self):
         scene = Scene(machine())

@@ -6,6 +6,7 @@
 #include "vtkHierarchicalSBufferCuller.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
+#include "vtkPartLevels.h"
 #include "vtkPrefixSumTransparencyPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkStencilMaskTransparencyPass.h"
@@ -124,6 +125,8 @@ std::vector<Setting> AllSettings()
       (Values{ -1.0, 3.0, LeastInt, MostInt }), "0 (light volumes), 1 (tiles) or 2 (clusters)"),
     SETTING(vtkAssemblyIndex, MemoryLimit, 0.0, (Values{ 1.0, 1e12, 0.0 }), noByte,
       "0 to 9223372036854775807"),
+    SETTING(vtkPartLevels, Pixels, 0.5, (Values{ 0.001, 64.0, 0.5 }),
+      (Values{ 0.0, -1.0, 64.5, NaN, Infinity, -Infinity }), "0.001 to 64"),
     SETTING(vtkHierarchicalSBufferCuller, BufferLines, 0.0, (Values{ 1.0, 4096.0, 0.0 }),
       (Values{ -1.0, 4097.0, LeastInt, MostInt }), "0 to 4096"),
   };
@@ -260,6 +263,9 @@ TEST(OnOffSettings, AreBooleans)
   EXPECT_SWITCH(masks, ShowMarks, false);
   vtkNew<vtkHierarchicalSBufferCuller> culler;
   EXPECT_SWITCH(culler, Culling, true);
+  vtkNew<vtkPartLevels> levels;
+  EXPECT_SWITCH(levels, ExactWhileStill, true);
+  EXPECT_SWITCH(levels, UseCache, true);
 }
 
 }
