@@ -8,6 +8,7 @@
 #include "vtkCameraPass.h"
 #include "vtkClusteredLightsPass.h"
 #include "vtkCommand.h"
+#include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -184,6 +185,7 @@ struct vtkSeeThroughPass::Internals
 {
   vtkSmartPointer<vtkClusteredLightsPass> Lighting;
   vtkSmartPointer<vtkRenderPass> Effects;
+  vtkSmartPointer<vtkRenderPass> WithoutBudget; ///< The TranslucentPass before SetErrorBudget().
   vitrine::RendererFlags Flags;
   std::string FallbackReason; ///< Reason of the frame, not of its method.
   std::string SetAsideReason;
@@ -234,6 +236,7 @@ void vtkSeeThroughPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LightingPass: " << this->GetLightingPass() << "\n";
+  os << indent << "ErrorBudget: " << this->GetErrorBudget() << "\n";
   os << indent << "EffectsPass: " << this->GetEffectsPass() << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
   os << indent << "SetAsideReason: " << this->GetSetAsideReason() << "\n";
@@ -261,6 +264,38 @@ void vtkSeeThroughPass::SetLightingPass(vtkClusteredLightsPass* lights)
 vtkClusteredLightsPass* vtkSeeThroughPass::GetLightingPass()
 {
   return this->Private->Lighting;
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::SetErrorBudget(double budget)
+{
+  Internals& in = *this->Private;
+  auto* const current = vtkErrorBudgetTransparencyPass::SafeDownCast(this->TranslucentPass);
+  if (budget == 0.0)
+  {
+    const vtkSmartPointer<vtkRenderPass> before = std::exchange(in.WithoutBudget, nullptr);
+    if (current)
+    {
+      this->SetTranslucentPass(
+        before ? before.Get() : vtkNew<vtkLinkedListTransparencyPass>().Get());
+    }
+    return;
+  }
+  const auto method = current ? vtkSmartPointer<vtkErrorBudgetTransparencyPass>(current)
+                              : vtkSmartPointer<vtkErrorBudgetTransparencyPass>::New();
+  method->SetErrorBudget(budget); // which tells why it refuses a budget
+  if (!current && method->GetErrorBudget() == budget)
+  {
+    in.WithoutBudget = this->TranslucentPass;
+    this->SetTranslucentPass(method);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkSeeThroughPass::GetErrorBudget()
+{
+  auto* const method = vtkErrorBudgetTransparencyPass::SafeDownCast(this->TranslucentPass);
+  return method ? method->GetErrorBudget() : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -518,7 +553,7 @@ void vtkSeeThroughPass::ReleaseGraphicsResources(vtkWindow* window)
   const ScopedValue<bool> releasing(in.IsReleasing, true);
   in.Flags.ReleaseGraphicsResources(window);
   for (vtkRenderPass* const pass :
-    { static_cast<vtkRenderPass*>(in.Lighting.Get()), in.Effects.Get() })
+    { static_cast<vtkRenderPass*>(in.Lighting.Get()), in.Effects.Get(), in.WithoutBudget.Get() })
   {
     if (pass)
     {

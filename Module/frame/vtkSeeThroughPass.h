@@ -12,6 +12,7 @@
  *
  * Three parts of the frame can be chosen:
  * - SetTranslucentPass(): the method for translucent geometry. The default is a vtkLinkedListTransparencyPass.
+ *   SetErrorBudget() chooses one that keeps an error budget.
  * - SetLightingPass(): the pass for many lights. The default is null: VTK's mappers light the frame.
  * - SetEffectsPass(): a chain of other passes, such as vtkEDLShading around a vtkRenderStepsPass. The chain draws the
  *   frame, and the method replaces its step for translucent geometry. The default is null.
@@ -66,6 +67,18 @@ public:
    */
   void SetLightingPass(vtkClusteredLightsPass* lights);
   vtkClusteredLightsPass* GetLightingPass();
+  ///@}
+
+  ///@{
+  /**
+   * Get/Set the greatest error of a channel of the 8-bit picture that is allowed. Channels are in [0, 1]. The range is
+   * 0.6 / 255 to 1, or 0 for no budget, the default. With a budget, the TranslucentPass becomes a
+   * vtkErrorBudgetTransparencyPass. If it is one already, it stays and takes the budget. 0 puts the TranslucentPass
+   * back that was there before, or a vtkLinkedListTransparencyPass if there was none. Any other value is an error and
+   * is ignored.
+   */
+  void SetErrorBudget(double budget);
+  double GetErrorBudget();
   ///@}
 
   ///@{

@@ -7,7 +7,9 @@
 #include "vtkCamera.h"
 #include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkImageData.h"
+#include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
+#include "vtkPrefixSumTransparencyPass.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkTruthTransparencyPass.h"
 
@@ -401,6 +403,61 @@ TEST(ErrorBudgetSettings, ReleasesLeaveTheSamePicture)
   scene.ExpectTheSameAfterReleases(frame);
   vtkNew<vtkImageData> bounds;
   EXPECT_TRUE(pass->GetErrorBound(bounds));
+}
+
+TEST(ErrorBudgetOfFrame, ChangesTheMethodAndPutsItBack)
+{
+  TestScene scene;
+  scene.AddParts();
+  vtkNew<vtkSeeThroughPass> frame;
+  vtkNew<vtkPrefixSumTransparencyPass> before;
+  frame->SetTranslucentPass(before);
+  EXPECT_EQ(frame->GetErrorBudget(), 0.0);
+  frame->SetErrorBudget(2.0 * Step);
+  scene.Use(frame);
+  scene.Render();
+  auto* const method = vtkErrorBudgetTransparencyPass::SafeDownCast(frame->GetTranslucentPass());
+  ASSERT_NE(method, nullptr);
+  EXPECT_EQ(method->GetChosenMethod(), "prefix-sum-predicted-compact");
+  frame->SetErrorBudget(0.6 * Step);
+  EXPECT_EQ(frame->GetTranslucentPass(), method);
+  EXPECT_EQ(frame->GetErrorBudget(), 0.6 * Step);
+  frame->SetErrorBudget(0.0);
+  EXPECT_EQ(frame->GetTranslucentPass(), before);
+  EXPECT_EQ(frame->GetErrorBudget(), 0.0);
+}
+
+TEST(ErrorBudgetOfFrame, IsThatOfTheMethodThatIsSet)
+{
+  vtkNew<vtkSeeThroughPass> frame;
+  vtkNew<vtkErrorBudgetTransparencyPass> method;
+  frame->SetTranslucentPass(method);
+  EXPECT_EQ(frame->GetErrorBudget(), method->GetErrorBudget());
+  frame->SetErrorBudget(0.0);
+  EXPECT_NE(vtkLinkedListTransparencyPass::SafeDownCast(frame->GetTranslucentPass()), nullptr);
+}
+
+TEST(ErrorBudgetOfFrame, LeavesAMethodThatWasSetLater)
+{
+  vtkNew<vtkSeeThroughPass> frame;
+  frame->SetErrorBudget(2.0 * Step);
+  vtkNew<vtkPrefixSumTransparencyPass> later;
+  frame->SetTranslucentPass(later);
+  frame->SetErrorBudget(0.0);
+  EXPECT_EQ(frame->GetTranslucentPass(), later);
+}
+
+TEST(ErrorBudgetOfFrame, RefusesWhatNoPictureKeeps)
+{
+  vtkNew<vtkSeeThroughPass> frame;
+  vtkRenderPass* const before = frame->GetTranslucentPass();
+  for (const double budget : { -1.0, 0.5 * Step, 10.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    frame->SetErrorBudget(budget);
+    ASSERT_EQ(TakeMessages().size(), 1u) << budget;
+    EXPECT_EQ(frame->GetTranslucentPass(), before);
+    EXPECT_EQ(frame->GetErrorBudget(), 0.0);
+  }
 }
 
 }
