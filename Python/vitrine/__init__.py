@@ -6,9 +6,9 @@
     vitrine.load("machine.glb").add_to(plotter)
     print(vitrine.report())
 
-The package has load(), from_multiblock(), see_through(), stats(), layers_at(), pick(), highlight(), x_ray(), reveal(),
-levels(), inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK module
-Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
+The package has load(), from_multiblock(), see_through(), stats(), error_bound(), layers_at(), pick(), highlight(),
+x_ray(), reveal(), levels(), inspect(), export_explorable(), AssemblyIndex and report(), and all classes of the VTK
+module Vitrine::Rendering. VTK's own classes are in the package vtkmodules.
 """
 
 import importlib
@@ -51,7 +51,8 @@ from ._levels import Levels, LevelStats, levels  # noqa: E402
 from ._report import report  # noqa: E402
 from ._reveal import Faded, Reveal, reveal  # noqa: E402
 from ._section import Section, SectionBox, section, section_box  # noqa: E402
-from ._see_through import SeeThrough, Stats, see_through, stats  # noqa: E402
+from ._see_through import SeeThrough, see_through  # noqa: E402
+from ._stats import Stats, error_bound, stats  # noqa: E402
 from ._tree import Tree  # noqa: E402
 from ._x_ray import XRay, x_ray  # noqa: E402
 
@@ -60,8 +61,8 @@ __all__ += ["Assembly", "AssemblyIndex", "Clash", "Crossing", "Distance", "Faded
 __all__ += ["Levels", "LevelStats"]
 __all__ += ["Nearest", "Part", "Picked", "Reveal", "Section", "SectionBox", "SeeThrough", "Selection", "Stats"]
 __all__ += ["Tree", "Wall", "XRay"]
-__all__ += ["__version__", "export_explorable", "from_multiblock", "highlight", "inspect", "layers_at", "layers_in"]
-__all__ += ["levels", "load"]
+__all__ += ["__version__", "error_bound", "export_explorable", "from_multiblock", "highlight", "inspect", "layers_at"]
+__all__ += ["layers_in", "levels", "load"]
 __all__ += ["pick", "report", "reveal", "section", "section_box", "see_through", "stats", "x_ray"]
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 from . import _blocks, _cad, _unpack
 from ._options import check_boolean
-from ._see_through import _plotter_of, _renderers_of
+from ._target import _plotter_of, _renderers_of
 from ._tree import Tree, make_tree
 from .vtkVitrineRendering import vtkAssemblyActors, vtkAssemblyReader
 

@@ -6,7 +6,7 @@ from typing import Any, Sequence
 
 from ._assembly import _rgb
 from ._looks import PartLook, attached, number, width_in_pixels
-from ._see_through import _renderers_of
+from ._target import _renderers_of
 from .vtkVitrineRendering import vtkPartOutlines
 
 

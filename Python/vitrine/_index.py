@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkProp
 from ._assembly import Assembly
 from ._options import check_boolean, finite_numbers, number_of_bytes
 from ._parts import WHOLE, Chosen, Scope, choose, flat, named, shown_names
-from ._see_through import _renderers_of
+from ._target import _renderers_of
 from .vtkVitrineRendering import vtkAssemblyIndex
 
 KINDS: tuple[str, ...] = ("interfering", "touching", "near")

@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from ._assembly import Part
 from ._options import check_boolean
 from ._parts import name_of, part_of
-from ._see_through import _renderers_of
+from ._target import _renderers_of
 from .vtkVitrineRendering import vtkLayerPicker
 
 

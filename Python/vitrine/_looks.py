@@ -9,7 +9,7 @@ from typing import Any, Iterable, TypeVar
 from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 
 from ._parts import block_count, choose, shown_names
-from ._see_through import _plotter_of
+from ._target import _plotter_of
 
 _Handle = TypeVar("_Handle", bound="PartLook")
 

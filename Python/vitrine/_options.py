@@ -11,6 +11,7 @@ from .vtkVitrineRendering import (
     vtkABufferTransparencyPass,
     vtkClusteredLightsPass,
     vtkDeferredLightsPass,
+    vtkErrorBudgetTransparencyPass,
     vtkSeeThroughPass,
     vtkTolerantTransparencyPass,
     vtkTransparencyPass,
@@ -28,6 +29,13 @@ _COLOR_STORAGES = {
 }
 
 
+def method_name(method: str | None, error: float | None) -> str:
+    """The method that see_through() takes: without a name, the default one, or the one that keeps an error budget."""
+    if method is not None:
+        return method
+    return "prefix-sum-predicted" if error is None else "automatic"
+
+
 def make_pass(
     method: str,
     lights: str | bool | None,
@@ -35,6 +43,8 @@ def make_pass(
     memory_limit: SupportsIndex | None,
     coincidence: float | tuple[float, float] | None,
     part_numbers: bool,
+    error: float | None,
+    error_bounds: bool,
 ) -> vtkSeeThroughPass:
     transparency = _new_method(method)
     if color_storage is not None:
@@ -52,6 +62,13 @@ def make_pass(
     if part_numbers:
         _only_of(vtkABufferTransparencyPass, method, "part_numbers")
         transparency.SetPartNumbers(True)
+    if error is not None:
+        _only_of(vtkErrorBudgetTransparencyPass, method, "error")
+        transparency.SetErrorBudget(_budget(error))
+    check_boolean("error_bounds", error_bounds)
+    if error_bounds:
+        _only_of(vtkErrorBudgetTransparencyPass, method, "error_bounds")
+        transparency.SetKeepErrorBounds(True)
     whole = vtkSeeThroughPass()
     whole.SetTranslucentPass(transparency)
     if lights is not None and lights is not False:
@@ -100,6 +117,15 @@ def number_of_bytes(limit: SupportsIndex) -> int:
     return number
 
 
+def _budget(error: Any) -> float:
+    if not isinstance(error, numbers.Real) or isinstance(error, bool):
+        raise TypeError(f"error is a number such as 2 / 255, not {error!r}")
+    least = vtkErrorBudgetTransparencyPass.GetLeastBudget()
+    if not least - 1e-9 <= error <= 1:  # 0.6 / 255 of a single precision may be a rounding below
+        raise ValueError(f"error is from 0.6/255 to 1, not {error!r}: rounding to 8 bits alone makes 0.5/255")
+    return max(float(error), least)
+
+
 def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
     pair = coincidence if isinstance(coincidence, (tuple, list)) else (coincidence, 0.0)
     if len(pair) != 2 or not all(
@@ -117,4 +143,5 @@ def _steps_and_slope(coincidence: Any) -> tuple[float, float]:
 
 def _only_of(kind: type, method: str, option: str) -> None:
     if not isinstance(_new_method(method), kind):
-        raise ValueError(f"{option} is no option of {method}")
+        known = [name for name in METHODS if isinstance(vtkTransparencyPass.NewMethod(name), kind)]
+        raise ValueError(f"{option} is no option of {method}: it is one of {', '.join(known)}")

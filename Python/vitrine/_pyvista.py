@@ -15,7 +15,8 @@ from ._highlight import highlight
 from ._layers import layers_at, layers_in, pick
 from ._reveal import reveal
 from ._section import section, section_box
-from ._see_through import see_through, stats
+from ._see_through import see_through
+from ._stats import error_bound, stats
 from ._x_ray import x_ray
 from .explore import export_explorable
 from .inspector._server import inspect
@@ -57,6 +58,7 @@ class PlotterMethods:
 
     see_through = _method(see_through)
     stats = _method(stats)
+    error_bound = _method(error_bound)
     layers_at = _method(layers_at)
     layers_in = _method(layers_in)
     pick = _method(pick)

@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from . import vtkVitrineRendering
 from ._build import VERSION
-from ._see_through import stats
+from ._stats import stats
 
 
 def report(target: Any = None) -> str:

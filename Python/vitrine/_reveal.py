@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer
 from ._assembly import Part
 from ._options import check_boolean
 from ._parts import WHOLE, block_count, choose, named, part_of, shown_names
-from ._see_through import _plotter_of, _renderers_of
+from ._target import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkPartOutlines, vtkReveal
 
 _LEAST_SHARE = 0.01

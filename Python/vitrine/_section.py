@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
 from ._options import check_boolean, finite_numbers
 from ._parts import WHOLE, Chosen, block_count, choose, named, shown_names
 from ._reveal import has_cutaway
-from ._see_through import _plotter_of, _renderers_of
+from ._target import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkSection
 
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}

@@ -1,29 +1,24 @@
-"""Transparency for whole windows: see_through() sets a method, its handle takes it away, stats() tells what it drew."""
+"""Transparency for whole windows: see_through() sets a method, and its handle takes it away."""
 
 from __future__ import annotations
 
-import dataclasses
 import warnings
 import weakref
-from typing import Any, Callable, Iterable, Iterator, SupportsIndex
+from typing import Any, Callable, Iterable, SupportsIndex
 
-from vtkmodules.vtkCommonCore import vtkObject, vtkWeakReference
+from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
-from vtkmodules.vtkRenderingOpenGL2 import vtkSequencePass, vtkShadowMapPass
 
 from . import _browser
-from ._options import check_boolean, make_pass
-from .vtkVitrineRendering import (
-    vtkClusteredLightsPass,
-    vtkHierarchicalSBufferCuller,
-    vtkSeeThroughPass,
-    vtkTransparencyPass,
-)
+from ._options import check_boolean, make_pass, method_name
+from ._stats import Stats, _combined, _cullers_of, _frames_below
+from ._target import _plotter_of, _renderers_now, _renderers_of, _weak
+from .vtkVitrineRendering import vtkHierarchicalSBufferCuller, vtkSeeThroughPass
 
 
 def see_through(
     target: Any,
-    method: str = "prefix-sum-predicted",
+    method: str | None = None,
     *,
     lights: str | bool | None = None,
     cull: bool = False,
@@ -31,6 +26,8 @@ def see_through(
     memory_limit: SupportsIndex | None = None,
     coincidence: float | tuple[float, float] | None = None,
     part_numbers: bool = False,
+    error: float | None = None,
+    error_bounds: bool = False,
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
@@ -38,7 +35,8 @@ def see_through(
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
             renderers, including those that are added later.
         method: "prefix-sum-predicted", the default, which needs only one pass over the geometry if the last frame
-            predicts enough room; "linked-list", which needs only one whatever the camera does; "prefix-sum", which
+            predicts enough room; "automatic", the default with an `error`, which chooses for each frame the cheapest
+            way that keeps it; "linked-list", which needs only one pass whatever the camera does; "prefix-sum", which
             counts fragments first; "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow reference,
             composited in float64 on the CPU.
         lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the
@@ -55,6 +53,10 @@ def see_through(
             tolerance.
         part_numbers: for linked lists and prefix sums: whether fragments keep the number of their part, 4 bytes each,
             so that layers_at(), layers_in() and pick() are quick.
+        error: for automatic: the greatest error of a channel of the 8-bit picture that is allowed, with channels in
+            [0, 1], before effects. The range is 0.6/255 to 1, since rounding to 8 bits alone makes 0.5/255. None
+            means 1/255.
+        error_bounds: for automatic: whether frames keep the bound of each pixel for error_bound(), 4 bytes a pixel.
 
     Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and
     the like), and whether they are switched on before or later. The method replaces the step that draws translucent
@@ -66,8 +68,8 @@ def see_through(
         A handle. remove() puts back what was there before, and so does leaving a `with`.
 
     Raises:
-        TypeError: the target is of another kind.
-        ValueError: the method or an option is unknown.
+        TypeError: the target or an option is of another kind.
+        ValueError: the method or an option is unknown, out of range, or none of the method's.
         RuntimeError: the plotter is closed.
 
     Examples:
@@ -82,15 +84,16 @@ def see_through(
     True
     """
     renderers = _renderers_of(target)
+    name = method_name(method, error)
 
     def make() -> vtkSeeThroughPass:
         return make_pass(
-            method, lights, color_storage, memory_limit, coincidence, part_numbers
+            name, lights, color_storage, memory_limit, coincidence, part_numbers, error, error_bounds
         )
 
     make()  # wrong options raise before anything is changed
     check_boolean("cull", cull)
-    handle = SeeThrough(method, target, make, cull)
+    handle = SeeThrough(name, target, make, cull)
     for renderer in renderers:
         handle._frames.take(renderer)
     handle._frames.warn(stacklevel=3)
@@ -262,11 +265,6 @@ class _Place:
                 outer._before = _replaced(outer._before, culler, self._before)
 
 
-def _cullers_of(renderer: vtkRenderer) -> list[Any]:
-    collection: Any = renderer.GetCullers()
-    return list(collection)
-
-
 def _set_cullers(renderer: vtkRenderer, cullers: Iterable[Any]) -> None:
     renderer.GetCullers().RemoveAllItems()
     for culler in cullers:
@@ -278,198 +276,3 @@ def _replaced(items: list[Any], old: Any, new: list[Any]) -> list[Any]:
     place = items.index(old)
     missing = [item for item in new if item not in items]
     return items[:place] + missing + items[place + 1 :]
-
-
-@dataclasses.dataclass(frozen=True)
-class Stats:
-    """The last frame of the renderers of a target.
-
-    fragments, bytes, lights and parts are sums over renderers; bytes is what the method holds on the device.
-    layers_max is the largest number of fragments in a pixel, layers_mean the mean over pixels that have any.
-    geometry_passes is how often the geometry was drawn, the largest of all renderers.
-
-    fallback_reason says why another way replaced the method. lights_reason says why VTK's mappers did the lighting.
-    set_aside says which passes of the renderer are left out, and why. Each is empty if there is nothing to say.
-
-    lights counts the lights that were lit by clusters. drawn_parts and culled_parts are of the culler, 0 without one.
-
-    stages has the seconds that the stages of a frame took on the device, by name, summed over renderers. It is empty
-    unless the method was told SetMeasureStages(True); vtkSeeThroughPass.GetAttached(renderer).GetTranslucentPass() is
-    the method.
-    """
-
-    method: str
-    fragments: int
-    layers_max: int
-    layers_mean: float
-    geometry_passes: int
-    bytes: int
-    fallback_reason: str
-    lights: int = 0
-    lights_reason: str = ""
-    drawn_parts: int = 0
-    culled_parts: int = 0
-    set_aside: str = ""
-    stages: dict[str, float] = dataclasses.field(default_factory=dict)
-
-
-def stats(target: Any) -> Stats:
-    """What the last frame of `target` took, summed over its renderers that are see-through: zeros before the first.
-
-    Raises as see_through() does, and ValueError for a target that is not see-through.
-    """
-    return _combined(_renderers_of(target))
-
-
-def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
-    renderers = list(renderers)
-    roots = [root for root in map(_root_of, renderers) if _method_of(root) is not None]
-    if not roots:
-        passes = {renderer.GetPass().GetClassName() for renderer in renderers if renderer.GetPass()}
-        held = f" (the pass that is set is {', '.join(sorted(passes))})" if passes else ""
-        raise ValueError(f"nothing here is see-through: call vitrine.see_through() first{held}")
-    methods = [_method_of(root) for root in roots]
-    frames = [frame for root in roots for frame in _frames_below(root)]
-    lights = [light for light in map(_lights_of, roots) if light is not None]
-    cullers = [culler for renderer in renderers for culler in _sbuffers_of(renderer)]
-    fragments = sum(found.GetNumberOfFragments() for found in methods)
-    pixels = sum(
-        found.GetNumberOfFragments() / found.GetMeanNumberOfLayers()
-        for found in methods
-        if found.GetMeanNumberOfLayers() > 0
-    )
-    return Stats(
-        method=", ".join(sorted({found.GetMethodName() for found in methods})),
-        fragments=fragments,
-        layers_max=max(found.GetMaximumNumberOfLayers() for found in methods),
-        layers_mean=fragments / pixels if pixels else 0.0,
-        geometry_passes=max(found.GetNumberOfGeometryPasses() for found in methods),
-        bytes=sum(found.GetBytes() for found in methods),
-        fallback_reason=_reasons(map(_fallback_of, roots)),
-        lights=sum(light.GetNumberOfLights() for light in lights),
-        lights_reason=_reasons(light.GetFallbackReason() for light in lights),
-        drawn_parts=sum(culler.GetNumberOfDrawnParts() for culler in cullers),
-        culled_parts=sum(culler.GetNumberOfCulledParts() for culler in cullers),
-        set_aside=_reasons(frame.GetSetAsideReason() for frame in frames),
-        stages=_stages(methods),
-    )
-
-
-def _stages(methods: Iterable[Any]) -> dict[str, float]:
-    seconds: dict[str, float] = {}
-    for method in methods:
-        for stage in range(method.GetNumberOfStages()):
-            name = method.GetStageName(stage)
-            seconds[name] = seconds.get(name, 0.0) + method.GetStageTime(stage)
-    return seconds
-
-
-def _reasons(texts: Iterable[str]) -> str:
-    return "; ".join(sorted(set(texts) - {""}))
-
-
-def _root_of(renderer: vtkRenderer) -> Any:
-    """The pass that draws the renderer: the one that is set, or else the one that will be set again."""
-    set_now = renderer.GetPass()
-    attached = vtkSeeThroughPass.GetAttached(renderer)
-    return set_now if attached is None or isinstance(set_now, vtkSeeThroughPass) else attached
-
-
-def _passes_below(render_pass: Any) -> Iterator[Any]:
-    """A pass and those that draw for it, without chains that are set aside."""
-    if render_pass is None:
-        return
-    yield render_pass
-    delegates: list[Any] = []
-    if isinstance(render_pass, vtkSeeThroughPass):
-        if not render_pass.GetSetAsideReason():
-            delegates.append(render_pass.GetEffectsPass())
-    elif isinstance(render_pass, vtkSequencePass):
-        passes: Any = render_pass.GetPasses()
-        delegates += passes or ()
-    elif isinstance(render_pass, vtkShadowMapPass):
-        delegates.append(render_pass.GetOpaqueSequence())
-    elif hasattr(render_pass, "GetDelegatePass"):
-        delegates.append(render_pass.GetDelegatePass())
-    for delegate in delegates:
-        yield from _passes_below(delegate)
-
-
-def _frames_below(root: Any) -> list[vtkSeeThroughPass]:
-    """The frames that draw, the outermost first. It gives those within it its method, and its lights if it has any."""
-    return [found for found in _passes_below(root) if isinstance(found, vtkSeeThroughPass)]
-
-
-def _method_of(root: Any) -> Any:
-    """The method that draws below a pass: the outermost frame's."""
-    for frame in _frames_below(root):
-        return _own_method_of(frame)
-    return None
-
-
-def _own_method_of(frame: vtkSeeThroughPass) -> Any:
-    transparency = frame.GetTranslucentPass()
-    return transparency if isinstance(transparency, vtkTransparencyPass) else None
-
-
-def _lights_of(root: Any) -> Any:
-    """The pass that lights what is drawn below a pass: the outermost one of a frame, or else one of the chain."""
-    found: list[Any] = [frame.GetLightingPass() for frame in _frames_below(root)]
-    found += [each for each in _passes_below(root) if isinstance(each, vtkClusteredLightsPass)]
-    return next((lights for lights in found if lights is not None), None)
-
-
-def _fallback_of(root: Any) -> str:
-    """Why the method did not draw below a pass."""
-    outermost, *inner = _frames_below(root)
-    for frame in inner:
-        reason = frame.GetFallbackReason()
-        method = _own_method_of(frame)
-        # Without a reason of its own, a frame has its method's, which did not draw here.
-        if reason and (method is None or reason != method.GetFallbackReason()):
-            return reason
-    return outermost.GetFallbackReason()
-
-
-def _sbuffers_of(renderer: vtkRenderer) -> list[Any]:
-    cullers = _cullers_of(renderer)
-    return [culler for culler in cullers if isinstance(culler, vtkHierarchicalSBufferCuller)]
-
-
-def _is_plotter(target: Any) -> bool:
-    return hasattr(target, "renderers") and hasattr(target, "render_window")
-
-
-def _plotter_of(target: Any) -> Any:
-    return target if not isinstance(target, vtkObject) and _is_plotter(target) else None
-
-
-def _renderers_now(target: Any) -> list[vtkRenderer]:
-    """The renderers that a target has, none if it is closed or gone."""
-    if isinstance(target, vtkRenderer):
-        return [target]
-    if isinstance(target, vtkRenderWindow):
-        collection: Any = target.GetRenderers()  # VTK's stubs do not know that it can be iterated
-        return list(collection)
-    is_open = target is not None and target.render_window is not None
-    return list(target.renderers) if is_open else []
-
-
-def _renderers_of(target: Any) -> list[vtkRenderer]:
-    if not isinstance(target, (vtkRenderer, vtkRenderWindow)) and not _is_plotter(target):
-        raise TypeError(
-            "a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter is needed, "
-            f"not {type(target).__name__}"
-        )
-    renderers = _renderers_now(target)
-    if not renderers:
-        if _plotter_of(target) is not None and target.render_window is None:
-            raise RuntimeError("the plotter is closed")
-        raise ValueError("the window has no renderer yet")
-    return renderers
-
-
-def _weak(instance: Any) -> vtkWeakReference:
-    reference = vtkWeakReference()
-    reference.Set(instance)
-    return reference

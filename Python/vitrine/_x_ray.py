@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ._looks import PartLook, all_parts, attached, number
-from ._see_through import _renderers_of
+from ._target import _renderers_of
 from .vtkVitrineRendering import vtkPartXRay
 
 

@@ -421,7 +421,7 @@ class Misuse(unittest.TestCase):
         for error, words, call in (
             (TypeError, "not vtk.*Actor", lambda: vitrine.see_through(vtkActor())),
             (TypeError, "NoneType", lambda: vitrine.see_through(None)),
-            (ValueError, "known are linked-list", lambda: vitrine.see_through(renderer, "magic")),
+            (ValueError, "known are automatic, linked-list", lambda: vitrine.see_through(renderer, "magic")),
             (ValueError, "8-bit", lambda: vitrine.see_through(renderer, color_storage="16-bit")),
             (ValueError, "above 0", lambda: vitrine.see_through(renderer, memory_limit=0)),
             (ValueError, "above 0", lambda: vitrine.see_through(renderer, memory_limit=2**63)),

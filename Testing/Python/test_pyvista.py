@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkSSAOPass
 from vtkmodules.vtkWebCore import vtkWebApplication
 
 import vitrine
-from vitrine._see_through import _weak
+from vitrine._target import _weak
 
 SIZE = (120, 90)
 EXAMPLES = pathlib.Path(os.environ["VITRINE_EXAMPLES"])

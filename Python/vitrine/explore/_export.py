@@ -9,7 +9,7 @@ from typing import Any, Iterable, Mapping
 
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
-from .._see_through import _renderers_of
+from .._target import _renderers_of
 from ..inspector._state import write_whole
 from ..inspector._table import PartTable
 from . import _fragments, _pack

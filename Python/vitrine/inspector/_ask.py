@@ -14,7 +14,8 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from .._index import AssemblyIndex
 from .._layers import Layer, layers_at, layers_in
 from .._options import METHODS
-from .._see_through import see_through, stats
+from .._see_through import see_through
+from .._stats import stats
 from . import _output
 from ._table import PartTable, hexadecimal
 

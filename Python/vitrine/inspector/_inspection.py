@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 from .._assembly import Assembly
 from .._parts import shown_assemblies
-from .._see_through import _plotter_of, _renderers_of
+from .._target import _plotter_of, _renderers_of
 from . import _ask, _output, _script, _state, _views
 from ._shown import Shown, camera_place
 from ._state import State

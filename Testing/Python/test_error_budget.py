@@ -1,0 +1,150 @@
+"""The error of see_through(): what it chooses, the bounds that it keeps, and what it refuses."""
+
+import doctest
+import fractions
+import math
+import unittest
+
+import numpy
+from scenes import Plotter, drawn, pixels, plate, plates, plates_renderer, window_with
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+import vitrine
+import vitrine._stats
+
+STEP = 1 / 255
+
+
+def glass():
+    """Plates of several colours over the left two thirds of a view."""
+    renderer = plates_renderer(
+        *(plate(0.2 * i, (0.9 - 0.1 * i, 0.1 + 0.15 * i, 0.4), 0.15 + 0.1 * i) for i in range(6)),
+        background=(0.2, 0.5, 0.8),
+    )
+    for actor in renderer.GetActors():
+        actor.SetPosition(-1.5, 0, 0)
+    return renderer
+
+
+def truth_of(renderer):
+    """The exact picture as floats, rows from the top."""
+    with vitrine.see_through(renderer, "truth"):
+        window = drawn(renderer)
+        image = vitrine.vtkSeeThroughPass.GetAttached(renderer).GetTranslucentPass().GetResult()
+        width, height, _ = image.GetDimensions()
+        exact = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
+    window.RemoveRenderer(renderer)
+    return exact[..., :3]
+
+
+class Budgets(unittest.TestCase):
+    def test_are_kept_and_bounds_are_not_exceeded(self):
+        exact = truth_of(glass())
+        for steps, chosen in (
+            (0.6, "prefix-sum-predicted"),
+            (1, "prefix-sum-predicted"),
+            (2, "prefix-sum-predicted-compact"),
+            (8, "prefix-sum-predicted-compact"),
+        ):
+            with self.subTest(steps=steps):
+                renderer = glass()
+                vitrine.see_through(renderer, error=steps / 255, error_bounds=True)
+                window = drawn(renderer)
+                error = abs(pixels(window)[::-1, :, :3] / 255.0 - exact).max(axis=-1)
+                bound = vitrine.error_bound(renderer)
+                self.assertEqual((bound.dtype, bound.shape), (numpy.float32, (48, 64)))
+                self.assertLessEqual((error - bound)[:, :30].max(), 1e-6)
+                self.assertLessEqual(bound.max(), steps / 255 + 1e-9)
+                self.assertEqual(bound[:, -4:].max(), 0)  # nothing is translucent there
+                self.assertGreater(bound[:, :30].min(), 0)
+                told = vitrine.stats(window)
+                self.assertEqual((told.method, told.chosen, told.budget_problem), ("automatic", chosen, ""))
+                self.assertTrue(bound.max() <= told.guaranteed_error + 1e-9 <= steps / 255 + 2e-9)
+
+    def test_have_a_default(self):
+        for options in ({"method": "automatic"}, {"error": STEP}, {"method": "automatic", "error": STEP}):
+            renderer = vtkRenderer()
+            handle = vitrine.see_through(renderer, **options)
+            self.assertEqual(handle.method, "automatic")
+            self.assertEqual(renderer.GetPass().GetErrorBudget(), STEP)
+
+    def test_take_numbers_of_all_kinds(self):
+        for error in (fractions.Fraction(2, 255), numpy.float32(0.6 / 255), numpy.float64(0.01), 0.6 / 255, 1):
+            with self.subTest(error=error):
+                renderer = vtkRenderer()
+                vitrine.see_through(renderer, error=error)
+                self.assertAlmostEqual(renderer.GetPass().GetErrorBudget(), float(error), 9)
+
+    def test_that_cannot_be_kept_are_told(self):
+        window = window_with(glass(), multisamples=4)
+        vitrine.see_through(window, error=STEP)
+        self.assertEqual(vitrine.stats(window).budget_problem, "no frame was drawn by this pass")
+        window.Render()
+        told = vitrine.stats(window)
+        self.assertIn("the budget is 1/255", told.budget_problem)
+        self.assertGreater(told.guaranteed_error, STEP)
+
+    def test_others_have_none(self):
+        window = window_with(plates(2))
+        vitrine.see_through(window)
+        window.Render()
+        told = vitrine.stats(window)
+        self.assertEqual((told.chosen, told.guaranteed_error, told.budget_problem), ("", None, ""))
+
+    def test_renderers_are_put_together(self):
+        left, right = glass(), glass()
+        left.SetViewport(0, 0, 0.5, 1)
+        right.SetViewport(0.5, 0, 1, 1)
+        window = window_with(left)
+        window.AddRenderer(right)
+        vitrine.see_through(left, error=2 * STEP, error_bounds=True)
+        vitrine.see_through(right, error=STEP, error_bounds=True)
+        window.Render()
+        bound = vitrine.error_bound(window)
+        for half in (bound[:, :10], bound[:, 32:42]):
+            self.assertGreater(half.min(), 0)
+        self.assertLessEqual(bound[:, 32:].max(), STEP)
+        told = vitrine.stats(window)
+        self.assertEqual(told.chosen, "prefix-sum-predicted, prefix-sum-predicted-compact")
+        guaranteed = [vitrine.stats(renderer).guaranteed_error for renderer in (left, right)]
+        self.assertEqual(told.guaranteed_error, max(guaranteed))
+
+
+class Misuse(unittest.TestCase):
+    def test_bad_errors_raise_one_clear_exception(self):
+        renderer = vtkRenderer()
+        for error in (0, -1, math.nan, math.inf, 10, 0.5 / 255):
+            with self.subTest(error=error), self.assertRaisesRegex(ValueError, "error is from 0.6/255 to 1, not"):
+                vitrine.see_through(renderer, error=error)
+        for error in (True, "2/255", [0.01], 1j):
+            with self.subTest(error=error), self.assertRaisesRegex(TypeError, "error is a number such as 2 / 255"):
+                vitrine.see_through(renderer, error=error)
+        for options in ({"error": STEP}, {"error_bounds": True}):
+            with self.assertRaisesRegex(ValueError, "is no option of linked-list: it is one of automatic"):
+                vitrine.see_through(renderer, "linked-list", **options)
+        with self.assertRaisesRegex(TypeError, "error_bounds is True or False"):
+            vitrine.see_through(renderer, error=STEP, error_bounds=1)
+        self.assertIsNone(renderer.GetPass())
+
+    def test_bounds_that_were_not_kept_raise(self):
+        renderer = plates(1)
+        with self.assertRaisesRegex(ValueError, "call vitrine.see_through"):
+            vitrine.error_bound(renderer)
+        for options in ({}, {"error": STEP}):
+            with vitrine.see_through(renderer, **options):
+                window = drawn(renderer)
+                with self.assertRaisesRegex(ValueError, "error_bounds=True"):
+                    vitrine.error_bound(renderer)
+                window.RemoveRenderer(renderer)
+        plotter = Plotter(renderer)
+        vitrine.see_through(plotter, error=STEP, error_bounds=True)  # and not drawn yet
+        with self.assertRaisesRegex(ValueError, "and draw"):
+            vitrine.error_bound(plotter)
+
+
+class Documentation(unittest.TestCase):
+    def test_examples_run(self):
+        result = doctest.testmod(vitrine._stats)
+        self.assertGreater(result.attempted, 0)
+        self.assertEqual(result.failed, 0)
