@@ -9,6 +9,7 @@ TEST(MethodFamily, IsWhatTheNameBeginsWith)
   EXPECT_EQ(program::FamilyOf("vtk-peeling-4").Name, "vtk-peeling");
   EXPECT_EQ(program::FamilyOf("linked-list-compact").Name, "linked-list");
   EXPECT_EQ(program::FamilyOf("stencil-mask-8").Name, "stencil-mask");
+  EXPECT_EQ(program::FamilyOf("automatic").Name, "automatic");
   EXPECT_EQ(program::FamilyOf("truth").Name, "other");
 }
 

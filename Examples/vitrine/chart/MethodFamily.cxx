@@ -5,7 +5,7 @@ namespace program
 
 const std::vector<MethodFamily>& MethodFamilies()
 {
-  // The colours of M. Okabe and K. Ito, which the colour-blind tell apart, and grey.
+  // The colours of M. Okabe and K. Ito, which the colour-blind tell apart, black, and greys.
   static const std::vector<MethodFamily> families = {
     { "blend", { { 128, 128, 128 } }, "cross" },
     { "vtk-oit", { { 213, 94, 0 } }, "open-diamond" },
@@ -14,7 +14,8 @@ const std::vector<MethodFamily>& MethodFamilies()
     { "prefix-sum", { { 86, 180, 233 } }, "diamond" },
     { "stencil-mask", { { 0, 158, 115 } }, "open-circle" },
     { "stencil-routed", { { 204, 121, 167 } }, "plus" },
-    { "other", { { 96, 96, 96 } }, "open-square" },
+    { "automatic", { { 0, 0, 0 } }, "open-square" },
+    { "other", { { 96, 96, 96 } }, "open-cross" },
   };
   return families;
 }

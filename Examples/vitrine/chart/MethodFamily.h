@@ -16,8 +16,7 @@ struct MethodFamily
 {
   std::string Name;                   ///< how its members' names begin
   std::array<unsigned char, 3> Color; ///< red, green, blue
-  std::string
-    Marker; ///< plus, cross, circle, square, diamond, or one of the last three after "open-"
+  std::string Marker; ///< plus, cross, circle, square or diamond; one after "open-" has a hole
 };
 
 /** All families, the last of which is of methods that belong to no other. */

@@ -21,7 +21,8 @@ namespace
 struct ViewOptions
 {
   SceneOptions Scene;
-  std::string Method = "linked-list";
+  std::optional<std::string> Method;
+  std::optional<std::string> ErrorBudget;
   std::optional<std::string> Coincidence;
   std::optional<double> Levels; ///< pixels that points may move by
 };
@@ -30,7 +31,8 @@ struct ViewOptions
 class Viewer
 {
 public:
-  Viewer(const Scene& scene, const ViewOptions& all, const Coincidence& tolerance)
+  Viewer(const Scene& scene, const ViewOptions& all, const std::string& firstMethod,
+    const Coincidence& tolerance, double errorBudget)
   {
     const SceneOptions& options = all.Scene;
     const PictureSize size = ParseSize(options.Size);
@@ -45,7 +47,7 @@ public:
     this->Interactor->SetInteractorStyle(this->Style);
     this->Interactor->Initialize(); // from here on no key is missed
     this->View = std::make_unique<Inspector>(
-      scene, this->Renderer, ParseMethodList(all.Method + ",all"), tolerance);
+      scene, this->Renderer, ParseMethodList(firstMethod + ",all"), tolerance, errorBudget);
     if (all.Levels)
     {
       this->View->DrawByLevels(*all.Levels);
@@ -67,6 +69,10 @@ private:
 void ShowScene(const ViewOptions& options)
 {
   const Coincidence tolerance = ParseCoincidence(options.Coincidence);
+  const double budget =
+    options.ErrorBudget ? ParseErrorBudget(*options.ErrorBudget) : DefaultErrorBudget;
+  const std::string method =
+    options.Method.value_or(options.ErrorBudget ? AutomaticName : "linked-list");
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {
@@ -74,7 +80,7 @@ void ShowScene(const ViewOptions& options)
   }
   const Scene scene = LoadScene(options.Scene);
   RequireFewLights(scene, MostLightsOfVTK);
-  Viewer(scene, options, tolerance).Run();
+  Viewer(scene, options, method, tolerance, budget).Run();
 }
 }
 
@@ -85,9 +91,11 @@ void AddViewCommand(CLI::App& app)
     app.add_subcommand("view", "Inspect a scene in a window, by the mouse and keys");
   AddSceneOptions(*command, options->Scene, "1024x768");
   AddScalarBarOption(*command, options->Scene);
-  command->add_option("--method", options->Method, "the method to begin with")
-    ->type_name("M")
-    ->capture_default_str();
+  command
+    ->add_option("--method", options->Method,
+      "the method to begin with; linked-list, or automatic with --error")
+    ->type_name("M");
+  AddErrorBudgetOption(*command, options->ErrorBudget);
   AddCoincidenceOption(*command, options->Coincidence);
   command
     ->add_option("--levels", options->Levels,

@@ -27,10 +27,11 @@ class Inspector
 {
 public:
   /**
-   * Look at a scene in a renderer of a window, by the first of some methods. The scene lives longer.
+   * Look at a scene in a renderer of a window, by the first of some methods. The scene lives longer. The tolerance is
+   * of methods that have one, and the budget is of the method automatic.
    */
   Inspector(const Scene& scene, vtkRenderer* renderer, std::vector<std::string> methods,
-    const Coincidence& tolerance);
+    const Coincidence& tolerance, double errorBudget);
 
   /** As ShownParts::DrawByLevels(). */
   void DrawByLevels(double pixels) { this->Shown.DrawByLevels(pixels); }

@@ -9,11 +9,12 @@
 namespace program
 {
 
-ShownState::ShownState(
-  const Scene& scene, vtkRenderer* renderer, const Coincidence& tolerance, ViewState first)
+ShownState::ShownState(const Scene& scene, vtkRenderer* renderer, const Coincidence& tolerance,
+  double errorBudget, ViewState first)
   : Cut(scene)
   , Renderer(renderer)
   , Tolerance(tolerance)
+  , ErrorBudget(errorBudget)
   , Drawn(scene, renderer)
   , Now(std::move(first))
 {
@@ -88,6 +89,10 @@ void ShownState::ShowMethod(const std::string& method)
   }
   std::unique_ptr<Method> drawing = MakeMethod(method);
   this->MethodProblem = drawing->SetCoincidence(this->Tolerance);
+  if (method == AutomaticName)
+  {
+    this->MethodProblem += drawing->SetErrorBudget(this->ErrorBudget);
+  }
   drawing->Attach(this->Renderer);
   this->Drawing = std::move(drawing);
 }

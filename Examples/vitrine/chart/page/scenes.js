@@ -115,6 +115,7 @@ const FIGURES = [
   ["FLIP", (row) => row.error && row.error.flip],
   ["wrong pixels, %", (row) => row.error && 100 * row.error.wrong_pixels],
   ["MiB", (row) => row.bytes === null ? null : row.bytes / 1048576],
+  ["regret", (row) => row.regret],
   ["passes", (row) => row.geometry_passes],
   ["fragments", (row) => row.fragments],
   ["lost", (row) => row.lost, 3, (row) => row.lost_is_least],
@@ -125,6 +126,9 @@ const FIGURES = [
 /** Of what is a lower bound it says so. */
 function figure(row, [, read, digits, isLeast]) {
   const value = read(row);
+  if (value === undefined) {
+    return ""; // what other methods tell alone
+  }
   const text = typeof value === "boolean" ? (value ? "yes" : "no") : format(value, digits);
   return isLeast?.(row) && value ? `≥ ${text}` : text;
 }
