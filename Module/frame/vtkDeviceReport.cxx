@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkDeferredLightsPass.h"
+#include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -19,6 +20,7 @@
 #include "vtkTransparencyPass.h"
 #include "vtkVersion.h"
 
+#include <iomanip>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -133,6 +135,20 @@ std::string VerdictOn(const std::string& reason, vtkTransparencyPass* method)
   return (method->GetActiveSubstitute().empty() ? "VTK's blending in its place: " : "") + reason;
 }
 
+/** What a method chose that has an error budget, and the budgets that such windows keep. */
+std::string ChoiceOf(vtkTransparencyPass* method)
+{
+  auto* const budgeted = vtkErrorBudgetTransparencyPass::SafeDownCast(method);
+  if (!budgeted || budgeted->GetChosenMethod().empty())
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << ", by " << budgeted->GetChosenMethod() << " with errors of up to " << std::fixed
+       << std::setprecision(2) << 255.0 * budgeted->GetGuaranteedError() << "/255";
+  return text.str();
+}
+
 void DescribeMethods(Trial& trial, std::ostream& os)
 {
   std::istringstream names(vtkTransparencyPass::GetMethods());
@@ -143,7 +159,7 @@ void DescribeMethods(Trial& trial, std::ostream& os)
     frame->SetTranslucentPass(method);
     trial.Draw(frame);
     const std::string reason = frame->GetFallbackReason();
-    os << "method " << name << ": " << VerdictOn(reason, method) << "\n";
+    os << "method " << name << ": " << VerdictOn(reason, method) << ChoiceOf(method) << "\n";
   }
 }
 

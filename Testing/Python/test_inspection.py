@@ -345,8 +345,9 @@ class Answers(Machine):
         picture = self.shown.picture()
         self.assertLessEqual(self.shown.error()["max"], 1 / 255)
         rows = {row["method"]: row for row in self.shown.chart(frames=1)}
-        self.assertLessEqual({"truth", "linked-list", "vtk-oit", "vtk-peeling"}, set(rows))
-        self.assertLessEqual(rows["linked-list"]["error"]["max"], 1 / 255)
+        self.assertLessEqual({"truth", "automatic", "linked-list", "vtk-oit", "vtk-peeling"}, set(rows))
+        for method in ("automatic", "linked-list"):
+            self.assertLessEqual(rows[method]["error"]["max"], 1 / 255)
         self.assertGreater(rows["vtk-oit"]["error"]["max"], 1 / 255)
         self.same(self.shown.picture(), picture)
         self.assertEqual(self.shown.figures()["method"], "prefix-sum-predicted")

@@ -34,7 +34,12 @@ TEST(DeviceReport, NamesMethodsAndLightsThatWork)
   {
     EXPECT_TRUE(Has(report, std::string(name) + ": works\n")) << name << "\n" << report;
   }
-  EXPECT_TRUE(Has(ReportOf(4), "lights deferred: works\n")) << ReportOf(4);
+  const std::string multisampled = ReportOf(4);
+  EXPECT_TRUE(Has(multisampled, "lights deferred: works\n")) << multisampled;
+  const std::string choice =
+    "method automatic: works, by prefix-sum-predicted with errors of up to ";
+  EXPECT_TRUE(Has(report, choice + "0.60/255\n")) << report;
+  EXPECT_TRUE(Has(multisampled, choice + "1.10/255\n")) << multisampled;
 }
 
 TEST(DISABLED_OnOpenGL33, DeviceReportNamesSubstitutes)
