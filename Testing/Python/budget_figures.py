@@ -1,13 +1,14 @@
 """Figures of error budgets: are they kept, are bounds true and tight, and what does the choice cost over the best one?
 
-    python3 Testing/Python/budget_figures.py FILE|demo... [--views 20] [--budgets 0.6,1,2,4,8] [--size 256x256]
-                                             [--opacity 0.3] [--frames 3] [--rounds 2] [--seed 53] [--methods M,...]
+    python3 Testing/Python/budget_figures.py FILE|demo... [--views 20] [--path jumps|turn] [--budgets 0.6,1,2,4,8]
+        [--size 256x256] [--opacity 0.3] [--frames 3] [--rounds 2] [--seed 53] [--methods M,...]
 
-Each view looks from a random direction at a random place, near or far. Truth is the float picture of
-vtkTruthTransparencyPass. A time is that of some frames of a turn that ends at the view: the first of them is a jump of
-the camera, and statistics and wrong guesses count. Times are CPU times of all threads, the least of the rounds, in
-which all contestants take turns. The best one is the fastest of --methods whose error in the view is within the budget.
-Parts of files get the opacity; demo scenes keep their own. The result is a table in Markdown.
+With --path jumps each view looks from a random direction at a random place, near or far. With --path turn only the
+first one does, and the camera turns on from there. Truth is the float picture of vtkTruthTransparencyPass. A time is
+that of --frames frames of a turn that ends at the view. With jumps the first of them is a jump of the camera.
+Statistics and wrong guesses count. Times are CPU times of all threads, the least of the rounds, in which all
+contestants take turns. The best one is the fastest of --methods whose error in the view is within the budget. Parts of
+files get the opacity; demo scenes keep their own. The result is a table in Markdown.
 """
 
 import argparse
@@ -180,8 +181,12 @@ def judge_scene(source, asked):
     for contestant in [*rivals.values(), *automatic]:
         stage.draw(contestant)  # which builds shaders
     rows = [Row() for _ in automatic]
-    for _ in range(asked.views):
-        stage.look(random)
+    for view in range(asked.views):
+        if view == 0 or asked.path == "jumps":
+            stage.look(random)
+        else:
+            stage.renderer.GetActiveCamera().Azimuth(TURN * asked.frames)
+            stage.renderer.ResetCameraClippingRange()
         judge_view(stage, rivals, automatic, rows, asked, random)
     name = source if source.startswith("demo:") else pathlib.Path(source).stem
     for contestant, row in zip(automatic, rows):
@@ -192,6 +197,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sources", nargs="+", metavar="FILE|demo")
     parser.add_argument("--views", type=int, default=20)
+    parser.add_argument("--path", choices=("jumps", "turn"), default="jumps")
     parser.add_argument("--budgets", default="0.6,1,2,4,8", help="in steps of 1/255")
     parser.add_argument("--size", default="256x256")
     parser.add_argument("--opacity", type=float, default=0.3)
