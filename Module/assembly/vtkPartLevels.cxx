@@ -355,7 +355,8 @@ void vtkPartLevels::Attach(vtkRenderer* renderer)
   in.Observer = vtkSmartPointer<vitrine::FrameObserver>::New();
   in.Observer->Start = [&in] { in.StartFrame(); };
   in.Observer->End = [&in] { in.EndFrame(); };
-  in.Observer->Watch(renderer, this, 1.0f); // before those that look which props there are
+  in.Observer->Watch(
+    renderer, this, vitrine::FollowsCamera); // before those that look which props there are
   vtkNew<vtkCallbackCommand> answer;
   answer->SetCallback(TellLevels);
   answer->SetClientData(this);
