@@ -257,19 +257,18 @@ class Levels(unittest.TestCase):
             scene = Scene(assembly, lit=True)
             entries = pathlib.Path(folder, "vitrine", "levels")
 
-            def frame(**options):
-                shown = scene.levels(exact_while_still=False, **options)
+            def frame():
+                shown = scene.levels(exact_while_still=False)
                 picture = scene.frame()
                 self.assertTrue(shown.stats().drew_levels)
                 return picture
 
-            made = frame(cache=False)
+            vitrine.levels(scene.window, cache=False).remove()
             self.assertFalse(entries.exists())
-            self.assert_same(frame(), made)
+            made = frame()
             (entry,) = entries.iterdir()
             whole = entry.read_bytes()
-            wrong_corner = whole[:24] + bytes(4 * [255]) + whole[28:]
-            for damaged in (whole[:-1], whole + bytes(1), wrong_corner):
+            for damaged in (whole[:-1], whole[:24] + bytes(4 * [255]) + whole[28:]):  # a wrong corner
                 entry.write_bytes(damaged)
                 self.assert_same(frame(), made)
                 self.assertEqual(entry.read_bytes(), whole)
