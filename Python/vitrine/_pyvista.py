@@ -13,6 +13,7 @@ import pyvista
 
 from ._highlight import highlight
 from ._layers import layers_at, layers_in, pick
+from ._levels import levels
 from ._reveal import reveal
 from ._section import section, section_box
 from ._see_through import see_through
@@ -64,6 +65,7 @@ class PlotterMethods:
     pick = _method(pick)
     highlight = _method(highlight)
     x_ray = _method(x_ray)
+    levels = _method(levels)
     reveal = _method(reveal)
     section = _method(section)
     section_box = _method(section_box)

@@ -128,6 +128,7 @@ class Names(unittest.TestCase):
         machine = vitrine.from_multiblock(case).add_to(self.plotter)
         self.assertEqual(repr(self.tools.highlight("gear_*")), "<Highlight of 2 parts>")
         self.assertEqual(repr(self.tools.highlight("gear_17")), "<Highlight of 1 part>")
+        self.assertEqual(repr(self.tools.levels(2)), "<Levels of 2 pixels>")
         with self.assertRaisesRegex(KeyError, "gear_19.*near.*gear_18"):
             self.tools.highlight("gear_19")
         del machine
