@@ -1,6 +1,7 @@
 import json
 
 import scenes
+from charts import page_data, read_document
 from program import FileTest, compare, read_png, run
 
 SCENE = "demo:spheres,layers=6"
@@ -119,5 +120,18 @@ class Budgets(FileTest):
         ratio = row["frame_ms"]["median"] / linked_list["frame_ms"]["median"]
         self.assertAlmostEqual(row["regret"], ratio, delta=1e-9 * ratio)
         self.assertNotIn("chosen", linked_list)
+        self.check_chart(row["chosen"])
+
+    def check_chart(self, chosen):
+        folder = self.folder / "chart"
+        methods = ("--methods", "automatic,linked-list", "--error", "2/255")
+        self.assert_done(run("compare", SCENE, *SMALL, *methods, "--chart", folder))
+        row, linked_list = read_document(folder)["results"]
+        self.assertEqual((row["family"], row["chosen"]), ("automatic", chosen))
+        ratio = row["frame_ms"]["median"] / linked_list["frame_ms"]["median"]
+        self.assertAlmostEqual(row["regret"], ratio, delta=1e-9 * ratio)
+        self.assertEqual(page_data(folder)["families"]["automatic"]["color"], "#000000")
+
+    def test_compare_without_another_method_has_no_regret(self):
         alone = compare(SCENE, *SMALL, "--methods", "automatic", "--error", "0.6/255")
         self.assertIsNone(alone["results"][0]["regret"])

@@ -54,8 +54,9 @@ bool IsMeasured(const Json& row)
 {
   return row.contains("frame_ms") && row["frame_ms"].is_object() &&
     HasNumber(row["frame_ms"], "median") && HasError(row) &&
-    HasNumbersOrNothing(
-      row, { "fragments", "lost", "layers_max", "layers_mean", "geometry_passes", "bytes" });
+    HasNumbersOrNothing(row,
+      { "fragments", "lost", "layers_max", "layers_mean", "geometry_passes", "bytes",
+        "guaranteed_error", "regret" });
 }
 
 /** A file of the picture folder and of none below or beside it: a page that is passed on holds nothing else. */

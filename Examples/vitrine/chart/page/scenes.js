@@ -142,7 +142,7 @@ function drawDetail() {
   byId("detail").replaceChildren(
     html("h3", {}, badge(row.family), row.method),
     ...(row.picture && row.truth_picture ? [pictureAndDifference(row.picture, row.truth_picture, row.method)] : []),
-    html("dl", {}, ...FIGURES.flatMap((one) => [html("dt", {}, one[0]), html("dd", {}, figure(row, one))]))
+    html("dl", {}, ...FIGURES.filter(([, read]) => read(row) !== undefined).flatMap((one) => [html("dt", {}, one[0]), html("dd", {}, figure(row, one))]))
   );
 }
 
