@@ -8,7 +8,7 @@ class BadArguments(ProgramTest):
     def test_help_is_everywhere(self):
         for arguments in (
             ["--help"],
-            *([name, "--help"] for name in ("render", "compare", "chart", "diff", "info", "paper")),
+            *([name, "--help"] for name in ("render", "compare", "chart", "diff", "info", "paper", "plan")),
             *([name, "--help"] for name in ("sorts", "stability", "view")),
         ):
             result = run(*arguments)
