@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from ._assembly import Assembly
 from ._options import check_boolean
-from ._see_through import _plotter_of, _renderers_of
+from ._target import _plotter_of, _renderers_of
 from .vtkVitrineRendering import vtkPartLevels
 
 _FINEST, _COARSEST = 0.001, 64.0
