@@ -224,11 +224,11 @@ class ViewWindow(FileTest):
 
     def test_an_error_begins_with_the_method_that_keeps_it(self):
         self.view.kill()
-        self.view = self.open(*SCENE, "--error", "8/255")
-        self.assert_shows(self.rendered("--error", "8/255"))
+        self.view = self.open(*SCENE, "--error", "0.6/255")
+        self.assert_shows(self.rendered("--error", "0.6/255"))
         self.press("m", "method blend")
         self.press("M", "method automatic")
-        self.assert_shows(self.rendered("--error", "8/255"))
+        self.assert_shows(self.rendered("--error", "0.6/255"))
         self.end()
 
     def test_parts_that_are_blocks_of_an_actor(self):
