@@ -49,6 +49,8 @@ def make_pass(
     transparency = _new_method(method)
     if color_storage is not None:
         _only_of(vtkABufferTransparencyPass, method, "color_storage")
+        if isinstance(transparency, vtkErrorBudgetTransparencyPass):
+            raise ValueError(f"color_storage is no option of {method}, which chooses it by the error")
         transparency.SetColorStorage(_known("color_storage", color_storage, _COLOR_STORAGES))
     if memory_limit is not None:
         _only_of(vtkABufferTransparencyPass, method, "memory_limit")

@@ -126,6 +126,8 @@ class Misuse(unittest.TestCase):
         for options in ({"error": STEP}, {"error_bounds": True}):
             with self.assertRaisesRegex(ValueError, "is no option of linked-list: it is one of automatic"):
                 vitrine.see_through(renderer, "linked-list", **options)
+        with self.assertRaisesRegex(ValueError, "which chooses it by the error"):
+            vitrine.see_through(renderer, error=STEP, color_storage="compact")
         with self.assertRaisesRegex(TypeError, "error_bounds is True or False"):
             vitrine.see_through(renderer, error=STEP, error_bounds=1)
         self.assertIsNone(renderer.GetPass())
