@@ -48,7 +48,7 @@ struct ErrorBound
   float weights;  // sum of a_i / (1 - a_i)
   float spread;   // sum of T_i a_i |c_i - m| (1 + weights in front of i)
   float dense;    // sum of T_i a_i of alphas near 1
-  float count;
+  bool hasFirst;
 #ifdef VITRINE_COMPACT_NODES
   uvec2 last;       // words of the last fragment
   vec3 lastColor;
@@ -64,7 +64,7 @@ struct ErrorBound
 #else
 #define BOUND_WITHOUT_TIES
 #endif
-#define DECLARE_BOUND ErrorBound bound = ErrorBound(vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0 BOUND_WITHOUT_TIES);
+#define DECLARE_BOUND ErrorBound bound = ErrorBound(vec3(0.0), 0.0, 0.0, 0.0, 0.0, false BOUND_WITHOUT_TIES);
 
 float largestOf(vec3 v)
 {
@@ -102,8 +102,8 @@ void addTies(inout ErrorBound bound, uvec2 words, vec4 c, float left)
 void addToBound(inout ErrorBound bound, vec4 c, float left)
 {
   bool isThere = c.a > 0.0;
-  bound.first = bound.count > 0.0 ? bound.first : c.rgb;
-  bound.count += isThere ? 1.0 : 0.0;
+  bound.first = bound.hasFirst ? bound.first : c.rgb;
+  bound.hasFirst = bound.hasFirst || isThere;
   float difference = isThere ? largestOf(abs(c.rgb - bound.first)) : 0.0;
   bound.farthest = max(bound.farthest, difference);
   float share = left * c.a;
@@ -118,24 +118,23 @@ void addToBound(inout ErrorBound bound, vec4 c, float left)
   addToBound(bound, c, transmittance);
 
 // Returns the bound of a pixel in which `written` was composited over `behind`.
-float boundOf(ErrorBound bound, float transmittance, vec4 behind, vec4 written)
+float boundOf(ErrorBound bound, float transmittance, vec4 behind, float ofHidden, vec4 written)
 {
-  float toBehind = largestOf(abs(behind.rgb - bound.first));
+  float toBehind = ofHidden > 0.0 ? 1.0 : largestOf(abs(behind.rgb - bound.first)); // what hides may have any colour
   float range = min(2.0 * max(bound.farthest, toBehind), 1.0);
   float seen = 1.0 - transmittance;
   float alphas = min(bound.spread + transmittance * bound.weights * toBehind + bound.dense * range, seen * range);
   float storage = seen * VITRINE_COLOR_ROUNDING + VITRINE_ALPHA_ROUNDING * alphas;
   storage *= 1.0 + 32.0 * VITRINE_ALPHA_ROUNDING; // for errors of higher order
-  storage += bound.count * VITRINE_FAINT_ROUNDING;
 #ifdef VITRINE_COMPACT_NODES
-  storage += 1.015625 * bound.ties;
+  storage += (1.0 + VITRINE_ALPHA_ROUNDING * (1.0 + bound.weights)) * bound.ties;
 #endif
   vec4 steps = clamp(written, 0.0, 1.0) * 255.0;
   float rounding = largestOf(abs(steps.rgb - floor(steps.rgb + 0.5))) * (1.0 / 255.0);
   return storage + rounding + VITRINE_DEVICE_ROUNDING;
 }
 
-#define BOUND_OF_STORAGE(behind) boundOf(bound, transmittance, behind, outColor)
+#define BOUND_OF_STORAGE(behind) boundOf(bound, transmittance, behind, BOUND_OF_HIDDEN, outColor)
 #endif
 
 void tellBound(ivec2 pixel, float upper)
@@ -149,4 +148,6 @@ void tellBound(ivec2 pixel, float upper)
     atomicMax(vitrineBounds.Largest, floatBitsToUint(upper));
   }
 }
-#define TELL_BOUND(pixel, behind) tellBound(pixel, BOUND_OF_STORAGE(behind) + BOUND_OF_HIDDEN);
+// Fragments whose alpha is stored as 0 count, too.
+#define TELL_BOUND(pixel, behind) \
+  tellBound(pixel, BOUND_OF_STORAGE(behind) + BOUND_OF_HIDDEN + float(head.y) * VITRINE_FAINT_ROUNDING);

@@ -391,6 +391,37 @@ TEST(ErrorBudgetSettings, BoundsAreKeptOnRequestOnly)
   EXPECT_EQ(bounds->GetDimensions()[1], 48);
 }
 
+TEST(ErrorBudgetSettings, FaintFragmentsCountEvenIfTheirAlphaIsStoredAsZero)
+{
+  TestScene scene(8, 8);
+  for (int i = 0; i < 600; ++i)
+  {
+    scene.AddPlate(0.9 - 0.003 * i, { 1.0, 1.0, 1.0, 5e-8 });
+  }
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(2.0 * Step);
+  const JudgedFrame judged = JudgeFrames(scene, pass, 2);
+  EXPECT_LE(judged.WorstExcess, Single);
+  EXPECT_GT(judged.LargestBound, 255.0 * 600.0 * std::ldexp(1.0, -23));
+}
+
+TEST(ErrorBudgetSettings, AFrameWithoutTranslucentPropsHasNoError)
+{
+  TestScene scene;
+  const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.25, { 0.9, 0.3, 0.5, 0.4 });
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->KeepErrorBoundsOn();
+  scene.Use(pass);
+  scene.Render();
+  plate->VisibilityOff();
+  scene.Render();
+  vtkNew<vtkImageData> bounds;
+  EXPECT_EQ(pass->GetBudgetProblem(), "");
+  EXPECT_EQ(pass->GetGuaranteedError(), 0.0);
+  ASSERT_TRUE(pass->GetErrorBound(bounds));
+  EXPECT_EQ(bounds->GetScalarRange()[1], 0.0);
+}
+
 TEST(ErrorBudgetSettings, ReleasesLeaveTheSamePicture)
 {
   TestScene scene;

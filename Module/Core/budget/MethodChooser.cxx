@@ -121,6 +121,10 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts
   this->NoteHidden(facts);
   const bool isLikeLast =
     this->HasFrame && choice == this->LastChoice && facts.IsCut == this->Last.IsCut;
+  if (choice.IsPacked && !this->LastChoice.IsPacked)
+  {
+    this->MissedShare = 0.0;
+  }
   if (choice.IsPacked && isLikeLast && facts.Bands == 1)
   {
     const double missed = facts.GeometryPasses > 1 ? 1.0 : 0.0;
@@ -128,7 +132,6 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts
     if (this->MissedShare > MostMisses)
     {
       this->Prediction.Begin();
-      this->MissedShare = 0.0;
     }
   }
   this->Last = facts;

@@ -32,6 +32,7 @@ struct vtkErrorBudgetTransparencyPass::Choice
   vitrine::HiddenDepths Hidden;
   vitrine::ViewMatrices Matrices{}; // of the last frame
   bool HasFrame = false;            // The last frame was drawn by this pass.
+  bool HasNothing = false;          // The last frame had nothing translucent, and no error.
   bool HasPixels = false;           // The bounds of its pixels were kept.
   int FrameSize[2] = {};
   std::vector<vitrine::PlannedMethod> Plan;
@@ -151,6 +152,7 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
 {
   Choice& chosen = *this->Chosen;
   chosen.HasFrame = false;
+  chosen.HasNothing = false;
   chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples, this->HasAdditiveFragments(),
     this->GetTolerance().IsOn() };
   std::string problem = this->RenderChosen(s, target);
@@ -242,12 +244,14 @@ void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
 bool vtkErrorBudgetTransparencyPass::GetErrorBound(vtkImageData* image)
 {
   const Choice& chosen = *this->Chosen;
-  if (!image || !chosen.HasFrame || !chosen.HasPixels)
+  const bool isKept =
+    chosen.HasNothing ? this->KeepErrorBounds : chosen.HasFrame && chosen.HasPixels;
+  if (!image || !isKept)
   {
     return false;
   }
   std::vector<float> bounds;
-  if (chosen.Kind.HasBoundsOfPixels())
+  if (chosen.HasFrame && chosen.Kind.HasBoundsOfPixels())
   {
     this->GetWindow()->MakeCurrent();
     bounds = chosen.Bounds.ReadPixels();
@@ -269,7 +273,7 @@ std::string vtkErrorBudgetTransparencyPass::GetChosenMethod()
 //------------------------------------------------------------------------------
 std::string vtkErrorBudgetTransparencyPass::GetBudgetProblem()
 {
-  if (!this->Chosen->HasFrame)
+  if (!this->Chosen->HasFrame && !this->Chosen->HasNothing)
   {
     return "no frame was drawn by this pass";
   }
@@ -320,7 +324,15 @@ vtkTypeInt64 vtkErrorBudgetTransparencyPass::GetPlannedBytes(int index)
 void vtkErrorBudgetTransparencyPass::RenderNothing()
 {
   this->Superclass::RenderNothing();
-  this->Chosen->HasFrame = false;
+  Choice& chosen = *this->Chosen;
+  chosen.HasFrame = false;
+  chosen.Hidden.Forget();
+  this->GuaranteedError = 0.0;
+  if (vtkOpenGLRenderWindow* const window = this->GetWindow())
+  {
+    chosen.HasNothing = true;
+    std::copy_n(window->GetActualSize(), 2, chosen.FrameSize);
+  }
 }
 
 //------------------------------------------------------------------------------
