@@ -7,10 +7,14 @@
  *
  * - Nodes are half floats, which keep each budget from 0.6/255 on, or compact, which are smaller and faster.
  * - Lists are packed, with the room that the last frame predicts, or linked.
+ * - Where many layers lie behind each other, a frame finds the depth behind which less light shines through than the
+ *   budget can spare. The next frame neither shades nor stores what is behind it. GetNumberOfFragments() and the like
+ *   tell what is stored. With PartNumbers all fragments are stored.
  *
- * A choice is a guess that the frame itself checks. With compact nodes the resolve bounds the error of each pixel. If
- * a bound exceeds the budget, the frame is drawn again with half floats before anything is shown. So the budget is kept
- * in each frame. After a wrong guess the pass does not make that guess for 32 to 1,024 frames.
+ * A choice is a guess that the frame itself checks. With compact nodes, and where something is left out, the resolve
+ * bounds the error of each pixel. If a bound exceeds the budget, the frame is drawn again without that guess before
+ * anything is shown. So the budget is kept in each frame. After a wrong guess the pass does not make that guess for 32
+ * to 1,024 frames.
  *
  * @code
  * vtkNew<vtkErrorBudgetTransparencyPass> method;
