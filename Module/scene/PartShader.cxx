@@ -35,8 +35,10 @@ const char* const FirstPart = "vitrineFirstPart";
 
 #if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
 using BlockMapper = vtkCompositeMapperHelper2;
+constexpr bool DrawsBlocksByNumber = false;
 #else
 using BlockMapper = vtkOpenGLBatchedPolyDataMapper;
+constexpr bool DrawsBlocksByNumber = true;
 #endif
 
 /** Gives access to the table of a mapper of blocks, which is protected. */
@@ -150,6 +152,10 @@ std::vector<std::uint32_t> PartShader::NumbersInOrder(
     for (const Run& run : RunsOf(blocks))
     {
       numbers.push_back(first + run.Block);
+    }
+    if (DrawsBlocksByNumber)
+    {
+      std::sort(numbers.begin(), numbers.end());
     }
   }
   return numbers;

@@ -332,7 +332,7 @@ TEST(LayersOfProps, OfEqualDepthAreInTheOrderOfTriangles)
   }
 }
 
-// VTK's mappers draw blocks in the order of the addresses of their data.
+// VTK's mappers draw blocks in the order of the addresses of their data, and since 9.3 in that of their numbers.
 TEST(LayersOfBlocks, OfEqualDepthAreInTheOrderOfDrawing)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> plates;

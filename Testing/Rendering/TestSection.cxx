@@ -188,7 +188,7 @@ TEST(SectionWindows, MayBeDetachedWithinAFrame)
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
          static_cast<unsigned long>(vtkCommand::EndEvent) })
   {
-    for (const float priority : { 1.0f, -1.0f })
+    for (const float priority : { 1.0f, -2.0f }) // before and after the section
     {
       SCOPED_TRACE(
         vtkCommand::GetStringFromEventId(event) + std::string(" at ") + std::to_string(priority));
