@@ -54,8 +54,8 @@ public:
     vtkOpenGLVertexArrayObject* vertexArray);
 
   /**
-   * Returns the numbers of a prop's blocks in the order in which a mapper draws them: since VTK 9.3 that of the numbers,
-   * before that of the addresses of their data. Returns none for a mapper without blocks.
+   * Returns the numbers of a prop's blocks in the order in which a mapper draws them. Since VTK 9.3 it is that of the
+   * numbers, and before that of the addresses of their data. Returns none for a mapper without blocks.
    */
   std::vector<std::uint32_t> NumbersInOrder(vtkAbstractMapper* mapper, vtkProp* prop) const;
 
