@@ -280,6 +280,30 @@ TEST(ErrorBudgetHidden, PlatesAreStoredAgainWhereWhatHidThemGoes)
   EXPECT_EQ(pass->GetNumberOfFragments(), 64 * 48 * DeepPlates);
 }
 
+// What is tried after a wrong guess is a guess, too.
+TEST(ErrorBudgetHidden, TwoWrongGuessesOfOneFrameAreTakenBack)
+{
+  TestScene scene;
+  const vtkSmartPointer<vtkActor> front =
+    scene.AddRectangle(-2.0, -2.0, 2.0, 2.0, 0.95, { 1.0, 0.0, 0.0, 0.9998 });
+  scene.AddPlate(0.25, { 0.9, 0.9, 0.50, 0.4 });
+  scene.AddPlate(0.25, { 0.1, 0.1, 0.5004, 0.4 });
+  for (int i = 0; i < 8; ++i)
+  {
+    scene.AddPlate(-0.1 * i, { 0.2, 0.4, 0.6, 0.05 });
+  }
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(8.0 * Step);
+  JudgeFrames(scene, pass);
+  EXPECT_EQ(PlatesStored(pass), 1);
+  front->VisibilityOff();
+  const JudgedFrame judged = JudgeFrames(scene, pass, 1);
+  EXPECT_LE(judged.WorstExcess, Single);
+  EXPECT_LE(judged.LargestBound, 8.0);
+  EXPECT_EQ(pass->GetNumberOfWrongGuesses(), 2);
+  EXPECT_EQ(pass->GetChosenMethod(), "prefix-sum-predicted");
+}
+
 TEST(ErrorBudgetHidden, AllLayersAreStoredWithPartNumbers)
 {
   TestScene scene;

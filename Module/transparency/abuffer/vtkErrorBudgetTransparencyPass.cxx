@@ -157,7 +157,8 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
     this->GetTolerance().IsOn() };
   std::string problem = this->RenderChosen(s, target);
   const int passes = this->NumberOfGeometryPasses;
-  if (problem.empty() && this->ExceedsBudget())
+  // A wrong guess is not made again at once, so there are as many turns as kinds of guesses at most.
+  while (problem.empty() && this->ExceedsBudget())
   {
     ++this->NumberOfWrongGuesses;
     chosen.Chooser.NoteExceeded(chosen.Frame, chosen.IsCut());
