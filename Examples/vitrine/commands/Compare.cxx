@@ -105,11 +105,7 @@ void AddCompareCommand(CLI::App& app)
     ->type_name("M,M,...")
     ->capture_default_str();
   AddFramesOption(*command, options->Frames);
-  command
-    ->add_option("--orbit", options->Orbit, "degrees that the camera goes from first to last frame")
-    ->type_name("DEG")
-    ->check(NumberWithin(-3600.0, 3600.0))
-    ->capture_default_str();
+  AddOrbitOption(*command, options->Orbit, "degrees that the camera goes from first to last frame");
   command->add_flag("--stages", options->MeasuresStages,
     "also time the stages of frames on the device, by timer queries");
   command->add_flag(

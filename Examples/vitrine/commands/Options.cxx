@@ -266,6 +266,14 @@ void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincid
     ->type_name("STEPS[,SLOPE]");
 }
 
+void AddOrbitOption(CLI::App& command, double& degrees, const std::string& what)
+{
+  command.add_option("--orbit", degrees, what)
+    ->type_name("DEG")
+    ->check(NumberWithin(-3600.0, 3600.0))
+    ->capture_default_str();
+}
+
 CLI::Option* AddErrorBudgetOption(CLI::App& command, std::optional<std::string>& budget)
 {
   return command

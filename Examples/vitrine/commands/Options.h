@@ -72,6 +72,9 @@ void AddScalarBarOption(CLI::App& command, SceneOptions& options);
 /** Add --coincidence. */
 void AddCoincidenceOption(CLI::App& command, std::optional<std::string>& coincidence);
 
+/** Add --orbit, whose default is what `degrees` holds. @param what  the turn of the camera */
+void AddOrbitOption(CLI::App& command, double& degrees, const std::string& what);
+
 /** Add --error. */
 CLI::Option* AddErrorBudgetOption(CLI::App& command, std::optional<std::string>& budget);
 

@@ -23,7 +23,7 @@ namespace
 struct PlanOptions
 {
   SceneOptions Scene;
-  std::string ErrorBudget = "1/255";
+  std::optional<std::string> ErrorBudget;
   int Frames = 9;
   double Orbit = 30.0;
   bool Verifies = false;
@@ -123,7 +123,8 @@ void Plan(const PlanOptions& options)
   CheckIsNoInput(options.Json, options.Scene.Inputs);
   ComparisonSettings settings;
   settings.Methods = { AutomaticName };
-  settings.ErrorBudget = ParseErrorBudget(options.ErrorBudget);
+  settings.ErrorBudget =
+    options.ErrorBudget ? ParseErrorBudget(*options.ErrorBudget) : DefaultErrorBudget;
   settings.Size = ParseSize(options.Scene.Size);
   settings.Multisamples = options.Scene.Multisamples;
   settings.Frames = options.Frames;
@@ -168,19 +169,10 @@ void AddPlanCommand(CLI::App& app)
   CLI::App* command =
     app.add_subcommand("plan", "Tell the cheapest method that keeps an error budget, and why");
   AddSceneOptions(*command, options->Scene, "512x512");
-  command
-    ->add_option("--error", options->ErrorBudget,
-      "the greatest error of a channel that is allowed, rounding to 8 bits included: from 0.6/255 "
-      "to 1")
-    ->type_name("E")
-    ->capture_default_str();
+  AddErrorBudgetOption(*command, options->ErrorBudget)->default_str("1/255");
   AddFramesOption(*command, options->Frames);
-  command
-    ->add_option("--orbit", options->Orbit,
-      "degrees that the camera goes to the view, from the first frame to the last")
-    ->type_name("DEG")
-    ->check(NumberWithin(-3600.0, 3600.0))
-    ->capture_default_str();
+  AddOrbitOption(*command, options->Orbit,
+    "degrees that the camera goes to the view, from the first frame to the last");
   command->add_flag("--verify", options->Verifies,
     "also measure: each method's time and error, and the bound of each pixel against truth");
   AddJsonOption(*command, options->Json);
