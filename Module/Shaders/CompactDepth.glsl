@@ -1,10 +1,10 @@
 // A window depth in 26 bits. The code keeps the order of depths. Depths from 1/128 on are exact, except that the last
-// three before 1 become one. Nearer depths have steps of 2^-30, a 64th of a step of a 24-bit depth buffer.
+// three before 1 become one. Nearer depths have steps of 2^-30, a 64th of a step of a 24-bit depth buffer. Fragments
+// are taken with such depths (TakeFragment.glsl), so the code is exact for them.
+#include "SharedLayout.h"
 
-// From this depth on the code is taken from the float's bits, below it is a number of steps. The largest code is one
-// less than that of a register without a fragment.
-#define VITRINE_FIRST_FLOAT_DEPTH 0.0078125
-#define VITRINE_DEPTH_STEPS 1073741824.0
+// From VITRINE_FIRST_FLOAT_DEPTH on the code is taken from the float's bits, below it is a number of steps. The largest
+// code is one less than that of a register without a fragment.
 #define VITRINE_DEPTH_BASE (0x3c000000u - (1u << 23))
 #define VITRINE_LARGEST_DEPTH ((1u << 26) - 2u)
 

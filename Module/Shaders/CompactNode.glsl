@@ -2,19 +2,15 @@
 // hold 26 bits of depth, 12 of alpha and 26 of three colours. The first word is the sort key. With the second word,
 // fragments of equal depth are ordered by alpha, blue, green, red.
 //
+// Alphas and colours are the coarse codes of FineColor.glsl, which is included before. So fragments have the order of
+// other nodes.
 // - Alpha has 8 bits of mantissa and 16 exponents. The rounding errors of a stack of any number of equal layers add up
 //   to less than a quarter of 1/255.
-// - A colour has 406 levels, the largest number whose cube fits. Its rounding error is below a third of 1/255.
+// - A colour has 406 levels. Its rounding error is below a third of 1/255.
 //
 // VITRINE_ADDITIVE: an alpha of 0 marks an additive colour. Another colour whose alpha rounds to 0 is stored as black.
 
 #include "CompactDepth.glsl"
-
-// The alpha code is taken from the bits of alpha plus an offset, so that an alpha of 0 has the bits of the base.
-#define VITRINE_ALPHA_OFFSET (1.0 / 32768.0)
-#define VITRINE_ALPHA_BASE 0x38000000u
-
-#define VITRINE_COLOR_LEVELS 406
 
 #if defined(VITRINE_COINCIDENCE) || defined(VITRINE_EXPANDS_DEPTH) || defined(VITRINE_HIDDEN_DEPTHS)
 float vitrineExpandDepth(uint key)
@@ -26,8 +22,8 @@ float vitrineExpandDepth(uint key)
 
 uvec2 vitrinePackNode(float z, vec4 c)
 {
-  uint alpha = (floatBitsToUint(c.a + VITRINE_ALPHA_OFFSET) - (VITRINE_ALPHA_BASE - 0x4000u)) >> 15;
-  ivec3 q = ivec3(min(c.rgb, 1.0) * float(VITRINE_COLOR_LEVELS - 1) + 0.5);
+  uint alpha = (vitrineFineAlpha(c.a) + (1u << (VITRINE_FINE_ALPHA_BITS - 1))) >> VITRINE_FINE_ALPHA_BITS;
+  ivec3 q = (vitrineFineColors(c.rgb) + (1 << (VITRINE_FINE_COLOR_BITS - 1))) >> VITRINE_FINE_COLOR_BITS;
   int colors = (q.b * VITRINE_COLOR_LEVELS + q.g) * VITRINE_COLOR_LEVELS + q.r;
 #ifdef VITRINE_ADDITIVE
   colors = c.a > 0.0 && alpha == 0u ? 0 : colors;
@@ -48,5 +44,5 @@ vec4 vitrineUnpackNodeColor(uvec2 node)
   int blue = int((float(blueGreen) + 0.5) * (1.0 / float(VITRINE_COLOR_LEVELS)));
   ivec3 q = ivec3(red, blueGreen - blue * VITRINE_COLOR_LEVELS, blue);
   return vec4(vec3(q) * (1.0 / float(VITRINE_COLOR_LEVELS - 1)),
-    uintBitsToFloat((alpha << 15) + VITRINE_ALPHA_BASE) - VITRINE_ALPHA_OFFSET);
+    vitrineAlphaOf(alpha << VITRINE_FINE_ALPHA_BITS));
 }

@@ -7,8 +7,6 @@
 //   colours   each is off by VITRINE_COLOR_ROUNDING at most, so their weighted sum is off by (1 - T) times as much
 //   alphas    each is off by the share VITRINE_ALPHA_ROUNDING of itself. To raise it by a share e changes the pixel by
 //             e T_i a_i |c_i - C|, where C is the colour of all behind it. The terms |c_i - m| and |C - m| bound that.
-//   ties      compact depths may be equal where depths are not, and compact colours may hide how equal depths are
-//             ordered. To change the order of i and j changes the pixel by T a_i a_j |c_i - c_j|.
 //   hidden    what is behind the cut of HiddenDepth.glsl is missing; at most the light that passes it is at stake
 //   picture   the rounding of the written value is known, but for an uncertainty of the device
 layout(std430, binding = VITRINE_BINDING_BOUNDS) coherent buffer VitrineBoundsBuffer
@@ -49,55 +47,13 @@ struct ErrorBound
   float spread;   // sum of T_i a_i |c_i - m| (1 + weights in front of i)
   float dense;    // sum of T_i a_i of alphas near 1
   bool hasFirst;
-#ifdef VITRINE_COMPACT_NODES
-  uvec2 last;       // words of the last fragment
-  vec3 lastColor;
-  float groupLeft;  // T in front of the first of those whose order is unknown
-  float groupAlpha; // sum of their alphas
-  float groupReach; // at least the largest |c_i - c_j| of the last one
-  float sameAlpha;  // sum of the alphas of the last ones of them, which have the same words
-  float ties;       // sum of T a_i a_j |c_i - c_j|
-#endif
 };
-#ifdef VITRINE_COMPACT_NODES
-#define BOUND_WITHOUT_TIES , uvec2(NO_KEY, 0u), vec3(0.0), 1.0, 0.0, 0.0, 0.0, 0.0
-#else
-#define BOUND_WITHOUT_TIES
-#endif
-#define DECLARE_BOUND ErrorBound bound = ErrorBound(vec3(0.0), 0.0, 0.0, 0.0, 0.0, false BOUND_WITHOUT_TIES);
+#define DECLARE_BOUND ErrorBound bound = ErrorBound(vec3(0.0), 0.0, 0.0, 0.0, 0.0, false);
 
 float largestOf(vec3 v)
 {
   return max(v.r, max(v.g, v.b));
 }
-
-#ifdef VITRINE_COMPACT_NODES
-// Returns true if two successive fragments of a list may be in another order than their depths and colours are. Equal
-// depths are ordered by alpha first, so alphas that differ by two codes tell the order.
-bool isOrderUnknown(uvec2 a, uvec2 b)
-{
-  uint depth = a.x >> 6;
-  bool isExact = depth >= (1u << 23) && depth < VITRINE_LARGEST_DEPTH - 1u;
-  uint alphaOfA = ((a.x & 0x3fu) << 6) | (a.y >> 26);
-  uint alphaOfB = ((b.x & 0x3fu) << 6) | (b.y >> 26);
-  return depth == b.x >> 6 && !(isExact && alphaOfB > alphaOfA + 1u);
-}
-
-void addTies(inout ErrorBound bound, uvec2 words, vec4 c, float left)
-{
-  bool isTie = isOrderUnknown(bound.last, words);
-  bound.groupLeft = isTie ? bound.groupLeft : left;
-  bound.groupAlpha = (isTie ? bound.groupAlpha : 0.0) + c.a;
-  bound.groupReach = isTie ? bound.groupReach + largestOf(abs(c.rgb - bound.lastColor)) : 0.0;
-  bound.sameAlpha = (words == bound.last ? bound.sameAlpha : 0.0) + c.a;
-  bound.ties += bound.groupLeft * c.a * (bound.groupAlpha - bound.sameAlpha) * bound.groupReach;
-  bound.last = words;
-  bound.lastColor = c.rgb;
-}
-#define ADD_TIES(f, c) addTies(bound, uvec2(f.key, f.color), c, transmittance);
-#else
-#define ADD_TIES(f, c)
-#endif
 
 void addToBound(inout ErrorBound bound, vec4 c, float left)
 {
@@ -113,9 +69,7 @@ void addToBound(inout ErrorBound bound, vec4 c, float left)
   bound.weights += isDense ? 0.0 : c.a / (1.0 - c.a);
 }
 // Takes the fragment of a register before it is composited.
-#define TAKE_BOUND(f, c) \
-  ADD_TIES(f, c) \
-  addToBound(bound, c, transmittance);
+#define TAKE_BOUND(f, c) addToBound(bound, c, transmittance);
 
 // Returns the bound of a pixel in which `written` was composited over `behind`.
 float boundOf(ErrorBound bound, float transmittance, vec4 behind, float ofHidden, vec4 written)
@@ -126,9 +80,6 @@ float boundOf(ErrorBound bound, float transmittance, vec4 behind, float ofHidden
   float alphas = min(bound.spread + transmittance * bound.weights * toBehind + bound.dense * range, seen * range);
   float storage = seen * VITRINE_COLOR_ROUNDING + VITRINE_ALPHA_ROUNDING * alphas;
   storage *= 1.0 + 32.0 * VITRINE_ALPHA_ROUNDING; // for errors of higher order
-#ifdef VITRINE_COMPACT_NODES
-  storage += (1.0 + VITRINE_ALPHA_ROUNDING * (1.0 + bound.weights)) * bound.ties;
-#endif
   vec4 steps = clamp(written, 0.0, 1.0) * 255.0;
   float rounding = largestOf(abs(steps.rgb - floor(steps.rgb + 0.5))) * (1.0 / 255.0);
   return storage + rounding + VITRINE_DEVICE_ROUNDING;

@@ -19,6 +19,8 @@
 // VITRINE_RASTER_DEPTH z       the rasteriser's depth at that pixel
 // VITRINE_TAKES_HIDDEN         there is no opaque depth: hidden fragments are taken, too
 
+#include "SharedLayout.h"
+
 #if !defined(VITRINE_TAKES_HIDDEN) && \
   (defined(VITRINE_WRITES_DEPTH) || defined(VITRINE_LATE_TESTS) || \
     (VITRINE_SAMPLES > 0 && !defined(VITRINE_POST_DEPTH_COVERAGE)))
@@ -134,6 +136,14 @@ vec4 vitrineColor(vec4 c)
 float vitrineDepth(float z)
 {
   return z > 0.0 ? min(z, 1.0) : 0.0;
+}
+
+// Returns a depth as it is kept: nodes of either kind must tell the same order. Depths of 1/128 and more are as they
+// are but for the last ones.
+float vitrineKeptDepth(float z)
+{
+  return z < VITRINE_FIRST_FLOAT_DEPTH ? floor(z * VITRINE_DEPTH_STEPS) * (1.0 / VITRINE_DEPTH_STEPS)
+                                       : min(z, VITRINE_LAST_DEPTH);
 }
 
 // Returns the fragment's depth. A depth that the mapper's shader writes is tested here. The depth buffer's test comes

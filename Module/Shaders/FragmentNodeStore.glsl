@@ -1,6 +1,7 @@
 // Packs nodes and writes them. It is part of the fill pass, in the fragment shaders of VTK's mappers.
 #define NODE_ACCESS writeonly
 #include "NodeImages.glsl"
+#include "FineColor.glsl"
 #ifdef VITRINE_COMPACT_NODES
 #include "CompactNode.glsl"
 #else

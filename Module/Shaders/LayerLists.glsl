@@ -3,6 +3,7 @@
 #define VITRINE_IN_COMPUTE
 #define VITRINE_EXPANDS_DEPTH
 #include "ListRead.glsl"
+#include "FineColor.glsl"
 #ifdef VITRINE_COMPACT_NODES
 #include "CompactNode.glsl"
 #else

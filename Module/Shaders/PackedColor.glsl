@@ -1,7 +1,9 @@
 // Packs the colour of a node, and unpacks it. As unsigned words, packed colours are ordered by alpha, blue, green, red.
 //
-// VITRINE_HALF_FLOAT: four 16-bit floats in two words. A colour has no sign, so its bit goes to the mantissa: 5 bits of
-// exponent, 11 of mantissa, half the rounding error of IEEE's half float. Values below the smallest exponent become 0.
+// VITRINE_HALF_FLOAT: four codes of 16 bits in two words.
+//   With VITRINE_FINE_COLORS they are those of FineColor.glsl, which is included before.
+//   Otherwise they are floats. A colour has no sign, so its bit goes to the mantissa: 5 bits of exponent, 11 of
+//   mantissa, half the rounding error of IEEE's half float. Values below the smallest exponent become 0.
 // Otherwise: RGBA8 in one word.
 //
 // VITRINE_ADDITIVE: an alpha of 0 marks an additive colour. Another colour whose alpha rounds to 0 is stored as 0.
@@ -14,7 +16,22 @@
 #define VITRINE_IS_LOST(alpha, code) false
 #endif
 
-#ifdef VITRINE_HALF_FLOAT
+#if defined(VITRINE_HALF_FLOAT) && defined(VITRINE_FINE_COLORS)
+
+uvec2 vitrinePackColor(vec4 c)
+{
+  uint alpha = vitrineFineAlpha(c.a);
+  ivec3 q = vitrineFineColors(c.rgb);
+  return uvec2(uint(q.r | (q.g << 16)), uint(q.b) | (alpha << 16));
+}
+
+vec4 vitrineUnpackColor(uvec2 p)
+{
+  vec3 q = vec3(ivec3(int(p.x & 0xffffu), int(p.x >> 16), int(p.y & 0xffffu)));
+  return vec4(q * (1.0 / VITRINE_FINE_COLOR_STEPS), vitrineAlphaOf(p.y >> 16));
+}
+
+#elif defined(VITRINE_HALF_FLOAT)
 
 // The exponents (IEEE single, biased by 127) at which the 16-bit exponent 0 begins. Alpha and clamped colours are at
 // most 1, so all codes can lie below 1. Colours of a floating-point target reach 65504.

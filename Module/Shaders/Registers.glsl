@@ -4,6 +4,7 @@
 // VITRINE_COMPACT_NODES  keys and colours are the words of CompactNode.glsl
 // VITRINE_FLOAT_KEYS     keys are depths, for GLSL versions without access to the bits of a float; else their bits
 // VITRINE_FLOAT_COLORS   colours are floats; else they are packed, with the same order
+#include "FineColor.glsl"
 #ifdef VITRINE_COMPACT_NODES
 #include "CompactNode.glsl"
 #else
@@ -102,11 +103,30 @@ vec4 fragmentColor(Fragment f)
 {
   return vitrineUnpackColor(uvec2(f.redGreen, f.blueAlpha));
 }
-bool colorAbove(Fragment a, Fragment b)
+bool packedAbove(Fragment a, Fragment b)
 {
   return a.blueAlpha > b.blueAlpha || (a.blueAlpha == b.blueAlpha && a.redGreen > b.redGreen)
     OR_EXTRA_ABOVE(a.blueAlpha == b.blueAlpha && a.redGreen == b.redGreen, a, b);
 }
+#ifdef VITRINE_FINE_COLORS
+uint coarseBlueAlpha(Fragment f)
+{
+  return (f.blueAlpha + VITRINE_COARSE_ALPHA_COLOR_ROUNDING) & VITRINE_COARSE_ALPHA_COLOR_MASK;
+}
+uint coarseRedGreen(Fragment f)
+{
+  return (f.redGreen + VITRINE_COARSE_COLORS_ROUNDING) & VITRINE_COARSE_COLORS_MASK;
+}
+bool colorAbove(Fragment a, Fragment b)
+{
+  uvec2 coarseA = uvec2(coarseBlueAlpha(a), coarseRedGreen(a));
+  uvec2 coarseB = uvec2(coarseBlueAlpha(b), coarseRedGreen(b));
+  return coarseA.x > coarseB.x ||
+    (coarseA.x == coarseB.x && (coarseA.y > coarseB.y || (coarseA.y == coarseB.y && packedAbove(a, b))));
+}
+#else
+#define colorAbove(a, b) packedAbove(a, b)
+#endif
 Fragment selectFragment(bool s, Fragment a, Fragment b)
 {
   Fragment f;

@@ -59,12 +59,41 @@
 #define VITRINE_EXTENT_MASK 0xffff0000u
 #define VITRINE_COINCIDENCE_SAMPLES 16
 
-// How far stored colours and alphas are from those of the fragments (PackedColor.glsl, CompactNode.glsl): colours in
-// [0, 1] by a difference, alphas by a share of themselves. Faint alphas are off by VITRINE_FAINT_ROUNDING more.
-#define VITRINE_HALF_COLOR_ROUNDING (1.0 / 8192.0)
-#define VITRINE_HALF_ALPHA_ROUNDING (1.0 / 4096.0)
-#define VITRINE_COMPACT_COLOR_ROUNDING (0.5 / 405.0)
-#define VITRINE_COMPACT_ALPHA_ROUNDING (1.0 / 512.0)
+// Stored colours of targets with colours in [0, 1] (PackedColor.glsl, CompactNode.glsl). A colour in [0, 1] has
+// VITRINE_COLOR_LEVELS coarse levels, the largest number whose cube fits into 26 bits, and each level has
+// 2^VITRINE_FINE_COLOR_BITS fine steps, together 16 bits. An alpha has a code of 16 bits: those of a float of 4 bits of
+// exponent and 12 of mantissa. To the alpha an offset is added, so that an alpha of 0 has the bits of the base. Its
+// coarse code has VITRINE_FINE_ALPHA_BITS less. Coarse codes are rounded, not cut off.
+#define VITRINE_COLOR_LEVELS 406
+#define VITRINE_FINE_COLOR_BITS 7
+#define VITRINE_FINE_COLOR_STEPS 51840.0 // (VITRINE_COLOR_LEVELS - 1) << VITRINE_FINE_COLOR_BITS
+#define VITRINE_FINE_ALPHA_BITS 4
+#define VITRINE_ALPHA_SHIFT 11
+#define VITRINE_ALPHA_OFFSET (1.0 / 32768.0)
+#define VITRINE_ALPHA_BASE 0x38000000u
+
+// Fragments of equal depth are ordered by coarse codes first, so that nodes of either kind have one order. Two 16-bit
+// codes, an alpha's or a colour's and a colour's below it, become coarse by VITRINE_COARSE_ROUNDING and the mask.
+#define VITRINE_COARSE_ALPHA_COLOR_ROUNDING 0x00080040u
+#define VITRINE_COARSE_ALPHA_COLOR_MASK 0xfff0ff80u
+#define VITRINE_COARSE_COLORS_ROUNDING 0x00400040u
+#define VITRINE_COARSE_COLORS_MASK 0xff80ff80u
+
+// Depths are kept in 26 bits' worth of values (CompactDepth.glsl): below the first float depth in steps of 2^-30, and
+// the last three before 1 are one.
+#define VITRINE_FIRST_FLOAT_DEPTH 0.0078125
+#define VITRINE_DEPTH_STEPS 1073741824.0
+#define VITRINE_LAST_DEPTH (1.0 - 1.0 / 8388608.0)
+
+// How far stored colours and alphas are from those of the fragments: colours in [0, 1] by a difference, alphas by a
+// share of themselves. Faint alphas are off by VITRINE_FAINT_ROUNDING more. Coarse codes are rounded from fine ones, so
+// theirs is half a fine step more. VITRINE_FLOAT_... are those of 16-bit floats.
+#define VITRINE_FLOAT_COLOR_ROUNDING (1.0 / 8192.0)
+#define VITRINE_FLOAT_ALPHA_ROUNDING (1.0 / 4096.0)
+#define VITRINE_HALF_COLOR_ROUNDING (0.51 / VITRINE_FINE_COLOR_STEPS) // in single precision
+#define VITRINE_HALF_ALPHA_ROUNDING (1.0 / 8192.0)
+#define VITRINE_COMPACT_COLOR_ROUNDING (64.51 / VITRINE_FINE_COLOR_STEPS)
+#define VITRINE_COMPACT_ALPHA_ROUNDING (1.0625 / 512.0)
 #define VITRINE_FAINT_ROUNDING (1.0 / 8388608.0)
 // A device may round a value to 8 bits that lies this near to the middle either way.
 #define VITRINE_DEVICE_ROUNDING (0.005 / 255.0)

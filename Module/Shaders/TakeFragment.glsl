@@ -14,4 +14,6 @@
 #endif
 #ifdef VITRINE_COINCIDENCE
     vitrineSamples |= vitrineTakeExtent(vitrineZ, gl_FragData[0].a);
+#else
+    vitrineZ = vitrineKeptDepth(vitrineZ);
 #endif

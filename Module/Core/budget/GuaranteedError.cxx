@@ -20,21 +20,37 @@ double RoundingOfPicture(const PictureKind& kind)
   return kind.Samples > 0 ? 2.0 * once : once;
 }
 
+struct Rounding
+{
+  double OfColors;
+  double OfAlphas;
+};
+
+// As PackedColor.glsl and CompactNode.glsl store.
+Rounding RoundingOf(StoredColors colors, const PictureKind& kind)
+{
+  if (colors == StoredColors::Compact)
+  {
+    return { VITRINE_COMPACT_COLOR_ROUNDING, VITRINE_COMPACT_ALPHA_ROUNDING };
+  }
+  const bool isFloat = kind.Additive || !(kind.EightBit || kind.EncodesSRGB);
+  return isFloat ? Rounding{ VITRINE_FLOAT_COLOR_ROUNDING, VITRINE_FLOAT_ALPHA_ROUNDING }
+                 : Rounding{ VITRINE_HALF_COLOR_ROUNDING, VITRINE_HALF_ALPHA_ROUNDING };
+}
+
 double StorageError(StoredColors colors, const PictureKind& kind)
 {
-  const bool isHalf = colors == StoredColors::HalfFloat;
-  const double ofColors = isHalf ? VITRINE_HALF_COLOR_ROUNDING : VITRINE_COMPACT_COLOR_ROUNDING;
-  const double ofAlphas = isHalf ? VITRINE_HALF_ALPHA_ROUNDING : VITRINE_COMPACT_ALPHA_ROUNDING;
+  const Rounding rounding = RoundingOf(colors, kind);
   // Light that is added may be as bright as the picture, and is rounded like an alpha.
-  const double ofAdded = kind.Additive ? VITRINE_HALF_ALPHA_ROUNDING : 0.0;
-  return (1.0 + 32.0 * ofAlphas) * (ofColors + ofAlphas) + ofAdded;
+  const double ofAdded = kind.Additive ? rounding.OfAlphas : 0.0;
+  return (1.0 + 32.0 * rounding.OfAlphas) * (rounding.OfColors + rounding.OfAlphas) + ofAdded;
 }
 
 }
 
 double GuaranteedError(StoredColors colors, const PictureKind& kind)
 {
-  if (colors == StoredColors::Compact && !kind.HasBoundsOfPixels())
+  if (colors == StoredColors::Compact && (!kind.EightBit || kind.Additive || kind.Coincidence))
   {
     return std::numeric_limits<double>::infinity();
   }

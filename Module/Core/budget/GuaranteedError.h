@@ -42,8 +42,7 @@ struct PictureKind
 inline constexpr double LeastBudget = 0.6 / 255.0;
 
 /**
- * Returns the largest error that a picture of a kind can have with stored colours, infinity if there is no bound. With
- * Compact, it holds where depths tell the order of all fragments.
+ * Returns the largest error that a picture of a kind can have with stored colours, infinity if there is no bound.
  */
 double GuaranteedError(StoredColors colors, const PictureKind& kind);
 

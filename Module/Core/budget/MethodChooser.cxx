@@ -1,6 +1,7 @@
 #include "Core/budget/MethodChooser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace vitrine
@@ -8,8 +9,6 @@ namespace vitrine
 namespace
 {
 
-// Below this budget some pixel of nearly each frame has a larger bound with compact nodes.
-constexpr double LeastOfCompact = 1.2 / 255.0;
 // Linked lists take about a tenth longer than packed lists, and a wrong prediction a second pass.
 constexpr double MostMisses = 0.12;
 constexpr double WeightOfLastFrame = 0.1;
@@ -73,49 +72,35 @@ bool MethodChooser::CanKeep(double budget, const PictureKind& kind)
 }
 
 //------------------------------------------------------------------------------
-// A single picture is not drawn twice for a wrong guess. Half floats leave more of the budget to what hides than
-// compact nodes do.
 FrameChoice MethodChooser::Choose(double budget, const PictureKind& kind)
 {
   FrameChoice choice;
-  const bool isHiding = this->MayHide(budget, kind);
-  const bool isCompact = !isHiding && this->HasFrame && budget >= LeastOfCompact &&
-    kind.HasBoundsOfPixels() && this->Compact.IsOver();
+  const bool isCompact = GuaranteedError(StoredColors::Compact, kind) <= budget;
   choice.Colors = isCompact ? StoredColors::Compact : StoredColors::HalfFloat;
-  if (isHiding)
-  {
-    choice.HiddenLight = ReserveOfLight * (budget - GuaranteedError(StoredColors::HalfFloat, kind));
-  }
+  const double spare = budget - GuaranteedError(choice.Colors, kind);
+  choice.HiddenLight = this->MayHide(spare, kind) ? ReserveOfLight * spare : 0.0;
   choice.IsPacked = this->Prediction.IsOver() && this->Last.Bands == 1;
   return choice;
 }
 
 //------------------------------------------------------------------------------
 // The depths of the last frame that hide what is behind are worth their cost in deep pixels.
-bool MethodChooser::MayHide(double budget, const PictureKind& kind) const
+bool MethodChooser::MayHide(double spare, const PictureKind& kind) const
 {
   return kind.HasBoundsOfPixels() && this->Hiding.IsOver() && this->HasFrame &&
     this->Last.Bands == 1 && (this->Last.IsCut || this->Last.LayersMax >= LeastLayersThatHide) &&
-    budget - GuaranteedError(StoredColors::HalfFloat, kind) >= LeastLight;
+    spare >= LeastLight;
 }
 
 //------------------------------------------------------------------------------
-void MethodChooser::NoteExceeded(const FrameChoice& choice, bool isCut)
+void MethodChooser::NoteExceeded()
 {
-  if (choice.Colors == StoredColors::Compact)
-  {
-    this->Compact.Begin();
-  }
-  if (isCut)
-  {
-    this->Hiding.Begin();
-  }
+  this->Hiding.Begin();
 }
 
 //------------------------------------------------------------------------------
 void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts)
 {
-  this->Compact.CountFrame();
   this->Prediction.CountFrame();
   this->Hiding.CountFrame();
   this->NoteHidden(facts);
@@ -195,10 +180,9 @@ std::string MethodChooser::ReasonOf(const FrameChoice& candidate, const FrameCho
 {
   if (candidate.Colors == StoredColors::Compact && chosen.Colors != StoredColors::Compact)
   {
-    return chosen.HiddenLight > 0.0 ? "half floats leave more of the budget to what is hidden"
-      : !kind.HasBoundsOfPixels()   ? "the error of compact nodes is not bounded in such pictures"
-      : budget < LeastOfCompact     ? "its error may exceed " + InSteps(budget)
-                                    : "a pixel of a frame might have exceeded " + InSteps(budget);
+    return std::isinf(GuaranteedError(StoredColors::Compact, kind))
+      ? "the error of compact nodes is not bounded in such pictures"
+      : "its error may exceed " + InSteps(budget);
   }
   if (candidate.Colors != chosen.Colors)
   {
@@ -213,13 +197,12 @@ std::string MethodChooser::ReasonOf(const FrameChoice& candidate, const FrameCho
   {
     return "links take memory and time, and predicted room suffices";
   }
-  return !CanKeep(budget, kind)   ? "nothing keeps the budget here; this is the nearest to it"
-    : candidate.HiddenLight > 0.0 ? "the cheapest that keeps " + InSteps(budget) +
+  return !CanKeep(budget, kind) ? "nothing keeps the budget here; this is the nearest to it"
+    : candidate.HiddenLight > 0.0
+    ? "the cheapest that keeps " + InSteps(budget) +
       ": what is hidden behind others is not stored; the bound of each pixel is checked in each "
       "frame"
-    : candidate.IsChecked() ? "the cheapest that keeps " + InSteps(budget) +
-      "; the bound of each pixel is checked in each frame"
-                            : "the cheapest that keeps " + InSteps(budget) + " for all pixels";
+    : "the cheapest that keeps " + InSteps(budget) + " for all pixels";
 }
 
 }

@@ -1,11 +1,11 @@
 /**
  * Chooses how a frame stores its fragments, so that the picture keeps an error budget at the least cost.
  *
- * A choice is a guess that the frame itself checks. Packed lists predict their room. Compact nodes, and lists without
- * what hides behind others, have the error of each pixel bounded while they are resolved. A wrong guess costs further
- * geometry passes in the same frame. After a wrong guess the other way is taken for a number of frames that doubles
- * each time, so that the cost of wrong guesses
- * is a small share. All is counted, not timed, so the same frames make the same choices.
+ * Nodes are as small as the budget allows, which is known beforehand. The rest of a choice is a guess that the frame
+ * itself checks. Packed lists predict their room. Lists without what hides behind others have the error of each pixel
+ * bounded while they are resolved. A wrong guess costs further geometry passes in the same frame. After a wrong guess
+ * the other way is taken for a number of frames that doubles each time, so that the cost of wrong guesses is a small
+ * share. All is counted, not timed, so the same frames make the same choices.
  */
 #ifndef VITRINE_CORE_BUDGET_METHOD_CHOOSER_H
 #define VITRINE_CORE_BUDGET_METHOD_CHOOSER_H
@@ -49,10 +49,7 @@ struct FrameChoice
   double HiddenLight = 0.0;
 
   /** Returns true if pixels have their errors bounded, and a larger bound than the budget draws the frame again. */
-  bool IsChecked() const
-  {
-    return this->Colors == StoredColors::Compact || this->HiddenLight > 0.0;
-  }
+  bool IsChecked() const { return this->HiddenLight > 0.0; }
 
   bool operator==(const FrameChoice& other) const
   {
@@ -91,8 +88,8 @@ public:
   /** Choose for a frame. `budget` is at least LeastBudget. */
   FrameChoice Choose(double budget, const PictureKind& kind);
 
-  /** Note that some pixel of a frame of a choice might exceed the budget. The next choice is another one. */
-  void NoteExceeded(const FrameChoice& choice, bool isCut);
+  /** Note that some pixel of a frame might exceed the budget for what was not stored. The next frame stores all. */
+  void NoteExceeded();
 
   /** Note a finished frame of a choice. */
   void NoteFrame(const FrameChoice& choice, const FrameFacts& facts);
@@ -108,10 +105,9 @@ private:
     const PictureKind& kind) const;
   double ExpectedPasses(const FrameChoice& candidate) const;
 
-  bool MayHide(double budget, const PictureKind& kind) const;
+  bool MayHide(double spare, const PictureKind& kind) const;
   void NoteHidden(const FrameFacts& facts);
 
-  GuessDelay Compact;
   GuessDelay Hiding;
   std::int64_t FragmentsUncut = 0; // Of the last frame that was not cut.
   int CutFrames = 0;               // Cut frames since then.

@@ -1,8 +1,9 @@
 #include "Core/lists/PixelLayers.h"
 
+#include "Core/lists/StoredColor.h"
+
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <tuple>
 
 namespace vitrine
@@ -15,14 +16,6 @@ constexpr int MostSamples = 32;
 bool IsOpaque(const LayerFragment& f)
 {
   return (f.Kind & LayerFragment::Opaque) != 0;
-}
-
-/** Returns a number of the order of the 16-bit floats in which the methods store colours. */
-std::uint32_t StoredOrder(float x)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &x, sizeof(bits));
-  return x > 0.0f ? (bits + 0x800u) >> 12 : 0u;
 }
 
 float DepthOf(const LayerFragment& f)
@@ -65,8 +58,8 @@ public:
     }
     const auto colorOf = [](const LayerFragment& f)
     {
-      return std::make_tuple(StoredOrder(f.Rgba[3]), StoredOrder(f.Rgba[2]), StoredOrder(f.Rgba[1]),
-        StoredOrder(f.Rgba[0]), f.Part);
+      const std::uint64_t stored = StoredColor(f.Rgba[0], f.Rgba[1], f.Rgba[2], f.Rgba[3]);
+      return std::make_tuple(ColorOrder(stored), f.Part);
     };
     return colorOf(a) < colorOf(b);
   }

@@ -1,6 +1,7 @@
 #include "Core/lists/ReferenceCompositor.h"
 
 #include "Core/lists/CoincidentGroup.h"
+#include "Core/lists/StoredColor.h"
 #include "Core/threads/ForEachInThreads.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct PixelRange
 struct Layer
 {
   float Depth;
-  std::uint64_t Packed;
+  std::tuple<std::uint64_t, std::uint64_t> Order; // of layers of equal depth
   float A;
   float B;
   float G;
@@ -45,14 +46,14 @@ struct Layer
 
   bool IsInFrontOf(const Layer& other) const
   {
-    return std::tie(this->Depth, this->Packed, this->A, this->B, this->G, this->R) <
-      std::tie(other.Depth, other.Packed, other.A, other.B, other.G, other.R);
+    return std::tie(this->Depth, this->Order, this->A, this->B, this->G, this->R) <
+      std::tie(other.Depth, other.Order, other.A, other.B, other.G, other.R);
   }
 
   bool HasLesserColor(const Layer& other) const
   {
-    return std::tie(this->Packed, this->A, this->B, this->G, this->R) <
-      std::tie(other.Packed, other.A, other.B, other.G, other.R);
+    return std::tie(this->Order, this->A, this->B, this->G, this->R) <
+      std::tie(other.Order, other.A, other.B, other.G, other.R);
   }
 
   // Returns the far end of the interval. Without an extent it is minus infinity, so no other layer meets it.
@@ -75,12 +76,16 @@ std::uint64_t Packed16(float value, std::int64_t exponent)
 
 // Colours are ordered by the precision of storage, alpha first. The last bits of a float are noise of the rasteriser's
 // interpolation: even a constant alpha differs in them from pixel to pixel.
-std::uint64_t PackedColor(const Layer& layer, TargetRange range)
+std::tuple<std::uint64_t, std::uint64_t> OrderOf(const Layer& layer, TargetRange range)
 {
+  if (range == TargetRange::Unit)
+  {
+    return ColorOrder(StoredColor(layer.R, layer.G, layer.B, layer.A));
+  }
   const std::int64_t unitExponent = 96;
-  const std::int64_t colorExponent = range == TargetRange::Unit ? unitExponent : 111;
-  return Packed16(layer.A, unitExponent) << 48 | Packed16(layer.B, colorExponent) << 32 |
-    Packed16(layer.G, colorExponent) << 16 | Packed16(layer.R, colorExponent);
+  const std::int64_t colorExponent = range == TargetRange::NonNegative ? 111 : unitExponent;
+  return { Packed16(layer.A, unitExponent) << 16 | Packed16(layer.B, colorExponent),
+    Packed16(layer.G, colorExponent) << 16 | Packed16(layer.R, colorExponent) };
 }
 
 // NaN, for which every comparison is false, becomes 0.
@@ -106,9 +111,10 @@ void Premultiply(Layer& layer)
 
 Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
 {
-  const float largest = range == TargetRange::Unit ? 1.0f : std::numeric_limits<float>::infinity();
+  const float largest =
+    range == TargetRange::NonNegative ? std::numeric_limits<float>::infinity() : 1.0f;
   const bool hasDepth = fragment.Depth == fragment.Depth;
-  Layer layer = { hasDepth ? fragment.Depth : 0.0f, 0, Clamped(fragment.Rgba[3], 1.0f),
+  Layer layer = { hasDepth ? fragment.Depth : 0.0f, {}, Clamped(fragment.Rgba[3], 1.0f),
     Clamped(fragment.Rgba[2], largest), Clamped(fragment.Rgba[1], largest),
     Clamped(fragment.Rgba[0], largest), fragment.Coverage, fragment.Extent,
     (fragment.Pixel & CapturedFragment::Added) != 0 };
@@ -116,7 +122,7 @@ Layer MakeLayer(const CapturedFragment& fragment, TargetRange range)
   {
     Premultiply(layer);
   }
-  layer.Packed = PackedColor(layer, range);
+  layer.Order = OrderOf(layer, range);
   return layer;
 }
 

@@ -28,8 +28,9 @@ static_assert(sizeof(CapturedFragment) == 32, "the GPU writes fragments without 
 /** The range of colours that the render target of the tested methods can hold. */
 enum class TargetRange
 {
-  Unit,       ///< fixed point: colours are clamped to [0, 1]
-  NonNegative ///< floating point: colours are clamped to [0, infinity)
+  Unit,               ///< fixed point: colours are clamped to [0, 1]
+  UnitWithAddedLight, ///< the same, where some fragments are added; their codes are floats
+  NonNegative         ///< floating point: colours are clamped to [0, infinity)
 };
 
 /**
@@ -45,9 +46,10 @@ enum class TargetRange
  *
  * An additive fragment contributes to rgb like any other, but its alpha counts as 0 in each T.
  *
- * Fragments of equal depth are ordered by ascending colour (a, b, g, r): first packed to 16-bit floats, then in full
- * precision. Additive fragments are ordered by premultiplied colour and an alpha of 0. Hence the result does not depend
- * on the order of arrival, to the last bit.
+ * Fragments of equal depth are ordered by ascending colour (a, b, g, r): first as methods store them
+ * (Core/lists/StoredColor; 16-bit floats in floating-point targets and beside added light), then in full precision.
+ * Additive fragments are ordered by premultiplied colour and an alpha of 0. Hence the result does not depend on the
+ * order of arrival, to the last bit.
  *
  * Input is sanitized. NaN in depth or colour becomes 0, and -0 equals 0. Alpha is clamped to [0, 1], colours to the
  * range of the target. Coverage of samples that the picture does not have is ignored.

@@ -157,11 +157,11 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
     this->GetTolerance().IsOn() };
   std::string problem = this->RenderChosen(s, target);
   const int passes = this->NumberOfGeometryPasses;
-  // A wrong guess is not made again at once, so there are as many turns as kinds of guesses at most.
-  while (problem.empty() && this->ExceedsBudget())
+  // A wrong guess is not made again at once.
+  if (problem.empty() && this->ExceedsBudget())
   {
     ++this->NumberOfWrongGuesses;
-    chosen.Chooser.NoteExceeded(chosen.Frame, chosen.IsCut());
+    chosen.Chooser.NoteExceeded();
     chosen.Hidden.Forget();
     this->PutBackdropBack(target);
     problem = this->RenderChosen(s, target);
@@ -202,17 +202,15 @@ void vtkErrorBudgetTransparencyPass::TakeChoice()
     this->ColorStorage = storage;
     this->ShaderStage.Modified();
   }
-  const bool isFixed = next.Colors == vitrine::StoredColors::HalfFloat && !this->KeepErrorBounds;
   chosen.Bounds.Ask(this->ErrorBudget, this->KeepErrorBounds,
-    isFixed ? vitrine::GuaranteedError(next.Colors, chosen.Kind) : 0.0);
+    this->KeepErrorBounds ? 0.0 : vitrine::GuaranteedError(next.Colors, chosen.Kind));
 }
 
 //------------------------------------------------------------------------------
 bool vtkErrorBudgetTransparencyPass::ExceedsBudget()
 {
   const Choice& chosen = *this->Chosen;
-  const bool isChecked = chosen.Frame.Colors == vitrine::StoredColors::Compact || chosen.IsCut();
-  return isChecked && chosen.Bounds.ReadLargest() > this->ErrorBudget;
+  return chosen.IsCut() && chosen.Bounds.ReadLargest() > this->ErrorBudget;
 }
 
 //------------------------------------------------------------------------------
@@ -220,10 +218,7 @@ void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
 {
   Choice& chosen = *this->Chosen;
   const double stored = vitrine::GuaranteedError(chosen.Frame.Colors, chosen.Kind);
-  const bool isCompact = chosen.Frame.Colors == vitrine::StoredColors::Compact;
-  this->GuaranteedError = chosen.IsCut() ? this->ErrorBudget
-    : isCompact                          ? std::min(stored, this->ErrorBudget)
-                                         : stored;
+  this->GuaranteedError = chosen.IsCut() ? this->ErrorBudget : stored;
   if (chosen.Frame.HiddenLight > 0.0)
   {
     chosen.Hidden.EndFrame();

@@ -5,14 +5,15 @@
  * The budget is the greatest error of a channel of the 8-bit picture that is allowed. Its own rounding of 0.5/255 is
  * included. Before each frame the pass chooses how fragments are stored:
  *
- * - Nodes are half floats, which keep each budget from 0.6/255 on, or compact, which are smaller and faster.
+ * - Nodes are half floats, which keep each budget from 0.6/255 on, or compact, which are smaller and faster, and keep
+ *   budgets from 1.4/255 on. In multisampled windows compact nodes keep budgets from 1.9/255 on.
  * - Lists are packed, with the room that the last frame predicts, or linked.
  * - Where many layers lie behind each other, a frame finds the depth behind which less light shines through than the
  *   budget can spare. The next frame neither shades nor stores what is behind it. GetNumberOfFragments() and the like
  *   tell what is stored. With PartNumbers all fragments are stored.
  *
- * A choice is a guess that the frame itself checks. With compact nodes, and where something is left out, the resolve
- * bounds the error of each pixel. If a bound exceeds the budget, the frame is drawn again without that guess before
+ * Room and what is left out are guesses that the frame itself checks. Where something is left out, the resolve bounds
+ * the error of each pixel. If a bound exceeds the budget, the frame is drawn again without that guess before
  * anything is shown. So the budget is kept in each frame. After a wrong guess the pass does not make that guess for 32
  * to 1,024 frames.
  *

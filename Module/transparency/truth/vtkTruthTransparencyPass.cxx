@@ -52,6 +52,13 @@ static_assert(vitrine::CapturedFragment::Added == VITRINE_ADDED_FRAGMENT, "layou
 
 constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
 
+vitrine::TargetRange RangeOf(const vitrine::RenderTarget& target, bool isLightAdded)
+{
+  return !target.FixedPoint ? vitrine::TargetRange::NonNegative
+    : isLightAdded          ? vitrine::TargetRange::UnitWithAddedLight
+                            : vitrine::TargetRange::Unit;
+}
+
 std::vector<vitrine::PixelRegion> Split(const vitrine::PixelRegion& region, int parts)
 {
   // Split by rows while there are several, then by columns.
@@ -317,8 +324,7 @@ std::string vtkTruthTransparencyPass::RenderFragments(
     return problem;
   }
   vitrine::ReferenceCompositor compositor(target.Width, target.Height, std::max(target.Samples, 1),
-    target.FixedPoint ? vitrine::TargetRange::Unit : vitrine::TargetRange::NonNegative,
-    in.ReadBackdrop(window, target));
+    RangeOf(target, this->HasAdditiveFragments()), in.ReadBackdrop(window, target));
 
   this->NumberOfSamples = 0;
   problem = this->Capture(s, target, target.Region, compositor);

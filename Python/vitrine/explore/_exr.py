@@ -98,8 +98,12 @@ def _as_drawn(fragments: Fragments, colors: numpy.ndarray, opacities: numpy.ndar
     as they come."""
     is_blended = numpy.array([shade.is_blended for shade in fragments.shades])[fragments.shade]
     is_opaque = (opacities >= 1.0) & ~is_blended
-    bits = numpy.column_stack([colors, opacities]).astype(numpy.float32).view(numpy.int32)
-    packed = (bits + 0x800) >> 12  # as PackedColor.glsl rounds them
+    moved = numpy.clip(opacities, 0, 1).astype(numpy.float32) + numpy.float32(1 / 32768)  # as in FineColor.glsl
+    alphas = (moved.view(numpy.int32) - (0x38000000 - 0x400)) >> 11
+    steps = numpy.clip(colors, 0, 1).astype(numpy.float32) * numpy.float32(51840)
+    fine = numpy.column_stack([(steps + numpy.float32(0.5)).astype(numpy.int32), alphas])
+    coarse = numpy.column_stack([(fine[:, :3] + 64) >> 7, (alphas + 8) >> 4])
+    packed = numpy.column_stack([fine, coarse])
     packed[is_opaque] = 0
     run = numpy.cumsum(~fragments.is_tied)
     return numpy.lexsort((*packed.T, is_opaque, run))

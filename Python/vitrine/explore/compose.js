@@ -120,7 +120,7 @@ class Composer {
     }
     if (clear.length > 1) {
       const lit = (i, channel) => this.lit[3 * i + channel] / 255;
-      const keys = new Map(clear.map((i) => [i, [this.alpha(i, opacity), lit(i, 2), lit(i, 1), lit(i, 0)].map(packed)]));
+      const keys = new Map(clear.map((i) => [i, orderOf(this.alpha(i, opacity), lit(i, 2), lit(i, 1), lit(i, 0))]));
       clear.sort((a, b) => {
         const x = keys.get(a), y = keys.get(b);
         const k = x.findIndex((value, at) => value !== y[at]);
@@ -151,10 +151,14 @@ class Composer {
 
 const one = new Float32Array(1), bitsOfOne = new Uint32Array(one.buffer);
 
-/** A number that orders colours and opacities as their packed ones are ordered (Shaders/PackedColor.glsl). */
-function packed(value) {
-  one[0] = value;
-  return (bitsOfOne[0] + 0x800) >>> 12;
+/** Numbers by which fragments of equal depth are ordered, the first ones first (Shaders/FineColor.glsl). */
+function orderOf(alpha, ...colors) {
+  one[0] = Math.fround(alpha) + 1 / 32768;
+  const fine = [(bitsOfOne[0] - (0x38000000 - 0x400)) >>> 11, ...colors.map((color) => {
+    one[0] = Math.fround(Math.fround(color) * 51840) + 0.5;
+    return Math.floor(one[0]);
+  })];
+  return [...fine.map((code, k) => (k === 0 ? (code + 8) >> 4 : (code + 64) >> 7)), ...fine];
 }
 
 /** The colour of a fragment from 0 to 255, of its light in STEPS and the share of its part's colour. */
