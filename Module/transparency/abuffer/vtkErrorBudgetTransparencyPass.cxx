@@ -35,12 +35,18 @@ struct vtkErrorBudgetTransparencyPass::Choice
   bool HasNothing = false;          // The last frame had nothing translucent, and no error.
   bool HasPixels = false;           // The bounds of its pixels were kept.
   int FrameSize[2] = {};
-  std::vector<vitrine::PlannedMethod> Plan;
+  bool KnowsAFrame = false;         // Some frame was drawn by this pass.
 
-  vitrine::PlannedMethod Planned(int index) const
+  std::vector<vitrine::PlannedMethod> Plan(double budget)
   {
-    const bool isThere = index >= 0 && index < static_cast<int>(this->Plan.size());
-    return isThere ? this->Plan[static_cast<std::size_t>(index)]
+    return this->KnowsAFrame ? this->Chooser.Plan(budget, this->Kind)
+                             : std::vector<vitrine::PlannedMethod>();
+  }
+  vitrine::PlannedMethod Planned(int index, double budget)
+  {
+    const std::vector<vitrine::PlannedMethod> plan = this->Plan(budget);
+    const bool isThere = index >= 0 && index < static_cast<int>(plan.size());
+    return isThere ? plan[static_cast<std::size_t>(index)]
                    : vitrine::PlannedMethod{ {}, 0.0, 0.0, 0, false, {} };
   }
 
@@ -233,7 +239,7 @@ void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
   chosen.Chooser.NoteFrame(chosen.Frame,
     { this->NumberOfFragments, this->MaximumNumberOfLayers, passes, this->NumberOfBands,
       chosen.IsCut() });
-  chosen.Plan = chosen.Chooser.Plan(this->ErrorBudget, chosen.Kind);
+  chosen.KnowsAFrame = true;
 }
 
 //------------------------------------------------------------------------------
@@ -283,37 +289,37 @@ std::string vtkErrorBudgetTransparencyPass::GetBudgetProblem()
 //------------------------------------------------------------------------------
 int vtkErrorBudgetTransparencyPass::GetNumberOfPlannedMethods()
 {
-  return static_cast<int>(this->Chosen->Plan.size());
+  return static_cast<int>(this->Chosen->Plan(this->ErrorBudget).size());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkErrorBudgetTransparencyPass::GetPlannedMethod(int index)
 {
-  return this->Chosen->Planned(index).Method;
+  return this->Chosen->Planned(index, this->ErrorBudget).Method;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkErrorBudgetTransparencyPass::GetPlannedReason(int index)
 {
-  return this->Chosen->Planned(index).Reason;
+  return this->Chosen->Planned(index, this->ErrorBudget).Reason;
 }
 
 //------------------------------------------------------------------------------
 double vtkErrorBudgetTransparencyPass::GetPlannedError(int index)
 {
-  return this->Chosen->Planned(index).Error;
+  return this->Chosen->Planned(index, this->ErrorBudget).Error;
 }
 
 //------------------------------------------------------------------------------
 double vtkErrorBudgetTransparencyPass::GetPlannedPasses(int index)
 {
-  return this->Chosen->Planned(index).Passes;
+  return this->Chosen->Planned(index, this->ErrorBudget).Passes;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkErrorBudgetTransparencyPass::GetPlannedBytes(int index)
 {
-  return this->Chosen->Planned(index).Bytes;
+  return this->Chosen->Planned(index, this->ErrorBudget).Bytes;
 }
 
 //------------------------------------------------------------------------------
