@@ -81,7 +81,9 @@ float boundOf(ErrorBound bound, float transmittance, vec4 behind, float ofHidden
   float storage = seen * VITRINE_COLOR_ROUNDING + VITRINE_ALPHA_ROUNDING * alphas;
   storage *= 1.0 + 32.0 * VITRINE_ALPHA_ROUNDING; // for errors of higher order
   vec4 steps = clamp(written, 0.0, 1.0) * 255.0;
-  float rounding = largestOf(abs(steps.rgb - floor(steps.rgb + 0.5))) * (1.0 / 255.0);
+  vec4 roundings = abs(steps - floor(steps + 0.5)) * (1.0 / 255.0);
+  // What hides is missing in the alpha channel, too. Without it, storage alone keeps that channel within any budget.
+  float rounding = max(largestOf(roundings.rgb), ofHidden > 0.0 ? roundings.a : 0.0);
   return storage + rounding + VITRINE_DEVICE_ROUNDING;
 }
 
