@@ -38,8 +38,8 @@ class Stats:
 
     chosen is the method that automatic chose for the frame, and empty without it. guaranteed_error is the largest error
     of a channel in [0, 1] that the picture can have, and None without automatic. budget_problem says why the error that
-    was asked for is not promised, and is empty if it is. With several renderers the error is the largest, and texts are
-    put together.
+    was asked for is not promised, and is empty if it is. With several renderers the error is the largest, the errors of
+    layers of a window are added, and texts are put together.
 
     stages has the seconds that the stages of a frame took on the device, by name, summed over renderers. It is empty
     unless the method was told SetMeasureStages(True); vtkSeeThroughPass.GetAttached(renderer).GetTranslucentPass() is
@@ -82,7 +82,7 @@ def error_bound(target: Any) -> numpy.ndarray:
     target: as of see_through().
 
     Returns a float32 array (height, width) of the framebuffer, rows from the top. Where renderers of a window overlap,
-    it has the larger bound. It reads the device, so its time is that of a screenshot.
+    it has the sum of their bounds. It reads the device, so its time is that of a screenshot.
 
     Raises as stats() does, and ValueError if bounds were not kept.
 
@@ -113,7 +113,7 @@ def error_bound(target: Any) -> numpy.ndarray:
             "no bounds were kept: call see_through() with error_bounds=True and an error such as 2 / 255, "
             "and draw something translucent"
         )
-    return functools.reduce(numpy.maximum, kept)
+    return functools.reduce(numpy.add, kept)
 
 
 def _bounds_of(method: vtkErrorBudgetTransparencyPass) -> numpy.ndarray | None:
@@ -154,10 +154,21 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
         culled_parts=sum(culler.GetNumberOfCulledParts() for culler in cullers),
         set_aside=_reasons(frame.GetSetAsideReason() for frame in frames),
         chosen=", ".join(sorted({found.GetChosenMethod() for found in budgets} - {""})),
-        guaranteed_error=max((found.GetGuaranteedError() for found in budgets), default=None),
+        guaranteed_error=_error_of_layers(renderers) if budgets else None,
         budget_problem=_reasons(found.GetBudgetProblem() for found in budgets),
         stages=_stages(methods),
     )
+
+
+def _error_of_layers(renderers: Iterable[vtkRenderer]) -> float:
+    """The largest error of each layer, added: what a layer draws is behind the next one."""
+    errors: dict[int, float] = {}
+    for renderer in renderers:
+        method = _method_of(_root_of(renderer))
+        if isinstance(method, vtkErrorBudgetTransparencyPass):
+            layer = renderer.GetLayer()
+            errors[layer] = max(errors.get(layer, 0.0), method.GetGuaranteedError())
+    return sum(errors.values())
 
 
 def _stages(methods: Iterable[Any]) -> dict[str, float]:

@@ -113,6 +113,21 @@ class Budgets(unittest.TestCase):
         guaranteed = [vitrine.stats(renderer).guaranteed_error for renderer in (left, right)]
         self.assertEqual(told.guaranteed_error, max(guaranteed))
 
+    def test_layers_are_added(self):
+        behind, front = glass(), glass()
+        front.SetLayer(1)
+        window = window_with(behind)
+        window.AddRenderer(front)
+        window.SetNumberOfLayers(2)
+        vitrine.see_through(behind, error=2 * STEP, error_bounds=True)
+        vitrine.see_through(front, error=STEP, error_bounds=True)
+        window.Render()
+        bounds = [vitrine.error_bound(each) for each in (behind, front)]
+        self.assertGreater(min(bound.max() for bound in bounds), 0)
+        self.assertLess(abs(vitrine.error_bound(window) - bounds[0] - bounds[1]).max(), 1e-8)
+        guaranteed = [vitrine.stats(each).guaranteed_error for each in (behind, front)]
+        self.assertEqual(vitrine.stats(window).guaranteed_error, sum(guaranteed))
+
 
 class Misuse(unittest.TestCase):
     def test_bad_errors_raise_one_clear_exception(self):
