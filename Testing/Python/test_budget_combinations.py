@@ -7,7 +7,7 @@ from scenes import actor_of, plate, plates_renderer, window_with
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderPassCollection, vtkRenderStepsPass, vtkSequencePass
 
 import vitrine
@@ -57,6 +57,15 @@ def drawn_pixels(window):
     data = vtkUnsignedCharArray()
     window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, data)
     return vtk_to_numpy(data).reshape(height, width, 4) / 255.0
+
+
+def in_tiles(window):
+    """A picture of twice the width and height, in steps."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.SetScale(2)
+    grab.Update()
+    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).astype(int)
 
 
 def turn(renderer):
@@ -189,6 +198,16 @@ class Combinations(unittest.TestCase):
         window = window_with(renderer, size=SIZE)
         sizes = (SIZE, (130, 40), (130, 40), (50, 70))
         self.check(renderer, window=window, change=lambda view: window.SetSize(sizes[view]))
+
+    def test_tiles_of_large_screenshots(self):
+        renderer = glass()
+        window = window_with(renderer, size=SIZE)
+        with vitrine.see_through(renderer, "truth"):
+            exact = in_tiles(window)
+        with vitrine.see_through(renderer, error=2 / 255):
+            window.Render()
+            for _ in range(2):
+                self.assertLessEqual(abs(in_tiles(window) - exact).max(), 2)  # both are rounded
 
     def test_transparent_backgrounds(self):
         renderer = glass()
