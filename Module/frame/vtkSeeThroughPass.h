@@ -76,6 +76,9 @@ public:
    * vtkErrorBudgetTransparencyPass. If it is one already, it stays and takes the budget. 0 puts the TranslucentPass
    * back that was there before, or a vtkLinkedListTransparencyPass if there was none. Any other value is an error and
    * is ignored.
+   *
+   * The CutOff of the LightingPass is part of the budget. While a frame is drawn, it is half of the budget, or less if
+   * fragments need more. A CutOff below that, other than the default, stays.
    */
   void SetErrorBudget(double budget);
   double GetErrorBudget();

@@ -50,6 +50,19 @@ TEST(GuaranteedErrors, AreThoseOfRoundingAndStorage)
     0.5 + 127.5 / 405.0 + 255.0 / 512.0, 0.1);
 }
 
+TEST(GuaranteedErrors, LeaveTheRestToColors)
+{
+  EXPECT_EQ(vitrine::ColorErrorToSpare(vitrine::LeastBudget, Plain()), 0.0);
+  EXPECT_NEAR(vitrine::ColorErrorToSpare(2.0 * OneStep, Plain()), 1.4 * OneStep, 1e-9);
+  PictureKind curved;
+  curved.EncodesSRGB = true;
+  const double spare = vitrine::ColorErrorToSpare(4.0 * OneStep, curved);
+  EXPECT_GT(spare, 0.0);
+  EXPECT_NEAR(
+    GuaranteedError(StoredColors::HalfFloat, curved) + vitrine::ErrorOfColors(spare, curved),
+    4.0 * OneStep, 1e-9);
+}
+
 TEST(GuaranteedErrors, GrowWithWhatAddsToThem)
 {
   const double plain = GuaranteedError(StoredColors::HalfFloat, Plain());

@@ -4,12 +4,13 @@ import os
 import subprocess
 import sys
 
+import numpy
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, the factory of text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the factory of everything else
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 import vitrine
 
@@ -63,6 +64,20 @@ def cone_renderer(opacity=1.0):
     cone.GetProperty().SetOpacity(opacity)
     renderer.AddActor(cone)
     return renderer
+
+
+def add_lights(renderer, count):
+    """Small lamps of several colours around the origin."""
+    random = numpy.random.default_rng(count)
+    for _ in range(count):
+        light = vtkLight()
+        light.PositionalOn()
+        light.SetConeAngle(180)
+        light.SetPosition(random.uniform(-2, 2, 3))
+        light.SetColor(random.uniform(0.2, 1, 3))
+        light.SetIntensity(0.5)
+        light.SetAttenuationValues(1, 0, 4)
+        renderer.AddLight(light)
 
 
 def window_with(renderer, size=(64, 48), multisamples=0):

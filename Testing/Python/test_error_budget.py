@@ -6,7 +6,7 @@ import math
 import unittest
 
 import numpy
-from scenes import Plotter, drawn, pixels, plate, plates, plates_renderer, window_with
+from scenes import Plotter, add_lights, drawn, pixels, plate, plates, plates_renderer, window_with
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
@@ -127,6 +127,47 @@ class Budgets(unittest.TestCase):
         self.assertLess(abs(vitrine.error_bound(window) - bounds[0] - bounds[1]).max(), 1e-8)
         guaranteed = [vitrine.stats(each).guaranteed_error for each in (behind, front)]
         self.assertEqual(vitrine.stats(window).guaranteed_error, sum(guaranteed))
+
+
+class Lights(unittest.TestCase):
+    def test_that_are_left_out_have_a_share(self):
+        """Pixels without fragments are off by what lights may lack."""
+        default = vitrine.vtkClusteredLightsPass.GetDefaultCutOff()
+        for steps, own, share in (
+            (8, default * 255, 4),
+            (2, default * 255, 1),
+            (1, default * 255, 0.4),
+            (0.6, default * 255, 0),
+            (8, 2, 2),
+            (2, 0, 0),
+            (2, 5, 1),
+        ):
+            with self.subTest(steps=steps, own=own):
+                renderer = glass()
+                add_lights(renderer, 9)
+                vitrine.see_through(renderer, error=steps / 255, error_bounds=True, lights=True)
+                frame = vitrine.vtkSeeThroughPass.GetAttached(renderer)
+                frame.GetLightingPass().SetCutOff(own / 255)
+                window = drawn(renderer)
+                window.Render()
+                bound = 255 * vitrine.error_bound(renderer)
+                self.assertAlmostEqual(bound[-4:].min(), share, 4)
+                self.assertAlmostEqual(bound[-4:].max(), share, 4)
+                told = vitrine.stats(renderer)
+                self.assertEqual((told.lights, told.budget_problem), (9, ""))
+                self.assertLessEqual(bound.max(), 255 * told.guaranteed_error + 1e-3)
+                self.assertLessEqual(told.guaranteed_error, steps / 255 + 1e-9)
+                self.assertAlmostEqual(255 * frame.GetLightingPass().GetCutOff(), own)
+                self.assertEqual(frame.GetTranslucentPass().GetColorError(), 0)
+
+    def test_of_other_pictures_leave_what_fragments_need(self):
+        window = window_with(glass(), multisamples=4)
+        add_lights(window.GetRenderers().GetFirstRenderer(), 9)
+        vitrine.see_through(window, error=1.3 / 255, lights=True)
+        window.Render()  # before it is known that samples are rounded, too
+        self.assertIn("errors of up to 1.75", vitrine.stats(window).budget_problem)
+        window.Render()
+        self.assertEqual(vitrine.stats(window).budget_problem, "")
 
 
 class Misuse(unittest.TestCase):

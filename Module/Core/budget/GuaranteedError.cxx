@@ -2,6 +2,7 @@
 
 #include "Shaders/SharedLayout.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace vitrine
@@ -55,7 +56,18 @@ double GuaranteedError(StoredColors colors, const PictureKind& kind)
     return std::numeric_limits<double>::infinity();
   }
   const double stored = StorageError(colors, kind) + (kind.Coincidence ? QuadratureError : 0.0);
-  return RoundingOfPicture(kind) + stored * (kind.EncodesSRGB ? SteepestOfSRGB : 1.0);
+  return RoundingOfPicture(kind) + ErrorOfColors(stored, kind);
+}
+
+double ErrorOfColors(double error, const PictureKind& kind)
+{
+  return error * (kind.EncodesSRGB ? SteepestOfSRGB : 1.0);
+}
+
+double ColorErrorToSpare(double budget, const PictureKind& kind)
+{
+  const double least = std::max(LeastBudget, GuaranteedError(StoredColors::HalfFloat, kind));
+  return std::max(0.0, budget - least) / ErrorOfColors(1.0, kind);
 }
 
 }

@@ -46,5 +46,11 @@ inline constexpr double LeastBudget = 0.6 / 255.0;
  */
 double GuaranteedError(StoredColors colors, const PictureKind& kind);
 
+/** Returns how far a picture of a kind may be off if the colours of which it is composited are off by `error`. */
+double ErrorOfColors(double error, const PictureKind& kind);
+
+/** Returns how far colours may be off in a picture of a kind such that half floats still keep the budget. */
+double ColorErrorToSpare(double budget, const PictureKind& kind);
+
 }
 #endif

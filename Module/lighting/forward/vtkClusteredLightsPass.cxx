@@ -71,6 +71,7 @@ struct vtkClusteredLightsPass::Internals
 namespace
 {
 
+const double DefaultCutOff = 0.5 / 255.0;
 const vitrine::EnumNames GridSpaces{ { "view", "world" } };
 const vitrine::EnumNames SliceLaws{ { "exponential", "uniform", "NDC uniform" } };
 
@@ -88,7 +89,8 @@ std::uint32_t CellsLike(vtkRenderer* renderer, const vitrine::ClusterSettings& s
 
 //------------------------------------------------------------------------------
 vtkClusteredLightsPass::vtkClusteredLightsPass()
-  : Private(new Internals)
+  : CutOff(DefaultCutOff)
+  , Private(new Internals)
 {
 }
 
@@ -149,6 +151,12 @@ vtkRenderPass* vtkClusteredLightsPass::GetDelegatePass()
 void vtkClusteredLightsPass::SetCutOff(double cutOff)
 {
   vitrine::SetInRange(this, "CutOff", this->CutOff, cutOff, { 0.0, 1.0 });
+}
+
+//------------------------------------------------------------------------------
+double vtkClusteredLightsPass::GetDefaultCutOff()
+{
+  return DefaultCutOff;
 }
 
 //------------------------------------------------------------------------------

@@ -90,11 +90,17 @@ public:
   /**
    * Get/Set the maximum error of a colour channel, in [0, 1], due to all lights together that are left out where they
    * contribute little. With 0, only lights that contribute nothing are left out. The range is 0 to 1, the default is
-   * 0.5 / 255. A value out of range is an error.
+   * 0.5 / 255. A value out of range is an error. A vtkSeeThroughPass with an ErrorBudget sets it while it draws a
+   * frame.
    */
   void SetCutOff(double cutOff);
   vtkGetMacro(CutOff, double);
   ///@}
+
+  /**
+   * Get the default of the CutOff, 0.5 / 255.
+   */
+  static double GetDefaultCutOff();
 
   /**
    * Get the reason why the last frame was lit by VTK's mappers and not by clusters. The string is empty if it was lit
@@ -277,7 +283,7 @@ protected:
    */
   void SetFallbackReason(const std::string& reason);
 
-  double CutOff = 0.5 / 255.0;
+  double CutOff;
   int GridSpace = VIEW;
   int TileSize = 64;
   int NumberOfSlices = 16;

@@ -36,11 +36,21 @@ struct vtkErrorBudgetTransparencyPass::Choice
   bool HasPixels = false;           // The bounds of its pixels were kept.
   int FrameSize[2] = {};
   bool KnowsAFrame = false;         // Some frame was drawn by this pass.
+  vitrine::PixelRegion Region;      // of the last frame that was drawn
+  double ErrorOfColors = 0.0;       // of the last frame
 
   std::vector<vitrine::PlannedMethod> Plan(double budget)
   {
-    return this->KnowsAFrame ? this->Chooser.Plan(budget, this->Kind)
-                             : std::vector<vitrine::PlannedMethod>();
+    std::vector<vitrine::PlannedMethod> plan;
+    if (this->KnowsAFrame)
+    {
+      plan = this->Chooser.Plan(budget, this->Kind);
+    }
+    for (vitrine::PlannedMethod& method : plan)
+    {
+      method.Error += this->ErrorOfColors;
+    }
+    return plan;
   }
   vitrine::PlannedMethod Planned(int index, double budget)
   {
@@ -74,6 +84,7 @@ void vtkErrorBudgetTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ErrorBudget: " << this->ErrorBudget << "\n";
+  os << indent << "ColorError: " << this->ColorError << "\n";
   os << indent << "KeepErrorBounds: " << (this->KeepErrorBounds ? "On" : "Off") << "\n";
   os << indent << "GuaranteedError: " << this->GuaranteedError << "\n";
   os << indent << "ChosenMethod: " << this->GetChosenMethod() << "\n";
@@ -95,6 +106,31 @@ void vtkErrorBudgetTransparencyPass::SetErrorBudget(double budget)
     this->ErrorBudget = budget;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkErrorBudgetTransparencyPass::SetColorError(double error)
+{
+  vitrine::SetInRange(this, "ColorError", this->ColorError, error, { 0.0, 1.0 });
+}
+
+//------------------------------------------------------------------------------
+double vtkErrorBudgetTransparencyPass::GetColorErrorToSpare()
+{
+  return vitrine::ColorErrorToSpare(this->ErrorBudget, this->Chosen->Kind);
+}
+
+//------------------------------------------------------------------------------
+double vtkErrorBudgetTransparencyPass::GetErrorOfColors() const
+{
+  return vitrine::ErrorOfColors(this->ColorError, this->Chosen->Kind);
+}
+
+//------------------------------------------------------------------------------
+// What is left of the budget for how fragments are stored.
+double vtkErrorBudgetTransparencyPass::GetOwnBudget() const
+{
+  return this->ErrorBudget - this->GetErrorOfColors();
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +212,7 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
   {
     chosen.FrameSize[0] = target.Width;
     chosen.FrameSize[1] = target.Height;
+    chosen.Region = target.Region;
     this->NoteFrame(passes);
   }
   return problem;
@@ -195,7 +232,7 @@ std::string vtkErrorBudgetTransparencyPass::RenderChosen(
 void vtkErrorBudgetTransparencyPass::TakeChoice()
 {
   Choice& chosen = *this->Chosen;
-  const vitrine::FrameChoice next = chosen.Chooser.Choose(this->ErrorBudget, chosen.Kind);
+  const vitrine::FrameChoice next = chosen.Chooser.Choose(this->GetOwnBudget(), chosen.Kind);
   if (next.IsPacked != chosen.Frame.IsPacked)
   {
     this->ReleaseStore();
@@ -208,7 +245,7 @@ void vtkErrorBudgetTransparencyPass::TakeChoice()
     this->ColorStorage = storage;
     this->ShaderStage.Modified();
   }
-  chosen.Bounds.Ask(this->ErrorBudget, this->KeepErrorBounds,
+  chosen.Bounds.Ask(this->GetOwnBudget(), this->KeepErrorBounds,
     this->KeepErrorBounds ? 0.0 : vitrine::GuaranteedError(next.Colors, chosen.Kind));
 }
 
@@ -216,7 +253,7 @@ void vtkErrorBudgetTransparencyPass::TakeChoice()
 bool vtkErrorBudgetTransparencyPass::ExceedsBudget()
 {
   const Choice& chosen = *this->Chosen;
-  return chosen.IsCut() && chosen.Bounds.ReadLargest() > this->ErrorBudget;
+  return chosen.IsCut() && chosen.Bounds.ReadLargest() > this->GetOwnBudget();
 }
 
 //------------------------------------------------------------------------------
@@ -224,7 +261,9 @@ void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
 {
   Choice& chosen = *this->Chosen;
   const double stored = vitrine::GuaranteedError(chosen.Frame.Colors, chosen.Kind);
-  this->GuaranteedError = chosen.IsCut() ? this->ErrorBudget : stored;
+  chosen.ErrorOfColors = this->GetErrorOfColors();
+  this->GuaranteedError =
+    chosen.ErrorOfColors + (chosen.IsCut() ? this->GetOwnBudget() : stored);
   if (chosen.Frame.HiddenLight > 0.0)
   {
     chosen.Hidden.EndFrame();
@@ -261,8 +300,20 @@ bool vtkErrorBudgetTransparencyPass::GetErrorBound(vtkImageData* image)
   image->SetDimensions(chosen.FrameSize[0], chosen.FrameSize[1], 1);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* const pixels = static_cast<float*>(image->GetScalarPointer());
-  std::fill_n(pixels, image->GetNumberOfPoints(), static_cast<float>(this->GuaranteedError));
-  std::copy(bounds.begin(), bounds.end(), pixels);
+  std::fill_n(pixels, image->GetNumberOfPoints(), 0.0f);
+  const vitrine::PixelRegion& region = chosen.Region;
+  const auto all = static_cast<float>(this->GuaranteedError);
+  const auto ofColors = static_cast<float>(chosen.ErrorOfColors);
+  for (int y = region.Y; y < region.Y + region.Height; ++y)
+  {
+    for (int x = region.X; x < region.X + region.Width; ++x)
+    {
+      const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(chosen.FrameSize[0]) +
+        static_cast<std::size_t>(x);
+      pixels[pixel] = bounds.empty() ? all : bounds[pixel] + ofColors;
+    }
+  }
   return true;
 }
 
@@ -289,37 +340,37 @@ std::string vtkErrorBudgetTransparencyPass::GetBudgetProblem()
 //------------------------------------------------------------------------------
 int vtkErrorBudgetTransparencyPass::GetNumberOfPlannedMethods()
 {
-  return static_cast<int>(this->Chosen->Plan(this->ErrorBudget).size());
+  return static_cast<int>(this->Chosen->Plan(this->GetOwnBudget()).size());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkErrorBudgetTransparencyPass::GetPlannedMethod(int index)
 {
-  return this->Chosen->Planned(index, this->ErrorBudget).Method;
+  return this->Chosen->Planned(index, this->GetOwnBudget()).Method;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkErrorBudgetTransparencyPass::GetPlannedReason(int index)
 {
-  return this->Chosen->Planned(index, this->ErrorBudget).Reason;
+  return this->Chosen->Planned(index, this->GetOwnBudget()).Reason;
 }
 
 //------------------------------------------------------------------------------
 double vtkErrorBudgetTransparencyPass::GetPlannedError(int index)
 {
-  return this->Chosen->Planned(index, this->ErrorBudget).Error;
+  return this->Chosen->Planned(index, this->GetOwnBudget()).Error;
 }
 
 //------------------------------------------------------------------------------
 double vtkErrorBudgetTransparencyPass::GetPlannedPasses(int index)
 {
-  return this->Chosen->Planned(index, this->ErrorBudget).Passes;
+  return this->Chosen->Planned(index, this->GetOwnBudget()).Passes;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeInt64 vtkErrorBudgetTransparencyPass::GetPlannedBytes(int index)
 {
-  return this->Chosen->Planned(index, this->ErrorBudget).Bytes;
+  return this->Chosen->Planned(index, this->GetOwnBudget()).Bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -329,11 +380,12 @@ void vtkErrorBudgetTransparencyPass::RenderNothing()
   Choice& chosen = *this->Chosen;
   chosen.HasFrame = false;
   chosen.Hidden.Forget();
-  this->GuaranteedError = 0.0;
+  this->GuaranteedError = this->GetErrorOfColors();
   if (vtkOpenGLRenderWindow* const window = this->GetWindow())
   {
     chosen.HasNothing = true;
     std::copy_n(window->GetActualSize(), 2, chosen.FrameSize);
+    chosen.Region = { 0, 0, chosen.FrameSize[0], chosen.FrameSize[1] };
   }
 }
 

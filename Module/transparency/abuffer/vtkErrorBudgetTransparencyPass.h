@@ -74,6 +74,22 @@ public:
 
   ///@{
   /**
+   * Get/Set how far the colours of fragments and of the picture behind them may be off before this pass draws, since
+   * lights were left out or the like. It is part of the ErrorBudget, and of all errors that this pass tells. The pass
+   * keeps the rest of the budget. vtkSeeThroughPass sets it while it draws a frame with a LightingPass. The range is 0
+   * to 1, the default is 0. A value out of range is an error.
+   */
+  void SetColorError(double error);
+  vtkGetMacro(ColorError, double);
+  ///@}
+
+  /**
+   * Get the largest ColorError with which the ErrorBudget can be kept in pictures like that of the last frame.
+   */
+  double GetColorErrorToSpare();
+
+  ///@{
+  /**
    * Set/Get whether the bounds of all pixels of a frame are kept for GetErrorBound(). The default is false.
    */
   vtkSetMacro(KeepErrorBounds, bool);
@@ -84,8 +100,9 @@ public:
   /**
    * Get upper bounds of the errors of the last frame's pixels as an image of one float component, by rows from the
    * bottom of the framebuffer. No channel of a pixel differs from truth by more. A pixel without translucent fragments
-   * has 0. In multisampled windows, with a coincidence tolerance, in targets other than 8-bit ones and with fragments
-   * that are added, all pixels have the bound of such pictures. Returns false, and leaves the image alone, if
+   * has the ColorError, and a pixel outside of the viewport has 0. In multisampled windows, with a coincidence
+   * tolerance, in targets other than 8-bit ones and with fragments that are added, all pixels of the viewport have the
+   * bound of such pictures. Returns false, and leaves the image alone, if
    * KeepErrorBounds was off in the last frame or if another method drew it.
    */
   bool GetErrorBound(vtkImageData* image);
@@ -143,6 +160,7 @@ protected:
   void ForgetMethodResources() override;
 
   double ErrorBudget = 1.0 / 255.0;
+  double ColorError = 0.0;
   bool KeepErrorBounds = false;
   double GuaranteedError = 0.0;
   vtkTypeInt64 NumberOfWrongGuesses = 0;
@@ -151,6 +169,8 @@ private:
   vtkErrorBudgetTransparencyPass(const vtkErrorBudgetTransparencyPass&) = delete;
   void operator=(const vtkErrorBudgetTransparencyPass&) = delete;
 
+  double GetErrorOfColors() const;
+  double GetOwnBudget() const;
   void TakeChoice();
   bool ExceedsBudget();
   std::string RenderChosen(const vtkRenderState* s, const vitrine::RenderTarget& target);
