@@ -1,9 +1,12 @@
 #include "vtkSeeThroughPass.h"
 
+#include "Core/budget/FrameTimeBudget.h"
 #include "frame/ChainEdit.h"
+#include "frame/FrameClock.h"
 #include "frame/RendererFlags.h"
 #include "gl/VitrineOpenGL.h"
 #include "scene/PassTraits.h"
+#include "scene/Settings.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkClusteredLightsPass.h"
@@ -25,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -32,6 +36,9 @@ vtkStandardNewMacro(vtkSeeThroughPass);
 
 namespace
 {
+
+/** The largest error budget for a frame time if no other was set. */
+constexpr double LargestTimedBudget = 32.0 / 255.0;
 
 // A renderer serves a hardware selector itself, but only if no pass is set. With a pass it leaves all drawing to the
 // pass, and no pass of VTK serves selectors.
@@ -225,6 +232,11 @@ struct vtkSeeThroughPass::Internals
   vtkSmartPointer<vtkClusteredLightsPass> Lighting;
   vtkSmartPointer<vtkRenderPass> Effects;
   vtkSmartPointer<vtkRenderPass> WithoutBudget; ///< The TranslucentPass before SetErrorBudget().
+  double FrameTime = 0.0;                       ///< in milliseconds, 0 for none
+  double LargestBudget = 0.0; ///< with a frame time: the ErrorBudget that was set, 0 for none
+  vtkWeakPointer<vtkErrorBudgetTransparencyPass> Timed; ///< the method that keeps the frame time
+  vitrine::FrameTimeBudget Pace;
+  vitrine::FrameClock Clock;
   vitrine::RendererFlags Flags;
   std::string FallbackReason; ///< Reason of the frame, not of its method.
   std::string SetAsideReason;
@@ -246,6 +258,22 @@ struct vtkSeeThroughPass::Internals
     const bool isAttached =
       inner && inner->Private->Renderer && inner->Private->Renderer == pass->Private->Renderer;
     return isAttached ? inner : nullptr;
+  }
+
+  double LargestTimed() const
+  {
+    return this->LargestBudget > 0.0 ? this->LargestBudget : LargestTimedBudget;
+  }
+
+  /** Has the method keep the budget that the frame time asks for. */
+  void BeginTimedFrame(vtkRenderer* renderer)
+  {
+    this->Pace.Ask(this->FrameTime, this->LargestTimed());
+    for (const vitrine::FrameClock::Frame& frame : this->Clock.Begin(renderer))
+    {
+      this->Pace.NoteFrame(frame.Budget, frame.Milliseconds);
+    }
+    this->Timed->SetErrorBudget(this->Pace.Budget());
   }
 
   void TellSetAside(bool isSetAside)
@@ -276,6 +304,9 @@ void vtkSeeThroughPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LightingPass: " << this->GetLightingPass() << "\n";
   os << indent << "ErrorBudget: " << this->GetErrorBudget() << "\n";
+  os << indent << "FrameTime: " << this->GetFrameTime() << "\n";
+  os << indent << "MeasuredFrameTime: " << this->GetMeasuredFrameTime() << "\n";
+  os << indent << "FrameTimeProblem: " << this->GetFrameTimeProblem() << "\n";
   os << indent << "EffectsPass: " << this->GetEffectsPass() << "\n";
   os << indent << "FallbackReason: " << this->GetFallbackReason() << "\n";
   os << indent << "SetAsideReason: " << this->GetSetAsideReason() << "\n";
@@ -312,6 +343,7 @@ void vtkSeeThroughPass::SetErrorBudget(double budget)
   auto* const current = vtkErrorBudgetTransparencyPass::SafeDownCast(this->TranslucentPass);
   if (budget == 0.0)
   {
+    in.FrameTime = 0.0;
     const vtkSmartPointer<vtkRenderPass> before = std::exchange(in.WithoutBudget, nullptr);
     if (current)
     {
@@ -323,7 +355,12 @@ void vtkSeeThroughPass::SetErrorBudget(double budget)
   const auto method = current ? vtkSmartPointer<vtkErrorBudgetTransparencyPass>(current)
                               : vtkSmartPointer<vtkErrorBudgetTransparencyPass>::New();
   method->SetErrorBudget(budget); // which tells why it refuses a budget
-  if (!current && method->GetErrorBudget() == budget)
+  if (method->GetErrorBudget() != budget)
+  {
+    return;
+  }
+  in.LargestBudget = budget;
+  if (!current)
   {
     in.WithoutBudget = this->TranslucentPass;
     this->SetTranslucentPass(method);
@@ -334,7 +371,77 @@ void vtkSeeThroughPass::SetErrorBudget(double budget)
 double vtkSeeThroughPass::GetErrorBudget()
 {
   auto* const method = vtkErrorBudgetTransparencyPass::SafeDownCast(this->TranslucentPass);
-  return method ? method->GetErrorBudget() : 0.0;
+  return !method ? 0.0 : this->IsTimed() ? this->Private->LargestTimed() : method->GetErrorBudget();
+}
+
+//------------------------------------------------------------------------------
+// The method may have been replaced since. A chain in which this pass is drawn replaces it for a frame.
+bool vtkSeeThroughPass::IsTimed() const
+{
+  const Internals& in = *this->Private;
+  return in.FrameTime > 0.0 && in.Timed && in.Timed == this->TranslucentPass;
+}
+
+//------------------------------------------------------------------------------
+void vtkSeeThroughPass::SetFrameTime(double milliseconds)
+{
+  Internals& in = *this->Private;
+  if (!vitrine::NotNegative.Has(milliseconds))
+  {
+    vtkErrorMacro("FrameTime cannot be "
+      << vitrine::NumberText(milliseconds)
+      << ". It is a finite number of milliseconds, or 0 for none");
+    return;
+  }
+  if (milliseconds == in.FrameTime)
+  {
+    return;
+  }
+  if (milliseconds == 0.0)
+  {
+    in.FrameTime = 0.0;
+    this->SetErrorBudget(in.LargestBudget);
+  }
+  else if (!this->IsTimed())
+  {
+    const double largest = this->GetErrorBudget();
+    this->SetErrorBudget(largest > 0.0 ? largest : LargestTimedBudget);
+    in.LargestBudget = largest;
+    in.Timed = vtkErrorBudgetTransparencyPass::SafeDownCast(this->TranslucentPass);
+  }
+  in.FrameTime = milliseconds;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkSeeThroughPass::GetFrameTime()
+{
+  return this->Private->FrameTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkSeeThroughPass::GetMeasuredFrameTime()
+{
+  return this->IsTimed() ? this->Private->Pace.Milliseconds() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSeeThroughPass::GetFrameTimeProblem()
+{
+  const Internals& in = *this->Private;
+  const double measured = this->GetMeasuredFrameTime();
+  if (measured <= in.FrameTime)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(3);
+  text << "frames take " << measured << " ms, not " << in.FrameTime << " ms";
+  if (in.Pace.IsTooSlow())
+  {
+    text << ", with any error of up to " << 255.0 * in.LargestTimed() << "/255";
+  }
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -493,11 +600,20 @@ void vtkSeeThroughPass::Render(const vtkRenderState* s)
     return;
   }
   const ScopedValue<const vtkRenderer*> drawn(in.Drawn, s->GetRenderer());
+  const bool isTimed = this->IsTimed();
+  if (isTimed)
+  {
+    in.BeginTimedFrame(s->GetRenderer());
+  }
   const ScopedShareOfLights share(in.Lighting, this->TranslucentPass);
   in.FallbackReason.clear();
   if (!in.Effects || !this->RenderChain(s))
   {
     this->RenderOwnFrame(s);
+  }
+  if (isTimed)
+  {
+    in.Clock.End(in.Pace.Budget());
   }
 }
 
@@ -591,6 +707,7 @@ void vtkSeeThroughPass::ReleaseGraphicsResources(vtkWindow* window)
     return;
   }
   const ScopedValue<bool> releasing(in.IsReleasing, true);
+  in.Clock.Release();
   in.Flags.ReleaseGraphicsResources(window);
   for (vtkRenderPass* const pass :
     { static_cast<vtkRenderPass*>(in.Lighting.Get()), in.Effects.Get(), in.WithoutBudget.Get() })

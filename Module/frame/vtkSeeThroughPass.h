@@ -33,6 +33,7 @@
 #include "vtkVitrineRenderingModule.h" // export macro
 
 #include <memory> // for the pass's internals
+#include <string> // for reasons
 
 class vtkClusteredLightsPass;
 class vtkRenderer;
@@ -79,10 +80,35 @@ public:
    *
    * The CutOff of the LightingPass is part of the budget. While a frame is drawn, it is half of the budget, or less if
    * fragments need more. A CutOff below that, other than the default, stays.
+   *
+   * With a FrameTime it is the largest budget that is taken, 32 / 255 if none was set. 0 ends the FrameTime.
    */
   void SetErrorBudget(double budget);
   double GetErrorBudget();
   ///@}
+
+  ///@{
+  /**
+   * Get/Set the time in milliseconds that frames should take at most, on the CPU or on the device, whichever is longer.
+   * The pass takes the least error budget with which they do, from 0.6 / 255 to the ErrorBudget. It measures some
+   * frames before it takes another budget, and the frame's budget is GetErrorBudget() of the TranslucentPass. 0, the
+   * default, is no time: the ErrorBudget is as it was before. A value that is negative or not finite is an error and is
+   * ignored.
+   */
+  void SetFrameTime(double milliseconds);
+  double GetFrameTime();
+  ///@}
+
+  /**
+   * Get the median time of the last frames that were measured for the FrameTime, in milliseconds. It is 0 if there were
+   * none.
+   */
+  double GetMeasuredFrameTime();
+
+  /**
+   * Get why frames take longer than the FrameTime. The string is empty if they do not, or if there is no FrameTime.
+   */
+  std::string GetFrameTimeProblem();
 
   ///@{
   /**
@@ -135,6 +161,7 @@ private:
   vtkSeeThroughPass(const vtkSeeThroughPass&) = delete;
   void operator=(const vtkSeeThroughPass&) = delete;
 
+  bool IsTimed() const;
   bool RenderChain(const vtkRenderState* s);
   void RenderOwnFrame(const vtkRenderState* s);
   void RenderSteps(const vtkRenderState* s);

@@ -22,6 +22,7 @@ _LIGHTS: dict[str, Any] = {
     "clustered": vtkClusteredLightsPass,
     "deferred": vtkDeferredLightsPass,
 }
+_LARGEST_OF_FRAME_MS = 32 / 255  # the largest error that is tried if none is given
 _COLOR_STORAGES = {
     "half-float": vtkABufferTransparencyPass.HALF_FLOAT,
     "8-bit": vtkABufferTransparencyPass.EIGHT_BIT,
@@ -29,11 +30,11 @@ _COLOR_STORAGES = {
 }
 
 
-def method_name(method: str | None, error: float | None) -> str:
+def method_name(method: str | None, error: float | None, frame_ms: float | None) -> str:
     """The method that see_through() takes: without a name, the default one, or the one that keeps an error budget."""
     if method is not None:
         return method
-    return "prefix-sum-predicted" if error is None else "automatic"
+    return "prefix-sum-predicted" if error is None and frame_ms is None else "automatic"
 
 
 def make_pass(
@@ -45,6 +46,7 @@ def make_pass(
     part_numbers: bool,
     error: float | None,
     error_bounds: bool,
+    frame_ms: float | None,
 ) -> vtkSeeThroughPass:
     transparency = _new_method(method)
     if color_storage is not None:
@@ -73,6 +75,10 @@ def make_pass(
         transparency.SetKeepErrorBounds(True)
     whole = vtkSeeThroughPass()
     whole.SetTranslucentPass(transparency)
+    if frame_ms is not None:
+        _only_of(vtkErrorBudgetTransparencyPass, method, "frame_ms")
+        whole.SetErrorBudget(_LARGEST_OF_FRAME_MS if error is None else _budget(error))
+        whole.SetFrameTime(_milliseconds(frame_ms))
     if lights is not None and lights is not False:
         whole.SetLightingPass(_known("lights", "clustered" if lights is True else lights, _LIGHTS)())
     return whole
@@ -126,6 +132,14 @@ def _budget(error: Any) -> float:
     if not least - 1e-9 <= error <= 1:  # 0.6 / 255 of a single precision may be a rounding below
         raise ValueError(f"error is from 0.6/255 to 1, not {error!r}: rounding to 8 bits alone makes 0.5/255")
     return max(float(error), least)
+
+
+def _milliseconds(time: Any) -> float:
+    if not isinstance(time, numbers.Real) or isinstance(time, bool):
+        raise TypeError(f"frame_ms is a number of milliseconds such as 33, not {time!r}")
+    if not (time > 0 and math.isfinite(time)):
+        raise ValueError(f"frame_ms is a finite number of milliseconds above 0, not {time!r}")
+    return float(time)
 
 
 def _steps_and_slope(coincidence: Any) -> tuple[float, float]:

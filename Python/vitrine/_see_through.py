@@ -28,6 +28,7 @@ def see_through(
     part_numbers: bool = False,
     error: float | None = None,
     error_bounds: bool = False,
+    frame_ms: float | None = None,
 ) -> SeeThrough:
     """Draw the translucent props of `target` exactly, from its next frame on; a plotter on show is drawn at once.
 
@@ -55,8 +56,11 @@ def see_through(
             so that layers_at(), layers_in() and pick() are quick.
         error: for automatic: the greatest error of a channel of the 8-bit picture that is allowed, with channels in
             [0, 1], before effects. The range is 0.6/255 to 1, since rounding to 8 bits alone makes 0.5/255. None
-            means 1/255.
+            means 1/255. The lights' cut-off is part of it.
         error_bounds: for automatic: whether frames keep the bound of each pixel for error_bound(), 4 bytes a pixel.
+        frame_ms: for automatic: the milliseconds that a frame should take at most, on the CPU or the device. The error
+            is then the least with which frames do: 0.6, 1, 2, 4, 8, 16 or 32 of 255, and at most `error`. It changes
+            only after some frames. stats() tells it, and whether the time is kept. None means no time.
 
     Effects of the renderer stay, whether they are passes (EDL, SSAO, SSAA, shadows and the like) or flags (UseFXAA and
     the like), and whether they are switched on before or later. The method replaces the step that draws translucent
@@ -84,11 +88,11 @@ def see_through(
     True
     """
     renderers = _renderers_of(target)
-    name = method_name(method, error)
+    name = method_name(method, error, frame_ms)
 
     def make() -> vtkSeeThroughPass:
         return make_pass(
-            name, lights, color_storage, memory_limit, coincidence, part_numbers, error, error_bounds
+            name, lights, color_storage, memory_limit, coincidence, part_numbers, error, error_bounds, frame_ms
         )
 
     make()  # wrong options raise before anything is changed

@@ -41,6 +41,10 @@ class Stats:
     was asked for is not promised, and is empty if it is. With several renderers the error is the largest, the errors of
     layers of a window are added, and texts are put together.
 
+    error_budget is the error that the frame was to keep, the largest of all renderers, and None without automatic.
+    With a frame_ms, frame_ms is the median milliseconds of the frames that were measured last, the largest of all
+    renderers, 0 before, and time_problem says why frames take longer, and is empty if they do not.
+
     stages has the seconds that the stages of a frame took on the device, by name, summed over renderers. It is empty
     unless the method was told SetMeasureStages(True); vtkSeeThroughPass.GetAttached(renderer).GetTranslucentPass() is
     the method.
@@ -61,6 +65,9 @@ class Stats:
     chosen: str = ""
     guaranteed_error: float | None = None
     budget_problem: str = ""
+    error_budget: float | None = None
+    frame_ms: float | None = None
+    time_problem: str = ""
     stages: dict[str, float] = dataclasses.field(default_factory=dict)
 
 
@@ -77,7 +84,7 @@ def error_bound(target: Any) -> numpy.ndarray:
 
     No channel of a pixel differs by more from what exact arithmetic would give. Channels are in [0, 1], and the
     rounding of the picture to 8 bits is included. Effects that process the picture are not. Pixels without translucent
-    fragments have 0.
+    fragments have what lights may lack that are left out, or 0.
 
     target: as of see_through().
 
@@ -134,6 +141,7 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
     lights = [light for light in map(_lights_of, roots) if light is not None]
     cullers = [culler for renderer in renderers for culler in _sbuffers_of(renderer)]
     budgets = [found for found in methods if isinstance(found, vtkErrorBudgetTransparencyPass)]
+    timed = [frame for frame in frames if frame.GetFrameTime() > 0]
     fragments = sum(found.GetNumberOfFragments() for found in methods)
     pixels = sum(
         found.GetNumberOfFragments() / found.GetMeanNumberOfLayers()
@@ -156,6 +164,9 @@ def _combined(renderers: Iterable[vtkRenderer]) -> Stats:
         chosen=", ".join(sorted({found.GetChosenMethod() for found in budgets} - {""})),
         guaranteed_error=_error_of_layers(renderers) if budgets else None,
         budget_problem=_reasons(found.GetBudgetProblem() for found in budgets),
+        error_budget=max((found.GetErrorBudget() for found in budgets), default=None),
+        frame_ms=max((frame.GetMeasuredFrameTime() for frame in timed), default=None),
+        time_problem=_reasons(frame.GetFrameTimeProblem() for frame in timed),
         stages=_stages(methods),
     )
 

@@ -1,5 +1,6 @@
 // The least budget that keeps a time, found from simulated frames.
 #include "Core/budget/FrameTimeBudget.h"
+#include "Core/budget/GuaranteedError.h"
 
 #include <gtest/gtest.h>
 

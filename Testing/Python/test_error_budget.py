@@ -170,7 +170,76 @@ class Lights(unittest.TestCase):
         self.assertEqual(vitrine.stats(window).budget_problem, "")
 
 
+class FrameTimes(unittest.TestCase):
+    def test_with_ease_have_the_least_error(self):
+        renderer = glass()
+        vitrine.see_through(renderer, frame_ms=60000)
+        window = drawn(renderer)
+        for _ in range(20):
+            window.Render()
+        told = vitrine.stats(renderer)
+        self.assertEqual((told.method, told.time_problem, told.error_budget), ("automatic", "", 0.6 / 255))
+        self.assertTrue(0 < told.frame_ms < 60000)
+
+    def test_that_are_impossible_are_told(self):
+        """All budgets are tried, and none is larger than the error that is allowed."""
+        for options, largest in (({"error": 2 * STEP}, 2), ({}, 32)):
+            renderer = glass()
+            vitrine.see_through(renderer, frame_ms=0.001, **options)
+            window = drawn(renderer)
+            seen = set()
+            for _ in range(100):
+                window.Render()
+                told = vitrine.stats(renderer)
+                seen.add(round(255 * told.error_budget, 6))
+                self.assertLessEqual(told.guaranteed_error, told.error_budget)
+            self.assertEqual(seen, {each for each in (0.6, 1, 2, 4, 8, 16, 32) if each <= largest})
+            self.assertRegex(told.time_problem, f"frames take .* ms, not 0.001 ms, with any error of up to {largest}/255")
+
+    def test_come_and_go_with_the_budget_that_was_set(self):
+        frame = vitrine.vtkSeeThroughPass()
+        before = frame.GetTranslucentPass()
+        for budget in (0, 2 * STEP):
+            frame.SetErrorBudget(budget)
+            frame.SetFrameTime(33)
+            self.assertAlmostEqual(255 * frame.GetErrorBudget(), 2 if budget else 32)
+            frame.SetErrorBudget(4 * STEP)
+            self.assertEqual((frame.GetErrorBudget(), frame.GetFrameTime()), (4 * STEP, 33))
+            frame.SetFrameTime(0)
+            self.assertEqual(frame.GetErrorBudget(), 4 * STEP)
+            frame.SetErrorBudget(0)
+        frame.SetFrameTime(33)
+        frame.SetFrameTime(0)
+        self.assertIs(frame.GetTranslucentPass(), before)
+        frame.SetFrameTime(33)
+        frame.SetErrorBudget(0)
+        self.assertEqual((frame.GetFrameTime(), frame.GetErrorBudget()), (0, 0))
+        self.assertIs(frame.GetTranslucentPass(), before)
+
+    def test_outlive_windows(self):
+        renderer = glass()
+        vitrine.see_through(renderer, frame_ms=60000)
+        for _ in range(2):
+            window = drawn(renderer)
+            window.Render()
+            window.RemoveRenderer(renderer)
+            del window
+        self.assertEqual(vitrine.stats(renderer).time_problem, "")
+
+
 class Misuse(unittest.TestCase):
+    def test_bad_times_raise_one_clear_exception(self):
+        renderer = vtkRenderer()
+        for time in (0, -1, math.nan, math.inf):
+            with self.subTest(time=time), self.assertRaisesRegex(ValueError, "milliseconds above 0, not"):
+                vitrine.see_through(renderer, frame_ms=time)
+        for time in (True, "33", [33]):
+            with self.subTest(time=time), self.assertRaisesRegex(TypeError, "milliseconds such as 33, not"):
+                vitrine.see_through(renderer, frame_ms=time)
+        with self.assertRaisesRegex(ValueError, "frame_ms is no option of linked-list: it is one of automatic"):
+            vitrine.see_through(renderer, "linked-list", frame_ms=33)
+        self.assertIsNone(renderer.GetPass())
+
     def test_bad_errors_raise_one_clear_exception(self):
         renderer = vtkRenderer()
         for error in (0, -1, math.nan, math.inf, 10, 0.5 / 255):

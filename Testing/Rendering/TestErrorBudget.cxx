@@ -478,6 +478,14 @@ TEST(ErrorBudgetOfFrame, RefusesWhatNoPictureKeeps)
     EXPECT_EQ(frame->GetTranslucentPass(), before);
     EXPECT_EQ(frame->GetErrorBudget(), 0.0);
   }
+  for (const double milliseconds :
+    { -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  {
+    frame->SetFrameTime(milliseconds);
+    ASSERT_EQ(TakeMessages().size(), 1u) << milliseconds;
+    EXPECT_EQ(frame->GetTranslucentPass(), before);
+    EXPECT_EQ(frame->GetFrameTime(), 0.0);
+  }
 }
 
 }

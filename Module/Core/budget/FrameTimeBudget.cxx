@@ -1,5 +1,7 @@
 #include "Core/budget/FrameTimeBudget.h"
 
+#include "Core/budget/GuaranteedError.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>

@@ -7,7 +7,7 @@
 #ifndef VITRINE_CORE_BUDGET_FRAME_TIME_BUDGET_H
 #define VITRINE_CORE_BUDGET_FRAME_TIME_BUDGET_H
 
-#include "Core/budget/MethodChooser.h"
+#include "Core/budget/GuessDelay.h"
 
 #include <cstddef>
 #include <vector>
@@ -40,7 +40,7 @@ private:
 
   double Aim = 0.0;
   double Largest = 0.0;
-  std::vector<double> Budgets{ LeastBudget };
+  std::vector<double> Budgets{ 1.0 };
   std::vector<double> TypicalOf; // Of each budget, 0 if it is not known.
   std::size_t Rung = 0;
   int Settling = 0; // Frames that are not judged yet, since the method is still choosing.

@@ -39,26 +39,6 @@ int NodeBytes(StoredColors colors)
 }
 
 //------------------------------------------------------------------------------
-void GuessDelay::Begin()
-{
-  this->Frames = this->Next;
-  this->Next = std::min(2 * this->Next, Longest);
-  this->RightFrames = 0;
-}
-
-void GuessDelay::CountFrame()
-{
-  if (this->Frames > 0)
-  {
-    --this->Frames;
-  }
-  else if (++this->RightFrames >= Longest)
-  {
-    this->Next = Shortest;
-  }
-}
-
-//------------------------------------------------------------------------------
 std::string NameOf(const FrameChoice& choice)
 {
   return std::string(choice.IsPacked ? "prefix-sum-predicted" : "linked-list") +
