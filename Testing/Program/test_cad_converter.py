@@ -1,7 +1,9 @@
 """STEP, IGES and BREP by OpenCASCADE: names, tree, colours, alpha, bounds and units, beside its own listing."""
 
 import importlib.util
+import itertools
 import json
+import os
 import pathlib
 import shlex
 import subprocess
@@ -15,6 +17,8 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 BESIDE = pathlib.Path(PROGRAM).parent
 VITRINE_CAD = BESIDE / "vitrine-cad"
 LISTING = BESIDE / "VitrineCadListing"
+DATA = pathlib.Path(os.environ.get("VITRINE_SHARED_DATA", PROJECT.parent / "shared" / "data"))
+MODELS = sorted(path for path in DATA.glob("*/*") if path.suffix.lower() in {".step", ".stp"})
 CAD_PY = PROJECT / "Python/vitrine/_cad.py"
 MILLIMETRE, INCH = 0.001, 0.0254
 GREY = 0.6038  # linear; of what has no colour
@@ -39,6 +43,28 @@ def tree_of(glb):
         return [node["name"], [below(child) for child in children]] if children else node["name"]
 
     return [below(root) for root in glb["scenes"][glb.get("scene", 0)]["nodes"]]
+
+
+def nodes_of(glb):
+    """Each node with its depth, before its children."""
+    nodes = []
+    left = [(0, root) for root in reversed(glb["scenes"][0]["nodes"])]
+    while left:
+        depth, number = left.pop()
+        nodes.append((depth, glb["nodes"][number]))
+        left += [(depth + 1, child) for child in reversed(nodes[-1][1].get("children", []))]
+    return nodes
+
+
+def bounds_of_all(bounds):
+    """The box around boxes."""
+    return [(min, max)[axis % 2](values) for axis, values in enumerate(zip(*bounds))]
+
+
+def upwards(bounds):
+    """Bounds with Z upwards as bounds with Y upwards."""
+    x0, x1, y0, y1, z0, z1 = bounds
+    return [x0, x1, z0, z1, -y1, -y0]
 
 
 class Converter(FileTest):
@@ -198,38 +224,45 @@ class AnyConverter:
         self.assertEqual(first, second)
         self.assertEqual(len(list((self.folder / "cache/vitrine/cad").iterdir())), 1)
 
+    @unittest.skipUnless(LISTING.exists(), "OpenCASCADE's development files are missing")
     def test_listing_of_opencascade(self):
-        if not LISTING.exists():
-            self.skipTest("OpenCASCADE's development files are missing")
         self.compare_with_listing(self.write("model.step", step_files.machine("inch")))
 
+    @unittest.skipUnless(LISTING.exists() and MODELS, f"no listing, or no STEP files in {DATA}")
+    def test_listing_of_real_files(self):
+        for path in MODELS:
+            with self.subTest(model=path.name):
+                self.compare_with_listing(path)
+
     def compare_with_listing(self, path):
+        """Names, tree, and each leaf's colours and bounds."""
         listing = subprocess.run([LISTING, "list", path], capture_output=True, check=True).stdout
-        nodes = [json.loads(line) for line in listing.splitlines()]
+        expected = [json.loads(line) for line in listing.splitlines()]
         result, output = self.convert(path)
-        self.assertEqual(result.returncode, 0)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
         glb = glb_of(output)
-        names, paths = [], []
-        open_nodes = [(root, 0) for root in reversed(glb["scenes"][0]["nodes"])]
-        while open_nodes:
-            number, depth = open_nodes.pop()
-            node = glb["nodes"][number]
-            names.append((depth, node["name"]))
-            open_nodes += [(child, depth + 1) for child in reversed(node.get("children", []))]
-        self.assertEqual([depth for depth, _ in names], [node["depth"] for node in nodes])
-        for (_, name), node in zip(names, nodes):
-            self.assertIn(name, (node["instance"].strip(), node["product"].strip()))
-        told = self.parts(path)["part_list"]
-        low_high = [[min(b[i] for b in (p["bounds"] for p in told)) for i in (0, 2, 4)],
-                    [max(b[i] for b in (p["bounds"] for p in told)) for i in (1, 3, 5)]]  # fmt: skip
-        leaves = [node["bounds"] for node in nodes if node["leaf"]]
-        self.assertGreaterEqual(len(told), len(leaves))
-        low = [min(b[i] for b in leaves) * MILLIMETRE for i in (0, 2, 4)]
-        high = [max(b[i] for b in leaves) * MILLIMETRE for i in (1, 3, 5)]
-        tolerance = float(glb["asset"]["extras"]["tolerance"])
-        for found, number in zip(low_high[0] + low_high[1],
-                                 [low[0], low[2], -high[1], high[0], high[2], -low[1]]):  # fmt: skip
-            self.assertAlmostEqual(found, number, delta=tolerance)
+        found = nodes_of(glb)
+        self.assertEqual([depth for depth, _ in found], [node["depth"] for node in expected])
+        parts = iter(self.parts(output)["part_list"])
+        for (_, node), told in zip(found, expected):
+            with self.subTest(node=node["name"]):
+                self.assertIn(node["name"], (told["instance"].strip(), told["product"].strip()))
+                self.assertEqual("mesh" in node, told["leaf"])
+                if told["leaf"]:
+                    primitives = glb["meshes"][node["mesh"]]["primitives"]
+                    self.assert_same_colors(primitives, glb["materials"], told["colors"])
+                    bounds = bounds_of_all(part["bounds"] for part in itertools.islice(parts, len(primitives)))
+                    tolerance = float(glb["asset"]["extras"]["tolerance"])
+                    for value, number in zip(bounds, upwards(told["bounds"])):
+                        self.assertAlmostEqual(value, MILLIMETRE * number, delta=tolerance)
+        self.assertEqual(list(parts), [])
+
+    def assert_same_colors(self, primitives, materials, colors):
+        factors = sorted(materials[p["material"]]["pbrMetallicRoughness"]["baseColorFactor"] for p in primitives)
+        self.assertEqual(len(factors), len(colors))
+        for factor, color in zip(factors, sorted(color or [GREY, GREY, GREY, 1.0] for color in colors)):
+            for found, number in zip(factor, color):
+                self.assertAlmostEqual(found, number, delta=1e-4)
 
 
 @unittest.skipUnless(VITRINE_CAD.exists(), "there is no OpenCASCADE")

@@ -19,14 +19,18 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XCAFPrs.hxx>
 #include <XCAFPrs_DocumentExplorer.hxx>
+#include <XCAFPrs_IndexedDataMapOfShapeStyle.hxx>
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <set>
 #include <string>
 
 namespace
@@ -66,6 +70,45 @@ nlohmann::json BoundsOf(const XCAFPrs_DocumentNode& node)
   return { b[0], b[1], b[2], b[3], b[4], b[5] };
 }
 
+nlohmann::json ColorOf(const XCAFPrs_Style& style)
+{
+  if (!style.IsSetColorSurf())
+  {
+    return nullptr;
+  }
+  const Quantity_ColorRGBA& color = style.GetColorSurfRGBA();
+  return { color.GetRGB().Red(), color.GetRGB().Green(), color.GetRGB().Blue(), color.Alpha() };
+}
+
+/** Collects the colours of the faces of a shape, where a shape within another goes before it. */
+void CollectColors(const TopoDS_Shape& shape, XCAFPrs_Style style,
+  const XCAFPrs_IndexedDataMapOfShapeStyle& styles, std::set<nlohmann::json>& colors)
+{
+  if (const XCAFPrs_Style* own = styles.Seek(shape))
+  {
+    style = *own;
+  }
+  if (shape.ShapeType() == TopAbs_FACE)
+  {
+    colors.insert(ColorOf(style));
+    return;
+  }
+  for (TopoDS_Iterator within(shape); within.More(); within.Next())
+  {
+    CollectColors(within.Value(), style, styles, colors);
+  }
+}
+
+/** The linear colours and opacities of a leaf's faces, each once; null is for those that have none. */
+nlohmann::json ColorsOf(const XCAFPrs_DocumentNode& node)
+{
+  XCAFPrs_IndexedDataMapOfShapeStyle styles;
+  XCAFPrs::CollectStyleSettings(node.RefLabel, TopLoc_Location(), styles);
+  std::set<nlohmann::json> colors;
+  CollectColors(XCAFDoc_ShapeTool::GetShape(node.RefLabel), node.Style, styles, colors);
+  return colors;
+}
+
 bool List(const std::string& file)
 {
   const Handle(TDocStd_Document) document = NewDocument();
@@ -84,12 +127,7 @@ bool List(const std::string& file)
     if (!node.IsAssembly)
     {
       line["bounds"] = BoundsOf(node); // millimetres
-    }
-    if (!node.IsAssembly && node.Style.IsSetColorSurf())
-    {
-      const Quantity_ColorRGBA color = node.Style.GetColorSurfRGBA();
-      line["color"] = { color.GetRGB().Red(), color.GetRGB().Green(), color.GetRGB().Blue(),
-        color.Alpha() };
+      line["colors"] = ColorsOf(node);
     }
     std::cout << line.dump() << "\n";
   }
