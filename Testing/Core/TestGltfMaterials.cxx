@@ -93,7 +93,8 @@ TEST(GltfMaterials, AlphaCountsWhereTheModeSaysSo)
   EXPECT_EQ(
     MaterialOf({ { "pbrMetallicRoughness", base }, { "alphaMode", "BLEND" } }).BaseColor.a, 0.5f);
   EXPECT_EQ(VertexAlpha(Json::object()), 1.0f);
-  EXPECT_EQ(VertexAlpha({ { "alphaMode", "MASK" } }), 0.25f);
+  EXPECT_EQ(VertexAlpha({ { "alphaMode", "MASK" } }), 0.0f);
+  EXPECT_EQ(VertexAlpha({ { "alphaMode", "MASK" }, { "alphaCutoff", 0.25 } }), 1.0f);
   EXPECT_EQ(VertexAlpha({ { "alphaMode", "BLEND" } }), 0.25f);
 }
 

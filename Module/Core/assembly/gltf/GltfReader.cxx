@@ -16,18 +16,22 @@ namespace vitrine
 
 namespace
 {
-/** Whether the alpha of vertices counts for a material (glTF 2.0, 3.9.4). */
-bool HasAlpha(const Assembly& assembly, int number)
+/** The alpha of a vertex by its material's mode (glTF 2.0, 3.9.4): a mask has holes, and is opaque elsewhere. */
+float ShownAlpha(const Assembly& assembly, int number, float alpha)
 {
   if (number == NO_INDEX)
   {
-    return false;
+    return 1.0f;
   }
   const AssemblyMaterial& material = assembly.Materials[static_cast<std::size_t>(number)];
-  return material.Alpha != AlphaMode::Opaque && !material.IsAlphaUniform;
+  if (material.Alpha == AlphaMode::Mask)
+  {
+    return alpha * material.BaseColor.a >= material.AlphaCutoff ? 1.0f : 0.0f;
+  }
+  return material.Alpha == AlphaMode::Opaque || material.IsAlphaUniform ? 1.0f : alpha;
 }
 
-void IgnoreAlphaWhereOpaque(Assembly& assembly)
+void ApplyAlphaModes(Assembly& assembly)
 {
   for (AssemblyMaterial& material : assembly.Materials)
   {
@@ -42,7 +46,7 @@ void IgnoreAlphaWhereOpaque(Assembly& assembly)
     {
       for (glm::vec4& color : geometry.Colors)
       {
-        color.a = HasAlpha(assembly, geometry.Material) ? color.a : 1.0f;
+        color.a = ShownAlpha(assembly, geometry.Material, color.a);
       }
     }
   }
@@ -71,7 +75,7 @@ Assembly Read(const std::filesystem::path& file, int scene)
   assembly.Meshes.resize(shown.Poses.size());
   ForEachInThreads(shown.Poses.size(),
     [&](std::size_t i) { assembly.Meshes[i] = ReadGltfMesh(document, shown.Poses[i]); });
-  IgnoreAlphaWhereOpaque(assembly);
+  ApplyAlphaModes(assembly);
   NoteWhatIsNotShown(document, shown, assembly);
   return assembly;
 }
