@@ -22,7 +22,7 @@ import sys
 import tempfile
 from typing import Any, Iterator, Sequence
 
-CONVERSION = 1  # counts changes of what is made of a file
+CONVERSION = 2  # counts changes of what is made of a file
 _ANGLE = 0.5  # radians
 _TOLERANCE_OF_SIZE = 1e-3  # of the diagonal of the box around all
 _MISSING = "needs OpenCASCADE to read STEP and IGES: pip install 'vtk-vitrine[step]'"
@@ -159,15 +159,21 @@ def _name_of_unit(entity: bytes) -> str:
     return ""
 
 
-def _size_of_points(text: bytes, meters: float) -> float:
-    """The diagonal in metres of the box around all points: near that of the shapes, whose places it leaves out."""
+def _size_of_vertices(text: bytes, meters: float) -> float:
+    """The diagonal in metres of the box around all vertices: near that of the shapes, whose places it leaves out.
+
+    Other points are no measure: a plane's own may be far away.
+    """
+    vertices = set(re.findall(rb"VERTEX_POINT\s*\(\s*'[^']*'\s*,\s*#(\d+)", text))
     number = rb"\s*([-+0-9.Ee]+)\s*"
-    point = re.compile(rb"CARTESIAN_POINT\s*\(\s*'[^']*'\s*,\s*\(" + rb",".join([number] * 3) + rb"\)")
+    point = rb"#(\d+)\s*=\s*CARTESIAN_POINT\s*\(\s*'[^']*'\s*,\s*\(" + rb",".join([number] * 3) + rb"\)"
     low, high = [math.inf] * 3, [-math.inf] * 3
-    for match in point.finditer(text):
+    for match in re.finditer(point, text):
+        if match[1] not in vertices:
+            continue
         with contextlib.suppress(ValueError):
             for axis in range(3):
-                value = float(match[axis + 1])
+                value = float(match[axis + 2])
                 low[axis], high[axis] = min(low[axis], value), max(high[axis], value)
     return meters * math.dist(low, high) if low[0] <= high[0] else 0.0
 
@@ -366,7 +372,7 @@ def convert(data: bytes, kind: str, unnamed: str, tolerance: float, angle: float
         units = _step_units(data)
         if not tolerance:
             meters = _METERS.get(units[0] if units else "", 0.001)
-            guess = _TOLERANCE_OF_SIZE * _size_of_points(data, meters) or guess
+            guess = _TOLERANCE_OF_SIZE * _size_of_vertices(data, meters) or guess
     glb = _tessellate(data, kind, guess, angle)
     wanted = tolerance or _TOLERANCE_OF_SIZE * glb.size()
     if wanted > 0 and not 0.5 <= guess / wanted <= 2.0:

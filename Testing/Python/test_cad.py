@@ -219,6 +219,17 @@ class Names(unittest.TestCase):
         names = [node["name"] for node in made.json["nodes"]]
         self.assertEqual(names, ["machine", "it's a \u00e4 bolt (#5)", "the left one", "mesh", "mesh"])
 
+    def test_size_is_that_of_vertices(self):
+        text = b"""
+#1=VERTEX_POINT('',#3);
+#2 = VERTEX_POINT ( 'NONE', #4 ) ;
+#3=CARTESIAN_POINT('',(0.,0.,1.));
+#4 = CARTESIAN_POINT ( 'NONE', ( 3., 4.0, 1.3E+01 ) ) ;
+#5=CARTESIAN_POINT('far point of a plane',(1.E6,0.,0.));
+"""
+        self.assertAlmostEqual(_cad._size_of_vertices(text, 0.001), 0.013)
+        self.assertEqual(_cad._size_of_vertices(b"", 0.001), 0.0)
+
     def test_nodes_without_a_name(self):
         made = self.made("")
         _cad.mend_names(made, _cad.StepNames(b""), "file")
