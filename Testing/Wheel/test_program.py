@@ -10,6 +10,10 @@ import sys
 import tempfile
 import unittest
 
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOHDF import vtkHDFWriter
+
 import vitrine
 from wheel import PROGRAM, run
 
@@ -56,6 +60,19 @@ class Program(unittest.TestCase):
                 vitrine.load(file)
         self.assertEqual(said.returncode, 2)
         self.assertIn("pip install 'vtk-vitrine[step]'", said.stderr)
+
+    def test_reads_what_vtk_itself_writes_as_vtkhdf(self):
+        """VTK's reader keeps the corners of such cells in arrays of other kinds than its readers of XML do."""
+        volume = vtkAppendFilter()
+        volume.SetInputConnection(vtkCubeSource().GetOutputPort())
+        for source, triangles in ((vtkCubeSource(), 12), (volume, 12)):
+            with tempfile.TemporaryDirectory() as folder:
+                writer = vtkHDFWriter()
+                writer.SetInputConnection(source.GetOutputPort())
+                writer.SetFileName(f"{folder}/cube.vtkhdf")
+                writer.Write()
+                (part,) = vitrine.load(f"{folder}/cube.vtkhdf").parts
+            self.assertEqual((part.path, part.triangles), ("/cube", triangles))
 
     def test_refuses_bad_input_with_its_own_status(self):
         said = run(PROGRAM, "info", "nowhere.glb")

@@ -2,11 +2,14 @@
 
 #include "scene/Scene.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace program
@@ -27,39 +30,49 @@ bool AllFinite(const T* values, vtkIdType count)
   return true;
 }
 
-/** Checks a cell array in its 32-bit or 64-bit storage. */
+/** Checks where cells begin, and their corners, in arrays of any kind. */
 struct CornerCheck
 {
-  template <typename CellState>
-  bool operator()(CellState& state, vtkIdType pointCount) const
+  template <typename OffsetArray, typename CornerArray>
+  void operator()(OffsetArray* offsetArray, CornerArray* cornerArray, vtkIdType pointCount)
   {
-    const auto* offsets = state.GetOffsets();
-    const auto* corners = state.GetConnectivity();
-    const vtkIdType offsetCount = offsets->GetNumberOfValues();
-    for (vtkIdType i = 0; i < offsetCount; ++i)
+    const auto offsets = vtk::DataArrayValueRange<1>(offsetArray);
+    const auto corners = vtk::DataArrayValueRange<1>(cornerArray);
+    vtkIdType low = 0;
+    bool isFirst = true;
+    for (const auto value : offsets)
     {
-      const vtkIdType low = i == 0 ? 0 : offsets->GetValue(i - 1);
-      if (offsets->GetValue(i) < low || (i == 0 && offsets->GetValue(i) != 0) ||
-        offsets->GetValue(i) > corners->GetNumberOfValues())
+      const auto offset = static_cast<vtkIdType>(value);
+      if (offset < low || (isFirst && offset != 0) || offset > corners.size())
       {
-        return false;
+        return;
       }
+      low = offset;
+      isFirst = false;
     }
-    for (vtkIdType i = 0; i < corners->GetNumberOfValues(); ++i)
-    {
-      if (corners->GetValue(i) < 0 || corners->GetValue(i) >= pointCount)
+    this->IsValid = std::all_of(corners.begin(), corners.end(),
+      [pointCount](auto value)
       {
-        return false;
-      }
-    }
-    return true;
+        const auto corner = static_cast<vtkIdType>(value);
+        return corner >= 0 && corner < pointCount;
+      });
   }
+
+  bool IsValid = false;
 };
 }
 
 bool HasValidCorners(vtkCellArray* cells, vtkIdType pointCount)
 {
-  return cells->Visit(CornerCheck(), pointCount);
+  vtkDataArray* const offsets = cells->GetOffsetsArray();
+  vtkDataArray* const corners = cells->GetConnectivityArray();
+  CornerCheck check;
+  if (!vtkArrayDispatch::Dispatch2BySameValueType<vtkArrayDispatch::Integrals>::Execute(
+        offsets, corners, check, pointCount))
+  {
+    check(offsets, corners, pointCount);
+  }
+  return check.IsValid;
 }
 
 bool HasMatchingArrays(vtkDataSetAttributes* data, vtkIdType count)
