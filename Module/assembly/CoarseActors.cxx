@@ -28,7 +28,6 @@
 #include <map>
 #include <tuple>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace vitrine
@@ -202,7 +201,7 @@ private:
   }
 
   /** @param isPlaced  its points in the actor are in WC */
-  Piece PieceOf(int part, std::uint32_t first, bool isPlaced) const
+  Piece PieceOf(int part, std::uint32_t first, bool isPlaced)
   {
     const AddedPart& added = this->Parts.Part(part);
     const DrawnPlace& place = this->Parts.Place(part);
@@ -213,6 +212,7 @@ private:
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
     Piece piece;
     piece.Detail = this->Details(added.Geometry);
+    piece.Own = place.Actor;
     piece.First = first;
     piece.IsMirrored = isPlaced && glm::determinant(glm::dmat3(matrix)) < 0;
     piece.Scale = ScaleOf(matrix);
@@ -220,6 +220,7 @@ private:
     piece.Radius = 0.5 * piece.Scale * glm::length(high - low);
     piece.Rounding =
       std::numeric_limits<float>::epsilon() * (glm::length(piece.Centre) + piece.Radius);
+    this->Made.Reach = std::max(this->Made.Reach, glm::length(piece.Centre) + piece.Radius);
     return piece;
   }
 
@@ -334,98 +335,43 @@ CoarseActors::ActorState CoarseActors::StateOf(vtkActor* actor)
   return { actor->GetProperty(), actor->GetVisibility() != 0, IsAsMade(actor) };
 }
 
-int CoarseActors::Piece::CoarsestWithin(double length) const
+void CoarseActors::Choose(LevelRequest asked)
 {
-  return vitrine::CoarsestWithin(this->Detail->Levels, (length - this->Rounding) / this->Scale);
-}
-
-double CoarseActors::Piece::BoundOf(int level) const
-{
-  const auto place = static_cast<std::size_t>(level);
-  return this->Rounding + (level < 0 ? 0.0 : this->Scale * this->Detail->Levels[place].Bound);
-}
-
-const std::vector<std::uint32_t>& CoarseActors::Piece::Corners(int level) const
-{
-  return level < 0 ? this->Detail->Whole
-                   : this->Detail->Levels[static_cast<std::size_t>(level)].Corners;
-}
-
-void CoarseActors::Choose(const PixelView& view, double pixels)
-{
-  if (!this->Fits(view, pixels))
+  asked.Reach = this->Reach;
+  if (!this->Fits(asked))
   {
     for (Group& group : this->Groups)
     {
-      // A little finer than needed, so that the choice lasts for some frames.
-      ChooseIn(group, view, 0.9 * pixels);
+      ChooseLevels(group.Pieces, asked);
       Compose(group);
     }
     this->IsChosen = true;
   }
-  this->Count(view);
+  this->Count(asked);
 }
 
 /** Returns true if the levels that were chosen before are neither too coarse nor much too fine. */
-bool CoarseActors::Fits(const PixelView& view, double pixels) const
+bool CoarseActors::Fits(const LevelRequest& asked) const
 {
+  std::size_t drawn = 0;
   std::size_t needed = 0;
   for (const Group& group : this->Groups)
   {
     for (const Piece& piece : group.Pieces)
     {
-      const double length = LengthOfPixels(view, pixels, piece.Centre, piece.Radius);
-      const bool isCoarse = piece.Level >= 0 || piece.IsLeftOut;
-      if (!this->IsChosen || (isCoarse && !(piece.Bound <= length)))
+      const double length = LengthFor(piece, asked);
+      if (!this->IsChosen || !piece.IsRightFor(asked, length))
       {
         return false;
       }
-      needed += piece.IsLeftOut ? 0 : piece.Corners(piece.CoarsestWithin(0.9 * length)).size() / 3;
+      if (piece.By == Piece::LEVEL)
+      {
+        drawn += piece.Triangles();
+        needed += piece.Corners(piece.CoarsestFor(asked, 0.9 * length)).size() / 3;
+      }
     }
   }
-  return 2 * this->Chosen.Triangles <= 3 * needed + 1000;
-}
-
-/**
- * Chooses a level for each part. Of tiny parts in one cell of a grid, the first stands for all. With the length L that
- * points may move by, their radii are at most L / 4 and the cell's diagonal is less than 0.44 L, so that no point is
- * farther than 0.94 L from what stands for it.
- */
-void CoarseActors::ChooseIn(Group& group, const PixelView& view, double pixels)
-{
-  struct Hash
-  {
-    std::size_t operator()(const std::array<std::int64_t, 4>& cell) const
-    {
-      std::uint64_t hash = 0;
-      for (const std::int64_t place : cell)
-      {
-        hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 29;
-      }
-      return static_cast<std::size_t>(hash);
-    }
-  };
-  std::unordered_set<std::array<std::int64_t, 4>, Hash> taken;
-  for (Piece& piece : group.Pieces)
-  {
-    const double length = LengthOfPixels(view, pixels, piece.Centre, piece.Radius);
-    piece.Level = piece.CoarsestWithin(length);
-    piece.Bound = piece.BoundOf(piece.Level);
-    piece.IsLeftOut = false;
-    if (piece.Radius + piece.Rounding <= length / 4)
-    {
-      const int power = static_cast<int>(std::floor(std::log2(length / 4)));
-      const double side = std::ldexp(1.0, power);
-      std::array<std::int64_t, 4> cell{ 0, 0, 0, power };
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        cell[axis] = static_cast<std::int64_t>(std::floor(piece.Centre[axis] / side));
-      }
-      piece.IsLeftOut = !taken.insert(cell).second;
-      piece.Bound = piece.IsLeftOut ? 0.94 * length : piece.Bound;
-    }
-  }
+  return 2 * drawn <= 3 * needed + 1000;
 }
 
 /** Has an actor draw what was chosen. */
@@ -434,7 +380,7 @@ void CoarseActors::Compose(Group& group)
   std::size_t count = 0;
   for (const Piece& piece : group.Pieces)
   {
-    count += piece.IsLeftOut ? 0 : piece.Corners(piece.Level).size();
+    count += 3 * piece.Triangles();
   }
   vtkNew<vtkTypeInt32Array> corners;
   corners->SetNumberOfValues(static_cast<vtkIdType>(count));
@@ -443,7 +389,7 @@ void CoarseActors::Compose(Group& group)
   vtkTypeInt32* corner = corners->GetPointer(0);
   for (const Piece& piece : group.Pieces)
   {
-    if (piece.IsLeftOut)
+    if (piece.By != Piece::LEVEL)
     {
       continue;
     }
@@ -464,16 +410,17 @@ void CoarseActors::Compose(Group& group)
   group.Data->SetPolys(cells);
 }
 
-void CoarseActors::Count(const PixelView& view)
+void CoarseActors::Count(const LevelRequest& asked)
 {
   this->Chosen = {};
   for (const Group& group : this->Groups)
   {
     for (const Piece& piece : group.Pieces)
     {
-      this->Chosen.WholeTriangles += piece.Detail->Whole.size() / 3;
-      this->Chosen.Triangles += piece.IsLeftOut ? 0 : piece.Corners(piece.Level).size() / 3;
-      const double pixel = LengthOfPixels(view, 1.0, piece.Centre, piece.Radius);
+      const std::size_t whole = piece.Detail->Whole.size() / 3;
+      this->Chosen.WholeTriangles += whole;
+      this->Chosen.Triangles += piece.By == Piece::OWN_PROP ? whole : piece.Triangles();
+      const double pixel = LengthOfPixels(asked.View, 1.0, piece.Centre, piece.Radius);
       this->Chosen.GreatestPixels = std::max(this->Chosen.GreatestPixels, piece.Bound / pixel);
     }
   }

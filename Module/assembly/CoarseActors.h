@@ -2,19 +2,15 @@
 #ifndef VITRINE_ASSEMBLY_COARSE_ACTORS_H
 #define VITRINE_ASSEMBLY_COARSE_ACTORS_H
 
-#include "Core/levels/PixelLength.h"
 #include "assembly/DrawnParts.h"
-#include "assembly/PartDetail.h"
+#include "assembly/PieceLevels.h"
 
 #include "vtkActor.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <glm/vec3.hpp>
-
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -48,33 +44,17 @@ public:
   /** Returns true if parts are drawn otherwise than when the actors were made. */
   bool AreOutdated(const DrawnParts& parts) const;
 
-  /** Chooses the coarsest levels with which no point moves by more than some pixels. */
-  void Choose(const PixelView& view, double pixels);
+  /**
+   * Chooses the coarsest levels with which no point moves by more than some pixels. Parts of the props that are to be
+   * exact are left out, and drawn by those.
+   */
+  void Choose(LevelRequest asked);
 
   const std::vector<vtkSmartPointer<vtkActor>>& Replaced() const { return this->Originals; }
   const std::vector<vtkSmartPointer<vtkActor>>& Actors() const { return this->Drawn; }
   const LevelCounts& Counts() const { return this->Chosen; }
 
 private:
-  /** A part in an actor. */
-  struct Piece
-  {
-    std::shared_ptr<const PartDetail> Detail;
-    std::uint32_t First; ///< the number that its first point has in the actor
-    bool IsMirrored;
-    double Scale;    ///< by which its place makes lengths longer, at most
-    double Rounding; ///< how far its points may be from their places
-    glm::dvec3 Centre;
-    double Radius;
-    int Level = -1;         ///< -1 for all triangles
-    bool IsLeftOut = false; ///< another tiny part stands for it
-    double Bound = 0;       ///< how far its points may be from their places, levels included
-
-    int CoarsestWithin(double length) const;
-    double BoundOf(int level) const;
-    const std::vector<std::uint32_t>& Corners(int level) const;
-  };
-
   struct Group
   {
     vtkSmartPointer<vtkPolyData> Data;
@@ -98,15 +78,15 @@ private:
   };
   static ActorState StateOf(vtkActor* actor);
 
-  bool Fits(const PixelView& view, double pixels) const;
-  static void ChooseIn(Group& group, const PixelView& view, double pixels);
+  bool Fits(const LevelRequest& asked) const;
   static void Compose(Group& group);
-  void Count(const PixelView& view);
+  void Count(const LevelRequest& asked);
 
   std::vector<vtkSmartPointer<vtkActor>> Originals;
   std::vector<vtkSmartPointer<vtkActor>> Drawn;
   std::vector<Group> Groups;
   LevelCounts Chosen;
+  double Reach = 0; ///< the greatest distance of points from the origin
   bool IsChosen = false;
   vtkMTimeType LooksTime = 0;
   std::vector<ActorState> States; ///< for each actor of the assembly

@@ -2,18 +2,17 @@
 
 #include "assembly/CoarseActors.h"
 #include "assembly/PartDetail.h"
+#include "scene/AnswerEvent.h"
+#include "scene/ExactParts.h"
 #include "scene/FrameObserver.h"
 #include "scene/Settings.h"
 #include "vtkAssemblyActors.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartXRay.h"
 #include "vtkRenderer.h"
-#include "vtkSection.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -31,6 +30,7 @@ namespace
 using vitrine::CoarseActors;
 using vitrine::DetailWork;
 using vitrine::LevelCounts;
+using vitrine::LevelRequest;
 using vitrine::PixelView;
 
 /** Event by which a renderer's observers are asked for the levels that are attached to it. */
@@ -39,6 +39,11 @@ constexpr unsigned long AskForLevels = vtkCommand::UserEvent + 0x56495464;
 void TellLevels(vtkObject*, unsigned long, void* levels, void* asked)
 {
   *static_cast<vtkPartLevels**>(asked) = static_cast<vtkPartLevels*>(levels);
+}
+
+void TellStandIns(vtkObject*, unsigned long, void* standIns, void* asked)
+{
+  *static_cast<const vitrine::StandIns**>(asked) = static_cast<const vitrine::StandIns*>(standIns);
 }
 
 /** All that a camera and a picture have to be alike in, so that the camera stands still. */
@@ -78,6 +83,18 @@ PixelView PixelViewOf(vtkRenderer* renderer)
   view.ParallelHeight = 2 * camera->GetParallelScale();
   return view;
 }
+
+/** Adds the planes before and behind which nothing is drawn. */
+void AddClippingPlanes(vtkCamera* camera, std::vector<vitrine::CutPlane>& planes)
+{
+  glm::dvec3 eye, direction;
+  camera->GetPosition(&eye.x);
+  camera->GetDirectionOfProjection(&direction.x);
+  for (const double distance : { camera->GetClippingRange()[0], camera->GetClippingRange()[1] })
+  {
+    planes.push_back({ direction, -glm::dot(direction, eye) - distance });
+  }
+}
 }
 
 struct vtkPartLevels::Internals
@@ -96,11 +113,11 @@ struct vtkPartLevels::Internals
   bool UseCache = true;
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vitrine::FrameObserver> Observer;
-  unsigned long Answer = 0;
+  unsigned long Answers[2]{};
   unsigned long Deletion = 0; ///< observer of the renderer's end
   Standpoint Last{};
-  std::vector<vtkActor*> Shown;  ///< coarse actors of the frame that is drawn
-  std::vector<vtkActor*> Hidden; ///< actors of assemblies that they replace
+  vitrine::StandIns
+    StandIns; ///< of the frame that is drawn: coarse actors, and those of assemblies that they replace
   bool DrewLevels = false;
   LevelCounts Counts;
 
@@ -118,12 +135,13 @@ struct vtkPartLevels::Internals
       this->CountWhole();
       return;
     }
-    const PixelView view = PixelViewOf(renderer);
+    LevelRequest asked{ PixelViewOf(renderer), this->Pixels, vitrine::ExactPartsOf(renderer) };
+    AddClippingPlanes(renderer->GetActiveCamera(), asked.Exact.Planes);
     for (LevelledAssembly& assembly : this->Assemblies)
     {
       if (assembly.Work->IsDone())
       {
-        this->Show(assembly, view);
+        this->Show(assembly, asked);
       }
     }
   }
@@ -131,13 +149,11 @@ struct vtkPartLevels::Internals
   /** Returns true if a frame has to be drawn as it is. */
   static bool IsExactFor(vtkRenderer* renderer)
   {
-    vtkPartXRay* const xRay = vtkPartXRay::GetAttached(renderer);
-    return renderer->GetSelector() != nullptr || vtkSection::GetAttached(renderer) != nullptr ||
-      (xRay && xRay->GetNumberOfParts() > 0) ||
+    return renderer->GetSelector() != nullptr ||
       renderer->GetActiveCamera()->GetUseExplicitProjectionTransformMatrix();
   }
 
-  void Show(LevelledAssembly& assembly, const PixelView& view)
+  void Show(LevelledAssembly& assembly, const LevelRequest& asked)
   {
     vtkRenderer* const renderer = this->Renderer;
     const vitrine::DrawnParts& parts = PartsOf(assembly);
@@ -157,23 +173,23 @@ struct vtkPartLevels::Internals
     {
       return; // the assembly, or some of it, is not shown here
     }
-    assembly.Coarse->Choose(view, this->Pixels);
+    assembly.Coarse->Choose(asked);
     if (assembly.Coarse->Counts().GreatestPixels > this->Pixels)
     {
       return; // single precision is too coarse here
     }
     for (vtkActor* const actor : originals)
     {
-      if (actor->GetVisibility())
+      if (actor->GetVisibility() && asked.Exact.Props.count(actor) == 0)
       {
         actor->VisibilityOff();
-        this->Hidden.push_back(actor);
+        this->StandIns.Hidden.insert(actor);
       }
     }
     for (vtkActor* const actor : assembly.Coarse->Actors())
     {
       actor->VisibilityOn();
-      this->Shown.push_back(actor);
+      this->StandIns.Shown.insert(actor);
     }
     const LevelCounts& counts = assembly.Coarse->Counts();
     this->Counts.Triangles += counts.Triangles;
@@ -197,16 +213,15 @@ struct vtkPartLevels::Internals
 
   void EndFrame()
   {
-    for (vtkActor* const actor : this->Hidden)
+    for (vtkProp* const prop : this->StandIns.Hidden)
     {
-      actor->VisibilityOn();
+      prop->VisibilityOn();
     }
-    for (vtkActor* const actor : this->Shown)
+    for (vtkProp* const prop : this->StandIns.Shown)
     {
-      actor->VisibilityOff();
+      prop->VisibilityOff();
     }
-    this->Hidden.clear();
-    this->Shown.clear();
+    this->StandIns = {};
   }
 
   void Remove(LevelledAssembly& assembly)
@@ -357,10 +372,8 @@ void vtkPartLevels::Attach(vtkRenderer* renderer)
   in.Observer->End = [&in] { in.EndFrame(); };
   in.Observer->Watch(
     renderer, this, vitrine::FollowsCamera); // before those that look which props there are
-  vtkNew<vtkCallbackCommand> answer;
-  answer->SetCallback(TellLevels);
-  answer->SetClientData(this);
-  in.Answer = renderer->AddObserver(AskForLevels, answer);
+  in.Answers[0] = vitrine::AddAnswer(renderer, AskForLevels, TellLevels, this);
+  in.Answers[1] = vitrine::AddAnswer(renderer, vitrine::AskForStandIns, TellStandIns, &in.StandIns);
   in.Deletion =
     renderer->AddObserver(vtkCommand::DeleteEvent, this, &vtkPartLevels::WhenRendererIsDeleted);
 }
@@ -374,7 +387,10 @@ void vtkPartLevels::Detach()
   in.Renderer = nullptr;
   if (renderer)
   {
-    renderer->RemoveObserver(in.Answer);
+    for (const unsigned long answer : in.Answers)
+    {
+      renderer->RemoveObserver(answer);
+    }
     renderer->RemoveObserver(in.Deletion);
     const vtkSmartPointer<vitrine::FrameObserver> observer = std::move(in.Observer);
     observer->Leave(renderer); // it may hold the last reference to this object

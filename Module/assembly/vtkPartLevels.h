@@ -17,11 +17,13 @@
  * several tiny parts of one look, one stands for all where that is within the bound.
  *
  * In frames with levels, parts of one look are one actor, and the assembly's own actors are hidden. Between frames all
- * is as it was. So picks, measures and bounds are of the parts themselves. All is drawn as it is, too:
- * - while a selector renders, and while an x-ray or a section is attached to the renderer;
- * - for actors with parts that have textures, lines or vertices, and for those that were moved, or have got clipping
- *   planes or shader code;
- * - with a camera that has a projection matrix of its own.
+ * is as it was. So picks, measures and bounds are of the parts themselves. Drawn as they are, too, are:
+ * - all parts, while a selector renders, and with a camera that has a projection matrix of its own;
+ * - parts that a plane of a section or the camera's near or far plane meets, as a small move of a face may be a large
+ *   one of its edge in the plane;
+ * - actors with parts that are chosen for an x-ray or for a plane of a section;
+ * - actors with parts that have textures, lines or vertices, and for those that were moved, or have got clipping
+ *   planes or shader code.
  *
  * @sa
  * vtkAssemblyActors vtkSeeThroughPass

@@ -65,6 +65,17 @@ bool ChosenParts::Has(vtkProp* prop) const
   return found != this->Props.end() && found->second.Prop == prop;
 }
 
+void ChosenParts::AddPropsTo(std::unordered_set<vtkProp*>& props) const
+{
+  for (const auto& [prop, parts] : this->Props)
+  {
+    if (parts.Prop)
+    {
+      props.insert(prop);
+    }
+  }
+}
+
 std::vector<vtkProp*> ChosenParts::PropsIn(vtkRenderer* renderer) const
 {
   std::vector<vtkProp*> found;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 class vtkProp;
@@ -34,6 +35,9 @@ public:
   bool IsEmpty() const { return this->Count == 0; }
 
   bool Has(vtkProp* prop) const;
+
+  /** Adds the props that have chosen parts. */
+  void AddPropsTo(std::unordered_set<vtkProp*>& props) const;
 
   /** Returns the visible props of a renderer that have chosen parts, in the renderer's order. */
   std::vector<vtkProp*> PropsIn(vtkRenderer* renderer) const;

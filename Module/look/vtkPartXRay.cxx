@@ -3,6 +3,8 @@
 #include "Shaders/SharedLayout.h"
 #include "look/ChosenParts.h"
 #include "look/XRayShader.h"
+#include "scene/AnswerEvent.h"
+#include "scene/ExactParts.h"
 #include "scene/FadedLooks.h"
 #include "scene/FrameObserver.h"
 #include "scene/ListedPass.h"
@@ -11,7 +13,6 @@
 #include "scene/Settings.h"
 
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataObjectTree.h"
 #include "vtkMapper.h"
@@ -37,6 +38,12 @@ void TellXRay(vtkObject*, unsigned long, void* xray, void* asked)
 {
   *static_cast<vtkPartXRay**>(asked) = static_cast<vtkPartXRay*>(xray);
 }
+
+void TellExactParts(vtkObject*, unsigned long, void* chosen, void* asked)
+{
+  static_cast<const vitrine::ChosenParts*>(chosen)->AddPropsTo(
+    static_cast<vitrine::ExactParts*>(asked)->Props);
+}
 }
 
 struct vtkPartXRay::Internals
@@ -49,7 +56,7 @@ struct vtkPartXRay::Internals
   vtkPartXRay* Owner = nullptr;
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vitrine::FrameObserver> Observer;
-  unsigned long Answer = 0;
+  unsigned long Answers[2]{};
   unsigned long Deletion = 0; ///< observer of the renderer's end
   vtkMTimeType LooksTime = 0; ///< when looks were set last
 
@@ -249,10 +256,9 @@ void vtkPartXRay::Attach(vtkRenderer* renderer)
     in.NoteFrame();
   };
   in.Observer->Watch(renderer, this);
-  vtkNew<vtkCallbackCommand> answer;
-  answer->SetCallback(TellXRay);
-  answer->SetClientData(this);
-  in.Answer = renderer->AddObserver(AskForXRay, answer);
+  in.Answers[0] = vitrine::AddAnswer(renderer, AskForXRay, TellXRay, this);
+  in.Answers[1] =
+    vitrine::AddAnswer(renderer, vitrine::AskForExactParts, TellExactParts, &in.Chosen);
   in.Deletion =
     renderer->AddObserver(vtkCommand::DeleteEvent, this, &vtkPartXRay::WhenRendererIsDeleted);
 }
@@ -268,7 +274,10 @@ void vtkPartXRay::Detach()
   if (renderer)
   {
     in.Shader->Release();
-    renderer->RemoveObserver(in.Answer);
+    for (const unsigned long answer : in.Answers)
+    {
+      renderer->RemoveObserver(answer);
+    }
     renderer->RemoveObserver(in.Deletion);
     const vtkSmartPointer<vitrine::FrameObserver> observer = std::move(in.Observer);
     observer->Leave(renderer); // it may hold the last reference to this object

@@ -1,6 +1,7 @@
 #include "section/CutParts.h"
 
 #include "Core/geometry/ClosedMesh.h"
+#include "scene/ExactParts.h"
 #include "scene/Matrices.h"
 #include "scene/PartNumbers.h"
 #include "section/CapActor.h"
@@ -63,6 +64,7 @@ void CutParts::Update(
   this->Cut.clear();
   std::size_t drawnParts = 0;
   std::uint32_t nextPlace = 1;
+  const StandIns& standIns = StandInsOf(renderer);
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator place;
   props->InitTraversal(place);
@@ -75,7 +77,7 @@ void CutParts::Update(
     }
     const std::uint32_t place = nextPlace;
     nextPlace += NumberOfNodes(BlocksOf(actor));
-    if (!actor->GetVisibility())
+    if (!standIns.IsSeen(actor) || standIns.Shown.count(actor) > 0)
     {
       continue;
     }

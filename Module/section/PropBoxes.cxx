@@ -1,6 +1,7 @@
 #include "section/PropBoxes.h"
 
 #include "scene/CutProps.h"
+#include "scene/ExactParts.h"
 
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
@@ -60,12 +61,13 @@ std::vector<WorldBox> PropBoxes::ReadBoxesMetBy(
 {
   std::vector<WorldBox> met(planes.size());
   this->Boxes.clear();
+  const StandIns& standIns = StandInsOf(renderer);
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator place;
   props->InitTraversal(place);
   while (vtkProp* const prop = props->GetNextProp(place))
   {
-    const bool counts = !met.empty() && prop->GetVisibility() && !IsCap(prop);
+    const bool counts = !met.empty() && standIns.IsSeen(prop) && !IsCap(prop);
     const double* const bounds = counts ? prop->GetBounds() : nullptr;
     if (!bounds || !(bounds[0] <= bounds[1]))
     {

@@ -119,6 +119,22 @@ std::vector<PlaneMasks> SectionCutters::MasksOfBlocks(vtkProp* prop) const
   return masks;
 }
 
+void SectionCutters::AddExact(ExactParts& parts) const
+{
+  const std::vector<CutPlane> planes = this->Planes();
+  parts.Planes.insert(parts.Planes.end(), planes.begin(), planes.end());
+  for (const Cutter& cutter : this->Cutters)
+  {
+    for (const auto& [part, prop] : cutter.Chosen)
+    {
+      if (prop && cutter.Parts != vtkSection::ALL_PARTS)
+      {
+        parts.Props.insert(part.first);
+      }
+    }
+  }
+}
+
 PlaneMasks SectionCutters::MasksOfAnyBlock(vtkProp* prop) const
 {
   PlaneMasks all = this->MasksOf(prop);

@@ -2,6 +2,7 @@
 #ifndef VITRINE_SECTION_SECTION_CUTTERS_H
 #define VITRINE_SECTION_SECTION_CUTTERS_H
 
+#include "scene/ExactParts.h"
 #include "section/SectionPlanes.h"
 
 #include "vtkPlane.h"
@@ -56,6 +57,9 @@ struct SectionCutters
 
   /** The planes that apply to each block of a prop, or none if they apply to all alike. */
   std::vector<PlaneMasks> MasksOfBlocks(vtkProp* prop) const;
+
+  /** Adds the planes, and props with chosen parts, as which others cannot be cut. */
+  void AddExact(ExactParts& parts) const;
 
   /** Returns the planes that apply to any block of a prop. */
   PlaneMasks MasksOfAnyBlock(vtkProp* prop) const;

@@ -2,6 +2,7 @@
 
 #include "scene/CaptureEvents.h"
 #include "scene/CutProps.h"
+#include "scene/ExactParts.h"
 #include "scene/FrameOrder.h"
 #include "scene/ListedPass.h"
 #include "scene/SceneTime.h"
@@ -55,6 +56,10 @@ public:
     {
       *static_cast<vtkSection**>(data) = this->Section;
     }
+    else if (event == vitrine::AskForExactParts)
+    {
+      this->AddExact(*static_cast<vitrine::ExactParts*>(data));
+    }
     else if (event == vtkCommand::StartEvent || event == vitrine::CaptureStartEvent)
     {
       ++this->Depth;
@@ -70,6 +75,7 @@ public:
   vtkSmartPointer<vtkSection> Section;
   std::function<void(bool isCapture)> Start;
   std::function<void()> End;
+  std::function<void(vitrine::ExactParts&)> AddExact;
 
 private:
   int Depth = 0; ///< of captures in a frame, whose props stay marked until its end
@@ -492,9 +498,10 @@ void vtkSection::Attach(vtkRenderer* renderer)
   observer->Section = this;
   observer->Start = [&in](bool isCapture) { in.StartFrame(isCapture); };
   observer->End = [&in] { in.EndFrame(); };
+  observer->AddExact = [&in](vitrine::ExactParts& parts) { in.Cutters.AddExact(parts); };
   for (const unsigned long event : { static_cast<unsigned long>(vtkCommand::StartEvent),
          static_cast<unsigned long>(vtkCommand::EndEvent), vitrine::CaptureStartEvent,
-         vitrine::CaptureEndEvent, AskForSection })
+         vitrine::CaptureEndEvent, AskForSection, vitrine::AskForExactParts })
   {
     in.Observers.push_back(renderer->AddObserver(event, observer, vitrine::ReadsLooks));
   }

@@ -22,8 +22,8 @@ def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True, 
 
     Each part is drawn at the coarsest level with which no point of it is farther from where it should be than `pixels`.
     That is a computed bound of the distance of both surfaces, both ways. Levels are made in the background; until then
-    parts are drawn as they are. Parts with textures, lines or vertices always are. So are all parts while there is a
-    section or an x-ray.
+    parts are drawn as they are. Parts with textures, lines or vertices always are. So are parts that a section or the
+    near plane cuts, and those that an x-ray or a plane of a section has been given.
 
     Args:
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all

@@ -221,17 +221,61 @@ class Levels(unittest.TestCase):
         shown.remove()
         self.assertEqual(scene.renderer.GetViewProps().GetNumberOfItems(), actors.GetNumberOfActors())
 
-    def test_sections_and_x_rays_are_of_parts_as_they_are(self):
-        scene = Scene(machine())
+    def both(self, scene):
+        """A picture with levels, what was told of it, and one of the parts as they are."""
+        exact = scene.frame()
         shown = scene.levels(exact_while_still=False)
-        with vitrine.section(scene.window, "x"):
-            scene.frame(10)
-            self.assertFalse(shown.stats().drew_levels)
+        moved = scene.frame()
+        told = shown.stats()
+        shown.remove()
+        return moved, told, exact
+
+    def test_levels_are_cut_and_cut_parts_are_exact(self):
+        scene = Scene(machine())
         scene.frame(10)
-        self.assertTrue(shown.stats().drew_levels)
-        with vitrine.x_ray(scene.window, scene.assembly["ball_*"]):
-            scene.frame(10)
-            self.assertFalse(shown.stats().drew_levels)
+        for normal in ("x", "-y", (1, 2, 0)):
+            with vitrine.section(scene.window, normal):
+                moved, told, exact = self.both(scene)
+                self.assertGreater(told.whole_triangles, 1.3 * told.triangles)
+                self.assert_moved_by_less_than_a_pixel(moved, exact)
+        with vitrine.section_box(scene.window, (-1.2, 1.2, -3, 1.6, -3, 3), inside=False):
+            moved, told, exact = self.both(scene)
+            self.assertGreater(told.whole_triangles, 1.3 * told.triangles)
+            self.assert_moved_by_less_than_a_pixel(moved, exact)
+
+    def test_caps_are_those_of_parts_as_they_are(self):
+        scene = Scene(machine(), lit=True)
+        scene.camera.SetPosition(-9, 0, 0)
+        scene.camera.SetFocalPoint(0, 0, 0)
+        with vitrine.section(scene.window, "x", (0, 0, 0), caps=False) as cut:
+            without = scene.frame()
+            cut.look(caps=True, hatch="lines")
+            exact = scene.frame()
+            shown = scene.levels(exact_while_still=False, pixels=8)
+            moved = scene.frame()
+            self.assertGreater(shown.stats().whole_triangles, 2 * shown.stats().triangles)
+        caps = (exact != without).any(axis=2)
+        self.assertGreater(int(caps.sum()), 1000)
+        self.assertEqual(int((moved != exact).any(axis=2)[caps].sum()), 0)
+
+    def test_parts_chosen_by_a_plane_or_an_x_ray_are_exact(self):
+        assembly = machine()
+        assembly["dust_*"].opacity = 0.5
+        scene = Scene(assembly)
+        scene.frame(10)
+        every = self.both(scene)[1]
+        chosen = assembly["ball_*"]
+        for choose in (
+            lambda: vitrine.section(scene.window, "y", parts=chosen),
+            lambda: vitrine.section(scene.window, "y", but=chosen),
+            lambda: vitrine.x_ray(scene.window, chosen),
+        ):
+            with choose():
+                moved, told, exact = self.both(scene)
+                self.assertTrue(told.drew_levels)
+                self.assertEqual(told.whole_triangles, every.whole_triangles)
+                self.assertGreater(told.triangles, every.triangles)
+                self.assert_moved_by_less_than_a_pixel(moved, exact)
 
     def test_the_culler_changes_nothing(self):
         scene = Scene(machine(), lit=True)
