@@ -15,6 +15,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTypeInt32Array.h"
 
@@ -75,15 +76,16 @@ PartLook LookOf(const DrawnPlace& place)
   return look;
 }
 
-/** Returns when the looks or places of the parts of an actor changed last. */
-vtkMTimeType LooksTimeOf(vtkActor* actor)
+/** Returns when the looks or places of the parts of an actor, which shows `data`, changed last. */
+vtkMTimeType LooksTimeOf(vtkActor* actor, vtkDataObject* data)
 {
-  vtkMTimeType newest = actor->GetProperty()->GetMTime();
+  vtkMTimeType newest =
+    std::max(actor->GetProperty()->GetMTime(), actor->GetShaderProperty()->GetMTime());
   if (vtkCompositeDataDisplayAttributes* const attributes = AttributesOf(actor))
   {
     newest = std::max(newest, attributes->GetMTime());
   }
-  if (vtkDataObject* const data = actor->GetMapper()->GetInputDataObject(0, 0))
+  if (data)
   {
     newest = std::max(newest, data->GetMTime());
   }
@@ -180,7 +182,9 @@ private:
     for (const vtkSmartPointer<vtkActor>& actor : this->Parts.Actors())
     {
       this->Made.States.push_back(StateOf(actor));
-      this->IsReplaced[actor] = this->Made.States.back().IsPlain;
+      const ActorState& state = this->Made.States.back();
+      this->Made.LooksTime = std::max(this->Made.LooksTime, LooksTimeOf(actor, state.Data));
+      this->IsReplaced[actor] = state.IsPlain;
     }
     for (int part = 0; part < this->Parts.Count(); ++part)
     {
@@ -190,13 +194,9 @@ private:
         this->IsReplaced[this->Parts.Place(part).Actor] = false;
       }
     }
-    for (const vtkSmartPointer<vtkActor>& actor : this->Parts.Actors())
+    for (ActorState& state : this->Made.States)
     {
-      this->Made.LooksTime = std::max(this->Made.LooksTime, LooksTimeOf(actor));
-      if (this->IsReplaced[actor])
-      {
-        this->Made.Originals.push_back(actor);
-      }
+      state.IsReplaced = this->IsReplaced[state.Actor];
     }
   }
 
@@ -327,12 +327,76 @@ bool CoarseActors::AreOutdated(const DrawnParts& parts) const
   const auto& actors = parts.Actors();
   return !std::equal(actors.begin(), actors.end(), this->States.begin(), this->States.end(),
     [&](vtkActor* actor, const ActorState& state)
-    { return StateOf(actor) == state && LooksTimeOf(actor) <= this->LooksTime; });
+    {
+      if (state.IsUntouched())
+      {
+        return LooksTimeOf(actor, state.Data) <= this->LooksTime;
+      }
+      const ActorState now = StateOf(actor);
+      return now == state && LooksTimeOf(actor, now.Data) <= this->LooksTime;
+    });
 }
 
 CoarseActors::ActorState CoarseActors::StateOf(vtkActor* actor)
 {
-  return { actor->GetProperty(), actor->GetVisibility() != 0, IsAsMade(actor) };
+  vtkMapper* const mapper = actor->GetMapper();
+  return { actor, actor->vtkObject::GetMTime(), mapper, mapper->vtkObject::GetMTime(),
+    mapper->GetInputDataObject(0, 0), actor->GetProperty(), actor->GetVisibility() != 0,
+    IsAsMade(actor) };
+}
+
+bool CoarseActors::ActorState::IsUntouched() const
+{
+  return this->Actor->vtkObject::GetMTime() == this->Time &&
+    this->Actor->GetMapper() == this->Mapper &&
+    this->Mapper->vtkObject::GetMTime() == this->MapperTime;
+}
+
+/** Shows or hides the actor for a part of a frame, which is no change of it. */
+void CoarseActors::ActorState::Show(bool isShown)
+{
+  const bool isUntouched = this->IsUntouched();
+  this->Actor->SetVisibility(isShown);
+  this->Time = isUntouched ? this->Actor->vtkObject::GetMTime() : this->Time;
+}
+
+bool CoarseActors::AreReplacedIn(vtkRenderer* renderer) const
+{
+  return std::all_of(this->States.begin(), this->States.end(),
+    [&](const ActorState& state)
+    { return !state.IsReplaced || state.Actor->IsConsumer(renderer); });
+}
+
+void CoarseActors::BeginFrame(const std::unordered_set<vtkProp*>& exact, StandIns& standIns)
+{
+  for (ActorState& state : this->States)
+  {
+    if (state.IsReplaced && state.IsVisible && exact.count(state.Actor) == 0)
+    {
+      state.Show(false);
+      standIns.Hidden.insert(state.Actor);
+    }
+  }
+  for (vtkActor* const actor : this->Drawn)
+  {
+    actor->VisibilityOn();
+    standIns.Shown.insert(actor);
+  }
+}
+
+void CoarseActors::EndFrame(const StandIns& standIns)
+{
+  for (ActorState& state : this->States)
+  {
+    if (standIns.Hidden.count(state.Actor) > 0)
+    {
+      state.Show(true);
+    }
+  }
+  for (vtkActor* const actor : this->Drawn)
+  {
+    actor->VisibilityOff();
+  }
 }
 
 void CoarseActors::Choose(LevelRequest asked)

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <unordered_set>
 #include <vector>
 
 namespace vitrine
@@ -50,7 +51,16 @@ public:
    */
   void Choose(LevelRequest asked);
 
-  const std::vector<vtkSmartPointer<vtkActor>>& Replaced() const { return this->Originals; }
+  /** Returns true if a renderer has all actors that are replaced. */
+  bool AreReplacedIn(vtkRenderer* renderer) const;
+
+  /**
+   * Shows the actors in place of those that they replace, but for some that are exact.
+   * @param standIns  who stands for whom, which is added to
+   */
+  void BeginFrame(const std::unordered_set<vtkProp*>& exact, StandIns& standIns);
+  void EndFrame(const StandIns& standIns);
+
   const std::vector<vtkSmartPointer<vtkActor>>& Actors() const { return this->Drawn; }
   const LevelCounts& Counts() const { return this->Chosen; }
 
@@ -66,9 +76,19 @@ private:
   /** What an actor of the assembly was when the actors were made. */
   struct ActorState
   {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkMTimeType Time; ///< of the actor itself, without what it has
+    vtkMapper* Mapper;
+    vtkMTimeType MapperTime; ///< of the mapper itself
+    vtkSmartPointer<vtkDataObject> Data;
     vtkProperty* Property;
     bool IsVisible;
     bool IsPlain;
+    bool IsReplaced = false;
+
+    /** Returns true if the actor was certainly not set otherwise since. It is quick. */
+    bool IsUntouched() const;
+    void Show(bool isShown);
 
     bool operator==(const ActorState& other) const
     {
@@ -82,7 +102,6 @@ private:
   static void Compose(Group& group);
   void Count(const LevelRequest& asked);
 
-  std::vector<vtkSmartPointer<vtkActor>> Originals;
   std::vector<vtkSmartPointer<vtkActor>> Drawn;
   std::vector<Group> Groups;
   LevelCounts Chosen;

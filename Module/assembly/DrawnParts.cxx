@@ -43,6 +43,7 @@ GroupKey KeyOf(const AddedPart& part)
 
 vtkSmartPointer<vtkActor> MakeActor(const AddedPart& part, vtkMapper* mapper)
 {
+  mapper->StaticOn(); // No pipeline makes the data, so none has to be asked whether it changed.
   mapper->SetColorModeToDirectScalars();
   mapper->SetScalarVisibility(HasColors(part.Geometry));
   auto actor = vtkSmartPointer<vtkActor>::New();

@@ -167,9 +167,7 @@ struct vtkPartLevels::Internals
         renderer->AddActor(actor);
       }
     }
-    const auto& originals = assembly.Coarse->Replaced();
-    if (!std::all_of(originals.begin(), originals.end(),
-          [&](vtkActor* actor) { return actor->IsConsumer(renderer) != 0; }))
+    if (!assembly.Coarse->AreReplacedIn(renderer))
     {
       return; // the assembly, or some of it, is not shown here
     }
@@ -178,19 +176,7 @@ struct vtkPartLevels::Internals
     {
       return; // single precision is too coarse here
     }
-    for (vtkActor* const actor : originals)
-    {
-      if (actor->GetVisibility() && asked.Exact.Props.count(actor) == 0)
-      {
-        actor->VisibilityOff();
-        this->StandIns.Hidden.insert(actor);
-      }
-    }
-    for (vtkActor* const actor : assembly.Coarse->Actors())
-    {
-      actor->VisibilityOn();
-      this->StandIns.Shown.insert(actor);
-    }
+    assembly.Coarse->BeginFrame(asked.Exact.Props, this->StandIns);
     const LevelCounts& counts = assembly.Coarse->Counts();
     this->Counts.Triangles += counts.Triangles;
     this->Counts.WholeTriangles += counts.WholeTriangles;
@@ -213,13 +199,12 @@ struct vtkPartLevels::Internals
 
   void EndFrame()
   {
-    for (vtkProp* const prop : this->StandIns.Hidden)
+    for (LevelledAssembly& assembly : this->Assemblies)
     {
-      prop->VisibilityOn();
-    }
-    for (vtkProp* const prop : this->StandIns.Shown)
-    {
-      prop->VisibilityOff();
+      if (assembly.Coarse && !this->StandIns.Shown.empty())
+      {
+        assembly.Coarse->EndFrame(this->StandIns);
+      }
     }
     this->StandIns = {};
   }
