@@ -5,8 +5,17 @@ namespace vitrine
 namespace
 {
 
-// Equals no buffer, so that no call which sets one is skipped.
-constexpr unsigned int UnknownBuffer = GL_INVALID_INDEX;
+/** What is recorded of the draw or read buffer of a framebuffer that was bound just now. */
+unsigned int BufferOfBound([[maybe_unused]] GLenum which)
+{
+#ifdef VITRINE_VTK_CHECKS_STATE
+  GLint buffer = 0;
+  glGetIntegerv(which, &buffer);
+  return static_cast<unsigned int>(buffer);
+#else
+  return GL_INVALID_INDEX; // equals no buffer, so that no call which sets one is skipped
+#endif
+}
 
 }
 
@@ -17,7 +26,7 @@ void BindForDrawing(vtkOpenGLState* state, GLuint framebuffer)
   {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     bound.Binding = framebuffer;
-    bound.DrawBuffers[0] = UnknownBuffer;
+    bound.DrawBuffers[0] = BufferOfBound(GL_DRAW_BUFFER);
   }
 }
 
@@ -28,7 +37,7 @@ void BindForReading(vtkOpenGLState* state, GLuint framebuffer)
   {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     bound.Binding = framebuffer;
-    bound.ReadBuffer = UnknownBuffer;
+    bound.ReadBuffer = BufferOfBound(GL_READ_BUFFER);
   }
 }
 

@@ -18,7 +18,8 @@ public:
 ///@{
 /**
  * Bind a framebuffer, as vtkglBindFramebuffer() does, without asking OpenGL for its draw or read buffer: those remain
- * unknown to vtkOpenGLState until it restores other bindings. A ScopedTrackedState lives around the calls.
+ * unknown to vtkOpenGLState until it restores other bindings. A VTK that checks its record is told them. A
+ * ScopedTrackedState lives around the calls.
  */
 void BindForDrawing(vtkOpenGLState* state, GLuint framebuffer);
 void BindForReading(vtkOpenGLState* state, GLuint framebuffer);
