@@ -2,6 +2,7 @@
 
 #include "gl/Capabilities.h"
 #include "gl/RenderTarget.h"
+#include "gl/StateRecord.h"
 #include "vtkOpenGLState.h"
 
 namespace vitrine
@@ -59,8 +60,7 @@ std::string DepthCopy::CopyImage(vtkOpenGLState* state, const RenderTarget& targ
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
     target.DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
     this->Depth.Target(), this->Depth.Handle(), 0);
-  const GLenum none = GL_NONE;
-  glDrawBuffers(1, &none);
+  SetDrawBuffers(state, { GL_NONE });
   BlitDepth(state, target.Region);
   state->PopFramebufferBindings();
   return {};

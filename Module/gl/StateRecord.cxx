@@ -5,7 +5,7 @@ namespace vitrine
 namespace
 {
 
-/** What is recorded of the draw or read buffer of a framebuffer that was bound just now. */
+/** What is recorded of the draw or read buffer of the framebuffer that is bound. */
 unsigned int BufferOfBound([[maybe_unused]] GLenum which)
 {
 #ifdef VITRINE_VTK_CHECKS_STATE
@@ -39,6 +39,18 @@ void BindForReading(vtkOpenGLState* state, GLuint framebuffer)
     bound.Binding = framebuffer;
     bound.ReadBuffer = BufferOfBound(GL_READ_BUFFER);
   }
+}
+
+void SetDrawBuffers(vtkOpenGLState* state, const std::vector<GLenum>& buffers)
+{
+  glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+  StateRecord::Of(state).DrawBinding.DrawBuffers[0] = BufferOfBound(GL_DRAW_BUFFER);
+}
+
+void SetReadBuffer(vtkOpenGLState* state, GLenum buffer)
+{
+  glReadBuffer(buffer);
+  StateRecord::Of(state).ReadBinding.ReadBuffer = BufferOfBound(GL_READ_BUFFER);
 }
 
 }

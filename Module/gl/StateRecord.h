@@ -5,6 +5,8 @@
 #include "gl/VitrineOpenGL.h"
 #include "vtkOpenGLState.h"
 
+#include <vector>
+
 namespace vitrine
 {
 
@@ -23,6 +25,16 @@ public:
  */
 void BindForDrawing(vtkOpenGLState* state, GLuint framebuffer);
 void BindForReading(vtkOpenGLState* state, GLuint framebuffer);
+///@}
+
+///@{
+/**
+ * Set the draw buffers of the framebuffer that is bound for drawing, or the read buffer of that for reading. OpenGL is
+ * called in any case: vtkOpenGLState may take a call to be redundant, since its record of draw buffers after the first
+ * is not kept for each framebuffer.
+ */
+void SetDrawBuffers(vtkOpenGLState* state, const std::vector<GLenum>& buffers);
+void SetReadBuffer(vtkOpenGLState* state, GLenum buffer);
 ///@}
 
 }

@@ -156,8 +156,7 @@ std::string LayerCapture::Prepare(const Request& request)
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, request.Width);
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, request.Height);
   glFramebufferParameteri(GL_DRAW_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_SAMPLES, request.Samples);
-  const GLenum none = GL_NONE;
-  glDrawBuffers(1, &none);
+  SetDrawBuffers(window->GetState(), { GL_NONE });
   return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
     ? std::string()
     : "the driver has no framebuffer without images";

@@ -21,7 +21,7 @@ std::string GBuffer::Allocate(const RenderTarget& target, int layers)
 void GBuffer::BindForDrawing(vtkOpenGLState* state, const RenderTarget& target)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Drawing.Handle());
-  DrawIntoLayers(this->Layers, this->Count);
+  DrawIntoLayers(state, this->Layers, this->Count);
   target.AttachDepth();
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -5,6 +5,7 @@
 #define VITRINE_LIGHTING_DEFERRED_LAYERED_DRAWING_H
 
 #include "gl/GLObjects.h"
+#include "gl/StateRecord.h"
 
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace vitrine
 {
 
 /** Attaches the layers to the framebuffer that is bound for drawing. */
-inline void DrawIntoLayers(const Image2D& image, int layers)
+inline void DrawIntoLayers(vtkOpenGLState* state, const Image2D& image, int layers)
 {
   std::vector<GLenum> buffers;
   for (int layer = 0; layer < layers; ++layer)
@@ -20,7 +21,7 @@ inline void DrawIntoLayers(const Image2D& image, int layers)
     buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
     glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, buffers.back(), image.Handle(), 0, layer);
   }
-  glDrawBuffers(layers, buffers.data());
+  SetDrawBuffers(state, buffers);
 }
 
 }

@@ -17,7 +17,7 @@ std::string LightSums::Allocate(const RenderTarget& target)
 void LightSums::BindForAdding(vtkOpenGLState* state)
 {
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Adding.Handle());
-  DrawIntoLayers(this->Layers, VITRINE_LIGHT_SUM_LAYERS);
+  DrawIntoLayers(state, this->Layers, VITRINE_LIGHT_SUM_LAYERS);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   for (GLint layer = 0; layer < VITRINE_LIGHT_SUM_LAYERS; ++layer)

@@ -145,8 +145,7 @@ std::string HiddenDepths::DrawCut(
   BindForReading(state, target.Framebuffer);
   BindForDrawing(state, this->Target.Handle());
   fill.AttachDepth();
-  const GLenum none = GL_NONE;
-  glDrawBuffers(1, &none);
+  SetDrawBuffers(state, { GL_NONE });
   const PixelRegion& r = target.Region;
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, r.X, r.Y, r.X + r.Width,

@@ -59,11 +59,9 @@ void ListHeads::Attach(vtkOpenGLState* state, const RenderTarget& target)
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
     this->Fetched ? GLuint(this->Heads.Handle()) : 0u, 0);
   target.AttachDepth();
-  // The mappers' shaders themselves write a colour to location 0. This call bypasses vtkOpenGLState, whose cache of the
-  // buffers after the first may be that of another framebuffer.
-  const GLenum buffers[2] = { GL_NONE,
-    this->Fetched ? GLenum(GL_COLOR_ATTACHMENT0) : GLenum(GL_NONE) };
-  glDrawBuffers(2, buffers);
+  // The mappers' shaders themselves write a colour to location 0.
+  SetDrawBuffers(
+    state, { GL_NONE, this->Fetched ? GLenum(GL_COLOR_ATTACHMENT0) : GLenum(GL_NONE) });
 }
 
 void ListHeads::Clear(vtkOpenGLState* state, const PixelRegion& r)

@@ -25,7 +25,7 @@ std::string SampleImages::Prepare(vtkOpenGLState* state, const RenderTarget& tar
     glFramebufferTextureLayer(
       GL_DRAW_FRAMEBUFFER, outputs.back(), this->Layers.Handle(), 0, sample);
   }
-  glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
+  SetDrawBuffers(state, outputs);
   this->Attached = this->Layers.Number();
   return {};
 }

@@ -80,8 +80,7 @@ std::string MaskResolver::Prepare(
     BindForDrawing(state, this->LayerTarget.Handle());
     Attach(GL_COLOR_ATTACHMENT0, this->LayerColors);
     Attach(GL_COLOR_ATTACHMENT1, this->LayerSums);
-    const GLenum both[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-    glDrawBuffers(2, both);
+    SetDrawBuffers(state, { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 });
   }
   return problem;
 }

@@ -98,8 +98,7 @@ void MaskTarget::Attach(vtkOpenGLState* state)
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->ColorImage.Handle(), 0);
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, this->DepthImage.Handle(), 0);
-  const GLenum both[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-  glDrawBuffers(2, both);
+  SetDrawBuffers(state, { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 });
 }
 
 std::string MaskTarget::WriteStartValues()

@@ -53,8 +53,7 @@ void RoutedImages::Attach(vtkOpenGLState* state, int pass)
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, this->DepthImages.Handle(), 0, pass);
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT,
     this->StencilImage.Target(), this->StencilImage.Handle(), 0);
-  const GLenum both[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-  glDrawBuffers(2, both);
+  SetDrawBuffers(state, { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 });
 }
 
 std::int64_t RoutedImages::Bytes() const

@@ -44,6 +44,13 @@ void DrawUpTo(vtkShaderProgram* program, float edge, float side, int number)
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/** Binds no framebuffer. Where a bound one is deleted, OpenGL does so by itself, but the record would not show it. */
+void LeaveFramebuffers(vtkOpenGLState* state)
+{
+  BindForDrawing(state, 0);
+  BindForReading(state, 0);
+}
+
 std::array<GLubyte, 4> ReadPixel(vtkOpenGLState* state, Framebuffer& source)
 {
   std::array<GLubyte, 4> pixel = {};
@@ -104,6 +111,7 @@ std::string RoutingProbe::Probe(
       ? this->Judge(window, route, images)
       : ProgramFailure;
   }
+  LeaveFramebuffers(state);
   images.Release();
   return problem;
 }
@@ -168,6 +176,7 @@ std::string RoutingProbe::Judge(
   {
     problem = ProgramFailure;
   }
+  LeaveFramebuffers(state);
   target.Release();
   image.Release();
   return problem;

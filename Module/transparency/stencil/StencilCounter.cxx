@@ -80,10 +80,9 @@ void AttachStencilAlone(vtkOpenGLState* state, Framebuffer& framebuffer, const I
   BindForDrawing(state, framebuffer.Handle());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, image.Target(), image.Handle(), 0);
-  const GLenum none = GL_NONE;
-  glDrawBuffers(1, &none);
+  SetDrawBuffers(state, { GL_NONE });
   BindForReading(state, framebuffer.Handle());
-  glReadBuffer(GL_NONE);
+  SetReadBuffer(state, GL_NONE);
 }
 
 }

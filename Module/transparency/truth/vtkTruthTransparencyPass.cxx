@@ -146,8 +146,7 @@ void vtkTruthTransparencyPass::Internals::AttachTargets(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
   vitrine::BindForDrawing(state, this->FillFramebuffer.Handle());
   target.AttachDepth();
-  const GLenum none = GL_NONE;
-  glDrawBuffers(1, &none);
+  vitrine::SetDrawBuffers(state, { GL_NONE });
 }
 
 //------------------------------------------------------------------------------
