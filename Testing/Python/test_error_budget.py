@@ -194,7 +194,8 @@ class FrameTimes(unittest.TestCase):
                 seen.add(round(255 * told.error_budget, 6))
                 self.assertLessEqual(told.guaranteed_error, told.error_budget)
             self.assertEqual(seen, {each for each in (0.6, 1, 2, 4, 8, 16, 32) if each <= largest})
-            self.assertRegex(told.time_problem, f"frames take .* ms, not 0.001 ms, with any error of up to {largest}/255")
+            said = f"frames take .* ms, not 0.001 ms, with any error of up to {largest}/255"
+            self.assertRegex(told.time_problem, said)
 
     def test_come_and_go_with_the_budget_that_was_set(self):
         frame = vitrine.vtkSeeThroughPass()

@@ -54,9 +54,9 @@ struct PixelLayers
  * Among equal depths the rule of the exact methods in targets of 8 bits holds: by alpha, blue, green and red as they
  * are stored (Core/lists/StoredColor); then by part. Translucent fragments are in front of opaque ones of equal depth,
  * since the depth test lets them pass. Of opaque ones, that of the prop or block that was drawn later is in front, as
- * in the depth test, then the part with the larger number, and within a part the later primitive. The order of fragments
- * never counts. Tested fragments are in front of opaque ones at any depth. A depth of NaN counts as 0, as in the
- * methods.
+ * in the depth test, then the part with the larger number, and within a part the later primitive. The order of
+ * fragments never counts. Tested fragments are in front of opaque ones at any depth. A depth of NaN counts as 0, as in
+ * the methods.
  *
  * @param pixels      the number of pixels; fragments of others are ignored
  * @param samples     samples of a pixel, at least 1

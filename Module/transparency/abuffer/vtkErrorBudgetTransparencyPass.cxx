@@ -35,9 +35,9 @@ struct vtkErrorBudgetTransparencyPass::Choice
   bool HasNothing = false;          // The last frame had nothing translucent, and no error.
   bool HasPixels = false;           // The bounds of its pixels were kept.
   int FrameSize[2] = {};
-  bool KnowsAFrame = false;         // Some frame was drawn by this pass.
-  vitrine::PixelRegion Region;      // of the last frame that was drawn
-  double ErrorOfColors = 0.0;       // of the last frame
+  bool KnowsAFrame = false;    // Some frame was drawn by this pass.
+  vitrine::PixelRegion Region; // of the last frame that was drawn
+  double ErrorOfColors = 0.0;  // of the last frame
 
   std::vector<vitrine::PlannedMethod> Plan(double budget)
   {
@@ -262,8 +262,7 @@ void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
   Choice& chosen = *this->Chosen;
   const double stored = vitrine::GuaranteedError(chosen.Frame.Colors, chosen.Kind);
   chosen.ErrorOfColors = this->GetErrorOfColors();
-  this->GuaranteedError =
-    chosen.ErrorOfColors + (chosen.IsCut() ? this->GetOwnBudget() : stored);
+  this->GuaranteedError = chosen.ErrorOfColors + (chosen.IsCut() ? this->GetOwnBudget() : stored);
   if (chosen.Frame.HiddenLight > 0.0)
   {
     chosen.Hidden.EndFrame();
