@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from ._assembly import Assembly
 from ._options import check_boolean
-from ._target import _plotter_of, _renderers_of
+from ._target import _plotter_of, _renderers_of, _weak
 from .vtkVitrineRendering import vtkPartLevels
 
 _FINEST, _COARSEST = 0.001, 64.0
@@ -104,6 +104,7 @@ class Levels:
         plotter = _plotter_of(target)
         self._plotter = weakref.ref(plotter) if plotter is not None else lambda: None
         self._shown = shown
+        self._renderers: list[Any] = [_weak(each.GetRenderer()) for each in shown]
 
     @property
     def progress(self) -> float:
@@ -123,6 +124,14 @@ class Levels:
             sum(each.GetNumberOfWholeTriangles() for each in self._shown),
             max((each.GetGreatestDistance() for each in self._shown), default=0.0),
         )
+
+    def _switch(self, on: bool) -> None:
+        """Draw parts as they are until they are switched on again. Their levels are kept."""
+        for each, renderer in zip(self._shown, self._renderers):
+            if not on:
+                each.Detach()
+            elif renderer.Get() is not None:
+                each.Attach(renderer.Get())
 
     def remove(self) -> None:
         """Draw parts as they are from now on. A plotter on show is drawn at once."""

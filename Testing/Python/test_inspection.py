@@ -48,6 +48,8 @@ CHANGES = {
     "lights": lambda shown: shown.set_lights("studio"),
     "background": lambda shown: shown.set_background("#203040"),
     "method": lambda shown: shown.set_method("linked-list", (16, 0.01), cull=False),
+    "error": lambda shown: shown.set_error(2 / 255),
+    "levels": lambda shown: shown.set_levels(1.0),
 }
 
 
@@ -191,6 +193,35 @@ class States(Machine):
         subprocess.run([sys.executable, "-B", script], check=True, cwd=self.folder)
         self.same(read_png(self.folder / "picture.png"), picture)
 
+    def test_have_an_error_budget_that_pictures_keep(self):
+        self.make_view()
+        for steps in (0.6, 2):
+            self.shown.set_error(steps / 255)
+            self.assertLessEqual(self.shown.error()["max"], (steps + 0.5) / 255)  # truth is rounded, too
+            told = self.shown.figures()
+            self.assertEqual((told["method"], told["error_budget"]), ("automatic", steps / 255))
+        self.assertIn("'automatic', error=2.0 / 255", self.shown.script())
+        self.shown.set_method("linked-list")
+        self.assertIsNone(self.shown.state()["error"])
+        self.shown.apply({"vitrine": 1, "error": 0.01})
+        self.assertEqual(self.shown.state()["method"], "automatic")
+        self.shown.set_error(None)
+        self.assertEqual(self.shown.state()["method"], _state.DEFAULTS["method"])
+
+    def test_have_levels_of_moving_pictures_alone(self):
+        picture = self.shown.picture()
+        self.shown.set_levels(64)
+        self.shown.shown._handles["levels"][0].wait()
+        with self.shown.shown.moving():
+            self.shown.window.Render()
+        self.shown.forget_frame()
+        self.assertTrue(self.shown.shown._handles["levels"][0].stats().drew_levels)
+        self.assertIsNone(vitrine.vtkPartLevels.GetAttached(self.shown.renderer))
+        self.same(self.shown.picture(), picture)
+        self.assertTrue(self.shown.script().endswith("vitrine.levels(renderer, pixels=64)  # while the camera moves\n"))
+        self.shown.undo()
+        self.assertIsNone(self.shown.state()["levels"])
+
     def test_are_taken_by_another_inspection(self):
         self.make_view()
         other = self.opened()
@@ -283,11 +314,13 @@ def malformed_states():
         "background": ["white", "#fff"],
         "method": ["", "nonsense", 1],
         "coincidence": [1, [1], [-1, 0], [1, 2, 3]],
+        "error": [0, -1, 0.5 / 255, 1.5, "2/255", True],
         "cull": [0, "no"],
+        "levels": [0, -1, 65, True, "fine"],
         "unknown": [1],
     }  # fmt: skip
     wrong = [{"vitrine": 1, key: value} for key, values in keys.items() for value in values]
-    return [None, [], "state", {}, *wrong]
+    return [None, [], "state", {}, {"vitrine": 1, "method": "truth", "error": 0.1}, *wrong]
 
 
 class Answers(Machine):

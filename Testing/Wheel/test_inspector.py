@@ -252,6 +252,8 @@ HOSTILE = [
     ("set_lights", {"preset": "disco"}),
     ("set_background", {"color": "#12"}),
     ("set_method", {"method": "magic"}),
+    ("set_error", {"error": 0}),
+    ("set_levels", {"pixels": "fine"}),
     ("apply", {"state": []}),
     ("apply", {"state": {"vitrine": 1, "camera": {"position": [0, 0, 0]}}}),
     ("apply", {"state": {"vitrine": 1, "selected": ["/nobody"]}}),

@@ -384,9 +384,25 @@ class Inspection:
     def set_method(
         self, method: str, coincidence: Sequence[float] | None = None, cull: bool | None = None
     ) -> None:
-        """Draw by another method of see_through(), with its coincidence, and with or without culling."""
+        """Draw by another method of see_through(), with its coincidence, and with or without culling.
+
+        Methods other than automatic have no error budget.
+        """
         tolerance = None if coincidence is None else [*coincidence]
-        self._set(method=method, coincidence=tolerance, cull=self._state["cull"] if cull is None else cull)
+        error = self._state["error"] if method == "automatic" else None
+        cull = self._state["cull"] if cull is None else cull
+        self._set(method=method, error=error, coincidence=tolerance, cull=cull)
+
+    def set_error(self, error: float | None) -> None:
+        """Draw by automatic within an error budget: of a channel from 0 to 1, at least 0.6/255. None ends it."""
+        self._set(method=_state.DEFAULTS["method"] if error is None else "automatic", error=error)
+
+    def set_levels(self, pixels: float | None) -> None:
+        """Show the page parts of assemblies at levels of detail while the camera moves. No point moves by more pixels.
+
+        All other pictures show parts as they are. None ends it.
+        """
+        self._set(levels=pixels)
 
     def _bounds(self) -> tuple[float, ...]:
         return _views.shown_bounds(self.renderer)

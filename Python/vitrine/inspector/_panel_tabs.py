@@ -280,6 +280,18 @@ def _figures() -> None:
     _head("Method")
     _select("Method", "ins.method", "methods", act("set_method", "{method: $event, coincidence: ins.coincidence}"))
     with html.Div(classes="vi-line"):
+        html.Div("Error / 255", classes="vi-label")
+        v.VTextField(
+            model_value=("ins.error === null ? '' : Number((255 * ins.error).toPrecision(6))",),
+            type="number",
+            placeholder="any method",
+            title="The largest error of a channel in steps of 255, from 0.6: the cheapest method keeps it",
+            change=act(
+                "set_error",
+                "{error: $event.target.value === '' ? null : Number($event.target.value) / 255}",
+            ),
+        )
+    with html.Div(classes="vi-line"):
         html.Div("Coincident", classes="vi-label")
         v.VTextField(
             model_value=("ins.coincidence ? ins.coincidence[0] : ''",),
@@ -296,6 +308,11 @@ def _figures() -> None:
         label="Leave out what is hidden",
         model_value=("ins.cull",),
         update_modelValue=act("set_method", "{method: ins.method, coincidence: ins.coincidence, cull: $event}"),
+    )
+    v.VCheckbox(
+        label="Coarser parts while moving",
+        model_value=("ins.levels !== null",),
+        update_modelValue=act("set_levels", "{pixels: $event ? 0.5 : null}"),
     )
     _head("This view")
     with html.Div(classes="vi-line"):

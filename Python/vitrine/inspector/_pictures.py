@@ -40,7 +40,8 @@ class Pictures:
         width, height = inspection.state_now["size"]
         self._resize(max(1, round(scale * width)), max(1, round(scale * height)))
         inspection.renderer.ResetCameraClippingRange(inspection.parts.bounds())
-        inspection.window.Render()
+        with inspection.shown.moving():
+            inspection.window.Render()
         pixels = _output.read_pixels(inspection.window)
         inspection.forget_frame()
         data = _jpeg(pixels)

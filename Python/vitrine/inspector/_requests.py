@@ -11,6 +11,7 @@ from ._inspection import Inspection
 _CHANGES = (
     "hide show isolate ghost look reset select highlight explode add_section move_section remove_section set_box"
     " set_caps reveal x_ray fit view save_view remove_view go_to parallel set_lights set_background set_method"
+    " set_error set_levels"
     " undo redo apply"
 ).split()
 _ANSWERS = "pick measure figures culled error cut_parts script".split()

@@ -23,6 +23,7 @@ def script_of(state: State, bounds: Sequence[float]) -> str:
         _reveal(state, bounds),
         _highlight(state),
         _ending(bounds),
+        _levels(state["levels"]),
     ]
     return "\n".join(line for section in sections for line in section) + "\n"
 
@@ -91,6 +92,8 @@ def _lights(preset: str | None) -> list[str]:
 
 def _method(state: State) -> list[str]:
     options = ""
+    if state["error"] is not None:
+        options += f", error={255 * state['error']!r} / 255"
     if state["coincidence"] is not None:
         options += f", coincidence=({_numbers(state['coincidence'])})"
     if state["cull"]:
@@ -161,6 +164,11 @@ def _ending(bounds: Sequence[float]) -> list[str]:
         'writer.SetFileName("picture.png")',
         "writer.Write()",
     ]
+
+
+def _levels(pixels: float | None) -> list[str]:
+    """After the picture, which shows parts as they are."""
+    return [] if pixels is None else [f"vitrine.levels(renderer, pixels={pixels!r})  # while the camera moves"]
 
 
 def _list(paths: list[str]) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable
+import contextlib
+from typing import Any, Callable, Iterator
 
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from .._highlight import highlight
+from .._levels import levels
 from .._reveal import reveal
 from .._section import section, section_box
 from .._see_through import see_through
@@ -15,7 +17,7 @@ from ..vtkVitrineRendering import vtkLightPresets
 from ._state import State
 from ._table import PartTable, rgb
 
-_STAGES = ("parts", "explode", "x_ray", "cuts", "reveal", "highlight")
+_STAGES = ("parts", "explode", "x_ray", "cuts", "reveal", "highlight", "levels")
 # The keys of a state that a stage shows, if not its own name.
 _KEYS = {"cuts": ("sections", "box", "caps"), "highlight": ("highlight", "selected")}
 # The stages during whose changes a stage must be off.
@@ -131,6 +133,23 @@ class Shown:
             if named:
                 handles.append(highlight(self._renderer, named, color=color))
 
+    def _levels(self, state: State, handles: list[Any]) -> None:
+        if state["levels"] is not None and self._parts.assemblies:
+            made = levels(self._renderer, state["levels"], exact_while_still=False)
+            made._switch(False)
+            handles.append(made)
+
+    @contextlib.contextmanager
+    def moving(self) -> Iterator[None]:
+        """Draw by levels of detail, if the state has them, until it is left."""
+        for handle in self._handles["levels"]:
+            handle._switch(True)
+        try:
+            yield
+        finally:
+            for handle in self._handles["levels"]:
+                handle._switch(False)
+
     def _named(self, paths: list[str]) -> list[Any]:
         return [part for path in paths for part in self._parts.named(path)]
 
@@ -140,6 +159,7 @@ class Shown:
         "cuts": _cut,
         "reveal": _reveal,
         "highlight": _highlight,
+        "levels": _levels,
     }
 
     def _show_surroundings(self, before: State, state: State) -> None:
@@ -151,7 +171,7 @@ class Shown:
             self._light(state["lights"])
         if "camera" in state and before.get("camera") != state["camera"]:
             place_camera(self._renderer.GetActiveCamera(), state["camera"])
-        if any(before.get(key) != state[key] for key in ("method", "coincidence", "cull")):
+        if any(before.get(key) != state[key] for key in ("method", "error", "coincidence", "cull")):
             self._draw_by(state)
 
     def set_method_aside(self) -> None:
@@ -168,6 +188,7 @@ class Shown:
         made = see_through(
             self._renderer,
             state["method"],
+            error=state["error"],
             coincidence=tuple(tolerance) if tolerance is not None else None,
             cull=state["cull"],
         )

@@ -35,8 +35,10 @@ DEFAULTS: State = {
     "lights": "headlight",
     "background": "#ffffff",
     "method": "prefix-sum-predicted",
+    "error": None,
     "coincidence": None,
     "cull": True,
+    "levels": None,
 }
 REVEAL_DEFAULTS = {"share": 0.7, "cutaway": False}
 X_RAY_DEFAULTS = {"falloff": 2.0, "floor": 0.05}
@@ -58,6 +60,8 @@ def with_defaults(given: Mapping[str, Any]) -> State:
     state = {**copy.deepcopy(DEFAULTS), **copy.deepcopy(dict(given))}
     state["caps"] = {**DEFAULTS["caps"], **state["caps"]}
     state["size"] = [int(side) for side in state["size"]]
+    if state["error"] is not None and "method" not in given:
+        state["method"] = "automatic"
     for key, defaults in (("reveal", REVEAL_DEFAULTS), ("x_ray", X_RAY_DEFAULTS)):
         if state[key] is not None:
             state[key] = {**defaults, **state[key]}
