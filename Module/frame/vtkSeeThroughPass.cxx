@@ -420,6 +420,12 @@ double vtkSeeThroughPass::GetFrameTime()
 }
 
 //------------------------------------------------------------------------------
+double vtkSeeThroughPass::GetLargestTimedBudget()
+{
+  return LargestTimedBudget;
+}
+
+//------------------------------------------------------------------------------
 double vtkSeeThroughPass::GetMeasuredFrameTime()
 {
   return this->IsTimed() ? this->Private->Pace.Milliseconds() : 0.0;

@@ -81,7 +81,8 @@ public:
    * The CutOff of the LightingPass is part of the budget. While a frame is drawn, it is half of the budget, or less if
    * fragments need more. A CutOff below that, other than the default, stays.
    *
-   * With a FrameTime it is the largest budget that is taken, 32 / 255 if none was set. 0 ends the FrameTime.
+   * With a FrameTime it is the largest budget that is taken, GetLargestTimedBudget() if none was set. 0 ends the
+   * FrameTime.
    */
   void SetErrorBudget(double budget);
   double GetErrorBudget();
@@ -98,6 +99,11 @@ public:
   void SetFrameTime(double milliseconds);
   double GetFrameTime();
   ///@}
+
+  /**
+   * Get the largest budget that is taken for a FrameTime if no ErrorBudget was set, 32 / 255.
+   */
+  static double GetLargestTimedBudget();
 
   /**
    * Get the median time of the last frames that were measured for the FrameTime, in milliseconds. It is 0 if there were

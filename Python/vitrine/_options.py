@@ -22,7 +22,6 @@ _LIGHTS: dict[str, Any] = {
     "clustered": vtkClusteredLightsPass,
     "deferred": vtkDeferredLightsPass,
 }
-_LARGEST_OF_FRAME_MS = 32 / 255  # the largest error that is tried if none is given
 _COLOR_STORAGES = {
     "half-float": vtkABufferTransparencyPass.HALF_FLOAT,
     "8-bit": vtkABufferTransparencyPass.EIGHT_BIT,
@@ -77,7 +76,7 @@ def make_pass(
     whole.SetTranslucentPass(transparency)
     if frame_ms is not None:
         _only_of(vtkErrorBudgetTransparencyPass, method, "frame_ms")
-        whole.SetErrorBudget(_LARGEST_OF_FRAME_MS if error is None else _budget(error))
+        whole.SetErrorBudget(whole.GetLargestTimedBudget() if error is None else _budget(error))
         whole.SetFrameTime(_milliseconds(frame_ms))
     if lights is not None and lights is not False:
         whole.SetLightingPass(_known("lights", "clustered" if lights is True else lights, _LIGHTS)())

@@ -34,6 +34,10 @@ class ViewCommand(FileTest):
         for wrong in ("0", "65", "nan", "x"):
             self.assert_refused(run("view", "demo:mating", "--levels", wrong), "--levels")
 
+    def test_times_are_milliseconds(self):
+        for wrong in ("0", "-1", "nan", "1e6", "x"):
+            self.assert_refused(run("view", "demo:mating", "--frame-ms", wrong), "--frame-ms")
+
 
 class ViewWindow(FileTest):
     """In a window, each picture of which is that of `vitrine render` with the options that mean the same."""
@@ -85,6 +89,10 @@ class ViewWindow(FileTest):
         scene = ["demo:assembly,parts=600", "--opacity", "0.5"]
         self.view = self.open(*scene, "--levels", "8")
         self.assert_shows(self.rendered(scene=scene))
+
+    def test_with_ease_a_time_has_the_least_error(self):
+        self.view = self.open(*SCENE, "--frame-ms", "60000", "--error", "8/255")
+        self.assert_shows(self.rendered("--error", "0.6/255"))
 
     def test_a_click_selects_what_layers_tells_and_goes_deeper(self):
         at = "{},{}".format(*MIDDLE)

@@ -9,6 +9,7 @@
 #include "view/Keys.h"
 
 #include "vtkRenderWindowInteractor.h"
+#include "vtkSeeThroughPass.h"
 
 #include <cstdlib>
 #include <memory>
@@ -23,6 +24,7 @@ struct ViewOptions
   SceneOptions Scene;
   std::optional<std::string> Method;
   std::optional<std::string> ErrorBudget;
+  std::optional<double> FrameTime; ///< in milliseconds
   std::optional<std::string> Coincidence;
   std::optional<double> Levels; ///< pixels that points may move by
 };
@@ -32,7 +34,7 @@ class Viewer
 {
 public:
   Viewer(const Scene& scene, const ViewOptions& all, const std::string& firstMethod,
-    const Coincidence& tolerance, double errorBudget)
+    const Coincidence& tolerance, const AutomaticLimits& limits)
   {
     const SceneOptions& options = all.Scene;
     const PictureSize size = ParseSize(options.Size);
@@ -47,7 +49,7 @@ public:
     this->Interactor->SetInteractorStyle(this->Style);
     this->Interactor->Initialize(); // from here on no key is missed
     this->View = std::make_unique<Inspector>(
-      scene, this->Renderer, ParseMethodList(firstMethod + ",all"), tolerance, errorBudget);
+      scene, this->Renderer, ParseMethodList(firstMethod + ",all"), tolerance, limits);
     if (all.Levels)
     {
       this->View->DrawByLevels(*all.Levels);
@@ -66,13 +68,27 @@ private:
   std::unique_ptr<Inspector> View;
 };
 
+AutomaticLimits LimitsOf(const ViewOptions& options)
+{
+  AutomaticLimits limits;
+  limits.FrameTime = options.FrameTime.value_or(0.0);
+  if (options.ErrorBudget)
+  {
+    limits.ErrorBudget = ParseErrorBudget(*options.ErrorBudget);
+  }
+  else if (options.FrameTime)
+  {
+    limits.ErrorBudget = vtkSeeThroughPass::GetLargestTimedBudget();
+  }
+  return limits;
+}
+
 void ShowScene(const ViewOptions& options)
 {
   const Coincidence tolerance = ParseCoincidence(options.Coincidence);
-  const double budget =
-    options.ErrorBudget ? ParseErrorBudget(*options.ErrorBudget) : DefaultErrorBudget;
-  const std::string method =
-    options.Method.value_or(options.ErrorBudget ? AutomaticName : "linked-list");
+  const AutomaticLimits limits = LimitsOf(options);
+  const bool isAutomatic = options.ErrorBudget || options.FrameTime;
+  const std::string method = options.Method.value_or(isAutomatic ? AutomaticName : "linked-list");
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {
@@ -80,7 +96,7 @@ void ShowScene(const ViewOptions& options)
   }
   const Scene scene = LoadScene(options.Scene);
   RequireFewLights(scene, MostLightsOfVTK);
-  Viewer(scene, options, method, tolerance, budget).Run();
+  Viewer(scene, options, method, tolerance, limits).Run();
 }
 }
 
@@ -93,9 +109,15 @@ void AddViewCommand(CLI::App& app)
   AddScalarBarOption(*command, options->Scene);
   command
     ->add_option("--method", options->Method,
-      "the method to begin with; linked-list, or automatic with --error")
+      "the method to begin with; linked-list, or automatic with --error or --frame-ms")
     ->type_name("M");
   AddErrorBudgetOption(*command, options->ErrorBudget);
+  command
+    ->add_option("--frame-ms", options->FrameTime,
+      "milliseconds of a frame: automatic takes the least error with which frames take no longer, "
+      "up to --error")
+    ->type_name("MS")
+    ->check(NumberWithin(0.001, 60000.0));
   AddCoincidenceOption(*command, options->Coincidence);
   command
     ->add_option("--levels", options->Levels,

@@ -82,6 +82,13 @@ public:
 inline constexpr const char* AutomaticName = "automatic";
 inline constexpr double DefaultErrorBudget = 1.0 / 255.0;
 
+/** What the method automatic keeps. */
+struct AutomaticLimits
+{
+  double ErrorBudget = DefaultErrorBudget;
+  double FrameTime = 0.0; ///< in milliseconds, 0 for none; see vtkSeeThroughPass::SetFrameTime()
+};
+
 /** Make the method of that name. Throws InputError that lists the known ones. */
 std::unique_ptr<Method> MakeMethod(const std::string& name);
 

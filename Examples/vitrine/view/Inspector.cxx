@@ -53,12 +53,12 @@ std::string FreeName()
 }
 
 Inspector::Inspector(const Scene& scene, vtkRenderer* renderer, std::vector<std::string> methods,
-  const Coincidence& tolerance, double errorBudget)
+  const Coincidence& tolerance, const AutomaticLimits& limits)
   : Content(scene)
   , Renderer(renderer)
   , Methods(std::move(methods))
   , State(FirstState(scene, renderer, this->Methods.front()))
-  , Shown(scene, renderer, tolerance, errorBudget, this->State)
+  , Shown(scene, renderer, tolerance, limits, this->State)
   , Texts(renderer)
   , Layers(renderer)
 {

@@ -31,7 +31,7 @@ public:
    * of methods that have one, and the budget is of the method automatic.
    */
   Inspector(const Scene& scene, vtkRenderer* renderer, std::vector<std::string> methods,
-    const Coincidence& tolerance, double errorBudget);
+    const Coincidence& tolerance, const AutomaticLimits& limits);
 
   /** As ShownParts::DrawByLevels(). */
   void DrawByLevels(double pixels) { this->Shown.DrawByLevels(pixels); }

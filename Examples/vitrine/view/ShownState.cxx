@@ -5,16 +5,17 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSection.h"
+#include "vtkSeeThroughPass.h"
 
 namespace program
 {
 
 ShownState::ShownState(const Scene& scene, vtkRenderer* renderer, const Coincidence& tolerance,
-  double errorBudget, ViewState first)
+  const AutomaticLimits& limits, ViewState first)
   : Cut(scene)
   , Renderer(renderer)
   , Tolerance(tolerance)
-  , ErrorBudget(errorBudget)
+  , Limits(limits)
   , Drawn(scene, renderer)
   , Now(std::move(first))
 {
@@ -78,7 +79,10 @@ std::string ShownState::Problem() const
   {
     return this->Reveal->GetProblem();
   }
-  return this->MethodProblem.empty() ? this->Drawing->WhyNotRun() : this->MethodProblem;
+  const std::string problem =
+    this->MethodProblem.empty() ? this->Drawing->WhyNotRun() : this->MethodProblem;
+  auto* const frame = vtkSeeThroughPass::SafeDownCast(this->Renderer->GetPass());
+  return problem.empty() && frame ? frame->GetFrameTimeProblem() : problem;
 }
 
 void ShownState::ShowMethod(const std::string& method)
@@ -91,9 +95,14 @@ void ShownState::ShowMethod(const std::string& method)
   this->MethodProblem = drawing->SetCoincidence(this->Tolerance);
   if (method == AutomaticName)
   {
-    this->MethodProblem += drawing->SetErrorBudget(this->ErrorBudget);
+    this->MethodProblem += drawing->SetErrorBudget(this->Limits.ErrorBudget);
   }
   drawing->Attach(this->Renderer);
+  if (auto* const frame = vtkSeeThroughPass::SafeDownCast(this->Renderer->GetPass());
+      frame && method == AutomaticName)
+  {
+    frame->SetFrameTime(this->Limits.FrameTime);
+  }
   this->Drawing = std::move(drawing);
 }
 

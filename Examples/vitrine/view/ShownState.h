@@ -24,10 +24,10 @@ class ShownState
 public:
   /**
    * Show a scene in a renderer of a window, at first as the state says. The scene lives longer. The tolerance is of
-   * methods that have one, and the budget is of the method automatic.
+   * methods that have one, and the limits are of the method automatic.
    */
   ShownState(const Scene& scene, vtkRenderer* renderer, const Coincidence& tolerance,
-    double errorBudget, ViewState first);
+    const AutomaticLimits& limits, ViewState first);
 
   /** Show a state with the next frame. A reveal draws a frame at once. */
   void Show(const ViewState& state);
@@ -50,7 +50,7 @@ private:
   Scene Cut; ///< with the planes and the box of the state
   vtkRenderer* Renderer;
   Coincidence Tolerance;
-  double ErrorBudget;
+  AutomaticLimits Limits;
   ShownParts Drawn;
   ViewState Now;
   std::unique_ptr<Method> Drawing;
