@@ -4,6 +4,7 @@
 #include "frame/ChainEdit.h"
 #include "frame/FrameClock.h"
 #include "frame/RendererFlags.h"
+#include "frame/ScopedShareOfLights.h"
 #include "gl/VitrineOpenGL.h"
 #include "scene/PassTraits.h"
 #include "scene/Settings.h"
@@ -25,7 +26,6 @@
 #include "vtkTransparencyPass.h"
 #include "vtkWeakPointer.h"
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <sstream>
@@ -165,44 +165,6 @@ public:
 private:
   vtkSmartPointer<vtkClusteredLightsPass> Lights;
   vtkSmartPointer<vtkRenderPass> Before;
-};
-
-/** Has lights that are left out take their share of an error budget during its lifetime. */
-class ScopedShareOfLights
-{
-public:
-  ScopedShareOfLights(vtkClusteredLightsPass* lights, vtkRenderPass* translucent)
-    : Method(vtkErrorBudgetTransparencyPass::SafeDownCast(translucent))
-  {
-    if (!lights || !this->Method)
-    {
-      return;
-    }
-    this->Lights = lights;
-    this->CutOffBefore = lights->GetCutOff();
-    this->ErrorBefore = this->Method->GetColorError();
-    const double share =
-      std::min(0.5 * this->Method->GetErrorBudget(), this->Method->GetColorErrorToSpare());
-    const bool isOwn = this->CutOffBefore != vtkClusteredLightsPass::GetDefaultCutOff();
-    lights->SetCutOff(isOwn ? std::min(share, this->CutOffBefore) : share);
-    this->Method->SetColorError(std::max(this->ErrorBefore, lights->GetCutOff()));
-  }
-  ~ScopedShareOfLights()
-  {
-    if (this->Lights)
-    {
-      this->Lights->SetCutOff(this->CutOffBefore);
-      this->Method->SetColorError(this->ErrorBefore);
-    }
-  }
-  ScopedShareOfLights(const ScopedShareOfLights&) = delete;
-  void operator=(const ScopedShareOfLights&) = delete;
-
-private:
-  vtkSmartPointer<vtkClusteredLightsPass> Lights;
-  vtkSmartPointer<vtkErrorBudgetTransparencyPass> Method;
-  double CutOffBefore = 0.0;
-  double ErrorBefore = 0.0;
 };
 
 /** Gives a variable another value during its lifetime. */
@@ -611,7 +573,7 @@ void vtkSeeThroughPass::Render(const vtkRenderState* s)
   {
     in.BeginTimedFrame(s->GetRenderer());
   }
-  const ScopedShareOfLights share(in.Lighting, this->TranslucentPass);
+  const vitrine::ScopedShareOfLights share(in.Lighting, this->TranslucentPass);
   in.FallbackReason.clear();
   if (!in.Effects || !this->RenderChain(s))
   {
