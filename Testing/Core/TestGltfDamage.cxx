@@ -137,6 +137,13 @@ const Damage DAMAGES[] = {
       g.Root["accessors"][0]["count"] = 4000000000u;
       g.Root["accessors"][0].erase("bufferView");
     } },
+  { "CountOfGigabytesWithoutIndices", "too many elements for one without a bufferView",
+    [](Gltf& g)
+    {
+      g.Root["accessors"][0]["count"] = 4000000000u;
+      g.Root["accessors"][0].erase("bufferView");
+      g.Root["meshes"][0]["primitives"][0].erase("indices");
+    } },
   { "CountOfNoInteger", "a count is 18446744073709551615",
     [](Gltf& g) { g.Root["accessors"][0]["count"] = 18446744073709551615u; } },
   { "OffsetBeyondView", "accessor 0 reaches beyond",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -155,31 +156,38 @@ void ReplaceSparse(const GltfDocument& document, std::size_t index, const GltfAc
   }
 }
 
-/** Returns all elements or the chosen ones without gaps; zeros where no view holds them (glTF 2.0, 3.6.2.1). */
+/** Returns the elements of an accessor's view. There is none where all are zeros (glTF 2.0, 3.6.2.1), of few bytes. */
+std::optional<SpacedElements> FindElements(
+  const GltfDocument& document, std::size_t index, const GltfAccessor& accessor)
+{
+  const Json& json = document.Object("accessors", index);
+  const std::size_t bytes = accessor.ElementBytes();
+  if (json.contains("bufferView"))
+  {
+    const std::size_t number = json.at("bufferView").get<std::size_t>();
+    const std::size_t stride = Number(document.Object("bufferViews", number), "byteStride", 0);
+    return ElementsOf(
+      document.View(number), Number(json, "byteOffset", 0), stride, accessor.Count, bytes, index);
+  }
+  if (accessor.Count > MOST_BYTES_WITHOUT_VIEW / bytes)
+  {
+    throw AssemblyError(
+      "is damaged: " + AccessorName(index) + " has too many elements for one without a bufferView");
+  }
+  return std::nullopt;
+}
+
+/** Returns all elements or the chosen ones without gaps; zeros where no view holds them. */
 Bytes PackElements(
   const GltfDocument& document, std::size_t index, const GltfAccessor& accessor, GltfChoice chosen)
 {
   const Json& json = document.Object("accessors", index);
   const std::size_t bytes = accessor.ElementBytes();
   const bool isSparse = json.contains("sparse");
-  Bytes packed;
-  if (json.contains("bufferView"))
-  {
-    const std::size_t number = json.at("bufferView").get<std::size_t>();
-    const std::size_t stride = Number(document.Object("bufferViews", number), "byteStride", 0);
-    packed = Pack(ElementsOf(document.View(number), Number(json, "byteOffset", 0), stride,
-                    accessor.Count, bytes, index),
-      isSparse ? nullptr : chosen);
-  }
-  else if (accessor.Count <= MOST_BYTES_WITHOUT_VIEW / bytes)
-  {
-    packed.resize((isSparse || !chosen ? accessor.Count : chosen->size()) * bytes);
-  }
-  else
-  {
-    throw AssemblyError(
-      "is damaged: " + AccessorName(index) + " has too many elements for one without a bufferView");
-  }
+  const GltfChoice packedFirst = isSparse ? nullptr : chosen;
+  const std::optional<SpacedElements> elements = FindElements(document, index, accessor);
+  Bytes packed = elements ? Pack(*elements, packedFirst)
+                          : Bytes((packedFirst ? chosen->size() : accessor.Count) * bytes);
   if (isSparse)
   {
     ReplaceSparse(document, index, accessor, json.at("sparse"), packed);
@@ -270,6 +278,13 @@ GltfAccessor DescribeGltfAccessor(const GltfDocument& document, std::size_t inde
     throw AssemblyError("is damaged: " + AccessorName(index) + " has no type or no elements");
   }
   return accessor;
+}
+
+std::size_t CountGltfElements(const GltfDocument& document, std::size_t index)
+{
+  const GltfAccessor accessor = DescribeGltfAccessor(document, index);
+  FindElements(document, index, accessor);
+  return accessor.Count;
 }
 
 std::vector<float> ReadGltfFloats(const GltfDocument& document, std::size_t index,

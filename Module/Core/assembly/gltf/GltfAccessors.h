@@ -42,6 +42,12 @@ struct GltfAccessor
  */
 GltfAccessor DescribeGltfAccessor(const GltfDocument& document, std::size_t index);
 
+/**
+ * Returns the number of elements of an accessor, all of which can be read: what a file claims may take no memory.
+ * @throws  AssemblyError if it reaches beyond its view
+ */
+std::size_t CountGltfElements(const GltfDocument& document, std::size_t index);
+
 /** Numbers of the elements that are read, in this order. Null stands for all. Each is below GltfAccessor::Count. */
 using GltfChoice = const std::vector<std::uint32_t>*;
 

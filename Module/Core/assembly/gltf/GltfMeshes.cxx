@@ -54,8 +54,7 @@ public:
   /** Returns the number of vertices in its accessors, of which some may be in no cell. */
   std::size_t VertexCount() const
   {
-    const Json& position = Member(this->Description, "attributes").at("POSITION");
-    return DescribeGltfAccessor(this->Document, position.get<std::size_t>()).Count;
+    return DescribeGltfAccessor(this->Document, this->PositionAccessor()).Count;
   }
 
   /** Has attributes read of some vertices alone. */
@@ -105,7 +104,7 @@ public:
     }
     else
     {
-      order.resize(vertices);
+      order.resize(CountGltfElements(this->Document, this->PositionAccessor()));
       std::generate(order.begin(), order.end(), [i = 0u]() mutable { return i++; });
     }
     if (std::any_of(
@@ -123,6 +122,11 @@ public:
   const std::string& Called() const { return this->Name; }
 
 private:
+  std::size_t PositionAccessor() const
+  {
+    return Member(this->Description, "attributes").at("POSITION").get<std::size_t>();
+  }
+
   template <class Element>
   std::vector<Element> ReadAccessor(
     const Json& attributes, const char* attribute, const ByteView* packed) const
