@@ -12,11 +12,8 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkRenderer.h"
-#include "vtkShaderProperty.h"
 #include "vtkTypeInt32Array.h"
 
 #include <glm/geometric.hpp>
@@ -28,7 +25,6 @@
 #include <limits>
 #include <map>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace vitrine
@@ -37,6 +33,11 @@ namespace vitrine
 namespace
 {
 
+/** Choices are a little finer than needed, so that they last for some frames. */
+constexpr double ShareOfChoice = 0.9;
+
+constexpr vtkIdType SpeckPoints = std::tuple_size<decltype(MeshSpeck::Corners)>::value;
+
 /** How a part looks as it is drawn. */
 struct PartLook
 {
@@ -44,12 +45,6 @@ struct PartLook
   double Opacity;
   std::array<double, 3> Color;
 };
-
-vtkCompositeDataDisplayAttributes* AttributesOf(vtkActor* actor)
-{
-  auto* const mapper = vtkCulledCompositePolyDataMapper::SafeDownCast(actor->GetMapper());
-  return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
-}
 
 PartLook LookOf(const DrawnPlace& place)
 {
@@ -74,41 +69,6 @@ PartLook LookOf(const DrawnPlace& place)
     attributes->GetBlockColor(place.Block, look.Color.data());
   }
   return look;
-}
-
-/** Returns when the looks or places of the parts of an actor, which shows `data`, changed last. */
-vtkMTimeType LooksTimeOf(vtkActor* actor, vtkDataObject* data)
-{
-  vtkMTimeType newest =
-    std::max(actor->GetProperty()->GetMTime(), actor->GetShaderProperty()->GetMTime());
-  if (vtkCompositeDataDisplayAttributes* const attributes = AttributesOf(actor))
-  {
-    newest = std::max(newest, attributes->GetMTime());
-  }
-  if (data)
-  {
-    newest = std::max(newest, data->GetMTime());
-  }
-  if (vtkMatrix4x4* const matrix = actor->GetUserMatrix())
-  {
-    newest = std::max(newest, matrix->GetMTime());
-  }
-  return newest;
-}
-
-/** Returns true if an actor is drawn as assemblies make it, but for the looks of its parts. */
-bool IsAsMade(vtkActor* actor)
-{
-  const auto isAll = [](const double* numbers, double value)
-  { return numbers[0] == value && numbers[1] == value && numbers[2] == value; };
-  vtkMapper* const mapper = actor->GetMapper();
-  vtkPolyData* const alone = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  return isAll(actor->GetPosition(), 0) && isAll(actor->GetOrientation(), 0) &&
-    isAll(actor->GetScale(), 1) && !actor->GetTexture() && !actor->GetBackfaceProperty() &&
-    actor->GetProperty()->GetNumberOfTextures() == 0 &&
-    actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0 &&
-    (!mapper->GetClippingPlanes() || mapper->GetClippingPlanes()->GetNumberOfItems() == 0) &&
-    (!mapper->GetScalarVisibility() || (alone && HasColors(alone)));
 }
 
 /** Returns by how much a matrix makes lengths longer, at most. */
@@ -145,12 +105,11 @@ public:
 
   void Build()
   {
-    this->FindReplaced();
     std::map<LookKey, std::vector<int>> merged;
     for (int part = 0; part < this->Parts.Count(); ++part)
     {
       const DrawnPlace& place = this->Parts.Place(part);
-      if (!this->IsReplaced[place.Actor])
+      if (!this->Made.Replaced.Has(place.Actor))
       {
         continue;
       }
@@ -177,29 +136,6 @@ public:
   }
 
 private:
-  void FindReplaced()
-  {
-    for (const vtkSmartPointer<vtkActor>& actor : this->Parts.Actors())
-    {
-      this->Made.States.push_back(StateOf(actor));
-      const ActorState& state = this->Made.States.back();
-      this->Made.LooksTime = std::max(this->Made.LooksTime, LooksTimeOf(actor, state.Data));
-      this->IsReplaced[actor] = state.IsPlain;
-    }
-    for (int part = 0; part < this->Parts.Count(); ++part)
-    {
-      vtkPolyData* const geometry = this->Parts.Part(part).Geometry;
-      if (!this->Details(geometry))
-      {
-        this->IsReplaced[this->Parts.Place(part).Actor] = false;
-      }
-    }
-    for (ActorState& state : this->Made.States)
-    {
-      state.IsReplaced = this->IsReplaced[state.Actor];
-    }
-  }
-
   /** @param isPlaced  its points in the actor are in WC */
   Piece PieceOf(int part, std::uint32_t first, bool isPlaced)
   {
@@ -246,6 +182,7 @@ private:
     for (const int part : parts)
     {
       count += this->Parts.Part(part).Geometry->GetNumberOfPoints();
+      count += this->Details(this->Parts.Part(part).Geometry)->Speck ? SpeckPoints : 0;
     }
     const bool hasNormals =
       this->Parts.Part(parts.front()).Geometry->GetPointData()->GetNormals() != nullptr;
@@ -266,8 +203,10 @@ private:
       {
         normals->InsertTuples(first, own, 0, placed->GetPointData()->GetNormals());
       }
-      group.Pieces.push_back(this->PieceOf(part, static_cast<std::uint32_t>(first), true));
+      Piece piece = this->PieceOf(part, static_cast<std::uint32_t>(first), true);
       first += own;
+      first = this->AddSpeck(piece, part, first, places, normals);
+      group.Pieces.push_back(std::move(piece));
     }
     vtkNew<vtkPoints> points;
     points->SetData(places);
@@ -283,6 +222,35 @@ private:
     property->SetOpacity(look.Opacity);
     property->SetColor(look.Color[0], look.Color[1], look.Color[2]);
     this->AddActor(std::move(group), parts.front(), property);
+  }
+
+  /** Adds the points of a part's speck to those of its actor. */
+  vtkIdType AddSpeck(
+    Piece& piece, int part, vtkIdType first, vtkFloatArray* places, vtkFloatArray* normals) const
+  {
+    if (!piece.Detail->Speck)
+    {
+      return first;
+    }
+    const MeshSpeck& speck = *piece.Detail->Speck;
+    vtkMatrix4x4* const place = this->Parts.Part(part).Place;
+    const glm::dmat4 matrix = place ? MatrixOf(place) : glm::dmat4(1.0);
+    const glm::dvec3 middle(matrix * glm::dvec4(speck.Middle, 1.0));
+    piece.FirstOfSpeck = static_cast<std::uint32_t>(first);
+    piece.BoundOfSpeck = piece.Rounding + piece.Scale * speck.Bound;
+    for (const glm::dvec3& corner : speck.Corners)
+    {
+      const glm::dvec3 moved(matrix * glm::dvec4(corner, 1.0));
+      const glm::dvec3 point = moved + this->Parts.Place(part).Offset;
+      const glm::dvec3 normal = glm::normalize(moved - middle);
+      places->SetTuple(first, &point.x);
+      if (normals->GetNumberOfTuples() > 0)
+      {
+        normals->SetTuple(first, &normal.x);
+      }
+      ++first;
+    }
+    return first;
   }
 
   /** Returns a part's geometry in WC. */
@@ -314,69 +282,17 @@ private:
   CoarseActors& Made;
   const DrawnParts& Parts;
   const DetailOf& Details;
-  std::unordered_map<vtkActor*, bool> IsReplaced;
 };
 
 CoarseActors::CoarseActors(const DrawnParts& parts, const DetailOf& detailOf)
+  : Replaced(parts, [&](vtkPolyData* geometry) { return detailOf(geometry) != nullptr; })
 {
   Builder(*this, parts, detailOf).Build();
 }
 
-bool CoarseActors::AreOutdated(const DrawnParts& parts) const
-{
-  const auto& actors = parts.Actors();
-  return !std::equal(actors.begin(), actors.end(), this->States.begin(), this->States.end(),
-    [&](vtkActor* actor, const ActorState& state)
-    {
-      if (state.IsUntouched())
-      {
-        return LooksTimeOf(actor, state.Data) <= this->LooksTime;
-      }
-      const ActorState now = StateOf(actor);
-      return now == state && LooksTimeOf(actor, now.Data) <= this->LooksTime;
-    });
-}
-
-CoarseActors::ActorState CoarseActors::StateOf(vtkActor* actor)
-{
-  vtkMapper* const mapper = actor->GetMapper();
-  return { actor, actor->vtkObject::GetMTime(), mapper, mapper->vtkObject::GetMTime(),
-    mapper->GetInputDataObject(0, 0), actor->GetProperty(), actor->GetVisibility() != 0,
-    IsAsMade(actor) };
-}
-
-bool CoarseActors::ActorState::IsUntouched() const
-{
-  return this->Actor->vtkObject::GetMTime() == this->Time &&
-    this->Actor->GetMapper() == this->Mapper &&
-    this->Mapper->vtkObject::GetMTime() == this->MapperTime;
-}
-
-/** Shows or hides the actor for a part of a frame, which is no change of it. */
-void CoarseActors::ActorState::Show(bool isShown)
-{
-  const bool isUntouched = this->IsUntouched();
-  this->Actor->SetVisibility(isShown);
-  this->Time = isUntouched ? this->Actor->vtkObject::GetMTime() : this->Time;
-}
-
-bool CoarseActors::AreReplacedIn(vtkRenderer* renderer) const
-{
-  return std::all_of(this->States.begin(), this->States.end(),
-    [&](const ActorState& state)
-    { return !state.IsReplaced || state.Actor->IsConsumer(renderer); });
-}
-
 void CoarseActors::BeginFrame(const std::unordered_set<vtkProp*>& exact, StandIns& standIns)
 {
-  for (ActorState& state : this->States)
-  {
-    if (state.IsReplaced && state.IsVisible && exact.count(state.Actor) == 0)
-    {
-      state.Show(false);
-      standIns.Hidden.insert(state.Actor);
-    }
-  }
+  this->Replaced.Hide(exact, standIns.Hidden);
   for (vtkActor* const actor : this->Drawn)
   {
     actor->VisibilityOn();
@@ -386,13 +302,7 @@ void CoarseActors::BeginFrame(const std::unordered_set<vtkProp*>& exact, StandIn
 
 void CoarseActors::EndFrame(const StandIns& standIns)
 {
-  for (ActorState& state : this->States)
-  {
-    if (standIns.Hidden.count(state.Actor) > 0)
-    {
-      state.Show(true);
-    }
-  }
+  this->Replaced.Show(standIns.Hidden);
   for (vtkActor* const actor : this->Drawn)
   {
     actor->VisibilityOff();
@@ -406,7 +316,10 @@ void CoarseActors::Choose(LevelRequest asked)
   {
     for (Group& group : this->Groups)
     {
-      ChooseLevels(group.Pieces, asked);
+      for (Piece& piece : group.Pieces)
+      {
+        piece.Choose(asked, LengthFor(piece, asked, ShareOfChoice));
+      }
       Compose(group);
     }
     this->IsChosen = true;
@@ -423,16 +336,14 @@ bool CoarseActors::Fits(const LevelRequest& asked) const
   {
     for (const Piece& piece : group.Pieces)
     {
-      const double length = LengthFor(piece, asked);
-      if (!this->IsChosen || !piece.IsRightFor(asked, length))
+      if (!this->IsChosen || !piece.IsRightFor(asked, LengthFor(piece, asked)))
       {
         return false;
       }
-      if (piece.By == Piece::LEVEL)
-      {
-        drawn += piece.Triangles();
-        needed += piece.Corners(piece.CoarsestFor(asked, 0.9 * length)).size() / 3;
-      }
+      Piece best = piece;
+      best.Choose(asked, LengthFor(piece, asked, ShareOfChoice));
+      drawn += piece.Triangles();
+      needed += best.Triangles();
     }
   }
   return 2 * drawn <= 3 * needed + 1000;
@@ -451,18 +362,24 @@ void CoarseActors::Compose(Group& group)
   vtkNew<vtkTypeInt32Array> starts;
   starts->SetNumberOfValues(static_cast<vtkIdType>(count / 3 + 1));
   vtkTypeInt32* corner = corners->GetPointer(0);
-  for (const Piece& piece : group.Pieces)
+  const auto add = [&](const auto& from, std::uint32_t first, bool isMirrored)
   {
-    if (piece.By != Piece::LEVEL)
-    {
-      continue;
-    }
-    const std::vector<std::uint32_t>& from = piece.Corners(piece.Level);
     for (std::size_t i = 0; i < from.size(); i += 3)
     {
-      *corner++ = static_cast<vtkTypeInt32>(piece.First + from[i]);
-      *corner++ = static_cast<vtkTypeInt32>(piece.First + from[i + (piece.IsMirrored ? 2 : 1)]);
-      *corner++ = static_cast<vtkTypeInt32>(piece.First + from[i + (piece.IsMirrored ? 1 : 2)]);
+      *corner++ = static_cast<vtkTypeInt32>(first + from[i]);
+      *corner++ = static_cast<vtkTypeInt32>(first + from[i + (isMirrored ? 2 : 1)]);
+      *corner++ = static_cast<vtkTypeInt32>(first + from[i + (isMirrored ? 1 : 2)]);
+    }
+  };
+  for (const Piece& piece : group.Pieces)
+  {
+    if (piece.By == Piece::SPECK)
+    {
+      add(CornersOfSpeck, piece.FirstOfSpeck, piece.IsMirrored);
+    }
+    else if (piece.By == Piece::LEVEL)
+    {
+      add(piece.Corners(piece.Level), piece.First, piece.IsMirrored);
     }
   }
   for (vtkIdType i = 0; i < starts->GetNumberOfValues(); ++i)

@@ -4,6 +4,7 @@
 
 #include "assembly/DrawnParts.h"
 #include "assembly/PieceLevels.h"
+#include "assembly/ReplacedActors.h"
 
 #include "vtkActor.h"
 #include "vtkPolyData.h"
@@ -29,11 +30,7 @@ struct LevelCounts
 
 /**
  * The parts of a look are one actor, whose points are those of all of them. So another choice of levels is another list
- * of triangles, and points stay on the device.
- *
- * An actor of the assembly is *replaced* if levels may stand for all of its parts: these are drawn by triangles alone,
- * and it has no textures, and nothing else that assemblies do not give it: a place, clipping planes, shader code.
- */
+ * of triangles, and points stay on the device. */
 class CoarseActors
 {
 public:
@@ -43,7 +40,7 @@ public:
   CoarseActors(const DrawnParts& parts, const DetailOf& detailOf);
 
   /** Returns true if parts are drawn otherwise than when the actors were made. */
-  bool AreOutdated(const DrawnParts& parts) const;
+  bool AreOutdated(const DrawnParts& parts) const { return this->Replaced.AreOutdated(parts); }
 
   /**
    * Chooses the coarsest levels with which no point moves by more than some pixels. Parts of the props that are to be
@@ -52,7 +49,7 @@ public:
   void Choose(LevelRequest asked);
 
   /** Returns true if a renderer has all actors that are replaced. */
-  bool AreReplacedIn(vtkRenderer* renderer) const;
+  bool AreReplacedIn(vtkRenderer* renderer) const { return this->Replaced.AreIn(renderer); }
 
   /**
    * Shows the actors in place of those that they replace, but for some that are exact.
@@ -73,42 +70,16 @@ private:
 
   class Builder;
 
-  /** What an actor of the assembly was when the actors were made. */
-  struct ActorState
-  {
-    vtkSmartPointer<vtkActor> Actor;
-    vtkMTimeType Time; ///< of the actor itself, without what it has
-    vtkMapper* Mapper;
-    vtkMTimeType MapperTime; ///< of the mapper itself
-    vtkSmartPointer<vtkDataObject> Data;
-    vtkProperty* Property;
-    bool IsVisible;
-    bool IsPlain;
-    bool IsReplaced = false;
-
-    /** Returns true if the actor was certainly not set otherwise since. It is quick. */
-    bool IsUntouched() const;
-    void Show(bool isShown);
-
-    bool operator==(const ActorState& other) const
-    {
-      return this->Property == other.Property && this->IsVisible == other.IsVisible &&
-        this->IsPlain == other.IsPlain;
-    }
-  };
-  static ActorState StateOf(vtkActor* actor);
-
   bool Fits(const LevelRequest& asked) const;
   static void Compose(Group& group);
   void Count(const LevelRequest& asked);
 
+  ReplacedActors Replaced;
   std::vector<vtkSmartPointer<vtkActor>> Drawn;
   std::vector<Group> Groups;
   LevelCounts Chosen;
   double Reach = 0; ///< the greatest distance of points from the origin
   bool IsChosen = false;
-  vtkMTimeType LooksTime = 0;
-  std::vector<ActorState> States; ///< for each actor of the assembly
 };
 
 }

@@ -92,7 +92,7 @@ std::optional<Details> ReadAll(std::ifstream& file, const DetailWork::Geometries
     {
       return std::nullopt;
     }
-    details.push_back(MakePartDetail(mesh, std::move(*levels)));
+    details.push_back(MakePartDetail(mesh, std::move(*levels), NeverStopped));
   }
   return file.peek() == std::ifstream::traits_type::eof() ? std::optional<Details>(details)
                                                           : std::nullopt;

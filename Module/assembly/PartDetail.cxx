@@ -74,11 +74,22 @@ bool HasTrianglesAlone(vtkPolyData* geometry)
 }
 
 std::shared_ptr<const PartDetail> MakePartDetail(
-  const DetailedMesh& mesh, std::vector<MeshLevel> levels)
+  const DetailedMesh& mesh, std::vector<MeshLevel> levels, const std::atomic<bool>& isStopped)
 {
-  return IsUsable(mesh)
-    ? std::make_shared<PartDetail>(PartDetail{ mesh.Corners, std::move(levels) })
-    : nullptr;
+  if (!IsUsable(mesh))
+  {
+    return nullptr;
+  }
+  auto detail = std::make_shared<PartDetail>();
+  detail->Whole = mesh.Corners;
+  detail->Levels = std::move(levels);
+  const double area = AreaOf(mesh.Points, detail->Whole);
+  for (const MeshLevel& level : detail->Levels)
+  {
+    detail->Shares.push_back(area > 0 ? AreaOf(mesh.Points, level.Corners) / area : 1.0);
+  }
+  detail->Speck = SpeckOf(mesh, isStopped);
+  return detail;
 }
 
 DetailedMesh DetailedMeshOf(vtkPolyData* geometry)
@@ -141,7 +152,7 @@ void DetailWork::Make()
   for (std::size_t i = 0; i < this->Work.size() && !this->IsStopped; ++i)
   {
     const DetailedMesh mesh = DetailedMeshOf(this->Work[i]);
-    this->Made[i] = MakePartDetail(mesh, LevelsOf(mesh, this->IsStopped).Levels);
+    this->Made[i] = MakePartDetail(mesh, LevelsOf(mesh, this->IsStopped).Levels, this->IsStopped);
     ++this->Done;
   }
 }

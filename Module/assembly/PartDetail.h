@@ -3,6 +3,7 @@
 #define VITRINE_ASSEMBLY_PART_DETAIL_H
 
 #include "Core/levels/MeshLevels.h"
+#include "Core/levels/MeshSpeck.h"
 
 #include "vtkSmartPointer.h"
 
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <unordered_map>
 #include <vector>
@@ -26,6 +28,8 @@ struct PartDetail
 {
   std::vector<std::uint32_t> Whole; ///< three for each triangle
   std::vector<MeshLevel> Levels;
+  std::vector<double> Shares; ///< the area of each level, as a share of that of all triangles
+  std::optional<MeshSpeck> Speck;
 };
 
 /** Returns true if a geometry is drawn by triangles alone: it has polygons or strips, but no lines or vertices. */
@@ -33,7 +37,7 @@ bool HasTrianglesAlone(vtkPolyData* geometry);
 
 /** Returns the triangles of a mesh with its levels, or null if the mesh is not usable. */
 std::shared_ptr<const PartDetail> MakePartDetail(
-  const DetailedMesh& mesh, std::vector<MeshLevel> levels);
+  const DetailedMesh& mesh, std::vector<MeshLevel> levels, const std::atomic<bool>& isStopped);
 
 /** Reads the triangles of a geometry, with normals and colours at its points. */
 DetailedMesh DetailedMeshOf(vtkPolyData* geometry);

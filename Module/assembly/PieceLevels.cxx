@@ -3,9 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <unordered_set>
 
 namespace vitrine
 {
@@ -16,47 +14,21 @@ namespace
 /** Sections move planes by a few roundings of the coordinates around. */
 constexpr double SlackOfPlanes = 16;
 
-/** Choices are a little finer than needed, so that they last for some frames. */
-constexpr double ShareOfChoice = 0.9;
+/** The area of a level is at least this share of the part's, and at most its inverse. */
+constexpr double LeastShare = 0.8;
 
-/** A cell of a grid, its size, and the sides of planes on which it lies. */
-using Cell = std::array<std::int64_t, 5>;
+constexpr std::size_t TrianglesOfSpeck = CornersOfSpeck.size() / 3;
 
-struct CellHash
+/** Returns the coarsest level that is near enough and large enough, or -1. */
+int CoarsestOf(const PartDetail& detail, double length)
 {
-  std::size_t operator()(const Cell& cell) const
+  int level = CoarsestWithin(detail.Levels, length);
+  const auto isLike = [&](double share) { return share >= LeastShare && share * LeastShare <= 1; };
+  while (level >= 0 && !isLike(detail.Shares[static_cast<std::size_t>(level)]))
   {
-    std::uint64_t hash = 0;
-    for (const std::int64_t place : cell)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 29;
-    }
-    return static_cast<std::size_t>(hash);
+    --level;
   }
-};
-
-/** Returns the cell of a tiny part. Its diagonal is less than 0.44 times the length. */
-Cell CellOf(const Piece& piece, double length, const std::vector<CutPlane>& planes)
-{
-  const int power = static_cast<int>(std::floor(std::log2(length / 4)));
-  const double side = std::ldexp(1.0, power);
-  Cell cell{ 0, 0, 0, power, 0 };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    cell[axis] = static_cast<std::int64_t>(std::floor(piece.Centre[axis] / side));
-  }
-  for (std::size_t i = 0; i < planes.size(); ++i)
-  {
-    cell[4] |= std::int64_t{ planes[i].At(piece.Centre) >= 0 } << i;
-  }
-  return cell;
-}
-
-double BoundOf(const Piece& piece)
-{
-  const auto place = static_cast<std::size_t>(piece.Level);
-  return piece.Rounding + (piece.Level < 0 ? 0.0 : piece.Scale * piece.Detail->Levels[place].Bound);
+  return level;
 }
 }
 
@@ -78,11 +50,38 @@ bool Piece::IsMetByPlane(const LevelRequest& asked) const
     });
 }
 
-int Piece::CoarsestFor(const LevelRequest& asked, double length) const
+std::size_t Piece::Triangles() const
 {
-  return this->IsMetByPlane(asked)
-    ? -1
-    : CoarsestWithin(this->Detail->Levels, (length - this->Rounding) / this->Scale);
+  return this->By == LEVEL ? this->Corners(this->Level).size() / 3
+    : this->By == SPECK    ? TrianglesOfSpeck
+                           : 0;
+}
+
+void Piece::Choose(const LevelRequest& asked, double length)
+{
+  this->By = LEVEL;
+  this->Level = -1;
+  this->Bound = this->Rounding;
+  if (asked.Exact.Props.count(this->Own) > 0)
+  {
+    this->By = OWN_PROP;
+    this->Bound = 0;
+    return;
+  }
+  if (this->IsMetByPlane(asked))
+  {
+    return;
+  }
+  this->Level = CoarsestOf(*this->Detail, (length - this->Rounding) / this->Scale);
+  if (this->BoundOfSpeck <= length && this->Triangles() > TrianglesOfSpeck)
+  {
+    this->By = SPECK;
+    this->Bound = this->BoundOfSpeck;
+  }
+  else if (this->Level >= 0)
+  {
+    this->Bound += this->Scale * this->Detail->Levels[static_cast<std::size_t>(this->Level)].Bound;
+  }
 }
 
 bool Piece::IsRightFor(const LevelRequest& asked, double length) const
@@ -96,33 +95,6 @@ bool Piece::IsRightFor(const LevelRequest& asked, double length) const
 double LengthFor(const Piece& piece, const LevelRequest& asked, double share)
 {
   return LengthOfPixels(asked.View, share * asked.Pixels, piece.Centre, piece.Radius);
-}
-
-// Of tiny parts in one cell of a grid, the first stands for all. With the length L that points may move by, their radii
-// are at most L / 4 and the cell's diagonal is less than 0.44 L, so that no point is farther than 0.94 L from what
-// stands for it.
-void ChooseLevels(std::vector<Piece>& pieces, const LevelRequest& asked)
-{
-  std::unordered_set<Cell, CellHash> taken;
-  for (Piece& piece : pieces)
-  {
-    if (asked.Exact.Props.count(piece.Own) > 0)
-    {
-      piece.By = Piece::OWN_PROP;
-      piece.Bound = 0;
-      continue;
-    }
-    const double length = LengthFor(piece, asked, ShareOfChoice);
-    piece.By = Piece::LEVEL;
-    piece.Level = piece.CoarsestFor(asked, length);
-    piece.Bound = BoundOf(piece);
-    if (piece.Radius + piece.Rounding <= length / 4 && !piece.IsMetByPlane(asked) &&
-      !taken.insert(CellOf(piece, length, asked.Exact.Planes)).second)
-    {
-      piece.By = Piece::NEIGHBOUR;
-      piece.Bound = 0.94 * length;
-    }
-  }
 }
 
 }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -36,12 +37,15 @@ struct Piece
   double Rounding; ///< how far its points may be from their places
   glm::dvec3 Centre;
   double Radius;
+  std::uint32_t FirstOfSpeck = 0; ///< the number of its first corner in the actor
+  double BoundOfSpeck =
+    std::numeric_limits<double>::infinity(); ///< as Bound; infinite if there is none
 
   /** What draws it. */
   enum DrawnBy
   {
     LEVEL,
-    NEIGHBOUR, ///< another tiny part stands for it
+    SPECK,
     OWN_PROP
   };
   DrawnBy By = LEVEL;
@@ -51,10 +55,7 @@ struct Piece
   const std::vector<std::uint32_t>& Corners(int level) const;
 
   /** The number of its triangles in the actor. */
-  std::size_t Triangles() const
-  {
-    return this->By == LEVEL ? this->Corners(this->Level).size() / 3 : 0;
-  }
+  std::size_t Triangles() const;
 
   /**
    * Returns true if a plane of ExactParts meets the ball around the part. Such a part has to be exact: where a face is
@@ -62,8 +63,11 @@ struct Piece
    */
   bool IsMetByPlane(const LevelRequest& asked) const;
 
-  /** Returns the number of the coarsest level that may be drawn. */
-  int CoarsestFor(const LevelRequest& asked, double length) const;
+  /**
+   * Chooses what draws it: the fewest triangles with which no point moves by more than a length, and whose area is
+   * nearly that of the part. So many tiny parts hide together what they should, and let as much light through.
+   */
+  void Choose(const LevelRequest& asked, double length);
 
   /** Returns true if the choice that was made before may be drawn. */
   bool IsRightFor(const LevelRequest& asked, double length) const;
@@ -71,9 +75,6 @@ struct Piece
 
 /** Returns by how much points of a part may move, in WC, for some share of what is asked. */
 double LengthFor(const Piece& piece, const LevelRequest& asked, double share = 1.0);
-
-/** Chooses for all parts of an actor. */
-void ChooseLevels(std::vector<Piece>& pieces, const LevelRequest& asked);
 
 }
 

@@ -3,6 +3,7 @@
 
 #include "Core/levels/MeshLevels.h"
 #include "Core/levels/MeshReduction.h"
+#include "Core/levels/MeshSpeck.h"
 #include "Core/levels/PixelLength.h"
 #include "Core/levels/SurfaceBound.h"
 
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -30,16 +32,20 @@ using measured_shapes::Corners;
 using measured_shapes::Grid;
 using measured_shapes::Points;
 using measured_shapes::Torus;
+using vitrine::AreaOf;
 using vitrine::BoundOfDistance;
+using vitrine::CornersOfSpeck;
 using vitrine::DetailedMesh;
 using vitrine::LengthOfPixels;
 using vitrine::LevelsOf;
 using vitrine::MeshLevel;
 using vitrine::MeshLevels;
 using vitrine::MeshReduction;
+using vitrine::MeshSpeck;
 using vitrine::NeverStopped;
 using vitrine::PartMesh;
 using vitrine::PixelView;
+using vitrine::SpeckOf;
 using vitrine::Surface;
 
 DetailedMesh MeshOf(const measured_shapes::Mesh& mesh)
@@ -356,6 +362,52 @@ TEST(MeshLevels, AreNotMadeOnceStopped)
 {
   const std::atomic<bool> isStopped{ true };
   EXPECT_TRUE(LevelsOf(MeshOf(Torus(3, 1, 64)), isStopped).Levels.empty());
+}
+
+// A regular tetrahedron of a ball's area 4 pi r^2 has the edge 2 r sqrt(pi / sqrt(3)), and its corners are sqrt(3/8) of
+// that from the middle. They are the points farthest from the ball, as the middles of faces are a third of that inside.
+TEST(MeshSpeck, OfABallIsATetrahedronOfItsArea)
+{
+  DetailedMesh ball = MeshOf(Ball(2, 64));
+  const double area = AreaOf(ball.Points, ball.Corners);
+  for (glm::dvec3& point : ball.Points)
+  {
+    point += glm::dvec3(5, -3, 1);
+  }
+  const std::optional<MeshSpeck> speck = SpeckOf(ball, NeverStopped);
+  ASSERT_TRUE(speck);
+  const std::vector<glm::dvec3> corners(speck->Corners.begin(), speck->Corners.end());
+  EXPECT_NEAR(AreaOf(corners, { CornersOfSpeck.begin(), CornersOfSpeck.end() }), area, 1e-9);
+  const double far = std::sqrt(area / std::sqrt(3.0)) * std::sqrt(3.0 / 8.0);
+  for (const glm::dvec3& corner : corners)
+  {
+    EXPECT_NEAR(glm::length(corner - glm::dvec3(5, -3, 1)), far, 0.01);
+  }
+  const double distance = std::max(far - 2, 2 - far / 3);
+  EXPECT_GE(speck->Bound, distance - 0.01);
+  EXPECT_LE(speck->Bound, 1.1 * distance + 0.1);
+}
+
+TEST(MeshSpeck, FacesOutwards)
+{
+  const std::optional<MeshSpeck> speck = SpeckOf(MeshOf(Torus(3, 1, 16)), NeverStopped);
+  ASSERT_TRUE(speck);
+  for (std::size_t i = 0; i < CornersOfSpeck.size(); i += 3)
+  {
+    const auto at = [&](std::size_t corner) { return speck->Corners[CornersOfSpeck[corner]]; };
+    const glm::dvec3 normal = glm::cross(at(i + 1) - at(i), at(i + 2) - at(i));
+    EXPECT_GT(glm::dot(normal, at(i) - speck->Middle), 0);
+  }
+}
+
+TEST(MeshSpeck, OfAMeshWithoutAreaIsNone)
+{
+  DetailedMesh line = MeshOf(Torus(3, 1, 16));
+  for (glm::dvec3& point : line.Points)
+  {
+    point.y = point.z = 0;
+  }
+  EXPECT_FALSE(SpeckOf(line, NeverStopped));
 }
 
 TEST(PixelLength, OfAParallelViewIsThatOfAPixel)

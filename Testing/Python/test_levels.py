@@ -9,6 +9,7 @@ import unittest.mock
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
+from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
@@ -110,6 +111,30 @@ class Levels(unittest.TestCase):
             self.assertGreater(told.whole_triangles, 2.5 * told.triangles)
             self.assertLessEqual(told.distance, 0.5)
             self.assertGreater(told.distance, 0)
+
+    def test_a_cloud_of_tiny_parts_hides_what_it_should(self):
+        """A convex part hides a quarter of its area in the mean (Cauchy). Each is far less than a pixel."""
+        count, radius = 1500, 0.3  # of a pixel
+        random = np.random.default_rng(53)
+        blocks = vtkMultiBlockDataSet()
+        for i in range(count):
+            blocks.SetBlock(i, ball(*random.uniform(-SIZE / 3, SIZE / 3, 2), radius, 10))
+        properties = vtkMassProperties()
+        properties.SetInputData(blocks.GetBlock(0))
+        hidden = count * properties.GetSurfaceArea() / 4
+        for opacity in (1, 0.3):
+            assembly = vitrine.from_multiblock(blocks)
+            assembly["**"].color = (1, 1, 1)
+            assembly["**"].opacity = opacity
+            scene = Scene(assembly, parallel=True)
+            scene.renderer.SetBackground(0, 0, 0)
+            scene.camera.SetParallelScale(SIZE / 2)
+            scene.camera.Elevation(25)
+            shown = scene.levels(exact_while_still=False)
+            for degrees in (15, 10, 10):
+                light = scene.frame(degrees)[..., :3].sum() / (3 * 255)
+                self.assertAlmostEqual(light / (hidden * (1 - (1 - opacity) ** 2)), 1, delta=0.25)
+            self.assertEqual(shown.stats().triangles, 4 * count)
 
     def test_a_finer_setting_has_more_triangles(self):
         scene = Scene(machine())
