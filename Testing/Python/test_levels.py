@@ -268,6 +268,29 @@ class Levels(unittest.TestCase):
             self.assertGreater(told.whole_triangles, 1.3 * told.triangles)
             self.assert_moved_by_less_than_a_pixel(moved, exact)
 
+    def test_parts_at_the_near_and_far_planes_are_exact(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, ball(0, 0, 1))
+        blocks.SetBlock(1, ball(0, 0, 0.1))
+        scene = Scene(vitrine.from_multiblock(blocks))
+        scene.camera.SetFocalPoint(0, 0, 0)
+        shown = scene.levels(pixels=64, exact_while_still=False)
+        one = blocks.GetBlock(0).GetNumberOfPolys()
+        for distance, near, far, exact in (
+            (5, 1, 9, 0),
+            (0.5, 0.01, 9, 1),  # within the large ball
+            (-0.9, 0.01, 9, 1),  # nearly at its back
+            (5, 4.95, 9, 2),
+            (5, 1, 5.05, 2),
+            (5, 1, 4.5, 1),
+        ):
+            scene.camera.SetPosition(0, 0, distance)
+            scene.camera.SetClippingRange(near, far)
+            scene.window.Render()
+            told = shown.stats()
+            self.assertEqual(told.whole_triangles, 2 * one)
+            self.assertEqual(told.triangles // one, exact, (distance, near, far))
+
     def test_caps_are_those_of_parts_as_they_are(self):
         scene = Scene(machine(), lit=True)
         scene.camera.SetPosition(-9, 0, 0)
