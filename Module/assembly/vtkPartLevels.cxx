@@ -95,6 +95,33 @@ void AddClippingPlanes(vtkCamera* camera, std::vector<vitrine::CutPlane>& planes
     planes.push_back({ direction, -glm::dot(direction, eye) - distance });
   }
 }
+
+/**
+ * Where looks change in each frame, as while parts are revealed, new actors would be made for each. So after actors
+ * that lasted for one frame only, some frames are drawn without. Those are twice as many each time.
+ */
+class MakingDelay
+{
+public:
+  bool IsOver() const { return this->Frames == 0; }
+  void CountFrame() { --this->Frames; }
+
+  /** Actors are made. */
+  void Begin()
+  {
+    this->Frames = this->Next;
+    this->Next = std::min(2 * this->Next + 1, Longest);
+  }
+
+  /** Actors have lasted. */
+  void End() { *this = {}; }
+
+private:
+  static constexpr int Longest = 31;
+
+  int Frames = 0;
+  int Next = 0;
+};
 }
 
 struct vtkPartLevels::Internals
@@ -105,6 +132,7 @@ struct vtkPartLevels::Internals
     vtkSmartPointer<vtkAssemblyActors> Parts;
     std::unique_ptr<DetailWork> Work;
     std::unique_ptr<CoarseActors> Coarse;
+    MakingDelay Delay;
   };
 
   std::vector<LevelledAssembly> Assemblies;
@@ -156,16 +184,21 @@ struct vtkPartLevels::Internals
   void Show(LevelledAssembly& assembly, const LevelRequest& asked)
   {
     vtkRenderer* const renderer = this->Renderer;
-    const vitrine::DrawnParts& parts = PartsOf(assembly);
-    if (!assembly.Coarse || assembly.Coarse->AreOutdated(parts))
+    const bool isOutdated = !assembly.Coarse || assembly.Coarse->AreOutdated(PartsOf(assembly));
+    if (isOutdated && !assembly.Delay.IsOver())
     {
+      assembly.Delay.CountFrame();
       this->Remove(assembly);
-      assembly.Coarse = std::make_unique<CoarseActors>(
-        parts, [&](vtkPolyData* geometry) { return assembly.Work->Of(geometry); });
-      for (vtkActor* const actor : assembly.Coarse->Actors())
-      {
-        renderer->AddActor(actor);
-      }
+      return;
+    }
+    if (isOutdated)
+    {
+      this->Make(assembly);
+      assembly.Delay.Begin();
+    }
+    else
+    {
+      assembly.Delay.End();
     }
     if (!assembly.Coarse->AreReplacedIn(renderer))
     {
@@ -182,6 +215,17 @@ struct vtkPartLevels::Internals
     this->Counts.WholeTriangles += counts.WholeTriangles;
     this->Counts.GreatestPixels = std::max(this->Counts.GreatestPixels, counts.GreatestPixels);
     this->DrewLevels = true;
+  }
+
+  void Make(LevelledAssembly& assembly)
+  {
+    this->Remove(assembly);
+    assembly.Coarse = std::make_unique<CoarseActors>(
+      PartsOf(assembly), [&](vtkPolyData* geometry) { return assembly.Work->Of(geometry); });
+    for (vtkActor* const actor : assembly.Coarse->Actors())
+    {
+      this->Renderer->AddActor(actor);
+    }
   }
 
   /** Counts the triangles of a frame without levels. */

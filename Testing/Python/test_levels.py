@@ -184,6 +184,22 @@ class Levels(unittest.TestCase):
             self.assert_moved_by_less_than_a_pixel(moved, exact)
             shown = scene.levels(exact_while_still=False)
 
+    def test_looks_that_change_in_each_frame_are_drawn_without(self):
+        assembly = machine()
+        scene = Scene(assembly)
+        shown = scene.levels(exact_while_still=False)
+        drew = []
+        for frame in range(16):
+            assembly["ball_2"]._set("opacity", 0.1 + 0.05 * frame)
+            scene.frame()
+            drew.append(shown.stats().drew_levels)
+        self.assertEqual([frame for frame in range(16) if drew[frame]], [0, 1, 3, 7, 15])
+        for _ in range(16):
+            moved = scene.frame()
+        self.assertTrue(shown.stats().drew_levels)
+        shown.remove()
+        self.assert_moved_by_less_than_a_pixel(moved, scene.frame())
+
     def test_colours_of_points_keep_their_borders(self):
         data = ball(0, 0, 1)
         colors = vtkUnsignedCharArray()
