@@ -169,7 +169,7 @@ void vtkVitrineRenderView::SetClusteredLights(bool clustered)
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::SetMaximumNumberOfPeels(int)
 {
-  this->Superclass::SetMaximumNumberOfPeels(0); // VTK's "no limit"
+  this->Superclass::SetMaximumNumberOfPeels(VTK_INT_MAX);
 }
 
 //------------------------------------------------------------------------------
