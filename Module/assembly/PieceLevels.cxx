@@ -1,6 +1,7 @@
 #include "assembly/PieceLevels.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,17 @@ constexpr double SlackOfPlanes = 16;
 /** The area of a level is at least this share of the part's, and at most its inverse. */
 constexpr double LeastShare = 0.8;
 
+/** So many triangles of a part in each pixel are enough, whatever their area. */
+constexpr double TrianglesOfPixel = 16;
+
 constexpr std::size_t TrianglesOfSpeck = CornersOfSpeck.size() / 3;
 
-/** Returns the coarsest level that is near enough and large enough, or -1. */
-int CoarsestOf(const PartDetail& detail, double length)
+bool HasArea(const PartDetail& detail, int level)
 {
-  int level = CoarsestWithin(detail.Levels, length);
-  const auto isLike = [&](double share) { return share >= LeastShare && share * LeastShare <= 1; };
-  while (level >= 0 && !isLike(detail.Shares[static_cast<std::size_t>(level)]))
-  {
-    --level;
-  }
-  return level;
+  const double share = level < 0 ? 1.0 : detail.Shares[static_cast<std::size_t>(level)];
+  return share >= LeastShare && share * LeastShare <= 1;
 }
+
 }
 
 const std::vector<std::uint32_t>& Piece::Corners(int level) const
@@ -72,7 +71,14 @@ void Piece::Choose(const LevelRequest& asked, double length)
   {
     return;
   }
-  this->Level = CoarsestOf(*this->Detail, (length - this->Rounding) / this->Scale);
+  this->Level = CoarsestWithin(this->Detail->Levels, (length - this->Rounding) / this->Scale);
+  const double radius = this->Radius / LengthOfPixels(asked.View, 1.0, this->Centre, this->Radius);
+  const double most = TrianglesOfPixel * glm::pi<double>() * radius * radius;
+  while (!HasArea(*this->Detail, this->Level) &&
+    static_cast<double>(this->Corners(this->Level - 1).size()) <= 3 * most)
+  {
+    --this->Level;
+  }
   if (this->BoundOfSpeck <= length && this->Triangles() > TrianglesOfSpeck)
   {
     this->By = SPECK;

@@ -65,7 +65,8 @@ struct Piece
 
   /**
    * Chooses what draws it: the fewest triangles with which no point moves by more than a length, and whose area is
-   * nearly that of the part. So many tiny parts hide together what they should, and let as much light through.
+   * nearly that of the part, unless these are many in each pixel. So many tiny parts hide together what they should,
+   * and let as much light through.
    */
   void Choose(const LevelRequest& asked, double length);
 
