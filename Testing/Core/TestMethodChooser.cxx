@@ -6,12 +6,12 @@
 #include <cmath>
 
 using vitrine::FrameChoice;
-using vitrine::FrameFacts;
 using vitrine::GuaranteedError;
 using vitrine::GuessDelay;
 using vitrine::MethodChooser;
 using vitrine::PictureKind;
 using vitrine::StoredColors;
+using vitrine::StoredFrame;
 
 namespace
 {
@@ -23,7 +23,7 @@ PictureKind Plain()
   return {};
 }
 
-FrameFacts FactsOfPasses(int passes)
+StoredFrame FactsOfPasses(int passes)
 {
   return { 1000, 4, passes, 1 };
 }
@@ -33,7 +33,7 @@ MethodChooser AfterAFrame()
 {
   MethodChooser chooser;
   const FrameChoice first = chooser.Choose(8.0 * OneStep, Plain());
-  FrameFacts facts = FactsOfPasses(1);
+  StoredFrame facts = FactsOfPasses(1);
   facts.LayersMax = 4;
   chooser.NoteFrame(first, facts);
   return chooser;
@@ -146,7 +146,7 @@ TEST(MethodChoosers, LeavePredictionIfItOftenFails)
 TEST(MethodChoosers, HideWhatIsDeepIfEnoughIsHidden)
 {
   MethodChooser chooser;
-  FrameFacts facts = { 1000, 40, 1, 1 };
+  StoredFrame facts = { 1000, 40, 1, 1 };
   chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
   FrameChoice choice = chooser.Choose(2.0 * OneStep, Plain());
   EXPECT_NEAR(choice.HiddenLight,
@@ -188,7 +188,7 @@ TEST(MethodChoosers, HideNothingAfterAWrongGuess)
 TEST(MethodChoosers, LinkListsIfMemoryIsShort)
 {
   MethodChooser chooser;
-  FrameFacts facts = FactsOfPasses(3);
+  StoredFrame facts = FactsOfPasses(3);
   facts.Bands = 2;
   chooser.NoteFrame(chooser.Choose(OneStep, Plain()), facts);
   EXPECT_FALSE(chooser.Choose(OneStep, Plain()).IsPacked);

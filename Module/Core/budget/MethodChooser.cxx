@@ -79,7 +79,7 @@ void MethodChooser::NoteExceeded()
 }
 
 //------------------------------------------------------------------------------
-void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts)
+void MethodChooser::NoteFrame(const FrameChoice& choice, const StoredFrame& facts)
 {
   this->Prediction.CountFrame();
   this->Hiding.CountFrame();
@@ -106,7 +106,7 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const FrameFacts& facts
 
 //------------------------------------------------------------------------------
 // A few cut frames tell whether enough is hidden.
-void MethodChooser::NoteHidden(const FrameFacts& facts)
+void MethodChooser::NoteHidden(const StoredFrame& facts)
 {
   if (!facts.IsCut)
   {

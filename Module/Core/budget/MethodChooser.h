@@ -42,7 +42,7 @@ struct FrameChoice
 std::string NameOf(const FrameChoice& choice);
 
 /** Statistics of a frame, which are counted anyway. */
-struct FrameFacts
+struct StoredFrame
 {
   std::int64_t Fragments = 0;
   std::int64_t LayersMax = 0;
@@ -72,7 +72,7 @@ public:
   void NoteExceeded();
 
   /** Note a finished frame of a choice. */
-  void NoteFrame(const FrameChoice& choice, const FrameFacts& facts);
+  void NoteFrame(const FrameChoice& choice, const StoredFrame& facts);
 
   /** Returns true if the budget is kept by some way of drawing pictures of the kind. */
   static bool CanKeep(double budget, const PictureKind& kind);
@@ -86,7 +86,7 @@ private:
   double ExpectedPasses(const FrameChoice& candidate) const;
 
   bool MayHide(double spare, const PictureKind& kind) const;
-  void NoteHidden(const FrameFacts& facts);
+  void NoteHidden(const StoredFrame& facts);
 
   GuessDelay Hiding;
   std::int64_t FragmentsUncut = 0; // Of the last frame that was not cut.
@@ -94,7 +94,7 @@ private:
   GuessDelay Prediction;
   double MissedShare = 0.0; // Share of the last frames whose prediction was wrong.
   bool HasFrame = false;
-  FrameFacts Last;
+  StoredFrame Last;
   FrameChoice LastChoice;
 };
 
