@@ -6,13 +6,16 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XCAFPrs_DocumentExplorer.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace cad
 {
@@ -64,14 +67,23 @@ Shapes CollectShapes(const CadFile& file)
 
 double MeshShapes(const CadFile& file, const MeshLimits& limits, ProgressLines& progress)
 {
+  const double least = METERS_OF_DOCUMENT * Precision::Confusion(); // Nearer points are one.
+  if (limits.Tolerance > 0.0 && limits.Tolerance < least)
+  {
+    std::ostringstream problem;
+    problem << "cannot be made into triangles: its tolerance must be " << least
+            << " metres at least";
+    throw CadError(problem.str());
+  }
   const Shapes shapes = CollectShapes(file);
   if (shapes.Box.IsVoid() || !TopExp_Explorer(shapes.Distinct, TopAbs_FACE).More())
   {
     throw CadError("has no faces to draw");
   }
   const double size = std::sqrt(shapes.Box.SquareExtent());
-  const double tolerance =
-    limits.Tolerance > 0.0 ? limits.Tolerance / METERS_OF_DOCUMENT : ToleranceOfSize * size;
+  const double tolerance = limits.Tolerance > 0.0
+    ? limits.Tolerance / METERS_OF_DOCUMENT
+    : std::max(ToleranceOfSize * size, Precision::Confusion());
   IMeshTools_Parameters parameters;
   parameters.Deflection = tolerance;
   parameters.Angle = limits.Angle;

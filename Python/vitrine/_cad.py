@@ -25,6 +25,7 @@ from typing import Any, Iterator, Sequence
 CONVERSION = 2  # counts changes of what is made of a file
 _ANGLE = 0.5  # radians
 _TOLERANCE_OF_SIZE = 1e-3  # of the diagonal of the box around all
+_LEAST_TOLERANCE = 1e-10  # metres; OpenCASCADE takes points that are nearer for one
 _MISSING = "needs OpenCASCADE to read STEP and IGES: pip install 'vtk-vitrine[step]'"
 _STEP = (".step", ".stp")
 _IGES = (".iges", ".igs")
@@ -325,8 +326,11 @@ def mend_materials(glb: Glb) -> None:
 def _tessellate(data: bytes, kind: str, tolerance: float, angle: float) -> Glb:
     import cascadio
 
-    with _Captured() as printed:
-        made = cascadio.load(data, file_type=kind, tol_linear=1000 * tolerance, tol_angular=angle)
+    try:
+        with _Captured() as printed:
+            made = cascadio.load(data, file_type=kind, tol_linear=1000 * tolerance, tol_angular=angle)
+    except RuntimeError as error:
+        raise CadError(f"is damaged: OpenCASCADE fails with {' '.join(str(error).split())}") from None
     # OpenCASCADE goes on after an error of grammar.
     if re.search(r"ERR StepFile\b", printed.text):
         line = re.search(r"(Line \d+: [^*\n]*)", printed.text)
@@ -365,6 +369,8 @@ def _check_step(data: bytes) -> None:
 
 def convert(data: bytes, kind: str, unnamed: str, tolerance: float, angle: float) -> Glb:
     """Make a GLB of a file's bytes. tolerance is in metres, or 0 for a default by size."""
+    if 0.0 < tolerance < _LEAST_TOLERANCE:
+        raise CadError(f"cannot be made into triangles: its tolerance must be {_LEAST_TOLERANCE:g} metres at least")
     units: list[str] = []
     guess = tolerance or 1e-4
     if kind == "step":
@@ -372,10 +378,10 @@ def convert(data: bytes, kind: str, unnamed: str, tolerance: float, angle: float
         units = _step_units(data)
         if not tolerance:
             meters = _METERS.get(units[0] if units else "", 0.001)
-            guess = _TOLERANCE_OF_SIZE * _size_of_vertices(data, meters) or guess
+            guess = max(_TOLERANCE_OF_SIZE * _size_of_vertices(data, meters) or guess, _LEAST_TOLERANCE)
     glb = _tessellate(data, kind, guess, angle)
-    wanted = tolerance or _TOLERANCE_OF_SIZE * glb.size()
-    if wanted > 0 and not 0.5 <= guess / wanted <= 2.0:
+    wanted = tolerance or max(_TOLERANCE_OF_SIZE * glb.size(), _LEAST_TOLERANCE)
+    if not 0.5 <= guess / wanted <= 2.0:
         guess = wanted
         glb = _tessellate(data, kind, guess, angle)
     mend_names(glb, StepNames(data if kind == "step" else b""), unnamed)

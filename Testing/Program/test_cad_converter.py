@@ -186,6 +186,12 @@ class AnyConverter:
         self.assertGreaterEqual(float(extras["tolerance"]), 0.5 * diagonal / 1000)
         self.assertLessEqual(float(extras["tolerance"]), 2 * diagonal / 1000)
 
+    def test_too_fine_a_tolerance_is_refused(self):
+        result, output = self.convert(self.write("box.step", step_files.box()), "--tolerance", "1e-11")
+        self.assertEqual((result.returncode, result.stderr.count(b"\n")), (2, 1), result.stderr)
+        self.assertIn(b"its tolerance must be 1e-10 metres at least", result.stderr)
+        self.assertFalse(output.exists())
+
     def test_bad_files(self):
         whole = step_files.machine()
         self.refuse_bytes("text.step", b"This is a text.\n" * 20, "is not STEP")
