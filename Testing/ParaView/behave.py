@@ -21,7 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.dont_write_bytecode = True
 
 import scenes  # noqa: E402
-from pictures import SIZE, delete_all, difference, picture, read  # noqa: E402
+from pictures import SIZE, delete_all, difference, layers_of, picture, read  # noqa: E402
 
 TESTS = {}
 
@@ -52,6 +52,8 @@ def glass(view, count=8):
 def off_truth(view, path, change=lambda pixels: pixels, **options):
     """The difference of a view's picture to truth's, with a change to both."""
     drawn = picture(view, path, **options)
+    is_panel = view.GetXMLName() == "VitrineRenderView"
+    layers_of(view if is_panel else servermanager._getPyProxy(view.SMProxy.GetRootView()))
     method, view.TransparencyMethod = view.TransparencyMethod, "truth"
     right = picture(view, path, **options)
     view.TransparencyMethod = method
@@ -169,6 +171,7 @@ def animation(folder):
     track = GetAnimationTrack("Radius", proxy=list(GetSources().values())[0])
     track.KeyFrames = [
         CompositeKeyFrame(KeyTime=time, KeyValues=[radius]) for time, radius in ((0, 0.5), (1, 2.5))]
+    layers_of(view)
     frames = {}
     for method in ("linked-list", "truth"):
         view.TransparencyMethod = method

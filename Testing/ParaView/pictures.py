@@ -18,6 +18,15 @@ def picture(view, path, **options):
     return read(path)
 
 
+def layers_of(view):
+    """The most layers of a pixel of the view's last picture. It is an error if it was not drawn exactly."""
+    view.UpdatePropertyInformation()
+    reason, layers = (view.GetProperty(name)[0] for name in ("FallbackReason", "MaximumNumberOfLayers"))
+    if reason or not layers:
+        raise AssertionError(f"not drawn exactly: {reason or 'there are no layers'}")
+    return int(layers)
+
+
 def difference(one, other):
     """The most levels of 255 by which a channel of two pictures differs."""
     if one.shape != other.shape:

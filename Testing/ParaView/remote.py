@@ -14,7 +14,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.dont_write_bytecode = True
 
 import scenes  # noqa: E402
-from pictures import SIZE, difference, picture  # noqa: E402
+from pictures import SIZE, difference, layers_of, picture  # noqa: E402
+
+ON_CLIENT, ON_SERVER = 1e6, 0  # megabytes from which on data are drawn on the server
 
 
 def glass(view):
@@ -44,15 +46,20 @@ def draw(view, threshold, folder):
     return picture(view, folder / f"remote-{view.GetXMLName()}.png")
 
 
-def draw_exactly(threshold, folder):
+def draw_exactly(folder, *thresholds):
+    """Rows of pictures that are drawn with these thresholds. Truth is drawn on the client, which knows its layers."""
     view = show("VitrineRenderView", glass)
-    drawn = draw(view, threshold, folder)
     view.TransparencyMethod = "truth"
-    return {"by": "truth", "allowed": 1.0, "wrong": difference(drawn, draw(view, threshold, folder))}
+    right = draw(view, ON_CLIENT, folder)
+    layers_of(view)
+    view.TransparencyMethod = "linked-list"
+    return [
+        {"by": "truth", "allowed": 1.0, "wrong": difference(draw(view, threshold, folder), right)}
+        for threshold in thresholds]
 
 
 def draw_by_ranks(folder):
-    pictures = [draw(show(kind, opaque), 0, folder) for kind in ("RenderView", "VitrineRenderView")]
+    pictures = [draw(show(kind, opaque), ON_SERVER, folder) for kind in ("RenderView", "VitrineRenderView")]
     return {"by": "ParaView's own", "allowed": 0.0, "wrong": difference(*pictures)}
 
 
@@ -61,11 +68,12 @@ def main(plugin, folder, port, ranks):
     Connect("127.0.0.1", int(port))  # a clean root does not know "localhost"
     LoadPlugin(plugin, remote=True, ns=globals())
     LoadPlugin(plugin, remote=False, ns=globals())
-    rows = {
-        "client": draw_exactly(1e6, folder),
-        "server": draw_by_ranks(folder) if int(ranks) > 1 else draw_exactly(0, folder)}
-    for place, row in rows.items():
-        print(json.dumps({"scene": f"drawn on the {place}, {ranks} ranks on the server"} | row), flush=True)
+    if int(ranks) > 1:
+        rows = [*draw_exactly(folder, ON_CLIENT), draw_by_ranks(folder)]
+    else:
+        rows = draw_exactly(folder, ON_CLIENT, ON_SERVER)
+    for place, row in zip(("client", "server"), rows):
+        print(json.dumps({"scene": f"drawn on the {place}; ranks of the server: {ranks}"} | row), flush=True)
     Disconnect()
 
 

@@ -17,7 +17,7 @@ sys.path.insert(0, os.environ["VITRINE_SCRIPTS"])
 sys.dont_write_bytecode = True
 
 import scenes  # noqa: E402
-from pictures import difference, picture  # noqa: E402
+from pictures import difference, layers_of, picture  # noqa: E402
 
 
 
@@ -35,6 +35,7 @@ def show():
         Render(one)
     view.UseFXAA = 0
     drawn = picture(view, FOLDER / "window-view.png")
+    layers_of(view)
     view.TransparencyMethod = "truth"
     right = picture(view, FOLDER / "window-truth.png")
     view.TransparencyMethod = "linked-list"
