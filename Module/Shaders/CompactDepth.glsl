@@ -1,6 +1,6 @@
-// A window depth in 26 bits. The code keeps the order of depths. Depths from 1/128 on are exact, except that the last
-// three before 1 become one. Nearer depths have steps of 2^-30, a 64th of a step of a 24-bit depth buffer. Fragments
-// are taken with such depths (TakeFragment.glsl), so the code is exact for them.
+// A window depth in 26 bits. The code keeps the order of depths. Depths from 1/128 on are exact, except that 1 and the
+// last two before it become one. Nearer depths have steps of 2^-30, a 64th of a step of a 24-bit depth buffer.
+// Fragments are taken with such depths (TakeFragment.glsl), so the code is exact for them.
 #include "SharedLayout.h"
 
 // From VITRINE_FIRST_FLOAT_DEPTH on the code is taken from the float's bits, below it is a number of steps. The largest

@@ -4,8 +4,8 @@
 //
 // Alphas and colours are the coarse codes of FineColor.glsl, which is included before. So fragments have the order of
 // other nodes.
-// - Alpha has 8 bits of mantissa and 16 exponents. The rounding errors of a stack of any number of equal layers add up
-//   to less than a quarter of 1/255.
+// - Alpha has 8 bits of mantissa and 16 exponents. Its rounding makes less than 0.54/255 of a picture
+//   (docs/develop/error-bounds.md).
 // - A colour has 406 levels. Its rounding error is below a third of 1/255.
 //
 // VITRINE_ADDITIVE: an alpha of 0 marks an additive colour. Another colour whose alpha rounds to 0 is stored as black.

@@ -1,6 +1,5 @@
 // Bounds how far the colour of a pixel is from that of unrounded fragments, for each channel, in a target of 8 bits a
-// channel with one sample a pixel. The bounds of all pixels and the largest one are written to
-// buffers.
+// channel with one sample a pixel. The bounds of all pixels and the largest one are written to buffers.
 // docs/develop/error-bounds.md has the proof. It follows the sorted list front to back. At fragment i, T_i is the
 // transmittance in front of it, a_i its alpha, c_i its colour, and m the colour of the first fragment:
 //

@@ -17,7 +17,7 @@ struct HiddenDepth
 {
   uint cut;         // bits of the depth by which this pixel was cut
   uint last;        // key of the last fragment that more light reached
-  float leftAtCut;  // light that passes all fragments in front of the cut
+  float leftAtCut;  // light that passes all fragments in front of the cut; those at it may be stored in part
 };
 
 HiddenDepth beginHidden(ivec2 pixel)
@@ -39,7 +39,7 @@ uint depthBitsOfKey(uint key)
 // Takes the fragment of a register before it is composited.
 #define TAKE_HIDDEN(f, c) \
   hidden.last = transmittance >= hiddenLight ? f.key : hidden.last; \
-  hidden.leftAtCut -= depthBitsOfKey(f.key) <= hidden.cut ? hidden.leftAtCut * c.a : 0.0;
+  hidden.leftAtCut -= depthBitsOfKey(f.key) < hidden.cut ? hidden.leftAtCut * c.a : 0.0;
 
 void tellHidden(HiddenDepth hidden, ivec2 pixel, float transmittance)
 {

@@ -80,16 +80,14 @@
 #define VITRINE_COARSE_COLORS_MASK 0xff80ff80u
 
 // Depths are kept in 26 bits' worth of values (CompactDepth.glsl): below the first float depth in steps of 2^-30, and
-// the last three before 1 are one.
+// 1 and the last two before it are one.
 #define VITRINE_FIRST_FLOAT_DEPTH 0.0078125
 #define VITRINE_DEPTH_STEPS 1073741824.0
 #define VITRINE_LAST_DEPTH (1.0 - 1.0 / 8388608.0)
 
 // How far stored colours and alphas are from those of the fragments: colours in [0, 1] by a difference, alphas by a
 // share of themselves. Faint alphas are off by VITRINE_FAINT_ROUNDING more. Coarse codes are rounded from fine ones, so
-// theirs is half a fine step more. VITRINE_FLOAT_... are those of 16-bit floats.
-#define VITRINE_FLOAT_COLOR_ROUNDING (1.0 / 8192.0)
-#define VITRINE_FLOAT_ALPHA_ROUNDING (1.0 / 4096.0)
+// theirs is half a fine step more.
 #define VITRINE_HALF_COLOR_ROUNDING (0.51 / VITRINE_FINE_COLOR_STEPS) // in single precision
 #define VITRINE_HALF_ALPHA_ROUNDING (1.0 / 8192.0)
 #define VITRINE_COMPACT_COLOR_ROUNDING (64.51 / VITRINE_FINE_COLOR_STEPS)

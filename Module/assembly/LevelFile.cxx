@@ -81,18 +81,23 @@ std::optional<std::vector<MeshLevel>> ReadLevelsOf(const DetailedMesh& mesh, std
   return levels;
 }
 
-std::optional<Details> ReadAll(std::ifstream& file, const DetailWork::Geometries& geometries)
+std::optional<Details> ReadAll(
+  std::ifstream& file, const DetailWork::Geometries& geometries, const std::atomic<bool>& isStopped)
 {
   Details details;
   for (vtkPolyData* const geometry : geometries)
   {
+    if (isStopped)
+    {
+      return details;
+    }
     const DetailedMesh mesh = DetailedMeshOf(geometry);
     std::optional<std::vector<MeshLevel>> levels = ReadLevelsOf(mesh, file);
     if (!levels)
     {
       return std::nullopt;
     }
-    details.push_back(MakePartDetail(mesh, std::move(*levels), NeverStopped));
+    details.push_back(MakePartDetail(mesh, std::move(*levels), isStopped));
   }
   return file.peek() == std::ifstream::traits_type::eof() ? std::optional<Details>(details)
                                                           : std::nullopt;
@@ -129,7 +134,7 @@ std::string KeyOfLevels(
 }
 
 bool ReadLevels(const CadCache& cache, const std::string& key,
-  const DetailWork::Geometries& geometries, Details& details)
+  const DetailWork::Geometries& geometries, const std::atomic<bool>& isStopped, Details& details)
 {
   std::error_code problem;
   if (!std::filesystem::exists(cache.EntryOf(key), problem))
@@ -137,7 +142,11 @@ bool ReadLevels(const CadCache& cache, const std::string& key,
     return false;
   }
   std::ifstream file(cache.EntryOf(key), std::ios::binary);
-  std::optional<Details> read = ReadAll(file, geometries);
+  std::optional<Details> read = ReadAll(file, geometries, isStopped);
+  if (isStopped)
+  {
+    return false;
+  }
   if (!read)
   {
     cache.Remove(key);

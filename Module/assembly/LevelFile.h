@@ -22,10 +22,10 @@ std::string KeyOfLevels(
 /**
  * Reads what KeepLevels() has kept. A damaged entry is removed.
  * @param details  one for each geometry, which stay as they are if there is no entry
- * @return  false if there is none
+ * @return  false if there is none, or if it was stopped
  */
 bool ReadLevels(const CadCache& cache, const std::string& key,
-  const DetailWork::Geometries& geometries, Details& details);
+  const DetailWork::Geometries& geometries, const std::atomic<bool>& isStopped, Details& details);
 
 /** Keeps levels, if there is room for them. */
 void KeepLevels(const CadCache& cache, const std::string& key, const Details& details);

@@ -135,7 +135,8 @@ void DetailWork::MakeByCache(const CadCache& cache)
 {
   const bool isUsable = cache.Problem().empty();
   const std::string key = isUsable ? KeyOfLevels(this->Work, this->IsStopped) : std::string();
-  if (isUsable && !this->IsStopped && ReadLevels(cache, key, this->Work, this->Made))
+  if (isUsable && !this->IsStopped &&
+    ReadLevels(cache, key, this->Work, this->IsStopped, this->Made))
   {
     this->Done = this->Work.size();
     return;

@@ -96,36 +96,37 @@ void AddClippingPlanes(vtkCamera* camera, std::vector<vitrine::CutPlane>& planes
   }
 }
 
-/**
- * Where looks change in each frame, as while parts are revealed, new actors would be made for each. So after actors
- * that lasted for one frame only, some frames are drawn without. Those are twice as many each time.
- */
-class MakingDelay
-{
-public:
-  bool IsOver() const { return this->Frames == 0; }
-  void CountFrame() { --this->Frames; }
-
-  /** Actors are made. */
-  void Begin()
-  {
-    this->Frames = this->Next;
-    this->Next = std::min(2 * this->Next + 1, Longest);
-  }
-
-  /** Actors have lasted. */
-  void End() { *this = {}; }
-
-private:
-  static constexpr int Longest = 31;
-
-  int Frames = 0;
-  int Next = 0;
-};
 }
 
 struct vtkPartLevels::Internals
 {
+  /**
+   * Where looks change in each frame, as while parts are revealed, new actors would be made for each. So after actors
+   * that lasted for one frame only, some frames are drawn without. Those are twice as many each time.
+   */
+  class MakingDelay
+  {
+  public:
+    bool IsOver() const { return this->Frames == 0; }
+    void CountFrame() { --this->Frames; }
+
+    /** Actors are made. */
+    void Begin()
+    {
+      this->Frames = this->Next;
+      this->Next = std::min(2 * this->Next + 1, Longest);
+    }
+
+    /** Actors have lasted. */
+    void End() { *this = {}; }
+
+  private:
+    static constexpr int Longest = 31;
+
+    int Frames = 0;
+    int Next = 0;
+  };
+
   /** An assembly, the work on its levels, and the actors that draw them once they are made. */
   struct LevelledAssembly
   {
@@ -330,7 +331,7 @@ void vtkPartLevels::AddAssembly(vtkAssemblyActors* assembly)
     }
   }
   assemblies.push_back({ assembly,
-    std::make_unique<DetailWork>(std::move(geometries), this->Private->UseCache), nullptr });
+    std::make_unique<DetailWork>(std::move(geometries), this->Private->UseCache), nullptr, {} });
   this->Modified();
 }
 

@@ -27,9 +27,13 @@ public:
     this->ErrorBefore = this->Method->GetColorError();
     const double share =
       std::min(0.5 * this->Method->GetErrorBudget(), this->Method->GetColorErrorToSpare());
+    // The opaque picture is rounded to 8 bits before anything is drawn over it. What lights lack may round it the
+    // other way, by a whole step.
+    const double lack = std::max(0.0, share - OneStep);
     const bool isOwn = this->CutOffBefore != vtkClusteredLightsPass::GetDefaultCutOff();
-    lights->SetCutOff(isOwn ? std::min(share, this->CutOffBefore) : share);
-    this->Method->SetColorError(std::max(this->ErrorBefore, lights->GetCutOff()));
+    lights->SetCutOff(isOwn ? std::min(lack, this->CutOffBefore) : lack);
+    const double error = lights->GetCutOff() > 0.0 ? lights->GetCutOff() + OneStep : 0.0;
+    this->Method->SetColorError(std::max(this->ErrorBefore, error));
   }
   ~ScopedShareOfLights()
   {
@@ -43,6 +47,8 @@ public:
   void operator=(const ScopedShareOfLights&) = delete;
 
 private:
+  static constexpr double OneStep = 1.0 / 255.0;
+
   vtkSmartPointer<vtkClusteredLightsPass> Lights;
   vtkSmartPointer<vtkErrorBudgetTransparencyPass> Method;
   double CutOffBefore = 0.0;

@@ -355,6 +355,10 @@ void vtkSeeThroughPass::SetFrameTime(double milliseconds)
       << ". It is a finite number of milliseconds, or 0 for none");
     return;
   }
+  if (!this->IsTimed())
+  {
+    in.FrameTime = 0.0; // another method was set since
+  }
   if (milliseconds == in.FrameTime)
   {
     return;
@@ -378,7 +382,7 @@ void vtkSeeThroughPass::SetFrameTime(double milliseconds)
 //------------------------------------------------------------------------------
 double vtkSeeThroughPass::GetFrameTime()
 {
-  return this->Private->FrameTime;
+  return this->IsTimed() ? this->Private->FrameTime : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -78,8 +78,9 @@ public:
    * back that was there before, or a vtkLinkedListTransparencyPass if there was none. Any other value is an error and
    * is ignored.
    *
-   * The CutOff of the LightingPass is part of the budget. While a frame is drawn, it is half of the budget, or less if
-   * fragments need more. A CutOff below that, other than the default, stays.
+   * The CutOff of the LightingPass is part of the budget. While a frame is drawn, it is half of the budget less 1/255,
+   * which the rounding of the opaque picture takes, or less if fragments need more. So it is 0 up to a budget of 2/255.
+   * A CutOff below that, other than the default, stays.
    *
    * With a FrameTime it is the largest budget that is taken, GetLargestTimedBudget() if none was set. 0 ends the
    * FrameTime.

@@ -82,7 +82,7 @@ def stats(target: Any) -> Stats:
 def error_bound(target: Any) -> numpy.ndarray:
     """Upper bounds of the errors of all pixels of the last frame of `target`, drawn with `error_bounds`.
 
-    No channel of a pixel differs by more from what exact arithmetic would give. Channels are in [0, 1], and the
+    No colour channel of a pixel differs by more from what exact arithmetic would give. Channels are in [0, 1], and the
     rounding of the picture to 8 bits is included. Effects that process the picture are not. Pixels without translucent
     fragments have what lights may lack that are left out, or 0.
 

@@ -75,7 +75,11 @@ TEST(GuaranteedErrors, GrowWithWhatAddsToThem)
   EXPECT_NEAR(GuaranteedError(StoredColors::HalfFloat, tolerant) - plain, OneStep / 3.0, 1e-6);
   PictureKind additive;
   additive.Additive = true;
-  EXPECT_GT(GuaranteedError(StoredColors::HalfFloat, additive), plain);
+  PictureKind floating;
+  floating.EightBit = false;
+  floating.FixedPoint = false;
+  EXPECT_TRUE(std::isinf(GuaranteedError(StoredColors::HalfFloat, additive)));
+  EXPECT_TRUE(std::isinf(GuaranteedError(StoredColors::HalfFloat, floating)));
   PictureKind curved;
   curved.EightBit = false;
   curved.EncodesSRGB = true;
@@ -83,7 +87,7 @@ TEST(GuaranteedErrors, GrowWithWhatAddsToThem)
   EXPECT_NEAR(GuaranteedError(StoredColors::Compact, multisampled) -
       GuaranteedError(StoredColors::Compact, Plain()),
     0.5 * OneStep, 0.01 * OneStep);
-  for (const PictureKind& kind : { tolerant, additive, curved })
+  for (const PictureKind& kind : { tolerant, additive, floating, curved })
   {
     EXPECT_TRUE(std::isinf(GuaranteedError(StoredColors::Compact, kind)));
   }

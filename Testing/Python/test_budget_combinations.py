@@ -158,7 +158,30 @@ class Combinations(unittest.TestCase):
             with self.subTest(lights):
                 renderer = glass()
                 add_lights(renderer, 30)
-                self.check(renderer, lights=lights)  # what is opaque in it is not lit, so its rounding is the same
+                for actor in renderer.GetActors():
+                    actor.GetProperty().LightingOn()
+                self.check(renderer, lights=lights, steps=(1, 4))
+
+    def test_depths_that_are_kept_as_one(self):
+        """The depth test sees the depths of the red and the blue strip as two, and lists keep them as one."""
+        renderer = vtkRenderer()
+        depths = ("1.0 - exp2(-22.0)", "1.0 - exp2(-24.0)")
+        for k, (color, opacity) in enumerate([((1, 0, 0), 0.9998), ((0, 0, 1), 0.998)] + 12 * [((0, 1, 0), 0.99995)]):
+            strip = vtkPlaneSource()
+            strip.SetOrigin(0, -2, 0)
+            strip.SetPoint1(2, -2, 0)
+            strip.SetPoint2(0, 2, 0)
+            actor = actor_of(strip)
+            actor.GetProperty().LightingOff()
+            actor.GetProperty().SetColor(color)
+            actor.GetProperty().SetOpacity(opacity)
+            tag = "//VTK::PositionVC::Impl"
+            actor.GetShaderProperty().AddVertexShaderReplacement(
+                tag, True, f"{tag}\n  gl_Position.z = gl_Position.w * ({depths[min(k, 1)]});\n", False
+            )
+            renderer.AddActor(actor)
+        renderer.ResetCamera()
+        self.check(renderer, steps=(2, 4))
 
     def test_sections(self):
         renderer = glass()

@@ -27,35 +27,33 @@ struct Rounding
   double OfAlphas;
 };
 
-// As PackedColor.glsl and CompactNode.glsl store.
-Rounding RoundingOf(StoredColors colors, const PictureKind& kind)
+// As FineColor.glsl and CompactNode.glsl store.
+Rounding RoundingOf(StoredColors colors)
 {
   if (colors == StoredColors::Compact)
   {
     return { VITRINE_COMPACT_COLOR_ROUNDING, VITRINE_COMPACT_ALPHA_ROUNDING };
   }
-  const bool isFloat = kind.Additive || !(kind.EightBit || kind.EncodesSRGB);
-  return isFloat ? Rounding{ VITRINE_FLOAT_COLOR_ROUNDING, VITRINE_FLOAT_ALPHA_ROUNDING }
-                 : Rounding{ VITRINE_HALF_COLOR_ROUNDING, VITRINE_HALF_ALPHA_ROUNDING };
+  return { VITRINE_HALF_COLOR_ROUNDING, VITRINE_HALF_ALPHA_ROUNDING };
 }
 
-double StorageError(StoredColors colors, const PictureKind& kind)
+double StorageError(StoredColors colors)
 {
-  const Rounding rounding = RoundingOf(colors, kind);
-  // Light that is added may be as bright as the picture, and is rounded like an alpha.
-  const double ofAdded = kind.Additive ? rounding.OfAlphas : 0.0;
-  return (1.0 + 32.0 * rounding.OfAlphas) * (rounding.OfColors + rounding.OfAlphas) + ofAdded;
+  const Rounding rounding = RoundingOf(colors);
+  return (1.0 + 32.0 * rounding.OfAlphas) * (rounding.OfColors + rounding.OfAlphas);
 }
 
 }
 
 double GuaranteedError(StoredColors colors, const PictureKind& kind)
 {
-  if (colors == StoredColors::Compact && (!kind.EightBit || kind.Additive || kind.Coincidence))
+  // Light that is added may sum to any brightness, and glass in front of it makes its errors seen.
+  const bool isBounded = kind.FixedPoint && !kind.Additive;
+  if (!isBounded || (colors == StoredColors::Compact && (!kind.EightBit || kind.Coincidence)))
   {
     return std::numeric_limits<double>::infinity();
   }
-  const double stored = StorageError(colors, kind) + (kind.Coincidence ? QuadratureError : 0.0);
+  const double stored = StorageError(colors) + (kind.Coincidence ? QuadratureError : 0.0);
   return RoundingOfPicture(kind) + ErrorOfColors(stored, kind);
 }
 

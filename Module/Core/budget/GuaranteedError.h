@@ -23,6 +23,7 @@ struct PictureKind
   int Samples = 0;          ///< Samples of a pixel, 0 if single-sampled.
   bool Additive = false;    ///< Some fragments are added to what is behind them.
   bool Coincidence = false; ///< There is a coincidence tolerance.
+  bool FixedPoint = true;   ///< Colours are in [0, 1].
 
   /** Returns true if the error of each pixel can be bounded while it is drawn (Shaders/ErrorBound.glsl). */
   bool HasBoundsOfPixels() const
@@ -34,7 +35,7 @@ struct PictureKind
   {
     return this->EightBit == other.EightBit && this->EncodesSRGB == other.EncodesSRGB &&
       this->Samples == other.Samples && this->Additive == other.Additive &&
-      this->Coincidence == other.Coincidence;
+      this->Coincidence == other.Coincidence && this->FixedPoint == other.FixedPoint;
   }
 };
 

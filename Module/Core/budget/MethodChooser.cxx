@@ -15,7 +15,7 @@ constexpr double WeightOfLastFrame = 0.1;
 // Light that can be spared, and layers from which on something may hide behind it.
 constexpr double LeastLight = 0.2 / 255.0;
 constexpr int LeastLayersThatHide = 8;
-// Depths are looked for where a quarter of the light that can be spared passes: the picture may move.
+// Depths are looked for where a 16th of the light that can be spared passes: the picture may move.
 constexpr double ReserveOfLight = 1.0 / 16.0;
 // After so many cut frames, at least this share of the fragments must be hidden.
 constexpr int CutFramesOfTrial = 3;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <tuple>
 
 namespace vitrine
@@ -16,6 +17,14 @@ constexpr int MostSamples = 32;
 bool IsOpaque(const LayerFragment& f)
 {
   return (f.Kind & LayerFragment::Opaque) != 0;
+}
+
+/** Returns a number of the order of the 16-bit floats in which floating-point targets store colours. */
+std::uint32_t FloatOrder(float x)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return x > 0.0f ? (bits + 0x800u) >> 12 : 0u;
 }
 
 float DepthOf(const LayerFragment& f)
@@ -59,7 +68,8 @@ public:
     const auto colorOf = [](const LayerFragment& f)
     {
       const std::uint64_t stored = StoredColor(f.Rgba[0], f.Rgba[1], f.Rgba[2], f.Rgba[3]);
-      return std::make_tuple(ColorOrder(stored), f.Part);
+      return std::make_tuple(ColorOrder(stored), FloatOrder(f.Rgba[2]), FloatOrder(f.Rgba[1]),
+        FloatOrder(f.Rgba[0]), f.Part);
     };
     return colorOf(a) < colorOf(b);
   }

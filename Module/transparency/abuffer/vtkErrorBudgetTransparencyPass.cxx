@@ -18,6 +18,7 @@
 #include "vtkRenderState.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkErrorBudgetTransparencyPass);
 vitrineTransparencyMethodMacro(
@@ -196,7 +197,7 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
   chosen.HasFrame = false;
   chosen.HasNothing = false;
   chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples, this->HasAdditiveFragments(),
-    this->GetTolerance().IsOn() };
+    this->GetTolerance().IsOn(), target.FixedPoint };
   std::string problem = this->RenderChosen(s, target);
   const int passes = this->NumberOfGeometryPasses;
   // A wrong guess is not made again at once.
@@ -329,8 +330,9 @@ std::string vtkErrorBudgetTransparencyPass::GetBudgetProblem()
   {
     return "no frame was drawn by this pass";
   }
-  return this->GuaranteedError <= this->ErrorBudget
-    ? std::string()
+  return this->GuaranteedError <= this->ErrorBudget ? std::string()
+    : std::isinf(this->GuaranteedError)
+    ? "errors have no bound where light is added, and in floating-point targets"
     : "pictures of this kind have errors of up to " +
       vitrine::NumberText(255.0 * this->GuaranteedError) + "/255, and the budget is " +
       vitrine::NumberText(255.0 * this->ErrorBudget) + "/255";

@@ -99,10 +99,10 @@ public:
 
   /**
    * Get upper bounds of the errors of the last frame's pixels as an image of one float component, by rows from the
-   * bottom of the framebuffer. No channel of a pixel differs from truth by more. A pixel without translucent fragments
-   * has the ColorError, and a pixel outside of the viewport has 0. In multisampled windows, with a coincidence
-   * tolerance, in targets other than 8-bit ones and with fragments that are added, all pixels of the viewport have the
-   * bound of such pictures. Returns false, and leaves the image alone, if
+   * bottom of the framebuffer. No colour channel of a pixel differs from truth by more. A pixel without translucent
+   * fragments has the ColorError, and a pixel outside of the viewport has 0. In multisampled windows and with a
+   * coincidence tolerance, all pixels of the viewport have the bound of such pictures. With fragments that are
+   * added, and in floating-point targets, that is infinity. Returns false, and leaves the image alone, if
    * KeepErrorBounds was off in the last frame or if another method drew it.
    */
   bool GetErrorBound(vtkImageData* image);

@@ -16,7 +16,8 @@ namespace vitrine
 
 namespace
 {
-/** The alpha of a vertex by its material's mode (glTF 2.0, 3.9.4): a mask has holes, and is opaque elsewhere. */
+/** The alpha of a vertex by its material's mode (glTF 2.0, 3.9.4): a mask has holes, and is opaque elsewhere.
+ * Between vertices of either kind it fades, where glTF has an edge. */
 float ShownAlpha(const Assembly& assembly, int number, float alpha)
 {
   if (number == NO_INDEX)
