@@ -77,6 +77,75 @@ vtkSmartPointer<vtkPolyData> ReverseCells(vtkPolyData* geometry)
   reverse->Update();
   return reverse->GetOutput();
 }
+
+/** Whether a place leaves boxes boxes: no axis of the world depends on two axes of the model. */
+bool KeepsBoxes(const glm::dmat4& matrix)
+{
+  for (int row = 0; row < 3; ++row)
+  {
+    int axes = 0;
+    for (int column = 0; column < 3; ++column)
+    {
+      axes += matrix[column][row] != 0.0 ? 1 : 0;
+    }
+    if (axes > 1)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Lowest and highest of placed points, of which one that is not a number counts nowhere. */
+struct Reach
+{
+  glm::dvec3 Low{ std::numeric_limits<double>::infinity() };
+  glm::dvec3 High{ -std::numeric_limits<double>::infinity() };
+
+  void Add(const glm::dvec3& point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = point[axis] < this->Low[axis] ? point[axis] : this->Low[axis];
+      this->High[axis] = point[axis] > this->High[axis] ? point[axis] : this->High[axis];
+    }
+  }
+};
+
+template <class Number>
+Reach ReachOf(const Number* values, vtkIdType count, const glm::dmat4& matrix)
+{
+  Reach reach;
+  for (const Number* const end = values + 3 * count; values != end; values += 3)
+  {
+    reach.Add(glm::dvec3(matrix * glm::dvec4(values[0], values[1], values[2], 1.0)));
+  }
+  return reach;
+}
+
+Reach ReachOf(const vtkBoundingBox& box, const glm::dmat4& matrix)
+{
+  Reach reach;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[3];
+    box.GetCorner(corner, point);
+    reach.Add(glm::dvec3(matrix * glm::dvec4(point[0], point[1], point[2], 1.0)));
+  }
+  return reach;
+}
+
+Reach ReachOf(vtkPoints* points, const glm::dmat4& matrix)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  if (auto* const floats = vtkFloatArray::FastDownCast(points->GetData()))
+  {
+    return ReachOf(floats->GetPointer(0), count, matrix);
+  }
+  vtkNew<vtkDoubleArray> doubles;
+  doubles->DeepCopy(points->GetData());
+  return ReachOf(doubles->GetPointer(0), count, matrix);
+}
 }
 
 namespace vitrine
@@ -123,6 +192,19 @@ vtkSmartPointer<vtkPolyData> PlaceGeometry(vtkPolyData* geometry, vtkMatrix4x4* 
   placed->SetPoints(points);
   PlaceVectors(glm::dmat3(matrix), placed->GetPointData());
   return IsMirrored(matrix) ? ReverseCells(placed) : placed;
+}
+
+vtkBoundingBox PlacedBox(vtkPolyData* geometry, vtkMatrix4x4* place)
+{
+  const vtkBoundingBox box(geometry->GetBounds());
+  if (!place || !box.IsValid())
+  {
+    return box;
+  }
+  const glm::dmat4 matrix = MatrixOf(place);
+  const Reach reach =
+    KeepsBoxes(matrix) ? ReachOf(box, matrix) : ReachOf(geometry->GetPoints(), matrix);
+  return { reach.Low.x, reach.High.x, reach.Low.y, reach.High.y, reach.Low.z, reach.High.z };
 }
 
 }

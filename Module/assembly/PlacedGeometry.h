@@ -4,6 +4,7 @@
 
 #include "vtkSmartPointer.h"
 
+class vtkBoundingBox;
 class vtkMatrix4x4;
 class vtkPolyData;
 
@@ -22,6 +23,12 @@ bool IsFarForItsSize(vtkPolyData* geometry, vtkMatrix4x4* place);
  * reversed, so that their fronts stay fronts. Several threads may call this once the geometry knows its bounds.
  */
 vtkSmartPointer<vtkPolyData> PlaceGeometry(vtkPolyData* geometry, vtkMatrix4x4* place);
+
+/**
+ * Returns the box of a part's points in world coordinates. Null stands for the identity. It takes the time of a pass
+ * over the points only where the place turns them.
+ */
+vtkBoundingBox PlacedBox(vtkPolyData* geometry, vtkMatrix4x4* place);
 
 }
 

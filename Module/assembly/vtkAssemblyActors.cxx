@@ -23,28 +23,10 @@ namespace
 {
 using vitrine::AddedPart;
 
-/** Returns the box of a part in WC. It is wider than the part where its place turns it. */
-vtkBoundingBox BoxOf(const AddedPart& part)
-{
-  const vtkBoundingBox box(part.Geometry->GetBounds());
-  vtkBoundingBox placed;
-  for (int corner = 0; corner < 8 && box.IsValid(); ++corner)
-  {
-    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-    box.GetCorner(corner, point);
-    if (part.Place)
-    {
-      part.Place->MultiplyPoint(point, point);
-    }
-    placed.AddPoint(point);
-  }
-  return placed;
-}
-
 vitrine::ExplodedPart Exploded(const AddedPart& part, const std::string& path)
 {
   vitrine::ExplodedPart exploded{ path, glm::dvec3(1.0), glm::dvec3(-1.0) };
-  const vtkBoundingBox box = BoxOf(part);
+  const vtkBoundingBox box = vitrine::PlacedBox(part.Geometry, part.Place);
   if (box.IsValid())
   {
     box.GetMinPoint(exploded.Min.x, exploded.Min.y, exploded.Min.z);
@@ -248,6 +230,13 @@ vtkPolyData* vtkAssemblyActors::CopyPlacedGeometry(int part)
   const vtkSmartPointer<vtkPolyData> placed = vitrine::PlaceGeometry(added.Geometry, added.Place);
   placed->Register(nullptr);
   return placed;
+}
+
+//------------------------------------------------------------------------------
+void vtkAssemblyActors::GetPlacedBounds(
+  vtkPolyData* geometry, vtkMatrix4x4* place, double bounds[6])
+{
+  vitrine::PlacedBox(geometry, place).GetBounds(bounds);
 }
 
 //------------------------------------------------------------------------------

@@ -208,6 +208,12 @@ public:
   VTK_NEWINSTANCE
   static vtkProperty* CopyProperty(vtkProperty* property);
 
+  /**
+   * Get the bounds of a geometry's points at a place, in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. A null
+   * place stands for the identity. Of no points, each lowest is above its highest.
+   */
+  static void GetPlacedBounds(vtkPolyData* geometry, vtkMatrix4x4* place, double bounds[6]);
+
 protected:
   vtkAssemblyActors();
   ~vtkAssemblyActors() override;

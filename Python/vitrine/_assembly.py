@@ -153,8 +153,8 @@ class Part:
 
     number is its place in Assembly.parts. name tells all parts of an assembly apart, and so does path, which has the
     names of its nodes from the root, each after a slash. material is the name of its material, which may be empty.
-    triangles is the number of triangles that its polygons come to. bounds are those of its box in world coordinates:
-    xmin, xmax, ymin, ymax, zmin, zmax. They are wider than the part where its place turns the box.
+    triangles is the number of triangles that its polygons come to. bounds are those of its points in world
+    coordinates: xmin, xmax, ymin, ymax, zmin, zmax.
     """
 
     number: int
@@ -419,7 +419,7 @@ def _describe(actors: vtkAssemblyActors, number: int) -> Part:
         path=actors.GetPartPath(number),
         material=actors.GetPartMaterialName(number),
         triangles=_triangles(geometry.GetPolys()) + _triangles(geometry.GetStrips()),
-        bounds=_placed_bounds(geometry.GetBounds(), actors.GetPartPlace(number)),
+        bounds=_placed_bounds(actors, number),
     )
 
 
@@ -428,19 +428,11 @@ def _triangles(cells: Any) -> int:
     return cells.GetNumberOfConnectivityIds() - 2 * cells.GetNumberOfCells()
 
 
-def _placed_bounds(bounds: Sequence[float], place: Any) -> Any:
-    """Bounds in world coordinates of a box in model coordinates."""
-    if place is None:
-        return tuple(bounds)
-    halves = [(bounds[2 * axis + 1] - bounds[2 * axis]) / 2 for axis in range(3)]
-    middle = [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
-    center = place.MultiplyPoint((*middle, 1.0))
-    edges = [
-        place.MultiplyPoint([halves[axis] if i == axis else 0.0 for i in range(4)])
-        for axis in range(3)
-    ]
-    reach = [sum(abs(edge[axis]) for edge in edges) for axis in range(3)]
-    return tuple(center[axis] + sign * reach[axis] for axis in range(3) for sign in (-1, 1))
+def _placed_bounds(actors: vtkAssemblyActors, number: int) -> Any:
+    """Bounds of a part in world coordinates."""
+    bounds = [0.0] * 6
+    actors.GetPlacedBounds(actors.GetPartGeometry(number), actors.GetPartPlace(number), bounds)
+    return tuple(bounds)
 
 
 def _number(argument: str, value: Any) -> float:

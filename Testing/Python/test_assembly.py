@@ -59,6 +59,18 @@ class Parts(Files):
         root = math.sqrt(2)
         numpy.testing.assert_allclose(part.bounds, (-root, root, -root, root, -1, 1), atol=1e-6)
 
+    def test_have_bounds_of_their_points_where_their_box_is_wider(self):
+        points = numpy.array([(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], numpy.float32)
+        normals = numpy.array([(0, 0, 1)] * 4, numpy.float32)
+        diamond = points, normals, numpy.array([(0, 1, 2), (0, 2, 3)], numpy.uint32)
+        turn = [0, 0, math.sin(math.pi / 8), math.cos(math.pi / 8)]  # 45 degrees around z
+        nodes = [{"name": "diamond", "mesh": 0, "rotation": turn, "translation": [5, 0, 1]}]
+        write_glb(self.file, nodes, [0], [(*diamond, None)])
+        (part,) = vitrine.load(self.file)
+        half = math.sqrt(0.5)
+        expected = (5 - half, 5 + half, -half, half, 1, 1)
+        numpy.testing.assert_allclose(part.bounds, expected, atol=1e-6)
+
     def test_of_compressed_geometry_are_whole(self):
         for extension in ("KHR_draco_mesh_compression", "EXT_meshopt_compression"):
             with self.subTest(extension):

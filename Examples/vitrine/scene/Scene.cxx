@@ -180,23 +180,8 @@ std::string PathStep(const std::string& name)
 
 std::array<double, 6> PartBounds(const Part& part)
 {
-  std::array<double, 6> local;
-  part.Geometry->GetBounds(local.data());
-  if (!part.Transform)
-  {
-    return local;
-  }
-  vtkBoundingBox box;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const double point[4] = { local[corner & 1], local[2 + ((corner >> 1) & 1)],
-      local[4 + ((corner >> 2) & 1)], 1.0 };
-    double world[4];
-    part.Transform->MultiplyPoint(point, world);
-    box.AddPoint(world);
-  }
   std::array<double, 6> bounds;
-  box.GetBounds(bounds.data());
+  vtkAssemblyActors::GetPlacedBounds(part.Geometry, part.Transform, bounds.data());
   return bounds;
 }
 
