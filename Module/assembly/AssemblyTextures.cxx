@@ -1,11 +1,13 @@
 #include "assembly/AssemblyTextures.h"
 
+#include "Core/assembly/UsedImages.h"
 #include "Core/threads/ForEachInThreads.h"
 #include "assembly/PngDecoder.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageAppendComponents.h"
 #include "vtkImageExtractComponents.h"
 #include "vtkImageResize.h"
@@ -36,6 +38,7 @@ vtkSmartPointer<vtkImageData> Decode(const std::vector<std::uint8_t>& bytes)
   onError->SetCallback(
     [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
   reader->AddObserver(vtkCommand::ErrorEvent, onError);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, onError);
   reader->SetMemoryBuffer(bytes.data());
   reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
   reader->Update();
@@ -63,6 +66,7 @@ std::uint64_t PixelsOf(const AssemblyImage& image)
   vtkNew<vtkJPEGReader> reader;
   vtkNew<vtkCallbackCommand> onError; // Decode() tells what is wrong.
   reader->AddObserver(vtkCommand::ErrorEvent, onError);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, onError);
   reader->SetMemoryBuffer(bytes.data());
   reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
   reader->UpdateInformation();
@@ -71,6 +75,7 @@ std::uint64_t PixelsOf(const AssemblyImage& image)
     static_cast<std::uint64_t>(extent[3] - extent[2] + 1);
 }
 
+/** Decodes a picture, or returns null if it is damaged or of another kind. */
 vtkSmartPointer<vtkImageData> Decode(const AssemblyImage& image)
 {
   vtkSmartPointer<vtkImageData> decoded;
@@ -83,11 +88,6 @@ vtkSmartPointer<vtkImageData> Decode(const AssemblyImage& image)
     !DecodePng(image.Bytes.data(), image.Bytes.size()).Pixels.empty())
   {
     decoded = Decode<vtkPNGReader>(image.Bytes);
-  }
-  if (!decoded)
-  {
-    throw AssemblyError(
-      "is damaged: the picture '" + image.Name + "' is no PNG or JPEG, or not a whole one");
   }
   return decoded;
 }
@@ -148,15 +148,11 @@ vtkSmartPointer<vtkImageData> FillFirst(vtkImageData* image)
 }
 }
 
-AssemblyTextures::AssemblyTextures(const Assembly& assembly)
+AssemblyTextures::AssemblyTextures(Assembly& assembly)
   : Source(assembly)
   , Images(assembly.Images.size())
 {
-  std::set<int> used; // Pictures in KTX2 or WebP are not.
-  for (const AssemblyTexture& texture : assembly.Textures)
-  {
-    used.insert(texture.Image);
-  }
+  const std::set<int> used = UsedImages(assembly);
   this->CheckSizes(used);
   ForEachInThreads(this->Images.size(),
     [&](std::size_t i)
@@ -166,6 +162,14 @@ AssemblyTextures::AssemblyTextures(const Assembly& assembly)
         this->Images[i] = Decode(assembly.Images[i]);
       }
     });
+  for (const int i : used)
+  {
+    if (!this->Images[static_cast<std::size_t>(i)])
+    {
+      assembly.Notes.push_back("picture '" + assembly.Images[static_cast<std::size_t>(i)].Name +
+        "' is no PNG or JPEG, or not a whole one: parts are shown without it");
+    }
+  }
 }
 
 void AssemblyTextures::CheckSizes(const std::set<int>& used) const
@@ -173,8 +177,7 @@ void AssemblyTextures::CheckSizes(const std::set<int>& used) const
   std::uint64_t pixels = 0;
   for (const int image : used)
   {
-    pixels +=
-      image == NO_INDEX ? 0 : PixelsOf(this->Source.Images[static_cast<std::size_t>(image)]);
+    pixels += PixelsOf(this->Source.Images[static_cast<std::size_t>(image)]);
     if (pixels > MOST_PIXELS)
     {
       throw AssemblyError("has pictures of more than " + std::to_string(MOST_PIXELS) +

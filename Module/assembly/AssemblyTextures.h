@@ -19,10 +19,10 @@
 class AssemblyTextures
 {
 public:
-  /** Decodes pictures in parallel. Throws AssemblyError if one is damaged. */
-  explicit AssemblyTextures(const vitrine::Assembly& assembly);
+  /** Decodes pictures in parallel. Damaged ones are noted. Throws AssemblyError if they are too large together. */
+  explicit AssemblyTextures(vitrine::Assembly& assembly);
 
-  /** Returns a texture of colours, or null if there is none, or if it is in a format that is not read. */
+  /** Returns a texture of colours, or null if there is none, or if it is damaged or in a format that is not read. */
   vtkSmartPointer<vtkTexture> Colors(const vitrine::TextureUse& use);
 
   /**
@@ -52,7 +52,7 @@ private:
     const vitrine::TextureUse& use, vtkImageData* image, bool isColor) const;
 
   const vitrine::Assembly& Source;
-  std::vector<vtkSmartPointer<vtkImageData>> Images; ///< null for formats that are not read
+  std::vector<vtkSmartPointer<vtkImageData>> Images; ///< null for those that cannot be shown
   std::map<std::pair<int, bool>, vtkSmartPointer<vtkTexture>> Made;
   std::map<std::pair<int, int>, vtkSmartPointer<vtkTexture>> Merged;
 };

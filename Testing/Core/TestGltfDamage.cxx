@@ -322,7 +322,12 @@ const Damage DAMAGES[] = {
     [](Gltf& g)
     {
       const int view = g.AddView(Bytes(1000000));
-      g.Root["images"] = std::vector<Json>(2000, Json{ { "bufferView", view } });
+      for (int i = 0; i < 2000; ++i)
+      {
+        g.Add("images", { { "bufferView", view } });
+        g.Add("textures", { { "source", i } });
+        g.Add("materials", { { "normalTexture", { { "index", i } } } });
+      }
     } },
   { "ManyPlacesOfJoints", "would take more than",
     [](Gltf& g)

@@ -226,6 +226,25 @@ TEST(GltfMaterials, NotesAreOfWhatTheSceneUses)
       "animations are not played", "lights of the file are left out (KHR_lights_punctual)" }));
 }
 
+TEST(GltfMaterials, PicturesThatAreMissingAreNotedIfTheyAreUsed)
+{
+  Gltf gltf = ColoredTriangle({ { "normalTexture", { { "index", 0 } } } });
+  gltf.Add("images", { { "uri", "gone.png" } });
+  gltf.Add("images", { { "uri", "data:;base64,A*" }, { "name", "starred" } });
+  gltf.Add("images", { { "uri", "https://example.org/unused.png" } });
+  gltf.Add("textures", { { "source", 0 } });
+  gltf.Add("textures", { { "source", 1 } });
+  EXPECT_EQ(Read(gltf).Notes,
+    std::vector<std::string>{ "picture 'gone.png' is missing: parts are shown without it" });
+  EXPECT_EQ(Read(gltf).Textures[0].Image, vitrine::NO_INDEX);
+  EXPECT_EQ(Read(gltf).Textures[1].Image, 1);
+  gltf.Root["materials"][0]["normalTexture"]["index"] = 1;
+  EXPECT_EQ(Read(gltf).Notes,
+    std::vector<std::string>{ "picture 'starred' is missing: parts are shown without it" });
+  gltf.Root["textures"][1]["source"] = 2;
+  EXPECT_THROW(Read(gltf), vitrine::AssemblyError);
+}
+
 TEST(GltfMaterials, TexturesInKtxAreNotedUnlessThereIsAnother)
 {
   Gltf gltf =

@@ -5,7 +5,7 @@ import json
 import unittest
 
 import scenes
-from program import FileTest, run
+from program import FileTest, info, run
 
 
 class BadDocuments(FileTest):
@@ -111,16 +111,17 @@ class BadDocuments(FileTest):
         path = self.write("lonely.gltf", json.dumps(document).encode())
         self.assert_refused(run("info", path), "nowhere.bin", "is not there")
 
-    def test_image_that_is_damaged(self):
+    def test_image_that_is_damaged_is_noted(self):
         for image in (b"\x89PNG\r\n\x1a\n" + bytes(40), b"\xff\xd8\xff\xe0" + bytes(40), b"what"):
             uri = "data:image/png;base64," + base64.b64encode(image).decode()
 
-            def add(document, uri=uri):
-                document["images"] = [{"uri": uri}]
-                document["textures"] = [{"source": 0}]
-                document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
-
-            self.refuse_document(add, "picture")
+            document = scenes.gltf_document(168)
+            document["images"] = [{"uri": uri, "name": "grain"}]
+            document["textures"] = [{"source": 0}]
+            document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+            path = self.write("grain.glb", scenes.pack_glb(document, scenes.gltf_binary()))
+            (note,) = info(path)["notes"]
+            self.assertIn("picture 'grain' is no PNG or JPEG", note)
 
 
 if __name__ == "__main__":

@@ -568,8 +568,7 @@ class BadFiles(Files):
         with self.assertRaisesRegex(ValueError, "pictures of more than"):
             vitrine.load(self.file)
         write_textured(self.file, png(2, 2, [bytes(6)]))
-        with self.assertRaisesRegex(ValueError, "no PNG or JPEG, or not a whole one"):
-            vitrine.load(self.file)
+        self.assertIn("no PNG or JPEG, or not a whole one", vitrine.load(self.file).notes[0])
 
     def test_are_told_apart(self):
         with self.assertRaisesRegex(FileNotFoundError, "nowhere.glb: there is no such file"):

@@ -1,6 +1,5 @@
 #include "Core/assembly/gltf/GltfDocument.h"
 
-#include "Core/assembly/Assembly.h"
 #include "Core/assembly/gltf/GltfReferences.h"
 #include "Core/assembly/gltf/MeshoptViews.h"
 
@@ -187,7 +186,7 @@ Bytes DecodeBase64(std::string_view text)
     const int digit = digits[static_cast<unsigned char>(c)];
     if (digit < 0)
     {
-      throw AssemblyError("is damaged: a data URI holds no base64");
+      throw UriError("is damaged: a data URI holds no base64");
     }
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     count += 6;
@@ -432,7 +431,7 @@ Bytes GltfDocument::ReadFile(const std::filesystem::path& file) const
   if (!stream.read(
         reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
   {
-    throw AssemblyError("cannot be read to its end");
+    throw UriError("cannot be read to its end");
   }
   this->BytesRead += bytes.size();
   return bytes;
@@ -445,7 +444,7 @@ Bytes GltfDocument::ReadUri(const std::string& uri) const
     const std::size_t comma = std::min(uri.find(','), uri.size());
     if (uri.rfind(";base64", comma) == std::string::npos || comma == uri.size())
     {
-      throw AssemblyError("is damaged: a data URI holds no base64");
+      throw UriError("is damaged: a data URI holds no base64");
     }
     return DecodeBase64(std::string_view(uri).substr(comma + 1));
   }
@@ -462,7 +461,7 @@ Bytes GltfDocument::ReadUri(const std::string& uri) const
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
   {
-    throw AssemblyError("needs the file " + name + ", which is not there");
+    throw UriError("needs the file " + name + ", which is not there");
   }
   return this->ReadFile(file);
 }

@@ -1,6 +1,8 @@
 #ifndef VITRINE_CORE_ASSEMBLY_GLTF_GLTF_DOCUMENT_H
 #define VITRINE_CORE_ASSEMBLY_GLTF_GLTF_DOCUMENT_H
 
+#include "Core/assembly/Assembly.h"
+
 #include <nlohmann/json.hpp>
 
 #include <atomic>
@@ -18,6 +20,13 @@ struct ByteView
 {
   const std::uint8_t* Data = nullptr;
   std::size_t Size = 0;
+};
+
+/** A URI whose file is missing or unreadable, or whose data is damaged. */
+class UriError : public AssemblyError
+{
+public:
+  using AssemblyError::AssemblyError;
 };
 
 /**
@@ -56,7 +65,10 @@ public:
   /** Returns the bytes of a view of a buffer, which are decompressed if they were compressed. */
   ByteView View(std::size_t index) const;
 
-  /** Returns the bytes that an URI stands for: a file beside this one, or data within the URI. */
+  /**
+   * Returns the bytes that an URI stands for: a file beside this one, or data within the URI.
+   * @throws  UriError, or AssemblyError if the URI leads out of the folder or to too many bytes
+   */
   std::vector<std::uint8_t> ReadUri(const std::string& uri) const;
 
   /**

@@ -1,7 +1,10 @@
 #include "Core/assembly/gltf/GltfMaterials.h"
 
+#include "Core/assembly/UsedImages.h"
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace vitrine
@@ -200,10 +203,18 @@ std::string MimeTypeOf(const std::vector<std::uint8_t>& bytes)
   return BeginsWith(bytes, { 0xff, 0xd8, 0xff }) ? "image/jpeg" : "";
 }
 
-AssemblyImage ReadImage(const GltfDocument& document, const Json& json)
+/** Returns how notes call a picture: by its name, else by its file, else by its number. */
+std::string CalledImage(const Json& json, std::size_t number)
 {
-  AssemblyImage image;
-  image.Name = NameOf(json);
+  const std::string name = NameOf(json);
+  const auto uri = json.find("uri");
+  const bool hasFile = uri != json.end() && uri->is_string() &&
+    uri->get_ref<const std::string&>().compare(0, 5, "data:") != 0;
+  return !name.empty() ? name : hasFile ? OneLine(uri->get<std::string>()) : std::to_string(number);
+}
+
+void ReadBytes(const GltfDocument& document, const Json& json, AssemblyImage& image)
+{
   if (json.contains("bufferView"))
   {
     const ByteView view = document.View(json.at("bufferView").get<std::size_t>());
@@ -215,16 +226,46 @@ AssemblyImage ReadImage(const GltfDocument& document, const Json& json)
     image.Bytes = document.ReadUri(json.at("uri").get<std::string>());
   }
   image.MimeType = MimeTypeOf(image.Bytes);
-  return image;
+}
+
+/** Has textures of a picture that is not there have none. */
+void LeaveOut(std::size_t image, Assembly& assembly)
+{
+  for (AssemblyTexture& texture : assembly.Textures)
+  {
+    texture.Image = texture.Image == static_cast<int>(image) ? NO_INDEX : texture.Image;
+  }
+  assembly.Notes.push_back(
+    "picture '" + assembly.Images[image].Name + "' is missing: parts are shown without it");
+}
+
+/** Reads the pictures that materials use. Of others, which may be missing, there is but the name. */
+void ReadImages(const GltfDocument& document, Assembly& assembly)
+{
+  const std::set<int> used = UsedImages(assembly);
+  const Json& images = document.Objects("images");
+  assembly.Images.resize(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i)
+  {
+    assembly.Images[i].Name = CalledImage(images[i], i);
+    if (used.count(static_cast<int>(i)) == 0)
+    {
+      continue;
+    }
+    try
+    {
+      ReadBytes(document, images[i], assembly.Images[i]);
+    }
+    catch (const UriError&)
+    {
+      LeaveOut(i, assembly);
+    }
+  }
 }
 }
 
 void ReadGltfMaterials(const GltfDocument& document, Assembly& assembly)
 {
-  for (const Json& image : document.Objects("images"))
-  {
-    assembly.Images.push_back(ReadImage(document, image));
-  }
   for (const Json& texture : document.Objects("textures"))
   {
     assembly.Textures.push_back(ReadTexture(document, texture));
@@ -233,6 +274,7 @@ void ReadGltfMaterials(const GltfDocument& document, Assembly& assembly)
   {
     assembly.Materials.push_back(ReadMaterial(material));
   }
+  ReadImages(document, assembly);
 }
 
 }

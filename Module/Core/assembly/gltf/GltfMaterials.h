@@ -8,8 +8,8 @@ namespace vitrine
 {
 
 /**
- * Reads materials, textures and encoded images into an assembly.
- * @throws  AssemblyError if an image is missing or a factor is no number
+ * Reads materials, textures, and the encoded images that materials use, into an assembly. Missing images are noted.
+ * @throws  AssemblyError if a factor is no number or an image is outside of the folder
  */
 void ReadGltfMaterials(const GltfDocument& document, Assembly& assembly);
 

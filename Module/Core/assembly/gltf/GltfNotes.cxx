@@ -1,5 +1,7 @@
 #include "Core/assembly/gltf/GltfNotes.h"
 
+#include "Core/assembly/UsedImages.h"
+
 #include <algorithm>
 #include <set>
 #include <string>
@@ -131,13 +133,6 @@ std::set<std::size_t> UsedMaterials(const GltfDocument& document, const GltfScen
     }
   }
   return used;
-}
-
-std::set<int> TexturesOf(const AssemblyMaterial& material)
-{
-  return { material.BaseColorTexture.Texture, material.MetallicRoughnessTexture.Texture,
-    material.NormalTexture.Texture, material.OcclusionTexture.Texture,
-    material.EmissionTexture.Texture };
 }
 
 void AddNodesAndMeshes(const GltfDocument& document, const GltfScene& scene, Notes& notes)
