@@ -195,7 +195,7 @@ CadFile ReadBrep(const std::filesystem::path& file, ProgressLines& progress)
   {
     throw CadError("is damaged, or is not a BREP of OpenCASCADE");
   }
-  CadFile read{ NewDocument(), {}, {} };
+  CadFile read{ NewDocument(), "millimetre", {} }; // as OpenCASCADE means a BREP, which has no unit
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(read.Document->Main());
   shapes->AddShape(shape, shape.ShapeType() == TopAbs_COMPOUND);
   return read;

@@ -283,7 +283,7 @@ class ByOpenCascade(AnyConverter, Converter):
         self.write_files()
         for name, parts, unit in (("boxes.step", ["red box", "green box"], "millimetre"),
                                   ("boxes.iges", ["red box", "green box"], "inch"),
-                                  ("box.brep", ["box"], "")):  # fmt: skip
+                                  ("box.brep", ["box"], "millimetre")):  # fmt: skip
             with self.subTest(name=name):
                 told = self.parts(self.folder / name)
                 self.assertEqual([name_of(part) for part in told["part_list"]], parts)

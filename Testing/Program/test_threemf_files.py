@@ -8,7 +8,7 @@ import zipfile
 import zlib
 
 import scenes
-from program import FileTest, read_png, run
+from program import FileTest, info, read_png, run
 
 CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
@@ -134,8 +134,16 @@ class ThreeMfFiles(FileTest):
         for unit, metres in (("", 0.001), ("micron", 1e-6), ("inch", 0.0254), ("foot", 0.3048)):
             attributes = f'unit="{unit}"' if unit else ""
             told, _ = self.parts(package(model(obj(1, mesh()), attributes=attributes)))
+            self.assertEqual(told["length_unit"], unit or "millimeter")
             for value, expected in zip(told["bounds"], [0.0, metres] * 3):
                 self.assertAlmostEqual(value, expected, delta=1e-6 * metres)
+
+    def test_units_that_differ_are_told_by_file(self):
+        inch = self.write("a.3mf", package(model(obj(1, mesh()), attributes='unit="inch"')))
+        box = self.write("b.stl", scenes.binary_stl())
+        self.assertEqual(info(inch, inch)["length_unit"], "inch")
+        told = info(inch, box)["length_unit"]
+        self.assertEqual(told, f"inch ({inch}), none ({box})")
 
     def test_materials_are_colours_with_alpha(self):
         looks = ['pid="5" p1="0"'] * 4 + [""] * 8

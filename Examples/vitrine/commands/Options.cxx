@@ -49,6 +49,30 @@ CLI::Validator Within(const std::string& kind, T low, T high)
     "");
 }
 
+/** A file, and the unit that its lengths were converted from; empty if they were not. */
+struct FileUnit
+{
+  std::string File;
+  std::string Unit;
+};
+
+/** The unit of files, or all of their units if they differ. */
+std::string JoinUnits(const std::vector<FileUnit>& files)
+{
+  const auto isAsFirst = [&files](const FileUnit& file) { return file.Unit == files[0].Unit; };
+  if (std::all_of(files.begin(), files.end(), isAsFirst))
+  {
+    return files.empty() ? "" : files[0].Unit;
+  }
+  std::string joined;
+  for (const FileUnit& file : files)
+  {
+    joined += (joined.empty() ? "" : ", ") + (file.Unit.empty() ? "none" : file.Unit) + " (" +
+      file.File + ")";
+  }
+  return joined;
+}
+
 void Append(Scene& scene, Scene&& other)
 {
   if (scene.Parts.empty() && scene.Skipped.empty())
@@ -60,14 +84,6 @@ void Append(Scene& scene, Scene&& other)
   std::move(other.Parts.begin(), other.Parts.end(), std::back_inserter(scene.Parts));
   std::move(other.Lights.begin(), other.Lights.end(), std::back_inserter(scene.Lights));
   std::move(other.Skipped.begin(), other.Skipped.end(), std::back_inserter(scene.Skipped));
-  if (scene.LengthUnit.empty())
-  {
-    scene.LengthUnit = other.LengthUnit;
-  }
-  else if (!other.LengthUnit.empty() && other.LengthUnit != scene.LengthUnit)
-  {
-    scene.LengthUnit += " and " + other.LengthUnit;
-  }
   std::move(other.Notes.begin(), other.Notes.end(), std::back_inserter(scene.Notes));
   scene.Placement.ParallelScale.reset(); // what fitted one of them does not fit all
   scene.Placement.VisibleRadius.reset();
@@ -482,11 +498,14 @@ void ChooseSections(const SceneOptions& options, Scene& scene)
 Scene LoadScene(const SceneOptions& options)
 {
   Scene scene;
+  std::vector<FileUnit> units;
   for (const std::string& input : options.Inputs)
   {
-    Append(
-      scene, IsDemoScene(input) ? MakeDemoScene(input) : ReadSceneFile(input, options.Reading));
+    Scene read = IsDemoScene(input) ? MakeDemoScene(input) : ReadSceneFile(input, options.Reading);
+    units.push_back({ read.Name, read.LengthUnit });
+    Append(scene, std::move(read));
   }
+  scene.LengthUnit = JoinUnits(units);
   if (options.HasScalarBar && !options.ColorBy)
   {
     throw InputError("--scalar-bar", "needs --color-by");

@@ -98,7 +98,7 @@ std::string ToText(const SceneInfo& info)
   AppendBounds(text, info.Bounds);
   if (!info.LengthUnit.empty())
   {
-    text << "\n  unit        metre here, " << info.LengthUnit << " in the file";
+    text << "\n  unit        metre here; in the file: " << info.LengthUnit;
   }
   text << "\n  layers      ";
   AppendLayers(text, info);

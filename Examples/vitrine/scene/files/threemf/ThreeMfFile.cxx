@@ -200,6 +200,7 @@ public:
     const std::string first = FindThreeMfModel(this->Path, this->Archive);
     const ThreeMfModel& model = this->ModelOf(first);
     const double scale = model.MetersPerUnit;
+    this->Result.LengthUnit = model.LengthUnit;
     vtkNew<vtkMatrix4x4> meters;
     for (int axis = 0; axis < 3; ++axis)
     {

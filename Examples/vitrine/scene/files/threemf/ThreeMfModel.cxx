@@ -248,6 +248,7 @@ private:
       attributes.Fail("'" + unit + "' is no unit");
     }
     this->Model.MetersPerUnit = found->second;
+    this->Model.LengthUnit = found->first;
   }
 
   /** A model may say that it must not be shown without what an extension means. */

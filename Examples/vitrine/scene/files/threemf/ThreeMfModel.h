@@ -63,6 +63,7 @@ struct ThreeMfObject
 struct ThreeMfModel
 {
   double MetersPerUnit = 0.001;
+  std::string LengthUnit = "millimeter"; ///< as 3MF calls it
   std::map<int, std::vector<ThreeMfColor>> Groups;
   std::map<int, ThreeMfObject> Objects;
   std::vector<ThreeMfUse> Items;
