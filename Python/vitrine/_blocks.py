@@ -248,13 +248,18 @@ def _kinds_of_blocks() -> tuple[Callable[[], Any], Callable[[Any], Any]]:
         import pyvista
     except ImportError:
         return vtkMultiBlockDataSet, lambda geometry: geometry
-    return pyvista.MultiBlock, pyvista.wrap
+
+    def wrap(geometry: vtkPolyData) -> Any:
+        """As pyvista.wrap(), without its checks of arrays, which take the longer, the more parts there are."""
+        made = pyvista.PolyData()
+        made.ShallowCopy(geometry)
+        return made
+
+    return pyvista.MultiBlock, wrap
 
 
 def _add(group: Any, name: str, data: Any) -> None:
-    if hasattr(group, "append"):  # PyVista's, which keeps what it is given
-        group.append(data, name)
-        return
+    """Adds a block as VTK does. PyVista's append() takes the longer, the more blocks there are."""
     number = group.GetNumberOfBlocks()
     group.SetBlock(number, data)
     group.GetMetaData(number).Set(vtkCompositeDataSet.NAME(), name)
