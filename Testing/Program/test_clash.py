@@ -58,8 +58,15 @@ class Clash(FileTest):
         self.assertEqual(told["parts"], 2)
 
 
-class Query(unittest.TestCase):
+class Query(FileTest):
     SCENE = "demo:assembly,parts=60"
+
+    def test_names_with_commas(self):
+        document = scenes.gltf_document(168)
+        document["nodes"][1]["name"] = "box, left"
+        path = self.write("boxes.glb", scenes.pack_glb(document, scenes.gltf_binary()))
+        told = tool("query", path, "--distance", r"box\, left,right box")["distance"]
+        self.assertEqual([part.split("/")[-1] for part in told["parts"]], ["box, left", "right box"])
 
     def test_all_at_once(self):
         bounds = tool("info", self.SCENE, "--size", "16x16")["bounds"]

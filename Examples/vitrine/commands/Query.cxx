@@ -41,10 +41,21 @@ std::vector<double> Numbers(
   return numbers;
 }
 
-/** Two parts, with a comma between them. */
+/** Where the first comma is that no backslash stands before. A backslash takes the meaning from what follows it. */
+std::size_t FindComma(const std::string& text)
+{
+  std::size_t at = 0;
+  while (at < text.size() && text[at] != ',')
+  {
+    at += text[at] == '\\' ? 2 : 1;
+  }
+  return at < text.size() ? at : std::string::npos;
+}
+
+/** Two parts, with a comma between them. A comma of a name has a backslash before it, as in a GLOB. */
 std::array<int, 2> TwoParts(const Scene& scene, const std::string& option, const std::string& text)
 {
-  const std::size_t comma = text.find(',');
+  const std::size_t comma = FindComma(text);
   if (comma == std::string::npos)
   {
     throw InputError(option, "'" + text + "' is not A,B, two parts");
