@@ -93,6 +93,8 @@ def _check_source(source: str) -> None:
         raise FileNotFoundError(f"{file}: there is no such file")
     if file.suffix.lower() not in KINDS:
         raise ValueError(f"{file}: is not of a kind that can be read: {', '.join(KINDS)}")
+    if file.stat().st_size == 0:
+        raise ValueError(f"{file}: is empty")
 
 
 def _add_parts(actors: vtkAssemblyActors, source: str, tolerance: float, cache: bool) -> list[str]:

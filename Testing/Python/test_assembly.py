@@ -562,6 +562,7 @@ class BadFiles(Files):
             message = str(raised.exception)
             self.assertTrue(message.startswith(f"{file}: "), message)
             self.assertNotIn("\n", message)
+            self.assertEqual(message.endswith(": is empty"), not data)
 
     def test_of_huge_pictures_are_refused_before_they_are_decoded(self):
         write_textured(self.file, png(60000, 60000, [bytes(3)]))
