@@ -44,7 +44,8 @@ def run_window(plugin, folder):
     """Run window.py in ParaView's window, without the dialog that welcomes users."""
     settings = folder / "home/.config/ParaView"
     settings.mkdir(parents=True, exist_ok=True)
-    (settings / "ParaView5.11.0.ini").write_text("[General]\nGeneralSettings.ShowWelcomeDialog=0\n", encoding="utf-8")
+    for name in ("ParaView5.11.0.ini", "ParaView.ini"):  # the latter from 6 on
+        (settings / name).write_text("[General]\nGeneralSettings.ShowWelcomeDialog=0\n", encoding="utf-8")
     result = folder / "window.json"
     result.unlink(missing_ok=True)
     environment = os.environ | {

@@ -1,4 +1,4 @@
-"""A root of Debian 12 with ParaView, in which the plugin is built and run. Debian's packages of ParaView and of VTK
+"""A root of Debian with ParaView, in which the plugin is built and run. Debian 12's packages of ParaView and of VTK
 exclude each other, so they are not installed on the machine itself.
 """
 
@@ -19,26 +19,40 @@ SOURCES = (
     "vtk.module", "CMakeLists.txt", "LICENSE", "Module", "cmake", "ParaView", "Testing/ParaView",
     "docs/howto/paraview.md", "scripts/install-dependencies")
 SOURCE = "/opt/vitrine/source"
-PLUGIN = "/opt/vitrine/build/lib/paraview-5.11/plugins/Vitrine/Vitrine.so"
+SUITES = {"5.11": "bookworm", "6.1": "forky"}  # of Debian, by ParaView's version
+# Debian's Python modules of ParaView 6.1 have Python's version in their names, and its CMake files look for those
+# without.
+NAME_MODULES = """
+find /usr/lib/python3/dist-packages -name '*.cpython-*-x86_64-linux-gnu.so' -path '*paraview*' |
+while read -r module; do ln -sf "$(basename "$module")" "${module%%.cpython-*}.so"; done
+"""
 RESULTS = "/opt/vitrine/results"
 
 
 class Root:
     """The root in a folder. Paths of commands are those within."""
 
-    def __init__(self, folder):
-        self.folder = folder
+    def __init__(self, folder, version):
+        self.folder, self.version = folder, version
+        self.plugin = f"/opt/vitrine/build/lib/paraview-{version}/plugins/Vitrine/Vitrine.so"
 
     def make(self):
         """Make the root, copy the sources, and install what it lacks."""
         need("debootstrap", "unshare")
         if not (self.folder / "usr/bin/apt-get").exists():
             self.folder.parent.mkdir(parents=True, exist_ok=True)
-            run_quietly(as_root(["debootstrap", "--variant=minbase", "bookworm", str(self.folder), debian_mirror()]))
+            scripts = pathlib.Path("/usr/share/debootstrap/scripts")
+            suite = SUITES[self.version]
+            known = [] if (scripts / suite).exists() else [str(scripts / "sid")]
+            run_quietly(as_root(
+                ["debootstrap", "--variant=minbase", suite, str(self.folder), debian_mirror(), *known]))
+            # A snapshot of a suite under development may be older than apt takes.
+            self.check(["sh", "-c", "echo 'Acquire::Check-Valid-Until \"false\";' > /etc/apt/apt.conf.d/99vitrine"], 60)
         self.copy_sources()
         self.check(["bash", f"{SOURCE}/scripts/install-dependencies", "--paraview"], 1800)
         self.check(
             ["apt-get", "install", "--yes", "--no-install-recommends", *TOOLS], 600, DEBIAN_FRONTEND="noninteractive")
+        self.check(["sh", "-c", NAME_MODULES], 60)
 
     def build(self):
         """Build the plugin. Units of several sources are compiled in half the time."""
@@ -84,5 +98,5 @@ class Root:
         """Run a script of Testing/ParaView by a program with arguments, under an X server of its own."""
         folder = f"{SOURCE}/Testing/ParaView"
         (self.folder / RESULTS[1:]).mkdir(parents=True, exist_ok=True)
-        command = [*program, f"{folder}/{script}", PLUGIN, RESULTS, *arguments]
+        command = [*program, f"{folder}/{script}", self.plugin, RESULTS, *arguments]
         return self.run(["sh", f"{folder}/with-display.sh", *command], 900)
