@@ -38,8 +38,8 @@ TEST(DeviceReport, NamesMethodsAndLightsThatWork)
   EXPECT_TRUE(Has(multisampled, "lights deferred: works\n")) << multisampled;
   const std::string choice =
     "method automatic: works, by prefix-sum-predicted with errors of up to ";
-  EXPECT_TRUE(Has(report, choice + "0.60/255\n")) << report;
-  EXPECT_TRUE(Has(multisampled, choice + "1.10/255\n")) << multisampled;
+  EXPECT_TRUE(Has(report, choice + "0.54/255\n")) << report;
+  EXPECT_TRUE(Has(multisampled, choice + "1.04/255\n")) << multisampled;
 }
 
 TEST(DISABLED_OnOpenGL33, DeviceReportNamesSubstitutes)
