@@ -921,6 +921,8 @@ class vtkClusteredLightsPass(vtkOpenGLRenderPass):
     def GetNumberOfLightsAt(self, x: float, y: float, z: float) -> int: ...
     delegate_pass: vtkRenderPass
     cut_off: float
+    @property
+    def default_cut_off(self) -> float: ...
     grid_space: int
     tile_size: int
     number_of_slices: int
