@@ -164,7 +164,7 @@ class Combinations(unittest.TestCase):
 
     def test_depths_that_are_kept_as_one(self):
         """The depth test sees the depths of the red and the blue strip as two, and lists keep them as one."""
-        renderer = vtkRenderer()
+        strips = []
         depths = ("1.0 - exp2(-22.0)", "1.0 - exp2(-24.0)")
         for k, (color, opacity) in enumerate([((1, 0, 0), 0.9998), ((0, 0, 1), 0.998)] + 12 * [((0, 1, 0), 0.99995)]):
             strip = vtkPlaneSource()
@@ -177,11 +177,12 @@ class Combinations(unittest.TestCase):
             actor.GetProperty().SetOpacity(opacity)
             tag = "//VTK::PositionVC::Impl"
             actor.GetShaderProperty().AddVertexShaderReplacement(
-                tag, True, f"{tag}\n  gl_Position.z = gl_Position.w * ({depths[min(k, 1)]});\n", False
+                tag, True, f"{tag}\n  gl_Position.z = {depths[min(k, 1)]};\n", False
             )
-            renderer.AddActor(actor)
-        renderer.ResetCamera()
-        self.check(renderer, steps=(2, 4))
+            strips.append(actor)
+        renderer = plates_renderer(*strips)
+        renderer.GetActiveCamera().SetClippingRange(1, 20)
+        self.check(renderer, change=lambda view: None, steps=(2, 4))
 
     def test_sections(self):
         renderer = glass()
