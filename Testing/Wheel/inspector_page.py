@@ -29,6 +29,10 @@ from browser import open_browser  # noqa: E402
 
 MODEL = pathlib.Path(os.environ.get("VITRINE_INSPECT_MODEL", ROOT / "Examples/models/robot.glb"))
 PATIENCE = 300 if "VITRINE_INSPECT_MODEL" in os.environ else 30  # seconds
+# The view, while its picture is the exact one of the last change. A script that draws on goes by one answer, because
+# a smaller picture may follow before the next script runs.
+EXACT_VIEW = """[document.getElementById("vi-view")].find((view) =>
+    view?.dataset.exact === "true" && view.dataset.revision === String(trame.state.get("revision")))"""
 REQUEST = """
 const done = arguments[arguments.length - 1];
 const text = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
@@ -137,11 +141,7 @@ class PageCase(unittest.TestCase):
     @classmethod
     def is_exact(cls):
         """Whether the picture is the exact one of the last change."""
-        views = cls.browser.find_elements(By.ID, "vi-view")
-        if not views:
-            return False
-        shown = views[0].get_attribute("data-exact"), views[0].get_attribute("data-revision")
-        return shown == ("true", str(cls.state("revision")))
+        return cls.browser.execute_script(f"return Boolean({EXACT_VIEW})")
 
     def ask(self, name, **values):
         result = self.browser.execute_async_script(REQUEST, [name, values])
@@ -195,7 +195,7 @@ class PageCase(unittest.TestCase):
 
     def assert_shows(self, inspection):
         """The page shows the pixels of an inspection."""
-        script = "return document.getElementById('vi-view').toDataURL('image/png')"
-        data = base64.b64decode(self.browser.execute_script(script).split(",")[1])
+        script = f"return {EXACT_VIEW}?.toDataURL('image/png')"
+        data = base64.b64decode(self.wait_for(lambda: self.browser.execute_script(script)).split(",")[1])
         shown = numpy.asarray(Image.open(io.BytesIO(data)).convert("RGB"))
         numpy.testing.assert_array_equal(shown, inspection.picture())
