@@ -1,7 +1,7 @@
 # Build, wrap and install the module Vitrine::Rendering against an installed VTK.
 
 set(vitrine_find_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath RenderingCore RenderingOpenGL2
+  CommonCore CommonDataModel CommonExecutionModel CommonMath ParallelCore RenderingCore RenderingOpenGL2
   RenderingUI)
 if (VITRINE_WRAP_PYTHON)
   list(APPEND vitrine_find_components WrappingPythonCore)

@@ -24,6 +24,18 @@ std::vector<std::uint32_t> Interleaved(const std::vector<std::uint32_t>& words, 
   return pairs;
 }
 
+// The reverse of Interleaved().
+std::vector<std::uint32_t> Separated(const std::vector<std::uint32_t>& pairs, std::size_t width)
+{
+  std::vector<std::uint32_t> words(pairs.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::size_t row = i / width;
+    words[i] = pairs[row / 2 * 2 * width + i % width * 2 + row % 2];
+  }
+  return words;
+}
+
 }
 
 std::string ListHeads::Prepare(vtkOpenGLState* state, const RenderTarget& target,
@@ -94,6 +106,17 @@ std::vector<std::uint32_t> ListHeads::Read(vtkOpenGLState* state)
   glReadPixels(0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
     this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, words.data());
   return this->Fetched ? words : Interleaved(words, width);
+}
+
+void ListHeads::Write(vtkOpenGLState* state, const std::vector<std::uint32_t>& pairs)
+{
+  const ScopedPixelTransfer pixelTransfer(ScopedPixelTransfer::TO_DEVICE);
+  const ScopedTextureUnit texture(state, GL_TEXTURE_2D, this->Heads.Handle());
+  const std::vector<std::uint32_t> words =
+    this->Fetched ? std::vector<std::uint32_t>() : Separated(pairs, this->Width);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, this->Width, this->Height * (this->Fetched ? 1 : 2),
+    this->Fetched ? GL_RG_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT,
+    this->Fetched ? pairs.data() : words.data());
 }
 
 void ListHeads::Release()

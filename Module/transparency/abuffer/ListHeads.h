@@ -44,6 +44,9 @@ public:
   /** Read all heads, two words per pixel, by rows from the bottom. Waits for the device. */
   std::vector<std::uint32_t> Read(vtkOpenGLState* state);
 
+  /** Write all heads, as Read() returns them. */
+  void Write(vtkOpenGLState* state, const std::vector<std::uint32_t>& pairs);
+
   /** The framebuffer into which fragments are filled. It has the target's depth. */
   GLuint FillFramebuffer() { return this->FillTarget.Handle(); }
 

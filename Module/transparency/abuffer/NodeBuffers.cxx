@@ -29,8 +29,8 @@ bool NodeBuffers::SetNode(int nodeBytes, bool hasPart)
 
 bool NodeBuffers::Allocate(std::int64_t nodes)
 {
-  const bool hasThirdWords = this->BytesPerNode == 12;
-  const int texelBytes = hasThirdWords ? this->BytesPerNode - WordBytes : this->BytesPerNode;
+  const bool hasThirdWords = this->HasThirdWords();
+  const int texelBytes = this->TexelWords() * WordBytes;
   ++this->Allocation;
   const bool allocated = this->Texels.Allocate(nodes * texelBytes, this->Format()) &&
     (!hasThirdWords || this->ThirdWords.Allocate(nodes * WordBytes, GL_R32UI)) &&
@@ -51,6 +51,28 @@ void NodeBuffers::Release()
   this->Parts.Release();
   ++this->Allocation;
   this->Nodes = 0;
+}
+
+void NodeBuffers::Read(
+  std::vector<std::uint32_t>& texels, std::vector<std::uint32_t>& thirdWords) const
+{
+  this->Texels.Read(0, static_cast<std::int64_t>(texels.size()) * WordBytes, texels.data());
+  if (!thirdWords.empty())
+  {
+    this->ThirdWords.Read(
+      0, static_cast<std::int64_t>(thirdWords.size()) * WordBytes, thirdWords.data());
+  }
+}
+
+void NodeBuffers::Write(
+  const std::vector<std::uint32_t>& texels, const std::vector<std::uint32_t>& thirdWords)
+{
+  this->Texels.Write(0, static_cast<std::int64_t>(texels.size()) * WordBytes, texels.data());
+  if (!thirdWords.empty())
+  {
+    this->ThirdWords.Write(
+      0, static_cast<std::int64_t>(thirdWords.size()) * WordBytes, thirdWords.data());
+  }
 }
 
 std::int64_t NodeBuffers::LargestCount()

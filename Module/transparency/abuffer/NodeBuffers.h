@@ -6,6 +6,7 @@
 #include "gl/ScopedState.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace vitrine
 {
@@ -33,6 +34,20 @@ public:
   /** Reallocate for `nodes` nodes. Returns false if the driver has no memory for them; there are no buffers then. */
   bool Allocate(std::int64_t nodes);
   void Release();
+
+  ///@{
+  /**
+   * Read or write the first nodes, without the words of parts. Texels have 2 or 4 words, and nodes of 12
+   * bytes have one more, in `thirdWords`, which is empty for others. The vectors tell the number of nodes.
+   */
+  void Read(std::vector<std::uint32_t>& texels, std::vector<std::uint32_t>& thirdWords) const;
+  void Write(
+    const std::vector<std::uint32_t>& texels, const std::vector<std::uint32_t>& thirdWords);
+  ///@}
+
+  /** Returns the words of a texel, 2 or 4. */
+  int TexelWords() const { return this->BytesPerNode == 16 ? 4 : 2; }
+  bool HasThirdWords() const { return this->BytesPerNode == 12; }
 
   /** Returns the largest number of nodes that shaders can address. */
   static std::int64_t LargestCount();

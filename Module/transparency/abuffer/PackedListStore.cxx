@@ -1,6 +1,8 @@
 #include "transparency/abuffer/PackedListStore.h"
 
+#include "Core/geometry/Rounding.h"
 #include "Shaders/SharedLayout.h"
+#include "gl/MemoryBarriers.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -304,6 +306,65 @@ std::vector<std::uint32_t> PackedListStore::ReadCounts(vtkOpenGLState* state)
     }
   }
   return counts;
+}
+
+//------------------------------------------------------------------------------
+PixelLists PackedListStore::Read(vtkOpenGLState* state)
+{
+  const std::vector<std::uint32_t> heads = this->ListsOfPixels.Read(state);
+  const auto rowLength = static_cast<std::size_t>(this->ListsOfPixels.RowLength());
+  const std::size_t pixels = std::size_t(this->TargetWidth) * this->TargetHeight;
+  PixelLists lists;
+  lists.Width = this->TargetWidth;
+  lists.Starts.resize(pixels);
+  lists.Counts.resize(pixels);
+  std::size_t end = 0;
+  for (int y = this->Region.Y; y < this->Region.Y + this->Region.Height; ++y)
+  {
+    for (int x = this->Region.X; x < this->Region.X + this->Region.Width; ++x)
+    {
+      const std::uint32_t* const head = &heads[2 * (y * rowLength + x)];
+      const std::size_t pixel = std::size_t(y) * this->TargetWidth + x;
+      lists.Starts[pixel] = head[0];
+      lists.Counts[pixel] = head[1] >> VITRINE_COUNT_SHIFT;
+      end =
+        lists.Counts[pixel] > 0 ? std::max(end, std::size_t(head[0]) + lists.Counts[pixel]) : end;
+    }
+  }
+  lists.Nodes.TexelWords = this->Buffers.TexelWords();
+  lists.Nodes.HasThirdWords = this->Buffers.HasThirdWords();
+  lists.Nodes.Resize(end);
+  BarrierBeforeReadingBuffers();
+  this->Buffers.Read(lists.Nodes.Texels, lists.Nodes.ThirdWords);
+  return lists;
+}
+
+//------------------------------------------------------------------------------
+std::string PackedListStore::Load(
+  vtkOpenGLState* state, const PixelRegion& region, const PixelLists& lists)
+{
+  const std::size_t nodes = lists.Nodes.Texels.size() / lists.Nodes.TexelWords;
+  if (!this->Counters.Reset() || !this->Grow(std::max(std::int64_t(nodes), LeastNodes)))
+  {
+    return "the fragments of all ranks take " + std::to_string(nodes * this->Buffers.NodeBytes()) +
+      " bytes, and " + this->DescribeLimit();
+  }
+  this->Region = region;
+  this->Blocks = BlocksOf(region, VITRINE_BLOCK_SIZE);
+  this->RoomNodes = std::max(this->RoomNodes, std::int64_t(nodes));
+  const auto rowLength = static_cast<std::size_t>(this->ListsOfPixels.RowLength());
+  const int rows = RoundedUp(this->TargetHeight, VITRINE_BLOCK_SIZE);
+  std::vector<std::uint32_t> heads(2 * rowLength * rows);
+  for (std::size_t pixel = 0; pixel < lists.Counts.size(); ++pixel)
+  {
+    const std::size_t at = pixel / lists.Width * rowLength + pixel % lists.Width;
+    heads[2 * at] = lists.Starts[pixel];
+    heads[2 * at + 1] = lists.Counts[pixel] << VITRINE_COUNT_SHIFT | lists.Counts[pixel];
+  }
+  BarrierBeforeReadingBuffers(); // Shaders may have sorted the last frame's nodes in place.
+  this->ListsOfPixels.Write(state, heads);
+  this->Buffers.Write(lists.Nodes.Texels, lists.Nodes.ThirdWords);
+  return {};
 }
 
 //------------------------------------------------------------------------------

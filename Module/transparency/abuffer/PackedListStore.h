@@ -7,6 +7,7 @@
 
 #include "Core/lists/PixelBlocks.h"
 #include "Core/lists/PoolSizing.h"
+#include "Core/ranks/SentLists.h"
 #include "transparency/abuffer/FragmentStore.h"
 #include "transparency/abuffer/PackedScan.h"
 
@@ -44,6 +45,16 @@ public:
   std::int64_t NodeBytes() const override { return this->Buffers.Bytes(); }
   std::int64_t OtherBytes() const override;
   void Release() override;
+
+  ///@{
+  /**
+   * Read the lists of the region that the last fill stored, or put lists of other origin in their place. Nodes are
+   * without the words of parts. Read() waits for the device. Load() follows BeginFrame(), and stands for a fill of
+   * `region`; it returns an error message, empty on success.
+   */
+  PixelLists Read(vtkOpenGLState* state);
+  std::string Load(vtkOpenGLState* state, const PixelRegion& region, const PixelLists& lists);
+  ///@}
 
 private:
   // How the next fill begins.

@@ -411,6 +411,63 @@ std::string vtkABufferTransparencyPass::RenderLists(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkABufferTransparencyPass::FillLists(const vtkRenderState* s,
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+  vitrine::FragmentStatistics& part, bool& isTooLarge)
+{
+  isTooLarge = false;
+  for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
+  {
+    const std::string problem = this->Fill(s, target, region);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    part = this->GetStore().ReadCounters(1).front();
+    switch (this->GetStore().Fit(part))
+    {
+      case vitrine::FragmentStore::FITS:
+        return {};
+      case vitrine::FragmentStore::GREW:
+        break;
+      case vitrine::FragmentStore::TOO_LARGE:
+        isTooLarge = true;
+        return {};
+      case vitrine::FragmentStore::TOO_DEEP:
+        return TooDeep;
+    }
+  }
+  return UnsteadyProps;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkABufferTransparencyPass::CompositeLists(vitrine::FragmentStore& store,
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region,
+  vitrine::FragmentStatistics& part)
+{
+  Internals& in = *this->Private;
+  const vitrine::ResolveFindings findings{ this->GetErrorBounds(), this->GetHiddenDepths() };
+  in.Resolver.Classify(this->GetWindow(), in.Layout, store, findings, target, region);
+  store.CopyCounters(0);
+  part = store.ReadCounters(1).front();
+  const std::string problem = vitrine::ListResolver::FindProblemOfLength(part.LayersMax);
+  if (problem.empty() && part.TileBins != 0)
+  {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "resolve");
+    in.Resolver.Resolve(this->GetWindow(), in.Layout, store, findings, in.Backdrop.Image(), target,
+      region, part.TileBins);
+    in.HasDrawn = true;
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+const vitrine::ListLayout& vtkABufferTransparencyPass::GetLayout() const
+{
+  return this->Private->Layout;
+}
+
+//------------------------------------------------------------------------------
 // The counters of the fill go into their copy number `copy`.
 std::string vtkABufferTransparencyPass::Fill(const vtkRenderState* s,
   const vitrine::RenderTarget& target, const vitrine::PixelRegion& region, int copy)

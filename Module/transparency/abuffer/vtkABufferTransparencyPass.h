@@ -52,6 +52,7 @@ class HiddenDepths;
 struct FragmentStatistics;
 struct FrameSize;
 struct LayerFragment;
+struct ListLayout;
 struct PixelRegion;
 }
 
@@ -196,6 +197,32 @@ protected:
     const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::RenderTarget& fill);
 
   /**
+   * Fill the lists of the target's region and composite them. Sets the numbers of `frame`. Returns an empty string, or
+   * why the frame cannot be drawn.
+   */
+  virtual std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    vitrine::FragmentStatistics& frame);
+
+  /**
+   * Fill the lists of `region` until the store has them all. Sets the numbers of `part`, and whether the store may not
+   * become large enough. Returns an empty string, or why the lists cannot be filled.
+   */
+  std::string FillLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
+    const vitrine::PixelRegion& region, vitrine::FragmentStatistics& part, bool& isTooLarge);
+
+  /**
+   * Composite the lists of `region` in another store, whose layout is that of GetLayout(). Sets the numbers of `part`.
+   * Returns an empty string, or why they cannot be composited.
+   */
+  std::string CompositeLists(vitrine::FragmentStore& store, const vitrine::RenderTarget& target,
+    const vitrine::PixelRegion& region, vitrine::FragmentStatistics& part);
+
+  /**
+   * Get the layout of the frame's lists.
+   */
+  const vitrine::ListLayout& GetLayout() const;
+
+  /**
    * Put back what stood in the target before the frame was resolved.
    */
   void PutBackdropBack(const vitrine::RenderTarget& target);
@@ -220,8 +247,6 @@ private:
   void operator=(const vtkABufferTransparencyPass&) = delete;
 
   std::string PrepareFrame(const vtkRenderState* s, const vitrine::RenderTarget& target);
-  std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,
-    vitrine::FragmentStatistics& frame);
   std::string Fill(const vtkRenderState* s, const vitrine::RenderTarget& target,
     const vitrine::PixelRegion& region, int copy = 0);
   std::string FillOnce(const vtkRenderState* s, const vitrine::RenderTarget& target,

@@ -35,18 +35,6 @@
 namespace
 {
 
-bool HasTranslucentGeometry(const vtkRenderState* s)
-{
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    if (s->GetPropArray()[i]->HasTranslucentPolygonalGeometry())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Ends a frame in which additive fragments appeared unexpectedly. The frame is drawn again then.
 const char* const AdditiveFragments = "fragments are added to what is behind them";
 
@@ -229,7 +217,7 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
   this->MeanNumberOfLayers = 0.0;
   this->NumberOfGeometryPasses = 0;
   this->Private->FallbackReason.clear();
-  if (!HasTranslucentGeometry(s))
+  if (!this->HasFragments(s))
   {
     if (this->Private->Context.LivesIn(s->GetRenderer()->GetRenderWindow()))
     {
@@ -498,6 +486,26 @@ bool vtkTransparencyPass::TakeNextVariant()
   }
   this->ShaderStage.Modified();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::HasFragments(const vtkRenderState* s)
+{
+  vtkProp* const* const props = s->GetPropArray();
+  return std::any_of(props, props + s->GetPropArrayCount(),
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkTransparencyPass::DrewAdditiveFragments()
+{
+  return this->Private->HasAdded;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::NoteAdditiveFragments()
+{
+  this->Private->HasAdded = true;
 }
 
 //------------------------------------------------------------------------------

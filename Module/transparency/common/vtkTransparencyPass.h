@@ -247,6 +247,19 @@ protected:
     const vtkRenderState* s, const vitrine::RenderTarget& target) = 0;
 
   /**
+   * Returns true if a frame draws by RenderFragments(). The default is whether some prop has translucent geometry.
+   */
+  virtual bool HasFragments(const vtkRenderState* s);
+
+  ///@{
+  /**
+   * Get/Set that this frame has fragments that are added to what is behind them, drawn by this pass or elsewhere.
+   */
+  bool DrewAdditiveFragments();
+  void NoteAdditiveFragments();
+  ///@}
+
+  /**
    * Handle a frame without translucent geometry. The context of the method's OpenGL objects is current.
    */
   virtual void RenderNothing() {}

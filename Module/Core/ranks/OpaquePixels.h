@@ -1,0 +1,60 @@
+/** The opaque pictures of ranks, and the nearest of them in each pixel. */
+#ifndef VITRINE_CORE_RANKS_OPAQUE_PIXELS_H
+#define VITRINE_CORE_RANKS_OPAQUE_PIXELS_H
+
+#include "Core/ranks/Message.h"
+#include "Core/ranks/TileOwners.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine
+{
+
+/**
+ * Depths and colours of a picture. Pixels are counted by rows from the bottom. Depths are words whose order is that of
+ * the depths: integers, or bits of floats that are not negative.
+ */
+struct OpaquePixels
+{
+  int Width = 0;
+  int ColorWords = 1;                   ///< 1 for 8 bits a channel, 4 for floats
+  std::uint32_t Farthest = 0xffffffffu; ///< the depth at which nothing was drawn
+  std::vector<std::uint32_t> Depths;
+  std::vector<std::uint32_t> Colors; ///< ColorWords of each pixel
+};
+
+/**
+ * Appends the pixels of `tiles` in which something was drawn: runs of pixels to leave out and to take, and depths and
+ * colours. Appends nothing if nothing was drawn.
+ */
+void PackOpaque(
+  const OpaquePixels& picture, const std::vector<PixelRegion>& tiles, Message& message);
+
+/**
+ * Takes the pixels of another rank that are nearer than those of `picture`. Of equal depths the colour with the larger
+ * words is taken, so that the order of ranks does not matter. Appends to `depths` the other rank's depth of each pixel
+ * of `tiles`. Returns false if the message does not fit.
+ */
+bool TakeNearer(const Message& message, const std::vector<PixelRegion>& tiles,
+  OpaquePixels& picture, std::vector<std::uint32_t>& depths);
+
+/** Appends the depths of the pixels of `tiles` in which `picture` is nearer than `known`, in runs as PackOpaque(). */
+void PackDepths(const OpaquePixels& picture, const std::vector<PixelRegion>& tiles,
+  const std::vector<std::uint32_t>& known, Message& message);
+
+/** Takes the depths of a message of PackDepths(). Returns false if it does not fit. */
+bool TakeDepths(
+  const Message& message, const std::vector<PixelRegion>& tiles, OpaquePixels& picture);
+
+/** Appends the colours of the pixels of `tiles`. */
+void PackColors(
+  const OpaquePixels& picture, const std::vector<PixelRegion>& tiles, Message& message);
+
+/** Takes the colours of a message of PackColors(). Returns false if it does not fit. */
+bool TakeColors(
+  const Message& message, const std::vector<PixelRegion>& tiles, OpaquePixels& picture);
+
+}
+
+#endif

@@ -1,0 +1,39 @@
+/** What all ranks must have in common to draw one frame together. */
+#ifndef VITRINE_TRANSPARENCY_RANKS_FRAME_FACTS_H
+#define VITRINE_TRANSPARENCY_RANKS_FRAME_FACTS_H
+
+#include "Core/ranks/Message.h"
+#include "gl/RenderTarget.h"
+#include "scene/ViewMatrices.h"
+
+#include <string>
+#include <vector>
+
+namespace vitrine
+{
+
+/** The facts of one rank. They are told among ranks as bytes. */
+struct FrameFacts
+{
+  int Width = 0;
+  int Height = 0;
+  PixelRegion Region;
+  unsigned int ColorFormat = 0;
+  unsigned int DepthFormat = 0;
+  int ColorStorage = 0;
+  int PictureRank = 0;
+  double ToleranceSteps = 0.0;
+  double ToleranceSlope = 0.0;
+  ViewMatrices Matrices{};
+
+  Message ToMessage() const;
+};
+
+/**
+ * Compares the facts of all ranks with those of rank 0. Returns what differs first and how to mend it, or an empty
+ * string.
+ */
+std::string FindDifference(const std::vector<Message>& factsOfRanks);
+
+}
+#endif

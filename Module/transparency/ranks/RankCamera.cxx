@@ -1,0 +1,117 @@
+#include "transparency/ranks/RankCamera.h"
+
+#include "transparency/ranks/RankExchange.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkRenderer.h"
+
+#include <cstring>
+#include <vector>
+
+namespace vitrine
+{
+namespace
+{
+
+// Everything that a camera's matrices depend on, but the size of the window.
+struct CameraState
+{
+  double Position[3];
+  double FocalPoint[3];
+  double ViewUp[3];
+  double ViewAngle;
+  double ParallelScale;
+  double ClippingRange[2];
+  double WindowCenter[2];
+  double ViewShear[3];
+  int ParallelProjection;
+  int UseHorizontalViewAngle;
+};
+
+CameraState StateOf(vtkCamera* camera)
+{
+  CameraState state{};
+  camera->GetPosition(state.Position);
+  camera->GetFocalPoint(state.FocalPoint);
+  camera->GetViewUp(state.ViewUp);
+  state.ViewAngle = camera->GetViewAngle();
+  state.ParallelScale = camera->GetParallelScale();
+  camera->GetClippingRange(state.ClippingRange);
+  camera->GetWindowCenter(state.WindowCenter);
+  camera->GetViewShear(state.ViewShear);
+  state.ParallelProjection = camera->GetParallelProjection();
+  state.UseHorizontalViewAngle = camera->GetUseHorizontalViewAngle();
+  return state;
+}
+
+void Apply(const CameraState& state, vtkCamera* camera)
+{
+  camera->SetPosition(state.Position);
+  camera->SetFocalPoint(state.FocalPoint);
+  camera->SetViewUp(state.ViewUp);
+  camera->SetViewAngle(state.ViewAngle);
+  camera->SetParallelScale(state.ParallelScale);
+  camera->SetClippingRange(state.ClippingRange[0], state.ClippingRange[1]);
+  camera->SetWindowCenter(state.WindowCenter[0], state.WindowCenter[1]);
+  camera->SetViewShear(state.ViewShear[0], state.ViewShear[1], state.ViewShear[2]);
+  camera->SetParallelProjection(state.ParallelProjection);
+  camera->SetUseHorizontalViewAngle(state.UseHorizontalViewAngle);
+}
+
+template <class State>
+Message MessageOf(const State& state)
+{
+  Message message(sizeof(state));
+  std::memcpy(message.data(), &state, sizeof(state));
+  return message;
+}
+
+template <class State>
+bool TakeFrom(const Message& message, State& state)
+{
+  if (message.size() != sizeof(state))
+  {
+    return false;
+  }
+  std::memcpy(&state, message.data(), sizeof(state));
+  return true;
+}
+
+}
+
+Bounds BoundsOfRanks(RankExchange& ranks, vtkRenderer* renderer)
+{
+  Bounds own;
+  renderer->ComputeVisiblePropBounds(own.data());
+  vtkBoundingBox all;
+  for (const Message& message : ranks.GatherAll(MessageOf(own)))
+  {
+    Bounds bounds;
+    if (TakeFrom(message, bounds) && vtkMath::AreBoundsInitialized(bounds.data()))
+    {
+      all.AddBounds(bounds.data());
+    }
+  }
+  if (all.IsValid())
+  {
+    all.GetBounds(own.data());
+  }
+  return own;
+}
+
+void ShareCamera(RankExchange& ranks, vtkRenderer* renderer, const Bounds& bounds)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  CameraState state = StateOf(camera);
+  if (TakeFrom(ranks.GatherAll(MessageOf(state)).front(), state))
+  {
+    Apply(state, camera);
+  }
+  if (vtkMath::AreBoundsInitialized(bounds.data()))
+  {
+    renderer->ResetCameraClippingRange(bounds.data());
+  }
+}
+
+}

@@ -1,0 +1,551 @@
+#include "vtkDistributedTransparencyPass.h"
+
+#include "Core/lists/ScreenBands.h"
+#include "Core/ranks/OpaquePixels.h"
+#include "Core/ranks/SentLists.h"
+#include "Core/ranks/TileOwners.h"
+#include "Shaders/SharedLayout.h"
+#include "gl/RenderTarget.h"
+#include "gl/StageTimer.h"
+#include "gl/TargetPixels.h"
+#include "scene/PassTraits.h"
+#include "scene/Settings.h"
+#include "transparency/abuffer/PackedListStore.h"
+#include "transparency/common/CoincidenceTolerance.h"
+#include "transparency/ranks/FrameFacts.h"
+#include "transparency/ranks/RankCamera.h"
+#include "transparency/ranks/RankExchange.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+vtkStandardNewMacro(vtkDistributedTransparencyPass);
+vitrinePassTraitsMacro(vtkDistributedTransparencyPass, vitrine::TranslucentTraits);
+
+namespace
+{
+
+const char* const Malformed = "a message of another rank does not fit the picture";
+const char* const DrawnAgain = "fragments are added to what is behind them";
+
+}
+
+struct vtkDistributedTransparencyPass::Shared
+{
+  vitrine::RankExchange Exchange;
+  std::unique_ptr<vitrine::PackedListStore>
+    Received = // The lists of the pixels that this rank owns.
+    std::make_unique<vitrine::PackedListStore>();
+  vitrine::TargetPixels Pixels;
+  vitrine::OpaquePixels Picture;
+  std::optional<vitrine::TileOwners> Owners; // of the frame's region
+  vitrine::PixelLists Own;                   // The lists that this rank drew last.
+  bool IsTooLarge = false;                   // This rank's lists are not all in its store.
+  vitrine::FragmentStatistics Owned;         // The numbers of the lists that were composited here.
+  bool HasJoined = false;                    // The ranks have agreed whether to draw the frame.
+  bool HasAgreed = false;                    // The ranks have agreed whether there are lists.
+  std::string Problem;                       // Why no rank draws the frame.
+};
+
+//------------------------------------------------------------------------------
+vtkDistributedTransparencyPass::vtkDistributedTransparencyPass()
+  : Ranks(new Shared)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkDistributedTransparencyPass::~vtkDistributedTransparencyPass()
+{
+  this->ReleaseBeforeDestruction();
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->GetController() << "\n";
+  os << indent << "PictureRank: " << this->PictureRank << "\n";
+  os << indent << "SentFragments: " << this->SentFragments << "\n";
+  os << indent << "SentFragmentBytes: " << this->SentFragmentBytes << "\n";
+  os << indent << "SentOtherBytes: " << this->SentOtherBytes << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->GetController())
+  {
+    this->Ranks->Exchange.SetController(controller);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkDistributedTransparencyPass::GetController()
+{
+  return this->Ranks->Exchange.Controller();
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::SetPictureRank(int rank)
+{
+  vitrine::SetInRange(
+    this, "PictureRank", this->PictureRank, rank, { -1, std::numeric_limits<int>::max() });
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::ResetCamera(vtkRenderer* renderer)
+{
+  vitrine::RankExchange& ranks = this->Ranks->Exchange;
+  const vitrine::Bounds bounds = vitrine::BoundsOfRanks(ranks, renderer);
+  renderer->ResetCamera(bounds.data());
+  vitrine::ShareCamera(ranks, renderer, bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::SynchronizeCamera(vtkRenderer* renderer)
+{
+  vitrine::RankExchange& ranks = this->Ranks->Exchange;
+  vitrine::ShareCamera(ranks, renderer, vitrine::BoundsOfRanks(ranks, renderer));
+}
+
+//------------------------------------------------------------------------------
+int vtkDistributedTransparencyPass::GetNodeBytes()
+{
+  return this->GetLayout().NodeBytes();
+}
+
+//------------------------------------------------------------------------------
+bool vtkDistributedTransparencyPass::HasFragments(const vtkRenderState* s)
+{
+  return this->Ranks->Exchange.Count() > 1 || this->Superclass::HasFragments(s);
+}
+
+//------------------------------------------------------------------------------
+// A rank that does not come as far as the others tells them why, since they wait for it.
+void vtkDistributedTransparencyPass::Render(const vtkRenderState* s)
+{
+  Shared& r = *this->Ranks;
+  r.HasJoined = false;
+  r.Problem.clear();
+  r.Owned = {};
+  r.Exchange.ResetBytes();
+  this->SentFragments = 0;
+  this->SentFragmentBytes = 0;
+  this->Superclass::Render(s);
+  if (r.Exchange.Count() > 1 && !r.HasJoined)
+  {
+    const std::string reason = this->GetFallbackReason();
+    r.Exchange.Agree(reason.empty() ? "the renderer has no pixels" : reason);
+  }
+  this->SentOtherBytes = r.Exchange.BytesSent() - this->SentFragmentBytes;
+}
+
+//------------------------------------------------------------------------------
+// The superclass tries another text of the shaders if a driver refuses one. The other ranks do not wait for that.
+std::string vtkDistributedTransparencyPass::RenderFragments(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Shared& r = *this->Ranks;
+  if (r.Exchange.Count() == 1)
+  {
+    return this->Superclass::RenderFragments(s, target);
+  }
+  if (r.Problem.empty())
+  {
+    const std::string problem = this->DrawTogether(s, target);
+    if (problem == DrawnAgain)
+    {
+      return problem; // by all ranks, with other shaders
+    }
+    r.Problem = problem;
+  }
+  return r.Problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDistributedTransparencyPass::DrawTogether(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Shared& r = *this->Ranks;
+  std::string problem = this->Join(s, target);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  r.HasAgreed = false;
+  r.Owners.emplace(target.Region, r.Exchange.Count());
+  problem = this->CombineOpaque(target);
+  if (problem.empty())
+  {
+    problem = this->Superclass::RenderFragments(s, target);
+  }
+  if (!r.HasAgreed) // This rank has failed before RenderLists().
+  {
+    problem = this->AgreeOnLists(problem);
+  }
+  if (problem == DrawnAgain || !r.Problem.empty())
+  {
+    return problem;
+  }
+  return this->SendPicture(target, problem);
+}
+
+//------------------------------------------------------------------------------
+// Returns why the ranks cannot draw a frame together, the same on all of them.
+std::string vtkDistributedTransparencyPass::Join(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Shared& r = *this->Ranks;
+  r.HasJoined = true;
+  std::string problem;
+  if (target.Samples > 0)
+  {
+    problem =
+      "the window is multisampled, which ranks cannot draw together; call SetMultiSamples(0)";
+  }
+  else if (this->PictureRank >= r.Exchange.Count())
+  {
+    problem = "the picture is for rank " + std::to_string(this->PictureRank) + " of " +
+      std::to_string(r.Exchange.Count());
+  }
+  problem = r.Exchange.Agree(problem);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const vitrine::CoincidenceTolerance tolerance = this->GetTolerance();
+  vitrine::FrameFacts facts;
+  facts.Width = target.Width;
+  facts.Height = target.Height;
+  facts.Region = target.Region;
+  facts.ColorFormat = target.Color.InternalFormat;
+  facts.DepthFormat = target.Depth.InternalFormat;
+  facts.ColorStorage = this->ColorStorage;
+  facts.PictureRank = this->PictureRank;
+  facts.ToleranceSteps = tolerance.Steps;
+  facts.ToleranceSlope = tolerance.Slope;
+  facts.Matrices = vitrine::ViewMatricesOf(s->GetRenderer());
+  const std::string difference = vitrine::FindDifference(r.Exchange.GatherAll(facts.ToMessage()));
+  return r.Exchange.Failure().empty() ? difference : r.Exchange.Failure();
+}
+
+//------------------------------------------------------------------------------
+// Gives this rank's target the nearest opaque depths of all ranks, and its tiles the nearest opaque colours.
+std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderTarget& target)
+{
+  Shared& r = *this->Ranks;
+  vtkOpenGLState* const state = this->GetWindow()->GetState();
+  const vitrine::StageTimer::Section section(this->GetStageTimer(), "opaque");
+  vitrine::OpaquePixels& picture = r.Picture;
+  picture.Width = target.Width;
+  picture.ColorWords = vitrine::TargetPixels::ColorWords(target);
+  picture.Farthest = vitrine::TargetPixels::Farthest(target);
+  picture.Depths = vitrine::TargetPixels::ReadDepths(state, target);
+  picture.Colors = vitrine::TargetPixels::ReadColors(state, target);
+
+  const int count = r.Exchange.Count();
+  const int own = r.Exchange.Rank();
+  const std::vector<vitrine::PixelRegion>& tiles = r.Owners->TilesOf(own);
+  std::vector<vitrine::Message> messages(count);
+  for (int rank = 0; rank < count; ++rank)
+  {
+    if (rank != own)
+    {
+      vitrine::PackOpaque(picture, r.Owners->TilesOf(rank), messages[rank]);
+    }
+  }
+  bool isGood = true;
+  const std::vector<vitrine::Message> pixels = r.Exchange.Exchange(std::move(messages));
+  std::vector<std::vector<std::uint32_t>> known(count); // the depths of each rank
+  for (int rank = 0; rank < count; ++rank)
+  {
+    isGood =
+      (rank == own || vitrine::TakeNearer(pixels[rank], tiles, picture, known[rank])) && isGood;
+  }
+  messages.assign(count, {});
+  for (int rank = 0; rank < count; ++rank)
+  {
+    if (rank != own && isGood)
+    {
+      vitrine::PackDepths(picture, tiles, known[rank], messages[rank]);
+    }
+  }
+  const std::vector<vitrine::Message> depths = r.Exchange.Exchange(std::move(messages));
+  for (int rank = 0; rank < count; ++rank)
+  {
+    isGood = (rank == own || vitrine::TakeDepths(depths[rank], r.Owners->TilesOf(rank), picture)) &&
+      isGood;
+  }
+  if (!isGood)
+  {
+    return Malformed;
+  }
+  const std::string problem = r.Pixels.WriteDepths(state, target, picture.Depths);
+  return problem.empty() ? r.Pixels.WriteColors(state, target, picture.Colors) : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDistributedTransparencyPass::RenderLists(
+  const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::FragmentStatistics& frame)
+{
+  Shared& r = *this->Ranks;
+  if (r.Exchange.Count() == 1)
+  {
+    return this->Superclass::RenderLists(s, target, frame);
+  }
+  vtkOpenGLState* const state = this->GetWindow()->GetState();
+  vitrine::ListLayout layout = this->GetLayout();
+  std::string problem = r.Received->BeginFrame(state, target, this->MemoryLimit, layout);
+  if (problem.empty())
+  {
+    problem = this->FillLists(s, target, target.Region, frame, r.IsTooLarge);
+  }
+  if (problem.empty())
+  {
+    r.Own = static_cast<vitrine::PackedListStore&>(this->GetStore()).Read(state);
+  }
+  problem = this->AgreeOnLists(problem);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  return this->FitsInOnePiece() ? this->JoinLists(target, target.Region)
+                                : this->RenderBands(s, target);
+}
+
+//------------------------------------------------------------------------------
+// Returns why there are no lists, the same on all ranks. Fragments that one rank adds are shaded as such by all.
+std::string vtkDistributedTransparencyPass::AgreeOnLists(const std::string& problem)
+{
+  Shared& r = *this->Ranks;
+  r.HasAgreed = true;
+  const bool adds = this->DrewAdditiveFragments();
+  bool isAnyAdded = false;
+  for (const std::vector<std::uint64_t>& numbers : r.Exchange.GatherNumbers({ adds ? 1u : 0u }))
+  {
+    isAnyAdded = isAnyAdded || numbers[0] > 0;
+  }
+  if (isAnyAdded)
+  {
+    this->NoteAdditiveFragments();
+  }
+  const bool isDrawnAgain = isAnyAdded && !this->HasAdditiveFragments();
+  r.Problem = r.Exchange.Agree(adds && isDrawnAgain ? std::string() : problem);
+  return r.Problem.empty() && isDrawnAgain ? DrawnAgain : r.Problem;
+}
+
+//------------------------------------------------------------------------------
+// Returns whether all ranks have room for the lists that they drew and for those that they own. All find the same.
+bool vtkDistributedTransparencyPass::FitsInOnePiece()
+{
+  Shared& r = *this->Ranks;
+  const int count = r.Exchange.Count();
+  std::vector<std::uint64_t> numbers;
+  for (int owner = 0; owner < count; ++owner)
+  {
+    numbers.push_back(vitrine::CountNodes(r.Own, r.Owners->TilesOf(owner)));
+  }
+  numbers.push_back(static_cast<std::uint64_t>(r.Received->CapacityUnits()));
+  numbers.push_back(r.IsTooLarge ? 1u : 0u);
+  const std::vector<std::vector<std::uint64_t>> all = r.Exchange.GatherNumbers(numbers);
+  bool fits = true;
+  for (int owner = 0; owner < count; ++owner)
+  {
+    std::uint64_t owned = 0;
+    for (const std::vector<std::uint64_t>& told : all)
+    {
+      owned += told[owner];
+    }
+    fits = fits && owned <= all[owner][count] && all[owner][count + 1] == 0;
+  }
+  return fits;
+}
+
+//------------------------------------------------------------------------------
+// Draws bands of which no rank has more fragments than the rank with the least memory can hold.
+std::string vtkDistributedTransparencyPass::RenderBands(
+  const vtkRenderState* s, const vitrine::RenderTarget& target)
+{
+  Shared& r = *this->Ranks;
+  vitrine::Message counts;
+  vitrine::MessageWriter(counts).AddWords(r.Own.Counts.data(), r.Own.Counts.size());
+  std::vector<std::uint32_t> needs(r.Own.Counts.size());
+  std::vector<std::uint32_t> words(r.Own.Counts.size());
+  for (const vitrine::Message& told : r.Exchange.GatherAll(counts))
+  {
+    vitrine::MessageReader(told).TakeWords(words.data(), words.size());
+    std::transform(needs.begin(), needs.end(), words.begin(), needs.begin(), std::plus<>());
+  }
+  std::uint64_t capacity = std::numeric_limits<std::uint64_t>::max();
+  const auto units = static_cast<std::uint64_t>(
+    std::min(r.Received->CapacityUnits(), this->GetStore().CapacityUnits()));
+  for (const std::vector<std::uint64_t>& told : r.Exchange.GatherNumbers({ units }))
+  {
+    capacity = std::min(capacity, told[0]);
+  }
+  const vitrine::BandPlan plan =
+    vitrine::PlanBands(needs, target.Width, target.Height, capacity, target.Region);
+  if (!plan.Fits)
+  {
+    r.Problem = "one pixel alone has " + std::to_string(plan.LargestPixel) +
+      " fragments of all ranks, and a rank has room for " + std::to_string(capacity);
+    return r.Problem;
+  }
+  for (const vitrine::PixelRegion& band : plan.Bands)
+  {
+    vitrine::FragmentStatistics part;
+    std::string problem = this->FillLists(s, target, band, part, r.IsTooLarge);
+    if (problem.empty() && r.IsTooLarge)
+    {
+      problem =
+        "the translucent props make more fragments each time they are drawn within one frame";
+    }
+    r.Problem = r.Exchange.Agree(problem);
+    if (!r.Problem.empty())
+    {
+      return r.Problem;
+    }
+    r.Own =
+      static_cast<vitrine::PackedListStore&>(this->GetStore()).Read(this->GetWindow()->GetState());
+    problem = this->JoinLists(target, band);
+    r.Problem = r.Exchange.Agree(problem);
+    if (!r.Problem.empty())
+    {
+      return r.Problem;
+    }
+  }
+  this->NumberOfBands = static_cast<int>(plan.Bands.size());
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Sends the lists of a region to the owners of its pixels, and composites those that this rank owns.
+std::string vtkDistributedTransparencyPass::JoinLists(
+  const vitrine::RenderTarget& target, const vitrine::PixelRegion& region)
+{
+  Shared& r = *this->Ranks;
+  const int own = r.Exchange.Rank();
+  const vitrine::TileOwners owners(region, r.Exchange.Count());
+  std::vector<vitrine::Message> messages(r.Exchange.Count());
+  {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "send");
+    for (int rank = 0; rank < r.Exchange.Count(); ++rank)
+    {
+      if (rank != own)
+      {
+        vitrine::PackLists(r.Own, owners.TilesOf(rank), messages[rank]);
+        this->SentFragments +=
+          static_cast<vtkTypeInt64>(vitrine::CountNodes(r.Own, owners.TilesOf(rank)));
+      }
+    }
+    const std::int64_t before = r.Exchange.BytesSent();
+    messages = r.Exchange.Exchange(std::move(messages));
+    this->SentFragmentBytes += r.Exchange.BytesSent() - before;
+  }
+  if (!r.Exchange.Failure().empty())
+  {
+    return r.Exchange.Failure();
+  }
+  vitrine::PixelLists joined;
+  std::string problem =
+    vitrine::JoinLists(r.Own, owners.TilesOf(own), messages, VITRINE_LARGEST_COUNT, joined);
+  if (problem.empty())
+  {
+    problem = r.Received->Load(this->GetWindow()->GetState(), region, joined);
+  }
+  vitrine::FragmentStatistics part;
+  if (problem.empty())
+  {
+    problem = this->CompositeLists(*r.Received, target, region, part);
+  }
+  r.Owned.Add(part);
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+// Sends the tiles that this rank owns to the rank that wants the picture.
+std::string vtkDistributedTransparencyPass::SendPicture(
+  const vitrine::RenderTarget& target, const std::string& problem)
+{
+  Shared& r = *this->Ranks;
+  const std::string agreed = r.Exchange.Agree(problem);
+  if (!agreed.empty())
+  {
+    return agreed;
+  }
+  vtkOpenGLState* const state = this->GetWindow()->GetState();
+  const vitrine::StageTimer::Section section(this->GetStageTimer(), "picture");
+  const int own = r.Exchange.Rank();
+  const bool wantsPicture = this->PictureRank < 0 || this->PictureRank == own;
+  r.Picture.Colors = vitrine::TargetPixels::ReadColors(state, target);
+  std::vector<vitrine::Message> messages(r.Exchange.Count());
+  for (int rank = 0; rank < r.Exchange.Count(); ++rank)
+  {
+    if (rank != own && (this->PictureRank < 0 || this->PictureRank == rank))
+    {
+      vitrine::PackColors(r.Picture, r.Owners->TilesOf(own), messages[rank]);
+    }
+  }
+  messages = r.Exchange.Exchange(std::move(messages));
+  bool isGood = true;
+  for (int rank = 0; rank < r.Exchange.Count() && wantsPicture; ++rank)
+  {
+    isGood =
+      (rank == own || vitrine::TakeColors(messages[rank], r.Owners->TilesOf(rank), r.Picture)) &&
+      isGood;
+  }
+  this->TakeTotals();
+  if (!isGood)
+  {
+    return r.Exchange.Failure().empty() ? Malformed : r.Exchange.Failure();
+  }
+  return wantsPicture ? r.Pixels.WriteColors(state, target, r.Picture.Colors) : std::string();
+}
+
+//------------------------------------------------------------------------------
+// Sets the numbers of the frame to those of all ranks.
+void vtkDistributedTransparencyPass::TakeTotals()
+{
+  Shared& r = *this->Ranks;
+  r.Received->EndFrame(r.Owned, this->NumberOfBands);
+  vitrine::FragmentStatistics all;
+  for (const std::vector<std::uint64_t>& told :
+    r.Exchange.GatherNumbers({ std::uint64_t(r.Owned.Fragments), std::uint64_t(r.Owned.LayersMax),
+      std::uint64_t(r.Owned.CoveredPixels) }))
+  {
+    vitrine::FragmentStatistics part;
+    part.Fragments = static_cast<std::int64_t>(told[0]);
+    part.LayersMax = static_cast<std::int64_t>(told[1]);
+    part.CoveredPixels = static_cast<std::int64_t>(told[2]);
+    all.Add(part);
+  }
+  this->NumberOfFragments = all.Fragments;
+  this->MaximumNumberOfLayers = all.LayersMax;
+  this->MeanNumberOfLayers = all.CoveredPixels > 0
+    ? static_cast<double>(all.Fragments) / static_cast<double>(all.CoveredPixels)
+    : 0.0;
+  this->Bytes += r.Received->NodeBytes() + r.Received->OtherBytes() + r.Pixels.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::ReleaseMethodResources()
+{
+  this->Ranks->Received->Release();
+  this->Ranks->Pixels.Release();
+  this->Superclass::ReleaseMethodResources();
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedTransparencyPass::ForgetMethodResources()
+{
+  this->Ranks->Received = std::make_unique<vitrine::PackedListStore>();
+  this->Ranks->Pixels = vitrine::TargetPixels();
+  this->Superclass::ForgetMethodResources();
+}
