@@ -13,6 +13,7 @@
 #include "transparency/abuffer/PackedListStore.h"
 #include "transparency/common/CoincidenceTolerance.h"
 #include "transparency/ranks/FrameFacts.h"
+#include "transparency/ranks/GhostCells.h"
 #include "transparency/ranks/RankCamera.h"
 #include "transparency/ranks/RankExchange.h"
 #include "vtkObjectFactory.h"
@@ -39,6 +40,7 @@ const char* const DrawnAgain = "fragments are added to what is behind them";
 struct vtkDistributedTransparencyPass::Shared
 {
   vitrine::RankExchange Exchange;
+  vitrine::GhostCells Ghosts;
   std::unique_ptr<vitrine::PackedListStore>
     Received = // The lists of the pixels that this rank owns.
     std::make_unique<vitrine::PackedListStore>();
@@ -132,14 +134,24 @@ bool vtkDistributedTransparencyPass::HasFragments(const vtkRenderState* s)
 void vtkDistributedTransparencyPass::Render(const vtkRenderState* s)
 {
   Shared& r = *this->Ranks;
+  if (r.Exchange.Count() == 1)
+  {
+    this->Superclass::Render(s);
+    return;
+  }
   r.HasJoined = false;
   r.Problem.clear();
   r.Owned = {};
   r.Exchange.ResetBytes();
   this->SentFragments = 0;
   this->SentFragmentBytes = 0;
-  this->Superclass::Render(s);
-  if (r.Exchange.Count() > 1 && !r.HasJoined)
+  std::vector<vtkProp*> props = r.Ghosts.WithoutThem(s);
+  vtkRenderState own(s->GetRenderer());
+  own.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  own.SetFrameBuffer(s->GetFrameBuffer());
+  own.SetRequiredKeys(s->GetRequiredKeys());
+  this->Superclass::Render(&own);
+  if (!r.HasJoined)
   {
     const std::string reason = this->GetFallbackReason();
     r.Exchange.Agree(reason.empty() ? "the renderer has no pixels" : reason);
@@ -204,7 +216,7 @@ std::string vtkDistributedTransparencyPass::Join(
 {
   Shared& r = *this->Ranks;
   r.HasJoined = true;
-  std::string problem;
+  std::string problem = r.Ghosts.Problem();
   if (target.Samples > 0)
   {
     problem =
