@@ -8,7 +8,9 @@ namespace vitrine
 namespace
 {
 
-// The numbers of nodes of a sequence of pixels as runs: how many pixels, and the number that each has.
+// The numbers of nodes of a sequence of pixels as runs of equal ones. A run is a number whose lowest bit tells whether
+// there is more than one pixel, and whose other bits are the nodes of each; then it is followed by how many pixels there
+// are.
 class RunWriter
 {
 public:
@@ -31,8 +33,12 @@ public:
   {
     if (this->Length > 0)
     {
-      this->Writer.AddNumber(this->Length);
-      this->Writer.AddNumber(this->Count);
+      const bool isLong = this->Length > 1;
+      this->Writer.AddNumber(std::uint64_t(this->Count) << 1 | (isLong ? 1u : 0u));
+      if (isLong)
+      {
+        this->Writer.AddNumber(this->Length);
+      }
     }
     this->Length = 0;
   }
@@ -68,8 +74,9 @@ bool TakeCounts(MessageReader& reader, std::size_t pixels, std::vector<std::uint
 {
   while (counts.size() < pixels)
   {
-    const std::uint64_t length = reader.TakeNumber();
-    const std::uint64_t count = reader.TakeNumber();
+    const std::uint64_t number = reader.TakeNumber();
+    const std::uint64_t count = number >> 1;
+    const std::uint64_t length = (number & 1u) != 0 ? reader.TakeNumber() : 1u;
     if (!reader.IsGood() || length == 0 || length > pixels - counts.size() ||
       count > std::numeric_limits<std::uint32_t>::max())
     {

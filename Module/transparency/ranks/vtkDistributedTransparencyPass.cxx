@@ -130,6 +130,13 @@ bool vtkDistributedTransparencyPass::HasFragments(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+// No other method draws the geometry of several ranks.
+std::string vtkDistributedTransparencyPass::GetSubstituteName()
+{
+  return this->Ranks->Exchange.Count() > 1 ? std::string() : this->Superclass::GetSubstituteName();
+}
+
+//------------------------------------------------------------------------------
 // A rank that does not come as far as the others tells them why, since they wait for it.
 void vtkDistributedTransparencyPass::Render(const vtkRenderState* s)
 {

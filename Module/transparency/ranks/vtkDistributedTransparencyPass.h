@@ -128,6 +128,7 @@ protected:
   ~vtkDistributedTransparencyPass() override;
 
   bool HasFragments(const vtkRenderState* s) override;
+  std::string GetSubstituteName() override;
   std::string RenderFragments(
     const vtkRenderState* s, const vitrine::RenderTarget& target) override;
   std::string RenderLists(const vtkRenderState* s, const vitrine::RenderTarget& target,

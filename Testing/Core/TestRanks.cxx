@@ -1,0 +1,289 @@
+#include "Core/ranks/OpaquePixels.h"
+#include "Core/ranks/SentLists.h"
+#include "Core/ranks/TileOwners.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace
+{
+
+using vitrine::Message;
+using vitrine::OpaquePixels;
+using vitrine::PixelLists;
+using vitrine::PixelRegion;
+using vitrine::TileOwners;
+
+constexpr int PictureWidth = 150;
+constexpr int PictureHeight = 70;
+const PixelRegion WholePicture{ 0, 0, PictureWidth, PictureHeight };
+
+// The nodes of a pixel. Their order does not matter.
+using NodeSet = std::multiset<std::vector<std::uint32_t>>;
+
+PixelLists MakeLists(std::mt19937& random, int texelWords, bool hasThirdWords)
+{
+  PixelLists lists;
+  lists.Width = PictureWidth;
+  lists.Nodes.TexelWords = texelWords;
+  lists.Nodes.HasThirdWords = hasThirdWords;
+  std::uint32_t next = 3; // Nodes before belong to nobody.
+  for (int pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
+  {
+    const std::uint32_t count = pixel % 7 == 0 ? 0 : random() % 4;
+    lists.Starts.push_back(next);
+    lists.Counts.push_back(count);
+    next += count + random() % 2; // Some room is left over.
+  }
+  lists.Nodes.Resize(next);
+  std::generate(lists.Nodes.Texels.begin(), lists.Nodes.Texels.end(), std::ref(random));
+  std::generate(lists.Nodes.ThirdWords.begin(), lists.Nodes.ThirdWords.end(), std::ref(random));
+  return lists;
+}
+
+void AddNodes(const PixelLists& lists, int pixel, NodeSet& nodes)
+{
+  for (std::uint32_t i = 0; i < lists.Counts[pixel]; ++i)
+  {
+    const std::size_t at = lists.Starts[pixel] + i;
+    const auto first = lists.Nodes.Texels.begin() + at * lists.Nodes.TexelWords;
+    std::vector<std::uint32_t> node(first, first + lists.Nodes.TexelWords);
+    if (lists.Nodes.HasThirdWords)
+    {
+      node.push_back(lists.Nodes.ThirdWords[at]);
+    }
+    nodes.insert(node);
+  }
+}
+
+// Returns the messages that rank `to` gets from all ranks.
+std::vector<Message> SendTo(int to, const std::vector<PixelLists>& ranks, const TileOwners& owners)
+{
+  std::vector<Message> messages;
+  for (std::size_t rank = 0; rank < ranks.size(); ++rank)
+  {
+    messages.emplace_back();
+    if (static_cast<int>(rank) != to)
+    {
+      vitrine::PackLists(ranks[rank], owners.TilesOf(to), messages.back());
+    }
+  }
+  return messages;
+}
+
+}
+
+TEST(TileOwners, GiveEachPixelToOneRank)
+{
+  for (int ranks = 1; ranks <= 17; ++ranks)
+  {
+    const PixelRegion region{ 5, 40, 140, 90 };
+    const TileOwners owners(region, ranks);
+    std::map<std::pair<int, int>, int> owner;
+    for (int rank = 0; rank < ranks; ++rank)
+    {
+      int pixels = 0;
+      vitrine::ForEachPixel(owners.TilesOf(rank),
+        [&](int x, int y)
+        {
+          EXPECT_TRUE(owner.emplace(std::make_pair(x, y), rank).second);
+          EXPECT_EQ(owners.OwnerOf(x / TileOwners::TileSize, y / TileOwners::TileSize), rank);
+          ++pixels;
+        });
+      EXPECT_EQ(owners.PixelsOf(rank), pixels);
+    }
+    EXPECT_EQ(owner.size(), std::size_t(region.Width) * region.Height);
+  }
+}
+
+TEST(TileOwners, ShareWindowsFairly)
+{
+  for (const int ranks : { 2, 3, 4, 8, 16 })
+  {
+    const TileOwners owners({ 0, 0, 1280, 720 }, ranks);
+    for (int rank = 0; rank < ranks; ++rank)
+    {
+      EXPECT_NEAR(owners.PixelsOf(rank) * ranks / (1280.0 * 720.0), 1.0, 0.06) << ranks;
+    }
+  }
+}
+
+TEST(SentLists, HaveTheNodesOfAllRanks)
+{
+  std::mt19937 random(54);
+  for (const int texelWords : { 2, 4 })
+  {
+    for (const bool hasThirdWords : { false, true })
+    {
+      std::vector<PixelLists> ranks;
+      for (int rank = 0; rank < 3; ++rank)
+      {
+        ranks.push_back(MakeLists(random, texelWords, hasThirdWords));
+      }
+      const TileOwners owners(WholePicture, 3);
+      for (int owner = 0; owner < 3; ++owner)
+      {
+        PixelLists joined;
+        ASSERT_EQ(vitrine::JoinLists(
+                    ranks[owner], owners.TilesOf(owner), SendTo(owner, ranks, owners), 100, joined),
+          "");
+        for (int pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
+        {
+          const bool isOwned = owners.OwnerOf(pixel % PictureWidth / TileOwners::TileSize,
+                                 pixel / PictureWidth / TileOwners::TileSize) == owner;
+          NodeSet expected;
+          NodeSet found;
+          for (const PixelLists& lists : ranks)
+          {
+            if (isOwned)
+            {
+              AddNodes(lists, pixel, expected);
+            }
+          }
+          AddNodes(joined, pixel, found);
+          ASSERT_EQ(found, expected);
+        }
+      }
+    }
+  }
+}
+
+TEST(SentLists, TakeLittleMoreThanTheirNodes)
+{
+  PixelLists lists;
+  lists.Width = PictureWidth;
+  lists.Nodes.HasThirdWords = true;
+  for (std::uint32_t pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
+  {
+    lists.Starts.push_back(2 * pixel);
+    lists.Counts.push_back(2);
+  }
+  lists.Nodes.Resize(2 * lists.Counts.size());
+  Message message;
+  vitrine::PackLists(lists, { WholePicture }, message);
+  EXPECT_EQ(message.size(), 12 * 2 * lists.Counts.size() + 3); // one run
+  message.clear();
+  std::fill(lists.Counts.begin(), lists.Counts.end(), 0u);
+  vitrine::PackLists(lists, { WholePicture }, message);
+  EXPECT_TRUE(message.empty());
+}
+
+TEST(SentLists, AreRefusedIfTheyDoNotFit)
+{
+  std::mt19937 random(54);
+  const PixelLists lists = MakeLists(random, 2, true);
+  Message good;
+  vitrine::PackLists(lists, { WholePicture }, good);
+  PixelLists joined;
+  const auto join = [&](const Message& message, std::uint64_t most)
+  { return vitrine::JoinLists(lists, { WholePicture }, { message }, most, joined); };
+  EXPECT_EQ(join(good, 100), "");
+  EXPECT_NE(join(good, 6).find("6 fragments of all ranks"), std::string::npos);
+  for (std::size_t size = 1; size < good.size(); size += 997)
+  {
+    EXPECT_NE(join(Message(good.begin(), good.begin() + size), 100), "") << size;
+  }
+  Message longer = good;
+  longer.push_back(0);
+  EXPECT_NE(join(longer, 100), "");
+  for (int i = 0; i < 300; ++i)
+  {
+    Message damaged = good;
+    damaged[random() % 500] = static_cast<unsigned char>(random()); // a number of nodes
+    join(damaged, 100);                                             // must end
+  }
+}
+
+namespace
+{
+
+OpaquePixels MakeOpaque(std::mt19937& random, int colorWords)
+{
+  OpaquePixels picture;
+  picture.Width = PictureWidth;
+  picture.ColorWords = colorWords;
+  for (int pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
+  {
+    picture.Depths.push_back(random() % 3 == 0 ? picture.Farthest : random() % 4);
+    for (int word = 0; word < colorWords; ++word)
+    {
+      picture.Colors.push_back(random() % 5);
+    }
+  }
+  return picture;
+}
+
+}
+
+TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
+{
+  std::mt19937 random(54);
+  for (const int colorWords : { 1, 4 })
+  {
+    std::vector<OpaquePixels> ranks;
+    std::vector<Message> messages(4);
+    for (int rank = 0; rank < 4; ++rank)
+    {
+      ranks.push_back(MakeOpaque(random, colorWords));
+      vitrine::PackOpaque(ranks.back(), { WholePicture }, messages[rank]);
+    }
+    std::vector<OpaquePixels> combined;
+    for (const std::vector<int>& order : { std::vector<int>{ 1, 2, 3 }, { 3, 2, 1 } })
+    {
+      combined.push_back(ranks[0]);
+      for (const int rank : order)
+      {
+        std::vector<std::uint32_t> depths;
+        ASSERT_TRUE(vitrine::TakeNearer(messages[rank], { WholePicture }, combined.back(), depths));
+        EXPECT_EQ(depths, ranks[rank].Depths);
+      }
+    }
+    EXPECT_EQ(combined[0].Depths, combined[1].Depths);
+    for (std::size_t pixel = 0; pixel < ranks[0].Depths.size(); ++pixel)
+    {
+      std::uint32_t nearest = ranks[0].Farthest;
+      for (const OpaquePixels& rank : ranks)
+      {
+        nearest = std::min(nearest, rank.Depths[pixel]);
+      }
+      ASSERT_EQ(combined[0].Depths[pixel], nearest);
+      for (int word = 0; word < colorWords && nearest < ranks[0].Farthest; ++word)
+      {
+        ASSERT_EQ(combined[0].Colors[pixel * colorWords + word],
+          combined[1].Colors[pixel * colorWords + word]);
+      }
+    }
+    Message told; // Rank 3 learns where others are nearer.
+    vitrine::PackDepths(combined[0], { WholePicture }, ranks[3].Depths, told);
+    ASSERT_TRUE(vitrine::TakeDepths(told, { WholePicture }, ranks[3]));
+    EXPECT_EQ(ranks[3].Depths, combined[0].Depths);
+    Message colors;
+    vitrine::PackColors(combined[0], { WholePicture }, colors);
+    ASSERT_TRUE(vitrine::TakeColors(colors, { WholePicture }, ranks[2]));
+    EXPECT_EQ(ranks[2].Colors, combined[0].Colors);
+  }
+}
+
+TEST(OpaquePixels, AreRefusedIfTheyDoNotFit)
+{
+  std::mt19937 random(54);
+  OpaquePixels picture = MakeOpaque(random, 1);
+  const OpaquePixels before = picture;
+  Message good;
+  vitrine::PackOpaque(picture, { WholePicture }, good);
+  std::vector<std::uint32_t> depths;
+  EXPECT_TRUE(vitrine::TakeNearer({}, { WholePicture }, picture, depths));
+  EXPECT_EQ(picture.Depths, before.Depths);
+  for (std::size_t size = 1; size < good.size(); size += 97)
+  {
+    const Message cut(good.begin(), good.begin() + size);
+    EXPECT_FALSE(vitrine::TakeNearer(cut, { WholePicture }, picture, depths)) << size;
+    EXPECT_FALSE(vitrine::TakeDepths(cut, { WholePicture }, picture)) << size;
+  }
+  EXPECT_FALSE(vitrine::TakeColors({}, { WholePicture }, picture));
+}

@@ -1,0 +1,330 @@
+"""What each rank of mpirun does in the tests of vtkDistributedTransparencyPass; test_ranks.py starts it.
+
+    mpirun -np N python3 -m mpi4py rank_cases.py CASE...
+
+Rank 0 writes a line of JSON for each case: what each rank found. It draws the whole scene alone, too, and tells the
+number of bytes in which the picture of all ranks differs from that.
+"""
+
+import json
+import os
+import sys
+
+import numpy as np
+from mpi4py import MPI  # which initializes MPI
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkParallelMPI import vtkMPIController
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkRenderer
+from vtkmodules.vtkRenderingOpenGL2 import vtkToneMappingPass
+
+import vitrine
+from pieces import Scene, actor_of, piece_of
+
+SIZE = (160, 120)
+SEED = 54
+
+comm = MPI.COMM_WORLD
+controller = vtkMPIController()
+controller.Initialize()
+rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+
+
+def tangle(count=400, opaque=0.1):
+    """Triangles through each other, of any colour and alpha. A share is opaque. Some translucent ones coincide."""
+    random = np.random.default_rng(SEED)
+    centres = random.uniform(-1, 1, (count, 1, 3))
+    points = (centres + random.normal(0, 0.35, (count, 3, 3))).reshape(-1, 3)
+    triangles = np.arange(3 * count).reshape(-1, 3)
+    is_opaque = random.uniform(0, 1, count) < opaque
+    triangles = np.concatenate([triangles, triangles[~is_opaque][: count // 10]])
+    colors = random.integers(0, 256, (len(triangles), 4))
+    colors[:, 3] //= 2
+    colors[:count][is_opaque, 3] = 255
+    return Scene(points, triangles, colors)
+
+
+def split(scene):
+    """The cells that hide what is behind, and the others. VTK draws an actor as a whole either way."""
+    is_opaque = scene.colors[:, 3] == 255
+    return [
+        Scene(scene.points, scene.triangles[mask], scene.colors[mask]) for mask in (is_opaque, ~is_opaque)
+    ]
+
+
+class View:
+    """A window with a renderer."""
+
+    def __init__(self, size=SIZE, method=None, viewport=(0, 0, 1, 1)):
+        self.window = vitrine.vtkHeadlessRenderWindow()
+        self.window.SetSize(*size)
+        self.window.SetMultiSamples(0)
+        self.renderer = vtkRenderer()
+        self.renderer.SetViewport(*viewport)
+        self.renderer.SetBackground(0.2, 0.3, 0.4)
+        self.window.AddRenderer(self.renderer)
+        self.frame = vitrine.vtkSeeThroughPass()
+        self.method = method or vitrine.vtkLinkedListTransparencyPass()
+        self.frame.SetTranslucentPass(self.method)
+        self.renderer.SetPass(self.frame)
+
+    def add(self, opaque, translucent):
+        for data, is_translucent in ((opaque, False), (translucent, True)):
+            if data.GetNumberOfCells():
+                actor = actor_of(data)
+                actor.ForceTranslucentOn() if is_translucent else actor.ForceOpaqueOn()
+                self.renderer.AddActor(actor)
+        return self
+
+    def picture(self):
+        self.window.Render()
+        width, height = self.window.GetSize()
+        pixels = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        return vtk_to_numpy(pixels).copy()
+
+
+def method_of_ranks():
+    method = vitrine.vtkDistributedTransparencyPass()
+    method.SetController(controller)
+    return method
+
+
+def view_of_ranks(scene, partition="random", ghosts=False, **options):
+    """This rank's piece of a scene, and the camera that all share."""
+    view = View(method=method_of_ranks(), **options)
+    random = np.random.default_rng(SEED)
+    view.add(*(piece_of(part, rank, ranks, partition, ghosts, random) for part in split(scene)))
+    view.method.ResetCamera(view.renderer)
+    return view
+
+
+def view_of_one(scene, view, **options):
+    """All of a scene, seen as in another view."""
+    one = View(**options)
+    one.add(*(part.piece(np.arange(len(part.triangles))) for part in split(scene)))
+    one.renderer.SetActiveCamera(view.renderer.GetActiveCamera())
+    one.method.SetColorStorage(view.method.GetColorStorage())
+    return one
+
+
+def found(view, one, **more):
+    """What a rank tells of a frame. On rank 0 it is compared with that of one rank."""
+    picture = view.picture()
+    told = {
+        "reason": view.method.GetFallbackReason(),
+        "fragments": view.method.GetNumberOfFragments(),
+        "sent": view.method.GetSentFragments(),
+        "bytes": view.method.GetSentFragmentBytes(),
+        "node": view.method.GetNodeBytes(),
+        "bands": view.method.GetNumberOfBands(),
+        **more,
+    }
+    if rank == 0:
+        expected = one().picture()
+        told["differing"] = int((picture != expected).sum())
+        told["covered"] = int((expected[:, :3] != expected[0, :3]).any(axis=1).sum())
+        folder = os.environ.get("VITRINE_RANKS_PICTURES")
+        if folder and told["differing"]:
+            np.save(f"{folder}/ranks-{ranks}-{case}.npy", np.stack([picture, expected]))
+    return told
+
+
+def divided(partition, ghosts, storage="HalfFloat"):
+    scene = tangle()
+    view = view_of_ranks(scene, partition, ghosts)
+    getattr(view.method, f"SetColorStorageTo{storage}")()
+    return found(view, lambda: view_of_one(scene, view))
+
+
+def bands():
+    scene = tangle()
+    view = view_of_ranks(scene)
+    view.method.SetMemoryLimit(90_000 // ranks + 1000 * rank)
+    view.picture()
+    return found(view, lambda: view_of_one(scene, view))
+
+
+def moving():
+    """Rooms that were predicted for another camera, and lists that grow."""
+    scene = tangle()
+    view = view_of_ranks(scene)
+    view.picture()
+    view.renderer.GetActiveCamera().Zoom(3)
+    view.method.SynchronizeCamera(view.renderer)
+    return found(view, lambda: view_of_one(scene, view))
+
+
+def empty():
+    """All of the scene is on the last rank."""
+    scene = tangle()
+    view = View(method=method_of_ranks())
+    parts = [part.piece(np.arange(len(part.triangles)) if rank == ranks - 1 else []) for part in split(scene)]
+    view.add(*parts)
+    view.method.ResetCamera(view.renderer)
+    return found(view, lambda: view_of_one(scene, view))
+
+
+def nothing():
+    """No rank has translucent geometry."""
+    scene = tangle(opaque=1)
+    view = view_of_ranks(scene)
+    return found(view, lambda: view_of_one(scene, view))
+
+
+def viewport():
+    scene = tangle()
+    place = {"viewport": (0.1, 0.2, 0.7, 0.9)}
+    view = view_of_ranks(scene, **place)
+    return found(view, lambda: view_of_one(scene, view, **place))
+
+
+def floats():
+    """A floating-point target, in which colours pass 1."""
+    scene = tangle()
+    views = [view_of_ranks(scene)]
+    if rank == 0:
+        views.append(view_of_one(scene, views[0]))
+    for view in views:
+        effect = vtkToneMappingPass()
+        effect.SetDelegatePass(view.frame)
+        view.renderer.SetPass(effect)
+    return found(views[0], lambda: views[1])
+
+
+def all_ranks():
+    """Each rank gets the picture."""
+    scene = tangle()
+    view = view_of_ranks(scene)
+    view.method.SetPictureRank(-1)
+    picture = view.picture()
+    same = [bool((picture == other).all()) for other in comm.allgather(picture)]
+    return found(view, lambda: view_of_one(scene, view), same=same)
+
+
+def splats():
+    """Light that is added, on the last rank alone."""
+    scene = tangle(opaque=0)
+
+    def splats_of():
+        mapper = vtkPointGaussianMapper()
+        mapper.SetInputData(tangle(40, 0).piece(np.arange(40)))
+        mapper.SetScaleFactor(0.1)
+        mapper.ScalarVisibilityOff()
+        mapper.EmissiveOn()
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetOpacity(0.5)
+        return actor
+
+    view = view_of_ranks(scene)
+    if rank == ranks - 1:
+        view.renderer.AddActor(splats_of())
+    view.method.ResetCamera(view.renderer)
+
+    def one():
+        other = view_of_one(scene, view)
+        other.renderer.AddActor(splats_of())
+        return other
+
+    view.picture()
+    return found(view, one)
+
+
+def refused(change):
+    """A frame that cannot be drawn, and one after it that can."""
+    scene = tangle()
+    view = view_of_ranks(scene)
+    undo = change(view)
+    view.picture()
+    reason = view.method.GetFallbackReason()
+    undo()
+    view.method.SynchronizeCamera(view.renderer)
+    return found(view, lambda: view_of_one(scene, view), refused=reason)
+
+
+def on_last(change, undo):
+    """Changes a view on the last rank."""
+
+    def changed(view):
+        if rank == ranks - 1:
+            change(view)
+        return lambda: undo(view) if rank == ranks - 1 else None
+
+    return changed
+
+
+def lacking():
+    """A rank whose driver lacks what the method needs."""
+    scene = tangle()
+    if rank == ranks - 1:
+        os.environ["MESA_GL_VERSION_OVERRIDE"] = "4.2"
+        os.environ["MESA_EXTENSION_OVERRIDE"] = "-GL_ARB_compute_shader -GL_ARB_shader_storage_buffer_object"
+    view = view_of_ranks(scene)
+    view.picture()
+    return {"reason": view.method.GetFallbackReason()}
+
+
+def killed():
+    """The last rank ends in the middle."""
+    view = view_of_ranks(tangle())
+    view.picture()
+    if rank == ranks - 1:
+        os.kill(os.getpid(), 9)
+    view.picture()
+    return {}
+
+
+def raising():
+    view = view_of_ranks(tangle())
+    view.picture()
+    if rank == ranks - 1:
+        raise RuntimeError("this rank raises")
+    view.picture()
+    return {}
+
+
+def set_size(size):
+    return lambda view: view.window.SetSize(*size)
+
+
+CASES = {
+    **{
+        f"{partition}{'-ghosts' if ghosts else ''}": lambda partition=partition, ghosts=ghosts: divided(partition, ghosts)
+        for partition in ("kd-tree", "round-robin", "random")
+        for ghosts in (False, True)
+    },
+    "compact": lambda: divided("random", False, "Compact"),
+    "eight-bit": lambda: divided("random", False, "EightBit"),
+    "bands": bands,
+    "moving": moving,
+    "empty": empty,
+    "nothing": nothing,
+    "viewport": viewport,
+    "floats": floats,
+    "all-ranks": all_ranks,
+    "splats": splats,
+    "sizes": lambda: refused(on_last(set_size((100, 80)), set_size(SIZE))),
+    "cameras": lambda: refused(
+        on_last(lambda view: view.renderer.GetActiveCamera().Azimuth(5), lambda view: None)
+    ),
+    "storages": lambda: refused(
+        on_last(
+            lambda view: view.method.SetColorStorageToCompact(), lambda view: view.method.SetColorStorageToHalfFloat()
+        )
+    ),
+    "memory": lambda: refused(
+        on_last(lambda view: view.method.SetMemoryLimit(16), lambda view: view.method.SetMemoryLimit(0))
+    ),
+    "samples": lambda: refused(
+        on_last(lambda view: view.window.SetMultiSamples(4), lambda view: view.window.SetMultiSamples(0))
+    ),
+    "lacking": lacking,
+    "killed": killed,
+    "raising": raising,
+}
+
+for case in sys.argv[1:]:
+    rows = comm.gather({"case": case, **CASES[case]()})
+    if rank == 0:
+        print(json.dumps(rows), flush=True)
