@@ -6,6 +6,7 @@ Rank 0 writes a line of JSON for each case: what each rank found. It draws the w
 number of bytes in which the picture of all ranks differs from that.
 """
 
+import functools
 import json
 import os
 import sys
@@ -290,7 +291,7 @@ def set_size(size):
 
 CASES = {
     **{
-        f"{partition}{'-ghosts' if ghosts else ''}": lambda partition=partition, ghosts=ghosts: divided(partition, ghosts)
+        f"{partition}{'-ghosts' if ghosts else ''}": functools.partial(divided, partition, ghosts)
         for partition in ("kd-tree", "round-robin", "random")
         for ghosts in (False, True)
     },

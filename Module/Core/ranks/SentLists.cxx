@@ -8,9 +8,9 @@ namespace vitrine
 namespace
 {
 
-// The numbers of nodes of a sequence of pixels as runs of equal ones. A run is a number whose lowest bit tells whether
-// there is more than one pixel, and whose other bits are the nodes of each; then it is followed by how many pixels there
-// are.
+// The numbers of nodes of a sequence of pixels as runs of equal ones. The lowest bit of a run's number tells whether it
+// has more than one pixel. The other bits are the nodes of each pixel. The number of a longer run is followed by how many
+// pixels it has.
 class RunWriter
 {
 public:
