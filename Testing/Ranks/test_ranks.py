@@ -26,8 +26,8 @@ REFUSED = {
 MOST_BYTES = 1.1  # for each byte of the nodes that are sent
 
 
-def run(ranks, *cases, timeout=120):
-    """Run cases on so many ranks, one thread of the rasteriser each."""
+def run(ranks, *words, script="rank_cases.py", timeout=120):
+    """Run a script of this folder on so many ranks, one thread of the rasteriser each."""
     environment = {
         **os.environ,
         "LP_NUM_THREADS": "1",
@@ -36,9 +36,9 @@ def run(ranks, *cases, timeout=120):
         "OMPI_MCA_btl_vader_single_copy_mechanism": "none",  # which containers may forbid
         "PYTHONDONTWRITEBYTECODE": "1",
     }
-    script = [sys.executable, "-m", "mpi4py", str(HERE / "rank_cases.py"), *cases]
+    command = [sys.executable, "-m", "mpi4py", str(HERE / script), *words]
     return subprocess.run(
-        ["mpirun", "--oversubscribe", "-np", str(ranks), *script],
+        ["mpirun", "--oversubscribe", "-np", str(ranks), *command],
         env=environment,
         capture_output=True,
         text=True,

@@ -1,6 +1,7 @@
 #include "Core/ranks/SentLists.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace vitrine
@@ -9,8 +10,8 @@ namespace
 {
 
 // The numbers of nodes of a sequence of pixels as runs of equal ones. The lowest bit of a run's number tells whether it
-// has more than one pixel. The other bits are the nodes of each pixel. The number of a longer run is followed by how many
-// pixels it has.
+// has more than one pixel. The other bits are the nodes of each pixel. The number of a longer run is followed by how
+// many pixels it has.
 class RunWriter
 {
 public:
@@ -49,25 +50,29 @@ private:
   std::uint32_t Count = 0;
 };
 
-// Copies `count` nodes.
-void CopyNodes(
-  const ListNodes& from, std::size_t first, std::size_t count, ListNodes& to, std::size_t at)
-{
-  const auto words = static_cast<std::size_t>(from.TexelWords);
-  std::copy_n(&from.Texels[first * words], count * words, &to.Texels[at * words]);
-  if (from.HasThirdWords)
-  {
-    std::copy_n(&from.ThirdWords[first], count, &to.ThirdWords[at]);
-  }
-}
-
-// The lists of a message, in the order of pixels.
+// Nodes of a rank: those of a message, which may stand at any address, or the own ones.
 struct Sender
 {
-  std::vector<std::uint32_t> Counts;
-  ListNodes Nodes;
+  std::vector<std::uint32_t> Counts; // of the pixels in the order of messages
+  const unsigned char* Texels = nullptr;
+  const unsigned char* ThirdWords = nullptr;
   std::size_t Next = 0; // The first node of the next pixel.
 };
+
+constexpr std::size_t WordBytes = sizeof(std::uint32_t);
+
+// Copies `count` nodes from node `first` on to node `at`.
+void CopyNodes(
+  const Sender& from, std::size_t first, std::size_t count, ListNodes& to, std::size_t at)
+{
+  const auto words = static_cast<std::size_t>(to.TexelWords);
+  std::memcpy(
+    &to.Texels[at * words], from.Texels + first * words * WordBytes, count * words * WordBytes);
+  if (to.HasThirdWords)
+  {
+    std::memcpy(&to.ThirdWords[at], from.ThirdWords + first * WordBytes, count * WordBytes);
+  }
+}
 
 // Returns false if the message is not one of `pixels` pixels.
 bool TakeCounts(MessageReader& reader, std::size_t pixels, std::vector<std::uint32_t>& counts)
@@ -87,8 +92,12 @@ bool TakeCounts(MessageReader& reader, std::size_t pixels, std::vector<std::uint
   return true;
 }
 
-bool Unpack(const Message& message, std::size_t pixels, Sender& sender)
+// Finds the lists of a message, whose nodes are laid out as those of `like`. Sets the number of nodes. Returns false if
+// it is not a message of `pixels` pixels.
+bool Open(const Message& message, std::size_t pixels, const ListNodes& like, Sender& sender,
+  std::uint64_t& nodes)
 {
+  nodes = 0;
   if (message.empty())
   {
     sender.Counts.assign(pixels, 0u);
@@ -99,18 +108,16 @@ bool Unpack(const Message& message, std::size_t pixels, Sender& sender)
   {
     return false;
   }
-  std::uint64_t nodes = 0;
   for (const std::uint32_t count : sender.Counts)
   {
     nodes += count;
   }
-  if (reader.Left() != nodes * sender.Nodes.Words() * sizeof(std::uint32_t))
+  if (reader.Left() != nodes * like.Words() * WordBytes)
   {
     return false;
   }
-  sender.Nodes.Resize(nodes);
-  reader.TakeWords(sender.Nodes.Texels.data(), sender.Nodes.Texels.size());
-  reader.TakeWords(sender.Nodes.ThirdWords.data(), sender.Nodes.ThirdWords.size());
+  sender.Texels = message.data() + message.size() - reader.Left();
+  sender.ThirdWords = sender.Texels + nodes * like.TexelWords * WordBytes;
   return true;
 }
 
@@ -141,22 +148,23 @@ void PackLists(const PixelLists& lists, const std::vector<PixelRegion>& tiles, M
   ForEachPixel(
     tiles, [&](int x, int y) { runs.Add(lists.Counts[std::size_t(y) * lists.Width + x]); });
   runs.End();
-  message.reserve(message.size() + nodes * lists.Nodes.Words() * sizeof(std::uint32_t));
-  MessageWriter writer(message);
-  const auto append = [&](const std::vector<std::uint32_t>& words, std::size_t wordsOfNode)
+  std::size_t at = message.size();
+  message.resize(at + nodes * lists.Nodes.Words() * WordBytes);
+  const auto copy = [&](const std::vector<std::uint32_t>& words, std::size_t wordsOfNode)
   {
     ForEachPixel(tiles,
       [&](int x, int y)
       {
         const std::size_t pixel = std::size_t(y) * lists.Width + x;
-        writer.AddWords(
-          words.data() + lists.Starts[pixel] * wordsOfNode, lists.Counts[pixel] * wordsOfNode);
+        const std::size_t size = lists.Counts[pixel] * wordsOfNode * WordBytes;
+        std::memcpy(message.data() + at, words.data() + lists.Starts[pixel] * wordsOfNode, size);
+        at += size;
       });
   };
-  append(lists.Nodes.Texels, lists.Nodes.TexelWords);
+  copy(lists.Nodes.Texels, lists.Nodes.TexelWords);
   if (lists.Nodes.HasThirdWords)
   {
-    append(lists.Nodes.ThirdWords, 1);
+    copy(lists.Nodes.ThirdWords, 1);
   }
 }
 
@@ -169,17 +177,19 @@ std::string JoinLists(const PixelLists& own, const std::vector<PixelRegion>& til
     pixels += std::size_t(tile.Width) * tile.Height;
   }
   std::vector<Sender> senders(received.size());
-  std::size_t nodes = CountNodes(own, tiles);
+  std::uint64_t nodes = CountNodes(own, tiles);
   for (std::size_t i = 0; i < received.size(); ++i)
   {
-    senders[i].Nodes.TexelWords = own.Nodes.TexelWords;
-    senders[i].Nodes.HasThirdWords = own.Nodes.HasThirdWords;
-    if (!Unpack(received[i], pixels, senders[i]))
+    std::uint64_t sent = 0;
+    if (!Open(received[i], pixels, own.Nodes, senders[i], sent))
     {
       return "the fragments that another rank sent do not fit the picture";
     }
-    nodes += senders[i].Nodes.Texels.size() / own.Nodes.TexelWords;
+    nodes += sent;
   }
+  Sender ownNodes;
+  ownNodes.Texels = reinterpret_cast<const unsigned char*>(own.Nodes.Texels.data());
+  ownNodes.ThirdWords = reinterpret_cast<const unsigned char*>(own.Nodes.ThirdWords.data());
   joined.Width = own.Width;
   joined.Starts.assign(own.Starts.size(), 0u);
   joined.Counts.assign(own.Counts.size(), 0u);
@@ -197,7 +207,7 @@ std::string JoinLists(const PixelLists& own, const std::vector<PixelRegion>& til
       const std::uint32_t ownCount = own.Counts[pixel];
       if (ownCount > 0)
       {
-        CopyNodes(own.Nodes, own.Starts[pixel], ownCount, joined.Nodes, at);
+        CopyNodes(ownNodes, own.Starts[pixel], ownCount, joined.Nodes, at);
         at += ownCount;
       }
       for (Sender& sender : senders)
@@ -205,7 +215,7 @@ std::string JoinLists(const PixelLists& own, const std::vector<PixelRegion>& til
         const std::uint32_t count = sender.Counts[place];
         if (count > 0)
         {
-          CopyNodes(sender.Nodes, sender.Next, count, joined.Nodes, at);
+          CopyNodes(sender, sender.Next, count, joined.Nodes, at);
           sender.Next += count;
           at += count;
         }

@@ -309,15 +309,14 @@ std::vector<std::uint32_t> PackedListStore::ReadCounts(vtkOpenGLState* state)
 }
 
 //------------------------------------------------------------------------------
-PixelLists PackedListStore::Read(vtkOpenGLState* state)
+void PackedListStore::Read(vtkOpenGLState* state, PixelLists& lists)
 {
   const std::vector<std::uint32_t> heads = this->ListsOfPixels.Read(state);
   const auto rowLength = static_cast<std::size_t>(this->ListsOfPixels.RowLength());
   const std::size_t pixels = std::size_t(this->TargetWidth) * this->TargetHeight;
-  PixelLists lists;
   lists.Width = this->TargetWidth;
-  lists.Starts.resize(pixels);
-  lists.Counts.resize(pixels);
+  lists.Starts.assign(pixels, 0u);
+  lists.Counts.assign(pixels, 0u);
   std::size_t end = 0;
   for (int y = this->Region.Y; y < this->Region.Y + this->Region.Height; ++y)
   {
@@ -336,7 +335,6 @@ PixelLists PackedListStore::Read(vtkOpenGLState* state)
   lists.Nodes.Resize(end);
   BarrierBeforeReadingBuffers();
   this->Buffers.Read(lists.Nodes.Texels, lists.Nodes.ThirdWords);
-  return lists;
 }
 
 //------------------------------------------------------------------------------

@@ -49,10 +49,11 @@ public:
   ///@{
   /**
    * Read the lists of the region that the last fill stored, or put lists of other origin in their place. Nodes are
-   * without the words of parts. Read() waits for the device. Load() follows BeginFrame(), and stands for a fill of
+   * without the words of parts. Read() waits for the device. It keeps the memory of `lists`, and there are no lists
+   * outside of the region. Load() follows BeginFrame(), and stands for a fill of
    * `region`; it returns an error message, empty on success.
    */
-  PixelLists Read(vtkOpenGLState* state);
+  void Read(vtkOpenGLState* state, PixelLists& lists);
   std::string Load(vtkOpenGLState* state, const PixelRegion& region, const PixelLists& lists);
   ///@}
 

@@ -48,11 +48,12 @@ struct vtkDistributedTransparencyPass::Shared
   vitrine::OpaquePixels Picture;
   std::optional<vitrine::TileOwners> Owners; // of the frame's region
   vitrine::PixelLists Own;                   // The lists that this rank drew last.
-  bool IsTooLarge = false;                   // This rank's lists are not all in its store.
-  vitrine::FragmentStatistics Owned;         // The numbers of the lists that were composited here.
-  bool HasJoined = false;                    // The ranks have agreed whether to draw the frame.
-  bool HasAgreed = false;                    // The ranks have agreed whether there are lists.
-  std::string Problem;                       // Why no rank draws the frame.
+  vitrine::PixelLists Joined;        // The lists of all ranks of the pixels that this rank owns.
+  bool IsTooLarge = false;           // This rank's lists are not all in its store.
+  vitrine::FragmentStatistics Owned; // The numbers of the lists that were composited here.
+  bool HasJoined = false;            // The ranks have agreed whether to draw the frame.
+  bool HasAgreed = false;            // The ranks have agreed whether there are lists.
+  std::string Problem;               // Why no rank draws the frame.
 };
 
 //------------------------------------------------------------------------------
@@ -328,7 +329,7 @@ std::string vtkDistributedTransparencyPass::RenderLists(
   }
   if (problem.empty())
   {
-    r.Own = static_cast<vitrine::PackedListStore&>(this->GetStore()).Read(state);
+    static_cast<vitrine::PackedListStore&>(this->GetStore()).Read(state, r.Own);
   }
   problem = this->AgreeOnLists(problem);
   if (!problem.empty())
@@ -431,8 +432,8 @@ std::string vtkDistributedTransparencyPass::RenderBands(
     {
       return r.Problem;
     }
-    r.Own =
-      static_cast<vitrine::PackedListStore&>(this->GetStore()).Read(this->GetWindow()->GetState());
+    static_cast<vitrine::PackedListStore&>(this->GetStore())
+      .Read(this->GetWindow()->GetState(), r.Own);
     problem = this->JoinLists(target, band);
     r.Problem = r.Exchange.Agree(problem);
     if (!r.Problem.empty())
@@ -474,10 +475,10 @@ std::string vtkDistributedTransparencyPass::JoinLists(
   }
   vitrine::PixelLists joined;
   std::string problem =
-    vitrine::JoinLists(r.Own, owners.TilesOf(own), messages, VITRINE_LARGEST_COUNT, joined);
+    vitrine::JoinLists(r.Own, owners.TilesOf(own), messages, VITRINE_LARGEST_COUNT, r.Joined);
   if (problem.empty())
   {
-    problem = r.Received->Load(this->GetWindow()->GetState(), region, joined);
+    problem = r.Received->Load(this->GetWindow()->GetState(), region, r.Joined);
   }
   vitrine::FragmentStatistics part;
   if (problem.empty())

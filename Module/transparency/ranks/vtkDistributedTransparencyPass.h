@@ -32,11 +32,12 @@
  * @endcode
  *
  * Ghost cells, those that vtkDataSetAttributes::DUPLICATECELL marks, are left out. They are copies of cells that
- * another rank draws. In composite data they are an error of the frame: call vtkPolyData::RemoveGhostCells() of the blocks.
+ * another rank draws. In composite data they are an error of the frame: call vtkPolyData::RemoveGhostCells() of the
+ * blocks.
  *
- * VTK moves the coordinates of a mapper before they become floats, by bounds that pieces of one mesh do not share. Where
- * single meshes are divided, switch that off by SetVBOShiftScaleMethod() of their mappers, or fragments differ in their
- * last bits.
+ * VTK moves the coordinates of a mapper before they become floats, by bounds that pieces of one mesh do not share.
+ * Where single meshes are divided, switch that off by SetVBOShiftScaleMethod() of their mappers, or fragments differ in
+ * their last bits.
  *
  * Limits: no multisampled windows. Volumes and what is drawn after the translucent geometry are those of the rank
  * itself. PartNumbers tell the parts of the rank itself.
