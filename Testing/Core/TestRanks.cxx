@@ -23,13 +23,18 @@ constexpr int PictureWidth = 150;
 constexpr int PictureHeight = 70;
 const PixelRegion WholePicture{ 0, 0, PictureWidth, PictureHeight };
 
+const vitrine::OwnedPixels& AllPixels()
+{
+  static const TileOwners all(WholePicture, PictureWidth, 1);
+  return all.PixelsOf(0);
+}
+
 // The nodes of a pixel. Their order does not matter.
 using NodeSet = std::multiset<std::vector<std::uint32_t>>;
 
 PixelLists MakeLists(std::mt19937& random, int texelWords, bool hasThirdWords)
 {
   PixelLists lists;
-  lists.Width = PictureWidth;
   lists.Nodes.TexelWords = texelWords;
   lists.Nodes.HasThirdWords = hasThirdWords;
   std::uint32_t next = 3; // Nodes before belong to nobody.
@@ -70,7 +75,7 @@ std::vector<Message> SendTo(int to, const std::vector<PixelLists>& ranks, const 
     messages.emplace_back();
     if (static_cast<int>(rank) != to)
     {
-      vitrine::PackLists(ranks[rank], owners.TilesOf(to), messages.back());
+      vitrine::PackLists(ranks[rank], owners.PixelsOf(to), messages.back());
     }
   }
   return messages;
@@ -83,21 +88,22 @@ TEST(TileOwners, GiveEachPixelToOneRank)
   for (int ranks = 1; ranks <= 17; ++ranks)
   {
     const PixelRegion region{ 5, 40, 140, 90 };
-    const TileOwners owners(region, ranks);
-    std::map<std::pair<int, int>, int> owner;
+    const TileOwners owners(region, PictureWidth, ranks);
+    std::map<std::uint32_t, int> owner;
     for (int rank = 0; rank < ranks; ++rank)
     {
-      int pixels = 0;
-      vitrine::ForEachPixel(owners.TilesOf(rank),
-        [&](int x, int y)
-        {
-          EXPECT_TRUE(owner.emplace(std::make_pair(x, y), rank).second);
-          EXPECT_EQ(owners.OwnerOf(x / TileOwners::TileSize, y / TileOwners::TileSize), rank);
-          ++pixels;
-        });
-      EXPECT_EQ(owners.PixelsOf(rank), pixels);
+      for (const std::uint32_t pixel : owners.PixelsOf(rank))
+      {
+        EXPECT_TRUE(owner.emplace(pixel, rank).second);
+        const int x = pixel % PictureWidth;
+        const int y = pixel / PictureWidth;
+        EXPECT_TRUE(x >= 5 && x < 145 && y >= 40 && y < 130);
+        EXPECT_EQ(owners.OwnerOf(x / TileOwners::TileSize, y / TileOwners::TileSize), rank);
+      }
     }
     EXPECT_EQ(owner.size(), std::size_t(region.Width) * region.Height);
+    EXPECT_TRUE(owners.Divide(region, PictureWidth, ranks));
+    EXPECT_FALSE(owners.Divide(WholePicture, PictureWidth, ranks));
   }
 }
 
@@ -105,10 +111,10 @@ TEST(TileOwners, ShareWindowsFairly)
 {
   for (const int ranks : { 2, 3, 4, 8, 16 })
   {
-    const TileOwners owners({ 0, 0, 1280, 720 }, ranks);
+    const TileOwners owners({ 0, 0, 1280, 720 }, 1280, ranks);
     for (int rank = 0; rank < ranks; ++rank)
     {
-      EXPECT_NEAR(owners.PixelsOf(rank) * ranks / (1280.0 * 720.0), 1.0, 0.06) << ranks;
+      EXPECT_NEAR(owners.PixelsOf(rank).size() * ranks / (1280.0 * 720.0), 1.0, 0.06) << ranks;
     }
   }
 }
@@ -125,12 +131,12 @@ TEST(SentLists, HaveTheNodesOfAllRanks)
       {
         ranks.push_back(MakeLists(random, texelWords, hasThirdWords));
       }
-      const TileOwners owners(WholePicture, 3);
+      const TileOwners owners(WholePicture, PictureWidth, 3);
       for (int owner = 0; owner < 3; ++owner)
       {
         PixelLists joined;
-        ASSERT_EQ(vitrine::JoinLists(
-                    ranks[owner], owners.TilesOf(owner), SendTo(owner, ranks, owners), 100, joined),
+        ASSERT_EQ(vitrine::JoinLists(ranks[owner], owners.PixelsOf(owner),
+                    SendTo(owner, ranks, owners), 100, joined),
           "");
         for (int pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
         {
@@ -156,7 +162,6 @@ TEST(SentLists, HaveTheNodesOfAllRanks)
 TEST(SentLists, TakeLittleMoreThanTheirNodes)
 {
   PixelLists lists;
-  lists.Width = PictureWidth;
   lists.Nodes.HasThirdWords = true;
   for (std::uint32_t pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
   {
@@ -165,11 +170,11 @@ TEST(SentLists, TakeLittleMoreThanTheirNodes)
   }
   lists.Nodes.Resize(2 * lists.Counts.size());
   Message message;
-  vitrine::PackLists(lists, { WholePicture }, message);
+  vitrine::PackLists(lists, AllPixels(), message);
   EXPECT_EQ(message.size(), 12 * 2 * lists.Counts.size() + 3); // one run
   message.clear();
   std::fill(lists.Counts.begin(), lists.Counts.end(), 0u);
-  vitrine::PackLists(lists, { WholePicture }, message);
+  vitrine::PackLists(lists, AllPixels(), message);
   EXPECT_TRUE(message.empty());
 }
 
@@ -178,10 +183,10 @@ TEST(SentLists, AreRefusedIfTheyDoNotFit)
   std::mt19937 random(54);
   const PixelLists lists = MakeLists(random, 2, true);
   Message good;
-  vitrine::PackLists(lists, { WholePicture }, good);
+  vitrine::PackLists(lists, AllPixels(), good);
   PixelLists joined;
   const auto join = [&](const Message& message, std::uint64_t most)
-  { return vitrine::JoinLists(lists, { WholePicture }, { message }, most, joined); };
+  { return vitrine::JoinLists(lists, AllPixels(), { message }, most, joined); };
   EXPECT_EQ(join(good, 100), "");
   EXPECT_NE(join(good, 6).find("6 fragments of all ranks"), std::string::npos);
   for (std::size_t size = 1; size < good.size(); size += 997)
@@ -205,7 +210,6 @@ namespace
 OpaquePixels MakeOpaque(std::mt19937& random, int colorWords)
 {
   OpaquePixels picture;
-  picture.Width = PictureWidth;
   picture.ColorWords = colorWords;
   for (int pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
   {
@@ -216,6 +220,17 @@ OpaquePixels MakeOpaque(std::mt19937& random, int colorWords)
     }
   }
   return picture;
+}
+
+// Words of pixels in the order of messages.
+std::vector<std::uint32_t> InOrder(const std::vector<std::uint32_t>& words)
+{
+  std::vector<std::uint32_t> ordered;
+  for (const std::uint32_t pixel : AllPixels())
+  {
+    ordered.push_back(words[pixel]);
+  }
+  return ordered;
 }
 
 }
@@ -230,7 +245,7 @@ TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
     for (int rank = 0; rank < 4; ++rank)
     {
       ranks.push_back(MakeOpaque(random, colorWords));
-      vitrine::PackOpaque(ranks.back(), { WholePicture }, messages[rank]);
+      vitrine::PackOpaque(ranks.back(), AllPixels(), messages[rank]);
     }
     std::vector<OpaquePixels> combined;
     for (const std::vector<int>& order : { std::vector<int>{ 1, 2, 3 }, { 3, 2, 1 } })
@@ -239,8 +254,8 @@ TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
       for (const int rank : order)
       {
         std::vector<std::uint32_t> depths;
-        ASSERT_TRUE(vitrine::TakeNearer(messages[rank], { WholePicture }, combined.back(), depths));
-        EXPECT_EQ(depths, ranks[rank].Depths);
+        ASSERT_TRUE(vitrine::TakeNearer(messages[rank], AllPixels(), combined.back(), depths));
+        EXPECT_EQ(depths, InOrder(ranks[rank].Depths));
       }
     }
     EXPECT_EQ(combined[0].Depths, combined[1].Depths);
@@ -259,12 +274,12 @@ TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
       }
     }
     Message told; // Rank 3 learns where others are nearer.
-    vitrine::PackDepths(combined[0], { WholePicture }, ranks[3].Depths, told);
-    ASSERT_TRUE(vitrine::TakeDepths(told, { WholePicture }, ranks[3]));
+    vitrine::PackDepths(combined[0], AllPixels(), InOrder(ranks[3].Depths), told);
+    ASSERT_TRUE(vitrine::TakeDepths(told, AllPixels(), ranks[3]));
     EXPECT_EQ(ranks[3].Depths, combined[0].Depths);
     Message colors;
-    vitrine::PackColors(combined[0], { WholePicture }, colors);
-    ASSERT_TRUE(vitrine::TakeColors(colors, { WholePicture }, ranks[2]));
+    vitrine::PackColors(combined[0], AllPixels(), colors);
+    ASSERT_TRUE(vitrine::TakeColors(colors, AllPixels(), ranks[2]));
     EXPECT_EQ(ranks[2].Colors, combined[0].Colors);
   }
 }
@@ -275,15 +290,15 @@ TEST(OpaquePixels, AreRefusedIfTheyDoNotFit)
   OpaquePixels picture = MakeOpaque(random, 1);
   const OpaquePixels before = picture;
   Message good;
-  vitrine::PackOpaque(picture, { WholePicture }, good);
+  vitrine::PackOpaque(picture, AllPixels(), good);
   std::vector<std::uint32_t> depths;
-  EXPECT_TRUE(vitrine::TakeNearer({}, { WholePicture }, picture, depths));
+  EXPECT_TRUE(vitrine::TakeNearer({}, AllPixels(), picture, depths));
   EXPECT_EQ(picture.Depths, before.Depths);
   for (std::size_t size = 1; size < good.size(); size += 97)
   {
     const Message cut(good.begin(), good.begin() + size);
-    EXPECT_FALSE(vitrine::TakeNearer(cut, { WholePicture }, picture, depths)) << size;
-    EXPECT_FALSE(vitrine::TakeDepths(cut, { WholePicture }, picture)) << size;
+    EXPECT_FALSE(vitrine::TakeNearer(cut, AllPixels(), picture, depths)) << size;
+    EXPECT_FALSE(vitrine::TakeDepths(cut, AllPixels(), picture)) << size;
   }
-  EXPECT_FALSE(vitrine::TakeColors({}, { WholePicture }, picture));
+  EXPECT_FALSE(vitrine::TakeColors({}, AllPixels(), picture));
 }

@@ -34,6 +34,8 @@ RUN_ELSEWHERE = {
     "cmake --build build/paraview": "scripts/test-paraview does so",
     "cmake --preset release && cmake --build --preset release": "it makes the tree of this test",
     "cmake --install build/release --prefix ~/vitrine": "Build.InstalledPackage does so",
+    "apt-get install openmpi-bin python3-mpi4py": "scripts/install-dependencies --test does so",
+    "mpirun -np 4 python3 -m mpi4py script.py": "Testing/Ranks runs such scripts",
     "export PATH=~/vitrine/bin:$PATH": "the program of this tree is on PATH",
     "export CMAKE_PREFIX_PATH=~/vitrine": "Build.InstalledPackage does so",
     "export CMAKE_PREFIX_PATH=~/vitrine PYTHONPATH=~/vitrine/lib/python3/dist-packages": "see the line above",

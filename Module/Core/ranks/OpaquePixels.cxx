@@ -7,13 +7,6 @@ namespace vitrine
 namespace
 {
 
-std::vector<std::size_t> PixelsInOrder(const std::vector<PixelRegion>& tiles, int width)
-{
-  std::vector<std::size_t> pixels;
-  ForEachPixel(tiles, [&](int x, int y) { pixels.push_back(std::size_t(y) * width + x); });
-  return pixels;
-}
-
 // Appends runs of places: how many are left out and how many are taken, in turn, up to the last that is taken. Returns
 // the taken ones. Without any nothing is appended.
 template <class IsTaken>
@@ -90,10 +83,8 @@ bool IsEnded(const MessageReader& reader)
 
 }
 
-void PackOpaque(
-  const OpaquePixels& picture, const std::vector<PixelRegion>& tiles, Message& message)
+void PackOpaque(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message)
 {
-  const std::vector<std::size_t> pixels = PixelsInOrder(tiles, picture.Width);
   const std::vector<std::size_t> drawn = AppendRuns(
     pixels.size(),
     [&](std::size_t place) { return picture.Depths[pixels[place]] < picture.Farthest; }, message);
@@ -104,14 +95,14 @@ void PackOpaque(
   }
   for (const std::size_t place : drawn)
   {
-    writer.AddWords(&picture.Colors[pixels[place] * picture.ColorWords], picture.ColorWords);
+    writer.AddWords(
+      &picture.Colors[std::size_t(pixels[place]) * picture.ColorWords], picture.ColorWords);
   }
 }
 
-bool TakeNearer(const Message& message, const std::vector<PixelRegion>& tiles,
-  OpaquePixels& picture, std::vector<std::uint32_t>& depths)
+bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture,
+  std::vector<std::uint32_t>& depths)
 {
-  const std::vector<std::size_t> pixels = PixelsInOrder(tiles, picture.Width);
   depths.assign(pixels.size(), picture.Farthest);
   if (message.empty())
   {
@@ -148,10 +139,9 @@ bool TakeNearer(const Message& message, const std::vector<PixelRegion>& tiles,
   return true;
 }
 
-void PackDepths(const OpaquePixels& picture, const std::vector<PixelRegion>& tiles,
+void PackDepths(const OpaquePixels& picture, const OwnedPixels& pixels,
   const std::vector<std::uint32_t>& known, Message& message)
 {
-  const std::vector<std::size_t> pixels = PixelsInOrder(tiles, picture.Width);
   const std::vector<std::size_t> nearer = AppendRuns(
     pixels.size(), [&](std::size_t place) { return picture.Depths[pixels[place]] < known[place]; },
     message);
@@ -162,14 +152,12 @@ void PackDepths(const OpaquePixels& picture, const std::vector<PixelRegion>& til
   }
 }
 
-bool TakeDepths(
-  const Message& message, const std::vector<PixelRegion>& tiles, OpaquePixels& picture)
+bool TakeDepths(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture)
 {
   if (message.empty())
   {
     return true;
   }
-  const std::vector<std::size_t> pixels = PixelsInOrder(tiles, picture.Width);
   MessageReader reader(message);
   std::vector<std::size_t> nearer;
   if (!TakeRuns(reader, pixels.size(), nearer))
@@ -188,21 +176,19 @@ bool TakeDepths(
   return true;
 }
 
-void PackColors(
-  const OpaquePixels& picture, const std::vector<PixelRegion>& tiles, Message& message)
+void PackColors(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message)
 {
   MessageWriter writer(message);
-  for (const std::size_t pixel : PixelsInOrder(tiles, picture.Width))
+  for (const std::size_t pixel : pixels)
   {
     writer.AddWords(&picture.Colors[pixel * picture.ColorWords], picture.ColorWords);
   }
 }
 
-bool TakeColors(
-  const Message& message, const std::vector<PixelRegion>& tiles, OpaquePixels& picture)
+bool TakeColors(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture)
 {
   MessageReader reader(message);
-  for (const std::size_t pixel : PixelsInOrder(tiles, picture.Width))
+  for (const std::size_t pixel : pixels)
   {
     reader.TakeWords(&picture.Colors[pixel * picture.ColorWords], picture.ColorWords);
   }

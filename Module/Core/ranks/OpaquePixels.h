@@ -17,7 +17,6 @@ namespace vitrine
  */
 struct OpaquePixels
 {
-  int Width = 0;
   int ColorWords = 1;                   ///< 1 for 8 bits a channel, 4 for floats
   std::uint32_t Farthest = 0xffffffffu; ///< the depth at which nothing was drawn
   std::vector<std::uint32_t> Depths;
@@ -25,35 +24,31 @@ struct OpaquePixels
 };
 
 /**
- * Appends the pixels of `tiles` in which something was drawn: runs of pixels to leave out and to take, and depths and
+ * Appends the `pixels` in which something was drawn: runs of pixels to leave out and to take, and depths and
  * colours. Appends nothing if nothing was drawn.
  */
-void PackOpaque(
-  const OpaquePixels& picture, const std::vector<PixelRegion>& tiles, Message& message);
+void PackOpaque(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message);
 
 /**
  * Takes the pixels of another rank that are nearer than those of `picture`. Of equal depths the colour with the larger
- * words is taken, so that the order of ranks does not matter. Appends to `depths` the other rank's depth of each pixel
- * of `tiles`. Returns false if the message does not fit.
+ * words is taken, so that the order of ranks does not matter. Appends to `depths` the other rank's depth of each
+ * of the `pixels`. Returns false if the message does not fit.
  */
-bool TakeNearer(const Message& message, const std::vector<PixelRegion>& tiles,
-  OpaquePixels& picture, std::vector<std::uint32_t>& depths);
+bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture,
+  std::vector<std::uint32_t>& depths);
 
-/** Appends the depths of the pixels of `tiles` in which `picture` is nearer than `known`, in runs as PackOpaque(). */
-void PackDepths(const OpaquePixels& picture, const std::vector<PixelRegion>& tiles,
+/** Appends the depths of the `pixels` in which `picture` is nearer than `known`, in runs as PackOpaque(). */
+void PackDepths(const OpaquePixels& picture, const OwnedPixels& pixels,
   const std::vector<std::uint32_t>& known, Message& message);
 
 /** Takes the depths of a message of PackDepths(). Returns false if it does not fit. */
-bool TakeDepths(
-  const Message& message, const std::vector<PixelRegion>& tiles, OpaquePixels& picture);
+bool TakeDepths(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture);
 
-/** Appends the colours of the pixels of `tiles`. */
-void PackColors(
-  const OpaquePixels& picture, const std::vector<PixelRegion>& tiles, Message& message);
+/** Appends the colours of the `pixels`. */
+void PackColors(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message);
 
 /** Takes the colours of a message of PackColors(). Returns false if it does not fit. */
-bool TakeColors(
-  const Message& message, const std::vector<PixelRegion>& tiles, OpaquePixels& picture);
+bool TakeColors(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture);
 
 }
 

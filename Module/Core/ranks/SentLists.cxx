@@ -129,37 +129,42 @@ void ListNodes::Resize(std::size_t nodes)
   this->ThirdWords.resize(this->HasThirdWords ? nodes : 0);
 }
 
-std::uint64_t CountNodes(const PixelLists& lists, const std::vector<PixelRegion>& tiles)
+std::uint64_t CountNodes(const PixelLists& lists, const OwnedPixels& pixels)
 {
   std::uint64_t nodes = 0;
-  ForEachPixel(
-    tiles, [&](int x, int y) { nodes += lists.Counts[std::size_t(y) * lists.Width + x]; });
+  for (const std::uint32_t pixel : pixels)
+  {
+    nodes += lists.Counts[pixel];
+  }
   return nodes;
 }
 
-void PackLists(const PixelLists& lists, const std::vector<PixelRegion>& tiles, Message& message)
+void PackLists(const PixelLists& lists, const OwnedPixels& pixels, Message& message)
 {
-  const std::uint64_t nodes = CountNodes(lists, tiles);
+  const std::uint64_t nodes = CountNodes(lists, pixels);
   if (nodes == 0)
   {
     return;
   }
   RunWriter runs(message);
-  ForEachPixel(
-    tiles, [&](int x, int y) { runs.Add(lists.Counts[std::size_t(y) * lists.Width + x]); });
+  for (const std::uint32_t pixel : pixels)
+  {
+    runs.Add(lists.Counts[pixel]);
+  }
   runs.End();
   std::size_t at = message.size();
   message.resize(at + nodes * lists.Nodes.Words() * WordBytes);
   const auto copy = [&](const std::vector<std::uint32_t>& words, std::size_t wordsOfNode)
   {
-    ForEachPixel(tiles,
-      [&](int x, int y)
+    for (const std::uint32_t pixel : pixels)
+    {
+      if (lists.Counts[pixel] > 0)
       {
-        const std::size_t pixel = std::size_t(y) * lists.Width + x;
         const std::size_t size = lists.Counts[pixel] * wordsOfNode * WordBytes;
-        std::memcpy(message.data() + at, words.data() + lists.Starts[pixel] * wordsOfNode, size);
+        std::memcpy(message.data() + at, &words[lists.Starts[pixel] * wordsOfNode], size);
         at += size;
-      });
+      }
+    }
   };
   copy(lists.Nodes.Texels, lists.Nodes.TexelWords);
   if (lists.Nodes.HasThirdWords)
@@ -168,20 +173,15 @@ void PackLists(const PixelLists& lists, const std::vector<PixelRegion>& tiles, M
   }
 }
 
-std::string JoinLists(const PixelLists& own, const std::vector<PixelRegion>& tiles,
+std::string JoinLists(const PixelLists& own, const OwnedPixels& pixels,
   const std::vector<Message>& received, std::uint64_t most, PixelLists& joined)
 {
-  std::size_t pixels = 0;
-  for (const PixelRegion& tile : tiles)
-  {
-    pixels += std::size_t(tile.Width) * tile.Height;
-  }
   std::vector<Sender> senders(received.size());
-  std::uint64_t nodes = CountNodes(own, tiles);
+  std::uint64_t nodes = CountNodes(own, pixels);
   for (std::size_t i = 0; i < received.size(); ++i)
   {
     std::uint64_t sent = 0;
-    if (!Open(received[i], pixels, own.Nodes, senders[i], sent))
+    if (!Open(received[i], pixels.size(), own.Nodes, senders[i], sent))
     {
       return "the fragments that another rank sent do not fit the picture";
     }
@@ -190,41 +190,35 @@ std::string JoinLists(const PixelLists& own, const std::vector<PixelRegion>& til
   Sender ownNodes;
   ownNodes.Texels = reinterpret_cast<const unsigned char*>(own.Nodes.Texels.data());
   ownNodes.ThirdWords = reinterpret_cast<const unsigned char*>(own.Nodes.ThirdWords.data());
-  joined.Width = own.Width;
   joined.Starts.assign(own.Starts.size(), 0u);
   joined.Counts.assign(own.Counts.size(), 0u);
   joined.Nodes.TexelWords = own.Nodes.TexelWords;
   joined.Nodes.HasThirdWords = own.Nodes.HasThirdWords;
   joined.Nodes.Resize(nodes);
   std::size_t at = 0;
-  std::size_t place = 0; // of the pixel in the order of messages
   std::uint64_t longest = 0;
-  ForEachPixel(tiles,
-    [&](int x, int y)
+  for (std::size_t place = 0; place < pixels.size(); ++place)
+  {
+    const std::uint32_t pixel = pixels[place];
+    const std::size_t start = at;
+    const auto take = [&](const Sender& sender, std::size_t first, std::uint32_t count)
     {
-      const std::size_t pixel = std::size_t(y) * own.Width + x;
-      const std::size_t start = at;
-      const std::uint32_t ownCount = own.Counts[pixel];
-      if (ownCount > 0)
+      if (count > 0)
       {
-        CopyNodes(ownNodes, own.Starts[pixel], ownCount, joined.Nodes, at);
-        at += ownCount;
+        CopyNodes(sender, first, count, joined.Nodes, at);
+        at += count;
       }
-      for (Sender& sender : senders)
-      {
-        const std::uint32_t count = sender.Counts[place];
-        if (count > 0)
-        {
-          CopyNodes(sender, sender.Next, count, joined.Nodes, at);
-          sender.Next += count;
-          at += count;
-        }
-      }
-      joined.Starts[pixel] = static_cast<std::uint32_t>(start);
-      joined.Counts[pixel] = static_cast<std::uint32_t>(at - start);
-      longest = std::max<std::uint64_t>(longest, at - start);
-      ++place;
-    });
+    };
+    take(ownNodes, own.Starts[pixel], own.Counts[pixel]);
+    for (Sender& sender : senders)
+    {
+      take(sender, sender.Next, sender.Counts[place]);
+      sender.Next += sender.Counts[place];
+    }
+    joined.Starts[pixel] = static_cast<std::uint32_t>(start);
+    joined.Counts[pixel] = static_cast<std::uint32_t>(at - start);
+    longest = std::max<std::uint64_t>(longest, at - start);
+  }
   return longest >= most ? "a pixel has " + std::to_string(longest) +
       " fragments of all ranks, and lists have fewer than " + std::to_string(most)
                          : std::string();

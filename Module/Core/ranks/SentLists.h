@@ -32,27 +32,26 @@ struct ListNodes
 /** The lists of a picture's pixels. Pixels are counted by rows from the bottom. */
 struct PixelLists
 {
-  int Width = 0;
   std::vector<std::uint32_t> Starts; ///< The first node of each pixel.
   std::vector<std::uint32_t> Counts; ///< The number of nodes of each pixel.
   ListNodes Nodes;
 };
 
-/** Adds up the nodes of the pixels of `tiles`. */
-std::uint64_t CountNodes(const PixelLists& lists, const std::vector<PixelRegion>& tiles);
+/** Adds up the nodes of pixels. */
+std::uint64_t CountNodes(const PixelLists& lists, const OwnedPixels& pixels);
 
 /**
- * Appends the lists of the pixels of `tiles` to a message: the numbers of nodes, as runs of equal ones, and the nodes
+ * Appends the lists of pixels to a message: the numbers of nodes, as runs of equal ones, and the nodes
  * without gaps. Appends nothing if there are no nodes.
  */
-void PackLists(const PixelLists& lists, const std::vector<PixelRegion>& tiles, Message& message);
+void PackLists(const PixelLists& lists, const OwnedPixels& pixels, Message& message);
 
 /**
- * Joins a rank's own lists of the pixels of its `tiles` and those that other ranks sent to it. Other pixels have no
+ * Joins a rank's own lists of the `pixels` that it owns and those that other ranks sent to it. Other pixels have no
  * nodes. The order within a list is that of the ranks, which no picture depends on.
  * Returns an error message, empty on success: a message that does not fit, or a pixel with `most` nodes or more.
  */
-std::string JoinLists(const PixelLists& own, const std::vector<PixelRegion>& tiles,
+std::string JoinLists(const PixelLists& own, const OwnedPixels& pixels,
   const std::vector<Message>& received, std::uint64_t most, PixelLists& joined);
 
 }

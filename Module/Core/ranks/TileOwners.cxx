@@ -1,7 +1,5 @@
 #include "Core/ranks/TileOwners.h"
 
-#include "Core/geometry/Rounding.h"
-
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -25,26 +23,35 @@ int StepOf(int ranks)
 
 }
 
-TileOwners::TileOwners(const PixelRegion& region, int ranks)
-  : Ranks(ranks)
+TileOwners::TileOwners(const PixelRegion& region, int width, int ranks)
+  : Region(region)
+  , Width(width)
+  , Ranks(ranks)
   , Step(StepOf(ranks))
-  , Tiles(ranks)
   , Pixels(ranks)
 {
-  assert(ranks > 0 && region.X >= 0 && region.Y >= 0);
-  const int columns = DividedUp(region.X + region.Width, TileSize);
-  const int rows = DividedUp(region.Y + region.Height, TileSize);
-  for (int row = region.Y / TileSize; row < rows; ++row)
+  assert(ranks > 0 && region.X >= 0 && region.Y >= 0 && region.X + region.Width <= width);
+  for (int row = region.Y / TileSize; row * TileSize < region.Y + region.Height; ++row)
   {
-    for (int column = region.X / TileSize; column < columns; ++column)
+    for (int column = region.X / TileSize; column * TileSize < region.X + region.Width; ++column)
     {
-      const int x = std::max(region.X, column * TileSize);
-      const int y = std::max(region.Y, row * TileSize);
-      const int endX = std::min(region.X + region.Width, (column + 1) * TileSize);
-      const int endY = std::min(region.Y + region.Height, (row + 1) * TileSize);
-      const int owner = this->OwnerOf(column, row);
-      this->Tiles[owner].push_back({ x, y, endX - x, endY - y });
-      this->Pixels[owner] += (endX - x) * (endY - y);
+      this->AddTile(column, row);
+    }
+  }
+}
+
+void TileOwners::AddTile(int column, int row)
+{
+  const PixelRegion& r = this->Region;
+  const int firstX = std::max(r.X, column * TileSize);
+  const int endX = std::min(r.X + r.Width, (column + 1) * TileSize);
+  const int endY = std::min(r.Y + r.Height, (row + 1) * TileSize);
+  OwnedPixels& pixels = this->Pixels[this->OwnerOf(column, row)];
+  for (int y = std::max(r.Y, row * TileSize); y < endY; ++y)
+  {
+    for (int x = firstX; x < endX; ++x)
+    {
+      pixels.push_back(static_cast<std::uint32_t>(y) * this->Width + x);
     }
   }
 }

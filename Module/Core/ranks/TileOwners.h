@@ -4,10 +4,14 @@
 
 #include "Core/geometry/PixelRegion.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace vitrine
 {
+
+/** Numbers of pixels in the order of messages. */
+using OwnedPixels = std::vector<std::uint32_t>;
 
 /**
  * Gives each tile of a picture to a rank. Neighbours in a row, and with more than one rank in a column too, have
@@ -18,45 +22,35 @@ class TileOwners
 public:
   static constexpr int TileSize = 32; ///< pixels a side
 
-  /** Divide the pixels of `region` among `ranks` ranks, of which there is at least one. */
-  TileOwners(const PixelRegion& region, int ranks);
+  TileOwners() = default;
+
+  /** Divide the pixels of `region` of a picture of `width` pixels a row among `ranks` ranks, of which there is one. */
+  TileOwners(const PixelRegion& region, int width, int ranks);
 
   /** Returns the rank that owns a tile, which is counted from that of pixel 0, 0. */
   int OwnerOf(int column, int row) const { return (column + row * this->Step) % this->Ranks; }
 
   /**
-   * Returns the parts of a rank's tiles that lie in the region, by rows from the bottom. Messages list pixels in this
-   * order, and in each part by rows from the bottom.
+   * Returns the pixels that a rank owns in the region: tile by tile, and in each by rows from the bottom. Messages list
+   * pixels in this order. Pixels of the picture are counted by rows from the bottom.
    */
-  const std::vector<PixelRegion>& TilesOf(int rank) const { return this->Tiles[rank]; }
+  const OwnedPixels& PixelsOf(int rank) const { return this->Pixels[rank]; }
 
-  /** Returns the number of pixels that a rank owns. */
-  int PixelsOf(int rank) const { return this->Pixels[rank]; }
-
-  int Count() const { return this->Ranks; }
+  /** Returns true if these are the owners of such a picture. */
+  bool Divide(const PixelRegion& region, int width, int ranks) const
+  {
+    return this->Region == region && this->Width == width && this->Ranks == ranks;
+  }
 
 private:
-  int Ranks;
-  int Step;
-  std::vector<std::vector<PixelRegion>> Tiles;
-  std::vector<int> Pixels;
-};
+  void AddTile(int column, int row);
 
-/** Calls `visit(x, y)` for the pixels of `tiles` in the order of messages. */
-template <class Visit>
-void ForEachPixel(const std::vector<PixelRegion>& tiles, const Visit& visit)
-{
-  for (const PixelRegion& tile : tiles)
-  {
-    for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
-    {
-      for (int x = tile.X; x < tile.X + tile.Width; ++x)
-      {
-        visit(x, y);
-      }
-    }
-  }
-}
+  PixelRegion Region;
+  int Width = 0;
+  int Ranks = 0;
+  int Step = 0;
+  std::vector<OwnedPixels> Pixels;
+};
 
 }
 

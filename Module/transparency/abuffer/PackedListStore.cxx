@@ -314,7 +314,6 @@ void PackedListStore::Read(vtkOpenGLState* state, PixelLists& lists)
   const std::vector<std::uint32_t> heads = this->ListsOfPixels.Read(state);
   const auto rowLength = static_cast<std::size_t>(this->ListsOfPixels.RowLength());
   const std::size_t pixels = std::size_t(this->TargetWidth) * this->TargetHeight;
-  lists.Width = this->TargetWidth;
   lists.Starts.assign(pixels, 0u);
   lists.Counts.assign(pixels, 0u);
   std::size_t end = 0;
@@ -355,7 +354,7 @@ std::string PackedListStore::Load(
   std::vector<std::uint32_t> heads(2 * rowLength * rows);
   for (std::size_t pixel = 0; pixel < lists.Counts.size(); ++pixel)
   {
-    const std::size_t at = pixel / lists.Width * rowLength + pixel % lists.Width;
+    const std::size_t at = pixel / this->TargetWidth * rowLength + pixel % this->TargetWidth;
     heads[2 * at] = lists.Starts[pixel];
     heads[2 * at + 1] = lists.Counts[pixel] << VITRINE_COUNT_SHIFT | lists.Counts[pixel];
   }

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 vtkStandardNewMacro(vtkDistributedTransparencyPass);
@@ -46,8 +45,8 @@ struct vtkDistributedTransparencyPass::Shared
     std::make_unique<vitrine::PackedListStore>();
   vitrine::TargetPixels Pixels;
   vitrine::OpaquePixels Picture;
-  std::optional<vitrine::TileOwners> Owners; // of the frame's region
-  vitrine::PixelLists Own;                   // The lists that this rank drew last.
+  vitrine::TileOwners Owners;        // of the frame's region
+  vitrine::PixelLists Own;           // The lists that this rank drew last.
   vitrine::PixelLists Joined;        // The lists of all ranks of the pixels that this rank owns.
   bool IsTooLarge = false;           // This rank's lists are not all in its store.
   vitrine::FragmentStatistics Owned; // The numbers of the lists that were composited here.
@@ -200,7 +199,10 @@ std::string vtkDistributedTransparencyPass::DrawTogether(
     return problem;
   }
   r.HasAgreed = false;
-  r.Owners.emplace(target.Region, r.Exchange.Count());
+  if (!r.Owners.Divide(target.Region, target.Width, r.Exchange.Count()))
+  {
+    r.Owners = vitrine::TileOwners(target.Region, target.Width, r.Exchange.Count());
+  }
   problem = this->CombineOpaque(target);
   if (problem.empty())
   {
@@ -264,7 +266,6 @@ std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderT
   vtkOpenGLState* const state = this->GetWindow()->GetState();
   const vitrine::StageTimer::Section section(this->GetStageTimer(), "opaque");
   vitrine::OpaquePixels& picture = r.Picture;
-  picture.Width = target.Width;
   picture.ColorWords = vitrine::TargetPixels::ColorWords(target);
   picture.Farthest = vitrine::TargetPixels::Farthest(target);
   picture.Depths = vitrine::TargetPixels::ReadDepths(state, target);
@@ -272,13 +273,13 @@ std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderT
 
   const int count = r.Exchange.Count();
   const int own = r.Exchange.Rank();
-  const std::vector<vitrine::PixelRegion>& tiles = r.Owners->TilesOf(own);
+  const vitrine::OwnedPixels& owned = r.Owners.PixelsOf(own);
   std::vector<vitrine::Message> messages(count);
   for (int rank = 0; rank < count; ++rank)
   {
     if (rank != own)
     {
-      vitrine::PackOpaque(picture, r.Owners->TilesOf(rank), messages[rank]);
+      vitrine::PackOpaque(picture, r.Owners.PixelsOf(rank), messages[rank]);
     }
   }
   bool isGood = true;
@@ -287,20 +288,20 @@ std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderT
   for (int rank = 0; rank < count; ++rank)
   {
     isGood =
-      (rank == own || vitrine::TakeNearer(pixels[rank], tiles, picture, known[rank])) && isGood;
+      (rank == own || vitrine::TakeNearer(pixels[rank], owned, picture, known[rank])) && isGood;
   }
   messages.assign(count, {});
   for (int rank = 0; rank < count; ++rank)
   {
     if (rank != own && isGood)
     {
-      vitrine::PackDepths(picture, tiles, known[rank], messages[rank]);
+      vitrine::PackDepths(picture, owned, known[rank], messages[rank]);
     }
   }
   const std::vector<vitrine::Message> depths = r.Exchange.Exchange(std::move(messages));
   for (int rank = 0; rank < count; ++rank)
   {
-    isGood = (rank == own || vitrine::TakeDepths(depths[rank], r.Owners->TilesOf(rank), picture)) &&
+    isGood = (rank == own || vitrine::TakeDepths(depths[rank], r.Owners.PixelsOf(rank), picture)) &&
       isGood;
   }
   if (!isGood)
@@ -370,7 +371,7 @@ bool vtkDistributedTransparencyPass::FitsInOnePiece()
   std::vector<std::uint64_t> numbers;
   for (int owner = 0; owner < count; ++owner)
   {
-    numbers.push_back(vitrine::CountNodes(r.Own, r.Owners->TilesOf(owner)));
+    numbers.push_back(vitrine::CountNodes(r.Own, r.Owners.PixelsOf(owner)));
   }
   numbers.push_back(static_cast<std::uint64_t>(r.Received->CapacityUnits()));
   numbers.push_back(r.IsTooLarge ? 1u : 0u);
@@ -452,7 +453,9 @@ std::string vtkDistributedTransparencyPass::JoinLists(
 {
   Shared& r = *this->Ranks;
   const int own = r.Exchange.Rank();
-  const vitrine::TileOwners owners(region, r.Exchange.Count());
+  const vitrine::TileOwners owners = region == target.Region
+    ? r.Owners
+    : vitrine::TileOwners(region, target.Width, r.Exchange.Count());
   std::vector<vitrine::Message> messages(r.Exchange.Count());
   {
     const vitrine::StageTimer::Section section(this->GetStageTimer(), "send");
@@ -460,9 +463,9 @@ std::string vtkDistributedTransparencyPass::JoinLists(
     {
       if (rank != own)
       {
-        vitrine::PackLists(r.Own, owners.TilesOf(rank), messages[rank]);
+        vitrine::PackLists(r.Own, owners.PixelsOf(rank), messages[rank]);
         this->SentFragments +=
-          static_cast<vtkTypeInt64>(vitrine::CountNodes(r.Own, owners.TilesOf(rank)));
+          static_cast<vtkTypeInt64>(vitrine::CountNodes(r.Own, owners.PixelsOf(rank)));
       }
     }
     const std::int64_t before = r.Exchange.BytesSent();
@@ -475,7 +478,7 @@ std::string vtkDistributedTransparencyPass::JoinLists(
   }
   vitrine::PixelLists joined;
   std::string problem =
-    vitrine::JoinLists(r.Own, owners.TilesOf(own), messages, VITRINE_LARGEST_COUNT, r.Joined);
+    vitrine::JoinLists(r.Own, owners.PixelsOf(own), messages, VITRINE_LARGEST_COUNT, r.Joined);
   if (problem.empty())
   {
     problem = r.Received->Load(this->GetWindow()->GetState(), region, r.Joined);
@@ -510,7 +513,7 @@ std::string vtkDistributedTransparencyPass::SendPicture(
   {
     if (rank != own && (this->PictureRank < 0 || this->PictureRank == rank))
     {
-      vitrine::PackColors(r.Picture, r.Owners->TilesOf(own), messages[rank]);
+      vitrine::PackColors(r.Picture, r.Owners.PixelsOf(own), messages[rank]);
     }
   }
   messages = r.Exchange.Exchange(std::move(messages));
@@ -518,7 +521,7 @@ std::string vtkDistributedTransparencyPass::SendPicture(
   for (int rank = 0; rank < r.Exchange.Count() && wantsPicture; ++rank)
   {
     isGood =
-      (rank == own || vitrine::TakeColors(messages[rank], r.Owners->TilesOf(rank), r.Picture)) &&
+      (rank == own || vitrine::TakeColors(messages[rank], r.Owners.PixelsOf(rank), r.Picture)) &&
       isGood;
   }
   this->TakeTotals();
