@@ -34,6 +34,7 @@ def run(ranks, *words, script="rank_cases.py", timeout=120):
         "OMPI_ALLOW_RUN_AS_ROOT": "1",
         "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
         "OMPI_MCA_btl_vader_single_copy_mechanism": "none",  # which containers may forbid
+        "OMPI_MCA_mpi_yield_when_idle": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
     }
     command = [sys.executable, "-m", "mpi4py", str(HERE / script), *words]
