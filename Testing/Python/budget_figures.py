@@ -8,7 +8,8 @@ first one does, and the camera turns on from there. Truth is the float picture o
 that of --frames frames of a turn that ends at the view. With jumps the first of them is a jump of the camera.
 Statistics and wrong guesses count. Times are CPU times of all threads, the least of the rounds, in which all
 contestants take turns. The best one is the fastest of --methods whose error in the view is within the budget. Parts of
-files get the opacity; demo scenes keep their own. The result is a table in Markdown.
+files get the opacity; demo scenes keep their own. The result is a table in Markdown. A scene that cannot be loaded has
+a row that says why.
 """
 
 import argparse
@@ -97,12 +98,19 @@ class Stage:
         return time.process_time() - begin
 
     def arrive(self, contestant, frames):
-        """Turn to the view, and tell the CPU time of all frames."""
+        """Turn to the view, and tell the CPU time of all frames.
+
+        The last frame has the very camera that truth has. To turn there and back would round its position, and where
+        coordinates are large, that moves edges to other pixels.
+        """
         camera = self.renderer.GetActiveCamera()
-        camera.Azimuth(-TURN * (frames - 1))
-        seconds = self.draw(contestant)
-        for _ in range(frames - 1):
-            camera.Azimuth(TURN)
+        view = vtkCamera()
+        view.DeepCopy(camera)
+        seconds = 0.0
+        for left in reversed(range(frames)):
+            camera.DeepCopy(view)
+            if left:
+                camera.Azimuth(-TURN * left)
             seconds += self.draw(contestant)
         return seconds
 
@@ -113,8 +121,11 @@ class Stage:
         return vtk_to_numpy(data).reshape(height, width, 4)[..., :3] / 255.0
 
     def exact(self):
+        """Truth of the view. Where nothing translucent is in view, that is the opaque picture as it is."""
         self.draw(self.truth)
         image = self.truth.method.GetResult()
+        if image is None:
+            return self.picture()
         width, height, _ = image.GetDimensions()
         pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
         return np.clip(pixels[..., :3].astype(float), 0.0, 1.0)
@@ -135,7 +146,7 @@ class Row:
         self.pixels += errors.size
         wrong = errors > 0.25 / 255
         self.tightness += list(bounds[wrong] / errors[wrong])
-        self.chosen[contestant.chosen] += 1
+        self.chosen[contestant.chosen or "with nothing translucent"] += 1
         best = min((rival.seconds for rival in rivals.values() if rival.error <= contestant.budget), default=math.nan)
         self.over_best.append(contestant.seconds / best)
         self.over_reference.append(contestant.seconds / rivals[REFERENCE].seconds)
@@ -168,14 +179,13 @@ def judge_view(stage, rivals, automatic, rows, asked, random):
         contestant.method.KeepErrorBoundsOn()
         stage.draw(contestant)
         errors = abs(stage.picture() - exact).max(axis=-1)
-        bounds = vitrine.error_bound(stage.renderer)[::-1] if contestant.method.GetNumberOfFragments() else 0 * errors
+        bounds = vitrine.error_bound(stage.renderer)[::-1]
         contestant.method.KeepErrorBoundsOff()
         row.add(contestant, rivals, errors, bounds)
 
 
-def judge_scene(source, asked):
+def judge_scene(stage, source, asked):
     random = np.random.default_rng(asked.seed)
-    stage = Stage(source, asked.size, asked.opacity)
     rivals = {name: Contestant(name) for name in asked.methods}
     automatic = [Contestant("automatic", budget) for budget in asked.budgets]
     for contestant in [*rivals.values(), *automatic]:
@@ -211,7 +221,12 @@ def main():
     asked.methods = asked.methods.split(",")
     print(HEAD + "\n" + "| --- " * HEAD.count(" | ") + "| --- |")
     for source in asked.sources:
-        judge_scene(source, asked)
+        try:
+            stage = Stage(source, asked.size, asked.opacity)
+        except ValueError as problem:
+            print(f"| {source} | not loaded: {problem} |", flush=True)
+            continue
+        judge_scene(stage, source, asked)
 
 
 if __name__ == "__main__":

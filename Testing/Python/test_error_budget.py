@@ -1,10 +1,12 @@
 """The error of see_through(): what it chooses, the bounds that it keeps, and what it refuses."""
 
+import argparse
 import doctest
 import fractions
 import math
 import unittest
 
+import budget_figures
 import numpy
 from scenes import Plotter, add_lights, drawn, pixels, plate, plates, plates_renderer, window_with
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -127,6 +129,34 @@ class Budgets(unittest.TestCase):
         self.assertLess(abs(vitrine.error_bound(window) - bounds[0] - bounds[1]).max(), 1e-8)
         guaranteed = [vitrine.stats(each).guaranteed_error for each in (behind, front)]
         self.assertEqual(vitrine.stats(window).guaranteed_error, sum(guaranteed))
+
+
+class Figures(unittest.TestCase):
+    """budget_figures.py compares with truth of the very same view."""
+
+    def test_turns_at_large_coordinates_end_where_they_began(self):
+        """To turn by 2 degrees there and back moves the camera by 2e-9, and so edges to other pixels."""
+        budget, random = 0.6 / 255, numpy.random.default_rng(53)
+        stage = budget_figures.Stage("demo:large-coordinates", (256, 256), 0.3)
+        contestant = budget_figures.Contestant("automatic", budget)
+        for view in range(2):
+            stage.look(random)
+            place = stage.renderer.GetActiveCamera().GetPosition()
+            exact = stage.exact()
+            stage.arrive(contestant, 2)
+            self.assertEqual(stage.renderer.GetActiveCamera().GetPosition(), place)
+            self.assertLessEqual(abs(stage.picture() - exact).max(), budget)
+
+    def test_views_of_nothing_are_judged(self):
+        stage = budget_figures.Stage("demo:coincident", (16, 16), 0.3)
+        contestant, row = budget_figures.Contestant("automatic", STEP), budget_figures.Row()
+        stage.draw(contestant)
+        stage.renderer.GetActiveCamera().Yaw(180)
+        rivals = {"linked-list": budget_figures.Contestant("linked-list")}
+        asked = argparse.Namespace(rounds=1, frames=1)
+        budget_figures.judge_view(stage, rivals, [contestant], [row], asked, numpy.random.default_rng(1))
+        self.assertEqual((row.views, row.exceeded, row.beyond), (1, 0, 0))
+        self.assertEqual(row.chosen, {"with nothing translucent": 1})
 
 
 class Lights(unittest.TestCase):
