@@ -15,17 +15,6 @@ namespace
 // A device that is further behind than this has lost a query.
 constexpr std::size_t MostPending = 8;
 
-bool HasTimeStamps()
-{
-  if (!MissingFeatures(3, 3, {}).empty() && !HasExtension("GL_ARB_timer_query"))
-  {
-    return false;
-  }
-  GLint bits = 0;
-  glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
-  return bits > 0;
-}
-
 double MillisecondsBetween(const std::array<GLuint, 2>& stamps)
 {
   GLuint64 times[2] = { 0, 0 };
@@ -72,7 +61,7 @@ void FrameClock::Hold(vtkRenderer* renderer)
   }
   this->Release();
   this->Context.Hold(vtkOpenGLRenderWindow::SafeDownCast(window));
-  this->HasStamps = HasTimeStamps();
+  this->HasStamps = HasTimeQueries(GL_TIMESTAMP);
 }
 
 //------------------------------------------------------------------------------

@@ -112,6 +112,17 @@ bool IsSoftwareRasteriser()
   return KnownLimits::Recall(GL_RENDERER, ask) != 0;
 }
 
+bool HasTimeQueries(unsigned int target)
+{
+  if (!MissingFeatures(3, 3, {}).empty() && !HasExtension("GL_ARB_timer_query"))
+  {
+    return false;
+  }
+  GLint bits = 0;
+  glGetQueryiv(target, GL_QUERY_COUNTER_BITS, &bits);
+  return bits > 0;
+}
+
 int SubpixelBits()
 {
   return static_cast<int>(Limit(GL_SUBPIXEL_BITS));

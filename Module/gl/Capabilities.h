@@ -57,6 +57,9 @@ std::string MissingFeatures(int major, int minor, const std::vector<const char*>
 /** Returns true on Mesa's llvmpipe and softpipe, which run shaders on the CPU. */
 bool IsSoftwareRasteriser();
 
+/** Returns true if the current context counts time in queries of this target: GL_TIMESTAMP or GL_TIME_ELAPSED. */
+bool HasTimeQueries(unsigned int target);
+
 /** Returns GL_SUBPIXEL_BITS: the rasteriser snaps vertices to 2^-bits of a pixel. */
 int SubpixelBits();
 

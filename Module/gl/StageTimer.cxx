@@ -14,17 +14,6 @@ namespace
 // A device that is further behind than this has lost a query.
 constexpr std::size_t MostFramesBehind = 8;
 
-bool HasTimerQueries()
-{
-  if (!MissingFeatures(3, 3, {}).empty() && !HasExtension("GL_ARB_timer_query"))
-  {
-    return false;
-  }
-  GLint bits = 0;
-  glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
-  return bits > 0;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +71,7 @@ bool StageTimer::CanBegin()
 {
   if (this->Support == SupportType::UNKNOWN)
   {
-    this->Support = HasTimerQueries() ? SupportType::YES : SupportType::NO;
+    this->Support = HasTimeQueries(GL_TIME_ELAPSED) ? SupportType::YES : SupportType::NO;
   }
   if (this->Support == SupportType::NO)
   {
