@@ -12,23 +12,6 @@
 
 namespace vitrine
 {
-namespace
-{
-
-// Returns the drawn region: the scissor box if the test is on, else the viewport, cut to the target.
-PixelRegion DrawnRegion(vtkOpenGLState* state, int width, int height)
-{
-  int box[4];
-  state->vtkglGetIntegerv(state->GetEnumState(GL_SCISSOR_TEST) ? GL_SCISSOR_BOX : GL_VIEWPORT, box);
-  PixelRegion region;
-  region.X = std::max(box[0], 0);
-  region.Y = std::max(box[1], 0);
-  region.Width = std::min(box[0] + box[2], width) - region.X;
-  region.Height = std::min(box[1] + box[3], height) - region.Y;
-  return region;
-}
-
-}
 
 bool ImagesOfVTK::Image::operator==(const Image& other) const
 {
@@ -65,6 +48,18 @@ bool HasOneColorOfVTK(vtkOpenGLRenderWindow* window, GLuint framebuffer)
 {
   vtkOpenGLFramebufferObject* const own = window->GetRenderFramebuffer();
   return own && own->GetFBOIndex() == framebuffer && own->GetNumberOfColorAttachments() == 1;
+}
+
+PixelRegion DrawnRegion(vtkOpenGLState* state, int width, int height)
+{
+  int box[4];
+  state->vtkglGetIntegerv(state->GetEnumState(GL_SCISSOR_TEST) ? GL_SCISSOR_BOX : GL_VIEWPORT, box);
+  PixelRegion region;
+  region.X = std::max(box[0], 0);
+  region.Y = std::max(box[1], 0);
+  region.Width = std::min(box[0] + box[2], width) - region.X;
+  region.Height = std::min(box[1] + box[3], height) - region.Y;
+  return region;
 }
 
 std::string RenderTarget::Probe(vtkOpenGLRenderWindow* window, const RenderTarget& last)

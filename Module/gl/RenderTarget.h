@@ -47,6 +47,9 @@ struct ImagesOfVTK
 /** Returns true if `framebuffer` is that in which VTK draws the window, and VTK gave it one colour image. */
 bool HasOneColorOfVTK(vtkOpenGLRenderWindow* window, GLuint framebuffer);
 
+/** Returns the region to draw: the scissor box if the test is on, else the viewport, cut to the size of the target. */
+PixelRegion DrawnRegion(vtkOpenGLState* state, int width, int height);
+
 /** The properties of a draw framebuffer: its images, size, samples and the region to draw. */
 struct RenderTarget
 {

@@ -410,6 +410,36 @@ TEST(ErrorBudgetSettings, AFrameWithoutTranslucentPropsHasNoError)
   EXPECT_EQ(bounds->GetScalarRange()[1], 0.0);
 }
 
+TEST(ErrorBudgetSettings, PixelsOutsideOfTheViewportHaveNoError)
+{
+  TestScene scene;
+  const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.25, { 0.9, 0.3, 0.5, 0.4 });
+  scene.Renderer->SetViewport(0.5, 0.25, 1.0, 0.75);
+  vtkNew<vtkErrorBudgetTransparencyPass> pass;
+  pass->SetErrorBudget(4.0 * Step);
+  pass->SetColorError(1.0 * Step); // which pixels without fragments have
+  pass->KeepErrorBoundsOn();
+  scene.Use(pass);
+  for (const int visible : { 1, 0 })
+  {
+    plate->SetVisibility(visible);
+    scene.Render();
+    vtkNew<vtkImageData> bounds;
+    ASSERT_TRUE(pass->GetErrorBound(bounds));
+    ASSERT_EQ(bounds->GetNumberOfPoints(), 64 * 48);
+    for (int y = 0; y < 48; ++y)
+    {
+      for (int x = 0; x < 64; ++x)
+      {
+        const double bound = bounds->GetScalarComponentAsDouble(x, y, 0, 0) / Step;
+        const bool isInside = x >= 32 && y >= 12 && y < 36;
+        EXPECT_EQ(bound > 0.0, isInside) << visible << " " << x << " " << y;
+        EXPECT_TRUE(visible || std::abs(bound - isInside) < 1e-5) << bound;
+      }
+    }
+  }
+}
+
 TEST(ErrorBudgetSettings, ReleasesLeaveTheSamePicture)
 {
   TestScene scene;

@@ -386,7 +386,8 @@ void vtkErrorBudgetTransparencyPass::RenderNothing()
   {
     chosen.HasNothing = true;
     std::copy_n(window->GetActualSize(), 2, chosen.FrameSize);
-    chosen.Region = { 0, 0, chosen.FrameSize[0], chosen.FrameSize[1] };
+    chosen.Region =
+      vitrine::DrawnRegion(window->GetState(), chosen.FrameSize[0], chosen.FrameSize[1]);
   }
 }
 
