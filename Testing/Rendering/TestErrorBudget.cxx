@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPrefixSumTransparencyPass.h"
 #include "vtkSeeThroughPass.h"
+#include "vtkShaderProperty.h"
 #include "vtkTruthTransparencyPass.h"
 
 #include <gtest/gtest.h>
@@ -172,16 +173,24 @@ TEST(ErrorBudgetChoices, CompactNodesHaveTheOrderOfEqualDepths)
   }
 }
 
-// All depths are below 1/128, where nodes of either kind keep them in steps.
+// Below 1/128 nodes of either kind keep depths in steps of 2^-30. Two depths of one step are equal, so colours order
+// them, and each colour is in front once.
 TEST(ErrorBudgetChoices, NodesHaveTheOrderOfNearDepths)
 {
-  TestScene scene(96, 72);
-  AddBudgetScene(scene, 7, 0.3);
-  vtkCamera* const camera = scene.Renderer->GetActiveCamera();
-  const double near = camera->GetClippingRange()[0];
-  camera->SetClippingRange(near, near + 300.0 * (camera->GetClippingRange()[1] - near));
-  EXPECT_EQ(ChosenFor(scene, 2.0, 0), "prefix-sum-predicted-compact");
-  EXPECT_EQ(ChosenFor(scene, 0.6, 0), "prefix-sum-predicted");
+  const Rgba colors[] = { { 0.9, 0.1, 0.1, 0.5 }, { 0.1, 0.1, 0.9, 0.6 } };
+  for (const int first : { 0, 1 })
+  {
+    SCOPED_TRACE(first);
+    TestScene scene(8, 6);
+    for (const int i : { 0, 1 })
+    {
+      const vtkSmartPointer<vtkActor> plate = scene.AddPlate(0.5, colors[(first + i) % 2]);
+      plate->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+        "gl_FragDepth = exp2(-10.0) + " + std::to_string(i) + ".0 * exp2(-32.0);\n", false);
+    }
+    EXPECT_EQ(ChosenFor(scene, 2.0, 0), "prefix-sum-predicted-compact");
+    EXPECT_EQ(ChosenFor(scene, 0.6, 0), "prefix-sum-predicted");
+  }
 }
 
 TEST(ErrorBudgetChoices, LinkedListsServeACameraThatJumps)
