@@ -280,20 +280,20 @@ bool sameFragment(Fragment a, Fragment b)
 //
 // VITRINE_ERROR_BOUND  the error of the composite is bounded along with it. It excludes VITRINE_ALL_SAMPLES and
 //                      VITRINE_COINCIDENCE.
-// VITRINE_HIDDEN_DEPTHS  the depth behind which a pixel hides all is found along with it; it excludes the same
-#ifdef VITRINE_HIDDEN_DEPTHS
-#include "HiddenDepth.glsl"
-#else
-#define DECLARE_HIDDEN
-#define TAKE_HIDDEN(f, c)
-#define TELL_HIDDEN(pixel)
-#endif
+// VITRINE_HIDDEN_DEPTHS  the depth behind which a pixel hides all is found along with these
 #ifdef VITRINE_ERROR_BOUND
 #include "ErrorBound.glsl"
 #else
 #define DECLARE_BOUND
 #define TAKE_BOUND(f, c)
 #define TELL_BOUND(pixel, behind)
+#endif
+#ifdef VITRINE_HIDDEN_DEPTHS
+#include "HiddenDepth.glsl"
+#else
+#define DECLARE_HIDDEN
+#define TAKE_HIDDEN(f, c)
+#define TELL_HIDDEN(pixel)
 #endif
 #ifdef VITRINE_ALL_SAMPLES
 #include "SampleBlend.glsl"

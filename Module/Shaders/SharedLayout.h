@@ -148,7 +148,8 @@ struct VitrineCounters
 struct VitrineErrorBounds
 {
   uint
-    Largest; // Bits of the largest bound, as a float, among those that are not tolerated; else 0.
+    Largest;   // Bits of the largest bound, as a float, among those that are not tolerated; else 0.
+  uint Hidden; // Fragments behind the depths that hide them, in a frame that was not cut; else 0.
 };
 
 /** The counters of truth's capture, std430. The number of fragments is Fragments + 2^32 * Wraps. */

@@ -150,7 +150,7 @@ TEST(MethodChoosers, LeavePredictionIfItOftenFails)
 TEST(MethodChoosers, HideWhatIsDeepIfEnoughIsHidden)
 {
   MethodChooser chooser;
-  StoredFrame facts = { 1000, 40, 1, 1 };
+  StoredFrame facts = { 1000, 40, 1, 1, false, 150 };
   chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
   FrameChoice choice = chooser.Choose(2.0 * OneStep, Plain());
   EXPECT_NEAR(choice.HiddenLight,
@@ -178,6 +178,50 @@ TEST(MethodChoosers, HideWhatIsDeepIfEnoughIsHidden)
     chooser.NoteFrame(choice, facts);
   }
   EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()).HiddenLight, 0.0); // a tenth is not enough
+}
+
+TEST(MethodChoosers, HideNothingIfAFrameTellsThatTooLittleIsHidden)
+{
+  MethodChooser chooser;
+  StoredFrame facts = { 1000, 40, 1, 1, false, 149 };
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
+  const FrameChoice look = chooser.Choose(2.0 * OneStep, Plain());
+  EXPECT_GT(look.HiddenLight, 0.0);
+  chooser.NoteFrame(look, facts);
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()).HiddenLight, 0.0);
+}
+
+TEST(MethodChoosers, AskAgainWhetherEnoughIsHidden)
+{
+  MethodChooser chooser;
+  StoredFrame facts = { 1000, 40, 1, 1, false, 600 };
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
+  for (int round = 0; round < 2; ++round)
+  {
+    facts.IsCut = false;
+    facts.Fragments = 1000;
+    chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
+    facts.IsCut = true;
+    facts.Fragments = 400; // another view has few fragments, of which none need be hidden
+    int frames = 0;
+    for (; !chooser.Choose(2.0 * OneStep, Plain()).StoresAll && frames < 10000; ++frames)
+    {
+      chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
+    }
+    EXPECT_EQ(frames, 256);
+  }
+  facts = { 400, 40, 1, 1, false, 0 };
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, Plain()), facts);
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, Plain()).HiddenLight, 0.0);
+}
+
+TEST(MethodChoosers, HideNothingWhereAllFragmentsAreAskedFor)
+{
+  MethodChooser chooser;
+  PictureKind kind;
+  kind.KeepsAll = true;
+  chooser.NoteFrame(chooser.Choose(2.0 * OneStep, kind), { 1000, 40, 1, 1, false, 900 });
+  EXPECT_EQ(chooser.Choose(2.0 * OneStep, kind).HiddenLight, 0.0);
 }
 
 TEST(MethodChoosers, HideNothingAfterAWrongGuess)

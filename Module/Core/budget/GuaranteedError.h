@@ -24,6 +24,7 @@ struct PictureKind
   bool Additive = false;    ///< Some fragments are added to what is behind them.
   bool Coincidence = false; ///< There is a coincidence tolerance.
   bool FixedPoint = true;   ///< Colours are in [0, 1].
+  bool KeepsAll = false;    ///< All fragments are asked for, hidden or not.
 
   /** Returns true if the error of each pixel can be bounded while it is drawn (Shaders/ErrorBound.glsl). */
   bool HasBoundsOfPixels() const
@@ -35,7 +36,8 @@ struct PictureKind
   {
     return this->EightBit == other.EightBit && this->EncodesSRGB == other.EncodesSRGB &&
       this->Samples == other.Samples && this->Additive == other.Additive &&
-      this->Coincidence == other.Coincidence && this->FixedPoint == other.FixedPoint;
+      this->Coincidence == other.Coincidence && this->FixedPoint == other.FixedPoint &&
+      this->KeepsAll == other.KeepsAll;
   }
 };
 

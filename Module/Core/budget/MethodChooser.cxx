@@ -17,9 +17,11 @@ constexpr double LeastLight = 0.2 / 255.0;
 constexpr int LeastLayersThatHide = 8;
 // Depths are looked for where a 16th of the light that can be spared passes: the picture may move.
 constexpr double ReserveOfLight = 1.0 / 16.0;
-// After so many cut frames, at least this share of the fragments must be hidden.
-constexpr int CutFramesOfTrial = 3;
+// At least this share of the fragments must be hidden. A frame that is not cut tells how many are, and after so many
+// cut frames their own fragments tell. After more of them it is asked again, as the view may be another one.
 constexpr double LeastHidden = 0.15;
+constexpr int CutFramesOfTrial = 3;
+constexpr int CutFramesUntilAsked = 256;
 
 // A link of 4 bytes serves a page of up to 8 nodes.
 constexpr int LinkBytes = 1;
@@ -59,6 +61,7 @@ FrameChoice MethodChooser::Choose(double budget, const PictureKind& kind)
   choice.Colors = isCompact ? StoredColors::Compact : StoredColors::HalfFloat;
   const double spare = budget - GuaranteedError(choice.Colors, kind);
   choice.HiddenLight = this->MayHide(spare, kind) ? ReserveOfLight * spare : 0.0;
+  choice.StoresAll = choice.HiddenLight > 0.0 && this->CutFrames >= CutFramesUntilAsked;
   choice.IsPacked = this->Prediction.IsOver() && this->Last.Bands == 1;
   return choice;
 }
@@ -67,7 +70,7 @@ FrameChoice MethodChooser::Choose(double budget, const PictureKind& kind)
 // The depths of the last frame that hide what is behind are worth their cost in deep pixels.
 bool MethodChooser::MayHide(double spare, const PictureKind& kind) const
 {
-  return kind.HasBoundsOfPixels() && this->Hiding.IsOver() && this->HasFrame &&
+  return kind.HasBoundsOfPixels() && !kind.KeepsAll && this->Hiding.IsOver() && this->HasFrame &&
     this->Last.Bands == 1 && (this->Last.IsCut || this->Last.LayersMax >= LeastLayersThatHide) &&
     spare >= LeastLight;
 }
@@ -83,7 +86,7 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const StoredFrame& fact
 {
   this->Prediction.CountFrame();
   this->Hiding.CountFrame();
-  this->NoteHidden(facts);
+  this->NoteHidden(choice, facts);
   const bool isLikeLast =
     this->HasFrame && choice == this->LastChoice && facts.IsCut == this->Last.IsCut;
   if (choice.IsPacked && !this->LastChoice.IsPacked)
@@ -105,17 +108,23 @@ void MethodChooser::NoteFrame(const FrameChoice& choice, const StoredFrame& fact
 }
 
 //------------------------------------------------------------------------------
-// A few cut frames tell whether enough is hidden.
-void MethodChooser::NoteHidden(const StoredFrame& facts)
+// Cuts that are made for a moving camera are wider, so they hide less than the frame before them tells.
+void MethodChooser::NoteHidden(const FrameChoice& choice, const StoredFrame& facts)
 {
+  bool hidesEnough = true;
   if (!facts.IsCut)
   {
     this->FragmentsUncut = facts.Fragments;
     this->CutFrames = 0;
+    hidesEnough = choice.HiddenLight <= 0.0 ||
+      static_cast<double>(facts.Hidden) >= LeastHidden * static_cast<double>(facts.Fragments);
   }
-  else if (++this->CutFrames == CutFramesOfTrial &&
-    static_cast<double>(facts.Fragments) >
-      (1.0 - LeastHidden) * static_cast<double>(this->FragmentsUncut))
+  else if (++this->CutFrames == CutFramesOfTrial)
+  {
+    hidesEnough = static_cast<double>(facts.Fragments) <=
+      (1.0 - LeastHidden) * static_cast<double>(this->FragmentsUncut);
+  }
+  if (!hidesEnough)
   {
     this->Hiding.Begin();
   }
@@ -131,7 +140,8 @@ std::vector<PlannedMethod> MethodChooser::Plan(double budget, const PictureKind&
     for (const StoredColors colors : { StoredColors::Compact, StoredColors::HalfFloat })
     {
       const FrameChoice candidate{ isPacked, colors,
-        colors == chosen.Colors ? chosen.HiddenLight : 0.0 };
+        colors == chosen.Colors ? chosen.HiddenLight : 0.0,
+        colors == chosen.Colors && chosen.StoresAll };
       PlannedMethod method;
       method.Method = NameOf(candidate);
       method.Error = GuaranteedError(colors, kind);

@@ -27,6 +27,8 @@ struct FrameChoice
   StoredColors Colors = StoredColors::HalfFloat;
   /** Above 0, what is behind this little light is looked for, and not stored where the last frame found it. */
   double HiddenLight = 0.0;
+  /** With HiddenLight, everything is stored all the same: the frame tells how much is hidden. */
+  bool StoresAll = false;
 
   /** Returns true if pixels have their errors bounded, and a larger bound than the budget draws the frame again. */
   bool IsChecked() const { return this->HiddenLight > 0.0; }
@@ -34,7 +36,7 @@ struct FrameChoice
   bool operator==(const FrameChoice& other) const
   {
     return this->IsPacked == other.IsPacked && this->Colors == other.Colors &&
-      this->HiddenLight == other.HiddenLight;
+      this->HiddenLight == other.HiddenLight && this->StoresAll == other.StoresAll;
   }
 };
 
@@ -49,6 +51,8 @@ struct StoredFrame
   int GeometryPasses = 0;
   int Bands = 1;      ///< of the screen, in which the frame was drawn for want of memory
   bool IsCut = false; ///< Fragments behind what hides them were not stored.
+  /** Fragments behind what hides them, if it was looked for and the frame is not cut. */
+  std::int64_t Hidden = 0;
 };
 
 /** One way of drawing the next frame, for a plan that people read. */
@@ -86,7 +90,7 @@ private:
   double ExpectedPasses(const FrameChoice& candidate) const;
 
   bool MayHide(double spare, const PictureKind& kind) const;
-  void NoteHidden(const StoredFrame& facts);
+  void NoteHidden(const FrameChoice& choice, const StoredFrame& facts);
 
   GuessDelay Hiding;
   std::int64_t FragmentsUncut = 0; // Of the last frame that was not cut.

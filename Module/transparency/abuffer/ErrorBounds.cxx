@@ -47,14 +47,25 @@ void ErrorBounds::SetUniforms(vtkShaderProgram* program) const
   }
 }
 
-double ErrorBounds::ReadLargest() const
+VitrineErrorBounds ErrorBounds::Read() const
 {
   VitrineErrorBounds bounds = {};
   BarrierBeforeReadingBuffers();
   this->Largest.Read(0, sizeof(bounds), &bounds);
+  return bounds;
+}
+
+double ErrorBounds::ReadLargest() const
+{
+  const VitrineErrorBounds bounds = this->Read();
   float largest = 0.0f;
   std::memcpy(&largest, &bounds.Largest, sizeof(largest));
   return largest;
+}
+
+std::int64_t ErrorBounds::ReadHidden() const
+{
+  return this->Read().Hidden;
 }
 
 std::vector<float> ErrorBounds::ReadPixels() const

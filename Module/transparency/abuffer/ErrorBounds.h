@@ -15,6 +15,7 @@ namespace vitrine
 {
 
 struct RenderTarget;
+struct VitrineErrorBounds;
 
 class ErrorBounds
 {
@@ -39,6 +40,9 @@ public:
   /** Read the largest bound of the frame that is not tolerated, or 0. Waits for the device. */
   double ReadLargest() const;
 
+  /** Read how many fragments a frame that was not cut has behind the depths that hide them. Waits for the device. */
+  std::int64_t ReadHidden() const;
+
   /** Read the bounds of all pixels by rows from the bottom. There are none if they were not kept. */
   std::vector<float> ReadPixels() const;
 
@@ -53,6 +57,8 @@ public:
   void Release();
 
 private:
+  VitrineErrorBounds Read() const;
+
   double Tolerated = 1.0;
   bool KeepsPixels = false;
   double FixedBound = 0.0;

@@ -62,6 +62,7 @@ struct vtkErrorBudgetTransparencyPass::Choice
   }
 
   bool IsCut() const { return this->Frame.HiddenLight > 0.0 && this->Hidden.Cuts(); }
+  bool Looks() const { return this->Frame.HiddenLight > 0.0 && !this->Hidden.Cuts(); }
   bool ComputesBounds(bool keepsPixels) const
   {
     return this->Kind.HasBoundsOfPixels() && (this->Frame.IsChecked() || keepsPixels);
@@ -173,7 +174,6 @@ vitrine::HiddenDepths* vtkErrorBudgetTransparencyPass::GetHiddenDepths()
 }
 
 //------------------------------------------------------------------------------
-// Lists with the numbers of parts are read by vtkLayerPicker, which tells all layers.
 std::string vtkErrorBudgetTransparencyPass::ReplaceFillDepth(
   const vtkRenderState* s, const vitrine::RenderTarget& target, vitrine::RenderTarget& fill)
 {
@@ -186,7 +186,7 @@ std::string vtkErrorBudgetTransparencyPass::ReplaceFillDepth(
   const bool moved = matrices != chosen.Matrices;
   chosen.Matrices = matrices;
   chosen.Hidden.SetLight(chosen.Frame.HiddenLight);
-  return chosen.Hidden.Begin(this->GetWindow(), target, !this->PartNumbers, moved, fill);
+  return chosen.Hidden.Begin(this->GetWindow(), target, !chosen.Frame.StoresAll, moved, fill);
 }
 
 //------------------------------------------------------------------------------
@@ -196,8 +196,9 @@ std::string vtkErrorBudgetTransparencyPass::RenderFragments(
   Choice& chosen = *this->Chosen;
   chosen.HasFrame = false;
   chosen.HasNothing = false;
+  // Lists with the numbers of parts are read by vtkLayerPicker, which tells all layers.
   chosen.Kind = { target.EightBit, target.EncodesSRGB, target.Samples, this->HasAdditiveFragments(),
-    this->GetTolerance().IsOn(), target.FixedPoint };
+    this->GetTolerance().IsOn(), target.FixedPoint, this->PartNumbers };
   std::string problem = this->RenderChosen(s, target);
   const int passes = this->NumberOfGeometryPasses;
   // A wrong guess is not made again at once.
@@ -277,7 +278,7 @@ void vtkErrorBudgetTransparencyPass::NoteFrame(int passes)
   chosen.HasPixels = this->KeepErrorBounds;
   chosen.Chooser.NoteFrame(chosen.Frame,
     { this->NumberOfFragments, this->MaximumNumberOfLayers, passes, this->NumberOfBands,
-      chosen.IsCut() });
+      chosen.IsCut(), chosen.Looks() ? chosen.Bounds.ReadHidden() : 0 });
   chosen.KnowsAFrame = true;
 }
 
