@@ -20,12 +20,6 @@ SOURCES = (
     "docs/howto/paraview.md", "scripts/install-dependencies")
 SOURCE = "/opt/vitrine/source"
 SUITES = {"5.11": "bookworm", "6.1": "forky"}  # of Debian, by ParaView's version
-# Debian's Python modules of ParaView 6.1 have Python's version in their names, and its CMake files look for those
-# without.
-NAME_MODULES = """
-find /usr/lib/python3/dist-packages -name '*.cpython-*-x86_64-linux-gnu.so' -path '*paraview*' |
-while read -r module; do ln -sf "$(basename "$module")" "${module%%.cpython-*}.so"; done
-"""
 RESULTS = "/opt/vitrine/results"
 
 
@@ -52,7 +46,6 @@ class Root:
         self.check(["bash", f"{SOURCE}/scripts/install-dependencies", "--paraview"], 1800)
         self.check(
             ["apt-get", "install", "--yes", "--no-install-recommends", *TOOLS], 600, DEBIAN_FRONTEND="noninteractive")
-        self.check(["sh", "-c", NAME_MODULES], 60)
 
     def build(self):
         """Build the plugin. Units of several sources are compiled in half the time."""
