@@ -4,6 +4,8 @@ Prints a line of JSON for each: its name, how many levels of 255 a picture diffe
 allowed, and by what it was judged. Pictures that could not be made, or other answers than ParaView's own, are errors.
 """
 
+import contextlib
+import io
 import json
 import os
 import pathlib
@@ -20,44 +22,10 @@ from paraview.simple import (
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.dont_write_bytecode = True
 
+import inspection  # noqa: E402, F401, for its tests
 import scenes  # noqa: E402
 from pictures import SIZE, delete_all, difference, layers_of, picture, read  # noqa: E402
-
-TESTS = {}
-
-
-def test(by, allowed):
-    """A function that returns the difference, which is judged by something."""
-
-    def take(function):
-        TESTS[function.__name__.replace("_", " ")] = function, by, allowed
-        return function
-
-    return take
-
-
-def new_view(kind="VitrineRenderView", size=SIZE):
-    view = CreateView(kind)
-    view.ViewSize = size
-    view.UseFXAA = 0
-    return view
-
-
-def glass(view, count=8):
-    scenes.spheres(view, count, 0.2)
-    ResetCamera(view)
-    Render(view)
-
-
-def off_truth(view, path, change=lambda pixels: pixels, **options):
-    """The difference of a view's picture to truth's, with a change to both."""
-    drawn = picture(view, path, **options)
-    is_panel = view.GetXMLName() == "VitrineRenderView"
-    layers_of(view if is_panel else servermanager._getPyProxy(view.SMProxy.GetRootView()))
-    method, view.TransparencyMethod = view.TransparencyMethod, "truth"
-    right = picture(view, path, **options)
-    view.TransparencyMethod = method
-    return difference(change(drawn), change(right))
+from tests import TESTS, glass, new_view, off_truth, test  # noqa: E402
 
 
 def premultiplied(pixels):
@@ -241,12 +209,19 @@ def selections(folder):
 @test("truth", 1.0)
 def example_of_the_documentation(folder):
     page = pathlib.Path(__file__).resolve().parents[2] / "docs/howto/paraview.md"
-    (example,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.S)
-    lines = [line for line in example.splitlines() if not line.startswith("LoadPlugin")]
+    first, second = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.S)
+    lines = [line for line in first.splitlines() if not line.startswith("LoadPlugin")]
     names = {}
     os.chdir(folder)
     exec(compile("\n".join(lines), page.name, "exec"), names)
     view = names["view"]
+    view.ViewSize = [1200, 800]
+    told = io.StringIO()
+    with contextlib.redirect_stdout(told):
+        exec(compile(second, page.name, "exec"), names)
+    if told.getvalue().count("Sphere") != 6:
+        raise AssertionError(f"layers: {told.getvalue()}")
+    view.ViewSize = SIZE
     view.UseFXAA = 0
     worst = off_truth(view, folder / "example.png")
     delete_all(view)

@@ -46,21 +46,37 @@ def draw(view, threshold, folder):
     return picture(view, folder / f"remote-{view.GetXMLName()}.png")
 
 
+def answers_of(view):
+    """What is told about the last picture: why it was not exact, layers at most, and the layers under a pixel."""
+    view.UpdatePropertyInformation()
+    names = ("FallbackReason", "MaximumNumberOfLayers", "LayerSources", "LayerShares", "LayersProblem")
+    return [list(view.GetProperty(name)) for name in names]
+
+
 def draw_exactly(folder, *thresholds):
-    """Rows of pictures that are drawn with these thresholds. Truth is drawn on the client, which knows its layers."""
+    """Rows of pictures that are drawn with these thresholds. Truth is drawn on the client."""
     view = show("VitrineRenderView", glass)
     view.TransparencyMethod = "truth"
     right = draw(view, ON_CLIENT, folder)
     layers_of(view)
-    view.TransparencyMethod = "linked-list"
-    return [
-        {"by": "truth", "allowed": 1.0, "wrong": difference(draw(view, threshold, folder), right)}
-        for threshold in thresholds]
+    view.TransparencyMethod, view.LayersPixel = "linked-list", [120, 100]
+    rows, answers = [], []
+    for threshold in thresholds:
+        rows.append({"by": "truth", "allowed": 1.0, "wrong": difference(draw(view, threshold, folder), right)})
+        answers.append(answers_of(view))
+    if any(answer != answers[0] for answer in answers) or len(answers[0][2]) != 8 or not all(answers[0][2]):
+        rows[-1]["error"] = f"what the client is told: {answers}"
+    return rows
 
 
 def draw_by_ranks(folder):
-    pictures = [draw(show(kind, opaque), ON_SERVER, folder) for kind in ("RenderView", "VitrineRenderView")]
-    return {"by": "ParaView's own", "allowed": 0.0, "wrong": difference(*pictures)}
+    own = draw(show("RenderView", opaque), ON_SERVER, folder)
+    view = show("VitrineRenderView", opaque)
+    row = {"by": "ParaView's own", "allowed": 0.0, "wrong": difference(own, draw(view, ON_SERVER, folder))}
+    reasons = answers_of(view)
+    if not all("Vitrine draws on one rank" in reason for reason in (reasons[0][0], reasons[4][0])):
+        row["error"] = f"what the client is told: {reasons}"
+    return row
 
 
 def main(plugin, folder, port, ranks):

@@ -1,16 +1,26 @@
 #include "vtkVitrineRenderView.h"
 
+#include "FrameAnswers.h"
+#include "LayersUnderPixel.h"
+#include "SectionOfView.h"
+
 #include "vtkABufferTransparencyPass.h"
 #include "vtkClusteredLightsPass.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkPVSession.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkTransparencyPass.h"
+
+#include <string>
 
 vtkStandardNewMacro(vtkVitrineRenderView);
 
@@ -43,7 +53,12 @@ struct vtkVitrineRenderView::Internals
   vtkNew<vtkClusteredLightsPass> Lights;
   std::string Hindrance; ///< Why this process draws as ParaView does.
   bool IsTold = false;   ///< The hindrance was told.
-  std::string Text;      ///< Buffer of the text that GetFallbackReason() returned.
+  vitrine::SectionOfView Section;
+  vitrine::LayersUnderPixel Layers;
+  vitrine::FrameAnswers Answers;  ///< of the last frame
+  vtkNew<vtkStringArray> Texts;   ///< buffer of texts of layers that were asked for
+  vtkNew<vtkDoubleArray> Numbers; ///< buffer of numbers of layers that were asked for
+
   double ErrorBudget = 1.0 / 255.0;
   int ColorStorage = vtkABufferTransparencyPass::HALF_FLOAT;
   vtkTypeInt64 MemoryLimit = 0;
@@ -53,6 +68,45 @@ struct vtkVitrineRenderView::Internals
   vtkTransparencyPass* Method()
   {
     return vtkTransparencyPass::SafeDownCast(this->Frame->GetTranslucentPass());
+  }
+
+  /** Changes a setting of the method. */
+  template <class Value>
+  void Set(Value Internals::*setting, Value value)
+  {
+    this->*setting = value;
+    this->Configure();
+  }
+
+  /** Returns what is told about the frame that this process has drawn. */
+  vitrine::FrameAnswers AnswersOf(vtkRenderer* renderer)
+  {
+    vitrine::FrameAnswers answers;
+    if (!this->Hindrance.empty())
+    {
+      answers.Reason = answers.LayersProblem = this->Hindrance;
+      return answers;
+    }
+    answers.Reason = this->Frame->GetFallbackReason();
+    if (this->Section.Section->GetRenderer() && answers.Reason.empty())
+    {
+      answers.Reason = this->Section.Section->GetFallbackReason();
+    }
+    answers.Fragments = this->Method()->GetNumberOfFragments();
+    answers.MostLayers = this->Method()->GetMaximumNumberOfLayers();
+    this->Layers.Find(renderer, answers);
+    return answers;
+  }
+
+  template <class Value>
+  vtkDoubleArray* NumbersOf(Value vitrine::LayerOfPixel::*value)
+  {
+    this->Numbers->Reset();
+    for (const vitrine::LayerOfPixel& layer : this->Answers.Layers)
+    {
+      this->Numbers->InsertNextValue(layer.*value);
+    }
+    return this->Numbers;
   }
 
   /** Gives the method those of the settings that it has. */
@@ -127,36 +181,31 @@ void vtkVitrineRenderView::SetTransparencyMethod(const char* name)
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::SetErrorBudget(double budget)
 {
-  this->Private->ErrorBudget = budget;
-  this->Private->Configure();
+  this->Private->Set(&Internals::ErrorBudget, budget);
 }
 
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::SetColorStorage(int storage)
 {
-  this->Private->ColorStorage = storage;
-  this->Private->Configure();
+  this->Private->Set(&Internals::ColorStorage, storage);
 }
 
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::SetMemoryLimit(int mebibytes)
 {
-  this->Private->MemoryLimit = mebibytes * Mebibyte;
-  this->Private->Configure();
+  this->Private->Set(&Internals::MemoryLimit, mebibytes * Mebibyte);
 }
 
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::SetCoincidenceSteps(double steps)
 {
-  this->Private->CoincidenceSteps = steps;
-  this->Private->Configure();
+  this->Private->Set(&Internals::CoincidenceSteps, steps);
 }
 
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::SetCoincidenceSlope(double slope)
 {
-  this->Private->CoincidenceSlope = slope;
-  this->Private->Configure();
+  this->Private->Set(&Internals::CoincidenceSlope, slope);
 }
 
 //------------------------------------------------------------------------------
@@ -164,6 +213,159 @@ void vtkVitrineRenderView::SetClusteredLights(bool clustered)
 {
   Internals& in = *this->Private;
   in.Frame->SetLightingPass(clustered ? in.Lights.Get() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionPlane(bool cuts)
+{
+  this->Private->Section.HasPlane = cuts;
+  this->UpdateSection();
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionOrigin(double x, double y, double z)
+{
+  this->Private->Section.Plane->SetOrigin(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionNormal(double x, double y, double z)
+{
+  this->Private->Section.Plane->SetNormal(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::AddSectionPlane(
+  double originX, double originY, double originZ, double normalX, double normalY, double normalZ)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(originX, originY, originZ);
+  plane->SetNormal(normalX, normalY, normalZ);
+  this->Private->Section.Others.emplace_back(plane);
+  this->UpdateSection();
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::RemoveSectionPlanes()
+{
+  this->Private->Section.Others.clear();
+  this->UpdateSection();
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionBox(int box)
+{
+  this->Private->Section.Box = box;
+  this->UpdateSection();
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionBounds(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
+{
+  this->Private->Section.Bounds = { xmin, xmax, ymin, ymax, zmin, zmax };
+  this->UpdateSection();
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionRemoveBeyondAll(bool all)
+{
+  this->Private->Section.Section->SetRemoveBeyondAll(all);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionCaps(bool caps)
+{
+  this->Private->Section.Section->SetCaps(caps);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionInterference(bool stripes)
+{
+  this->Private->Section.Section->SetInterferenceStripes(stripes);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionHatch(int hatch)
+{
+  this->Private->Section.Section->SetHatch(hatch);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionHatchSpacing(double spacing)
+{
+  this->Private->Section.Section->SetHatchSpacing(spacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetSectionEdgeWidth(int width)
+{
+  this->Private->Section.Section->SetEdgeWidth(width);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::UpdateSection()
+{
+  if (this->Private->Hindrance.empty())
+  {
+    this->Private->Section.Update(this->GetRenderer());
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetLayersPixel(int x, int y)
+{
+  this->Private->Layers.Pixel = { x, y };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkVitrineRenderView::GetLayerSources()
+{
+  Internals& in = *this->Private;
+  in.Texts->Reset();
+  for (const vitrine::LayerOfPixel& layer : in.Answers.Layers)
+  {
+    in.Texts->InsertNextValue(this->NameOfSource(layer.Representation));
+  }
+  return in.Texts;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkVitrineRenderView::GetLayerBlocks()
+{
+  Internals& in = *this->Private;
+  in.Texts->Reset();
+  for (const vitrine::LayerOfPixel& layer : in.Answers.Layers)
+  {
+    in.Texts->InsertNextValue(layer.Block);
+  }
+  return in.Texts;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkVitrineRenderView::GetLayerDepths()
+{
+  return this->Private->NumbersOf(&vitrine::LayerOfPixel::Depth);
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkVitrineRenderView::GetLayerDistances()
+{
+  return this->Private->NumbersOf(&vitrine::LayerOfPixel::Distance);
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkVitrineRenderView::GetLayerShares()
+{
+  return this->Private->NumbersOf(&vitrine::LayerOfPixel::Share);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkVitrineRenderView::GetLayersProblem()
+{
+  return this->Private->Answers.LayersProblem.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -175,21 +377,41 @@ void vtkVitrineRenderView::SetMaximumNumberOfPeels(int)
 //------------------------------------------------------------------------------
 const char* vtkVitrineRenderView::GetFallbackReason()
 {
-  Internals& in = *this->Private;
-  in.Text = in.Hindrance.empty() ? in.Frame->GetFallbackReason() : in.Hindrance;
-  return in.Text.c_str();
+  return this->Private->Answers.Reason.c_str();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkVitrineRenderView::GetNumberOfFragments()
 {
-  return this->Private->Method()->GetNumberOfFragments();
+  return this->Private->Answers.Fragments;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkVitrineRenderView::GetMaximumNumberOfLayers()
 {
-  return this->Private->Method()->GetMaximumNumberOfLayers();
+  return this->Private->Answers.MostLayers;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVitrineRenderView::NameOfSource(unsigned int representation)
+{
+  for (int i = 0; i < this->GetNumberOfRepresentations(); ++i)
+  {
+    auto* const shown = vtkPVDataRepresentation::SafeDownCast(this->GetRepresentation(i));
+    if (shown && shown->GetUniqueIdentifier() == representation)
+    {
+      return vitrine::NameOfSource(shown);
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::AddRepresentationInternal(vtkDataRepresentation* representation)
+{
+  this->Superclass::AddRepresentationInternal(representation);
+  this->Private->Layers.Note(
+    vtkPVDataRepresentation::SafeDownCast(representation), this->GetRenderer());
 }
 
 //------------------------------------------------------------------------------
@@ -201,5 +423,23 @@ void vtkVitrineRenderView::AboutToRenderOnLocalProcess(bool interactive)
   {
     in.IsTold = true;
     vtkErrorMacro(<< in.Hindrance);
+  }
+}
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::Render(bool interactive, bool skipRendering)
+{
+  this->Superclass::Render(interactive, skipRendering);
+  if (skipRendering || this->GetMakingSelection())
+  {
+    return;
+  }
+  Internals& in = *this->Private;
+  in.Answers = in.AnswersOf(this->GetRenderer());
+  const bool isRemote = interactive && this->GetUseLODForInteractiveRender()
+    ? this->GetUseDistributedRenderingForLODRender()
+    : this->GetUseDistributedRenderingForRender();
+  if (isRemote)
+  {
+    in.Answers.Exchange(this->GetSession());
   }
 }

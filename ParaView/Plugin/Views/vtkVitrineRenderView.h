@@ -6,11 +6,14 @@
  * selections are as in ParaView's own view. Where ParaView peels volumes and translucent geometry together, it peels
  * until nothing is left. Ray tracing draws without this view's pass.
  *
+ * The planes and the box of a section cut what the view shows. Each frame tells which sources and blocks lie under a
+ * pixel. A server that draws sends its answers to its client with the picture.
+ *
  * A process that draws together with other ranks, on a tiled display or in a CAVE, draws as ParaView does, and tells
  * why: fragments are not exchanged between ranks yet.
  *
  * @sa
- * vtkSeeThroughPass
+ * vtkSeeThroughPass vtkSection vtkLayerPicker
  */
 #ifndef vtkVitrineRenderView_h
 #define vtkVitrineRenderView_h
@@ -19,7 +22,10 @@
 #include "vtkVitrineParaViewViewsModule.h" // export macro
 
 #include <memory> // for the view's internals
-#include <string> // for texts
+#include <string> // for names
+
+class vtkDoubleArray;
+class vtkStringArray;
 
 class VTKVITRINEPARAVIEWVIEWS_EXPORT vtkVitrineRenderView : public vtkPVRenderView
 {
@@ -72,20 +78,82 @@ public:
    */
   void SetClusteredLights(bool clustered);
 
+  ///@{
+  /**
+   * Set whether the view is cut by the plane through `origin`, which keeps the side of the normal, and by further
+   * planes, six in all. The defaults are false, the origin, and the x axis; a normal need not have length 1. See
+   * vtkSection.
+   */
+  void SetSectionPlane(bool cuts);
+  void SetSectionOrigin(double x, double y, double z);
+  void SetSectionNormal(double x, double y, double z);
+  void AddSectionPlane(
+    double originX, double originY, double originZ, double normalX, double normalY, double normalZ);
+  void RemoveSectionPlanes();
+  ///@}
+
+  ///@{
+  /**
+   * Set whether a box cuts: 0 for none, which is the default, 1 to keep what lies inside, 2 to remove it. Its bounds
+   * are xmin, xmax, ymin, ymax, zmin, zmax in world coordinates, and 0 to 1 by default.
+   */
+  void SetSectionBox(int box);
+  void SetSectionBounds(
+    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
+  ///@}
+
+  ///@{
+  /**
+   * Set how cuts look, as vtkSection does: whether planes remove only what lies beyond all of them (false), caps
+   * (true), stripes where parts interfere (true), the hatch (vtkSection::NO_HATCH), the distance of its lines (0, which
+   * means automatic), and the width of edges in pixels (1).
+   */
+  void SetSectionRemoveBeyondAll(bool all);
+  void SetSectionCaps(bool caps);
+  void SetSectionInterference(bool stripes);
+  void SetSectionHatch(int hatch);
+  void SetSectionHatchSpacing(double spacing);
+  void SetSectionEdgeWidth(int width);
+  ///@}
+
+  /**
+   * Set the pixel whose layers each frame tells, from the lower left corner. The default is -1, -1, which means none.
+   */
+  void SetLayersPixel(int x, int y);
+
+  ///@{
+  /**
+   * Get the layers of the pixel in the last frame, from front to back down to the nearest opaque one: the names of the
+   * sources in the client's pipeline, the names of blocks with slashes between, the depths in the window in [0, 1], the
+   * distances along the ray, and the shares of the picture in [0, 1]. The arrays are the view's until the next call.
+   */
+  vtkStringArray* GetLayerSources();
+  vtkStringArray* GetLayerBlocks();
+  vtkDoubleArray* GetLayerDepths();
+  vtkDoubleArray* GetLayerDistances();
+  vtkDoubleArray* GetLayerShares();
+  ///@}
+
+  /**
+   * Get why the layers cannot be told. The string is empty if they are, or if no pixel is set. It is valid until the
+   * next frame.
+   */
+  const char* GetLayersProblem();
+
   /**
    * ParaView's limit of peels has no effect on this view: it would leave layers out beside volumes.
    */
   void SetMaximumNumberOfPeels(int peels) override;
 
   /**
-   * Get why the last frame was not drawn exactly in this process. The string is empty if it was. It is valid until the
-   * next call.
+   * Get why the last frame was not drawn exactly, also where a server drew it. The string is empty if it was. It is
+   * valid until the next frame.
    */
   const char* GetFallbackReason();
 
   ///@{
   /**
-   * Get figures of the last frame in this process: translucent fragments, and the most of them in a pixel.
+   * Get figures of the last frame, also where a server drew it: translucent fragments, and the most of them in a pixel.
    */
   vtkIdType GetNumberOfFragments();
   vtkIdType GetMaximumNumberOfLayers();
@@ -95,11 +163,16 @@ protected:
   vtkVitrineRenderView();
   ~vtkVitrineRenderView() override;
 
+  void AddRepresentationInternal(vtkDataRepresentation* representation) override;
   void AboutToRenderOnLocalProcess(bool interactive) override;
+  void Render(bool interactive, bool skipRendering) override;
 
 private:
   vtkVitrineRenderView(const vtkVitrineRenderView&) = delete;
   void operator=(const vtkVitrineRenderView&) = delete;
+
+  void UpdateSection();
+  std::string NameOfSource(unsigned int representation);
 
   struct Internals;
   std::unique_ptr<Internals> Private;

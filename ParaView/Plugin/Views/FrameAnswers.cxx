@@ -1,0 +1,66 @@
+#include "FrameAnswers.h"
+
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkPVSession.h"
+
+namespace vitrine
+{
+
+namespace
+{
+
+/** A tag that no message of ParaView has. */
+constexpr int Tag = 5654;
+
+void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
+{
+  stream << answers.Reason << static_cast<vtkTypeInt64>(answers.Fragments)
+         << static_cast<vtkTypeInt64>(answers.MostLayers) << answers.LayersProblem
+         << static_cast<unsigned int>(answers.Layers.size());
+  for (const LayerOfPixel& layer : answers.Layers)
+  {
+    stream << layer.Representation << layer.Block << layer.Depth << layer.Distance << layer.Share;
+  }
+}
+
+FrameAnswers Read(vtkMultiProcessStream& stream)
+{
+  FrameAnswers answers;
+  vtkTypeInt64 fragments = 0, layers = 0;
+  unsigned int count = 0;
+  stream >> answers.Reason >> fragments >> layers >> answers.LayersProblem >> count;
+  answers.Fragments = static_cast<vtkIdType>(fragments);
+  answers.MostLayers = static_cast<vtkIdType>(layers);
+  answers.Layers.resize(count);
+  for (LayerOfPixel& layer : answers.Layers)
+  {
+    stream >> layer.Representation >> layer.Block >> layer.Depth >> layer.Distance >> layer.Share;
+  }
+  return answers;
+}
+}
+
+void FrameAnswers::Exchange(vtkPVSession* session)
+{
+  if (!session)
+  {
+    return;
+  }
+  vtkMultiProcessStream stream;
+  if (!session->HasProcessRole(vtkPVSession::CLIENT))
+  {
+    if (auto* const client = session->GetController(vtkPVSession::CLIENT)) // none on satellites
+    {
+      Write(stream, *this);
+      client->Send(stream, 1, Tag);
+    }
+  }
+  else if (auto* const server = session->GetController(vtkPVSession::RENDER_SERVER_ROOT))
+  {
+    server->Receive(stream, 1, Tag);
+    *this = Read(stream);
+  }
+}
+
+}

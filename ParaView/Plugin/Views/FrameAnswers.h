@@ -1,0 +1,40 @@
+/** What is told about the last frame of a view. A server that drew it sends this to its client. */
+#ifndef VITRINE_PARAVIEW_FRAME_ANSWERS_H
+#define VITRINE_PARAVIEW_FRAME_ANSWERS_H
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkPVSession;
+
+namespace vitrine
+{
+
+/** A layer under a pixel. */
+struct LayerOfPixel
+{
+  unsigned int Representation =
+    0;                   ///< the unique identifier of the representation that shows it, or 0
+  std::string Block;     ///< names of blocks from the outermost on, with slashes between
+  double Depth = 1.0;    ///< of the window, in [0, 1]
+  double Distance = 0.0; ///< along the ray, in world units
+  double Share = 0.0;    ///< of the picture, in [0, 1]
+};
+
+struct FrameAnswers
+{
+  std::string Reason; ///< why the frame was not drawn exactly, or empty
+  vtkIdType Fragments = 0;
+  vtkIdType MostLayers = 0;
+  std::string LayersProblem; ///< why the layers cannot be told, or empty
+  std::vector<LayerOfPixel> Layers;
+
+  /** Sends the answers to the client, or receives those of the server. Does nothing where there is one process. */
+  void Exchange(vtkPVSession* session);
+};
+
+}
+
+#endif

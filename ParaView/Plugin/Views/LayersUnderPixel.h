@@ -1,0 +1,50 @@
+/** Finds which representations and blocks lie under a pixel of a view, from front to back. */
+#ifndef VITRINE_PARAVIEW_LAYERS_UNDER_PIXEL_H
+#define VITRINE_PARAVIEW_LAYERS_UNDER_PIXEL_H
+
+#include "FrameAnswers.h"
+
+#include "vtkLayerPicker.h"
+#include "vtkNew.h"
+#include "vtkProp.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <map>
+#include <string>
+
+class vtkPVDataRepresentation;
+class vtkRenderer;
+
+namespace vitrine
+{
+
+class LayersUnderPixel
+{
+public:
+  std::array<int, 2> Pixel{ -1, -1 }; ///< from the lower left corner; negative for none
+
+  /** Notes that a representation has added the props of the renderer that are new. */
+  void Note(vtkPVDataRepresentation* representation, vtkRenderer* renderer);
+
+  /** Fills in the layers of the last frame, or the reason why they cannot be told. */
+  void Find(vtkRenderer* renderer, FrameAnswers& answers);
+
+private:
+  struct Shown
+  {
+    vtkWeakPointer<vtkProp>
+      Prop; ///< a prop that is gone may have its address in common with a new one
+    unsigned int Representation = 0;
+  };
+
+  std::map<vtkProp*, Shown> Props;
+  vtkNew<vtkLayerPicker> Picker;
+};
+
+/** Returns the name that the source of a representation has in the client's pipeline. It is empty if it has none. */
+std::string NameOfSource(vtkPVDataRepresentation* representation);
+
+}
+
+#endif

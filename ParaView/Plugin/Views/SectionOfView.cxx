@@ -1,0 +1,36 @@
+#include "SectionOfView.h"
+
+#include "vtkRenderer.h"
+
+namespace vitrine
+{
+
+void SectionOfView::Update(vtkRenderer* renderer)
+{
+  this->Section->RemoveAllPlanes();
+  if (this->HasPlane)
+  {
+    this->Section->AddPlane(this->Plane);
+  }
+  for (const auto& plane : this->Others)
+  {
+    this->Section->AddPlane(plane);
+  }
+  this->Section->RemoveBox();
+  if (this->Box != NO_BOX)
+  {
+    const std::array<double, 6>& b = this->Bounds;
+    this->Section->SetBox(b[0], b[1], b[2], b[3], b[4], b[5], this->Box == KEEP_INSIDE);
+  }
+  const bool cuts = this->Section->GetNumberOfPlanes() > 0 || this->Section->HasBox();
+  if (!cuts)
+  {
+    this->Section->Detach();
+  }
+  else if (this->Section->GetRenderer() != renderer)
+  {
+    this->Section->Attach(renderer);
+  }
+}
+
+}
